@@ -1,0 +1,23 @@
+// A sink that gathers coverage: 8 bit, 0 empty, 255 full.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/pixel.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// Coverage c over old coverage a leaves c + (255 - c) * a / 255, to the
+/// nearest: what is drawn over a mask can only add to it.
+struct A8Target {
+  Strip strip;
+};
+
+/// `target` must outlive `out`. Errors: see pixel.hpp.
+Status make_sink(A8Target& target, Sink& out) noexcept;
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,107 @@
+// Pixel formats: how many bytes a strip needs, and the blend they all share.
+//
+// Each format has a header of its own with a target and a make_sink():
+//
+//   a8.hpp        A8Target          coverage itself, 8 bit
+//   grey8.hpp     Grey8Target       256 levels
+//   grey4.hpp     Grey4Target       16 levels, either nibble first
+//   grey2.hpp     Grey2Target       4 levels, either end first
+//   mono_rows.hpp   MonoRowsTarget  1 bit, bytes along the row
+//   mono_pages.hpp  MonoPagesTarget 1 bit, bytes of 8 rows, bit 0 on top
+//   rgb565.hpp    Rgb565Target      either byte first
+//   rgb888.hpp    Rgb888Target      3 bytes, red or blue first
+//   xrgb8888.hpp  Xrgb8888Target    4 bytes: blue, green, red, x
+//
+// A target is a strip and a colour. The caller owns it, and it must outlive the
+// sink; the colour may be changed between two calls that draw. The strip may
+// not: make the sink anew. make_sink() returns, and leaves `out` alone, with
+//
+//   bad_argument  a negative size, a stride shorter than a row or over 65535
+//                 bytes, a corner over 32767 px from the origin, or what the
+//                 target's header says
+//   buffer_small  fewer pixels than the rows need
+//   misaligned    only xrgb8888: pixels or stride not a multiple of 4 bytes
+//
+// A sink never touches a pixel outside its strip, whatever it is called with,
+// and never a pixel of coverage 0.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace inkcell {
+namespace port {
+
+enum class PixelFormat : uint8_t {
+  a8,
+  grey8,
+  grey4,
+  grey2,
+  mono_rows,
+  mono_pages,
+  rgb565,
+  rgb888,
+  xrgb8888,
+};
+
+/// Which end of a byte is the left pixel, in formats of several pixels a byte.
+enum class BitOrder : uint8_t { high_left, low_left };
+
+/// Which byte of a 16-bit pixel lies at the lower address.
+enum class ByteOrder : uint8_t { low_first, high_first };
+
+constexpr int32_t bits_per_pixel(PixelFormat format) noexcept {
+  switch (format) {
+    case PixelFormat::mono_rows:
+    case PixelFormat::mono_pages:
+      return 1;
+    case PixelFormat::grey2:
+      return 2;
+    case PixelFormat::grey4:
+      return 4;
+    case PixelFormat::rgb565:
+      return 16;
+    case PixelFormat::rgb888:
+      return 24;
+    case PixelFormat::xrgb8888:
+      return 32;
+    default:
+      return 8;
+  }
+}
+
+/// The smallest Strip::stride [bytes] for `width` px (0..32767): a row, or in
+/// mono_pages a page of 8 rows.
+constexpr int32_t stride_bytes(PixelFormat format, int32_t width) noexcept {
+  return format == PixelFormat::mono_pages
+             ? width
+             : (width * bits_per_pixel(format) + 7) / 8;
+}
+
+/// The bytes that a strip of `width` x `height` px needs with that stride.
+constexpr size_t strip_bytes(PixelFormat format,
+                             int32_t width,
+                             int32_t height) noexcept {
+  const int32_t rows =
+      format == PixelFormat::mono_pages ? (height + 7) / 8 : height;
+  return static_cast<size_t>(stride_bytes(format, width)) *
+         static_cast<size_t>(rows);
+}
+
+/// value / 255 to the nearest whole number, exact for 0..65535. There are no
+/// ties: 255 is odd.
+constexpr uint32_t divide_by_255(uint32_t value) noexcept {
+  return (value + 128 + ((value + 128) >> 8)) >> 8;
+}
+
+/// `foreground` over `background`, both 0..255 or on any shallower scale:
+/// (c * foreground + (255 - c) * background) / 255 to the nearest. Every format
+/// blends each channel so, on the levels that it stores.
+constexpr uint32_t blend(uint32_t coverage,
+                         uint32_t foreground,
+                         uint32_t background) noexcept {
+  return divide_by_255(coverage * foreground + (255 - coverage) * background);
+}
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,57 @@
+// Formats of 1, 2 or 4 bits a pixel: where a pixel lies in its byte.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/pixel.hpp"
+#include "inkcell/strip.hpp"
+#include "run.hpp"
+
+namespace inkcell {
+namespace port {
+namespace detail {
+
+/// The shift of the lowest bit of pixel `x` in its byte.
+inline uint32_t packed_shift(uint32_t x,
+                             uint32_t bits_log2,
+                             BitOrder order) noexcept {
+  const uint32_t last = (8u >> bits_log2) - 1;  // pixel of a byte
+  const uint32_t place =
+      order == BitOrder::high_left ? last - (x & last) : x & last;
+  return place << bits_log2;
+}
+
+/// Makes `count` pixels (1 or more) from `x` of a row equal to those of
+/// `pattern`, a byte full of one level.
+void fill_packed(uint8_t* row,
+                 uint32_t x,
+                 uint32_t count,
+                 uint32_t bits_log2,
+                 uint8_t pattern,
+                 BitOrder order) noexcept;
+
+/// Blends `count` pixels from `x` of a row, each on the levels of its bits.
+/// Inline so that bits_log2 is a constant where it is called.
+inline void blend_packed(uint8_t* row,
+                         uint32_t x,
+                         const uint8_t* coverage,
+                         uint32_t count,
+                         uint32_t bits_log2,
+                         uint8_t level,
+                         BitOrder order) noexcept {
+  const uint32_t mask = (1u << (1u << bits_log2)) - 1;
+  for (const uint8_t* end = coverage + count; coverage != end; ++coverage) {
+    if (*coverage != 0) {
+      const uint32_t shift = packed_shift(x, bits_log2, order);
+      uint8_t& byte = row[x >> (3 - bits_log2)];
+      const uint32_t old = byte >> shift & mask;
+      const uint32_t change = old ^ blend(*coverage, level, old);
+      byte = static_cast<uint8_t>(byte ^ change << shift);
+    }
+    ++x;
+  }
+}
+
+}  // namespace detail
+}  // namespace port
+}  // namespace inkcell

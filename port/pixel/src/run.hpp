@@ -1,0 +1,48 @@
+// What all sinks begin with: checking a strip, and clipping a run to it.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace port {
+namespace detail {
+
+/// Pixels of one row, from (x, y) to the right.
+struct Run {
+  int32_t x;
+  int32_t y;
+  int32_t count;
+  int32_t skipped;  // pixels cut off on the left
+};
+
+/// Cuts `run` (screen) to the strip and makes it relative to the strip's first
+/// pixel. Returns whether anything is left. Safe for any values.
+bool clip(const Strip& strip, Run& run) noexcept;
+
+/// How a format lies in memory: `bits` from one byte column or pixel to the
+/// next, `1 << rows_log2` rows to a stride.
+struct Layout {
+  int32_t bits;
+  int32_t rows_log2;
+};
+
+/// Makes the sink of `strip` from the two functions and their context, if the
+/// strip is what pixel.hpp asks for.
+Status open_sink(const Strip& strip,
+                 Layout layout,
+                 const Sink& functions,
+                 Sink& out) noexcept;
+
+/// The first byte of row (or page) `y` of the strip.
+inline uint8_t* row_at(const Strip& strip, int32_t y) noexcept {
+  return strip.pixels.data +
+         static_cast<size_t>(y) * static_cast<size_t>(strip.stride);
+}
+
+}  // namespace detail
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,36 @@
+// Access to four bytes of a strip as one word, in the machine's byte order.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+namespace port {
+namespace detail {
+
+/// `bytes` is a multiple of 4: some cores trap otherwise.
+inline uint32_t load_word(const uint8_t* bytes) noexcept {
+  uint32_t word;
+  __builtin_memcpy(&word, __builtin_assume_aligned(bytes, 4), 4);
+  return word;
+}
+
+/// `bytes` is a multiple of 4.
+inline void store_word(uint8_t* bytes, uint32_t word) noexcept {
+  __builtin_memcpy(__builtin_assume_aligned(bytes, 4), &word, 4);
+}
+
+/// The word whose bytes in memory are these, on any machine.
+inline uint32_t word_of(uint32_t byte0,
+                        uint32_t byte1,
+                        uint32_t byte2,
+                        uint32_t byte3) noexcept {
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  return byte0 << 24 | byte1 << 16 | byte2 << 8 | byte3;
+#else
+  return byte3 << 24 | byte2 << 16 | byte1 << 8 | byte0;
+#endif
+}
+
+}  // namespace detail
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,80 @@
+// The sink for four bytes a pixel.
+#include "inkcell/port/xrgb8888.hpp"
+
+#include "run.hpp"
+#include "word.hpp"
+
+namespace inkcell {
+namespace port {
+
+namespace {
+
+using detail::Run;
+
+// The colour as load_word() brings a pixel, whatever the machine's byte order:
+// the blend below treats all four bytes alike.
+uint32_t colour_word(const Xrgb8888Target& target) noexcept {
+  return detail::word_of(target.colour & 0xff, target.colour >> 8 & 0xff,
+                         target.colour >> 16 & 0xff, target.colour >> 24);
+}
+
+// blend() of the bytes 0 and 2 of a word, each in its half: 255 * 255 + 128
+// and the rounding stay below 65536, so nothing carries from one to the other.
+uint32_t blend_pair(uint32_t coverage,
+                    uint32_t foreground,
+                    uint32_t background) noexcept {
+  constexpr uint32_t kPair = 0x00ff00ff;
+  const uint32_t sum = coverage * (foreground & kPair) +
+                       (255 - coverage) * (background & kPair) + 0x00800080;
+  return (sum + (sum >> 8 & kPair)) >> 8 & kPair;
+}
+
+void coverage(void* context,
+              int32_t x,
+              int32_t y,
+              const uint8_t* coverage,
+              int32_t count) noexcept {
+  const auto& target = *static_cast<const Xrgb8888Target*>(context);
+  Run run{x, y, count, 0};
+  if (!detail::clip(target.strip, run)) {
+    return;
+  }
+  coverage += run.skipped;
+  const uint32_t colour = colour_word(target);
+  uint8_t* pixel = detail::row_at(target.strip, run.y) + 4 * run.x;
+  for (uint8_t* const end = pixel + 4 * run.count; pixel != end; pixel += 4) {
+    const uint32_t c = *coverage++;
+    if (c != 0) {
+      const uint32_t old = detail::load_word(pixel);
+      detail::store_word(pixel, blend_pair(c, colour, old) |
+                                    blend_pair(c, colour >> 8, old >> 8) << 8);
+    }
+  }
+}
+
+void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
+  const auto& target = *static_cast<const Xrgb8888Target*>(context);
+  Run run{x, y, count, 0};
+  if (!detail::clip(target.strip, run)) {
+    return;
+  }
+  const uint32_t colour = colour_word(target);
+  uint8_t* pixel = detail::row_at(target.strip, run.y) + 4 * run.x;
+  for (uint8_t* const end = pixel + 4 * run.count; pixel != end; pixel += 4) {
+    detail::store_word(pixel, colour);
+  }
+}
+
+}  // namespace
+
+Status make_sink(Xrgb8888Target& target, Sink& out) noexcept {
+  const Strip& strip = target.strip;
+  const auto address = reinterpret_cast<uintptr_t>(strip.pixels.data);
+  if (((address | static_cast<uintptr_t>(strip.stride)) & 3) != 0) {
+    return Status::misaligned;
+  }
+  return detail::open_sink(strip, {32, 0}, {{}, &target, coverage, solid}, out);
+}
+
+}  // namespace port
+}  // namespace inkcell
