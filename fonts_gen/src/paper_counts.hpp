@@ -1,0 +1,34 @@
+// What other quadtrees need for the same glyph: the paper's comparison.
+#pragma once
+
+#include <cstddef>
+
+#include "adf.hpp"
+#include "shape.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// Leaves of a quadtree.
+struct LeafCounts {
+  size_t all = 0;
+  /// Without the constant ones: those that are all inside or all outside.
+  size_t varying = 0;
+};
+
+/// Leaves of a bi-linear ADF (Frisken et al. 2000: four distances at the
+/// corners) under the conditions of build_adf with the same options, but with
+/// distances in full precision and cells down to 1/1024 em.
+LeafCounts count_cells_bilinear(const Shape& shape, const AdfOptions& options);
+
+/// The same for nine distances: what quantisation costs is the difference to
+/// build_adf.
+LeafCounts count_cells_biquadratic(const Shape& shape,
+                                   const AdfOptions& options);
+
+/// Leaves of a 3-colour quadtree (inside, outside, edge) whose edge cells are
+/// all 1 / `resolution` em wide.
+LeafCounts count_cells_three_colour(const Shape& shape, int resolution = 512);
+
+}  // namespace gen
+}  // namespace inkcell
