@@ -1,0 +1,74 @@
+// How a run of glyphs is drawn: size, direction and filter.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/filter.hpp"
+#include "inkcell/fixed.hpp"
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+
+/// Smallest and largest size: 4 and 1024 px to the em.
+inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
+inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
+
+/// A unit vector: the direction of the baseline, counter-clockwise from the
+/// right as one sees it. {1, 0} is upright text.
+struct Direction {
+  Fixed<int32_t, 30> cosine = Fixed<int32_t, 30>::from_raw(1 << 30);
+  Fixed<int32_t, 30> sine;
+};
+
+/// Size, direction and filter of a style. Built once, constant afterwards, in
+/// the caller's memory; shared by any number of drawing calls. The filter must
+/// outlive it.
+class Brush {
+ public:
+  /// 16 px/em, upright, filter `text`.
+  constexpr Brush() noexcept = default;
+
+  /// A brush of `size` px to the em. bad_argument: the size is outside
+  /// kMinSize..kMaxSize, or the direction is not a unit vector within 1/1000;
+  /// `out` is then untouched.
+  static Status make(Q26_6 size,
+                     const Filter& filter,
+                     Direction direction,
+                     Brush& out) noexcept;
+
+  /// An upright brush.
+  static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
+    return make(size, filter, Direction{}, out);
+  }
+
+  Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
+  const Filter& filter() const noexcept { return *filter_; }
+  Direction direction() const noexcept { return direction_; }
+  bool is_upright() const noexcept {
+    return direction_.sine.raw == 0 && direction_.cosine.raw > 0;
+  }
+
+  /// How far one pixel to the right leads in the glyph along its two axes.
+  /// [u per px, Q16]; upright: {step, 0}, step = 1024 / size.
+  int32_t step_along_q16() const noexcept { return step_along_q16_; }
+  int32_t step_across_q16() const noexcept { return step_across_q16_; }
+
+  /// A distance in u as one in px, clamped to +-32 px. [Q10 -> Q10]
+  int32_t to_px_q10(int32_t distance_u_q10) const noexcept {
+    // The clamp keeps the product below 2^31 at every size.
+    const int32_t limit = limit_u_q10_;
+    distance_u_q10 = distance_u_q10 > limit ? limit : distance_u_q10;
+    distance_u_q10 = distance_u_q10 < -limit ? -limit : distance_u_q10;
+    return (distance_u_q10 * size_q6_) >> 16;
+  }
+
+ private:
+  int32_t size_q6_ = 16 << 6;          // [px/em]
+  int32_t limit_u_q10_ = 2097151;      // what 32 px are at this size
+  int32_t step_along_q16_ = 64 << 16;  // [u/px]
+  int32_t step_across_q16_ = 0;
+  Direction direction_;
+  const Filter* filter_ = &kFilterText;
+};
+
+}  // namespace inkcell

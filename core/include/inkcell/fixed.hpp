@@ -1,0 +1,60 @@
+// Fixed-point numbers whose type says the precision.
+//
+// Qm.n is signed, m counts the sign bit, m + n is the number of bits stored.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+
+/// A signed fixed-point number with `kFraction` fractional bits, stored in
+/// `Raw`. Conversions are explicit and loud; arithmetic on raw values stays in
+/// inner loops.
+template <typename Raw, int kFraction>
+struct Fixed {
+  Raw raw = 0;
+
+  static constexpr int kFractionBits = kFraction;
+
+  constexpr Fixed() noexcept = default;
+  static constexpr Fixed from_raw(Raw value) noexcept {
+    Fixed result;
+    result.raw = value;
+    return result;
+  }
+  /// `value` must fit the integer part.
+  static constexpr Fixed from_int(Raw value) noexcept {
+    return from_raw(static_cast<Raw>(value * (Raw{1} << kFraction)));
+  }
+  /// Rounds towards minus infinity.
+  constexpr Raw floor() const noexcept {
+    return static_cast<Raw>(raw >> kFraction);
+  }
+};
+
+template <typename Raw, int kFraction>
+constexpr bool operator==(Fixed<Raw, kFraction> a,
+                          Fixed<Raw, kFraction> b) noexcept {
+  return a.raw == b.raw;
+}
+template <typename Raw, int kFraction>
+constexpr bool operator!=(Fixed<Raw, kFraction> a,
+                          Fixed<Raw, kFraction> b) noexcept {
+  return a.raw != b.raw;
+}
+
+/// Sizes and positions at the interface: 1/64 px.
+using Q26_6 = Fixed<int32_t, 6>;
+/// Signed distances in u (1/1024 em), resolution 1/1024 u.
+using Q22_10 = Fixed<int32_t, 10>;
+/// Signed distances in px: range +-32 px, resolution 1/1024 px.
+using Q6_10 = Fixed<int16_t, 10>;
+/// Positions in u (1/1024 em): range +-32 em.
+using Q16_16 = Fixed<int32_t, 16>;
+/// Components of unit vectors and gradients.
+using Q2_14 = Fixed<int16_t, 14>;
+
+// All arithmetic here relies on it; C++17 leaves it to the implementation.
+static_assert((-3 >> 1) == -2, "right shift of a negative number must floor");
+
+}  // namespace inkcell

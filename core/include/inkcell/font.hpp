@@ -1,0 +1,127 @@
+// Fonts in ROM: opened once in constant time, safe with any content.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/field.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+
+/// Measures of one glyph in font units (units_per_em to the em), y up, origin
+/// on the baseline. The box is that of the ink; it is empty for a space.
+struct GlyphMetrics {
+  int32_t advance = 0;
+  int16_t x_min = 0;  // left bearing
+  int16_t y_min = 0;
+  int16_t x_max = 0;
+  int16_t y_max = 0;
+};
+
+/// Measures of the whole font in font units, y up: the descender is negative.
+/// A line is ascender - descender + line_gap high.
+struct FontMetrics {
+  uint16_t units_per_em = 1;
+  int16_t ascender = 0;
+  int16_t descender = 0;
+  int16_t line_gap = 0;
+  int16_t x_height = 0;
+  int16_t cap_height = 0;
+  int16_t x_min = 0;  // box of all ink
+  int16_t y_min = 0;
+  int16_t x_max = 0;
+  int16_t y_max = 0;
+};
+
+/// What the font was generated for.
+struct FontRange {
+  uint16_t min_px = 0;  // [px/em]
+  uint16_t max_px = 0;
+  uint16_t band_u = 0;     // distances are good up to here
+  uint8_t tolerance = 0;   // worst coverage error that was allowed [1/255]
+  uint16_t max_cells = 0;  // of any glyph
+  uint16_t max_nodes = 0;
+  uint8_t max_depth = 0;  // steps from a tile to its smallest cell
+};
+
+/// A font in read-only memory. Holds a view, owns nothing: the bytes must
+/// outlive it. Constant after `open`, so that any number of tasks and
+/// interrupts may draw from it at once.
+///
+/// Font bytes are untrusted. `open` checks the header, the section directory
+/// and the sizes of the tables, in time that does not depend on the number of
+/// glyphs or cells. Everything else is checked where it is read: whatever the
+/// bytes are, and even if they change later, no call reads outside them, fails
+/// to end, or traps. Wrong bytes give a wrong picture.
+class Font {
+ public:
+  /// A font without glyphs: every call answers no_glyph or zero.
+  constexpr Font() noexcept = default;
+
+  /// Opens the font that begins at `rom.data`, a multiple of 4. `rom` may be
+  /// longer than the font.
+  ///
+  /// bad_magic, bad_version, misaligned, corrupt (header, directory or table
+  /// sizes), unsupported (cells, coding or a section that this build cannot
+  /// read). `out` is untouched unless the result is ok.
+  static Status open(Span<const uint8_t> rom, Font& out) noexcept;
+
+  /// Reads the whole font: its checksum, every table and every reference.
+  /// Never needed for safety; for a factory test or after an update. Time is
+  /// proportional to the font's size. corrupt: something does not fit.
+  Status verify() const noexcept;
+
+  uint16_t glyph_count() const noexcept { return glyph_count_; }
+  FontMetrics metrics() const noexcept;
+  FontRange range() const noexcept;
+  uint16_t units_per_em() const noexcept { return units_per_em_; }
+
+  /// The glyph of a code point. no_glyph: the font has none; `glyph` is then 0,
+  /// which is .notdef, so that the status may be ignored for drawing. Binary
+  /// search: at most 17 steps.
+  Status glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept;
+
+  /// no_glyph: there is no glyph of this id; `out` is untouched.
+  Status glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept;
+
+  /// What to add to the advance of `left` when `right` follows, in font units;
+  /// 0 when the font says nothing about the pair.
+  int32_t kerning(uint16_t left, uint16_t right) const noexcept;
+
+  /// The distance field of a glyph; empty for a glyph without ink.
+  /// no_glyph: there is no glyph of this id. corrupt, unsupported: as
+  /// GlyphField::open. `out` is untouched unless the result is ok.
+  Status field(uint16_t glyph, GlyphField& out) const noexcept;
+
+  /// The glyph's record as it lies in the font, for tools. Empty if the glyph
+  /// has no ink, does not exist, or its offsets do not fit.
+  Span<const uint8_t> record(uint16_t glyph) const noexcept;
+
+  /// The font's name, UTF-8, not terminated; empty if it has none.
+  Span<const char> name() const noexcept;
+
+  /// The bytes of the font, without what followed it in `rom`.
+  Span<const uint8_t> rom() const noexcept { return rom_; }
+
+  /// The bytes of the section `tag` (format::section); empty if absent.
+  Span<const uint8_t> section(uint32_t tag) const noexcept;
+
+ private:
+  Status open_tables() noexcept;
+  Status open_kerning() noexcept;
+  uint32_t kerning_class(uint32_t position) const noexcept;
+
+  Span<const uint8_t> rom_;
+  Span<const uint8_t> cmap_;
+  Span<const uint8_t> metrics_;
+  Span<const uint8_t> glyphs_;
+  Span<const uint8_t> kerning_;
+  uint16_t glyph_count_ = 0;
+  uint16_t units_per_em_ = 1;
+  uint16_t left_classes_ = 0;
+  uint16_t right_classes_ = 0;
+  uint8_t class_bytes_ = 1;
+};
+
+}  // namespace inkcell

@@ -1,0 +1,151 @@
+// Every offset and constant of the ROM font format, as docs/FORMAT.md states
+// them. Shared by the reader and the generator; applications do not need it.
+//
+// All numbers are little endian. `u` is 1/1024 em.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+namespace format {
+
+constexpr uint32_t tag(char a, char b, char c, char d) noexcept {
+  return static_cast<uint32_t>(static_cast<uint8_t>(a)) |
+         static_cast<uint32_t>(static_cast<uint8_t>(b)) << 8 |
+         static_cast<uint32_t>(static_cast<uint8_t>(c)) << 16 |
+         static_cast<uint32_t>(static_cast<uint8_t>(d)) << 24;
+}
+
+inline constexpr uint32_t kMagic = tag('I', 'N', 'K', 'C');
+
+/// The font's first byte lies at a multiple of this. [bytes]
+inline constexpr uint32_t kAlignment = 4;
+
+// The header. The section directory follows it.
+namespace header {
+inline constexpr uint32_t kMagic = 0;          // u32
+inline constexpr uint32_t kFormatMinor = 4;    // u8
+inline constexpr uint32_t kFormatMajor = 5;    // u8
+inline constexpr uint32_t kHeaderBytes = 6;    // u16, with directory
+inline constexpr uint32_t kTotalBytes = 8;     // u32
+inline constexpr uint32_t kHeaderCrc = 12;     // u32, header but this field
+inline constexpr uint32_t kContentCrc = 16;    // u32, all after the header
+inline constexpr uint32_t kGlyphCount = 20;    // u16, at least 1
+inline constexpr uint32_t kUnitsPerEm = 22;    // u16, 16..16384
+inline constexpr uint32_t kAscender = 24;      // i16 [font units]
+inline constexpr uint32_t kDescender = 26;     // i16 [font units], below: < 0
+inline constexpr uint32_t kLineGap = 28;       // i16 [font units]
+inline constexpr uint32_t kXHeight = 30;       // i16 [font units]
+inline constexpr uint32_t kCapHeight = 32;     // i16 [font units]
+inline constexpr uint32_t kMinPx = 34;         // u16 [px/em]
+inline constexpr uint32_t kMaxPx = 36;         // u16 [px/em]
+inline constexpr uint32_t kTolerance = 38;     // u8 [1/255]
+inline constexpr uint32_t kCellKind = 39;      // u8, CellKind
+inline constexpr uint32_t kCoding = 40;        // u8, Coding
+inline constexpr uint32_t kPredicate = 41;     // u8, Predicate
+inline constexpr uint32_t kSectionCount = 42;  // u16
+inline constexpr uint32_t kMaxCells = 44;      // u16, of any glyph
+inline constexpr uint32_t kMaxNodes = 46;      // u16, of any glyph
+inline constexpr uint32_t kMaxDepth = 48;      // u8, of any tile
+inline constexpr uint32_t kReserved = 49;      // u8, 0
+inline constexpr uint32_t kBand = 50;          // u16 [u], field good up to here
+inline constexpr uint32_t kXMin = 52;          // i16 [font units]
+inline constexpr uint32_t kYMin = 54;          // i16 [font units]
+inline constexpr uint32_t kXMax = 56;          // i16 [font units]
+inline constexpr uint32_t kYMax = 58;          // i16 [font units]
+inline constexpr uint32_t kWorkspace = 60;     // u32 [bytes], 0: read in place
+inline constexpr uint32_t kBytes = 64;
+}  // namespace header
+
+enum class CellKind : uint8_t { samples = 0, fields = 1 };
+enum class Coding : uint8_t { direct = 0, packed = 1 };
+enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };
+
+// An entry of the section directory.
+namespace section {
+inline constexpr uint32_t kTag = 0;     // u32
+inline constexpr uint32_t kFlags = 4;   // u32
+inline constexpr uint32_t kOffset = 8;  // u32 [bytes] from the font's start
+inline constexpr uint32_t kSize = 12;   // u32 [bytes]
+inline constexpr uint32_t kBytes = 16;
+
+/// A reader that does not know the section must refuse the font.
+inline constexpr uint32_t kMustUnderstand = 1;
+
+inline constexpr uint32_t kCmap = tag('C', 'M', 'A', 'P');
+inline constexpr uint32_t kMetrics = tag('M', 'E', 'T', 'R');
+inline constexpr uint32_t kKerning = tag('K', 'E', 'R', 'N');
+inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
+inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
+}  // namespace section
+
+// An entry of CMAP: consecutive code points on consecutive glyphs. Sorted.
+namespace cmap {
+inline constexpr uint32_t kFirst = 0;       // u32, code point
+inline constexpr uint32_t kExtra = 4;       // u16, code points after the first
+inline constexpr uint32_t kFirstGlyph = 6;  // u16
+inline constexpr uint32_t kBytes = 8;
+}  // namespace cmap
+
+// An entry of METR, one for each glyph, all in font units.
+namespace metrics {
+inline constexpr uint32_t kAdvance = 0;  // u16
+inline constexpr uint32_t kXMin = 2;     // i16, box of the ink
+inline constexpr uint32_t kYMin = 4;     // i16
+inline constexpr uint32_t kXMax = 6;     // i16
+inline constexpr uint32_t kYMax = 8;     // i16
+inline constexpr uint32_t kBytes = 10;
+}  // namespace metrics
+
+// KERN: a matrix of class pairs. After the header the class of each glyph as a
+// left one, then as a right one, then the values, i16 [font units], row by row.
+// Class 0 has no row and no column: it kerns with nothing. A class takes one
+// byte if neither side has more than 255 classes, else two.
+namespace kerning {
+inline constexpr uint32_t kLeftClasses = 0;   // u16, without class 0
+inline constexpr uint32_t kRightClasses = 2;  // u16, without class 0
+inline constexpr uint32_t kBytes = 4;
+}  // namespace kerning
+
+// A glyph record: `samples` cells, `direct` coding. GLYF begins with
+// glyph_count + 1 offsets (u32, from the section's start, multiples of 4);
+// a glyph whose offsets are equal has no ink.
+namespace glyph {
+inline constexpr uint32_t kType = 0;        // u8, kTypeSamples
+inline constexpr uint32_t kTileLog2 = 1;    // u8, 0..11: tiles of 1..2048 u
+inline constexpr uint32_t kX0 = 2;          // i16 [u], left edge of the grid
+inline constexpr uint32_t kY0 = 4;          // i16 [u], lower edge, y up
+inline constexpr uint32_t kTilesX = 6;      // u8
+inline constexpr uint32_t kTilesY = 7;      // u8
+inline constexpr uint32_t kNodeCount = 8;   // u16
+inline constexpr uint32_t kCellCount = 10;  // u16
+inline constexpr uint32_t kBytes = 12;
+// then u16 references: one a tile (row by row from below), four a node
+// (child 2 * upper + right); then the cells.
+
+inline constexpr uint8_t kTypeSamples = 1;
+inline constexpr uint32_t kMaxTileLog2 = 11;
+
+// A reference.
+inline constexpr uint16_t kOutside = 0;
+inline constexpr uint16_t kInside = 1;
+inline constexpr uint16_t kFirstNode = 2;      // node n is kFirstNode + n
+inline constexpr uint16_t kCellFlag = 0x8000;  // cell n is kCellFlag | n
+inline constexpr uint32_t kMaxNodes = 0x7ffe;
+inline constexpr uint32_t kMaxCells = 0x8000;
+}  // namespace glyph
+
+// A cell of nine samples: the distance at its centre, then eight offsets from
+// it, i8, in cell size / 128: lower left, lower middle, lower right, middle
+// left, middle right, upper left, upper middle, upper right (the paper's d1,
+// d2, d3, d4, d6, d7, d8, d9).
+namespace samples {
+inline constexpr uint32_t kCentre = 0;  // i16, Q10.6 u
+inline constexpr uint32_t kOffsets = 2;
+inline constexpr uint32_t kBytes = 10;
+inline constexpr int kCentreFraction = 6;
+inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
+}  // namespace samples
+
+}  // namespace format
+}  // namespace inkcell

@@ -1,0 +1,58 @@
+// From a glyph's field to coverage: the scanline renderer.
+//
+// One distance sample per pixel, taken at the pixel's centre, and mapped to
+// coverage by the brush's filter (Perry and Frisken, section 4.2.2). Pixel
+// (i, j) covers [i, i + 1] x [j, j + 1], x to the right, y down.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/field.hpp"
+#include "inkcell/fixed.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+/// A place on the screen in px, y down.
+struct Point {
+  Q26_6 x;
+  Q26_6 y;
+};
+
+/// The same, finer and wider: how glyphs of a run are placed. [px, Q10]
+struct FinePoint {
+  int64_t x_q10 = 0;
+  int64_t y_q10 = 0;
+
+  constexpr FinePoint() noexcept = default;
+  constexpr FinePoint(int64_t x, int64_t y) noexcept : x_q10(x), y_q10(y) {}
+  constexpr FinePoint(Point p) noexcept
+      : x_q10(int64_t{p.x.raw} * 16), y_q10(int64_t{p.y.raw} * 16) {}
+};
+
+/// Draws the glyph whose origin (left end of its baseline) is at `origin`, into
+/// `sink`. Clipped to the sink's window; cannot fail. The picture does not
+/// depend on how a screen is cut into windows.
+void draw_field(const GlyphField& field,
+                const Brush& brush,
+                FinePoint origin,
+                const Sink& sink) noexcept;
+
+/// The pixels that draw_field may touch, before clipping: those whose centres
+/// lie in the glyph's grid (for slanted text, in the box around it).
+Rect field_box(const GlyphField& field,
+               const Brush& brush,
+               FinePoint origin) noexcept;
+
+/// Signed distances, in px, at the centres of `out.size` pixels of row `y` from
+/// `x` to the right; saturated ones are +-32 px. The plain form of what
+/// draw_field fuses, for filters and effects of one's own.
+void distance_row(const GlyphField& field,
+                  const Brush& brush,
+                  FinePoint origin,
+                  int32_t x,
+                  int32_t y,
+                  Span<Q6_10> out) noexcept;
+
+}  // namespace inkcell

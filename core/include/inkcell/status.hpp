@@ -1,0 +1,32 @@
+// The one error type, and the two macros that go with it.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+
+/// Why a call did nothing. Values never change: they end up in field logs.
+// clang-format off
+enum class [[nodiscard]] Status : uint8_t {
+  ok           = 0,
+  bad_magic    = 1,  // not an Inkcell font
+  bad_version  = 2,  // a format that this library does not read: regenerate
+  corrupt      = 3,  // an offset, a length or a checksum does not fit
+  no_glyph     = 4,  // code point or glyph id absent; .notdef is glyph 0
+  buffer_small = 5,  // shorter than the minimum that the call states
+  misaligned   = 6,  // the font must start at a multiple of 4 bytes
+  unsupported  = 7,  // a section or coding that this build leaves out
+  bad_argument = 8,  // outside the range that the call states
+};
+// clang-format on
+
+}  // namespace inkcell
+
+/// Returns from the calling function unless `expression` is Status::ok.
+#define INKCELL_TRY(expression)                         \
+  do {                                                  \
+    const ::inkcell::Status inkcell_try = (expression); \
+    if (inkcell_try != ::inkcell::Status::ok) {         \
+      return inkcell_try;                               \
+    }                                                   \
+  } while (false)

@@ -1,0 +1,95 @@
+// Where pixels go: a strip of framebuffer rows, and the sink that fills it.
+//
+// Coordinates are whole pixels of the screen, x to the right and y down. The
+// core never touches a pixel itself: it hands coverage to a sink. The sinks for
+// the usual pixel formats are in port/pixel; writing one takes two functions.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/span.hpp"
+
+namespace inkcell {
+
+/// A half-open rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
+/// Empty when x1 <= x0 or y1 <= y0.
+struct Rect {
+  int32_t x0 = 0;
+  int32_t y0 = 0;
+  int32_t x1 = 0;
+  int32_t y1 = 0;
+};
+
+/// The common part of two rectangles; empty when they do not meet.
+constexpr Rect intersect(const Rect& a, const Rect& b) noexcept {
+  return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0,
+          a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
+}
+
+constexpr bool is_empty(const Rect& r) noexcept {
+  return r.x1 <= r.x0 || r.y1 <= r.y0;
+}
+
+/// Rows of the framebuffer held in RAM. The caller owns the memory, the loop
+/// over strips and the transfer to the display. How many bytes `pixels` needs
+/// is said by the pixel format (`strip_bytes` in port/pixel).
+struct Strip {
+  Span<uint8_t> pixels;
+  int32_t x0 = 0;  // screen position of the strip's first pixel
+  int32_t y0 = 0;
+  int32_t width = 0;   // [px]
+  int32_t height = 0;  // [px]
+  int32_t stride = 0;  // [bytes] from one row (or page of 8 rows) to the next
+
+  constexpr Rect rect() const noexcept {
+    return {x0, y0, x0 + width, y0 + height};
+  }
+};
+
+/// The most coverages that one call of Sink::coverage brings.
+inline constexpr int32_t kMaxSpan = 32;
+
+/// Takes what the renderer draws. Calls come glyph by glyph, and within a glyph
+/// from top to bottom and from left to right, never the same pixel twice;
+/// pixels outside `window` are never named. Glyphs may overlap: a sink blends
+/// over what is there.
+struct Sink {
+  /// What the sink accepts: normally the rectangle of its strip. At most
+  /// 32767 px in any direction from the origin.
+  Rect window;
+  /// Passed back as the first argument of both functions.
+  void* context = nullptr;
+  /// `count` pixels (1..kMaxSpan) from (x, y) to the right, each with its
+  /// coverage 0..255. `coverage` is valid during the call only.
+  void (*coverage)(void* context,
+                   int32_t x,
+                   int32_t y,
+                   const uint8_t* coverage,
+                   int32_t count) = nullptr;
+  /// `count` pixels (1 or more, any number) of full coverage.
+  void (*solid)(void* context, int32_t x, int32_t y, int32_t count) = nullptr;
+};
+
+/// How a screen is drawn strip by strip with a small buffer.
+struct StripLoop {
+  /// The buffer for one strip: `rows` times `stride` bytes (page layouts: an
+  /// eighth of that, and `rows` a multiple of 8). The caller owns it.
+  Span<uint8_t> buffer;
+  int32_t width = 0;   // of the screen [px]
+  int32_t height = 0;  // of the screen [px]
+  int32_t rows = 0;    // of a strip; the last one may have fewer
+  int32_t stride = 0;  // [bytes]
+  /// Passed back as the first argument of both functions.
+  void* context = nullptr;
+  /// Draws everything that meets the strip: background first, then text.
+  void (*draw)(void* context, const Strip& strip) = nullptr;
+  /// Sends the strip to the display; may return before the transfer ends if
+  /// the caller waits for it at the start of the next `draw`.
+  void (*flush)(void* context, const Strip& strip) = nullptr;
+};
+
+/// Calls draw and flush for the strips of a screen, from top to bottom. The
+/// picture is the same for every number of rows.
+void run_strips(const StripLoop& loop) noexcept;
+
+}  // namespace inkcell

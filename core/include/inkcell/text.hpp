@@ -1,0 +1,121 @@
+// Lines of text: UTF-8 to positioned glyphs, and those to pixels.
+//
+// Layout knows no size: positions are in font units, unrounded, so that one
+// layout serves every size, strip and frame. One line at a time, left to right;
+// line breaks are the caller's.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+/// UTF-8 bytes that somebody else owns. Any bytes are allowed: each maximal
+/// part that is not well formed reads as one U+FFFD (Unicode 15, section 3.9).
+struct Text {
+  const char* data = nullptr;
+  size_t size = 0;  // [bytes]
+
+  constexpr Text() noexcept = default;
+  constexpr Text(const char* bytes, size_t count) noexcept
+      : data(bytes), size(count) {}
+  /// A zero-terminated string.
+  constexpr Text(const char* string) noexcept : data(string) {
+    while (string[size] != '\0') {
+      ++size;
+    }
+  }
+};
+
+/// Takes the first code point off `text`, which must not be empty.
+uint32_t next_code_point(Text& text) noexcept;
+
+/// A glyph of a run. Font units, y up, from the run's origin on the baseline.
+struct PositionedGlyph {
+  int32_t x = 0;
+  int16_t y = 0;
+  uint16_t glyph = 0;
+};
+
+/// Lays text out glyph by glyph, without a buffer.
+///
+///   TextCursor cursor(font, "AV");
+///   PositionedGlyph glyph;
+///   while (cursor.next(glyph)) { ... }
+///   // cursor.advance() is the width of the line
+///
+/// `font` and the text must outlive it.
+class TextCursor {
+ public:
+  TextCursor(const Font& font, Text text) noexcept : font_(font), text_(text) {}
+
+  /// The next glyph, kerned against the one before; false at the end. A code
+  /// point that the font lacks gives .notdef.
+  bool next(PositionedGlyph& out) noexcept;
+
+  /// Where the next glyph would stand without kerning. [font units, at most
+  /// 2^24 in magnitude]
+  int32_t advance() const noexcept { return advance_; }
+
+ private:
+  const Font& font_;
+  Text text_;
+  int32_t advance_ = 0;
+  int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
+};
+
+/// Positions of all glyphs of one line. `out` holds at most text.size glyphs,
+/// which always suffice; `glyphs` is the part of it that was filled.
+///
+/// buffer_small: `out` was too short; `glyphs` is untouched.
+Status layout(const Font& font,
+              Text text,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept;
+
+/// Width and ink of a line in font units, y up, from its origin.
+struct TextMeasure {
+  int32_t advance = 0;
+  int32_t x_min = 0;  // the ink box is empty if x_max <= x_min
+  int32_t y_min = 0;
+  int32_t x_max = 0;
+  int32_t y_max = 0;
+};
+
+TextMeasure measure(const Font& font, Text text) noexcept;
+
+/// A length in font units at a brush's size, rounded to the nearest 1/64 px.
+Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept;
+
+/// Draws laid-out glyphs with the run's origin (left end of its baseline) at
+/// `origin`, along the brush's direction. Glyphs outside the sink's window cost
+/// little: their cells are not touched. Cannot fail: it clips, and glyphs that
+/// the font lacks are left out. Positions are clamped to +-2^24 font units.
+void draw(const Font& font,
+          Span<const PositionedGlyph> glyphs,
+          const Brush& brush,
+          Point origin,
+          const Sink& sink) noexcept;
+
+/// Lays out and draws one line. For a screen drawn in many strips, `layout`
+/// once and `draw` for each is faster.
+void draw_text(const Font& font,
+               Text text,
+               const Brush& brush,
+               Point origin,
+               const Sink& sink) noexcept;
+
+/// Draws one glyph by its id, with its origin at `origin`.
+void draw_glyph(const Font& font,
+                uint16_t glyph,
+                const Brush& brush,
+                Point origin,
+                const Sink& sink) noexcept;
+
+}  // namespace inkcell

@@ -1,0 +1,34 @@
+#include "inkcell/brush.hpp"
+
+namespace inkcell {
+
+Status Brush::make(Q26_6 size,
+                   const Filter& filter,
+                   Direction direction,
+                   Brush& out) noexcept {
+  if (size.raw < kMinSize.raw || size.raw > kMaxSize.raw) {
+    return Status::bad_argument;
+  }
+  const int64_t cosine = direction.cosine.raw;
+  const int64_t sine = direction.sine.raw;
+  constexpr int64_t kOneQ30 = int64_t{1} << 30;
+  const int64_t length_squared =
+      ((cosine >> 1) * (cosine >> 1) + (sine >> 1) * (sine >> 1)) >> 28;
+  const int64_t excess = length_squared - kOneQ30;
+  if (excess > kOneQ30 / 500 || excess < -kOneQ30 / 500) {
+    return Status::bad_argument;
+  }
+  // 1024 u over size/64 px, Q16: 2^10 2^6 2^16 / size.
+  const int64_t step_q16 = (int64_t{1} << 32) / size.raw;
+  Brush brush;
+  brush.size_q6_ = size.raw;
+  brush.limit_u_q10_ = INT32_MAX / size.raw;
+  brush.step_along_q16_ = static_cast<int32_t>((step_q16 * cosine) >> 30);
+  brush.step_across_q16_ = static_cast<int32_t>((step_q16 * sine) >> 30);
+  brush.direction_ = direction;
+  brush.filter_ = &filter;
+  out = brush;
+  return Status::ok;
+}
+
+}  // namespace inkcell

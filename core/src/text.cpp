@@ -1,0 +1,223 @@
+#include "inkcell/text.hpp"
+
+namespace inkcell {
+namespace {
+
+constexpr uint32_t kReplacement = 0xfffd;
+
+uint32_t byte_at(const Text& text, size_t i) noexcept {
+  return static_cast<uint8_t>(text.data[i]);
+}
+
+void take(Text& text, size_t count) noexcept {
+  text.data += count;
+  text.size -= count;
+}
+
+// What a lead byte says: the number of bytes that follow, the payload of the
+// lead, and what the first of those bytes may be. The narrowed ranges exclude
+// overlong forms, surrogates and what lies above U+10FFFF (Unicode, table 3-7).
+struct Lead {
+  uint8_t following;
+  uint8_t payload;
+  uint8_t low;
+  uint8_t high;
+};
+
+Lead lead_of(uint32_t byte) noexcept {
+  if (byte >= 0xc2 && byte <= 0xdf) {
+    return {1, static_cast<uint8_t>(byte & 0x1f), 0x80, 0xbf};
+  }
+  if (byte >= 0xe0 && byte <= 0xef) {
+    const uint8_t low = byte == 0xe0 ? 0xa0 : 0x80;
+    const uint8_t high = byte == 0xed ? 0x9f : 0xbf;
+    return {2, static_cast<uint8_t>(byte & 0x0f), low, high};
+  }
+  if (byte >= 0xf0 && byte <= 0xf4) {
+    const uint8_t low = byte == 0xf0 ? 0x90 : 0x80;
+    const uint8_t high = byte == 0xf4 ? 0x8f : 0xbf;
+    return {3, static_cast<uint8_t>(byte & 0x07), low, high};
+  }
+  return {0, 0, 0, 0};
+}
+
+int32_t clamp(int32_t value, int32_t limit) noexcept {
+  if (value > limit) {
+    return limit;
+  }
+  return value < -limit ? -limit : value;
+}
+
+// Longer lines than this, 1000 em at the least, end where it ends: a hostile
+// font may have glyphs 65535 units wide.
+constexpr int32_t kMaxUnits = 1 << 24;
+
+// What a run's font units are in px: computed once, because it takes a
+// division. [px per unit, Q10 with 20 more bits]
+class UnitScale {
+ public:
+  UnitScale(const Font& font, const Brush& brush) noexcept
+      : scale_((int64_t{brush.size().raw} << 24) / font.units_per_em()) {}
+
+  // At most 2^24 units times 2^36: within int64_t.
+  int64_t to_px_q10(int32_t units) const noexcept {
+    return (clamp(units, kMaxUnits) * scale_) >> 20;
+  }
+
+ private:
+  int64_t scale_;
+};
+
+FinePoint place(const UnitScale& scale,
+                const Brush& brush,
+                const FinePoint& origin,
+                const PositionedGlyph& at) noexcept {
+  const int64_t along = scale.to_px_q10(at.x);
+  const int64_t across = scale.to_px_q10(at.y);
+  if (brush.is_upright()) {
+    return {origin.x_q10 + along, origin.y_q10 - across};
+  }
+  const int64_t cosine = brush.direction().cosine.raw;
+  const int64_t sine = brush.direction().sine.raw;
+  return {origin.x_q10 + ((along * cosine - across * sine) >> 30),
+          origin.y_q10 - ((along * sine + across * cosine) >> 30)};
+}
+
+void draw_placed(const Font& font,
+                 uint16_t glyph,
+                 const Brush& brush,
+                 const FinePoint& origin,
+                 const Sink& sink) noexcept {
+  GlyphField field;
+  if (font.field(glyph, field) == Status::ok) {
+    draw_field(field, brush, origin, sink);
+  }
+}
+
+}  // namespace
+
+uint32_t next_code_point(Text& text) noexcept {
+  const uint32_t first = byte_at(text, 0);
+  if (first < 0x80) {
+    take(text, 1);
+    return first;
+  }
+  const Lead lead = lead_of(first);
+  uint32_t code_point = lead.payload;
+  size_t used = 1;
+  while (used <= lead.following && used < text.size) {
+    const uint32_t next = byte_at(text, used);
+    const uint32_t low = used == 1 ? lead.low : 0x80;
+    const uint32_t high = used == 1 ? lead.high : 0xbf;
+    if (next < low || next > high) {
+      break;
+    }
+    code_point = code_point << 6 | (next & 0x3f);
+    ++used;
+  }
+  take(text, used);
+  const bool whole = lead.following > 0 && used == lead.following + size_t{1};
+  return whole ? code_point : kReplacement;
+}
+
+bool TextCursor::next(PositionedGlyph& out) noexcept {
+  if (text_.size == 0) {
+    return false;
+  }
+  uint16_t glyph = 0;
+  const Status found = font_.glyph_of(next_code_point(text_), glyph);
+  static_cast<void>(found);  // an absent one is .notdef
+  if (previous_ >= 0) {
+    advance_ =
+        clamp(advance_ + font_.kerning(static_cast<uint16_t>(previous_), glyph),
+              kMaxUnits);
+  }
+  out.x = advance_;
+  out.y = 0;
+  out.glyph = glyph;
+  GlyphMetrics metrics;
+  if (font_.glyph_metrics(glyph, metrics) == Status::ok) {
+    advance_ = clamp(advance_ + metrics.advance, kMaxUnits);
+  }
+  previous_ = glyph;
+  return true;
+}
+
+Status layout(const Font& font,
+              Text text,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  TextCursor cursor(font, text);
+  PositionedGlyph glyph;
+  size_t count = 0;
+  while (cursor.next(glyph)) {
+    if (count == out.size) {
+      return Status::buffer_small;
+    }
+    out[count++] = glyph;
+  }
+  glyphs = {out.data, count};
+  return Status::ok;
+}
+
+TextMeasure measure(const Font& font, Text text) noexcept {
+  TextMeasure sum;
+  TextCursor cursor(font, text);
+  PositionedGlyph at;
+  bool inked = false;
+  while (cursor.next(at)) {
+    GlyphMetrics glyph;
+    if (font.glyph_metrics(at.glyph, glyph) != Status::ok ||
+        glyph.x_max <= glyph.x_min) {
+      continue;
+    }
+    const int32_t left = at.x + glyph.x_min;
+    const int32_t right = at.x + glyph.x_max;
+    sum.x_min = !inked || left < sum.x_min ? left : sum.x_min;
+    sum.x_max = !inked || right > sum.x_max ? right : sum.x_max;
+    sum.y_min = !inked || glyph.y_min < sum.y_min ? glyph.y_min : sum.y_min;
+    sum.y_max = !inked || glyph.y_max > sum.y_max ? glyph.y_max : sum.y_max;
+    inked = true;
+  }
+  sum.advance = cursor.advance();
+  return sum;
+}
+
+Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
+  const int64_t fine = UnitScale(font, brush).to_px_q10(units);
+  return Q26_6::from_raw(static_cast<int32_t>((fine + 8) >> 4));
+}
+
+void draw(const Font& font,
+          Span<const PositionedGlyph> glyphs,
+          const Brush& brush,
+          Point origin,
+          const Sink& sink) noexcept {
+  const UnitScale scale(font, brush);
+  for (const PositionedGlyph& at : glyphs) {
+    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink);
+  }
+}
+
+void draw_text(const Font& font,
+               Text text,
+               const Brush& brush,
+               Point origin,
+               const Sink& sink) noexcept {
+  const UnitScale scale(font, brush);
+  TextCursor cursor(font, text);
+  PositionedGlyph at;
+  while (cursor.next(at)) {
+    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink);
+  }
+}
+
+void draw_glyph(const Font& font,
+                uint16_t glyph,
+                const Brush& brush,
+                Point origin,
+                const Sink& sink) noexcept {
+  draw_placed(font, glyph, brush, origin, sink);
+}
+
+}  // namespace inkcell
