@@ -362,13 +362,14 @@ TEST(all_runs) {
 
 // Runs that begin or end outside the strip, or lie beside it.
 TEST(clipping) {
+  const int32_t kRows[] = {-1, 0, kHeight - 1, kHeight};
   uint8_t coverage[kMaxSpan];
   for (uint8_t& each : coverage) {
     each = static_cast<uint8_t>(1 + random_below(255));
   }
   for (const Format& f : kFormats) {
     for (int32_t x = -12; x <= 12 && !check::failed(); ++x) {
-      for (int32_t y : {-1, 0, kHeight - 1, kHeight}) {
+      for (const int32_t y : kRows) {
         canvas.open(f, 9, 1);
         check_call(f, {kX0 + x, kY0 + y, 11, coverage});
         canvas.open(f, 9, 2);
