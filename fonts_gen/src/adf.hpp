@@ -57,7 +57,7 @@ struct AdfGlyph {
   bool within_tolerance = true;
 
   int node_count() const {
-    return static_cast<int>(references.size() - tiles_x * tiles_y) / 4;
+    return (static_cast<int>(references.size()) - tiles_x * tiles_y) / 4;
   }
 };
 

@@ -40,6 +40,7 @@ class GeometryError : public std::runtime_error {
   enum class Kind {
     bad_coordinates,  // not a number, or beyond kCoordinateLimit
     too_complex,      // the field has more cells or tiles than the format
+    not_united,       // the union of the contours failed
   };
 
   GeometryError(Kind kind, const std::string& message)

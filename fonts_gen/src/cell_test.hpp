@@ -1,0 +1,118 @@
+// Is a cell good enough? Compares the device's reading of it with the truth.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "adf.hpp"
+#include "inkcell/field.hpp"
+#include "metric.hpp"
+#include "shape.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// A square of the quadtree, 2^size_log2 u wide.
+struct CellSquare {
+  int x_u = 0;
+  int y_u = 0;
+  int size_log2 = 0;
+
+  int size_u() const { return 1 << size_log2; }
+  Square square() const {
+    return {static_cast<double>(x_u), static_cast<double>(y_u),
+            static_cast<double>(size_u())};
+  }
+  /// Children 0..3 are lower left, lower right, upper left, upper right.
+  CellSquare child(int index) const {
+    const int half = size_u() / 2;
+    return {x_u + (index & 1) * half, y_u + (index >> 1) * half, size_log2 - 1};
+  }
+};
+
+/// Nine distances, row by row from below, as bytes in ROM: the centre rounded
+/// to 1/64 u, the others to 1/128 of the cell from it.
+SampleCell quantise(const std::array<double, 9>& distances_u, int size_log2);
+
+/// What the device makes of `cell` at (x, y) from its lower left corner; each
+/// 0..size, the far border read as the last position inside. [u]
+double read_cell(const SampleCell& cell, int size_log2, double x, double y);
+
+/// True distances on a lattice of 17 x 17 points over a cell, computed when
+/// asked for and handed down to the children.
+class Lattice {
+ public:
+  static constexpr int kSteps = 16;
+
+  explicit Lattice(const CellSquare& cell);
+
+  /// The lattice of a child, with what is known here.
+  Lattice child(int index) const;
+
+  const CellSquare& cell() const { return cell_; }
+
+  /// Makes the row `j` known at every column that `stride` divides.
+  void fill_row(const Neighbourhood& truth, int j, int stride);
+
+  double operator()(int i, int j) const { return d_[at(i, j)]; }
+
+  std::array<double, 9> nine(const Neighbourhood& truth);
+
+ private:
+  static size_t at(int i, int j) {
+    return static_cast<size_t>(j * (kSteps + 1) + i);
+  }
+
+  CellSquare cell_;
+  // NaN: not known. A row is known at all multiples of a stride or at none
+  // that the next wider stride does not have.
+  std::array<double, (kSteps + 1) * (kSteps + 1)> d_;
+};
+
+/// What a test found.
+struct Verdict {
+  bool passed = true;
+  /// Over all tested points; incomplete if the test failed. [Metric::error]
+  double worst = 0;
+  double mean = 0;
+};
+
+/// Tests cells against one metric and limit.
+class CellTest {
+ public:
+  /// `refine`: look between the points of the lattice wherever the true
+  /// distance bends.
+  CellTest(const Metric& metric, double limit, bool refine)
+      : metric_(metric), limit_(limit), refine_(refine) {}
+
+  /// Stops at the first point beyond the limit.
+  Verdict run(const SampleCell& cell,
+              Lattice& lattice,
+              const Neighbourhood& truth) const;
+
+  /// Visits every point whatever it finds.
+  Verdict measure(const SampleCell& cell,
+                  Lattice& lattice,
+                  const Neighbourhood& truth) const;
+
+ private:
+  struct Job;
+  struct Patch;
+
+  Verdict test(const SampleCell& cell,
+               Lattice& lattice,
+               const Neighbourhood& truth,
+               bool stop) const;
+  bool test_stride(Job& job, int stride) const;
+  bool test_between(Job& job) const;
+  bool test_patch(Job& job, const Patch& patch) const;
+  bool may_exceed(const Patch& patch) const;
+  double point_error(Job& job, double x, double y, double truth_u) const;
+
+  Metric metric_;
+  double limit_;
+  bool refine_;
+};
+
+}  // namespace gen
+}  // namespace inkcell

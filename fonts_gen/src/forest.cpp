@@ -1,0 +1,347 @@
+#include "forest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "inkcell/field.hpp"
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+constexpr int kTileLog2 = 8;
+constexpr int kSmallestLog2 = 0;
+constexpr int kSmallestLog2Fixed = 1;
+constexpr int kSmallestTileLog2Fixed = 6;
+// Offsets of cells beyond 256 u are too coarse to be of use.
+constexpr int kLargestCellLog2 = 8;
+
+// A cell whose centre is farther from the edge than this many cell sizes has
+// no edge in it: half the diagonal.
+constexpr double kHalfDiagonal = 0.7072;
+
+/// The paper's tolerance: 1/1024 em. [u]
+constexpr double kFixedTolerance_u = 1;
+
+// What stays of the tolerance when the lattice has looked: coverage is rounded
+// to 1/255, distances in px to 1/1024, and a bend between two points of the
+// finest lattice may add 1.5/255 at the very worst. [1/255]
+constexpr double kMargin = 1.5;
+
+constexpr int kMaxTiles = 255;
+// GlyphField::open refuses grids beyond. [u]
+constexpr int kGridLimit_u = 16384;
+
+// What a saturated cell reads as. [u]
+constexpr double kSaturated_u = kSaturatedDistanceQ10 / 1024.0;
+
+constexpr uint32_t kNone = UINT32_MAX;
+
+// Sides of a square, and the step across each.
+constexpr int kSides = 4;
+constexpr int kStepX[kSides] = {-1, 1, 0, 0};
+constexpr int kStepY[kSides] = {0, 0, -1, 1};
+
+// Points of a side at which two cells are compared.
+constexpr int kSeamSteps = 16;
+
+double limit_for(const AdfOptions& options) {
+  if (options.predicate == Predicate::fixed) {
+    return kFixedTolerance_u;
+  }
+  return std::max(options.tolerance - kMargin, options.tolerance / 2);
+}
+
+double tolerance_for(const AdfOptions& options) {
+  return options.predicate == Predicate::fixed ? kFixedTolerance_u
+                                               : options.tolerance;
+}
+
+int smallest_log2(const AdfOptions& options) {
+  return options.predicate == Predicate::fixed ? kSmallestLog2Fixed
+                                               : kSmallestLog2;
+}
+
+[[noreturn]] void throw_too_complex(const char* what) {
+  throw GeometryError(GeometryError::Kind::too_complex, what);
+}
+
+int tiles_for(double extent_u, int tile_log2) {
+  return std::max(
+      1, static_cast<int>(std::ceil(std::ldexp(extent_u, -tile_log2))));
+}
+
+}  // namespace
+
+Grid lay_grid(const Shape& shape, const AdfOptions& options) {
+  const double band = band_u(options);
+  const Box& ink = shape.box();
+  const Box box{ink.x0 - band, ink.y0 - band, ink.x1 + band, ink.y1 + band};
+  const bool fixed = options.predicate == Predicate::fixed;
+  Grid grid;
+  grid.tile_log2 = fixed ? kSmallestTileLog2Fixed : kTileLog2;
+  const double extent = std::max(box.x1 - box.x0, box.y1 - box.y0);
+  while (fixed && (1 << grid.tile_log2) < extent &&
+         grid.tile_log2 < static_cast<int>(format::glyph::kMaxTileLog2)) {
+    ++grid.tile_log2;
+  }
+  // The grid begins on a whole u, at most 1 u before the box.
+  grid.tiles_x = tiles_for(box.x1 - std::floor(box.x0), grid.tile_log2);
+  grid.tiles_y = tiles_for(box.y1 - std::floor(box.y0), grid.tile_log2);
+  if (grid.tiles_x > kMaxTiles || grid.tiles_y > kMaxTiles) {
+    throw_too_complex("the glyph needs more than 255 tiles in a row");
+  }
+  const double width = grid.tiles_x << grid.tile_log2;
+  const double height = grid.tiles_y << grid.tile_log2;
+  const double slack_x = fixed ? 0 : width - (box.x1 - std::floor(box.x0));
+  const double slack_y = fixed ? 0 : height - (box.y1 - std::floor(box.y0));
+  grid.x0_u = static_cast<int>(std::floor(box.x0) - std::floor(slack_x / 2));
+  grid.y0_u = static_cast<int>(std::floor(box.y0) - std::floor(slack_y / 2));
+  if (grid.x0_u < -kGridLimit_u || grid.x0_u + width > kGridLimit_u ||
+      grid.y0_u < -kGridLimit_u || grid.y0_u + height > kGridLimit_u) {
+    throw_too_complex("the glyph reaches beyond 16 em from its origin");
+  }
+  return grid;
+}
+
+Forest::Forest(const Shape& shape, const AdfOptions& options)
+    : shape_(shape),
+      options_(options),
+      metric_(options),
+      test_(metric_,
+            limit_for(options),
+            options.predicate == Predicate::size_aware),
+      grid_(lay_grid(shape, options)) {
+  trees_.resize(static_cast<size_t>(grid_.tiles_x * grid_.tiles_y));
+  for (size_t i = 0; i < trees_.size(); ++i) {
+    const int column = static_cast<int>(i) % grid_.tiles_x;
+    const int row = static_cast<int>(i) / grid_.tiles_x;
+    trees_[i].square = {grid_.x0_u + (column << grid_.tile_log2),
+                        grid_.y0_u + (row << grid_.tile_log2), grid_.tile_log2};
+  }
+}
+
+void Forest::grow() {
+  const uint32_t tiles = static_cast<uint32_t>(trees_.size());
+  for (uint32_t i = 0; i < tiles; ++i) {
+    const CellSquare square = trees_[i].square;
+    grow(i, Neighbourhood(shape_, square.square()), Lattice(square));
+  }
+}
+
+void Forest::grow(uint32_t at, const Neighbourhood& truth, Lattice lattice) {
+  Tree& tree = trees_[at];
+  if (truth.clearance() >= metric_.band_u()) {
+    tree.kind = lattice.nine(truth)[4] > 0 ? Kind::inside : Kind::outside;
+    return;
+  }
+  if (settle(tree, truth, lattice)) {
+    tree.kind = Kind::cell;
+    if (++cell_count_ > format::glyph::kMaxCells) {
+      throw_too_complex("the glyph needs more than 32768 cells");
+    }
+    return;
+  }
+  divide(at, truth, lattice);
+}
+
+void Forest::divide(uint32_t at,
+                    const Neighbourhood& truth,
+                    const Lattice& lattice) {
+  const uint32_t first = static_cast<uint32_t>(trees_.size());
+  const CellSquare square = trees_[at].square;
+  trees_[at].kind = Kind::node;
+  trees_[at].children = first;
+  trees_.resize(trees_.size() + 4);
+  for (int i = 0; i < 4; ++i) {
+    const uint32_t child = first + static_cast<uint32_t>(i);
+    trees_[child].square = square.child(i);
+    grow(child, truth.part(trees_[child].square.square()), lattice.child(i));
+  }
+}
+
+// Whether the square can stay whole; then its cell and verdict are set.
+bool Forest::settle(Tree& tree,
+                    const Neighbourhood& truth,
+                    Lattice& lattice) const {
+  const int log2 = tree.square.size_log2;
+  if (log2 > kLargestCellLog2) {
+    return false;
+  }
+  const std::array<double, 9> nine = lattice.nine(truth);
+  tree.cell = quantise(nine, log2);
+  tree.tested = true;
+  if (options_.predicate == Predicate::fixed &&
+      std::fabs(nine[4]) > kHalfDiagonal * tree.square.size_u()) {
+    tree.tested = false;
+    return true;
+  }
+  if (log2 <= smallest_log2(options_)) {
+    tree.verdict = test_.measure(tree.cell, lattice, truth);
+    return true;
+  }
+  tree.verdict = test_.run(tree.cell, lattice, truth);
+  return tree.verdict.passed;
+}
+
+// The leaf that holds (x, y) and the u to its upper right; kNone outside.
+uint32_t Forest::leaf_at(int x_u, int y_u) const {
+  const int x = x_u - grid_.x0_u;
+  const int y = y_u - grid_.y0_u;
+  if (x < 0 || y < 0 || x >= grid_.tiles_x << grid_.tile_log2 ||
+      y >= grid_.tiles_y << grid_.tile_log2) {
+    return kNone;
+  }
+  uint32_t at = static_cast<uint32_t>((y >> grid_.tile_log2) * grid_.tiles_x +
+                                      (x >> grid_.tile_log2));
+  while (trees_[at].kind == Kind::node) {
+    const int half = trees_[at].square.size_log2 - 1;
+    const int child = ((y >> half) & 1) * 2 + ((x >> half) & 1);
+    at = trees_[at].children + static_cast<uint32_t>(child);
+  }
+  return at;
+}
+
+double Forest::read(const Tree& leaf, double x_u, double y_u) const {
+  if (leaf.kind != Kind::cell) {
+    return leaf.kind == Kind::inside ? kSaturated_u : -kSaturated_u;
+  }
+  return read_cell(leaf.cell, leaf.square.size_log2, x_u - leaf.square.x_u,
+                   y_u - leaf.square.y_u);
+}
+
+// Compares `a` with `b`, which is at least as wide, all along that side of `a`.
+double Forest::jump(const Tree& a, const Tree& b, int side) const {
+  const double size = a.square.size_u();
+  double worst = 0;
+  for (int k = 0; k <= kSeamSteps; ++k) {
+    const double along = size * k / kSeamSteps;
+    const double x =
+        a.square.x_u +
+        (kStepX[side] == 0 ? along : (kStepX[side] > 0 ? size : 0.0));
+    const double y =
+        a.square.y_u +
+        (kStepY[side] == 0 ? along : (kStepY[side] > 0 ? size : 0.0));
+    worst = std::max(worst, metric_.error(read(a, x, y), read(b, x, y)));
+  }
+  return worst;
+}
+
+// The cell to divide if the seam on that side of `at` jumps too far: the wider
+// one, or of equals the one that is less true. kNone if all is well, nothing
+// can be done, or the neighbour is narrower (it sees the same seam).
+uint32_t Forest::weaker_at_seam(uint32_t at, int side) const {
+  const Tree& a = trees_[at];
+  const int size = a.square.size_u();
+  const int x = a.square.x_u + (kStepX[side] > 0 ? size : kStepX[side]);
+  const int y = a.square.y_u + (kStepY[side] > 0 ? size : kStepY[side]);
+  const uint32_t other = leaf_at(x, y);
+  if (other == kNone || trees_[other].square.size_log2 < a.square.size_log2) {
+    return kNone;
+  }
+  const Tree& b = trees_[other];
+  if (jump(a, b, side) <= options_.tolerance) {
+    return kNone;
+  }
+  const bool wider = b.square.size_log2 > a.square.size_log2;
+  const bool less_true = b.verdict.worst > a.verdict.worst;
+  for (const uint32_t weak : wider || less_true
+                                 ? std::array<uint32_t, 2>{other, at}
+                                 : std::array<uint32_t, 2>{at, other}) {
+    if (trees_[weak].kind == Kind::cell &&
+        trees_[weak].square.size_log2 > kSmallestLog2) {
+      return weak;
+    }
+  }
+  return kNone;
+}
+
+void Forest::mend_seams() {
+  if (options_.predicate == Predicate::fixed) {
+    return;
+  }
+  // Every round divides cells above the smallest size, so the rounds end.
+  std::set<uint32_t> weak;
+  do {
+    weak.clear();
+    for (uint32_t at = 0; at < trees_.size(); ++at) {
+      for (int side = 0; trees_[at].kind == Kind::cell && side < kSides;
+           ++side) {
+        const uint32_t found = weaker_at_seam(at, side);
+        if (found != kNone) {
+          weak.insert(found);
+        }
+      }
+    }
+    for (const uint32_t at : weak) {
+      const CellSquare square = trees_[at].square;
+      --cell_count_;
+      divide(at, Neighbourhood(shape_, square.square()), Lattice(square));
+    }
+  } while (!weak.empty());
+}
+
+// Appends the tree `at` and returns the reference to it.
+uint16_t Forest::write(uint32_t at, int level, AdfGlyph& glyph) const {
+  namespace refs = format::glyph;
+  const Tree& tree = trees_[at];
+  glyph.depth = std::max(glyph.depth, level);
+  switch (tree.kind) {
+    case Kind::outside:
+      return refs::kOutside;
+    case Kind::inside:
+      return refs::kInside;
+    case Kind::cell:
+      glyph.cells.push_back(tree.cell);
+      glyph.worst_error = std::max(glyph.worst_error, tree.verdict.worst);
+      return static_cast<uint16_t>(refs::kCellFlag | (glyph.cells.size() - 1));
+    case Kind::node:
+      break;
+  }
+  const size_t first = glyph.references.size();
+  const size_t node = static_cast<size_t>(glyph.node_count());
+  if (node >= refs::kMaxNodes) {
+    throw_too_complex("the glyph needs more than 32766 nodes");
+  }
+  glyph.references.resize(first + 4);
+  for (uint32_t i = 0; i < 4; ++i) {
+    const uint16_t child = write(tree.children + i, level + 1, glyph);
+    glyph.references[first + i] = child;
+  }
+  return static_cast<uint16_t>(refs::kFirstNode + node);
+}
+
+double Forest::mean_error() const {
+  double sum = 0;
+  double area = 0;
+  for (const Tree& tree : trees_) {
+    if (tree.kind == Kind::cell && tree.tested) {
+      const double cell_area = std::ldexp(1.0, 2 * tree.square.size_log2);
+      sum += cell_area * tree.verdict.mean;
+      area += cell_area;
+    }
+  }
+  return area > 0 ? sum / area : 0;
+}
+
+AdfGlyph Forest::glyph() const {
+  AdfGlyph glyph;
+  glyph.tile_log2 = grid_.tile_log2;
+  glyph.x0_u = grid_.x0_u;
+  glyph.y0_u = grid_.y0_u;
+  glyph.tiles_x = grid_.tiles_x;
+  glyph.tiles_y = grid_.tiles_y;
+  const uint32_t tiles = static_cast<uint32_t>(grid_.tiles_x * grid_.tiles_y);
+  glyph.references.resize(tiles);
+  for (uint32_t i = 0; i < tiles; ++i) {
+    const uint16_t tile = write(i, 0, glyph);
+    glyph.references[i] = tile;
+  }
+  glyph.mean_error = mean_error();
+  glyph.within_tolerance = glyph.worst_error <= tolerance_for(options_);
+  return glyph;
+}
+
+}  // namespace gen
+}  // namespace inkcell
