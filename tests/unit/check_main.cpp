@@ -11,7 +11,7 @@ namespace check {
 
 void write(const char* text, size_t size) {
 #if INKCELL_BOARD_FIRMWARE
-  board::console_write(text, size);
+  inkcell::board::console_write(text, size);
 #else
   fwrite(text, 1, size, stdout);
 #endif
