@@ -1,0 +1,150 @@
+"""Looks into the object files of core and port, for four machines.
+
+They must hold no writable data and no constructors, refer to nothing but each
+other and a few helpers, use no more than a stated stack in one function, and
+come from sources that include nothing but <stdint.h>, <stddef.h> and inkcell/.
+
+Usage: check_objects.py WORK_FOLDER
+"""
+import pathlib
+import re
+import shutil
+import sys
+
+from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT, WARNINGS,
+                        device_sources, finish, in_parallel, require, run)
+
+MACHINES = ["Cortex-M0", "Cortex-M3", "RV32", "host"]
+LEVELS = ["-Os", "-O2"]
+
+# Bytes of stack that one function may use by itself: on a device, and where
+# registers and pointers are twice as wide.
+STACK_LIMIT = 256
+HOST_STACK_LIMIT = 512
+
+# What a device's C library or compiler must bring: block moves, and integer
+# arithmetic that the core lacks.
+ALLOWED = re.compile(
+    r"mem(cpy|set|move|cmp)"
+    r"|__aeabi_(mem(cpy|set|move|clr)[48]?|[ul]?idiv(mod)?|u?ldivmod|lmul"
+    r"|ll?sl|ll?sr|lasr|l?cmp)"
+    r"|__(u?div|u?mod|mul|ashl|ashr|lshr|clz)[sd]i[23]"
+    r"|__gnu_thumb1_case_[a-z]+")
+
+# Sections that need RAM, or code before main().
+WRITABLE = re.compile(r"\.(data|bss|tdata|tbss|sdata|sbss|init_array|ctors)\b")
+
+INCLUDE = re.compile(r"^\s*#\s*include\s*([<\"][^>\"]+[>\"])", re.M)
+LIBRARY_INCLUDE = re.compile(r"<(stdint|stddef)\.h>|\"inkcell/[a-z0-9_/]+\.hpp\"")
+
+
+def check_includes(source):
+    """Files of the device that include what a device may not have."""
+    problems = []
+    for name in INCLUDE.findall(source.read_text()):
+        private = name.startswith('"') and (source.parent / name[1:-1]).exists()
+        if not private and not LIBRARY_INCLUDE.fullmatch(name):
+            problems.append(f"{source.relative_to(ROOT)} includes {name}")
+    return problems
+
+
+def compile_source(machine, level, source, folder):
+    """Object file of a source, and what the compiler said."""
+    compiler, _ = COMPILERS[machine]
+    room = source.relative_to(ROOT).parts[:-2]
+    target = folder / ("-".join(room) + "-" + source.stem + ".o")
+    return target, run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES, level,
+                        "-fstack-usage", "-c", source, "-o", target])
+
+
+def check_stack(usage, limit):
+    """Functions of a .su file that use too much, and the most of any."""
+    problems, most = [], 0
+    for line in usage.read_text().splitlines():
+        where, size, kind = line.split("\t")
+        most = max(most, int(size))
+        if int(size) > limit or "dynamic" in kind.split(","):
+            name = where.split(":")[-1]
+            problems.append(f"{usage.stem}: {name}: {size} B of stack, {kind}")
+    return problems, most
+
+
+def check_sections(prefix, objects):
+    """Writable sections that are not empty, and bytes of code of each file."""
+    problems, code = [], {}
+    for path in objects:
+        code[path.stem] = 0
+        listing = run([prefix + "size", "-A", path]).stdout
+        for name, size in re.findall(r"^(\.\S+)\s+(\d+)", listing, re.M):
+            if WRITABLE.match(name) and int(size) > 0:
+                problems.append(f"{path.stem}: {size} B in {name}")
+            if name.startswith((".text", ".rodata")):
+                code[path.stem] += int(size)
+    return problems, code
+
+
+def check_symbols(prefix, objects):
+    """Symbols that nobody defines and that are not allowed."""
+    defined, wanted = set(), {}
+    for path in objects:
+        for line in run([prefix + "nm", path]).stdout.splitlines():
+            kind, name = line.split()[-2:]
+            if kind == "U":
+                wanted.setdefault(name, path.stem)
+            else:
+                defined.add(name)
+    return [f"{where}: needs {name}" for name, where in sorted(wanted.items())
+            if name not in defined and not ALLOWED.fullmatch(name)]
+
+
+def check_machine(machine, level, work):
+    """All checks of one machine at one level of optimisation."""
+    folder = work / (machine + level)
+    folder.mkdir(parents=True)
+    objects, problems, stack = [], [], 0
+    limit = HOST_STACK_LIMIT if machine == "host" else STACK_LIMIT
+    for source in device_sources():
+        target, result = compile_source(machine, level, source, folder)
+        if result.returncode != 0:
+            problems.append(result.stdout)
+            continue
+        objects.append(target)
+        too_much, most = check_stack(target.with_suffix(".su"), limit)
+        problems += too_much
+        stack = max(stack, most)
+    prefix = COMPILERS[machine][1]
+    in_sections, code = check_sections(prefix, objects)
+    problems += in_sections + check_symbols(prefix, objects)
+    return machine, level, code, stack, problems
+
+
+def print_table(results):
+    """Bytes of .text and .rodata of each file, a column for each build."""
+    names = sorted({name for result in results for name in result[2]})
+    heads = [result[0] + " " + result[1] for result in results]
+    print("code bytes".ljust(24) + "".join(head.rjust(15) for head in heads))
+    for name in names:
+        print(name.ljust(24) + "".join(
+            str(result[2].get(name, "-")).rjust(15) for result in results))
+    print("largest stack frame".ljust(24) + "".join(
+        str(result[3]).rjust(15) for result in results))
+
+
+def main():
+    work = pathlib.Path(sys.argv[1])
+    shutil.rmtree(work, ignore_errors=True)
+    require([COMPILERS[machine][0][0] for machine in MACHINES])
+    sources = device_sources()
+    results = in_parallel(check_machine, [(machine, level, work)
+                                          for machine in MACHINES
+                                          for level in LEVELS])
+    problems = [f"{machine} {level}: {problem}"
+                for machine, level, _, _, found in results for problem in found]
+    headers = [*ROOT.glob("core/**/*.hpp"), *ROOT.glob("port/*/**/*.hpp")]
+    for path in sources + headers:
+        problems += check_includes(path)
+    print_table(results)
+    finish(len(results) * len(sources), problems)
+
+
+main()

@@ -1,0 +1,73 @@
+"""The compilers that the build tests try, and what they all are told."""
+import concurrent.futures
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# What the device library is compiled with: core/CMakeLists.txt.
+DEVICE_FLAGS = [
+    "-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
+    "-fno-threadsafe-statics", "-ffunction-sections", "-fdata-sections",
+]
+WARNINGS = [
+    "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
+    "-Wshadow", "-Wold-style-cast", "-Wundef", "-Werror",
+]
+INCLUDES = ["-I" + str(path) for path in
+            [ROOT / "core/include", *sorted(ROOT.glob("port/*/include"))]]
+
+# Name, compiler with its flags, prefix of the binary tools.
+ARM = "arm-none-eabi-"
+RISCV = "riscv64-unknown-elf-"
+COMPILERS = {
+    "Cortex-M0": ([ARM + "g++", "-mcpu=cortex-m0", "-mthumb"], ARM),
+    "Cortex-M3": ([ARM + "g++", "-mcpu=cortex-m3", "-mthumb"], ARM),
+    "RV32": ([RISCV + "g++", "-march=rv32imc", "-mabi=ilp32"], RISCV),
+    "host": (["g++", "-fno-pie"], ""),
+    "host clang": (["clang++"], ""),
+}
+
+
+def device_sources():
+    """Sources of everything that runs on a device: core and port."""
+    return sorted([*ROOT.glob("core/src/*.cpp"), *ROOT.glob("port/*/src/*.cpp")])
+
+
+def device_headers():
+    """Public headers, as a program includes them."""
+    roots = [ROOT / "core/include", *sorted(ROOT.glob("port/*/include"))]
+    return sorted(str(path.relative_to(root))
+                  for root in roots for path in root.glob("**/*.hpp"))
+
+
+def require(programs):
+    """Ends the test if a program is missing: a skipped check is no check."""
+    missing = [name for name in programs if shutil.which(name) is None]
+    if missing:
+        sys.exit("missing: " + ", ".join(missing) +
+                 " (host_tools/setup.sh says how to install them)")
+
+
+def run(command, **options):
+    """Runs a command and returns it finished, its output as text."""
+    return subprocess.run([str(word) for word in command], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          **options)
+
+
+def in_parallel(function, arguments):
+    """[function(*a) for a in arguments], on all cores, in order."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda a: function(*a), arguments))
+
+
+def finish(passed, problems):
+    """Prints the problems and the closing line, and ends the program."""
+    for problem in problems:
+        print(problem)
+    print(f"{passed} passed, {len(problems)} failed")
+    sys.exit(1 if problems or passed == 0 else 0)
