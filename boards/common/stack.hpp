@@ -1,0 +1,43 @@
+// Measuring how much stack a piece of code needs.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+extern "C" {
+// Set by flash_and_ram.ld.
+extern uint32_t inkcell_stack_limit[];
+extern uint32_t inkcell_stack_top[];
+}
+
+namespace inkcell {
+namespace board {
+
+inline uintptr_t stack_pointer() noexcept {
+  uintptr_t value;
+#if defined(__riscv)
+  asm volatile("mv %0, sp" : "=r"(value));
+#else
+  asm volatile("mov %0, sp" : "=r"(value));
+#endif
+  return value;
+}
+
+/// Fills the free part of the stack with a pattern.
+void paint_stack() noexcept;
+
+/// The lowest address where the pattern is gone.
+uintptr_t lowest_stack_used() noexcept;
+
+/// The most stack that `work()` had in use at any time, with its return address
+/// if it is called. [bytes] A multiple of 4.
+template <typename Work>
+[[gnu::noinline]] size_t count_stack(const Work& work) noexcept {
+  const uintptr_t here = stack_pointer();
+  paint_stack();
+  work();
+  return here - lowest_stack_used();
+}
+
+}  // namespace board
+}  // namespace inkcell

@@ -1,0 +1,8 @@
+# What start-up code this board has, its counter (SysTick at 12.5 MHz, 24 bits)
+# and its display.
+set(INKCELL_BOARD_START start_cortex_m.cpp)
+set(INKCELL_COUNTER_PICOSECONDS 80000)
+set(INKCELL_COUNTER_BITS 24)
+set(INKCELL_DISPLAY_WIDTH 96)
+set(INKCELL_DISPLAY_HEIGHT 16)
+set(INKCELL_DISPLAY_FORMATS mono_pages)

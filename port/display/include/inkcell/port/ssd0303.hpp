@@ -1,0 +1,34 @@
+// Solomon SSD0303: OLED displays with 1-bit pixels in pages of 8 rows.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/display_bus.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// A display of up to 132 x 64 pixels. Its pixels are those of
+/// PixelFormat::mono_pages.
+struct Ssd0303 {
+  DisplayBus bus;
+  uint8_t width = 132;       // [px]
+  uint8_t height = 64;       // [px], a multiple of 8
+  uint8_t first_column = 0;  // of the memory's 132, the leftmost on the panel
+};
+
+/// Sets the addressing that write() relies on, and switches the panel on. The
+/// contents of the display's memory are not changed.
+void init(const Ssd0303& display) noexcept;
+
+/// Sends a strip to its place on the screen, page by page.
+///
+/// bad_argument: the strip does not lie on the screen, its top or height is not
+/// a multiple of 8, or its stride is shorter than a page. buffer_small: its
+/// pixels are fewer than its pages need. Nothing is sent then.
+Status write(const Ssd0303& display, const Strip& strip) noexcept;
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,33 @@
+// Solomon SSD0323: OLED displays with 16 levels of grey.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/display_bus.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// A display of 128 x 64 pixels, or of up to 128 x 80. Its pixels are those of
+/// PixelFormat::grey4 with BitOrder::high_left.
+struct Ssd0323 {
+  DisplayBus bus;
+  uint8_t width = 128;  // [px], even
+  uint8_t height = 64;  // [px]
+};
+
+/// Sets the addressing that write() relies on, and switches the panel on. The
+/// contents of the display's memory are not changed.
+void init(const Ssd0323& display) noexcept;
+
+/// Sends a strip to its place on the screen.
+///
+/// bad_argument: the strip does not lie on the screen, its left edge or width
+/// is odd, or its stride is shorter than a row. buffer_small: its pixels are
+/// fewer than its rows need. Nothing is sent then.
+Status write(const Ssd0323& display, const Strip& strip) noexcept;
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,62 @@
+// The SSD0323's commands, and strips sent as windows of its memory.
+#include "inkcell/port/ssd0323.hpp"
+
+#include "bounds.hpp"
+
+namespace inkcell {
+namespace port {
+namespace {
+
+enum Command : uint8_t {
+  kSetColumns = 0x15,  // first, last [bytes of two pixels]
+  kSetRows = 0x75,     // first, last
+  kSetRemap = 0xa0,
+  kSetStartLine = 0xa1,
+  kSetOffset = 0xa2,
+  kNormalDisplay = 0xa4,
+  kSetMultiplex = 0xa8,  // rows - 1
+  kDisplayOff = 0xae,
+  kDisplayOn = 0xaf,
+};
+
+}  // namespace
+
+void init(const Ssd0323& display) noexcept {
+  const uint8_t commands[] = {
+      kDisplayOff,
+      kSetRemap,
+      0,  // rows first, columns and nibbles from the left
+      kSetStartLine,
+      0,
+      kSetOffset,
+      0,
+      kNormalDisplay,
+      kSetMultiplex,
+      static_cast<uint8_t>(display.height - 1),
+      kDisplayOn,
+  };
+  display.bus.command(display.bus.context, commands, sizeof commands);
+}
+
+Status write(const Ssd0323& display, const Strip& strip) noexcept {
+  INKCELL_TRY(
+      check_strip(strip, PixelFormat::grey4, display.width, display.height));
+  const uint8_t window[] = {
+      kSetColumns,
+      static_cast<uint8_t>(strip.x0 / 2),
+      static_cast<uint8_t>((strip.x0 + strip.width) / 2 - 1),
+      kSetRows,
+      static_cast<uint8_t>(strip.y0),
+      static_cast<uint8_t>(strip.y0 + strip.height - 1),
+  };
+  display.bus.command(display.bus.context, window, sizeof window);
+  const uint8_t* row = strip.pixels.data;
+  for (int32_t y = 0; y < strip.height; ++y, row += strip.stride) {
+    display.bus.data(display.bus.context, row,
+                     static_cast<size_t>(strip.width / 2));
+  }
+  return Status::ok;
+}
+
+}  // namespace port
+}  // namespace inkcell
