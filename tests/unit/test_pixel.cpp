@@ -44,6 +44,9 @@ uint32_t nearest(uint32_t c, uint32_t f, uint32_t b) {
 }
 
 uint32_t drawn_channel(const Format& f, uint32_t i, uint32_t c, uint32_t old) {
+  if (c == 0) {
+    return old;
+  }
   if (f.threshold == 0) {
     return nearest(c, f.foreground.channel[i], old);
   }
