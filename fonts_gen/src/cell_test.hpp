@@ -77,13 +77,13 @@ struct Verdict {
   double mean = 0;
 };
 
-/// Tests cells against one metric and limit.
+/// Tests cells against one metric and its limit.
 class CellTest {
  public:
   /// `refine`: look between the points of the lattice wherever the true
   /// distance bends.
-  CellTest(const Metric& metric, double limit, bool refine)
-      : metric_(metric), limit_(limit), refine_(refine) {}
+  CellTest(const Metric& metric, bool refine)
+      : metric_(metric), limit_(metric.limit()), refine_(refine) {}
 
   /// Stops at the first point beyond the limit.
   Verdict run(const SampleCell& cell,

@@ -11,24 +11,7 @@ namespace gen {
 namespace {
 
 constexpr int kTileLog2 = 8;
-constexpr int kSmallestLog2 = 0;
-constexpr int kSmallestLog2Fixed = 1;
 constexpr int kSmallestTileLog2Fixed = 6;
-// Offsets of cells beyond 256 u are too coarse to be of use.
-constexpr int kLargestCellLog2 = 8;
-
-// A cell whose centre is farther from the edge than this many cell sizes has
-// no edge in it: half the diagonal.
-constexpr double kHalfDiagonal = 0.7072;
-
-/// The paper's tolerance: 1/1024 em. [u]
-constexpr double kFixedTolerance_u = 1;
-
-// What stays of the tolerance when the lattice has looked: coverage is rounded
-// to 1/255, distances in px to 1/1024, and a bend between two points of the
-// finest lattice may add 1.5/255 at the very worst. [1/255]
-constexpr double kMargin = 1.5;
-
 constexpr int kMaxTiles = 255;
 // GlyphField::open refuses grids beyond. [u]
 constexpr int kGridLimit_u = 16384;
@@ -45,23 +28,6 @@ constexpr int kStepY[kSides] = {0, 0, -1, 1};
 
 // Points of a side at which two cells are compared.
 constexpr int kSeamSteps = 16;
-
-double limit_for(const AdfOptions& options) {
-  if (options.predicate == Predicate::fixed) {
-    return kFixedTolerance_u;
-  }
-  return std::max(options.tolerance - kMargin, options.tolerance / 2);
-}
-
-double tolerance_for(const AdfOptions& options) {
-  return options.predicate == Predicate::fixed ? kFixedTolerance_u
-                                               : options.tolerance;
-}
-
-int smallest_log2(const AdfOptions& options) {
-  return options.predicate == Predicate::fixed ? kSmallestLog2Fixed
-                                               : kSmallestLog2;
-}
 
 [[noreturn]] void throw_too_complex(const char* what) {
   throw GeometryError(GeometryError::Kind::too_complex, what);
@@ -105,20 +71,26 @@ Grid lay_grid(const Shape& shape, const AdfOptions& options) {
   return grid;
 }
 
+std::vector<CellSquare> tiles_of(const Grid& grid) {
+  std::vector<CellSquare> tiles;
+  for (int row = 0; row < grid.tiles_y; ++row) {
+    for (int column = 0; column < grid.tiles_x; ++column) {
+      tiles.push_back({grid.x0_u + (column << grid.tile_log2),
+                       grid.y0_u + (row << grid.tile_log2), grid.tile_log2});
+    }
+  }
+  return tiles;
+}
+
 Forest::Forest(const Shape& shape, const AdfOptions& options)
     : shape_(shape),
-      options_(options),
       metric_(options),
-      test_(metric_,
-            limit_for(options),
-            options.predicate == Predicate::size_aware),
-      grid_(lay_grid(shape, options)) {
-  trees_.resize(static_cast<size_t>(grid_.tiles_x * grid_.tiles_y));
-  for (size_t i = 0; i < trees_.size(); ++i) {
-    const int column = static_cast<int>(i) % grid_.tiles_x;
-    const int row = static_cast<int>(i) / grid_.tiles_x;
-    trees_[i].square = {grid_.x0_u + (column << grid_.tile_log2),
-                        grid_.y0_u + (row << grid_.tile_log2), grid_.tile_log2};
+      test_(metric_, options.predicate == Predicate::size_aware),
+      grid_(lay_grid(shape, options)),
+      seams_matter_(options.predicate == Predicate::size_aware) {
+  for (const CellSquare& tile : tiles_of(grid_)) {
+    trees_.emplace_back();
+    trees_.back().square = tile;
   }
 }
 
@@ -171,13 +143,11 @@ bool Forest::settle(Tree& tree,
   }
   const std::array<double, 9> nine = lattice.nine(truth);
   tree.cell = quantise(nine, log2);
-  tree.tested = true;
-  if (options_.predicate == Predicate::fixed &&
-      std::fabs(nine[4]) > kHalfDiagonal * tree.square.size_u()) {
-    tree.tested = false;
+  tree.tested = metric_.tests_cell(nine[4], log2);
+  if (!tree.tested) {
     return true;
   }
-  if (log2 <= smallest_log2(options_)) {
+  if (log2 <= metric_.smallest_log2()) {
     tree.verdict = test_.measure(tree.cell, lattice, truth);
     return true;
   }
@@ -241,7 +211,7 @@ uint32_t Forest::weaker_at_seam(uint32_t at, int side) const {
     return kNone;
   }
   const Tree& b = trees_[other];
-  if (jump(a, b, side) <= options_.tolerance) {
+  if (jump(a, b, side) <= metric_.tolerance()) {
     return kNone;
   }
   const bool wider = b.square.size_log2 > a.square.size_log2;
@@ -250,7 +220,7 @@ uint32_t Forest::weaker_at_seam(uint32_t at, int side) const {
                                  ? std::array<uint32_t, 2>{other, at}
                                  : std::array<uint32_t, 2>{at, other}) {
     if (trees_[weak].kind == Kind::cell &&
-        trees_[weak].square.size_log2 > kSmallestLog2) {
+        trees_[weak].square.size_log2 > metric_.smallest_log2()) {
       return weak;
     }
   }
@@ -258,7 +228,7 @@ uint32_t Forest::weaker_at_seam(uint32_t at, int side) const {
 }
 
 void Forest::mend_seams() {
-  if (options_.predicate == Predicate::fixed) {
+  if (!seams_matter_) {
     return;
   }
   // Every round divides cells above the smallest size, so the rounds end.
@@ -339,7 +309,7 @@ AdfGlyph Forest::glyph() const {
     glyph.references[i] = tile;
   }
   glyph.mean_error = mean_error();
-  glyph.within_tolerance = glyph.worst_error <= tolerance_for(options_);
+  glyph.within_tolerance = glyph.worst_error <= metric_.tolerance();
   return glyph;
 }
 

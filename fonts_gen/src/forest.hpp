@@ -28,9 +28,12 @@ struct Grid {
 /// Throws GeometryError::too_complex.
 Grid lay_grid(const Shape& shape, const AdfOptions& options);
 
+/// The tiles of a grid, row by row from below.
+std::vector<CellSquare> tiles_of(const Grid& grid);
+
 class Forest {
  public:
-  /// Both must outlive the forest.
+  /// `shape` must outlive the forest.
   Forest(const Shape& shape, const AdfOptions& options);
 
   /// Divides every tile until each cell passes or is of the smallest size.
@@ -66,10 +69,10 @@ class Forest {
   double mean_error() const;
 
   const Shape& shape_;
-  AdfOptions options_;
   Metric metric_;
   CellTest test_;
   Grid grid_;
+  bool seams_matter_;
   std::vector<Tree> trees_;
   uint32_t cell_count_ = 0;
 };

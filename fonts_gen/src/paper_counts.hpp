@@ -18,16 +18,17 @@ struct LeafCounts {
 
 /// Leaves of a bi-linear ADF (Frisken et al. 2000: four distances at the
 /// corners) under the conditions of build_adf with the same options, but with
-/// distances in full precision and cells down to 1/1024 em.
+/// distances in full precision, tested on the lattice alone.
 LeafCounts count_cells_bilinear(const Shape& shape, const AdfOptions& options);
 
-/// The same for nine distances: what quantisation costs is the difference to
-/// build_adf.
+/// The same with nine distances: the fair partner of the bi-linear count. What
+/// quantisation costs is the difference to build_adf.
 LeafCounts count_cells_biquadratic(const Shape& shape,
                                    const AdfOptions& options);
 
 /// Leaves of a 3-colour quadtree (inside, outside, edge) whose edge cells are
-/// all 1 / `resolution` em wide.
+/// all 1 / `resolution` em wide, in the paper's root cell. `resolution` is a
+/// power of two. varying counts the edge cells.
 LeafCounts count_cells_three_colour(const Shape& shape, int resolution = 512);
 
 }  // namespace gen

@@ -1,0 +1,35 @@
+// Which characters a font shall hold: ranges, text files, strings.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace inkcell::gen {
+
+/// Unicode code points in ascending order.
+using CharSet = std::set<char32_t>;
+
+/// What is taken when nothing else is asked for: printable ASCII.
+inline constexpr std::string_view kDefaultChars = "0x20-0x7E";
+
+/// Adds a list such as "0x20-0x7E,U+B0,176,A-Z": items are separated by commas;
+/// an end of a range is hexadecimal (0x or U+), decimal, or one character.
+/// Surrogates within a range are skipped. Throws Error.
+void add_ranges(std::string_view list, CharSet& out);
+
+/// Adds every character of UTF-8 text except control characters (line ends,
+/// tabs) and the byte order mark. `source` names the text in errors.
+void add_text(std::string_view text, const std::string& source, CharSet& out);
+
+/// add_text of a whole file. Throws Error.
+void add_text_file(const std::filesystem::path& file, CharSet& out);
+
+/// UTF-8 of one code point.
+std::string to_utf8(char32_t code_point);
+
+/// How messages write a character: U+0041 'A'.
+std::string describe(char32_t code_point);
+
+}  // namespace inkcell::gen

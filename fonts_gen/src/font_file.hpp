@@ -1,0 +1,81 @@
+// A font file opened by FreeType (outlines) and HarfBuzz (metrics, kerning).
+#pragma once
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include <hb.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace inkcell::gen {
+
+/// A setting of a variable font, such as wght=600.
+struct AxisSetting {
+  std::string tag;  // four characters
+  double value = 0;
+};
+
+/// Reads "wght=600". Throws Error.
+AxisSetting parse_axis(const std::string& text);
+
+/// One face of a TTF, OTF, TTC or OTC file at one instance. All lengths that
+/// FreeType and HarfBuzz give for it are in font units.
+class FontFile {
+ public:
+  /// Opens face number `face` with the given axes; the axes that are not named
+  /// keep their defaults. Throws Error for everything that cannot give
+  /// outlines: not a font, truncated, bitmaps only, unitsPerEm outside
+  /// 16..16384, no glyphs, unknown face or axis.
+  FontFile(const std::filesystem::path& file,
+           int face,
+           const std::vector<AxisSetting>& axes);
+
+  FT_Face ft() const { return face_.get(); }
+  hb_face_t* hb_face() const { return hb_face_.get(); }
+  hb_font_t* hb() const { return hb_font_.get(); }
+
+  int units_per_em() const { return face_->units_per_EM; }
+
+  /// The glyph of a code point by the Unicode (or symbol) character map; 0 if
+  /// there is none.
+  uint32_t glyph_of(char32_t code_point) const;
+
+  /// The file's name, without folders, as messages and reports show it.
+  const std::string& file_name() const { return file_name_; }
+  /// Family and style, such as "DejaVu Sans Book".
+  std::string full_name() const;
+
+  /// Throws Error "<file>: <text>".
+  [[noreturn]] void refuse(const std::string& text) const;
+
+ private:
+  struct Release {
+    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+    void operator()(FT_Face face) const { FT_Done_Face(face); }
+    void operator()(hb_face_t* face) const { hb_face_destroy(face); }
+    void operator()(hb_font_t* font) const { hb_font_destroy(font); }
+  };
+  template <typename Handle>
+  using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
+  void read_bytes(const std::filesystem::path& file);
+  void check_tables() const;
+  void open_face(int face);
+  void check_face() const;
+  void select_character_map();
+  void set_axes(const std::vector<AxisSetting>& axes);
+  void open_harfbuzz(int face, const std::vector<AxisSetting>& axes);
+
+  std::string file_name_;
+  std::vector<uint8_t> bytes_;  // outlives the handles below
+  Owner<FT_Library> library_;
+  Owner<FT_Face> face_;
+  Owner<hb_face_t*> hb_face_;
+  Owner<hb_font_t*> hb_font_;
+};
+
+}  // namespace inkcell::gen

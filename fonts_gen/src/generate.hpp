@@ -1,0 +1,78 @@
+// The generator as one call: from a font file to a ROM font in memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "adf.hpp"
+#include "error.hpp"
+#include "font_file.hpp"
+#include "rom_font.hpp"
+
+namespace inkcell::gen {
+
+/// What to generate. The defaults are those of the command line.
+struct GenerateRequest {
+  std::filesystem::path font;
+  int face = 0;
+  std::vector<AxisSetting> axes;
+  /// Characters: the union of all three; printable ASCII if all are empty.
+  std::vector<std::string> chars;  // lists as add_ranges reads them
+  std::vector<std::filesystem::path> text_files;
+  std::string symbols;  // UTF-8
+  /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
+  /// a whole number within 1..255.
+  AdfOptions adf;
+  /// Threads; 0: all cores. The bytes do not depend on it.
+  int jobs = 0;
+  /// Called now and then on the calling thread with glyphs done and their
+  /// number.
+  std::function<void(size_t done, size_t count)> progress;
+};
+
+/// What became of one glyph.
+struct GlyphReport {
+  std::string name;  // U+0041 'A'
+  std::string key;   // its smallest character in UTF-8, or .notdef
+  size_t cells = 0;  // that are not saturated
+  size_t nodes = 0;
+  size_t bytes = 0;        // of its record
+  double worst_error = 0;  // as AdfGlyph
+  double mean_error = 0;
+  bool within_tolerance = true;
+};
+
+struct FontReport {
+  std::string file_name;
+  std::string name;  // family and style
+  AdfOptions options;
+  PartBytes bytes;
+  std::vector<GlyphReport> glyphs;
+  std::vector<char32_t> missing;
+  size_t characters = 0;
+  int left_classes = 0;
+  int right_classes = 0;
+  size_t cells = 0;
+  size_t nodes = 0;
+  double worst_error = 0;  // of all glyphs
+  double mean_error = 0;   // mean over the glyphs with ink
+  double seconds = 0;
+
+  /// Of the same cells as a list of leaves, the paper's form: 15 bytes each.
+  size_t leaf_list_bytes() const { return 15 * cells; }
+};
+
+/// A finished font.
+struct RomFont {
+  std::vector<uint8_t> bytes;
+  FontReport report;
+  Warnings warnings;
+};
+
+/// Generates the font and reads it back with the device's reader. Throws Error.
+RomFont generate(const GenerateRequest& request);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,164 @@
+// inkcell-fontgen: makes a ROM font from a font file.
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include "generate.hpp"
+#include "inkcell/version.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+struct Arguments {
+  GenerateRequest request;
+  OutputFormat format = OutputFormat::bin;
+  std::string name;
+  std::string out;
+  std::string report;
+  std::string depfile;
+  bool quiet = false;
+};
+
+std::string version() {
+  char text[96];
+  std::snprintf(text, sizeof text,
+                "inkcell-fontgen %d.%d.%d, font format %d.%d",
+                kLibraryVersionMajor, kLibraryVersionMinor,
+                kLibraryVersionPatch, kFormatMajor, kFormatMinor);
+  return text;
+}
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  GenerateRequest& request = arguments.request;
+  app.set_version_flag("--version", version());
+  app.add_option("--font", request.font, "Font file: TTF, OTF, TTC, OTC")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--text", request.text_files,
+                 "Take the characters of a UTF-8 text file; repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_generator_options(app, request);
+  const std::map<std::string, OutputFormat> formats = {
+      {"bin", OutputFormat::bin},
+      {"hpp", OutputFormat::hpp},
+      {"c", OutputFormat::c}};
+  app.add_option("--format", arguments.format, "Form of the output")
+      ->transform(CLI::CheckedTransformer(formats).description("bin|hpp|c"))
+      ->type_name("");
+  app.add_option("--name", arguments.name,
+                 "Identifier in hpp and c [from the font file]")
+      ->type_name("ID");
+  app.add_option("--out", arguments.out, "The file to write")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--report", arguments.report, "Write the report as JSON")
+      ->type_name("FILE");
+  app.add_option("--depfile", arguments.depfile,
+                 "Write the files that were read as a Makefile rule")
+      ->type_name("FILE");
+  app.add_option("--jobs", request.jobs, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--quiet", arguments.quiet, "No report, no progress");
+}
+
+// A path in a Makefile rule.
+std::string escape(const std::string& path) {
+  std::string out;
+  for (const char c : path) {
+    if (c == ' ' || c == '#' || c == '\\') {
+      out += '\\';
+    }
+    out += c == '$' ? std::string("$$") : std::string(1, c);
+  }
+  return out;
+}
+
+std::string dependencies(const Arguments& arguments) {
+  std::string rule = escape(arguments.out) + ":";
+  const auto add = [&](const std::filesystem::path& file) {
+    rule += " " + escape(std::filesystem::absolute(file).string());
+  };
+  add(arguments.request.font);
+  for (const std::filesystem::path& file : arguments.request.text_files) {
+    add(file);
+  }
+  return rule + "\n";
+}
+
+// Writes everything first and moves it to its place then: either all files
+// appear or none.
+void write_files(const Arguments& arguments, const RomFont& font) {
+  OutputFile out(arguments.out);
+  out.write(encode(font, arguments.format, arguments.name));
+  std::optional<OutputFile> report;
+  if (!arguments.report.empty()) {
+    report.emplace(arguments.report).write(report_as_json(font.report));
+  }
+  std::optional<OutputFile> depfile;
+  if (!arguments.depfile.empty()) {
+    depfile.emplace(arguments.depfile).write(dependencies(arguments));
+  }
+  if (report) {
+    report->commit();
+  }
+  if (depfile) {
+    depfile->commit();
+  }
+  out.commit();
+}
+
+void run(Arguments& arguments) {
+  if (arguments.name.empty()) {
+    arguments.name = identifier_of(arguments.request.font);
+  }
+  check_identifier(arguments.name);
+  for (const std::string* file :
+       {&arguments.out, &arguments.report, &arguments.depfile}) {
+    if (!file->empty()) {
+      check_writable(*file);
+    }
+  }
+  Progress progress(arguments.quiet);
+  arguments.request.progress = [&](size_t done, size_t count) {
+    progress.update(done, count);
+  };
+  RomFont font;
+  try {
+    font = generate(arguments.request);
+  } catch (...) {
+    progress.finish();
+    throw;
+  }
+  progress.finish();
+  for (const Warning& warning : font.warnings) {
+    std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
+  }
+  write_files(arguments, font);
+  if (!arguments.quiet) {
+    std::fputs(report_for_people(font.report).c_str(), stdout);
+  }
+}
+
+}  // namespace
+}  // namespace inkcell::gen
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Makes an Inkcell ROM font: adaptively sampled distance fields of the "
+      "glyphs of a font file.");
+  inkcell::gen::Arguments arguments;
+  inkcell::gen::add_arguments(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    inkcell::gen::run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,175 @@
+#include "output.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "error.hpp"
+#include "inkcell/version.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+std::filesystem::path folder_of(const std::filesystem::path& target) {
+  const std::filesystem::path folder = target.parent_path();
+  return folder.empty() ? std::filesystem::path(".") : folder;
+}
+
+// Numbers of an array, in lines of at most 80 columns.
+void append_array(std::string& out, const std::vector<uint8_t>& bytes) {
+  constexpr size_t kColumns = 80;
+  out.reserve(out.size() + 4 * bytes.size());
+  size_t column = 0;
+  for (const uint8_t byte : bytes) {
+    const std::string text = std::to_string(byte) + ",";
+    if (column + text.size() > kColumns) {
+      out += '\n';
+      column = 0;
+    }
+    out += text;
+    column += text.size();
+  }
+  out += '\n';
+}
+
+// What the font is, for the first lines of a source file. File and family names
+// come from outside: nothing in them may end the comment.
+std::string provenance(const RomFont& font) {
+  const FontReport& report = font.report;
+  std::string text = report.name + " (" + report.file_name + "), " +
+                     std::to_string(report.characters) + " characters, ";
+  text += std::to_string(static_cast<int>(report.options.min_px)) + " to " +
+          std::to_string(static_cast<int>(report.options.max_px)) + " px";
+  std::string safe;
+  for (const char c : text) {
+    const bool printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+    safe += printable && c != '\\' && c != '/' && c != '?' ? c : '_';
+  }
+  return safe;
+}
+
+std::string encode_hpp(const RomFont& font, const std::string& name) {
+  std::string out = "// " + provenance(font) +
+                    ".\n// Made by inkcell-fontgen: do not edit.\n"
+                    "#pragma once\n\n#include <stdint.h>\n\n"
+                    "#include \"inkcell/version.hpp\"\n\n";
+  out += "static_assert(inkcell::reads_format(" + std::to_string(kFormatMajor) +
+         ", " + std::to_string(kFormatMinor) +
+         "),\n              \"regenerate with inkcell-fontgen\");\n\n";
+  out += "namespace fonts {\n\nalignas(4) inline constexpr uint8_t " + name +
+         "[" + std::to_string(font.bytes.size()) + "] = {\n";
+  append_array(out, font.bytes);
+  out += "};\n\n}  // namespace fonts\n";
+  return out;
+}
+
+std::string encode_c(const RomFont& font, const std::string& name) {
+  const std::string size = std::to_string(font.bytes.size());
+  std::string out = "/* " + provenance(font) +
+                    ".\n * Made by inkcell-fontgen for font format " +
+                    std::to_string(kFormatMajor) + "." +
+                    std::to_string(kFormatMinor) + ": do not edit. */\n";
+  out += "#include <stdint.h>\n\n";
+  out += "extern const uint8_t " + name + "[" + size + "];\n";
+  out += "extern const uint32_t " + name + "_size;\n\n";
+  out +=
+      "#if defined(__GNUC__)\n__attribute__((aligned(4)))\n#else\n"
+      "_Alignas(4)\n#endif\n";
+  out += "const uint8_t " + name + "[" + size + "] = {\n";
+  append_array(out, font.bytes);
+  out += "};\n\nconst uint32_t " + name + "_size = " + size + ";\n";
+  return out;
+}
+
+}  // namespace
+
+void check_writable(const std::filesystem::path& target) {
+  const std::filesystem::path folder = folder_of(target);
+  std::error_code error;
+  if (std::filesystem::is_directory(target, error)) {
+    throw Error(target.string() + ": is a folder; name a file");
+  }
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw Error(target.string() + ": there is no folder " + folder.string() +
+                "; make it first");
+  }
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw Error(target.string() + ": the folder " + folder.string() +
+                " cannot be written to; check its permissions");
+  }
+}
+
+OutputFile::OutputFile(std::filesystem::path target)
+    : target_(std::move(target)) {
+  check_writable(target_);
+  temporary_ = folder_of(target_) / ("." + target_.filename().string() +
+                                     ".part" + std::to_string(getpid()));
+}
+
+OutputFile::~OutputFile() {
+  if (!committed_) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
+  }
+}
+
+void OutputFile::write(std::string_view content) {
+  std::ofstream out(temporary_, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  if (!out) {
+    throw Error(target_.string() + ": cannot be written; is the disk full?");
+  }
+}
+
+void OutputFile::commit() {
+  std::error_code error;
+  std::filesystem::rename(temporary_, target_, error);
+  if (error) {
+    throw Error(target_.string() + ": cannot be replaced: " + error.message());
+  }
+  committed_ = true;
+}
+
+std::string encode(const RomFont& font,
+                   OutputFormat format,
+                   const std::string& name) {
+  switch (format) {
+    case OutputFormat::hpp:
+      return encode_hpp(font, name);
+    case OutputFormat::c:
+      return encode_c(font, name);
+    case OutputFormat::bin:
+      break;
+  }
+  return {font.bytes.begin(), font.bytes.end()};
+}
+
+void check_identifier(const std::string& name) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const bool good = !name.empty() && is_letter(name[0]) &&
+                    std::all_of(name.begin(), name.end(), [&](char c) {
+                      return is_letter(c) || (c >= '0' && c <= '9');
+                    });
+  if (!good) {
+    throw Error("--name: '" + name +
+                "' is not an identifier; use letters, digits and _");
+  }
+}
+
+std::string identifier_of(const std::filesystem::path& font) {
+  std::string name = font.stem().string();
+  for (char& c : name) {
+    const bool keep = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                      (c >= '0' && c <= '9');
+    c = keep ? c : '_';
+  }
+  return name.empty() || (name[0] >= '0' && name[0] <= '9') ? "font_" + name
+                                                            : name;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,145 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "inkcell/version.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+// Glyphs in each list of worst ones.
+constexpr size_t kWorst = 5;
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern,
+                                                         ...) {
+  char line[256];
+  va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(line, sizeof line, pattern, values);
+  va_end(values);
+  return line;
+}
+
+const char* error_unit(const FontReport& report) {
+  return report.options.predicate == Predicate::fixed ? "1/1024 em" : "1/255";
+}
+
+// One line of the worst glyphs by the measure `of`.
+template <typename Measure>
+std::string worst_line(const FontReport& report,
+                       const char* title,
+                       const char* pattern,
+                       Measure of) {
+  std::vector<const GlyphReport*> order;
+  for (const GlyphReport& glyph : report.glyphs) {
+    order.push_back(&glyph);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const GlyphReport* a, const GlyphReport* b) {
+                     return of(*a) > of(*b);
+                   });
+  std::string line = format("  %-16s", title);
+  for (size_t i = 0; i < std::min(kWorst, order.size()); ++i) {
+    char value[32];
+    std::snprintf(value, sizeof value, pattern, of(*order[i]));
+    line += (i == 0 ? "" : ", ") + order[i]->key + " " + value;
+  }
+  return line + "\n";
+}
+
+double rounded(double value) {
+  return std::round(value * 1000) / 1000;
+}
+
+}  // namespace
+
+std::string report_for_people(const FontReport& report) {
+  const AdfOptions& options = report.options;
+  const PartBytes& bytes = report.bytes;
+  std::string text = report.name + " (" + report.file_name + ")\n";
+  text += format("  %-16s%zu, for %zu characters\n", "glyphs",
+                 report.glyphs.size(), report.characters);
+  if (options.predicate == Predicate::fixed) {
+    text +=
+        format("  %-16s1/1024 em, cells of 1/512 em and more\n", "tolerance");
+  } else {
+    text += format("  %-16s%.0f/255 from %.0f to %.0f px\n", "tolerance",
+                   options.tolerance, options.min_px, options.max_px);
+  }
+  const auto part = [&](const char* name, size_t size) {
+    text += format(
+        "  %-16s%9zu bytes  %5.1f %%\n", name, size,
+        100.0 * static_cast<double>(size) / static_cast<double>(bytes.total()));
+  };
+  part("header", bytes.header);
+  part("cmap", bytes.cmap);
+  part("metrics", bytes.metrics);
+  part("kerning", bytes.kerning);
+  part("cells", bytes.cells);
+  part("name", bytes.name);
+  part("total", bytes.total());
+  text += format("  %-16s%zu, %zu inner nodes; as a leaf list %zu bytes\n",
+                 "cells", report.cells, report.nodes, report.leaf_list_bytes());
+  text += format("  %-16s%d left, %d right\n", "kerning classes",
+                 report.left_classes, report.right_classes);
+  text += format("  %-16s%.1f worst, %.2f mean, in %s\n", "error",
+                 report.worst_error, report.mean_error, error_unit(report));
+  text += worst_line(report, "most bytes", "%.0f", [](const GlyphReport& g) {
+    return static_cast<double>(g.bytes);
+  });
+  text += worst_line(report, "worst error", "%.1f",
+                     [](const GlyphReport& g) { return g.worst_error; });
+  return text + format("  %-16s%.2f s\n", "time", report.seconds);
+}
+
+std::string report_as_json(const FontReport& report) {
+  using Json = nlohmann::ordered_json;
+  const AdfOptions& options = report.options;
+  const PartBytes& bytes = report.bytes;
+  const bool fixed = options.predicate == Predicate::fixed;
+  Json json;
+  json["font"] = report.name;
+  json["file"] = report.file_name;
+  json["glyphs"] = report.glyphs.size();
+  json["characters"] = report.characters;
+  json["missing"] = report.missing.size();
+  json["cells"] = "samples";
+  json["coding"] = "direct";
+  json["predicate"] = fixed ? "fixed" : "size";
+  json["min_px"] = static_cast<int>(options.min_px);
+  json["max_px"] = static_cast<int>(options.max_px);
+  json["tolerance"] = static_cast<int>(options.tolerance);
+  json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
+                   {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
+                   {"kerning", bytes.kerning}, {"hints", bytes.hints},
+                   {"cells", bytes.cells},     {"name", bytes.name}};
+  json["leaf_list_bytes"] = report.leaf_list_bytes();
+  json["cell_count"] = report.cells;
+  json["node_count"] = report.nodes;
+  Json per_glyph = Json::object();
+  Json glyph_bytes = Json::object();
+  Json glyph_error = Json::object();
+  for (const GlyphReport& glyph : report.glyphs) {
+    per_glyph[glyph.key] = glyph.cells;
+    glyph_bytes[glyph.key] = glyph.bytes;
+    glyph_error[glyph.key] = rounded(glyph.worst_error);
+  }
+  json["cells_per_glyph"] = std::move(per_glyph);
+  json["bytes_per_glyph"] = std::move(glyph_bytes);
+  json["error_per_glyph"] = std::move(glyph_error);
+  json["error"] = {{"max", rounded(report.worst_error)},
+                   {"mean", rounded(report.mean_error)},
+                   {"unit", error_unit(report)}};
+  json["kerning_classes"] = {{"left", report.left_classes},
+                             {"right", report.right_classes}};
+  json["format"] =
+      std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor);
+  json["seconds"] = rounded(report.seconds);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace inkcell::gen
