@@ -42,12 +42,16 @@ Point from_clipper(const ClipperLib::IntPoint& p) {
 // The outer borders counter-clockwise, the holes clockwise.
 ClipperLib::Paths unite(const Outline& outline) {
   ClipperLib::Clipper clipper;
+  bool any = false;
   for (const Contour& contour : outline.contours) {
     const ClipperLib::Path path = to_clipper(flatten(contour));
     if (path.size() >= 3) {
       // False for a path without area, which is then left out: as it should.
-      clipper.AddPath(path, ClipperLib::ptSubject, true);
+      any |= clipper.AddPath(path, ClipperLib::ptSubject, true);
     }
+  }
+  if (!any) {
+    return {};  // Execute would report failure
   }
   ClipperLib::Paths united;
   bool done = false;
