@@ -1,0 +1,246 @@
+#include "canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "inkcell/port/a8.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int32_t kMaxSide = 32767;  // [px], as strip.hpp says
+
+Fixed<int32_t, 30> to_q30(double value) {
+  return Fixed<int32_t, 30>::from_raw(
+      static_cast<int32_t>(std::lround(value * (1 << 30))));
+}
+
+double from_q30(Fixed<int32_t, 30> value) {
+  return value.raw / 1073741824.0;
+}
+
+// Right angles give exact vectors.
+Direction direction_of(double degrees) {
+  const double turns = std::remainder(degrees, 360) / 90;
+  Direction direction;
+  if (turns == std::round(turns)) {
+    const int quarter = (static_cast<int>(turns) + 4) % 4;
+    constexpr int kCosine[4] = {1, 0, -1, 0};
+    constexpr int kSine[4] = {0, 1, 0, -1};
+    direction.cosine = to_q30(kCosine[quarter]);
+    direction.sine = to_q30(kSine[quarter]);
+    return direction;
+  }
+  direction.cosine = to_q30(std::cos(degrees * kPi / 180));
+  direction.sine = to_q30(std::sin(degrees * kPi / 180));
+  return direction;
+}
+
+// An A8 sink that counts what passes through it.
+class CountingSink {
+ public:
+  CountingSink(const Sink& target, DrawStats& stats)
+      : target_(target), stats_(stats) {}
+
+  Sink sink() {
+    Sink result = target_;
+    result.context = this;
+    result.coverage = [](void* context, int32_t x, int32_t y,
+                         const uint8_t* coverage, int32_t count) noexcept {
+      static_cast<CountingSink*>(context)->coverage(x, y, coverage, count);
+    };
+    result.solid = [](void* context, int32_t x, int32_t y,
+                      int32_t count) noexcept {
+      static_cast<CountingSink*>(context)->solid(x, y, count);
+    };
+    return result;
+  }
+
+ private:
+  void coverage(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    ++stats_.coverage_spans;
+    stats_.coverage_pixels += count;
+    target_.coverage(target_.context, x, y, values, count);
+  }
+  void solid(int32_t x, int32_t y, int32_t count) {
+    ++stats_.solid_runs;
+    stats_.solid_pixels += count;
+    target_.solid(target_.context, x, y, count);
+  }
+
+  Sink target_;
+  DrawStats& stats_;
+};
+
+// What the strip loop needs to know.
+struct Scene {
+  const Font& font;
+  const std::vector<Line>& lines;
+  const Brush& brush;
+  Point origin;
+  Image& image;
+  DrawStats* stats;
+};
+
+void draw_all(const Scene& scene, const Sink& sink) {
+  const double em = scene.brush.size().raw / 64.0;
+  const Direction direction = scene.brush.direction();
+  for (const Line& line : scene.lines) {
+    const double up = em * line.y / scene.font.units_per_em();
+    const Point shift = make_point(-up * from_q30(direction.sine),
+                                   -up * from_q30(direction.cosine));
+    const Point origin = {Q26_6::from_raw(scene.origin.x.raw + shift.x.raw),
+                          Q26_6::from_raw(scene.origin.y.raw + shift.y.raw)};
+    draw(scene.font, {line.glyphs.data(), line.glyphs.size()}, scene.brush,
+         origin, sink);
+  }
+}
+
+void draw_strip(void* context, const Strip& strip) {
+  const Scene& scene = *static_cast<const Scene*>(context);
+  std::memset(
+      strip.pixels.data, 0,
+      static_cast<size_t>(strip.stride) * static_cast<size_t>(strip.height));
+  port::A8Target target{strip};
+  Sink sink;
+  if (port::make_sink(target, sink) != Status::ok) {
+    return;  // cannot be: draw_lines checked the size
+  }
+  if (scene.stats == nullptr) {
+    draw_all(scene, sink);
+    return;
+  }
+  ++scene.stats->strips;
+  CountingSink counting(sink, *scene.stats);
+  draw_all(scene, counting.sink());
+}
+
+// Lays the strip over the picture as the A8 sink lays coverage over coverage.
+void flush_strip(void* context, const Strip& strip) {
+  Image& image = static_cast<Scene*>(context)->image;
+  for (int32_t y = 0; y < strip.height; ++y) {
+    const uint8_t* from = strip.pixels.data + y * strip.stride;
+    uint8_t* to = image.at(strip.x0, strip.y0 + y);
+    for (int32_t x = 0; x < strip.width; ++x) {
+      const unsigned over = from[x];
+      to[x] = static_cast<uint8_t>(over + ((255 - over) * to[x] + 127) / 255);
+    }
+  }
+}
+
+}  // namespace
+
+Brush make_brush(double px, double angle, const Filter& filter) {
+  const double raw = std::round(px * 64);
+  Brush brush;
+  const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
+  if (!in_range || !std::isfinite(angle) ||
+      Brush::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
+                  direction_of(angle), brush) != Status::ok) {
+    throw std::runtime_error("sizes go from 4 to 1024 px, angles are finite");
+  }
+  return brush;
+}
+
+Line lay_out(const Font& font, std::string_view text, Kerning kerning) {
+  Line line;
+  int32_t kerned = 0;
+  int32_t previous = -1;
+  TextCursor cursor(font, Text(text.data(), text.size()));
+  PositionedGlyph at;
+  while (cursor.next(at)) {
+    if (kerning == Kerning::none && previous >= 0) {
+      kerned += font.kerning(static_cast<uint16_t>(previous), at.glyph);
+    }
+    previous = at.glyph;
+    at.x -= kerned;
+    line.glyphs.push_back(at);
+  }
+  return line;
+}
+
+std::vector<Line> lay_out_lines(const Font& font,
+                                std::string_view text,
+                                Kerning kerning) {
+  const FontMetrics metrics = font.metrics();
+  const int32_t height =
+      metrics.ascender - metrics.descender + metrics.line_gap;
+  std::vector<Line> lines;
+  for (int32_t y = 0;; y -= height) {
+    const size_t end = text.find('\n');
+    lines.push_back(lay_out(font, text.substr(0, end), kerning));
+    lines.back().y = y;
+    if (end == std::string_view::npos) {
+      return lines;
+    }
+    text.remove_prefix(end + 1);
+  }
+}
+
+InkBox ink_box(const Font& font,
+               const std::vector<Line>& lines,
+               const Brush& brush) {
+  const double scale = brush.size().raw / 64.0 / font.units_per_em();
+  const double cosine = scale * from_q30(brush.direction().cosine);
+  const double sine = scale * from_q30(brush.direction().sine);
+  InkBox box;
+  bool inked = false;
+  const auto add = [&](int x, int y) {
+    const double right = x * cosine - y * sine;
+    const double down = -(x * sine + y * cosine);
+    box.x0 = inked ? std::min(box.x0, right) : right;
+    box.x1 = inked ? std::max(box.x1, right) : right;
+    box.y0 = inked ? std::min(box.y0, down) : down;
+    box.y1 = inked ? std::max(box.y1, down) : down;
+    inked = true;
+  };
+  for (const Line& line : lines) {
+    for (const PositionedGlyph& at : line.glyphs) {
+      GlyphMetrics glyph;
+      if (font.glyph_metrics(at.glyph, glyph) != Status::ok ||
+          glyph.x_max <= glyph.x_min) {
+        continue;
+      }
+      add(at.x + glyph.x_min, line.y + glyph.y_min);
+      add(at.x + glyph.x_max, line.y + glyph.y_min);
+      add(at.x + glyph.x_min, line.y + glyph.y_max);
+      add(at.x + glyph.x_max, line.y + glyph.y_max);
+    }
+  }
+  return box;
+}
+
+void draw_lines(const Font& font,
+                const std::vector<Line>& lines,
+                const Brush& brush,
+                Point origin,
+                Image& image,
+                DrawStats* stats,
+                int32_t rows) {
+  if (image.width > kMaxSide || image.height > kMaxSide) {
+    throw std::runtime_error("pictures are at most 32767 px wide and high");
+  }
+  Scene scene{font, lines, brush, origin, image, stats};
+  std::vector<uint8_t> buffer(static_cast<size_t>(image.width) *
+                              static_cast<size_t>(rows));
+  StripLoop loop;
+  loop.buffer = {buffer.data(), buffer.size()};
+  loop.width = image.width;
+  loop.height = image.height;
+  loop.rows = rows;
+  loop.stride = image.width;
+  loop.context = &scene;
+  loop.draw = draw_strip;
+  loop.flush = flush_strip;
+  run_strips(loop);
+}
+
+Point make_point(double x, double y) {
+  return {Q26_6::from_raw(static_cast<int32_t>(std::lround(x * 64))),
+          Q26_6::from_raw(static_cast<int32_t>(std::lround(y * 64)))};
+}
+
+}  // namespace inkcell::tools

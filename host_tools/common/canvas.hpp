@@ -1,0 +1,75 @@
+// Text into pictures, by the device's own path: layout, strips, A8 sink.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/text.hpp"
+
+namespace inkcell::tools {
+
+/// A brush for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
+/// clockwise. Throws std::runtime_error if the size is out of range.
+Brush make_brush(double px, double angle, const Filter& filter);
+
+/// A line of glyphs. [font units]
+struct Line {
+  std::vector<PositionedGlyph> glyphs;
+  int32_t y = 0;  // of its baseline, up from that of the first line
+};
+
+enum class Kerning { none, font };
+
+/// Lays out one line.
+Line lay_out(const Font& font, std::string_view text, Kerning kerning);
+
+/// Lays out lines divided by line feeds, below each other.
+std::vector<Line> lay_out_lines(const Font& font,
+                                std::string_view text,
+                                Kerning kerning);
+
+/// The ink of lines relative to the origin of the first, turned by the brush.
+/// [px, y down] Without ink: the point at the origin.
+struct InkBox {
+  double x0 = 0;
+  double y0 = 0;
+  double x1 = 0;
+  double y1 = 0;
+};
+InkBox ink_box(const Font& font,
+               const std::vector<Line>& lines,
+               const Brush& brush);
+
+/// What drawing cost.
+struct DrawStats {
+  int64_t strips = 0;
+  int64_t coverage_spans = 0;
+  int64_t coverage_pixels = 0;  // given one by one, and so computed
+  int64_t solid_runs = 0;
+  int64_t solid_pixels = 0;  // filled, not computed
+};
+
+/// Rows of a strip, unless somebody wants to show that it does not matter.
+inline constexpr int32_t kStripRows = 32;
+
+/// Draws lines over the grey picture (255: full ink) in strips of `rows` rows,
+/// the first line's origin at `origin`, the others where the brush's direction
+/// leads, to the nearest 1/64 px. Adds to `stats` if given. Throws
+/// std::runtime_error if the picture is wider or higher than 32767 px.
+void draw_lines(const Font& font,
+                const std::vector<Line>& lines,
+                const Brush& brush,
+                Point origin,
+                Image& image,
+                DrawStats* stats = nullptr,
+                int32_t rows = kStripRows);
+
+/// A position in px, to the nearest 1/64.
+Point make_point(double x, double y);
+
+}  // namespace inkcell::tools

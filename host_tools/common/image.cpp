@@ -1,0 +1,87 @@
+#include "image.hpp"
+
+#include <png.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace inkcell::tools {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file,
+                         const std::string& why) {
+  throw std::runtime_error(file.string() + ": cannot be written: " + why);
+}
+
+void write_pnm(const std::filesystem::path& file, const Image& image) {
+  std::ofstream out(file, std::ios::binary);
+  out << (image.channels == 1 ? "P5" : "P6") << '\n'
+      << image.width << ' ' << image.height << "\n255\n";
+  out.write(reinterpret_cast<const char*>(image.pixels.data()),
+            static_cast<std::streamsize>(image.pixels.size()));
+  out.close();
+  if (!out) {
+    refuse(file, std::strerror(errno));
+  }
+}
+
+void write_png(const std::filesystem::path& file, const Image& image) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width);
+  header.height = static_cast<png_uint_32>(image.height);
+  header.format = image.channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
+  const int written = png_image_write_to_file(&header, file.c_str(), 0,
+                                              image.pixels.data(), 0, nullptr);
+  if (written == 0) {
+    refuse(file, header.message);
+  }
+}
+
+}  // namespace
+
+Image::Image(int w, int h, int channel_count, uint8_t value)
+    : width(w),
+      height(h),
+      channels(channel_count),
+      pixels(static_cast<size_t>(w) * static_cast<size_t>(h) *
+                 static_cast<size_t>(channel_count),
+             value) {}
+
+Image enlarge(const Image& image, int factor) {
+  Image result(image.width * factor, image.height * factor, image.channels);
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      std::memcpy(result.at(x, y), image.at(x / factor, y / factor),
+                  static_cast<size_t>(image.channels));
+    }
+  }
+  return result;
+}
+
+void invert(Image& image) {
+  for (uint8_t& value : image.pixels) {
+    value = static_cast<uint8_t>(255 - value);
+  }
+}
+
+void write_image(const std::filesystem::path& file, const Image& image) {
+  const std::string suffix = file.extension().string();
+  if (image.width <= 0 || image.height <= 0) {
+    refuse(file, "the picture has no pixels");
+  }
+  if (suffix == ".png") {
+    write_png(file, image);
+  } else if (suffix == (image.channels == 1 ? ".pgm" : ".ppm")) {
+    write_pnm(file, image);
+  } else {
+    refuse(file, std::string("the name must end in .png or ") +
+                     (image.channels == 1 ? ".pgm" : ".ppm"));
+  }
+}
+
+}  // namespace inkcell::tools

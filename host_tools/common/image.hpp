@@ -1,0 +1,43 @@
+// Pictures in memory and in files: PNG, PGM and PPM.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace inkcell::tools {
+
+/// 8-bit pixels, row by row from the top; grey or red, green, blue.
+struct Image {
+  int width = 0;  // [px]
+  int height = 0;
+  int channels = 1;  // 1 or 3
+  std::vector<uint8_t> pixels;
+
+  Image() = default;
+  /// All pixels `value`.
+  Image(int w, int h, int channel_count = 1, uint8_t value = 0);
+
+  uint8_t* at(int x, int y) { return pixels.data() + index(x, y); }
+  const uint8_t* at(int x, int y) const { return pixels.data() + index(x, y); }
+
+ private:
+  size_t index(int x, int y) const {
+    return (static_cast<size_t>(y) * static_cast<size_t>(width) +
+            static_cast<size_t>(x)) *
+           static_cast<size_t>(channels);
+  }
+};
+
+/// Every pixel as a square of `factor` x `factor` pixels.
+Image enlarge(const Image& image, int factor);
+
+/// 255 - value, everywhere.
+void invert(Image& image);
+
+/// Writes by the file's suffix: .png, .pgm (grey) or .ppm (colour).
+///
+/// Throws std::runtime_error that names the file.
+void write_image(const std::filesystem::path& file, const Image& image);
+
+}  // namespace inkcell::tools

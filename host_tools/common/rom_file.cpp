@@ -1,0 +1,139 @@
+#include "rom_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "inkcell/format.hpp"
+#include "inkcell/text.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+uint32_t read_u16(const uint8_t* p) {
+  return static_cast<uint32_t>(p[0] | p[1] << 8);
+}
+
+uint32_t read_u32(const uint8_t* p) {
+  return read_u16(p) | read_u16(p + 2) << 16;
+}
+
+std::string remedy(Status status) {
+  switch (status) {
+    case Status::bad_magic:
+      return "it is not an Inkcell font";
+    case Status::bad_version:
+      return "its format is not the one of this version; regenerate it";
+    case Status::corrupt:
+      return "an offset, a length or the header's checksum does not fit; "
+             "regenerate it";
+    case Status::unsupported:
+      return "it holds cells, a coding or a section that this version cannot "
+             "read";
+    default:
+      return "it cannot be opened";
+  }
+}
+
+}  // namespace
+
+std::string_view status_name(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::bad_magic:
+      return "bad_magic";
+    case Status::bad_version:
+      return "bad_version";
+    case Status::corrupt:
+      return "corrupt";
+    case Status::no_glyph:
+      return "no_glyph";
+    case Status::buffer_small:
+      return "buffer_small";
+    case Status::misaligned:
+      return "misaligned";
+    case Status::unsupported:
+      return "unsupported";
+    case Status::bad_argument:
+      return "bad_argument";
+  }
+  return "?";
+}
+
+RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
+    : bytes_(std::move(bytes)) {
+  const Status status = Font::open({bytes_.data(), bytes_.size()}, font_);
+  if (status != Status::ok) {
+    throw std::runtime_error(name + ": " + remedy(status) + " (" +
+                             std::string(status_name(status)) + ")");
+  }
+}
+
+std::vector<uint8_t> read_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    throw std::runtime_error(file.string() + ": " + std::strerror(errno));
+  }
+  std::vector<uint8_t> bytes(std::istreambuf_iterator<char>(in), {});
+  if (in.bad()) {
+    throw std::runtime_error(file.string() + ": cannot be read");
+  }
+  return bytes;
+}
+
+bool is_rom_font(const std::vector<uint8_t>& bytes) {
+  return bytes.size() >= 4 && read_u32(bytes.data()) == format::kMagic;
+}
+
+RomFile load_rom(const std::filesystem::path& file) {
+  return RomFile(read_file(file), file.string());
+}
+
+std::vector<Mapping> mappings(const Font& font) {
+  namespace cmap = format::cmap;
+  std::vector<Mapping> result;
+  const Span<const uint8_t> section = font.section(format::section::kCmap);
+  for (size_t at = 0; at + cmap::kBytes <= section.size; at += cmap::kBytes) {
+    const uint8_t* entry = section.data + at;
+    const uint32_t first = read_u32(entry + cmap::kFirst);
+    const uint32_t extra = read_u16(entry + cmap::kExtra);
+    const uint32_t glyph = read_u16(entry + cmap::kFirstGlyph);
+    for (uint32_t i = 0; i <= extra; ++i) {
+      result.push_back(
+          {static_cast<char32_t>(first + i), static_cast<uint16_t>(glyph + i)});
+    }
+  }
+  return result;
+}
+
+std::string to_utf8(char32_t code_point) {
+  const uint32_t c = code_point;
+  const auto tail = [c](int shift) {
+    return static_cast<char>(0x80 | ((c >> shift) & 0x3f));
+  };
+  if (c < 0x80) {
+    return {static_cast<char>(c)};
+  }
+  if (c < 0x800) {
+    return {static_cast<char>(0xc0 | c >> 6), tail(0)};
+  }
+  if (c < 0x10000) {
+    return {static_cast<char>(0xe0 | c >> 12), tail(6), tail(0)};
+  }
+  return {static_cast<char>(0xf0 | c >> 18), tail(12), tail(6), tail(0)};
+}
+
+std::vector<char32_t> from_utf8(std::string_view text) {
+  std::vector<char32_t> result;
+  Text rest(text.data(), text.size());
+  while (rest.size > 0) {
+    result.push_back(static_cast<char32_t>(next_code_point(rest)));
+  }
+  return result;
+}
+
+}  // namespace inkcell::tools

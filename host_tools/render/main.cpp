@@ -1,0 +1,211 @@
+// inkcell-render: draws text with the device's core into PNG or PGM files.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include "canvas.hpp"
+#include "convert.hpp"
+#include "filters.hpp"
+#include "options.hpp"
+#include "render_jobs.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+// Pixels around the ink where nobody says how large the picture shall be: the
+// widest filter and a shift by --dx, --dy need less. [px]
+constexpr int kMargin = 2;
+
+struct Arguments {
+  gen::GenerateRequest request;
+  std::string font;
+  std::string text;
+  std::string jobs;
+  std::string out;
+  std::string filter = "text";
+  double px = 0;
+  double angle = 0;
+  double dx = 0;  // [1/64 px]
+  double dy = 0;
+  std::optional<double> ox;  // [px]
+  std::optional<double> oy;
+  std::optional<int> width;
+  std::optional<int> height;
+  int zoom = 1;
+  int rows = kStripRows;
+  bool inverted = false;
+  bool unkerned = false;
+  bool stats = false;
+};
+
+void check_hint(const std::string& mode) {
+  if (mode != "none") {
+    throw CLI::ValidationError(
+        "--hint", "'" + mode + "' is not available in this version; use none");
+  }
+}
+
+void add_placement(CLI::App& app, Arguments& arguments) {
+  app.add_option("--dx", arguments.dx, "Shift to the right [1/64 px]");
+  app.add_option("--dy", arguments.dy, "Shift down [1/64 px]");
+  app.add_option("--angle", arguments.angle,
+                 "Direction of the baseline, counter-clockwise [degrees]");
+  app.add_option("--width", arguments.width, "Of the picture [ink + 4 px]")
+      ->check(CLI::Range(1, 32767));
+  app.add_option("--height", arguments.height, "Of the picture [ink + 4 px]")
+      ->check(CLI::Range(1, 32767));
+  app.add_option("--ox", arguments.ox, "Left end of the baseline [px]");
+  app.add_option("--oy", arguments.oy, "Height of the baseline, y down [px]");
+}
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  app.add_option("--font", arguments.font,
+                 "ROM font, or TTF or OTF to convert in memory")
+      ->type_name("FILE");
+  app.add_option("--text", arguments.text,
+                 "What to draw; a line feed begins a new line");
+  app.add_option("--px", arguments.px, "Size, may be fractional [px/em]");
+  app.add_option("--jobs", arguments.jobs,
+                 "Draw one picture for each line of JSON, instead of --text")
+      ->type_name("FILE.jsonl");
+  app.add_option("--out", arguments.out, "The picture: 255 is full ink")
+      ->type_name("FILE.png|FILE.pgm");
+  app.add_option("--filter", arguments.filter,
+                 "text, motion, paper_display or paper_body")
+      ->capture_default_str();
+  app.add_option_function<std::string>("--hint", check_hint,
+                                       "Fit to the pixel grid: none")
+      ->default_str("none");
+  add_placement(app, arguments);
+  app.add_flag("--no-kerning", arguments.unkerned,
+               "Advances only, as --jobs always does");
+  app.add_flag("--invert", arguments.inverted, "Black on white");
+  app.add_option("--zoom", arguments.zoom, "Draw each pixel N x N")
+      ->check(CLI::Range(1, 64));
+  app.add_option("--rows", arguments.rows,
+                 "Rows of a strip; the picture is the same for every number")
+      ->check(CLI::Range(1, 32767));
+  app.add_flag("--stats", arguments.stats, "Print what drawing cost");
+  gen::add_generator_options(app, arguments.request);
+}
+
+// Where the text is, and on how large a canvas.
+struct Placement {
+  int width = 0;
+  int height = 0;
+  Point origin;
+};
+
+Placement place(const Arguments& arguments, const InkBox& ink) {
+  Placement placement;
+  const int x0 = static_cast<int>(std::floor(ink.x0)) - kMargin;
+  const int y0 = static_cast<int>(std::floor(ink.y0)) - kMargin;
+  const double ox = arguments.ox.value_or(-x0);
+  const double oy = arguments.oy.value_or(-y0);
+  // Without a size: enough for the ink where it is, and at least one pixel.
+  const int right = static_cast<int>(std::ceil(ox + ink.x1)) + kMargin;
+  const int bottom = static_cast<int>(std::ceil(oy + ink.y1)) + kMargin;
+  placement.width = arguments.width.value_or(std::max(right, 1));
+  placement.height = arguments.height.value_or(std::max(bottom, 1));
+  placement.origin = make_point(ox + arguments.dx / 64, oy + arguments.dy / 64);
+  return placement;
+}
+
+size_t glyph_count(const std::vector<Line>& lines) {
+  size_t count = 0;
+  for (const Line& line : lines) {
+    count += line.glyphs.size();
+  }
+  return count;
+}
+
+void print_stats(const DrawStats& stats,
+                 const std::vector<Line>& lines,
+                 const Image& image,
+                 const Font& font,
+                 double seconds) {
+  std::printf("font             %zu bytes, %u glyphs\n", font.rom().size,
+              static_cast<unsigned>(font.glyph_count()));
+  std::printf("picture          %d x %d px in %lld strips\n", image.width,
+              image.height, static_cast<long long>(stats.strips));
+  std::printf("glyphs           %zu\n", glyph_count(lines));
+  std::printf("computed pixels  %lld in %lld spans\n",
+              static_cast<long long>(stats.coverage_pixels),
+              static_cast<long long>(stats.coverage_spans));
+  std::printf("filled pixels    %lld in %lld runs\n",
+              static_cast<long long>(stats.solid_pixels),
+              static_cast<long long>(stats.solid_runs));
+  std::printf("time             %.3f ms on this machine\n", seconds * 1000);
+}
+
+void render_text(const Arguments& arguments) {
+  const RomFile rom =
+      load_font_file(arguments.font, arguments.request, arguments.text);
+  const Font& font = rom.font();
+  const Brush brush =
+      make_brush(arguments.px, arguments.angle, filter_of(arguments.filter));
+  const std::vector<Line> lines = lay_out_lines(
+      font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);
+  const Placement placement = place(arguments, ink_box(font, lines, brush));
+  Image image(placement.width, placement.height);
+  DrawStats stats;
+  const auto begin = std::chrono::steady_clock::now();
+  draw_lines(font, lines, brush, placement.origin, image,
+             arguments.stats ? &stats : nullptr, arguments.rows);
+  const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - begin;
+  if (arguments.stats) {
+    print_stats(stats, lines, image, font, time.count());
+  }
+  if (arguments.inverted) {
+    invert(image);
+  }
+  write_image(arguments.out,
+              arguments.zoom == 1 ? image : enlarge(image, arguments.zoom));
+}
+
+void run(const Arguments& arguments, const CLI::App& app) {
+  if (!arguments.jobs.empty()) {
+    if (app.count("--text") + app.count("--out") + app.count("--px") +
+            app.count("--font") >
+        0) {
+      throw std::runtime_error(
+          "--jobs takes fonts, texts, sizes and outputs from its file, not "
+          "from --font, --text, --px and --out");
+    }
+    const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
+    render_jobs(jobs, arguments.request, filter_of(arguments.filter),
+                arguments.inverted);
+    if (arguments.stats) {
+      std::printf("pictures         %zu\n", jobs.size());
+    }
+    return;
+  }
+  for (const char* option : {"--font", "--text", "--px", "--out"}) {
+    if (app.count(option) == 0) {
+      throw std::runtime_error(std::string(option) +
+                               " is missing (or use --jobs); see --help");
+    }
+  }
+  render_text(arguments);
+}
+
+}  // namespace
+}  // namespace inkcell::tools
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws text with Inkcell's device core into a picture.");
+  inkcell::tools::Arguments arguments;
+  inkcell::tools::add_arguments(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    inkcell::tools::run(arguments, app);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,94 @@
+#include "render_jobs.hpp"
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "canvas.hpp"
+#include "convert.hpp"
+#include "parallel.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+RenderJob read_job(const std::string& line) {
+  const nlohmann::json json = nlohmann::json::parse(line);
+  RenderJob job;
+  json.at("font").get_to(job.font);
+  json.at("text").get_to(job.text);
+  json.at("size").get_to(job.size);
+  json.at("w").get_to(job.w);
+  json.at("h").get_to(job.h);
+  json.at("out").get_to(job.out);
+  job.ox = json.value("ox", 0.0);
+  job.oy = json.value("oy", 0.0);
+  job.dx = json.value("dx", 0.0);
+  job.dy = json.value("dy", 0.0);
+  job.angle = json.value("angle", 0.0);
+  return job;
+}
+
+void render(const RenderJob& job,
+            const Font& font,
+            const Filter& filter,
+            bool inverted) {
+  if (job.w <= 0 || job.h <= 0) {
+    throw std::runtime_error("w and h must be positive");
+  }
+  const Brush brush = make_brush(job.size, job.angle, filter);
+  Image image(job.w, job.h);
+  draw_lines(font, {lay_out(font, job.text, Kerning::none)}, brush,
+             make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
+  if (inverted) {
+    invert(image);
+  }
+  write_image(job.out, image);
+}
+
+}  // namespace
+
+std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) {
+    throw std::runtime_error(file.string() + ": cannot be read");
+  }
+  std::vector<RenderJob> jobs;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) {
+      continue;
+    }
+    try {
+      jobs.push_back(read_job(line));
+    } catch (const nlohmann::json::exception& error) {
+      throw std::runtime_error(file.string() + ":" + std::to_string(number) +
+                               ": " + error.what());
+    }
+  }
+  return jobs;
+}
+
+void render_jobs(const std::vector<RenderJob>& jobs,
+                 const gen::GenerateRequest& request,
+                 const Filter& filter,
+                 bool inverted) {
+  std::map<std::string, std::string> texts;
+  for (const RenderJob& job : jobs) {
+    texts[job.font] += job.text;
+  }
+  std::map<std::string, RomFile> fonts;
+  for (const auto& [file, text] : texts) {
+    fonts.emplace(file, load_font_file(file, request, text));
+  }
+  parallel_for(jobs.size(), 0, [&](size_t i) {
+    try {
+      render(jobs[i], fonts.at(jobs[i].font).font(), filter, inverted);
+    } catch (const std::exception& error) {
+      throw std::runtime_error("job " + std::to_string(i + 1) + " (" +
+                               jobs[i].out + "): " + error.what());
+    }
+  });
+}
+
+}  // namespace inkcell::tools

@@ -1,0 +1,40 @@
+// Many pictures in one run: a file with one JSON object a line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "generate.hpp"
+#include "inkcell/filter.hpp"
+
+namespace inkcell::tools {
+
+/// One picture: `text` without kerning on a canvas of `w` x `h` px, its origin
+/// (left end of the baseline) at (ox + dx / 64, oy + dy / 64) px, y down.
+struct RenderJob {
+  std::string font;
+  std::string text;
+  double size = 0;   // [px/em], rounded to 1/64
+  double angle = 0;  // [degrees], counter-clockwise about the origin
+  double ox = 0;     // [px]
+  double oy = 0;
+  double dx = 0;  // [1/64 px]
+  double dy = 0;
+  int w = 0;  // [px]
+  int h = 0;
+  std::string out;
+};
+
+/// Reads the file; the field `kind` is read over, because nothing here depends
+/// on it yet. Throws std::runtime_error that names file and line.
+std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
+
+/// Draws all pictures, on all cores. Each font file is opened or converted
+/// once, with the characters of all its jobs.
+void render_jobs(const std::vector<RenderJob>& jobs,
+                 const gen::GenerateRequest& request,
+                 const Filter& filter,
+                 bool inverted);
+
+}  // namespace inkcell::tools

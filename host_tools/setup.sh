@@ -1,0 +1,52 @@
+# What the project needs from Debian, and the function that installs it.
+#
+#   . host_tools/setup.sh
+#   inkcell_setup demo     # the generator, the tools and the emulated boards
+#   inkcell_setup tests    # these, and what the tests need on top
+#
+# Installs what is missing as root or through sudo. Where neither is allowed it
+# prints the line that would, and ends the script that called it.
+
+inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
+  libfreetype-dev libharfbuzz-dev libpolyclipping-dev libcli11-dev
+  nlohmann-json3-dev libpng-dev zlib1g-dev
+  gcc-arm-none-eabi libnewlib-arm-none-eabi
+  gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+  qemu-system-arm qemu-system-misc
+  fonts-dejavu-core fonts-liberation fonts-roboto-unhinted"
+
+inkcell_packages_tests="$inkcell_packages_demo git libgtest-dev clang
+  libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk"
+
+# The packages of "$@" that are not installed.
+inkcell_missing() {
+  for package in "$@"; do
+    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null |
+      grep -qx installed || printf ' %s' "$package"
+  done
+}
+
+inkcell_setup() {
+  case $1 in
+    demo) inkcell_missing=$(inkcell_missing $inkcell_packages_demo) ;;
+    tests) inkcell_missing=$(inkcell_missing $inkcell_packages_tests) ;;
+    *) echo "inkcell_setup demo|tests" >&2; exit 2 ;;
+  esac
+  [ -n "$inkcell_missing" ] || return 0
+  if [ "$(id -u)" = 0 ]; then
+    inkcell_root=
+  elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+    inkcell_root=sudo
+  else
+    echo "Please install what is missing, and start this again:" >&2
+    echo "  apt-get install --no-install-recommends$inkcell_missing" >&2
+    exit 1
+  fi
+  echo "Installing$inkcell_missing"
+  if ! { $inkcell_root apt-get -qq update &&
+    DEBIAN_FRONTEND=noninteractive $inkcell_root apt-get -qq install -y \
+      --no-install-recommends $inkcell_missing >/dev/null; }; then
+    echo "apt-get could not install:$inkcell_missing" >&2
+    exit 1
+  fi
+}
