@@ -1,0 +1,135 @@
+"""Checks what can be false in documents and the form of all tracked files.
+
+Links and paths in documents lead somewhere, versions agree, and no file names
+a path that only one machine has.
+
+Usage: check_docs.py
+"""
+import pathlib
+import re
+import sys
+
+from toolchains import ROOT, finish, run
+
+SOURCES = (".hpp", ".cpp", ".h", ".c", ".cmake", ".py", ".sh")
+
+# Written in pieces so that this file passes.
+FOREIGN = re.compile(r"\.\." + r"/shared|(?<![\w.])/" +
+                     r"(work|root|farm|home)/")
+UNFINISHED = re.compile(r"\b(TO" + r"DO|FIX" + r"ME)\b")
+
+
+def tracked_files():
+    """Files in git that are there, and text."""
+    listing = run(["git", "-C", ROOT, "ls-files", "-z"])
+    if listing.returncode != 0:
+        sys.exit("not a git checkout: " + listing.stdout)
+    result = {}
+    for name in listing.stdout.split("\0"):
+        path = ROOT / name
+        if name and path.is_file():
+            try:
+                result[name] = path.read_text(encoding="utf-8")
+            except UnicodeDecodeError:
+                pass  # a picture or a font
+    return result
+
+
+def anchor(heading):
+    """The name by which a link finds a heading."""
+    words = re.sub(r"[^\w\- ]", "", heading.strip().lower())
+    return words.replace(" ", "-")
+
+
+def check_links(name, text, files):
+    """Links of a document that lead nowhere."""
+    problems = []
+    prose = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
+    for link in re.findall(r"\]\(([^)\s]+)\)", prose):
+        if re.match(r"[a-z]+:", link):
+            continue
+        path, _, section = link.partition("#")
+        target = (ROOT / name).parent / path if path else ROOT / name
+        if not target.exists():
+            problems.append(f"{name}: link to {link}: no such file")
+        elif section and target.suffix == ".md":
+            headings = re.findall(r"^#+ (.+)$", target.read_text(), re.M)
+            if section not in map(anchor, headings):
+                problems.append(f"{name}: link to {link}: no such heading")
+    return problems
+
+
+def check_paths(name, text):
+    """Paths of this project that a document names and that do not exist."""
+    rooms = sorted(path.name for path in ROOT.iterdir()
+                   if path.is_dir() and not path.name.startswith(".")
+                   and path.name != "build")
+    pattern = r"(?<![\w/.<-])(?:" + "|".join(rooms) + r")/[\w./-]*"
+    return [f"{name}: names {path}: no such file"
+            for path in sorted(set(re.findall(pattern, text)))
+            if not (ROOT / path.rstrip(".")).exists()]
+
+
+def constant(text, name):
+    return re.search(rf"{name} = (\d+);", text).group(1)
+
+
+def check_versions(files):
+    """Versions that are said in several places."""
+    header = files["core/include/inkcell/version.hpp"]
+    library = ".".join(constant(header, "kLibraryVersion" + part)
+                       for part in ("Major", "Minor", "Patch"))
+    form = ".".join(constant(header, "kFormat" + part)
+                    for part in ("Major", "Minor"))
+    problems = []
+    project = re.search(r"project\(inkcell VERSION ([\d.]+)",
+                        files["CMakeLists.txt"]).group(1)
+    if project != library:
+        problems.append(f"CMakeLists.txt: version {project}, library {library}")
+    for name, pattern, version in [
+            ("docs/FORMAT.md", r"[Ff]ormat version\D{0,8}(\d+\.\d+)", form),
+            ("docs/CHANGELOG.md", r"^## \D*(\d+\.\d+\.\d+)", library)]:
+        found = re.search(pattern, files.get(name, ""), re.M)
+        if not found or found.group(1) != version:
+            problems.append(f"{name}: says version "
+                            f"{found.group(1) if found else 'nothing'}, "
+                            f"version.hpp {version}")
+    return problems
+
+
+def check_source(name, text):
+    """The form of one source."""
+    problems = []
+    if name.endswith((".hpp", ".cpp", ".h")):
+        lines = text.splitlines()
+        # A source with a header of its own leaves that to the header.
+        own = re.compile(r'#include "[\w/]*\b' +
+                         re.escape(pathlib.Path(name).stem) + r'\.hpp"')
+        if not lines or not (lines[0].startswith("// ") or own.match(lines[0])):
+            problems.append(f"{name}: the first line says what it is for")
+        if len(lines) > 600:
+            problems.append(f"{name}: {len(lines)} lines")
+        problems += [f"{name}:{number}: over 80 columns"
+                     for number, line in enumerate(lines, 1) if len(line) > 80]
+    if name.startswith(("core/", "port/")) and not text.isascii():
+        problems.append(f"{name}: not ASCII")
+    if UNFINISHED.search(text):
+        problems.append(f"{name}: holds an unfinished mark")
+    return problems
+
+
+def main():
+    files = tracked_files()
+    problems = check_versions(files)
+    for name, text in files.items():
+        if name.endswith(".md"):
+            problems += check_links(name, text, files)
+            problems += check_paths(name, text)
+        if name.endswith(SOURCES):
+            problems += check_source(name, text)
+        problems += [f"{name}: names {found.group(0)}"
+                     for found in FOREIGN.finditer(text)]
+    finish(len(files), problems)
+
+
+main()

@@ -1,0 +1,75 @@
+"""Makes a project of the README's code, builds it and runs it.
+
+Once as the README has it, with add_subdirectory(inkcell); once as its comment
+says, with find_package(inkcell) after an installation.
+
+Usage: check_readme.py subdirectory|installed WORK_FOLDER BUILD_FOLDER FONTGEN
+"""
+import pathlib
+import re
+import shutil
+import sys
+
+from toolchains import ROOT, finish, run
+
+FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+SUBDIRECTORY = re.compile(r"add_subdirectory\(inkcell\).*")
+
+
+def blocks(language):
+    """All code of one language in the README; none at all is an error."""
+    text = (ROOT / "README.md").read_text()
+    found = re.findall(rf"^```{language}\n(.*?)^```$", text, re.M | re.S)
+    if not found:
+        sys.exit(f"README.md: no {language} block")
+    return "\n".join(found)
+
+
+def write_project(mode, project):
+    """The user's folder: sources, the font, and inkcell beside them."""
+    template = ROOT / "tests/build/readme"
+    cmake = blocks("cmake")
+    if not SUBDIRECTORY.search(cmake):
+        sys.exit("README.md: no add_subdirectory(inkcell)")
+    if mode == "installed":
+        package = re.search(r"find_package\(inkcell.*?\)", cmake)
+        if not package:
+            sys.exit("README.md: no find_package(inkcell ...)")
+        cmake = SUBDIRECTORY.sub(package.group(0), cmake)
+    else:
+        (project / "inkcell").symlink_to(ROOT)
+    (project / "readme.cpp").write_text(blocks("cpp"))
+    shutil.copy(template / "main.cpp", project)
+    shutil.copy(FONT, project)
+    text = (template / "CMakeLists.txt.in").read_text()
+    (project / "CMakeLists.txt").write_text(text.replace("@README_CMAKE@", cmake))
+
+
+def main():
+    mode, work, build, fontgen = sys.argv[1], *map(pathlib.Path, sys.argv[2:])
+    shutil.rmtree(work, ignore_errors=True)
+    project = work / "project"
+    project.mkdir(parents=True)
+    write_project(mode, project)
+    options, commands = [], []
+    if mode == "installed":
+        prefix = work / "prefix"
+        commands.append(["cmake", "--install", build, "--prefix", prefix])
+        options = [f"-DCMAKE_PREFIX_PATH={prefix}"]
+    else:
+        options = [f"-DINKCELL_FONTGEN={fontgen}"]
+    commands += [
+        ["cmake", "-G", "Ninja", "-S", project, "-B", work / "build", *options],
+        ["cmake", "--build", work / "build"],
+        [work / "build/app"],
+    ]
+    for command in commands:
+        result = run(command)
+        if result.returncode != 0:
+            words = " ".join(str(word) for word in command)
+            finish(0, [f"{words}\n{result.stdout}"])
+    print(result.stdout, end="")
+    finish(len(commands), [])
+
+
+main()
