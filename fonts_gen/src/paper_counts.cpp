@@ -34,8 +34,8 @@ double interpolate(const std::array<double, 9>& nine,
 // Counts the leaves of an ADF that interpolates with polynomials of `order`.
 class AdfCounter {
  public:
-  AdfCounter(const AdfOptions& options, int order)
-      : metric_(options), order_(order) {}
+  AdfCounter(const AdfOptions& options, int order, Scope scope)
+      : metric_(options), order_(order), scope_(scope) {}
 
   void count(const CellSquare& square,
              const Neighbourhood& truth,
@@ -64,7 +64,7 @@ class AdfCounter {
     }
     const std::array<double, 9> nine = lattice.nine(truth);
     return log2 <= metric_.smallest_log2() ||
-           !metric_.tests_cell(nine[4], log2) ||
+           (scope_ == Scope::edge && !metric_.tests_cell(nine[4], log2)) ||
            good_enough(nine, truth, lattice);
   }
 
@@ -89,16 +89,18 @@ class AdfCounter {
 
   Metric metric_;
   int order_;
+  Scope scope_;
 };
 
 LeafCounts count_cells(const Shape& shape,
                        const AdfOptions& options,
-                       int order) {
+                       int order,
+                       Scope scope) {
   LeafCounts counts;
   if (shape.empty()) {
     return counts;
   }
-  const AdfCounter counter(options, order);
+  const AdfCounter counter(options, order, scope);
   for (const CellSquare& tile : tiles_of(lay_grid(shape, options))) {
     counter.count(tile, Neighbourhood(shape, tile.square()), Lattice(tile),
                   counts);
@@ -129,13 +131,16 @@ void count_colours(const Square& square,
 
 }  // namespace
 
-LeafCounts count_cells_bilinear(const Shape& shape, const AdfOptions& options) {
-  return count_cells(shape, options, 1);
+LeafCounts count_cells_bilinear(const Shape& shape,
+                                const AdfOptions& options,
+                                Scope scope) {
+  return count_cells(shape, options, 1, scope);
 }
 
 LeafCounts count_cells_biquadratic(const Shape& shape,
-                                   const AdfOptions& options) {
-  return count_cells(shape, options, 2);
+                                   const AdfOptions& options,
+                                   Scope scope) {
+  return count_cells(shape, options, 2, scope);
 }
 
 LeafCounts count_cells_three_colour(const Shape& shape, int resolution) {

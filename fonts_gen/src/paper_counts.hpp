@@ -16,15 +16,24 @@ struct LeafCounts {
   size_t varying = 0;
 };
 
+/// Where the fixed predicate looks; size_aware looks at the whole band always.
+enum class Scope {
+  edge,  // cells with an edge in them
+  band,  // all cells within 96 u of an edge
+};
+
 /// Leaves of a bi-linear ADF (Frisken et al. 2000: four distances at the
 /// corners) under the conditions of build_adf with the same options, but with
 /// distances in full precision, tested on the lattice alone.
-LeafCounts count_cells_bilinear(const Shape& shape, const AdfOptions& options);
+LeafCounts count_cells_bilinear(const Shape& shape,
+                                const AdfOptions& options,
+                                Scope scope = Scope::edge);
 
 /// The same with nine distances: the fair partner of the bi-linear count. What
 /// quantisation costs is the difference to build_adf.
 LeafCounts count_cells_biquadratic(const Shape& shape,
-                                   const AdfOptions& options);
+                                   const AdfOptions& options,
+                                   Scope scope = Scope::edge);
 
 /// Leaves of a 3-colour quadtree (inside, outside, edge) whose edge cells are
 /// all 1 / `resolution` em wide, in the paper's root cell. `resolution` is a
