@@ -1,0 +1,40 @@
+# Builds inkcell-fontgen for the machine that runs this script:
+#
+#   cmake -DSOURCE=<fonts_gen> -DFOLDER=<build folder> [-DGENERATOR=<name>]
+#         [-DMAKE_PROGRAM=<path>] [-DCXX=<compiler>] -P BuildFontgen.cmake
+#
+# Nothing of a cross build may reach it: its toolchain file, compilers and flags
+# can come through the environment.
+foreach(name CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS CMAKE_TOOLCHAIN_FILE
+        CMAKE_GENERATOR CPATH CPLUS_INCLUDE_PATH)
+  unset(ENV{${name}})
+endforeach()
+
+# Several build trees may ask for the same folder at once.
+file(MAKE_DIRECTORY "${FOLDER}")
+file(LOCK "${FOLDER}" DIRECTORY GUARD PROCESS TIMEOUT 1800)
+
+if(NOT EXISTS "${FOLDER}/configured")
+  set(options)
+  if(GENERATOR)
+    list(APPEND options -G "${GENERATOR}")
+  endif()
+  if(MAKE_PROGRAM)
+    list(APPEND options "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}")
+  endif()
+  if(CXX)
+    list(APPEND options "-DCMAKE_CXX_COMPILER=${CXX}")
+  endif()
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${FOLDER}" ${options}
+      -DCMAKE_BUILD_TYPE=Release
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  file(TOUCH "${FOLDER}/configured")
+endif()
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" --build "${FOLDER}" --config Release
+    --target inkcell-fontgen
+  OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "inkcell-fontgen cannot be built:\n${output}")
+endif()

@@ -1,0 +1,164 @@
+# inkcell_add_font(): fonts as headers, made while the project is built.
+#
+#   inkcell_add_font(<target> FONT <file>
+#     [NAME <identifier>]      default: the file's name
+#     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
+#     [SYMBOLS <string>] [TEXT <utf-8 file>...]
+#     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>]
+#     [FACE <n>] [AXIS <tag=value>...]
+#     [CELLS samples] [CODING direct] [PREDICATE size|fixed])
+#
+# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
+# The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
+#
+# The generator runs on the machine that builds. Which one is used:
+# - INKCELL_FONTGEN, if set: the path of the program;
+# - else the one of this build, or the one that was installed with this file;
+# - else, when cross compiling or when inkcell is part of another project, one
+#   that is built from the sources with the machine's own compiler, into
+#   INKCELL_FONTGEN_DIR. Several build trees may share that folder.
+set(INKCELL_FONTGEN "" CACHE FILEPATH "Generator to use: inkcell-fontgen")
+set(INKCELL_FONTGEN_DIR "" CACHE PATH
+  "Where the generator is built if needed [<build>/inkcell-fontgen]")
+set(INKCELL_HOST_CXX "" CACHE FILEPATH
+  "Compiler that builds the generator [the machine's default]")
+
+# Makes a target that builds the generator with the machine's own compiler.
+function(_inkcell_build_fontgen program)
+  set(folder "${INKCELL_FONTGEN_DIR}")
+  if(NOT folder)
+    set(folder "${CMAKE_BINARY_DIR}/inkcell-fontgen")
+  endif()
+  set(built "${folder}/inkcell-fontgen${CMAKE_HOST_EXECUTABLE_SUFFIX}")
+  set(${program} "${built}" PARENT_SCOPE)
+  if(TARGET inkcell_fontgen_native)
+    return()
+  endif()
+  cmake_path(SET source NORMALIZE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
+  add_custom_target(inkcell_fontgen_native
+    COMMAND ${CMAKE_COMMAND}
+      "-DSOURCE=${source}"
+      "-DFOLDER=${folder}"
+      "-DGENERATOR=${CMAKE_GENERATOR}"
+      "-DMAKE_PROGRAM=${CMAKE_MAKE_PROGRAM}"
+      "-DCXX=${INKCELL_HOST_CXX}"
+      -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/BuildFontgen.cmake"
+    BYPRODUCTS "${built}"
+    COMMENT "Building inkcell-fontgen for this machine"
+    VERBATIM)
+endfunction()
+
+# Sets `program` to the generator and `depends` to what must be built first.
+function(_inkcell_find_fontgen program depends)
+  set(${depends} "" PARENT_SCOPE)
+  if(INKCELL_FONTGEN)
+    set(${program} "${INKCELL_FONTGEN}" PARENT_SCOPE)
+    set(${depends} "${INKCELL_FONTGEN}" PARENT_SCOPE)
+    return()
+  endif()
+  if(TARGET inkcell-fontgen AND NOT CMAKE_CROSSCOMPILING)
+    set(${program} "$<TARGET_FILE:inkcell-fontgen>" PARENT_SCOPE)
+    set(${depends} inkcell-fontgen PARENT_SCOPE)
+    return()
+  endif()
+  if(EXISTS "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/generate.hpp")
+    _inkcell_build_fontgen(built)
+    set(${program} "${built}" PARENT_SCOPE)
+    set(${depends} inkcell_fontgen_native "${built}" PARENT_SCOPE)
+    return()
+  endif()
+  # Installed as <prefix>/lib/cmake/inkcell/InkcellFonts.cmake.
+  find_program(_inkcell_installed_fontgen inkcell-fontgen
+    HINTS "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../../bin"
+    NO_CMAKE_FIND_ROOT_PATH NO_CACHE)
+  if(NOT _inkcell_installed_fontgen)
+    message(FATAL_ERROR
+      "inkcell_add_font: there is no inkcell-fontgen; set INKCELL_FONTGEN to "
+      "the path of one that runs on this machine")
+  endif()
+  set(${program} "${_inkcell_installed_fontgen}" PARENT_SCOPE)
+  set(${depends} "${_inkcell_installed_fontgen}" PARENT_SCOPE)
+endfunction()
+
+function(_inkcell_write_if_different file text)
+  set(old "")
+  if(EXISTS "${file}")
+    file(READ "${file}" old)
+  endif()
+  if(NOT EXISTS "${file}" OR NOT "${old}" STREQUAL "${text}")
+    file(WRITE "${file}" "${text}")
+  endif()
+endfunction()
+
+function(inkcell_add_font target)
+  set(single
+    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE)
+  set(several CHARS TEXT AXIS)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
+  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES OR NOT arg_FONT)
+    message(FATAL_ERROR
+      "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
+      "not understood: ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES}")
+  endif()
+
+  cmake_path(ABSOLUTE_PATH arg_FONT NORMALIZE OUTPUT_VARIABLE font)
+  if(NOT EXISTS "${font}")
+    message(FATAL_ERROR "inkcell_add_font: there is no font file ${font}")
+  endif()
+  if(NOT arg_NAME)
+    cmake_path(GET font STEM LAST_ONLY arg_NAME)
+    string(MAKE_C_IDENTIFIER "${arg_NAME}" arg_NAME)
+  endif()
+
+  set(options)
+  foreach(word MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE)
+    if(DEFINED arg_${word})
+      string(TOLOWER "--${word}" option)
+      string(REPLACE "_" "-" option "${option}")
+      # "=" keeps a value apart from options even if it begins with a dash.
+      list(APPEND options "${option}=${arg_${word}}")
+    endif()
+  endforeach()
+  foreach(word CHARS AXIS)
+    string(TOLOWER "--${word}" option)
+    foreach(value IN LISTS arg_${word})
+      list(APPEND options "${option}=${value}")
+    endforeach()
+  endforeach()
+  set(texts)
+  foreach(value IN LISTS arg_TEXT)
+    cmake_path(ABSOLUTE_PATH value NORMALIZE)
+    list(APPEND options "--text=${value}")
+    list(APPEND texts "${value}")
+  endforeach()
+
+  set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
+  set(header "${include}/fonts/${arg_NAME}.hpp")
+  file(MAKE_DIRECTORY "${include}/fonts")
+  if(DEFINED arg_SYMBOLS)
+    # By way of a file: no list and no shell takes a ; or a \ for its own.
+    set(symbols "${header}.symbols")
+    _inkcell_write_if_different("${symbols}" "${arg_SYMBOLS}")
+    list(APPEND options "--text=${symbols}")
+    list(APPEND texts "${symbols}")
+  endif()
+
+  _inkcell_find_fontgen(program depends)
+  add_custom_command(
+    OUTPUT "${header}"
+    COMMAND "${program}" "--font=${font}" ${options} --quiet
+      --format=hpp "--name=${arg_NAME}" "--out=${header}"
+      "--depfile=${header}.d"
+    DEPENDS "${font}" ${texts} ${depends}
+    DEPFILE "${header}.d"
+    COMMENT "Making fonts/${arg_NAME}.hpp"
+    VERBATIM)
+
+  set(scope PRIVATE)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(scope INTERFACE)
+  endif()
+  target_sources(${target} ${scope} "${header}")
+  target_include_directories(${target} ${scope} "${include}")
+endfunction()
