@@ -20,17 +20,21 @@ constexpr uint32_t spread(uint32_t pixel) noexcept {
   return (pixel & 0xf800) << 5 | (pixel & 0x1f);
 }
 
-// blend() of the three channels, two of them in one word.
+constexpr uint32_t green_of(uint32_t pixel) noexcept {
+  return pixel >> 5 & 0x3f;
+}
+
+// blend() of the three channels, two of them in one word: spread() of red and
+// blue, and green.
 uint32_t blend565(uint32_t coverage,
-                  uint32_t foreground,
+                  uint32_t red_blue,
+                  uint32_t green,
                   uint32_t background) noexcept {
   const uint32_t rest = 255 - coverage;
-  uint32_t sum =
-      coverage * spread(foreground) + rest * spread(background) + 0x00800080;
+  uint32_t sum = coverage * red_blue + rest * spread(background) + 0x00800080;
   sum = (sum + ((sum >> 8) & 0x00ff00ff)) >> 8;
-  const uint32_t green =
-      blend(coverage, foreground >> 5 & 0x3f, background >> 5 & 0x3f);
-  return (sum >> 5 & 0xf800) | green << 5 | (sum & 0x1f);
+  return (sum >> 5 & 0xf800) | (sum & 0x1f) |
+         blend(coverage, green, green_of(background)) << 5;
 }
 
 void coverage(void* context,
@@ -44,6 +48,8 @@ void coverage(void* context,
     return;
   }
   coverage += run.skipped;
+  const uint32_t red_blue = spread(target.colour);
+  const uint32_t green = green_of(target.colour);
   const int low = target.order == ByteOrder::low_first ? 0 : 1;
   uint8_t* pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
   for (uint8_t* const end = pixel + 2 * run.count; pixel != end; pixel += 2) {
@@ -51,7 +57,7 @@ void coverage(void* context,
     if (c != 0) {
       const uint32_t old = pixel[low] | static_cast<uint32_t>(pixel[low ^ 1])
                                             << 8;
-      const uint32_t result = blend565(c, target.colour, old);
+      const uint32_t result = blend565(c, red_blue, green, old);
       pixel[low] = static_cast<uint8_t>(result);
       pixel[low ^ 1] = static_cast<uint8_t>(result >> 8);
     }
