@@ -1,5 +1,6 @@
 // Calls the README's program and looks whether it drew its line of text.
 #include <inkcell/port/pixel.hpp>
+#include <inkcell/status.hpp>
 #include <inkcell/strip.hpp>
 #include <stdio.h>
 
