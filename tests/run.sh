@@ -1,0 +1,111 @@
+#!/bin/sh
+# Builds everything and runs every test: on this machine, with sanitizers, on
+# the emulated boards, on a big-endian machine, and the fuzzer for a short time.
+#
+#   sh tests/run.sh
+#
+# On Debian it installs what is missing (host_tools/setup.sh). It writes to
+# build/ only; the output of each step is in build/tests/<step>.log. Exits with
+# 0 if everything passed.
+set -u
+cd "$(dirname "$0")/.." || exit 2
+root=$PWD
+. host_tools/setup.sh
+inkcell_setup tests
+
+logs=$root/build/tests
+mkdir -p "$logs"
+jobs=$(nproc)
+started=$(date +%s)
+passed=0
+failed=0
+
+# step <name> <command>...: runs it, says how it went, and counts it.
+step() {
+  name=$1
+  shift
+  begun=$(date +%s)
+  if "$@" >"$logs/$name.log" 2>&1; then
+    verdict=ok
+    passed=$((passed + 1))
+  else
+    verdict=FAILED
+    failed=$((failed + 1))
+  fi
+  printf '%-8s%-28s%4d s\n' "$verdict" "$name" $(($(date +%s) - begun))
+  if [ $verdict = FAILED ]; then
+    tail -n 40 "$logs/$name.log" | sed 's/^/    /'
+    return 1
+  fi
+}
+
+# run_tests <folder> <ctest option>...: a step that counts each test instead.
+run_tests() {
+  name=test-$1
+  folder=build/$1
+  shift
+  begun=$(date +%s)
+  ctest --test-dir "$folder" -j "$jobs" --timeout 300 --no-tests=error \
+    --output-on-failure "$@" >"$logs/$name.log" 2>&1
+  result=$?
+  counts=$(sed -n 's/.*, \([0-9]*\) tests* failed out of \([0-9]*\)$/\1 \2/p' \
+    "$logs/$name.log")
+  bad=${counts% *}
+  all=${counts#* }
+  if [ -z "$counts" ] || { [ $result != 0 ] && [ "$bad" = 0 ]; }; then
+    bad=1
+    all=1
+  fi
+  passed=$((passed + all - bad))
+  failed=$((failed + bad))
+  verdict=ok
+  [ "$bad" = 0 ] || verdict=FAILED
+  printf '%-8s%-28s%4d s  %d of %d tests\n' $verdict "$name" \
+    $(($(date +%s) - begun)) $((all - bad)) "$all"
+  if [ $verdict = FAILED ]; then
+    grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start ' "$logs/$name.log" |
+      tail -n 80 | sed 's/^/    /'
+  fi
+}
+
+# build <folder> <cmake option>...: configures and compiles build/<folder>.
+build() {
+  folder=$1
+  shift
+  step "configure-$folder" cmake -S . -B "build/$folder" -G Ninja "$@" &&
+    step "build-$folder" cmake --build "build/$folder" -j "$jobs"
+}
+
+boards=
+for toolchain in boards/*/toolchain.cmake; do
+  boards="$boards $(basename "$(dirname "$toolchain")")"
+done
+
+build host --preset host && host_built=yes
+built_boards=
+for board in $boards; do
+  # The generator of the host's build serves them all.
+  build "$board" --preset "$board" \
+    "-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen" &&
+    built_boards="$built_boards $board"
+done
+
+# The host's tests include those that look at the screens of the boards.
+[ -n "${host_built-}" ] && run_tests host
+for board in $built_boards; do
+  run_tests "$board"
+done
+
+# What is built is the same: only what runs is of interest here.
+build host-sanitize --preset host-sanitize &&
+  run_tests host-sanitize -E '^(build|screens)\.'
+
+build big-endian -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_TOOLCHAIN_FILE="$root/tests/big_endian.cmake" &&
+  run_tests big-endian
+
+step fuzz sh tests/fuzz/run.sh 30
+
+printf '\n%d s; logs in build/tests\n' $(($(date +%s) - started))
+printf '%d passed, %d failed\n' $passed $failed
+[ $failed = 0 ]
