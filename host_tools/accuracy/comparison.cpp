@@ -1,0 +1,200 @@
+#include "comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "canvas.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// The mean is taken this far around the ink box, the worst pixel is looked for
+// a little farther. [px]
+constexpr double kMeanMargin = 1.5;
+constexpr int kWindowMargin = 4;
+
+// Farther than any filter reaches. [px]
+constexpr double kReach = 2;
+
+// Where within a pixel the glyph's origin lies. [1/64 px]
+constexpr std::array<std::array<int, 2>, kMaxPhases> kPhases = {{{0, 0},
+                                                                 {32, 16},
+                                                                 {16, 48},
+                                                                 {48, 32},
+                                                                 {8, 24},
+                                                                 {40, 8},
+                                                                 {24, 56},
+                                                                 {56, 40}}};
+
+// A glyph at one size, angle and phase on a canvas of its own.
+struct Setting {
+  double px = 0;
+  double cosine = 1;
+  double sine = 0;
+  int phase = 0;
+  InkBox box;  // of the ink, relative to the origin [px, y down]
+  int x0 = 0;  // of the canvas, relative to the origin's pixel
+  int y0 = 0;
+  int width = 0;
+  int height = 0;
+
+  double phase_x() const { return kPhases[phase_index()][0] / 64.0; }
+  double phase_y() const { return kPhases[phase_index()][1] / 64.0; }
+
+ private:
+  size_t phase_index() const { return static_cast<size_t>(phase); }
+};
+
+InkBox turned_box(const TrueGlyph& truth, const Setting& setting) {
+  const double scale = setting.px / 1024;
+  InkBox box{1e9, 1e9, -1e9, -1e9};
+  for (const double x : {truth.low().x, truth.high().x}) {
+    for (const double y : {truth.low().y, truth.high().y}) {
+      const double right = scale * (x * setting.cosine - y * setting.sine);
+      const double down = -scale * (x * setting.sine + y * setting.cosine);
+      box.x0 = std::min(box.x0, right);
+      box.x1 = std::max(box.x1, right);
+      box.y0 = std::min(box.y0, down);
+      box.y1 = std::max(box.y1, down);
+    }
+  }
+  return box;
+}
+
+Setting make_setting(const TrueGlyph& truth,
+                     double px,
+                     double angle,
+                     int phase) {
+  Setting setting;
+  setting.px = px;
+  setting.cosine = std::cos(angle * kPi / 180);
+  setting.sine = std::sin(angle * kPi / 180);
+  setting.phase = phase;
+  if (!truth.empty()) {
+    setting.box = turned_box(truth, setting);
+  }
+  const InkBox& box = setting.box;
+  setting.x0 = static_cast<int>(std::floor(box.x0)) - kWindowMargin;
+  setting.y0 = static_cast<int>(std::floor(box.y0)) - kWindowMargin;
+  setting.width =
+      static_cast<int>(std::ceil(box.x1)) + kWindowMargin + 1 - setting.x0;
+  setting.height =
+      static_cast<int>(std::ceil(box.y1)) + kWindowMargin + 1 - setting.y0;
+  return setting;
+}
+
+// A pixel's centre relative to the glyph's origin. [px, y down]
+Vector centre(const Setting& setting, int x, int y) {
+  return {x + setting.x0 + 0.5 - setting.phase_x(),
+          y + setting.y0 + 0.5 - setting.phase_y()};
+}
+
+bool in_box(const InkBox& box, Vector p) {
+  return p.x > box.x0 - kMeanMargin && p.x < box.x1 + kMeanMargin &&
+         p.y > box.y0 - kMeanMargin && p.y < box.y1 + kMeanMargin;
+}
+
+// True distances at all pixels. [px]
+std::vector<double> true_distances(const TrueGlyph& truth,
+                                   const Setting& setting) {
+  std::vector<double> distances;
+  const double u_per_px = 1024 / setting.px;
+  size_t hint = 0;
+  for (int y = 0; y < setting.height; ++y) {
+    for (int x = 0; x < setting.width; ++x) {
+      const Vector p = centre(setting, x, y);
+      const Vector in_glyph = {
+          u_per_px * (p.x * setting.cosine - p.y * setting.sine),
+          u_per_px * (-p.y * setting.cosine - p.x * setting.sine)};
+      distances.push_back(truth.distance(in_glyph, kReach * u_per_px, hint) /
+                          u_per_px);
+    }
+  }
+  return distances;
+}
+
+Image draw(const Font& font,
+           uint16_t glyph,
+           const Setting& setting,
+           const Brush& brush) {
+  Image image(setting.width, setting.height);
+  Line line;
+  line.glyphs.push_back({0, 0, glyph});
+  draw_lines(font, {line}, brush,
+             make_point(setting.phase_x() - setting.x0,
+                        setting.phase_y() - setting.y0),
+             image);
+  return image;
+}
+
+void compare(const Image& drawn,
+             const std::vector<double>& distances,
+             const Setting& setting,
+             const ExactFilter& filter,
+             char32_t code_point,
+             ErrorStatistics& statistics) {
+  size_t i = 0;
+  for (int y = 0; y < setting.height; ++y) {
+    for (int x = 0; x < setting.width; ++x) {
+      const ErrorPlace place = {code_point,      setting.phase,
+                                x + setting.x0,  y + setting.y0,
+                                *drawn.at(x, y), filter.coverage(distances[i])};
+      statistics.add(place, in_box(setting.box, centre(setting, x, y)));
+      ++i;
+    }
+  }
+}
+
+}  // namespace
+
+double ExactFilter::coverage(double distance_px) const {
+  const double ramp = (distance_px - outside_px) / (inside_px - outside_px);
+  return 255 * std::pow(std::clamp(ramp, 0.0, 1.0), exponent);
+}
+
+ExactFilter exact_filter(std::string_view name) {
+  static_cast<void>(filter_of(name));  // throws if unknown
+  for (const NamedFilter& device : kFilters) {
+    if (device.name != name) {
+      continue;
+    }
+    if (name == "text") {
+      return {&device, -0.5, 0.5, 1};
+    }
+    if (name == "motion") {
+      return {&device, -0.6, 0.625, 1};
+    }
+    if (name == "paper_display") {
+      return {&device, -0.75, 0.75, 1.1};
+    }
+    return {&device, -0.5, 0.625, 1.1};
+  }
+  return {};
+}
+
+void compare_glyph(const Font& font,
+                   uint16_t glyph,
+                   char32_t code_point,
+                   const TrueGlyph& truth,
+                   const ComparisonRequest& request,
+                   ComparisonResults& results) {
+  for (size_t s = 0; s < request.sizes.size(); ++s) {
+    for (int phase = 0; phase < request.phases; ++phase) {
+      const Setting setting =
+          make_setting(truth, request.sizes[s], request.angle, phase);
+      const std::vector<double> distances = true_distances(truth, setting);
+      for (size_t f = 0; f < request.filters.size(); ++f) {
+        const ExactFilter& filter = request.filters[f];
+        const Brush brush =
+            make_brush(setting.px, request.angle, *filter.device->filter);
+        compare(draw(font, glyph, setting, brush), distances, setting, filter,
+                code_point, results[s * request.filters.size() + f]);
+      }
+    }
+  }
+}
+
+}  // namespace inkcell::tools

@@ -1,0 +1,379 @@
+#include "truth.hpp"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace inkcell::tools {
+namespace {
+
+using Chord = TrueGlyph::Chord;
+
+// FreeType halves sums of coordinates where points of the curve are implied;
+// with this many more bits nothing is lost.
+constexpr int kShift = 6;
+
+// How far beside a piece the winding number is asked for. [u]
+constexpr double kBeside = 1e-4;
+
+Vector operator+(Vector a, Vector b) {
+  return {a.x + b.x, a.y + b.y};
+}
+Vector operator-(Vector a, Vector b) {
+  return {a.x - b.x, a.y - b.y};
+}
+Vector operator*(double s, Vector v) {
+  return {s * v.x, s * v.y};
+}
+double dot(Vector a, Vector b) {
+  return a.x * b.x + a.y * b.y;
+}
+double cross(Vector a, Vector b) {
+  return a.x * b.y - a.y * b.x;
+}
+double length(Vector v) {
+  return std::hypot(v.x, v.y);
+}
+
+double squared_distance(Vector p, const Chord& chord) {
+  const Vector along = chord.b - chord.a;
+  const Vector to_p = p - chord.a;
+  const double t = std::clamp(dot(to_p, along) / dot(along, along), 0.0, 1.0);
+  const Vector off = to_p - t * along;
+  return dot(off, off);
+}
+
+// Squared distance to a box: 0 inside.
+double squared_to_box(Vector p, Vector low, Vector high) {
+  const double dx = std::max({low.x - p.x, 0.0, p.x - high.x});
+  const double dy = std::max({low.y - p.y, 0.0, p.y - high.y});
+  return dx * dx + dy * dy;
+}
+
+void stretch(Vector& low, Vector& high, Vector p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
+
+// Collects chords from FreeType's walk over an outline.
+struct Collector {
+  double scale;  // u per unit of the walk
+  std::vector<Chord> chords;
+  std::vector<size_t> curve_ends;
+  Vector start;
+  Vector at;
+
+  Vector point(const FT_Vector* v) const {
+    return {scale * static_cast<double>(v->x),
+            scale * static_cast<double>(v->y)};
+  }
+
+  void chord_to(Vector end) {
+    if (length(end - at) > 1e-9) {
+      chords.push_back({at, end});
+      at = end;
+    }
+  }
+
+  void end_curve() { curve_ends.push_back(chords.size()); }
+
+  void close() {
+    chord_to(start);
+    end_curve();
+  }
+
+  // A chord over a step h of the parameter is off by at most |B''| h^2 / 8.
+  static int steps(double second_derivative) {
+    return 1 + static_cast<int>(
+                   std::ceil(std::sqrt(second_derivative / (8 * kChordError))));
+  }
+
+  void conic(Vector control, Vector end) {
+    const Vector begin = at;
+    const int n = steps(2 * length(begin - 2 * control + end));
+    for (int i = 1; i <= n; ++i) {
+      const double t = static_cast<double>(i) / n;
+      const Vector one = begin + t * (control - begin);
+      const Vector two = control + t * (end - control);
+      chord_to(i == n ? end : one + t * (two - one));
+    }
+    end_curve();
+  }
+
+  void cubic(Vector first, Vector second, Vector end) {
+    const Vector begin = at;
+    const int n = steps(6 * std::max(length(begin - 2 * first + second),
+                                     length(first - 2 * second + end)));
+    for (int i = 1; i <= n; ++i) {
+      const double t = static_cast<double>(i) / n;
+      const double s = 1 - t;
+      chord_to(i == n ? end
+                      : (s * s * s) * begin + (3 * s * s * t) * first +
+                            (3 * s * t * t) * second + (t * t * t) * end);
+    }
+    end_curve();
+  }
+};
+
+int move_to(const FT_Vector* to, void* user) {
+  Collector& out = *static_cast<Collector*>(user);
+  if (!out.chords.empty()) {
+    out.close();
+  }
+  out.start = out.at = out.point(to);
+  return 0;
+}
+
+int line_to(const FT_Vector* to, void* user) {
+  Collector& out = *static_cast<Collector*>(user);
+  out.chord_to(out.point(to));
+  out.end_curve();
+  return 0;
+}
+
+int conic_to(const FT_Vector* control, const FT_Vector* to, void* user) {
+  Collector& out = *static_cast<Collector*>(user);
+  out.conic(out.point(control), out.point(to));
+  return 0;
+}
+
+int cubic_to(const FT_Vector* first,
+             const FT_Vector* second,
+             const FT_Vector* to,
+             void* user) {
+  Collector& out = *static_cast<Collector*>(user);
+  out.cubic(out.point(first), out.point(second), out.point(to));
+  return 0;
+}
+
+bool boxes_meet(const Chord& a, const Chord& b) {
+  return std::min(a.a.x, a.b.x) <= std::max(b.a.x, b.b.x) &&
+         std::min(b.a.x, b.b.x) <= std::max(a.a.x, a.b.x) &&
+         std::min(a.a.y, a.b.y) <= std::max(b.a.y, b.b.y) &&
+         std::min(b.a.y, b.b.y) <= std::max(a.a.y, a.b.y);
+}
+
+// Adds to `cuts` where, as a part of `chord`, the other one meets it: at one
+// point, or - along the same line - at its ends.
+void find_cuts(const Chord& chord,
+               const Chord& other,
+               std::vector<double>& cuts) {
+  const Vector r = chord.b - chord.a;
+  const Vector s = other.b - other.a;
+  const double denominator = cross(r, s);
+  const Vector between = other.a - chord.a;
+  if (std::fabs(denominator) > 1e-12 * length(r) * length(s)) {
+    const double t = cross(between, s) / denominator;
+    const double u = cross(between, r) / denominator;
+    if (u >= -1e-9 && u <= 1 + 1e-9) {
+      cuts.push_back(t);
+    }
+    return;
+  }
+  cuts.push_back(dot(between, r) / dot(r, r));
+  cuts.push_back(dot(other.b - chord.a, r) / dot(r, r));
+}
+
+// +1 if `chord` passes a ray to the right of `p` upwards, -1 if downwards.
+int passes(const Chord& chord, Vector p) {
+  if ((chord.a.y <= p.y) == (chord.b.y <= p.y)) {
+    return 0;
+  }
+  const double side = cross(chord.b - chord.a, p - chord.a);
+  const bool upwards = chord.b.y > chord.a.y;
+  if (upwards ? side > 0 : side < 0) {
+    return upwards ? 1 : -1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+TrueGlyph::TrueGlyph(std::vector<Chord> chords,
+                     const std::vector<size_t>& curve_ends)
+    : chords_(std::move(chords)) {
+  find_curves(curve_ends);
+  for (const Group& curve : curves_) {
+    const size_t begin = pieces_.size();
+    for (size_t i = curve.begin; i < curve.end; ++i) {
+      split(i);
+    }
+    groups_.push_back({begin, pieces_.size(), {}, {}});
+  }
+  keep_border();
+}
+
+void TrueGlyph::find_curves(const std::vector<size_t>& curve_ends) {
+  size_t begin = 0;
+  for (const size_t end : curve_ends) {
+    if (end > begin) {
+      Group curve{begin, end, chords_[begin].a, chords_[begin].a};
+      for (size_t i = begin; i < end; ++i) {
+        stretch(curve.low, curve.high, chords_[i].a);
+        stretch(curve.low, curve.high, chords_[i].b);
+      }
+      curves_.push_back(curve);
+    }
+    begin = end;
+  }
+}
+
+// Cuts a chord where others cross it, so that each piece is border or not as a
+// whole. Curves whose boxes lie apart are not compared.
+void TrueGlyph::split(size_t index) {
+  const Chord chord = chords_[index];
+  std::vector<double> cuts = {0, 1};
+  for (const Group& other : curves_) {
+    if (!boxes_meet(chord, {other.low, other.high})) {
+      continue;
+    }
+    for (size_t i = other.begin; i < other.end; ++i) {
+      if (i != index && boxes_meet(chord, chords_[i])) {
+        find_cuts(chord, chords_[i], cuts);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const Vector along = chord.b - chord.a;
+  for (size_t i = 1; i < cuts.size(); ++i) {
+    const double t0 = std::clamp(cuts[i - 1], 0.0, 1.0);
+    const double t1 = std::clamp(cuts[i], 0.0, 1.0);
+    if ((t1 - t0) * length(along) > 1e-7) {
+      pieces_.push_back({chord.a + t0 * along, chord.a + t1 * along});
+    }
+  }
+}
+
+// Drops the pieces with the same filling on both sides.
+void TrueGlyph::keep_border() {
+  std::vector<Chord> border;
+  std::vector<Group> groups;
+  for (const Group& group : groups_) {
+    Group kept{border.size(), 0, {}, {}};
+    for (size_t i = group.begin; i < group.end; ++i) {
+      const Chord& piece = pieces_[i];
+      const Vector along = piece.b - piece.a;
+      const double step = kBeside / length(along);
+      const Vector side = {-along.y * step, along.x * step};
+      const Vector middle = 0.5 * (piece.a + piece.b);
+      if ((winding(middle + side) != 0) != (winding(middle - side) != 0)) {
+        border.push_back(piece);
+      }
+    }
+    kept.end = border.size();
+    if (kept.end > kept.begin) {
+      kept.low = kept.high = border[kept.begin].a;
+      for (size_t i = kept.begin; i < kept.end; ++i) {
+        stretch(kept.low, kept.high, border[i].a);
+        stretch(kept.low, kept.high, border[i].b);
+      }
+      groups.push_back(kept);
+    }
+  }
+  pieces_ = std::move(border);
+  groups_ = std::move(groups);
+  if (!groups_.empty()) {
+    low_ = groups_.front().low;
+    high_ = groups_.front().high;
+    for (const Group& group : groups_) {
+      stretch(low_, high_, group.low);
+      stretch(low_, high_, group.high);
+    }
+  }
+}
+
+// Counts how often contours pass a ray to the right of `p`, upwards less
+// downwards.
+int TrueGlyph::winding(Vector p) const {
+  int turns = 0;
+  for (const Group& curve : curves_) {
+    if (p.y < curve.low.y || p.y > curve.high.y || p.x > curve.high.x) {
+      continue;
+    }
+    for (size_t i = curve.begin; i < curve.end; ++i) {
+      turns += passes(chords_[i], p);
+    }
+  }
+  return turns;
+}
+
+double TrueGlyph::nearest_in(const Group& group, Vector p, double best) const {
+  for (size_t i = group.begin; i < group.end; ++i) {
+    best = std::min(best, squared_distance(p, pieces_[i]));
+  }
+  return best;
+}
+
+double TrueGlyph::distance(Vector p, double limit, size_t& hint) const {
+  double best = limit * limit;
+  if (!groups_.empty()) {
+    hint = std::min(hint, groups_.size() - 1);
+    best = nearest_in(groups_[hint], p, best);
+  }
+  for (size_t i = 0; i < groups_.size(); ++i) {
+    const Group& group = groups_[i];
+    if (squared_to_box(p, group.low, group.high) < best) {
+      const double found = nearest_in(group, p, best);
+      if (found < best) {
+        best = found;
+        hint = i;
+      }
+    }
+  }
+  const double distance = std::sqrt(best);
+  return winding(p) != 0 ? distance : -distance;
+}
+
+struct TrueFont::Handles {
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  std::mutex guard;  // FreeType loads one glyph at a time
+
+  ~Handles() {
+    FT_Done_Face(face);
+    FT_Done_FreeType(library);
+  }
+};
+
+TrueFont::TrueFont(const std::filesystem::path& file, int face)
+    : handles_(std::make_unique<Handles>()) {
+  if (FT_Init_FreeType(&handles_->library) != 0 ||
+      FT_New_Face(handles_->library, file.c_str(), face, &handles_->face) !=
+          0 ||
+      !FT_IS_SCALABLE(handles_->face)) {
+    throw std::runtime_error(file.string() + ": no outlines can be read");
+  }
+}
+
+TrueFont::~TrueFont() = default;
+
+TrueGlyph TrueFont::glyph(char32_t code_point) const {
+  FT_Face face = handles_->face;
+  Collector out{1024.0 / (face->units_per_EM << kShift), {}, {}, {}, {}};
+  {
+    const std::lock_guard<std::mutex> lock(handles_->guard);
+    const FT_UInt index = FT_Get_Char_Index(face, code_point);
+    if (index == 0 ||
+        FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING)) {
+      throw std::runtime_error(
+          "the truth has no glyph for code point " +
+          std::to_string(static_cast<uint32_t>(code_point)));
+    }
+    const FT_Outline_Funcs walk = {move_to,  line_to, conic_to,
+                                   cubic_to, kShift,  0};
+    if (FT_Outline_Decompose(&face->glyph->outline, &walk, &out) != 0) {
+      throw std::runtime_error("an outline of the truth is broken");
+    }
+  }
+  out.close();
+  return TrueGlyph(std::move(out.chords), out.curve_ends);
+}
+
+}  // namespace inkcell::tools

@@ -1,0 +1,89 @@
+// The exact signed distance of a glyph, by brute force.
+//
+// The judge of the generator: it shares no source file with it. It loads the
+// outline with FreeType itself, cuts curves into chords in its own way, finds
+// the border of the filled area by asking for the winding number on both sides
+// of every piece, and measures to those pieces.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace inkcell::tools {
+
+/// A position in u (1/1024 em), y up, origin on the baseline.
+struct Vector {
+  double x = 0;
+  double y = 0;
+};
+
+/// Chords stay this close to their curves. [u] 1/8000 px at 64 px/em.
+inline constexpr double kChordError = 0.002;
+
+/// The filled area of one glyph under the non-zero rule.
+class TrueGlyph {
+ public:
+  /// A straight piece of a contour.
+  struct Chord {
+    Vector a;
+    Vector b;
+  };
+
+  /// Closed contours as chords, those of one curve after each other;
+  /// `curve_ends[i]` is the number of chords up to the end of curve i.
+  TrueGlyph(std::vector<Chord> chords, const std::vector<size_t>& curve_ends);
+
+  /// Without ink.
+  bool empty() const { return groups_.empty(); }
+
+  Vector low() const { return low_; }  // corners of the ink box
+  Vector high() const { return high_; }
+
+  /// Distance to the border, positive inside, clamped to +-`limit`. `hint`
+  /// carries what was nearest from one call to the next; begin with 0. [u]
+  double distance(Vector p, double limit, size_t& hint) const;
+
+ private:
+  // Consecutive chords or pieces of one curve, and the box around them.
+  struct Group {
+    size_t begin = 0;
+    size_t end = 0;
+    Vector low;
+    Vector high;
+  };
+
+  int winding(Vector p) const;
+  void find_curves(const std::vector<size_t>& curve_ends);
+  void split(size_t index);
+  void keep_border();
+  double nearest_in(const Group& group, Vector p, double best) const;
+
+  std::vector<Chord> chords_;  // all, for the winding number
+  std::vector<Group> curves_;  // of chords_
+  std::vector<Chord> pieces_;  // the border
+  std::vector<Group> groups_;  // of pieces_
+  Vector low_;
+  Vector high_;
+};
+
+/// A face of a font file.
+class TrueFont {
+ public:
+  /// Throws std::runtime_error.
+  TrueFont(const std::filesystem::path& file, int face);
+  ~TrueFont();
+  TrueFont(const TrueFont&) = delete;
+  TrueFont& operator=(const TrueFont&) = delete;
+
+  /// Throws std::runtime_error if the font has no glyph for it. Any number of
+  /// threads may call it.
+  TrueGlyph glyph(char32_t code_point) const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace inkcell::tools
