@@ -12,6 +12,11 @@ namespace {
 
 constexpr double kUnitsOfU = 1024;
 
+// FreeType finds the implied points of quadratic curves by halving sums of
+// whole numbers; coordinates walk shifted by this much, so that nothing is
+// lost. [bits]
+constexpr int kWalkShift = 6;
+
 // The glyph count of the format is 16 bits wide.
 constexpr size_t kMostGlyphs = 65535;
 
@@ -22,10 +27,11 @@ constexpr size_t kListedCharacters = 10;
 class OutlineBuilder {
  public:
   explicit OutlineBuilder(int units_per_em)
-      : scale_(kUnitsOfU / units_per_em) {}
+      : scale_(kUnitsOfU / (units_per_em << kWalkShift)) {}
 
   Outline build(FT_Outline& source) {
     FT_Outline_Funcs functions = {};
+    functions.shift = kWalkShift;
     functions.move_to = [](const FT_Vector* to, void* self) {
       return static_cast<OutlineBuilder*>(self)->move(*to);
     };
