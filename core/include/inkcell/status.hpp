@@ -14,7 +14,7 @@ enum class [[nodiscard]] Status : uint8_t {
   corrupt      = 3,  // an offset, a length or a checksum does not fit
   no_glyph     = 4,  // code point or glyph id absent; .notdef is glyph 0
   buffer_small = 5,  // shorter than the minimum that the call states
-  misaligned   = 6,  // the font must start at a multiple of 4 bytes
+  misaligned   = 6,  // a font, or pixels kept as words: not at a multiple of 4
   unsupported  = 7,  // a section or coding that this build leaves out
   bad_argument = 8,  // outside the range that the call states
 };
