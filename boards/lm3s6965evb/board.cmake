@@ -6,3 +6,12 @@ set(INKCELL_COUNTER_BITS 24)
 set(INKCELL_DISPLAY_WIDTH 128)
 set(INKCELL_DISPLAY_HEIGHT 64)
 set(INKCELL_DISPLAY_FORMATS grey4)
+
+# What the demo shows on it: rows of a strip, sizes, how far coverage
+# may be off [1/255], characters of the text.
+set(INKCELL_DEMO_ROWS 8)
+set(INKCELL_DEMO_CLOCK_PX 34)
+set(INKCELL_DEMO_TEXT_PX 11)
+set(INKCELL_DEMO_TOLERANCE 16)
+set(INKCELL_DEMO_TEXT_CHARACTERS 
+  SYMBOLS "One small font, every size: 9 to 99. Inkcell: type for small devices")

@@ -1,8 +1,20 @@
 # What start-up code this board has, its counter (of instructions, 32 bits) and
-# its display: "-device bochs-display" for xrgb8888, "-device VGA" for both.
+# its display.
 set(INKCELL_BOARD_START start_riscv.S)
 set(INKCELL_COUNTER_PICOSECONDS 1000)
 set(INKCELL_COUNTER_BITS 32)
 set(INKCELL_DISPLAY_WIDTH 320)
 set(INKCELL_DISPLAY_HEIGHT 240)
 set(INKCELL_DISPLAY_FORMATS xrgb8888 rgb565)
+
+# What the demo shows on it: rows of a strip, sizes, how far coverage
+# may be off [1/255], characters of the text.
+set(INKCELL_DEMO_ROWS 16)
+set(INKCELL_DEMO_CLOCK_PX 100)
+set(INKCELL_DEMO_TEXT_PX 18)
+set(INKCELL_DEMO_TOLERANCE 16)
+set(INKCELL_DEMO_TEXT_CHARACTERS CHARS 0x20-0x7E)
+
+# QEMU's options for a display of each format.
+set(INKCELL_DISPLAY_DEVICE_xrgb8888 "-device bochs-display,romfile=")
+set(INKCELL_DISPLAY_DEVICE_rgb565 "-device VGA,romfile=")

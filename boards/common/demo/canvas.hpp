@@ -1,0 +1,108 @@
+// What the demo draws on: a strip in the display's format, and four inks.
+//
+// The build says size and format: INKCELL_DISPLAY_WIDTH, INKCELL_DISPLAY_HEIGHT
+// [px], INKCELL_DEMO_FORMAT (an enumerator of port::PixelFormat).
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/grey4.hpp"
+#include "inkcell/port/mono_pages.hpp"
+#include "inkcell/port/pixel.hpp"
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace demo {
+
+inline constexpr int32_t kWidth = INKCELL_DISPLAY_WIDTH;
+inline constexpr int32_t kHeight = INKCELL_DISPLAY_HEIGHT;
+inline constexpr port::PixelFormat kFormat =
+    port::PixelFormat::INKCELL_DEMO_FORMAT;
+
+enum class Ink : uint8_t { background, clock, text, moving };
+
+// The colour of each ink, as a format has it.
+namespace detail {
+
+inline constexpr uint32_t kColours[] = {  // 0xRRGGBB
+    0x101820, 0xffb000, 0xf0f0f0, 0x40c0ff};
+inline constexpr uint8_t kGreys[] = {0, 15, 11, 13};
+
+constexpr uint32_t colour(Ink ink) noexcept {
+  return kColours[static_cast<uint8_t>(ink)];
+}
+
+template <port::PixelFormat>
+struct Paint;
+
+template <>
+struct Paint<port::PixelFormat::grey4> {
+  using Target = port::Grey4Target;
+  static void set(Target& target, Ink ink) noexcept {
+    target.level = kGreys[static_cast<uint8_t>(ink)];
+  }
+};
+
+template <>
+struct Paint<port::PixelFormat::mono_pages> {
+  using Target = port::MonoPagesTarget;
+  static void set(Target& target, Ink ink) noexcept {
+    target.level = ink == Ink::background ? 0 : 1;
+  }
+};
+
+template <>
+struct Paint<port::PixelFormat::rgb565> {
+  using Target = port::Rgb565Target;
+  static void set(Target& target, Ink ink) noexcept {
+    target.colour = port::rgb565(static_cast<uint8_t>(colour(ink) >> 16),
+                                 static_cast<uint8_t>(colour(ink) >> 8),
+                                 static_cast<uint8_t>(colour(ink)));
+  }
+};
+
+template <>
+struct Paint<port::PixelFormat::xrgb8888> {
+  using Target = port::Xrgb8888Target;
+  static void set(Target& target, Ink ink) noexcept {
+    target.colour = 0xff000000 | colour(ink);
+  }
+};
+
+}  // namespace detail
+
+/// A strip that was filled with the background, and its sinks.
+class Canvas {
+ public:
+  explicit Canvas(const Strip& strip) noexcept {
+    target_.strip = strip;
+    // Of a strip that the demo made it can only be ok. If it were not, the sink
+    // would have an empty window and nothing would be drawn.
+    static_cast<void>(port::make_sink(target_, sink_));
+    Paint::set(target_, Ink::background);
+    const Rect& window = sink_.window;
+    for (int32_t y = window.y0; y < window.y1; ++y) {
+      sink_.solid(sink_.context, window.x0, y, window.x1 - window.x0);
+    }
+  }
+
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  /// A sink for this ink, until another is asked for.
+  const Sink& sink(Ink ink) noexcept {
+    Paint::set(target_, ink);
+    return sink_;
+  }
+
+ private:
+  using Paint = detail::Paint<kFormat>;
+
+  Paint::Target target_;
+  Sink sink_;
+};
+
+}  // namespace demo
+}  // namespace inkcell

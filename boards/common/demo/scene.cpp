@@ -1,0 +1,149 @@
+// Where everything stands on a screen of any size, and how it moves.
+#include "scene.hpp"
+
+#include <fonts/demo_clock.hpp>
+#include <fonts/demo_text.hpp>
+
+namespace inkcell {
+namespace demo {
+namespace {
+
+constexpr Text kMoving = kHeight < 32 ? Text("type from distance fields")
+                                      : Text("Inkcell: type for small devices");
+constexpr int32_t kFirstMinute = 10 * 60 + 42;
+constexpr uint32_t kFramesPerMinute = 480;
+constexpr uint32_t kMinutesPerDay = 24 * 60;
+constexpr int32_t kStepQ6 = 8;  // of the moving line in a frame: 1/8 px
+constexpr int32_t kMarginQ6 = kWidth * 64 / 32;
+
+constexpr int32_t kWidthQ6 = kWidth * 64;
+constexpr int32_t kHeightQ6 = kHeight * 64;
+constexpr int32_t kClockQ6 = INKCELL_DEMO_CLOCK_PX * 64;
+constexpr int32_t kTextQ6 = INKCELL_DEMO_TEXT_PX * 64;
+
+Point point(int32_t x_q6, int32_t y_q6) noexcept {
+  return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
+}
+
+// "10:42" at a minute of the day.
+Text time_text(uint32_t minute, char (&digits)[5]) noexcept {
+  const uint32_t hour = minute / 60;
+  minute %= 60;
+  digits[0] = static_cast<char>('0' + hour / 10);
+  digits[1] = static_cast<char>('0' + hour % 10);
+  digits[2] = ':';
+  digits[3] = static_cast<char>('0' + minute / 10);
+  digits[4] = static_cast<char>('0' + minute % 10);
+  return {digits, sizeof digits};
+}
+
+int32_t count_missing(const Font& font, Text text) noexcept {
+  int32_t missing = 0;
+  while (text.size != 0) {
+    uint16_t glyph;
+    missing += font.glyph_of(next_code_point(text), glyph) != Status::ok;
+  }
+  return missing;
+}
+
+// `sink` for the part of its window that lies to the right of `x` only.
+Sink right_of(Sink sink, int32_t x) noexcept {
+  sink.window.x0 = sink.window.x0 > x ? sink.window.x0 : x;
+  return sink;
+}
+
+}  // namespace
+
+const char* Scene::body_text(int32_t line) noexcept {
+  constexpr const char* kShort[] = {"One small font,", "every size: 9 to 99."};
+  constexpr const char* kLong[] = {
+      "Distance fields in ROM, sampled", "where the outline needs it: one",
+      "small font for every size, with", "no heap and only integers."};
+  return kBodyLines == 2 ? kShort[line % 2] : kLong[line % 4];
+}
+
+Status Scene::lay_out(const Font& font,
+                      const Brush& brush,
+                      Text text,
+                      Line& line) noexcept {
+  INKCELL_TRY(layout(font, text, line.glyphs, line.used));
+  line.width_q6 = to_px(font, brush, measure(font, text).advance).raw;
+  return Status::ok;
+}
+
+Status Scene::open() noexcept {
+  INKCELL_TRY(Font::open(fonts::demo_clock, clock_font_));
+  INKCELL_TRY(Font::open(fonts::demo_text, text_font_));
+  INKCELL_TRY(
+      Brush::make(Q26_6::from_raw(kClockQ6), kFilterText, clock_brush_));
+  INKCELL_TRY(Brush::make(Q26_6::from_raw(kTextQ6), kFilterText, text_brush_));
+  INKCELL_TRY(lay_out(text_font_, text_brush_, kMoving, moving_));
+  INKCELL_TRY(lay_out_body());
+  set_frame(0);
+  return Status::ok;
+}
+
+Status Scene::lay_out_body() noexcept {
+  // Between the clock and the moving line, evenly.
+  const int32_t top = kMarginQ6 + kClockQ6 * 3 / 4;
+  const int32_t bottom = kHeightQ6 - kMarginQ6;
+  const int32_t step = (bottom - top) / (kBodyLines + 1);
+  for (int32_t i = 0; i < kBodyLines; ++i) {
+    Line& line = body_[i];
+    INKCELL_TRY(lay_out(text_font_, text_brush_, body_text(i), line));
+    line.origin = point((kWidthQ6 - line.width_q6) / 2, top + step * (i + 1));
+  }
+  return Status::ok;
+}
+
+void Scene::set_frame(uint32_t frame) noexcept {
+  const uint32_t minute =
+      (kFirstMinute + frame / kFramesPerMinute) % kMinutesPerDay;
+  char digits[5];
+  // Five glyphs fit a line.
+  static_cast<void>(
+      lay_out(clock_font_, clock_brush_, time_text(minute, digits), clock_));
+  // Digits are three quarters of an em high.
+  clock_.origin = kOneLine ? point(0, (kHeightQ6 + kClockQ6 * 3 / 4) / 2)
+                           : point((kWidthQ6 - clock_.width_q6) / 2,
+                                   kMarginQ6 + kClockQ6 * 3 / 4);
+
+  // To the left until nothing is left to be seen, then in again on the right.
+  const int32_t left = kOneLine ? clock_.width_q6 + kMarginQ6 : 0;
+  const int32_t home = left + kMarginQ6;
+  const uint32_t period =
+      static_cast<uint32_t>(kWidthQ6 - left + moving_.width_q6);
+  int32_t x = home - static_cast<int32_t>(frame % (period / kStepQ6) *
+                                          static_cast<uint32_t>(kStepQ6));
+  if (x < left - moving_.width_q6) {
+    x += static_cast<int32_t>(period / kStepQ6) * kStepQ6;
+  }
+  const int32_t baseline =
+      kOneLine ? (kHeightQ6 + kTextQ6 * 3 / 4) / 2 : kHeightQ6 - kMarginQ6;
+  moving_.origin = point(x, baseline);
+}
+
+void Scene::draw(const Strip& strip) const noexcept {
+  Canvas canvas(strip);
+  inkcell::draw(clock_font_, clock_.used, clock_brush_, clock_.origin,
+                canvas.sink(Ink::clock));
+  for (int32_t i = 0; i < kBodyLines; ++i) {
+    inkcell::draw(text_font_, body_[i].used, text_brush_, body_[i].origin,
+                  canvas.sink(Ink::text));
+  }
+  const int32_t left = kOneLine ? (clock_.width_q6 + kMarginQ6 + 63) / 64 : 0;
+  inkcell::draw(text_font_, moving_.used, text_brush_, moving_.origin,
+                right_of(canvas.sink(Ink::moving), left));
+}
+
+int32_t Scene::missing_characters() const noexcept {
+  int32_t missing = count_missing(clock_font_, "0123456789:") +
+                    count_missing(text_font_, kMoving);
+  for (int32_t i = 0; i < kBodyLines; ++i) {
+    missing += count_missing(text_font_, body_text(i));
+  }
+  return missing;
+}
+
+}  // namespace demo
+}  // namespace inkcell

@@ -1,0 +1,65 @@
+// The demo's scene: a clock with large digits, body text, and a line that moves
+// by 1/8 px from frame to frame. The same code runs on boards and on the host.
+//
+// The build makes its two fonts (demo.cmake) and says their sizes:
+// INKCELL_DEMO_CLOCK_PX and INKCELL_DEMO_TEXT_PX [px/em].
+#pragma once
+
+#include <stdint.h>
+
+#include "canvas.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/text.hpp"
+
+namespace inkcell {
+namespace demo {
+
+/// Laid out once a frame, drawn strip by strip.
+class Scene {
+ public:
+  Scene() noexcept = default;
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Opens the fonts and lays out what does not move.
+  Status open() noexcept;
+
+  /// Frame 0 is at 10:42; a minute has 480 frames.
+  void set_frame(uint32_t frame) noexcept;
+
+  void draw(const Strip& strip) const noexcept;
+
+  /// How many characters of the scene its fonts lack.
+  int32_t missing_characters() const noexcept;
+
+ private:
+  // On a display of a few rows clock and moving line stand side by side.
+  static constexpr bool kOneLine = kHeight < 32;
+  static constexpr int32_t kBodyLines = kOneLine ? 0 : kHeight < 100 ? 2 : 4;
+  static constexpr int32_t kMaxCharacters = 48;  // of a line
+
+  struct Line {
+    PositionedGlyph glyphs[kMaxCharacters];
+    Span<const PositionedGlyph> used;
+    Point origin;
+    int32_t width_q6 = 0;  // [px]
+  };
+
+  static const char* body_text(int32_t line) noexcept;
+  static Status lay_out(const Font& font,
+                        const Brush& brush,
+                        Text text,
+                        Line& line) noexcept;
+  Status lay_out_body() noexcept;
+
+  Font clock_font_;
+  Font text_font_;
+  Brush clock_brush_;
+  Brush text_brush_;
+  Line clock_;
+  Line moving_;
+  Line body_[kBodyLines == 0 ? 1 : kBodyLines];
+};
+
+}  // namespace demo
+}  // namespace inkcell

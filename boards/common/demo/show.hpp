@@ -1,0 +1,14 @@
+// Drawing a whole screen strip by strip, and sending each to the display.
+#pragma once
+
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace demo {
+
+/// Calls `draw` for every strip of the screen, of INKCELL_DEMO_ROWS rows each,
+/// and passes the strip on to board::display_write().
+void show(void* context, void (*draw)(void* context, const Strip&)) noexcept;
+
+}  // namespace demo
+}  // namespace inkcell

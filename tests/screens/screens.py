@@ -1,0 +1,231 @@
+#!/usr/bin/env python3
+"""Compares what the display boards show in QEMU with this machine's rendering.
+
+Builds the firmware of each board, starts it, waits until it says READY, takes a
+screendump and compares every pixel with that of scene_host. The exit code is
+the number of pictures that differ.
+
+    screens.py <host build>/tests/screens/screens.json [--save DIR]
+"""
+
+import argparse
+import contextlib
+import json
+import os
+import pathlib
+import select
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import zlib
+
+# Seconds until a firmware must have drawn its first frame, on a busy machine.
+READY_TIMEOUT = 120
+
+
+class Failure(Exception):
+    """A picture that is wrong, or that there is none."""
+
+
+class Picture:
+    """RGB pixels, three bytes each, row by row from the top."""
+
+    def __init__(self, path):
+        data = pathlib.Path(path).read_bytes()
+        magic, size, depth, self.pixels = data.split(b"\n", 3)
+        if magic != b"P6" or depth != b"255":
+            raise Failure(f"{path} is not an 8-bit PPM")
+        self.width, self.height = (int(word) for word in size.split())
+        if len(self.pixels) != self.width * self.height * 3:
+            raise Failure(f"{path} is truncated")
+
+    def at(self, index):
+        return tuple(self.pixels[3 * index:3 * index + 3])
+
+    def save_png(self, path):
+        def chunk(kind, data):
+            check = zlib.crc32(kind + data)
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(
+                ">I", check)
+
+        stride = self.width * 3
+        rows = b"".join(
+            b"\0" + self.pixels[y * stride:(y + 1) * stride]
+            for y in range(self.height))
+        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
+        pathlib.Path(path).write_bytes(
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
+            chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def compare(shown, expected):
+    """Raises Failure unless the pictures are equal and show something."""
+    if (shown.width, shown.height) != (expected.width, expected.height):
+        raise Failure(f"the screen is {shown.width} x {shown.height}, not "
+                      f"{expected.width} x {expected.height}")
+    count = shown.width * shown.height
+    if shown.pixels != expected.pixels:
+        wrong = [i for i in range(count) if shown.at(i) != expected.at(i)]
+        first = wrong[0]
+        raise Failure(
+            f"{len(wrong)} of {count} points differ, the first at "
+            f"({first % shown.width}, {first // shown.width}): shown "
+            f"{shown.at(first)}, expected {expected.at(first)}")
+    colours = {}
+    for i in range(count):
+        colours[shown.at(i)] = colours.get(shown.at(i), 0) + 1
+    ink = count - max(colours.values())
+    if ink < count // 50:
+        raise Failure(f"only {ink} of {count} points are not background")
+    return f"{count} points equal, {len(colours)} colours"
+
+
+def build(screen):
+    """Configures and builds the demos of a board with this machine's fonts."""
+    source = pathlib.Path(screen["source"])
+    toolchain = source / "boards" / screen["board"] / "toolchain.cmake"
+    subprocess.run(
+        ["cmake", "-S", source, "-B", screen["build"], "-G", "Ninja",
+         f"-DCMAKE_TOOLCHAIN_FILE={toolchain}", "-DCMAKE_BUILD_TYPE=Release",
+         "-DINKCELL_TESTS=OFF", f"-DINKCELL_FONTGEN={screen['fontgen']}",
+         f"-DINKCELL_DEMO_FONT={screen['font']}"],
+        check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        ["cmake", "--build", screen["build"], "--target", "inkcell_demos"],
+        check=True, stdout=subprocess.DEVNULL)
+
+
+def wait_until_ready(process):
+    """Reads the firmware's console until READY; returns what came before."""
+    output = b""
+    end = time.monotonic() + READY_TIMEOUT
+    while b"READY" not in output:
+        if not select.select([process.stdout], [], [],
+                             max(0, end - time.monotonic()))[0]:
+            raise Failure(f"not READY after {READY_TIMEOUT} s: {output!r}")
+        data = os.read(process.stdout.fileno(), 4096)
+        if not data:
+            raise Failure(f"QEMU ended with {process.wait()}: {output!r}")
+        output += data
+    return output.split(b"READY")[0].decode(errors="replace").strip()
+
+
+def screendump(monitor_path, path):
+    """Has QEMU write its screen to `path`, and ends it."""
+    with socket.socket(socket.AF_UNIX) as connection:
+        connection.settimeout(60)
+        connection.connect(monitor_path)
+        stream = connection.makefile("rw")
+
+        def command(name, **arguments):
+            json.dump({"execute": name, "arguments": arguments}, stream)
+            stream.write("\n")
+            stream.flush()
+            while True:
+                answer = json.loads(stream.readline())
+                if "error" in answer:
+                    raise Failure(f"{name}: {answer['error']['desc']}")
+                if "return" in answer:
+                    return
+
+        stream.readline()  # QEMU's greeting
+        command("qmp_capabilities")
+        command("screendump", filename=str(path))
+        command("quit")
+
+
+def shoot(screen, picture, frame, folder):
+    """Runs the firmware in QEMU; returns its screen and its console output."""
+    name = "demo" if picture == "scene" else "pattern"
+    firmware = pathlib.Path(
+        screen["build"],
+        f"boards/common/demo/{name}_{screen['format']}.elf")
+    monitor = f"{folder}/monitor"
+    flags = f"-qmp unix:{monitor},server=on,wait=off {screen['flags']}"
+    runner = pathlib.Path(screen["source"], "boards/common/qemu_run.sh")
+    with subprocess.Popen(
+            [runner, screen["board"], firmware, f"frame={frame}"],
+            env={**os.environ, "INKCELL_QEMU_FLAGS": flags},
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT) as process:
+        try:
+            output = wait_until_ready(process)
+            screendump(monitor, f"{folder}/shown.ppm")
+            process.stdout.read()
+            process.wait(60)
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                process.kill()
+    return Picture(f"{folder}/shown.ppm"), output
+
+
+def render(screen, picture, frame, folder):
+    path = f"{folder}/expected.ppm"
+    frames = [str(frame)] if picture == "scene" else []
+    subprocess.run([screen["host"], picture, *frames, path], check=True)
+    return Picture(path)
+
+
+def check(screen, picture, frame, save):
+    """Compares one picture; returns whether it is right."""
+    name = f"{screen['board']}_{screen['format']}_{picture}"
+    if picture == "scene":
+        name += f"_{frame}"
+    with tempfile.TemporaryDirectory(prefix="inkcell") as folder:
+        try:
+            shown, output = shoot(screen, picture, frame, folder)
+            if save:
+                shown.save_png(save / f"{name}.png")
+            result = compare(shown, render(screen, picture, frame, folder))
+        except (Failure, subprocess.CalledProcessError) as failure:
+            print(f"FAILED  {name}: {failure}", flush=True)
+            return False
+    costs = [line.strip() for line in output.splitlines()
+             if "instructions" in line]
+    print("ok     ", "; ".join([f"{name}: {result}", *costs]), flush=True)
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("list", type=pathlib.Path,
+                        help="screens.json in the build folder")
+    parser.add_argument("--board", help="only this one")
+    parser.add_argument("--format", help="only displays of this format")
+    parser.add_argument("--picture", choices=["scene", "pattern"])
+    parser.add_argument("--frame", type=int, action="append",
+                        help="of the scene; may be repeated [0]")
+    parser.add_argument("--save", type=pathlib.Path, metavar="DIR",
+                        help="keep the screenshots here, as PNG")
+    parser.add_argument("--build-only", action="store_true")
+    parser.add_argument("--no-build", action="store_true",
+                        help="the firmware is up to date")
+    options = parser.parse_args()
+
+    screens = [screen for screen in json.loads(options.list.read_text())
+               if options.board in (None, screen["board"])
+               and options.format in (None, screen["format"])]
+    if not screens:
+        parser.error("there is no such display")
+    if not options.no_build:
+        for folder in {screen["build"] for screen in screens}:
+            build(next(s for s in screens if s["build"] == folder))
+    if options.build_only:
+        return 0
+    if options.save:
+        options.save.mkdir(parents=True, exist_ok=True)
+
+    pictures = [("scene", frame) for frame in options.frame or [0]]
+    pictures.append(("pattern", 0))
+    results = [check(screen, picture, frame, options.save)
+               for screen in screens for picture, frame in pictures
+               if options.picture in (None, picture)]
+    print(f"{results.count(True)} passed, {results.count(False)} failed")
+    return min(results.count(False), 255)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
