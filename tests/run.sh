@@ -84,9 +84,8 @@ done
 build host --preset host && host_built=yes
 built_boards=
 for board in $boards; do
-  # The generator of the host's build serves them all.
-  build "$board" --preset "$board" \
-    "-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen" &&
+  # As a user would, without a generator at hand; but one serves all boards.
+  build "$board" --preset "$board" "-DINKCELL_FONTGEN_DIR=$root/build/fontgen" &&
     built_boards="$built_boards $board"
 done
 
