@@ -1,0 +1,442 @@
+// The renderer: what it may touch, in which order, and that every way to draw
+// a picture gives the same one.
+#include "inkcell/render.hpp"
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "picture.hpp"
+#include "random.hpp"
+
+namespace {
+
+using namespace inkcell;
+using font_builder::Record;
+
+constexpr int32_t kSide = 40;
+
+// A window of at most kSide x kSide pixels that checks what a sink is promised.
+class Canvas {
+ public:
+  // An empty picture.
+  void clear(const Rect& window) {
+    x0_ = window.x0;
+    y0_ = window.y0;
+    for (uint8_t& pixel : pixels_) {
+      pixel = 0;
+    }
+    open(window);
+  }
+  // Another part of the picture: it may be drawn to, the rest not.
+  void open(const Rect& window) {
+    window_ = window;
+    last_y_ = INT32_MIN;
+    last_end_ = INT32_MIN;
+  }
+
+  Sink sink() { return {window_, this, coverage, solid}; }
+  uint8_t& at(int32_t x, int32_t y) {
+    return pixels_[(y - y0_) * kSide + x - x0_];
+  }
+  int64_t ink() const {
+    int64_t sum = 0;
+    for (const uint8_t pixel : pixels_) {
+      sum += pixel;
+    }
+    return sum;
+  }
+  bool equals(const Canvas& other) const {
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      if (pixels_[i] != other.pixels_[i]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  bool begin(int32_t x, int32_t y, int32_t count) {
+    const bool inside = count >= 1 && y >= window_.y0 && y < window_.y1 &&
+                        x >= window_.x0 && x < window_.x1 &&
+                        count <= window_.x1 - x;
+    CHECK(inside && "pixels inside the window");
+    CHECK((y > last_y_ || (y == last_y_ && x >= last_end_)) && "in order");
+    last_y_ = y;
+    last_end_ = x + count;
+    return inside;
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    auto& canvas = *static_cast<Canvas*>(context);
+    CHECK(count <= kMaxSpan);
+    if (canvas.begin(x, y, count)) {
+      for (int32_t i = 0; i < count; ++i) {
+        canvas.at(x + i, y) = coverage[i];
+      }
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    auto& canvas = *static_cast<Canvas*>(context);
+    if (canvas.begin(x, y, count)) {
+      for (int32_t i = 0; i < count; ++i) {
+        canvas.at(x + i, y) = 255;
+      }
+    }
+  }
+
+  Rect window_;
+  int32_t x0_ = 0;
+  int32_t y0_ = 0;
+  int32_t last_y_ = INT32_MIN;
+  int32_t last_end_ = INT32_MIN;
+  uint8_t pixels_[kSide * kSide] = {};
+};
+
+// Too large for the stack of a small board.
+Canvas canvas;
+Canvas reference;
+Record record;
+
+alignas(4) uint8_t bytes[1536];
+
+GlyphField field_of(font_builder::Shape shape) {
+  record.reset();
+  record.fill(shape);
+  GlyphField field;
+  CHECK(record.size() <= sizeof(bytes));
+  record.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+  return field;
+}
+
+Direction direction(int32_t cosine_q30, int32_t sine_q30) {
+  Direction result;
+  result.cosine.raw = cosine_q30;
+  result.sine.raw = sine_q30;
+  return result;
+}
+
+constexpr int32_t kOne = 1 << 30;
+constexpr int32_t kHalfRoot = 759250125;  // cosine of 45 degrees
+
+// Quarter turns, 45 degrees, the 3-4-5 triangle, and nearly upright.
+constexpr int32_t kDirections[][2] = {{kOne, 0},
+                                      {0, kOne},
+                                      {-kOne, 0},
+                                      {0, -kOne},
+                                      {kHalfRoot, kHalfRoot},
+                                      {-kHalfRoot, kHalfRoot},
+                                      {858993459, -644245094},
+                                      {kOne, 1}};
+
+Brush brush_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), kFilterText,
+                       direction(turn[0], turn[1]), brush));
+  return brush;
+}
+
+// A window of at most kSide pixels a side somewhere in or around the box.
+Rect window_in(Random& random, const Rect& box) {
+  const int32_t x0 = random.between(box.x0 - 3, box.x1 + 2);
+  const int32_t y0 = random.between(box.y0 - 3, box.y1 + 2);
+  return {x0, y0, x0 + random.between(1, kSide), y0 + random.between(1, kSide)};
+}
+
+// draw_field against distances one by one and the filter.
+void check_plain_chain(const GlyphField& field,
+                       const Brush& brush,
+                       const FinePoint& origin,
+                       const Rect& window) {
+  canvas.clear(window);
+  draw_field(field, brush, origin, canvas.sink());
+  for (int32_t y = window.y0; y < window.y1; ++y) {
+    Q6_10 distances[kSide];
+    const auto width = static_cast<size_t>(window.x1 - window.x0);
+    distance_row(field, brush, origin, window.x0, y, {distances, width});
+    for (int32_t x = window.x0; x < window.x1; ++x) {
+      const int32_t distance = distances[x - window.x0].raw;
+      CHECK_EQ(canvas.at(x, y), brush.filter().coverage(distance));
+    }
+  }
+}
+
+}  // namespace
+
+TEST(fused_drawing_equals_the_plain_chain) {
+  const GlyphField field = field_of(font_builder::ring);
+  Random random(1);
+  const int32_t sizes[] = {4 * 64,   4 * 64 + 1, 7 * 64 + 5,  12 * 64,
+                           1000,     24 * 64,    48 * 64 - 1, 64 * 64,
+                           6000,     200 * 64,   40000,       1024 * 64 - 1,
+                           1024 * 64};
+  for (const int32_t size : sizes) {
+    for (const auto& turn : kDirections) {
+      const Brush brush = brush_of(size, turn);
+      for (int i = 0; i < 6 && !check::failed(); ++i) {
+        const FinePoint origin(random.between(-50000, 50000),
+                               random.between(-50000, 50000));
+        const Rect box = field_box(field, brush, origin);
+        check_plain_chain(field, brush, origin, window_in(random, box));
+      }
+    }
+  }
+}
+
+TEST(any_cells_equal_the_plain_chain) {
+  Random random(2);
+  for (int round = 0; round < 60 && !check::failed(); ++round) {
+    record.reset();
+    record.tile_log2 = static_cast<uint8_t>(random.below(9));
+    record.x0_u = static_cast<int16_t>(random.between(-400, 100));
+    record.y0_u = static_cast<int16_t>(random.between(-400, 100));
+    record.reference_count = 16 + 4 * random.below(30);
+    for (uint32_t i = 0; i < record.reference_count; ++i) {
+      record.references[i] = static_cast<uint16_t>(random.below(34));
+      if ((random.next() & 1) != 0) {
+        record.references[i] |= format::glyph::kCellFlag;
+      }
+    }
+    record.cell_count = 30;
+    for (uint32_t i = 0; i < record.cell_count; ++i) {
+      for (uint8_t& byte : record.cells[i]) {
+        byte = static_cast<uint8_t>(random.byte());
+      }
+    }
+    record.write(bytes);
+    GlyphField field;
+    CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+    const Brush brush = brush_of(random.between(4 * 64, 600 * 64),
+                                 kDirections[random.below(8)]);
+    const FinePoint origin(random.between(-9999, 9999),
+                           random.between(-9999, 9999));
+    const Rect box = field_box(field, brush, origin);
+    for (int i = 0; i < 4; ++i) {
+      check_plain_chain(field, brush, origin, window_in(random, box));
+    }
+  }
+}
+
+// Rows 1 to all, and every split into a left and a right part.
+TEST(strips_do_not_change_the_picture) {
+  const GlyphField field = field_of(font_builder::ring);
+  const Rect all = {-3, -2, -3 + kSide, -2 + kSide};
+  for (const auto& turn : kDirections) {
+    const Brush brush = brush_of(37 * 64 + 11, turn);
+    const FinePoint origin(turn[0] > 0 ? 123 : 30123,
+                           turn[1] < 0 ? 4567 : 28765);
+    reference.clear(all);
+    draw_field(field, brush, origin, reference.sink());
+    CHECK(reference.ink() > 0);
+    for (int32_t rows = 1; rows < kSide; ++rows) {
+      canvas.clear(all);
+      for (int32_t y = all.y0; y < all.y1; y += rows) {
+        canvas.open(intersect(all, {all.x0, y, all.x1, y + rows}));
+        draw_field(field, brush, origin, canvas.sink());
+      }
+      CHECK(canvas.equals(reference));
+    }
+    for (int32_t x = all.x0; x <= all.x1; ++x) {
+      canvas.clear(all);
+      canvas.open({all.x0, all.y0, x, all.y1});
+      draw_field(field, brush, origin, canvas.sink());
+      canvas.open({x, all.y0, all.x1, all.y1});
+      draw_field(field, brush, origin, canvas.sink());
+      CHECK(canvas.equals(reference));
+    }
+  }
+}
+
+// Turned by quarters about a pixel corner the same points are sampled.
+TEST(quarter_turns_turn_the_picture) {
+  const GlyphField field = field_of(font_builder::bar);
+  const Rect around = {-20, -20, 20, 20};
+  const int32_t sizes[] = {8 * 64, 16 * 64, 32 * 64};  // exact steps
+  for (const int32_t size : sizes) {
+    reference.clear(around);
+    draw_field(field, brush_of(size), {}, reference.sink());
+    CHECK(reference.ink() > 0);
+    for (int quarter = 1; quarter < 4; ++quarter) {
+      canvas.clear(around);
+      draw_field(field, brush_of(size, kDirections[quarter]), {},
+                 canvas.sink());
+      for (int32_t y = -20; y < 20; ++y) {
+        for (int32_t x = -20; x < 20; ++x) {
+          const int32_t from_x[] = {x, -1 - y, -1 - x, y};
+          const int32_t from_y[] = {y, x, -1 - y, -1 - x};
+          CHECK_EQ(canvas.at(x, y),
+                   reference.at(from_x[quarter], from_y[quarter]));
+        }
+      }
+    }
+  }
+}
+
+// A disc stays a disc, turned about the origin.
+TEST(turned_shapes_are_where_they_should_be) {
+  const GlyphField field = field_of(font_builder::disc);
+  const double size = 30;
+  for (const auto& turn : kDirections) {
+    canvas.clear({-20, -20, 20, 20});
+    draw_field(field, brush_of(30 * 64, turn), {}, canvas.sink());
+    const double cosine = turn[0] / static_cast<double>(kOne);
+    const double sine = turn[1] / static_cast<double>(kOne);
+    for (int32_t y = -20; y < 20; ++y) {
+      for (int32_t x = -20; x < 20; ++x) {
+        const double right = x + 0.5;
+        const double up = -0.5 - y;
+        const double u = 1024 / size;
+        const int32_t distance_q6 = font_builder::disc(
+            static_cast<int32_t>((right * cosine + up * sine) * u + 0.5),
+            static_cast<int32_t>((up * cosine - right * sine) * u + 0.5));
+        const int32_t expected =
+            kFilterText.coverage(static_cast<int32_t>(distance_q6 * 16 / u));
+        const int32_t error = expected - canvas.at(x, y);
+        CHECK(error <= 16 && error >= -16);
+      }
+    }
+  }
+}
+
+TEST(moving_by_pixels_moves_the_picture) {
+  const GlyphField field = field_of(font_builder::ring);
+  const int32_t places[] = {-32767, -32700, -1, 1, 12345, 32767 - kSide};
+  for (const auto& turn : kDirections) {
+    const Brush brush = brush_of(33 * 64, turn);
+    reference.clear({0, 0, kSide, kSide});
+    draw_field(field, brush, {20200, 20100}, reference.sink());
+    CHECK(reference.ink() > 0);
+    for (const int32_t x : places) {
+      for (const int32_t y : places) {
+        canvas.clear({x, y, x + kSide, y + kSide});
+        draw_field(field, brush,
+                   {20200 + int64_t{x} * 1024, 20100 + int64_t{y} * 1024},
+                   canvas.sink());
+        CHECK(canvas.equals(reference));
+      }
+    }
+  }
+}
+
+TEST(origins_anywhere_are_harmless) {
+  const GlyphField field = field_of(font_builder::ring);
+  Random random(7);
+  const int32_t ends[] = {INT32_MIN,  INT32_MIN + 1, -32768 * 64, -1,
+                          32767 * 64, INT32_MAX - 1, INT32_MAX};
+  const int32_t sizes[] = {4 * 64, 1024 * 64};
+  for (const int32_t size : sizes) {
+    for (const auto& turn : kDirections) {
+      const Brush brush = brush_of(size, turn);
+      for (int i = 0; i < 60; ++i) {
+        const Point origin = {Q26_6::from_raw(ends[random.below(7)]),
+                              Q26_6::from_raw(ends[random.below(7)])};
+        const int32_t x = (i & 1) != 0 ? -32767 : 32767 - kSide;
+        const int32_t y = (i & 2) != 0 ? -32767 : 32767 - kSide;
+        check_plain_chain(field, brush, origin, {x, y, x + kSide, y + kSide});
+      }
+    }
+  }
+}
+
+TEST(the_largest_grids_are_harmless) {
+  record.reset();
+  record.tile_log2 = 11;
+  record.x0_u = -15360;
+  record.y0_u = -15360;
+  record.tiles_x = 15;
+  record.tiles_y = 15;
+  record.reference_count = 225;
+  for (uint32_t i = 0; i < 225; ++i) {
+    record.references[i] = static_cast<uint16_t>(
+        i % 3 == 0 ? format::glyph::kCellFlag : i % 3 - 1);
+  }
+  const int8_t offsets[8] = {-128, 127, -128, 127, 127, -128, 127, -128};
+  record.add_raw_cell(INT16_MAX, offsets);
+  record.write(bytes);
+  GlyphField field;
+  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+  CHECK_EQ(field.x1_u(), 15360);
+  Random random(12);
+  const int32_t sizes[] = {4 * 64, 5 * 64 + 3, 100 * 64, 1024 * 64};
+  for (const int32_t size : sizes) {
+    for (const auto& turn : kDirections) {
+      const Brush brush = brush_of(size, turn);
+      const Rect box = field_box(field, brush, {100, 100});
+      const Rect corners[] = {{box.x0 - 1, box.y0 - 1, 0, 0},
+                              {box.x1 - kSide + 1, box.y0 - 1, 0, 0},
+                              {box.x0 - 1, box.y1 - kSide + 1, 0, 0},
+                              {box.x1 - kSide + 1, box.y1 - kSide + 1, 0, 0}};
+      for (const Rect& c : corners) {
+        check_plain_chain(field, brush, {100, 100},
+                          {c.x0, c.y0, c.x0 + kSide, c.y0 + kSide});
+      }
+      check_plain_chain(field, brush, {100, 100}, window_in(random, box));
+    }
+  }
+}
+
+TEST(nothing_to_draw) {
+  const GlyphField field = field_of(font_builder::disc);
+  canvas.clear({0, 0, kSide, kSide});
+  draw_field(GlyphField{}, brush_of(1000), {20000, 20000}, canvas.sink());
+  CHECK(is_empty(field_box(GlyphField{}, brush_of(1000), {})));
+  const Rect windows[] = {{0, 0, 0, 40}, {0, 0, 40, 0}, {40, 40, 0, 0}};
+  for (const Rect& window : windows) {
+    canvas.open(window);
+    draw_field(field, brush_of(1000), {0, 30000}, canvas.sink());
+  }
+  CHECK_EQ(canvas.ink(), 0);
+}
+
+TEST(draws_a_bar_between_pixels) {
+  const GlyphField field = field_of(font_builder::bar);
+  Picture<10, 14> picture;
+  // 16 px: 200..440 u are 3.125..6.875 px, moved by a quarter; 640 u are 10.
+  draw_field(field, brush_of(16 * 64), {256, 12 * 1024 + 512}, picture.sink());
+  CHECK_PICTURE(picture,
+                "..........\n"
+                "..........\n"
+                "...++++:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...+###:..\n"
+                "...++++:..\n"
+                "..........\n");
+}
+
+TEST(draws_a_small_disc_upright_and_turned) {
+  const GlyphField field = field_of(font_builder::disc);
+  Picture<9, 9> upright;
+  draw_field(field, brush_of(12 * 64), {0, 9 * 1024}, upright.sink());
+  CHECK_PICTURE(upright,
+                "....:....\n"
+                "..+*#*+..\n"
+                ".+#####+.\n"
+                ".*#####*.\n"
+                ":#######:\n"
+                ".*#####*.\n"
+                ".+#####+.\n"
+                "..+*#*+..\n"
+                "....:....\n");
+  Picture<9, 9> turned;
+  draw_field(field, brush_of(12 * 64, kDirections[4]), {4608, 11008},
+             turned.sink());
+  CHECK_PICTURE(turned,
+                "...:::...\n"
+                "..+*#*+..\n"
+                ".+#####+.\n"
+                ".*#####*.\n"
+                ":#######:\n"
+                ".*#####*.\n"
+                ".+#####+.\n"
+                "..:***:..\n"
+                ".........\n");
+}

@@ -1,0 +1,415 @@
+// Text: UTF-8, layout, measures, and drawing runs.
+#include "inkcell/text.hpp"
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "picture.hpp"
+#include "random.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+alignas(4) uint8_t rom[font_builder::kSampleFontBytes];
+
+Font sample() {
+  Font font;
+  const size_t size = font_builder::build_sample_font(rom);
+  CHECK_OK(Font::open({rom, size}, font));
+  return font;
+}
+
+// Whether `bytes` read as `expected`, a list closed by kEnd.
+constexpr uint32_t kEnd = 0xffffffff;
+constexpr uint32_t kBad = 0xfffd;
+
+bool reads_as(Text text, const uint32_t* expected) {
+  while (text.size > 0) {
+    const char* begin = text.data;
+    const size_t size = text.size;
+    if (next_code_point(text) != *expected++) {
+      return false;
+    }
+    if (text.data <= begin ||
+        static_cast<size_t>(text.data - begin) != size - text.size) {
+      return false;
+    }
+  }
+  return *expected == kEnd;
+}
+
+template <size_t kSize, size_t kCount>
+void check_reads(const char (&bytes)[kSize],
+                 const uint32_t (&expected)[kCount]) {
+  CHECK(reads_as({bytes, kSize - 1}, expected));
+}
+
+// What two bytes must read as, written out from Unicode's table 3-7.
+size_t expect_pair(uint32_t first, uint32_t second, uint32_t* out) {
+  const bool second_follows = second >= 0x80 && second <= 0xbf;
+  if (first >= 0xc2 && first <= 0xdf && second_follows) {
+    out[0] = (first & 0x1f) << 6 | (second & 0x3f);
+    return 1;
+  }
+  // A longer sequence whose second byte is allowed: one truncated whole.
+  const bool truncated =
+      (first == 0xe0 && second >= 0xa0 && second <= 0xbf) ||
+      (first >= 0xe1 && first <= 0xef && first != 0xed && second_follows) ||
+      (first == 0xed && second >= 0x80 && second <= 0x9f) ||
+      (first == 0xf0 && second >= 0x90 && second <= 0xbf) ||
+      (first >= 0xf1 && first <= 0xf3 && second_follows) ||
+      (first == 0xf4 && second >= 0x80 && second <= 0x8f);
+  if (truncated) {
+    out[0] = kBad;
+    return 1;
+  }
+  out[0] = first < 0x80 ? first : kBad;
+  out[1] = second < 0x80 ? second : kBad;
+  return 2;
+}
+
+size_t encode(uint32_t code_point, char* out) {
+  const auto byte = [](uint32_t value) { return static_cast<char>(value); };
+  if (code_point < 0x80) {
+    out[0] = byte(code_point);
+    return 1;
+  }
+  size_t size = code_point < 0x800 ? 2 : code_point < 0x10000 ? 3 : 4;
+  for (size_t i = size - 1; i > 0; --i) {
+    out[i] = byte(0x80 | (code_point & 0x3f));
+    code_point >>= 6;
+  }
+  const uint32_t leads[] = {0xc0, 0xe0, 0xf0};
+  out[0] = byte(leads[size - 2] | code_point);
+  return size;
+}
+
+Brush brush_of(int32_t px) {
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, brush));
+  return brush;
+}
+
+Point at(int32_t x, int32_t y) {
+  return {Q26_6::from_int(x), Q26_6::from_int(y)};
+}
+
+// Counts pixels and remembers where they are; glyphs may overlap.
+struct Ink {
+  int64_t sum = 0;
+  Rect box = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+
+  void put(int32_t x, int32_t y, int32_t count) {
+    box.x0 = x < box.x0 ? x : box.x0;
+    box.y0 = y < box.y0 ? y : box.y0;
+    box.x1 = x + count > box.x1 ? x + count : box.x1;
+    box.y1 = y + 1 > box.y1 ? y + 1 : box.y1;
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    auto& ink = *static_cast<Ink*>(context);
+    ink.put(x, y, count);
+    for (int32_t i = 0; i < count; ++i) {
+      ink.sum += coverage[i];
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    auto& ink = *static_cast<Ink*>(context);
+    ink.put(x, y, count);
+    ink.sum += int64_t{255} * count;
+  }
+  Sink sink() {
+    return {{-32767, -32767, 32767, 32767}, this, coverage, solid};
+  }
+};
+
+bool same(const Ink& a, const Ink& b) {
+  return a.sum == b.sum && a.box.x0 == b.box.x0 && a.box.y0 == b.box.y0 &&
+         a.box.x1 == b.box.x1 && a.box.y1 == b.box.y1;
+}
+
+}  // namespace
+
+TEST(reads_well_formed_text) {
+  check_reads("Az", {'A', 'z', kEnd});
+  check_reads("\x7f\xc2\x80", {0x7f, 0x80, kEnd});
+  check_reads("\xdf\xbf\xe0\xa0\x80", {0x7ff, 0x800, kEnd});
+  check_reads("\xed\x9f\xbf\xee\x80\x80", {0xd7ff, 0xe000, kEnd});
+  check_reads("\xef\xbf\xbf\xf0\x90\x80\x80", {0xffff, 0x10000, kEnd});
+  check_reads("\xf4\x8f\xbf\xbf", {0x10ffff, kEnd});
+  check_reads("\0", {0, kEnd});
+}
+
+// Unicode 15, tables 3-8 to 3-11.
+TEST(replaces_maximal_parts) {
+  check_reads("\xc0\xaf\xe0\x80\xbf\xf0\x81\x82\x41",
+              {kBad, kBad, kBad, kBad, kBad, kBad, kBad, kBad, 'A', kEnd});
+  check_reads("\xed\xa0\x80\xed\xbf\xbf\xed\xaf\x41",
+              {kBad, kBad, kBad, kBad, kBad, kBad, kBad, kBad, 'A', kEnd});
+  check_reads("\xf4\x91\x92\x93\xff\x41\x80\xbf\x42",
+              {kBad, kBad, kBad, kBad, kBad, 'A', kBad, kBad, 'B', kEnd});
+  check_reads("\xe1\x80\xe2\xf0\x91\x92\xf1\xbf\x41",
+              {kBad, kBad, kBad, kBad, 'A', kEnd});
+}
+
+TEST(replaces_truncated_and_overlong_forms) {
+  check_reads("\xe2\x82", {kBad, kEnd});
+  check_reads("\xe2", {kBad, kEnd});
+  check_reads("\xf0\x9f\x98", {kBad, kEnd});
+  check_reads("\xf0\x9f\x98\x41", {kBad, 'A', kEnd});
+  check_reads("\xf0\x9f\x41", {kBad, 'A', kEnd});
+  check_reads("\xc1\xbf", {kBad, kBad, kEnd});
+  check_reads("\xe0\x9f\xbf", {kBad, kBad, kBad, kEnd});
+  check_reads("\xf0\x8f\xbf\xbf", {kBad, kBad, kBad, kBad, kEnd});
+  check_reads("\xf5\x80\x80\x80", {kBad, kBad, kBad, kBad, kEnd});
+  check_reads("\xfe\xff", {kBad, kBad, kEnd});
+}
+
+TEST(reads_every_pair_of_bytes) {
+  for (uint32_t first = 0; first < 256; ++first) {
+    for (uint32_t second = 0; second < 256; ++second) {
+      const char bytes[] = {static_cast<char>(first),
+                            static_cast<char>(second)};
+      uint32_t expected[3];
+      expected[expect_pair(first, second, expected)] = kEnd;
+      CHECK(reads_as({bytes, 2}, expected));
+    }
+  }
+}
+
+// All of them on the host; on slow boards a step that is prime to 64.
+TEST(reads_every_code_point) {
+  const uint32_t step = INKCELL_BOARD_FIRMWARE ? 37 : 1;
+  for (uint32_t code_point = 0; code_point <= 0x10ffff; code_point += step) {
+    const bool surrogate = code_point >= 0xd800 && code_point <= 0xdfff;
+    char bytes[4];
+    const size_t size = encode(code_point, bytes);
+    const uint32_t expected[] = {code_point, kEnd};
+    CHECK(reads_as({bytes, size}, expected) == !surrogate);
+    for (size_t part = 1; part < size && !surrogate; ++part) {
+      const uint32_t bad[] = {kBad, kEnd};
+      CHECK(reads_as({bytes, part}, bad));
+    }
+  }
+}
+
+TEST(lays_out_and_kerns) {
+  const Font font = sample();
+  PositionedGlyph buffer[8];
+  Span<const PositionedGlyph> run;
+  CHECK_OK(layout(font, "AB AC", buffer, run));
+  const int32_t expected_x[] = {0, 650, 1350, 1650, 2400};
+  const uint16_t expected_glyph[] = {2, 3, 1, 2, 4};
+  CHECK_EQ(run.size, 5);
+  CHECK(run.data == buffer);
+  for (size_t i = 0; i < run.size && i < 5; ++i) {
+    CHECK_EQ(run[i].x, expected_x[i]);
+    CHECK_EQ(run[i].y, 0);
+    CHECK_EQ(run[i].glyph, expected_glyph[i]);
+  }
+}
+
+TEST(absent_code_points_become_notdef) {
+  const Font font = sample();
+  PositionedGlyph buffer[4];
+  Span<const PositionedGlyph> run;
+  CHECK_OK(layout(font, "a\xff\xf0\x9f\x98\x80", buffer, run));
+  CHECK_EQ(run.size, 3);
+  CHECK_EQ(run[0].glyph, 0);
+  CHECK_EQ(run[1].glyph, 0);
+  CHECK_EQ(run[2].glyph, 3);
+  CHECK_EQ(run[2].x, 1200);
+}
+
+TEST(layout_needs_room) {
+  const Font font = sample();
+  PositionedGlyph buffer[3];
+  buffer[2].glyph = 77;
+  Span<const PositionedGlyph> run(buffer + 1, 1);
+  CHECK_EQ(layout(font, "ABC", {buffer, 2}, run), Status::buffer_small);
+  CHECK_EQ(run.size, 1);  // untouched
+  CHECK_EQ(buffer[2].glyph, 77);
+  CHECK_OK(layout(font, "ABC", buffer, run));
+  CHECK_EQ(run.size, 3);
+  CHECK_OK(layout(font, "", {}, run));
+  CHECK_EQ(run.size, 0);
+  CHECK_EQ(layout(font, "A", {}, run), Status::buffer_small);
+}
+
+TEST(measures_lines) {
+  const Font font = sample();
+  const TextMeasure line = measure(font, "AB AC");
+  CHECK_EQ(line.advance, 2400 + 625);
+  CHECK_EQ(line.x_min, 82);
+  CHECK_EQ(line.y_min, 0);
+  CHECK_EQ(line.x_max, 2400 + 430);
+  CHECK_EQ(line.y_max, 668);
+  const TextMeasure spaces = measure(font, "  ");
+  CHECK_EQ(spaces.advance, 600);
+  CHECK(spaces.x_max <= spaces.x_min);
+  const TextMeasure nothing = measure(font, "");
+  CHECK_EQ(nothing.advance, 0);
+  const TextMeasure empty = measure(Font{}, "AB");
+  CHECK_EQ(empty.advance, 0);
+}
+
+// Up to 2^19 units half of 1/64 px, and what 16 fractional bits of the scale
+// add; at the end of the range one more half.
+TEST(lengths_in_px_round_to_the_nearest) {
+  const Font font = sample();
+  Random random(6);
+  const int32_t sizes[] = {4, 12, 17, 1024};
+  for (const int32_t px : sizes) {
+    const Brush brush = brush_of(px);
+    for (int i = 0; i < 600; ++i) {
+      const int32_t limit = (i & 1) != 0 ? 1 << 19 : 1 << 24;
+      const double bound = (i & 1) != 0 ? 0.55 : 1.05;
+      const int32_t units = random.between(-limit, limit);
+      const double exact = units * (px * 64.0) / 1000.0;
+      const double error = exact - to_px(font, brush, units).raw;
+      CHECK(error <= bound && error >= -bound);
+    }
+    CHECK_EQ(to_px(font, brush, 1000).raw, px * 64);
+    CHECK_EQ(to_px(font, brush, INT32_MAX).raw,
+             to_px(font, brush, 1 << 24).raw);
+    CHECK_EQ(to_px(font, brush, INT32_MIN).raw,
+             to_px(font, brush, -(1 << 24)).raw);
+  }
+}
+
+TEST(long_lines_end_at_the_limit) {
+  const Font font = sample();
+  const Span<const uint8_t> metrics = font.section(format::section::kMetrics);
+  font_builder::put_u16(
+      rom + (metrics.data - rom) + 2 * format::metrics::kBytes,
+      65535);  // the advance of A
+  static char text[300];
+  for (char& c : text) {
+    c = 'A';
+  }
+  TextCursor cursor(font, {text, sizeof(text)});
+  PositionedGlyph glyph;
+  int32_t last = 0;
+  while (cursor.next(glyph)) {
+    CHECK(glyph.x >= last && glyph.x <= 1 << 24);
+    last = glyph.x;
+  }
+  CHECK_EQ(cursor.advance(), 1 << 24);  // 300 times 65535 are more
+  CHECK(!cursor.next(glyph));
+  CHECK_EQ(measure(font, {text, sizeof(text)}).advance, 1 << 24);
+}
+
+TEST(a_run_is_its_glyphs) {
+  const Font font = sample();
+  const Brush brush = brush_of(20);
+  PositionedGlyph buffer[8];
+  Span<const PositionedGlyph> run;
+  CHECK_OK(layout(font, "AB C", buffer, run));
+  Ink whole;
+  draw(font, run, brush, at(3, 40), whole.sink());
+  Ink streamed;
+  draw_text(font, "AB C", brush, at(3, 40), streamed.sink());
+  CHECK(same(whole, streamed));
+  Ink single;
+  for (const PositionedGlyph& glyph : run) {
+    GlyphField field;
+    CHECK_OK(font.field(glyph.glyph, field));
+    // 20 px to 1000 units, in Q10: 20.48 to the unit.
+    const FinePoint origin(3 * 1024 + (int64_t{glyph.x} * 2048 + 50) / 100,
+                           40 * 1024);
+    draw_field(field, brush, origin, single.sink());
+  }
+  CHECK(same(whole, single));
+  Ink alone;
+  draw_glyph(font, 2, brush, at(3, 40), alone.sink());
+  Ink first;
+  draw(font, {buffer, 1}, brush, at(3, 40), first.sink());
+  CHECK(alone.sum > 0);
+  CHECK(same(alone, first));
+}
+
+TEST(positions_in_a_run_go_up) {
+  const Font font = sample();
+  const Brush brush = brush_of(10);
+  PositionedGlyph glyph;
+  glyph.glyph = 2;
+  glyph.x = 1000;
+  glyph.y = 500;
+  Ink raised;
+  draw(font, {&glyph, 1}, brush, at(0, 20), raised.sink());
+  Ink plain;
+  draw_glyph(font, 2, brush, at(10, 15), plain.sink());
+  CHECK(same(raised, plain));
+}
+
+TEST(turned_runs_follow_their_direction) {
+  const Font font = sample();
+  Direction up;  // to the top of the screen
+  up.cosine.raw = 0;
+  up.sine.raw = 1 << 30;
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(20), kFilterText, up, brush));
+  PositionedGlyph glyph;
+  glyph.glyph = 2;
+  glyph.x = 1000;
+  Ink moved;
+  draw(font, {&glyph, 1}, brush, at(50, 50), moved.sink());
+  Ink plain;
+  draw_glyph(font, 2, brush, at(50, 30), plain.sink());
+  CHECK(plain.sum > 0);
+  CHECK(same(moved, plain));
+}
+
+TEST(absent_glyphs_are_left_out) {
+  const Font font = sample();
+  const Brush brush = brush_of(20);
+  Ink ink;
+  draw_glyph(font, 1, brush, at(0, 0), ink.sink());
+  draw_glyph(font, 5, brush, at(0, 0), ink.sink());
+  draw_glyph(font, 65535, brush, at(0, 0), ink.sink());
+  draw_text(Font{}, "AB", brush, at(0, 0), ink.sink());
+  draw_text(font, "", brush, at(0, 0), ink.sink());
+  CHECK_EQ(ink.sum, 0);
+}
+
+TEST(draws_text_as_expected) {
+  const Font font = sample();
+  const Brush brush = brush_of(12);
+  Picture<24, 10> picture;
+  picture.next_glyph();
+  draw_text(font, "AB", brush, at(1, 9), picture.sink());
+  CHECK_PICTURE(picture,
+                ".....:..................\n"
+                "...+*#*+...:++:.........\n"
+                "..+#####+.:*#*#+........\n"
+                "..*#####*.+*:.+#:.......\n"
+                ".:#######:*+..:#+.......\n"
+                "..*#####*.+*:.+#:.......\n"
+                "..+#####+.:*#*#+........\n"
+                "...+*#*+...:++:.........\n"
+                ".....:..................\n");
+}
+
+TEST(far_positions_are_harmless) {
+  const Font font = sample();
+  const int32_t ends[] = {INT32_MIN, INT32_MIN / 2, INT32_MAX / 2, INT32_MAX};
+  const int32_t sizes[] = {4, 1024};
+  for (const int32_t px : sizes) {
+    const Brush brush = brush_of(px);
+    for (const int32_t x : ends) {
+      for (const int32_t y : ends) {
+        Ink ink;
+        PositionedGlyph glyph;
+        glyph.glyph = 2;
+        glyph.x = x;
+        glyph.y = static_cast<int16_t>(y);
+        const Point origin = {Q26_6::from_raw(y), Q26_6::from_raw(x)};
+        draw(font, {&glyph, 1}, brush, origin, ink.sink());
+        CHECK_EQ(ink.sum, 0);
+      }
+    }
+  }
+}

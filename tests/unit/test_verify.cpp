@@ -1,0 +1,159 @@
+// Font::verify: everything that open leaves to the moment of reading.
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "inkcell/font.hpp"
+
+namespace {
+
+using namespace inkcell;
+using namespace font_builder;
+namespace section = format::section;
+
+alignas(4) uint8_t rom[kSampleFontBytes];
+size_t rom_bytes = 0;
+
+Font sample() {
+  Font font;
+  rom_bytes = build_sample_font(rom);
+  CHECK_OK(Font::open({rom, rom_bytes}, font));
+  return font;
+}
+
+uint8_t* bytes_of(const Font& font, uint32_t tag) {
+  return rom + (font.section(tag).data - rom);
+}
+
+uint8_t* record_of(const Font& font, uint16_t glyph) {
+  return rom + (font.record(glyph).data - rom);
+}
+
+// What verify says of the changed font; its checksums are made right first.
+Status verify_changed() {
+  CHECK(repair_checksums({rom, rom_bytes}));
+  Font font;
+  CHECK_OK(Font::open({rom, rom_bytes}, font));
+  return font.verify();
+}
+
+// A reference of glyph 2: tile or child `index`.
+uint8_t* reference_of(const Font& font, uint32_t index) {
+  return record_of(font, 2) + format::glyph::kBytes + 2 * index;
+}
+
+}  // namespace
+
+TEST(accepts_the_sample) {
+  CHECK_OK(sample().verify());
+  CHECK_EQ(verify_changed(), Status::ok);
+}
+
+TEST(finds_any_changed_byte) {
+  const Font font = sample();
+  const uint32_t begin = get_u16(rom + format::header::kHeaderBytes);
+  for (size_t i = begin; i < rom_bytes; ++i) {
+    rom[i] ^= 0x10;
+    CHECK_EQ(font.verify(), Status::corrupt);
+    rom[i] ^= 0x10;
+    i += INKCELL_BOARD_FIRMWARE ? 60 : 0;
+  }
+  CHECK_OK(font.verify());
+}
+
+TEST(finds_wrong_code_points) {
+  Font font = sample();
+  uint8_t* cmap = bytes_of(font, section::kCmap);
+  put_u32(cmap + 8, 0x20);  // 'A'.. now begins where ' ' does
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  put_u32(cmap + 8, 0x21);  // right behind it
+  CHECK_EQ(verify_changed(), Status::ok);
+  font = sample();
+  put_u32(cmap + 16, 0x110000);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  put_u32(cmap + 16, 0x10ffff);
+  CHECK_EQ(verify_changed(), Status::ok);
+  put_u16(cmap + 16 + format::cmap::kFirstGlyph, 5);  // of five
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  font = sample();
+  put_u16(cmap + 8 + format::cmap::kExtra, 3);  // A..D on glyphs 2..5
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+TEST(finds_wrong_kerning_classes) {
+  const uint32_t places[] = {2, 5 + 2};  // of A on the left, on the right
+  const uint8_t counts[] = {2, 3};
+  for (int side = 0; side < 2; ++side) {
+    const Font font = sample();
+    uint8_t* classes =
+        bytes_of(font, section::kKerning) + format::kerning::kBytes;
+    classes[places[side]] = counts[side];
+    CHECK_EQ(verify_changed(), Status::ok);
+    classes[places[side]] = static_cast<uint8_t>(counts[side] + 1);
+    CHECK_EQ(verify_changed(), Status::corrupt);
+  }
+}
+
+TEST(finds_wrong_glyph_offsets) {
+  const Font font = sample();
+  uint8_t* offsets = bytes_of(font, section::kGlyphs);
+  const uint32_t second = get_u32(offsets + 8);
+  put_u32(offsets + 8, second + 1);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  put_u32(offsets + 8, 0xfffffffcu);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  put_u32(offsets + 8, second);
+  CHECK_EQ(verify_changed(), Status::ok);
+}
+
+TEST(finds_wrong_records) {
+  Font font = sample();
+  record_of(font, 2)[format::glyph::kType] = 9;
+  CHECK_EQ(verify_changed(), Status::unsupported);
+  font = sample();
+  put_u16(record_of(font, 2) + format::glyph::kCellCount, 999);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+TEST(finds_wrong_references) {
+  const uint16_t nodes = 40;
+  const uint16_t cells = 88;
+  struct Case {
+    uint32_t index;
+    uint32_t reference;
+    Status expected;
+  };
+  // Children of node 1 are references 20 to 23.
+  const Case cases[] = {
+      {0, format::glyph::kInside, Status::ok},
+      {0, format::glyph::kFirstNode + nodes - 1, Status::ok},
+      {0, format::glyph::kFirstNode + nodes, Status::corrupt},
+      {0, 0x7fff, Status::corrupt},
+      {0, format::glyph::kCellFlag + cells - 1, Status::ok},
+      {0, format::glyph::kCellFlag + cells, Status::corrupt},
+      {0, 0xffff, Status::corrupt},
+      {20, format::glyph::kFirstNode + 2, Status::ok},
+      {20, format::glyph::kFirstNode + 1, Status::corrupt},  // itself
+      {23, format::glyph::kFirstNode, Status::corrupt}};     // its parent
+  for (const Case& c : cases) {
+    const Font font = sample();
+    CHECK_EQ(get_u16(record_of(font, 2) + format::glyph::kNodeCount), nodes);
+    CHECK_EQ(get_u16(record_of(font, 2) + format::glyph::kCellCount), cells);
+    put_u16(reference_of(font, c.index), c.reference);
+    CHECK_EQ(verify_changed(), c.expected);
+  }
+}
+
+// The font may lie in flash that is written while it is open.
+TEST(survives_a_header_that_changes) {
+  const Font font = sample();
+  put_u16(rom + format::header::kHeaderBytes, 0xffff);
+  CHECK_EQ(font.verify(), Status::corrupt);
+  put_u16(rom + format::header::kHeaderBytes, 0);
+  CHECK_EQ(font.verify(), Status::corrupt);
+  put_u16(rom + format::header::kSectionCount, 0xffff);
+  CHECK_EQ(font.section(format::tag('N', 'O', 'N', 'E')).size, 0);
+  for (size_t i = 0; i < rom_bytes; ++i) {
+    rom[i] = 0xff;
+  }
+  CHECK(font.verify() != Status::ok);
+  CHECK_EQ(font.name().size, 0);
+}
