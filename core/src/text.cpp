@@ -57,11 +57,13 @@ constexpr int32_t kMaxUnits = 1 << 24;
 class UnitScale {
  public:
   UnitScale(const Font& font, const Brush& brush) noexcept
-      : scale_((int64_t{brush.size().raw} << 24) / font.units_per_em()) {}
+      : scale_(((int64_t{brush.size().raw} << 24) + font.units_per_em() / 2) /
+               font.units_per_em()) {}
 
-  // At most 2^24 units times 2^36: within int64_t.
+  // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
+  // nearest, so that whole pixels are met exactly.
   int64_t to_px_q10(int32_t units) const noexcept {
-    return (clamp(units, kMaxUnits) * scale_) >> 20;
+    return (clamp(units, kMaxUnits) * scale_ + (1 << 19)) >> 20;
   }
 
  private:
