@@ -99,6 +99,14 @@ void Lattice::fill_row(const Neighbourhood& truth, int j, int stride) {
   }
 }
 
+void Lattice::fill(const Neighbourhood& truth) {
+  for (int stride = 8; stride >= 1; stride /= 2) {
+    for (int j = 0; j < kPoints; j += stride) {
+      fill_row(truth, j, stride);
+    }
+  }
+}
+
 std::array<double, 9> Lattice::nine(const Neighbourhood& truth) {
   std::array<double, 9> result;
   for (int k = 0; k < 9; ++k) {

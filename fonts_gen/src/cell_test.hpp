@@ -54,7 +54,12 @@ class Lattice {
   /// Makes the row `j` known at every column that `stride` divides.
   void fill_row(const Neighbourhood& truth, int j, int stride);
 
+  /// Makes all rows known at every column.
+  void fill(const Neighbourhood& truth);
+
   double operator()(int i, int j) const { return d_[at(i, j)]; }
+  /// Row by row from below.
+  double operator[](size_t point) const { return d_[point]; }
 
   std::array<double, 9> nine(const Neighbourhood& truth);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "cell_fit.hpp"
 #include "inkcell/field.hpp"
 
 namespace inkcell {
@@ -15,6 +16,10 @@ constexpr int kSmallestTileLog2Fixed = 6;
 constexpr int kMaxTiles = 255;
 // GlyphField::open refuses grids beyond. [u]
 constexpr int kGridLimit_u = 16384;
+
+// Nine samples that miss the limit by more than this cannot be mended by a fit:
+// one in a thousand could.
+constexpr double kFitReach = 3;
 
 // What a saturated cell reads as. [u]
 constexpr double kSaturated_u = kSaturatedDistanceQ10 / 1024.0;
@@ -87,7 +92,7 @@ Forest::Forest(const Shape& shape, const AdfOptions& options)
       metric_(options),
       test_(metric_, options.predicate == Predicate::size_aware),
       grid_(lay_grid(shape, options)),
-      seams_matter_(options.predicate == Predicate::size_aware) {
+      size_aware_(options.predicate == Predicate::size_aware) {
   for (const CellSquare& tile : tiles_of(grid_)) {
     trees_.emplace_back();
     trees_.back().square = tile;
@@ -151,6 +156,16 @@ bool Forest::settle(Tree& tree,
     tree.verdict = test_.measure(tree.cell, lattice, truth);
     return true;
   }
+  tree.verdict = test_.run(tree.cell, lattice, truth);
+  if (tree.verdict.passed || !size_aware_ ||
+      tree.verdict.worst > kFitReach * metric_.limit()) {
+    return tree.verdict.passed;
+  }
+  std::array<double, 9> fitted = nine;
+  if (!fit_cell(metric_, lattice, truth, fitted)) {
+    return false;
+  }
+  tree.cell = quantise(fitted, log2);
   tree.verdict = test_.run(tree.cell, lattice, truth);
   return tree.verdict.passed;
 }
@@ -228,7 +243,7 @@ uint32_t Forest::weaker_at_seam(uint32_t at, int side) const {
 }
 
 void Forest::mend_seams() {
-  if (!seams_matter_) {
+  if (!size_aware_) {
     return;
   }
   // Every round divides cells above the smallest size, so the rounds end.

@@ -72,7 +72,7 @@ class Forest {
   Metric metric_;
   CellTest test_;
   Grid grid_;
-  bool seams_matter_;
+  bool size_aware_;
   std::vector<Tree> trees_;
   uint32_t cell_count_ = 0;
 };

@@ -352,8 +352,10 @@ TEST(Adf, RefusesWhatTheFormatCannotHold) {
     const double y = i / 45 * 24;
     gravel.contours.push_back(rectangle(x, y, x + 8, y + 8));
   }
+  AdfOptions options;
+  options.tolerance = 4;
   try {
-    build_adf(Shape(gravel), AdfOptions());
+    build_adf(Shape(gravel), options);
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_EQ(error.kind(), GeometryError::Kind::too_complex);

@@ -1,0 +1,26 @@
+// Nine distances that serve a whole cell, where nine samples do not.
+#pragma once
+
+#include <array>
+
+#include "cell_test.hpp"
+#include "metric.hpp"
+#include "shape.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// Changes the nine distances of a cell so that the largest error over it is
+/// about as small as it can be: least squares, weighted by what an error costs
+/// at each distance, repeated with more weight where the error was large
+/// (Lawson's way to the minimum of the maximum). Stops early if `metric`'s
+/// limit is met. Knows nothing of quantisation: the result wants a CellTest.
+///
+/// False if the limit stays out of reach; then `nine` is of no use.
+bool fit_cell(const Metric& metric,
+              Lattice& lattice,
+              const Neighbourhood& truth,
+              std::array<double, 9>& nine);
+
+}  // namespace gen
+}  // namespace inkcell
