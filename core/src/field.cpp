@@ -11,10 +11,6 @@ using detail::load_u16;
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-// Twice this, in the corner of the box around a grid turned by 45 degrees, must
-// stay within positions of Q16.16 u, with a few pixels to spare.
-constexpr int32_t kGridLimit_u = 15360;
-
 // The offsets of a cell as the paper numbers them, d1 to d9, d5 the centre.
 struct Offsets {
   int32_t d[9];
@@ -97,8 +93,8 @@ Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   if (field.tile_log2 > glyph::kMaxTileLog2) {
     return Status::corrupt;
   }
-  if (field.x0_u < -kGridLimit_u || field.x1_u() > kGridLimit_u ||
-      field.y0_u < -kGridLimit_u || field.y1_u() > kGridLimit_u) {
+  if (field.x0_u < -glyph::kGridLimit || field.x1_u() > glyph::kGridLimit ||
+      field.y0_u < -glyph::kGridLimit || field.y1_u() > glyph::kGridLimit) {
     return Status::corrupt;
   }
   const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;

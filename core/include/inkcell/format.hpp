@@ -126,6 +126,11 @@ inline constexpr uint32_t kBytes = 12;
 inline constexpr uint8_t kTypeSamples = 1;
 inline constexpr uint32_t kMaxTileLog2 = 11;
 
+/// Grids lie within this of the origin in both directions. [u] Twice as much,
+/// in the corner of the box around a grid turned by 45 degrees, must stay
+/// within positions of Q16.16 u, with a few pixels to spare.
+inline constexpr int32_t kGridLimit = 15360;
+
 // A reference.
 inline constexpr uint16_t kOutside = 0;
 inline constexpr uint16_t kInside = 1;
