@@ -95,8 +95,10 @@ for board in $built_boards; do
   run_tests "$board"
 done
 
-# What is built is the same: only what runs is of interest here.
-build host-sanitize --preset host-sanitize &&
+# What is built is the same: only what runs is of interest here. Half of the
+# preset's optimisation compiles in half of its time.
+build host-sanitize --preset host-sanitize \
+  "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" &&
   run_tests host-sanitize -E '^(build|screens)\.'
 
 build big-endian -DCMAKE_BUILD_TYPE=Release \
