@@ -521,6 +521,21 @@ TEST(wrong_targets_are_refused) {
   CHECK_EQ(make_sink(pages, sink), Status::bad_argument);
 }
 
+TEST(a_level_out_of_range_stays_in_its_pixel) {
+  const uint8_t coverage[1] = {200};
+  uint8_t byte[1] = {0};
+  Grey4Target grey4;
+  grey4.strip = {{byte, 1}, 0, 0, 1, 1, 1};
+  grey4.order = BitOrder::low_left;
+  Sink sink;
+  CHECK_OK(make_sink(grey4, sink));
+  grey4.level = 255;
+  sink.coverage(sink.context, 0, 0, coverage, 1);
+  CHECK_EQ(byte[0] & 0xf0, 0);
+  sink.solid(sink.context, 0, 0, 1);
+  CHECK_EQ(byte[0] & 0xf0, 0);
+}
+
 TEST(words_must_be_aligned) {
   alignas(4) uint8_t bytes[16] = {};
   Xrgb8888Target target;

@@ -45,7 +45,8 @@ inline void blend_packed(uint8_t* row,
       const uint32_t shift = packed_shift(x, bits_log2, order);
       uint8_t& byte = row[x >> (3 - bits_log2)];
       const uint32_t old = static_cast<uint32_t>(byte) >> shift & mask;
-      const uint32_t change = old ^ blend(*coverage, level, old);
+      // A level out of range must not reach the pixel beside this one.
+      const uint32_t change = (old ^ blend(*coverage, level, old)) & mask;
       byte = static_cast<uint8_t>(byte ^ change << shift);
     }
     ++x;
