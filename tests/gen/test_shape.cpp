@@ -316,8 +316,8 @@ void check_neighbourhood(const Shape& shape, std::mt19937& random) {
     // square is farther than size / 7 from one of them.
     ASSERT_LE(truth.clearance(), least + 1e-7);
     ASSERT_GE(truth.clearance(), least - square.size / 7);
-    square.x += (random() % 2) * square.size / 2;
-    square.y += (random() % 2) * square.size / 2;
+    square.x += random() % 2 == 0 ? 0 : square.size / 2;
+    square.y += random() % 2 == 0 ? 0 : square.size / 2;
   }
 }
 
