@@ -1,0 +1,128 @@
+// inkcell-inspect: what is in a font, in words, numbers and pictures.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "census.hpp"
+#include "convert.hpp"
+#include "options.hpp"
+#include "pictures.hpp"
+#include "report.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+struct Arguments {
+  gen::GenerateRequest request;
+  std::string file;
+  std::string glyph;
+  std::string cells;
+  std::string sheet;
+  int side = 1000;
+  double px = 32;
+  bool json = false;
+};
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  gen::add_generator_options(app, arguments.request);
+  app.remove_option(app.get_option("--cells"));  // a picture here
+  app.add_option("FILE", arguments.file,
+                 "ROM font, or TTF or OTF to convert in memory")
+      ->required();
+  app.add_option("--glyph", arguments.glyph,
+                 "Look at one glyph: a character, or #17 for an id")
+      ->type_name("CHAR");
+  app.add_option("--cells", arguments.cells,
+                 "Draw the glyph's field and cells [glyph a, or the first]")
+      ->type_name("OUT.png");
+  app.add_option("--side", arguments.side, "Longer side of that picture [px]")
+      ->check(CLI::Range(64, 16384))
+      ->capture_default_str();
+  app.add_option("--sheet", arguments.sheet, "Draw all glyphs")
+      ->type_name("OUT.png");
+  app.add_option("--px", arguments.px, "Size on the sheet [px/em]")
+      ->capture_default_str();
+  app.add_flag("--json", arguments.json, "Print JSON instead of text");
+}
+
+const GlyphCensus& glyph_by_id(const FontCensus& font, const std::string& id) {
+  char* end = nullptr;
+  const unsigned long number = std::strtoul(id.c_str(), &end, 10);
+  if (*end != '\0' || number >= font.glyphs.size()) {
+    throw std::runtime_error("glyph ids go from #0 to #" +
+                             std::to_string(font.glyphs.size() - 1));
+  }
+  return font.glyphs[number];
+}
+
+const GlyphCensus& find_glyph(const FontCensus& font, const std::string& name) {
+  const std::vector<char32_t> characters = from_utf8(name);
+  if (characters.size() > 1 && name[0] == '#') {
+    return glyph_by_id(font, name.substr(1));
+  }
+  if (characters.size() != 1) {
+    throw std::runtime_error("--glyph takes one character, or #17 for an id");
+  }
+  for (const GlyphCensus& glyph : font.glyphs) {
+    for (const char32_t code_point : glyph.code_points) {
+      if (code_point == characters[0]) {
+        return glyph;
+      }
+    }
+  }
+  throw std::runtime_error("the font has no glyph for '" + name + "'");
+}
+
+// The glyph of a picture for which none was named: a, or the first with ink.
+const GlyphCensus& example_glyph(const FontCensus& font) {
+  const GlyphCensus* first = nullptr;
+  for (const GlyphCensus& glyph : font.glyphs) {
+    if (glyph.cells > 0) {
+      if (glyph.name() == "a") {
+        return glyph;
+      }
+      first = first == nullptr && glyph.glyph != 0 ? &glyph : first;
+    }
+  }
+  return first == nullptr ? font.glyphs.front() : *first;
+}
+
+void run(const Arguments& arguments) {
+  const RomFile rom =
+      load_font_file(arguments.file, arguments.request,
+                     arguments.glyph.size() > 1 && arguments.glyph[0] == '#'
+                         ? std::string()
+                         : arguments.glyph);
+  const FontCensus font = take_census(rom.font());
+  const GlyphCensus* glyph =
+      arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
+  if (!arguments.cells.empty()) {
+    const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
+    write_image(arguments.cells, draw_cells(shown.field, arguments.side));
+  }
+  if (!arguments.sheet.empty()) {
+    write_image(arguments.sheet, draw_sheet(rom.font(), arguments.px));
+  }
+  const std::string report = arguments.json     ? json_report(font, glyph)
+                             : glyph != nullptr ? glyph_report(font, *glyph)
+                                                : font_report(font);
+  std::fputs(report.c_str(), stdout);
+}
+
+}  // namespace
+}  // namespace inkcell::tools
+
+int main(int argc, char** argv) {
+  CLI::App app("Shows what is in an Inkcell font.");
+  inkcell::tools::Arguments arguments;
+  inkcell::tools::add_arguments(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    inkcell::tools::run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,214 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "rom_file.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+// Glyphs in a row of the table of cells.
+constexpr size_t kColumns = 8;
+
+// More glyphs than this are not listed one by one.
+constexpr size_t kListed = 256;
+
+[[gnu::format(printf, 2, 3)]] void append(std::string& out,
+                                          const char* format,
+                                          ...) {
+  char line[256];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  out += line;
+}
+
+std::string code_point_ranges(const FontCensus& font) {
+  std::vector<char32_t> all;
+  for (const GlyphCensus& glyph : font.glyphs) {
+    all.insert(all.end(), glyph.code_points.begin(), glyph.code_points.end());
+  }
+  std::sort(all.begin(), all.end());
+  std::string text;
+  size_t ranges = 0;
+  for (size_t i = 0; i < all.size();) {
+    size_t end = i + 1;
+    while (end < all.size() && all[end] == all[end - 1] + 1) {
+      ++end;
+    }
+    if (++ranges > 8) {
+      return text + " ...";
+    }
+    append(text, " U+%04X", static_cast<unsigned>(all[i]));
+    if (end > i + 1) {
+      append(text, "-%04X", static_cast<unsigned>(all[end - 1]));
+    }
+    i = end;
+  }
+  return text;
+}
+
+void append_sections(std::string& out, const FontCensus& font) {
+  const auto row = [&](const char* name, size_t offset, size_t size) {
+    append(out, "    %-10s %9zu bytes at %zu\n", name, size, offset);
+  };
+  out += "  sections\n";
+  row("header", 0, font.header_bytes);
+  for (const SectionCensus& section : font.sections) {
+    row(section.tag.c_str(), section.offset, section.size);
+  }
+}
+
+void append_cells(std::string& out, const FontCensus& font) {
+  append(out, "  cells           %lld, inner nodes %lld\n",
+         static_cast<long long>(font.cells()),
+         static_cast<long long>(font.nodes()));
+  if (font.glyphs.size() > kListed) {
+    return;
+  }
+  append(out, "  cells per glyph .notdef %d", font.glyphs.front().cells);
+  for (size_t i = 1; i < font.glyphs.size(); ++i) {
+    const GlyphCensus& glyph = font.glyphs[i];
+    out += i % kColumns == 1 ? "\n    " : "  ";
+    append(out, "%s %5d", glyph.name().c_str(), glyph.cells);
+  }
+  out += '\n';
+}
+
+nlohmann::json glyph_json(const GlyphCensus& glyph) {
+  nlohmann::json sizes = nlohmann::json::object();
+  for (size_t i = 0; i < glyph.by_size_log2.size(); ++i) {
+    if (glyph.by_size_log2[i] > 0) {
+      sizes[std::to_string(1 << i)] = glyph.by_size_log2[i];
+    }
+  }
+  nlohmann::json code_points = nlohmann::json::array();
+  for (const char32_t code_point : glyph.code_points) {
+    code_points.push_back(static_cast<uint32_t>(code_point));
+  }
+  const GlyphMetrics& m = glyph.metrics;
+  return {{"glyph", glyph.glyph},
+          {"name", glyph.name()},
+          {"code_points", code_points},
+          {"advance", m.advance},
+          {"box", {m.x_min, m.y_min, m.x_max, m.y_max}},
+          {"bytes", glyph.bytes},
+          {"cells", glyph.cells},
+          {"nodes", glyph.field.node_count},
+          {"saturated_outside", glyph.outside},
+          {"saturated_inside", glyph.inside},
+          {"depth", glyph.depth},
+          {"cells_by_size_u", sizes},
+          {"grid",
+           {{"x0_u", glyph.field.x0_u},
+            {"y0_u", glyph.field.y0_u},
+            {"tile_u", 1 << glyph.field.tile_log2},
+            {"tiles_x", glyph.field.tiles_x},
+            {"tiles_y", glyph.field.tiles_y}}}};
+}
+
+nlohmann::json metrics_json(const FontMetrics& m) {
+  return {{"units_per_em", m.units_per_em},
+          {"ascender", m.ascender},
+          {"descender", m.descender},
+          {"line_gap", m.line_gap},
+          {"x_height", m.x_height},
+          {"cap_height", m.cap_height},
+          {"box", {m.x_min, m.y_min, m.x_max, m.y_max}}};
+}
+
+}  // namespace
+
+std::string font_report(const FontCensus& font) {
+  const FontMetrics& m = font.metrics;
+  std::string out = font.name.empty() ? "(no name)\n" : font.name + "\n";
+  append(out, "  format          %d.%d, %zu bytes, verify: %s\n",
+         font.format_major, font.format_minor, font.bytes,
+         std::string(status_name(font.verified)).c_str());
+  append(out, "  made for        %u to %u px, tolerance %u/255, predicate %s\n",
+         static_cast<unsigned>(font.range.min_px),
+         static_cast<unsigned>(font.range.max_px),
+         static_cast<unsigned>(font.range.tolerance),
+         font.fixed_predicate ? "fixed" : "size");
+  append(out,
+         "  metrics         %d units/em, ascender %d, descender %d, gap %d,\n"
+         "                  x-height %d, cap-height %d\n",
+         m.units_per_em, m.ascender, m.descender, m.line_gap, m.x_height,
+         m.cap_height);
+  append(out, "  glyphs          %zu, for %zu characters:%s\n",
+         font.glyphs.size(), font.characters, code_point_ranges(font).c_str());
+  append(out, "  kerning         %d left classes, %d right\n",
+         font.left_classes, font.right_classes);
+  append(out, "  at most         %u cells, %u nodes, depth %u in a glyph\n",
+         static_cast<unsigned>(font.range.max_cells),
+         static_cast<unsigned>(font.range.max_nodes),
+         static_cast<unsigned>(font.range.max_depth));
+  append_sections(out, font);
+  append_cells(out, font);
+  return out;
+}
+
+std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
+  const GlyphMetrics& m = glyph.metrics;
+  const GlyphField& field = glyph.field;
+  std::string out =
+      "glyph " + std::to_string(glyph.glyph) + ", " + glyph.name();
+  for (const char32_t code_point : glyph.code_points) {
+    append(out, ", U+%04X", static_cast<unsigned>(code_point));
+  }
+  append(out, "\n  advance         %d of %d units/em\n", m.advance,
+         font.metrics.units_per_em);
+  append(out, "  ink             x %d to %d, y %d to %d units\n", m.x_min,
+         m.x_max, m.y_min, m.y_max);
+  append(out, "  grid            %d x %d tiles of %d u from (%d, %d) u\n",
+         field.tiles_x, field.tiles_y, 1 << field.tile_log2, field.x0_u,
+         field.y0_u);
+  append(out, "  record          %zu bytes, %d nodes, depth %d\n", glyph.bytes,
+         static_cast<int>(field.node_count), glyph.depth);
+  append(out, "  cells           %d, and saturated: %d outside, %d inside\n",
+         glyph.cells, glyph.outside, glyph.inside);
+  for (size_t i = glyph.by_size_log2.size(); i-- > 0;) {
+    if (glyph.by_size_log2[i] > 0) {
+      append(out, "    %4d u        %d\n", 1 << i, glyph.by_size_log2[i]);
+    }
+  }
+  return out;
+}
+
+std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
+  nlohmann::json sections = {{"header", font.header_bytes}};
+  for (const SectionCensus& section : font.sections) {
+    sections[section.tag] = section.size;
+  }
+  nlohmann::json glyphs = nlohmann::json::array();
+  for (const GlyphCensus& each : font.glyphs) {
+    if (glyph == nullptr || each.glyph == glyph->glyph) {
+      glyphs.push_back(glyph_json(each));
+    }
+  }
+  const nlohmann::json whole = {
+      {"name", font.name},
+      {"bytes", font.bytes},
+      {"format", {font.format_major, font.format_minor}},
+      {"verify", std::string(status_name(font.verified))},
+      {"min_px", font.range.min_px},
+      {"max_px", font.range.max_px},
+      {"tolerance", font.range.tolerance},
+      {"band_u", font.range.band_u},
+      {"predicate", font.fixed_predicate ? "fixed" : "size"},
+      {"metrics", metrics_json(font.metrics)},
+      {"characters", font.characters},
+      {"kerning_classes", {font.left_classes, font.right_classes}},
+      {"section_bytes", sections},
+      {"cells", font.cells()},
+      {"nodes", font.nodes()},
+      {"glyphs", glyphs}};
+  return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
+}  // namespace inkcell::tools
