@@ -6,7 +6,7 @@
 # BOARD is a folder below boards/. Arguments reach main() through semihosting
 # (none of them may hold a blank). The board's UART is standard output.
 #
-#   INKCELL_QEMU_FLAGS   more options for QEMU, e.g. "-device bochs-display,romfile="
+#   INKCELL_QEMU_FLAGS   more options for QEMU, e.g. "-device VGA,romfile="
 #   INKCELL_QEMU_WINDOW  gtk or sdl: show the display in a window, in real time
 #
 # Without a window the virtual time is counted in instructions, so that every

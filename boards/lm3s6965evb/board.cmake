@@ -10,8 +10,8 @@ set(INKCELL_DISPLAY_FORMATS grey4)
 # What the demo shows on it: rows of a strip, sizes, how far coverage
 # may be off [1/255], characters of the text.
 set(INKCELL_DEMO_ROWS 8)
-set(INKCELL_DEMO_CLOCK_PX 34)
+set(INKCELL_DEMO_CLOCK_PX 29)
 set(INKCELL_DEMO_TEXT_PX 11)
 set(INKCELL_DEMO_TOLERANCE 16)
-set(INKCELL_DEMO_TEXT_CHARACTERS 
-  SYMBOLS "One small font, every size: 9 to 99. Inkcell: type for small devices")
+set(INKCELL_DEMO_TEXT_CHARACTERS
+  SYMBOLS "Crisp at every size, no heap, no float. Inkcell: type for small devices")

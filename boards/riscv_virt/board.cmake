@@ -10,7 +10,7 @@ set(INKCELL_DISPLAY_FORMATS xrgb8888 rgb565)
 # What the demo shows on it: rows of a strip, sizes, how far coverage
 # may be off [1/255], characters of the text.
 set(INKCELL_DEMO_ROWS 16)
-set(INKCELL_DEMO_CLOCK_PX 100)
+set(INKCELL_DEMO_CLOCK_PX 90)
 set(INKCELL_DEMO_TEXT_PX 18)
 set(INKCELL_DEMO_TOLERANCE 16)
 set(INKCELL_DEMO_TEXT_CHARACTERS CHARS 0x20-0x7E)

@@ -55,7 +55,8 @@ Sink right_of(Sink sink, int32_t x) noexcept {
 }  // namespace
 
 const char* Scene::body_text(int32_t line) noexcept {
-  constexpr const char* kShort[] = {"One small font,", "every size: 9 to 99."};
+  constexpr const char* kShort[] = {"Crisp at every size,",
+                                    "no heap, no float."};
   constexpr const char* kLong[] = {
       "Distance fields in ROM, sampled", "where the outline needs it: one",
       "small font for every size, with", "no heap and only integers."};
