@@ -11,14 +11,14 @@ namespace {
 constexpr size_t kSide = Lattice::kSteps + 1;
 constexpr size_t kPoints = kSide * kSide;
 
-// Ten rounds find all but a hundredth of the cells that forty would.
+// More rounds than ten saved no cell of the fonts measured.
 constexpr int kRounds = 10;
 // From round kPatience on, a fit this far beyond the limit is given up. [limit]
 constexpr int kPatience = 2;
 constexpr double kHopeless = 1.5;
 // A fit below this is good enough: what is left is for quantisation, and for
 // what lies between the points. [limit] With 1 in its place, two fits of five
-// fail in the test and cells grow by a sixth.
+// fail in the test and cells grow by a tenth.
 constexpr double kEnough = 0.7;
 
 // What a point keeps of its weight in each round if it has no error.

@@ -257,29 +257,30 @@ double CellTest::point_error(Job& job,
                        read_cell(job.cell, job.lattice.cell().size_log2, x, y));
 }
 
-// Adds the five points that divide the patch into four, and goes on with each.
+// Adds five points to the four of a patch, and goes on with each quarter:
 //
 //   2 --- 7 --- 3
 //   |     |     |
 //   5 --- 8 --- 6
 //   |     |     |
 //   0 --- 4 --- 1
+constexpr double kPatchPoints[5][2] = {
+    {0.5, 0}, {0, 0.5}, {1, 0.5}, {0.5, 1}, {0.5, 0.5}};
+constexpr int kPatchCorners[4][4] = {
+    {0, 4, 5, 8}, {4, 1, 8, 6}, {5, 8, 2, 7}, {8, 6, 7, 3}};
+
 bool CellTest::test_patch(Job& job, const Patch& patch) const {
   if (!may_exceed(patch)) {
     return true;
   }
-  static constexpr double kAt[5][2] = {
-      {0.5, 0}, {0, 0.5}, {1, 0.5}, {0.5, 1}, {0.5, 0.5}};
-  static constexpr int kCorners[4][4] = {
-      {0, 4, 5, 8}, {4, 1, 8, 6}, {5, 8, 2, 7}, {8, 6, 7, 3}};
   double d[9];
   double error[9];
   std::copy(std::begin(patch.d), std::end(patch.d), d);
   std::copy(std::begin(patch.error), std::end(patch.error), error);
   const CellSquare& cell = job.lattice.cell();
   for (int k = 4; k < 9; ++k) {
-    const double x = patch.x + kAt[k - 4][0] * patch.width;
-    const double y = patch.y + kAt[k - 4][1] * patch.width;
+    const double x = patch.x + kPatchPoints[k - 4][0] * patch.width;
+    const double y = patch.y + kPatchPoints[k - 4][1] * patch.width;
     d[k] = job.truth.distance(cell.x_u + x, cell.y_u + y);
     error[k] = point_error(job, x, y, d[k]);
     if (!job.take(error[k], limit_)) {
@@ -294,8 +295,8 @@ bool CellTest::test_patch(Job& job, const Patch& patch) const {
                   {},
                   {}};
     for (int k = 0; k < 4; ++k) {
-      quarter.d[k] = d[kCorners[part][k]];
-      quarter.error[k] = error[kCorners[part][k]];
+      quarter.d[k] = d[kPatchCorners[part][k]];
+      quarter.error[k] = error[kPatchCorners[part][k]];
     }
     if (!test_patch(job, quarter)) {
       return false;

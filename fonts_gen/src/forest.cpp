@@ -14,11 +14,10 @@ namespace {
 constexpr int kTileLog2 = 8;
 constexpr int kSmallestTileLog2Fixed = 6;
 constexpr int kMaxTiles = 255;
-// GlyphField::open refuses grids beyond. [u]
-constexpr int kGridLimit_u = 16384;
+constexpr int kGridLimit_u = format::glyph::kGridLimit;
 
 // Nine samples that miss the limit by more than this cannot be mended by a fit:
-// one in a thousand could.
+// one in two hundred could.
 constexpr double kFitReach = 3;
 
 // What a saturated cell reads as. [u]
@@ -71,7 +70,7 @@ Grid lay_grid(const Shape& shape, const AdfOptions& options) {
   grid.y0_u = static_cast<int>(std::floor(box.y0) - std::floor(slack_y / 2));
   if (grid.x0_u < -kGridLimit_u || grid.x0_u + width > kGridLimit_u ||
       grid.y0_u < -kGridLimit_u || grid.y0_u + height > kGridLimit_u) {
-    throw_too_complex("the glyph reaches beyond 16 em from its origin");
+    throw_too_complex("the glyph reaches beyond 15 em from its origin");
   }
   return grid;
 }
