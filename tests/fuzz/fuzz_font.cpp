@@ -1,0 +1,154 @@
+// Fonts from a fuzzer: bytes in, and the promises of exercise.hpp checked.
+//
+// Three front ends in one file:
+//   libFuzzer     clang++ -fsanitize=fuzzer -DINKCELL_LIBFUZZER=1 (run.sh)
+//   files         fuzz_font FILE...: what CTest runs over the corpus
+//   stdin         fuzz_font < FILE: for other fuzzers, and to look at a crash
+//
+// The last 64 bytes of an input choose the text, size, direction and place. The
+// rest is the font. Unless the first of the 64 is odd, what would make open
+// refuse it at once is put right: magic, version, sizes and checksums.
+#include <stdio.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+#include "exercise.hpp"
+#include "font_builder.hpp"
+#include "inkcell/version.hpp"
+
+namespace {
+
+using namespace inkcell;
+using font_builder::get_u16;
+using font_builder::get_u32;
+
+constexpr size_t kChoiceBytes = 64;
+
+void repair(Span<uint8_t> font) {
+  namespace header = format::header;
+  if (font.size < header::kBytes) {
+    return;
+  }
+  uint8_t* at = font.data;
+  font_builder::put_u32(at + header::kMagic, format::kMagic);
+  at[header::kFormatMajor] = kFormatMajor;
+  at[header::kFormatMinor] = kFormatMinor;
+  at[header::kCellKind] = 0;
+  at[header::kCoding] = 0;
+  const auto size = static_cast<uint32_t>(font.size);
+  const uint32_t room = (size - header::kBytes) / format::section::kBytes;
+  const uint32_t sections = std::min(
+      std::min(get_u16(at + header::kSectionCount), room), uint32_t{32});
+  font_builder::put_u16(at + header::kSectionCount, sections);
+  font_builder::put_u16(at + header::kHeaderBytes,
+                        header::kBytes + sections * format::section::kBytes);
+  if (get_u32(at + header::kTotalBytes) > size) {
+    font_builder::put_u32(at + header::kTotalBytes, size);
+  }
+  font_builder::repair_checksums(font);
+}
+
+Brush brush_of(const uint8_t* choice) {
+  static constexpr int32_t kOne = 1 << 30;
+  static constexpr int32_t kDirections[8][2] = {{kOne, 0},
+                                                {0, kOne},
+                                                {-kOne, 0},
+                                                {0, -kOne},
+                                                {kOne, 1},
+                                                {759250125, -759250125},
+                                                {-858993459, 644245094},
+                                                {kOne - (1 << 20), 0}};
+  const auto size = static_cast<int32_t>(
+      256 + get_u16(choice) % (65536 - 256 + 1));  // 4 to 1024 px
+  const auto& turn = kDirections[choice[2] % 8];
+  Direction direction;
+  direction.cosine.raw = turn[0];
+  direction.sine.raw = turn[1];
+  Brush brush;
+  hostile::require(Brush::make(Q26_6::from_raw(size), kFilterPaperDisplay,
+                               direction, brush) == Status::ok,
+                   "brush");
+  return brush;
+}
+
+// Near the window for small exponents, anywhere for large ones.
+Q26_6 place(const uint8_t* choice) {
+  const auto raw = static_cast<int32_t>(get_u32(choice));
+  return Q26_6::from_raw(raw >> (choice[4] % 24));
+}
+
+void run(const uint8_t* data, size_t size) {
+  if (size < kChoiceBytes) {
+    return;
+  }
+  const uint8_t* choice = data + size - kChoiceBytes;
+  const size_t font_bytes = size - kChoiceBytes;
+  // A block of exactly this size: the sanitizer sees one byte too much.
+  const auto block = std::make_unique<uint8_t[]>(font_bytes);
+  std::copy(data, choice, block.get());
+  const Span<uint8_t> rom(block.get(), font_bytes);
+  if (choice[0] % 2 == 0) {
+    repair(rom);
+  }
+  if (!hostile::exercise(rom).opened) {
+    return;
+  }
+  Font font;
+  const Status status = Font::open(rom, font);
+  hostile::require(status == Status::ok, "open twice");
+  const Brush brush = brush_of(choice + 1);
+  const Point origin = {place(choice + 4), place(choice + 9)};
+  const auto glyph =
+      static_cast<uint16_t>(get_u16(choice + 14) % (font.glyph_count() + 1u));
+  hostile::draw_checked(font, glyph, brush, origin);
+  const auto* text = reinterpret_cast<const char*>(choice + 16);
+  hostile::use_text(font, {text, kChoiceBytes - 16}, brush, origin);
+}
+
+}  // namespace
+
+#if INKCELL_LIBFUZZER
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  run(data, size);
+  return 0;
+}
+
+#else
+
+namespace {
+
+std::vector<uint8_t> read_all(FILE* file) {
+  std::vector<uint8_t> bytes;
+  for (int c = getc(file); c != EOF; c = getc(file)) {
+    bytes.push_back(static_cast<uint8_t>(c));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 1) {
+    const std::vector<uint8_t> input = read_all(stdin);
+    run(input.data(), input.size());
+    return 0;
+  }
+  for (int i = 1; i < argc; ++i) {
+    FILE* file = fopen(argv[i], "rb");
+    if (file == nullptr) {
+      fprintf(stderr, "fuzz_font: cannot open %s\n", argv[i]);
+      return 2;
+    }
+    const std::vector<uint8_t> input = read_all(file);
+    fclose(file);
+    run(input.data(), input.size());
+  }
+  printf("%d inputs passed\n", argc - 1);
+  return 0;
+}
+
+#endif

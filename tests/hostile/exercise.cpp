@@ -1,0 +1,248 @@
+#include "exercise.hpp"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <vector>
+
+namespace hostile {
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kWidth = 37;  // more than kMaxSpan
+constexpr int32_t kHeight = 18;
+constexpr size_t kGuard = 64;
+constexpr uint8_t kGuardByte = 0xa5;
+
+// A strip between guards. Checks each call, and blends like a grey display.
+class Canvas {
+ public:
+  explicit Canvas(const Rect& window)
+      : window_(window),
+        width_(window.x1 - window.x0),
+        bytes_(
+            2 * kGuard + static_cast<size_t>(width_ * (window.y1 - window.y0)),
+            kGuardByte) {
+    std::fill(bytes_.begin() + kGuard, bytes_.end() - kGuard, uint8_t{0});
+  }
+
+  Sink sink() { return {window_, this, coverage, solid}; }
+  // Glyphs of a run may overlap; within one, order is promised.
+  void next_glyph() {
+    last_y_ = INT32_MIN;
+    last_end_ = INT32_MIN;
+  }
+  void check_guards() const {
+    for (size_t i = 0; i < kGuard; ++i) {
+      require(bytes_[i] == kGuardByte, "guard before the strip");
+      require(bytes_[bytes_.size() - 1 - i] == kGuardByte,
+              "guard behind the strip");
+    }
+  }
+  bool row_equals(int32_t y, const Canvas& other) const {
+    return std::memcmp(row(y), other.row(y), static_cast<size_t>(width_)) == 0;
+  }
+
+ private:
+  const uint8_t* row(int32_t y) const {
+    return bytes_.data() + kGuard + (y - window_.y0) * width_;
+  }
+  uint8_t* begin(int32_t x, int32_t y, int32_t count) {
+    require(y >= window_.y0 && y < window_.y1, "row in the window");
+    require(x >= window_.x0 && x < window_.x1, "pixel in the window");
+    require(count >= 1 && count <= window_.x1 - x, "run in the window");
+    require(y > last_y_ || (y == last_y_ && x >= last_end_), "order of calls");
+    last_y_ = y;
+    last_end_ = x + count;
+    return bytes_.data() + kGuard + (y - window_.y0) * width_ + x - window_.x0;
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    require(count <= kMaxSpan, "length of the span");
+    uint8_t* at = static_cast<Canvas*>(context)->begin(x, y, count);
+    for (int32_t i = 0; i < count; ++i) {
+      at[i] = static_cast<uint8_t>(at[i] + (255 - at[i]) * coverage[i] / 255);
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    uint8_t* at = static_cast<Canvas*>(context)->begin(x, y, count);
+    std::fill(at, at + count, uint8_t{255});
+  }
+
+  Rect window_;
+  int32_t width_;
+  std::vector<uint8_t> bytes_;
+  int32_t last_y_ = INT32_MIN;
+  int32_t last_end_ = INT32_MIN;
+};
+
+struct Style {
+  int32_t size_q6;
+  int32_t cosine_q30;
+  int32_t sine_q30;
+};
+
+constexpr int32_t kOne = 1 << 30;
+constexpr Style kStyles[] = {
+    {4 * 64, kOne, 0},    {13 * 64 + 21, kOne, 0},
+    {1024 * 64, kOne, 0}, {4 * 64, 759250125, 759250125},
+    {20 * 64, 0, -kOne},  {700 * 64, -858993459, 644245094}};
+
+Brush brush_of(const Style& style) {
+  Direction direction;
+  direction.cosine.raw = style.cosine_q30;
+  direction.sine.raw = style.sine_q30;
+  Brush brush;
+  require(Brush::make(Q26_6::from_raw(style.size_q6), kFilterText, direction,
+                      brush) == Status::ok,
+          "brush");
+  return brush;
+}
+
+void use_glyph(const Font& font, uint16_t glyph) {
+  GlyphMetrics metrics;
+  const bool known = font.glyph_metrics(glyph, metrics) == Status::ok;
+  require(known == (glyph < font.glyph_count()), "glyphs up to the count");
+  require(metrics.advance >= 0 && metrics.advance <= 65535, "advance");
+  const Span<const uint8_t> record = font.record(glyph);
+  const Span<const uint8_t> rom = font.rom();
+  require(record.size <= rom.size &&
+              (record.size == 0 ||
+               (record.data >= rom.data &&
+                record.data + record.size <= rom.data + rom.size)),
+          "record in the font");
+  for (const Style& style : kStyles) {
+    // Somewhere in the upper part of a glyph of any size.
+    const Point origin = {Q26_6::from_raw(-style.size_q6 / 8 + 1000),
+                          Q26_6::from_raw(style.size_q6 / 2 + 300)};
+    draw_checked(font, glyph, brush_of(style), origin);
+  }
+}
+
+void use_tables(const Font& font) {
+  const FontMetrics metrics = font.metrics();
+  require(metrics.units_per_em >= 1, "units per em");
+  volatile uint32_t sum = font.range().band_u;
+  for (const char c : font.name()) {
+    sum = sum + static_cast<uint8_t>(c);
+  }
+  const uint32_t code_points[] = {0,      ' ',     'A',      'B',       'C',
+                                  0x7fff, 0x1f600, 0x10ffff, 0xffffffff};
+  for (const uint32_t code_point : code_points) {
+    uint16_t glyph = 1;
+    const Status status = font.glyph_of(code_point, glyph);
+    require(status == Status::ok ? glyph < font.glyph_count() : glyph == 0,
+            "glyph of a code point");
+  }
+  const uint16_t ids[] = {0, 1, 2, 3, 4, 5, 0x7fff, 0xffff};
+  for (const uint16_t left : ids) {
+    for (const uint16_t right : ids) {
+      const int32_t kerning = font.kerning(left, right);
+      require(kerning >= INT16_MIN && kerning <= INT16_MAX, "kerning");
+    }
+  }
+}
+
+}  // namespace
+
+void require(bool condition, const char* what) {
+  if (!condition) {
+    fprintf(stderr, "hostile font: broken promise: %s\n", what);
+    abort();
+  }
+}
+
+// One picture, then the same in two strips, then row by row in distances.
+void draw_checked(const Font& font,
+                  uint16_t glyph,
+                  const Brush& brush,
+                  Point origin) {
+  Canvas whole({0, 0, kWidth, kHeight});
+  draw_glyph(font, glyph, brush, origin, whole.sink());
+  whole.check_guards();
+  Canvas upper({0, 0, kWidth, 7});
+  draw_glyph(font, glyph, brush, origin, upper.sink());
+  upper.check_guards();
+  Canvas lower({0, 7, kWidth, kHeight});
+  draw_glyph(font, glyph, brush, origin, lower.sink());
+  lower.check_guards();
+  for (int32_t y = 0; y < kHeight; ++y) {
+    require(whole.row_equals(y, y < 7 ? upper : lower),
+            "the same picture in strips");
+  }
+  GlyphField field;
+  if (font.field(glyph, field) == Status::ok) {
+    std::array<Q6_10, kWidth> distances;
+    distance_row(field, brush, origin, -3, 5,
+                 {distances.data(), distances.size()});
+    const auto x = static_cast<int32_t>(glyph * 97 % 2000 * 65536);
+    distance_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
+    gradient_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
+  }
+}
+
+void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
+  const TextMeasure line = measure(font, text);
+  require(line.advance >= -(1 << 24) && line.advance <= 1 << 24, "advance");
+  std::array<PositionedGlyph, 64> buffer;
+  Span<const PositionedGlyph> run;
+  require(text.size <= buffer.size() &&
+              layout(font, text, {buffer.data(), buffer.size()}, run) ==
+                  Status::ok &&
+              run.size <= text.size,
+          "layout");
+  Canvas whole({0, 0, kWidth, kHeight});
+  Canvas parts({0, 0, kWidth, kHeight});
+  for (const PositionedGlyph& glyph : run) {
+    whole.next_glyph();
+    draw(font, {&glyph, 1}, brush, origin, whole.sink());
+  }
+  whole.check_guards();
+  // Drawn as a line, calls begin anew with each glyph: one window a row.
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (const PositionedGlyph& glyph : run) {
+      parts.next_glyph();
+      Sink sink = parts.sink();
+      sink.window.y0 = y;
+      sink.window.y1 = y + 1;
+      draw(font, {&glyph, 1}, brush, origin, sink);
+    }
+    require(parts.row_equals(y, whole), "the same line row by row");
+  }
+}
+
+void use(const Font& font) {
+  use_tables(font);
+  use_text(font,
+           "AB\xf0\x9f\x98\x80 C\xff"
+           "BA",
+           brush_of(kStyles[1]), {Q26_6::from_int(2), Q26_6::from_int(14)});
+  const uint16_t count = font.glyph_count();
+  for (uint16_t glyph = 0; glyph < count && glyph < 5; ++glyph) {
+    use_glyph(font, glyph);
+  }
+  use_glyph(font, static_cast<uint16_t>(count - 1));
+  use_glyph(font, count);
+}
+
+Outcome exercise(Span<const uint8_t> rom) {
+  Outcome outcome;
+  Font font;
+  outcome.opened = Font::open(rom, font) == Status::ok;
+  if (outcome.opened) {
+    outcome.verified = font.verify() == Status::ok;
+    use(font);
+  } else {
+    require(font.glyph_count() == 0, "a refused font stays closed");
+  }
+  return outcome;
+}
+
+}  // namespace hostile
