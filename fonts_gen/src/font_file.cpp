@@ -111,7 +111,7 @@ FontFile::FontFile(const std::filesystem::path& file,
                    const std::vector<AxisSetting>& axes)
     : file_name_(file.filename().string()) {
   read_bytes(file);
-  check_tables();
+  check_tables(face);
   open_face(face);
   check_face();
   select_character_map();
@@ -135,9 +135,9 @@ void FontFile::read_bytes(const std::filesystem::path& file) {
   }
 }
 
-// FreeType leaves out tables that the file is too short for; a font without its
-// kerning would then pass for a font that has none.
-void FontFile::check_tables() const {
+// Where the table directory of the face begins. A face that the collection does
+// not have is left to open_face.
+size_t FontFile::find_directory(int face) const {
   if (bytes_.size() < 12) {
     refuse("is not a font: only " + std::to_string(bytes_.size()) + " bytes");
   }
@@ -145,16 +145,26 @@ void FontFile::check_tables() const {
   if (magic == tag("wOFF") || magic == tag("wOF2")) {
     refuse("is a compressed web font; convert it to TTF or OTF first");
   }
-  size_t directory = 0;
   if (magic == tag("ttcf")) {
-    if (bytes_.size() < 16) {
-      refuse("is truncated; get the whole font file");
+    const uint32_t faces = big_endian_32(bytes_.data() + 8);
+    const size_t index = face >= 0 && static_cast<uint32_t>(face) < faces
+                             ? static_cast<size_t>(face)
+                             : 0;
+    if (bytes_.size() < 16 + 4 * index) {
+      refuse("is truncated in its list of faces; get the whole font file");
     }
-    directory = big_endian_32(bytes_.data() + 12);
-  } else if (magic != 0x00010000 && magic != tag("OTTO") &&
-             magic != tag("true")) {
+    return big_endian_32(bytes_.data() + 12 + 4 * index);
+  }
+  if (magic != 0x00010000 && magic != tag("OTTO") && magic != tag("true")) {
     refuse("is not a font; TTF, OTF, TTC and OTC files can be read");
   }
+  return 0;
+}
+
+// FreeType leaves out tables that the file is too short for; a font without its
+// kerning would then pass for a font that has none.
+void FontFile::check_tables(int face) const {
+  const size_t directory = find_directory(face);
   if (directory > bytes_.size() - 12) {
     refuse("is truncated; get the whole font file");
   }
@@ -163,15 +173,22 @@ void FontFile::check_tables() const {
   if (tables * 16 > bytes_.size() - 12 - directory) {
     refuse("is truncated in its table directory; get the whole font file");
   }
+  bool outlines = false;
   for (size_t i = 0; i < tables; ++i) {
     const uint8_t* entry = at + 12 + 16 * i;
+    const uint32_t name = big_endian_32(entry);
+    outlines |=
+        name == tag("glyf") || name == tag("CFF ") || name == tag("CFF2");
     const uint64_t end =
         uint64_t{big_endian_32(entry + 8)} + big_endian_32(entry + 12);
     if (end > bytes_.size()) {
-      refuse("is truncated: table '" + tag_text(big_endian_32(entry)) +
-             "' ends at byte " + std::to_string(end) + ", the file at " +
+      refuse("is truncated: table '" + tag_text(name) + "' ends at byte " +
+             std::to_string(end) + ", the file at " +
              std::to_string(bytes_.size()) + "; get the whole font file");
     }
+  }
+  if (!outlines) {
+    refuse("has no outlines, only bitmaps or nothing; use an outline font");
   }
 }
 
@@ -212,7 +229,7 @@ void FontFile::check_face() const {
     refuse("holds no glyphs; use another font");
   }
   if (!FT_IS_SCALABLE(ft())) {
-    refuse("has no outlines, only bitmaps; use an outline font");
+    refuse("has no outlines; use an outline font");
   }
   const int units = units_per_em();
   if (units < kLeastUnitsPerEm || units > kMostUnitsPerEm) {

@@ -63,7 +63,8 @@ class FontFile {
   using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
   void read_bytes(const std::filesystem::path& file);
-  void check_tables() const;
+  size_t find_directory(int face) const;
+  void check_tables(int face) const;
   void open_face(int face);
   void check_face() const;
   void select_character_map();

@@ -165,8 +165,10 @@ void warn_of_missing(const FontFile& font,
   if (missing.empty()) {
     return;
   }
-  std::string text = font.file_name() + ": " + std::to_string(missing.size()) +
-                     " characters are not in the font: ";
+  std::string text =
+      font.file_name() + ": " + std::to_string(missing.size()) +
+      (missing.size() == 1 ? " character is" : " characters are") +
+      " not in the font: ";
   for (size_t i = 0; i < std::min(missing.size(), kListedCharacters); ++i) {
     text += (i == 0 ? "" : ", ") + describe(missing[i]);
   }

@@ -180,7 +180,8 @@ void warn_of_errors(const FontReport& report, Warnings& warnings) {
   const bool fixed = report.options.predicate == Predicate::fixed;
   const char* unit = fixed ? "/1024 em" : "/255";
   std::string text = report.file_name + ": " + std::to_string(missed.size()) +
-                     " glyphs miss the tolerance in cells of the smallest "
+                     (missed.size() == 1 ? " glyph misses" : " glyphs miss") +
+                     " the tolerance in cells of the smallest "
                      "size: ";
   for (size_t i = 0; i < std::min(missed.size(), kListedGlyphs); ++i) {
     char error[32];

@@ -1,0 +1,343 @@
+// Loading: characters, faces, axes, metrics, outlines, and all that is refused.
+#include <gtest/gtest.h>
+
+#include "font_source.hpp"
+#include "sfnt_builder.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+FontRequest request_of(const std::filesystem::path& file,
+                       std::string_view chars = "0x20-0x7E") {
+  FontRequest request;
+  request.file = file;
+  add_ranges(chars, request.characters);
+  return request;
+}
+
+SourceFont load(const FontRequest& request) {
+  Warnings ignored;
+  return load_font(request, 1, ignored);
+}
+
+// The message of the Error that loading ends in.
+std::string refusal(const FontRequest& request) {
+  try {
+    load(request);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+#define EXPECT_CONTAINS(text, part) \
+  EXPECT_TRUE(contains(text, part)) \
+      << "'" << (text) << "' lacks '" << (part) << "'"
+
+constexpr const char* kDejaVu =
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+constexpr const char* kLiberation =
+    "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf";
+
+TEST(FontSource, ReadsGlyphsInOrderOfCodePoints) {
+  const TestFolder folder;
+  const SourceFont font =
+      load(request_of(folder.write("a.ttf", Sfnt::plain())));
+  ASSERT_EQ(font.glyphs.size(), 4u);
+  EXPECT_EQ(font.glyphs[0].name(), ".notdef");
+  EXPECT_EQ(font.glyphs[1].name(), "U+0020 ' '");
+  EXPECT_EQ(font.glyphs[2].name(), "U+002E '.'");
+  EXPECT_EQ(font.glyphs[3].name(), "U+0048 'H'");
+  EXPECT_TRUE(font.glyphs[1].outline.contours.empty());
+  EXPECT_EQ(font.glyphs[1].advance, 250);
+  EXPECT_EQ(font.glyphs[3].advance, 800);
+  EXPECT_EQ(font.missing.size(), 92u);
+}
+
+TEST(FontSource, ScalesOutlinesToTheEm) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.units_per_em = 2000;
+  const SourceFont font = load(request_of(folder.write("a.ttf", source), "H"));
+  ASSERT_EQ(font.glyphs.size(), 2u);
+  const Outline& outline = font.glyphs[1].outline;
+  ASSERT_EQ(outline.contours.size(), 1u);
+  double x_max = 0;
+  double y_max = 0;
+  for (const Segment& segment : outline.contours[0].segments) {
+    EXPECT_EQ(segment.kind, Segment::Kind::line);
+    x_max = std::max(x_max, segment.p[1].x);
+    y_max = std::max(y_max, segment.p[1].y);
+  }
+  EXPECT_DOUBLE_EQ(x_max, 700 * 1024.0 / 2000);
+  EXPECT_DOUBLE_EQ(y_max, 700 * 1024.0 / 2000);
+}
+
+TEST(FontSource, ReadsQuadraticAndCubicCurves) {
+  const auto kinds = [](const char* file, int face) {
+    FontRequest request = request_of(file, "S");
+    request.face = face;
+    std::set<Segment::Kind> found;
+    const SourceFont font = load(request);
+    for (const Contour& contour : font.glyphs[1].outline.contours) {
+      for (const Segment& segment : contour.segments) {
+        found.insert(segment.kind);
+      }
+    }
+    return found;
+  };
+  EXPECT_EQ(kinds(kDejaVu, 0).count(Segment::Kind::quadratic), 1u);
+  EXPECT_EQ(kinds("/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", 2)
+                .count(Segment::Kind::cubic),
+            1u);
+}
+
+TEST(FontSource, SharesGlyphsOfSeveralCharacters) {
+  // Liberation draws the soft hyphen with the hyphen's glyph.
+  const SourceFont font = load(request_of(kLiberation, "0x2D,0xAD,0x2E"));
+  ASSERT_EQ(font.glyphs.size(), 3u);
+  EXPECT_EQ(font.glyphs[1].code_points, (std::vector<char32_t>{0x2d, 0xad}));
+}
+
+TEST(FontSource, ReadsMetrics) {
+  const TestFolder folder;
+  const SourceMetrics m =
+      load(request_of(folder.write("a.ttf", Sfnt::plain()))).metrics;
+  EXPECT_EQ(m.units_per_em, 1000);
+  EXPECT_EQ(m.ascender, 800);
+  EXPECT_EQ(m.descender, -200);
+  EXPECT_EQ(m.line_gap, 90);
+  EXPECT_EQ(m.x_height, 480);
+  EXPECT_EQ(m.cap_height, 700);
+}
+
+TEST(FontSource, PrefersTypographicMetricsWhereTheFontSaysSo) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  std::vector<uint8_t> file = source.build();
+  // fsSelection is at 62 of OS/2, the first table of the directory.
+  const size_t os2 = file[12 + 8 + 2] * 256u + file[12 + 8 + 3];
+  file[os2 + 63] |= 0x80;
+  const SourceMetrics m = load(request_of(folder.write("a.ttf", file))).metrics;
+  EXPECT_EQ(m.ascender, 750);
+  EXPECT_EQ(m.descender, -150);
+  EXPECT_EQ(m.line_gap, 0);
+}
+
+TEST(FontSource, MeasuresHeightsThatTheFontDoesNotState) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.x_height = 0;
+  source.cap_height = 0;
+  source.glyphs.push_back({U'x', 500, {rectangle(0, 0, 400, 512)}});
+  const SourceMetrics m =
+      load(request_of(folder.write("a.ttf", source))).metrics;
+  EXPECT_EQ(m.x_height, 512);
+  EXPECT_EQ(m.cap_height, 700);
+}
+
+TEST(FontSource, OpensTheFaceOfACollection) {
+  const TestFolder folder;
+  Sfnt second = Sfnt::plain();
+  second.glyphs[3].advance = 901;
+  FontRequest request = request_of(
+      folder.write("a.ttc", build_collection({Sfnt::plain(), second})), "H");
+  EXPECT_EQ(load(request).glyphs[1].advance, 800);
+  request.face = 1;
+  EXPECT_EQ(load(request).glyphs[1].advance, 901);
+  request.face = 2;
+  EXPECT_CONTAINS(refusal(request), "has no face 2; give --face 0 to 1");
+  request.face = -1;
+  EXPECT_CONTAINS(refusal(request), "has no face -1");
+}
+
+TEST(FontSource, SetsTheAxesOfAVariableFont) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.wght_shift = 100;
+  FontRequest request = request_of(folder.write("a.ttf", source), "H");
+  const auto left_and_advance = [&] {
+    const SourceGlyph glyph = load(request).glyphs[1];
+    const double left = glyph.outline.contours.at(0).segments.at(0).p[0].x;
+    return std::make_pair(left * 1000 / 1024, glyph.advance);
+  };
+  EXPECT_EQ(left_and_advance(), std::make_pair(100.0, 800));
+  request.axes = {parse_axis("wght=900")};
+  EXPECT_EQ(left_and_advance(), std::make_pair(200.0, 900));
+  request.axes = {parse_axis("wght=650")};
+  EXPECT_EQ(left_and_advance(), std::make_pair(150.0, 850));
+}
+
+TEST(FontSource, RefusesWrongAxes) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  FontRequest request = request_of(folder.write("fixed.ttf", source));
+  request.axes = {parse_axis("wght=600")};
+  EXPECT_CONTAINS(refusal(request), "fixed.ttf: is not a variable font");
+  source.wght_shift = 100;
+  request.file = folder.write("a.ttf", source);
+  request.axes = {parse_axis("wght=901")};
+  EXPECT_CONTAINS(refusal(request),
+                  "--axis wght=901 is out of range; the axes are wght "
+                  "100..900 (default 400)");
+  request.axes = {parse_axis("wdth=75")};
+  EXPECT_CONTAINS(refusal(request),
+                  "has no axis 'wdth'; the axes are wght 100..900");
+  EXPECT_THROW(parse_axis("wght"), Error);
+  EXPECT_THROW(parse_axis("=600"), Error);
+  EXPECT_THROW(parse_axis("weight=600"), Error);
+  EXPECT_THROW(parse_axis("wght=bold"), Error);
+  EXPECT_THROW(parse_axis("wght=nan"), Error);
+}
+
+TEST(FontSource, RefusesWhatIsNoFont) {
+  const TestFolder folder;
+  const auto refused = [&](const std::vector<uint8_t>& bytes) {
+    return refusal(request_of(folder.write("a.ttf", bytes)));
+  };
+  EXPECT_CONTAINS(refusal(request_of(folder.path() / "none.ttf")),
+                  "none.ttf: there is no such file");
+  EXPECT_CONTAINS(refused({}), "a.ttf: is not a font: only 0 bytes");
+  const std::string text = "This is a text and not a font at all.";
+  EXPECT_CONTAINS(refused({text.begin(), text.end()}), "is not a font; TTF");
+  std::vector<uint8_t> woff = Sfnt::plain().build();
+  woff[0] = 'w';
+  woff[1] = 'O';
+  woff[2] = 'F';
+  woff[3] = 'F';
+  EXPECT_CONTAINS(refused(woff), "compressed web font; convert");
+}
+
+TEST(FontSource, RefusesEveryTruncation) {
+  const TestFolder folder;
+  FontRequest request = request_of("");
+  for (const int face : {0, 1}) {
+    const std::vector<uint8_t> whole =
+        face == 0 ? Sfnt::plain().build()
+                  : build_collection({Sfnt::plain(), Sfnt::plain()});
+    request.face = face;
+    // The last bytes may be padding.
+    for (size_t size = 0; size + 4 < whole.size(); ++size) {
+      request.file = folder.write(
+          "a.ttf",
+          {whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)});
+      const std::string message = refusal(request);
+      EXPECT_TRUE(contains(message, "truncated") ||
+                  contains(message, "is not a font"))
+          << face << ", " << size << ": " << message;
+    }
+  }
+}
+
+TEST(FontSource, RefusesTruncatedRealFonts) {
+  const TestFolder folder;
+  const std::vector<uint8_t> whole = read_file(kDejaVu);
+  for (const size_t percent : {1u, 10u, 50u, 90u, 99u}) {
+    const auto size = static_cast<ptrdiff_t>(whole.size() * percent / 100);
+    const FontRequest request = request_of(
+        folder.write("a.ttf", {whole.begin(), whole.begin() + size}));
+    EXPECT_CONTAINS(refusal(request), "a.ttf: is truncated: table '");
+  }
+}
+
+TEST(FontSource, RefusesFontsWithoutOutlines) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.tables["glyf"] = {};
+  source.tables["loca"] = {};
+  // Strikes without any content make it a bitmap font.
+  source.tables["EBLC"] = {0, 2, 0, 0, 0, 0, 0, 0};
+  source.tables["EBDT"] = {0, 2, 0, 0};
+  const std::string message =
+      refusal(request_of(folder.write("bitmaps.ttf", source)));
+  EXPECT_CONTAINS(message, "bitmaps.ttf: ");
+  EXPECT_CONTAINS(message, "has no outlines, only bitmaps");
+}
+
+TEST(FontSource, RefusesAbsurdUnitsPerEm) {
+  const TestFolder folder;
+  for (const int units : {0, 1, 15, 16385, 65535}) {
+    Sfnt source = Sfnt::plain();
+    source.units_per_em = units;
+    EXPECT_CONTAINS(refusal(request_of(folder.write("a.ttf", source))),
+                    "a.ttf: ")
+        << units;
+  }
+  for (const int units : {16, 16384}) {
+    Sfnt source = Sfnt::plain();
+    source.units_per_em = units;
+    EXPECT_EQ(refusal(request_of(folder.write("a.ttf", source))), "no error");
+  }
+}
+
+TEST(FontSource, RefusesFontsWithoutGlyphs) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.glyphs.clear();
+  EXPECT_CONTAINS(refusal(request_of(folder.write("none.ttf", source))),
+                  "none.ttf: ");
+  // One glyph: .notdef and nothing to ask for.
+  source.glyphs = {Sfnt::plain().glyphs[0]};
+  EXPECT_CONTAINS(refusal(request_of(folder.write("one.ttf", source))),
+                  "one.ttf: holds none of the 95 characters asked for");
+}
+
+TEST(FontSource, NamesTheGlyphThatIsDamaged) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  // Point the last outline's contour at points that are not there.
+  Sfnt broken = source;
+  std::vector<uint8_t> glyf(64, 0xff);
+  glyf[0] = 0;
+  glyf[1] = 9;
+  broken.tables["glyf"] = glyf;
+  std::vector<uint8_t> loca(5 * 4);
+  loca.back() = 64;
+  broken.tables["loca"] = loca;
+  const std::string message =
+      refusal(request_of(folder.write("a.ttf", broken)));
+  EXPECT_CONTAINS(message, "a.ttf: glyph 3 (U+0048 'H') cannot be read");
+}
+
+TEST(FontSource, WarnsOfMissingCharacters) {
+  const TestFolder folder;
+  Warnings warnings;
+  load_font(request_of(folder.write("a.ttf", Sfnt::plain()), "H,0x400-0x40F"),
+            1, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].kind, Warning::Kind::missing_characters);
+  EXPECT_CONTAINS(warnings[0].text, "a.ttf: 16 characters are not in the font");
+  EXPECT_CONTAINS(warnings[0].text, "U+0409");
+  EXPECT_FALSE(contains(warnings[0].text, "U+040A"));
+  EXPECT_CONTAINS(warnings[0].text, ", ...");
+}
+
+TEST(FontSource, WarnsOfEmbeddingRestrictions) {
+  const TestFolder folder;
+  const auto warning = [&](uint16_t fs_type) {
+    Sfnt source = Sfnt::plain();
+    source.fs_type = fs_type;
+    Warnings warnings;
+    load_font(request_of(folder.write("a.ttf", source), "H"), 1, warnings);
+    if (warnings.empty()) {
+      return std::string("none");
+    }
+    EXPECT_EQ(warnings[0].kind, Warning::Kind::embedding);
+    return warnings[0].text;
+  };
+  EXPECT_EQ(warning(0), "none");
+  EXPECT_CONTAINS(warning(2), "fsType 2, restricted licence: must not");
+  EXPECT_CONTAINS(warning(4), "preview and print");
+  EXPECT_CONTAINS(warning(8), "editable");
+  EXPECT_CONTAINS(warning(0x100), "no subsetting");
+  EXPECT_CONTAINS(warning(0x208), "editable");
+  EXPECT_CONTAINS(warning(0x208), "bitmap embedding only");
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test

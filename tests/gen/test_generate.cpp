@@ -1,0 +1,226 @@
+// The whole generator in memory: determinism, closed loop, report, refusals.
+#include <gtest/gtest.h>
+
+#include "generate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "char_set.hpp"
+#include "report.hpp"
+#include "sfnt_builder.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+constexpr const char* kDejaVu =
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+GenerateRequest dejavu() {
+  GenerateRequest request;
+  request.font = kDejaVu;
+  request.adf.min_px = 12;
+  request.adf.max_px = 24;
+  return request;
+}
+
+std::string refusal(const GenerateRequest& request) {
+  try {
+    generate(request);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
+  GenerateRequest request = dejavu();
+  request.jobs = 1;
+  const std::vector<uint8_t> one = generate(request).bytes;
+  for (const int jobs : {2, 3, 4}) {
+    request.jobs = jobs;
+    EXPECT_EQ(generate(request).bytes, one) << jobs;
+  }
+}
+
+TEST(Generate, MakesAFontThatTheDeviceReads) {
+  const RomFont rom = generate(dejavu());
+  Font font;
+  ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font), Status::ok);
+  EXPECT_EQ(font.verify(), Status::ok);
+  EXPECT_EQ(font.glyph_count(), 96);
+  EXPECT_EQ(font.units_per_em(), 2048);
+  EXPECT_EQ(font.range().min_px, 12);
+  EXPECT_EQ(font.range().max_px, 24);
+  EXPECT_EQ(font.range().tolerance, 16);
+  EXPECT_EQ(font.range().band_u, 64);
+  uint16_t glyph = 0;
+  ASSERT_EQ(font.glyph_of('H', glyph), Status::ok);
+  GlyphMetrics m;
+  ASSERT_EQ(font.glyph_metrics(glyph, m), Status::ok);
+  // As the file's own tables state them.
+  EXPECT_EQ(m.advance, 1540);
+  EXPECT_EQ(m.x_min, 201);
+  EXPECT_EQ(m.y_min, 0);
+  EXPECT_EQ(m.x_max, 1339);
+  EXPECT_EQ(m.y_max, 1493);
+}
+
+TEST(Generate, TakesTheUnionOfAllCharacters) {
+  const TestFolder folder;
+  GenerateRequest request = dejavu();
+  request.chars = {"0x41-0x43", "U+B0"};
+  request.symbols = "Cx";
+  request.text_files = {folder.write("t.txt", std::vector<uint8_t>{'y', '\n'})};
+  const FontReport report = generate(request).report;
+  EXPECT_EQ(report.characters, 6u);
+  EXPECT_EQ(report.glyphs.size(), 7u);
+}
+
+TEST(Generate, ReportsEveryKeyOfTheDesign) {
+  const RomFont rom = generate(dejavu());
+  const auto json = nlohmann::json::parse(report_as_json(rom.report));
+  EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
+  EXPECT_EQ(json.at("glyphs"), 96);
+  EXPECT_EQ(json.at("cells"), "samples");
+  EXPECT_EQ(json.at("coding"), "direct");
+  EXPECT_EQ(json.at("min_px"), 12);
+  EXPECT_EQ(json.at("max_px"), 24);
+  EXPECT_EQ(json.at("tolerance"), 16);
+  size_t sum = 0;
+  for (const char* part :
+       {"header", "cmap", "metrics", "kerning", "hints", "cells", "name"}) {
+    sum += json.at("bytes").at(part).get<size_t>();
+  }
+  EXPECT_EQ(json.at("bytes").at("total"), rom.bytes.size());
+  EXPECT_EQ(sum, rom.bytes.size());
+  size_t cells = 0;
+  for (const auto& item : json.at("cells_per_glyph")) {
+    cells += item.get<size_t>();
+  }
+  EXPECT_EQ(json.at("cells_per_glyph").size(), 96u);
+  EXPECT_EQ(json.at("cells_per_glyph").at(" "), 0);
+  EXPECT_GT(json.at("cells_per_glyph").at("a").get<int>(), 20);
+  EXPECT_EQ(json.at("leaf_list_bytes"), 15 * cells);
+  EXPECT_LE(json.at("error").at("max").get<double>(), 16);
+  EXPECT_GT(json.at("error").at("max").get<double>(), 1);
+  EXPECT_LE(json.at("error").at("mean").get<double>(), 2);
+  const std::string table = report_for_people(rom.report);
+  for (const char* word :
+       {"DejaVu Sans", "kerning", "total", "worst", " s\n"}) {
+    EXPECT_NE(table.find(word), std::string::npos) << word;
+  }
+}
+
+TEST(Generate, RefusesWrongRequests) {
+  const auto range = [](double min_px, double max_px, double tolerance) {
+    GenerateRequest request = dejavu();
+    request.symbols = "H";
+    request.adf.min_px = min_px;
+    request.adf.max_px = max_px;
+    request.adf.tolerance = tolerance;
+    return refusal(request);
+  };
+  EXPECT_EQ(range(4, 4, 255), "no error");
+  for (const std::string& text : {range(3, 64, 16), range(8, 1025, 16),
+                                  range(20, 19, 16), range(8.5, 20, 16)}) {
+    EXPECT_NE(text.find("--min-px"), std::string::npos) << text;
+  }
+  EXPECT_NE(range(8, 64, 0).find("--tolerance"), std::string::npos);
+  EXPECT_NE(range(8, 64, 256).find("--tolerance"), std::string::npos);
+  GenerateRequest request = dejavu();
+  request.symbols = "\n";
+  EXPECT_NE(refusal(request).find("no characters"), std::string::npos);
+}
+
+TEST(Generate, DrawsOddOutlines) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  // Crosses itself; runs the wrong way; has no area; a single point; overlaps.
+  source.glyphs.push_back(
+      {U'1', 500, {{{0, 0}, {400, 400}, {400, 0}, {0, 400}}}});
+  source.glyphs.push_back(
+      {U'2', 500, {{{0, 0}, {400, 0}, {400, 400}, {0, 400}}}});
+  source.glyphs.push_back({U'3', 500, {{{0, 0}, {400, 0}, {200, 0}}}});
+  source.glyphs.push_back({U'4', 500, {{{7, 7}}}});
+  source.glyphs.push_back(
+      {U'5', 500, {rectangle(0, 0, 300, 300), rectangle(100, 100, 400, 400)}});
+  GenerateRequest request;
+  request.font = folder.write("odd.ttf", source);
+  request.adf.max_px = 16;
+  const RomFont rom = generate(request);
+  const std::map<std::string, bool> has_ink = {
+      {"1", true}, {"2", true}, {"3", false}, {"4", false}, {"5", true}};
+  int checked = 0;
+  for (const GlyphReport& glyph : rom.report.glyphs) {
+    const auto found = has_ink.find(glyph.key);
+    if (found != has_ink.end()) {
+      EXPECT_EQ(glyph.cells > 0, found->second) << glyph.key;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 5);
+}
+
+TEST(Generate, NamesTheGlyphThatDoesNotFit) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  for (auto& corner : source.glyphs[3].contours[0]) {
+    corner.first *= 40;
+  }
+  GenerateRequest request;
+  request.font = folder.write("wide.ttf", source);
+  request.symbols = "H";
+  const std::string message = refusal(request);
+  EXPECT_EQ(message.find("wide.ttf: U+0048 'H': "), 0u) << message;
+}
+
+TEST(Generate, NamesGlyphsThatMissTheTolerance) {
+  const TestFolder folder;
+  GenerateRequest request;
+  request.font = folder.write("plain.ttf", Sfnt::plain());
+  request.symbols = ".";
+  request.adf.max_px = 1024;
+  request.adf.tolerance = 1;
+  const RomFont rom = generate(request);
+  bool missed = false;
+  for (const GlyphReport& glyph : rom.report.glyphs) {
+    missed |= !glyph.within_tolerance;
+  }
+  bool warned = false;
+  for (const Warning& warning : rom.warnings) {
+    if (warning.kind == Warning::Kind::tolerance_missed) {
+      warned = true;
+      EXPECT_NE(warning.text.find("U+002E '.' "), std::string::npos);
+      EXPECT_NE(warning.text.find("lower --max-px"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(warned, missed);
+  EXPECT_TRUE(missed);
+}
+
+TEST(Generate, TellsOfProgress) {
+  GenerateRequest request = dejavu();
+  size_t last = 0;
+  request.progress = [&](size_t done, size_t count) {
+    EXPECT_EQ(count, 96u);
+    EXPECT_GE(done, last);
+    last = done;
+  };
+  generate(request);
+  EXPECT_EQ(last, 96u);
+}
+
+TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
+  GenerateRequest request = dejavu();
+  request.symbols = "aD";
+  request.adf.predicate = Predicate::fixed;
+  const RomFont rom = generate(request);
+  const auto json = nlohmann::json::parse(report_as_json(rom.report));
+  EXPECT_EQ(json.at("predicate"), "fixed");
+  EXPECT_EQ(json.at("error").at("unit"), "1/1024 em");
+  EXPECT_EQ(rom.bytes[format::header::kPredicate], 1);
+  EXPECT_EQ(rom.bytes[format::header::kTolerance], 0);
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test

@@ -1,0 +1,204 @@
+// inkcell-fontgen as it is called: options, exit codes, files left behind.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "sfnt_builder.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+struct Outcome {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+// Runs the program in `folder`; its files are out of the way elsewhere.
+Outcome run(const TestFolder& folder, const std::string& arguments) {
+  const TestFolder logs;
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && " INKCELL_FONTGEN " " + arguments + " >'" +
+                              (logs.path() / "out").string() + "' 2>'" +
+                              (logs.path() / "err").string() + "'";
+  Outcome result;
+  const int status = std::system(command.c_str());
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  const auto text = [&](const char* name) {
+    const std::vector<uint8_t> bytes = read_file(logs.path() / name);
+    return std::string(bytes.begin(), bytes.end());
+  };
+  result.out = text("out");
+  result.err = text("err");
+  return result;
+}
+
+using Names = std::vector<std::string>;
+
+// Most tests use a font of a few rectangles: fast, and nothing to install.
+class Program : public testing::Test {
+ protected:
+  Program() { folder_.write("plain.ttf", Sfnt::plain()); }
+
+  TestFolder folder_;
+};
+
+TEST_F(Program, WritesFontAndReport) {
+  const Outcome result =
+      run(folder_, "--font plain.ttf --symbols .H --out a.bin --report a.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("total"), std::string::npos);
+  EXPECT_EQ(folder_.names(), (Names{"a.bin", "a.json", "plain.ttf"}));
+  const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.bin");
+  const auto report =
+      nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+  EXPECT_EQ(report.at("bytes").at("total"), bytes.size());
+  EXPECT_EQ(report.at("min_px"), 8);
+  EXPECT_EQ(report.at("max_px"), 64);
+  EXPECT_EQ(report.at("tolerance"), 16);
+}
+
+TEST_F(Program, IsQuietWhenTold) {
+  const Outcome result =
+      run(folder_, "--font plain.ttf --symbols H --out a.bin --quiet");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(Program, GivesTheSameBytesEveryTime) {
+  for (const char* jobs : {"1", "2", "4"}) {
+    ASSERT_EQ(run(folder_, std::string("--font plain.ttf --quiet --jobs ") +
+                               jobs + " --out " + jobs + ".bin")
+                  .code,
+              0);
+  }
+  const std::vector<uint8_t> one = read_file(folder_.path() / "1.bin");
+  EXPECT_EQ(read_file(folder_.path() / "2.bin"), one);
+  EXPECT_EQ(read_file(folder_.path() / "4.bin"), one);
+}
+
+TEST_F(Program, TakesEveryOption) {
+  const Outcome result = run(
+      folder_,
+      "--font plain.ttf --face 0 --chars 0x2E --chars 'U+48,0x20' --min-px 10 "
+      "--max-px 20 --tolerance 12/255 --cells samples --coding direct "
+      "--predicate size --format c --name dot --out a.c --report a.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto report =
+      nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+  EXPECT_EQ(report.at("tolerance"), 12);
+  EXPECT_EQ(report.at("characters"), 3);
+}
+
+TEST_F(Program, RefusesWhatThisVersionLacks) {
+  for (const char* option : {"--cells fields", "--coding packed"}) {
+    const Outcome result =
+        run(folder_, std::string("--font plain.ttf --out a.bin ") + option);
+    EXPECT_NE(result.code, 0);
+    EXPECT_NE(result.err.find("not available in this version"),
+              std::string::npos)
+        << result.err;
+  }
+  EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
+}
+
+TEST_F(Program, RefusesWrongOptions) {
+  for (const char* options :
+       {"",
+        "--out a.bin",
+        "--font plain.ttf",
+        "--font plain.ttf --out x/a.bin",
+        "--font plain.ttf --out .",
+        "--font none.ttf --out a.bin",
+        "--font plain.ttf --out a.bin --tolerance 0",
+        "--font plain.ttf --out a.bin --tolerance 16/256",
+        "--font plain.ttf --out a.bin --tolerance x",
+        "--font plain.ttf --out a.bin --min-px 3",
+        "--font plain.ttf --out a.bin --max-px 1025",
+        "--font plain.ttf --out a.bin --min-px 30 --max-px 20",
+        "--font plain.ttf --out a.bin --format svg",
+        "--font plain.ttf --out a.bin --name 9",
+        "--font plain.ttf --out a.bin --face 1",
+        "--font plain.ttf --out a.bin --axis wght=600",
+        "--font plain.ttf --out a.bin --chars 0x4E00",
+        "--font plain.ttf --out a.bin --chars 0xZZ",
+        "--font plain.ttf --out a.bin --text none.txt",
+        "--font plain.ttf --out a.bin --report x/a.json",
+        "--font plain.ttf --out a.bin --nonsense"}) {
+    const Outcome result = run(folder_, options);
+    EXPECT_NE(result.code, 0) << options;
+    EXPECT_NE(result.err + result.out, "") << options;
+    EXPECT_EQ(folder_.names(), (Names{"plain.ttf"})) << options;
+  }
+}
+
+TEST_F(Program, LeavesTheOldFileWhenItFails) {
+  folder_.write("a.bin", std::vector<uint8_t>{'o', 'l', 'd'});
+  EXPECT_EQ(run(folder_, "--font plain.ttf --out a.bin --chars 0x4E00").code,
+            1);
+  EXPECT_EQ(read_file(folder_.path() / "a.bin"),
+            (std::vector<uint8_t>{'o', 'l', 'd'}));
+  EXPECT_EQ(folder_.names(), (Names{"a.bin", "plain.ttf"}));
+}
+
+TEST_F(Program, GoesOnWithoutMissingCharacters) {
+  const Outcome result =
+      run(folder_, "--font plain.ttf --chars H,0x4E00 --out a.bin --quiet");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err.find("warning: plain.ttf: 1 character"), 0u)
+      << result.err;
+}
+
+TEST_F(Program, WritesDependencies) {
+  folder_.write("t.txt", std::vector<uint8_t>{'H'});
+  ASSERT_EQ(run(folder_,
+                "--font plain.ttf --text t.txt --out 'a b.hpp' --format hpp "
+                "--depfile a.d --quiet")
+                .code,
+            0);
+  const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.d");
+  const std::string folder = folder_.path().string();
+  EXPECT_EQ(std::string(bytes.begin(), bytes.end()),
+            "a\\ b.hpp: " + folder + "/plain.ttf " + folder + "/t.txt\n");
+}
+
+// The compilers of the house take what is generated.
+TEST_F(Program, WritesSourcesThatCompile) {
+  ASSERT_EQ(run(folder_,
+                "--font plain.ttf --symbols H --format hpp --name plain "
+                "--out plain.hpp --quiet")
+                .code,
+            0);
+  ASSERT_EQ(run(folder_,
+                "--font plain.ttf --symbols H --format c --name plain_c "
+                "--out plain.c --quiet")
+                .code,
+            0);
+  const std::string program =
+      "#include \"plain.hpp\"\n#include \"inkcell/font.hpp\"\n"
+      "#include <string.h>\n"
+      "extern \"C\" const uint8_t plain_c[];\n"
+      "extern \"C\" const uint32_t plain_c_size;\n"
+      "static_assert(alignof(decltype(fonts::plain)) <= 4, \"\");\n"
+      "int main() {\n"
+      "  inkcell::Font font;\n"
+      "  if (inkcell::Font::open(fonts::plain, font) != inkcell::Status::ok) "
+      "return 1;\n"
+      "  if (sizeof fonts::plain != plain_c_size) return 2;\n"
+      "  return memcmp(fonts::plain, plain_c, plain_c_size) == 0 ? 0 : 3;\n"
+      "}\n";
+  folder_.write("main.cpp",
+                std::vector<uint8_t>(program.begin(), program.end()));
+  const std::string command =
+      "cd '" + folder_.path().string() +
+      "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c plain.c && "
+      "c++ -std=c++17 -Wall -Wextra -Werror -I" INKCELL_SOURCE_DIR
+      "/core/include main.cpp plain.o " INKCELL_CORE_LIBRARY
+      " -o main && ./main";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test

@@ -1,0 +1,211 @@
+// The container byte by byte, and the closed loop that guards it.
+#include <gtest/gtest.h>
+
+#include "rom_font.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "inkcell/format.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+// The font that docs/FORMAT.md shows: .notdef without ink and a '.' of a single
+// cell, 16 u wide, whose middle is 4 u inside.
+RomContent smallest() {
+  RomContent content;
+  content.name = "Dot";
+  content.metrics = {1000, 800, -200, 90, 480, 700};
+  content.options.min_px = 12;
+  content.options.max_px = 24;
+  content.glyphs.resize(2);
+  content.glyphs[0].metrics.advance = 500;
+  RomGlyph& dot = content.glyphs[1];
+  dot.metrics = {300, 100, 0, 108, 8};
+  dot.field.tile_log2 = 4;
+  dot.field.x0_u = 98;
+  dot.field.y0_u = -4;
+  dot.field.tiles_x = 1;
+  dot.field.tiles_y = 1;
+  dot.field.references = {format::glyph::kCellFlag};
+  dot.field.cells = {
+      SampleCell{0x00, 0x01, 0x9c, 0xc0, 0x9c, 0xc0, 0xc0, 0x9c, 0xc0, 0x9c}};
+  content.glyph_of[U'.'] = 1;
+  return content;
+}
+
+// Two glyphs with ink, three levels, kerning.
+RomContent larger() {
+  RomContent content = smallest();
+  content.glyphs.resize(4);
+  content.glyphs[2].metrics = {400, 0, 0, 0, 0};
+  RomGlyph& tree = content.glyphs[3];
+  tree.metrics = {1200, -20, -200, 1100, 800};
+  tree.field.tile_log2 = 8;
+  tree.field.x0_u = -100;
+  tree.field.y0_u = -300;
+  tree.field.tiles_x = 2;
+  tree.field.tiles_y = 1;
+  tree.field.depth = 2;
+  const uint16_t cell = format::glyph::kCellFlag;
+  const auto cell_number = [&](int n) {
+    return static_cast<uint16_t>(cell + n);
+  };
+  tree.field.references = {2,
+                           0,  // tiles
+                           3,
+                           1,
+                           0,
+                           cell_number(2),  // node 0
+                           cell_number(0),
+                           cell_number(1),
+                           0,
+                           1};  // node 1
+  tree.field.cells.resize(3);
+  tree.field.cells[2][1] = 0x7f;
+  content.glyph_of[U'A'] = 2;
+  content.glyph_of[U'B'] = 3;
+  content.glyph_of[0x10ffff] = 3;
+  content.kerning = join_classes(4, {1, 3}, {{0, 0, 0, -40}, {0, 12, 0, -300}});
+  return content;
+}
+
+std::vector<uint8_t> write(const RomContent& content) {
+  PartBytes parts;
+  return write_rom_font(content, parts);
+}
+
+// Lines as hexdump -C prints them, without the last one.
+std::string hex_dump(const std::vector<uint8_t>& bytes) {
+  std::string dump;
+  for (size_t line = 0; line < bytes.size(); line += 16) {
+    char text[24];
+    std::snprintf(text, sizeof text, "%04zx ", line);
+    dump += text;
+    for (size_t i = line; i < std::min(line + 16, bytes.size()); ++i) {
+      std::snprintf(text, sizeof text, " %02x", bytes[i]);
+      dump += text;
+    }
+    dump += '\n';
+  }
+  return dump;
+}
+
+TEST(RomFont, SmallestFontIsTheOneOfTheDocument) {
+  const std::vector<uint8_t> bytes = write(smallest());
+  check_rom_font(bytes, smallest());
+  std::ifstream in(INKCELL_SOURCE_DIR "/docs/FORMAT.md");
+  const std::string document(std::istreambuf_iterator<char>(in), {});
+  ASSERT_FALSE(document.empty());
+  std::string shown;
+  size_t at = document.find("## The smallest font");
+  ASSERT_NE(at, std::string::npos);
+  at = document.find("    0000  ", at);
+  ASSERT_NE(at, std::string::npos);
+  while (document.compare(at, 4, "    ") == 0) {
+    const size_t end = document.find('\n', at);
+    // The bytes only: what follows two blanks is explanation.
+    const std::string line = document.substr(at + 4, end - at - 4);
+    shown += line.substr(0, line.find("  ", 6)) + "\n";
+    at = end + 1;
+  }
+  EXPECT_EQ(shown, hex_dump(bytes)) << "Put the dump into docs/FORMAT.md";
+}
+
+TEST(RomFont, PartsAddUp) {
+  PartBytes parts;
+  const std::vector<uint8_t> bytes = write_rom_font(larger(), parts);
+  EXPECT_EQ(parts.total(), bytes.size());
+  EXPECT_EQ(parts.header, 64u + 5 * 16);
+  EXPECT_EQ(parts.cmap, 24u);
+  EXPECT_EQ(parts.metrics, 40u);
+  EXPECT_EQ(parts.kerning, 4u + 8 + 2 * 2 * 2);
+  EXPECT_EQ(parts.hints, 0u);
+  EXPECT_EQ(parts.cells, 20u + (12 + 2 + 10) + (12 + 20 + 30 + 2));
+  EXPECT_EQ(parts.name, 4u);
+}
+
+TEST(RomFont, ClosedLoopAcceptsWhatWasWritten) {
+  check_rom_font(write(smallest()), smallest());
+  check_rom_font(write(larger()), larger());
+}
+
+TEST(RomFont, JoinsRunsOfCharacters) {
+  RomContent content = larger();
+  content.glyph_of.clear();
+  content.glyph_of[U'a'] = 1;
+  content.glyph_of[U'b'] = 2;
+  content.glyph_of[U'c'] = 3;
+  content.glyph_of[U'd'] = 3;
+  PartBytes parts;
+  const std::vector<uint8_t> bytes = write_rom_font(content, parts);
+  EXPECT_EQ(parts.cmap, 2 * format::cmap::kBytes);
+  check_rom_font(bytes, content);
+}
+
+TEST(RomFont, WideKerningClassesTakeTwoBytes) {
+  RomContent content = larger();
+  content.glyphs.resize(300);
+  std::vector<size_t> lefts;
+  std::vector<std::vector<int16_t>> rows;
+  for (size_t i = 0; i < 300; ++i) {
+    lefts.push_back(i);
+    std::vector<int16_t> row(300);
+    row[i] = static_cast<int16_t>(i + 1);
+    rows.push_back(row);
+  }
+  content.kerning = join_classes(300, lefts, rows);
+  ASSERT_EQ(content.kerning.left_classes, 300);
+  PartBytes parts;
+  const std::vector<uint8_t> bytes = write_rom_font(content, parts);
+  EXPECT_EQ(parts.kerning, 4u + 2 * 2 * 300 + 2 * 300 * 300);
+  check_rom_font(bytes, content);
+}
+
+// Each change of the source must be seen by the check of the unchanged bytes.
+TEST(RomFont, ClosedLoopSeesEveryDifference) {
+  const std::vector<uint8_t> bytes = write(larger());
+  int seen = 0;
+  const auto refuses = [&](auto change) {
+    RomContent content = larger();
+    change(content);
+    EXPECT_THROW(check_rom_font(bytes, content), Error) << seen;
+    ++seen;
+  };
+  refuses([](RomContent& c) { c.metrics.ascender = 1; });
+  refuses([](RomContent& c) { c.metrics.descender = 1; });
+  refuses([](RomContent& c) { c.metrics.line_gap = 1; });
+  refuses([](RomContent& c) { c.metrics.x_height = 1; });
+  refuses([](RomContent& c) { c.metrics.cap_height = 1; });
+  refuses([](RomContent& c) { c.metrics.units_per_em = 999; });
+  refuses([](RomContent& c) { c.options.max_px = 25; });
+  refuses([](RomContent& c) { c.name = "Dos"; });
+  refuses([](RomContent& c) { c.glyph_of[U'A'] = 1; });
+  refuses([](RomContent& c) { c.glyph_of.erase(U'B'); });
+  refuses([](RomContent& c) { c.glyph_of[U'C'] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].metrics.advance = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].metrics.y_min = 1; });
+  refuses([](RomContent& c) { c.kerning.values[0] = 1; });
+  refuses([](RomContent& c) { c.kerning.left_class[0] = 1; });
+  refuses([](RomContent& c) { c.kerning.right_class[0] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.x0_u = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.references[1] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.references[4] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.cells[2][9] = 1; });
+  refuses([](RomContent& c) { c.glyphs[1].field.cells[0][0] = 1; });
+  EXPECT_EQ(seen, 21);
+}
+
+TEST(RomFont, ClosedLoopSeesEveryChangedByte) {
+  const std::vector<uint8_t> good = write(larger());
+  for (size_t i = 0; i < good.size(); ++i) {
+    std::vector<uint8_t> bytes = good;
+    bytes[i] ^= 0x10;
+    EXPECT_THROW(check_rom_font(bytes, larger()), Error) << i;
+  }
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test
