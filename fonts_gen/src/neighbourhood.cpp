@@ -1,3 +1,4 @@
+// The edges of a shape that matter inside a square (shape.hpp).
 #include <algorithm>
 #include <cmath>
 #include <limits>
