@@ -13,9 +13,9 @@ inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   gcc-arm-none-eabi libnewlib-arm-none-eabi
   gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
   qemu-system-arm qemu-system-misc
-  fonts-dejavu-core fonts-liberation fonts-roboto-unhinted"
+  libgtest-dev fonts-dejavu-core fonts-liberation fonts-roboto-unhinted"
 
-inkcell_packages_tests="$inkcell_packages_demo git libgtest-dev clang
+inkcell_packages_tests="$inkcell_packages_demo git clang
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk"
 
 # The packages of "$@" that are not installed.

@@ -28,9 +28,9 @@ constexpr Colour kBorder = {40, 52, 72};
 
 // Distance over which the colours change. [u]
 constexpr double kFade = 96;
-// Every so many u a slightly darker line follows the edge.
-constexpr double kIsoStep = 16;
-
+// Colours go in steps: one sees them as lines of equal distance, and the file
+// stays small.
+constexpr double kBandStep = 8;
 Colour mix(const Colour& a, const Colour& b, double share_of_b) {
   const double t = std::clamp(share_of_b, 0.0, 1.0);
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
@@ -76,17 +76,13 @@ struct View {
 
 Colour field_colour(double distance_u, bool saturated, double px_per_u) {
   Colour colour = kSaturated;
+  const double band = std::floor(std::fabs(distance_u) / kBandStep) * kBandStep;
   if (distance_u > 0) {
-    colour = mix(kInsideNear, kInsideFar, saturated ? 1 : distance_u / kFade);
+    colour = mix(kInsideNear, kInsideFar, saturated ? 1 : band / kFade);
   } else if (!saturated) {
-    colour = mix(kOutsideNear, kOutsideFar, -distance_u / kFade);
+    colour = mix(kOutsideNear, kOutsideFar, band / kFade);
   }
   const double away_px = std::fabs(distance_u) * px_per_u;
-  if (!saturated) {
-    const double to_iso =
-        std::fabs(std::remainder(distance_u, kIsoStep)) * px_per_u;
-    colour = mix(colour, kBorder, 0.12 * std::clamp(1.2 - to_iso, 0.0, 1.0));
-  }
   // The edge: a line 2 px wide.
   return mix(colour, kEdge, std::clamp(1.5 - away_px, 0.0, 1.0));
 }

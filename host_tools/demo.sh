@@ -1,0 +1,117 @@
+#!/bin/sh
+# Shows Inkcell on a fresh machine: builds everything, makes a font, draws with
+# it on this machine and on four emulated boards with displays.
+#
+#   sh host_tools/demo.sh [FONT.ttf]
+#
+# Installs what is missing (host_tools/setup.sh), writes to build/ only, and
+# leaves pictures and tables in build/demo/.
+set -eu
+case ${1:-} in
+  -*) sed -n '5p' "$0" | sed 's/^# *//' >&2; exit 2 ;;
+esac
+font=${1:-/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf}
+case $font in
+  /*) ;;
+  *) font=$PWD/$font ;;
+esac
+cd "$(dirname "$0")/.."
+. host_tools/setup.sh
+inkcell_setup demo
+if [ ! -r "$font" ]; then
+  echo "There is no font file $font" >&2
+  exit 1
+fi
+
+out=$PWD/build/demo
+host=$PWD/build/demo-host
+mkdir -p "$out"
+rm -rf "$out"/*
+
+echo "Building the generator and the tools (build/demo-host)"
+cmake -S . -B "$host" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DINKCELL_DEMO_FONT="$font" >"$out/build.log" 2>&1 &&
+  ninja -C "$host" inkcell-fontgen host_tools/all >>"$out/build.log" 2>&1 || {
+  tail -n 30 "$out/build.log"
+  exit 1
+}
+tools=$host/host_tools
+fontgen=$host/fonts_gen/inkcell-fontgen
+
+echo "Making fonts of $(basename "$font")"
+"$fontgen" --font "$font" --out "$out/text.bin" --report "$out/text.json" \
+  >"$out/sizes.txt"
+"$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
+  --out "$out/digits.bin" >>"$out/sizes.txt"
+cat "$out/sizes.txt"
+
+echo "Drawing on this machine"
+"$tools/inkcell-specimen" "$out/text.bin" --sizes "$out/sizes.png" \
+  --body "$out/body.png" --turned "$out/turned.png" --moved "$out/moved.png"
+"$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
+"$tools/inkcell-inspect" "$out/text.bin" --cells "$out/cells.png" \
+  --sheet "$out/sheet.png" >>"$out/sizes.txt"
+"$tools/inkcell-render" --font "$out/text.bin" --px 24 --zoom 6 --stats \
+  --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
+
+echo "Comparing with the exact distance"
+"$tools/inkcell-accuracy" --font "$out/text.bin" --truth "$font" |
+  tee "$out/accuracy.txt"
+
+# Boards. A face with many contours may not fit the smallest flash: that board
+# is then left out, the others are shown.
+missed=
+for board in lm3s6965evb lm3s811evb versatilepb riscv_virt; do
+  echo "Running the demo on $board"
+  for format in $(sed -n 's/.*set(INKCELL_DISPLAY_FORMATS \(.*\)).*/\1/p' \
+    "boards/$board/board.cmake"); do
+    ninja -C "$host" "scene_host_${board}_$format" >>"$out/build.log" 2>&1 ||
+      true
+  done
+  if ! python3 tests/screens/screens.py "$host/tests/screens/screens.json" \
+    --board "$board" --picture scene --save "$out" >"$out/$board.log" 2>&1; then
+    missed="$missed $board"
+    tail -n 5 "$out/$board.log"
+  else
+    sed 's/^/  /' "$out/$board.log"
+  fi
+done
+
+if [ -f tests/bench/run.sh ]; then
+  echo "Counting instructions"
+  if ! sh tests/bench/run.sh --font "$out/text.bin" --cpu m0,m3 --px 12,24,48 \
+    >"$out/speed.txt" 2>"$out/speed.log"; then
+    missed="$missed speed"
+    tail -n 5 "$out/speed.log"
+  else
+    cat "$out/speed.txt"
+  fi
+fi
+
+echo
+echo "In build/demo/:"
+describe() {
+  if [ -e "$out/$1" ]; then
+    printf '  %-34s %s\n' "$1" "$2"
+  fi
+}
+describe text.bin "95 characters for 8 to 64 px"
+describe digits.bin "digits for 48 to 200 px"
+describe sizes.txt "bytes of their parts, cells of each glyph"
+describe accuracy.txt "errors of pixels against the exact distance"
+describe speed.txt "instructions, stack and code"
+describe sizes.png "one font at ten sizes, and turned"
+describe body.png "paragraphs"
+describe digits.png "a clock"
+describe turned.png "a word in 24 directions"
+describe moved.png "a line moved by 1/8 px from row to row"
+describe enlarged.png "pixels of 24 px type"
+describe cells.png "the distance field of a glyph and its cells"
+describe sheet.png "all glyphs"
+for picture in "$out"/*_scene_*.png; do
+  describe "$(basename "$picture")" "a screen, as the board showed it"
+done
+if [ -n "$missed" ]; then
+  echo "Without:$missed" >&2
+  exit 1
+fi

@@ -1,0 +1,18 @@
+#!/bin/sh
+# Draws the pictures of README.md and docs/ into docs/img/.
+#
+#   sh host_tools/draw_docs.sh <host build folder>
+set -eu
+if [ $# -ne 1 ] || [ ! -x "$1/host_tools/inkcell-specimen" ]; then
+  echo "draw_docs.sh <host build folder>, with the tools built" >&2
+  exit 2
+fi
+tools=$(cd "$1" && pwd)/host_tools
+cd "$(dirname "$0")/.."
+fonts=/usr/share/fonts/truetype
+mkdir -p docs/img
+"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
+  --sizes docs/img/sizes.png
+"$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
+  --glyph a --side 600 --cells docs/img/cells.png >/dev/null
+ls -l docs/img

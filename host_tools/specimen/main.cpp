@@ -1,0 +1,73 @@
+// inkcell-specimen: pictures that show a font at work.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "convert.hpp"
+#include "options.hpp"
+#include "specimen.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+struct Arguments {
+  gen::GenerateRequest request;
+  std::string font;
+  std::string sizes;
+  std::string body;
+  std::string digits;
+  std::string turned;
+  std::string moved;
+  int width = 780;
+};
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  app.add_option("FONT", arguments.font,
+                 "ROM font, or TTF or OTF to convert in memory")
+      ->required();
+  const auto picture = [&app](const char* option, std::string& file,
+                              const char* help) {
+    app.add_option(option, file, help)->type_name("OUT.png");
+  };
+  picture("--sizes", arguments.sizes, "One line at ten sizes");
+  app.add_option("--width", arguments.width, "Of that picture [px]")
+      ->check(CLI::Range(300, 4096))
+      ->capture_default_str();
+  picture("--body", arguments.body, "Paragraphs at 11, 13 and 16 px");
+  picture("--digits", arguments.digits, "A clock, 160 px high");
+  picture("--turned", arguments.turned, "A word in many directions");
+  picture("--moved", arguments.moved, "A line moved by 1/8 px from row to row");
+  gen::add_generator_options(app, arguments.request);
+}
+
+void run(const Arguments& arguments) {
+  const RomFile rom = load_font_file(arguments.font, arguments.request, "");
+  const auto write = [](const std::string& file, const auto& draw) {
+    if (!file.empty()) {
+      write_image(file, draw());
+    }
+  };
+  const Font& font = rom.font();
+  write(arguments.sizes, [&] { return draw_sizes(font, arguments.width); });
+  write(arguments.body, [&] { return draw_body(font); });
+  write(arguments.digits, [&] { return draw_digits(font); });
+  write(arguments.turned, [&] { return draw_turned(font); });
+  write(arguments.moved, [&] { return draw_moved(font); });
+}
+
+}  // namespace
+}  // namespace inkcell::tools
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws pictures that show an Inkcell font at work.");
+  inkcell::tools::Arguments arguments;
+  inkcell::tools::add_arguments(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    inkcell::tools::run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,25 @@
+// Pictures that show a font at work: sizes, angles, paragraphs, digits.
+#pragma once
+
+#include "image.hpp"
+#include "inkcell/font.hpp"
+
+namespace inkcell::tools {
+
+/// One line at sizes from 8 to 60 px, and a word in many directions; `width`
+/// of the picture in px. Black on white, as all of these.
+Image draw_sizes(const Font& font, int width);
+
+/// Paragraphs at 11, 13 and 16 px.
+Image draw_body(const Font& font);
+
+/// A clock as large as a panel. The font needs digits and a colon only.
+Image draw_digits(const Font& font);
+
+/// A word in many directions around a point.
+Image draw_turned(const Font& font);
+
+/// A line that moves to the right by 1/8 px from row to row.
+Image draw_moved(const Font& font);
+
+}  // namespace inkcell::tools
