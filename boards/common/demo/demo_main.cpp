@@ -1,7 +1,7 @@
 // The demo firmware: shows the scene frame by frame, or stops at one of them.
 //
-// Arguments: frame=N shows frame N only. READY on the console says that the
-// first frame is on the screen.
+// Arguments: frame=N shows frame N only, and says how many instructions it
+// cost. READY on the console says that the first frame is on the screen.
 #include "arguments.hpp"
 #include "board.hpp"
 #include "counter.hpp"
@@ -22,8 +22,8 @@ void show_frame(uint32_t frame) noexcept {
              [](void*, const inkcell::Strip& strip) { scene.draw(strip); });
 }
 
-// Shows a frame and says what it cost, where the board can tell.
-void report_frame(uint32_t frame) noexcept {
+// Shows a frame and says what it cost, where the board can count it.
+void count_frame(uint32_t frame) noexcept {
 #if defined(INKCELL_COUNTER_PICOSECONDS)
   const uint32_t count =
       board::count_instructions([frame] { show_frame(frame); });
@@ -32,7 +32,6 @@ void report_frame(uint32_t frame) noexcept {
 #else
   show_frame(frame);
 #endif
-  board::print("READY\n");
 }
 
 }  // namespace
@@ -48,7 +47,12 @@ int main(int argc, char** argv) {
   }
   uint32_t frame = 0;
   const bool one_frame = demo::find_number(argc, argv, "frame=", frame);
-  report_frame(frame);
+  if (one_frame) {
+    count_frame(frame);
+  } else {
+    show_frame(frame);
+  }
+  board::print("READY\n");
   for (;;) {
     if (!one_frame) {
       show_frame(++frame);
