@@ -1,0 +1,43 @@
+#include "fonts.hpp"
+
+// GOLDEN_FONTS, a string, is the folder of the .bin files: CMake sets it.
+#define GOLDEN_FONT(name)                   \
+  asm(".pushsection .rodata." #name         \
+      ", \"a\"\n"                           \
+      ".balign 4\n"                         \
+      ".globl golden_" #name                \
+      "\n"                                  \
+      "golden_" #name                       \
+      ":\n"                                 \
+      ".incbin \"" GOLDEN_FONTS "/" #name   \
+      ".bin\"\n"                            \
+      ".globl golden_" #name                \
+      "_end\n"                              \
+      "golden_" #name                       \
+      "_end:\n"                             \
+      ".popsection\n");                     \
+  extern "C" const uint8_t golden_##name[]; \
+  extern "C" const uint8_t golden_##name##_end[]
+
+GOLDEN_FONT(dejavu_sans);
+GOLDEN_FONT(dejavu_serif);
+GOLDEN_FONT(roboto);
+GOLDEN_FONT(noto_sans_cjk);
+
+namespace golden {
+
+inkcell::Span<const uint8_t> font_bytes(FontId id) {
+  struct Ends {
+    const uint8_t* begin;
+    const uint8_t* end;
+  };
+  static constexpr Ends kFonts[kFontCount] = {
+      {golden_dejavu_sans, golden_dejavu_sans_end},
+      {golden_dejavu_serif, golden_dejavu_serif_end},
+      {golden_roboto, golden_roboto_end},
+      {golden_noto_sans_cjk, golden_noto_sans_cjk_end}};
+  const Ends& font = kFonts[static_cast<int>(id)];
+  return {font.begin, static_cast<size_t>(font.end - font.begin)};
+}
+
+}  // namespace golden

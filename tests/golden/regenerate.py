@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Makes the golden files of this folder anew from a built tree.
+
+    tests/golden/regenerate.py BUILD            hashes and pictures
+    tests/golden/regenerate.py BUILD --fonts    the frozen fonts first
+
+Do this when a picture is meant to change, look at sheet.png, and say in the
+commit why it changed. Fonts are frozen: they change only with the format.
+"""
+import re
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SYSTEM_FONTS = Path("/usr/share/fonts")
+# File, face, characters. Small, but with kerning, a character above U+FFFF, a
+# space, and two hanzi.
+FONTS = {
+    "dejavu_sans": ("DejaVuSans.ttf", 0, "Inkcel 42\U0001d538"),
+    "dejavu_serif": ("DejaVuSerif.ttf", 0, "AVQuav& "),
+    "roboto": ("Roboto-Regular.ttf", 0, "Roboty "),
+    "noto_sans_cjk": ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57"),
+}
+OPTIONS = ["--min-px", "8", "--max-px", "24", "--tolerance", "24/255",
+           "--format", "bin", "--quiet"]
+
+
+def make_fonts(build):
+    for name, (file, face, symbols) in FONTS.items():
+        source = next(SYSTEM_FONTS.rglob(file))
+        out = HERE / "fonts" / (name + ".bin")
+        subprocess.run(
+            [build / "fonts_gen/inkcell-fontgen", "--font", source, "--face",
+             str(face), "--symbols", symbols, "--out", out, *OPTIONS],
+            check=True)
+        print(out.name, out.stat().st_size, "bytes")
+
+
+def write_hashes(build):
+    run = subprocess.run([build / "tests/golden/unit_golden"],
+                         capture_output=True, text=True, check=False)
+    hashes = re.findall(r"^([0-9a-f]{64})  (.*)$", run.stdout, re.MULTILINE)
+    pages = [digits for digits, name in hashes if name != "sheet"]
+    sheet = [digits for digits, name in hashes if name == "sheet"]
+    if len(sheet) != 1 or not pages:
+        sys.exit("regenerate.py: unit_golden printed no hashes")
+    lines = "".join(f'    "{digits}",\n' for digits in pages)
+    (HERE / "expected.hpp").write_text(
+        "// The hashes of the test sheet: written by regenerate.py.\n"
+        "#pragma once\n\nnamespace golden {\n\n"
+        "inline constexpr const char* kSheetHash =\n"
+        f'    "{sheet[0]}";\n'
+        "inline constexpr const char* kPageHashes[] = {\n"
+        f"{lines}}};\n\n"
+        "}  // namespace golden\n")
+    print("sheet", sheet[0])
+
+
+def png_from_ppm(ppm):
+    """The bytes of a PNG with the pixels of a binary PPM."""
+    kind, width, height, _, pixels = ppm.split(maxsplit=4)
+    if kind != b"P6":
+        sys.exit("regenerate.py: not a PPM")
+    width, height = int(width), int(height)
+    pixels = ppm[-3 * width * height:]
+    rows = b"".join(b"\0" + pixels[y * 3 * width:(y + 1) * 3 * width]
+                    for y in range(height))
+
+    def chunk(tag, data):
+        crc = zlib.crc32(tag + data)
+        return (struct.pack(">I", len(data)) + tag + data +
+                struct.pack(">I", crc))
+
+    return (b"\x89PNG\r\n\x1a\n" +
+            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0,
+                                       0)) +
+            chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def write_pictures(build):
+    program = build / "tests/golden/golden_write_sheet"
+    subprocess.run([program, "grey", HERE / "grey_page.pgm"], check=True)
+    ppm = build / "tests/golden/sheet.ppm"
+    subprocess.run([program, "sheet", ppm], check=True)
+    (HERE / "sheet.png").write_bytes(png_from_ppm(ppm.read_bytes()))
+
+
+def main():
+    arguments = sys.argv[1:]
+    if not arguments or arguments[1:] not in ([], ["--fonts"]):
+        sys.exit(__doc__)
+    build = Path(arguments[0])
+    targets = ["unit_golden", "golden_write_sheet"]
+    if arguments[1:]:
+        subprocess.run(["cmake", "--build", build, "--target",
+                        "inkcell-fontgen"], check=True)
+        make_fonts(build)
+    subprocess.run(["cmake", "--build", build, "--target", *targets],
+                   check=True)
+    write_hashes(build)
+    write_pictures(build)
+    # The test holds the hashes.
+    subprocess.run(["cmake", "--build", build, "--target", "unit_golden"],
+                   check=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,232 @@
+#include "sheet.hpp"
+
+#include "fonts.hpp"
+#include "inkcell/port/a8.hpp"
+#include "inkcell/port/grey2.hpp"
+#include "inkcell/port/grey4.hpp"
+#include "inkcell/port/grey8.hpp"
+#include "inkcell/port/mono_pages.hpp"
+#include "inkcell/port/mono_rows.hpp"
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+#include "inkcell/text.hpp"
+
+namespace golden {
+namespace {
+
+using namespace inkcell;
+using namespace inkcell::port;
+
+constexpr int32_t kOne = 1 << 30;
+
+struct Line {
+  FontId font;
+  const char* text;
+  int32_t size_q6;
+  int32_t x_q6;
+  int32_t y_q6;
+  const Filter* filter;
+  int32_t cosine_q30;
+  int32_t sine_q30;
+};
+
+constexpr Line kLines[] = {
+    {FontId::dejavu_sans, "Inkcell 42 Inkcell 24", 8 * 64, 2 * 64, 9 * 64,
+     &kFilterText, kOne, 0},
+    {FontId::dejavu_sans, "Inkcell \xf0\x9d\x94\xb8 4224", 12 * 64 + 16,
+     2 * 64 + 21, 25 * 64 + 7, &kFilterText, kOne, 0},
+    {FontId::dejavu_serif, "AVAQua & VAuQa", 16 * 64, 2 * 64 + 50, 45 * 64,
+     &kFilterPaperBody, kOne, 0},
+    {FontId::roboto, "Roboty Root", 24 * 64, 3 * 64, 72 * 64 + 33,
+     &kFilterMotion, kOne, 0},
+    {FontId::noto_sans_cjk, "\xe6\xb0\xb8\xe5\xad\x97", 40 * 64 + 1, 2 * 64,
+     113 * 64, &kFilterPaperDisplay, kOne, 0},
+    {FontId::noto_sans_cjk, "\xe5\xad\x97\xe6\xb0\xb8?", 20 * 64, 90 * 64 + 9,
+     100 * 64 + 40, &kFilterText, kOne, 0},
+    // Up and down the triangle of sides 3, 4 and 5.
+    {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 6 * 64, 170 * 64, &kFilterText,
+     858993459, 644245094},
+    {FontId::dejavu_serif, "Quava&", 22 * 64, 84 * 64 + 32, 122 * 64,
+     &kFilterPaperDisplay, 858993459, -644245094},
+};
+
+bool draw_line(const Line& line, const Sink& sink) {
+  Font font;
+  if (Font::open(font_bytes(line.font), font) != Status::ok) {
+    return false;
+  }
+  Direction direction;
+  direction.cosine.raw = line.cosine_q30;
+  direction.sine.raw = line.sine_q30;
+  Brush brush;
+  if (Brush::make(Q26_6::from_raw(line.size_q6), *line.filter, direction,
+                  brush) != Status::ok) {
+    return false;
+  }
+  draw_text(font, line.text, brush,
+            {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)}, sink);
+  return true;
+}
+
+template <typename Target>
+bool draw_lines(Target& target, const Strip& strip) {
+  target.strip = strip;
+  Sink sink;
+  if (make_sink(target, sink) != Status::ok) {
+    return false;
+  }
+  for (const Line& line : kLines) {
+    if (!draw_line(line, sink)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool draw_a8(const Strip& strip) {
+  A8Target target;
+  return draw_lines(target, strip);
+}
+
+bool draw_grey8(const Strip& strip) {
+  Grey8Target target;
+  target.level = 240;
+  return draw_lines(target, strip);
+}
+
+template <BitOrder kOrder>
+bool draw_grey4(const Strip& strip) {
+  Grey4Target target;
+  target.order = kOrder;
+  return draw_lines(target, strip);
+}
+
+template <BitOrder kOrder>
+bool draw_grey2(const Strip& strip) {
+  Grey2Target target;
+  target.order = kOrder;
+  return draw_lines(target, strip);
+}
+
+template <BitOrder kOrder>
+bool draw_mono_rows(const Strip& strip) {
+  MonoRowsTarget target;
+  target.order = kOrder;
+  return draw_lines(target, strip);
+}
+
+bool draw_mono_pages(const Strip& strip) {
+  MonoPagesTarget target;
+  target.threshold = 100;
+  return draw_lines(target, strip);
+}
+
+template <ByteOrder kOrder>
+bool draw_rgb565(const Strip& strip) {
+  Rgb565Target target;
+  target.colour = 0xfd88;
+  target.order = kOrder;
+  return draw_lines(target, strip);
+}
+
+template <ChannelOrder kOrder>
+bool draw_rgb888(const Strip& strip) {
+  Rgb888Target target;
+  target.colour = 0xffb040;
+  target.order = kOrder;
+  return draw_lines(target, strip);
+}
+
+bool draw_xrgb8888(const Strip& strip) {
+  Xrgb8888Target target;
+  target.colour = 0xff60c0ff;
+  return draw_lines(target, strip);
+}
+
+struct DrawnPage {
+  Page page;
+  bool (*draw)(const Strip& strip);
+};
+
+constexpr DrawnPage kPages[kPageCount] = {
+    {{"a8", PixelFormat::a8}, draw_a8},
+    {{"grey8", PixelFormat::grey8}, draw_grey8},
+    {{"grey4 high left", PixelFormat::grey4}, draw_grey4<BitOrder::high_left>},
+    {{"grey4 low left", PixelFormat::grey4}, draw_grey4<BitOrder::low_left>},
+    {{"grey2 high left", PixelFormat::grey2}, draw_grey2<BitOrder::high_left>},
+    {{"grey2 low left", PixelFormat::grey2}, draw_grey2<BitOrder::low_left>},
+    {{"mono rows high left", PixelFormat::mono_rows},
+     draw_mono_rows<BitOrder::high_left>},
+    {{"mono rows low left", PixelFormat::mono_rows},
+     draw_mono_rows<BitOrder::low_left>},
+    {{"mono pages", PixelFormat::mono_pages}, draw_mono_pages},
+    {{"rgb565 low first", PixelFormat::rgb565},
+     draw_rgb565<ByteOrder::low_first>},
+    {{"rgb565 high first", PixelFormat::rgb565},
+     draw_rgb565<ByteOrder::high_first>},
+    {{"rgb888 red first", PixelFormat::rgb888},
+     draw_rgb888<ChannelOrder::red_first>},
+    {{"rgb888 blue first", PixelFormat::rgb888},
+     draw_rgb888<ChannelOrder::blue_first>},
+    {{"xrgb8888", PixelFormat::xrgb8888}, draw_xrgb8888},
+};
+
+// What draw() of a loop needs to know.
+struct Loop {
+  const DrawnPage* page;
+  TakeStrip take;
+  void* context;
+  bool drawn;
+};
+
+// Dark above, a half-tone below: 85 of 255 in every depth.
+void draw_strip(void* context, const Strip& strip) {
+  auto& loop = *static_cast<Loop*>(context);
+  const bool in_pages = loop.page->page.format == PixelFormat::mono_pages;
+  const int32_t step = in_pages ? 8 : 1;
+  uint8_t* at = strip.pixels.data;
+  for (int32_t y = 0; y < strip.height; y += step) {
+    for (int32_t i = 0; i < strip.stride; ++i) {
+      *at++ = strip.y0 + y < 120 ? 0 : 0x55;
+    }
+  }
+  loop.drawn &= loop.page->draw(strip);
+}
+
+void take_strip(void* context, const Strip& strip) {
+  const auto& loop = *static_cast<Loop*>(context);
+  loop.take(loop.context, strip);
+}
+
+}  // namespace
+
+const Page& page(int number) {
+  return kPages[number].page;
+}
+
+bool draw_page(int number,
+               int32_t rows,
+               Span<uint8_t> buffer,
+               TakeStrip take,
+               void* context) {
+  const PixelFormat format = page(number).format;
+  if (rows <= 0 || rows % 8 != 0 ||
+      buffer.size < page_buffer_bytes(format, rows)) {
+    return false;
+  }
+  Loop loop = {&kPages[number], take, context, true};
+  StripLoop strips;
+  strips.buffer = buffer;
+  strips.width = kPageWidth;
+  strips.height = kPageHeight;
+  strips.rows = rows;
+  strips.stride = stride_bytes(format, kPageWidth);
+  strips.context = &loop;
+  strips.draw = draw_strip;
+  strips.flush = take_strip;
+  run_strips(strips);
+  return loop.drawn;
+}
+
+}  // namespace golden
