@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""Runs the host tools as a person would, and looks at what they write."""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
+PROGRAMS = {}
+
+
+def run(program, *arguments, code=0):
+    """Runs a program; returns what it printed, its errors last."""
+    done = subprocess.run(
+        [PROGRAMS[program], *map(str, arguments)], stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True)
+    if done.returncode != code:
+        raise AssertionError(f"{program} {arguments}: {done.returncode}, not "
+                             f"{code}\n{done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+class Pgm:
+    def __init__(self, path):
+        data = pathlib.Path(path).read_bytes()
+        magic, size, depth, self.pixels = data.split(b"\n", 3)
+        assert magic == b"P5" and depth == b"255"
+        self.width, self.height = map(int, size.split())
+        assert len(self.pixels) == self.width * self.height
+
+    def ink(self):
+        return sum(self.pixels)
+
+    def row_ink(self, y):
+        return sum(self.pixels[y * self.width:(y + 1) * self.width])
+
+    def column_ink(self, x):
+        return sum(self.pixels[x::self.width])
+
+
+class Tools(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="inkcell")
+        cls.path = pathlib.Path(cls.folder.name)
+        cls.font = cls.path / "sans.bin"
+        run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px", "32",
+            "--quiet", "--out", cls.font)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def render(self, *arguments, font=None):
+        out = self.path / "out.pgm"
+        run("render", "--font", font or self.font, "--out", out, *arguments)
+        return Pgm(out)
+
+    def test_converts_in_memory(self):
+        rom = self.render("--text", "AVa.", "--px", 24)
+        ttf = self.render("--text", "AVa.", "--px", 24, "--max-px", 32,
+                          font=SANS)
+        self.assertEqual(rom.pixels, ttf.pixels)
+        self.assertGreater(rom.ink(), 255 * 100)
+
+    def test_strips_do_not_show(self):
+        for angle in (0, 30):
+            pictures = {
+                self.render("--text", "To\nAV", "--px", "21.5", "--angle", angle,
+                            "--rows", rows).pixels
+                for rows in (1, 2, 7, 8, 32, 1000)
+            }
+            self.assertEqual(len(pictures), 1)
+
+    def test_picture_holds_the_ink_with_a_margin(self):
+        for angle in (0, 45, 90, 180, 200):
+            picture = self.render("--text", "AVToal.", "--px", 20, "--angle",
+                                  angle, "--filter", "paper_display")
+            self.assertEqual(picture.row_ink(0), 0)
+            self.assertEqual(picture.row_ink(picture.height - 1), 0)
+            self.assertEqual(picture.column_ink(0), 0)
+            self.assertEqual(picture.column_ink(picture.width - 1), 0)
+
+    def test_quarter_turn_turns_the_pixels(self):
+        # With the origin on a pixel corner a quarter turn moves centres onto
+        # centres.
+        box = ("--width", 60, "--height", 60, "--ox", 30, "--oy", 30)
+        flat = self.render("--text", "Va", "--px", 20, *box)
+        turned = self.render("--text", "Va", "--px", 20, "--angle", 90, *box)
+        for y in range(60):
+            for x in range(60):
+                # (x, y) goes to (y, 59 - x).
+                self.assertLessEqual(
+                    abs(flat.pixels[y * 60 + x]
+                        - turned.pixels[(59 - x) * 60 + y]), 1)
+
+    def test_kerning_draws_closer(self):
+        kerned = self.render("--text", "AVAV", "--px", 32)
+        plain = self.render("--text", "AVAV", "--px", 32, "--no-kerning")
+        self.assertLess(kerned.width, plain.width - 2)
+
+    def test_shift_by_a_pixel_moves_by_a_pixel(self):
+        box = ("--width", 80, "--height", 40, "--ox", 5, "--oy", 30)
+        still = self.render("--text", "Va", "--px", 20, *box)
+        moved = self.render("--text", "Va", "--px", 20, *box, "--dx", 64,
+                            "--dy", -128)
+        for y in range(2, 40):
+            self.assertEqual(still.pixels[y * 80:y * 80 + 79],
+                             moved.pixels[(y - 2) * 80 + 1:(y - 1) * 80])
+
+    def test_ink_does_not_depend_on_position(self):
+        inks = [self.render("--text", "a", "--px", 24, "--dx", dx, "--dy",
+                            dx // 2).ink() for dx in range(0, 64, 16)]
+        self.assertLess(max(inks) - min(inks), 0.03 * min(inks))
+
+    def test_inverted_and_enlarged(self):
+        plain = self.render("--text", "a", "--px", 12)
+        black = self.render("--text", "a", "--px", 12, "--invert", "--zoom", 2)
+        self.assertEqual(black.width, 2 * plain.width)
+        self.assertEqual(plain.pixels[0], 255 - black.pixels[0])
+        self.assertEqual(4 * (255 * len(plain.pixels) - plain.ink()),
+                         black.ink())
+
+    def test_jobs_draw_what_single_calls_draw(self):
+        jobs = []
+        for i, (text, angle) in enumerate([("AV", 0), ("To", 20), ("", 0)]):
+            jobs.append({"font": str(self.font), "text": text, "size": 18.5,
+                         "ox": 10, "oy": 40, "dx": 3 * i, "dy": 5, "w": 70,
+                         "h": 60, "angle": angle, "kind": "anim",
+                         "out": str(self.path / f"job{i}.pgm")})
+        jobs.append(dict(jobs[0], font=SANS, out=str(self.path / "job3.pgm")))
+        listed = self.path / "jobs.jsonl"
+        listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
+        run("render", "--jobs", listed, "--max-px", 32)
+        for i, job in enumerate(jobs[:3]):
+            single = self.render(
+                "--text", job["text"], "--px", job["size"], "--no-kerning",
+                "--ox", 10, "--oy", 40, "--dx", job["dx"], "--dy", 5, "--width",
+                70, "--height", 60, "--angle", job["angle"])
+            self.assertEqual(single.pixels,
+                             Pgm(self.path / f"job{i}.pgm").pixels)
+        self.assertEqual(Pgm(self.path / "job0.pgm").pixels,
+                         Pgm(self.path / "job3.pgm").pixels)
+
+    def test_refusals_say_why(self):
+        out = self.path / "no.png"
+        text = ("--text", "a", "--px", 12, "--out", out)
+        for said, arguments in [
+                ("not available", ("--font", self.font, *text, "--hint", "full")),
+                ("4 to 1024", ("--font", self.font, "--text", "a", "--px", 3,
+                               "--out", out)),
+                ("is unknown", ("--font", self.font, *text, "--filter", "x")),
+                ("--px is missing", ("--font", self.font, "--text", "a",
+                                     "--out", out)),
+                ("nowhere", ("--font", "/nowhere.ttf", *text))]:
+            code = 105 if said == "not available" else 1
+            self.assertIn(said, run("render", *arguments, code=code))
+        self.assertFalse(out.exists())
+        broken = self.path / "broken.jsonl"
+        broken.write_text('{"font": "a"}\n')
+        self.assertIn("broken.jsonl:1", run("render", "--jobs", broken, code=1))
+        cut = self.path / "cut.bin"
+        cut.write_bytes(self.font.read_bytes()[:500])
+        self.assertIn("corrupt", run("render", "--font", cut, *text, code=1))
+
+    def test_inspect_counts_what_the_generator_counted(self):
+        report = self.path / "report.json"
+        run("fontgen", "--font", SERIF, "--symbols", "aD", "--predicate",
+            "fixed", "--quiet", "--out", self.path / "serif.bin", "--report",
+            report)
+        generated = json.loads(report.read_text())
+        seen = json.loads(run("inspect", self.path / "serif.bin", "--json"))
+        self.assertEqual(seen["verify"], "ok")
+        self.assertEqual(seen["predicate"], "fixed")
+        self.assertEqual(seen["cells"],
+                         sum(generated["cells_per_glyph"].values()))
+        self.assertEqual(seen["bytes"], generated["bytes"]["total"])
+        for glyph in seen["glyphs"]:
+            if glyph["name"] in ("a", "D"):
+                self.assertEqual(glyph["cells"],
+                                 generated["cells_per_glyph"][glyph["name"]])
+                self.assertEqual(sum(glyph["cells_by_size_u"].values()),
+                                 glyph["cells"])
+                self.assertTrue(350 <= glyph["cells"] <= 550, glyph)
+
+    def test_inspect_draws(self):
+        cells, sheet = self.path / "cells.png", self.path / "sheet.png"
+        self.assertIn("glyph", run("inspect", self.font, "--glyph", "A",
+                                   "--cells", cells, "--sheet", sheet))
+        for picture in (cells, sheet):
+            self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+        self.assertIn("no glyph", run("inspect", self.font, "--glyph", "Z",
+                                      code=1))
+
+    def test_accuracy_finds_the_wrong_truth(self):
+        run("accuracy", "--font", self.font, "--truth", SANS, "--px", "12,32",
+            "--angle", 30)
+        wrong = run("accuracy", "--font", self.font, "--truth", SERIF, "--px",
+                    "24", code=1)
+        self.assertIn("beyond the limit", wrong)
+
+    def test_specimen_draws(self):
+        out = self.path / "sizes.png"
+        run("specimen", SANS, "--sizes", out, "--max-px", 16, "--symbols",
+            "Onefotvrysizikcl,")
+        self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+
+    def test_paper_table_counts_in_the_paper_s_range(self):
+        out = self.path / "table.json"
+        run("paper-table", "--chars", "a,D", "--json", out)
+        glyphs = json.loads(out.read_text())["glyphs"]
+        for name in "aD":
+            counts = glyphs[name]
+            self.assertTrue(350 <= counts["cells"] <= 550)
+            self.assertEqual(counts["leaf_list_bytes"], 15 * counts["cells"])
+            self.assertLess(counts["zlib_bytes"], counts["leaf_list_bytes"])
+            for condition in ("edge", "band", "intensity"):
+                self.assertGreater(counts[condition]["bilinear"],
+                                   counts[condition]["biquadratic"])
+            self.assertGreater(counts["three_colour_edge"],
+                               counts["edge"]["bilinear"])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("fontgen", "render", "inspect", "specimen", "accuracy",
+                 "paper-table"):
+        parser.add_argument("--" + name, required=True)
+    options, rest = parser.parse_known_args()
+    for name, path in vars(options).items():
+        PROGRAMS[name.replace("_", "-")] = path
+    unittest.main(argv=[sys.argv[0], *rest], verbosity=1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,136 @@
+// The judge itself: distances of shapes whose distance is known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "truth.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+using Chord = TrueGlyph::Chord;
+
+constexpr double kFar = 1e6;
+
+// Chords of polygons, each edge a curve of its own.
+class Polygons {
+ public:
+  Polygons& add(const std::vector<Vector>& corners) {
+    for (size_t i = 0; i < corners.size(); ++i) {
+      chords_.push_back({corners[i], corners[(i + 1) % corners.size()]});
+      ends_.push_back(chords_.size());
+    }
+    return *this;
+  }
+  Polygons& add_box(double x0, double y0, double x1, double y1) {
+    return add({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+  }
+  TrueGlyph glyph() const { return TrueGlyph(chords_, ends_); }
+
+ private:
+  std::vector<Chord> chords_;
+  std::vector<size_t> ends_;
+};
+
+double distance(const TrueGlyph& glyph, double x, double y) {
+  size_t hint = 0;
+  return glyph.distance({x, y}, kFar, hint);
+}
+
+double box_distance(
+    double x0, double y0, double x1, double y1, double x, double y) {
+  const double dx = std::max(x0 - x, x - x1);
+  const double dy = std::max(y0 - y, y - y1);
+  if (dx <= 0 && dy <= 0) {
+    return -std::max(dx, dy);
+  }
+  return -std::hypot(std::max(dx, 0.0), std::max(dy, 0.0));
+}
+
+TEST(TrueGlyph, BoxHasTheDistanceOfABox) {
+  const TrueGlyph glyph = Polygons().add_box(10, 20, 110, 60).glyph();
+  for (double y = -20.5; y < 100; y += 7) {
+    for (double x = -30.5; x < 150; x += 9) {
+      EXPECT_NEAR(distance(glyph, x, y), box_distance(10, 20, 110, 60, x, y),
+                  1e-9)
+          << x << ", " << y;
+    }
+  }
+}
+
+TEST(TrueGlyph, EdgesInsideAnOverlapDoNotCount) {
+  // A cross of two bars: in the middle the nearest border is a corner.
+  const TrueGlyph glyph =
+      Polygons().add_box(0, 40, 100, 60).add_box(40, 0, 60, 100).glyph();
+  EXPECT_NEAR(distance(glyph, 50, 50), std::hypot(10, 10), 1e-9);
+  EXPECT_NEAR(distance(glyph, 50, 58), std::hypot(10, 2), 1e-9);
+  EXPECT_NEAR(distance(glyph, 30, 50), 10, 1e-9);
+  EXPECT_NEAR(distance(glyph, 30, 70), -10, 1e-9);
+}
+
+TEST(TrueGlyph, CommonEdgeOfTwoBoxesIsNoBorder) {
+  const TrueGlyph glyph =
+      Polygons().add_box(0, 0, 50, 40).add_box(50, 0, 100, 40).glyph();
+  EXPECT_NEAR(distance(glyph, 50, 20), 20, 1e-9);
+  EXPECT_NEAR(distance(glyph, 45, 20), 20, 1e-9);
+}
+
+TEST(TrueGlyph, CounterTurnsTheOtherWay) {
+  const TrueGlyph glyph = Polygons()
+                              .add_box(0, 0, 100, 100)
+                              .add({{30, 30}, {30, 70}, {70, 70}, {70, 30}})
+                              .glyph();
+  EXPECT_NEAR(distance(glyph, 50, 50), -20, 1e-9);
+  EXPECT_NEAR(distance(glyph, 15, 50), 15, 1e-9);
+}
+
+TEST(TrueGlyph, CrossedContourIsFilledOnBothSides) {
+  // A bow tie: windings +1 and -1 are both filled.
+  const TrueGlyph glyph =
+      Polygons().add({{0, 0}, {100, 100}, {100, 0}, {0, 100}}).glyph();
+  EXPECT_GT(distance(glyph, 80, 50), 0);
+  EXPECT_GT(distance(glyph, 20, 50), 0);
+  EXPECT_LT(distance(glyph, 50, 80), 0);
+  EXPECT_NEAR(distance(glyph, 90, 50), 10, 1e-9);
+  EXPECT_NEAR(distance(glyph, 50, 80), -30 / std::sqrt(2.0), 1e-9);
+}
+
+TEST(TrueGlyph, LimitClamps) {
+  const TrueGlyph glyph = Polygons().add_box(0, 0, 100, 100).glyph();
+  size_t hint = 0;
+  EXPECT_EQ(glyph.distance({50, 50}, 8, hint), 8);
+  EXPECT_EQ(glyph.distance({500, 50}, 8, hint), -8);
+}
+
+TEST(TrueGlyph, NothingIsOutside) {
+  const TrueGlyph glyph = Polygons().glyph();
+  EXPECT_TRUE(glyph.empty());
+  EXPECT_EQ(distance(glyph, 3, 4), -kFar);
+}
+
+TEST(TrueFont, ReadsAFace) {
+  const TrueFont font("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0);
+  // A full stop: 254 units square from (219, 0), 2048 units to the em.
+  const TrueGlyph stop = font.glyph(U'.');
+  EXPECT_DOUBLE_EQ(stop.low().x, 219 / 2.0);
+  EXPECT_DOUBLE_EQ(stop.low().y, 0);
+  EXPECT_DOUBLE_EQ(stop.high().y, 254 / 2.0);
+  EXPECT_TRUE(font.glyph(U' ').empty());
+  EXPECT_THROW(font.glyph(0xE123), std::runtime_error);
+  EXPECT_THROW(TrueFont("/nowhere.ttf", 0), std::runtime_error);
+}
+
+TEST(TrueFont, DistanceGrowsFromAnExtreme) {
+  const TrueFont font("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0);
+  const TrueGlyph o = font.glyph(U'o');
+  const double x = (o.low().x + o.high().x) / 2;
+  const double y = (o.low().y + o.high().y) / 2;
+  EXPECT_LT(distance(o, x, y), 0);
+  // At the top, where the curve is level, straight down leads away from it;
+  // the chords are off by kChordError.
+  EXPECT_NEAR(distance(o, x, o.high().y - 20), 20, 0.01);
+}
+
+}  // namespace
+}  // namespace inkcell::tools
