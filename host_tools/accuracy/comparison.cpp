@@ -1,3 +1,4 @@
+// Draws a glyph with the core and compares every pixel with the truth.
 #include "comparison.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Gathers errors of pixels.
 #include "errors.hpp"
 
 #include <algorithm>

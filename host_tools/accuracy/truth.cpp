@@ -1,3 +1,4 @@
+// Brute force: chords, their crossings, winding numbers, distances.
 #include "truth.hpp"
 
 #include <ft2build.h>

@@ -1,3 +1,4 @@
+// Drives the strip loop of the core over a whole picture.
 #include "canvas.hpp"
 
 #include <algorithm>

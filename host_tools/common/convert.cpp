@@ -1,3 +1,4 @@
+// Tells ROM fonts from others, which go through the generator.
 #include "convert.hpp"
 
 #include <cstdio>

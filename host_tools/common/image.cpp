@@ -1,3 +1,4 @@
+// Writes pictures: PNG through libpng, PGM and PPM directly.
 #include "image.hpp"
 
 #include <png.h>

@@ -1,3 +1,4 @@
+// Opens ROM fonts with the device's reader, and says why it would not.
 #include "rom_file.hpp"
 
 #include <cerrno>

@@ -1,3 +1,4 @@
+// Counts cells by walking over a field as the renderer does.
 #include "census.hpp"
 
 #include <algorithm>

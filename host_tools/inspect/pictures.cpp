@@ -1,3 +1,4 @@
+// Draws fields, cell borders and sheets of glyphs.
 #include "pictures.hpp"
 
 #include <algorithm>

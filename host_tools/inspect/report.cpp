@@ -1,3 +1,4 @@
+// Writes a census down.
 #include "report.hpp"
 
 #include <algorithm>

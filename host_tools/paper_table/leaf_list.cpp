@@ -1,3 +1,4 @@
+// Writes the leaves of a field as the paper's linear quadtree.
 #include "leaf_list.hpp"
 
 #include <zlib.h>

@@ -1,3 +1,4 @@
+// Reads job files and draws their pictures on all cores.
 #include "render_jobs.hpp"
 
 #include <fstream>

@@ -1,3 +1,4 @@
+// Composes specimen pictures out of lines of text.
 #include "specimen.hpp"
 
 #include <algorithm>
