@@ -13,5 +13,4 @@ set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 29)
 set(INKCELL_DEMO_TEXT_PX 11)
 set(INKCELL_DEMO_TOLERANCE 16)
-set(INKCELL_DEMO_TEXT_CHARACTERS
-  SYMBOLS "Crisp at every size, no heap, no float. Inkcell: type for small devices")
+set(INKCELL_DEMO_TEXT_CHARACTERS CHARS a-z,C,I SYMBOLS " ,.:")
