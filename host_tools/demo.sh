@@ -81,10 +81,10 @@ done
 
 if [ -f tests/bench/run.sh ]; then
   echo "Counting instructions"
-  if ! sh tests/bench/run.sh --font "$out/text.bin" --cpu m0,m3 --px 12,24,48 \
-    >"$out/bench.txt" 2>"$out/bench.log"; then
+  if ! sh tests/bench/run.sh --font "$out/text.bin" --fontgen "$fontgen" \
+    --cpu m0,m3 --px 12,24,48 >"$out/bench.jsonl" 2>"$out/bench.txt"; then
     missed="$missed bench"
-    tail -n 5 "$out/bench.log"
+    tail -n 5 "$out/bench.txt"
   else
     cat "$out/bench.txt"
   fi
@@ -102,7 +102,8 @@ describe digits.bin "digits for 48 to 200 px"
 describe sizes.txt "bytes of their parts, cells of each glyph"
 describe accuracy.txt "errors of pixels against the exact distance"
 describe speed.txt "instructions for a frame of each board"
-describe bench.txt "instructions for a glyph, stack, code"
+describe bench.txt "instructions for a glyph, stack, bytes of code"
+describe bench.jsonl "the same, one JSON object a line"
 describe sizes.png "one font at ten sizes, and turned"
 describe body.png "paragraphs"
 describe digits.png "a clock"
