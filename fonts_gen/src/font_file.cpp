@@ -176,19 +176,35 @@ void FontFile::check_tables(int face) const {
   bool outlines = false;
   for (size_t i = 0; i < tables; ++i) {
     const uint8_t* entry = at + 12 + 16 * i;
+    check_table(entry);
     const uint32_t name = big_endian_32(entry);
     outlines |=
         name == tag("glyf") || name == tag("CFF ") || name == tag("CFF2");
-    const uint64_t end =
-        uint64_t{big_endian_32(entry + 8)} + big_endian_32(entry + 12);
-    if (end > bytes_.size()) {
-      refuse("is truncated: table '" + tag_text(name) + "' ends at byte " +
-             std::to_string(end) + ", the file at " +
-             std::to_string(bytes_.size()) + "; get the whole font file");
-    }
   }
   if (!outlines) {
     refuse("has no outlines, only bitmaps or nothing; use an outline font");
+  }
+}
+
+void FontFile::check_table(const uint8_t* entry) const {
+  const uint32_t name = big_endian_32(entry);
+  const uint64_t begin = big_endian_32(entry + 8);
+  const uint64_t end = begin + big_endian_32(entry + 12);
+  if (end > bytes_.size()) {
+    refuse("is truncated: table '" + tag_text(name) + "' ends at byte " +
+           std::to_string(end) + ", the file at " +
+           std::to_string(bytes_.size()) + "; get the whole font file");
+  }
+  if (name == tag("maxp") && end >= begin + 6 &&
+      (bytes_[begin + 4] | bytes_[begin + 5]) == 0) {
+    refuse("holds no glyphs; use another font");
+  }
+  if (name == tag("head") && end >= begin + 20) {
+    const int units = bytes_[begin + 18] << 8 | bytes_[begin + 19];
+    if (units < kLeastUnitsPerEm || units > kMostUnitsPerEm) {
+      refuse("has " + std::to_string(units) +
+             " units per em, OpenType allows 16 to 16384; repair the font");
+    }
   }
 }
 

@@ -65,6 +65,8 @@ class FontFile {
   void read_bytes(const std::filesystem::path& file);
   size_t find_directory(int face) const;
   void check_tables(int face) const;
+  /// One entry of the table directory.
+  void check_table(const uint8_t* entry) const;
   void open_face(int face);
   void check_face() const;
   void select_character_map();

@@ -264,9 +264,9 @@ TEST(FontSource, RefusesAbsurdUnitsPerEm) {
   for (const int units : {0, 1, 15, 16385, 65535}) {
     Sfnt source = Sfnt::plain();
     source.units_per_em = units;
-    EXPECT_CONTAINS(refusal(request_of(folder.write("a.ttf", source))),
-                    "a.ttf: ")
-        << units;
+    EXPECT_CONTAINS(
+        refusal(request_of(folder.write("a.ttf", source))),
+        "a.ttf: has " + std::to_string(units) + " units per em, OpenType");
   }
   for (const int units : {16, 16384}) {
     Sfnt source = Sfnt::plain();
@@ -280,7 +280,7 @@ TEST(FontSource, RefusesFontsWithoutGlyphs) {
   Sfnt source = Sfnt::plain();
   source.glyphs.clear();
   EXPECT_CONTAINS(refusal(request_of(folder.write("none.ttf", source))),
-                  "none.ttf: ");
+                  "none.ttf: holds no glyphs");
   // One glyph: .notdef and nothing to ask for.
   source.glyphs = {Sfnt::plain().glyphs[0]};
   EXPECT_CONTAINS(refusal(request_of(folder.write("one.ttf", source))),
