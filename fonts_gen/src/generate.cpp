@@ -125,6 +125,20 @@ RomContent build_content(SourceFont& font, const GenerateRequest& request) {
   return content;
 }
 
+GlyphReport report_glyph(const SourceGlyph& source, const AdfGlyph& field) {
+  GlyphReport glyph;
+  glyph.name = source.name();
+  glyph.key = source.code_points.empty() ? ".notdef"
+                                         : to_utf8(source.code_points.front());
+  glyph.cells = field.cells.size();
+  glyph.nodes = static_cast<size_t>(field.node_count());
+  glyph.bytes = record_bytes(field);
+  glyph.worst_error = field.worst_error;
+  glyph.mean_error = field.mean_error;
+  glyph.within_tolerance = field.within_tolerance;
+  return glyph;
+}
+
 FontReport make_report(const SourceFont& font, const RomContent& content) {
   FontReport report;
   report.file_name = font.file_name;
@@ -136,19 +150,8 @@ FontReport make_report(const SourceFont& font, const RomContent& content) {
   report.right_classes = content.kerning.right_classes;
   size_t with_ink = 0;
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
-    const SourceGlyph& source = font.glyphs[i];
     const AdfGlyph& field = content.glyphs[i].field;
-    GlyphReport glyph;
-    glyph.name = source.name();
-    glyph.key = source.code_points.empty()
-                    ? ".notdef"
-                    : to_utf8(source.code_points.front());
-    glyph.cells = field.cells.size();
-    glyph.nodes = static_cast<size_t>(field.node_count());
-    glyph.bytes = record_bytes(field);
-    glyph.worst_error = field.worst_error;
-    glyph.mean_error = field.mean_error;
-    glyph.within_tolerance = field.within_tolerance;
+    GlyphReport glyph = report_glyph(font.glyphs[i], field);
     report.cells += glyph.cells;
     report.nodes += glyph.nodes;
     report.worst_error = std::max(report.worst_error, glyph.worst_error);

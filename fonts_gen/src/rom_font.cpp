@@ -234,6 +234,17 @@ void set_range(Bytes& out, const RomContent& content) {
   out[header::kMaxDepth] = static_cast<uint8_t>(depth);
 }
 
+// The last thing that is written: the header's checksum covers the others.
+void set_checksums(Bytes& out, size_t header_bytes) {
+  set_u32(out, header::kTotalBytes, static_cast<uint32_t>(out.size()));
+  set_u32(out, header::kContentCrc,
+          crc32(out.data() + header_bytes, out.size() - header_bytes));
+  const uint32_t before = crc32(out.data(), header::kHeaderCrc);
+  set_u32(out, header::kHeaderCrc,
+          crc32(out.data() + header::kContentCrc,
+                header_bytes - header::kContentCrc, before));
+}
+
 struct Section {
   uint32_t tag;
   uint32_t flags;
@@ -304,13 +315,7 @@ std::vector<uint8_t> write_rom_font(const RomContent& content,
     pad(out);
     parts.*part.part += out.size() - begin;
   }
-  set_u32(out, header::kTotalBytes, static_cast<uint32_t>(out.size()));
-  set_u32(out, header::kContentCrc,
-          crc32(out.data() + header_bytes, out.size() - header_bytes));
-  const uint32_t before = crc32(out.data(), header::kHeaderCrc);
-  set_u32(out, header::kHeaderCrc,
-          crc32(out.data() + header::kContentCrc,
-                header_bytes - header::kContentCrc, before));
+  set_checksums(out, header_bytes);
   return out;
 }
 
