@@ -400,6 +400,13 @@ TEST(wrong_glyph_offsets_give_no_record) {
     CHECK_EQ(field.cell_count, 0);
     CHECK_EQ(font.verify(), Status::corrupt);
   }
+  put_u32(offset, original);
+  const uint32_t end = get_u32(offset + 4);
+  put_u32(offset + 4, size + 4);  // where the record ends
+  Font longer;
+  CHECK_OK(Font::open({rom, rom_bytes}, longer));
+  CHECK_EQ(longer.record(2).size, 0);
+  put_u32(offset + 4, end);
   put_u32(offset, original + 4);  // aligned, but starts amid the record
   CHECK(repair_checksums({rom, rom_bytes}));
   Font font;
