@@ -114,7 +114,7 @@ class Glyph {
     for (int i = 0; i <= kSteps; ++i) {
       const int64_t size_q16 = int64_t{size_u} << 16;
       const auto along_q16 =
-          static_cast<int32_t>((int64_t{upright ? y_u : x_u} << 16) +
+          static_cast<int32_t>(int64_t{upright ? y_u : x_u} * 65536 +
                                std::min(i * size_q16 / kSteps, size_q16 - 1));
       const int32_t at_q16 = at_u * 65536;
       if (upright) {
