@@ -1,6 +1,15 @@
 #include "inkcell/brush.hpp"
 
 namespace inkcell {
+namespace {
+
+// The quotient rounded towards plus infinity; `divisor` is positive.
+int32_t divide_up(int32_t dividend, int32_t divisor) noexcept {
+  const int32_t towards_zero = dividend / divisor;
+  return dividend > towards_zero * divisor ? towards_zero + 1 : towards_zero;
+}
+
+}  // namespace
 
 Status Brush::make(Q26_6 size,
                    const Filter& filter,
@@ -23,6 +32,11 @@ Status Brush::make(Q26_6 size,
   Brush brush;
   brush.size_q6_ = size.raw;
   brush.limit_u_q10_ = INT32_MAX / size.raw;
+  // Least products of distance and size that reach past the cutoffs: the
+  // smallest d with floor(d size / 2^16) > outside is transparent no more.
+  brush.transparent_u_q10_ =
+      divide_up((filter.outside_q10 + 1) * (1 << 16), size.raw) - 1;
+  brush.opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), size.raw);
   brush.step_along_q16_ = static_cast<int32_t>((step_q16 * cosine) >> 30);
   brush.step_across_q16_ = static_cast<int32_t>((step_q16 * sine) >> 30);
   brush.direction_ = direction;

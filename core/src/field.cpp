@@ -1,45 +1,22 @@
 #include "inkcell/field.hpp"
 
 #include "bytes.hpp"
+#include "cell_access.hpp"
 #include "inkcell/format.hpp"
 
 namespace inkcell {
 namespace {
 
+using detail::Columns;
+using detail::columns_q6;
+using detail::lagrange_q14;
 using detail::load_i16;
 using detail::load_u16;
+using detail::Weights;
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-// The offsets of a cell as the paper numbers them, d1 to d9, d5 the centre.
-struct Offsets {
-  int32_t d[9];
-};
-
-Offsets load_offsets(const uint8_t* samples) noexcept {
-  const uint8_t* at = samples + format::samples::kOffsets;
-  Offsets offsets;
-  for (int i = 0; i < 9; ++i) {
-    offsets.d[i] = i == 4 ? 0 : static_cast<int8_t>(at[i < 4 ? i : i - 1]);
-  }
-  return offsets;
-}
-
-// Lagrange weights of the points 0, 1/2 and 1 at t, 0 <= t < 1. They sum to
-// one exactly, so that a constant is reproduced exactly.
-struct Weights {
-  int32_t w1;
-  int32_t w2;
-  int32_t w3;
-};
-
-Weights lagrange_q14(int32_t t_q14) noexcept {
-  const int32_t w2 = (t_q14 * (kOneQ14 - t_q14)) >> 12;
-  const int32_t w3 = (t_q14 * (2 * t_q14 - kOneQ14)) >> 14;
-  return {kOneQ14 - w2 - w3, w2, w3};
-}
-
-// Their derivatives: 4t - 3, 4 - 8t, 4t - 1.
+// Derivatives of the Lagrange weights: 4t - 3, 4 - 8t, 4t - 1.
 Weights lagrange_slope_q14(int32_t t_q14) noexcept {
   return {4 * t_q14 - 3 * kOneQ14, 4 * kOneQ14 - 8 * t_q14,
           4 * t_q14 - kOneQ14};
@@ -53,17 +30,11 @@ int16_t clamp_i16(int32_t value) noexcept {
 }
 
 // Sum of the nine offsets with weights in x and y. [quanta, Q6]
-int32_t weigh_q6(const Offsets& o,
+int32_t weigh_q6(const uint8_t* samples,
                  const Weights& x,
                  const Weights& y) noexcept {
-  int32_t columns[3];
-  for (int j = 0; j < 3; ++j) {
-    columns[j] =
-        (y.w1 * o.d[j] + y.w2 * o.d[3 + j] + y.w3 * o.d[6 + j] + 128) >> 8;
-  }
-  return (x.w1 * (columns[0] >> 2) + x.w2 * (columns[1] >> 2) +
-          x.w3 * (columns[2] >> 2)) >>
-         12;
+  const Columns c = columns_q6(samples, y);
+  return (x.w1 * (c.v1 >> 2) + x.w2 * (c.v2 >> 2) + x.w3 * (c.v3 >> 2)) >> 12;
 }
 
 bool in_grid(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
@@ -110,55 +81,13 @@ Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
 }
 
 Cell locate(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
-  const uint32_t x = static_cast<uint32_t>(x_u - field.x0_u);
-  const uint32_t y = static_cast<uint32_t>(y_u - field.y0_u);
-  uint32_t log2 = field.tile_log2;
-  const uint32_t tile = (y >> log2) * field.tiles_x + (x >> log2);
-  const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  uint32_t reference = load_u16(field.references + 2 * tile);
-
-  // Invariant: the current square is 2^log2 u wide and holds the point. Each
-  // step spends one bit of the coordinates, so the loop ends.
-  while (reference >= format::glyph::kFirstNode &&
-         reference < format::glyph::kCellFlag) {
-    const uint32_t node = reference - format::glyph::kFirstNode;
-    if (node >= field.node_count || log2 == 0) {
-      reference = format::glyph::kOutside;
-      break;
-    }
-    --log2;
-    const uint32_t child = ((y >> log2) & 1) * 2 + ((x >> log2) & 1);
-    reference = load_u16(field.references + 2 * (tiles + 4 * node + child));
-  }
-
-  Cell cell;
-  cell.size_log2 = static_cast<uint8_t>(log2);
-  cell.x0_u = field.x0_u + static_cast<int32_t>((x >> log2) << log2);
-  cell.y0_u = field.y0_u + static_cast<int32_t>((y >> log2) << log2);
-  const uint32_t index = reference & ~uint32_t{format::glyph::kCellFlag};
-  if (reference < format::glyph::kCellFlag) {
-    cell.inside = reference == format::glyph::kInside;
-  } else if (index < field.cell_count) {
-    cell.samples = field.cells + format::samples::kBytes * index;
-  }
-  return cell;
+  return detail::locate_cell(field, x_u, y_u);
 }
 
 void SamplesRow::set_up(const uint8_t* samples,
                         uint8_t cell_size_log2,
                         int32_t y_q16) noexcept {
-  const Offsets o = load_offsets(samples);
-  const Weights w = lagrange_q14(y_q16 >> (cell_size_log2 + 2));
-  int32_t v[3];
-  for (int j = 0; j < 3; ++j) {
-    v[j] = (w.w1 * o.d[j] + w.w2 * o.d[3 + j] + w.w3 * o.d[6 + j] + 128) >> 8;
-  }
-  a_q6 = v[0];
-  b_q6 = 4 * v[1] - 3 * v[0] - v[2];
-  c_q6 = 2 * (v[0] - 2 * v[1] + v[2]);
-  centre_q10 = load_i16(samples + format::samples::kCentre) *
-               (1 << (10 - format::samples::kCentreFraction));
-  size_log2 = cell_size_log2;
+  detail::set_up_row(*this, samples, cell_size_log2, y_q16);
 }
 
 Q22_10 samples_distance(const uint8_t* samples,
@@ -196,13 +125,12 @@ Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
   const int shift = cell.size_log2 + 2;
   const int32_t tx = (x.raw - cell.x0_u * (1 << 16)) >> shift;
   const int32_t ty = (y.raw - cell.y0_u * (1 << 16)) >> shift;
-  const Offsets o = load_offsets(cell.samples);
   // A quantum is 1/128 of the cell, and so is the slope's unit: Q6 quanta per
   // cell size are Q13 of pure slope.
-  gradient.x.raw =
-      clamp_i16(2 * weigh_q6(o, lagrange_slope_q14(tx), lagrange_q14(ty)));
-  gradient.y.raw =
-      clamp_i16(2 * weigh_q6(o, lagrange_q14(tx), lagrange_slope_q14(ty)));
+  gradient.x.raw = clamp_i16(
+      2 * weigh_q6(cell.samples, lagrange_slope_q14(tx), lagrange_q14(ty)));
+  gradient.y.raw = clamp_i16(
+      2 * weigh_q6(cell.samples, lagrange_q14(tx), lagrange_slope_q14(ty)));
   return gradient;
 }
 

@@ -1,7 +1,20 @@
 #include "inkcell/render.hpp"
 
+#include "cell_access.hpp"
+
 namespace inkcell {
 namespace {
+
+// What a row of a cell shows.
+enum class Side : uint8_t { outside, inside, both };
+
+Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
+  const SamplesRow::Bounds bounds = row.bounds_q10();
+  if (brush.is_transparent(bounds.high)) {
+    return Side::outside;
+  }
+  return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
+}
 
 // Collects coverage from left to right along one row and hands it on in spans:
 // transparent pixels are dropped, solid ones of saturated cells join to runs.
@@ -108,52 +121,27 @@ int32_t to_pixel(int64_t px_q10) noexcept {
   return static_cast<int32_t>(px > kLimit ? kLimit : px);
 }
 
-// A length in u as one in px. [Q10]
-int64_t to_px_q10(const Brush& brush, int32_t length_u) noexcept {
-  return (int64_t{length_u} * brush.size().raw) >> 6;
-}
+// From `low` to `high`, in px. [Q10]
+struct Extent {
+  int64_t low;
+  int64_t high;
+};
 
-// The pixels, before clipping, that can have their centres in the grid; one
-// pixel generous on each side because steps are rounded.
-Rect upright_box(const GlyphField& field,
-                 const Brush& brush,
-                 const FinePoint& origin) noexcept {
-  const int64_t left = origin.x_q10 + to_px_q10(brush, field.x0_u);
-  const int64_t right = origin.x_q10 + to_px_q10(brush, field.x1_u());
-  const int64_t top = origin.y_q10 - to_px_q10(brush, field.y1_u());
-  const int64_t bottom = origin.y_q10 - to_px_q10(brush, field.y0_u);
-  return {to_pixel(left) - 1, to_pixel(top) - 1, to_pixel(right) + 2,
-          to_pixel(bottom) + 2};
-}
-
-// The box around the four corners of a turned grid.
-Rect turned_box(const GlyphField& field,
-                const Brush& brush,
-                const FinePoint& origin) noexcept {
-  const int64_t cosine = brush.direction().cosine.raw;
-  const int64_t sine = brush.direction().sine.raw;
-  int64_t low_x = INT64_MAX;
-  int64_t low_y = INT64_MAX;
-  int64_t high_x = INT64_MIN;
-  int64_t high_y = INT64_MIN;
-  for (int corner = 0; corner < 4; ++corner) {
-    const int64_t along = to_px_q10(
-        brush, (corner & 1) != 0 ? field.x1_u() : int32_t{field.x0_u});
-    const int64_t across = to_px_q10(
-        brush, (corner & 2) != 0 ? field.y1_u() : int32_t{field.y0_u});
-    const int64_t x = origin.x_q10 + ((along * cosine - across * sine) >> 30);
-    const int64_t y = origin.y_q10 - ((along * sine + across * cosine) >> 30);
-    low_x = x < low_x ? x : low_x;
-    high_x = x > high_x ? x : high_x;
-    low_y = y < low_y ? y : low_y;
-    high_y = y > high_y ? y : high_y;
-  }
-  return {to_pixel(low_x) - 1, to_pixel(low_y) - 1, to_pixel(high_x) + 2,
-          to_pixel(high_y) + 2};
+// From one place in the glyph to another, in px, times a sine or cosine.
+Extent extent_of(const Brush& brush,
+                 int32_t low_u,
+                 int32_t high_u,
+                 Fixed<int32_t, 30> factor) noexcept {
+  const int32_t low_q10 = (low_u * brush.size().raw) >> 6;  // below 2^30
+  const int32_t high_q10 = (high_u * brush.size().raw) >> 6;
+  const int64_t low = (int64_t{low_q10} * factor.raw) >> 30;
+  const int64_t high = (int64_t{high_q10} * factor.raw) >> 30;
+  return low < high ? Extent{low, high} : Extent{high, low};
 }
 
 // One row of upright text: y is constant in the glyph, so that a cell is set up
-// once and then costs two products a pixel.
+// once and then costs two products a pixel, and none where all of its row is
+// saturated.
 //
 // Invariant of the outer loop: `x` is the next pixel, at `x_q16` in the grid.
 void draw_upright_row(const GlyphField& field,
@@ -165,30 +153,34 @@ void draw_upright_row(const GlyphField& field,
   const int32_t step = brush.step_along_q16();
   int32_t x = pixels.begin;
   while (x < pixels.end) {
-    const Cell cell = locate(field, x_q16 >> 16, y_q16 >> 16);
+    const Cell cell = detail::locate_cell(field, x_q16 >> 16, y_q16 >> 16);
     const int32_t left_q16 = cell.x0_u * (1 << 16);
     const int32_t right_q16 = left_q16 + (int32_t{1} << (16 + cell.size_log2));
-    if (cell.samples == nullptr) {
-      const int32_t first = x;
+    Side side = cell.inside ? Side::inside : Side::outside;
+    SamplesRow row;
+    if (cell.samples != nullptr) {
+      detail::set_up_row(row, cell.samples, cell.size_log2,
+                         y_q16 - cell.y0_u * (1 << 16));
+      side = side_of(row, brush);
+    }
+    if (side == Side::both) {
       do {
+        writer.put(x, brush.coverage(row.distance_q10(x_q16 - left_q16)));
         ++x;
         x_q16 += step;
       } while (x < pixels.end && x_q16 < right_q16);
-      if (cell.inside) {
-        writer.solid(first, x - first);
-      } else {
-        writer.flush();
-      }
       continue;
     }
-    SamplesRow row;
-    row.set_up(cell.samples, cell.size_log2, y_q16 - cell.y0_u * (1 << 16));
+    const int32_t first = x;
     do {
-      const int32_t distance_u = row.distance_q10(x_q16 - left_q16);
-      writer.put(x, brush.filter().coverage(brush.to_px_q10(distance_u)));
       ++x;
       x_q16 += step;
     } while (x < pixels.end && x_q16 < right_q16);
+    if (side == Side::inside) {
+      writer.solid(first, x - first);
+    } else {
+      writer.flush();
+    }
   }
 }
 
@@ -239,7 +231,7 @@ void draw_turned(const GlyphField& field,
     for (int32_t x = box.x0; x < box.x1; ++x) {
       const Q22_10 distance = distance_at(field, Q16_16::from_raw(at.x_q16),
                                           Q16_16::from_raw(at.y_q16));
-      writer.put(x, brush.filter().coverage(brush.to_px_q10(distance.raw)));
+      writer.put(x, brush.coverage(distance.raw));
       at.x_q16 += brush.step_along_q16();
       at.y_q16 -= brush.step_across_q16();
     }
@@ -255,8 +247,18 @@ Rect field_box(const GlyphField& field,
   if (field.tiles_x == 0 || field.tiles_y == 0) {
     return {};
   }
-  return brush.is_upright() ? upright_box(field, brush, origin)
-                            : turned_box(field, brush, origin);
+  const Direction turn = brush.direction();
+  const int32_t x0 = field.x0_u;
+  const int32_t y0 = field.y0_u;
+  const Extent x_right = extent_of(brush, x0, field.x1_u(), turn.cosine);
+  const Extent x_up = extent_of(brush, x0, field.x1_u(), turn.sine);
+  const Extent y_left = extent_of(brush, y0, field.y1_u(), turn.sine);
+  const Extent y_up = extent_of(brush, y0, field.y1_u(), turn.cosine);
+  // A pixel generous on each side, because steps are rounded.
+  return {to_pixel(origin.x_q10 + x_right.low - y_left.high) - 1,
+          to_pixel(origin.y_q10 - x_up.high - y_up.high) - 1,
+          to_pixel(origin.x_q10 + x_right.high - y_left.low) + 2,
+          to_pixel(origin.y_q10 - x_up.low - y_up.low) + 2};
 }
 
 void draw_field(const GlyphField& field,

@@ -119,3 +119,31 @@ TEST(distances_scale_and_clamp) {
     CHECK_EQ(brush.to_px_q10(INT32_MAX), brush.to_px_q10(1 << 30));
   }
 }
+
+// The quick form of coverage is the plain one at every distance near the
+// cutoffs, where it decides, and at some far away.
+TEST(coverage_equals_the_plain_chain) {
+  Random random(5);
+  const Filter* filters[] = {&kFilterText, &kFilterMotion, &kFilterPaperDisplay,
+                             &kFilterPaperBody};
+  const int32_t sizes[] = {4 * 64, 4 * 64 + 1,  16 * 64,
+                           1000,   64 * 64 - 1, 1024 * 64};
+  for (const Filter* filter : filters) {
+    for (const int32_t size : sizes) {
+      Brush brush;
+      CHECK_OK(Brush::make(Q26_6::from_raw(size), *filter, brush));
+      const int32_t px_u_q10 = (1 << 26) / size;
+      for (int i = 0; i < 1000; ++i) {
+        const int32_t reach = i % 4 == 0 ? 1024 << 10 : px_u_q10;
+        const int32_t distance = random.between(-reach, reach);
+        const uint8_t plain = filter->coverage(brush.to_px_q10(distance));
+        CHECK_EQ(brush.coverage(distance), plain);
+        CHECK(!brush.is_transparent(distance) || plain == 0);
+        CHECK(!brush.is_opaque(distance) || plain == 255);
+      }
+    }
+  }
+  const Brush brush;
+  CHECK(brush.is_transparent(-32705) && !brush.is_transparent(-32704));
+  CHECK(brush.is_opaque(32768) && !brush.is_opaque(32767));
+}

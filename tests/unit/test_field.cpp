@@ -326,7 +326,7 @@ TEST(distance_at_the_nine_samples_is_exact) {
   }
 }
 
-TEST(a_row_is_the_same_as_its_points) {
+TEST(a_row_is_the_same_as_its_points_and_keeps_its_bounds) {
   Random random(11);
   for (int i = 0; i < 300; ++i) {
     const auto size_log2 = static_cast<uint8_t>(random.below(12));
@@ -334,10 +334,12 @@ TEST(a_row_is_the_same_as_its_points) {
     const int32_t y = make_position(random, size_log2);
     SamplesRow row;
     row.set_up(bytes, size_log2, y);
+    const SamplesRow::Bounds bounds = row.bounds_q10();
     for (int j = 0; j < 20; ++j) {
       const int32_t x = make_position(random, size_log2);
-      CHECK_EQ(row.distance_q10(x),
-               samples_distance(bytes, size_log2, x, y).raw);
+      const int32_t distance = row.distance_q10(x);
+      CHECK_EQ(distance, samples_distance(bytes, size_log2, x, y).raw);
+      CHECK(distance >= bounds.low && distance <= bounds.high);
     }
   }
 }

@@ -62,9 +62,33 @@ class Brush {
     return (distance_u_q10 * size_q6_) >> 16;
   }
 
+  /// Whether every distance up to this one has coverage 0, and whether every
+  /// one from it on has 255. [u, Q10]
+  bool is_transparent(int32_t distance_u_q10) const noexcept {
+    return distance_u_q10 <= transparent_u_q10_;
+  }
+  bool is_opaque(int32_t distance_u_q10) const noexcept {
+    return distance_u_q10 >= opaque_u_q10_;
+  }
+
+  /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)),
+  /// with the two common cases first. [u, Q10]
+  uint8_t coverage(int32_t distance_u_q10) const noexcept {
+    if (is_transparent(distance_u_q10)) {
+      return 0;
+    }
+    if (is_opaque(distance_u_q10)) {
+      return 255;
+    }
+    // Within 4 px of the edge: no clamp is needed.
+    return filter_->ramp((distance_u_q10 * size_q6_) >> 16);
+  }
+
  private:
-  int32_t size_q6_ = 16 << 6;          // [px/em]
-  int32_t limit_u_q10_ = 2097151;      // what 32 px are at this size
+  int32_t size_q6_ = 16 << 6;      // [px/em]
+  int32_t limit_u_q10_ = 2097151;  // what 32 px are at this size
+  int32_t transparent_u_q10_ = -32705;
+  int32_t opaque_u_q10_ = 32768;
   int32_t step_along_q16_ = 64 << 16;  // [u/px]
   int32_t step_across_q16_ = 0;
   Direction direction_;
