@@ -86,19 +86,27 @@ struct Position {
   int32_t y_q16;
 };
 
-int32_t clamp_i32(int64_t value) noexcept {
-  if (value < INT32_MIN) {
-    return INT32_MIN;
+int64_t clamp(int64_t value, int64_t low, int64_t high) noexcept {
+  if (value < low) {
+    return low;
   }
-  return static_cast<int32_t>(value > INT32_MAX ? INT32_MAX : value);
+  return value > high ? high : value;
+}
+
+int32_t clamp_i32(int64_t value) noexcept {
+  return static_cast<int32_t>(clamp(value, INT32_MIN, INT32_MAX));
 }
 
 Position position_of(const Brush& brush,
                      const FinePoint& origin,
                      int32_t x,
                      int32_t y) noexcept {
-  const int64_t right = int64_t{x} * 1024 + 512 - origin.x_q10;
-  const int64_t up = origin.y_q10 - (int64_t{y} * 1024 + 512);
+  // Far from anything to see, but within 64 bits once multiplied.
+  constexpr int64_t kFar = int64_t{1} << 37;
+  const int64_t right =
+      clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar);
+  const int64_t up =
+      clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
   const int64_t along = brush.step_along_q16();
   const int64_t across = brush.step_across_q16();
   return {clamp_i32((right * along + up * across) >> 10),
@@ -114,11 +122,7 @@ struct Range {
 // Clamps to what int32_t pixels and their positions can bear.
 int32_t to_pixel(int64_t px_q10) noexcept {
   constexpr int64_t kLimit = int64_t{1} << 30;
-  const int64_t px = px_q10 >> 10;
-  if (px < -kLimit) {
-    return -static_cast<int32_t>(kLimit);
-  }
-  return static_cast<int32_t>(px > kLimit ? kLimit : px);
+  return static_cast<int32_t>(clamp(px_q10 >> 10, -kLimit, kLimit));
 }
 
 // From `low` to `high`, in px. [Q10]

@@ -126,9 +126,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   if (text_.size == 0) {
     return false;
   }
-  uint16_t glyph = 0;
-  const Status found = font_.glyph_of(next_code_point(text_), glyph);
-  static_cast<void>(found);  // an absent one is .notdef
+  const uint16_t glyph = font_.glyph_or_notdef(next_code_point(text_));
   if (previous_ >= 0) {
     advance_ =
         clamp(advance_ + font_.kerning(static_cast<uint16_t>(previous_), glyph),
@@ -187,7 +185,12 @@ TextMeasure measure(const Font& font, Text text) noexcept {
 
 Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
   const int64_t fine = UnitScale(font, brush).to_px_q10(units);
-  return Q26_6::from_raw(static_cast<int32_t>((fine + 8) >> 4));
+  const int64_t rounded = (fine + 8) >> 4;
+  if (rounded < INT32_MIN) {
+    return Q26_6::from_raw(INT32_MIN);
+  }
+  return Q26_6::from_raw(
+      static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
 }
 
 void draw(const Font& font,

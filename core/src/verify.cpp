@@ -43,13 +43,30 @@ bool classes_fit(const uint8_t* classes,
   return true;
 }
 
-// Every reference names something that exists; a node's children come after it,
-// so that the tree is finite, and it has a square left to divide.
-bool field_fits(const GlyphField& field) noexcept {
+// The tree of one tile: every cell exists, nodes are numbered in the order in
+// which one meets them (so that each has one parent and the tree is finite),
+// and none divides a square of 1 u. `next_node` is the number that comes next.
+bool tile_fits(const GlyphField& field,
+               uint32_t tile,
+               uint32_t& next_node) noexcept {
   const uint32_t tiles = uint32_t{field.tiles_x} * field.tiles_y;
-  const uint32_t count = tiles + 4u * field.node_count;
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t reference = load_u16(field.references + 2 * i);
+  // References still to visit at each level: where, and how many.
+  uint32_t at[format::glyph::kMaxTileLog2 + 1];
+  uint8_t left[format::glyph::kMaxTileLog2 + 1];
+  uint32_t level = 0;
+  at[0] = tile;
+  left[0] = 1;
+  while (true) {
+    if (left[level] == 0) {
+      if (level == 0) {
+        return true;
+      }
+      --level;
+      continue;
+    }
+    const uint32_t reference = load_u16(field.references + 2 * at[level]);
+    ++at[level];
+    --left[level];
     if (reference >= format::glyph::kCellFlag) {
       const uint32_t cell = reference & ~uint32_t{format::glyph::kCellFlag};
       if (cell >= field.cell_count) {
@@ -57,15 +74,37 @@ bool field_fits(const GlyphField& field) noexcept {
       }
     } else if (reference >= format::glyph::kFirstNode) {
       const uint32_t node = reference - format::glyph::kFirstNode;
-      if (node >= field.node_count) {
+      if (node != next_node || node >= field.node_count ||
+          level == field.tile_log2) {
         return false;
       }
-      if (i >= tiles && node <= (i - tiles) / 4) {
-        return false;
-      }
+      ++next_node;
+      ++level;
+      at[level] = tiles + 4 * node;
+      left[level] = 4;
     }
   }
-  return true;
+}
+
+bool field_fits(const GlyphField& field) noexcept {
+  const uint32_t tiles = uint32_t{field.tiles_x} * field.tiles_y;
+  uint32_t next_node = 0;
+  for (uint32_t tile = 0; tile < tiles; ++tile) {
+    if (!tile_fits(field, tile, next_node)) {
+      return false;
+    }
+  }
+  return next_node == field.node_count;
+}
+
+// Whether a glyph's offsets, `offset[0]` and `offset[1]`, frame a record.
+bool offsets_fit(const uint8_t* offset,
+                 size_t glyphs_size,
+                 uint32_t glyph_count) noexcept {
+  const uint32_t begin = load_u32(offset);
+  const uint32_t end = load_u32(offset + 4);
+  return begin % 4 == 0 && begin >= 4 * (glyph_count + 1) && begin <= end &&
+         end <= glyphs_size;
 }
 
 }  // namespace
@@ -94,12 +133,12 @@ Status Font::verify() const noexcept {
     }
   }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
-    const uint8_t* offset = glyphs_.data + 4 * glyph;
+    if (!offsets_fit(glyphs_.data + 4 * glyph, glyphs_.size, glyph_count_)) {
+      return Status::corrupt;
+    }
     GlyphField opened;
     INKCELL_TRY(field(static_cast<uint16_t>(glyph), opened));
-    const bool empty = load_u32(offset) == load_u32(offset + 4);
-    if ((!empty && record(static_cast<uint16_t>(glyph)).size == 0) ||
-        !field_fits(opened)) {
+    if (!field_fits(opened)) {
       return Status::corrupt;
     }
   }

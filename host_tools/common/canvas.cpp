@@ -236,7 +236,9 @@ void draw_lines(const Font& font,
   loop.context = &scene;
   loop.draw = draw_strip;
   loop.flush = flush_strip;
-  run_strips(loop);
+  if (run_strips(loop) != Status::ok) {
+    throw std::runtime_error("a picture is at least 1 px wide and high");
+  }
 }
 
 Point make_point(double x, double y) {

@@ -222,11 +222,11 @@ bool draw_page(int number,
   strips.height = kPageHeight;
   strips.rows = rows;
   strips.stride = stride_bytes(format, kPageWidth);
+  strips.rows_per_stride = port::rows_per_stride(format);
   strips.context = &loop;
   strips.draw = draw_strip;
   strips.flush = take_strip;
-  run_strips(strips);
-  return loop.drawn;
+  return run_strips(strips) == Status::ok && loop.drawn;
 }
 
 }  // namespace golden

@@ -80,7 +80,7 @@ TEST(default_font_is_empty) {
   CHECK_EQ(font.kerning(0, 0), 0);
   CHECK_EQ(font.record(0).size, 0);
   CHECK_EQ(font.name().size, 0);
-  CHECK_EQ(font.metrics().units_per_em, 1);
+  CHECK_EQ(font.metrics().units_per_em, 1000);
   CHECK_EQ(font.range().max_px, 0);
   CHECK_EQ(font.verify(), Status::corrupt);
 }

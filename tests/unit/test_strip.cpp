@@ -34,9 +34,9 @@ void flush(void* context, const Strip& strip) {
   log.next_y += strip.height;
 }
 
-Log run(int32_t height, int32_t rows) {
-  static uint8_t buffer[24];
-  Log log;
+uint8_t buffer[20 * 24];
+
+StripLoop make_loop(int32_t height, int32_t rows, Log& log) {
   log.buffer = buffer;
   StripLoop loop;
   loop.buffer = buffer;
@@ -47,28 +47,70 @@ Log run(int32_t height, int32_t rows) {
   loop.context = &log;
   loop.draw = draw;
   loop.flush = flush;
-  run_strips(loop);
-  return log;
+  return loop;
+}
+
+// Nothing is called unless all is well.
+void check_refused(const StripLoop& loop, Status status) {
+  const Log& log = *static_cast<const Log*>(loop.context);
+  CHECK_EQ(run_strips(loop), status);
+  CHECK_EQ(log.draws, 0);
 }
 
 }  // namespace
 
 TEST(strips_cover_the_screen_once) {
   for (int32_t rows = 1; rows <= 20; ++rows) {
-    for (int32_t height = 0; height <= 20; ++height) {
-      const Log log = run(height, rows);
+    for (int32_t height = 1; height <= 20; ++height) {
+      Log log;
+      CHECK_EQ(run_strips(make_loop(height, rows, log)), Status::ok);
       CHECK_EQ(log.next_y, height);
       CHECK_EQ(log.draws, (height + rows - 1) / rows);
     }
   }
-  CHECK_EQ(run(10, INT32_MAX).next_y, 10);
+  Log log;
+  CHECK_EQ(run_strips(make_loop(10, INT32_MAX, log)), Status::ok);
+  CHECK_EQ(log.next_y, 10);
 }
 
-TEST(nothing_to_loop_over) {
-  CHECK_EQ(run(10, 0).draws, 0);
-  CHECK_EQ(run(10, -1).draws, 0);
-  CHECK_EQ(run(0, 8).draws, 0);
-  CHECK_EQ(run(-5, 8).draws, 0);
+TEST(sizes_and_functions_are_checked) {
+  Log log;
+  check_refused(make_loop(10, 0, log), Status::bad_argument);
+  check_refused(make_loop(10, -1, log), Status::bad_argument);
+  check_refused(make_loop(0, 8, log), Status::bad_argument);
+  check_refused(make_loop(32768, 8, log), Status::bad_argument);
+  StripLoop loop = make_loop(10, 8, log);
+  loop.width = 0;
+  check_refused(loop, Status::bad_argument);
+  loop = make_loop(10, 8, log);
+  loop.draw = nullptr;
+  check_refused(loop, Status::bad_argument);
+  loop = make_loop(10, 8, log);
+  loop.flush = nullptr;
+  check_refused(loop, Status::bad_argument);
+  loop = make_loop(10, 4, log);
+  loop.rows_per_stride = 8;
+  check_refused(loop, Status::bad_argument);
+}
+
+TEST(the_buffer_holds_a_strip) {
+  Log log;
+  StripLoop loop = make_loop(10, 8, log);
+  loop.buffer.size = 8 * 24 - 1;
+  check_refused(loop, Status::buffer_small);
+  // A page of 8 rows takes one stride, also where the screen ends in it.
+  loop.rows_per_stride = 8;
+  loop.buffer.size = 23;
+  check_refused(loop, Status::buffer_small);
+  loop.buffer.size = 24;
+  CHECK_EQ(run_strips(loop), Status::ok);
+  CHECK_EQ(log.next_y, 10);
+  // No more than the screen is asked for.
+  Log low;
+  loop = make_loop(3, 8, low);
+  loop.buffer.size = 3 * 24;
+  CHECK_EQ(run_strips(loop), Status::ok);
+  CHECK_EQ(low.draws, 1);
 }
 
 TEST(rectangles_intersect) {

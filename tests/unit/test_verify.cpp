@@ -102,6 +102,17 @@ TEST(finds_wrong_glyph_offsets) {
   CHECK_EQ(verify_changed(), Status::corrupt);
   put_u32(offsets + 8, second);
   CHECK_EQ(verify_changed(), Status::ok);
+  // Also where equal offsets say that there is no record.
+  for (uint32_t i = 0; i <= font.glyph_count(); ++i) {
+    put_u32(offsets + 4 * i, 0xfffffffdu);
+  }
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+TEST(finds_trees_without_a_square_left_to_divide) {
+  const Font font = sample();
+  record_of(font, 2)[format::glyph::kTileLog2] = 0;
+  CHECK_EQ(verify_changed(), Status::corrupt);
 }
 
 TEST(finds_wrong_records) {
@@ -124,13 +135,13 @@ TEST(finds_wrong_references) {
   // Children of node 1 are references 20 to 23.
   const Case cases[] = {
       {0, format::glyph::kInside, Status::ok},
-      {0, format::glyph::kFirstNode + nodes - 1, Status::ok},
+      {0, format::glyph::kFirstNode + nodes - 1, Status::corrupt},  // not 1st
       {0, format::glyph::kFirstNode + nodes, Status::corrupt},
       {0, 0x7fff, Status::corrupt},
       {0, format::glyph::kCellFlag + cells - 1, Status::ok},
       {0, format::glyph::kCellFlag + cells, Status::corrupt},
       {0, 0xffff, Status::corrupt},
-      {20, format::glyph::kFirstNode + 2, Status::ok},
+      {20, format::glyph::kFirstNode + 2, Status::corrupt},  // its second
       {20, format::glyph::kFirstNode + 1, Status::corrupt},  // itself
       {23, format::glyph::kFirstNode, Status::corrupt}};     // its parent
   for (const Case& c : cases) {

@@ -21,10 +21,11 @@ void show(void* context, void (*draw)(void*, const Strip&)) noexcept {
   loop.height = kHeight;
   loop.rows = kRows;
   loop.stride = port::stride_bytes(kFormat, kWidth);
+  loop.rows_per_stride = port::rows_per_stride(kFormat);
   loop.context = context;
   loop.draw = draw;
   loop.flush = [](void*, const Strip& strip) { board::display_write(strip); };
-  run_strips(loop);
+  static_cast<void>(run_strips(loop));  // the buffer is made for it
 }
 
 }  // namespace demo

@@ -22,7 +22,7 @@ struct Direction {
 
 /// Size, direction and filter of a style. Built once, constant afterwards, in
 /// the caller's memory; shared by any number of drawing calls. The filter must
-/// outlive it.
+/// outlive it, unchanged.
 class Brush {
  public:
   /// 16 px/em, upright, filter `text`.
@@ -40,6 +40,10 @@ class Brush {
   static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
     return make(size, filter, Direction{}, out);
   }
+
+  /// A filter made in the argument would be gone before the brush is used.
+  static Status make(Q26_6, const Filter&&, Direction, Brush&) = delete;
+  static Status make(Q26_6, const Filter&&, Brush&) = delete;
 
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }

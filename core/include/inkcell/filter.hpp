@@ -10,7 +10,9 @@ namespace inkcell {
 /// What a filter does (the paper, section 4.2.2 and figure 4): coverage is 0
 /// at `outside_px` and below, 255 at `inside_px` and above, and between them
 /// the linear ramp raised to `exponent`. Both cutoffs within +-4 px, inside
-/// above outside by at least 1/8 px; exponent 1/4 to 4.
+/// above outside by at least 1/8 px; exponent 1/4 to 4. A font's distances are
+/// good up to FontRange::band_u on both sides of the edge, 0.75 px at its
+/// smallest size: where a filter reaches beyond, coverage ends abruptly.
 struct FilterSpec {
   Q6_10 outside_px;
   Q6_10 inside_px;

@@ -22,7 +22,7 @@ struct GlyphMetrics {
 /// Measures of the whole font in font units, y up: the descender is negative.
 /// A line is ascender - descender + line_gap high.
 struct FontMetrics {
-  uint16_t units_per_em = 1;
+  uint16_t units_per_em = 1000;
   int16_t ascender = 0;
   int16_t descender = 0;
   int16_t line_gap = 0;
@@ -78,9 +78,16 @@ class Font {
   uint16_t units_per_em() const noexcept { return units_per_em_; }
 
   /// The glyph of a code point. no_glyph: the font has none; `glyph` is then 0,
-  /// which is .notdef, so that the status may be ignored for drawing. Binary
-  /// search: at most 17 steps.
+  /// which is .notdef. Binary search: two steps more for four times the ranges,
+  /// 8 for a font of 128.
   Status glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept;
+
+  /// The same for drawing: .notdef for what the font lacks.
+  uint16_t glyph_or_notdef(uint32_t code_point) const noexcept {
+    uint16_t glyph = 0;
+    static_cast<void>(glyph_of(code_point, glyph));
+    return glyph;
+  }
 
   /// no_glyph: there is no glyph of this id; `out` is untouched.
   Status glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept;
@@ -118,7 +125,7 @@ class Font {
   Span<const uint8_t> glyphs_;
   Span<const uint8_t> kerning_;
   uint16_t glyph_count_ = 0;
-  uint16_t units_per_em_ = 1;
+  uint16_t units_per_em_ = 1000;
   uint16_t left_classes_ = 0;
   uint16_t right_classes_ = 0;
   uint8_t class_bytes_ = 1;

@@ -20,7 +20,8 @@ struct Point {
   Q26_6 y;
 };
 
-/// The same, finer and wider: how glyphs of a run are placed. [px, Q10]
+/// The same, finer and wider: how glyphs of a run are placed. [px, Q10] At most
+/// 2^60 in magnitude.
 struct FinePoint {
   int64_t x_q10 = 0;
   int64_t y_q10 = 0;
@@ -46,8 +47,9 @@ Rect field_box(const GlyphField& field,
                FinePoint origin) noexcept;
 
 /// Signed distances, in px, at the centres of `out.size` pixels of row `y` from
-/// `x` to the right; saturated ones are +-32 px. The plain form of what
-/// draw_field fuses, for filters and effects of one's own.
+/// `x` to the right, x + out.size below 2^31. Saturated ones are one em or 32
+/// px, whichever is less. The plain form of what draw_field fuses, for filters
+/// and effects of one's own.
 void distance_row(const GlyphField& field,
                   const Brush& brush,
                   FinePoint origin,

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
 
 namespace inkcell {
 
@@ -72,13 +73,14 @@ struct Sink {
 
 /// How a screen is drawn strip by strip with a small buffer.
 struct StripLoop {
-  /// The buffer for one strip: `rows` times `stride` bytes (page layouts: an
-  /// eighth of that, and `rows` a multiple of 8). The caller owns it.
+  /// The buffer for one strip, owned by the caller: strip_bytes() in port/pixel
+  /// says how large.
   Span<uint8_t> buffer;
-  int32_t width = 0;   // of the screen [px]
-  int32_t height = 0;  // of the screen [px]
-  int32_t rows = 0;    // of a strip; the last one may have fewer
-  int32_t stride = 0;  // [bytes]
+  int32_t width = 0;            // of the screen [px], 1..32767
+  int32_t height = 0;           // of the screen [px], 1..32767
+  int32_t rows = 0;             // of a strip; the last one may have fewer
+  int32_t stride = 0;           // [bytes]
+  int32_t rows_per_stride = 1;  // 8 in page layouts, whose bytes stand upright
   /// Passed back as the first argument of both functions.
   void* context = nullptr;
   /// Draws everything that meets the strip: background first, then text.
@@ -90,6 +92,10 @@ struct StripLoop {
 
 /// Calls draw and flush for the strips of a screen, from top to bottom. The
 /// picture is the same for every number of rows.
-void run_strips(const StripLoop& loop) noexcept;
+///
+/// bad_argument: a size is outside its range, `rows` is not a multiple of
+/// rows_per_stride, or a function is missing. buffer_small: the buffer does not
+/// hold `rows` rows. Nothing is called then.
+Status run_strips(const StripLoop& loop) noexcept;
 
 }  // namespace inkcell

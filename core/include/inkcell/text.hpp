@@ -90,7 +90,8 @@ struct TextMeasure {
 
 TextMeasure measure(const Font& font, Text text) noexcept;
 
-/// A length in font units at a brush's size, rounded to the nearest 1/64 px.
+/// A length in font units at a brush's size, rounded to the nearest 1/64 px and
+/// clamped to the range of Q26_6.
 Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept;
 
 /// Draws laid-out glyphs with the run's origin (left end of its baseline) at

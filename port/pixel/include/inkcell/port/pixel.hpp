@@ -16,9 +16,9 @@
 // sink; the colour may be changed between two calls that draw. The strip may
 // not: make the sink anew. make_sink() returns, and leaves `out` alone, with
 //
-//   bad_argument  a negative size, a stride shorter than a row or over 65535
-//                 bytes, a corner over 32767 px from the origin, or what the
-//                 target's header says
+//   bad_argument  a negative size, a size or the distance of a corner from the
+//                 origin over 32767 px, a stride shorter than a row or over
+//                 65535 bytes, or what the target's header says
 //   buffer_small  fewer pixels than the rows need
 //   misaligned    only xrgb8888: pixels or stride not a multiple of 4 bytes
 //
@@ -28,6 +28,9 @@
 
 #include <stddef.h>
 #include <stdint.h>
+
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace port {
@@ -70,12 +73,29 @@ constexpr int32_t bits_per_pixel(PixelFormat format) noexcept {
   }
 }
 
-/// The smallest Strip::stride [bytes] for `width` px (0..32767): a row, or in
-/// mono_pages a page of 8 rows.
+/// The most pixels that a strip has in one direction.
+inline constexpr int32_t kMaxSide = 32767;
+
+namespace detail {
+
+constexpr int32_t clamp_side(int32_t px) noexcept {
+  return px < 0 ? 0 : (px > kMaxSide ? kMaxSide : px);
+}
+
+}  // namespace detail
+
+/// The smallest Strip::stride [bytes] for `width` px: a row, or in mono_pages a
+/// page of 8 rows. 0..32767 px; beyond, that of the nearest of these.
 constexpr int32_t stride_bytes(PixelFormat format, int32_t width) noexcept {
+  const int32_t pixels = detail::clamp_side(width);
   return format == PixelFormat::mono_pages
-             ? width
-             : (width * bits_per_pixel(format) + 7) / 8;
+             ? pixels
+             : (pixels * bits_per_pixel(format) + 7) / 8;
+}
+
+/// The rows that one stride covers: 8 in mono_pages, else 1.
+constexpr int32_t rows_per_stride(PixelFormat format) noexcept {
+  return format == PixelFormat::mono_pages ? 8 : 1;
 }
 
 /// The bytes that a strip of `width` x `height` px needs with that stride.
@@ -87,6 +107,10 @@ constexpr size_t strip_bytes(PixelFormat format,
   return static_cast<size_t>(stride_bytes(format, width)) *
          static_cast<size_t>(rows);
 }
+
+/// What pixel.hpp says of bad_argument and buffer_small, but for the targets:
+/// whether `strip` can hold pixels of `format`.
+Status check_strip(const Strip& strip, PixelFormat format) noexcept;
 
 /// value / 255 to the nearest whole number, exact for 0..65535. There are no
 /// ties: 255 is odd.
