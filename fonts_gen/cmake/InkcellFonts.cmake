@@ -6,7 +6,7 @@
 #     [SYMBOLS <string>] [TEXT <utf-8 file>...]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
-#     [CELLS samples] [CODING direct] [PREDICATE size|fixed])
+#     [CELLS samples] [CODING direct] [PREDICATE size|fixed] [EFFORT <0..9>])
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
@@ -92,7 +92,8 @@ endfunction()
 
 function(inkcell_add_font target)
   set(single
-    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE)
+    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE
+    EFFORT)
   set(several CHARS TEXT AXIS)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES OR NOT arg_FONT)
@@ -111,7 +112,8 @@ function(inkcell_add_font target)
   endif()
 
   set(options)
-  foreach(word MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE)
+  foreach(word
+      MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE EFFORT)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")

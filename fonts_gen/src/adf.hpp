@@ -24,6 +24,11 @@ struct AdfOptions {
   /// Largest error of rendered intensity. [1/255] Used by size_aware.
   double tolerance = 16;
   Predicate predicate = Predicate::size_aware;
+  /// How hard to try to serve a large cell before it is divided, 0..9. 0: its
+  /// nine samples or nothing; else they are fitted in up to 2 * effort rounds.
+  /// Used by size_aware. DejaVu Sans, ASCII: 40911 cells with 0, 29366 with 1,
+  /// 26238 with 5, 26204 with 9, in about the same time.
+  int effort = 5;
 };
 
 /// How far from the edge the field must be good: 0.75 px at the smallest size,

@@ -11,8 +11,6 @@ namespace {
 constexpr size_t kSide = Lattice::kSteps + 1;
 constexpr size_t kPoints = kSide * kSide;
 
-// More rounds than ten saved no cell of the fonts measured.
-constexpr int kRounds = 10;
 // From round kPatience on, a fit this far beyond the limit is given up. [limit]
 constexpr int kPatience = 2;
 constexpr double kHopeless = 1.5;
@@ -142,6 +140,7 @@ double errors_of(const Metric& metric,
 bool fit_cell(const Metric& metric,
               Lattice& lattice,
               const Neighbourhood& truth,
+              int rounds,
               std::array<double, 9>& nine) {
   lattice.fill(truth);
   std::array<double, kPoints> weight;
@@ -149,7 +148,7 @@ bool fit_cell(const Metric& metric,
     weight[p] = first_weight(metric, lattice[p]);
   }
   double best = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     Nine values{};
     if (!least_squares(lattice, weight, values)) {
       break;

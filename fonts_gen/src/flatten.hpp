@@ -9,7 +9,7 @@ namespace inkcell {
 namespace gen {
 
 /// No point of a curve is farther than this from its chords, and no point of a
-/// chord farther from the curve. [u] 1/16384 px at 64 px/em.
+/// chord farther from the curve. [u] 1/4096 px at 64 px/em.
 inline constexpr double kFlatteningBound = 1.0 / 256;
 
 /// Chords that a curve needs: the smallest n with

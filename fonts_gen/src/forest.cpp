@@ -20,6 +20,9 @@ constexpr int kGridLimit_u = format::glyph::kGridLimit;
 // one in two hundred could.
 constexpr double kFitReach = 3;
 
+// Rounds of the fit.
+constexpr int kRoundsPerEffort = 2;
+
 // What a saturated cell reads as. [u]
 constexpr double kSaturated_u = kSaturatedDistanceQ10 / 1024.0;
 
@@ -91,7 +94,8 @@ Forest::Forest(const Shape& shape, const AdfOptions& options)
       metric_(options),
       test_(metric_, options.predicate == Predicate::size_aware),
       grid_(lay_grid(shape, options)),
-      size_aware_(options.predicate == Predicate::size_aware) {
+      size_aware_(options.predicate == Predicate::size_aware),
+      fit_rounds_(size_aware_ ? kRoundsPerEffort * options.effort : 0) {
   for (const CellSquare& tile : tiles_of(grid_)) {
     trees_.emplace_back();
     trees_.back().square = tile;
@@ -156,12 +160,12 @@ bool Forest::settle(Tree& tree,
     return true;
   }
   tree.verdict = test_.run(tree.cell, lattice, truth);
-  if (tree.verdict.passed || !size_aware_ ||
+  if (tree.verdict.passed || fit_rounds_ == 0 ||
       tree.verdict.worst > kFitReach * metric_.limit()) {
     return tree.verdict.passed;
   }
   std::array<double, 9> fitted = nine;
-  if (!fit_cell(metric_, lattice, truth, fitted)) {
+  if (!fit_cell(metric_, lattice, truth, fit_rounds_, fitted)) {
     return false;
   }
   tree.cell = quantise(fitted, log2);

@@ -73,6 +73,7 @@ class Forest {
   CellTest test_;
   Grid grid_;
   bool size_aware_;
+  int fit_rounds_;  // 0: cells are not fitted
   std::vector<Tree> trees_;
   uint32_t cell_count_ = 0;
 };

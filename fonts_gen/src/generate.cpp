@@ -35,6 +35,9 @@ void check_request(const GenerateRequest& request) {
   if (!is_whole_within(adf.tolerance, 1, 255)) {
     throw Error("--tolerance is a whole number within 1..255, such as 16/255");
   }
+  if (adf.effort < 0 || adf.effort > 9) {
+    throw Error("--effort is a whole number within 0..9");
+  }
 }
 
 CharSet characters_of(const GenerateRequest& request) {

@@ -105,6 +105,12 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
          "sizes; 'fixed', 1/1024 em near the edge")
       ->type_name("size|fixed")
       ->default_str("size");
+  app.add_option("--effort", adf.effort,
+                 "How hard to fit cells before they are divided; 0: no fit, "
+                 "about half as many cells again; above 5: hardly fewer")
+      ->check(CLI::Range(0, 9))
+      ->type_name("0..9")
+      ->capture_default_str();
 }
 
 }  // namespace

@@ -112,7 +112,8 @@ std::string report_as_json(const FontReport& report) {
   json["predicate"] = fixed ? "fixed" : "size";
   json["min_px"] = static_cast<int>(options.min_px);
   json["max_px"] = static_cast<int>(options.max_px);
-  json["tolerance"] = static_cast<int>(options.tolerance);
+  json["tolerance"] = fixed ? 0 : static_cast<int>(options.tolerance);
+  json["effort"] = options.effort;
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},

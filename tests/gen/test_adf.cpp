@@ -136,6 +136,31 @@ TEST(Adf, SizesAndTolerancesAreHeld) {
   }
 }
 
+TEST(Adf, EffortSavesCells) {
+  const std::vector<Outline> glyphs =
+      load_outlines(kLiberationSerif, 0, {'a', 'R', '&'});
+  size_t before = 0;
+  for (const int effort : {0, 1, 5, 9}) {
+    AdfOptions options;
+    options.effort = effort;
+    size_t cells = 0;
+    for (const Outline& o : glyphs) {
+      const Shape shape(o);
+      const AdfGlyph glyph = build_adf(shape, options);
+      EXPECT_LE(worst_pixel(shape, Record(glyph), options, 20000),
+                options.tolerance);
+      cells += glyph.cells.size();
+    }
+    if (effort == 9) {
+      EXPECT_NEAR(static_cast<double>(cells), static_cast<double>(before),
+                  static_cast<double>(before) / 50);
+    } else {
+      EXPECT_TRUE(before == 0 || cells < before) << effort;
+    }
+    before = cells;
+  }
+}
+
 TEST(Adf, HanziAreWithinTheTolerance) {
   AdfOptions options;
   options.max_px = 32;

@@ -128,6 +128,11 @@ TEST(Generate, RefusesWrongRequests) {
   }
   EXPECT_NE(range(8, 64, 0).find("--tolerance"), std::string::npos);
   EXPECT_NE(range(8, 64, 256).find("--tolerance"), std::string::npos);
+  for (const int effort : {-1, 10}) {
+    GenerateRequest request = dejavu();
+    request.adf.effort = effort;
+    EXPECT_EQ(refusal(request).find("--effort"), 0u);
+  }
   GenerateRequest request = dejavu();
   request.symbols = "\n";
   EXPECT_NE(refusal(request).find("no characters"), std::string::npos);
@@ -220,6 +225,7 @@ TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
   const auto json = nlohmann::json::parse(report_as_json(rom.report));
   EXPECT_EQ(json.at("predicate"), "fixed");
   EXPECT_EQ(json.at("error").at("unit"), "1/1024 em");
+  EXPECT_EQ(json.at("tolerance"), 0);
   EXPECT_EQ(rom.bytes[format::header::kPredicate], 1);
   EXPECT_EQ(rom.bytes[format::header::kTolerance], 0);
 }

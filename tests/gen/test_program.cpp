@@ -84,11 +84,12 @@ TEST_F(Program, TakesEveryOption) {
       folder_,
       "--font plain.ttf --face 0 --chars 0x2E --chars 'U+48,0x20' --min-px 10 "
       "--max-px 20 --tolerance 12/255 --cells samples --coding direct "
-      "--predicate size --format c --name dot --out a.c --report a.json");
+      "--predicate size --effort 3 --format c --name dot --out a.c --report a.json");
   EXPECT_EQ(result.code, 0) << result.err;
   const auto report =
       nlohmann::json::parse(read_file(folder_.path() / "a.json"));
   EXPECT_EQ(report.at("tolerance"), 12);
+  EXPECT_EQ(report.at("effort"), 3);
   EXPECT_EQ(report.at("characters"), 3);
 }
 
@@ -115,6 +116,8 @@ TEST_F(Program, RefusesWrongOptions) {
         "--font plain.ttf --out a.bin --tolerance 0",
         "--font plain.ttf --out a.bin --tolerance 16/256",
         "--font plain.ttf --out a.bin --tolerance x",
+        "--font plain.ttf --out a.bin --effort -1",
+        "--font plain.ttf --out a.bin --effort 10",
         "--font plain.ttf --out a.bin --min-px 3",
         "--font plain.ttf --out a.bin --max-px 1025",
         "--font plain.ttf --out a.bin --min-px 30 --max-px 20",
@@ -194,7 +197,8 @@ TEST_F(Program, WritesSourcesThatCompile) {
   const std::string command =
       "cd '" + folder_.path().string() +
       "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c plain.c && "
-      "c++ -std=c++17 -Wall -Wextra -Werror -I" INKCELL_SOURCE_DIR
+      "c++ " INKCELL_CXX_FLAGS
+      " -std=c++17 -Wall -Wextra -Werror -I" INKCELL_SOURCE_DIR
       "/core/include main.cpp plain.o " INKCELL_CORE_LIBRARY
       " -o main && ./main";
   EXPECT_EQ(std::system(command.c_str()), 0);
