@@ -487,6 +487,18 @@ TEST(wrong_strips_are_refused) {
   }
 }
 
+TEST(bytes_of_absurd_sizes_do_not_overflow) {
+  static_assert(stride_bytes(PixelFormat::xrgb8888, INT32_MAX) == 4 * 32767,
+                "");
+  static_assert(stride_bytes(PixelFormat::mono_rows, INT32_MIN) == 0, "");
+  static_assert(strip_bytes(PixelFormat::mono_pages, 3, INT32_MAX) == 3 * 4096,
+                "");
+  Strip strip = {{nullptr, SIZE_MAX}, -32767, 0, 32768, 1, 65535};
+  CHECK_EQ(check_strip(strip, PixelFormat::a8), Status::bad_argument);
+  strip.width = 32767;
+  CHECK_OK(check_strip(strip, PixelFormat::a8));
+}
+
 TEST(short_stride_is_refused) {
   for (const Format& f : kFormats) {
     canvas.open(f, 9, 0);

@@ -10,33 +10,23 @@
 namespace inkcell {
 namespace port {
 
-/// bad_argument: `strip` has no pixels, leaves a screen of `width` x `height`
-/// px, its edges lie inside a byte of `format`, or its stride is shorter than a
-/// row. buffer_small: its pixels are fewer than its rows need.
-inline Status check_strip(const Strip& strip,
-                          PixelFormat format,
-                          int32_t width,
-                          int32_t height) noexcept {
-  // Differences, because sums of untrusted numbers could overflow.
+/// What check_strip() says; and bad_argument if `strip` has no pixels, leaves a
+/// screen of `width` x `height` px, or its edges lie inside a byte of `format`.
+inline Status check_on_screen(const Strip& strip,
+                              PixelFormat format,
+                              int32_t width,
+                              int32_t height) noexcept {
+  INKCELL_TRY(check_strip(strip, format));
+  // Differences, because sums with an untrusted size could overflow.
   if (strip.width <= 0 || strip.width > width || strip.height <= 0 ||
       strip.height > height || strip.x0 < 0 || strip.x0 > width - strip.width ||
       strip.y0 < 0 || strip.y0 > height - strip.height) {
     return Status::bad_argument;
   }
-  const bool pages = format == PixelFormat::mono_pages;
-  if (pages ? ((strip.y0 | strip.height) & 7) != 0
-            : (((strip.x0 | strip.width) * bits_per_pixel(format)) & 7) != 0) {
-    return Status::bad_argument;
-  }
-  const int32_t row = stride_bytes(format, strip.width);
-  if (strip.stride < row || strip.stride > 0xffff) {
-    return Status::bad_argument;
-  }
-  const int32_t rows = pages ? strip.height / 8 : strip.height;
-  const size_t needed =
-      static_cast<size_t>(strip.stride) * static_cast<size_t>(rows - 1) +
-      static_cast<size_t>(row);
-  return strip.pixels.size < needed ? Status::buffer_small : Status::ok;
+  const int32_t cut = format == PixelFormat::mono_pages
+                          ? strip.y0 | strip.height
+                          : (strip.x0 | strip.width) * bits_per_pixel(format);
+  return (cut & 7) != 0 ? Status::bad_argument : Status::ok;
 }
 
 }  // namespace port

@@ -3,19 +3,16 @@
 
 #include "bounds.hpp"
 
-// The compiler's own, not a library's header.
-extern "C" void* memcpy(void* to, const void* from, size_t size);
-
 namespace inkcell {
 namespace port {
 
 Status write(const Framebuffer& display, const Strip& strip) noexcept {
   INKCELL_TRY(
-      check_strip(strip, display.format, display.width, display.height));
+      check_on_screen(strip, display.format, display.width, display.height));
   const Strip whole = {display.pixels, 0, 0, display.width, display.height,
                        display.stride};
   INKCELL_TRY(
-      check_strip(whole, display.format, display.width, display.height));
+      check_on_screen(whole, display.format, display.width, display.height));
 
   const bool pages = display.format == PixelFormat::mono_pages;
   const int32_t left =
@@ -27,7 +24,7 @@ Status write(const Framebuffer& display, const Strip& strip) noexcept {
   uint8_t* to = display.pixels.data + top * display.stride + left;
   const uint8_t* from = strip.pixels.data;
   for (int32_t y = 0; y < rows; ++y) {
-    memcpy(to, from, row_bytes);
+    __builtin_memcpy(to, from, row_bytes);
     to += display.stride;
     from += strip.stride;
   }

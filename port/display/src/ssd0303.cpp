@@ -20,6 +20,9 @@ enum Command : uint8_t {
   kScanNormal = 0xc0,
 };
 
+constexpr int32_t kColumns = 132;  // of the controller's memory [px]
+constexpr int32_t kRows = 64;
+
 }  // namespace
 
 void init(const Ssd0303& display) noexcept {
@@ -31,8 +34,12 @@ void init(const Ssd0303& display) noexcept {
 }
 
 Status write(const Ssd0303& display, const Strip& strip) noexcept {
-  INKCELL_TRY(check_strip(strip, PixelFormat::mono_pages, display.width,
-                          display.height));
+  if (display.first_column + display.width > kColumns ||
+      display.height > kRows) {
+    return Status::bad_argument;
+  }
+  INKCELL_TRY(check_on_screen(strip, PixelFormat::mono_pages, display.width,
+                              display.height));
   const int32_t column = display.first_column + strip.x0;
   const uint8_t* page = strip.pixels.data;
   for (int32_t y = 0; y < strip.height; y += 8, page += strip.stride) {

@@ -19,6 +19,9 @@ enum Command : uint8_t {
   kDisplayOn = 0xaf,
 };
 
+constexpr int32_t kMaxWidth = 128;  // of the controller's memory [px]
+constexpr int32_t kMaxHeight = 80;
+
 }  // namespace
 
 void init(const Ssd0323& display) noexcept {
@@ -39,8 +42,11 @@ void init(const Ssd0323& display) noexcept {
 }
 
 Status write(const Ssd0323& display, const Strip& strip) noexcept {
-  INKCELL_TRY(
-      check_strip(strip, PixelFormat::grey4, display.width, display.height));
+  if (display.width > kMaxWidth || display.height > kMaxHeight) {
+    return Status::bad_argument;
+  }
+  INKCELL_TRY(check_on_screen(strip, PixelFormat::grey4, display.width,
+                              display.height));
   const uint8_t window[] = {
       kSetColumns,
       static_cast<uint8_t>(strip.x0 / 2),

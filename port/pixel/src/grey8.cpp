@@ -39,8 +39,8 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(Grey8Target& target, Sink& out) noexcept {
-  return detail::open_sink(target.strip, {8, 0}, {{}, &target, coverage, solid},
-                           out);
+  return detail::open_sink(target.strip, PixelFormat::grey8,
+                           {{}, &target, coverage, solid}, out);
 }
 
 }  // namespace port

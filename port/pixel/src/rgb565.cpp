@@ -102,7 +102,7 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(Rgb565Target& target, Sink& out) noexcept {
-  return detail::open_sink(target.strip, {16, 0},
+  return detail::open_sink(target.strip, PixelFormat::rgb565,
                            {{}, &target, coverage, solid}, out);
 }
 

@@ -3,19 +3,15 @@
 
 namespace inkcell {
 namespace port {
-namespace detail {
-
 namespace {
-
-// Sink::window lies within this. With it no sum below overflows.
-constexpr int32_t kMaxPosition = 32767;  // [px]
 
 // 65535 rows of it still fit 32 bits.
 constexpr int32_t kMaxStride = 65535;  // [bytes]
 
+// Sink::window lies within this, and no sum below overflows.
 bool in_range(int32_t origin, int32_t size) noexcept {
-  return origin >= -kMaxPosition && origin <= kMaxPosition && size >= 0 &&
-         size <= kMaxPosition - origin;
+  return origin >= -kMaxSide && origin <= kMaxSide && size >= 0 &&
+         size <= kMaxSide && size <= kMaxSide - origin;
 }
 
 // The difference modulo 2^32. `b` is a strip's corner, so it wraps only for an
@@ -26,6 +22,8 @@ int32_t wrapping_difference(int32_t a, int32_t b) noexcept {
 }
 
 }  // namespace
+
+namespace detail {
 
 bool clip(const Strip& strip, Run& run) noexcept {
   run.y = wrapping_difference(run.y, strip.y0);
@@ -50,18 +48,27 @@ bool clip(const Strip& strip, Run& run) noexcept {
 }
 
 Status open_sink(const Strip& strip,
-                 Layout layout,
+                 PixelFormat format,
                  const Sink& functions,
                  Sink& out) noexcept {
+  INKCELL_TRY(check_strip(strip, format));
+  out = functions;
+  out.window = strip.rect();
+  return Status::ok;
+}
+
+}  // namespace detail
+
+Status check_strip(const Strip& strip, PixelFormat format) noexcept {
   if (!in_range(strip.x0, strip.width) || !in_range(strip.y0, strip.height)) {
     return Status::bad_argument;
   }
-  const int32_t row_bytes = (strip.width * layout.bits + 7) >> 3;
+  const int32_t row_bytes = stride_bytes(format, strip.width);
   if (strip.stride < row_bytes || strip.stride > kMaxStride) {
     return Status::bad_argument;
   }
-  const int32_t rows =
-      (strip.height + (1 << layout.rows_log2) - 1) >> layout.rows_log2;
+  const int32_t per_stride = rows_per_stride(format);
+  const int32_t rows = (strip.height + per_stride - 1) / per_stride;
   if (rows > 0) {
     // The last row need not be followed by the stride's padding.
     const uint32_t before_last =
@@ -72,11 +79,8 @@ Status open_sink(const Strip& strip,
       return Status::buffer_small;
     }
   }
-  out = functions;
-  out.window = strip.rect();
   return Status::ok;
 }
 
-}  // namespace detail
 }  // namespace port
 }  // namespace inkcell

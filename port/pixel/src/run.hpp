@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/port/pixel.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 
@@ -23,17 +24,10 @@ struct Run {
 /// pixel. Returns whether anything is left. Safe for any values.
 bool clip(const Strip& strip, Run& run) noexcept;
 
-/// How a format lies in memory: `bits` from one byte column or pixel to the
-/// next, `1 << rows_log2` rows to a stride.
-struct Layout {
-  int32_t bits;
-  int32_t rows_log2;
-};
-
-/// Makes the sink of `strip` from the two functions and their context, if the
-/// strip is what pixel.hpp asks for.
+/// Makes the sink of `strip` from the two functions and their context, if
+/// check_strip() agrees.
 Status open_sink(const Strip& strip,
-                 Layout layout,
+                 PixelFormat format,
                  const Sink& functions,
                  Sink& out) noexcept;
 

@@ -73,7 +73,8 @@ Status make_sink(Xrgb8888Target& target, Sink& out) noexcept {
   if (((address | static_cast<uintptr_t>(strip.stride)) & 3) != 0) {
     return Status::misaligned;
   }
-  return detail::open_sink(strip, {32, 0}, {{}, &target, coverage, solid}, out);
+  return detail::open_sink(strip, PixelFormat::xrgb8888,
+                           {{}, &target, coverage, solid}, out);
 }
 
 }  // namespace port

@@ -98,14 +98,16 @@ constexpr int32_t rows_per_stride(PixelFormat format) noexcept {
   return format == PixelFormat::mono_pages ? 8 : 1;
 }
 
-/// The bytes that a strip of `width` x `height` px needs with that stride.
+/// The bytes that a strip of `width` x `height` px needs with that stride; the
+/// range is that of stride_bytes().
 constexpr size_t strip_bytes(PixelFormat format,
                              int32_t width,
                              int32_t height) noexcept {
-  const int32_t rows =
-      format == PixelFormat::mono_pages ? (height + 7) / 8 : height;
+  const int32_t per_stride = rows_per_stride(format);
+  const int32_t strides =
+      (detail::clamp_side(height) + per_stride - 1) / per_stride;
   return static_cast<size_t>(stride_bytes(format, width)) *
-         static_cast<size_t>(rows);
+         static_cast<size_t>(strides);
 }
 
 /// What pixel.hpp says of bad_argument and buffer_small, but for the targets:
