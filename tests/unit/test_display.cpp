@@ -68,7 +68,7 @@ struct GreyModel {
     }
   }
 
-  static void command(void* context, const uint8_t* c, size_t count) noexcept {
+  static void command(void* context, const uint8_t* c, size_t count) {
     bytes_received += static_cast<int>(count);
     for (size_t i = 0; i < count;) {
       static_cast<GreyModel*>(context)->run(c + i);
@@ -77,7 +77,7 @@ struct GreyModel {
     }
   }
 
-  static void data(void* context, const uint8_t* bytes, size_t count) noexcept {
+  static void data(void* context, const uint8_t* bytes, size_t count) {
     bytes_received += static_cast<int>(count);
     for (size_t i = 0; i < count; ++i) {
       static_cast<GreyModel*>(context)->put(bytes[i]);
@@ -94,7 +94,7 @@ struct PageModel {
   int32_t page = 0, column = 0;
   bool on = false;
 
-  static void command(void* context, const uint8_t* c, size_t count) noexcept {
+  static void command(void* context, const uint8_t* c, size_t count) {
     auto& model = *static_cast<PageModel*>(context);
     bytes_received += static_cast<int>(count);
     for (size_t i = 0; i < count; ++i) {
@@ -115,7 +115,7 @@ struct PageModel {
     }
   }
 
-  static void data(void* context, const uint8_t* bytes, size_t count) noexcept {
+  static void data(void* context, const uint8_t* bytes, size_t count) {
     auto& model = *static_cast<PageModel*>(context);
     bytes_received += static_cast<int>(count);
     for (size_t i = 0; i < count; ++i) {
@@ -264,6 +264,37 @@ TEST(strips_that_do_not_fit_are_refused) {
   CHECK_EQ(bytes_received, 0);
   for (const uint8_t byte : pixels) {
     CHECK_EQ(byte, 0);
+  }
+}
+
+// A display that the controller has no memory for, whatever the strip.
+TEST(displays_that_are_too_large_are_refused) {
+  GreyModel grey;
+  PageModel page;
+  const DisplayBus grey_bus = {&grey, GreyModel::command, GreyModel::data};
+  const DisplayBus page_bus = {&page, PageModel::command, PageModel::data};
+  const Strip strip = make_strip(0, 0, 8, 8, 8);
+  bytes_received = 0;
+  CHECK_EQ(write(Ssd0323{grey_bus, 130, 64}, strip), Status::bad_argument);
+  CHECK_EQ(write(Ssd0323{grey_bus, 128, 81}, strip), Status::bad_argument);
+  CHECK_EQ(write(Ssd0303{page_bus, 133, 64, 0}, strip), Status::bad_argument);
+  CHECK_EQ(write(Ssd0303{page_bus, 132, 72, 0}, strip), Status::bad_argument);
+  CHECK_EQ(write(Ssd0303{page_bus, 96, 16, 37}, strip), Status::bad_argument);
+  CHECK_EQ(bytes_received, 0);
+  CHECK_OK(write(Ssd0323{grey_bus, 128, 80}, strip));
+  CHECK_OK(write(Ssd0303{page_bus, 96, 64, 36}, strip));
+}
+
+// Widths whose bits are more than 2^31.
+TEST(absurd_framebuffers_are_refused) {
+  const int32_t widths[] = {0x7ffffff8, 32768};
+  uint8_t pixels[64] = {};
+  for (const int32_t width : widths) {
+    const Framebuffer display = {pixels, PixelFormat::xrgb8888, width, 16,
+                                 65535};
+    CHECK_EQ(write(display, make_strip(0, 0, width, 8, 65535)),
+             Status::bad_argument);
+    CHECK_EQ(write(display, make_strip(0, 0, 8, 8, 32)), Status::bad_argument);
   }
 }
 

@@ -18,14 +18,10 @@ namespace port {
 struct DisplayBus {
   /// Passed back as the first argument of both functions.
   void* context = nullptr;
-  /// Sends a command and its parameters.
-  void (*command)(void* context,
-                  const uint8_t* bytes,
-                  size_t count) noexcept = nullptr;
-  /// Sends pixels.
-  void (*data)(void* context,
-               const uint8_t* bytes,
-               size_t count) noexcept = nullptr;
+  /// Sends a command and its parameters. Throws nothing: plain C functions fit.
+  void (*command)(void* context, const uint8_t* bytes, size_t count) = nullptr;
+  /// Sends pixels. Throws nothing.
+  void (*data)(void* context, const uint8_t* bytes, size_t count) = nullptr;
 };
 
 }  // namespace port

@@ -16,18 +16,24 @@ struct Ssd0303 {
   DisplayBus bus;
   uint8_t width = 132;       // [px]
   uint8_t height = 64;       // [px], a multiple of 8
-  uint8_t first_column = 0;  // of the memory's 132, the leftmost on the panel
+  uint8_t first_column = 0;  // of the memory's 132, the leftmost on the panel;
+                             // first_column + width are at most 132
 };
 
 /// Sets the addressing that write() relies on, and switches the panel on. The
 /// contents of the display's memory are not changed.
+///
+/// What depends on panel and wiring is the board's to send, through the same
+/// bus: DC-DC converter or charge pump, contrast, clock, multiplex ratio, and
+/// after init() the remap of a panel mounted the other way round.
 void init(const Ssd0303& display) noexcept;
 
 /// Sends a strip to its place on the screen, page by page.
 ///
-/// bad_argument: the strip does not lie on the screen, its top or height is not
-/// a multiple of 8, or its stride is shorter than a page. buffer_small: its
-/// pixels are fewer than its pages need. Nothing is sent then.
+/// bad_argument: the display is larger than the controller's memory, the strip
+/// does not lie on the screen, its top or height is not a multiple of 8, or its
+/// stride is shorter than a page. buffer_small: its pixels are fewer than its
+/// pages need. Nothing is sent then.
 Status write(const Ssd0303& display, const Strip& strip) noexcept;
 
 }  // namespace port

@@ -20,13 +20,18 @@ struct Ssd0323 {
 
 /// Sets the addressing that write() relies on, and switches the panel on. The
 /// contents of the display's memory are not changed.
+///
+/// What depends on panel and wiring is the board's to send, through the same
+/// bus: DC-DC converter, contrast, clock, grey table, and after init() the
+/// remap of a panel mounted the other way round.
 void init(const Ssd0323& display) noexcept;
 
 /// Sends a strip to its place on the screen.
 ///
-/// bad_argument: the strip does not lie on the screen, its left edge or width
-/// is odd, or its stride is shorter than a row. buffer_small: its pixels are
-/// fewer than its rows need. Nothing is sent then.
+/// bad_argument: the display is larger than the controller's memory, the strip
+/// does not lie on the screen, its left edge or width is odd, or its stride is
+/// shorter than a row. buffer_small: its pixels are fewer than its rows need.
+/// Nothing is sent then.
 Status write(const Ssd0323& display, const Strip& strip) noexcept;
 
 }  // namespace port
