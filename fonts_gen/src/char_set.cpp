@@ -154,6 +154,10 @@ void add_text(std::string_view text, const std::string& source, CharSet& out) {
 }
 
 void add_text_file(const std::filesystem::path& file, CharSet& out) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw Error(file.string() + ": is a folder; give --text a file");
+  }
   std::ifstream in(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(in), {});
   if (!in.is_open() || in.bad()) {

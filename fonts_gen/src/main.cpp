@@ -90,8 +90,8 @@ std::string dependencies(const Arguments& arguments) {
   return rule + "\n";
 }
 
-// Writes everything first and moves it to its place then: either all files
-// appear or none.
+// Writes everything first and moves it to its place then, the font last: if
+// the disk is full, no file appears.
 void write_files(const Arguments& arguments, const RomFont& font) {
   OutputFile out(arguments.out);
   out.write(encode(font, arguments.format, arguments.name));
@@ -112,17 +112,26 @@ void write_files(const Arguments& arguments, const RomFont& font) {
   out.commit();
 }
 
+// Refuses before work begins what would fail or do harm after it.
+void check_files(const Arguments& arguments) {
+  const std::vector<std::filesystem::path> targets = {
+      arguments.out, arguments.report, arguments.depfile};
+  for (const std::filesystem::path& file : targets) {
+    if (!file.empty()) {
+      check_writable(file);
+    }
+  }
+  std::vector<std::filesystem::path> inputs = arguments.request.text_files;
+  inputs.push_back(arguments.request.font);
+  check_apart(targets, inputs);
+}
+
 void run(Arguments& arguments) {
   if (arguments.name.empty()) {
     arguments.name = identifier_of(arguments.request.font);
   }
   check_identifier(arguments.name);
-  for (const std::string* file :
-       {&arguments.out, &arguments.report, &arguments.depfile}) {
-    if (!file->empty()) {
-      check_writable(*file);
-    }
-  }
+  check_files(arguments);
   Progress progress(arguments.quiet);
   arguments.request.progress = [&](size_t done, size_t count) {
     progress.update(done, count);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 
 #include "error.hpp"
 #include "inkcell/version.hpp"
@@ -15,6 +16,40 @@ namespace {
 std::filesystem::path folder_of(const std::filesystem::path& target) {
   const std::filesystem::path folder = target.parent_path();
   return folder.empty() ? std::filesystem::path(".") : folder;
+}
+
+// Links that may follow each other, as on Linux.
+constexpr int kMostLinks = 40;
+
+// What `target` is in the end if it is a symbolic link, which need not exist.
+std::filesystem::path follow_links(std::filesystem::path target) {
+  const std::string name = target.string();
+  std::error_code error;
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (!std::filesystem::is_symlink(
+            std::filesystem::symlink_status(target, error))) {
+      return target;
+    }
+    // An absolute link replaces the whole path.
+    target = folder_of(target) / std::filesystem::read_symlink(target, error);
+    if (error) {
+      break;
+    }
+  }
+  throw Error(name + ": is a symbolic link that leads nowhere; remove it");
+}
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) {
+    return true;
+  }
+  const auto place = [&](const std::filesystem::path& file) {
+    const std::filesystem::path whole = follow_links(file);
+    return std::filesystem::weakly_canonical(folder_of(whole), error) /
+           whole.filename();
+  };
+  return place(a) == place(b);
 }
 
 // Numbers of an array, in lines of at most 80 columns.
@@ -32,6 +67,111 @@ void append_array(std::string& out, const std::vector<uint8_t>& bytes) {
     column += text.size();
   }
   out += '\n';
+}
+
+// Keywords and other spellings of operators, of C up to C23 and C++ up to
+// C++23. Sorted. Those that begin with _ and a capital are found by that.
+constexpr std::string_view kKeywords[] = {"alignas",
+                                          "alignof",
+                                          "and",
+                                          "and_eq",
+                                          "asm",
+                                          "auto",
+                                          "bitand",
+                                          "bitor",
+                                          "bool",
+                                          "break",
+                                          "case",
+                                          "catch",
+                                          "char",
+                                          "char16_t",
+                                          "char32_t",
+                                          "char8_t",
+                                          "class",
+                                          "co_await",
+                                          "co_return",
+                                          "co_yield",
+                                          "compl",
+                                          "concept",
+                                          "const",
+                                          "const_cast",
+                                          "consteval",
+                                          "constexpr",
+                                          "constinit",
+                                          "continue",
+                                          "decltype",
+                                          "default",
+                                          "delete",
+                                          "do",
+                                          "double",
+                                          "dynamic_cast",
+                                          "else",
+                                          "enum",
+                                          "explicit",
+                                          "export",
+                                          "extern",
+                                          "false",
+                                          "float",
+                                          "for",
+                                          "friend",
+                                          "goto",
+                                          "if",
+                                          "inline",
+                                          "int",
+                                          "long",
+                                          "mutable",
+                                          "namespace",
+                                          "new",
+                                          "noexcept",
+                                          "not",
+                                          "not_eq",
+                                          "nullptr",
+                                          "operator",
+                                          "or",
+                                          "or_eq",
+                                          "private",
+                                          "protected",
+                                          "public",
+                                          "register",
+                                          "reinterpret_cast",
+                                          "requires",
+                                          "restrict",
+                                          "return",
+                                          "short",
+                                          "signed",
+                                          "sizeof",
+                                          "static",
+                                          "static_assert",
+                                          "static_cast",
+                                          "struct",
+                                          "switch",
+                                          "template",
+                                          "this",
+                                          "thread_local",
+                                          "throw",
+                                          "true",
+                                          "try",
+                                          "typedef",
+                                          "typeid",
+                                          "typename",
+                                          "typeof",
+                                          "typeof_unqual",
+                                          "union",
+                                          "unsigned",
+                                          "using",
+                                          "virtual",
+                                          "void",
+                                          "volatile",
+                                          "wchar_t",
+                                          "while",
+                                          "xor",
+                                          "xor_eq"};
+
+bool is_keyword(const std::string& name) {
+  const bool reserved =
+      name.size() > 1 && name[0] == '_' && name[1] >= 'A' && name[1] <= 'Z';
+  return reserved ||
+         std::binary_search(std::begin(kKeywords), std::end(kKeywords), name);
 }
 
 // What the font is, for the first lines of a source file. File and family names
@@ -86,10 +226,16 @@ std::string encode_c(const RomFont& font, const std::string& name) {
 }  // namespace
 
 void check_writable(const std::filesystem::path& target) {
-  const std::filesystem::path folder = folder_of(target);
+  const std::filesystem::path folder = folder_of(follow_links(target));
   std::error_code error;
   if (std::filesystem::is_directory(target, error)) {
     throw Error(target.string() + ": is a folder; name a file");
+  }
+  if (std::filesystem::exists(target, error) &&
+      !std::filesystem::is_regular_file(target, error)) {
+    throw Error(target.string() +
+                ": is a device or a pipe, which would be replaced; name a "
+                "file");
   }
   if (!std::filesystem::is_directory(folder, error)) {
     throw Error(target.string() + ": there is no folder " + folder.string() +
@@ -101,8 +247,28 @@ void check_writable(const std::filesystem::path& target) {
   }
 }
 
+void check_apart(const std::vector<std::filesystem::path>& targets,
+                 const std::vector<std::filesystem::path>& inputs) {
+  for (size_t i = 0; i < targets.size(); ++i) {
+    const auto refuse_if_same = [&](const std::filesystem::path& other,
+                                    const char* what) {
+      if (!targets[i].empty() && !other.empty() &&
+          same_file(targets[i], other)) {
+        throw Error(targets[i].string() + ": is " + what +
+                    " too; name another file");
+      }
+    };
+    for (const std::filesystem::path& input : inputs) {
+      refuse_if_same(input, "a file to read");
+    }
+    for (size_t k = 0; k < i; ++k) {
+      refuse_if_same(targets[k], "another file to write");
+    }
+  }
+}
+
 OutputFile::OutputFile(std::filesystem::path target)
-    : target_(std::move(target)) {
+    : target_(follow_links(std::move(target))) {
   check_writable(target_);
   temporary_ = folder_of(target_) / ("." + target_.filename().string() +
                                      ".part" + std::to_string(getpid()));
@@ -159,6 +325,10 @@ void check_identifier(const std::string& name) {
     throw Error("--name: '" + name +
                 "' is not an identifier; use letters, digits and _");
   }
+  if (is_keyword(name)) {
+    throw Error("--name: '" + name +
+                "' belongs to C or C++; use another, such as font_" + name);
+  }
 }
 
 std::string identifier_of(const std::filesystem::path& font) {
@@ -168,8 +338,8 @@ std::string identifier_of(const std::filesystem::path& font) {
                       (c >= '0' && c <= '9');
     c = keep ? c : '_';
   }
-  return name.empty() || (name[0] >= '0' && name[0] <= '9') ? "font_" + name
-                                                            : name;
+  const bool begins_well = !name.empty() && !(name[0] >= '0' && name[0] <= '9');
+  return begins_well && !is_keyword(name) ? name : "font_" + name;
 }
 
 }  // namespace inkcell::gen

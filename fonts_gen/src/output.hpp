@@ -5,16 +5,18 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "generate.hpp"
 
 namespace inkcell::gen {
 
 /// A file that is written beside its place and moved there by `commit`. Without
-/// commit nothing is left behind, and what was there before stays.
+/// commit nothing is left behind, and what was there before stays. Where the
+/// place is a symbolic link, what it points to is replaced, not the link.
 class OutputFile {
  public:
-  /// Throws Error if the folder cannot be written to.
+  /// Throws Error as check_writable does.
   explicit OutputFile(std::filesystem::path target);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -31,8 +33,14 @@ class OutputFile {
   bool committed_ = false;
 };
 
-/// Throws Error unless a file can be made at `target`: before work begins.
+/// Throws Error unless a file can be made at `target`, or the one that is there
+/// replaced: before work begins. Folders, devices and pipes are refused.
 void check_writable(const std::filesystem::path& target);
+
+/// Throws Error if one of `targets` is the same file as another or as one of
+/// `inputs`, by whatever path. Empty paths are skipped.
+void check_apart(const std::vector<std::filesystem::path>& targets,
+                 const std::vector<std::filesystem::path>& inputs);
 
 enum class OutputFormat { bin, hpp, c };
 
@@ -42,11 +50,12 @@ std::string encode(const RomFont& font,
                    OutputFormat format,
                    const std::string& name);
 
-/// Throws Error unless `name` is an identifier that C and C++ accept.
+/// Throws Error unless `name` is an identifier that C and C++ accept: no
+/// keyword of either.
 void check_identifier(const std::string& name);
 
 /// An identifier made of a font file's name: DejaVuSans-Bold.ttf gives
-/// DejaVuSans_Bold.
+/// DejaVuSans_Bold, new.ttf gives font_new.
 std::string identifier_of(const std::filesystem::path& font);
 
 }  // namespace inkcell::gen

@@ -67,6 +67,13 @@ TEST(CharSet, ReadsFiles) {
                 set);
   EXPECT_EQ(set, (CharSet{'A', 'B'}));
   EXPECT_THROW(add_text_file(folder.path() / "none.txt", set), Error);
+  try {
+    add_text_file(folder.path(), set);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(),
+              folder.path().string() + ": is a folder; give --text a file");
+  }
 }
 
 TEST(CharSet, WritesUtf8) {

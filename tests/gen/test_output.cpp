@@ -3,6 +3,8 @@
 
 #include "output.hpp"
 
+#include <sys/stat.h>
+
 #include "error.hpp"
 #include "sfnt_builder.hpp"
 
@@ -41,6 +43,56 @@ TEST(OutputFile, RefusesPlacesThatCannotBe) {
   const TestFolder folder;
   EXPECT_THROW(OutputFile(folder.path() / "none" / "font.bin"), Error);
   EXPECT_THROW(OutputFile(folder.path()), Error);
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(OutputFile(folder.path() / "pipe"), Error);
+  EXPECT_THROW(OutputFile("/dev/null"), Error);
+  std::filesystem::create_symlink("/dev/null", folder.path() / "null");
+  EXPECT_THROW(OutputFile(folder.path() / "null"), Error);
+  std::filesystem::create_symlink("loop", folder.path() / "loop");
+  EXPECT_THROW(OutputFile(folder.path() / "loop"), Error);
+  std::filesystem::create_symlink("none/font.bin", folder.path() / "lost");
+  EXPECT_THROW(OutputFile(folder.path() / "lost"), Error);
+}
+
+TEST(OutputFile, WritesWhereALinkPoints) {
+  const TestFolder folder;
+  const std::filesystem::path there = folder.path() / "there";
+  std::filesystem::create_directory(there);
+  std::filesystem::create_symlink("there/font.bin", folder.path() / "link");
+  std::filesystem::create_symlink("link", folder.path() / "link2");
+  // First there is nothing, then the old file.
+  for (const char* content : {"first", "second"}) {
+    OutputFile file(folder.path() / "link2");
+    file.write(content);
+    file.commit();
+    EXPECT_EQ(text_of(there / "font.bin"), content);
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link2"));
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"link", "link2", "there"}));
+}
+
+TEST(OutputFile, IsNoOtherFile) {
+  const TestFolder folder;
+  const std::filesystem::path& path = folder.path();
+  const std::filesystem::path font =
+      folder.write("font.ttf", std::vector<uint8_t>{0});
+  std::filesystem::create_symlink("font.ttf", path / "link");
+  std::filesystem::create_symlink("new.bin", path / "to_new");
+  std::filesystem::create_symlink(".", path / "here");
+  const std::filesystem::path out = path / "new.bin";
+  EXPECT_NO_THROW(check_apart({out, path / "new.json", ""}, {font, ""}));
+  for (const std::filesystem::path& same :
+       {font, path / "link", path / "." / "font.ttf",
+        path / "here" / "font.ttf"}) {
+    EXPECT_THROW(check_apart({out, same}, {font}), Error) << same;
+  }
+  for (const std::filesystem::path& same :
+       {out, path / "to_new", path / "here" / "new.bin",
+        path / "here" / ".." / path.filename() / "new.bin"}) {
+    EXPECT_THROW(check_apart({out, "", same}, {font}), Error) << same;
+  }
 }
 
 RomFont small_font() {
@@ -80,7 +132,9 @@ TEST(Identifier, IsChecked) {
   for (const char* name : {"a", "_a9", "DejaVuSans"}) {
     EXPECT_NO_THROW(check_identifier(name));
   }
-  for (const char* name : {"", "9a", "a-b", "a b", "a;", "\xc3\xa4"}) {
+  for (const char* name :
+       {"", "9a", "a-b", "a b", "a;", "\xc3\xa4", "new", "xor_eq", "alignas",
+        "restrict", "reinterpret_cast", "typeof_unqual", "while", "_Bool"}) {
     EXPECT_THROW(check_identifier(name), Error) << name;
   }
 }
@@ -89,6 +143,8 @@ TEST(Identifier, ComesFromTheFile) {
   EXPECT_EQ(identifier_of("/x/DejaVuSans-Bold.ttf"), "DejaVuSans_Bold");
   EXPECT_EQ(identifier_of("04b_03.ttf"), "font_04b_03");
   EXPECT_EQ(identifier_of("a.b.otf"), "a_b");
+  EXPECT_EQ(identifier_of("new.ttf"), "font_new");
+  EXPECT_EQ(identifier_of("news.ttf"), "news");
 }
 
 }  // namespace
