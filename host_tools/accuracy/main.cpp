@@ -5,13 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "comparison.hpp"
 #include "parallel.hpp"
+#include "program.hpp"
 #include "rom_file.hpp"
 
 namespace inkcell::tools {
@@ -186,11 +186,7 @@ int main(int argc, char** argv) {
       "px around them; p95: of the partly covered pixels.");
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return inkcell::tools::run(arguments) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 2;
-  }
+  return inkcell::tools::run_program(
+      app, argc, argv, [&] { return inkcell::tools::run(arguments) ? 0 : 1; },
+      2);
 }

@@ -6,21 +6,15 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
+#include "bytes.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/text.hpp"
 
 namespace inkcell::tools {
 namespace {
-
-uint32_t read_u16(const uint8_t* p) {
-  return static_cast<uint32_t>(p[0] | p[1] << 8);
-}
-
-uint32_t read_u32(const uint8_t* p) {
-  return read_u16(p) | read_u16(p + 2) << 16;
-}
 
 std::string remedy(Status status) {
   switch (status) {
@@ -75,15 +69,20 @@ RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
 }
 
 std::vector<uint8_t> read_file(const std::filesystem::path& file) {
+  std::error_code ignored;  // opening says it better
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw std::runtime_error(file.string() +
+                             ": is a folder; name a file in it");
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     throw std::runtime_error(file.string() + ": " + std::strerror(errno));
   }
-  std::vector<uint8_t> bytes(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) {
-    throw std::runtime_error(file.string() + ": cannot be read");
+  try {
+    return {std::istreambuf_iterator<char>(in), {}};
+  } catch (const std::ios_base::failure&) {
+    throw std::runtime_error(file.string() + ": cannot be read to its end");
   }
-  return bytes;
 }
 
 bool is_rom_font(const std::vector<uint8_t>& bytes) {

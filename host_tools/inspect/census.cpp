@@ -3,19 +3,12 @@
 
 #include <algorithm>
 
+#include "bytes.hpp"
 #include "inkcell/format.hpp"
 #include "rom_file.hpp"
 
 namespace inkcell::tools {
 namespace {
-
-uint32_t read_u16(const uint8_t* p) {
-  return static_cast<uint32_t>(p[0] | p[1] << 8);
-}
-
-uint32_t read_u32(const uint8_t* p) {
-  return read_u16(p) | read_u16(p + 2) << 16;
-}
 
 GlyphCensus take_glyph(const Font& font, uint16_t glyph) {
   GlyphCensus census;

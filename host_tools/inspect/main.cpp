@@ -1,13 +1,13 @@
 // inkcell-inspect: what is in a font, in words, numbers and pictures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 
 #include "census.hpp"
 #include "convert.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
+#include "program.hpp"
 #include "report.hpp"
 
 namespace inkcell::tools {
@@ -117,12 +117,8 @@ int main(int argc, char** argv) {
   CLI::App app("Shows what is in an Inkcell font.");
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::tools::run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

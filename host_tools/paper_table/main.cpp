@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "leaf_list.hpp"
 #include "paper_counts.hpp"
 #include "parallel.hpp"
+#include "program.hpp"
 #include "rom_file.hpp"
 #include "shape.hpp"
 
@@ -264,12 +264,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--jobs", arguments.jobs, "Threads [all cores]");
   app.add_option("--json", arguments.json, "Write all glyphs as JSON");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::tools::run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -1,10 +1,9 @@
 // inkcell-specimen: pictures that show a font at work.
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 
 #include "convert.hpp"
 #include "options.hpp"
+#include "program.hpp"
 #include "specimen.hpp"
 
 namespace inkcell::tools {
@@ -62,12 +61,8 @@ int main(int argc, char** argv) {
   CLI::App app("Draws pictures that show an Inkcell font at work.");
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::tools::run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }
