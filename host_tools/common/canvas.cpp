@@ -12,7 +12,8 @@ namespace inkcell::tools {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int32_t kMaxSide = 32767;  // [px], as strip.hpp says
+constexpr int32_t kMaxSide = 32767;        // [px], as strip.hpp says
+constexpr double kMaxPosition = 16777215;  // [px]
 
 Fixed<int32_t, 30> to_q30(double value) {
   return Fixed<int32_t, 30>::from_raw(
@@ -80,23 +81,35 @@ class CountingSink {
 struct Scene {
   const Font& font;
   const std::vector<Line>& lines;
+  const std::vector<Point>& origins;  // of the lines
   const Brush& brush;
-  Point origin;
   Image& image;
   DrawStats* stats;
 };
 
-void draw_all(const Scene& scene, const Sink& sink) {
-  const double em = scene.brush.size().raw / 64.0;
-  const Direction direction = scene.brush.direction();
-  for (const Line& line : scene.lines) {
-    const double up = em * line.y / scene.font.units_per_em();
+// Where lines begin if the first begins at `origin`.
+std::vector<Point> origins_of(const std::vector<Line>& lines,
+                              const Font& font,
+                              const Brush& brush,
+                              Point origin) {
+  const double em = brush.size().raw / 64.0;
+  const Direction direction = brush.direction();
+  std::vector<Point> origins;
+  for (const Line& line : lines) {
+    const double up = em * line.y / font.units_per_em();
     const Point shift = make_point(-up * from_q30(direction.sine),
                                    -up * from_q30(direction.cosine));
-    const Point origin = {Q26_6::from_raw(scene.origin.x.raw + shift.x.raw),
-                          Q26_6::from_raw(scene.origin.y.raw + shift.y.raw)};
-    draw(scene.font, {line.glyphs.data(), line.glyphs.size()}, scene.brush,
-         origin, sink);
+    origins.push_back({Q26_6::from_raw(origin.x.raw + shift.x.raw),
+                       Q26_6::from_raw(origin.y.raw + shift.y.raw)});
+  }
+  return origins;
+}
+
+void draw_all(const Scene& scene, const Sink& sink) {
+  for (size_t i = 0; i < scene.lines.size(); ++i) {
+    const std::vector<PositionedGlyph>& glyphs = scene.lines[i].glyphs;
+    draw(scene.font, {glyphs.data(), glyphs.size()}, scene.brush,
+         scene.origins[i], sink);
   }
 }
 
@@ -224,7 +237,8 @@ void draw_lines(const Font& font,
   if (image.width > kMaxSide || image.height > kMaxSide) {
     throw std::runtime_error("pictures are at most 32767 px wide and high");
   }
-  Scene scene{font, lines, brush, origin, image, stats};
+  const std::vector<Point> origins = origins_of(lines, font, brush, origin);
+  Scene scene{font, lines, origins, brush, image, stats};
   std::vector<uint8_t> buffer(static_cast<size_t>(image.width) *
                               static_cast<size_t>(rows));
   StripLoop loop;
@@ -242,6 +256,10 @@ void draw_lines(const Font& font,
 }
 
 Point make_point(double x, double y) {
+  // Written so that no number at all is refused too.
+  if (!(std::abs(x) <= kMaxPosition && std::abs(y) <= kMaxPosition)) {
+    throw std::runtime_error("positions lie within 16777215 px of the origin");
+  }
   return {Q26_6::from_raw(static_cast<int32_t>(std::lround(x * 64))),
           Q26_6::from_raw(static_cast<int32_t>(std::lround(y * 64)))};
 }

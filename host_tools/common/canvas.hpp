@@ -60,7 +60,8 @@ inline constexpr int32_t kStripRows = 32;
 /// Draws lines over the grey picture (255: full ink) in strips of `rows` rows,
 /// the first line's origin at `origin`, the others where the brush's direction
 /// leads, to the nearest 1/64 px. Adds to `stats` if given. Throws
-/// std::runtime_error if the picture is wider or higher than 32767 px.
+/// std::runtime_error if a side of the picture is not within 1..32767 px, or a
+/// line lies too far from the first.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const Brush& brush,
@@ -69,7 +70,8 @@ void draw_lines(const Font& font,
                 DrawStats* stats = nullptr,
                 int32_t rows = kStripRows);
 
-/// A position in px, to the nearest 1/64.
+/// A position in px, to the nearest 1/64. Throws std::runtime_error if it is
+/// not within +-16777215 px: the sum of two positions is one of Q26_6.
 Point make_point(double x, double y);
 
 }  // namespace inkcell::tools

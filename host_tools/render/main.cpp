@@ -3,21 +3,24 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <optional>
 
 #include "canvas.hpp"
 #include "convert.hpp"
 #include "filters.hpp"
 #include "options.hpp"
+#include "program.hpp"
 #include "render_jobs.hpp"
 
 namespace inkcell::tools {
 namespace {
 
 // Pixels around the ink where nobody says how large the picture shall be: the
-// widest filter and a shift by --dx, --dy need less. [px]
+// widest filter needs less than one of them, and the other holds a shift by
+// --dx, --dy, so that the same text in all phases makes pictures of one size.
 constexpr int kMargin = 2;
+constexpr double kShiftInMargin = 1;  // [px]
+constexpr double kMaxSide = 32767;    // of a picture [px]
 
 struct Arguments {
   gen::GenerateRequest request;
@@ -99,19 +102,40 @@ struct Placement {
   Point origin;
 };
 
+// One direction of a placement: the ink from `low` to `high`, relative to the
+// origin. [px]
+struct Extent {
+  double origin = 0;  // with the shift
+  int side = 0;
+};
+
+Extent place(double low,
+             double high,
+             double shift,
+             std::optional<double> origin,
+             std::optional<int> side) {
+  // Beyond the margin the picture holds the text at both ends of the shift.
+  const double beyond = std::abs(shift) <= kShiftInMargin ? 0 : shift;
+  const double start =
+      origin.value_or(kMargin - std::floor(low + std::min(beyond, 0.0)));
+  const double end = std::ceil(start + high + std::max(beyond, 0.0)) + kMargin;
+  if (!side.has_value() && !(end <= kMaxSide)) {
+    throw std::runtime_error(
+        "the text ends beyond 32767 px, the largest picture; say --width and "
+        "--height, or look at --ox, --oy, --dx and --dy");
+  }
+  Extent extent;
+  extent.origin = start + shift;
+  extent.side = side.value_or(static_cast<int>(std::max(end, 1.0)));
+  return extent;
+}
+
 Placement place(const Arguments& arguments, const InkBox& ink) {
-  Placement placement;
-  const int x0 = static_cast<int>(std::floor(ink.x0)) - kMargin;
-  const int y0 = static_cast<int>(std::floor(ink.y0)) - kMargin;
-  const double ox = arguments.ox.value_or(-x0);
-  const double oy = arguments.oy.value_or(-y0);
-  // Without a size: enough for the ink where it is, and at least one pixel.
-  const int right = static_cast<int>(std::ceil(ox + ink.x1)) + kMargin;
-  const int bottom = static_cast<int>(std::ceil(oy + ink.y1)) + kMargin;
-  placement.width = arguments.width.value_or(std::max(right, 1));
-  placement.height = arguments.height.value_or(std::max(bottom, 1));
-  placement.origin = make_point(ox + arguments.dx / 64, oy + arguments.dy / 64);
-  return placement;
+  const Extent x =
+      place(ink.x0, ink.x1, arguments.dx / 64, arguments.ox, arguments.width);
+  const Extent y =
+      place(ink.y0, ink.y1, arguments.dy / 64, arguments.oy, arguments.height);
+  return {x.side, y.side, make_point(x.origin, y.origin)};
 }
 
 size_t glyph_count(const std::vector<Line>& lines) {
@@ -200,12 +224,8 @@ int main(int argc, char** argv) {
   CLI::App app("Draws text with Inkcell's device core into a picture.");
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::tools::run(arguments, app);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

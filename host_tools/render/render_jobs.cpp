@@ -1,9 +1,9 @@
 // Reads job files and draws their pictures on all cores.
 #include "render_jobs.hpp"
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "canvas.hpp"
@@ -50,10 +50,8 @@ void render(const RenderJob& job,
 }  // namespace
 
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) {
-    throw std::runtime_error(file.string() + ": cannot be read");
-  }
+  const std::vector<uint8_t> bytes = read_file(file);
+  std::istringstream in(std::string(bytes.begin(), bytes.end()));
   std::vector<RenderJob> jobs;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {

@@ -113,6 +113,21 @@ class Tools(unittest.TestCase):
             self.assertEqual(still.pixels[y * 80:y * 80 + 79],
                              moved.pixels[(y - 2) * 80 + 1:(y - 1) * 80])
 
+    def test_picture_holds_text_that_was_shifted_far(self):
+        still = self.render("--text", "Va", "--px", 20)
+        for dx, dy in [(6400, 0), (-6400, 0), (0, 6400), (64, -6400)]:
+            moved = self.render("--text", "Va", "--px", 20, "--dx", dx, "--dy",
+                                dy)
+            self.assertEqual(moved.ink(), still.ink())
+            self.assertEqual(moved.width - still.width,
+                             100 if abs(dx) > 64 else 0)
+            self.assertEqual(moved.height - still.height,
+                             100 if abs(dy) > 64 else 0)
+            for edge in (moved.row_ink(0), moved.row_ink(moved.height - 1),
+                         moved.column_ink(0),
+                         moved.column_ink(moved.width - 1)):
+                self.assertEqual(edge, 0)
+
     def test_ink_does_not_depend_on_position(self):
         inks = [self.render("--text", "a", "--px", 24, "--dx", dx, "--dy",
                             dx // 2).ink() for dx in range(0, 64, 16)]
@@ -157,6 +172,14 @@ class Tools(unittest.TestCase):
                 ("is unknown", ("--font", self.font, *text, "--filter", "x")),
                 ("--px is missing", ("--font", self.font, "--text", "a",
                                      "--out", out)),
+                ("beyond 32767 px", ("--font", self.font, *text, "--ox",
+                                     "1e12")),
+                ("beyond 32767 px", ("--font", self.font, *text, "--dy",
+                                     "nan")),
+                ("16777215 px", ("--font", self.font, *text, "--ox", "1e12",
+                                 "--width", 9)),
+                ("16777215 px", ("--font", self.font, *text, "--oy", "-1e12")),
+                ("is a folder; name a file", ("--font", self.path, *text)),
                 ("nowhere", ("--font", "/nowhere.ttf", *text))]:
             code = 105 if said == "not available" else 1
             self.assertIn(said, run("render", *arguments, code=code))
@@ -164,6 +187,7 @@ class Tools(unittest.TestCase):
         broken = self.path / "broken.jsonl"
         broken.write_text('{"font": "a"}\n')
         self.assertIn("broken.jsonl:1", run("render", "--jobs", broken, code=1))
+        self.assertIn("is a folder", run("render", "--jobs", self.path, code=1))
         cut = self.path / "cut.bin"
         cut.write_bytes(self.font.read_bytes()[:500])
         self.assertIn("corrupt", run("render", "--font", cut, *text, code=1))
