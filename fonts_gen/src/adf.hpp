@@ -69,7 +69,7 @@ struct AdfGlyph {
 /// Samples `shape` as finely as `options` demand. The result depends on
 /// nothing else; calls may run in parallel.
 ///
-/// Throws GeometryError::too_complex if it does not fit the format.
+/// Throws GeometryError too_complex or too_large if it does not fit the format.
 AdfGlyph build_adf(const Shape& shape, const AdfOptions& options);
 
 }  // namespace gen

@@ -14,6 +14,20 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A glyph that does not fit the format at these sizes and this tolerance: with
+/// a lower --max-px or a higher --tolerance it may.
+class TooComplex : public Error {
+ public:
+  TooComplex(const std::string& problem, const std::string& remedy)
+      : Error(problem + "; " + remedy), problem_(problem) {}
+
+  /// The text without the remedy: file, glyph and what is too much.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  std::string problem_;
+};
+
 /// Something that the person should know although a font was generated.
 struct Warning {
   enum class Kind {
@@ -21,6 +35,7 @@ struct Warning {
     embedding,           // OS/2 fsType restricts what may be done
     tolerance_missed,    // a glyph is worse than asked for
     measure,             // a metric had to be guessed or clamped
+    no_outline,          // a glyph is a bitmap or in colour only: no ink
   };
   Kind kind;
   std::string text;

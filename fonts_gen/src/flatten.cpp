@@ -50,7 +50,9 @@ void check(const Segment& segment) {
           std::fabs(p.y) <= kCoordinateLimit)) {
       throw GeometryError(
           GeometryError::Kind::bad_coordinates,
-          "a point of the outline is not within 15000/1024 em of the origin");
+          "a point of the outline is not within " +
+              std::to_string(static_cast<int>(kCoordinateLimit)) +
+              "/1024 em of the origin");
     }
   }
 }

@@ -87,53 +87,73 @@ class OutlineBuilder {
   bool ok_ = false;
 };
 
-// Loads a glyph's outline into FreeType's slot, in font units.
-FT_Outline& load_outline(const FontFile& font,
-                         uint32_t glyph,
-                         const std::string& name) {
+// "glyph 36 (U+0041 'A')".
+std::string name_of(uint32_t glyph, const std::string& character) {
+  return "glyph " + std::to_string(glyph) + " (" + character + ")";
+}
+
+// Loads a glyph into FreeType's slot, in font units; FreeType's error.
+FT_Error load_outline(const FontFile& font, uint32_t glyph) {
   const FT_Error error =
       FT_Load_Glyph(font.ft(), glyph,
                     FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP);
-  if (error != 0 || font.ft()->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
-    font.refuse("glyph " + std::to_string(glyph) + " (" + name +
-                ") cannot be read (FreeType error " + std::to_string(error) +
-                "); the font is damaged there: leave the character out or "
-                "get the font anew");
-  }
-  return font.ft()->glyph->outline;
+  const bool is_outline =
+      error == 0 && font.ft()->glyph->format == FT_GLYPH_FORMAT_OUTLINE;
+  return is_outline || error != 0 ? error : FT_Err_Invalid_Glyph_Format;
+}
+
+// Advance of the glyph that is in FreeType's slot. [font units] HarfBuzz knows
+// HVAR, but what is beyond 16 bits with a sign comes out of it negative.
+int advance_of(const FontFile& font, uint32_t glyph) {
+  const int advance = hb_font_get_glyph_h_advance(font.hb(), glyph);
+  return advance >= 0 ? advance
+                      : static_cast<int>(font.ft()->glyph->metrics.horiAdvance);
 }
 
 void read_glyph(const FontFile& font, SourceGlyph& glyph, Warnings& warnings) {
-  FT_Outline& source = load_outline(font, glyph.source, glyph.name());
-  OutlineBuilder builder(font.units_per_em());
-  glyph.outline = builder.build(source);
-  if (!builder.ok()) {
-    font.refuse("glyph " + std::to_string(glyph.source) + " (" + glyph.name() +
-                ") has a malformed outline; leave the character out or repair "
-                "the font");
+  const std::string name = name_of(glyph.source, glyph.name());
+  const FT_Error error = load_outline(font, glyph.source);
+  if (error != 0) {
+    font.refuse(
+        name + " cannot be read (FreeType error " + std::to_string(error) +
+        "); the font is damaged there: " + glyph.remedy("get the font anew"));
   }
-  const int advance = hb_font_get_glyph_h_advance(font.hb(), glyph.source);
+  OutlineBuilder builder(font.units_per_em());
+  glyph.outline = builder.build(font.ft()->glyph->outline);
+  if (!builder.ok()) {
+    font.refuse(name + " has a malformed outline; " +
+                glyph.remedy("repair the font"));
+  }
+  const int advance = advance_of(font, glyph.source);
   glyph.advance = std::clamp(advance, 0, 65535);
   if (glyph.advance != advance) {
     warnings.push_back({Warning::Kind::measure,
-                        glyph.name() + ": advance " + std::to_string(advance) +
-                            " is out of range, " +
+                        font.file_name() + ": " + name + ": advance " +
+                            std::to_string(advance) + " is out of range, " +
                             std::to_string(glyph.advance) + " is used"});
   }
 }
 
-// Highest point of a character in font units; 0 if the font does not have it.
-int top_of(const FontFile& font, char32_t code_point) {
+// Highest point of a character in font units; 0 if the font does not have it,
+// or has it damaged.
+int top_of(const FontFile& font, char32_t code_point, Warnings& warnings) {
   const uint32_t glyph = font.glyph_of(code_point);
   if (glyph == 0) {
     return 0;
   }
+  if (load_outline(font, glyph) != 0) {
+    warnings.push_back(
+        {Warning::Kind::measure,
+         font.file_name() + ": " + name_of(glyph, describe(code_point)) +
+             " cannot be read, so that its height is not known: 0 is used"});
+    return 0;
+  }
   FT_BBox box;
-  FT_Outline_Get_CBox(&load_outline(font, glyph, describe(code_point)), &box);
+  FT_Outline_Get_CBox(&font.ft()->glyph->outline, &box);
   return static_cast<int>(box.yMax);
 }
 
-SourceMetrics read_metrics(const FontFile& font) {
+SourceMetrics read_metrics(const FontFile& font, Warnings& warnings) {
   const auto measure = [&](hb_ot_metrics_tag_t tag, int otherwise) {
     hb_position_t value = 0;
     return hb_ot_metrics_get_position(font.hb(), tag, &value) ? value
@@ -151,10 +171,10 @@ SourceMetrics read_metrics(const FontFile& font) {
   m.cap_height = clamp(measure(HB_OT_METRICS_TAG_CAP_HEIGHT, 0));
   // Old OS/2 tables do not have these two, and some fonts leave them zero.
   if (m.x_height <= 0) {
-    m.x_height = clamp(top_of(font, U'x'));
+    m.x_height = clamp(top_of(font, U'x', warnings));
   }
   if (m.cap_height <= 0) {
-    m.cap_height = clamp(top_of(font, U'H'));
+    m.cap_height = clamp(top_of(font, U'H', warnings));
   }
   return m;
 }
@@ -176,6 +196,50 @@ void warn_of_missing(const FontFile& font,
     text += ", ...";
   }
   warnings.push_back({Warning::Kind::missing_characters, text});
+}
+
+// Whether the font has a picture of the glyph that is no plain outline.
+bool has_picture(const FontFile& font, uint32_t glyph) {
+  hb_blob_t* png = hb_ot_color_glyph_reference_png(font.hb(), glyph);
+  hb_blob_t* svg = hb_ot_color_glyph_reference_svg(font.hb_face(), glyph);
+  const bool found = hb_blob_get_length(png) + hb_blob_get_length(svg) != 0 ||
+                     hb_ot_color_glyph_get_layers(font.hb_face(), glyph, 0,
+                                                  nullptr, nullptr) != 0;
+  hb_blob_destroy(png);
+  hb_blob_destroy(svg);
+  return found;
+}
+
+// Whether a contour can enclose anything. Emoji fonts mark the corners of
+// their pictures by contours of a single point.
+bool has_area(const Outline& outline) {
+  return std::any_of(
+      outline.contours.begin(), outline.contours.end(),
+      [](const Contour& contour) { return contour.segments.size() > 1; });
+}
+
+void warn_of_pictures(const FontFile& file,
+                      const SourceFont& font,
+                      Warnings& warnings) {
+  std::string names;
+  size_t count = 0;
+  for (const SourceGlyph& glyph : font.glyphs) {
+    if (!has_area(glyph.outline) && has_picture(file, glyph.source)) {
+      if (count < kListedCharacters) {
+        names += (count == 0 ? "" : ", ") + glyph.name();
+      }
+      ++count;
+    }
+  }
+  if (count != 0) {
+    warnings.push_back(
+        {Warning::Kind::no_outline,
+         file.file_name() + ": " + std::to_string(count) +
+             (count == 1 ? " glyph is" : " glyphs are") +
+             " a bitmap or a colour picture without an outline, and left "
+             "empty: " +
+             names + (count > kListedCharacters ? ", ..." : "")});
+  }
 }
 
 void warn_of_embedding(const FontFile& font, Warnings& warnings) {
@@ -259,6 +323,10 @@ std::string SourceGlyph::name() const {
   return code_points.empty() ? ".notdef" : describe(code_points.front());
 }
 
+std::string SourceGlyph::remedy(const std::string& repair) const {
+  return code_points.empty() ? repair : repair + " or leave the character out";
+}
+
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   const FontFile file(request.file, request.face, request.axes);
   SourceFont font;
@@ -267,10 +335,11 @@ SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   choose_glyphs(file, request.characters, font);
   warn_of_embedding(file, warnings);
   warn_of_missing(file, font.missing, warnings);
-  font.metrics = read_metrics(file);
+  font.metrics = read_metrics(file, warnings);
   for (SourceGlyph& glyph : font.glyphs) {
     read_glyph(file, glyph, warnings);
   }
+  warn_of_pictures(file, font, warnings);
   font.kerning = read_kerning(file, kerning_glyphs(font), jobs);
   return font;
 }

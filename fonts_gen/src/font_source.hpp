@@ -41,6 +41,9 @@ struct SourceGlyph {
 
   /// How messages and reports name the glyph.
   std::string name() const;
+  /// What to do if the glyph cannot be used: `repair`, or leave the character
+  /// out, which .notdef cannot be.
+  std::string remedy(const std::string& repair) const;
 };
 
 /// Everything about a font that is not yet a field.

@@ -36,6 +36,13 @@ constexpr int kStepY[kSides] = {0, 0, -1, 1};
 // Points of a side at which two cells are compared.
 constexpr int kSeamSteps = 16;
 
+static_assert(kCoordinateLimit + 768.0 / 4 + (1 << kTileLog2) <= kGridLimit_u,
+              "the format must hold the grid of every outline");
+
+[[noreturn]] void throw_too_large(const char* what) {
+  throw GeometryError(GeometryError::Kind::too_large, what);
+}
+
 [[noreturn]] void throw_too_complex(const char* what) {
   throw GeometryError(GeometryError::Kind::too_complex, what);
 }
@@ -63,7 +70,7 @@ Grid lay_grid(const Shape& shape, const AdfOptions& options) {
   grid.tiles_x = tiles_for(box.x1 - std::floor(box.x0), grid.tile_log2);
   grid.tiles_y = tiles_for(box.y1 - std::floor(box.y0), grid.tile_log2);
   if (grid.tiles_x > kMaxTiles || grid.tiles_y > kMaxTiles) {
-    throw_too_complex("the glyph needs more than 255 tiles in a row");
+    throw_too_large("the glyph needs more than 255 tiles in a row");
   }
   const double width = grid.tiles_x << grid.tile_log2;
   const double height = grid.tiles_y << grid.tile_log2;
@@ -73,7 +80,7 @@ Grid lay_grid(const Shape& shape, const AdfOptions& options) {
   grid.y0_u = static_cast<int>(std::floor(box.y0) - std::floor(slack_y / 2));
   if (grid.x0_u < -kGridLimit_u || grid.x0_u + width > kGridLimit_u ||
       grid.y0_u < -kGridLimit_u || grid.y0_u + height > kGridLimit_u) {
-    throw_too_complex("the glyph reaches beyond 15 em from its origin");
+    throw_too_large("the glyph reaches beyond 15 em from its origin");
   }
   return grid;
 }

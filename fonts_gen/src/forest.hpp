@@ -25,7 +25,7 @@ struct Grid {
 /// the ink and the band, slack on all sides alike. fixed: one tile of
 /// 64 * 2^k u, its corner at the ink's and the band's.
 ///
-/// Throws GeometryError::too_complex.
+/// Throws GeometryError::too_large.
 Grid lay_grid(const Shape& shape, const AdfOptions& options);
 
 /// The tiles of a grid, row by row from below.

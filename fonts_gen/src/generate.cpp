@@ -93,10 +93,15 @@ RomGlyph build_glyph(const SourceFont& font,
     }
   } catch (const GeometryError& error) {
     const bool complex = error.kind() == GeometryError::Kind::too_complex;
-    refuse(std::string(error.what()) +
-           (complex ? "; lower --max-px, raise --tolerance, or leave the "
-                      "character out"
-                    : "; repair the outline or leave the character out"));
+    const bool fixed = options.predicate == Predicate::fixed;
+    if (complex && !fixed) {
+      throw TooComplex(
+          font.file_name + ": " + glyph.name() + ": " + error.what(),
+          glyph.remedy("lower --max-px, raise --tolerance"));
+    }
+    refuse(std::string(error.what()) + "; " +
+           glyph.remedy(complex ? "use --predicate size"
+                                : "repair the outline"));
   }
   built.metrics.advance = glyph.advance;
   return built;

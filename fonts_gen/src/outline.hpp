@@ -39,7 +39,8 @@ class GeometryError : public std::runtime_error {
  public:
   enum class Kind {
     bad_coordinates,  // not a number, or beyond kCoordinateLimit
-    too_complex,      // the field has more cells or tiles than the format
+    too_complex,      // the field has more cells or nodes than the format
+    too_large,        // the field reaches farther than the format
     not_united,       // the union of the contours failed
   };
 
@@ -53,8 +54,11 @@ class GeometryError : public std::runtime_error {
 };
 
 /// Coordinates of an outline lie within +-kCoordinateLimit. [u] The format
-/// holds grids up to 16384 u from the origin; the rest is room for the band.
-inline constexpr double kCoordinateLimit = 15000;
+/// holds grids up to format::glyph::kGridLimit = 15360 u from the origin; the
+/// rest is room for the widest band, 192 u at 4 px/em, and the slack of a tile
+/// of 256 u. The tiles of the fixed predicate are larger: with it the grid of
+/// an outline within this limit may yet be refused as too_large.
+inline constexpr double kCoordinateLimit = 15360 - 192 - 256;
 
 }  // namespace gen
 }  // namespace inkcell

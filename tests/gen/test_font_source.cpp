@@ -302,6 +302,70 @@ TEST(FontSource, NamesTheGlyphThatIsDamaged) {
   const std::string message =
       refusal(request_of(folder.write("a.ttf", broken)));
   EXPECT_CONTAINS(message, "a.ttf: glyph 3 (U+0048 'H') cannot be read");
+  EXPECT_CONTAINS(message, "get the font anew or leave the character out");
+  // .notdef cannot be left out.
+  loca = {0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 64, 0, 0, 0, 64, 0, 0, 0, 64};
+  broken.tables["loca"] = loca;
+  const std::string notdef = refusal(request_of(folder.write("a.ttf", broken)));
+  EXPECT_CONTAINS(notdef, "a.ttf: glyph 0 (.notdef) cannot be read");
+  EXPECT_CONTAINS(notdef, "get the font anew");
+  EXPECT_FALSE(contains(notdef, "leave the character out"));
+}
+
+TEST(FontSource, BearsDamageInGlyphsThatAreNotAskedFor) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.cap_height = 0;
+  std::vector<uint8_t> glyf(64, 0xff);
+  glyf[0] = 0;
+  glyf[1] = 9;
+  source.tables["glyf"] = glyf;
+  std::vector<uint8_t> loca(5 * 4);
+  loca.back() = 64;
+  source.tables["loca"] = loca;
+  Warnings warnings;
+  const SourceFont font =
+      load_font(request_of(folder.write("a.ttf", source), "."), 1, warnings);
+  EXPECT_EQ(font.metrics.cap_height, 0);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].kind, Warning::Kind::measure);
+  EXPECT_CONTAINS(warnings[0].text, "a.ttf: glyph 3 (U+0048 'H') cannot be");
+}
+
+TEST(FontSource, ReadsAdvancesOf16Bits) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  for (const int advance : {32767, 32768, 65535}) {
+    source.glyphs[3].advance = advance;
+    Warnings warnings;
+    const SourceFont font =
+        load_font(request_of(folder.write("a.ttf", source), "H"), 1, warnings);
+    EXPECT_EQ(font.glyphs[1].advance, advance);
+    EXPECT_TRUE(warnings.empty());
+  }
+  source.glyphs[3].advance = 40000;
+  source.wght_shift = 100;
+  FontRequest request = request_of(folder.write("a.ttf", source), "H");
+  request.axes = {parse_axis("wght=900")};
+  EXPECT_EQ(load(request).glyphs[1].advance, 40100);
+}
+
+TEST(FontSource, WarnsOfGlyphsThatArePictures) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.glyphs.push_back({U'*', 500, {}});
+  // One picture for the glyphs 3 and 4, H and the star.
+  source.tables["SVG "] = {0, 0, 0, 0, 0,   10,  0,   0,   0,   0,
+                           0, 1, 0, 3, 0,   4,   0,   0,   0,   14,
+                           0, 0, 0, 6, '<', 's', 'v', 'g', '/', '>'};
+  Warnings warnings;
+  load_font(request_of(folder.write("a.ttf", source), "0x20,.,H,*"), 1,
+            warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].kind, Warning::Kind::no_outline);
+  EXPECT_CONTAINS(warnings[0].text, "a.ttf: 1 glyph is a bitmap or a colour");
+  EXPECT_CONTAINS(warnings[0].text, "empty: U+002A '*'");
+  EXPECT_FALSE(contains(warnings[0].text, "U+0048"));
 }
 
 TEST(FontSource, WarnsOfMissingCharacters) {

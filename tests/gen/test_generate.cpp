@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "char_set.hpp"
+#include "outline.hpp"
 #include "report.hpp"
 #include "sfnt_builder.hpp"
 
@@ -178,6 +179,36 @@ TEST(Generate, NamesTheGlyphThatDoesNotFit) {
   request.symbols = "H";
   const std::string message = refusal(request);
   EXPECT_EQ(message.find("wide.ttf: U+0048 'H': "), 0u) << message;
+  EXPECT_EQ(message.find("--max-px"), std::string::npos) << message;
+  EXPECT_NE(message.find("leave the character out"), std::string::npos);
+  std::swap(source.glyphs[0].contours, source.glyphs[3].contours);
+  request.font = folder.write("wide.ttf", source);
+  const std::string notdef = refusal(request);
+  EXPECT_EQ(notdef.find("wide.ttf: .notdef: "), 0u) << notdef;
+  EXPECT_EQ(notdef.find("leave the character out"), std::string::npos);
+}
+
+// The format holds the grid of whatever is within the limit of coordinates,
+// but for the large tiles of the paper's predicate.
+TEST(Generate, HoldsOutlinesUpToTheLimit) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.units_per_em = 1024;
+  const int limit = static_cast<int>(kCoordinateLimit);
+  GenerateRequest request;
+  request.symbols = "H";
+  request.adf.min_px = 4;
+  request.adf.max_px = 4;
+  for (const int far : {limit, limit - 1, limit - 77, limit - 255}) {
+    source.glyphs[3].contours = {rectangle(far - 9, far - 9, far, far),
+                                 rectangle(-far, -far, 9 - far, 9 - far)};
+    request.font = folder.write("wide.ttf", source);
+    EXPECT_EQ(refusal(request), "no error") << far;
+  }
+  request.adf.predicate = Predicate::fixed;
+  const std::string message = refusal(request);
+  EXPECT_NE(message.find("beyond 15 em"), std::string::npos) << message;
+  EXPECT_EQ(message.find("--max-px"), std::string::npos) << message;
 }
 
 TEST(Generate, NamesGlyphsThatMissTheTolerance) {

@@ -84,7 +84,8 @@ TEST_F(Program, TakesEveryOption) {
       folder_,
       "--font plain.ttf --face 0 --chars 0x2E --chars 'U+48,0x20' --min-px 10 "
       "--max-px 20 --tolerance 12/255 --cells samples --coding direct "
-      "--predicate size --effort 3 --format c --name dot --out a.c --report a.json");
+      "--predicate size --effort 3 --format c --name dot --out a.c --report "
+      "a.json");
   EXPECT_EQ(result.code, 0) << result.err;
   const auto report =
       nlohmann::json::parse(read_file(folder_.path() / "a.json"));
