@@ -1,28 +1,54 @@
 // Tells ROM fonts from others, which go through the generator.
 #include "convert.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "progress.hpp"
 
 namespace inkcell::tools {
+namespace {
+
+gen::RomFont generate(gen::GenerateRequest request, MaxPx max_px) {
+  while (true) {
+    gen::Progress progress(false);
+    request.progress = [&progress](size_t done, size_t count) {
+      progress.update(done, count);
+    };
+    try {
+      gen::RomFont font = gen::generate(request);
+      progress.finish();
+      return font;
+    } catch (const gen::TooComplex& error) {
+      progress.finish();
+      const double half = std::floor(request.adf.max_px / 2);
+      if (max_px == MaxPx::asked_for || half < request.adf.min_px) {
+        throw;
+      }
+      std::fprintf(stderr,
+                   "warning: %s at %g px; the font is converted for %g to %g "
+                   "px; say --max-px to forbid that\n",
+                   error.problem().c_str(), request.adf.max_px,
+                   request.adf.min_px, half);
+      request.adf.max_px = half;
+    }
+  }
+}
+
+}  // namespace
 
 RomFile load_font_file(const std::filesystem::path& file,
                        gen::GenerateRequest request,
-                       const std::string& text) {
+                       const std::string& text,
+                       MaxPx max_px) {
   std::vector<uint8_t> bytes = read_file(file);
   if (is_rom_font(bytes)) {
     return RomFile(std::move(bytes), file.string());
   }
   request.font = file;
   request.symbols += text;
-  gen::Progress progress(false);
-  request.progress = [&progress](size_t done, size_t count) {
-    progress.update(done, count);
-  };
-  gen::RomFont font = gen::generate(request);
-  progress.finish();
+  gen::RomFont font = generate(std::move(request), max_px);
   for (const gen::Warning& warning : font.warnings) {
     std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
   }

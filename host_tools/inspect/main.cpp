@@ -88,12 +88,12 @@ const GlyphCensus& example_glyph(const FontCensus& font) {
   return first == nullptr ? font.glyphs.front() : *first;
 }
 
-void run(const Arguments& arguments) {
-  const RomFile rom =
-      load_font_file(arguments.file, arguments.request,
-                     arguments.glyph.size() > 1 && arguments.glyph[0] == '#'
-                         ? std::string()
-                         : arguments.glyph);
+void run(const Arguments& arguments, const CLI::App& app) {
+  const RomFile rom = load_font_file(
+      arguments.file, arguments.request,
+      arguments.glyph.size() > 1 && arguments.glyph[0] == '#' ? std::string()
+                                                              : arguments.glyph,
+      max_px_of(app));
   const FontCensus font = take_census(rom.font());
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
   return inkcell::tools::run_program(app, argc, argv, [&] {
-    inkcell::tools::run(arguments);
+    inkcell::tools::run(arguments, app);
     return 0;
   });
 }

@@ -165,9 +165,9 @@ void print_stats(const DrawStats& stats,
   std::printf("time             %.3f ms on this machine\n", seconds * 1000);
 }
 
-void render_text(const Arguments& arguments) {
+void render_text(const Arguments& arguments, MaxPx max_px) {
   const RomFile rom =
-      load_font_file(arguments.font, arguments.request, arguments.text);
+      load_font_file(arguments.font, arguments.request, arguments.text, max_px);
   const Font& font = rom.font();
   const Brush brush =
       make_brush(arguments.px, arguments.angle, filter_of(arguments.filter));
@@ -201,8 +201,8 @@ void run(const Arguments& arguments, const CLI::App& app) {
           "from --font, --text, --px and --out");
     }
     const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
-    render_jobs(jobs, arguments.request, filter_of(arguments.filter),
-                arguments.inverted);
+    render_jobs(jobs, arguments.request, max_px_of(app),
+                filter_of(arguments.filter), arguments.inverted);
     if (arguments.stats) {
       std::printf("pictures         %zu\n", jobs.size());
     }
@@ -214,7 +214,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
                                " is missing (or use --jobs); see --help");
     }
   }
-  render_text(arguments);
+  render_text(arguments, max_px_of(app));
 }
 
 }  // namespace

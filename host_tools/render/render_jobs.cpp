@@ -70,6 +70,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
 
 void render_jobs(const std::vector<RenderJob>& jobs,
                  const gen::GenerateRequest& request,
+                 MaxPx max_px,
                  const Filter& filter,
                  bool inverted) {
   std::map<std::string, std::string> texts;
@@ -78,7 +79,7 @@ void render_jobs(const std::vector<RenderJob>& jobs,
   }
   std::map<std::string, RomFile> fonts;
   for (const auto& [file, text] : texts) {
-    fonts.emplace(file, load_font_file(file, request, text));
+    fonts.emplace(file, load_font_file(file, request, text, max_px));
   }
   parallel_for(jobs.size(), 0, [&](size_t i) {
     try {

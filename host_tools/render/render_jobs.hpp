@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "convert.hpp"
 #include "generate.hpp"
 #include "inkcell/filter.hpp"
 
@@ -34,6 +35,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 /// once, with the characters of all its jobs.
 void render_jobs(const std::vector<RenderJob>& jobs,
                  const gen::GenerateRequest& request,
+                 MaxPx max_px,
                  const Filter& filter,
                  bool inverted);
 

@@ -39,8 +39,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   gen::add_generator_options(app, arguments.request);
 }
 
-void run(const Arguments& arguments) {
-  const RomFile rom = load_font_file(arguments.font, arguments.request, "");
+void run(const Arguments& arguments, const CLI::App& app) {
+  const RomFile rom =
+      load_font_file(arguments.font, arguments.request, "", max_px_of(app));
   const auto write = [](const std::string& file, const auto& draw) {
     if (!file.empty()) {
       write_image(file, draw());
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
   return inkcell::tools::run_program(app, argc, argv, [&] {
-    inkcell::tools::run(arguments);
+    inkcell::tools::run(arguments, app);
     return 0;
   });
 }

@@ -1,0 +1,81 @@
+// Fonts converted in memory: what happens to glyphs that are too complex.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "convert.hpp"
+#include "sfnt_builder.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+using gen::test::Polygon;
+using gen::test::Sfnt;
+using gen::test::TestFolder;
+
+// A circle of 40 corners, clockwise (ink) or the other way (a hole).
+Polygon circle(double radius, bool hole) {
+  constexpr int kCorners = 40;
+  Polygon polygon;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = (hole ? 2 : -2) * 3.14159265358979 * i / kCorners;
+    polygon.emplace_back(std::lround(500 + radius * std::cos(angle)),
+                         std::lround(400 + radius * std::sin(angle)));
+  }
+  return polygon;
+}
+
+// 60 rings of equal area as 'Z', and a square H.
+Sfnt zone_plate() {
+  constexpr int kRings = 60;
+  Sfnt font = Sfnt::plain();
+  font.units_per_em = 1000;
+  gen::test::SfntGlyph plate;
+  plate.code_point = U'Z';
+  plate.advance = 1000;
+  for (int i = 2 * kRings; i > 0; --i) {
+    const double radius = 700 * std::sqrt(i / (2.0 * kRings));
+    plate.contours.push_back(circle(radius, i % 2 != 0));
+  }
+  font.glyphs.push_back(plate);
+  return font;
+}
+
+TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
+  const TestFolder folder;
+  const auto file = folder.write("plate.ttf", zone_plate());
+  gen::GenerateRequest request;
+  request.adf.effort = 0;  // for speed
+  testing::internal::CaptureStderr();
+  const RomFile rom = load_font_file(file, request, "ZH", MaxPx::may_halve);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("U+005A 'Z'"), std::string::npos) << said;
+  EXPECT_NE(said.find("at 64 px; the font is converted for 8 to 32 px"),
+            std::string::npos)
+      << said;
+  EXPECT_LT(rom.font().range().max_px, 64);
+  GlyphField field;
+  for (const uint32_t c : {U'Z', U'H'}) {
+    uint16_t glyph = 0;
+    ASSERT_EQ(rom.font().glyph_of(c, glyph), Status::ok);
+    ASSERT_EQ(rom.font().field(glyph, field), Status::ok);
+    EXPECT_GT(field.tiles_x, 0);
+  }
+}
+
+TEST(Convert, KeepsTheSizesThatWereAskedFor) {
+  const TestFolder folder;
+  const auto file = folder.write("plate.ttf", zone_plate());
+  gen::GenerateRequest request;
+  request.adf.effort = 0;  // for speed
+  EXPECT_THROW(load_font_file(file, request, "ZH", MaxPx::asked_for),
+               gen::TooComplex);
+  // Half of 64 would be below the smallest size.
+  request.adf.min_px = 40;
+  EXPECT_THROW(load_font_file(file, request, "ZH", MaxPx::may_halve),
+               gen::TooComplex);
+}
+
+}  // namespace
+}  // namespace inkcell::tools
