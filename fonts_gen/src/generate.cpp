@@ -99,9 +99,9 @@ RomGlyph build_glyph(const SourceFont& font,
           font.file_name + ": " + glyph.name() + ": " + error.what(),
           glyph.remedy("lower --max-px, raise --tolerance"));
     }
-    refuse(std::string(error.what()) + "; " +
-           glyph.remedy(complex ? "use --predicate size"
-                                : "repair the outline"));
+    refuse(
+        std::string(error.what()) + "; " +
+        glyph.remedy(complex ? "use --predicate size" : "repair the outline"));
   }
   built.metrics.advance = glyph.advance;
   return built;

@@ -8,9 +8,9 @@
 namespace inkcell::gen {
 
 /// Adds --face, --axis, --chars, --symbols, --min-px, --max-px, --tolerance,
-/// --cells, --coding, --predicate and --effort, which fill in `request`; it must
-/// live until `app` has parsed. The font file, text files and threads are left
-/// to the program: inkcell-render gives --text and --jobs other meanings.
+/// --cells, --coding, --predicate and --effort, which fill in `request`; it
+/// must live until `app` has parsed. The font file, text files and threads are
+/// left to the program: inkcell-render gives --text and --jobs other meanings.
 void add_generator_options(CLI::App& app, GenerateRequest& request);
 
 }  // namespace inkcell::gen
