@@ -19,6 +19,11 @@ constexpr double kMissed = 0.75;
 // hide in it is below 1.5/255.
 constexpr double kFinestPatch = 1.0 / 64;
 
+// The same where the metric, not the truth, has a bend, as a part of the
+// distance at which it has it. A cell that departs by 1/10 of the way hides
+// less than 1/255 in it.
+constexpr double kFinestPeak = 1.0 / 16;
+
 int32_t position_q16(double u, int size_log2) {
   const double last = static_cast<double>((int32_t{65536} << size_log2) - 1);
   return static_cast<int32_t>(std::min(u * 65536, last));
@@ -123,7 +128,7 @@ struct CellTest::Job {
   const Neighbourhood& truth;
   bool stop;  // at the first error beyond the limit
   Verdict verdict;
-  std::array<double, kPoints * kPoints> errors;
+  std::array<double, kPoints * kPoints> reads;  // the cell's distances [u]
   double sum = 0;
   int count = 0;
 
@@ -135,14 +140,15 @@ struct CellTest::Job {
   }
 };
 
-// A square between points whose distances are known: lower left, lower right,
-// upper left, upper right. Positions are relative to the cell. [u]
+// A square between points whose distances are known, the true ones and the
+// cell's: lower left, lower right, upper left, upper right. Positions are
+// relative to the cell. [u]
 struct CellTest::Patch {
   double x;
   double y;
   double width;
   double d[4];
-  double error[4];
+  double read[4];
 };
 
 Verdict CellTest::run(const SampleCell& cell,
@@ -189,7 +195,7 @@ bool CellTest::test_stride(Job& job, int stride) const {
          i += half_done ? 2 * stride : stride) {
       const double read = to_u(row.distance_q10(position_q16(i * width, log2)));
       const double error = metric_.error(job.lattice(i, j), read);
-      job.errors[static_cast<size_t>(j * kPoints + i)] = error;
+      job.reads[static_cast<size_t>(j * kPoints + i)] = read;
       job.sum += error;
       ++job.count;
       if (!job.take(error, limit_)) {
@@ -201,8 +207,8 @@ bool CellTest::test_stride(Job& job, int stride) const {
 }
 
 // The cell is smooth, so the error between four lattice points is what their
-// errors say unless the true distance bends there: on a medial axis or next to
-// a corner. Bends are narrow and get patches of their own.
+// errors say unless the true distance bends there, on a medial axis or next to
+// a corner, or the metric does. Bends are narrow and get patches of their own.
 bool CellTest::test_between(Job& job) const {
   const int stride = finest_stride(job.lattice.cell().size_log2);
   const double width =
@@ -214,7 +220,7 @@ bool CellTest::test_between(Job& job) const {
         const int ki = i + (k & 1) * stride;
         const int kj = j + (k >> 1) * stride;
         patch.d[k] = job.lattice(ki, kj);
-        patch.error[k] = job.errors[static_cast<size_t>(kj * kPoints + ki)];
+        patch.read[k] = job.reads[static_cast<size_t>(kj * kPoints + ki)];
       }
       if (!test_patch(job, patch)) {
         return false;
@@ -235,6 +241,11 @@ bool CellTest::test_between(Job& job) const {
 //
 // which is at most h/2 sqrt(1 - g^2), and 0.71 h if the bend lies diagonally.
 bool CellTest::may_exceed(const Patch& patch) const {
+  return may_bend(patch) || may_peak(patch, metric_.sharpest_u()) ||
+         may_peak(patch, metric_.band_u());
+}
+
+bool CellTest::may_bend(const Patch& patch) const {
   const double* d = patch.d;
   const double gx = (d[1] - d[0] + d[3] - d[2]) / (2 * patch.width);
   const double gy = (d[2] - d[0] + d[3] - d[1]) / (2 * patch.width);
@@ -243,18 +254,31 @@ bool CellTest::may_exceed(const Patch& patch) const {
       {std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]), std::fabs(d[3])});
   const double missed =
       kMissed * patch.width * std::sqrt(missing) * metric_.slope(nearest);
-  const double worst = std::max(
-      {patch.error[0], patch.error[1], patch.error[2], patch.error[3]});
+  double worst = 0;
+  for (int k = 0; k < 4; ++k) {
+    worst = std::max(worst, metric_.error(d[k], patch.read[k]));
+  }
   const double finest = kFinestPatch * std::max(nearest, metric_.sharpest_u());
   return patch.width > finest && worst + missed > limit_;
 }
 
-double CellTest::point_error(Job& job,
-                             double x,
-                             double y,
-                             double truth_u) const {
-  return metric_.error(truth_u,
-                       read_cell(job.cell, job.lattice.cell().size_log2, x, y));
+// Where the larger of the two distances passes half a ramp, or the band, the
+// metric changes its divisor: the error of a cell that departs steadily from
+// the truth has its peak there, between points that are both better.
+bool CellTest::may_peak(const Patch& patch, double kink_u) const {
+  double least = patch.width + kink_u;
+  double most = 0;
+  double difference = 0;
+  for (int k = 0; k < 4; ++k) {
+    const double larger =
+        std::max(std::fabs(patch.d[k]), std::fabs(patch.read[k]));
+    least = std::min(least, larger);
+    most = std::max(most, larger);
+    difference = std::max(difference, std::fabs(patch.read[k] - patch.d[k]));
+  }
+  return least < kink_u && kink_u < most &&
+         patch.width > kFinestPeak * kink_u &&
+         255 * difference / (2 * kink_u) > limit_;
 }
 
 // Adds five points to the four of a patch, and goes on with each quarter:
@@ -274,16 +298,16 @@ bool CellTest::test_patch(Job& job, const Patch& patch) const {
     return true;
   }
   double d[9];
-  double error[9];
+  double read[9];
   std::copy(std::begin(patch.d), std::end(patch.d), d);
-  std::copy(std::begin(patch.error), std::end(patch.error), error);
+  std::copy(std::begin(patch.read), std::end(patch.read), read);
   const CellSquare& cell = job.lattice.cell();
   for (int k = 4; k < 9; ++k) {
     const double x = patch.x + kPatchPoints[k - 4][0] * patch.width;
     const double y = patch.y + kPatchPoints[k - 4][1] * patch.width;
     d[k] = job.truth.distance(cell.x_u + x, cell.y_u + y);
-    error[k] = point_error(job, x, y, d[k]);
-    if (!job.take(error[k], limit_)) {
+    read[k] = read_cell(job.cell, cell.size_log2, x, y);
+    if (!job.take(metric_.error(d[k], read[k]), limit_)) {
       return false;
     }
   }
@@ -296,7 +320,7 @@ bool CellTest::test_patch(Job& job, const Patch& patch) const {
                   {}};
     for (int k = 0; k < 4; ++k) {
       quarter.d[k] = d[kPatchCorners[part][k]];
-      quarter.error[k] = error[kPatchCorners[part][k]];
+      quarter.read[k] = read[kPatchCorners[part][k]];
     }
     if (!test_patch(job, quarter)) {
       return false;

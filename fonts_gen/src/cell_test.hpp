@@ -112,7 +112,8 @@ class CellTest {
   bool test_between(Job& job) const;
   bool test_patch(Job& job, const Patch& patch) const;
   bool may_exceed(const Patch& patch) const;
-  double point_error(Job& job, double x, double y, double truth_u) const;
+  bool may_bend(const Patch& patch) const;
+  bool may_peak(const Patch& patch, double kink_u) const;
 
   Metric metric_;
   double limit_;
