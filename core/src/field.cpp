@@ -2,6 +2,7 @@
 
 #include "bytes.hpp"
 #include "cell_access.hpp"
+#include "field_cell.hpp"
 #include "inkcell/format.hpp"
 
 namespace inkcell {
@@ -9,6 +10,9 @@ namespace {
 
 using detail::Columns;
 using detail::columns_q6;
+using detail::combine_q22;
+using detail::FieldTerms;
+using detail::kScaleOfUnits;
 using detail::lagrange_q14;
 using detail::load_i16;
 using detail::load_u16;
@@ -42,15 +46,31 @@ bool in_grid(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
          y_u < field.y1_u();
 }
 
+// The fields of a cell where a px is a u. The position is rounded to 1/256 u.
+FieldTerms terms_at(const GlyphField& field,
+                    const Cell& cell,
+                    Q16_16 x,
+                    Q16_16 y) noexcept {
+  const auto q8 = [](Q16_16 position_u) noexcept {
+    return static_cast<uint32_t>(((position_u.raw >> 7) + 1) >> 1);
+  };
+  FieldTerms terms;
+  detail::set_up_terms(terms, field, cell, q8(x), q8(y), kScaleOfUnits);
+  return terms;
+}
+
 }  // namespace
 
 Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   namespace glyph = format::glyph;
+  namespace fields = format::fields;
   if (record.size < glyph::kBytes) {
     return Status::corrupt;
   }
   const uint8_t* at = record.data;
-  if (at[glyph::kType] != glyph::kTypeSamples) {
+  const bool has_fields =
+      INKCELL_FIELD_CELLS != 0 && at[glyph::kType] == glyph::kTypeFields;
+  if (at[glyph::kType] != glyph::kTypeSamples && !has_fields) {
     return Status::unsupported;
   }
   GlyphField field;
@@ -60,27 +80,57 @@ Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   field.tiles_x = at[glyph::kTilesX];
   field.tiles_y = at[glyph::kTilesY];
   field.node_count = load_u16(at + glyph::kNodeCount);
-  field.cell_count = load_u16(at + glyph::kCellCount);
+  uint32_t cell_bytes = 0;
+  uint32_t reference_bytes = 2;
+  uint32_t header_bytes = glyph::kBytes;
+  int32_t grid_limit = glyph::kGridLimit;
+  if (has_fields) {
+    if (record.size < fields::kBytes) {
+      return Status::corrupt;
+    }
+    field.kind = Kind::wide_fields;
+    if ((field.tile_log2 & fields::kWide) == 0) {
+      field.kind = Kind::narrow_fields;
+      reference_bytes = 1;
+    }
+    field.tile_log2 &= static_cast<uint8_t>(~fields::kWide);
+    field.arc_count = load_u16(at + fields::kArcCount);
+    field.line_count = load_u16(at + fields::kLineCount);
+    field.pair_count = load_u16(at + fields::kPairCount);
+    field.triple_count = load_u16(at + fields::kTripleCount);
+    cell_bytes = fields::kArcBytes * field.arc_count +
+                 fields::kLineBytes * field.line_count +
+                 reference_bytes * (fields::kPairUnits * field.pair_count +
+                                    fields::kTripleUnits * field.triple_count);
+    header_bytes = fields::kBytes;
+    grid_limit = fields::kGridLimit;
+  } else {
+    field.cell_count = load_u16(at + glyph::kCellCount);
+    cell_bytes = format::samples::kBytes * field.cell_count;
+  }
   if (field.tile_log2 > glyph::kMaxTileLog2) {
     return Status::corrupt;
   }
-  if (field.x0_u < -glyph::kGridLimit || field.x1_u() > glyph::kGridLimit ||
-      field.y0_u < -glyph::kGridLimit || field.y1_u() > glyph::kGridLimit) {
+  if (field.x0_u < -grid_limit || field.x1_u() > grid_limit ||
+      field.y0_u < -grid_limit || field.y1_u() > grid_limit) {
     return Status::corrupt;
   }
   const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  const uint32_t reference_bytes = 2 * (tiles + 4u * field.node_count);
-  if (record.size < glyph::kBytes + reference_bytes +
-                        format::samples::kBytes * field.cell_count) {
+  reference_bytes *= tiles + 4u * field.node_count;
+  if (record.size < header_bytes + cell_bytes + reference_bytes) {
     return Status::corrupt;
   }
-  field.references = at + glyph::kBytes;
-  field.cells = field.references + reference_bytes;
+  // References come first where cells are samples, last where they are fields.
+  field.cells = at + header_bytes + (has_fields ? 0 : reference_bytes);
+  field.references = at + header_bytes + (has_fields ? cell_bytes : 0);
   out = field;
   return Status::ok;
 }
 
 Cell locate(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
+  if (INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples) {
+    return detail::locate_fields(field, x_u, y_u);
+  }
   return detail::locate_cell(field, x_u, y_u);
 }
 
@@ -104,9 +154,14 @@ Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
     return Q22_10::from_raw(-kSaturatedDistanceQ10);
   }
   const Cell cell = locate(field, x.floor(), y.floor());
-  if (cell.samples == nullptr) {
+  if (cell.is_saturated()) {
     return Q22_10::from_raw(cell.inside ? kSaturatedDistanceQ10
                                         : -kSaturatedDistanceQ10);
+  }
+  if (INKCELL_FIELD_CELLS != 0 && cell.field_count != 0) {
+    const FieldTerms terms = terms_at(field, cell, x, y);
+    return Q22_10::from_raw(
+        combine_q22(terms, kScaleOfUnits.bend_log2, detail::kNoReach) >> 12);
   }
   return samples_distance(cell.samples, cell.size_log2,
                           x.raw - cell.x0_u * (1 << 16),
@@ -119,8 +174,12 @@ Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
     return gradient;
   }
   const Cell cell = locate(field, x.floor(), y.floor());
-  if (cell.samples == nullptr) {
+  if (cell.is_saturated()) {
     return gradient;
+  }
+  if (INKCELL_FIELD_CELLS != 0 && cell.field_count != 0) {
+    return detail::combined_gradient(terms_at(field, cell, x, y),
+                                     kScaleOfUnits.bend_log2);
   }
   const int shift = cell.size_log2 + 2;
   const int32_t tx = (x.raw - cell.x0_u * (1 << 16)) >> shift;

@@ -13,6 +13,12 @@
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
+/// 0 leaves cells of fields out of the library: glyphs made of them are
+/// unsupported.
+#ifndef INKCELL_FIELD_CELLS
+#  define INKCELL_FIELD_CELLS 1
+#endif
+
 namespace inkcell {
 
 /// The distance that a saturated cell reports, with the sign of its side, and
@@ -22,20 +28,28 @@ inline constexpr int32_t kSaturatedDistanceQ10 = 1024 << 10;
 /// One glyph's cells, in ROM or RAM. Owns nothing: the bytes must outlive it.
 /// A default-constructed field is empty: outside everywhere.
 struct GlyphField {
-  const uint8_t* references = nullptr;  // u16 each: tiles, then nodes
-  const uint8_t* cells = nullptr;
-  int16_t x0_u = 0;  // lower left corner of the grid
+  enum class Kind : uint8_t { samples, narrow_fields, wide_fields };
+
+  const uint8_t* references = nullptr;  // tiles, then nodes; u8 if narrow
+  const uint8_t* cells = nullptr;       // cells of samples; or arcs, lines
+  int16_t x0_u = 0;                     // lower left corner of the grid
   int16_t y0_u = 0;
   uint8_t tile_log2 = 0;  // tiles are 2^tile_log2 u wide
   uint8_t tiles_x = 0;
   uint8_t tiles_y = 0;
+  Kind kind = Kind::samples;
   uint16_t node_count = 0;
-  uint16_t cell_count = 0;
+  uint16_t cell_count = 0;  // of samples
+  uint16_t arc_count = 0;   // fields are numbered: arcs, then lines
+  uint16_t line_count = 0;
+  uint16_t pair_count = 0;
+  uint16_t triple_count = 0;
 
   /// A view of the glyph record `record` (docs/FORMAT.md, "Glyph record"),
-  /// which starts at a multiple of 4 bytes. Any content is safe afterwards.
+  /// which starts at a multiple of 2 bytes. Any content is safe afterwards.
   ///
-  /// corrupt: the counts do not fit `record`, or the grid leaves +-15360 u.
+  /// corrupt: the counts do not fit `record`, or the grid leaves +-15360 u,
+  /// +-1984 u with cells of fields.
   /// unsupported: the record is of a type that this build does not know.
   /// `out` is untouched unless the result is ok.
   static Status open(Span<const uint8_t> record, GlyphField& out) noexcept;
@@ -48,13 +62,30 @@ struct GlyphField {
   }
 };
 
-/// A leaf of the quadtree, as `locate` finds it.
+/// How the fields of a cell make one distance. Where a result is that of a
+/// convex vertex, it is the distance to the vertex (docs/FORMAT.md).
+enum class FieldOperator : uint8_t {
+  least = 0,              // min(f0, f1) or min(f0, f1, f2); a single field
+  greatest = 1,           // max(f0, f1) or max(f0, f1, f2)
+  least_of_greater = 2,   // min(f0, max(f1, f2))
+  greatest_of_lesser = 3  // max(f0, min(f1, f2))
+};
+
+/// A leaf of the quadtree, as `locate` finds it. Saturated unless it has
+/// samples or fields.
 struct Cell {
-  const uint8_t* samples = nullptr;  // format::samples; null: saturated
+  const uint8_t* samples = nullptr;  // format::samples
   int32_t x0_u = 0;                  // lower left corner
   int32_t y0_u = 0;
+  uint16_t fields[3] = {};  // numbers of existing fields, `field_count` of them
+  uint8_t field_count = 0;
+  FieldOperator op = FieldOperator::least;
   uint8_t size_log2 = 0;  // the cell is 2^size_log2 u wide, 1..2048 u
   bool inside = false;    // the side of a saturated cell
+
+  constexpr bool is_saturated() const noexcept {
+    return samples == nullptr && field_count == 0;
+  }
 };
 
 /// The cell that holds the point (x_u, y_u), which must lie in the grid:
@@ -132,7 +163,8 @@ constexpr int32_t samples_error_bound_q10(uint8_t size_log2) noexcept {
   return (2 << size_log2) + 1;
 }
 
-/// Signed distance at a point, in u. Outside the grid: saturated outside.
+/// Signed distance at a point, in u. Outside the grid: saturated outside. Cells
+/// of fields are evaluated as at 1024 px/em, where a px is a u.
 Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
 
 /// The gradient of the distance, (d/dx, d/dy), y up. It points inwards: the
@@ -142,8 +174,10 @@ struct Gradient {
   Q2_14 y;
 };
 
-/// Gradient at a point, each component clamped to just under +-2; zero where
-/// the field is saturated.
+/// Gradient at a point; zero where the field is saturated. Of a cell of samples
+/// each component is clamped to just under +-2; of a cell of fields it is a
+/// unit vector, the normal of the field that decides or the direction of a
+/// vertex.
 Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
 
 }  // namespace inkcell

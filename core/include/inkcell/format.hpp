@@ -124,6 +124,7 @@ inline constexpr uint32_t kBytes = 12;
 // (child 2 * upper + right); then the cells.
 
 inline constexpr uint8_t kTypeSamples = 1;
+inline constexpr uint8_t kTypeFields = 2;
 inline constexpr uint32_t kMaxTileLog2 = 11;
 
 /// Grids lie within this of the origin in both directions. [u] Twice as much,
@@ -151,6 +152,37 @@ inline constexpr uint32_t kBytes = 10;
 inline constexpr int kCentreFraction = 6;
 inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 }  // namespace samples
+
+// A glyph record of fields begins like one of samples, but for the counts.
+// Then arcs, lines, and units of one byte, or two if kWide is set in tile_log2:
+// triples, pairs, and references, one a tile and four a node.
+namespace fields {
+inline constexpr uint32_t kArcCount = 10;     // u16
+inline constexpr uint32_t kLineCount = 12;    // u16
+inline constexpr uint32_t kPairCount = 14;    // u16
+inline constexpr uint32_t kTripleCount = 16;  // u16
+inline constexpr uint32_t kBytes = 18;
+inline constexpr uint8_t kWide = 0x80;
+
+/// Grids lie within this of the origin, so that a position in px at the largest
+/// size takes 20 bits in Q8. [u]
+inline constexpr int32_t kGridLimit = 1984;
+
+// A line is n.p + c, an arc n.p + c + k w^2 with w = nx py - ny px + cw.
+inline constexpr uint32_t kNormalX = 0;  // i16, Q14
+inline constexpr uint32_t kNormalY = 2;  // i16, Q14
+inline constexpr uint32_t kOffset = 4;   // i16, Q4 u: c
+inline constexpr uint32_t kAlong = 6;    // i16, Q4 u: cw
+inline constexpr uint32_t kBend = 8;     // i16, 2^-19 / u: k
+inline constexpr uint32_t kLineBytes = 6;
+inline constexpr uint32_t kArcBytes = 10;
+
+inline constexpr uint32_t kPairUnits = 2;    // f0, f1
+inline constexpr uint32_t kTripleUnits = 4;  // operator, f0, f1, f2
+
+// A reference: kOutside, kInside, then nodes from kFirstNode on, single
+// fields, pairs, triples.
+}  // namespace fields
 
 }  // namespace format
 }  // namespace inkcell

@@ -1,0 +1,350 @@
+#include "field_cell.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+constexpr int32_t kOneQ14 = 1 << 14;
+
+struct Vector {
+  int32_t x;
+  int32_t y;
+};
+
+// The root rounded down, bit by bit.
+uint32_t root(uint32_t value) noexcept {
+  uint32_t result = 0;
+  for (uint32_t bit = uint32_t{1} << 30; bit != 0; bit >>= 2) {
+    const uint32_t sum = result + bit;
+    result >>= 1;
+    if (value >= sum) {
+      value -= sum;
+      result += bit;
+    }
+  }
+  return result;
+}
+
+// The quotient rounded down, below 2^18; the divisor is below 2^15. Bit by bit:
+// some cores cannot divide.
+uint32_t quotient(uint32_t dividend, uint32_t divisor) noexcept {
+  uint32_t result = 0;
+  for (uint32_t bit = 17; bit < 18; --bit) {
+    if (dividend >= divisor << bit) {
+      dividend -= divisor << bit;
+      result |= uint32_t{1} << bit;
+    }
+  }
+  return result;
+}
+
+// n + 2 k w (-ny, nx). [Q14]
+Vector gradient_q14(const FieldTerm& term, int32_t bend_log2) noexcept {
+  if (term.bend == 0) {
+    return {term.nx_q14, term.ny_q14};
+  }
+  // Half the slope in Q15 is all of it in Q14.
+  const uint32_t slope = static_cast<uint32_t>(term.slope_q15(bend_log2));
+  return {term.nx_q14 - (wrapped(times(term.ny_q14, slope)) >> 14),
+          term.ny_q14 + (wrapped(times(term.nx_q14, slope)) >> 14)};
+}
+
+// Two values a and b of which the lesser is negative, as seen from the vertex
+// where both are 0: with unit gradients g and h and c = g.h, the distance from
+// it is |q|, g.q = a and h.q = b.
+//
+//   inside  |                  The vertex is the nearest point of the edge
+//   . . . . V------  g         where q = (a - c b) g + (b - c a) h, but for a
+//    h |   /  edge             positive factor, points away from both fields.
+//      | q/
+//        p
+struct Cone {
+  int32_t a;  // scaled to 12 bits, both
+  int32_t b;
+  int32_t a_bc_q14;  // a - c b
+  int32_t b_ac_q14;  // b - c a
+  int32_t c_q14;
+  int32_t scale_log2;
+};
+
+// Whether a point lies in the cone of the vertex. Fields that are nearly
+// parallel (1 - c^2 below 0.022) have none.
+bool find_cone(int32_t a_q22,
+               const FieldTerm& a_term,
+               int32_t b_q22,
+               const FieldTerm& b_term,
+               int32_t bend_log2,
+               Cone& cone) noexcept {
+  constexpr int32_t kMaxCosineQ14 = 16202;
+  const int32_t lesser = a_q22 < b_q22 ? a_q22 : b_q22;
+  const int32_t greater = a_q22 < b_q22 ? b_q22 : a_q22;
+  const uint32_t size = 0u - static_cast<uint32_t>(lesser);
+  if (greater > 0 && static_cast<uint32_t>(greater) >= size) {
+    return false;  // |c| < 1: q would not point away from both
+  }
+  const Vector g = gradient_q14(a_term, bend_log2);
+  const Vector h = gradient_q14(b_term, bend_log2);
+  const int32_t c =
+      wrapped(times(g.x, static_cast<uint32_t>(h.x)) +
+              times(g.y, static_cast<uint32_t>(h.y)) + (1 << 13)) >>
+      14;
+  if (c > kMaxCosineQ14 || c < -kMaxCosineQ14) {
+    return false;
+  }
+  int32_t log2 = 0;
+  while (size >> log2 >= 1u << 12) {
+    ++log2;
+  }
+  cone.a = a_q22 >> log2;
+  cone.b = b_q22 >> log2;
+  cone.a_bc_q14 = cone.a * kOneQ14 - c * cone.b;
+  cone.b_ac_q14 = cone.b * kOneQ14 - c * cone.a;
+  cone.c_q14 = c;
+  cone.scale_log2 = log2;
+  return cone.a_bc_q14 <= 0 && cone.b_ac_q14 <= 0;
+}
+
+// |q|: hypot(a, (b - c a) / sqrt(1 - c^2)).
+int32_t length_q22(const Cone& cone) noexcept {
+  const auto sine_q14 =
+      root(static_cast<uint32_t>((1 << 28) - cone.c_q14 * cone.c_q14));
+  // At most 2^13 over 0.148, so that the sum of squares is below 2^32.
+  const uint32_t other =
+      quotient(static_cast<uint32_t>(-cone.b_ac_q14), sine_q14);
+  const uint32_t length =
+      root(static_cast<uint32_t>(cone.a * cone.a) + other * other);
+  if (length > static_cast<uint32_t>(INT32_MAX) >> cone.scale_log2) {
+    return INT32_MAX;
+  }
+  return static_cast<int32_t>(length << cone.scale_log2);
+}
+
+// The lesser of two values, rounded at their vertex.
+int32_t least_q22(int32_t a_q22,
+                  const FieldTerm& a_term,
+                  int32_t b_q22,
+                  const FieldTerm& b_term,
+                  int32_t bend_log2,
+                  int32_t reach_q22) noexcept {
+  const int32_t lesser = a_q22 < b_q22 ? a_q22 : b_q22;
+  Cone cone;
+  if (lesser < 0 && lesser > -reach_q22 &&
+      find_cone(a_q22, a_term, b_q22, b_term, bend_log2, cone)) {
+    return -length_q22(cone);
+  }
+  return lesser;
+}
+
+int32_t negated(int32_t value) noexcept {
+  return wrapped(0u - static_cast<uint32_t>(value));
+}
+
+// The two values that are left when all but the last step is done, negated if
+// the operator asks for the greatest.
+struct LastTwo {
+  int32_t a_q22;
+  int32_t b_q22;
+  const FieldTerm* a_term;
+  const FieldTerm* b_term;
+};
+
+bool is_negated(FieldOperator op) noexcept {
+  return (static_cast<uint8_t>(op) & 1) != 0;
+}
+
+bool is_nested(FieldOperator op) noexcept {
+  return op >= FieldOperator::least_of_greater;
+}
+
+// `terms` are two or three.
+LastTwo last_two(const FieldTerms& terms,
+                 int32_t bend_log2,
+                 int32_t reach_q22) noexcept {
+  int32_t value[3];
+  for (uint32_t i = 0; i < terms.count; ++i) {
+    const int32_t plain = terms.term[i].value_q22(bend_log2);
+    value[i] = is_negated(terms.op) ? negated(plain) : plain;
+  }
+  const FieldTerm* term = terms.term;
+  if (terms.count == 2) {
+    return {value[0], value[1], term, term + 1};
+  }
+  if (is_nested(terms.op)) {
+    const int32_t inner =
+        negated(least_q22(negated(value[1]), term[1], negated(value[2]),
+                          term[2], bend_log2, reach_q22));
+    return {value[0], inner, term, value[1] >= value[2] ? term + 1 : term + 2};
+  }
+  // Without the greatest.
+  if (value[0] > value[1] && value[0] > value[2]) {
+    return {value[1], value[2], term + 1, term + 2};
+  }
+  return value[1] > value[2] ? LastTwo{value[0], value[2], term, term + 2}
+                             : LastTwo{value[0], value[1], term, term + 1};
+}
+
+Gradient unit_vector(Vector v) noexcept {
+  while (v.x >= kOneQ14 || v.x < -kOneQ14 || v.y >= kOneQ14 || v.y < -kOneQ14) {
+    v.x >>= 1;
+    v.y >>= 1;
+  }
+  const uint32_t length = root(static_cast<uint32_t>(v.x * v.x + v.y * v.y));
+  Gradient result;
+  if (length != 0) {
+    const auto part = [length](int32_t x) noexcept {
+      const auto size = static_cast<uint32_t>(x < 0 ? -x : x);
+      const auto q14 = static_cast<int32_t>(quotient(size << 14, length));
+      return static_cast<int16_t>(x < 0 ? -q14 : q14);
+    };
+    result.x.raw = part(v.x);
+    result.y.raw = part(v.y);
+  }
+  return result;
+}
+
+// The direction to the inside at a point that lies in the cone, or follows the
+// lesser field.
+Vector least_direction(int32_t a_q22,
+                       const FieldTerm& a_term,
+                       int32_t b_q22,
+                       const FieldTerm& b_term,
+                       int32_t bend_log2) noexcept {
+  const Vector g = gradient_q14(a_term, bend_log2);
+  const Vector h = gradient_q14(b_term, bend_log2);
+  const int32_t lesser = a_q22 < b_q22 ? a_q22 : b_q22;
+  Cone cone;
+  if (lesser < 0 && find_cone(a_q22, a_term, b_q22, b_term, bend_log2, cone)) {
+    const int32_t a = -cone.a_bc_q14 >> 14;
+    const int32_t b = -cone.b_ac_q14 >> 14;
+    return {a * g.x + b * h.x, a * g.y + b * h.y};
+  }
+  return a_q22 < b_q22 ? g : h;
+}
+
+// Reads units of a record, counted from the first reference.
+class Units {
+ public:
+  explicit Units(const GlyphField& field) noexcept
+      : references_(field.references),
+        wide_(field.kind == GlyphField::Kind::wide_fields) {}
+
+  uint32_t at(int32_t index) const noexcept {
+    return wide_ ? load_u16(references_ + 2 * index) : references_[index];
+  }
+
+ private:
+  const uint8_t* references_;
+  bool wide_;
+};
+
+// Fills in the fields that leaf number `leaf` stands for, none if one of them
+// does not exist.
+void read_leaf(const GlyphField& field,
+               const Units& units,
+               uint32_t leaf,
+               Cell& cell) noexcept {
+  namespace fields = format::fields;
+  const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
+  if (leaf < field_count) {
+    cell.fields[0] = static_cast<uint16_t>(leaf);
+    cell.field_count = 1;
+    return;
+  }
+  leaf -= field_count;
+  // Behind the pairs come the references; before them, the triples.
+  const int32_t pairs = -static_cast<int32_t>(fields::kPairUnits) *
+                        static_cast<int32_t>(field.pair_count);
+  int32_t at = 0;
+  uint8_t count = 2;
+  if (leaf < field.pair_count) {
+    at = pairs + static_cast<int32_t>(fields::kPairUnits * leaf);
+  } else {
+    leaf -= field.pair_count;
+    if (leaf >= field.triple_count) {
+      return;
+    }
+    at = pairs - static_cast<int32_t>(fields::kTripleUnits *
+                                      (field.triple_count - leaf));
+    const uint32_t op = units.at(at++);
+    if (op > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
+      return;
+    }
+    cell.op = static_cast<FieldOperator>(op);
+    count = 3;
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t number = units.at(at + static_cast<int32_t>(i));
+    if (number >= field_count) {
+      return;
+    }
+    cell.fields[i] = static_cast<uint16_t>(number);
+  }
+  if (count == 2) {
+    cell.op = cell.fields[0] > cell.fields[1] ? FieldOperator::greatest
+                                              : FieldOperator::least;
+    count = cell.fields[0] == cell.fields[1] ? 1 : 2;
+  }
+  cell.field_count = count;
+}
+
+}  // namespace
+
+Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
+  const Units units(field);
+  const auto x = static_cast<uint32_t>(x_u - field.x0_u);
+  const auto y = static_cast<uint32_t>(y_u - field.y0_u);
+  uint32_t log2 = field.tile_log2;
+  const uint32_t tile = (y >> log2) * field.tiles_x + (x >> log2);
+  const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
+  uint32_t reference = units.at(static_cast<int32_t>(tile));
+
+  // Invariant: the current square is 2^log2 u wide and holds the point. Each
+  // step spends one bit of the coordinates, so the loop ends.
+  uint32_t node = reference - format::glyph::kFirstNode;
+  while (node < field.node_count) {
+    if (log2 == 0) {
+      reference = format::glyph::kOutside;
+      break;
+    }
+    --log2;
+    const uint32_t child = ((y >> log2) & 1) * 2 + ((x >> log2) & 1);
+    reference = units.at(static_cast<int32_t>(tiles + 4 * node + child));
+    node = reference - format::glyph::kFirstNode;
+  }
+
+  Cell cell;
+  cell.size_log2 = static_cast<uint8_t>(log2);
+  cell.x0_u = field.x0_u + static_cast<int32_t>((x >> log2) << log2);
+  cell.y0_u = field.y0_u + static_cast<int32_t>((y >> log2) << log2);
+  if (reference < format::glyph::kFirstNode) {
+    cell.inside = reference == format::glyph::kInside;
+  } else {
+    read_leaf(field, units, node - field.node_count, cell);
+  }
+  return cell;
+}
+
+int32_t combine_q22(const FieldTerms& terms,
+                    int32_t bend_log2,
+                    int32_t reach_q22) noexcept {
+  if (terms.count == 1) {
+    return terms.term[0].value_q22(bend_log2);
+  }
+  const LastTwo two = last_two(terms, bend_log2, reach_q22);
+  const int32_t least = least_q22(two.a_q22, *two.a_term, two.b_q22,
+                                  *two.b_term, bend_log2, reach_q22);
+  return is_negated(terms.op) ? negated(least) : least;
+}
+
+Gradient combined_gradient(const FieldTerms& terms,
+                           int32_t bend_log2) noexcept {
+  if (terms.count == 1) {
+    return unit_vector(gradient_q14(terms.term[0], bend_log2));
+  }
+  const LastTwo two = last_two(terms, bend_log2, kNoReach);
+  return unit_vector(least_direction(two.a_q22, *two.a_term, two.b_q22,
+                                     *two.b_term, bend_log2));
+}
+
+}  // namespace detail
+}  // namespace inkcell

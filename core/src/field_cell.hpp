@@ -1,0 +1,137 @@
+// Cells of fields: planes and bent planes, combined by least and greatest.
+//
+// All is computed in px of some size, in 32 bits modulo 2^32. A field's two
+// products may wrap; their sum is right again because within a cell distances
+// and w stay within +-512 u, and k w^2 within +-256 u, which is no more in px.
+// Bytes that break this give wrong numbers, never undefined ones.
+#pragma once
+
+#include <stdint.h>
+
+#include "bytes.hpp"
+#include "inkcell/field.hpp"
+#include "inkcell/format.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// What turns the numbers of a record into px.
+struct FieldScale {
+  uint32_t size_q8;   // px to the em
+  int32_t bend_q14;   // 2^bend_log2 over the px to the em: 1 to 2
+  int32_t bend_log2;  // 2^bend_log2 px is the first power that holds an em
+};
+
+// An em of 1024 px, where a px is a u.
+inline constexpr FieldScale kScaleOfUnits = {1024 << 8, 1 << 14, 10};
+
+// A distance that no rounding leaves alone.
+inline constexpr int32_t kNoReach = INT32_MAX;
+
+// Products and sums that may wrap.
+inline uint32_t times(int32_t a, uint32_t b) noexcept {
+  return static_cast<uint32_t>(a) * b;
+}
+inline int32_t wrapped(uint32_t value) noexcept {
+  return static_cast<int32_t>(value);
+}
+
+// One field at one point.
+struct FieldTerm {
+  uint32_t plane_q22;  // n.p + c [px]
+  uint32_t along_q22;  // w, with half of what is cut off later [px]
+  int32_t bend;        // k, 0 for a line; see slope_q15
+  int16_t nx_q14;
+  int16_t ny_q14;
+
+  int32_t along_q8() const noexcept { return wrapped(along_q22) >> 14; }
+
+  // k w, half the slope along the field that the bend adds.
+  //
+  // k is K 2^-19 / u and w is along_q8 2^-8 px, so that k w = K along_q8 2^-17
+  // / size. `bend` is K 2^(bend_log2 + 3) / size: K in Q3, divided by the size
+  // but for a power of two.
+  int32_t slope_q15(int32_t bend_log2) const noexcept {
+    return wrapped(times(bend, static_cast<uint32_t>(along_q8()))) >>
+           (bend_log2 + 5);
+  }
+
+  // The field's value. [px]
+  int32_t value_q22(int32_t bend_log2) const noexcept {
+    if (bend == 0) {
+      return wrapped(plane_q22);
+    }
+    const uint32_t along = static_cast<uint32_t>(along_q8());
+    const int32_t sag_q23 = wrapped(times(slope_q15(bend_log2), along));
+    return wrapped(plane_q22 + static_cast<uint32_t>(sag_q23 >> 1));
+  }
+
+  // To the next pixel on the right of upright text.
+  void step_right() noexcept {
+    plane_q22 += times(nx_q14, 1 << 8);
+    along_q22 -= times(ny_q14, 1 << 8);
+  }
+};
+
+// All fields of a cell at one point.
+struct FieldTerms {
+  FieldTerm term[3];
+  uint8_t count;
+  FieldOperator op;
+};
+
+// Field `number` at a point, in px from the glyph's origin, y up.
+inline void set_up_term(FieldTerm& term,
+                        const GlyphField& field,
+                        uint32_t number,
+                        uint32_t x_q8,
+                        uint32_t y_q8,
+                        const FieldScale& scale) noexcept {
+  namespace fields = format::fields;
+  const bool is_arc = number < field.arc_count;
+  const uint8_t* at = field.cells + fields::kLineBytes * number +
+                      (fields::kArcBytes - fields::kLineBytes) *
+                          (is_arc ? number : field.arc_count);
+  const int16_t nx = load_i16(at + fields::kNormalX);
+  const int16_t ny = load_i16(at + fields::kNormalY);
+  term.nx_q14 = nx;
+  term.ny_q14 = ny;
+  term.plane_q22 = times(nx, x_q8) + times(ny, y_q8) +
+                   times(load_i16(at + fields::kOffset), scale.size_q8);
+  term.along_q22 = 0;
+  term.bend = 0;
+  if (is_arc) {
+    term.along_q22 = times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
+                     times(load_i16(at + fields::kAlong), scale.size_q8);
+    term.bend =
+        (load_i16(at + fields::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
+  }
+}
+
+inline void set_up_terms(FieldTerms& terms,
+                         const GlyphField& field,
+                         const Cell& cell,
+                         uint32_t x_q8,
+                         uint32_t y_q8,
+                         const FieldScale& scale) noexcept {
+  terms.count = cell.field_count;
+  terms.op = cell.op;
+  for (uint32_t i = 0; i < cell.field_count; ++i) {
+    set_up_term(terms.term[i], field, cell.fields[i], x_q8, y_q8, scale);
+  }
+}
+
+// The cell of fields that holds a point in the grid.
+Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;
+
+// The cell's distance, with vertices rounded where that changes a result
+// between -reach_q22 and reach_q22. [px, Q22]
+int32_t combine_q22(const FieldTerms& terms,
+                    int32_t bend_log2,
+                    int32_t reach_q22) noexcept;
+
+// The gradient of that distance, of unit length.
+Gradient combined_gradient(const FieldTerms& terms, int32_t bend_log2) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell
