@@ -1,5 +1,6 @@
 #include "inkcell/font.hpp"
 
+#include "bit_table.hpp"
 #include "bytes.hpp"
 #include "crc.hpp"
 #include "inkcell/format.hpp"
@@ -31,6 +32,15 @@ struct Header {
   uint32_t total_bytes = 0;
 };
 
+bool readable(uint32_t cell_kind, uint32_t coding) noexcept {
+  if (cell_kind == static_cast<uint32_t>(format::CellKind::samples)) {
+    return coding == static_cast<uint32_t>(format::Coding::direct);
+  }
+  return INKCELL_FIELD_CELLS != 0 &&
+         cell_kind == static_cast<uint32_t>(format::CellKind::fields) &&
+         coding <= static_cast<uint32_t>(format::Coding::packed);
+}
+
 Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
   if (rom.size < header::kBytes) {
     return Status::bad_magic;
@@ -60,11 +70,7 @@ Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
   if (crc != load_u32(at + header::kHeaderCrc)) {
     return Status::corrupt;
   }
-  const bool readable =
-      at[header::kCellKind] ==
-          static_cast<uint8_t>(format::CellKind::samples) &&
-      at[header::kCoding] == static_cast<uint8_t>(format::Coding::direct);
-  if (!readable) {
+  if (!readable(at[header::kCellKind], at[header::kCoding])) {
     return Status::unsupported;
   }
   out = read;
@@ -79,9 +85,11 @@ struct Section {
 };
 
 Section section_of(Span<const uint8_t> rom, const uint8_t* entry) noexcept {
-  const uint32_t offset = load_u32(entry + section::kOffset);
+  const uint32_t place =
+      load_u32(entry + section::kOffset) & ~section::kMustUnderstand;
+  const uint32_t offset = place & section::kOffsetMask;
   const uint32_t size = load_u32(entry + section::kSize);
-  if (offset % 4 != 0 || offset > rom.size || size > rom.size - offset) {
+  if (offset != place || offset > rom.size || size > rom.size - offset) {
     return {{}, false};
   }
   return {{rom.data + offset, size}, true};
@@ -94,8 +102,8 @@ Status check_directory(Span<const uint8_t> rom, uint32_t sections) noexcept {
     if (!section_of(rom, entry).ok) {
       return Status::corrupt;
     }
-    const uint32_t flags = load_u32(entry + section::kFlags);
-    if ((flags & section::kMustUnderstand) != 0 &&
+    const uint32_t offset = load_u32(entry + section::kOffset);
+    if ((offset & section::kMustUnderstand) != 0 &&
         !known_section(load_u32(entry + section::kTag))) {
       return Status::unsupported;
     }
@@ -112,7 +120,6 @@ Status Font::open(Span<const uint8_t> rom, Font& out) noexcept {
   font.rom_ = {rom.data, read.total_bytes};
   INKCELL_TRY(check_directory(font.rom_, read.sections));
   INKCELL_TRY(font.open_tables());
-  INKCELL_TRY(font.open_kerning());
   out = font;
   return Status::ok;
 }
@@ -126,29 +133,15 @@ Status Font::open_tables() noexcept {
   cmap_ = section(section::kCmap);
   metrics_ = section(section::kMetrics);
   glyphs_ = section(section::kGlyphs);
-  if (metrics_.size < format::metrics::kBytes * uint32_t{glyph_count_} ||
-      glyphs_.size < 4 * (uint32_t{glyph_count_} + 1)) {
+  kerning_ = section(section::kKerning);
+  detail::BitTable table;
+  detail::Kerning kerning;
+  if (!detail::metrics_table(metrics_, glyph_count_, table) ||
+      !detail::offsets_table(glyphs_, glyph_count_, table) ||
+      (kerning_.size != 0 && !kerning.open(kerning_))) {
     return Status::corrupt;
   }
   return Status::ok;
-}
-
-Status Font::open_kerning() noexcept {
-  namespace kerning = format::kerning;
-  kerning_ = section(section::kKerning);
-  if (kerning_.size == 0) {
-    return Status::ok;
-  }
-  if (kerning_.size < kerning::kBytes) {
-    return Status::corrupt;
-  }
-  left_classes_ = load_u16(kerning_.data + kerning::kLeftClasses);
-  right_classes_ = load_u16(kerning_.data + kerning::kRightClasses);
-  class_bytes_ = left_classes_ <= 255 && right_classes_ <= 255 ? 1 : 2;
-  const uint64_t needed = kerning::kBytes +
-                          uint64_t{2} * glyph_count_ * class_bytes_ +
-                          uint64_t{2} * left_classes_ * right_classes_;
-  return needed > kerning_.size ? Status::corrupt : Status::ok;
 }
 
 Span<const uint8_t> Font::section(uint32_t tag) const noexcept {
@@ -241,45 +234,54 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   if (glyph >= glyph_count_) {
     return Status::no_glyph;
   }
-  const uint8_t* at = metrics_.data + metrics::kBytes * uint32_t{glyph};
-  out.advance = load_u16(at + metrics::kAdvance);
-  out.x_min = load_i16(at + metrics::kXMin);
-  out.y_min = load_i16(at + metrics::kYMin);
-  out.x_max = load_i16(at + metrics::kXMax);
-  out.y_max = load_i16(at + metrics::kYMax);
+  // Widths are read again, not kept: reading bits is safe with any.
+  const Span<const uint8_t> rows = {metrics_.data + metrics::kBytes,
+                                    metrics_.size - metrics::kBytes};
+  const uint8_t* widths = metrics_.data + metrics::kColumnBits;
+  uint32_t bit = 0;
+  for (uint32_t i = 0; i < metrics::kColumns; ++i) {
+    bit += widths[i];
+  }
+  bit *= glyph;
+  uint16_t columns[metrics::kColumns];
+  for (uint32_t i = 0; i < metrics::kColumns; ++i) {
+    const uint32_t above_base = detail::read_bits(rows, bit, widths[i]);
+    columns[i] = static_cast<uint16_t>(
+        load_u16(metrics_.data + metrics::kBase + 2 * i) + above_base);
+    bit += widths[i];
+  }
+  out.advance = columns[0];
+  out.x_min = static_cast<int16_t>(columns[1]);
+  out.y_min = static_cast<int16_t>(columns[2]);
+  out.x_max = static_cast<int16_t>(columns[3]);
+  out.y_max = static_cast<int16_t>(columns[4]);
   return Status::ok;
 }
 
-uint32_t Font::kerning_class(uint32_t position) const noexcept {
-  const uint8_t* classes = kerning_.data + format::kerning::kBytes;
-  return class_bytes_ == 1 ? classes[position]
-                           : load_u16(classes + 2 * position);
-}
-
 int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
-  if (kerning_.size == 0 || left >= glyph_count_ || right >= glyph_count_) {
+  detail::Kerning kerning;
+  if (left >= glyph_count_ || right >= glyph_count_ || kerning_.size == 0 ||
+      !kerning.open(kerning_)) {
     return 0;
   }
-  const uint32_t row = kerning_class(left);
-  const uint32_t column = kerning_class(uint32_t{glyph_count_} + right);
-  if (row == 0 || column == 0 || row > left_classes_ ||
-      column > right_classes_) {
-    return 0;
-  }
-  const uint32_t values =
-      format::kerning::kBytes + 2 * uint32_t{glyph_count_} * class_bytes_;
-  return load_i16(kerning_.data + values +
-                  2 * ((row - 1) * right_classes_ + column - 1));
+  return kerning.value(left, right);
 }
 
 Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
+  namespace glyphs = format::glyphs;
   if (glyph >= glyph_count_) {
     return {};
   }
-  const uint8_t* at = glyphs_.data + 4 * uint32_t{glyph};
-  const uint32_t begin = load_u32(at);
-  const uint32_t end = load_u32(at + 4);
-  if (begin % 4 != 0 || begin > end || end > glyphs_.size) {
+  const Span<const uint8_t> offsets = {glyphs_.data + glyphs::kBytes,
+                                       glyphs_.size - glyphs::kBytes};
+  const uint32_t width = glyphs_.data[glyphs::kOffsetBits];
+  const uint32_t unit_log2 =
+      glyphs_.data[glyphs::kUnitLog2] & glyphs::kMaxUnitLog2;
+  const uint32_t at = width * glyph;
+  const uint32_t begin = detail::read_bits(offsets, at, width) << unit_log2;
+  const uint32_t end = detail::read_bits(offsets, at + width, width)
+                       << unit_log2;
+  if (begin > end || end > glyphs_.size) {
     return {};
   }
   return {glyphs_.data + begin, end - begin};
@@ -293,6 +295,11 @@ Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
   if (bytes.size == 0) {
     out = GlyphField{};
     return Status::ok;
+  }
+  if (reinterpret_cast<uintptr_t>(bytes.data) %
+          format::glyphs::kRecordAlignment !=
+      0) {
+    return Status::corrupt;
   }
   return GlyphField::open(bytes, out);
 }

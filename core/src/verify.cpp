@@ -1,4 +1,5 @@
 // Font::verify: everything that `open` leaves to the moment of reading.
+#include "bit_table.hpp"
 #include "bytes.hpp"
 #include "crc.hpp"
 #include "inkcell/font.hpp"
@@ -29,18 +30,71 @@ bool cmap_fits(Span<const uint8_t> cmap, uint32_t glyph_count) noexcept {
   return true;
 }
 
-bool classes_fit(const uint8_t* classes,
-                 uint32_t glyph_count,
-                 uint32_t class_bytes,
-                 uint32_t class_count) noexcept {
-  for (uint32_t i = 0; i < glyph_count; ++i) {
-    const uint32_t found =
-        class_bytes == 1 ? classes[i] : load_u16(classes + 2 * i);
-    if (found > class_count) {
-      return false;
+// Glyphs and pairs ascend, every class exists, and the rows cover the pairs.
+class KerningCheck {
+ public:
+  explicit KerningCheck(const detail::Kerning& kerning) : kerning_(kerning) {}
+
+  bool fits(uint32_t glyph_count) const noexcept {
+    const uint32_t pairs = kerning_.pairs.rows;
+    uint32_t next = 0;
+    for (uint32_t row = 0; row < kerning_.left_classes; ++row) {
+      const uint32_t begin = start(row);
+      const uint32_t end = start(row + 1);
+      if (begin != next || begin > end || end > pairs ||
+          !row_fits(begin, end)) {
+        return false;
+      }
+      next = end;
     }
+    return start(0) == 0 && next == pairs && members_fit(glyph_count);
   }
-  return true;
+
+ private:
+  uint32_t start(uint32_t row) const noexcept {
+    return kerning_.row_starts.get(row, 0, kerning_.row_starts.row_bits);
+  }
+
+  bool row_fits(uint32_t begin, uint32_t end) const noexcept {
+    uint32_t next = 1;
+    for (uint32_t i = begin; i < end; ++i) {
+      const uint32_t right = kerning_.pairs.get(i, 0, kerning_.right_bits);
+      if (right < next || right > kerning_.right_classes) {
+        return false;
+      }
+      next = right + 1;
+    }
+    return true;
+  }
+
+  bool members_fit(uint32_t glyph_count) const noexcept {
+    const detail::BitTable& members = kerning_.members;
+    const uint32_t glyph_bits = kerning_.glyph_bits;
+    const uint32_t left_bits = kerning_.left_bits;
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < members.rows; ++i) {
+      const uint32_t glyph = members.get(i, 0, glyph_bits);
+      const uint32_t left = members.get(i, glyph_bits, left_bits);
+      const uint32_t right =
+          members.get(i, glyph_bits + left_bits, kerning_.right_bits);
+      if (glyph < next || glyph >= glyph_count ||
+          left > kerning_.left_classes || right > kerning_.right_classes) {
+        return false;
+      }
+      next = glyph + 1;
+    }
+    return true;
+  }
+
+  const detail::Kerning& kerning_;
+};
+
+bool kerning_fits(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
+  if (section.size == 0) {
+    return true;
+  }
+  detail::Kerning kerning;
+  return kerning.open(section) && KerningCheck(kerning).fits(glyph_count);
 }
 
 // The tree of one tile: every cell exists, nodes are numbered in the order in
@@ -97,14 +151,23 @@ bool field_fits(const GlyphField& field) noexcept {
   return next_node == field.node_count;
 }
 
-// Whether a glyph's offsets, `offset[0]` and `offset[1]`, frame a record.
-bool offsets_fit(const uint8_t* offset,
-                 size_t glyphs_size,
-                 uint32_t glyph_count) noexcept {
-  const uint32_t begin = load_u32(offset);
-  const uint32_t end = load_u32(offset + 4);
-  return begin % 4 == 0 && begin >= 4 * (glyph_count + 1) && begin <= end &&
-         end <= glyphs_size;
+// Records lie one after the other behind the offsets.
+bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
+  namespace glyphs = format::glyphs;
+  detail::BitTable offsets;
+  if (!detail::offsets_table(section, glyph_count, offsets)) {
+    return false;
+  }
+  const uint32_t unit_log2 = section.data[glyphs::kUnitLog2];
+  size_t least = glyphs::kBytes + offsets.bytes.size;
+  for (uint32_t i = 0; i < offsets.rows; ++i) {
+    const uint32_t offset = offsets.get(i, 0, offsets.row_bits) << unit_log2;
+    if (offset < least || offset > section.size) {
+      return false;
+    }
+    least = offset;
+  }
+  return true;
 }
 
 }  // namespace
@@ -121,21 +184,12 @@ Status Font::verify() const noexcept {
   const uint32_t crc =
       detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
-      !cmap_fits(cmap_, glyph_count_)) {
+      !cmap_fits(cmap_, glyph_count_) ||
+      !kerning_fits(kerning_, glyph_count_) ||
+      !offsets_fit(glyphs_, glyph_count_)) {
     return Status::corrupt;
   }
-  if (kerning_.size != 0) {
-    const uint8_t* left = kerning_.data + format::kerning::kBytes;
-    const uint8_t* right = left + uint32_t{glyph_count_} * class_bytes_;
-    if (!classes_fit(left, glyph_count_, class_bytes_, left_classes_) ||
-        !classes_fit(right, glyph_count_, class_bytes_, right_classes_)) {
-      return Status::corrupt;
-    }
-  }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
-    if (!offsets_fit(glyphs_.data + 4 * glyph, glyphs_.size, glyph_count_)) {
-      return Status::corrupt;
-    }
     GlyphField opened;
     INKCELL_TRY(field(static_cast<uint16_t>(glyph), opened));
     if (!field_fits(opened)) {

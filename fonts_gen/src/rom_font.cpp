@@ -1,6 +1,7 @@
 #include "rom_font.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "inkcell/format.hpp"
@@ -13,6 +14,9 @@ namespace header = format::header;
 namespace section = format::section;
 
 using Bytes = std::vector<uint8_t>;
+
+constexpr unsigned kAlignmentLog2 = 2;
+static_assert(1 << kAlignmentLog2 == format::kAlignment);
 
 // The reflected CRC-32 of Ethernet and PNG, bit by bit: the plain form of what
 // the device computes by table.
@@ -59,11 +63,42 @@ void set_u32(Bytes& out, size_t at, uint32_t value) {
   set_u16(out, at + 2, value >> 16);
 }
 
-void pad(Bytes& out) {
-  while (out.size() % format::kAlignment != 0) {
+// To a multiple of 2^log2 bytes.
+void pad(Bytes& out, unsigned log2) {
+  while ((out.size() & ((size_t{1} << log2) - 1)) != 0) {
     out.push_back(0);
   }
 }
+
+// Bits that it takes to write every number up to `most`.
+unsigned width_of(uint32_t most) {
+  unsigned width = 0;
+  while (most >> width != 0) {
+    ++width;
+  }
+  return width;
+}
+
+// Appends a bit table: numbers without gaps, the first in the lowest bits.
+class BitTable {
+ public:
+  explicit BitTable(Bytes& out) : out_(out) {}
+
+  void put(uint32_t value, unsigned width) {
+    for (unsigned bit = 0; bit < width; ++bit, ++written_) {
+      if (written_ % 8 == 0) {
+        out_.push_back(0);
+      }
+      if ((value >> bit & 1) != 0) {
+        out_.back() = static_cast<uint8_t>(out_.back() | 1u << written_ % 8);
+      }
+    }
+  }
+
+ private:
+  Bytes& out_;
+  uint64_t written_ = 0;  // bits
+};
 
 // Consecutive code points on consecutive glyphs become one entry.
 Bytes cmap_section(const RomContent& content) {
@@ -94,37 +129,127 @@ Bytes cmap_section(const RomContent& content) {
   return out;
 }
 
+using MetricsRow = std::array<int, format::metrics::kColumns>;
+
+MetricsRow metrics_row(const GlyphMetrics& m) {
+  return {m.advance, m.x_min, m.y_min, m.x_max, m.y_max};
+}
+
 Bytes metrics_section(const RomContent& content) {
-  Bytes out;
+  MetricsRow least = metrics_row(content.glyphs[0].metrics);
+  MetricsRow most = least;
   for (const RomGlyph& glyph : content.glyphs) {
-    put_u16(out, static_cast<unsigned>(glyph.metrics.advance));
-    put_i16(out, glyph.metrics.x_min);
-    put_i16(out, glyph.metrics.y_min);
-    put_i16(out, glyph.metrics.x_max);
-    put_i16(out, glyph.metrics.y_max);
+    const MetricsRow row = metrics_row(glyph.metrics);
+    for (size_t i = 0; i < row.size(); ++i) {
+      least[i] = std::min(least[i], row[i]);
+      most[i] = std::max(most[i], row[i]);
+    }
+  }
+  Bytes out;
+  for (const int base : least) {
+    put_i16(out, base);
+  }
+  for (size_t i = 0; i < least.size(); ++i) {
+    put_u8(out, width_of(static_cast<uint32_t>(most[i] - least[i])));
+  }
+  BitTable table(out);
+  for (const RomGlyph& glyph : content.glyphs) {
+    const MetricsRow row = metrics_row(glyph.metrics);
+    for (size_t i = 0; i < row.size(); ++i) {
+      table.put(static_cast<uint32_t>(row[i] - least[i]),
+                width_of(static_cast<uint32_t>(most[i] - least[i])));
+    }
   }
   return out;
 }
 
-Bytes kerning_section(const KerningMatrix& kerning) {
+// The pairs that kern, row by row, as KERN wants them.
+struct KerningPairs {
+  struct Pair {
+    uint32_t right_class;
+    int16_t value;
+  };
+  std::vector<uint32_t> row_starts;
+  std::vector<Pair> pairs;
+  int16_t least = 0;
+  int16_t most = 0;
+};
+
+KerningPairs kerning_pairs(const KerningMatrix& kerning) {
+  KerningPairs found;
+  found.row_starts.push_back(0);
+  auto value = kerning.values.begin();
+  for (int row = 0; row < kerning.left_classes; ++row) {
+    for (int column = 1; column <= kerning.right_classes; ++column, ++value) {
+      if (*value == 0) {
+        continue;
+      }
+      const bool first = found.pairs.empty();
+      found.least = first ? *value : std::min(found.least, *value);
+      found.most = first ? *value : std::max(found.most, *value);
+      found.pairs.push_back({static_cast<uint32_t>(column), *value});
+    }
+    found.row_starts.push_back(static_cast<uint32_t>(found.pairs.size()));
+  }
+  return found;
+}
+
+// Glyphs that kern on at least one side.
+std::vector<uint32_t> kerning_members(const KerningMatrix& kerning) {
+  std::vector<uint32_t> members;
+  for (size_t glyph = 0; glyph < kerning.left_class.size(); ++glyph) {
+    if (kerning.left_class[glyph] != 0 || kerning.right_class[glyph] != 0) {
+      members.push_back(static_cast<uint32_t>(glyph));
+    }
+  }
+  return members;
+}
+
+Bytes kerning_section(const RomContent& content) {
+  const KerningMatrix& kerning = content.kerning;
   Bytes out;
   if (kerning.empty()) {
     return out;
   }
-  const int most = std::max(kerning.left_classes, kerning.right_classes);
+  const KerningPairs found = kerning_pairs(kerning);
+  if (found.pairs.size() > format::kerning::kMaxPairs) {
+    throw Error(content.name +
+                ": more than 33 million pairs of classes kern; ask for fewer "
+                "characters");
+  }
+  const auto pair_count = static_cast<uint32_t>(found.pairs.size());
+  const std::vector<uint32_t> members = kerning_members(kerning);
+  const unsigned glyph_bits = width_of(members.back());
+  const unsigned left_bits =
+      width_of(static_cast<uint32_t>(kerning.left_classes));
+  const unsigned right_bits =
+      width_of(static_cast<uint32_t>(kerning.right_classes));
+  const unsigned value_bits =
+      width_of(static_cast<uint32_t>(found.most - found.least));
+  const unsigned start_bits = width_of(pair_count);
+  put_u32(out, pair_count);
+  put_u16(out, static_cast<unsigned>(members.size()));
   put_u16(out, static_cast<unsigned>(kerning.left_classes));
   put_u16(out, static_cast<unsigned>(kerning.right_classes));
-  for (const auto* classes : {&kerning.left_class, &kerning.right_class}) {
-    for (const uint16_t number : *classes) {
-      if (most <= 255) {
-        put_u8(out, number);
-      } else {
-        put_u16(out, number);
-      }
-    }
+  put_i16(out, found.least);
+  for (const unsigned width :
+       {glyph_bits, left_bits, right_bits, value_bits, start_bits}) {
+    put_u8(out, width);
   }
-  for (const int16_t value : kerning.values) {
-    put_i16(out, value);
+  BitTable member_table(out);
+  for (const uint32_t glyph : members) {
+    member_table.put(glyph, glyph_bits);
+    member_table.put(kerning.left_class[glyph], left_bits);
+    member_table.put(kerning.right_class[glyph], right_bits);
+  }
+  BitTable start_table(out);
+  for (const uint32_t start : found.row_starts) {
+    start_table.put(start, start_bits);
+  }
+  BitTable pair_table(out);
+  for (const KerningPairs::Pair& pair : found.pairs) {
+    pair_table.put(pair.right_class, right_bits);
+    pair_table.put(static_cast<uint32_t>(pair.value - found.least), value_bits);
   }
   return out;
 }
@@ -144,33 +269,80 @@ void put_record(Bytes& out, const AdfGlyph& field) {
   for (const SampleCell& cell : field.cells) {
     out.insert(out.end(), cell.begin(), cell.end());
   }
-  pad(out);
+}
+
+// How GLYF counts its offsets.
+struct OffsetUnits {
+  unsigned unit_log2;
+  unsigned width;  // [bits]
+  uint64_t begin;  // of the first record [bytes]
+  uint64_t total;  // the section [bytes]
+
+  uint64_t round_up(uint64_t bytes) const {
+    return (((bytes - 1) >> unit_log2) + 1) << unit_log2;
+  }
+};
+
+// The smallest unit that keeps every offset within its bits, and with it the
+// narrowest table.
+OffsetUnits offset_units(const RomContent& content) {
+  namespace glyphs = format::glyphs;
+  static_assert(glyphs::kRecordAlignment == 2);
+  for (unsigned unit_log2 = 1; unit_log2 <= glyphs::kMaxUnitLog2; ++unit_log2) {
+    OffsetUnits units = {unit_log2, 0, 0, 0};
+    uint64_t records = 0;
+    for (const RomGlyph& glyph : content.glyphs) {
+      const size_t bytes = record_bytes(glyph.field);
+      records += bytes == 0 ? 0 : units.round_up(bytes);
+    }
+    for (; units.width <= format::bit_table::kMaxBits; ++units.width) {
+      const uint64_t offsets = content.glyphs.size() + 1;
+      units.begin =
+          units.round_up(glyphs::kBytes + (offsets * units.width + 7) / 8);
+      units.total = units.begin + records;
+      // All sections of the font are below 4 GB; the rest of it is far
+      // smaller than what this leaves.
+      if (units.total >> unit_log2 < uint64_t{1} << units.width &&
+          units.total <= 0xf0000000u) {
+        return units;
+      }
+    }
+  }
+  throw Error(content.name +
+              ": the font would pass 4 GB; ask for fewer characters");
 }
 
 Bytes glyphs_section(const RomContent& content) {
-  const uint64_t offsets = 4 * (uint64_t{content.glyphs.size()} + 1);
-  uint64_t size = offsets;
-  for (const RomGlyph& glyph : content.glyphs) {
-    size += record_bytes(glyph.field);
-  }
-  // All offsets of the font are 32 bits wide; the rest of it is far smaller
-  // than what this leaves.
-  if (size > 0xf0000000u) {
-    throw Error(content.name +
-                ": the font would pass 4 GB; ask for fewer characters");
-  }
+  const OffsetUnits units = offset_units(content);
   Bytes out;
-  out.reserve(size);
-  uint32_t end = static_cast<uint32_t>(offsets);
-  put_u32(out, end);
+  out.reserve(units.total);
+  put_u8(out, units.width);
+  put_u8(out, units.unit_log2);
+  BitTable offsets(out);
+  uint64_t end = units.begin;
+  const auto put_end = [&] {
+    offsets.put(static_cast<uint32_t>(end >> units.unit_log2), units.width);
+  };
+  put_end();
   for (const RomGlyph& glyph : content.glyphs) {
-    end += static_cast<uint32_t>(record_bytes(glyph.field));
-    put_u32(out, end);
+    const size_t bytes = record_bytes(glyph.field);
+    end += bytes == 0 ? 0 : units.round_up(bytes);
+    put_end();
   }
   for (const RomGlyph& glyph : content.glyphs) {
+    pad(out, units.unit_log2);
     if (glyph.field.tiles_x != 0) {
       put_record(out, glyph.field);
     }
+  }
+  pad(out, units.unit_log2);
+  return out;
+}
+
+Bytes name_section(const RomContent& content) {
+  Bytes out;
+  for (const char c : content.name) {
+    put_u8(out, static_cast<uint8_t>(c));
   }
   return out;
 }
@@ -247,7 +419,7 @@ void set_checksums(Bytes& out, size_t header_bytes) {
 
 struct Section {
   uint32_t tag;
-  uint32_t flags;
+  uint32_t must_understand;  // kMustUnderstand or 0
   Bytes bytes;
   size_t PartBytes::*part;
 };
@@ -255,20 +427,18 @@ struct Section {
 std::vector<Section> make_sections(const RomContent& content) {
   constexpr uint32_t kNeeded = section::kMustUnderstand;
   std::vector<Section> sections;
-  const auto add = [&](uint32_t tag, uint32_t flags, Bytes bytes,
+  const auto add = [&](uint32_t tag, uint32_t must_understand, Bytes bytes,
                        size_t PartBytes::*part) {
     if (!bytes.empty()) {
-      sections.push_back({tag, flags, std::move(bytes), part});
+      sections.push_back({tag, must_understand, std::move(bytes), part});
     }
   };
   add(section::kCmap, kNeeded, cmap_section(content), &PartBytes::cmap);
   add(section::kMetrics, kNeeded, metrics_section(content),
       &PartBytes::metrics);
-  add(section::kKerning, 0, kerning_section(content.kerning),
-      &PartBytes::kerning);
+  add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
   add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::cells);
-  add(section::kName, 0, Bytes(content.name.begin(), content.name.end()),
-      &PartBytes::name);
+  add(section::kName, 0, name_section(content), &PartBytes::name);
   return sections;
 }
 
@@ -278,10 +448,8 @@ size_t record_bytes(const AdfGlyph& field) {
   if (field.tiles_x == 0) {
     return 0;
   }
-  const size_t bytes = format::glyph::kBytes + 2 * field.references.size() +
-                       format::samples::kBytes * field.cells.size();
-  return (bytes + format::kAlignment - 1) / format::kAlignment *
-         format::kAlignment;
+  return format::glyph::kBytes + 2 * field.references.size() +
+         format::samples::kBytes * field.cells.size();
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,
@@ -306,13 +474,13 @@ std::vector<uint8_t> write_rom_font(const RomContent& content,
   for (const Section& part : sections) {
     const size_t begin = out.size();
     set_u32(out, entry + section::kTag, part.tag);
-    set_u32(out, entry + section::kFlags, part.flags);
-    set_u32(out, entry + section::kOffset, static_cast<uint32_t>(begin));
+    set_u32(out, entry + section::kOffset,
+            static_cast<uint32_t>(begin) | part.must_understand);
     set_u32(out, entry + section::kSize,
             static_cast<uint32_t>(part.bytes.size()));
     entry += section::kBytes;
     out.insert(out.end(), part.bytes.begin(), part.bytes.end());
-    pad(out);
+    pad(out, kAlignmentLog2);
     parts.*part.part += out.size() - begin;
   }
   set_checksums(out, header_bytes);

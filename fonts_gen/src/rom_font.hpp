@@ -57,7 +57,7 @@ std::vector<uint8_t> write_rom_font(const RomContent& content,
 void check_rom_font(const std::vector<uint8_t>& bytes,
                     const RomContent& content);
 
-/// Bytes of the record of a glyph. 0 for a glyph without ink.
+/// Bytes of the record of a glyph, without padding. 0 for a glyph without ink.
 size_t record_bytes(const AdfGlyph& field);
 
 }  // namespace inkcell::gen

@@ -38,10 +38,10 @@ std::vector<SectionCensus> take_sections(const uint8_t* rom) {
     const uint8_t* entry = rom + format::header::kBytes + i * section::kBytes;
     SectionCensus census;
     census.tag.assign(reinterpret_cast<const char*>(entry + section::kTag), 4);
-    census.offset = read_u32(entry + section::kOffset);
+    const uint32_t offset = read_u32(entry + section::kOffset);
+    census.offset = offset & section::kOffsetMask;
     census.size = read_u32(entry + section::kSize);
-    census.must_understand =
-        (read_u32(entry + section::kFlags) & section::kMustUnderstand) != 0;
+    census.must_understand = (offset & section::kMustUnderstand) != 0;
     result.push_back(census);
   }
   return result;

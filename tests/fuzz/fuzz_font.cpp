@@ -36,8 +36,8 @@ void repair(Span<uint8_t> font) {
   font_builder::put_u32(at + header::kMagic, format::kMagic);
   at[header::kFormatMajor] = kFormatMajor;
   at[header::kFormatMinor] = kFormatMinor;
-  at[header::kCellKind] = 0;
-  at[header::kCoding] = 0;
+  at[header::kCellKind] &= 1;
+  at[header::kCoding] &= at[header::kCellKind];
   const auto size = static_cast<uint32_t>(font.size);
   const uint32_t room = (size - header::kBytes) / format::section::kBytes;
   const uint32_t sections = std::min(

@@ -3,11 +3,14 @@
 
 #include "rom_font.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "inkcell/format.hpp"
+#include "shape.hpp"
 
 namespace inkcell::gen::test {
 namespace {
@@ -77,6 +80,37 @@ std::vector<uint8_t> write(const RomContent& content) {
   return write_rom_font(content, parts);
 }
 
+size_t bytes_of(size_t bits) {
+  return (bits + 7) / 8;
+}
+
+size_t padded(size_t size) {
+  return (size + 3) / 4 * 4;
+}
+
+// What the device says about every glyph and pair.
+void expect_tables(const std::vector<uint8_t>& rom, const RomContent& content) {
+  Font font;
+  ASSERT_EQ(Font::open({rom.data(), rom.size()}, font), Status::ok);
+  EXPECT_EQ(font.verify(), Status::ok);
+  int wrong = 0;
+  const size_t count = content.glyphs.size();
+  for (size_t left = 0; left < count; ++left) {
+    const auto glyph = static_cast<uint16_t>(left);
+    const GlyphMetrics& m = content.glyphs[left].metrics;
+    GlyphMetrics found;
+    EXPECT_EQ(font.glyph_metrics(glyph, found), Status::ok);
+    wrong += found.advance != m.advance || found.x_min != m.x_min ||
+             found.y_min != m.y_min || found.x_max != m.x_max ||
+             found.y_max != m.y_max;
+    for (size_t right = 0; right < count && !content.kerning.empty(); ++right) {
+      wrong += font.kerning(glyph, static_cast<uint16_t>(right)) !=
+               content.kerning.value(left, right);
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
 // Lines as hexdump -C prints them, without the last one.
 std::string hex_dump(const std::vector<uint8_t>& bytes) {
   std::string dump;
@@ -118,12 +152,15 @@ TEST(RomFont, PartsAddUp) {
   PartBytes parts;
   const std::vector<uint8_t> bytes = write_rom_font(larger(), parts);
   EXPECT_EQ(parts.total(), bytes.size());
-  EXPECT_EQ(parts.header, 64u + 5 * 16);
+  EXPECT_EQ(parts.header, 76u + 5 * 12);
   EXPECT_EQ(parts.cmap, 24u);
-  EXPECT_EQ(parts.metrics, 40u);
-  EXPECT_EQ(parts.kerning, 4u + 8 + 2 * 2 * 2);
+  // Advances 300..1200, x -20..100 and 0..1100, y -200..0 and 0..800.
+  EXPECT_EQ(parts.metrics, padded(15 + bytes_of(4 * (10 + 7 + 8 + 11 + 10))));
+  // Two glyphs and classes, three pairs of -300..12.
+  EXPECT_EQ(parts.kerning, padded(17 + bytes_of(2 * (2 + 2 + 2)) +
+                                  bytes_of(3 * 2) + bytes_of(3 * (2 + 9))));
   EXPECT_EQ(parts.hints, 0u);
-  EXPECT_EQ(parts.cells, 20u + (12 + 2 + 10) + (12 + 20 + 30 + 2));
+  EXPECT_EQ(parts.cells, 2 + bytes_of(5 * 6) + (12 + 2 + 10) + (12 + 20 + 30));
   EXPECT_EQ(parts.name, 4u);
 }
 
@@ -160,8 +197,121 @@ TEST(RomFont, WideKerningClassesTakeTwoBytes) {
   ASSERT_EQ(content.kerning.left_classes, 300);
   PartBytes parts;
   const std::vector<uint8_t> bytes = write_rom_font(content, parts);
-  EXPECT_EQ(parts.kerning, 4u + 2 * 2 * 300 + 2 * 300 * 300);
+  EXPECT_EQ(parts.kerning, padded(17 + bytes_of(300 * 27) + bytes_of(301 * 9) +
+                                  bytes_of(300 * 18)));
   check_rom_font(bytes, content);
+  expect_tables(bytes, content);
+}
+
+// As much in them as numbers of `bits` bits can hold: around 0, or up to the
+// ends of i16.
+TEST(RomFont, MetricsOfEveryWidthAreExact) {
+  std::mt19937 random(11);
+  for (unsigned bits = 0; bits <= 16; ++bits) {
+    for (const int side : {-1, 0, 1}) {
+      const int span = (1 << bits) - 1;
+      const int low = side < 0   ? -32768
+                      : side > 0 ? 32767 - span
+                                 : -(span + 1) / 2;
+      const auto any = [&](int from) {
+        return from + static_cast<int>(random() & static_cast<unsigned>(span));
+      };
+      RomContent content = smallest();
+      content.glyphs.resize(40);
+      for (size_t i = 0; i < 40; ++i) {
+        GlyphMetrics& m = content.glyphs[i].metrics;
+        m.advance = side > 0 ? 65535 - span + any(0) : any(0);
+        m.x_min = static_cast<int16_t>(any(low));
+        m.y_min = static_cast<int16_t>(i == 7 ? low : any(low));
+        m.x_max = static_cast<int16_t>(i == 8 ? low + span : any(low));
+        m.y_max = static_cast<int16_t>(any(low));
+      }
+      expect_tables(write(content), content);
+    }
+  }
+}
+
+TEST(RomFont, RandomKerningIsExact) {
+  std::mt19937 random(12);
+  const auto below = [&](unsigned n) {
+    return static_cast<unsigned>(random() % n);
+  };
+  for (int round = 0; round < 60; ++round) {
+    const size_t count = 2 + below(90);
+    const unsigned sparsity = 1 + below(12);
+    const int most = 1 << below(16);
+    std::vector<size_t> lefts;
+    std::vector<std::vector<int16_t>> rows;
+    for (size_t left = 0; left < count; ++left) {
+      if (below(3) == 0) {
+        continue;
+      }
+      lefts.push_back(left);
+      std::vector<int16_t> row(count);
+      for (int16_t& value : row) {
+        const int any = static_cast<int>(below(2u * unsigned(most))) - most;
+        value = static_cast<int16_t>(below(sparsity) == 0 ? any : 0);
+      }
+      rows.push_back(row);
+    }
+    RomContent content = smallest();
+    content.glyphs.resize(count);
+    content.kerning = join_classes(count, lefts, rows);
+    const std::vector<uint8_t> bytes = write(content);
+    expect_tables(bytes, content);
+    check_rom_font(bytes, content);
+  }
+}
+
+TEST(RomFont, TablesOfRealFacesAreExact) {
+  for (const char* file :
+       {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+        "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf",
+        "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/"
+        "Roboto-Regular.ttf"}) {
+    FontRequest request;
+    request.file = file;
+    add_ranges("0x20-0x7E", request.characters);
+    Warnings ignored;
+    const SourceFont source = load_font(request, 2, ignored);
+    RomContent content = smallest();
+    content.glyphs.clear();
+    content.glyph_of.clear();
+    for (const SourceGlyph& glyph : source.glyphs) {
+      const Box box = Shape(glyph.outline).box();
+      const double scale = source.metrics.units_per_em / 1024.0;
+      GlyphMetrics m;
+      m.advance = glyph.advance;
+      m.x_min = static_cast<int16_t>(std::floor(box.x0 * scale));
+      m.y_min = static_cast<int16_t>(std::floor(box.y0 * scale));
+      m.x_max = static_cast<int16_t>(std::ceil(box.x1 * scale));
+      m.y_max = static_cast<int16_t>(std::ceil(box.y1 * scale));
+      content.glyphs.push_back({{}, m});
+    }
+    content.kerning = source.kerning;
+    PartBytes parts;
+    expect_tables(write_rom_font(content, parts), content);
+    EXPECT_LE(parts.metrics, 660u) << file;
+    EXPECT_LE(parts.kerning, 660u) << file;
+  }
+}
+
+// More than 2^25 units of 2 bytes.
+TEST(RomFont, LargeFontsCountInLargerUnits) {
+  RomContent content = smallest();
+  content.glyphs[1].field.cells.resize(32767, content.glyphs[1].field.cells[0]);
+  content.glyphs.resize(206, content.glyphs[1]);
+  PartBytes parts;
+  const std::vector<uint8_t> rom = write_rom_font(content, parts);
+  ASSERT_GT(rom.size(), size_t{1} << 26);
+  Font font;
+  ASSERT_EQ(Font::open({rom.data(), rom.size()}, font), Status::ok);
+  const Span<const uint8_t> glyphs = font.section(format::section::kGlyphs);
+  EXPECT_EQ(glyphs[format::glyphs::kUnitLog2], 2);
+  EXPECT_EQ(glyphs[format::glyphs::kOffsetBits], 25);
+  EXPECT_EQ(font.record(205).size,
+            padded(record_bytes(content.glyphs[205].field)));
+  check_rom_font(rom, content);
 }
 
 // Each change of the source must be seen by the check of the unchanged bytes.

@@ -56,6 +56,11 @@ class Writer {
     }
     at_ += record.size();
   }
+  void patch_u16(size_t at, uint32_t value) {
+    if (at + 2 <= out_.size) {
+      put_u16(out_.data + at, value);
+    }
+  }
   void patch_u32(size_t at, uint32_t value) {
     if (at + 4 <= out_.size) {
       put_u32(out_.data + at, value);
@@ -75,7 +80,20 @@ void write_cmap(const FontSpec& spec, Writer& out) {
   }
 }
 
+// Numbers of the bit tables take one or two whole bytes, so that tests can
+// break them one by one. Other widths are the business of test_bit_table.cpp
+// and of the generator's tests.
+void write_number(uint32_t value, uint32_t bits, Writer& out) {
+  bits == 16 ? out.u16(value) : out.u8(value);
+}
+
 void write_metrics(const FontSpec& spec, Writer& out) {
+  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
+    out.u16(0);
+  }
+  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
+    out.u8(16);
+  }
   for (const GlyphSpec& glyph : spec.glyphs) {
     out.u16(glyph.advance);
     for (const int16_t side : glyph.box) {
@@ -89,28 +107,53 @@ void write_kerning(const FontSpec& spec, Writer& out) {
   if (kerning.left_classes == 0) {
     return;
   }
-  const bool wide = kerning.left_classes > 255 || kerning.right_classes > 255;
+  const uint32_t bits =
+      kerning.left_classes > 255 || kerning.right_classes > 255 ? 16 : 8;
+  uint32_t pairs = 0;
+  for (const int16_t value : kerning.values) {
+    pairs += value != 0 ? 1u : 0u;
+  }
+  out.u32(pairs);
+  out.u16(static_cast<uint32_t>(kerning.left.size));
   out.u16(kerning.left_classes);
   out.u16(kerning.right_classes);
-  const Span<const uint16_t> sides[] = {kerning.left, kerning.right};
-  for (const Span<const uint16_t>& side : sides) {
-    for (const uint16_t kerning_class : side) {
-      wide ? out.u16(kerning_class) : out.u8(kerning_class);
+  out.i16(0);
+  const uint32_t widths[] = {8, bits, bits, 16, 16};
+  for (const uint32_t width : widths) {
+    out.u8(width);
+  }
+  for (uint32_t i = 0; i < kerning.left.size; ++i) {
+    out.u8(i);
+    write_number(kerning.left[i], bits, out);
+    write_number(kerning.right[i], bits, out);
+  }
+  uint32_t start = 0;
+  out.u16(start);
+  for (uint32_t i = 0; i < kerning.values.size; ++i) {
+    start += kerning.values[i] != 0 ? 1u : 0u;
+    if ((i + 1) % kerning.right_classes == 0) {
+      out.u16(start);
     }
   }
-  for (const int16_t value : kerning.values) {
-    out.i16(value);
+  for (uint32_t i = 0; i < kerning.values.size; ++i) {
+    if (kerning.values[i] != 0) {
+      write_number(i % kerning.right_classes + 1, bits, out);
+      out.i16(kerning.values[i]);
+    }
   }
 }
 
 void write_glyphs(const FontSpec& spec, Writer& out) {
   static Record drawn;  // too large for the stack of a small board
   const size_t begin = out.at();
+  out.u8(16);  // bits of an offset
+  out.u8(1);   // in units of 2 bytes
+  const size_t offsets = out.at();
   for (size_t i = 0; i <= spec.glyphs.size; ++i) {
-    out.u32(0);
+    out.u16(0);
   }
   for (size_t i = 0; i < spec.glyphs.size; ++i) {
-    out.patch_u32(begin + 4 * i, static_cast<uint32_t>(out.at() - begin));
+    out.patch_u16(offsets + 2 * i, static_cast<uint32_t>(out.at() - begin) / 2);
     const GlyphSpec& glyph = spec.glyphs[i];
     if (glyph.record != nullptr) {
       out.record(*glyph.record);
@@ -119,10 +162,9 @@ void write_glyphs(const FontSpec& spec, Writer& out) {
       drawn.fill(glyph.shape);
       out.record(drawn);
     }
-    out.align();
   }
-  out.patch_u32(begin + 4 * spec.glyphs.size,
-                static_cast<uint32_t>(out.at() - begin));
+  out.patch_u16(offsets + 2 * spec.glyphs.size,
+                static_cast<uint32_t>(out.at() - begin) / 2);
 }
 
 void write_name(const FontSpec& spec, Writer& out) {
@@ -161,14 +203,16 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   for (const int32_t side : box) {
     out.i16(side);
   }
-  out.u32(0);
+  for (int i = 0; i < 4; ++i) {
+    out.u32(0);  // two workspaces, quantisation
+  }
 }
 
 using WriteSection = void (*)(const FontSpec&, Writer&);
 
 struct Section {
   uint32_t tag;
-  uint32_t flags;
+  uint32_t must_understand;
   WriteSection write;
 };
 
@@ -181,8 +225,8 @@ void write_section(const FontSpec& spec,
   const auto begin = static_cast<uint32_t>(out.at());
   section.write(spec, out);
   out.patch_u32(entry + format::section::kTag, section.tag);
-  out.patch_u32(entry + format::section::kFlags, section.flags);
-  out.patch_u32(entry + format::section::kOffset, begin);
+  out.patch_u32(entry + format::section::kOffset,
+                begin | section.must_understand);
   out.patch_u32(entry + format::section::kSize,
                 static_cast<uint32_t>(out.at()) - begin);
   out.align();

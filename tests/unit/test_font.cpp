@@ -41,6 +41,11 @@ uint8_t* entry_of(uint32_t tag) {
   return entry;
 }
 
+uint8_t* section_bytes(uint32_t tag) {
+  return rom +
+         (get_u32(entry_of(tag) + section::kOffset) & section::kOffsetMask);
+}
+
 // A font of two-byte kerning classes: `classes` on each side, two glyphs.
 Status open_wide(uint16_t classes, Font& font) {
   static constexpr GlyphSpec kGlyphs[] = {{500, {}, nullptr, nullptr},
@@ -150,10 +155,11 @@ TEST(refuses_a_changed_header) {
 TEST(refuses_sizes_that_do_not_fit) {
   sample();
   put_u16(rom + header::kSectionCount, 33);
-  put_u16(rom + header::kHeaderBytes, 64 + 33 * 16);
+  put_u16(rom + header::kHeaderBytes, header::kBytes + 33 * section::kBytes);
   CHECK_EQ(reopen(), Status::corrupt);
   sample();
-  put_u16(rom + header::kHeaderBytes, 64 + 4 * 16);  // of five sections
+  put_u16(rom + header::kHeaderBytes,  // of five sections
+          header::kBytes + 4 * section::kBytes);
   CHECK_EQ(reopen(), Status::corrupt);
   sample();
   put_u16(rom + header::kGlyphCount, 0);
@@ -192,7 +198,8 @@ TEST(refuses_sections_outside_the_font) {
 TEST(refuses_small_tables) {
   const uint32_t tags[] = {section::kMetrics, section::kGlyphs,
                            section::kKerning};
-  const uint32_t smallest[] = {5 * 10, 4 * 6, 4 + 10 + 12};
+  const uint32_t smallest[] = {15 + 5 * 10, 2 + 2 * 6,
+                               17 + 5 * 3 + 3 * 2 + 3 * 3};
   for (int i = 0; i < 3; ++i) {
     sample();
     put_u32(entry_of(tags[i]) + section::kSize, smallest[i] - 1);
@@ -200,25 +207,89 @@ TEST(refuses_small_tables) {
     put_u32(entry_of(tags[i]) + section::kSize, smallest[i]);
     CHECK_EQ(reopen(), Status::ok);
   }
-  sample();
-  put_u32(entry_of(section::kKerning) + section::kSize, 3);
-  CHECK_EQ(reopen(), Status::corrupt);
+  const uint32_t headers[] = {15, 2, 17};
+  for (int i = 0; i < 3; ++i) {
+    sample();
+    put_u32(entry_of(tags[i]) + section::kSize, headers[i] - 1);
+    CHECK_EQ(reopen(), Status::corrupt);
+  }
+}
+
+TEST(refuses_wrong_widths) {
+  struct Case {
+    uint32_t tag;
+    uint32_t at;  // in the section
+    uint8_t most;
+  };
+  const Case cases[] = {
+      {section::kMetrics, format::metrics::kColumnBits, 16},
+      {section::kMetrics, format::metrics::kColumnBits + 4, 16},
+      {section::kKerning, format::kerning::kGlyphBits, 16},
+      {section::kKerning, format::kerning::kLeftBits, 16},
+      {section::kKerning, format::kerning::kRightBits, 16},
+      {section::kKerning, format::kerning::kValueBits, 16},
+      {section::kKerning, format::kerning::kStartBits, 25},
+      {section::kGlyphs, format::glyphs::kOffsetBits, 25},
+      {section::kGlyphs, format::glyphs::kUnitLog2, 7}};
+  for (const Case& c : cases) {
+    sample();
+    uint8_t* entry = entry_of(c.tag);
+    uint8_t* section = section_bytes(c.tag);
+    // A font whose last section has room for any table.
+    put_u32(entry + section::kSize,
+            static_cast<uint32_t>(rom + rom_bytes - section));
+    section[c.at] = c.most;
+    CHECK_EQ(reopen(), Status::ok);
+    section[c.at] = static_cast<uint8_t>(c.most + 1);
+    CHECK_EQ(reopen(), Status::corrupt);
+    section[c.at] = 255;
+    CHECK_EQ(reopen(), Status::corrupt);
+  }
+}
+
+TEST(refuses_more_kerning_than_the_section_holds) {
+  const uint32_t counts[] = {4, 0x1ffffff, 0x2000000, 0xffffffff};
+  for (const uint32_t count : counts) {
+    sample();
+    uint8_t* kerning = section_bytes(section::kKerning);
+    put_u32(kerning + format::kerning::kPairs, count);
+    CHECK_EQ(reopen(), Status::corrupt);
+  }
+  const uint32_t places[] = {format::kerning::kMembers,
+                             format::kerning::kLeftClasses};
+  for (const uint32_t place : places) {
+    sample();
+    uint8_t* count = section_bytes(section::kKerning) + place;
+    put_u16(count, get_u16(count) + 1);
+    CHECK_EQ(reopen(), Status::corrupt);
+    put_u16(count, 0xffff);
+    CHECK_EQ(reopen(), Status::corrupt);
+  }
 }
 
 TEST(refuses_what_it_cannot_read) {
   sample();
-  rom[header::kCellKind] = static_cast<uint8_t>(format::CellKind::fields);
-  CHECK_EQ(reopen(), Status::unsupported);
-  sample();
-  rom[header::kCoding] = static_cast<uint8_t>(format::Coding::packed);
-  CHECK_EQ(reopen(), Status::unsupported);
+  // Only cells of fields have a packed coding.
+  const Status fields =
+      INKCELL_FIELD_CELLS != 0 ? Status::ok : Status::unsupported;
+  const Status expected[3][3] = {
+      {Status::ok, Status::unsupported, Status::unsupported},
+      {fields, fields, Status::unsupported},
+      {Status::unsupported, Status::unsupported, Status::unsupported}};
+  for (uint8_t kind = 0; kind < 3; ++kind) {
+    for (uint8_t coding = 0; coding < 3; ++coding) {
+      rom[header::kCellKind] = kind;
+      rom[header::kCoding] = coding;
+      CHECK_EQ(reopen(), expected[kind][coding]);
+    }
+  }
   // A section that nobody knows is skipped unless it must be understood.
   sample();
   put_u32(entry_of(section::kName) + section::kTag,
           format::tag('X', 'Y', 'Z', 'W'));
   CHECK_EQ(reopen(), Status::ok);
-  put_u32(entry_of(format::tag('X', 'Y', 'Z', 'W')) + section::kFlags,
-          section::kMustUnderstand);
+  entry_of(format::tag('X', 'Y', 'Z', 'W'))[section::kOffset] |=
+      section::kMustUnderstand;
   CHECK_EQ(reopen(), Status::unsupported);
 }
 
@@ -298,7 +369,7 @@ TEST(finds_glyphs_among_any_number_of_ranges) {
 
 TEST(glyph_beyond_the_count_is_absent) {
   sample();
-  uint8_t* cmap = rom + get_u32(entry_of(section::kCmap) + section::kOffset);
+  uint8_t* cmap = section_bytes(section::kCmap);
   put_u16(cmap + format::cmap::kExtra, 0xffff);  // ' ' and 65535 more
   put_u32(cmap + 8, 0x20000);                    // 'A' moves out of the way
   CHECK(repair_checksums({rom, rom_bytes}));
@@ -346,7 +417,7 @@ TEST(kerning_classes_take_one_byte_up_to_255) {
     Font font;
     CHECK_OK(open_wide(classes, font));
     CHECK_OK(font.verify());
-    CHECK_EQ(font.kerning(0, 0), 0);  // class 1: value 0
+    CHECK_EQ(font.kerning(0, 0), 0);  // class 1: no pair
     CHECK_EQ(font.kerning(0, 1), classes - 1);
     CHECK_EQ(font.kerning(1, 1), 0);  // class 0 on the left
   }
@@ -354,9 +425,8 @@ TEST(kerning_classes_take_one_byte_up_to_255) {
 
 TEST(kerning_class_out_of_range_kerns_with_nothing) {
   sample();
-  uint8_t* kerning =
-      rom + get_u32(entry_of(section::kKerning) + section::kOffset);
-  kerning[format::kerning::kBytes + 2] = 3;  // A on the left: of two classes
+  uint8_t* kerning = section_bytes(section::kKerning);
+  kerning[format::kerning::kBytes + 3 * 2 + 1] = 3;  // A on the left: of two
   CHECK(repair_checksums({rom, rom_bytes}));
   Font font;
   CHECK_OK(Font::open({rom, rom_bytes}, font));
@@ -382,17 +452,21 @@ TEST(opens_fields_by_glyph) {
 
 TEST(wrong_glyph_offsets_give_no_record) {
   sample();
-  const uint32_t glyphs =
-      get_u32(entry_of(section::kGlyphs) + section::kOffset);
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
   const uint32_t size = get_u32(entry_of(section::kGlyphs) + section::kSize);
-  uint8_t* offset = rom + glyphs + 4 * 2;
-  const uint32_t original = get_u32(offset);
-  const uint32_t wrong[] = {original + 1, original + 2, size + 4, 0xfffffffcu};
-  for (const uint32_t value : wrong) {
-    put_u32(offset, value);
+  uint8_t* offset = glyphs + format::glyphs::kBytes + 2 * 2;  // of glyph 2
+  const uint32_t original = get_u16(offset);
+  const uint32_t end = get_u16(offset + 2);
+  const auto open = [] {
     CHECK(repair_checksums({rom, rom_bytes}));
     Font font;
     CHECK_OK(Font::open({rom, rom_bytes}, font));
+    return font;
+  };
+  const uint32_t wrong[] = {end + 1, size / 2 + 1, 0xffff};
+  for (const uint32_t value : wrong) {
+    put_u16(offset, value);
+    const Font font = open();
     CHECK_EQ(font.record(2).size, 0);
     GlyphField field;
     field.cell_count = 1;
@@ -400,17 +474,63 @@ TEST(wrong_glyph_offsets_give_no_record) {
     CHECK_EQ(field.cell_count, 0);
     CHECK_EQ(font.verify(), Status::corrupt);
   }
-  put_u32(offset, original);
-  const uint32_t end = get_u32(offset + 4);
-  put_u32(offset + 4, size + 4);  // where the record ends
-  Font longer;
-  CHECK_OK(Font::open({rom, rom_bytes}, longer));
-  CHECK_EQ(longer.record(2).size, 0);
-  put_u32(offset + 4, end);
-  put_u32(offset, original + 4);  // aligned, but starts amid the record
+  put_u16(offset, original);
+  put_u16(offset + 2, size / 2 + 1);  // where the record ends
+  CHECK_EQ(open().record(2).size, 0);
+  put_u16(offset + 2, end);
+  CHECK_EQ(open().record(2).size, 2 * (end - original));
+  put_u16(offset, original + 1);  // starts amid the record
+  GlyphField field;
+  CHECK(open().field(2, field) != Status::ok);
+}
+
+// Its numbers of 16 bits would be read across.
+TEST(records_at_odd_places_are_not_read) {
+  sample();
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
+  glyphs[format::glyphs::kUnitLog2] = 0;
+  uint8_t* offsets = glyphs + format::glyphs::kBytes;
+  for (uint32_t i = 0; i <= 5; ++i) {
+    put_u16(offsets + 2 * i, 2 * get_u16(offsets + 2 * i));
+  }
   CHECK(repair_checksums({rom, rom_bytes}));
   Font font;
   CHECK_OK(Font::open({rom, rom_bytes}, font));
+  CHECK_OK(font.verify());
   GlyphField field;
-  CHECK(font.field(2, field) != Status::ok);
+  CHECK_OK(font.field(2, field));
+  for (size_t i = rom_bytes - 1; i > 0; --i) {  // the records one byte on
+    if (rom + i > font.record(2).data) {
+      rom[i] = rom[i - 1];
+    }
+  }
+  const uint32_t begin = get_u16(offsets + 4);
+  put_u16(offsets + 4, begin + 1);
+  CHECK(repair_checksums({rom, rom_bytes}));
+  CHECK_EQ(font.field(2, field), Status::corrupt);
+  CHECK_EQ(font.verify(), Status::corrupt);
+}
+
+// Up to the highest unit, in which all records of a small font begin together.
+TEST(offsets_count_in_units) {
+  static constexpr GlyphSpec kGlyphs[2] = {};
+  FontSpec spec;
+  spec.glyphs = {kGlyphs, 2};
+  rom_bytes = build_font(spec, {rom, kSampleFontBytes});
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
+  put_u32(rom + header::kTotalBytes, 4096);
+  const uint32_t size = static_cast<uint32_t>(rom + 4096 - glyphs);
+  put_u32(entry_of(section::kGlyphs) + section::kSize, size);
+  for (uint8_t unit_log2 = 0; unit_log2 <= 7; ++unit_log2) {
+    glyphs[format::glyphs::kUnitLog2] = unit_log2;
+    put_u16(glyphs + 2, 8);
+    put_u16(glyphs + 4, 9);
+    put_u16(glyphs + 6, 11);
+    CHECK(repair_checksums({rom, 4096}));
+    Font font;
+    CHECK_OK(Font::open({rom, 4096}, font));
+    CHECK(font.record(0).data == glyphs + (8 << unit_log2));
+    CHECK_EQ(font.record(0).size, 1 << unit_log2);
+    CHECK_EQ(font.record(1).size, 2 << unit_log2);
+  }
 }

@@ -283,8 +283,10 @@ TEST(lengths_in_px_round_to_the_nearest) {
 TEST(long_lines_end_at_the_limit) {
   const Font font = sample();
   const Span<const uint8_t> metrics = font.section(format::section::kMetrics);
+  // The builder's rows are 16 bits a column.
+  constexpr uint32_t kRow = 2 * format::metrics::kColumns;
   font_builder::put_u16(
-      rom + (metrics.data - rom) + 2 * format::metrics::kBytes,
+      rom + (metrics.data - rom) + format::metrics::kBytes + 2 * kRow,
       65535);  // the advance of A
   static char text[300];
   for (char& c : text) {

@@ -78,35 +78,67 @@ TEST(finds_wrong_code_points) {
   CHECK_EQ(verify_changed(), Status::corrupt);
 }
 
-TEST(finds_wrong_kerning_classes) {
-  const uint32_t places[] = {2, 5 + 2};  // of A on the left, on the right
-  const uint8_t counts[] = {2, 3};
-  for (int side = 0; side < 2; ++side) {
+// Each number of KERN, set to what does not fit and to what does.
+TEST(finds_wrong_kerning) {
+  constexpr uint32_t kMembers = format::kerning::kBytes;  // glyph, left, right
+  constexpr uint32_t kStarts = kMembers + 5 * 3;          // 0, 1, 3
+  constexpr uint32_t kPairs = kStarts + 3 * 2;            // right class, value
+  struct Case {
+    uint32_t at;
+    uint8_t value;
+    Status expected;
+  };
+  const Case cases[] = {
+      {kMembers + 3 * 2, 1, Status::corrupt},  // glyph 1 twice
+      {kMembers + 3 * 4, 5, Status::corrupt},  // of five
+      {kMembers + 3 * 2 + 1, 2, Status::ok},   // left class
+      {kMembers + 3 * 2 + 1, 3, Status::corrupt},
+      {kMembers + 3 * 2 + 2, 3, Status::ok},  // right class
+      {kMembers + 3 * 2 + 2, 4, Status::corrupt},
+      {kStarts, 1, Status::corrupt},
+      {kStarts + 2, 0, Status::corrupt},  // 3, 1, 3 in one row
+      {kStarts + 2, 4, Status::corrupt},
+      {kStarts + 4, 2, Status::corrupt},  // a pair without row
+      {kStarts + 4, 4, Status::corrupt},
+      {kPairs, 0, Status::corrupt},
+      {kPairs, 3, Status::ok},
+      {kPairs, 4, Status::corrupt},
+      {kPairs + 3, 3, Status::corrupt},  // the same twice in row 2
+      {kPairs + 3, 2, Status::ok}};
+  for (const Case& c : cases) {
     const Font font = sample();
-    uint8_t* classes =
-        bytes_of(font, section::kKerning) + format::kerning::kBytes;
-    classes[places[side]] = counts[side];
-    CHECK_EQ(verify_changed(), Status::ok);
-    classes[places[side]] = static_cast<uint8_t>(counts[side] + 1);
-    CHECK_EQ(verify_changed(), Status::corrupt);
+    bytes_of(font, section::kKerning)[c.at] = c.value;
+    CHECK_EQ(verify_changed(), c.expected);
   }
 }
 
 TEST(finds_wrong_glyph_offsets) {
   const Font font = sample();
-  uint8_t* offsets = bytes_of(font, section::kGlyphs);
-  const uint32_t second = get_u32(offsets + 8);
-  put_u32(offsets + 8, second + 1);
-  CHECK_EQ(verify_changed(), Status::corrupt);
-  put_u32(offsets + 8, 0xfffffffcu);
-  CHECK_EQ(verify_changed(), Status::corrupt);
-  put_u32(offsets + 8, second);
+  uint8_t* offsets = bytes_of(font, section::kGlyphs) + format::glyphs::kBytes;
+  const uint32_t second = get_u16(offsets + 4);
+  const uint32_t wrong[] = {0, 6, get_u16(offsets + 6) + 1, 0xffff};
+  for (const uint32_t value : wrong) {
+    put_u16(offsets + 4, value);
+    CHECK_EQ(verify_changed(), Status::corrupt);
+  }
+  put_u16(offsets + 4, second);
   CHECK_EQ(verify_changed(), Status::ok);
   // Also where equal offsets say that there is no record.
-  for (uint32_t i = 0; i <= font.glyph_count(); ++i) {
-    put_u32(offsets + 4 * i, 0xfffffffdu);
+  const uint32_t size =
+      static_cast<uint32_t>(font.section(section::kGlyphs).size);
+  const struct {
+    uint32_t offset;
+    Status expected;
+  } cases[] = {{6, Status::corrupt},  // amid the offsets
+               {7, Status::ok},
+               {size / 2, Status::ok},
+               {size / 2 + 1, Status::corrupt}};
+  for (const auto& c : cases) {
+    for (uint32_t i = 0; i <= font.glyph_count(); ++i) {
+      put_u16(offsets + 2 * i, c.offset);
+    }
+    CHECK_EQ(verify_changed(), c.expected);
   }
-  CHECK_EQ(verify_changed(), Status::corrupt);
 }
 
 TEST(finds_trees_without_a_square_left_to_divide) {

@@ -53,8 +53,12 @@ inline constexpr uint32_t kXMin = 52;          // i16 [font units]
 inline constexpr uint32_t kYMin = 54;          // i16 [font units]
 inline constexpr uint32_t kXMax = 56;          // i16 [font units]
 inline constexpr uint32_t kYMax = 58;          // i16 [font units]
-inline constexpr uint32_t kWorkspace = 60;     // u32 [bytes], 0: read in place
-inline constexpr uint32_t kBytes = 64;
+// RAM to unpack the largest row of tiles of any glyph, and the largest glyph;
+// both 0 if the coding is direct.
+inline constexpr uint32_t kRowWorkspace = 60;  // u32 [bytes]
+inline constexpr uint32_t kWorkspace = 64;     // u32 [bytes]
+inline constexpr uint32_t kQuantisation = 68;  // 8 bytes, 0 if direct
+inline constexpr uint32_t kBytes = 76;
 }  // namespace header
 
 enum class CellKind : uint8_t { samples = 0, fields = 1 };
@@ -64,13 +68,15 @@ enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };
 // An entry of the section directory.
 namespace section {
 inline constexpr uint32_t kTag = 0;     // u32
-inline constexpr uint32_t kFlags = 4;   // u32
-inline constexpr uint32_t kOffset = 8;  // u32 [bytes] from the font's start
-inline constexpr uint32_t kSize = 12;   // u32 [bytes]
-inline constexpr uint32_t kBytes = 16;
+inline constexpr uint32_t kOffset = 4;  // u32 [bytes] from the font's start
+inline constexpr uint32_t kSize = 8;    // u32 [bytes]
+inline constexpr uint32_t kBytes = 12;
+
+// Offsets are multiples of 4, which leaves two bits. The other one is 0.
 
 /// A reader that does not know the section must refuse the font.
 inline constexpr uint32_t kMustUnderstand = 1;
+inline constexpr uint32_t kOffsetMask = ~uint32_t{3};
 
 inline constexpr uint32_t kCmap = tag('C', 'M', 'A', 'P');
 inline constexpr uint32_t kMetrics = tag('M', 'E', 'T', 'R');
@@ -87,31 +93,66 @@ inline constexpr uint32_t kFirstGlyph = 6;  // u16
 inline constexpr uint32_t kBytes = 8;
 }  // namespace cmap
 
-// An entry of METR, one for each glyph, all in font units.
+// METR, KERN and GLYF hold bit tables: rows of numbers of stated widths without
+// gaps, the first in the lowest bits of the first byte. A table begins and ends
+// at a byte.
+namespace bit_table {
+inline constexpr uint32_t kMaxBits = 25;  // of a number: it spans four bytes
+}  // namespace bit_table
+
+// METR: after the header a bit table with a row for each glyph: advance, then
+// x_min, y_min, x_max and y_max of the box of its ink. A number is its column's
+// base plus what the row holds, modulo 2^16: u16 for the advance, i16 for the
+// others, all in font units.
 namespace metrics {
-inline constexpr uint32_t kAdvance = 0;  // u16
-inline constexpr uint32_t kXMin = 2;     // i16, box of the ink
-inline constexpr uint32_t kYMin = 4;     // i16
-inline constexpr uint32_t kXMax = 6;     // i16
-inline constexpr uint32_t kYMax = 8;     // i16
-inline constexpr uint32_t kBytes = 10;
+inline constexpr uint32_t kColumns = 5;
+inline constexpr uint32_t kBase = 0;         // u16 of each column
+inline constexpr uint32_t kColumnBits = 10;  // u8 of each column, 0..16
+inline constexpr uint32_t kBytes = 15;
+inline constexpr uint32_t kMaxBits = 16;
 }  // namespace metrics
 
-// KERN: a matrix of class pairs. After the header the class of each glyph as a
-// left one, then as a right one, then the values, i16 [font units], row by row.
-// Class 0 has no row and no column: it kerns with nothing. A class takes one
-// byte if neither side has more than 255 classes, else two.
+// KERN: pairs of classes that kern, in rows of the same left class. After the
+// header three bit tables:
+//   members     glyph, left class, right class; ascending by glyph. A glyph
+//               that is not there has class 0 twice
+//   row starts  left_classes + 1 numbers: the pairs of left class l are those
+//               from number l - 1 to before number l
+//   pairs       right class, value - value_base modulo 2^16; ascending by right
+//               class within a row
+// Class 0 kerns with nothing. Values are i16 in font units.
 namespace kerning {
-inline constexpr uint32_t kLeftClasses = 0;   // u16, without class 0
-inline constexpr uint32_t kRightClasses = 2;  // u16, without class 0
-inline constexpr uint32_t kBytes = 4;
+inline constexpr uint32_t kPairs = 0;         // u32, up to kMaxPairs
+inline constexpr uint32_t kMembers = 4;       // u16
+inline constexpr uint32_t kLeftClasses = 6;   // u16, without class 0
+inline constexpr uint32_t kRightClasses = 8;  // u16, without class 0
+inline constexpr uint32_t kValueBase = 10;    // i16
+inline constexpr uint32_t kGlyphBits = 12;    // u8, 0..16
+inline constexpr uint32_t kLeftBits = 13;     // u8, 0..16
+inline constexpr uint32_t kRightBits = 14;    // u8, 0..16
+inline constexpr uint32_t kValueBits = 15;    // u8, 0..16
+inline constexpr uint32_t kStartBits = 16;    // u8, 0..25
+inline constexpr uint32_t kBytes = 17;
+inline constexpr uint32_t kMaxBits = 16;
+inline constexpr uint32_t kMaxPairs = (1u << bit_table::kMaxBits) - 1;
 }  // namespace kerning
 
-// A glyph record: `samples` cells, `direct` coding. GLYF begins with
-// glyph_count + 1 offsets (u32, from the section's start, multiples of 4);
-// a glyph whose offsets are equal has no ink.
+// GLYF: after the header a bit table of glyph_count + 1 offsets from the
+// section's start, in units of 2^unit_log2 bytes; then the records. A glyph
+// whose offset is that of the next has no ink.
+namespace glyphs {
+inline constexpr uint32_t kOffsetBits = 0;  // u8, 0..25
+inline constexpr uint32_t kUnitLog2 = 1;  // u8, 0..7; direct coding: at least 1
+inline constexpr uint32_t kBytes = 2;
+inline constexpr uint32_t kMaxUnitLog2 = 7;
+
+/// Records in direct coding lie at multiples of this. [bytes]
+inline constexpr uint32_t kRecordAlignment = 2;
+}  // namespace glyphs
+
+// A glyph record: `samples` cells, `direct` coding.
 namespace glyph {
-inline constexpr uint32_t kType = 0;        // u8, kTypeSamples
+inline constexpr uint32_t kType = 0;        // u8, kTypeSamples or kTypeFields
 inline constexpr uint32_t kTileLog2 = 1;    // u8, 0..11: tiles of 1..2048 u
 inline constexpr uint32_t kX0 = 2;          // i16 [u], left edge of the grid
 inline constexpr uint32_t kY0 = 4;          // i16 [u], lower edge, y up
