@@ -27,6 +27,9 @@ Status Brush::make(Q26_6 size,
   if (excess > kOneQ30 / 500 || excess < -kOneQ30 / 500) {
     return Status::bad_argument;
   }
+  if (sine == 0 && cosine > 0) {
+    direction = Direction{};
+  }
   // 1024 u over size/64 px, Q16: 2^10 2^6 2^16 / size.
   const int64_t step_q16 = (int64_t{1} << 32) / size.raw;
   Brush brush;
@@ -37,8 +40,16 @@ Status Brush::make(Q26_6 size,
   brush.transparent_u_q10_ =
       divide_up((filter.outside_q10 + 1) * (1 << 16), size.raw) - 1;
   brush.opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), size.raw);
-  brush.step_along_q16_ = static_cast<int32_t>((step_q16 * cosine) >> 30);
+  brush.step_along_q16_ =
+      static_cast<int32_t>((step_q16 * direction.cosine.raw) >> 30);
   brush.step_across_q16_ = static_cast<int32_t>((step_q16 * sine) >> 30);
+  int32_t log2 = 2;
+  while (64 << log2 < size.raw) {
+    ++log2;
+  }
+  brush.bend_log2_ = static_cast<uint8_t>(log2);
+  brush.bend_q14_ =
+      static_cast<uint16_t>((int32_t{1} << (14 + 6 + log2)) / size.raw);
   brush.direction_ = direction;
   brush.filter_ = &filter;
   out = brush;

@@ -56,7 +56,14 @@ inline void set_up_row(SamplesRow& row,
   row.size_log2 = size_log2;
 }
 
-// inkcell::locate.
+inline bool in_grid(const GlyphField& field,
+                    int32_t x_u,
+                    int32_t y_u) noexcept {
+  return x_u >= field.x0_u && x_u < field.x1_u() && y_u >= field.y0_u &&
+         y_u < field.y1_u();
+}
+
+// inkcell::locate for cells of samples.
 inline Cell locate_cell(const GlyphField& field,
                         int32_t x_u,
                         int32_t y_u) noexcept {

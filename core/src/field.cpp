@@ -12,6 +12,7 @@ using detail::Columns;
 using detail::columns_q6;
 using detail::combine_q22;
 using detail::FieldTerms;
+using detail::in_grid;
 using detail::kScaleOfUnits;
 using detail::lagrange_q14;
 using detail::load_i16;
@@ -39,11 +40,6 @@ int32_t weigh_q6(const uint8_t* samples,
                  const Weights& y) noexcept {
   const Columns c = columns_q6(samples, y);
   return (x.w1 * (c.v1 >> 2) + x.w2 * (c.v2 >> 2) + x.w3 * (c.v3 >> 2)) >> 12;
-}
-
-bool in_grid(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
-  return x_u >= field.x0_u && x_u < field.x1_u() && y_u >= field.y0_u &&
-         y_u < field.y1_u();
 }
 
 // The fields of a cell where a px is a u. The position is rounded to 1/256 u.

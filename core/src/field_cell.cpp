@@ -202,23 +202,10 @@ Gradient unit_vector(Vector v) noexcept {
   return result;
 }
 
-// The direction to the inside at a point that lies in the cone, or follows the
-// lesser field.
-Vector least_direction(int32_t a_q22,
-                       const FieldTerm& a_term,
-                       int32_t b_q22,
-                       const FieldTerm& b_term,
-                       int32_t bend_log2) noexcept {
-  const Vector g = gradient_q14(a_term, bend_log2);
-  const Vector h = gradient_q14(b_term, bend_log2);
-  const int32_t lesser = a_q22 < b_q22 ? a_q22 : b_q22;
-  Cone cone;
-  if (lesser < 0 && find_cone(a_q22, a_term, b_q22, b_term, bend_log2, cone)) {
-    const int32_t a = -cone.a_bc_q14 >> 14;
-    const int32_t b = -cone.b_ac_q14 >> 14;
-    return {a * g.x + b * h.x, a * g.y + b * h.y};
-  }
-  return a_q22 < b_q22 ? g : h;
+bool is_rounded(const LastTwo& two, int32_t bend_log2, Cone& cone) noexcept {
+  return (two.a_q22 < 0 || two.b_q22 < 0) &&
+         find_cone(two.a_q22, *two.a_term, two.b_q22, *two.b_term, bend_log2,
+                   cone);
 }
 
 // Reads units of a record, counted from the first reference.
@@ -342,8 +329,25 @@ Gradient combined_gradient(const FieldTerms& terms,
     return unit_vector(gradient_q14(terms.term[0], bend_log2));
   }
   const LastTwo two = last_two(terms, bend_log2, kNoReach);
-  return unit_vector(least_direction(two.a_q22, *two.a_term, two.b_q22,
-                                     *two.b_term, bend_log2));
+  const Vector g = gradient_q14(*two.a_term, bend_log2);
+  const Vector h = gradient_q14(*two.b_term, bend_log2);
+  Cone cone;
+  if (is_rounded(two, bend_log2, cone)) {
+    const int32_t a = -cone.a_bc_q14 >> 15;
+    const int32_t b = -cone.b_ac_q14 >> 15;
+    return unit_vector({a * g.x + b * h.x, a * g.y + b * h.y});
+  }
+  if (two.a_q22 < two.b_q22) {
+    return unit_vector(g);
+  }
+  if (terms.count == 3 && is_nested(terms.op)) {
+    const FieldTerms inner = {
+        {terms.term[1], terms.term[2]},
+        2,
+        is_negated(terms.op) ? FieldOperator::least : FieldOperator::greatest};
+    return combined_gradient(inner, bend_log2);  // which is not nested
+  }
+  return unit_vector(h);
 }
 
 }  // namespace detail

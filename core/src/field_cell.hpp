@@ -66,10 +66,11 @@ struct FieldTerm {
     return wrapped(plane_q22 + static_cast<uint32_t>(sag_q23 >> 1));
   }
 
-  // To the next pixel on the right of upright text.
-  void step_right() noexcept {
-    plane_q22 += times(nx_q14, 1 << 8);
-    along_q22 -= times(ny_q14, 1 << 8);
+  // To a pixel on the right of upright text.
+  void step_right(int32_t count) noexcept {
+    const uint32_t way_q8 = static_cast<uint32_t>(count) << 8;
+    plane_q22 += times(nx_q14, way_q8);
+    along_q22 -= times(ny_q14, way_q8);
   }
 };
 

@@ -1,9 +1,16 @@
 #include "inkcell/render.hpp"
 
 #include "cell_access.hpp"
+#include "field_cell.hpp"
+#include "field_draw.hpp"
+#include "span_writer.hpp"
 
 namespace inkcell {
 namespace {
+
+using detail::FieldPosition;
+using detail::Range;
+using detail::SpanWriter;
 
 // What a row of a cell shows.
 enum class Side : uint8_t { outside, inside, both };
@@ -15,65 +22,6 @@ Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
   }
   return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
 }
-
-// Collects coverage from left to right along one row and hands it on in spans:
-// transparent pixels are dropped, solid ones of saturated cells join to runs.
-class SpanWriter {
- public:
-  SpanWriter(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
-
-  void put(int32_t x, uint8_t coverage) noexcept {
-    if (count_ == 0) {
-      flush_solid();
-      if (coverage == 0) {
-        return;
-      }
-      x_ = x;
-    }
-    buffer_[count_++] = coverage;
-    if (count_ == kMaxSpan) {
-      flush_span();
-    }
-  }
-
-  void solid(int32_t x, int32_t count) noexcept {
-    flush_span();
-    if (solid_count_ == 0) {
-      x_ = x;
-    }
-    solid_count_ += count;
-  }
-
-  void flush() noexcept {
-    flush_span();
-    flush_solid();
-  }
-
- private:
-  void flush_span() noexcept {
-    while (count_ > 0 && buffer_[count_ - 1] == 0) {
-      --count_;
-    }
-    if (count_ > 0) {
-      sink_.coverage(sink_.context, x_, y_, buffer_, count_);
-      count_ = 0;
-    }
-  }
-
-  void flush_solid() noexcept {
-    if (solid_count_ > 0) {
-      sink_.solid(sink_.context, x_, y_, solid_count_);
-      solid_count_ = 0;
-    }
-  }
-
-  const Sink& sink_;
-  int32_t y_;
-  int32_t x_ = 0;
-  int32_t count_ = 0;
-  int32_t solid_count_ = 0;
-  uint8_t buffer_[kMaxSpan];
-};
 
 // Where the centre of pixel (x, y) lies in the glyph. [u, Q16]
 //
@@ -97,27 +45,62 @@ int32_t clamp_i32(int64_t value) noexcept {
   return static_cast<int32_t>(clamp(value, INT32_MIN, INT32_MAX));
 }
 
+// The same in px from the origin, y up, not turned. [Q10]
+struct Offset {
+  int64_t right;
+  int64_t up;
+};
+
+Offset offset_of(const FinePoint& origin, int32_t x, int32_t y) noexcept {
+  // Far from anything to see, but within 64 bits once multiplied.
+  constexpr int64_t kFar = int64_t{1} << 37;
+  return {clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar),
+          clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar)};
+}
+
+Position position_of(const Brush& brush, const Offset& at) noexcept {
+  const int64_t along = brush.step_along_q16();
+  const int64_t across = brush.step_across_q16();
+  return {clamp_i32((at.right * along + at.up * across) >> 10),
+          clamp_i32((at.up * along - at.right * across) >> 10)};
+}
+
 Position position_of(const Brush& brush,
                      const FinePoint& origin,
                      int32_t x,
                      int32_t y) noexcept {
-  // Far from anything to see, but within 64 bits once multiplied.
-  constexpr int64_t kFar = int64_t{1} << 37;
-  const int64_t right =
-      clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar);
-  const int64_t up =
-      clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
-  const int64_t along = brush.step_along_q16();
-  const int64_t across = brush.step_across_q16();
-  return {clamp_i32((right * along + up * across) >> 10),
-          clamp_i32((up * along - right * across) >> 10)};
+  return position_of(brush, offset_of(origin, x, y));
 }
 
-// Pixels of a row: begin <= x < end.
-struct Range {
-  int32_t begin;
-  int32_t end;
-};
+// How far one pixel to the right leads in px along the glyph's axes. [Q20]
+int32_t along_q20(const Brush& brush) noexcept {
+  return brush.direction().cosine.raw >> 10;
+}
+int32_t across_q20(const Brush& brush) noexcept {
+  return brush.direction().sine.raw >> 10;
+}
+
+// With whole steps in px, too; they may wrap outside the box of a field.
+FieldPosition field_position_of(const Brush& brush,
+                                const FinePoint& origin,
+                                int32_t x,
+                                int32_t y) noexcept {
+  const Offset at = offset_of(origin, x, y);
+  const Position in_u = position_of(brush, at);
+  const int64_t along = along_q20(brush);
+  const int64_t across = across_q20(brush);
+  // Half of what is cut off on the way to 1/256 px.
+  constexpr int64_t kHalf = 1 << 11;
+  return {in_u.x_q16, in_u.y_q16,
+          static_cast<uint32_t>(((at.right * along + at.up * across) >> 10) +
+                                kHalf),
+          static_cast<uint32_t>(((at.up * along - at.right * across) >> 10) +
+                                kHalf)};
+}
+
+bool has_fields(const GlyphField& field) noexcept {
+  return INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples;
+}
 
 // Clamps to what int32_t pixels and their positions can bear.
 int32_t to_pixel(int64_t px_q10) noexcept {
@@ -194,16 +177,16 @@ void draw_upright(const GlyphField& field,
                   const Rect& box,
                   const Sink& sink) noexcept {
   const int32_t step = brush.step_along_q16();
-  const Position first = position_of(brush, origin, box.x0, box.y0);
+  FieldPosition at = field_position_of(brush, origin, box.x0, box.y0);
   const int32_t low_x = field.x0_u * (1 << 16);
   const int32_t high_x = field.x1_u() * (1 << 16);
   Range pixels = {box.x0, box.x1};
-  int32_t x_q16 = first.x_q16;
-  while (pixels.begin < pixels.end && x_q16 < low_x) {
+  while (pixels.begin < pixels.end && at.x_q16 < low_x) {
     ++pixels.begin;
-    x_q16 += step;
+    at.x_q16 += step;
+    at.x_q20 += 1 << 20;
   }
-  int32_t last_q16 = x_q16 + (pixels.end - pixels.begin - 1) * step;
+  int32_t last_q16 = at.x_q16 + (pixels.end - pixels.begin - 1) * step;
   while (pixels.begin < pixels.end && last_q16 >= high_x) {
     --pixels.end;
     last_q16 -= step;
@@ -211,19 +194,24 @@ void draw_upright(const GlyphField& field,
   if (pixels.begin >= pixels.end) {
     return;
   }
-  int32_t y_q16 = first.y_q16;
-  for (int32_t y = box.y0; y < box.y1; ++y, y_q16 -= step) {
-    const int32_t y_u = y_q16 >> 16;
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    const int32_t y_u = at.y_q16 >> 16;
     if (y_u >= field.y0_u && y_u < field.y1_u()) {
       SpanWriter writer(sink, y);
-      draw_upright_row(field, brush, pixels, x_q16, y_q16, writer);
+      if (has_fields(field)) {
+        detail::draw_fields_row(field, brush, pixels, at, writer);
+      } else {
+        draw_upright_row(field, brush, pixels, at.x_q16, at.y_q16, writer);
+      }
       writer.flush();
     }
+    at.y_q16 -= step;
+    at.y_q20 -= 1 << 20;
   }
 }
 
-// Slanted text: cells are quartic along a row, so that every pixel is a query
-// of its own.
+// Slanted text: cells of samples are quartic along a row, so that every pixel
+// is a query of its own.
 void draw_turned(const GlyphField& field,
                  const Brush& brush,
                  const FinePoint& origin,
@@ -238,6 +226,27 @@ void draw_turned(const GlyphField& field,
       writer.put(x, brush.coverage(distance.raw));
       at.x_q16 += brush.step_along_q16();
       at.y_q16 -= brush.step_across_q16();
+    }
+    writer.flush();
+  }
+}
+
+void draw_fields_turned(const GlyphField& field,
+                        const Brush& brush,
+                        const FinePoint& origin,
+                        const Rect& box,
+                        const Sink& sink) noexcept {
+  const int32_t reach_q22 = detail::reach_of(brush.filter());
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    SpanWriter writer(sink, y);
+    FieldPosition at = field_position_of(brush, origin, box.x0, y);
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      writer.put(x, brush.filter().coverage(detail::fields_distance_q10(
+                        field, brush, at, reach_q22)));
+      at.x_q16 += brush.step_along_q16();
+      at.y_q16 -= brush.step_across_q16();
+      at.x_q20 += static_cast<uint32_t>(along_q20(brush));
+      at.y_q20 -= static_cast<uint32_t>(across_q20(brush));
     }
     writer.flush();
   }
@@ -275,6 +284,8 @@ void draw_field(const GlyphField& field,
   }
   if (brush.is_upright()) {
     draw_upright(field, brush, origin, box, sink);
+  } else if (has_fields(field)) {
+    draw_fields_turned(field, brush, origin, box, sink);
   } else {
     draw_turned(field, brush, origin, box, sink);
   }
@@ -287,10 +298,19 @@ void distance_row(const GlyphField& field,
                   int32_t y,
                   Span<Q6_10> out) noexcept {
   for (Q6_10& distance : out) {
-    const Position at = position_of(brush, origin, x, y);
-    const Q22_10 in_u = distance_at(field, Q16_16::from_raw(at.x_q16),
-                                    Q16_16::from_raw(at.y_q16));
-    distance.raw = static_cast<int16_t>(brush.to_px_q10(in_u.raw));
+    int32_t in_px = 0;
+    if (has_fields(field)) {
+      in_px = detail::fields_distance_q10(
+          field, brush, field_position_of(brush, origin, x, y),
+          detail::kNoReach);
+      in_px = static_cast<int32_t>(clamp(in_px, INT16_MIN, INT16_MAX));
+    } else {
+      const Position at = position_of(brush, origin, x, y);
+      in_px = brush.to_px_q10(distance_at(field, Q16_16::from_raw(at.x_q16),
+                                          Q16_16::from_raw(at.y_q16))
+                                  .raw);
+    }
+    distance.raw = static_cast<int16_t>(in_px);
     ++x;
   }
 }

@@ -14,7 +14,8 @@ inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
 inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
 
 /// A unit vector: the direction of the baseline, counter-clockwise from the
-/// right as one sees it. {1, 0} is upright text.
+/// right as one sees it. {1, 0} is upright text; Brush::make makes a sine of 0
+/// with a positive cosine exactly that.
 struct Direction {
   Fixed<int32_t, 30> cosine = Fixed<int32_t, 30>::from_raw(1 << 30);
   Fixed<int32_t, 30> sine;
@@ -57,6 +58,12 @@ class Brush {
   int32_t step_along_q16() const noexcept { return step_along_q16_; }
   int32_t step_across_q16() const noexcept { return step_across_q16_; }
 
+  /// Two to the power of bend_log2() are the least px that hold an em; over the
+  /// size they are bend_q14(), one to two. What curvature in u takes to become
+  /// one in px without a division. [Q14]
+  int32_t bend_q14() const noexcept { return bend_q14_; }
+  int32_t bend_log2() const noexcept { return bend_log2_; }
+
   /// A distance in u as one in px, clamped to +-32 px. [Q10 -> Q10]
   int32_t to_px_q10(int32_t distance_u_q10) const noexcept {
     // The clamp keeps the product below 2^31 at every size.
@@ -95,6 +102,8 @@ class Brush {
   int32_t opaque_u_q10_ = 32768;
   int32_t step_along_q16_ = 64 << 16;  // [u/px]
   int32_t step_across_q16_ = 0;
+  uint16_t bend_q14_ = 1 << 14;
+  uint8_t bend_log2_ = 4;
   Direction direction_;
   const Filter* filter_ = &kFilterText;
 };

@@ -1,0 +1,273 @@
+// Rows of cells of fields, fast.
+//
+// A cell's share of a row is set up once and then costs an addition for each
+// plane and pixel, two products more for each bent one. Runs of some length are
+// looked at as a whole first: fields that cannot change coverage are dropped,
+// and with them most runs that show no edge. All steps are exact modulo 2^32,
+// so that no pixel depends on where a run begins.
+#include "field_draw.hpp"
+
+#include "cell_access.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// What pixels show: nothing, all, or what their distances say.
+enum class Side : int8_t { outside = -1, edge = 0, inside = 1 };
+
+Side opposite(Side side) noexcept {
+  return static_cast<Side>(-static_cast<int8_t>(side));
+}
+
+// Runs are cut after this many pixels: a plane, of slope 2 at most, cannot wrap
+// from one side to the other unseen.
+constexpr int32_t kMaxRun = 128;
+
+// From how many pixels on it pays to look at a run as a whole.
+constexpr int32_t kMinClassified = 4;
+
+// Fewer saturated pixels than this stay in the span around them.
+constexpr int32_t kMinSolid = 4;
+
+int32_t magnitude(int32_t value) noexcept {
+  return value < 0 ? -value : value;
+}
+
+int32_t greater(int32_t a, int32_t b) noexcept {
+  return a > b ? a : b;
+}
+
+// A field along a run.
+struct Course {
+  Side side = Side::edge;
+  // The distance changes by less than 2^skip_log2 a pixel; 31: who knows. [Q22]
+  uint8_t skip_log2 = 31;
+};
+
+// What `last` more pixels of a field show, if coverage does not change beyond
+// `reach_q22`.
+Course course_of(const FieldTerm& term,
+                 int32_t last,
+                 int32_t bend_log2,
+                 int32_t reach_q22) noexcept {
+  Course course;
+  FieldTerm end = term;
+  end.step_right(last);
+  const int32_t first_q22 = term.value_q22(bend_log2);
+  const int32_t last_q22 = end.value_q22(bend_log2);
+  int32_t slope_q14 = magnitude(term.nx_q14);
+  int32_t sag_q22 = 0;
+  if (term.bend != 0) {
+    // Nothing wraps from one end of the run to the other: w stays below 256 px
+    // and k w below 1.
+    const int32_t along_q8 =
+        greater(magnitude(term.along_q8()), magnitude(end.along_q8()));
+    const int32_t first_slope = term.slope_q15(bend_log2);
+    const int32_t last_slope = end.slope_q15(bend_log2);
+    const int32_t steepest =
+        greater(magnitude(first_slope), magnitude(last_slope));
+    constexpr int32_t kFar = 1 << 30;
+    if (along_q8 >= 1 << 16 || steepest >= 1 << 15 ||
+        magnitude(term.bend >> 4) * along_q8 >= 1 << 27 || first_q22 >= kFar ||
+        first_q22 <= -kFar || last_q22 >= kFar || last_q22 <= -kFar) {
+      return course;
+    }
+    // A parabola stays within a quarter of the change of its slope times the
+    // way along it, k (dw)^2 / 4, of the chord. Roundings take less than 1/16.
+    const auto change =
+        static_cast<uint32_t>(magnitude(last_slope - first_slope));
+    const auto way_q8 =
+        static_cast<uint32_t>(magnitude(term.ny_q14) * last) >> 6;
+    sag_q22 = static_cast<int32_t>((change * way_q8) >> 3) + (1 << 18);
+    slope_q14 += 2 * steepest;  // |ny| may be as much as 2
+  }
+  const int32_t bound_q22 = reach_q22 + sag_q22;
+  if (first_q22 >= bound_q22 && last_q22 >= bound_q22) {
+    course.side = Side::inside;
+  } else if (first_q22 <= -bound_q22 && last_q22 <= -bound_q22) {
+    course.side = Side::outside;
+  }
+  if (slope_q14 <= 1 << 15) {
+    course.skip_log2 = slope_q14 <= 1 << 14 ? 22 : 23;
+  }
+  return course;
+}
+
+// Leaves term `from` as number `terms.count`.
+void keep(FieldTerms& terms, uint32_t from) noexcept {
+  if (terms.count != from) {
+    terms.term[terms.count] = terms.term[from];
+  }
+  ++terms.count;
+}
+
+// Drops the fields that do not change the coverage of `last` pixels more. What
+// they all show; if that is an edge, at least one field is left, and
+// `skip_log2` is that of the last.
+//
+// Values are negated in thought where the operator asks for the greatest.
+Side simplify(FieldTerms& terms,
+              int32_t last,
+              int32_t bend_log2,
+              int32_t reach_q22,
+              uint8_t& skip_log2) noexcept {
+  const bool is_negated = (static_cast<uint8_t>(terms.op) & 1) != 0;
+  const bool is_nested = terms.op >= FieldOperator::least_of_greater;
+  Course courses[3];
+  for (uint32_t i = 0; i < terms.count; ++i) {
+    courses[i] = course_of(terms.term[i], last, bend_log2, reach_q22);
+    if (is_negated) {
+      courses[i].side = opposite(courses[i].side);
+    }
+  }
+  // The least of a flat list; of a nested one, the greater of the last two is
+  // one that is kept only where it matters.
+  Side least = courses[0].side;
+  if (is_nested) {
+    const Side inner =
+        courses[1].side > courses[2].side ? courses[1].side : courses[2].side;
+    least = inner < least ? inner : least;
+    if (inner == Side::inside) {
+      courses[1].side = courses[2].side = Side::inside;
+    }
+  } else {
+    for (uint32_t i = 1; i < terms.count; ++i) {
+      least = courses[i].side < least ? courses[i].side : least;
+    }
+  }
+  if (least != Side::edge) {
+    return is_negated ? opposite(least) : least;
+  }
+  const uint32_t count = terms.count;
+  terms.count = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (courses[i].side == Side::edge) {
+      keep(terms, i);
+      skip_log2 = courses[i].skip_log2;
+    }
+  }
+  if (is_nested && terms.count < 3) {
+    // Either the first is left, or the greater of the others was all.
+    const bool is_greatest = (courses[0].side == Side::edge) == is_negated;
+    terms.op = is_greatest ? FieldOperator::greatest : FieldOperator::least;
+  }
+  return Side::edge;
+}
+
+// Pixels of a cell that show an edge or may.
+void draw_run(FieldTerms& terms,
+              const Brush& brush,
+              int32_t reach_q22,
+              Range pixels,
+              uint8_t skip_log2,
+              SpanWriter& writer) noexcept {
+  // Roundings of bent planes do not reach so far.
+  constexpr int32_t kMargin = 1 << 20;
+  const int32_t bend_log2 = brush.bend_log2();
+  const bool is_lone = terms.count == 1;
+  int32_t x = pixels.begin;
+  while (true) {
+    const int32_t value_q22 = combine_q22(terms, bend_log2, reach_q22);
+    int32_t count = 1;
+    if (value_q22 >= reach_q22 || value_q22 <= -reach_q22) {
+      if (is_lone) {
+        // How far the value is from changing sides, at 0 or where it wraps.
+        const uint32_t away = value_q22 < 0
+                                  ? 0u - static_cast<uint32_t>(value_q22)
+                                  : static_cast<uint32_t>(value_q22);
+        const uint32_t to_wrap = (uint32_t{1} << 31) - away;
+        const uint32_t sure = static_cast<uint32_t>(reach_q22 + kMargin);
+        const uint32_t to_edge = away > sure ? away - sure : 0;
+        const uint32_t room = static_cast<uint32_t>(pixels.end - x);
+        const uint32_t saturated =
+            ((to_edge < to_wrap ? to_edge : to_wrap) >> skip_log2) + 1;
+        count = static_cast<int32_t>(saturated < room ? saturated : room);
+      }
+      if (count < kMinSolid) {
+        for (int32_t i = 0; i < count; ++i) {
+          writer.put(x + i, value_q22 < 0 ? 0 : 255);
+        }
+      } else if (value_q22 < 0) {
+        writer.flush();
+      } else {
+        writer.solid(x, count);
+      }
+    } else {
+      writer.put(x, brush.filter().coverage(value_q22 >> 12));
+    }
+    x += count;
+    if (x >= pixels.end) {
+      return;
+    }
+    for (uint32_t i = 0; i < terms.count; ++i) {
+      terms.term[i].step_right(count);
+    }
+  }
+}
+
+}  // namespace
+
+void draw_fields_row(const GlyphField& field,
+                     const Brush& brush,
+                     Range pixels,
+                     FieldPosition at,
+                     SpanWriter& writer) noexcept {
+  const FieldScale scale = scale_of(brush);
+  const int32_t reach_q22 = reach_of(brush.filter());
+  const int32_t step = brush.step_along_q16();
+  int32_t x = pixels.begin;
+  while (x < pixels.end) {
+    const Cell cell = locate_fields(field, at.x_q16 >> 16, at.y_q16 >> 16);
+    const int32_t right_q16 =
+        (cell.x0_u + (int32_t{1} << cell.size_log2)) * (1 << 16);
+    const int32_t first = x;
+    const uint32_t x_q8 = q8_of(at.x_q20);
+    do {
+      ++x;
+      at.x_q16 += step;
+    } while (x < pixels.end && at.x_q16 < right_q16 && x - first < kMaxRun);
+    at.x_q20 += static_cast<uint32_t>(x - first) << 20;
+    Side side = cell.inside ? Side::inside : Side::outside;
+    FieldTerms terms;
+    uint8_t skip_log2 = 31;
+    if (cell.field_count != 0) {
+      side = Side::edge;
+      set_up_terms(terms, field, cell, x_q8, q8_of(at.y_q20), scale);
+      if (x - first >= kMinClassified) {
+        side = simplify(terms, x - first - 1, scale.bend_log2, reach_q22,
+                        skip_log2);
+      }
+    }
+    if (side == Side::edge) {
+      draw_run(terms, brush, reach_q22, {first, x}, skip_log2, writer);
+    } else if (side == Side::inside) {
+      writer.solid(first, x - first);
+    } else {
+      writer.flush();
+    }
+  }
+}
+
+int32_t fields_distance_q10(const GlyphField& field,
+                            const Brush& brush,
+                            const FieldPosition& at,
+                            int32_t reach_q22) noexcept {
+  const int32_t x_u = at.x_q16 >> 16;
+  const int32_t y_u = at.y_q16 >> 16;
+  Cell cell;
+  if (in_grid(field, x_u, y_u)) {
+    cell = locate_fields(field, x_u, y_u);
+  }
+  if (cell.field_count == 0) {
+    return brush.to_px_q10(cell.inside ? kSaturatedDistanceQ10
+                                       : -kSaturatedDistanceQ10);
+  }
+  FieldTerms terms;
+  set_up_terms(terms, field, cell, q8_of(at.x_q20), q8_of(at.y_q20),
+               scale_of(brush));
+  return combine_q22(terms, brush.bend_log2(), reach_q22) >> 12;
+}
+
+}  // namespace detail
+}  // namespace inkcell

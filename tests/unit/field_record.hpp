@@ -1,0 +1,260 @@
+// Glyph records of cells of fields, made by hand, and what they mean in double.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "font_builder.hpp"
+#include "inkcell/field.hpp"
+#include "inkcell/format.hpp"
+#include "random.hpp"
+
+/// A record being put together. Fields are numbered arcs first.
+struct FieldRecord {
+  struct Field {
+    int32_t nx;  // Q14
+    int32_t ny;
+    int32_t c;      // Q4 u
+    int32_t along;  // Q4 u
+    int32_t bend;   // 2^-19 / u
+  };
+
+  bool wide = false;
+  uint8_t tile_log2 = 8;
+  int16_t x0_u = 0;
+  int16_t y0_u = 0;
+  uint8_t tiles_x = 1;
+  uint8_t tiles_y = 1;
+  uint32_t node_count = 0;
+  uint32_t arc_count = 0;
+  uint32_t line_count = 0;
+  uint32_t pair_count = 0;
+  uint32_t triple_count = 0;
+  Field fields[16] = {};
+  uint16_t pairs[16][2] = {};
+  uint16_t triples[16][4] = {};
+  uint16_t references[64] = {};
+
+  uint32_t reference_count() const {
+    return uint32_t{tiles_x} * tiles_y + 4 * node_count;
+  }
+  uint16_t field_reference(uint32_t number) const {
+    return static_cast<uint16_t>(inkcell::format::glyph::kFirstNode +
+                                 node_count + number);
+  }
+  uint16_t pair_reference(uint32_t pair) const {
+    return field_reference(arc_count + line_count + pair);
+  }
+  uint16_t triple_reference(uint32_t triple) const {
+    return pair_reference(pair_count + triple);
+  }
+
+  size_t size() const {
+    const uint32_t units =
+        4 * triple_count + 2 * pair_count + reference_count();
+    return 18 + 10 * arc_count + 6 * line_count + (wide ? 2 : 1) * units;
+  }
+
+  /// Writes size() bytes.
+  void write(uint8_t* at) const {
+    using font_builder::put_u16;
+    at[0] = 2;
+    at[1] = static_cast<uint8_t>(tile_log2 | (wide ? 0x80 : 0));
+    put_u16(at + 2, static_cast<uint32_t>(x0_u));
+    put_u16(at + 4, static_cast<uint32_t>(y0_u));
+    at[6] = tiles_x;
+    at[7] = tiles_y;
+    const uint32_t counts[] = {node_count, arc_count, line_count, pair_count,
+                               triple_count};
+    at += 8;
+    for (const uint32_t count : counts) {
+      put_u16(at, count);
+      at += 2;
+    }
+    for (uint32_t i = 0; i < arc_count + line_count; ++i) {
+      const Field& f = fields[i];
+      const int32_t numbers[] = {f.nx, f.ny, f.c, f.along, f.bend};
+      for (uint32_t j = 0; j < (i < arc_count ? 5u : 3u); ++j, at += 2) {
+        put_u16(at, static_cast<uint32_t>(numbers[j]));
+      }
+    }
+    for (uint32_t i = 0; i < triple_count; ++i) {
+      at = put_units(at, triples[i], 4);
+    }
+    for (uint32_t i = 0; i < pair_count; ++i) {
+      at = put_units(at, pairs[i], 2);
+    }
+    put_units(at, references, reference_count());
+  }
+
+  /// Fills in everything: unit normals, edges within `spread_u` of the tiles'
+  /// centre, curvature up to a radius of 100 u. Leaves and trees of all kinds.
+  void make(Random& random, int32_t spread_u);
+
+ private:
+  uint8_t* put_units(uint8_t* at, const uint16_t* units, uint32_t count) const {
+    for (uint32_t i = 0; i < count; ++i) {
+      if (wide) {
+        font_builder::put_u16(at, units[i]);
+        at += 2;
+      } else {
+        *at++ = static_cast<uint8_t>(units[i]);
+      }
+    }
+    return at;
+  }
+};
+
+inline FieldRecord::Field random_field(Random& random,
+                                       double x_u,
+                                       double y_u,
+                                       int32_t spread_u) {
+  const double t = random.between(-1000, 1000) / 1000.0;
+  const double turn = (random.next() & 1) != 0 ? 16384 : -16384;
+  FieldRecord::Field field = {};
+  field.nx = static_cast<int32_t>(turn * (1 - t * t) / (1 + t * t));
+  field.ny = static_cast<int32_t>(turn * 2 * t / (1 + t * t));
+  if ((random.next() & 1) != 0) {
+    const int32_t nx = field.nx;
+    field.nx = -field.ny;
+    field.ny = nx;
+  }
+  const double nx = field.nx / 16384.0;
+  const double ny = field.ny / 16384.0;
+  field.c = static_cast<int32_t>(
+      16 * (random.between(-spread_u, spread_u) - nx * x_u - ny * y_u));
+  field.along = static_cast<int32_t>(
+      16 * (random.between(-spread_u, spread_u) - nx * y_u + ny * x_u));
+  // 1 / (2 x 100 u) is 2621 2^-19 / u.
+  field.bend = random.between(-2621, 2621);
+  return field;
+}
+
+inline void FieldRecord::make(Random& random, int32_t spread_u) {
+  const int32_t side_u = 1 << tile_log2;
+  arc_count = random.below(5);
+  line_count = 1 + random.below(5);
+  pair_count = random.below(5);
+  triple_count = random.below(9);
+  const uint32_t field_count = arc_count + line_count;
+  for (uint32_t i = 0; i < field_count; ++i) {
+    fields[i] = random_field(random, x0_u + tiles_x * side_u / 2.0,
+                             y0_u + tiles_y * side_u / 2.0, spread_u);
+  }
+  for (uint32_t i = 0; i < pair_count; ++i) {
+    for (uint16_t& number : pairs[i]) {
+      number = static_cast<uint16_t>(random.below(field_count));
+    }
+  }
+  for (uint32_t i = 0; i < triple_count; ++i) {
+    triples[i][0] = static_cast<uint16_t>(i % 4);
+    for (uint32_t j = 1; j < 4; ++j) {
+      triples[i][j] = static_cast<uint16_t>(random.below(field_count));
+    }
+  }
+  // Node n + 1 is a child of node n, so that trees are deep.
+  const uint32_t tiles = uint32_t{tiles_x} * tiles_y;
+  node_count = tile_log2 < 5 ? 0 : random.below(5);
+  const uint32_t leaves = field_count + pair_count + triple_count;
+  for (uint32_t i = 0; i < reference_count(); ++i) {
+    const uint32_t leaf = random.below(leaves + 2);
+    references[i] = static_cast<uint16_t>(leaf < leaves ? field_reference(leaf)
+                                                        : leaf - leaves);
+  }
+  for (uint32_t node = 0; node < node_count; ++node) {
+    const uint32_t place = node == 0 ? random.below(tiles)
+                                     : tiles + 4 * (node - 1) + random.below(4);
+    references[place] =
+        static_cast<uint16_t>(inkcell::format::glyph::kFirstNode + node);
+  }
+}
+
+namespace field_equation {
+
+inline double root(double value) {
+  double result = value > 1 ? value : 1;
+  for (int i = 0; i < 60; ++i) {
+    result = (result + value / result) / 2;
+  }
+  return result;
+}
+
+/// A field at a point.
+struct Value {
+  double f;
+  double gx;
+  double gy;
+};
+
+inline Value value(const FieldRecord::Field& field,
+                   bool is_arc,
+                   double x_u,
+                   double y_u) {
+  const double nx = field.nx / 16384.0;
+  const double ny = field.ny / 16384.0;
+  Value at = {nx * x_u + ny * y_u + field.c / 16.0, nx, ny};
+  if (is_arc) {
+    const double w = nx * y_u - ny * x_u + field.along / 16.0;
+    const double k = field.bend / 524288.0;
+    at.f += k * w * w;
+    at.gx -= 2 * k * w * ny;
+    at.gy += 2 * k * w * nx;
+  }
+  return at;
+}
+
+inline Value negated(const Value& a) {
+  return {-a.f, -a.gx, -a.gy};
+}
+
+/// The lesser of two, rounded at their vertex; there the gradient is that of
+/// the distance from it.
+inline Value least(const Value& a, const Value& b) {
+  const Value& lesser = a.f < b.f ? a : b;
+  const double c = a.gx * b.gx + a.gy * b.gy;
+  const double to_a = a.f - c * b.f;
+  const double to_b = b.f - c * a.f;
+  if (lesser.f >= 0 || to_a > 0 || to_b > 0 || 1 - c * c < 0.022) {
+    return lesser;
+  }
+  const double part = to_b / root(1 - c * c);
+  const double length = root(a.f * a.f + part * part);
+  return {-length, -(to_a * a.gx + to_b * b.gx), -(to_a * a.gy + to_b * b.gy)};
+}
+
+/// What a cell of fields says at a point.
+inline Value cell(const FieldRecord& record,
+                  const inkcell::Cell& cell,
+                  double x_u,
+                  double y_u) {
+  Value v[3] = {};
+  const auto op = static_cast<uint32_t>(cell.op);
+  for (uint32_t i = 0; i < cell.field_count; ++i) {
+    const uint32_t number = cell.fields[i];
+    v[i] = value(record.fields[number], number < record.arc_count, x_u, y_u);
+    v[i] = op % 2 != 0 && cell.field_count > 1 ? negated(v[i]) : v[i];
+  }
+  if (cell.field_count == 1) {
+    return v[0];
+  }
+  Value result = {};
+  if (cell.field_count == 2) {
+    result = least(v[0], v[1]);
+  } else if (op >= 2) {
+    // The outer vertex is that of the plain fields.
+    const Value inner = negated(least(negated(v[1]), negated(v[2])));
+    Value outer = v[1].f >= v[2].f ? v[1] : v[2];
+    outer.f = inner.f;
+    result = least(v[0], outer);
+    if (result.f == inner.f) {
+      result = inner;
+    }
+  } else {
+    uint32_t greatest = v[0].f > v[1].f ? 0 : 1;
+    greatest = v[2].f > v[greatest].f ? 2 : greatest;
+    result = least(v[greatest == 0 ? 1 : 0], v[greatest == 2 ? 1 : 2]);
+  }
+  return op % 2 != 0 ? negated(result) : result;
+}
+
+}  // namespace field_equation

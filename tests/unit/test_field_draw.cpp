@@ -1,0 +1,291 @@
+// Drawing cells of fields: every way to draw a picture gives the same one.
+#include "check.hpp"
+#include "field_record.hpp"
+#include "inkcell/render.hpp"
+
+#if INKCELL_FIELD_CELLS
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kSide = 40;
+
+alignas(4) uint8_t bytes[1024];
+FieldRecord record;  // too large for the stack of a small board
+uint8_t picture[kSide * kSide];
+
+// Keeps what is drawn; fails if pixels leave the window or go backwards.
+struct Canvas {
+  Rect window;
+  Rect shown;  // the part that may be drawn to
+  int32_t last_y = INT32_MIN;
+  int32_t last_end = INT32_MIN;
+
+  explicit Canvas(const Rect& all) : window(all), shown(all) {
+    for (uint8_t& pixel : picture) {
+      pixel = 0;
+    }
+  }
+  void show(const Rect& part) {
+    shown = part;
+    last_y = INT32_MIN;
+    last_end = INT32_MIN;
+  }
+  Sink sink() { return {shown, this, coverage, solid}; }
+
+  uint8_t* begin(int32_t x, int32_t y, int32_t count) {
+    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
+                      x >= shown.x0 && count <= shown.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
+    last_y = y;
+    last_end = x + count;
+    return fits ? picture + (y - window.y0) * kSide + x - window.x0 : nullptr;
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    uint8_t* at = static_cast<Canvas*>(context)->begin(x, y, count);
+    CHECK(count <= kMaxSpan);
+    for (int32_t i = 0; i < count && at != nullptr; ++i) {
+      at[i] = coverage[i];
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    uint8_t* at = static_cast<Canvas*>(context)->begin(x, y, count);
+    for (int32_t i = 0; i < count && at != nullptr; ++i) {
+      at[i] = 255;
+    }
+  }
+};
+
+constexpr int32_t kOne = 1 << 30;
+
+constexpr int32_t kDirections[][2] = {{kOne, 0},
+                                      {0, kOne},
+                                      {-kOne, 0},
+                                      {759250125, 759250125},
+                                      {858993459, -644245094},
+                                      {kOne, 1},
+                                      {kOne - kOne / 1100, 0}};
+
+constexpr const Filter* kFilters[] = {&kFilterText, &kFilterPaperDisplay,
+                                      &kFilterPaperBody};
+
+Brush brush_of(int32_t size_q6, int direction, const Filter& filter) {
+  Direction turn;
+  turn.cosine.raw = kDirections[direction][0];
+  turn.sine.raw = kDirections[direction][1];
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), filter, turn, brush));
+  return brush;
+}
+
+GlyphField open() {
+  GlyphField field;
+  CHECK(record.size() <= sizeof(bytes));
+  record.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+  return field;
+}
+
+Rect window_in(Random& random, const Rect& box) {
+  const int32_t x0 = random.between(box.x0 - 3, box.x1 + 2);
+  const int32_t y0 = random.between(box.y0 - 3, box.y1 + 2);
+  return {x0, y0, x0 + random.between(1, kSide), y0 + random.between(1, kSide)};
+}
+
+// draw_field against distances one by one and the filter. Returns the number
+// of pixels that are neither empty nor full.
+int check_plain_chain(const GlyphField& field,
+                      const Brush& brush,
+                      const FinePoint& origin,
+                      const Rect& window) {
+  Canvas canvas(window);
+  draw_field(field, brush, origin, canvas.sink());
+  int grey = 0;
+  for (int32_t y = window.y0; y < window.y1; ++y) {
+    Q6_10 distances[kSide];
+    const auto width = static_cast<size_t>(window.x1 - window.x0);
+    distance_row(field, brush, origin, window.x0, y, {distances, width});
+    const uint8_t* row = picture + (y - window.y0) * kSide;
+    for (size_t i = 0; i < width; ++i) {
+      const uint8_t expected = brush.filter().coverage(distances[i].raw);
+      CHECK_EQ(row[i], expected);
+      grey += expected != 0 && expected != 255 ? 1 : 0;
+    }
+  }
+  return grey;
+}
+
+// A record like those of fonts: tiles of 256 u and smaller.
+void make_record(Random& random) {
+  record = FieldRecord();
+  record.wide = (random.next() & 1) != 0;
+  record.tile_log2 = static_cast<uint8_t>(6 + random.below(4));
+  record.tiles_x = static_cast<uint8_t>(1 + random.below(3));
+  record.tiles_y = static_cast<uint8_t>(1 + random.below(3));
+  record.x0_u = static_cast<int16_t>(random.between(-300, 100));
+  record.y0_u = static_cast<int16_t>(random.between(-300, 100));
+  record.make(random, 1 << (record.tile_log2 - 1));
+}
+
+int32_t any_size(Random& random) {
+  const uint32_t kind = random.below(8);
+  if (kind < 2) {
+    return kind == 0 ? 4 * 64 : 1024 * 64;
+  }
+  return kind < 5 ? random.between(4 * 64, 64 * 64)
+                  : random.between(4 * 64, 1024 * 64);
+}
+
+}  // namespace
+
+TEST(fields_equal_the_plain_chain) {
+  Random random(41);
+  int grey = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 3000;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    make_record(random);
+    const GlyphField field = open();
+    const Brush brush =
+        brush_of(any_size(random),
+                 round % 3 != 0 ? 0 : static_cast<int>(random.below(7)),
+                 *kFilters[random.below(3)]);
+    const FinePoint origin(random.between(-9999, 9999),
+                           random.between(-9999, 9999));
+    const Rect box = field_box(field, brush, origin);
+    for (int i = 0; i < 3; ++i) {
+      grey += check_plain_chain(field, brush, origin, window_in(random, box));
+    }
+  }
+  CHECK(grey > rounds);
+}
+
+// Numbers without sense wrap alike on both ways.
+TEST(any_fields_equal_the_plain_chain) {
+  Random random(42);
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 3000;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    make_record(random);
+    for (FieldRecord::Field& f : record.fields) {
+      const uint32_t mild = random.below(3);
+      f.nx = random.between(INT16_MIN, INT16_MAX);
+      f.ny = random.between(INT16_MIN, INT16_MAX);
+      f.c = random.between(INT16_MIN, INT16_MAX) >> mild;
+      f.along = random.between(INT16_MIN, INT16_MAX) >> mild;
+      f.bend = random.between(INT16_MIN, INT16_MAX) >> (4 * mild);
+    }
+    for (uint32_t i = 0; i < record.reference_count(); ++i) {
+      if (random.below(8) == 0) {
+        record.references[i] = static_cast<uint16_t>(random.below(40));
+      }
+    }
+    const GlyphField field = open();
+    const Brush brush =
+        brush_of(any_size(random), static_cast<int>(random.below(9) % 7),
+                 *kFilters[random.below(3)]);
+    const FinePoint origin(random.between(-9999, 9999),
+                           random.between(-9999, 9999));
+    const Rect box = field_box(field, brush, origin);
+    for (int i = 0; i < 3; ++i) {
+      check_plain_chain(field, brush, origin, window_in(random, box));
+    }
+  }
+}
+
+TEST(windows_do_not_change_fields) {
+  static uint8_t whole[kSide * kSide];
+  Random random(43);
+  const Rect all = {-3, -2, -3 + kSide, -2 + kSide};
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 2 : 40); ++round) {
+    make_record(random);
+    const GlyphField field = open();
+    const Brush brush = brush_of(random.between(8 * 64, 64 * 64),
+                                 round % 4 == 0 ? 3 : 0, kFilterText);
+    const FinePoint origin(random.between(0, 9999),
+                           random.between(9999, 30000));
+    Canvas canvas(all);
+    draw_field(field, brush, origin, canvas.sink());
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      whole[i] = picture[i];
+    }
+    for (int32_t cut = 1; cut < kSide; cut += 3) {
+      Canvas parts(all);
+      const int32_t x = all.x0 + cut;
+      for (int32_t y = all.y0; y < all.y1; y += cut) {
+        parts.show(intersect(all, {all.x0, y, x, y + cut}));
+        draw_field(field, brush, origin, parts.sink());
+        parts.show(intersect(all, {x, y, all.x1, y + cut}));
+        draw_field(field, brush, origin, parts.sink());
+      }
+      for (int32_t i = 0; i < kSide * kSide; ++i) {
+        CHECK_EQ(picture[i], whole[i]);
+      }
+    }
+  }
+}
+
+// Distances in px against real numbers, at the pixel's centre, for sizes and
+// origins that bring it to 1/256 px exactly.
+TEST(pixels_follow_their_equations) {
+  Random random(44);
+  double worst = 0;
+  int compared = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 2000;
+  for (int round = 0; round < rounds; ++round) {
+    make_record(random);
+    record.node_count = 0;
+    record.tiles_x = 1;
+    record.tiles_y = 1;
+    const uint32_t number = random.below(record.arc_count + record.line_count);
+    record.references[0] = record.field_reference(number);
+    const GlyphField field = open();
+    const int32_t size_q6 = any_size(random);
+    const Brush brush = brush_of(size_q6, 0, kFilterText);
+    const FinePoint origin(4 * random.between(-999, 999),
+                           4 * random.between(-999, 999));
+    const Rect box = field_box(field, brush, origin);
+    for (int i = 0; i < 10; ++i) {
+      const int32_t x = random.between(box.x0, box.x1 - 1);
+      const int32_t y = random.between(box.y0, box.y1 - 1);
+      Q6_10 distance;
+      distance_row(field, brush, origin, x, y, {&distance, 1});
+      const double px_per_u = size_q6 / 65536.0;
+      const double x_u =
+          (x + 0.5 - static_cast<double>(origin.x_q10) / 1024) / px_per_u;
+      const double y_u =
+          (static_cast<double>(origin.y_q10) / 1024 - y - 0.5) / px_per_u;
+      if (x_u < record.x0_u + 1 || x_u > field.x1_u() - 1 ||
+          y_u < record.y0_u + 1 || y_u > field.y1_u() - 1) {
+        continue;
+      }
+      const FieldRecord::Field& f = record.fields[number];
+      const bool is_arc = number < record.arc_count;
+      const double w = (f.nx * y_u - f.ny * x_u) / 16384 + f.along / 16.0;
+      const double sag = f.bend / 524288.0 * w * w;
+      const double expected =
+          field_equation::value(f, is_arc, x_u, y_u).f * px_per_u;
+      if (expected > 4 || expected < -4 ||
+          (is_arc && (w > 256 || w < -256 || sag > 255 || sag < -255))) {
+        continue;
+      }
+      const double error = expected - distance.raw / 1024.0;
+      worst = error > worst ? error : worst;
+      worst = -error > worst ? -error : worst;
+      ++compared;
+    }
+  }
+  check::write("largest error of pixels: ");
+  check::write_number(static_cast<int64_t>(worst * 10000));
+  check::write(" px / 10000 of ");
+  check::write_number(compared);
+  check::write("\n");
+  CHECK(worst <= 1.0 / 128);
+  CHECK(compared > rounds / 2);
+}
+
+#endif
