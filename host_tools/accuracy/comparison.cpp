@@ -18,7 +18,7 @@ constexpr double kMeanMargin = 1.5;
 constexpr int kWindowMargin = 4;
 
 // Farther than any filter reaches. [px]
-constexpr double kReach = 2;
+constexpr double kReach = 1;
 
 // Where within a pixel the glyph's origin lies. [1/64 px]
 constexpr std::array<std::array<int, 2>, kMaxPhases> kPhases = {{{0, 0},
@@ -98,20 +98,21 @@ bool in_box(const InkBox& box, Vector p) {
          p.y > box.y0 - kMeanMargin && p.y < box.y1 + kMeanMargin;
 }
 
+TrueTiles tiles_for(const TrueGlyph& truth, double px) {
+  return TrueTiles(truth, kReach * 1024 / px);
+}
+
 // True distances at all pixels. [px]
-std::vector<double> true_distances(const TrueGlyph& truth,
-                                   const Setting& setting) {
+std::vector<double> true_distances(TrueTiles& truth, const Setting& setting) {
   std::vector<double> distances;
   const double u_per_px = 1024 / setting.px;
-  size_t hint = 0;
   for (int y = 0; y < setting.height; ++y) {
     for (int x = 0; x < setting.width; ++x) {
       const Vector p = centre(setting, x, y);
       const Vector in_glyph = {
           u_per_px * (p.x * setting.cosine - p.y * setting.sine),
           u_per_px * (-p.y * setting.cosine - p.x * setting.sine)};
-      distances.push_back(truth.distance(in_glyph, kReach * u_per_px, hint) /
-                          u_per_px);
+      distances.push_back(truth.distance(in_glyph) / u_per_px);
     }
   }
   return distances;
@@ -136,14 +137,15 @@ void compare(const Image& drawn,
              const Setting& setting,
              const ExactFilter& filter,
              char32_t code_point,
-             ErrorStatistics& statistics) {
+             bool inked,
+             GlyphErrors& errors) {
   size_t i = 0;
   for (int y = 0; y < setting.height; ++y) {
     for (int x = 0; x < setting.width; ++x) {
       const ErrorPlace place = {code_point,      setting.phase,
                                 x + setting.x0,  y + setting.y0,
                                 *drawn.at(x, y), filter.coverage(distances[i])};
-      statistics.add(place, in_box(setting.box, centre(setting, x, y)));
+      errors.add(place, inked && in_box(setting.box, centre(setting, x, y)));
       ++i;
     }
   }
@@ -153,7 +155,10 @@ void compare(const Image& drawn,
 
 double ExactFilter::coverage(double distance_px) const {
   const double ramp = (distance_px - outside_px) / (inside_px - outside_px);
-  return 255 * std::pow(std::clamp(ramp, 0.0, 1.0), exponent);
+  if (ramp <= 0 || ramp >= 1) {
+    return ramp <= 0 ? 0 : 255;
+  }
+  return 255 * std::pow(ramp, exponent);
 }
 
 ExactFilter exact_filter(std::string_view name) {
@@ -176,26 +181,46 @@ ExactFilter exact_filter(std::string_view name) {
   return {};
 }
 
-void compare_glyph(const Font& font,
-                   uint16_t glyph,
-                   char32_t code_point,
-                   const TrueGlyph& truth,
-                   const ComparisonRequest& request,
-                   ComparisonResults& results) {
+std::vector<GlyphErrors> compare_glyph(const Subject& subject,
+                                       const ComparisonRequest& request) {
+  const TrueGlyph& truth = subject.truth;
+  std::vector<GlyphErrors> errors(request.sizes.size() *
+                                  request.filters.size());
   for (size_t s = 0; s < request.sizes.size(); ++s) {
+    TrueTiles tiles = tiles_for(truth, request.sizes[s]);
     for (int phase = 0; phase < request.phases; ++phase) {
       const Setting setting =
           make_setting(truth, request.sizes[s], request.angle, phase);
-      const std::vector<double> distances = true_distances(truth, setting);
+      const std::vector<double> distances = true_distances(tiles, setting);
       for (size_t f = 0; f < request.filters.size(); ++f) {
         const ExactFilter& filter = request.filters[f];
         const Brush brush =
             make_brush(setting.px, request.angle, *filter.device->filter);
-        compare(draw(font, glyph, setting, brush), distances, setting, filter,
-                code_point, results[s * request.filters.size() + f]);
+        compare(draw(subject.font, subject.glyph, setting, brush), distances,
+                setting, filter, subject.code_point, !truth.empty(),
+                errors[s * request.filters.size() + f]);
       }
     }
   }
+  return errors;
+}
+
+Picture draw_picture(const Subject& subject,
+                     const ExactFilter& filter,
+                     double px,
+                     double angle,
+                     int phase) {
+  const Setting setting = make_setting(subject.truth, px, angle, phase);
+  const Brush brush = make_brush(px, angle, *filter.device->filter);
+  Picture picture;
+  picture.x0 = setting.x0;
+  picture.y0 = setting.y0;
+  picture.drawn = draw(subject.font, subject.glyph, setting, brush);
+  TrueTiles tiles = tiles_for(subject.truth, px);
+  for (const double distance : true_distances(tiles, setting)) {
+    picture.exact.push_back(filter.coverage(distance));
+  }
+  return picture;
 }
 
 }  // namespace inkcell::tools

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "errors.hpp"
 #include "filters.hpp"
+#include "image.hpp"
 #include "inkcell/font.hpp"
 #include "truth.hpp"
 
@@ -25,25 +27,40 @@ struct ExactFilter {
 /// Throws std::runtime_error if there is no filter of this name.
 ExactFilter exact_filter(std::string_view name);
 
+inline constexpr int kMaxPhases = 8;
+
 /// What to compare.
 struct ComparisonRequest {
   std::vector<double> sizes;  // [px/em]
   std::vector<ExactFilter> filters;
-  int phases = 4;    // sub-pixel positions, 1..kMaxPhases
-  double angle = 0;  // [degrees], counter-clockwise
+  int phases = kMaxPhases;  // sub-pixel positions, 1..kMaxPhases
+  double angle = 0;         // [degrees], counter-clockwise
 };
 
-inline constexpr int kMaxPhases = 8;
+/// A glyph, as the device shall know it and as it is.
+struct Subject {
+  const Font& font;
+  uint16_t glyph;
+  char32_t code_point;
+  const TrueGlyph& truth;
+};
 
-/// Errors for each size and filter: results[size * filters + filter].
-using ComparisonResults = std::vector<ErrorStatistics>;
+/// Errors of one glyph for each size and filter: [size * filters + filter].
+std::vector<GlyphErrors> compare_glyph(const Subject& subject,
+                                       const ComparisonRequest& request);
 
-/// Compares one glyph and adds to `results`.
-void compare_glyph(const Font& font,
-                   uint16_t glyph,
-                   char32_t code_point,
-                   const TrueGlyph& truth,
-                   const ComparisonRequest& request,
-                   ComparisonResults& results);
+/// The pixels of one glyph at one size, angle and phase.
+struct Picture {
+  int x0 = 0;  // of the first pixel, relative to the glyph's origin, y down
+  int y0 = 0;
+  Image drawn;
+  std::vector<double> exact;  // [1/255] of the same pixels, row by row
+};
+
+Picture draw_picture(const Subject& subject,
+                     const ExactFilter& filter,
+                     double px,
+                     double angle,
+                     int phase);
 
 }  // namespace inkcell::tools

@@ -1,8 +1,8 @@
-// Errors of pixels, gathered: worst, mean, percentile.
+// Errors of pixels, gathered: of a glyph at one size, then of all glyphs.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace inkcell::tools {
 
@@ -14,39 +14,56 @@ struct ErrorPlace {
   int y = 0;
   int drawn = 0;     // [1/255]
   double exact = 0;  // [1/255]
+
+  double error() const;
 };
 
-/// Sums are kept in whole numbers, so that the order of threads does not show.
-class ErrorStatistics {
+/// Errors of one glyph at one size, all phases together.
+class GlyphErrors {
  public:
   /// A pixel that should be `place.exact` and is `place.drawn`. `in_box`: it
   /// counts for the mean.
   void add(const ErrorPlace& place, bool in_box);
 
-  /// Adds what another one has gathered.
-  void add(const ErrorStatistics& other);
-
   double worst() const { return worst_; }
   const ErrorPlace& worst_place() const { return worst_place_; }
 
-  /// Over the pixels of all glyph boxes.
+  /// Over the pixels of the glyph's box; 0 if none was added.
   double mean() const;
-
-  /// Of all pixels whose exact coverage is neither 0 nor 255, this share is at
-  /// most so wrong. Resolution 1/16.
-  double percentile(double share) const;
-
   int64_t pixels() const { return box_pixels_; }
 
  private:
-  static constexpr int kBinsPerStep = 16;
-  static constexpr int kSumScale = 65536;
-
-  double worst_ = -1;
+  double worst_ = -1;  // none yet
   ErrorPlace worst_place_;
-  int64_t box_sum_ = 0;  // in 1 / kSumScale
+  double box_sum_ = 0;
   int64_t box_pixels_ = 0;
-  std::array<int64_t, 256 * kBinsPerStep> partial_{};
+};
+
+/// Errors of many glyphs, at one size or at several.
+class ErrorSummary {
+ public:
+  void add(const GlyphErrors& errors);
+
+  /// Adds what another summary has gathered.
+  void add(const ErrorSummary& other);
+
+  /// The worst pixel. The first one, if several are equally bad.
+  double worst() const { return worst_place_.error(); }
+  const ErrorPlace& worst_place() const { return worst_place_; }
+
+  /// The largest mean of a glyph at one size, and that glyph's character.
+  double worst_mean() const { return worst_mean_; }
+  char32_t worst_mean_character() const { return worst_mean_character_; }
+
+  /// The mean of the glyphs' means: each glyph with ink counts the same.
+  double mean() const;
+
+ private:
+  ErrorPlace worst_place_;
+  double worst_mean_ = 0;
+  char32_t worst_mean_character_ = 0;
+  double mean_sum_ = 0;
+  int64_t glyphs_ = 0;
 };
 
 }  // namespace inkcell::tools

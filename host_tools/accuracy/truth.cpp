@@ -24,6 +24,9 @@ constexpr int kShift = 6;
 // How far beside a piece the winding number is asked for. [u]
 constexpr double kBeside = 1e-4;
 
+// Width of a square of TrueTiles in limits.
+constexpr double kTileLimits = 2;
+
 Vector operator+(Vector a, Vector b) {
   return {a.x + b.x, a.y + b.y};
 }
@@ -49,13 +52,6 @@ double squared_distance(Vector p, const Chord& chord) {
   const double t = std::clamp(dot(to_p, along) / dot(along, along), 0.0, 1.0);
   const Vector off = to_p - t * along;
   return dot(off, off);
-}
-
-// Squared distance to a box: 0 inside.
-double squared_to_box(Vector p, Vector low, Vector high) {
-  const double dx = std::max({low.x - p.x, 0.0, p.x - high.x});
-  const double dy = std::max({low.y - p.y, 0.0, p.y - high.y});
-  return dx * dx + dy * dy;
 }
 
 void stretch(Vector& low, Vector& high, Vector p) {
@@ -305,31 +301,85 @@ int TrueGlyph::winding(Vector p) const {
   return turns;
 }
 
-double TrueGlyph::nearest_in(const Group& group, Vector p, double best) const {
-  for (size_t i = group.begin; i < group.end; ++i) {
-    best = std::min(best, squared_distance(p, pieces_[i]));
-  }
-  return best;
-}
-
-double TrueGlyph::distance(Vector p, double limit, size_t& hint) const {
+double TrueGlyph::distance(Vector p, double limit) const {
   double best = limit * limit;
-  if (!groups_.empty()) {
-    hint = std::min(hint, groups_.size() - 1);
-    best = nearest_in(groups_[hint], p, best);
-  }
-  for (size_t i = 0; i < groups_.size(); ++i) {
-    const Group& group = groups_[i];
-    if (squared_to_box(p, group.low, group.high) < best) {
-      const double found = nearest_in(group, p, best);
-      if (found < best) {
-        best = found;
-        hint = i;
-      }
-    }
+  for (const Chord& piece : pieces_) {
+    best = std::min(best, squared_distance(p, piece));
   }
   const double distance = std::sqrt(best);
   return winding(p) != 0 ? distance : -distance;
+}
+
+TrueTiles::TrueTiles(const TrueGlyph& glyph, double limit)
+    : glyph_(glyph),
+      limit_(limit),
+      size_(kTileLimits * limit),
+      low_(glyph.low() - Vector{limit, limit}) {
+  const Vector extent = glyph.high() + Vector{limit, limit} - low_;
+  columns_ = static_cast<size_t>(extent.x / size_) + 1;
+  rows_ = static_cast<size_t>(extent.y / size_) + 1;
+  tiles_.resize(glyph.empty() ? 0 : columns_ * rows_);
+}
+
+double TrueTiles::distance(Vector p) {
+  const Vector at = {(p.x - low_.x) / size_, (p.y - low_.y) / size_};
+  const bool within = at.x >= 0 && at.y >= 0 &&
+                      at.x < static_cast<double>(columns_) &&
+                      at.y < static_cast<double>(rows_);
+  if (!within || tiles_.empty()) {
+    return -limit_;
+  }
+  const auto column = static_cast<size_t>(at.x);
+  const auto row = static_cast<size_t>(at.y);
+  Tile& tile = tiles_[row * columns_ + column];
+  if (!tile.known) {
+    look(low_ + size_ * Vector{static_cast<double>(column),
+                               static_cast<double>(row)},
+         tile);
+  }
+  if (tile.near.empty()) {
+    return tile.filled ? limit_ : -limit_;
+  }
+  double best = limit_ * limit_;
+  for (const Chord& piece : tile.near) {
+    best = std::min(best, squared_distance(p, piece));
+  }
+  const double distance = std::sqrt(best);
+  int turns = 0;
+  for (const Chord& chord : tile.passing) {
+    turns += passes(chord, p);
+  }
+  return turns != 0 ? distance : -distance;
+}
+
+void TrueTiles::look(Vector low, Tile& tile) const {
+  tile.known = true;
+  // A little more, so that rounding drops nothing.
+  const double reach = limit_ + kBeside;
+  const Chord around = {low - Vector{reach, reach},
+                        low + Vector{size_ + reach, size_ + reach}};
+  for (const TrueGlyph::Group& group : glyph_.groups_) {
+    if (!boxes_meet(around, {group.low, group.high})) {
+      continue;
+    }
+    for (size_t i = group.begin; i < group.end; ++i) {
+      if (boxes_meet(around, glyph_.pieces_[i])) {
+        tile.near.push_back(glyph_.pieces_[i]);
+      }
+    }
+  }
+  if (tile.near.empty()) {
+    tile.filled = glyph_.winding(low + Vector{size_ / 2, size_ / 2}) != 0;
+    return;
+  }
+  constexpr double kFar = 1e9;
+  const Chord to_the_right = {low - Vector{kBeside, kBeside},
+                              {kFar, low.y + size_ + kBeside}};
+  for (const Chord& chord : glyph_.chords_) {
+    if (boxes_meet(to_the_right, chord)) {
+      tile.passing.push_back(chord);
+    }
+  }
 }
 
 struct TrueFont::Handles {

@@ -41,11 +41,12 @@ class TrueGlyph {
   Vector low() const { return low_; }  // corners of the ink box
   Vector high() const { return high_; }
 
-  /// Distance to the border, positive inside, clamped to +-`limit`. `hint`
-  /// carries what was nearest from one call to the next; begin with 0. [u]
-  double distance(Vector p, double limit, size_t& hint) const;
+  /// Distance to the border, positive inside, clamped to +-`limit`. [u]
+  double distance(Vector p, double limit) const;
 
  private:
+  friend class TrueTiles;
+
   // Consecutive chords or pieces of one curve, and the box around them.
   struct Group {
     size_t begin = 0;
@@ -58,7 +59,6 @@ class TrueGlyph {
   void find_curves(const std::vector<size_t>& curve_ends);
   void split(size_t index);
   void keep_border();
-  double nearest_in(const Group& group, Vector p, double best) const;
 
   std::vector<Chord> chords_;  // all, for the winding number
   std::vector<Group> curves_;  // of chords_
@@ -66,6 +66,41 @@ class TrueGlyph {
   std::vector<Group> groups_;  // of pieces_
   Vector low_;
   Vector high_;
+};
+
+/// The same distances at many points, cheaper.
+///
+/// The plane is divided into squares. A piece of the border that is nowhere
+/// nearer to a square than the limit changes no clamped distance in it, so that
+/// each square keeps a list of the others; where the list is empty, no border
+/// passes, and the whole square is filled or not. A chord that lies above,
+/// below or to the left of a square is met by no ray from it to the right.
+/// Beyond the limit around the ink box nothing is. One thread at a time;
+/// `glyph` must outlive it.
+class TrueTiles {
+ public:
+  TrueTiles(const TrueGlyph& glyph, double limit);
+
+  /// TrueGlyph::distance(p, limit). [u]
+  double distance(Vector p);
+
+ private:
+  struct Tile {
+    bool known = false;
+    bool filled = false;  // if nothing is near
+    std::vector<TrueGlyph::Chord> near;
+    std::vector<TrueGlyph::Chord> passing;  // for the winding number
+  };
+
+  void look(Vector low, Tile& tile) const;
+
+  const TrueGlyph& glyph_;
+  double limit_;
+  double size_;  // of a square [u]
+  Vector low_;   // corner of the first one
+  size_t columns_ = 0;
+  size_t rows_ = 0;
+  std::vector<Tile> tiles_;  // row by row from below
 };
 
 /// A face of a font file.

@@ -222,11 +222,52 @@ class Tools(unittest.TestCase):
                                       code=1))
 
     def test_accuracy_finds_the_wrong_truth(self):
-        run("accuracy", "--font", self.font, "--truth", SANS, "--px", "12,32",
-            "--angle", 30)
-        wrong = run("accuracy", "--font", self.font, "--truth", SERIF, "--px",
-                    "24", code=1)
-        self.assertIn("beyond the limit", wrong)
+        run("accuracy", "--font", self.font, "--truth", SANS, "--sizes",
+            "12,32", "--angle", 30)
+        wrong = ("--font", self.font, "--truth", SERIF, "--sizes", "24")
+        self.assertIn("24 px: beyond the font's tolerance of 16/255",
+                      run("accuracy", *wrong, code=1))
+        run("accuracy", *wrong, "--no-check")
+        # Nothing is promised to other filters and sizes.
+        run("accuracy", *wrong, "--filter", "motion")
+        run("accuracy", *wrong[:4], "--sizes", "23.5,33")
+
+    def test_accuracy_lists_what_was_asked_for(self):
+        table, picture = self.path / "table.json", self.path / "worst.png"
+        printed = run(
+            "accuracy", "--font", self.font, "--truth", SANS, "--sizes",
+            "10-12,15.5", "--filter", "all", "--glyph", "To", "--json", table,
+            "--picture", picture, "--worst", 1)
+        size = self.font.stat().st_size
+        self.assertIn(f"the font has {size} bytes", printed)
+        listed = json.loads(table.read_text())
+        self.assertEqual(listed["font_bytes"], size)
+        self.assertEqual(listed["characters"], 2)
+        rows = listed["rows"]
+        filters = ("text", "motion", "paper_display", "paper_body")
+        self.assertEqual(
+            [(row["filter"], row.get("px")) for row in rows],
+            [(name, px) for name in filters for px in (10, 11, 12, 15.5, None)])
+        for first in range(0, len(rows), 5):
+            sizes, total = rows[first:first + 4], rows[first + 4]
+            self.assertEqual(total["max"], max(row["max"] for row in sizes))
+            self.assertEqual(total["max_mean"],
+                             max(row["max_mean"] for row in sizes))
+            self.assertAlmostEqual(total["mean"],
+                                   sum(row["mean"] for row in sizes) / 4)
+            for row in sizes:
+                self.assertTrue(0 < row["mean"] <= row["max_mean"] <= row["max"]
+                                <= 16, row)
+                self.assertIn(row["worst"]["char"], "To")
+        self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+        self.assertIn("beyond", run(
+            "accuracy", "--font", self.font, "--truth", SANS, "--mean-limit",
+            0.01, "--sizes", 12, code=1))
+        for said, arguments in [("no glyph for 'Z'", ("--glyph", "Z")),
+                                ("is no size", ("--sizes", "8-")),
+                                ("is unknown", ("--filter", "x"))]:
+            self.assertIn(said, run("accuracy", "--font", self.font, "--truth",
+                                    SANS, *arguments, code=2))
 
     def test_specimen_draws(self):
         out = self.path / "sizes.png"

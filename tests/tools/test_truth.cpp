@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "truth.hpp"
@@ -34,8 +35,7 @@ class Polygons {
 };
 
 double distance(const TrueGlyph& glyph, double x, double y) {
-  size_t hint = 0;
-  return glyph.distance({x, y}, kFar, hint);
+  return glyph.distance({x, y}, kFar);
 }
 
 double box_distance(
@@ -98,15 +98,35 @@ TEST(TrueGlyph, CrossedContourIsFilledOnBothSides) {
 
 TEST(TrueGlyph, LimitClamps) {
   const TrueGlyph glyph = Polygons().add_box(0, 0, 100, 100).glyph();
-  size_t hint = 0;
-  EXPECT_EQ(glyph.distance({50, 50}, 8, hint), 8);
-  EXPECT_EQ(glyph.distance({500, 50}, 8, hint), -8);
+  EXPECT_EQ(glyph.distance({50, 50}, 8), 8);
+  EXPECT_EQ(glyph.distance({500, 50}, 8), -8);
 }
 
 TEST(TrueGlyph, NothingIsOutside) {
   const TrueGlyph glyph = Polygons().glyph();
   EXPECT_TRUE(glyph.empty());
   EXPECT_EQ(distance(glyph, 3, 4), -kFar);
+}
+
+TEST(TrueTiles, AgreeWithBruteForce) {
+  const TrueFont font("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", 0);
+  std::mt19937 random(3);
+  for (const char32_t letter : {U'a', U'%', U'@', U'.', U' '}) {
+    const TrueGlyph glyph = font.glyph(letter);
+    for (const double limit : {2.0, 16.0, 128.0}) {
+      TrueTiles tiles(glyph, limit);
+      const double margin = 1.5 * limit;
+      std::uniform_real_distribution<double> x(glyph.low().x - margin,
+                                               glyph.high().x + margin);
+      std::uniform_real_distribution<double> y(glyph.low().y - margin,
+                                               glyph.high().y + margin);
+      for (int i = 0; i < 5000; ++i) {
+        const Vector p = {x(random), y(random)};
+        ASSERT_EQ(tiles.distance(p), glyph.distance(p, limit))
+            << p.x << ", " << p.y << " limit " << limit;
+      }
+    }
+  }
 }
 
 TEST(TrueFont, ReadsAFace) {
