@@ -5,18 +5,6 @@
 
 namespace inkcell {
 namespace detail {
-namespace {
-
-bool widths_fit(const uint8_t* widths, uint32_t count, uint32_t most) noexcept {
-  for (uint32_t i = 0; i < count; ++i) {
-    if (widths[i] > most) {
-      return false;
-    }
-  }
-  return true;
-}
-
-}  // namespace
 
 uint32_t read_bits(Span<const uint8_t> bytes,
                    uint32_t bit,
@@ -35,18 +23,17 @@ uint32_t read_bits(Span<const uint8_t> bytes,
   return read >> shift & ((uint32_t{1} << width) - 1);
 }
 
-bool BitTable::take(Span<const uint8_t>& rest,
-                    uint32_t row_count,
-                    uint32_t bits) noexcept {
-  const uint32_t size = (row_count * bits + 7) / 8;
-  if (size > rest.size) {
-    return false;
-  }
-  bytes = {rest.data, size};
-  rows = row_count;
-  row_bits = bits;
-  rest = {rest.data + size, rest.size - size};
-  return true;
+bool bits_fit(Span<const uint8_t> section,
+              uint32_t header_bytes,
+              uint32_t bits) noexcept {
+  return section.size >= header_bytes &&
+         (bits + 7) / 8 <= section.size - header_bytes;
+}
+
+uint32_t BitTable::get(uint32_t row,
+                       uint32_t bit,
+                       uint32_t width) const noexcept {
+  return read_bits(bytes, first_bit + row * row_bits + bit, width);
 }
 
 uint32_t BitTable::find(uint32_t begin,
@@ -69,93 +56,31 @@ uint32_t BitTable::find(uint32_t begin,
   return kAbsent;
 }
 
-bool metrics_table(Span<const uint8_t> section,
-                   uint32_t glyph_count,
-                   BitTable& out) noexcept {
-  namespace metrics = format::metrics;
-  if (section.size < metrics::kBytes) {
-    return false;
-  }
-  const uint8_t* widths = section.data + metrics::kColumnBits;
-  if (!widths_fit(widths, metrics::kColumns, metrics::kMaxBits)) {
-    return false;
-  }
-  uint32_t row_bits = 0;
-  for (uint32_t i = 0; i < metrics::kColumns; ++i) {
-    row_bits += widths[i];
-  }
-  Span<const uint8_t> rest = {section.data + metrics::kBytes,
-                              section.size - metrics::kBytes};
-  return out.take(rest, glyph_count, row_bits);
-}
-
-bool offsets_table(Span<const uint8_t> section,
-                   uint32_t glyph_count,
-                   BitTable& out) noexcept {
-  namespace glyphs = format::glyphs;
-  if (section.size < glyphs::kBytes) {
-    return false;
-  }
-  const uint32_t width = section.data[glyphs::kOffsetBits];
-  Span<const uint8_t> rest = {section.data + glyphs::kBytes,
-                              section.size - glyphs::kBytes};
-  return width <= format::bit_table::kMaxBits &&
-         section.data[glyphs::kUnitLog2] <= glyphs::kMaxUnitLog2 &&
-         out.take(rest, glyph_count + 1, width);
-}
-
 bool Kerning::open(Span<const uint8_t> section) noexcept {
   namespace kerning = format::kerning;
   if (section.size < kerning::kBytes) {
     return false;
   }
   const uint8_t* at = section.data;
+  pair_count = load_u32(at + kerning::kPairs);
+  member_count = load_u16(at + kerning::kMembers);
+  left_classes = load_u16(at + kerning::kLeftClasses);
   glyph_bits = at[kerning::kGlyphBits];
   left_bits = at[kerning::kLeftBits];
   right_bits = at[kerning::kRightBits];
   value_bits = at[kerning::kValueBits];
-  const uint32_t start_bits = at[kerning::kStartBits];
-  const uint32_t pair_count = load_u32(at + kerning::kPairs);
-  left_classes = load_u16(at + kerning::kLeftClasses);
-  right_classes = load_u16(at + kerning::kRightClasses);
-  value_base = load_i16(at + kerning::kValueBase);
-  const uint8_t widths[] = {glyph_bits, left_bits, right_bits, value_bits};
-  if (!widths_fit(widths, 4, kerning::kMaxBits) ||
-      start_bits > format::bit_table::kMaxBits ||
-      pair_count > kerning::kMaxPairs) {
-    return false;
-  }
-  Span<const uint8_t> rest = {at + kerning::kBytes,
-                              section.size - kerning::kBytes};
-  const uint32_t member_bits = uint32_t{glyph_bits} + left_bits + right_bits;
-  const uint32_t pair_bits = uint32_t{right_bits} + value_bits;
-  return members.take(rest, load_u16(at + kerning::kMembers), member_bits) &&
-         row_starts.take(rest, uint32_t{left_classes} + 1, start_bits) &&
-         pairs.take(rest, pair_count, pair_bits);
-}
-
-int32_t Kerning::value(uint32_t left_glyph,
-                       uint32_t right_glyph) const noexcept {
-  const uint32_t left = members.find(0, members.rows, glyph_bits, left_glyph);
-  const uint32_t right = members.find(0, members.rows, glyph_bits, right_glyph);
-  if (left == BitTable::kAbsent || right == BitTable::kAbsent) {
-    return 0;
-  }
-  const uint32_t row = members.get(left, glyph_bits, left_bits);
-  const uint32_t column =
-      members.get(right, uint32_t{glyph_bits} + left_bits, right_bits);
-  if (row == 0 || row > left_classes || column == 0) {
-    return 0;
-  }
-  const uint32_t begin = row_starts.get(row - 1, 0, row_starts.row_bits);
-  const uint32_t end = row_starts.get(row, 0, row_starts.row_bits);
-  const uint32_t pair = pairs.find(begin, end < pairs.rows ? end : pairs.rows,
-                                   right_bits, column);
-  if (pair == BitTable::kAbsent) {
-    return 0;
-  }
-  const uint32_t above_base = pairs.get(pair, right_bits, value_bits);
-  return static_cast<int16_t>(static_cast<uint16_t>(value_base) + above_base);
+  const Span<const uint8_t> bytes = {at + kerning::kBytes,
+                                     section.size - kerning::kBytes};
+  members = {bytes, 0, uint32_t{glyph_bits} + left_bits + right_bits};
+  row_starts = {bytes, member_count * members.row_bits,
+                at[kerning::kStartBits]};
+  pairs = {bytes,
+           row_starts.first_bit + (left_classes + 1u) * row_starts.row_bits,
+           uint32_t{right_bits} + value_bits};
+  // No sum of these passes 32 bits, whatever the widths.
+  return pair_count <= kerning::kMaxPairs &&
+         bits_fit(section, kerning::kBytes,
+                  pairs.first_bit + pair_count * pairs.row_bits);
 }
 
 }  // namespace detail

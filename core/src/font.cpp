@@ -111,6 +111,14 @@ Status check_directory(Span<const uint8_t> rom, uint32_t sections) noexcept {
   return Status::ok;
 }
 
+uint32_t metrics_row_bits(Span<const uint8_t> section) noexcept {
+  uint32_t bits = 0;
+  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
+    bits += section[format::metrics::kColumnBits + i];
+  }
+  return bits;
+}
+
 }  // namespace
 
 Status Font::open(Span<const uint8_t> rom, Font& out) noexcept {
@@ -134,11 +142,13 @@ Status Font::open_tables() noexcept {
   metrics_ = section(section::kMetrics);
   glyphs_ = section(section::kGlyphs);
   kerning_ = section(section::kKerning);
-  detail::BitTable table;
-  detail::Kerning kerning;
-  if (!detail::metrics_table(metrics_, glyph_count_, table) ||
-      !detail::offsets_table(glyphs_, glyph_count_, table) ||
-      (kerning_.size != 0 && !kerning.open(kerning_))) {
+  if (metrics_.size < format::metrics::kBytes ||
+      glyphs_.size < format::glyphs::kBytes ||
+      !detail::bits_fit(metrics_, format::metrics::kBytes,
+                        metrics_row_bits(metrics_) * glyph_count_) ||
+      !detail::bits_fit(glyphs_, format::glyphs::kBytes,
+                        glyphs_.data[format::glyphs::kOffsetBits] *
+                            (uint32_t{glyph_count_} + 1))) {
     return Status::corrupt;
   }
   return Status::ok;
@@ -237,18 +247,14 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   // Widths are read again, not kept: reading bits is safe with any.
   const Span<const uint8_t> rows = {metrics_.data + metrics::kBytes,
                                     metrics_.size - metrics::kBytes};
-  const uint8_t* widths = metrics_.data + metrics::kColumnBits;
-  uint32_t bit = 0;
-  for (uint32_t i = 0; i < metrics::kColumns; ++i) {
-    bit += widths[i];
-  }
-  bit *= glyph;
+  uint32_t bit = metrics_row_bits(metrics_) * glyph;
   uint16_t columns[metrics::kColumns];
   for (uint32_t i = 0; i < metrics::kColumns; ++i) {
-    const uint32_t above_base = detail::read_bits(rows, bit, widths[i]);
+    const uint32_t width = metrics_.data[metrics::kColumnBits + i];
+    const uint32_t above_base = detail::read_bits(rows, bit, width);
     columns[i] = static_cast<uint16_t>(
         load_u16(metrics_.data + metrics::kBase + 2 * i) + above_base);
-    bit += widths[i];
+    bit += width;
   }
   out.advance = columns[0];
   out.x_min = static_cast<int16_t>(columns[1]);
@@ -259,12 +265,37 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
 }
 
 int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
+  using detail::BitTable;
   detail::Kerning kerning;
-  if (left >= glyph_count_ || right >= glyph_count_ || kerning_.size == 0 ||
+  if (left >= glyph_count_ || right >= glyph_count_ ||
       !kerning.open(kerning_)) {
     return 0;
   }
-  return kerning.value(left, right);
+  const auto member = [&kerning](uint32_t glyph) noexcept {
+    return kerning.members.find(0, kerning.member_count, kerning.glyph_bits,
+                                glyph);
+  };
+  const uint32_t left_member = member(left);
+  const uint32_t right_member = member(right);
+  if (left_member == BitTable::kAbsent || right_member == BitTable::kAbsent) {
+    return 0;
+  }
+  const uint32_t row = kerning.left_class(left_member);
+  const uint32_t column = kerning.right_class(right_member);
+  if (row == 0 || row > kerning.left_classes || column == 0) {
+    return 0;
+  }
+  const uint32_t end = kerning.row_start(row);
+  const uint32_t pair =
+      kerning.pairs.find(kerning.row_start(row - 1),
+                         end < kerning.pair_count ? end : kerning.pair_count,
+                         kerning.right_bits, column);
+  if (pair == BitTable::kAbsent) {
+    return 0;
+  }
+  const uint32_t base = load_u16(kerning_.data + format::kerning::kValueBase);
+  return static_cast<int16_t>(
+      base + kerning.pairs.get(pair, kerning.right_bits, kerning.value_bits));
 }
 
 Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
@@ -275,6 +306,7 @@ Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
   const Span<const uint8_t> offsets = {glyphs_.data + glyphs::kBytes,
                                        glyphs_.size - glyphs::kBytes};
   const uint32_t width = glyphs_.data[glyphs::kOffsetBits];
+  // So much and no more, whatever the byte: no shift is too long.
   const uint32_t unit_log2 =
       glyphs_.data[glyphs::kUnitLog2] & glyphs::kMaxUnitLog2;
   const uint32_t at = width * glyph;

@@ -30,36 +30,49 @@ bool cmap_fits(Span<const uint8_t> cmap, uint32_t glyph_count) noexcept {
   return true;
 }
 
+bool widths_fit(const uint8_t* widths, uint32_t count, uint32_t most) noexcept {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (widths[i] > most) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Glyphs and pairs ascend, every class exists, and the rows cover the pairs.
 class KerningCheck {
  public:
-  explicit KerningCheck(const detail::Kerning& kerning) : kerning_(kerning) {}
+  bool fits(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
+    namespace kerning = format::kerning;
+    if (!kerning_.open(section) ||
+        !widths_fit(section.data + kerning::kGlyphBits, 4, kerning::kMaxBits) ||
+        section[kerning::kStartBits] > format::bit_table::kMaxBits) {
+      return false;
+    }
+    right_classes_ = load_u16(section.data + kerning::kRightClasses);
+    return rows_fit() && members_fit(glyph_count);
+  }
 
-  bool fits(uint32_t glyph_count) const noexcept {
-    const uint32_t pairs = kerning_.pairs.rows;
+ private:
+  bool rows_fit() const noexcept {
     uint32_t next = 0;
     for (uint32_t row = 0; row < kerning_.left_classes; ++row) {
-      const uint32_t begin = start(row);
-      const uint32_t end = start(row + 1);
-      if (begin != next || begin > end || end > pairs ||
-          !row_fits(begin, end)) {
+      const uint32_t begin = kerning_.row_start(row);
+      const uint32_t end = kerning_.row_start(row + 1);
+      if (begin != next || begin > end || end > kerning_.pair_count ||
+          !pairs_fit(begin, end)) {
         return false;
       }
       next = end;
     }
-    return start(0) == 0 && next == pairs && members_fit(glyph_count);
+    return kerning_.row_start(0) == 0 && next == kerning_.pair_count;
   }
 
- private:
-  uint32_t start(uint32_t row) const noexcept {
-    return kerning_.row_starts.get(row, 0, kerning_.row_starts.row_bits);
-  }
-
-  bool row_fits(uint32_t begin, uint32_t end) const noexcept {
+  bool pairs_fit(uint32_t begin, uint32_t end) const noexcept {
     uint32_t next = 1;
     for (uint32_t i = begin; i < end; ++i) {
       const uint32_t right = kerning_.pairs.get(i, 0, kerning_.right_bits);
-      if (right < next || right > kerning_.right_classes) {
+      if (right < next || right > right_classes_) {
         return false;
       }
       next = right + 1;
@@ -68,17 +81,12 @@ class KerningCheck {
   }
 
   bool members_fit(uint32_t glyph_count) const noexcept {
-    const detail::BitTable& members = kerning_.members;
-    const uint32_t glyph_bits = kerning_.glyph_bits;
-    const uint32_t left_bits = kerning_.left_bits;
     uint32_t next = 0;
-    for (uint32_t i = 0; i < members.rows; ++i) {
-      const uint32_t glyph = members.get(i, 0, glyph_bits);
-      const uint32_t left = members.get(i, glyph_bits, left_bits);
-      const uint32_t right =
-          members.get(i, glyph_bits + left_bits, kerning_.right_bits);
+    for (uint32_t i = 0; i < kerning_.member_count; ++i) {
+      const uint32_t glyph = kerning_.members.get(i, 0, kerning_.glyph_bits);
       if (glyph < next || glyph >= glyph_count ||
-          left > kerning_.left_classes || right > kerning_.right_classes) {
+          kerning_.left_class(i) > kerning_.left_classes ||
+          kerning_.right_class(i) > right_classes_) {
         return false;
       }
       next = glyph + 1;
@@ -86,15 +94,14 @@ class KerningCheck {
     return true;
   }
 
-  const detail::Kerning& kerning_;
+  detail::Kerning kerning_;
+  uint32_t right_classes_ = 0;
 };
 
-bool kerning_fits(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
-  if (section.size == 0) {
-    return true;
-  }
-  detail::Kerning kerning;
-  return kerning.open(section) && KerningCheck(kerning).fits(glyph_count);
+bool metrics_fit(Span<const uint8_t> section) noexcept {
+  namespace metrics = format::metrics;
+  return widths_fit(section.data + metrics::kColumnBits, metrics::kColumns,
+                    metrics::kMaxBits);
 }
 
 // The tree of one tile: every cell exists, nodes are numbered in the order in
@@ -154,14 +161,16 @@ bool field_fits(const GlyphField& field) noexcept {
 // Records lie one after the other behind the offsets.
 bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   namespace glyphs = format::glyphs;
-  detail::BitTable offsets;
-  if (!detail::offsets_table(section, glyph_count, offsets)) {
+  const uint32_t width = section[glyphs::kOffsetBits];
+  const uint32_t unit_log2 = section[glyphs::kUnitLog2];
+  if (width > format::bit_table::kMaxBits || unit_log2 > glyphs::kMaxUnitLog2) {
     return false;
   }
-  const uint32_t unit_log2 = section.data[glyphs::kUnitLog2];
-  size_t least = glyphs::kBytes + offsets.bytes.size;
-  for (uint32_t i = 0; i < offsets.rows; ++i) {
-    const uint32_t offset = offsets.get(i, 0, offsets.row_bits) << unit_log2;
+  const detail::BitTable offsets = {
+      {section.data + glyphs::kBytes, section.size - glyphs::kBytes}, 0, width};
+  size_t least = glyphs::kBytes + (width * (glyph_count + 1) + 7) / 8;
+  for (uint32_t i = 0; i <= glyph_count; ++i) {
+    const uint32_t offset = offsets.get(i, 0, width) << unit_log2;
     if (offset < least || offset > section.size) {
       return false;
     }
@@ -184,8 +193,8 @@ Status Font::verify() const noexcept {
   const uint32_t crc =
       detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
-      !cmap_fits(cmap_, glyph_count_) ||
-      !kerning_fits(kerning_, glyph_count_) ||
+      !cmap_fits(cmap_, glyph_count_) || !metrics_fit(metrics_) ||
+      (kerning_.size != 0 && !KerningCheck().fits(kerning_, glyph_count_)) ||
       !offsets_fit(glyphs_, glyph_count_)) {
     return Status::corrupt;
   }

@@ -214,7 +214,7 @@ Bytes kerning_section(const RomContent& content) {
   const KerningPairs found = kerning_pairs(kerning);
   if (found.pairs.size() > format::kerning::kMaxPairs) {
     throw Error(content.name +
-                ": more than 33 million pairs of classes kern; ask for fewer "
+                ": more than 4 million pairs of classes kern; ask for fewer "
                 "characters");
   }
   const auto pair_count = static_cast<uint32_t>(found.pairs.size());
@@ -236,20 +236,18 @@ Bytes kerning_section(const RomContent& content) {
        {glyph_bits, left_bits, right_bits, value_bits, start_bits}) {
     put_u8(out, width);
   }
-  BitTable member_table(out);
+  BitTable table(out);
   for (const uint32_t glyph : members) {
-    member_table.put(glyph, glyph_bits);
-    member_table.put(kerning.left_class[glyph], left_bits);
-    member_table.put(kerning.right_class[glyph], right_bits);
+    table.put(glyph, glyph_bits);
+    table.put(kerning.left_class[glyph], left_bits);
+    table.put(kerning.right_class[glyph], right_bits);
   }
-  BitTable start_table(out);
   for (const uint32_t start : found.row_starts) {
-    start_table.put(start, start_bits);
+    table.put(start, start_bits);
   }
-  BitTable pair_table(out);
   for (const KerningPairs::Pair& pair : found.pairs) {
-    pair_table.put(pair.right_class, right_bits);
-    pair_table.put(static_cast<uint32_t>(pair.value - found.least), value_bits);
+    table.put(pair.right_class, right_bits);
+    table.put(static_cast<uint32_t>(pair.value - found.least), value_bits);
   }
   return out;
 }

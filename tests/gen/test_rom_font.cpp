@@ -157,8 +157,8 @@ TEST(RomFont, PartsAddUp) {
   // Advances 300..1200, x -20..100 and 0..1100, y -200..0 and 0..800.
   EXPECT_EQ(parts.metrics, padded(15 + bytes_of(4 * (10 + 7 + 8 + 11 + 10))));
   // Two glyphs and classes, three pairs of -300..12.
-  EXPECT_EQ(parts.kerning, padded(17 + bytes_of(2 * (2 + 2 + 2)) +
-                                  bytes_of(3 * 2) + bytes_of(3 * (2 + 9))));
+  EXPECT_EQ(parts.kerning,
+            padded(17 + bytes_of(2 * (2 + 2 + 2) + 3 * 2 + 3 * (2 + 9))));
   EXPECT_EQ(parts.hints, 0u);
   EXPECT_EQ(parts.cells, 2 + bytes_of(5 * 6) + (12 + 2 + 10) + (12 + 20 + 30));
   EXPECT_EQ(parts.name, 4u);
@@ -197,8 +197,8 @@ TEST(RomFont, WideKerningClassesTakeTwoBytes) {
   ASSERT_EQ(content.kerning.left_classes, 300);
   PartBytes parts;
   const std::vector<uint8_t> bytes = write_rom_font(content, parts);
-  EXPECT_EQ(parts.kerning, padded(17 + bytes_of(300 * 27) + bytes_of(301 * 9) +
-                                  bytes_of(300 * 18)));
+  EXPECT_EQ(parts.kerning,
+            padded(17 + bytes_of(300 * 27 + 301 * 9 + 300 * 18)));
   check_rom_font(bytes, content);
   expect_tables(bytes, content);
 }

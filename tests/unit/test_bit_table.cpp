@@ -69,32 +69,25 @@ TEST(reads_nothing_outside) {
   CHECK_EQ(read_bits({}, 0, 0), 0);
 }
 
-TEST(takes_tables_that_fit) {
-  BitTable table;
-  Span<const uint8_t> rest(bytes, 10);
-  CHECK(table.take(rest, 3, 9));  // 27 bits
-  CHECK_EQ(table.rows, 3);
-  CHECK_EQ(table.row_bits, 9);
-  CHECK_EQ(table.bytes.size, 4);
-  CHECK(rest.data == bytes + 4 && rest.size == 6);
-  CHECK(!table.take(rest, 49, 1));
-  CHECK(rest.size == 6);
-  CHECK(table.take(rest, 48, 1));
-  CHECK_EQ(rest.size, 0);
-  CHECK(table.take(rest, 65535, 0));
-  CHECK(!table.take(rest, 1, 1));
+TEST(tells_whether_bits_fit) {
+  const Span<const uint8_t> view(bytes, 10);
+  CHECK(detail::bits_fit(view, 3, 56));
+  CHECK(!detail::bits_fit(view, 3, 57));
+  CHECK(detail::bits_fit(view, 10, 0));
+  CHECK(!detail::bits_fit(view, 10, 1));
+  CHECK(!detail::bits_fit(view, 11, 0));
+  CHECK(!detail::bits_fit(view, 0, 0xffffffff - 7));
+  CHECK(!detail::bits_fit({}, 1, 0));
 }
 
 // Keys 3, 6, 9 .. in rows of every width, all numbers of rows.
 TEST(finds_rows_by_key) {
   for (uint32_t key_bits = 6; key_bits <= 25; ++key_bits) {
     for (uint32_t rows = 0; rows <= 16; ++rows) {
-      BitTable table;
-      Span<const uint8_t> rest(bytes, sizeof bytes);
-      CHECK(table.take(rest, rows, key_bits + 4));
+      const BitTable table = {bytes, rows, key_bits + 4};  // from any bit on
       for (uint32_t i = 0; i < rows; ++i) {
-        set_bits(i * table.row_bits, key_bits, 3 * (i + 1));
-        set_bits(i * table.row_bits + key_bits, 4, i);
+        set_bits(rows + i * table.row_bits, key_bits, 3 * (i + 1));
+        set_bits(rows + i * table.row_bits + key_bits, 4, i);
       }
       for (uint32_t key = 0; key < 3 * rows + 5; ++key) {
         const bool known = key != 0 && key % 3 == 0 && key / 3 <= rows;

@@ -196,74 +196,89 @@ TEST(refuses_sections_outside_the_font) {
 }
 
 TEST(refuses_small_tables) {
-  const uint32_t tags[] = {section::kMetrics, section::kGlyphs,
-                           section::kKerning};
-  const uint32_t smallest[] = {15 + 5 * 10, 2 + 2 * 6,
-                               17 + 5 * 3 + 3 * 2 + 3 * 3};
-  for (int i = 0; i < 3; ++i) {
+  const uint32_t tags[] = {section::kMetrics, section::kGlyphs};
+  const uint32_t smallest[] = {15 + 5 * 10, 2 + 6 * 2};
+  const uint32_t headers[] = {15, 2};
+  for (int i = 0; i < 2; ++i) {
     sample();
     put_u32(entry_of(tags[i]) + section::kSize, smallest[i] - 1);
+    CHECK_EQ(reopen(), Status::corrupt);
+    put_u32(entry_of(tags[i]) + section::kSize, headers[i] - 1);
+    CHECK_EQ(reopen(), Status::corrupt);
+    put_u32(entry_of(tags[i]) + section::kSize, 0);
     CHECK_EQ(reopen(), Status::corrupt);
     put_u32(entry_of(tags[i]) + section::kSize, smallest[i]);
     CHECK_EQ(reopen(), Status::ok);
   }
-  const uint32_t headers[] = {15, 2, 17};
-  for (int i = 0; i < 3; ++i) {
-    sample();
-    put_u32(entry_of(tags[i]) + section::kSize, headers[i] - 1);
-    CHECK_EQ(reopen(), Status::corrupt);
-  }
+  // Wider numbers need more room.
+  sample();
+  put_u32(entry_of(section::kMetrics) + section::kSize, smallest[0]);
+  section_bytes(section::kMetrics)[format::metrics::kColumnBits] = 17;
+  CHECK_EQ(reopen(), Status::corrupt);
+  sample();
+  put_u32(entry_of(section::kGlyphs) + section::kSize, smallest[1]);
+  section_bytes(section::kGlyphs)[format::glyphs::kOffsetBits] = 17;
+  CHECK_EQ(reopen(), Status::corrupt);
 }
 
-TEST(refuses_wrong_widths) {
+TEST(reads_numbers_that_are_too_wide_as_0) {
+  sample();
+  section_bytes(section::kMetrics)[format::metrics::kColumnBits] = 26;
+  section_bytes(section::kGlyphs)[format::glyphs::kOffsetBits] = 26;
+  const uint32_t tags[] = {section::kMetrics, section::kGlyphs};
+  for (const uint32_t tag : tags) {
+    put_u32(entry_of(tag) + section::kSize,
+            static_cast<uint32_t>(rom + rom_bytes - section_bytes(tag)));
+  }
+  CHECK_EQ(reopen(), Status::ok);
+  Font font;
+  CHECK_OK(Font::open({rom, rom_bytes}, font));
+  GlyphMetrics metrics;
+  CHECK_OK(font.glyph_metrics(2, metrics));
+  CHECK_EQ(metrics.advance, 0);
+  CHECK_EQ(font.record(2).size, 0);
+  CHECK_EQ(font.verify(), Status::corrupt);
+}
+
+// Each count and width of KERN raised, until it does not fit.
+TEST(kerning_that_does_not_fit_kerns_with_nothing) {
   struct Case {
-    uint32_t tag;
-    uint32_t at;  // in the section
-    uint8_t most;
+    uint32_t at;
+    uint8_t value;
   };
-  const Case cases[] = {
-      {section::kMetrics, format::metrics::kColumnBits, 16},
-      {section::kMetrics, format::metrics::kColumnBits + 4, 16},
-      {section::kKerning, format::kerning::kGlyphBits, 16},
-      {section::kKerning, format::kerning::kLeftBits, 16},
-      {section::kKerning, format::kerning::kRightBits, 16},
-      {section::kKerning, format::kerning::kValueBits, 16},
-      {section::kKerning, format::kerning::kStartBits, 25},
-      {section::kGlyphs, format::glyphs::kOffsetBits, 25},
-      {section::kGlyphs, format::glyphs::kUnitLog2, 7}};
+  const Case cases[] = {{format::kerning::kPairs, 4},
+                        {format::kerning::kPairs + 2, 0x40},  // 2^22 + 3
+                        {format::kerning::kPairs + 3, 0xff},
+                        {format::kerning::kMembers, 6},
+                        {format::kerning::kMembers + 1, 0xff},
+                        {format::kerning::kLeftClasses, 3},
+                        {format::kerning::kLeftClasses + 1, 0xff},
+                        {format::kerning::kGlyphBits, 9},
+                        {format::kerning::kLeftBits, 255},
+                        {format::kerning::kRightBits, 9},
+                        {format::kerning::kValueBits, 255},
+                        {format::kerning::kStartBits, 17}};
   for (const Case& c : cases) {
     sample();
-    uint8_t* entry = entry_of(c.tag);
-    uint8_t* section = section_bytes(c.tag);
-    // A font whose last section has room for any table.
-    put_u32(entry + section::kSize,
-            static_cast<uint32_t>(rom + rom_bytes - section));
-    section[c.at] = c.most;
+    section_bytes(section::kKerning)[c.at] = c.value;
     CHECK_EQ(reopen(), Status::ok);
-    section[c.at] = static_cast<uint8_t>(c.most + 1);
-    CHECK_EQ(reopen(), Status::corrupt);
-    section[c.at] = 255;
-    CHECK_EQ(reopen(), Status::corrupt);
+    Font font;
+    CHECK_OK(Font::open({rom, rom_bytes}, font));
+    CHECK_EQ(font.kerning(2, 3), 0);
+    CHECK_EQ(font.kerning(3, 2), 0);
+    CHECK_EQ(font.verify(), Status::corrupt);
   }
-}
-
-TEST(refuses_more_kerning_than_the_section_holds) {
-  const uint32_t counts[] = {4, 0x1ffffff, 0x2000000, 0xffffffff};
-  for (const uint32_t count : counts) {
+  const uint32_t size = 17 + 5 * 3 + 3 * 2 + 3 * 3;
+  const uint32_t sizes[] = {size, size - 1, 17, 16, 1, 0};
+  for (const uint32_t kept : sizes) {
     sample();
-    uint8_t* kerning = section_bytes(section::kKerning);
-    put_u32(kerning + format::kerning::kPairs, count);
-    CHECK_EQ(reopen(), Status::corrupt);
-  }
-  const uint32_t places[] = {format::kerning::kMembers,
-                             format::kerning::kLeftClasses};
-  for (const uint32_t place : places) {
-    sample();
-    uint8_t* count = section_bytes(section::kKerning) + place;
-    put_u16(count, get_u16(count) + 1);
-    CHECK_EQ(reopen(), Status::corrupt);
-    put_u16(count, 0xffff);
-    CHECK_EQ(reopen(), Status::corrupt);
+    put_u32(entry_of(section::kKerning) + section::kSize, kept);
+    CHECK_EQ(reopen(), Status::ok);
+    Font font;
+    CHECK_OK(Font::open({rom, rom_bytes}, font));
+    CHECK_EQ(font.kerning(2, 3), kept == size ? -100 : 0);
+    CHECK_EQ(font.verify(),
+             kept == size || kept == 0 ? Status::ok : Status::corrupt);
   }
 }
 

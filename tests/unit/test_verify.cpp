@@ -112,6 +112,38 @@ TEST(finds_wrong_kerning) {
   }
 }
 
+// One bit more than the widest, in sections that reach to the end of the font.
+TEST(finds_numbers_that_are_too_wide) {
+  struct Case {
+    uint32_t tag;
+    uint32_t at;
+    uint8_t value;
+  };
+  const Case cases[] = {
+      {section::kMetrics, format::metrics::kColumnBits, 17},
+      {section::kMetrics, format::metrics::kColumnBits + 4, 17},
+      {section::kKerning, format::kerning::kGlyphBits, 17},
+      {section::kKerning, format::kerning::kLeftBits, 17},
+      {section::kKerning, format::kerning::kRightBits, 17},
+      {section::kKerning, format::kerning::kValueBits, 17},
+      {section::kKerning, format::kerning::kStartBits, 26},
+      {section::kGlyphs, format::glyphs::kOffsetBits, 26},
+      {section::kGlyphs, format::glyphs::kUnitLog2, 8}};
+  for (const Case& c : cases) {
+    Font font = sample();
+    uint8_t* const at = bytes_of(font, c.tag);
+    uint8_t* entry = rom + format::header::kBytes;
+    while (get_u32(entry + section::kTag) != c.tag) {
+      entry += section::kBytes;
+    }
+    put_u32(entry + section::kSize,
+            static_cast<uint32_t>(rom + rom_bytes - at));
+    CHECK_OK(verify_changed());
+    at[c.at] = c.value;
+    CHECK_EQ(verify_changed(), Status::corrupt);
+  }
+}
+
 TEST(finds_wrong_glyph_offsets) {
   const Font font = sample();
   uint8_t* offsets = bytes_of(font, section::kGlyphs) + format::glyphs::kBytes;

@@ -50,10 +50,10 @@ struct FontRange {
 /// interrupts may draw from it at once.
 ///
 /// Font bytes are untrusted. `open` checks the header, the section directory
-/// and the sizes of the tables, in time that does not depend on the number of
-/// glyphs or cells. Everything else is checked where it is read: whatever the
-/// bytes are, and even if they change later, no call reads outside them, fails
-/// to end, or traps. Wrong bytes give a wrong picture.
+/// and the sizes of the tables that drawing needs, in time that does not depend
+/// on the number of glyphs or cells. Everything else is checked where it is
+/// read: whatever the bytes are, and even if they change later, no call reads
+/// outside them, fails to end, or traps. Wrong bytes give a wrong picture.
 class Font {
  public:
   /// A font without glyphs: every call answers no_glyph or zero.

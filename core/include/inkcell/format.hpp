@@ -94,8 +94,7 @@ inline constexpr uint32_t kBytes = 8;
 }  // namespace cmap
 
 // METR, KERN and GLYF hold bit tables: rows of numbers of stated widths without
-// gaps, the first in the lowest bits of the first byte. A table begins and ends
-// at a byte.
+// gaps, the first in the lowest bits of the first byte.
 namespace bit_table {
 inline constexpr uint32_t kMaxBits = 25;  // of a number: it spans four bytes
 }  // namespace bit_table
@@ -113,7 +112,7 @@ inline constexpr uint32_t kMaxBits = 16;
 }  // namespace metrics
 
 // KERN: pairs of classes that kern, in rows of the same left class. After the
-// header three bit tables:
+// header three bit tables, the next at the bit where one ends:
 //   members     glyph, left class, right class; ascending by glyph. A glyph
 //               that is not there has class 0 twice
 //   row starts  left_classes + 1 numbers: the pairs of left class l are those
@@ -134,7 +133,7 @@ inline constexpr uint32_t kValueBits = 15;    // u8, 0..16
 inline constexpr uint32_t kStartBits = 16;    // u8, 0..25
 inline constexpr uint32_t kBytes = 17;
 inline constexpr uint32_t kMaxBits = 16;
-inline constexpr uint32_t kMaxPairs = (1u << bit_table::kMaxBits) - 1;
+inline constexpr uint32_t kMaxPairs = (1u << 22) - 1;
 }  // namespace kerning
 
 // GLYF: after the header a bit table of glyph_count + 1 offsets from the
