@@ -208,22 +208,6 @@ bool is_rounded(const LastTwo& two, int32_t bend_log2, Cone& cone) noexcept {
                    cone);
 }
 
-// Reads units of a record, counted from the first reference.
-class Units {
- public:
-  explicit Units(const GlyphField& field) noexcept
-      : references_(field.references),
-        wide_(field.kind == GlyphField::Kind::wide_fields) {}
-
-  uint32_t at(int32_t index) const noexcept {
-    return wide_ ? load_u16(references_ + 2 * index) : references_[index];
-  }
-
- private:
-  const uint8_t* references_;
-  bool wide_;
-};
-
 // Fills in the fields that leaf number `leaf` stands for, none if one of them
 // does not exist.
 void read_leaf(const GlyphField& field,

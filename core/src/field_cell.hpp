@@ -74,6 +74,22 @@ struct FieldTerm {
   }
 };
 
+// Reads units of a record, counted from the first reference.
+class Units {
+ public:
+  explicit Units(const GlyphField& field) noexcept
+      : references_(field.references),
+        wide_(field.kind == GlyphField::Kind::wide_fields) {}
+
+  uint32_t at(int32_t index) const noexcept {
+    return wide_ ? load_u16(references_ + 2 * index) : references_[index];
+  }
+
+ private:
+  const uint8_t* references_;
+  bool wide_;
+};
+
 // All fields of a cell at one point.
 struct FieldTerms {
   FieldTerm term[3];

@@ -2,6 +2,7 @@
 #include "bit_table.hpp"
 #include "bytes.hpp"
 #include "crc.hpp"
+#include "field_verify.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
 
@@ -104,60 +105,6 @@ bool metrics_fit(Span<const uint8_t> section) noexcept {
                     metrics::kMaxBits);
 }
 
-// The tree of one tile: every cell exists, nodes are numbered in the order in
-// which one meets them (so that each has one parent and the tree is finite),
-// and none divides a square of 1 u. `next_node` is the number that comes next.
-bool tile_fits(const GlyphField& field,
-               uint32_t tile,
-               uint32_t& next_node) noexcept {
-  const uint32_t tiles = uint32_t{field.tiles_x} * field.tiles_y;
-  // References still to visit at each level: where, and how many.
-  uint32_t at[format::glyph::kMaxTileLog2 + 1];
-  uint8_t left[format::glyph::kMaxTileLog2 + 1];
-  uint32_t level = 0;
-  at[0] = tile;
-  left[0] = 1;
-  while (true) {
-    if (left[level] == 0) {
-      if (level == 0) {
-        return true;
-      }
-      --level;
-      continue;
-    }
-    const uint32_t reference = load_u16(field.references + 2 * at[level]);
-    ++at[level];
-    --left[level];
-    if (reference >= format::glyph::kCellFlag) {
-      const uint32_t cell = reference & ~uint32_t{format::glyph::kCellFlag};
-      if (cell >= field.cell_count) {
-        return false;
-      }
-    } else if (reference >= format::glyph::kFirstNode) {
-      const uint32_t node = reference - format::glyph::kFirstNode;
-      if (node != next_node || node >= field.node_count ||
-          level == field.tile_log2) {
-        return false;
-      }
-      ++next_node;
-      ++level;
-      at[level] = tiles + 4 * node;
-      left[level] = 4;
-    }
-  }
-}
-
-bool field_fits(const GlyphField& field) noexcept {
-  const uint32_t tiles = uint32_t{field.tiles_x} * field.tiles_y;
-  uint32_t next_node = 0;
-  for (uint32_t tile = 0; tile < tiles; ++tile) {
-    if (!tile_fits(field, tile, next_node)) {
-      return false;
-    }
-  }
-  return next_node == field.node_count;
-}
-
 // Records lie one after the other behind the offsets.
 bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   namespace glyphs = format::glyphs;
@@ -201,7 +148,7 @@ Status Font::verify() const noexcept {
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
     GlyphField opened;
     INKCELL_TRY(field(static_cast<uint16_t>(glyph), opened));
-    if (!field_fits(opened)) {
+    if (!detail::field_fits(opened)) {
       return Status::corrupt;
     }
   }

@@ -155,6 +155,12 @@ void write_glyphs(const FontSpec& spec, Writer& out) {
   for (size_t i = 0; i < spec.glyphs.size; ++i) {
     out.patch_u16(offsets + 2 * i, static_cast<uint32_t>(out.at() - begin) / 2);
     const GlyphSpec& glyph = spec.glyphs[i];
+    for (const uint8_t byte : glyph.bytes) {
+      out.u8(byte);
+    }
+    if (out.at() % 2 != 0) {
+      out.u8(0);
+    }
     if (glyph.record != nullptr) {
       out.record(*glyph.record);
     } else if (glyph.shape != nullptr) {

@@ -88,6 +88,7 @@ struct GlyphSpec {
   int16_t box[4];  // x_min, y_min, x_max, y_max
   Shape shape;     // null: no ink, unless there is a record
   const Record* record;
+  Span<const uint8_t> bytes = {};  // a record as it is
 };
 
 struct KerningSpec {

@@ -1,0 +1,162 @@
+// Font::verify and glyphs of cells of fields.
+#include "check.hpp"
+#include "field_record.hpp"
+#include "inkcell/font.hpp"
+
+#if INKCELL_FIELD_CELLS
+
+namespace {
+
+using namespace inkcell;
+using namespace font_builder;
+namespace glyph = format::glyph;
+
+alignas(4) uint8_t rom[1024];
+alignas(4) uint8_t bytes[512];
+FieldRecord record;  // too large for the stack of a small board
+
+Status verify() {
+  record.write(bytes);
+  const GlyphSpec glyphs[] = {
+      {500, {0, 0, 0, 0}, nullptr, nullptr, {bytes, record.size()}}};
+  FontSpec spec;
+  spec.glyphs = {glyphs, 1};
+  const size_t size = build_font(spec, rom);
+  CHECK(size != 0);
+  Font font;
+  CHECK_OK(Font::open({rom, size}, font));
+  return font.verify();
+}
+
+// Two tiles, two nodes, leaves of all kinds.
+void make(bool wide) {
+  Random random(1);
+  record = FieldRecord();
+  record.wide = wide;
+  record.tiles_x = 2;
+  record.make(random, 50);
+  for (FieldRecord::Field& field : record.fields) {
+    field = random_field(random, 0, 0, 50);
+  }
+  record.arc_count = 2;
+  record.line_count = 2;
+  record.pair_count = 1;
+  record.triple_count = 1;
+  record.node_count = 2;
+  record.pairs[0][0] = 3;
+  record.pairs[0][1] = 0;
+  const uint16_t triple[] = {3, 3, 0, 1};
+  for (int i = 0; i < 4; ++i) {
+    record.triples[0][i] = triple[i];
+  }
+  for (uint16_t& reference : record.references) {
+    reference = record.field_reference(0);
+  }
+  record.references[0] = glyph::kFirstNode;
+  record.references[1] = record.triple_reference(0);
+  record.references[2] = record.pair_reference(0);
+  record.references[4] = glyph::kFirstNode + 1;
+}
+
+}  // namespace
+
+TEST(accepts_fields) {
+  for (int wide = 0; wide < 2; ++wide) {
+    make(wide != 0);
+    CHECK_OK(verify());
+  }
+}
+
+TEST(finds_wrong_references_to_fields) {
+  for (int wide = 0; wide < 2; ++wide) {
+    struct Case {
+      uint32_t index;
+      uint32_t reference;
+      Status expected;
+    };
+    make(wide != 0);
+    const Case cases[] = {
+        {1, glyph::kInside, Status::ok},
+        {1, record.field_reference(3), Status::ok},
+        {1, record.triple_reference(0) + 1u, Status::corrupt},
+        {1, wide != 0 ? 0xffffu : 0xffu, Status::corrupt},
+        {3, glyph::kFirstNode, Status::corrupt},      // its parent
+        {3, glyph::kFirstNode + 1, Status::corrupt},  // met twice
+        {0, glyph::kFirstNode + 1, Status::corrupt},  // not the first
+        {4, glyph::kOutside, Status::corrupt}};       // one node never met
+    for (const Case& c : cases) {
+      make(wide != 0);
+      record.references[c.index] = static_cast<uint16_t>(c.reference);
+      CHECK_EQ(verify(), c.expected);
+    }
+    make(wide != 0);
+    record.tile_log2 = 1;  // the second node divides 1 u
+    CHECK_EQ(verify(), Status::corrupt);
+    record.tile_log2 = 2;
+    CHECK_EQ(verify(), Status::ok);
+  }
+}
+
+TEST(finds_wrong_combinations) {
+  for (int wide = 0; wide < 2; ++wide) {
+    for (int i = 0; i < 4; ++i) {
+      make(wide != 0);
+      record.triples[0][i] = 4;
+      CHECK_EQ(verify(), Status::corrupt);
+    }
+    for (int i = 0; i < 2; ++i) {
+      make(wide != 0);
+      record.pairs[0][i] = 4;
+      CHECK_EQ(verify(), Status::corrupt);
+    }
+  }
+}
+
+TEST(finds_normals_that_are_not_of_unit_length) {
+  struct Case {
+    int32_t nx;
+    int32_t ny;
+    Status expected;
+  };
+  const Case cases[] = {
+      {16384, 0, Status::ok},       {0, -16384, Status::ok},
+      {16384 - 256, 0, Status::ok}, {16384 - 257, 0, Status::corrupt},
+      {16384 + 256, 0, Status::ok}, {16384 + 257, 0, Status::corrupt},
+      {11585, -11585, Status::ok},  {-32768, -32768, Status::corrupt},
+      {0, 0, Status::corrupt}};
+  for (const Case& c : cases) {
+    for (uint32_t number = 0; number < 4; ++number) {
+      make(false);
+      record.fields[number].nx = c.nx;
+      record.fields[number].ny = c.ny;
+      CHECK_EQ(verify(), c.expected);
+    }
+  }
+}
+
+// One byte says 256 things: 2 sides, and what is left.
+TEST(finds_more_than_a_reference_can_say) {
+  static uint8_t large[18 + 6 * 255 + 4];
+  alignas(4) static uint8_t large_rom[sizeof(large) + 300];
+  for (uint32_t lines = 254; lines <= 255; ++lines) {
+    for (uint8_t& byte : large) {
+      byte = 0;
+    }
+    large[0] = glyph::kTypeFields;
+    large[6] = large[7] = 1;
+    put_u16(large + format::fields::kLineCount, lines);
+    for (uint32_t i = 0; i < lines; ++i) {
+      put_u16(large + format::fields::kBytes + 6 * i, 1 << 14);
+    }
+    const GlyphSpec glyphs[] = {
+        {500, {0, 0, 0, 0}, nullptr, nullptr, {large, 18 + 6 * lines + 1}}};
+    FontSpec spec;
+    spec.glyphs = {glyphs, 1};
+    const size_t size = build_font(spec, large_rom);
+    Font font;
+    CHECK_OK(Font::open({large_rom, size}, font));
+    CHECK_EQ(font.verify(), lines == 254 ? Status::ok : Status::corrupt);
+  }
+}
+
+#endif
