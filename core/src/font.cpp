@@ -275,16 +275,20 @@ int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
     return kerning.members.find(0, kerning.member_count, kerning.glyph_bits,
                                 glyph);
   };
+  // Most glyphs of a text kern with nothing on their right.
   const uint32_t left_member = member(left);
-  const uint32_t right_member = member(right);
-  if (left_member == BitTable::kAbsent || right_member == BitTable::kAbsent) {
+  if (left_member == BitTable::kAbsent) {
     return 0;
   }
   const uint32_t row = kerning.left_class(left_member);
-  const uint32_t column = kerning.right_class(right_member);
-  if (row == 0 || row > kerning.left_classes || column == 0) {
+  if (row == 0 || row > kerning.left_classes) {
     return 0;
   }
+  const uint32_t right_member = member(right);
+  if (right_member == BitTable::kAbsent) {
+    return 0;
+  }
+  const uint32_t column = kerning.right_class(right_member);
   const uint32_t end = kerning.row_start(row);
   const uint32_t pair =
       kerning.pairs.find(kerning.row_start(row - 1),
