@@ -11,8 +11,10 @@ namespace inkcell {
 namespace gen {
 
 double band_u(const AdfOptions& options) {
-  return options.predicate == Predicate::fixed ? kFixedBand_u
-                                               : 768 / options.min_px;
+  if (options.predicate == Predicate::fixed) {
+    return kFixedBand_u;
+  }
+  return (options.cells == CellKind::fields ? 512 : 768) / options.min_px;
 }
 
 AdfGlyph build_adf(const Shape& shape, const AdfOptions& options) {

@@ -17,7 +17,14 @@ enum class Predicate {
   fixed,       // the paper's: error of distance, near the edge only
 };
 
+/// What the cells are made of (design of the format: docs/FORMAT.md).
+enum class CellKind {
+  samples,  // nine distances each
+  fields,   // one to three second-order fields
+};
+
 struct AdfOptions {
+  CellKind cells = CellKind::samples;
   /// Sizes at which the glyph will be drawn. [px/em]
   double min_px = 8;
   double max_px = 64;
@@ -31,8 +38,9 @@ struct AdfOptions {
   int effort = 5;
 };
 
-/// How far from the edge the field must be good: 0.75 px at the smallest size,
-/// the widest filter of the presets. [u]
+/// How far from the edge the field must be good, at the smallest size. [u]
+/// samples: 0.75 px, the widest filter of the presets. fields: 0.5 px, the
+/// `text` filter; beyond, they are good wherever a cell is not saturated.
 double band_u(const AdfOptions& options);
 
 /// A cell as it lies in ROM: format::samples.

@@ -1,0 +1,343 @@
+#include "field_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+constexpr size_t kMostReused = 12;
+constexpr size_t kMostNew = 24;
+constexpr size_t kMostChains = 5;
+
+// Fields stay below this in their cells, so that the device's 32 bits suffice
+// up to the largest size. [u]
+constexpr float kLargestValue_u = 480;
+
+// A reused field that serves a smaller part of a cell is not tried.
+constexpr size_t kLeastPart = 50;
+
+// What a field through a corner is worth to the points that are rounded there.
+constexpr size_t kCornerWorth = 40;
+
+// A field passes through a corner if it does within this many e0.
+constexpr double kCornerReach = 1.5;
+
+// Points across a window.
+constexpr int kWindowSteps = 8;
+
+// Windows around the cell, in its sizes, and around a corner that no window of
+// the cell serves, in u.
+constexpr double kWindowScales[] = {1.0, 1.5, 2.2, 3.5};
+constexpr double kCornerWindows_u[] = {20, 40};
+
+// Quarters of smaller cells are not fitted on their own. [u, log2]
+constexpr int kLeastQuartered = 3;
+
+// Fields whose angle is within this of an axis are tried along it. [quarters]
+constexpr double kNearAxis = 0.08;
+
+bool same_code(const FieldCode& a, const FieldCode& b) {
+  return a.kind == b.kind && a.d0 == b.d0 && a.angle == b.angle &&
+         a.bend == b.bend;
+}
+
+bool is_axis(FieldKind kind) {
+  return kind == FieldKind::axis || kind == FieldKind::axis_arc;
+}
+
+bool is_curved(FieldKind kind) {
+  return kind == FieldKind::arc || kind == FieldKind::axis_arc;
+}
+
+int clamp_d0(double d0_u, const Quantisation& q, int log2) {
+  const int most = 1 << (q.d0_bits(log2) - 1);
+  return std::clamp(static_cast<int>(std::lround(d0_u * 64 / q.d0_step_q6)),
+                    -most, most - 1);
+}
+
+}  // namespace
+
+CandidateSource::CandidateSource(PointSource& points,
+                                 const Quantisation& quantisation,
+                                 double e0_u)
+    : source_(points), quantisation_(quantisation), e0_u_(e0_u) {}
+
+void CandidateSource::evaluate(Candidate& c, const Points& points) const {
+  const FieldModel model(c.field);
+  const size_t count = points.size();
+  c.is_arc = c.field.is_arc();
+  c.nx = static_cast<float>(model.nx);
+  c.ny = static_cast<float>(model.ny);
+  const auto offset = static_cast<float>(model.c);
+  c.value.resize(count);
+  for (size_t i = 0; i < count; ++i) {
+    c.value[i] = c.nx * points.x[i] + c.ny * points.y[i] + offset;
+  }
+  if (c.is_arc) {
+    c.gx.resize(count);
+    c.gy.resize(count);
+    const auto along = static_cast<float>(model.cw);
+    const auto k = static_cast<float>(model.k);
+    for (size_t i = 0; i < count; ++i) {
+      const float w = c.nx * points.y[i] - c.ny * points.x[i] + along;
+      c.value[i] += k * w * w;
+      c.gx[i] = c.nx - 2 * k * w * c.ny;
+      c.gy[i] = c.ny + 2 * k * w * c.nx;
+    }
+  }
+  c.passes.assign((count + 63) / 64, 0);
+  c.covered = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const bool ok = c.value[i] >= points.low[i] && c.value[i] <= points.high[i];
+    c.passes[i / 64] |= uint64_t{ok} << (i % 64);
+    c.covered += ok && points.in_band[i] && points.corner[i] < 0 ? 1 : 0;
+  }
+  for (const int16_t corner : points.corners) {
+    const Point& at = source_.truth().corners()[static_cast<size_t>(corner)].at;
+    if (std::fabs(model.value(at.x, at.y)) < kCornerReach * e0_u_) {
+      c.covered += kCornerWorth;
+    }
+  }
+  for (const float value : c.value) {
+    if (std::fabs(value) > kLargestValue_u) {
+      c.covered = 0;
+    }
+  }
+}
+
+double CandidateSource::bits_of(const FieldCode& code, int size_log2) const {
+  const int angle =
+      is_axis(code.kind) ? 2 : quantisation_.angle_bits(size_log2);
+  const int bend =
+      is_curved(code.kind) ? quantisation_.bend_bits(code.bend, size_log2) : 0;
+  return quantisation_.d0_bits(size_log2) + angle + bend;
+}
+
+std::vector<Candidate> CandidateSource::find_reused(
+    const std::vector<std::pair<uint16_t, DirectField>>& list,
+    const Points& points) const {
+  std::vector<Candidate> out;
+  for (size_t rank = 0; rank < list.size(); ++rank) {
+    Candidate c;
+    c.id = list[rank].first;
+    c.field = list[rank].second;
+    c.rank = static_cast<int>(rank);
+    evaluate(c, points);
+    if (c.covered > 0 && c.covered * kLeastPart >= points.in_band_count) {
+      out.push_back(std::move(c));
+    }
+  }
+  if (out.size() > kMostReused) {
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Candidate& a, const Candidate& b) {
+                       return a.covered > b.covered;
+                     });
+    out.resize(kMostReused);
+  }
+  return out;
+}
+
+std::vector<Candidate> CandidateSource::find_new(int x_u,
+                                                 int y_u,
+                                                 int size_log2,
+                                                 const Points& points) {
+  const Square square = {x_u, y_u, size_log2};
+  const std::array<int, 3> key = {x_u, y_u, size_log2};
+  auto known = known_.find(key);
+  if (known == known_.end()) {
+    known = known_.emplace(key, find_codes(square, points)).first;
+  }
+  std::vector<Candidate> out;
+  const int half = 1 << size_log2 >> 1;
+  for (const FieldCode& code : known->second) {
+    Candidate c;
+    c.field = expand(code, quantisation_, size_log2, x_u + half, y_u + half);
+    c.code = code;
+    c.is_new = true;
+    c.bits = bits_of(code, size_log2);
+    evaluate(c, points);
+    if (c.covered > 0) {
+      c.bonus = bonus_of(c, square);
+      out.push_back(std::move(c));
+    }
+  }
+  // A cheap one that covers less may do as well.
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     return static_cast<double>(a.covered) / (20 + a.bits) >
+                            static_cast<double>(b.covered) / (20 + b.bits);
+                   });
+  if (out.size() > kMostNew) {
+    out.resize(kMostNew);
+  }
+  return out;
+}
+
+double CandidateSource::bonus_of(const Candidate&, const Square&) const {
+  return 0;
+}
+
+std::vector<FieldCode> CandidateSource::find_codes(const Square& square,
+                                                   const Points& points) {
+  const std::vector<Corner>& corners = source_.truth().corners();
+  std::map<int, size_t> chains;
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (points.in_band[i] && points.corner[i] < 0) {
+      ++chains[points.chain[i]];
+    }
+  }
+  for (const int16_t corner : points.corners) {
+    chains[corners[static_cast<size_t>(corner)].before] += 0;
+    chains[corners[static_cast<size_t>(corner)].after] += 0;
+  }
+  std::vector<std::pair<size_t, int>> order;
+  for (const auto& chain : chains) {
+    order.push_back({chain.second, chain.first});
+  }
+  std::sort(order.rbegin(), order.rend());
+  order.resize(std::min(order.size(), kMostChains));
+
+  std::vector<FieldCode> out;
+  const double half = std::ldexp(0.5, square.size_log2);
+  const double cx = square.x_u + half;
+  const double cy = square.y_u + half;
+  for (const auto& [count, chain] : order) {
+    const size_t before = out.size();
+    for (const double scale : kWindowScales) {
+      fit_window(chain, {cx, cy, half * scale}, square, out);
+    }
+    for (int quarter = 0; quarter < 4 && square.size_log2 >= kLeastQuartered;
+         ++quarter) {
+      fit_window(chain,
+                 {cx + (quarter % 2 == 0 ? -0.5 : 0.5) * half,
+                  cy + (quarter / 2 == 0 ? -0.5 : 0.5) * half, 0.5 * half},
+                 square, out);
+    }
+    if (count != 0 && out.size() != before) {
+      continue;
+    }
+    for (const int16_t number : points.corners) {
+      const Corner& corner = corners[static_cast<size_t>(number)];
+      if (corner.before == chain || corner.after == chain) {
+        for (const double reach : kCornerWindows_u) {
+          fit_window(chain, {corner.at.x, corner.at.y, reach}, square, out);
+        }
+      }
+    }
+  }
+  return out;
+}
+
+// Fits a field to what is nearest to `chain` in a window.
+void CandidateSource::fit_window(int chain,
+                                 const Window& window,
+                                 const Square& square,
+                                 std::vector<FieldCode>& out) {
+  const Grid& grid = source_.grid();
+  const int x1 = grid.x0_u + (grid.tiles_x << grid.tile_log2);
+  const int y1 = grid.y0_u + (grid.tiles_y << grid.tile_log2);
+  const int half = 1 << square.size_log2 >> 1;
+  const double step = 2 * window.half / kWindowSteps;
+  fit_points_.clear();
+  for (int j = 0; j <= kWindowSteps; ++j) {
+    const int y =
+        static_cast<int>(std::lround(window.y - window.half + step * j));
+    if (y < grid.y0_u || y > y1) {
+      continue;
+    }
+    for (int i = 0; i <= kWindowSteps; ++i) {
+      const int x =
+          static_cast<int>(std::lround(window.x - window.half + step * i));
+      if (x < grid.x0_u || x > x1) {
+        continue;
+      }
+      const TruthSample& sample = source_.truth().at(x, y);
+      if (sample.chain != chain || sample.corner >= 0 ||
+          std::fabs(sample.distance_u) > source_.metric().band_u()) {
+        continue;
+      }
+      float low = 0;
+      float high = 0;
+      source_.allow(sample.distance_u, low, high);
+      fit_points_.push_back({static_cast<double>(x - square.x_u - half),
+                             static_cast<double>(y - square.y_u - half),
+                             sample.distance_u, std::max<double>(low, -1e4),
+                             std::min<double>(high, 1e4)});
+    }
+  }
+  Fit fit;
+  if (fit_field(fit_points_, true, fit)) {
+    add_codes(fit, square, out);
+  }
+}
+
+// Quantises a fit in all ways that may do.
+void CandidateSource::add_codes(const Fit& fit,
+                                const Square& square,
+                                std::vector<FieldCode>& out) {
+  const double turn = fit.angle / (2 * kPi);
+  const double quarters = std::round(turn * 4);
+  if (std::fabs(turn * 4 - quarters) < kNearAxis) {
+    const int axis = static_cast<int>(quarters) & 3;
+    add_code(fit, FieldKind::axis, axis, axis / 4.0, square, out);
+    add_code(fit, FieldKind::axis_arc, axis, axis / 4.0, square, out);
+  }
+  const int steps = 1 << quantisation_.angle_bits(square.size_log2);
+  const int angle = static_cast<int>(std::lround(turn * steps)) & (steps - 1);
+  const double nearest = static_cast<double>(angle) / steps;
+  add_code(fit, FieldKind::line, angle, nearest, square, out);
+  add_code(fit, FieldKind::arc, angle, nearest, square, out);
+}
+
+// With the angle given, the rest is fitted again; with the bend quantised, the
+// distance is put into the middle of what passes.
+void CandidateSource::add_code(const Fit& fit,
+                               FieldKind kind,
+                               int angle,
+                               double turn,
+                               const Square& square,
+                               std::vector<FieldCode>& out) {
+  const int log2 = square.size_log2;
+  Fit fixed = fit;
+  fixed.angle = turn * 2 * kPi;
+  fit_at_angle(fit_points_, is_curved(kind), fixed);
+  FieldCode code;
+  code.kind = kind;
+  code.angle = angle;
+  if (is_curved(kind)) {
+    const double length = std::ldexp(1.0, bend_length_log2(log2));
+    const double step_u = quantisation_.bend_step_q6 / 64.0;
+    code.bend = std::clamp(
+        static_cast<int>(std::lround(0.5 * fixed.k * length * length / step_u)),
+        -quantisation_.most_bend(log2), quantisation_.most_bend(log2));
+    if (code.bend == 0) {
+      return;
+    }
+    const double k = 2 * code.bend * step_u / (length * length);
+    const double nx = std::cos(fixed.angle);
+    const double ny = std::sin(fixed.angle);
+    double low = -1e9;
+    double high = 1e9;
+    for (const FitPoint& p : fit_points_) {
+      const double v = nx * p.y - ny * p.x;
+      const double rest = nx * p.x + ny * p.y + 0.5 * k * v * v;
+      low = std::max(low, p.low - rest);
+      high = std::min(high, p.high - rest);
+    }
+    fixed.d0 = 0.5 * (low + high);
+  }
+  code.d0 = clamp_d0(fixed.d0, quantisation_, log2);
+  for (const FieldCode& other : out) {
+    if (same_code(other, code)) {
+      return;
+    }
+  }
+  out.push_back(code);
+}
+
+}  // namespace gen
+}  // namespace inkcell

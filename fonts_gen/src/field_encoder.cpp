@@ -1,0 +1,272 @@
+#include "field_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bit_costs.hpp"
+#include "metric.hpp"
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+// Fields that the packed coding remembers, and that it can write before the
+// rows.
+constexpr size_t kListSize = 16;
+constexpr size_t kMostShared = 15;
+
+// Squares of this size are not divided. [u, log2]
+constexpr int kSmallestLog2 = 1;
+
+// A leaf that costs no more than this is not worth looking below.
+constexpr double kCheap = 12;
+
+// What the test points may show: some of the tolerance stays for what they do
+// not see. What still goes wrong the closed loop finds. [1/255]
+double limit_of(const AdfOptions& options) {
+  return std::max(options.tolerance - 0.7, options.tolerance / 2);
+}
+
+// The distance in u that makes an error of the tolerance at the edge.
+double e0_of(const AdfOptions& options) {
+  return options.tolerance / 255 * 1024 / options.max_px;
+}
+
+// In how many rows of tiles each field is used.
+std::vector<int> rows_of_fields(const FieldTree& tree) {
+  std::vector<int> rows(tree.fields.size());
+  std::vector<int> last(tree.fields.size(), -1);
+  for (const TreeNode& node : tree.nodes) {
+    if (node.kind != TreeNode::Kind::leaf) {
+      continue;
+    }
+    const int row = (node.y_u - tree.grid.y0_u) >> tree.grid.tile_log2;
+    for (int i = 0; i < field_count(node.join); ++i) {
+      const uint16_t field = node.uses[static_cast<size_t>(i)].field;
+      rows[field] += last[field] != row ? 1 : 0;
+      last[field] = row;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
+    : grid_(lay_grid(shape, options)),
+      e0_u_(e0_of(options)),
+      quantisation_(Quantisation::make(e0_u_, band_u(options))),
+      points_(shape, Metric(options), grid_, limit_of(options)),
+      candidates_(points_, quantisation_, e0_u_),
+      shared_log2_(shared_log2(grid_)),
+      shared_x_u_(grid_.x0_u + (grid_.tiles_x << (grid_.tile_log2 - 1))),
+      shared_y_u_(grid_.y0_u + (grid_.tiles_y << (grid_.tile_log2 - 1))) {}
+
+// Fields that several rows of tiles use are written once, before the rows.
+// Which they are shows when the rows may borrow from each other.
+FieldTree FieldEncoder::encode() {
+  shared_.clear();
+  share(encode_rows(true));
+  FieldTree tree = encode_rows(false);
+  if (drop_unshared(tree)) {
+    tree = encode_rows(false);
+  }
+  return tree;
+}
+
+FieldTree FieldEncoder::encode_rows(bool borrow) {
+  FieldTree tree;
+  tree.grid = grid_;
+  tree.quantisation = quantisation_;
+  tree.shared = shared_;
+  fields_.clear();
+  List first;
+  for (const FieldCode& code : shared_) {
+    first.push_back(static_cast<uint16_t>(fields_.size()));
+    fields_.push_back(
+        expand(code, quantisation_, shared_log2_, shared_x_u_, shared_y_u_));
+  }
+  List list = first;
+  for (int row = 0; row < grid_.tiles_y; ++row) {
+    if (!borrow) {
+      list = first;
+    }
+    for (int column = 0; column < grid_.tiles_x; ++column) {
+      Coded coded = encode_square(grid_.x0_u + (column << grid_.tile_log2),
+                                  grid_.y0_u + (row << grid_.tile_log2),
+                                  grid_.tile_log2, list, kUnlimited);
+      fields_.insert(fields_.end(), coded.fields.begin(), coded.fields.end());
+      tree.nodes.insert(tree.nodes.end(), coded.nodes.begin(),
+                        coded.nodes.end());
+      tree.failures += coded.failures;
+      list = std::move(coded.list);
+    }
+  }
+  tree.fields = fields_;
+  return tree;
+}
+
+void FieldEncoder::share(const FieldTree& tree) {
+  const std::vector<int> rows = rows_of_fields(tree);
+  for (size_t f = 0; f < rows.size(); ++f) {
+    if (rows[f] >= 2 && !tree.fields[f].is_arc() &&
+        shared_.size() < kMostShared) {
+      shared_.push_back(shared_code(tree.fields[f]));
+    }
+  }
+}
+
+bool FieldEncoder::drop_unshared(const FieldTree& tree) {
+  const std::vector<int> rows = rows_of_fields(tree);
+  std::vector<FieldCode> kept;
+  for (size_t f = 0; f < shared_.size(); ++f) {
+    if (rows[f] >= 2) {
+      kept.push_back(shared_[f]);
+    }
+  }
+  const bool dropped = kept.size() != shared_.size();
+  shared_ = std::move(kept);
+  return dropped;
+}
+
+// The straight field nearest to `field`, with the precision of the whole grid.
+FieldCode FieldEncoder::shared_code(const DirectField& field) const {
+  const FieldModel model(field);
+  const double turn = std::atan2(model.ny, model.nx) / (2 * kPi);
+  FieldCode code;
+  if (field.nx == 0 || field.ny == 0) {
+    code.kind = FieldKind::axis;
+    code.angle = static_cast<int>(std::lround(turn * 4)) & 3;
+  } else {
+    const int steps = 1 << quantisation_.angle_bits(shared_log2_);
+    code.kind = FieldKind::line;
+    code.angle = static_cast<int>(std::lround(turn * steps)) & (steps - 1);
+  }
+  const int most = 1 << (quantisation_.d0_bits(shared_log2_) - 1);
+  const double d0_u = model.value(shared_x_u_, shared_y_u_);
+  code.d0 = std::clamp(
+      static_cast<int>(std::lround(d0_u * 64 / quantisation_.d0_step_q6)),
+      -most, most - 1);
+  return code;
+}
+
+TreeNode FieldEncoder::node(TreeNode::Kind kind,
+                            int x_u,
+                            int y_u,
+                            int log2) const {
+  TreeNode node;
+  node.kind = kind;
+  node.size_log2 = static_cast<uint8_t>(log2);
+  node.x_u = static_cast<int16_t>(x_u);
+  node.y_u = static_cast<int16_t>(y_u);
+  return node;
+}
+
+FieldEncoder::Coded FieldEncoder::settle(
+    const Leaf& leaf, int x_u, int y_u, int log2, const List& list) const {
+  Coded coded;
+  coded.list = list;
+  coded.bits = leaf.bits;
+  TreeNode at = node(TreeNode::Kind::leaf, x_u, y_u, log2);
+  at.join = leaf.join;
+  const auto count = static_cast<size_t>(field_count(leaf.join));
+  for (size_t i = 0; i < count; ++i) {
+    const Candidate& c = *leaf.members[i];
+    FieldUse& use = at.uses[i];
+    use.is_new = c.is_new;
+    use.rank = c.rank;
+    use.code = c.code;
+    use.field = c.id;
+    if (c.is_new) {
+      use.field = static_cast<uint16_t>(fields_.size() + coded.fields.size());
+      coded.fields.push_back(c.field);
+    }
+  }
+  for (size_t i = count; i-- > 0;) {
+    List& recent = coded.list;
+    recent.erase(std::remove(recent.begin(), recent.end(), at.uses[i].field),
+                 recent.end());
+    recent.insert(recent.begin(), at.uses[i].field);
+  }
+  coded.list.resize(std::min(coded.list.size(), kListSize));
+  coded.nodes.push_back(at);
+  return coded;
+}
+
+// The four quarters of a square. False if they cost more than `budget`.
+bool FieldEncoder::divide(
+    int x_u, int y_u, int log2, const List& list, double budget, Coded& out) {
+  out.nodes.push_back(node(TreeNode::Kind::split, x_u, y_u, log2));
+  out.bits = node_bits(log2, node_symbol::kSplit);
+  out.list = list;
+  const int half = 1 << (log2 - 1);
+  const size_t fields_before = fields_.size();
+  for (int quarter = 0; quarter < 4 && out.bits < budget; ++quarter) {
+    Coded part = encode_square(x_u + (quarter % 2 != 0 ? half : 0),
+                               y_u + (quarter / 2 != 0 ? half : 0), log2 - 1,
+                               out.list, budget - out.bits);
+    fields_.insert(fields_.end(), part.fields.begin(), part.fields.end());
+    out.nodes.insert(out.nodes.end(), part.nodes.begin(), part.nodes.end());
+    out.fields.insert(out.fields.end(), part.fields.begin(), part.fields.end());
+    out.list = std::move(part.list);
+    out.bits += part.bits;
+    out.failures += part.failures;
+  }
+  fields_.resize(fields_before);
+  return out.bits < budget;
+}
+
+FieldEncoder::Coded FieldEncoder::encode_square(
+    int x_u, int y_u, int log2, const List& list, double budget) {
+  const Points points = points_.collect(x_u, y_u, log2);
+  bool inside = false;
+  if (points_.saturated(points, inside)) {
+    Coded coded;
+    coded.list = list;
+    coded.nodes.push_back(
+        node(inside ? TreeNode::Kind::inside : TreeNode::Kind::outside, x_u,
+             y_u, log2));
+    coded.bits =
+        node_bits(log2, inside ? node_symbol::kInside : node_symbol::kOutside);
+    return coded;
+  }
+  std::vector<std::pair<uint16_t, DirectField>> known;
+  for (const uint16_t number : list) {
+    known.push_back({number, fields_[number]});
+  }
+  std::vector<Candidate> candidates = candidates_.find_reused(known, points);
+  for (Candidate& c : candidates_.find_new(x_u, y_u, log2, points)) {
+    candidates.push_back(std::move(c));
+  }
+  Leaf leaf;
+  const bool found = search_.find(log2, points, candidates, leaf);
+  const bool last = log2 <= kSmallestLog2;
+  const bool good =
+      found && (last || leaf.join == Join::single || leaf.bits <= kCheap);
+  if (!good && !last) {
+    Coded divided;
+    const double most = found ? std::min(budget, leaf.bits) : budget;
+    if (divide(x_u, y_u, log2, list, most, divided) || !found) {
+      return divided;
+    }
+  }
+  if (found) {
+    return settle(leaf, x_u, y_u, log2, list);
+  }
+  Coded failed;
+  failed.list = list;
+  failed.nodes.push_back(node(points.d[points.size() / 2] > 0
+                                  ? TreeNode::Kind::inside
+                                  : TreeNode::Kind::outside,
+                              x_u, y_u, log2));
+  failed.bits = node_bits(log2, node_symbol::kOutside);
+  failed.failures = 1;
+  return failed;
+}
+
+}  // namespace gen
+}  // namespace inkcell

@@ -1,0 +1,76 @@
+// From the exact distance of a shape to typed cells.
+//
+// Top down: a square becomes a leaf if some combination of up to three fields,
+// known ones or new ones fitted to the border here, keeps the limit at all of
+// its test points, and if its four quarters together would not be cheaper. Bits
+// are those of the packed coding.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "adf.hpp"
+#include "field_candidates.hpp"
+#include "field_leaf.hpp"
+#include "field_points.hpp"
+#include "field_tree.hpp"
+#include "shape.hpp"
+
+namespace inkcell {
+namespace gen {
+
+class FieldEncoder {
+ public:
+  /// `shape` must not be empty, and outlive the encoder.
+  ///
+  /// Throws GeometryError::too_large.
+  FieldEncoder(const Shape& shape, const AdfOptions& options);
+
+  /// Where the device was found to miss the tolerance: look there too.
+  void add_point(const Point& point) { points_.add_extra(point); }
+
+  FieldTree encode();
+
+ private:
+  // Numbers of fields, most recent first.
+  using List = std::vector<uint16_t>;
+
+  // A square and all below it. New fields are numbered after those that were
+  // there before.
+  struct Coded {
+    std::vector<TreeNode> nodes;
+    std::vector<DirectField> fields;
+    List list;  // afterwards
+    double bits = 0;
+    int failures = 0;
+  };
+
+  FieldTree encode_rows(bool borrow);
+  void share(const FieldTree& tree);
+  bool drop_unshared(const FieldTree& tree);
+  FieldCode shared_code(const DirectField& field) const;
+  Coded encode_square(
+      int x_u, int y_u, int log2, const List& list, double budget);
+  bool divide(
+      int x_u, int y_u, int log2, const List& list, double budget, Coded& out);
+  Coded settle(
+      const Leaf& leaf, int x_u, int y_u, int log2, const List& list) const;
+  TreeNode node(TreeNode::Kind kind, int x_u, int y_u, int log2) const;
+
+  Grid grid_;
+  double e0_u_;
+  Quantisation quantisation_;
+  PointSource points_;
+  CandidateSource candidates_;
+  LeafSearch search_;
+  int shared_log2_;
+  int shared_x_u_;
+  int shared_y_u_;
+  std::vector<FieldCode> shared_;
+  std::vector<DirectField> fields_;  // of all that is decided so far
+};
+
+}  // namespace gen
+}  // namespace inkcell

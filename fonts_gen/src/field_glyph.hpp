@@ -1,0 +1,29 @@
+// A glyph of typed cells that keeps the tolerance: encoded, drawn as the device
+// draws it, and encoded again where that shows an error.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "adf.hpp"
+#include "closed_loop.hpp"
+#include "field_tree.hpp"
+#include "shape.hpp"
+
+namespace inkcell {
+namespace gen {
+
+struct FieldGlyph {
+  FieldTree tree;
+  std::vector<uint8_t> record;  // direct coding
+  LoopResult errors;            // of this record as drawn
+  int rounds = 0;               // encodings that it took
+};
+
+/// `shape` must not be empty.
+///
+/// Throws GeometryError::too_complex or too_large if it does not fit.
+FieldGlyph build_fields(const Shape& shape, const AdfOptions& options);
+
+}  // namespace gen
+}  // namespace inkcell

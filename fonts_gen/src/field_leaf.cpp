@@ -1,0 +1,218 @@
+#include "field_leaf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bit_costs.hpp"
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+// Fields whose gradients enclose less are not rounded where they meet.
+// [squared sine]
+constexpr float kLeastSine2 = 0.022f;
+
+struct Value {
+  float v;
+  float gx;
+  float gy;
+};
+
+Value value_of(const Candidate& c, size_t i, float sign) {
+  return {sign * c.value[i], sign * (c.is_arc ? c.gx[i] : c.nx),
+          sign * (c.is_arc ? c.gy[i] : c.ny)};
+}
+
+// The lesser of two, or the distance to the vertex where they meet.
+float least(const Value& a, const Value& b) {
+  const float lesser = std::min(a.v, b.v);
+  if (lesser >= 0) {
+    return lesser;
+  }
+  const float cosine = a.gx * b.gx + a.gy * b.gy;
+  const float from_b = b.v - cosine * a.v;
+  const float sine2 = 1 - cosine * cosine;
+  if (a.v - cosine * b.v > 0 || from_b > 0 || sine2 < kLeastSine2) {
+    return lesser;
+  }
+  return -std::sqrt(a.v * a.v + from_b * from_b / sine2);
+}
+
+Value negated(const Value& a) {
+  return {-a.v, -a.gx, -a.gy};
+}
+
+float least_of_three(const Value& a, const Value& b, const Value& c) {
+  if (c.v >= a.v && c.v >= b.v) {
+    return least(a, b);
+  }
+  return b.v >= a.v ? least(a, c) : least(b, c);
+}
+
+bool takes_greatest(Join join) {
+  return join == Join::max2 || join == Join::max3 || join == Join::max_min;
+}
+
+// Bits of the fields of a group; puts them into the order of the stream:
+// reused ones by rank, then new ones.
+double order_group(const Candidate** members, int count, int place) {
+  std::sort(members, members + count,
+            [](const Candidate* a, const Candidate* b) {
+              return a->is_new != b->is_new ? !a->is_new : a->rank < b->rank;
+            });
+  double bits = 0;
+  int previous = -1;
+  bool after_new = false;
+  for (int i = 0; i < count; ++i) {
+    const Candidate& c = *members[i];
+    if (c.is_new) {
+      bits += kind_bits(place + i, after_new,
+                        kind_symbol::kNew + static_cast<int>(c.code.kind)) +
+              c.bits;
+    } else {
+      bits += kind_bits(place + i, after_new, kind_symbol::kReuse) +
+              rank_bits(i == 0, c.rank - previous - 1);
+      previous = c.rank;
+    }
+    after_new = c.is_new;
+  }
+  return bits;
+}
+
+double order_leaf(Leaf& leaf, int size_log2) {
+  const Candidate** members = leaf.members.data();
+  const double bits =
+      node_bits(size_log2, node_symbol::kJoin + static_cast<int>(leaf.join));
+  if (leaf.join == Join::min_max || leaf.join == Join::max_min) {
+    return bits + order_group(members, 1, 0) + order_group(members + 1, 2, 1);
+  }
+  return bits + order_group(members, field_count(leaf.join), 0);
+}
+
+}  // namespace
+
+float leaf_value(const Leaf& leaf, size_t i) {
+  if (leaf.join == Join::single) {
+    return leaf.members[0]->value[i];
+  }
+  const float sign = takes_greatest(leaf.join) ? -1.0f : 1.0f;
+  const Value a = value_of(*leaf.members[0], i, sign);
+  const Value b = value_of(*leaf.members[1], i, sign);
+  if (field_count(leaf.join) == 2) {
+    return sign * least(a, b);
+  }
+  const Value c = value_of(*leaf.members[2], i, sign);
+  if (leaf.join == Join::min3 || leaf.join == Join::max3) {
+    return sign * least_of_three(a, b, c);
+  }
+  Value inner = b.v >= c.v ? b : c;
+  inner.v = -least(negated(b), negated(c));
+  return sign * least(a, inner);
+}
+
+bool LeafSearch::passes(const Leaf& leaf) {
+  const auto fails = [&](size_t i) {
+    const float v = leaf_value(leaf, i);
+    return v < points_->low[i] || v > points_->high[i];
+  };
+  for (const size_t i : hot_) {
+    if (i < points_->size() && fails(i)) {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < points_->size(); ++i) {
+    if (fails(i)) {
+      hot_[next_hot_] = i;
+      next_hot_ = (next_hot_ + 1) % hot_.size();
+      return false;
+    }
+  }
+  return true;
+}
+
+void LeafSearch::attempt(Join join,
+                         const Candidate& a,
+                         const Candidate* b,
+                         const Candidate* c) {
+  Leaf leaf;
+  leaf.join = join;
+  leaf.members = {&a, b, c};
+  leaf.bits = order_leaf(leaf, size_log2_);
+  double value = leaf.bits;
+  for (const Candidate* member : leaf.members) {
+    value -= member != nullptr ? member->bonus : 0;
+  }
+  if (value < best_value_ && passes(leaf)) {
+    best_ = leaf;
+    best_value_ = value;
+    found_ = true;
+  }
+}
+
+void LeafSearch::attempt_triples(const Candidate& a,
+                                 const Candidate& b,
+                                 const Candidate& c) {
+  attempt(Join::min3, a, &b, &c);
+  attempt(Join::max3, a, &b, &c);
+  for (const Join join : {Join::min_max, Join::max_min}) {
+    attempt(join, a, &b, &c);
+    attempt(join, b, &a, &c);
+    attempt(join, c, &a, &b);
+  }
+}
+
+// Every combination says at each point what one of its fields says there, but
+// at rounded vertices. So its fields together must pass everywhere else.
+bool LeafSearch::find(int size_log2,
+                      const Points& points,
+                      const std::vector<Candidate>& candidates,
+                      Leaf& out) {
+  size_log2_ = size_log2;
+  points_ = &points;
+  best_value_ = std::numeric_limits<double>::infinity();
+  found_ = false;
+  const size_t words = (points.size() + 63) / 64;
+  std::vector<uint64_t> needed(words);
+  for (size_t i = 0; i < points.size(); ++i) {
+    needed[i / 64] |= uint64_t{points.corner[i] < 0} << (i % 64);
+  }
+  // Takes what `c` serves out of `from`; true if nothing is left.
+  const auto served = [&](const std::vector<uint64_t>& from, const Candidate& c,
+                          std::vector<uint64_t>& rest) {
+    uint64_t any = 0;
+    for (size_t w = 0; w < words; ++w) {
+      rest[w] = from[w] & ~c.passes[w];
+      any |= rest[w];
+    }
+    return any == 0;
+  };
+  std::vector<uint64_t> after_a(words);
+  std::vector<uint64_t> after_b(words);
+  std::vector<uint64_t> after_c(words);
+  const size_t count = candidates.size();
+  for (size_t i = 0; i < count; ++i) {
+    const Candidate& a = candidates[i];
+    if (served(needed, a, after_a)) {
+      attempt(Join::single, a, nullptr, nullptr);
+    }
+    for (size_t j = i + 1; j < count; ++j) {
+      const Candidate& b = candidates[j];
+      if (served(after_a, b, after_b)) {
+        attempt(Join::min2, a, &b, nullptr);
+        attempt(Join::max2, a, &b, nullptr);
+      }
+      for (size_t k = j + 1; k < count; ++k) {
+        if (served(after_b, candidates[k], after_c)) {
+          attempt_triples(a, b, candidates[k]);
+        }
+      }
+    }
+  }
+  out = best_;
+  return found_;
+}
+
+}  // namespace gen
+}  // namespace inkcell

@@ -1,0 +1,57 @@
+// The cheapest way to make a cell of some of its candidates.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "field_candidates.hpp"
+#include "field_model.hpp"
+#include "field_points.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// A cell made of fields; members in the order of the stream.
+struct Leaf {
+  Join join = Join::single;
+  std::array<const Candidate*, 3> members{};
+  double bits = 0;  // with the symbol of the square
+};
+
+/// What the leaf says at point `i`: the combination as docs/FORMAT.md defines
+/// it, in real numbers.
+float leaf_value(const Leaf& leaf, size_t i);
+
+class LeafSearch {
+ public:
+  /// The leaf with the least bits less bonus among all single candidates,
+  /// pairs and triples, in every combination, that keep the limit at all
+  /// points. False if there is none. `out` refers to `candidates`.
+  bool find(int size_log2,
+            const Points& points,
+            const std::vector<Candidate>& candidates,
+            Leaf& out);
+
+ private:
+  void attempt(Join join,
+               const Candidate& a,
+               const Candidate* b,
+               const Candidate* c);
+  void attempt_triples(const Candidate& a,
+                       const Candidate& b,
+                       const Candidate& c);
+  bool passes(const Leaf& leaf);
+
+  int size_log2_ = 0;
+  const Points* points_ = nullptr;
+  Leaf best_;
+  double best_value_ = 0;
+  bool found_ = false;
+  // Points at which combinations failed lately: the next one may fail there.
+  std::array<size_t, 8> hot_{};
+  size_t next_hot_ = 0;
+};
+
+}  // namespace gen
+}  // namespace inkcell

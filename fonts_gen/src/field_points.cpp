@@ -1,0 +1,139 @@
+#include "field_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+constexpr float kAnything = std::numeric_limits<float>::infinity();
+
+// Steps of the lattice across a cell, and across the largest ones.
+constexpr int kSteps = 16;
+constexpr int kStepsOfTile = 32;
+
+// Cells with coarser lattices than this get one of half the step where the
+// edge is near. [u]
+constexpr int kFineStep_u = 4;
+
+// Extra points are where the device was found to miss: they keep this much of
+// the tolerance for its rounding. [1/255]
+constexpr double kRounding = 0.9;
+
+}  // namespace
+
+PointSource::PointSource(const Shape& shape,
+                         const Metric& metric,
+                         const Grid& grid,
+                         double limit)
+    : metric_(metric),
+      grid_(grid),
+      limit_(limit),
+      truth_(shape,
+             grid.x0_u,
+             grid.y0_u,
+             grid.tiles_x << grid.tile_log2,
+             grid.tiles_y << grid.tile_log2) {}
+
+// The inverse of Metric::error, which grows with the difference on both sides.
+void PointSource::allow(float d, double limit, float& low, float& high) const {
+  const double t = 2 * limit / 255;
+  const double sharpest = metric_.sharpest_u();
+  const double band = metric_.band_u();
+  const double size = std::fabs(d);
+  const double least =
+      size <= band ? size - t * std::max(size, sharpest) : band * (1 - t);
+  double most = kAnything;
+  if (size < band * (1 - t)) {
+    most =
+        size + t * sharpest <= sharpest ? size + t * sharpest : size / (1 - t);
+  }
+  low = static_cast<float>(d >= 0 ? least : -most);
+  high = static_cast<float>(d >= 0 ? most : -least);
+}
+
+void PointSource::add(double x,
+                      double y,
+                      const TruthSample& sample,
+                      double limit,
+                      Points& points) const {
+  float low = 0;
+  float high = 0;
+  allow(sample.distance_u, limit, low, high);
+  const bool in_band = std::fabs(sample.distance_u) < metric_.band_u();
+  points.x.push_back(static_cast<float>(x));
+  points.y.push_back(static_cast<float>(y));
+  points.d.push_back(sample.distance_u);
+  points.low.push_back(low);
+  points.high.push_back(high);
+  points.chain.push_back(sample.chain);
+  points.corner.push_back(sample.corner);
+  points.in_band.push_back(in_band);
+  points.in_band_count += in_band ? 1 : 0;
+  if (in_band && sample.corner >= 0 &&
+      (points.corners.empty() || points.corners.back() != sample.corner)) {
+    points.corners.push_back(sample.corner);
+  }
+}
+
+// The odd points of a lattice of half the step, where the edge is nearer than
+// that step. The coarse point beside says whether it is worth a look.
+void PointSource::add_near_edge(
+    int x_u, int y_u, int size, int step, Points& points) {
+  const int fine = step / 2;
+  for (int j = 0; j <= size; j += fine) {
+    const bool odd_row = (j / fine) % 2 != 0;
+    for (int i = odd_row ? 0 : fine; i <= size; i += odd_row ? fine : step) {
+      const TruthSample& coarse =
+          truth_.at(x_u + i / step * step, y_u + j / step * step);
+      if (std::fabs(coarse.distance_u) >= 2 * step) {
+        continue;
+      }
+      const TruthSample& sample = truth_.at(x_u + i, y_u + j);
+      if (std::fabs(sample.distance_u) < step) {
+        add(x_u + i, y_u + j, sample, limit_, points);
+      }
+    }
+  }
+}
+
+Points PointSource::collect(int x_u, int y_u, int size_log2) {
+  Points points;
+  const int size = 1 << size_log2;
+  const int steps = size_log2 >= 8 ? kStepsOfTile : kSteps;
+  const int step = std::max(1, size / steps);
+  for (int j = 0; j <= size; j += step) {
+    for (int i = 0; i <= size; i += step) {
+      add(x_u + i, y_u + j, truth_.at(x_u + i, y_u + j), limit_, points);
+    }
+  }
+  if (step >= kFineStep_u) {
+    add_near_edge(x_u, y_u, size, step, points);
+  }
+  for (const Point& p : extra_) {
+    if (p.x >= x_u && p.x <= x_u + size && p.y >= y_u && p.y <= y_u + size) {
+      add(p.x, p.y, truth_.at_point(p.x, p.y), limit_ - kRounding, points);
+    }
+  }
+  std::sort(points.corners.begin(), points.corners.end());
+  points.corners.erase(
+      std::unique(points.corners.begin(), points.corners.end()),
+      points.corners.end());
+  return points;
+}
+
+bool PointSource::saturated(const Points& points, bool& inside) const {
+  inside = points.d[0] > 0;
+  const double band = metric_.band_u() * (1 - 2 * limit_ / 255);
+  for (const float d : points.d) {
+    if ((d > 0) != inside || std::fabs(d) < band) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace gen
+}  // namespace inkcell

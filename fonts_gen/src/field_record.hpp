@@ -1,0 +1,19 @@
+// Typed cells in the direct coding (docs/FORMAT.md, "Glyph record, type 2").
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field_tree.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// The record of a glyph with ink: the narrow form if its numbers fit bytes,
+/// else the linked one.
+///
+/// Throws GeometryError::too_complex if it fits neither.
+std::vector<uint8_t> direct_record(const FieldTree& tree);
+
+}  // namespace gen
+}  // namespace inkcell
