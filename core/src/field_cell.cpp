@@ -298,13 +298,24 @@ Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
 int32_t combine_q22(const FieldTerms& terms,
                     int32_t bend_log2,
                     int32_t reach_q22) noexcept {
+  const FieldTerm* term = terms.term;
+  const int32_t first = term[0].value_q22(bend_log2);
   if (terms.count == 1) {
-    return terms.term[0].value_q22(bend_log2);
+    return first;
   }
-  const LastTwo two = last_two(terms, bend_log2, reach_q22);
+  // Pairs are frequent enough to have a way of their own.
+  const bool is_greatest = is_negated(terms.op);
+  LastTwo two = {};
+  if (terms.count == 2) {
+    const int32_t second = term[1].value_q22(bend_log2);
+    two = is_greatest ? LastTwo{negated(first), negated(second), term, term + 1}
+                      : LastTwo{first, second, term, term + 1};
+  } else {
+    two = last_two(terms, bend_log2, reach_q22);
+  }
   const int32_t least = least_q22(two.a_q22, *two.a_term, two.b_q22,
                                   *two.b_term, bend_log2, reach_q22);
-  return is_negated(terms.op) ? negated(least) : least;
+  return is_greatest ? negated(least) : least;
 }
 
 Gradient combined_gradient(const FieldTerms& terms,

@@ -24,9 +24,6 @@ Side opposite(Side side) noexcept {
 // from one side to the other unseen.
 constexpr int32_t kMaxRun = 128;
 
-// From how many pixels on it pays to look at a run as a whole.
-constexpr int32_t kMinClassified = 4;
-
 // Fewer saturated pixels than this stay in the span around them.
 constexpr int32_t kMinSolid = 4;
 
@@ -52,13 +49,21 @@ Course course_of(const FieldTerm& term,
                  int32_t bend_log2,
                  int32_t reach_q22) noexcept {
   Course course;
-  FieldTerm end = term;
-  end.step_right(last);
   const int32_t first_q22 = term.value_q22(bend_log2);
-  const int32_t last_q22 = end.value_q22(bend_log2);
+  if (last == 0) {
+    if (first_q22 >= reach_q22 || first_q22 <= -reach_q22) {
+      course.side = first_q22 < 0 ? Side::outside : Side::inside;
+    }
+    return course;
+  }
+  int32_t last_q22 = wrapped(
+      term.plane_q22 + times(term.nx_q14, static_cast<uint32_t>(last) << 8));
   int32_t slope_q14 = magnitude(term.nx_q14);
   int32_t sag_q22 = 0;
   if (term.bend != 0) {
+    FieldTerm end = term;
+    end.step_right(last);
+    last_q22 = end.value_q22(bend_log2);
     // Nothing wraps from one end of the run to the other: w stays below 256 px
     // and k w below 1.
     const int32_t along_q8 =
@@ -94,65 +99,77 @@ Course course_of(const FieldTerm& term,
   return course;
 }
 
-// Leaves term `from` as number `terms.count`.
-void keep(FieldTerms& terms, uint32_t from) noexcept {
-  if (terms.count != from) {
-    terms.term[terms.count] = terms.term[from];
-  }
-  ++terms.count;
-}
-
-// Drops the fields that do not change the coverage of `last` pixels more. What
-// they all show; if that is an edge, at least one field is left, and
-// `skip_log2` is that of the last.
+// Sets up the fields of a cell that may change the coverage of a pixel and the
+// `last` ones after it. What they all show; if that is an edge, at least one
+// field is left, and `skip_log2` is that of the last.
 //
 // Values are negated in thought where the operator asks for the greatest.
-Side simplify(FieldTerms& terms,
-              int32_t last,
-              int32_t bend_log2,
-              int32_t reach_q22,
-              uint8_t& skip_log2) noexcept {
-  const bool is_negated = (static_cast<uint8_t>(terms.op) & 1) != 0;
-  const bool is_nested = terms.op >= FieldOperator::least_of_greater;
-  Course courses[3];
-  for (uint32_t i = 0; i < terms.count; ++i) {
-    courses[i] = course_of(terms.term[i], last, bend_log2, reach_q22);
-    if (is_negated) {
-      courses[i].side = opposite(courses[i].side);
-    }
-  }
-  // The least of a flat list; of a nested one, the greater of the last two is
-  // one that is kept only where it matters.
-  Side least = courses[0].side;
-  if (is_nested) {
-    const Side inner =
-        courses[1].side > courses[2].side ? courses[1].side : courses[2].side;
-    least = inner < least ? inner : least;
-    if (inner == Side::inside) {
-      courses[1].side = courses[2].side = Side::inside;
-    }
-  } else {
-    for (uint32_t i = 1; i < terms.count; ++i) {
-      least = courses[i].side < least ? courses[i].side : least;
-    }
-  }
-  if (least != Side::edge) {
-    return is_negated ? opposite(least) : least;
-  }
-  const uint32_t count = terms.count;
+// Not inline: what it needs of the stack is free again when pixels are drawn.
+__attribute__((noinline)) Side set_up_run(FieldTerms& terms,
+                                          const GlyphField& field,
+                                          const Cell& cell,
+                                          uint32_t x_q8,
+                                          uint32_t y_q8,
+                                          const FieldScale& scale,
+                                          int32_t last,
+                                          int32_t reach_q22,
+                                          uint8_t& skip_log2) noexcept {
+  const bool is_negated = (static_cast<uint8_t>(cell.op) & 1) != 0;
+  const bool is_nested = cell.op >= FieldOperator::least_of_greater;
+  const Side empty = is_negated ? Side::inside : Side::outside;
+  bool is_first_kept = false;
   terms.count = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    if (courses[i].side == Side::edge) {
-      keep(terms, i);
-      skip_log2 = courses[i].skip_log2;
+  terms.op = cell.op;
+  for (uint32_t i = 0; i < cell.field_count; ++i) {
+    FieldTerm& term = terms.term[terms.count];
+    set_up_term(term, field, cell.fields[i], x_q8, y_q8, scale);
+    const Course course = course_of(term, last, scale.bend_log2, reach_q22);
+    if (course.side == Side::edge) {
+      is_first_kept = is_first_kept || i == 0;
+      skip_log2 = course.skip_log2;
+      ++terms.count;
+    } else if (is_nested && i != 0) {
+      if (course.side != empty) {
+        // The greater of these two is far inside.
+        terms.count = is_first_kept ? 1 : 0;
+        skip_log2 = 31;
+        break;
+      }
+      if (i == 2 && terms.count == (is_first_kept ? 1 : 0)) {
+        return empty;  // so is the other
+      }
+    } else if (course.side == empty) {
+      return empty;
     }
+  }
+  if (terms.count == 0) {
+    return opposite(empty);
   }
   if (is_nested && terms.count < 3) {
-    // Either the first is left, or the greater of the others was all.
-    const bool is_greatest = (courses[0].side == Side::edge) == is_negated;
-    terms.op = is_greatest ? FieldOperator::greatest : FieldOperator::least;
+    // Either the first is left, or the greater of the others is all.
+    terms.op = is_first_kept == is_negated ? FieldOperator::greatest
+                                           : FieldOperator::least;
   }
   return Side::edge;
+}
+
+// How many pixels lie before a place `way_q16` further on, the first of them at
+// 0; `most` or kMaxRun at the most. [u]
+int32_t pixels_before(int32_t way_q16,
+                      const Brush& brush,
+                      int32_t most) noexcept {
+  most = most < kMaxRun ? most : kMaxRun;
+  // A guess that is not too high, from a px being 65536 u / size. Beyond 256 u,
+  // where it would wrap, it stops.
+  int32_t way_q6 = way_q16 >> 10;
+  way_q6 = way_q6 < 256 << 6 ? way_q6 : (256 << 6) - 1;
+  int32_t count = (way_q6 * brush.size().raw) >> 22;
+  count = count < most ? count : most;
+  const int32_t step = brush.step_along_q16();
+  for (int32_t at = count * step; count < most && at < way_q16; at += step) {
+    ++count;
+  }
+  return count;
 }
 
 // Pixels of a cell that show an edge or may.
@@ -168,7 +185,9 @@ void draw_run(FieldTerms& terms,
   const bool is_lone = terms.count == 1;
   int32_t x = pixels.begin;
   while (true) {
-    const int32_t value_q22 = combine_q22(terms, bend_log2, reach_q22);
+    const int32_t value_q22 = is_lone
+                                  ? terms.term[0].value_q22(bend_log2)
+                                  : combine_q22(terms, bend_log2, reach_q22);
     int32_t count = 1;
     if (value_q22 >= reach_q22 || value_q22 <= -reach_q22) {
       if (is_lone) {
@@ -223,21 +242,17 @@ void draw_fields_row(const GlyphField& field,
         (cell.x0_u + (int32_t{1} << cell.size_log2)) * (1 << 16);
     const int32_t first = x;
     const uint32_t x_q8 = q8_of(at.x_q20);
-    do {
-      ++x;
-      at.x_q16 += step;
-    } while (x < pixels.end && at.x_q16 < right_q16 && x - first < kMaxRun);
+    const int32_t count =
+        pixels_before(right_q16 - at.x_q16, brush, pixels.end - x);
+    x += count;
+    at.x_q16 += count * step;
     at.x_q20 += static_cast<uint32_t>(x - first) << 20;
     Side side = cell.inside ? Side::inside : Side::outside;
     FieldTerms terms;
     uint8_t skip_log2 = 31;
     if (cell.field_count != 0) {
-      side = Side::edge;
-      set_up_terms(terms, field, cell, x_q8, q8_of(at.y_q20), scale);
-      if (x - first >= kMinClassified) {
-        side = simplify(terms, x - first - 1, scale.bend_log2, reach_q22,
-                        skip_log2);
-      }
+      side = set_up_run(terms, field, cell, x_q8, q8_of(at.y_q20), scale,
+                        x - first - 1, reach_q22, skip_log2);
     }
     if (side == Side::edge) {
       draw_run(terms, brush, reach_q22, {first, x}, skip_log2, writer);
