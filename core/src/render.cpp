@@ -130,13 +130,16 @@ Extent extent_of(const Brush& brush,
 // once and then costs two products a pixel, and none where all of its row is
 // saturated.
 //
+// Not inline, like the other loops: glyphs of fields need not pay for its
+// stack.
+//
 // Invariant of the outer loop: `x` is the next pixel, at `x_q16` in the grid.
-void draw_upright_row(const GlyphField& field,
-                      const Brush& brush,
-                      Range pixels,
-                      int32_t x_q16,
-                      int32_t y_q16,
-                      SpanWriter& writer) noexcept {
+__attribute__((noinline)) void draw_upright_row(const GlyphField& field,
+                                                const Brush& brush,
+                                                Range pixels,
+                                                int32_t x_q16,
+                                                int32_t y_q16,
+                                                SpanWriter& writer) noexcept {
   const int32_t step = brush.step_along_q16();
   int32_t x = pixels.begin;
   while (x < pixels.end) {
@@ -212,11 +215,11 @@ void draw_upright(const GlyphField& field,
 
 // Slanted text: cells of samples are quartic along a row, so that every pixel
 // is a query of its own.
-void draw_turned(const GlyphField& field,
-                 const Brush& brush,
-                 const FinePoint& origin,
-                 const Rect& box,
-                 const Sink& sink) noexcept {
+__attribute__((noinline)) void draw_turned(const GlyphField& field,
+                                           const Brush& brush,
+                                           const FinePoint& origin,
+                                           const Rect& box,
+                                           const Sink& sink) noexcept {
   for (int32_t y = box.y0; y < box.y1; ++y) {
     SpanWriter writer(sink, y);
     Position at = position_of(brush, origin, box.x0, y);
@@ -231,11 +234,11 @@ void draw_turned(const GlyphField& field,
   }
 }
 
-void draw_fields_turned(const GlyphField& field,
-                        const Brush& brush,
-                        const FinePoint& origin,
-                        const Rect& box,
-                        const Sink& sink) noexcept {
+__attribute__((noinline)) void draw_fields_turned(const GlyphField& field,
+                                                  const Brush& brush,
+                                                  const FinePoint& origin,
+                                                  const Rect& box,
+                                                  const Sink& sink) noexcept {
   const int32_t reach_q22 = detail::reach_of(brush.filter());
   for (int32_t y = box.y0; y < box.y1; ++y) {
     SpanWriter writer(sink, y);
