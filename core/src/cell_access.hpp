@@ -101,5 +101,10 @@ inline Cell locate_cell(const GlyphField& field,
   return cell;
 }
 
+// inkcell::distance_at for cells of samples. [u, Q16 -> Q10]
+int32_t samples_distance_q10(const GlyphField& field,
+                             int32_t x_q16,
+                             int32_t y_q16) noexcept;
+
 }  // namespace detail
 }  // namespace inkcell

@@ -145,23 +145,37 @@ Q22_10 samples_distance(const uint8_t* samples,
   return Q22_10::from_raw(row.distance_q10(x_q16));
 }
 
-Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
-  if (!in_grid(field, x.floor(), y.floor())) {
-    return Q22_10::from_raw(-kSaturatedDistanceQ10);
+int32_t detail::samples_distance_q10(const GlyphField& field,
+                                     int32_t x_q16,
+                                     int32_t y_q16) noexcept {
+  Cell cell;
+  if (in_grid(field, x_q16 >> 16, y_q16 >> 16)) {
+    cell = locate_cell(field, x_q16 >> 16, y_q16 >> 16);
   }
-  const Cell cell = locate(field, x.floor(), y.floor());
-  if (cell.is_saturated()) {
+  if (cell.samples == nullptr) {
+    return cell.inside ? kSaturatedDistanceQ10 : -kSaturatedDistanceQ10;
+  }
+  return samples_distance(cell.samples, cell.size_log2,
+                          x_q16 - cell.x0_u * (1 << 16),
+                          y_q16 - cell.y0_u * (1 << 16))
+      .raw;
+}
+
+Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
+  if (INKCELL_FIELD_CELLS == 0 || field.kind == GlyphField::Kind::samples) {
+    return Q22_10::from_raw(detail::samples_distance_q10(field, x.raw, y.raw));
+  }
+  Cell cell;
+  if (in_grid(field, x.floor(), y.floor())) {
+    cell = locate(field, x.floor(), y.floor());
+  }
+  if (cell.field_count == 0) {
     return Q22_10::from_raw(cell.inside ? kSaturatedDistanceQ10
                                         : -kSaturatedDistanceQ10);
   }
-  if (INKCELL_FIELD_CELLS != 0 && cell.field_count != 0) {
-    const FieldTerms terms = terms_at(field, cell, x, y);
-    return Q22_10::from_raw(
-        combine_q22(terms, kScaleOfUnits.bend_log2, detail::kNoReach) >> 12);
-  }
-  return samples_distance(cell.samples, cell.size_log2,
-                          x.raw - cell.x0_u * (1 << 16),
-                          y.raw - cell.y0_u * (1 << 16));
+  const FieldTerms terms = terms_at(field, cell, x, y);
+  return Q22_10::from_raw(
+      combine_q22(terms, kScaleOfUnits.bend_log2, detail::kNoReach) >> 12);
 }
 
 Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {

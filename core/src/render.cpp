@@ -23,17 +23,6 @@ Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
   return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
 }
 
-// Where the centre of pixel (x, y) lies in the glyph. [u, Q16]
-//
-// Linear in x and y with whole steps: neighbours differ by exactly the brush's
-// step, so that it does not matter where a row or a strip begins. Within the
-// box of a field positions stay below 2^31: its grid ends at 15360 u, twice
-// that in a corner of the box around a turned grid.
-struct Position {
-  int32_t x_q16;
-  int32_t y_q16;
-};
-
 int64_t clamp(int64_t value, int64_t low, int64_t high) noexcept {
   if (value < low) {
     return low;
@@ -45,33 +34,6 @@ int32_t clamp_i32(int64_t value) noexcept {
   return static_cast<int32_t>(clamp(value, INT32_MIN, INT32_MAX));
 }
 
-// The same in px from the origin, y up, not turned. [Q10]
-struct Offset {
-  int64_t right;
-  int64_t up;
-};
-
-Offset offset_of(const FinePoint& origin, int32_t x, int32_t y) noexcept {
-  // Far from anything to see, but within 64 bits once multiplied.
-  constexpr int64_t kFar = int64_t{1} << 37;
-  return {clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar),
-          clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar)};
-}
-
-Position position_of(const Brush& brush, const Offset& at) noexcept {
-  const int64_t along = brush.step_along_q16();
-  const int64_t across = brush.step_across_q16();
-  return {clamp_i32((at.right * along + at.up * across) >> 10),
-          clamp_i32((at.up * along - at.right * across) >> 10)};
-}
-
-Position position_of(const Brush& brush,
-                     const FinePoint& origin,
-                     int32_t x,
-                     int32_t y) noexcept {
-  return position_of(brush, offset_of(origin, x, y));
-}
-
 // How far one pixel to the right leads in px along the glyph's axes. [Q20]
 int32_t along_q20(const Brush& brush) noexcept {
   return brush.direction().cosine.raw >> 10;
@@ -80,21 +42,33 @@ int32_t across_q20(const Brush& brush) noexcept {
   return brush.direction().sine.raw >> 10;
 }
 
-// With whole steps in px, too; they may wrap outside the box of a field.
-FieldPosition field_position_of(const Brush& brush,
-                                const FinePoint& origin,
-                                int32_t x,
-                                int32_t y) noexcept {
-  const Offset at = offset_of(origin, x, y);
-  const Position in_u = position_of(brush, at);
-  const int64_t along = along_q20(brush);
-  const int64_t across = across_q20(brush);
+// Where the centre of pixel (x, y) lies in the glyph.
+//
+// Linear in x and y with whole steps: neighbours differ by exactly the brush's
+// step, so that it does not matter where a row or a strip begins. Within the
+// box of a field positions in u stay below 2^31: its grid ends at 15360 u,
+// twice that in a corner of the box around a turned grid.
+FieldPosition position_of(const Brush& brush,
+                          const FinePoint& origin,
+                          int32_t x,
+                          int32_t y) noexcept {
+  // Far from anything to see, but within 64 bits once multiplied.
+  constexpr int64_t kFar = int64_t{1} << 37;
+  const int64_t right =
+      clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar);
+  const int64_t up =
+      clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
+  const int64_t along = brush.step_along_q16();
+  const int64_t across = brush.step_across_q16();
+  const int64_t along_px = along_q20(brush);
+  const int64_t across_px = across_q20(brush);
   // Half of what is cut off on the way to 1/256 px.
   constexpr int64_t kHalf = 1 << 11;
-  return {in_u.x_q16, in_u.y_q16,
-          static_cast<uint32_t>(((at.right * along + at.up * across) >> 10) +
+  return {clamp_i32((right * along + up * across) >> 10),
+          clamp_i32((up * along - right * across) >> 10),
+          static_cast<uint32_t>(((right * along_px + up * across_px) >> 10) +
                                 kHalf),
-          static_cast<uint32_t>(((at.up * along - at.right * across) >> 10) +
+          static_cast<uint32_t>(((up * along_px - right * across_px) >> 10) +
                                 kHalf)};
 }
 
@@ -180,7 +154,7 @@ void draw_upright(const GlyphField& field,
                   const Rect& box,
                   const Sink& sink) noexcept {
   const int32_t step = brush.step_along_q16();
-  FieldPosition at = field_position_of(brush, origin, box.x0, box.y0);
+  FieldPosition at = position_of(brush, origin, box.x0, box.y0);
   const int32_t low_x = field.x0_u * (1 << 16);
   const int32_t high_x = field.x1_u() * (1 << 16);
   Range pixels = {box.x0, box.x1};
@@ -220,32 +194,18 @@ __attribute__((noinline)) void draw_turned(const GlyphField& field,
                                            const FinePoint& origin,
                                            const Rect& box,
                                            const Sink& sink) noexcept {
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    SpanWriter writer(sink, y);
-    Position at = position_of(brush, origin, box.x0, y);
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      const Q22_10 distance = distance_at(field, Q16_16::from_raw(at.x_q16),
-                                          Q16_16::from_raw(at.y_q16));
-      writer.put(x, brush.coverage(distance.raw));
-      at.x_q16 += brush.step_along_q16();
-      at.y_q16 -= brush.step_across_q16();
-    }
-    writer.flush();
-  }
-}
-
-__attribute__((noinline)) void draw_fields_turned(const GlyphField& field,
-                                                  const Brush& brush,
-                                                  const FinePoint& origin,
-                                                  const Rect& box,
-                                                  const Sink& sink) noexcept {
   const int32_t reach_q22 = detail::reach_of(brush.filter());
   for (int32_t y = box.y0; y < box.y1; ++y) {
     SpanWriter writer(sink, y);
-    FieldPosition at = field_position_of(brush, origin, box.x0, y);
+    FieldPosition at = position_of(brush, origin, box.x0, y);
     for (int32_t x = box.x0; x < box.x1; ++x) {
-      writer.put(x, brush.filter().coverage(detail::fields_distance_q10(
-                        field, brush, at, reach_q22)));
+      const uint8_t coverage =
+          has_fields(field)
+              ? brush.filter().coverage(
+                    detail::fields_distance_q10(field, brush, at, reach_q22))
+              : brush.coverage(
+                    detail::samples_distance_q10(field, at.x_q16, at.y_q16));
+      writer.put(x, coverage);
       at.x_q16 += brush.step_along_q16();
       at.y_q16 -= brush.step_across_q16();
       at.x_q20 += static_cast<uint32_t>(along_q20(brush));
@@ -287,8 +247,6 @@ void draw_field(const GlyphField& field,
   }
   if (brush.is_upright()) {
     draw_upright(field, brush, origin, box, sink);
-  } else if (has_fields(field)) {
-    draw_fields_turned(field, brush, origin, box, sink);
   } else {
     draw_turned(field, brush, origin, box, sink);
   }
@@ -301,17 +259,14 @@ void distance_row(const GlyphField& field,
                   int32_t y,
                   Span<Q6_10> out) noexcept {
   for (Q6_10& distance : out) {
+    const FieldPosition at = position_of(brush, origin, x, y);
     int32_t in_px = 0;
     if (has_fields(field)) {
-      in_px = detail::fields_distance_q10(
-          field, brush, field_position_of(brush, origin, x, y),
-          detail::kNoReach);
+      in_px = detail::fields_distance_q10(field, brush, at, detail::kNoReach);
       in_px = static_cast<int32_t>(clamp(in_px, INT16_MIN, INT16_MAX));
     } else {
-      const Position at = position_of(brush, origin, x, y);
-      in_px = brush.to_px_q10(distance_at(field, Q16_16::from_raw(at.x_q16),
-                                          Q16_16::from_raw(at.y_q16))
-                                  .raw);
+      in_px = brush.to_px_q10(
+          detail::samples_distance_q10(field, at.x_q16, at.y_q16));
     }
     distance.raw = static_cast<int16_t>(in_px);
     ++x;
