@@ -27,6 +27,12 @@ constexpr int32_t kMaxRun = 128;
 // Fewer saturated pixels than this stay in the span around them.
 constexpr int32_t kMinSolid = 4;
 
+// Runs of several fields that are shorter than this are drawn pixel by pixel.
+constexpr int32_t kMinSkipped = 8;
+
+// Course::skip_log2 of a field that may change by any amount.
+constexpr uint8_t kNoSkip = 31;
+
 int32_t magnitude(int32_t value) noexcept {
   return value < 0 ? -value : value;
 }
@@ -38,8 +44,8 @@ int32_t greater(int32_t a, int32_t b) noexcept {
 // A field along a run.
 struct Course {
   Side side = Side::edge;
-  // The distance changes by less than 2^skip_log2 a pixel; 31: who knows. [Q22]
-  uint8_t skip_log2 = 31;
+  // The distance changes by at most 2^skip_log2 a pixel. [Q22]
+  uint8_t skip_log2 = kNoSkip;
 };
 
 // What `last` more pixels of a field show, if coverage does not change beyond
@@ -48,6 +54,7 @@ Course course_of(const FieldTerm& term,
                  int32_t last,
                  int32_t bend_log2,
                  int32_t reach_q22) noexcept {
+  constexpr int32_t kFar = 1 << 30;
   Course course;
   const int32_t first_q22 = term.value_q22(bend_log2);
   if (last == 0) {
@@ -72,7 +79,6 @@ Course course_of(const FieldTerm& term,
     const int32_t last_slope = end.slope_q15(bend_log2);
     const int32_t steepest =
         greater(magnitude(first_slope), magnitude(last_slope));
-    constexpr int32_t kFar = 1 << 30;
     if (along_q8 >= 1 << 16 || steepest >= 1 << 15 ||
         magnitude(term.bend >> 4) * along_q8 >= 1 << 27 || first_q22 >= kFar ||
         first_q22 <= -kFar || last_q22 >= kFar || last_q22 <= -kFar) {
@@ -93,7 +99,8 @@ Course course_of(const FieldTerm& term,
   } else if (first_q22 <= -bound_q22 && last_q22 <= -bound_q22) {
     course.side = Side::outside;
   }
-  if (slope_q14 <= 1 << 15) {
+  // From less than 256 px away nothing wraps within a run.
+  if (slope_q14 <= 1 << 15 && first_q22 < kFar && first_q22 > -kFar) {
     course.skip_log2 = slope_q14 <= 1 << 14 ? 22 : 23;
   }
   return course;
@@ -101,7 +108,7 @@ Course course_of(const FieldTerm& term,
 
 // Sets up the fields of a cell that may change the coverage of a pixel and the
 // `last` ones after it. What they all show; if that is an edge, at least one
-// field is left, and `skip_log2` is that of the last.
+// field is left, and `skip_log2`, 0 before, is the most of those seen.
 //
 // Values are negated in thought where the operator asks for the greatest.
 // Not inline: what it needs of the stack is free again when pixels are drawn.
@@ -126,13 +133,12 @@ __attribute__((noinline)) Side set_up_run(FieldTerms& terms,
     const Course course = course_of(term, last, scale.bend_log2, reach_q22);
     if (course.side == Side::edge) {
       is_first_kept = is_first_kept || i == 0;
-      skip_log2 = course.skip_log2;
+      skip_log2 = course.skip_log2 > skip_log2 ? course.skip_log2 : skip_log2;
       ++terms.count;
     } else if (is_nested && i != 0) {
       if (course.side != empty) {
         // The greater of these two is far inside.
         terms.count = is_first_kept ? 1 : 0;
-        skip_log2 = 31;
         break;
       }
       if (i == 2 && terms.count == (is_first_kept ? 1 : 0)) {
@@ -184,25 +190,27 @@ void draw_run(FieldTerms& terms,
   const int32_t bend_log2 = brush.bend_log2();
   const bool is_lone = terms.count == 1;
   int32_t x = pixels.begin;
+  if (!is_lone && pixels.end - x < kMinSkipped) {
+    skip_log2 = kNoSkip;
+  }
+  const bool is_plain_first = !is_lone && skip_log2 != kNoSkip;
+  const int32_t first_reach_q22 = is_plain_first ? 0 : reach_q22;
   while (true) {
-    const int32_t value_q22 = is_lone
-                                  ? terms.term[0].value_q22(bend_log2)
-                                  : combine_q22(terms, bend_log2, reach_q22);
+    // Where pixels may be skipped, without rounding: the lesser of several
+    // values changes no faster than each of them, but what is rounded may jump.
+    int32_t value_q22 = is_lone
+                            ? terms.term[0].value_q22(bend_log2)
+                            : combine_q22(terms, bend_log2, first_reach_q22);
     int32_t count = 1;
     if (value_q22 >= reach_q22 || value_q22 <= -reach_q22) {
-      if (is_lone) {
-        // How far the value is from changing sides, at 0 or where it wraps.
-        const uint32_t away = value_q22 < 0
-                                  ? 0u - static_cast<uint32_t>(value_q22)
-                                  : static_cast<uint32_t>(value_q22);
-        const uint32_t to_wrap = (uint32_t{1} << 31) - away;
-        const uint32_t sure = static_cast<uint32_t>(reach_q22 + kMargin);
-        const uint32_t to_edge = away > sure ? away - sure : 0;
-        const uint32_t room = static_cast<uint32_t>(pixels.end - x);
-        const uint32_t saturated =
-            ((to_edge < to_wrap ? to_edge : to_wrap) >> skip_log2) + 1;
-        count = static_cast<int32_t>(saturated < room ? saturated : room);
-      }
+      const uint32_t away = value_q22 < 0
+                                ? 0u - static_cast<uint32_t>(value_q22)
+                                : static_cast<uint32_t>(value_q22);
+      const uint32_t sure = static_cast<uint32_t>(reach_q22 + kMargin);
+      const uint32_t room = static_cast<uint32_t>(pixels.end - x);
+      const uint32_t saturated =
+          away > sure ? ((away - sure) >> skip_log2) + 1 : 1;
+      count = static_cast<int32_t>(saturated < room ? saturated : room);
       if (count < kMinSolid) {
         for (int32_t i = 0; i < count; ++i) {
           writer.put(x + i, value_q22 < 0 ? 0 : 255);
@@ -213,6 +221,9 @@ void draw_run(FieldTerms& terms,
         writer.solid(x, count);
       }
     } else {
+      if (is_plain_first) {
+        value_q22 = combine_q22(terms, bend_log2, reach_q22);
+      }
       writer.put(x, brush.filter().coverage(value_q22 >> 12));
     }
     x += count;
@@ -249,7 +260,7 @@ void draw_fields_row(const GlyphField& field,
     at.x_q20 += static_cast<uint32_t>(x - first) << 20;
     Side side = cell.inside ? Side::inside : Side::outside;
     FieldTerms terms;
-    uint8_t skip_log2 = 31;
+    uint8_t skip_log2 = 0;
     if (cell.field_count != 0) {
       side = set_up_run(terms, field, cell, x_q8, q8_of(at.y_q20), scale,
                         x - first - 1, reach_q22, skip_log2);
