@@ -60,7 +60,8 @@ FieldTerms terms_at(const GlyphField& field,
 Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   namespace glyph = format::glyph;
   namespace fields = format::fields;
-  if (record.size < glyph::kBytes) {
+  namespace linked = format::linked;
+  if (record.size < linked::kBytes) {
     return Status::corrupt;
   }
   const uint8_t* at = record.data;
@@ -75,50 +76,56 @@ Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   field.y0_u = load_i16(at + glyph::kY0);
   field.tiles_x = at[glyph::kTilesX];
   field.tiles_y = at[glyph::kTilesY];
-  field.node_count = load_u16(at + glyph::kNodeCount);
-  uint32_t cell_bytes = 0;
-  uint32_t reference_bytes = 2;
   uint32_t header_bytes = glyph::kBytes;
   int32_t grid_limit = glyph::kGridLimit;
   if (has_fields) {
-    if (record.size < fields::kBytes) {
-      return Status::corrupt;
-    }
-    field.kind = Kind::wide_fields;
-    if ((field.tile_log2 & fields::kWide) == 0) {
-      field.kind = Kind::narrow_fields;
-      reference_bytes = 1;
-    }
-    field.tile_log2 &= static_cast<uint8_t>(~fields::kWide);
-    field.arc_count = load_u16(at + fields::kArcCount);
-    field.line_count = load_u16(at + fields::kLineCount);
-    field.pair_count = load_u16(at + fields::kPairCount);
-    field.triple_count = load_u16(at + fields::kTripleCount);
-    cell_bytes = fields::kArcBytes * field.arc_count +
-                 fields::kLineBytes * field.line_count +
-                 reference_bytes * (fields::kPairUnits * field.pair_count +
-                                    fields::kTripleUnits * field.triple_count);
-    header_bytes = fields::kBytes;
+    const bool is_linked = (field.tile_log2 & linked::kFlag) != 0;
+    field.kind = is_linked ? Kind::linked_fields : Kind::narrow_fields;
+    field.tile_log2 &= static_cast<uint8_t>(~linked::kFlag);
+    header_bytes = is_linked ? linked::kBytes : fields::kBytes;
     grid_limit = fields::kGridLimit;
-  } else {
-    field.cell_count = load_u16(at + glyph::kCellCount);
-    cell_bytes = format::samples::kBytes * field.cell_count;
   }
-  if (field.tile_log2 > glyph::kMaxTileLog2) {
-    return Status::corrupt;
-  }
-  if (field.x0_u < -grid_limit || field.x1_u() > grid_limit ||
+  if (record.size < header_bytes || field.tile_log2 > glyph::kMaxTileLog2 ||
+      field.x0_u < -grid_limit || field.x1_u() > grid_limit ||
       field.y0_u < -grid_limit || field.y1_u() > grid_limit) {
     return Status::corrupt;
   }
   const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  reference_bytes *= tiles + 4u * field.node_count;
+  at += header_bytes;
+  if (field.kind == Kind::linked_fields) {
+    field.heap_units = load_u16(record.data + linked::kHeapUnits);
+    if (tiles > field.heap_units || field.heap_units > linked::kMaxUnits ||
+        record.size < header_bytes + 2u * field.heap_units) {
+      return Status::corrupt;
+    }
+    field.references = at;
+    field.cells = at;
+    out = field;
+    return Status::ok;
+  }
+  field.node_count = load_u16(record.data + glyph::kNodeCount);
+  uint32_t reference_bytes = tiles + 4u * field.node_count;
+  uint32_t cell_bytes = 0;
+  if (has_fields) {
+    field.arc_count = load_u16(record.data + fields::kArcCount);
+    field.line_count = load_u16(record.data + fields::kLineCount);
+    field.pair_count = load_u16(record.data + fields::kPairCount);
+    field.triple_count = load_u16(record.data + fields::kTripleCount);
+    cell_bytes = fields::kArcBytes * field.arc_count +
+                 fields::kLineBytes * field.line_count +
+                 fields::kPairUnits * field.pair_count +
+                 fields::kTripleUnits * field.triple_count;
+  } else {
+    reference_bytes *= 2;
+    field.cell_count = load_u16(record.data + glyph::kCellCount);
+    cell_bytes = format::samples::kBytes * field.cell_count;
+  }
   if (record.size < header_bytes + cell_bytes + reference_bytes) {
     return Status::corrupt;
   }
   // References come first where cells are samples, last where they are fields.
-  field.cells = at + header_bytes + (has_fields ? 0 : reference_bytes);
-  field.references = at + header_bytes + (has_fields ? cell_bytes : 0);
+  field.cells = at + (has_fields ? 0 : reference_bytes);
+  field.references = at + (has_fields ? cell_bytes : 0);
   out = field;
   return Status::ok;
 }

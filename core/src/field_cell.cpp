@@ -208,90 +208,163 @@ bool is_rounded(const LastTwo& two, int32_t bend_log2, Cone& cone) noexcept {
                    cone);
 }
 
-// Fills in the fields that leaf number `leaf` stands for, none if one of them
-// does not exist.
-void read_leaf(const GlyphField& field,
-               const Units& units,
-               uint32_t leaf,
-               Cell& cell) noexcept {
+// A pair of one field is that field.
+void set_pair(Cell& cell, bool is_greatest) noexcept {
+  cell.op = is_greatest ? FieldOperator::greatest : FieldOperator::least;
+  cell.field_count = cell.fields[0] == cell.fields[1] ? 1 : 2;
+}
+
+// LinkedHeap::read_leaf for leaf number `leaf` of a narrow record.
+void read_narrow_leaf(const GlyphField& field,
+                      uint32_t leaf,
+                      Cell& cell) noexcept {
   namespace fields = format::fields;
   const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
   if (leaf < field_count) {
-    cell.fields[0] = static_cast<uint16_t>(leaf);
+    cell.fields[0] = static_cast<uint16_t>(unit_of(field, leaf));
     cell.field_count = 1;
     return;
   }
   leaf -= field_count;
   // Behind the pairs come the references; before them, the triples.
-  const int32_t pairs = -static_cast<int32_t>(fields::kPairUnits) *
-                        static_cast<int32_t>(field.pair_count);
-  int32_t at = 0;
+  const uint8_t* at = field.references - fields::kPairUnits * field.pair_count;
   uint8_t count = 2;
   if (leaf < field.pair_count) {
-    at = pairs + static_cast<int32_t>(fields::kPairUnits * leaf);
+    at += fields::kPairUnits * leaf;
   } else {
     leaf -= field.pair_count;
     if (leaf >= field.triple_count) {
       return;
     }
-    at = pairs - static_cast<int32_t>(fields::kTripleUnits *
-                                      (field.triple_count - leaf));
-    const uint32_t op = units.at(at++);
-    if (op > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
+    at -= fields::kTripleUnits * (field.triple_count - leaf);
+    const uint8_t op = *at++;
+    if (op > static_cast<uint8_t>(FieldOperator::greatest_of_lesser)) {
       return;
     }
     cell.op = static_cast<FieldOperator>(op);
     count = 3;
   }
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t number = units.at(at + static_cast<int32_t>(i));
-    if (number >= field_count) {
+    if (at[i] >= field_count) {
       return;
     }
-    cell.fields[i] = static_cast<uint16_t>(number);
-  }
-  if (count == 2) {
-    cell.op = cell.fields[0] > cell.fields[1] ? FieldOperator::greatest
-                                              : FieldOperator::least;
-    count = cell.fields[0] == cell.fields[1] ? 1 : 2;
+    cell.fields[i] = static_cast<uint16_t>(unit_of(field, at[i]));
   }
   cell.field_count = count;
+  if (count == 2) {
+    set_pair(cell, at[0] > at[1]);
+  }
+}
+
+// A point in whole u from the grid's corner, and the square that holds it.
+struct Place {
+  uint32_t x;
+  uint32_t y;
+  uint32_t log2;
+
+  // The child of the square that holds the point, which becomes the square.
+  uint32_t descend() noexcept {
+    --log2;
+    return ((y >> log2) & 1) * 2 + ((x >> log2) & 1);
+  }
+};
+
+// Both find the leaf that holds a point in the tree of tile `tile`. Each step
+// spends one bit of the coordinates, so that the loops end.
+void find_narrow_leaf(const GlyphField& field,
+                      uint32_t tile,
+                      Place& place,
+                      Cell& cell) noexcept {
+  const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
+  uint32_t reference = field.references[tile];
+  uint32_t node = reference - format::glyph::kFirstNode;
+  while (node < field.node_count) {
+    if (place.log2 == 0) {
+      return;
+    }
+    reference = field.references[tiles + 4 * node + place.descend()];
+    node = reference - format::glyph::kFirstNode;
+  }
+  if (reference < format::glyph::kFirstNode) {
+    cell.inside = reference == format::glyph::kInside;
+  } else {
+    read_narrow_leaf(field, node - field.node_count, cell);
+  }
+}
+
+void find_linked_leaf(const GlyphField& field,
+                      uint32_t tile,
+                      Place& place,
+                      Cell& cell) noexcept {
+  const LinkedHeap heap(field);
+  uint32_t reference =
+      heap.holds(tile, 1) ? heap.at(tile) : format::glyph::kOutside;
+  while (heap.is_node(reference)) {
+    if (place.log2 == 0) {
+      return;
+    }
+    reference = heap.at(LinkedHeap::offset(reference) + place.descend());
+  }
+  cell.inside = reference == format::glyph::kInside;
+  heap.read_leaf(reference, cell);
 }
 
 }  // namespace
 
-Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
-  const Units units(field);
-  const auto x = static_cast<uint32_t>(x_u - field.x0_u);
-  const auto y = static_cast<uint32_t>(y_u - field.y0_u);
-  uint32_t log2 = field.tile_log2;
-  const uint32_t tile = (y >> log2) * field.tiles_x + (x >> log2);
-  const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  uint32_t reference = units.at(static_cast<int32_t>(tile));
-
-  // Invariant: the current square is 2^log2 u wide and holds the point. Each
-  // step spends one bit of the coordinates, so the loop ends.
-  uint32_t node = reference - format::glyph::kFirstNode;
-  while (node < field.node_count) {
-    if (log2 == 0) {
-      reference = format::glyph::kOutside;
-      break;
+void LinkedHeap::read_leaf(uint32_t reference, Cell& cell) const noexcept {
+  namespace linked = format::linked;
+  const uint32_t kind = tag(reference);
+  uint32_t at = offset(reference);
+  if (kind == linked::kLine || kind == linked::kArc) {
+    const uint32_t unit = at | (kind == linked::kArc ? linked::kArcField : 0);
+    cell.fields[0] = static_cast<uint16_t>(unit);
+    cell.field_count = is_field(unit) ? 1 : 0;
+    return;
+  }
+  uint8_t count = 2;
+  if (kind == linked::kTriple) {
+    if (!holds(at, linked::kTripleUnits)) {
+      return;
     }
-    --log2;
-    const uint32_t child = ((y >> log2) & 1) * 2 + ((x >> log2) & 1);
-    reference = units.at(static_cast<int32_t>(tiles + 4 * node + child));
-    node = reference - format::glyph::kFirstNode;
+    const uint32_t op = this->at(at++);
+    if (op > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
+      return;
+    }
+    cell.op = static_cast<FieldOperator>(op);
+    count = 3;
+  } else if ((kind != linked::kMinPair && kind != linked::kMaxPair) ||
+             !holds(at, linked::kPairUnits)) {
+    return;
   }
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t unit =
+        this->at(at + i) & (linked::kArcField | linked::kOffsetMask);
+    if (!is_field(unit)) {
+      return;
+    }
+    cell.fields[i] = static_cast<uint16_t>(unit);
+  }
+  cell.field_count = count;
+  if (count == 2) {
+    set_pair(cell, kind == linked::kMaxPair);
+  }
+}
 
+Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
+  Place place = {static_cast<uint32_t>(x_u - field.x0_u),
+                 static_cast<uint32_t>(y_u - field.y0_u), field.tile_log2};
+  const uint32_t tile =
+      (place.y >> place.log2) * field.tiles_x + (place.x >> place.log2);
   Cell cell;
-  cell.size_log2 = static_cast<uint8_t>(log2);
-  cell.x0_u = field.x0_u + static_cast<int32_t>((x >> log2) << log2);
-  cell.y0_u = field.y0_u + static_cast<int32_t>((y >> log2) << log2);
-  if (reference < format::glyph::kFirstNode) {
-    cell.inside = reference == format::glyph::kInside;
+  if (field.kind == GlyphField::Kind::narrow_fields) {
+    find_narrow_leaf(field, tile, place, cell);
   } else {
-    read_leaf(field, units, node - field.node_count, cell);
+    find_linked_leaf(field, tile, place, cell);
   }
+  const uint32_t log2 = place.log2;
+  cell.size_log2 = static_cast<uint8_t>(log2);
+  cell.x0_u = field.x0_u + static_cast<int32_t>((place.x >> log2) << log2);
+  cell.y0_u = field.y0_u + static_cast<int32_t>((place.y >> log2) << log2);
   return cell;
 }
 

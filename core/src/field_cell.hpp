@@ -74,22 +74,6 @@ struct FieldTerm {
   }
 };
 
-// Reads units of a record, counted from the first reference.
-class Units {
- public:
-  explicit Units(const GlyphField& field) noexcept
-      : references_(field.references),
-        wide_(field.kind == GlyphField::Kind::wide_fields) {}
-
-  uint32_t at(int32_t index) const noexcept {
-    return wide_ ? load_u16(references_ + 2 * index) : references_[index];
-  }
-
- private:
-  const uint8_t* references_;
-  bool wide_;
-};
-
 // All fields of a cell at one point.
 struct FieldTerms {
   FieldTerm term[3];
@@ -97,18 +81,15 @@ struct FieldTerms {
   FieldOperator op;
 };
 
-// Field `number` at a point, in px from the glyph's origin, y up.
+// A field of a cell at a point, in px from the glyph's origin, y up.
 inline void set_up_term(FieldTerm& term,
                         const GlyphField& field,
-                        uint32_t number,
+                        uint32_t unit,
                         uint32_t x_q8,
                         uint32_t y_q8,
                         const FieldScale& scale) noexcept {
   namespace fields = format::fields;
-  const bool is_arc = number < field.arc_count;
-  const uint8_t* at = field.cells + fields::kLineBytes * number +
-                      (fields::kArcBytes - fields::kLineBytes) *
-                          (is_arc ? number : field.arc_count);
+  const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
   const int16_t nx = load_i16(at + fields::kNormalX);
   const int16_t ny = load_i16(at + fields::kNormalY);
   term.nx_q14 = nx;
@@ -117,7 +98,7 @@ inline void set_up_term(FieldTerm& term,
                    times(load_i16(at + fields::kOffset), scale.size_q8);
   term.along_q22 = 0;
   term.bend = 0;
-  if (is_arc) {
+  if ((unit & format::linked::kArcField) != 0) {
     term.along_q22 = times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
                      times(load_i16(at + fields::kAlong), scale.size_q8);
     term.bend =
@@ -137,6 +118,58 @@ inline void set_up_terms(FieldTerms& terms,
     set_up_term(terms.term[i], field, cell.fields[i], x_q8, y_q8, scale);
   }
 }
+
+// Where field `number` of a narrow record lies, as Cell::fields has it.
+inline uint32_t unit_of(const GlyphField& field, uint32_t number) noexcept {
+  namespace linked = format::linked;
+  if (number < field.arc_count) {
+    return linked::kArcUnits * number | linked::kArcField;
+  }
+  return linked::kLineUnits * number +
+         (linked::kArcUnits - linked::kLineUnits) * field.arc_count;
+}
+
+// The heap of linked fields: what its references and units name. Nothing, if
+// it leaves the heap.
+class LinkedHeap {
+ public:
+  explicit LinkedHeap(const GlyphField& field) noexcept
+      : data_(field.cells), units_(field.heap_units) {}
+
+  bool holds(uint32_t unit, uint32_t count) const noexcept {
+    return unit + count <= units_;
+  }
+  // `unit` must exist.
+  uint32_t at(uint32_t unit) const noexcept {
+    return load_u16(data_ + 2 * unit);
+  }
+
+  static uint32_t tag(uint32_t reference) noexcept {
+    return reference >> format::linked::kOffsetBits;
+  }
+  static uint32_t offset(uint32_t reference) noexcept {
+    return reference & format::linked::kOffsetMask;
+  }
+
+  bool is_node(uint32_t reference) const noexcept {
+    namespace linked = format::linked;
+    return tag(reference) == linked::kNode &&
+           holds(offset(reference), linked::kNodeUnits);
+  }
+  bool is_field(uint32_t unit) const noexcept {
+    namespace linked = format::linked;
+    return holds(offset(unit), (unit & linked::kArcField) != 0
+                                   ? linked::kArcUnits
+                                   : linked::kLineUnits);
+  }
+  // Fills in the fields that a reference stands for, none if one of them does
+  // not exist.
+  void read_leaf(uint32_t reference, Cell& cell) const noexcept;
+
+ private:
+  const uint8_t* data_;
+  uint32_t units_;
+};
 
 // The cell of fields that holds a point in the grid.
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;

@@ -9,7 +9,8 @@
 #include "inkcell/format.hpp"
 #include "random.hpp"
 
-/// A record being put together. Fields are numbered arcs first.
+/// A record being put together. Fields are numbered arcs first, and references
+/// as in the narrow form. The linked form has the same nodes in the same place.
 struct FieldRecord {
   struct Field {
     int32_t nx;  // Q14
@@ -19,7 +20,7 @@ struct FieldRecord {
     int32_t bend;   // 2^-19 / u
   };
 
-  bool wide = false;
+  bool linked = false;
   uint8_t tile_log2 = 8;
   int16_t x0_u = 0;
   int16_t y0_u = 0;
@@ -49,21 +50,47 @@ struct FieldRecord {
     return pair_reference(pair_count + triple);
   }
 
+  /// What Cell::fields says of a field.
+  uint16_t unit_of(uint32_t number) const {
+    const uint32_t first = linked ? reference_count() : 0;
+    const bool is_arc = number < arc_count;
+    return static_cast<uint16_t>(
+        first + 3 * number + 2 * (is_arc ? number : arc_count) +
+        (is_arc ? inkcell::format::linked::kArcField : 0));
+  }
+  uint32_t number_of(uint16_t unit) const {
+    uint32_t number = 0;
+    while (number < arc_count + line_count && unit_of(number) != unit) {
+      ++number;
+    }
+    return number;
+  }
+
+  uint32_t heap_units() const {
+    return reference_count() + 5 * arc_count + 3 * line_count + 2 * pair_count +
+           4 * triple_count;
+  }
   size_t size() const {
     const uint32_t units =
         4 * triple_count + 2 * pair_count + reference_count();
-    return 18 + 10 * arc_count + 6 * line_count + (wide ? 2 : 1) * units;
+    return linked ? 10 + 2 * heap_units()
+                  : 18 + 10 * arc_count + 6 * line_count + units;
   }
 
   /// Writes size() bytes.
   void write(uint8_t* at) const {
     using font_builder::put_u16;
     at[0] = 2;
-    at[1] = static_cast<uint8_t>(tile_log2 | (wide ? 0x80 : 0));
+    at[1] = static_cast<uint8_t>(tile_log2 | (linked ? 0x80 : 0));
     put_u16(at + 2, static_cast<uint32_t>(x0_u));
     put_u16(at + 4, static_cast<uint32_t>(y0_u));
     at[6] = tiles_x;
     at[7] = tiles_y;
+    if (linked) {
+      put_u16(at + 8, heap_units());
+      write_heap(at + 10);
+      return;
+    }
     const uint32_t counts[] = {node_count, arc_count, line_count, pair_count,
                                triple_count};
     at += 8;
@@ -71,20 +98,14 @@ struct FieldRecord {
       put_u16(at, count);
       at += 2;
     }
-    for (uint32_t i = 0; i < arc_count + line_count; ++i) {
-      const Field& f = fields[i];
-      const int32_t numbers[] = {f.nx, f.ny, f.c, f.along, f.bend};
-      for (uint32_t j = 0; j < (i < arc_count ? 5u : 3u); ++j, at += 2) {
-        put_u16(at, static_cast<uint32_t>(numbers[j]));
-      }
-    }
+    at = put_fields(at);
     for (uint32_t i = 0; i < triple_count; ++i) {
-      at = put_units(at, triples[i], 4);
+      at = put_bytes(at, triples[i], 4);
     }
     for (uint32_t i = 0; i < pair_count; ++i) {
-      at = put_units(at, pairs[i], 2);
+      at = put_bytes(at, pairs[i], 2);
     }
-    put_units(at, references, reference_count());
+    put_bytes(at, references, reference_count());
   }
 
   /// Fills in everything: unit normals, edges within `spread_u` of the tiles'
@@ -92,16 +113,71 @@ struct FieldRecord {
   void make(Random& random, int32_t spread_u);
 
  private:
-  uint8_t* put_units(uint8_t* at, const uint16_t* units, uint32_t count) const {
-    for (uint32_t i = 0; i < count; ++i) {
-      if (wide) {
-        font_builder::put_u16(at, units[i]);
-        at += 2;
-      } else {
-        *at++ = static_cast<uint8_t>(units[i]);
+  uint8_t* put_fields(uint8_t* at) const {
+    for (uint32_t i = 0; i < arc_count + line_count; ++i) {
+      const Field& f = fields[i];
+      const int32_t numbers[] = {f.nx, f.ny, f.c, f.along, f.bend};
+      for (uint32_t j = 0; j < (i < arc_count ? 5u : 3u); ++j, at += 2) {
+        font_builder::put_u16(at, static_cast<uint32_t>(numbers[j]));
       }
     }
     return at;
+  }
+  static uint8_t* put_bytes(uint8_t* at,
+                            const uint16_t* units,
+                            uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+      *at++ = static_cast<uint8_t>(units[i]);
+    }
+    return at;
+  }
+
+  // A field that does not exist is one that leaves the heap.
+  uint32_t heap_field(uint32_t number) const {
+    return number < arc_count + line_count ? unit_of(number) : 0x1fff;
+  }
+  uint32_t heap_reference(uint32_t reference) const {
+    const uint32_t tiles = uint32_t{tiles_x} * tiles_y;
+    if (reference < 2) {
+      return reference;
+    }
+    uint32_t number = reference - 2;
+    if (number < node_count) {
+      return 1 << 13 | (tiles + 4 * number);
+    }
+    number -= node_count;
+    if (number < arc_count + line_count) {
+      return (number < arc_count ? 3u : 2u) << 13 | (unit_of(number) & 0x1fffu);
+    }
+    number -= arc_count + line_count;
+    uint32_t unit = reference_count() + 5 * arc_count + 3 * line_count;
+    if (number < pair_count) {
+      const bool is_greatest = pairs[number][0] > pairs[number][1];
+      return (is_greatest ? 5u : 4u) << 13 | (unit + 2 * number);
+    }
+    number -= pair_count;
+    unit += 2 * pair_count;
+    // One that does not exist leaves the heap.
+    return 6u << 13 | (number < triple_count ? unit + 4 * number : 0x1fff);
+  }
+  void write_heap(uint8_t* at) const {
+    using font_builder::put_u16;
+    for (uint32_t i = 0; i < reference_count(); ++i, at += 2) {
+      put_u16(at, heap_reference(references[i]));
+    }
+    at = put_fields(at);
+    for (uint32_t i = 0; i < pair_count; ++i) {
+      for (int j = 0; j < 2; ++j, at += 2) {
+        put_u16(at, heap_field(pairs[i][j]));
+      }
+    }
+    for (uint32_t i = 0; i < triple_count; ++i) {
+      put_u16(at, triples[i][0]);
+      for (int j = 1; j < 4; ++j) {
+        put_u16(at + 2 * j, heap_field(triples[i][j]));
+      }
+      at += 8;
+    }
   }
 };
 
@@ -230,7 +306,7 @@ inline Value cell(const FieldRecord& record,
   Value v[3] = {};
   const auto op = static_cast<uint32_t>(cell.op);
   for (uint32_t i = 0; i < cell.field_count; ++i) {
-    const uint32_t number = cell.fields[i];
+    const uint32_t number = record.number_of(cell.fields[i]);
     v[i] = value(record.fields[number], number < record.arc_count, x_u, y_u);
     v[i] = op % 2 != 0 && cell.field_count > 1 ? negated(v[i]) : v[i];
   }

@@ -31,9 +31,9 @@ GlyphField open() {
 }
 
 // One line, one arc, one pair, one triple, in four squares.
-void make_small(bool wide) {
+void make_small(bool linked) {
   record = FieldRecord();
-  record.wide = wide;
+  record.linked = linked;
   record.node_count = 1;
   record.arc_count = 1;
   record.line_count = 2;
@@ -71,8 +71,8 @@ bool within_limits(const FieldRecord& of,
                    double x,
                    double y) {
   for (uint32_t i = 0; i < cell.field_count; ++i) {
-    const FieldRecord::Field& f = of.fields[cell.fields[i]];
-    const bool is_arc = cell.fields[i] < of.arc_count;
+    const FieldRecord::Field& f = of.fields[of.number_of(cell.fields[i])];
+    const bool is_arc = of.number_of(cell.fields[i]) < of.arc_count;
     const double w = (f.nx * y - f.ny * x) / 16384 + f.along / 16.0;
     const double sag = f.bend / 524288.0 * w * w;
     const Value value = field_equation::value(f, is_arc, x, y);
@@ -89,7 +89,8 @@ bool within_limits(const FieldRecord& of,
 bool is_decided(const FieldRecord& of, const Cell& cell, double x, double y) {
   for (uint32_t i = 1; i < cell.field_count; ++i) {
     for (uint32_t j = 0; j < i; ++j) {
-      const uint32_t numbers[] = {cell.fields[i], cell.fields[j]};
+      const uint32_t numbers[] = {of.number_of(cell.fields[i]),
+                                  of.number_of(cell.fields[j])};
       Value v[2];
       for (int k = 0; k < 2; ++k) {
         v[k] = field_equation::value(of.fields[numbers[k]],
@@ -108,19 +109,24 @@ bool is_decided(const FieldRecord& of, const Cell& cell, double x, double y) {
 }  // namespace
 
 TEST(refuses_field_records_that_do_not_fit) {
-  for (uint32_t wide = 0; wide < 2; ++wide) {
-    make_small(wide != 0);
+  for (int linked = 0; linked < 2; ++linked) {
+    make_small(linked != 0);
     open();
-    CHECK_EQ(record.size(), 18 + 10 + 12 + (4 + 4 + 5) * (wide + 1));
+    const uint32_t fields_bytes = 10 + 12;
+    const uint32_t units = 4 + 4 + 5;
+    CHECK_EQ(record.size(), linked != 0 ? 10 + fields_bytes + 2 * units
+                                        : 18 + fields_bytes + units);
     CHECK_EQ(open_bytes(record.size()), Status::ok);
     CHECK_EQ(open_bytes(record.size() - 1), Status::corrupt);
-    CHECK_EQ(open_bytes(fields::kBytes - 1), Status::corrupt);
-    CHECK_EQ(open_bytes(11), Status::corrupt);
+    const size_t header = linked != 0 ? 10 : 18;
+    CHECK_EQ(open_bytes(header - 1), Status::corrupt);
+    CHECK_EQ(open_bytes(9), Status::corrupt);
+    CHECK_EQ(open_bytes(0), Status::corrupt);
     bytes[1] ^= 0x40;
     CHECK_EQ(open_bytes(record.size()), Status::corrupt);
     bytes[1] = static_cast<uint8_t>(12 | (bytes[1] & 0x80));
     CHECK_EQ(open_bytes(sizeof(bytes)), Status::corrupt);
-    for (uint32_t count = 8; count < fields::kBytes; count += 2) {
+    for (uint32_t count = 8; count < header; count += 2) {
       open();
       bytes[count] = static_cast<uint8_t>(bytes[count] + 1);
       CHECK_EQ(open_bytes(record.size()), Status::corrupt);
@@ -147,32 +153,34 @@ TEST(refuses_grids_beyond_1984_u) {
 }
 
 TEST(locates_every_kind_of_leaf) {
-  for (int wide = 0; wide < 2; ++wide) {
-    make_small(wide != 0);
+  for (int linked = 0; linked < 2; ++linked) {
+    make_small(linked != 0);
     const GlyphField field = open();
     const Cell lone = locate(field, 127, 127);
     CHECK_EQ(lone.field_count, 1);
-    CHECK_EQ(lone.fields[0], 0);
+    CHECK_EQ(record.number_of(lone.fields[0]), 0);
     CHECK_EQ(lone.size_log2, 7);
     const Cell least = locate(field, 128, 0);
     CHECK(least.field_count == 2 && least.op == FieldOperator::least);
-    CHECK(least.fields[0] == 1 && least.fields[1] == 2);
+    CHECK(record.number_of(least.fields[0]) == 1 &&
+          record.number_of(least.fields[1]) == 2);
     CHECK(least.x0_u == 128 && least.y0_u == 0);
     const Cell greatest = locate(field, 0, 128);
     CHECK(greatest.field_count == 2 && greatest.op == FieldOperator::greatest);
     const Cell triple = locate(field, 255, 255);
     CHECK_EQ(triple.field_count, 3);
     CHECK(triple.op == FieldOperator::least_of_greater);
-    CHECK(triple.fields[0] == 1 && triple.fields[1] == 0);
-    CHECK_EQ(triple.fields[2], 2);
+    CHECK(record.number_of(triple.fields[0]) == 1 &&
+          record.number_of(triple.fields[1]) == 0);
+    CHECK_EQ(record.number_of(triple.fields[2]), 2);
     CHECK(!triple.is_saturated() && triple.samples == nullptr);
   }
 }
 
 TEST(leaves_that_do_not_exist_are_outside) {
-  for (int wide = 0; wide < 2; ++wide) {
-    make_small(wide != 0);
-    const uint32_t last = wide != 0 ? 0xffff : 0xff;
+  for (int linked = 0; linked < 2; ++linked) {
+    make_small(linked != 0);
+    const uint32_t last = linked != 0 ? 0xffff : 0xff;
     const uint32_t beyond[] = {record.triple_reference(1), last};
     for (const uint32_t reference : beyond) {
       record.references[1] = static_cast<uint16_t>(reference);
@@ -193,6 +201,60 @@ TEST(leaves_that_do_not_exist_are_outside) {
     CHECK_EQ(locate(open(), 0, 128).field_count, 1);
     record.tile_log2 = 0;  // cannot be divided
     CHECK(locate(open(), 0, 0).is_saturated());
+  }
+}
+
+TEST(refuses_heaps_that_cannot_be) {
+  make_small(true);
+  record.node_count = 0;
+  record.tiles_x = 3;
+  for (uint32_t units = 0; units < 5; ++units) {  // fewer than tiles
+    record.write(bytes);
+    font_builder::put_u16(bytes + 8, units);
+    CHECK_EQ(open_bytes(sizeof(bytes)),
+             units < 3 ? Status::corrupt : Status::ok);
+  }
+  static uint8_t large[10 + 2 * 8193];
+  for (uint32_t units = 8192; units <= 8193; ++units) {
+    record.write(large);
+    font_builder::put_u16(large + 8, units);
+    GlyphField field;
+    CHECK_EQ(GlyphField::open({large, sizeof(large)}, field),
+             units == 8192 ? Status::ok : Status::corrupt);
+  }
+}
+
+// Every reference that there can be, in a heap where fields, pairs and triples
+// may begin anywhere: all is found that does not leave it.
+TEST(linked_references_stay_in_the_heap) {
+  constexpr uint32_t kUnits = 24;
+  const uint32_t sizes[8] = {0, 4, 3, 5, 2, 2, 4, 0};
+  for (uint32_t reference = 2; reference < 0x10000; ++reference) {
+    record = FieldRecord();
+    record.linked = true;
+    record.write(bytes);
+    font_builder::put_u16(bytes + 8, kUnits);
+    font_builder::put_u16(bytes + 10, reference);
+    for (uint32_t i = 1; i < kUnits; ++i) {
+      font_builder::put_u16(bytes + 10 + 2 * i, 0);
+    }
+    GlyphField field;
+    CHECK_OK(GlyphField::open({bytes, 10 + 2 * kUnits}, field));
+    const Cell cell = locate(field, 3, 200);
+    const uint32_t tag = reference >> 13;
+    const uint32_t unit = reference & 0x1fff;
+    if (unit == 0) {
+      continue;  // the reference itself, read as something else
+    }
+    const bool exists = sizes[tag] != 0 && unit + sizes[tag] <= kUnits;
+    // Pairs are of one field twice, the line at unit 0.
+    const uint32_t fields_found = tag == 6 ? 3 : tag > 1 ? 1 : 0;
+    CHECK_EQ(cell.field_count, exists ? fields_found : 0);
+    CHECK_EQ(cell.size_log2, exists && tag == 1 ? 7 : 8);
+    CHECK(!cell.inside);
+    if (check::failed()) {
+      break;
+    }
   }
 }
 
@@ -227,7 +289,7 @@ TEST(distances_follow_their_equations) {
   const int rounds = INKCELL_BOARD_FIRMWARE ? 200 : 4000;
   for (int round = 0; round < rounds; ++round) {
     record = FieldRecord();
-    record.wide = (round & 1) != 0;
+    record.linked = (round & 1) != 0;
     record.x0_u = static_cast<int16_t>(random.between(-300, 300));
     record.y0_u = static_cast<int16_t>(random.between(-300, 300));
     record.make(random, 100);
@@ -252,7 +314,7 @@ TEST(distances_follow_their_equations) {
       bool is_bent = false;
       bool is_field = false;
       for (uint32_t j = 0; j < cell.field_count; ++j) {
-        const uint32_t number = cell.fields[j];
+        const uint32_t number = record.number_of(cell.fields[j]);
         const bool is_arc = number < record.arc_count;
         is_bent = is_bent || is_arc;
         const double f = field_equation::value(record.fields[number], is_arc,

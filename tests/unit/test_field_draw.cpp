@@ -124,7 +124,7 @@ int check_plain_chain(const GlyphField& field,
 // A record like those of fonts: tiles of 256 u and smaller.
 void make_record(Random& random) {
   record = FieldRecord();
-  record.wide = (random.next() & 1) != 0;
+  record.linked = (random.next() & 1) != 0;
   record.tile_log2 = static_cast<uint8_t>(6 + random.below(4));
   record.tiles_x = static_cast<uint8_t>(1 + random.below(3));
   record.tiles_y = static_cast<uint8_t>(1 + random.below(3));

@@ -28,11 +28,11 @@ inline constexpr int32_t kSaturatedDistanceQ10 = 1024 << 10;
 /// One glyph's cells, in ROM or RAM. Owns nothing: the bytes must outlive it.
 /// A default-constructed field is empty: outside everywhere.
 struct GlyphField {
-  enum class Kind : uint8_t { samples, narrow_fields, wide_fields };
+  enum class Kind : uint8_t { samples, narrow_fields, linked_fields };
 
   const uint8_t* references = nullptr;  // tiles, then nodes; u8 if narrow
-  const uint8_t* cells = nullptr;       // cells of samples; or arcs, lines
-  int16_t x0_u = 0;                     // lower left corner of the grid
+  const uint8_t* cells = nullptr;  // of samples; or arcs, lines; or the heap
+  int16_t x0_u = 0;                // lower left corner of the grid
   int16_t y0_u = 0;
   uint8_t tile_log2 = 0;  // tiles are 2^tile_log2 u wide
   uint8_t tiles_x = 0;
@@ -44,6 +44,7 @@ struct GlyphField {
   uint16_t line_count = 0;
   uint16_t pair_count = 0;
   uint16_t triple_count = 0;
+  uint16_t heap_units = 0;  // of 2 bytes, where fields are linked
 
   /// A view of the glyph record `record` (docs/FORMAT.md, "Glyph record"),
   /// which starts at a multiple of 2 bytes. Any content is safe afterwards.
@@ -77,7 +78,9 @@ struct Cell {
   const uint8_t* samples = nullptr;  // format::samples
   int32_t x0_u = 0;                  // lower left corner
   int32_t y0_u = 0;
-  uint16_t fields[3] = {};  // numbers of existing fields, `field_count` of them
+  // Existing fields, `field_count` of them: where they lie behind
+  // GlyphField::cells in units of 2 bytes, with format::linked::kArcField.
+  uint16_t fields[3] = {};
   uint8_t field_count = 0;
   FieldOperator op = FieldOperator::least;
   uint8_t size_log2 = 0;  // the cell is 2^size_log2 u wide, 1..2048 u

@@ -57,9 +57,21 @@ inline constexpr uint32_t kYMax = 58;          // i16 [font units]
 // both 0 if the coding is direct.
 inline constexpr uint32_t kRowWorkspace = 60;  // u32 [bytes]
 inline constexpr uint32_t kWorkspace = 64;     // u32 [bytes]
-inline constexpr uint32_t kQuantisation = 68;  // 8 bytes, 0 if direct
+inline constexpr uint32_t kQuantisation = 68;  // quantisation, 0 if direct
 inline constexpr uint32_t kBytes = 76;
 }  // namespace header
+
+// What the packed coding's numbers count.
+namespace quantisation {
+inline constexpr uint32_t kD0Step = 0;     // u8 [u/64]
+inline constexpr uint32_t kBendStep = 1;   // u8 [u/64]
+inline constexpr uint32_t kD0Base = 2;     // u8 [bits]
+inline constexpr uint32_t kD0Log2 = 3;     // u8
+inline constexpr uint32_t kAngleBase = 4;  // u8 [bits]
+inline constexpr uint32_t kReserved = 5;   // u8, 0
+inline constexpr uint32_t kBendBits = 6;   // u16, 4 bits for each of 4 levels
+inline constexpr uint32_t kBytes = 8;
+}  // namespace quantisation
 
 enum class CellKind : uint8_t { samples = 0, fields = 1 };
 enum class Coding : uint8_t { direct = 0, packed = 1 };
@@ -193,16 +205,15 @@ inline constexpr int kCentreFraction = 6;
 inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 }  // namespace samples
 
-// A glyph record of fields begins like one of samples, but for the counts.
-// Then arcs, lines, and units of one byte, or two if kWide is set in tile_log2:
-// triples, pairs, and references, one a tile and four a node.
+// A glyph record of fields in the narrow form begins like one of samples, but
+// for the counts. Then arcs, lines, and units of one byte: triples, pairs, and
+// references, one a tile and four a node.
 namespace fields {
 inline constexpr uint32_t kArcCount = 10;     // u16
 inline constexpr uint32_t kLineCount = 12;    // u16
 inline constexpr uint32_t kPairCount = 14;    // u16
 inline constexpr uint32_t kTripleCount = 16;  // u16
 inline constexpr uint32_t kBytes = 18;
-inline constexpr uint8_t kWide = 0x80;
 
 /// Grids lie within this of the origin, so that a position in px at the largest
 /// size takes 20 bits in Q8. [u]
@@ -223,6 +234,91 @@ inline constexpr uint32_t kTripleUnits = 4;  // operator, f0, f1, f2
 // A reference: kOutside, kInside, then nodes from kFirstNode on, single
 // fields, pairs, triples.
 }  // namespace fields
+
+// The linked form of a record of fields. Behind the grid a heap of units of two
+// bytes: the references of the tiles, then whatever they lead to.
+namespace linked {
+inline constexpr uint8_t kFlag = 0x80;     // set in tile_log2
+inline constexpr uint32_t kHeapUnits = 8;  // u16
+inline constexpr uint32_t kBytes = 10;
+inline constexpr uint32_t kMaxUnits = 8192;
+
+// A reference is kOutside, kInside, or one of these and a unit of the heap.
+inline constexpr uint32_t kOffsetBits = 13;
+inline constexpr uint32_t kOffsetMask = kMaxUnits - 1;
+inline constexpr uint32_t kNode = 1;     // four references
+inline constexpr uint32_t kLine = 2;     // nx, ny, c
+inline constexpr uint32_t kArc = 3;      // nx, ny, c, cw, k
+inline constexpr uint32_t kMinPair = 4;  // two fields
+inline constexpr uint32_t kMaxPair = 5;
+inline constexpr uint32_t kTriple = 6;  // operator, three fields
+
+constexpr uint32_t reference(uint32_t tag, uint32_t unit) noexcept {
+  return tag << kOffsetBits | unit;
+}
+
+// The field of a pair or triple: where it lies, and whether it is an arc.
+inline constexpr uint32_t kArcField = 0x8000;
+
+inline constexpr uint32_t kNodeUnits = 4;
+inline constexpr uint32_t kLineUnits = 3;
+inline constexpr uint32_t kArcUnits = 5;
+inline constexpr uint32_t kPairUnits = 2;
+inline constexpr uint32_t kTripleUnits = 4;
+}  // namespace linked
+
+// A glyph record in packed coding: the grid, the bytes of each row of tiles but
+// the last, and streams of bits. Prefix codes are those of packed_codes.hpp.
+namespace packed {
+inline constexpr uint32_t kType = 0;   // u8, kTypePacked, and kWideRows or not
+inline constexpr uint32_t kTiles = 1;  // u8, columns and, times 16, rows
+inline constexpr uint32_t kX0Y0 = 2;   // 24 bits: x0, then y0, 12 bits each [u]
+inline constexpr uint32_t kRowLengths = 5;  // u8, or u16 if kWideRows
+inline constexpr uint8_t kTypePacked = 3;
+inline constexpr uint8_t kWideRows = 0x80;
+
+inline constexpr uint32_t kTileLog2 = 8;
+inline constexpr int32_t kTileU = 1 << kTileLog2;
+inline constexpr uint32_t kSharedCountBits = 4;
+inline constexpr uint32_t kRecentFields = 16;
+inline constexpr uint32_t kMaxUnary = 15;
+
+constexpr int16_t i12(int32_t bits) noexcept {
+  return static_cast<int16_t>(((bits & 0xfff) ^ 0x800) - 0x800);
+}
+
+/// Where the streams begin: the shared one, then those of the rows.
+constexpr uint32_t streams_at(uint32_t tiles_y, bool wide_rows) noexcept {
+  return kRowLengths + (tiles_y - 1) * (wide_rows ? 2 : 1);
+}
+
+/// The square of a shared field is as large as the grid's longer side, at
+/// least. [log2 u]
+constexpr uint32_t shared_log2(uint32_t tiles_x, uint32_t tiles_y) noexcept {
+  uint32_t log2 = kTileLog2;
+  while ((uint32_t{1} << (log2 - kTileLog2)) < tiles_x ||
+         (uint32_t{1} << (log2 - kTileLog2)) < tiles_y) {
+    ++log2;
+  }
+  return log2;
+}
+
+// Symbols of a square. From kMin3 on they are ordered like the operators.
+inline constexpr uint32_t kSplit = 0;
+inline constexpr uint32_t kOutside = 1;
+inline constexpr uint32_t kInside = 2;
+inline constexpr uint32_t kSingle = 3;
+inline constexpr uint32_t kMin2 = 4;
+inline constexpr uint32_t kMax2 = 5;
+inline constexpr uint32_t kMin3 = 6;
+inline constexpr uint32_t kMax3 = 7;
+inline constexpr uint32_t kMinMax = 8;
+inline constexpr uint32_t kMaxMin = 9;
+
+// Symbols of a field.
+inline constexpr uint32_t kReuse = 0;
+inline constexpr uint32_t kNew = 1;  // and a FieldKind
+}  // namespace packed
 
 }  // namespace format
 }  // namespace inkcell
