@@ -4,6 +4,7 @@
 #include "bytes.hpp"
 #include "crc.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/packed.hpp"
 #include "inkcell/version.hpp"
 
 namespace inkcell {
@@ -38,7 +39,9 @@ bool readable(uint32_t cell_kind, uint32_t coding) noexcept {
   }
   return INKCELL_FIELD_CELLS != 0 &&
          cell_kind == static_cast<uint32_t>(format::CellKind::fields) &&
-         coding <= static_cast<uint32_t>(format::Coding::packed);
+         (coding == static_cast<uint32_t>(format::Coding::direct) ||
+          (INKCELL_PACKED != 0 &&
+           coding == static_cast<uint32_t>(format::Coding::packed)));
 }
 
 Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
@@ -323,6 +326,19 @@ Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
   return {glyphs_.data + begin, end - begin};
 }
 
+bool Font::is_packed() const noexcept {
+  return rom_.size != 0 && rom_.data[header::kCoding] ==
+                               static_cast<uint8_t>(format::Coding::packed);
+}
+
+uint32_t Font::workspace_bytes() const noexcept {
+  return rom_.size == 0 ? 0 : load_u32(rom_.data + header::kWorkspace);
+}
+
+uint32_t Font::row_workspace_bytes() const noexcept {
+  return rom_.size == 0 ? 0 : load_u32(rom_.data + header::kRowWorkspace);
+}
+
 Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
   if (glyph >= glyph_count_) {
     return Status::no_glyph;
@@ -331,6 +347,9 @@ Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
   if (bytes.size == 0) {
     out = GlyphField{};
     return Status::ok;
+  }
+  if (is_packed()) {
+    return Status::unsupported;
   }
   if (reinterpret_cast<uintptr_t>(bytes.data) %
           format::glyphs::kRecordAlignment !=

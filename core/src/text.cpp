@@ -1,7 +1,14 @@
 #include "inkcell/text.hpp"
 
+#include "text_place.hpp"
+
 namespace inkcell {
 namespace {
+
+using detail::clamp_to;
+using detail::kMaxUnits;
+using detail::place;
+using detail::UnitScale;
 
 constexpr uint32_t kReplacement = 0xfffd;
 
@@ -39,50 +46,6 @@ Lead lead_of(uint32_t byte) noexcept {
     return {3, static_cast<uint8_t>(byte & 0x07), low, high};
   }
   return {0, 0, 0, 0};
-}
-
-int32_t clamp(int32_t value, int32_t limit) noexcept {
-  if (value > limit) {
-    return limit;
-  }
-  return value < -limit ? -limit : value;
-}
-
-// Longer lines than this, 1000 em at the least, end where it ends: a hostile
-// font may have glyphs 65535 units wide.
-constexpr int32_t kMaxUnits = 1 << 24;
-
-// What a run's font units are in px: computed once, because it takes a
-// division. [px per unit, Q10 with 20 more bits]
-class UnitScale {
- public:
-  UnitScale(const Font& font, const Brush& brush) noexcept
-      : scale_(((int64_t{brush.size().raw} << 24) + font.units_per_em() / 2) /
-               font.units_per_em()) {}
-
-  // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
-  // nearest, so that whole pixels are met exactly.
-  int64_t to_px_q10(int32_t units) const noexcept {
-    return (clamp(units, kMaxUnits) * scale_ + (1 << 19)) >> 20;
-  }
-
- private:
-  int64_t scale_;
-};
-
-FinePoint place(const UnitScale& scale,
-                const Brush& brush,
-                const FinePoint& origin,
-                const PositionedGlyph& at) noexcept {
-  const int64_t along = scale.to_px_q10(at.x);
-  const int64_t across = scale.to_px_q10(at.y);
-  if (brush.is_upright()) {
-    return {origin.x_q10 + along, origin.y_q10 - across};
-  }
-  const int64_t cosine = brush.direction().cosine.raw;
-  const int64_t sine = brush.direction().sine.raw;
-  return {origin.x_q10 + ((along * cosine - across * sine) >> 30),
-          origin.y_q10 - ((along * sine + across * cosine) >> 30)};
 }
 
 void draw_placed(const Font& font,
@@ -128,16 +91,16 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   }
   const uint16_t glyph = font_.glyph_or_notdef(next_code_point(text_));
   if (previous_ >= 0) {
-    advance_ =
-        clamp(advance_ + font_.kerning(static_cast<uint16_t>(previous_), glyph),
-              kMaxUnits);
+    advance_ = clamp_to(
+        advance_ + font_.kerning(static_cast<uint16_t>(previous_), glyph),
+        kMaxUnits);
   }
   out.x = advance_;
   out.y = 0;
   out.glyph = glyph;
   GlyphMetrics metrics;
   if (font_.glyph_metrics(glyph, metrics) == Status::ok) {
-    advance_ = clamp(advance_ + metrics.advance, kMaxUnits);
+    advance_ = clamp_to(advance_ + metrics.advance, kMaxUnits);
   }
   previous_ = glyph;
   return true;

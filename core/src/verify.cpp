@@ -5,6 +5,7 @@
 #include "field_verify.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/packed.hpp"
 
 namespace inkcell {
 namespace {
@@ -146,8 +147,14 @@ Status Font::verify() const noexcept {
     return Status::corrupt;
   }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
+    const auto id = static_cast<uint16_t>(glyph);
+    if (is_packed()) {
+      PackedGlyph opened;
+      INKCELL_TRY(PackedGlyph::open(*this, id, opened));
+      continue;
+    }
     GlyphField opened;
-    INKCELL_TRY(field(static_cast<uint16_t>(glyph), opened));
+    INKCELL_TRY(field(id, opened));
     if (!detail::field_fits(opened)) {
       return Status::corrupt;
     }

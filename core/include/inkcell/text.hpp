@@ -10,6 +10,7 @@
 
 #include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/packed.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
@@ -118,5 +119,37 @@ void draw_glyph(const Font& font,
                 const Brush& brush,
                 Point origin,
                 const Sink& sink) noexcept;
+
+/// The same for packed fonts, which the calls above leave out, and for direct
+/// ones, which need no workspace.
+///
+/// Of each packed glyph the rows of tiles that meet the sink's window are
+/// expanded into `workspace`: all at once if it has the font's
+/// workspace_bytes(), else one after the other, for which row_workspace_bytes()
+/// are enough. Turned glyphs are expanded all at once. What does not fit is
+/// left out. Every call expands anew: high strips are faster than low ones.
+///
+/// They are calls of their own so that programs with direct fonts only do not
+/// link the decoder, 3 KB.
+void draw(const Font& font,
+          Span<const PositionedGlyph> glyphs,
+          const Brush& brush,
+          Point origin,
+          const Sink& sink,
+          Workspace workspace) noexcept;
+
+void draw_text(const Font& font,
+               Text text,
+               const Brush& brush,
+               Point origin,
+               const Sink& sink,
+               Workspace workspace) noexcept;
+
+void draw_glyph(const Font& font,
+                uint16_t glyph,
+                const Brush& brush,
+                Point origin,
+                const Sink& sink,
+                Workspace workspace) noexcept;
 
 }  // namespace inkcell

@@ -1,0 +1,128 @@
+// Drawing packed glyphs: expansion of what a window shows, and the renderer.
+#include "inkcell/packed.hpp"
+#include "inkcell/text.hpp"
+#include "text_place.hpp"
+
+namespace inkcell {
+namespace {
+
+using detail::place;
+using detail::UnitScale;
+
+// Rows of tiles: begin <= row < end.
+struct Rows {
+  uint32_t begin;
+  uint32_t end;
+};
+
+bool meets_window(const PackedGlyph& glyph,
+                  const Rows& rows,
+                  const Brush& brush,
+                  const FinePoint& origin,
+                  const Sink& sink) noexcept {
+  const GlyphField grid = glyph.grid(rows.begin, rows.end - rows.begin);
+  return !is_empty(intersect(field_box(grid, brush, origin), sink.window));
+}
+
+// From the highest row of tiles to the lowest, so that pixels come from top to
+// bottom, `at_once` rows at a time. A pixel's centre lies in one row only.
+void draw_rows(const PackedGlyph& glyph,
+               Rows rows,
+               uint32_t at_once,
+               const Brush& brush,
+               const FinePoint& origin,
+               const Sink& sink,
+               Workspace workspace) noexcept {
+  while (rows.end > rows.begin) {
+    const uint32_t count =
+        at_once < rows.end - rows.begin ? at_once : rows.end - rows.begin;
+    GlyphField field;
+    const Status status =
+        expand(glyph, rows.end - count, count, workspace, field);
+    if (status == Status::buffer_small && count > 1 && brush.is_upright()) {
+      at_once = 1;
+      continue;
+    }
+    if (status == Status::ok) {
+      draw_field(field, brush, origin, sink);
+    }
+    rows.end -= count;
+  }
+}
+
+void draw_placed(const Font& font,
+                 uint16_t glyph,
+                 const Brush& brush,
+                 const FinePoint& origin,
+                 const Sink& sink,
+                 Workspace workspace) noexcept {
+  if (!font.is_packed()) {
+    GlyphField field;
+    if (font.field(glyph, field) == Status::ok) {
+      draw_field(field, brush, origin, sink);
+    }
+    return;
+  }
+  PackedGlyph packed;
+  if (PackedGlyph::open(font, glyph, packed) != Status::ok) {
+    return;
+  }
+  Rows rows = {0, packed.tiles_y};
+  if (!meets_window(packed, rows, brush, origin, sink)) {
+    return;
+  }
+  while (rows.begin < rows.end &&
+         !meets_window(packed, {rows.begin, rows.begin + 1}, brush, origin,
+                       sink)) {
+    ++rows.begin;
+  }
+  while (rows.begin < rows.end &&
+         !meets_window(packed, {rows.end - 1, rows.end}, brush, origin, sink)) {
+    --rows.end;
+  }
+  const bool is_large =
+      !brush.is_upright() || workspace.size >= font.workspace_bytes();
+  draw_rows(packed, rows, is_large ? packed.tiles_y : 1, brush, origin, sink,
+            workspace);
+}
+
+}  // namespace
+
+void draw(const Font& font,
+          Span<const PositionedGlyph> glyphs,
+          const Brush& brush,
+          Point origin,
+          const Sink& sink,
+          Workspace workspace) noexcept {
+  const UnitScale scale(font, brush);
+  for (const PositionedGlyph& at : glyphs) {
+    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink,
+                workspace);
+  }
+}
+
+void draw_text(const Font& font,
+               Text text,
+               const Brush& brush,
+               Point origin,
+               const Sink& sink,
+               Workspace workspace) noexcept {
+  const UnitScale scale(font, brush);
+  TextCursor cursor(font, text);
+  PositionedGlyph at;
+  while (cursor.next(at)) {
+    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink,
+                workspace);
+  }
+}
+
+void draw_glyph(const Font& font,
+                uint16_t glyph,
+                const Brush& brush,
+                Point origin,
+                const Sink& sink,
+                Workspace workspace) noexcept {
+  draw_placed(font, glyph, brush, origin, sink, workspace);
+}
+
+}  // namespace inkcell

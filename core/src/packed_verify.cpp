@@ -1,0 +1,49 @@
+// Font::verify for packed glyphs: what they expand to makes sense, and fits.
+#include "field_verify.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/packed.hpp"
+
+namespace inkcell {
+namespace {
+
+// A workspace that is too small for a glyph was stated wrongly by the font.
+Status expand_stated(const PackedGlyph& glyph,
+                     uint32_t first_row,
+                     uint32_t row_count,
+                     Workspace workspace,
+                     GlyphField& out) noexcept {
+  const Status status = expand(glyph, first_row, row_count, workspace, out);
+  return status == Status::buffer_small ? Status::corrupt : status;
+}
+
+}  // namespace
+
+Status Font::verify(Workspace workspace) const noexcept {
+  INKCELL_TRY(verify());
+  if (!is_packed()) {
+    return Status::ok;
+  }
+  const Workspace whole = {workspace.data, workspace_bytes()};
+  const Workspace one_row = {workspace.data, row_workspace_bytes()};
+  if (workspace.size < whole.size) {
+    return Status::buffer_small;
+  }
+  if (one_row.size > whole.size) {
+    return Status::corrupt;
+  }
+  for (uint32_t i = 0; i < glyph_count(); ++i) {
+    PackedGlyph glyph;
+    INKCELL_TRY(PackedGlyph::open(*this, static_cast<uint16_t>(i), glyph));
+    GlyphField field;
+    for (uint32_t row = 0; row < glyph.tiles_y; ++row) {
+      INKCELL_TRY(expand_stated(glyph, row, 1, one_row, field));
+    }
+    INKCELL_TRY(expand_stated(glyph, 0, glyph.tiles_y, whole, field));
+    if (!detail::field_fits(field)) {
+      return Status::corrupt;
+    }
+  }
+  return Status::ok;
+}
+
+}  // namespace inkcell

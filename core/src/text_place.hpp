@@ -1,0 +1,58 @@
+// Where the glyphs of a run stand, in px.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/text.hpp"
+
+namespace inkcell {
+namespace detail {
+
+inline int32_t clamp_to(int32_t value, int32_t limit) noexcept {
+  if (value > limit) {
+    return limit;
+  }
+  return value < -limit ? -limit : value;
+}
+
+// Longer lines than this, 1000 em at the least, end where it ends: a hostile
+// font may have glyphs 65535 units wide.
+inline constexpr int32_t kMaxUnits = 1 << 24;
+
+// What a run's font units are in px: computed once, because it takes a
+// division. [px per unit, Q10 with 20 more bits]
+class UnitScale {
+ public:
+  UnitScale(const Font& font, const Brush& brush) noexcept
+      : scale_(((int64_t{brush.size().raw} << 24) + font.units_per_em() / 2) /
+               font.units_per_em()) {}
+
+  // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
+  // nearest, so that whole pixels are met exactly.
+  int64_t to_px_q10(int32_t units) const noexcept {
+    return (clamp_to(units, kMaxUnits) * scale_ + (1 << 19)) >> 20;
+  }
+
+ private:
+  int64_t scale_;
+};
+
+inline FinePoint place(const UnitScale& scale,
+                       const Brush& brush,
+                       const FinePoint& origin,
+                       const PositionedGlyph& at) noexcept {
+  const int64_t along = scale.to_px_q10(at.x);
+  const int64_t across = scale.to_px_q10(at.y);
+  if (brush.is_upright()) {
+    return {origin.x_q10 + along, origin.y_q10 - across};
+  }
+  const int64_t cosine = brush.direction().cosine.raw;
+  const int64_t sine = brush.direction().sine.raw;
+  return {origin.x_q10 + ((along * cosine - across * sine) >> 30),
+          origin.y_q10 - ((along * sine + across * cosine) >> 30)};
+}
+
+}  // namespace detail
+}  // namespace inkcell
