@@ -119,17 +119,22 @@ int32_t length_q22(const Cone& cone) noexcept {
   return static_cast<int32_t>(length << cone.scale_log2);
 }
 
-// The lesser of two values, rounded at their vertex.
+// The lesser of two values, rounded at their vertex. Their order does not
+// matter, though the roundings in a cone are not symmetric: records may name a
+// pair's fields in either.
 int32_t least_q22(int32_t a_q22,
                   const FieldTerm& a_term,
                   int32_t b_q22,
                   const FieldTerm& b_term,
                   int32_t bend_log2,
                   int32_t reach_q22) noexcept {
-  const int32_t lesser = a_q22 < b_q22 ? a_q22 : b_q22;
+  const bool in_order = a_q22 <= b_q22;
+  const int32_t lesser = in_order ? a_q22 : b_q22;
+  const int32_t greater = in_order ? b_q22 : a_q22;
   Cone cone;
   if (lesser < 0 && lesser > -reach_q22 &&
-      find_cone(a_q22, a_term, b_q22, b_term, bend_log2, cone)) {
+      find_cone(lesser, in_order ? a_term : b_term, greater,
+                in_order ? b_term : a_term, bend_log2, cone)) {
     return -length_q22(cone);
   }
   return lesser;
