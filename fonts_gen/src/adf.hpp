@@ -17,24 +17,27 @@ enum class Predicate {
   fixed,       // the paper's: error of distance, near the edge only
 };
 
-/// What the cells are made of (design of the format: docs/FORMAT.md).
+/// What cells are made of (docs/FORMAT.md).
 enum class CellKind {
   samples,  // nine distances each
   fields,   // one to three second-order fields
 };
 
+/// How cells lie in ROM. packed: fields only.
+enum class Coding { direct, packed };
+
 struct AdfOptions {
   CellKind cells = CellKind::samples;
+  Coding coding = Coding::direct;
   /// Sizes at which the glyph will be drawn. [px/em]
   double min_px = 8;
   double max_px = 64;
   /// Largest error of rendered intensity. [1/255] Used by size_aware.
   double tolerance = 16;
   Predicate predicate = Predicate::size_aware;
-  /// How hard to try to serve a large cell before it is divided, 0..9. 0: its
-  /// nine samples or nothing; else they are fitted in up to 2 * effort rounds.
-  /// Used by size_aware. DejaVu Sans, ASCII: 40911 cells with 0, 29366 with 1,
-  /// 26238 with 5, 26204 with 9, in about the same time.
+  /// How hard to try to serve a large cell before it is divided, 0..9. Used by
+  /// size_aware. samples, 0: its nine samples or nothing; else they are fitted
+  /// in up to 2 * effort rounds.
   int effort = 5;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_code.hpp"
+
 namespace inkcell {
 namespace gen {
 namespace {
@@ -37,6 +39,21 @@ constexpr double kCornerWindows_u[] = {20, 40};
 // Quarters of smaller cells are not fitted on their own. [u, log2]
 constexpr int kLeastQuartered = 3;
 
+// Steps along the border. [u]
+constexpr double kBorderStep_u = 4;
+
+// What a new field saves later: bits for each 64 u of border that it follows
+// and no known field does, and at most.
+constexpr double kBonus = 6;
+constexpr double kMostBonus = 14;
+
+// A field follows the border within so many e0: a known one, a new one.
+constexpr double kServes = 1;
+constexpr double kWillServe = 0.7;
+
+// And if it points the same way. [cosine]
+constexpr double kAlongBorder = 0.9;
+
 // Fields whose angle is within this of an axis are tried along it. [quarters]
 constexpr double kNearAxis = 0.08;
 
@@ -45,31 +62,19 @@ bool same_code(const FieldCode& a, const FieldCode& b) {
          a.bend == b.bend;
 }
 
-bool is_axis(FieldKind kind) {
-  return kind == FieldKind::axis || kind == FieldKind::axis_arc;
-}
-
-bool is_curved(FieldKind kind) {
-  return kind == FieldKind::arc || kind == FieldKind::axis_arc;
-}
-
-int clamp_d0(double d0_u, const Quantisation& q, int log2) {
-  const int most = 1 << (q.d0_bits(log2) - 1);
-  return std::clamp(static_cast<int>(std::lround(d0_u * 64 / q.d0_step_q6)),
-                    -most, most - 1);
-}
-
 }  // namespace
 
 CandidateSource::CandidateSource(PointSource& points,
-                                 const Quantisation& quantisation,
+                                 const PackedCoding& coding,
                                  double e0_u)
-    : source_(points), quantisation_(quantisation), e0_u_(e0_u) {}
+    : source_(points), coding_(coding), e0_u_(e0_u) {
+  sample_border();
+}
 
 void CandidateSource::evaluate(Candidate& c, const Points& points) const {
   const FieldModel model(c.field);
   const size_t count = points.size();
-  c.is_arc = c.field.is_arc();
+  c.is_arc = gen::is_arc(c.field);
   c.nx = static_cast<float>(model.nx);
   c.ny = static_cast<float>(model.ny);
   const auto offset = static_cast<float>(model.c);
@@ -94,7 +99,7 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
   for (size_t i = 0; i < count; ++i) {
     const bool ok = c.value[i] >= points.low[i] && c.value[i] <= points.high[i];
     c.passes[i / 64] |= uint64_t{ok} << (i % 64);
-    c.covered += ok && points.in_band[i] && points.corner[i] < 0 ? 1 : 0;
+    c.covered += ok && points.in_band[i] && points.corner[i] < 0 ? 1u : 0u;
   }
   for (const int16_t corner : points.corners) {
     const Point& at = source_.truth().corners()[static_cast<size_t>(corner)].at;
@@ -110,16 +115,14 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
 }
 
 double CandidateSource::bits_of(const FieldCode& code, int size_log2) const {
-  const int angle =
-      is_axis(code.kind) ? 2 : quantisation_.angle_bits(size_log2);
+  const int angle = has_angle(code.kind) ? angle_bits(coding_, size_log2) : 2;
   const int bend =
-      is_curved(code.kind) ? quantisation_.bend_bits(code.bend, size_log2) : 0;
-  return quantisation_.d0_bits(size_log2) + angle + bend;
+      is_bent(code.kind) ? bend_bits(coding_, code.bend, size_log2) : 0;
+  return d0_bits(coding_, size_log2) + angle + bend;
 }
 
 std::vector<Candidate> CandidateSource::find_reused(
-    const std::vector<std::pair<uint16_t, DirectField>>& list,
-    const Points& points) const {
+    const std::vector<Known>& list, const Points& points) const {
   std::vector<Candidate> out;
   for (size_t rank = 0; rank < list.size(); ++rank) {
     Candidate c;
@@ -141,27 +144,31 @@ std::vector<Candidate> CandidateSource::find_reused(
   return out;
 }
 
-std::vector<Candidate> CandidateSource::find_new(int x_u,
-                                                 int y_u,
-                                                 int size_log2,
-                                                 const Points& points) {
+std::vector<Candidate> CandidateSource::find_new(
+    int x_u,
+    int y_u,
+    int size_log2,
+    const Points& points,
+    const std::vector<Known>& list) {
   const Square square = {x_u, y_u, size_log2};
   const std::array<int, 3> key = {x_u, y_u, size_log2};
   auto known = known_.find(key);
   if (known == known_.end()) {
     known = known_.emplace(key, find_codes(square, points)).first;
   }
+  const std::vector<size_t> border = unserved_border(square, list);
   std::vector<Candidate> out;
   const int half = 1 << size_log2 >> 1;
   for (const FieldCode& code : known->second) {
     Candidate c;
-    c.field = expand(code, quantisation_, size_log2, x_u + half, y_u + half);
+    c.field = expand_field(code, coding_, static_cast<uint32_t>(size_log2),
+                           x_u + half, y_u + half);
     c.code = code;
     c.is_new = true;
     c.bits = bits_of(code, size_log2);
     evaluate(c, points);
     if (c.covered > 0) {
-      c.bonus = bonus_of(c, square);
+      c.bonus = bonus_of(c, border);
       out.push_back(std::move(c));
     }
   }
@@ -177,8 +184,65 @@ std::vector<Candidate> CandidateSource::find_new(int x_u,
   return out;
 }
 
-double CandidateSource::bonus_of(const Candidate&, const Square&) const {
-  return 0;
+void CandidateSource::sample_border() {
+  double carry = 0;
+  for (const Edge& edge : source_.truth().shape().edges()) {
+    const double dx = edge.b.x - edge.a.x;
+    const double dy = edge.b.y - edge.a.y;
+    const double length = std::hypot(dx, dy);
+    for (; carry < length; carry += kBorderStep_u) {
+      border_.push_back({edge.a.x + dx * carry / length,
+                         edge.a.y + dy * carry / length, -dy / length,
+                         dx / length});
+    }
+    carry -= length;
+  }
+}
+
+bool CandidateSource::follows(const FieldModel& model,
+                              const BorderPoint& at,
+                              double reach_u) const {
+  if (std::fabs(model.value(at.x, at.y)) > reach_u) {
+    return false;
+  }
+  double gx = 0;
+  double gy = 0;
+  model.gradient(at.x, at.y, gx, gy);
+  return gx * at.nx + gy * at.ny > kAlongBorder;
+}
+
+// The border outside of the cell that no known field follows.
+std::vector<size_t> CandidateSource::unserved_border(
+    const Square& square, const std::vector<Known>& list) const {
+  std::vector<FieldModel> models;
+  for (const Known& known : list) {
+    models.emplace_back(known.second);
+  }
+  const int size = 1 << square.size_log2;
+  std::vector<size_t> out;
+  for (size_t i = 0; i < border_.size(); ++i) {
+    const BorderPoint& at = border_[i];
+    bool served = at.x >= square.x_u && at.x <= square.x_u + size &&
+                  at.y >= square.y_u && at.y <= square.y_u + size;
+    for (size_t m = 0; m < models.size() && !served; ++m) {
+      served = follows(models[m], at, kServes * e0_u_);
+    }
+    if (!served) {
+      out.push_back(i);
+    }
+  }
+  return out;
+}
+
+// A field that follows more of the border will be used again there.
+double CandidateSource::bonus_of(const Candidate& candidate,
+                                 const std::vector<size_t>& border) const {
+  const FieldModel model(candidate.field);
+  int count = 0;
+  for (const size_t i : border) {
+    count += follows(model, border_[i], kWillServe * e0_u_) ? 1 : 0;
+  }
+  return std::min(kMostBonus, kBonus * count * kBorderStep_u / 64);
 }
 
 std::vector<FieldCode> CandidateSource::find_codes(const Square& square,
@@ -286,7 +350,7 @@ void CandidateSource::add_codes(const Fit& fit,
     add_code(fit, FieldKind::axis, axis, axis / 4.0, square, out);
     add_code(fit, FieldKind::axis_arc, axis, axis / 4.0, square, out);
   }
-  const int steps = 1 << quantisation_.angle_bits(square.size_log2);
+  const int steps = 1 << angle_bits(coding_, square.size_log2);
   const int angle = static_cast<int>(std::lround(turn * steps)) & (steps - 1);
   const double nearest = static_cast<double>(angle) / steps;
   add_code(fit, FieldKind::line, angle, nearest, square, out);
@@ -304,16 +368,16 @@ void CandidateSource::add_code(const Fit& fit,
   const int log2 = square.size_log2;
   Fit fixed = fit;
   fixed.angle = turn * 2 * kPi;
-  fit_at_angle(fit_points_, is_curved(kind), fixed);
+  fit_at_angle(fit_points_, is_bent(kind), fixed);
   FieldCode code;
   code.kind = kind;
-  code.angle = angle;
-  if (is_curved(kind)) {
+  code.angle = static_cast<uint32_t>(angle);
+  if (is_bent(kind)) {
     const double length = std::ldexp(1.0, bend_length_log2(log2));
-    const double step_u = quantisation_.bend_step_q6 / 64.0;
+    const double step_u = coding_.bend_step / 64.0;
     code.bend = std::clamp(
         static_cast<int>(std::lround(0.5 * fixed.k * length * length / step_u)),
-        -quantisation_.most_bend(log2), quantisation_.most_bend(log2));
+        -most_bend(coding_, log2), most_bend(coding_, log2));
     if (code.bend == 0) {
       return;
     }
@@ -330,7 +394,7 @@ void CandidateSource::add_code(const Fit& fit,
     }
     fixed.d0 = 0.5 * (low + high);
   }
-  code.d0 = clamp_d0(fixed.d0, quantisation_, log2);
+  code.d0 = quantised_d0(coding_, fixed.d0, log2);
   for (const FieldCode& other : out) {
     if (same_code(other, code)) {
       return;

@@ -18,7 +18,7 @@ namespace gen {
 
 /// A field and how it does in one cell.
 struct Candidate {
-  DirectField field;
+  FieldNumbers field;
   bool is_new = false;
   int rank = 0;      // reused: place in the list
   uint16_t id = 0;   // reused: number of the field
@@ -39,21 +39,22 @@ struct Candidate {
 class CandidateSource {
  public:
   /// `points` must outlive it.
-  CandidateSource(PointSource& points,
-                  const Quantisation& quantisation,
-                  double e0_u);
+  CandidateSource(PointSource& points, const PackedCoding& coding, double e0_u);
 
-  /// New fields for a cell, the most useful first.
+  /// A field that may be used again, and its number.
+  using Known = std::pair<uint16_t, FieldNumbers>;
+
+  /// New fields for a cell, the most useful first. `list`: known fields, most
+  /// recent first.
   std::vector<Candidate> find_new(int x_u,
                                   int y_u,
                                   int size_log2,
-                                  const Points& points);
+                                  const Points& points,
+                                  const std::vector<Known>& list);
 
-  /// Those of the fields `list` (number and numbers in direct form, most
-  /// recent first) that serve the cell.
-  std::vector<Candidate> find_reused(
-      const std::vector<std::pair<uint16_t, DirectField>>& list,
-      const Points& points) const;
+  /// Those of the fields in `list` that serve the cell.
+  std::vector<Candidate> find_reused(const std::vector<Known>& list,
+                                     const Points& points) const;
 
   /// Bits of a new field without its kind.
   double bits_of(const FieldCode& code, int size_log2) const;
@@ -64,6 +65,19 @@ class CandidateSource {
     int y_u;
     int size_log2;
   };
+
+  // A point of the shape's border and the unit normal there, inwards.
+  struct BorderPoint {
+    double x;
+    double y;
+    double nx;
+    double ny;
+  };
+
+  void sample_border();
+  bool follows(const FieldModel& model,
+               const BorderPoint& at,
+               double reach_u) const;
 
   // A window in which a field is fitted.
   struct Window {
@@ -86,12 +100,16 @@ class CandidateSource {
                 double turn,
                 const Square& square,
                 std::vector<FieldCode>& out);
-  double bonus_of(const Candidate& candidate, const Square& square) const;
+  std::vector<size_t> unserved_border(const Square& square,
+                                      const std::vector<Known>& list) const;
+  double bonus_of(const Candidate& candidate,
+                  const std::vector<size_t>& border) const;
   void evaluate(Candidate& candidate, const Points& points) const;
 
   PointSource& source_;
-  Quantisation quantisation_;
+  PackedCoding coding_;
   double e0_u_;
+  std::vector<BorderPoint> border_;
   std::vector<FitPoint> fit_points_;
   // What find_codes said of a cell: it does not depend on other cells.
   std::map<std::array<int, 3>, std::vector<FieldCode>> known_;

@@ -2,53 +2,88 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+
+#include "inkcell/format.hpp"
 
 namespace inkcell {
 namespace gen {
 namespace {
+
 constexpr double kPi = 3.14159265358979323846;
+
+// Steps in e0. Coarser ones make more cells and are larger in total.
+constexpr double kDistanceStep = 0.5;
+constexpr double kBendStep = 0.75;
+
+// Half of the smallest square that is coded with an angle of its own
+// precision. [u]
+constexpr double kAngleReach_u = 24;
+
+// Golomb-Rice parameters of levels 0 to 3 at an e0 of 1 u: four bits each.
+constexpr int kBendBits[] = {4, 3, 2, 2};
+constexpr int kMostBendBits = 6;
+
+// A unary part of this length is not valid.
+constexpr int kUnaryLimit = 16;
+
+int whole(double value, int least, int most) {
+  return std::clamp(static_cast<int>(std::lround(value)), least, most);
 }
 
-Quantisation Quantisation::make(double e0_u, double band_u) {
-  Quantisation q;
-  q.d0_step_q6 =
-      std::clamp(static_cast<int>(std::lround(64 * 0.5 * e0_u)), 1, 255);
-  q.bend_step_q6 =
-      std::clamp(static_cast<int>(std::lround(64 * 0.75 * e0_u)), 1, 255);
-  q.d0_log2 = std::clamp(static_cast<int>(std::ceil(std::log2(band_u))), 4, 8);
-  q.d0_base = static_cast<int>(
-      std::ceil(std::log2(2 * std::ldexp(64.0, q.d0_log2) / q.d0_step_q6)));
-  q.angle_base = std::clamp(
-      static_cast<int>(std::lround(std::log2(2 * kPi * 24 / (0.5 * e0_u)))), 4,
-      10);
-  return q;
+}  // namespace
+
+double e0_u(const AdfOptions& options) {
+  return options.tolerance / 255 * 1024 / options.max_px;
 }
 
-DirectField expand(const FieldCode& code,
-                   const Quantisation& q,
-                   int size_log2,
-                   int x_u,
-                   int y_u) {
-  const bool axis =
-      code.kind == FieldKind::axis || code.kind == FieldKind::axis_arc;
-  const double turn = axis ? code.angle / 4.0
-                           : std::ldexp(code.angle, -q.angle_bits(size_log2));
-  DirectField f;
-  f.nx = static_cast<int16_t>(std::lround(16384 * std::cos(2 * kPi * turn)));
-  f.ny = static_cast<int16_t>(std::lround(16384 * std::sin(2 * kPi * turn)));
-  const int dot = f.nx * x_u + f.ny * y_u;    // Q14
-  const int cross = f.nx * y_u - f.ny * x_u;  // Q14
-  f.c = static_cast<int16_t>((code.d0 * q.d0_step_q6 * 256 - dot + 512) >> 10);
-  if (code.kind == FieldKind::arc || code.kind == FieldKind::axis_arc) {
-    f.cw = static_cast<int16_t>((-cross + 512) >> 10);
-    // k/2 v^2 = bend * step at v = 2^log2 u, in 2^-19 / u.
-    const int shift = 13 - 2 * bend_length_log2(size_log2);
-    const int bend = code.bend * q.bend_step_q6;
-    int k = shift >= 0 ? bend * (1 << shift)
-                       : (bend + (1 << (-shift - 1))) >> -shift;
-    f.k = static_cast<int16_t>(std::clamp(k, -32767, 32767));
+PackedCoding coding_for(const AdfOptions& options) {
+  const double e0 = e0_u(options);
+  PackedCoding coding;
+  const double step = 64 * kDistanceStep * e0;
+  coding.d0_step = static_cast<uint8_t>(whole(step, 1, 255));
+  coding.bend_step = static_cast<uint8_t>(whole(64 * kBendStep * e0, 1, 255));
+  coding.d0_log2 =
+      static_cast<uint8_t>(whole(std::ceil(std::log2(band_u(options))), 4, 8));
+  const double range = 2 * std::ldexp(64.0, coding.d0_log2) / coding.d0_step;
+  coding.d0_base =
+      static_cast<uint8_t>(whole(std::ceil(std::log2(range)), 4, 16));
+  const double turn = 2 * kPi * kAngleReach_u / (kDistanceStep * e0);
+  coding.angle_base = static_cast<uint8_t>(whole(std::log2(turn), 4, 10));
+  for (int level = 0; level < 4; ++level) {
+    const int bits = whole(kBendBits[level] - std::log2(e0), 0, kMostBendBits);
+    coding.bend_k = static_cast<uint16_t>(coding.bend_k | bits << 4 * level);
   }
-  return f;
+  return coding;
+}
+
+std::array<uint8_t, 8> coding_bytes(const PackedCoding& coding) {
+  namespace at = format::quantisation;
+  static_assert(at::kBytes == 8, "");
+  std::array<uint8_t, 8> bytes{};
+  bytes[at::kD0Step] = coding.d0_step;
+  bytes[at::kBendStep] = coding.bend_step;
+  bytes[at::kD0Base] = coding.d0_base;
+  bytes[at::kD0Log2] = coding.d0_log2;
+  bytes[at::kAngleBase] = coding.angle_base;
+  bytes[at::kBendBits] = static_cast<uint8_t>(coding.bend_k);
+  bytes[at::kBendBits + 1] = static_cast<uint8_t>(coding.bend_k >> 8);
+  return bytes;
+}
+
+int quantised_d0(const PackedCoding& coding, double d0_u, int log2) {
+  const int most = 1 << (d0_bits(coding, log2) - 1);
+  return whole(d0_u * 64 / coding.d0_step, -most, most - 1);
+}
+
+int bend_bits(const PackedCoding& coding, int bend, int log2) {
+  const auto k =
+      static_cast<int>(coding.bend_bits(static_cast<uint32_t>(log2)));
+  return 2 + k + ((std::abs(bend) - 1) >> k);
+}
+
+int most_bend(const PackedCoding& coding, int log2) {
+  return kUnaryLimit << coding.bend_bits(static_cast<uint32_t>(log2));
 }
 
 }  // namespace gen

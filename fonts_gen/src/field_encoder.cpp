@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bit_costs.hpp"
+#include "field_code.hpp"
 #include "metric.hpp"
 
 namespace inkcell {
@@ -31,11 +32,6 @@ double limit_of(const AdfOptions& options) {
   return std::max(options.tolerance - 0.7, options.tolerance / 2);
 }
 
-// The distance in u that makes an error of the tolerance at the edge.
-double e0_of(const AdfOptions& options) {
-  return options.tolerance / 255 * 1024 / options.max_px;
-}
-
 // In how many rows of tiles each field is used.
 std::vector<int> rows_of_fields(const FieldTree& tree) {
   std::vector<int> rows(tree.fields.size());
@@ -58,10 +54,9 @@ std::vector<int> rows_of_fields(const FieldTree& tree) {
 
 FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
     : grid_(lay_grid(shape, options)),
-      e0_u_(e0_of(options)),
-      quantisation_(Quantisation::make(e0_u_, band_u(options))),
+      coding_(coding_for(options)),
       points_(shape, Metric(options), grid_, limit_of(options)),
-      candidates_(points_, quantisation_, e0_u_),
+      candidates_(points_, coding_, e0_u(options)),
       shared_log2_(shared_log2(grid_)),
       shared_x_u_(grid_.x0_u + (grid_.tiles_x << (grid_.tile_log2 - 1))),
       shared_y_u_(grid_.y0_u + (grid_.tiles_y << (grid_.tile_log2 - 1))) {}
@@ -81,14 +76,15 @@ FieldTree FieldEncoder::encode() {
 FieldTree FieldEncoder::encode_rows(bool borrow) {
   FieldTree tree;
   tree.grid = grid_;
-  tree.quantisation = quantisation_;
+  tree.coding = coding_;
   tree.shared = shared_;
   fields_.clear();
   List first;
   for (const FieldCode& code : shared_) {
     first.push_back(static_cast<uint16_t>(fields_.size()));
-    fields_.push_back(
-        expand(code, quantisation_, shared_log2_, shared_x_u_, shared_y_u_));
+    fields_.push_back(expand_field(code, coding_,
+                                   static_cast<uint32_t>(shared_log2_),
+                                   shared_x_u_, shared_y_u_));
   }
   List list = first;
   for (int row = 0; row < grid_.tiles_y; ++row) {
@@ -113,7 +109,7 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
 void FieldEncoder::share(const FieldTree& tree) {
   const std::vector<int> rows = rows_of_fields(tree);
   for (size_t f = 0; f < rows.size(); ++f) {
-    if (rows[f] >= 2 && !tree.fields[f].is_arc() &&
+    if (rows[f] >= 2 && !is_arc(tree.fields[f]) &&
         shared_.size() < kMostShared) {
       shared_.push_back(shared_code(tree.fields[f]));
     }
@@ -134,23 +130,20 @@ bool FieldEncoder::drop_unshared(const FieldTree& tree) {
 }
 
 // The straight field nearest to `field`, with the precision of the whole grid.
-FieldCode FieldEncoder::shared_code(const DirectField& field) const {
+FieldCode FieldEncoder::shared_code(const FieldNumbers& field) const {
   const FieldModel model(field);
   const double turn = std::atan2(model.ny, model.nx) / (2 * kPi);
   FieldCode code;
-  if (field.nx == 0 || field.ny == 0) {
+  if (field.nx_q14 == 0 || field.ny_q14 == 0) {
     code.kind = FieldKind::axis;
-    code.angle = static_cast<int>(std::lround(turn * 4)) & 3;
+    code.angle = static_cast<uint32_t>(std::lround(turn * 4) & 3);
   } else {
-    const int steps = 1 << quantisation_.angle_bits(shared_log2_);
+    const int steps = 1 << angle_bits(coding_, shared_log2_);
     code.kind = FieldKind::line;
-    code.angle = static_cast<int>(std::lround(turn * steps)) & (steps - 1);
+    code.angle = static_cast<uint32_t>(std::lround(turn * steps) & (steps - 1));
   }
-  const int most = 1 << (quantisation_.d0_bits(shared_log2_) - 1);
-  const double d0_u = model.value(shared_x_u_, shared_y_u_);
-  code.d0 = std::clamp(
-      static_cast<int>(std::lround(d0_u * 64 / quantisation_.d0_step_q6)),
-      -most, most - 1);
+  code.d0 = quantised_d0(coding_, model.value(shared_x_u_, shared_y_u_),
+                         shared_log2_);
   return code;
 }
 
@@ -234,12 +227,12 @@ FieldEncoder::Coded FieldEncoder::encode_square(
         node_bits(log2, inside ? node_symbol::kInside : node_symbol::kOutside);
     return coded;
   }
-  std::vector<std::pair<uint16_t, DirectField>> known;
+  std::vector<CandidateSource::Known> known;
   for (const uint16_t number : list) {
     known.push_back({number, fields_[number]});
   }
   std::vector<Candidate> candidates = candidates_.find_reused(known, points);
-  for (Candidate& c : candidates_.find_new(x_u, y_u, log2, points)) {
+  for (Candidate& c : candidates_.find_new(x_u, y_u, log2, points, known)) {
     candidates.push_back(std::move(c));
   }
   Leaf leaf;

@@ -41,7 +41,7 @@ class FieldEncoder {
   // there before.
   struct Coded {
     std::vector<TreeNode> nodes;
-    std::vector<DirectField> fields;
+    std::vector<FieldNumbers> fields;
     List list;  // afterwards
     double bits = 0;
     int failures = 0;
@@ -50,7 +50,7 @@ class FieldEncoder {
   FieldTree encode_rows(bool borrow);
   void share(const FieldTree& tree);
   bool drop_unshared(const FieldTree& tree);
-  FieldCode shared_code(const DirectField& field) const;
+  FieldCode shared_code(const FieldNumbers& field) const;
   Coded encode_square(
       int x_u, int y_u, int log2, const List& list, double budget);
   bool divide(
@@ -60,8 +60,7 @@ class FieldEncoder {
   TreeNode node(TreeNode::Kind kind, int x_u, int y_u, int log2) const;
 
   Grid grid_;
-  double e0_u_;
-  Quantisation quantisation_;
+  PackedCoding coding_;
   PointSource points_;
   CandidateSource candidates_;
   LeafSearch search_;
@@ -69,7 +68,7 @@ class FieldEncoder {
   int shared_x_u_;
   int shared_y_u_;
   std::vector<FieldCode> shared_;
-  std::vector<DirectField> fields_;  // of all that is decided so far
+  std::vector<FieldNumbers> fields_;  // of all that is decided so far
 };
 
 }  // namespace gen

@@ -10,14 +10,17 @@ namespace {
 // Encodings at most, before what is left is reported.
 constexpr int kMostRounds = 6;
 
+// Other positions than those of the loop may look a little worse. [1/255]
+constexpr double kReserve = 0.4;
+
 }  // namespace
 
-FieldGlyph build_fields(const Shape& shape, const AdfOptions& options) {
-  LoopOptions loop_options;
-  loop_options.min_px = static_cast<int>(options.min_px);
-  loop_options.max_px = static_cast<int>(options.max_px);
-  loop_options.tolerance = options.tolerance;
-  ClosedLoop loop(shape, loop_options);
+FieldGlyph build_fields(const Shape& shape,
+                        const AdfOptions& options,
+                        const LoopOptions& loop_options) {
+  LoopOptions strict = loop_options;
+  strict.tolerance -= kReserve;
+  ClosedLoop loop(shape, strict);
   FieldEncoder encoder(shape, options);
   FieldGlyph best;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -20,10 +20,12 @@ struct FieldGlyph {
   int rounds = 0;               // encodings that it took
 };
 
-/// `shape` must not be empty.
+/// `shape` must not be empty. `loop_options` say what counts as an error.
 ///
 /// Throws GeometryError::too_complex or too_large if it does not fit.
-FieldGlyph build_fields(const Shape& shape, const AdfOptions& options);
+FieldGlyph build_fields(const Shape& shape,
+                        const AdfOptions& options,
+                        const LoopOptions& loop_options);
 
 }  // namespace gen
 }  // namespace inkcell

@@ -1,29 +1,25 @@
-// One second-order field in direct form, and combinations of them, in real
-// numbers: what docs/FORMAT.md ("Glyph record, type 2") says they are worth.
+// Second-order fields in real numbers: what docs/FORMAT.md says the numbers of
+// a record are worth.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 
+#include "inkcell/packed.hpp"
+
 namespace inkcell {
 namespace gen {
 
-/// The numbers of a field as they lie in ROM.
-struct DirectField {
-  int16_t nx = 0;  // Q14
-  int16_t ny = 0;
-  int16_t c = 0;   // Q4 u
-  int16_t cw = 0;  // Q4 u
-  int16_t k = 0;   // 2^-19 / u; 0: a line
+inline bool is_arc(const FieldNumbers& field) {
+  return field.bend != 0;
+}
 
-  bool is_arc() const { return k != 0; }
-  bool operator==(const DirectField& o) const {
-    return nx == o.nx && ny == o.ny && c == o.c && k == o.k &&
-           (k == 0 || cw == o.cw);
-  }
-};
+inline bool same_field(const FieldNumbers& a, const FieldNumbers& b) {
+  return a.nx_q14 == b.nx_q14 && a.ny_q14 == b.ny_q14 && a.c_q4 == b.c_q4 &&
+         a.bend == b.bend && (a.bend == 0 || a.along_q4 == b.along_q4);
+}
 
-/// The same in real numbers.
+/// A field in real numbers. [u]
 struct FieldModel {
   double nx = 0;
   double ny = 0;
@@ -32,12 +28,12 @@ struct FieldModel {
   double k = 0;
 
   FieldModel() = default;
-  explicit FieldModel(const DirectField& field)
-      : nx(field.nx / 16384.0),
-        ny(field.ny / 16384.0),
-        c(field.c / 16.0),
-        cw(field.cw / 16.0),
-        k(std::ldexp(field.k, -19)) {}
+  explicit FieldModel(const FieldNumbers& field)
+      : nx(field.nx_q14 / 16384.0),
+        ny(field.ny_q14 / 16384.0),
+        c(field.c_q4 / 16.0),
+        cw(field.along_q4 / 16.0),
+        k(std::ldexp(field.bend, -19)) {}
 
   double value(double x, double y) const {
     const double w = nx * y - ny * x + cw;

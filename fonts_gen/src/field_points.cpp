@@ -88,11 +88,11 @@ void PointSource::add_near_edge(
     for (int i = odd_row ? 0 : fine; i <= size; i += odd_row ? fine : step) {
       const TruthSample& coarse =
           truth_.at(x_u + i / step * step, y_u + j / step * step);
-      if (std::fabs(coarse.distance_u) >= 2 * step) {
+      if (std::fabs(coarse.distance_u) >= static_cast<float>(2 * step)) {
         continue;
       }
       const TruthSample& sample = truth_.at(x_u + i, y_u + j);
-      if (std::fabs(sample.distance_u) < step) {
+      if (std::fabs(sample.distance_u) < static_cast<float>(step)) {
         add(x_u + i, y_u + j, sample, limit_, points);
       }
     }

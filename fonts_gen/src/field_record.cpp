@@ -22,13 +22,13 @@ void put_u16(Bytes& out, int value) {
   out.push_back(static_cast<uint8_t>(value >> 8));
 }
 
-void put_field(Bytes& out, const DirectField& field) {
-  put_u16(out, field.nx);
-  put_u16(out, field.ny);
-  put_u16(out, field.c);
-  if (field.is_arc()) {
-    put_u16(out, field.cw);
-    put_u16(out, field.k);
+void put_field(Bytes& out, const FieldNumbers& field) {
+  put_u16(out, field.nx_q14);
+  put_u16(out, field.ny_q14);
+  put_u16(out, field.c_q4);
+  if (is_arc(field)) {
+    put_u16(out, field.along_q4);
+    put_u16(out, field.bend);
   }
 }
 
@@ -79,7 +79,7 @@ class NarrowRecord {
     put_u16(out, static_cast<int>(fields_.size() - arcs_));
     put_u16(out, static_cast<int>(pairs_.size()));
     put_u16(out, static_cast<int>(triples_.size()));
-    for (const DirectField* field : fields_) {
+    for (const FieldNumbers* field : fields_) {
       put_field(out, *field);
     }
     for (const auto& triple : triples_in_order_) {
@@ -106,12 +106,13 @@ class NarrowRecord {
     }
     for (const bool arc : {true, false}) {
       for (size_t f = 0; f < tree_.fields.size(); ++f) {
-        const DirectField& field = tree_.fields[f];
-        if (!used[f] || field.is_arc() != arc) {
+        const FieldNumbers& field = tree_.fields[f];
+        if (!used[f] || is_arc(field) != arc) {
           continue;
         }
         size_t number = 0;
-        while (number < fields_.size() && !(*fields_[number] == field)) {
+        while (number < fields_.size() &&
+               !same_field(*fields_[number], field)) {
           ++number;
         }
         if (number == fields_.size()) {
@@ -204,7 +205,7 @@ class NarrowRecord {
   const FieldTree& tree_;
   size_t splits_ = 0;
   size_t arcs_ = 0;
-  std::vector<const DirectField*> fields_;
+  std::vector<const FieldNumbers*> fields_;
   std::vector<size_t> number_of_;
   std::map<std::array<uint8_t, 2>, size_t> pairs_;
   std::map<std::array<uint8_t, 4>, size_t> triples_;
@@ -267,13 +268,13 @@ class LinkedRecord {
   size_t field_offset(uint16_t f) {
     if (offsets_[f] == 0) {
       offsets_[f] = heap_.size();
-      const DirectField& field = tree_.fields[f];
-      add(field.nx);
-      add(field.ny);
-      add(field.c);
-      if (field.is_arc()) {
-        add(field.cw);
-        add(field.k);
+      const FieldNumbers& field = tree_.fields[f];
+      add(field.nx_q14);
+      add(field.ny_q14);
+      add(field.c_q4);
+      if (is_arc(field)) {
+        add(field.along_q4);
+        add(field.bend);
       }
     }
     return offsets_[f];
@@ -287,7 +288,7 @@ class LinkedRecord {
     std::array<uint16_t, 3> units{};
     for (size_t i = 0; i < count; ++i) {
       const uint16_t f = node.uses[i].field;
-      const bool arc = tree_.fields[f].is_arc();
+      const bool arc = is_arc(tree_.fields[f]);
       const size_t offset = field_offset(f);
       if (count == 1) {
         return reference(arc ? kArc : kLine, offset);

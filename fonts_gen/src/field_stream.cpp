@@ -1,8 +1,12 @@
 #include "field_stream.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "bit_costs.hpp"
+#include "field_code.hpp"
+#include "field_model.hpp"
+#include "inkcell/format.hpp"
 
 namespace inkcell {
 namespace gen {
@@ -48,7 +52,7 @@ uint32_t canonical_code(const uint8_t* lengths, int count, int symbol) {
 class Stream {
  public:
   Stream(const FieldTree& tree, SymbolCounts* counts)
-      : tree_(tree), q_(tree.quantisation), counts_(counts) {}
+      : tree_(tree), coding_(tree.coding), counts_(counts) {}
 
   std::vector<uint8_t> shared(int log2) {
     bits_.put(static_cast<uint32_t>(tree_.shared.size()), 4);
@@ -137,30 +141,28 @@ class Stream {
   }
 
   void field(const FieldCode& code, int log2) {
-    const int d0_bits = q_.d0_bits(log2);
-    bits_.put(static_cast<uint32_t>(code.d0 + (1 << (d0_bits - 1))), d0_bits);
-    const bool axis =
-        code.kind == FieldKind::axis || code.kind == FieldKind::axis_arc;
-    bits_.put(static_cast<uint32_t>(code.angle),
-              axis ? 2 : q_.angle_bits(log2));
-    if (code.kind == FieldKind::arc || code.kind == FieldKind::axis_arc) {
-      const size_t level = Quantisation::bend_level(log2);
-      const int size = std::abs(code.bend) - 1;
-      const int k = q_.bend_k[level];
-      for (int i = 0; i < size >> k; ++i) {
-        bits_.put(1, 1);
-      }
-      bits_.put(0, 1);
-      bits_.put(static_cast<uint32_t>(size) & ((1u << k) - 1), k);
-      bits_.put(code.bend < 0 ? 1 : 0, 1);
-      if (counts_ != nullptr) {
-        ++counts_->bend[level][static_cast<size_t>(std::min(size, 255))];
-      }
+    const int width = d0_bits(coding_, log2);
+    bits_.put(static_cast<uint32_t>(code.d0 + (1 << (width - 1))), width);
+    bits_.put(code.angle, has_angle(code.kind) ? angle_bits(coding_, log2) : 2);
+    if (!is_bent(code.kind)) {
+      return;
+    }
+    const auto size = static_cast<uint32_t>(std::abs(code.bend) - 1);
+    const uint32_t k = coding_.bend_bits(static_cast<uint32_t>(log2));
+    for (uint32_t i = 0; i < size >> k; ++i) {
+      bits_.put(1, 1);
+    }
+    bits_.put(0, 1);
+    bits_.put(size & ((1u << k) - 1), static_cast<int>(k));
+    bits_.put(code.bend < 0 ? 1u : 0u, 1);
+    if (counts_ != nullptr) {
+      const auto level = static_cast<size_t>(std::clamp(8 - log2, 0, 3));
+      ++counts_->bend[level][std::min(size, 255u)];
     }
   }
 
   const FieldTree& tree_;
-  const Quantisation& q_;
+  const PackedCoding& coding_;
   SymbolCounts* counts_;
   BitWriter bits_;
 };
@@ -200,6 +202,35 @@ std::vector<uint8_t> packed_record(const FieldTree& tree,
     out.insert(out.end(), row.begin(), row.end());
   }
   return out;
+}
+
+size_t expanded_bytes(const FieldTree& tree, int first_row, int row_count) {
+  namespace linked = format::linked;
+  const auto field_units = [&](size_t field) {
+    return is_arc(tree.fields[field]) ? linked::kArcUnits : linked::kLineUnits;
+  };
+  size_t units =
+      static_cast<size_t>(tree.grid.tiles_x) * static_cast<size_t>(row_count);
+  for (size_t field = 0; field < tree.shared.size(); ++field) {
+    units += field_units(field);
+  }
+  for (const TreeNode& node : tree.nodes) {
+    const int row = (node.y_u - tree.grid.y0_u) >> tree.grid.tile_log2;
+    if (row < first_row || row >= first_row + row_count) {
+      continue;
+    }
+    units += node.kind == TreeNode::Kind::split ? linked::kNodeUnits : 0;
+    if (node.kind != TreeNode::Kind::leaf) {
+      continue;
+    }
+    const auto count = static_cast<size_t>(field_count(node.join));
+    for (size_t i = 0; i < count; ++i) {
+      units += node.uses[i].is_new ? field_units(node.uses[i].field) : 0;
+    }
+    units += count == 2 ? linked::kPairUnits : 0;
+    units += count == 3 ? linked::kTripleUnits : 0;
+  }
+  return 2 * units;
 }
 
 }  // namespace gen

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct SymbolCounts {
 
 /// The record of a glyph with ink. Adds to `counts` unless it is null.
 std::vector<uint8_t> packed_record(const FieldTree& tree, SymbolCounts* counts);
+
+/// Bytes of the workspace that the device fills when it expands `row_count`
+/// rows of tiles from `first_row` on.
+size_t expanded_bytes(const FieldTree& tree, int first_row, int row_count);
 
 }  // namespace gen
 }  // namespace inkcell

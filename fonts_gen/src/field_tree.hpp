@@ -47,10 +47,10 @@ inline int shared_log2(const Grid& grid) {
 
 struct FieldTree {
   Grid grid;
-  Quantisation quantisation;
+  PackedCoding coding;
   /// Fields that several rows of tiles use; they come first in `fields`.
   std::vector<FieldCode> shared;
-  std::vector<DirectField> fields;
+  std::vector<FieldNumbers> fields;
   std::vector<TreeNode> nodes;
   int failures = 0;  // squares of the smallest size that no fields fit
 };

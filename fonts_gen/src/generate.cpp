@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "char_set.hpp"
+#include "field_glyph.hpp"
 #include "font_source.hpp"
 #include "shape.hpp"
 #include "work_pool.hpp"
@@ -37,6 +38,13 @@ void check_request(const GenerateRequest& request) {
   }
   if (adf.effort < 0 || adf.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
+  }
+  if (adf.cells == CellKind::samples && adf.coding == Coding::packed) {
+    throw Error("--coding packed is for cells of fields; use --cells fields");
+  }
+  if (adf.cells == CellKind::fields && adf.predicate == Predicate::fixed) {
+    throw Error(
+        "--predicate fixed is the paper's, for its cells; use --cells samples");
   }
 }
 
@@ -78,18 +86,75 @@ GlyphMetrics box_in_font_units(const Box& box, int units_per_em) {
   return m;
 }
 
-RomGlyph build_glyph(const SourceFont& font,
-                     const SourceGlyph& glyph,
-                     const AdfOptions& options) {
+// One glyph, and how it looks.
+struct Built {
+  RomGlyph glyph;
+  LoopResult errors;  // size_aware
+};
+
+LoopOptions loop_options(const AdfOptions& options) {
+  LoopOptions loop;
+  loop.min_px = static_cast<int>(options.min_px);
+  loop.max_px = static_cast<int>(options.max_px);
+  loop.tolerance = options.tolerance;
+  return loop;
+}
+
+void build_samples(const Shape& shape,
+                   const AdfOptions& options,
+                   Built& built) {
+  AdfOptions of_samples = options;
+  of_samples.cells = CellKind::samples;
+  built.glyph.fields = FieldTree();
+  built.glyph.samples = build_adf(shape, of_samples);
+  if (options.predicate == Predicate::fixed) {
+    return;
+  }
+  const std::vector<uint8_t> record = glyph_record(built.glyph, Coding::direct);
+  GlyphField field;
+  if (GlyphField::open({record.data(), record.size()}, field) == Status::ok) {
+    built.errors =
+        ClosedLoop(shape, loop_options(options)).draw_and_compare(field);
+  }
+}
+
+// Cells of fields, or of samples where fields cannot hold the tolerance.
+void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
+  if (options.cells == CellKind::samples) {
+    build_samples(shape, options, built);
+    return;
+  }
+  FieldGlyph glyph;
+  try {
+    glyph = build_fields(shape, options, loop_options(options));
+  } catch (const GeometryError&) {
+    build_samples(shape, options, built);
+    return;
+  }
+  if (glyph.errors.worst > options.tolerance) {
+    build_samples(shape, options, built);
+    if (built.errors.worst < glyph.errors.worst) {
+      return;
+    }
+    built.glyph.samples = AdfGlyph();
+  }
+  built.glyph.fields = std::move(glyph.tree);
+  built.errors = std::move(glyph.errors);
+}
+
+Built build_glyph(const SourceFont& font,
+                  const SourceGlyph& glyph,
+                  const AdfOptions& options) {
   const auto refuse = [&](const std::string& why) {
     throw Error(font.file_name + ": " + glyph.name() + ": " + why);
   };
-  RomGlyph built;
+  Built built;
   try {
     const Shape shape(glyph.outline);
     if (!shape.empty()) {
-      built.metrics = box_in_font_units(shape.box(), font.metrics.units_per_em);
-      built.field = build_adf(shape, options);
+      built.glyph.metrics =
+          box_in_font_units(shape.box(), font.metrics.units_per_em);
+      build_cells(shape, options, built);
     }
   } catch (const GeometryError& error) {
     const bool complex = error.kind() == GeometryError::Kind::too_complex;
@@ -103,11 +168,13 @@ RomGlyph build_glyph(const SourceFont& font,
         std::string(error.what()) + "; " +
         glyph.remedy(complex ? "use --predicate size" : "repair the outline"));
   }
-  built.metrics.advance = glyph.advance;
+  built.glyph.metrics.advance = glyph.advance;
   return built;
 }
 
-RomContent build_content(SourceFont& font, const GenerateRequest& request) {
+RomContent build_content(SourceFont& font,
+                         const GenerateRequest& request,
+                         std::vector<LoopResult>& errors) {
   RomContent content;
   content.name = font.name;
   content.metrics = font.metrics;
@@ -115,6 +182,7 @@ RomContent build_content(SourceFont& font, const GenerateRequest& request) {
   content.kerning = std::move(font.kerning);
   const size_t count = font.glyphs.size();
   content.glyphs.resize(count);
+  errors.resize(count);
   std::function<void(size_t)> done;
   if (request.progress) {
     done = [&](size_t finished) { request.progress(finished, count); };
@@ -122,7 +190,9 @@ RomContent build_content(SourceFont& font, const GenerateRequest& request) {
   parallel_for(
       count, request.jobs,
       [&](size_t i) {
-        content.glyphs[i] = build_glyph(font, font.glyphs[i], request.adf);
+        Built built = build_glyph(font, font.glyphs[i], request.adf);
+        content.glyphs[i] = std::move(built.glyph);
+        errors[i] = std::move(built.errors);
       },
       done);
   for (size_t i = 0; i < count; ++i) {
@@ -133,21 +203,76 @@ RomContent build_content(SourceFont& font, const GenerateRequest& request) {
   return content;
 }
 
-GlyphReport report_glyph(const SourceGlyph& source, const AdfGlyph& field) {
+void count_cells(const RomGlyph& glyph, CellCounts& kinds) {
+  kinds.samples += glyph.samples.cells.size();
+  for (const TreeNode& node : glyph.fields.nodes) {
+    if (node.kind == TreeNode::Kind::leaf) {
+      const int count = field_count(node.join);
+      ++(count == 1 ? kinds.single : count == 2 ? kinds.pairs : kinds.triples);
+    }
+  }
+}
+
+GlyphReport report_glyph(const SourceGlyph& source,
+                         const RomGlyph& built,
+                         const LoopResult& errors,
+                         const AdfOptions& options) {
   GlyphReport glyph;
   glyph.name = source.name();
   glyph.key = source.code_points.empty() ? ".notdef"
                                          : to_utf8(source.code_points.front());
-  glyph.cells = field.cells.size();
-  glyph.nodes = static_cast<size_t>(field.node_count());
-  glyph.bytes = record_bytes(field);
-  glyph.worst_error = field.worst_error;
-  glyph.mean_error = field.mean_error;
-  glyph.within_tolerance = field.within_tolerance;
+  glyph.cells = built.samples.cells.size();
+  glyph.nodes = static_cast<size_t>(built.samples.node_count());
+  for (const TreeNode& node : built.fields.nodes) {
+    glyph.cells += node.kind == TreeNode::Kind::leaf ? 1 : 0;
+    glyph.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
+  }
+  glyph.fields = built.fields.fields.size();
+  glyph.bytes = glyph_record(built, options.coding).size();
+  if (options.predicate == Predicate::fixed) {
+    glyph.worst_error = built.samples.worst_error;
+    glyph.mean_error = built.samples.mean_error;
+    glyph.within_tolerance = built.samples.within_tolerance;
+    return glyph;
+  }
+  glyph.worst_error = errors.worst;
+  glyph.mean_error = errors.worst_mean;
+  glyph.within_tolerance = errors.worst <= options.tolerance;
+  for (const SizeError& size : errors.sizes) {
+    if (size.worst == errors.worst) {
+      glyph.worst_px = size.px;
+    }
+  }
   return glyph;
 }
 
-FontReport make_report(const SourceFont& font, const RomContent& content) {
+// The errors of all glyphs, size by size.
+std::vector<SizeError> sum_of_sizes(const std::vector<LoopResult>& glyphs) {
+  std::vector<SizeError> sum;
+  size_t count = 0;
+  for (const LoopResult& glyph : glyphs) {
+    if (glyph.sizes.empty()) {
+      continue;
+    }
+    ++count;
+    if (sum.empty()) {
+      sum = glyph.sizes;
+      continue;
+    }
+    for (size_t i = 0; i < sum.size(); ++i) {
+      sum[i].worst = std::max(sum[i].worst, glyph.sizes[i].worst);
+      sum[i].mean += glyph.sizes[i].mean;
+    }
+  }
+  for (SizeError& size : sum) {
+    size.mean /= static_cast<double>(count);
+  }
+  return sum;
+}
+
+FontReport make_report(const SourceFont& font,
+                       const RomContent& content,
+                       const std::vector<LoopResult>& errors) {
   FontReport report;
   report.file_name = font.file_name;
   report.name = font.name;
@@ -156,14 +281,18 @@ FontReport make_report(const SourceFont& font, const RomContent& content) {
   report.characters = content.glyph_of.size();
   report.left_classes = content.kerning.left_classes;
   report.right_classes = content.kerning.right_classes;
+  report.sizes = sum_of_sizes(errors);
   size_t with_ink = 0;
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
-    const AdfGlyph& field = content.glyphs[i].field;
-    GlyphReport glyph = report_glyph(font.glyphs[i], field);
+    const RomGlyph& built = content.glyphs[i];
+    GlyphReport glyph =
+        report_glyph(font.glyphs[i], built, errors[i], content.options);
+    count_cells(built, report.kinds);
     report.cells += glyph.cells;
     report.nodes += glyph.nodes;
+    report.fields += glyph.fields;
     report.worst_error = std::max(report.worst_error, glyph.worst_error);
-    if (field.tiles_x != 0) {
+    if (built.has_ink()) {
       report.mean_error += glyph.mean_error;
       ++with_ink;
     }
@@ -171,6 +300,12 @@ FontReport make_report(const SourceFont& font, const RomContent& content) {
   }
   if (with_ink != 0) {
     report.mean_error /= static_cast<double>(with_ink);
+  }
+  if (!report.sizes.empty()) {
+    report.mean_error = 0;
+    for (const SizeError& size : report.sizes) {
+      report.mean_error = std::max(report.mean_error, size.mean);
+    }
   }
   return report;
 }
@@ -192,8 +327,7 @@ void warn_of_errors(const FontReport& report, Warnings& warnings) {
   const char* unit = fixed ? "/1024 em" : "/255";
   std::string text = report.file_name + ": " + std::to_string(missed.size()) +
                      (missed.size() == 1 ? " glyph misses" : " glyphs miss") +
-                     " the tolerance in cells of the smallest "
-                     "size: ";
+                     " the tolerance: ";
   for (size_t i = 0; i < std::min(missed.size(), kListedGlyphs); ++i) {
     char error[32];
     std::snprintf(error, sizeof error, " %.1f", missed[i]->worst_error);
@@ -217,12 +351,18 @@ RomFont generate(const GenerateRequest& request) {
   wanted.axes = request.axes;
   wanted.characters = characters_of(request);
   SourceFont font = load_font(wanted, request.jobs, rom.warnings);
-  const RomContent content = build_content(font, request);
+  std::vector<LoopResult> errors;
+  const RomContent content = build_content(font, request, errors);
   PartBytes parts;
   rom.bytes = write_rom_font(content, parts);
   check_rom_font(rom.bytes, content);
-  rom.report = make_report(font, content);
+  rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;
+  Font opened;
+  if (Font::open({rom.bytes.data(), rom.bytes.size()}, opened) == Status::ok) {
+    rom.report.row_workspace = opened.row_workspace_bytes();
+    rom.report.workspace = opened.workspace_bytes();
+  }
   warn_of_errors(rom.report, rom.warnings);
   rom.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adf.hpp"
+#include "closed_loop.hpp"
 #include "error.hpp"
 #include "font_file.hpp"
 #include "rom_font.hpp"
@@ -26,6 +27,7 @@ struct GenerateRequest {
   /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
   /// a whole number within 1..255.
   AdfOptions adf;
+  GenerateRequest() { adf.cells = CellKind::fields; }
   /// Threads; 0: all cores. The bytes do not depend on it.
   int jobs = 0;
   /// Called now and then on the calling thread with glyphs done and their
@@ -39,10 +41,22 @@ struct GlyphReport {
   std::string key;   // its smallest character in UTF-8, or .notdef
   size_t cells = 0;  // that are not saturated
   size_t nodes = 0;
-  size_t bytes = 0;        // of its record
-  double worst_error = 0;  // as AdfGlyph
+  size_t fields = 0;  // distinct ones, of cells of fields
+  size_t bytes = 0;   // of its record
+  /// size_aware: of the pixels that the device draws, at the worst size; the
+  /// mean over the ink's box and 1.5 px [1/255]. fixed: as AdfGlyph.
+  double worst_error = 0;
   double mean_error = 0;
+  int worst_px = 0;  // size_aware: the size of the worst pixel
   bool within_tolerance = true;
+};
+
+/// Cells that are not saturated, by what they hold.
+struct CellCounts {
+  size_t samples = 0;
+  size_t single = 0;  // fields
+  size_t pairs = 0;
+  size_t triples = 0;
 };
 
 struct FontReport {
@@ -57,8 +71,16 @@ struct FontReport {
   int right_classes = 0;
   size_t cells = 0;
   size_t nodes = 0;
+  CellCounts kinds;
+  size_t fields = 0;
+  /// RAM that drawing takes from the caller; 0 if cells are read in place.
+  size_t row_workspace = 0;  // [bytes]
+  size_t workspace = 0;
+  /// size_aware: as drawn, of all glyphs together; the mean of a size is that
+  /// of the glyphs' means.
+  std::vector<SizeError> sizes;
   double worst_error = 0;  // of all glyphs
-  double mean_error = 0;   // mean over the glyphs with ink
+  double mean_error = 0;   // at the worst size; fixed: over the glyphs with ink
   double seconds = 0;
 
   /// Of the same cells as a list of leaves, the paper's form: 15 bytes each.

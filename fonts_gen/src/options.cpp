@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <charconv>
+#include <utility>
 
 namespace inkcell::gen {
 namespace {
@@ -24,29 +25,27 @@ double parse_tolerance(const std::string& text) {
   return value;
 }
 
-// An option of which this version knows only one value.
-void add_fixed_choice(CLI::App& app,
-                      const std::string& option,
-                      const std::string& known,
-                      const std::string& later,
-                      const std::string& help) {
+// An option with two values.
+template <typename Value>
+void add_choice(CLI::App& app,
+                const std::string& option,
+                Value& target,
+                const std::pair<std::string, Value>& usual,
+                const std::pair<std::string, Value>& other,
+                const std::string& help) {
   app.add_option_function<std::string>(
          option,
-         [=](const std::string& value) {
-           if (value == later) {
+         [=, &target](const std::string& value) {
+           if (value != usual.first && value != other.first) {
              throw CLI::ValidationError(
-                 option, "'" + later +
-                             "' is not available in this version; use '" +
-                             known + "'");
+                 option, "'" + value + "' is not known; use '" + usual.first +
+                             "' or '" + other.first + "'");
            }
-           if (value != known) {
-             throw CLI::ValidationError(
-                 option, "'" + value + "' is not known; use '" + known + "'");
-           }
+           target = value == usual.first ? usual.second : other.second;
          },
          help)
-      ->type_name(known)
-      ->default_str(known);
+      ->type_name(usual.first + "|" + other.first)
+      ->default_str(usual.first);
 }
 
 void add_selection(CLI::App& app, GenerateRequest& request) {
@@ -89,25 +88,23 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
          "Largest error of a pixel at any of these sizes")
       ->type_name("N/255")
       ->default_str("16/255");
-  app.add_option_function<std::string>(
-         "--predicate",
-         [&adf](const std::string& value) {
-           if (value != "size" && value != "fixed") {
-             throw CLI::ValidationError("--predicate",
-                                        "'" + value +
-                                            "' is not known; use 'size' or "
-                                            "'fixed'");
-           }
-           adf.predicate =
-               value == "fixed" ? Predicate::fixed : Predicate::size_aware;
-         },
-         "What is good enough: 'size', the tolerance over the range of "
-         "sizes; 'fixed', 1/1024 em near the edge")
-      ->type_name("size|fixed")
-      ->default_str("size");
+  add_choice<CellKind>(
+      app, "--cells", adf.cells, {"fields", CellKind::fields},
+      {"samples", CellKind::samples},
+      "What cells are made of: 'fields', up to three second-order distance "
+      "functions each; 'samples', the paper's nine distances");
+  add_choice<Coding>(
+      app, "--coding", adf.coding, {"direct", Coding::direct},
+      {"packed", Coding::packed},
+      "How cells lie in ROM: 'direct', read in place; 'packed', a third of "
+      "that, expanded into RAM to draw");
+  add_choice<Predicate>(
+      app, "--predicate", adf.predicate, {"size", Predicate::size_aware},
+      {"fixed", Predicate::fixed},
+      "What is good enough: 'size', the tolerance over the range of sizes; "
+      "'fixed', 1/1024 em near the edge, for --cells samples");
   app.add_option("--effort", adf.effort,
-                 "How hard to fit cells before they are divided; 0: no fit, "
-                 "about half as many cells again; above 5: hardly fewer")
+                 "How hard to try for fewer bytes; more takes longer")
       ->check(CLI::Range(0, 9))
       ->type_name("0..9")
       ->capture_default_str();
@@ -118,8 +115,6 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
 void add_generator_options(CLI::App& app, GenerateRequest& request) {
   add_selection(app, request);
   add_quality(app, request);
-  add_fixed_choice(app, "--cells", "samples", "fields", "Kind of cells");
-  add_fixed_choice(app, "--coding", "direct", "packed", "How cells lie in ROM");
 }
 
 }  // namespace inkcell::gen

@@ -55,6 +55,57 @@ double rounded(double value) {
   return std::round(value * 1000) / 1000;
 }
 
+const char* cells_name(const AdfOptions& options) {
+  return options.cells == CellKind::fields ? "fields" : "samples";
+}
+
+const char* coding_name(const AdfOptions& options) {
+  return options.coding == Coding::packed ? "packed" : "direct";
+}
+
+std::string cells_line(const FontReport& report) {
+  std::string text = format("  %-16s%zu, %zu inner nodes; ", "cells",
+                            report.cells, report.nodes);
+  if (report.options.cells == CellKind::samples) {
+    return text +
+           format("as a leaf list %zu bytes\n", report.leaf_list_bytes());
+  }
+  const CellCounts& kinds = report.kinds;
+  text += format("of one, two, three fields: %zu, %zu, %zu\n", kinds.single,
+                 kinds.pairs, kinds.triples);
+  if (kinds.samples != 0) {
+    text += format("  %-16s%zu, where fields cannot hold the tolerance\n",
+                   "of samples", kinds.samples);
+  }
+  text += format("  %-16s%zu\n", "fields", report.fields);
+  if (report.options.coding == Coding::packed) {
+    text += format("  %-16s%zu bytes for a glyph, %zu for a row of tiles\n",
+                   "workspace", report.workspace, report.row_workspace);
+  }
+  return text;
+}
+
+// The smallest, the largest, and some sizes between.
+std::string sizes_lines(const FontReport& report) {
+  constexpr size_t kColumns = 8;
+  const std::vector<SizeError>& sizes = report.sizes;
+  if (sizes.empty()) {
+    return "";
+  }
+  std::string px = format("  %-16s", "size, px");
+  std::string worst = format("  %-16s", "worst, 1/255");
+  std::string mean = format("  %-16s", "mean, 1/255");
+  const size_t columns = std::min(kColumns, sizes.size());
+  for (size_t i = 0; i < columns; ++i) {
+    const SizeError& size =
+        sizes[columns == 1 ? 0 : i * (sizes.size() - 1) / (columns - 1)];
+    px += format("%7d", size.px);
+    worst += format("%7.1f", size.worst);
+    mean += format("%7.2f", size.mean);
+  }
+  return px + "\n" + worst + "\n" + mean + "\n";
+}
+
 }  // namespace
 
 std::string report_for_people(const FontReport& report) {
@@ -82,12 +133,12 @@ std::string report_for_people(const FontReport& report) {
   part("cells", bytes.cells);
   part("name", bytes.name);
   part("total", bytes.total());
-  text += format("  %-16s%zu, %zu inner nodes; as a leaf list %zu bytes\n",
-                 "cells", report.cells, report.nodes, report.leaf_list_bytes());
+  text += cells_line(report);
   text += format("  %-16s%d left, %d right\n", "kerning classes",
                  report.left_classes, report.right_classes);
   text += format("  %-16s%.1f worst, %.2f mean, in %s\n", "error",
                  report.worst_error, report.mean_error, error_unit(report));
+  text += sizes_lines(report);
   text += worst_line(report, "most bytes", "%.0f", [](const GlyphReport& g) {
     return static_cast<double>(g.bytes);
   });
@@ -107,8 +158,8 @@ std::string report_as_json(const FontReport& report) {
   json["glyphs"] = report.glyphs.size();
   json["characters"] = report.characters;
   json["missing"] = report.missing.size();
-  json["cells"] = "samples";
-  json["coding"] = "direct";
+  json["cells"] = cells_name(options);
+  json["coding"] = coding_name(options);
   json["predicate"] = fixed ? "fixed" : "size";
   json["min_px"] = static_cast<int>(options.min_px);
   json["max_px"] = static_cast<int>(options.max_px);
@@ -121,6 +172,13 @@ std::string report_as_json(const FontReport& report) {
   json["leaf_list_bytes"] = report.leaf_list_bytes();
   json["cell_count"] = report.cells;
   json["node_count"] = report.nodes;
+  json["field_count"] = report.fields;
+  json["cells_by_kind"] = {{"samples", report.kinds.samples},
+                           {"single", report.kinds.single},
+                           {"pair", report.kinds.pairs},
+                           {"triple", report.kinds.triples}};
+  json["workspace"] = {{"glyph", report.workspace},
+                       {"row", report.row_workspace}};
   Json per_glyph = Json::object();
   Json glyph_bytes = Json::object();
   Json glyph_error = Json::object();
@@ -135,6 +193,13 @@ std::string report_as_json(const FontReport& report) {
   json["error"] = {{"max", rounded(report.worst_error)},
                    {"mean", rounded(report.mean_error)},
                    {"unit", error_unit(report)}};
+  Json by_size = Json::array();
+  for (const SizeError& size : report.sizes) {
+    by_size.push_back({{"px", size.px},
+                       {"worst", rounded(size.worst)},
+                       {"mean", rounded(size.mean)}});
+  }
+  json["error_by_size"] = std::move(by_size);
   json["kerning_classes"] = {{"left", report.left_classes},
                              {"right", report.right_classes}};
   json["format"] =

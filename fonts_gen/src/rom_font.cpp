@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "field_code.hpp"
+#include "field_record.hpp"
+#include "field_stream.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/version.hpp"
 
@@ -252,7 +255,8 @@ Bytes kerning_section(const RomContent& content) {
   return out;
 }
 
-void put_record(Bytes& out, const AdfGlyph& field) {
+Bytes samples_record(const AdfGlyph& field) {
+  Bytes out;
   put_u8(out, format::glyph::kTypeSamples);
   put_u8(out, static_cast<unsigned>(field.tile_log2));
   put_i16(out, field.x0_u);
@@ -267,6 +271,7 @@ void put_record(Bytes& out, const AdfGlyph& field) {
   for (const SampleCell& cell : field.cells) {
     out.insert(out.end(), cell.begin(), cell.end());
   }
+  return out;
 }
 
 // How GLYF counts its offsets.
@@ -281,20 +286,31 @@ struct OffsetUnits {
   }
 };
 
+// Packed records begin at any byte, all others at even ones.
+unsigned least_unit_log2(const RomContent& content) {
+  static_assert(format::glyphs::kRecordAlignment == 2);
+  for (const RomGlyph& glyph : content.glyphs) {
+    if (glyph.samples.tiles_x != 0) {
+      return 1;
+    }
+  }
+  return content.options.coding == Coding::packed ? 0 : 1;
+}
+
 // The smallest unit that keeps every offset within its bits, and with it the
 // narrowest table.
-OffsetUnits offset_units(const RomContent& content) {
+OffsetUnits offset_units(const RomContent& content,
+                         const std::vector<Bytes>& glyph_records) {
   namespace glyphs = format::glyphs;
-  static_assert(glyphs::kRecordAlignment == 2);
-  for (unsigned unit_log2 = 1; unit_log2 <= glyphs::kMaxUnitLog2; ++unit_log2) {
+  for (unsigned unit_log2 = least_unit_log2(content);
+       unit_log2 <= glyphs::kMaxUnitLog2; ++unit_log2) {
     OffsetUnits units = {unit_log2, 0, 0, 0};
     uint64_t records = 0;
-    for (const RomGlyph& glyph : content.glyphs) {
-      const size_t bytes = record_bytes(glyph.field);
-      records += bytes == 0 ? 0 : units.round_up(bytes);
+    for (const Bytes& record : glyph_records) {
+      records += record.empty() ? 0 : units.round_up(record.size());
     }
     for (; units.width <= format::bit_table::kMaxBits; ++units.width) {
-      const uint64_t offsets = content.glyphs.size() + 1;
+      const uint64_t offsets = glyph_records.size() + 1;
       units.begin =
           units.round_up(glyphs::kBytes + (offsets * units.width + 7) / 8);
       units.total = units.begin + records;
@@ -311,7 +327,11 @@ OffsetUnits offset_units(const RomContent& content) {
 }
 
 Bytes glyphs_section(const RomContent& content) {
-  const OffsetUnits units = offset_units(content);
+  std::vector<Bytes> records;
+  for (const RomGlyph& glyph : content.glyphs) {
+    records.push_back(glyph_record(glyph, content.options.coding));
+  }
+  const OffsetUnits units = offset_units(content, records);
   Bytes out;
   out.reserve(units.total);
   put_u8(out, units.width);
@@ -322,16 +342,13 @@ Bytes glyphs_section(const RomContent& content) {
     offsets.put(static_cast<uint32_t>(end >> units.unit_log2), units.width);
   };
   put_end();
-  for (const RomGlyph& glyph : content.glyphs) {
-    const size_t bytes = record_bytes(glyph.field);
-    end += bytes == 0 ? 0 : units.round_up(bytes);
+  for (const Bytes& record : records) {
+    end += record.empty() ? 0 : units.round_up(record.size());
     put_end();
   }
-  for (const RomGlyph& glyph : content.glyphs) {
+  for (const Bytes& record : records) {
     pad(out, units.unit_log2);
-    if (glyph.field.tiles_x != 0) {
-      put_record(out, glyph.field);
-    }
+    out.insert(out.end(), record.begin(), record.end());
   }
   pad(out, units.unit_log2);
   return out;
@@ -350,7 +367,7 @@ GlyphMetrics font_box(const RomContent& content) {
   GlyphMetrics box;
   bool first = true;
   for (const RomGlyph& glyph : content.glyphs) {
-    if (glyph.field.tiles_x == 0) {
+    if (!glyph.has_ink()) {
       continue;
     }
     const GlyphMetrics& m = glyph.metrics;
@@ -378,6 +395,38 @@ void set_metrics(Bytes& out, const RomContent& content) {
   set_i16(out, header::kYMax, box.y_max);
 }
 
+// What a reader may want to know before it meets a glyph.
+struct Extent {
+  size_t cells = 0;
+  size_t nodes = 0;
+  size_t depth = 0;
+  size_t row_workspace = 0;  // [bytes] of an expansion
+  size_t workspace = 0;
+};
+
+Extent extent_of(const RomGlyph& glyph) {
+  Extent extent;
+  extent.cells = glyph.samples.cells.size();
+  extent.nodes = static_cast<size_t>(glyph.samples.node_count());
+  extent.depth = static_cast<size_t>(glyph.samples.depth);
+  const FieldTree& tree = glyph.fields;
+  for (const TreeNode& node : tree.nodes) {
+    extent.cells += node.kind == TreeNode::Kind::leaf ? 1 : 0;
+    extent.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
+    extent.depth =
+        std::max(extent.depth,
+                 static_cast<size_t>(tree.grid.tile_log2 - node.size_log2));
+  }
+  if (tree.grid.tiles_x != 0) {
+    extent.workspace = expanded_bytes(tree, 0, tree.grid.tiles_y);
+    for (int row = 0; row < tree.grid.tiles_y; ++row) {
+      extent.row_workspace =
+          std::max(extent.row_workspace, expanded_bytes(tree, row, 1));
+    }
+  }
+  return extent;
+}
+
 void set_range(Bytes& out, const RomContent& content) {
   const AdfOptions& options = content.options;
   const bool fixed = options.predicate == Predicate::fixed;
@@ -385,23 +434,35 @@ void set_range(Bytes& out, const RomContent& content) {
   set_u16(out, header::kMaxPx, static_cast<unsigned>(options.max_px));
   out[header::kTolerance] =
       fixed ? uint8_t{0} : static_cast<uint8_t>(options.tolerance);
-  out[header::kCellKind] = static_cast<uint8_t>(format::CellKind::samples);
-  out[header::kCoding] = static_cast<uint8_t>(format::Coding::direct);
+  const bool fields = options.cells == CellKind::fields;
+  out[header::kCellKind] = static_cast<uint8_t>(
+      fields ? format::CellKind::fields : format::CellKind::samples);
+  const bool packed = options.coding == Coding::packed;
+  out[header::kCoding] = static_cast<uint8_t>(packed ? format::Coding::packed
+                                                     : format::Coding::direct);
   out[header::kPredicate] = static_cast<uint8_t>(
       fixed ? format::Predicate::fixed : format::Predicate::size_aware);
   set_u16(out, header::kBand,
           static_cast<unsigned>(std::floor(band_u(options))));
-  size_t cells = 0;
-  int nodes = 0;
-  int depth = 0;
+  Extent most;
   for (const RomGlyph& glyph : content.glyphs) {
-    cells = std::max(cells, glyph.field.cells.size());
-    nodes = std::max(nodes, glyph.field.node_count());
-    depth = std::max(depth, glyph.field.depth);
+    const Extent extent = extent_of(glyph);
+    most.cells = std::max(most.cells, extent.cells);
+    most.nodes = std::max(most.nodes, extent.nodes);
+    most.depth = std::max(most.depth, extent.depth);
+    most.row_workspace = std::max(most.row_workspace, extent.row_workspace);
+    most.workspace = std::max(most.workspace, extent.workspace);
   }
-  set_u16(out, header::kMaxCells, static_cast<unsigned>(cells));
-  set_u16(out, header::kMaxNodes, static_cast<unsigned>(nodes));
-  out[header::kMaxDepth] = static_cast<uint8_t>(depth);
+  set_u16(out, header::kMaxCells, static_cast<unsigned>(most.cells));
+  set_u16(out, header::kMaxNodes, static_cast<unsigned>(most.nodes));
+  out[header::kMaxDepth] = static_cast<uint8_t>(most.depth);
+  if (packed) {
+    set_u32(out, header::kRowWorkspace,
+            static_cast<uint32_t>(most.row_workspace));
+    set_u32(out, header::kWorkspace, static_cast<uint32_t>(most.workspace));
+    const std::array<uint8_t, 8> bytes = coding_bytes(coding_for(options));
+    std::copy(bytes.begin(), bytes.end(), out.begin() + header::kQuantisation);
+  }
 }
 
 // The last thing that is written: the header's checksum covers the others.
@@ -442,12 +503,15 @@ std::vector<Section> make_sections(const RomContent& content) {
 
 }  // namespace
 
-size_t record_bytes(const AdfGlyph& field) {
-  if (field.tiles_x == 0) {
-    return 0;
+std::vector<uint8_t> glyph_record(const RomGlyph& glyph, Coding coding) {
+  if (glyph.samples.tiles_x != 0) {
+    return samples_record(glyph.samples);
   }
-  return format::glyph::kBytes + 2 * field.references.size() +
-         format::samples::kBytes * field.cells.size();
+  if (glyph.fields.grid.tiles_x == 0) {
+    return {};
+  }
+  return coding == Coding::packed ? packed_record(glyph.fields, nullptr)
+                                  : direct_record(glyph.fields);
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,

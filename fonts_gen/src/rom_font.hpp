@@ -8,16 +8,22 @@
 #include <vector>
 
 #include "adf.hpp"
+#include "field_tree.hpp"
 #include "font_source.hpp"
 #include "inkcell/font.hpp"
 #include "kerning.hpp"
 
 namespace inkcell::gen {
 
-/// One glyph as the device sees it. `field` without tiles: no ink.
+/// One glyph as the device sees it: cells of one kind, or no ink.
 struct RomGlyph {
-  AdfGlyph field;
+  AdfGlyph samples;  // without tiles: none
+  FieldTree fields;  // without tiles: none
   GlyphMetrics metrics;
+
+  bool has_ink() const {
+    return samples.tiles_x != 0 || fields.grid.tiles_x != 0;
+  }
 };
 
 /// Everything that a ROM font says, before it is written.
@@ -57,7 +63,9 @@ std::vector<uint8_t> write_rom_font(const RomContent& content,
 void check_rom_font(const std::vector<uint8_t>& bytes,
                     const RomContent& content);
 
-/// Bytes of the record of a glyph, without padding. 0 for a glyph without ink.
-size_t record_bytes(const AdfGlyph& field);
+/// The record of a glyph, without padding. Empty for a glyph without ink.
+///
+/// Throws GeometryError::too_complex if it does not fit the format.
+std::vector<uint8_t> glyph_record(const RomGlyph& glyph, Coding coding);
 
 }  // namespace inkcell::gen
