@@ -1,6 +1,7 @@
 #include "inkcell/packed.hpp"
 
 #include "inkcell/format.hpp"
+#include "packed_field.hpp"
 #include "packed_stream.hpp"
 
 namespace inkcell {
@@ -13,20 +14,18 @@ using detail::BitStream;
 using detail::kTables;
 using detail::RecentFields;
 
-// Every second of the 16 bits.
-uint32_t even_bits(uint32_t bits) noexcept {
-  bits &= 0x5555;
-  bits = (bits | bits >> 1) & 0x3333;
-  bits = (bits | bits >> 2) & 0x0f0f;
-  return (bits | bits >> 4) & 0xff;
+void store_u16(uint8_t* at, uint32_t value) noexcept {
+  auto* p = static_cast<uint8_t*>(__builtin_assume_aligned(at, 2));
+  p[0] = static_cast<uint8_t>(value);
+  p[1] = static_cast<uint8_t>(value >> 8);
 }
 
-// A square of the quadtree.
+// The square where a field is new.
 struct Square {
-  int32_t x0_u;  // of its tile
-  int32_t y0_u;
-  uint32_t way;  // to its corner: bits of x and y, by turns
-  uint32_t log2;
+  int32_t x_u;  // where the anchor would be if the way were 0
+  int32_t y_u;
+  uint32_t way;   // from there: 16 bits, of x and y by turns
+  uint32_t log2;  // of its width
 };
 
 // Expands rows of tiles into a heap of 16-bit units that grows as it reads
@@ -46,27 +45,34 @@ class Expansion {
     if (count == 0) {
       return Status::ok;
     }
-    if (take(glyph_.tiles_x * count) == kNoRoom) {
+    uint32_t slot = take(glyph_.tiles_x * count);
+    if (slot == kNoRoom) {
       return Status::buffer_small;
     }
-    const uint8_t* data = glyph_.record.data;
-    const auto size = static_cast<uint32_t>(glyph_.record.size);
-    uint32_t at = packed::streams_at(glyph_.tiles_y, glyph_.wide_rows);
-    INKCELL_TRY(shared_fields({data + at, size - at}, at));
-    uint32_t slot = 0;
+    const uint8_t* const end = glyph_.record.end();
+    const uint8_t* at = glyph_.record.data +
+                        packed::streams_at(glyph_.tiles_y, glyph_.wide_rows);
+    bits_ = BitStream({at, static_cast<size_t>(end - at)});
+    INKCELL_TRY(shared_fields());
+    at = bits_.position();
     for (uint32_t row = 0; row < first + count; ++row) {
-      uint32_t end = size;
-      if (row + 1u < glyph_.tiles_y) {
-        end = at + row_bytes(row);
-      }
-      if (at > size || end > size) {
+      if (at == nullptr) {
         return Status::corrupt;
       }
+      auto bytes = static_cast<size_t>(end - at);
+      if (row + 1u < glyph_.tiles_y) {
+        const uint32_t stated = row_bytes(row);
+        if (stated > bytes) {
+          return Status::corrupt;
+        }
+        bytes = stated;
+      }
       if (row >= first) {
-        INKCELL_TRY(tile_row(BitStream(data + at, end - at), row, slot));
+        bits_ = BitStream({at, bytes});
+        INKCELL_TRY(tile_row(row, slot));
         slot += glyph_.tiles_x;
       }
-      at = end;
+      at += bytes;
     }
     return Status::ok;
   }
@@ -83,12 +89,7 @@ class Expansion {
     units_ = first + count;
     return first;
   }
-  void put(uint32_t unit, uint32_t value) noexcept {
-    auto* at =
-        static_cast<uint8_t*>(__builtin_assume_aligned(heap_ + 2 * unit, 2));
-    at[0] = static_cast<uint8_t>(value);
-    at[1] = static_cast<uint8_t>(value >> 8);
-  }
+  uint8_t* at(uint32_t unit) noexcept { return heap_ + 2 * unit; }
 
   uint32_t row_bytes(uint32_t row) const noexcept {
     const uint8_t* lengths = glyph_.record.data + packed::kRowLengths;
@@ -97,21 +98,19 @@ class Expansion {
                : lengths[row];
   }
 
-  // Advances `at` to the end of the stream.
-  Status shared_fields(Span<const uint8_t> bytes, uint32_t& at) noexcept {
-    BitStream bits(bytes.data, static_cast<uint32_t>(bytes.size));
-    const uint32_t log2 = packed::shared_log2(glyph_.tiles_x, glyph_.tiles_y);
-    const int32_t x = glyph_.x0_u + packed::kTileU / 2 * glyph_.tiles_x;
-    const int32_t y = glyph_.y0_u + packed::kTileU / 2 * glyph_.tiles_y;
-    shared_count_ = bits.number(packed::kSharedCountBits);
+  Status shared_fields() noexcept {
+    const Square grid = {glyph_.x0_u + packed::kTileU / 2 * glyph_.tiles_x,
+                         glyph_.y0_u + packed::kTileU / 2 * glyph_.tiles_y, 0,
+                         packed::shared_log2(glyph_.tiles_x, glyph_.tiles_y)};
+    shared_count_ =
+        static_cast<uint16_t>(bits_.number(packed::kSharedCountBits));
     for (uint32_t i = 0; i < shared_count_; ++i) {
-      const auto kind = static_cast<FieldKind>(bits.number(2));
+      const auto kind = static_cast<FieldKind>(bits_.number(2));
       uint32_t unit = 0;
-      INKCELL_TRY(new_field(bits, kind, log2, x, y, unit));
-      shared_arcs_ |= (unit >> 15) << i;
+      INKCELL_TRY(new_field(kind, grid, unit));
+      shared_arcs_ |= static_cast<uint16_t>((unit >> 15) << i);
     }
-    shared_end_ = units_;
-    at += bits.used();
+    shared_end_ = static_cast<uint16_t>(units_);
     return Status::ok;
   }
 
@@ -122,46 +121,50 @@ class Expansion {
     for (uint32_t i = shared_count_; i-- > 0;) {
       const bool is_arc = (shared_arcs_ >> i & 1) != 0;
       end -= is_arc ? linked::kArcUnits : linked::kLineUnits;
-      recent_.insert(end | (is_arc ? linked::kArcField : 0));
+      recent_.insert(end | (is_arc ? linked::kArcField : 0), 0);
     }
   }
 
-  Status tile_row(BitStream bits, uint32_t row, uint32_t slot) noexcept {
+  // The references of the tiles go to the heap from `slot` on.
+  Status tile_row(uint32_t row, uint32_t slot) noexcept {
     recall_shared_fields();
-    Square tile;
-    tile.x0_u = glyph_.x0_u;
-    tile.y0_u = glyph_.y0_u + packed::kTileU * static_cast<int32_t>(row);
+    int32_t x_u = glyph_.x0_u;
+    const int32_t y_u =
+        glyph_.y0_u + packed::kTileU * static_cast<int32_t>(row);
     for (uint32_t i = 0; i < glyph_.tiles_x; ++i) {
-      INKCELL_TRY(tile_tree(bits, tile, slot + i));
-      tile.x0_u += packed::kTileU;
+      INKCELL_TRY(tile_tree(x_u, y_u, slot + i));
+      x_u += packed::kTileU;
     }
     return Status::ok;
   }
 
-  // One tile, its squares in the order of the stream; `slot` is the unit of its
-  // reference.
+  // The squares of one tile, in the order of the stream. Not part of its
+  // callers, so that what it keeps in registers stays there.
   //
-  // Invariant: slots[log2] is the unit where the reference of the square goes,
-  // and slots[i] of all i above that of the square of 2^i u around it. Every
-  // turn of the loop fills in one reference, or makes four, or ends it.
-  Status tile_tree(BitStream& bits, Square& square, uint32_t slot) noexcept {
+  // Invariant: slots[log2] is where the reference of the next square goes, and
+  // slots[i] of all i above that of the square of 2^i u around it. Every turn
+  // of the loop fills in one reference, or makes four, or ends it: the heap
+  // bounds what any bytes can cost.
+  [[gnu::noinline]] Status tile_tree(int32_t x_u,
+                                     int32_t y_u,
+                                     uint32_t slot) noexcept {
+    BitStream bits = bits_;
     uint16_t slots[packed::kTileLog2 + 1];
     uint32_t log2 = packed::kTileLog2;
     uint32_t way = 0;
     slots[log2] = static_cast<uint16_t>(slot);
     while (true) {
       const uint32_t level = packed::kTileLog2 - log2;
-      const uint8_t* table = kTables.node[level < 6 ? level : 6];
-      const uint32_t symbol = bits.symbol(table, packed_codes::kNodeMaxBits);
+      constexpr uint32_t kDeepest = packed_codes::kNodeContexts - 1;
+      const uint32_t symbol =
+          bits.symbol(kTables.node[level < kDeepest ? level : kDeepest],
+                      packed_codes::kNodeMaxBits);
       if (symbol == packed::kSplit) {
-        if (log2 == 0) {
-          return Status::corrupt;
-        }
         const uint32_t node = take(linked::kNodeUnits);
-        if (node == kNoRoom) {
-          return Status::buffer_small;
+        if (log2 == 0 || node == kNoRoom) {
+          return log2 == 0 ? Status::corrupt : Status::buffer_small;
         }
-        put(slots[log2], linked::reference(linked::kNode, node));
+        store_u16(at(slots[log2]), linked::reference(linked::kNode, node));
         --log2;
         slots[log2] = static_cast<uint16_t>(node);
         continue;
@@ -169,17 +172,18 @@ class Expansion {
       // Outside and inside are numbered like the references.
       uint32_t reference = symbol - packed::kOutside;
       if (symbol >= packed::kSingle) {
-        square.way = way;
-        square.log2 = log2;
-        INKCELL_TRY(leaf(bits, symbol, square, reference));
+        const auto half = static_cast<int32_t>((1u << log2) >> 1);
+        INKCELL_TRY(
+            leaf(bits, symbol, {x_u + half, y_u + half, way, log2}, reference));
       }
-      put(slots[log2], reference);
+      store_u16(at(slots[log2]), reference);
       // To the next square: the highest bits that change say how far up.
       way += 1u << 2 * log2;
-      while (log2 < packed::kTileLog2 && ((way >> 2 * log2) & 3) == 0) {
+      while (((way >> 2 * log2) & 3) == 0) {
         ++log2;
       }
       if (log2 == packed::kTileLog2) {
+        bits_ = bits;
         return Status::ok;
       }
       ++slots[log2];
@@ -190,57 +194,15 @@ class Expansion {
               uint32_t symbol,
               const Square& square,
               uint32_t& reference) noexcept {
-    const bool is_nested = symbol >= packed::kMinMax;
-    const uint32_t count = symbol >= packed::kMin3     ? 3
-                           : symbol == packed::kSingle ? 1
-                                                       : 2;
-    uint16_t units[3];
-    uint32_t new_fields = 0;  // a bit for each
-    uint32_t least_rank = 0;
-    uint32_t after_new = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-      const bool is_first = i == 0 || (is_nested && i == 1);
-      if (is_first) {
-        least_rank = 0;
-        after_new = 0;
-      }
-      const uint32_t kind = bits.symbol(kTables.kind[2 * i + after_new],
-                                        packed_codes::kKindMaxBits);
-      uint32_t unit = 0;
-      if (kind == packed::kReuse) {
-        const uint32_t rank =
-            least_rank + bits.symbol(kTables.rank[is_first ? 0 : 1],
-                                     packed_codes::kRankMaxBits);
-        if (rank >= recent_.size()) {
-          return Status::corrupt;
-        }
-        unit = recent_[rank];
-        least_rank = rank + 1;
-      } else {
-        const uint32_t half = (1u << square.log2) >> 1;
-        INKCELL_TRY(new_field(
-            bits, static_cast<FieldKind>(kind - packed::kNew), square.log2,
-            square.x0_u + static_cast<int32_t>(even_bits(square.way) + half),
-            square.y0_u +
-                static_cast<int32_t>(even_bits(square.way >> 1) + half),
-            unit));
-        new_fields |= 1u << i;
-        after_new = 1;
-      }
-      units[i] = static_cast<uint16_t>(unit);
-    }
-    for (uint32_t i = count; i-- > 0;) {
-      if ((new_fields >> i & 1) != 0) {
-        recent_.insert(units[i]);
-      } else {
-        recent_.move_to_front(units[i]);
-      }
-    }
-    recent_.trim();
+    const uint32_t count = symbol >= packed::kMin3   ? 3
+                           : symbol >= packed::kMin2 ? 2
+                                                     : 1;
+    INKCELL_TRY(
+        fields_to_front(bits, count, symbol >= packed::kMinMax, square));
     if (count == 1) {
-      const uint32_t is_arc = units[0] >> 15;
-      reference = linked::reference(linked::kLine + is_arc,
-                                    units[0] & linked::kOffsetMask);
+      const uint32_t unit = recent_[0];
+      reference = linked::reference(linked::kLine + (unit >> 15),
+                                    unit & linked::kOffsetMask);
       return Status::ok;
     }
     const uint32_t block =
@@ -248,60 +210,113 @@ class Expansion {
     if (block == kNoRoom) {
       return Status::buffer_small;
     }
-    uint32_t at = block;
+    uint8_t* to = at(block);
+    uint32_t tag = linked::kMinPair + symbol - packed::kMin2;
     if (count == 3) {
-      put(at++, symbol - packed::kMin3);
-      reference = linked::reference(linked::kTriple, block);
-    } else {
-      reference =
-          linked::reference(linked::kMinPair + symbol - packed::kMin2, block);
+      tag = linked::kTriple;
+      store_u16(to, symbol - packed::kMin3);
+      to += 2;
     }
+    for (uint32_t i = 0; i < count; ++i, to += 2) {
+      store_u16(to, recent_[i]);
+    }
+    reference = linked::reference(tag, block);
+    return Status::ok;
+  }
+
+  // Reads the fields of a leaf, and brings them to the front of the list. Those
+  // that were there come by ascending rank, so that one that is moved does not
+  // change the place of the next; if the operator nests, those behind the first
+  // are a group of their own, and count from the start again.
+  Status fields_to_front(BitStream& bits,
+                         uint32_t count,
+                         bool is_nested,
+                         const Square& square) noexcept {
+    const uint32_t known = recent_.size();
+    uint32_t least_rank = 0;
+    uint32_t after_new = 0;
+    uint32_t is_later = 0;
+    int32_t first_rank = -1;  // of the other group, if there is one
     for (uint32_t i = 0; i < count; ++i) {
-      put(at++, units[i]);
+      const uint32_t kind = bits.symbol(kTables.kind[2 * i + after_new],
+                                        packed_codes::kKindMaxBits);
+      uint32_t rank = known;
+      if (kind == packed::kReuse) {
+        rank = least_rank +
+               bits.symbol(kTables.rank[is_later], packed_codes::kRankMaxBits);
+        const auto signed_rank = static_cast<int32_t>(rank);
+        if (rank >= known || signed_rank == first_rank) {
+          return Status::corrupt;
+        }
+        recent_.move(signed_rank < first_rank ? rank + 1 : rank, i);
+        least_rank = rank + 1;
+      } else {
+        uint32_t unit = 0;
+        bits_ = bits;
+        INKCELL_TRY(new_field(static_cast<FieldKind>(kind - packed::kNew),
+                              square, unit));
+        bits = bits_;
+        recent_.insert(unit, i);
+        after_new = 1;
+      }
+      is_later = 1;
+      if (is_nested && i == 0) {
+        first_rank = static_cast<int32_t>(rank);
+        least_rank = 0;
+        after_new = 0;
+        is_later = 0;
+      }
     }
+    recent_.trim();
     return Status::ok;
   }
 
   // Reads a field, adds it to the heap, and says where it is.
-  Status new_field(BitStream& bits,
-                   FieldKind kind,
-                   uint32_t log2,
-                   int32_t x_u,
-                   int32_t y_u,
+  Status new_field(FieldKind kind,
+                   const Square& square,
                    uint32_t& unit) noexcept {
+    const PackedCoding& coding = glyph_.coding;
+    BitStream bits = bits_;
     FieldCode code;
     code.kind = kind;
-    const uint32_t d0_bits = glyph_.coding.d0_bits(log2);
+    const uint32_t d0_bits = coding.d0_bits(square.log2);
     code.d0 = static_cast<int32_t>(bits.number(d0_bits)) -
               static_cast<int32_t>((1u << d0_bits) >> 1);
     code.angle =
-        bits.number(has_angle(kind) ? glyph_.coding.angle_bits(log2) : 2);
+        bits.number(has_angle(kind) ? coding.angle_bits(square.log2) : 2);
     if (is_bent(kind)) {
-      uint32_t high = 0;
-      while (bits.number(1) != 0) {
-        if (++high > packed::kMaxUnary) {
-          return Status::corrupt;
-        }
+      const uint32_t high = bits.ones();
+      if (high > packed::kMaxUnary) {
+        return Status::corrupt;
       }
-      const uint32_t low_bits = glyph_.coding.bend_bits(log2);
-      const auto size =
-          static_cast<int32_t>((high << low_bits | bits.number(low_bits)) + 1);
-      code.bend = bits.number(1) != 0 ? -size : size;
+      // The sign is behind the lower bits.
+      const uint32_t low_bits = coding.bend_bits(square.log2);
+      const uint32_t low = bits.number(low_bits + 1);
+      const auto size = static_cast<int32_t>((high << low_bits | low >> 1) + 1);
+      code.bend = (low & 1) != 0 ? -size : size;
     }
-    const FieldNumbers field =
-        expand_field(code, glyph_.coding, log2, x_u, y_u);
-    const uint32_t at =
-        take(field.bend != 0 ? linked::kArcUnits : linked::kLineUnits);
-    if (at == kNoRoom) {
+    bits_ = bits;
+    // The bits of y to the upper half, then all next to each other.
+    uint32_t way = (square.way & 0x5555) | (square.way & 0xaaaa) << 15;
+    way = (way | way >> 1) & 0x33333333;
+    way = (way | way >> 2) & 0x0f0f0f0f;
+    way |= way >> 4;
+    const FieldNumbers field = detail::field_numbers(
+        code, coding, square.log2,
+        square.x_u + static_cast<int32_t>(way & 0xff),
+        square.y_u + static_cast<int32_t>(way >> 16 & 0xff));
+    unit = take(field.bend != 0 ? linked::kArcUnits : linked::kLineUnits);
+    if (unit == kNoRoom) {
       return Status::buffer_small;
     }
-    put(at, static_cast<uint16_t>(field.nx_q14));
-    put(at + 1, static_cast<uint16_t>(field.ny_q14));
-    put(at + 2, static_cast<uint16_t>(field.c_q4));
-    unit = at;
+    uint8_t* to = at(unit);
+    namespace fields = format::fields;
+    store_u16(to + fields::kNormalX, static_cast<uint16_t>(field.nx_q14));
+    store_u16(to + fields::kNormalY, static_cast<uint16_t>(field.ny_q14));
+    store_u16(to + fields::kOffset, static_cast<uint16_t>(field.c_q4));
     if (field.bend != 0) {
-      put(at + 3, static_cast<uint16_t>(field.along_q4));
-      put(at + 4, static_cast<uint16_t>(field.bend));
+      store_u16(to + fields::kAlong, static_cast<uint16_t>(field.along_q4));
+      store_u16(to + fields::kBend, static_cast<uint16_t>(field.bend));
       unit |= linked::kArcField;
     }
     return Status::ok;
@@ -311,9 +326,10 @@ class Expansion {
   uint8_t* heap_;
   uint32_t room_;       // [units]
   uint32_t units_ = 0;  // that are taken
-  uint32_t shared_count_ = 0;
-  uint32_t shared_arcs_ = 0;  // a bit for each
-  uint32_t shared_end_ = 0;   // the first unit behind them
+  BitStream bits_;
+  uint16_t shared_count_ = 0;
+  uint16_t shared_arcs_ = 0;  // a bit for each
+  uint16_t shared_end_ = 0;   // the first unit behind them
   RecentFields recent_;
 };
 
@@ -394,11 +410,10 @@ Status expand(const PackedGlyph& glyph,
   }
   Expansion expansion(glyph, workspace);
   INKCELL_TRY(expansion.rows(first_row, row_count));
-  GlyphField field = glyph.grid(first_row, row_count);
-  field.references = workspace.data;
-  field.cells = workspace.data;
-  field.heap_units = static_cast<uint16_t>(expansion.units());
-  out = field;
+  out = glyph.grid(first_row, row_count);
+  out.references = workspace.data;
+  out.cells = workspace.data;
+  out.heap_units = static_cast<uint16_t>(expansion.units());
   return Status::ok;
 }
 

@@ -6,6 +6,7 @@
 
 #include "inkcell/format.hpp"
 #include "inkcell/packed_codes.hpp"
+#include "inkcell/span.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -70,8 +71,9 @@ static_assert(kTables.complete, "any bits must begin with a symbol");
 // end.
 class BitStream {
  public:
-  BitStream(const uint8_t* data, uint32_t size) noexcept
-      : data_(data), size_(size) {}
+  BitStream() noexcept = default;
+  explicit BitStream(Span<const uint8_t> bytes) noexcept
+      : next_(bytes.begin()), end_(bytes.end()) {}
 
   // `width` bits, 16 at most.
   uint32_t number(uint32_t width) noexcept {
@@ -79,6 +81,18 @@ class BitStream {
     const uint32_t value = bits_ >> 1 >> (31 - width);
     drop(width);
     return value;
+  }
+
+  // Takes ones, 15 at most, and the bit behind them. 16 if that is a one, too.
+  uint32_t ones() noexcept {
+    fill();
+    uint32_t count = 0;
+    uint32_t rest = bits_;
+    for (; (rest >> 31) != 0 && count < 16; rest <<= 1) {
+      ++count;
+    }
+    drop(count < 16 ? count + 1 : 16);
+    return count;
   }
 
   // The symbol that comes next, by one of kTables.
@@ -89,70 +103,84 @@ class BitStream {
     return entry >> 4;
   }
 
-  // Bytes that have been begun.
-  uint32_t used() const noexcept { return at_ - (count_ >> 3); }
+  // The byte behind those that have been begun; null if they pass the end.
+  const uint8_t* position() const noexcept {
+    const uint32_t left = count_ >> 3;
+    return left < passed_ ? nullptr : next_ - (left - passed_);
+  }
 
  private:
+  // Makes 16 bits available, at least.
   void fill() noexcept {
     if (count_ >= 16) {
       return;
     }
-    do {
-      const uint32_t byte = at_ < size_ ? data_[at_] : 0u;
-      ++at_;
-      bits_ |= byte << (24 - count_);
-      count_ += 8;
-    } while (count_ <= 24);
+    uint32_t two = 0;
+    if (end_ - next_ >= 2) {
+      two = uint32_t{next_[0]} << 8 | next_[1];
+      next_ += 2;
+    } else if (next_ != end_) {
+      two = uint32_t{*next_++} << 8;
+      passed_ += 1;
+    } else {
+      passed_ += 2;
+    }
+    bits_ |= two << (16 - count_);
+    count_ += 16;
   }
   void drop(uint32_t width) noexcept {
     bits_ <<= width;
     count_ -= width;
   }
 
-  const uint8_t* data_;
-  uint32_t size_;
-  uint32_t at_ = 0;     // the byte to read next, or how far behind the end
-  uint32_t bits_ = 0;   // those to come, from the highest place on
-  uint32_t count_ = 0;  // of them
+  const uint8_t* next_ = nullptr;
+  const uint8_t* end_ = nullptr;
+  uint32_t bits_ = 0;    // those to come, from the highest place on
+  uint32_t count_ = 0;   // of them
+  uint32_t passed_ = 0;  // bytes behind the end that were taken for zeros
 };
 
 // The last fields that were used, the latest in front, by where they lie.
 class RecentFields {
  public:
   uint32_t size() const noexcept { return size_; }
+  uint32_t operator[](uint32_t rank) const noexcept {
+    return units_[first_ + rank];
+  }
   void clear() noexcept {
     first_ = kRoom;
     size_ = 0;
   }
-  uint16_t operator[](uint32_t rank) const noexcept {
-    return units_[first_ + rank];
+  // Moves the field at `rank` forward to `place`.
+  void move(uint32_t rank, uint32_t place) noexcept {
+    uint16_t* const list = units_ + first_;
+    const uint16_t unit = list[rank];
+    for (; rank > place; --rank) {
+      list[rank] = list[rank - 1];
+    }
+    list[place] = unit;
   }
-  // A field that is not there.
-  void insert(uint32_t unit) noexcept {
+  // Up to three, until `trim` is called.
+  void insert(uint32_t unit, uint32_t place) noexcept {
     if (first_ == 0) {
       first_ = kRoom - size_;
       for (uint32_t i = size_; i-- > 0;) {
         units_[first_ + i] = units_[i];
       }
     }
-    units_[--first_] = static_cast<uint16_t>(unit);
+    --first_;
     ++size_;
+    uint16_t* const list = units_ + first_;
+    for (uint32_t i = 0; i < place; ++i) {
+      list[i] = list[i + 1];
+    }
+    list[place] = static_cast<uint16_t>(unit);
   }
-  // Forgets the oldest. A leaf inserts no more than three fields before.
+  // Forgets what is too old.
   void trim() noexcept {
     if (size_ > format::packed::kRecentFields) {
       size_ = format::packed::kRecentFields;
     }
-  }
-  // A field that is.
-  void move_to_front(uint32_t unit) noexcept {
-    uint16_t* at = units_ + first_;
-    auto moved = static_cast<uint16_t>(unit);
-    do {
-      const uint16_t next = *at;
-      *at++ = moved;
-      moved = next;
-    } while (moved != unit);
   }
 
  private:

@@ -321,7 +321,10 @@ inline uint16_t PackedRecord::Maker::leaf(uint32_t symbol,
     }
     uint32_t step =
         random_.below(4) == 0 ? random_.below(16) : random_.below(3);
-    if (after_new || rank + step >= listed_) {
+    const bool is_listed = rank + step < listed_;
+    const bool is_taken =
+        nested && i > 0 && is_listed && list_[rank + step] == units[0];
+    if (after_new || !is_listed || is_taken) {
       const uint32_t kind = random_.below(4);
       const inkcell::FieldCode code =
           random_code(static_cast<inkcell::FieldKind>(kind), log2);

@@ -338,6 +338,31 @@ TEST(refuses_ranks_behind_the_list) {
   }
 }
 
+TEST(refuses_a_field_in_both_groups) {
+  for (uint32_t first = 0; first < 3; ++first) {
+    for (uint32_t second = 0; second < 3; ++second) {
+      for (uint32_t symbol = 8; symbol < 10; ++symbol) {
+        BitWriter bits = begin_tile(4);
+        for (uint32_t i = 0; i < 4; ++i) {
+          bits.put(static_cast<uint32_t>(some_code().kind), 2);
+          bits.field(some_code(), record.coding, 8);
+        }
+        bits.end_byte();
+        bits.node(8, symbol);
+        const uint32_t ranks[] = {first, second};
+        for (uint32_t i = 0; i < 2; ++i) {
+          bits.kind(i, false, 0);
+          bits.rank(true, ranks[i]);
+        }
+        bits.kind(2, false, 4);
+        bits.field(some_code(), record.coding, 8);
+        CHECK_EQ(expand_record(),
+                 first == second ? Status::corrupt : Status::ok);
+      }
+    }
+  }
+}
+
 TEST(refuses_16_ones) {
   for (uint32_t ones = 14; ones <= 17; ++ones) {
     BitWriter bits = begin_tile();
