@@ -196,8 +196,9 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   out.u16(12);  // px
   out.u16(64);
   out.u8(16);
-  out.u8(0);
-  out.u8(0);
+  const uint32_t packed = spec.packed.quantisation.size != 0 ? 1 : 0;
+  out.u8(packed);  // cells of fields
+  out.u8(packed);
   out.u8(0);
   out.u16(sections);
   out.u16(Record::kMaxCells);
@@ -209,8 +210,10 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   for (const int32_t side : box) {
     out.i16(side);
   }
-  for (int i = 0; i < 4; ++i) {
-    out.u32(0);  // two workspaces, quantisation
+  out.u32(spec.packed.row_workspace);
+  out.u32(spec.packed.workspace);
+  for (uint32_t i = 0; i < 8; ++i) {
+    out.u8(packed != 0 ? spec.packed.quantisation[i] : 0);
   }
 }
 

@@ -1,0 +1,311 @@
+// Packed fonts: the same pictures as direct ones, in any workspace that holds
+// a row of tiles.
+#include "check.hpp"
+#include "inkcell/text.hpp"
+#include "packed_record.hpp"
+
+#if INKCELL_PACKED
+
+namespace {
+
+using namespace inkcell;
+using namespace font_builder;
+
+constexpr int32_t kSide = 40;
+constexpr size_t kRoom = 2 * PackedRecord::kMaxUnits;
+
+// Too large for the stack of a small board.
+PackedRecord record;
+alignas(4) uint8_t packed_rom[1600];
+alignas(4) uint8_t direct_rom[kRoom + 400];
+alignas(4) uint8_t memory[kRoom];
+uint8_t linked[kRoom + 10];
+uint8_t picture[2][kSide * kSide];
+
+const uint8_t kQuantisation[8] = {16, 24, 9, 6, 8, 0, 0x34, 0x22};
+
+// Keeps what is drawn; fails if pixels leave the window or go backwards.
+struct Canvas {
+  Rect window;
+  Rect shown;
+  uint8_t* pixels;
+  int32_t last_y = INT32_MIN;
+  int32_t last_end = INT32_MIN;
+
+  Canvas(const Rect& all, uint8_t* to) : window(all), shown(all), pixels(to) {
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      pixels[i] = 0;
+    }
+  }
+  void show(int32_t y0, int32_t y1) {
+    shown.y0 = y0;
+    shown.y1 = y1;
+    last_y = INT32_MIN;
+  }
+  Sink sink() { return {shown, this, coverage, solid}; }
+
+  uint8_t* begin(int32_t x, int32_t y, int32_t count) {
+    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
+                      x >= shown.x0 && count <= shown.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
+    last_y = y;
+    last_end = x + count;
+    return fits ? pixels + (y - window.y0) * kSide + x - window.x0 : nullptr;
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    uint8_t* at = static_cast<Canvas*>(context)->begin(x, y, count);
+    for (int32_t i = 0; i < count && at != nullptr; ++i) {
+      at[i] = coverage[i];
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    uint8_t* at = static_cast<Canvas*>(context)->begin(x, y, count);
+    for (int32_t i = 0; i < count && at != nullptr; ++i) {
+      at[i] = 255;
+    }
+  }
+};
+
+bool pictures_equal() {
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    if (picture[0][i] != picture[1][i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_blank(const uint8_t* pixels) {
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    if (pixels[i] != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The same glyph in two fonts.
+struct Fonts {
+  Font packed;
+  Font direct;
+  size_t workspace = 0;  // [bytes]
+  size_t row_workspace = 0;
+};
+
+Font build(Span<const uint8_t> glyph,
+           const PackedSpec& packed,
+           Span<uint8_t> rom) {
+  static constexpr CmapEntry kCmap[] = {{'A', 0, 1}};
+  const GlyphSpec glyphs[] = {{500, {0, 0, 0, 0}, nullptr, nullptr, {}},
+                              {600, {0, 0, 500, 700}, nullptr, nullptr, glyph}};
+  FontSpec spec;
+  spec.cmap = {kCmap, 1};
+  spec.glyphs = {glyphs, 2};
+  spec.packed = packed;
+  const size_t size = build_font(spec, rom);
+  CHECK(size != 0);
+  Font font;
+  CHECK_OK(Font::open({rom.data, size}, font));
+  return font;
+}
+
+Fonts make_fonts(Random& random) {
+  record.make(random);
+  Fonts fonts;
+  for (uint32_t row = 0; row < record.tiles_y; ++row) {
+    record.expect(row, 1);
+    const size_t bytes = 2 * record.units;
+    fonts.row_workspace =
+        bytes > fonts.row_workspace ? bytes : fonts.row_workspace;
+  }
+  record.expect(0, record.tiles_y);
+  fonts.workspace = 2 * record.units;
+  const size_t size = record.write_linked(0, record.tiles_y, linked);
+  fonts.direct = build({linked, size}, {}, direct_rom);
+  const PackedSpec packed = {kQuantisation,
+                             static_cast<uint32_t>(fonts.row_workspace),
+                             static_cast<uint32_t>(fonts.workspace)};
+  fonts.packed = build({record.bytes, record.size}, packed, packed_rom);
+  return fonts;
+}
+
+Brush brush_of(Random& random, bool upright) {
+  constexpr int32_t kOne = 1 << 30;
+  constexpr int32_t kDirections[][2] = {
+      {kOne, 0}, {0, kOne}, {759250125, 759250125}, {858993459, -644245094}};
+  const auto& turn = kDirections[upright ? 0 : 1 + random.below(3)];
+  Direction direction;
+  direction.cosine.raw = turn[0];
+  direction.sine.raw = turn[1];
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_raw(random.between(8 * 64, 80 * 64)),
+                       kFilterText, direction, brush));
+  return brush;
+}
+
+// A window that the glyph is likely to meet, drawn in strips of `rows`.
+void draw_both(const Fonts& fonts,
+               const Brush& brush,
+               const Point& origin,
+               Workspace workspace,
+               int32_t rows) {
+  const Rect window = {0, 0, kSide, kSide};
+  Canvas direct(window, picture[0]);
+  draw_glyph(fonts.direct, 1, brush, origin, direct.sink());
+  Canvas packed(window, picture[1]);
+  for (int32_t y = 0; y < kSide; y += rows) {
+    packed.show(y, y + rows < kSide ? y + rows : kSide);
+    draw_glyph(fonts.packed, 1, brush, origin, packed.sink(), workspace);
+  }
+}
+
+Point origin_of(Random& random, const Brush& brush) {
+  const int32_t size = brush.size().raw;
+  return {Q26_6::from_raw(random.between(0, kSide * 64 / 2)),
+          Q26_6::from_raw(random.between(0, kSide * 64) + size / 8)};
+}
+
+}  // namespace
+
+TEST(packed_pictures_equal_direct_ones) {
+  Random random(21);
+  int shown = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 30 : 1000;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    const Fonts fonts = make_fonts(random);
+    const Brush brush = brush_of(random, round % 4 != 0);
+    const Point origin = origin_of(random, brush);
+    // All at once, and row by row where that is enough.
+    const int32_t rows = random.between(1, kSide);
+    draw_both(fonts, brush, origin, {memory, fonts.workspace}, rows);
+    CHECK(pictures_equal());
+    shown += is_blank(picture[0]) ? 0 : 1;
+    if (brush.is_upright()) {
+      draw_both(fonts, brush, origin, {memory, fonts.row_workspace}, rows);
+      CHECK(pictures_equal());
+    }
+  }
+  CHECK(shown > rounds / 2);
+}
+
+TEST(what_does_not_fit_is_left_out) {
+  Random random(22);
+  Fonts fonts;
+  do {
+    fonts = make_fonts(random);
+  } while (record.tiles_y < 2 || record.tiles_x < 2 || record.x0_u < -200 ||
+           record.y0_u < -200);
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), kFilterText, brush));
+  const Point origin = {Q26_6::from_int(8), Q26_6::from_int(34)};
+  draw_both(fonts, brush, origin, {memory, fonts.workspace}, kSide);
+  CHECK(!is_blank(picture[1]) && pictures_equal());
+  draw_both(fonts, brush, origin, {}, kSide);
+  CHECK(is_blank(picture[1]));
+  draw_both(fonts, brush, origin, {memory + 1, kRoom - 1}, kSide);
+  CHECK(is_blank(picture[1]));
+  // A turned glyph is expanded all at once.
+  Direction up;
+  up.cosine.raw = 0;
+  up.sine.raw = 1 << 30;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), kFilterText, up, brush));
+  const Point corner = {Q26_6::from_int(36), Q26_6::from_int(36)};
+  draw_both(fonts, brush, corner, {memory, fonts.workspace}, kSide);
+  CHECK(!is_blank(picture[1]) && pictures_equal());
+  draw_both(fonts, brush, corner, {memory, 2u * record.tiles_x}, kSide);
+  CHECK(is_blank(picture[1]));
+}
+
+TEST(calls_without_a_workspace_leave_packed_glyphs_out) {
+  Random random(23);
+  const Fonts fonts = make_fonts(random);
+  CHECK(fonts.packed.is_packed() && !fonts.direct.is_packed());
+  CHECK_EQ(fonts.packed.workspace_bytes(), fonts.workspace);
+  CHECK_EQ(fonts.packed.row_workspace_bytes(), fonts.row_workspace);
+  CHECK_EQ(fonts.direct.workspace_bytes(), 0);
+  CHECK(!Font().is_packed() && Font().workspace_bytes() == 0);
+  GlyphField field;
+  CHECK_EQ(fonts.packed.field(1, field), Status::unsupported);
+  CHECK_OK(fonts.packed.field(0, field));  // no ink
+  CHECK_EQ(fonts.packed.field(2, field), Status::no_glyph);
+  PackedGlyph glyph;
+  CHECK_OK(PackedGlyph::open(fonts.packed, 1, glyph));
+  CHECK_EQ(glyph.tiles_x, record.tiles_x);
+  CHECK_OK(PackedGlyph::open(fonts.packed, 0, glyph));
+  CHECK_EQ(glyph.tiles_y, 0);
+  CHECK_EQ(PackedGlyph::open(fonts.packed, 2, glyph), Status::no_glyph);
+  CHECK_EQ(PackedGlyph::open(fonts.direct, 1, glyph), Status::unsupported);
+  const Rect window = {0, 0, kSide, kSide};
+  Canvas canvas(window, picture[0]);
+  const Brush brush;
+  draw_glyph(fonts.packed, 1, brush, {}, canvas.sink());
+  draw_glyph(fonts.packed, 0, brush, {}, canvas.sink(), {memory, kRoom});
+  draw_glyph(fonts.packed, 2, brush, {}, canvas.sink(), {memory, kRoom});
+  CHECK(is_blank(picture[0]));
+}
+
+// Lines of text, and direct fonts with a workspace that they do not need.
+TEST(lines_are_drawn_alike) {
+  Random random(24);
+  for (int round = 0; round < 20; ++round) {
+    const Fonts fonts = make_fonts(random);
+    const Brush brush = brush_of(random, true);
+    const Point origin = origin_of(random, brush);
+    const Workspace workspace(memory, fonts.row_workspace);
+    const Rect window = {0, 0, kSide, kSide};
+    PositionedGlyph buffer[2];
+    Span<const PositionedGlyph> run;
+    CHECK_OK(layout(fonts.direct, "A", buffer, run));
+    Canvas direct(window, picture[0]);
+    draw(fonts.direct, run, brush, origin, direct.sink());
+    {
+      Canvas packed(window, picture[1]);
+      draw(fonts.packed, run, brush, origin, packed.sink(), workspace);
+      CHECK(pictures_equal());
+    }
+    {
+      Canvas packed(window, picture[1]);
+      draw_text(fonts.packed, "A", brush, origin, packed.sink(), workspace);
+      CHECK(pictures_equal());
+    }
+    {
+      Canvas again(window, picture[1]);
+      draw_text(fonts.direct, "A", brush, origin, again.sink(), {});
+      CHECK(pictures_equal());
+    }
+  }
+}
+
+TEST(verifies_what_glyphs_expand_to) {
+  Random random(25);
+  Fonts fonts = make_fonts(random);
+  const Workspace workspace(memory, fonts.workspace);
+  CHECK_OK(fonts.packed.verify());
+  CHECK_OK(fonts.packed.verify(workspace));
+  CHECK_EQ(fonts.packed.verify({memory, fonts.workspace - 1}),
+           Status::buffer_small);
+  CHECK_OK(fonts.direct.verify({}));
+  // Less than it takes is stated.
+  const Span<const uint8_t> bytes(record.bytes, record.size);
+  const auto whole = static_cast<uint32_t>(fonts.workspace);
+  const auto row = static_cast<uint32_t>(fonts.row_workspace);
+  const PackedSpec wrong[] = {{kQuantisation, row, whole - 2},
+                              {kQuantisation, row - 2, whole},
+                              {kQuantisation, whole + 2, whole}};
+  for (const PackedSpec& spec : wrong) {
+    const Font font = build(bytes, spec, packed_rom);
+    CHECK_OK(font.verify());
+    CHECK_EQ(font.verify(workspace), Status::corrupt);
+  }
+  // A stream that is cut short, and one that does not begin.
+  const PackedSpec spec = {kQuantisation, row, whole};
+  record.bytes[1] = static_cast<uint8_t>(record.bytes[1] & 0xf0);
+  CHECK_EQ(build(bytes, spec, packed_rom).verify(), Status::corrupt);
+}
+
+#endif
