@@ -54,6 +54,11 @@ constexpr double kWillServe = 0.7;
 // And if it points the same way. [cosine]
 constexpr double kAlongBorder = 0.9;
 
+// Cells of up to this size are tried as one field, whatever is nearest. [u,
+// log2]
+constexpr int kMostAnyLog2 = 5;
+constexpr int kAnyChain = -1;
+
 // Fields whose angle is within this of an axis are tried along it. [quarters]
 constexpr double kNearAxis = 0.08;
 
@@ -99,7 +104,7 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
   for (size_t i = 0; i < count; ++i) {
     const bool ok = c.value[i] >= points.low[i] && c.value[i] <= points.high[i];
     c.passes[i / 64] |= uint64_t{ok} << (i % 64);
-    c.covered += ok && points.in_band[i] && points.corner[i] < 0 ? 1u : 0u;
+    c.covered += ok && points.in_band[i] ? 1u : 0u;
   }
   for (const int16_t corner : points.corners) {
     const Point& at = source_.truth().corners()[static_cast<size_t>(corner)].at;
@@ -293,10 +298,38 @@ std::vector<FieldCode> CandidateSource::find_codes(const Square& square,
       }
     }
   }
+  for (const int16_t number : points.corners) {
+    const Corner& corner = corners[static_cast<size_t>(number)];
+    add_tangent(corner, corner.edge_before, square, out);
+    add_tangent(corner, corner.edge_after, square, out);
+  }
+  // Wherever the distance is smooth, be it the distance to a corner, it is a
+  // field if one looks closely enough.
+  if (square.size_log2 <= kMostAnyLog2) {
+    fit_window(kAnyChain, {cx, cy, half}, square, out);
+  }
   return out;
 }
 
-// Fits a field to what is nearest to `chain` in a window.
+// The line through a corner along an edge that begins or ends there.
+void CandidateSource::add_tangent(const Corner& corner,
+                                  uint32_t edge_number,
+                                  const Square& square,
+                                  std::vector<FieldCode>& out) {
+  const Edge& edge = source_.truth().shape().edges()[edge_number];
+  const int half = 1 << square.size_log2 >> 1;
+  Fit fit;
+  // The filled side is on the left of an edge.
+  fit.angle = std::atan2(edge.b.x - edge.a.x, -(edge.b.y - edge.a.y));
+  fit.d0 = std::cos(fit.angle) * (square.x_u + half - corner.at.x) +
+           std::sin(fit.angle) * (square.y_u + half - corner.at.y);
+  fit_points_.clear();
+  fit_points_.push_back({corner.at.x - square.x_u - half,
+                         corner.at.y - square.y_u - half, 0, -e0_u_, e0_u_});
+  add_codes(fit, square, out);
+}
+
+// Fits a field to what is nearest to `chain` in a window, or to all there.
 void CandidateSource::fit_window(int chain,
                                  const Window& window,
                                  const Square& square,
@@ -320,8 +353,9 @@ void CandidateSource::fit_window(int chain,
         continue;
       }
       const TruthSample& sample = source_.truth().at(x, y);
-      if (sample.chain != chain || sample.corner >= 0 ||
-          std::fabs(sample.distance_u) > source_.metric().band_u()) {
+      const bool wanted =
+          chain == kAnyChain || (sample.chain == chain && sample.corner < 0);
+      if (!wanted || std::fabs(sample.distance_u) > source_.metric().band_u()) {
         continue;
       }
       float low = 0;

@@ -91,6 +91,10 @@ class CandidateSource {
                   const Window& window,
                   const Square& square,
                   std::vector<FieldCode>& out);
+  void add_tangent(const Corner& corner,
+                   uint32_t edge_number,
+                   const Square& square,
+                   std::vector<FieldCode>& out);
   void add_codes(const Fit& fit,
                  const Square& square,
                  std::vector<FieldCode>& out);

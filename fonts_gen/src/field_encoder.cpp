@@ -1,6 +1,7 @@
 #include "field_encoder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,9 @@ namespace gen {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+// What a saturated square says, beyond every band. [u]
+constexpr float kSaturated_u = 1024;
+
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // Fields that the packed coding remembers, and that it can write before the
@@ -21,7 +25,10 @@ constexpr size_t kListSize = 16;
 constexpr size_t kMostShared = 15;
 
 // Squares of this size are not divided. [u, log2]
-constexpr int kSmallestLog2 = 1;
+constexpr int kSmallestLog2 = 0;
+
+// Finished leaves are tested once more, 16 times to the largest px. [u px]
+constexpr double kFinePx_u = 64;
 
 // A leaf that costs no more than this is not worth looking below.
 constexpr double kCheap = 12;
@@ -54,6 +61,7 @@ std::vector<int> rows_of_fields(const FieldTree& tree) {
 
 FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
     : grid_(lay_grid(shape, options)),
+      fine_step_u_(std::max(1, static_cast<int>(kFinePx_u / options.max_px))),
       coding_(coding_for(options)),
       points_(shape, Metric(options), grid_, limit_of(options)),
       candidates_(points_, coding_, e0_u(options)),
@@ -71,6 +79,57 @@ FieldTree FieldEncoder::encode() {
     tree = encode_rows(false);
   }
   return tree;
+}
+
+std::vector<Point> FieldEncoder::find_misses(const FieldTree& tree) {
+  std::vector<Point> out;
+  for (const TreeNode& node : tree.nodes) {
+    Point miss;
+    if (node.kind != TreeNode::Kind::split && find_miss(tree, node, miss)) {
+      out.push_back(miss);
+    }
+  }
+  return out;
+}
+
+// The worst point of a leaf, if it misses.
+bool FieldEncoder::find_miss(const FieldTree& tree,
+                             const TreeNode& leaf,
+                             Point& out) {
+  std::array<FieldModel, 3> models;
+  const bool is_leaf = leaf.kind == TreeNode::Kind::leaf;
+  const auto count =
+      is_leaf ? static_cast<size_t>(field_count(leaf.join)) : size_t{0};
+  for (size_t i = 0; i < count; ++i) {
+    models[i] = FieldModel(tree.fields[leaf.uses[i].field]);
+  }
+  const float saturated =
+      leaf.kind == TreeNode::Kind::inside ? kSaturated_u : -kSaturated_u;
+  const int size = 1 << leaf.size_log2;
+  const int step = std::min(fine_step_u_, size);
+  float worst = 0;
+  for (int y = leaf.y_u; y <= leaf.y_u + size; y += step) {
+    for (int x = leaf.x_u; x <= leaf.x_u + size; x += step) {
+      std::array<FieldValue, 3> values;
+      for (size_t i = 0; i < count; ++i) {
+        double gx = 0;
+        double gy = 0;
+        models[i].gradient(x, y, gx, gy);
+        values[i] = {static_cast<float>(models[i].value(x, y)),
+                     static_cast<float>(gx), static_cast<float>(gy)};
+      }
+      const float v = is_leaf ? join_values(leaf.join, values) : saturated;
+      float low = 0;
+      float high = 0;
+      points_.allow(points_.truth().at(x, y).distance_u, low, high);
+      const float miss = std::max(low - v, v - high);
+      if (miss > worst) {
+        worst = miss;
+        out = {static_cast<double>(x), static_cast<double>(y)};
+      }
+    }
+  }
+  return worst > 0;
 }
 
 FieldTree FieldEncoder::encode_rows(bool borrow) {

@@ -33,6 +33,10 @@ class FieldEncoder {
 
   FieldTree encode();
 
+  /// Places where `tree` misses the tolerance, found on a finer lattice than
+  /// its leaves were tested on; at most one for each leaf.
+  std::vector<Point> find_misses(const FieldTree& tree);
+
  private:
   // Numbers of fields, most recent first.
   using List = std::vector<uint16_t>;
@@ -48,6 +52,7 @@ class FieldEncoder {
   };
 
   FieldTree encode_rows(bool borrow);
+  bool find_miss(const FieldTree& tree, const TreeNode& leaf, Point& out);
   void share(const FieldTree& tree);
   bool drop_unshared(const FieldTree& tree);
   FieldCode shared_code(const FieldNumbers& field) const;
@@ -60,6 +65,7 @@ class FieldEncoder {
   TreeNode node(TreeNode::Kind kind, int x_u, int y_u, int log2) const;
 
   Grid grid_;
+  int fine_step_u_;
   PackedCoding coding_;
   PointSource points_;
   CandidateSource candidates_;

@@ -8,7 +8,7 @@ namespace gen {
 namespace {
 
 // Encodings at most, before what is left is reported.
-constexpr int kMostRounds = 6;
+constexpr int kMostRounds = 8;
 
 // Other positions than those of the loop may look a little worse. [1/255]
 constexpr double kReserve = 0.4;
@@ -26,8 +26,16 @@ FieldGlyph build_fields(const Shape& shape,
   for (int round = 0; round < kMostRounds; ++round) {
     FieldGlyph glyph;
     glyph.tree = encoder.encode();
+    const bool last = round + 1 == kMostRounds;
+    const std::vector<Point> misses =
+        last ? std::vector<Point>() : encoder.find_misses(glyph.tree);
+    for (const Point& miss : misses) {
+      encoder.add_point(miss);
+    }
+    if (!misses.empty()) {
+      continue;
+    }
     glyph.record = direct_record(glyph.tree);
-    glyph.rounds = round + 1;
     GlyphField field;
     if (GlyphField::open({glyph.record.data(), glyph.record.size()}, field) !=
         Status::ok) {
@@ -35,16 +43,15 @@ FieldGlyph build_fields(const Shape& shape,
                           "the glyph reaches farther than cells of fields");
     }
     glyph.errors = loop.draw_and_compare(field);
-    if (round == 0 || glyph.errors.worst < best.errors.worst) {
-      const int rounds = glyph.rounds;
-      best = glyph;
-      best.rounds = rounds;
-    }
-    if (glyph.errors.misses.empty()) {
-      break;
-    }
     for (const LoopMiss& miss : glyph.errors.misses) {
       encoder.add_point({miss.x_u, miss.y_u});
+    }
+    const bool kept = glyph.errors.misses.empty();
+    if (best.record.empty() || glyph.errors.worst < best.errors.worst) {
+      best = std::move(glyph);
+    }
+    if (kept) {
+      break;
     }
   }
   return best;

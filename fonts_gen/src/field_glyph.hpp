@@ -17,7 +17,6 @@ struct FieldGlyph {
   FieldTree tree;
   std::vector<uint8_t> record;  // direct coding
   LoopResult errors;            // of this record as drawn
-  int rounds = 0;               // encodings that it took
 };
 
 /// `shape` must not be empty. `loop_options` say what counts as an error.

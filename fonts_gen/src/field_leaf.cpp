@@ -14,19 +14,12 @@ namespace {
 // [squared sine]
 constexpr float kLeastSine2 = 0.022f;
 
-struct Value {
-  float v;
-  float gx;
-  float gy;
-};
-
-Value value_of(const Candidate& c, size_t i, float sign) {
-  return {sign * c.value[i], sign * (c.is_arc ? c.gx[i] : c.nx),
-          sign * (c.is_arc ? c.gy[i] : c.ny)};
+FieldValue value_of(const Candidate& c, size_t i) {
+  return {c.value[i], c.is_arc ? c.gx[i] : c.nx, c.is_arc ? c.gy[i] : c.ny};
 }
 
 // The lesser of two, or the distance to the vertex where they meet.
-float least(const Value& a, const Value& b) {
+float least(const FieldValue& a, const FieldValue& b) {
   const float lesser = std::min(a.v, b.v);
   if (lesser >= 0) {
     return lesser;
@@ -40,11 +33,13 @@ float least(const Value& a, const Value& b) {
   return -std::sqrt(a.v * a.v + from_b * from_b / sine2);
 }
 
-Value negated(const Value& a) {
+FieldValue negated(const FieldValue& a) {
   return {-a.v, -a.gx, -a.gy};
 }
 
-float least_of_three(const Value& a, const Value& b, const Value& c) {
+float least_of_three(const FieldValue& a,
+                     const FieldValue& b,
+                     const FieldValue& c) {
   if (c.v >= a.v && c.v >= b.v) {
     return least(a, b);
   }
@@ -93,23 +88,32 @@ double order_leaf(Leaf& leaf, int size_log2) {
 
 }  // namespace
 
-float leaf_value(const Leaf& leaf, size_t i) {
-  if (leaf.join == Join::single) {
-    return leaf.members[0]->value[i];
+float join_values(Join join, const std::array<FieldValue, 3>& fields) {
+  if (join == Join::single) {
+    return fields[0].v;
   }
-  const float sign = takes_greatest(leaf.join) ? -1.0f : 1.0f;
-  const Value a = value_of(*leaf.members[0], i, sign);
-  const Value b = value_of(*leaf.members[1], i, sign);
-  if (field_count(leaf.join) == 2) {
+  const bool greatest = takes_greatest(join);
+  const float sign = greatest ? -1.0f : 1.0f;
+  const FieldValue a = greatest ? negated(fields[0]) : fields[0];
+  const FieldValue b = greatest ? negated(fields[1]) : fields[1];
+  if (field_count(join) == 2) {
     return sign * least(a, b);
   }
-  const Value c = value_of(*leaf.members[2], i, sign);
-  if (leaf.join == Join::min3 || leaf.join == Join::max3) {
+  const FieldValue c = greatest ? negated(fields[2]) : fields[2];
+  if (join == Join::min3 || join == Join::max3) {
     return sign * least_of_three(a, b, c);
   }
-  Value inner = b.v >= c.v ? b : c;
+  FieldValue inner = b.v >= c.v ? b : c;
   inner.v = -least(negated(b), negated(c));
   return sign * least(a, inner);
+}
+
+float leaf_value(const Leaf& leaf, size_t i) {
+  std::array<FieldValue, 3> values;
+  for (size_t m = 0; m < static_cast<size_t>(field_count(leaf.join)); ++m) {
+    values[m] = value_of(*leaf.members[m], i);
+  }
+  return join_values(leaf.join, values);
 }
 
 bool LeafSearch::passes(const Leaf& leaf) {

@@ -19,8 +19,18 @@ struct Leaf {
   double bits = 0;  // with the symbol of the square
 };
 
-/// What the leaf says at point `i`: the combination as docs/FORMAT.md defines
-/// it, in real numbers.
+/// A field at a point: distance [u] and gradient.
+struct FieldValue {
+  float v = 0;
+  float gx = 0;
+  float gy = 0;
+};
+
+/// Up to three fields joined, field_count(join) of them: docs/FORMAT.md, "The
+/// value of a cell", in real numbers. [u]
+float join_values(Join join, const std::array<FieldValue, 3>& fields);
+
+/// What the leaf says at point `i`. [u]
 float leaf_value(const Leaf& leaf, size_t i);
 
 class LeafSearch {

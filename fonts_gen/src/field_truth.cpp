@@ -81,7 +81,8 @@ void FieldTruth::find_chains() {
       const size_t previous = i == begin ? end - 1 : i - 1;
       if (is_corner(edges[previous], edges[i])) {
         corner_before_[i] = static_cast<int16_t>(corners_.size());
-        corners_.push_back({edges[i].a, -1, -1});
+        corners_.push_back({edges[i].a, -1, -1, static_cast<uint32_t>(previous),
+                            static_cast<uint32_t>(i)});
         start = i;
       }
     }

@@ -22,6 +22,8 @@ struct Corner {
   Point at;
   int16_t before = -1;  // chains
   int16_t after = -1;
+  uint32_t edge_before = 0;  // that ends here
+  uint32_t edge_after = 0;   // that begins here
 };
 
 /// The distance at a point, and what is nearest there.

@@ -131,7 +131,7 @@ void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
     build_samples(shape, options, built);
     return;
   }
-  if (glyph.errors.worst > options.tolerance) {
+  if (glyph.tree.failures != 0 || glyph.errors.worst > options.tolerance) {
     build_samples(shape, options, built);
     if (built.errors.worst < glyph.errors.worst) {
       return;
