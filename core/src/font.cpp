@@ -348,7 +348,10 @@ Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
     out = GlyphField{};
     return Status::ok;
   }
-  if (is_packed()) {
+  // A packed font may hold glyphs that are read in place.
+  const uint32_t type = bytes.data[format::packed::kType];
+  if ((type & ~uint32_t{format::packed::kWideRows}) ==
+      format::packed::kTypePacked) {
     return Status::unsupported;
   }
   if (reinterpret_cast<uintptr_t>(bytes.data) %

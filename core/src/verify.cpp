@@ -148,13 +148,14 @@ Status Font::verify() const noexcept {
   }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
     const auto id = static_cast<uint16_t>(glyph);
-    if (is_packed()) {
-      PackedGlyph opened;
-      INKCELL_TRY(PackedGlyph::open(*this, id, opened));
+    GlyphField opened;
+    const Status status = field(id, opened);
+    if (status == Status::unsupported && is_packed()) {
+      PackedGlyph packed;
+      INKCELL_TRY(PackedGlyph::open(*this, id, packed));
       continue;
     }
-    GlyphField opened;
-    INKCELL_TRY(field(id, opened));
+    INKCELL_TRY(status);
     if (!detail::field_fits(opened)) {
       return Status::corrupt;
     }

@@ -116,8 +116,8 @@ class Font {
 
   /// The distance field of a glyph; empty for a glyph without ink.
   /// no_glyph: there is no glyph of this id. corrupt, unsupported: as
-  /// GlyphField::open; packed glyphs are unsupported. `out` is untouched unless
-  /// the result is ok.
+  /// GlyphField::open; packed glyphs are unsupported (a packed font may hold
+  /// others too). `out` is untouched unless the result is ok.
   Status field(uint16_t glyph, GlyphField& out) const noexcept;
 
   /// The glyph's record as it lies in the font, for tools. Empty if the glyph
