@@ -7,6 +7,7 @@
 
 #include "bit_costs.hpp"
 #include "field_code.hpp"
+#include "inkcell/format.hpp"
 #include "metric.hpp"
 
 namespace inkcell {
@@ -39,6 +40,19 @@ double limit_of(const AdfOptions& options) {
   return std::max(options.tolerance - 0.7, options.tolerance / 2);
 }
 
+// The grid of a shape that cells of fields reach.
+Grid near_grid(const Shape& shape, const AdfOptions& options) {
+  const Grid grid = lay_grid(shape, options);
+  const int limit = format::fields::kGridLimit;
+  if (grid.x0_u < -limit || grid.y0_u < -limit ||
+      grid.x0_u + (grid.tiles_x << grid.tile_log2) > limit ||
+      grid.y0_u + (grid.tiles_y << grid.tile_log2) > limit) {
+    throw GeometryError(GeometryError::Kind::too_large,
+                        "the glyph reaches farther than cells of fields");
+  }
+  return grid;
+}
+
 // In how many rows of tiles each field is used.
 std::vector<int> rows_of_fields(const FieldTree& tree) {
   std::vector<int> rows(tree.fields.size());
@@ -60,7 +74,7 @@ std::vector<int> rows_of_fields(const FieldTree& tree) {
 }  // namespace
 
 FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
-    : grid_(lay_grid(shape, options)),
+    : grid_(near_grid(shape, options)),
       fine_step_u_(std::max(1, static_cast<int>(kFinePx_u / options.max_px))),
       coding_(coding_for(options)),
       points_(shape, Metric(options), grid_, limit_of(options)),
