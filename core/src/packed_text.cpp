@@ -25,7 +25,9 @@ bool meets_window(const PackedGlyph& glyph,
 }
 
 // From the highest row of tiles to the lowest, so that pixels come from top to
-// bottom, `at_once` rows at a time. A pixel's centre lies in one row only.
+// bottom, `at_once` rows at a time, or one by one if that does not work: what
+// is left out must not depend on the window. A pixel's centre lies in one row
+// only.
 void draw_rows(const PackedGlyph& glyph,
                Rows rows,
                uint32_t at_once,
@@ -34,17 +36,15 @@ void draw_rows(const PackedGlyph& glyph,
                const Sink& sink,
                Workspace workspace) noexcept {
   while (rows.end > rows.begin) {
-    const uint32_t count =
-        at_once < rows.end - rows.begin ? at_once : rows.end - rows.begin;
+    const uint32_t left = rows.end - rows.begin;
+    const uint32_t count = at_once < left ? at_once : left;
     GlyphField field;
-    const Status status =
-        expand(glyph, rows.end - count, count, workspace, field);
-    if (status == Status::buffer_small && count > 1 && brush.is_upright()) {
+    if (expand(glyph, rows.end - count, count, workspace, field) ==
+        Status::ok) {
+      draw_field(field, brush, origin, sink);
+    } else if (count > 1 && brush.is_upright()) {
       at_once = 1;
       continue;
-    }
-    if (status == Status::ok) {
-      draw_field(field, brush, origin, sink);
     }
     rows.end -= count;
   }
@@ -71,19 +71,23 @@ void draw_placed(const Font& font,
   if (!meets_window(packed, rows, brush, origin, sink)) {
     return;
   }
-  while (rows.begin < rows.end &&
-         !meets_window(packed, {rows.begin, rows.begin + 1}, brush, origin,
-                       sink)) {
-    ++rows.begin;
+  uint32_t at_once = packed.tiles_y;
+  if (brush.is_upright()) {
+    while (rows.begin < rows.end &&
+           !meets_window(packed, {rows.begin, rows.begin + 1}, brush, origin,
+                         sink)) {
+      ++rows.begin;
+    }
+    while (
+        rows.begin < rows.end &&
+        !meets_window(packed, {rows.end - 1, rows.end}, brush, origin, sink)) {
+      --rows.end;
+    }
+    if (workspace.size < font.workspace_bytes()) {
+      at_once = 1;
+    }
   }
-  while (rows.begin < rows.end &&
-         !meets_window(packed, {rows.end - 1, rows.end}, brush, origin, sink)) {
-    --rows.end;
-  }
-  const bool is_large =
-      !brush.is_upright() || workspace.size >= font.workspace_bytes();
-  draw_rows(packed, rows, is_large ? packed.tiles_y : 1, brush, origin, sink,
-            workspace);
+  draw_rows(packed, rows, at_once, brush, origin, sink, workspace);
 }
 
 }  // namespace

@@ -126,6 +126,35 @@ void use_glyph(const Font& font, uint16_t glyph) {
   }
 }
 
+// RAM of exactly this size, so that the sanitizers see a byte too much. No
+// glyph can need more than 16 KB, whatever the font says.
+class Ram {
+ public:
+  explicit Ram(uint32_t bytes) : bytes_(std::min(bytes, uint32_t{16384})) {}
+
+  Workspace workspace() { return {bytes_.data(), bytes_.size()}; }
+
+ private:
+  std::vector<uint8_t> bytes_;
+};
+
+void use_packed(const Font& font, uint16_t glyph) {
+  PackedGlyph packed;
+  if (PackedGlyph::open(font, glyph, packed) != Status::ok) {
+    return;
+  }
+  Ram ram(16384);
+  for (uint32_t row = 0; row <= packed.tiles_y; ++row) {
+    GlyphField field;
+    if (expand(packed, row, 1, ram.workspace(), field) == Status::ok) {
+      require(row < packed.tiles_y && field.heap_units <= 8192,
+              "a row that exists, in the heap");
+      distance_at(field, Q16_16::from_int(field.x0_u + 100),
+                  Q16_16::from_int(field.y0_u + 77));
+    }
+  }
+}
+
 void use_tables(const Font& font) {
   const FontMetrics metrics = font.metrics();
   require(metrics.units_per_em >= 1, "units per em");
@@ -164,14 +193,15 @@ void draw_checked(const Font& font,
                   uint16_t glyph,
                   const Brush& brush,
                   Point origin) {
+  Ram ram(glyph % 2 == 0 ? font.workspace_bytes() : font.row_workspace_bytes());
   Canvas whole({0, 0, kWidth, kHeight});
-  draw_glyph(font, glyph, brush, origin, whole.sink());
+  draw_glyph(font, glyph, brush, origin, whole.sink(), ram.workspace());
   whole.check_guards();
   Canvas upper({0, 0, kWidth, 7});
-  draw_glyph(font, glyph, brush, origin, upper.sink());
+  draw_glyph(font, glyph, brush, origin, upper.sink(), ram.workspace());
   upper.check_guards();
   Canvas lower({0, 7, kWidth, kHeight});
-  draw_glyph(font, glyph, brush, origin, lower.sink());
+  draw_glyph(font, glyph, brush, origin, lower.sink(), ram.workspace());
   lower.check_guards();
   for (int32_t y = 0; y < kHeight; ++y) {
     require(whole.row_equals(y, y < 7 ? upper : lower),
@@ -186,6 +216,7 @@ void draw_checked(const Font& font,
     distance_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
     gradient_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
   }
+  use_packed(font, glyph);
 }
 
 void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
@@ -198,11 +229,12 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
                   Status::ok &&
               run.size <= text.size,
           "layout");
+  Ram ram(font.workspace_bytes());
   Canvas whole({0, 0, kWidth, kHeight});
   Canvas parts({0, 0, kWidth, kHeight});
   for (const PositionedGlyph& glyph : run) {
     whole.next_glyph();
-    draw(font, {&glyph, 1}, brush, origin, whole.sink());
+    draw(font, {&glyph, 1}, brush, origin, whole.sink(), ram.workspace());
   }
   whole.check_guards();
   // Drawn as a line, calls begin anew with each glyph: one window a row.
@@ -212,7 +244,7 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
       Sink sink = parts.sink();
       sink.window.y0 = y;
       sink.window.y1 = y + 1;
-      draw(font, {&glyph, 1}, brush, origin, sink);
+      draw(font, {&glyph, 1}, brush, origin, sink, ram.workspace());
     }
     require(parts.row_equals(y, whole), "the same line row by row");
   }
@@ -237,7 +269,10 @@ Outcome exercise(Span<const uint8_t> rom) {
   Font font;
   outcome.opened = Font::open(rom, font) == Status::ok;
   if (outcome.opened) {
-    outcome.verified = font.verify() == Status::ok;
+    Ram ram(font.workspace_bytes());
+    outcome.verified = font.verify(ram.workspace()) == Status::ok;
+    require(!outcome.verified || font.verify() == Status::ok,
+            "what is verified without a workspace, too");
     use(font);
   } else {
     require(font.glyph_count() == 0, "a refused font stays closed");
