@@ -113,9 +113,9 @@ struct PackedRecord {
   uint32_t seed = 1;        // of everything else
   uint32_t least_log2 = 4;  // squares are not divided further
 
-  static constexpr uint32_t kMaxUnits = 1024;
+  static constexpr uint32_t kMaxUnits = 512;
 
-  uint8_t bytes[1024] = {};
+  uint8_t bytes[700] = {};
   size_t size = 0;
   uint16_t heap[kMaxUnits] = {};
   uint32_t units = 0;

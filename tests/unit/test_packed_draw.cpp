@@ -16,7 +16,7 @@ constexpr size_t kRoom = 2 * PackedRecord::kMaxUnits;
 
 // Too large for the stack of a small board.
 PackedRecord record;
-alignas(4) uint8_t packed_rom[1600];
+alignas(4) uint8_t packed_rom[1100];
 alignas(4) uint8_t direct_rom[kRoom + 400];
 alignas(4) uint8_t memory[kRoom];
 uint8_t linked[kRoom + 10];
