@@ -145,9 +145,9 @@ class Expansion {
   // slots[i] of all i above that of the square of 2^i u around it. Every turn
   // of the loop fills in one reference, or makes four, or ends it: the heap
   // bounds what any bytes can cost.
-  [[gnu::noinline]] Status tile_tree(int32_t x_u,
-                                     int32_t y_u,
-                                     uint32_t slot) noexcept {
+  __attribute__((noinline)) Status tile_tree(int32_t x_u,
+                                             int32_t y_u,
+                                             uint32_t slot) noexcept {
     BitStream bits = bits_;
     uint16_t slots[packed::kTileLog2 + 1];
     uint32_t log2 = packed::kTileLog2;

@@ -104,12 +104,12 @@ inline int16_t curvature(int32_t bend,
   return clamp_i16(k, -INT16_MAX);
 }
 
-// inkcell::expand_field.
-inline FieldNumbers field_numbers(const FieldCode& code,
-                                  const PackedCoding& coding,
-                                  uint32_t log2,
-                                  int32_t x_u,
-                                  int32_t y_u) noexcept {
+// inkcell::expand_field. Static, so that it becomes a part of its caller.
+static inline FieldNumbers field_numbers(const FieldCode& code,
+                                         const PackedCoding& coding,
+                                         uint32_t log2,
+                                         int32_t x_u,
+                                         int32_t y_u) noexcept {
   const uint32_t turn =
       code.angle << (has_angle(code.kind) ? 16 - coding.angle_bits(log2) : 14);
   const Normal n = normal_of(turn);

@@ -308,4 +308,22 @@ TEST(verifies_what_glyphs_expand_to) {
   CHECK_EQ(build(bytes, spec, packed_rom).verify(), Status::corrupt);
 }
 
+#else
+
+TEST(packed_fonts_are_refused) {
+  alignas(4) static uint8_t rom[400];
+  const uint8_t quantisation[8] = {};
+  const font_builder::GlyphSpec glyphs[] = {
+      {500, {0, 0, 0, 0}, nullptr, nullptr, {}}};
+  font_builder::FontSpec spec;
+  spec.glyphs = {glyphs, 1};
+  inkcell::Font font;
+  size_t size = font_builder::build_font(spec, rom);
+  CHECK_OK(inkcell::Font::open({rom, size}, font));
+  spec.packed.quantisation = quantisation;
+  size = font_builder::build_font(spec, rom);
+  CHECK_EQ(inkcell::Font::open({rom, size}, font),
+           inkcell::Status::unsupported);
+}
+
 #endif

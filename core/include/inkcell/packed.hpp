@@ -141,8 +141,10 @@ struct PackedGlyph {
 /// nothing elsewhere. It refers to `workspace`, whose content must stay as
 /// long as `out` is used.
 ///
-/// Takes time in proportion to the bytes of the workspace that it fills, of
-/// which it needs 2 x out.heap_units.
+/// Needs 2 x out.heap_units bytes of the workspace, and about 500 bytes of
+/// stack. Time is bounded by the workspace, whatever the stream says: a square
+/// takes two bytes of it, at most format::linked::kMaxUnits squares fit, and no
+/// square has more than three fields. Rows below `first_row` cost nothing.
 ///
 /// corrupt: the stream does not make sense. buffer_small: the workspace does
 /// not hold the rows. bad_argument: no such rows, or a misaligned workspace.

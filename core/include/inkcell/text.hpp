@@ -126,11 +126,11 @@ void draw_glyph(const Font& font,
 /// Of each packed glyph the rows of tiles that meet the sink's window are
 /// expanded into `workspace`: all at once if it has the font's
 /// workspace_bytes(), else one after the other, for which row_workspace_bytes()
-/// are enough. Turned glyphs are expanded all at once. What does not fit is
+/// are enough. Turned glyphs are always expanded whole. What does not fit is
 /// left out. Every call expands anew: high strips are faster than low ones.
 ///
 /// They are calls of their own so that programs with direct fonts only do not
-/// link the decoder, 3 KB.
+/// link the decoder, 5 KB.
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
           const Brush& brush,
