@@ -6,9 +6,12 @@
 #     [SYMBOLS <string>] [TEXT <utf-8 file>...]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
-#     [CELLS samples] [CODING direct] [PREDICATE size|fixed] [EFFORT <0..9>])
+#     [CELLS fields|samples] [CODING direct|packed]
+#     [PREDICATE size|fixed] [EFFORT <0..9>])
 #
-# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
+# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>,
+# and beside it <NAME>_workspace and <NAME>_row_workspace: the bytes of RAM that
+# drawing a packed font takes for all of a glyph, or for a row of its tiles.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 #
 # The generator runs on the machine that builds. Which one is used:
@@ -90,6 +93,16 @@ function(_inkcell_write_if_different file text)
   endif()
 endfunction()
 
+# Ends with an error unless the value of the argument `word` is empty or one of
+# those that follow.
+function(_inkcell_check_choice word value)
+  if(NOT "${value}" STREQUAL "" AND NOT "${value}" IN_LIST ARGN)
+    list(JOIN ARGN " or " choices)
+    message(FATAL_ERROR
+      "inkcell_add_font: ${word} is ${choices}, not ${value}")
+  endif()
+endfunction()
+
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE
@@ -100,6 +113,20 @@ function(inkcell_add_font target)
     message(FATAL_ERROR
       "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
       "not understood: ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES}")
+  endif()
+
+  _inkcell_check_choice(CELLS "${arg_CELLS}" fields samples)
+  _inkcell_check_choice(CODING "${arg_CODING}" direct packed)
+  _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
+  if("${arg_CELLS};${arg_CODING}" STREQUAL "samples;packed")
+    message(FATAL_ERROR
+      "inkcell_add_font: CELLS samples are not for CODING packed; leave one "
+      "of them out")
+  endif()
+  if("${arg_PREDICATE}" STREQUAL "fixed" AND
+      NOT "${arg_CELLS}" STREQUAL "samples")
+    message(FATAL_ERROR
+      "inkcell_add_font: PREDICATE fixed is for CELLS samples")
   endif()
 
   cmake_path(ABSOLUTE_PATH arg_FONT NORMALIZE OUTPUT_VARIABLE font)

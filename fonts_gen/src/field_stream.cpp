@@ -155,10 +155,6 @@ class Stream {
     bits_.put(0, 1);
     bits_.put(size & ((1u << k) - 1), static_cast<int>(k));
     bits_.put(code.bend < 0 ? 1u : 0u, 1);
-    if (counts_ != nullptr) {
-      const auto level = static_cast<size_t>(std::clamp(8 - log2, 0, 3));
-      ++counts_->bend[level][std::min(size, 255u)];
-    }
   }
 
   const FieldTree& tree_;

@@ -1,7 +1,6 @@
 // Typed cells in the packed coding (docs/FORMAT.md, "Glyph record, type 3").
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,8 +16,6 @@ struct SymbolCounts {
   uint64_t node[packed_codes::kNodeContexts][packed_codes::kNodeSymbols] = {};
   uint64_t kind[packed_codes::kKindContexts][packed_codes::kKindSymbols] = {};
   uint64_t rank[packed_codes::kRankContexts][packed_codes::kRankSymbols] = {};
-  /// Magnitudes of bends, by level.
-  std::array<std::array<uint64_t, 256>, 4> bend = {};
 };
 
 /// The record of a glyph with ink. Adds to `counts` unless it is null.

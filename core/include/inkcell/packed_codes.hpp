@@ -1,6 +1,7 @@
 // Code lengths of the packed coding's prefix codes (docs/FORMAT.md, "Glyph
 // record, type 3"): the decoder and the generator build their tables from
-// these. Codes are canonical: ascending by length, then by symbol.
+// these. Codes are canonical: ascending by length, then by symbol. Made by
+// inkcell-train-codes.
 #pragma once
 
 #include <stdint.h>
@@ -21,9 +22,9 @@ inline constexpr uint32_t kRankMaxBits = 8;
 /// Bits of each symbol; 0: the symbol does not occur.
 inline constexpr uint8_t kNodeLengths[kNodeContexts][kNodeSymbols] = {
     {1, 4, 7, 4, 3, 5, 3, 7, 4, 6}, {2, 4, 7, 2, 2, 5, 4, 7, 4, 6},
-    {3, 6, 7, 2, 2, 3, 4, 7, 3, 5}, {3, 4, 7, 2, 2, 3, 5, 7, 3, 6},
-    {3, 4, 6, 2, 3, 3, 7, 7, 2, 5}, {3, 6, 6, 2, 4, 2, 7, 7, 2, 6},
-    {3, 7, 3, 3, 5, 1, 7, 7, 4, 7}};
+    {3, 5, 7, 2, 2, 3, 4, 7, 3, 6}, {3, 4, 7, 2, 2, 3, 5, 7, 3, 6},
+    {3, 4, 6, 2, 3, 3, 7, 7, 2, 5}, {4, 7, 7, 2, 3, 2, 7, 7, 2, 5},
+    {6, 7, 7, 2, 4, 1, 7, 7, 3, 6}};
 
 inline constexpr uint8_t kKindLengths[kKindContexts][kKindSymbols] = {
     {1, 4, 4, 3, 2}, {0, 2, 2, 2, 2}, {1, 4, 4, 3, 2},
