@@ -1,0 +1,212 @@
+// Shapes made into trees of fields.
+#include <gtest/gtest.h>
+
+#include "field_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field_code.hpp"
+#include "field_record.hpp"
+#include "field_stream.hpp"
+#include "field_trees.hpp"
+#include "glyph_outlines.hpp"
+
+namespace inkcell {
+namespace gen {
+namespace test {
+namespace {
+
+AdfOptions fields(double min_px, double max_px, double tolerance) {
+  AdfOptions options;
+  options.cells = CellKind::fields;
+  options.min_px = min_px;
+  options.max_px = max_px;
+  options.tolerance = tolerance;
+  return options;
+}
+
+Outline outline(std::vector<Contour> contours) {
+  Outline result;
+  result.contours = std::move(contours);
+  return result;
+}
+
+// The rules that the packed coding depends on: order of the squares, numbers
+// that lists and ranks give, fields in the order in which they are met.
+class Rules {
+ public:
+  explicit Rules(const FieldTree& tree) : tree_(tree) {}
+
+  void check() {
+    const Grid& grid = tree_.grid;
+    const int log2 = shared_log2(grid);
+    for (const FieldCode& code : tree_.shared) {
+      expect_field(code, log2, grid.x0_u + 128 * grid.tiles_x,
+                   grid.y0_u + 128 * grid.tiles_y);
+    }
+    for (int row = 0; row < grid.tiles_y; ++row) {
+      list_.clear();
+      for (size_t f = 0; f < tree_.shared.size(); ++f) {
+        list_.push_back(static_cast<uint16_t>(f));
+      }
+      for (int column = 0; column < grid.tiles_x; ++column) {
+        square(grid.x0_u + 256 * column, grid.y0_u + 256 * row, 8);
+      }
+    }
+    EXPECT_EQ(next_, tree_.nodes.size());
+    EXPECT_EQ(known_, tree_.fields.size());
+    EXPECT_LE(tree_.shared.size(), 15u);
+  }
+
+ private:
+  void expect_field(const FieldCode& code, int log2, int x, int y) {
+    ASSERT_LT(known_, tree_.fields.size());
+    EXPECT_TRUE(same_field(
+        tree_.fields[known_],
+        expand_field(code, tree_.coding, static_cast<uint32_t>(log2), x, y)));
+    ++known_;
+  }
+
+  void square(int x_u, int y_u, int log2) {
+    ASSERT_LT(next_, tree_.nodes.size());
+    const TreeNode& node = tree_.nodes[next_++];
+    ASSERT_EQ(node.x_u, x_u);
+    ASSERT_EQ(node.y_u, y_u);
+    ASSERT_EQ(node.size_log2, log2);
+    if (node.kind == TreeNode::Kind::split) {
+      const int half = 1 << (log2 - 1);
+      for (int i = 0; i < 4; ++i) {
+        square(x_u + i % 2 * half, y_u + i / 2 * half, log2 - 1);
+      }
+    } else if (node.kind == TreeNode::Kind::leaf) {
+      leaf(node);
+    }
+  }
+
+  void leaf(const TreeNode& node) {
+    const bool nested =
+        node.join == Join::min_max || node.join == Join::max_min;
+    int previous = -1;
+    bool after_new = false;
+    const int count = field_count(node.join);
+    for (int i = 0; i < count; ++i) {
+      if (i == 0 || (nested && i == 1)) {
+        previous = -1;
+        after_new = false;
+      }
+      const FieldUse& use = node.uses[static_cast<size_t>(i)];
+      if (use.is_new) {
+        EXPECT_EQ(use.field, known_);
+        const int half = 1 << node.size_log2 >> 1;
+        expect_field(use.code, node.size_log2, node.x_u + half,
+                     node.y_u + half);
+        after_new = true;
+        continue;
+      }
+      EXPECT_FALSE(after_new);
+      EXPECT_GT(use.rank, previous);
+      previous = use.rank;
+      ASSERT_LT(static_cast<size_t>(use.rank), list_.size());
+      EXPECT_EQ(list_[static_cast<size_t>(use.rank)], use.field);
+    }
+    for (int i = count - 1; i >= 0; --i) {
+      const uint16_t field = node.uses[static_cast<size_t>(i)].field;
+      list_.erase(std::remove(list_.begin(), list_.end(), field), list_.end());
+      list_.insert(list_.begin(), field);
+    }
+    list_.resize(std::min(list_.size(), size_t{16}));
+  }
+
+  const FieldTree& tree_;
+  size_t next_ = 0;
+  size_t known_ = 0;
+  std::vector<uint16_t> list_;
+};
+
+size_t leaves_of(const FieldTree& tree) {
+  return static_cast<size_t>(std::count_if(
+      tree.nodes.begin(), tree.nodes.end(),
+      [](const TreeNode& node) { return node.kind == TreeNode::Kind::leaf; }));
+}
+
+TEST(FieldEncoder, TreesKeepTheRulesOfTheCoding) {
+  for (const char* file : {kDejaVuSans, kLiberationSerif, kRoboto}) {
+    for (const Outline& glyph : load_outlines(file, 0, {'a'})) {
+      const Shape shape(glyph);
+      FieldEncoder encoder(shape, fields(8, 32, 16));
+      const FieldTree tree = encoder.encode();
+      EXPECT_EQ(tree.failures, 0);
+      EXPECT_GT(leaves_of(tree), 10u);
+      Rules(tree).check();
+    }
+  }
+}
+
+TEST(FieldEncoder, SaysTheSameWhenAskedAgain) {
+  const Shape shape(load_outlines(kDejaVuSans, 0, {'e'})[0]);
+  FieldEncoder encoder(shape, fields(8, 32, 16));
+  const std::vector<uint8_t> first = packed_record(encoder.encode(), nullptr);
+  EXPECT_EQ(packed_record(encoder.encode(), nullptr), first);
+  FieldEncoder other(shape, fields(8, 32, 16));
+  EXPECT_EQ(packed_record(other.encode(), nullptr), first);
+}
+
+TEST(FieldEncoder, PointsThatWereMissedAreMet) {
+  const Shape shape(outline({circle(200, 200, 150)}));
+  const AdfOptions options = fields(8, 64, 16);
+  FieldEncoder encoder(shape, options);
+  const Metric metric(options);
+  std::vector<Point> points;
+  for (int i = 0; i < 40; ++i) {
+    points.push_back(
+        {200 + 151.3 * std::cos(0.17 * i), 200 + 151.3 * std::sin(0.17 * i)});
+    encoder.add_point(points.back());
+  }
+  const std::vector<uint8_t> record = direct_record(encoder.encode());
+  const GlyphField field = open_record(record);
+  for (const Point& p : points) {
+    const auto q16 = [](double u) {
+      return Q16_16::from_raw(static_cast<int32_t>(std::lround(u * 65536)));
+    };
+    const double read = distance_at(field, q16(p.x), q16(p.y)).raw / 1024.0;
+    EXPECT_LE(metric.error(shape.distance(p.x, p.y), read),
+              options.tolerance - 0.7);
+  }
+}
+
+// A square has four sides, a circle one arc in each cell: not many fields.
+TEST(FieldEncoder, SimpleShapesTakeFewFields) {
+  const AdfOptions options = fields(8, 64, 16);
+  const Shape square(outline({rectangle(0, 0, 600, 600)}));
+  FieldTree tree = FieldEncoder(square, options).encode();
+  Rules(tree).check();
+  EXPECT_EQ(tree.failures, 0);
+  EXPECT_LE(tree.fields.size(), 8u);
+  for (const FieldNumbers& field : tree.fields) {
+    EXPECT_FALSE(is_arc(field));
+    EXPECT_TRUE(field.nx_q14 == 0 || field.ny_q14 == 0);
+  }
+  const Shape disk(outline({circle(0, 0, 300)}));
+  tree = FieldEncoder(disk, options).encode();
+  Rules(tree).check();
+  EXPECT_EQ(tree.failures, 0);
+  EXPECT_LE(tree.fields.size(), 40u);
+  EXPECT_TRUE(std::any_of(tree.fields.begin(), tree.fields.end(), is_arc));
+}
+
+TEST(FieldEncoder, FewerBytesForLargerTolerances) {
+  const Shape shape(load_outlines(kLiberationSerif, 0, {'S'})[0]);
+  size_t before = 1000000;
+  for (const double tolerance : {6.0, 16.0, 40.0}) {
+    FieldEncoder encoder(shape, fields(8, 48, tolerance));
+    const size_t bytes = packed_record(encoder.encode(), nullptr).size();
+    EXPECT_LT(bytes, before) << tolerance;
+    before = bytes;
+  }
+}
+
+}  // namespace
+}  // namespace test
+}  // namespace gen
+}  // namespace inkcell
