@@ -10,9 +10,14 @@ enum class FontId : uint8_t {
   dejavu_serif,
   roboto,
   noto_sans_cjk,
+  dejavu_sans_samples,
 };
-inline constexpr int kFontCount = 4;
+inline constexpr int kFontCount = 5;
 
-inkcell::Span<const uint8_t> font_bytes(FontId id);
+/// Whether glyphs are read in place or expanded. Of every font of fields there
+/// is one of each; that of samples is direct.
+enum class Coding : uint8_t { direct, packed };
+
+inkcell::Span<const uint8_t> font_bytes(FontId id, Coding coding);
 
 }  // namespace golden

@@ -2,7 +2,8 @@
 """Makes the golden files of this folder anew from a built tree.
 
     tests/golden/regenerate.py BUILD            hashes and pictures
-    tests/golden/regenerate.py BUILD --fonts    the frozen fonts first
+    tests/golden/regenerate.py BUILD --fonts    the frozen fonts first, and the
+                                                codes in docs/FORMAT.md
 
 Do this when a picture is meant to change, look at sheet.png, and say in the
 commit why it changed. Fonts are frozen: they change only with the format.
@@ -15,28 +16,59 @@ import zlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 SYSTEM_FONTS = Path("/usr/share/fonts")
 # File, face, characters. Small, but with kerning, a character above U+FFFF, a
-# space, and two hanzi.
+# space, and a hanzi whose cells have too many numbers for bytes.
+SANS = ("DejaVuSans.ttf", 0, "Inkcel 42\U0001d538")
+SERIF = ("DejaVuSerif.ttf", 0, "AVQuav& ")
+ROBOTO = ("Roboto-Regular.ttf", 0, "Roboty ")
+CJK = ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57\u8f5f")
 FONTS = {
-    "dejavu_sans": ("DejaVuSans.ttf", 0, "Inkcel 42\U0001d538"),
-    "dejavu_serif": ("DejaVuSerif.ttf", 0, "AVQuav& "),
-    "roboto": ("Roboto-Regular.ttf", 0, "Roboty "),
-    "noto_sans_cjk": ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57"),
+    "dejavu_sans": (SANS, []),
+    "dejavu_sans_packed": (SANS, ["--coding", "packed"]),
+    "dejavu_sans_samples": (("DejaVuSans.ttf", 0, "Again"),
+                            ["--cells", "samples", "--max-px", "24",
+                             "--tolerance", "24/255"]),
+    "dejavu_serif": (SERIF, []),
+    "dejavu_serif_packed": (SERIF, ["--coding", "packed"]),
+    "noto_sans_cjk": (CJK, ["--max-px", "32"]),
+    "noto_sans_cjk_packed": (CJK, ["--max-px", "32", "--coding", "packed"]),
+    "roboto": (ROBOTO, []),
+    "roboto_packed": (ROBOTO, ["--coding", "packed"]),
 }
-OPTIONS = ["--min-px", "8", "--max-px", "24", "--tolerance", "24/255",
-           "--format", "bin", "--quiet"]
+OPTIONS = ["--format", "bin", "--quiet"]
 
 
 def make_fonts(build):
-    for name, (file, face, symbols) in FONTS.items():
+    for name, ((file, face, symbols), options) in FONTS.items():
         source = next(SYSTEM_FONTS.rglob(file))
         out = HERE / "fonts" / (name + ".bin")
         subprocess.run(
             [build / "fonts_gen/inkcell-fontgen", "--font", source, "--face",
-             str(face), "--symbols", symbols, "--out", out, *OPTIONS],
+             str(face), "--symbols", symbols, "--out", out, *OPTIONS,
+             *options],
             check=True)
         print(out.name, out.stat().st_size, "bytes")
+
+
+def write_codes():
+    """The lengths of the prefix codes, from the header to the document."""
+    header = (ROOT / "core/include/inkcell/packed_codes.hpp").read_text()
+    document = ROOT / "docs/FORMAT.md"
+    text = document.read_text()
+    for name in "node", "kind", "rank":
+        array = re.search(rf"k{name.title()}Lengths\[.*?\]\[.*?\] = (.*?);",
+                          header, re.DOTALL).group(1)
+        for context, row in enumerate(re.findall(r"{([^{}]+)}", array)):
+            cells = [cell.strip() for cell in row.split(",")]
+            line = f"| {name} {context} |" + "".join(
+                f" {'-' if cell == '0' else cell} |" for cell in cells)
+            text, found = re.subn(rf"^\| {name} {context} \|.*$", line, text,
+                                  flags=re.MULTILINE)
+            if found != 1:
+                sys.exit("regenerate.py: FORMAT.md lacks a code")
+    document.write_text(text)
 
 
 def write_hashes(build):
@@ -98,6 +130,7 @@ def main():
         subprocess.run(["cmake", "--build", build, "--target",
                         "inkcell-fontgen"], check=True)
         make_fonts(build)
+        write_codes()
     subprocess.run(["cmake", "--build", build, "--target", *targets],
                    check=True)
     write_hashes(build)

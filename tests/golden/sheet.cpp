@@ -1,6 +1,5 @@
 #include "sheet.hpp"
 
-#include "fonts.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey4.hpp"
@@ -44,6 +43,10 @@ constexpr Line kLines[] = {
      113 * 64, &kFilterPaperDisplay, kOne, 0},
     {FontId::noto_sans_cjk, "\xe5\xad\x97\xe6\xb0\xb8?", 20 * 64, 90 * 64 + 9,
      100 * 64 + 40, &kFilterText, kOne, 0},
+    {FontId::noto_sans_cjk, "\xe8\xbd\x9f", 24 * 64 + 32, 51 * 64 + 20,
+     173 * 64, &kFilterPaperBody, kOne, 0},
+    {FontId::dejavu_sans_samples, "Again", 17 * 64, 98 * 64 + 40, 24 * 64 + 11,
+     &kFilterText, kOne, 0},
     // Up and down the triangle of sides 3, 4 and 5.
     {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 6 * 64, 170 * 64, &kFilterText,
      858993459, 644245094},
@@ -51,9 +54,9 @@ constexpr Line kLines[] = {
      &kFilterPaperDisplay, 858993459, -644245094},
 };
 
-bool draw_line(const Line& line, const Sink& sink) {
+bool draw_line(const Line& line, const Fonts& fonts, const Sink& sink) {
   Font font;
-  if (Font::open(font_bytes(line.font), font) != Status::ok) {
+  if (Font::open(font_bytes(line.font, fonts.coding), font) != Status::ok) {
     return false;
   }
   Direction direction;
@@ -64,89 +67,93 @@ bool draw_line(const Line& line, const Sink& sink) {
                   brush) != Status::ok) {
     return false;
   }
-  draw_text(font, line.text, brush,
-            {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)}, sink);
+  const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
+  if (fonts.coding == Coding::packed) {
+    draw_text(font, line.text, brush, origin, sink, fonts.workspace);
+  } else {
+    draw_text(font, line.text, brush, origin, sink);
+  }
   return true;
 }
 
 template <typename Target>
-bool draw_lines(Target& target, const Strip& strip) {
+bool draw_lines(Target& target, const Strip& strip, const Fonts& fonts) {
   target.strip = strip;
   Sink sink;
   if (make_sink(target, sink) != Status::ok) {
     return false;
   }
   for (const Line& line : kLines) {
-    if (!draw_line(line, sink)) {
+    if (!draw_line(line, fonts, sink)) {
       return false;
     }
   }
   return true;
 }
 
-bool draw_a8(const Strip& strip) {
+bool draw_a8(const Strip& strip, const Fonts& fonts) {
   A8Target target;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
-bool draw_grey8(const Strip& strip) {
+bool draw_grey8(const Strip& strip, const Fonts& fonts) {
   Grey8Target target;
   target.level = 240;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
 template <BitOrder kOrder>
-bool draw_grey4(const Strip& strip) {
+bool draw_grey4(const Strip& strip, const Fonts& fonts) {
   Grey4Target target;
   target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
 template <BitOrder kOrder>
-bool draw_grey2(const Strip& strip) {
+bool draw_grey2(const Strip& strip, const Fonts& fonts) {
   Grey2Target target;
   target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
 template <BitOrder kOrder>
-bool draw_mono_rows(const Strip& strip) {
+bool draw_mono_rows(const Strip& strip, const Fonts& fonts) {
   MonoRowsTarget target;
   target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
-bool draw_mono_pages(const Strip& strip) {
+bool draw_mono_pages(const Strip& strip, const Fonts& fonts) {
   MonoPagesTarget target;
   target.threshold = 100;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
 template <ByteOrder kOrder>
-bool draw_rgb565(const Strip& strip) {
+bool draw_rgb565(const Strip& strip, const Fonts& fonts) {
   Rgb565Target target;
   target.colour = 0xfd88;
   target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
 template <ChannelOrder kOrder>
-bool draw_rgb888(const Strip& strip) {
+bool draw_rgb888(const Strip& strip, const Fonts& fonts) {
   Rgb888Target target;
   target.colour = 0xffb040;
   target.order = kOrder;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
-bool draw_xrgb8888(const Strip& strip) {
+bool draw_xrgb8888(const Strip& strip, const Fonts& fonts) {
   Xrgb8888Target target;
   target.colour = 0xff60c0ff;
-  return draw_lines(target, strip);
+  return draw_lines(target, strip, fonts);
 }
 
 struct DrawnPage {
   Page page;
-  bool (*draw)(const Strip& strip);
+  bool (*draw)(const Strip& strip, const Fonts& fonts);
 };
 
 constexpr DrawnPage kPages[kPageCount] = {
@@ -175,6 +182,7 @@ constexpr DrawnPage kPages[kPageCount] = {
 // What draw() of a loop needs to know.
 struct Loop {
   const DrawnPage* page;
+  const Fonts* fonts;
   TakeStrip take;
   void* context;
   bool drawn;
@@ -191,7 +199,7 @@ void draw_strip(void* context, const Strip& strip) {
       *at++ = strip.y0 + y < 120 ? 0 : 0x55;
     }
   }
-  loop.drawn &= loop.page->draw(strip);
+  loop.drawn &= loop.page->draw(strip, *loop.fonts);
 }
 
 void take_strip(void* context, const Strip& strip) {
@@ -206,6 +214,7 @@ const Page& page(int number) {
 }
 
 bool draw_page(int number,
+               const Fonts& fonts,
                int32_t rows,
                Span<uint8_t> buffer,
                TakeStrip take,
@@ -215,7 +224,7 @@ bool draw_page(int number,
       buffer.size < page_buffer_bytes(format, rows)) {
     return false;
   }
-  Loop loop = {&kPages[number], take, context, true};
+  Loop loop = {&kPages[number], &fonts, take, context, true};
   StripLoop strips;
   strips.buffer = buffer;
   strips.width = kPageWidth;

@@ -1,0 +1,221 @@
+"""A second decoder of Inkcell fonts, written from docs/FORMAT.md alone.
+
+It refuses what `Font::verify` must refuse; numbers in its messages are those
+of the document's list. `listing` is everything that a font says, as lines.
+"""
+import struct
+import zlib
+from typing import NamedTuple
+
+from squares import linked_squares, numbered_squares, require
+from packed import Quantisation, packed_squares
+
+
+class Glyph(NamedTuple):
+    metrics: tuple  # advance, x_min, y_min, x_max, y_max
+    squares: list
+
+
+class Header(NamedTuple):
+    glyph_count: int
+    units_per_em: int
+    cell_kind: int
+    coding: int
+    row_workspace: int
+    workspace: int
+    quantisation: bytes
+
+
+class BitTable:
+    """Numbers of stated widths without gaps, the lowest bits first."""
+
+    def __init__(self, data):
+        self.bits = int.from_bytes(data, "little")
+        self.size = 8 * len(data)
+
+    def get(self, at, width):
+        if width > 25 or at + width > self.size:
+            return 0
+        return self.bits >> at & ((1 << width) - 1)
+
+
+def signed(value, bits=16):
+    value &= (1 << bits) - 1
+    return value - (value >> (bits - 1) << bits)
+
+
+def read_header(data):
+    require(1, len(data) >= 76)
+    require(2, data[:6] == b"INKC\x02\x00")
+    header_bytes, total_bytes, header_crc, content_crc = struct.unpack_from(
+        "<HIII", data, 6)
+    section_count = struct.unpack_from("<H", data, 42)[0]
+    require(3, section_count <= 32)
+    require(3, header_bytes == 76 + 12 * section_count)
+    require(3, header_bytes <= total_bytes <= len(data))
+    require(4, header_crc == zlib.crc32(data[:12] + data[16:header_bytes]))
+    glyph_count, units_per_em = struct.unpack_from("<HH", data, 20)
+    header = Header(glyph_count, units_per_em, data[39], data[40],
+                    *struct.unpack_from("<II", data, 60), data[68:76])
+    require(5, (header.cell_kind, header.coding) in ((0, 0), (1, 0), (1, 1)))
+    require(7, glyph_count > 0 and 16 <= units_per_em <= 16384)
+    sections = read_directory(data[:total_bytes], section_count)
+    require(9, content_crc == zlib.crc32(data[header_bytes:total_bytes]))
+    return header, sections
+
+
+def read_directory(data, section_count):
+    sections = {}
+    for i in range(section_count):
+        tag, place, size = struct.unpack_from("<4sII", data, 76 + 12 * i)
+        offset = place & ~1
+        require(6, offset % 4 == 0 and offset + size <= len(data))
+        known = tag in (b"CMAP", b"METR", b"KERN", b"GLYF", b"NAME")
+        require(6, known or place % 2 == 0)
+        sections.setdefault(tag, data[offset:offset + size])
+    return sections
+
+
+def read_cmap(data, glyph_count):
+    require(10, len(data) % 8 == 0)
+    glyph_of = {}
+    end = 0
+    for first, extra, glyph in struct.iter_unpack("<IHH", data):
+        require(10, end <= first <= 0x10ffff)
+        require(10, glyph + extra < glyph_count)
+        end = first + extra + 1
+        for step in range(extra + 1):
+            glyph_of[first + step] = glyph + step
+    return glyph_of
+
+
+def read_metrics(data, glyph_count):
+    require(8, len(data) >= 15)
+    bases = struct.unpack_from("<5H", data)
+    widths = data[10:15]
+    require(8, (sum(widths) * glyph_count + 7) // 8 <= len(data) - 15)
+    require(11, max(widths) <= 16)
+    table = BitTable(data[15:])
+    rows = []
+    at = 0
+    for _ in range(glyph_count):
+        row = []
+        for base, width in zip(bases, widths):
+            row.append(base + table.get(at, width))
+            at += width
+        rows.append((row[0] & 0xffff, *map(signed, row[1:])))
+    return rows
+
+
+def read_kerning(data, glyph_count):
+    """The value of each pair of glyphs that kerns."""
+    if not data:
+        return {}
+    require(11, len(data) >= 17)
+    (pair_count, member_count, left_classes, right_classes,
+     base) = struct.unpack_from("<IHHHH", data)
+    glyph_bits, left_bits, right_bits, value_bits, start_bits = data[12:17]
+    require(11, pair_count <= 4194303 and start_bits <= 25)
+    require(11, max(glyph_bits, left_bits, right_bits, value_bits) <= 16)
+    member_bits = glyph_bits + left_bits + right_bits
+    starts_at = member_count * member_bits
+    pairs_at = starts_at + (left_classes + 1) * start_bits
+    pair_bits = right_bits + value_bits
+    end = pairs_at + pair_count * pair_bits
+    require(11, (end + 7) // 8 <= len(data) - 17)
+    table = BitTable(data[17:])
+
+    lefts = {}  # class -> glyphs
+    rights = {}
+    previous = -1
+    for i in range(member_count):
+        at = i * member_bits
+        glyph = table.get(at, glyph_bits)
+        left = table.get(at + glyph_bits, left_bits)
+        right = table.get(at + glyph_bits + left_bits, right_bits)
+        require(11, previous < glyph < glyph_count)
+        require(11, left <= left_classes and right <= right_classes)
+        lefts.setdefault(left, []).append(glyph)
+        rights.setdefault(right, []).append(glyph)
+        previous = glyph
+    starts = [table.get(starts_at + i * start_bits, start_bits)
+              for i in range(left_classes + 1)]
+    require(11, starts[0] == 0 and starts[-1] == pair_count)
+    require(11, starts == sorted(starts))
+    values = {}
+    for left in range(1, left_classes + 1):
+        previous = 0
+        for i in range(starts[left - 1], starts[left]):
+            at = pairs_at + i * pair_bits
+            right = table.get(at, right_bits)
+            require(11, previous < right <= right_classes)
+            previous = right
+            value = signed(base + table.get(at + right_bits, value_bits))
+            for a in lefts.get(left, []):
+                for b in rights.get(right, []):
+                    values[a, b] = value
+    return values
+
+
+def read_records(data, header):
+    count = header.glyph_count
+    require(8, len(data) >= 2)
+    width, unit_log2 = data[:2]
+    table_bytes = (width * (count + 1) + 7) // 8
+    require(8, table_bytes <= len(data) - 2)
+    require(11, width <= 25 and unit_log2 <= 7)
+    table = BitTable(data[2:])
+    ends = [table.get(i * width, width) << unit_log2 for i in range(count + 1)]
+    require(12, ends[0] >= 2 + table_bytes and ends[-1] <= len(data))
+    require(12, ends == sorted(ends))
+    records = [data[a:b] for a, b in zip(ends, ends[1:])]
+    for record, at in zip(records, ends):
+        require(12, not record or is_packed(record, header) or at % 2 == 0)
+    return records
+
+
+def is_packed(record, header):
+    return header.coding == 1 and record[0] & 0x7f == 3
+
+
+def read_squares(record, header):
+    if not record:
+        return []
+    if is_packed(record, header):
+        return packed_squares(record, Quantisation(header.quantisation),
+                              header.workspace, header.row_workspace)
+    require(12, len(record) >= 10)
+    if record[0] == 2 and record[1] & 0x80:
+        return linked_squares(record)
+    return numbered_squares(record)
+
+
+class Font:
+    def __init__(self, data):
+        header, sections = read_header(data)
+        require(8, b"METR" in sections and b"GLYF" in sections)
+        count = header.glyph_count
+        require(15, header.coding == 0 or
+                header.row_workspace <= header.workspace)
+        self.glyph_of = read_cmap(sections.get(b"CMAP", b""), count)
+        self.kerning = read_kerning(sections.get(b"KERN", b""), count)
+        self.name = sections.get(b"NAME", b"").decode(
+            errors="surrogateescape")
+        metrics = read_metrics(sections[b"METR"], count)
+        records = read_records(sections[b"GLYF"], header)
+        self.glyphs = [
+            Glyph(row, read_squares(record, header))
+            for row, record in zip(metrics, records)]
+
+
+def listing(font):
+    yield "name " + font.name
+    for code_point, glyph in sorted(font.glyph_of.items()):
+        yield f"code point {code_point:x} {glyph}"
+    for (left, right), value in sorted(font.kerning.items()):
+        if value != 0:
+            yield f"kerning {left} {right} {value}"
+    for number, glyph in enumerate(font.glyphs):
+        yield f"glyph {number} " + " ".join(map(str, glyph.metrics))
+        for square in glyph.squares:
+            yield str(square)

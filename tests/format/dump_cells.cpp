@@ -1,0 +1,199 @@
+// Lists what the device reads from fonts, for test_decoder.py: metrics,
+// characters, kerning, and the cells of each glyph.
+//
+//   dump_cells FONT [--rows] [--distances]
+//
+// --rows expands packed glyphs row by row. --distances adds to every cell that
+// is not saturated the distance in its middle. [u, Q10]
+//
+// Ends with 3 if the font is refused.
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "inkcell/field.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/format.hpp"
+#include "inkcell/packed.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int kRefused = 3;
+
+int i16_at(const uint8_t* at) {
+  return static_cast<int16_t>(at[0] | at[1] << 8);
+}
+
+void print_samples(const Cell& cell) {
+  std::printf("samples %d", i16_at(cell.samples + format::samples::kCentre));
+  for (uint32_t i = 0; i < 8; ++i) {
+    std::printf(" %d", static_cast<int8_t>(
+                           cell.samples[format::samples::kOffsets + i]));
+  }
+}
+
+void print_field(const GlyphField& field, uint32_t unit) {
+  const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
+  const bool is_arc = (unit & format::linked::kArcField) != 0;
+  const uint32_t units =
+      is_arc ? format::linked::kArcUnits : format::linked::kLineUnits;
+  for (uint32_t i = 0; i < units; ++i) {
+    std::printf("%s%d", i == 0 ? " (" : " ", i16_at(at + 2 * i));
+  }
+  std::printf(")");
+}
+
+void print_content(const GlyphField& field, const Cell& cell) {
+  static constexpr const char* kNames[] = {"min", "max", "min_max", "max_min"};
+  if (cell.samples != nullptr) {
+    print_samples(cell);
+  } else if (cell.field_count == 0) {
+    std::printf(cell.inside ? "inside" : "outside");
+  } else {
+    std::printf("%s", cell.field_count == 1
+                          ? "single"
+                          : kNames[static_cast<int>(cell.op)]);
+    for (uint32_t i = 0; i < cell.field_count; ++i) {
+      print_field(field, cell.fields[i]);
+    }
+  }
+}
+
+struct Options {
+  bool rows = false;
+  bool distances = false;
+};
+
+// The cells of a square, found by asking for its corner.
+void print_square(const GlyphField& field,
+                  int32_t x_u,
+                  int32_t y_u,
+                  int32_t size_u,
+                  const Options& options) {
+  const Cell cell = locate(field, x_u, y_u);
+  if (1 << cell.size_log2 != size_u) {
+    const int32_t half = size_u / 2;
+    print_square(field, x_u, y_u, half, options);
+    print_square(field, x_u + half, y_u, half, options);
+    print_square(field, x_u, y_u + half, half, options);
+    print_square(field, x_u + half, y_u + half, half, options);
+    return;
+  }
+  std::printf("%d %d %d ", cell.x0_u, cell.y0_u, size_u);
+  print_content(field, cell);
+  if (options.distances && !cell.is_saturated()) {
+    const Q16_16 x = Q16_16::from_raw(x_u * (1 << 16) + size_u * (1 << 15));
+    const Q16_16 y = Q16_16::from_raw(y_u * (1 << 16) + size_u * (1 << 15));
+    std::printf(" at %d", distance_at(field, x, y).raw);
+  }
+  std::printf("\n");
+}
+
+void print_cells(const GlyphField& field, const Options& options) {
+  const int32_t size_u = 1 << field.tile_log2;
+  for (int32_t y = field.y0_u; y < field.y1_u(); y += size_u) {
+    for (int32_t x = field.x0_u; x < field.x1_u(); x += size_u) {
+      print_square(field, x, y, size_u, options);
+    }
+  }
+}
+
+bool print_glyph(const Font& font,
+                 uint16_t id,
+                 Workspace workspace,
+                 const Options& options) {
+  GlyphField field;
+  if (font.field(id, field) == Status::ok) {
+    print_cells(field, options);
+    return true;
+  }
+  PackedGlyph glyph;
+  if (PackedGlyph::open(font, id, glyph) != Status::ok) {
+    return false;
+  }
+  const uint32_t at_once = options.rows ? 1 : glyph.tiles_y;
+  for (uint32_t row = 0; row < glyph.tiles_y; row += at_once) {
+    if (expand(glyph, row, at_once, workspace, field) != Status::ok) {
+      return false;
+    }
+    print_cells(field, options);
+  }
+  return true;
+}
+
+void print_characters(const Font& font) {
+  for (uint32_t code_point = 0; code_point <= 0x10ffff; ++code_point) {
+    uint16_t glyph = 0;
+    if (font.glyph_of(code_point, glyph) == Status::ok) {
+      std::printf("code point %x %d\n", code_point, glyph);
+    }
+  }
+}
+
+void print_kerning(const Font& font) {
+  const auto count = static_cast<uint16_t>(font.glyph_count());
+  for (uint16_t left = 0; left < count; ++left) {
+    for (uint16_t right = 0; right < count; ++right) {
+      const int32_t value = font.kerning(left, right);
+      if (value != 0) {
+        std::printf("kerning %d %d %d\n", left, right, value);
+      }
+    }
+  }
+}
+
+int print_font(Span<const uint8_t> bytes, const Options& options) {
+  Font font;
+  if (Font::open(bytes, font) != Status::ok) {
+    return kRefused;
+  }
+  std::vector<uint8_t> memory(font.workspace_bytes());
+  const Workspace workspace = {memory.data(), memory.size()};
+  if (font.verify(workspace) != Status::ok) {
+    return kRefused;
+  }
+  const Span<const char> name = font.name();
+  std::printf("name ");
+  std::fwrite(name.data, 1, name.size, stdout);
+  std::printf("\n");
+  print_characters(font);
+  print_kerning(font);
+  for (uint32_t i = 0; i < font.glyph_count(); ++i) {
+    const auto id = static_cast<uint16_t>(i);
+    GlyphMetrics metrics;
+    if (font.glyph_metrics(id, metrics) != Status::ok) {
+      return 1;
+    }
+    std::printf("glyph %d %d %d %d %d %d\n", id, metrics.advance, metrics.x_min,
+                metrics.y_min, metrics.x_max, metrics.y_max);
+    if (!print_glyph(font, id, workspace, options)) {
+      return 1;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  for (int i = 2; i < argc; ++i) {
+    options.rows |= std::strcmp(argv[i], "--rows") == 0;
+    options.distances |= std::strcmp(argv[i], "--distances") == 0;
+  }
+  std::ifstream file(argc > 1 ? argv[1] : "", std::ios::binary);
+  if (!file) {
+    std::fprintf(stderr, "usage: dump_cells FONT [--rows] [--distances]\n");
+    return 2;
+  }
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+  // Words, for the alignment that fonts need.
+  std::vector<uint32_t> words(bytes.size() / 4 + 1);
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  return print_font(
+      {reinterpret_cast<const uint8_t*>(words.data()), bytes.size()}, options);
+}
