@@ -56,11 +56,9 @@ void draw_placed(const Font& font,
                  const FinePoint& origin,
                  const Sink& sink,
                  Workspace workspace) noexcept {
-  if (!font.is_packed()) {
-    GlyphField field;
-    if (font.field(glyph, field) == Status::ok) {
-      draw_field(field, brush, origin, sink);
-    }
+  GlyphField in_place;
+  if (font.field(glyph, in_place) == Status::ok) {
+    draw_field(in_place, brush, origin, sink);
     return;
   }
   PackedGlyph packed;
