@@ -40,7 +40,7 @@ constexpr double kCornerWindows_u[] = {20, 40};
 constexpr int kLeastQuartered = 3;
 
 // Steps along the border. [u]
-constexpr double kBorderStep_u = 4;
+constexpr double kBorderStep_u = 8;
 
 // What a new field saves later: bits for each 64 u of border that it follows
 // and no known field does, and at most.

@@ -155,6 +155,12 @@ void LeafSearch::attempt(Join join,
   }
 }
 
+// What a field adds to the value of any leaf, at least.
+double LeafSearch::least_value(const Candidate& c) {
+  constexpr double kLeastSymbol = 1;
+  return c.is_new ? kLeastSymbol + c.bits - c.bonus : 2 * kLeastSymbol;
+}
+
 void LeafSearch::attempt_triples(const Candidate& a,
                                  const Candidate& b,
                                  const Candidate& c) {
@@ -197,19 +203,26 @@ bool LeafSearch::find(int size_log2,
   std::vector<uint64_t> after_c(words);
   const size_t count = candidates.size();
   for (size_t i = 0; i < count; ++i) {
-    const Candidate& a = candidates[i];
-    if (served(needed, a, after_a)) {
-      attempt(Join::single, a, nullptr, nullptr);
+    if (served(needed, candidates[i], after_a)) {
+      attempt(Join::single, candidates[i], nullptr, nullptr);
     }
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const Candidate& a = candidates[i];
+    served(needed, a, after_a);
     for (size_t j = i + 1; j < count; ++j) {
       const Candidate& b = candidates[j];
-      if (served(after_a, b, after_b)) {
+      const double of_two = least_value(a) + least_value(b);
+      const bool all = served(after_a, b, after_b);
+      if (all && of_two < best_value_) {
         attempt(Join::min2, a, &b, nullptr);
         attempt(Join::max2, a, &b, nullptr);
       }
       for (size_t k = j + 1; k < count; ++k) {
-        if (served(after_b, candidates[k], after_c)) {
-          attempt_triples(a, b, candidates[k]);
+        const Candidate& c = candidates[k];
+        if (of_two + least_value(c) < best_value_ &&
+            served(after_b, c, after_c)) {
+          attempt_triples(a, b, c);
         }
       }
     }

@@ -51,6 +51,7 @@ class LeafSearch {
   void attempt_triples(const Candidate& a,
                        const Candidate& b,
                        const Candidate& c);
+  static double least_value(const Candidate& c);
   bool passes(const Leaf& leaf);
 
   int size_log2_ = 0;

@@ -13,18 +13,19 @@ namespace {
 constexpr double kCornerSine = 0.26;
 
 // Edges are looked up by squares of this size. [u]
-constexpr int kBlock_u = 32;
+constexpr int kBlock_u = 16;
 
 double length(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
 
-double squared_distance(const Edge& edge, double x, double y, double& t) {
+double squared_distance(const Edge& edge, double x, double y) {
   const double dx = edge.b.x - edge.a.x;
   const double dy = edge.b.y - edge.a.y;
   const double px = x - edge.a.x;
   const double py = y - edge.a.y;
-  t = std::clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  const double t =
+      std::clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0.0, 1.0);
   const double rx = px - t * dx;
   const double ry = py - t * dy;
   return rx * rx + ry * ry;
@@ -121,15 +122,18 @@ const FieldTruth::Block& FieldTruth::block_of(int x_u, int y_u) {
     const std::vector<Edge>& edges = shape_.edges();
     std::vector<double> squares(edges.size());
     double least = std::numeric_limits<double>::infinity();
-    double t = 0;
     for (size_t i = 0; i < edges.size(); ++i) {
-      squares[i] = squared_distance(edges[i], cx, cy, t);
+      squares[i] = squared_distance(edges[i], cx, cy);
       least = std::min(least, squares[i]);
     }
     const double reach = std::sqrt(least) + kBlock_u * 1.4143 + 1e-6;
     for (size_t i = 0; i < edges.size(); ++i) {
       if (squares[i] <= reach * reach) {
-        block.edges.push_back(static_cast<uint32_t>(i));
+        const double dx = edges[i].b.x - edges[i].a.x;
+        const double dy = edges[i].b.y - edges[i].a.y;
+        block.edges.push_back({edges[i].a.x, edges[i].a.y, dx, dy,
+                               1 / (dx * dx + dy * dy),
+                               static_cast<uint32_t>(i)});
       }
     }
   }
@@ -140,13 +144,19 @@ TruthSample FieldTruth::measure(const Block& block, double x, double y) const {
   double best = std::numeric_limits<double>::infinity();
   double best_t = 0;
   uint32_t nearest = 0;
-  for (const uint32_t i : block.edges) {
-    double t = 0;
-    const double square = squared_distance(shape_.edges()[i], x, y, t);
+  for (const NearEdge& edge : block.edges) {
+    const double px = x - edge.ax;
+    const double py = y - edge.ay;
+    double t = (px * edge.dx + py * edge.dy) * edge.inverse;
+    t = t < 0 ? 0 : t;
+    t = t > 1 ? 1 : t;
+    const double rx = px - t * edge.dx;
+    const double ry = py - t * edge.dy;
+    const double square = rx * rx + ry * ry;
     if (square < best) {
       best = square;
       best_t = t;
-      nearest = i;
+      nearest = edge.number;
     }
   }
   TruthSample sample;

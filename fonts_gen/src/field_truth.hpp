@@ -50,9 +50,16 @@ class FieldTruth {
   const Shape& shape() const { return shape_; }
 
  private:
+  // An edge a + t d, t = 0..1.
+  struct NearEdge {
+    double ax, ay, dx, dy;
+    double inverse;  // 1 / |d|^2
+    uint32_t number;
+  };
+
   struct Block {
     bool ready = false;
-    std::vector<uint32_t> edges;
+    std::vector<NearEdge> edges;
   };
 
   void find_chains();
