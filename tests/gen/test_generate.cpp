@@ -3,6 +3,7 @@
 
 #include "generate.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "char_set.hpp"
@@ -33,14 +34,61 @@ std::string refusal(const GenerateRequest& request) {
   return "no error";
 }
 
+AdfOptions options_of(CellKind cells, Coding coding) {
+  AdfOptions options = dejavu().adf;
+  options.cells = cells;
+  options.coding = coding;
+  return options;
+}
+
+const std::vector<AdfOptions> kKinds = {
+    options_of(CellKind::samples, Coding::direct),
+    options_of(CellKind::fields, Coding::direct),
+    options_of(CellKind::fields, Coding::packed)};
+
 TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
   GenerateRequest request = dejavu();
-  request.chars = {"A-Z,a-f"};
-  request.jobs = 1;
-  const std::vector<uint8_t> one = generate(request).bytes;
-  for (const int jobs : {2, 3, 4}) {
-    request.jobs = jobs;
-    EXPECT_EQ(generate(request).bytes, one) << jobs;
+  request.chars = {"A-C,a"};
+  for (const AdfOptions& options : kKinds) {
+    request.adf = options;
+    request.jobs = 1;
+    const std::vector<uint8_t> one = generate(request).bytes;
+    for (const int jobs : {3, 8}) {
+      request.jobs = jobs;
+      EXPECT_EQ(generate(request).bytes, one) << jobs;
+    }
+  }
+}
+
+TEST(Generate, MakesFieldsUnlessTold) {
+  EXPECT_EQ(GenerateRequest().adf.cells, CellKind::fields);
+  EXPECT_EQ(GenerateRequest().adf.coding, Coding::direct);
+  EXPECT_EQ(GenerateRequest().adf.predicate, Predicate::size_aware);
+}
+
+// The three forms of a font: each is smaller than the one before, and only the
+// last takes RAM.
+TEST(Generate, MakesSmallerFontsOfFields) {
+  size_t before = 1000000;
+  for (const AdfOptions& options : kKinds) {
+    GenerateRequest request = dejavu();
+    request.symbols = "Rag8";
+    request.adf = options;
+    const RomFont rom = generate(request);
+    Font font;
+    ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font),
+              Status::ok);
+    EXPECT_EQ(font.verify(), Status::ok);
+    EXPECT_LT(rom.report.bytes.cells, before / 2);
+    before = rom.report.bytes.cells;
+    EXPECT_LE(rom.report.worst_error, 16);
+    const bool packed = options.coding == Coding::packed;
+    EXPECT_EQ(font.is_packed(), packed);
+    EXPECT_EQ(rom.report.workspace, font.workspace_bytes());
+    EXPECT_EQ(rom.report.row_workspace, font.row_workspace_bytes());
+    EXPECT_EQ(rom.report.workspace > 0, packed);
+    EXPECT_EQ(rom.report.row_workspace > 0, packed);
+    EXPECT_LE(rom.report.row_workspace, rom.report.workspace);
   }
 }
 
@@ -54,7 +102,7 @@ TEST(Generate, MakesAFontThatTheDeviceReads) {
   EXPECT_EQ(font.range().min_px, 12);
   EXPECT_EQ(font.range().max_px, 16);
   EXPECT_EQ(font.range().tolerance, 16);
-  EXPECT_EQ(font.range().band_u, 64);
+  EXPECT_EQ(font.range().band_u, 42);
   uint16_t glyph = 0;
   ASSERT_EQ(font.glyph_of('H', glyph), Status::ok);
   GlyphMetrics m;
@@ -79,37 +127,72 @@ TEST(Generate, TakesTheUnionOfAllCharacters) {
 }
 
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
-  const RomFont rom = generate(dejavu());
-  const auto json = nlohmann::json::parse(report_as_json(rom.report));
-  EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
-  EXPECT_EQ(json.at("glyphs"), 96);
-  EXPECT_EQ(json.at("cells"), "samples");
-  EXPECT_EQ(json.at("coding"), "direct");
-  EXPECT_EQ(json.at("min_px"), 12);
-  EXPECT_EQ(json.at("max_px"), 16);
-  EXPECT_EQ(json.at("tolerance"), 16);
-  size_t sum = 0;
-  for (const char* part :
-       {"header", "cmap", "metrics", "kerning", "hints", "cells", "name"}) {
-    sum += json.at("bytes").at(part).get<size_t>();
-  }
-  EXPECT_EQ(json.at("bytes").at("total"), rom.bytes.size());
-  EXPECT_EQ(sum, rom.bytes.size());
-  size_t cells = 0;
-  for (const auto& item : json.at("cells_per_glyph")) {
-    cells += item.get<size_t>();
-  }
-  EXPECT_EQ(json.at("cells_per_glyph").size(), 96u);
-  EXPECT_EQ(json.at("cells_per_glyph").at(" "), 0);
-  EXPECT_GT(json.at("cells_per_glyph").at("a").get<int>(), 20);
-  EXPECT_EQ(json.at("leaf_list_bytes"), 15 * cells);
-  EXPECT_LE(json.at("error").at("max").get<double>(), 16);
-  EXPECT_GT(json.at("error").at("max").get<double>(), 1);
-  EXPECT_LE(json.at("error").at("mean").get<double>(), 2);
-  const std::string table = report_for_people(rom.report);
-  for (const char* word :
-       {"DejaVu Sans", "kerning", "total", "worst", " s\n"}) {
-    EXPECT_NE(table.find(word), std::string::npos) << word;
+  for (const AdfOptions& options : kKinds) {
+    GenerateRequest request = dejavu();
+    request.symbols = "Hamburg 8";
+    request.adf = options;
+    const RomFont rom = generate(request);
+    const auto json = nlohmann::json::parse(report_as_json(rom.report));
+    const bool fields = options.cells == CellKind::fields;
+    const bool packed = options.coding == Coding::packed;
+    EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
+    EXPECT_EQ(json.at("glyphs"), 10);
+    EXPECT_EQ(json.at("cells"), fields ? "fields" : "samples");
+    EXPECT_EQ(json.at("coding"), packed ? "packed" : "direct");
+    EXPECT_EQ(json.at("min_px"), 12);
+    EXPECT_EQ(json.at("max_px"), 16);
+    EXPECT_EQ(json.at("tolerance"), 16);
+    size_t sum = 0;
+    for (const char* part :
+         {"header", "cmap", "metrics", "kerning", "hints", "cells", "name"}) {
+      sum += json.at("bytes").at(part).get<size_t>();
+    }
+    EXPECT_EQ(json.at("bytes").at("total"), rom.bytes.size());
+    EXPECT_EQ(sum, rom.bytes.size());
+    size_t cells = 0;
+    for (const auto& item : json.at("cells_per_glyph")) {
+      cells += item.get<size_t>();
+    }
+    EXPECT_EQ(json.at("cells_per_glyph").size(), 10u);
+    EXPECT_EQ(json.at("cells_per_glyph").at(" "), 0);
+    EXPECT_GT(json.at("cells_per_glyph").at("a").get<int>(), 10);
+    EXPECT_GT(json.at("bytes_per_glyph").at("a").get<int>(), 50);
+    EXPECT_EQ(json.at("bytes_per_glyph").at(" "), 0);
+    EXPECT_LE(json.at("error_per_glyph").at("a").get<double>(), 16);
+    EXPECT_EQ(json.at("cell_count"), cells);
+    EXPECT_EQ(json.at("leaf_list_bytes"), 15 * cells);
+    const auto& kinds = json.at("cells_by_kind");
+    EXPECT_EQ(kinds.at("samples"), fields ? 0 : cells);
+    EXPECT_EQ(kinds.at("single").get<size_t>() +
+                  kinds.at("pair").get<size_t>() +
+                  kinds.at("triple").get<size_t>(),
+              fields ? cells : 0);
+    EXPECT_EQ(json.at("field_count").get<size_t>() > 0, fields);
+    EXPECT_EQ(json.at("workspace").at("glyph").get<size_t>() > 0, packed);
+    EXPECT_EQ(json.at("workspace").at("row").get<size_t>() > 0, packed);
+    EXPECT_LE(json.at("error").at("max").get<double>(), 16);
+    EXPECT_GT(json.at("error").at("max").get<double>(), 1);
+    EXPECT_LE(json.at("error").at("mean").get<double>(), 3);
+    // Every size from 12 to 16; the worst of them is the worst of all.
+    const auto& sizes = json.at("error_by_size");
+    ASSERT_EQ(sizes.size(), 5u);
+    double worst = 0;
+    double mean = 0;
+    for (size_t i = 0; i < 5; ++i) {
+      EXPECT_EQ(sizes[i].at("px"), 12 + i);
+      worst = std::max(worst, sizes[i].at("worst").get<double>());
+      mean = std::max(mean, sizes[i].at("mean").get<double>());
+    }
+    EXPECT_EQ(json.at("error").at("max"), worst);
+    EXPECT_EQ(json.at("error").at("mean"), mean);
+    const std::string table = report_for_people(rom.report);
+    for (const char* word :
+         {"DejaVu Sans", "kerning", "total", "worst", "size, px", " s\n"}) {
+      EXPECT_NE(table.find(word), std::string::npos) << word;
+    }
+    EXPECT_EQ(table.find("three fields") != std::string::npos, fields);
+    EXPECT_EQ(table.find("workspace") != std::string::npos, packed);
+    EXPECT_EQ(table.find("of samples"), std::string::npos);
   }
 }
 
@@ -137,6 +220,45 @@ TEST(Generate, RefusesWrongRequests) {
   GenerateRequest request = dejavu();
   request.symbols = "\n";
   EXPECT_NE(refusal(request).find("no characters"), std::string::npos);
+}
+
+TEST(Generate, RefusesWhatDoesNotGoTogether) {
+  GenerateRequest request = dejavu();
+  request.symbols = "H";
+  request.adf = options_of(CellKind::samples, Coding::packed);
+  EXPECT_EQ(refusal(request).find("--coding packed"), 0u);
+  EXPECT_NE(refusal(request).find("--cells fields"), std::string::npos);
+  for (const Coding coding : {Coding::direct, Coding::packed}) {
+    request.adf = options_of(CellKind::fields, coding);
+    request.adf.predicate = Predicate::fixed;
+    EXPECT_EQ(refusal(request).find("--predicate fixed"), 0u);
+    EXPECT_NE(refusal(request).find("--cells samples"), std::string::npos);
+  }
+}
+
+// Fields reach 1984 u from the origin. Beyond, a font has cells of samples, and
+// says so.
+TEST(Generate, TakesSamplesWhereFieldsDoNotReach) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.units_per_em = 1024;
+  source.glyphs[3].contours = {rectangle(0, 0, 2500, 60)};
+  GenerateRequest request;
+  request.font = folder.write("wide.ttf", source);
+  request.symbols = ".H";
+  request.adf.max_px = 24;
+  for (const Coding coding : {Coding::direct, Coding::packed}) {
+    request.adf.coding = coding;
+    const FontReport report = generate(request).report;
+    for (const GlyphReport& glyph : report.glyphs) {
+      EXPECT_TRUE(glyph.within_tolerance) << glyph.key;
+      EXPECT_EQ(glyph.fields > 0, glyph.key != "H") << glyph.key;
+      EXPECT_GT(glyph.cells, 0u) << glyph.key;
+    }
+    EXPECT_GT(report.kinds.samples, 0u);
+    EXPECT_GT(report.kinds.single, 0u);
+    EXPECT_NE(report_for_people(report).find("of samples"), std::string::npos);
+  }
 }
 
 TEST(Generate, DrawsOddOutlines) {
@@ -203,8 +325,10 @@ TEST(Generate, HoldsOutlinesUpToTheLimit) {
     source.glyphs[3].contours = {rectangle(far - 9, far - 9, far, far),
                                  rectangle(-far, -far, 9 - far, 9 - far)};
     request.font = folder.write("wide.ttf", source);
+    request.adf.cells = far % 2 == 0 ? CellKind::samples : CellKind::fields;
     EXPECT_EQ(refusal(request), "no error") << far;
   }
+  request.adf.cells = CellKind::samples;
   request.adf.predicate = Predicate::fixed;
   const std::string message = refusal(request);
   EXPECT_NE(message.find("beyond 15 em"), std::string::npos) << message;
@@ -216,6 +340,7 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   GenerateRequest request;
   request.font = folder.write("plain.ttf", Sfnt::plain());
   request.symbols = ".";
+  request.adf.cells = CellKind::samples;
   request.adf.max_px = 1024;
   request.adf.tolerance = 1;
   const RomFont rom = generate(request);
@@ -251,6 +376,7 @@ TEST(Generate, TellsOfProgress) {
 TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
   GenerateRequest request = dejavu();
   request.symbols = "aD";
+  request.adf.cells = CellKind::samples;
   request.adf.predicate = Predicate::fixed;
   const RomFont rom = generate(request);
   const auto json = nlohmann::json::parse(report_as_json(rom.report));

@@ -94,14 +94,45 @@ TEST_F(Program, TakesEveryOption) {
   EXPECT_EQ(report.at("characters"), 3);
 }
 
-TEST_F(Program, RefusesWhatThisVersionLacks) {
-  for (const char* option : {"--cells fields", "--coding packed"}) {
-    const Outcome result =
-        run(folder_, std::string("--font plain.ttf --out a.bin ") + option);
-    EXPECT_NE(result.code, 0);
-    EXPECT_NE(result.err.find("not available in this version"),
-              std::string::npos)
-        << result.err;
+TEST_F(Program, MakesEveryKindOfFont) {
+  const struct {
+    const char* options;
+    const char* cells;
+    const char* coding;
+  } kinds[] = {{"", "fields", "direct"},
+               {"--cells fields", "fields", "direct"},
+               {"--cells fields --coding packed", "fields", "packed"},
+               {"--coding packed", "fields", "packed"},
+               {"--cells samples", "samples", "direct"},
+               {"--cells samples --predicate fixed", "samples", "direct"}};
+  for (const auto& kind : kinds) {
+    const Outcome result = run(
+        folder_, std::string("--font plain.ttf --out a.bin --report a.json ") +
+                     kind.options);
+    EXPECT_EQ(result.code, 0) << kind.options << result.err;
+    const auto report =
+        nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+    EXPECT_EQ(report.at("cells"), kind.cells) << kind.options;
+    EXPECT_EQ(report.at("coding"), kind.coding) << kind.options;
+  }
+}
+
+TEST_F(Program, RefusesOptionsThatDoNotGoTogether) {
+  const struct {
+    const char* options;
+    const char* remedy;
+  } cases[] = {{"--cells samples --coding packed", "use --cells fields"},
+               {"--predicate fixed", "use --cells samples"},
+               {"--cells fields --predicate fixed", "use --cells samples"},
+               {"--coding packed --predicate fixed", "use --cells samples"},
+               {"--cells bitmaps", "use 'fields' or 'samples'"},
+               {"--coding zip", "use 'direct' or 'packed'"},
+               {"--predicate best", "use 'size' or 'fixed'"}};
+  for (const auto& wrong : cases) {
+    const Outcome result = run(
+        folder_, std::string("--font plain.ttf --out a.bin ") + wrong.options);
+    EXPECT_NE(result.code, 0) << wrong.options;
+    EXPECT_NE(result.err.find(wrong.remedy), std::string::npos) << result.err;
   }
   EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
 }

@@ -9,7 +9,12 @@
 #include <iterator>
 #include <random>
 
+#include "field_code.hpp"
+#include "field_record.hpp"
+#include "field_stream.hpp"
+#include "field_trees.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/packed.hpp"
 #include "shape.hpp"
 
 namespace inkcell::gen::test {
@@ -27,13 +32,13 @@ RomContent smallest() {
   content.glyphs[0].metrics.advance = 500;
   RomGlyph& dot = content.glyphs[1];
   dot.metrics = {300, 100, 0, 108, 8};
-  dot.field.tile_log2 = 4;
-  dot.field.x0_u = 98;
-  dot.field.y0_u = -4;
-  dot.field.tiles_x = 1;
-  dot.field.tiles_y = 1;
-  dot.field.references = {format::glyph::kCellFlag};
-  dot.field.cells = {
+  dot.samples.tile_log2 = 4;
+  dot.samples.x0_u = 98;
+  dot.samples.y0_u = -4;
+  dot.samples.tiles_x = 1;
+  dot.samples.tiles_y = 1;
+  dot.samples.references = {format::glyph::kCellFlag};
+  dot.samples.cells = {
       SampleCell{0x00, 0x01, 0x9c, 0xc0, 0x9c, 0xc0, 0xc0, 0x9c, 0xc0, 0x9c}};
   content.glyph_of[U'.'] = 1;
   return content;
@@ -46,28 +51,28 @@ RomContent larger() {
   content.glyphs[2].metrics = {400, 0, 0, 0, 0};
   RomGlyph& tree = content.glyphs[3];
   tree.metrics = {1200, -20, -200, 1100, 800};
-  tree.field.tile_log2 = 8;
-  tree.field.x0_u = -100;
-  tree.field.y0_u = -300;
-  tree.field.tiles_x = 2;
-  tree.field.tiles_y = 1;
-  tree.field.depth = 2;
+  tree.samples.tile_log2 = 8;
+  tree.samples.x0_u = -100;
+  tree.samples.y0_u = -300;
+  tree.samples.tiles_x = 2;
+  tree.samples.tiles_y = 1;
+  tree.samples.depth = 2;
   const uint16_t cell = format::glyph::kCellFlag;
   const auto cell_number = [&](int n) {
     return static_cast<uint16_t>(cell + n);
   };
-  tree.field.references = {2,
-                           0,  // tiles
-                           3,
-                           1,
-                           0,
-                           cell_number(2),  // node 0
-                           cell_number(0),
-                           cell_number(1),
-                           0,
-                           1};  // node 1
-  tree.field.cells.resize(3);
-  tree.field.cells[2][1] = 0x7f;
+  tree.samples.references = {2,
+                             0,  // tiles
+                             3,
+                             1,
+                             0,
+                             cell_number(2),  // node 0
+                             cell_number(0),
+                             cell_number(1),
+                             0,
+                             1};  // node 1
+  tree.samples.cells.resize(3);
+  tree.samples.cells[2][1] = 0x7f;
   content.glyph_of[U'A'] = 2;
   content.glyph_of[U'B'] = 3;
   content.glyph_of[0x10ffff] = 3;
@@ -286,7 +291,7 @@ TEST(RomFont, TablesOfRealFacesAreExact) {
       m.y_min = static_cast<int16_t>(std::floor(box.y0 * scale));
       m.x_max = static_cast<int16_t>(std::ceil(box.x1 * scale));
       m.y_max = static_cast<int16_t>(std::ceil(box.y1 * scale));
-      content.glyphs.push_back({{}, m});
+      content.glyphs.push_back({{}, {}, m});
     }
     content.kerning = source.kerning;
     PartBytes parts;
@@ -299,7 +304,8 @@ TEST(RomFont, TablesOfRealFacesAreExact) {
 // More than 2^25 units of 2 bytes.
 TEST(RomFont, LargeFontsCountInLargerUnits) {
   RomContent content = smallest();
-  content.glyphs[1].field.cells.resize(32767, content.glyphs[1].field.cells[0]);
+  content.glyphs[1].samples.cells.resize(32767,
+                                         content.glyphs[1].samples.cells[0]);
   content.glyphs.resize(206, content.glyphs[1]);
   PartBytes parts;
   const std::vector<uint8_t> rom = write_rom_font(content, parts);
@@ -310,8 +316,102 @@ TEST(RomFont, LargeFontsCountInLargerUnits) {
   EXPECT_EQ(glyphs[format::glyphs::kUnitLog2], 2);
   EXPECT_EQ(glyphs[format::glyphs::kOffsetBits], 25);
   EXPECT_EQ(font.record(205).size,
-            padded(record_bytes(content.glyphs[205].field)));
+            padded(glyph_record(content.glyphs[205], Coding::direct).size()));
   check_rom_font(rom, content);
+}
+
+// Every kind of glyph that a font of fields may have: one without ink, two of
+// fields, one of samples.
+RomContent of_fields(Coding coding) {
+  RomContent content = smallest();
+  content.options.cells = CellKind::fields;
+  content.options.coding = coding;
+  content.options.min_px = 8;
+  content.options.max_px = 64;
+  content.glyphs.resize(4);
+  std::mt19937 random(13);
+  TreeOptions options;
+  options.coding = coding_for(content.options);
+  options.tiles_x = 2;
+  options.tiles_y = 3;
+  for (const size_t glyph : {size_t{2}, size_t{3}}) {
+    content.glyphs[glyph].fields = random_tree(random, options);
+    content.glyphs[glyph].metrics = {700, 10, 0, 600, 500};
+  }
+  content.glyph_of[U'A'] = 2;
+  content.glyph_of[U'B'] = 3;
+  return content;
+}
+
+TEST(RomFont, FieldsAreReadBack) {
+  for (const Coding coding : {Coding::direct, Coding::packed}) {
+    const RomContent content = of_fields(coding);
+    const std::vector<uint8_t> bytes = write(content);
+    check_rom_font(bytes, content);
+    Font font;
+    ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
+    EXPECT_EQ(font.verify(), Status::ok);
+    const bool packed = coding == Coding::packed;
+    EXPECT_EQ(font.is_packed(), packed);
+    EXPECT_EQ(bytes[format::header::kCellKind], 1);
+    EXPECT_EQ(bytes[format::header::kCoding], packed ? 1 : 0);
+    // The band of fields: half a pixel at 8 px/em.
+    EXPECT_EQ(font.range().band_u, 64);
+    size_t cells = 0;
+    size_t workspace = 0;
+    size_t row_workspace = 0;
+    for (const size_t glyph : {size_t{2}, size_t{3}}) {
+      const FieldTree& tree = content.glyphs[glyph].fields;
+      size_t leaves = 0;
+      for (const TreeNode& node : tree.nodes) {
+        leaves += node.kind == TreeNode::Kind::leaf ? 1u : 0u;
+      }
+      cells = std::max(cells, leaves);
+      workspace = std::max(workspace, expanded_bytes(tree, 0, 3));
+      for (int row = 0; row < 3; ++row) {
+        row_workspace = std::max(row_workspace, expanded_bytes(tree, row, 1));
+      }
+    }
+    EXPECT_EQ(bytes[format::header::kMaxCells] |
+                  bytes[format::header::kMaxCells + 1] << 8,
+              static_cast<int>(cells));
+    EXPECT_EQ(font.workspace_bytes(), packed ? workspace : 0);
+    EXPECT_EQ(font.row_workspace_bytes(), packed ? row_workspace : 0);
+    const std::array<uint8_t, 8> quantisation =
+        coding_bytes(coding_for(content.options));
+    for (size_t i = 0; i < quantisation.size(); ++i) {
+      EXPECT_EQ(bytes[format::header::kQuantisation + i],
+                packed ? quantisation[i] : 0);
+    }
+  }
+}
+
+TEST(RomFont, RecordsAreThoseOfTheCoding) {
+  RomContent content = of_fields(Coding::packed);
+  const FieldTree& tree = content.glyphs[3].fields;
+  EXPECT_EQ(glyph_record(content.glyphs[3], Coding::packed),
+            packed_record(tree, nullptr));
+  EXPECT_EQ(glyph_record(content.glyphs[3], Coding::direct),
+            direct_record(tree));
+  EXPECT_TRUE(glyph_record(content.glyphs[0], Coding::packed).empty());
+  EXPECT_TRUE(content.glyphs[3].has_ink());
+  EXPECT_FALSE(content.glyphs[0].has_ink());
+  // Packed records begin at any byte, but not beside one that is read in place.
+  const auto unit_log2 = [](const RomContent& of) {
+    const std::vector<uint8_t> bytes = write(of);
+    Font font;
+    EXPECT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
+    return font.section(format::section::kGlyphs)[format::glyphs::kUnitLog2];
+  };
+  EXPECT_EQ(unit_log2(content), 1);
+  content.glyphs[1].samples = AdfGlyph();
+  EXPECT_EQ(unit_log2(content), 0);
+  check_rom_font(write(content), content);
+  content.options.coding = Coding::direct;
+  EXPECT_EQ(unit_log2(content), 1);
+  const RomGlyph dot = smallest().glyphs[1];
+  EXPECT_EQ(glyph_record(dot, Coding::direct)[0], format::glyph::kTypeSamples);
+  EXPECT_TRUE(dot.has_ink());
 }
 
 // Each change of the source must be seen by the check of the unchanged bytes.
@@ -340,11 +440,11 @@ TEST(RomFont, ClosedLoopSeesEveryDifference) {
   refuses([](RomContent& c) { c.kerning.values[0] = 1; });
   refuses([](RomContent& c) { c.kerning.left_class[0] = 1; });
   refuses([](RomContent& c) { c.kerning.right_class[0] = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].field.x0_u = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].field.references[1] = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].field.references[4] = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].field.cells[2][9] = 1; });
-  refuses([](RomContent& c) { c.glyphs[1].field.cells[0][0] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].samples.x0_u = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].samples.references[1] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].samples.references[4] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].samples.cells[2][9] = 1; });
+  refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
   EXPECT_EQ(seen, 21);
 }
 
@@ -354,6 +454,40 @@ TEST(RomFont, ClosedLoopSeesEveryChangedByte) {
     std::vector<uint8_t> bytes = good;
     bytes[i] ^= 0x10;
     EXPECT_THROW(check_rom_font(bytes, larger()), Error) << i;
+  }
+}
+
+TEST(RomFont, ClosedLoopSeesDifferentFields) {
+  for (const Coding coding : {Coding::direct, Coding::packed}) {
+    const std::vector<uint8_t> bytes = write(of_fields(coding));
+    int seen = 0;
+    const auto refuses = [&](auto change) {
+      RomContent content = of_fields(coding);
+      change(content);
+      EXPECT_THROW(check_rom_font(bytes, content), Error) << seen;
+      ++seen;
+    };
+    const auto first = [](RomContent& c, TreeNode::Kind kind) -> TreeNode& {
+      std::vector<TreeNode>& nodes = c.glyphs[3].fields.nodes;
+      return *std::find_if(
+          nodes.begin(), nodes.end(),
+          [&](const TreeNode& node) { return node.kind == kind; });
+    };
+    refuses([](RomContent& c) { std::swap(c.glyphs[2], c.glyphs[3]); });
+    refuses([](RomContent& c) { c.glyphs[3].fields = FieldTree(); });
+    refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
+    refuses([](RomContent& c) {
+      c.glyphs[2].fields = FieldTree();
+      c.glyphs[2].samples = larger().glyphs[3].samples;
+    });
+    refuses([&](RomContent& c) {
+      first(c, TreeNode::Kind::outside).kind = TreeNode::Kind::inside;
+    });
+    refuses([&](RomContent& c) {
+      const TreeNode& leaf = first(c, TreeNode::Kind::leaf);
+      c.glyphs[3].fields.fields[leaf.uses[0].field].c_q4 ^= 0x400;
+    });
+    EXPECT_EQ(seen, 6);
   }
 }
 
