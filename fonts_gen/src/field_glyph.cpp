@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostRounds = 8;
 
 // Other positions than those of the loop may look a little worse. [1/255]
-constexpr double kReserve = 0.4;
+constexpr double kReserve = 0.5;
 
 }  // namespace
 

@@ -18,6 +18,9 @@ constexpr int kStepsOfTile = 32;
 // edge is near. [u]
 constexpr int kFineStep_u = 4;
 
+// Whatever the tolerance, a distance has the right sign a pixel from the edge.
+constexpr double kMostSlack = 0.95;
+
 // Extra points are where the device was found to miss: they keep this much of
 // the tolerance for its rounding. [1/255]
 constexpr double kRounding = 0.9;
@@ -39,7 +42,7 @@ PointSource::PointSource(const Shape& shape,
 
 // The inverse of Metric::error, which grows with the difference on both sides.
 void PointSource::allow(float d, double limit, float& low, float& high) const {
-  const double t = 2 * limit / 255;
+  const double t = std::min(2 * limit / 255, kMostSlack);
   const double sharpest = metric_.sharpest_u();
   const double band = metric_.band_u();
   const double size = std::fabs(d);
@@ -126,7 +129,8 @@ Points PointSource::collect(int x_u, int y_u, int size_log2) {
 
 bool PointSource::saturated(const Points& points, bool& inside) const {
   inside = points.d[0] > 0;
-  const double band = metric_.band_u() * (1 - 2 * limit_ / 255);
+  const double band =
+      metric_.band_u() * (1 - std::min(2 * limit_ / 255, kMostSlack));
   for (const float d : points.d) {
     if ((d > 0) != inside || std::fabs(d) < band) {
       return false;
