@@ -33,6 +33,7 @@ struct Arguments {
   std::string glyphs;
   bool no_check = false;
   double mean_limit = std::numeric_limits<double>::infinity();
+  size_t byte_limit = std::numeric_limits<size_t>::max();
   unsigned jobs = 0;
   std::string json;
   std::string picture;
@@ -66,10 +67,13 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Compare these characters only [all of the font]")
       ->type_name("CHARS");
   app.add_flag("--no-check", arguments.no_check,
-               "Exit with 0 even if the filter text, at a whole size of the "
-               "font's range, misses the font's tolerance");
+               "Exit with 0 even if a limit is missed: the font's tolerance "
+               "at whole sizes of its range with the filter text, and those "
+               "that follow");
   app.add_option("--mean-limit", arguments.mean_limit,
                  "Exit with 1 if the mean is larger there [1/255; none]");
+  app.add_option("--byte-limit", arguments.byte_limit,
+                 "Exit with 1 if the font is larger [bytes; none]");
   app.add_option("--jobs", arguments.jobs, "Threads [all cores]");
   app.add_option("--json", arguments.json, "Write the table as JSON")
       ->type_name("FILE");
@@ -141,11 +145,16 @@ void write_json(const Arguments& arguments,
                 const Font& font,
                 const ErrorTable& table) {
   std::ofstream out(arguments.json);
-  const nlohmann::json whole = {
-      {"font", arguments.font},      {"font_bytes", font.rom().size},
-      {"truth", arguments.truth},    {"characters", table.characters.size()},
-      {"phases", arguments.phases},  {"angle", arguments.angle},
-      {"rows", table_as_json(table)}};
+  const nlohmann::json whole = {{"font", arguments.font},
+                                {"font_bytes", font.rom().size},
+                                {"cells", cells_name(font)},
+                                {"coding", coding_name(font)},
+                                {"workspace", font.workspace_bytes()},
+                                {"truth", arguments.truth},
+                                {"characters", table.characters.size()},
+                                {"phases", arguments.phases},
+                                {"angle", arguments.angle},
+                                {"rows", table_as_json(table)}};
   out << whole.dump(2) << '\n';
   out.close();
   if (!out) {
@@ -208,15 +217,21 @@ int run(const Arguments& arguments) {
   const TrueFont truth(arguments.truth, arguments.face);
   const ErrorTable table = compare_all(font, truth, arguments);
   print_table(table);
-  std::printf("%zu characters, %d phases; the font has %zu bytes\n",
-              table.characters.size(), arguments.phases, font.rom().size);
+  std::printf("%zu characters, %d phases; the font has %zu bytes, %s %s\n",
+              table.characters.size(), arguments.phases, font.rom().size,
+              std::string(coding_name(font)).c_str(),
+              std::string(cells_name(font)).c_str());
   if (!arguments.json.empty()) {
     write_json(arguments, font, table);
   }
   if (!arguments.picture.empty()) {
     write_picture(arguments, font, truth, table);
   }
-  const bool within = check(font, table, arguments.mean_limit);
+  bool within = check(font, table, arguments.mean_limit);
+  if (font.rom().size > arguments.byte_limit) {
+    std::printf("the font has more than %zu bytes\n", arguments.byte_limit);
+    within = false;
+  }
   return within || arguments.no_check ? 0 : 1;
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "glyph_cells.hpp"
 #include "inkcell/port/a8.hpp"
 
 namespace inkcell::tools {
@@ -83,6 +84,7 @@ struct Scene {
   const std::vector<Line>& lines;
   const std::vector<Point>& origins;  // of the lines
   const Brush& brush;
+  Workspace workspace;
   Image& image;
   DrawStats* stats;
 };
@@ -109,7 +111,7 @@ void draw_all(const Scene& scene, const Sink& sink) {
   for (size_t i = 0; i < scene.lines.size(); ++i) {
     const std::vector<PositionedGlyph>& glyphs = scene.lines[i].glyphs;
     draw(scene.font, {glyphs.data(), glyphs.size()}, scene.brush,
-         scene.origins[i], sink);
+         scene.origins[i], sink, scene.workspace);
   }
 }
 
@@ -238,7 +240,8 @@ void draw_lines(const Font& font,
     throw std::runtime_error("pictures are at most 32767 px wide and high");
   }
   const std::vector<Point> origins = origins_of(lines, font, brush, origin);
-  Scene scene{font, lines, origins, brush, image, stats};
+  FontWorkspace workspace(font);
+  Scene scene{font, lines, origins, brush, workspace, image, stats};
   std::vector<uint8_t> buffer(static_cast<size_t>(image.width) *
                               static_cast<size_t>(rows));
   StripLoop loop;

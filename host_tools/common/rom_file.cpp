@@ -59,6 +59,17 @@ std::string_view status_name(Status status) {
   return "?";
 }
 
+std::string_view cells_name(const Font& font) {
+  return font.rom().data[format::header::kCellKind] ==
+                 static_cast<uint8_t>(format::CellKind::fields)
+             ? "fields"
+             : "samples";
+}
+
+std::string_view coding_name(const Font& font) {
+  return font.is_packed() ? "packed" : "direct";
+}
+
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
     : bytes_(std::move(bytes)) {
   const Status status = Font::open({bytes_.data(), bytes_.size()}, font_);

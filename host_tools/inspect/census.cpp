@@ -2,6 +2,7 @@
 #include "census.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "bytes.hpp"
 #include "inkcell/format.hpp"
@@ -10,23 +11,112 @@
 namespace inkcell::tools {
 namespace {
 
-GlyphCensus take_glyph(const Font& font, uint16_t glyph) {
-  GlyphCensus census;
-  census.glyph = glyph;
+// The fields that a glyph's cells refer to: where they lie.
+using FieldUnits = std::set<uint16_t>;
+
+void count_cell(const Cell& cell, CellCensus& cells) {
+  if (cell.samples != nullptr) {
+    ++cells.samples;
+  } else if (cell.field_count == 1) {
+    ++cells.single;
+  } else if (cell.field_count == 2) {
+    ++cells.pairs;
+  } else {
+    ++cells.triples;
+  }
+}
+
+size_t references_of(const GlyphField& field, int nodes) {
+  return static_cast<size_t>(field.tiles_x) * field.tiles_y +
+         4 * static_cast<size_t>(nodes);
+}
+
+// Of the heap of linked fields.
+std::vector<RecordPart> heap_parts(const GlyphCensus& glyph,
+                                   const FieldUnits& units) {
+  namespace linked = format::linked;
+  const auto arcs = static_cast<size_t>(std::count_if(
+      units.begin(), units.end(),
+      [](uint16_t unit) { return (unit & linked::kArcField) != 0; }));
+  const size_t lines = units.size() - arcs;
+  const size_t references = 2 * references_of(glyph.field(), glyph.nodes);
+  const size_t arc_bytes = 2 * linked::kArcUnits * arcs;
+  const size_t line_bytes = 2 * linked::kLineUnits * lines;
+  const size_t heap = size_t{2} * glyph.field().heap_units;
+  const size_t known = references + arc_bytes + line_bytes;
+  return {{"references", references},
+          {"arcs", arc_bytes},
+          {"lines", line_bytes},
+          {"pairs and triples", heap > known ? heap - known : 0}};
+}
+
+std::vector<RecordPart> packed_parts(Span<const uint8_t> record,
+                                     const GlyphField& field) {
+  namespace packed = format::packed;
+  if (record.size <= packed::kRowLengths || field.tiles_y == 0) {
+    return {};
+  }
+  const bool wide = (record.data[packed::kType] & packed::kWideRows) != 0;
+  const size_t streams = packed::streams_at(field.tiles_y, wide);
+  return {{"grid", packed::kRowLengths},
+          {"row lengths", streams - packed::kRowLengths},
+          {"streams", record.size - streams}};
+}
+
+std::vector<RecordPart> direct_parts(const GlyphCensus& glyph,
+                                     const FieldUnits& units) {
+  namespace fields = format::fields;
+  const GlyphField& field = glyph.field();
+  const size_t references = references_of(field, field.node_count);
+  switch (field.kind) {
+    case GlyphField::Kind::samples:
+      return {{"grid", format::glyph::kBytes},
+              {"references", 2 * references},
+              {"cells", format::samples::kBytes * field.cell_count}};
+    case GlyphField::Kind::narrow_fields:
+      return {{"grid", fields::kBytes},
+              {"references", references},
+              {"arcs", fields::kArcBytes * field.arc_count},
+              {"lines", fields::kLineBytes * field.line_count},
+              {"pairs", fields::kPairUnits * field.pair_count},
+              {"triples", fields::kTripleUnits * field.triple_count}};
+    case GlyphField::Kind::linked_fields:
+      break;
+  }
+  std::vector<RecordPart> parts = {{"grid", format::linked::kBytes}};
+  add_parts(heap_parts(glyph, units), parts);
+  return parts;
+}
+
+GlyphCensus take_glyph(const Font& font, uint16_t id) {
+  GlyphCensus census(font, id);
   // What a broken font lacks stays empty.
-  static_cast<void>(font.glyph_metrics(glyph, census.metrics));
-  static_cast<void>(font.field(glyph, census.field));
-  census.bytes = font.record(glyph).size;
-  for_each_cell(census.field, [&census](const Cell& cell) {
-    census.depth =
-        std::max(census.depth, census.field.tile_log2 - cell.size_log2);
-    if (cell.samples != nullptr) {
-      ++census.cells;
-      ++census.by_size_log2[cell.size_log2];
-    } else {
+  static_cast<void>(font.glyph_metrics(id, census.metrics));
+  const Span<const uint8_t> record = font.record(id);
+  census.bytes = record.size;
+  const GlyphField& field = census.field();
+  FieldUnits units;
+  int leaves = 0;
+  for_each_cell(field, [&](const Cell& cell) {
+    ++leaves;
+    census.depth = std::max(census.depth, field.tile_log2 - cell.size_log2);
+    units.insert(cell.fields, cell.fields + cell.field_count);
+    if (cell.is_saturated()) {
       ++(cell.inside ? census.inside : census.outside);
+      return;
     }
+    count_cell(cell, census.cells);
+    ++census.by_size_log2[cell.size_log2];
   });
+  // Every node puts four squares in the place of one.
+  census.nodes = (leaves - field.tiles_x * field.tiles_y) / 3;
+  census.fields = static_cast<int>(units.size());
+  if (font.is_packed()) {
+    census.parts = packed_parts(record, field);
+    census.expanded = heap_parts(census, units);
+  } else if (record.size > 0) {
+    census.parts = direct_parts(census, units);
+  }
   return census;
 }
 
@@ -72,6 +162,27 @@ void for_each_cell(const GlyphField& field,
   }
 }
 
+void add_parts(const std::vector<RecordPart>& parts,
+               std::vector<RecordPart>& sum) {
+  for (const RecordPart& part : parts) {
+    const auto same = std::find_if(
+        sum.begin(), sum.end(),
+        [&](const RecordPart& other) { return other.name == part.name; });
+    if (same == sum.end()) {
+      sum.push_back(part);
+    } else {
+      same->bytes += part.bytes;
+    }
+  }
+}
+
+void CellCensus::add(const CellCensus& other) {
+  samples += other.samples;
+  single += other.single;
+  pairs += other.pairs;
+  triples += other.triples;
+}
+
 std::string GlyphCensus::name() const {
   if (!code_points.empty()) {
     return to_utf8(code_points.front());
@@ -79,10 +190,10 @@ std::string GlyphCensus::name() const {
   return glyph == 0 ? ".notdef" : "#" + std::to_string(glyph);
 }
 
-int64_t FontCensus::cells() const {
-  int64_t sum = 0;
+CellCensus FontCensus::cells() const {
+  CellCensus sum;
   for (const GlyphCensus& glyph : glyphs) {
-    sum += glyph.cells;
+    sum.add(glyph.cells);
   }
   return sum;
 }
@@ -90,7 +201,23 @@ int64_t FontCensus::cells() const {
 int64_t FontCensus::nodes() const {
   int64_t sum = 0;
   for (const GlyphCensus& glyph : glyphs) {
-    sum += glyph.field.node_count;
+    sum += glyph.nodes;
+  }
+  return sum;
+}
+
+int64_t FontCensus::fields() const {
+  int64_t sum = 0;
+  for (const GlyphCensus& glyph : glyphs) {
+    sum += glyph.fields;
+  }
+  return sum;
+}
+
+std::vector<RecordPart> FontCensus::parts() const {
+  std::vector<RecordPart> sum;
+  for (const GlyphCensus& glyph : glyphs) {
+    add_parts(glyph.parts, sum);
   }
   return sum;
 }
@@ -102,7 +229,12 @@ FontCensus take_census(const Font& font) {
   census.bytes = font.rom().size;
   census.format_major = rom[format::header::kFormatMajor];
   census.format_minor = rom[format::header::kFormatMinor];
-  census.verified = font.verify();
+  census.cells_name = cells_name(font);
+  census.coding_name = coding_name(font);
+  census.workspace = font.workspace_bytes();
+  census.row_workspace = font.row_workspace_bytes();
+  FontWorkspace workspace(font);
+  census.verified = font.verify(workspace);
   census.metrics = font.metrics();
   census.range = font.range();
   census.fixed_predicate = rom[format::header::kPredicate] ==

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glyph_cells.hpp"
 #include "inkcell/font.hpp"
 
 namespace inkcell::tools {
@@ -15,19 +16,48 @@ namespace inkcell::tools {
 void for_each_cell(const GlyphField& field,
                    const std::function<void(const Cell&)>& visit);
 
+/// Bytes of a part of a record.
+struct RecordPart {
+  std::string name;
+  size_t bytes = 0;
+};
+
+/// Adds parts to those of the same name.
+void add_parts(const std::vector<RecordPart>& parts,
+               std::vector<RecordPart>& sum);
+
+/// Cells that are not saturated, by what they hold.
+struct CellCensus {
+  int64_t samples = 0;
+  int64_t single = 0;  // fields
+  int64_t pairs = 0;
+  int64_t triples = 0;
+
+  int64_t all() const { return samples + single + pairs + triples; }
+  void add(const CellCensus& other);
+};
+
 /// One glyph.
 struct GlyphCensus {
+  GlyphCensus(const Font& font, uint16_t id) : glyph(id), cells_of(font, id) {}
+
   uint16_t glyph = 0;
+  GlyphCells cells_of;
   std::vector<char32_t> code_points;
   GlyphMetrics metrics;  // [font units]
   size_t bytes = 0;      // of the record
-  GlyphField field;
-  int cells = 0;    // with samples
-  int outside = 0;  // saturated ones
+  std::vector<RecordPart> parts;
+  std::vector<RecordPart> expanded;  // of what a packed record becomes
+  CellCensus cells;
+  int nodes = 0;
+  int fields = 0;   // that cells refer to
+  int outside = 0;  // saturated cells
   int inside = 0;
   int depth = 0;  // steps from a tile to its smallest cell
-  /// Cells with samples that are 2^i u wide.
+  /// Cells that are not saturated and 2^i u wide.
   std::array<int, 12> by_size_log2{};
+
+  const GlyphField& field() const { return cells_of.field(); }
 
   /// UTF-8 of its first character, ".notdef" or the id, such as "#17".
   std::string name() const;
@@ -48,6 +78,10 @@ struct FontCensus {
   int format_major = 0;
   int format_minor = 0;
   Status verified = Status::ok;
+  std::string cells_name;
+  std::string coding_name;
+  size_t workspace = 0;  // [bytes]
+  size_t row_workspace = 0;
   FontMetrics metrics;
   FontRange range;
   bool fixed_predicate = false;
@@ -58,8 +92,10 @@ struct FontCensus {
   std::vector<GlyphCensus> glyphs;
   size_t characters = 0;
 
-  int64_t cells() const;
+  CellCensus cells() const;
   int64_t nodes() const;
+  int64_t fields() const;
+  std::vector<RecordPart> parts() const;  // of all records
 };
 
 FontCensus take_census(const Font& font);

@@ -27,6 +27,15 @@ struct Arguments {
 void add_arguments(CLI::App& app, Arguments& arguments) {
   gen::add_generator_options(app, arguments.request);
   app.remove_option(app.get_option("--cells"));  // a picture here
+  app.add_option("--kind", arguments.request.adf.cells,
+                 "Cells of a font that is converted: fields or samples")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, gen::CellKind>{
+                                      {"fields", gen::CellKind::fields},
+                                      {"samples", gen::CellKind::samples}})
+              .description("fields|samples"))
+      ->type_name("")
+      ->default_str("fields");
   app.add_option("FILE", arguments.file,
                  "ROM font, or TTF or OTF to convert in memory")
       ->required();
@@ -78,7 +87,7 @@ const GlyphCensus& find_glyph(const FontCensus& font, const std::string& name) {
 const GlyphCensus& example_glyph(const FontCensus& font) {
   const GlyphCensus* first = nullptr;
   for (const GlyphCensus& glyph : font.glyphs) {
-    if (glyph.cells > 0) {
+    if (glyph.cells.all() > 0) {
       if (glyph.name() == "a") {
         return glyph;
       }
@@ -99,7 +108,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
   if (!arguments.cells.empty()) {
     const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
-    write_image(arguments.cells, draw_cells(shown.field, arguments.side));
+    write_image(arguments.cells, draw_cells(shown.field(), arguments.side));
   }
   if (!arguments.sheet.empty()) {
     write_image(arguments.sheet, draw_sheet(rom.font(), arguments.px));

@@ -2,11 +2,14 @@
 #include "pictures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "bytes.hpp"
 #include "canvas.hpp"
 #include "census.hpp"
+#include "inkcell/format.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -25,13 +28,26 @@ constexpr Colour kInsideFar = {252, 214, 164};
 constexpr Colour kOutsideNear = {136, 176, 214};
 constexpr Colour kOutsideFar = {238, 244, 250};
 constexpr Colour kSaturated = {255, 255, 255};
-constexpr Colour kBorder = {40, 52, 72};
+// Borders of saturated cells, and the others by the number of their fields; 0:
+// samples.
+constexpr Colour kSaturatedBorder = {196, 204, 214};
+constexpr std::array<Colour, 4> kBorders = {
+    {{40, 52, 72}, {38, 132, 72}, {70, 58, 190}, {196, 24, 96}}};
+// Where one field of a cell is zero.
+constexpr Colour kZeroLine = {112, 40, 120};
 
 // Distance over which the colours change. [u]
 constexpr double kFade = 96;
 // Colours go in steps: one sees them as lines of equal distance, and the file
 // stays small.
 constexpr double kBandStep = 8;
+
+// A point of the glyph. [u]
+struct Vector {
+  double x = 0;
+  double y = 0;
+};
+
 Colour mix(const Colour& a, const Colour& b, double share_of_b) {
   const double t = std::clamp(share_of_b, 0.0, 1.0);
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
@@ -88,6 +104,38 @@ Colour field_colour(double distance_u, bool saturated, double px_per_u) {
   return mix(colour, kEdge, std::clamp(1.5 - away_px, 0.0, 1.0));
 }
 
+int read_i16(const uint8_t* at) {
+  return static_cast<int16_t>(read_u16(at));
+}
+
+// One field of a cell as docs/FORMAT.md states it, in real numbers. [u]
+double field_value(const GlyphField& field, uint16_t unit, Vector p) {
+  namespace fields = format::fields;
+  const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
+  const double nx = read_i16(at + fields::kNormalX) / 16384.0;
+  const double ny = read_i16(at + fields::kNormalY) / 16384.0;
+  const double plane =
+      nx * p.x + ny * p.y + read_i16(at + fields::kOffset) / 16.0;
+  if ((unit & format::linked::kArcField) == 0) {
+    return plane;
+  }
+  const double along =
+      nx * p.y - ny * p.x + read_i16(at + fields::kAlong) / 16.0;
+  return plane + read_i16(at + fields::kBend) / 524288.0 * along * along;
+}
+
+// How much of a pixel lies on the lines, 1 px wide, where one of several fields
+// is zero.
+double zero_line(const View& view, const Cell& cell, Vector p) {
+  double strength = 0;
+  for (int i = 0; cell.field_count > 1 && i < cell.field_count; ++i) {
+    const double away_px =
+        std::fabs(field_value(view.field, cell.fields[i], p)) * view.px_per_u;
+    strength = std::max(strength, std::clamp(1 - away_px, 0.0, 1.0));
+  }
+  return 0.6 * strength;
+}
+
 void draw_field_colours(const View& view, Image& image) {
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
@@ -95,14 +143,25 @@ void draw_field_colours(const View& view, Image& image) {
       const Q16_16 y_u = view.y_u(y);
       const double distance = distance_at(view.field, x_u, y_u).raw / 1024.0;
       const Cell cell = locate(view.field, x_u.floor(), y_u.floor());
+      const Colour colour =
+          field_colour(distance, cell.is_saturated(), view.px_per_u);
       put(image, x, y,
-          field_colour(distance, cell.samples == nullptr, view.px_per_u));
+          mix(colour, kZeroLine,
+              zero_line(view, cell, {x_u.raw / 65536.0, y_u.raw / 65536.0})));
     }
   }
 }
 
-// Left and lower border of a cell; its neighbours draw the others.
-void draw_border(const View& view, const Cell& cell, Image& image) {
+// Where cells meet, the border of the one with more fields shows: drawn last.
+int rank(const Cell& cell) {
+  return cell.is_saturated() ? -1 : cell.field_count;
+}
+
+// The four sides of a cell over the picture without borders.
+void draw_border(const View& view,
+                 const Cell& cell,
+                 const Image& bare,
+                 Image& image) {
   const int size = 1 << cell.size_log2;
   const int left = view.x_px(cell.x0_u);
   const int right = view.x_px(cell.x0_u + size);
@@ -110,24 +169,30 @@ void draw_border(const View& view, const Cell& cell, Image& image) {
   const int bottom = view.y_px(cell.y0_u);
   // Small cells would become one dark mass.
   const double strength = std::clamp(0.10 * (right - left), 0.25, 0.62);
+  const Colour& colour =
+      cell.is_saturated() ? kSaturatedBorder : kBorders[cell.field_count];
   const auto blend = [&](int x, int y) {
-    put(image, x, y, mix(get(image, x, y), kBorder, strength));
+    put(image, x, y, mix(get(bare, x, y), colour, strength));
   };
   for (int x = left; x <= right; ++x) {
     blend(x, bottom);
+    blend(x, top);
   }
-  for (int y = top; y < bottom; ++y) {
+  for (int y = top; y <= bottom; ++y) {
     blend(left, y);
+    blend(right, y);
   }
 }
 
-// Top and right border of the whole grid.
-void draw_frame(const View& view, Image& image) {
-  for (int x = 0; x <= view.width; ++x) {
-    put(image, x, 0, mix(get(image, x, 0), kBorder, 0.62));
-  }
-  for (int y = 0; y <= view.height; ++y) {
-    put(image, view.width, y, mix(get(image, view.width, y), kBorder, 0.62));
+void draw_borders(const View& view, Image& image) {
+  const Image bare = image;
+  std::vector<Cell> cells;
+  for_each_cell(view.field, [&](const Cell& cell) { cells.push_back(cell); });
+  std::stable_sort(
+      cells.begin(), cells.end(),
+      [](const Cell& a, const Cell& b) { return rank(a) < rank(b); });
+  for (const Cell& cell : cells) {
+    draw_border(view, cell, bare, image);
   }
 }
 
@@ -149,9 +214,7 @@ Image draw_cells(const GlyphField& field, int side) {
                      static_cast<int>(std::lround(height_u * px_per_u))};
   Image image(view.width + 1, view.height + 1, 3, 255);
   draw_field_colours(view, image);
-  for_each_cell(field,
-                [&](const Cell& cell) { draw_border(view, cell, image); });
-  draw_frame(view, image);
+  draw_borders(view, image);
   return image;
 }
 

@@ -7,8 +7,10 @@
 namespace inkcell::tools {
 
 /// The field of a glyph as the device reads it, its edge, and over it the
-/// borders of the cells (the paper's figure 2). The longer side of the glyph's
-/// grid becomes about `side` px.
+/// borders of the cells (the paper's figure 2): green, blue and red around
+/// cells of one, two and three fields, dark around samples. In cells of several
+/// fields thin lines show where one of them is zero. The longer side of the
+/// glyph's grid becomes about `side` px.
 ///
 /// Throws std::runtime_error if the glyph has no ink.
 Image draw_cells(const GlyphField& field, int side);

@@ -64,20 +64,60 @@ void append_sections(std::string& out, const FontCensus& font) {
   }
 }
 
+// How many of each kind, and the fields that they share.
+void append_kinds(std::string& out, const CellCensus& cells, int64_t fields) {
+  append(out, "  of samples      %lld\n",
+         static_cast<long long>(cells.samples));
+  append(out,
+         "  of fields       %lld, %lld, %lld with one, two, three; "
+         "%lld distinct\n",
+         static_cast<long long>(cells.single),
+         static_cast<long long>(cells.pairs),
+         static_cast<long long>(cells.triples), static_cast<long long>(fields));
+}
+
+void append_parts(std::string& out,
+                  const char* title,
+                  const std::vector<RecordPart>& parts) {
+  append(out, "  %s\n", title);
+  for (const RecordPart& part : parts) {
+    append(out, "    %-18s %9zu bytes\n", part.name.c_str(), part.bytes);
+  }
+}
+
 void append_cells(std::string& out, const FontCensus& font) {
   append(out, "  cells           %lld, inner nodes %lld\n",
-         static_cast<long long>(font.cells()),
+         static_cast<long long>(font.cells().all()),
          static_cast<long long>(font.nodes()));
+  append_kinds(out, font.cells(), font.fields());
+  append_parts(out, "records", font.parts());
   if (font.glyphs.size() > kListed) {
     return;
   }
-  append(out, "  cells per glyph .notdef %d", font.glyphs.front().cells);
+  append(out, "  cells per glyph .notdef %lld",
+         static_cast<long long>(font.glyphs.front().cells.all()));
   for (size_t i = 1; i < font.glyphs.size(); ++i) {
     const GlyphCensus& glyph = font.glyphs[i];
     out += i % kColumns == 1 ? "\n    " : "  ";
-    append(out, "%s %5d", glyph.name().c_str(), glyph.cells);
+    append(out, "%s %5lld", glyph.name().c_str(),
+           static_cast<long long>(glyph.cells.all()));
   }
   out += '\n';
+}
+
+nlohmann::json kinds_json(const CellCensus& cells) {
+  return {{"samples", cells.samples},
+          {"single", cells.single},
+          {"pair", cells.pairs},
+          {"triple", cells.triples}};
+}
+
+nlohmann::json parts_json(const std::vector<RecordPart>& parts) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const RecordPart& part : parts) {
+    json[part.name] = part.bytes;
+  }
+  return json;
 }
 
 nlohmann::json glyph_json(const GlyphCensus& glyph) {
@@ -98,18 +138,22 @@ nlohmann::json glyph_json(const GlyphCensus& glyph) {
           {"advance", m.advance},
           {"box", {m.x_min, m.y_min, m.x_max, m.y_max}},
           {"bytes", glyph.bytes},
-          {"cells", glyph.cells},
-          {"nodes", glyph.field.node_count},
+          {"record_bytes", parts_json(glyph.parts)},
+          {"expanded_bytes", glyph.cells_of.expanded_bytes()},
+          {"cells", glyph.cells.all()},
+          {"cells_by_kind", kinds_json(glyph.cells)},
+          {"fields", glyph.fields},
+          {"nodes", glyph.nodes},
           {"saturated_outside", glyph.outside},
           {"saturated_inside", glyph.inside},
           {"depth", glyph.depth},
           {"cells_by_size_u", sizes},
           {"grid",
-           {{"x0_u", glyph.field.x0_u},
-            {"y0_u", glyph.field.y0_u},
-            {"tile_u", 1 << glyph.field.tile_log2},
-            {"tiles_x", glyph.field.tiles_x},
-            {"tiles_y", glyph.field.tiles_y}}}};
+           {{"x0_u", glyph.field().x0_u},
+            {"y0_u", glyph.field().y0_u},
+            {"tile_u", 1 << glyph.field().tile_log2},
+            {"tiles_x", glyph.field().tiles_x},
+            {"tiles_y", glyph.field().tiles_y}}}};
 }
 
 nlohmann::json metrics_json(const FontMetrics& m) {
@@ -130,6 +174,14 @@ std::string font_report(const FontCensus& font) {
   append(out, "  format          %d.%d, %zu bytes, verify: %s\n",
          font.format_major, font.format_minor, font.bytes,
          std::string(status_name(font.verified)).c_str());
+  append(out, "  coding          %s cells of %s\n", font.coding_name.c_str(),
+         font.cells_name.c_str());
+  if (font.workspace != 0) {
+    append(out,
+           "  workspace       %zu bytes for a glyph, %zu for a row of "
+           "tiles\n",
+           font.workspace, font.row_workspace);
+  }
   append(out, "  made for        %u to %u px, tolerance %u/255, predicate %s\n",
          static_cast<unsigned>(font.range.min_px),
          static_cast<unsigned>(font.range.max_px),
@@ -155,7 +207,7 @@ std::string font_report(const FontCensus& font) {
 
 std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
   const GlyphMetrics& m = glyph.metrics;
-  const GlyphField& field = glyph.field;
+  const GlyphField& field = glyph.field();
   std::string out =
       "glyph " + std::to_string(glyph.glyph) + ", " + glyph.name();
   for (const char32_t code_point : glyph.code_points) {
@@ -168,14 +220,23 @@ std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
   append(out, "  grid            %d x %d tiles of %d u from (%d, %d) u\n",
          field.tiles_x, field.tiles_y, 1 << field.tile_log2, field.x0_u,
          field.y0_u);
-  append(out, "  record          %zu bytes, %d nodes, depth %d\n", glyph.bytes,
-         static_cast<int>(field.node_count), glyph.depth);
-  append(out, "  cells           %d, and saturated: %d outside, %d inside\n",
-         glyph.cells, glyph.outside, glyph.inside);
+  append(out, "  tree            %d nodes, depth %d\n", glyph.nodes,
+         glyph.depth);
+  append(out, "  cells           %lld, and saturated: %d outside, %d inside\n",
+         static_cast<long long>(glyph.cells.all()), glyph.outside,
+         glyph.inside);
   for (size_t i = glyph.by_size_log2.size(); i-- > 0;) {
     if (glyph.by_size_log2[i] > 0) {
       append(out, "    %4d u        %d\n", 1 << i, glyph.by_size_log2[i]);
     }
+  }
+  append_kinds(out, glyph.cells, glyph.fields);
+  append(out, "  record          %zu bytes\n", glyph.bytes);
+  append_parts(out, "of these", glyph.parts);
+  if (glyph.cells_of.expanded_bytes() != 0) {
+    append(out, "  expanded        %zu bytes of RAM\n",
+           glyph.cells_of.expanded_bytes());
+    append_parts(out, "of these", glyph.expanded);
   }
   return out;
 }
@@ -205,7 +266,13 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"characters", font.characters},
       {"kerning_classes", {font.left_classes, font.right_classes}},
       {"section_bytes", sections},
-      {"cells", font.cells()},
+      {"cell_kind", font.cells_name},
+      {"coding", font.coding_name},
+      {"workspace", {{"glyph", font.workspace}, {"row", font.row_workspace}}},
+      {"record_bytes", parts_json(font.parts())},
+      {"cells", font.cells().all()},
+      {"cells_by_kind", kinds_json(font.cells())},
+      {"fields", font.fields()},
       {"nodes", font.nodes()},
       {"glyphs", glyphs}};
   return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +

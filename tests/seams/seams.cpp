@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "inkcell/font.hpp"
+#include "inkcell/packed.hpp"
 
 namespace {
 
@@ -174,6 +175,22 @@ std::vector<uint8_t> read_file(const char* path) {
   return bytes;
 }
 
+// The field of a glyph; of a packed one it lies in `workspace`.
+Status open_field(const Font& font,
+                  uint16_t glyph,
+                  std::vector<uint8_t>& workspace,
+                  GlyphField& out) {
+  if (!font.is_packed()) {
+    return font.field(glyph, out);
+  }
+  PackedGlyph packed;
+  INKCELL_TRY(PackedGlyph::open(font, glyph, packed));
+  return packed.tiles_y == 0
+             ? Status::no_glyph
+             : expand(packed, 0, packed.tiles_y,
+                      {workspace.data(), workspace.size()}, out);
+}
+
 std::string name_of(const Font& font, uint16_t glyph) {
   for (uint32_t code_point = 1; code_point < 0x110000; ++code_point) {
     uint16_t found = 0;
@@ -208,9 +225,10 @@ int main(int argc, char** argv) {
   }
   const Metric metric(font.range());
   Summary summary;
+  std::vector<uint8_t> workspace(font.workspace_bytes());
   for (uint16_t id = 0; id < font.glyph_count(); ++id) {
     GlyphField field;
-    if (font.field(id, field) == Status::ok) {
+    if (open_field(font, id, workspace, field) == Status::ok) {
       Glyph(field, id, font.range().band_u, metric, summary).measure();
     }
   }

@@ -2,8 +2,10 @@
 """Runs the host tools as a person would, and looks at what they write."""
 
 import argparse
+import itertools
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -12,6 +14,10 @@ import unittest
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 PROGRAMS = {}
+
+# Every kind of font, and the options that make it.
+KINDS = {"samples": ("--cells", "samples"), "direct": (),
+         "packed": ("--coding", "packed")}
 
 
 def run(program, *arguments, code=0):
@@ -48,9 +54,12 @@ class Tools(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="inkcell")
         cls.path = pathlib.Path(cls.folder.name)
-        cls.font = cls.path / "sans.bin"
-        run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px", "32",
-            "--quiet", "--out", cls.font)
+        cls.fonts = {}
+        for name, options in KINDS.items():
+            cls.fonts[name] = cls.path / f"{name}.bin"
+            run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px",
+                "32", *options, "--quiet", "--out", cls.fonts[name])
+        cls.font = cls.fonts["direct"]
 
     @classmethod
     def tearDownClass(cls):
@@ -69,13 +78,45 @@ class Tools(unittest.TestCase):
         self.assertGreater(rom.ink(), 255 * 100)
 
     def test_strips_do_not_show(self):
-        for angle in (0, 30):
+        for kind, angle in itertools.product(KINDS, (0, 30)):
             pictures = {
                 self.render("--text", "To\nAV", "--px", "21.5", "--angle", angle,
-                            "--rows", rows).pixels
+                            "--rows", rows, font=self.fonts[kind]).pixels
                 for rows in (1, 2, 7, 8, 32, 1000)
             }
             self.assertEqual(len(pictures), 1)
+
+    def test_packed_fonts_draw_what_direct_ones_draw(self):
+        pictures = {}
+        for kind, font in self.fonts.items():
+            for angle in (0, 30):
+                pictures[kind, angle] = self.render(
+                    "--text", "AVToal.", "--px", 19, "--angle", angle, font=font)
+            said = run("render", "--font", font, "--text", "a", "--px", 12,
+                       "--stats", "--out", self.path / "a.pgm")
+            cells = "samples" if kind == "samples" else "fields"
+            coding = "packed" if kind == "packed" else "direct"
+            self.assertIn(f"8 glyphs, {coding} {cells}\n", said)
+            workspace = int(re.search(r"workspace +(\d+) bytes", said).group(1))
+            self.assertEqual(workspace > 0, kind == "packed")
+        for angle in (0, 30):
+            direct = pictures["direct", angle].pixels
+            self.assertEqual(direct, pictures["packed", angle].pixels)
+            samples = pictures["samples", angle].pixels
+            self.assertEqual(len(direct), len(samples))
+            self.assertNotEqual(direct, samples)
+            # Each is within 16/255 of the truth.
+            self.assertLessEqual(
+                max(abs(a - b) for a, b in zip(direct, samples)), 33)
+
+    def test_converts_to_any_kind_in_memory(self):
+        for kind, options in KINDS.items():
+            converted = self.render("--text", "AVToal.", "--px", 24, "--max-px",
+                                    32, "--symbols", "AVToal.", *options,
+                                    font=SANS)
+            opened = self.render("--text", "AVToal.", "--px", 24,
+                                 font=self.fonts[kind])
+            self.assertEqual(converted.pixels, opened.pixels)
 
     def test_picture_holds_the_ink_with_a_margin(self):
         for angle in (0, 45, 90, 180, 200):
@@ -149,6 +190,8 @@ class Tools(unittest.TestCase):
                          "h": 60, "angle": angle, "kind": "anim",
                          "out": str(self.path / f"job{i}.pgm")})
         jobs.append(dict(jobs[0], font=SANS, out=str(self.path / "job3.pgm")))
+        jobs.append(dict(jobs[0], font=str(self.fonts["packed"]),
+                         out=str(self.path / "job4.pgm")))
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
         run("render", "--jobs", listed, "--max-px", 32)
@@ -159,8 +202,9 @@ class Tools(unittest.TestCase):
                 70, "--height", 60, "--angle", job["angle"])
             self.assertEqual(single.pixels,
                              Pgm(self.path / f"job{i}.pgm").pixels)
-        self.assertEqual(Pgm(self.path / "job0.pgm").pixels,
-                         Pgm(self.path / "job3.pgm").pixels)
+        for same in ("job3.pgm", "job4.pgm"):
+            self.assertEqual(Pgm(self.path / "job0.pgm").pixels,
+                             Pgm(self.path / same).pixels)
 
     def test_refusals_say_why(self):
         out = self.path / "no.png"
@@ -194,8 +238,8 @@ class Tools(unittest.TestCase):
 
     def test_inspect_counts_what_the_generator_counted(self):
         report = self.path / "report.json"
-        run("fontgen", "--font", SERIF, "--symbols", "aD", "--predicate",
-            "fixed", "--quiet", "--out", self.path / "serif.bin", "--report",
+        run("fontgen", "--font", SERIF, "--symbols", "aD", "--cells", "samples",
+            "--predicate", "fixed", "--quiet", "--out", self.path / "serif.bin", "--report",
             report)
         generated = json.loads(report.read_text())
         seen = json.loads(run("inspect", self.path / "serif.bin", "--json"))
@@ -212,18 +256,56 @@ class Tools(unittest.TestCase):
                                  glyph["cells"])
                 self.assertTrue(350 <= glyph["cells"] <= 550, glyph)
 
+    def test_inspect_counts_every_kind(self):
+        report = self.path / "report.json"
+        for kind, options in KINDS.items():
+            rom = self.path / "kind.bin"
+            run("fontgen", "--font", SERIF, "--symbols", "a%", *options,
+                "--quiet", "--out", rom, "--report", report)
+            generated = json.loads(report.read_text())
+            seen = json.loads(run("inspect", rom, "--json"))
+            self.assertEqual(seen["verify"], "ok")
+            self.assertEqual(seen["cell_kind"], generated["cells"])
+            self.assertEqual(seen["coding"], generated["coding"])
+            self.assertEqual(seen["workspace"], generated["workspace"])
+            self.assertEqual(seen["cells_by_kind"], generated["cells_by_kind"])
+            self.assertEqual(seen["cells"],
+                             sum(generated["cells_by_kind"].values()))
+            self.assertEqual(seen["nodes"], generated["node_count"])
+            self.assertEqual(seen["fields"] > 0, kind != "samples")
+            expanded = []
+            for glyph in seen["glyphs"]:
+                # All parts of a record, but for the byte that may fill it up.
+                parts = sum(glyph["record_bytes"].values())
+                self.assertIn(glyph["bytes"] - parts,
+                              (0, 1) if kind == "direct" else (0,), glyph)
+                expanded.append(glyph["expanded_bytes"])
+            self.assertEqual(max(expanded) > 0, kind == "packed")
+            # The stack of the expansion is the caller's, the rest is the field.
+            self.assertLessEqual(max(expanded), seen["workspace"]["glyph"])
+            text = run("inspect", rom)
+            self.assertIn(f"{generated['coding']} cells of "
+                          f"{generated['cells']}", text)
+
     def test_inspect_draws(self):
-        cells, sheet = self.path / "cells.png", self.path / "sheet.png"
-        self.assertIn("glyph", run("inspect", self.font, "--glyph", "A",
-                                   "--cells", cells, "--sheet", sheet))
-        for picture in (cells, sheet):
-            self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+        for kind in KINDS:
+            cells, sheet = self.path / "cells.png", self.path / "sheet.png"
+            self.assertIn("glyph", run(
+                "inspect", self.fonts[kind], "--glyph", "A", "--cells", cells,
+                "--sheet", sheet))
+            for picture in (cells, sheet):
+                self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
+                picture.unlink()
+        converted = json.loads(run("inspect", SANS, "--symbols", "o", "--kind",
+                                   "samples", "--json"))
+        self.assertEqual(converted["cell_kind"], "samples")
         self.assertIn("no glyph", run("inspect", self.font, "--glyph", "Z",
                                       code=1))
 
     def test_accuracy_finds_the_wrong_truth(self):
-        run("accuracy", "--font", self.font, "--truth", SANS, "--sizes",
-            "12,32", "--angle", 30)
+        for font in self.fonts.values():
+            run("accuracy", "--font", font, "--truth", SANS, "--sizes", "12,32",
+                "--angle", 30)
         wrong = ("--font", self.font, "--truth", SERIF, "--sizes", "24")
         self.assertIn("24 px: beyond the font's tolerance of 16/255",
                       run("accuracy", *wrong, code=1))
@@ -242,6 +324,9 @@ class Tools(unittest.TestCase):
         self.assertIn(f"the font has {size} bytes", printed)
         listed = json.loads(table.read_text())
         self.assertEqual(listed["font_bytes"], size)
+        self.assertEqual(
+            (listed["cells"], listed["coding"], listed["workspace"]),
+            ("fields", "direct", 0))
         self.assertEqual(listed["characters"], 2)
         rows = listed["rows"]
         filters = ("text", "motion", "paper_display", "paper_body")
@@ -263,6 +348,11 @@ class Tools(unittest.TestCase):
         self.assertIn("beyond", run(
             "accuracy", "--font", self.font, "--truth", SANS, "--mean-limit",
             0.01, "--sizes", 12, code=1))
+        limit = ("--font", self.font, "--truth", SANS, "--sizes", 12,
+                 "--byte-limit")
+        run("accuracy", *limit, size)
+        self.assertIn(f"more than {size - 1} bytes",
+                      run("accuracy", *limit, size - 1, code=1))
         for said, arguments in [("no glyph for 'Z'", ("--glyph", "Z")),
                                 ("is no size", ("--sizes", "8-")),
                                 ("is unknown", ("--filter", "x"))]:
@@ -270,10 +360,15 @@ class Tools(unittest.TestCase):
                                     SANS, *arguments, code=2))
 
     def test_specimen_draws(self):
-        out = self.path / "sizes.png"
-        run("specimen", SANS, "--sizes", out, "--max-px", 16, "--symbols",
-            "Onefotvrysizikcl,")
-        self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+        pictures = {}
+        for kind, options in KINDS.items():
+            out = self.path / f"{kind}.png"
+            run("specimen", SANS, "--sizes", out, "--max-px", 16, "--symbols",
+                "Onefotvrysizikcl,", *options)
+            pictures[kind] = out.read_bytes()
+            self.assertEqual(pictures[kind][:4], b"\x89PNG")
+        self.assertEqual(pictures["direct"], pictures["packed"])
+        self.assertNotEqual(pictures["direct"], pictures["samples"])
 
     def test_paper_table_counts_in_the_paper_s_range(self):
         out = self.path / "table.json"
