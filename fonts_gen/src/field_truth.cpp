@@ -12,6 +12,9 @@ namespace {
 // circle of 1 u, in chords of kFlatteningBound, turns by less.
 constexpr double kCornerSine = 0.26;
 
+// Chains and corners, at most as many as edges, are numbered in 16 bits.
+constexpr size_t kMostEdges = 32767;
+
 // Edges are looked up by squares of this size. [u]
 constexpr int kBlock_u = 16;
 
@@ -64,6 +67,10 @@ FieldTruth::FieldTruth(
 void FieldTruth::find_chains() {
   const std::vector<Edge>& edges = shape_.edges();
   const size_t count = edges.size();
+  if (count > kMostEdges) {
+    throw GeometryError(GeometryError::Kind::too_complex,
+                        "the outline has too many pieces for cells of fields");
+  }
   next_.resize(count);
   chain_of_.assign(count, -1);
   corner_before_.assign(count, -1);

@@ -115,7 +115,8 @@ struct PackedGlyph {
   uint8_t tiles_y = 0;
   bool wide_rows = false;  // lengths of rows take two bytes
 
-  /// A view of the glyph record `record` (docs/FORMAT.md, "Packed glyph"), at
+  /// A view of the glyph record `record` (docs/FORMAT.md, "Glyph record,
+  /// type 3"), at
   /// any address. Any content is safe afterwards.
   ///
   /// corrupt: the grid leaves +-1984 u or has no tiles, or the rows do not fit
