@@ -116,8 +116,7 @@ struct PackedGlyph {
   bool wide_rows = false;  // lengths of rows take two bytes
 
   /// A view of the glyph record `record` (docs/FORMAT.md, "Glyph record,
-  /// type 3"), at
-  /// any address. Any content is safe afterwards.
+  /// type 3"), at any address. Any content is safe afterwards.
   ///
   /// corrupt: the grid leaves +-1984 u or has no tiles, or the rows do not fit
   /// `record`. unsupported: the record is of another type, or this build has
