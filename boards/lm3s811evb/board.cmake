@@ -7,11 +7,11 @@ set(INKCELL_DISPLAY_WIDTH 96)
 set(INKCELL_DISPLAY_HEIGHT 16)
 set(INKCELL_DISPLAY_FORMATS mono_pages)
 
-# What the demo shows on it: rows of a strip, sizes, how far coverage
-# may be off [1/255] (one bit a pixel hides much), characters of the text. The
-# fonts must leave room for code in 64 KB.
+# What the demo shows on it: rows of a strip, sizes, and what its font is made
+# of. RAM holds a row of tiles at a time.
 set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 16)
 set(INKCELL_DEMO_TEXT_PX 13)
-set(INKCELL_DEMO_TOLERANCE 32)
-set(INKCELL_DEMO_TEXT_CHARACTERS SYMBOLS "type from distance fields")
+set(INKCELL_DEMO_CELLS fields)
+set(INKCELL_DEMO_CODING packed)
+set(INKCELL_DEMO_WORKSPACE row)

@@ -92,13 +92,12 @@ bool write_ppm(const std::string& name) {
 bool render_scene(uint32_t frame) {
   static demo::Scene scene;
   if (scene.open() != inkcell::Status::ok) {
-    std::cerr << "the scene's fonts do not open\n";
+    std::cerr << "the scene's font does not open\n";
     return false;
   }
   if (scene.missing_characters() != 0) {
     std::cerr << scene.missing_characters()
-              << " characters of the scene are not in its fonts: see "
-                 "INKCELL_DEMO_TEXT_CHARACTERS in board.cmake\n";
+              << " characters of the scene are not in its font\n";
     return false;
   }
   scene.set_frame(frame);

@@ -2,12 +2,36 @@
 include(${CMAKE_CURRENT_LIST_DIR}/../../../fonts_gen/cmake/InkcellFonts.cmake)
 
 set(INKCELL_DEMO_FONT /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf CACHE
-  FILEPATH "TTF or OTF that the demo's fonts are made from")
+  FILEPATH "TTF or OTF that the demo's font is made from")
 set(INKCELL_DEMO_DIR ${CMAKE_CURRENT_LIST_DIR})
+
+# inkcell_add_demo_font(<board>)
+#
+# <board>_demo_font: one font for the clock and the text, printable ASCII for 8 to
+# 64 px, or as large as the clock is.
+function(inkcell_add_demo_font board)
+  if(TARGET ${board}_demo_font)
+    return()
+  endif()
+  if(NOT EXISTS ${INKCELL_DEMO_FONT})
+    message(FATAL_ERROR
+      "inkcell: the demo needs the font ${INKCELL_DEMO_FONT}; on Debian and "
+      "Ubuntu: apt-get install fonts-dejavu-core, or set INKCELL_DEMO_FONT")
+  endif()
+  include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
+  set(max_px 64)
+  if(INKCELL_DEMO_CLOCK_PX GREATER max_px)
+    set(max_px ${INKCELL_DEMO_CLOCK_PX})
+  endif()
+  add_library(${board}_demo_font INTERFACE)
+  inkcell_add_font(${board}_demo_font NAME demo FONT ${INKCELL_DEMO_FONT}
+    MIN_PX 8 MAX_PX ${max_px}
+    CELLS ${INKCELL_DEMO_CELLS} CODING ${INKCELL_DEMO_CODING})
+endfunction()
 
 # inkcell_add_demo(<name> <board> <format> [<rows>])
 #
-# <name>_pattern: the test picture. <name>_scene: the scene with its fonts. Both
+# <name>_pattern: the test picture. <name>_scene: the scene with its font. Both
 # for the display of a board, in one of its formats, drawn in strips of so many
 # rows; by default as the board draws them.
 function(inkcell_add_demo name board format)
@@ -30,23 +54,17 @@ function(inkcell_add_demo name board format)
   target_link_libraries(${name}_pattern PUBLIC inkcell::port_display)
   target_compile_options(${name}_pattern PRIVATE ${INKCELL_WARNINGS})
 
-  if(NOT EXISTS ${INKCELL_DEMO_FONT})
-    message(FATAL_ERROR
-      "inkcell: the demo needs the font ${INKCELL_DEMO_FONT}; on Debian and "
-      "Ubuntu: apt-get install fonts-dejavu-core, or set INKCELL_DEMO_FONT")
-  endif()
+  inkcell_add_demo_font(${board})
   add_library(${name}_scene STATIC ${INKCELL_DEMO_DIR}/scene.cpp)
+  string(COMPARE EQUAL "${INKCELL_DEMO_CODING}" packed packed)
+  string(COMPARE EQUAL "${INKCELL_DEMO_WORKSPACE}" row row)
   target_compile_definitions(${name}_scene PUBLIC
     INKCELL_DEMO_CLOCK_PX=${INKCELL_DEMO_CLOCK_PX}
-    INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX})
-  target_link_libraries(${name}_scene PUBLIC ${name}_pattern)
+    INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX}
+    INKCELL_DEMO_PACKED=${packed}
+    INKCELL_DEMO_ROW_WORKSPACE=${row})
+  target_link_libraries(${name}_scene
+    PUBLIC ${name}_pattern
+    PRIVATE ${board}_demo_font)
   target_compile_options(${name}_scene PRIVATE ${INKCELL_WARNINGS})
-  inkcell_add_font(${name}_scene NAME demo_clock FONT ${INKCELL_DEMO_FONT}
-    SYMBOLS "0123456789:"
-    MIN_PX ${INKCELL_DEMO_CLOCK_PX} MAX_PX ${INKCELL_DEMO_CLOCK_PX}
-    TOLERANCE ${INKCELL_DEMO_TOLERANCE})
-  inkcell_add_font(${name}_scene NAME demo_text FONT ${INKCELL_DEMO_FONT}
-    ${INKCELL_DEMO_TEXT_CHARACTERS}
-    MIN_PX ${INKCELL_DEMO_TEXT_PX} MAX_PX ${INKCELL_DEMO_TEXT_PX}
-    TOLERANCE ${INKCELL_DEMO_TOLERANCE})
 endfunction()

@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   if (scene.open() != inkcell::Status::ok) {
-    board::print("the fonts do not open\n");
+    board::print("the font does not open\n");
     return 1;
   }
   uint32_t frame = 0;

@@ -1,8 +1,7 @@
 // Where everything stands on a screen of any size, and how it moves.
 #include "scene.hpp"
 
-#include <fonts/demo_clock.hpp>
-#include <fonts/demo_text.hpp>
+#include <fonts/demo.hpp>
 
 namespace inkcell {
 namespace demo {
@@ -35,6 +34,26 @@ Text time_text(uint32_t minute, char (&digits)[5]) noexcept {
   digits[3] = static_cast<char>('0' + minute / 10);
   digits[4] = static_cast<char>('0' + minute % 10);
   return {digits, sizeof digits};
+}
+
+#if INKCELL_DEMO_PACKED
+// Where glyphs are expanded: whole, or a row of tiles at a time.
+constexpr size_t kWorkspaceBytes = INKCELL_DEMO_ROW_WORKSPACE
+                                       ? fonts::demo_row_workspace
+                                       : fonts::demo_workspace;
+alignas(2) uint8_t workspace[kWorkspaceBytes];
+#endif
+
+void draw_line(const Font& font,
+               Span<const PositionedGlyph> glyphs,
+               const Brush& brush,
+               Point origin,
+               const Sink& sink) noexcept {
+#if INKCELL_DEMO_PACKED
+  draw(font, glyphs, brush, origin, sink, Span<uint8_t>(workspace));
+#else
+  draw(font, glyphs, brush, origin, sink);
+#endif
 }
 
 int32_t count_missing(const Font& font, Text text) noexcept {
@@ -73,12 +92,11 @@ Status Scene::lay_out(const Font& font,
 }
 
 Status Scene::open() noexcept {
-  INKCELL_TRY(Font::open(fonts::demo_clock, clock_font_));
-  INKCELL_TRY(Font::open(fonts::demo_text, text_font_));
+  INKCELL_TRY(Font::open(fonts::demo, font_));
   INKCELL_TRY(
       Brush::make(Q26_6::from_raw(kClockQ6), kFilterText, clock_brush_));
   INKCELL_TRY(Brush::make(Q26_6::from_raw(kTextQ6), kFilterText, text_brush_));
-  INKCELL_TRY(lay_out(text_font_, text_brush_, kMoving, moving_));
+  INKCELL_TRY(lay_out(font_, text_brush_, kMoving, moving_));
   INKCELL_TRY(lay_out_body());
   set_frame(0);
   return Status::ok;
@@ -91,7 +109,7 @@ Status Scene::lay_out_body() noexcept {
   const int32_t step = (bottom - top) / (kBodyLines + 1);
   for (int32_t i = 0; i < kBodyLines; ++i) {
     Line& line = body_[i];
-    INKCELL_TRY(lay_out(text_font_, text_brush_, body_text(i), line));
+    INKCELL_TRY(lay_out(font_, text_brush_, body_text(i), line));
     line.origin = point((kWidthQ6 - line.width_q6) / 2, top + step * (i + 1));
   }
   return Status::ok;
@@ -103,7 +121,7 @@ void Scene::set_frame(uint32_t frame) noexcept {
   char digits[5];
   // Five glyphs fit a line.
   static_cast<void>(
-      lay_out(clock_font_, clock_brush_, time_text(minute, digits), clock_));
+      lay_out(font_, clock_brush_, time_text(minute, digits), clock_));
   // Digits are three quarters of an em high.
   clock_.origin = kOneLine ? point(0, (kHeightQ6 + kClockQ6 * 3 / 4) / 2)
                            : point((kWidthQ6 - clock_.width_q6) / 2,
@@ -126,22 +144,22 @@ void Scene::set_frame(uint32_t frame) noexcept {
 
 void Scene::draw(const Strip& strip) const noexcept {
   Canvas canvas(strip);
-  inkcell::draw(clock_font_, clock_.used, clock_brush_, clock_.origin,
-                canvas.sink(Ink::clock));
+  draw_line(font_, clock_.used, clock_brush_, clock_.origin,
+            canvas.sink(Ink::clock));
   for (int32_t i = 0; i < kBodyLines; ++i) {
-    inkcell::draw(text_font_, body_[i].used, text_brush_, body_[i].origin,
-                  canvas.sink(Ink::text));
+    draw_line(font_, body_[i].used, text_brush_, body_[i].origin,
+              canvas.sink(Ink::text));
   }
   const int32_t left = kOneLine ? (clock_.width_q6 + kMarginQ6 + 63) / 64 : 0;
-  inkcell::draw(text_font_, moving_.used, text_brush_, moving_.origin,
-                right_of(canvas.sink(Ink::moving), left));
+  draw_line(font_, moving_.used, text_brush_, moving_.origin,
+            right_of(canvas.sink(Ink::moving), left));
 }
 
 int32_t Scene::missing_characters() const noexcept {
-  int32_t missing = count_missing(clock_font_, "0123456789:") +
-                    count_missing(text_font_, kMoving);
+  int32_t missing =
+      count_missing(font_, "0123456789:") + count_missing(font_, kMoving);
   for (int32_t i = 0; i < kBodyLines; ++i) {
-    missing += count_missing(text_font_, body_text(i));
+    missing += count_missing(font_, body_text(i));
   }
   return missing;
 }

@@ -1,8 +1,9 @@
 // The demo's scene: a clock with large digits, body text, and a line that moves
 // by 1/8 px from frame to frame. The same code runs on boards and on the host.
 //
-// The build makes its two fonts (demo.cmake) and says their sizes:
-// INKCELL_DEMO_CLOCK_PX and INKCELL_DEMO_TEXT_PX [px/em].
+// The build makes its font (demo.cmake) and says how: INKCELL_DEMO_CLOCK_PX and
+// INKCELL_DEMO_TEXT_PX [px/em]; INKCELL_DEMO_PACKED: whether it is packed, and
+// INKCELL_DEMO_ROW_WORKSPACE: whether RAM holds a row of tiles only.
 #pragma once
 
 #include <stdint.h>
@@ -21,7 +22,7 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Opens the fonts and lays out what does not move.
+  /// Opens the font and lays out what does not move.
   Status open() noexcept;
 
   /// Frame 0 is at 10:42; a minute has 480 frames.
@@ -29,7 +30,7 @@ class Scene {
 
   void draw(const Strip& strip) const noexcept;
 
-  /// How many characters of the scene its fonts lack.
+  /// How many characters of the scene its font lacks.
   int32_t missing_characters() const noexcept;
 
  private:
@@ -52,8 +53,7 @@ class Scene {
                         Line& line) noexcept;
   Status lay_out_body() noexcept;
 
-  Font clock_font_;
-  Font text_font_;
+  Font font_;
   Brush clock_brush_;
   Brush text_brush_;
   Line clock_;
