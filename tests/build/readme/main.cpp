@@ -1,10 +1,18 @@
-// Calls the README's program and looks whether it drew its line of text.
+// Calls the README's functions and looks whether they drew their line of text.
+#include <stdio.h>
+#include <string.h>
+#include <fonts/dejavu_small.hpp>
 #include <inkcell/port/pixel.hpp>
+#include <inkcell/port/rgb565.hpp>
 #include <inkcell/status.hpp>
 #include <inkcell/strip.hpp>
-#include <stdio.h>
+#include <inkcell/text.hpp>
 
 inkcell::Status hello(const inkcell::Strip& strip);
+void hello_small(const inkcell::Font& small,
+                 const inkcell::Brush& brush,
+                 inkcell::Point origin,
+                 const inkcell::Sink& sink);
 
 namespace {
 
@@ -12,17 +20,47 @@ constexpr int32_t kWidth = 160;
 constexpr int32_t kHeight = 40;
 constexpr auto kFormat = inkcell::port::PixelFormat::rgb565;
 
+// A screen in RAM, black.
+struct Screen {
+  uint8_t bytes[inkcell::port::strip_bytes(kFormat, kWidth, kHeight)] = {};
+  inkcell::Strip strip;
+
+  Screen() {
+    strip.pixels = bytes;
+    strip.width = kWidth;
+    strip.height = kHeight;
+    strip.stride = inkcell::port::stride_bytes(kFormat, kWidth);
+  }
+};
+
+// What `hello` does around its line of text, for the packed font.
+inkcell::Status draw_small(const inkcell::Strip& strip) {
+  inkcell::Font font;
+  INKCELL_TRY(inkcell::Font::open(fonts::dejavu_small, font));
+  inkcell::Brush brush;
+  INKCELL_TRY(inkcell::Brush::make(inkcell::Q26_6::from_int(24),
+                                   inkcell::kFilterText, brush));
+  inkcell::port::Rgb565Target target = {strip};
+  inkcell::Sink sink;
+  INKCELL_TRY(inkcell::port::make_sink(target, sink));
+  hello_small(font, brush,
+              {inkcell::Q26_6::from_int(4), inkcell::Q26_6::from_int(28)},
+              sink);
+  return inkcell::Status::ok;
+}
+
 }  // namespace
 
 int main() {
-  uint8_t bytes[inkcell::port::strip_bytes(kFormat, kWidth, kHeight)] = {};
-  inkcell::Strip strip;
-  strip.pixels = bytes;
-  strip.width = kWidth;
-  strip.height = kHeight;
-  strip.stride = inkcell::port::stride_bytes(kFormat, kWidth);
-  if (hello(strip) != inkcell::Status::ok) {
+  Screen screen;
+  Screen small;
+  if (hello(screen.strip) != inkcell::Status::ok ||
+      draw_small(small.strip) != inkcell::Status::ok) {
     puts("the README's program fails");
+    return 1;
+  }
+  if (memcmp(screen.bytes, small.bytes, sizeof screen.bytes) != 0) {
+    puts("the packed font draws another picture");
     return 1;
   }
   // Twelve characters of 24 px: some 12 x 60 px of stems, on a few rows only.
@@ -31,7 +69,7 @@ int main() {
   for (int32_t y = 0; y < kHeight; ++y) {
     bool inked = false;
     for (int32_t x = 0; x < kWidth; ++x) {
-      const uint8_t* pixel = bytes + y * strip.stride + 2 * x;
+      const uint8_t* pixel = screen.bytes + y * screen.strip.stride + 2 * x;
       white += pixel[0] == 0xff && pixel[1] == 0xff ? 1 : 0;
       inked = inked || pixel[0] != 0 || pixel[1] != 0;
     }
