@@ -1,6 +1,6 @@
 #!/bin/sh
-# Shows Inkcell on a fresh machine: builds everything, makes a font, draws with
-# it on this machine and on four emulated boards with displays.
+# Shows Inkcell on a fresh machine: builds everything, makes a font of each kind,
+# draws with them on this machine and on four emulated boards with displays.
 #
 #   sh host_tools/demo.sh [FONT.ttf]
 #
@@ -38,28 +38,38 @@ cmake -S . -B "$host" -G Ninja -DCMAKE_BUILD_TYPE=Release \
 tools=$host/host_tools
 fontgen=$host/fonts_gen/inkcell-fontgen
 
-echo "Making fonts of $(basename "$font")"
-"$fontgen" --font "$font" --out "$out/text.bin" --report "$out/text.json" \
-  >"$out/sizes.txt"
+echo "Making fonts of $(basename "$font"), and comparing with the exact distance"
+for kind in samples direct packed; do
+  case $kind in
+    samples) options="--cells samples" ;;
+    *) options="--coding $kind" ;;
+  esac
+  # shellcheck disable=SC2086 # two words
+  "$fontgen" --font "$font" $options --out "$out/$kind.bin" \
+    --report "$out/$kind.json" >>"$out/sizes.txt"
+  "$tools/inkcell-accuracy" --font "$out/$kind.bin" --truth "$font" \
+    --json "$out/${kind}_accuracy.json" --no-check >>"$out/accuracy.txt"
+done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
-cat "$out/sizes.txt"
+python3 host_tools/size_table.py "$out" samples direct packed |
+  tee "$out/table.txt"
 
 echo "Drawing on this machine"
-"$tools/inkcell-specimen" "$out/text.bin" --sizes "$out/sizes.png" \
+"$tools/inkcell-specimen" "$out/packed.bin" --sizes "$out/sizes.png" \
   --body "$out/body.png" --turned "$out/turned.png" --moved "$out/moved.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
-"$tools/inkcell-inspect" "$out/text.bin" --cells "$out/cells.png" \
-  --sheet "$out/sheet.png" >>"$out/sizes.txt"
-"$tools/inkcell-render" --font "$out/text.bin" --px 24 --zoom 6 --stats \
+for kind in samples direct; do
+  "$tools/inkcell-inspect" "$out/$kind.bin" --cells "$out/cells_$kind.png" \
+    >>"$out/sizes.txt"
+done
+"$tools/inkcell-inspect" "$out/packed.bin" --sheet "$out/sheet.png" \
+  >>"$out/sizes.txt"
+"$tools/inkcell-render" --font "$out/packed.bin" --px 24 --zoom 6 --stats \
   --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
 
-echo "Comparing with the exact distance"
-"$tools/inkcell-accuracy" --font "$out/text.bin" --truth "$font" |
-  tee "$out/accuracy.txt"
-
-# Boards. A face with many contours may not fit the smallest flash: that board
-# is then left out, the others are shown.
+# Boards. A face with many contours may not fit the smallest one: it is then left
+# out, the others are shown.
 missed=
 for board in lm3s6965evb lm3s811evb versatilepb riscv_virt; do
   echo "Running the demo on $board"
@@ -81,7 +91,7 @@ done
 
 if [ -f tests/bench/run.sh ]; then
   echo "Counting instructions"
-  if ! sh tests/bench/run.sh --font "$out/text.bin" --fontgen "$fontgen" \
+  if ! sh tests/bench/run.sh --font "$out/direct.bin" --fontgen "$fontgen" \
     --cpu m0,m3 --px 12,24,48 >"$out/bench.jsonl" 2>"$out/bench.txt"; then
     missed="$missed bench"
     tail -n 5 "$out/bench.txt"
@@ -97,8 +107,11 @@ describe() {
     printf '  %-34s %s\n' "$1" "$2"
   fi
 }
-describe text.bin "95 characters for 8 to 64 px"
+describe samples.bin "95 characters for 8 to 64 px, nine distances a cell"
+describe direct.bin "the same, up to three fields a cell"
+describe packed.bin "the same fields, packed"
 describe digits.bin "digits for 48 to 200 px"
+describe table.txt "the three side by side"
 describe sizes.txt "bytes of their parts, cells of each glyph"
 describe accuracy.txt "errors of pixels against the exact distance"
 describe speed.txt "instructions for a frame of each board"
@@ -110,7 +123,8 @@ describe digits.png "a clock"
 describe turned.png "a word in 24 directions"
 describe moved.png "a line moved by 1/8 px from row to row"
 describe enlarged.png "pixels of 24 px type"
-describe cells.png "the distance field of a glyph and its cells"
+describe cells_samples.png "the distance field of a glyph and its cells"
+describe cells_direct.png "the same with fields: green one, blue two, red three"
 describe sheet.png "all glyphs"
 for picture in "$out"/*_scene_*.png; do
   describe "$(basename "$picture")" "a screen, as the board showed it"
