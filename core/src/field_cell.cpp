@@ -14,25 +14,16 @@ struct Vector {
 // The root rounded down, bit by bit.
 uint32_t root(uint32_t value) noexcept {
   uint32_t result = 0;
-  for (uint32_t bit = uint32_t{1} << 30; bit != 0; bit >>= 2) {
+  uint32_t bit = uint32_t{1} << 30;
+  while (bit > value) {
+    bit >>= 2;
+  }
+  for (; bit != 0; bit >>= 2) {
     const uint32_t sum = result + bit;
     result >>= 1;
     if (value >= sum) {
       value -= sum;
       result += bit;
-    }
-  }
-  return result;
-}
-
-// The quotient rounded down, below 2^18; the divisor is below 2^15. Bit by bit:
-// some cores cannot divide.
-uint32_t quotient(uint32_t dividend, uint32_t divisor) noexcept {
-  uint32_t result = 0;
-  for (uint32_t bit = 17; bit < 18; --bit) {
-    if (dividend >= divisor << bit) {
-      dividend -= divisor << bit;
-      result |= uint32_t{1} << bit;
     }
   }
   return result;
@@ -109,8 +100,7 @@ int32_t length_q22(const Cone& cone) noexcept {
   const auto sine_q14 =
       root(static_cast<uint32_t>((1 << 28) - cone.c_q14 * cone.c_q14));
   // At most 2^13 over 0.148, so that the sum of squares is below 2^32.
-  const uint32_t other =
-      quotient(static_cast<uint32_t>(-cone.b_ac_q14), sine_q14);
+  const uint32_t other = static_cast<uint32_t>(-cone.b_ac_q14) / sine_q14;
   const uint32_t length =
       root(static_cast<uint32_t>(cone.a * cone.a) + other * other);
   if (length > static_cast<uint32_t>(INT32_MAX) >> cone.scale_log2) {
@@ -131,13 +121,10 @@ int32_t least_q22(int32_t a_q22,
   const bool in_order = a_q22 <= b_q22;
   const int32_t lesser = in_order ? a_q22 : b_q22;
   const int32_t greater = in_order ? b_q22 : a_q22;
-  Cone cone;
-  if (lesser < 0 && lesser > -reach_q22 &&
-      find_cone(lesser, in_order ? a_term : b_term, greater,
-                in_order ? b_term : a_term, bend_log2, cone)) {
-    return -length_q22(cone);
-  }
-  return lesser;
+  return lesser < 0 && lesser > -reach_q22
+             ? rounded_q22(lesser, in_order ? a_term : b_term, greater,
+                           in_order ? b_term : a_term, bend_log2)
+             : lesser;
 }
 
 int32_t negated(int32_t value) noexcept {
@@ -198,7 +185,7 @@ Gradient unit_vector(Vector v) noexcept {
   if (length != 0) {
     const auto part = [length](int32_t x) noexcept {
       const auto size = static_cast<uint32_t>(x < 0 ? -x : x);
-      const auto q14 = static_cast<int32_t>(quotient(size << 14, length));
+      const auto q14 = static_cast<int32_t>((size << 14) / length);
       return static_cast<int16_t>(x < 0 ? -q14 : q14);
     };
     result.x.raw = part(v.x);
@@ -213,164 +200,109 @@ bool is_rounded(const LastTwo& two, int32_t bend_log2, Cone& cone) noexcept {
                    cone);
 }
 
-// A pair of one field is that field.
-void set_pair(Cell& cell, bool is_greatest) noexcept {
-  cell.op = is_greatest ? FieldOperator::greatest : FieldOperator::least;
-  cell.field_count = cell.fields[0] == cell.fields[1] ? 1 : 2;
-}
-
-// LinkedHeap::read_leaf for leaf number `leaf` of a narrow record.
-void read_narrow_leaf(const GlyphField& field,
-                      uint32_t leaf,
-                      Cell& cell) noexcept {
-  namespace fields = format::fields;
-  const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
-  if (leaf < field_count) {
-    cell.fields[0] = static_cast<uint16_t>(unit_of(field, leaf));
-    cell.field_count = 1;
-    return;
-  }
-  leaf -= field_count;
-  // Behind the pairs come the references; before them, the triples.
-  const uint8_t* at = field.references - fields::kPairUnits * field.pair_count;
-  uint8_t count = 2;
-  if (leaf < field.pair_count) {
-    at += fields::kPairUnits * leaf;
-  } else {
-    leaf -= field.pair_count;
-    if (leaf >= field.triple_count) {
-      return;
-    }
-    at -= fields::kTripleUnits * (field.triple_count - leaf);
-    const uint8_t op = *at++;
-    if (op > static_cast<uint8_t>(FieldOperator::greatest_of_lesser)) {
-      return;
-    }
-    cell.op = static_cast<FieldOperator>(op);
-    count = 3;
-  }
-  for (uint32_t i = 0; i < count; ++i) {
-    if (at[i] >= field_count) {
-      return;
-    }
-    cell.fields[i] = static_cast<uint16_t>(unit_of(field, at[i]));
-  }
-  cell.field_count = count;
-  if (count == 2) {
-    set_pair(cell, at[0] > at[1]);
-  }
-}
-
-// A point in whole u from the grid's corner, and the square that holds it.
-struct Place {
-  uint32_t x;
-  uint32_t y;
-  uint32_t log2;
-
-  // The child of the square that holds the point, which becomes the square.
-  uint32_t descend() noexcept {
-    --log2;
-    return ((y >> log2) & 1) * 2 + ((x >> log2) & 1);
-  }
-};
-
-// Both find the leaf that holds a point in the tree of tile `tile`. Each step
-// spends one bit of the coordinates, so that the loops end.
-void find_narrow_leaf(const GlyphField& field,
-                      uint32_t tile,
-                      Place& place,
-                      Cell& cell) noexcept {
-  const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  uint32_t reference = field.references[tile];
-  uint32_t node = reference - format::glyph::kFirstNode;
-  while (node < field.node_count) {
-    if (place.log2 == 0) {
-      return;
-    }
-    reference = field.references[tiles + 4 * node + place.descend()];
-    node = reference - format::glyph::kFirstNode;
-  }
-  if (reference < format::glyph::kFirstNode) {
-    cell.inside = reference == format::glyph::kInside;
-  } else {
-    read_narrow_leaf(field, node - field.node_count, cell);
-  }
-}
-
-void find_linked_leaf(const GlyphField& field,
-                      uint32_t tile,
-                      Place& place,
-                      Cell& cell) noexcept {
-  const LinkedHeap heap(field);
-  uint32_t reference =
-      heap.holds(tile, 1) ? heap.at(tile) : format::glyph::kOutside;
-  while (heap.is_node(reference)) {
-    if (place.log2 == 0) {
-      return;
-    }
-    reference = heap.at(LinkedHeap::offset(reference) + place.descend());
-  }
-  cell.inside = reference == format::glyph::kInside;
-  heap.read_leaf(reference, cell);
-}
-
 }  // namespace
 
-void LinkedHeap::read_leaf(uint32_t reference, Cell& cell) const noexcept {
+uint32_t LinkedHeap::read_leaf(uint32_t reference,
+                               uint16_t* out,
+                               FieldOperator& op) const noexcept {
   namespace linked = format::linked;
   const uint32_t kind = tag(reference);
   uint32_t at = offset(reference);
+  op = FieldOperator::least;
   if (kind == linked::kLine || kind == linked::kArc) {
     const uint32_t unit = at | (kind == linked::kArc ? linked::kArcField : 0);
-    cell.fields[0] = static_cast<uint16_t>(unit);
-    cell.field_count = is_field(unit) ? 1 : 0;
-    return;
+    out[0] = static_cast<uint16_t>(unit);
+    return is_field(unit) ? 1 : 0;
   }
-  uint8_t count = 2;
+  uint32_t count = 2;
   if (kind == linked::kTriple) {
     if (!holds(at, linked::kTripleUnits)) {
-      return;
+      return 0;
     }
-    const uint32_t op = this->at(at++);
-    if (op > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
-      return;
+    const uint32_t number = this->at(at++);
+    if (number > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
+      return 0;
     }
-    cell.op = static_cast<FieldOperator>(op);
+    op = static_cast<FieldOperator>(number);
     count = 3;
   } else if ((kind != linked::kMinPair && kind != linked::kMaxPair) ||
              !holds(at, linked::kPairUnits)) {
-    return;
+    return 0;
   }
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t unit =
         this->at(at + i) & (linked::kArcField | linked::kOffsetMask);
     if (!is_field(unit)) {
-      return;
+      return 0;
     }
-    cell.fields[i] = static_cast<uint16_t>(unit);
+    out[i] = static_cast<uint16_t>(unit);
   }
-  cell.field_count = count;
-  if (count == 2) {
-    set_pair(cell, kind == linked::kMaxPair);
+  if (count == 3) {
+    return 3;
   }
+  if (kind == linked::kMaxPair) {
+    op = FieldOperator::greatest;
+  }
+  return out[0] == out[1] ? 1 : 2;  // a pair of one field is that field
+}
+
+uint32_t read_linked_leaf(const GlyphField& field,
+                          uint32_t reference,
+                          uint16_t* out,
+                          FieldOperator& op) noexcept {
+  return LinkedHeap(field).read_leaf(reference, out, op);
+}
+
+Leaf find_linked_leaf(const GlyphField& field,
+                      uint32_t tile,
+                      uint32_t x,
+                      uint32_t y) noexcept {
+  const LinkedHeap heap(field);
+  Leaf leaf = {heap.holds(tile, 1) ? heap.at(tile) : format::glyph::kOutside,
+               field.tile_log2};
+  while (heap.is_node(leaf.reference)) {
+    if (leaf.size_log2 == 0) {
+      return {format::glyph::kOutside, 0};
+    }
+    leaf.reference =
+        heap.at(LinkedHeap::offset(leaf.reference) + leaf.descend(x, y));
+  }
+  return leaf;
 }
 
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
-  Place place = {static_cast<uint32_t>(x_u - field.x0_u),
-                 static_cast<uint32_t>(y_u - field.y0_u), field.tile_log2};
+  const uint32_t x = static_cast<uint32_t>(x_u - field.x0_u);
+  const uint32_t y = static_cast<uint32_t>(y_u - field.y0_u);
   const uint32_t tile =
-      (place.y >> place.log2) * field.tiles_x + (place.x >> place.log2);
+      (y >> field.tile_log2) * field.tiles_x + (x >> field.tile_log2);
+  const bool is_narrow = field.kind == GlyphField::Kind::narrow_fields;
+  const Leaf leaf = is_narrow ? find_narrow_leaf(field, tile, x, y)
+                              : find_linked_leaf(field, tile, x, y);
   Cell cell;
-  if (field.kind == GlyphField::Kind::narrow_fields) {
-    find_narrow_leaf(field, tile, place, cell);
-  } else {
-    find_linked_leaf(field, tile, place, cell);
+  cell.inside = leaf.reference == format::glyph::kInside;
+  if (leaf.reference >= format::glyph::kFirstNode) {
+    cell.field_count = static_cast<uint8_t>(
+        is_narrow
+            ? read_narrow_leaf(field, leaf.reference, cell.fields, cell.op)
+            : read_linked_leaf(field, leaf.reference, cell.fields, cell.op));
   }
-  const uint32_t log2 = place.log2;
+  const uint32_t log2 = leaf.size_log2;
   cell.size_log2 = static_cast<uint8_t>(log2);
-  cell.x0_u = field.x0_u + static_cast<int32_t>((place.x >> log2) << log2);
-  cell.y0_u = field.y0_u + static_cast<int32_t>((place.y >> log2) << log2);
+  cell.x0_u = field.x0_u + static_cast<int32_t>((x >> log2) << log2);
+  cell.y0_u = field.y0_u + static_cast<int32_t>((y >> log2) << log2);
   return cell;
+}
+
+int32_t rounded_q22(int32_t lesser_q22,
+                    const FieldTerm& lesser_term,
+                    int32_t greater_q22,
+                    const FieldTerm& greater_term,
+                    int32_t bend_log2) noexcept {
+  Cone cone;
+  return find_cone(lesser_q22, lesser_term, greater_q22, greater_term,
+                   bend_log2, cone)
+             ? -length_q22(cone)
+             : lesser_q22;
 }
 
 int32_t combine_q22(const FieldTerms& terms,

@@ -39,8 +39,8 @@ inline int32_t wrapped(uint32_t value) noexcept {
 // One field at one point.
 struct FieldTerm {
   uint32_t plane_q22;  // n.p + c [px]
-  uint32_t along_q22;  // w, with half of what is cut off later [px]
   int32_t bend;        // k, 0 for a line; see slope_q15
+  uint32_t along_q22;  // w, with half of what is cut off later; not of lines
   int16_t nx_q14;
   int16_t ny_q14;
 
@@ -66,11 +66,12 @@ struct FieldTerm {
     return wrapped(plane_q22 + static_cast<uint32_t>(sag_q23 >> 1));
   }
 
-  // To a pixel on the right of upright text.
-  void step_right(int32_t count) noexcept {
-    const uint32_t way_q8 = static_cast<uint32_t>(count) << 8;
-    plane_q22 += times(nx_q14, way_q8);
-    along_q22 -= times(ny_q14, way_q8);
+  // The same field this far to the right.
+  FieldTerm moved(uint32_t way_q8) const noexcept {
+    FieldTerm term = *this;
+    term.plane_q22 += times(nx_q14, way_q8);
+    term.along_q22 -= times(ny_q14, way_q8);
+    return term;
   }
 };
 
@@ -96,7 +97,6 @@ inline void set_up_term(FieldTerm& term,
   term.ny_q14 = ny;
   term.plane_q22 = times(nx, x_q8) + times(ny, y_q8) +
                    times(load_i16(at + fields::kOffset), scale.size_q8);
-  term.along_q22 = 0;
   term.bend = 0;
   if ((unit & format::linked::kArcField) != 0) {
     term.along_q22 = times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
@@ -127,6 +127,51 @@ inline uint32_t unit_of(const GlyphField& field, uint32_t number) noexcept {
   }
   return linked::kLineUnits * number +
          (linked::kArcUnits - linked::kLineUnits) * field.arc_count;
+}
+
+// Fills in the fields that a reference from kFirstNode on stands for, and their
+// operator. Their number: none, if it names what does not exist.
+inline uint32_t read_narrow_leaf(const GlyphField& field,
+                                 uint32_t reference,
+                                 uint16_t* out,
+                                 FieldOperator& op) noexcept {
+  namespace fields = format::fields;
+  const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
+  uint32_t leaf = reference - format::glyph::kFirstNode - field.node_count;
+  if (leaf < field_count) {
+    out[0] = static_cast<uint16_t>(unit_of(field, leaf));
+    op = FieldOperator::least;
+    return 1;
+  }
+  leaf -= field_count;
+  // Behind the pairs come the references; before them, the triples.
+  const uint8_t* at = field.references - fields::kPairUnits * field.pair_count;
+  if (leaf < field.pair_count) {
+    at += fields::kPairUnits * leaf;
+    if (at[0] >= field_count || at[1] >= field_count) {
+      return 0;
+    }
+    out[0] = static_cast<uint16_t>(unit_of(field, at[0]));
+    out[1] = static_cast<uint16_t>(unit_of(field, at[1]));
+    op = at[0] > at[1] ? FieldOperator::greatest : FieldOperator::least;
+    return at[0] == at[1] ? 1 : 2;
+  }
+  leaf -= field.pair_count;
+  if (leaf >= field.triple_count) {
+    return 0;
+  }
+  at -= fields::kTripleUnits * (field.triple_count - leaf);
+  if (at[0] > static_cast<uint8_t>(FieldOperator::greatest_of_lesser)) {
+    return 0;
+  }
+  op = static_cast<FieldOperator>(at[0]);
+  for (uint32_t i = 0; i < 3; ++i) {
+    if (at[1 + i] >= field_count) {
+      return 0;
+    }
+    out[i] = static_cast<uint16_t>(unit_of(field, at[1 + i]));
+  }
+  return 3;
 }
 
 // The heap of linked fields: what its references and units name. Nothing, if
@@ -162,17 +207,69 @@ class LinkedHeap {
                                    ? linked::kArcUnits
                                    : linked::kLineUnits);
   }
-  // Fills in the fields that a reference stands for, none if one of them does
-  // not exist.
-  void read_leaf(uint32_t reference, Cell& cell) const noexcept;
+  // read_narrow_leaf for a reference of this heap.
+  uint32_t read_leaf(uint32_t reference,
+                     uint16_t* out,
+                     FieldOperator& op) const noexcept;
 
  private:
   const uint8_t* data_;
   uint32_t units_;
 };
 
+// A leaf of a tile's tree: outside where the tree has none.
+struct Leaf {
+  uint32_t reference;
+  uint32_t size_log2;
+
+  // The child of the square that holds a point, in u from the grid's corner;
+  // it becomes the square. Each step spends one bit of the coordinates, so that
+  // loops of them end.
+  uint32_t descend(uint32_t x, uint32_t y) noexcept {
+    --size_log2;
+    return ((y >> size_log2) & 1) * 2 + ((x >> size_log2) & 1);
+  }
+};
+
+// The leaf of tile `tile` that holds a point, in u from the grid's corner.
+inline Leaf find_narrow_leaf(const GlyphField& field,
+                             uint32_t tile,
+                             uint32_t x,
+                             uint32_t y) noexcept {
+  const uint8_t* const nodes =
+      field.references + static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
+  Leaf leaf = {field.references[tile], field.tile_log2};
+  uint32_t node = leaf.reference - format::glyph::kFirstNode;
+  while (node < field.node_count) {
+    if (leaf.size_log2 == 0) {
+      return {format::glyph::kOutside, 0};
+    }
+    leaf.reference = nodes[4 * node + leaf.descend(x, y)];
+    node = leaf.reference - format::glyph::kFirstNode;
+  }
+  return leaf;
+}
+Leaf find_linked_leaf(const GlyphField& field,
+                      uint32_t tile,
+                      uint32_t x,
+                      uint32_t y) noexcept;
+
+// read_narrow_leaf for the linked form.
+uint32_t read_linked_leaf(const GlyphField& field,
+                          uint32_t reference,
+                          uint16_t* out,
+                          FieldOperator& op) noexcept;
+
 // The cell of fields that holds a point in the grid.
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;
+
+// The lesser of two values between -reach_q22 and 0, and what it is rounded to
+// at the vertex of the two fields. [px, Q22]
+int32_t rounded_q22(int32_t lesser_q22,
+                    const FieldTerm& lesser_term,
+                    int32_t greater_q22,
+                    const FieldTerm& greater_term,
+                    int32_t bend_log2) noexcept;
 
 // The cell's distance, with vertices rounded where that changes a result
 // between -reach_q22 and reach_q22. [px, Q22]

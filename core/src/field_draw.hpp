@@ -38,12 +38,12 @@ inline int32_t reach_of(const Filter& filter) noexcept {
   return ((out > in ? out : in) + 1) << 12;
 }
 
-// One row of upright text, whose pixels all lie in the grid; `at` is the first.
-void draw_fields_row(const GlyphField& field,
-                     const Brush& brush,
-                     Range pixels,
-                     FieldPosition at,
-                     SpanWriter& writer) noexcept;
+// Upright text: pixels that all lie in the grid. `at` is the upper left one.
+void draw_fields(const GlyphField& field,
+                 const Brush& brush,
+                 const Rect& pixels,
+                 FieldPosition at,
+                 const Sink& sink) noexcept;
 
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]
 int32_t fields_distance_q10(const GlyphField& field,

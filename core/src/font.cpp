@@ -267,6 +267,27 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   return Status::ok;
 }
 
+InkBox Font::ink_box(uint16_t glyph) const noexcept {
+  InkBox box;
+  GlyphMetrics metrics;
+  // Products of smaller ems pass 31 bits.
+  if (units_per_em_ < 256 || glyph_metrics(glyph, metrics) != Status::ok) {
+    return box;
+  }
+  const int32_t u_per_unit_q14 = (int32_t{1024} << 14) / units_per_em_;
+  // The quotient is too small by up to 2^-14: 1 u in 16 em.
+  const auto to_u = [u_per_unit_q14](int32_t units, int32_t margin) noexcept {
+    const int32_t u = ((units * u_per_unit_q14) >> 14) + margin;
+    const int32_t above = u < -InkBox::kFar ? -InkBox::kFar : u;
+    return static_cast<int16_t>(above > InkBox::kFar ? InkBox::kFar : above);
+  };
+  box.x0_u = to_u(metrics.x_min, -1);
+  box.y0_u = to_u(metrics.y_min, -1);
+  box.x1_u = to_u(metrics.x_max, 2);
+  box.y1_u = to_u(metrics.y_max, 2);
+  return box;
+}
+
 int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
   using detail::BitTable;
   detail::Kerning kerning;
@@ -359,7 +380,9 @@ Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
       0) {
     return Status::corrupt;
   }
-  return GlyphField::open(bytes, out);
+  INKCELL_TRY(GlyphField::open(bytes, out));
+  out.ink = ink_box(glyph);
+  return Status::ok;
 }
 
 Span<const char> Font::name() const noexcept {

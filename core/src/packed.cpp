@@ -378,9 +378,12 @@ Status PackedGlyph::open(const Font& font,
     out = PackedGlyph{};
     return Status::ok;
   }
-  return open(
-      record,
-      PackedCoding::read(font.rom().data + format::header::kQuantisation), out);
+  INKCELL_TRY(
+      open(record,
+           PackedCoding::read(font.rom().data + format::header::kQuantisation),
+           out));
+  out.ink = font.ink_box(glyph);
+  return Status::ok;
 }
 
 GlyphField PackedGlyph::grid(uint32_t first_row,
@@ -393,6 +396,7 @@ GlyphField PackedGlyph::grid(uint32_t first_row,
                                                static_cast<int32_t>(first_row));
   field.tiles_x = tiles_x;
   field.tiles_y = static_cast<uint8_t>(row_count);
+  field.ink = ink;
   return field;
 }
 

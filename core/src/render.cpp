@@ -59,11 +59,16 @@ FieldPosition position_of(const Brush& brush,
   const int64_t up =
       clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
   const int64_t along = brush.step_along_q16();
+  // Half of what is cut off on the way to 1/256 px.
+  constexpr int64_t kHalf = 1 << 11;
+  if (brush.is_upright()) {
+    return {clamp_i32((right * along) >> 10), clamp_i32((up * along) >> 10),
+            static_cast<uint32_t>(right * 1024 + kHalf),
+            static_cast<uint32_t>(up * 1024 + kHalf)};
+  }
   const int64_t across = brush.step_across_q16();
   const int64_t along_px = along_q20(brush);
   const int64_t across_px = across_q20(brush);
-  // Half of what is cut off on the way to 1/256 px.
-  constexpr int64_t kHalf = 1 << 11;
   return {clamp_i32((right * along + up * across) >> 10),
           clamp_i32((up * along - right * across) >> 10),
           static_cast<uint32_t>(((right * along_px + up * across_px) >> 10) +
@@ -89,15 +94,28 @@ struct Extent {
 };
 
 // From one place in the glyph to another, in px, times a sine or cosine.
-Extent extent_of(const Brush& brush,
-                 int32_t low_u,
-                 int32_t high_u,
-                 Fixed<int32_t, 30> factor) noexcept {
-  const int32_t low_q10 = (low_u * brush.size().raw) >> 6;  // below 2^30
-  const int32_t high_q10 = (high_u * brush.size().raw) >> 6;
-  const int64_t low = (int64_t{low_q10} * factor.raw) >> 30;
-  const int64_t high = (int64_t{high_q10} * factor.raw) >> 30;
+Extent extent_of(Extent place_q10, Fixed<int32_t, 30> factor) noexcept {
+  const int64_t low = (place_q10.low * factor.raw) >> 30;
+  const int64_t high = (place_q10.high * factor.raw) >> 30;
   return low < high ? Extent{low, high} : Extent{high, low};
+}
+
+int32_t lesser(int32_t a, int32_t b) noexcept {
+  return a < b ? a : b;
+}
+int32_t greater(int32_t a, int32_t b) noexcept {
+  return a > b ? a : b;
+}
+
+// What may show something: the grid, but no farther from the ink than the
+// filter reaches. [u]
+Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
+  const int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
+  const InkBox& ink = field.ink;
+  return {greater(field.x0_u, ink.x0_u - reach),
+          greater(field.y0_u, ink.y0_u - reach),
+          lesser(field.x1_u(), ink.x1_u + reach),
+          lesser(field.y1_u(), ink.y1_u + reach)};
 }
 
 // One row of upright text: y is constant in the glyph, so that a cell is set up
@@ -151,39 +169,45 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
 void draw_upright(const GlyphField& field,
                   const Brush& brush,
                   const FinePoint& origin,
-                  const Rect& box,
+                  Rect box,
                   const Sink& sink) noexcept {
   const int32_t step = brush.step_along_q16();
   FieldPosition at = position_of(brush, origin, box.x0, box.y0);
-  const int32_t low_x = field.x0_u * (1 << 16);
-  const int32_t high_x = field.x1_u() * (1 << 16);
-  Range pixels = {box.x0, box.x1};
-  while (pixels.begin < pixels.end && at.x_q16 < low_x) {
-    ++pixels.begin;
+  // To the pixels whose centres lie in the limits: the box has few others.
+  const Rect limits = limits_of(field, brush);
+  while (at.x_q16 < limits.x0 * (1 << 16)) {
+    ++box.x0;
     at.x_q16 += step;
     at.x_q20 += 1 << 20;
   }
-  int32_t last_q16 = at.x_q16 + (pixels.end - pixels.begin - 1) * step;
-  while (pixels.begin < pixels.end && last_q16 >= high_x) {
-    --pixels.end;
-    last_q16 -= step;
-  }
-  if (pixels.begin >= pixels.end) {
-    return;
-  }
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    const int32_t y_u = at.y_q16 >> 16;
-    if (y_u >= field.y0_u && y_u < field.y1_u()) {
-      SpanWriter writer(sink, y);
-      if (has_fields(field)) {
-        detail::draw_fields_row(field, brush, pixels, at, writer);
-      } else {
-        draw_upright_row(field, brush, pixels, at.x_q16, at.y_q16, writer);
-      }
-      writer.flush();
-    }
+  while (at.y_q16 >= limits.y1 * (1 << 16)) {
+    ++box.y0;
     at.y_q16 -= step;
     at.y_q20 -= 1 << 20;
+  }
+  int32_t right_q16 = at.x_q16 + (box.x1 - box.x0 - 1) * step;
+  while (box.x0 < box.x1 && right_q16 >= limits.x1 * (1 << 16)) {
+    --box.x1;
+    right_q16 -= step;
+  }
+  int32_t low_q16 = at.y_q16 - (box.y1 - box.y0 - 1) * step;
+  while (box.y0 < box.y1 && low_q16 < limits.y0 * (1 << 16)) {
+    --box.y1;
+    low_q16 += step;
+  }
+  if (is_empty(box)) {
+    return;
+  }
+  if (has_fields(field)) {
+    detail::draw_fields(field, brush, box, at, sink);
+    return;
+  }
+  SpanWriter writer(sink, box.y0);
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    draw_upright_row(field, brush, {box.x0, box.x1}, at.x_q16, at.y_q16,
+                     writer);
+    writer.next_row();
+    at.y_q16 -= step;
   }
 }
 
@@ -223,18 +247,24 @@ Rect field_box(const GlyphField& field,
   if (field.tiles_x == 0 || field.tiles_y == 0) {
     return {};
   }
-  const Direction turn = brush.direction();
-  const int32_t x0 = field.x0_u;
-  const int32_t y0 = field.y0_u;
-  const Extent x_right = extent_of(brush, x0, field.x1_u(), turn.cosine);
-  const Extent x_up = extent_of(brush, x0, field.x1_u(), turn.sine);
-  const Extent y_left = extent_of(brush, y0, field.y1_u(), turn.sine);
-  const Extent y_up = extent_of(brush, y0, field.y1_u(), turn.cosine);
+  const Rect limits = limits_of(field, brush);
+  const int32_t size_q6 = brush.size().raw;
+  // Below 2^30.
+  Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
+  Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
+  if (!brush.is_upright()) {
+    const Direction turn = brush.direction();
+    const Extent x_right = extent_of(x, turn.cosine);
+    const Extent x_up = extent_of(x, turn.sine);
+    const Extent y_left = extent_of(y, turn.sine);
+    const Extent y_up = extent_of(y, turn.cosine);
+    x = {x_right.low - y_left.high, x_right.high - y_left.low};
+    y = {x_up.low + y_up.low, x_up.high + y_up.high};
+  }
   // A pixel generous on each side, because steps are rounded.
-  return {to_pixel(origin.x_q10 + x_right.low - y_left.high) - 1,
-          to_pixel(origin.y_q10 - x_up.high - y_up.high) - 1,
-          to_pixel(origin.x_q10 + x_right.high - y_left.low) + 2,
-          to_pixel(origin.y_q10 - x_up.low - y_up.low) + 2};
+  return {
+      to_pixel(origin.x_q10 + x.low) - 1, to_pixel(origin.y_q10 - y.high) - 1,
+      to_pixel(origin.x_q10 + x.high) + 2, to_pixel(origin.y_q10 - y.low) + 2};
 }
 
 void draw_field(const GlyphField& field,

@@ -15,59 +15,103 @@ struct Range {
 };
 
 // Collects coverage from left to right along one row and hands it on in spans:
-// transparent pixels are dropped, solid ones of saturated cells join to runs.
+// transparent pixels around them are dropped, solid ones of saturated cells
+// join to runs. Between two rows it must be flushed.
 class SpanWriter {
  public:
   SpanWriter(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
 
-  void put(int32_t x, uint8_t coverage) noexcept {
+  // Before pixels are appended that follow those before them or come after a
+  // flush.
+  void begin(int32_t x) noexcept {
+    if (solid_count_ != 0) {
+      flush_all();
+    }
     if (count_ == 0) {
-      flush_solid();
-      if (coverage == 0) {
-        return;
-      }
       x_ = x;
     }
+  }
+
+  // A pixel, and where the next one is.
+  void append(uint8_t coverage, int32_t next_x) noexcept {
     buffer_[count_++] = coverage;
     if (count_ == kMaxSpan) {
-      flush_span();
+      flush_all();
+      x_ = next_x;
+    }
+  }
+
+  void put(int32_t x, uint8_t coverage) noexcept {
+    if (coverage == 0 && count_ == 0) {
+      flush();
+    } else {
+      begin(x);
+      append(coverage, x + 1);
     }
   }
 
   void solid(int32_t x, int32_t count) noexcept {
-    flush_span();
+    if (count_ != 0) {
+      flush_all();
+    }
     if (solid_count_ == 0) {
       x_ = x;
     }
     solid_count_ += count;
   }
 
+  // `count` pixels that are all solid or all transparent.
+  void saturated(int32_t x, int32_t count, bool inside) noexcept {
+    // Few of them stay in the span around them.
+    constexpr int32_t kMinSolid = 4;
+    if (count < kMinSolid) {
+      for (int32_t i = 0; i < count; ++i) {
+        put(x + i, inside ? 255 : 0);
+      }
+    } else if (inside) {
+      solid(x, count);
+    } else {
+      flush();
+    }
+  }
+
   void flush() noexcept {
-    flush_span();
-    flush_solid();
+    if ((count_ | solid_count_) != 0) {
+      flush_all();
+    }
+  }
+
+  // To the row below.
+  void next_row() noexcept {
+    flush();
+    ++y_;
   }
 
  private:
-  void flush_span() noexcept {
-    while (count_ > 0 && buffer_[count_ - 1] == 0) {
-      --count_;
-    }
-    if (count_ > 0) {
-      sink_.coverage(sink_.context, x_, y_, buffer_, count_);
-      count_ = 0;
-    }
-  }
-
-  void flush_solid() noexcept {
-    if (solid_count_ > 0) {
+  __attribute__((noinline)) void flush_all() noexcept {
+    if (solid_count_ != 0) {
       sink_.solid(sink_.context, x_, y_, solid_count_);
       solid_count_ = 0;
+    }
+    int32_t begin = 0;
+    int32_t end = count_;
+    while (end > 0 && buffer_[end - 1] == 0) {
+      --end;
+    }
+    while (begin < end && buffer_[begin] == 0) {
+      ++begin;
+    }
+    count_ = 0;
+    if (begin < end) {
+      sink_.coverage(sink_.context, x_ + begin, y_, buffer_ + begin,
+                     end - begin);
     }
   }
 
   const Sink& sink_;
   int32_t y_;
   int32_t x_ = 0;
+  // At most one of the two is not 0.
   int32_t count_ = 0;
   int32_t solid_count_ = 0;
   uint8_t buffer_[kMaxSpan];

@@ -82,6 +82,9 @@ class Brush {
     return distance_u_q10 >= opaque_u_q10_;
   }
 
+  /// The greatest distance that has no coverage. [u, Q10]
+  int32_t transparent_u_q10() const noexcept { return transparent_u_q10_; }
+
   /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)),
   /// with the two common cases first. [u, Q10]
   uint8_t coverage(int32_t distance_u_q10) const noexcept {

@@ -25,6 +25,16 @@ namespace inkcell {
 /// the largest magnitude that any query returns: 1024 u.
 inline constexpr int32_t kSaturatedDistanceQ10 = 1024 << 10;
 
+/// The box of a glyph's ink. [u] By default all of the plane.
+struct InkBox {
+  static constexpr int16_t kFar = 16384;
+
+  int16_t x0_u = -kFar;
+  int16_t y0_u = -kFar;
+  int16_t x1_u = kFar;
+  int16_t y1_u = kFar;
+};
+
 /// One glyph's cells, in ROM or RAM. Owns nothing: the bytes must outlive it.
 /// A default-constructed field is empty: outside everywhere.
 struct GlyphField {
@@ -45,6 +55,8 @@ struct GlyphField {
   uint16_t pair_count = 0;
   uint16_t triple_count = 0;
   uint16_t heap_units = 0;  // of 2 bytes, where fields are linked
+  /// Nothing is drawn farther from here than the filter reaches.
+  InkBox ink;
 
   /// A view of the glyph record `record` (docs/FORMAT.md, "Glyph record"),
   /// which starts at a multiple of 2 bytes. Any content is safe afterwards.

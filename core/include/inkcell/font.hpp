@@ -100,6 +100,10 @@ class Font {
   /// no_glyph: there is no glyph of this id; `out` is untouched.
   Status glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept;
 
+  /// The box of a glyph's ink, up to 2 u wider; all of the plane if there is no
+  /// such glyph.
+  InkBox ink_box(uint16_t glyph) const noexcept;
+
   /// What to add to the advance of `left` when `right` follows, in font units;
   /// 0 when the font says nothing about the pair. Three binary searches, about
   /// 16 steps for ASCII.

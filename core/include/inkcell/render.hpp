@@ -41,7 +41,8 @@ void draw_field(const GlyphField& field,
                 const Sink& sink) noexcept;
 
 /// The pixels that draw_field may touch, before clipping: those whose centres
-/// lie in the glyph's grid (for slanted text, in the box around it).
+/// lie in the glyph's grid and no farther from its ink than the filter reaches
+/// (for slanted text, in the box around that).
 Rect field_box(const GlyphField& field,
                const Brush& brush,
                FinePoint origin) noexcept;
