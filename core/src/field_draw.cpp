@@ -553,7 +553,7 @@ inline void draw_row(
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
                  const Rect& pixels,
-                 FieldPosition at,
+                 const FieldPosition& at,
                  const Sink& sink) noexcept {
   Row row = {field,
              brush.filter(),
@@ -566,12 +566,13 @@ void draw_fields(const GlyphField& field,
              SpanWriter(sink, pixels.y0)};
   const int32_t x_q16 = at.x_q16 - field.x0_u * (1 << 16);
   int32_t y_q16 = at.y_q16 - field.y0_u * (1 << 16);
+  uint32_t y_q20 = at.y_q20;
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    row.y_q8 = q8_of(at.y_q20);
+    row.y_q8 = q8_of(y_q20);
     draw_row(row, {pixels.x0, pixels.x1}, q8_of(at.x_q20), x_q16,
              static_cast<uint32_t>(y_q16) >> 16);
     y_q16 -= row.step_q16;
-    at.y_q20 -= 1 << 20;
+    y_q20 -= 1 << 20;
   }
 }
 

@@ -42,7 +42,7 @@ inline int32_t reach_of(const Filter& filter) noexcept {
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
                  const Rect& pixels,
-                 FieldPosition at,
+                 const FieldPosition& at,
                  const Sink& sink) noexcept;
 
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]

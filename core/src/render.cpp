@@ -166,48 +166,59 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
   }
 }
 
-void draw_upright(const GlyphField& field,
-                  const Brush& brush,
-                  const FinePoint& origin,
-                  Rect box,
-                  const Sink& sink) noexcept {
+// Upright pixels whose centres lie in the limits, and where the upper left one
+// is.
+struct Upright {
+  Rect pixels;
+  FieldPosition at;
+};
+
+// Not inline: what it needs of the stack is free again when pixels are drawn.
+__attribute__((noinline)) Upright upright_of(const GlyphField& field,
+                                             const Brush& brush,
+                                             const FinePoint& origin,
+                                             const Rect& box) noexcept {
   const int32_t step = brush.step_along_q16();
-  FieldPosition at = position_of(brush, origin, box.x0, box.y0);
-  // To the pixels whose centres lie in the limits: the box has few others.
+  Upright upright = {box, position_of(brush, origin, box.x0, box.y0)};
+  Rect& pixels = upright.pixels;
+  FieldPosition& at = upright.at;
+  // The box has few others.
   const Rect limits = limits_of(field, brush);
   while (at.x_q16 < limits.x0 * (1 << 16)) {
-    ++box.x0;
+    ++pixels.x0;
     at.x_q16 += step;
     at.x_q20 += 1 << 20;
   }
   while (at.y_q16 >= limits.y1 * (1 << 16)) {
-    ++box.y0;
+    ++pixels.y0;
     at.y_q16 -= step;
     at.y_q20 -= 1 << 20;
   }
-  int32_t right_q16 = at.x_q16 + (box.x1 - box.x0 - 1) * step;
-  while (box.x0 < box.x1 && right_q16 >= limits.x1 * (1 << 16)) {
-    --box.x1;
+  int32_t right_q16 = at.x_q16 + (pixels.x1 - pixels.x0 - 1) * step;
+  while (pixels.x0 < pixels.x1 && right_q16 >= limits.x1 * (1 << 16)) {
+    --pixels.x1;
     right_q16 -= step;
   }
-  int32_t low_q16 = at.y_q16 - (box.y1 - box.y0 - 1) * step;
-  while (box.y0 < box.y1 && low_q16 < limits.y0 * (1 << 16)) {
-    --box.y1;
+  int32_t low_q16 = at.y_q16 - (pixels.y1 - pixels.y0 - 1) * step;
+  while (pixels.y0 < pixels.y1 && low_q16 < limits.y0 * (1 << 16)) {
+    --pixels.y1;
     low_q16 += step;
   }
-  if (is_empty(box)) {
-    return;
-  }
-  if (has_fields(field)) {
-    detail::draw_fields(field, brush, box, at, sink);
-    return;
-  }
-  SpanWriter writer(sink, box.y0);
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    draw_upright_row(field, brush, {box.x0, box.x1}, at.x_q16, at.y_q16,
-                     writer);
+  return upright;
+}
+
+__attribute__((noinline)) void draw_samples(const GlyphField& field,
+                                            const Brush& brush,
+                                            const Upright& upright,
+                                            const Sink& sink) noexcept {
+  const Rect& pixels = upright.pixels;
+  int32_t y_q16 = upright.at.y_q16;
+  SpanWriter writer(sink, pixels.y0);
+  for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
+    draw_upright_row(field, brush, {pixels.x0, pixels.x1}, upright.at.x_q16,
+                     y_q16, writer);
     writer.next_row();
-    at.y_q16 -= step;
+    y_q16 -= brush.step_along_q16();
   }
 }
 
@@ -275,10 +286,18 @@ void draw_field(const GlyphField& field,
   if (is_empty(box)) {
     return;
   }
-  if (brush.is_upright()) {
-    draw_upright(field, brush, origin, box, sink);
-  } else {
+  if (!brush.is_upright()) {
     draw_turned(field, brush, origin, box, sink);
+    return;
+  }
+  const Upright upright = upright_of(field, brush, origin, box);
+  if (is_empty(upright.pixels)) {
+    return;
+  }
+  if (has_fields(field)) {
+    detail::draw_fields(field, brush, upright.pixels, upright.at, sink);
+  } else {
+    draw_samples(field, brush, upright, sink);
   }
 }
 

@@ -229,6 +229,62 @@ TEST(windows_do_not_change_fields) {
   }
 }
 
+// What lies farther from the ink than the filter reaches is left out, and no
+// more.
+TEST(nothing_is_drawn_far_from_the_ink) {
+  static uint8_t whole[kSide * kSide];
+  Random random(45);
+  int cut = 0;
+  int kept = 0;
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 10 : 300); ++round) {
+    make_record(random);
+    GlyphField field = open();
+    const Filter& filter = *kFilters[random.below(3)];
+    const Brush brush = brush_of(random.between(8 * 64, 64 * 64), 0, filter);
+    const FinePoint origin(random.between(-9999, 9999),
+                           random.between(-9999, 9999));
+    const Rect window = window_in(random, field_box(field, brush, origin));
+    Canvas all(window);
+    draw_field(field, brush, origin, all.sink());
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      whole[i] = picture[i];
+    }
+    field.ink.x0_u = static_cast<int16_t>(random.between(-300, 300));
+    field.ink.y0_u = static_cast<int16_t>(random.between(-300, 300));
+    field.ink.x1_u = static_cast<int16_t>(random.between(-300, 900));
+    field.ink.y1_u = static_cast<int16_t>(random.between(-300, 900));
+    Canvas part(window);
+    draw_field(field, brush, origin, part.sink());
+    const double u_per_px = 65536.0 / brush.size().raw;
+    const double reach_u = -filter.outside_q10 / 1024.0 * u_per_px;
+    for (int32_t y = window.y0; y < window.y1; ++y) {
+      for (int32_t x = window.x0; x < window.x1; ++x) {
+        const double x_u =
+            (x + 0.5 - static_cast<double>(origin.x_q10) / 1024) * u_per_px;
+        const double y_u =
+            (static_cast<double>(origin.y_q10) / 1024 - y - 0.5) * u_per_px;
+        const double left = field.ink.x0_u - x_u;
+        const double right = x_u - field.ink.x1_u;
+        const double below = field.ink.y0_u - y_u;
+        const double above = y_u - field.ink.y1_u;
+        const double across = left > right ? left : right;
+        const double up = below > above ? below : above;
+        const double away_u = (across > up ? across : up) - reach_u;
+        const int32_t i = (y - window.y0) * kSide + x - window.x0;
+        if (away_u < -0.1) {
+          CHECK_EQ(picture[i], whole[i]);
+          kept += whole[i] != 0 ? 1 : 0;
+        } else if (away_u > 1.1) {
+          CHECK_EQ(picture[i], 0);
+          cut += whole[i] != 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  CHECK(cut > 0);
+  CHECK(kept > 0);
+}
+
 // Distances in px against real numbers, at the pixel's centre, for sizes and
 // origins that bring it to 1/256 px exactly.
 TEST(pixels_follow_their_equations) {

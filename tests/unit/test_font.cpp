@@ -412,6 +412,18 @@ TEST(measures_glyphs) {
   CHECK_EQ(metrics.advance, 750);  // untouched
 }
 
+// 82 and 668 of 1000 units are 83.97 and 684.03 u.
+TEST(ink_boxes_hold_the_ink) {
+  const Font font = sample();
+  const InkBox ink = font.ink_box(2);
+  CHECK(ink.x0_u <= 83 && ink.x0_u >= 82);
+  CHECK(ink.y0_u <= 83 && ink.y0_u >= 82);
+  CHECK(ink.x1_u >= 685 && ink.x1_u <= 686);
+  CHECK(ink.y1_u >= 685 && ink.y1_u <= 686);
+  CHECK_EQ(font.ink_box(5).x0_u, -InkBox::kFar);
+  CHECK_EQ(font.ink_box(5).x1_u, InkBox::kFar);
+}
+
 TEST(kerns_pairs) {
   const Font font = sample();
   const int32_t expected[5][5] = {
