@@ -15,9 +15,11 @@ constexpr size_t kMostReused = 12;
 constexpr size_t kMostNew = 24;
 constexpr size_t kMostChains = 5;
 
-// Fields stay below this in their cells, so that the device's 32 bits suffice
-// up to the largest size. [u]
+// What the device's 32 bits hold in a cell up to the largest size, with room to
+// spare: of a distance, of the way along an arc, and of what its bend adds. [u]
 constexpr float kLargestValue_u = 480;
+constexpr float kLargestAlong_u = 480;
+constexpr float kLargestBend_u = 240;
 
 // A reused field that serves a smaller part of a cell is not tried.
 constexpr size_t kLeastPart = 50;
@@ -83,6 +85,7 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
   c.nx = static_cast<float>(model.nx);
   c.ny = static_cast<float>(model.ny);
   const auto offset = static_cast<float>(model.c);
+  bool in_range = true;
   c.value.resize(count);
   for (size_t i = 0; i < count; ++i) {
     c.value[i] = c.nx * points.x[i] + c.ny * points.y[i] + offset;
@@ -95,6 +98,8 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
     for (size_t i = 0; i < count; ++i) {
       const float w = c.nx * points.y[i] - c.ny * points.x[i] + along;
       c.value[i] += k * w * w;
+      in_range &= std::fabs(w) < kLargestAlong_u &&
+                  std::fabs(k * w * w) < kLargestBend_u;
       c.gx[i] = c.nx - 2 * k * w * c.ny;
       c.gy[i] = c.ny + 2 * k * w * c.nx;
     }
@@ -113,9 +118,10 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
     }
   }
   for (const float value : c.value) {
-    if (std::fabs(value) > kLargestValue_u) {
-      c.covered = 0;
-    }
+    in_range &= std::fabs(value) < kLargestValue_u;
+  }
+  if (!in_range) {
+    c.covered = 0;
   }
 }
 
