@@ -2,7 +2,8 @@
 //
 // All is computed in px of some size, in 32 bits modulo 2^32. A field's two
 // products may wrap; their sum is right again because within a cell distances
-// and w stay within +-512 u, and k w^2 within +-256 u, which is no more in px.
+// and w stay within +-512 u and k w^2 within +-256 u, which is no more in px,
+// and k w within +-2.
 // Bytes that break this give wrong numbers, never undefined ones.
 #pragma once
 

@@ -16,10 +16,12 @@ constexpr size_t kMostNew = 24;
 constexpr size_t kMostChains = 5;
 
 // What the device's 32 bits hold in a cell up to the largest size, with room to
-// spare: of a distance, of the way along an arc, and of what its bend adds. [u]
+// spare: of a distance, of the way w along an arc, of what its bend k w^2 adds
+// [u], and of k w, half the slope there.
 constexpr float kLargestValue_u = 480;
 constexpr float kLargestAlong_u = 480;
 constexpr float kLargestBend_u = 240;
+constexpr float kLargestSlope = 1.9f;
 
 // A reused field that serves a smaller part of a cell is not tried.
 constexpr size_t kLeastPart = 50;
@@ -99,7 +101,8 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
       const float w = c.nx * points.y[i] - c.ny * points.x[i] + along;
       c.value[i] += k * w * w;
       in_range &= std::fabs(w) < kLargestAlong_u &&
-                  std::fabs(k * w * w) < kLargestBend_u;
+                  std::fabs(k * w * w) < kLargestBend_u &&
+                  std::fabs(k * w) < kLargestSlope;
       c.gx[i] = c.nx - 2 * k * w * c.ny;
       c.gy[i] = c.ny + 2 * k * w * c.nx;
     }
