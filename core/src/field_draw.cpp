@@ -99,9 +99,7 @@ struct Row {
   const Filter& filter;
   FieldScale scale;
   int32_t reach_q22;
-  int32_t size_q6;
   int32_t step_q16;
-  int32_t long_q16;  // the width of kMinLong pixels
   uint32_t y_q8;
   SpanWriter writer;
 };
@@ -253,7 +251,8 @@ inline int32_t pixels_before(const Row& row,
   // where it would wrap, it stops.
   int32_t way_q6 = way_q16 >> 10;
   way_q6 = way_q6 < 256 << 6 ? way_q6 : (256 << 6) - 1;
-  int32_t count = (way_q6 * row.size_q6) >> 22;
+  const auto size_q6 = static_cast<int32_t>(row.scale.size_q8 >> 2);
+  int32_t count = (way_q6 * size_q6) >> 22;
   count = count < most ? count : most;
   for (int32_t at = count * row.step_q16; count < most && at < way_q16;
        at += row.step_q16) {
@@ -529,7 +528,7 @@ inline void draw_row(
     if (found.reference >= format::glyph::kFirstNode) {
       read_leaf(field, found.reference, leaf);
     }
-    if (leaf.count != 0 && right_q16 - x_q16 < row.long_q16) {
+    if (leaf.count != 0 && right_q16 - x_q16 < row.step_q16 * kMinLong) {
       count = draw_pixels(row, leaf, x, x_q8, x_q16,
                           right_q16 < end_q16 ? right_q16 : end_q16);
     } else {
@@ -559,9 +558,7 @@ void draw_fields(const GlyphField& field,
              brush.filter(),
              scale_of(brush),
              reach_of(brush.filter()),
-             brush.size().raw,
              brush.step_along_q16(),
-             brush.step_along_q16() * kMinLong,
              0,
              SpanWriter(sink, pixels.y0)};
   const int32_t x_q16 = at.x_q16 - field.x0_u * (1 << 16);
