@@ -36,8 +36,8 @@ struct AdfOptions {
   double tolerance = 16;
   Predicate predicate = Predicate::size_aware;
   /// How hard to try to serve a large cell before it is divided, 0..9. Used by
-  /// size_aware. samples, 0: its nine samples or nothing; else they are fitted
-  /// in up to 2 * effort rounds.
+  /// size_aware. fields: how many are tried. samples, 0: its nine samples or
+  /// nothing; else they are fitted in up to 2 * effort rounds.
   int effort = 5;
 };
 

@@ -11,8 +11,12 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-constexpr size_t kMostReused = 12;
-constexpr size_t kMostNew = 24;
+// Candidates that are tried in a cell, at least and for each step of effort.
+constexpr size_t kReused = 7;
+constexpr size_t kReusedPerEffort = 1;
+constexpr size_t kNew = 12;
+constexpr size_t kNewPerEffort = 3;
+
 constexpr size_t kMostChains = 5;
 
 // What the device's 32 bits hold in a cell up to the largest size, with room to
@@ -75,8 +79,11 @@ bool same_code(const FieldCode& a, const FieldCode& b) {
 
 CandidateSource::CandidateSource(PointSource& points,
                                  const PackedCoding& coding,
-                                 double e0_u)
-    : source_(points), coding_(coding), e0_u_(e0_u) {
+                                 const AdfOptions& options)
+    : source_(points),
+      coding_(coding),
+      e0_u_(e0_u(options)),
+      effort_(static_cast<size_t>(options.effort)) {
   sample_border();
 }
 
@@ -148,12 +155,13 @@ std::vector<Candidate> CandidateSource::find_reused(
       out.push_back(std::move(c));
     }
   }
-  if (out.size() > kMostReused) {
+  const size_t most = kReused + kReusedPerEffort * effort_;
+  if (out.size() > most) {
     std::stable_sort(out.begin(), out.end(),
                      [](const Candidate& a, const Candidate& b) {
                        return a.covered > b.covered;
                      });
-    out.resize(kMostReused);
+    out.resize(most);
   }
   return out;
 }
@@ -192,8 +200,9 @@ std::vector<Candidate> CandidateSource::find_new(
                      return static_cast<double>(a.covered) / (20 + a.bits) >
                             static_cast<double>(b.covered) / (20 + b.bits);
                    });
-  if (out.size() > kMostNew) {
-    out.resize(kMostNew);
+  const size_t most = kNew + kNewPerEffort * effort_;
+  if (out.size() > most) {
+    out.resize(most);
   }
   return out;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "adf.hpp"
 #include "field_code.hpp"
 #include "field_fit.hpp"
 #include "field_model.hpp"
@@ -39,7 +40,9 @@ struct Candidate {
 class CandidateSource {
  public:
   /// `points` must outlive it.
-  CandidateSource(PointSource& points, const PackedCoding& coding, double e0_u);
+  CandidateSource(PointSource& points,
+                  const PackedCoding& coding,
+                  const AdfOptions& options);
 
   /// A field that may be used again, and its number.
   using Known = std::pair<uint16_t, FieldNumbers>;
@@ -113,6 +116,7 @@ class CandidateSource {
   PointSource& source_;
   PackedCoding coding_;
   double e0_u_;
+  size_t effort_;
   std::vector<BorderPoint> border_;
   std::vector<FitPoint> fit_points_;
   // What find_codes said of a cell: it does not depend on other cells.

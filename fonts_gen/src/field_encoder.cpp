@@ -79,7 +79,7 @@ FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
       fine_step_u_(std::max(1, static_cast<int>(kFinePx_u / options.max_px))),
       coding_(coding_for(options)),
       points_(shape, Metric(options), grid_, limit_of(options)),
-      candidates_(points_, coding_, e0_u(options)),
+      candidates_(points_, coding_, options),
       shared_log2_(shared_log2(grid_)),
       shared_x_u_(grid_.x0_u + (grid_.tiles_x << (grid_.tile_log2 - 1))),
       shared_y_u_(grid_.y0_u + (grid_.tiles_y << (grid_.tile_log2 - 1))) {}
