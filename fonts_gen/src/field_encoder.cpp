@@ -31,6 +31,10 @@ constexpr int kSmallestLog2 = 0;
 // Finished leaves are tested once more, 16 times to the largest px. [u px]
 constexpr double kFinePx_u = 64;
 
+// What the largest heap of an expansion holds: four references each.
+constexpr uint32_t kMostSplits =
+    format::linked::kMaxUnits / format::linked::kNodeUnits;
+
 // A leaf that costs no more than this is not worth looking below.
 constexpr double kCheap = 12;
 
@@ -153,6 +157,7 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
   tree.coding = coding_;
   tree.shared = shared_;
   fields_.clear();
+  sure_splits_ = 0;
   List first;
   for (const FieldCode& code : shared_) {
     first.push_back(static_cast<uint16_t>(fields_.size()));
@@ -314,6 +319,11 @@ FieldEncoder::Coded FieldEncoder::encode_square(
   const bool last = log2 <= kSmallestLog2;
   const bool good =
       found && (last || leaf.join == Join::single || leaf.bits <= kCheap);
+  if (!found && !last && !(budget < kUnlimited) &&
+      ++sure_splits_ > kMostSplits) {
+    throw GeometryError(GeometryError::Kind::too_complex,
+                        "the glyph has more cells than the format");
+  }
   if (!good && !last) {
     Coded divided;
     const double most = found ? std::min(budget, leaf.bits) : budget;

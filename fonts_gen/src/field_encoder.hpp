@@ -31,6 +31,7 @@ class FieldEncoder {
   /// Where the device was found to miss the tolerance: look there too.
   void add_point(const Point& point) { points_.add_extra(point); }
 
+  /// Throws GeometryError::too_complex if no expansion could hold the glyph.
   FieldTree encode();
 
   /// Places where `tree` misses the tolerance, found on a finer lattice than
@@ -75,6 +76,7 @@ class FieldEncoder {
   int shared_y_u_;
   std::vector<FieldCode> shared_;
   std::vector<FieldNumbers> fields_;  // of all that is decided so far
+  uint32_t sure_splits_ = 0;          // squares that no leaf can replace
 };
 
 }  // namespace gen

@@ -46,6 +46,7 @@ TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   gen::GenerateRequest request;
+  request.adf.cells = gen::CellKind::samples;
   request.adf.effort = 0;  // for speed
   testing::internal::CaptureStderr();
   const RomFile rom = load_font_file(file, request, "ZH", MaxPx::may_halve);
@@ -68,6 +69,7 @@ TEST(Convert, KeepsTheSizesThatWereAskedFor) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   gen::GenerateRequest request;
+  request.adf.cells = gen::CellKind::samples;
   request.adf.effort = 0;  // for speed
   EXPECT_THROW(load_font_file(file, request, "ZH", MaxPx::asked_for),
                gen::TooComplex);
