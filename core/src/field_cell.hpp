@@ -98,6 +98,7 @@ inline void set_up_term(FieldTerm& term,
   term.ny_q14 = ny;
   term.plane_q22 = times(nx, x_q8) + times(ny, y_q8) +
                    times(load_i16(at + fields::kOffset), scale.size_q8);
+  term.along_q22 = 0;
   term.bend = 0;
   if ((unit & format::linked::kArcField) != 0) {
     term.along_q22 = times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
@@ -148,29 +149,34 @@ inline uint32_t read_narrow_leaf(const GlyphField& field,
   // Behind the pairs come the references; before them, the triples.
   const uint8_t* at = field.references - fields::kPairUnits * field.pair_count;
   if (leaf < field.pair_count) {
+    // Everything is read once: flash may change between check and use.
     at += fields::kPairUnits * leaf;
-    if (at[0] >= field_count || at[1] >= field_count) {
+    const uint32_t f0 = at[0];
+    const uint32_t f1 = at[1];
+    if (f0 >= field_count || f1 >= field_count) {
       return 0;
     }
-    out[0] = static_cast<uint16_t>(unit_of(field, at[0]));
-    out[1] = static_cast<uint16_t>(unit_of(field, at[1]));
-    op = at[0] > at[1] ? FieldOperator::greatest : FieldOperator::least;
-    return at[0] == at[1] ? 1 : 2;
+    out[0] = static_cast<uint16_t>(unit_of(field, f0));
+    out[1] = static_cast<uint16_t>(unit_of(field, f1));
+    op = f0 > f1 ? FieldOperator::greatest : FieldOperator::least;
+    return f0 == f1 ? 1 : 2;
   }
   leaf -= field.pair_count;
   if (leaf >= field.triple_count) {
     return 0;
   }
   at -= fields::kTripleUnits * (field.triple_count - leaf);
-  if (at[0] > static_cast<uint8_t>(FieldOperator::greatest_of_lesser)) {
+  const uint8_t code = at[0];
+  if (code > static_cast<uint8_t>(FieldOperator::greatest_of_lesser)) {
     return 0;
   }
-  op = static_cast<FieldOperator>(at[0]);
+  op = static_cast<FieldOperator>(code);
   for (uint32_t i = 0; i < 3; ++i) {
-    if (at[1 + i] >= field_count) {
+    const uint32_t number = at[1 + i];
+    if (number >= field_count) {
       return 0;
     }
-    out[i] = static_cast<uint16_t>(unit_of(field, at[1 + i]));
+    out[i] = static_cast<uint16_t>(unit_of(field, number));
   }
   return 3;
 }
@@ -264,8 +270,8 @@ uint32_t read_linked_leaf(const GlyphField& field,
 // The cell of fields that holds a point in the grid.
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;
 
-// The lesser of two values between -reach_q22 and 0, and what it is rounded to
-// at the vertex of the two fields. [px, Q22]
+// The lesser of two values, below 0, as it is rounded at the vertex of the two
+// fields. [px, Q22]
 int32_t rounded_q22(int32_t lesser_q22,
                     const FieldTerm& lesser_term,
                     int32_t greater_q22,

@@ -93,8 +93,8 @@ inline int16_t curvature(int32_t bend,
                          uint32_t log2) noexcept {
   const int32_t length_log2 = log2 <= 6 ? 5 : static_cast<int32_t>(log2) - 1;
   const int32_t shift = 13 - 2 * length_log2;
-  // Any bend: the clamp is far above what streams can state, so that nothing
-  // below overflows.
+  // Any bend: the clamp is the most that streams can state, and nothing below
+  // overflows.
   constexpr int32_t kMost = 1 << 19;
   bend = bend > kMost ? kMost : bend;
   bend = bend < -kMost ? -kMost : bend;

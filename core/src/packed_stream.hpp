@@ -160,7 +160,7 @@ class RecentFields {
     }
     list[place] = unit;
   }
-  // Up to three, until `trim` is called.
+  // The list grows until `trim` is called; it has room for kRoom.
   void insert(uint32_t unit, uint32_t place) noexcept {
     if (first_ == 0) {
       first_ = kRoom - size_;

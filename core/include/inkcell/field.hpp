@@ -1,9 +1,10 @@
 // Signed distance and gradient of one glyph: the view that everything draws.
 //
 // A glyph is a grid of square tiles, each the root of a quadtree whose leaves
-// are cells. A cell is saturated (all outside or all inside), or holds nine
-// distances and reconstructs the field bi-quadratically (Perry and Frisken,
-// section 3.2, equations 1 to 3). Positions are in u (1/1024 em), y up, origin
+// are cells. A cell is saturated (all outside or all inside), or is made of one
+// to three second-order fields, or holds nine distances and reconstructs the
+// field bi-quadratically (Perry and Frisken, section 3.2, equations 1 to 3).
+// Positions are in u (1/1024 em), y up, origin
 // on the baseline; distances are positive inside the shape.
 #pragma once
 

@@ -49,7 +49,7 @@ constexpr bool has_angle(FieldKind kind) noexcept {
 /// header. Any bytes are allowed.
 struct PackedCoding {
   uint8_t d0_step = 0;    // [u/64]
-  uint8_t bend_step = 0;  // [2^-19 / u, and finer in large squares]
+  uint8_t bend_step = 0;  // [u/64]
   uint8_t d0_base = 0;    // [bits]
   uint8_t d0_log2 = 0;
   uint8_t angle_base = 0;  // [bits]
