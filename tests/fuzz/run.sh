@@ -3,9 +3,10 @@
 #
 #   sh tests/fuzz/run.sh [SECONDS [FOLDER]]      (30 build/fuzz)
 #
-# New inputs gather in FOLDER/corpus and are the start of the next run. A
-# crash ends it with an exit code; its input is FOLDER/crash-*. Put that
-# into tests/fuzz/corpus with the fix: CTest runs all of them (fuzz.corpus).
+# New inputs gather in FOLDER/corpus, in a folder for each core, and are the
+# start of the next run. A crash ends it with an exit code; its input is
+# FOLDER/crash-*. Put that into tests/fuzz/corpus with the fix: CTest runs all
+# of them (fuzz.corpus).
 set -eu
 seconds=${1:-30}
 folder=${2:-build/fuzz}
@@ -14,7 +15,7 @@ command -v clang++ >/dev/null || {
   echo "tests/fuzz/run.sh: clang++ is missing: apt-get install clang" >&2
   exit 1
 }
-mkdir -p "$folder/corpus"
+mkdir -p "$folder"
 clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined \
   -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 \
   -Icore/include -Itests/unit -Itests/hostile \
@@ -26,16 +27,19 @@ common="-max_len=4096 -timeout=5 -rss_limit_mb=1024 -artifact_prefix=$folder/"
 failed=0
 pids=
 for job in $(seq "$(nproc)"); do
+  # A folder of its own: one job removes what another is about to read.
+  mkdir -p "$folder/corpus/$job"
   # shellcheck disable=SC2086  # options are meant to be split
   "$folder/fuzz_font" $common -max_total_time="$seconds" -print_final_stats=1 \
-    "$folder/corpus" tests/fuzz/corpus >"$folder/job-$job.log" 2>&1 &
+    "$folder/corpus/$job" tests/fuzz/corpus >"$folder/job-$job.log" 2>&1 &
   pids="$pids $!"
 done
+job=0
 for pid in $pids; do
-  wait "$pid" || failed=1
-done
-for log in "$folder"/job-*.log; do
-  if [ $failed = 1 ]; then
+  job=$((job + 1))
+  log=$folder/job-$job.log
+  if ! wait "$pid"; then
+    failed=1
     tail -n 40 "$log"
   fi
   grep -E 'number_of_executed_units|new_units_added' "$log" || true
