@@ -39,6 +39,15 @@ class UnitScale {
   int64_t scale_;
 };
 
+// (a p + b q) / 2^30, for any a and b below 2^42, p and q up to 2^30.
+inline int64_t turned(int64_t a, int64_t p, int64_t b, int64_t q) noexcept {
+  // The products pass 64 bits, those of the halves do not.
+  constexpr int64_t kLow = (1 << 20) - 1;
+  const int64_t high = (a >> 20) * p + (b >> 20) * q;
+  const int64_t low = (a & kLow) * p + (b & kLow) * q;
+  return (high + (low >> 20)) >> 10;
+}
+
 inline FinePoint place(const UnitScale& scale,
                        const Brush& brush,
                        const FinePoint& origin,
@@ -50,8 +59,8 @@ inline FinePoint place(const UnitScale& scale,
   }
   const int64_t cosine = brush.direction().cosine.raw;
   const int64_t sine = brush.direction().sine.raw;
-  return {origin.x_q10 + ((along * cosine - across * sine) >> 30),
-          origin.y_q10 - ((along * sine + across * cosine) >> 30)};
+  return {origin.x_q10 + turned(along, cosine, across, -sine),
+          origin.y_q10 - turned(along, sine, across, cosine)};
 }
 
 }  // namespace detail
