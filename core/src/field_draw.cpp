@@ -544,16 +544,15 @@ inline void draw_row(
     x_q16 += count * row.step_q16;
     x_q8 += static_cast<uint32_t>(count) << 8;
   }
-  row.writer.next_row();
 }
 
 }  // namespace
 
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
-                 const Rect& pixels,
-                 const FieldPosition& at,
+                 Upright& upright,
                  const Sink& sink) noexcept {
+  const Rect& pixels = upright.pixels;
   Row row = {field,
              brush.filter(),
              scale_of(brush),
@@ -561,15 +560,16 @@ void draw_fields(const GlyphField& field,
              brush.step_along_q16(),
              0,
              SpanWriter(sink, pixels.y0)};
-  const int32_t x_q16 = at.x_q16 - field.x0_u * (1 << 16);
-  int32_t y_q16 = at.y_q16 - field.y0_u * (1 << 16);
-  uint32_t y_q20 = at.y_q20;
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    row.y_q8 = q8_of(y_q20);
-    draw_row(row, {pixels.x0, pixels.x1}, q8_of(at.x_q20), x_q16,
-             static_cast<uint32_t>(y_q16) >> 16);
-    y_q16 -= row.step_q16;
-    y_q20 -= 1 << 20;
+    FieldPosition at;
+    if (upright.place_row(brush, at)) {
+      row.y_q8 = q8_of(at.y_q20);
+      draw_row(row, {pixels.x0, pixels.x1}, q8_of(at.x_q20),
+               at.x_q16 - field.x0_u * (1 << 16),
+               static_cast<uint32_t>(at.y_q16 - field.y0_u * (1 << 16)) >> 16);
+    }
+    row.writer.next_row();
+    upright.next_row(brush);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "field_cell.hpp"
 #include "inkcell/brush.hpp"
+#include "inkcell/row_map.hpp"
 #include "span_writer.hpp"
 
 namespace inkcell {
@@ -38,11 +39,42 @@ inline int32_t reach_of(const Filter& filter) noexcept {
   return ((out > in ? out : in) + 1) << 12;
 }
 
-// Upright text: pixels that all lie in the grid. `at` is the upper left one.
+// Where half of what is cut off on the way to 1/256 px is added. [px, Q20]
+inline constexpr int32_t kHalfQ20 = 1 << 11;
+
+// Pixels of upright text whose centres lie in the limits of what may show, and
+// where the upper left one is. Fitted rows may lie outside all the same.
+struct Upright {
+  Rect pixels;
+  FieldPosition at;
+  const RowMap* rows;  // null if the glyph is not fitted
+  int32_t low_u;       // heights that may show: low_u <= y < high_u
+  int32_t high_u;
+
+  // Goes on to the row below.
+  void next_row(const Brush& brush) noexcept {
+    at.y_q16 -= brush.step_along_q16();
+    at.y_q20 -= 1 << 20;
+  }
+  // Where the row lies in the glyph. False: it shows nothing.
+  bool place_row(const Brush& brush, FieldPosition& row) const noexcept {
+    row = at;
+    if (rows == nullptr) {
+      return true;
+    }
+    const int32_t height_q10 =
+        rows->glyph_height_q10(wrapped(at.y_q20 - kHalfQ20) >> 10);
+    row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
+    row.y_q16 = static_cast<int32_t>(
+        (int64_t{height_q10} * brush.step_along_q16()) >> 10);
+    return row.y_q16 >= low_u * (1 << 16) && row.y_q16 < high_u * (1 << 16);
+  }
+};
+
+// Draws cells of fields. `upright` is changed.
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
-                 const Rect& pixels,
-                 const FieldPosition& at,
+                 Upright& upright,
                  const Sink& sink) noexcept;
 
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]

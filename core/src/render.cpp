@@ -3,14 +3,17 @@
 #include "cell_access.hpp"
 #include "field_cell.hpp"
 #include "field_draw.hpp"
+#include "inkcell/row_map.hpp"
 #include "span_writer.hpp"
 
 namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
+using detail::kHalfQ20;
 using detail::Range;
 using detail::SpanWriter;
+using detail::Upright;
 
 // What a row of a cell shows.
 enum class Side : uint8_t { outside, inside, both };
@@ -59,8 +62,7 @@ FieldPosition position_of(const Brush& brush,
   const int64_t up =
       clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
   const int64_t along = brush.step_along_q16();
-  // Half of what is cut off on the way to 1/256 px.
-  constexpr int64_t kHalf = 1 << 11;
+  constexpr int64_t kHalf = kHalfQ20;
   if (brush.is_upright()) {
     return {clamp_i32((right * along) >> 10), clamp_i32((up * along) >> 10),
             static_cast<uint32_t>(right * 1024 + kHalf),
@@ -166,38 +168,35 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
   }
 }
 
-// Upright pixels whose centres lie in the limits, and where the upper left one
-// is.
-struct Upright {
-  Rect pixels;
-  FieldPosition at;
-};
-
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) Upright upright_of(const GlyphField& field,
                                              const Brush& brush,
                                              const FinePoint& origin,
+                                             const RowMap* rows,
                                              const Rect& box) noexcept {
   const int32_t step = brush.step_along_q16();
-  Upright upright = {box, position_of(brush, origin, box.x0, box.y0)};
-  Rect& pixels = upright.pixels;
-  FieldPosition& at = upright.at;
   // The box has few others.
   const Rect limits = limits_of(field, brush);
+  Upright upright = {box, position_of(brush, origin, box.x0, box.y0), rows,
+                     limits.y0, limits.y1};
+  Rect& pixels = upright.pixels;
+  FieldPosition& at = upright.at;
   while (at.x_q16 < limits.x0 * (1 << 16)) {
     ++pixels.x0;
     at.x_q16 += step;
     at.x_q20 += 1 << 20;
   }
-  while (at.y_q16 >= limits.y1 * (1 << 16)) {
-    ++pixels.y0;
-    at.y_q16 -= step;
-    at.y_q20 -= 1 << 20;
-  }
   int32_t right_q16 = at.x_q16 + (pixels.x1 - pixels.x0 - 1) * step;
   while (pixels.x0 < pixels.x1 && right_q16 >= limits.x1 * (1 << 16)) {
     --pixels.x1;
     right_q16 -= step;
+  }
+  if (rows != nullptr) {
+    return upright;
+  }
+  while (at.y_q16 >= limits.y1 * (1 << 16)) {
+    ++pixels.y0;
+    upright.next_row(brush);
   }
   int32_t low_q16 = at.y_q16 - (pixels.y1 - pixels.y0 - 1) * step;
   while (pixels.y0 < pixels.y1 && low_q16 < limits.y0 * (1 << 16)) {
@@ -209,16 +208,18 @@ __attribute__((noinline)) Upright upright_of(const GlyphField& field,
 
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
                                             const Brush& brush,
-                                            const Upright& upright,
+                                            Upright& upright,
                                             const Sink& sink) noexcept {
   const Rect& pixels = upright.pixels;
-  int32_t y_q16 = upright.at.y_q16;
   SpanWriter writer(sink, pixels.y0);
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    draw_upright_row(field, brush, {pixels.x0, pixels.x1}, upright.at.x_q16,
-                     y_q16, writer);
+    FieldPosition at;
+    if (upright.place_row(brush, at)) {
+      draw_upright_row(field, brush, {pixels.x0, pixels.x1}, at.x_q16, at.y_q16,
+                       writer);
+    }
     writer.next_row();
-    y_q16 -= brush.step_along_q16();
+    upright.next_row(brush);
   }
 }
 
@@ -250,6 +251,44 @@ __attribute__((noinline)) void draw_turned(const GlyphField& field,
   }
 }
 
+void draw_placed(const GlyphField& field,
+                 const Brush& brush,
+                 const FinePoint& origin,
+                 const RowMap* rows,
+                 const Sink& sink) noexcept {
+  if (brush.painter() != nullptr) {
+    brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
+    return;
+  }
+  const Rect box = intersect(field_box(field, brush, origin), sink.window);
+  if (is_empty(box)) {
+    return;
+  }
+  if (!brush.is_upright()) {
+    draw_turned(field, brush, origin, box, sink);
+    return;
+  }
+  Upright upright = upright_of(field, brush, origin, rows, box);
+  if (is_empty(upright.pixels)) {
+    return;
+  }
+  if (has_fields(field)) {
+    detail::draw_fields(field, brush, upright, sink);
+  } else {
+    draw_samples(field, brush, upright, sink);
+  }
+}
+
+// Not inline: only fitted glyphs pay for the map on the stack.
+__attribute__((noinline)) void draw_fitted(const GlyphField& field,
+                                           const Brush& brush,
+                                           FinePoint origin,
+                                           const Sink& sink) noexcept {
+  RowMap rows;
+  brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
+  draw_placed(field, brush, origin, &rows, sink);
+}
+
 }  // namespace
 
 Rect field_box(const GlyphField& field,
@@ -272,32 +311,23 @@ Rect field_box(const GlyphField& field,
     x = {x_right.low - y_left.high, x_right.high - y_left.low};
     y = {x_up.low + y_up.low, x_up.high + y_up.high};
   }
-  // A pixel generous on each side, because steps are rounded.
-  return {
-      to_pixel(origin.x_q10 + x.low) - 1, to_pixel(origin.y_q10 - y.high) - 1,
-      to_pixel(origin.x_q10 + x.high) + 2, to_pixel(origin.y_q10 - y.low) + 2};
+  // A pixel generous on each side, because steps are rounded, and what fitting
+  // may move.
+  const int32_t more = brush.is_fitted() ? 3 : 1;
+  return {to_pixel(origin.x_q10 + x.low) - more,
+          to_pixel(origin.y_q10 - y.high) - more,
+          to_pixel(origin.x_q10 + x.high) + more + 1,
+          to_pixel(origin.y_q10 - y.low) + more + 1};
 }
 
 void draw_field(const GlyphField& field,
                 const Brush& brush,
                 FinePoint origin,
                 const Sink& sink) noexcept {
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
-  if (is_empty(box)) {
-    return;
-  }
-  if (!brush.is_upright()) {
-    draw_turned(field, brush, origin, box, sink);
-    return;
-  }
-  const Upright upright = upright_of(field, brush, origin, box);
-  if (is_empty(upright.pixels)) {
-    return;
-  }
-  if (has_fields(field)) {
-    detail::draw_fields(field, brush, upright.pixels, upright.at, sink);
+  if (brush.is_fitted()) {
+    draw_fitted(field, brush, origin, sink);
   } else {
-    draw_samples(field, brush, upright, sink);
+    draw_placed(field, brush, origin, nullptr, sink);
   }
 }
 

@@ -9,6 +9,30 @@
 
 namespace inkcell {
 
+class Brush;
+struct FinePoint;
+struct GlyphField;
+struct RowMap;
+struct Sink;
+
+/// Grid fitting (fit.hpp makes one): fills in `rows` for a glyph of an upright
+/// brush whose origin is at `origin`, and may move the origin by up to 1 px.
+/// `options` is what Brush::set_fitter was given.
+using Fitter = void (*)(const GlyphField& field,
+                        const Brush& brush,
+                        const void* options,
+                        FinePoint& origin,
+                        RowMap& rows);
+
+/// Draws a glyph in another way than one sample a pixel. `rows` is null unless
+/// the glyph was fitted. Clips to the sink's window; cannot fail.
+using Painter = void (*)(const GlyphField& field,
+                         const Brush& brush,
+                         const void* options,
+                         const FinePoint& origin,
+                         const RowMap* rows,
+                         const Sink& sink);
+
 /// Smallest and largest size: 4 and 1024 px to the em.
 inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
 inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
@@ -45,6 +69,26 @@ class Brush {
   /// A filter made in the argument would be gone before the brush is used.
   static Status make(Q26_6, const Filter&&, Direction, Brush&) = delete;
   static Status make(Q26_6, const Filter&&, Brush&) = delete;
+
+  /// Fits the glyphs of upright text to the grid of pixels. The options must
+  /// outlive the brush. Null, the default: glyphs stay as designed.
+  void set_fitter(Fitter function, const void* options) noexcept {
+    fitter_ = function;
+    fitter_options_ = options;
+  }
+  bool is_fitted() const noexcept { return fitter_ != nullptr && is_upright(); }
+  Fitter fitter() const noexcept { return fitter_; }
+  const void* fitter_options() const noexcept { return fitter_options_; }
+
+  /// What draws the glyphs: null, the default, is one sample at the centre of
+  /// each pixel, the fastest. The options must outlive the brush. Only what is
+  /// named here is linked.
+  void set_painter(Painter function, const void* options) noexcept {
+    painter_ = function;
+    painter_options_ = options;
+  }
+  Painter painter() const noexcept { return painter_; }
+  const void* painter_options() const noexcept { return painter_options_; }
 
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
@@ -109,6 +153,10 @@ class Brush {
   uint8_t bend_log2_ = 4;
   Direction direction_;
   const Filter* filter_ = &kFilterText;
+  Fitter fitter_ = nullptr;
+  const void* fitter_options_ = nullptr;
+  Painter painter_ = nullptr;
+  const void* painter_options_ = nullptr;
 };
 
 }  // namespace inkcell
