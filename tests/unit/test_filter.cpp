@@ -130,7 +130,100 @@ TEST(values_out_of_range_are_clamped) {
   check_shape(edge);
 }
 
+TEST(weight_moves_the_edges) {
+  const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
+  CHECK_EQ(bold.outside_q10, -812);
+  CHECK_EQ(bold.inside_q10, 212);
+  for (int32_t d = -1500; d <= 1500; ++d) {
+    CHECK_EQ(bold.coverage(d), kFilterText.coverage(d + 300));
+  }
+  const Filter light = with_weight(bold, Q6_10::from_raw(-300));
+  CHECK_EQ(light.outside_q10, kFilterText.outside_q10);
+  CHECK_EQ(light.inside_q10, kFilterText.inside_q10);
+  const Filter widest = with_weight(kFilterText, Q6_10::from_raw(32767));
+  CHECK_EQ(widest.outside_q10, -4096);
+  CHECK_EQ(widest.inside_q10, -4096 + 1024);
+  const Filter thinnest = with_weight(kFilterText, Q6_10::from_raw(-32768));
+  CHECK_EQ(thinnest.outside_q10, 4096 - 1024);
+  CHECK_EQ(thinnest.inside_q10, 4096);
+  check_shape(widest);
+  check_shape(thinnest);
+}
+
+TEST(profiles_rise_alike_on_both_sides) {
+  FilterSpec s = spec(-1024, 1024, 256);
+  constexpr FilterProfile kCurved[] = {FilterProfile::gaussian,
+                                       FilterProfile::sigmoid};
+  for (const FilterProfile profile : kCurved) {
+    s.profile = profile;
+    const Filter filter = make_filter(s);
+    check_shape(filter);
+    for (int32_t i = 0; i < 128; ++i) {
+      const int32_t sum = filter.table[i] + filter.table[255 - i];
+      CHECK(sum >= 254 && sum <= 256);
+    }
+  }
+}
+
+TEST(gamma_and_contrast_keep_a_filter_rising) {
+  FilterSpec s = spec(-512, 512, 256);
+  constexpr uint16_t kGammas[] = {0, 256, 461, 563, 1024, 65535};
+  constexpr uint16_t kContrasts[] = {0, 128, 256, 640, 65535};
+  constexpr Polarity kPolarities[] = {Polarity::light_on_dark,
+                                      Polarity::dark_on_light};
+  for (const uint16_t gamma : kGammas) {
+    for (const uint16_t contrast : kContrasts) {
+      for (const Polarity polarity : kPolarities) {
+        s.gamma.raw = gamma;
+        s.contrast.raw = contrast;
+        s.polarity = polarity;
+        check_shape(make_filter(s));
+      }
+    }
+  }
+}
+
 #if !INKCELL_BOARD_FIRMWARE
+
+TEST(profiles_follow_their_functions) {
+  FilterSpec s = spec(-1024, 1024, 256);
+  s.profile = FilterProfile::gaussian;
+  const Filter gaussian = make_filter(s);
+  s.profile = FilterProfile::sigmoid;
+  const Filter sigmoid = make_filter(s);
+  const double whole = erf(2.5 / sqrt(2.0));
+  for (int i = 0; i < Filter::kEntries; ++i) {
+    const double r = (2 * i + 1) / 512.0;
+    const double integral = erf((2 * r - 1) * 2.5 / sqrt(2.0)) / whole;
+    CHECK(fabs(gaussian.table[i] - 255 * (0.5 + integral / 2)) <= 0.8);
+    CHECK(fabs(sigmoid.table[i] - 255 * r * r * (3 - 2 * r)) <= 0.55);
+  }
+}
+
+// Blended with black and white, coverage shows as much light as it would on a
+// display without gamma.
+TEST(gamma_shows_the_right_light) {
+  FilterSpec s = spec(-512, 512, 256);
+  const double gamma = 563 / 256.0;
+  s.gamma.raw = 563;
+  const Filter light = make_filter(s);
+  s.polarity = Polarity::dark_on_light;
+  const Filter dark = make_filter(s);
+  for (int i = 0; i < Filter::kEntries; ++i) {
+    const double covered = (2 * i + 1) / 512.0;
+    CHECK(fabs(pow(light.table[i] / 255.0, gamma) - covered) < 0.006);
+    CHECK(fabs(pow(1 - dark.table[i] / 255.0, gamma) - (1 - covered)) < 0.006);
+  }
+}
+
+TEST(contrast_is_the_slope_at_half_coverage) {
+  FilterSpec s = spec(-512, 512, 256);
+  s.contrast.raw = 512;
+  const Filter filter = make_filter(s);
+  CHECK_EQ(filter.coverage(-257), 0);
+  CHECK_EQ(filter.coverage(257), 255);
+  CHECK(fabs(filter.coverage(128) - 255 * 0.75) <= 1.1);
+}
 
 TEST(presets_follow_the_power) {
   struct Preset {

@@ -7,16 +7,34 @@
 
 namespace inkcell {
 
+/// How coverage rises from cutoff to cutoff, 0 to 1 over the way r from 0 to 1.
+enum class FilterProfile : uint8_t {
+  linear,    // r: what a straight edge covers of a pixel, at +-0.5 px
+  gaussian,  // a Gaussian's integral, 2.5 sigma to each side
+  sigmoid,   // r r (3 - 2 r)
+};
+
+/// Which of text and background is the lighter.
+enum class Polarity : uint8_t { light_on_dark, dark_on_light };
+
 /// What a filter does (the paper, section 4.2.2 and figure 4): coverage is 0
 /// at `outside_px` and below, 255 at `inside_px` and above, and between them
-/// the linear ramp raised to `exponent`. Both cutoffs within +-4 px, inside
-/// above outside by at least 1/8 px; exponent 1/4 to 4. A font's distances are
-/// good up to FontRange::band_u on both sides of the edge, 0.75 px at its
-/// smallest size: where a filter reaches beyond, coverage ends abruptly.
+/// the profile raised to `exponent`. Both cutoffs within +-4 px, inside
+/// above outside by at least 1/8 px; exponent 1/4 to 4. How far a font's
+/// distances are good is said by its band: see check_reach in effects.hpp.
+///
+/// Sinks blend the numbers that displays take, which are light to the power of
+/// 1 / gamma. With the display's `gamma`, 1 (off) to 4, white text on black or
+/// black text on white shows as much light as coverage says; colours between
+/// need less. `contrast`, 1/4 to 4, is the slope at half coverage, before that.
 struct FilterSpec {
   Q6_10 outside_px;
   Q6_10 inside_px;
-  Fixed<uint16_t, 8> exponent;  // UQ8.8
+  Fixed<uint16_t, 8> exponent = Fixed<uint16_t, 8>::from_int(1);
+  FilterProfile profile = FilterProfile::linear;
+  Fixed<uint16_t, 8> contrast = Fixed<uint16_t, 8>::from_int(1);
+  Fixed<uint16_t, 8> gamma = Fixed<uint16_t, 8>::from_int(1);
+  Polarity polarity = Polarity::light_on_dark;
 };
 
 /// A filter ready for use, 262 bytes: built once, constant afterwards, shared
@@ -90,6 +108,44 @@ constexpr uint32_t exp2_q16(int32_t exponent_q16) noexcept {
   return whole < -30 ? 0 : static_cast<uint32_t>(product >> (14 - whole));
 }
 
+// value^exponent, both 0 to 1. [UQ16 with 65536 for one, Q8]
+constexpr int32_t power_q16(int32_t value_q16, int32_t exponent_q8) noexcept {
+  if (value_q16 <= 0) {
+    return 0;
+  }
+  const int32_t log2 = log2_q16(static_cast<uint32_t>(value_q16));
+  const auto power =
+      static_cast<int32_t>((static_cast<int64_t>(log2) * exponent_q8) >> 8);
+  return static_cast<int32_t>(exp2_q16(power));
+}
+
+// The upper half of the Gaussian profile at 0, 1/16 ... 1 of it. [UQ16]
+inline constexpr int32_t kGaussian[17] = {
+    32768, 36888, 40908, 44738, 48297, 51526, 54385, 56855, 58937,
+    60651, 62027, 63106, 63931, 64547, 64996, 65315, 65536};
+
+// The profile at `ramp_q16`, 0 to 65536.
+constexpr int32_t profile_q16(FilterProfile profile,
+                              int32_t ramp_q16) noexcept {
+  if (profile == FilterProfile::sigmoid) {
+    const int64_t square = (int64_t{ramp_q16} * ramp_q16) >> 16;
+    return static_cast<int32_t>((square * (3 * 65536 - 2 * ramp_q16)) >> 16);
+  }
+  if (profile == FilterProfile::gaussian) {
+    const bool is_upper = ramp_q16 >= 32768;
+    const int32_t way = is_upper ? ramp_q16 - 32768 : 32768 - ramp_q16;
+    const int32_t i = way >> 11 < 15 ? way >> 11 : 15;
+    const int32_t step = kGaussian[i + 1] - kGaussian[i];
+    const int32_t upper = kGaussian[i] + ((step * (way - i * 2048)) >> 11);
+    return is_upper ? upper : 65536 - upper;
+  }
+  return ramp_q16;
+}
+
+constexpr int32_t limited(int32_t value, int32_t low, int32_t high) noexcept {
+  return value < low ? low : (value > high ? high : value);
+}
+
 }  // namespace detail
 
 /// The table of a filter. Runs at compile time for constants; on a device it
@@ -98,15 +154,15 @@ constexpr uint32_t exp2_q16(int32_t exponent_q16) noexcept {
 constexpr Filter make_filter(const FilterSpec& spec) noexcept {
   constexpr int32_t kLimit = 4 << 10;
   constexpr int32_t kNarrowest = 1 << 7;
-  int32_t outside = spec.outside_px.raw;
-  outside = outside < -kLimit ? -kLimit : outside;
-  outside = outside > kLimit - kNarrowest ? kLimit - kNarrowest : outside;
-  int32_t inside = spec.inside_px.raw;
-  inside = inside < outside + kNarrowest ? outside + kNarrowest : inside;
-  inside = inside > kLimit ? kLimit : inside;
-  int32_t exponent = spec.exponent.raw;
-  exponent = exponent < 64 ? 64 : exponent;
-  exponent = exponent > 1024 ? 1024 : exponent;
+  constexpr int32_t kOne = 1 << 8;
+  using detail::limited;
+  const int32_t outside =
+      limited(spec.outside_px.raw, -kLimit, kLimit - kNarrowest);
+  const int32_t inside =
+      limited(spec.inside_px.raw, outside + kNarrowest, kLimit);
+  const int32_t exponent = limited(spec.exponent.raw, kOne / 4, 4 * kOne);
+  const int32_t contrast = limited(spec.contrast.raw, kOne / 4, 4 * kOne);
+  const int32_t gamma = limited(spec.gamma.raw, kOne, 4 * kOne);
 
   Filter filter;
   filter.outside_q10 = static_cast<int16_t>(outside);
@@ -115,14 +171,34 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
       static_cast<uint16_t>((Filter::kEntries << 14) / (inside - outside));
   for (int32_t i = 0; i < Filter::kEntries; ++i) {
     // An entry stands for the middle of its interval.
-    const uint32_t ramp = static_cast<uint32_t>(2 * i + 1) << 7;  // of 65536
-    const int32_t log2 = detail::log2_q16(ramp);
-    const int32_t power =
-        static_cast<int32_t>((static_cast<int64_t>(log2) * exponent) >> 8);
-    filter.table[i] =
-        static_cast<uint8_t>((detail::exp2_q16(power) * 255 + 32768) >> 16);
+    const int32_t ramp = (2 * i + 1) << 7;  // of 65536
+    int32_t light =
+        detail::power_q16(detail::profile_q16(spec.profile, ramp), exponent);
+    if (contrast != kOne) {
+      light = limited(32768 + (light - 32768) * contrast / kOne, 0, 65536);
+    }
+    if (gamma != kOne) {
+      const int32_t inverse = kOne * kOne / gamma;
+      light = spec.polarity == Polarity::light_on_dark
+                  ? detail::power_q16(light, inverse)
+                  : 65536 - detail::power_q16(65536 - light, inverse);
+    }
+    filter.table[i] = static_cast<uint8_t>((light * 255 + 32768) >> 16);
   }
   return filter;
+}
+
+/// The same filter with the edges of the text moved outwards by `weight_px`,
+/// inwards if it is negative: strokes gain twice that. Cutoffs stay within
+/// +-4 px, and so may the weight fall short. As fast to draw with.
+constexpr Filter with_weight(const Filter& filter, Q6_10 weight_px) noexcept {
+  constexpr int32_t kLimit = 4 << 10;
+  const int32_t weight = detail::limited(
+      weight_px.raw, filter.inside_q10 - kLimit, filter.outside_q10 + kLimit);
+  Filter result = filter;
+  result.outside_q10 = static_cast<int16_t>(filter.outside_q10 - weight);
+  result.inside_q10 = static_cast<int16_t>(filter.inside_q10 - weight);
+  return result;
 }
 
 /// -0.5 to 0.5 px, exponent 1: right weight at text sizes. The default.
