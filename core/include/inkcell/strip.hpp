@@ -69,6 +69,14 @@ struct Sink {
                    int32_t count) = nullptr;
   /// `count` pixels (1 or more, any number) of full coverage.
   void (*solid)(void* context, int32_t x, int32_t y, int32_t count) = nullptr;
+  /// Like `coverage`, but with three coverages for each of the `count` pixels:
+  /// of red, green and blue. Only what draws sub-pixels calls it (lcd.hpp); it
+  /// draws grey where this is null.
+  void (*coverage_rgb)(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) = nullptr;
 };
 
 /// How a screen is drawn strip by strip with a small buffer.

@@ -12,6 +12,9 @@
 //   rgb888.hpp    Rgb888Target      3 bytes, red or blue first
 //   xrgb8888.hpp  Xrgb8888Target    4 bytes: blue, green, red, x
 //
+// lcd.hpp has sinks for the sub-pixels of the colour formats, dither.hpp such
+// that dither on formats of 1, 2 and 4 bits.
+//
 // A target is a strip and a colour. The caller owns it, and it must outlive the
 // sink; the colour may be changed between two calls that draw. The strip may
 // not: make the sink anew. make_sink() returns, and leaves `out` alone, with

@@ -1,0 +1,23 @@
+// Sinks for colour formats that take a coverage for each sub-pixel.
+//
+// They are those of make_sink() with Sink::coverage_rgb besides: set the
+// painter paint_lcd (inkcell/lcd.hpp) on a brush to draw with it.
+#pragma once
+
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// `target` must outlive `out`. Each channel is blended with its own coverage.
+/// Errors: see pixel.hpp.
+Status make_lcd_sink(Rgb565Target& target, Sink& out) noexcept;
+Status make_lcd_sink(Rgb888Target& target, Sink& out) noexcept;
+Status make_lcd_sink(Xrgb8888Target& target, Sink& out) noexcept;
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,123 @@
+// The sinks with ordered dither.
+#include "inkcell/port/dither.hpp"
+
+#include "packed.hpp"
+
+namespace inkcell {
+namespace port {
+namespace {
+
+using detail::Run;
+
+// Bayer's order of 4 x 4 pixels: places of consecutive numbers lie far apart.
+constexpr uint8_t kOrder[4][4] = {
+    {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+// What coverage must reach at a place, the middle of one of 16 intervals. No
+// sum overflows: x and y only count modulo 4.
+int32_t step_at(int32_t x, int32_t y) noexcept {
+  return kOrder[y & 3][x & 3] * 16 + 8;
+}
+
+struct Bit {
+  uint8_t& byte;
+  uint32_t mask;
+};
+
+Bit bit_of(const MonoRowsTarget& target, int32_t x, int32_t y) noexcept {
+  const auto column = static_cast<uint32_t>(x);
+  return {detail::row_at(target.strip, y)[column >> 3],
+          1u << detail::packed_shift(column, 0, target.order)};
+}
+
+Bit bit_of(const MonoPagesTarget& target, int32_t x, int32_t y) noexcept {
+  return {detail::row_at(target.strip, y >> 3)[x], 1u << (y & 7)};
+}
+
+template <typename Target>
+void mono(void* context,
+          int32_t x,
+          int32_t y,
+          const uint8_t* coverage,
+          int32_t count) noexcept {
+  const auto& target = *static_cast<const Target*>(context);
+  Run run{x, y, count, 0};
+  if (!detail::clip(target.strip, run)) {
+    return;
+  }
+  coverage += run.skipped;
+  const Strip& strip = target.strip;
+  for (int32_t i = 0; i < run.count; ++i) {
+    const int32_t c = coverage[i];
+    // The threshold moves the steps, but not those of 0 and 255.
+    const int32_t needed =
+        step_at(strip.x0 + run.x + i, strip.y0 + run.y) + target.threshold;
+    if (c == 255 || (c != 0 && c + 128 >= needed)) {
+      const Bit bit = bit_of(target, run.x + i, run.y);
+      bit.byte = static_cast<uint8_t>(target.level != 0 ? bit.byte | bit.mask
+                                                        : bit.byte & ~bit.mask);
+    }
+  }
+}
+
+template <typename Target, uint32_t kBitsLog2>
+void grey(void* context,
+          int32_t x,
+          int32_t y,
+          const uint8_t* coverage,
+          int32_t count) noexcept {
+  const auto& target = *static_cast<const Target*>(context);
+  Run run{x, y, count, 0};
+  if (!detail::clip(target.strip, run)) {
+    return;
+  }
+  coverage += run.skipped;
+  const Strip& strip = target.strip;
+  uint8_t* const row = detail::row_at(strip, run.y);
+  constexpr uint32_t kMask = (1u << (1u << kBitsLog2)) - 1;
+  for (int32_t i = 0; i < run.count; ++i) {
+    const uint32_t c = coverage[i];
+    if (c != 0) {
+      const auto column = static_cast<uint32_t>(run.x + i);
+      const uint32_t shift =
+          detail::packed_shift(column, kBitsLog2, target.order);
+      uint8_t& byte = row[column >> (3 - kBitsLog2)];
+      const uint32_t old = static_cast<uint32_t>(byte) >> shift & kMask;
+      // blend(), but for the place that decides instead of the nearest.
+      const auto step = static_cast<uint32_t>(
+          step_at(strip.x0 + run.x + i, strip.y0 + run.y));
+      const uint32_t mixed =
+          (c * target.level + (255 - c) * old + 255 - step) / 255;
+      byte = static_cast<uint8_t>(byte ^ ((old ^ mixed) & kMask) << shift);
+    }
+  }
+}
+
+}  // namespace
+
+Status make_dithered_sink(MonoRowsTarget& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage = mono<MonoRowsTarget>;
+  return Status::ok;
+}
+
+Status make_dithered_sink(MonoPagesTarget& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage = mono<MonoPagesTarget>;
+  return Status::ok;
+}
+
+Status make_dithered_sink(Grey2Target& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage = grey<Grey2Target, 1>;
+  return Status::ok;
+}
+
+Status make_dithered_sink(Grey4Target& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage = grey<Grey4Target, 2>;
+  return Status::ok;
+}
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,105 @@
+// The sinks for sub-pixels.
+#include "inkcell/port/lcd.hpp"
+
+#include "run.hpp"
+
+namespace inkcell {
+namespace port {
+namespace {
+
+using detail::Run;
+
+void coverage_565(void* context,
+                  int32_t x,
+                  int32_t y,
+                  const uint8_t* coverage,
+                  int32_t count) noexcept {
+  const auto& target = *static_cast<const Rgb565Target*>(context);
+  Run run{x, y, count, 0};
+  if (!detail::clip(target.strip, run)) {
+    return;
+  }
+  coverage += 3 * run.skipped;
+  const uint32_t red = target.colour >> 11;
+  const uint32_t green = target.colour >> 5 & 0x3f;
+  const uint32_t blue = target.colour & 0x1f;
+  const int low = target.order == ByteOrder::low_first ? 0 : 1;
+  uint8_t* pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
+  for (uint8_t* const end = pixel + 2 * run.count; pixel != end; pixel += 2) {
+    const uint32_t old = pixel[low] | static_cast<uint32_t>(pixel[low ^ 1])
+                                          << 8;
+    const uint32_t result = blend(coverage[0], red, old >> 11) << 11 |
+                            blend(coverage[1], green, old >> 5 & 0x3f) << 5 |
+                            blend(coverage[2], blue, old & 0x1f);
+    pixel[low] = static_cast<uint8_t>(result);
+    pixel[low ^ 1] = static_cast<uint8_t>(result >> 8);
+    coverage += 3;
+  }
+}
+
+// Pixels of kBytes bytes, of which the first three are channels.
+template <int kBytes>
+void blend_bytes(const Strip& strip,
+                 uint32_t colour,
+                 bool red_first,
+                 Run run,
+                 const uint8_t* coverage) noexcept {
+  if (!detail::clip(strip, run)) {
+    return;
+  }
+  coverage += 3 * run.skipped;
+  uint8_t* pixel = detail::row_at(strip, run.y) + kBytes * run.x;
+  for (int32_t i = 0; i < run.count; ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      uint8_t& byte = pixel[red_first ? channel : 2 - channel];
+      const uint32_t level = colour >> (16 - 8 * channel) & 0xff;
+      byte = static_cast<uint8_t>(blend(coverage[channel], level, byte));
+    }
+    pixel += kBytes;
+    coverage += 3;
+  }
+}
+
+void coverage_888(void* context,
+                  int32_t x,
+                  int32_t y,
+                  const uint8_t* coverage,
+                  int32_t count) noexcept {
+  const auto& target = *static_cast<const Rgb888Target*>(context);
+  blend_bytes<3>(target.strip, target.colour,
+                 target.order == ChannelOrder::red_first, {x, y, count, 0},
+                 coverage);
+}
+
+void coverage_8888(void* context,
+                   int32_t x,
+                   int32_t y,
+                   const uint8_t* coverage,
+                   int32_t count) noexcept {
+  const auto& target = *static_cast<const Xrgb8888Target*>(context);
+  blend_bytes<4>(target.strip, target.colour, false, {x, y, count, 0},
+                 coverage);
+}
+
+}  // namespace
+
+Status make_lcd_sink(Rgb565Target& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage_rgb = coverage_565;
+  return Status::ok;
+}
+
+Status make_lcd_sink(Rgb888Target& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage_rgb = coverage_888;
+  return Status::ok;
+}
+
+Status make_lcd_sink(Xrgb8888Target& target, Sink& out) noexcept {
+  INKCELL_TRY(make_sink(target, out));
+  out.coverage_rgb = coverage_8888;
+  return Status::ok;
+}
+
+}  // namespace port
+}  // namespace inkcell
