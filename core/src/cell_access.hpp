@@ -56,6 +56,10 @@ inline void set_up_row(SamplesRow& row,
   row.size_log2 = size_log2;
 }
 
+inline bool has_fields(const GlyphField& field) noexcept {
+  return INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples;
+}
+
 inline bool in_grid(const GlyphField& field,
                     int32_t x_u,
                     int32_t y_u) noexcept {

@@ -24,6 +24,11 @@ bool meets_window(const PackedGlyph& glyph,
   return !is_empty(intersect(field_box(grid, brush, origin), sink.window));
 }
 
+// Whether every pixel is drawn from the one row of tiles that holds its centre.
+bool goes_by_rows(const Brush& brush) noexcept {
+  return brush.is_upright() && brush.painter() == nullptr;
+}
+
 // From the highest row of tiles to the lowest, so that pixels come from top to
 // bottom, `at_once` rows at a time, or one by one if that does not work: what
 // is left out must not depend on the window. A pixel's centre lies in one row
@@ -42,7 +47,7 @@ void draw_rows(const PackedGlyph& glyph,
     if (expand(glyph, rows.end - count, count, workspace, field) ==
         Status::ok) {
       draw_field(field, brush, origin, sink);
-    } else if (count > 1 && brush.is_upright()) {
+    } else if (count > 1 && goes_by_rows(brush)) {
       at_once = 1;
       continue;
     }
@@ -70,7 +75,7 @@ void draw_placed(const Font& font,
     return;
   }
   uint32_t at_once = packed.tiles_y;
-  if (brush.is_upright()) {
+  if (goes_by_rows(brush)) {
     while (rows.begin < rows.end &&
            !meets_window(packed, {rows.begin, rows.begin + 1}, brush, origin,
                          sink)) {

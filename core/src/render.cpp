@@ -4,13 +4,18 @@
 #include "field_cell.hpp"
 #include "field_draw.hpp"
 #include "inkcell/row_map.hpp"
+#include "position.hpp"
 #include "span_writer.hpp"
 
 namespace inkcell {
 namespace {
 
+using detail::across_q20;
+using detail::along_q20;
+using detail::clamp;
 using detail::FieldPosition;
-using detail::kHalfQ20;
+using detail::has_fields;
+using detail::position_of;
 using detail::Range;
 using detail::SpanWriter;
 using detail::Upright;
@@ -24,63 +29,6 @@ Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
     return Side::outside;
   }
   return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
-}
-
-int64_t clamp(int64_t value, int64_t low, int64_t high) noexcept {
-  if (value < low) {
-    return low;
-  }
-  return value > high ? high : value;
-}
-
-int32_t clamp_i32(int64_t value) noexcept {
-  return static_cast<int32_t>(clamp(value, INT32_MIN, INT32_MAX));
-}
-
-// How far one pixel to the right leads in px along the glyph's axes. [Q20]
-int32_t along_q20(const Brush& brush) noexcept {
-  return brush.direction().cosine.raw >> 10;
-}
-int32_t across_q20(const Brush& brush) noexcept {
-  return brush.direction().sine.raw >> 10;
-}
-
-// Where the centre of pixel (x, y) lies in the glyph.
-//
-// Linear in x and y with whole steps: neighbours differ by exactly the brush's
-// step, so that it does not matter where a row or a strip begins. Within the
-// box of a field positions in u stay below 2^31: its grid ends at 15360 u,
-// twice that in a corner of the box around a turned grid.
-FieldPosition position_of(const Brush& brush,
-                          const FinePoint& origin,
-                          int32_t x,
-                          int32_t y) noexcept {
-  // Far from anything to see, but within 64 bits once multiplied.
-  constexpr int64_t kFar = int64_t{1} << 37;
-  const int64_t right =
-      clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar);
-  const int64_t up =
-      clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
-  const int64_t along = brush.step_along_q16();
-  constexpr int64_t kHalf = kHalfQ20;
-  if (brush.is_upright()) {
-    return {clamp_i32((right * along) >> 10), clamp_i32((up * along) >> 10),
-            static_cast<uint32_t>(right * 1024 + kHalf),
-            static_cast<uint32_t>(up * 1024 + kHalf)};
-  }
-  const int64_t across = brush.step_across_q16();
-  const int64_t along_px = along_q20(brush);
-  const int64_t across_px = across_q20(brush);
-  return {clamp_i32((right * along + up * across) >> 10),
-          clamp_i32((up * along - right * across) >> 10),
-          static_cast<uint32_t>(((right * along_px + up * across_px) >> 10) +
-                                kHalf),
-          static_cast<uint32_t>(((up * along_px - right * across_px) >> 10) +
-                                kHalf)};
-}
-
-bool has_fields(const GlyphField& field) noexcept {
-  return INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples;
 }
 
 // Clamps to what int32_t pixels and their positions can bear.
@@ -313,7 +261,7 @@ Rect field_box(const GlyphField& field,
   }
   // A pixel generous on each side, because steps are rounded, and what fitting
   // may move.
-  const int32_t more = brush.is_fitted() ? 3 : 1;
+  const int32_t more = (brush.is_fitted() ? 3 : 1) + brush.painter_reach_px();
   return {to_pixel(origin.x_q10 + x.low) - more,
           to_pixel(origin.y_q10 - y.high) - more,
           to_pixel(origin.x_q10 + x.high) + more + 1,

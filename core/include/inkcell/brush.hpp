@@ -82,13 +82,18 @@ class Brush {
 
   /// What draws the glyphs: null, the default, is one sample at the centre of
   /// each pixel, the fastest. The options must outlive the brush. Only what is
-  /// named here is linked.
-  void set_painter(Painter function, const void* options) noexcept {
+  /// named here is linked. `reach_px` is how much farther than plain drawing
+  /// the painter reaches on each side of a glyph, in pixels and in samples.
+  void set_painter(Painter function,
+                   const void* options,
+                   uint8_t reach_px = 0) noexcept {
     painter_ = function;
     painter_options_ = options;
+    painter_reach_px_ = reach_px;
   }
   Painter painter() const noexcept { return painter_; }
   const void* painter_options() const noexcept { return painter_options_; }
+  uint8_t painter_reach_px() const noexcept { return painter_reach_px_; }
 
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
@@ -151,6 +156,7 @@ class Brush {
   int32_t step_across_q16_ = 0;
   uint16_t bend_q14_ = 1 << 14;
   uint8_t bend_log2_ = 4;
+  uint8_t painter_reach_px_ = 0;
   Direction direction_;
   const Filter* filter_ = &kFilterText;
   Fitter fitter_ = nullptr;
