@@ -3,6 +3,7 @@
 #include "cell_access.hpp"
 #include "field_cell.hpp"
 #include "field_draw.hpp"
+#include "field_turned.hpp"
 #include "inkcell/row_map.hpp"
 #include "position.hpp"
 #include "span_writer.hpp"
@@ -10,8 +11,6 @@
 namespace inkcell {
 namespace {
 
-using detail::across_q20;
-using detail::along_q20;
 using detail::clamp;
 using detail::FieldPosition;
 using detail::has_fields;
@@ -171,34 +170,6 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
   }
 }
 
-// Slanted text: cells of samples are quartic along a row, so that every pixel
-// is a query of its own.
-__attribute__((noinline)) void draw_turned(const GlyphField& field,
-                                           const Brush& brush,
-                                           const FinePoint& origin,
-                                           const Rect& box,
-                                           const Sink& sink) noexcept {
-  const int32_t reach_q22 = detail::reach_of(brush.filter());
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    SpanWriter writer(sink, y);
-    FieldPosition at = position_of(brush, origin, box.x0, y);
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      const uint8_t coverage =
-          has_fields(field)
-              ? brush.filter().coverage(
-                    detail::fields_distance_q10(field, brush, at, reach_q22))
-              : brush.coverage(
-                    detail::samples_distance_q10(field, at.x_q16, at.y_q16));
-      writer.put(x, coverage);
-      at.x_q16 += brush.step_along_q16();
-      at.y_q16 -= brush.step_across_q16();
-      at.x_q20 += static_cast<uint32_t>(along_q20(brush));
-      at.y_q20 -= static_cast<uint32_t>(across_q20(brush));
-    }
-    writer.flush();
-  }
-}
-
 void draw_placed(const GlyphField& field,
                  const Brush& brush,
                  const FinePoint& origin,
@@ -208,12 +179,12 @@ void draw_placed(const GlyphField& field,
     brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
     return;
   }
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
-  if (is_empty(box)) {
+  if (!brush.is_upright()) {
+    detail::paint_turned(field, brush, nullptr, origin, nullptr, sink);
     return;
   }
-  if (!brush.is_upright()) {
-    draw_turned(field, brush, origin, box, sink);
+  const Rect box = intersect(field_box(field, brush, origin), sink.window);
+  if (is_empty(box)) {
     return;
   }
   Upright upright = upright_of(field, brush, origin, rows, box);
