@@ -4,7 +4,7 @@
 #     [NAME <identifier>]      default: the file's name
 #     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
 #     [SYMBOLS <string>] [TEXT <utf-8 file>...]
-#     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>]
+#     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
 #     [CELLS fields|samples] [CODING direct|packed]
 #     [PREDICATE size|fixed] [EFFORT <0..9>])
@@ -105,8 +105,8 @@ endfunction()
 
 function(inkcell_add_font target)
   set(single
-    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE
-    EFFORT)
+    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING
+    PREDICATE EFFORT)
   set(several CHARS TEXT AXIS)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES OR NOT arg_FONT)
@@ -140,7 +140,7 @@ function(inkcell_add_font target)
 
   set(options)
   foreach(word
-      MIN_PX MAX_PX TOLERANCE FACE CELLS CODING PREDICATE EFFORT)
+      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING PREDICATE EFFORT)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")

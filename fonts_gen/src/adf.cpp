@@ -14,6 +14,9 @@ double band_u(const AdfOptions& options) {
   if (options.predicate == Predicate::fixed) {
     return kFixedBand_u;
   }
+  if (options.band_px > 0) {
+    return options.band_px * 1024 / options.min_px;
+  }
   return (options.cells == CellKind::fields ? 512 : 768) / options.min_px;
 }
 

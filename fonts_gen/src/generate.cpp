@@ -36,6 +36,16 @@ void check_request(const GenerateRequest& request) {
   if (!is_whole_within(adf.tolerance, 1, 255)) {
     throw Error("--tolerance is a whole number within 1..255, such as 16/255");
   }
+  if (adf.band_px != 0) {
+    AdfOptions usual = adf;
+    usual.band_px = 0;
+    if (adf.predicate == Predicate::fixed || !(adf.band_px > 0) ||
+        band_u(adf) < band_u(usual) || band_u(adf) > kMostBand_u) {
+      throw Error(
+          "--band-px is at least 0.5 with cells of fields, 0.75 with samples, "
+          "and at most 3/16 em at --min-px; the fixed predicate has its own");
+    }
+  }
   if (adf.effort < 0 || adf.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,8 @@ struct FontReport {
   double worst_error = 0;  // of all glyphs
   double mean_error = 0;   // at the worst size; fixed: over the glyphs with ink
   double seconds = 0;
+  /// What AdfOptions::band_px cost, if it was asked for and measured. [bytes]
+  std::optional<int64_t> band_bytes;
 
   /// Of the same cells as a list of leaves, the paper's form: 15 bytes each.
   size_t leaf_list_bytes() const { return 15 * cells; }

@@ -126,6 +126,17 @@ void check_files(const Arguments& arguments) {
   check_apart(targets, inputs);
 }
 
+// The bytes that a wide band takes: those that the font has without it.
+void measure_band(const GenerateRequest& request, FontReport& report) {
+  if (request.adf.band_px != 0) {
+    GenerateRequest usual = request;
+    usual.adf.band_px = 0;
+    report.band_bytes =
+        static_cast<int64_t>(report.bytes.total()) -
+        static_cast<int64_t>(generate(usual).report.bytes.total());
+  }
+}
+
 void run(Arguments& arguments) {
   if (arguments.name.empty()) {
     arguments.name = identifier_of(arguments.request.font);
@@ -139,6 +150,9 @@ void run(Arguments& arguments) {
   RomFont font;
   try {
     font = generate(arguments.request);
+    if (!arguments.quiet || !arguments.report.empty()) {
+      measure_band(arguments.request, font.report);
+    }
   } catch (...) {
     progress.finish();
     throw;

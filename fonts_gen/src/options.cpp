@@ -80,6 +80,9 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       ->capture_default_str();
   app.add_option("--max-px", adf.max_px, "Largest size [px/em]")
       ->capture_default_str();
+  app.add_option("--band-px", adf.band_px,
+                 "How far from the edge distances are good, at --min-px: for "
+                 "outlines, shadows, glows [what filters need]");
   app.add_option_function<std::string>(
          "--tolerance",
          [&adf](const std::string& text) {

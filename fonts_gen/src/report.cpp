@@ -121,6 +121,15 @@ std::string report_for_people(const FontReport& report) {
     text += format("  %-16s%.0f/255 from %.0f to %.0f px\n", "tolerance",
                    options.tolerance, options.min_px, options.max_px);
   }
+  if (options.band_px > 0) {
+    text +=
+        format("  %-16s%.2f px at %.0f px, %.0f/1024 em", "band",
+               options.band_px, options.min_px, std::floor(band_u(options)));
+    text += report.band_bytes
+                ? format(", for %+lld bytes\n",
+                         static_cast<long long>(*report.band_bytes))
+                : "\n";
+  }
   const auto part = [&](const char* name, size_t size) {
     text += format(
         "  %-16s%9zu bytes  %5.1f %%\n", name, size,
@@ -164,6 +173,10 @@ std::string report_as_json(const FontReport& report) {
   json["min_px"] = static_cast<int>(options.min_px);
   json["max_px"] = static_cast<int>(options.max_px);
   json["tolerance"] = fixed ? 0 : static_cast<int>(options.tolerance);
+  json["band_u"] = static_cast<int>(band_u(options));
+  if (report.band_bytes) {
+    json["band_bytes"] = *report.band_bytes;
+  }
   json["effort"] = options.effort;
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},

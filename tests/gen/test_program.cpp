@@ -94,6 +94,30 @@ TEST_F(Program, TakesEveryOption) {
   EXPECT_EQ(report.at("characters"), 3);
 }
 
+TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
+  const std::string font =
+      "--font plain.ttf --symbols H --min-px 12 --out a.bin --report a.json ";
+  const auto report = [&] {
+    return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+  };
+  ASSERT_EQ(run(folder_, font).code, 0);
+  EXPECT_EQ(report().at("band_u"), 512 / 12);
+  EXPECT_FALSE(report().contains("band_bytes"));
+  const int usual = report().at("bytes").at("total");
+  const Outcome wide = run(folder_, font + "--band-px 2");
+  ASSERT_EQ(wide.code, 0) << wide.err;
+  EXPECT_EQ(report().at("band_u"), 2048 / 12);
+  const int bytes = report().at("bytes").at("total");
+  EXPECT_EQ(report().at("band_bytes"), bytes - usual);
+  EXPECT_NE(wide.out.find("band "), std::string::npos);
+  for (const char* refused : {"0.4", "3", "-1", "nan"}) {
+    EXPECT_EQ(run(folder_, font + "--band-px " + refused).code, 1) << refused;
+  }
+  EXPECT_EQ(
+      run(folder_, font + "--cells samples --predicate fixed --band-px 1").code,
+      1);
+}
+
 TEST_F(Program, MakesEveryKindOfFont) {
   const struct {
     const char* options;
