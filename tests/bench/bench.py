@@ -1,15 +1,19 @@
 #!/usr/bin/env python3
 """Builds the bench firmware for each core, runs it, and tells the figures.
 
-A glyph is counted from its code point to 8-bit coverage in strips of 16 rows,
-without a cache; mean and worst of the 95 printable ASCII characters (of those
-that the font has). Instructions, not cycles: exact and repeatable in QEMU.
+A glyph is counted from its code point to 8-bit coverage, without a cache; mean
+and worst of the 95 printable ASCII characters (of those that the font has).
+Inkcell draws into strips of 16 rows, as many as the glyph needs; FreeType and
+stb_truetype render into a bitmap, which counts as output. Instructions, not
+cycles: exact and repeatable in QEMU. All engines have the same compiler and
+the same flags; cores without a word about it have no floating-point unit.
 
-Code is .text and .rodata of core and of the sink, as the linker kept them;
-what they need of the compiler's library (64-bit products and division) is
-apart in the table. M3 and up are compiled with -mno-unaligned-access.
+Code is .text and .rodata of the engine's library, as the linker kept them;
+what they need of the C library and the compiler's (64-bit products, division,
+floating point, setjmp) is apart, as "libraries".
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import re
@@ -18,90 +22,189 @@ import subprocess
 import sys
 from pathlib import Path
 
+import peers
+import report
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-DEFAULT_FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+DEFAULT_FONTS = [
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf",
+]
 STANDARD = ["--chars", "0x20-0x7E", "--min-px", "8", "--max-px", "64",
             "--tolerance", "16/255"]
-# Core: toolchain file, board whose QEMU machine runs it, largest glyph [px].
+# Core: toolchain file, board whose QEMU machine runs it.
 CPUS = {
-    "m0": (HERE / "firmware/toolchain_m0.cmake", "mps2_an385", 160),
-    "m3": (ROOT / "boards/mps2_an385/toolchain.cmake", "mps2_an385", 160),
-    "m4": (ROOT / "boards/mps2_an386/toolchain.cmake", "mps2_an386", 160),
-    "m7": (ROOT / "boards/mps2_an500/toolchain.cmake", "mps2_an500", 160),
-    "m33": (ROOT / "boards/mps2_an505/toolchain.cmake", "mps2_an505", 160),
-    "rv32": (ROOT / "boards/riscv_virt/toolchain.cmake", "riscv_virt", 160),
-    "microbit": (ROOT / "boards/microbit/toolchain.cmake", "microbit", 64),
+    "m0": (HERE / "firmware/toolchain_m0.cmake", "mps2_an385"),
+    "m3": (ROOT / "boards/mps2_an385/toolchain.cmake", "mps2_an385"),
+    "m4": (ROOT / "boards/mps2_an386/toolchain.cmake", "mps2_an386"),
+    "m7": (ROOT / "boards/mps2_an500/toolchain.cmake", "mps2_an500"),
+    "m33": (ROOT / "boards/mps2_an505/toolchain.cmake", "mps2_an505"),
+    "rv32": (ROOT / "boards/riscv_virt/toolchain.cmake", "riscv_virt"),
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
+# Coding: firmware, its way, what the generator is told.
+CODINGS = {
+    "direct": ("direct", "upright", ["--coding", "direct"]),
+    "packed": ("packed", "packed", ["--coding", "packed"]),
+    "retained": ("packed", "retained", ["--coding", "packed"]),
+    "rows": ("packed", "rows", ["--coding", "packed"]),
+    "samples": ("direct", "upright", ["--coding", "direct", "--cells",
+                                      "samples"]),
+}
+LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_port_pixel"),
+             "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
+WHAT = {
+    "glyphs": "each engine, coding and size",
+    "turned": "text turned by 15 degrees, over upright",
+    "digits": "instructions for each pixel of the box of digits of 200 px",
+    "rgb565": "a line of text into RGB565, and its sink alone",
+    "code": "bytes that programs keep of the library",
+}
+ASCII = ("32", "126")
+DIGITS = ("48", "57")
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="tests/bench/run.sh")
-    parser.add_argument("--cpu", default="m0,m3,m4,rv32")
-    parser.add_argument("--engines", default="inkcell")
-    parser.add_argument("--px", default="12,24,48")
-    parser.add_argument("--opt", default="O2")
-    parser.add_argument("--font", default=DEFAULT_FONT)
-    parser.add_argument("--build", default=str(ROOT / "build/bench"))
-    parser.add_argument("--fontgen", help="a built inkcell-fontgen")
+    parser = argparse.ArgumentParser(
+        prog="tests/bench/run.sh", description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    add = parser.add_argument
+    lists = {"cpu": (CPUS, "m0,m3,m4,rv32"), "opt": (BUILD_TYPES, "O2"),
+             "engines": (LIBRARIES, ",".join(LIBRARIES)),
+             "coding": (CODINGS, ",".join(CODINGS)),
+             "what": (WHAT, ",".join(WHAT))}
+    for option, (known, default) in lists.items():
+        add("--" + option, metavar="LIST",
+            help=f"of {', '.join(known)} (default: {default})")
+    add("--px", default="12,16,24,32,48,96", metavar="LIST",
+        help="sizes (default: %(default)s)")
+    add("--font", action="append", metavar="FILE",
+        help="a TTF or a ROM font, more than once for several (default: "
+        "DejaVu Sans, Liberation Serif)")
+    add("--build", default=str(ROOT / "build/bench"), metavar="FOLDER",
+        help="where everything is made (default: build/bench)")
+    add("--fontgen", metavar="FILE", help="a built inkcell-fontgen")
+    add("--freetype", metavar="FOLDER",
+        help="sources of FreeType (default: Debian's, downloaded)")
+    add("--stb", metavar="FOLDER",
+        help="of stb_truetype.h (default: Debian's, downloaded)")
+    add("--write-docs", action="store_true",
+        help="measure everything on all cores and write docs/BENCHMARKS.md")
     arguments = parser.parse_args()
-    for option, known in (("cpu", CPUS), ("opt", BUILD_TYPES),
-                          ("engines", ["inkcell"])):
-        for value in getattr(arguments, option).split(","):
+    for option, (known, default) in lists.items():
+        if arguments.write_docs:
+            default = ",".join(known)
+        values = (getattr(arguments, option) or default).split(",")
+        for value in values:
             if value not in known:
-                parser.error(f"--{option} {value}: there is "
-                             f"{', '.join(known)} in this version")
-    if not all(px.isdigit() for px in arguments.px.split(",")):
-        parser.error("--px takes whole numbers")
-    if not Path(arguments.font).is_file():
-        parser.error(f"--font {arguments.font}: there is no such file")
+                parser.error(f"--{option} {value}: there is {', '.join(known)}")
+        setattr(arguments, option, values)
+    arguments.px = arguments.px.split(",")
+    if not all(px.isdigit() and 4 <= int(px) <= 160 for px in arguments.px):
+        parser.error("--px takes whole numbers from 4 to 160")
+    arguments.font = [Path(font).resolve()
+                      for font in arguments.font or DEFAULT_FONTS]
+    for font in arguments.font:
+        if not font.is_file():
+            parser.error(f"--font {font}: there is no such file")
     return arguments
 
 
-def run(*command):
+def say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def run(*command, **options):
     """Runs a command quietly; its output is shown if it fails."""
     done = subprocess.run([str(part) for part in command],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, check=False)
+                          text=True, check=False, **options)
     if done.returncode != 0:
         sys.exit(f"{done.stdout[-4000:]}\nbench: failed: "
                  f"{' '.join(str(part) for part in command)}")
     return done.stdout
 
 
+def in_parallel(function, jobs):
+    """[function(*job) for job in jobs], on all cores, in order."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda job: function(*job), jobs))
+
+
 def find_fontgen(arguments, build):
     if arguments.fontgen:
-        return Path(arguments.fontgen)
+        return Path(arguments.fontgen).resolve()
     for built in (ROOT / "build/host", build / "host"):
         if (built / "fonts_gen/inkcell-fontgen").exists():
             return built / "fonts_gen/inkcell-fontgen"
+    say("building inkcell-fontgen")
     run("cmake", "-S", ROOT, "-B", build / "host", "-G", "Ninja",
         "-DINKCELL_TESTS=OFF")
     run("cmake", "--build", build / "host", "--target", "inkcell-fontgen")
     return build / "host/fonts_gen/inkcell-fontgen"
 
 
-def rom_font(arguments, build):
-    """The ROM font to link: as it is, or made from an outline font."""
-    font = Path(arguments.font).resolve()
-    with open(font, "rb") as file:
-        if file.read(4) == b"INKC":
-            return font
-    made = build / (font.stem + ".bin")
-    run(find_fontgen(arguments, build), "--font", font, *STANDARD, "--format",
-        "bin", "--quiet", "--out", made)
-    return made
+class Fonts:
+    """The font files that engines read, below the build folder."""
+
+    def __init__(self, arguments, build):
+        self.folder = build / "fonts"
+        self.folder.mkdir(exist_ok=True)
+        self.files = {}  # (font, engine, coding): name in the folder
+        wanted = {}
+        for font in arguments.font:
+            with open(font, "rb") as file:
+                is_rom = file.read(4) == b"INKC"
+            name = re.sub(r"[^\w.-]", "_", font.stem)
+            if is_rom:
+                shutil.copyfile(font, self.folder / (name + ".bin"))
+                codings = arguments.coding
+                if len(codings) == len(CODINGS):
+                    codings = ["direct"]
+                for coding in codings:
+                    self.files[font, "inkcell", coding] = name + ".bin"
+                continue
+            if "inkcell" in arguments.engines:
+                for coding in {*arguments.coding, "direct"}:
+                    options = CODINGS[coding][2]
+                    made = f"{name}-{options[-1]}.bin"
+                    wanted[made] = (font, options)
+                    self.files[font, "inkcell", coding] = made
+            if set(arguments.engines) & {"freetype", "stb"}:
+                made = self.folder / (name + ".ttf")
+                peers.make_subset(font, made, build)
+                for engine in ("freetype", "stb"):
+                    self.files[font, engine, None] = made.name
+        if wanted:
+            self.generate(find_fontgen(arguments, build), wanted)
+
+    def generate(self, fontgen, wanted):
+        def make(made, source):
+            font, options = source
+            target = self.folder / made
+            if (target.exists() and
+                    target.stat().st_mtime > fontgen.stat().st_mtime):
+                return
+            say(f"generating {made}")
+            run(fontgen, "--font", font, *STANDARD, *options, "--format",
+                "bin", "--quiet", "--out", target.with_suffix(".new"))
+            target.with_suffix(".new").rename(target)
+        in_parallel(make, wanted.items())
+
+    def bytes(self, name):
+        return (self.folder / name).stat().st_size
 
 
-def build_firmware(cpu, opt, font, build):
-    toolchain, _, side = CPUS[cpu]
+def build_firmware(cpu, opt, sources, targets, build):
     folder = build / f"{cpu}-{opt}"
+    say(f"building {cpu} -{opt}")
     run("cmake", "-S", HERE / "firmware", "-B", folder, "-G", "Ninja",
-        f"-DCMAKE_TOOLCHAIN_FILE={toolchain}",
+        f"-DCMAKE_TOOLCHAIN_FILE={CPUS[cpu][0]}",
         f"-DCMAKE_BUILD_TYPE={BUILD_TYPES[opt]}",
-        f"-DINKCELL_BENCH_FONT={font}", f"-DINKCELL_BENCH_SIDE={side}")
-    run("cmake", "--build", folder, "--target", "bench")
+        f"-DINKCELL_BENCH_FREETYPE={sources.get('freetype', '')}",
+        f"-DINKCELL_BENCH_STB={sources.get('stb', '')}")
+    run("cmake", "--build", folder, "--target", *targets)
     return folder
 
 
@@ -115,37 +218,142 @@ def kept_bytes(linker_map):
     for name, size, file in re.findall(
             r"^ (\.\S+)\s+0x[0-9a-f]+\s+0x([0-9a-f]+) (\S+)$", text,
             re.MULTILINE):
-        library = re.search(r"lib(inkcell_core|inkcell_port_pixel|gcc)\.a",
-                            file)
+        library = re.search(r"lib(\w+)\.a\(", file)
         if library is None:
             continue
         kind = name.split(".")[1]
-        kind = "code" if kind in ("text", "rodata", "srodata") else kind
+        kind = {"rodata": "code", "srodata": "code", "text": "code",
+                "data": "ram", "sdata": "ram", "bss": "ram",
+                "sbss": "ram"}.get(kind, kind)
         key = (library.group(1), kind)
         kept[key] = kept.get(key, 0) + int(size, 16)
     return kept
 
 
-def measure(cpu, opt, font, sizes, build):
-    """One dictionary for each size."""
-    folder = build_firmware(cpu, opt, font, build)
-    kept = kept_bytes(folder / "bench.map")
-    engine = ("inkcell_core", "inkcell_port_pixel")
-    code = sum(kept.get((library, "code"), 0) for library in engine)
-    ram = sum(kept.get((library, kind), 0) for library in engine
-              for kind in ("data", "bss", "sdata", "sbss"))
-    output = run("sh", ROOT / "boards/common/qemu_run.sh", CPUS[cpu][1],
-                 folder / "bench.elf", *sizes)
-    for line in output.splitlines():
-        if not line.startswith("size "):
+class Firmware:
+    """The programs of one core and optimisation."""
+
+    def __init__(self, cpu, opt, sources, targets, fonts, build):
+        self.cpu, self.opt, self.fonts = cpu, opt, fonts
+        self.folder = build_firmware(cpu, opt, sources, targets, build)
+
+    def run(self, program, *arguments):
+        """Lines of numbers that a program prints, by their first word."""
+        output = run("sh", ROOT / "boards/common/qemu_run.sh",
+                     CPUS[self.cpu][1], self.folder / (program + ".elf"),
+                     *arguments, cwd=self.fonts.folder)
+        return [(line.split()[0], [int(word) for word in line.split()[1:]])
+                for line in output.splitlines()
+                if re.fullmatch(r"\w+( \d+)+", line)]
+
+    def glyphs(self, engine, coding, font, way, characters, sizes):
+        """One dictionary for each size."""
+        program = CODINGS[coding][0] if coding else engine
+        kept = kept_bytes(self.folder / (program + ".map"))
+        name = self.fonts.files[font, engine, coding]
+        for _, numbers in self.run(program, name, way, *characters, *sizes):
+            (px, glyphs, mean, most, stack, heap, workspace, ink,
+             box) = numbers
+            result = {"engine": engine, "cpu": self.cpu, "opt": self.opt,
+                      "font": font.stem, "px": px, "instructions_mean": mean,
+                      "instructions_max": most, "stack": stack, "heap": heap,
+                      "static_ram": sum(kept.get((library, "ram"), 0)
+                                        for library in LIBRARIES[engine]),
+                      "code": sum(kept.get((library, "code"), 0)
+                                  for library in LIBRARIES[engine]),
+                      "font_bytes": self.fonts.bytes(name)}
+            if coding:
+                result["coding"] = coding
+                result["workspace"] = workspace
+            result["libraries"] = sum(kept.get((library, "code"), 0)
+                                      for library in ("c", "m", "gcc"))
+            yield result, {"glyphs": glyphs, "ink": ink, "box": box}
+
+
+def measure_glyphs(firmware, arguments, pictures):
+    """Results of all engines, codings and fonts, table by table."""
+    jobs = [job for job in firmware.fonts.files
+            if (job[1] == "inkcell" and job[2] in arguments.coding) or
+            (job[1] != "inkcell" and job[1] in arguments.engines)]
+    jobs.sort(key=lambda job: (arguments.font.index(job[0]),
+                               list(LIBRARIES).index(job[1]),
+                               list(CODINGS).index(job[2]) if job[2] else 0))
+
+    def one(font, engine, coding):
+        way = CODINGS[coding][1] if coding else "upright"
+        return list(firmware.glyphs(engine, coding, font, way, ASCII,
+                                    arguments.px))
+    results = []
+    for job, rows in zip(jobs, in_parallel(one, jobs)):
+        if len(rows) != len(arguments.px):
+            sys.exit(f"bench: {firmware.cpu}: {job}: a size is missing")
+        for result, more in rows:
+            results.append(result)
+            key = job[0].stem, result["px"]
+            name = job[2] if job[2] == "samples" else job[1]
+            pictures.setdefault(key, {}).setdefault(name, set()).add(
+                more["ink"])
+    return results
+
+
+def check_pictures(pictures):
+    """That all drew the same text: Inkcell bit by bit, others about."""
+    for (font, px), engines in pictures.items():
+        for engine in ("inkcell", "samples"):
+            if len(engines.get(engine, ())) > 1:
+                sys.exit(f"bench: {font}, {px} px: pictures differ between "
+                         f"cores or codings: {engines[engine]}")
+        inks = [ink for some in engines.values() for ink in some]
+        if px >= 24 and max(inks) > 1.03 * min(inks):
+            sys.exit(f"bench: {font}, {px} px: engines did not draw the same: "
+                     f"{engines}")
+
+
+def measure_others(firmware, arguments, upright):
+    """The figures of Inkcell with direct fonts that are not a table."""
+    for font in arguments.font:
+        name = firmware.fonts.files.get((font, "inkcell", "direct"))
+        if name is None:
             continue
-        px, glyphs, mean, most, stack, ink = map(int, line.split()[1:])
-        yield {"engine": "inkcell", "cpu": cpu, "opt": opt, "font": font.name,
-               "px": px, "instructions_mean": mean, "instructions_max": most,
-               "stack": stack, "heap": 0, "static_ram": ram, "code": code,
-               "font_bytes": font.stat().st_size}, {
-                   "glyphs": glyphs, "ink": ink,
-                   "libgcc": kept.get(("gcc", "code"), 0)}
+        about = {"cpu": firmware.cpu, "opt": firmware.opt, "font": font.stem}
+        if "turned" in arguments.what:
+            for result, _ in firmware.glyphs("inkcell", "direct", font,
+                                             "turned", ASCII, arguments.px):
+                mean = result["instructions_mean"]
+                straight = upright.get((font.stem, result["px"]))
+                yield {"figure": "turned", **about, "px": result["px"],
+                       "instructions_mean": mean, "stack": result["stack"],
+                       "over_upright": straight and round(mean / straight, 3)}
+        if "digits" in arguments.what:
+            for result, more in firmware.glyphs("inkcell", "direct", font,
+                                                "upright", DIGITS, ["200"]):
+                mean = result["instructions_mean"]
+                yield {"figure": "digits", **about, "px": 200,
+                       "instructions_mean": mean, "stack": result["stack"],
+                       "per_pixel": round(mean * more["glyphs"] / more["box"],
+                                          2)}
+        if "rgb565" in arguments.what:
+            for word, numbers in firmware.run("rgb565", name, *arguments.px):
+                if word == "run":
+                    yield {"figure": "run", **about, "px": numbers[0],
+                           "instructions": numbers[1], "stack": numbers[2],
+                           "strips": numbers[3]}
+                elif font == arguments.font[0]:
+                    del about["font"]
+                    yield {"figure": "blend", **about,
+                           "per_partly_covered": numbers[0] / 100,
+                           "per_solid": numbers[1] / 100,
+                           "call_coverage": numbers[2],
+                           "call_solid": numbers[3]}
+    if "code" in arguments.what:
+        kept = [kept_bytes(firmware.folder / f"kept_{level}.map")
+                for level in range(4)]
+        names = ("glyphs", "packed", "text", "all_sinks")
+        yield {"figure": "code", "cpu": firmware.cpu, "opt": firmware.opt,
+               **{name: sum(level.get((library, "code"), 0)
+                            for library in LIBRARIES["inkcell"])
+                  for name, level in zip(names, kept)},
+               "libraries": kept[0].get(("gcc", "code"), 0)}
 
 
 def main():
@@ -156,28 +364,40 @@ def main():
                      "what to install")
     build = Path(arguments.build).resolve()
     build.mkdir(parents=True, exist_ok=True)
-    font = rom_font(arguments, build)
     os.environ.pop("INKCELL_QEMU_WINDOW", None)  # it would run in real time
-    row = "{:9}{:4}{:>5}{:>8}{:>10}{:>10}{:>7}{:>7}{:>8}{:>9}"
-    print(row.format("cpu", "opt", "px", "glyphs", "mean", "worst", "stack",
-                     "code", "libgcc", "font"), file=sys.stderr)
-    inks = {}
-    for cpu in arguments.cpu.split(","):
-        for opt in arguments.opt.split(","):
-            for result, more in measure(cpu, opt, font,
-                                        arguments.px.split(","), build):
-                print(json.dumps(result), flush=True)
-                print(row.format(cpu, opt, result["px"], more["glyphs"],
-                                 result["instructions_mean"],
-                                 result["instructions_max"], result["stack"],
-                                 result["code"], more["libgcc"],
-                                 result["font_bytes"]), file=sys.stderr)
-                inks.setdefault(result["px"], set()).add(more["ink"])
-    if len(inks) != len(set(arguments.px.split(","))):
-        sys.exit("bench: a size is missing")
-    for px, sums in inks.items():
-        if len(sums) != 1:
-            sys.exit(f"bench: {px} px: cores drew different pictures: {sums}")
+    sources = peers.find_sources(arguments, build)
+    fonts = Fonts(arguments, build)
+    targets = {CODINGS[coding][0] for coding in arguments.coding}
+    targets |= {engine for engine in arguments.engines if engine != "inkcell"}
+    targets.add("direct")
+    if "rgb565" in arguments.what:
+        targets.add("rgb565")
+    if "code" in arguments.what:
+        targets |= {f"kept_{level}" for level in range(4)}
+    results, others, pictures = [], [], {}
+    for opt in arguments.opt:
+        for cpu in arguments.cpu:
+            firmware = Firmware(cpu, opt, sources, sorted(targets), fonts,
+                                build)
+            glyphs = []
+            if "glyphs" in arguments.what:
+                glyphs = measure_glyphs(firmware, arguments, pictures)
+                report.print_table(glyphs)
+            upright = {(result["font"], result["px"]):
+                       result["instructions_mean"] for result in glyphs
+                       if result.get("coding") == "direct"}
+            more = []
+            if "inkcell" in arguments.engines:
+                more = list(measure_others(firmware, arguments, upright))
+                report.print_others(more)
+            for line in glyphs + more:
+                print(json.dumps(line), flush=True)
+            results += glyphs
+            others += more
+    check_pictures(pictures)
+    if arguments.write_docs:
+        report.write_document(ROOT / "docs/BENCHMARKS.md", results, others,
+                              build)
 
 
 if __name__ == "__main__":

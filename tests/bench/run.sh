@@ -1,10 +1,13 @@
 #!/bin/sh
-# What drawing costs: instructions, stack and bytes, counted in QEMU.
+# What drawing costs: instructions, stack and bytes, counted in QEMU; beside
+# FreeType and stb_truetype.
 #
-#   sh tests/bench/run.sh [--cpu m0,m3,m4,m7,m33,rv32,microbit] [--px 12,24,48]
-#       [--opt O2,Os] [--engines inkcell] [--font FILE] [--build FOLDER]
+#   sh tests/bench/run.sh [--cpu m0,m3,m4,m7,m33,rv32] [--opt O2,Os]
+#       [--engines inkcell,freetype,stb] [--coding direct,packed,...]
+#       [--px 12,16,24,32,48,96] [--font FILE]... [--what glyphs,...]
+#       [--write-docs] [--help]
 #
-# FILE is a ROM font, or a TTF that becomes the standard font: 95 ASCII glyphs,
-# 8 to 64 px, 16/255. Default: DejaVu Sans. Prints one JSON object a line on
-# standard output and a table on standard error. See bench.py.
-exec python3 "$(dirname "$0")/bench.py" "$@"
+# FILE is a TTF, of which the standard font is made: 95 ASCII glyphs, 8 to 64
+# px, 16/255; or a ROM font. Default: DejaVu Sans and Liberation Serif. Prints
+# one JSON object a line on standard output and tables on standard error.
+exec python3 -B "$(dirname "$0")/bench.py" "$@"

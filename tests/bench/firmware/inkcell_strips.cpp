@@ -1,0 +1,71 @@
+// What the engines of Inkcell share.
+#include "inkcell_strips.hpp"
+
+using namespace inkcell;
+
+namespace {
+
+// Pixels of a box of ink, rounded outwards.
+uint32_t box_pixels(const GlyphMetrics& metrics) {
+  const int32_t units = bench::font.units_per_em();
+  const int32_t size = bench::brush.size().raw;
+  const auto to_px_down = [units, size](int32_t value) {
+    const int64_t product = int64_t{value} * size;
+    const int64_t whole = int64_t{units} * 64;
+    return static_cast<int32_t>((product - (product < 0 ? whole - 1 : 0)) /
+                                whole);
+  };
+  const int32_t width = -to_px_down(-metrics.x_max) - to_px_down(metrics.x_min);
+  const int32_t rows = -to_px_down(-metrics.y_max) - to_px_down(metrics.y_min);
+  return static_cast<uint32_t>(width * rows);
+}
+
+}  // namespace
+
+engine_answer bench::place(uint16_t glyph, const GlyphField& field) {
+  GlyphMetrics metrics;
+  if (font.glyph_metrics(glyph, metrics) != Status::ok) {
+    return engine_lacks;
+  }
+  const Rect rect = field_box(field, brush, {});
+  if (rect.x1 - rect.x0 > kEngineSide || rect.y1 - rect.y0 > kEngineSide) {
+    return engine_too_large;
+  }
+  origin = {Q26_6::from_int(-rect.x0), Q26_6::from_int(-rect.y0)};
+  height = rect.y1 - rect.y0;
+  box = box_pixels(metrics);
+  const int32_t strips = (height + kRows - 1) / kRows;
+  for (int32_t i = 0; i < strips * kRows * kEngineSide; ++i) {
+    pixels[i] = 0;
+  }
+  return engine_ready;
+}
+
+bool bench::equal(const char* a, const char* b) {
+  while (*a != '\0' && *a == *b) {
+    ++a;
+    ++b;
+  }
+  return *a == *b;
+}
+
+bool engine_open(const uint8_t* bytes, size_t size) {
+  return Font::open({bytes, size}, bench::font) == Status::ok;
+}
+
+uint32_t engine_ink() {
+  uint32_t sum = 0;
+  const int32_t strips = (bench::height + bench::kRows - 1) / bench::kRows;
+  for (int32_t i = 0; i < strips * bench::kRows * kEngineSide; ++i) {
+    sum += bench::pixels[i];
+  }
+  return sum;
+}
+
+uint32_t engine_box() {
+  return bench::box;
+}
+
+size_t engine_heap() {
+  return 0;
+}

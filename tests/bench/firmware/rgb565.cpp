@@ -1,0 +1,137 @@
+// Draws a line of text into strips of RGB565, and blends without drawing.
+//
+//   FIRMWARE FONT PX...
+//
+// Prints for each size what `draw` of the laid-out line takes in 16-row strips:
+//
+//   run PX INSTRUCTIONS STACK STRIPS
+//
+// and of the sink alone, hundredths of an instruction for one more pixel that
+// is partly covered, for one more solid one, and what a call of each takes for
+// nothing:
+//
+//   blend PARTLY SOLID CALL_PARTLY CALL_SOLID
+#include "inkcell/port/rgb565.hpp"
+#include "board.hpp"
+#include "counter.hpp"
+#include "inkcell/text.hpp"
+#include "semihosting.hpp"
+#include "stack.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kWidth = 640;
+constexpr int32_t kRows = 16;
+constexpr size_t kFontBytes = 1 << 20;
+alignas(4) uint8_t font_bytes[kFontBytes];
+alignas(4) uint8_t pixels[kWidth * kRows * 2];
+PositionedGlyph glyphs[16];
+
+void print_number(uint32_t value) {
+  board::print(" ");
+  board::print_decimal(value);
+}
+
+bool open_font(const char* name, Font& font) {
+  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
+  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
+  const auto size = static_cast<size_t>(length);
+  return length >= 0 && size <= kFontBytes &&
+         semihosting::read(file, font_bytes, size) &&
+         Font::open({font_bytes, size}, font) == Status::ok;
+}
+
+bool make_strip(int32_t y, port::Rgb565Target& target, Sink& sink) {
+  target.strip.pixels = {pixels, sizeof pixels};
+  target.strip.y0 = y;
+  target.strip.width = kWidth;
+  target.strip.height = kRows;
+  target.strip.stride = kWidth * 2;
+  return make_sink(target, sink) == Status::ok;
+}
+
+bool measure_run(const Font& font, int32_t px) {
+  Brush brush;
+  Span<const PositionedGlyph> run;
+  if (Brush::make(Q26_6::from_int(px), kFilterText, brush) != Status::ok ||
+      layout(font, "Hello, 12:34", glyphs, run) != Status::ok) {
+    return false;
+  }
+  uint32_t instructions = 0;
+  uint32_t stack = 0;
+  uint32_t strips = 0;
+  for (int32_t y = 0; y < px + px / 2; y += kRows) {
+    port::Rgb565Target target;
+    Sink sink;
+    if (!make_strip(y, target, sink)) {
+      return false;
+    }
+    const auto work = [&] {
+      draw(font, run, brush, {Q26_6::from_int(4), Q26_6::from_int(px)}, sink);
+    };
+    const auto used = static_cast<uint32_t>(board::count_stack(work));
+    stack = used > stack ? used : stack;
+    instructions += board::count_instructions(work);
+    strips += 1;
+  }
+  board::print("run");
+  print_number(static_cast<uint32_t>(px));
+  print_number(instructions);
+  print_number(stack);
+  print_number(strips);
+  board::print("\n");
+  return true;
+}
+
+bool measure_blend() {
+  port::Rgb565Target target;
+  target.colour = port::rgb565(40, 80, 160);
+  Sink sink;
+  if (!make_strip(0, target, sink)) {
+    return false;
+  }
+  uint8_t coverage[kMaxSpan];
+  for (int32_t i = 0; i < kMaxSpan; ++i) {
+    coverage[i] = static_cast<uint8_t>(1 + 7 * i);
+  }
+  const auto partly = [&](int32_t count) {
+    return board::count_instructions(
+        [&] { sink.coverage(sink.context, 0, 0, coverage, count); });
+  };
+  const auto solid = [&](int32_t count) {
+    return board::count_instructions(
+        [&] { sink.solid(sink.context, 0, 0, count); });
+  };
+  const uint32_t partly_100 = (partly(32) - partly(16)) * 100 / 16;
+  const uint32_t solid_100 = (solid(512) - solid(256)) * 100 / 256;
+  board::print("blend");
+  print_number(partly_100);
+  print_number(solid_100);
+  print_number(partly(16) - 16 * partly_100 / 100);
+  print_number(solid(256) - 256 * solid_100 / 100);
+  board::print("\n");
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Font font;
+  if (argc < 3 || !open_font(argv[1], font)) {
+    board::print("usage: FONT PX..., or the font does not open\n");
+    return 1;
+  }
+  for (int i = 2; i < argc; ++i) {
+    int32_t px = 0;
+    for (const char* at = argv[i]; *at != '\0'; ++at) {
+      px = px * 10 + (*at - '0');
+    }
+    if (!measure_run(font, px)) {
+      board::print("a size is out of range\n");
+      return 1;
+    }
+  }
+  return measure_blend() ? 0 : 1;
+}
