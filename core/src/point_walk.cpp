@@ -1,0 +1,152 @@
+#include "point_walk.hpp"
+
+#include "cell_access.hpp"
+#include "field_cell.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// A term set up at the origin, at a point. [px, Q8]
+FieldTerm term_at(const FieldTerm& origin,
+                  uint32_t x_q8,
+                  uint32_t y_q8) noexcept {
+  FieldTerm term = origin;
+  term.plane_q22 += times(term.nx_q14, x_q8) + times(term.ny_q14, y_q8);
+  if (term.bend != 0) {
+    term.along_q22 += times(term.nx_q14, y_q8) - times(term.ny_q14, x_q8);
+  }
+  return term;
+}
+
+FieldTerms terms_at(const FieldTerms& origin,
+                    const FieldPosition& at) noexcept {
+  const uint32_t x_q8 = q8_of(at.x_q20);
+  const uint32_t y_q8 = q8_of(at.y_q20);
+  FieldTerms terms;
+  terms.count = origin.count;
+  terms.op = origin.op;
+  for (uint32_t i = 0; i < origin.count; ++i) {
+    terms.term[i] = term_at(origin.term[i], x_q8, y_q8);
+  }
+  return terms;
+}
+
+// Two components below 2 times a sine and a cosine.
+int16_t turned_q14(int32_t a_q14,
+                   Fixed<int32_t, 30> p,
+                   int32_t b_q14,
+                   Fixed<int32_t, 30> q) noexcept {
+  const int32_t sum = a_q14 * (p.raw >> 16) + b_q14 * (q.raw >> 16);
+  const int32_t rounded = sum >> 14;
+  return static_cast<int16_t>(rounded > INT16_MAX   ? INT16_MAX
+                              : rounded < INT16_MIN ? INT16_MIN
+                                                    : rounded);
+}
+
+}  // namespace
+
+FieldPosition sample_position(const Brush& brush,
+                              const FinePoint& origin,
+                              const RowMap* rows,
+                              int32_t x,
+                              int32_t y,
+                              ScreenOffset offset) noexcept {
+  FieldPosition at = position_of(
+      brush, {origin.x_q10 - offset.right_q10, origin.y_q10 + offset.up_q10}, x,
+      y);
+  if (rows != nullptr) {
+    const int32_t height_q10 =
+        rows->glyph_height_q10(wrapped(at.y_q20 - kHalfQ20) >> 10);
+    at.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
+    at.y_q16 = static_cast<int32_t>(
+        (int64_t{height_q10} * brush.step_along_q16()) >> 10);
+  }
+  return at;
+}
+
+void PointWalk::go_to(const FieldPosition& at) noexcept {
+  const int32_t x_u = at.x_q16 >> 16;
+  const int32_t y_u = at.y_q16 >> 16;
+  const uint32_t x = static_cast<uint32_t>(x_u - field_.x0_u);
+  const uint32_t y = static_cast<uint32_t>(y_u - field_.y0_u);
+  if (((x ^ x_u_) | (y ^ y_u_)) >> size_log2_ == 0) {
+    return;
+  }
+  Cell cell;
+  if (in_grid(field_, x_u, y_u)) {
+    cell = locate(field_, x_u, y_u);
+  }
+  x_u_ = x;
+  y_u_ = y;
+  size_log2_ = cell.size_log2;  // 0 beyond the grid
+  is_saturated_ = cell.is_saturated();
+  samples_ = cell.samples;
+  row_y_q16_ = INT32_MIN;
+  if (is_saturated_) {
+    saturated_q10_ = brush_.to_px_q10(cell.inside ? kSaturatedDistanceQ10
+                                                  : -kSaturatedDistanceQ10);
+  } else if (samples_ == nullptr) {
+    set_up_terms(terms_, field_, cell, 0, 0, scale_of(brush_));
+  }
+}
+
+int32_t PointWalk::fields_q10(const FieldPosition& at) const noexcept {
+  const int32_t bend_log2 = brush_.bend_log2();
+  if (terms_.count == 1) {
+    return term_at(terms_.term[0], q8_of(at.x_q20), q8_of(at.y_q20))
+               .value_q22(bend_log2) >>
+           12;
+  }
+  return combine_q22(terms_at(terms_, at), bend_log2, reach_q22_) >> 12;
+}
+
+int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
+  // The cell's lower left corner, from the grid's.
+  const auto corner_q16 = [this](uint32_t place) noexcept {
+    return static_cast<int32_t>((place >> size_log2_) << (size_log2_ + 16));
+  };
+  const int32_t y_q16 = at.y_q16 - field_.y0_u * (1 << 16) - corner_q16(y_u_);
+  if (y_q16 != row_y_q16_) {
+    set_up_row(row_, samples_, static_cast<uint8_t>(size_log2_), y_q16);
+    row_y_q16_ = y_q16;
+  }
+  return brush_.to_px_q10(
+      row_.distance_q10(at.x_q16 - field_.x0_u * (1 << 16) - corner_q16(x_u_)));
+}
+
+int32_t PointWalk::distance_q10(const FieldPosition& at) noexcept {
+  go_to(at);
+  if (is_saturated_) {
+    return saturated_q10_;
+  }
+  if (INKCELL_FIELD_CELLS == 0 || samples_ != nullptr) {
+    return samples_q10(at);
+  }
+  return fields_q10(at);
+}
+
+ScreenGradient PointWalk::gradient(const FieldPosition& at) noexcept {
+  go_to(at);
+  if (is_saturated_) {
+    return {0, 0};
+  }
+  Gradient gradient;
+  if (INKCELL_FIELD_CELLS != 0 && samples_ == nullptr) {
+    gradient = combined_gradient(terms_at(terms_, at), brush_.bend_log2());
+  } else {
+    gradient = gradient_at(field_, Q16_16::from_raw(at.x_q16),
+                           Q16_16::from_raw(at.y_q16));
+  }
+  if (brush_.is_upright()) {
+    return {gradient.x.raw, gradient.y.raw};
+  }
+  const Direction turn = brush_.direction();
+  const Fixed<int32_t, 30> minus_sine =
+      Fixed<int32_t, 30>::from_raw(-turn.sine.raw);
+  return {turned_q14(gradient.x.raw, turn.cosine, gradient.y.raw, minus_sine),
+          turned_q14(gradient.x.raw, turn.sine, gradient.y.raw, turn.cosine)};
+}
+
+}  // namespace detail
+}  // namespace inkcell

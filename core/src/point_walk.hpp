@@ -1,0 +1,104 @@
+// Distances and gradients at points that lie close to each other.
+//
+// What painters are made of: any number of points to a pixel, on rows with any
+// step, upright or turned, fitted or not. The cell of the last point is kept,
+// and its fields as they are at the glyph's origin, from where a point takes
+// two products a field, four if it is bent.
+#pragma once
+
+#include <stdint.h>
+
+#include "field_draw.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/field.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/row_map.hpp"
+#include "position.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// A place on the screen relative to another. [px, Q10]
+struct ScreenOffset {
+  int32_t right_q10;
+  int32_t up_q10;
+};
+
+inline FieldPosition moved(const FieldPosition& at,
+                           const FieldPosition& by) noexcept {
+  // In u, too, far from any cell it may wrap.
+  const auto sum = [](int32_t a, int32_t b) noexcept {
+    return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+  };
+  return {sum(at.x_q16, by.x_q16), sum(at.y_q16, by.y_q16), at.x_q20 + by.x_q20,
+          at.y_q20 + by.y_q20};
+}
+
+// From a pixel to the next one on its right.
+inline FieldPosition pixel_step(const Brush& brush) noexcept {
+  return {brush.step_along_q16(), -brush.step_across_q16(),
+          static_cast<uint32_t>(along_q20(brush)),
+          0u - static_cast<uint32_t>(across_q20(brush))};
+}
+
+// Where the point lies that is `offset` away from the centre of pixel (x, y).
+// From here pixel_step() leads to the same point of the next pixels, exactly:
+// no picture depends on where a row begins. `rows` is null unless the glyph is
+// fitted, and then the brush is upright.
+FieldPosition sample_position(const Brush& brush,
+                              const FinePoint& origin,
+                              const RowMap* rows,
+                              int32_t x,
+                              int32_t y,
+                              ScreenOffset offset) noexcept;
+
+// A gradient as the screen shows it. [Q14] A unit vector where cells are made
+// of fields, about that where they are made of samples, 0 if saturated.
+struct ScreenGradient {
+  int16_t right_q14;
+  int16_t up_q14;
+};
+
+class PointWalk {
+ public:
+  // `reach_q22` as fields_distance_q10 takes it: reach_of(filter), or kNoReach
+  // where distances matter beyond the ramp.
+  PointWalk(const GlyphField& field,
+            const Brush& brush,
+            int32_t reach_q22) noexcept
+      : field_(field),
+        brush_(brush),
+        reach_q22_(reach_q22),
+        saturated_q10_(brush.to_px_q10(-kSaturatedDistanceQ10)) {}
+
+  // What distance_row says of a pixel whose centre is here, but that distances
+  // of fields are not clamped to 32 px. [px, Q10]
+  int32_t distance_q10(const FieldPosition& at) noexcept;
+
+  ScreenGradient gradient(const FieldPosition& at) noexcept;
+
+  // Whether the last point lay in a cell that is saturated, or in none.
+  bool is_saturated() const noexcept { return is_saturated_; }
+
+ private:
+  void go_to(const FieldPosition& at) noexcept;
+  int32_t fields_q10(const FieldPosition& at) const noexcept;
+  int32_t samples_q10(const FieldPosition& at) noexcept;
+
+  const GlyphField& field_;
+  const Brush& brush_;
+  int32_t reach_q22_;
+  // A point of the cell, from the grid's corner: at first one outside of it.
+  uint32_t x_u_ = UINT32_MAX;
+  uint32_t y_u_ = UINT32_MAX;
+  uint32_t size_log2_ = 0;
+  bool is_saturated_ = true;
+  int32_t saturated_q10_;  // [px]
+  FieldTerms terms_;       // at the origin
+  const uint8_t* samples_ = nullptr;
+  SamplesRow row_;
+  int32_t row_y_q16_ = INT32_MIN;  // where row_ is set up
+};
+
+}  // namespace detail
+}  // namespace inkcell
