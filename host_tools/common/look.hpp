@@ -1,0 +1,43 @@
+// How text looks: the options of programs that draw, and the brush they make.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+
+namespace inkcell::tools {
+
+/// Whether a picture stands alone or is a frame of something that moves. Picks
+/// what the options leave open.
+enum class Use { still, moving };
+
+/// What a person may ask for; empty: what suits the use.
+struct LookOptions {
+  std::string filter;
+};
+
+void add_look_options(CLI::App& app, LookOptions& options);
+
+/// A brush and all that it points to: stays where it was made.
+class Look {
+ public:
+  /// `px` px/em (rounded to 1/64), `angle` in degrees, counter-clockwise. The
+  /// font must outlive the look. Throws std::runtime_error if an option makes
+  /// no sense or the size is out of range.
+  Look(const LookOptions& options,
+       const Font& font,
+       double px,
+       double angle,
+       Use use);
+  Look(const Look&) = delete;
+  Look& operator=(const Look&) = delete;
+
+  const Brush& brush() const { return brush_; }
+
+ private:
+  Brush brush_;
+};
+
+}  // namespace inkcell::tools
