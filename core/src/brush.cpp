@@ -1,4 +1,7 @@
+// Sizes, directions and matrices as the numbers that drawing needs.
 #include "inkcell/brush.hpp"
+
+#include "field_turned.hpp"
 
 namespace inkcell {
 namespace {
@@ -9,15 +12,96 @@ int32_t divide_up(int32_t dividend, int32_t divisor) noexcept {
   return dividend > towards_zero * divisor ? towards_zero + 1 : towards_zero;
 }
 
+// u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
+int64_t step_of(int32_t size_q6) noexcept {
+  return (int64_t{1} << 32) / size_q6;
+}
+
+// The length of a vector, rounded down; components below 2^30.
+int64_t length_of(int64_t x, int64_t y) noexcept {
+  auto rest = static_cast<uint64_t>(x * x + y * y);
+  uint64_t root = 0;
+  for (uint64_t bit = uint64_t{1} << 60; bit != 0; bit >>= 2) {
+    const uint64_t sum = root + bit;
+    root >>= 1;
+    if (rest >= sum) {
+      rest -= sum;
+      root += bit;
+    }
+  }
+  return static_cast<int64_t>(root);
+}
+
+// An entry of a matrix over the size. [px, Q16 -> Q30]
+Fixed<int32_t, 30> over_size(Q16_16 entry_px, int32_t size_q6) noexcept {
+  return Fixed<int32_t, 30>::from_raw(
+      static_cast<int32_t>(int64_t{entry_px.raw} * (1 << 20) / size_q6));
+}
+
+// What a row of a matrix's inverse is as a step: entries over the determinant,
+// at most 256.
+GlyphStep step_from(int32_t x_q30,
+                    int32_t y_q30,
+                    int64_t determinant_q42,
+                    int32_t size_q6) noexcept {
+  constexpr int64_t kScale = int64_t{1} << 32;
+  const int64_t x_q20 = x_q30 * kScale / determinant_q42;
+  const int64_t y_q20 = y_q30 * kScale / determinant_q42;
+  // 1024 u over size/64 px: 2^10 2^6 2^-4 / size.
+  return {static_cast<int32_t>(x_q20 * (1 << 12) / size_q6),
+          static_cast<int32_t>(y_q20 * (1 << 12) / size_q6),
+          static_cast<int32_t>(x_q20), static_cast<int32_t>(y_q20)};
+}
+
 }  // namespace
+
+// Greatest and least. [px/em, Q6]
+struct Brush::Stretch {
+  int32_t most_q6;
+  int32_t least_q6;
+};
+
+// A brush that is upright, but for what `least_q6` changes.
+Status Brush::set_size(const Stretch& stretch,
+                       const Filter& filter,
+                       Brush& brush) noexcept {
+  const int32_t size_q6 = stretch.most_q6;
+  if (stretch.least_q6 < kMinSize.raw || size_q6 > kMaxSize.raw) {
+    return Status::bad_argument;
+  }
+  brush.size_q6_ = size_q6;
+  brush.limit_u_q10_ = INT32_MAX / size_q6;
+  // Least products of distance and size that reach past the cutoffs: the
+  // smallest d with floor(d size / 2^16) > outside is transparent no more.
+  brush.transparent_u_q10_ =
+      divide_up((filter.outside_q10 + 1) * (1 << 16), stretch.least_q6) - 1;
+  brush.opaque_u_q10_ =
+      divide_up(filter.inside_q10 * (1 << 16), stretch.least_q6);
+  int32_t log2 = 2;
+  while (64 << log2 < size_q6) {
+    ++log2;
+  }
+  brush.bend_log2_ = static_cast<uint8_t>(log2);
+  brush.bend_q14_ =
+      static_cast<uint16_t>((int32_t{1} << (14 + 6 + log2)) / size_q6);
+  const auto step_q16 = static_cast<int32_t>(step_of(size_q6));
+  brush.right_.x_q16 = step_q16;
+  brush.up_.y_q16 = step_q16;
+  brush.filter_ = &filter;
+  return Status::ok;
+}
+
+Status Brush::make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
+  Brush brush;
+  INKCELL_TRY(set_size({size.raw, size.raw}, filter, brush));
+  out = brush;
+  return Status::ok;
+}
 
 Status Brush::make(Q26_6 size,
                    const Filter& filter,
                    Direction direction,
                    Brush& out) noexcept {
-  if (size.raw < kMinSize.raw || size.raw > kMaxSize.raw) {
-    return Status::bad_argument;
-  }
   const int64_t cosine = direction.cosine.raw;
   const int64_t sine = direction.sine.raw;
   constexpr int64_t kOneQ30 = int64_t{1} << 30;
@@ -27,31 +111,73 @@ Status Brush::make(Q26_6 size,
   if (excess > kOneQ30 / 500 || excess < -kOneQ30 / 500) {
     return Status::bad_argument;
   }
-  if (sine == 0 && cosine > 0) {
-    direction = Direction{};
-  }
-  // 1024 u over size/64 px, Q16: 2^10 2^6 2^16 / size.
-  const int64_t step_q16 = (int64_t{1} << 32) / size.raw;
   Brush brush;
-  brush.size_q6_ = size.raw;
-  brush.limit_u_q10_ = INT32_MAX / size.raw;
-  // Least products of distance and size that reach past the cutoffs: the
-  // smallest d with floor(d size / 2^16) > outside is transparent no more.
-  brush.transparent_u_q10_ =
-      divide_up((filter.outside_q10 + 1) * (1 << 16), size.raw) - 1;
-  brush.opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), size.raw);
-  brush.step_along_q16_ =
-      static_cast<int32_t>((step_q16 * direction.cosine.raw) >> 30);
-  brush.step_across_q16_ = static_cast<int32_t>((step_q16 * sine) >> 30);
-  int32_t log2 = 2;
-  while (64 << log2 < size.raw) {
-    ++log2;
+  INKCELL_TRY(set_size({size.raw, size.raw}, filter, brush));
+  if (sine != 0 || cosine < 0) {
+    const int64_t step_q16 = step_of(size.raw);
+    const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
+    const auto across = static_cast<int32_t>((step_q16 * sine) >> 30);
+    const int32_t along_px = direction.cosine.raw >> 10;
+    const int32_t across_px = direction.sine.raw >> 10;
+    brush.right_ = {along, -across, along_px, -across_px};
+    brush.up_ = {across, along, across_px, along_px};
+    brush.axes_ = {direction.cosine, direction.sine,
+                   Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
+                   direction.cosine};
+    brush.slanted_ = detail::paint_turned;
   }
-  brush.bend_log2_ = static_cast<uint8_t>(log2);
-  brush.bend_q14_ =
-      static_cast<uint16_t>((int32_t{1} << (14 + 6 + log2)) / size.raw);
-  brush.direction_ = direction;
-  brush.filter_ = &filter;
+  out = brush;
+  return Status::ok;
+}
+
+Status Brush::make(const Matrix& matrix,
+                   const Filter& filter,
+                   Brush& out) noexcept {
+  const int64_t x_right = matrix.x_right.raw;
+  const int64_t x_up = matrix.x_up.raw;
+  const int64_t y_right = matrix.y_right.raw;
+  const int64_t y_up = matrix.y_up.raw;
+  constexpr int64_t kLimit = int64_t{kMaxSize.raw} << 11;
+  const int64_t entries[] = {x_right, x_up, y_right, y_up};
+  for (const int64_t entry : entries) {
+    if (entry > kLimit || entry < -kLimit) {
+      return Status::bad_argument;
+    }
+  }
+  // A matrix is the sum of a turn and a mirrored turn, each times a number; its
+  // greatest and least stretch are sum and difference of the two.
+  const int64_t turn_q17 = length_of(x_right + y_up, x_up - y_right);
+  const int64_t mirror_q17 = length_of(x_right - y_up, x_up + y_right);
+  const int64_t least_q17 =
+      turn_q17 < mirror_q17 ? mirror_q17 - turn_q17 : turn_q17 - mirror_q17;
+  const Stretch stretch = {
+      static_cast<int32_t>((turn_q17 + mirror_q17 + (1 << 10)) >> 11),
+      static_cast<int32_t>((least_q17 + (1 << 10)) >> 11)};
+  const int32_t size_q6 = stretch.most_q6;
+  Brush brush;
+  INKCELL_TRY(set_size(stretch, filter, brush));
+  if (mirror_q17 == 0 && x_up == 0 && x_right == int64_t{size_q6} << 10) {
+    out = brush;  // upright
+    return Status::ok;
+  }
+  Axes& axes = brush.axes_;
+  axes = {over_size(matrix.x_right, size_q6), over_size(matrix.x_up, size_q6),
+          over_size(matrix.y_right, size_q6), over_size(matrix.y_up, size_q6)};
+  const int64_t determinant_q60 = int64_t{axes.x_right.raw} * axes.y_up.raw -
+                                  int64_t{axes.x_up.raw} * axes.y_right.raw;
+  // At least 1/256, in Q42.
+  const int64_t determinant_q42 = determinant_q60 / (1 << 18);
+  brush.right_ =
+      step_from(axes.y_up.raw, -axes.x_up.raw, determinant_q42, size_q6);
+  brush.up_ =
+      step_from(-axes.y_right.raw, axes.x_right.raw, determinant_q42, size_q6);
+  // What stretches all edges within 1/1000 alike is as good as a turn.
+  const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
+  brush.slanted_ = detail::paint_turned;
+  if (lesser * 2048 > turn_q17 + mirror_q17) {
+    brush.least_gain_q15_ = static_cast<uint16_t>((least_q17 << 4) / size_q6);
+    brush.slanted_ = detail::paint_stretched;
+  }
   out = brush;
   return Status::ok;
 }

@@ -23,44 +23,97 @@ inline int32_t clamp_i32(int64_t value) noexcept {
 
 // How far one pixel to the right leads in px along the glyph's axes. [Q20]
 inline int32_t along_q20(const Brush& brush) noexcept {
-  return brush.direction().cosine.raw >> 10;
+  return brush.right().x_q20;
 }
 inline int32_t across_q20(const Brush& brush) noexcept {
-  return brush.direction().sine.raw >> 10;
+  return brush.up().x_q20;
 }
+
+// The pixel's centre from the origin, in px. [Q10]
+struct ScreenWay {
+  int64_t right_q10;
+  int64_t up_q10;
+
+  // Far from anything to see it is clamped, to stay within 64 bits once
+  // multiplied.
+  ScreenWay(const FinePoint& origin, int32_t x, int32_t y) noexcept
+      : right_q10(clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar)),
+        up_q10(clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar)) {}
+
+ private:
+  static constexpr int64_t kFar = int64_t{1} << 37;
+};
+
+// The same in the glyph: in u, and in px of the brush's size modulo 2^12.
+struct GlyphWay {
+  int64_t x_q16;
+  int64_t y_q16;
+  uint32_t x_q20;
+  uint32_t y_q20;
+
+  GlyphWay(const Brush& brush, const ScreenWay& way) noexcept {
+    const GlyphStep& right = brush.right();
+    const GlyphStep& up = brush.up();
+    x_q16 = sum(way, right.x_q16, up.x_q16);
+    y_q16 = sum(way, right.y_q16, up.y_q16);
+    x_q20 = wrapped_sum(way, right.x_q20, up.x_q20);
+    y_q20 = wrapped_sum(way, right.y_q20, up.y_q20);
+  }
+
+ private:
+  static int64_t sum(const ScreenWay& way, int32_t right, int32_t up) noexcept {
+    return (way.right_q10 * right + way.up_q10 * up) >> 10;
+  }
+  static uint32_t wrapped_sum(const ScreenWay& way,
+                              int32_t right,
+                              int32_t up) noexcept {
+    const uint64_t products =
+        static_cast<uint64_t>(way.right_q10) * static_cast<uint64_t>(right) +
+        static_cast<uint64_t>(way.up_q10) * static_cast<uint64_t>(up);
+    return static_cast<uint32_t>(products >> 10) + kHalfQ20;
+  }
+};
 
 // Where the centre of pixel (x, y) lies in the glyph.
 //
 // Linear in x and y with whole steps: neighbours differ by exactly the brush's
 // step, so that it does not matter where a row or a strip begins. Within the
 // box of a field positions in u stay below 2^31: its grid ends at 15360 u,
-// twice that in a corner of the box around a turned grid.
+// twice that in a corner of the box around a turned grid. Around a stretched
+// one they may pass it, and are clamped where nothing is.
 inline FieldPosition position_of(const Brush& brush,
                                  const FinePoint& origin,
                                  int32_t x,
                                  int32_t y) noexcept {
-  // Far from anything to see, but within 64 bits once multiplied.
-  constexpr int64_t kFar = int64_t{1} << 37;
-  const int64_t right =
-      clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar);
-  const int64_t up =
-      clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar);
-  const int64_t along = brush.step_along_q16();
-  constexpr int64_t kHalf = kHalfQ20;
+  const ScreenWay way(origin, x, y);
   if (brush.is_upright()) {
-    return {clamp_i32((right * along) >> 10), clamp_i32((up * along) >> 10),
-            static_cast<uint32_t>(right * 1024 + kHalf),
-            static_cast<uint32_t>(up * 1024 + kHalf)};
+    const int64_t along = brush.step_along_q16();
+    constexpr int64_t kHalf = kHalfQ20;
+    return {clamp_i32((way.right_q10 * along) >> 10),
+            clamp_i32((way.up_q10 * along) >> 10),
+            static_cast<uint32_t>(way.right_q10 * 1024 + kHalf),
+            static_cast<uint32_t>(way.up_q10 * 1024 + kHalf)};
   }
-  const int64_t across = brush.step_across_q16();
-  const int64_t along_px = along_q20(brush);
-  const int64_t across_px = across_q20(brush);
-  return {clamp_i32((right * along + up * across) >> 10),
-          clamp_i32((up * along - right * across) >> 10),
-          static_cast<uint32_t>(((right * along_px + up * across_px) >> 10) +
-                                kHalf),
-          static_cast<uint32_t>(((up * along_px - right * across_px) >> 10) +
-                                kHalf)};
+  const GlyphWay at(brush, way);
+  return {clamp_i32(at.x_q16), clamp_i32(at.y_q16), at.x_q20, at.y_q20};
+}
+
+inline int32_t min_of(int32_t a, int32_t b) noexcept {
+  return a < b ? a : b;
+}
+inline int32_t max_of(int32_t a, int32_t b) noexcept {
+  return a > b ? a : b;
+}
+
+// What may show something: the grid, but no farther from the ink than the
+// filter reaches. [u]
+inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
+  const int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
+  const InkBox& ink = field.ink;
+  return {max_of(field.x0_u, ink.x0_u - reach),
+          max_of(field.y0_u, ink.y0_u - reach),
+          min_of(field.x1_u(), ink.x1_u + reach),
+          min_of(field.y1_u(), ink.y1_u + reach)};
 }
 
 }  // namespace detail

@@ -14,6 +14,7 @@ namespace {
 using detail::clamp;
 using detail::FieldPosition;
 using detail::has_fields;
+using detail::limits_of;
 using detail::position_of;
 using detail::Range;
 using detail::SpanWriter;
@@ -42,29 +43,11 @@ struct Extent {
   int64_t high;
 };
 
-// From one place in the glyph to another, in px, times a sine or cosine.
+// From one place in the glyph to another, in px, along an axis of the screen.
 Extent extent_of(Extent place_q10, Fixed<int32_t, 30> factor) noexcept {
   const int64_t low = (place_q10.low * factor.raw) >> 30;
   const int64_t high = (place_q10.high * factor.raw) >> 30;
   return low < high ? Extent{low, high} : Extent{high, low};
-}
-
-int32_t lesser(int32_t a, int32_t b) noexcept {
-  return a < b ? a : b;
-}
-int32_t greater(int32_t a, int32_t b) noexcept {
-  return a > b ? a : b;
-}
-
-// What may show something: the grid, but no farther from the ink than the
-// filter reaches. [u]
-Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
-  const int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
-  const InkBox& ink = field.ink;
-  return {greater(field.x0_u, ink.x0_u - reach),
-          greater(field.y0_u, ink.y0_u - reach),
-          lesser(field.x1_u(), ink.x1_u + reach),
-          lesser(field.y1_u(), ink.y1_u + reach)};
 }
 
 // One row of upright text: y is constant in the glyph, so that a cell is set up
@@ -180,7 +163,7 @@ void draw_placed(const GlyphField& field,
     return;
   }
   if (!brush.is_upright()) {
-    detail::paint_turned(field, brush, nullptr, origin, nullptr, sink);
+    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
     return;
   }
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
@@ -222,12 +205,12 @@ Rect field_box(const GlyphField& field,
   Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
   Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
   if (!brush.is_upright()) {
-    const Direction turn = brush.direction();
-    const Extent x_right = extent_of(x, turn.cosine);
-    const Extent x_up = extent_of(x, turn.sine);
-    const Extent y_left = extent_of(y, turn.sine);
-    const Extent y_up = extent_of(y, turn.cosine);
-    x = {x_right.low - y_left.high, x_right.high - y_left.low};
+    const Brush::Axes& axes = brush.axes();
+    const Extent x_right = extent_of(x, axes.x_right);
+    const Extent x_up = extent_of(x, axes.x_up);
+    const Extent y_right = extent_of(y, axes.y_right);
+    const Extent y_up = extent_of(y, axes.y_up);
+    x = {x_right.low + y_right.low, x_right.high + y_right.high};
     y = {x_up.low + y_up.low, x_up.high + y_up.high};
   }
   // A pixel generous on each side, because steps are rounded, and what fitting
@@ -259,13 +242,18 @@ void distance_row(const GlyphField& field,
   for (Q6_10& distance : out) {
     const FieldPosition at = position_of(brush, origin, x, y);
     int32_t in_px = 0;
-    if (has_fields(field)) {
+    if (brush.is_stretched()) {
+      in_px =
+          has_fields(field)
+              ? detail::stretched_fields_q10(field, brush, at, detail::kNoReach)
+              : detail::stretched_samples_q10(field, brush, at);
+    } else if (has_fields(field)) {
       in_px = detail::fields_distance_q10(field, brush, at, detail::kNoReach);
-      in_px = static_cast<int32_t>(clamp(in_px, INT16_MIN, INT16_MAX));
     } else {
       in_px = brush.to_px_q10(
           detail::samples_distance_q10(field, at.x_q16, at.y_q16));
     }
+    in_px = static_cast<int32_t>(clamp(in_px, INT16_MIN, INT16_MAX));
     distance.raw = static_cast<int16_t>(in_px);
     ++x;
   }

@@ -39,7 +39,7 @@ class UnitScale {
   int64_t scale_;
 };
 
-// (a p + b q) / 2^30, for any a and b below 2^42, p and q up to 2^30.
+// (a p + b q) / 2^30, for any a and b below 2^42, p and q below 2^31.
 inline int64_t turned(int64_t a, int64_t p, int64_t b, int64_t q) noexcept {
   // The products pass 64 bits, those of the halves do not.
   constexpr int64_t kLow = (1 << 20) - 1;
@@ -57,10 +57,10 @@ inline FinePoint place(const UnitScale& scale,
   if (brush.is_upright()) {
     return {origin.x_q10 + along, origin.y_q10 - across};
   }
-  const int64_t cosine = brush.direction().cosine.raw;
-  const int64_t sine = brush.direction().sine.raw;
-  return {origin.x_q10 + turned(along, cosine, across, -sine),
-          origin.y_q10 - turned(along, sine, across, cosine)};
+  const Brush::Axes& axes = brush.axes();
+  return {
+      origin.x_q10 + turned(along, axes.x_right.raw, across, axes.y_right.raw),
+      origin.y_q10 - turned(along, axes.x_up.raw, across, axes.y_up.raw)};
 }
 
 }  // namespace detail

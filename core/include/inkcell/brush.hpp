@@ -45,6 +45,29 @@ struct Direction {
   Fixed<int32_t, 30> sine;
 };
 
+/// Any linear map: where a glyph's axes lead on the screen. [px to the em]
+///
+///     right = x_right x + y_right y     (x, y) is a place in the glyph, in em
+///     up    = x_up    x + y_up    y
+///
+/// In px, {24, 0, 0, 24} is upright text, {24, 0, 5, 24} leans to the right,
+/// {16, 0, 0, 24} is narrow, {-24, 0, 0, 24} is mirrored.
+struct Matrix {
+  Q16_16 x_right;
+  Q16_16 x_up;
+  Q16_16 y_right;
+  Q16_16 y_up;
+};
+
+/// What one px on the screen is in the glyph: along its axes, in u and in px of
+/// Brush::size().
+struct GlyphStep {
+  int32_t x_q16;  // [u]
+  int32_t y_q16;
+  int32_t x_q20;  // [px]
+  int32_t y_q20;
+};
+
 /// Size, direction and filter of a style. Built once, constant afterwards, in
 /// the caller's memory; shared by any number of drawing calls. The filter must
 /// outlive it, unchanged.
@@ -53,22 +76,33 @@ class Brush {
   /// 16 px/em, upright, filter `text`.
   constexpr Brush() noexcept = default;
 
-  /// A brush of `size` px to the em. bad_argument: the size is outside
-  /// kMinSize..kMaxSize, or the direction is not a unit vector within 1/1000;
-  /// `out` is then untouched.
+  /// An upright brush of `size` px to the em. bad_argument: the size is outside
+  /// kMinSize..kMaxSize; `out` is then untouched.
+  static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept;
+
+  /// A brush that is turned. bad_argument: also if the direction is not a unit
+  /// vector within 1/1000.
   static Status make(Q26_6 size,
                      const Filter& filter,
                      Direction direction,
                      Brush& out) noexcept;
 
-  /// An upright brush.
-  static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
-    return make(size, filter, Direction{}, out);
-  }
+  /// A brush that maps glyphs by `matrix`. bad_argument: its stretch, in the
+  /// direction where that is least or in that where it is greatest, is outside
+  /// kMinSize..kMaxSize. Distances are what they are on the screen, so that
+  /// edges are as sharp in all directions; a font is good where both stretches
+  /// lie in its range.
+  ///
+  /// Costs as much as turned text; where the two stretches differ, pixels near
+  /// an edge cost more.
+  static Status make(const Matrix& matrix,
+                     const Filter& filter,
+                     Brush& out) noexcept;
 
   /// A filter made in the argument would be gone before the brush is used.
   static Status make(Q26_6, const Filter&&, Direction, Brush&) = delete;
   static Status make(Q26_6, const Filter&&, Brush&) = delete;
+  static Status make(const Matrix&, const Filter&&, Brush&) = delete;
 
   /// Fits the glyphs of upright text to the grid of pixels. The options must
   /// outlive the brush. Null, the default: glyphs stay as designed.
@@ -95,17 +129,42 @@ class Brush {
   const void* painter_options() const noexcept { return painter_options_; }
   uint8_t painter_reach_px() const noexcept { return painter_reach_px_; }
 
+  /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
-  Direction direction() const noexcept { return direction_; }
-  bool is_upright() const noexcept {
-    return direction_.sine.raw == 0 && direction_.cosine.raw > 0;
-  }
+  bool is_upright() const noexcept { return slanted_ == nullptr; }
 
-  /// How far one pixel to the right leads in the glyph along its two axes.
-  /// [u per px, Q16]; upright: {step, 0}, step = 1024 / size.
-  int32_t step_along_q16() const noexcept { return step_along_q16_; }
-  int32_t step_across_q16() const noexcept { return step_across_q16_; }
+  /// What draws glyphs that are not upright; null if they are. Linked with the
+  /// make() that needs it.
+  Painter slanted() const noexcept { return slanted_; }
+
+  /// Whether edges of different directions are stretched differently, and the
+  /// least stretch over the greatest.
+  bool is_stretched() const noexcept { return least_gain_q15_ != 1 << 15; }
+  int32_t least_gain_q15() const noexcept { return least_gain_q15_; }
+
+  /// Where a px along the axes of the glyph leads on the screen: to the right
+  /// and up. The first two are the direction of the baseline, of unit length
+  /// unless the brush comes from a matrix.
+  struct Axes {
+    Fixed<int32_t, 30> x_right = Fixed<int32_t, 30>::from_raw(1 << 30);
+    Fixed<int32_t, 30> x_up;
+    Fixed<int32_t, 30> y_right;
+    Fixed<int32_t, 30> y_up = Fixed<int32_t, 30>::from_raw(1 << 30);
+  };
+  const Axes& axes() const noexcept { return axes_; }
+  Direction direction() const noexcept { return {axes_.x_right, axes_.x_up}; }
+
+  /// The other way round: where one px to the right leads in the glyph, and one
+  /// px up.
+  const GlyphStep& right() const noexcept { return right_; }
+  const GlyphStep& up() const noexcept { return up_; }
+
+  /// Of brushes without a matrix the step to the right is {along, -across}, the
+  /// step up {across, along}. [u per px, Q16] Upright: along is 1024 / size,
+  /// across is 0.
+  int32_t step_along_q16() const noexcept { return right_.x_q16; }
+  int32_t step_across_q16() const noexcept { return up_.x_q16; }
 
   /// Two to the power of bend_log2() are the least px that hold an em; over the
   /// size they are bend_q14(), one to two. What curvature in u takes to become
@@ -123,7 +182,7 @@ class Brush {
   }
 
   /// Whether every distance up to this one has coverage 0, and whether every
-  /// one from it on has 255. [u, Q10]
+  /// one from it on has 255; of stretched brushes in any direction. [u, Q10]
   bool is_transparent(int32_t distance_u_q10) const noexcept {
     return distance_u_q10 <= transparent_u_q10_;
   }
@@ -135,7 +194,7 @@ class Brush {
   int32_t transparent_u_q10() const noexcept { return transparent_u_q10_; }
 
   /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)),
-  /// with the two common cases first. [u, Q10]
+  /// with the two common cases first. Not of stretched brushes. [u, Q10]
   uint8_t coverage(int32_t distance_u_q10) const noexcept {
     if (is_transparent(distance_u_q10)) {
       return 0;
@@ -148,17 +207,24 @@ class Brush {
   }
 
  private:
+  struct Stretch;
+  static Status set_size(const Stretch& stretch,
+                         const Filter& filter,
+                         Brush& brush) noexcept;
+
   int32_t size_q6_ = 16 << 6;      // [px/em]
   int32_t limit_u_q10_ = 2097151;  // what 32 px are at this size
   int32_t transparent_u_q10_ = -32705;
   int32_t opaque_u_q10_ = 32768;
-  int32_t step_along_q16_ = 64 << 16;  // [u/px]
-  int32_t step_across_q16_ = 0;
+  GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
+  GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
+  Axes axes_;
   uint16_t bend_q14_ = 1 << 14;
+  uint16_t least_gain_q15_ = 1 << 15;
   uint8_t bend_log2_ = 4;
   uint8_t painter_reach_px_ = 0;
-  Direction direction_;
   const Filter* filter_ = &kFilterText;
+  Painter slanted_ = nullptr;
   Fitter fitter_ = nullptr;
   const void* fitter_options_ = nullptr;
   Painter painter_ = nullptr;
