@@ -101,8 +101,9 @@ Font build(Span<const uint8_t> glyph,
            const PackedSpec& packed,
            Span<uint8_t> rom) {
   static constexpr CmapEntry kCmap[] = {{'A', 0, 1}};
-  const GlyphSpec glyphs[] = {{500, {0, 0, 0, 0}, nullptr, nullptr, {}},
-                              {600, {0, 0, 500, 700}, nullptr, nullptr, glyph}};
+  const GlyphSpec glyphs[] = {
+      {500, {0, 0, 0, 0}, nullptr, nullptr, {}},
+      {600, {-200, -200, 900, 900}, nullptr, nullptr, glyph}};
   FontSpec spec;
   spec.cmap = {kCmap, 1};
   spec.glyphs = {glyphs, 2};
