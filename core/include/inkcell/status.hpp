@@ -17,6 +17,7 @@ enum class [[nodiscard]] Status : uint8_t {
   misaligned   = 6,  // a font, or pixels kept as words: not at a multiple of 4
   unsupported  = 7,  // a section or coding that this build leaves out
   bad_argument = 8,  // outside the range that the call states
+  beyond_band  = 9,  // farther than the font's distances reach: see --band-px
 };
 // clang-format on
 

@@ -1,0 +1,40 @@
+// Text for displays of 1 and 2 bits, whose thin strokes stay connected.
+//
+// A pixel is drawn if its centre lies inside the threshold. Where a stroke
+// passes between the centres of two neighbours - their gradients point at each
+// other, and there is ink between - the nearer one is drawn as well.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/fixed.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+/// Options of paint_crisp.
+struct CrispStyle {
+  /// The display's levels. 2: coverage is 0 or 255, and only the threshold
+  /// counts. 4: coverage is that of the brush's filter, to the nearest of 0,
+  /// 85, 170 and 255, and at least 170 where a stroke would break.
+  uint8_t levels = 2;
+  /// The distance from which on a pixel is drawn, -1/2 to 1/2 px: negative
+  /// values make strokes bolder.
+  Q6_10 threshold_px;
+};
+
+/// A Painter; `options` is a CrispStyle. Any sink will do: full coverage draws
+/// with every threshold. Set it with kCrispReach.
+void paint_crisp(const GlyphField& field,
+                 const Brush& brush,
+                 const void* options,
+                 const FinePoint& origin,
+                 const RowMap* rows,
+                 const Sink& sink);
+
+/// What Brush::set_painter wants as `reach_px`.
+inline constexpr uint8_t kCrispReach = 1;
+
+}  // namespace inkcell

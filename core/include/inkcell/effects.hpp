@@ -1,0 +1,102 @@
+// Outlines, shadows and glows, all from the distances of the same font.
+//
+// What a filter can do costs nothing more than plain text: weight
+// (with_weight), shadow_filter, glow_filter. Draw a shadow first, with its own
+// brush and colour, at an origin moved as far as it shall fall, by any 1/64 px;
+// then the text. Outlines are painters:
+//
+//   const Outline outline = make_outline(kFilterText, width, place);
+//   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
+//   INKCELL_TRY(Brush::make(size, outline.outer, brush));
+//   brush.set_painter(paint_outline, &outline.inner);
+//
+// Distances end at the font's band (FontRange::band_u; --band-px of
+// inkcell-fontgen), and an effect that reaches beyond is cut off there.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/filter.hpp"
+#include "inkcell/fixed.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+/// beyond_band: at `size`, one of the filter's cutoffs is farther from the edge
+/// than the font's distances are good.
+Status check_reach(const FontRange& range,
+                   Q26_6 size,
+                   const Filter& filter) noexcept;
+
+/// A soft edge: a Gaussian from `reach_px` outside to as far inside.
+constexpr Filter shadow_filter(Q6_10 reach_px) noexcept {
+  FilterSpec spec;
+  spec.outside_px.raw = static_cast<int16_t>(-reach_px.raw);
+  spec.inside_px = reach_px;
+  spec.profile = FilterProfile::gaussian;
+  return make_filter(spec);
+}
+
+/// Full from the edge inwards, and less and less up to `reach_px` outside.
+constexpr Filter glow_filter(Q6_10 reach_px) noexcept {
+  FilterSpec spec;
+  spec.outside_px.raw = static_cast<int16_t>(-reach_px.raw);
+  spec.exponent = Fixed<uint16_t, 8>::from_int(2);
+  return make_filter(spec);
+}
+
+/// On which side of the edge an outline lies.
+enum class OutlinePlace : uint8_t { inner, centred, outer };
+
+/// The filters of an outline's two edges, 524 bytes. The caller owns them.
+struct Outline {
+  Filter outer;  // for Brush::make
+  Filter inner;  // for what is painted
+};
+
+/// An outline `width_px` wide, 0 to 4 px, along the edge that `edge` draws.
+constexpr Outline make_outline(const Filter& edge,
+                               Q6_10 width_px,
+                               OutlinePlace place) noexcept {
+  const int32_t out = place == OutlinePlace::outer     ? width_px.raw
+                      : place == OutlinePlace::centred ? width_px.raw / 2
+                                                       : 0;
+  const auto weight = [](int32_t raw) noexcept {
+    return Q6_10::from_raw(static_cast<int16_t>(raw));
+  };
+  return {with_weight(edge, weight(out)),
+          with_weight(edge, weight(out - width_px.raw))};
+}
+
+/// A Painter: what the brush's filter covers and the filter `options` does not.
+/// `options` is Outline::inner.
+void paint_outline(const GlyphField& field,
+                   const Brush& brush,
+                   const void* options,
+                   const FinePoint& origin,
+                   const RowMap* rows,
+                   const Sink& sink);
+
+/// Options of paint_outline_and_fill. The caller sets `fill` anew for each
+/// strip, like the sink that the outline goes to.
+struct OutlineAndFill {
+  const Filter* inner = nullptr;  // Outline::inner: the edge of the fill
+  const Sink* fill = nullptr;     // over the same strip, of another colour
+};
+
+/// A Painter: outline and fill at once, from one distance a pixel. The outline
+/// goes on below the fill's edge, so that nothing shows between them. Draws
+/// where the windows of both sinks are; of each row up to kMaxSpan pixels go
+/// to the outline's sink, then the same to the fill's.
+void paint_outline_and_fill(const GlyphField& field,
+                            const Brush& brush,
+                            const void* options,
+                            const FinePoint& origin,
+                            const RowMap* rows,
+                            const Sink& sink);
+
+}  // namespace inkcell

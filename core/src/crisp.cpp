@@ -1,0 +1,133 @@
+#include "inkcell/crisp.hpp"
+
+#include "point_walk.hpp"
+#include "span_writer.hpp"
+
+namespace inkcell {
+namespace {
+
+using detail::FieldPosition;
+using detail::PointWalk;
+using detail::ScreenGradient;
+using detail::SpanWriter;
+
+// Of two neighbours on both sides of a stroke none is farther than this.
+constexpr int32_t kFarthestQ10 = 1 << 10;  // [px]
+
+// The glyph around a pixel: distances from the threshold, and gradients.
+class Neighbourhood {
+ public:
+  Neighbourhood(const GlyphField& field,
+                const Brush& brush,
+                const FinePoint& origin,
+                const RowMap* rows,
+                int32_t threshold_q10) noexcept
+      : walk_(field, brush, detail::kNoReach),
+        brush_(brush),
+        origin_(origin),
+        rows_(rows),
+        threshold_q10_(threshold_q10) {}
+
+  int32_t value_at(const FieldPosition& at) noexcept {
+    return walk_.distance_q10(at) - threshold_q10_;
+  }
+
+  // Whether pixel (x, y), of this value below 0, must stand for a stroke that
+  // passes between it and a neighbour.
+  bool is_bridge(int32_t x,
+                 int32_t y,
+                 const FieldPosition& at,
+                 int32_t value_q10) noexcept {
+    const ScreenGradient here = walk_.gradient(at);
+    const int32_t right = here.right_q14 > 0 ? 1 : -1;
+    const int32_t down = here.up_q14 < 0 ? 1 : -1;
+    return (here.right_q14 != 0 && passes_between(x, y, right, 0, value_q10)) ||
+           (here.up_q14 != 0 && passes_between(x, y, 0, down, value_q10));
+  }
+
+ private:
+  FieldPosition position(int32_t x,
+                         int32_t y,
+                         int32_t right_q10,
+                         int32_t down_q10) const noexcept {
+    return detail::sample_position(brush_, origin_, rows_, x, y,
+                                   {right_q10, -down_q10});
+  }
+
+  // Whether a stroke passes between the pixel and its neighbour in direction
+  // (right, down), nearer to the pixel. Both decide alike: of two that are
+  // equally near the left or upper one is drawn.
+  bool passes_between(int32_t x,
+                      int32_t y,
+                      int32_t right,
+                      int32_t down,
+                      int32_t value_q10) noexcept {
+    const FieldPosition other = position(x + right, y + down, 0, 0);
+    const int32_t other_q10 = value_at(other);
+    const bool is_first = right + down > 0;
+    if (other_q10 >= 0 || other_q10 < -kFarthestQ10 || value_q10 < other_q10 ||
+        (value_q10 == other_q10 && !is_first)) {
+      return false;
+    }
+    const ScreenGradient there = walk_.gradient(other);
+    const int32_t towards = -right * there.right_q14 + down * there.up_q14;
+    if (towards <= 0) {
+      return false;
+    }
+    // Where the stroke is, if it is straight: as far from both as they say.
+    const int32_t way_q10 = value_q10 * (1 << 10) / (value_q10 + other_q10);
+    return value_at(position(x, y, right * way_q10, down * way_q10)) >= 0;
+  }
+
+  PointWalk walk_;
+  const Brush& brush_;
+  const FinePoint& origin_;
+  const RowMap* rows_;
+  int32_t threshold_q10_;
+};
+
+uint8_t nearest_level(uint8_t coverage) noexcept {
+  return static_cast<uint8_t>((coverage + 42) / 85 * 85);
+}
+
+}  // namespace
+
+void paint_crisp(const GlyphField& field,
+                 const Brush& brush,
+                 const void* options,
+                 const FinePoint& origin,
+                 const RowMap* rows,
+                 const Sink& sink) {
+  const CrispStyle style = *static_cast<const CrispStyle*>(options);
+  constexpr int32_t kMostThreshold = 1 << 9;
+  int32_t threshold = style.threshold_px.raw;
+  threshold = threshold < -kMostThreshold ? -kMostThreshold : threshold;
+  threshold = threshold > kMostThreshold ? kMostThreshold : threshold;
+  const bool has_greys = style.levels > 2;
+  const uint8_t bridge = has_greys ? 170 : 255;
+  const Rect box = intersect(field_box(field, brush, origin), sink.window);
+  Neighbourhood glyph(field, brush, origin, rows, threshold);
+  const FieldPosition step = detail::pixel_step(brush);
+  SpanWriter writer(sink, box.y0);
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    FieldPosition at =
+        detail::sample_position(brush, origin, rows, box.x0, y, {0, 0});
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      const int32_t value_q10 = glyph.value_at(at);
+      uint8_t coverage = value_q10 >= 0 ? 255 : 0;
+      if (has_greys) {
+        coverage =
+            nearest_level(brush.filter().coverage(value_q10 + threshold));
+      }
+      if (coverage < bridge && value_q10 < 0 && value_q10 >= -kFarthestQ10 &&
+          glyph.is_bridge(x, y, at, value_q10)) {
+        coverage = bridge;
+      }
+      writer.put(x, coverage);
+      at = detail::moved(at, step);
+    }
+    writer.next_row();
+  }
+}
+
+}  // namespace inkcell

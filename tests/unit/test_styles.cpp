@@ -1,0 +1,477 @@
+// Painters of LCD text, outlines and crisp text: what they draw, and that
+// windows do not change it.
+#include "check.hpp"
+#include "field_record.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/row_map.hpp"
+
+#if INKCELL_FIELD_CELLS
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kSide = 40;
+constexpr int32_t kRounds = INKCELL_BOARD_FIRMWARE ? 12 : 300;
+
+alignas(4) uint8_t bytes[1024];
+FieldRecord record;
+
+// Three coverages a pixel, alike where a sink is given one.
+using Pixels = uint8_t[3 * kSide * kSide];
+Pixels picture;
+Pixels second;  // of the fill
+
+// Keeps what is drawn; fails if pixels leave the window or go backwards.
+struct Canvas {
+  Rect window;
+  Rect shown;  // the part that may be drawn to
+  uint8_t* pixels;
+  int32_t last_y = INT32_MIN;
+  int32_t last_end = INT32_MIN;
+
+  Canvas(const Rect& all, Pixels& target)
+      : window(all), shown(all), pixels(target) {
+    for (int32_t i = 0; i < 3 * kSide * kSide; ++i) {
+      pixels[i] = 0;
+    }
+  }
+  void show(const Rect& part) {
+    shown = part;
+    last_y = INT32_MIN;
+    last_end = INT32_MIN;
+  }
+  Sink grey_sink() { return {shown, this, coverage, solid}; }
+  Sink rgb_sink() { return {shown, this, coverage, solid, coverage_rgb}; }
+
+  // The coverages of a pixel: kept by nobody if it is out of place.
+  uint8_t* put(int32_t x, int32_t y) {
+    static uint8_t nobody[3];
+    const bool fits =
+        y >= shown.y0 && y < shown.y1 && x >= shown.x0 && x < shown.x1;
+    CHECK(fits && "pixels inside the window");
+    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
+    last_y = y;
+    last_end = x + 1;
+    return fits ? pixels + 3 * ((y - window.y0) * kSide + x - window.x0)
+                : nobody;
+  }
+  static void draw(void* context,
+                   int32_t x,
+                   int32_t y,
+                   const uint8_t* coverage,
+                   int32_t count,
+                   int32_t channels) {
+    CHECK(count >= 1);
+    for (int32_t i = 0; i < count; ++i) {
+      uint8_t* pixel = static_cast<Canvas*>(context)->put(x + i, y);
+      for (int32_t j = 0; j < 3; ++j) {
+        pixel[j] = channels == 0   ? uint8_t{255}
+                   : channels == 1 ? coverage[i]
+                                   : coverage[3 * i + j];
+      }
+    }
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    CHECK(count <= kMaxSpan);
+    draw(context, x, y, coverage, count, 1);
+  }
+  static void coverage_rgb(void* context,
+                           int32_t x,
+                           int32_t y,
+                           const uint8_t* coverage,
+                           int32_t count) {
+    CHECK(count <= kMaxSpan);
+    draw(context, x, y, coverage, count, 3);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    draw(context, x, y, nullptr, count, 0);
+  }
+};
+
+GlyphField open() {
+  GlyphField field;
+  CHECK(record.size() <= sizeof(bytes));
+  record.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+  return field;
+}
+
+GlyphField any_field(Random& random) {
+  record = FieldRecord();
+  record.linked = (random.next() & 1) != 0;
+  record.tile_log2 = static_cast<uint8_t>(6 + random.below(4));
+  record.tiles_x = static_cast<uint8_t>(1 + random.below(3));
+  record.tiles_y = static_cast<uint8_t>(1 + random.below(3));
+  record.x0_u = static_cast<int16_t>(random.between(-300, 100));
+  record.y0_u = static_cast<int16_t>(random.between(-300, 100));
+  record.make(random, 1 << (record.tile_log2 - 1));
+  return open();
+}
+
+constexpr int32_t kOne = 1 << 30;
+
+Brush brush_of(int32_t size_q6, const Filter& filter, bool turned = false) {
+  Direction turn;
+  if (turned) {
+    turn.cosine.raw = 858993459;
+    turn.sine.raw = -644245094;
+  }
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), filter, turn, brush));
+  return brush;
+}
+
+FinePoint any_origin(Random& random) {
+  return {random.between(-9999, 9999), random.between(-9999, 9999)};
+}
+
+Rect window_in(Random& random, const Rect& box) {
+  const int32_t x0 = random.between(box.x0 - 3, box.x1 + 2);
+  const int32_t y0 = random.between(box.y0 - 3, box.y1 + 2);
+  return {x0, y0, x0 + random.between(1, kSide), y0 + random.between(1, kSide)};
+}
+
+int32_t distance_q10(const GlyphField& field,
+                     const Brush& brush,
+                     FinePoint origin,
+                     int32_t x,
+                     int32_t y) {
+  Q6_10 distance;
+  distance_row(field, brush, origin, x, y, {&distance, 1});
+  return distance.raw;
+}
+
+// Calls check(x, y, coverages) for every pixel of a window.
+template <typename Check>
+void for_pixels(const Rect& window, const Check& check) {
+  for (int32_t y = window.y0; y < window.y1; ++y) {
+    for (int32_t x = window.x0; x < window.x1; ++x) {
+      const int32_t i = 3 * ((y - window.y0) * kSide + x - window.x0);
+      check(x, y, i);
+    }
+  }
+}
+
+const Outline kOutline =
+    make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
+
+// Draws in one piece and in many, and compares. `fill`: the second picture too.
+void check_windows(const GlyphField& field,
+                   const Brush& brush,
+                   const FinePoint& origin,
+                   OutlineAndFill* both) {
+  static Pixels whole;
+  static Pixels whole_second;
+  const Rect box = field_box(field, brush, origin);
+  const Rect all = {box.x0 + 1, box.y0 + 1, box.x0 + 1 + kSide,
+                    box.y0 + 1 + kSide};
+  for (int32_t cut = kSide; cut > 0; cut = cut * 2 / 3) {
+    Canvas canvas(all, picture);
+    Canvas fill(all, second);
+    const int32_t x = all.x0 + cut;
+    for (int32_t y = all.y0; y < all.y1; y += cut) {
+      const Rect halves[] = {{all.x0, y, x, y + cut}, {x, y, all.x1, y + cut}};
+      for (const Rect& half : halves) {
+        canvas.show(intersect(all, half));
+        fill.show(intersect(all, half));
+        const Sink fill_sink = fill.grey_sink();
+        if (both != nullptr) {
+          both->fill = &fill_sink;
+        }
+        draw_field(field, brush, origin, canvas.rgb_sink());
+      }
+    }
+    for (int32_t i = 0; i < 3 * kSide * kSide; ++i) {
+      if (cut == kSide) {
+        whole[i] = picture[i];
+        whole_second[i] = second[i];
+      }
+      CHECK_EQ(picture[i], whole[i]);
+      CHECK_EQ(second[i], whole_second[i]);
+    }
+  }
+}
+
+// Rows moved up by 3/8 px, and stretched above.
+void fit(
+    const GlyphField&, const Brush&, const void*, FinePoint&, RowMap& rows) {
+  rows.count = 2;
+  rows.knots[0] = {0, -384};
+  rows.knots[1] = {6 << 10, (6 << 10) + 200};
+}
+
+}  // namespace
+
+TEST(windows_change_no_style) {
+  Random random(51);
+  for (int round = 0; round < kRounds / 2 && !check::failed(); ++round) {
+    const GlyphField field = any_field(random);
+    const bool is_turned = round % 3 == 0;
+    const bool is_outlined = round % 2 == 0;
+    Brush brush =
+        brush_of(random.between(8 * 64, 48 * 64),
+                 is_outlined ? kOutline.outer : kFilterText, is_turned);
+    OutlineAndFill both = {&kOutline.inner, nullptr};
+    LcdStyle lcd = {static_cast<SubPixels>(random.below(4)),
+                    static_cast<uint8_t>(255 - random.below(2) * 100)};
+    CrispStyle crisp = {static_cast<uint8_t>(random.below(2) * 2 + 2), {}};
+    if (is_outlined) {
+      brush.set_painter(paint_outline_and_fill, &both);
+    } else if (round % 4 == 1) {
+      brush.set_painter(paint_lcd, &lcd, kLcdReach);
+    } else {
+      brush.set_painter(paint_crisp, &crisp, kCrispReach);
+    }
+    if (round % 5 == 0) {
+      brush.set_fitter(fit, nullptr);
+    }
+    const FinePoint origin = any_origin(random);
+    check_windows(field, brush, origin, is_outlined ? &both : nullptr);
+    if (is_outlined) {
+      brush.set_painter(paint_outline, &kOutline.inner);
+      check_windows(field, brush, origin, nullptr);
+    }
+  }
+}
+
+// What a stripe covers, `stripe` thirds of a pixel beside the middle of pixel
+// (x, y), by the gradient that three stripes (or five, if they lie on each
+// other) of its pixel say. `pixel`: which third is the pixel's middle.
+double stripe_coverage(const GlyphField& field,
+                       const Brush& brush,
+                       const FinePoint& origin,
+                       bool is_down,
+                       int32_t x,
+                       int32_t y,
+                       int32_t stripe) {
+  const int32_t most = is_down ? 2 : 1;
+  double d[5];
+  for (int32_t i = -most; i <= most; ++i) {
+    const int32_t way = -341 * i;  // the origin goes the other way
+    const FinePoint moved(origin.x_q10 + (is_down ? 0 : way),
+                          origin.y_q10 + (is_down ? way : 0));
+    d[i + most] = distance_q10(field, brush, moved, x, y) / 1024.0;
+  }
+  double slope = 0;
+  for (int32_t i = 1; i <= 2 * most; ++i) {
+    const double change =
+        3 * (d[i] < d[i - 1] ? d[i - 1] - d[i] : d[i] - d[i - 1]);
+    slope = change > slope ? change : slope;
+  }
+  slope = slope > 1 ? 1 : slope;
+  double way = slope / 3 + field_equation::root(1 - slope * slope);
+  way = slope >= 1 ? 1 / 3.0 : way;
+  const double covered = 0.5 + d[stripe + most] / way;
+  return covered < 0 ? 0 : covered > 1 ? 255 : 255 * covered;
+}
+
+TEST(channels_are_means_of_three_stripes) {
+  Random random(52);
+  int32_t coloured = 0;
+  int32_t compared = 0;
+  int32_t far = 0;
+  for (int round = 0; round < kRounds && !check::failed(); ++round) {
+    const GlyphField field = any_field(random);
+    Brush brush =
+        brush_of(random.between(8 * 64, 48 * 64), kFilterText, round % 3 == 0);
+    const LcdStyle style = {static_cast<SubPixels>(round % 4)};
+    brush.set_painter(paint_lcd, &style, kLcdReach);
+    const FinePoint origin = any_origin(random);
+    const Rect window = window_in(random, field_box(field, brush, origin));
+    Canvas canvas(window, picture);
+    draw_field(field, brush, origin, canvas.rgb_sink());
+    const bool is_down = round % 4 >= 2;
+    const bool red_first = round % 2 == 0;
+    for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
+      const auto stripe = [&](int32_t number) {
+        if (is_down) {
+          return stripe_coverage(field, brush, origin, true, x, y, number);
+        }
+        const int32_t pixel = number < -1 ? -1 : number > 1 ? 1 : 0;
+        return stripe_coverage(field, brush, origin, false, x + pixel, y,
+                               number - 3 * pixel);
+      };
+      for (int32_t number = -1; number <= 1; ++number) {
+        const double expected =
+            (stripe(number - 1) + stripe(number) + stripe(number + 1)) / 3;
+        const int32_t channel = red_first ? 1 + number : 1 - number;
+        const double error = picture[i + channel] - expected;
+        far += error < -12 || error > 12 ? 1 : 0;
+        ++compared;
+      }
+      coloured += picture[i] != picture[i + 2] ? 1 : 0;
+    });
+  }
+  CHECK(coloured > kRounds);
+  // Fields of any kind jump from cell to cell: few pixels see that.
+  CHECK(far * 100 < compared);
+}
+
+TEST(less_colour_leaves_the_mean) {
+  Random random(53);
+  for (int round = 0; round < kRounds / 4; ++round) {
+    const GlyphField field = any_field(random);
+    Brush brush = brush_of(random.between(8 * 64, 48 * 64), kFilterText);
+    LcdStyle style;
+    brush.set_painter(paint_lcd, &style, kLcdReach);
+    const FinePoint origin = any_origin(random);
+    const Rect window = window_in(random, field_box(field, brush, origin));
+    Canvas full(window, picture);
+    draw_field(field, brush, origin, full.rgb_sink());
+    style.colour = static_cast<uint8_t>(round % 2 * 128);
+    Canvas faded(window, second);
+    draw_field(field, brush, origin, faded.rgb_sink());
+    for_pixels(window, [&](int32_t, int32_t, int32_t i) {
+      const int32_t mean = (picture[i] + picture[i + 1] + picture[i + 2]) / 3;
+      for (int32_t j = i; j < i + 3; ++j) {
+        const int32_t kept =
+            mean + (picture[j] - mean) * int32_t{style.colour} / 255;
+        CHECK(second[j] >= kept - 2 && second[j] <= kept + 2);
+      }
+    });
+    Canvas grey(window, picture);
+    style.colour = 0;
+    draw_field(field, brush, origin, grey.grey_sink());
+    for_pixels(window, [&](int32_t, int32_t, int32_t i) {
+      CHECK(round % 2 != 0 || picture[i] == second[i]);
+    });
+  }
+}
+
+// A black stroke gives as much light to red as to green and blue, wherever it
+// stands: from some way off it is grey.
+TEST(upright_strokes_are_grey_as_a_whole) {
+  record = FieldRecord();
+  record.line_count = 2;
+  record.pair_count = 1;
+  record.pairs[0][1] = 1;
+  record.references[0] = record.pair_reference(0);
+  record.fields[0] = {16384, 0, -100 * 16, 0, 0};
+  for (int32_t width_u = 25; width_u <= 125; width_u += 10) {
+    record.fields[1] = {-16384, 0, (100 + width_u) * 16, 0, 0};
+    const GlyphField field = open();
+    Brush brush = brush_of(16 * 64, kFilterText);
+    const LcdStyle style;
+    brush.set_painter(paint_lcd, &style, kLcdReach);
+    for (int32_t shift = 0; shift < 1024; shift += 37) {
+      Canvas canvas({-4, -3, 8, -2}, picture);
+      draw_field(field, brush, {shift, 0}, canvas.rgb_sink());
+      int32_t sums[3] = {};
+      for_pixels(canvas.window, [&](int32_t, int32_t, int32_t i) {
+        for (int32_t channel = 0; channel < 3; ++channel) {
+          sums[channel] += picture[i + channel];
+        }
+      });
+      for (const int32_t sum : sums) {
+        const int32_t error = sum - 255 * width_u / 64;
+        CHECK(error >= -6 && error <= 6);
+        CHECK(sum - sums[0] <= 2 && sums[0] - sum <= 2);
+      }
+    }
+  }
+}
+
+TEST(outlines_are_what_lies_between_two_filters) {
+  Random random(54);
+  int32_t grey = 0;
+  for (int round = 0; round < kRounds && !check::failed(); ++round) {
+    const GlyphField field = any_field(random);
+    const Outline outline = make_outline(
+        kFilterPaperBody,
+        Q6_10::from_raw(static_cast<int16_t>(random.between(100, 2048))),
+        static_cast<OutlinePlace>(round % 3));
+    Brush brush = brush_of(random.between(8 * 64, 48 * 64), outline.outer,
+                           round % 4 == 0);
+    brush.set_painter(paint_outline, &outline.inner);
+    const FinePoint origin = any_origin(random);
+    const Rect window = window_in(random, field_box(field, brush, origin));
+    Canvas canvas(window, picture);
+    draw_field(field, brush, origin, canvas.grey_sink());
+    OutlineAndFill both = {&outline.inner, nullptr};
+    for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
+      const int32_t d = distance_q10(field, brush, origin, x, y);
+      const int32_t covered =
+          outline.outer.coverage(d) - outline.inner.coverage(d);
+      CHECK_EQ(picture[i], covered);
+      grey += covered > 0 ? 1 : 0;
+    });
+    brush.set_painter(paint_outline_and_fill, &both);
+    Canvas edges(window, picture);
+    Canvas insides(window, second);
+    const Sink fill = insides.grey_sink();
+    both.fill = &fill;
+    draw_field(field, brush, origin, edges.grey_sink());
+    for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
+      const int32_t d = distance_q10(field, brush, origin, x, y);
+      const uint8_t filled = outline.inner.coverage(d);
+      CHECK_EQ(second[i], filled);
+      CHECK_EQ(picture[i], filled == 255 ? 0 : outline.outer.coverage(d));
+    });
+  }
+  CHECK(grey > kRounds);
+}
+
+TEST(outlines_lie_where_they_are_asked_for) {
+  const Q6_10 width = Q6_10::from_int(2);
+  const struct {
+    OutlinePlace place;
+    int32_t from_q10;  // where the outline is full, from half a pixel inwards
+    int32_t to_q10;
+  } cases[] = {{OutlinePlace::outer, -2048, 0},
+               {OutlinePlace::centred, -1024, 1024},
+               {OutlinePlace::inner, 0, 2048}};
+  for (const auto& c : cases) {
+    const Outline outline = make_outline(kFilterText, width, c.place);
+    for (int32_t d = -4096; d <= 4096; d += 16) {
+      const int32_t covered =
+          outline.outer.coverage(d) - outline.inner.coverage(d);
+      if (d >= c.from_q10 + 512 && d <= c.to_q10 - 512) {
+        CHECK_EQ(covered, 255);
+      } else if (d <= c.from_q10 - 512 || d >= c.to_q10 + 512) {
+        CHECK_EQ(covered, 0);
+      } else {
+        CHECK(covered >= 0 && covered <= 255);
+      }
+    }
+  }
+}
+
+TEST(shadows_and_glows_fade) {
+  const Filter shadow = shadow_filter(Q6_10::from_int(3));
+  CHECK_EQ(shadow.outside_q10, -3072);
+  CHECK_EQ(shadow.inside_q10, 3072);
+  CHECK(shadow.coverage(0) >= 126 && shadow.coverage(0) <= 129);
+  const Filter glow = glow_filter(Q6_10::from_int(2));
+  CHECK_EQ(glow.outside_q10, -2048);
+  CHECK_EQ(glow.coverage(0), 255);
+  CHECK(glow.coverage(-1024) >= 62 && glow.coverage(-1024) <= 66);
+}
+
+TEST(effects_beyond_the_band_are_refused) {
+  FontRange range;
+  range.band_u = 128;  // 2 px at 16 px
+  const Q26_6 size = Q26_6::from_int(16);
+  const auto reach = [](int32_t q10) {
+    return shadow_filter(Q6_10::from_raw(static_cast<int16_t>(q10)));
+  };
+  CHECK_OK(check_reach(range, size, kFilterText));
+  CHECK_OK(check_reach(range, size, reach(2048)));
+  CHECK_EQ(check_reach(range, size, reach(2080)), Status::beyond_band);
+  CHECK_OK(check_reach(range, Q26_6::from_int(32), reach(4096)));
+  CHECK_OK(check_reach(range, Q26_6::from_int(1024), reach(4096)));
+  CHECK_EQ(check_reach(range, Q26_6::from_int(8),
+                       glow_filter(Q6_10::from_raw(1100))),
+           Status::beyond_band);
+  // A cutoff inside counts like one outside.
+  const Filter deep = with_weight(kFilterText, Q6_10::from_raw(-2000));
+  CHECK_EQ(check_reach(range, size, deep), Status::beyond_band);
+}
+
+#endif
