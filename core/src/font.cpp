@@ -382,6 +382,7 @@ Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
   }
   INKCELL_TRY(GlyphField::open(bytes, out));
   out.ink = ink_box(glyph);
+  out.glyph = glyph;
   return Status::ok;
 }
 

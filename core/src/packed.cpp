@@ -383,6 +383,7 @@ Status PackedGlyph::open(const Font& font,
            PackedCoding::read(font.rom().data + format::header::kQuantisation),
            out));
   out.ink = font.ink_box(glyph);
+  out.glyph = glyph;
   return Status::ok;
 }
 
@@ -397,6 +398,7 @@ GlyphField PackedGlyph::grid(uint32_t first_row,
   field.tiles_x = tiles_x;
   field.tiles_y = static_cast<uint8_t>(row_count);
   field.ink = ink;
+  field.glyph = glyph;
   return field;
 }
 

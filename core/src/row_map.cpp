@@ -1,26 +1,58 @@
 #include "inkcell/row_map.hpp"
 
 namespace inkcell {
+namespace {
+
+bool is_within(int32_t value, int32_t limit) noexcept {
+  return value >= -limit && value <= limit;
+}
+
+// The quotient rounded towards minus infinity; `divisor` is positive.
+int32_t divide_down(int32_t dividend, int32_t divisor) noexcept {
+  const int32_t towards_zero = dividend / divisor;
+  return dividend < towards_zero * divisor ? towards_zero - 1 : towards_zero;
+}
+
+}  // namespace
+
+bool RowMap::add(int32_t screen_q10, int32_t glyph_q10) noexcept {
+  if (count >= kMaxKnots || !is_within(screen_q10, kReachQ10) ||
+      !is_within(glyph_q10, kReachQ10) ||
+      !is_within(glyph_q10 - screen_q10, kMaxShiftQ10)) {
+    return false;
+  }
+  if (count != 0) {
+    Knot& last = knots[count - 1];
+    const int32_t step = screen_q10 - last.screen_q10;
+    const int32_t glyph_step = glyph_q10 - last.glyph_q10;
+    if (step < kLeastStepQ10 || glyph_step < kLeastStepQ10) {
+      return false;
+    }
+    // 2^11 at the most in Q16. Rounded down, so that the map does not pass the
+    // upper knot.
+    last.excess_q16 = divide_down((glyph_step - step) * (1 << 16), step);
+  }
+  knots[count] = {screen_q10, glyph_q10, 0};
+  ++count;
+  return true;
+}
 
 int32_t RowMap::glyph_height_q10(int32_t screen_q10) const noexcept {
-  int32_t above = 0;
-  while (above < count && knots[above].screen_q10 <= screen_q10) {
-    ++above;
-  }
   if (count == 0) {
     return screen_q10;
   }
-  if (above == 0 || above == count) {
-    const Knot& end = knots[above == 0 ? 0 : count - 1];
-    return screen_q10 + (end.glyph_q10 - end.screen_q10);
+  const Knot* knot = knots + count - 1;
+  while (knot != knots && knot->screen_q10 > screen_q10) {
+    --knot;
   }
-  const Knot& low = knots[above - 1];
-  const Knot& high = knots[above];
-  // One division a row: heights between knots are at most a few em.
-  const int64_t way =
-      int64_t{screen_q10 - low.screen_q10} * (high.glyph_q10 - low.glyph_q10);
-  return low.glyph_q10 +
-         static_cast<int32_t>(way / (high.screen_q10 - low.screen_q10));
+  const int32_t shifted = screen_q10 + (knot->glyph_q10 - knot->screen_q10);
+  // Beyond the outer knots it stays as it is.
+  const int32_t above = screen_q10 - knot->screen_q10;
+  if (above <= 0 || knot->excess_q16 == 0) {
+    return shifted;
+  }
+  // Between two knots the product is at most 2^11 in Q16.
+  return shifted + ((above * knot->excess_q16) >> 16);
 }
 
 }  // namespace inkcell

@@ -114,6 +114,7 @@ struct PackedGlyph {
   uint8_t tiles_x = 0;  // of 256 u, 15 at most
   uint8_t tiles_y = 0;
   bool wide_rows = false;  // lengths of rows take two bytes
+  uint16_t glyph = GlyphField::kNoGlyph;
   InkBox ink;
 
   /// A view of the glyph record `record` (docs/FORMAT.md, "Glyph record,

@@ -14,16 +14,24 @@ namespace inkcell {
 struct RowMap {
   static constexpr int32_t kMaxKnots = 10;
   static constexpr int32_t kMaxShiftQ10 = 1 << 10;
+  static constexpr int32_t kLeastStepQ10 = 16;
+  static constexpr int32_t kReachQ10 = 512 << 10;
 
   struct Knot {
     int32_t screen_q10;  // [px]
     int32_t glyph_q10;   // [px]
+    // What the slope up to the next knot has above 1.
+    int32_t excess_q16;
   };
 
-  /// Both heights increase from knot to knot by 1/64 px at least, and differ by
-  /// kMaxShiftQ10 at the most.
+  /// From low to high; `add` makes them.
   Knot knots[kMaxKnots];
   uint8_t count = 0;
+
+  /// Adds the next higher knot. False, and nothing is changed, if there are
+  /// kMaxKnots, if the heights are not kLeastStepQ10 above those of the last
+  /// one, if they differ by more than kMaxShiftQ10, or pass +-kReachQ10.
+  bool add(int32_t screen_q10, int32_t glyph_q10) noexcept;
 
   /// The height in the glyph that the screen shows at `screen_q10`, within
   /// +-2^20 px. [px, Q10 -> Q10]

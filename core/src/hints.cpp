@@ -1,0 +1,97 @@
+#include "inkcell/hints.hpp"
+
+#include "bit_table.hpp"
+#include "bytes.hpp"
+#include "inkcell/format.hpp"
+
+namespace inkcell {
+namespace {
+
+namespace hints = format::hints;
+
+}  // namespace
+
+Status Hints::open(const Font& font, Hints& out) noexcept {
+  Hints read;
+  read.section_ = font.section(format::section::kHints);
+  if (read.section_.size == 0) {
+    out = read;
+    return Status::ok;
+  }
+  if (read.section_.size < hints::kBytes) {
+    return Status::corrupt;
+  }
+  const uint8_t* at = read.section_.data;
+  read.glyph_count_ = font.glyph_count();
+  read.level_count_ = at[hints::kLevels];
+  read.zone_count_ = at[hints::kZones];
+  read.start_bits_ = at[hints::kStartBits];
+  read.count_bits_ = at[hints::kCountBits];
+  read.stem_bits_ = at[hints::kStemBits];
+  read.gap_bits_ = at[hints::kGapBits];
+  read.stem_base_u_ = detail::load_i16(at + hints::kStemBase);
+  read.stem_width_u_ = at[hints::kStemWidth];
+  read.row_bits_ = static_cast<uint16_t>(read.start_bits_ + read.count_bits_ +
+                                         read.stem_bits_ + read.gap_bits_ + 1);
+  read.rows_ = hints::kBytes + 2u * read.level_count_ + read.zone_count_;
+  const uint32_t row_bits = uint32_t{read.row_bits_} * read.glyph_count_;
+  read.lists_ = read.rows_ + (row_bits + 7) / 8;
+  if (read.level_count_ > hints::kMaxLevels ||
+      read.zone_count_ > hints::kMaxZones || read.lists_ > read.section_.size) {
+    return Status::corrupt;
+  }
+  out = read;
+  return Status::ok;
+}
+
+HintLevel Hints::level(uint32_t i) const noexcept {
+  const uint32_t bits = detail::load_u16(section_.data + hints::kBytes + 2 * i);
+  const auto height = static_cast<int32_t>(bits & 0xfff);
+  return {(height ^ 0x800) - 0x800, bits >> hints::kZoneShift};
+}
+
+HintZone Hints::zone(uint32_t i) const noexcept {
+  const uint32_t byte = section_[hints::kBytes + 2u * level_count_ + i];
+  const uint32_t of = byte & hints::kLevelMask;
+  return {of < level_count_ ? level(of).height_u : 0,
+          (byte & hints::kBottomZone) != 0};
+}
+
+GlyphHints Hints::glyph(uint32_t glyph) const noexcept {
+  GlyphHints found;
+  if (glyph >= glyph_count_) {
+    return found;
+  }
+  const Span<const uint8_t> rows = {section_.data + rows_, lists_ - rows_};
+  uint32_t bit = glyph * row_bits_;
+  const auto next = [&rows, &bit](uint32_t width) noexcept {
+    const uint32_t value = detail::read_bits(rows, bit, width);
+    bit += width;
+    return value;
+  };
+  const uint32_t start = next(start_bits_);
+  const uint32_t count = next(count_bits_);
+  const size_t room = section_.size - lists_;
+  if (start <= room && count <= room - start) {
+    found.edges = {section_.data + lists_ + start, count};
+  }
+  const uint32_t stem = next(stem_bits_);
+  if (stem == 0) {
+    return found;
+  }
+  constexpr auto kStep = static_cast<int32_t>(hints::kStemStep);
+  const uint32_t gap = next(gap_bits_);
+  const uint32_t third = next(1);
+  // Below 2^25 steps, and so below 2^28 u.
+  found.stem_u = stem_base_u_ + static_cast<int32_t>(stem) * kStep;
+  found.gap_u = static_cast<int32_t>(gap) * kStep;
+  found.stem_count = static_cast<uint8_t>(gap == 0 ? 1 : 2 + third);
+  return found;
+}
+
+HintEdge Hints::edge(uint8_t byte) noexcept {
+  return {static_cast<uint8_t>(byte & hints::kLevelMask),
+          (byte & hints::kBar) != 0};
+}
+
+}  // namespace inkcell
