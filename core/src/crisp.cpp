@@ -28,24 +28,6 @@ class Neighbourhood {
         rows_(rows),
         threshold_q10_(threshold_q10) {}
 
-  int32_t value_at(const FieldPosition& at) noexcept {
-    return walk_.distance_q10(at) - threshold_q10_;
-  }
-
-  // Whether pixel (x, y), of this value below 0, must stand for a stroke that
-  // passes between it and a neighbour.
-  bool is_bridge(int32_t x,
-                 int32_t y,
-                 const FieldPosition& at,
-                 int32_t value_q10) noexcept {
-    const ScreenGradient here = walk_.gradient(at);
-    const int32_t right = here.right_q14 > 0 ? 1 : -1;
-    const int32_t down = here.up_q14 < 0 ? 1 : -1;
-    return (here.right_q14 != 0 && passes_between(x, y, right, 0, value_q10)) ||
-           (here.up_q14 != 0 && passes_between(x, y, 0, down, value_q10));
-  }
-
- private:
   FieldPosition position(int32_t x,
                          int32_t y,
                          int32_t right_q10,
@@ -54,14 +36,39 @@ class Neighbourhood {
                                    {right_q10, -down_q10});
   }
 
+  FieldPosition next(const FieldPosition& at) const noexcept {
+    return detail::moved(at, detail::pixel_step(brush_));
+  }
+  uint8_t covered(int32_t value_q10) const noexcept {
+    return brush_.filter().coverage(value_q10 + threshold_q10_);
+  }
+
+  int32_t value_at(const FieldPosition& at) noexcept {
+    return walk_.distance_q10(at) - threshold_q10_;
+  }
+
+  // Whether pixel (x, y), of this value below 0, must stand for a stroke that
+  // passes between it and a neighbour.
+  __attribute__((noinline)) bool is_bridge(int32_t x,
+                                           int32_t y,
+                                           const FieldPosition& at,
+                                           int32_t value_q10) noexcept {
+    const ScreenGradient here = walk_.gradient(at);
+    const int32_t right = here.right_q14 > 0 ? 1 : -1;
+    const int32_t down = here.up_q14 < 0 ? 1 : -1;
+    return (here.right_q14 != 0 && passes_between(x, y, right, 0, value_q10)) ||
+           (here.up_q14 != 0 && passes_between(x, y, 0, down, value_q10));
+  }
+
+ private:
   // Whether a stroke passes between the pixel and its neighbour in direction
   // (right, down), nearer to the pixel. Both decide alike: of two that are
   // equally near the left or upper one is drawn.
-  bool passes_between(int32_t x,
-                      int32_t y,
-                      int32_t right,
-                      int32_t down,
-                      int32_t value_q10) noexcept {
+  __attribute__((noinline)) bool passes_between(int32_t x,
+                                                int32_t y,
+                                                int32_t right,
+                                                int32_t down,
+                                                int32_t value_q10) noexcept {
     const FieldPosition other = position(x + right, y + down, 0, 0);
     const int32_t other_q10 = value_at(other);
     const bool is_first = right + down > 0;
@@ -90,6 +97,33 @@ uint8_t nearest_level(uint8_t coverage) noexcept {
   return static_cast<uint8_t>((coverage + 42) / 85 * 85);
 }
 
+// In a frame of its own, so that none is large.
+__attribute__((noinline)) void draw_rows(Neighbourhood& glyph,
+                                         const CrispStyle& style,
+                                         const Rect& box,
+                                         const Sink& sink) noexcept {
+  const bool has_greys = style.levels > 2;
+  const uint8_t bridge = has_greys ? 170 : 255;
+  SpanWriter writer(sink, box.y0);
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    FieldPosition at = glyph.position(box.x0, y, 0, 0);
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      const int32_t value_q10 = glyph.value_at(at);
+      uint8_t coverage = value_q10 >= 0 ? 255 : 0;
+      if (has_greys) {
+        coverage = nearest_level(glyph.covered(value_q10));
+      }
+      if (coverage < bridge && value_q10 < 0 && value_q10 >= -kFarthestQ10 &&
+          glyph.is_bridge(x, y, at, value_q10)) {
+        coverage = bridge;
+      }
+      writer.put(x, coverage);
+      at = glyph.next(at);
+    }
+    writer.next_row();
+  }
+}
+
 }  // namespace
 
 void paint_crisp(const GlyphField& field,
@@ -98,36 +132,14 @@ void paint_crisp(const GlyphField& field,
                  const FinePoint& origin,
                  const RowMap* rows,
                  const Sink& sink) {
-  const CrispStyle style = *static_cast<const CrispStyle*>(options);
+  const CrispStyle& style = *static_cast<const CrispStyle*>(options);
   constexpr int32_t kMostThreshold = 1 << 9;
   int32_t threshold = style.threshold_px.raw;
   threshold = threshold < -kMostThreshold ? -kMostThreshold : threshold;
   threshold = threshold > kMostThreshold ? kMostThreshold : threshold;
-  const bool has_greys = style.levels > 2;
-  const uint8_t bridge = has_greys ? 170 : 255;
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
   Neighbourhood glyph(field, brush, origin, rows, threshold);
-  const FieldPosition step = detail::pixel_step(brush);
-  SpanWriter writer(sink, box.y0);
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    FieldPosition at =
-        detail::sample_position(brush, origin, rows, box.x0, y, {0, 0});
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      const int32_t value_q10 = glyph.value_at(at);
-      uint8_t coverage = value_q10 >= 0 ? 255 : 0;
-      if (has_greys) {
-        coverage =
-            nearest_level(brush.filter().coverage(value_q10 + threshold));
-      }
-      if (coverage < bridge && value_q10 < 0 && value_q10 >= -kFarthestQ10 &&
-          glyph.is_bridge(x, y, at, value_q10)) {
-        coverage = bridge;
-      }
-      writer.put(x, coverage);
-      at = detail::moved(at, step);
-    }
-    writer.next_row();
-  }
+  draw_rows(glyph, style,
+            intersect(field_box(field, brush, origin), sink.window), sink);
 }
 
 }  // namespace inkcell

@@ -44,6 +44,64 @@ void emit(const Sink& sink,
   }
 }
 
+// What drawing both painters takes, in a frame of its own: none shall be large.
+struct Rows {
+  const Brush& brush;
+  const Filter& inner;
+  const FinePoint& origin;
+  const RowMap* map;
+  Rect box;
+
+  FieldPosition at(int32_t y) const noexcept {
+    return detail::sample_position(brush, origin, map, box.x0, y, {0, 0});
+  }
+  int32_t reach_q22() const noexcept {
+    return greater(detail::reach_of(brush.filter()), detail::reach_of(inner));
+  }
+};
+
+__attribute__((noinline)) void draw_outline(const Rows& rows,
+                                            PointWalk& walk,
+                                            const Sink& sink) noexcept {
+  const Filter& outer = rows.brush.filter();
+  const FieldPosition step = detail::pixel_step(rows.brush);
+  SpanWriter writer(sink, rows.box.y0);
+  for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
+    FieldPosition at = rows.at(y);
+    for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
+      const int32_t d = walk.distance_q10(at);
+      writer.put(x, static_cast<uint8_t>(greater(
+                        outer.coverage(d) - rows.inner.coverage(d), 0)));
+      at = detail::moved(at, step);
+    }
+    writer.next_row();
+  }
+}
+
+// Up to kMaxSpan pixels of a row.
+__attribute__((noinline)) void draw_both(const Rows& rows,
+                                         PointWalk& walk,
+                                         const Sink& sink,
+                                         const Sink& fill_sink,
+                                         FieldPosition& at,
+                                         int32_t x,
+                                         int32_t y) noexcept {
+  const Filter& outer = rows.brush.filter();
+  const FieldPosition step = detail::pixel_step(rows.brush);
+  uint8_t outline[kMaxSpan];
+  uint8_t fill[kMaxSpan];
+  const int32_t count = lesser(kMaxSpan, rows.box.x1 - x);
+  for (int32_t i = 0; i < count; ++i) {
+    const int32_t d = walk.distance_q10(at);
+    fill[i] = rows.inner.coverage(d);
+    // Where the fill is solid nothing of the outline is left to see.
+    outline[i] = fill[i] == 255 ? uint8_t{0} : outer.coverage(d);
+    at = detail::moved(at, step);
+  }
+  emit(sink, x, y, outline, count);
+  emit(fill_sink, x, y, fill, count);
+}
+
 }  // namespace
 
 Status check_reach(const FontRange& range,
@@ -62,24 +120,10 @@ void paint_outline(const GlyphField& field,
                    const FinePoint& origin,
                    const RowMap* rows,
                    const Sink& sink) {
-  const Filter& outer = brush.filter();
-  const Filter& inner = *static_cast<const Filter*>(options);
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
-  PointWalk walk(field, brush,
-                 greater(detail::reach_of(outer), detail::reach_of(inner)));
-  const FieldPosition step = detail::pixel_step(brush);
-  SpanWriter writer(sink, box.y0);
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    FieldPosition at =
-        detail::sample_position(brush, origin, rows, box.x0, y, {0, 0});
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      const int32_t d = walk.distance_q10(at);
-      writer.put(x, static_cast<uint8_t>(
-                        greater(outer.coverage(d) - inner.coverage(d), 0)));
-      at = detail::moved(at, step);
-    }
-    writer.next_row();
-  }
+  const Rows all = {brush, *static_cast<const Filter*>(options), origin, rows,
+                    intersect(field_box(field, brush, origin), sink.window)};
+  PointWalk walk(field, brush, all.reach_q22());
+  draw_outline(all, walk, sink);
 }
 
 void paint_outline_and_fill(const GlyphField& field,
@@ -89,29 +133,14 @@ void paint_outline_and_fill(const GlyphField& field,
                             const RowMap* rows,
                             const Sink& sink) {
   const OutlineAndFill& both = *static_cast<const OutlineAndFill*>(options);
-  const Filter& outer = brush.filter();
-  const Filter& inner = *both.inner;
-  const Rect box = intersect(field_box(field, brush, origin),
-                             intersect(sink.window, both.fill->window));
-  PointWalk walk(field, brush,
-                 greater(detail::reach_of(outer), detail::reach_of(inner)));
-  const FieldPosition step = detail::pixel_step(brush);
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    FieldPosition at =
-        detail::sample_position(brush, origin, rows, box.x0, y, {0, 0});
-    for (int32_t x = box.x0; x < box.x1; x += kMaxSpan) {
-      uint8_t outline[kMaxSpan];
-      uint8_t fill[kMaxSpan];
-      const int32_t count = lesser(kMaxSpan, box.x1 - x);
-      for (int32_t i = 0; i < count; ++i) {
-        const int32_t d = walk.distance_q10(at);
-        fill[i] = inner.coverage(d);
-        // Where the fill is solid nothing of the outline is left to see.
-        outline[i] = fill[i] == 255 ? uint8_t{0} : outer.coverage(d);
-        at = detail::moved(at, step);
-      }
-      emit(sink, x, y, outline, count);
-      emit(*both.fill, x, y, fill, count);
+  const Rows all = {brush, *both.inner, origin, rows,
+                    intersect(field_box(field, brush, origin),
+                              intersect(sink.window, both.fill->window))};
+  PointWalk walk(field, brush, all.reach_q22());
+  for (int32_t y = all.box.y0; y < all.box.y1; ++y) {
+    FieldPosition at = all.at(y);
+    for (int32_t x = all.box.x0; x < all.box.x1; x += kMaxSpan) {
+      draw_both(all, walk, sink, *both.fill, at, x, y);
     }
   }
 }

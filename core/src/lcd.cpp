@@ -43,7 +43,9 @@ class Stripes {
   }
 
   // Of `count` stripes with their middles at `at`; 3 or 5.
-  void take(const FieldPosition* at, int32_t count, uint8_t* out) noexcept {
+  __attribute__((noinline)) void take(const FieldPosition* at,
+                                      int32_t count,
+                                      uint8_t* out) noexcept {
     int32_t d[5];
     const int32_t middle = count >> 1;
     d[middle] = walk_.distance_q10(at[middle]);
@@ -174,22 +176,40 @@ void advance(FieldPosition* at,
   }
 }
 
-// A row of pixels x0 <= x < x1 whose stripes stand side by side. `at` is where
-// those of the pixel before the first are. Only three stripes a pixel are new:
+// What drawing takes, in frames of their own: none shall be large.
+struct Rows {
+  const Brush& brush;
+  const FinePoint& origin;
+  const RowMap* map;
+  Rect box;
+
+  FieldPosition at(int32_t x,
+                   int32_t y,
+                   int32_t right_q10,
+                   int32_t up_q10) const noexcept {
+    return detail::sample_position(brush, origin, map, x, y,
+                                   {right_q10, up_q10});
+  }
+};
+
+// A row of pixels whose stripes stand side by side. Only three a pixel are new:
 //
-//   | . . a | b c d | e f g |     b c d are pixel x
-//         0   1 2 3   4 5 6
-void draw_across(Stripes& stripes,
-                 FieldPosition* at,
-                 const FieldPosition& step,
-                 int32_t x0,
-                 int32_t x1,
-                 RgbSpans& spans) noexcept {
+//   | . . 0 | 1 2 3 | 4 5 6 |     1 2 3 are those of pixel x
+//
+__attribute__((noinline)) void draw_across(const Rows& rows,
+                                           int32_t y,
+                                           Stripes& stripes,
+                                           RgbSpans& spans) noexcept {
+  const FieldPosition step = detail::pixel_step(rows.brush);
+  FieldPosition at[3];
+  for (int32_t i = 0; i < 3; ++i) {
+    at[i] = rows.at(rows.box.x0 - 1, y, (i - 1) * kThird, 0);
+  }
   uint8_t covered[7];
   stripes.take(at, 3, covered + 1);
   advance(at, 3, step);
   stripes.take(at, 3, covered + 4);
-  for (int32_t x = x0; x < x1; ++x) {
+  for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
     for (int32_t i = 0; i < 4; ++i) {
       covered[i] = covered[i + 3];
     }
@@ -199,19 +219,36 @@ void draw_across(Stripes& stripes,
   }
 }
 
-// The same for stripes that lie on each other; `at` is where the five are that
-// the first pixel needs.
-void draw_down(Stripes& stripes,
-               FieldPosition* at,
-               const FieldPosition& step,
-               int32_t x0,
-               int32_t x1,
-               RgbSpans& spans) noexcept {
+// The same for stripes that lie on each other.
+__attribute__((noinline)) void draw_down(const Rows& rows,
+                                         int32_t y,
+                                         Stripes& stripes,
+                                         RgbSpans& spans) noexcept {
+  const FieldPosition step = detail::pixel_step(rows.brush);
+  FieldPosition at[5];
+  for (int32_t i = 0; i < 5; ++i) {
+    at[i] = rows.at(rows.box.x0, y, 0, (2 - i) * kThird);
+  }
   uint8_t covered[5];
-  for (int32_t x = x0; x < x1; ++x) {
+  for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
     stripes.take(at, 5, covered);
     spans.put(x, covered);
     advance(at, 5, step);
+  }
+}
+
+__attribute__((noinline)) void draw_rows(const Rows& rows,
+                                         const LcdStyle& style,
+                                         Stripes& stripes,
+                                         const Sink& sink) noexcept {
+  RgbSpans spans(sink, style, rows.box.y0);
+  for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
+    if (is_vertical(style.order)) {
+      draw_down(rows, y, stripes, spans);
+    } else {
+      draw_across(rows, y, stripes, spans);
+    }
+    spans.next_row();
   }
 }
 
@@ -224,26 +261,10 @@ void paint_lcd(const GlyphField& field,
                const RowMap* rows,
                const Sink& sink) {
   const LcdStyle& style = *static_cast<const LcdStyle*>(options);
-  const bool is_down = is_vertical(style.order);
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
   Stripes stripes(field, brush, style);
-  RgbSpans spans(sink, style, box.y0);
-  const FieldPosition step = detail::pixel_step(brush);
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    FieldPosition at[5];
-    for (int32_t i = 0; i < (is_down ? 5 : 3); ++i) {
-      at[i] = is_down ? detail::sample_position(brush, origin, rows, box.x0, y,
-                                                {0, (2 - i) * kThird})
-                      : detail::sample_position(brush, origin, rows, box.x0 - 1,
-                                                y, {(i - 1) * kThird, 0});
-    }
-    if (is_down) {
-      draw_down(stripes, at, step, box.x0, box.x1, spans);
-    } else {
-      draw_across(stripes, at, step, box.x0, box.x1, spans);
-    }
-    spans.next_row();
-  }
+  draw_rows({brush, origin, rows,
+             intersect(field_box(field, brush, origin), sink.window)},
+            style, stripes, sink);
 }
 
 }  // namespace inkcell

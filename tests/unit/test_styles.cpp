@@ -202,9 +202,8 @@ void check_windows(const GlyphField& field,
 // Rows moved up by 3/8 px, and stretched above.
 void fit(
     const GlyphField&, const Brush&, const void*, FinePoint&, RowMap& rows) {
-  rows.count = 2;
-  rows.knots[0] = {0, -384};
-  rows.knots[1] = {6 << 10, (6 << 10) + 200};
+  CHECK(rows.add(0, -384));
+  CHECK(rows.add(6 << 10, (6 << 10) + 200));
 }
 
 }  // namespace
