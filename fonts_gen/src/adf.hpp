@@ -48,8 +48,9 @@ struct AdfOptions {
 inline constexpr double kMostBand_u = 192;
 
 /// How far from the edge the field must be good, at the smallest size. [u]
-/// Where nothing is asked for, samples: 0.75 px, the widest filter of the presets. fields: 0.5 px, the
-/// `text` filter; beyond, they are good wherever a cell is not saturated.
+/// Where nothing is asked for, samples: 0.75 px, the widest filter of the
+/// presets. fields: 0.5 px, the `text` filter; beyond, they are good wherever a
+/// cell is not saturated.
 double band_u(const AdfOptions& options);
 
 /// A cell as it lies in ROM: format::samples.
