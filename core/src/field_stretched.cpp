@@ -95,6 +95,19 @@ Vector gradient_of(const FieldTerm& term, int32_t bend_log2) noexcept {
           term.ny_q14 + (wrapped(times(term.nx_q14, slope)) >> 14)};
 }
 
+// The length of a gradient from its direction, less than 2.
+int32_t product_q14(const Vector& gradient, const Vector& unit_q14) noexcept {
+  const int32_t length_q14 =
+      wrapped(times(gradient.x, static_cast<uint32_t>(unit_q14.x)) +
+              times(gradient.y, static_cast<uint32_t>(unit_q14.y))) >>
+      14;
+  return length_q14 < INT16_MAX ? length_q14 : INT16_MAX;
+}
+
+Vector scaled(const Vector& unit_q14, int32_t length_q14) noexcept {
+  return {(unit_q14.x * length_q14) >> 14, (unit_q14.y * length_q14) >> 14};
+}
+
 // A distance in the glyph as one on the screen, and the direction there.
 struct Gain {
   uint32_t inverse_q14;
@@ -145,15 +158,18 @@ void stretch_terms(const Brush& brush,
     const int32_t value_q22 = term.value_q22(bend_log2);
     const bool is_far = value_q22 >= far_q22 || value_q22 <= -far_q22;
     Gain gain = {};
+    Vector normal_q14 = {0, 0};
     if (!is_far) {
       const Vector gradient = gradient_of(term, bend_log2);
-      gain = gain_of(brush, direct(gradient).unit_q14);
+      const Vector unit_q14 = direct(gradient).unit_q14;
+      gain = gain_of(brush, unit_q14);
+      normal_q14 = scaled(gain.unit_q14, product_q14(gradient, unit_q14));
     }
     const int32_t sign = value_q22 < 0 ? -1 : 1;
     term = {
         static_cast<uint32_t>(is_far ? sign * kMaxFarQ22 : gain.of(value_q22)),
-        0, 0, static_cast<int16_t>(gain.unit_q14.x),
-        static_cast<int16_t>(gain.unit_q14.y)};
+        0, 0, static_cast<int16_t>(normal_q14.x),
+        static_cast<int16_t>(normal_q14.y)};
   }
 }
 
@@ -180,12 +196,8 @@ int32_t stretched_fields_q10(const GlyphField& field,
 int32_t stretched_samples_q10(const GlyphField& field,
                               const Brush& brush,
                               const FieldPosition& at) noexcept {
-  const int32_t distance_u_q10 =
-      samples_distance_q10(field, at.x_q16, at.y_q16);
-  const int32_t distance_q10 = brush.to_px_q10(distance_u_q10);
-  if (brush.is_transparent(distance_u_q10) || brush.is_opaque(distance_u_q10)) {
-    return distance_q10;
-  }
+  const int32_t distance_q10 =
+      brush.to_px_q10(samples_distance_q10(field, at.x_q16, at.y_q16));
   const Gradient gradient = gradient_at(field, Q16_16::from_raw(at.x_q16),
                                         Q16_16::from_raw(at.y_q16));
   const Vector unit_q14 = direct({gradient.x.raw, gradient.y.raw}).unit_q14;

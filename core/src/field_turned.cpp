@@ -271,6 +271,13 @@ uint8_t turned_coverage(const GlyphField& field,
 uint8_t stretched_coverage(const GlyphField& field,
                            const Brush& brush,
                            const FieldPosition& at) noexcept {
+  const int32_t plain = samples_distance_q10(field, at.x_q16, at.y_q16);
+  if (brush.is_transparent(plain)) {
+    return 0;
+  }
+  if (brush.is_opaque(plain)) {
+    return 255;
+  }
   return brush.filter().coverage(stretched_samples_q10(field, brush, at));
 }
 

@@ -298,23 +298,17 @@ inline Value least(const Value& a, const Value& b) {
   return {-length, -(to_a * a.gx + to_b * b.gx), -(to_a * a.gy + to_b * b.gy)};
 }
 
-/// What a cell of fields says at a point.
-inline Value cell(const FieldRecord& record,
-                  const inkcell::Cell& cell,
-                  double x_u,
-                  double y_u) {
+/// What an operator makes of the values of one to three fields.
+inline Value combined(const Value (&fields)[3], uint32_t count, uint32_t op) {
   Value v[3] = {};
-  const auto op = static_cast<uint32_t>(cell.op);
-  for (uint32_t i = 0; i < cell.field_count; ++i) {
-    const uint32_t number = record.number_of(cell.fields[i]);
-    v[i] = value(record.fields[number], number < record.arc_count, x_u, y_u);
-    v[i] = op % 2 != 0 && cell.field_count > 1 ? negated(v[i]) : v[i];
+  for (uint32_t i = 0; i < count; ++i) {
+    v[i] = op % 2 != 0 && count > 1 ? negated(fields[i]) : fields[i];
   }
-  if (cell.field_count == 1) {
+  if (count == 1) {
     return v[0];
   }
   Value result = {};
-  if (cell.field_count == 2) {
+  if (count == 2) {
     result = least(v[0], v[1]);
   } else if (op >= 2) {
     // The outer vertex is that of the plain fields.
@@ -331,6 +325,19 @@ inline Value cell(const FieldRecord& record,
     result = least(v[greatest == 0 ? 1 : 0], v[greatest == 2 ? 1 : 2]);
   }
   return op % 2 != 0 ? negated(result) : result;
+}
+
+/// What a cell of fields says at a point.
+inline Value cell(const FieldRecord& record,
+                  const inkcell::Cell& cell,
+                  double x_u,
+                  double y_u) {
+  Value v[3] = {};
+  for (uint32_t i = 0; i < cell.field_count; ++i) {
+    const uint32_t number = record.number_of(cell.fields[i]);
+    v[i] = value(record.fields[number], number < record.arc_count, x_u, y_u);
+  }
+  return combined(v, cell.field_count, static_cast<uint32_t>(cell.op));
 }
 
 }  // namespace field_equation

@@ -279,6 +279,41 @@ TEST(quarter_turns_turn_the_picture) {
   }
 }
 
+// The left side of a bar, half as high as it is wide, leaning and mirrored: the
+// same distance on the screen.
+TEST(stretched_edges_are_as_sharp) {
+  const GlyphField field = field_of(font_builder::bar);
+  // A place (x, y) in em goes to 96 x + lean y, 48 y: the side leans, and is so
+  // long for each em.
+  constexpr struct {
+    int32_t lean;
+    double length;
+  } kSides[] = {{0, 48}, {24, 53.665631}, {-60, 76.837491}};
+  for (const auto& side : kSides) {
+    const int32_t lean = side.lean;
+    const Matrix matrix = {
+        Q16_16::from_int(96), {}, Q16_16::from_int(lean), Q16_16::from_int(48)};
+    Brush brush;
+    CHECK_OK(Brush::make(matrix, kFilterText, brush));
+    const FinePoint origin(3000, 40000);
+    for (int32_t y = 25; y < 35; ++y) {
+      Q6_10 distances[40];
+      distance_row(field, brush, origin, 0, y, {distances, 40});
+      for (int32_t x = 0; x < 40; ++x) {
+        const double up = 40000 / 1024.0 - y - 0.5;
+        const double right = x + 0.5 - 3000 / 1024.0;
+        const double across = right - up * lean / 48 - 96 * 200 / 1024.0;
+        const double expected = across * 48 / side.length;
+        if (expected > -1 && expected < 1) {
+          const double error = distances[x].raw / 1024.0 - expected;
+          CHECK(error < 0.02 && error > -0.02);
+        }
+      }
+    }
+    check_plain_chain(field, brush, origin, {0, 10, 40, 45});
+  }
+}
+
 // A disc stays a disc, turned about the origin.
 TEST(turned_shapes_are_where_they_should_be) {
   const GlyphField field = field_of(font_builder::disc);
