@@ -6,7 +6,7 @@ and worst of the 95 printable ASCII characters (of those that the font has).
 Inkcell draws into strips of 16 rows, as many as the glyph needs; FreeType and
 stb_truetype render into a bitmap, which counts as output. Instructions, not
 cycles: exact and repeatable in QEMU. All engines have the same compiler and
-the same flags; cores without a word about it have no floating-point unit.
+the same flags; m4f is an M4 whose floating-point unit is used, no other is.
 
 Code is .text and .rodata of the engine's library, as the linker kept them;
 what they need of the C library and the compiler's (64-bit products, division,
@@ -38,6 +38,7 @@ CPUS = {
     "m0": (HERE / "firmware/toolchain_m0.cmake", "mps2_an385"),
     "m3": (ROOT / "boards/mps2_an385/toolchain.cmake", "mps2_an385"),
     "m4": (ROOT / "boards/mps2_an386/toolchain.cmake", "mps2_an386"),
+    "m4f": (HERE / "firmware/toolchain_m4f.cmake", "mps2_an386"),
     "m7": (ROOT / "boards/mps2_an500/toolchain.cmake", "mps2_an500"),
     "m33": (ROOT / "boards/mps2_an505/toolchain.cmake", "mps2_an505"),
     "rv32": (ROOT / "boards/riscv_virt/toolchain.cmake", "riscv_virt"),
@@ -61,6 +62,10 @@ WHAT = {
     "rgb565": "a line of text into RGB565, and its sink alone",
     "code": "bytes that programs keep of the library",
 }
+# What programs keep of the library: kept.cpp.
+KEPT = ("glyphs", "packed", "text", "turned", "all_formats")
+# Cores that are measured at -Os, too, for the document: the others are alike.
+SMALL_CODE_CPUS = ("m0", "m3", "rv32")
 ASCII = ("32", "126")
 DIGITS = ("48", "57")
 
@@ -100,6 +105,8 @@ def parse_arguments():
             if value not in known:
                 parser.error(f"--{option} {value}: there is {', '.join(known)}")
         setattr(arguments, option, values)
+    if arguments.write_docs and set(arguments.engines) != set(LIBRARIES):
+        parser.error("--write-docs compares all engines")
     arguments.px = arguments.px.split(",")
     if not all(px.isdigit() and 4 <= int(px) <= 160 for px in arguments.px):
         parser.error("--px takes whole numbers from 4 to 160")
@@ -135,14 +142,14 @@ def in_parallel(function, jobs):
 def find_fontgen(arguments, build):
     if arguments.fontgen:
         return Path(arguments.fontgen).resolve()
-    for built in (ROOT / "build/host", build / "host"):
-        if (built / "fonts_gen/inkcell-fontgen").exists():
-            return built / "fonts_gen/inkcell-fontgen"
+    host = ROOT / "build/host"
+    if not (host / "fonts_gen/inkcell-fontgen").exists():
+        host = build / "host"
+        run("cmake", "-S", ROOT, "-B", host, "-G", "Ninja",
+            "-DINKCELL_TESTS=OFF")
     say("building inkcell-fontgen")
-    run("cmake", "-S", ROOT, "-B", build / "host", "-G", "Ninja",
-        "-DINKCELL_TESTS=OFF")
-    run("cmake", "--build", build / "host", "--target", "inkcell-fontgen")
-    return build / "host/fonts_gen/inkcell-fontgen"
+    run("cmake", "--build", host, "--target", "inkcell-fontgen")
+    return host / "fonts_gen/inkcell-fontgen"
 
 
 class Fonts:
@@ -249,6 +256,7 @@ class Firmware:
     def glyphs(self, engine, coding, font, way, characters, sizes):
         """One dictionary for each size."""
         program = CODINGS[coding][0] if coding else engine
+        program = "turned" if way == "turned" else program
         kept = kept_bytes(self.folder / (program + ".map"))
         name = self.fonts.files[font, engine, coding]
         for _, numbers in self.run(program, name, way, *characters, *sizes):
@@ -347,12 +355,11 @@ def measure_others(firmware, arguments, upright):
                            "call_solid": numbers[3]}
     if "code" in arguments.what:
         kept = [kept_bytes(firmware.folder / f"kept_{level}.map")
-                for level in range(4)]
-        names = ("glyphs", "packed", "text", "all_sinks")
+                for level in range(len(KEPT))]
         yield {"figure": "code", "cpu": firmware.cpu, "opt": firmware.opt,
                **{name: sum(level.get((library, "code"), 0)
                             for library in LIBRARIES["inkcell"])
-                  for name, level in zip(names, kept)},
+                  for name, level in zip(KEPT, kept)},
                "libraries": kept[0].get(("gcc", "code"), 0)}
 
 
@@ -370,13 +377,15 @@ def main():
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
     targets.add("direct")
-    if "rgb565" in arguments.what:
-        targets.add("rgb565")
+    targets |= {"rgb565", "turned"} & set(arguments.what)
     if "code" in arguments.what:
-        targets |= {f"kept_{level}" for level in range(4)}
+        targets |= {f"kept_{level}" for level in range(len(KEPT))}
     results, others, pictures = [], [], {}
     for opt in arguments.opt:
         for cpu in arguments.cpu:
+            if (arguments.write_docs and opt == "Os" and
+                    cpu not in SMALL_CODE_CPUS):
+                continue
             firmware = Firmware(cpu, opt, sources, sorted(targets), fonts,
                                 build)
             glyphs = []
@@ -396,8 +405,7 @@ def main():
             others += more
     check_pictures(pictures)
     if arguments.write_docs:
-        report.write_document(ROOT / "docs/BENCHMARKS.md", results, others,
-                              build)
+        report.write_document(results, others, sources)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@ folder without touching the system's own lists.
 """
 import functools
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -130,6 +131,11 @@ def freetype_version(folder):
         next(line.split()[2] for line in text.splitlines()
              if line.startswith(f"#define FREETYPE_{part} "))
         for part in ("MAJOR", "MINOR", "PATCH"))
+
+
+def stb_version(folder):
+    first = (folder / "stb_truetype.h").read_text().splitlines()[0]
+    return re.search(r"v([\d.]+)", first).group(1)
 
 
 def fonttools(build):

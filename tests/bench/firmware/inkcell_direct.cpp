@@ -1,19 +1,21 @@
-// Inkcell with a direct font, of fields or of samples. Ways: "upright", and
-// "turned" by 15 degrees.
+// Inkcell with a direct font, of fields or of samples. Way: "upright"; or in a
+// program of its own (INKCELL_BENCH_TURNED) "turned", by 15 degrees.
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
 
 bool engine_set_size(uint32_t px, const char* way) {
+  const Q26_6 size = Q26_6::from_int(static_cast<int32_t>(px));
+#if INKCELL_BENCH_TURNED
   Direction direction;
-  if (bench::equal(way, "turned")) {
-    direction.cosine.raw = 1037154959;
-    direction.sine.raw = 277904834;
-  } else if (!bench::equal(way, "upright")) {
-    return false;
-  }
-  return Brush::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
-                     direction, bench::brush) == Status::ok;
+  direction.cosine.raw = 1037154959;
+  direction.sine.raw = 277904834;
+  return bench::equal(way, "turned") &&
+         Brush::make(size, kFilterText, direction, bench::brush) == Status::ok;
+#else
+  return bench::equal(way, "upright") &&
+         Brush::make(size, kFilterText, bench::brush) == Status::ok;
+#endif
 }
 
 engine_answer engine_prepare(uint32_t code_point) {

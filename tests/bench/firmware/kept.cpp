@@ -1,14 +1,15 @@
 // Programs that are linked to see what they keep of the library, not run. Each
 // opens a font and draws:
 //
-//   INKCELL_KEEP 0   glyphs of a direct font, 8-bit coverage
+//   INKCELL_KEEP 0   upright glyphs of a direct font, 8-bit coverage
 //                1   the same, and packed ones
-//                2   the same, and lines of text, at any angle
-//                3   the same, into every format
+//                2   the same, and lines of text
+//                3   the same, at any angle
+//                4   the same, into every format
 #include "inkcell/port/a8.hpp"
 #include "inkcell/text.hpp"
 
-#if INKCELL_KEEP >= 3
+#if INKCELL_KEEP >= 4
 #  include "inkcell/port/grey2.hpp"
 #  include "inkcell/port/grey4.hpp"
 #  include "inkcell/port/grey8.hpp"
@@ -24,7 +25,18 @@ using namespace inkcell;
 namespace {
 
 alignas(4) uint8_t bytes[64];
+
+#if INKCELL_KEEP >= 3
 Direction direction;
+
+Status make_brush(Brush& brush) {
+  return Brush::make(kMinSize, kFilterText, direction, brush);
+}
+#else
+Status make_brush(Brush& brush) {
+  return Brush::make(kMinSize, kFilterText, brush);
+}
+#endif
 
 template <typename Target>
 Status draw_into(const Font& font, const Brush& brush) {
@@ -47,17 +59,12 @@ Status draw_into(const Font& font, const Brush& brush) {
 int main(int, char**) {
   Font font;
   Brush brush;
-#if INKCELL_KEEP >= 2
-  const Direction turn = direction;
-#else
-  const Direction turn;
-#endif
   if (Font::open({bytes, sizeof bytes}, font) != Status::ok ||
-      Brush::make(kMinSize, kFilterText, turn, brush) != Status::ok ||
+      make_brush(brush) != Status::ok ||
       draw_into<port::A8Target>(font, brush) != Status::ok) {
     return 1;
   }
-#if INKCELL_KEEP >= 3
+#if INKCELL_KEEP >= 4
   if (draw_into<port::Grey2Target>(font, brush) != Status::ok ||
       draw_into<port::Grey4Target>(font, brush) != Status::ok ||
       draw_into<port::Grey8Target>(font, brush) != Status::ok ||

@@ -1,0 +1,87 @@
+"""What identifies the core that docs/BENCHMARKS.md describes.
+
+The objects of the library as the bench draws with it, for Cortex-M0 and
+Cortex-M3 at -O2: comments and names do not change them. Another compiler makes
+other objects; where there is one, sources are compared, without comments and
+white space.
+"""
+import hashlib
+import pathlib
+import re
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "build"))
+from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES,  # noqa: E402
+                        ROOT, in_parallel, run)
+
+DOCUMENT = ROOT / "docs/BENCHMARKS.md"
+COMMAND = "sh tests/bench/run.sh --write-docs"
+MACHINES = ["Cortex-M0", "Cortex-M3"]
+SINKS = ["a8", "rgb565", "run"]
+
+
+def measured_sources():
+    return sorted(ROOT.glob("core/src/*.cpp")) + [
+        ROOT / f"port/pixel/src/{name}.cpp" for name in SINKS]
+
+
+def compiler():
+    """Name and version of the compiler for Arm."""
+    version = run([COMPILERS["Cortex-M0"][0][0], "--version"]).stdout
+    return version.splitlines()[0]
+
+
+def objects_hash():
+    """SHA-256 over all objects."""
+    def compile_source(machine, source, target):
+        command = [*COMPILERS[machine][0], *DEVICE_FLAGS, *INCLUDES, "-O2",
+                   "-DNDEBUG", "-c", source.relative_to(ROOT), "-o", target]
+        done = run(command, cwd=ROOT)
+        if done.returncode != 0:
+            sys.exit(done.stdout)
+        return target.read_bytes()
+
+    with tempfile.TemporaryDirectory() as folder:
+        jobs = [(machine, source,
+                 pathlib.Path(folder) / f"{machine}-{source.stem}.o")
+                for machine in MACHINES for source in measured_sources()]
+        result = hashlib.sha256()
+        for content in in_parallel(compile_source, jobs):
+            result.update(content)
+    return result.hexdigest()
+
+
+def sources_hash():
+    """SHA-256 over sources and headers without comments and white space."""
+    headers = sorted([*ROOT.glob("core/**/*.hpp"),
+                      *ROOT.glob("port/pixel/**/*.hpp")])
+    result = hashlib.sha256()
+    for path in measured_sources() + headers:
+        text = re.sub(r"//.*|/\*.*?\*/", "", path.read_text(encoding="utf-8"))
+        result.update("".join(text.split()).encode())
+    return result.hexdigest()
+
+
+def lines():
+    """What the document says of the core that it describes."""
+    return [f"- compiler: {compiler()}",
+            f"- objects: SHA-256 {objects_hash()}",
+            f"- sources: SHA-256 {sources_hash()}"]
+
+
+def problem():
+    """What is wrong with the document, or None."""
+    if not DOCUMENT.exists():
+        return f"there is no docs/BENCHMARKS.md; run {COMMAND}"
+    said = dict(re.findall(r"^- (compiler|objects|sources): (.+)$",
+                           DOCUMENT.read_text(encoding="utf-8"), re.M))
+    if len(said) != 3:
+        return f"docs/BENCHMARKS.md does not say what it describes: {said}"
+    by_objects = said["compiler"] == compiler()
+    now = objects_hash() if by_objects else sources_hash()
+    if said["objects" if by_objects else "sources"] != "SHA-256 " + now:
+        return ("docs/BENCHMARKS.md describes another core than this one; "
+                f"measure again: {COMMAND}")
+    return None
