@@ -115,7 +115,20 @@ def parse_arguments():
     for font in arguments.font:
         if not font.is_file():
             parser.error(f"--font {font}: there is no such file")
+    if all(is_rom_font(font) for font in arguments.font):
+        # Nobody else reads them.
+        arguments.engines = ["inkcell"]
     return arguments
+
+
+def is_rom_font(font):
+    with open(font, "rb") as file:
+        return file.read(4) == b"INKC"
+
+
+def is_packed(font):
+    """Of a ROM font: docs/FORMAT.md, `coding`."""
+    return font.read_bytes()[40] == 1
 
 
 def say(text):
@@ -161,14 +174,15 @@ class Fonts:
         self.files = {}  # (font, engine, coding): name in the folder
         wanted = {}
         for font in arguments.font:
-            with open(font, "rb") as file:
-                is_rom = file.read(4) == b"INKC"
             name = re.sub(r"[^\w.-]", "_", font.stem)
-            if is_rom:
+            if is_rom_font(font):
                 shutil.copyfile(font, self.folder / (name + ".bin"))
-                codings = arguments.coding
-                if len(codings) == len(CODINGS):
-                    codings = ["direct"]
+                program = "packed" if is_packed(font) else "direct"
+                codings = [coding for coding in arguments.coding
+                           if CODINGS[coding][0] == program and
+                           coding != "samples"]
+                if not codings:
+                    sys.exit(f"bench: {font} is {program}: --coding {program}")
                 for coding in codings:
                     self.files[font, "inkcell", coding] = name + ".bin"
                 continue
