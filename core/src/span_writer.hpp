@@ -64,9 +64,12 @@ class SpanWriter {
   void saturated(int32_t x, int32_t count, bool inside) noexcept {
     // Few of them stay in the span around them.
     constexpr int32_t kMinSolid = 4;
-    if (count < kMinSolid) {
-      for (int32_t i = 0; i < count; ++i) {
-        put(x + i, inside ? 255 : 0);
+    if (!inside && count_ == 0) {
+      flush();
+    } else if (count < kMinSolid) {
+      begin(x);
+      for (const int32_t end = x + count; x < end;) {
+        append(inside ? 255 : 0, ++x);
       }
     } else if (inside) {
       solid(x, count);
@@ -81,6 +84,9 @@ class SpanWriter {
     }
   }
 
+  // To another row, where nothing is left from the one before.
+  void go_to_row(int32_t y) noexcept { y_ = y; }
+
   // To the row below.
   void next_row() noexcept {
     flush();
@@ -92,19 +98,20 @@ class SpanWriter {
     if (solid_count_ != 0) {
       sink_.solid(sink_.context, x_, y_, solid_count_);
       solid_count_ = 0;
+      return;
     }
-    int32_t begin = 0;
-    int32_t end = count_;
-    while (end > 0 && buffer_[end - 1] == 0) {
+    const uint8_t* begin = buffer_;
+    const uint8_t* end = buffer_ + count_;
+    while (end > begin && end[-1] == 0) {
       --end;
     }
-    while (begin < end && buffer_[begin] == 0) {
+    while (begin < end && *begin == 0) {
       ++begin;
     }
     count_ = 0;
     if (begin < end) {
-      sink_.coverage(sink_.context, x_ + begin, y_, buffer_ + begin,
-                     end - begin);
+      sink_.coverage(sink_.context, x_ + static_cast<int32_t>(begin - buffer_),
+                     y_, begin, static_cast<int32_t>(end - begin));
     }
   }
 

@@ -186,7 +186,7 @@ constexpr int32_t samples_error_bound_q10(uint8_t size_log2) noexcept {
 ///
 /// Cells of fields are evaluated as distance_row does at 1024 px/em, where a px
 /// is a u: the position is rounded to 1/256 px, and from there the distance is
-/// that of the equations in docs/FORMAT.md to 1/1024 px for planes, 1/128 px
+/// that of the equations in docs/FORMAT.md to 1/1024 px for planes, 1/80 px
 /// for bent ones (|w| <= 256 u), and 1/128 of the distance from a rounded
 /// vertex.
 Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;

@@ -51,9 +51,8 @@ struct Strip {
 inline constexpr int32_t kMaxSpan = 32;
 
 /// Takes what the renderer draws. Calls come glyph by glyph, and within a glyph
-/// from top to bottom and from left to right, never the same pixel twice;
-/// pixels outside `window` are never named. Glyphs may overlap: a sink blends
-/// over what is there.
+/// in any order, never the same pixel twice; pixels outside `window` are never
+/// named. Glyphs may overlap: a sink blends over what is there.
 struct Sink {
   /// What the sink accepts: normally the rectangle of its strip. At most
   /// 32767 px in any direction from the origin.

@@ -24,8 +24,12 @@ void coverage(void* context,
   coverage += run.skipped;
   uint8_t* pixel = detail::row_at(strip, run.y) + run.x;
   for (uint8_t* const end = pixel + run.count; pixel != end; ++pixel) {
-    const uint32_t open = (255u - *coverage++) * (255u - *pixel);
-    *pixel = static_cast<uint8_t>(255 - divide_by_255(open));
+    const uint32_t above = *coverage++;
+    const uint32_t below = *pixel;
+    // Most pixels are drawn where nothing was.
+    *pixel = static_cast<uint8_t>(
+        below == 0 ? above
+                   : 255 - divide_by_255((255 - above) * (255 - below)));
   }
 }
 

@@ -25,7 +25,7 @@ int32_t wrapping_difference(int32_t a, int32_t b) noexcept {
 
 namespace detail {
 
-bool clip(const Strip& strip, Run& run) noexcept {
+bool clip_any(const Strip& strip, Run& run) noexcept {
   run.y = wrapping_difference(run.y, strip.y0);
   if (run.y < 0 || run.y >= strip.height) {
     return false;

@@ -20,9 +20,27 @@ struct Run {
   int32_t skipped;  // pixels cut off on the left
 };
 
+/// clip() for any run.
+bool clip_any(const Strip& strip, Run& run) noexcept;
+
 /// Cuts `run` (screen) to the strip and makes it relative to the strip's first
 /// pixel. Returns whether anything is left. Safe for any values.
-bool clip(const Strip& strip, Run& run) noexcept;
+inline bool clip(const Strip& strip, Run& run) noexcept {
+  // What the core draws lies in the strip.
+  const uint32_t x =
+      static_cast<uint32_t>(run.x) - static_cast<uint32_t>(strip.x0);
+  const uint32_t y =
+      static_cast<uint32_t>(run.y) - static_cast<uint32_t>(strip.y0);
+  const auto width = static_cast<uint32_t>(strip.width);
+  const auto count = static_cast<uint32_t>(run.count);
+  if (y >= static_cast<uint32_t>(strip.height) || x >= width || count == 0 ||
+      count > width - x) {
+    return clip_any(strip, run);
+  }
+  run.x = static_cast<int32_t>(x);
+  run.y = static_cast<int32_t>(y);
+  return true;
+}
 
 /// Makes the sink of `strip` from the two functions and their context, if
 /// check_strip() agrees.
