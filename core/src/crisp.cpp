@@ -8,13 +8,12 @@ namespace {
 
 using detail::FieldPosition;
 using detail::PointWalk;
-using detail::ScreenGradient;
 using detail::SpanWriter;
 
-// Of two neighbours on both sides of a stroke none is farther than this.
-constexpr int32_t kFarthestQ10 = 1 << 10;  // [px]
+// Of two neighbours with a stroke between them, the nearer one's distance.
+constexpr int32_t kFarthestQ10 = -(1 << 9);  // [px]
 
-// The glyph around a pixel: distances from the threshold, and gradients.
+// The glyph around a pixel: distances from the threshold.
 class Neighbourhood {
  public:
   Neighbourhood(const GlyphField& field,
@@ -51,13 +50,11 @@ class Neighbourhood {
   // passes between it and a neighbour.
   __attribute__((noinline)) bool is_bridge(int32_t x,
                                            int32_t y,
-                                           const FieldPosition& at,
                                            int32_t value_q10) noexcept {
-    const ScreenGradient here = walk_.gradient(at);
-    const int32_t right = here.right_q14 > 0 ? 1 : -1;
-    const int32_t down = here.up_q14 < 0 ? 1 : -1;
-    return (here.right_q14 != 0 && passes_between(x, y, right, 0, value_q10)) ||
-           (here.up_q14 != 0 && passes_between(x, y, 0, down, value_q10));
+    return passes_between(x, y, 1, 0, value_q10) ||
+           passes_between(x, y, 0, 1, value_q10) ||
+           passes_between(x, y, -1, 0, value_q10) ||
+           passes_between(x, y, 0, -1, value_q10);
   }
 
  private:
@@ -69,21 +66,23 @@ class Neighbourhood {
                                                 int32_t right,
                                                 int32_t down,
                                                 int32_t value_q10) noexcept {
-    const FieldPosition other = position(x + right, y + down, 0, 0);
-    const int32_t other_q10 = value_at(other);
+    const int32_t other_q10 = value_at(position(x + right, y + down, 0, 0));
     const bool is_first = right + down > 0;
-    if (other_q10 >= 0 || other_q10 < -kFarthestQ10 || value_q10 < other_q10 ||
+    if (other_q10 >= 0 || value_q10 < other_q10 ||
         (value_q10 == other_q10 && !is_first)) {
       return false;
     }
-    const ScreenGradient there = walk_.gradient(other);
-    const int32_t towards = -right * there.right_q14 + down * there.up_q14;
-    if (towards <= 0) {
-      return false;
+    // Ink is no nearer to either than its distance says:
+    //
+    //   pixel |--value--|  1 3 5 of 6  |---other---| neighbour
+    const int32_t room_q10 = (1 << 10) + value_q10 + other_q10;
+    for (int32_t sixth = 1; room_q10 >= 0 && sixth <= 5; sixth += 2) {
+      const int32_t way_q10 = room_q10 * sixth / 6 - value_q10;
+      if (value_at(position(x, y, right * way_q10, down * way_q10)) >= 0) {
+        return true;
+      }
     }
-    // Where the stroke is, if it is straight: as far from both as they say.
-    const int32_t way_q10 = value_q10 * (1 << 10) / (value_q10 + other_q10);
-    return value_at(position(x, y, right * way_q10, down * way_q10)) >= 0;
+    return false;
   }
 
   PointWalk walk_;
@@ -113,8 +112,8 @@ __attribute__((noinline)) void draw_rows(Neighbourhood& glyph,
       if (has_greys) {
         coverage = nearest_level(glyph.covered(value_q10));
       }
-      if (coverage < bridge && value_q10 < 0 && value_q10 >= -kFarthestQ10 &&
-          glyph.is_bridge(x, y, at, value_q10)) {
+      if (coverage < bridge && value_q10 < 0 && value_q10 >= kFarthestQ10 &&
+          glyph.is_bridge(x, y, value_q10)) {
         coverage = bridge;
       }
       writer.put(x, coverage);

@@ -1,0 +1,152 @@
+// Whether thin strokes of whole fonts stay connected on displays of 1 bit.
+//
+//   crisp <font.bin> <most breaks of 1000 pictures>
+//
+// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with paint_crisp,
+// and counts pieces of ink that touch, also at corners. A picture that has more
+// pieces than the glyph at 64 px is broken. What a threshold alone would break,
+// and pictures with fewer pieces, are printed beside it.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "inkcell/crisp.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/port/a8.hpp"
+#include "inkcell/text.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+// A picture, 1 where there is ink.
+struct Bitmap {
+  int width;
+  int height;
+  std::vector<uint8_t> pixels;
+};
+
+Bitmap draw(const Font& font,
+            uint16_t glyph,
+            int px,
+            int x_q6,
+            int y_q6,
+            Painter painter) {
+  const int side = 3 * px;
+  Bitmap picture = {side, side,
+                    std::vector<uint8_t>(static_cast<size_t>(side * side))};
+  const CrispStyle style;
+  Brush brush;
+  port::A8Target target;
+  target.strip.pixels = {picture.pixels.data(), picture.pixels.size()};
+  target.strip.width = side;
+  target.strip.height = side;
+  target.strip.stride = side;
+  Sink sink;
+  if (Brush::make(Q26_6::from_int(px), kFilterText, brush) != Status::ok ||
+      port::make_sink(target, sink) != Status::ok) {
+    std::abort();
+  }
+  brush.set_painter(painter, &style, kCrispReach);
+  draw_glyph(font, glyph, brush,
+             {Q26_6::from_raw(64 * px / 2 + x_q6),
+              Q26_6::from_raw(64 * 2 * px + y_q6)},
+             sink);
+  for (uint8_t& pixel : picture.pixels) {
+    pixel = pixel >= 128 ? 1 : 0;
+  }
+  return picture;
+}
+
+void erase(Bitmap& picture, int start) {
+  std::vector<int> open = {start};
+  picture.pixels[static_cast<size_t>(start)] = 0;
+  while (!open.empty()) {
+    const int at = open.back();
+    open.pop_back();
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int x = at % picture.width + dx;
+        const int y = at / picture.width + dy;
+        if (x < 0 || x >= picture.width || y < 0 || y >= picture.height) {
+          continue;
+        }
+        uint8_t& pixel =
+            picture.pixels[static_cast<size_t>(y * picture.width + x)];
+        if (pixel != 0) {
+          pixel = 0;
+          open.push_back(y * picture.width + x);
+        }
+      }
+    }
+  }
+}
+
+int count_pieces(Bitmap picture) {
+  int pieces = 0;
+  for (int i = 0; i < picture.width * picture.height; ++i) {
+    if (picture.pixels[static_cast<size_t>(i)] != 0) {
+      erase(picture, i);
+      ++pieces;
+    }
+  }
+  return pieces;
+}
+
+// Pictures by how many pieces they have.
+struct Tally {
+  int pictures = 0;
+  int broken = 0;
+  int joined = 0;
+
+  void add(int pieces, int wanted) {
+    ++pictures;
+    broken += pieces > wanted || pieces == 0 ? 1 : 0;
+    joined += pieces < wanted && pieces > 0 ? 1 : 0;
+  }
+  void print(const char* name) const {
+    std::printf("%-10s %6d pictures, %5d broken, %5d joined\n", name, pictures,
+                broken, joined);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "crisp <font.bin> <most breaks of 1000 pictures>\n");
+    return 2;
+  }
+  std::ifstream file(argv[1], std::ios::binary);
+  const std::vector<char> loaded((std::istreambuf_iterator<char>(file)), {});
+  std::vector<uint32_t> words((loaded.size() + 3) / 4);
+  auto* rom = reinterpret_cast<uint8_t*>(words.data());
+  std::copy(loaded.begin(), loaded.end(), rom);
+  Font font;
+  if (Font::open({rom, loaded.size()}, font) != Status::ok) {
+    std::fprintf(stderr, "%s is no font\n", argv[1]);
+    return 2;
+  }
+  Tally threshold;
+  Tally crisp;
+  for (uint16_t glyph = 1; glyph < font.glyph_count(); ++glyph) {
+    const int wanted = count_pieces(draw(font, glyph, 64, 0, 0, nullptr));
+    for (int px = 8; px <= 14 && wanted > 0; ++px) {
+      for (int phase = 0; phase < 8; ++phase) {
+        const int x_q6 = phase % 4 * 16 + 5;
+        const int y_q6 = phase / 4 * 32 + 3;
+        const auto pieces = [&](Painter painter) {
+          return count_pieces(draw(font, glyph, px, x_q6, y_q6, painter));
+        };
+        threshold.add(pieces(nullptr), wanted);
+        crisp.add(pieces(paint_crisp), wanted);
+      }
+    }
+  }
+  threshold.print("threshold");
+  crisp.print("crisp");
+  return crisp.broken * 1000 <= std::atoi(argv[2]) * crisp.pictures ? 0 : 1;
+}
