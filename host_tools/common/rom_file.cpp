@@ -55,6 +55,8 @@ std::string_view status_name(Status status) {
       return "unsupported";
     case Status::bad_argument:
       return "bad_argument";
+    case Status::beyond_band:
+      return "beyond_band";
   }
   return "?";
 }
