@@ -32,8 +32,8 @@ What one glyph costs, beside FreeType and stb_truetype. Written by
 - One compiler, and one set of flags: the core's name and the level of
   optimisation; no attributes on single functions. Of the Cortex-M4s one
   computes with its floating-point unit (FPU). The other engines are compiled as
-  hosted C and have the compiler's C library (newlib, picolibc), because they are written for
-  one. Cortex-M0 code runs on the board of the Cortex-M3.
+  hosted C and have the compiler's C library (newlib, picolibc), because they
+  are written for one. Cortex-M0 code runs on the board of the Cortex-M3.
 - *direct*, *packed*: one font of fields for 8 to 64 px, tolerance 16/255, with
   kerning. *packed* expands each glyph once for all of its strips, *rows* anew
   for each strip and a row of tiles at a time; *retained* has expanded it
