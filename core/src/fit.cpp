@@ -330,7 +330,10 @@ void fit_glyph(const GlyphField& field,
   if (style.hints_.empty()) {
     return;
   }
-  const GlyphHints hints = style.hints_.glyph(field.glyph);
+  GlyphHints hints;
+  if (!style.hints_.glyph(field.glyph, hints)) {
+    return;
+  }
   origin.x_q10 += style.weakened(style.sideways_q10(hints, brush, origin));
   GlyphFit glyph(style, brush);
   glyph.read(hints);

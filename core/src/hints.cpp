@@ -37,7 +37,12 @@ Status Hints::open(const Font& font, Hints& out) noexcept {
   const uint32_t row_bits = uint32_t{read.row_bits_} * read.glyph_count_;
   read.lists_ = read.rows_ + (row_bits + 7) / 8;
   if (read.level_count_ > hints::kMaxLevels ||
-      read.zone_count_ > hints::kMaxZones || read.lists_ > read.section_.size) {
+      read.zone_count_ > hints::kMaxZones ||
+      read.start_bits_ > hints::kMaxStartBits ||
+      read.count_bits_ > hints::kMaxCountBits ||
+      read.stem_bits_ > hints::kMaxStemBits ||
+      read.gap_bits_ > hints::kMaxStemBits ||
+      read.lists_ > read.section_.size) {
     return Status::corrupt;
   }
   out = read;
@@ -57,10 +62,10 @@ HintZone Hints::zone(uint32_t i) const noexcept {
           (byte & hints::kBottomZone) != 0};
 }
 
-GlyphHints Hints::glyph(uint32_t glyph) const noexcept {
-  GlyphHints found;
+bool Hints::glyph(uint32_t glyph, GlyphHints& out) const noexcept {
+  out = GlyphHints{};
   if (glyph >= glyph_count_) {
-    return found;
+    return false;
   }
   const Span<const uint8_t> rows = {section_.data + rows_, lists_ - rows_};
   uint32_t bit = glyph * row_bits_;
@@ -72,21 +77,20 @@ GlyphHints Hints::glyph(uint32_t glyph) const noexcept {
   const uint32_t start = next(start_bits_);
   const uint32_t count = next(count_bits_);
   const size_t room = section_.size - lists_;
-  if (start <= room && count <= room - start) {
-    found.edges = {section_.data + lists_ + start, count};
+  if (start > room || count > room - start) {
+    return false;
   }
+  out.edges = {section_.data + lists_ + start, count};
   const uint32_t stem = next(stem_bits_);
-  if (stem == 0) {
-    return found;
-  }
-  constexpr auto kStep = static_cast<int32_t>(hints::kStemStep);
   const uint32_t gap = next(gap_bits_);
   const uint32_t third = next(1);
-  // Below 2^25 steps, and so below 2^28 u.
-  found.stem_u = stem_base_u_ + static_cast<int32_t>(stem) * kStep;
-  found.gap_u = static_cast<int32_t>(gap) * kStep;
-  found.stem_count = static_cast<uint8_t>(gap == 0 ? 1 : 2 + third);
-  return found;
+  if (stem != 0) {
+    constexpr auto kStep = static_cast<int32_t>(hints::kStemStep);
+    out.stem_u = stem_base_u_ + static_cast<int32_t>(stem) * kStep;
+    out.gap_u = static_cast<int32_t>(gap) * kStep;
+    out.stem_count = static_cast<uint8_t>(gap == 0 ? 1 : 2 + third);
+  }
+  return true;
 }
 
 HintEdge Hints::edge(uint8_t byte) noexcept {

@@ -5,6 +5,7 @@
 #include "field_verify.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/hints.hpp"
 #include "inkcell/packed.hpp"
 
 namespace inkcell {
@@ -127,6 +128,55 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   return true;
 }
 
+bool edges_fit(const Hints& hints, Span<const uint8_t> edges) noexcept {
+  int32_t last_u = INT32_MIN;
+  for (const uint8_t byte : edges) {
+    const uint32_t level = Hints::edge(byte).level;
+    if (level >= hints.level_count() || hints.level(level).height_u <= last_u) {
+      return false;
+    }
+    last_u = hints.level(level).height_u;
+  }
+  return edges.size <= format::hints::kMaxCount;
+}
+
+// Levels ascend and name zones that exist, zones name levels, and the edges of
+// every glyph ascend.
+bool hints_fit(const Font& font) noexcept {
+  namespace at = format::hints;
+  const Span<const uint8_t> section = font.section(format::section::kHints);
+  Hints hints;
+  if (Hints::open(font, hints) != Status::ok) {
+    return false;
+  }
+  if (section.size == 0) {
+    return true;
+  }
+  if (hints.empty()) {
+    return false;
+  }
+  for (uint32_t i = 0; i < hints.level_count(); ++i) {
+    const HintLevel level = hints.level(i);
+    if (level.zone > hints.zone_count() ||
+        (i > 0 && level.height_u < hints.level(i - 1).height_u)) {
+      return false;
+    }
+  }
+  const uint32_t zones = at::kBytes + 2 * hints.level_count();
+  for (uint32_t i = 0; i < hints.zone_count(); ++i) {
+    if ((section[zones + i] & at::kLevelMask) >= hints.level_count()) {
+      return false;
+    }
+  }
+  for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
+    GlyphHints of_glyph;
+    if (!hints.glyph(glyph, of_glyph) || !edges_fit(hints, of_glyph.edges)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Status Font::verify() const noexcept {
@@ -143,7 +193,7 @@ Status Font::verify() const noexcept {
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
       !cmap_fits(cmap_, glyph_count_) || !metrics_fit(metrics_) ||
       (kerning_.size != 0 && !KerningCheck().fits(kerning_, glyph_count_)) ||
-      !offsets_fit(glyphs_, glyph_count_)) {
+      !hints_fit(*this) || !offsets_fit(glyphs_, glyph_count_)) {
     return Status::corrupt;
   }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {

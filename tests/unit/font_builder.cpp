@@ -424,6 +424,12 @@ void Record::write(uint8_t* at) const {
   }
 }
 
+void write_hints(const FontSpec& spec, Writer& out) {
+  for (const uint8_t byte : spec.hints) {
+    out.u8(byte);
+  }
+}
+
 size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
   namespace section = format::section;
   const Section all[] = {
@@ -431,6 +437,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
       {section::kMetrics, section::kMustUnderstand, write_metrics},
       {section::kGlyphs, section::kMustUnderstand, write_glyphs},
       {section::kKerning, 0, write_kerning},
+      {section::kHints, 0, write_hints},
       {section::kName, 0, write_name},
       {spec.extra_section, spec.extra_flags, write_nothing},
   };
@@ -438,6 +445,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
                       true,
                       true,
                       spec.kerning.left_classes != 0,
+                      spec.hints.size != 0,
                       spec.name[0] != '\0',
                       spec.extra_section != 0};
   uint32_t count = 0;

@@ -111,6 +111,7 @@ struct FontSpec {
   Span<const CmapEntry> cmap;
   Span<const GlyphSpec> glyphs;
   KerningSpec kerning;
+  Span<const uint8_t> hints;  // HINT as it is; empty: none
   const char* name = "";
   uint32_t extra_section = 0;  // tag of an empty section; 0: none
   uint32_t extra_flags = 0;

@@ -1,6 +1,8 @@
 // Packed fonts: the same pictures as direct ones, in any workspace that holds
 // a row of tiles.
 #include "check.hpp"
+#include "hints_record.hpp"
+#include "inkcell/fit.hpp"
 #include "inkcell/text.hpp"
 #include "packed_record.hpp"
 
@@ -16,8 +18,8 @@ constexpr size_t kRoom = 2 * PackedRecord::kMaxUnits;
 
 // Too large for the stack of a small board.
 PackedRecord record;
-alignas(4) uint8_t packed_rom[1100];
-alignas(4) uint8_t direct_rom[kRoom + 400];
+alignas(4) uint8_t packed_rom[1250];
+alignas(4) uint8_t direct_rom[kRoom + 550];
 alignas(4) uint8_t memory[kRoom];
 uint8_t linked[kRoom + 10];
 uint8_t picture[2][kSide * kSide];
@@ -91,16 +93,6 @@ struct Fonts {
   size_t row_workspace = 0;
 };
 
-// HINT: levels -120, 0 and 40 to 640 in steps of 40 u; zones below, at the
-// baseline and at 520 u. Both glyphs have the edges -120, 0, a bar from 160 to
-// 240 u, 480 and 520 u, and three stems.
-const uint8_t kHints[] = {
-    18, 3, 4, 3, 6, 7, 0,    0, 90,   0,     0x88, 0x1f, 0,    0x20, 40,
-    0,  80,   0,  120,  0,     160,  0,    200,  0,    240,  0,    24,   1,
-    64, 1,    104,  1,    144,  1,    184,  1,    224,  0x31, 8,    0x32, 48,
-    2,  88,   2,    128,  2,    0x80, 0x81, 13,   0x60, 0x8a, 0x0c, 0x4c, 0x91,
-    1,  0x80, 0x81, 0x85, 7,    12,   13};
-
 Font build(Span<const uint8_t> glyph,
            const PackedSpec& packed,
            Span<uint8_t> rom) {
@@ -108,9 +100,12 @@ Font build(Span<const uint8_t> glyph,
   const GlyphSpec glyphs[] = {
       {500, {0, 0, 0, 0}, nullptr, nullptr, {}},
       {600, {-200, -200, 900, 900}, nullptr, nullptr, glyph}};
+  HintsRecord hints;
+  hints.make_usual();
   FontSpec spec;
   spec.cmap = {kCmap, 1};
   spec.glyphs = {glyphs, 2};
+  spec.hints = hints.write(2);
   spec.packed = packed;
   const size_t size = build_font(spec, rom);
   CHECK(size != 0);
@@ -196,6 +191,35 @@ TEST(packed_pictures_equal_direct_ones) {
     }
   }
   CHECK(shown > rounds / 2);
+}
+
+// What rows show depends on the whole glyph and not on the rows of tiles that
+// are there.
+TEST(fitted_pictures_are_equal_as_well) {
+  Random random(25);
+  int moved = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 30 : 600;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    const Fonts fonts = make_fonts(random);
+    const Brush plain = brush_of(random, true);
+    Brush brush = plain;
+    FitOptions options;
+    options.stems = round % 2 == 0;
+    options.strength_q8 = static_cast<uint16_t>(random.between(128, 256));
+    Fit fit;
+    CHECK_OK(Fit::make(fonts.packed, brush, options, fit));
+    brush.set_fitter(fit_glyph, &fit);
+    const Point origin = origin_of(random, brush);
+    const int32_t rows = random.between(1, kSide);
+    draw_both(fonts, brush, origin, {memory, fonts.row_workspace}, rows);
+    CHECK(pictures_equal());
+    draw_both(fonts, brush, origin, {memory, fonts.workspace}, rows);
+    CHECK(pictures_equal());
+    Canvas as_designed({0, 0, kSide, kSide}, picture[1]);
+    draw_glyph(fonts.direct, 1, plain, origin, as_designed.sink());
+    moved += pictures_equal() ? 0 : 1;
+  }
+  CHECK(moved > rounds / 8);
 }
 
 TEST(what_does_not_fit_is_left_out) {

@@ -73,9 +73,9 @@ class Fit {
                        const FinePoint& origin) const noexcept;
 
   Hints hints_;
-  uint16_t strength_q8_ = 0;  // 0: glyphs stay as they are
-  uint16_t stem_q10_ = 0;     // how wide stems are [px]; 0: they stay
-  uint16_t bottoms_ = 0;
+  uint16_t strength_q8_ = 0;           // 0: glyphs stay as they are
+  uint16_t stem_q10_ = 0;              // how wide stems are [px]; 0: they stay
+  uint32_t bottoms_ = 0;               // bits of zones
   int32_t zones_q10_[kMaxZones] = {};  // flat edges [px]
 };
 

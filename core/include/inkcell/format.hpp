@@ -167,6 +167,9 @@ inline constexpr uint32_t kBytes = 10;
 inline constexpr uint32_t kMaxLevels = 128;
 inline constexpr uint32_t kMaxZones = 15;
 inline constexpr uint32_t kMaxCount = 10;
+inline constexpr uint32_t kMaxStartBits = 16;
+inline constexpr uint32_t kMaxCountBits = 4;
+inline constexpr uint32_t kMaxStemBits = 12;
 
 // A level: its height, i12 [u], and the zone that it belongs to, 0 if none.
 inline constexpr uint32_t kZoneShift = 12;

@@ -55,8 +55,9 @@ class Hints {
   HintLevel level(uint32_t i) const noexcept;
   HintZone zone(uint32_t i) const noexcept;
 
-  /// Without edges and stems if there is no such glyph.
-  GlyphHints glyph(uint32_t glyph) const noexcept;
+  /// False if there is no such glyph or its edges leave the section; `out` is
+  /// then empty.
+  bool glyph(uint32_t glyph, GlyphHints& out) const noexcept;
 
   /// An edge out of GlyphHints::edges. Its level may not exist.
   static HintEdge edge(uint8_t byte) noexcept;
