@@ -5,6 +5,7 @@
 #include "options.hpp"
 #include "program.hpp"
 #include "specimen.hpp"
+#include "styles.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -17,6 +18,10 @@ struct Arguments {
   std::string digits;
   std::string turned;
   std::string moved;
+  std::string filters;
+  std::string lcd;
+  std::string effects;
+  std::string levels;
   int width = 780;
 };
 
@@ -36,6 +41,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   picture("--digits", arguments.digits, "A clock, 160 px high");
   picture("--turned", arguments.turned, "A word in many directions");
   picture("--moved", arguments.moved, "A line moved by 1/8 px from row to row");
+  picture("--filters", arguments.filters, "Filters, weights, gamma");
+  picture("--lcd", arguments.lcd, "Sub-pixels");
+  picture("--effects", arguments.effects,
+          "Outlines, shadows, glows: with --band-px 2 --min-px 12");
+  picture("--levels", arguments.levels, "Displays of 1 and 2 bits");
   gen::add_generator_options(app, arguments.request);
 }
 
@@ -53,6 +63,10 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.digits, [&] { return draw_digits(font); });
   write(arguments.turned, [&] { return draw_turned(font); });
   write(arguments.moved, [&] { return draw_moved(font); });
+  write(arguments.filters, [&] { return draw_filters(font); });
+  write(arguments.lcd, [&] { return draw_lcd(font); });
+  write(arguments.effects, [&] { return draw_effects(font); });
+  write(arguments.levels, [&] { return draw_levels(font); });
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// Lays samples out below each other.
+#include "sheet.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "canvas.hpp"
+#include "glyph_cells.hpp"
+#include "inkcell/text.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+constexpr int kGap = 8;  // [px]
+constexpr int kLabelHeight = 14;
+constexpr double kLabelPx = 11;
+constexpr uint32_t kPaper = 0xffffff;
+constexpr uint32_t kLabel = 0x606060;
+
+Image cut(const Image& image, int x, int width) {
+  Image part(width, image.height, 3);
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const uint8_t* from = image.at(x + column, row);
+      std::copy(from, from + 3, part.at(column, row));
+    }
+  }
+  return part;
+}
+
+}  // namespace
+
+Image colour_image(int width, int height, uint32_t colour) {
+  Image image(width, height, 3);
+  for (size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<uint8_t>(colour >> (16 - 8 * (i % 3)));
+  }
+  return image;
+}
+
+void paste(const Image& from, int x, int y, Image& to) {
+  for (int row = 0; row < from.height; ++row) {
+    const uint8_t* line = from.at(0, row);
+    std::copy(line, line + 3 * from.width, to.at(x, y + row));
+  }
+}
+
+ColourSink::ColourSink(Image& image, uint32_t colour) {
+  target_.strip.pixels = {image.pixels.data(), image.pixels.size()};
+  target_.strip.width = image.width;
+  target_.strip.height = image.height;
+  target_.strip.stride = 3 * image.width;
+  target_.colour = colour;
+  if (image.channels != 3 ||
+      port::make_lcd_sink(target_, sink_) != Status::ok) {
+    throw std::runtime_error("the picture is too large to draw into");
+  }
+}
+
+void write_text(const Font& font,
+                const std::string& text,
+                const Brush& brush,
+                double x,
+                double y,
+                uint32_t colour,
+                Image& image) {
+  const ColourSink target(image, colour);
+  const Line line = lay_out(font, text, Kerning::font);
+  FontWorkspace workspace(font);
+  draw(font, {line.glyphs.data(), line.glyphs.size()}, brush, make_point(x, y),
+       target.sink(), workspace);
+}
+
+Sheet::Sheet(const Font& font, const SheetLayout& layout)
+    : font_(font), layout_(layout) {}
+
+void Sheet::add(const std::string& label,
+                uint32_t ground,
+                const std::function<void(Image&)>& draw) {
+  Image sample = colour_image(layout_.width, layout_.height, ground);
+  draw(sample);
+  labels_.push_back(label);
+  samples_.push_back(sample);
+}
+
+Image Sheet::finish() const {
+  const int large = layout_.height * layout_.zoom;
+  const int step = large + kLabelHeight + kGap;
+  const int zoomed = layout_.zoomed_width * layout_.zoom;
+  Image sheet =
+      colour_image(3 * kGap + layout_.width + zoomed,
+                   kGap + step * static_cast<int>(samples_.size()), kPaper);
+  const Brush brush = make_brush(kLabelPx, 0, kFilterText);
+  int y = kGap;
+  for (size_t i = 0; i < samples_.size(); ++i) {
+    write_text(font_, labels_[i], brush, kGap, y + kLabelPx, kLabel, sheet);
+    y += kLabelHeight;
+    paste(samples_[i], kGap, y, sheet);
+    paste(enlarge(cut(samples_[i], layout_.zoomed_x, layout_.zoomed_width),
+                  layout_.zoom),
+          2 * kGap + layout_.width, y, sheet);
+    y += large + kGap;
+  }
+  return sheet;
+}
+
+}  // namespace inkcell::tools

@@ -1,0 +1,76 @@
+// A list of labelled samples, each as it is and enlarged beside that.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "image.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/port/lcd.hpp"
+
+namespace inkcell::tools {
+
+/// What all samples of a sheet have in common.
+struct SheetLayout {
+  int width = 0;  // of a sample [px]
+  int height = 0;
+  int zoom = 0;          // of its enlarged part
+  int zoomed_x = 0;      // which begins here
+  int zoomed_width = 0;  // and is so wide [px]
+};
+
+class Sheet {
+ public:
+  /// Labels are written with `font`, which must outlive the sheet.
+  Sheet(const Font& font, const SheetLayout& layout);
+
+  /// Adds a sample: `draw` is given a picture of three channels, full of
+  /// `ground` (0xRRGGBB).
+  void add(const std::string& label,
+           uint32_t ground,
+           const std::function<void(Image&)>& draw);
+
+  Image finish() const;
+
+ private:
+  const Font& font_;
+  SheetLayout layout_;
+  std::vector<std::string> labels_;
+  std::vector<Image> samples_;
+};
+
+/// A picture of three channels, full of `colour`.
+Image colour_image(int width, int height, uint32_t colour);
+
+/// Lays `from` over `to`, its upper left pixel at (x, y). Both have three
+/// channels.
+void paste(const Image& from, int x, int y, Image& to);
+
+/// A sink that draws in colour, with sub-pixels, over all of a picture of three
+/// channels. Stays where it was made.
+class ColourSink {
+ public:
+  ColourSink(Image& image, uint32_t colour);
+  ColourSink(const ColourSink&) = delete;
+  ColourSink& operator=(const ColourSink&) = delete;
+
+  const Sink& sink() const { return sink_; }
+
+ private:
+  port::Rgb888Target target_;
+  Sink sink_;
+};
+
+/// Draws text over a picture of three channels, its origin at (x, y). [px]
+void write_text(const Font& font,
+                const std::string& text,
+                const Brush& brush,
+                double x,
+                double y,
+                uint32_t colour,
+                Image& image);
+
+}  // namespace inkcell::tools

@@ -1,0 +1,224 @@
+// Sheets of styles.
+#include "styles.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "canvas.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/port/dither.hpp"
+#include "inkcell/text.hpp"
+#include "sheet.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+constexpr uint32_t kWhite = 0xffffff;
+constexpr uint32_t kBlack = 0x000000;
+constexpr uint32_t kNight = 0x101828;
+constexpr uint32_t kSand = 0xf4ead5;
+
+Q6_10 to_q10(double px) {
+  return Q6_10::from_raw(static_cast<int16_t>(px * 1024));
+}
+
+FilterSpec spec_of(double outside, double inside) {
+  FilterSpec spec;
+  spec.outside_px = to_q10(outside);
+  spec.inside_px = to_q10(inside);
+  return spec;
+}
+
+void check(const Font& font, double px, const Filter& filter) {
+  const Q26_6 size = Q26_6::from_raw(static_cast<int32_t>(px * 64));
+  if (check_reach(font.range(), size, filter) != Status::ok) {
+    throw std::runtime_error(
+        "the font's distances do not reach far enough for effects; say "
+        "--band-px 2 --min-px 12");
+  }
+}
+
+// A line of text in a sample.
+struct Sample {
+  const Font& font;
+  std::string text;
+  double px;
+  double x;
+  double y;
+
+  void write(const Brush& brush, uint32_t colour, Image& image) const {
+    write_text(font, text, brush, x, y, colour, image);
+  }
+  void write(const Filter& filter,
+             uint32_t colour,
+             Image& image,
+             double right = 0,
+             double down = 0) const {
+    write_text(font, text, make_brush(px, 0, filter), x + right, y + down,
+               colour, image);
+  }
+};
+
+}  // namespace
+
+Image draw_filters(const Font& font) {
+  const Sample sample = {font, "Sphinx of quartz, 1958", 14, 4, 15};
+  Sheet sheet(font, {180, 20, 4, 3, 96});
+  const auto add = [&](const char* label, const Filter& filter,
+                       bool dark = false) {
+    sheet.add(label, dark ? kBlack : kWhite, [&](Image& image) {
+      sample.write(filter, dark ? kWhite : kBlack, image);
+    });
+  };
+  add("text: -0.5 to 0.5 px", kFilterText);
+  add("motion: -0.6 to 0.625 px", kFilterMotion);
+  add("paper_display: -0.75 to 0.75 px, exponent 1.1", kFilterPaperDisplay);
+  add("paper_body: -0.5 to 0.625 px, exponent 1.1", kFilterPaperBody);
+  FilterSpec spec = spec_of(-0.75, 0.75);
+  spec.profile = FilterProfile::gaussian;
+  add("gaussian: -0.75 to 0.75 px", make_filter(spec));
+  spec.profile = FilterProfile::sigmoid;
+  add("sigmoid: -0.75 to 0.75 px", make_filter(spec));
+  add("weight -0.15 px", with_weight(kFilterText, to_q10(-0.15)));
+  add("weight +0.15 px", with_weight(kFilterText, to_q10(0.15)));
+  add("weight +0.3 px", with_weight(kFilterText, to_q10(0.3)));
+  add("light on dark, gamma 1", kFilterText, true);
+  spec = spec_of(-0.5, 0.5);
+  spec.gamma.raw = 461;
+  add("light on dark, gamma 1.8", make_filter(spec), true);
+  spec.polarity = Polarity::dark_on_light;
+  add("dark on light, gamma 1.8", make_filter(spec));
+  spec = spec_of(-0.5, 0.5);
+  spec.contrast.raw = 410;
+  add("contrast 1.6", make_filter(spec));
+  return sheet.finish();
+}
+
+Image draw_lcd(const Font& font) {
+  const Sample sample = {font, "Sphinx of quartz, 1958", 13, 4, 14.3};
+  Sheet sheet(font, {180, 19, 5, 3, 84});
+  const auto add = [&](const char* label, const LcdStyle* style,
+                       uint32_t ground, uint32_t colour) {
+    sheet.add(label, ground, [&](Image& image) {
+      Brush brush = make_brush(sample.px, 0, kFilterText);
+      if (style != nullptr) {
+        brush.set_painter(paint_lcd, style, kLcdReach);
+      }
+      sample.write(brush, colour, image);
+    });
+  };
+  LcdStyle style;
+  add("grey", nullptr, kWhite, kBlack);
+  add("rgb", &style, kWhite, kBlack);
+  style.order = SubPixels::bgr;
+  add("bgr", &style, kWhite, kBlack);
+  style.order = SubPixels::rgb_vertical;
+  add("rgb, stripes on each other", &style, kWhite, kBlack);
+  style.order = SubPixels::rgb;
+  style.colour = 128;
+  add("rgb, half of the colour", &style, kWhite, kBlack);
+  style.colour = 255;
+  add("rgb, light on dark", &style, kBlack, kWhite);
+  add("rgb, in colour", &style, kNight, 0xffc060);
+  return sheet.finish();
+}
+
+Image draw_effects(const Font& font) {
+  constexpr double kPx = 32;
+  const Sample sample = {font, "Effects", kPx, 8, 34};
+  Sheet sheet(font, {136, 46, 4, 4, 70});
+  const auto add_outline = [&](const char* label, OutlinePlace place,
+                               double width) {
+    const Outline outline = make_outline(kFilterText, to_q10(width), place);
+    check(font, kPx, outline.outer);
+    check(font, kPx, outline.inner);
+    sheet.add(label, kWhite, [&](Image& image) {
+      Brush brush = make_brush(kPx, 0, outline.outer);
+      brush.set_painter(paint_outline, &outline.inner);
+      sample.write(brush, kBlack, image);
+    });
+  };
+  add_outline("outline 1 px, inner", OutlinePlace::inner, 1);
+  add_outline("outline 1 px, centred", OutlinePlace::centred, 1);
+  add_outline("outline 1.5 px, outer", OutlinePlace::outer, 1.5);
+  const Outline two = make_outline(kFilterText, to_q10(2), OutlinePlace::outer);
+  sheet.add("outline and fill in one pass", kNight, [&](Image& image) {
+    const ColourSink fill(image, 0xffd070);
+    const OutlineAndFill both = {&two.inner, &fill.sink()};
+    Brush brush = make_brush(kPx, 0, two.outer);
+    brush.set_painter(paint_outline_and_fill, &both);
+    sample.write(brush, 0xb02030, image);
+  });
+  const Filter shadow = shadow_filter(to_q10(2.5));
+  check(font, kPx, shadow);
+  sheet.add("shadow, soft by 2.5 px, 2 px down and to the right", kSand,
+            [&](Image& image) {
+              sample.write(shadow, 0xa09880, image, 2, 2);
+              sample.write(kFilterText, 0x203050, image);
+            });
+  const Filter glow = glow_filter(to_q10(4));
+  check(font, kPx, glow);
+  sheet.add("glow of 4 px", kNight, [&](Image& image) {
+    sample.write(glow, 0x2080ff, image);
+    sample.write(kFilterText, 0xe8f4ff, image);
+  });
+  return sheet.finish();
+}
+
+Image draw_levels(const Font& font) {
+  const Sample sample = {font, "Sphinx of quartz, 1958", 11, 4, 12.4};
+  Sheet sheet(font, {152, 17, 5, 3, 84});
+  const auto add = [&](const char* label, const CrispStyle* style,
+                       uint8_t threshold) {
+    sheet.add(label, kWhite, [&](Image& image) {
+      Brush brush = make_brush(sample.px, 0, kFilterText);
+      if (style != nullptr) {
+        brush.set_painter(paint_crisp, style, kCrispReach);
+      }
+      sample.write(brush, kBlack, image);
+      for (uint8_t& level : image.pixels) {
+        level = style == nullptr ? (level <= 255 - threshold ? 0 : 255) : level;
+      }
+    });
+  };
+  CrispStyle style;
+  add("1 bit, threshold alone", nullptr, 128);
+  add("1 bit, crisp", &style, 0);
+  style.threshold_px = to_q10(-0.15);
+  add("1 bit, crisp, bolder by 0.15 px", &style, 0);
+  style.threshold_px = {};
+  style.levels = 4;
+  add("2 bits, crisp", &style, 0);
+  const Filter shade = shadow_filter(to_q10(0.75));
+  sheet.add("1 bit, a soft edge, dithered", kWhite, [&](Image& image) {
+    const int stride = (image.width + 7) / 8;
+    std::vector<uint8_t> bits(static_cast<size_t>(stride * image.height));
+    port::MonoRowsTarget target;
+    target.strip.pixels = {bits.data(), bits.size()};
+    target.strip.width = image.width;
+    target.strip.height = image.height;
+    target.strip.stride = stride;
+    Sink sink;
+    if (port::make_dithered_sink(target, sink) != Status::ok) {
+      throw std::runtime_error("the sample is too large to draw into");
+    }
+    draw_text(font, Text(sample.text.data(), sample.text.size()),
+              make_brush(sample.px, 0, shade), make_point(sample.x, sample.y),
+              sink);
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        const int byte = bits[static_cast<size_t>(y * stride + x / 8)];
+        const auto level =
+            static_cast<uint8_t>((byte >> (7 - x % 8) & 1) != 0 ? 0 : 255);
+        std::fill_n(image.at(x, y), 3, level);
+      }
+    }
+  });
+  return sheet.finish();
+}
+
+}  // namespace inkcell::tools
