@@ -115,6 +115,64 @@ int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
       row_.distance_q10(at.x_q16 - field_.x0_u * (1 << 16) - corner_q16(x_u_)));
 }
 
+// A field that is bent by no more than 1/32 px, or several of which the same
+// one decides everywhere: each changes by no more than the radius.
+bool PointWalk::is_plane(const FieldPosition& at,
+                         int32_t radius_q10) const noexcept {
+  constexpr int32_t kMaxSagQ22 = 1 << 17;
+  const int32_t bend_log2 = brush_.bend_log2();
+  if (terms_.count == 1) {
+    const int32_t radius_q8 = radius_q10 >> 2;
+    const int32_t slope_q15 =
+        (terms_.term[0].bend * radius_q8) >> (bend_log2 + 5);
+    const int32_t sag_q22 = (slope_q15 * radius_q8) >> 1;
+    return sag_q22 < kMaxSagQ22 && sag_q22 > -kMaxSagQ22;
+  }
+  const FieldTerms terms = terms_at(terms_, at);
+  int64_t value[3];
+  for (uint32_t i = 0; i < terms.count; ++i) {
+    value[i] = terms.term[i].value_q22(bend_log2);
+  }
+  const int64_t apart = int64_t{radius_q10} << 13;
+  const auto differ = [&value, apart](uint32_t i, uint32_t j) noexcept {
+    const int64_t difference = value[i] - value[j];
+    return difference >= apart || difference <= -apart;
+  };
+  if (terms.count == 2) {
+    return differ(0, 1);
+  }
+  if (terms.op >= FieldOperator::least_of_greater) {
+    return differ(0, 1) && differ(0, 2) && differ(1, 2);
+  }
+  uint32_t first = 0;
+  for (uint32_t i = 1; i < 3; ++i) {
+    const bool is_less = value[i] < value[first];
+    first = is_less == (terms.op == FieldOperator::least) ? i : first;
+  }
+  return differ(first, (first + 1) % 3) && differ(first, (first + 2) % 3);
+}
+
+bool PointWalk::is_plane_around(const FieldPosition& at,
+                                const Surroundings& around) const noexcept {
+  // Beyond the grid a cell has no room for anything.
+  const uint32_t side = uint32_t{1} << (size_log2_ + 16);
+  const auto has_room = [side](uint32_t place_q16, int32_t room_q16) noexcept {
+    const uint32_t room = static_cast<uint32_t>(room_q16);
+    place_q16 &= side - 1;
+    return place_q16 >= room && place_q16 + room < side;
+  };
+  const auto from = [](int32_t place_q16, int32_t corner_u) noexcept {
+    return static_cast<uint32_t>(place_q16) -
+           (static_cast<uint32_t>(corner_u) << 16);
+  };
+  if (!has_room(from(at.x_q16, field_.x0_u), around.x_q16) ||
+      !has_room(from(at.y_q16, field_.y0_u), around.y_q16)) {
+    return false;
+  }
+  return is_saturated_ || (INKCELL_FIELD_CELLS != 0 && samples_ == nullptr &&
+                           is_plane(at, around.radius_q10));
+}
+
 int32_t PointWalk::distance_q10(const FieldPosition& at) noexcept {
   go_to(at);
   if (is_saturated_) {

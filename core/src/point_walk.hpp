@@ -36,9 +36,9 @@ inline FieldPosition moved(const FieldPosition& at,
 
 // From a pixel to the next one on its right.
 inline FieldPosition pixel_step(const Brush& brush) noexcept {
-  return {brush.step_along_q16(), -brush.step_across_q16(),
-          static_cast<uint32_t>(along_q20(brush)),
-          0u - static_cast<uint32_t>(across_q20(brush))};
+  const GlyphStep& right = brush.right();
+  return {right.x_q16, right.y_q16, static_cast<uint32_t>(right.x_q20),
+          static_cast<uint32_t>(right.y_q20)};
 }
 
 // Where the point lies that is `offset` away from the centre of pixel (x, y).
@@ -57,6 +57,14 @@ FieldPosition sample_position(const Brush& brush,
 struct ScreenGradient {
   int16_t right_q14;
   int16_t up_q14;
+};
+
+// What lies around a point: a radius on the screen, and what it is at the most
+// along the axes of the glyph.
+struct Surroundings {
+  int32_t radius_q10;  // [px]
+  int32_t x_q16;       // [u]
+  int32_t y_q16;
 };
 
 class PointWalk {
@@ -80,7 +88,16 @@ class PointWalk {
   // Whether the last point lay in a cell that is saturated, or in none.
   bool is_saturated() const noexcept { return is_saturated_; }
 
+  // The width of that cell: 1 u beyond the grid. [log2, u]
+  uint32_t cell_log2() const noexcept { return size_log2_; }
+
+  // Whether the field is known to be a plane, or saturated, all around the last
+  // point, `at`.
+  bool is_plane_around(const FieldPosition& at,
+                       const Surroundings& around) const noexcept;
+
  private:
+  bool is_plane(const FieldPosition& at, int32_t radius_q10) const noexcept;
   void go_to(const FieldPosition& at) noexcept;
   int32_t fields_q10(const FieldPosition& at) const noexcept;
   int32_t samples_q10(const FieldPosition& at) noexcept;

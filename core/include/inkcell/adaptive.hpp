@@ -1,0 +1,67 @@
+// Several samples to a pixel where one does not tell enough.
+//
+//   Adaptive adaptive = make_adaptive(filter);
+//   brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
+//
+// Up to 13 distances are taken on concentric circles around a pixel's centre
+// (Perry and Frisken, section 4.3), where strokes, gaps and corners are too
+// small for one. For type that moves, for patterns, and for the smallest text.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/filter.hpp"
+#include "inkcell/fixed.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+enum class SampleRule : uint8_t {
+  /// Where the distance is that of a straight edge, one sample is mapped to
+  /// what 13 would give; everywhere else coverages are averaged, and the two
+  /// blend: nothing pops when a glyph moves.
+  even,
+  /// The paper's: the size of the pixel's cell decides between 1, 5 and 13, and
+  /// distances are averaged. Its own fonts have cells of samples.
+  paper
+};
+
+/// Options of paint_adaptive: 290 bytes, built once a style, shared.
+struct Adaptive {
+  SampleRule rule = SampleRule::even;
+  int16_t radius_q10 = 0;  // of the filter [px]
+  /// Weights of the centre and of each sample on a circle; all 13 are 2^16.
+  uint16_t centre_q16 = 0;
+  uint16_t inner_q16 = 0;
+  uint16_t outer_q16 = 0;
+  /// What 13 samples make of a straight edge.
+  Filter edge;
+  /// If not null, goes up by the samples that are taken beyond one a pixel.
+  uint32_t* more_samples = nullptr;
+};
+
+/// Radii of the filter, 2^(-3 (d / radius)^2): for text, and the paper's, which
+/// is softer and keeps patterns calm that are finer than pixels.
+inline constexpr Q6_10 kSharpRadius = Q6_10::from_raw(870);
+inline constexpr Q6_10 kCalmRadius = Q6_10::from_raw(768);
+inline constexpr Q6_10 kPaperRadius = Q6_10::from_raw(1331);
+
+/// `filter` is that of the brush; the radius is clamped to 0.25..1.5 px.
+/// Divides and looks up some thousand times: once a style.
+Adaptive make_adaptive(const Filter& filter,
+                       Q6_10 radius = kSharpRadius,
+                       SampleRule rule = SampleRule::even) noexcept;
+
+/// What Brush::set_painter wants as `reach_px`.
+inline constexpr uint8_t kAdaptiveReach = 1;
+
+/// A Painter; `options` is an Adaptive.
+void paint_adaptive(const GlyphField& field,
+                    const Brush& brush,
+                    const void* options,
+                    const FinePoint& origin,
+                    const RowMap* rows,
+                    const Sink& sink);
+
+}  // namespace inkcell

@@ -1,0 +1,368 @@
+// Samples of a pixel: the centre, four on an inner circle, eight on an outer.
+//
+//       o   o   o          The outer circle has two thirds of the filter's
+//          i i             radius, the inner one a third. Of the outer one the
+//       o   c   o          four on the axes come first: with the centre they
+//          i i             tell whether the field bends or breaks there.
+//       o   o   o
+#include "inkcell/adaptive.hpp"
+
+#include "inkcell/render.hpp"
+#include "point_walk.hpp"
+#include "span_writer.hpp"
+
+namespace inkcell {
+namespace {
+
+using detail::FieldPosition;
+using detail::moved;
+using detail::PointWalk;
+using detail::SpanWriter;
+using detail::Surroundings;
+
+constexpr int32_t kHalfRootQ15 = 23170;
+
+// Up to the first of these second differences a field counts as a plane, from
+// the second on as none. [px, Q10]
+constexpr int32_t kPlane = 10;
+constexpr int32_t kBroken = 102;
+
+int32_t part_of(int32_t radius_q10, int32_t thirds) noexcept {
+  return radius_q10 * thirds / 3;
+}
+
+int32_t diagonal(int32_t way_q10) noexcept {
+  return (way_q10 * kHalfRootQ15) >> 15;
+}
+
+int32_t magnitude(int32_t value) noexcept {
+  return value < 0 ? -value : value;
+}
+
+// Heights at which samples lie, and how far to the right.
+enum Height : uint8_t {
+  kCentre,
+  kOuterUp,
+  kOuterDown,
+  kDiagonalUp,
+  kDiagonalDown,
+  kInnerUp,
+  kInnerDown,
+  kHeights
+};
+
+// Samples of all pixels of a row, as they lie around the first one.
+struct SampleRows {
+  FieldPosition heights[kHeights];
+  FieldPosition outer;  // to the right
+  FieldPosition diagonal;
+  FieldPosition inner;
+};
+
+FieldPosition scaled(const GlyphStep& step, int32_t way_q10) noexcept {
+  const auto part = [way_q10](int32_t whole) noexcept {
+    return static_cast<int32_t>((int64_t{whole} * way_q10) >> 10);
+  };
+  return {part(step.x_q16), part(step.y_q16),
+          static_cast<uint32_t>(part(step.x_q20)),
+          static_cast<uint32_t>(part(step.y_q20))};
+}
+
+FieldPosition back(const FieldPosition& at, const FieldPosition& by) noexcept {
+  return moved(at, {-by.x_q16, -by.y_q16, 0u - by.x_q20, 0u - by.y_q20});
+}
+
+// What a glyph's pixels have in common.
+struct Sampling {
+  const Brush& brush;
+  const Adaptive& options;
+  PointWalk walk;
+  Surroundings around;
+  uint32_t more_samples;
+
+  Sampling(const GlyphField& field,
+           const Brush& the_brush,
+           const Adaptive& the_options,
+           bool is_fitted) noexcept;
+
+  int32_t distance_q10(const FieldPosition& at) noexcept {
+    ++more_samples;
+    return walk.distance_q10(at);
+  }
+  int32_t coverage(const FieldPosition& at) noexcept {
+    return brush.filter().coverage(distance_q10(at));
+  }
+};
+
+Sampling::Sampling(const GlyphField& field,
+                   const Brush& the_brush,
+                   const Adaptive& the_options,
+                   bool is_fitted) noexcept
+    : brush(the_brush),
+      options(the_options),
+      walk(field, the_brush, detail::kNoReach),
+      around{part_of(the_options.radius_q10, 2), 0, 0},
+      more_samples(0) {
+  const FieldPosition right = scaled(the_brush.right(), around.radius_q10);
+  const FieldPosition up = scaled(the_brush.up(), around.radius_q10);
+  around.x_q16 = magnitude(right.x_q16) + magnitude(up.x_q16);
+  // Fitted rows may lie twice as far apart.
+  around.y_q16 =
+      (magnitude(right.y_q16) + magnitude(up.y_q16)) * (is_fitted ? 2 : 1);
+}
+
+// Sums of values at four or eight places around a pixel.
+struct Pixel {
+  Sampling& sampling;
+  const SampleRows& rows;
+  const FieldPosition& way;  // from the row's first pixel
+
+  FieldPosition at(Height height) const noexcept {
+    return moved(rows.heights[height], way);
+  }
+
+  // On the axes: right, left, up and down.
+  void cross(int32_t* out_q10) const noexcept {
+    const FieldPosition centre = at(kCentre);
+    out_q10[0] = sampling.distance_q10(moved(centre, rows.outer));
+    out_q10[1] = sampling.distance_q10(back(centre, rows.outer));
+    out_q10[2] = sampling.distance_q10(at(kOuterUp));
+    out_q10[3] = sampling.distance_q10(at(kOuterDown));
+  }
+
+  // On the diagonals; `value` maps a place to what is summed.
+  template <typename Value>
+  int32_t diagonals(bool is_outer, const Value& value) const noexcept {
+    const FieldPosition up = at(is_outer ? kDiagonalUp : kInnerUp);
+    const FieldPosition down = at(is_outer ? kDiagonalDown : kInnerDown);
+    const FieldPosition& side = is_outer ? rows.diagonal : rows.inner;
+    return value(moved(up, side)) + value(back(up, side)) +
+           value(moved(down, side)) + value(back(down, side));
+  }
+};
+
+// The even rule, where the field may not be a plane.
+__attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
+                                                int32_t centre_q10) noexcept {
+  Sampling& sampling = pixel.sampling;
+  const Adaptive& options = sampling.options;
+  const Filter& filter = sampling.brush.filter();
+  int32_t cross[4];
+  pixel.cross(cross);
+  const int32_t across = magnitude(cross[0] + cross[1] - 2 * centre_q10);
+  const int32_t upright = magnitude(cross[2] + cross[3] - 2 * centre_q10);
+  const int32_t bend = across > upright ? across : upright;
+  const int32_t edge = options.edge.coverage(centre_q10);
+  if (bend <= kPlane) {
+    return edge;
+  }
+  int32_t outer = 0;
+  for (const int32_t distance_q10 : cross) {
+    outer += filter.coverage(distance_q10);
+  }
+  const auto coverage = [&sampling](const FieldPosition& at) noexcept {
+    return sampling.coverage(at);
+  };
+  outer += pixel.diagonals(true, coverage);
+  const int32_t inner = pixel.diagonals(false, coverage);
+  const int32_t mean_q16 = filter.coverage(centre_q10) * options.centre_q16 +
+                           inner * options.inner_q16 +
+                           outer * options.outer_q16;
+  const int32_t mean = (mean_q16 + (1 << 15)) >> 16;
+  if (bend >= kBroken) {
+    return mean;
+  }
+  return edge + (mean - edge) * (bend - kPlane) / (kBroken - kPlane);
+}
+
+int32_t even_sample(const Pixel& pixel) noexcept {
+  Sampling& sampling = pixel.sampling;
+  const FieldPosition at = pixel.at(kCentre);
+  const int32_t centre_q10 = sampling.walk.distance_q10(at);
+  const Filter& edge = sampling.options.edge;
+  const bool is_far =
+      centre_q10 <= edge.outside_q10 || centre_q10 >= edge.inside_q10;
+  // Of a saturated cell no more is known than that its own points are far.
+  if ((is_far && !sampling.walk.is_saturated()) ||
+      sampling.walk.is_plane_around(at, sampling.around)) {
+    return edge.coverage(centre_q10);
+  }
+  return even_coverage(pixel, centre_q10);
+}
+
+// The paper's rule: 13 samples where a cell is no wider than half the radius.
+__attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
+  Sampling& sampling = pixel.sampling;
+  const Adaptive& options = sampling.options;
+  const Filter& filter = sampling.brush.filter();
+  const int32_t centre_q10 = sampling.walk.distance_q10(pixel.at(kCentre));
+  // What a saturated cell reports is clamped to what cannot change coverage.
+  const int32_t low = filter.outside_q10 - options.radius_q10;
+  const int32_t high = filter.inside_q10 + options.radius_q10;
+  // Widths as the radius has them: 2^log2 u in px, Q10.
+  const int32_t width_q10 =
+      sampling.brush.to_px_q10(int32_t{1} << (10 + sampling.walk.cell_log2()));
+  if (width_q10 > options.radius_q10 ||
+      (!sampling.walk.is_saturated() &&
+       (centre_q10 < low || centre_q10 > high))) {
+    return filter.coverage(centre_q10);
+  }
+  const auto clamped = [low, high](int32_t distance_q10) noexcept {
+    distance_q10 = distance_q10 < low ? low : distance_q10;
+    return distance_q10 > high ? high : distance_q10;
+  };
+  int32_t cross[4];
+  pixel.cross(cross);
+  int32_t outer = 0;
+  for (const int32_t distance_q10 : cross) {
+    outer += clamped(distance_q10);
+  }
+  const int32_t centre = clamped(centre_q10);
+  if (2 * width_q10 > options.radius_q10) {
+    const int32_t weight_q16 = options.outer_q16;
+    const int32_t sum = options.centre_q16 + 4 * weight_q16;
+    const int64_t mean =
+        int64_t{centre} * options.centre_q16 + int64_t{outer} * weight_q16;
+    return filter.coverage(static_cast<int32_t>(mean / sum));
+  }
+  const auto distance = [&](const FieldPosition& at) noexcept {
+    return clamped(sampling.distance_q10(at));
+  };
+  outer += pixel.diagonals(true, distance);
+  const int32_t inner = pixel.diagonals(false, distance);
+  const int64_t mean_q16 = int64_t{centre} * options.centre_q16 +
+                           int64_t{inner} * options.inner_q16 +
+                           int64_t{outer} * options.outer_q16;
+  return filter.coverage(static_cast<int32_t>(mean_q16 >> 16));
+}
+
+// Not inline: what it needs of the stack is free again when pixels are drawn.
+__attribute__((noinline)) void set_up_rows(SampleRows& rows,
+                                           const Brush& brush,
+                                           const FinePoint& origin,
+                                           const RowMap* map,
+                                           int32_t x,
+                                           int32_t y,
+                                           int32_t radius_q10) noexcept {
+  const int32_t outer = part_of(radius_q10, 2);
+  const int32_t ways[] = {outer, diagonal(outer),
+                          diagonal(part_of(radius_q10, 1))};
+  rows.heights[kCentre] =
+      detail::sample_position(brush, origin, map, x, y, {0, 0});
+  for (int32_t i = 0; i < 3; ++i) {
+    rows.heights[kOuterUp + 2 * i] =
+        detail::sample_position(brush, origin, map, x, y, {0, ways[i]});
+    rows.heights[kOuterDown + 2 * i] =
+        detail::sample_position(brush, origin, map, x, y, {0, -ways[i]});
+  }
+  rows.outer = scaled(brush.right(), ways[0]);
+  rows.diagonal = scaled(brush.right(), ways[1]);
+  rows.inner = scaled(brush.right(), ways[2]);
+}
+
+// The pixels of a row whose samples are set up.
+__attribute__((noinline)) void draw_pixels(Sampling& sampling,
+                                           const SampleRows& rows,
+                                           int32_t x,
+                                           int32_t end,
+                                           SpanWriter& writer) noexcept {
+  const FieldPosition step = detail::pixel_step(sampling.brush);
+  const bool is_even = sampling.options.rule == SampleRule::even;
+  FieldPosition way = {0, 0, 0, 0};
+  const Pixel pixel = {sampling, rows, way};
+  for (; x < end; ++x) {
+    writer.put(x, static_cast<uint8_t>(is_even ? even_sample(pixel)
+                                               : paper_sample(pixel)));
+    way = moved(way, step);
+  }
+  writer.flush();
+}
+
+__attribute__((noinline)) Rect box_of(const GlyphField& field,
+                                      const Brush& brush,
+                                      const FinePoint& origin,
+                                      const Sink& sink) noexcept {
+  return intersect(field_box(field, brush, origin), sink.window);
+}
+
+// Not inline, like all that draws a row: no function needs much of the stack.
+__attribute__((noinline)) void draw_row(Sampling& sampling,
+                                        const FinePoint& origin,
+                                        const RowMap* map,
+                                        const Rect& box,
+                                        int32_t y,
+                                        const Sink& sink) noexcept {
+  SampleRows rows;
+  set_up_rows(rows, sampling.brush, origin, map, box.x0, y,
+              sampling.options.radius_q10);
+  SpanWriter writer(sink, y);
+  draw_pixels(sampling, rows, box.x0, box.x1, writer);
+}
+
+}  // namespace
+
+Adaptive make_adaptive(const Filter& filter,
+                       Q6_10 radius,
+                       SampleRule rule) noexcept {
+  constexpr int32_t kLeast = 256;
+  constexpr int32_t kMost = 1536;
+  // 1, 2^(-1/3) and 2^(-4/3): their shares of 1 + 4 inner + 8 outer.
+  constexpr int32_t kInner = 7077;
+  constexpr int32_t kOuter = 3539;
+  Adaptive adaptive;
+  int32_t radius_q10 = radius.raw;
+  radius_q10 = radius_q10 < kLeast ? kLeast : radius_q10;
+  radius_q10 = radius_q10 > kMost ? kMost : radius_q10;
+  adaptive.rule = rule;
+  adaptive.radius_q10 = static_cast<int16_t>(radius_q10);
+  adaptive.inner_q16 = kInner;
+  adaptive.outer_q16 = kOuter;
+  adaptive.centre_q16 = (1 << 16) - 4 * kInner - 8 * kOuter;
+
+  // The mean of an edge along the axes and one along the diagonals: what lies
+  // on the axes of one lies on the diagonals of the other.
+  const int32_t outer = part_of(radius_q10, 2);
+  const int32_t inner = part_of(radius_q10, 1);
+  Filter& edge = adaptive.edge;
+  const int32_t low = filter.outside_q10 - outer;
+  const int32_t high = filter.inside_q10 + outer;
+  edge.outside_q10 = static_cast<int16_t>(low);
+  edge.inside_q10 = static_cast<int16_t>(high);
+  edge.scale = static_cast<uint16_t>((Filter::kEntries << 14) / (high - low));
+  for (int32_t i = 0; i < Filter::kEntries; ++i) {
+    const int32_t middle = low + ((2 * i + 1) * (high - low)) / 512;
+    const auto both = [&filter, middle](int32_t way) noexcept {
+      return filter.coverage(middle - way) + filter.coverage(middle + way);
+    };
+    const int32_t centre = filter.coverage(middle);
+    // Twice what one of the two edges has.
+    const int32_t on_outer = 4 * centre + 2 * both(outer);
+    const int32_t off_outer = 4 * both(diagonal(outer));
+    const int32_t on_inner = 2 * centre + both(inner);
+    const int32_t off_inner = 2 * both(diagonal(inner));
+    const int32_t sum_q17 = 2 * centre * adaptive.centre_q16 +
+                            (on_inner + off_inner) * kInner +
+                            (on_outer + off_outer) * kOuter;
+    edge.table[i] = static_cast<uint8_t>((sum_q17 + (1 << 16)) >> 17);
+  }
+  return adaptive;
+}
+
+void paint_adaptive(const GlyphField& field,
+                    const Brush& brush,
+                    const void* options,
+                    const FinePoint& origin,
+                    const RowMap* rows,
+                    const Sink& sink) {
+  const auto& adaptive = *static_cast<const Adaptive*>(options);
+  const Rect box = box_of(field, brush, origin, sink);
+  Sampling sampling(field, brush, adaptive, rows != nullptr);
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    draw_row(sampling, origin, rows, box, y, sink);
+  }
+  if (adaptive.more_samples != nullptr) {
+    *adaptive.more_samples += sampling.more_samples;
+  }
+}
+
+}  // namespace inkcell

@@ -1,0 +1,343 @@
+// Several samples to a pixel: what they are, where they matter, and that no
+// picture depends on how it is cut.
+#include "inkcell/adaptive.hpp"
+
+#include "check.hpp"
+#include "field_record.hpp"
+#include "font_builder.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/row_map.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kSide = 40;
+constexpr int32_t kOne = 1 << 30;
+constexpr int32_t kDirections[][2] = {
+    {kOne, 0}, {759250125, 759250125}, {858993459, -644245094}};
+
+alignas(4) uint8_t bytes[1536];
+font_builder::Record samples;  // too large for the stack of a small board
+FieldRecord record;
+uint8_t picture[kSide * kSide];
+uint8_t whole[kSide * kSide];
+
+template <typename Source>
+GlyphField open(const Source& source) {
+  GlyphField field;
+  CHECK(source.size() <= sizeof(bytes));
+  source.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, source.size()}, field));
+  return field;
+}
+
+GlyphField field_of_samples(font_builder::Shape shape) {
+  samples.reset();
+  samples.fill(shape);
+  return open(samples);
+}
+
+Brush brush_of(int32_t size_q6, uint32_t turn, const Adaptive& adaptive) {
+  Direction direction;
+  direction.cosine.raw = kDirections[turn][0];
+  direction.sine.raw = kDirections[turn][1];
+  Brush brush;
+  CHECK_OK(
+      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
+  brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
+  return brush;
+}
+
+// Keeps what is drawn; fails if pixels leave the window or go backwards.
+struct Canvas {
+  Rect window;
+  Rect shown;  // the part that may be drawn to
+  int32_t last_y = INT32_MIN;
+  int32_t last_end = INT32_MIN;
+
+  explicit Canvas(const Rect& all) : window(all), shown(all) {
+    for (uint8_t& pixel : picture) {
+      pixel = 0;
+    }
+  }
+  void show(const Rect& part) {
+    shown = part;
+    last_y = INT32_MIN;
+  }
+  Sink sink() { return {shown, this, coverage, solid}; }
+
+  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
+                      x >= shown.x0 && count <= shown.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
+    last_y = y;
+    last_end = x + count;
+    for (int32_t i = 0; fits && i < count; ++i) {
+      picture[(y - window.y0) * kSide + x - window.x0 + i] =
+          values != nullptr ? values[i] : 255;
+    }
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    CHECK(count <= kMaxSpan);
+    static_cast<Canvas*>(context)->put(x, y, coverage, count);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    static_cast<Canvas*>(context)->put(x, y, nullptr, count);
+  }
+};
+
+constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
+
+void draw(const GlyphField& field, const Brush& brush, FinePoint origin) {
+  Canvas canvas(kAll);
+  draw_field(field, brush, origin, canvas.sink());
+}
+
+int32_t ink() {
+  int32_t sum = 0;
+  for (const uint8_t pixel : picture) {
+    sum += pixel;
+  }
+  return sum;
+}
+
+void keep() {
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    whole[i] = picture[i];
+  }
+}
+
+void check_windows(const GlyphField& field,
+                   const Brush& brush,
+                   FinePoint origin) {
+  draw(field, brush, origin);
+  keep();
+  for (int32_t cut = 1; cut < kSide; cut += 5) {
+    Canvas parts(kAll);
+    const int32_t x = kAll.x0 + cut;
+    for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
+      parts.show(intersect(kAll, {kAll.x0, y, x, y + cut}));
+      draw_field(field, brush, origin, parts.sink());
+      parts.show(intersect(kAll, {x, y, kAll.x1, y + cut}));
+      draw_field(field, brush, origin, parts.sink());
+    }
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      CHECK_EQ(picture[i], whole[i]);
+    }
+  }
+}
+
+void lift(const GlyphField& /*field*/,
+          const Brush& /*brush*/,
+          const void* /*options*/,
+          FinePoint& origin,
+          RowMap& rows) {
+  origin.x_q10 += 100;
+  CHECK(rows.add(0, 0));
+  CHECK(rows.add(7 << 10, (7 << 10) - 500));
+}
+
+// The mean coverage of 13 distances, each asked for alone.
+int32_t mean_of_13(const GlyphField& field,
+                   const Brush& brush,
+                   FinePoint origin,
+                   int32_t x,
+                   int32_t y,
+                   double radius) {
+  const double root = 0.70710678;
+  const double inner = radius / 3 * root;
+  const double outer = radius * 2 / 3;
+  const double places[13][3] = {{0, 0, 1},
+                                {inner, inner, 0.79370},
+                                {inner, -inner, 0.79370},
+                                {-inner, inner, 0.79370},
+                                {-inner, -inner, 0.79370},
+                                {outer, 0, 0.39685},
+                                {-outer, 0, 0.39685},
+                                {0, outer, 0.39685},
+                                {0, -outer, 0.39685},
+                                {outer * root, outer * root, 0.39685},
+                                {outer * root, -outer * root, 0.39685},
+                                {-outer * root, outer * root, 0.39685},
+                                {-outer * root, -outer * root, 0.39685}};
+  double sum = 0;
+  double weights = 0;
+  for (const auto& place : places) {
+    Q6_10 distance;
+    distance_row(field, brush,
+                 {origin.x_q10 - static_cast<int64_t>(place[0] * 1024),
+                  origin.y_q10 - static_cast<int64_t>(place[1] * 1024)},
+                 x, y, {&distance, 1});
+    sum += place[2] * brush.filter().coverage(distance.raw);
+    weights += place[2];
+  }
+  return static_cast<int32_t>(sum / weights + 0.5);
+}
+
+int32_t magnitude(int32_t value) {
+  return value < 0 ? -value : value;
+}
+
+// Every pixel of a random glyph against the mean of 13. Returns the number of
+// pixels that one sample would have shown differently.
+int check_means(const GlyphField& field,
+                const Brush& brush,
+                FinePoint origin,
+                double radius,
+                int32_t tolerance) {
+  draw(field, brush, origin);
+  int differ = 0;
+  for (int32_t y = kAll.y0; y < kAll.y1; y += 3) {
+    for (int32_t x = kAll.x0; x < kAll.x1; ++x) {
+      const int32_t found = picture[(y - kAll.y0) * kSide + x - kAll.x0];
+      const int32_t expected = mean_of_13(field, brush, origin, x, y, radius);
+      CHECK(magnitude(found - expected) <= tolerance);
+      Q6_10 distance;
+      distance_row(field, brush, origin, x, y, {&distance, 1});
+      const int32_t one = brush.filter().coverage(distance.raw);
+      differ += magnitude(one - expected) > 12 ? 1 : 0;
+    }
+  }
+  return differ;
+}
+
+}  // namespace
+
+#if INKCELL_FIELD_CELLS
+
+// Where a field is a plane one sample says what 13 do, whatever its direction.
+TEST(straight_edges_take_one_sample) {
+  uint32_t more = 0;
+  Adaptive adaptive = make_adaptive(kFilterText);
+  adaptive.more_samples = &more;
+  Random random(61);
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 40); ++round) {
+    record = FieldRecord();
+    record.tile_log2 = 11;
+    record.x0_u = -1000;
+    record.y0_u = -1000;
+    record.line_count = 1;
+    record.fields[0] = random_field(random, 0, 0, 100);
+    record.references[0] = record.field_reference(0);
+    const GlyphField field = open(record);
+    const Brush brush = brush_of(40 * 64, random.below(3), adaptive);
+    const FinePoint origin(16 * 1024 + random.between(0, 1023),
+                           16 * 1024 + random.between(0, 1023));
+    check_means(field, brush, origin, 870 / 1024.0, 5);
+  }
+  CHECK_EQ(more, 0u);
+}
+
+#endif  // INKCELL_FIELD_CELLS
+
+TEST(small_shapes_take_thirteen) {
+  const Adaptive adaptive = make_adaptive(kFilterText);
+  Random random(62);
+  int differ = 0;
+  const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
+                                        font_builder::bar};
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 60); ++round) {
+    const GlyphField field = field_of_samples(shapes[round % 3]);
+    const Brush brush =
+        brush_of(random.between(4 * 64, 24 * 64), random.below(3), adaptive);
+    const FinePoint origin(8 * 1024 + random.between(0, 1023),
+                           24 * 1024 + random.between(0, 1023));
+    differ += check_means(field, brush, origin, 870 / 1024.0, 12);
+  }
+  CHECK(differ > 3);
+}
+
+TEST(windows_do_not_change_pictures) {
+  const Adaptive styles[] = {
+      make_adaptive(kFilterText),
+      make_adaptive(kFilterText, kPaperRadius, SampleRule::paper)};
+  Random random(63);
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 4 : 24); ++round) {
+    Brush brush = brush_of(random.between(8 * 64, 40 * 64), random.below(3),
+                           styles[round & 1]);
+    if ((round & 2) != 0) {
+      brush.set_fitter(lift, nullptr);
+    }
+    const FinePoint origin(random.between(0, 9999),
+                           random.between(9999, 30000));
+    check_windows(field_of_samples(font_builder::ring), brush, origin);
+#if INKCELL_FIELD_CELLS
+    record = FieldRecord();
+    record.tiles_x = 2;
+    record.tiles_y = 2;
+    record.make(random, 128);
+    check_windows(open(record), brush, origin);
+#endif
+  }
+}
+
+#if INKCELL_FIELD_CELLS
+
+// A bar 0.9 px wide has the same ink wherever it stands, and no pixel jumps.
+TEST(moving_bars_keep_their_ink) {
+  const Adaptive adaptive = make_adaptive(kFilterText);
+  record = FieldRecord();
+  record.tile_log2 = 11;
+  record.x0_u = -1000;
+  record.y0_u = -1000;
+  record.line_count = 2;
+  record.pair_count = 1;
+  record.fields[0] = {16384, 0, 230, 0, 0};
+  record.fields[1] = {-16384, 0, 230, 0, 0};
+  record.pairs[0][1] = 1;
+  record.references[0] = record.pair_reference(0);
+  const GlyphField field = open(record);
+  for (uint32_t turn = 0; turn < 3; ++turn) {
+    const Brush brush = brush_of(32 * 64, turn, adaptive);
+    int32_t least = INT32_MAX;
+    int32_t most = 0;
+    int32_t jump = 0;
+    for (int32_t i = 0; i <= 64; ++i) {
+      draw(field, brush, {16384 + 16 * i, 16384 + 7 * i});
+      least = ink() < least ? ink() : least;
+      most = ink() > most ? ink() : most;
+      for (int32_t j = 0; i != 0 && j < kSide * kSide; ++j) {
+        const int32_t change = magnitude(picture[j] - whole[j]);
+        jump = change > jump ? change : jump;
+      }
+      keep();
+    }
+    CHECK(jump <= 6);
+    // On a diagonal the window's corners cut more or less off.
+    CHECK(most - least <= (turn == 1 ? most / 16 : most / 36));
+  }
+}
+
+// 13 samples on small cells, five and one on larger ones, as the paper says.
+TEST(cells_decide_by_the_papers_rule) {
+  uint32_t more = 0;
+  Adaptive adaptive =
+      make_adaptive(kFilterText, kPaperRadius, SampleRule::paper);
+  adaptive.more_samples = &more;
+  // Cells of 64 u: 4, 1 and 0.5 px.
+  const int32_t sizes[] = {64 * 64, 16 * 64, 8 * 64};
+  record = FieldRecord();
+  record.tile_log2 = 6;
+  record.line_count = 1;
+  record.fields[0] = {16384, 0, -16 * 32, 0, 0};
+  record.references[0] = record.field_reference(0);
+  const GlyphField field = open(record);
+  const uint32_t expected[] = {0, 4, 12};
+  for (int i = 0; i < 3; ++i) {
+    const Brush brush = brush_of(sizes[i], 0, adaptive);
+    more = 0;
+    // The pixel whose centre is on the edge, in the middle of the cell.
+    const int32_t middle = (512 * sizes[i]) >> 10;  // 32 u in px, Q10
+    Canvas canvas({0, 0, 1, 1});
+    draw_field(field, brush, {512 - middle, 512 + middle}, canvas.sink());
+    CHECK_EQ(more, expected[i]);
+  }
+}
+
+#endif  // INKCELL_FIELD_CELLS
