@@ -12,7 +12,13 @@ cd "$(dirname "$0")/.."
 fonts=/usr/share/fonts/truetype
 mkdir -p docs/img
 "$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
-  --sizes docs/img/sizes.png
+  --sizes docs/img/sizes.png --filters docs/img/filters.png \
+  --lcd docs/img/lcd.png --levels docs/img/levels.png
+"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
+  --min-px 12 --band-px 2 --effects docs/img/effects.png
+"$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
+  --compare-body docs/img/compare_body.png \
+  --compare-display docs/img/compare_display.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --glyph a --side 600 --cells docs/img/cells.png >/dev/null
 ls -l docs/img

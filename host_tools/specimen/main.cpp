@@ -1,6 +1,7 @@
 // inkcell-specimen: pictures that show a font at work.
 #include <CLI/CLI.hpp>
 
+#include "compare.hpp"
 #include "convert.hpp"
 #include "options.hpp"
 #include "program.hpp"
@@ -22,6 +23,8 @@ struct Arguments {
   std::string lcd;
   std::string effects;
   std::string levels;
+  std::string compare_body;
+  std::string compare_display;
   int width = 780;
 };
 
@@ -46,6 +49,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   picture("--effects", arguments.effects,
           "Outlines, shadows, glows: with --band-px 2 --min-px 12");
   picture("--levels", arguments.levels, "Displays of 1 and 2 bits");
+  picture("--compare-body", arguments.compare_body,
+          "Text of 8 to 16 px beside that of others; FONT is a TTF or OTF");
+  picture("--compare-display", arguments.compare_display,
+          "The same with letters of 40 px");
   gen::add_generator_options(app, arguments.request);
 }
 
@@ -67,6 +74,12 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.lcd, [&] { return draw_lcd(font); });
   write(arguments.effects, [&] { return draw_effects(font); });
   write(arguments.levels, [&] { return draw_levels(font); });
+  if (!arguments.compare_body.empty() || !arguments.compare_display.empty()) {
+    PeerFont peers(arguments.font);
+    write(arguments.compare_body, [&] { return compare_body(font, peers); });
+    write(arguments.compare_display,
+          [&] { return compare_display(font, peers); });
+  }
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// Text as others draw it: supersampled, and by FreeType.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "image.hpp"
+
+namespace inkcell::tools {
+
+enum class Peer {
+  box4,      // 2 x 2 samples a pixel, averaged
+  gauss16,   // 4 x 4 a pixel, weights 2^(-3 d^2) up to d = 1 px
+  freetype,  // exact coverage, not hinted
+  light,     // exact coverage, heights hinted by FreeType's autohinter
+};
+
+/// A font file, read by FreeType. Glyphs stand where unhinted advances say,
+/// with kerning as in the font's kern table, at fractions of a pixel.
+class PeerFont {
+ public:
+  /// Throws std::runtime_error.
+  explicit PeerFont(const std::filesystem::path& file);
+  ~PeerFont();
+  PeerFont(const PeerFont&) = delete;
+  PeerFont& operator=(const PeerFont&) = delete;
+
+  /// Draws ASCII text over a grey picture (255: full ink), its origin at (x,
+  /// y). [px]
+  void write(Peer peer,
+             const std::string& text,
+             double px,
+             double x,
+             double y,
+             Image& image);
+
+ private:
+  struct Library;
+  std::unique_ptr<Library> library_;
+};
+
+}  // namespace inkcell::tools
