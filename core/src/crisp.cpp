@@ -1,5 +1,6 @@
 #include "inkcell/crisp.hpp"
 
+#include "painted_box.hpp"
 #include "point_walk.hpp"
 #include "span_writer.hpp"
 
@@ -12,6 +13,8 @@ using detail::SpanWriter;
 
 // Of two neighbours with a stroke between them, the nearer one's distance.
 constexpr int32_t kFarthestQ10 = -(1 << 9);  // [px]
+// No pixel that is drawn is farther from the ink.
+constexpr int32_t kMostReachQ10 = 1 << 10;
 
 // The glyph around a pixel: distances from the threshold.
 class Neighbourhood {
@@ -137,8 +140,11 @@ void paint_crisp(const GlyphField& field,
   threshold = threshold < -kMostThreshold ? -kMostThreshold : threshold;
   threshold = threshold > kMostThreshold ? kMostThreshold : threshold;
   Neighbourhood glyph(field, brush, origin, rows, threshold);
+  // Beyond the ramp of the filter, by what the threshold and bridges reach.
   draw_rows(glyph, style,
-            intersect(field_box(field, brush, origin), sink.window), sink);
+            detail::painted_box(field, brush, origin, rows, sink.window,
+                                kMostReachQ10, kMostReachQ10),
+            sink);
 }
 
 }  // namespace inkcell

@@ -1,5 +1,6 @@
 #include "inkcell/effects.hpp"
 
+#include "painted_box.hpp"
 #include "point_walk.hpp"
 #include "span_writer.hpp"
 
@@ -120,8 +121,9 @@ void paint_outline(const GlyphField& field,
                    const FinePoint& origin,
                    const RowMap* rows,
                    const Sink& sink) {
-  const Rows all = {brush, *static_cast<const Filter*>(options), origin, rows,
-                    intersect(field_box(field, brush, origin), sink.window)};
+  const Rows all = {
+      brush, *static_cast<const Filter*>(options), origin, rows,
+      detail::painted_box(field, brush, origin, rows, sink.window, 0, 0)};
   PointWalk walk(field, brush, all.reach_q22());
   draw_outline(all, walk, sink);
 }
@@ -133,9 +135,10 @@ void paint_outline_and_fill(const GlyphField& field,
                             const RowMap* rows,
                             const Sink& sink) {
   const OutlineAndFill& both = *static_cast<const OutlineAndFill*>(options);
-  const Rows all = {brush, *both.inner, origin, rows,
-                    intersect(field_box(field, brush, origin),
-                              intersect(sink.window, both.fill->window))};
+  const Rows all = {
+      brush, *both.inner, origin, rows,
+      detail::painted_box(field, brush, origin, rows,
+                          intersect(sink.window, both.fill->window), 0, 0)};
   PointWalk walk(field, brush, all.reach_q22());
   for (int32_t y = all.box.y0; y < all.box.y1; ++y) {
     FieldPosition at = all.at(y);

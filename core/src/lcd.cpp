@@ -1,5 +1,6 @@
 #include "inkcell/lcd.hpp"
 
+#include "painted_box.hpp"
 #include "point_walk.hpp"
 
 namespace inkcell {
@@ -262,8 +263,10 @@ void paint_lcd(const GlyphField& field,
                const Sink& sink) {
   const LcdStyle& style = *static_cast<const LcdStyle*>(options);
   Stripes stripes(field, brush, style);
+  const int32_t across_q10 = is_vertical(style.order) ? 0 : 2 * kThird;
   draw_rows({brush, origin, rows,
-             intersect(field_box(field, brush, origin), sink.window)},
+             detail::painted_box(field, brush, origin, rows, sink.window,
+                                 across_q10, 2 * kThird - across_q10)},
             style, stripes, sink);
 }
 

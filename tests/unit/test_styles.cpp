@@ -417,6 +417,52 @@ TEST(outlines_are_what_lies_between_two_filters) {
   CHECK(grey > kRounds);
 }
 
+// Nothing that the ink's box lets show is left out, and all that is farther is.
+TEST(painters_stay_close_to_the_ink) {
+  Random random(55);
+  int32_t kept = 0;
+  int32_t left_out = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    GlyphField field = any_field(random);
+    const int32_t size_q6 = random.between(8 * 64, 48 * 64);
+    Brush brush = brush_of(size_q6, kOutline.outer);
+    brush.set_painter(paint_outline, &kOutline.inner);
+    const FinePoint origin = any_origin(random);
+    const Rect window = window_in(random, field_box(field, brush, origin));
+    Canvas all(window, picture);
+    draw_field(field, brush, origin, all.grey_sink());
+    InkBox& ink = field.ink;
+    ink.x0_u = static_cast<int16_t>(random.between(-300, 400));
+    ink.y0_u = static_cast<int16_t>(random.between(-300, 400));
+    ink.x1_u = static_cast<int16_t>(ink.x0_u + random.between(1, 400));
+    ink.y1_u = static_cast<int16_t>(ink.y0_u + random.between(1, 400));
+    Canvas some(window, second);
+    draw_field(field, brush, origin, some.grey_sink());
+    // From the nearer side of the ink, what lies beyond the filter's reach.
+    const auto beyond = [size_q6](int64_t way_q10, int32_t low, int32_t high) {
+      const int64_t below = low * int64_t{size_q6} / 64 - way_q10;
+      const int64_t above = way_q10 - high * int64_t{size_q6} / 64;
+      return (below > above ? below : above) + kOutline.outer.outside_q10;
+    };
+    for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
+      const int64_t right =
+          beyond(x * 1024 + 512 - origin.x_q10, ink.x0_u, ink.x1_u);
+      const int64_t up =
+          beyond(origin.y_q10 - y * 1024 - 512, ink.y0_u, ink.y1_u);
+      const int64_t most = right > up ? right : up;
+      if (most < -4) {
+        CHECK_EQ(second[i], picture[i]);
+        kept += picture[i] != 0 ? 1 : 0;
+      } else if (most > 4) {
+        CHECK_EQ(second[i], 0);
+        left_out += picture[i] != 0 ? 1 : 0;
+      }
+    });
+  }
+  CHECK(kept > kRounds / 4);
+  CHECK(left_out > kRounds);
+}
+
 TEST(outlines_lie_where_they_are_asked_for) {
   const Q6_10 width = Q6_10::from_int(2);
   const struct {
