@@ -59,13 +59,13 @@ int32_t combined(const FieldPage& page,
                  PixelPlace place) noexcept;
 
 // What a leaf names: no fields, if one does not exist.
+template <bool kNarrow>
 inline void read_leaf(const GlyphField& field,
                       uint32_t reference,
                       LeafFields& leaf) noexcept {
   FieldOperator op = FieldOperator::least;
-  leaf.count = field.kind == GlyphField::Kind::narrow_fields
-                   ? read_narrow_leaf(field, reference, leaf.units, op)
-                   : read_linked_leaf(field, reference, leaf.units, op);
+  leaf.count = kNarrow ? read_narrow_leaf(field, reference, leaf.units, op)
+                       : read_linked_leaf(field, reference, leaf.units, op);
   leaf.sign = -(static_cast<int32_t>(op) & 1);
   leaf.is_nested = op >= FieldOperator::least_of_greater;
 }

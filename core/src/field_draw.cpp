@@ -10,100 +10,163 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// The value of one field at a pixel.
-__attribute__((always_inline)) inline int32_t value_at(
-    const FieldPage& page, uint32_t unit, PixelPlace place) noexcept {
-  FieldTerm term;
-  set_up_term(term, page.field, unit, place.x_q8, place.y_q8, page.scale);
-  return term.value_q22(page.scale.bend_log2);
-}
+// What it takes to evaluate fields, and the row.
+struct Row {
+  const uint8_t* cells;
+  uint32_t size_q8;
+  int32_t bend_q14;
+  int32_t bend_shift;
+  int32_t reach_q22;
+  uint32_t y_q8;
 
-// The distance of one pixel of a leaf of several fields, or what is as far on
-// the same side.
-__attribute__((noinline)) int32_t several_at(const FieldPage& page,
-                                             const LeafFields& leaf,
-                                             PixelPlace place) noexcept {
+  Row(const FieldPage& page, uint32_t at_q8) noexcept
+      : cells(page.field.cells),
+        size_q8(page.scale.size_q8),
+        bend_q14(page.scale.bend_q14),
+        bend_shift(page.scale.bend_log2 + 5),
+        reach_q22(page.reach_q22),
+        y_q8(at_q8) {}
+
+  // The value of a field at a pixel: FieldTerm::value_q22 in one step. [px]
+  int32_t value_q22(uint32_t unit, uint32_t x_q8) const noexcept {
+    namespace fields = format::fields;
+    const uint8_t* at = cells + 2 * (unit & format::linked::kOffsetMask);
+    const int32_t nx = load_i16(at + fields::kNormalX);
+    const int32_t ny = load_i16(at + fields::kNormalY);
+    uint32_t value = times(nx, x_q8) + times(ny, y_q8) +
+                     times(load_i16(at + fields::kOffset), size_q8);
+    if ((unit & format::linked::kArcField) != 0) {
+      const int32_t along_q8 =
+          wrapped(times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
+                  times(load_i16(at + fields::kAlong), size_q8)) >>
+          14;
+      const int32_t bend =
+          (load_i16(at + fields::kBend) * bend_q14 + (1 << 10)) >> 11;
+      const auto along = static_cast<uint32_t>(along_q8);
+      const int32_t slope = wrapped(times(bend, along)) >> bend_shift;
+      value += static_cast<uint32_t>(wrapped(times(slope, along)) >> 1);
+    }
+    return wrapped(value);
+  }
+};
+
+// The distance of one pixel of a leaf of three fields, or what is as far on the
+// same side. With the leaf's sign, as two_at's.
+int32_t three_at(const FieldPage& page,
+                 const Row& row,
+                 const LeafFields& leaf,
+                 uint32_t x_q8) noexcept {
+  const int32_t reach_q22 = row.reach_q22;
   int32_t values[3];
-  for (uint32_t i = 0; i < leaf.count; ++i) {
-    values[i] = with_sign(value_at(page, leaf.units[i], place), leaf.sign);
-    if (values[i] <= -page.reach_q22 && (i == 0 || !leaf.is_nested)) {
-      return with_sign(values[i], leaf.sign);
+  values[0] = with_sign(row.value_q22(leaf.units[0], x_q8), leaf.sign);
+  if (values[0] <= -reach_q22) {
+    return values[0];
+  }
+  values[1] = with_sign(row.value_q22(leaf.units[1], x_q8), leaf.sign);
+  int32_t least = values[0];
+  if (leaf.is_nested) {
+    if (values[1] >= reach_q22) {
+      return least;
+    }
+    values[2] = with_sign(row.value_q22(leaf.units[2], x_q8), leaf.sign);
+    const int32_t inner = values[1] >= values[2] ? values[1] : values[2];
+    least = least <= inner ? least : inner;
+    if (least <= -reach_q22 || least >= reach_q22) {
+      return least;
+    }
+  } else {
+    if (values[1] <= -reach_q22) {
+      return values[1];
+    }
+    values[2] = with_sign(row.value_q22(leaf.units[2], x_q8), leaf.sign);
+    least = least <= values[1] ? least : values[1];
+    least = least <= values[2] ? least : values[2];
+    if (least <= -reach_q22 || least >= 0) {
+      return least;
     }
   }
-  return with_sign(combined(page, leaf, values, place), leaf.sign);
+  return combined(page, leaf, values, {x_q8, row.y_q8});
 }
 
 // The same of two fields, which are frequent.
-inline int32_t pair_at(const FieldPage& page,
-                       const LeafFields& leaf,
-                       PixelPlace place) noexcept {
+inline int32_t two_at(const FieldPage& page,
+                      const Row& row,
+                      const LeafFields& leaf,
+                      uint32_t x_q8) noexcept {
   int32_t values[2];
-  values[0] = with_sign(value_at(page, leaf.units[0], place), leaf.sign);
+  values[0] = with_sign(row.value_q22(leaf.units[0], x_q8), leaf.sign);
   int32_t least = values[0];
-  if (least > -page.reach_q22) {
-    values[1] = with_sign(value_at(page, leaf.units[1], place), leaf.sign);
+  if (least > -row.reach_q22) {
+    values[1] = with_sign(row.value_q22(leaf.units[1], x_q8), leaf.sign);
     const bool in_order = least <= values[1];
     least = in_order ? least : values[1];
     // Where the greater one is farther from 0 no vertex is near.
-    if (least < 0 && least > -page.reach_q22 && values[0] + values[1] < 0) {
+    if (least < 0 && least > -row.reach_q22 && values[0] + values[1] < 0) {
       least = rounded_at(page, leaf, in_order ? 0 : 1, in_order ? 1 : 0, values,
-                         place);
+                         {x_q8, row.y_q8});
     }
   }
-  return with_sign(least, leaf.sign);
+  return least;
 }
 
-// The leaf at a point, in u from the grid's corner.
-inline Leaf find_leaf(const GlyphField& field,
-                      uint32_t x,
-                      uint32_t y) noexcept {
-  const uint32_t tile =
-      (y >> field.tile_log2) * field.tiles_x + (x >> field.tile_log2);
-  return field.kind == GlyphField::Kind::narrow_fields
-             ? find_narrow_leaf(field, tile, x, y)
-             : find_linked_leaf(field, tile, x, y);
-}
-
-// Draws a row of the grid; `x_q16` is from its left edge, `y` in u from its
-// lower one.
-inline void draw_row(FieldPage& page,
-                     Range pixels,
-                     PixelPlace place,
-                     int32_t x_q16,
-                     uint32_t y) noexcept {
+// Draws a row of the grid from `x_q16` on, of u from its left edge; `y` in u
+// from its lower one.
+template <bool kNarrow>
+__attribute__((noinline)) void draw_row(FieldPage& page,
+                                        Range pixels,
+                                        PixelPlace place,
+                                        uint32_t x_q16,
+                                        uint32_t y) noexcept {
   const GlyphField& field = page.field;
-  int32_t x = pixels.begin;
-  while (x < pixels.end) {
-    const Leaf found = find_leaf(field, static_cast<uint32_t>(x_q16) >> 16, y);
+  const Filter& filter = page.filter;
+  const Row row(page, place.y_q8);
+  const auto step = static_cast<uint32_t>(page.step_q16);
+  const uint32_t end_q16 =
+      x_q16 + static_cast<uint32_t>(pixels.end - pixels.begin) * step;
+  const uint32_t first_tile = (y >> field.tile_log2) * field.tiles_x;
+  // Pixel `x` is at x_q8.
+  uint32_t x_q8 = place.x_q8;
+  const int32_t from_x = pixels.begin;
+  const auto pixel = [&x_q8, &place, from_x] {
+    return from_x + static_cast<int32_t>((x_q8 - place.x_q8) >> 8);
+  };
+  while (x_q16 < end_q16) {
+    const uint32_t x = x_q16 >> 16;
+    const uint32_t tile = first_tile + (x >> field.tile_log2);
+    const Leaf found = kNarrow ? find_narrow_leaf(field, tile, x, y)
+                               : find_linked_leaf(field, tile, x, y);
     const uint32_t size_log2 = 16 + found.size_log2;
-    const int32_t right_q16 = ((x_q16 >> size_log2) + 1) << size_log2;
+    uint32_t stop_q16 = ((x_q16 >> size_log2) + 1) << size_log2;
+    stop_q16 = stop_q16 < end_q16 ? stop_q16 : end_q16;
     LeafFields leaf;
     leaf.count = 0;
     if (found.reference >= format::glyph::kFirstNode) {
-      read_leaf(field, found.reference, leaf);
+      read_leaf<kNarrow>(field, found.reference, leaf);
     }
     if (leaf.count == 0) {
-      const int32_t first = x;
+      const int32_t first = pixel();
       do {
-        ++x;
-        x_q16 += page.step_q16;
-      } while (x < pixels.end && x_q16 < right_q16);
-      page.writer.saturated(first, x - first,
+        x_q8 += 1 << 8;
+        x_q16 += step;
+      } while (x_q16 < stop_q16);
+      page.writer.saturated(first, pixel() - first,
                             found.reference == format::glyph::kInside);
-      place.x_q8 += static_cast<uint32_t>(x - first) << 8;
       continue;
     }
-    page.writer.begin(x);
+    page.writer.begin(pixel());
     do {
       const int32_t value_q22 =
-          leaf.count == 1   ? value_at(page, leaf.units[0], place)
-          : leaf.count == 2 ? pair_at(page, leaf, place)
-                            : several_at(page, leaf, place);
-      ++x;
-      page.writer.append(page.filter.coverage(value_q22 >> 12), x);
-      place.x_q8 += 1 << 8;
-      x_q16 += page.step_q16;
-    } while (x < pixels.end && x_q16 < right_q16);
+          leaf.count == 1
+              ? row.value_q22(leaf.units[0], x_q8)
+              : with_sign(leaf.count == 2 ? two_at(page, row, leaf, x_q8)
+                                          : three_at(page, row, leaf, x_q8),
+                          leaf.sign);
+      x_q8 += 1 << 8;
+      x_q16 += step;
+      if (page.writer.append(filter.coverage(value_q22 >> 12))) {
+        page.writer.begin(pixel());
+      }
+    } while (x_q16 < stop_q16);
   }
 }
 
@@ -130,9 +193,17 @@ void draw_fields(const GlyphField& field,
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
     FieldPosition at;
     if (upright.place_row(brush, at)) {
-      draw_row(page, {pixels.x0, pixels.x1}, {q8_of(at.x_q20), q8_of(at.y_q20)},
-               at.x_q16 - field.x0_u * (1 << 16),
-               static_cast<uint32_t>(at.y_q16 - field.y0_u * (1 << 16)) >> 16);
+      const Range all = {pixels.x0, pixels.x1};
+      const PixelPlace place = {q8_of(at.x_q20), q8_of(at.y_q20)};
+      const auto x_q16 =
+          static_cast<uint32_t>(at.x_q16 - field.x0_u * (1 << 16));
+      const uint32_t y_u =
+          static_cast<uint32_t>(at.y_q16 - field.y0_u * (1 << 16)) >> 16;
+      if (field.kind == GlyphField::Kind::narrow_fields) {
+        draw_row<true>(page, all, place, x_q16, y_u);
+      } else {
+        draw_row<false>(page, all, place, x_q16, y_u);
+      }
     }
     page.writer.next_row();
     upright.next_row(brush);

@@ -22,7 +22,7 @@ class SpanWriter {
   SpanWriter(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
 
   // Before pixels are appended that follow those before them or come after a
-  // flush.
+  // flush; `x` is the first of them.
   void begin(int32_t x) noexcept {
     if (solid_count_ != 0) {
       flush_all();
@@ -32,11 +32,19 @@ class SpanWriter {
     }
   }
 
-  // A pixel, and where the next one is.
-  void append(uint8_t coverage, int32_t next_x) noexcept {
+  // A pixel. True if a span is full: begin anew with the next one.
+  bool append(uint8_t coverage) noexcept {
     buffer_[count_++] = coverage;
-    if (count_ == kMaxSpan) {
-      flush_all();
+    if (count_ != kMaxSpan) {
+      return false;
+    }
+    flush_all();
+    return true;
+  }
+
+  // The same, given where the next one is.
+  void append(uint8_t coverage, int32_t next_x) noexcept {
+    if (append(coverage)) {
       x_ = next_x;
     }
   }
@@ -46,7 +54,7 @@ class SpanWriter {
       flush();
     } else {
       begin(x);
-      append(coverage, x + 1);
+      append(coverage);
     }
   }
 
@@ -67,9 +75,9 @@ class SpanWriter {
     if (!inside && count_ == 0) {
       flush();
     } else if (count < kMinSolid) {
-      begin(x);
-      for (const int32_t end = x + count; x < end;) {
-        append(inside ? 255 : 0, ++x);
+      for (const int32_t end = x + count; x < end; ++x) {
+        begin(x);
+        append(inside ? 255 : 0);
       }
     } else if (inside) {
       solid(x, count);
