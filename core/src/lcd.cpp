@@ -36,41 +36,39 @@ class Stripes {
           const Brush& brush,
           const LcdStyle& style) noexcept
       : filter_(brush.filter()),
-        walk_(field, brush, detail::reach_of(brush.filter()) + (kWay << 12)) {
+        walk_(field, brush, detail::reach_of(brush.filter()) + kFlattest) {
     // Where the middle one is this far beyond the ramp, all are.
     const int32_t way = is_vertical(style.order) ? kWay : kWay / 2;
     empty_q10_ = filter_.outside_q10 - way;
     full_q10_ = filter_.inside_q10 + way;
   }
 
-  // Of `count` stripes with their middles at `at`; 3 or 5.
-  __attribute__((noinline)) void take(const FieldPosition* at,
-                                      int32_t count,
+  // Of kCount stripes, 3 or 5, around `middle`; `ways` lead to them from there.
+  template <uint32_t kCount>
+  __attribute__((noinline)) void take(const FieldPosition& middle,
+                                      const FieldPosition* ways,
                                       uint8_t* out) noexcept {
-    int32_t d[5];
-    const int32_t middle = count >> 1;
-    d[middle] = walk_.distance_q10(at[middle]);
-    if (d[middle] >= full_q10_ || d[middle] <= empty_q10_) {
-      for (int32_t i = 0; i < count; ++i) {
-        out[i] = d[middle] >= full_q10_ ? 255 : 0;
+    constexpr uint32_t kMiddle = kCount / 2;
+    const int32_t middle_q10 = walk_.distance_q10(middle);
+    if (middle_q10 >= full_q10_ || middle_q10 <= empty_q10_) {
+      for (uint32_t i = 0; i < kCount; ++i) {
+        out[i] = middle_q10 >= full_q10_ ? 255 : 0;
       }
       return;
     }
+    int32_t d[kCount];
     int32_t most_q10 = 0;  // of what changes from one to the next
-    for (int32_t i = 0; i < count; ++i) {
-      if (i != middle) {
-        d[i] = walk_.distance_q10(at[i]);
-      }
-    }
-    for (int32_t i = 1; i < count; ++i) {
-      const int32_t change = d[i] - d[i - 1];
+    for (uint32_t i = 0; i < kCount; ++i) {
+      d[i] = i == kMiddle ? middle_q10
+                          : walk_.near_q10(detail::moved(middle, ways[i]));
+      const int32_t change = i == 0 ? 0 : d[i] - d[i - 1];
       const int32_t size = change < 0 ? -change : change;
       most_q10 = size > most_q10 ? size : most_q10;
     }
     const int32_t part = (3 * most_q10 + 16) >> 5;
     const int32_t steepness = kSteepness[part < 32 ? part : 32];
     const int32_t centre = (filter_.outside_q10 + filter_.inside_q10) >> 1;
-    for (int32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < kCount; ++i) {
       out[i] = filter_.coverage(centre + (((d[i] - centre) * steepness) >> 8));
     }
   }
@@ -78,6 +76,8 @@ class Stripes {
  private:
   // Two stripes, and more where fitting stretches. [px, Q10]
   static constexpr int32_t kWay = 3 << 8;
+  // What the flattest ramp of all reaches beyond the filter's. [px, Q22]
+  static constexpr int32_t kFlattest = 1 << 18;
 
   const Filter& filter_;
   PointWalk walk_;
@@ -93,7 +93,8 @@ class RgbSpans {
 
   // Five stripes around a pixel; the three in the middle are its own. Each
   // channel is the mean of its stripe and the two beside it.
-  void put(int32_t x, const uint8_t* stripes) noexcept {
+  __attribute__((noinline)) void put(int32_t x,
+                                     const uint8_t* stripes) noexcept {
     const uint8_t first = mean(stripes[0], stripes[1], stripes[2]);
     const uint8_t second = mean(stripes[1], stripes[2], stripes[3]);
     const uint8_t third = mean(stripes[2], stripes[3], stripes[4]);
@@ -169,14 +170,6 @@ class RgbSpans {
   uint8_t buffer_[3 * kMaxSpan];
 };
 
-void advance(FieldPosition* at,
-             int32_t count,
-             const FieldPosition& step) noexcept {
-  for (int32_t i = 0; i < count; ++i) {
-    at[i] = detail::moved(at[i], step);
-  }
-}
-
 // What drawing takes, in frames of their own: none shall be large.
 struct Rows {
   const Brush& brush;
@@ -184,12 +177,29 @@ struct Rows {
   const RowMap* map;
   Rect box;
 
-  FieldPosition at(int32_t x,
-                   int32_t y,
-                   int32_t right_q10,
-                   int32_t up_q10) const noexcept {
+  __attribute__((noinline)) FieldPosition at(int32_t x,
+                                             int32_t y,
+                                             int32_t right_q10,
+                                             int32_t up_q10) const noexcept {
     return detail::sample_position(brush, origin, map, x, y,
                                    {right_q10, up_q10});
+  }
+};
+
+// From the middle of a pixel to its stripes, and to those beside it.
+struct Ways {
+  FieldPosition way[5];
+
+  __attribute__((noinline))
+  Ways(const Rows& rows, bool is_down, int32_t y) noexcept {
+    const FieldPosition middle = rows.at(rows.box.x0, y, 0, 0);
+    for (int32_t i = 0; i < 5; ++i) {
+      const int32_t third = (i - 2) * kThird;
+      const FieldPosition at = is_down ? rows.at(rows.box.x0, y, 0, -third)
+                                       : rows.at(rows.box.x0, y, third, 0);
+      way[i] = {at.x_q16 - middle.x_q16, at.y_q16 - middle.y_q16,
+                at.x_q20 - middle.x_q20, at.y_q20 - middle.y_q20};
+    }
   }
 };
 
@@ -198,59 +208,76 @@ struct Rows {
 //   | . . 0 | 1 2 3 | 4 5 6 |     1 2 3 are those of pixel x
 //
 __attribute__((noinline)) void draw_across(const Rows& rows,
+                                           const Ways& ways,
                                            int32_t y,
                                            Stripes& stripes,
                                            RgbSpans& spans) noexcept {
   const FieldPosition step = detail::pixel_step(rows.brush);
-  FieldPosition at[3];
-  for (int32_t i = 0; i < 3; ++i) {
-    at[i] = rows.at(rows.box.x0 - 1, y, (i - 1) * kThird, 0);
-  }
+  const FieldPosition* const three = ways.way + 1;
+  FieldPosition at = rows.at(rows.box.x0 - 1, y, 0, 0);
   uint8_t covered[7];
-  stripes.take(at, 3, covered + 1);
-  advance(at, 3, step);
-  stripes.take(at, 3, covered + 4);
+  stripes.take<3>(at, three, covered + 1);
+  at = detail::moved(at, step);
+  stripes.take<3>(at, three, covered + 4);
   for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
     for (int32_t i = 0; i < 4; ++i) {
       covered[i] = covered[i + 3];
     }
-    advance(at, 3, step);
-    stripes.take(at, 3, covered + 4);
+    at = detail::moved(at, step);
+    stripes.take<3>(at, three, covered + 4);
     spans.put(x, covered);
   }
 }
 
 // The same for stripes that lie on each other.
 __attribute__((noinline)) void draw_down(const Rows& rows,
+                                         const Ways& ways,
                                          int32_t y,
                                          Stripes& stripes,
                                          RgbSpans& spans) noexcept {
   const FieldPosition step = detail::pixel_step(rows.brush);
-  FieldPosition at[5];
-  for (int32_t i = 0; i < 5; ++i) {
-    at[i] = rows.at(rows.box.x0, y, 0, (2 - i) * kThird);
-  }
+  FieldPosition at = rows.at(rows.box.x0, y, 0, 0);
   uint8_t covered[5];
   for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
-    stripes.take(at, 5, covered);
+    stripes.take<5>(at, ways.way, covered);
     spans.put(x, covered);
-    advance(at, 5, step);
+    at = detail::moved(at, step);
   }
 }
 
+// Rows that are fitted lie at ways of their own.
+__attribute__((noinline)) void draw_fitted_down(const Rows& rows,
+                                                int32_t y,
+                                                Stripes& stripes,
+                                                RgbSpans& spans) noexcept {
+  const Ways ways(rows, true, y);
+  draw_down(rows, ways, y, stripes, spans);
+}
+
 __attribute__((noinline)) void draw_rows(const Rows& rows,
+                                         const Ways& ways,
                                          const LcdStyle& style,
                                          Stripes& stripes,
                                          const Sink& sink) noexcept {
   RgbSpans spans(sink, style, rows.box.y0);
   for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
-    if (is_vertical(style.order)) {
-      draw_down(rows, y, stripes, spans);
+    if (!is_vertical(style.order)) {
+      draw_across(rows, ways, y, stripes, spans);
+    } else if (rows.map == nullptr) {
+      draw_down(rows, ways, y, stripes, spans);
     } else {
-      draw_across(rows, y, stripes, spans);
+      draw_fitted_down(rows, y, stripes, spans);
     }
     spans.next_row();
   }
+}
+
+__attribute__((noinline)) void draw_stripes(const Rows& rows,
+                                            const LcdStyle& style,
+                                            Stripes& stripes,
+                                            const Sink& sink) noexcept {
+  const Ways ways(rows, is_vertical(style.order), rows.box.y0);
+  draw_rows(rows, ways, style, stripes, sink);
 }
 
 }  // namespace
@@ -264,10 +291,10 @@ void paint_lcd(const GlyphField& field,
   const LcdStyle& style = *static_cast<const LcdStyle*>(options);
   Stripes stripes(field, brush, style);
   const int32_t across_q10 = is_vertical(style.order) ? 0 : 2 * kThird;
-  draw_rows({brush, origin, rows,
-             detail::painted_box(field, brush, origin, rows, sink.window,
-                                 across_q10, 2 * kThird - across_q10)},
-            style, stripes, sink);
+  draw_stripes({brush, origin, rows,
+                detail::painted_box(field, brush, origin, rows, sink.window,
+                                    across_q10, 2 * kThird - across_q10)},
+               style, stripes, sink);
 }
 
 }  // namespace inkcell

@@ -39,13 +39,14 @@ inline Stretch shown(int32_t grid_low_u,
 // The pixels of the window whose centres lie where an upright glyph shows
 // something, or no farther than `more` from there, to the sides and up and
 // down; [px, Q10] of other glyphs those of field_box.
-inline Rect painted_box(const GlyphField& field,
-                        const Brush& brush,
-                        const FinePoint& origin,
-                        const RowMap* rows,
-                        const Rect& window,
-                        int32_t more_across_q10,
-                        int32_t more_along_q10) noexcept {
+__attribute__((noinline)) inline Rect painted_box(
+    const GlyphField& field,
+    const Brush& brush,
+    const FinePoint& origin,
+    const RowMap* rows,
+    const Rect& window,
+    int32_t more_across_q10,
+    int32_t more_along_q10) noexcept {
   const Rect box = intersect(field_box(field, brush, origin), window);
   if (!brush.is_upright()) {
     return box;

@@ -83,6 +83,14 @@ class PointWalk {
   // of fields are not clamped to 32 px. [px, Q10]
   int32_t distance_q10(const FieldPosition& at) noexcept;
 
+  // The same at a point close to the last one. Of fields by those of its cell,
+  // which go on beyond it: half the cost, and nearly as true.
+  int32_t near_q10(const FieldPosition& at) noexcept {
+    const bool has_fields =
+        INKCELL_FIELD_CELLS != 0 && !is_saturated_ && samples_ == nullptr;
+    return has_fields ? fields_q10(at) : distance_q10(at);
+  }
+
   ScreenGradient gradient(const FieldPosition& at) noexcept;
 
   // Whether the last point lay in a cell that is saturated, or in none.
