@@ -99,6 +99,7 @@ GlyphMetrics box_in_font_units(const Box& box, int units_per_em) {
 // One glyph, and how it looks.
 struct Built {
   RomGlyph glyph;
+  GlyphEdges edges;
   LoopResult errors;  // size_aware
 };
 
@@ -164,6 +165,7 @@ Built build_glyph(const SourceFont& font,
     if (!shape.empty()) {
       built.glyph.metrics =
           box_in_font_units(shape.box(), font.metrics.units_per_em);
+      built.edges = find_edges(shape);
       build_cells(shape, options, built);
     }
   } catch (const GeometryError& error) {
@@ -193,6 +195,7 @@ RomContent build_content(SourceFont& font,
   const size_t count = font.glyphs.size();
   content.glyphs.resize(count);
   errors.resize(count);
+  std::vector<GlyphEdges> edges(count);
   std::function<void(size_t)> done;
   if (request.progress) {
     done = [&](size_t finished) { request.progress(finished, count); };
@@ -203,8 +206,12 @@ RomContent build_content(SourceFont& font,
         Built built = build_glyph(font, font.glyphs[i], request.adf);
         content.glyphs[i] = std::move(built.glyph);
         errors[i] = std::move(built.errors);
+        edges[i] = std::move(built.edges);
       },
       done);
+  if (request.hints) {
+    content.alignment = align(font, edges);
+  }
   for (size_t i = 0; i < count; ++i) {
     for (const char32_t c : font.glyphs[i].code_points) {
       content.glyph_of[c] = static_cast<uint16_t>(i);

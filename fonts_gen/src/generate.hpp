@@ -29,6 +29,8 @@ struct GenerateRequest {
   /// a whole number within 1..255.
   AdfOptions adf;
   GenerateRequest() { adf.cells = CellKind::fields; }
+  /// Whether the font says what grid fitting needs.
+  bool hints = true;
   /// Threads; 0: all cores. The bytes do not depend on it.
   int jobs = 0;
   /// Called now and then on the calling thread with glyphs done and their

@@ -106,6 +106,9 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       {"fixed", Predicate::fixed},
       "What is good enough: 'size', the tolerance over the range of sizes; "
       "'fixed', 1/1024 em near the edge, for --cells samples");
+  add_choice<bool>(
+      app, "--hints", request.hints, {"on", true}, {"off", false},
+      "What grid fitting needs: heights of edges, places of stems");
   app.add_option("--effort", adf.effort,
                  "How hard to try for fewer bytes; more takes longer")
       ->check(CLI::Range(0, 9))

@@ -139,6 +139,7 @@ std::string report_for_people(const FontReport& report) {
   part("cmap", bytes.cmap);
   part("metrics", bytes.metrics);
   part("kerning", bytes.kerning);
+  part("hints", bytes.hints);
   part("cells", bytes.cells);
   part("name", bytes.name);
   part("total", bytes.total());

@@ -1,10 +1,12 @@
 // The closed loop: what was written is read as the device reads it.
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 #include <vector>
 
 #include "field_record.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/hints.hpp"
 #include "inkcell/packed.hpp"
 #include "rom_font.hpp"
 
@@ -106,6 +108,55 @@ void check_kerning(const Font& font, const RomContent& content) {
     }
     for (const size_t left : lefts) {
       expect(left, glyph);
+    }
+  }
+}
+
+bool equal_edges(const GlyphHints& read, const GlyphAlignment& source) {
+  if (read.edges.size != source.edges.size()) {
+    return false;
+  }
+  for (size_t i = 0; i < source.edges.size(); ++i) {
+    const HintEdge edge = Hints::edge(read.edges[i]);
+    if (edge.level != source.edges[i].level ||
+        edge.is_bar != source.edges[i].is_bar) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Stems are kept in steps: their middles are met within half of one, their
+// gaps as well.
+bool equal_stems(const GlyphHints& read, const GlyphAlignment& source) {
+  constexpr int kHalf = static_cast<int>(format::hints::kStemStep) / 2;
+  return read.stem_count == source.stems &&
+         (source.stems == 0 ||
+          std::abs(read.stem_u - source.stem_u) <= kHalf) &&
+         (source.stems < 2 || std::abs(read.gap_u - source.gap_u) <= kHalf);
+}
+
+void check_hints(const Font& font, const RomContent& content) {
+  const Alignment& source = content.alignment;
+  Hints hints;
+  if (Hints::open(font, hints) != Status::ok ||
+      hints.level_count() != source.levels.size() ||
+      hints.zone_count() != source.zones.size()) {
+    differ(content, "its hints");
+  }
+  for (uint32_t i = 0; i < hints.level_count(); ++i) {
+    const HintLevel level = hints.level(i);
+    if (level.height_u != source.levels[i].y_u ||
+        static_cast<int>(level.zone) != source.levels[i].zone + 1) {
+      differ(content, "the level " + std::to_string(i) + " of its hints");
+    }
+  }
+  for (size_t i = 0; i < source.glyphs.size(); ++i) {
+    GlyphHints glyph;
+    if (!hints.glyph(static_cast<uint32_t>(i), glyph) ||
+        !equal_edges(glyph, source.glyphs[i]) ||
+        !equal_stems(glyph, source.glyphs[i])) {
+      differ(content, "the hints" + of_glyph(i));
     }
   }
 }
@@ -276,6 +327,7 @@ void check_rom_font(const std::vector<uint8_t>& bytes,
   check_cmap(font, content);
   check_metrics(font, content);
   check_kerning(font, content);
+  check_hints(font, content);
   check_cells(font, content);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "bit_table.hpp"
 #include "field_code.hpp"
 #include "field_record.hpp"
 #include "field_stream.hpp"
@@ -72,36 +73,6 @@ void pad(Bytes& out, unsigned log2) {
     out.push_back(0);
   }
 }
-
-// Bits that it takes to write every number up to `most`.
-unsigned width_of(uint32_t most) {
-  unsigned width = 0;
-  while (most >> width != 0) {
-    ++width;
-  }
-  return width;
-}
-
-// Appends a bit table: numbers without gaps, the first in the lowest bits.
-class BitTable {
- public:
-  explicit BitTable(Bytes& out) : out_(out) {}
-
-  void put(uint32_t value, unsigned width) {
-    for (unsigned bit = 0; bit < width; ++bit, ++written_) {
-      if (written_ % 8 == 0) {
-        out_.push_back(0);
-      }
-      if ((value >> bit & 1) != 0) {
-        out_.back() = static_cast<uint8_t>(out_.back() | 1u << written_ % 8);
-      }
-    }
-  }
-
- private:
-  Bytes& out_;
-  uint64_t written_ = 0;  // bits
-};
 
 // Consecutive code points on consecutive glyphs become one entry.
 Bytes cmap_section(const RomContent& content) {
@@ -496,6 +467,7 @@ std::vector<Section> make_sections(const RomContent& content) {
   add(section::kMetrics, kNeeded, metrics_section(content),
       &PartBytes::metrics);
   add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
+  add(section::kHints, 0, hint_section(content.alignment), &PartBytes::hints);
   add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::cells);
   add(section::kName, 0, name_section(content), &PartBytes::name);
   return sections;

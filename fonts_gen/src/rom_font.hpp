@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adf.hpp"
+#include "alignment.hpp"
 #include "field_tree.hpp"
 #include "font_source.hpp"
 #include "inkcell/font.hpp"
@@ -34,6 +35,7 @@ struct RomContent {
   std::vector<RomGlyph> glyphs;
   std::map<char32_t, uint16_t> glyph_of;
   KerningMatrix kerning;
+  Alignment alignment;
 };
 
 /// Bytes of each part with its padding; they add up to the whole font.

@@ -20,13 +20,35 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--filter", options.filter,
                  "text, motion, paper_display or paper_body [text; motion for "
                  "jobs of kind anim]");
+  app.add_option("--hint", options.hint,
+                 "Fit to the pixel grid: none; vertical, heights; both, stems "
+                 "too; auto, vertical but for jobs of kind anim")
+      ->check(CLI::IsMember({"none", "vertical", "both", "auto"}))
+      ->capture_default_str();
 }
 
 Look::Look(const LookOptions& options,
-           const Font& /*font*/,
+           const Font& font,
            double px,
            double angle,
            Use use)
-    : brush_(make_brush(px, angle, filter_for(options.filter, use))) {}
+    : brush_(make_brush(px, angle, filter_for(options.filter, use))) {
+  set_hint(options, font, use);
+}
+
+void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
+  if (options.hint == "none" ||
+      (options.hint == "auto" && use == Use::moving)) {
+    return;
+  }
+  FitOptions fit;
+  fit.stems = options.hint == "both";
+  // Without hints, or with broken ones, glyphs stay as they are.
+  Hints hints;
+  if (Hints::open(font, hints) == Status::ok && !hints.empty() &&
+      Fit::make(font, brush_, fit, fit_) == Status::ok) {
+    brush_.set_fitter(fit_glyph, &fit_);
+  }
+}
 
 }  // namespace inkcell::tools

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "inkcell/brush.hpp"
+#include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 
 namespace inkcell::tools {
@@ -16,6 +17,7 @@ enum class Use { still, moving };
 /// What a person may ask for; empty: what suits the use.
 struct LookOptions {
   std::string filter;
+  std::string hint = "auto";
 };
 
 void add_look_options(CLI::App& app, LookOptions& options);
@@ -37,7 +39,10 @@ class Look {
   const Brush& brush() const { return brush_; }
 
  private:
+  void set_hint(const LookOptions& options, const Font& font, Use use);
+
   Brush brush_;
+  Fit fit_;
 };
 
 }  // namespace inkcell::tools

@@ -7,7 +7,7 @@
 
 #include "canvas.hpp"
 #include "convert.hpp"
-#include "filters.hpp"
+#include "look.hpp"
 #include "options.hpp"
 #include "program.hpp"
 #include "render_jobs.hpp"
@@ -28,7 +28,7 @@ struct Arguments {
   std::string text;
   std::string jobs;
   std::string out;
-  std::string filter = "text";
+  LookOptions look;
   double px = 0;
   double angle = 0;
   double dx = 0;  // [1/64 px]
@@ -43,13 +43,6 @@ struct Arguments {
   bool unkerned = false;
   bool stats = false;
 };
-
-void check_hint(const std::string& mode) {
-  if (mode != "none") {
-    throw CLI::ValidationError(
-        "--hint", "'" + mode + "' is not available in this version; use none");
-  }
-}
 
 void add_placement(CLI::App& app, Arguments& arguments) {
   app.add_option("--dx", arguments.dx, "Shift to the right [1/64 px]");
@@ -76,12 +69,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE.jsonl");
   app.add_option("--out", arguments.out, "The picture: 255 is full ink")
       ->type_name("FILE.png|FILE.pgm");
-  app.add_option("--filter", arguments.filter,
-                 "text, motion, paper_display or paper_body")
-      ->capture_default_str();
-  app.add_option_function<std::string>("--hint", check_hint,
-                                       "Fit to the pixel grid: none")
-      ->default_str("none");
+  add_look_options(app, arguments.look);
   add_placement(app, arguments);
   app.add_flag("--no-kerning", arguments.unkerned,
                "Advances only, as --jobs always does");
@@ -172,8 +160,9 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
   const RomFile rom =
       load_font_file(arguments.font, arguments.request, arguments.text, max_px);
   const Font& font = rom.font();
-  const Brush brush =
-      make_brush(arguments.px, arguments.angle, filter_of(arguments.filter));
+  const Look look(arguments.look, font, arguments.px, arguments.angle,
+                  Use::still);
+  const Brush& brush = look.brush();
   const std::vector<Line> lines = lay_out_lines(
       font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);
   const Placement placement = place(arguments, ink_box(font, lines, brush));
@@ -204,8 +193,8 @@ void run(const Arguments& arguments, const CLI::App& app) {
           "from --font, --text, --px and --out");
     }
     const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
-    render_jobs(jobs, arguments.request, max_px_of(app),
-                filter_of(arguments.filter), arguments.inverted);
+    render_jobs(jobs, arguments.request, max_px_of(app), arguments.look,
+                arguments.inverted);
     if (arguments.stats) {
       std::printf("pictures         %zu\n", jobs.size());
     }

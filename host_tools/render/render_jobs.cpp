@@ -27,19 +27,21 @@ RenderJob read_job(const std::string& line) {
   job.dx = json.value("dx", 0.0);
   job.dy = json.value("dy", 0.0);
   job.angle = json.value("angle", 0.0);
+  job.use = json.value("kind", "static") == std::string("anim") ? Use::moving
+                                                                : Use::still;
   return job;
 }
 
 void render(const RenderJob& job,
             const Font& font,
-            const Filter& filter,
+            const LookOptions& options,
             bool inverted) {
   if (job.w <= 0 || job.h <= 0) {
     throw std::runtime_error("w and h must be positive");
   }
-  const Brush brush = make_brush(job.size, job.angle, filter);
+  const Look look(options, font, job.size, job.angle, job.use);
   Image image(job.w, job.h);
-  draw_lines(font, {lay_out(font, job.text, Kerning::none)}, brush,
+  draw_lines(font, {lay_out(font, job.text, Kerning::none)}, look.brush(),
              make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
   if (inverted) {
     invert(image);
@@ -71,7 +73,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
 void render_jobs(const std::vector<RenderJob>& jobs,
                  const gen::GenerateRequest& request,
                  MaxPx max_px,
-                 const Filter& filter,
+                 const LookOptions& look,
                  bool inverted) {
   std::map<std::string, std::string> texts;
   for (const RenderJob& job : jobs) {
@@ -83,7 +85,7 @@ void render_jobs(const std::vector<RenderJob>& jobs,
   }
   parallel_for(jobs.size(), 0, [&](size_t i) {
     try {
-      render(jobs[i], fonts.at(jobs[i].font).font(), filter, inverted);
+      render(jobs[i], fonts.at(jobs[i].font).font(), look, inverted);
     } catch (const std::exception& error) {
       throw std::runtime_error("job " + std::to_string(i + 1) + " (" +
                                jobs[i].out + "): " + error.what());

@@ -7,7 +7,7 @@
 
 #include "convert.hpp"
 #include "generate.hpp"
-#include "inkcell/filter.hpp"
+#include "look.hpp"
 
 namespace inkcell::tools {
 
@@ -18,7 +18,8 @@ struct RenderJob {
   std::string text;
   double size = 0;   // [px/em], rounded to 1/64
   double angle = 0;  // [degrees], counter-clockwise about the origin
-  double ox = 0;     // [px]
+  Use use = Use::still;
+  double ox = 0;  // [px]
   double oy = 0;
   double dx = 0;  // [1/64 px]
   double dy = 0;
@@ -27,8 +28,8 @@ struct RenderJob {
   std::string out;
 };
 
-/// Reads the file; the field `kind` is read over, because nothing here depends
-/// on it yet. Throws std::runtime_error that names file and line.
+/// Reads the file. `kind` "anim" is a frame of something that moves; all others
+/// stand still. Throws std::runtime_error that names file and line.
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 
 /// Draws all pictures, on all cores. Each font file is opened or converted
@@ -36,7 +37,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 void render_jobs(const std::vector<RenderJob>& jobs,
                  const gen::GenerateRequest& request,
                  MaxPx max_px,
-                 const Filter& filter,
+                 const LookOptions& look,
                  bool inverted);
 
 }  // namespace inkcell::tools

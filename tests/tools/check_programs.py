@@ -130,7 +130,8 @@ class Tools(unittest.TestCase):
     def test_quarter_turn_turns_the_pixels(self):
         # With the origin on a pixel corner a quarter turn moves centres onto
         # centres.
-        box = ("--width", 60, "--height", 60, "--ox", 30, "--oy", 30)
+        box = ("--width", 60, "--height", 60, "--ox", 30, "--oy", 30, "--hint",
+               "none")
         flat = self.render("--text", "Va", "--px", 20, *box)
         turned = self.render("--text", "Va", "--px", 20, "--angle", 90, *box)
         for y in range(60):
@@ -139,6 +140,25 @@ class Tools(unittest.TestCase):
                 self.assertLessEqual(
                     abs(flat.pixels[y * 60 + x]
                         - turned.pixels[(59 - x) * 60 + y]), 1)
+
+    def test_hints_make_edges_sharp(self):
+        # At 12 px the capitals of this font are 8.75 px high, its bars 1 px.
+        box = ("--text", "TTTT", "--px", 12, "--width", 40, "--height", 20,
+               "--ox", 4, "--oy", 15)
+        plain = self.render(*box, "--hint", "none")
+        fitted = self.render(*box)
+        self.assertEqual(fitted.row_ink(5), 0)
+        self.assertGreater(fitted.row_ink(6), 1.2 * plain.row_ink(6))
+        self.assertLess(fitted.row_ink(7), 0.7 * plain.row_ink(7))
+        self.assertEqual(self.render(*box, "--hint", "vertical").pixels,
+                         fitted.pixels)
+        both = self.render(*box, "--hint", "both")
+        self.assertNotEqual(both.pixels, fitted.pixels)
+        self.assertEqual(both.row_ink(5), 0)
+        # What is turned is not fitted.
+        turned = self.render(*box, "--angle", 1)
+        self.assertEqual(self.render(*box, "--angle", 1, "--hint",
+                                     "none").pixels, turned.pixels)
 
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
@@ -195,9 +215,11 @@ class Tools(unittest.TestCase):
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
         run("render", "--jobs", listed, "--max-px", 32)
+        moving = ("--hint", "none", "--filter", "motion")
         for i, job in enumerate(jobs[:3]):
             single = self.render(
                 "--text", job["text"], "--px", job["size"], "--no-kerning",
+                *moving,
                 "--ox", 10, "--oy", 40, "--dx", job["dx"], "--dy", 5, "--width",
                 70, "--height", 60, "--angle", job["angle"])
             self.assertEqual(single.pixels,
@@ -210,7 +232,7 @@ class Tools(unittest.TestCase):
         out = self.path / "no.png"
         text = ("--text", "a", "--px", 12, "--out", out)
         for said, arguments in [
-                ("not available", ("--font", self.font, *text, "--hint", "full")),
+                ("full not in", ("--font", self.font, *text, "--hint", "full")),
                 ("4 to 1024", ("--font", self.font, "--text", "a", "--px", 3,
                                "--out", out)),
                 ("is unknown", ("--font", self.font, *text, "--filter", "x")),
@@ -225,7 +247,7 @@ class Tools(unittest.TestCase):
                 ("16777215 px", ("--font", self.font, *text, "--oy", "-1e12")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
                 ("nowhere", ("--font", "/nowhere.ttf", *text))]:
-            code = 105 if said == "not available" else 1
+            code = 105 if said == "full not in" else 1
             self.assertIn(said, run("render", *arguments, code=code))
         self.assertFalse(out.exists())
         broken = self.path / "broken.jsonl"

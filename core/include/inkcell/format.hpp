@@ -156,7 +156,7 @@ inline constexpr uint32_t kMaxPairs = (1u << 22) - 1;
 namespace hints {
 inline constexpr uint32_t kLevels = 0;     // u8, 1..128
 inline constexpr uint32_t kZones = 1;      // u8, 0..15
-inline constexpr uint32_t kStartBits = 2;  // u8, 0..16
+inline constexpr uint32_t kStartBits = 2;  // u8, 0..20
 inline constexpr uint32_t kCountBits = 3;  // u8, 0..4
 inline constexpr uint32_t kStemBits = 4;   // u8, 0..12
 inline constexpr uint32_t kGapBits = 5;    // u8, 0..12
@@ -167,7 +167,7 @@ inline constexpr uint32_t kBytes = 10;
 inline constexpr uint32_t kMaxLevels = 128;
 inline constexpr uint32_t kMaxZones = 15;
 inline constexpr uint32_t kMaxCount = 10;
-inline constexpr uint32_t kMaxStartBits = 16;
+inline constexpr uint32_t kMaxStartBits = 20;
 inline constexpr uint32_t kMaxCountBits = 4;
 inline constexpr uint32_t kMaxStemBits = 12;
 
