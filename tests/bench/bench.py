@@ -60,6 +60,7 @@ WHAT = {
     "turned": "text turned by 15 degrees, over upright",
     "digits": "instructions for each pixel of the box of digits of 200 px",
     "rgb565": "a line of text into RGB565, and its sink alone",
+    "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
 }
 # What programs keep of the library: kept.cpp.
@@ -68,6 +69,8 @@ KEPT = ("glyphs", "packed", "text", "turned", "all_formats")
 SMALL_CODE_CPUS = ("m0", "m3", "rv32")
 ASCII = ("32", "126")
 DIGITS = ("48", "57")
+# The trees of fonts: tiles of 256 u.
+DEPTH = "8"
 
 
 def parse_arguments():
@@ -331,6 +334,19 @@ def check_pictures(pictures):
                      f"{engines}")
 
 
+def check_bounds(results, figures):
+    """That no glyph, of up to 1.25 em by 1.25 em, costs more than may be."""
+    bounds = {(f["cpu"], f["opt"], f["px"]): f["per_pixel"] for f in figures
+              if f["figure"] == "bound"}
+    for r in results:
+        bound = bounds.get((r["cpu"], r["opt"], r["px"]))
+        if r.get("coding") != "direct" or bound is None:
+            continue
+        if r["instructions_max"] > bound * (1.25 * r["px"]) ** 2:
+            sys.exit(f"bench: {r['font']}, {r['px']} px: a glyph costs more "
+                     f"than the bound of {bound} instructions a pixel")
+
+
 def measure_others(firmware, arguments, upright):
     """The figures of Inkcell with direct fonts that are not a table."""
     for font in arguments.font:
@@ -367,6 +383,12 @@ def measure_others(firmware, arguments, upright):
                            "per_solid": numbers[1] / 100,
                            "call_coverage": numbers[2],
                            "call_solid": numbers[3]}
+    if "bound" in arguments.what:
+        for _, numbers in firmware.run("bound", DEPTH, *arguments.px):
+            px, pixels, instructions, stack = numbers
+            yield {"figure": "bound", "cpu": firmware.cpu,
+                   "opt": firmware.opt, "px": px, "stack": stack,
+                   "per_pixel": round(instructions / pixels)}
     if "code" in arguments.what:
         kept = [kept_bytes(firmware.folder / f"kept_{level}.map")
                 for level in range(len(KEPT))]
@@ -391,7 +413,7 @@ def main():
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
     targets.add("direct")
-    targets |= {"rgb565", "turned"} & set(arguments.what)
+    targets |= {"bound", "rgb565", "turned"} & set(arguments.what)
     if "code" in arguments.what:
         targets |= {f"kept_{level}" for level in range(len(KEPT))}
     results, others, pictures = [], [], {}
@@ -418,6 +440,7 @@ def main():
             results += glyphs
             others += more
     check_pictures(pictures)
+    check_bounds(results, others)
     if arguments.write_docs:
         report.write_document(results, others, sources)
 

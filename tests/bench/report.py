@@ -201,6 +201,21 @@ def code_table(results, figures):
                    "all formats", "libgcc", *ENGINES.values()], rows))
 
 
+def bound_table(figures):
+    """What no glyph exceeds."""
+    some = [f for f in figures if f["figure"] == "bound"]
+    sizes = unique(f["px"] for f in some)
+    rows = []
+    for cpu, opt in unique((f["cpu"], f["opt"]) for f in some):
+        cells = {f["px"]: f"{f['per_pixel']}, {f['stack']}" for f in some
+                 if (f["cpu"], f["opt"]) == (cpu, opt)}
+        rows.append([f"{CORES[cpu]}, -{opt}"] + [cells[px] for px in sizes])
+    return ("## Bounds\n\nUpright direct fields, trees of depth 8: "
+            "instructions a pixel of the dearest glyph that bytes can\n"
+            "describe, and bytes of stack.\n\n" +
+            table([""] + [f"{px} px" for px in sizes], rows))
+
+
 def sized_table(figures, name, title, cell):
     """A table with a row for each core, optimisation and font."""
     some = [f for f in figures if f["figure"] == name]
@@ -249,6 +264,7 @@ def write_document(results, figures, sources):
         stb=peers.stb_version(sources["stb"]))
     text = "\n".join([head, ratio_tables(results) + count_tables(results) +
                       stack_table(results) + memory_table(results) +
-                      code_table(results, figures) + other_tables(figures)])
+                      code_table(results, figures) + bound_table(figures) +
+                      other_tables(figures)])
     fingerprint.DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
     say(f"wrote {fingerprint.DOCUMENT}")
