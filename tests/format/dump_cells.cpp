@@ -1,5 +1,5 @@
 // Lists what the device reads from fonts, for test_decoder.py: metrics,
-// characters, kerning, and the cells of each glyph.
+// characters, kerning, hints, and the cells of each glyph.
 //
 //   dump_cells FONT [--rows] [--distances]
 //
@@ -16,6 +16,7 @@
 #include "inkcell/field.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/hints.hpp"
 #include "inkcell/packed.hpp"
 
 namespace {
@@ -146,6 +147,37 @@ void print_kerning(const Font& font) {
   }
 }
 
+void print_hints(const Font& font) {
+  Hints hints;
+  if (Hints::open(font, hints) != Status::ok || hints.empty()) {
+    return;
+  }
+  for (uint32_t i = 0; i < hints.level_count(); ++i) {
+    const HintLevel level = hints.level(i);
+    std::printf("level %d %u\n", level.height_u, level.zone);
+  }
+  for (uint32_t i = 0; i < hints.zone_count(); ++i) {
+    const HintZone zone = hints.zone(i);
+    std::printf("zone %d %d\n", zone.height_u, zone.is_bottom ? 1 : 0);
+  }
+  for (uint32_t i = 0; i < font.glyph_count(); ++i) {
+    GlyphHints glyph;
+    static_cast<void>(hints.glyph(i, glyph));
+    std::printf("edges");
+    for (const uint8_t edge : glyph.edges) {
+      std::printf(" %d", edge);
+    }
+    std::printf(" stems %d", glyph.stem_count);
+    if (glyph.stem_count > 0) {
+      std::printf(" %d", glyph.stem_u);
+    }
+    if (glyph.stem_count > 1) {
+      std::printf(" %d", glyph.gap_u);
+    }
+    std::printf("\n");
+  }
+}
+
 int print_font(Span<const uint8_t> bytes, const Options& options) {
   Font font;
   if (Font::open(bytes, font) != Status::ok) {
@@ -162,6 +194,7 @@ int print_font(Span<const uint8_t> bytes, const Options& options) {
   std::printf("\n");
   print_characters(font);
   print_kerning(font);
+  print_hints(font);
   for (uint32_t i = 0; i < font.glyph_count(); ++i) {
     const auto id = static_cast<uint16_t>(i);
     GlyphMetrics metrics;
