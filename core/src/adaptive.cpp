@@ -24,8 +24,9 @@ constexpr int32_t kHalfRootQ15 = 23170;
 
 // Up to the first of these second differences a field counts as a plane, from
 // the second on as none. [px, Q10]
-constexpr int32_t kPlane = 10;
-constexpr int32_t kBroken = 102;
+constexpr int32_t kPlane = 64;
+constexpr int32_t kBroken = 192;
+constexpr int32_t kMeanQ8 = 35;
 
 int32_t part_of(int32_t radius_q10, int32_t thirds) noexcept {
   return radius_q10 * thirds / 3;
@@ -70,6 +71,26 @@ FieldPosition scaled(const GlyphStep& step, int32_t way_q10) noexcept {
 
 FieldPosition back(const FieldPosition& at, const FieldPosition& by) noexcept {
   return moved(at, {-by.x_q16, -by.y_q16, 0u - by.x_q20, 0u - by.y_q20});
+}
+
+// Adaptive::edge between its entries, which lie farther apart than those of the
+// filter.
+int32_t edge_coverage(const Filter& edge, int32_t distance_q10) noexcept {
+  if (distance_q10 <= edge.outside_q10) {
+    return 0;
+  }
+  if (distance_q10 >= edge.inside_q10) {
+    return 255;
+  }
+  // Entries stand for the middles of their intervals.
+  const int32_t place_q14 =
+      (distance_q10 - edge.outside_q10) * edge.scale - (1 << 13);
+  const int32_t entry = place_q14 >> 14;
+  const int32_t low = entry < 0 ? 0 : edge.table[entry];
+  const int32_t high =
+      entry + 1 < Filter::kEntries ? edge.table[entry + 1] : 255;
+  const int32_t part_q8 = (place_q14 >> 6) & 255;
+  return low + (((high - low) * part_q8 + 128) >> 8);
 }
 
 // What a glyph's pixels have in common.
@@ -149,10 +170,31 @@ __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
   const Filter& filter = sampling.brush.filter();
   int32_t cross[4];
   pixel.cross(cross);
-  const int32_t across = magnitude(cross[0] + cross[1] - 2 * centre_q10);
-  const int32_t upright = magnitude(cross[2] + cross[3] - 2 * centre_q10);
-  const int32_t bend = across > upright ? across : upright;
-  const int32_t edge = options.edge.coverage(centre_q10);
+  // The other eight lie between these, and distances change by no more than the
+  // way.
+  const int32_t margin = sampling.around.radius_q10 >> 1;
+  int32_t least = centre_q10;
+  int32_t most = centre_q10;
+  for (const int32_t distance_q10 : cross) {
+    least = distance_q10 < least ? distance_q10 : least;
+    most = distance_q10 > most ? distance_q10 : most;
+  }
+  if (most <= filter.outside_q10 - margin ||
+      least >= filter.inside_q10 + margin) {
+    return most <= filter.outside_q10 ? 0 : 255;
+  }
+  const int32_t across = cross[0] + cross[1] - 2 * centre_q10;
+  const int32_t upright = cross[2] + cross[3] - 2 * centre_q10;
+  const int32_t bend = magnitude(across) > magnitude(upright)
+                           ? magnitude(across)
+                           : magnitude(upright);
+  // Where the field bends a little its mean is a little elsewhere: the circles
+  // are at a quarter of the sum, and at a quarter of that, with 0.43 of the
+  // weight each.
+  const int32_t mean_q10 =
+      bend < kBroken ? centre_q10 + (((across + upright) * kMeanQ8) >> 8)
+                     : centre_q10;
+  const int32_t edge = edge_coverage(options.edge, mean_q10);
   if (bend <= kPlane) {
     return edge;
   }
@@ -185,7 +227,7 @@ int32_t even_sample(const Pixel& pixel) noexcept {
   // Of a saturated cell no more is known than that its own points are far.
   if ((is_far && !sampling.walk.is_saturated()) ||
       sampling.walk.is_plane_around(at, sampling.around)) {
-    return edge.coverage(centre_q10);
+    return edge_coverage(edge, centre_q10);
   }
   return even_coverage(pixel, centre_q10);
 }
