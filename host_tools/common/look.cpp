@@ -25,6 +25,16 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "too; auto, vertical but for jobs of kind anim")
       ->check(CLI::IsMember({"none", "vertical", "both", "auto"}))
       ->capture_default_str();
+  app.add_option("--samples", options.samples,
+                 "Distances a pixel: one; adaptive, up to 13 where one does "
+                 "not tell enough; paper, as the paper has it; auto, one, but "
+                 "adaptive for jobs of kind anim")
+      ->check(CLI::IsMember({"one", "adaptive", "paper", "auto"}))
+      ->capture_default_str();
+  app.add_option("--radius", options.radius,
+                 "Of the filter over samples [px; 0.85, 0.75 for jobs of kind "
+                 "anim, 1.3 for paper]")
+      ->check(CLI::Range(0.25, 1.5));
 }
 
 Look::Look(const LookOptions& options,
@@ -33,7 +43,26 @@ Look::Look(const LookOptions& options,
            double angle,
            Use use)
     : brush_(make_brush(px, angle, filter_for(options.filter, use))) {
+  set_samples(options, use);
   set_hint(options, font, use);
+}
+
+void Look::set_samples(const LookOptions& options, Use use) {
+  if (options.samples == "one" ||
+      (options.samples == "auto" && use == Use::still)) {
+    return;
+  }
+  const bool is_paper = options.samples == "paper";
+  Q6_10 radius = is_paper             ? kPaperRadius
+                 : use == Use::moving ? kCalmRadius
+                                      : kSharpRadius;
+  if (options.radius > 0) {
+    radius = Q6_10::from_raw(static_cast<int16_t>(options.radius * 1024));
+  }
+  adaptive_ = make_adaptive(brush_.filter(), radius,
+                            is_paper ? SampleRule::paper : SampleRule::even);
+  adaptive_.more_samples = &more_samples_;
+  brush_.set_painter(paint_adaptive, &adaptive_, kAdaptiveReach);
 }
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {

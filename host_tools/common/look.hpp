@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "inkcell/adaptive.hpp"
 #include "inkcell/brush.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
@@ -18,6 +19,8 @@ enum class Use { still, moving };
 struct LookOptions {
   std::string filter;
   std::string hint = "auto";
+  std::string samples = "auto";
+  double radius = 0;  // of adaptive sampling [px]; 0: what suits it
 };
 
 void add_look_options(CLI::App& app, LookOptions& options);
@@ -38,11 +41,17 @@ class Look {
 
   const Brush& brush() const { return brush_; }
 
+  /// Samples that drawing has taken beyond one a pixel.
+  uint32_t more_samples() const { return more_samples_; }
+
  private:
+  void set_samples(const LookOptions& options, Use use);
   void set_hint(const LookOptions& options, const Font& font, Use use);
 
   Brush brush_;
   Fit fit_;
+  Adaptive adaptive_;
+  uint32_t more_samples_ = 0;
 };
 
 }  // namespace inkcell::tools

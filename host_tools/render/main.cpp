@@ -134,6 +134,14 @@ size_t glyph_count(const std::vector<Line>& lines) {
   return count;
 }
 
+// Near ink: the rest of a picture costs next to nothing.
+void print_samples(const SampleTotal& total) {
+  std::printf("samples          %.2f a pixel near ink\n",
+              total.pixels == 0 ? 1.0
+                                : static_cast<double>(total.samples) /
+                                      static_cast<double>(total.pixels));
+}
+
 void print_stats(const DrawStats& stats,
                  const std::vector<Line>& lines,
                  const Image& image,
@@ -175,6 +183,9 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
       std::chrono::steady_clock::now() - begin;
   if (arguments.stats) {
     print_stats(stats, lines, image, font, time.count());
+    SampleTotal total;
+    add_samples(image, look.more_samples(), total);
+    print_samples(total);
   }
   if (arguments.inverted) {
     invert(image);
@@ -193,10 +204,12 @@ void run(const Arguments& arguments, const CLI::App& app) {
           "from --font, --text, --px and --out");
     }
     const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
-    render_jobs(jobs, arguments.request, max_px_of(app), arguments.look,
-                arguments.inverted);
+    const SampleTotal total =
+        render_jobs(jobs, arguments.request, max_px_of(app), arguments.look,
+                    arguments.inverted);
     if (arguments.stats) {
       std::printf("pictures         %zu\n", jobs.size());
+      print_samples(total);
     }
     return;
   }

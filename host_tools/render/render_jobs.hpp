@@ -7,6 +7,7 @@
 
 #include "convert.hpp"
 #include "generate.hpp"
+#include "image.hpp"
 #include "look.hpp"
 
 namespace inkcell::tools {
@@ -28,16 +29,26 @@ struct RenderJob {
   std::string out;
 };
 
+/// What pictures cost: pixels no farther than 3 px from ink, and the distances
+/// that were taken for them, at least one each.
+struct SampleTotal {
+  uint64_t pixels = 0;
+  uint64_t samples = 0;
+};
+
+/// Adds a picture that took `more_samples` beyond one a pixel.
+void add_samples(const Image& image, uint32_t more_samples, SampleTotal& total);
+
 /// Reads the file. `kind` "anim" is a frame of something that moves; all others
 /// stand still. Throws std::runtime_error that names file and line.
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 
 /// Draws all pictures, on all cores. Each font file is opened or converted
 /// once, with the characters of all its jobs.
-void render_jobs(const std::vector<RenderJob>& jobs,
-                 const gen::GenerateRequest& request,
-                 MaxPx max_px,
-                 const LookOptions& look,
-                 bool inverted);
+SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
+                        const gen::GenerateRequest& request,
+                        MaxPx max_px,
+                        const LookOptions& look,
+                        bool inverted);
 
 }  // namespace inkcell::tools
