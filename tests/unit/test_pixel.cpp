@@ -43,9 +43,21 @@ uint32_t nearest(uint32_t c, uint32_t f, uint32_t b) {
   return (twice + 255) / 510;
 }
 
+// RGB565 blends in 32 steps: a level from the nearest at the most.
+uint32_t in_steps(uint32_t c, uint32_t foreground, uint32_t old) {
+  const uint32_t share = (2 * 32 * c + 255) / 510;  // to the nearest
+  const uint32_t level = (share * foreground + (32 - share) * old + 16) / 32;
+  const uint32_t best = nearest(c, foreground, old);
+  CHECK(level <= best + 1 && best <= level + 1);
+  return level;
+}
+
 uint32_t drawn_channel(const Format& f, uint32_t i, uint32_t c, uint32_t old) {
   if (c == 0) {
     return old;
+  }
+  if (f.format == PixelFormat::rgb565) {
+    return in_steps(c, f.foreground.channel[i], old);
   }
   if (f.threshold == 0) {
     return nearest(c, f.foreground.channel[i], old);

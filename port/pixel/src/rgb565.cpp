@@ -11,30 +11,89 @@ namespace {
 
 using detail::Run;
 
-// Red and blue with room between them: each blends in a half word of its own,
-// where blend() needs 13 bits and its rounding never carries into the other.
+// A pixel twice, and of each channel one, with room above it for five bits of
+// coverage: all three blend in one word, and none carries into another.
 //
-//     31    21 20    16 15     5 4      0
-//     |  0   |  red   |   0   |  blue  |
+//     31   26    21 20    15    11 10      4      0
+//     |   green   |   0  |  red  |    0   | blue  |
+constexpr uint32_t kChannels = 0x07e0f81f;
+constexpr uint32_t kHalves = 0x02008010;  // 16 in each
+
 constexpr uint32_t spread(uint32_t pixel) noexcept {
-  return (pixel & 0xf800) << 5 | (pixel & 0x1f);
+  return (pixel | pixel << 16) & kChannels;
 }
 
-constexpr uint32_t green_of(uint32_t pixel) noexcept {
-  return pixel >> 5 & 0x3f;
+// Coverage in 32nds, to the nearest; all of it is 32.
+constexpr uint32_t share_of(uint32_t coverage) noexcept {
+  return (coverage + 4) >> 3;
 }
 
-// blend() of the three channels, two of them in one word: spread() of red and
-// blue, and green.
-uint32_t blend565(uint32_t coverage,
-                  uint32_t red_blue,
-                  uint32_t green,
-                  uint32_t background) noexcept {
-  const uint32_t rest = 255 - coverage;
-  uint32_t sum = coverage * red_blue + rest * spread(background) + 0x00800080;
-  sum = (sum + ((sum >> 8) & 0x00ff00ff)) >> 8;
-  return (sum >> 5 & 0xf800) | (sum & 0x1f) |
-         blend(coverage, green, green_of(background)) << 5;
+// The spread colour over a pixel, each channel to the nearest of what its share
+// makes.
+constexpr uint32_t blend565(uint32_t share,
+                            uint32_t colour,
+                            uint32_t background) noexcept {
+  const uint32_t old = spread(background);
+  // Differences may borrow from other channels: the sum gives it back.
+  const uint32_t sum = (colour - old) * share + kHalves + (old << 5);
+  const uint32_t result = sum >> 5 & kChannels;
+  return (result | result >> 16) & 0xffff;
+}
+
+inline void blend_half(uint8_t* pixel,
+                       uint32_t coverage,
+                       uint32_t colour) noexcept {
+  const uint32_t share = share_of(coverage);
+  if (share != 0) {
+    detail::store_half(pixel,
+                       blend565(share, colour, detail::load_half(pixel)));
+  }
+}
+
+inline void blend_four(uint8_t* pixel,
+                       const uint8_t* coverage,
+                       uint32_t colour) noexcept {
+  blend_half(pixel, coverage[0], colour);
+  blend_half(pixel + 2, coverage[1], colour);
+  blend_half(pixel + 4, coverage[2], colour);
+  blend_half(pixel + 6, coverage[3], colour);
+}
+
+// Pixels at even addresses, the low byte first. Eight at a time: on Cortex-M3
+// each takes 13 instructions and an eighth of the loop's five.
+void blend_halves(uint8_t* pixel,
+                  const uint8_t* coverage,
+                  int32_t count,
+                  uint32_t colour) noexcept {
+  for (; (count & 7) != 0; --count) {
+    blend_half(pixel, *coverage++, colour);
+    pixel += 2;
+  }
+  for (const uint8_t* const end = coverage + count; coverage != end;) {
+    blend_four(pixel, coverage, colour);
+    blend_four(pixel + 8, coverage + 4, colour);
+    coverage += 8;
+    pixel += 16;
+  }
+}
+
+// Pixels anywhere.
+void blend_bytes(uint8_t* pixel,
+                 const uint8_t* coverage,
+                 int32_t count,
+                 uint32_t colour,
+                 ByteOrder order) noexcept {
+  const int low = order == ByteOrder::low_first ? 0 : 1;
+  for (uint8_t* const end = pixel + 2 * count; pixel != end; pixel += 2) {
+    const uint32_t share = share_of(*coverage++);
+    if (share != 0) {
+      const uint32_t old = pixel[low] | static_cast<uint32_t>(pixel[low ^ 1])
+                                            << 8;
+      const uint32_t result = blend565(share, colour, old);
+      pixel[low] = static_cast<uint8_t>(result);
+      pixel[low ^ 1] = static_cast<uint8_t>(result >> 8);
+    }
+  }
 }
 
 void coverage(void* context,
@@ -48,19 +107,13 @@ void coverage(void* context,
     return;
   }
   coverage += run.skipped;
-  const uint32_t red_blue = spread(target.colour);
-  const uint32_t green = green_of(target.colour);
-  const int low = target.order == ByteOrder::low_first ? 0 : 1;
-  uint8_t* pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
-  for (uint8_t* const end = pixel + 2 * run.count; pixel != end; pixel += 2) {
-    const uint32_t c = *coverage++;
-    if (c != 0) {
-      const uint32_t old = pixel[low] | static_cast<uint32_t>(pixel[low ^ 1])
-                                            << 8;
-      const uint32_t result = blend565(c, red_blue, green, old);
-      pixel[low] = static_cast<uint8_t>(result);
-      pixel[low ^ 1] = static_cast<uint8_t>(result >> 8);
-    }
+  const uint32_t colour = spread(target.colour);
+  uint8_t* const pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
+  if (detail::kLittleEndian && target.order == ByteOrder::low_first &&
+      (reinterpret_cast<uintptr_t>(pixel) & 1) == 0) {
+    blend_halves(pixel, coverage, run.count, colour);
+  } else {
+    blend_bytes(pixel, coverage, run.count, colour, target.order);
   }
 }
 
@@ -73,6 +126,12 @@ void fill(uint8_t* pixel, uint8_t* end, uint16_t colour) noexcept {
   const bool even = (reinterpret_cast<uintptr_t>(pixel) & 1) == 0;
   while (pixel != end) {
     if (even && (reinterpret_cast<uintptr_t>(pixel) & 2) == 0) {
+      for (; end - pixel >= 16; pixel += 16) {
+        detail::store_word(pixel, pair);
+        detail::store_word(pixel + 4, pair);
+        detail::store_word(pixel + 8, pair);
+        detail::store_word(pixel + 12, pair);
+      }
       for (; end - pixel >= 4; pixel += 4) {
         detail::store_word(pixel, pair);
       }

@@ -1,4 +1,4 @@
-// Access to four bytes of a strip as one word, in the machine's byte order.
+// Access to two or four bytes of a strip at once, in the machine's byte order.
 #pragma once
 
 #include <stdint.h>
@@ -18,6 +18,23 @@ inline uint32_t load_word(const uint8_t* bytes) noexcept {
 inline void store_word(uint8_t* bytes, uint32_t word) noexcept {
   __builtin_memcpy(__builtin_assume_aligned(bytes, 4), &word, 4);
 }
+
+/// Two bytes, at an even address.
+inline uint32_t load_half(const uint8_t* bytes) noexcept {
+  uint16_t half;
+  __builtin_memcpy(&half, __builtin_assume_aligned(bytes, 2), 2);
+  return half;
+}
+inline void store_half(uint8_t* bytes, uint32_t value) noexcept {
+  const auto half = static_cast<uint16_t>(value);
+  __builtin_memcpy(__builtin_assume_aligned(bytes, 2), &half, 2);
+}
+
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+inline constexpr bool kLittleEndian = false;
+#else
+inline constexpr bool kLittleEndian = true;
+#endif
 
 /// The word whose bytes in memory are these, on any machine.
 inline uint32_t word_of(uint32_t byte0,

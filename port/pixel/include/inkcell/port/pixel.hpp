@@ -125,7 +125,7 @@ constexpr uint32_t divide_by_255(uint32_t value) noexcept {
 
 /// `foreground` over `background`, both 0..255 or on any shallower scale:
 /// (c * foreground + (255 - c) * background) / 255 to the nearest. Every format
-/// blends each channel so, on the levels that it stores.
+/// but RGB565 blends each channel so, on the levels that it stores.
 constexpr uint32_t blend(uint32_t coverage,
                          uint32_t foreground,
                          uint32_t background) noexcept {
