@@ -256,27 +256,29 @@ Side reduce(const Slanted& slanted,
 }
 
 // Pixels of a field, set up for the origin.
-inline void draw_field_pixels(Slanted& slanted,
-                              const SlantedLeaf& leaf,
-                              RowPoint at,
-                              int32_t x,
-                              int32_t end) noexcept {
+__attribute__((noinline)) void draw_field_pixels(Slanted& slanted,
+                                                 const SlantedLeaf& leaf,
+                                                 const RowPoint& from,
+                                                 int32_t x,
+                                                 int32_t end) noexcept {
   const Filter& filter = slanted.brush.filter();
   const GlyphStep& right = slanted.brush.right();
+  uint32_t x_q20 = from.x_q20;
+  uint32_t y_q20 = from.y_q20;
   FieldTerm term;
   set_up_term(term, slanted.field, leaf.units[0], 0, 0, slanted.scale);
   const FieldTerm origin = term;
   while (x < end) {
-    const uint32_t x_q8 = q8_of(at.x_q20);
-    const uint32_t y_q8 = q8_of(at.y_q20);
+    const uint32_t x_q8 = q8_of(x_q20);
+    const uint32_t y_q8 = q8_of(y_q20);
     term.plane_q22 = origin.plane_q22 + times(origin.nx_q14, x_q8) +
                      times(origin.ny_q14, y_q8);
     term.along_q22 = origin.along_q22 + times(origin.nx_q14, y_q8) -
                      times(origin.ny_q14, x_q8);
     const int32_t value_q22 = term.value_q22(slanted.scale.bend_log2);
     slanted.writer.append(filter.coverage(value_q22 >> 12), ++x);
-    at.x_q20 += static_cast<uint32_t>(right.x_q20);
-    at.y_q20 += static_cast<uint32_t>(right.y_q20);
+    x_q20 += static_cast<uint32_t>(right.x_q20);
+    y_q20 += static_cast<uint32_t>(right.y_q20);
   }
 }
 
@@ -289,32 +291,39 @@ inline uint8_t coverage_at(const Slanted& slanted,
   return slanted.brush.filter().coverage(with_sign(value_q22, leaf.sign) >> 12);
 }
 
-// Many pixels of a leaf: one and `steps` more.
-__attribute__((noinline)) void draw_run(Slanted& slanted,
-                                        SlantedLeaf& leaf,
-                                        RowPoint at,
-                                        int32_t x,
-                                        uint32_t steps) noexcept {
+// Pixels of a leaf, up to `end`.
+__attribute__((noinline)) void draw_pixels(Slanted& slanted,
+                                           const SlantedLeaf& leaf,
+                                           const RowPoint& from,
+                                           int32_t x,
+                                           int32_t end) noexcept {
+  slanted.writer.begin(x);
+  if (leaf.count == 1 && slanted.stretch == nullptr) {
+    draw_field_pixels(slanted, leaf, from, x, end);
+    return;
+  }
+  for (RowPoint at = from; x < end; at.go(slanted.brush.right())) {
+    slanted.writer.append(coverage_at(slanted, leaf, at), ++x);
+  }
+}
+
+// What a run of a wide cell shows as a whole; if that is an edge, only fields
+// that matter are left in `leaf`. Not inline, to be off the stack when pixels
+// are drawn.
+__attribute__((noinline)) Side side_of_run(const Slanted& slanted,
+                                           SlantedLeaf& leaf,
+                                           const RowPoint& at,
+                                           uint32_t steps) noexcept {
   const GlyphStep& right = slanted.brush.right();
   const int32_t sign = leaf.sign;
-  const int32_t end = x + static_cast<int32_t>(steps) + 1;
   const Side side = reduce(slanted, leaf,
                            {{q8_of(at.x_q20), q8_of(at.y_q20)},
                             {q8_of(at.x_q20 + times(right.x_q20, steps)),
                              q8_of(at.y_q20 + times(right.y_q20, steps))}});
-  if (side != Side::edge) {
-    slanted.writer.saturated(x, end - x, (side == Side::inside) == (sign == 0));
-    return;
+  if (side == Side::edge || sign == 0) {
+    return side;
   }
-  slanted.writer.begin(x);
-  if (leaf.count == 1 && slanted.stretch == nullptr) {
-    draw_field_pixels(slanted, leaf, at, x, end);
-    return;
-  }
-  while (x < end) {
-    slanted.writer.append(coverage_at(slanted, leaf, at), ++x);
-    at.go(right);
-  }
+  return side == Side::inside ? Side::outside : Side::inside;
 }
 
 // The leaf at a point, in u from the grid's corner.
@@ -384,22 +393,22 @@ void draw_slanted_row(Slanted& slanted,
         lesser(lesser(slanted.across.steps_in_square(at.x_q16, square_log2),
                       slanted.up.steps_in_square(at.y_q16, square_log2)),
                static_cast<uint32_t>(end - x - 1));
-    if (leaf.count == 0) {
-      slanted.writer.saturated(x, static_cast<int32_t>(steps + 1),
-                               found.reference == format::glyph::kInside);
-    } else if (steps + 1 < kMinRun) {
-      RowPoint point = at;
-      slanted.writer.begin(x);
-      for (uint32_t i = 0; i <= steps; ++i) {
-        slanted.writer.append(coverage_at(slanted, leaf, point),
-                              x + static_cast<int32_t>(i) + 1);
-        point.go(right);
+    Side side = found.reference == format::glyph::kInside ? Side::inside
+                                                          : Side::outside;
+    if (leaf.count != 0) {
+      side = Side::edge;
+      if (steps + 1 >= kMinRun) {
+        steps = lesser(steps, kMaxRun - 1);
+        side = side_of_run(slanted, leaf, at, steps);
       }
-    } else {
-      steps = lesser(steps, kMaxRun - 1);
-      draw_run(slanted, leaf, at, x, steps);
     }
-    x += static_cast<int32_t>(steps + 1);
+    const auto count_here = static_cast<int32_t>(steps + 1);
+    if (side != Side::edge) {
+      slanted.writer.saturated(x, count_here, side == Side::inside);
+    } else {
+      draw_pixels(slanted, leaf, at, x, x + count_here);
+    }
+    x += count_here;
     at.x_q16 += times(right.x_q16, steps + 1);
     at.y_q16 += times(right.y_q16, steps + 1);
     at.x_q20 += times(right.x_q20, steps + 1);

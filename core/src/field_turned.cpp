@@ -53,35 +53,36 @@ void draw_stretched_samples(Slanted& slanted,
   }
 }
 
-// From the grid's corner, modulo 2^16 u.
-RowPoint point_of(const GlyphField& field, const GlyphWay& way) noexcept {
-  return {static_cast<uint32_t>(way.x_q16) -
-              static_cast<uint32_t>(field.x0_u * (1 << 16)),
-          static_cast<uint32_t>(way.y_q16) -
-              static_cast<uint32_t>(field.y0_u * (1 << 16)),
-          way.x_q20, way.y_q20};
-}
-
-// Whether a place is so near that it cannot be taken for one in the grid.
-bool is_near(const GlyphWay& way) noexcept {
+// The centre of a pixel from the grid's corner, modulo 2^16 u. False where it
+// is so far away that it could be taken for one in the grid.
+//
+// Not inline: its products of 64 bits are large.
+__attribute__((noinline)) bool find_point(const Slanted& slanted,
+                                          const FinePoint& origin,
+                                          int32_t x,
+                                          int32_t y,
+                                          RowPoint& at) noexcept {
+  const GlyphField& field = slanted.field;
+  const GlyphWay way(slanted.brush, ScreenWay(origin, x, y));
+  at = {static_cast<uint32_t>(way.x_q16) -
+            static_cast<uint32_t>(field.x0_u * (1 << 16)),
+        static_cast<uint32_t>(way.y_q16) -
+            static_cast<uint32_t>(field.y0_u * (1 << 16)),
+        way.x_q20, way.y_q20};
   return clamp_i32(way.x_q16) == way.x_q16 && clamp_i32(way.y_q16) == way.y_q16;
 }
 
-// Whether all of a box is. Turned grids always are; of a stretched one the
-// corners may be far away.
-bool is_near(const Brush& brush,
+// Whether no pixel of a box is so far away. Those of turned grids never are;
+// around a stretched one the corners may be.
+bool is_near(const Slanted& slanted,
              const FinePoint& origin,
              const Rect& box) noexcept {
-  const int32_t columns[] = {box.x0, box.x1};
-  const int32_t rows[] = {box.y0, box.y1};
-  for (const int32_t x : columns) {
-    for (const int32_t y : rows) {
-      if (!is_near(GlyphWay(brush, ScreenWay(origin, x, y)))) {
-        return false;
-      }
-    }
-  }
-  return true;
+  RowPoint corner;
+  return slanted.stretch == nullptr ||
+         (find_point(slanted, origin, box.x0, box.y0, corner) &&
+          find_point(slanted, origin, box.x1, box.y0, corner) &&
+          find_point(slanted, origin, box.x0, box.y1, corner) &&
+          find_point(slanted, origin, box.x1, box.y1, corner));
 }
 
 using DrawRow = void (*)(Slanted&, RowPoint, int32_t, int32_t);
@@ -93,9 +94,8 @@ __attribute__((noinline)) void paint_far(Slanted& slanted,
                                          DrawRow draw_row) noexcept {
   for (int32_t y = box.y0; y < box.y1; ++y) {
     for (int32_t x = box.x0; x < box.x1; ++x) {
-      const GlyphWay way(slanted.brush, ScreenWay(origin, x, y));
-      RowPoint at = point_of(slanted.field, way);
-      if (is_near(way) && slanted.may_show(at)) {
+      RowPoint at;
+      if (find_point(slanted, origin, x, y, at) && slanted.may_show(at)) {
         draw_row(slanted, at, x, 1);
       }
     }
@@ -107,15 +107,14 @@ void paint(Slanted& slanted,
            const FinePoint& origin,
            const Rect& box,
            DrawRow draw_row) noexcept {
-  const Brush& brush = slanted.brush;
-  const GlyphStep& right = brush.right();
-  const GlyphStep& up = brush.up();
-  if (slanted.stretch != nullptr && !is_near(brush, origin, box)) {
+  if (!is_near(slanted, origin, box)) {
     paint_far(slanted, origin, box, draw_row);
     return;
   }
-  RowPoint start = point_of(slanted.field,
-                            GlyphWay(brush, ScreenWay(origin, box.x0, box.y0)));
+  const GlyphStep& right = slanted.brush.right();
+  const GlyphStep& up = slanted.brush.up();
+  RowPoint start;
+  static_cast<void>(find_point(slanted, origin, box.x0, box.y0, start));
   for (int32_t y = box.y0; y < box.y1; ++y) {
     RowPoint at = start;
     int32_t x = box.x0;
