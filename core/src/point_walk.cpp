@@ -117,8 +117,8 @@ int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
 
 // A field that is bent by no more than 1/32 px, or several of which the same
 // one decides everywhere: each changes by no more than the radius.
-bool PointWalk::is_plane(const FieldPosition& at,
-                         int32_t radius_q10) const noexcept {
+bool PointWalk::are_fields_plane(const FieldPosition& at,
+                                 int32_t radius_q10) const noexcept {
   constexpr int32_t kMaxSagQ22 = 1 << 17;
   const int32_t bend_log2 = brush_.bend_log2();
   if (terms_.count == 1) {
@@ -152,6 +152,37 @@ bool PointWalk::is_plane(const FieldPosition& at,
   return differ(first, (first + 1) % 3) && differ(first, (first + 2) % 3);
 }
 
+// Nine samples that lie on a plane: where they do not, their second differences
+// over the cell shrink with the square of the way that is asked for.
+bool PointWalk::are_samples_plane(int32_t radius_q10) const noexcept {
+  constexpr int32_t kMaxSagQ10 = 1 << 5;
+  const int32_t cell_q10 = brush_.to_px_q10(int32_t{1} << (10 + size_log2_));
+  if (cell_q10 <= 2 * radius_q10) {
+    return false;
+  }
+  const uint8_t* const at = samples_ + format::samples::kOffsets;
+  const auto offset = [at](int32_t place) noexcept {
+    // The centre, the fifth of nine, is not stored: it is 0.
+    return place == 4 ? 0
+                      : int32_t{static_cast<int8_t>(
+                            at[place < 4 ? place : place - 1])};
+  };
+  int32_t most = 0;
+  for (int32_t i = 0; i < 3; ++i) {
+    const int32_t second[] = {
+        offset(3 * i) + offset(3 * i + 2) - 2 * offset(3 * i + 1),
+        offset(i) + offset(i + 6) - 2 * offset(i + 3)};
+    for (const int32_t difference : second) {
+      const int32_t size = difference < 0 ? -difference : difference;
+      most = size > most ? size : most;
+    }
+  }
+  // Quanta are 1/128 of the cell; the differences are those of half a cell.
+  const int64_t sag_q10 = (int64_t{most} * cell_q10) >> 8;
+  const int64_t part_q10 = (int64_t{radius_q10} << 11) / cell_q10;
+  return (sag_q10 * part_q10 * part_q10) >> 20 < kMaxSagQ10;
+}
+
 bool PointWalk::is_plane_around(const FieldPosition& at,
                                 const Surroundings& around) const noexcept {
   // Beyond the grid a cell has no room for anything.
@@ -169,8 +200,12 @@ bool PointWalk::is_plane_around(const FieldPosition& at,
       !has_room(from(at.y_q16, field_.y0_u), around.y_q16)) {
     return false;
   }
-  return is_saturated_ || (INKCELL_FIELD_CELLS != 0 && samples_ == nullptr &&
-                           is_plane(at, around.radius_q10));
+  if (is_saturated_) {
+    return true;
+  }
+  return INKCELL_FIELD_CELLS != 0 && samples_ == nullptr
+             ? are_fields_plane(at, around.radius_q10)
+             : are_samples_plane(around.radius_q10);
 }
 
 int32_t PointWalk::distance_q10(const FieldPosition& at) noexcept {

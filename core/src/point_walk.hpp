@@ -105,7 +105,9 @@ class PointWalk {
                        const Surroundings& around) const noexcept;
 
  private:
-  bool is_plane(const FieldPosition& at, int32_t radius_q10) const noexcept;
+  bool are_fields_plane(const FieldPosition& at,
+                        int32_t radius_q10) const noexcept;
+  bool are_samples_plane(int32_t radius_q10) const noexcept;
   void go_to(const FieldPosition& at) noexcept;
   int32_t fields_q10(const FieldPosition& at) const noexcept;
   int32_t samples_q10(const FieldPosition& at) noexcept;

@@ -215,7 +215,8 @@ class Tools(unittest.TestCase):
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
         run("render", "--jobs", listed, "--max-px", 32)
-        moving = ("--hint", "none", "--filter", "motion")
+        moving = ("--hint", "none", "--filter", "motion", "--samples",
+                  "adaptive", "--radius", 0.75)
         for i, job in enumerate(jobs[:3]):
             single = self.render(
                 "--text", job["text"], "--px", job["size"], "--no-kerning",

@@ -310,7 +310,7 @@ TEST(moving_bars_keep_their_ink) {
     }
     CHECK(jump <= 6);
     // On a diagonal the window's corners cut more or less off.
-    CHECK(most - least <= (turn == 1 ? most / 16 : most / 36));
+    CHECK(most - least <= (turn == 1 ? most / 16 : most / 25));
   }
 }
 
