@@ -18,7 +18,7 @@ mkdir -p docs/img
   --min-px 12 --band-px 2 --effects docs/img/effects.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --compare-body docs/img/compare_body.png \
-  --compare-display docs/img/compare_display.png
+  --compare-display docs/img/compare_display.png --star docs/img/star.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --glyph a --side 600 --cells docs/img/cells.png >/dev/null
 ls -l docs/img

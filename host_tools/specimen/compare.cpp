@@ -9,6 +9,7 @@
 #include <string>
 
 #include "canvas.hpp"
+#include "inkcell/adaptive.hpp"
 #include "inkcell/fit.hpp"
 #include "sheet.hpp"
 
@@ -73,6 +74,10 @@ Image compare(const Font& font,
       throw std::runtime_error("the font's hints are broken");
     }
     brush.set_fitter(fit_glyph, &fit);
+  });
+  const Adaptive adaptive = make_adaptive(kFilterText);
+  add_ours("Inkcell, up to 13 samples a pixel", kFilterText, [&](Brush& brush) {
+    brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
   });
   return sheet.finish();
 }

@@ -6,6 +6,7 @@
 #include "options.hpp"
 #include "program.hpp"
 #include "specimen.hpp"
+#include "star.hpp"
 #include "styles.hpp"
 
 namespace inkcell::tools {
@@ -25,6 +26,7 @@ struct Arguments {
   std::string levels;
   std::string compare_body;
   std::string compare_display;
+  std::string star;
   int width = 780;
 };
 
@@ -53,6 +55,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
           "Text of 8 to 16 px beside that of others; FONT is a TTF or OTF");
   picture("--compare-display", arguments.compare_display,
           "The same with letters of 40 px");
+  picture("--star", arguments.star, "A pattern finer than pixels");
   gen::add_generator_options(app, arguments.request);
 }
 
@@ -74,6 +77,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.lcd, [&] { return draw_lcd(font); });
   write(arguments.effects, [&] { return draw_effects(font); });
   write(arguments.levels, [&] { return draw_levels(font); });
+  write(arguments.star, [&] { return draw_star(font); });
   if (!arguments.compare_body.empty() || !arguments.compare_display.empty()) {
     PeerFont peers(arguments.font);
     write(arguments.compare_body, [&] { return compare_body(font, peers); });

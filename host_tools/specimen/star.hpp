@@ -1,0 +1,14 @@
+// A test pattern as in the paper's figure 9: wedges that become finer than
+// pixels towards the middle.
+#pragma once
+
+#include "image.hpp"
+#include "inkcell/font.hpp"
+
+namespace inkcell::tools {
+
+/// Supersampled, with one sample a pixel, and with up to 13; the middles are
+/// enlarged below. Labels are written with `font`.
+Image draw_star(const Font& font);
+
+}  // namespace inkcell::tools
