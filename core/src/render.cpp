@@ -153,19 +153,12 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
   }
 }
 
-void draw_placed(const GlyphField& field,
-                 const Brush& brush,
-                 const FinePoint& origin,
-                 const RowMap* rows,
-                 const Sink& sink) noexcept {
-  if (brush.painter() != nullptr) {
-    brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
-    return;
-  }
-  if (!brush.is_upright()) {
-    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
-    return;
-  }
+// Not inline: other ways to draw need not pay for its stack.
+__attribute__((noinline)) void draw_upright(const GlyphField& field,
+                                            const Brush& brush,
+                                            const FinePoint& origin,
+                                            const RowMap* rows,
+                                            const Sink& sink) noexcept {
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
   if (is_empty(box)) {
     return;
@@ -178,6 +171,20 @@ void draw_placed(const GlyphField& field,
     detail::draw_fields(field, brush, upright, sink);
   } else {
     draw_samples(field, brush, upright, sink);
+  }
+}
+
+void draw_placed(const GlyphField& field,
+                 const Brush& brush,
+                 const FinePoint& origin,
+                 const RowMap* rows,
+                 const Sink& sink) noexcept {
+  if (brush.painter() != nullptr) {
+    brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
+  } else if (!brush.is_upright()) {
+    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
+  } else {
+    draw_upright(field, brush, origin, rows, sink);
   }
 }
 
