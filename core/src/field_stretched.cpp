@@ -57,8 +57,10 @@ Direct direct(Vector v) noexcept {
     v.x = 1;
     size = 1;
   }
-  while (size >= 1u << 15) {
-    size >>= 1;
+  for (; size >= 1u << 18; size >>= 4) {
+    exponent += 4;
+  }
+  for (; size >= 1u << 15; size >>= 1) {
     ++exponent;
   }
   v.x >>= exponent;
@@ -93,6 +95,14 @@ Vector gradient_of(const FieldTerm& term, int32_t bend_log2) noexcept {
       static_cast<uint32_t>(term.bend == 0 ? 0 : term.slope_q15(bend_log2));
   return {term.nx_q14 - (wrapped(times(term.ny_q14, slope)) >> 14),
           term.ny_q14 + (wrapped(times(term.nx_q14, slope)) >> 14)};
+}
+
+// Within 1/2000, as normals of lines are.
+bool is_unit(const Vector& v) noexcept {
+  const uint32_t square = times(v.x, static_cast<uint32_t>(v.x)) +
+                          times(v.y, static_cast<uint32_t>(v.y));
+  return magnitude(v.x) <= 1u << 15 && magnitude(v.y) <= 1u << 15 &&
+         square - ((1u << 28) - (1u << 18)) < 1u << 19;
 }
 
 // The length of a gradient from its direction, less than 2.
@@ -161,9 +171,14 @@ void stretch_terms(const Brush& brush,
     Vector normal_q14 = {0, 0};
     if (!is_far) {
       const Vector gradient = gradient_of(term, bend_log2);
-      const Vector unit_q14 = direct(gradient).unit_q14;
-      gain = gain_of(brush, unit_q14);
-      normal_q14 = scaled(gain.unit_q14, product_q14(gradient, unit_q14));
+      if (is_unit(gradient)) {
+        gain = gain_of(brush, gradient);
+        normal_q14 = gain.unit_q14;
+      } else {
+        const Vector unit_q14 = direct(gradient).unit_q14;
+        gain = gain_of(brush, unit_q14);
+        normal_q14 = scaled(gain.unit_q14, product_q14(gradient, unit_q14));
+      }
     }
     const int32_t sign = value_q22 < 0 ? -1 : 1;
     term = {
