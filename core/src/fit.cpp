@@ -56,10 +56,11 @@ int32_t to_px_q10(int32_t u, const Brush& brush) noexcept {
 // The edges of one glyph on their way to the grid.
 class GlyphFit {
  public:
-  GlyphFit(const Fit& fit, const Brush& brush) noexcept
-      : fit_(fit), brush_(brush) {}
+  // The baseline is moved down by `lowered_q10` px.
+  GlyphFit(const Fit& fit, const Brush& brush, int32_t lowered_q10) noexcept
+      : fit_(fit), brush_(brush), lowered_q10_(lowered_q10) {}
 
-  void read(const GlyphHints& hints) noexcept;
+  void read(Span<const uint8_t> edges) noexcept;
   void fit_bars() noexcept;
   void separate() noexcept;
   void map(RowMap& rows) const noexcept;
@@ -73,6 +74,7 @@ class GlyphFit {
     bool is_fixed;
   };
 
+  bool is_near(const Edge& edge, int32_t screen_q10) const noexcept;
   void fix(Edge& edge, int32_t screen_q10) noexcept;
   bool meets_next(uint32_t edge) const noexcept {
     return edges_[edge].zone != 0 &&
@@ -94,21 +96,29 @@ class GlyphFit {
 
   const Fit& fit_;
   const Brush& brush_;
+  int32_t lowered_q10_;
   Edge edges_[RowMap::kMaxKnots];
   uint32_t count_ = 0;
 };
 
-// Where an edge goes; not farther than rows may be moved.
+// Whether an edge that goes there moves, with the baseline, no farther than 1
+// px.
+bool GlyphFit::is_near(const Edge& edge, int32_t screen_q10) const noexcept {
+  const int32_t shift = screen_q10 - edge.glyph_q10;
+  return magnitude(shift) <= RowMap::kMaxShiftQ10 &&
+         magnitude(shift - lowered_q10_) <= RowMap::kMaxShiftQ10;
+}
+
 void GlyphFit::fix(Edge& edge, int32_t screen_q10) noexcept {
-  if (magnitude(screen_q10 - edge.glyph_q10) <= RowMap::kMaxShiftQ10) {
+  if (is_near(edge, screen_q10)) {
     edge.screen_q10 = screen_q10;
     edge.is_fixed = true;
   }
 }
 
 // Edges of zones know where they go.
-void GlyphFit::read(const GlyphHints& hints) noexcept {
-  for (const uint8_t byte : hints.edges) {
+void GlyphFit::read(Span<const uint8_t> edges) noexcept {
+  for (const uint8_t byte : edges) {
     const HintEdge read = Hints::edge(byte);
     if (read.level >= fit_.hints_.level_count() ||
         count_ == RowMap::kMaxKnots) {
@@ -244,7 +254,7 @@ void GlyphFit::separate() noexcept {
 void GlyphFit::map(RowMap& rows) const noexcept {
   for (uint32_t i = 0; i < count_; ++i) {
     const Edge& edge = edges_[i];
-    if (edge.is_fixed) {
+    if (edge.is_fixed && is_near(edge, edge.screen_q10)) {
       const int32_t shift = edge.screen_q10 - edge.glyph_q10;
       static_cast<void>(
           rows.add(edge.glyph_q10 + fit_.weakened(shift), edge.glyph_q10));
@@ -290,10 +300,14 @@ Status Fit::make(const Font& font,
 
 // By how much to move the glyph so that its stems stand well in their pixels:
 // the mean of what each would take.
-int32_t Fit::sideways_q10(const GlyphHints& hints,
+int32_t Fit::sideways_q10(uint32_t glyph,
                           const Brush& brush,
                           const FinePoint& origin) const noexcept {
-  if (stem_q10_ == 0 || hints.stem_count == 0) {
+  if (stem_q10_ == 0) {
+    return 0;
+  }
+  const HintStems stems = hints_.stems(glyph);
+  if (stems.count == 0) {
     return 0;
   }
   // The middle of a stem of an even number of pixels lies between two of them.
@@ -301,15 +315,15 @@ int32_t Fit::sideways_q10(const GlyphHints& hints,
   const int32_t aim = is_even ? 0 : kPx / 2;
   int32_t first = 0;
   int32_t sum = 0;
-  for (int32_t i = 0; i < hints.stem_count; ++i) {
-    const int32_t middle = to_px_q10(hints.stem_u + i * hints.gap_u, brush);
+  for (int32_t i = 0; i < stems.count; ++i) {
+    const int32_t middle = to_px_q10(stems.first_u + i * stems.gap_u, brush);
     const auto place = static_cast<int32_t>(origin.x_q10 & (kPx - 1));
     int32_t move = aim - place - middle;
     move = ((move + kPx / 2 - first) & (kPx - 1)) - kPx / 2 + first;
     first = i == 0 ? move : first;
     sum += move;
   }
-  int32_t mean = sum / hints.stem_count;
+  int32_t mean = sum / stems.count;
   mean = ((mean + kPx / 2) & (kPx - 1)) - kPx / 2;
   mean = mean > kMostSideways ? kMostSideways : mean;
   return mean < -kMostSideways ? -kMostSideways : mean;
@@ -326,17 +340,19 @@ void fit_glyph(const GlyphField& field,
   }
   // The baseline lies between two rows.
   const auto below = static_cast<int32_t>((origin.y_q10 + kPx / 2) & (kPx - 1));
-  origin.y_q10 += style.weakened(kPx / 2 - below);
+  const int32_t lowered = kPx / 2 - below;
+  origin.y_q10 += style.weakened(lowered);
   if (style.hints_.empty()) {
     return;
   }
-  GlyphHints hints;
-  if (!style.hints_.glyph(field.glyph, hints)) {
+  Span<const uint8_t> edges;
+  if (!style.hints_.edges(field.glyph, edges)) {
     return;
   }
-  origin.x_q10 += style.weakened(style.sideways_q10(hints, brush, origin));
-  GlyphFit glyph(style, brush);
-  glyph.read(hints);
+  origin.x_q10 +=
+      style.weakened(style.sideways_q10(field.glyph, brush, origin));
+  GlyphFit glyph(style, brush, lowered);
+  glyph.read(edges);
   glyph.fit_bars();
   glyph.separate();
   glyph.map(rows);

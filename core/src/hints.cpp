@@ -62,35 +62,43 @@ HintZone Hints::zone(uint32_t i) const noexcept {
           (byte & hints::kBottomZone) != 0};
 }
 
-bool Hints::glyph(uint32_t glyph, GlyphHints& out) const noexcept {
-  out = GlyphHints{};
+bool Hints::edges(uint32_t glyph, Span<const uint8_t>& out) const noexcept {
+  out = {};
   if (glyph >= glyph_count_) {
     return false;
   }
-  const Span<const uint8_t> rows = {section_.data + rows_, lists_ - rows_};
-  uint32_t bit = glyph * row_bits_;
-  const auto next = [&rows, &bit](uint32_t width) noexcept {
-    const uint32_t value = detail::read_bits(rows, bit, width);
-    bit += width;
-    return value;
-  };
-  const uint32_t start = next(start_bits_);
-  const uint32_t count = next(count_bits_);
+  // Both numbers at once: 24 bits at the most.
+  const uint32_t both =
+      detail::read_bits({section_.data + rows_, lists_ - rows_},
+                        glyph * row_bits_, uint32_t{start_bits_} + count_bits_);
+  const uint32_t start = both & ((uint32_t{1} << start_bits_) - 1);
+  const uint32_t count = both >> start_bits_;
   const size_t room = section_.size - lists_;
   if (start > room || count > room - start) {
     return false;
   }
-  out.edges = {section_.data + lists_ + start, count};
-  const uint32_t stem = next(stem_bits_);
-  const uint32_t gap = next(gap_bits_);
-  const uint32_t third = next(1);
-  if (stem != 0) {
-    constexpr auto kStep = static_cast<int32_t>(hints::kStemStep);
-    out.stem_u = stem_base_u_ + static_cast<int32_t>(stem) * kStep;
-    out.gap_u = static_cast<int32_t>(gap) * kStep;
-    out.stem_count = static_cast<uint8_t>(gap == 0 ? 1 : 2 + third);
-  }
+  out = {section_.data + lists_ + start, count};
   return true;
+}
+
+HintStems Hints::stems(uint32_t glyph) const noexcept {
+  HintStems stems;
+  if (glyph >= glyph_count_) {
+    return stems;
+  }
+  const Span<const uint8_t> rows = {section_.data + rows_, lists_ - rows_};
+  uint32_t bit = glyph * row_bits_ + start_bits_ + count_bits_;
+  const uint32_t stem = detail::read_bits(rows, bit, stem_bits_);
+  bit += stem_bits_;
+  const uint32_t gap = detail::read_bits(rows, bit, gap_bits_);
+  if (stem != 0) {
+    const uint32_t third = detail::read_bits(rows, bit + gap_bits_, 1);
+    constexpr auto kStep = static_cast<int32_t>(hints::kStemStep);
+    stems.first_u = stem_base_u_ + static_cast<int32_t>(stem) * kStep;
+    stems.gap_u = static_cast<int32_t>(gap) * kStep;
+    stems.count = static_cast<uint8_t>(gap == 0 ? 1 : 2 + third);
+  }
+  return stems;
 }
 
 HintEdge Hints::edge(uint8_t byte) noexcept {

@@ -222,7 +222,7 @@ Rect field_box(const GlyphField& field,
   }
   // A pixel generous on each side, because steps are rounded, and what fitting
   // may move.
-  const int32_t more = (brush.is_fitted() ? 3 : 1) + brush.painter_reach_px();
+  const int32_t more = (brush.is_fitted() ? 2 : 1) + brush.painter_reach_px();
   return {to_pixel(origin.x_q10 + x.low) - more,
           to_pixel(origin.y_q10 - y.high) - more,
           to_pixel(origin.x_q10 + x.high) + more + 1,

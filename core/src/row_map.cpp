@@ -29,8 +29,10 @@ bool RowMap::add(int32_t screen_q10, int32_t glyph_q10) noexcept {
       return false;
     }
     // 2^11 at the most in Q16. Rounded down, so that the map does not pass the
-    // upper knot.
-    last.excess_q16 = divide_down((glyph_step - step) * (1 << 16), step);
+    // upper knot. Strokes are often 1 px wide, which takes no division.
+    const int32_t excess = glyph_step - step;
+    last.excess_q16 = step == 1 << 10 ? excess * (1 << 6)
+                                      : divide_down(excess * (1 << 16), step);
   }
   knots[count] = {screen_q10, glyph_q10, 0};
   ++count;

@@ -169,8 +169,8 @@ bool hints_fit(const Font& font) noexcept {
     }
   }
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
-    GlyphHints of_glyph;
-    if (!hints.glyph(glyph, of_glyph) || !edges_fit(hints, of_glyph.edges)) {
+    Span<const uint8_t> edges;
+    if (!hints.edges(glyph, edges) || !edges_fit(hints, edges)) {
       return false;
     }
   }

@@ -161,18 +161,19 @@ void print_hints(const Font& font) {
     std::printf("zone %d %d\n", zone.height_u, zone.is_bottom ? 1 : 0);
   }
   for (uint32_t i = 0; i < font.glyph_count(); ++i) {
-    GlyphHints glyph;
-    static_cast<void>(hints.glyph(i, glyph));
+    Span<const uint8_t> edges;
+    static_cast<void>(hints.edges(i, edges));
+    const HintStems stems = hints.stems(i);
     std::printf("edges");
-    for (const uint8_t edge : glyph.edges) {
+    for (const uint8_t edge : edges) {
       std::printf(" %d", edge);
     }
-    std::printf(" stems %d", glyph.stem_count);
-    if (glyph.stem_count > 0) {
-      std::printf(" %d", glyph.stem_u);
+    std::printf(" stems %d", stems.count);
+    if (stems.count > 0) {
+      std::printf(" %d", stems.first_u);
     }
-    if (glyph.stem_count > 1) {
-      std::printf(" %d", glyph.gap_u);
+    if (stems.count > 1) {
+      std::printf(" %d", stems.gap_u);
     }
     std::printf("\n");
   }

@@ -16,8 +16,9 @@ struct RowMap;
 struct Sink;
 
 /// Grid fitting (fit.hpp makes one): fills in `rows` for a glyph of an upright
-/// brush whose origin is at `origin`, and may move the origin by up to 1 px.
-/// `options` is what Brush::set_fitter was given.
+/// brush whose origin is at `origin`, and may move the origin. Both together
+/// move nothing by more than 1 px. `options` is what Brush::set_fitter was
+/// given.
 using Fitter = void (*)(const GlyphField& field,
                         const Brush& brush,
                         const void* options,
@@ -116,7 +117,8 @@ class Brush {
 
   /// What draws the glyphs: null, the default, is one sample at the centre of
   /// each pixel, the fastest. The options must outlive the brush. Only what is
-  /// named here is linked. `reach_px` is how much farther than plain drawing
+  /// named here is linked. Painters of this library take turned brushes, but
+  /// none that is made of a matrix. `reach_px` is how much farther than plain drawing
   /// the painter reaches on each side of a glyph, in pixels and in samples.
   void set_painter(Painter function,
                    const void* options,

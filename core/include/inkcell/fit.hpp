@@ -68,7 +68,7 @@ class Fit {
   bool is_bottom(uint32_t zone) const noexcept {
     return (bottoms_ >> zone & 1u) != 0;
   }
-  int32_t sideways_q10(const GlyphHints& hints,
+  int32_t sideways_q10(uint32_t glyph,
                        const Brush& brush,
                        const FinePoint& origin) const noexcept;
 

@@ -28,14 +28,12 @@ struct HintEdge {
   bool is_bar;  // a horizontal stroke begins here, and ends at an edge above
 };
 
-/// What is said about one glyph.
-struct GlyphHints {
-  Span<const uint8_t> edges;  // from low to high, see Hints::edge
-  /// The middle of the left-most vertical stem, and how much farther to the
-  /// right the second and the third stand. [u]
-  int32_t stem_u = 0;
+/// The vertical stems of a glyph: the middle of the left-most one, and how much
+/// farther to the right the second and the third stand. [u]
+struct HintStems {
+  int32_t first_u = 0;
   int32_t gap_u = 0;
-  uint8_t stem_count = 0;  // 0..3
+  uint8_t count = 0;  // 0..3
 };
 
 /// The section HINT of a font, read in place: any bytes are safe, also those
@@ -55,12 +53,15 @@ class Hints {
   HintLevel level(uint32_t i) const noexcept;
   HintZone zone(uint32_t i) const noexcept;
 
-  /// False if there is no such glyph or its edges leave the section; `out` is
-  /// then empty.
-  bool glyph(uint32_t glyph, GlyphHints& out) const noexcept;
+  /// The edges of a glyph from low to high, a byte each. False if there is no
+  /// such glyph or they leave the section; `out` is then empty.
+  bool edges(uint32_t glyph, Span<const uint8_t>& out) const noexcept;
 
-  /// An edge out of GlyphHints::edges. Its level may not exist.
+  /// What such a byte says. Its level may not exist.
   static HintEdge edge(uint8_t byte) noexcept;
+
+  /// None if there is no such glyph.
+  HintStems stems(uint32_t glyph) const noexcept;
 
   /// How wide most vertical stems are. [u]
   int32_t stem_width_u() const noexcept { return stem_width_u_; }
