@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "font_builder.hpp"
+#include "hints_record.hpp"
 #include "packed_record.hpp"
 
 namespace {
@@ -106,6 +107,10 @@ int main(int argc, char** argv) {
   const std::vector<int16_t> wide(256, -1);
   spec.kerning = {1, 256, classes, classes, {wide.data(), wide.size()}};
   written &= write_seed(folder + "kerning_wide_classes.seed", spec);
+  HintsRecord hints;
+  hints.make_usual();
+  spec.hints = hints.write(2);
+  written &= write_seed(folder + "hints.seed", spec);
   written &= write_packed_seed(folder + "packed.seed");
   return written ? 0 : 1;
 }

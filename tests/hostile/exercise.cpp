@@ -8,6 +8,8 @@
 #include <cstring>
 #include <vector>
 
+#include "inkcell/fit.hpp"
+
 namespace hostile {
 namespace {
 
@@ -122,7 +124,17 @@ void use_glyph(const Font& font, uint16_t glyph) {
     // Somewhere in the upper part of a glyph of any size.
     const Point origin = {Q26_6::from_raw(-style.size_q6 / 8 + 1000),
                           Q26_6::from_raw(style.size_q6 / 2 + 300)};
-    draw_checked(font, glyph, brush_of(style), origin);
+    Brush brush = brush_of(style);
+    draw_checked(font, glyph, brush, origin);
+    Fit fit;
+    FitOptions options;
+    options.stems = true;
+    options.strength_q8 = static_cast<uint16_t>(256 - glyph % 100);
+    if (brush.is_upright() &&
+        Fit::make(font, brush, options, fit) == Status::ok) {
+      brush.set_fitter(fit_glyph, &fit);
+      draw_checked(font, glyph, brush, origin);
+    }
   }
 }
 

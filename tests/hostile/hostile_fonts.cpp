@@ -18,6 +18,7 @@
 
 #include "exercise.hpp"
 #include "font_builder.hpp"
+#include "hints_record.hpp"
 #include "packed_record.hpp"
 #include "random.hpp"
 
@@ -71,6 +72,9 @@ Bytes build_font(bool wide) {
   spec.kerning.right = classes;
   spec.kerning.values = {values.data(), values.size()};
   spec.name = "Hostile";
+  HintsRecord hints;
+  hints.make_usual();
+  spec.hints = hints.write(4);
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
   hostile::require(!font.empty(), "the font fits its buffer");
@@ -102,6 +106,9 @@ Bytes build_packed_font() {
   spec.cmap = cmap;
   spec.glyphs = glyphs;
   spec.name = "Hostile";
+  HintsRecord hints;
+  hints.make_usual();
+  spec.hints = hints.write(2);
   spec.packed = {quantisation, row_workspace, workspace};
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
@@ -355,6 +362,7 @@ void change_at_random(const Bytes& good) {
     }
     keep_header(font, section::kMetrics, format::metrics::kBytes);
     keep_header(font, section::kKerning, format::kerning::kBytes);
+    keep_header(font, section::kHints, format::hints::kBytes);
     keep_header(font, section::kGlyphs, format::glyphs::kBytes);
     noise.try_repaired(font);
   }
