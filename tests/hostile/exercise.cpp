@@ -28,16 +28,14 @@ class Canvas {
         width_(window.x1 - window.x0),
         bytes_(
             2 * kGuard + static_cast<size_t>(width_ * (window.y1 - window.y0)),
-            kGuardByte) {
+            kGuardByte),
+        drawn_(bytes_.size()) {
     std::fill(bytes_.begin() + kGuard, bytes_.end() - kGuard, uint8_t{0});
   }
 
   Sink sink() { return {window_, this, coverage, solid}; }
-  // Glyphs of a run may overlap; within one, order is promised.
-  void next_glyph() {
-    last_y_ = INT32_MIN;
-    last_end_ = INT32_MIN;
-  }
+  // Glyphs of a run may overlap; within one, no pixel comes twice.
+  void next_glyph() { std::fill(drawn_.begin(), drawn_.end(), uint8_t{0}); }
   void check_guards() const {
     for (size_t i = 0; i < kGuard; ++i) {
       require(bytes_[i] == kGuardByte, "guard before the strip");
@@ -57,10 +55,12 @@ class Canvas {
     require(y >= window_.y0 && y < window_.y1, "row in the window");
     require(x >= window_.x0 && x < window_.x1, "pixel in the window");
     require(count >= 1 && count <= window_.x1 - x, "run in the window");
-    require(y > last_y_ || (y == last_y_ && x >= last_end_), "order of calls");
-    last_y_ = y;
-    last_end_ = x + count;
-    return bytes_.data() + kGuard + (y - window_.y0) * width_ + x - window_.x0;
+    const auto at = static_cast<ptrdiff_t>(kGuard) + (y - window_.y0) * width_ +
+                    x - window_.x0;
+    for (ptrdiff_t i = at; i < at + count; ++i) {
+      require(drawn_[static_cast<size_t>(i)]++ == 0, "no pixel twice");
+    }
+    return bytes_.data() + at;
   }
   static void coverage(void* context,
                        int32_t x,
@@ -81,8 +81,7 @@ class Canvas {
   Rect window_;
   int32_t width_;
   std::vector<uint8_t> bytes_;
-  int32_t last_y_ = INT32_MIN;
-  int32_t last_end_ = INT32_MIN;
+  std::vector<uint8_t> drawn_;
 };
 
 struct Style {
@@ -191,6 +190,12 @@ void use_tables(const Font& font) {
   }
 }
 
+// Whether numbers without sense make the same picture in every window: object
+// order, of larger upright text, needs fields within the format's limits.
+bool is_exact(const Brush& brush) {
+  return brush.size().raw < 40 * 64 || !brush.is_upright();
+}
+
 }  // namespace
 
 void require(bool condition, const char* what) {
@@ -216,7 +221,7 @@ void draw_checked(const Font& font,
   draw_glyph(font, glyph, brush, origin, lower.sink(), ram.workspace());
   lower.check_guards();
   for (int32_t y = 0; y < kHeight; ++y) {
-    require(whole.row_equals(y, y < 7 ? upper : lower),
+    require(!is_exact(brush) || whole.row_equals(y, y < 7 ? upper : lower),
             "the same picture in strips");
   }
   GlyphField field;
@@ -258,7 +263,8 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
       sink.window.y1 = y + 1;
       draw(font, {&glyph, 1}, brush, origin, sink, ram.workspace());
     }
-    require(parts.row_equals(y, whole), "the same line row by row");
+    require(!is_exact(brush) || parts.row_equals(y, whole),
+            "the same line row by row");
   }
 }
 

@@ -34,7 +34,8 @@ struct FinePoint {
 
 /// Draws the glyph whose origin (left end of its baseline) is at `origin`, into
 /// `sink`. Clipped to the sink's window; cannot fail. The picture does not
-/// depend on how a screen is cut into windows.
+/// depend on how a screen is cut into windows, if the field keeps the limits of
+/// docs/FORMAT.md; else it has no meaning, but stays in the window.
 void draw_field(const GlyphField& field,
                 const Brush& brush,
                 FinePoint origin,
