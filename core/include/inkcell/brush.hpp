@@ -118,8 +118,9 @@ class Brush {
   /// What draws the glyphs: null, the default, is one sample at the centre of
   /// each pixel, the fastest. The options must outlive the brush. Only what is
   /// named here is linked. Painters of this library take turned brushes, but
-  /// none that is made of a matrix. `reach_px` is how much farther than plain drawing
-  /// the painter reaches on each side of a glyph, in pixels and in samples.
+  /// none that is made of a matrix. `reach_px` is how much farther than plain
+  /// drawing the painter reaches on each side of a glyph, in pixels and in
+  /// samples.
   void set_painter(Painter function,
                    const void* options,
                    uint8_t reach_px = 0) noexcept {
