@@ -75,7 +75,9 @@ void draw_placed(const Font& font,
     return;
   }
   uint32_t at_once = packed.tiles_y;
-  if (goes_by_rows(brush)) {
+  const bool is_roomy = workspace.size >= font.workspace_bytes();
+  // Where some rows of tiles fit, all do, or each can be drawn alone.
+  if (brush.painter() == nullptr && (is_roomy || brush.is_upright())) {
     while (rows.begin < rows.end &&
            !meets_window(packed, {rows.begin, rows.begin + 1}, brush, origin,
                          sink)) {
@@ -86,7 +88,7 @@ void draw_placed(const Font& font,
         !meets_window(packed, {rows.end - 1, rows.end}, brush, origin, sink)) {
       --rows.end;
     }
-    if (workspace.size < font.workspace_bytes()) {
+    if (!is_roomy) {
       at_once = 1;
     }
   }

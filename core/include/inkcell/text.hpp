@@ -126,8 +126,9 @@ void draw_glyph(const Font& font,
 /// Of each packed glyph the rows of tiles that meet the sink's window are
 /// expanded into `workspace`: all at once if it has the font's
 /// workspace_bytes(), else one after the other, for which row_workspace_bytes()
-/// are enough. Glyphs that are turned or drawn by a Painter are always expanded
-/// whole. What does not fit is left out. Every call expands anew: high strips
+/// are enough. Turned glyphs always take all at once, and whole if there is
+/// less; those drawn by a Painter are always expanded whole. What does not fit
+/// is left out. Every call expands anew: high strips
 /// are faster than low ones.
 ///
 /// They are calls of their own so that programs with direct fonts only do not
