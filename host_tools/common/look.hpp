@@ -6,8 +6,12 @@
 
 #include "inkcell/adaptive.hpp"
 #include "inkcell/brush.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/perception.hpp"
 
 namespace inkcell::tools {
 
@@ -20,7 +24,13 @@ struct LookOptions {
   std::string filter;
   std::string hint = "auto";
   std::string samples = "auto";
-  double radius = 0;  // of adaptive sampling [px]; 0: what suits it
+  std::string rules = "none";
+  std::string motion;  // "x,y" [px]
+  double radius = 0;   // of adaptive sampling [px]; 0: what suits it
+  double weight = 0;   // [px]
+  double outline = 0;  // its width [px]; 0: none
+  OutlinePlace place = OutlinePlace::centred;
+  int levels = 256;  // 2 and 4: crisp
 };
 
 void add_look_options(CLI::App& app, LookOptions& options);
@@ -45,12 +55,19 @@ class Look {
   uint32_t more_samples() const { return more_samples_; }
 
  private:
+  void set_painter(const LookOptions& options, const Font& font, Use use);
   void set_samples(const LookOptions& options, Use use);
+  void set_rules(const LookOptions& options);
+  void set_motion(const LookOptions& options);
   void set_hint(const LookOptions& options, const Font& font, Use use);
 
+  Outline edges_;  // without an outline both are the filter
   Brush brush_;
   Fit fit_;
+  CrispStyle crisp_;
   Adaptive adaptive_;
+  Perception perception_;
+  MotionBlur blur_;
   uint32_t more_samples_ = 0;
 };
 

@@ -160,6 +160,32 @@ class Tools(unittest.TestCase):
         self.assertEqual(self.render(*box, "--angle", 1, "--hint",
                                      "none").pixels, turned.pixels)
 
+    def test_weight_and_outlines_come_from_the_same_font(self):
+        box = ("--text", "Vol", "--px", 30, "--width", 70, "--height", 40,
+               "--ox", 4, "--oy", 30, "--hint", "none")
+        plain = self.render(*box)
+        bold = self.render(*box, "--weight", 0.5)
+        light = self.render(*box, "--weight", -0.5)
+        self.assertGreater(bold.ink(), 1.2 * plain.ink())
+        self.assertLess(light.ink(), 0.8 * plain.ink())
+        outlines = {
+            place: self.render(*box, "--outline", 1, "--outline-place", place)
+            for place in ("inner", "centred", "outer")}
+        # What lies inside, outside, and on both sides of the edge.
+        pairs = list(zip(plain.pixels, outlines["inner"].pixels))
+        self.assertTrue(all(line <= whole for whole, line in pairs))
+        self.assertGreater(outlines["outer"].ink(), outlines["inner"].ink())
+        self.assertEqual(self.render(*box, "--outline", 1).pixels,
+                         outlines["centred"].pixels)
+
+    def test_few_levels(self):
+        box = ("--text", "Vol", "--px", 11)
+        self.assertEqual(set(self.render(*box, "--levels", 2).pixels), {0, 255})
+        self.assertEqual(set(self.render(*box, "--levels", 4).pixels),
+                         {0, 85, 170, 255})
+        bold = self.render(*box, "--levels", 2, "--weight", 0.2)
+        self.assertGreater(bold.ink(), self.render(*box, "--levels", 2).ink())
+
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
         plain = self.render("--text", "AVAV", "--px", 32, "--no-kerning")
@@ -246,6 +272,10 @@ class Tools(unittest.TestCase):
                 ("16777215 px", ("--font", self.font, *text, "--ox", "1e12",
                                  "--width", 9)),
                 ("16777215 px", ("--font", self.font, *text, "--oy", "-1e12")),
+                ("give the font a --band-px", ("--font", self.font, *text,
+                                               "--outline", 4)),
+                ("exclude each other", ("--font", self.font, *text, "--levels",
+                                        2, "--samples", "adaptive")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
                 ("nowhere", ("--font", "/nowhere.ttf", *text))]:
             code = 105 if said == "full not in" else 1
@@ -392,6 +422,21 @@ class Tools(unittest.TestCase):
             self.assertEqual(pictures[kind][:4], b"\x89PNG")
         self.assertEqual(pictures["direct"], pictures["packed"])
         self.assertNotEqual(pictures["direct"], pictures["samples"])
+
+    def test_specimen_draws_styles(self):
+        pictures = [self.path / f"{name}.png" for name in (
+            "filters", "lcd", "levels", "star", "compare-body",
+            "compare-display")]
+        options = [x for out in pictures for x in (f"--{out.stem}", out)]
+        run("specimen", SANS, "--max-px", 16, *options)
+        for out in pictures:
+            self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+        out = self.path / "effects.png"
+        self.assertIn("--band-px", run(
+            "specimen", self.fonts["direct"], "--effects", out, code=1))
+        run("specimen", SANS, "--symbols", "Efcts", "--band-px", 2, "--min-px",
+            12, "--max-px", 32, "--effects", out)
+        self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
 
     def test_paper_table_counts_in_the_paper_s_range(self):
         out = self.path / "table.json"
