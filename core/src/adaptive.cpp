@@ -16,7 +16,9 @@ namespace {
 
 using detail::FieldPosition;
 using detail::moved;
+using detail::moved_back;
 using detail::PointWalk;
+using detail::scaled;
 using detail::SpanWriter;
 using detail::Surroundings;
 
@@ -59,19 +61,6 @@ struct SampleRows {
   FieldPosition diagonal;
   FieldPosition inner;
 };
-
-FieldPosition scaled(const GlyphStep& step, int32_t way_q10) noexcept {
-  const auto part = [way_q10](int32_t whole) noexcept {
-    return static_cast<int32_t>((int64_t{whole} * way_q10) >> 10);
-  };
-  return {part(step.x_q16), part(step.y_q16),
-          static_cast<uint32_t>(part(step.x_q20)),
-          static_cast<uint32_t>(part(step.y_q20))};
-}
-
-FieldPosition back(const FieldPosition& at, const FieldPosition& by) noexcept {
-  return moved(at, {-by.x_q16, -by.y_q16, 0u - by.x_q20, 0u - by.y_q20});
-}
 
 // Adaptive::edge between its entries, which lie farther apart than those of the
 // filter.
@@ -146,7 +135,7 @@ struct Pixel {
   void cross(int32_t* out_q10) const noexcept {
     const FieldPosition centre = at(kCentre);
     out_q10[0] = sampling.distance_q10(moved(centre, rows.outer));
-    out_q10[1] = sampling.distance_q10(back(centre, rows.outer));
+    out_q10[1] = sampling.distance_q10(moved_back(centre, rows.outer));
     out_q10[2] = sampling.distance_q10(at(kOuterUp));
     out_q10[3] = sampling.distance_q10(at(kOuterDown));
   }
@@ -157,8 +146,8 @@ struct Pixel {
     const FieldPosition up = at(is_outer ? kDiagonalUp : kInnerUp);
     const FieldPosition down = at(is_outer ? kDiagonalDown : kInnerDown);
     const FieldPosition& side = is_outer ? rows.diagonal : rows.inner;
-    return value(moved(up, side)) + value(back(up, side)) +
-           value(moved(down, side)) + value(back(down, side));
+    return value(moved(up, side)) + value(moved_back(up, side)) +
+           value(moved(down, side)) + value(moved_back(down, side));
   }
 };
 
@@ -320,13 +309,6 @@ __attribute__((noinline)) void draw_pixels(Sampling& sampling,
   writer.flush();
 }
 
-__attribute__((noinline)) Rect box_of(const GlyphField& field,
-                                      const Brush& brush,
-                                      const FinePoint& origin,
-                                      const Sink& sink) noexcept {
-  return intersect(field_box(field, brush, origin), sink.window);
-}
-
 // Not inline, like all that draws a row: no function needs much of the stack.
 __attribute__((noinline)) void draw_row(Sampling& sampling,
                                         const FinePoint& origin,
@@ -397,7 +379,7 @@ void paint_adaptive(const GlyphField& field,
                     const RowMap* rows,
                     const Sink& sink) {
   const auto& adaptive = *static_cast<const Adaptive*>(options);
-  const Rect box = box_of(field, brush, origin, sink);
+  const Rect box = detail::painted_box(field, brush, origin, sink);
   Sampling sampling(field, brush, adaptive, rows != nullptr);
   for (int32_t y = box.y0; y < box.y1; ++y) {
     draw_row(sampling, origin, rows, box, y, sink);

@@ -65,6 +65,13 @@ FieldPosition sample_position(const Brush& brush,
   return at;
 }
 
+Rect painted_box(const GlyphField& field,
+                 const Brush& brush,
+                 const FinePoint& origin,
+                 const Sink& sink) noexcept {
+  return intersect(field_box(field, brush, origin), sink.window);
+}
+
 void PointWalk::go_to(const FieldPosition& at) noexcept {
   const int32_t x_u = at.x_q16 >> 16;
   const int32_t y_u = at.y_q16 >> 16;

@@ -34,6 +34,21 @@ inline FieldPosition moved(const FieldPosition& at,
           at.y_q20 + by.y_q20};
 }
 
+inline FieldPosition moved_back(const FieldPosition& at,
+                                const FieldPosition& by) noexcept {
+  return moved(at, {-by.x_q16, -by.y_q16, 0u - by.x_q20, 0u - by.y_q20});
+}
+
+// A way of so many px. [Q10]
+inline FieldPosition scaled(const GlyphStep& step, int32_t way_q10) noexcept {
+  const auto part = [way_q10](int32_t whole) noexcept {
+    return static_cast<int32_t>((int64_t{whole} * way_q10) >> 10);
+  };
+  return {part(step.x_q16), part(step.y_q16),
+          static_cast<uint32_t>(part(step.x_q20)),
+          static_cast<uint32_t>(part(step.y_q20))};
+}
+
 // From a pixel to the next one on its right.
 inline FieldPosition pixel_step(const Brush& brush) noexcept {
   const GlyphStep& right = brush.right();
@@ -51,6 +66,12 @@ FieldPosition sample_position(const Brush& brush,
                               int32_t x,
                               int32_t y,
                               ScreenOffset offset) noexcept;
+
+// The pixels that a painter may touch.
+Rect painted_box(const GlyphField& field,
+                 const Brush& brush,
+                 const FinePoint& origin,
+                 const Sink& sink) noexcept;
 
 // A gradient as the screen shows it. [Q14] A unit vector where cells are made
 // of fields, about that where they are made of samples, 0 if saturated.

@@ -5,14 +5,23 @@
 #include "check.hpp"
 #include "field_record.hpp"
 #include "font_builder.hpp"
-#include "inkcell/render.hpp"
-#include "inkcell/row_map.hpp"
+#include "painter_canvas.hpp"
 
 namespace {
 
 using namespace inkcell;
+using painter::Canvas;
+using painter::check_windows;
+using painter::draw;
+using painter::ink;
+using painter::kAll;
+using painter::keep;
+using painter::kSide;
+using painter::lift;
+using painter::magnitude;
+using painter::picture;
+using painter::whole;
 
-constexpr int32_t kSide = 40;
 constexpr int32_t kOne = 1 << 30;
 constexpr int32_t kDirections[][2] = {
     {kOne, 0}, {759250125, 759250125}, {858993459, -644245094}};
@@ -20,8 +29,6 @@ constexpr int32_t kDirections[][2] = {
 alignas(4) uint8_t bytes[1536];
 font_builder::Record samples;  // too large for the stack of a small board
 FieldRecord record;
-uint8_t picture[kSide * kSide];
-uint8_t whole[kSide * kSide];
 
 template <typename Source>
 GlyphField open(const Source& source) {
@@ -47,100 +54,6 @@ Brush brush_of(int32_t size_q6, uint32_t turn, const Adaptive& adaptive) {
       Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
   brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
   return brush;
-}
-
-// Keeps what is drawn; fails if pixels leave the window or go backwards.
-struct Canvas {
-  Rect window;
-  Rect shown;  // the part that may be drawn to
-  int32_t last_y = INT32_MIN;
-  int32_t last_end = INT32_MIN;
-
-  explicit Canvas(const Rect& all) : window(all), shown(all) {
-    for (uint8_t& pixel : picture) {
-      pixel = 0;
-    }
-  }
-  void show(const Rect& part) {
-    shown = part;
-    last_y = INT32_MIN;
-  }
-  Sink sink() { return {shown, this, coverage, solid}; }
-
-  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
-    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
-                      x >= shown.x0 && count <= shown.x1 - x;
-    CHECK(fits && "pixels inside the window");
-    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
-    last_y = y;
-    last_end = x + count;
-    for (int32_t i = 0; fits && i < count; ++i) {
-      picture[(y - window.y0) * kSide + x - window.x0 + i] =
-          values != nullptr ? values[i] : 255;
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* coverage,
-                       int32_t count) {
-    CHECK(count <= kMaxSpan);
-    static_cast<Canvas*>(context)->put(x, y, coverage, count);
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    static_cast<Canvas*>(context)->put(x, y, nullptr, count);
-  }
-};
-
-constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
-
-void draw(const GlyphField& field, const Brush& brush, FinePoint origin) {
-  Canvas canvas(kAll);
-  draw_field(field, brush, origin, canvas.sink());
-}
-
-int32_t ink() {
-  int32_t sum = 0;
-  for (const uint8_t pixel : picture) {
-    sum += pixel;
-  }
-  return sum;
-}
-
-void keep() {
-  for (int32_t i = 0; i < kSide * kSide; ++i) {
-    whole[i] = picture[i];
-  }
-}
-
-void check_windows(const GlyphField& field,
-                   const Brush& brush,
-                   FinePoint origin) {
-  draw(field, brush, origin);
-  keep();
-  for (int32_t cut = 1; cut < kSide; cut += 5) {
-    Canvas parts(kAll);
-    const int32_t x = kAll.x0 + cut;
-    for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
-      parts.show(intersect(kAll, {kAll.x0, y, x, y + cut}));
-      draw_field(field, brush, origin, parts.sink());
-      parts.show(intersect(kAll, {x, y, kAll.x1, y + cut}));
-      draw_field(field, brush, origin, parts.sink());
-    }
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      CHECK_EQ(picture[i], whole[i]);
-    }
-  }
-}
-
-void lift(const GlyphField& /*field*/,
-          const Brush& /*brush*/,
-          const void* /*options*/,
-          FinePoint& origin,
-          RowMap& rows) {
-  origin.x_q10 += 100;
-  CHECK(rows.add(0, 0));
-  CHECK(rows.add(7 << 10, (7 << 10) - 500));
 }
 
 // The mean coverage of 13 distances, each asked for alone.
@@ -178,10 +91,6 @@ int32_t mean_of_13(const GlyphField& field,
     weights += place[2];
   }
   return static_cast<int32_t>(sum / weights + 0.5);
-}
-
-int32_t magnitude(int32_t value) {
-  return value < 0 ? -value : value;
 }
 
 // Every pixel of a random glyph against the mean of 13. Returns the number of

@@ -1,0 +1,48 @@
+// Type that moves while the shutter is open: coverage along a vector.
+//
+//   MotionBlur blur;
+//   INKCELL_TRY(make_motion_blur(filter, {x, y}, blur));
+//   brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+//
+// The way is cut into steps of at most a pixel, and distances are taken where
+// they meet. Within a step the distance changes evenly, so that the filter's
+// ramp is integrated in closed form: two look-ups and a division a step. A
+// pixel near ink costs one distance more than there are steps.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/filter.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+/// Options of paint_motion_blur: built once a vector, shared.
+struct MotionBlur {
+  Filter filter;
+  /// What the entries of the filter's table before this one sum up to.
+  uint16_t sums[Filter::kEntries + 1] = {};
+  int32_t right_q10 = 0;  // the way of a step [px]
+  int32_t up_q10 = 0;
+  int32_t length_q10 = 0;  // at least that of a step, at most 1.5 times
+  uint8_t steps = 1;
+  uint8_t reach_px = 1;  // what Brush::set_painter wants
+};
+
+/// For a glyph that moves by `way` while it is seen, half of it before and half
+/// after its origin. bad_argument: the way is longer than 32 px along an axis.
+Status make_motion_blur(const Filter& filter,
+                        Point way,
+                        MotionBlur& out) noexcept;
+
+/// A Painter; `options` is a MotionBlur.
+void paint_motion_blur(const GlyphField& field,
+                       const Brush& brush,
+                       const void* options,
+                       const FinePoint& origin,
+                       const RowMap* rows,
+                       const Sink& sink);
+
+}  // namespace inkcell

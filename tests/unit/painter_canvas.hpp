@@ -1,0 +1,116 @@
+// What tests of painters draw on, and what they all must keep.
+#pragma once
+
+#include "check.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/row_map.hpp"
+
+namespace painter {
+
+using namespace inkcell;
+
+inline constexpr int32_t kSide = 40;
+inline uint8_t picture[kSide * kSide];
+inline uint8_t whole[kSide * kSide];
+
+// Keeps what is drawn; fails if pixels leave the window or go backwards.
+struct Canvas {
+  Rect window;
+  Rect shown;  // the part that may be drawn to
+  int32_t last_y = INT32_MIN;
+  int32_t last_end = INT32_MIN;
+
+  explicit Canvas(const Rect& all) : window(all), shown(all) {
+    for (uint8_t& pixel : picture) {
+      pixel = 0;
+    }
+  }
+  void show(const Rect& part) {
+    shown = part;
+    last_y = INT32_MIN;
+  }
+  Sink sink() { return {shown, this, coverage, solid}; }
+
+  void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
+                      x >= shown.x0 && count <= shown.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
+    last_y = y;
+    last_end = x + count;
+    for (int32_t i = 0; fits && i < count; ++i) {
+      picture[(y - window.y0) * kSide + x - window.x0 + i] =
+          values != nullptr ? values[i] : 255;
+    }
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    CHECK(count <= kMaxSpan);
+    static_cast<Canvas*>(context)->put(x, y, coverage, count);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    static_cast<Canvas*>(context)->put(x, y, nullptr, count);
+  }
+};
+
+inline constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
+
+inline void draw(const GlyphField& field,
+                 const Brush& brush,
+                 FinePoint origin) {
+  Canvas canvas(kAll);
+  draw_field(field, brush, origin, canvas.sink());
+}
+
+inline int32_t ink() {
+  int32_t sum = 0;
+  for (const uint8_t pixel : picture) {
+    sum += pixel;
+  }
+  return sum;
+}
+
+inline void keep() {
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    whole[i] = picture[i];
+  }
+}
+
+inline void check_windows(const GlyphField& field,
+                          const Brush& brush,
+                          FinePoint origin) {
+  draw(field, brush, origin);
+  keep();
+  for (int32_t cut = 1; cut < kSide; cut += 5) {
+    Canvas parts(kAll);
+    const int32_t x = kAll.x0 + cut;
+    for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
+      parts.show(intersect(kAll, {kAll.x0, y, x, y + cut}));
+      draw_field(field, brush, origin, parts.sink());
+      parts.show(intersect(kAll, {x, y, kAll.x1, y + cut}));
+      draw_field(field, brush, origin, parts.sink());
+    }
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      CHECK_EQ(picture[i], whole[i]);
+    }
+  }
+}
+
+inline void lift(const GlyphField& /*field*/,
+                 const Brush& /*brush*/,
+                 const void* /*options*/,
+                 FinePoint& origin,
+                 RowMap& rows) {
+  origin.x_q10 += 100;
+  CHECK(rows.add(0, 0));
+  CHECK(rows.add(7 << 10, (7 << 10) - 500));
+}
+
+inline int32_t magnitude(int32_t value) {
+  return value < 0 ? -value : value;
+}
+
+}  // namespace painter

@@ -1,0 +1,125 @@
+// Motion blur: what it is the mean of, and that no picture depends on how it is
+// cut.
+#include "inkcell/motion_blur.hpp"
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "painter_canvas.hpp"
+#include "random.hpp"
+
+namespace {
+
+using namespace inkcell;
+using painter::check_windows;
+using painter::draw;
+using painter::kSide;
+using painter::magnitude;
+using painter::picture;
+using painter::whole;
+
+alignas(4) uint8_t bytes[1536];
+font_builder::Record samples;
+int32_t sums[kSide * kSide];
+
+GlyphField field_of(font_builder::Shape shape) {
+  samples.reset();
+  samples.fill(shape);
+  GlyphField field;
+  CHECK(samples.size() <= sizeof(bytes));
+  samples.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, samples.size()}, field));
+  return field;
+}
+
+Point way_of(int32_t x_q6, int32_t y_q6) {
+  return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
+}
+
+Brush brush_of(int32_t size_q6, bool is_turned) {
+  Direction direction;
+  direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
+  direction.sine.raw = is_turned ? -644245094 : 0;
+  Brush brush;
+  CHECK_OK(
+      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
+  return brush;
+}
+
+}  // namespace
+
+// The mean of 64 plain pictures along the way.
+TEST(blurred_pictures_are_means_of_shifted_ones) {
+  const GlyphField field = field_of(font_builder::ring);
+  const int32_t ways[][2] = {{40, 0}, {0, -64}, {150, 90}, {-300, 20}};
+  for (const auto& way : ways) {
+    for (int turned = 0; turned < 2; ++turned) {
+      Brush brush = brush_of(30 * 64, turned != 0);
+      const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
+      for (int32_t& sum : sums) {
+        sum = 0;
+      }
+      for (int32_t i = 0; i < 64; ++i) {
+        // From half the way before to half the way behind, in 1/128 of it.
+        const int64_t part = 2 * i - 63;
+        draw(field, brush,
+             {origin.x_q10 + way[0] * 16 * part / 128,
+              origin.y_q10 + way[1] * 16 * part / 128});
+        for (int32_t j = 0; j < kSide * kSide; ++j) {
+          sums[j] += picture[j];
+        }
+      }
+      MotionBlur blur;
+      CHECK_OK(make_motion_blur(kFilterText, way_of(way[0], way[1]), blur));
+      brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+      draw(field, brush, origin);
+      int32_t total = 0;
+      for (int32_t j = 0; j < kSide * kSide; ++j) {
+        const int32_t difference = magnitude(picture[j] - (sums[j] + 32) / 64);
+        CHECK(difference <= 14);
+        total += difference;
+      }
+      CHECK(total <= kSide * kSide);  // a level on average
+    }
+  }
+}
+
+TEST(no_way_is_no_blur) {
+  const GlyphField field = field_of(font_builder::disc);
+  Brush brush = brush_of(30 * 64, false);
+  const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
+  draw(field, brush, origin);
+  painter::keep();
+  MotionBlur blur;
+  CHECK_OK(make_motion_blur(kFilterText, way_of(0, 0), blur));
+  brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+  draw(field, brush, origin);
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    CHECK(magnitude(picture[i] - whole[i]) <= 1);
+  }
+}
+
+TEST(windows_do_not_change_blurred_pictures) {
+  Random random(71);
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
+    MotionBlur blur;
+    CHECK_OK(make_motion_blur(
+        kFilterText,
+        way_of(random.between(-400, 400), random.between(-400, 400)), blur));
+    Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
+    brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+    if ((round & 2) != 0) {
+      brush.set_fitter(painter::lift, nullptr);
+    }
+    check_windows(field_of(font_builder::ring), brush,
+                  {random.between(0, 9999), random.between(9999, 30000)});
+  }
+}
+
+TEST(long_ways_are_refused) {
+  MotionBlur blur;
+  CHECK_OK(make_motion_blur(kFilterText, way_of(32 * 64, -32 * 64), blur));
+  CHECK_EQ(make_motion_blur(kFilterText, way_of(32 * 64 + 1, 0), blur),
+           Status::bad_argument);
+  CHECK_EQ(make_motion_blur(kFilterText, way_of(0, -32 * 64 - 1), blur),
+           Status::bad_argument);
+}

@@ -1,0 +1,111 @@
+// Perceptual rules: which pixels become darker and lighter, and that no picture
+// depends on how it is cut.
+#include "inkcell/perception.hpp"
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "painter_canvas.hpp"
+#include "random.hpp"
+
+namespace {
+
+using namespace inkcell;
+using painter::check_windows;
+using painter::draw;
+using painter::kAll;
+using painter::kSide;
+using painter::picture;
+using painter::whole;
+
+alignas(4) uint8_t bytes[1536];
+font_builder::Record samples;
+
+GlyphField field_of(font_builder::Shape shape) {
+  samples.reset();
+  samples.fill(shape);
+  GlyphField field;
+  CHECK(samples.size() <= sizeof(bytes));
+  samples.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, samples.size()}, field));
+  return field;
+}
+
+Brush brush_of(int32_t size_q6, bool is_turned) {
+  Direction direction;
+  direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
+  direction.sine.raw = is_turned ? -644245094 : 0;
+  Brush brush;
+  CHECK_OK(
+      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
+  return brush;
+}
+
+// Changes of coverage in the left and the right half of the picture.
+struct Change {
+  int32_t left;
+  int32_t right;
+};
+
+Change change_of(const GlyphField& field,
+                 Brush& brush,
+                 FinePoint origin,
+                 int32_t middle_x,
+                 const Perception& perception) {
+  brush.set_painter(nullptr, nullptr);
+  draw(field, brush, origin);
+  painter::keep();
+  brush.set_painter(paint_perceptual, &perception, kPerceptionReach);
+  draw(field, brush, origin);
+  Change change = {0, 0};
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    const int32_t x = i % kSide + kAll.x0;
+    (x < middle_x ? change.left : change.right) += picture[i] - whole[i];
+  }
+  return change;
+}
+
+}  // namespace
+
+// A bar from 200 to 440 u: its left edge darker, its right one lighter.
+TEST(left_edges_are_darker_and_right_ones_lighter) {
+  const GlyphField field = field_of(font_builder::bar);
+  for (int turned = 0; turned < 2; ++turned) {
+    Brush brush = brush_of(32 * 64, turned != 0);
+    // The bar's middle, 10 px along the baseline and up, lands about (16, 16).
+    const FinePoint origin = turned != 0 ? FinePoint(2 * 1024, 18 * 1024)
+                                         : FinePoint(6 * 1024 + 512, 26 * 1024);
+    const Change change = change_of(field, brush, origin, 16, {90, 0});
+    CHECK(change.left > 120);
+    CHECK(change.right < -120);
+    // Weight stays: the ends of the bar are an upper and a lower edge.
+    const int32_t sum = change.left + change.right;
+    CHECK(sum < 40 && sum > -40);
+  }
+}
+
+// At 10 px the ring is 1.2 px wide: both edges meet in it. At 40 px they do
+// not.
+TEST(only_thin_strokes_are_darker) {
+  const GlyphField field = field_of(font_builder::ring);
+  Brush thin = brush_of(10 * 64, false);
+  Brush wide = brush_of(40 * 64, false);
+  const FinePoint origin(10 * 1024 + 300, 26 * 1024);
+  const Change at_thin = change_of(field, thin, origin, kAll.x0, {0, 128});
+  CHECK(at_thin.right > 120);
+  const Change at_wide = change_of(field, wide, origin, kAll.x0, {0, 128});
+  CHECK_EQ(at_wide.right, 0);
+}
+
+TEST(windows_do_not_change_perceptual_pictures) {
+  const Perception perception;
+  Random random(81);
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
+    Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
+    brush.set_painter(paint_perceptual, &perception, kPerceptionReach);
+    if ((round & 2) != 0) {
+      brush.set_fitter(painter::lift, nullptr);
+    }
+    check_windows(field_of(font_builder::ring), brush,
+                  {random.between(0, 9999), random.between(9999, 30000)});
+  }
+}
