@@ -389,10 +389,9 @@ void draw_slanted_row(Slanted& slanted,
       } while (x < end && change >> square_log2 == 0);
       continue;
     }
-    uint32_t steps =
-        lesser(lesser(slanted.across.steps_in_square(at.x_q16, square_log2),
-                      slanted.up.steps_in_square(at.y_q16, square_log2)),
-               static_cast<uint32_t>(end - x - 1));
+    uint32_t steps = slanted.across.steps_in_square(
+        at.x_q16, square_log2, static_cast<uint32_t>(end - x - 1));
+    steps = slanted.up.steps_in_square(at.y_q16, square_log2, steps);
     Side side = found.reference == format::glyph::kInside ? Side::inside
                                                           : Side::outside;
     if (leaf.count != 0) {

@@ -42,29 +42,27 @@ struct AxisStep {
         inverse_q27(size < 1 << 12 ? 1u << 15 : (1u << 27) / size),
         falls(step_q16 < 0) {}
 
-  // Whole steps that fit into a way below 2^31, at most 2^16 of them.
-  uint32_t steps_in(uint32_t way) const noexcept {
-    constexpr uint32_t kMost = 1 << 16;
-    if (size == 0) {
-      return kMost;
+  // Whole steps that fit into a way below 2^31: `most`, up to 2^16, if more do.
+  uint32_t steps_in(uint32_t way, uint32_t most) const noexcept {
+    // Slow ones, which the inverse does not serve, rarely leave at all.
+    if (size < 1 << 12 && size * most <= way) {
+      return most;
     }
-    uint32_t steps =
-        ((way >> 11 < kMost ? way >> 11 : kMost) * inverse_q27) >> 16;
-    uint32_t left = way - steps * size;
-    while (left > way) {
-      --steps;
-      left += size;
-    }
-    while (left >= size && steps < kMost) {
+    const uint32_t near = lesser(way >> 11, 1 << 16);
+    uint32_t steps = (near * inverse_q27) >> 16;
+    // Both factors are cut, so that the guess is not too high.
+    for (uint32_t left = way - steps * size; left >= size && steps < most;
+         left -= size) {
       ++steps;
-      left -= size;
     }
-    return steps;
+    return lesser(steps, most);
   }
   // The same before a coordinate leaves its square.
-  uint32_t steps_in_square(uint32_t at, uint32_t square_log2) const noexcept {
+  uint32_t steps_in_square(uint32_t at,
+                           uint32_t square_log2,
+                           uint32_t most) const noexcept {
     const uint32_t low = at & ((1u << square_log2) - 1);
-    return steps_in(falls ? low : (1u << square_log2) - 1 - low);
+    return steps_in(falls ? low : (1u << square_log2) - 1 - low, most);
   }
 };
 
@@ -118,15 +116,15 @@ struct Slanted {
     return right.x_q20 < kLimit && right.x_q20 > -kLimit &&
            right.y_q20 < kLimit && right.y_q20 > -kLimit;
   }
-  // How many pixels of a row from one that may show.
+  // How many pixels of a row from one that may show, `most` or fewer.
   int32_t count_shown(const RowPoint& at, int32_t most) const noexcept {
     const uint32_t x = at.x_q16 - left_q16;
     const uint32_t y = at.y_q16 - low_q16;
-    const uint32_t steps =
-        lesser(across.steps_in(across.falls ? x : width_q16 - 1 - x),
-               up.steps_in(up.falls ? y : height_q16 - 1 - y));
-    const auto count = static_cast<int32_t>(steps + 1);
-    return count < most ? count : most;
+    const uint32_t more = lesser(static_cast<uint32_t>(most) - 1, 1 << 16);
+    const uint32_t across_steps =
+        across.steps_in(across.falls ? x : width_q16 - 1 - x, more);
+    return static_cast<int32_t>(
+        up.steps_in(up.falls ? y : height_q16 - 1 - y, across_steps) + 1);
   }
   bool may_show(const RowPoint& at) const noexcept {
     return at.x_q16 - left_q16 < width_q16 && at.y_q16 - low_q16 < height_q16;
