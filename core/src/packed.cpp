@@ -333,6 +333,18 @@ class Expansion {
   RecentFields recent_;
 };
 
+// Not inline: the caller's frame holds a view of the result.
+__attribute__((noinline)) Status expand_rows(const PackedGlyph& glyph,
+                                             uint32_t first_row,
+                                             uint32_t row_count,
+                                             Workspace workspace,
+                                             uint16_t& heap_units) noexcept {
+  Expansion expansion(glyph, workspace);
+  INKCELL_TRY(expansion.rows(first_row, row_count));
+  heap_units = static_cast<uint16_t>(expansion.units());
+  return Status::ok;
+}
+
 }  // namespace
 
 Status PackedGlyph::open(Span<const uint8_t> record,
@@ -414,12 +426,12 @@ Status expand(const PackedGlyph& glyph,
       reinterpret_cast<uintptr_t>(workspace.data) % 2 != 0) {
     return Status::bad_argument;
   }
-  Expansion expansion(glyph, workspace);
-  INKCELL_TRY(expansion.rows(first_row, row_count));
+  uint16_t heap_units = 0;
+  INKCELL_TRY(expand_rows(glyph, first_row, row_count, workspace, heap_units));
   out = glyph.grid(first_row, row_count);
   out.references = workspace.data;
   out.cells = workspace.data;
-  out.heap_units = static_cast<uint16_t>(expansion.units());
+  out.heap_units = heap_units;
   return Status::ok;
 }
 
