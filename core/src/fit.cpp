@@ -10,6 +10,10 @@ constexpr int32_t kPx = 1 << 10;  // [Q10]
 // What passes a zone by less than this is cut off.
 constexpr int32_t kLeastOvershoot = 614;  // 0.6 px
 
+// Upper zones go up rather than down, by up to 5/8 px: what is a little too
+// high reads better than what is too low.
+constexpr int32_t kPreferUp = 128;
+
 // Strokes up to this wide become one row.
 constexpr int32_t kOneRow = 1280;  // 1.25 px
 
@@ -136,7 +140,9 @@ void GlyphFit::read(Span<const uint8_t> edges) noexcept {
       const int32_t zone_q10 = fit_.zones_q10_[level.zone - 1];
       const int32_t beyond = edge.glyph_q10 - zone_q10;
       const bool is_cut = magnitude(beyond) < kLeastOvershoot;
-      fix(edge, round_px(zone_q10) + (is_cut ? 0 : round_px(beyond)));
+      const int32_t aim_q10 =
+          zone_q10 + (fit_.is_bottom(level.zone) ? 0 : kPreferUp);
+      fix(edge, round_px(aim_q10) + (is_cut ? 0 : round_px(beyond)));
     }
   }
 }

@@ -115,7 +115,8 @@ TEST(edges_of_zones_and_bars_lie_between_rows) {
     const Brush brush = brush_of(px_q6);
     const Fitted glyph = fitted(font, brush, {}, {});
     const int32_t zone = glyph.screen_q10(512, brush);
-    CHECK_EQ(zone, (px_q6 * 8 + kPx / 2) / kPx * kPx);
+    // Upwards from 3/8 px on.
+    CHECK_EQ(zone, (px_q6 * 8 + kPx * 5 / 8) / kPx * kPx);
     CHECK_EQ(glyph.screen_q10(440, brush), zone - kPx);
     // The overshoot is cut off, and the flat edge a step above it.
     CHECK_EQ(glyph.screen_q10(-14, brush), 0);
