@@ -110,7 +110,11 @@ Sampling::Sampling(const GlyphField& field,
                    bool is_fitted) noexcept
     : brush(the_brush),
       options(the_options),
-      walk(field, the_brush, detail::kNoReach),
+      // Farther away vertices need not be round.
+      walk(field,
+           the_brush,
+           detail::reach_of(the_brush.filter()) +
+               (the_options.radius_q10 << 12)),
       around{part_of(the_options.radius_q10, 2), 0, 0},
       more_samples(0) {
   const FieldPosition right = scaled(the_brush.right(), around.radius_q10);
@@ -121,7 +125,13 @@ Sampling::Sampling(const GlyphField& field,
       (magnitude(right.y_q16) + magnitude(up.y_q16)) * (is_fitted ? 2 : 1);
 }
 
-// Sums of values at four or eight places around a pixel.
+// Of values on the two circles.
+struct Sums {
+  int32_t inner;
+  int32_t outer;
+};
+
+// Places around a pixel.
 struct Pixel {
   Sampling& sampling;
   const SampleRows& rows;
@@ -131,23 +141,34 @@ struct Pixel {
     return moved(rows.heights[height], way);
   }
 
-  // On the axes: right, left, up and down.
+  // Both go around the centre, so that many a sample lies in the cell of the
+  // one before.
+
+  // On the axes: right, up, left and down.
   void cross(int32_t* out_q10) const noexcept {
     const FieldPosition centre = at(kCentre);
     out_q10[0] = sampling.distance_q10(moved(centre, rows.outer));
-    out_q10[1] = sampling.distance_q10(moved_back(centre, rows.outer));
-    out_q10[2] = sampling.distance_q10(at(kOuterUp));
+    out_q10[1] = sampling.distance_q10(at(kOuterUp));
+    out_q10[2] = sampling.distance_q10(moved_back(centre, rows.outer));
     out_q10[3] = sampling.distance_q10(at(kOuterDown));
   }
 
   // On the diagonals; `value` maps a place to what is summed.
   template <typename Value>
-  int32_t diagonals(bool is_outer, const Value& value) const noexcept {
-    const FieldPosition up = at(is_outer ? kDiagonalUp : kInnerUp);
-    const FieldPosition down = at(is_outer ? kDiagonalDown : kInnerDown);
-    const FieldPosition& side = is_outer ? rows.diagonal : rows.inner;
-    return value(moved(up, side)) + value(moved_back(up, side)) +
-           value(moved(down, side)) + value(moved_back(down, side));
+  Sums diagonals(const Value& value) const noexcept {
+    Sums sums = {0, 0};
+    for (uint32_t corner = 0; corner < 4; ++corner) {
+      // From the lower right one to the lower left one.
+      const bool is_up = corner == 1 || corner == 2;
+      const bool is_right = corner < 2;
+      const FieldPosition outer = at(is_up ? kDiagonalUp : kDiagonalDown);
+      const FieldPosition inner = at(is_up ? kInnerUp : kInnerDown);
+      sums.outer += value(is_right ? moved(outer, rows.diagonal)
+                                   : moved_back(outer, rows.diagonal));
+      sums.inner += value(is_right ? moved(inner, rows.inner)
+                                   : moved_back(inner, rows.inner));
+    }
+    return sums;
   }
 };
 
@@ -172,8 +193,8 @@ __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
       least >= filter.inside_q10 + margin) {
     return most <= filter.outside_q10 ? 0 : 255;
   }
-  const int32_t across = cross[0] + cross[1] - 2 * centre_q10;
-  const int32_t upright = cross[2] + cross[3] - 2 * centre_q10;
+  const int32_t across = cross[0] + cross[2] - 2 * centre_q10;
+  const int32_t upright = cross[1] + cross[3] - 2 * centre_q10;
   const int32_t bend = magnitude(across) > magnitude(upright)
                            ? magnitude(across)
                            : magnitude(upright);
@@ -187,18 +208,16 @@ __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
   if (bend <= kPlane) {
     return edge;
   }
-  int32_t outer = 0;
-  for (const int32_t distance_q10 : cross) {
-    outer += filter.coverage(distance_q10);
-  }
   const auto coverage = [&sampling](const FieldPosition& at) noexcept {
     return sampling.coverage(at);
   };
-  outer += pixel.diagonals(true, coverage);
-  const int32_t inner = pixel.diagonals(false, coverage);
+  Sums sums = pixel.diagonals(coverage);
+  for (const int32_t distance_q10 : cross) {
+    sums.outer += filter.coverage(distance_q10);
+  }
   const int32_t mean_q16 = filter.coverage(centre_q10) * options.centre_q16 +
-                           inner * options.inner_q16 +
-                           outer * options.outer_q16;
+                           sums.inner * options.inner_q16 +
+                           sums.outer * options.outer_q16;
   const int32_t mean = (mean_q16 + (1 << 15)) >> 16;
   if (bend >= kBroken) {
     return mean;
@@ -259,11 +278,10 @@ __attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
   const auto distance = [&](const FieldPosition& at) noexcept {
     return clamped(sampling.distance_q10(at));
   };
-  outer += pixel.diagonals(true, distance);
-  const int32_t inner = pixel.diagonals(false, distance);
+  const Sums sums = pixel.diagonals(distance);
   const int64_t mean_q16 = int64_t{centre} * options.centre_q16 +
-                           int64_t{inner} * options.inner_q16 +
-                           int64_t{outer} * options.outer_q16;
+                           int64_t{sums.inner} * options.inner_q16 +
+                           int64_t{outer + sums.outer} * options.outer_q16;
   return filter.coverage(static_cast<int32_t>(mean_q16 >> 16));
 }
 
