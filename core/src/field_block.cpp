@@ -15,6 +15,9 @@ namespace {
 // Roundings of bent fields do not reach so far. [px, Q22]
 constexpr int32_t kArcMargin = 1 << 18;
 
+// Of a steeper field nothing is known of the rest of a row. [px per px]
+constexpr int32_t kMaxSlopeQ14 = 2 << 14;
+
 int32_t lesser(int32_t a, int32_t b) noexcept {
   return a < b ? a : b;
 }
@@ -37,6 +40,10 @@ struct Reach {
                   static_cast<uint32_t>(lesser(b, 0)));
     high = wrapped(first + static_cast<uint32_t>(greater(a, 0)) +
                    static_cast<uint32_t>(greater(b, 0)));
+  }
+  void widen(int32_t down, int32_t up) noexcept {
+    low = wrapped(static_cast<uint32_t>(low) + static_cast<uint32_t>(down));
+    high = wrapped(static_cast<uint32_t>(high) + static_cast<uint32_t>(up));
   }
 };
 
@@ -90,8 +97,8 @@ BlockPainter::Side BlockPainter::set_up(Track& track,
     const int32_t high_sag = end.value_q22(bend_log2);
     least = term.nx_q14 - greater(low_slope, high_slope) - 1;
     most = term.nx_q14 - lesser(low_slope, high_slope) + 1;
-    value.low += lesser(lesser(low_sag, high_sag), 0);
-    value.high += greater(greater(low_sag, high_sag), 0);
+    value.widen(lesser(lesser(low_sag, high_sag), 0),
+                greater(greater(low_sag, high_sag), 0));
     margin = kArcMargin;
     margin_q22_ = kArcMargin;
   }
@@ -102,12 +109,18 @@ BlockPainter::Side BlockPainter::set_up(Track& track,
   if (value.high <= -reach_q22) {
     return sign == 0 ? Side::outside : Side::inside;
   }
+  const int32_t slope_q14 = greater(most, -least);
+  slope_q14_ = greater(slope_q14_, slope_q14);
+  if (slope_q14 > kMaxSlopeQ14) {
+    track.inside_q22 = INT32_MAX;
+    track.outside_q22 = -INT32_MAX;
+    return Side::edge;
+  }
   const auto width = static_cast<int32_t>(wide) << 8;
   const int32_t down_q22 = width * lesser(least, 0);
   const int32_t up_q22 = width * greater(most, 0);
   track.inside_q22 = reach_q22 + (sign == 0 ? -down_q22 : up_q22);
   track.outside_q22 = -reach_q22 + (sign == 0 ? -up_q22 : down_q22);
-  slope_q14_ = greater(slope_q14_, greater(most, -least));
   return Side::edge;
 }
 
