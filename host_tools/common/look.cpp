@@ -14,6 +14,9 @@
 namespace inkcell::tools {
 namespace {
 
+// Below this size text reads better of several samples.
+constexpr Q26_6 kLeastForOne = Q26_6::from_int(10);
+
 const Filter& filter_for(const std::string& name, Use use) {
   if (name.empty()) {
     return use == Use::moving ? kFilterMotion : kFilterText;
@@ -39,7 +42,7 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--samples", options.samples,
                  "Distances a pixel: one; adaptive, up to 13 where one does "
                  "not tell enough; paper, as the paper has it; auto, one, but "
-                 "adaptive for jobs of kind anim")
+                 "adaptive below 10 px and for jobs of kind anim")
       ->check(CLI::IsMember({"one", "adaptive", "paper", "auto"}))
       ->capture_default_str();
   app.add_option("--radius", options.radius,
@@ -128,7 +131,8 @@ void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
 
 void Look::set_samples(const LookOptions& options, Use use) {
   if (options.samples == "one" ||
-      (options.samples == "auto" && use == Use::still)) {
+      (options.samples == "auto" && use == Use::still &&
+       brush_.size().raw >= kLeastForOne.raw)) {
     return;
   }
   const bool is_paper = options.samples == "paper";
