@@ -4,12 +4,14 @@
 #include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey4.hpp"
 #include "inkcell/port/grey8.hpp"
+#include "inkcell/port/lcd.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/mono_rows.hpp"
 #include "inkcell/port/rgb565.hpp"
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/text.hpp"
+#include "styles.hpp"
 
 namespace golden {
 namespace {
@@ -151,6 +153,22 @@ bool draw_xrgb8888(const Strip& strip, const Fonts& fonts) {
   return draw_lines(target, strip, fonts);
 }
 
+bool draw_a8_styles(const Strip& strip, const Fonts& fonts) {
+  A8Target target;
+  target.strip = strip;
+  Sink sink;
+  return make_sink(target, sink) == Status::ok && draw_styles(fonts, sink);
+}
+
+bool draw_rgb888_sub_pixels(const Strip& strip, const Fonts& fonts) {
+  Rgb888Target target;
+  target.strip = strip;
+  target.colour = 0xf0f0f0;
+  Sink sink;
+  return make_lcd_sink(target, sink) == Status::ok &&
+         draw_sub_pixels(fonts, sink);
+}
+
 struct DrawnPage {
   Page page;
   bool (*draw)(const Strip& strip, const Fonts& fonts);
@@ -177,6 +195,8 @@ constexpr DrawnPage kPages[kPageCount] = {
     {{"rgb888 blue first", PixelFormat::rgb888},
      draw_rgb888<ChannelOrder::blue_first>},
     {{"xrgb8888", PixelFormat::xrgb8888}, draw_xrgb8888},
+    {{"a8 styles", PixelFormat::a8}, draw_a8_styles},
+    {{"rgb888 sub-pixels", PixelFormat::rgb888}, draw_rgb888_sub_pixels},
 };
 
 // What draw() of a loop needs to know.

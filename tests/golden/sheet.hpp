@@ -3,7 +3,7 @@
 //
 // A page is 160 x 176 px: five fonts at several sizes with each preset filter,
 // at sub-pixel origins, and two turned lines, over a dark ground and a
-// half-tone.
+// half-tone. Two pages more show every style.
 #pragma once
 
 #include "fonts.hpp"
@@ -16,8 +16,8 @@ namespace golden {
 inline constexpr int32_t kPageWidth = 160;
 inline constexpr int32_t kPageHeight = 176;
 
-/// One a pixel format and order of its bits or bytes.
-inline constexpr int kPageCount = 14;
+/// One a pixel format and order of its bits or bytes, then the styles.
+inline constexpr int kPageCount = 16;
 
 struct Page {
   const char* name;

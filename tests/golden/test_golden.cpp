@@ -20,6 +20,9 @@ constexpr size_t kBufferBytes =
 alignas(4) uint8_t buffer[kBufferBytes];
 alignas(4) uint8_t workspace[kWorkspaceBytes];
 
+static_assert(sizeof(kPageHashes) / sizeof(*kPageHashes) == kPageCount,
+              "a hash for each page");
+
 constexpr Coding kCodings[] = {Coding::direct, Coding::packed};
 
 Span<const uint8_t> bytes_of(const Strip& strip, const Page& page) {

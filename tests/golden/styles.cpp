@@ -1,0 +1,217 @@
+#include "styles.hpp"
+
+#include "inkcell/adaptive.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/fit.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/perception.hpp"
+#include "inkcell/text.hpp"
+
+namespace golden {
+namespace {
+
+using namespace inkcell;
+
+struct Line {
+  FontId font;
+  const char* text;
+  int32_t size_q6;
+  int32_t x_q6;
+  int32_t y_q6;
+};
+
+bool draw_line(const Line& line,
+               const Fonts& fonts,
+               const Brush& brush,
+               bool fitted,
+               const Sink& sink) {
+  Font font;
+  Fit fit;
+  if (Font::open(font_bytes(line.font, fonts.coding), font) != Status::ok) {
+    return false;
+  }
+  Brush own = brush;
+  if (fitted) {
+    FitOptions options;
+    options.stems = true;
+    if (Fit::make(font, brush, options, fit) != Status::ok) {
+      return false;
+    }
+    own.set_fitter(fit_glyph, &fit);
+  }
+  const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
+  if (fonts.coding == Coding::packed) {
+    draw_text(font, line.text, own, origin, sink, fonts.workspace);
+  } else {
+    draw_text(font, line.text, own, origin, sink);
+  }
+  return true;
+}
+
+bool make_brush(const Line& line, const Filter& filter, Brush& brush) {
+  return Brush::make(Q26_6::from_raw(line.size_q6), filter, brush) ==
+         Status::ok;
+}
+
+bool draw_plain(const Line& line,
+                const Fonts& fonts,
+                const Filter& filter,
+                bool fitted,
+                const Sink& sink) {
+  Brush brush;
+  return make_brush(line, filter, brush) &&
+         draw_line(line, fonts, brush, fitted, sink);
+}
+
+bool draw_painted(const Line& line,
+                  const Fonts& fonts,
+                  const Filter& filter,
+                  Painter painter,
+                  const void* options,
+                  int32_t reach_px,
+                  bool fitted,
+                  const Sink& sink) {
+  Brush brush;
+  if (!make_brush(line, filter, brush)) {
+    return false;
+  }
+  brush.set_painter(painter, options, static_cast<uint8_t>(reach_px));
+  return draw_line(line, fonts, brush, fitted, sink);
+}
+
+bool draw_fitted(const Fonts& fonts, const Sink& sink) {
+  return draw_plain({FontId::dejavu_sans, "Inkcell 42", 12 * 64, 2 * 64 + 13,
+                     12 * 64 + 21},
+                    fonts, kFilterText, true, sink) &&
+         draw_plain({FontId::roboto, "Roboty", 17 * 64 + 32, 80 * 64 + 40,
+                     15 * 64 + 50},
+                    fonts, kFilterText, true, sink);
+}
+
+bool draw_adaptive(const Fonts& fonts, const Sink& sink) {
+  const Adaptive even = make_adaptive(kFilterMotion, kCalmRadius);
+  if (!draw_painted({FontId::dejavu_serif, "AVA Quav&", 10 * 64 + 11, 2 * 64,
+                     28 * 64 + 17},
+                    fonts, kFilterMotion, paint_adaptive, &even, kAdaptiveReach,
+                    false, sink)) {
+    return false;
+  }
+  const Adaptive paper =
+      make_adaptive(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
+  return draw_painted(
+      {FontId::dejavu_sans_samples, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
+      fonts, kFilterPaperDisplay, paint_adaptive, &paper, kAdaptiveReach, false,
+      sink);
+}
+
+bool draw_perceptual(const Fonts& fonts, const Sink& sink) {
+  const Perception perception;
+  return draw_painted(
+      {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64}, fonts,
+      kFilterText, paint_perceptual, &perception, kPerceptionReach, true, sink);
+}
+
+bool draw_blurred(const Fonts& fonts, const Sink& sink) {
+  MotionBlur blur;
+  const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
+  return make_motion_blur(kFilterText, way, blur) == Status::ok &&
+         draw_painted({FontId::roboto, "Root", 22 * 64, 95 * 64, 50 * 64},
+                      fonts, kFilterText, paint_motion_blur, &blur,
+                      blur.reach_px, false, sink);
+}
+
+bool draw_outlined(const Fonts& fonts, const Sink& sink) {
+  const Outline outline =
+      make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
+  if (!draw_painted({FontId::dejavu_serif, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
+                    fonts, outline.outer, paint_outline, &outline.inner, 0,
+                    false, sink)) {
+    return false;
+  }
+  const OutlineAndFill both = {&outline.inner, &sink};
+  return draw_painted({FontId::dejavu_sans, "Inn", 28 * 64, 85 * 64, 80 * 64},
+                      fonts, outline.outer, paint_outline_and_fill, &both, 0,
+                      false, sink);
+}
+
+bool draw_weighted(const Fonts& fonts, const Sink& sink) {
+  const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
+  const Filter soft = shadow_filter(Q6_10::from_raw(1500));
+  return draw_plain({FontId::roboto, "Roboty", 16 * 64, 2 * 64, 98 * 64}, fonts,
+                    bold, false, sink) &&
+         draw_plain({FontId::dejavu_sans, "Ink", 26 * 64, 90 * 64, 104 * 64},
+                    fonts, soft, false, sink);
+}
+
+bool draw_crisp(const Fonts& fonts, const Sink& sink) {
+  const CrispStyle two = {2, Q6_10::from_raw(-100)};
+  const CrispStyle four = {4, Q6_10()};
+  return draw_painted(
+             {FontId::dejavu_serif, "AV Qua", 11 * 64, 2 * 64 + 30, 118 * 64},
+             fonts, kFilterText, paint_crisp, &two, kCrispReach, false, sink) &&
+         draw_painted(
+             {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64}, fonts,
+             kFilterText, paint_crisp, &four, kCrispReach, true, sink);
+}
+
+// Leaning and narrow; in a mirror; and adaptive along a turned line.
+bool draw_turned(const Fonts& fonts, const Sink& sink) {
+  Brush brush;
+  const auto px = [](int32_t q10) { return Q16_16::from_raw(q10 * 64); };
+  if (Brush::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
+                  brush) != Status::ok ||
+      !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, fonts,
+                 brush, false, sink)) {
+    return false;
+  }
+  if (Brush::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
+                  brush) != Status::ok ||
+      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, fonts, brush,
+                 false, sink)) {
+    return false;
+  }
+  Direction direction;
+  direction.cosine.raw = 1065418748;
+  direction.sine.raw = -133530580;
+  const Adaptive even = make_adaptive(kFilterText);
+  if (Brush::make(Q26_6::from_int(15), kFilterText, direction, brush) !=
+      Status::ok) {
+    return false;
+  }
+  brush.set_painter(paint_adaptive, &even, kAdaptiveReach);
+  return draw_line({FontId::dejavu_serif, "Quav AVA", 0, 3 * 64, 160 * 64},
+                   fonts, brush, false, sink);
+}
+
+}  // namespace
+
+bool draw_styles(const Fonts& fonts, const Sink& sink) {
+  return draw_fitted(fonts, sink) && draw_adaptive(fonts, sink) &&
+         draw_perceptual(fonts, sink) && draw_blurred(fonts, sink) &&
+         draw_outlined(fonts, sink) && draw_weighted(fonts, sink) &&
+         draw_crisp(fonts, sink) && draw_turned(fonts, sink);
+}
+
+bool draw_sub_pixels(const Fonts& fonts, const Sink& sink) {
+  constexpr SubPixels kOrders[] = {SubPixels::rgb, SubPixels::bgr,
+                                   SubPixels::rgb_vertical,
+                                   SubPixels::bgr_vertical};
+  int32_t y_q6 = 20 * 64 + 11;
+  for (const SubPixels order : kOrders) {
+    const LcdStyle style = {order, static_cast<uint8_t>(y_q6 >> 5)};
+    if (!draw_painted(
+            {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6}, fonts,
+            kFilterText, paint_lcd, &style, kLcdReach, order == SubPixels::rgb,
+            sink) ||
+        !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6}, fonts,
+                      kFilterText, paint_lcd, &style, kLcdReach, false, sink)) {
+      return false;
+    }
+    y_q6 += 42 * 64 + 7;
+  }
+  return true;
+}
+
+}  // namespace golden
