@@ -18,6 +18,8 @@ using detail::SpanWriter;
 // lie in cells that are not saturated. [px, Q10]
 constexpr int32_t kAway = 600;
 
+constexpr int32_t kOneQ14 = 1 << 14;
+
 // A gradient that points to neither side points there by less. [Q14]
 constexpr int32_t kAside = 3277;
 
@@ -90,8 +92,9 @@ __attribute__((noinline)) uint8_t coverage_at(
     return static_cast<uint8_t>(coverage);
   }
   const ScreenGradient g = painting.walk.gradient(at);
-  const int32_t side_q14 =
+  int32_t side_q14 =
       greater(g.right_q14, g.up_q14) - greater(-g.right_q14, -g.up_q14);
+  side_q14 = side_q14 > kOneQ14 ? kOneQ14 : greater(side_q14, -kOneQ14);
   coverage = changed(coverage, side_q14 * painting.options.edge);
   if (distance_q10 > kThinLow && distance_q10 < kThinHigh) {
     const int32_t thin_q14 = thinness_q14(painting, at, moved(rows.above, way),
