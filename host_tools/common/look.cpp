@@ -1,11 +1,9 @@
 // Sets brushes up as people ask for them.
 #include "look.hpp"
 
-#include <sstream>
-#include <stdexcept>
-
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "canvas.hpp"
@@ -92,7 +90,6 @@ Look::Look(const LookOptions& options,
 }
 
 void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
-  const bool is_plain = options.outline == 0 && options.levels == 256;
   // Filters as they are reach what fonts are made for; with two levels only
   // distances close to the edge count.
   const bool reaches =
@@ -105,27 +102,27 @@ void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
           "and --outline: draw it larger, or give the font a --band-px");
     }
   }
-  if (is_plain) {
-    if (!options.motion.empty()) {
-      set_motion(options);
-    } else if (options.rules != "none") {
-      set_rules(options);
-    } else {
-      set_samples(options, use);
-    }
-    return;
-  }
-  if ((options.samples != "auto" && options.samples != "one") ||
-      (options.outline != 0 && options.levels != 256)) {
+  const int ways =
+      (options.outline != 0 ? 1 : 0) + (options.levels != 256 ? 1 : 0) +
+      (options.motion.empty() ? 0 : 1) + (options.rules == "none" ? 0 : 1) +
+      (options.samples == "auto" || options.samples == "one" ? 0 : 1);
+  if (ways > 1) {
     throw std::runtime_error(
-        "--outline, --levels and --samples exclude each other");
+        "--outline, --levels, --motion, --rules and --samples exclude each "
+        "other");
   }
   if (options.outline != 0) {
     brush_.set_painter(paint_outline, &edges_.inner);
-  } else {
+  } else if (options.levels != 256) {
     crisp_.levels = static_cast<uint8_t>(options.levels);
     crisp_.threshold_px.raw = static_cast<int16_t>(-1024 * options.weight);
     brush_.set_painter(paint_crisp, &crisp_, kCrispReach);
+  } else if (!options.motion.empty()) {
+    set_motion(options);
+  } else if (options.rules != "none") {
+    set_rules(options);
+  } else {
+    set_samples(options, use);
   }
 }
 

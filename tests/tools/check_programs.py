@@ -276,6 +276,8 @@ class Tools(unittest.TestCase):
                                                "--outline", 4)),
                 ("exclude each other", ("--font", self.font, *text, "--levels",
                                         2, "--samples", "adaptive")),
+                ("exclude each other", ("--font", self.font, *text, "--motion",
+                                        "1,0", "--rules", "all")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
                 ("nowhere", ("--font", "/nowhere.ttf", *text))]:
             code = 105 if said == "full not in" else 1
