@@ -24,8 +24,9 @@ int32_t lesser(int32_t a, int32_t b) noexcept {
 int32_t greater(int32_t a, int32_t b) noexcept {
   return a > b ? a : b;
 }
+// One less below 0: bytes may make any value, also the least.
 int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? wrapped(0u - static_cast<uint32_t>(value)) : value;
+  return value < 0 ? ~value : value;
 }
 
 // From the least to the greatest value of something linear over a block.
