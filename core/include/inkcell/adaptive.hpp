@@ -27,7 +27,7 @@ enum class SampleRule : uint8_t {
   paper
 };
 
-/// Options of paint_adaptive: 290 bytes, built once a style, shared.
+/// Options of paint_adaptive: 280 bytes, built once a style, shared.
 struct Adaptive {
   SampleRule rule = SampleRule::even;
   int16_t radius_q10 = 0;  // of the filter [px]
