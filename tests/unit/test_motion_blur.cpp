@@ -19,7 +19,7 @@ using painter::whole;
 
 alignas(4) uint8_t bytes[1536];
 font_builder::Record samples;
-int32_t sums[kSide * kSide];
+uint16_t sums[kSide * kSide];  // of 64 pictures
 
 GlyphField field_of(font_builder::Shape shape) {
   samples.reset();
@@ -55,7 +55,7 @@ TEST(blurred_pictures_are_means_of_shifted_ones) {
     for (int turned = 0; turned < 2; ++turned) {
       Brush brush = brush_of(30 * 64, turned != 0);
       const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
-      for (int32_t& sum : sums) {
+      for (uint16_t& sum : sums) {
         sum = 0;
       }
       for (int32_t i = 0; i < 64; ++i) {
@@ -65,7 +65,7 @@ TEST(blurred_pictures_are_means_of_shifted_ones) {
              {origin.x_q10 + way[0] * 16 * part / 128,
               origin.y_q10 + way[1] * 16 * part / 128});
         for (int32_t j = 0; j < kSide * kSide; ++j) {
-          sums[j] += picture[j];
+          sums[j] = static_cast<uint16_t>(sums[j] + picture[j]);
         }
       }
       MotionBlur blur;
