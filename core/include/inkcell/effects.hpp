@@ -7,6 +7,7 @@
 //
 //   const Outline outline = make_outline(kFilterText, width, place);
 //   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
+//   INKCELL_TRY(check_reach(font.range(), size, outline.inner));
 //   INKCELL_TRY(Brush::make(size, outline.outer, brush));
 //   brush.set_painter(paint_outline, &outline.inner);
 //

@@ -50,9 +50,10 @@ Rect field_box(const GlyphField& field,
 
 /// Signed distances, in px, at the centres of `out.size` pixels of row `y` from
 /// `x` to the right, x + out.size below 2^31. Saturated ones are one em or 32
-/// px, whichever is less. The plain form of what draw_field fuses, for filters
-/// and effects of one's own: brush.filter() maps these distances to the
-/// coverage that draw_field draws, bit by bit.
+/// px, whichever is less; 32 px where a matrix stretches cells of fields. The
+/// plain form of what draw_field fuses, for filters and effects of one's own:
+/// brush.filter() maps these distances to the coverage that draw_field draws,
+/// bit by bit, without a painter and a fitter.
 void distance_row(const GlyphField& field,
                   const Brush& brush,
                   FinePoint origin,
