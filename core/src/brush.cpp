@@ -173,9 +173,13 @@ Status Brush::make(const Matrix& matrix,
       step_from(-axes.y_right.raw, axes.x_right.raw, determinant_q42, size_q6);
   // What stretches all edges within 1/1000 alike is as good as a turn.
   const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
+  constexpr int64_t kOneQ15 = 1 << 15;
   brush.slanted_ = detail::paint_turned;
   if (lesser * 2048 > turn_q17 + mirror_q17) {
-    brush.least_gain_q15_ = static_cast<uint16_t>((least_q17 << 4) / size_q6);
+    // Below one, so that the brush is known as stretched.
+    const int64_t gain_q15 = (least_q17 << 4) / size_q6;
+    brush.least_gain_q15_ =
+        static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);
     brush.slanted_ = detail::paint_stretched;
   }
   out = brush;

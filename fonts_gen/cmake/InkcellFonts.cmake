@@ -6,7 +6,7 @@
 #     [SYMBOLS <string>] [TEXT <utf-8 file>...]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
-#     [CELLS fields|samples] [CODING direct|packed]
+#     [CELLS fields|samples] [CODING direct|packed] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>])
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>,
@@ -105,7 +105,7 @@ endfunction()
 
 function(inkcell_add_font target)
   set(single
-    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING
+    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING HINTS
     PREDICATE EFFORT)
   set(several CHARS TEXT AXIS)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
@@ -117,6 +117,7 @@ function(inkcell_add_font target)
 
   _inkcell_check_choice(CELLS "${arg_CELLS}" fields samples)
   _inkcell_check_choice(CODING "${arg_CODING}" direct packed)
+  _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
   if("${arg_CELLS};${arg_CODING}" STREQUAL "samples;packed")
     message(FATAL_ERROR
@@ -140,7 +141,7 @@ function(inkcell_add_font target)
 
   set(options)
   foreach(word
-      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING PREDICATE EFFORT)
+      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING HINTS PREDICATE EFFORT)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")
