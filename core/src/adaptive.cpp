@@ -8,6 +8,7 @@
 #include "inkcell/adaptive.hpp"
 
 #include "inkcell/render.hpp"
+#include "order.hpp"
 #include "point_walk.hpp"
 #include "span_writer.hpp"
 
@@ -15,6 +16,7 @@ namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
+using detail::magnitude;
 using detail::moved;
 using detail::moved_back;
 using detail::PointWalk;
@@ -36,10 +38,6 @@ int32_t part_of(int32_t radius_q10, int32_t thirds) noexcept {
 
 int32_t diagonal(int32_t way_q10) noexcept {
   return (way_q10 * kHalfRootQ15) >> 15;
-}
-
-int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? -value : value;
 }
 
 // Heights at which samples lie, and how far to the right.

@@ -1,5 +1,6 @@
 #include "inkcell/effects.hpp"
 
+#include "order.hpp"
 #include "painted_box.hpp"
 #include "point_walk.hpp"
 #include "span_writer.hpp"
@@ -8,15 +9,10 @@ namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
+using detail::greater;
+using detail::lesser;
 using detail::PointWalk;
 using detail::SpanWriter;
-
-int32_t lesser(int32_t a, int32_t b) noexcept {
-  return a < b ? a : b;
-}
-int32_t greater(int32_t a, int32_t b) noexcept {
-  return a > b ? a : b;
-}
 
 // Hands on pixels of a row, but those at the ends that are empty.
 void emit(const Sink& sink,

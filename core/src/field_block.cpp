@@ -8,6 +8,8 @@
 // What is not inline keeps the frames on the stack small.
 #include "field_block.hpp"
 
+#include "order.hpp"
+
 namespace inkcell {
 namespace detail {
 namespace {
@@ -18,14 +20,8 @@ constexpr int32_t kArcMargin = 1 << 18;
 // Of a steeper field nothing is known of the rest of a row. [px per px]
 constexpr int32_t kMaxSlopeQ14 = 2 << 14;
 
-int32_t lesser(int32_t a, int32_t b) noexcept {
-  return a < b ? a : b;
-}
-int32_t greater(int32_t a, int32_t b) noexcept {
-  return a > b ? a : b;
-}
 // One less below 0: bytes may make any value, also the least.
-int32_t magnitude(int32_t value) noexcept {
+int32_t size_of(int32_t value) noexcept {
   return value < 0 ? ~value : value;
 }
 
@@ -172,7 +168,7 @@ __attribute__((noinline)) BlockPainter::Side BlockPainter::set_up_all(
 inline int32_t BlockPainter::skipped(int32_t value_q22) const noexcept {
   constexpr int32_t kMost = (1 << 14) - 1;
   const int32_t way_q8 =
-      (magnitude(value_q22) - page_.reach_q22 - margin_q22_) >> 14;
+      (size_of(value_q22) - page_.reach_q22 - margin_q22_) >> 14;
   if (way_q8 <= 0) {
     return 1;
   }

@@ -1,13 +1,11 @@
 // Cells of fields in object order: every cell once, tile by tile.
 #include "field_block.hpp"
 
+#include "order.hpp"
+
 namespace inkcell {
 namespace detail {
 namespace {
-
-int32_t lesser(int32_t a, int32_t b) noexcept {
-  return a < b ? a : b;
-}
 
 // Draws the leaves of a glyph.
 class Cells {

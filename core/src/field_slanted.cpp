@@ -8,6 +8,8 @@
 // stretched_fields_q10 give the same coverage bit by bit.
 #include "field_slanted.hpp"
 
+#include "order.hpp"
+
 namespace inkcell {
 namespace detail {
 namespace {
@@ -143,10 +145,6 @@ inline int32_t pair_at(const Slanted& slanted,
   return slanted.stretch != nullptr && least < far && least > -far
              ? stretched(slanted, leaf, at)
              : least;
-}
-
-int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? -value : value;
 }
 
 // The ends of a stretch of a row within a cell.

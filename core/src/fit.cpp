@@ -1,9 +1,13 @@
 #include "inkcell/fit.hpp"
 
 #include "inkcell/format.hpp"
+#include "order.hpp"
 
 namespace inkcell {
 namespace {
+
+using detail::lesser;
+using detail::magnitude;
 
 constexpr int32_t kPx = 1 << 10;  // [Q10]
 
@@ -31,14 +35,6 @@ constexpr int32_t kWidestStem = 2560;
 
 int32_t round_px(int32_t value_q10) noexcept {
   return (value_q10 + kPx / 2) & ~(kPx - 1);
-}
-
-int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? -value : value;
-}
-
-int32_t lesser(int32_t a, int32_t b) noexcept {
-  return a < b ? a : b;
 }
 
 // How high a stroke is drawn.

@@ -1,5 +1,6 @@
 #include "inkcell/motion_blur.hpp"
 
+#include "order.hpp"
 #include "point_walk.hpp"
 #include "span_writer.hpp"
 
@@ -7,13 +8,10 @@ namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
+using detail::magnitude;
 using detail::moved;
 using detail::PointWalk;
 using detail::SpanWriter;
-
-int32_t magnitude(int32_t value) noexcept {
-  return value < 0 ? -value : value;
-}
 
 // A distance as a place in the filter's table, which goes on to both sides.
 // [entries, Q8]

@@ -1,6 +1,7 @@
 #include "inkcell/perception.hpp"
 
 #include "inkcell/render.hpp"
+#include "order.hpp"
 #include "point_walk.hpp"
 #include "span_writer.hpp"
 
@@ -8,6 +9,7 @@ namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
+using detail::greater;
 using detail::moved;
 using detail::moved_back;
 using detail::PointWalk;
@@ -26,10 +28,6 @@ constexpr int32_t kAside = 3277;
 // Where a stroke can be thin: distances in its middle. [px, Q10]
 constexpr int32_t kThinLow = -358;
 constexpr int32_t kThinHigh = 768;
-
-int32_t greater(int32_t a, int32_t b) noexcept {
-  return a > b ? a : b;
-}
 
 // Where a row's first pixel lies, and its neighbours above and below.
 struct Rows {

@@ -6,6 +6,7 @@
 #include "field_draw.hpp"
 #include "inkcell/brush.hpp"
 #include "inkcell/render.hpp"
+#include "order.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -98,22 +99,15 @@ inline FieldPosition position_of(const Brush& brush,
   return {clamp_i32(at.x_q16), clamp_i32(at.y_q16), at.x_q20, at.y_q20};
 }
 
-inline int32_t min_of(int32_t a, int32_t b) noexcept {
-  return a < b ? a : b;
-}
-inline int32_t max_of(int32_t a, int32_t b) noexcept {
-  return a > b ? a : b;
-}
-
 // What may show something: the grid, but no farther from the ink than the
 // filter reaches. [u]
 inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
   const int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
   const InkBox& ink = field.ink;
-  return {max_of(field.x0_u, ink.x0_u - reach),
-          max_of(field.y0_u, ink.y0_u - reach),
-          min_of(field.x1_u(), ink.x1_u + reach),
-          min_of(field.y1_u(), ink.y1_u + reach)};
+  return {greater(field.x0_u, ink.x0_u - reach),
+          greater(field.y0_u, ink.y0_u - reach),
+          lesser(field.x1_u(), ink.x1_u + reach),
+          lesser(field.y1_u(), ink.y1_u + reach)};
 }
 
 }  // namespace detail
