@@ -46,10 +46,6 @@ float least_of_three(const FieldValue& a,
   return b.v >= a.v ? least(a, c) : least(b, c);
 }
 
-bool takes_greatest(Join join) {
-  return join == Join::max2 || join == Join::max3 || join == Join::max_min;
-}
-
 // Bits of the fields of a group; puts them into the order of the stream:
 // reused ones by rank, then new ones.
 double order_group(const Candidate** members, int count, int place) {
@@ -80,7 +76,7 @@ double order_leaf(Leaf& leaf, int size_log2) {
   const Candidate** members = leaf.members.data();
   const double bits =
       node_bits(size_log2, node_symbol::kJoin + static_cast<int>(leaf.join));
-  if (leaf.join == Join::min_max || leaf.join == Join::max_min) {
+  if (is_nested(leaf.join)) {
     return bits + order_group(members, 1, 0) + order_group(members + 1, 2, 1);
   }
   return bits + order_group(members, field_count(leaf.join), 0);

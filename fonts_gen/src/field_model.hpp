@@ -66,5 +66,15 @@ inline int field_count(Join join) {
                                                       : 3;
 }
 
+/// Whether the last step takes the greatest.
+inline bool takes_greatest(Join join) {
+  return join == Join::max2 || join == Join::max3 || join == Join::max_min;
+}
+
+/// Whether two of three fields are joined first, the other way round.
+inline bool is_nested(Join join) {
+  return join == Join::min_max || join == Join::max_min;
+}
+
 }  // namespace gen
 }  // namespace inkcell

@@ -41,14 +41,6 @@ void put_grid(Bytes& out, const Grid& grid, uint8_t flag) {
   out.push_back(static_cast<uint8_t>(grid.tiles_y));
 }
 
-bool takes_greatest(Join join) {
-  return join == Join::max2 || join == Join::max3 || join == Join::max_min;
-}
-
-bool is_nested(Join join) {
-  return join == Join::min_max || join == Join::max_min;
-}
-
 // 0 min3, 1 max3, 2 min_max, 3 max_min.
 int operator_of(Join join) {
   return (takes_greatest(join) ? 1 : 0) + (is_nested(join) ? 2 : 0);

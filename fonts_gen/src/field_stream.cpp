@@ -112,8 +112,7 @@ class Stream {
   }
 
   void leaf(const TreeNode& node) {
-    const bool nested =
-        node.join == Join::min_max || node.join == Join::max_min;
+    const bool nested = is_nested(node.join);
     int previous = -1;
     bool after_new = false;
     for (int i = 0; i < field_count(node.join); ++i) {

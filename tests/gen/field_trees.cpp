@@ -149,8 +149,7 @@ class RandomTree {
     node.kind = TreeNode::Kind::leaf;
     node.join = static_cast<Join>(between(0, kJoins - 1));
     const int count = field_count(node.join);
-    const bool nested =
-        node.join == Join::min_max || node.join == Join::max_min;
+    const bool nested = is_nested(node.join);
     std::vector<FieldNumbers> fresh;
     bool after_new = false;
     int rank = 0;
@@ -209,8 +208,7 @@ PlainValue plain_value(Join join,
                        const std::vector<FieldModel>& fields,
                        double x,
                        double y) {
-  const bool greatest =
-      join == Join::max2 || join == Join::max3 || join == Join::max_min;
+  const bool greatest = takes_greatest(join);
   std::vector<Term> terms;
   for (const FieldModel& field : fields) {
     Term term = {field.value(x, y), 0, 0};
@@ -226,7 +224,7 @@ PlainValue plain_value(Join join,
               [](const Term& a, const Term& b) { return a.v < b.v; });
     v = meet(terms[0], terms[1], out);
     out.close_call |= terms[2].v - terms[1].v < kClose;
-  } else if (join == Join::min_max || join == Join::max_min) {
+  } else if (is_nested(join)) {
     Term inner = terms[1].v >= terms[2].v ? terms[1] : terms[2];
     out.close_call |= std::fabs(terms[1].v - terms[2].v) < kClose;
     inner.v = -meet(negated(terms[1]), negated(terms[2]), out);

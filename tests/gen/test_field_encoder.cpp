@@ -85,8 +85,7 @@ class Rules {
   }
 
   void leaf(const TreeNode& node) {
-    const bool nested =
-        node.join == Join::min_max || node.join == Join::max_min;
+    const bool nested = is_nested(node.join);
     int previous = -1;
     bool after_new = false;
     const int count = field_count(node.join);

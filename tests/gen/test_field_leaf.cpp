@@ -161,7 +161,7 @@ PlainCost plain_cost(Join join,
   cost.bits = packed_codes::kNodeLengths[6 - std::max(0, size_log2 - 2)]
                                         [3 + static_cast<int>(join)];
   std::vector<std::vector<const Candidate*>> groups;
-  if (join == Join::min_max || join == Join::max_min) {
+  if (is_nested(join)) {
     groups = {{members[0]}, {members[1], members[2]}};
   } else {
     groups = {members};
@@ -197,7 +197,7 @@ template <typename Visit>
 void for_all_leaves(const std::vector<Candidate>& candidates, Visit visit) {
   const size_t count = candidates.size();
   for (const Join join : kAllJoins) {
-    const bool nested = join == Join::min_max || join == Join::max_min;
+    const bool nested = is_nested(join);
     const int fields = field_count(join);
     for (size_t i = 0; i < count; ++i) {
       if (fields == 1) {

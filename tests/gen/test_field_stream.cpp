@@ -240,8 +240,7 @@ TEST(FieldStream, TakesTheBitsThatItsSymbolsCost) {
       if (node.kind != TreeNode::Kind::leaf) {
         continue;
       }
-      const bool nested =
-          node.join == Join::min_max || node.join == Join::max_min;
+      const bool nested = is_nested(node.join);
       int previous = -1;
       bool after_new = false;
       for (int i = 0; i < field_count(node.join); ++i) {
