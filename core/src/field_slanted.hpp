@@ -48,7 +48,7 @@ struct AxisStep {
     if (size < 1 << 12 && size * most <= way) {
       return most;
     }
-    const uint32_t near = lesser(way >> 11, 1 << 16);
+    const uint32_t near = lesser(way >> 11, uint32_t{1} << 16);
     uint32_t steps = (near * inverse_q27) >> 16;
     // Both factors are cut, so that the guess is not too high.
     for (uint32_t left = way - steps * size; left >= size && steps < most;
@@ -120,7 +120,8 @@ struct Slanted {
   int32_t count_shown(const RowPoint& at, int32_t most) const noexcept {
     const uint32_t x = at.x_q16 - left_q16;
     const uint32_t y = at.y_q16 - low_q16;
-    const uint32_t more = lesser(static_cast<uint32_t>(most) - 1, 1 << 16);
+    const uint32_t more =
+        lesser(static_cast<uint32_t>(most) - 1, uint32_t{1} << 16);
     const uint32_t across_steps =
         across.steps_in(across.falls ? x : width_q16 - 1 - x, more);
     return static_cast<int32_t>(
