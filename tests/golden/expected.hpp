@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kSheetHash =
-    "b4e68f1da8e4ec3954baf09fc4206070f711872c57cf6e9c3a34e18e69f64806";
+    "18ca9d9dd2f5626625a669e7dbd5086b5df8435939303df98cdf2cc88f006a74";
 inline constexpr const char* kPageHashes[] = {
     "1d78765fd4a31eb6f060c2eaa78f2132d8d4900c186d9041e34e668aca8d9eb7",
     "b5da73db52c92aebc0d435fa9b331e1eddf1812e9a8d587dd5e0e07fab862d82",
@@ -20,7 +20,7 @@ inline constexpr const char* kPageHashes[] = {
     "d00533a62dc3729ccfef97e13e5b7b034cc5e0e60abb97351952f52feff09b4f",
     "52b49bf747b75baf04089bc795b029843080cf0ceee83d24a12458a68d61c276",
     "9c959503dbd57a7551b13efa9f374bd8faddd2881992a2c07c964c6cb680a49e",
-    "76d40ae077d16861f9ded97728e27ab6f577ceb86a27c45e6419ce5660fa09a9",
+    "2602eb9c492f8234ed69c15bf694b57951f1c4797777c9ccc19ec39cd16702f0",
     "77304393d1fc0b8a5ef1ec116434e07a1d81048fe1d4af83e10bfa1ff688806e",
 };
 
