@@ -5,44 +5,25 @@
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "painter_canvas.hpp"
+#include "painter_glyph.hpp"
 #include "random.hpp"
 
 namespace {
 
 using namespace inkcell;
+using painter::brush_of;
 using painter::check_windows;
 using painter::draw;
+using painter::field_of;
 using painter::kSide;
 using painter::magnitude;
 using painter::picture;
 using painter::whole;
 
-alignas(4) uint8_t bytes[1536];
-font_builder::Record samples;
 uint16_t sums[kSide * kSide];  // of 64 pictures
-
-GlyphField field_of(font_builder::Shape shape) {
-  samples.reset();
-  samples.fill(shape);
-  GlyphField field;
-  CHECK(samples.size() <= sizeof(bytes));
-  samples.write(bytes);
-  CHECK_OK(GlyphField::open({bytes, samples.size()}, field));
-  return field;
-}
 
 Point way_of(int32_t x_q6, int32_t y_q6) {
   return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
-}
-
-Brush brush_of(int32_t size_q6, bool is_turned) {
-  Direction direction;
-  direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
-  direction.sine.raw = is_turned ? -644245094 : 0;
-  Brush brush;
-  CHECK_OK(
-      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
-  return brush;
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+// Glyphs of samples and brushes for tests of painters.
+#pragma once
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/field.hpp"
+
+namespace painter {
+
+using namespace inkcell;
+
+alignas(4) inline uint8_t glyph_bytes[1536];
+// Too large for the stack of a small board.
+inline font_builder::Record glyph_record;
+
+inline GlyphField field_of(font_builder::Shape shape) {
+  glyph_record.reset();
+  glyph_record.fill(shape);
+  GlyphField field;
+  CHECK(glyph_record.size() <= sizeof(glyph_bytes));
+  glyph_record.write(glyph_bytes);
+  CHECK_OK(GlyphField::open({glyph_bytes, glyph_record.size()}, field));
+  return field;
+}
+
+/// Upright, or down the triangle of sides 3, 4 and 5.
+inline Brush brush_of(int32_t size_q6, bool is_turned) {
+  Direction direction;
+  direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
+  direction.sine.raw = is_turned ? -644245094 : 0;
+  Brush brush;
+  CHECK_OK(
+      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
+  return brush;
+}
+
+}  // namespace painter
