@@ -82,7 +82,7 @@ bool find_cone(int32_t a_q22,
   if (c > kMaxCosineQ14 || c < -kMaxCosineQ14) {
     return false;
   }
-  int32_t log2 = 0;
+  int32_t log2 = size >> 8 >= 1u << 12 ? 8 : 0;  // half of the steps at once
   while (size >> log2 >= 1u << 12) {
     ++log2;
   }

@@ -131,18 +131,22 @@ inline uint32_t unit_of(const GlyphField& field, uint32_t number) noexcept {
          (linked::kArcUnits - linked::kLineUnits) * field.arc_count;
 }
 
-// Fills in the fields that a reference from kFirstNode on stands for, and their
-// operator. Their number: none, if it names what does not exist.
-inline uint32_t read_narrow_leaf(const GlyphField& field,
-                                 uint32_t reference,
-                                 uint16_t* out,
-                                 FieldOperator& op) noexcept {
+// Fills in the fields that a reference from kFirstNode on stands for, as
+// `name` has their numbers, and their operator. How many they are: none, if it
+// names what does not exist.
+template <typename Out, typename Name>
+__attribute__((always_inline)) inline uint32_t read_narrow_leaf(
+    const GlyphField& field,
+    uint32_t reference,
+    const Name& name,
+    Out* out,
+    FieldOperator& op) noexcept {
   namespace fields = format::fields;
   const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
   uint32_t leaf = reference - format::glyph::kFirstNode - field.node_count;
+  op = FieldOperator::least;
   if (leaf < field_count) {
-    out[0] = static_cast<uint16_t>(unit_of(field, leaf));
-    op = FieldOperator::least;
+    out[0] = name(leaf);
     return 1;
   }
   leaf -= field_count;
@@ -156,8 +160,8 @@ inline uint32_t read_narrow_leaf(const GlyphField& field,
     if (f0 >= field_count || f1 >= field_count) {
       return 0;
     }
-    out[0] = static_cast<uint16_t>(unit_of(field, f0));
-    out[1] = static_cast<uint16_t>(unit_of(field, f1));
+    out[0] = name(f0);
+    out[1] = name(f1);
     op = f0 > f1 ? FieldOperator::greatest : FieldOperator::least;
     return f0 == f1 ? 1 : 2;
   }
@@ -167,18 +171,31 @@ inline uint32_t read_narrow_leaf(const GlyphField& field,
   }
   at -= fields::kTripleUnits * (field.triple_count - leaf);
   const uint8_t code = at[0];
-  if (code > static_cast<uint8_t>(FieldOperator::greatest_of_lesser)) {
+  const uint32_t f0 = at[1];
+  const uint32_t f1 = at[2];
+  const uint32_t f2 = at[3];
+  if (code > static_cast<uint8_t>(FieldOperator::greatest_of_lesser) ||
+      f0 >= field_count || f1 >= field_count || f2 >= field_count) {
     return 0;
   }
   op = static_cast<FieldOperator>(code);
-  for (uint32_t i = 0; i < 3; ++i) {
-    const uint32_t number = at[1 + i];
-    if (number >= field_count) {
-      return 0;
-    }
-    out[i] = static_cast<uint16_t>(unit_of(field, number));
-  }
+  out[0] = name(f0);
+  out[1] = name(f1);
+  out[2] = name(f2);
   return 3;
+}
+
+// The same with fields as Cell::fields has them.
+inline uint32_t read_narrow_leaf(const GlyphField& field,
+                                 uint32_t reference,
+                                 uint16_t* out,
+                                 FieldOperator& op) noexcept {
+  return read_narrow_leaf(
+      field, reference,
+      [&field](uint32_t number) {
+        return static_cast<uint16_t>(unit_of(field, number));
+      },
+      out, op);
 }
 
 // The heap of linked fields: what its references and units name. Nothing, if
