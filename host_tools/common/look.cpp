@@ -44,8 +44,8 @@ void add_look_options(CLI::App& app, LookOptions& options) {
       ->check(CLI::IsMember({"one", "adaptive", "paper", "auto"}))
       ->capture_default_str();
   app.add_option("--radius", options.radius,
-                 "Of the filter over samples [px; 0.85, 0.75 for jobs of kind "
-                 "anim, 1.3 for paper]")
+                 "Of the filter over several samples [px; 0.85, 0.75 for jobs "
+                 "of kind anim, 1.3 for paper]")
       ->check(CLI::Range(0.25, 1.5));
   app.add_option("--rules", options.rules,
                  "Contrast as eyes prefer it, with one sample a pixel: edges, "
@@ -56,7 +56,8 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "Blur by a movement of X,Y while the shutter is open [px]")
       ->type_name("X,Y");
   app.add_option("--weight", options.weight,
-                 "Move edges outwards, strokes gain twice that [px]")
+                 "Move edges outwards, strokes gain twice that; with --levels "
+                 "up to 0.5 [px]")
       ->check(CLI::Range(-2.0, 2.0));
   app.add_option("--outline", options.outline,
                  "Draw outlines of this width, in place of the inside [px]")
@@ -73,6 +74,28 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "Draw for displays of 2 or 4 levels, without broken strokes")
       ->check(CLI::IsMember({2, 4, 256}))
       ->capture_default_str();
+  const std::map<std::string, SubPixels> orders = {
+      {"rgb", SubPixels::rgb},
+      {"bgr", SubPixels::bgr},
+      {"rgb_vertical", SubPixels::rgb_vertical},
+      {"bgr_vertical", SubPixels::bgr_vertical}};
+  app.add_option("--lcd", options.lcd,
+                 "Draw for coloured stripes, from left to right or (vertical) "
+                 "from top to bottom; the picture is a PNG or PPM in colour")
+      ->transform(CLI::CheckedTransformer(orders).description(
+          "rgb|bgr|rgb_vertical|bgr_vertical"))
+      ->type_name("");
+  app.add_option("--lcd-colour", options.lcd_colour,
+                 "How much of the stripes' colour is kept: 0 is grey")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+void require_adaptive(const LookOptions& options, bool is_adaptive) {
+  if (options.radius > 0 && !is_adaptive) {
+    throw std::runtime_error(
+        "--radius is for several samples a pixel: --samples adaptive or paper");
+  }
 }
 
 Look::Look(const LookOptions& options,
@@ -85,11 +108,12 @@ Look::Look(const LookOptions& options,
           to_q10(options.outline),
           options.place)),
       brush_(make_brush(px, angle, edges_.outer)) {
-  set_painter(options, font, use);
+  require_reach(options, font);
+  set_painter(options, use);
   set_hint(options, font, use);
 }
 
-void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
+void Look::require_reach(const LookOptions& options, const Font& font) const {
   // Filters as they are reach what fonts are made for; with two levels only
   // distances close to the edge count.
   const bool reaches =
@@ -102,21 +126,28 @@ void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
           "and --outline: draw it larger, or give the font a --band-px");
     }
   }
+}
+
+void Look::set_painter(const LookOptions& options, Use use) {
   const int ways =
       (options.outline != 0 ? 1 : 0) + (options.levels != 256 ? 1 : 0) +
-      (options.motion.empty() ? 0 : 1) + (options.rules == "none" ? 0 : 1) +
+      (options.lcd.has_value() ? 1 : 0) + (options.motion.empty() ? 0 : 1) +
+      (options.rules == "none" ? 0 : 1) +
       (options.samples == "auto" || options.samples == "one" ? 0 : 1);
   if (ways > 1) {
     throw std::runtime_error(
-        "--outline, --levels, --motion, --rules and --samples exclude each "
-        "other");
+        "--outline, --levels, --lcd, --motion, --rules and --samples exclude "
+        "each other");
+  }
+  if (!options.lcd.has_value() && options.lcd_colour != 1) {
+    throw std::runtime_error("--lcd-colour is for --lcd");
   }
   if (options.outline != 0) {
     brush_.set_painter(paint_outline, &edges_.inner);
   } else if (options.levels != 256) {
-    crisp_.levels = static_cast<uint8_t>(options.levels);
-    crisp_.threshold_px.raw = static_cast<int16_t>(-1024 * options.weight);
-    brush_.set_painter(paint_crisp, &crisp_, kCrispReach);
+    set_levels(options);
+  } else if (options.lcd.has_value()) {
+    set_lcd(options);
   } else if (!options.motion.empty()) {
     set_motion(options);
   } else if (options.rules != "none") {
@@ -137,12 +168,29 @@ void Look::set_samples(const LookOptions& options, Use use) {
                  : use == Use::moving ? kCalmRadius
                                       : kSharpRadius;
   if (options.radius > 0) {
-    radius = Q6_10::from_raw(static_cast<int16_t>(options.radius * 1024));
+    radius = to_q10(options.radius);
   }
   adaptive_ = make_adaptive(brush_.filter(), radius,
                             is_paper ? SampleRule::paper : SampleRule::even);
   adaptive_.more_samples = &more_samples_;
   brush_.set_painter(paint_adaptive, &adaptive_, kAdaptiveReach);
+}
+
+void Look::set_levels(const LookOptions& options) {
+  constexpr double kMostWeight = 0.5;  // of CrispStyle::threshold_px
+  if (std::abs(options.weight) > kMostWeight) {
+    throw std::runtime_error("--levels takes a --weight of -0.5 to 0.5 px");
+  }
+  crisp_.levels = static_cast<uint8_t>(options.levels);
+  crisp_.threshold_px = to_q10(-options.weight);
+  brush_.set_painter(paint_crisp, &crisp_, kCrispReach);
+}
+
+void Look::set_lcd(const LookOptions& options) {
+  lcd_.order = *options.lcd;
+  lcd_.colour = static_cast<uint8_t>(std::lround(255 * options.lcd_colour));
+  brush_.set_painter(paint_lcd, &lcd_, kLcdReach);
+  is_coloured_ = true;
 }
 
 void Look::set_rules(const LookOptions& options) {

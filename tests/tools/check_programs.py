@@ -32,12 +32,15 @@ def run(program, *arguments, code=0):
 
 
 class Pgm:
+    MAGIC = b"P5"
+    CHANNELS = 1
+
     def __init__(self, path):
         data = pathlib.Path(path).read_bytes()
         magic, size, depth, self.pixels = data.split(b"\n", 3)
-        assert magic == b"P5" and depth == b"255"
+        assert magic == self.MAGIC and depth == b"255"
         self.width, self.height = map(int, size.split())
-        assert len(self.pixels) == self.width * self.height
+        assert len(self.pixels) == self.width * self.height * self.CHANNELS
 
     def ink(self):
         return sum(self.pixels)
@@ -47,6 +50,14 @@ class Pgm:
 
     def column_ink(self, x):
         return sum(self.pixels[x::self.width])
+
+
+class Ppm(Pgm):
+    MAGIC = b"P6"
+    CHANNELS = 3
+
+    def channel(self, i):
+        return self.pixels[i::3]
 
 
 class Tools(unittest.TestCase):
@@ -183,8 +194,48 @@ class Tools(unittest.TestCase):
         self.assertEqual(set(self.render(*box, "--levels", 2).pixels), {0, 255})
         self.assertEqual(set(self.render(*box, "--levels", 4).pixels),
                          {0, 85, 170, 255})
-        bold = self.render(*box, "--levels", 2, "--weight", 0.2)
-        self.assertGreater(bold.ink(), self.render(*box, "--levels", 2).ink())
+        inks = [self.render("--text", "AVToal.", "--px", 13, "--levels", 2,
+                            "--weight", weight).ink()
+                for weight in (-0.4, -0.2, 0, 0.2, 0.35, 0.5)]
+        self.assertEqual(inks, sorted(set(inks)))
+
+    def test_sub_pixels(self):
+        out = self.path / "out.ppm"
+        box = ("--font", self.font, "--text", "Vol", "--px", 13.3, "--width",
+               40, "--height", 24, "--ox", 3, "--oy", 18, "--out", out)
+
+        def draw(*options):
+            run("render", *box, *options)
+            return Ppm(out)
+        rgb, bgr = draw("--lcd", "rgb"), draw("--lcd", "bgr")
+        for i in range(3):
+            self.assertEqual(rgb.channel(i), bgr.channel(2 - i))
+        inks = [sum(rgb.channel(i)) for i in range(3)]
+        self.assertGreater(min(inks), 0.99 * max(inks))
+        self.assertNotEqual(rgb.channel(0), rgb.channel(2))
+        # l, whose left edge is farther from red stripes than from blue ones.
+        line = [rgb.pixels[3 * (12 * 40 + x):][:3] for x in range(40)]
+        first = next(x for x in range(39, 0, -1)
+                     if any(line[x]) and not any(line[x - 1]))
+        self.assertLess(line[first][0], line[first][2])
+        self.assertNotIn(draw("--lcd", "rgb_vertical").pixels,
+                         (rgb.pixels, draw("--lcd", "bgr_vertical").pixels))
+        grey = draw("--lcd", "rgb", "--lcd-colour", 0)
+        self.assertEqual(grey.channel(0), grey.channel(2))
+        self.assertEqual(rgb.pixels, draw("--lcd", "rgb", "--rows", 5,
+                                          "--stats").pixels)
+
+    def test_stats_count_samples(self):
+        def samples(*options):
+            said = run("render", "--font", self.font, "--text", "Vol", "--px",
+                       20, "--stats", "--out", self.path / "a.pgm", *options)
+            found = re.search(r"samples +([\d.]+) a pixel", said)
+            return found and float(found.group(1))
+        self.assertEqual(samples(), 1)
+        self.assertGreater(samples("--samples", "adaptive"), 1.5)
+        self.assertGreater(samples("--samples", "adaptive", "--radius", 1.3),
+                           samples("--samples", "adaptive", "--radius", 0.5))
+        self.assertIsNone(samples("--rules", "all"))
 
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
@@ -276,6 +327,16 @@ class Tools(unittest.TestCase):
                                                "--outline", 4)),
                 ("exclude each other", ("--font", self.font, *text, "--levels",
                                         2, "--samples", "adaptive")),
+                ("exclude each other", ("--font", self.font, *text, "--levels",
+                                        2, "--lcd", "rgb")),
+                ("--samples adaptive", ("--font", self.font, *text, "--radius",
+                                        1)),
+                ("-0.5 to 0.5", ("--font", self.font, *text, "--levels", 2,
+                                 "--weight", 0.6)),
+                ("--lcd-colour", ("--font", self.font, *text, "--lcd-colour",
+                                  0.5)),
+                (".png or .ppm", ("--font", self.font, *text[:-1],
+                                  self.path / "no.pgm", "--lcd", "rgb")),
                 ("exclude each other", ("--font", self.font, *text, "--motion",
                                         "1,0", "--rules", "all")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
@@ -283,6 +344,12 @@ class Tools(unittest.TestCase):
             code = 105 if said == "full not in" else 1
             self.assertIn(said, run("render", *arguments, code=code))
         self.assertFalse(out.exists())
+        still = self.path / "still.jsonl"
+        still.write_text(json.dumps({
+            "font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
+            "out": str(self.path / "still.pgm")}))
+        self.assertIn("--samples adaptive", run("render", "--jobs", still,
+                                                "--radius", 1, code=1))
         broken = self.path / "broken.jsonl"
         broken.write_text('{"font": "a"}\n')
         self.assertIn("broken.jsonl:1", run("render", "--jobs", broken, code=1))
