@@ -18,6 +18,7 @@ struct Arguments {
   std::string file;
   std::string glyph;
   std::string cells;
+  std::string edges;
   std::string sheet;
   int side = 1000;
   double px = 32;
@@ -45,7 +46,12 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--cells", arguments.cells,
                  "Draw the glyph's field and cells [glyph a, or the first]")
       ->type_name("OUT.png");
-  app.add_option("--side", arguments.side, "Longer side of that picture [px]")
+  app.add_option("--edges", arguments.edges,
+                 "Draw the glyph and what grid fitting knows: zones (dashed), "
+                 "bars (red), other edges (purple), stems (green)")
+      ->type_name("OUT.png");
+  app.add_option("--side", arguments.side,
+                 "Longer side of these two pictures [px]")
       ->check(CLI::Range(64, 16384))
       ->capture_default_str();
   app.add_option("--sheet", arguments.sheet, "Draw all glyphs")
@@ -106,9 +112,12 @@ void run(const Arguments& arguments, const CLI::App& app) {
   const FontCensus font = take_census(rom.font());
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
+  const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
   if (!arguments.cells.empty()) {
-    const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
     write_image(arguments.cells, draw_cells(shown.field(), arguments.side));
+  }
+  if (!arguments.edges.empty()) {
+    write_image(arguments.edges, draw_edges(font, shown, arguments.side));
   }
   if (!arguments.sheet.empty()) {
     write_image(arguments.sheet, draw_sheet(rom.font(), arguments.px));

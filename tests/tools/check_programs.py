@@ -409,13 +409,46 @@ class Tools(unittest.TestCase):
             self.assertIn(f"{generated['coding']} cells of "
                           f"{generated['cells']}", text)
 
+    def test_inspect_shows_hints(self):
+        seen = json.loads(run("inspect", self.font, "--glyph", "T", "--json"))
+        hints = seen["hints"]
+        self.assertIn({"height_u": 0, "side": "bottom"}, hints["zones"])
+        # Of 2048 units; x.5 may go up or down.
+        capitals = min((zone["height_u"] for zone in hints["zones"]),
+                       key=lambda u: abs(
+                           u - seen["metrics"]["cap_height"] / 2))
+        self.assertLess(abs(capitals - seen["metrics"]["cap_height"] / 2), 1)
+        self.assertIn({"height_u": capitals, "side": "top"}, hints["zones"])
+        edges = seen["glyphs"][0]["edges"]
+        heights = [edge["height_u"] for edge in edges]
+        self.assertEqual(heights, sorted(heights))
+        self.assertEqual((heights[0], heights[-1]), (0, capitals))
+        self.assertEqual([edge["height_u"] for edge in edges if edge["bar"]],
+                         [heights[-2]])
+        levels = [level["height_u"] for level in hints["levels"]]
+        self.assertLessEqual(set(heights), set(levels))
+        middle = sum(seen["glyphs"][0]["box"][::2]) / 4
+        stems = seen["glyphs"][0]["stems_u"]
+        self.assertEqual(len(stems), 1)
+        self.assertLess(abs(stems[0] - middle), 4)
+        said = run("inspect", self.font, "--glyph", "T")
+        self.assertIn(f"zone {edges[0]['zone']} (bottom at 0 u)", said)
+        self.assertIn("below a bar", said)
+        bare = self.path / "bare.bin"
+        run("fontgen", "--font", SANS, "--symbols", "T", "--hints", "off",
+            "--quiet", "--out", bare)
+        self.assertRegex(run("inspect", bare), r"hints +none")
+
     def test_inspect_draws(self):
         for kind in KINDS:
-            cells, sheet = self.path / "cells.png", self.path / "sheet.png"
+            pictures = [self.path / name for name in
+                        ("cells.png", "edges.png", "sheet.png")]
             self.assertIn("glyph", run(
-                "inspect", self.fonts[kind], "--glyph", "A", "--cells", cells,
-                "--sheet", sheet))
-            for picture in (cells, sheet):
+                "inspect", self.fonts[kind], "--glyph", "A",
+                *(x for out in pictures for x in (f"--{out.stem}", out))))
+            self.assertNotEqual(pictures[0].read_bytes(),
+                                pictures[1].read_bytes())
+            for picture in pictures:
                 self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
                 picture.unlink()
         converted = json.loads(run("inspect", SANS, "--symbols", "o", "--kind",
