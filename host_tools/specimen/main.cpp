@@ -23,6 +23,9 @@ struct Arguments {
   std::string filters;
   std::string lcd;
   std::string effects;
+  std::string fitting;
+  std::string maps;
+  std::string motion;
   std::string levels;
   std::string compare_body;
   std::string compare_display;
@@ -50,6 +53,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   picture("--lcd", arguments.lcd, "Sub-pixels");
   picture("--effects", arguments.effects,
           "Outlines, shadows, glows: with --band-px 2 --min-px 12");
+  picture("--fitting", arguments.fitting,
+          "Grid fitting, darker edges and thin strokes");
+  picture("--maps", arguments.maps, "Leaning, narrow, mirrored, turned");
+  picture("--motion", arguments.motion, "Motion blur");
   picture("--levels", arguments.levels, "Displays of 1 and 2 bits");
   picture("--compare-body", arguments.compare_body,
           "Text of 8 to 16 px beside that of others; FONT is a TTF or OTF");
@@ -76,6 +83,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.filters, [&] { return draw_filters(font); });
   write(arguments.lcd, [&] { return draw_lcd(font); });
   write(arguments.effects, [&] { return draw_effects(font); });
+  write(arguments.fitting, [&] { return draw_fitting(font); });
+  write(arguments.maps, [&] { return draw_maps(font); });
+  write(arguments.motion, [&] { return draw_motion(font); });
   write(arguments.levels, [&] { return draw_levels(font); });
   write(arguments.star, [&] { return draw_star(font); });
   if (!arguments.compare_body.empty() || !arguments.compare_display.empty()) {

@@ -527,8 +527,8 @@ class Tools(unittest.TestCase):
 
     def test_specimen_draws_styles(self):
         pictures = [self.path / f"{name}.png" for name in (
-            "filters", "lcd", "levels", "star", "compare-body",
-            "compare-display")]
+            "filters", "lcd", "levels", "fitting", "maps", "motion", "star",
+            "compare-body", "compare-display")]
         options = [x for out in pictures for x in (f"--{out.stem}", out)]
         run("specimen", SANS, "--max-px", 16, *options)
         for out in pictures:
