@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 
 #include "inkcell/adaptive.hpp"
@@ -31,9 +30,9 @@ struct LookOptions {
   double radius = 0;   // of adaptive sampling [px]; 0: what suits it
   double weight = 0;   // [px]
   double outline = 0;  // its width [px]; 0: none
-  OutlinePlace place = OutlinePlace::centred;
+  std::string place = "centred";
   int levels = 256;  // 2 and 4: crisp
-  std::optional<SubPixels> lcd;
+  std::string lcd = "none";
   double lcd_colour = 1;  // how much of it is kept
 };
 
@@ -60,7 +59,7 @@ class Look {
   const Brush& brush() const { return brush_; }
 
   /// Of the picture that the brush draws into: 3 with sub-pixels, else 1.
-  int channels() const { return is_coloured_ ? 3 : 1; }
+  int channels() const { return brush_.painter() == paint_lcd ? 3 : 1; }
 
   /// Whether the brush takes as many distances as a pixel needs, and how many
   /// it has taken beyond one a pixel.
@@ -85,7 +84,6 @@ class Look {
   Perception perception_;
   MotionBlur blur_;
   LcdStyle lcd_;
-  bool is_coloured_ = false;
   uint32_t more_samples_ = 0;
 };
 

@@ -5,7 +5,6 @@
 
 #include "census.hpp"
 #include "convert.hpp"
-#include "options.hpp"
 #include "pictures.hpp"
 #include "program.hpp"
 #include "report.hpp"
@@ -26,7 +25,7 @@ struct Arguments {
 };
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
-  gen::add_generator_options(app, arguments.request);
+  add_conversion_options(app, arguments.request);
   app.remove_option(app.get_option("--cells"));  // a picture here
   app.add_option("--kind", arguments.request.adf.cells,
                  "Cells of a font that is converted: fields or samples")
@@ -34,8 +33,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
           CLI::CheckedTransformer(std::map<std::string, gen::CellKind>{
                                       {"fields", gen::CellKind::fields},
                                       {"samples", gen::CellKind::samples}})
-              .description("fields|samples"))
-      ->type_name("")
+              .description(""))
+      ->type_name("fields|samples")
       ->default_str("fields");
   app.add_option("FILE", arguments.file,
                  "ROM font, or TTF or OTF to convert in memory")

@@ -8,7 +8,6 @@
 #include "canvas.hpp"
 #include "convert.hpp"
 #include "look.hpp"
-#include "options.hpp"
 #include "program.hpp"
 #include "render_jobs.hpp"
 
@@ -81,7 +80,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Rows of a strip; the picture is the same for every number")
       ->check(CLI::Range(1, 32767));
   app.add_flag("--stats", arguments.stats, "Print what drawing cost");
-  gen::add_generator_options(app, arguments.request);
+  add_conversion_options(app, arguments.request);
 }
 
 // Where the text is, and on how large a canvas.

@@ -3,7 +3,6 @@
 
 #include "compare.hpp"
 #include "convert.hpp"
-#include "options.hpp"
 #include "program.hpp"
 #include "specimen.hpp"
 #include "star.hpp"
@@ -63,7 +62,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   picture("--compare-display", arguments.compare_display,
           "The same with letters of 40 px");
   picture("--star", arguments.star, "A pattern finer than pixels");
-  gen::add_generator_options(app, arguments.request);
+  add_conversion_options(app, arguments.request);
 }
 
 void run(const Arguments& arguments, const CLI::App& app) {
