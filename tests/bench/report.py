@@ -92,8 +92,16 @@ def print_table(results):
 
 
 def print_others(figures):
-    for figure in figures:
-        say("  ".join(f"{name} {value}" for name, value in figure.items()))
+    """A table for each kind of figure, its first column the kind."""
+    for kind_of in unique(figure["figure"] for figure in figures):
+        rows = [f for f in figures if f["figure"] == kind_of]
+        lines = [list(rows[0]), *(list(map(str, row.values()))
+                                  for row in rows)]
+        lines[0][0] = ""
+        widths = [max(map(len, column)) for column in zip(*lines)]
+        for line in lines:
+            say("  ".join(word.ljust(width) for word, width
+                          in zip(line, widths)).rstrip())
 
 
 def table(head, rows):
