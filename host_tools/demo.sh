@@ -57,13 +57,17 @@ python3 host_tools/size_table.py "$out" samples direct packed |
 
 echo "Drawing on this machine"
 "$tools/inkcell-specimen" "$out/packed.bin" --sizes "$out/sizes.png" \
-  --body "$out/body.png" --turned "$out/turned.png" --moved "$out/moved.png"
+  --body "$out/body.png" --turned "$out/turned.png" \
+  --moved "$out/moved.png" --filters "$out/filters.png" \
+  --fitting "$out/fitting.png" --lcd "$out/lcd.png" \
+  --levels "$out/levels.png" --maps "$out/maps.png" --motion "$out/motion.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
 for kind in samples direct; do
   "$tools/inkcell-inspect" "$out/$kind.bin" --cells "$out/cells_$kind.png" \
     >>"$out/sizes.txt"
 done
 "$tools/inkcell-inspect" "$out/packed.bin" --sheet "$out/sheet.png" \
+  --edges "$out/edges.png" --side 400 \
   >>"$out/sizes.txt"
 "$tools/inkcell-render" --font "$out/packed.bin" --px 24 --zoom 6 --stats \
   --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
@@ -92,7 +96,7 @@ done
 if [ -f tests/bench/run.sh ]; then
   echo "Counting instructions"
   if ! sh tests/bench/run.sh --font "$out/direct.bin" --fontgen "$fontgen" \
-    --cpu m0,m3 --px 12,24,48 >"$out/bench.jsonl" 2>"$out/bench.txt"; then
+    --cpu m0,m3 --px 12,24,48 --what glyphs,code >"$out/bench.jsonl" 2>"$out/bench.txt"; then
     missed="$missed bench"
     tail -n 5 "$out/bench.txt"
   else
@@ -122,6 +126,13 @@ describe body.png "paragraphs"
 describe digits.png "a clock"
 describe turned.png "a word in 24 directions"
 describe moved.png "a line moved by 1/8 px from row to row"
+describe filters.png "filters, weights, gamma"
+describe fitting.png "grid fitting, darker edges and thin strokes"
+describe lcd.png "sub-pixels"
+describe levels.png "1 and 2 bits"
+describe maps.png "leaning, narrow, mirrored"
+describe motion.png "motion blur"
+describe edges.png "what grid fitting knows of a glyph"
 describe enlarged.png "pixels of 24 px type"
 describe cells_samples.png "the distance field of a glyph and its cells"
 describe cells_direct.png "the same with fields: green one, blue two, red three"

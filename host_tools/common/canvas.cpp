@@ -8,6 +8,7 @@
 
 #include "glyph_cells.hpp"
 #include "inkcell/port/a8.hpp"
+#include "inkcell/port/lcd.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -42,7 +43,7 @@ Direction direction_of(double degrees) {
   return direction;
 }
 
-// An A8 sink that counts what passes through it.
+// A sink that counts what passes through it.
 class CountingSink {
  public:
   CountingSink(const Sink& target, DrawStats& stats)
@@ -55,6 +56,14 @@ class CountingSink {
                          const uint8_t* coverage, int32_t count) noexcept {
       static_cast<CountingSink*>(context)->coverage(x, y, coverage, count);
     };
+    if (target_.coverage_rgb != nullptr) {
+      result.coverage_rgb = [](void* context, int32_t x, int32_t y,
+                               const uint8_t* coverage,
+                               int32_t count) noexcept {
+        static_cast<CountingSink*>(context)->coverage_rgb(x, y, coverage,
+                                                          count);
+      };
+    }
     result.solid = [](void* context, int32_t x, int32_t y,
                       int32_t count) noexcept {
       static_cast<CountingSink*>(context)->solid(x, y, count);
@@ -63,10 +72,20 @@ class CountingSink {
   }
 
  private:
-  void coverage(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+  void add_span(int32_t count) {
     ++stats_.coverage_spans;
     stats_.coverage_pixels += count;
+  }
+  void coverage(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
+    add_span(count);
     target_.coverage(target_.context, x, y, values, count);
+  }
+  void coverage_rgb(int32_t x,
+                    int32_t y,
+                    const uint8_t* values,
+                    int32_t count) {
+    add_span(count);
+    target_.coverage_rgb(target_.context, x, y, values, count);
   }
   void solid(int32_t x, int32_t y, int32_t count) {
     ++stats_.solid_runs;
@@ -120,9 +139,12 @@ void draw_strip(void* context, const Strip& strip) {
   std::memset(
       strip.pixels.data, 0,
       static_cast<size_t>(strip.stride) * static_cast<size_t>(strip.height));
-  port::A8Target target{strip};
+  port::A8Target grey{strip};
+  port::Rgb888Target colour{strip};  // in white: coverage as it is
   Sink sink;
-  if (port::make_sink(target, sink) != Status::ok) {
+  if ((scene.image.channels == 1
+           ? port::make_sink(grey, sink)
+           : port::make_lcd_sink(colour, sink)) != Status::ok) {
     return;  // cannot be: draw_lines checked the size
   }
   if (scene.stats == nullptr) {
@@ -134,15 +156,15 @@ void draw_strip(void* context, const Strip& strip) {
   draw_all(scene, counting.sink());
 }
 
-// Lays the strip over the picture as the A8 sink lays coverage over coverage.
+// Lays the strip over the picture as sinks lay coverage over coverage.
 void flush_strip(void* context, const Strip& strip) {
   Image& image = static_cast<Scene*>(context)->image;
   for (int32_t y = 0; y < strip.height; ++y) {
     const uint8_t* from = strip.pixels.data + y * strip.stride;
     uint8_t* to = image.at(strip.x0, strip.y0 + y);
-    for (int32_t x = 0; x < strip.width; ++x) {
-      const unsigned over = from[x];
-      to[x] = static_cast<uint8_t>(over + ((255 - over) * to[x] + 127) / 255);
+    for (int32_t i = 0; i < strip.width * image.channels; ++i) {
+      const unsigned over = from[i];
+      to[i] = static_cast<uint8_t>(over + ((255 - over) * to[i] + 127) / 255);
     }
   }
 }
@@ -242,14 +264,15 @@ void draw_lines(const Font& font,
   const std::vector<Point> origins = origins_of(lines, font, brush, origin);
   FontWorkspace workspace(font);
   Scene scene{font, lines, origins, brush, workspace, image, stats};
-  std::vector<uint8_t> buffer(static_cast<size_t>(image.width) *
+  const int32_t stride = image.width * image.channels;
+  std::vector<uint8_t> buffer(static_cast<size_t>(stride) *
                               static_cast<size_t>(rows));
   StripLoop loop;
   loop.buffer = {buffer.data(), buffer.size()};
   loop.width = image.width;
   loop.height = image.height;
   loop.rows = rows;
-  loop.stride = image.width;
+  loop.stride = stride;
   loop.context = &scene;
   loop.draw = draw_strip;
   loop.flush = flush_strip;

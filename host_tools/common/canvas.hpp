@@ -1,4 +1,4 @@
-// Text into pictures, by the device's own path: layout, strips, A8 sink.
+// Text into pictures, by the device's own path: layout, strips, sinks.
 #pragma once
 
 #include <cstdint>
@@ -57,11 +57,11 @@ struct DrawStats {
 /// Rows of a strip, unless somebody wants to show that it does not matter.
 inline constexpr int32_t kStripRows = 32;
 
-/// Draws lines over the grey picture (255: full ink) in strips of `rows` rows,
-/// the first line's origin at `origin`, the others where the brush's direction
-/// leads, to the nearest 1/64 px. Adds to `stats` if given. Throws
-/// std::runtime_error if a side of the picture is not within 1..32767 px, or a
-/// line lies too far from the first.
+/// Draws lines over the picture (255: full ink, of each sub-pixel if it has
+/// three channels) in strips of `rows` rows, the first line's origin at
+/// `origin`, the others where the brush's direction leads, to the nearest 1/64
+/// px. Adds to `stats` if given. Throws std::runtime_error if a side of the
+/// picture is not within 1..32767 px, or a line lies too far from the first.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const Brush& brush,

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
+#include "options.hpp"
 #include "progress.hpp"
 
 namespace inkcell::tools {
@@ -37,6 +39,15 @@ gen::RomFont generate(gen::GenerateRequest request, MaxPx max_px) {
 }
 
 }  // namespace
+
+void add_conversion_options(CLI::App& app, gen::GenerateRequest& request) {
+  const size_t before = app.get_options().size();
+  gen::add_generator_options(app, request);
+  const std::vector<CLI::Option*> options = app.get_options();
+  for (size_t i = before; i < options.size(); ++i) {
+    options[i]->group("Options for a TTF or OTF, which is converted");
+  }
+}
 
 RomFile load_font_file(const std::filesystem::path& file,
                        gen::GenerateRequest request,

@@ -10,6 +10,9 @@
 
 namespace inkcell::tools {
 
+/// Adds the options of inkcell-fontgen, listed apart in the help.
+void add_conversion_options(CLI::App& app, gen::GenerateRequest& request);
+
 /// What becomes of the largest size if a glyph is too complex for it.
 enum class MaxPx { asked_for, may_halve };
 

@@ -2,9 +2,9 @@
 #include "look.hpp"
 
 #include <cmath>
-#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "canvas.hpp"
 #include "filters.hpp"
@@ -22,8 +22,33 @@ const Filter& filter_for(const std::string& name, Use use) {
   return filter_of(name);
 }
 
+OutlinePlace place_of(const std::string& name) {
+  return name == "inner"   ? OutlinePlace::inner
+         : name == "outer" ? OutlinePlace::outer
+                           : OutlinePlace::centred;
+}
+
+SubPixels order_of(const std::string& name) {
+  return name == "bgr"            ? SubPixels::bgr
+         : name == "rgb_vertical" ? SubPixels::rgb_vertical
+         : name == "bgr_vertical" ? SubPixels::bgr_vertical
+                                  : SubPixels::rgb;
+}
+
 Q6_10 to_q10(double px) {
   return Q6_10::from_raw(static_cast<int16_t>(std::lround(px * 1024)));
+}
+
+// An option that takes one of some words.
+void add_words(CLI::App& app,
+               const std::string& option,
+               std::string& target,
+               const std::vector<std::string>& words,
+               const std::string& help) {
+  app.add_option(option, target, help)
+      ->check(CLI::IsMember(words).description(""))
+      ->type_name(CLI::detail::join(words, "|"))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -32,47 +57,53 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--filter", options.filter,
                  "text, motion, paper_display or paper_body [text; motion for "
                  "jobs of kind anim]");
-  app.add_option("--hint", options.hint,
-                 "Fit to the pixel grid: none; vertical, heights; both, stems "
-                 "too; auto, vertical but for jobs of kind anim")
-      ->check(CLI::IsMember({"none", "vertical", "both", "auto"}))
-      ->capture_default_str();
-  app.add_option("--samples", options.samples,
-                 "Distances a pixel: one; adaptive, up to 13 where one does "
-                 "not tell enough; paper, as the paper has it; auto, one, but "
-                 "adaptive below 10 px and for jobs of kind anim")
-      ->check(CLI::IsMember({"one", "adaptive", "paper", "auto"}))
-      ->capture_default_str();
+  add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
+            "Fit to the pixel grid: none; vertical, heights; both, stems "
+            "too; auto, vertical but for jobs of kind anim");
+  add_words(app, "--samples", options.samples,
+            {"one", "adaptive", "paper", "auto"},
+            "Distances a pixel: one; adaptive, up to 13 where one does "
+            "not tell enough; paper, as the paper has it; auto, one, but "
+            "adaptive below 10 px and for jobs of kind anim");
   app.add_option("--radius", options.radius,
-                 "Of the filter over samples [px; 0.85, 0.75 for jobs of kind "
-                 "anim, 1.3 for paper]")
+                 "Of the filter over several samples [px; 0.85, 0.75 for jobs "
+                 "of kind anim, 1.3 for paper]")
       ->check(CLI::Range(0.25, 1.5));
-  app.add_option("--rules", options.rules,
-                 "Contrast as eyes prefer it, with one sample a pixel: edges, "
-                 "darker on the left and below; thin, thin strokes darker; all")
-      ->check(CLI::IsMember({"none", "edges", "thin", "all"}))
-      ->capture_default_str();
+  add_words(app, "--rules", options.rules, {"none", "edges", "thin", "all"},
+            "Contrast as eyes prefer it, with one sample a pixel: edges, "
+            "darker on the left and below; thin, thin strokes darker; all");
   app.add_option("--motion", options.motion,
                  "Blur by a movement of X,Y while the shutter is open [px]")
       ->type_name("X,Y");
   app.add_option("--weight", options.weight,
-                 "Move edges outwards, strokes gain twice that [px]")
+                 "Move edges outwards, strokes gain twice that; with --levels "
+                 "up to 0.5 [px]")
       ->check(CLI::Range(-2.0, 2.0));
   app.add_option("--outline", options.outline,
                  "Draw outlines of this width, in place of the inside [px]")
       ->check(CLI::Range(0.0, 4.0));
-  const std::map<std::string, OutlinePlace> places = {
-      {"inner", OutlinePlace::inner},
-      {"centred", OutlinePlace::centred},
-      {"outer", OutlinePlace::outer}};
-  app.add_option("--outline-place", options.place, "Where they lie [centred]")
-      ->transform(
-          CLI::CheckedTransformer(places).description("inner|centred|outer"))
-      ->type_name("");
+  add_words(app, "--outline-place", options.place,
+            {"inner", "centred", "outer"}, "Where they lie");
   app.add_option("--levels", options.levels,
                  "Draw for displays of 2 or 4 levels, without broken strokes")
-      ->check(CLI::IsMember({2, 4, 256}))
+      ->check(CLI::IsMember({2, 4, 256}).description(""))
+      ->type_name("2|4|256")
       ->capture_default_str();
+  add_words(app, "--lcd", options.lcd,
+            {"none", "rgb", "bgr", "rgb_vertical", "bgr_vertical"},
+            "Draw for coloured stripes, from left to right or (vertical) from "
+            "top to bottom; the picture is a PNG or PPM in colour");
+  app.add_option("--lcd-colour", options.lcd_colour,
+                 "How much of the stripes' colour is kept: 0 is grey")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+void require_adaptive(const LookOptions& options, bool is_adaptive) {
+  if (options.radius > 0 && !is_adaptive) {
+    throw std::runtime_error(
+        "--radius is for several samples a pixel: --samples adaptive or paper");
+  }
 }
 
 Look::Look(const LookOptions& options,
@@ -83,13 +114,14 @@ Look::Look(const LookOptions& options,
     : edges_(make_outline(
           with_weight(filter_for(options.filter, use), to_q10(options.weight)),
           to_q10(options.outline),
-          options.place)),
+          place_of(options.place))),
       brush_(make_brush(px, angle, edges_.outer)) {
-  set_painter(options, font, use);
+  require_reach(options, font);
+  set_painter(options, use);
   set_hint(options, font, use);
 }
 
-void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
+void Look::require_reach(const LookOptions& options, const Font& font) const {
   // Filters as they are reach what fonts are made for; with two levels only
   // distances close to the edge count.
   const bool reaches =
@@ -102,21 +134,28 @@ void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
           "and --outline: draw it larger, or give the font a --band-px");
     }
   }
+}
+
+void Look::set_painter(const LookOptions& options, Use use) {
   const int ways =
       (options.outline != 0 ? 1 : 0) + (options.levels != 256 ? 1 : 0) +
-      (options.motion.empty() ? 0 : 1) + (options.rules == "none" ? 0 : 1) +
+      (options.lcd == "none" ? 0 : 1) + (options.motion.empty() ? 0 : 1) +
+      (options.rules == "none" ? 0 : 1) +
       (options.samples == "auto" || options.samples == "one" ? 0 : 1);
   if (ways > 1) {
     throw std::runtime_error(
-        "--outline, --levels, --motion, --rules and --samples exclude each "
-        "other");
+        "--outline, --levels, --lcd, --motion, --rules and --samples exclude "
+        "each other");
+  }
+  if (options.lcd == "none" && options.lcd_colour != 1) {
+    throw std::runtime_error("--lcd-colour is for --lcd");
   }
   if (options.outline != 0) {
     brush_.set_painter(paint_outline, &edges_.inner);
   } else if (options.levels != 256) {
-    crisp_.levels = static_cast<uint8_t>(options.levels);
-    crisp_.threshold_px.raw = static_cast<int16_t>(-1024 * options.weight);
-    brush_.set_painter(paint_crisp, &crisp_, kCrispReach);
+    set_levels(options);
+  } else if (options.lcd != "none") {
+    set_lcd(options);
   } else if (!options.motion.empty()) {
     set_motion(options);
   } else if (options.rules != "none") {
@@ -137,12 +176,28 @@ void Look::set_samples(const LookOptions& options, Use use) {
                  : use == Use::moving ? kCalmRadius
                                       : kSharpRadius;
   if (options.radius > 0) {
-    radius = Q6_10::from_raw(static_cast<int16_t>(options.radius * 1024));
+    radius = to_q10(options.radius);
   }
   adaptive_ = make_adaptive(brush_.filter(), radius,
                             is_paper ? SampleRule::paper : SampleRule::even);
   adaptive_.more_samples = &more_samples_;
   brush_.set_painter(paint_adaptive, &adaptive_, kAdaptiveReach);
+}
+
+void Look::set_levels(const LookOptions& options) {
+  constexpr double kMostWeight = 0.5;  // of CrispStyle::threshold_px
+  if (std::abs(options.weight) > kMostWeight) {
+    throw std::runtime_error("--levels takes a --weight of -0.5 to 0.5 px");
+  }
+  crisp_.levels = static_cast<uint8_t>(options.levels);
+  crisp_.threshold_px = to_q10(-options.weight);
+  brush_.set_painter(paint_crisp, &crisp_, kCrispReach);
+}
+
+void Look::set_lcd(const LookOptions& options) {
+  lcd_.order = order_of(options.lcd);
+  lcd_.colour = static_cast<uint8_t>(std::lround(255 * options.lcd_colour));
+  brush_.set_painter(paint_lcd, &lcd_, kLcdReach);
 }
 
 void Look::set_rules(const LookOptions& options) {

@@ -10,6 +10,7 @@
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/perception.hpp"
 
@@ -29,11 +30,17 @@ struct LookOptions {
   double radius = 0;   // of adaptive sampling [px]; 0: what suits it
   double weight = 0;   // [px]
   double outline = 0;  // its width [px]; 0: none
-  OutlinePlace place = OutlinePlace::centred;
+  std::string place = "centred";
   int levels = 256;  // 2 and 4: crisp
+  std::string lcd = "none";
+  double lcd_colour = 1;  // how much of it is kept
 };
 
 void add_look_options(CLI::App& app, LookOptions& options);
+
+/// Throws std::runtime_error if a radius was asked for, and nothing that was
+/// drawn takes several samples a pixel.
+void require_adaptive(const LookOptions& options, bool is_adaptive);
 
 /// A brush and all that it points to: stays where it was made.
 class Look {
@@ -51,14 +58,22 @@ class Look {
 
   const Brush& brush() const { return brush_; }
 
-  /// Samples that drawing has taken beyond one a pixel.
+  /// Of the picture that the brush draws into: 3 with sub-pixels, else 1.
+  int channels() const { return brush_.painter() == paint_lcd ? 3 : 1; }
+
+  /// Whether the brush takes as many distances as a pixel needs, and how many
+  /// it has taken beyond one a pixel.
+  bool is_adaptive() const { return brush_.painter() == paint_adaptive; }
   uint32_t more_samples() const { return more_samples_; }
 
  private:
-  void set_painter(const LookOptions& options, const Font& font, Use use);
+  void require_reach(const LookOptions& options, const Font& font) const;
+  void set_painter(const LookOptions& options, Use use);
   void set_samples(const LookOptions& options, Use use);
   void set_rules(const LookOptions& options);
   void set_motion(const LookOptions& options);
+  void set_levels(const LookOptions& options);
+  void set_lcd(const LookOptions& options);
   void set_hint(const LookOptions& options, const Font& font, Use use);
 
   Outline edges_;  // without an outline both are the filter
@@ -68,6 +83,7 @@ class Look {
   Adaptive adaptive_;
   Perception perception_;
   MotionBlur blur_;
+  LcdStyle lcd_;
   uint32_t more_samples_ = 0;
 };
 

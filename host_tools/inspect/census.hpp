@@ -9,6 +9,7 @@
 
 #include "glyph_cells.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/hints.hpp"
 
 namespace inkcell::tools {
 
@@ -37,6 +38,13 @@ struct CellCensus {
   void add(const CellCensus& other);
 };
 
+/// An edge of a glyph that grid fitting knows.
+struct EdgeCensus {
+  int height_u = 0;
+  int zone = 0;  // from 1; 0: none
+  bool is_bar = false;
+};
+
 /// One glyph.
 struct GlyphCensus {
   GlyphCensus(const Font& font, uint16_t id) : glyph(id), cells_of(font, id) {}
@@ -56,6 +64,8 @@ struct GlyphCensus {
   int depth = 0;  // steps from a tile to its smallest cell
   /// Cells that are not saturated and 2^i u wide.
   std::array<int, 12> by_size_log2{};
+  std::vector<EdgeCensus> edges;  // from low to high
+  std::vector<int> stems_u;       // their middles, from left to right
 
   const GlyphField& field() const { return cells_of.field(); }
 
@@ -89,6 +99,10 @@ struct FontCensus {
   int right_classes = 0;
   size_t header_bytes = 0;
   std::vector<SectionCensus> sections;
+  Status hints_read = Status::ok;
+  std::vector<HintZone> zones;  // the first is number 1
+  std::vector<HintLevel> levels;
+  int stem_width_u = 0;
   std::vector<GlyphCensus> glyphs;
   size_t characters = 0;
 

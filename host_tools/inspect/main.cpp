@@ -5,7 +5,6 @@
 
 #include "census.hpp"
 #include "convert.hpp"
-#include "options.hpp"
 #include "pictures.hpp"
 #include "program.hpp"
 #include "report.hpp"
@@ -18,6 +17,7 @@ struct Arguments {
   std::string file;
   std::string glyph;
   std::string cells;
+  std::string edges;
   std::string sheet;
   int side = 1000;
   double px = 32;
@@ -25,7 +25,7 @@ struct Arguments {
 };
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
-  gen::add_generator_options(app, arguments.request);
+  add_conversion_options(app, arguments.request);
   app.remove_option(app.get_option("--cells"));  // a picture here
   app.add_option("--kind", arguments.request.adf.cells,
                  "Cells of a font that is converted: fields or samples")
@@ -33,8 +33,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
           CLI::CheckedTransformer(std::map<std::string, gen::CellKind>{
                                       {"fields", gen::CellKind::fields},
                                       {"samples", gen::CellKind::samples}})
-              .description("fields|samples"))
-      ->type_name("")
+              .description(""))
+      ->type_name("fields|samples")
       ->default_str("fields");
   app.add_option("FILE", arguments.file,
                  "ROM font, or TTF or OTF to convert in memory")
@@ -45,7 +45,12 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--cells", arguments.cells,
                  "Draw the glyph's field and cells [glyph a, or the first]")
       ->type_name("OUT.png");
-  app.add_option("--side", arguments.side, "Longer side of that picture [px]")
+  app.add_option("--edges", arguments.edges,
+                 "Draw the glyph and what grid fitting knows: zones (dashed), "
+                 "bars (red), other edges (purple), stems (green)")
+      ->type_name("OUT.png");
+  app.add_option("--side", arguments.side,
+                 "Longer side of these two pictures [px]")
       ->check(CLI::Range(64, 16384))
       ->capture_default_str();
   app.add_option("--sheet", arguments.sheet, "Draw all glyphs")
@@ -106,9 +111,12 @@ void run(const Arguments& arguments, const CLI::App& app) {
   const FontCensus font = take_census(rom.font());
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
+  const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
   if (!arguments.cells.empty()) {
-    const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
     write_image(arguments.cells, draw_cells(shown.field(), arguments.side));
+  }
+  if (!arguments.edges.empty()) {
+    write_image(arguments.edges, draw_edges(font, shown, arguments.side));
   }
   if (!arguments.sheet.empty()) {
     write_image(arguments.sheet, draw_sheet(rom.font(), arguments.px));

@@ -35,6 +35,12 @@ constexpr std::array<Colour, 4> kBorders = {
     {{40, 52, 72}, {38, 132, 72}, {70, 58, 190}, {196, 24, 96}}};
 // Where one field of a cell is zero.
 constexpr Colour kZeroLine = {112, 40, 120};
+// What grid fitting knows.
+constexpr Colour kZone = {90, 96, 104};
+constexpr Colour kBar = {208, 0, 24};
+constexpr Colour kOtherEdge = {150, 0, 190};
+constexpr Colour kStem = {0, 120, 40};
+constexpr int kDash = 6;  // and the gap to the next one [px]
 
 // Distance over which the colours change. [u]
 constexpr double kFade = 96;
@@ -136,18 +142,22 @@ double zero_line(const View& view, const Cell& cell, Vector p) {
   return 0.6 * strength;
 }
 
-void draw_field_colours(const View& view, Image& image) {
+enum class ZeroLines { hidden, shown };
+
+void draw_field_colours(const View& view, ZeroLines lines, Image& image) {
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
       const Q16_16 x_u = view.x_u(x);
       const Q16_16 y_u = view.y_u(y);
       const double distance = distance_at(view.field, x_u, y_u).raw / 1024.0;
       const Cell cell = locate(view.field, x_u.floor(), y_u.floor());
-      const Colour colour =
-          field_colour(distance, cell.is_saturated(), view.px_per_u);
+      const double line =
+          lines == ZeroLines::hidden
+              ? 0
+              : zero_line(view, cell, {x_u.raw / 65536.0, y_u.raw / 65536.0});
       put(image, x, y,
-          mix(colour, kZeroLine,
-              zero_line(view, cell, {x_u.raw / 65536.0, y_u.raw / 65536.0})));
+          mix(field_colour(distance, cell.is_saturated(), view.px_per_u),
+              kZeroLine, line));
     }
   }
 }
@@ -196,25 +206,68 @@ void draw_borders(const View& view, Image& image) {
   }
 }
 
+// A picture of the glyph's grid, whose longer side becomes `side` px.
+View view_of(const GlyphField& field, int side) {
+  if (field.tiles_x == 0 || field.tiles_y == 0) {
+    throw std::runtime_error("the glyph has no ink, and so no picture");
+  }
+  const int width_u = field.x1_u() - field.x0_u;
+  const int height_u = field.y1_u() - field.y0_u;
+  const double px_per_u =
+      static_cast<double>(side) / std::max(width_u, height_u);
+  return {field, px_per_u, static_cast<int>(std::lround(width_u * px_per_u)),
+          static_cast<int>(std::lround(height_u * px_per_u))};
+}
+
+Image draw_field(const View& view, ZeroLines lines) {
+  Image image(view.width + 1, view.height + 1, 3, 255);
+  draw_field_colours(view, lines, image);
+  return image;
+}
+
+// Lines across the whole picture, `dash` px long with gaps in between; 0: in
+// one piece.
+void draw_height(
+    const View& view, int y_u, const Colour& colour, int dash, Image& image) {
+  const int y = view.y_px(y_u);
+  for (int x = 0; y >= 0 && y < image.height && x < image.width; ++x) {
+    if (dash == 0 || x / dash % 2 == 0) {
+      put(image, x, y, colour);
+    }
+  }
+}
+
+void draw_stem(const View& view, int x_u, Image& image) {
+  const int x = view.x_px(x_u);
+  for (int y = 0; x >= 0 && x < image.width && y < image.height; ++y) {
+    put(image, x, y, kStem);
+  }
+}
+
 // Grey of the lines between the boxes of a sheet.
 constexpr uint8_t kRule = 225;
 
 }  // namespace
 
 Image draw_cells(const GlyphField& field, int side) {
-  if (field.tiles_x == 0 || field.tiles_y == 0) {
-    throw std::runtime_error("the glyph has no ink, and so no cells");
-  }
-  const int width_u = field.x1_u() - field.x0_u;
-  const int height_u = field.y1_u() - field.y0_u;
-  const double px_per_u =
-      static_cast<double>(side) / std::max(width_u, height_u);
-  const View view = {field, px_per_u,
-                     static_cast<int>(std::lround(width_u * px_per_u)),
-                     static_cast<int>(std::lround(height_u * px_per_u))};
-  Image image(view.width + 1, view.height + 1, 3, 255);
-  draw_field_colours(view, image);
+  const View view = view_of(field, side);
+  Image image = draw_field(view, ZeroLines::shown);
   draw_borders(view, image);
+  return image;
+}
+
+Image draw_edges(const FontCensus& font, const GlyphCensus& glyph, int side) {
+  const View view = view_of(glyph.field(), side);
+  Image image = draw_field(view, ZeroLines::hidden);
+  for (const int stem : glyph.stems_u) {
+    draw_stem(view, stem, image);
+  }
+  for (const EdgeCensus& edge : glyph.edges) {
+    draw_height(view, edge.height_u, edge.is_bar ? kBar : kOtherEdge, 0, image);
+  }
+  for (const HintZone& zone : font.zones) {
+    draw_height(view, zone.height_u, kZone, kDash, image);
+  }
   return image;
 }
 

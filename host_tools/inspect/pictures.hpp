@@ -1,6 +1,8 @@
-// Pictures of what is in a font: the cells of a glyph, a sheet of all glyphs.
+// Pictures of what is in a font: the cells of a glyph, its edges, a sheet of
+// all glyphs.
 #pragma once
 
+#include "census.hpp"
 #include "image.hpp"
 #include "inkcell/font.hpp"
 
@@ -14,6 +16,11 @@ namespace inkcell::tools {
 ///
 /// Throws std::runtime_error if the glyph has no ink.
 Image draw_cells(const GlyphField& field, int side);
+
+/// The same field, and over it what grid fitting knows: dashed lines at the
+/// font's zones, red ones at edges below a bar, purple ones at the glyph's
+/// other edges, green ones in the middle of its stems.
+Image draw_edges(const FontCensus& font, const GlyphCensus& glyph, int side);
 
 /// All glyphs in the order of their ids at `px` px/em, black on white, each in
 /// its own box.

@@ -105,6 +105,90 @@ void append_cells(std::string& out, const FontCensus& font) {
   out += '\n';
 }
 
+const char* side_of(const HintZone& zone) {
+  return zone.is_bottom ? "bottom" : "top";
+}
+
+// Edges of all glyphs that lie in a zone, which is counted from 1.
+int edges_in(const FontCensus& font, int zone) {
+  int count = 0;
+  for (const GlyphCensus& glyph : font.glyphs) {
+    count += static_cast<int>(std::count_if(
+        glyph.edges.begin(), glyph.edges.end(),
+        [zone](const EdgeCensus& edge) { return edge.zone == zone; }));
+  }
+  return count;
+}
+
+void append_hints(std::string& out, const FontCensus& font) {
+  if (font.hints_read != Status::ok) {
+    append(out, "  hints           %s\n",
+           std::string(status_name(font.hints_read)).c_str());
+    return;
+  }
+  if (font.levels.empty()) {
+    out += "  hints           none\n";
+    return;
+  }
+  append(out, "  hints           %zu zones, %zu levels, most stems %d u wide\n",
+         font.zones.size(), font.levels.size(), font.stem_width_u);
+  for (size_t i = 0; i < font.zones.size(); ++i) {
+    append(out, "    zone %-2zu         %5d u, %s, %d edges\n", i + 1,
+           font.zones[i].height_u, side_of(font.zones[i]),
+           edges_in(font, static_cast<int>(i + 1)));
+  }
+  out += "    levels [u]";
+  for (size_t i = 0; i < font.levels.size(); ++i) {
+    out += i % (2 * kColumns) == 0 ? "\n     " : "";
+    append(out, " %d", font.levels[i].height_u);
+  }
+  out += '\n';
+}
+
+void append_edges(std::string& out,
+                  const FontCensus& font,
+                  const GlyphCensus& glyph) {
+  append(out, "  hints           %zu edges, %zu stems\n", glyph.edges.size(),
+         glyph.stems_u.size());
+  for (const EdgeCensus& edge : glyph.edges) {
+    append(out, "    edge at         %5d u", edge.height_u);
+    const auto zone = static_cast<size_t>(edge.zone);
+    if (zone != 0 && zone <= font.zones.size()) {
+      append(out, ", zone %d (%s at %d u)", edge.zone,
+             side_of(font.zones[zone - 1]), font.zones[zone - 1].height_u);
+    }
+    out += edge.is_bar ? ", below a bar\n" : "\n";
+  }
+  for (const int stem : glyph.stems_u) {
+    append(out, "    stem around     %5d u\n", stem);
+  }
+}
+
+nlohmann::json hints_json(const FontCensus& font) {
+  nlohmann::json zones = nlohmann::json::array();
+  for (const HintZone& zone : font.zones) {
+    zones.push_back({{"height_u", zone.height_u}, {"side", side_of(zone)}});
+  }
+  nlohmann::json levels = nlohmann::json::array();
+  for (const HintLevel& level : font.levels) {
+    levels.push_back({{"height_u", level.height_u}, {"zone", level.zone}});
+  }
+  return {{"read", std::string(status_name(font.hints_read))},
+          {"zones", zones},
+          {"levels", levels},
+          {"stem_width_u", font.stem_width_u}};
+}
+
+nlohmann::json edges_json(const GlyphCensus& glyph) {
+  nlohmann::json edges = nlohmann::json::array();
+  for (const EdgeCensus& edge : glyph.edges) {
+    edges.push_back({{"height_u", edge.height_u},
+                     {"zone", edge.zone},
+                     {"bar", edge.is_bar}});
+  }
+  return edges;
+}
+
 nlohmann::json kinds_json(const CellCensus& cells) {
   return {{"samples", cells.samples},
           {"single", cells.single},
@@ -148,6 +232,8 @@ nlohmann::json glyph_json(const GlyphCensus& glyph) {
           {"saturated_inside", glyph.inside},
           {"depth", glyph.depth},
           {"cells_by_size_u", sizes},
+          {"edges", edges_json(glyph)},
+          {"stems_u", glyph.stems_u},
           {"grid",
            {{"x0_u", glyph.field().x0_u},
             {"y0_u", glyph.field().y0_u},
@@ -201,6 +287,7 @@ std::string font_report(const FontCensus& font) {
          static_cast<unsigned>(font.range.max_nodes),
          static_cast<unsigned>(font.range.max_depth));
   append_sections(out, font);
+  append_hints(out, font);
   append_cells(out, font);
   return out;
 }
@@ -238,6 +325,7 @@ std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
            glyph.cells_of.expanded_bytes());
     append_parts(out, "of these", glyph.expanded);
   }
+  append_edges(out, font, glyph);
   return out;
 }
 
@@ -266,6 +354,7 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"characters", font.characters},
       {"kerning_classes", {font.left_classes, font.right_classes}},
       {"section_bytes", sections},
+      {"hints", hints_json(font)},
       {"cell_kind", font.cells_name},
       {"coding", font.coding_name},
       {"workspace", {{"glyph", font.workspace}, {"row", font.row_workspace}}},

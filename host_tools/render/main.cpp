@@ -8,7 +8,6 @@
 #include "canvas.hpp"
 #include "convert.hpp"
 #include "look.hpp"
-#include "options.hpp"
 #include "program.hpp"
 #include "render_jobs.hpp"
 
@@ -67,8 +66,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--jobs", arguments.jobs,
                  "Draw one picture for each line of JSON, instead of --text")
       ->type_name("FILE.jsonl");
-  app.add_option("--out", arguments.out, "The picture: 255 is full ink")
-      ->type_name("FILE.png|FILE.pgm");
+  app.add_option("--out", arguments.out,
+                 "The picture: 255 is full ink; PPM, not PGM, with --lcd")
+      ->type_name("FILE.png|FILE.pgm|FILE.ppm");
   add_look_options(app, arguments.look);
   add_placement(app, arguments);
   app.add_flag("--no-kerning", arguments.unkerned,
@@ -80,7 +80,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Rows of a strip; the picture is the same for every number")
       ->check(CLI::Range(1, 32767));
   app.add_flag("--stats", arguments.stats, "Print what drawing cost");
-  gen::add_generator_options(app, arguments.request);
+  add_conversion_options(app, arguments.request);
 }
 
 // Where the text is, and on how large a canvas.
@@ -136,10 +136,11 @@ size_t glyph_count(const std::vector<Line>& lines) {
 
 // Near ink: the rest of a picture costs next to nothing.
 void print_samples(const SampleTotal& total) {
-  std::printf("samples          %.2f a pixel near ink\n",
-              total.pixels == 0 ? 1.0
-                                : static_cast<double>(total.samples) /
-                                      static_cast<double>(total.pixels));
+  if (total.pixels != 0) {
+    std::printf(
+        "samples          %.2f a pixel near ink\n",
+        static_cast<double>(total.samples) / static_cast<double>(total.pixels));
+  }
 }
 
 void print_stats(const DrawStats& stats,
@@ -170,11 +171,12 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
   const Font& font = rom.font();
   const Look look(arguments.look, font, arguments.px, arguments.angle,
                   Use::still);
+  require_adaptive(arguments.look, look.is_adaptive());
   const Brush& brush = look.brush();
   const std::vector<Line> lines = lay_out_lines(
       font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);
   const Placement placement = place(arguments, ink_box(font, lines, brush));
-  Image image(placement.width, placement.height);
+  Image image(placement.width, placement.height, look.channels());
   DrawStats stats;
   const auto begin = std::chrono::steady_clock::now();
   draw_lines(font, lines, brush, placement.origin, image,
@@ -184,7 +186,7 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
   if (arguments.stats) {
     print_stats(stats, lines, image, font, time.count());
     SampleTotal total;
-    add_samples(image, look.more_samples(), total);
+    add_samples(image, look, total);
     print_samples(total);
   }
   if (arguments.inverted) {

@@ -42,11 +42,11 @@ SampleTotal render(const RenderJob& job,
     throw std::runtime_error("w and h must be positive");
   }
   const Look look(options, font, job.size, job.angle, job.use);
-  Image image(job.w, job.h);
+  Image image(job.w, job.h, look.channels());
   draw_lines(font, {lay_out(font, job.text, Kerning::none)}, look.brush(),
              make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
   SampleTotal total;
-  add_samples(image, look.more_samples(), total);
+  add_samples(image, look, total);
   if (inverted) {
     invert(image);
   }
@@ -56,10 +56,12 @@ SampleTotal render(const RenderJob& job,
 
 }  // namespace
 
-void add_samples(const Image& image,
-                 uint32_t more_samples,
-                 SampleTotal& total) {
+void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   constexpr int kNear = 3;
+  total.is_adaptive |= look.is_adaptive();
+  if (look.brush().painter() != nullptr && !look.is_adaptive()) {
+    return;
+  }
   // Near in a row first, then near such a row: a square is a disc but for its
   // corners, and these are cut off by the way that is left.
   std::vector<int> way(static_cast<size_t>(image.width) *
@@ -90,7 +92,7 @@ void add_samples(const Image& image,
     }
   }
   total.pixels += pixels;
-  total.samples += pixels + more_samples;
+  total.samples += pixels + look.more_samples();
 }
 
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
@@ -138,7 +140,9 @@ SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
   for (const SampleTotal& cost : costs) {
     total.pixels += cost.pixels;
     total.samples += cost.samples;
+    total.is_adaptive |= cost.is_adaptive;
   }
+  require_adaptive(look, total.is_adaptive);
   return total;
 }
 

@@ -30,14 +30,16 @@ struct RenderJob {
 };
 
 /// What pictures cost: pixels no farther than 3 px from ink, and the distances
-/// that were taken for them, at least one each.
+/// that were taken for them, at least one each. Only of what takes one sample a
+/// pixel, or as many as it needs.
 struct SampleTotal {
   uint64_t pixels = 0;
   uint64_t samples = 0;
+  bool is_adaptive = false;  // whether anything was
 };
 
-/// Adds a picture that took `more_samples` beyond one a pixel.
-void add_samples(const Image& image, uint32_t more_samples, SampleTotal& total);
+/// Adds a picture that was drawn with the look.
+void add_samples(const Image& image, const Look& look, SampleTotal& total);
 
 /// Reads the file. `kind` "anim" is a frame of something that moves; all others
 /// stand still. Throws std::runtime_error that names file and line.

@@ -90,7 +90,7 @@ Image compare_body(const Font& font, PeerFont& peers) {
                                {kText, 10, 3, 21},
                                {kText, 12, 3, 34},
                                {kText, 16, 3, 52}}};
-  return compare(font, peers, {184, 58, 2, 0, 184}, entries);
+  return compare(font, peers, {164, 58, 3, 0, 164}, entries);
 }
 
 Image compare_display(const Font& font, PeerFont& peers) {

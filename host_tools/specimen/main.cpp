@@ -3,7 +3,6 @@
 
 #include "compare.hpp"
 #include "convert.hpp"
-#include "options.hpp"
 #include "program.hpp"
 #include "specimen.hpp"
 #include "star.hpp"
@@ -23,6 +22,9 @@ struct Arguments {
   std::string filters;
   std::string lcd;
   std::string effects;
+  std::string fitting;
+  std::string maps;
+  std::string motion;
   std::string levels;
   std::string compare_body;
   std::string compare_display;
@@ -50,13 +52,17 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   picture("--lcd", arguments.lcd, "Sub-pixels");
   picture("--effects", arguments.effects,
           "Outlines, shadows, glows: with --band-px 2 --min-px 12");
+  picture("--fitting", arguments.fitting,
+          "Grid fitting, darker edges and thin strokes");
+  picture("--maps", arguments.maps, "Leaning, narrow, mirrored, turned");
+  picture("--motion", arguments.motion, "Motion blur");
   picture("--levels", arguments.levels, "Displays of 1 and 2 bits");
   picture("--compare-body", arguments.compare_body,
           "Text of 8 to 16 px beside that of others; FONT is a TTF or OTF");
   picture("--compare-display", arguments.compare_display,
           "The same with letters of 40 px");
   picture("--star", arguments.star, "A pattern finer than pixels");
-  gen::add_generator_options(app, arguments.request);
+  add_conversion_options(app, arguments.request);
 }
 
 void run(const Arguments& arguments, const CLI::App& app) {
@@ -76,6 +82,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.filters, [&] { return draw_filters(font); });
   write(arguments.lcd, [&] { return draw_lcd(font); });
   write(arguments.effects, [&] { return draw_effects(font); });
+  write(arguments.fitting, [&] { return draw_fitting(font); });
+  write(arguments.maps, [&] { return draw_maps(font); });
+  write(arguments.motion, [&] { return draw_motion(font); });
   write(arguments.levels, [&] { return draw_levels(font); });
   write(arguments.star, [&] { return draw_star(font); });
   if (!arguments.compare_body.empty() || !arguments.compare_display.empty()) {

@@ -86,15 +86,6 @@ std::vector<uint8_t> filter(const std::vector<uint8_t>& samples,
   return grey;
 }
 
-double box(double x, double y) {
-  return std::fabs(x) < 0.5 && std::fabs(y) < 0.5 ? 1 : 0;
-}
-
-double gaussian(double x, double y) {
-  const double square = x * x + y * y;
-  return square <= 1 ? std::exp2(-3 * square) : 0;
-}
-
 void lay_over(const std::vector<uint8_t>& grey, Image& image) {
   for (size_t i = 0; i < grey.size(); ++i) {
     const int old = image.pixels[i];
@@ -105,16 +96,27 @@ void lay_over(const std::vector<uint8_t>& grey, Image& image) {
 
 }  // namespace
 
+double box_weight(double x, double y) {
+  return std::fabs(x) < 0.5 && std::fabs(y) < 0.5 ? 1 : 0;
+}
+
+double gaussian_weight(double x, double y) {
+  const double square = x * x + y * y;
+  return square <= 1 ? std::exp2(-3 * square) : 0;
+}
+
 struct PeerFont::Library {
   FT_Library library = nullptr;
-  FT_Face face = nullptr;
+  FT_Face face = nullptr;  // goes with the library
 
+  Library() { require(FT_Init_FreeType(&library), "FreeType"); }
   ~Library() { FT_Done_FreeType(library); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
 };
 
 PeerFont::PeerFont(const std::filesystem::path& file)
     : library_(std::make_unique<Library>()) {
-  require(FT_Init_FreeType(&library_->library), "FreeType");
   require(
       FT_New_Face(library_->library, file.string().c_str(), 0, &library_->face),
       file.string());
@@ -158,12 +160,39 @@ void PeerFont::write(Peer peer,
     } else {
       const std::vector<uint8_t> samples =
           sample(library, outline, width, height);
-      lay_over(peer == Peer::box4 ? filter(samples, image, scale, box)
-                                  : filter(samples, image, scale, gaussian),
+      lay_over(peer == Peer::box4
+                   ? filter(samples, image, scale, box_weight)
+                   : filter(samples, image, scale, gaussian_weight),
                image);
     }
     x += static_cast<double>(face->glyph->linearHoriAdvance) / 65536 / scale;
   }
+}
+
+Image fill_polygons(const std::vector<std::vector<PeerCorner>>& polygons,
+                    int width,
+                    int height) {
+  std::vector<FT_Vector> points;
+  std::vector<short> ends;
+  for (const std::vector<PeerCorner>& polygon : polygons) {
+    for (const PeerCorner& corner : polygon) {
+      points.push_back(
+          {std::lround(corner.x * 64), std::lround((height - corner.y) * 64)});
+    }
+    ends.push_back(static_cast<short>(points.size() - 1));
+  }
+  std::vector<char> tags(points.size(), FT_CURVE_TAG_ON);
+  FT_Outline outline{};
+  outline.n_contours = static_cast<short>(ends.size());
+  outline.n_points = static_cast<short>(points.size());
+  outline.points = points.data();
+  outline.tags = tags.data();
+  outline.contours = ends.data();
+  const PeerFont::Library library;
+  Image image(width, height);
+  image.pixels =
+      render(library.library, outline, width, height, FT_PIXEL_MODE_GRAY);
+  return image;
 }
 
 }  // namespace inkcell::tools

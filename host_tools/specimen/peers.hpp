@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "image.hpp"
 
@@ -15,6 +16,22 @@ enum class Peer {
   freetype,  // exact coverage, not hinted
   light,     // exact coverage, heights hinted by FreeType's autohinter
 };
+
+/// Weights of samples that lie (x, y) from a pixel's centre [px]: of a pixel as
+/// a box, and 2^(-3 d^2) up to d = 1 px.
+double box_weight(double x, double y);
+double gaussian_weight(double x, double y);
+
+/// A corner of a polygon, y down. [px]
+struct PeerCorner {
+  double x = 0;
+  double y = 0;
+};
+
+/// The exact coverage of polygons, by FreeType. Throws std::runtime_error.
+Image fill_polygons(const std::vector<std::vector<PeerCorner>>& polygons,
+                    int width,
+                    int height);
 
 /// A font file, read by FreeType. Glyphs stand where unhinted advances say,
 /// with kerning as in the font's kern table, at fractions of a pixel.
@@ -36,6 +53,9 @@ class PeerFont {
              Image& image);
 
  private:
+  friend Image fill_polygons(const std::vector<std::vector<PeerCorner>>&,
+                             int,
+                             int);
   struct Library;
   std::unique_ptr<Library> library_;
 };

@@ -76,20 +76,22 @@ Sheet::Sheet(const Font& font, const SheetLayout& layout)
 
 void Sheet::add(const std::string& label,
                 uint32_t ground,
-                const std::function<void(Image&)>& draw) {
-  Image sample = colour_image(layout_.width, layout_.height, ground);
+                const std::function<void(Image&)>& draw,
+                int height) {
+  Image sample = colour_image(layout_.width,
+                              height != 0 ? height : layout_.height, ground);
   draw(sample);
   labels_.push_back(label);
   samples_.push_back(sample);
 }
 
 Image Sheet::finish() const {
-  const int large = layout_.height * layout_.zoom;
-  const int step = large + kLabelHeight + kGap;
   const int zoomed = layout_.zoomed_width * layout_.zoom;
-  Image sheet =
-      colour_image(3 * kGap + layout_.width + zoomed,
-                   kGap + step * static_cast<int>(samples_.size()), kPaper);
+  int height = kGap;
+  for (const Image& sample : samples_) {
+    height += kLabelHeight + sample.height * layout_.zoom + kGap;
+  }
+  Image sheet = colour_image(3 * kGap + layout_.width + zoomed, height, kPaper);
   const Brush brush = make_brush(kLabelPx, 0, kFilterText);
   int y = kGap;
   for (size_t i = 0; i < samples_.size(); ++i) {
@@ -99,7 +101,7 @@ Image Sheet::finish() const {
     paste(enlarge(cut(samples_[i], layout_.zoomed_x, layout_.zoomed_width),
                   layout_.zoom),
           2 * kGap + layout_.width, y, sheet);
-    y += large + kGap;
+    y += samples_[i].height * layout_.zoom + kGap;
   }
   return sheet;
 }

@@ -28,10 +28,11 @@ class Sheet {
   Sheet(const Font& font, const SheetLayout& layout);
 
   /// Adds a sample: `draw` is given a picture of three channels, full of
-  /// `ground` (0xRRGGBB).
+  /// `ground` (0xRRGGBB), `height` px high unless that is 0.
   void add(const std::string& label,
            uint32_t ground,
-           const std::function<void(Image&)>& draw);
+           const std::function<void(Image&)>& draw,
+           int height = 0);
 
   Image finish() const;
 

@@ -2,10 +2,10 @@
 #include "star.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
+#include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "adf.hpp"
@@ -13,6 +13,7 @@
 #include "inkcell/adaptive.hpp"
 #include "inkcell/render.hpp"
 #include "outline.hpp"
+#include "peers.hpp"
 #include "rom_font.hpp"
 #include "shape.hpp"
 #include "sheet.hpp"
@@ -26,51 +27,92 @@ constexpr int kMiddle = 42;  // px that are enlarged
 constexpr int kZoom = 3;
 constexpr int kGap = 8;
 constexpr int kLabelHeight = 14;
+constexpr double kUnits = 1024.0 / kSide;  // to a px
 constexpr double kPi = 3.14159265358979323846;
 
-gen::Shape star() {
+using Wedge = std::array<gen::Point, 4>;
+
+std::vector<Wedge> star() {
   constexpr double kCentre = 512;
   constexpr double kInner = 4;
   constexpr double kOuter = 490;
-  gen::Outline outline;
+  std::vector<Wedge> wedges;
   for (int i = 0; i < kWedges; ++i) {
     const auto point = [i](double radius, double side) {
       const double angle = 2 * kPi * (i + side) / kWedges;
       return gen::Point{kCentre + radius * std::cos(angle),
                         kCentre + radius * std::sin(angle)};
     };
-    const gen::Point corners[] = {point(kInner, -0.25), point(kOuter, -0.25),
-                                  point(kOuter, 0.25), point(kInner, 0.25)};
+    wedges.push_back({point(kInner, -0.25), point(kOuter, -0.25),
+                      point(kOuter, 0.25), point(kInner, 0.25)});
+  }
+  return wedges;
+}
+
+gen::Shape shape_of(const std::vector<Wedge>& wedges) {
+  gen::Outline outline;
+  for (const Wedge& corners : wedges) {
     gen::Contour contour;
-    for (int j = 0; j < 4; ++j) {
-      contour.segments.push_back({gen::Segment::Kind::line,
-                                  {corners[j], corners[(j + 1) % 4], {}, {}}});
+    for (size_t i = 0; i < corners.size(); ++i) {
+      contour.segments.push_back(
+          {gen::Segment::Kind::line,
+           {corners[i], corners[(i + 1) % corners.size()], {}, {}}});
     }
     outline.contours.push_back(contour);
   }
   return gen::Shape(outline);
 }
 
-// The exact pattern, `scale` x `scale` samples to a pixel weighed by w(x, y).
+// The exact coverage.
+Image cover(const std::vector<Wedge>& wedges) {
+  std::vector<std::vector<PeerCorner>> polygons;
+  for (const Wedge& corners : wedges) {
+    polygons.emplace_back();
+    for (const gen::Point& corner : corners) {
+      polygons.back().push_back({corner.x / kUnits, kSide - corner.y / kUnits});
+    }
+  }
+  return fill_polygons(polygons, kSide, kSide);
+}
+
+enum class Jitter { none, whole };
+
+// The exact pattern, `scale` x `scale` samples to a pixel weighed by w(x, y);
+// each in the middle of its square, or anywhere in it.
 Image supersample(const gen::Shape& shape,
                   int scale,
-                  const std::function<double(double, double)>& weight) {
-  constexpr double kUnits = 1024.0 / kSide;
+                  Jitter jitter,
+                  double (*weight)(double, double)) {
+  // Of all samples; those around the picture belong to pixels at its border.
+  const int side = (kSide + 2) * scale;
+  std::vector<gen::Point> places;
+  std::vector<char> inside;
+  std::minstd_rand random;
+  const auto place = [&] {
+    return jitter == Jitter::none
+               ? 0.5
+               : static_cast<double>(random() - std::minstd_rand::min()) /
+                     (std::minstd_rand::max() - std::minstd_rand::min());
+  };
+  for (int v = 0; v < side; ++v) {
+    for (int u = 0; u < side; ++u) {
+      const double x = (u + place()) / scale - 1;
+      const double y = (v + place()) / scale - 1;
+      places.push_back({x, y});
+      inside.push_back(shape.inside(x * kUnits, (kSide - y) * kUnits) ? 1 : 0);
+    }
+  }
   Image image(kSide, kSide);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
       double sum = 0;
       double all = 0;
-      for (int v = -scale; v < 2 * scale; ++v) {
-        for (int u = -scale; u < 2 * scale; ++u) {
-          const double right = (u + 0.5) / scale;
-          const double down = (v + 0.5) / scale;
-          const double w = weight(right - 0.5, down - 0.5);
-          const bool is_inside =
-              w > 0 &&
-              shape.inside((x + right) * kUnits, (kSide - y - down) * kUnits);
+      for (int v = y * scale; v < (y + 3) * scale; ++v) {
+        for (int u = x * scale; u < (x + 3) * scale; ++u) {
+          const auto i = static_cast<size_t>(v * side + u);
+          const double w = weight(places[i].x - x - 0.5, places[i].y - y - 0.5);
           all += w;
-          sum += is_inside ? w : 0;
+          sum += inside[i] != 0 ? w : 0;
         }
       }
       *image.at(x, y) = static_cast<uint8_t>(std::lround(255 * sum / all));
@@ -132,42 +174,42 @@ Image middle_of(const Image& image) {
 }  // namespace
 
 Image draw_star(const Font& font) {
-  const gen::Shape shape = star();
+  const std::vector<Wedge> wedges = star();
+  const gen::Shape shape = shape_of(wedges);
   const DeviceStar device(shape);
   const Adaptive even = make_adaptive(kFilterText, kCalmRadius);
   const Adaptive paper =
       make_adaptive(kFilterText, kPaperRadius, SampleRule::paper);
   struct Entry {
-    std::string label;
+    const char* label;
     Image image;
   };
   const Entry entries[] = {
       {"4 samples, box",
-       in_colour(supersample(shape, 2,
-                             [](double x, double y) {
-                               return std::fabs(x) < 0.5 && std::fabs(y) < 0.5
-                                          ? 1.0
-                                          : 0.0;
-                             }))},
-      {"16 samples, Gaussian",
-       in_colour(supersample(shape, 4,
-                             [](double x, double y) {
-                               const double square = x * x + y * y;
-                               return square <= 1 ? std::exp2(-3 * square) : 0;
-                             }))},
+       in_colour(supersample(shape, 2, Jitter::none, box_weight))},
+      {"16, Gaussian",
+       in_colour(supersample(shape, 4, Jitter::none, gaussian_weight))},
+      {"16, jittered, Gaussian",
+       in_colour(supersample(shape, 4, Jitter::whole, gaussian_weight))},
+      {"FreeType", in_colour(cover(wedges))},
       {"Inkcell, one sample", device.draw(nullptr)},
       {"Inkcell, up to 13, even", device.draw(&even)},
       {"Inkcell, up to 13, paper", device.draw(&paper)}};
+  // Two rows of columns, of which each is a picture and its middle.
+  constexpr int kColumns = 4;
   constexpr int kColumn = kSide + kGap;
-  constexpr int kHeight = kLabelHeight + kSide + kZoom * kMiddle + 3 * kGap;
-  Image sheet = colour_image(kGap + 5 * kColumn, kHeight, 0xffffff);
+  constexpr int kRow = kLabelHeight + kSide + kZoom * kMiddle + 3 * kGap;
+  Image sheet = colour_image(kGap + kColumns * kColumn, 2 * kRow, 0xffffff);
   const Brush brush = make_brush(10, 0, kFilterText);
-  int x = kGap;
+  int column = 0;
+  int y = kGap;
   for (const Entry& entry : entries) {
-    write_text(font, entry.label, brush, x, kGap + 10, 0x404040, sheet);
-    paste(entry.image, x, kGap + kLabelHeight, sheet);
-    paste(middle_of(entry.image), x, 2 * kGap + kLabelHeight + kSide, sheet);
-    x += kColumn;
+    const int x = kGap + column * kColumn;
+    write_text(font, entry.label, brush, x, y + 10, 0x404040, sheet);
+    paste(entry.image, x, y + kLabelHeight, sheet);
+    paste(middle_of(entry.image), x, y + kGap + kLabelHeight + kSide, sheet);
+    column = (column + 1) % kColumns;
+    y += column == 0 ? kRow : 0;
   }
   return sheet;
 }

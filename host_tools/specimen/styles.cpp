@@ -7,9 +7,13 @@
 #include <vector>
 
 #include "canvas.hpp"
+#include "glyph_cells.hpp"
 #include "inkcell/crisp.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/perception.hpp"
 #include "inkcell/port/dither.hpp"
 #include "inkcell/text.hpp"
 #include "sheet.hpp"
@@ -62,6 +66,41 @@ struct Sample {
                colour, image);
   }
 };
+
+// Large text over its shadow: the one crisp, the other dithered.
+void draw_shadow_in_1_bit(const Font& font, Image& image) {
+  constexpr double kPx = 26;
+  const int stride = (image.width + 7) / 8;
+  std::vector<uint8_t> bits(static_cast<size_t>(stride * image.height));
+  port::MonoRowsTarget target;
+  target.strip.pixels = {bits.data(), bits.size()};
+  target.strip.width = image.width;
+  target.strip.height = image.height;
+  target.strip.stride = stride;
+  Sink plain;
+  Sink dithered;
+  if (make_sink(target, plain) != Status::ok ||
+      make_dithered_sink(target, dithered) != Status::ok) {
+    throw std::runtime_error("the sample is too large to draw into");
+  }
+  // Half full in the middle of a stroke.
+  const Filter shadow = make_filter(spec_of(-1.25, 3.5));
+  FontWorkspace workspace(font);
+  draw_text(font, "Sphinx", make_brush(kPx, 0, shadow), make_point(7.5, 28.5),
+            dithered, workspace);
+  const CrispStyle style;
+  Brush brush = make_brush(kPx, 0, kFilterText);
+  brush.set_painter(paint_crisp, &style, kCrispReach);
+  draw_text(font, "Sphinx", brush, make_point(4, 25), plain, workspace);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const int byte = bits[static_cast<size_t>(y * stride + x / 8)];
+      const auto level =
+          static_cast<uint8_t>((byte >> (7 - x % 8) & 1) != 0 ? 0 : 255);
+      std::fill_n(image.at(x, y), 3, level);
+    }
+  }
+}
 
 }  // namespace
 
@@ -169,6 +208,103 @@ Image draw_effects(const Font& font) {
   return sheet.finish();
 }
 
+Image draw_fitting(const Font& font) {
+  constexpr double kPx = 12;
+  const Sample sample = {font, "Hamburg anno 1958", kPx, 4.3, 13.4};
+  Sheet sheet(font, {128, 18, 6, 3, 92});
+  const auto add = [&](const char* label, const FitOptions* options,
+                       const Perception* perception) {
+    sheet.add(label, kWhite, [&](Image& image) {
+      Brush brush = make_brush(kPx, 0, kFilterText);
+      Fit fit;
+      if (options != nullptr) {
+        if (Fit::make(font, brush, *options, fit) != Status::ok) {
+          throw std::runtime_error("the font's hints are broken");
+        }
+        brush.set_fitter(fit_glyph, &fit);
+      }
+      if (perception != nullptr) {
+        brush.set_painter(paint_perceptual, perception, kPerceptionReach);
+      }
+      sample.write(brush, kBlack, image);
+    });
+  };
+  const Perception all;
+  const Perception edges = {all.edge, 0};
+  const Perception thin = {0, all.thin};
+  const FitOptions heights;
+  FitOptions stems;
+  stems.stems = true;
+  add("as designed", nullptr, nullptr);
+  add("fitted to rows", &heights, nullptr);
+  add("fitted to rows, and stems to columns", &stems, nullptr);
+  add("left and lower edges darker", nullptr, &edges);
+  add("thin strokes darker", nullptr, &thin);
+  add("fitted, with both rules", &stems, &all);
+  return sheet.finish();
+}
+
+Image draw_maps(const Font& font) {
+  constexpr double kPx = 24;
+  Sheet sheet(font, {112, 50, 5, 0, 112});
+  // Where the axes of the glyphs lead [em], and where the origin is [px].
+  struct Map {
+    const char* label;
+    double x_right;
+    double x_up;
+    double y_right;
+    double y_up;
+    double x;
+    double y;
+  };
+  const Map maps[] = {
+      {"upright", 1, 0, 0, 1, 6, 34},
+      {"leaning by 1/5", 1, 0, 0.2, 1, 6, 34},
+      {"narrow", 0.7, 0, 0, 1, 6, 34},
+      {"wide", 1.2, 0, 0, 1, 6, 34},
+      {"mirrored", -1, 0, 0, 1, 90, 34},
+      {"turned by 10 degrees", 0.9848, 0.1736, -0.1736, 0.9848, 8, 40}};
+  for (const Map& map : maps) {
+    const auto px = [](double em) {
+      return Q16_16::from_raw(static_cast<int32_t>(em * kPx * 65536));
+    };
+    Brush brush;
+    if (Brush::make(
+            {px(map.x_right), px(map.x_up), px(map.y_right), px(map.y_up)},
+            kFilterText, brush) != Status::ok) {
+      throw std::runtime_error("a map is out of range");
+    }
+    sheet.add(map.label, kWhite, [&](Image& image) {
+      write_text(font, "Sphinx", brush, map.x, map.y, kBlack, image);
+    });
+  }
+  return sheet.finish();
+}
+
+Image draw_motion(const Font& font) {
+  constexpr double kPx = 24;
+  const Sample sample = {font, "Sphinx 1958", kPx, 8, 26};
+  Sheet sheet(font, {160, 36, 4, 4, 130});
+  const auto add = [&](const char* label, double right, double down) {
+    MotionBlur blur;
+    if (make_motion_blur(kFilterText, make_point(right, down), blur) !=
+        Status::ok) {
+      throw std::runtime_error("a way is out of range");
+    }
+    sheet.add(label, kWhite, [&](Image& image) {
+      Brush brush = make_brush(kPx, 0, kFilterText);
+      brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+      sample.write(brush, kBlack, image);
+    });
+  };
+  add("at rest", 0, 0);
+  add("1.5 px to the right", 1.5, 0);
+  add("6 px to the right", 6, 0);
+  add("3 px down", 0, 3);
+  add("4 px to the right and 4 px up", 4, -4);
+  return sheet.finish();
+}
+
 Image draw_levels(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 11, 4, 12.4};
   Sheet sheet(font, {152, 17, 5, 3, 84});
@@ -193,31 +329,9 @@ Image draw_levels(const Font& font) {
   style.threshold_px = {};
   style.levels = 4;
   add("2 bits, crisp", &style, 0);
-  const Filter shade = shadow_filter(to_q10(0.75));
-  sheet.add("1 bit, a soft edge, dithered", kWhite, [&](Image& image) {
-    const int stride = (image.width + 7) / 8;
-    std::vector<uint8_t> bits(static_cast<size_t>(stride * image.height));
-    port::MonoRowsTarget target;
-    target.strip.pixels = {bits.data(), bits.size()};
-    target.strip.width = image.width;
-    target.strip.height = image.height;
-    target.strip.stride = stride;
-    Sink sink;
-    if (port::make_dithered_sink(target, sink) != Status::ok) {
-      throw std::runtime_error("the sample is too large to draw into");
-    }
-    draw_text(font, Text(sample.text.data(), sample.text.size()),
-              make_brush(sample.px, 0, shade), make_point(sample.x, sample.y),
-              sink);
-    for (int y = 0; y < image.height; ++y) {
-      for (int x = 0; x < image.width; ++x) {
-        const int byte = bits[static_cast<size_t>(y * stride + x / 8)];
-        const auto level =
-            static_cast<uint8_t>((byte >> (7 - x % 8) & 1) != 0 ? 0 : 255);
-        std::fill_n(image.at(x, y), 3, level);
-      }
-    }
-  });
+  sheet.add(
+      "1 bit, over a dithered shadow", kWhite,
+      [&](Image& image) { draw_shadow_in_1_bit(font, image); }, 36);
   return sheet.finish();
 }
 

@@ -60,6 +60,7 @@ WHAT = {
     "turned": "text turned by 15 degrees, over upright",
     "digits": "instructions for each pixel of the box of digits of 200 px",
     "rgb565": "a line of text into RGB565, and its sink alone",
+    "modes": "every way that glyphs can look, at 12 and 24 px",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
 }
@@ -67,6 +68,9 @@ WHAT = {
 KEPT = ("glyphs", "packed", "text", "turned", "all_formats")
 # Cores that are measured at -Os, too, for the document: the others are alike.
 SMALL_CODE_CPUS = ("m0", "m3", "rv32")
+MODE_SIZES = ["12", "24"]
+# Cores whose modes are in the document.
+MODE_CPUS = ("m0", "m3")
 ASCII = ("32", "126")
 DIGITS = ("48", "57")
 # The trees of fonts: tiles of 256 u.
@@ -274,6 +278,7 @@ class Firmware:
         """One dictionary for each size."""
         program = CODINGS[coding][0] if coding else engine
         program = "turned" if way == "turned" else program
+        program = "modes" if way in report.MODES else program
         kept = kept_bytes(self.folder / (program + ".map"))
         name = self.fonts.files[font, engine, coding]
         for _, numbers in self.run(program, name, way, *characters, *sizes):
@@ -347,7 +352,29 @@ def check_bounds(results, figures):
                      f"than the bound of {bound} instructions a pixel")
 
 
-def measure_others(firmware, arguments, upright):
+def measure_modes(firmware, font, about, pictures):
+    """What every mode costs, and how many times a plain glyph."""
+    means = {}
+
+    def one(mode):
+        return list(firmware.glyphs("inkcell", "direct", font, mode, ASCII,
+                                    MODE_SIZES))
+    for mode, rows in zip(report.MODES,
+                          in_parallel(one, [(m,) for m in report.MODES])):
+        for result, more in rows:
+            px, mean = result["px"], result["instructions_mean"]
+            means[mode, px] = mean
+            pictures.setdefault((f"{font.stem}, {mode}", px), {}).setdefault(
+                "inkcell", set()).add(more["ink"])
+            plain = means[report.MODES[mode][1], px]
+            yield {"figure": "mode", **about, "px": px, "mode": mode,
+                   "instructions_mean": mean,
+                   "instructions_max": result["instructions_max"],
+                   "stack": result["stack"],
+                   "over_plain": round(mean / plain, 2)}
+
+
+def measure_others(firmware, arguments, upright, pictures):
     """The figures of Inkcell with direct fonts that are not a table."""
     for font in arguments.font:
         name = firmware.fonts.files.get((font, "inkcell", "direct"))
@@ -362,6 +389,10 @@ def measure_others(firmware, arguments, upright):
                 yield {"figure": "turned", **about, "px": result["px"],
                        "instructions_mean": mean, "stack": result["stack"],
                        "over_upright": straight and round(mean / straight, 3)}
+        if "modes" in arguments.what and (
+                not arguments.write_docs or
+                (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):
+            yield from measure_modes(firmware, font, about, pictures)
         if "digits" in arguments.what:
             for result, more in firmware.glyphs("inkcell", "direct", font,
                                                 "upright", DIGITS, ["200"]):
@@ -413,7 +444,7 @@ def main():
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
     targets.add("direct")
-    targets |= {"bound", "rgb565", "turned"} & set(arguments.what)
+    targets |= {"bound", "modes", "rgb565", "turned"} & set(arguments.what)
     if "code" in arguments.what:
         targets |= {f"kept_{level}" for level in range(len(KEPT))}
     results, others, pictures = [], [], {}
@@ -433,7 +464,8 @@ def main():
                        if result.get("coding") == "direct"}
             more = []
             if "inkcell" in arguments.engines:
-                more = list(measure_others(firmware, arguments, upright))
+                more = list(measure_others(firmware, arguments, upright,
+                                           pictures))
                 report.print_others(more)
             for line in glyphs + more:
                 print(json.dumps(line), flush=True)

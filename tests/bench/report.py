@@ -11,6 +11,24 @@ ROW = ("{:5}{:4}{:26}{:10}{:9}{:>4}{:>9}{:>9}{:>7}{:>7}{:>6}{:>7}{:>7}{:>8}"
 CORES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4": "Cortex-M4",
          "m4f": "Cortex-M4, FPU", "m7": "Cortex-M7", "m33": "Cortex-M33",
          "rv32": "RV32IMC"}
+# Ways of firmware/inkcell_modes.cpp: what the document calls them, and what
+# each is compared with, in the same pixel format.
+MODES = {
+    "plain": ("plain", "plain"),
+    "fitted": ("fitted to the grid", "plain"),
+    "fitted_stems": ("fitted, stems too", "plain"),
+    "outline": ("outline, 1 px", "plain"),
+    "outline_and_fill": ("outline and fill", "plain"),
+    "crisp_1_bit": ("crisp, 1 bit", "plain"),
+    "crisp_2_bits": ("crisp, 2 bits", "plain"),
+    "perceptual": ("darker edges and hairlines", "plain"),
+    "motion_blur_3_px": ("motion blur, 3 px", "plain"),
+    "adaptive_even": ("up to 13 samples, even rule", "plain"),
+    "adaptive_paper": ("up to 13 samples, the paper's rule", "plain"),
+    "plain_rgb888": ("plain, RGB888", "plain_rgb888"),
+    "lcd": ("sub-pixels, RGB888", "plain_rgb888"),
+    "lcd_vertical": ("sub-pixels on each other, RGB888", "plain_rgb888"),
+}
 ENGINES = {"freetype": "FreeType", "stb": "stb_truetype"}
 
 HEAD = """\
@@ -74,8 +92,16 @@ def print_table(results):
 
 
 def print_others(figures):
-    for figure in figures:
-        say("  ".join(f"{name} {value}" for name, value in figure.items()))
+    """A table for each kind of figure, its first column the kind."""
+    for kind_of in unique(figure["figure"] for figure in figures):
+        rows = [f for f in figures if f["figure"] == kind_of]
+        lines = [list(rows[0]), *(list(map(str, row.values()))
+                                  for row in rows)]
+        lines[0][0] = ""
+        widths = [max(map(len, column)) for column in zip(*lines)]
+        for line in lines:
+            say("  ".join(word.ljust(width) for word, width
+                          in zip(line, widths)).rstrip())
 
 
 def table(head, rows):
@@ -229,6 +255,31 @@ def sized_table(figures, name, title, cell):
     return f"{title}\n\n" + table([""] + [f"{px} px" for px in sizes], rows)
 
 
+def mode_table(figures):
+    """What glyphs cost that look otherwise."""
+    text = ("## Modes\n\nDirect fonts: thousands of instructions for the mean "
+            "glyph, and how many times a plain one into\nthe same format; "
+            "bytes of stack for the deepest. Another filter (weight, gamma, "
+            "shadow, glow) is as fast\nas plain, but for the pixels that it "
+            "reaches beyond.\n\n")
+    some = [f for f in figures if f["figure"] == "mode"]
+    for font in unique(f["font"] for f in some):
+        mine = [f for f in some if f["font"] == font]
+        columns = unique((f["cpu"], f["opt"], f["px"]) for f in mine)
+        rows = []
+        for mode in unique(f["mode"] for f in mine):
+            cells = {(f["cpu"], f["opt"], f["px"]):
+                     f"{thousands(f['instructions_mean'])}, "
+                     f"{f['over_plain']:.2f}"
+                     for f in mine if f["mode"] == mode}
+            stack = max(f["stack"] for f in mine if f["mode"] == mode)
+            rows.append([MODES[mode][0], *(cells[c] for c in columns), stack])
+        text += f"{font}:\n\n" + table(
+            ["", *(f"{CORES[cpu]}, -{opt}, {px} px"
+                   for cpu, opt, px in columns), "stack"], rows)
+    return text
+
+
 def other_tables(figures):
     """What is not a glyph by itself."""
     text = "## More\n\nDirect fonts.\n\n"
@@ -264,7 +315,7 @@ def write_document(results, figures, sources):
         stb=peers.stb_version(sources["stb"]))
     text = "\n".join([head, ratio_tables(results) + count_tables(results) +
                       stack_table(results) + memory_table(results) +
-                      code_table(results, figures) + bound_table(figures) +
-                      other_tables(figures)])
+                      code_table(results, figures) + mode_table(figures) +
+                      bound_table(figures) + other_tables(figures)])
     fingerprint.DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
     say(f"wrote {fingerprint.DOCUMENT}")

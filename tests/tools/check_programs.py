@@ -32,12 +32,15 @@ def run(program, *arguments, code=0):
 
 
 class Pgm:
+    MAGIC = b"P5"
+    CHANNELS = 1
+
     def __init__(self, path):
         data = pathlib.Path(path).read_bytes()
         magic, size, depth, self.pixels = data.split(b"\n", 3)
-        assert magic == b"P5" and depth == b"255"
+        assert magic == self.MAGIC and depth == b"255"
         self.width, self.height = map(int, size.split())
-        assert len(self.pixels) == self.width * self.height
+        assert len(self.pixels) == self.width * self.height * self.CHANNELS
 
     def ink(self):
         return sum(self.pixels)
@@ -47,6 +50,14 @@ class Pgm:
 
     def column_ink(self, x):
         return sum(self.pixels[x::self.width])
+
+
+class Ppm(Pgm):
+    MAGIC = b"P6"
+    CHANNELS = 3
+
+    def channel(self, i):
+        return self.pixels[i::3]
 
 
 class Tools(unittest.TestCase):
@@ -183,8 +194,48 @@ class Tools(unittest.TestCase):
         self.assertEqual(set(self.render(*box, "--levels", 2).pixels), {0, 255})
         self.assertEqual(set(self.render(*box, "--levels", 4).pixels),
                          {0, 85, 170, 255})
-        bold = self.render(*box, "--levels", 2, "--weight", 0.2)
-        self.assertGreater(bold.ink(), self.render(*box, "--levels", 2).ink())
+        inks = [self.render("--text", "AVToal.", "--px", 13, "--levels", 2,
+                            "--weight", weight).ink()
+                for weight in (-0.4, -0.2, 0, 0.2, 0.35, 0.5)]
+        self.assertEqual(inks, sorted(set(inks)))
+
+    def test_sub_pixels(self):
+        out = self.path / "out.ppm"
+        box = ("--font", self.font, "--text", "Vol", "--px", 13.3, "--width",
+               40, "--height", 24, "--ox", 3, "--oy", 18, "--out", out)
+
+        def draw(*options):
+            run("render", *box, *options)
+            return Ppm(out)
+        rgb, bgr = draw("--lcd", "rgb"), draw("--lcd", "bgr")
+        for i in range(3):
+            self.assertEqual(rgb.channel(i), bgr.channel(2 - i))
+        inks = [sum(rgb.channel(i)) for i in range(3)]
+        self.assertGreater(min(inks), 0.99 * max(inks))
+        self.assertNotEqual(rgb.channel(0), rgb.channel(2))
+        # l, whose left edge is farther from red stripes than from blue ones.
+        line = [rgb.pixels[3 * (12 * 40 + x):][:3] for x in range(40)]
+        first = next(x for x in range(39, 0, -1)
+                     if any(line[x]) and not any(line[x - 1]))
+        self.assertLess(line[first][0], line[first][2])
+        self.assertNotIn(draw("--lcd", "rgb_vertical").pixels,
+                         (rgb.pixels, draw("--lcd", "bgr_vertical").pixels))
+        grey = draw("--lcd", "rgb", "--lcd-colour", 0)
+        self.assertEqual(grey.channel(0), grey.channel(2))
+        self.assertEqual(rgb.pixels, draw("--lcd", "rgb", "--rows", 5,
+                                          "--stats").pixels)
+
+    def test_stats_count_samples(self):
+        def samples(*options):
+            said = run("render", "--font", self.font, "--text", "Vol", "--px",
+                       20, "--stats", "--out", self.path / "a.pgm", *options)
+            found = re.search(r"samples +([\d.]+) a pixel", said)
+            return found and float(found.group(1))
+        self.assertEqual(samples(), 1)
+        self.assertGreater(samples("--samples", "adaptive"), 1.5)
+        self.assertGreater(samples("--samples", "adaptive", "--radius", 1.3),
+                           samples("--samples", "adaptive", "--radius", 0.5))
+        self.assertIsNone(samples("--rules", "all"))
 
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
@@ -276,6 +327,16 @@ class Tools(unittest.TestCase):
                                                "--outline", 4)),
                 ("exclude each other", ("--font", self.font, *text, "--levels",
                                         2, "--samples", "adaptive")),
+                ("exclude each other", ("--font", self.font, *text, "--levels",
+                                        2, "--lcd", "rgb")),
+                ("--samples adaptive", ("--font", self.font, *text, "--radius",
+                                        1)),
+                ("-0.5 to 0.5", ("--font", self.font, *text, "--levels", 2,
+                                 "--weight", 0.6)),
+                ("--lcd-colour", ("--font", self.font, *text, "--lcd-colour",
+                                  0.5)),
+                (".png or .ppm", ("--font", self.font, *text[:-1],
+                                  self.path / "no.pgm", "--lcd", "rgb")),
                 ("exclude each other", ("--font", self.font, *text, "--motion",
                                         "1,0", "--rules", "all")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
@@ -283,6 +344,12 @@ class Tools(unittest.TestCase):
             code = 105 if said == "full not in" else 1
             self.assertIn(said, run("render", *arguments, code=code))
         self.assertFalse(out.exists())
+        still = self.path / "still.jsonl"
+        still.write_text(json.dumps({
+            "font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
+            "out": str(self.path / "still.pgm")}))
+        self.assertIn("--samples adaptive", run("render", "--jobs", still,
+                                                "--radius", 1, code=1))
         broken = self.path / "broken.jsonl"
         broken.write_text('{"font": "a"}\n')
         self.assertIn("broken.jsonl:1", run("render", "--jobs", broken, code=1))
@@ -342,13 +409,46 @@ class Tools(unittest.TestCase):
             self.assertIn(f"{generated['coding']} cells of "
                           f"{generated['cells']}", text)
 
+    def test_inspect_shows_hints(self):
+        seen = json.loads(run("inspect", self.font, "--glyph", "T", "--json"))
+        hints = seen["hints"]
+        self.assertIn({"height_u": 0, "side": "bottom"}, hints["zones"])
+        # Of 2048 units; x.5 may go up or down.
+        capitals = min((zone["height_u"] for zone in hints["zones"]),
+                       key=lambda u: abs(
+                           u - seen["metrics"]["cap_height"] / 2))
+        self.assertLess(abs(capitals - seen["metrics"]["cap_height"] / 2), 1)
+        self.assertIn({"height_u": capitals, "side": "top"}, hints["zones"])
+        edges = seen["glyphs"][0]["edges"]
+        heights = [edge["height_u"] for edge in edges]
+        self.assertEqual(heights, sorted(heights))
+        self.assertEqual((heights[0], heights[-1]), (0, capitals))
+        self.assertEqual([edge["height_u"] for edge in edges if edge["bar"]],
+                         [heights[-2]])
+        levels = [level["height_u"] for level in hints["levels"]]
+        self.assertLessEqual(set(heights), set(levels))
+        middle = sum(seen["glyphs"][0]["box"][::2]) / 4
+        stems = seen["glyphs"][0]["stems_u"]
+        self.assertEqual(len(stems), 1)
+        self.assertLess(abs(stems[0] - middle), 4)
+        said = run("inspect", self.font, "--glyph", "T")
+        self.assertIn(f"zone {edges[0]['zone']} (bottom at 0 u)", said)
+        self.assertIn("below a bar", said)
+        bare = self.path / "bare.bin"
+        run("fontgen", "--font", SANS, "--symbols", "T", "--hints", "off",
+            "--quiet", "--out", bare)
+        self.assertRegex(run("inspect", bare), r"hints +none")
+
     def test_inspect_draws(self):
         for kind in KINDS:
-            cells, sheet = self.path / "cells.png", self.path / "sheet.png"
+            pictures = [self.path / name for name in
+                        ("cells.png", "edges.png", "sheet.png")]
             self.assertIn("glyph", run(
-                "inspect", self.fonts[kind], "--glyph", "A", "--cells", cells,
-                "--sheet", sheet))
-            for picture in (cells, sheet):
+                "inspect", self.fonts[kind], "--glyph", "A",
+                *(x for out in pictures for x in (f"--{out.stem}", out))))
+            self.assertNotEqual(pictures[0].read_bytes(),
+                                pictures[1].read_bytes())
+            for picture in pictures:
                 self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
                 picture.unlink()
         converted = json.loads(run("inspect", SANS, "--symbols", "o", "--kind",
@@ -427,8 +527,8 @@ class Tools(unittest.TestCase):
 
     def test_specimen_draws_styles(self):
         pictures = [self.path / f"{name}.png" for name in (
-            "filters", "lcd", "levels", "star", "compare-body",
-            "compare-display")]
+            "filters", "lcd", "levels", "fitting", "maps", "motion", "star",
+            "compare-body", "compare-display")]
         options = [x for out in pictures for x in (f"--{out.stem}", out)]
         run("specimen", SANS, "--max-px", 16, *options)
         for out in pictures:

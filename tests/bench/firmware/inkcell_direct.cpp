@@ -19,13 +19,7 @@ bool engine_set_size(uint32_t px, const char* way) {
 }
 
 engine_answer engine_prepare(uint32_t code_point) {
-  uint16_t glyph = 0;
-  GlyphField field;
-  if (bench::font.glyph_of(code_point, glyph) != Status::ok ||
-      bench::font.field(glyph, field) != Status::ok) {
-    return engine_lacks;
-  }
-  return bench::place(glyph, field);
+  return bench::place_direct(code_point);
 }
 
 void engine_draw(uint32_t code_point) {

@@ -20,6 +20,12 @@ uint32_t box_pixels(const GlyphMetrics& metrics) {
   return static_cast<uint32_t>(width * rows);
 }
 
+// Of all strips that the glyph takes, in the widest format.
+int32_t drawn_bytes() {
+  const int32_t strips = (bench::height + bench::kRows - 1) / bench::kRows;
+  return strips * bench::kRows * kEngineSide * bench::kMaxPixelBytes;
+}
+
 }  // namespace
 
 engine_answer bench::place(uint16_t glyph, const GlyphField& field) {
@@ -34,11 +40,20 @@ engine_answer bench::place(uint16_t glyph, const GlyphField& field) {
   origin = {Q26_6::from_int(-rect.x0), Q26_6::from_int(-rect.y0)};
   height = rect.y1 - rect.y0;
   box = box_pixels(metrics);
-  const int32_t strips = (height + kRows - 1) / kRows;
-  for (int32_t i = 0; i < strips * kRows * kEngineSide; ++i) {
+  for (int32_t i = 0; i < drawn_bytes(); ++i) {
     pixels[i] = 0;
   }
   return engine_ready;
+}
+
+engine_answer bench::place_direct(uint32_t code_point) {
+  uint16_t glyph = 0;
+  GlyphField field;
+  if (font.glyph_of(code_point, glyph) != Status::ok ||
+      font.field(glyph, field) != Status::ok) {
+    return engine_lacks;
+  }
+  return place(glyph, field);
 }
 
 bool bench::equal(const char* a, const char* b) {
@@ -55,8 +70,7 @@ bool engine_open(const uint8_t* bytes, size_t size) {
 
 uint32_t engine_ink() {
   uint32_t sum = 0;
-  const int32_t strips = (bench::height + bench::kRows - 1) / bench::kRows;
-  for (int32_t i = 0; i < strips * bench::kRows * kEngineSide; ++i) {
+  for (int32_t i = 0; i < drawn_bytes(); ++i) {
     sum += bench::pixels[i];
   }
   return sum;

@@ -11,7 +11,9 @@ namespace bench {
 inline constexpr int32_t kRows = 16;
 static_assert(kEngineSide % kRows == 0, "whole strips");
 
-alignas(4) inline uint8_t pixels[kEngineSide * kEngineSide];
+inline constexpr int32_t kMaxPixelBytes = 3;
+
+alignas(4) inline uint8_t pixels[kEngineSide * kEngineSide * kMaxPixelBytes];
 inline inkcell::Font font;
 inline inkcell::Brush brush;
 inline inkcell::port::A8Target target;
@@ -24,15 +26,16 @@ inline uint32_t box = 0;
 
 // Calls draw() for each strip that the glyph needs, with `sink` set to it. That
 // one is a program's own, and not on the stack that is measured.
-template <typename Draw>
-void draw_strips(const Draw& draw) {
+template <typename Target, typename Draw>
+void draw_strips(Target& target, int32_t pixel_bytes, const Draw& draw) {
+  const int32_t stride = kEngineSide * pixel_bytes;
   target.strip.width = kEngineSide;
   target.strip.height = kRows;
-  target.strip.stride = kEngineSide;
+  target.strip.stride = stride;
   for (int32_t y = 0; y < height; y += kRows) {
     target.strip.y0 = y;
-    target.strip.pixels = {pixels + y * kEngineSide,
-                           static_cast<size_t>(kRows * kEngineSide)};
+    target.strip.pixels = {pixels + y * stride,
+                           static_cast<size_t>(kRows * stride)};
     if (make_sink(target, sink) != inkcell::Status::ok) {
       return;
     }
@@ -40,8 +43,17 @@ void draw_strips(const Draw& draw) {
   }
 }
 
+// The same into 8-bit coverage.
+template <typename Draw>
+void draw_strips(const Draw& draw) {
+  draw_strips(target, 1, draw);
+}
+
 // Puts the glyph into the strips' upper left corner, and clears those.
 engine_answer place(uint16_t glyph, const inkcell::GlyphField& field);
+
+// The same with the glyph of a character, of a font that is read in place.
+engine_answer place_direct(uint32_t code_point);
 
 // Whether two names are the same.
 bool equal(const char* a, const char* b);
