@@ -6,6 +6,7 @@
 #include "field_turned.hpp"
 #include "inkcell/row_map.hpp"
 #include "position.hpp"
+#include "samples_cells.hpp"
 #include "span_writer.hpp"
 
 namespace inkcell {
@@ -153,6 +154,9 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
   }
 }
 
+// Cells of samples: object order wins from this size on.
+constexpr Q26_6 kCellsFrom = Q26_6::from_int(48);
+
 // Not inline: other ways to draw need not pay for its stack.
 __attribute__((noinline)) void draw_upright(const GlyphField& field,
                                             const Brush& brush,
@@ -169,6 +173,8 @@ __attribute__((noinline)) void draw_upright(const GlyphField& field,
   }
   if (has_fields(field)) {
     detail::draw_fields(field, brush, upright, sink);
+  } else if (rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
+    detail::draw_samples_by_cells(field, brush, upright, sink);
   } else {
     draw_samples(field, brush, upright, sink);
   }
