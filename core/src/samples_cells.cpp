@@ -5,7 +5,7 @@
 // bit: every rounding of it is kept.
 #include "samples_cells.hpp"
 
-#include "bytes.hpp"
+#include "cell_access.hpp"
 #include "cell_tour.hpp"
 #include "inkcell/format.hpp"
 #include "order.hpp"
@@ -48,7 +48,7 @@ class Painter {
           const Brush& brush,
           const Upright& upright,
           const Sink& sink) noexcept
-      : field_(field),
+      : tree_{field},
         brush_(brush),
         sink_(sink),
         step_q16_(brush.step_along_q16()),
@@ -57,24 +57,19 @@ class Painter {
         left_q16_(upright.at.x_q16 - field.x0_u * (1 << 16)),
         top_q16_(upright.at.y_q16 - field.y0_u * (1 << 16)) {}
 
-  uint32_t tile(uint32_t number) const noexcept {
-    return load_u16(field_.references + 2 * number);
-  }
+  uint32_t tile(uint32_t number) const noexcept { return tree_.tile(number); }
   bool is_node(uint32_t reference) const noexcept {
-    return reference - format::glyph::kFirstNode < field_.node_count &&
-           reference < format::glyph::kCellFlag;
+    return tree_.is_node(reference);
   }
   uint32_t child(uint32_t node, uint32_t number) const noexcept {
-    return tile(static_cast<uint32_t>(field_.tiles_x) * field_.tiles_y +
-                4 * (node - format::glyph::kFirstNode) + number);
+    return tree_.child(node, number);
   }
   void draw(const TourLeaf& leaf) noexcept {
-    const uint32_t index = leaf.reference & ~uint32_t{format::glyph::kCellFlag};
-    if (leaf.reference == format::glyph::kInside) {
+    const uint8_t* const samples = tree_.samples(leaf.reference);
+    if (samples != nullptr) {
+      draw_cell(samples, leaf);
+    } else if (leaf.reference == format::glyph::kInside) {
       fill(leaf.pixels);
-    } else if (leaf.reference >= format::glyph::kCellFlag &&
-               index < field_.cell_count) {
-      draw_cell(field_.cells + format::samples::kBytes * index, leaf);
     }
   }
 
@@ -122,7 +117,7 @@ class Painter {
     }
   }
 
-  const GlyphField& field_;
+  SamplesTree tree_;
   const Brush& brush_;
   const Sink& sink_;
   int32_t step_q16_;
@@ -155,10 +150,9 @@ constexpr int32_t kRounded = 2;
 constexpr int32_t kLeastWay = 64;
 
 void Painter::set_up(const uint8_t* samples, uint32_t log2) noexcept {
-  const int32_t centre_q10 = load_i16(samples + format::samples::kCentre) *
-                             (1 << (10 - format::samples::kCentreFraction));
-  const int32_t low = brush_.transparent_u_q10() - centre_q10;
-  const int32_t high = brush_.opaque_u_q10() - centre_q10;
+  const int32_t centre = centre_q10(samples);
+  const int32_t low = brush_.transparent_u_q10() - centre;
+  const int32_t high = brush_.opaque_u_q10() - centre;
   const auto size_q6 = static_cast<uint32_t>(brush_.size().raw);
   factor_ = size_q6;
   down_ = 0;
@@ -173,7 +167,7 @@ void Painter::set_up(const uint8_t* samples, uint32_t log2) noexcept {
     high_q6_ = high * (1 << down_);
   }
   // Both may wrap, but not their sum within the ramp.
-  offset_ = static_cast<uint32_t>(centre_q10) * size_q6 -
+  offset_ = static_cast<uint32_t>(centre) * size_q6 -
             static_cast<uint32_t>(brush_.filter().outside_q10) * 65536u;
   // In a pixel the steepest parabola changes by 10240 2^16 / (size 2^log2).
   // Times 3/16, this is a little less than one over that: roundings have room.

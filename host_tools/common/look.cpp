@@ -15,6 +15,9 @@ namespace {
 // Below this size text reads better of several samples.
 constexpr Q26_6 kLeastForOne = Q26_6::from_int(10);
 
+// Of splats: a larger glyph is drawn in parts.
+constexpr size_t kMaxSums = 1 << 16;
+
 const Filter& filter_for(const std::string& name, Use use) {
   if (name.empty()) {
     return use == Use::moving ? kFilterMotion : kFilterText;
@@ -37,15 +40,17 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "too; auto, vertical but for jobs of kind anim")
       ->check(CLI::IsMember({"none", "vertical", "both", "auto"}))
       ->capture_default_str();
-  app.add_option("--samples", options.samples,
-                 "Distances a pixel: one; adaptive, up to 13 where one does "
-                 "not tell enough; paper, as the paper has it; auto, one, but "
-                 "adaptive below 10 px and for jobs of kind anim")
-      ->check(CLI::IsMember({"one", "adaptive", "paper", "auto"}))
+  app.add_option(
+         "--samples", options.samples,
+         "Distances a pixel: one; adaptive, up to 13 where one does "
+         "not tell enough; paper, as the paper has it; splats, cells "
+         "smaller than a pixel once each; auto, one, but adaptive below "
+         "10 px and for jobs of kind anim")
+      ->check(CLI::IsMember({"one", "adaptive", "paper", "splats", "auto"}))
       ->capture_default_str();
   app.add_option("--radius", options.radius,
                  "Of the filter over samples [px; 0.85, 0.75 for jobs of kind "
-                 "anim, 1.3 for paper]")
+                 "anim, 1.3 for paper and splats]")
       ->check(CLI::Range(0.25, 1.5));
   app.add_option("--rules", options.rules,
                  "Contrast as eyes prefer it, with one sample a pixel: edges, "
@@ -133,11 +138,21 @@ void Look::set_samples(const LookOptions& options, Use use) {
     return;
   }
   const bool is_paper = options.samples == "paper";
-  Q6_10 radius = is_paper             ? kPaperRadius
-                 : use == Use::moving ? kCalmRadius
-                                      : kSharpRadius;
+  const bool is_splats = options.samples == "splats";
+  Q6_10 radius = is_paper || is_splats ? kPaperRadius
+                 : use == Use::moving  ? kCalmRadius
+                                       : kSharpRadius;
   if (options.radius > 0) {
     radius = Q6_10::from_raw(static_cast<int16_t>(options.radius * 1024));
+  }
+  if (is_splats) {
+    sums_.resize(kMaxSums);
+    if (make_splats({sums_.data(), sums_.size()}, radius, splats_) !=
+        Status::ok) {
+      throw std::runtime_error("--samples splats: --radius is 0.75 to 1.5 px");
+    }
+    brush_.set_painter(paint_splats, &splats_, kSplatReach);
+    return;
   }
   adaptive_ = make_adaptive(brush_.filter(), radius,
                             is_paper ? SampleRule::paper : SampleRule::even);
@@ -166,7 +181,8 @@ void Look::set_motion(const LookOptions& options) {
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
   if (options.hint == "none" ||
-      (options.hint == "auto" && use == Use::moving)) {
+      (options.hint == "auto" &&
+       (use == Use::moving || options.samples == "splats"))) {
     return;
   }
   FitOptions fit;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "inkcell/adaptive.hpp"
 #include "inkcell/brush.hpp"
@@ -12,6 +13,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/perception.hpp"
+#include "inkcell/splat.hpp"
 
 namespace inkcell::tools {
 
@@ -66,6 +68,8 @@ class Look {
   Fit fit_;
   CrispStyle crisp_;
   Adaptive adaptive_;
+  Splats splats_;
+  std::vector<uint32_t> sums_;
   Perception perception_;
   MotionBlur blur_;
   uint32_t more_samples_ = 0;
