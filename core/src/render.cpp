@@ -5,6 +5,7 @@
 #include "field_draw.hpp"
 #include "field_turned.hpp"
 #include "inkcell/row_map.hpp"
+#include "plain.hpp"
 #include "position.hpp"
 #include "samples_cells.hpp"
 #include "span_writer.hpp"
@@ -187,10 +188,8 @@ void draw_placed(const GlyphField& field,
                  const Sink& sink) noexcept {
   if (brush.painter() != nullptr) {
     brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
-  } else if (!brush.is_upright()) {
-    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
   } else {
-    draw_upright(field, brush, origin, rows, sink);
+    detail::draw_plain(field, brush, origin, rows, sink);
   }
 }
 
@@ -205,6 +204,18 @@ __attribute__((noinline)) void draw_fitted(const GlyphField& field,
 }
 
 }  // namespace
+
+void detail::draw_plain(const GlyphField& field,
+                        const Brush& brush,
+                        const FinePoint& origin,
+                        const RowMap* rows,
+                        const Sink& sink) noexcept {
+  if (brush.is_upright()) {
+    draw_upright(field, brush, origin, rows, sink);
+  } else {
+    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
+  }
+}
 
 Rect field_box(const GlyphField& field,
                const Brush& brush,

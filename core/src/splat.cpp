@@ -5,23 +5,21 @@
 // what would take one beyond 4095 is left out: 255 times that is below 2^20.
 //
 // Squares below a quarter of a pixel are not divided further: they are one
-// sample each, at the centre, whatever is in them, and work is bounded by
-// pixels.
+// sample each, at the centre, whatever is in them. So work is bounded by the
+// number of tiles and of pixels, whatever the bytes say.
 #include "inkcell/splat.hpp"
 
 #include "cell_access.hpp"
 #include "order.hpp"
 #include "painted_box.hpp"
-#include "point_walk.hpp"
+#include "plain.hpp"
 #include "span_writer.hpp"
 
 namespace inkcell {
 namespace {
 
-using detail::FieldPosition;
 using detail::greater;
 using detail::lesser;
-using detail::PointWalk;
 using detail::SamplesTree;
 using detail::SpanWriter;
 
@@ -53,11 +51,21 @@ class Block {
   void start(const FinePoint& origin, const Rect& pixels) noexcept;
   // Adds what the small cells say.
   void splat() noexcept;
-  void draw(const FinePoint& origin,
-            const RowMap* rows,
-            const Sink& sink) const noexcept;
+  // Takes what plain drawing says.
+  Sink own_sink() noexcept { return {pixels_, this, add_own, add_solid}; }
+  void draw(const Sink& sink) const noexcept;
 
  private:
+  static void add_own(void* context,
+                      int32_t x,
+                      int32_t y,
+                      const uint8_t* coverage,
+                      int32_t count);
+  static void add_solid(void* context, int32_t x, int32_t y, int32_t count);
+  uint32_t* sums_at(int32_t x, int32_t y) const noexcept {
+    return splats_.sums.data + static_cast<uint32_t>(y - pixels_.y0) * width() +
+           static_cast<uint32_t>(x - pixels_.x0);
+  }
   uint32_t width() const noexcept {
     return static_cast<uint32_t>(pixels_.x1 - pixels_.x0);
   }
@@ -158,19 +166,22 @@ void Block::add(const Place& centre,
   const int32_t left = first(centre.x_q10);
   const int32_t right = end(centre.x_q10, pixels_.x1 - pixels_.x0);
   const int32_t bottom = end(centre.y_q10, pixels_.y1 - pixels_.y0);
+  const uint32_t sample = (1u << kCoverageBits) + coverage;
+  const uint32_t steps_q16 = splats_.steps_q16;
   for (int32_t y = first(centre.y_q10); y < bottom; ++y) {
     const int32_t down_q7 = (y * 1024 - centre.y_q10) >> 3;
-    uint32_t* const sums =
-        splats_.sums.data + static_cast<uint32_t>(y) * width();
-    for (int32_t x = left; x < right; ++x) {
-      const int32_t right_q7 = (x * 1024 - centre.x_q10) >> 3;
+    const int32_t down_square = down_q7 * down_q7;
+    int32_t right_q7 = (left * 1024 - centre.x_q10) >> 3;
+    uint32_t* sum = splats_.sums.data + static_cast<uint32_t>(y) * width() +
+                    static_cast<uint32_t>(left);
+    for (int32_t x = left; x < right; ++x, ++sum, right_q7 += 128) {
       const auto square =
-          static_cast<uint32_t>(right_q7 * right_q7 + down_q7 * down_q7);
-      const uint32_t step = (square * splats_.steps_q16) >> 16;
+          static_cast<uint32_t>(right_q7 * right_q7 + down_square);
+      const uint32_t step = (square * steps_q16) >> 16;
       if (step < kSteps) {
         const uint32_t weight = (kFall[step] * weight_q8 + (1 << 15)) >> 16;
-        if (weight + (sums[x] >> kCoverageBits) <= kMost) {
-          sums[x] += weight * ((1u << kCoverageBits) + coverage);
+        if (weight + (*sum >> kCoverageBits) <= kMost) {
+          *sum += weight * sample;
         }
       }
     }
@@ -204,22 +215,36 @@ bool Block::visit(uint32_t reference,
   if (is_node && log2 > least_log2_) {
     return true;
   }
-  const uint8_t* const samples = tree_.samples(reference);
-  if (log2 + 1 == wide_log2_ && log2 > least_log2_) {
-    // One sample would stand for too much.
-    --log2;
-    for (uint32_t i = 0; i < 4; ++i) {
-      const uint32_t at_x = x + ((i & 1) << log2);
-      const uint32_t at_y = y + ((i >> 1) << log2);
-      add(centre_of(at_x, at_y, log2), log2, coverage_at(at_x, at_y, log2));
-    }
-  } else if (is_node) {
+  if (is_node) {
     add(centre, log2, coverage_at(x, y, log2));
-  } else if (samples != nullptr) {
+    return false;
+  }
+  const uint8_t* const samples = tree_.samples(reference);
+  const uint32_t saturated = reference == format::glyph::kInside ? 255 : 0;
+  if (log2 + 1 < wide_log2_ || log2 == least_log2_) {
     // What a cell says of its centre it says without an equation.
-    add(centre, log2, brush_.coverage(detail::centre_q10(samples)));
-  } else {
-    add(centre, log2, reference == format::glyph::kInside ? 255 : 0);
+    add(centre, log2,
+        samples != nullptr ? brush_.coverage(detail::centre_q10(samples))
+                           : saturated);
+    return false;
+  }
+  // One sample would stand for too much.
+  const uint32_t half_log2 = log2 - 1;
+  for (uint32_t i = 0; i < 4; ++i) {
+    const uint32_t right = i & 1;
+    const uint32_t up = i >> 1;
+    // A quarter or three of the cell.
+    const auto place = [log2](uint32_t part) noexcept {
+      return static_cast<int32_t>((2 * part + 1) << (log2 + 14));
+    };
+    add(centre_of(x + (right << half_log2), y + (up << half_log2), half_log2),
+        half_log2,
+        samples != nullptr
+            ? brush_.coverage(samples_distance(samples,
+                                               static_cast<uint8_t>(log2),
+                                               place(right), place(up))
+                                  .raw)
+            : saturated);
   }
   return false;
 }
@@ -277,28 +302,41 @@ void Block::splat() noexcept {
   }
 }
 
-// What is left of the filter is the pixel's own sample.
-__attribute__((noinline)) void Block::draw(const FinePoint& origin,
-                                           const RowMap* rows,
-                                           const Sink& sink) const noexcept {
+// What is left of the filter has the coverage of the pixel's own sample.
+void Block::add_own(void* context,
+                    int32_t x,
+                    int32_t y,
+                    const uint8_t* coverage,
+                    int32_t count) {
+  uint32_t* const sums = static_cast<Block*>(context)->sums_at(x, y);
+  for (int32_t i = 0; i < count; ++i) {
+    const uint32_t weight = sums[i] >> kCoverageBits;
+    if (weight < kAll) {
+      sums[i] += (kAll - weight) * coverage[i];
+    }
+  }
+}
+
+void Block::add_solid(void* context, int32_t x, int32_t y, int32_t count) {
+  constexpr uint8_t kFull = 255;
+  for (int32_t i = 0; i < count; ++i) {
+    add_own(context, x + i, y, &kFull, 1);
+  }
+}
+
+__attribute__((noinline)) void Block::draw(const Sink& sink) const noexcept {
   constexpr uint32_t kMask = (1u << kCoverageBits) - 1;
-  const Filter& filter = brush_.filter();
-  PointWalk walk(tree_.field, brush_, detail::reach_of(filter));
   SpanWriter writer(sink, pixels_.y0);
-  const FieldPosition step = detail::pixel_step(brush_);
   const uint32_t* sum = splats_.sums.data;
   for (int32_t y = pixels_.y0; y < pixels_.y1; ++y) {
-    FieldPosition at =
-        detail::sample_position(brush_, origin, rows, pixels_.x0, y, {0, 0});
     for (int32_t x = pixels_.x0; x < pixels_.x1; ++x) {
-      uint32_t weight = *sum >> kCoverageBits;
-      uint32_t covered = *sum & kMask;
-      if (weight < kAll) {
-        covered += (kAll - weight) * filter.coverage(walk.distance_q10(at));
-        weight = kAll;
-      }
-      writer.put(x, static_cast<uint8_t>((covered + weight / 2) / weight));
-      at = detail::moved(at, step);
+      const uint32_t weight = *sum >> kCoverageBits;
+      const uint32_t covered = *sum & kMask;
+      // Most sums need no division.
+      const uint32_t coverage = weight <= kAll
+                                    ? (covered + kAll / 2) / kAll
+                                    : (covered + weight / 2) / weight;
+      writer.put(x, static_cast<uint8_t>(coverage));
       ++sum;
     }
     writer.next_row();
@@ -329,8 +367,13 @@ void paint_splats(const GlyphField& field,
                   const RowMap* rows,
                   const Sink& sink) {
   const auto& splats = *static_cast<const Splats*>(options);
-  const Rect all = detail::painted_box(field, brush, origin, rows, sink.window,
-                                       splats.radius_q10, splats.radius_q10);
+  if (rows != nullptr || detail::has_fields(field)) {
+    detail::draw_plain(field, brush, origin, rows, sink);
+    return;
+  }
+  const Rect all =
+      detail::painted_box(field, brush, origin, nullptr, sink.window,
+                          splats.radius_q10, splats.radius_q10);
   if (is_empty(all)) {
     return;
   }
@@ -340,14 +383,12 @@ void paint_splats(const GlyphField& field,
       splats.sums.size < (1u << 20) ? splats.sums.size : 1u << 20);
   const int32_t columns = lesser(all.x1 - all.x0, most);
   const int32_t height = most / columns;
-  const bool splats_cells = rows == nullptr && !detail::has_fields(field);
   for (int32_t y = all.y0; y < all.y1; y += height) {
     for (int32_t x = all.x0; x < all.x1; x += columns) {
       block.start(origin, intersect(all, {x, y, x + columns, y + height}));
-      if (splats_cells) {
-        block.splat();
-      }
-      block.draw(origin, rows, sink);
+      block.splat();
+      detail::draw_plain(field, brush, origin, nullptr, block.own_sink());
+      block.draw(sink);
     }
   }
 }

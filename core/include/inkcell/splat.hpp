@@ -5,14 +5,17 @@
 //   INKCELL_TRY(make_splats({sums, 64 * 16}, kSplatRadius, splats));
 //   brush.set_painter(paint_splats, &splats, kSplatReach);
 //
-// Perry and Frisken, section 4.4, for fonts of samples. A pixel in a cell that
-// is wider than the filter's radius takes one sample, at its centre. A cell
-// that is no wider is one sample, at the cell's centre, for all pixels within
-// the radius: it adds its weight, and weight times coverage, to their sums. A
-// pixel shows the quotient. For patterns that are finer than pixels, and for
-// small text; what is larger than its pixels looks as without.
+// Perry and Frisken, section 4.4, for fonts of samples. Cells that are no wider
+// than the filter's radius are visited once, and are a sample each, at the
+// centre (four, at the centres of the quarters, above half the radius). A
+// sample adds a weight, the filter at its distance times the cell's area, and
+// weight times coverage to the sums of all pixels within the radius. What is
+// left of a pixel's filter, where cells are wider, has the coverage of plain
+// drawing; a pixel shows the quotient. For patterns that are finer than pixels
+// and for type that moves: softer than adaptive.hpp, calmer, and cheaper.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "inkcell/brush.hpp"
@@ -37,12 +40,12 @@ inline constexpr Q6_10 kSplatRadius = Q6_10::from_raw(1331);
 inline constexpr Q6_10 kMinSplatRadius = Q6_10::from_raw(768);
 inline constexpr Q6_10 kMaxSplatRadius = Q6_10::from_raw(1536);
 
-/// The least buffer: 64 sums.
+/// The least buffer.
 inline constexpr size_t kMinSplatSums = 64;
 
-/// A buffer of a sum for each pixel of the largest glyph, in the strip, is
-/// drawn at once. A smaller one does, too: it is used several times, and cells
-/// are visited as often.
+/// With a sum for each pixel of the largest glyph in a strip, 2 px more on each
+/// side, cells are visited once a strip. With fewer a glyph is drawn in parts;
+/// the picture is the same.
 ///
 /// buffer_small: fewer than kMinSplatSums. bad_argument: the radius is out of
 /// range. `out` is then untouched.
