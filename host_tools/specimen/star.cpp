@@ -12,6 +12,7 @@
 #include "canvas.hpp"
 #include "inkcell/adaptive.hpp"
 #include "inkcell/render.hpp"
+#include "inkcell/splat.hpp"
 #include "outline.hpp"
 #include "rom_font.hpp"
 #include "shape.hpp"
@@ -95,13 +96,11 @@ class DeviceStar {
     }
   }
 
-  Image draw(const Adaptive* adaptive) const {
+  Image draw(Painter painter, const void* options, uint8_t reach_px) const {
     Image image = colour_image(kSide, kSide, 0);
     const ColourSink target(image, 0xffffff);
     Brush brush = make_brush(kSide, 0, kFilterText);
-    if (adaptive != nullptr) {
-      brush.set_painter(paint_adaptive, adaptive, kAdaptiveReach);
-    }
+    brush.set_painter(painter, options, reach_px);
     draw_field(field_, brush, make_point(0, kSide), target.sink());
     return image;
   }
@@ -137,6 +136,12 @@ Image draw_star(const Font& font) {
   const Adaptive even = make_adaptive(kFilterText, kCalmRadius);
   const Adaptive paper =
       make_adaptive(kFilterText, kPaperRadius, SampleRule::paper);
+  std::vector<uint32_t> sums(kSide * kSide);
+  Splats splats;
+  if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
+      Status::ok) {
+    throw std::runtime_error("splats are not to be had");
+  }
   struct Entry {
     std::string label;
     Image image;
@@ -155,12 +160,15 @@ Image draw_star(const Font& font) {
                                const double square = x * x + y * y;
                                return square <= 1 ? std::exp2(-3 * square) : 0;
                              }))},
-      {"Inkcell, one sample", device.draw(nullptr)},
-      {"Inkcell, up to 13, even", device.draw(&even)},
-      {"Inkcell, up to 13, paper", device.draw(&paper)}};
+      {"Inkcell, one sample", device.draw(nullptr, nullptr, 0)},
+      {"Inkcell, up to 13, even",
+       device.draw(paint_adaptive, &even, kAdaptiveReach)},
+      {"Inkcell, up to 13, paper",
+       device.draw(paint_adaptive, &paper, kAdaptiveReach)},
+      {"Inkcell, splats", device.draw(paint_splats, &splats, kSplatReach)}};
   constexpr int kColumn = kSide + kGap;
   constexpr int kHeight = kLabelHeight + kSide + kZoom * kMiddle + 3 * kGap;
-  Image sheet = colour_image(kGap + 5 * kColumn, kHeight, 0xffffff);
+  Image sheet = colour_image(kGap + 6 * kColumn, kHeight, 0xffffff);
   const Brush brush = make_brush(10, 0, kFilterText);
   int x = kGap;
   for (const Entry& entry : entries) {
