@@ -2,6 +2,7 @@
 // a picture gives the same one.
 #include "inkcell/render.hpp"
 
+#include "any_record.hpp"
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "picture.hpp"
@@ -191,23 +192,7 @@ TEST(fused_drawing_equals_the_plain_chain) {
 TEST(any_cells_equal_the_plain_chain) {
   Random random(2);
   for (int round = 0; round < 120 && !check::failed(); ++round) {
-    record.reset();
-    record.tile_log2 = static_cast<uint8_t>(random.below(9));
-    record.x0_u = static_cast<int16_t>(random.between(-400, 100));
-    record.y0_u = static_cast<int16_t>(random.between(-400, 100));
-    record.reference_count = 16 + 4 * random.below(30);
-    for (uint32_t i = 0; i < record.reference_count; ++i) {
-      record.references[i] = static_cast<uint16_t>(random.below(34));
-      if ((random.next() & 1) != 0) {
-        record.references[i] |= format::glyph::kCellFlag;
-      }
-    }
-    record.cell_count = 30;
-    for (uint32_t i = 0; i < record.cell_count; ++i) {
-      for (uint8_t& byte : record.cells[i]) {
-        byte = static_cast<uint8_t>(random.byte());
-      }
-    }
+    make_any(record, random);
     record.write(bytes);
     GlyphField field;
     CHECK_OK(GlyphField::open({bytes, record.size()}, field));

@@ -2,6 +2,7 @@
 // cut or on how many sums there are.
 #include "inkcell/splat.hpp"
 
+#include "any_record.hpp"
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "painter_canvas.hpp"
@@ -31,6 +32,18 @@ Splats splats_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
   Splats splats;
   CHECK_OK(make_splats({sums, count}, radius, splats));
   return splats;
+}
+
+void check_as_without(const GlyphField& field, Brush brush, FinePoint origin) {
+  draw(field, brush, origin);
+  painter::keep();
+  CHECK(painter::ink() > 0);
+  const Splats splats = splats_of();
+  brush.set_painter(paint_splats, &splats, kSplatReach);
+  draw(field, brush, origin);
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    CHECK_EQ(picture[i], whole[i]);
+  }
 }
 
 // 2^(-3 t), 0 <= t <= 1.
@@ -158,35 +171,17 @@ TEST(splats_are_what_pixels_would_gather) {
 
 TEST(wide_cells_look_as_without) {
   const GlyphField field = field_of(font_builder::ring);
-  const FinePoint origin(3 * 1024 + 300, 33 * 1024 + 77);
   for (int turned = 0; turned < 2; ++turned) {
-    Brush brush = brush_of(40 * 64, turned != 0);
-    draw(field, brush, origin);
-    painter::keep();
-    CHECK(painter::ink() > 0);
-    const Splats splats = splats_of();
-    brush.set_painter(paint_splats, &splats, kSplatReach);
-    draw(field, brush, origin);
-    for (int32_t i = 0; i < kSide * kSide; ++i) {
-      CHECK_EQ(picture[i], whole[i]);
-    }
+    check_as_without(field, brush_of(40 * 64, turned != 0),
+                     {3 * 1024 + 300, 33 * 1024 + 77});
   }
 }
 
 TEST(fitted_glyphs_look_as_without) {
-  const GlyphField field = field_of(font_builder::ring);
-  const FinePoint origin(3 * 1024 + 300, 25 * 1024 + 77);
   Brush brush = brush_of(12 * 64, false);
   brush.set_fitter(painter::lift, nullptr);
-  draw(field, brush, origin);
-  painter::keep();
-  CHECK(painter::ink() > 0);
-  const Splats splats = splats_of();
-  brush.set_painter(paint_splats, &splats, kSplatReach);
-  draw(field, brush, origin);
-  for (int32_t i = 0; i < kSide * kSide; ++i) {
-    CHECK_EQ(picture[i], whole[i]);
-  }
+  check_as_without(field_of(font_builder::ring), brush,
+                   {3 * 1024 + 300, 25 * 1024 + 77});
 }
 
 TEST(windows_and_sums_do_not_change_the_picture) {
@@ -215,23 +210,7 @@ TEST(any_cells_are_drawn_in_the_window) {
   Random random(7);
   font_builder::Record& record = painter::glyph_record;
   for (int round = 0; round < 60 && !check::failed(); ++round) {
-    record.reset();
-    record.tile_log2 = static_cast<uint8_t>(random.below(9));
-    record.x0_u = static_cast<int16_t>(random.between(-400, 100));
-    record.y0_u = static_cast<int16_t>(random.between(-400, 100));
-    record.reference_count = 16 + 4 * random.below(30);
-    for (uint32_t i = 0; i < record.reference_count; ++i) {
-      record.references[i] = static_cast<uint16_t>(random.below(34));
-      if (random.below(4) == 0) {
-        record.references[i] |= format::glyph::kCellFlag;
-      }
-    }
-    record.cell_count = 30;
-    for (uint32_t i = 0; i < record.cell_count; ++i) {
-      for (uint8_t& byte : record.cells[i]) {
-        byte = static_cast<uint8_t>(random.byte());
-      }
-    }
+    make_any(record, random);
     GlyphField field;
     CHECK(record.size() <= sizeof(painter::glyph_bytes));
     record.write(painter::glyph_bytes);
