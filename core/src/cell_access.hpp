@@ -42,6 +42,12 @@ inline Columns columns_q6(const uint8_t* samples, const Weights& w) noexcept {
           (w.w1 * offset(2) + w.w2 * offset(4) + w.w3 * offset(7) + 128) >> 8};
 }
 
+// The distance at a cell's centre. [u]
+inline int32_t centre_q10(const uint8_t* samples) noexcept {
+  return load_i16(samples + format::samples::kCentre) *
+         (1 << (10 - format::samples::kCentreFraction));
+}
+
 // SamplesRow::set_up.
 inline void set_up_row(SamplesRow& row,
                        const uint8_t* samples,
@@ -51,8 +57,7 @@ inline void set_up_row(SamplesRow& row,
   row.a_q6 = c.v1;
   row.b_q6 = 4 * c.v2 - 3 * c.v1 - c.v3;
   row.c_q6 = 2 * (c.v1 - 2 * c.v2 + c.v3);
-  row.centre_q10 = load_i16(samples + format::samples::kCentre) *
-                   (1 << (10 - format::samples::kCentreFraction));
+  row.centre_q10 = centre_q10(samples);
   row.size_log2 = size_log2;
 }
 
@@ -66,6 +71,30 @@ inline bool in_grid(const GlyphField& field,
   return x_u >= field.x0_u && x_u < field.x1_u() && y_u >= field.y0_u &&
          y_u < field.y1_u();
 }
+
+// The quadtrees of a glyph of samples, for those who go through all of it.
+struct SamplesTree {
+  const GlyphField& field;
+
+  uint32_t tile(uint32_t number) const noexcept {
+    return load_u16(field.references + 2 * number);
+  }
+  bool is_node(uint32_t reference) const noexcept {
+    return reference - format::glyph::kFirstNode < field.node_count &&
+           reference < format::glyph::kCellFlag;
+  }
+  uint32_t child(uint32_t node, uint32_t number) const noexcept {
+    return tile(static_cast<uint32_t>(field.tiles_x) * field.tiles_y +
+                4 * (node - format::glyph::kFirstNode) + number);
+  }
+  // Of a cell; null if the leaf is saturated.
+  const uint8_t* samples(uint32_t reference) const noexcept {
+    const uint32_t index = reference & ~uint32_t{format::glyph::kCellFlag};
+    return reference >= format::glyph::kCellFlag && index < field.cell_count
+               ? field.cells + format::samples::kBytes * index
+               : nullptr;
+  }
+};
 
 // inkcell::locate for cells of samples.
 inline Cell locate_cell(const GlyphField& field,

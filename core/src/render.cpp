@@ -5,7 +5,9 @@
 #include "field_draw.hpp"
 #include "field_turned.hpp"
 #include "inkcell/row_map.hpp"
+#include "plain.hpp"
 #include "position.hpp"
+#include "samples_cells.hpp"
 #include "span_writer.hpp"
 
 namespace inkcell {
@@ -153,6 +155,9 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
   }
 }
 
+// Cells of samples: object order wins from this size on.
+constexpr Q26_6 kCellsFrom = Q26_6::from_int(48);
+
 // Not inline: other ways to draw need not pay for its stack.
 __attribute__((noinline)) void draw_upright(const GlyphField& field,
                                             const Brush& brush,
@@ -169,6 +174,8 @@ __attribute__((noinline)) void draw_upright(const GlyphField& field,
   }
   if (has_fields(field)) {
     detail::draw_fields(field, brush, upright, sink);
+  } else if (rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
+    detail::draw_samples_by_cells(field, brush, upright, sink);
   } else {
     draw_samples(field, brush, upright, sink);
   }
@@ -181,10 +188,8 @@ void draw_placed(const GlyphField& field,
                  const Sink& sink) noexcept {
   if (brush.painter() != nullptr) {
     brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
-  } else if (!brush.is_upright()) {
-    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
   } else {
-    draw_upright(field, brush, origin, rows, sink);
+    detail::draw_plain(field, brush, origin, rows, sink);
   }
 }
 
@@ -199,6 +204,18 @@ __attribute__((noinline)) void draw_fitted(const GlyphField& field,
 }
 
 }  // namespace
+
+void detail::draw_plain(const GlyphField& field,
+                        const Brush& brush,
+                        const FinePoint& origin,
+                        const RowMap* rows,
+                        const Sink& sink) noexcept {
+  if (brush.is_upright()) {
+    draw_upright(field, brush, origin, rows, sink);
+  } else {
+    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
+  }
+}
 
 Rect field_box(const GlyphField& field,
                const Brush& brush,

@@ -15,6 +15,9 @@ namespace {
 // Below this size text reads better of several samples.
 constexpr Q26_6 kLeastForOne = Q26_6::from_int(10);
 
+// Of splats: a larger glyph is drawn in parts.
+constexpr size_t kMaxSums = 1 << 16;
+
 const Filter& filter_for(const std::string& name, Use use) {
   if (name.empty()) {
     return use == Use::moving ? kFilterMotion : kFilterText;
@@ -61,13 +64,14 @@ void add_look_options(CLI::App& app, LookOptions& options) {
             "Fit to the pixel grid: none; vertical, heights; both, stems "
             "too; auto, vertical but for jobs of kind anim");
   add_words(app, "--samples", options.samples,
-            {"one", "adaptive", "paper", "auto"},
+            {"one", "adaptive", "paper", "splats", "auto"},
             "Distances a pixel: one; adaptive, up to 13 where one does "
-            "not tell enough; paper, as the paper has it; auto, one, but "
-            "adaptive below 10 px and for jobs of kind anim");
+            "not tell enough; paper, as the paper has it; splats, cells "
+            "smaller than a pixel once each; auto, one, but adaptive below "
+            "10 px and for jobs of kind anim");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
-                 "of kind anim, 1.3 for paper]")
+                 "of kind anim, 1.3 for paper and splats]")
       ->check(CLI::Range(0.25, 1.5));
   add_words(app, "--rules", options.rules, {"none", "edges", "thin", "all"},
             "Contrast as eyes prefer it, with one sample a pixel: edges, "
@@ -99,10 +103,10 @@ void add_look_options(CLI::App& app, LookOptions& options) {
       ->capture_default_str();
 }
 
-void require_adaptive(const LookOptions& options, bool is_adaptive) {
-  if (options.radius > 0 && !is_adaptive) {
+void check_radius(const LookOptions& options, bool is_used) {
+  if (options.radius > 0 && !is_used) {
     throw std::runtime_error(
-        "--radius is for several samples a pixel: --samples adaptive or paper");
+        "--radius is for several samples a pixel: --samples adaptive, paper or splats");
   }
 }
 
@@ -172,11 +176,21 @@ void Look::set_samples(const LookOptions& options, Use use) {
     return;
   }
   const bool is_paper = options.samples == "paper";
-  Q6_10 radius = is_paper             ? kPaperRadius
-                 : use == Use::moving ? kCalmRadius
-                                      : kSharpRadius;
+  const bool is_splats = options.samples == "splats";
+  Q6_10 radius = is_paper || is_splats ? kPaperRadius
+                 : use == Use::moving  ? kCalmRadius
+                                       : kSharpRadius;
   if (options.radius > 0) {
     radius = to_q10(options.radius);
+  }
+  if (is_splats) {
+    sums_.resize(kMaxSums);
+    if (make_splats({sums_.data(), sums_.size()}, radius, splats_) !=
+        Status::ok) {
+      throw std::runtime_error("--samples splats: --radius is 0.75 to 1.5 px");
+    }
+    brush_.set_painter(paint_splats, &splats_, kSplatReach);
+    return;
   }
   adaptive_ = make_adaptive(brush_.filter(), radius,
                             is_paper ? SampleRule::paper : SampleRule::even);
@@ -221,7 +235,8 @@ void Look::set_motion(const LookOptions& options) {
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
   if (options.hint == "none" ||
-      (options.hint == "auto" && use == Use::moving)) {
+      (options.hint == "auto" &&
+       (use == Use::moving || options.samples == "splats"))) {
     return;
   }
   FitOptions fit;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "inkcell/adaptive.hpp"
 #include "inkcell/brush.hpp"
@@ -13,6 +14,7 @@
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/perception.hpp"
+#include "inkcell/splat.hpp"
 
 namespace inkcell::tools {
 
@@ -38,9 +40,9 @@ struct LookOptions {
 
 void add_look_options(CLI::App& app, LookOptions& options);
 
-/// Throws std::runtime_error if a radius was asked for, and nothing that was
-/// drawn takes several samples a pixel.
-void require_adaptive(const LookOptions& options, bool is_adaptive);
+/// Throws std::runtime_error if a radius was asked for, but nothing that was
+/// drawn has one.
+void check_radius(const LookOptions& options, bool is_used);
 
 /// A brush and all that it points to: stays where it was made.
 class Look {
@@ -64,6 +66,9 @@ class Look {
   /// Whether the brush takes as many distances as a pixel needs, and how many
   /// it has taken beyond one a pixel.
   bool is_adaptive() const { return brush_.painter() == paint_adaptive; }
+  bool uses_radius() const {
+    return is_adaptive() || brush_.painter() == paint_splats;
+  }
   uint32_t more_samples() const { return more_samples_; }
 
  private:
@@ -81,6 +86,8 @@ class Look {
   Fit fit_;
   CrispStyle crisp_;
   Adaptive adaptive_;
+  Splats splats_;
+  std::vector<uint32_t> sums_;
   Perception perception_;
   MotionBlur blur_;
   LcdStyle lcd_;

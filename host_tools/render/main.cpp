@@ -171,7 +171,7 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
   const Font& font = rom.font();
   const Look look(arguments.look, font, arguments.px, arguments.angle,
                   Use::still);
-  require_adaptive(arguments.look, look.is_adaptive());
+  check_radius(arguments.look, look.uses_radius());
   const Brush& brush = look.brush();
   const std::vector<Line> lines = lay_out_lines(
       font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);

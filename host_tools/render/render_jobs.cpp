@@ -58,7 +58,7 @@ SampleTotal render(const RenderJob& job,
 
 void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   constexpr int kNear = 3;
-  total.is_adaptive |= look.is_adaptive();
+  total.uses_radius |= look.uses_radius();
   if (look.brush().painter() != nullptr && !look.is_adaptive()) {
     return;
   }
@@ -140,9 +140,9 @@ SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
   for (const SampleTotal& cost : costs) {
     total.pixels += cost.pixels;
     total.samples += cost.samples;
-    total.is_adaptive |= cost.is_adaptive;
+    total.uses_radius |= cost.uses_radius;
   }
-  require_adaptive(look, total.is_adaptive);
+  check_radius(look, total.uses_radius);
   return total;
 }
 

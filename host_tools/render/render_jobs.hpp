@@ -35,7 +35,7 @@ struct RenderJob {
 struct SampleTotal {
   uint64_t pixels = 0;
   uint64_t samples = 0;
-  bool is_adaptive = false;  // whether anything was
+  bool uses_radius = false;  // whether anything did
 };
 
 /// Adds a picture that was drawn with the look.

@@ -12,6 +12,7 @@
 #include "canvas.hpp"
 #include "inkcell/adaptive.hpp"
 #include "inkcell/render.hpp"
+#include "inkcell/splat.hpp"
 #include "outline.hpp"
 #include "peers.hpp"
 #include "rom_font.hpp"
@@ -137,13 +138,11 @@ class DeviceStar {
     }
   }
 
-  Image draw(const Adaptive* adaptive) const {
+  Image draw(Painter painter, const void* options, uint8_t reach_px) const {
     Image image = colour_image(kSide, kSide, 0);
     const ColourSink target(image, 0xffffff);
     Brush brush = make_brush(kSide, 0, kFilterText);
-    if (adaptive != nullptr) {
-      brush.set_painter(paint_adaptive, adaptive, kAdaptiveReach);
-    }
+    brush.set_painter(painter, options, reach_px);
     draw_field(field_, brush, make_point(0, kSide), target.sink());
     return image;
   }
@@ -180,6 +179,12 @@ Image draw_star(const Font& font) {
   const Adaptive even = make_adaptive(kFilterText, kCalmRadius);
   const Adaptive paper =
       make_adaptive(kFilterText, kPaperRadius, SampleRule::paper);
+  std::vector<uint32_t> sums(kSide * kSide);
+  Splats splats;
+  if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
+      Status::ok) {
+    throw std::runtime_error("splats are not to be had");
+  }
   struct Entry {
     const char* label;
     Image image;
@@ -192,9 +197,12 @@ Image draw_star(const Font& font) {
       {"16, jittered, Gaussian",
        in_colour(supersample(shape, 4, Jitter::whole, gaussian_weight))},
       {"FreeType", in_colour(cover(wedges))},
-      {"Inkcell, one sample", device.draw(nullptr)},
-      {"Inkcell, up to 13, even", device.draw(&even)},
-      {"Inkcell, up to 13, paper", device.draw(&paper)}};
+      {"Inkcell, one sample", device.draw(nullptr, nullptr, 0)},
+      {"Inkcell, up to 13, even",
+       device.draw(paint_adaptive, &even, kAdaptiveReach)},
+      {"Inkcell, up to 13, paper",
+       device.draw(paint_adaptive, &paper, kAdaptiveReach)},
+      {"Inkcell, splats", device.draw(paint_splats, &splats, kSplatReach)}};
   // Two rows of columns, of which each is a picture and its middle.
   constexpr int kColumns = 4;
   constexpr int kColumn = kSide + kGap;

@@ -7,6 +7,7 @@
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/perception.hpp"
+#include "inkcell/splat.hpp"
 #include "inkcell/text.hpp"
 
 namespace golden {
@@ -106,6 +107,17 @@ bool draw_adaptive(const Fonts& fonts, const Sink& sink) {
       sink);
 }
 
+bool draw_splats(const Fonts& fonts, const Sink& sink) {
+  // Fewer than the pixels of a glyph.
+  uint32_t sums[2 * kMinSplatSums];
+  Splats splats;
+  return make_splats(sums, kSplatRadius, splats) == Status::ok &&
+         draw_painted({FontId::dejavu_sans_samples, "Again", 13 * 64 + 7,
+                       112 * 64 + 9, 169 * 64 + 30},
+                      fonts, kFilterText, paint_splats, &splats, kSplatReach,
+                      false, sink);
+}
+
 bool draw_perceptual(const Fonts& fonts, const Sink& sink) {
   const Perception perception;
   return draw_painted(
@@ -189,9 +201,10 @@ bool draw_turned(const Fonts& fonts, const Sink& sink) {
 
 bool draw_styles(const Fonts& fonts, const Sink& sink) {
   return draw_fitted(fonts, sink) && draw_adaptive(fonts, sink) &&
-         draw_perceptual(fonts, sink) && draw_blurred(fonts, sink) &&
-         draw_outlined(fonts, sink) && draw_weighted(fonts, sink) &&
-         draw_crisp(fonts, sink) && draw_turned(fonts, sink);
+         draw_splats(fonts, sink) && draw_perceptual(fonts, sink) &&
+         draw_blurred(fonts, sink) && draw_outlined(fonts, sink) &&
+         draw_weighted(fonts, sink) && draw_crisp(fonts, sink) &&
+         draw_turned(fonts, sink);
 }
 
 bool draw_sub_pixels(const Fonts& fonts, const Sink& sink) {

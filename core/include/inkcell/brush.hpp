@@ -193,8 +193,10 @@ class Brush {
     return distance_u_q10 >= opaque_u_q10_;
   }
 
-  /// The greatest distance that has no coverage. [u, Q10]
+  /// The greatest distance that has no coverage, and the least that has full
+  /// coverage. [u, Q10]
   int32_t transparent_u_q10() const noexcept { return transparent_u_q10_; }
+  int32_t opaque_u_q10() const noexcept { return opaque_u_q10_; }
 
   /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)),
   /// with the two common cases first. Not of stretched brushes. [u, Q10]

@@ -1,0 +1,66 @@
+// Cells that are smaller than a pixel, each once: splatting.
+//
+//   uint32_t sums[64 * 16];
+//   Splats splats;
+//   INKCELL_TRY(make_splats({sums, 64 * 16}, kSplatRadius, splats));
+//   brush.set_painter(paint_splats, &splats, kSplatReach);
+//
+// Perry and Frisken, section 4.4, for fonts of samples. Cells that are no wider
+// than the filter's radius are visited once, and are a sample each, at the
+// centre (four, at the centres of the quarters, above half the radius). A
+// sample adds a weight, the filter at its distance times the cell's area, and
+// weight times coverage to the sums of all pixels within the radius. What is
+// left of a pixel's filter, where cells are wider, has the coverage of plain
+// drawing; a pixel shows the quotient. For patterns that are finer than pixels
+// and for type that moves: softer than adaptive.hpp, calmer, and cheaper.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/fixed.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+
+/// Options of paint_splats: make_splats makes them.
+struct Splats {
+  /// A sum for each pixel. The caller's, in use while a glyph is drawn.
+  Span<uint32_t> sums;
+  int16_t radius_q10 = 0;  // of the filter, 2^(-3 (d / radius)^2) [px]
+  /// From squares of a distance in 1/128 px to 32 steps.
+  uint16_t steps_q16 = 0;
+};
+
+/// The paper's radius, and the least and the greatest that there may be.
+inline constexpr Q6_10 kSplatRadius = Q6_10::from_raw(1331);
+inline constexpr Q6_10 kMinSplatRadius = Q6_10::from_raw(768);
+inline constexpr Q6_10 kMaxSplatRadius = Q6_10::from_raw(1536);
+
+/// The least buffer.
+inline constexpr size_t kMinSplatSums = 64;
+
+/// With a sum for each pixel of the largest glyph in a strip, 2 px more on each
+/// side, cells are visited once a strip. With fewer a glyph is drawn in parts;
+/// the picture is the same.
+///
+/// buffer_small: fewer than kMinSplatSums. bad_argument: the radius is out of
+/// range. `out` is then untouched.
+Status make_splats(Span<uint32_t> sums, Q6_10 radius, Splats& out) noexcept;
+
+/// What Brush::set_painter wants as `reach_px`.
+inline constexpr uint8_t kSplatReach = 2;
+
+/// A Painter; `options` is a Splats. Glyphs of fields and those that are fitted
+/// to the grid take one sample a pixel.
+void paint_splats(const GlyphField& field,
+                  const Brush& brush,
+                  const void* options,
+                  const FinePoint& origin,
+                  const RowMap* rows,
+                  const Sink& sink);
+
+}  // namespace inkcell

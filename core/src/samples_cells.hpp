@@ -1,0 +1,16 @@
+// Cells of samples in object order.
+#pragma once
+
+#include "field_draw.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Draws an upright glyph that is not fitted, bit by bit as rows would.
+void draw_samples_by_cells(const GlyphField& field,
+                           const Brush& brush,
+                           const Upright& upright,
+                           const Sink& sink) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,244 @@
+// Splats: what they are the mean of, and that no picture depends on how it is
+// cut or on how many sums there are.
+#include "inkcell/splat.hpp"
+
+#include "any_record.hpp"
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "painter_canvas.hpp"
+#include "painter_glyph.hpp"
+#include "random.hpp"
+
+namespace {
+
+using namespace inkcell;
+using painter::brush_of;
+using painter::check_windows;
+using painter::draw;
+using painter::field_of;
+using painter::kAll;
+using painter::kSide;
+using painter::magnitude;
+using painter::picture;
+using painter::whole;
+
+// Px to the em where the cells of shapes, 64 u wide, are splatted.
+constexpr int32_t kSizes[] = {6, 9, 15, 20};
+
+// Enough for most glyphs at once, on a small board.
+uint32_t sums[24 * 24];
+
+Splats splats_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
+  Splats splats;
+  CHECK_OK(make_splats({sums, count}, radius, splats));
+  return splats;
+}
+
+void check_as_without(const GlyphField& field, Brush brush, FinePoint origin) {
+  draw(field, brush, origin);
+  painter::keep();
+  CHECK(painter::ink() > 0);
+  const Splats splats = splats_of();
+  brush.set_painter(paint_splats, &splats, kSplatReach);
+  draw(field, brush, origin);
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    CHECK_EQ(picture[i], whole[i]);
+  }
+}
+
+// 2^(-3 t), 0 <= t <= 1.
+double fall(double t) {
+  const double x = -2.0794415416798357 * t / 8;
+  double term = 1;
+  double sum = 1;
+  for (int i = 1; i < 9; ++i) {
+    term *= x / i;
+    sum += term;
+  }
+  const double squared = sum * sum * sum * sum;
+  return squared * squared;
+}
+
+// What a pixel gathers from all squares around it. [px, y up, from the origin]
+class Gathered {
+ public:
+  Gathered(const GlyphField& field, const Brush& brush, double x, double y)
+      : field_(field),
+        brush_(brush),
+        x_(x),
+        y_(y),
+        px_(brush.size().raw / 65536.0) {
+    int32_t least = 1;
+    while (2 * least * px_ <= 0.25) {
+      least *= 2;
+    }
+    // A cell that counts begins at most two radii away.
+    const auto first = [&](double place, int32_t corner) {
+      const auto way =
+          static_cast<int32_t>((place - 2 * kRadius) / px_) - corner;
+      return corner + (way < 0 ? 0 : way / least * least);
+    };
+    const auto end = [&](double place, int32_t far) {
+      const auto last = static_cast<int32_t>((place + kRadius) / px_) + 1;
+      return last < far ? last : far;
+    };
+    const int32_t right = end(x, field.x1_u());
+    const int32_t top = end(y, field.y1_u());
+    for (int32_t v = first(y, field.y0_u); v < top; v += least) {
+      for (int32_t u = first(x, field.x0_u); u < right; u += least) {
+        const Cell cell = locate(field, u, v);
+        const int32_t size = int32_t{1} << cell.size_log2;
+        if (size <= least) {
+          add(u, v, least);
+        } else if (cell.x0_u == u && cell.y0_u == v && size * px_ <= kRadius) {
+          if (2 * size * px_ > kRadius) {
+            for (int32_t i = 0; i < 4; ++i) {
+              add(u + i % 2 * size / 2, v + i / 2 * size / 2, size / 2);
+            }
+          } else {
+            add(u, v, size);
+          }
+        }
+      }
+    }
+  }
+
+  double coverage(double own) const {
+    return weight_ < 1 ? covered_ + (1 - weight_) * own : covered_ / weight_;
+  }
+  double weight() const { return weight_; }
+
+ private:
+  static constexpr double kRadius = kSplatRadius.raw / 1024.0;
+
+  void add(int32_t x_u, int32_t y_u, int32_t size) {
+    const double across = (x_u + size / 2.0) * px_ - x_;
+    const double along = (y_u + size / 2.0) * px_ - y_;
+    const double t = (across * across + along * along) / (kRadius * kRadius);
+    if (t >= 1) {
+      return;
+    }
+    const double side = size * px_;
+    const double weight = fall(t) * side * side / (1.322 * kRadius * kRadius);
+    const int32_t distance =
+        distance_at(field_, Q16_16::from_raw(x_u * 65536 + size * 32768),
+                    Q16_16::from_raw(y_u * 65536 + size * 32768))
+            .raw;
+    weight_ += weight;
+    covered_ += weight * brush_.coverage(distance);
+  }
+
+  const GlyphField& field_;
+  const Brush& brush_;
+  double x_;
+  double y_;
+  double px_;
+  double weight_ = 0;
+  double covered_ = 0;
+};
+
+}  // namespace
+
+TEST(splats_are_what_pixels_would_gather) {
+  const font_builder::Shape shapes[] = {font_builder::ring, font_builder::bar};
+  const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
+  for (const font_builder::Shape shape : shapes) {
+    const GlyphField field = field_of(shape);
+    for (const int32_t px : kSizes) {
+      Brush brush = brush_of(px * 64, false);
+      const Splats splats = splats_of();
+      brush.set_painter(paint_splats, &splats, kSplatReach);
+      draw(field, brush, origin);
+      int32_t gathered = 0;
+      for (int32_t y = 0; y < kSide; ++y) {
+        Q6_10 own[kSide];
+        distance_row(field, brush, origin, kAll.x0, y + kAll.y0, {own, kSide});
+        for (int32_t x = y % 3; x < kSide; x += 3) {
+          const Gathered pixel(
+              field, brush,
+              x + kAll.x0 + 0.5 - static_cast<double>(origin.x_q10) / 1024,
+              static_cast<double>(origin.y_q10) / 1024 - y - kAll.y0 - 0.5);
+          const auto coverage = static_cast<int32_t>(
+              pixel.coverage(brush.filter().coverage(own[x].raw)) + 0.5);
+          CHECK(magnitude(picture[y * kSide + x] - coverage) <= 8);
+          gathered += pixel.weight() > 0.5 && coverage > 0 ? 1 : 0;
+        }
+      }
+      CHECK(gathered > 5);
+    }
+  }
+}
+
+TEST(wide_cells_look_as_without) {
+  const GlyphField field = field_of(font_builder::ring);
+  for (int turned = 0; turned < 2; ++turned) {
+    check_as_without(field, brush_of(40 * 64, turned != 0),
+                     {3 * 1024 + 300, 33 * 1024 + 77});
+  }
+}
+
+TEST(fitted_glyphs_look_as_without) {
+  Brush brush = brush_of(12 * 64, false);
+  brush.set_fitter(painter::lift, nullptr);
+  check_as_without(field_of(font_builder::ring), brush,
+                   {3 * 1024 + 300, 25 * 1024 + 77});
+}
+
+TEST(windows_and_sums_do_not_change_the_picture) {
+  const GlyphField field = field_of(font_builder::ring);
+  const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
+  for (int turned = 0; turned < 2; ++turned) {
+    for (const int32_t px : kSizes) {
+      Brush brush = brush_of(px * 64, turned != 0);
+      const Splats large = splats_of();
+      brush.set_painter(paint_splats, &large, kSplatReach);
+      check_windows(field, brush, origin);
+      CHECK(painter::ink() > 0);
+      for (size_t count = kMinSplatSums; count < 100; count += 7) {
+        const Splats small = splats_of(count);
+        brush.set_painter(paint_splats, &small, kSplatReach);
+        draw(field, brush, origin);
+        for (int32_t i = 0; i < kSide * kSide; ++i) {
+          CHECK_EQ(picture[i], whole[i]);
+        }
+      }
+    }
+  }
+}
+
+TEST(any_cells_are_drawn_in_the_window) {
+  Random random(7);
+  font_builder::Record& record = painter::glyph_record;
+  for (int round = 0; round < 60 && !check::failed(); ++round) {
+    make_any(record, random);
+    GlyphField field;
+    CHECK(record.size() <= sizeof(painter::glyph_bytes));
+    record.write(painter::glyph_bytes);
+    CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, field));
+    Brush brush = brush_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
+    const Splats splats =
+        splats_of(kMinSplatSums + random.below(300),
+                  Q6_10::from_raw(static_cast<int16_t>(random.between(
+                      kMinSplatRadius.raw, kMaxSplatRadius.raw))));
+    brush.set_painter(paint_splats, &splats, kSplatReach);
+    check_windows(field, brush,
+                  {random.between(-9999, 30000), random.between(-9999, 40000)});
+  }
+}
+
+TEST(bad_options_are_refused) {
+  Splats splats;
+  splats.radius_q10 = 77;
+  CHECK(make_splats({sums, kMinSplatSums - 1}, kSplatRadius, splats) ==
+        Status::buffer_small);
+  constexpr int32_t kRadii[] = {-5, 0, kMinSplatRadius.raw - 1,
+                                kMaxSplatRadius.raw + 1};
+  for (const int32_t radius : kRadii) {
+    CHECK(make_splats({sums, kMinSplatSums},
+                      Q6_10::from_raw(static_cast<int16_t>(radius)),
+                      splats) == Status::bad_argument);
+  }
+  CHECK_EQ(splats.radius_q10, 77);
+  CHECK_OK(make_splats({sums, kMinSplatSums}, kMinSplatRadius, splats));
+  CHECK_OK(make_splats({sums, kMinSplatSums}, kMaxSplatRadius, splats));
+}
