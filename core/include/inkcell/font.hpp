@@ -147,6 +147,8 @@ class Font {
   Span<const uint8_t> kerning_;
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
+  uint16_t metrics_row_bits_ = 0;
+  int32_t u_per_unit_q14_ = 0;  // 0: the em is too small for boxes of ink
 };
 
 }  // namespace inkcell
