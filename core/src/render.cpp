@@ -95,14 +95,13 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
   }
 }
 
-// Where the glyph's pixels lie in the window. False: there are none.
+// The glyph's pixels that lie in the window.
 //
 // Not inline: what it needs of the stack is free again when pixels are drawn.
-__attribute__((noinline)) bool place_upright(const GlyphField& field,
-                                             const Brush& brush,
-                                             const Placed& placed,
-                                             const Rect& window,
-                                             Upright& upright) noexcept {
+__attribute__((noinline)) Upright place_upright(const GlyphField& field,
+                                                const Brush& brush,
+                                                const Placed& placed,
+                                                const Rect& window) noexcept {
   const Rect limits = limits_of(field, brush);
   Rect pixels = detail::upright_box(limits, brush, placed);
   if (placed.rows != nullptr) {
@@ -111,7 +110,7 @@ __attribute__((noinline)) bool place_upright(const GlyphField& field,
   }
   pixels = intersect(pixels, window);
   if (is_empty(pixels)) {
-    return false;
+    return {pixels, {}, nullptr, 0, 0};
   }
   const int32_t step = brush.step_along_q16();
   const int32_t right_q10 = pixels.x0 * 1024 + 512 - placed.x_q10;
@@ -145,12 +144,7 @@ __attribute__((noinline)) bool place_upright(const GlyphField& field,
       low_q16 += step;
     }
   }
-  upright.pixels = pixels;
-  upright.at = at;
-  upright.rows = placed.rows;
-  upright.low_u = limits.y0;
-  upright.high_u = limits.y1;
-  return !is_empty(pixels);
+  return {pixels, at, placed.rows, limits.y0, limits.y1};
 }
 
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
@@ -175,8 +169,8 @@ __attribute__((noinline)) void draw_upright(const GlyphField& field,
                                             const Brush& brush,
                                             const Placed& placed,
                                             const Sink& sink) noexcept {
-  Upright upright;
-  if (!place_upright(field, brush, placed, sink.window, upright)) {
+  Upright upright = place_upright(field, brush, placed, sink.window);
+  if (is_empty(upright.pixels)) {
     return;
   }
   if (has_fields(field)) {
