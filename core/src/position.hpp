@@ -152,10 +152,21 @@ inline Rect upright_box(const Rect& limits,
   const auto px_q10 = [size_q6](int32_t u) noexcept {
     return (u * size_q6) >> 6;
   };
+  int32_t low_q10 = px_q10(limits.y0);
+  int32_t high_q10 = px_q10(limits.y1);
+  if (placed.rows != nullptr) {
+    // What lies between two knots moves by no more than 1 px.
+    const RowMap::Knot& low = placed.rows->knots[0];
+    const RowMap::Knot& high = *placed.rows->highest();
+    low_q10 += low_q10 <= low.glyph_q10 ? low.screen_q10 - low.glyph_q10
+                                        : -RowMap::kMaxShiftQ10;
+    high_q10 += high_q10 >= high.glyph_q10 ? high.screen_q10 - high.glyph_q10
+                                           : RowMap::kMaxShiftQ10;
+  }
   return {(placed.x_q10 + px_q10(limits.x0) + kFirst) >> 10,
-          (placed.y_q10 - px_q10(limits.y1) + kFirst) >> 10,
+          (placed.y_q10 - high_q10 + kFirst) >> 10,
           (placed.x_q10 + px_q10(limits.x1) + kEnd) >> 10,
-          (placed.y_q10 - px_q10(limits.y0) + kEnd) >> 10};
+          (placed.y_q10 - low_q10 + kEnd) >> 10};
 }
 
 }  // namespace detail

@@ -103,22 +103,16 @@ __attribute__((noinline)) Upright place_upright(const GlyphField& field,
                                                 const Placed& placed,
                                                 const Rect& window) noexcept {
   const Rect limits = limits_of(field, brush);
-  Rect pixels = detail::upright_box(limits, brush, placed);
-  if (placed.rows != nullptr) {
-    pixels.y0 -= 1;
-    pixels.y1 += 1;
-  }
-  pixels = intersect(pixels, window);
+  Rect pixels = intersect(detail::upright_box(limits, brush, placed), window);
   if (is_empty(pixels)) {
-    return {pixels, {}, nullptr, 0, 0};
+    return {pixels, {}, nullptr, 0, 0, nullptr};
   }
   const int32_t step = brush.step_along_q16();
   const int32_t right_q10 = pixels.x0 * 1024 + 512 - placed.x_q10;
   const int32_t up_q10 = placed.y_q10 - (pixels.y0 * 1024 + 512);
   // position_of, whose products stay below 2^31 here.
   FieldPosition at = {
-      static_cast<int32_t>((int64_t{right_q10} * step) >> 10),
-      static_cast<int32_t>((int64_t{up_q10} * step) >> 10),
+      detail::u_of_px(right_q10, step), detail::u_of_px(up_q10, step),
       static_cast<uint32_t>(right_q10) * 1024 + detail::kHalfQ20,
       static_cast<uint32_t>(up_q10) * 1024 + detail::kHalfQ20};
   // The box has few others.
@@ -144,7 +138,10 @@ __attribute__((noinline)) Upright place_upright(const GlyphField& field,
       low_q16 += step;
     }
   }
-  return {pixels, at, placed.rows, limits.y0, limits.y1};
+  return {
+      pixels,      at,
+      placed.rows, limits.y0,
+      limits.y1,   placed.rows == nullptr ? nullptr : placed.rows->highest()};
 }
 
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
@@ -215,7 +212,7 @@ __attribute__((noinline)) void draw_fitted(const GlyphField& field,
   brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
   Placed fitted;
   if (fitted.set(origin)) {
-    fitted.rows = &rows;
+    fitted.rows = rows.count == 0 ? nullptr : &rows;
     draw_placed(field, brush, fitted, sink);
   }
 }
