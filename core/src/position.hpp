@@ -42,6 +42,16 @@ struct Placed {
     return static_cast<uint64_t>(at.x_q10 + kLimit) < kAll &&
            static_cast<uint64_t>(at.y_q10 + kLimit) < kAll;
   }
+  // The same without 64 bits.
+  bool set(Point at) noexcept {
+    const auto x_q6 = static_cast<uint32_t>(at.x.raw);
+    const auto y_q6 = static_cast<uint32_t>(at.y.raw);
+    x_q10 = wrapped(x_q6 * 16);
+    y_q10 = wrapped(y_q6 * 16);
+    rows = nullptr;
+    constexpr uint32_t kLimitQ6 = kLimit / 16;
+    return x_q6 + kLimitQ6 < 2 * kLimitQ6 && y_q6 + kLimitQ6 < 2 * kLimitQ6;
+  }
 };
 
 // draw_field of what is placed, and not yet fitted.

@@ -57,8 +57,11 @@ Status check_strip(const Strip& strip, PixelFormat format) noexcept {
   if (strip.stride < row_bytes || strip.stride > kMaxStride) {
     return Status::bad_argument;
   }
+  // Nothing is divided unless it must be: some cores take long.
   const int32_t per_stride = rows_per_stride(format);
-  const int32_t rows = (strip.height + per_stride - 1) / per_stride;
+  const int32_t rows = per_stride == 1
+                           ? strip.height
+                           : (strip.height + per_stride - 1) / per_stride;
   if (rows > 0) {
     // The last row need not be followed by the stride's padding.
     const uint32_t before_last =
