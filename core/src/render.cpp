@@ -202,17 +202,28 @@ void draw_placed(const GlyphField& field,
   }
 }
 
+// Where a fitted glyph stands. False: nowhere near. Not inline for the same
+// reason.
+__attribute__((noinline)) bool fit(const GlyphField& field,
+                                   const Brush& brush,
+                                   const Placed& placed,
+                                   RowMap& rows,
+                                   Placed& out) noexcept {
+  FinePoint origin = placed.origin();
+  brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
+  const bool is_near = out.set(origin);
+  out.rows = rows.count == 0 ? nullptr : &rows;
+  return is_near;
+}
+
 // Not inline: only fitted glyphs pay for the map on the stack.
 __attribute__((noinline)) void draw_fitted(const GlyphField& field,
                                            const Brush& brush,
                                            const Placed& placed,
                                            const Sink& sink) noexcept {
   RowMap rows;
-  FinePoint origin = placed.origin();
-  brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
   Placed fitted;
-  if (fitted.set(origin)) {
-    fitted.rows = rows.count == 0 ? nullptr : &rows;
+  if (fit(field, brush, placed, rows, fitted)) {
     draw_placed(field, brush, fitted, sink);
   }
 }
