@@ -292,6 +292,13 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   return Status::ok;
 }
 
+int32_t Font::advance(uint16_t glyph) const noexcept {
+  if (glyph >= glyph_count_) {
+    return 0;
+  }
+  return MetricsRow(metrics_, uint32_t{metrics_row_bits_} * glyph).take(0);
+}
+
 InkBox Font::ink_box(uint16_t glyph) const noexcept {
   InkBox box;
   if (u_per_unit_q14_ == 0 || glyph >= glyph_count_) {

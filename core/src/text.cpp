@@ -110,10 +110,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   out.x = advance_;
   out.y = 0;
   out.glyph = glyph;
-  GlyphMetrics metrics;
-  if (font_.glyph_metrics(glyph, metrics) == Status::ok) {
-    advance_ = clamp_to(advance_ + metrics.advance, kMaxUnits);
-  }
+  advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
   previous_ = glyph;
   return true;
 }

@@ -410,6 +410,9 @@ TEST(measures_glyphs) {
   CHECK_EQ(font.glyph_metrics(5, metrics), Status::no_glyph);
   CHECK_EQ(font.glyph_metrics(65535, metrics), Status::no_glyph);
   CHECK_EQ(metrics.advance, 750);  // untouched
+  CHECK_EQ(font.advance(2), 750);
+  CHECK_EQ(font.advance(5), 0);
+  CHECK_EQ(Font().advance(0), 0);
 }
 
 // 82 and 668 of 1000 units are 83.97 and 684.03 u.

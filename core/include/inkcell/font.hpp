@@ -100,6 +100,10 @@ class Font {
   /// no_glyph: there is no glyph of this id; `out` is untouched.
   Status glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept;
 
+  /// GlyphMetrics::advance alone, in a third of the time; 0 if there is no such
+  /// glyph.
+  int32_t advance(uint16_t glyph) const noexcept;
+
   /// The box of a glyph's ink, up to 2 u wider; all of the plane if there is no
   /// such glyph.
   InkBox ink_box(uint16_t glyph) const noexcept;
