@@ -63,8 +63,8 @@ struct Upright {
   Rect pixels;
   FieldPosition at;
   const RowMap* rows;  // null if the glyph is not fitted
-  int32_t low_u;       // heights that may show: low_u <= y < high_u
-  int32_t high_u;
+  int32_t low_q16;     // heights that may show: low_q16 <= y < high_q16 [u]
+  int32_t high_q16;
   const RowMap::Knot* knot;  // of the row, or one above it, if there are rows
 
   // Goes on to the row below.
@@ -84,7 +84,7 @@ struct Upright {
     const int32_t height_q10 = knot->height_at(screen_q10);
     row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
     row.y_q16 = u_of_px(height_q10, brush.step_along_q16());
-    return row.y_q16 >= low_u * (1 << 16) && row.y_q16 < high_u * (1 << 16);
+    return row.y_q16 >= low_q16 && row.y_q16 < high_q16;
   }
 };
 

@@ -305,18 +305,29 @@ InkBox Font::ink_box(uint16_t glyph) const noexcept {
     return box;
   }
   MetricsRow row(metrics_, uint32_t{metrics_row_bits_} * glyph);
-  // The quotient is too small by up to 2^-14: 1 u in 16 em.
-  const auto take_u = [this, &row](uint32_t column, int32_t margin) noexcept {
-    const int32_t units = static_cast<int16_t>(row.take(column));
-    const int32_t u = ((units * u_per_unit_q14_) >> 14) + margin;
+  const auto take_units = [&row](uint32_t column) noexcept {
+    return static_cast<int32_t>(static_cast<int16_t>(row.take(column)));
+  };
+  const auto clamped = [](int32_t u) noexcept {
     const int32_t above = u < -InkBox::kFar ? -InkBox::kFar : u;
     return static_cast<int16_t>(above > InkBox::kFar ? InkBox::kFar : above);
   };
+  // The quotient is too small by less than one, or exact.
+  const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
+  const auto take_low = [&, this](uint32_t column) noexcept {
+    const int32_t units = take_units(column);
+    return clamped((units * (u_per_unit_q14_ + (units < 0 ? rest : 0))) >> 14);
+  };
+  const auto take_high = [&, this](uint32_t column) noexcept {
+    const int32_t units = take_units(column);
+    const int32_t u_q14 = units * (u_per_unit_q14_ + (units > 0 ? rest : 0));
+    return clamped((u_q14 + (1 << 14) - 1) >> 14);
+  };
   row.skip(0);  // the advance
-  box.x0_u = take_u(1, -1);
-  box.y0_u = take_u(2, -1);
-  box.x1_u = take_u(3, 2);
-  box.y1_u = take_u(4, 2);
+  box.x0_u = take_low(1);
+  box.y0_u = take_low(2);
+  box.x1_u = take_high(3);
+  box.y1_u = take_high(4);
   return box;
 }
 

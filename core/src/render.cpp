@@ -102,8 +102,10 @@ __attribute__((noinline)) Upright place_upright(const GlyphField& field,
                                                 const Brush& brush,
                                                 const Placed& placed,
                                                 const Rect& window) noexcept {
-  const Rect limits = limits_of(field, brush);
-  Rect pixels = intersect(detail::upright_box(limits, brush, placed), window);
+  const Rect limits = detail::exact_limits_of(field, brush);
+  const Rect limits_u = {limits.x0 >> 16, limits.y0 >> 16,
+                         (limits.x1 >> 16) + 1, (limits.y1 >> 16) + 1};
+  Rect pixels = intersect(detail::upright_box(limits_u, brush, placed), window);
   if (is_empty(pixels)) {
     return {pixels, {}, nullptr, 0, 0, nullptr};
   }
@@ -116,24 +118,24 @@ __attribute__((noinline)) Upright place_upright(const GlyphField& field,
       static_cast<uint32_t>(right_q10) * 1024 + detail::kHalfQ20,
       static_cast<uint32_t>(up_q10) * 1024 + detail::kHalfQ20};
   // The box has few others.
-  while (at.x_q16 < limits.x0 * (1 << 16)) {
+  while (at.x_q16 < limits.x0) {
     ++pixels.x0;
     at.x_q16 += step;
     at.x_q20 += 1 << 20;
   }
   int32_t right_q16 = at.x_q16 + (pixels.x1 - pixels.x0 - 1) * step;
-  while (right_q16 >= limits.x1 * (1 << 16)) {
+  while (right_q16 >= limits.x1) {
     --pixels.x1;
     right_q16 -= step;
   }
   if (placed.rows == nullptr) {
-    while (at.y_q16 >= limits.y1 * (1 << 16)) {
+    while (at.y_q16 >= limits.y1) {
       ++pixels.y0;
       at.y_q16 -= step;
       at.y_q20 -= 1 << 20;
     }
     int32_t low_q16 = at.y_q16 - (pixels.y1 - pixels.y0 - 1) * step;
-    while (low_q16 < limits.y0 * (1 << 16)) {
+    while (low_q16 < limits.y0) {
       --pixels.y1;
       low_q16 += step;
     }

@@ -104,8 +104,8 @@ class Font {
   /// glyph.
   int32_t advance(uint16_t glyph) const noexcept;
 
-  /// The box of a glyph's ink, up to 2 u wider; all of the plane if there is no
-  /// such glyph.
+  /// The box of a glyph's ink, up to 2 u wider on each side, 1 u where the em
+  /// is a power of 2; all of the plane if there is no such glyph.
   InkBox ink_box(uint16_t glyph) const noexcept;
 
   /// What to add to the advance of `left` when `right` follows, in font units;
