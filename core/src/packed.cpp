@@ -2,6 +2,7 @@
 
 #include "inkcell/format.hpp"
 #include "packed_field.hpp"
+#include "packed_rows.hpp"
 #include "packed_stream.hpp"
 #include "packed_tables.hpp"
 
@@ -15,6 +16,7 @@ using detail::BitStream;
 using detail::kFieldTables;
 using detail::kNodeTables;
 using detail::RecentFields;
+using detail::SharedFields;
 
 void store_u16(uint8_t* at, uint32_t value) noexcept {
   auto* p = static_cast<uint8_t*>(__builtin_assume_aligned(at, 2));
@@ -26,8 +28,11 @@ void store_u16(uint8_t* at, uint32_t value) noexcept {
 // (docs/FORMAT.md, "The linked form").
 class Expansion {
  public:
-  Expansion(const PackedGlyph& glyph, Workspace workspace) noexcept
+  Expansion(const PackedGlyph& glyph,
+            Workspace workspace,
+            SharedFields& shared) noexcept
       : glyph_(glyph),
+        shared_(shared),
         heap_(workspace.data),
         room_(workspace.size / 2 < linked::kMaxUnits
                   ? static_cast<uint32_t>(workspace.size / 2)
@@ -39,19 +44,15 @@ class Expansion {
     if (count == 0) {
       return Status::ok;
     }
-    uint32_t slot = units_;
-    if (!take(glyph_.tiles_x * count)) {
-      return Status::buffer_small;
-    }
     const uint8_t* const end = glyph_.record.end();
     const uint8_t* at = glyph_.record.data +
                         packed::streams_at(glyph_.tiles_y, glyph_.wide_rows);
-    bits_ = BitStream({at, static_cast<size_t>(end - at)});
-    INKCELL_TRY(shared_fields());
-    if (bits_.left() < 0) {
-      return Status::corrupt;
+    if (shared_.rows != count) {
+      INKCELL_TRY(shared_fields({at, static_cast<size_t>(end - at)}, count));
     }
-    at = end - bits_.left();
+    at += shared_.bytes;
+    units_ = shared_.units;
+    uint32_t slot = 0;
     for (uint32_t row = 0; row < first + count; ++row) {
       auto bytes = static_cast<size_t>(end - at);
       if (row + 1u < glyph_.tiles_y) {
@@ -104,30 +105,44 @@ class Expansion {
                : lengths[row];
   }
 
-  Status shared_fields() noexcept {
+  Status shared_fields(Span<const uint8_t> bytes, uint32_t rows) noexcept {
+    shared_.rows = 0;
+    if (!take(glyph_.tiles_x * rows)) {
+      return Status::buffer_small;
+    }
     const uint32_t log2 = packed::shared_log2(glyph_.tiles_x, glyph_.tiles_y);
     x_u_ = glyph_.x0_u + packed::kTileU / 2 * glyph_.tiles_x;
     y_u_ = glyph_.y0_u + packed::kTileU / 2 * glyph_.tiles_y;
-    shared_count_ =
-        static_cast<uint16_t>(bits_.number(packed::kSharedCountBits));
-    shared_ = static_cast<uint16_t>(units_);
-    for (uint32_t i = 0; i < shared_count_; ++i) {
+    bits_ = BitStream(bytes);
+    const uint32_t count = bits_.number(packed::kSharedCountBits);
+    uint32_t arcs = 0;
+    for (uint32_t i = 0; i < count; ++i) {
       const uint32_t kind = bits_.number(2);
       const uint32_t unit = new_field(kind, log2, 0);
       if (unit >= kCorrupt) {
         return failure(unit);
       }
-      shared_arcs_ |= static_cast<uint16_t>((unit >> 15) << i);
+      arcs |= (unit >> 15) << i;
     }
+    const ptrdiff_t left = bits_.left();
+    if (left < 0) {
+      return Status::corrupt;
+    }
+    shared_.bytes =
+        static_cast<uint32_t>(bytes.size) - static_cast<uint32_t>(left);
+    shared_.units = static_cast<uint16_t>(units_);
+    shared_.arcs = static_cast<uint16_t>(arcs);
+    shared_.count = static_cast<uint8_t>(count);
+    shared_.rows = static_cast<uint8_t>(rows);
     return Status::ok;
   }
 
   // The list as every row of tiles finds it.
-  void recall_shared_fields() noexcept {
-    uint16_t* const fields = recent_.reset(shared_count_);
-    uint32_t arcs = shared_arcs_;
-    uint32_t unit = shared_;
-    for (uint32_t i = 0; i < shared_count_; ++i) {
+  void recall_shared_fields(uint32_t unit) noexcept {
+    const uint32_t count = shared_.count;
+    uint16_t* const fields = recent_.reset(count);
+    uint32_t arcs = shared_.arcs;
+    for (uint32_t i = 0; i < count; ++i) {
       if ((arcs & 1) != 0) {
         fields[i] = static_cast<uint16_t>(unit | linked::kArcField);
         unit += linked::kArcUnits;
@@ -141,7 +156,7 @@ class Expansion {
 
   // The references of the tiles go to the heap from `slot` on.
   Status tile_row(uint32_t row, uint32_t slot) noexcept {
-    recall_shared_fields();
+    recall_shared_fields(glyph_.tiles_x * uint32_t{shared_.rows});
     x_u_ = glyph_.x0_u;
     y_u_ = glyph_.y0_u + packed::kTileU * static_cast<int32_t>(row);
     for (uint32_t i = 0; i < glyph_.tiles_x; ++i) {
@@ -389,6 +404,7 @@ class Expansion {
 
   RecentFields recent_;
   const PackedGlyph& glyph_;
+  SharedFields& shared_;
   uint8_t* heap_;
   uint32_t room_;       // [units]
   uint32_t units_ = 0;  // that are taken
@@ -396,18 +412,16 @@ class Expansion {
   uint16_t widths_[kSizes] = {};  // by log2 of the square; 0: not known yet
   int32_t x_u_ = 0;               // lower left corner of the tile
   int32_t y_u_ = 0;
-  uint16_t shared_count_ = 0;
-  uint16_t shared_arcs_ = 0;  // a bit for each
-  uint16_t shared_ = 0;       // where they lie
 };
 
 // Not inline: the caller's frame holds a view of the result.
-__attribute__((noinline)) Status expand_rows(const PackedGlyph& glyph,
+__attribute__((noinline)) Status expand_heap(const PackedGlyph& glyph,
                                              uint32_t first_row,
                                              uint32_t row_count,
                                              Workspace workspace,
+                                             SharedFields& shared,
                                              uint16_t& heap_units) noexcept {
-  Expansion expansion(glyph, workspace);
+  Expansion expansion(glyph, workspace, shared);
   INKCELL_TRY(expansion.rows(first_row, row_count));
   heap_units = static_cast<uint16_t>(expansion.units());
   return Status::ok;
@@ -482,11 +496,12 @@ GlyphField PackedGlyph::grid(uint32_t first_row,
   return field;
 }
 
-Status expand(const PackedGlyph& glyph,
-              uint32_t first_row,
-              uint32_t row_count,
-              Workspace workspace,
-              GlyphField& out) noexcept {
+Status detail::expand_rows(const PackedGlyph& glyph,
+                           uint32_t first_row,
+                           uint32_t row_count,
+                           Workspace workspace,
+                           SharedFields& shared,
+                           GlyphField& out) noexcept {
   if (INKCELL_PACKED == 0) {
     return Status::unsupported;
   }
@@ -495,12 +510,23 @@ Status expand(const PackedGlyph& glyph,
     return Status::bad_argument;
   }
   uint16_t heap_units = 0;
-  INKCELL_TRY(expand_rows(glyph, first_row, row_count, workspace, heap_units));
+  INKCELL_TRY(
+      expand_heap(glyph, first_row, row_count, workspace, shared, heap_units));
   out = glyph.grid(first_row, row_count);
   out.references = workspace.data;
   out.cells = workspace.data;
   out.heap_units = heap_units;
   return Status::ok;
+}
+
+Status expand(const PackedGlyph& glyph,
+              uint32_t first_row,
+              uint32_t row_count,
+              Workspace workspace,
+              GlyphField& out) noexcept {
+  detail::SharedFields shared;
+  return detail::expand_rows(glyph, first_row, row_count, workspace, shared,
+                             out);
 }
 
 }  // namespace inkcell
