@@ -409,9 +409,9 @@ class Expansion {
   uint32_t room_;       // [units]
   uint32_t units_ = 0;  // that are taken
   BitStream bits_;
-  uint16_t widths_[kSizes] = {};  // by log2 of the square; 0: not known yet
-  int32_t x_u_ = 0;               // lower left corner of the tile
+  int32_t x_u_ = 0;  // lower left corner of the tile
   int32_t y_u_ = 0;
+  uint16_t widths_[kSizes] = {};  // by log2 of the square; 0: not known yet
 };
 
 // Not inline: the caller's frame holds a view of the result.

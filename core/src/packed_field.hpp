@@ -54,19 +54,29 @@ inline int32_t between_q14(int32_t from,
          (kFractionBits + 1);
 }
 
+// A direction between those of the table. Few are: not part of its callers,
+// whose registers it needs. In the first quarter, i + 1 is at most its end.
+__attribute__((noinline)) inline void normal_between(uint32_t i,
+                                                     int32_t fraction,
+                                                     Normal& n) noexcept {
+  const uint16_t* up = kSines.q15 + i;
+  const uint16_t* down = kSines.q15 + kQuarterSteps - i;
+  n = {between_q14(down[0], down[-1], fraction),
+       between_q14(up[0], up[1], fraction)};
+}
+
 // The direction of 2^-16 turns; each component is off by less than 1.
 inline Normal normal_of(uint32_t turn) noexcept {
   const uint32_t along = turn & ((1 << 14) - 1);
   const uint32_t i = along >> kFractionBits;
   const auto fraction =
       static_cast<int32_t>(along & ((1 << kFractionBits) - 1));
-  // In the first quarter, i + 1 is at most its end.
-  const uint16_t* up = kSines.q15 + i;
-  const uint16_t* down = kSines.q15 + kQuarterSteps - i;
-  Normal n = {(down[0] + 1) >> 1, (up[0] + 1) >> 1};
+  Normal n = {(kSines.q15[kQuarterSteps - i] + 1) >> 1,
+              (kSines.q15[i] + 1) >> 1};
   if (fraction != 0) {
-    n = {between_q14(down[0], down[-1], fraction),
-         between_q14(up[0], up[1], fraction)};
+    Normal between;
+    normal_between(i, fraction, between);
+    n = between;
   }
   if ((turn & 1 << 14) != 0) {
     n = {-n.y, n.x};
