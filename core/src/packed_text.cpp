@@ -65,6 +65,8 @@ __attribute__((noinline)) Rows rows_in_window(const PackedGlyph& glyph,
 }
 
 // Whether every pixel is drawn from the one row of tiles that holds its centre.
+// Else a glyph is drawn from all of its rows or not at all: rows that make no
+// sense must not show in some windows only.
 bool goes_by_rows(const Brush& brush) noexcept {
   return brush.is_upright() && brush.painter() == nullptr;
 }
@@ -110,13 +112,10 @@ void draw_placed(const Font& font,
   if (PackedGlyph::open(font, glyph, packed) != Status::ok) {
     return;
   }
+  const bool by_rows = goes_by_rows(brush);
+  const Rows rows = rows_in_window(packed, by_rows, brush, origin, sink.window);
   const bool is_roomy = workspace.size >= font.workspace_bytes();
-  // Where some rows of tiles fit, all do, or each can be drawn alone.
-  const bool leaves_out =
-      brush.painter() == nullptr && (is_roomy || brush.is_upright());
-  const Rows rows =
-      rows_in_window(packed, leaves_out, brush, origin, sink.window);
-  const uint32_t at_once = leaves_out && !is_roomy ? 1 : packed.tiles_y;
+  const uint32_t at_once = by_rows && !is_roomy ? 1 : packed.tiles_y;
   draw_rows(packed, rows, at_once, brush, origin, sink, workspace);
 }
 
