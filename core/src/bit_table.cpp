@@ -6,9 +6,9 @@
 namespace inkcell {
 namespace detail {
 
-uint32_t read_bits(Span<const uint8_t> bytes,
-                   uint32_t bit,
-                   uint32_t width) noexcept {
+uint32_t read_last_bits(Span<const uint8_t> bytes,
+                        uint32_t bit,
+                        uint32_t width) noexcept {
   const uint32_t first = bit / 8;
   const uint32_t shift = bit % 8;
   const uint32_t count = (shift + width + 7) / 8;
@@ -16,15 +16,9 @@ uint32_t read_bits(Span<const uint8_t> bytes,
       count > bytes.size - first) {
     return 0;
   }
-  const uint8_t* at = bytes.data + first;
   uint32_t read = 0;
-  if (bytes.size - first >= 4) {
-    read = at[0] | uint32_t{at[1]} << 8 | uint32_t{at[2]} << 16 |
-           uint32_t{at[3]} << 24;
-  } else {
-    for (uint32_t i = 0; i < count; ++i) {
-      read |= uint32_t{at[i]} << (8 * i);
-    }
+  for (uint32_t i = 0; i < count; ++i) {
+    read |= uint32_t{bytes[first + i]} << (8 * i);
   }
   return read >> shift & ((uint32_t{1} << width) - 1);
 }

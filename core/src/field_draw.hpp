@@ -42,32 +42,49 @@ inline int32_t reach_of(const Filter& filter) noexcept {
 // Where half of what is cut off on the way to 1/256 px is added. [px, Q20]
 inline constexpr int32_t kHalfQ20 = 1 << 11;
 
+// px times the step of a px, in u, below 2^31; rounded down. [Q10, Q16 -> Q16]
+inline int32_t u_of_px(int32_t px_q10, int32_t step_q16) noexcept {
+#if defined(__ARM_ARCH_6M__)
+  // No long products there: px and 1/1024 px, and of the latter's product the
+  // upper and the lower part.
+  const auto whole = static_cast<uint32_t>(px_q10 >> 10);
+  const auto rest = static_cast<uint32_t>(px_q10 & 1023);
+  const auto step = static_cast<uint32_t>(step_q16);
+  return wrapped(whole * step +
+                 ((rest * (step >> 8) + (rest * (step & 255) >> 8)) >> 2));
+#else
+  return static_cast<int32_t>((int64_t{px_q10} * step_q16) >> 10);
+#endif
+}
+
 // Pixels of upright text whose centres lie in the limits of what may show, and
 // where the upper left one is. Fitted rows may lie outside all the same.
 struct Upright {
   Rect pixels;
   FieldPosition at;
   const RowMap* rows;  // null if the glyph is not fitted
-  int32_t low_u;       // heights that may show: low_u <= y < high_u
-  int32_t high_u;
+  int32_t low_q16;     // heights that may show: low_q16 <= y < high_q16 [u]
+  int32_t high_q16;
+  const RowMap::Knot* knot;  // of the row, or one above it, if there are rows
 
   // Goes on to the row below.
   void next_row(const Brush& brush) noexcept {
     at.y_q16 -= brush.step_along_q16();
     at.y_q20 -= 1 << 20;
   }
-  // Where the row lies in the glyph. False: it shows nothing.
-  bool place_row(const Brush& brush, FieldPosition& row) const noexcept {
+  // Where the row lies in the glyph; rows come from top to bottom. False: it
+  // shows nothing.
+  bool place_row(const Brush& brush, FieldPosition& row) noexcept {
     row = at;
     if (rows == nullptr) {
       return true;
     }
-    const int32_t height_q10 =
-        rows->glyph_height_q10(wrapped(at.y_q20 - kHalfQ20) >> 10);
+    const int32_t screen_q10 = wrapped(at.y_q20 - kHalfQ20) >> 10;
+    knot = rows->knot_below(screen_q10, knot);
+    const int32_t height_q10 = knot->height_at(screen_q10);
     row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
-    row.y_q16 = static_cast<int32_t>(
-        (int64_t{height_q10} * brush.step_along_q16()) >> 10);
-    return row.y_q16 >= low_u * (1 << 16) && row.y_q16 < high_u * (1 << 16);
+    row.y_q16 = u_of_px(height_q10, brush.step_along_q16());
+    return row.y_q16 >= low_q16 && row.y_q16 < high_q16;
   }
 };
 

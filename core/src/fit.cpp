@@ -1,11 +1,12 @@
 #include "inkcell/fit.hpp"
 
-#include "inkcell/format.hpp"
+#include "hint_bytes.hpp"
 #include "order.hpp"
 
 namespace inkcell {
 namespace {
 
+using detail::greater;
 using detail::lesser;
 using detail::magnitude;
 
@@ -58,24 +59,40 @@ class GlyphFit {
  public:
   // The baseline is moved down by `lowered_q10` px.
   GlyphFit(const Fit& fit, const Brush& brush, int32_t lowered_q10) noexcept
-      : fit_(fit), brush_(brush), lowered_q10_(lowered_q10) {}
+      : fit_(fit),
+        size_q6_(brush.size().raw),
+        least_shift_q10_(greater(lowered_q10, 0) - RowMap::kMaxShiftQ10),
+        shifts_q10_(2 * RowMap::kMaxShiftQ10 - magnitude(lowered_q10)) {}
 
   void read(Span<const uint8_t> edges) noexcept;
   void fit_bars() noexcept;
   void separate() noexcept;
   void map(RowMap& rows) const noexcept;
 
+  bool has_bars() const noexcept { return has_bars_; }
+  bool has_twins() const noexcept { return has_twins_; }
+
  private:
   struct Edge {
     int32_t glyph_q10;
     int32_t screen_q10;
     uint8_t zone;  // and 1
-    bool is_bar;
+    uint8_t top;   // of the bar that begins here; 0: none does
     bool is_fixed;
   };
 
-  bool is_near(const Edge& edge, int32_t screen_q10) const noexcept;
-  void fix(Edge& edge, int32_t screen_q10) noexcept;
+  // Whether an edge that goes there moves, with the baseline, no farther than
+  // 1 px.
+  bool is_near(const Edge& edge, int32_t screen_q10) const noexcept {
+    const int32_t above = screen_q10 - edge.glyph_q10 - least_shift_q10_;
+    return static_cast<uint32_t>(above) <= static_cast<uint32_t>(shifts_q10_);
+  }
+  void fix(Edge& edge, int32_t screen_q10) noexcept {
+    if (is_near(edge, screen_q10)) {
+      edge.screen_q10 = screen_q10;
+      edge.is_fixed = true;
+    }
+  }
   bool meets_next(uint32_t edge) const noexcept {
     return edges_[edge].zone != 0 &&
            edges_[edge].zone == edges_[edge + 1].zone &&
@@ -95,85 +112,92 @@ class GlyphFit {
   void fit_free_bar(Edge& bottom, Edge& top) noexcept;
 
   const Fit& fit_;
-  const Brush& brush_;
-  int32_t lowered_q10_;
-  Edge edges_[RowMap::kMaxKnots];
+  int32_t size_q6_;
+  int32_t least_shift_q10_;  // of edges, and how much more they may move
+  int32_t shifts_q10_;
   uint32_t count_ = 0;
+  bool has_bars_ = false;
+  bool has_twins_ = false;  // neighbours of one zone
+  Edge edges_[RowMap::kMaxKnots];
 };
-
-// Whether an edge that goes there moves, with the baseline, no farther than 1
-// px.
-bool GlyphFit::is_near(const Edge& edge, int32_t screen_q10) const noexcept {
-  const int32_t shift = screen_q10 - edge.glyph_q10;
-  return magnitude(shift) <= RowMap::kMaxShiftQ10 &&
-         magnitude(shift - lowered_q10_) <= RowMap::kMaxShiftQ10;
-}
-
-void GlyphFit::fix(Edge& edge, int32_t screen_q10) noexcept {
-  if (is_near(edge, screen_q10)) {
-    edge.screen_q10 = screen_q10;
-    edge.is_fixed = true;
-  }
-}
 
 // Edges of zones know where they go.
 void GlyphFit::read(Span<const uint8_t> edges) noexcept {
+  const Hints& hints = fit_.hints_;
+  const uint8_t* const levels = hints.section_.data + format::hints::kBytes;
+  uint32_t zone_below = 0;
+  Edge* edge = edges_;
   for (const uint8_t byte : edges) {
-    const HintEdge read = Hints::edge(byte);
-    if (read.level >= fit_.hints_.level_count() ||
-        count_ == RowMap::kMaxKnots) {
-      return;
+    const HintEdge read = detail::hint_edge(byte);
+    if (read.level >= hints.level_count() ||
+        edge == edges_ + RowMap::kMaxKnots) {
+      break;
     }
-    const HintLevel level = fit_.hints_.level(read.level);
-    Edge& edge = edges_[count_++];
-    edge.glyph_q10 = to_px_q10(level.height_u, brush_);
-    edge.screen_q10 = edge.glyph_q10;
-    edge.is_bar = read.is_bar;
-    edge.is_fixed = false;
-    edge.zone = 0;
-    if (level.zone != 0 && level.zone <= fit_.hints_.zone_count()) {
-      edge.zone = static_cast<uint8_t>(level.zone);
+    const HintLevel level = detail::hint_level(levels, read.level);
+    const int32_t glyph_q10 = (level.height_u * size_q6_) >> 6;
+    edge->glyph_q10 = glyph_q10;
+    edge->screen_q10 = glyph_q10;
+    edge->top = read.is_bar ? 1 : 0;
+    edge->is_fixed = false;
+    edge->zone = 0;
+    has_bars_ |= read.is_bar;
+    if (level.zone != 0 && level.zone <= hints.zone_count()) {
+      edge->zone = static_cast<uint8_t>(level.zone);
+      has_twins_ |= level.zone == zone_below;
       const int32_t zone_q10 = fit_.zones_q10_[level.zone - 1];
-      const int32_t beyond = edge.glyph_q10 - zone_q10;
+      const int32_t beyond = glyph_q10 - zone_q10;
       const bool is_cut = magnitude(beyond) < kLeastOvershoot;
       const int32_t aim_q10 =
           zone_q10 + (fit_.is_bottom(level.zone) ? 0 : kPreferUp);
-      fix(edge, round_px(aim_q10) + (is_cut ? 0 : round_px(beyond)));
+      fix(*edge, round_px(aim_q10) + (is_cut ? 0 : round_px(beyond)));
     }
+    zone_below = edge->zone;
+    ++edge;
   }
+  count_ = static_cast<uint32_t>(edge - edges_);
 }
 
 // The upper edge of a bar: the next one that is not of the same zone, or the
-// outermost of its zone.
+// outermost of its zone. 0: there is none.
 uint32_t GlyphFit::top_of(uint32_t bottom) const noexcept {
   uint32_t top = bottom + 1;
-  while (top < count_ && edges_[top].zone != 0 &&
-         edges_[top].zone == edges_[bottom].zone) {
-    ++top;
+  if (has_twins_) {
+    while (top < count_ && edges_[top].zone != 0 &&
+           edges_[top].zone == edges_[bottom].zone) {
+      ++top;
+    }
+    while (top + 1 < count_ && edges_[top].zone != 0 &&
+           edges_[top + 1].zone == edges_[top].zone) {
+      ++top;
+    }
   }
-  while (top + 1 < count_ && edges_[top].zone != 0 &&
-         edges_[top + 1].zone == edges_[top].zone) {
-    ++top;
-  }
-  return top;
+  return top < count_ ? top : 0;
 }
 
 void GlyphFit::fit_bars() noexcept {
+  bool has_free = false;
   for (uint32_t i = 0; i < count_; ++i) {
-    const uint32_t top = edges_[i].is_bar ? top_of(i) : count_;
-    if (top >= count_ || edges_[i].is_fixed == edges_[top].is_fixed) {
+    Edge& bottom = edges_[i];
+    if (bottom.top == 0) {
       continue;
     }
-    Edge& free = edges_[edges_[i].is_fixed ? top : i];
-    const int32_t width =
-        fitted_width(edges_[top].glyph_q10 - edges_[i].glyph_q10);
-    fix(free, edges_[i].is_fixed ? edges_[i].screen_q10 + width
-                                 : edges_[top].screen_q10 - width);
+    bottom.top = static_cast<uint8_t>(top_of(i));
+    Edge& top = edges_[bottom.top];
+    if (bottom.top == 0 || bottom.is_fixed == top.is_fixed) {
+      has_free |= !bottom.is_fixed;
+      continue;
+    }
+    const int32_t width = fitted_width(top.glyph_q10 - bottom.glyph_q10);
+    if (bottom.is_fixed) {
+      fix(top, bottom.screen_q10 + width);
+    } else {
+      fix(bottom, top.screen_q10 - width);
+    }
   }
-  for (uint32_t i = 0; i < count_; ++i) {
-    const uint32_t top = edges_[i].is_bar ? top_of(i) : count_;
-    if (top < count_ && !edges_[i].is_fixed && !edges_[top].is_fixed) {
-      fit_free_bar(edges_[i], edges_[top]);
+  for (uint32_t i = 0; has_free && i < count_; ++i) {
+    Edge& bottom = edges_[i];
+    if (bottom.top != 0 && !bottom.is_fixed && !edges_[bottom.top].is_fixed) {
+      fit_free_bar(bottom, edges_[bottom.top]);
     }
   }
 }
@@ -251,15 +275,18 @@ void GlyphFit::separate() noexcept {
       edges_[i - 1].screen_q10 = edges_[i].screen_q10 - RowMap::kLeastStepQ10;
     }
   }
+  for (uint32_t i = 0; i < count_; ++i) {
+    edges_[i].is_fixed &= is_near(edges_[i], edges_[i].screen_q10);
+  }
 }
 
 void GlyphFit::map(RowMap& rows) const noexcept {
-  for (uint32_t i = 0; i < count_; ++i) {
-    const Edge& edge = edges_[i];
-    if (edge.is_fixed && is_near(edge, edge.screen_q10)) {
-      const int32_t shift = edge.screen_q10 - edge.glyph_q10;
+  const Edge* const end = edges_ + count_;
+  for (const Edge* edge = edges_; edge != end; ++edge) {
+    if (edge->is_fixed) {
+      const int32_t shift = edge->screen_q10 - edge->glyph_q10;
       static_cast<void>(
-          rows.add(edge.glyph_q10 + fit_.weakened(shift), edge.glyph_q10));
+          rows.add(edge->glyph_q10 + fit_.weakened(shift), edge->glyph_q10));
     }
   }
 }
@@ -305,9 +332,6 @@ Status Fit::make(const Font& font,
 int32_t Fit::sideways_q10(uint32_t glyph,
                           const Brush& brush,
                           const FinePoint& origin) const noexcept {
-  if (stem_q10_ == 0) {
-    return 0;
-  }
   const HintStems stems = hints_.stems(glyph);
   if (stems.count == 0) {
     return 0;
@@ -351,12 +375,18 @@ void fit_glyph(const GlyphField& field,
   if (!style.hints_.edges(field.glyph, edges)) {
     return;
   }
-  origin.x_q10 +=
-      style.weakened(style.sideways_q10(field.glyph, brush, origin));
+  if (style.stem_q10_ != 0) {
+    origin.x_q10 +=
+        style.weakened(style.sideways_q10(field.glyph, brush, origin));
+  }
   GlyphFit glyph(style, brush, lowered);
   glyph.read(edges);
-  glyph.fit_bars();
-  glyph.separate();
+  if (glyph.has_bars()) {
+    glyph.fit_bars();
+  }
+  if (glyph.has_twins()) {
+    glyph.separate();
+  }
   glyph.map(rows);
 }
 

@@ -114,13 +114,40 @@ Status check_directory(Span<const uint8_t> rom, uint32_t sections) noexcept {
   return Status::ok;
 }
 
-uint32_t metrics_row_bits(Span<const uint8_t> section) noexcept {
+uint16_t metrics_row_bits(Span<const uint8_t> section) noexcept {
   uint32_t bits = 0;
   for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
     bits += section[format::metrics::kColumnBits + i];
   }
-  return bits;
+  return static_cast<uint16_t>(bits);
 }
+
+// Takes a row of METR from left to right. Widths are read again, not kept:
+// reading bits is safe with any.
+class MetricsRow {
+ public:
+  MetricsRow(Span<const uint8_t> section, uint32_t first_bit) noexcept
+      : section_(section), bit_(8 * format::metrics::kBytes + first_bit) {}
+
+  uint32_t width(uint32_t column) const noexcept {
+    return section_.data[format::metrics::kColumnBits + column];
+  }
+  void skip(uint32_t column) noexcept { bit_ += width(column); }
+
+  // Modulo 2^16.
+  uint16_t take(uint32_t column) noexcept {
+    const uint32_t bits = width(column);
+    const uint32_t above_base = detail::read_bits(section_, bit_, bits);
+    bit_ += bits;
+    return static_cast<uint16_t>(
+        load_u16(section_.data + format::metrics::kBase + 2 * column) +
+        above_base);
+  }
+
+ private:
+  Span<const uint8_t> section_;
+  uint32_t bit_;
+};
 
 }  // namespace
 
@@ -146,9 +173,15 @@ Status Font::open_tables() noexcept {
   glyphs_ = section(section::kGlyphs);
   kerning_ = section(section::kKerning);
   if (metrics_.size < format::metrics::kBytes ||
-      glyphs_.size < format::glyphs::kBytes ||
-      !detail::bits_fit(metrics_, format::metrics::kBytes,
-                        metrics_row_bits(metrics_) * glyph_count_) ||
+      glyphs_.size < format::glyphs::kBytes) {
+    return Status::corrupt;
+  }
+  metrics_row_bits_ = metrics_row_bits(metrics_);
+  // Products of smaller ems pass 31 bits.
+  u_per_unit_q14_ =
+      units_per_em_ < 256 ? 0 : (int32_t{1024} << 14) / units_per_em_;
+  if (!detail::bits_fit(metrics_, format::metrics::kBytes,
+                        uint32_t{metrics_row_bits_} * glyph_count_) ||
       !detail::bits_fit(glyphs_, format::glyphs::kBytes,
                         glyphs_.data[format::glyphs::kOffsetBits] *
                             (uint32_t{glyph_count_} + 1))) {
@@ -243,21 +276,13 @@ Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
 }
 
 Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
-  namespace metrics = format::metrics;
   if (glyph >= glyph_count_) {
     return Status::no_glyph;
   }
-  // Widths are read again, not kept: reading bits is safe with any.
-  const Span<const uint8_t> rows = {metrics_.data + metrics::kBytes,
-                                    metrics_.size - metrics::kBytes};
-  uint32_t bit = metrics_row_bits(metrics_) * glyph;
-  uint16_t columns[metrics::kColumns];
-  for (uint32_t i = 0; i < metrics::kColumns; ++i) {
-    const uint32_t width = metrics_.data[metrics::kColumnBits + i];
-    const uint32_t above_base = detail::read_bits(rows, bit, width);
-    columns[i] = static_cast<uint16_t>(
-        load_u16(metrics_.data + metrics::kBase + 2 * i) + above_base);
-    bit += width;
+  MetricsRow row(metrics_, uint32_t{metrics_row_bits_} * glyph);
+  uint16_t columns[format::metrics::kColumns];
+  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
+    columns[i] = row.take(i);
   }
   out.advance = columns[0];
   out.x_min = static_cast<int16_t>(columns[1]);
@@ -267,24 +292,42 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   return Status::ok;
 }
 
+int32_t Font::advance(uint16_t glyph) const noexcept {
+  if (glyph >= glyph_count_) {
+    return 0;
+  }
+  return MetricsRow(metrics_, uint32_t{metrics_row_bits_} * glyph).take(0);
+}
+
 InkBox Font::ink_box(uint16_t glyph) const noexcept {
   InkBox box;
-  GlyphMetrics metrics;
-  // Products of smaller ems pass 31 bits.
-  if (units_per_em_ < 256 || glyph_metrics(glyph, metrics) != Status::ok) {
+  if (u_per_unit_q14_ == 0 || glyph >= glyph_count_) {
     return box;
   }
-  const int32_t u_per_unit_q14 = (int32_t{1024} << 14) / units_per_em_;
-  // The quotient is too small by up to 2^-14: 1 u in 16 em.
-  const auto to_u = [u_per_unit_q14](int32_t units, int32_t margin) noexcept {
-    const int32_t u = ((units * u_per_unit_q14) >> 14) + margin;
+  MetricsRow row(metrics_, uint32_t{metrics_row_bits_} * glyph);
+  const auto take_units = [&row](uint32_t column) noexcept {
+    return static_cast<int32_t>(static_cast<int16_t>(row.take(column)));
+  };
+  const auto clamped = [](int32_t u) noexcept {
     const int32_t above = u < -InkBox::kFar ? -InkBox::kFar : u;
     return static_cast<int16_t>(above > InkBox::kFar ? InkBox::kFar : above);
   };
-  box.x0_u = to_u(metrics.x_min, -1);
-  box.y0_u = to_u(metrics.y_min, -1);
-  box.x1_u = to_u(metrics.x_max, 2);
-  box.y1_u = to_u(metrics.y_max, 2);
+  // The quotient is too small by less than one, or exact.
+  const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
+  const auto take_low = [&, this](uint32_t column) noexcept {
+    const int32_t units = take_units(column);
+    return clamped((units * (u_per_unit_q14_ + (units < 0 ? rest : 0))) >> 14);
+  };
+  const auto take_high = [&, this](uint32_t column) noexcept {
+    const int32_t units = take_units(column);
+    const int32_t u_q14 = units * (u_per_unit_q14_ + (units > 0 ? rest : 0));
+    return clamped((u_q14 + (1 << 14) - 1) >> 14);
+  };
+  row.skip(0);  // the advance
+  box.x0_u = take_low(1);
+  box.y0_u = take_low(2);
+  box.x1_u = take_high(3);
+  box.y1_u = take_high(4);
   return box;
 }
 
@@ -331,15 +374,13 @@ Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
   if (glyph >= glyph_count_) {
     return {};
   }
-  const Span<const uint8_t> offsets = {glyphs_.data + glyphs::kBytes,
-                                       glyphs_.size - glyphs::kBytes};
   const uint32_t width = glyphs_.data[glyphs::kOffsetBits];
   // So much and no more, whatever the byte: no shift is too long.
   const uint32_t unit_log2 =
       glyphs_.data[glyphs::kUnitLog2] & glyphs::kMaxUnitLog2;
-  const uint32_t at = width * glyph;
-  const uint32_t begin = detail::read_bits(offsets, at, width) << unit_log2;
-  const uint32_t end = detail::read_bits(offsets, at + width, width)
+  const uint32_t at = 8 * glyphs::kBytes + width * glyph;
+  const uint32_t begin = detail::read_bits(glyphs_, at, width) << unit_log2;
+  const uint32_t end = detail::read_bits(glyphs_, at + width, width)
                        << unit_log2;
   if (begin > end || end > glyphs_.size) {
     return {};

@@ -2,6 +2,7 @@
 
 #include "bit_table.hpp"
 #include "bytes.hpp"
+#include "hint_bytes.hpp"
 #include "inkcell/format.hpp"
 
 namespace inkcell {
@@ -50,9 +51,7 @@ Status Hints::open(const Font& font, Hints& out) noexcept {
 }
 
 HintLevel Hints::level(uint32_t i) const noexcept {
-  const uint32_t bits = detail::load_u16(section_.data + hints::kBytes + 2 * i);
-  const auto height = static_cast<int32_t>(bits & 0xfff);
-  return {(height ^ 0x800) - 0x800, bits >> hints::kZoneShift};
+  return detail::hint_level(section_.data + hints::kBytes, i);
 }
 
 HintZone Hints::zone(uint32_t i) const noexcept {
@@ -102,8 +101,7 @@ HintStems Hints::stems(uint32_t glyph) const noexcept {
 }
 
 HintEdge Hints::edge(uint8_t byte) noexcept {
-  return {static_cast<uint8_t>(byte & hints::kLevelMask),
-          (byte & hints::kBar) != 0};
+  return detail::hint_edge(byte);
 }
 
 }  // namespace inkcell

@@ -2,7 +2,9 @@
 
 #include "inkcell/format.hpp"
 #include "packed_field.hpp"
+#include "packed_rows.hpp"
 #include "packed_stream.hpp"
+#include "packed_tables.hpp"
 
 namespace inkcell {
 namespace {
@@ -11,8 +13,10 @@ namespace linked = format::linked;
 namespace packed = format::packed;
 
 using detail::BitStream;
-using detail::kTables;
+using detail::kFieldTables;
+using detail::kNodeTables;
 using detail::RecentFields;
+using detail::SharedFields;
 
 void store_u16(uint8_t* at, uint32_t value) noexcept {
   auto* p = static_cast<uint8_t*>(__builtin_assume_aligned(at, 2));
@@ -20,20 +24,15 @@ void store_u16(uint8_t* at, uint32_t value) noexcept {
   p[1] = static_cast<uint8_t>(value >> 8);
 }
 
-// The square where a field is new.
-struct Square {
-  int32_t x_u;  // where the anchor would be if the way were 0
-  int32_t y_u;
-  uint32_t way;   // from there: 16 bits, of x and y by turns
-  uint32_t log2;  // of its width
-};
-
 // Expands rows of tiles into a heap of 16-bit units that grows as it reads
 // (docs/FORMAT.md, "The linked form").
 class Expansion {
  public:
-  Expansion(const PackedGlyph& glyph, Workspace workspace) noexcept
+  Expansion(const PackedGlyph& glyph,
+            Workspace workspace,
+            SharedFields& shared) noexcept
       : glyph_(glyph),
+        shared_(shared),
         heap_(workspace.data),
         room_(workspace.size / 2 < linked::kMaxUnits
                   ? static_cast<uint32_t>(workspace.size / 2)
@@ -45,20 +44,16 @@ class Expansion {
     if (count == 0) {
       return Status::ok;
     }
-    uint32_t slot = take(glyph_.tiles_x * count);
-    if (slot == kNoRoom) {
-      return Status::buffer_small;
-    }
     const uint8_t* const end = glyph_.record.end();
     const uint8_t* at = glyph_.record.data +
                         packed::streams_at(glyph_.tiles_y, glyph_.wide_rows);
-    bits_ = BitStream({at, static_cast<size_t>(end - at)});
-    INKCELL_TRY(shared_fields());
-    at = bits_.position();
+    if (shared_.rows != count) {
+      INKCELL_TRY(shared_fields({at, static_cast<size_t>(end - at)}, count));
+    }
+    at += shared_.bytes;
+    units_ = shared_.units;
+    uint32_t slot = 0;
     for (uint32_t row = 0; row < first + count; ++row) {
-      if (at == nullptr) {
-        return Status::corrupt;
-      }
       auto bytes = static_cast<size_t>(end - at);
       if (row + 1u < glyph_.tiles_y) {
         const uint32_t stated = row_bytes(row);
@@ -78,16 +73,28 @@ class Expansion {
   }
 
  private:
-  static constexpr uint32_t kNoRoom = 0xffffffff;
+  // Squares of new fields; and the widths of their numbers, in one number.
+  static constexpr uint32_t kSizes = packed::shared_log2(15, 15) + 1;
+  static constexpr uint32_t kAngleShift = 5;
+  static constexpr uint32_t kBendShift = 10;
+  static constexpr uint32_t kKnown = 1 << 15;
 
-  // The first of `count` new units of the heap.
-  uint32_t take(uint32_t count) noexcept {
-    const uint32_t first = units_;
-    if (count > room_ - first) {
-      return kNoRoom;
+  // What is above all units.
+  static constexpr uint32_t kCorrupt = 0x10000;
+  static constexpr uint32_t kNoRoom = 0x10001;
+
+  static Status failure(uint32_t unit) noexcept {
+    return unit == kNoRoom ? Status::buffer_small : Status::corrupt;
+  }
+
+  // Adds `count` units to the heap, if there is room.
+  bool take(uint32_t count) noexcept {
+    const uint32_t end = units_ + count;
+    if (end > room_) {
+      return false;
     }
-    units_ = first + count;
-    return first;
+    units_ = end;
+    return true;
   }
   uint8_t* at(uint32_t unit) noexcept { return heap_ + 2 * unit; }
 
@@ -98,42 +105,63 @@ class Expansion {
                : lengths[row];
   }
 
-  Status shared_fields() noexcept {
-    const Square grid = {glyph_.x0_u + packed::kTileU / 2 * glyph_.tiles_x,
-                         glyph_.y0_u + packed::kTileU / 2 * glyph_.tiles_y, 0,
-                         packed::shared_log2(glyph_.tiles_x, glyph_.tiles_y)};
-    shared_count_ =
-        static_cast<uint16_t>(bits_.number(packed::kSharedCountBits));
-    for (uint32_t i = 0; i < shared_count_; ++i) {
-      const auto kind = static_cast<FieldKind>(bits_.number(2));
-      uint32_t unit = 0;
-      INKCELL_TRY(new_field(kind, grid, unit));
-      shared_arcs_ |= static_cast<uint16_t>((unit >> 15) << i);
+  Status shared_fields(Span<const uint8_t> bytes, uint32_t rows) noexcept {
+    shared_.rows = 0;
+    if (!take(glyph_.tiles_x * rows)) {
+      return Status::buffer_small;
     }
-    shared_end_ = static_cast<uint16_t>(units_);
+    const uint32_t log2 = packed::shared_log2(glyph_.tiles_x, glyph_.tiles_y);
+    x_u_ = glyph_.x0_u + packed::kTileU / 2 * glyph_.tiles_x;
+    y_u_ = glyph_.y0_u + packed::kTileU / 2 * glyph_.tiles_y;
+    bits_ = BitStream(bytes);
+    const uint32_t count = bits_.number(packed::kSharedCountBits);
+    uint32_t arcs = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t kind = bits_.number(2);
+      const uint32_t unit = new_field(kind, log2, 0);
+      if (unit >= kCorrupt) {
+        return failure(unit);
+      }
+      arcs |= (unit >> 15) << i;
+    }
+    const ptrdiff_t left = bits_.left();
+    if (left < 0) {
+      return Status::corrupt;
+    }
+    shared_.bytes =
+        static_cast<uint32_t>(bytes.size) - static_cast<uint32_t>(left);
+    shared_.units = static_cast<uint16_t>(units_);
+    shared_.arcs = static_cast<uint16_t>(arcs);
+    shared_.count = static_cast<uint8_t>(count);
+    shared_.rows = static_cast<uint8_t>(rows);
     return Status::ok;
   }
 
   // The list as every row of tiles finds it.
-  void recall_shared_fields() noexcept {
-    recent_.clear();
-    uint32_t end = shared_end_;
-    for (uint32_t i = shared_count_; i-- > 0;) {
-      const bool is_arc = (shared_arcs_ >> i & 1) != 0;
-      end -= is_arc ? linked::kArcUnits : linked::kLineUnits;
-      recent_.insert(end | (is_arc ? linked::kArcField : 0), 0);
+  void recall_shared_fields(uint32_t unit) noexcept {
+    const uint32_t count = shared_.count;
+    uint16_t* const fields = recent_.reset(count);
+    uint32_t arcs = shared_.arcs;
+    for (uint32_t i = 0; i < count; ++i) {
+      if ((arcs & 1) != 0) {
+        fields[i] = static_cast<uint16_t>(unit | linked::kArcField);
+        unit += linked::kArcUnits;
+      } else {
+        fields[i] = static_cast<uint16_t>(unit);
+        unit += linked::kLineUnits;
+      }
+      arcs >>= 1;
     }
   }
 
   // The references of the tiles go to the heap from `slot` on.
   Status tile_row(uint32_t row, uint32_t slot) noexcept {
-    recall_shared_fields();
-    int32_t x_u = glyph_.x0_u;
-    const int32_t y_u =
-        glyph_.y0_u + packed::kTileU * static_cast<int32_t>(row);
+    recall_shared_fields(glyph_.tiles_x * uint32_t{shared_.rows});
+    x_u_ = glyph_.x0_u;
+    y_u_ = glyph_.y0_u + packed::kTileU * static_cast<int32_t>(row);
     for (uint32_t i = 0; i < glyph_.tiles_x; ++i) {
-      INKCELL_TRY(tile_tree(x_u, y_u, slot + i));
-      x_u += packed::kTileU;
+      INKCELL_TRY(tile_tree(slot + i));
+      x_u_ += packed::kTileU;
     }
     return Status::ok;
   }
@@ -141,205 +169,259 @@ class Expansion {
   // The squares of one tile, in the order of the stream. Not part of its
   // callers, so that what it keeps in registers stays there.
   //
-  // Invariant: slots[log2] is where the reference of the next square goes, and
-  // slots[i] of all i above that of the square of 2^i u around it. Every turn
-  // of the loop fills in one reference, or makes four, or ends it: the heap
-  // bounds what any bytes can cost.
-  __attribute__((noinline)) Status tile_tree(int32_t x_u,
-                                             int32_t y_u,
-                                             uint32_t slot) noexcept {
+  // Invariant: `slot` is where the reference of the next square goes, `path`
+  // has the two bits of each step from the tile to it, and slots[i] is the slot
+  // of the divided square of 2^i u around it. Every turn of the loop fills in
+  // one reference, or makes four, or ends it: the heap bounds what any bytes
+  // can cost.
+  __attribute__((noinline)) Status tile_tree(uint32_t slot) noexcept {
     BitStream bits = bits_;
     uint16_t slots[packed::kTileLog2 + 1];
     uint32_t log2 = packed::kTileLog2;
-    uint32_t way = 0;
-    slots[log2] = static_cast<uint16_t>(slot);
+    uint32_t path = 0;
+    static_assert(packed_codes::kNodeMaxBits + detail::kFieldBits <= 16,
+                  "bits for a node and a field");
     while (true) {
-      const uint32_t level = packed::kTileLog2 - log2;
-      constexpr uint32_t kDeepest = packed_codes::kNodeContexts - 1;
-      const uint32_t symbol =
-          bits.symbol(kTables.node[level < kDeepest ? level : kDeepest],
-                      packed_codes::kNodeMaxBits);
-      if (symbol == packed::kSplit) {
-        const uint32_t node = take(linked::kNodeUnits);
-        if (log2 == 0 || node == kNoRoom) {
-          return log2 == 0 ? Status::corrupt : Status::buffer_small;
+      bits.fill();
+      const uint32_t entry = kNodeTables.of[log2][bits.peek(detail::kNodeBits)];
+      bits.drop(entry & 15);
+      uint32_t symbol = entry >> 4;
+      if (symbol < detail::kOneField) {
+        if (symbol == detail::kDivided) {
+          const uint32_t node = units_;
+          if (log2 == 0) {
+            return Status::corrupt;
+          }
+          if (!take(linked::kNodeUnits)) {
+            return Status::buffer_small;
+          }
+          store_u16(at(slot), linked::reference(linked::kNode, node));
+          slots[log2] = static_cast<uint16_t>(slot);
+          slot = node;
+          path <<= 2;
+          --log2;
+          continue;
         }
-        store_u16(at(slots[log2]), linked::reference(linked::kNode, node));
-        --log2;
-        slots[log2] = static_cast<uint16_t>(node);
-        continue;
+        if (symbol == detail::kLongNode) {
+          symbol = long_node(bits, log2);
+        }
       }
-      // Outside and inside are numbered like the references.
-      uint32_t reference = symbol - packed::kOutside;
-      if (symbol >= packed::kSingle) {
-        const auto half = static_cast<int32_t>((1u << log2) >> 1);
-        INKCELL_TRY(
-            leaf(bits, symbol, {x_u + half, y_u + half, way, log2}, reference));
+      uint32_t reference = symbol - detail::kEmpty;
+      if (symbol >= detail::kOneField) {
+        INKCELL_TRY(cell(bits, symbol, log2, path, reference));
       }
-      store_u16(at(slots[log2]), reference);
-      // To the next square: the highest bits that change say how far up.
-      way += 1u << 2 * log2;
-      while (((way >> 2 * log2) & 3) == 0) {
+      store_u16(at(slot), reference);
+      for (++path; (path & 3) == 0; path >>= 2) {
         ++log2;
+        slot = slots[log2];
       }
       if (log2 == packed::kTileLog2) {
         bits_ = bits;
         return Status::ok;
       }
-      ++slots[log2];
+      ++slot;
     }
   }
 
-  Status leaf(BitStream& bits,
+  // Reads the fields of a cell, brings them to the front of the list, and makes
+  // the reference to them. What a node's symbol left of 16 bits is available.
+  //
+  // Fields that were in the list come by ascending rank, so that one that is
+  // moved does not change the place of the next. If the operator nests, those
+  // behind the first are a group of their own: ranks count from the start
+  // again, behind the first field, and pass the hole that it left if it was in
+  // the list.
+  Status cell(BitStream& bits,
               uint32_t symbol,
-              const Square& square,
+              uint32_t log2,
+              uint32_t path,
               uint32_t& reference) noexcept {
-    const uint32_t count = symbol >= packed::kMin3   ? 3
-                           : symbol >= packed::kMin2 ? 2
-                                                     : 1;
-    INKCELL_TRY(
-        fields_to_front(bits, count, symbol >= packed::kMinMax, square));
-    if (count == 1) {
-      const uint32_t unit = recent_[0];
-      reference = linked::reference(linked::kLine + (unit >> 15),
-                                    unit & linked::kOffsetMask);
-      return Status::ok;
-    }
-    const uint32_t block =
-        take(count == 2 ? linked::kPairUnits : linked::kTripleUnits);
-    if (block == kNoRoom) {
-      return Status::buffer_small;
-    }
-    uint8_t* to = at(block);
-    uint32_t tag = linked::kMinPair + symbol - packed::kMin2;
-    if (count == 3) {
-      tag = linked::kTriple;
-      store_u16(to, symbol - packed::kMin3);
-      to += 2;
-    }
-    for (uint32_t i = 0; i < count; ++i, to += 2) {
-      store_u16(to, recent_[i]);
-    }
-    reference = linked::reference(tag, block);
-    return Status::ok;
-  }
-
-  // Reads the fields of a leaf, and brings them to the front of the list. Those
-  // that were there come by ascending rank, so that one that is moved does not
-  // change the place of the next; if the operator nests, those behind the first
-  // are a group of their own, and count from the start again.
-  Status fields_to_front(BitStream& bits,
-                         uint32_t count,
-                         bool is_nested,
-                         const Square& square) noexcept {
-    const uint32_t known = recent_.size();
-    uint32_t least_rank = 0;
-    uint32_t after_new = 0;
-    uint32_t is_later = 0;
-    int32_t first_rank = -1;  // of the other group, if there is one
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t kind = bits.symbol(kTables.kind[2 * i + after_new],
-                                        packed_codes::kKindMaxBits);
-      uint32_t rank = known;
-      if (kind == packed::kReuse) {
-        rank = least_rank +
-               bits.symbol(kTables.rank[is_later], packed_codes::kRankMaxBits);
-        const auto signed_rank = static_cast<int32_t>(rank);
-        if (rank >= known || signed_rank == first_rank) {
-          return Status::corrupt;
-        }
-        recent_.move(signed_rank < first_rank ? rank + 1 : rank, i);
-        least_rank = rank + 1;
-      } else {
-        uint32_t unit = 0;
+    const uint32_t count = symbol >> detail::kOperatorBits;
+    recent_.trim();
+    uint32_t next = recent_.begin();  // where ranks count from
+    uint32_t hole = recent_.end();
+    uint32_t context = 0;
+    // Written out, so that places and contexts are constants.
+#pragma GCC unroll 3
+    for (uint32_t i = 0; i < 3;) {
+      const uint32_t entry =
+          kFieldTables.of[context][bits.peek(detail::kFieldBits)];
+      bits.drop(entry & 7);
+      uint32_t rank = entry >> 3;
+      if (rank == detail::kLongRank) {
+        rank = long_rank(bits, detail::rank_context(context));
+      }
+      context = 2 * i + 2;
+      if (rank > detail::kLongRank) {
         bits_ = bits;
-        INKCELL_TRY(new_field(static_cast<FieldKind>(kind - packed::kNew),
-                              square, unit));
+        const uint32_t unit =
+            new_field(rank - detail::kNewField, log2, path << 2 | 3);
+        if (unit >= kCorrupt) {
+          return failure(unit);
+        }
         bits = bits_;
         recent_.insert(unit, i);
-        after_new = 1;
+        ++context;
+        next = recent_.end();
+      } else {
+        uint32_t at = next + rank;
+        next = at + 1;
+        if (at >= hole) {
+          if (at == hole || at > recent_.end()) {
+            return Status::corrupt;
+          }
+          --at;
+        }
+        recent_.move(at, i);
       }
-      is_later = 1;
-      if (is_nested && i == 0) {
-        first_rank = static_cast<int32_t>(rank);
-        least_rank = 0;
-        after_new = 0;
-        is_later = 0;
+      if (++i == count) {
+        break;
       }
+      if (symbol >= detail::kNested && i == 1) {
+        hole = next;
+        next = recent_.begin() + 1;
+        context = detail::kSecondGroup;
+      }
+      bits.fill();
     }
-    recent_.trim();
+    const uint16_t* const fields = recent_.front();
+    const uint32_t block = units_;
+    uint8_t* to = at(block);
+    if (count == 1) {
+      const uint32_t unit = fields[0];
+      reference = linked::reference(linked::kLine + (unit >> 15),
+                                    unit & linked::kOffsetMask);
+    } else if (count == 2) {
+      if (!take(linked::kPairUnits)) {
+        return Status::buffer_small;
+      }
+      store_u16(to, fields[0]);
+      store_u16(to + 2, fields[1]);
+      reference = linked::reference(
+          linked::kMinPair + symbol - detail::kTwoFields, block);
+    } else {
+      if (!take(linked::kTripleUnits)) {
+        return Status::buffer_small;
+      }
+      store_u16(to, symbol & (detail::kOneField - 1));
+      store_u16(to + 2, fields[0]);
+      store_u16(to + 4, fields[1]);
+      store_u16(to + 6, fields[2]);
+      reference = linked::reference(linked::kTriple, block);
+    }
     return Status::ok;
   }
 
-  // Reads a field, adds it to the heap, and says where it is.
-  Status new_field(FieldKind kind,
-                   const Square& square,
-                   uint32_t& unit) noexcept {
+  static uint32_t long_node(BitStream& bits, uint32_t log2) noexcept {
+    const uint32_t entry =
+        kNodeTables.long_node[log2][bits.peek(packed_codes::kNodeMaxBits) -
+                                    detail::kFirstLongNode];
+    bits.drop(entry & 15);
+    return entry >> 4;
+  }
+  static uint32_t long_rank(BitStream& bits, uint32_t context) noexcept {
+    bits.fill();
+    const uint32_t entry =
+        kFieldTables.long_rank[context][bits.peek(packed_codes::kRankMaxBits) -
+                                        detail::kFirstLongRank];
+    bits.drop(entry & 15);
+    return entry >> 4;
+  }
+
+  // Reads a field, adds it to the heap, and says where it is; or kNoRoom or
+  // kCorrupt. `path` leads from the tile to the anchor, a step farther than to
+  // the square. Not part of the tree, whose registers it needs.
+  __attribute__((noinline)) uint32_t new_field(uint32_t kind_bits,
+                                               uint32_t log2,
+                                               uint32_t path) noexcept {
     const PackedCoding& coding = glyph_.coding;
+    const auto kind = static_cast<FieldKind>(kind_bits);
     BitStream bits = bits_;
-    FieldCode code;
-    code.kind = kind;
-    const uint32_t d0_bits = coding.d0_bits(square.log2);
-    code.d0 = static_cast<int32_t>(bits.number(d0_bits)) -
-              static_cast<int32_t>((1u << d0_bits) >> 1);
-    code.angle =
-        bits.number(has_angle(kind) ? coding.angle_bits(square.log2) : 2);
+    if (widths_[log2] == 0) {
+      widths_[log2] = static_cast<uint16_t>(
+          coding.d0_bits(log2) | coding.angle_bits(log2) << kAngleShift |
+          coding.bend_bits(log2) << kBendShift | kKnown);
+    }
+    const uint32_t widths = widths_[log2];
+    const uint32_t d0_bits = widths & 31;
+    const int32_t d0 = static_cast<int32_t>(bits.number(d0_bits)) -
+                       static_cast<int32_t>((1u << d0_bits) >> 1);
+    const uint32_t angle_bits =
+        has_angle(kind) ? widths >> kAngleShift & 31 : 2;
+    const uint32_t turn = bits.number(angle_bits) << (16 - angle_bits);
+    int32_t bend = 0;
     if (is_bent(kind)) {
-      const uint32_t high = bits.ones();
-      if (high > packed::kMaxUnary) {
-        return Status::corrupt;
+      uint32_t high = 0;
+      for (bits.fill(); bits.peek(1) != 0; bits.drop(1)) {
+        ++high;
+        if (high > packed::kMaxUnary) {
+          return kCorrupt;
+        }
       }
+      bits.drop(1);
       // The sign is behind the lower bits.
-      const uint32_t low_bits = coding.bend_bits(square.log2);
+      const uint32_t low_bits = widths >> kBendShift & 15;
       const uint32_t low = bits.number(low_bits + 1);
-      const auto size = static_cast<int32_t>((high << low_bits | low >> 1) + 1);
-      code.bend = (low & 1) != 0 ? -size : size;
+      bend = static_cast<int32_t>((high << low_bits | low >> 1) + 1);
+      bend = (low & 1) != 0 ? -bend : bend;
     }
     bits_ = bits;
+    const uint32_t unit = units_;
+    if (!take(linked::kLineUnits)) {
+      return kNoRoom;
+    }
     // The bits of y to the upper half, then all next to each other.
-    uint32_t way = (square.way & 0x5555) | (square.way & 0xaaaa) << 15;
+    uint32_t way = path << 2 * log2 >> 2;
+    way = (way & 0x5555) | (way & 0xaaaa) << 15;
     way = (way | way >> 1) & 0x33333333;
     way = (way | way >> 2) & 0x0f0f0f0f;
     way |= way >> 4;
-    const FieldNumbers field = detail::field_numbers(
-        code, coding, square.log2,
-        square.x_u + static_cast<int32_t>(way & 0xff),
-        square.y_u + static_cast<int32_t>(way >> 16 & 0xff));
-    unit = take(field.bend != 0 ? linked::kArcUnits : linked::kLineUnits);
-    if (unit == kNoRoom) {
-      return Status::buffer_small;
-    }
-    uint8_t* to = at(unit);
+    const detail::Anchor anchor = {
+        x_u_ + static_cast<int32_t>(way & 0xff),
+        y_u_ + static_cast<int32_t>(way >> 16 & 0xff)};
+    const detail::Normal n = detail::normal_of(turn);
+    uint8_t* const to = at(unit);
     namespace fields = format::fields;
-    store_u16(to + fields::kNormalX, static_cast<uint16_t>(field.nx_q14));
-    store_u16(to + fields::kNormalY, static_cast<uint16_t>(field.ny_q14));
-    store_u16(to + fields::kOffset, static_cast<uint16_t>(field.c_q4));
-    if (field.bend != 0) {
-      store_u16(to + fields::kAlong, static_cast<uint16_t>(field.along_q4));
-      store_u16(to + fields::kBend, static_cast<uint16_t>(field.bend));
-      unit |= linked::kArcField;
+    store_u16(to + fields::kNormalX, static_cast<uint16_t>(n.x));
+    store_u16(to + fields::kNormalY, static_cast<uint16_t>(n.y));
+    store_u16(to + fields::kOffset,
+              static_cast<uint16_t>(detail::offset_q4(d0, coding, n, anchor)));
+    if (bend == 0) {
+      return unit;
     }
-    return Status::ok;
+    const int32_t curvature = detail::curvature(bend, coding, log2);
+    if (curvature == 0) {
+      return unit;
+    }
+    if (!take(linked::kArcUnits - linked::kLineUnits)) {
+      return kNoRoom;
+    }
+    store_u16(to + fields::kAlong,
+              static_cast<uint16_t>(detail::along_q4(n, anchor)));
+    store_u16(to + fields::kBend, static_cast<uint16_t>(curvature));
+    return unit | linked::kArcField;
   }
 
+  RecentFields recent_;
   const PackedGlyph& glyph_;
+  SharedFields& shared_;
   uint8_t* heap_;
   uint32_t room_;       // [units]
   uint32_t units_ = 0;  // that are taken
   BitStream bits_;
-  uint16_t shared_count_ = 0;
-  uint16_t shared_arcs_ = 0;  // a bit for each
-  uint16_t shared_end_ = 0;   // the first unit behind them
-  RecentFields recent_;
+  int32_t x_u_ = 0;  // lower left corner of the tile
+  int32_t y_u_ = 0;
+  uint16_t widths_[kSizes] = {};  // by log2 of the square; 0: not known yet
 };
 
 // Not inline: the caller's frame holds a view of the result.
-__attribute__((noinline)) Status expand_rows(const PackedGlyph& glyph,
+__attribute__((noinline)) Status expand_heap(const PackedGlyph& glyph,
                                              uint32_t first_row,
                                              uint32_t row_count,
                                              Workspace workspace,
+                                             SharedFields& shared,
                                              uint16_t& heap_units) noexcept {
-  Expansion expansion(glyph, workspace);
+  Expansion expansion(glyph, workspace, shared);
   INKCELL_TRY(expansion.rows(first_row, row_count));
   heap_units = static_cast<uint16_t>(expansion.units());
   return Status::ok;
@@ -414,11 +496,12 @@ GlyphField PackedGlyph::grid(uint32_t first_row,
   return field;
 }
 
-Status expand(const PackedGlyph& glyph,
-              uint32_t first_row,
-              uint32_t row_count,
-              Workspace workspace,
-              GlyphField& out) noexcept {
+Status detail::expand_rows(const PackedGlyph& glyph,
+                           uint32_t first_row,
+                           uint32_t row_count,
+                           Workspace workspace,
+                           SharedFields& shared,
+                           GlyphField& out) noexcept {
   if (INKCELL_PACKED == 0) {
     return Status::unsupported;
   }
@@ -427,12 +510,23 @@ Status expand(const PackedGlyph& glyph,
     return Status::bad_argument;
   }
   uint16_t heap_units = 0;
-  INKCELL_TRY(expand_rows(glyph, first_row, row_count, workspace, heap_units));
+  INKCELL_TRY(
+      expand_heap(glyph, first_row, row_count, workspace, shared, heap_units));
   out = glyph.grid(first_row, row_count);
   out.references = workspace.data;
   out.cells = workspace.data;
   out.heap_units = heap_units;
   return Status::ok;
+}
+
+Status expand(const PackedGlyph& glyph,
+              uint32_t first_row,
+              uint32_t row_count,
+              Workspace workspace,
+              GlyphField& out) noexcept {
+  detail::SharedFields shared;
+  return detail::expand_rows(glyph, first_row, row_count, workspace, shared,
+                             out);
 }
 
 }  // namespace inkcell

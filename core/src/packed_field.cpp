@@ -24,7 +24,24 @@ FieldNumbers expand_field(const FieldCode& code,
                           uint32_t log2,
                           int32_t x_u,
                           int32_t y_u) noexcept {
-  return detail::field_numbers(code, coding, log2, x_u, y_u);
+  const uint32_t turn =
+      code.angle << (has_angle(code.kind) ? 16 - coding.angle_bits(log2) : 14);
+  const detail::Normal n = detail::normal_of(turn);
+  const detail::Anchor anchor = {x_u, y_u};
+  FieldNumbers field;
+  field.nx_q14 = static_cast<int16_t>(n.x);
+  field.ny_q14 = static_cast<int16_t>(n.y);
+  field.c_q4 = detail::offset_q4(code.d0, coding, n, anchor);
+  if (is_bent(code.kind)) {
+    // No stream states more.
+    constexpr int32_t kMost = 1 << 19;
+    const int32_t most = code.bend > kMost ? kMost : code.bend;
+    field.bend = detail::curvature(most < -kMost ? -kMost : most, coding, log2);
+  }
+  if (field.bend != 0) {
+    field.along_q4 = detail::along_q4(n, anchor);
+  }
+  return field;
 }
 
 }  // namespace inkcell

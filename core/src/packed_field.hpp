@@ -54,17 +54,30 @@ inline int32_t between_q14(int32_t from,
          (kFractionBits + 1);
 }
 
+// A direction between those of the table. Few are: not part of its callers,
+// whose registers it needs. In the first quarter, i + 1 is at most its end.
+__attribute__((noinline)) inline void normal_between(uint32_t i,
+                                                     int32_t fraction,
+                                                     Normal& n) noexcept {
+  const uint16_t* up = kSines.q15 + i;
+  const uint16_t* down = kSines.q15 + kQuarterSteps - i;
+  n = {between_q14(down[0], down[-1], fraction),
+       between_q14(up[0], up[1], fraction)};
+}
+
 // The direction of 2^-16 turns; each component is off by less than 1.
 inline Normal normal_of(uint32_t turn) noexcept {
   const uint32_t along = turn & ((1 << 14) - 1);
   const uint32_t i = along >> kFractionBits;
   const auto fraction =
       static_cast<int32_t>(along & ((1 << kFractionBits) - 1));
-  // In the first quarter, i + 1 is at most its end.
-  const uint16_t* up = kSines.q15 + i;
-  const uint16_t* down = kSines.q15 + kQuarterSteps - i;
-  Normal n = {between_q14(down[0], down[-1], fraction),
-              between_q14(up[0], up[1], fraction)};
+  Normal n = {(kSines.q15[kQuarterSteps - i] + 1) >> 1,
+              (kSines.q15[i] + 1) >> 1};
+  if (fraction != 0) {
+    Normal between;
+    normal_between(i, fraction, between);
+    n = between;
+  }
   if ((turn & 1 << 14) != 0) {
     n = {-n.y, n.x};
   }
@@ -74,9 +87,9 @@ inline Normal normal_of(uint32_t turn) noexcept {
   return n;
 }
 
-inline int16_t clamp_i16(int32_t value, int32_t low) noexcept {
-  if (value < low) {
-    return static_cast<int16_t>(low);
+inline int16_t clamp_i16(int32_t value) noexcept {
+  if (value < INT16_MIN) {
+    return INT16_MIN;
   }
   return static_cast<int16_t>(value > INT16_MAX ? INT16_MAX : value);
 }
@@ -86,52 +99,45 @@ inline uint32_t wrapped_product(int32_t a, int32_t b) noexcept {
   return static_cast<uint32_t>(a) * static_cast<uint32_t>(b);
 }
 
-// Half the curvature of `bend` steps, each of which is a sagitta in the middle
-// of a chord of the square's width, or of 64 u in smaller squares.
+// Where the distance of a new field is stated. [u]
+struct Anchor {
+  int32_t x_u;
+  int32_t y_u;
+};
+
+// The offset of a field whose distance at the anchor is `d0` steps.
+inline int16_t offset_q4(int32_t d0,
+                         const PackedCoding& coding,
+                         const Normal& n,
+                         const Anchor& anchor) noexcept {
+  // 1/64 u are 256 in Q14.
+  const uint32_t d0_q14 = wrapped_product(d0, coding.d0_step * 256);
+  const uint32_t dot_q14 =
+      wrapped_product(n.x, anchor.x_u) + wrapped_product(n.y, anchor.y_u);
+  return clamp_i16(static_cast<int32_t>(d0_q14 - dot_q14 + 512) >> 10);
+}
+
+// How far along the field its bend is at its anchor.
+inline int16_t along_q4(const Normal& n, const Anchor& anchor) noexcept {
+  const uint32_t cross_q14 =
+      wrapped_product(n.x, anchor.y_u) - wrapped_product(n.y, anchor.x_u);
+  return clamp_i16(static_cast<int32_t>(512 - cross_q14) >> 10);
+}
+
+// Half the curvature of `bend` steps, 2^19 at most, each of which is a sagitta
+// in the middle of a chord of the square's width, or of 64 u in smaller ones.
 inline int16_t curvature(int32_t bend,
                          const PackedCoding& coding,
                          uint32_t log2) noexcept {
-  const int32_t length_log2 = log2 <= 6 ? 5 : static_cast<int32_t>(log2) - 1;
-  const int32_t shift = 13 - 2 * length_log2;
-  // Any bend: the clamp is the most that streams can state, and nothing below
-  // overflows.
-  constexpr int32_t kMost = 1 << 19;
-  bend = bend > kMost ? kMost : bend;
-  bend = bend < -kMost ? -kMost : bend;
   const int32_t steps = bend * coding.bend_step;
+  const int32_t shift = 15 - 2 * static_cast<int32_t>(log2 < 6 ? 6 : log2);
   const int32_t k = shift >= 0 ? steps * (1 << shift)
                                : (steps + (1 << (-shift - 1))) >> -shift;
-  return clamp_i16(k, -INT16_MAX);
-}
-
-// inkcell::expand_field. Static, so that it becomes a part of its caller.
-static inline FieldNumbers field_numbers(const FieldCode& code,
-                                         const PackedCoding& coding,
-                                         uint32_t log2,
-                                         int32_t x_u,
-                                         int32_t y_u) noexcept {
-  const uint32_t turn =
-      code.angle << (has_angle(code.kind) ? 16 - coding.angle_bits(log2) : 14);
-  const Normal n = normal_of(turn);
-  // 1/64 u are 256 in Q14.
-  const uint32_t d0_q14 = wrapped_product(code.d0, coding.d0_step * 256);
-  const uint32_t dot_q14 =
-      wrapped_product(n.x, x_u) + wrapped_product(n.y, y_u);
-  FieldNumbers field;
-  field.nx_q14 = static_cast<int16_t>(n.x);
-  field.ny_q14 = static_cast<int16_t>(n.y);
-  field.c_q4 =
-      clamp_i16(static_cast<int32_t>(d0_q14 - dot_q14 + 512) >> 10, INT16_MIN);
-  if (is_bent(code.kind)) {
-    field.bend = curvature(code.bend, coding, log2);
+  constexpr uint32_t kMost = INT16_MAX;
+  if (static_cast<uint32_t>(k) + kMost > 2 * kMost) {
+    return k < 0 ? -INT16_MAX : INT16_MAX;
   }
-  if (field.bend != 0) {
-    const uint32_t cross_q14 =
-        wrapped_product(n.x, y_u) - wrapped_product(n.y, x_u);
-    field.along_q4 =
-        clamp_i16(static_cast<int32_t>(512 - cross_q14) >> 10, INT16_MIN);
-  }
-  return field;
+  return static_cast<int16_t>(k);
 }
 
 }  // namespace detail

@@ -1,6 +1,7 @@
 // Drawing packed glyphs: expansion of what a window shows, and the renderer.
 #include "inkcell/packed.hpp"
 #include "inkcell/text.hpp"
+#include "packed_rows.hpp"
 #include "text_place.hpp"
 
 namespace inkcell {
@@ -15,16 +16,57 @@ struct Rows {
   uint32_t end;
 };
 
+Rect box_of(const PackedGlyph& glyph,
+            const Rows& rows,
+            const Brush& brush,
+            const FinePoint& origin) noexcept {
+  return field_box(glyph.grid(rows.begin, rows.end - rows.begin), brush,
+                   origin);
+}
+
+bool is_within(const Rect& inner, const Rect& outer) noexcept {
+  return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 &&
+         inner.y1 <= outer.y1;
+}
+
 bool meets_window(const PackedGlyph& glyph,
-                  const Rows& rows,
+                  uint32_t row,
                   const Brush& brush,
                   const FinePoint& origin,
-                  const Sink& sink) noexcept {
-  const GlyphField grid = glyph.grid(rows.begin, rows.end - rows.begin);
-  return !is_empty(intersect(field_box(grid, brush, origin), sink.window));
+                  const Rect& window) noexcept {
+  return !is_empty(
+      intersect(box_of(glyph, {row, row + 1}, brush, origin), window));
+}
+
+// None if the glyph is out of sight; else all, or without those at both ends
+// that are. Not a part of its caller, which has little stack for drawing.
+__attribute__((noinline)) Rows rows_in_window(const PackedGlyph& glyph,
+                                              bool leaves_out,
+                                              const Brush& brush,
+                                              const FinePoint& origin,
+                                              const Rect& window) noexcept {
+  Rows rows = {0, glyph.tiles_y};
+  const Rect box = box_of(glyph, rows, brush, origin);
+  if (is_empty(intersect(box, window))) {
+    return {0, 0};
+  }
+  if (!leaves_out || is_within(box, window)) {
+    return rows;
+  }
+  while (rows.begin < rows.end &&
+         !meets_window(glyph, rows.begin, brush, origin, window)) {
+    ++rows.begin;
+  }
+  while (rows.begin < rows.end &&
+         !meets_window(glyph, rows.end - 1, brush, origin, window)) {
+    --rows.end;
+  }
+  return rows;
 }
 
 // Whether every pixel is drawn from the one row of tiles that holds its centre.
+// Else a glyph is drawn from all of its rows or not at all: rows that make no
+// sense must not show in some windows only.
 bool goes_by_rows(const Brush& brush) noexcept {
   return brush.is_upright() && brush.painter() == nullptr;
 }
@@ -40,12 +82,13 @@ void draw_rows(const PackedGlyph& glyph,
                const FinePoint& origin,
                const Sink& sink,
                Workspace workspace) noexcept {
+  detail::SharedFields shared;
   while (rows.end > rows.begin) {
     const uint32_t left = rows.end - rows.begin;
     const uint32_t count = at_once < left ? at_once : left;
     GlyphField field;
-    if (expand(glyph, rows.end - count, count, workspace, field) ==
-        Status::ok) {
+    if (detail::expand_rows(glyph, rows.end - count, count, workspace, shared,
+                            field) == Status::ok) {
       draw_field(field, brush, origin, sink);
     } else if (count > 1 && goes_by_rows(brush)) {
       at_once = 1;
@@ -61,8 +104,7 @@ void draw_placed(const Font& font,
                  const FinePoint& origin,
                  const Sink& sink,
                  Workspace workspace) noexcept {
-  GlyphField in_place;
-  if (font.field(glyph, in_place) == Status::ok) {
+  if (GlyphField in_place; font.field(glyph, in_place) == Status::ok) {
     draw_field(in_place, brush, origin, sink);
     return;
   }
@@ -70,28 +112,10 @@ void draw_placed(const Font& font,
   if (PackedGlyph::open(font, glyph, packed) != Status::ok) {
     return;
   }
-  Rows rows = {0, packed.tiles_y};
-  if (!meets_window(packed, rows, brush, origin, sink)) {
-    return;
-  }
-  uint32_t at_once = packed.tiles_y;
+  const bool by_rows = goes_by_rows(brush);
+  const Rows rows = rows_in_window(packed, by_rows, brush, origin, sink.window);
   const bool is_roomy = workspace.size >= font.workspace_bytes();
-  // Where some rows of tiles fit, all do, or each can be drawn alone.
-  if (brush.painter() == nullptr && (is_roomy || brush.is_upright())) {
-    while (rows.begin < rows.end &&
-           !meets_window(packed, {rows.begin, rows.begin + 1}, brush, origin,
-                         sink)) {
-      ++rows.begin;
-    }
-    while (
-        rows.begin < rows.end &&
-        !meets_window(packed, {rows.end - 1, rows.end}, brush, origin, sink)) {
-      --rows.end;
-    }
-    if (!is_roomy) {
-      at_once = 1;
-    }
-  }
+  const uint32_t at_once = by_rows && !is_roomy ? 1 : packed.tiles_y;
   draw_rows(packed, rows, at_once, brush, origin, sink, workspace);
 }
 

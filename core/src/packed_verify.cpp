@@ -2,6 +2,7 @@
 #include "field_verify.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/packed.hpp"
+#include "packed_rows.hpp"
 
 namespace inkcell {
 namespace {
@@ -11,8 +12,10 @@ Status expand_stated(const PackedGlyph& glyph,
                      uint32_t first_row,
                      uint32_t row_count,
                      Workspace workspace,
+                     detail::SharedFields& shared,
                      GlyphField& out) noexcept {
-  const Status status = expand(glyph, first_row, row_count, workspace, out);
+  const Status status =
+      detail::expand_rows(glyph, first_row, row_count, workspace, shared, out);
   return status == Status::buffer_small ? Status::corrupt : status;
 }
 
@@ -39,10 +42,12 @@ Status Font::verify(Workspace workspace) const noexcept {
     }
     PackedGlyph glyph;
     INKCELL_TRY(PackedGlyph::open(*this, id, glyph));
+    detail::SharedFields shared;
     for (uint32_t row = 0; row < glyph.tiles_y; ++row) {
-      INKCELL_TRY(expand_stated(glyph, row, 1, one_row, expanded));
+      INKCELL_TRY(expand_stated(glyph, row, 1, one_row, shared, expanded));
     }
-    INKCELL_TRY(expand_stated(glyph, 0, glyph.tiles_y, whole, expanded));
+    INKCELL_TRY(
+        expand_stated(glyph, 0, glyph.tiles_y, whole, shared, expanded));
     if (!detail::field_fits(expanded)) {
       return Status::corrupt;
     }

@@ -22,6 +22,44 @@ inline int32_t clamp_i32(int64_t value) noexcept {
   return static_cast<int32_t>(clamp(value, INT32_MIN, INT32_MAX));
 }
 
+// Where a glyph stands: an origin that is near enough to show something.
+// Windows lie within 2^15 px, and no glyph reaches farther than 2^16 px. [Q10]
+struct Placed {
+  static constexpr int32_t kLimit = 1 << 30;
+
+  int32_t x_q10;
+  int32_t y_q10;
+  const RowMap* rows;  // null if the glyph is not fitted
+
+  FinePoint origin() const noexcept { return {x_q10, y_q10}; }
+
+  // False: the origin is too far. `rows` is null.
+  bool set(const FinePoint& at) noexcept {
+    x_q10 = static_cast<int32_t>(at.x_q10);
+    y_q10 = static_cast<int32_t>(at.y_q10);
+    rows = nullptr;
+    constexpr uint64_t kAll = uint64_t{2} * kLimit;
+    return static_cast<uint64_t>(at.x_q10) + kLimit < kAll &&
+           static_cast<uint64_t>(at.y_q10) + kLimit < kAll;
+  }
+  // The same without 64 bits.
+  bool set(Point at) noexcept {
+    const auto x_q6 = static_cast<uint32_t>(at.x.raw);
+    const auto y_q6 = static_cast<uint32_t>(at.y.raw);
+    x_q10 = wrapped(x_q6 * 16);
+    y_q10 = wrapped(y_q6 * 16);
+    rows = nullptr;
+    constexpr uint32_t kLimitQ6 = kLimit / 16;
+    return x_q6 + kLimitQ6 < 2 * kLimitQ6 && y_q6 + kLimitQ6 < 2 * kLimitQ6;
+  }
+};
+
+// draw_field of what is placed, and not yet fitted.
+void draw_near(const GlyphField& field,
+               const Brush& brush,
+               const Placed& placed,
+               const Sink& sink) noexcept;
+
 // How far one pixel to the right leads in px along the glyph's axes. [Q20]
 inline int32_t along_q20(const Brush& brush) noexcept {
   return brush.right().x_q20;
@@ -108,6 +146,51 @@ inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
           greater(field.y0_u, ink.y0_u - reach),
           lesser(field.x1_u(), ink.x1_u + reach),
           lesser(field.y1_u(), ink.y1_u + reach)};
+}
+
+// The same of an upright brush, exactly: what is as far from the ink as the
+// filter reaches shows nothing. [u, Q16] Cutoffs within 4 px are 2^10 u at the
+// most.
+inline Rect exact_limits_of(const GlyphField& field,
+                            const Brush& brush) noexcept {
+  constexpr int32_t kOneQ16 = 1 << 16;
+  const int32_t reach_q16 = -64 * brush.transparent_u_q10();
+  const InkBox& ink = field.ink;
+  return {greater(field.x0_u * kOneQ16, ink.x0_u * kOneQ16 - reach_q16 + 1),
+          greater(field.y0_u * kOneQ16, ink.y0_u * kOneQ16 - reach_q16 + 1),
+          lesser(field.x1_u() * kOneQ16, ink.x1_u * kOneQ16 + reach_q16),
+          lesser(field.y1_u() * kOneQ16, ink.y1_u * kOneQ16 + reach_q16)};
+}
+
+// The pixels whose centres may lie within `limits` [u], and few others.
+inline Rect upright_box(const Rect& limits,
+                        const Brush& brush,
+                        const Placed& placed) noexcept {
+  // Steps that are rounded down lead up to 1/4 px astray at the ends of the
+  // largest grid; products are rounded down as well.
+  constexpr int32_t kAstray = 264;
+  constexpr int32_t kFirst = 511 - kAstray;
+  constexpr int32_t kEnd = 511 + kAstray;
+  const int32_t size_q6 = brush.size().raw;
+  // Below 2^30.
+  const auto px_q10 = [size_q6](int32_t u) noexcept {
+    return (u * size_q6) >> 6;
+  };
+  int32_t low_q10 = px_q10(limits.y0);
+  int32_t high_q10 = px_q10(limits.y1);
+  if (placed.rows != nullptr) {
+    // What lies between two knots moves by no more than 1 px.
+    const RowMap::Knot& low = placed.rows->knots[0];
+    const RowMap::Knot& high = *placed.rows->highest();
+    low_q10 += low_q10 <= low.glyph_q10 ? low.screen_q10 - low.glyph_q10
+                                        : -RowMap::kMaxShiftQ10;
+    high_q10 += high_q10 >= high.glyph_q10 ? high.screen_q10 - high.glyph_q10
+                                           : RowMap::kMaxShiftQ10;
+  }
+  return {(placed.x_q10 + px_q10(limits.x0) + kFirst) >> 10,
+          (placed.y_q10 - high_q10 + kFirst) >> 10,
+          (placed.x_q10 + px_q10(limits.x1) + kEnd) >> 10,
+          (placed.y_q10 - low_q10 + kEnd) >> 10};
 }
 
 }  // namespace detail

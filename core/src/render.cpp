@@ -17,6 +17,7 @@ using detail::clamp;
 using detail::FieldPosition;
 using detail::has_fields;
 using detail::limits_of;
+using detail::Placed;
 using detail::position_of;
 using detail::Range;
 using detail::SpanWriter;
@@ -33,22 +34,18 @@ Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
   return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
 }
 
-// Clamps to what int32_t pixels and their positions can bear.
-int32_t to_pixel(int64_t px_q10) noexcept {
-  constexpr int64_t kLimit = int64_t{1} << 30;
-  return static_cast<int32_t>(clamp(px_q10 >> 10, -kLimit, kLimit));
-}
-
 // From `low` to `high`, in px. [Q10]
 struct Extent {
-  int64_t low;
-  int64_t high;
+  int32_t low;
+  int32_t high;
 };
 
 // From one place in the glyph to another, in px, along an axis of the screen.
 Extent extent_of(Extent place_q10, Fixed<int32_t, 30> factor) noexcept {
-  const int64_t low = (place_q10.low * factor.raw) >> 30;
-  const int64_t high = (place_q10.high * factor.raw) >> 30;
+  const auto low =
+      static_cast<int32_t>((int64_t{place_q10.low} * factor.raw) >> 30);
+  const auto high =
+      static_cast<int32_t>((int64_t{place_q10.high} * factor.raw) >> 30);
   return low < high ? Extent{low, high} : Extent{high, low};
 }
 
@@ -100,42 +97,55 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
   }
 }
 
+// The glyph's pixels that lie in the window.
+//
 // Not inline: what it needs of the stack is free again when pixels are drawn.
-__attribute__((noinline)) Upright upright_of(const GlyphField& field,
-                                             const Brush& brush,
-                                             const FinePoint& origin,
-                                             const RowMap* rows,
-                                             const Rect& box) noexcept {
+__attribute__((noinline)) Upright place_upright(const GlyphField& field,
+                                                const Brush& brush,
+                                                const Placed& placed,
+                                                const Rect& window) noexcept {
+  const Rect limits = detail::exact_limits_of(field, brush);
+  const Rect limits_u = {limits.x0 >> 16, limits.y0 >> 16,
+                         (limits.x1 >> 16) + 1, (limits.y1 >> 16) + 1};
+  Rect pixels = intersect(detail::upright_box(limits_u, brush, placed), window);
+  if (is_empty(pixels)) {
+    return {pixels, {}, nullptr, 0, 0, nullptr};
+  }
   const int32_t step = brush.step_along_q16();
+  const int32_t right_q10 = pixels.x0 * 1024 + 512 - placed.x_q10;
+  const int32_t up_q10 = placed.y_q10 - (pixels.y0 * 1024 + 512);
+  // position_of, whose products stay below 2^31 here.
+  FieldPosition at = {
+      detail::u_of_px(right_q10, step), detail::u_of_px(up_q10, step),
+      static_cast<uint32_t>(right_q10) * 1024 + detail::kHalfQ20,
+      static_cast<uint32_t>(up_q10) * 1024 + detail::kHalfQ20};
   // The box has few others.
-  const Rect limits = limits_of(field, brush);
-  Upright upright = {box, position_of(brush, origin, box.x0, box.y0), rows,
-                     limits.y0, limits.y1};
-  Rect& pixels = upright.pixels;
-  FieldPosition& at = upright.at;
-  while (at.x_q16 < limits.x0 * (1 << 16)) {
+  while (at.x_q16 < limits.x0) {
     ++pixels.x0;
     at.x_q16 += step;
     at.x_q20 += 1 << 20;
   }
   int32_t right_q16 = at.x_q16 + (pixels.x1 - pixels.x0 - 1) * step;
-  while (pixels.x0 < pixels.x1 && right_q16 >= limits.x1 * (1 << 16)) {
+  while (right_q16 >= limits.x1) {
     --pixels.x1;
     right_q16 -= step;
   }
-  if (rows != nullptr) {
-    return upright;
+  if (placed.rows == nullptr) {
+    while (at.y_q16 >= limits.y1) {
+      ++pixels.y0;
+      at.y_q16 -= step;
+      at.y_q20 -= 1 << 20;
+    }
+    int32_t low_q16 = at.y_q16 - (pixels.y1 - pixels.y0 - 1) * step;
+    while (low_q16 < limits.y0) {
+      --pixels.y1;
+      low_q16 += step;
+    }
   }
-  while (at.y_q16 >= limits.y1 * (1 << 16)) {
-    ++pixels.y0;
-    upright.next_row(brush);
-  }
-  int32_t low_q16 = at.y_q16 - (pixels.y1 - pixels.y0 - 1) * step;
-  while (pixels.y0 < pixels.y1 && low_q16 < limits.y0 * (1 << 16)) {
-    --pixels.y1;
-    low_q16 += step;
-  }
-  return upright;
+  return {
+      pixels,      at,
+      placed.rows, limits.y0,
+      limits.y1,   placed.rows == nullptr ? nullptr : placed.rows->highest()};
 }
 
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
@@ -161,46 +171,90 @@ constexpr Q26_6 kCellsFrom = Q26_6::from_int(48);
 // Not inline: other ways to draw need not pay for its stack.
 __attribute__((noinline)) void draw_upright(const GlyphField& field,
                                             const Brush& brush,
-                                            const FinePoint& origin,
-                                            const RowMap* rows,
+                                            const Placed& placed,
                                             const Sink& sink) noexcept {
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
-  if (is_empty(box)) {
-    return;
-  }
-  Upright upright = upright_of(field, brush, origin, rows, box);
+  Upright upright = place_upright(field, brush, placed, sink.window);
   if (is_empty(upright.pixels)) {
     return;
   }
   if (has_fields(field)) {
     detail::draw_fields(field, brush, upright, sink);
-  } else if (rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
+  } else if (upright.rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
     detail::draw_samples_by_cells(field, brush, upright, sink);
   } else {
     draw_samples(field, brush, upright, sink);
   }
 }
 
+// Not inline for the same reason.
+__attribute__((noinline)) void paint(const GlyphField& field,
+                                     const Brush& brush,
+                                     const Placed& placed,
+                                     const Sink& sink) noexcept {
+  const FinePoint origin = placed.origin();
+  if (brush.painter() != nullptr) {
+    brush.painter()(field, brush, brush.painter_options(), origin, placed.rows,
+                    sink);
+  } else {
+    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
+  }
+}
+
 void draw_placed(const GlyphField& field,
                  const Brush& brush,
-                 const FinePoint& origin,
-                 const RowMap* rows,
+                 const Placed& placed,
                  const Sink& sink) noexcept {
-  if (brush.painter() != nullptr) {
-    brush.painter()(field, brush, brush.painter_options(), origin, rows, sink);
+  if (brush.painter() == nullptr && brush.is_upright()) {
+    draw_upright(field, brush, placed, sink);
   } else {
-    detail::draw_plain(field, brush, origin, rows, sink);
+    paint(field, brush, placed, sink);
   }
+}
+
+// Where a fitted glyph stands. False: nowhere near. Not inline for the same
+// reason.
+__attribute__((noinline)) bool fit(const GlyphField& field,
+                                   const Brush& brush,
+                                   const Placed& placed,
+                                   RowMap& rows,
+                                   Placed& out) noexcept {
+  FinePoint origin = placed.origin();
+  brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
+  const bool is_near = out.set(origin);
+  out.rows = rows.count == 0 ? nullptr : &rows;
+  return is_near;
 }
 
 // Not inline: only fitted glyphs pay for the map on the stack.
 __attribute__((noinline)) void draw_fitted(const GlyphField& field,
                                            const Brush& brush,
-                                           FinePoint origin,
+                                           const Placed& placed,
                                            const Sink& sink) noexcept {
   RowMap rows;
-  brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
-  draw_placed(field, brush, origin, &rows, sink);
+  Placed fitted;
+  if (fit(field, brush, placed, rows, fitted)) {
+    draw_placed(field, brush, fitted, sink);
+  }
+}
+
+// The box around a glyph that is not upright.
+Rect slanted_box(const Rect& limits,
+                 const Brush& brush,
+                 const Placed& placed) noexcept {
+  const int32_t size_q6 = brush.size().raw;
+  // Below 2^30.
+  const Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
+  const Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
+  const Brush::Axes& axes = brush.axes();
+  const Extent x_right = extent_of(x, axes.x_right);
+  const Extent x_up = extent_of(x, axes.x_up);
+  const Extent y_right = extent_of(y, axes.y_right);
+  const Extent y_up = extent_of(y, axes.y_up);
+  // A pixel generous on each side, because steps are rounded.
+  return {((placed.x_q10 + x_right.low + y_right.low) >> 10) - 1,
+          ((placed.y_q10 - x_up.high - y_up.high) >> 10) - 1,
+          ((placed.x_q10 + x_right.high + y_right.high) >> 10) + 2,
+          ((placed.y_q10 - x_up.low - y_up.low) >> 10) + 2};
 }
 
 }  // namespace
@@ -210,10 +264,12 @@ void detail::draw_plain(const GlyphField& field,
                         const FinePoint& origin,
                         const RowMap* rows,
                         const Sink& sink) noexcept {
-  if (brush.is_upright()) {
-    draw_upright(field, brush, origin, rows, sink);
-  } else {
+  Placed placed;
+  if (!brush.is_upright()) {
     brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
+  } else if (placed.set(origin)) {
+    placed.rows = rows;
+    draw_upright(field, brush, placed, sink);
   }
 }
 
@@ -224,36 +280,37 @@ Rect field_box(const GlyphField& field,
     return {};
   }
   const Rect limits = limits_of(field, brush);
-  const int32_t size_q6 = brush.size().raw;
-  // Below 2^30.
-  Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
-  Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
-  if (!brush.is_upright()) {
-    const Brush::Axes& axes = brush.axes();
-    const Extent x_right = extent_of(x, axes.x_right);
-    const Extent x_up = extent_of(x, axes.x_up);
-    const Extent y_right = extent_of(y, axes.y_right);
-    const Extent y_up = extent_of(y, axes.y_up);
-    x = {x_right.low + y_right.low, x_right.high + y_right.high};
-    y = {x_up.low + y_up.low, x_up.high + y_up.high};
+  // Origins that are too far to be seen remain so.
+  constexpr int64_t kLimit = Placed::kLimit;
+  const Placed placed = {
+      static_cast<int32_t>(clamp(origin.x_q10, -kLimit, kLimit - 1)),
+      static_cast<int32_t>(clamp(origin.y_q10, -kLimit, kLimit - 1)), nullptr};
+  // What fitting may move, and the painter's reach.
+  const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter_reach_px();
+  const Rect box = brush.is_upright()
+                       ? detail::upright_box(limits, brush, placed)
+                       : slanted_box(limits, brush, placed);
+  return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
+}
+
+void detail::draw_near(const GlyphField& field,
+                       const Brush& brush,
+                       const Placed& placed,
+                       const Sink& sink) noexcept {
+  if (brush.is_fitted()) {
+    draw_fitted(field, brush, placed, sink);
+  } else {
+    draw_placed(field, brush, placed, sink);
   }
-  // A pixel generous on each side, because steps are rounded, and what fitting
-  // may move.
-  const int32_t more = (brush.is_fitted() ? 2 : 1) + brush.painter_reach_px();
-  return {to_pixel(origin.x_q10 + x.low) - more,
-          to_pixel(origin.y_q10 - y.high) - more,
-          to_pixel(origin.x_q10 + x.high) + more + 1,
-          to_pixel(origin.y_q10 - y.low) + more + 1};
 }
 
 void draw_field(const GlyphField& field,
                 const Brush& brush,
                 FinePoint origin,
                 const Sink& sink) noexcept {
-  if (brush.is_fitted()) {
-    draw_fitted(field, brush, origin, sink);
-  } else {
-    draw_placed(field, brush, origin, nullptr, sink);
+  Placed placed;
+  if (placed.set(origin)) {
+    detail::draw_near(field, brush, placed, sink);
   }
 }
 

@@ -39,22 +39,4 @@ bool RowMap::add(int32_t screen_q10, int32_t glyph_q10) noexcept {
   return true;
 }
 
-int32_t RowMap::glyph_height_q10(int32_t screen_q10) const noexcept {
-  if (count == 0) {
-    return screen_q10;
-  }
-  const Knot* knot = knots + count - 1;
-  while (knot != knots && knot->screen_q10 > screen_q10) {
-    --knot;
-  }
-  const int32_t shifted = screen_q10 + (knot->glyph_q10 - knot->screen_q10);
-  // Beyond the outer knots it stays as it is.
-  const int32_t above = screen_q10 - knot->screen_q10;
-  if (above <= 0 || knot->excess_q16 == 0) {
-    return shifted;
-  }
-  // Between two knots the product is at most 2^11 in Q16.
-  return shifted + ((above * knot->excess_q16) >> 16);
-}
-
 }  // namespace inkcell

@@ -1,5 +1,6 @@
 #include "inkcell/text.hpp"
 
+#include "position.hpp"
 #include "text_place.hpp"
 
 namespace inkcell {
@@ -8,6 +9,7 @@ namespace {
 using detail::clamp_to;
 using detail::kMaxUnits;
 using detail::place;
+using detail::Placed;
 using detail::UnitScale;
 
 constexpr uint32_t kReplacement = 0xfffd;
@@ -51,12 +53,22 @@ Lead lead_of(uint32_t byte) noexcept {
 void draw_placed(const Font& font,
                  uint16_t glyph,
                  const Brush& brush,
-                 const FinePoint& origin,
+                 const Placed& placed,
                  const Sink& sink) noexcept {
   GlyphField field;
   if (font.field(glyph, field) == Status::ok) {
-    draw_field(field, brush, origin, sink);
+    detail::draw_near(field, brush, placed, sink);
   }
+}
+
+// False: the glyph is too far away. Not inline: what it takes of the stack is
+// free again when the glyph is drawn.
+__attribute__((noinline)) bool place_near(const UnitScale& scale,
+                                          const Brush& brush,
+                                          Point origin,
+                                          const PositionedGlyph& at,
+                                          Placed& out) noexcept {
+  return out.set(place(scale, brush, origin, at));
 }
 
 }  // namespace
@@ -98,10 +110,7 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   out.x = advance_;
   out.y = 0;
   out.glyph = glyph;
-  GlyphMetrics metrics;
-  if (font_.glyph_metrics(glyph, metrics) == Status::ok) {
-    advance_ = clamp_to(advance_ + metrics.advance, kMaxUnits);
-  }
+  advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
   previous_ = glyph;
   return true;
 }
@@ -163,7 +172,10 @@ void draw(const Font& font,
           const Sink& sink) noexcept {
   const UnitScale scale(font, brush);
   for (const PositionedGlyph& at : glyphs) {
-    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink);
+    Placed placed;
+    if (place_near(scale, brush, origin, at, placed)) {
+      draw_placed(font, at.glyph, brush, placed, sink);
+    }
   }
 }
 
@@ -176,7 +188,10 @@ void draw_text(const Font& font,
   TextCursor cursor(font, text);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink);
+    Placed placed;
+    if (place_near(scale, brush, origin, at, placed)) {
+      draw_placed(font, at.glyph, brush, placed, sink);
+    }
   }
 }
 
@@ -185,7 +200,10 @@ void draw_glyph(const Font& font,
                 const Brush& brush,
                 Point origin,
                 const Sink& sink) noexcept {
-  draw_placed(font, glyph, brush, origin, sink);
+  Placed placed;
+  if (placed.set(origin)) {
+    draw_placed(font, glyph, brush, placed, sink);
+  }
 }
 
 }  // namespace inkcell

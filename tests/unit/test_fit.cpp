@@ -236,6 +236,27 @@ TEST(pictures_are_sharper) {
   CHECK_EQ(sharp.at(3, 9), 0);
 }
 
+// Where nothing is fitted any more, glyphs are what they are without.
+TEST(large_pictures_stay) {
+  const Font font = usual_font();
+  Brush brush = brush_of(40 * 64);
+  Fit fit;
+  CHECK_OK(Fit::make(font, brush, {}, fit));
+  for (int32_t y = 30 * 64; y < 31 * 64; y += 7) {
+    const Point origin = {Q26_6::from_raw(y % 64), Q26_6::from_raw(y)};
+    Picture<24, 34> plain;
+    brush.set_fitter(nullptr, nullptr);
+    draw_glyph(font, 1, brush, origin, plain.sink());
+    Picture<24, 34> same;
+    brush.set_fitter(fit_glyph, &fit);
+    draw_glyph(font, 1, brush, origin, same.sink());
+    CHECK(plain.at(12, 20) > 0);
+    for (int32_t i = 0; i < 24 * 34; ++i) {
+      CHECK_EQ(same.at(i % 24, i / 24), plain.at(i % 24, i / 24));
+    }
+  }
+}
+
 namespace {
 
 // A section of any bytes.

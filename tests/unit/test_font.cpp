@@ -410,6 +410,9 @@ TEST(measures_glyphs) {
   CHECK_EQ(font.glyph_metrics(5, metrics), Status::no_glyph);
   CHECK_EQ(font.glyph_metrics(65535, metrics), Status::no_glyph);
   CHECK_EQ(metrics.advance, 750);  // untouched
+  CHECK_EQ(font.advance(2), 750);
+  CHECK_EQ(font.advance(5), 0);
+  CHECK_EQ(Font().advance(0), 0);
 }
 
 // 82 and 668 of 1000 units are 83.97 and 684.03 u.
@@ -422,6 +425,33 @@ TEST(ink_boxes_hold_the_ink) {
   CHECK(ink.y1_u >= 685 && ink.y1_u <= 686);
   CHECK_EQ(font.ink_box(5).x0_u, -InkBox::kFar);
   CHECK_EQ(font.ink_box(5).x1_u, InkBox::kFar);
+}
+
+// Whatever the em: they hold the ink, and hardly more.
+TEST(ink_boxes_are_tight) {
+  constexpr int32_t kEms[] = {256, 257, 1000, 1024, 2047, 2048, 16384};
+  for (const int32_t em : kEms) {
+    sample();
+    put_u16(rom + header::kUnitsPerEm, static_cast<uint32_t>(em));
+    CHECK(repair_checksums({rom, rom_bytes}));
+    Font font;
+    CHECK_OK(Font::open({rom, rom_bytes}, font));
+    const bool is_exact = (em & (em - 1)) == 0;
+    for (uint16_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
+      GlyphMetrics metrics;
+      CHECK_OK(font.glyph_metrics(glyph, metrics));
+      const InkBox ink = font.ink_box(glyph);
+      // How far outside, in u times the em.
+      const int32_t outside[] = {metrics.x_min * 1024 - ink.x0_u * em,
+                                 metrics.y_min * 1024 - ink.y0_u * em,
+                                 ink.x1_u * em - metrics.x_max * 1024,
+                                 ink.y1_u * em - metrics.y_max * 1024};
+      for (const int32_t way : outside) {
+        CHECK(way >= 0);
+        CHECK(way < (is_exact ? em : 2 * em));
+      }
+    }
+  }
 }
 
 TEST(kerns_pairs) {

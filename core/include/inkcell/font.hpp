@@ -100,8 +100,12 @@ class Font {
   /// no_glyph: there is no glyph of this id; `out` is untouched.
   Status glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept;
 
-  /// The box of a glyph's ink, up to 2 u wider; all of the plane if there is no
-  /// such glyph.
+  /// GlyphMetrics::advance alone, in a third of the time; 0 if there is no such
+  /// glyph.
+  int32_t advance(uint16_t glyph) const noexcept;
+
+  /// The box of a glyph's ink, up to 2 u wider on each side, 1 u where the em
+  /// is a power of 2; all of the plane if there is no such glyph.
   InkBox ink_box(uint16_t glyph) const noexcept;
 
   /// What to add to the advance of `left` when `right` follows, in font units;
@@ -147,6 +151,8 @@ class Font {
   Span<const uint8_t> kerning_;
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
+  uint16_t metrics_row_bits_ = 0;
+  int32_t u_per_unit_q14_ = 0;  // 0: the em is too small for boxes of ink
 };
 
 }  // namespace inkcell

@@ -67,6 +67,8 @@ class Hints {
   int32_t stem_width_u() const noexcept { return stem_width_u_; }
 
  private:
+  friend class GlyphFit;
+
   Span<const uint8_t> section_;
   uint32_t rows_ = 0;  // where they begin in the section
   uint32_t lists_ = 0;

@@ -2,6 +2,7 @@
 #include "inkcell/port/a8.hpp"
 
 #include "run.hpp"
+#include "word.hpp"
 
 namespace inkcell {
 namespace port {
@@ -11,6 +12,10 @@ namespace {
 using detail::Run;
 
 // blend(c, 255, a) with one multiplication: 255 - (255 - c) * (255 - a) / 255.
+uint32_t add(uint32_t above, uint32_t below) noexcept {
+  return 255 - divide_by_255((255 - above) * (255 - below));
+}
+
 void coverage(void* context,
               int32_t x,
               int32_t y,
@@ -23,13 +28,21 @@ void coverage(void* context,
   }
   coverage += run.skipped;
   uint8_t* pixel = detail::row_at(strip, run.y) + run.x;
-  for (uint8_t* const end = pixel + run.count; pixel != end; ++pixel) {
-    const uint32_t above = *coverage++;
-    const uint32_t below = *pixel;
-    // Most pixels are drawn where nothing was.
-    *pixel = static_cast<uint8_t>(
-        below == 0 ? above
-                   : 255 - divide_by_255((255 - above) * (255 - below)));
+  int32_t left = run.count;
+  // Most pixels are drawn where nothing was.
+  while (detail::kAnyAddress && left >= 4 &&
+         detail::load_any_word(pixel) == 0) {
+    detail::store_any_word(pixel, detail::load_any_word(coverage));
+    coverage += 4;
+    pixel += 4;
+    left -= 4;
+  }
+  for (uint8_t* const end = pixel + left; pixel != end; ++pixel) {
+    uint32_t sum = *coverage++;
+    if (__builtin_expect(*pixel != 0, 0)) {
+      sum = add(sum, *pixel);
+    }
+    *pixel = static_cast<uint8_t>(sum);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "inkcell/port/mono_pages.hpp"
 
 #include "run.hpp"
+#include "word.hpp"
 
 namespace inkcell {
 namespace port {
@@ -19,8 +20,9 @@ uint32_t row_bit(const Run& run) noexcept {
   return 1u << (run.y & 7);
 }
 
-void put(uint8_t& byte, uint32_t bit, uint8_t level) noexcept {
-  byte = static_cast<uint8_t>(level != 0 ? byte | bit : byte & ~bit);
+// What the row's bit becomes where a pixel is drawn.
+uint32_t drawn_bit(const MonoPagesTarget& target, uint32_t bit) noexcept {
+  return target.level != 0 ? bit : 0;
 }
 
 void coverage(void* context,
@@ -35,9 +37,12 @@ void coverage(void* context,
   }
   coverage += run.skipped;
   uint8_t* byte = first_byte(target.strip, run);
+  const uint32_t bit = row_bit(run);
+  const uint32_t drawn = drawn_bit(target, bit);
+  const uint32_t threshold = target.threshold;
   for (uint8_t* const end = byte + run.count; byte != end; ++byte) {
-    if (*coverage++ >= target.threshold) {
-      put(*byte, row_bit(run), target.level);
+    if (*coverage++ >= threshold) {
+      *byte = static_cast<uint8_t>((*byte & ~bit) | drawn);
     }
   }
 }
@@ -49,8 +54,22 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
     return;
   }
   uint8_t* byte = first_byte(target.strip, run);
-  for (uint8_t* const end = byte + run.count; byte != end; ++byte) {
-    put(*byte, row_bit(run), target.level);
+  uint8_t* const end = byte + run.count;
+  const uint32_t bit = row_bit(run);
+  const uint32_t drawn = drawn_bit(target, bit);
+  constexpr uint32_t kFour = 0x01010101;
+  while (byte != end) {
+    if ((reinterpret_cast<uintptr_t>(byte) & 3) == 0) {
+      for (; end - byte >= 4; byte += 4) {
+        detail::store_word(
+            byte, (detail::load_word(byte) & ~(bit * kFour)) | drawn * kFour);
+      }
+      if (byte == end) {
+        return;
+      }
+    }
+    *byte = static_cast<uint8_t>((*byte & ~bit) | drawn);
+    ++byte;
   }
 }
 

@@ -10,6 +10,50 @@ namespace {
 
 using detail::Run;
 
+// Up to 32 pixels as bits, the left one highest or lowest.
+uint32_t drawn(const uint8_t* coverage,
+               uint32_t count,
+               uint32_t threshold,
+               BitOrder order) noexcept {
+  uint32_t bits = 0;
+  if (order == BitOrder::high_left) {
+    for (const uint8_t* const end = coverage + count; coverage != end;) {
+      bits = 2 * bits + (*coverage++ >= threshold ? 1 : 0);
+    }
+    return bits << (32 - count);
+  }
+  for (const uint8_t* at = coverage + count; at != coverage;) {
+    bits = 2 * bits + (*--at >= threshold ? 1 : 0);
+  }
+  return bits;
+}
+
+// Sets the pixels of `bits` from pixel `x` of a row, or clears them, byte by
+// byte.
+void put(uint8_t* row,
+         uint32_t x,
+         uint32_t bits,
+         const MonoRowsTarget& target) {
+  uint8_t* byte = row + (x >> 3);
+  const uint32_t pattern = target.level != 0 ? 0xff : 0;
+  const auto merge = [&byte, pattern](uint32_t part) noexcept {
+    *byte = static_cast<uint8_t>((*byte & ~part) | (part & pattern));
+    ++byte;
+  };
+  const uint32_t begin = x & 7;
+  if (target.order == BitOrder::high_left) {
+    merge(bits >> (24 + begin));
+    for (bits <<= 8 - begin; bits != 0; bits <<= 8) {
+      merge(bits >> 24);
+    }
+  } else {
+    merge(bits << begin & 0xff);
+    for (bits >>= 8 - begin; bits != 0; bits >>= 8) {
+      merge(bits & 0xff);
+    }
+  }
+}
+
 void coverage(void* context,
               int32_t x,
               int32_t y,
@@ -22,14 +66,15 @@ void coverage(void* context,
   }
   coverage += run.skipped;
   uint8_t* const row = detail::row_at(target.strip, run.y);
-  const auto begin = static_cast<uint32_t>(run.x);
-  const uint32_t end = begin + static_cast<uint32_t>(run.count);
-  for (uint32_t column = begin; column != end; ++column) {
-    if (*coverage++ >= target.threshold) {
-      const uint32_t bit = 1u << detail::packed_shift(column, 0, target.order);
-      uint8_t& byte = row[column >> 3];
-      byte = static_cast<uint8_t>(target.level != 0 ? byte | bit : byte & ~bit);
-    }
+  auto column = static_cast<uint32_t>(run.x);
+  const uint32_t end = column + static_cast<uint32_t>(run.count);
+  while (column != end) {
+    const uint32_t left = end - column;
+    const uint32_t part = left < 32 ? left : 32;
+    put(row, column, drawn(coverage, part, target.threshold, target.order),
+        target);
+    coverage += part;
+    column += part;
   }
 }
 

@@ -30,8 +30,8 @@ void fill_packed(uint8_t* row,
                  uint8_t pattern,
                  BitOrder order) noexcept;
 
-/// Blends `count` pixels from `x` of a row, each on the levels of its bits.
-/// Inline so that bits_log2 is a constant where it is called.
+/// Blends `count` pixels (1 or more) from `x` of a row, each on the levels of
+/// its bits. Inline so that bits_log2 is a constant where it is called.
 inline void blend_packed(uint8_t* row,
                          uint32_t x,
                          const uint8_t* coverage,
@@ -39,18 +39,31 @@ inline void blend_packed(uint8_t* row,
                          uint32_t bits_log2,
                          uint8_t level,
                          BitOrder order) noexcept {
-  const uint32_t mask = (1u << (1u << bits_log2)) - 1;
-  for (const uint8_t* end = coverage + count; coverage != end; ++coverage) {
-    if (*coverage != 0) {
-      const uint32_t shift = packed_shift(x, bits_log2, order);
-      uint8_t& byte = row[x >> (3 - bits_log2)];
-      const uint32_t old = static_cast<uint32_t>(byte) >> shift & mask;
-      // A level out of range must not reach the pixel beside this one.
-      const uint32_t change = (old ^ blend(*coverage, level, old)) & mask;
-      byte = static_cast<uint8_t>(byte ^ change << shift);
+  const uint32_t bits = 1u << bits_log2;
+  const uint32_t mask = (1u << bits) - 1;
+  // A level out of range must not reach the pixel beside this one.
+  const uint32_t above = level & mask;
+  uint8_t* at = row + (x >> (3 - bits_log2));
+  uint32_t shift = packed_shift(x, bits_log2, order);
+  const uint32_t step = order == BitOrder::high_left ? 0 - bits : bits;
+  uint32_t byte = *at;
+  for (const uint8_t* const end = coverage + count;;) {
+    // blend() with one multiplication: all of 0 leaves the pixel as it is.
+    const uint32_t old = byte >> shift & mask;
+    const uint32_t mixed =
+        divide_by_255(255 * old + *coverage++ * (above - old));
+    byte ^= (old ^ mixed) << shift;
+    shift += step;
+    if (coverage == end) {
+      break;
     }
-    ++x;
+    if (shift >= 8) {
+      *at++ = static_cast<uint8_t>(byte);
+      byte = *at;
+      shift &= 7;
+    }
   }
+  *at = static_cast<uint8_t>(byte);
 }
 
 }  // namespace detail

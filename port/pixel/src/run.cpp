@@ -14,37 +14,27 @@ bool in_range(int32_t origin, int32_t size) noexcept {
          size <= kMaxSide && size <= kMaxSide - origin;
 }
 
-// The difference modulo 2^32. `b` is a strip's corner, so it wraps only for an
-// `a` some 2^31 px away, which clip() then cuts like any other.
-int32_t wrapping_difference(int32_t a, int32_t b) noexcept {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) -
-                              static_cast<uint32_t>(b));
-}
-
 }  // namespace
 
 namespace detail {
 
-bool clip_any(const Strip& strip, Run& run) noexcept {
-  run.y = wrapping_difference(run.y, strip.y0);
-  if (run.y < 0 || run.y >= strip.height) {
-    return false;
+int32_t count_within(const Strip& strip,
+                     int32_t x,
+                     int32_t y,
+                     int32_t count) noexcept {
+  if (y < 0 || y >= strip.height || count <= 0) {
+    return 0;
   }
-  run.x = wrapping_difference(run.x, strip.x0);
-  run.skipped = 0;
-  if (run.x < 0) {
-    if (run.count <= 0 || run.x <= -run.count) {
-      return false;
+  if (x < 0) {
+    if (x <= -count) {
+      return 0;
     }
-    run.skipped = -run.x;
-    run.count += run.x;
-    run.x = 0;
+    count += x;
+    x = 0;
   }
-  const int32_t room = strip.width - run.x;
-  if (run.count > room) {
-    run.count = room;
-  }
-  return run.count > 0;
+  const int32_t room = strip.width - x;
+  const int32_t left = count > room ? room : count;
+  return left > 0 ? left : 0;
 }
 
 Status open_sink(const Strip& strip,
@@ -67,8 +57,11 @@ Status check_strip(const Strip& strip, PixelFormat format) noexcept {
   if (strip.stride < row_bytes || strip.stride > kMaxStride) {
     return Status::bad_argument;
   }
+  // Nothing is divided unless it must be: some cores take long.
   const int32_t per_stride = rows_per_stride(format);
-  const int32_t rows = (strip.height + per_stride - 1) / per_stride;
+  const int32_t rows = per_stride == 1
+                           ? strip.height
+                           : (strip.height + per_stride - 1) / per_stride;
   if (rows > 0) {
     // The last row need not be followed by the stride's padding.
     const uint32_t before_last =

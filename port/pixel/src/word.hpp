@@ -19,6 +19,23 @@ inline void store_word(uint8_t* bytes, uint32_t word) noexcept {
   __builtin_memcpy(__builtin_assume_aligned(bytes, 4), &word, 4);
 }
 
+/// Whether words at any address are as fast as others.
+#if defined(__ARM_FEATURE_UNALIGNED) || defined(__x86_64__)
+inline constexpr bool kAnyAddress = true;
+#else
+inline constexpr bool kAnyAddress = false;
+#endif
+
+/// At any address; slow where the core has no such access.
+inline uint32_t load_any_word(const uint8_t* bytes) noexcept {
+  uint32_t word;
+  __builtin_memcpy(&word, bytes, 4);
+  return word;
+}
+inline void store_any_word(uint8_t* bytes, uint32_t word) noexcept {
+  __builtin_memcpy(bytes, &word, 4);
+}
+
 /// Two bytes, at an even address.
 inline uint32_t load_half(const uint8_t* bytes) noexcept {
   uint16_t half;
