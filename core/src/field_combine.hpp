@@ -71,7 +71,9 @@ inline void read_leaf(const GlyphField& field,
 }
 
 // Draws cell after cell: fastest where cells have many pixels.
-void draw_by_cells(FieldPage& page, const Upright& upright) noexcept;
+void draw_by_cells(const FieldPage& page,
+                   const Upright& upright,
+                   const Sink& sink) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

@@ -187,7 +187,7 @@ void draw_fields(const GlyphField& field,
                     brush.step_along_q16(),
                     SpanWriter(sink, pixels.y0)};
   if (upright.rows == nullptr && page.scale.size_q8 >= kCellsFromQ8) {
-    draw_by_cells(page, upright);
+    draw_by_cells(page, upright, sink);
     return;
   }
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
