@@ -1,9 +1,17 @@
-// A block's fields are set up at its upper left pixel and then followed by
-// addition, exact modulo 2^32, so that no pixel depends on where a window cuts
-// the cell. What a field's slopes allow within the block tells how far from 0
-// it must be to leave a whole row, or the whole block, saturated; such fields
-// are dropped or decide alone. What is left is followed along the row, and
-// where it is saturated as many pixels are skipped as its slope allows.
+// A block's fields are set up once and then followed by addition, exact modulo
+// 2^32, so that no pixel depends on where a window cuts the cell. What a
+// field's slopes allow within the block tells how far from 0 it must be at the
+// middle to leave all of it saturated; such fields are dropped or decide alone.
+//
+// Along a row most fields lead from outside through the ramp to inside, or
+// back. Where the ramp begins is kept from row to row and moved by as many
+// pixels as it takes, so that a row costs little more than the pixels on its
+// ramps.
+//
+//        . . . . . . . 1 5 9 # # # # # #      1  where the ramp begins
+//        . . . . . . 3 7 # # # # # # # #
+//
+// Values have the leaf's sign: there is only the least.
 //
 // What is not inline keeps the frames on the stack small.
 #include "field_block.hpp"
@@ -14,376 +22,382 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// Roundings of bent fields do not reach so far. [px, Q22]
+// Half of it is more than what roundings of bent fields make, and the other
+// half is how far a field that goes one way may go back. [px, Q22]
 constexpr int32_t kArcMargin = 1 << 18;
+constexpr int32_t kMaxDipQ14 = kArcMargin / 2 >> 8;
 
-// Of a steeper field nothing is known of the rest of a row. [px per px]
-constexpr int32_t kMaxSlopeQ14 = 2 << 14;
+// From this width on fields are followed. [px]
+constexpr int32_t kMinTracked = 5;
 
-// One less below 0: bytes may make any value, also the least.
-int32_t size_of(int32_t value) noexcept {
-  return value < 0 ? ~value : value;
+// From this width on a block is cut where a field turns, and one of three
+// fields in the middle, so that most of them are left with fewer. [px]
+constexpr int32_t kMinCut = 8;
+constexpr int32_t kMinCutOfThree = 16;
+
+// So many solid pixels are a run of their own, and so many empty ones a gap.
+constexpr int32_t kMinSolid = 10;
+constexpr int32_t kMinGap = 6;
+
+// A sum that is from 0 to 256 px for all that keeps the format's limits. [px]
+int32_t bounded(uint32_t value_q22) noexcept {
+  constexpr int32_t kMost = 1 << 30;
+  return greater(lesser(wrapped(value_q22), kMost), 0);
 }
 
-// From the least to the greatest value of something linear over a block.
-struct Reach {
-  int32_t low;
-  int32_t high;
-
-  Reach(uint32_t first, uint32_t right, uint32_t down) noexcept {
-    const int32_t a = wrapped(right);
-    const int32_t b = wrapped(down);
-    low = wrapped(first + static_cast<uint32_t>(lesser(a, 0)) +
-                  static_cast<uint32_t>(lesser(b, 0)));
-    high = wrapped(first + static_cast<uint32_t>(greater(a, 0)) +
-                   static_cast<uint32_t>(greater(b, 0)));
+// Whether a field of this slope at the middle of a row goes back by more than a
+// dip: its slope changes by `change_q14` to both sides. [px per px]
+bool turns(int32_t change_q14, int32_t slope_q14, int32_t width) noexcept {
+  const int32_t back_q14 = change_q14 - magnitude(slope_q14);
+  if (back_q14 <= 0) {
+    return false;
   }
-  void widen(int32_t down, int32_t up) noexcept {
-    low = wrapped(static_cast<uint32_t>(low) + static_cast<uint32_t>(down));
-    high = wrapped(static_cast<uint32_t>(high) + static_cast<uint32_t>(up));
-  }
-};
+  // The slope is on that side of 0 for back / (2 change) of the row.
+  constexpr int32_t kSteep = 1 << 12;
+  return back_q14 > kSteep || back_q14 * back_q14 * width >
+                                  4 * kMaxDipQ14 * lesser(change_q14, 1 << 17);
+}
 
 }  // namespace
 
 void BlockPainter::fill(const Block& block) noexcept {
   for (int32_t row = block.top; row < block.bottom; ++row) {
-    page_.writer.go_to_row(y0_ + row);
-    page_.writer.solid(x0_ + block.left, block.right - block.left);
-    page_.writer.flush();
+    sink_.solid(sink_.context, x0_ + block.left, y0_ + row,
+                block.right - block.left);
   }
 }
 
-// Sets a field up at the block's upper left pixel. What it shows of the block.
-BlockPainter::Side BlockPainter::set_up(Track& track,
-                                        int32_t sign,
-                                        const Block& block) noexcept {
-  const int32_t bend_log2 = page_.scale.bend_log2;
-  const auto wide = static_cast<uint32_t>(block.right - block.left - 1);
-  const auto high = static_cast<uint32_t>(block.bottom - block.top - 1);
-  const PixelPlace place = place_of(block);
-  FieldTerm term;
-  set_up_term(term, page_.field, track.unit, place.x_q8, place.y_q8,
-              page_.scale);
-  track.row.plane_q22 = term.plane_q22;
-  track.row.along_q22 = term.along_q22;
-  track.bend = term.bend;
-  track.dx_q22 = static_cast<uint32_t>(term.nx_q14) << 8;
-  track.dy_q22 = static_cast<uint32_t>(term.ny_q14) << 8;
-  Reach value(track.row.plane_q22, wide * track.dx_q22,
-              0u - high * track.dy_q22);
-  // The slopes along a row. [px per px, Q14]
-  int32_t least = term.nx_q14;
-  int32_t most = term.nx_q14;
-  int32_t margin = 0;
-  if (term.bend != 0) {
-    const Reach along(track.row.along_q22, 0u - wide * track.dy_q22,
-                      0u - high * track.dx_q22);
-    FieldTerm end = term;
-    end.plane_q22 = 0;
-    end.along_q22 = static_cast<uint32_t>(along.low);
-    const auto steep = [&end, bend_log2] {
-      return wrapped(times(end.ny_q14,
-                           static_cast<uint32_t>(end.slope_q15(bend_log2)))) >>
-             14;
-    };
-    const int32_t low_slope = steep();
-    const int32_t low_sag = end.value_q22(bend_log2);
-    end.along_q22 = static_cast<uint32_t>(along.high);
-    const int32_t high_slope = steep();
-    const int32_t high_sag = end.value_q22(bend_log2);
-    least = term.nx_q14 - greater(low_slope, high_slope) - 1;
-    most = term.nx_q14 - lesser(low_slope, high_slope) + 1;
-    value.widen(lesser(lesser(low_sag, high_sag), 0),
-                greater(greater(low_sag, high_sag), 0));
-    margin = kArcMargin;
-    margin_q22_ = kArcMargin;
+// Sets a field up for the row above the block. What it shows of the block.
+__attribute__((noinline)) BlockPainter::Side BlockPainter::set_up(
+    Track& track, uint32_t unit) noexcept {
+  namespace fields = format::fields;
+  const uint8_t* at =
+      page_.field.cells + 2 * (unit & format::linked::kOffsetMask);
+  const int32_t nx_q14 = load_i16(at + fields::kNormalX);
+  const int32_t ny_q14 = load_i16(at + fields::kNormalY);
+  const uint32_t size_q8 = page_.scale.size_q8;
+  // From the middle to the outer pixels.
+  int32_t half_x_q8 = (width_ - 1) << 7;
+  const int32_t half_y_q8 = (height_ - 1) << 7;
+  const uint32_t x_q8 = place_.x_q8 + static_cast<uint32_t>(half_x_q8);
+  const uint32_t y_q8 = place_.y_q8 - static_cast<uint32_t>(half_y_q8);
+  uint32_t plane_q22 = times(nx_q14, x_q8) + times(ny_q14, y_q8) +
+                       times(load_i16(at + fields::kOffset), size_q8);
+  plane_q22 = static_cast<uint32_t>(with_sign(wrapped(plane_q22), sign_));
+  int32_t value = wrapped(plane_q22);
+  const int32_t dx_q14 = with_sign(nx_q14, sign_);
+  const int32_t dy_q14 = with_sign(ny_q14, sign_);
+  // The gradient at the middle, and how it changes on the way from there.
+  int32_t slope_x_q14 = dx_q14;
+  int32_t slope_y_q14 = dy_q14;
+  int32_t change_q14 = 0;
+  int32_t margin_q22 = 0;
+  int32_t sag_q22 = 0;
+  uint32_t along_q22 = 0;
+  int32_t bend = 0;
+  if ((unit & format::linked::kArcField) != 0) {
+    along_q22 = times(nx_q14, y_q8) - times(ny_q14, x_q8) + (1 << 13) +
+                times(load_i16(at + fields::kAlong), size_q8);
+    bend =
+        (load_i16(at + fields::kBend) * page_.scale.bend_q14 + (1 << 10)) >> 11;
+    value = value_q22(bend, {plane_q22, along_q22});
+    const int32_t slope_q15 =
+        wrapped(times(bend, static_cast<uint32_t>(wrapped(along_q22) >> 14))) >>
+        bend_shift_;
+    const auto slope = static_cast<uint32_t>(with_sign(slope_q15, sign_));
+    slope_x_q14 -= wrapped(times(ny_q14, slope)) >> 14;
+    slope_y_q14 += wrapped(times(nx_q14, slope)) >> 14;
+    const auto way_q8 = static_cast<uint32_t>(
+        (magnitude(nx_q14) * half_y_q8 + magnitude(ny_q14) * half_x_q8) >> 14);
+    const auto change_q15 = static_cast<uint32_t>(
+        wrapped(times(magnitude(bend), way_q8)) >> bend_shift_);
+    margin_q22 = kArcMargin;
+    sag_q22 = wrapped(change_q15 * way_q8) >> 1;
+    change_q14 = wrapped(times(magnitude(ny_q14), change_q15)) >> 14;
   }
-  const int32_t reach_q22 = page_.reach_q22 + margin;
-  if (value.low >= reach_q22) {
-    return sign == 0 ? Side::inside : Side::outside;
+  const auto wide_q8 = static_cast<uint32_t>(half_x_q8);
+  const auto high_q8 = static_cast<uint32_t>(half_y_q8);
+  const int32_t reach_q22 = bounded(
+      static_cast<uint32_t>(page_.reach_q22 + margin_q22) +
+      static_cast<uint32_t>(sag_q22) + times(magnitude(slope_x_q14), wide_q8) +
+      times(magnitude(slope_y_q14), high_q8));
+  if (value >= reach_q22) {
+    return Side::inside;
   }
-  if (value.high <= -reach_q22) {
-    return sign == 0 ? Side::outside : Side::inside;
+  if (value <= -reach_q22) {
+    return Side::outside;
   }
-  const int32_t slope_q14 = greater(most, -least);
-  slope_q14_ = greater(slope_q14_, slope_q14);
-  if (slope_q14 > kMaxSlopeQ14) {
-    track.inside_q22 = INT32_MAX;
-    track.outside_q22 = -INT32_MAX;
-    return Side::edge;
+  track.bend = bend;
+  track.unit = static_cast<uint16_t>(unit);
+  track.rest = static_cast<int8_t>(width_ - 1);
+  track.margin_q22 = margin_q22;
+  track.is_left = false;
+  track.is_wavy = false;
+  // To the first pixel, a row above.
+  int32_t step = 1 << 8;
+  if (width_ < kMinTracked || turns(change_q14, slope_x_q14, width_)) {
+    track.is_wavy = true;
+    track.margin_q22 =
+        bounded(static_cast<uint32_t>(margin_q22) +
+                times(magnitude(slope_x_q14) + change_q14, 2 * wide_q8));
+    if (width_ >= kMinCut) {
+      // Where it turns.
+      const int32_t way = slope_x_q14 * (width_ >> 1) / change_q14;
+      cut_ = (width_ >> 1) + ((bend ^ sign_) < 0 ? way : -way);
+    }
+  } else if (slope_x_q14 < 0) {
+    track.is_left = true;
+    step = -step;
+    half_x_q8 = -half_x_q8;
   }
-  const auto width = static_cast<int32_t>(wide) << 8;
-  const int32_t down_q22 = width * lesser(least, 0);
-  const int32_t up_q22 = width * greater(most, 0);
-  track.inside_q22 = reach_q22 + (sign == 0 ? -down_q22 : up_q22);
-  track.outside_q22 = -reach_q22 + (sign == 0 ? -up_q22 : down_q22);
+  const int32_t up_q8 = half_y_q8 + (1 << 8);
+  track.spot.plane_q22 = plane_q22 -
+                         times(dx_q14, static_cast<uint32_t>(half_x_q8)) +
+                         times(dy_q14, static_cast<uint32_t>(up_q8));
+  track.spot.along_q22 = along_q22 +
+                         times(ny_q14, static_cast<uint32_t>(half_x_q8)) +
+                         times(nx_q14, static_cast<uint32_t>(up_q8));
+  track.further = {static_cast<uint32_t>(dx_q14 * step),
+                   static_cast<uint32_t>(-ny_q14 * step)};
+  track.down = {static_cast<uint32_t>(dy_q14 * (1 << 8)),
+                static_cast<uint32_t>(nx_q14 * (1 << 8))};
   return Side::edge;
 }
 
 // Sets up the fields of a leaf and keeps those that matter. What the block
-// shows, as if the operator asked for the least.
-__attribute__((noinline)) BlockPainter::Side BlockPainter::set_up_all(
-    LeafFields& leaf, const Block& block) noexcept {
-  slope_q14_ = 64;
-  margin_q22_ = 0;
-  Side sides[3];
-  const uint32_t all = leaf.count;
-  leaf.count = 0;
-  for (uint32_t i = 0; i < all; ++i) {
-    Track& track = tracks_[leaf.count];
-    track.unit = leaf.units[i];
-    sides[i] = set_up(track, leaf.sign, block);
-    if (sides[i] == Side::outside && (i == 0 || !leaf.is_nested)) {
-      return Side::outside;
+// shows.
+inline BlockPainter::Side BlockPainter::set_up_all(LeafFields& leaf) noexcept {
+  while (true) {
+    sign_ = leaf.sign;
+    const uint32_t all = leaf.count;
+    leaf.count = 0;
+    Side sides[3];
+    for (uint32_t i = 0; i < all; ++i) {
+      const uint16_t unit = leaf.units[i];
+      sides[i] = set_up(tracks_[leaf.count], unit);
+      if (sides[i] == Side::outside && (i == 0 || !leaf.is_nested)) {
+        return Side::outside;
+      }
+      if (sides[i] == Side::edge) {
+        leaf.units[leaf.count++] = unit;
+      }
     }
-    if (sides[i] == Side::edge) {
-      leaf.units[leaf.count++] = track.unit;
+    if (!leaf.is_nested || leaf.count == 3) {
+      break;
     }
-  }
-  if (leaf.is_nested) {
-    const bool is_first_left = sides[0] == Side::edge;
     if (sides[1] == Side::outside && sides[2] == Side::outside) {
       return Side::outside;
     }
+    leaf.is_nested = false;
+    const bool is_first_left = sides[0] == Side::edge;
     if (sides[1] == Side::inside || sides[2] == Side::inside) {
       leaf.count = is_first_left ? 1 : 0;
+      break;
     }
-    leaf.is_nested = leaf.count == 3;
-    if (leaf.count != 0 && !leaf.is_nested && !is_first_left) {
-      // The greater of the others is all.
-      leaf.sign = ~leaf.sign;
-      for (uint32_t i = 0; i < leaf.count; ++i) {
-        const int32_t inside_q22 = tracks_[i].inside_q22;
-        tracks_[i].inside_q22 = -tracks_[i].outside_q22;
-        tracks_[i].outside_q22 = -inside_q22;
-      }
+    if (is_first_left) {
+      break;
     }
+    // The greater of the others is all.
+    leaf.sign = ~leaf.sign;
   }
   return leaf.count == 0 ? Side::inside : Side::edge;
 }
 
-// How many pixels from one on show the same, given its value, which is beyond
-// the ramp.
-inline int32_t BlockPainter::skipped(int32_t value_q22) const noexcept {
-  constexpr int32_t kMost = (1 << 14) - 1;
-  const int32_t way_q8 =
-      (size_of(value_q22) - page_.reach_q22 - margin_q22_) >> 14;
-  if (way_q8 <= 0) {
-    return 1;
+// Whether all rows of the block are alike.
+inline bool BlockPainter::is_steady(uint32_t count) const noexcept {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (tracks_[i].down.plane_q22 != 0 || tracks_[i].bend != 0) {
+      return false;
+    }
   }
-  return 1 +
-         static_cast<int32_t>((static_cast<uint32_t>(lesser(way_q8, kMost)) *
-                               pixels_per_slope_) >>
-                              18);
+  return true;
 }
 
-// Pixels up to `end` that are all saturated.
-inline void BlockPainter::saturate(int32_t x,
+inline void BlockPainter::span(int32_t begin, int32_t end, int32_t y) noexcept {
+  if (begin < end) {
+    sink_.coverage(sink_.context, left_ + begin, y, buffer_ + begin,
+                   end - begin);
+  }
+}
+
+// Draws the rows of a lone field.
+__attribute__((noinline)) void BlockPainter::draw_lone(int32_t y,
+                                                       int32_t end_y) noexcept {
+  const Track& track = tracks_[0];
+  const int32_t bend = track.bend;
+  const int32_t width = width_;
+  const Spot further = track.further;
+  const bool is_left = track.is_left;
+  const bool is_wavy = track.is_wavy;
+  const bool is_same = is_steady(1);
+  const bool is_solid_left = is_left != (sign_ != 0);
+  const int32_t outside_q22 = outside_q22_ - track.margin_q22;
+  const int32_t inside_q22 = page_.reach_q22 + track.margin_q22;
+  Spot spot = track.spot;
+  int32_t most = width;  // pixels from `spot` on
+  int32_t shown = 0;     // of them not outside: all or none
+  int32_t full = 0;      // the last ones, which are inside
+  for (bool is_drawn = false; y != end_y; ++y) {
+    if (!is_drawn || !is_same) {
+      is_drawn = true;
+      spot = spot.minus(track.down);
+      int32_t value = value_q22(bend, spot);
+      full = 0;
+      if (value > outside_q22) {
+        for (; most != width; ++most) {
+          const Spot back = spot.minus(further);
+          const int32_t before = value_q22(bend, back);
+          if (before <= outside_q22) {
+            break;
+          }
+          spot = back;
+          value = before;
+        }
+        full = most;
+      } else if (!is_wavy) {
+        while (most != 1) {
+          --most;
+          spot = spot.plus(further);
+          value = value_q22(bend, spot);
+          if (value > outside_q22) {
+            full = most;
+            break;
+          }
+        }
+      }
+      shown = full;
+      if (full != 0 && value < inside_q22) {
+        uint8_t* at = buffer_ + (is_left ? most - 1 : width - most);
+        Spot next = spot;
+        do {
+          *at = coverage(value);
+          at += is_left ? -1 : 1;
+          next = next.plus(further);
+          value = value_q22(bend, next);
+        } while (--full != 0 && (is_wavy || value < inside_q22));
+      }
+    }
+    // What is on the ramp, and what is full to one side of it.
+    int32_t begin = is_left ? full : width - shown;
+    int32_t end = is_left ? shown : width - full;
+    const int32_t solid = is_solid_left ? begin : width - end;
+    if (solid >= kMinSolid) {
+      sink_.solid(sink_.context, left_ + (is_solid_left ? 0 : end), y, solid);
+    } else if (solid != 0) {
+      uint8_t* at = buffer_ + (is_solid_left ? 0 : end);
+      for (uint8_t* const last = at + solid; at != last; ++at) {
+        *at = 255;
+      }
+      begin = is_solid_left ? 0 : begin;
+      end = is_solid_left ? end : width;
+    }
+    span(begin, end, y);
+  }
+}
+
+// Pixels from `from` on are in the buffer, those from `begin` on are all full.
+// Returns where what is in the buffer begins afterwards.
+inline int32_t BlockPainter::solid(int32_t from,
+                                   int32_t begin,
                                    int32_t end,
-                                   bool inside) noexcept {
-  page_.writer.saturated(x, end - x, inside == (sign_ == 0));
-}
-
-// A pixel of the ramp.
-inline void BlockPainter::put(int32_t value_q22, int32_t x) noexcept {
-  page_.writer.begin(x);
-  page_.writer.append(page_.filter.coverage(with_sign(value_q22, sign_) >> 12));
-}
-
-inline bool BlockPainter::is_on_ramp(int32_t value_q22) const noexcept {
-  return value_q22 < page_.reach_q22 && value_q22 > -page_.reach_q22;
-}
-
-// A row, or the rest of one, of one field.
-__attribute__((noinline)) void BlockPainter::draw_single(const Track& track,
-                                                         Spot spot,
-                                                         int32_t x,
-                                                         int32_t end) noexcept {
-  while (true) {
-    const int32_t value = value_q22(track, spot);
-    if (is_on_ramp(value)) {
-      put(value, x);
-      if (++x == end) {
-        return;
-      }
-      track.move_right(spot);
-      continue;
+                                   int32_t y) noexcept {
+  if (end - begin < kMinSolid) {
+    for (; begin < end; ++begin) {
+      buffer_[begin] = 255;
     }
-    if (value >= track.inside_q22 || value <= track.outside_q22) {
-      saturate(x, end, value > 0);
-      return;
-    }
-    const int32_t step = lesser(skipped(value), end - x);
-    saturate(x, x + step, value > 0);
-    x += step;
-    if (x == end) {
-      return;
-    }
-    track.move_right(spot, static_cast<uint32_t>(step));
+    return from;
   }
+  span(from, begin, y);
+  sink_.solid(sink_.context, left_ + begin, y, end - begin);
+  return end;
 }
 
-// The same of two, until one of them decides all that is left.
-__attribute__((noinline)) void BlockPainter::draw_pair(const Track& a,
-                                                       const Track& b,
-                                                       PixelPlace place,
-                                                       int32_t x,
-                                                       int32_t end) noexcept {
-  Spot at_a = a.row;
-  Spot at_b = b.row;
-  while (true) {
-    int32_t values[2] = {value_q22(a, at_a), value_q22(b, at_b)};
-    if (values[0] <= a.outside_q22 || values[1] <= b.outside_q22) {
-      saturate(x, end, false);
-      return;
-    }
-    if (values[0] >= a.inside_q22) {
-      draw_single(b, at_b, x, end);
-      return;
-    }
-    if (values[1] >= b.inside_q22) {
-      draw_single(a, at_a, x, end);
-      return;
-    }
-    const bool in_order = values[0] <= values[1];
-    int32_t value = in_order ? values[0] : values[1];
-    int32_t step = 1;
-    if (is_on_ramp(value)) {
-      // Where the greater one is farther from 0 no vertex is near.
-      if (value < 0 && values[0] + values[1] < 0) {
-        const LeafFields leaf = {{a.unit, b.unit}, false, 2, sign_};
-        value = rounded_at(page_, leaf, in_order ? 0 : 1, in_order ? 1 : 0,
-                           values, place);
-      }
-      put(value, x);
-    } else {
-      step = lesser(skipped(value), end - x);
-      saturate(x, x + step, value > 0);
-    }
-    x += step;
-    if (x == end) {
-      return;
-    }
-    place.x_q8 += static_cast<uint32_t>(step) << 8;
-    a.move_right(at_a, static_cast<uint32_t>(step));
-    b.move_right(at_b, static_cast<uint32_t>(step));
-  }
-}
-
-// A row of three fields that all matter.
-__attribute__((noinline)) void BlockPainter::draw_triple(const LeafFields& leaf,
-                                                         PixelPlace place,
-                                                         int32_t x,
-                                                         int32_t end) noexcept {
-  uint32_t way = 0;
-  while (x < end) {
-    int32_t values[3];
-    for (uint32_t i = 0; i < 3; ++i) {
-      Spot spot = tracks_[i].row;
-      tracks_[i].move_right(spot, way);
-      values[i] = value_q22(tracks_[i], spot);
-    }
-    // Roundings change values on the ramp only, but there by any amount.
-    const int32_t others = leaf.is_nested ? greater(values[1], values[2])
-                                          : lesser(values[1], values[2]);
-    const int32_t value = lesser(values[0], others);
-    int32_t step = 1;
-    if (is_on_ramp(value)) {
-      put(combined(page_, leaf, values, place), x);
-    } else {
-      step = lesser(skipped(value), end - x);
-      saturate(x, x + step, value > 0);
-    }
-    x += step;
-    way += static_cast<uint32_t>(step);
-    place.x_q8 += static_cast<uint32_t>(step) << 8;
-  }
-}
-
-// What the fields of a leaf are from here to the end of the row.
-inline BlockPainter::Side BlockPainter::side_of(uint32_t i) const noexcept {
-  const Track& track = tracks_[i];
-  const int32_t value = value_q22(track, track.row);
-  if (value <= track.outside_q22) {
-    return Side::outside;
-  }
-  return value >= track.inside_q22 ? Side::inside : Side::edge;
-}
-
-// A row of three fields: most of them matter in a part of their cell only.
-__attribute__((noinline)) void BlockPainter::draw_three(const LeafFields& leaf,
-                                                        PixelPlace place,
-                                                        int32_t x,
-                                                        int32_t end) noexcept {
-  const Side a = side_of(0);
-  if (a == Side::outside) {
-    saturate(x, end, false);
-    return;
-  }
-  const Side b = side_of(1);
-  const Side c = side_of(2);
-  // The one that does not matter, if any.
-  uint32_t other = 3;
-  if (leaf.is_nested) {
-    if (b == Side::outside && c == Side::outside) {
-      saturate(x, end, false);
-      return;
-    }
-    if (b == Side::inside || c == Side::inside) {
-      if (a == Side::inside) {
-        saturate(x, end, true);
-      } else {
-        draw_single(tracks_[0], tracks_[0].row, x, end);
-      }
-      return;
-    }
-    if (b == Side::outside || c == Side::outside) {
-      other = b == Side::outside ? 1 : 2;
-    }
-  } else if (b == Side::outside || c == Side::outside) {
-    saturate(x, end, false);
-    return;
-  } else if (a == Side::inside || b == Side::inside || c == Side::inside) {
-    other = a == Side::inside ? 0 : b == Side::inside ? 1 : 2;
-  }
-  if (other == 3) {
-    draw_triple(leaf, place, x, end);
+__attribute__((noinline)) void BlockPainter::hand_over(const Row& row,
+                                                       int32_t y) noexcept {
+  int32_t from = row.begin;
+  int32_t end = row.end;
+  if (sign_ == 0) {
+    from = solid(from, row.solid_begin, row.solid_end, y);
   } else {
-    draw_pair(tracks_[other == 0 ? 1 : 0], tracks_[other == 2 ? 1 : 2], place,
-              x, end);
+    // All is the other way round.
+    from = solid(0, 0, from, y);
+    if (row.solid_end - row.solid_begin >= kMinGap) {
+      span(from, row.solid_begin, y);
+      from = row.solid_end;
+    } else {
+      for (int32_t x = row.solid_begin; x < row.solid_end; ++x) {
+        buffer_[x] = 0;
+      }
+    }
+    from = solid(from, end, width_, y);
+    end = width_;
+  }
+  span(from, end, y);
+}
+
+BlockPainter::BlockPainter(const FieldPage& page,
+                           const Sink& sink,
+                           const Rect& pixels,
+                           const PixelPlace& first) noexcept
+    : page_(page),
+      sink_(sink),
+      first_(first),
+      x0_(pixels.x0),
+      y0_(pixels.y0),
+      bend_shift_(page.scale.bend_log2 + 5) {
+  // A filter that was not made by make_filter must not lead out of its table.
+  const Filter& filter = page.filter;
+  ramp_.outside_q10 = filter.outside_q10;
+  ramp_.length_q10 =
+      static_cast<uint32_t>(greater(filter.inside_q10 - filter.outside_q10, 0));
+  ramp_.scale = filter.scale;
+  constexpr uint32_t kAll = Filter::kEntries << 14;
+  if (ramp_.length_q10 * ramp_.scale > kAll) {
+    ramp_.scale = kAll / ramp_.length_q10;
   }
 }
 
-void BlockPainter::draw(LeafFields leaf, const Block& block) noexcept {
-  const Side side = set_up_all(leaf, block);
-  sign_ = leaf.sign;
+bool BlockPainter::draw(LeafFields& leaf, Block& block) noexcept {
+  cut_ = 0;
+  width_ = block.right - block.left;
+  left_ = x0_ + block.left;
+  height_ = block.bottom - block.top;
+  place_ = {first_.x_q8 + (static_cast<uint32_t>(block.left) << 8),
+            first_.y_q8 - (static_cast<uint32_t>(block.top) << 8)};
+  const Side side = set_up_all(leaf);
   if (side != Side::edge) {
     if ((side == Side::inside) == (sign_ == 0)) {
       fill(block);
     }
-    return;
+    return true;
   }
-  pixels_per_slope_ = block.right - block.left > 4
-                          ? (1u << 24) / static_cast<uint32_t>(slope_q14_)
-                          : 0;
-  const int32_t x = x0_ + block.left;
-  const int32_t end = x0_ + block.right;
-  PixelPlace place = place_of(block);
-  for (int32_t row = block.top; row < block.bottom; ++row) {
-    page_.writer.go_to_row(y0_ + row);
-    if (leaf.count == 1) {
-      draw_single(tracks_[0], tracks_[0].row, x, end);
-    } else if (leaf.count == 2) {
-      draw_pair(tracks_[0], tracks_[1], place, x, end);
-    } else {
-      draw_three(leaf, place, x, end);
+  if (leaf.count == 3 && width_ >= kMinCutOfThree) {
+    cut_ = width_ >> 1;
+  }
+  if (cut_ > 1 && cut_ < width_ - 1) {
+    block.right = block.left + cut_;
+    return false;
+  }
+  const Filter& filter = page_.filter;
+  outside_q22_ = sign_ == 0 ? (filter.outside_q10 + 1) * (1 << 12) - 1
+                            : -filter.inside_q10 * (1 << 12);
+  const int32_t end = y0_ + block.bottom;
+  int32_t y = y0_ + block.top;
+  if (leaf.count == 1) {
+    draw_lone(y, end);
+    return true;
+  }
+  const bool is_same = is_steady(leaf.count);
+  Row row = several_row(leaf);
+  while (true) {
+    hand_over(row, y);
+    if (++y == end) {
+      return true;
     }
-    page_.writer.flush();
-    for (uint32_t i = 0; i < leaf.count; ++i) {
-      tracks_[i].move_down();
+    place_.y_q8 -= 1 << 8;
+    if (!is_same) {
+      row = several_row(leaf);
     }
-    place.y_q8 -= 1 << 8;
   }
 }
 

@@ -16,104 +16,144 @@ struct Block {
   int32_t bottom;
 };
 
-// The largest block: no product of a slope and a way wraps. [px]
-inline constexpr int32_t kMaxBlockSide = 128;
+// The largest block: a row of it makes one span. [px]
+inline constexpr int32_t kMaxBlockSide = kMaxSpan;
 
 // Draws blocks of leaves.
 class BlockPainter {
  public:
   // The glyph's box of pixels, whose upper left pixel is at `first`.
-  BlockPainter(FieldPage& page,
+  BlockPainter(const FieldPage& page,
+               const Sink& sink,
                const Rect& pixels,
-               const PixelPlace& first) noexcept
-      : page_(page), x0_(pixels.x0), y0_(pixels.y0), first_(first) {}
+               const PixelPlace& first) noexcept;
 
   // A block that is all inside.
   void fill(const Block& block) noexcept;
 
   // A block of a leaf that has fields, at most kMaxBlockSide wide and high.
-  void draw(LeafFields leaf, const Block& block) noexcept;
+  // False: nothing was drawn, and the block became narrower: the rest of it is
+  // a block of its own. `leaf` is changed.
+  bool draw(LeafFields& leaf, Block& block) noexcept;
 
  private:
-  // What a block shows: nothing, all, or what its distances say.
+  // What a field or all of them show: nothing, all, or what distances say.
   enum class Side : uint8_t { outside, edge, inside };
 
-  // A field at a pixel.
+  // A field at a pixel, or what leads from one to another.
   struct Spot {
     uint32_t plane_q22;
     uint32_t along_q22;
+
+    Spot plus(const Spot& way) const noexcept {
+      return {plane_q22 + way.plane_q22, along_q22 + way.along_q22};
+    }
+    Spot minus(const Spot& way) const noexcept {
+      return {plane_q22 - way.plane_q22, along_q22 - way.along_q22};
+    }
+    Spot times(int32_t count) const noexcept {
+      const auto n = static_cast<uint32_t>(count);
+      return {n * plane_q22, n * along_q22};
+    }
   };
 
-  // A field on its way through a block.
+  // A field on its way through a block, and into the shape: to the right or to
+  // the left.
   struct Track {
-    Spot row;         // the first pixel of the row
-    uint32_t dx_q22;  // n, by which the plane changes in a pixel
-    uint32_t dy_q22;
+    Spot spot;     // the first pixel of the row that is not outside
+    Spot further;  // what a pixel on adds
+    Spot down;     // what a row down takes off
     int32_t bend;
-    // From here on, and up to here, the rest of a row is saturated; for values
-    // with the leaf's sign.
-    int32_t inside_q22;
-    int32_t outside_q22;
+    int32_t margin_q22;  // how far beyond the ramp the rest is saturated
     uint16_t unit;
-
-    void move_right(Spot& spot, uint32_t pixels) const noexcept {
-      spot.plane_q22 += pixels * dx_q22;
-      spot.along_q22 -= pixels * dy_q22;
-    }
-    void move_right(Spot& spot) const noexcept {
-      spot.plane_q22 += dx_q22;
-      spot.along_q22 -= dy_q22;
-    }
-    void move_down() noexcept {
-      row.plane_q22 -= dy_q22;
-      row.along_q22 -= dx_q22;
-    }
+    int8_t rest;       // pixels behind that one in the block
+    bool is_left : 1;  // the way goes to the left
+    bool is_wavy : 1;  // or there and back: `spot` is where the row begins
   };
 
-  int32_t value_q22(const Track& track, const Spot& spot) const noexcept {
-    const FieldTerm term = {spot.plane_q22, track.bend, spot.along_q22, 0, 0};
-    return with_sign(term.value_q22(page_.scale.bend_log2), sign_);
-  }
-  PixelPlace place_of(const Block& block) const noexcept {
-    return {first_.x_q8 + (static_cast<uint32_t>(block.left) << 8),
-            first_.y_q8 - (static_cast<uint32_t>(block.top) << 8)};
-  }
-  Side set_up(Track& track, int32_t sign, const Block& block) noexcept;
-  Side set_up_all(LeafFields& leaf, const Block& block) noexcept;
-  void draw_single(const Track& track,
-                   Spot spot,
-                   int32_t x,
-                   int32_t end) noexcept;
-  void draw_pair(const Track& a,
-                 const Track& b,
-                 PixelPlace place,
-                 int32_t x,
-                 int32_t end) noexcept;
-  void draw_triple(const LeafFields& leaf,
-                   PixelPlace place,
-                   int32_t x,
-                   int32_t end) noexcept;
-  void draw_three(const LeafFields& leaf,
-                  PixelPlace place,
-                  int32_t x,
-                  int32_t end) noexcept;
-  Side side_of(uint32_t i) const noexcept;
-  void saturate(int32_t x, int32_t end, bool inside) noexcept;
-  void put(int32_t value_q22, int32_t x) noexcept;
-  bool is_on_ramp(int32_t value_q22) const noexcept;
-  int32_t skipped(int32_t value_q22) const noexcept;
+  // The pixels of a row that are not outside. Those in the middle are inside,
+  // the others in the buffer.
+  struct Row {
+    int32_t begin;
+    int32_t solid_begin;
+    int32_t solid_end;
+    int32_t end;
+  };
 
-  FieldPage& page_;
+  // What becomes of distances: Filter, as the inner loops read it.
+  struct Ramp {
+    int32_t outside_q10;
+    uint32_t length_q10;
+    uint32_t scale;
+  };
+
+  int32_t value_q22(int32_t bend, const Spot& spot) const noexcept;
+  uint8_t coverage(int32_t value_q22) const noexcept;
+  int32_t x_of(const Track& track) const noexcept;
+  Spot spot_at(const Track& track, int32_t x) const noexcept;
+  Side set_up(Track& track, uint32_t unit) noexcept;
+  Side set_up_all(LeafFields& leaf) noexcept;
+  bool is_steady(uint32_t count) const noexcept;
+  Side follow(Track& track) const noexcept;
+  void draw_lone(int32_t y, int32_t end_y) noexcept;
+  int32_t draw_ramp(const Track& track, int32_t most) noexcept;
+  int32_t draw_both(const Track& a,
+                    const Track& b,
+                    int32_t begin,
+                    int32_t end) noexcept;
+  void narrow(const Track& track, int32_t& begin, int32_t& end) const noexcept;
+  Row single_row(const Track& track) noexcept;
+  Row pair_row(const Track& a, const Track& b) noexcept;
+  Row triple_row(const LeafFields& leaf) noexcept;
+  Row several_row(const LeafFields& leaf) noexcept;
+  void hand_over(const Row& row, int32_t y) noexcept;
+  int32_t solid(int32_t from, int32_t begin, int32_t end, int32_t y) noexcept;
+  void span(int32_t begin, int32_t end, int32_t y) noexcept;
+
+  Row outside_row() const noexcept { return {width_, width_, width_, width_}; }
+  Row inside_row() const noexcept { return {0, 0, width_, width_}; }
+
+  const FieldPage& page_;
+  const Sink& sink_;
+  PixelPlace first_;
   int32_t x0_;
   int32_t y0_;
-  PixelPlace first_;
+  int32_t bend_shift_;
+  Ramp ramp_ = {};
   // Of the block.
+  int32_t width_ = 0;
+  int32_t height_ = 0;
+  int32_t left_ = 0;         // on the screen
+  int32_t cut_ = 0;          // where it is better cut in two
+  int32_t sign_ = 0;         // of the leaf
+  int32_t outside_q22_ = 0;  // the greatest value that is outside
+  PixelPlace place_ = {};    // of the row's first pixel
   Track tracks_[3];
-  int32_t sign_ = 0;
-  int32_t slope_q14_ = 0;
-  int32_t margin_q22_ = 0;
-  uint32_t pixels_per_slope_ = 0;
+  uint8_t buffer_[kMaxBlockSide];
 };
+
+inline int32_t BlockPainter::value_q22(int32_t bend,
+                                       const Spot& spot) const noexcept {
+  if (bend == 0) {
+    return wrapped(spot.plane_q22);
+  }
+  const auto along = static_cast<uint32_t>(wrapped(spot.along_q22) >> 14);
+  const int32_t slope_q15 = wrapped(times(bend, along)) >> bend_shift_;
+  const int32_t sag_q22 = wrapped(times(slope_q15, along)) >> 1;
+  return wrapped(spot.plane_q22 +
+                 static_cast<uint32_t>(with_sign(sag_q22, sign_)));
+}
+
+// Filter::coverage.
+inline uint8_t BlockPainter::coverage(int32_t value_q22) const noexcept {
+  const int32_t way_q10 =
+      (with_sign(value_q22, sign_) >> 12) - ramp_.outside_q10;
+  const auto way = static_cast<uint32_t>(way_q10);
+  if (way < ramp_.length_q10) {
+    return page_.filter.table[(way * ramp_.scale) >> 14];
+  }
+  return way_q10 < 0 ? 0 : 255;
+}
 
 }  // namespace detail
 }  // namespace inkcell

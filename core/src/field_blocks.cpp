@@ -10,14 +10,14 @@ namespace {
 // Draws the leaves of a glyph.
 class Cells {
  public:
-  Cells(FieldPage& page, const Upright& upright) noexcept
+  Cells(const FieldPage& page,
+        const Upright& upright,
+        BlockPainter& painter) noexcept
       : page_(page),
         pixels_(upright.pixels),
         left_q16_(upright.at.x_q16 - page.field.x0_u * (1 << 16)),
         top_q16_(upright.at.y_q16 - page.field.y0_u * (1 << 16)),
-        painter_(page,
-                 upright.pixels,
-                 {q8_of(upright.at.x_q20), q8_of(upright.at.y_q20)}) {}
+        painter_(painter) {}
 
   void draw() noexcept;
 
@@ -25,21 +25,24 @@ class Cells {
   int32_t columns() const noexcept { return pixels_.x1 - pixels_.x0; }
   int32_t rows() const noexcept { return pixels_.y1 - pixels_.y0; }
   int32_t pixels_before(int32_t way_q16, int32_t most) const noexcept;
-  bool cut(uint32_t x, uint32_t y, uint32_t log2, Block& out) const noexcept;
-  void draw_tile(uint32_t reference, uint32_t x, uint32_t y) noexcept;
+  int32_t columns_before(uint32_t x, int32_t most) const noexcept;
+  int32_t rows_before(uint32_t y, int32_t most) const noexcept;
+  void draw_tile(uint32_t reference,
+                 uint32_t x,
+                 uint32_t y,
+                 Block block) noexcept;
   void draw_leaf(uint32_t reference, const Block& cell) noexcept;
 
-  FieldPage& page_;
+  const FieldPage& page_;
   const Rect& pixels_;
   int32_t left_q16_;  // the first pixel, from the grid's corner
   int32_t top_q16_;
-  BlockPainter painter_;
+  BlockPainter& painter_;
 };
 
 // How many pixels lie before a place `way_q16` further on, the first of them at
 // 0; `most` at the most. [u]
-inline int32_t Cells::pixels_before(int32_t way_q16,
-                                    int32_t most) const noexcept {
+int32_t Cells::pixels_before(int32_t way_q16, int32_t most) const noexcept {
   if (way_q16 <= 0) {
     return 0;
   }
@@ -62,26 +65,16 @@ inline int32_t Cells::pixels_before(int32_t way_q16,
   return lesser(count, most);
 }
 
-// The pixels whose centres lie in a square of the grid. False: there are none.
-bool Cells::cut(uint32_t x,
-                uint32_t y,
-                uint32_t log2,
-                Block& out) const noexcept {
-  const auto left_q16 = static_cast<int32_t>(x << 16) - left_q16_;
-  const int32_t top_q16 = top_q16_ - static_cast<int32_t>(y << 16);
-  const int32_t size_q16 = static_cast<int32_t>(1u << (16 + log2));
-  out.bottom = pixels_before(top_q16 + 1, rows());
-  out.top = pixels_before(top_q16 - size_q16 + 1, out.bottom);
-  if (out.top == out.bottom) {
-    return false;
-  }
-  out.right = pixels_before(left_q16 + size_q16, columns());
-  out.left = pixels_before(left_q16, out.right);
-  return out.left != out.right;
+// Columns whose centres lie to the left of a place in the grid, and rows of
+// those that do not lie below one.
+inline int32_t Cells::columns_before(uint32_t x, int32_t most) const noexcept {
+  return pixels_before(static_cast<int32_t>(x << 16) - left_q16_, most);
+}
+inline int32_t Cells::rows_before(uint32_t y, int32_t most) const noexcept {
+  return pixels_before(top_q16_ + 1 - static_cast<int32_t>(y << 16), most);
 }
 
-__attribute__((noinline)) void Cells::draw_leaf(uint32_t reference,
-                                                const Block& cell) noexcept {
+inline void Cells::draw_leaf(uint32_t reference, const Block& cell) noexcept {
   LeafFields leaf;
   leaf.count = 0;
   if (reference >= format::glyph::kFirstNode) {
@@ -97,13 +90,15 @@ __attribute__((noinline)) void Cells::draw_leaf(uint32_t reference,
     return;
   }
   Block block = cell;
-  for (block.top = cell.top; block.top < cell.bottom;
-       block.top = block.bottom) {
+  for (; block.top < cell.bottom; block.top = block.bottom) {
     block.bottom = lesser(block.top + kMaxBlockSide, cell.bottom);
     for (block.left = cell.left; block.left < cell.right;
          block.left = block.right) {
       block.right = lesser(block.left + kMaxBlockSide, cell.right);
-      painter_.draw(leaf, block);
+      LeafFields fields = leaf;
+      while (!painter_.draw(fields, block)) {
+        fields = leaf;
+      }
     }
   }
 }
@@ -138,46 +133,73 @@ struct Nodes {
   }
 };
 
-// All leaves of a tile that have a pixel, child after child.
+// All leaves of a tile that have a pixel, child after child: to the right, then
+// up. `block` is the tile's.
 __attribute__((noinline)) void Cells::draw_tile(uint32_t reference,
                                                 uint32_t x,
-                                                uint32_t y) noexcept {
-  constexpr uint32_t kMaxLog2 = 11;
+                                                uint32_t y,
+                                                Block block) noexcept {
+  // A node on the way to a square, and its borders that are not the square's.
+  struct Level {
+    uint16_t node;
+    int16_t x;
+    int16_t y;
+  };
+  Level path[format::glyph::kMaxTileLog2 + 1];
   const Nodes nodes(page_.field);
   const uint32_t tile_log2 = page_.field.tile_log2;
-  uint16_t path[kMaxLog2 + 1];
   uint32_t log2 = tile_log2;
   while (true) {
-    Block block;
     // Nodes without a pixel are not entered: work is bounded by pixels.
-    if (reference != format::glyph::kOutside && cut(x, y, log2, block)) {
+    if (reference != format::glyph::kOutside && block.left < block.right &&
+        block.top < block.bottom) {
       if (!nodes.is_node(reference)) {
         draw_leaf(reference, block);
       } else if (log2 > 0) {
-        path[log2] = static_cast<uint16_t>(reference);
         --log2;
+        const uint32_t size = 1u << log2;
+        path[log2] = {static_cast<uint16_t>(reference),
+                      static_cast<int16_t>(block.right),
+                      static_cast<int16_t>(block.top)};
+        block.right =
+            greater(columns_before(x + size, block.right), block.left);
+        block.top = greater(rows_before(y + size, block.bottom), block.top);
         reference = nodes.child(reference, 0);
         continue;
       }
     }
     // On to the next one: x first, then y, then up.
-    while (log2 < tile_log2) {
+    while (true) {
+      if (log2 == tile_log2) {
+        return;
+      }
       const uint32_t size = 1u << log2;
+      Level& level = path[log2];
+      const int32_t other_x = level.x;
+      const int32_t other_y = level.y;
       x ^= size;
       if ((x & size) != 0) {
+        level.x = static_cast<int16_t>(block.left);
+        block.left = block.right;
+        block.right = other_x;
         break;
       }
       y ^= size;
       if ((y & size) != 0) {
+        level.x = static_cast<int16_t>(block.right);
+        block.right = block.left;
+        block.left = other_x;
+        level.y = static_cast<int16_t>(block.bottom);
+        block.bottom = block.top;
+        block.top = other_y;
         break;
       }
+      block.left = other_x;
+      block.bottom = other_y;
       ++log2;
     }
-    if (log2 >= tile_log2) {
-      return;
-    }
     reference =
-        nodes.child(path[log2 + 1], ((y >> log2) & 1) * 2 + ((x >> log2) & 1));
+        nodes.child(path[log2].node, ((y >> log2) & 1) * 2 + ((x >> log2) & 1));
   }
 }
 
@@ -185,29 +207,36 @@ void Cells::draw() noexcept {
   const Nodes nodes(page_.field);
   const uint32_t log2 = page_.field.tile_log2;
   const uint32_t first = static_cast<uint32_t>(left_q16_) >> (16 + log2);
-  const uint32_t end =
-      (static_cast<uint32_t>(left_q16_ + (columns() - 1) * page_.step_q16) >>
-       (16 + log2)) +
-      1;
   uint32_t row = static_cast<uint32_t>(top_q16_) >> (16 + log2);
-  const uint32_t last =
-      static_cast<uint32_t>(top_q16_ - (rows() - 1) * page_.step_q16) >>
-      (16 + log2);
-  for (;; --row) {
-    for (uint32_t column = first; column < end; ++column) {
-      draw_tile(nodes.tile(row * page_.field.tiles_x + column), column << log2,
-                row << log2);
-    }
-    if (row == last) {
-      return;
+  Block block;
+  for (block.top = 0; block.top < rows(); block.top = block.bottom, --row) {
+    block.bottom = rows_before(row << log2, rows());
+    uint32_t column = first;
+    for (block.left = 0; block.left < columns(); block.left = block.right) {
+      const uint32_t x = column << log2;
+      const uint32_t tile = row * page_.field.tiles_x + column;
+      ++column;
+      block.right = columns_before(column << log2, columns());
+      draw_tile(nodes.tile(tile), x, row << log2, block);
     }
   }
 }
 
+// The painter has a frame on the stack for itself.
+__attribute__((noinline)) void draw_cells(const FieldPage& page,
+                                          const Upright& upright,
+                                          BlockPainter& painter) noexcept {
+  Cells(page, upright, painter).draw();
+}
+
 }  // namespace
 
-void draw_by_cells(FieldPage& page, const Upright& upright) noexcept {
-  Cells(page, upright).draw();
+void draw_by_cells(const FieldPage& page,
+                   const Upright& upright,
+                   const Sink& sink) noexcept {
+  BlockPainter painter(page, sink, upright.pixels,
+                       {q8_of(upright.at.x_q20), q8_of(upright.at.y_q20)});
+  draw_cells(page, upright, painter);
 }
 
 }  // namespace detail

@@ -6,7 +6,6 @@
 #include "field_cell.hpp"
 #include "field_draw.hpp"
 #include "inkcell/filter.hpp"
-#include "span_writer.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -18,7 +17,6 @@ struct FieldPage {
   FieldScale scale;
   int32_t reach_q22;
   int32_t step_q16;
-  SpanWriter writer;
 };
 
 // The fields of a leaf. With `sign` -1 all values are negated, so that there is
@@ -71,7 +69,9 @@ inline void read_leaf(const GlyphField& field,
 }
 
 // Draws cell after cell: fastest where cells have many pixels.
-void draw_by_cells(FieldPage& page, const Upright& upright) noexcept;
+void draw_by_cells(const FieldPage& page,
+                   const Upright& upright,
+                   const Sink& sink) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

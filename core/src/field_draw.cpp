@@ -57,13 +57,9 @@ __attribute__((noinline)) void draw_cells(const GlyphField& field,
                                           const Brush& brush,
                                           const Upright& upright,
                                           const Sink& sink) noexcept {
-  FieldPage page = {field,
-                    brush.filter(),
-                    scale_of(brush),
-                    reach_of(brush.filter()),
-                    brush.step_along_q16(),
-                    SpanWriter(sink, upright.pixels.y0)};
-  draw_by_cells(page, upright);
+  const FieldPage page = {field, brush.filter(), scale_of(brush),
+                          reach_of(brush.filter()), brush.step_along_q16()};
+  draw_by_cells(page, upright, sink);
 }
 
 // Object order wins from this size on. [px to the em, Q8]
