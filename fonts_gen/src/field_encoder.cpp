@@ -242,7 +242,7 @@ FieldEncoder::Coded FieldEncoder::settle(
     const Leaf& leaf, int x_u, int y_u, int log2, const List& list) const {
   Coded coded;
   coded.list = list;
-  coded.bits = leaf.bits;
+  coded.cost = leaf.bits + leaf.loss;
   TreeNode at = node(TreeNode::Kind::leaf, x_u, y_u, log2);
   at.join = leaf.join;
   const auto count = static_cast<size_t>(field_count(leaf.join));
@@ -273,23 +273,23 @@ FieldEncoder::Coded FieldEncoder::settle(
 bool FieldEncoder::divide(
     int x_u, int y_u, int log2, const List& list, double budget, Coded& out) {
   out.nodes.push_back(node(TreeNode::Kind::split, x_u, y_u, log2));
-  out.bits = node_bits(log2, node_symbol::kSplit);
+  out.cost = node_bits(log2, node_symbol::kSplit);
   out.list = list;
   const int half = 1 << (log2 - 1);
   const size_t fields_before = fields_.size();
-  for (int quarter = 0; quarter < 4 && out.bits < budget; ++quarter) {
+  for (int quarter = 0; quarter < 4 && out.cost < budget; ++quarter) {
     Coded part = encode_square(x_u + (quarter % 2 != 0 ? half : 0),
                                y_u + (quarter / 2 != 0 ? half : 0), log2 - 1,
-                               out.list, budget - out.bits);
+                               out.list, budget - out.cost);
     fields_.insert(fields_.end(), part.fields.begin(), part.fields.end());
     out.nodes.insert(out.nodes.end(), part.nodes.begin(), part.nodes.end());
     out.fields.insert(out.fields.end(), part.fields.begin(), part.fields.end());
     out.list = std::move(part.list);
-    out.bits += part.bits;
+    out.cost += part.cost;
     out.failures += part.failures;
   }
   fields_.resize(fields_before);
-  return out.bits < budget;
+  return out.cost < budget;
 }
 
 FieldEncoder::Coded FieldEncoder::encode_square(
@@ -302,7 +302,7 @@ FieldEncoder::Coded FieldEncoder::encode_square(
     coded.nodes.push_back(
         node(inside ? TreeNode::Kind::inside : TreeNode::Kind::outside, x_u,
              y_u, log2));
-    coded.bits =
+    coded.cost =
         node_bits(log2, inside ? node_symbol::kInside : node_symbol::kOutside);
     return coded;
   }
@@ -326,7 +326,8 @@ FieldEncoder::Coded FieldEncoder::encode_square(
   }
   if (!good && !last) {
     Coded divided;
-    const double most = found ? std::min(budget, leaf.bits) : budget;
+    const double most =
+        found ? std::min(budget, leaf.bits + leaf.loss) : budget;
     if (divide(x_u, y_u, log2, list, most, divided) || !found) {
       return divided;
     }
@@ -340,7 +341,7 @@ FieldEncoder::Coded FieldEncoder::encode_square(
                                   ? TreeNode::Kind::inside
                                   : TreeNode::Kind::outside,
                               x_u, y_u, log2));
-  failed.bits = node_bits(log2, node_symbol::kOutside);
+  failed.cost = node_bits(log2, node_symbol::kOutside);
   failed.failures = 1;
   return failed;
 }

@@ -3,7 +3,7 @@
 // Top down: a square becomes a leaf if some combination of up to three fields,
 // known ones or new ones fitted to the border here, keeps the limit at all of
 // its test points, and if its four quarters together would not be cheaper. Bits
-// are those of the packed coding.
+// are those of the packed coding, and errors cost some too.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ class FieldEncoder {
     std::vector<TreeNode> nodes;
     std::vector<FieldNumbers> fields;
     List list;  // afterwards
-    double bits = 0;
+    double cost = 0;  // with what errors are worth [bits]
     int failures = 0;
   };
 
