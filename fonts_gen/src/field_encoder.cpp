@@ -7,6 +7,7 @@
 
 #include "bit_costs.hpp"
 #include "field_code.hpp"
+#include "field_polish.hpp"
 #include "inkcell/format.hpp"
 #include "metric.hpp"
 
@@ -97,6 +98,7 @@ FieldTree FieldEncoder::encode() {
   if (drop_unshared(tree)) {
     tree = encode_rows(false);
   }
+  polish_fields(points_, candidates_, tree.fields.size(), tree);
   return tree;
 }
 
@@ -161,9 +163,7 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
   List first;
   for (const FieldCode& code : shared_) {
     first.push_back(static_cast<uint16_t>(fields_.size()));
-    fields_.push_back(expand_field(code, coding_,
-                                   static_cast<uint32_t>(shared_log2_),
-                                   shared_x_u_, shared_y_u_));
+    fields_.push_back(shared_field(code));
   }
   List list = first;
   for (int row = 0; row < grid_.tiles_y; ++row) {
@@ -185,14 +185,43 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
   return tree;
 }
 
-void FieldEncoder::share(const FieldTree& tree) {
+// States the fields that several rows of `tree` use for the whole grid, where
+// their codes are finer, and moves them to where they serve all of their cells.
+void FieldEncoder::share(FieldTree tree) {
   const std::vector<int> rows = rows_of_fields(tree);
+  std::vector<FieldNumbers> fields;  // the shared ones first
+  std::vector<FieldNumbers> others;
+  std::vector<size_t> places(rows.size());
+  std::vector<bool> is_shared(rows.size());
   for (size_t f = 0; f < rows.size(); ++f) {
-    if (rows[f] >= 2 && !is_arc(tree.fields[f]) &&
-        shared_.size() < kMostShared) {
-      shared_.push_back(shared_code(tree.fields[f]));
+    is_shared[f] = rows[f] >= 2 && !is_arc(tree.fields[f]) &&
+                   tree.shared.size() < kMostShared;
+    if (is_shared[f]) {
+      places[f] = fields.size();
+      tree.shared.push_back(shared_code(tree.fields[f]));
+      fields.push_back(shared_field(tree.shared.back()));
+    } else {
+      places[f] = others.size();
+      others.push_back(tree.fields[f]);
     }
   }
+  for (TreeNode& node : tree.nodes) {
+    if (node.kind != TreeNode::Kind::leaf) {
+      continue;
+    }
+    for (size_t i = 0; i < static_cast<size_t>(field_count(node.join)); ++i) {
+      FieldUse& use = node.uses[i];
+      const bool here = is_shared[use.field];
+      use.is_new &= !here;
+      use.field =
+          static_cast<uint16_t>(places[use.field] + (here ? 0 : fields.size()));
+    }
+  }
+  const size_t count = fields.size();
+  tree.fields = std::move(fields);
+  tree.fields.insert(tree.fields.end(), others.begin(), others.end());
+  polish_fields(points_, candidates_, count, tree);
+  shared_ = std::move(tree.shared);
 }
 
 bool FieldEncoder::drop_unshared(const FieldTree& tree) {
@@ -224,6 +253,11 @@ FieldCode FieldEncoder::shared_code(const FieldNumbers& field) const {
   code.d0 = quantised_d0(coding_, model.value(shared_x_u_, shared_y_u_),
                          shared_log2_);
   return code;
+}
+
+FieldNumbers FieldEncoder::shared_field(const FieldCode& code) const {
+  return expand_field(code, coding_, static_cast<uint32_t>(shared_log2_),
+                      shared_x_u_, shared_y_u_);
 }
 
 TreeNode FieldEncoder::node(TreeNode::Kind kind,
