@@ -125,6 +125,8 @@ Points PointSource::collect(int x_u, int y_u, int size_log2) {
   const int steps = size_log2 >= 8 ? kStepsOfTile : kSteps;
   const int step = std::max(1, size / steps);
   const bool refined = step >= kFineStep_u;
+  const auto side = static_cast<size_t>(size / step + 1);
+  points.reserve(side * side * (refined ? 2 : 1));
   for (int j = 0; j <= size; j += step) {
     for (int i = 0; i <= size; i += step) {
       const TruthSample& sample = truth_.at(x_u + i, y_u + j);

@@ -29,6 +29,15 @@ struct Points {
 
   size_t size() const { return x.size(); }
 
+  void reserve(size_t count) {
+    for (std::vector<float>* each : {&x, &y, &d, &low, &high, &weight}) {
+      each->reserve(count);
+    }
+    chain.reserve(count);
+    corner.reserve(count);
+    in_band.reserve(count);
+  }
+
   bool keeps_limit(size_t i, float v) const {
     return v >= low[i] && v <= high[i];
   }

@@ -35,6 +35,7 @@ struct Cell {
   Points points;
   std::array<Candidate, 3> members;
   double squares = 0;
+  int moved = 0;  // when one of its fields was last moved
 };
 
 // Where a field is stated, and which cells use it, as which of their fields.
@@ -49,6 +50,7 @@ struct Origin {
   int y_u = 0;
   int size_log2 = 0;
   std::vector<Use> uses;
+  int tried = -1;  // when it was last tried
 };
 
 // Changes of a code, and by how much they would lessen the squares.
@@ -93,12 +95,24 @@ class Polish {
   void run() {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       for (size_t f = 0; f < origins_.size(); ++f) {
-        improve(origins_[f], tree_.fields[f]);
+        Origin& origin = origins_[f];
+        if (may_move(origin)) {
+          origin.tried = ++now_;
+          improve(origin, tree_.fields[f]);
+        }
       }
     }
   }
 
  private:
+  // Whether anything is new since it was last tried.
+  bool may_move(const Origin& origin) const {
+    return std::any_of(origin.uses.begin(), origin.uses.end(),
+                       [&](const Origin::Use& use) {
+                         return cells_[use.cell].moved >= origin.tried;
+                       });
+  }
+
   void gather();
   void add_cell(const TreeNode& node);
   Parabola parabola(const Origin& origin, const FieldNumbers& field) const;
@@ -113,6 +127,7 @@ class Polish {
   FieldTree& tree_;
   std::vector<Cell> cells_;
   std::vector<Origin> origins_;  // of each field that may move
+  int now_ = 0;                  // fields that were tried so far
 };
 
 void Polish::gather() {
@@ -308,6 +323,7 @@ bool Polish::attempt(const Origin& origin, const FieldNumbers& field) {
     Cell& cell = cells_[origin.uses[u].cell];
     cell.members[origin.uses[u].member] = std::move(moved[u]);
     cell.squares = squares[u];
+    cell.moved = now_;
   }
   return true;
 }
