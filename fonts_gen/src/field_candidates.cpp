@@ -117,7 +117,7 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
   c.passes.assign((count + 63) / 64, 0);
   c.covered = 0;
   for (size_t i = 0; i < count; ++i) {
-    const bool ok = c.value[i] >= points.low[i] && c.value[i] <= points.high[i];
+    const bool ok = points.keeps_limit(i, c.value[i]);
     c.passes[i / 64] |= uint64_t{ok} << (i % 64);
     c.covered += ok && points.in_band[i] ? 1u : 0u;
   }

@@ -62,6 +62,9 @@ class CandidateSource {
   /// Bits of a new field without its kind.
   double bits_of(const FieldCode& code, int size_log2) const;
 
+  /// Sets what `candidate` says at `points`.
+  void evaluate(Candidate& candidate, const Points& points) const;
+
  private:
   struct Square {
     int x_u;
@@ -111,7 +114,6 @@ class CandidateSource {
                                       const std::vector<Known>& list) const;
   double bonus_of(const Candidate& candidate,
                   const std::vector<size_t>& border) const;
-  void evaluate(Candidate& candidate, const Points& points) const;
 
   PointSource& source_;
   PackedCoding coding_;

@@ -12,13 +12,12 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Steps in e0. Coarser ones make more cells and are larger in total.
-constexpr double kDistanceStep = 0.5;
-constexpr double kBendStep = 0.75;
-
-// Half of the smallest square that is coded with an angle of its own
-// precision. [u]
+// Steps in e0, that of the angle so far from the anchor. Coarser ones make more
+// cells and little less bytes; of finer ones that of the distance pays best.
+constexpr double kDistanceStep = 0.25;
+constexpr double kAngleStep = 0.5;
 constexpr double kAngleReach_u = 24;
+constexpr double kBendStep = 0.75;
 
 // Golomb-Rice parameters of levels 0 to 3 at an e0 of 1 u: four bits each.
 constexpr int kBendBits[] = {4, 3, 2, 2};
@@ -48,7 +47,7 @@ PackedCoding coding_for(const AdfOptions& options) {
   const double range = 2 * std::ldexp(64.0, coding.d0_log2) / coding.d0_step;
   coding.d0_base =
       static_cast<uint8_t>(whole(std::ceil(std::log2(range)), 4, 16));
-  const double turn = 2 * kPi * kAngleReach_u / (kDistanceStep * e0);
+  const double turn = 2 * kPi * kAngleReach_u / (kAngleStep * e0);
   coding.angle_base = static_cast<uint8_t>(whole(std::log2(turn), 4, 10));
   for (int level = 0; level < 4; ++level) {
     const int bits = whole(kBendBits[level] - std::log2(e0), 0, kMostBendBits);

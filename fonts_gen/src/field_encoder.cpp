@@ -7,6 +7,7 @@
 
 #include "bit_costs.hpp"
 #include "field_code.hpp"
+#include "field_polish.hpp"
 #include "inkcell/format.hpp"
 #include "metric.hpp"
 
@@ -97,6 +98,7 @@ FieldTree FieldEncoder::encode() {
   if (drop_unshared(tree)) {
     tree = encode_rows(false);
   }
+  polish_fields(points_, candidates_, tree.fields.size(), tree);
   return tree;
 }
 
@@ -161,9 +163,7 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
   List first;
   for (const FieldCode& code : shared_) {
     first.push_back(static_cast<uint16_t>(fields_.size()));
-    fields_.push_back(expand_field(code, coding_,
-                                   static_cast<uint32_t>(shared_log2_),
-                                   shared_x_u_, shared_y_u_));
+    fields_.push_back(shared_field(code));
   }
   List list = first;
   for (int row = 0; row < grid_.tiles_y; ++row) {
@@ -185,14 +185,43 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
   return tree;
 }
 
-void FieldEncoder::share(const FieldTree& tree) {
+// States the fields that several rows of `tree` use for the whole grid, where
+// their codes are finer, and moves them to where they serve all of their cells.
+void FieldEncoder::share(FieldTree tree) {
   const std::vector<int> rows = rows_of_fields(tree);
+  std::vector<FieldNumbers> fields;  // the shared ones first
+  std::vector<FieldNumbers> others;
+  std::vector<size_t> places(rows.size());
+  std::vector<bool> is_shared(rows.size());
   for (size_t f = 0; f < rows.size(); ++f) {
-    if (rows[f] >= 2 && !is_arc(tree.fields[f]) &&
-        shared_.size() < kMostShared) {
-      shared_.push_back(shared_code(tree.fields[f]));
+    is_shared[f] = rows[f] >= 2 && !is_arc(tree.fields[f]) &&
+                   tree.shared.size() < kMostShared;
+    if (is_shared[f]) {
+      places[f] = fields.size();
+      tree.shared.push_back(shared_code(tree.fields[f]));
+      fields.push_back(shared_field(tree.shared.back()));
+    } else {
+      places[f] = others.size();
+      others.push_back(tree.fields[f]);
     }
   }
+  for (TreeNode& node : tree.nodes) {
+    if (node.kind != TreeNode::Kind::leaf) {
+      continue;
+    }
+    for (size_t i = 0; i < static_cast<size_t>(field_count(node.join)); ++i) {
+      FieldUse& use = node.uses[i];
+      const bool here = is_shared[use.field];
+      use.is_new &= !here;
+      use.field =
+          static_cast<uint16_t>(places[use.field] + (here ? 0 : fields.size()));
+    }
+  }
+  const size_t count = fields.size();
+  tree.fields = std::move(fields);
+  tree.fields.insert(tree.fields.end(), others.begin(), others.end());
+  polish_fields(points_, candidates_, count, tree);
+  shared_ = std::move(tree.shared);
 }
 
 bool FieldEncoder::drop_unshared(const FieldTree& tree) {
@@ -226,6 +255,11 @@ FieldCode FieldEncoder::shared_code(const FieldNumbers& field) const {
   return code;
 }
 
+FieldNumbers FieldEncoder::shared_field(const FieldCode& code) const {
+  return expand_field(code, coding_, static_cast<uint32_t>(shared_log2_),
+                      shared_x_u_, shared_y_u_);
+}
+
 TreeNode FieldEncoder::node(TreeNode::Kind kind,
                             int x_u,
                             int y_u,
@@ -242,7 +276,7 @@ FieldEncoder::Coded FieldEncoder::settle(
     const Leaf& leaf, int x_u, int y_u, int log2, const List& list) const {
   Coded coded;
   coded.list = list;
-  coded.bits = leaf.bits;
+  coded.cost = leaf.bits + leaf.loss;
   TreeNode at = node(TreeNode::Kind::leaf, x_u, y_u, log2);
   at.join = leaf.join;
   const auto count = static_cast<size_t>(field_count(leaf.join));
@@ -273,23 +307,23 @@ FieldEncoder::Coded FieldEncoder::settle(
 bool FieldEncoder::divide(
     int x_u, int y_u, int log2, const List& list, double budget, Coded& out) {
   out.nodes.push_back(node(TreeNode::Kind::split, x_u, y_u, log2));
-  out.bits = node_bits(log2, node_symbol::kSplit);
+  out.cost = node_bits(log2, node_symbol::kSplit);
   out.list = list;
   const int half = 1 << (log2 - 1);
   const size_t fields_before = fields_.size();
-  for (int quarter = 0; quarter < 4 && out.bits < budget; ++quarter) {
+  for (int quarter = 0; quarter < 4 && out.cost < budget; ++quarter) {
     Coded part = encode_square(x_u + (quarter % 2 != 0 ? half : 0),
                                y_u + (quarter / 2 != 0 ? half : 0), log2 - 1,
-                               out.list, budget - out.bits);
+                               out.list, budget - out.cost);
     fields_.insert(fields_.end(), part.fields.begin(), part.fields.end());
     out.nodes.insert(out.nodes.end(), part.nodes.begin(), part.nodes.end());
     out.fields.insert(out.fields.end(), part.fields.begin(), part.fields.end());
     out.list = std::move(part.list);
-    out.bits += part.bits;
+    out.cost += part.cost;
     out.failures += part.failures;
   }
   fields_.resize(fields_before);
-  return out.bits < budget;
+  return out.cost < budget;
 }
 
 FieldEncoder::Coded FieldEncoder::encode_square(
@@ -302,7 +336,7 @@ FieldEncoder::Coded FieldEncoder::encode_square(
     coded.nodes.push_back(
         node(inside ? TreeNode::Kind::inside : TreeNode::Kind::outside, x_u,
              y_u, log2));
-    coded.bits =
+    coded.cost =
         node_bits(log2, inside ? node_symbol::kInside : node_symbol::kOutside);
     return coded;
   }
@@ -326,7 +360,8 @@ FieldEncoder::Coded FieldEncoder::encode_square(
   }
   if (!good && !last) {
     Coded divided;
-    const double most = found ? std::min(budget, leaf.bits) : budget;
+    const double most =
+        found ? std::min(budget, leaf.bits + leaf.loss) : budget;
     if (divide(x_u, y_u, log2, list, most, divided) || !found) {
       return divided;
     }
@@ -340,7 +375,7 @@ FieldEncoder::Coded FieldEncoder::encode_square(
                                   ? TreeNode::Kind::inside
                                   : TreeNode::Kind::outside,
                               x_u, y_u, log2));
-  failed.bits = node_bits(log2, node_symbol::kOutside);
+  failed.cost = node_bits(log2, node_symbol::kOutside);
   failed.failures = 1;
   return failed;
 }

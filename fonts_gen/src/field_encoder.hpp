@@ -3,7 +3,8 @@
 // Top down: a square becomes a leaf if some combination of up to three fields,
 // known ones or new ones fitted to the border here, keeps the limit at all of
 // its test points, and if its four quarters together would not be cheaper. Bits
-// are those of the packed coding.
+// are those of the packed coding, and errors cost some too. In the end the
+// numbers of the fields are moved to where all their cells are truest.
 #pragma once
 
 #include <cstddef>
@@ -47,16 +48,17 @@ class FieldEncoder {
   struct Coded {
     std::vector<TreeNode> nodes;
     std::vector<FieldNumbers> fields;
-    List list;  // afterwards
-    double bits = 0;
+    List list;        // afterwards
+    double cost = 0;  // with what errors are worth [bits]
     int failures = 0;
   };
 
   FieldTree encode_rows(bool borrow);
   bool find_miss(const FieldTree& tree, const TreeNode& leaf, Point& out);
-  void share(const FieldTree& tree);
+  void share(FieldTree tree);
   bool drop_unshared(const FieldTree& tree);
   FieldCode shared_code(const FieldNumbers& field) const;
+  FieldNumbers shared_field(const FieldCode& code) const;
   Coded encode_square(
       int x_u, int y_u, int log2, const List& list, double budget);
   bool divide(

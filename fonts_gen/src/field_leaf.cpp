@@ -14,6 +14,10 @@ namespace {
 // [squared sine]
 constexpr float kLeastSine2 = 0.022f;
 
+// What an error of the tolerance in a pixel at the largest size may cost. More
+// makes truer fonts that are larger.
+constexpr double kErrorBits = 8;
+
 FieldValue value_of(const Candidate& c, size_t i) {
   return {c.value[i], c.is_arc ? c.gx[i] : c.nx, c.is_arc ? c.gy[i] : c.ny};
 }
@@ -112,24 +116,28 @@ float leaf_value(const Leaf& leaf, size_t i) {
   return join_values(leaf.join, values);
 }
 
-bool LeafSearch::passes(const Leaf& leaf) {
-  const auto fails = [&](size_t i) {
+LeafError measure_leaf(const Leaf& leaf, const Points& points) {
+  LeafError error;
+  for (size_t i = 0; i < points.size(); ++i) {
     const float v = leaf_value(leaf, i);
-    return v < points_->low[i] || v > points_->high[i];
-  };
+    if (!points.keeps_limit(i, v)) {
+      error.failed = i;
+      return error;
+    }
+    const float miss = v - points.d[i];
+    error.squares += static_cast<double>(points.weight[i] * miss * miss);
+  }
+  error.failed = points.size();
+  return error;
+}
+
+bool LeafSearch::fails_again(const Leaf& leaf) const {
   for (const size_t i : hot_) {
-    if (i < points_->size() && fails(i)) {
-      return false;
+    if (i < points_->size() && !points_->keeps_limit(i, leaf_value(leaf, i))) {
+      return true;
     }
   }
-  for (size_t i = 0; i < points_->size(); ++i) {
-    if (fails(i)) {
-      hot_[next_hot_] = i;
-      next_hot_ = (next_hot_ + 1) % hot_.size();
-      return false;
-    }
-  }
-  return true;
+  return false;
 }
 
 void LeafSearch::attempt(Join join,
@@ -144,9 +152,19 @@ void LeafSearch::attempt(Join join,
   for (const Candidate* member : leaf.members) {
     value -= member != nullptr ? member->bonus : 0;
   }
-  if (value < best_value_ && passes(leaf)) {
+  if (value >= best_value_ || fails_again(leaf)) {
+    return;
+  }
+  const LeafError error = measure_leaf(leaf, *points_);
+  if (error.failed < points_->size()) {
+    hot_[next_hot_] = error.failed;
+    next_hot_ = (next_hot_ + 1) % hot_.size();
+    return;
+  }
+  leaf.loss = kErrorBits * error.squares;
+  if (value + leaf.loss < best_value_) {
     best_ = leaf;
-    best_value_ = value;
+    best_value_ = value + leaf.loss;
     found_ = true;
   }
 }

@@ -17,6 +17,7 @@ struct Leaf {
   Join join = Join::single;
   std::array<const Candidate*, 3> members{};
   double bits = 0;  // with the symbol of the square
+  double loss = 0;  // what its errors are worth [bits]
 };
 
 /// A field at a point: distance [u] and gradient.
@@ -33,11 +34,20 @@ float join_values(Join join, const std::array<FieldValue, 3>& fields);
 /// What the leaf says at point `i`. [u]
 float leaf_value(const Leaf& leaf, size_t i);
 
+/// How far a leaf is from the truth.
+struct LeafError {
+  double squares = 0;  // their sum, as Points::weight has it
+  size_t failed = 0;   // the first point that misses the limit; size() if none
+};
+
+/// `squares` is that of the points before `failed`.
+LeafError measure_leaf(const Leaf& leaf, const Points& points);
+
 class LeafSearch {
  public:
-  /// The leaf with the least bits less bonus among all single candidates,
-  /// pairs and triples, in every combination, that keep the limit at all
-  /// points. False if there is none. `out` refers to `candidates`.
+  /// The leaf with the least bits and loss less bonus among all single
+  /// candidates, pairs and triples, in every combination, that keep the limit
+  /// at all points. False if there is none. `out` refers to `candidates`.
   bool find(int size_log2,
             const Points& points,
             const std::vector<Candidate>& candidates,
@@ -52,7 +62,7 @@ class LeafSearch {
                        const Candidate& b,
                        const Candidate& c);
   static double least_value(const Candidate& c);
-  bool passes(const Leaf& leaf);
+  bool fails_again(const Leaf& leaf) const;
 
   int size_log2_ = 0;
   const Points* points_ = nullptr;

@@ -57,10 +57,24 @@ void PointSource::allow(float d, double limit, float& low, float& high) const {
   high = static_cast<float>(d >= 0 ? most : -least);
 }
 
+// What an error of 1 u at a point for 1 u^2 adds to the sum of squares. A point
+// at the distance d is on the ramp at all sizes below that at which it leaves
+// it, and counts less the fewer these are: in the mean of all sizes the weight
+// falls with the third power of the distance.
+double PointSource::weight(float d) const {
+  const double sharpest = metric_.sharpest_u();
+  const double per_u = metric_.slope(static_cast<double>(d));
+  const double sizes = sharpest / std::max<double>(std::fabs(d), sharpest);
+  const double error = per_u / metric_.tolerance();
+  return error * error * sizes / (4 * sharpest * sharpest);
+}
+
+// A point that stands for `area`. [u^2]
 void PointSource::add(double x,
                       double y,
                       const TruthSample& sample,
                       double limit,
+                      double area,
                       Points& points) const {
   float low = 0;
   float high = 0;
@@ -71,6 +85,9 @@ void PointSource::add(double x,
   points.d.push_back(sample.distance_u);
   points.low.push_back(low);
   points.high.push_back(high);
+  const bool bounded = std::isfinite(low) && std::isfinite(high);
+  points.weight.push_back(
+      bounded ? static_cast<float>(area * weight(sample.distance_u)) : 0.0f);
   points.chain.push_back(sample.chain);
   points.corner.push_back(sample.corner);
   points.in_band.push_back(in_band);
@@ -96,7 +113,7 @@ void PointSource::add_near_edge(
       }
       const TruthSample& sample = truth_.at(x_u + i, y_u + j);
       if (std::fabs(sample.distance_u) < static_cast<float>(step)) {
-        add(x_u + i, y_u + j, sample, limit_, points);
+        add(x_u + i, y_u + j, sample, limit_, fine * fine, points);
       }
     }
   }
@@ -107,17 +124,24 @@ Points PointSource::collect(int x_u, int y_u, int size_log2) {
   const int size = 1 << size_log2;
   const int steps = size_log2 >= 8 ? kStepsOfTile : kSteps;
   const int step = std::max(1, size / steps);
+  const bool refined = step >= kFineStep_u;
+  const auto side = static_cast<size_t>(size / step + 1);
+  points.reserve(side * side * (refined ? 2 : 1));
   for (int j = 0; j <= size; j += step) {
     for (int i = 0; i <= size; i += step) {
-      add(x_u + i, y_u + j, truth_.at(x_u + i, y_u + j), limit_, points);
+      const TruthSample& sample = truth_.at(x_u + i, y_u + j);
+      const bool dense =
+          refined && std::fabs(sample.distance_u) < static_cast<float>(step);
+      add(x_u + i, y_u + j, sample, limit_, step * step / (dense ? 4 : 1),
+          points);
     }
   }
-  if (step >= kFineStep_u) {
+  if (refined) {
     add_near_edge(x_u, y_u, size, step, points);
   }
   for (const Point& p : extra_) {
     if (p.x >= x_u && p.x <= x_u + size && p.y >= y_u && p.y <= y_u + size) {
-      add(p.x, p.y, truth_.at_point(p.x, p.y), limit_ - kRounding, points);
+      add(p.x, p.y, truth_.at_point(p.x, p.y), limit_ - kRounding, 0, points);
     }
   }
   std::sort(points.corners.begin(), points.corners.end());

@@ -16,6 +16,10 @@ namespace gen {
 /// field that says low[i]..high[i] there keeps the limit. [u]
 struct Points {
   std::vector<float> x, y, d, low, high;
+  /// What the square of an error counts, so that the sum over the points of a
+  /// cell is one over its pixels at the largest size, of errors in tolerances.
+  /// [1/u^2]
+  std::vector<float> weight;
   /// What is nearest: FieldTruth's numbers. corner -1: no corner.
   std::vector<int16_t> chain, corner;
   /// Corners that are nearest to some point in the band, ascending.
@@ -24,6 +28,19 @@ struct Points {
   size_t in_band_count = 0;
 
   size_t size() const { return x.size(); }
+
+  void reserve(size_t count) {
+    for (std::vector<float>* each : {&x, &y, &d, &low, &high, &weight}) {
+      each->reserve(count);
+    }
+    chain.reserve(count);
+    corner.reserve(count);
+    in_band.reserve(count);
+  }
+
+  bool keeps_limit(size_t i, float v) const {
+    return v >= low[i] && v <= high[i];
+  }
 };
 
 /// Knows the truth about one glyph, and where to look.
@@ -57,10 +74,12 @@ class PointSource {
 
  private:
   void allow(float d, double limit, float& low, float& high) const;
+  double weight(float d) const;
   void add(double x,
            double y,
            const TruthSample& sample,
            double limit,
+           double area,
            Points& points) const;
   void add_near_edge(int x_u, int y_u, int size, int step, Points& points);
 

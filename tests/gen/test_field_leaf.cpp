@@ -54,6 +54,7 @@ class FieldLeaf : public testing::Test {
         points.d.push_back(0);
         points.low.push_back(0);
         points.high.push_back(0);
+        points.weight.push_back(0);
         points.chain.push_back(0);
         points.corner.push_back(-1);
         points.in_band.push_back(true);
@@ -349,6 +350,43 @@ TEST_F(FieldLeaf, SearchNeedsFieldsThatServeEveryPoint) {
   candidates.pop_back();
   EXPECT_FALSE(search.find(6, points, candidates, leaf));
   EXPECT_FALSE(search.find(6, points, {}, leaf));
+}
+
+// Two fields keep the limit: the one that costs a bit more is taken if its
+// errors are worth it.
+TEST_F(FieldLeaf, TruthIsWorthBits) {
+  Points points = lattice();
+  FieldNumbers true_field;
+  true_field.nx_q14 = 16384;
+  true_field.c_q4 = -32 * 16;
+  FieldNumbers cheap_field = true_field;
+  cheap_field.c_q4 = -31 * 16;
+  for (size_t i = 0; i < points.size(); ++i) {
+    points.d[i] = points.x[i] - 32;
+    points.low[i] = points.d[i] - 2;
+    points.high[i] = points.d[i] + 2;
+  }
+  std::vector<Candidate> candidates = {candidate(cheap_field, points),
+                                       candidate(true_field, points)};
+  candidates[0].is_new = candidates[1].is_new = true;
+  candidates[0].bits = 20;
+  candidates[1].bits = 21;
+  LeafSearch search;
+  for (const bool counts : {false, true}) {
+    points.weight.assign(points.size(), counts ? 0.1f : 0.0f);
+    Leaf leaf;
+    ASSERT_TRUE(search.find(6, points, candidates, leaf));
+    EXPECT_EQ(leaf.members[0], &candidates[counts ? 1 : 0]);
+    EXPECT_EQ(leaf.loss, 0);
+    leaf.members[0] = &candidates[0];
+    const LeafError error = measure_leaf(leaf, points);
+    EXPECT_EQ(error.failed, points.size());
+    EXPECT_NEAR(error.squares, counts ? 8.1 : 0, 1e-4);
+  }
+  points.high[70] = points.d[70] + 0.5f;
+  Leaf leaf;
+  leaf.members[0] = &candidates[0];
+  EXPECT_EQ(measure_leaf(leaf, points).failed, 70u);
 }
 
 }  // namespace

@@ -191,6 +191,38 @@ TEST(FieldPoints, SaturatedSquaresAreSeen) {
   EXPECT_FALSE(source.saturated(source.collect(20, 200, 4), inside));
 }
 
+// An error of the tolerance all along an edge of 256 u, 16 px at 64 px, on the
+// ramp: 16 pixels of it. Lattices of all densities must agree.
+TEST(FieldPoints, WeightsCountPixels) {
+  const AdfOptions options = fields(8, 64, 16);
+  const Shape shape(outline({rectangle(-600, -600, 5, 1200)}));
+  const Metric metric(options);
+  const Grid grid = lay_grid(shape, options);
+  PointSource source(shape, metric, grid, metric.limit());
+  const double error_u = 16.0 / 255 * 16;
+  for (const int log2 : {5, 6, 7}) {
+    const int size = 1 << log2;
+    double pixels = 0;
+    for (int y = 0; y < 256; y += size) {
+      for (int x = -128; x < 128; x += size) {
+        const Points points = source.collect(x, y, log2);
+        ASSERT_EQ(points.weight.size(), points.size());
+        for (size_t i = 0; i < points.size(); ++i) {
+          if (std::fabs(points.d[i]) <= 8) {
+            pixels += static_cast<double>(points.weight[i]) * error_u * error_u;
+          }
+        }
+      }
+    }
+    EXPECT_NEAR(pixels, 16, 5) << log2;
+  }
+  // Where anything beyond the band passes, nothing counts.
+  const Points far = source.collect(64, 0, 3);
+  for (size_t i = 0; i < far.size(); ++i) {
+    EXPECT_EQ(far.weight[i] > 0, std::isfinite(far.low[i])) << far.d[i];
+  }
+}
+
 }  // namespace
 }  // namespace test
 }  // namespace gen
