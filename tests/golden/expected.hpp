@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kSheetHash =
-    "18ca9d9dd2f5626625a669e7dbd5086b5df8435939303df98cdf2cc88f006a74";
+    "e46027c57c1667ee8af8d6f87f645ae498c957a664170723e895d217b2801848";
 inline constexpr const char* kPageHashes[] = {
     "1d78765fd4a31eb6f060c2eaa78f2132d8d4900c186d9041e34e668aca8d9eb7",
     "b5da73db52c92aebc0d435fa9b331e1eddf1812e9a8d587dd5e0e07fab862d82",
@@ -20,8 +20,8 @@ inline constexpr const char* kPageHashes[] = {
     "d00533a62dc3729ccfef97e13e5b7b034cc5e0e60abb97351952f52feff09b4f",
     "52b49bf747b75baf04089bc795b029843080cf0ceee83d24a12458a68d61c276",
     "9c959503dbd57a7551b13efa9f374bd8faddd2881992a2c07c964c6cb680a49e",
-    "2602eb9c492f8234ed69c15bf694b57951f1c4797777c9ccc19ec39cd16702f0",
-    "77304393d1fc0b8a5ef1ec116434e07a1d81048fe1d4af83e10bfa1ff688806e",
+    "f8503aa8bbe4a0b6b51377a068a6d20702c72a5e04d83d25e6bf23325e3980b6",
+    "24cb0955d49e2e1bcf4e9cf5bc6f5da7d2cdd27e1c3751ba953ebe1d4a112389",
 };
 
 }  // namespace golden
