@@ -10,6 +10,8 @@ class FieldRow::PlainValues {
 
   void begin(uint32_t, uint32_t) noexcept {}
 
+  int32_t far_q22() const noexcept { return row_.reach_q22_; }
+
   template <typename Distance>
   int32_t* put(uint32_t x_q8,
                int32_t* out,

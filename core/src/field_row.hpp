@@ -44,15 +44,17 @@ class FieldRow {
 
   // The distances of `count` points, from `at` on, which lie in the grid;
   // beyond the reach any of the same side. [px, Q22] Each point is evaluated
-  // for itself, and no further than to the first field that decides it: best
-  // where leaves have one or two of them.
+  // for itself, and no further than to the first field that decides it.
   void take(RowPoint at, int32_t* out, int32_t count) const noexcept;
 
   // Three distances for each of `count` points: a third of a pixel before it,
   // at it, and behind it; all by the fields of its own leaf, which go on beyond
-  // it. Where the middle one is farther than the reach and a third, it stands
-  // for all three.
+  // it. Where the middle one is farther than thirds_reach_q22() it stands for
+  // all three. Vertices are rounded within the reach.
   void take_thirds(RowPoint at, int32_t* out, int32_t count) const noexcept;
+  int32_t thirds_reach_q22() const noexcept {
+    return reach_q22_ + kThirdQ8 * (1 << 14);
+  }
 
  private:
   // The fields of a leaf. A field's place is that of its record, in bytes from
@@ -72,6 +74,8 @@ class FieldRow {
     int32_t value_q22;
     uint32_t place;
   };
+  static constexpr int32_t kThirdQ8 = 85;
+
   class PlainValues;
   class NearValues;
 
@@ -131,14 +135,15 @@ inline uint32_t FieldRow::read_narrow(uint32_t reference,
   return count;
 }
 
-// Of the values with the leaf's sign. Values::distance gives them.
+// Of the values with the leaf's sign. Values::distance gives them, and
+// Values::far_q22 how far they must be true.
 template <typename Values>
 inline int32_t FieldRow::of_two(const Values& values,
                                 uint32_t x_q8) const noexcept {
   const int32_t sign = values.fields.sign;
   const int32_t a = with_sign(values.distance(0, x_q8), sign);
   int32_t least = a;
-  if (a > -reach_q22_) {
+  if (a > -values.far_q22()) {
     const int32_t b = with_sign(values.distance(1, x_q8), sign);
     const bool in_order = a <= b;
     least = in_order ? a : b;
@@ -155,7 +160,7 @@ inline int32_t FieldRow::of_three(const Values& values,
   const int32_t sign = values.fields.sign;
   const int32_t a = with_sign(values.distance(0, x_q8), sign);
   int32_t least = a;
-  if (a > -reach_q22_) {
+  if (a > -values.far_q22()) {
     const int32_t b = with_sign(values.distance(1, x_q8), sign);
     const int32_t c = with_sign(values.distance(2, x_q8), sign);
     const bool in_order = b <= c;

@@ -19,18 +19,18 @@ class FieldRow::NearValues {
     }
   }
 
+  int32_t far_q22() const noexcept { return row_.thirds_reach_q22(); }
+
   template <typename Distance>
   int32_t* put(uint32_t x_q8,
                int32_t* out,
                const Distance& distance) const noexcept {
-    constexpr uint32_t kThirdQ8 = 85;
-    constexpr int32_t kThirdQ22 = 85 << 14;
-    const int32_t far_q22 = row_.reach_q22_ + kThirdQ22;
+    constexpr uint32_t kThird = kThirdQ8;
     const int32_t middle = distance(x_q8);
-    const bool is_near = middle > -far_q22 && middle < far_q22;
-    out[0] = is_near ? distance(x_q8 - kThirdQ8) : middle;
+    const bool is_near = middle > -far_q22() && middle < far_q22();
+    out[0] = is_near ? distance(x_q8 - kThird) : middle;
     out[1] = middle;
-    out[2] = is_near ? distance(x_q8 + kThirdQ8) : middle;
+    out[2] = is_near ? distance(x_q8 + kThird) : middle;
     return out + 3;
   }
 

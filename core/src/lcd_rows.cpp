@@ -35,11 +35,15 @@ class StripeRow {
                                       uint8_t* out) const noexcept {
     int32_t line[3 * kMost];
     fill(x, count, line);
-    const int32_t far_q10 = (reach_of(filter_) >> 12) + kFlattest;
+    const int32_t far_q10 = row_.thirds_reach_q22() >> 12;
     const int32_t* d = line;
-    for (uint8_t* const end = out + 3 * count; out != end; d += 3, out += 3) {
-      int32_t d_q10[3] = {d[0] >> 12, d[1] >> 12, d[2] >> 12};
-      if (d_q10[1] <= -far_q10 - kThird) {
+    for (uint8_t* const end = out + 3 * count; out != end; out += 3) {
+      int32_t d_q10[3];
+      for (int32_t& at_q10 : d_q10) {
+        // Beyond, they may be any.
+        at_q10 = lesser(far_q10, greater(-far_q10, *d++ >> 12));
+      }
+      if (d_q10[1] == -far_q10) {
         out[0] = out[1] = out[2] = 0;
       } else {
         cover_stripes<3>(filter_, d_q10, out);
