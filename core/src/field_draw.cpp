@@ -24,6 +24,10 @@ inline bool cover(const Filter& filter, int32_t* line, int32_t count) noexcept {
   return any != 0;
 }
 
+// Pixels of a row that are drawn at once: what the stack can bear.
+constexpr int32_t kAtOnce = 24;
+static_assert(kAtOnce <= kMaxSpan, "a span");
+
 __attribute__((noinline)) void draw_rows(const GlyphField& field,
                                          const Brush& brush,
                                          Upright& upright,
@@ -37,16 +41,16 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
     if (upright.place_row(brush, at)) {
       row.go_to(at.y_q16, at.y_q20);
       RowPoint first = row.point(at.x_q16, at.x_q20);
-      for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
-        int32_t line[kMaxSpan];
-        const int32_t count = lesser(pixels.x1 - x, kMaxSpan);
+      for (int32_t x = pixels.x0; x < pixels.x1; x += kAtOnce) {
+        int32_t line[kAtOnce];
+        const int32_t count = lesser(pixels.x1 - x, kAtOnce);
         row.take(first, line, count);
         if (cover(filter, line, count)) {
           sink.coverage(sink.context, x, y,
                         reinterpret_cast<const uint8_t*>(line), count);
         }
-        first.x_q16 += kMaxSpan * step_q16;
-        first.x_q20 += kMaxSpan << 20;
+        first.x_q16 += kAtOnce * step_q16;
+        first.x_q20 += kAtOnce << 20;
       }
     }
     upright.next_row(brush);

@@ -106,7 +106,8 @@ void add_look_options(CLI::App& app, LookOptions& options) {
 void check_radius(const LookOptions& options, bool is_used) {
   if (options.radius > 0 && !is_used) {
     throw std::runtime_error(
-        "--radius is for several samples a pixel: --samples adaptive, paper or splats");
+        "--radius is for several samples a pixel: --samples adaptive, paper or "
+        "splats");
   }
 }
 
