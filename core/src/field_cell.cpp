@@ -202,72 +202,20 @@ bool is_rounded(const LastTwo& two, int32_t bend_log2, Cone& cone) noexcept {
 
 }  // namespace
 
-uint32_t LinkedHeap::read_leaf(uint32_t reference,
-                               uint16_t* out,
-                               FieldOperator& op) const noexcept {
-  namespace linked = format::linked;
-  const uint32_t kind = tag(reference);
-  uint32_t at = offset(reference);
-  op = FieldOperator::least;
-  if (kind == linked::kLine || kind == linked::kArc) {
-    const uint32_t unit = at | (kind == linked::kArc ? linked::kArcField : 0);
-    out[0] = static_cast<uint16_t>(unit);
-    return is_field(unit) ? 1 : 0;
-  }
-  uint32_t count = 2;
-  if (kind == linked::kTriple) {
-    if (!holds(at, linked::kTripleUnits)) {
-      return 0;
-    }
-    const uint32_t number = this->at(at++);
-    if (number > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
-      return 0;
-    }
-    op = static_cast<FieldOperator>(number);
-    count = 3;
-  } else if ((kind != linked::kMinPair && kind != linked::kMaxPair) ||
-             !holds(at, linked::kPairUnits)) {
-    return 0;
-  }
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t unit =
-        this->at(at + i) & (linked::kArcField | linked::kOffsetMask);
-    if (!is_field(unit)) {
-      return 0;
-    }
-    out[i] = static_cast<uint16_t>(unit);
-  }
-  if (count == 3) {
-    return 3;
-  }
-  if (kind == linked::kMaxPair) {
-    op = FieldOperator::greatest;
-  }
-  return out[0] == out[1] ? 1 : 2;  // a pair of one field is that field
-}
-
 uint32_t read_linked_leaf(const GlyphField& field,
                           uint32_t reference,
                           uint16_t* out,
                           FieldOperator& op) noexcept {
-  return LinkedHeap(field).read_leaf(reference, out, op);
+  return LinkedHeap(field).read_leaf(
+      reference, [](uint32_t unit) { return static_cast<uint16_t>(unit); }, out,
+      op);
 }
 
 Leaf find_linked_leaf(const GlyphField& field,
                       uint32_t tile,
                       uint32_t x,
                       uint32_t y) noexcept {
-  const LinkedHeap heap(field);
-  Leaf leaf = {heap.holds(tile, 1) ? heap.at(tile) : format::glyph::kOutside,
-               field.tile_log2};
-  while (heap.is_node(leaf.reference)) {
-    if (leaf.size_log2 == 0) {
-      return {format::glyph::kOutside, 0};
-    }
-    leaf.reference =
-        heap.at(LinkedHeap::offset(leaf.reference) + leaf.descend(x, y));
-  }
-  return leaf;
+  return LinkedHeap(field).find_leaf(tile, field.tile_log2, x, y);
 }
 
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {

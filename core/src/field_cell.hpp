@@ -198,6 +198,20 @@ inline uint32_t read_narrow_leaf(const GlyphField& field,
       out, op);
 }
 
+// A leaf of a tile's tree: outside where the tree has none.
+struct Leaf {
+  uint32_t reference;
+  uint32_t size_log2;
+
+  // The child of the square that holds a point, in u from the grid's corner;
+  // it becomes the square. Each step spends one bit of the coordinates, so that
+  // loops of them end.
+  uint32_t descend(uint32_t x, uint32_t y) noexcept {
+    --size_log2;
+    return ((y >> size_log2) & 1) * 2 + ((x >> size_log2) & 1);
+  }
+};
+
 // The heap of linked fields: what its references and units name. Nothing, if
 // it leaves the heap.
 class LinkedHeap {
@@ -231,28 +245,74 @@ class LinkedHeap {
                                    ? linked::kArcUnits
                                    : linked::kLineUnits);
   }
-  // read_narrow_leaf for a reference of this heap.
-  uint32_t read_leaf(uint32_t reference,
-                     uint16_t* out,
-                     FieldOperator& op) const noexcept;
+  // find_narrow_leaf in this heap.
+  __attribute__((always_inline)) Leaf find_leaf(uint32_t tile,
+                                                uint32_t tile_log2,
+                                                uint32_t x,
+                                                uint32_t y) const noexcept {
+    Leaf leaf = {holds(tile, 1) ? at(tile) : format::glyph::kOutside,
+                 tile_log2};
+    while (is_node(leaf.reference)) {
+      if (leaf.size_log2 == 0) {
+        return {format::glyph::kOutside, 0};
+      }
+      leaf.reference = at(offset(leaf.reference) + leaf.descend(x, y));
+    }
+    return leaf;
+  }
+
+  // read_narrow_leaf for a reference of this heap: `name` takes a field's unit.
+  template <typename Out, typename Name>
+  __attribute__((always_inline)) uint32_t read_leaf(
+      uint32_t reference,
+      const Name& name,
+      Out* out,
+      FieldOperator& op) const noexcept {
+    namespace linked = format::linked;
+    const uint32_t kind = tag(reference);
+    uint32_t from = offset(reference);
+    op = FieldOperator::least;
+    if (kind == linked::kLine || kind == linked::kArc) {
+      const uint32_t unit =
+          from | (kind == linked::kArc ? linked::kArcField : 0);
+      out[0] = name(unit);
+      return is_field(unit) ? 1 : 0;
+    }
+    uint32_t count = 2;
+    if (kind == linked::kTriple) {
+      if (!holds(from, linked::kTripleUnits)) {
+        return 0;
+      }
+      const uint32_t number = at(from++);
+      if (number > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
+        return 0;
+      }
+      op = static_cast<FieldOperator>(number);
+      count = 3;
+    } else if ((kind != linked::kMinPair && kind != linked::kMaxPair) ||
+               !holds(from, linked::kPairUnits)) {
+      return 0;
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t unit =
+          at(from + i) & (linked::kArcField | linked::kOffsetMask);
+      if (!is_field(unit)) {
+        return 0;
+      }
+      out[i] = name(unit);
+    }
+    if (count == 3) {
+      return 3;
+    }
+    if (kind == linked::kMaxPair) {
+      op = FieldOperator::greatest;
+    }
+    return out[0] == out[1] ? 1 : 2;  // a pair of one field is that field
+  }
 
  private:
   const uint8_t* data_;
   uint32_t units_;
-};
-
-// A leaf of a tile's tree: outside where the tree has none.
-struct Leaf {
-  uint32_t reference;
-  uint32_t size_log2;
-
-  // The child of the square that holds a point, in u from the grid's corner;
-  // it becomes the square. Each step spends one bit of the coordinates, so that
-  // loops of them end.
-  uint32_t descend(uint32_t x, uint32_t y) noexcept {
-    --size_log2;
-    return ((y >> size_log2) & 1) * 2 + ((x >> size_log2) & 1);
-  }
 };
 
 // The leaf of tile `tile` that holds a point, in u from the grid's corner.

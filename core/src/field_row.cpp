@@ -56,14 +56,14 @@ void FieldRow::take(RowPoint at, int32_t* out, int32_t count) const noexcept {
 
 __attribute__((noinline)) uint32_t FieldRow::read_linked(
     uint32_t reference, Fields& fields) const noexcept {
-  uint16_t units[3];
   FieldOperator op = FieldOperator::least;
-  const uint32_t count = read_linked_leaf(field_, reference, units, op);
+  const uint32_t count = LinkedHeap(field_).read_leaf(
+      reference,
+      [](uint32_t unit) {
+        return 2 * (unit & format::linked::kOffsetMask) + (unit >> 15);
+      },
+      fields.place, op);
   fields.set(op);
-  for (uint32_t i = 0; i < count; ++i) {
-    fields.place[i] =
-        2 * (units[i] & format::linked::kOffsetMask) + (units[i] >> 15);
-  }
   return count;
 }
 

@@ -197,7 +197,8 @@ inline void FieldRow::take_with(RowPoint at,
     const uint32_t x = x_q16 >> 16;
     const uint32_t tile = first_tile + (x >> field_.tile_log2);
     const Leaf found = is_narrow ? find_narrow_leaf(field_, tile, x, y_u_)
-                                 : find_linked_leaf(field_, tile, x, y_u_);
+                                 : LinkedHeap(field_).find_leaf(
+                                       tile, field_.tile_log2, x, y_u_);
     const uint32_t log2 = found.size_log2 + 16;
     uint32_t stop_q16 = ((x_q16 >> log2) + 1) << log2;
     stop_q16 = stop_q16 < end_q16 ? stop_q16 : end_q16;

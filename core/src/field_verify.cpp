@@ -82,8 +82,8 @@ Target target_of(const GlyphField& field,
       return Target::node;
     }
     Cell cell;
-    cell.field_count =
-        static_cast<uint8_t>(heap.read_leaf(reference, cell.fields, cell.op));
+    cell.field_count = static_cast<uint8_t>(
+        read_linked_leaf(field, reference, cell.fields, cell.op));
     return cell.is_saturated() || !normals_fit(field, cell) ? Target::nothing
                                                             : Target::leaf;
   }
