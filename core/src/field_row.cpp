@@ -3,50 +3,54 @@
 namespace inkcell {
 namespace detail {
 
-// Each value in one step, from the record.
 class FieldRow::PlainValues {
  public:
   explicit PlainValues(const FieldRow& row) noexcept : row_(row) {}
 
-  void begin(uint32_t, uint32_t) noexcept {}
-
-  int32_t far_q22() const noexcept { return row_.reach_q22_; }
-
-  template <typename Distance>
-  int32_t* put(uint32_t x_q8,
-               int32_t* out,
-               const Distance& distance) const noexcept {
-    *out = distance(x_q8);
+  static int32_t* side(int32_t value, int32_t* out) noexcept {
+    *out = value;
     return out + 1;
   }
 
-  // FieldTerm::value_q22. [px]
-  int32_t distance(uint32_t i, uint32_t x_q8) const noexcept {
-    namespace layout = format::fields;
-    const uint32_t place = fields.place[i];
-    const uint8_t* const at = row_.cells_ + (place & ~uint32_t{1});
-    const int32_t nx = load_i16(at + layout::kNormalX);
-    const int32_t ny = load_i16(at + layout::kNormalY);
-    const FieldScale& scale = row_.scale_;
-    uint32_t value = times(nx, x_q8) + times(ny, row_.y_q8_) +
-                     times(load_i16(at + layout::kOffset), scale.size_q8);
-    if ((place & 1) != 0) {
-      const auto along = static_cast<uint32_t>(
-          wrapped(times(nx, row_.y_q8_) - times(ny, x_q8) + (1 << 13) +
-                  times(load_i16(at + layout::kAlong), scale.size_q8)) >>
-          14);
-      const int32_t bend =
-          (load_i16(at + layout::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
-      const auto slope = static_cast<uint32_t>(wrapped(times(bend, along)) >>
-                                               row_.bend_shift_);
-      value += static_cast<uint32_t>(wrapped(slope * along) >> 1);
+  int32_t* one(uint32_t x_q8, int32_t* out) const noexcept {
+    return side(value(0, x_q8), out);
+  }
+
+  int32_t* two(uint32_t x_q8, int32_t* out) const noexcept {
+    const int32_t sign = fields.sign;
+    const int32_t a = with_sign(value(0, x_q8), sign);
+    int32_t least = a;
+    if (a > -row_.reach_q22_) {
+      const int32_t b = with_sign(value(1, x_q8), sign);
+      const bool in_order = a <= b;
+      least = in_order ? a : b;
+      if (row_.is_near_vertex(least, in_order ? b : a)) {
+        least = row_.rounded_two(fields, a, b, x_q8);
+      }
     }
-    return wrapped(value);
+    return side(with_sign(least, sign), out);
+  }
+
+  int32_t* three(uint32_t x_q8, int32_t* out) const noexcept {
+    const int32_t sign = fields.sign;
+    const int32_t a = with_sign(value(0, x_q8), sign);
+    int32_t least = a;
+    if (a > -row_.reach_q22_) {
+      const int32_t b = with_sign(value(1, x_q8), sign);
+      const int32_t c = with_sign(value(2, x_q8), sign);
+      least = row_.least_of_three(fields, a, b, c, x_q8);
+    }
+    return side(with_sign(least, sign), out);
   }
 
   Fields fields;
 
  private:
+  int32_t value(uint32_t i, uint32_t x_q8) const noexcept {
+    int32_t slope_q14 = 0;
+    return row_.value(fields.place[i], x_q8, slope_q14);
+  }
+
   const FieldRow& row_;
 };
 

@@ -48,9 +48,9 @@ class FieldRow {
   void take(RowPoint at, int32_t* out, int32_t count) const noexcept;
 
   // Three distances for each of `count` points: a third of a pixel before it,
-  // at it, and behind it; all by the fields of its own leaf, which go on beyond
-  // it. Where the middle one is farther than thirds_reach_q22() it stands for
-  // all three. Vertices are rounded within the reach.
+  // at it, and behind it, the outer two along the tangents of the fields of its
+  // own leaf, which go on beyond it. Beyond thirds_reach_q22() they are any of
+  // the same side. All three are rounded as the middle one is.
   void take_thirds(RowPoint at, int32_t* out, int32_t count) const noexcept;
   int32_t thirds_reach_q22() const noexcept {
     return reach_q22_ + kThirdQ8 * (1 << 14);
@@ -77,15 +77,13 @@ class FieldRow {
   static constexpr int32_t kThirdQ8 = 85;
 
   class PlainValues;
-  class NearValues;
+  class ThirdValues;
 
   template <typename Values>
   void take_with(RowPoint at, int32_t* out, int32_t count) const noexcept;
-  template <typename Values>
-  int32_t of_two(const Values& values, uint32_t x_q8) const noexcept;
-  template <typename Values>
-  int32_t of_three(const Values& values, uint32_t x_q8) const noexcept;
-
+  int32_t value(uint32_t place,
+                uint32_t x_q8,
+                int32_t& slope_q14) const noexcept;
   uint32_t place_of(uint32_t number) const noexcept;
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
   uint32_t read_linked(uint32_t reference, Fields& fields) const noexcept;
@@ -93,6 +91,11 @@ class FieldRow {
   int32_t rounded(const Operand& a,
                   const Operand& b,
                   uint32_t x_q8) const noexcept;
+  int32_t least_of_three(const Fields& fields,
+                         int32_t a,
+                         int32_t b,
+                         int32_t c,
+                         uint32_t x_q8) const noexcept;
   int32_t rounded_two(const Fields& fields,
                       int32_t a,
                       int32_t b,
@@ -135,51 +138,55 @@ inline uint32_t FieldRow::read_narrow(uint32_t reference,
   return count;
 }
 
-// Of the values with the leaf's sign. Values::distance gives them, and
-// Values::far_q22 how far they must be true.
-template <typename Values>
-inline int32_t FieldRow::of_two(const Values& values,
-                                uint32_t x_q8) const noexcept {
-  const int32_t sign = values.fields.sign;
-  const int32_t a = with_sign(values.distance(0, x_q8), sign);
-  int32_t least = a;
-  if (a > -values.far_q22()) {
-    const int32_t b = with_sign(values.distance(1, x_q8), sign);
-    const bool in_order = a <= b;
-    least = in_order ? a : b;
-    if (is_near_vertex(least, in_order ? b : a)) {
-      least = rounded_two(values.fields, a, b, x_q8);
-    }
+// The value of a field, FieldTerm::value_q22, in one step; and how much of it
+// is gained by a pixel to the right. [px, Q22; Q14]
+inline int32_t FieldRow::value(uint32_t place,
+                               uint32_t x_q8,
+                               int32_t& slope_q14) const noexcept {
+  namespace layout = format::fields;
+  const uint8_t* const at = cells_ + (place & ~uint32_t{1});
+  const int32_t nx = load_i16(at + layout::kNormalX);
+  const int32_t ny = load_i16(at + layout::kNormalY);
+  uint32_t value = times(nx, x_q8) + times(ny, y_q8_) +
+                   times(load_i16(at + layout::kOffset), scale_.size_q8);
+  slope_q14 = nx;
+  if ((place & 1) != 0) {
+    const auto along = static_cast<uint32_t>(
+        wrapped(times(nx, y_q8_) - times(ny, x_q8) + (1 << 13) +
+                times(load_i16(at + layout::kAlong), scale_.size_q8)) >>
+        14);
+    const int32_t bend =
+        (load_i16(at + layout::kBend) * scale_.bend_q14 + (1 << 10)) >> 11;
+    const auto half_q15 =
+        static_cast<uint32_t>(wrapped(times(bend, along)) >> bend_shift_);
+    value += static_cast<uint32_t>(wrapped(half_q15 * along) >> 1);
+    slope_q14 -= wrapped(times(ny, half_q15)) >> 14;
   }
-  return with_sign(least, sign);
+  return wrapped(value);
 }
 
-template <typename Values>
-inline int32_t FieldRow::of_three(const Values& values,
-                                  uint32_t x_q8) const noexcept {
-  const int32_t sign = values.fields.sign;
-  const int32_t a = with_sign(values.distance(0, x_q8), sign);
-  int32_t least = a;
-  if (a > -values.far_q22()) {
-    const int32_t b = with_sign(values.distance(1, x_q8), sign);
-    const int32_t c = with_sign(values.distance(2, x_q8), sign);
-    const bool in_order = b <= c;
-    const int32_t low = in_order ? b : c;
-    const int32_t high = in_order ? c : b;
-    bool is_near = false;
-    int32_t other = low;
-    if (values.fields.is_nested) {
-      is_near = high > 0 && high < reach_q22_ && low + high > 0;
-      other = high;
-    }
-    const bool is_first = a <= other;
-    least = is_first ? a : other;
-    const int32_t second = is_first ? other : (a <= high ? a : high);
-    if (is_near || is_near_vertex(least, second)) {
-      least = rounded_three(values.fields, a, b, c, x_q8);
-    }
+// The least of three values, or what is left of them if they are nested.
+__attribute__((always_inline)) inline int32_t FieldRow::least_of_three(
+    const Fields& fields,
+    int32_t a,
+    int32_t b,
+    int32_t c,
+    uint32_t x_q8) const noexcept {
+  const bool in_order = b <= c;
+  const int32_t low = in_order ? b : c;
+  const int32_t high = in_order ? c : b;
+  bool is_near = false;
+  int32_t other = low;
+  if (fields.is_nested) {
+    is_near = high > 0 && high < reach_q22_ && low + high > 0;
+    other = high;
   }
-  return with_sign(least, sign);
+  const bool is_first = a <= other;
+  const int32_t least = is_first ? a : other;
+  const int32_t second = is_first ? other : (a <= high ? a : high);
+  return is_near || is_near_vertex(least, second)
+             ? rounded_three(fields, a, b, c, x_q8)
+             : least;
 }
 
 template <typename Values>
@@ -208,25 +215,24 @@ inline void FieldRow::take_with(RowPoint at,
       fields = is_narrow ? read_narrow(found.reference, values.fields)
                          : read_linked(found.reference, values.fields);
     }
-    const auto points = [&](const auto& distance) {
+    const auto points = [&](const auto& put) {
       do {
-        out = values.put(static_cast<uint32_t>(wrapped(x_q20) >> 12), out,
-                         distance);
+        out = put(static_cast<uint32_t>(wrapped(x_q20) >> 12), out);
         x_q20 += step.x_q20;
         x_q16 += step.x_q16;
       } while (x_q16 < stop_q16);
     };
-    values.begin(fields, static_cast<uint32_t>(wrapped(x_q20) >> 12));
     if (fields == 1) {
-      points([&](uint32_t x_q8) { return values.distance(0, x_q8); });
+      points([&](uint32_t x_q8, int32_t* to) { return values.one(x_q8, to); });
     } else if (fields == 2) {
-      points([&](uint32_t x_q8) { return of_two(values, x_q8); });
+      points([&](uint32_t x_q8, int32_t* to) { return values.two(x_q8, to); });
     } else if (fields == 3) {
-      points([&](uint32_t x_q8) { return of_three(values, x_q8); });
+      points(
+          [&](uint32_t x_q8, int32_t* to) { return values.three(x_q8, to); });
     } else {
       const int32_t side =
           found.reference == format::glyph::kInside ? INT32_MAX : INT32_MIN;
-      points([side](uint32_t) { return side; });
+      points([side](uint32_t, int32_t* to) { return Values::side(side, to); });
     }
   }
 }

@@ -18,9 +18,16 @@ class StripeRow {
              reach_of(filter_) + (kFlattest << 12),
              {static_cast<uint32_t>(rows.brush.step_along_q16()), 1 << 20}) {}
 
-  // To another row of pixels. False: it lies beside the grid.
+  // To the first row of pixels, or the next one. False: it lies beside the
+  // grid.
   bool go_to(int32_t y) noexcept {
-    const FieldPosition at = rows_.at(rows_.box.x0, y, 0, 0);
+    if (y == rows_.box.y0 || rows_.map != nullptr) {
+      at_ = rows_.at(rows_.box.x0, y, 0, 0);
+    } else {
+      at_.y_q16 -= rows_.brush.step_along_q16();
+      at_.y_q20 -= 1 << 20;
+    }
+    const FieldPosition& at = at_;
     row_.go_to(at.y_q16, at.y_q20);
     first_ = row_.point(at.x_q16, at.x_q20);
     const int32_t y_u = at.y_q16 >> 16;
@@ -29,24 +36,32 @@ class StripeRow {
 
   // What the stripes of `count` pixels cover, three for each; kMost pixels at
   // the most.
-  static constexpr int32_t kMost = 8;
+  static constexpr int32_t kMost = 12;
   __attribute__((noinline)) void take(int32_t x,
                                       int32_t count,
                                       uint8_t* out) const noexcept {
     int32_t line[3 * kMost];
     fill(x, count, line);
-    const int32_t far_q10 = row_.thirds_reach_q22() >> 12;
+    const int32_t centre = (filter_.outside_q10 + filter_.inside_q10) >> 1;
+    const int32_t far_q22 = row_.thirds_reach_q22();
+    const int32_t near_q22 = reach_of(filter_) + (kFlattest << 12);
     const int32_t* d = line;
-    for (uint8_t* const end = out + 3 * count; out != end; out += 3) {
-      int32_t d_q10[3];
-      for (int32_t& at_q10 : d_q10) {
-        // Beyond, they may be any.
-        at_q10 = lesser(far_q10, greater(-far_q10, *d++ >> 12));
-      }
-      if (d_q10[1] == -far_q10) {
+    for (uint8_t* const end = out + 3 * count; out != end; d += 3, out += 3) {
+      // Beyond `far` the outer two may be any.
+      if (d[1] <= -far_q22 ||
+          (d[0] <= -near_q22 && d[1] <= -near_q22 && d[2] <= -near_q22)) {
         out[0] = out[1] = out[2] = 0;
+      } else if (d[1] >= far_q22) {
+        out[0] = out[1] = out[2] = 255;
       } else {
-        cover_stripes<3>(filter_, d_q10, out);
+        const int32_t before = (d[0] >> 12) - centre;
+        const int32_t middle = (d[1] >> 12) - centre;
+        const int32_t behind = (d[2] >> 12) - centre;
+        const int32_t steepness = steepness_q8(
+            greater(magnitude(middle - before), magnitude(behind - middle)));
+        out[0] = filter_.coverage(centre + ((before * steepness) >> 8));
+        out[1] = filter_.coverage(centre + ((middle * steepness) >> 8));
+        out[2] = filter_.coverage(centre + ((behind * steepness) >> 8));
       }
     }
   }
@@ -88,8 +103,32 @@ class StripeRow {
   const Filter& filter_;
   const GlyphField& field_;
   FieldRow row_;
+  FieldPosition at_ = {};  // of the row's first pixel
   RowPoint first_ = {0, 0};
 };
+
+// Channels of pixels from their stripes: each is the mean of three, the first
+// one's of the stripe before the pixel and two of its own. False: all are 0.
+inline bool mix(const uint8_t* stripes,
+                int32_t count,
+                bool red_first,
+                uint8_t* rgb) noexcept {
+  const uint32_t first = red_first ? 0 : 2;
+  uint32_t any = 0;
+  for (const uint8_t* const end = stripes + 3 * count; stripes != end;
+       stripes += 3, rgb += 3) {
+    const int32_t sum = stripes[1] + stripes[2];
+    const int32_t next = stripes[2] + stripes[3];
+    const uint8_t before = third(stripes[0] + sum);
+    const uint8_t middle = third(sum + stripes[3]);
+    const uint8_t behind = third(next + stripes[4]);
+    rgb[first] = before;
+    rgb[1] = middle;
+    rgb[2 - first] = behind;
+    any |= static_cast<uint32_t>(before | middle | behind);
+  }
+  return any != 0;
+}
 
 // A row of pixels. Each takes a stripe of the one on either side:
 //
@@ -97,31 +136,34 @@ class StripeRow {
 //
 __attribute__((noinline)) void draw_row(const StripeRow& row,
                                         const LcdRows& rows,
-                                        const Rect& window,
-                                        RgbSpans& spans) noexcept {
+                                        const LcdStyle& style,
+                                        int32_t y,
+                                        const Sink& sink) noexcept {
   const Rect& box = rows.box;
   // What lies beside the box covers nothing, unless the window cuts it off.
-  const int32_t end = box.x1 + (box.x1 == window.x1 ? 1 : 0);
-  uint8_t covered[4 + 3 * StripeRow::kMost] = {};
+  const int32_t end = box.x1 + (box.x1 == sink.window.x1 ? 1 : 0);
+  uint8_t covered[4 + 3 * StripeRow::kMost];
+  covered[0] = covered[1] = covered[2] = covered[3] = 0;
+  // Pixel x comes first in `covered`: at first one that is not to be drawn.
   int32_t x = box.x0 - 1;
-  if (box.x0 == window.x0) {
+  if (box.x0 == sink.window.x0) {
     row.take(x, 1, covered + 1);
   }
-  while (x < box.x1) {
+  for (int32_t skipped = 1; x < box.x1; skipped = 0) {
     const int32_t count = lesser(box.x1 - x, StripeRow::kMost);
-    const int32_t known = lesser(end - x - 1, count);
     covered[1 + 3 * count] = 0;
-    row.take(x + 1, known, covered + 4);
-    const uint8_t* stripes = covered;
-    for (const int32_t stop = x + count; x < stop; ++x) {
-      if (x >= box.x0) {
-        spans.put(x, stripes);
-      }
-      stripes += 3;
+    row.take(x + 1, lesser(end - x - 1, count), covered + 4);
+    uint8_t rgb[3 * StripeRow::kMost];
+    if (mix(covered + 3 * skipped, count - skipped, is_red_first(style.order),
+            rgb)) {
+      hand_on(sink, style, x + skipped, y, rgb, count - skipped);
     }
-    for (uint32_t i = 0; i < 4; ++i) {
-      covered[i] = stripes[i];
-    }
+    const uint8_t* const last = covered + 3 * count;
+    covered[0] = last[0];
+    covered[1] = last[1];
+    covered[2] = last[2];
+    covered[3] = last[3];
+    x += count;
   }
 }
 
@@ -132,12 +174,10 @@ void draw_stripe_rows(const GlyphField& field,
                       const LcdStyle& style,
                       const Sink& sink) noexcept {
   StripeRow row(field, rows);
-  RgbSpans spans(sink, style, rows.box.y0);
   for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
     if (row.go_to(y)) {
-      draw_row(row, rows, sink.window, spans);
+      draw_row(row, rows, style, y, sink);
     }
-    spans.next_row();
   }
 }
 

@@ -22,8 +22,11 @@ inline constexpr uint16_t kSteepness[33] = {
     268, 274, 281, 289, 300, 313, 330, 353, 388, 448, 768};
 
 // The mean of three to within a level, without a division.
+inline uint8_t third(int32_t sum) noexcept {
+  return static_cast<uint8_t>((sum * 171 + 85) >> 9);
+}
 inline uint8_t mean(int32_t a, int32_t b, int32_t c) noexcept {
-  return static_cast<uint8_t>(((a + b + c) * 171 + 85) >> 9);
+  return third(a + b + c);
 }
 
 inline bool is_vertical(SubPixels order) noexcept {
@@ -32,6 +35,12 @@ inline bool is_vertical(SubPixels order) noexcept {
 
 // What the flattest ramp of all reaches beyond the filter's. [px, Q10]
 inline constexpr int32_t kFlattest = 1 << 6;
+
+// From what changes from a stripe to the next. [px, Q10]
+inline int32_t steepness_q8(int32_t change_q10) noexcept {
+  const int32_t part = (3 * change_q10 + 16) >> 5;
+  return kSteepness[part < 32 ? part : 32];
+}
 
 // What the stripes of a pixel cover, from their distances. [px, Q10]
 template <uint32_t kCount>
@@ -42,12 +51,43 @@ inline void cover_stripes(const Filter& filter,
   for (uint32_t i = 1; i < kCount; ++i) {
     most_q10 = greater(most_q10, magnitude(d[i] - d[i - 1]));
   }
-  const int32_t part = (3 * most_q10 + 16) >> 5;
-  const int32_t steepness = kSteepness[part < 32 ? part : 32];
+  const int32_t steepness = steepness_q8(most_q10);
   const int32_t centre = (filter.outside_q10 + filter.inside_q10) >> 1;
   for (uint32_t i = 0; i < kCount; ++i) {
     out[i] = filter.coverage(centre + (((d[i] - centre) * steepness) >> 8));
   }
+}
+
+inline bool is_red_first(SubPixels order) noexcept {
+  return order == SubPixels::rgb || order == SubPixels::rgb_vertical;
+}
+
+// Hands on pixels of three coverages, which may be changed.
+__attribute__((noinline)) inline void hand_on(const Sink& sink,
+                                              const LcdStyle& style,
+                                              int32_t x,
+                                              int32_t y,
+                                              uint8_t* rgb,
+                                              int32_t count) noexcept {
+  const bool is_grey = sink.coverage_rgb == nullptr;
+  if (is_grey || style.colour != 255) {
+    for (int32_t i = 0; i < count; ++i) {
+      uint8_t* const pixel = rgb + 3 * i;
+      const int32_t grey = mean(pixel[0], pixel[1], pixel[2]);
+      for (int32_t j = 0; j < 3; ++j) {
+        pixel[j] =
+            static_cast<uint8_t>(grey + (pixel[j] - grey) * style.colour / 255);
+      }
+    }
+  }
+  if (!is_grey) {
+    sink.coverage_rgb(sink.context, x, y, rgb, count);
+    return;
+  }
+  for (int32_t i = 0; i < count; ++i) {
+    rgb[i] = mean(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+  }
+  sink.coverage(sink.context, x, y, rgb, count);
 }
 
 // Pixels of three coverages on their way to a sink.
@@ -75,15 +115,11 @@ class RgbSpans {
       flush();
     }
     x_ = count_ == 0 ? x : x_;
-    const bool red_first = style_.order == SubPixels::rgb ||
-                           style_.order == SubPixels::rgb_vertical;
+    const bool red_first = is_red_first(style_.order);
     uint8_t* const rgb = buffer_ + 3 * count_++;
     rgb[0] = red_first ? first : third;
     rgb[1] = second;
     rgb[2] = red_first ? third : first;
-    if (style_.colour != 255) {
-      fade(rgb);
-    }
   }
 
   // To the row below.
@@ -101,25 +137,11 @@ class RgbSpans {
     ++solid_count_;
   }
 
-  void fade(uint8_t* rgb) const noexcept {
-    const int32_t grey = mean(rgb[0], rgb[1], rgb[2]);
-    for (int32_t i = 0; i < 3; ++i) {
-      rgb[i] =
-          static_cast<uint8_t>(grey + (rgb[i] - grey) * style_.colour / 255);
-    }
-  }
-
   void flush() noexcept {
     if (solid_count_ != 0) {
       sink_.solid(sink_.context, x_, y_, solid_count_);
-    } else if (count_ != 0 && sink_.coverage_rgb != nullptr) {
-      sink_.coverage_rgb(sink_.context, x_, y_, buffer_, count_);
     } else if (count_ != 0) {
-      for (int32_t i = 0; i < count_; ++i) {
-        const uint8_t* rgb = buffer_ + 3 * i;
-        buffer_[i] = mean(rgb[0], rgb[1], rgb[2]);
-      }
-      sink_.coverage(sink_.context, x_, y_, buffer_, count_);
+      hand_on(sink_, style_, x_, y_, buffer_, count_);
     }
     count_ = 0;
     solid_count_ = 0;

@@ -48,15 +48,22 @@ void blend_bytes(const Strip& strip,
     return;
   }
   coverage += 3 * run.skipped;
+  const uint32_t red = colour >> 16 & 0xff;
+  const uint32_t green = colour >> 8 & 0xff;
+  const uint32_t blue = colour & 0xff;
+  const uint32_t first = red_first ? 0 : 2;
   uint8_t* pixel = detail::row_at(strip, run.y) + kBytes * run.x;
-  for (int32_t i = 0; i < run.count; ++i) {
-    for (int channel = 0; channel < 3; ++channel) {
-      uint8_t& byte = pixel[red_first ? channel : 2 - channel];
-      const uint32_t level = colour >> (16 - 8 * channel) & 0xff;
-      byte = static_cast<uint8_t>(blend(coverage[channel], level, byte));
+  for (uint8_t* const end = pixel + kBytes * run.count; pixel != end;
+       pixel += kBytes, coverage += 3) {
+    if ((coverage[0] | coverage[1] | coverage[2]) == 0) {
+      continue;
     }
-    pixel += kBytes;
-    coverage += 3;
+    const auto blended = [coverage](int channel, uint32_t level, uint8_t old) {
+      return static_cast<uint8_t>(blend(coverage[channel], level, old));
+    };
+    pixel[first] = blended(0, red, pixel[first]);
+    pixel[1] = blended(1, green, pixel[1]);
+    pixel[2 - first] = blended(2, blue, pixel[2 - first]);
   }
 }
 
