@@ -62,20 +62,18 @@ class FieldRow::ThirdValues {
   Fields fields;
 
  private:
+  // It may wrap: beyond the reach distances may be any.
+  static int32_t sum(int32_t a, int32_t b) noexcept {
+    return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+  }
+
   // With the leaf's sign.
   struct Point {
     int32_t value_q22;
     int32_t gain_q22;
 
-    // Sums may wrap: beyond the reach they may be any.
-    int32_t before() const noexcept {
-      return wrapped(static_cast<uint32_t>(value_q22) -
-                     static_cast<uint32_t>(gain_q22));
-    }
-    int32_t behind() const noexcept {
-      return wrapped(static_cast<uint32_t>(value_q22) +
-                     static_cast<uint32_t>(gain_q22));
-    }
+    int32_t before() const noexcept { return sum(value_q22, -gain_q22); }
+    int32_t behind() const noexcept { return sum(value_q22, gain_q22); }
   };
 
   Point at(uint32_t i, uint32_t x_q8) const noexcept {
@@ -97,9 +95,9 @@ class FieldRow::ThirdValues {
                int32_t behind,
                int32_t change,
                int32_t* out) const noexcept {
-    out[0] = with_sign(before + change, fields.sign);
-    out[1] = with_sign(at + change, fields.sign);
-    out[2] = with_sign(behind + change, fields.sign);
+    out[0] = with_sign(sum(before, change), fields.sign);
+    out[1] = with_sign(sum(at, change), fields.sign);
+    out[2] = with_sign(sum(behind, change), fields.sign);
     return out + 3;
   }
 
