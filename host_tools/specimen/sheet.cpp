@@ -1,4 +1,4 @@
-// Lays samples out below each other.
+// Lays samples out in columns.
 #include "sheet.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace inkcell::tools {
 namespace {
 
 constexpr int kGap = 8;  // [px]
-constexpr int kLabelHeight = 14;
+constexpr int kLabelHeight = 16;
 constexpr double kLabelPx = 11;
 constexpr uint32_t kPaper = 0xffffff;
 constexpr uint32_t kLabel = 0x606060;
@@ -87,21 +87,27 @@ void Sheet::add(const std::string& label,
 
 Image Sheet::finish() const {
   const int zoomed = layout_.zoomed_width * layout_.zoom;
-  int height = kGap;
-  for (const Image& sample : samples_) {
-    height += kLabelHeight + sample.height * layout_.zoom + kGap;
+  const int column = 2 * kGap + layout_.width + zoomed;
+  const auto columns = static_cast<size_t>(layout_.columns);
+  std::vector<int> tops = {kGap};  // of rows, and the end of the last
+  for (size_t i = 0; i < samples_.size(); i += columns) {
+    int height = 0;
+    for (size_t j = i; j < std::min(i + columns, samples_.size()); ++j) {
+      height = std::max(height, samples_[j].height);
+    }
+    tops.push_back(tops.back() + kLabelHeight + height * layout_.zoom + kGap);
   }
-  Image sheet = colour_image(3 * kGap + layout_.width + zoomed, height, kPaper);
+  Image sheet =
+      colour_image(kGap + layout_.columns * column, tops.back(), kPaper);
   const Brush brush = make_brush(kLabelPx, 0, kFilterText);
-  int y = kGap;
   for (size_t i = 0; i < samples_.size(); ++i) {
-    write_text(font_, labels_[i], brush, kGap, y + kLabelPx, kLabel, sheet);
-    y += kLabelHeight;
-    paste(samples_[i], kGap, y, sheet);
+    const int x = kGap + static_cast<int>(i % columns) * column;
+    const int y = tops[i / columns];
+    write_text(font_, labels_[i], brush, x, y + kLabelPx, kLabel, sheet);
+    paste(samples_[i], x, y + kLabelHeight, sheet);
     paste(enlarge(cut(samples_[i], layout_.zoomed_x, layout_.zoomed_width),
                   layout_.zoom),
-          2 * kGap + layout_.width, y, sheet);
-    y += samples_[i].height * layout_.zoom + kGap;
+          x + layout_.width + kGap, y + kLabelHeight, sheet);
   }
   return sheet;
 }

@@ -20,6 +20,7 @@ struct SheetLayout {
   int zoom = 0;          // of its enlarged part
   int zoomed_x = 0;      // which begins here
   int zoomed_width = 0;  // and is so wide [px]
+  int columns = 1;       // of samples; they go from left to right
 };
 
 class Sheet {

@@ -169,7 +169,7 @@ Image draw_lcd(const Font& font) {
 Image draw_effects(const Font& font) {
   constexpr double kPx = 32;
   const Sample sample = {font, "Effects", kPx, 8, 34};
-  Sheet sheet(font, {136, 46, 4, 4, 70});
+  Sheet sheet(font, {136, 46, 3, 4, 74, 2});
   const auto add_outline = [&](const char* label, OutlinePlace place,
                                double width) {
     const Outline outline = make_outline(kFilterText, to_q10(width), place);
