@@ -173,12 +173,15 @@ void flush_strip(void* context, const Strip& strip) {
 
 Brush make_brush(double px, double angle, const Filter& filter) {
   const double raw = std::round(px * 64);
-  Brush brush;
   const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
-  if (!in_range || !std::isfinite(angle) ||
+  if (!in_range) {
+    throw std::runtime_error("sizes go from 4 to 1024 px");
+  }
+  Brush brush;
+  if (!std::isfinite(angle) ||
       Brush::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
                   direction_of(angle), brush) != Status::ok) {
-    throw std::runtime_error("sizes go from 4 to 1024 px, angles are finite");
+    throw std::runtime_error("the angle is not a number of degrees");
   }
   return brush;
 }

@@ -14,7 +14,7 @@
 namespace inkcell::tools {
 
 /// A brush for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
-/// clockwise. Throws std::runtime_error if the size is out of range.
+/// clockwise. Throws std::runtime_error if one is out of range.
 Brush make_brush(double px, double angle, const Filter& filter);
 
 /// A line of glyphs. [font units]

@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "char_set.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 
@@ -38,6 +40,28 @@ gen::RomFont generate(gen::GenerateRequest request, MaxPx max_px) {
   }
 }
 
+// What the generator says when it converts a font, about one that is there.
+void warn_of_missing(const RomFile& rom,
+                     const std::filesystem::path& file,
+                     const std::string& text) {
+  std::set<char32_t> missing;
+  for (const char32_t c : from_utf8(text)) {
+    uint16_t glyph = 0;
+    if (c >= U' ' && rom.font().glyph_of(c, glyph) != Status::ok) {
+      missing.insert(c);
+    }
+  }
+  if (missing.empty()) {
+    return;
+  }
+  std::fprintf(stderr, "warning: %s: not in the font, and drawn as .notdef:",
+               file.filename().string().c_str());
+  for (const char32_t c : missing) {
+    std::fprintf(stderr, " %s", gen::describe(c).c_str());
+  }
+  std::fprintf(stderr, "\n");
+}
+
 }  // namespace
 
 void add_conversion_options(CLI::App& app, gen::GenerateRequest& request) {
@@ -55,7 +79,9 @@ RomFile load_font_file(const std::filesystem::path& file,
                        MaxPx max_px) {
   std::vector<uint8_t> bytes = read_file(file);
   if (is_rom_font(bytes)) {
-    return RomFile(std::move(bytes), file.string());
+    RomFile rom(std::move(bytes), file.string());
+    warn_of_missing(rom, file, text);
+    return rom;
   }
   request.font = file;
   request.symbols += text;

@@ -21,11 +21,11 @@ inline MaxPx max_px_of(const CLI::App& app) {
   return app.count("--max-px") != 0 ? MaxPx::asked_for : MaxPx::may_halve;
 }
 
-/// Opens `file`. A ROM font is read as it is; any other font file is converted
-/// by the generator under `request`, with the characters of `text` (UTF-8)
-/// besides those that the request names. If it may, it tries again with half
-/// the largest size, down to the smallest, and says so. Warnings go to standard
-/// error.
+/// Opens `file`. A ROM font is read as it is, under no request; any other font
+/// file is converted by the generator under `request`, with the characters of
+/// `text` (UTF-8) besides those that the request names. If it may, it tries
+/// again with half the largest size, down to the smallest, and says so.
+/// Warnings go to standard error.
 ///
 /// Throws std::runtime_error.
 RomFile load_font_file(const std::filesystem::path& file,

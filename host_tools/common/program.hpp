@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 namespace inkcell::tools {
 
@@ -15,6 +16,9 @@ int run_program(
   CLI11_PARSE(app, argc, argv);
   try {
     return work();
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "error: there is not enough memory for that\n");
+    return failed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return failed;

@@ -45,9 +45,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--cells", arguments.cells,
                  "Draw the glyph's field and cells [glyph a, or the first]")
       ->type_name("OUT.png");
-  app.add_option("--edges", arguments.edges,
-                 "Draw the glyph and what grid fitting knows: zones (dashed), "
-                 "bars (red), other edges (purple), stems (green)")
+  app.add_option(
+         "--edges", arguments.edges,
+         "Draw the glyph and what grid fitting knows: zones (dashed), "
+         "edges where a bar begins (red), others (purple), stems (green)")
       ->type_name("OUT.png");
   app.add_option("--side", arguments.side,
                  "Longer side of these two pictures [px]")

@@ -165,6 +165,17 @@ void print_stats(const DrawStats& stats,
   std::printf("time             %.3f ms on this machine\n", seconds * 1000);
 }
 
+// Outside of it letters are drawn, but nobody has looked at how true they are.
+void warn_of_size(const Font& font, double px) {
+  const FontRange range = font.range();
+  if (px < range.min_px || px > range.max_px) {
+    std::fprintf(
+        stderr,
+        "warning: the font is made for %d to %d px (--min-px, --max-px)\n",
+        range.min_px, range.max_px);
+  }
+}
+
 void render_text(const Arguments& arguments, MaxPx max_px) {
   const RomFile rom =
       load_font_file(arguments.font, arguments.request, arguments.text, max_px);
@@ -172,10 +183,15 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
   const Look look(arguments.look, font, arguments.px, arguments.angle,
                   Use::still);
   check_radius(arguments.look, look.uses_radius());
+  warn_of_size(font, arguments.px);
   const Brush& brush = look.brush();
   const std::vector<Line> lines = lay_out_lines(
       font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);
   const Placement placement = place(arguments, ink_box(font, lines, brush));
+  if (std::max(placement.width, placement.height) * arguments.zoom > kMaxSide) {
+    throw std::runtime_error(
+        "--zoom makes the picture larger than 32767 px, the largest one");
+  }
   Image image(placement.width, placement.height, look.channels());
   DrawStats stats;
   const auto begin = std::chrono::steady_clock::now();

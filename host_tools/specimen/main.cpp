@@ -32,18 +32,21 @@ struct Arguments {
   int width = 780;
 };
 
+constexpr const char* kPictures = "Pictures, one or more";
+
 void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("FONT", arguments.font,
                  "ROM font, or TTF or OTF to convert in memory")
       ->required();
   const auto picture = [&app](const char* option, std::string& file,
                               const char* help) {
-    app.add_option(option, file, help)->type_name("OUT.png");
+    app.add_option(option, file, help)->type_name("OUT.png")->group(kPictures);
   };
   picture("--sizes", arguments.sizes, "One line at ten sizes");
   app.add_option("--width", arguments.width, "Of that picture [px]")
       ->check(CLI::Range(300, 4096))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kPictures);
   picture("--body", arguments.body, "Paragraphs at 11, 13 and 16 px");
   picture("--digits", arguments.digits, "A clock, 160 px high");
   picture("--turned", arguments.turned, "A word in many directions");
@@ -65,7 +68,28 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   add_conversion_options(app, arguments.request);
 }
 
+bool has_comparison(const Arguments& arguments) {
+  return !arguments.compare_body.empty() || !arguments.compare_display.empty();
+}
+
+// Before a font is converted, which takes seconds.
+void check(const Arguments& arguments, const CLI::App& app) {
+  const std::vector<const CLI::Option*> given =
+      app.get_options([](const CLI::Option* option) {
+        return option->get_group() == kPictures && option->count() > 0;
+      });
+  if (given.empty()) {
+    throw std::runtime_error("no picture is asked for; see --help");
+  }
+  if (has_comparison(arguments) && is_rom_font(read_file(arguments.font))) {
+    throw std::runtime_error(
+        arguments.font +
+        ": is a ROM font; others cannot draw it: name a TTF or OTF");
+  }
+}
+
 void run(const Arguments& arguments, const CLI::App& app) {
+  check(arguments, app);
   const RomFile rom =
       load_font_file(arguments.font, arguments.request, "", max_px_of(app));
   const auto write = [](const std::string& file, const auto& draw) {
@@ -87,7 +111,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.motion, [&] { return draw_motion(font); });
   write(arguments.levels, [&] { return draw_levels(font); });
   write(arguments.star, [&] { return draw_star(font); });
-  if (!arguments.compare_body.empty() || !arguments.compare_display.empty()) {
+  if (has_comparison(arguments)) {
     PeerFont peers(arguments.font);
     write(arguments.compare_body, [&] { return compare_body(font, peers); });
     write(arguments.compare_display,

@@ -339,6 +339,9 @@ class Tools(unittest.TestCase):
                                   self.path / "no.pgm", "--lcd", "rgb")),
                 ("exclude each other", ("--font", self.font, *text, "--motion",
                                         "1,0", "--rules", "all")),
+                ("--zoom", ("--font", self.font, *text, "--width", 2000,
+                            "--zoom", 64)),
+                ("degrees", ("--font", self.font, *text, "--angle", "nan")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
                 ("nowhere", ("--font", "/nowhere.ttf", *text))]:
             code = 105 if said == "full not in" else 1
@@ -513,6 +516,25 @@ class Tools(unittest.TestCase):
                                 ("is unknown", ("--filter", "x"))]:
             self.assertIn(said, run("accuracy", "--font", self.font, "--truth",
                                     SANS, *arguments, code=2))
+
+    def test_render_warns_of_what_looks_wrong(self):
+        out = self.path / "warned.png"
+        for said, text, px in [("U+6F22", "a\u6f22\n", 12),
+                               ("8 to 32 px", "a", 7.9),
+                               ("8 to 32 px", "a", 33)]:
+            printed = run("render", "--font", self.font, "--text", text, "--px",
+                          px, "--out", out)
+            self.assertIn("warning: ", printed)
+            self.assertIn(said, printed)
+        self.assertEqual("", run("render", "--font", self.font, "--text",
+                                 "A\nV", "--px", 32, "--out", out))
+
+    def test_specimen_refuses(self):
+        out = self.path / "no.png"
+        self.assertIn("no picture", run("specimen", self.font, code=1))
+        self.assertIn("a TTF or OTF", run("specimen", self.font,
+                                          "--compare-body", out, code=1))
+        self.assertFalse(out.exists())
 
     def test_specimen_draws(self):
         pictures = {}
