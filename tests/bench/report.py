@@ -263,7 +263,7 @@ def mode_table(figures):
     text = ("## Modes\n\nDirect fonts: thousands of instructions for the mean "
             "glyph, and how many times a plain one into\nthe same format; "
             "bytes of stack for the deepest. Another filter (weight, gamma, "
-            "shadow, glow) is as fast\nas plain, but for the pixels that it "
+            "shadow, glow) is as\nfast as plain, but for the pixels that it "
             "reaches beyond.\n\n")
     some = [f for f in figures if f["figure"] == "mode"]
     for font in unique(f["font"] for f in some):
@@ -288,8 +288,8 @@ def other_tables(figures):
     text = "## More\n\nDirect fonts.\n\n"
     text += ("Slanted text: thousands of instructions a glyph, how many times "
              "upright text, and how many times\nupright text that is drawn row "
-             "by row. Where it is not, at large sizes, fitting that moves "
-             "nothing makes it\nso, for about 1 % more.\n\n")
+             "by row. Where it is not, at large sizes, fitting that moves\n"
+             "nothing makes it so, for about 1 % more.\n\n")
     for way, name in SLANTED.items():
         text += sized_table(
             figures, way, name + ":",

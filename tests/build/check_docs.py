@@ -70,6 +70,13 @@ def check_paths(name, text):
             if not (ROOT / path.rstrip(".")).exists()]
 
 
+def check_prose(name, text):
+    """Lines of a document that an editor would wrap: not of tables and code."""
+    return [f"{name}:{number}: over 100 columns"
+            for number, line in enumerate(text.splitlines(), 1)
+            if len(line) > 100 and not line.startswith(("|", "    "))]
+
+
 def constant(text, name):
     return re.search(rf"{name} = (\d+);", text).group(1)
 
@@ -125,6 +132,8 @@ def main():
         if name.endswith(".md"):
             problems += check_links(name, text, files)
             problems += check_paths(name, text)
+            if name != "docs/BENCHMARKS.md":  # a program wraps that
+                problems += check_prose(name, text)
         if name.endswith(SOURCES):
             problems += check_source(name, text)
         problems += [f"{name}: names {found.group(0)}"
