@@ -125,6 +125,9 @@ void FontFile::refuse(const std::string& text) const {
 
 void FontFile::read_bytes(const std::filesystem::path& file) {
   std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw Error(file.string() + ": is a folder; name a file in it");
+  }
   if (!std::filesystem::is_regular_file(file, error)) {
     throw Error(file.string() + ": there is no such file; check --font");
   }

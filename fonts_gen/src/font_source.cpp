@@ -292,7 +292,8 @@ void choose_glyphs(const FontFile& file,
   }
   if (known.empty()) {
     file.refuse("holds none of the " + std::to_string(characters.size()) +
-                " characters asked for; check --chars, --text and --symbols");
+                (characters.size() == 1 ? " character" : " characters") +
+                " asked for; check --chars, --text and --symbols");
   }
   if (font.glyphs.size() > kMostGlyphs) {
     file.refuse(std::to_string(font.glyphs.size()) +

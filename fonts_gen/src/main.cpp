@@ -1,6 +1,7 @@
 // inkcell-fontgen: makes a ROM font from a font file.
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <optional>
 
 #include "generate.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 struct Arguments {
   GenerateRequest request;
-  OutputFormat format = OutputFormat::bin;
+  std::optional<OutputFormat> format;
   std::string name;
   std::string out;
   std::string report;
@@ -43,13 +44,23 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_generator_options(app, request);
-  const std::map<std::string, OutputFormat> formats = {
-      {"bin", OutputFormat::bin},
-      {"hpp", OutputFormat::hpp},
-      {"c", OutputFormat::c}};
-  app.add_option("--format", arguments.format, "Form of the output")
-      ->transform(CLI::CheckedTransformer(formats).description("bin|hpp|c"))
-      ->type_name("");
+  app.add_option_function<std::string>(
+         "--format",
+         [&arguments](const std::string& value) {
+           const std::map<std::string, OutputFormat> formats = {
+               {"bin", OutputFormat::bin},
+               {"hpp", OutputFormat::hpp},
+               {"c", OutputFormat::c}};
+           const auto found = formats.find(value);
+           if (found == formats.end()) {
+             throw CLI::ValidationError(
+                 "--format",
+                 "'" + value + "' is not known; use 'bin', 'hpp' or 'c'");
+           }
+           arguments.format = found->second;
+         },
+         "Form of the output [hpp or c if --out ends so, else bin]")
+      ->type_name("bin|hpp|c");
   app.add_option("--name", arguments.name,
                  "Identifier in hpp and c [from the font file]")
       ->type_name("ID");
@@ -64,6 +75,15 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--jobs", request.jobs, "Threads [all cores]")
       ->check(CLI::Range(0, 1024));
   app.add_flag("--quiet", arguments.quiet, "No report, no progress");
+}
+
+OutputFormat format_of(const Arguments& arguments) {
+  const std::string ending =
+      std::filesystem::path(arguments.out).extension().string();
+  const OutputFormat by_name = ending == ".hpp" ? OutputFormat::hpp
+                               : ending == ".c" ? OutputFormat::c
+                                                : OutputFormat::bin;
+  return arguments.format.value_or(by_name);
 }
 
 // A path in a Makefile rule.
@@ -94,7 +114,7 @@ std::string dependencies(const Arguments& arguments) {
 // the disk is full, no file appears.
 void write_files(const Arguments& arguments, const RomFont& font) {
   OutputFile out(arguments.out);
-  out.write(encode(font, arguments.format, arguments.name));
+  out.write(encode(font, format_of(arguments), arguments.name));
   std::optional<OutputFile> report;
   if (!arguments.report.empty()) {
     report.emplace(arguments.report).write(report_as_json(font.report));

@@ -111,7 +111,7 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       "What grid fitting needs: heights of edges, places of stems");
   app.add_option("--effort", adf.effort,
                  "How hard to try for fewer bytes; more takes longer")
-      ->check(CLI::Range(0, 9))
+      ->check(CLI::Range(0, 9).description(""))
       ->type_name("0..9")
       ->capture_default_str();
 }

@@ -1,8 +1,10 @@
 // inkcell-fontgen as it is called: options, exit codes, files left behind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "sfnt_builder.hpp"
 
@@ -198,6 +200,17 @@ TEST_F(Program, RefusesWrongOptions) {
   }
 }
 
+TEST_F(Program, SaysWhatWouldDo) {
+  EXPECT_NE(run(folder_, "--font . --out a.bin").err.find("name a file"),
+            std::string::npos);
+  EXPECT_NE(run(folder_, "--font plain.ttf --out a.bin --chars 0x4E00")
+                .err.find("none of the 1 character asked for"),
+            std::string::npos);
+  EXPECT_NE(run(folder_, "--font plain.ttf --out a.bin --format svg")
+                .err.find("use 'bin', 'hpp' or 'c'"),
+            std::string::npos);
+}
+
 TEST_F(Program, LeavesTheOldFileWhenItFails) {
   folder_.write("a.bin", std::vector<uint8_t>{'o', 'l', 'd'});
   EXPECT_EQ(run(folder_, "--font plain.ttf --out a.bin --chars 0x4E00").code,
@@ -226,6 +239,21 @@ TEST_F(Program, WritesDependencies) {
   const std::string folder = folder_.path().string();
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()),
             "a\\ b.hpp: " + folder + "/plain.ttf " + folder + "/t.txt\n");
+}
+
+TEST_F(Program, FollowsTheEndingOfTheFile) {
+  for (const char* name : {"a.hpp", "a.c"}) {
+    const std::string options =
+        std::string("--font plain.ttf --symbols H --quiet --out ") + name;
+    ASSERT_EQ(run(folder_, options).code, 0) << name;
+    const std::vector<uint8_t> source = read_file(folder_.path() / name);
+    ASSERT_EQ(run(folder_, options + " --format bin").code, 0) << name;
+    const std::vector<uint8_t> bytes = read_file(folder_.path() / name);
+    const std::string_view magic = "INKC";
+    EXPECT_TRUE(std::equal(magic.begin(), magic.end(), bytes.begin())) << name;
+    EXPECT_FALSE(std::equal(magic.begin(), magic.end(), source.begin()))
+        << name;
+  }
 }
 
 // The compilers of the house take what is generated.
