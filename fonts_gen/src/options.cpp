@@ -99,7 +99,7 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
   add_choice<Coding>(
       app, "--coding", adf.coding, {"direct", Coding::direct},
       {"packed", Coding::packed},
-      "How cells lie in ROM: 'direct', read in place; 'packed', a third of "
+      "How cells lie in ROM: 'direct', read in place; 'packed', two fifths of "
       "that, expanded into RAM to draw");
   add_choice<Predicate>(
       app, "--predicate", adf.predicate, {"size", Predicate::size_aware},

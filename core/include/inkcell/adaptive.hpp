@@ -27,7 +27,7 @@ enum class SampleRule : uint8_t {
   paper
 };
 
-/// Options of paint_adaptive: 280 bytes, built once a style, shared.
+/// Options of paint_adaptive: 276 bytes, built once a style, shared.
 struct Adaptive {
   SampleRule rule = SampleRule::even;
   int16_t radius_q10 = 0;  // of the filter [px]
@@ -41,8 +41,9 @@ struct Adaptive {
   uint32_t* more_samples = nullptr;
 };
 
-/// Radii of the filter, 2^(-3 (d / radius)^2): for text, and the paper's, which
-/// is softer and keeps patterns calm that are finer than pixels.
+/// Radii of the filter, 2^(-3 (d / radius)^2): for text with kFilterText; for
+/// type that moves with kFilterMotion; and the paper's, which is softer and
+/// keeps patterns calm that are finer than pixels.
 inline constexpr Q6_10 kSharpRadius = Q6_10::from_raw(870);
 inline constexpr Q6_10 kCalmRadius = Q6_10::from_raw(768);
 inline constexpr Q6_10 kPaperRadius = Q6_10::from_raw(1331);

@@ -94,8 +94,8 @@ class Brush {
   /// edges are as sharp in all directions; a font is good where both stretches
   /// lie in its range.
   ///
-  /// Costs as much as turned text; where the two stretches differ, pixels near
-  /// an edge cost more.
+  /// Costs as much as turned text; up to twice that where the two stretches
+  /// differ.
   static Status make(const Matrix& matrix,
                      const Filter& filter,
                      Brush& out) noexcept;

@@ -11,8 +11,8 @@
 // sample adds a weight, the filter at its distance times the cell's area, and
 // weight times coverage to the sums of all pixels within the radius. What is
 // left of a pixel's filter, where cells are wider, has the coverage of plain
-// drawing; a pixel shows the quotient. For patterns that are finer than pixels
-// and for type that moves: softer than adaptive.hpp, calmer, and cheaper.
+// drawing; a pixel shows the quotient. For patterns that are finer than pixels:
+// there it is calmer than adaptive.hpp, softer, and cheaper.
 #pragma once
 
 #include <stddef.h>

@@ -57,7 +57,7 @@ struct Sink {
   /// What the sink accepts: normally the rectangle of its strip. At most
   /// 32767 px in any direction from the origin.
   Rect window;
-  /// Passed back as the first argument of both functions.
+  /// Passed back as the first argument of each function.
   void* context = nullptr;
   /// `count` pixels (1..kMaxSpan) from (x, y) to the right, each with its
   /// coverage 0..255. `coverage` is valid during the call only.

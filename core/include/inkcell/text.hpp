@@ -132,7 +132,7 @@ void draw_glyph(const Font& font,
 /// are faster than low ones.
 ///
 /// They are calls of their own so that programs with direct fonts only do not
-/// link the decoder, 5 KB.
+/// link the decoder, about 6 KB.
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
           const Brush& brush,
