@@ -47,8 +47,7 @@ class FieldRow::PlainValues {
 
  private:
   int32_t value(uint32_t i, uint32_t x_q8) const noexcept {
-    int32_t slope_q14 = 0;
-    return row_.value(fields.place[i], x_q8, slope_q14);
+    return row_.value(fields.place[i], x_q8, [](const uint8_t*, uint32_t) {});
   }
 
   const FieldRow& row_;

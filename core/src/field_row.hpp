@@ -6,6 +6,7 @@
 #include "field_cell.hpp"
 #include "field_combine.hpp"
 #include "inkcell/field.hpp"
+#include "order.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -15,6 +16,13 @@ namespace detail {
 struct RowPoint {
   uint32_t x_q16;  // from the grid's left edge [u]
   uint32_t x_q20;  // from the origin; may wrap [px]
+};
+
+// How points of a row lead to those before and behind them: along the row, or
+// across it.
+struct ThirdsWay {
+  bool is_across;
+  int32_t way_q8;  // to the one behind, and upwards [px]
 };
 
 // Evaluates rows of points, evenly spaced. A leaf is read once for its part of
@@ -47,13 +55,17 @@ class FieldRow {
   // for itself, and no further than to the first field that decides it.
   void take(RowPoint at, int32_t* out, int32_t count) const noexcept;
 
-  // Three distances for each of `count` points: a third of a pixel before it,
-  // at it, and behind it, the outer two along the tangents of the fields of its
-  // own leaf, which go on beyond it. Beyond thirds_reach_q22() they are any of
-  // the same side. All three are rounded as the middle one is.
-  void take_thirds(RowPoint at, int32_t* out, int32_t count) const noexcept;
-  int32_t thirds_reach_q22() const noexcept {
-    return reach_q22_ + kThirdQ8 * (1 << 14);
+  // Three distances for each of `count` points: a way before it, at it, and
+  // behind it, the outer two along the tangents of the fields of its own leaf,
+  // which go on beyond it. All three are rounded as the middle one is. Where
+  // that one is beyond reach_q22(way) it is any of the same side, and the outer
+  // two are not set.
+  void take_thirds(RowPoint at,
+                   const ThirdsWay& way,
+                   int32_t* out,
+                   int32_t count) const noexcept;
+  int32_t reach_q22(const ThirdsWay& way) const noexcept {
+    return reach_q22_ + magnitude(way.way_q8) * (1 << 14);
   }
 
  private:
@@ -74,16 +86,17 @@ class FieldRow {
     int32_t value_q22;
     uint32_t place;
   };
-  static constexpr int32_t kThirdQ8 = 85;
 
   class PlainValues;
   class ThirdValues;
 
-  template <typename Values>
-  void take_with(RowPoint at, int32_t* out, int32_t count) const noexcept;
-  int32_t value(uint32_t place,
-                uint32_t x_q8,
-                int32_t& slope_q14) const noexcept;
+  template <typename Values, typename... More>
+  void take_with(RowPoint at,
+                 int32_t* out,
+                 int32_t count,
+                 const More&... more) const noexcept;
+  template <typename Bent>
+  int32_t value(uint32_t place, uint32_t x_q8, const Bent& bent) const noexcept;
   uint32_t place_of(uint32_t number) const noexcept;
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
   uint32_t read_linked(uint32_t reference, Fields& fields) const noexcept;
@@ -138,18 +151,17 @@ inline uint32_t FieldRow::read_narrow(uint32_t reference,
   return count;
 }
 
-// The value of a field, FieldTerm::value_q22, in one step; and how much of it
-// is gained by a pixel to the right. [px, Q22; Q14]
-inline int32_t FieldRow::value(uint32_t place,
-                               uint32_t x_q8,
-                               int32_t& slope_q14) const noexcept {
+// The value of a field, FieldTerm::value_q22, in one step. `bent` is told where
+// the record of an arc lies, and FieldTerm::slope_q15.
+template <typename Bent>
+__attribute__((always_inline)) inline int32_t FieldRow::value(
+    uint32_t place, uint32_t x_q8, const Bent& bent) const noexcept {
   namespace layout = format::fields;
   const uint8_t* const at = cells_ + (place & ~uint32_t{1});
   const int32_t nx = load_i16(at + layout::kNormalX);
   const int32_t ny = load_i16(at + layout::kNormalY);
   uint32_t value = times(nx, x_q8) + times(ny, y_q8_) +
                    times(load_i16(at + layout::kOffset), scale_.size_q8);
-  slope_q14 = nx;
   if ((place & 1) != 0) {
     const auto along = static_cast<uint32_t>(
         wrapped(times(nx, y_q8_) - times(ny, x_q8) + (1 << 13) +
@@ -160,7 +172,7 @@ inline int32_t FieldRow::value(uint32_t place,
     const auto half_q15 =
         static_cast<uint32_t>(wrapped(times(bend, along)) >> bend_shift_);
     value += static_cast<uint32_t>(wrapped(half_q15 * along) >> 1);
-    slope_q14 -= wrapped(times(ny, half_q15)) >> 14;
+    bent(at, half_q15);
   }
   return wrapped(value);
 }
@@ -189,10 +201,11 @@ __attribute__((always_inline)) inline int32_t FieldRow::least_of_three(
              : least;
 }
 
-template <typename Values>
+template <typename Values, typename... More>
 inline void FieldRow::take_with(RowPoint at,
                                 int32_t* out,
-                                int32_t count) const noexcept {
+                                int32_t count,
+                                const More&... more) const noexcept {
   uint32_t x_q16 = at.x_q16;
   uint32_t x_q20 = at.x_q20;
   const RowPoint step = step_;
@@ -209,7 +222,7 @@ inline void FieldRow::take_with(RowPoint at,
     const uint32_t log2 = found.size_log2 + 16;
     uint32_t stop_q16 = ((x_q16 >> log2) + 1) << log2;
     stop_q16 = stop_q16 < end_q16 ? stop_q16 : end_q16;
-    Values values(*this);
+    Values values(*this, more...);
     uint32_t fields = 0;
     if (found.reference >= format::glyph::kFirstNode) {
       fields = is_narrow ? read_narrow(found.reference, values.fields)

@@ -156,7 +156,7 @@ __attribute__((noinline)) void draw_stripes(const LcdRows& rows,
   draw_rows(rows, ways, style, stripes, sink);
 }
 
-// Point by point: of samples, turned, or with stripes that lie on each other.
+// Point by point: of samples, or turned.
 __attribute__((noinline)) void draw_points(const GlyphField& field,
                                            const LcdRows& rows,
                                            const LcdStyle& style,
@@ -179,8 +179,7 @@ void paint_lcd(const GlyphField& field,
       brush, origin, rows,
       detail::painted_box(field, brush, origin, rows, sink.window, across_q10,
                           2 * kThird - across_q10)};
-  if (brush.is_upright() && !is_vertical(style.order) &&
-      detail::has_fields(field)) {
+  if (brush.is_upright() && detail::has_fields(field)) {
     detail::draw_stripe_rows(field, lcd_rows, style, sink);
   } else {
     draw_points(field, lcd_rows, style, sink);

@@ -1,5 +1,5 @@
-// Sub-pixels of upright glyphs of fields, where stripes stand side by side:
-// rows of points with a distance for each stripe.
+// Sub-pixels of upright glyphs of fields: rows of points with a distance for
+// each stripe.
 #include "field_row.hpp"
 #include "lcd_stripes.hpp"
 
@@ -7,163 +7,371 @@ namespace inkcell {
 namespace detail {
 namespace {
 
+// What turns the distances of a pixel's stripes into coverages.
+struct StripeRamp {
+  int32_t far_q22;   // beyond it the middle one decides
+  int32_t near_q22;  // beyond it a stripe covers nothing
+  int32_t centre_q10;
+  int32_t first_q10;  // from the centre to the ramp's first step
+  uint32_t steps;     // of the ramp
+  uint32_t scale;     // entries a step, as in Filter
+  const uint8_t* table;
+
+  explicit StripeRamp(const Filter& filter) noexcept
+      : near_q22(reach_of(filter) + (kFlattest << 12)),
+        centre_q10((filter.outside_q10 + filter.inside_q10) >> 1),
+        first_q10(centre_q10 - filter.outside_q10 - 1),
+        steps(static_cast<uint32_t>(filter.inside_q10 - filter.outside_q10) -
+              1),
+        scale(filter.scale),
+        table(filter.table) {
+    far_q22 = near_q22;
+  }
+};
+
+// Turns the distances of pixels, three each, into coverages, in their place.
+// False: they are 0.
+__attribute__((noinline)) bool cover(const StripeRamp& ramp,
+                                     int32_t* line,
+                                     int32_t count) noexcept {
+  const int32_t far_q22 = ramp.far_q22;
+  const int32_t near_q22 = ramp.near_q22;
+  const int32_t centre = ramp.centre_q10;
+  const int32_t first = ramp.first_q10;
+  const uint32_t steps = ramp.steps;
+  const uint32_t scale = ramp.scale;
+  const uint8_t* const table = ramp.table;
+  auto* out = reinterpret_cast<uint8_t*>(line);
+  bool any = false;
+  for (const int32_t* const end = line + 3 * count; line != end;
+       line += 3, out += 3) {
+    const int32_t at = line[1];
+    if (at <= -far_q22 ||
+        (at <= -near_q22 && line[0] <= -near_q22 && line[2] <= -near_q22)) {
+      out[0] = out[1] = out[2] = 0;
+      continue;
+    }
+    any = true;
+    if (at >= far_q22) {
+      out[0] = out[1] = out[2] = 255;
+      continue;
+    }
+    const int32_t before = (line[0] >> 12) - centre;
+    const int32_t middle = (at >> 12) - centre;
+    const int32_t behind = (line[2] >> 12) - centre;
+    const int32_t steepness = steepness_q8(
+        greater(magnitude(middle - before), magnitude(behind - middle)));
+    // Filter::coverage; entries of its own steps are below 256.
+    const auto coverage = [=](int32_t way) {
+      const int32_t step = first + ((way * steepness) >> 8);
+      if (static_cast<uint32_t>(step) < steps) {
+        const uint32_t entry = (static_cast<uint32_t>(step) + 1) * scale >> 14;
+        return table[static_cast<uint8_t>(entry)];
+      }
+      return static_cast<uint8_t>(~(step >> 31));
+    };
+    out[0] = coverage(before);
+    out[1] = coverage(middle);
+    out[2] = coverage(behind);
+  }
+  return any;
+}
+
+// Rows of pixels, three stripes each.
 class StripeRow {
  public:
-  StripeRow(const GlyphField& field, const LcdRows& rows) noexcept
+  StripeRow(const GlyphField& field, const LcdRows& rows, bool is_down) noexcept
       : rows_(rows),
-        filter_(rows.brush.filter()),
         field_(field),
+        ramp_(rows.brush.filter()),
         row_(field,
              scale_of(rows.brush),
-             reach_of(filter_) + (kFlattest << 12),
-             {static_cast<uint32_t>(rows.brush.step_along_q16()), 1 << 20}) {}
+             ramp_.near_q22,
+             {static_cast<uint32_t>(rows.brush.step_along_q16()), 1 << 20}),
+        way_{is_down, is_down ? -kThirdQ8 : kThirdQ8} {
+    ramp_.far_q22 = row_.reach_q22(way_);
+  }
 
-  // To the first row of pixels, or the next one. False: it lies beside the
+  // To the first row of pixels, or to the one below. False: it lies beside the
   // grid.
-  bool go_to(int32_t y) noexcept {
-    if (y == rows_.box.y0 || rows_.map != nullptr) {
+  bool go_to(int32_t y, bool is_first) noexcept {
+    if (is_first || rows_.map != nullptr) {
       at_ = rows_.at(rows_.box.x0, y, 0, 0);
+      if (is_first) {
+        find_grid();
+      }
+      if (way_.is_across && rows_.map != nullptr) {
+        fit_way(y);
+      }
     } else {
       at_.y_q16 -= rows_.brush.step_along_q16();
       at_.y_q20 -= 1 << 20;
     }
-    const FieldPosition& at = at_;
-    row_.go_to(at.y_q16, at.y_q20);
-    first_ = row_.point(at.x_q16, at.x_q20);
-    const int32_t y_u = at.y_q16 >> 16;
+    row_.go_to(at_.y_q16, at_.y_q20);
+    const int32_t y_u = at_.y_q16 >> 16;
     return y_u >= field_.y0_u && y_u < field_.y1_u();
   }
 
-  // What the stripes of `count` pixels cover, three for each; kMost pixels at
-  // the most.
-  static constexpr int32_t kMost = 12;
-  __attribute__((noinline)) void take(int32_t x,
-                                      int32_t count,
-                                      uint8_t* out) const noexcept {
-    int32_t line[3 * kMost];
+  // What the stripes of `count` pixels cover, three bytes for each; `line` has
+  // room for as many numbers. False: nothing.
+  static constexpr int32_t kMost = 16;
+  bool take(int32_t x, int32_t count, int32_t* line) const noexcept {
     fill(x, count, line);
-    const int32_t centre = (filter_.outside_q10 + filter_.inside_q10) >> 1;
-    const int32_t far_q22 = row_.thirds_reach_q22();
-    const int32_t near_q22 = reach_of(filter_) + (kFlattest << 12);
-    const int32_t* d = line;
-    for (uint8_t* const end = out + 3 * count; out != end; d += 3, out += 3) {
-      // Beyond `far` the outer two may be any.
-      if (d[1] <= -far_q22 ||
-          (d[0] <= -near_q22 && d[1] <= -near_q22 && d[2] <= -near_q22)) {
-        out[0] = out[1] = out[2] = 0;
-      } else if (d[1] >= far_q22) {
-        out[0] = out[1] = out[2] = 255;
-      } else {
-        const int32_t before = (d[0] >> 12) - centre;
-        const int32_t middle = (d[1] >> 12) - centre;
-        const int32_t behind = (d[2] >> 12) - centre;
-        const int32_t steepness = steepness_q8(
-            greater(magnitude(middle - before), magnitude(behind - middle)));
-        out[0] = filter_.coverage(centre + ((before * steepness) >> 8));
-        out[1] = filter_.coverage(centre + ((middle * steepness) >> 8));
-        out[2] = filter_.coverage(centre + ((behind * steepness) >> 8));
+    return cover(ramp_, line, count);
+  }
+
+ private:
+  static constexpr int32_t kThirdQ8 = 85;
+
+  // Which pixels of rows lie in the grid.
+  void find_grid() noexcept {
+    const int32_t step_q16 = rows_.brush.step_along_q16();
+    const int32_t left_q16 = field_.x0_u * (1 << 16);
+    const int32_t right_q16 = field_.x1_u() * (1 << 16);
+    grid_x0_ = rows_.box.x0 - 1;
+    grid_x1_ = rows_.box.x1 + 1;
+    int32_t x_q16 = at_.x_q16 - step_q16;
+    for (; grid_x0_ < grid_x1_ && x_q16 < left_q16; x_q16 += step_q16) {
+      ++grid_x0_;
+    }
+    x_q16 += (grid_x1_ - 1 - grid_x0_) * step_q16;
+    for (; grid_x0_ < grid_x1_ && x_q16 >= right_q16; x_q16 -= step_q16) {
+      --grid_x1_;
+    }
+  }
+  // Rows that are fitted lie at ways of their own.
+  void fit_way(int32_t y) noexcept {
+    const FieldPosition above = rows_.at(rows_.box.x0, y, 0, kThird);
+    const FieldPosition below = rows_.at(rows_.box.x0, y, 0, -kThird);
+    way_.way_q8 = wrapped(below.y_q20 - above.y_q20) >> 13;
+    ramp_.far_q22 = row_.reach_q22(way_);
+  }
+
+  // Far outside beside the grid. [px, Q22]
+  __attribute__((noinline)) void fill(int32_t x,
+                                      int32_t count,
+                                      int32_t* line) const noexcept {
+    const int32_t end = x + count;
+    for (; x < end && x < grid_x0_; ++x) {
+      line = put_far(line);
+    }
+    const int32_t inside = lesser(end, grid_x1_) - x;
+    if (inside > 0) {
+      const auto way = static_cast<uint32_t>(x - rows_.box.x0);
+      const auto step_q16 = static_cast<uint32_t>(rows_.brush.step_along_q16());
+      RowPoint at = row_.point(at_.x_q16, at_.x_q20);
+      at.x_q16 += way * step_q16;
+      at.x_q20 += way << 20;
+      row_.take_thirds(at, way_, line, inside);
+      line += 3 * inside;
+      x += inside;
+    }
+    for (; x < end; ++x) {
+      line = put_far(line);
+    }
+  }
+  static int32_t* put_far(int32_t* out) noexcept {
+    out[1] = INT32_MIN;
+    return out + 3;
+  }
+
+  const LcdRows& rows_;
+  const GlyphField& field_;
+  StripeRamp ramp_;
+  FieldRow row_;
+  ThirdsWay way_;
+  FieldPosition at_ = {};  // of the row's first pixel
+  int32_t grid_x0_ = 0;
+  int32_t grid_x1_ = 0;
+};
+
+// Channels of pixels from their stripes: each is the mean of three, the first
+// one's of the stripe before the pixel and two of its own. They come in the
+// stripes' place, one byte before the pixel's own.
+__attribute__((noinline)) void mix(uint8_t* stripes,
+                                   int32_t count,
+                                   bool red_first) noexcept {
+  const uint32_t first = red_first ? 0 : 2;
+  const uint32_t last = 2 - first;
+  int32_t before = stripes[0];
+  int32_t own = stripes[1];
+  for (const uint8_t* const end = stripes + 3 * count; stripes != end;
+       stripes += 3) {
+    const int32_t middle = stripes[2];
+    const int32_t behind = stripes[3];
+    const int32_t next = stripes[4];
+    stripes[first] = third(before + own + middle);
+    stripes[1] = third(own + middle + behind);
+    stripes[last] = third(middle + behind + next);
+    before = behind;
+    own = next;
+  }
+}
+
+// Rows of pixels. Each takes a stripe of the one on either side:
+//
+//   | . . 0 | 1 2 3 | 4 . . |     1 2 3 are those of pixel x
+//
+class StripeRows {
+ public:
+  StripeRows(const LcdRows& rows,
+             const LcdStyle& style,
+             const Sink& sink) noexcept
+      : rows_(rows), style_(style), sink_(sink) {}
+
+  __attribute__((noinline)) void draw(StripeRow& row) noexcept {
+    const Rect& box = rows_.box;
+    // What lies beside the box covers nothing, unless the window cuts it off.
+    const int32_t first = box.x0 - (box.x0 == sink_.window.x0 ? 1 : 0);
+    end_ = box.x1 + (box.x1 == sink_.window.x1 ? 1 : 0);
+    for (y_ = box.y0; y_ < box.y1; ++y_) {
+      if (row.go_to(y_, y_ == box.y0)) {
+        before_ = 0;
+        for (int32_t x = first; x < end_; x += StripeRow::kMost) {
+          draw_part(row, x);
+        }
       }
     }
   }
 
  private:
-  // Far outside beside the grid. [px, Q22]
-  void fill(int32_t x, int32_t count, int32_t* out) const noexcept {
-    const auto way = static_cast<uint32_t>(x - rows_.box.x0);
-    const auto step_q16 = static_cast<uint32_t>(rows_.brush.step_along_q16());
-    RowPoint at = {first_.x_q16 + way * step_q16, first_.x_q20 + (way << 20)};
-    const int32_t* const end = out + 3 * count;
-    const uint32_t width_q16 =
-        static_cast<uint32_t>(field_.x1_u() - field_.x0_u) << 16;
-    // To the left of the grid it has wrapped.
-    while (out != end && at.x_q16 >= width_q16) {
-      out = put_far(out);
-      at.x_q16 += step_q16;
-      at.x_q20 += 1 << 20;
+  // From the pixel before x on.
+  __attribute__((noinline)) void draw_part(const StripeRow& row,
+                                           int32_t x) noexcept {
+    // First come the four stripes before x, then distances become coverages.
+    int32_t line[1 + 3 * StripeRow::kMost];
+    auto* const stripes = reinterpret_cast<uint8_t*>(line);
+    const int32_t count = lesser(end_ - x, StripeRow::kMost);
+    line[0] = before_;
+    const bool any = row.take(x, count, line + 1);
+    const int32_t from = greater(x - 1, rows_.box.x0);
+    x += count;
+    int32_t to = x - 1;
+    // The first of four again; of the last pixel there are three and nothing.
+    uint8_t* const last = stripes + 3 * count;
+    if (x == end_) {
+      to = rows_.box.x1;
+      last[4] = 0;
     }
-    int32_t inside = 0;
-    for (uint32_t x_q16 = at.x_q16;
-         out + 3 * inside != end && x_q16 < width_q16; x_q16 += step_q16) {
-      ++inside;
+    const int32_t before = before_;
+    auto* const kept = reinterpret_cast<uint8_t*>(&before_);
+    for (int32_t i = 0; i < 4; ++i) {
+      kept[i] = last[i];
     }
-    if (inside != 0) {
-      row_.take_thirds(at, out, inside);
-      out += 3 * inside;
+    if (any || before != 0) {
+      uint8_t* const rgb = last - 3 * (x - 1 - from);
+      mix(rgb, to - from, is_red_first(style_.order));
+      hand_on(sink_, style_, from, y_, rgb, to - from);
     }
-    while (out != end) {
-      out = put_far(out);
-    }
-  }
-  static int32_t* put_far(int32_t* out) noexcept {
-    out[0] = out[1] = out[2] = INT32_MIN;
-    return out + 3;
   }
 
   const LcdRows& rows_;
-  const Filter& filter_;
-  const GlyphField& field_;
-  FieldRow row_;
-  FieldPosition at_ = {};  // of the row's first pixel
-  RowPoint first_ = {0, 0};
+  const LcdStyle& style_;
+  const Sink& sink_;
+  int32_t y_ = 0;
+  int32_t end_ = 0;     // of the stripes that cover something
+  int32_t before_ = 0;  // four stripes
 };
 
-// Channels of pixels from their stripes: each is the mean of three, the first
-// one's of the stripe before the pixel and two of its own. False: all are 0.
-inline bool mix(const uint8_t* stripes,
-                int32_t count,
-                bool red_first,
-                uint8_t* rgb) noexcept {
+// The same for stripes that lie on each other: each pixel's of the row above,
+// and the first one of this row, make pixels of the row above. Of `above` there
+// are four a pixel: one before it, and its own.
+__attribute__((noinline)) void mix_down(uint8_t* above,
+                                        uint8_t* stripes,
+                                        int32_t count,
+                                        bool red_first) noexcept {
   const uint32_t first = red_first ? 0 : 2;
-  uint32_t any = 0;
+  const uint32_t last = 2 - first;
   for (const uint8_t* const end = stripes + 3 * count; stripes != end;
-       stripes += 3, rgb += 3) {
-    const int32_t sum = stripes[1] + stripes[2];
-    const int32_t next = stripes[2] + stripes[3];
-    const uint8_t before = third(stripes[0] + sum);
-    const uint8_t middle = third(sum + stripes[3]);
-    const uint8_t behind = third(next + stripes[4]);
-    rgb[first] = before;
-    rgb[1] = middle;
-    rgb[2 - first] = behind;
-    any |= static_cast<uint32_t>(before | middle | behind);
+       stripes += 3, above += 4) {
+    const int32_t before = above[0];
+    const int32_t own = above[1];
+    const int32_t middle = above[2];
+    const uint8_t behind = above[3];
+    const uint8_t next = stripes[0];
+    above[0] = behind;
+    above[1] = next;
+    above[2] = stripes[1];
+    above[3] = stripes[2];
+    stripes[first] = third(before + own + middle);
+    stripes[1] = third(own + middle + behind);
+    stripes[last] = third(middle + behind + next);
   }
-  return any != 0;
 }
 
-// A row of pixels. Each takes a stripe of the one on either side:
-//
-//   | . . 0 | 1 2 3 | 4 . . |     1 2 3 are those of pixel x
-//
-__attribute__((noinline)) void draw_row(const StripeRow& row,
-                                        const LcdRows& rows,
-                                        const LcdStyle& style,
-                                        int32_t y,
-                                        const Sink& sink) noexcept {
-  const Rect& box = rows.box;
-  // What lies beside the box covers nothing, unless the window cuts it off.
-  const int32_t end = box.x1 + (box.x1 == sink.window.x1 ? 1 : 0);
-  uint8_t covered[4 + 3 * StripeRow::kMost];
-  covered[0] = covered[1] = covered[2] = covered[3] = 0;
-  // Pixel x comes first in `covered`: at first one that is not to be drawn.
-  int32_t x = box.x0 - 1;
-  if (box.x0 == sink.window.x0) {
-    row.take(x, 1, covered + 1);
-  }
-  for (int32_t skipped = 1; x < box.x1; skipped = 0) {
-    const int32_t count = lesser(box.x1 - x, StripeRow::kMost);
-    covered[1 + 3 * count] = 0;
-    row.take(x + 1, lesser(end - x - 1, count), covered + 4);
-    uint8_t rgb[3 * StripeRow::kMost];
-    if (mix(covered + 3 * skipped, count - skipped, is_red_first(style.order),
-            rgb)) {
-      hand_on(sink, style, x + skipped, y, rgb, count - skipped);
+// A column of pixels, at most kMost wide, row by row.
+class StripeColumn {
+ public:
+  static constexpr int32_t kMost = StripeRow::kMost;
+
+  StripeColumn(const LcdRows& rows,
+               const LcdStyle& style,
+               const Sink& sink,
+               int32_t x,
+               int32_t count) noexcept
+      : rows_(rows), style_(style), sink_(sink), x_(x), count_(count) {}
+
+  __attribute__((noinline)) void draw(StripeRow& row) noexcept {
+    const Rect& box = rows_.box;
+    // What lies beside the box covers nothing, unless the window cuts it off.
+    const int32_t first = box.y0 - (box.y0 == sink_.window.y0 ? 1 : 0);
+    const int32_t end = box.y1 + (box.y1 == sink_.window.y1 ? 1 : 0);
+    for (int32_t y = first; y < end; ++y) {
+      draw_above(row, row.go_to(y, y == first), y);
     }
-    const uint8_t* const last = covered + 3 * count;
-    covered[0] = last[0];
-    covered[1] = last[1];
-    covered[2] = last[2];
-    covered[3] = last[3];
-    x += count;
+    if (end == box.y1) {
+      draw_above(row, false, end);
+    }
+  }
+
+ private:
+  // The row above y, which is in the grid or covers nothing.
+  __attribute__((noinline)) void draw_above(const StripeRow& row,
+                                            bool is_in_grid,
+                                            int32_t y) noexcept {
+    int32_t line[3 * kMost];
+    auto* const stripes = reinterpret_cast<uint8_t*>(line);
+    const bool any = is_in_grid && row.take(x_, count_, line);
+    if (!any && empty_ >= 2) {
+      return;
+    }
+    empty_ = any ? 0 : empty_ + 1;
+    if (!any) {
+      for (int32_t i = 0; i < 3 * count_; ++i) {
+        stripes[i] = 0;
+      }
+    }
+    mix_down(above_, stripes, count_, is_red_first(style_.order));
+    if (y > rows_.box.y0) {
+      hand_on(sink_, style_, x_, y - 1, stripes, count_);
+    }
+  }
+
+  const LcdRows& rows_;
+  const LcdStyle& style_;
+  const Sink& sink_;
+  int32_t x_;
+  int32_t count_;
+  int32_t empty_ = 2;  // rows above that cover nothing, if there are two
+  uint8_t above_[4 * kMost] = {};
+};
+
+// Not inline, both: one need not pay for the other's stack.
+__attribute__((noinline)) void draw_rows(StripeRow& row,
+                                         const LcdRows& rows,
+                                         const LcdStyle& style,
+                                         const Sink& sink) noexcept {
+  StripeRows(rows, style, sink).draw(row);
+}
+
+__attribute__((noinline)) void draw_columns(StripeRow& row,
+                                            const LcdRows& rows,
+                                            const LcdStyle& style,
+                                            const Sink& sink) noexcept {
+  const Rect& box = rows.box;
+  for (int32_t x = box.x0; x < box.x1; x += StripeColumn::kMost) {
+    StripeColumn(rows, style, sink, x, lesser(box.x1 - x, StripeColumn::kMost))
+        .draw(row);
   }
 }
 
@@ -173,11 +381,15 @@ void draw_stripe_rows(const GlyphField& field,
                       const LcdRows& rows,
                       const LcdStyle& style,
                       const Sink& sink) noexcept {
-  StripeRow row(field, rows);
-  for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
-    if (row.go_to(y)) {
-      draw_row(row, rows, style, y, sink);
-    }
+  if (is_empty(rows.box)) {
+    return;
+  }
+  const bool is_down = is_vertical(style.order);
+  StripeRow row(field, rows, is_down);
+  if (is_down) {
+    draw_columns(row, rows, style, sink);
+  } else {
+    draw_rows(row, rows, style, sink);
   }
 }
 

@@ -172,7 +172,7 @@ struct LcdRows {
   }
 };
 
-// Draws stripes that stand side by side, of an upright glyph of fields.
+// Draws stripes of an upright glyph of fields.
 void draw_stripe_rows(const GlyphField& field,
                       const LcdRows& rows,
                       const LcdStyle& style,
