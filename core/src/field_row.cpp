@@ -7,6 +7,8 @@ class FieldRow::PlainValues {
  public:
   explicit PlainValues(const FieldRow& row) noexcept : row_(row) {}
 
+  static void set_up(uint32_t) noexcept {}
+
   static int32_t* side(int32_t value, int32_t* out) noexcept {
     *out = value;
     return out + 1;

@@ -227,6 +227,7 @@ inline void FieldRow::take_with(RowPoint at,
     if (found.reference >= format::glyph::kFirstNode) {
       fields = is_narrow ? read_narrow(found.reference, values.fields)
                          : read_linked(found.reference, values.fields);
+      values.set_up(fields);
     }
     const auto points = [&](const auto& put) {
       do {

@@ -10,12 +10,50 @@ class FieldRow::ThirdValues {
  public:
   // What all leaves have in common.
   struct Way {
+    const uint8_t* cells;
+    uint32_t y_q8;
+    uint32_t size_q8;
+    int32_t bend_q14;
+    uint32_t normal;  // where a record has that along the way
     int32_t way_q8;
+    int32_t bend_shift;
     int32_t far_q22;
-    int32_t across;  // -1 or 0
   };
   ThirdValues(const FieldRow& row, const Way& way) noexcept
       : row_(row), way_(way) {}
+
+  // Once the fields are read. The slope is that of FieldTerm along the way: nx
+  // - 2 k w ny to the right, ny + 2 k w nx upwards.
+  void set_up(uint32_t count) noexcept {
+    namespace layout = format::fields;
+    const Way way = way_;
+    const int32_t sign = fields.sign;
+    const int32_t way_q8 = with_sign(way.way_q8, sign);
+    const uint32_t* place = fields.place;
+    Term* term = terms_;
+    for (const uint32_t* const end = place + count; place != end; ++term) {
+      const uint32_t where = *place++;
+      const uint8_t* const at = way.cells + (where & ~uint32_t{1});
+      const int32_t nx = load_i16(at + layout::kNormalX);
+      const int32_t ny = load_i16(at + layout::kNormalY);
+      const uint32_t value = times(ny, way.y_q8) +
+                             times(load_i16(at + layout::kOffset), way.size_q8);
+      term->value_q22 = static_cast<uint32_t>(with_sign(wrapped(value), sign));
+      term->nx_q14 = static_cast<int16_t>(with_sign(nx, sign));
+      term->gain_q22 =
+          static_cast<uint32_t>(load_i16(at + way.normal) * way_q8);
+      term->bend = 0;
+      if ((where & 1) != 0) {
+        term->bend =
+            (load_i16(at + layout::kBend) * way.bend_q14 + (1 << 10)) >> 11;
+        term->along_q22 = times(nx, way.y_q8) + (1 << 13) +
+                          times(load_i16(at + layout::kAlong), way.size_q8);
+        term->ny_q14 = static_cast<int16_t>(ny);
+        term->other_q14 =
+            static_cast<int16_t>(way.normal == layout::kNormalX ? ny : -nx);
+      }
+    }
+  }
 
   static int32_t* side(int32_t value, int32_t* out) noexcept {
     out[1] = value;
@@ -92,25 +130,35 @@ class FieldRow::ThirdValues {
     int32_t behind() const noexcept { return sum(value_q22, gain_q22); }
   };
 
-  // The slope is that of FieldTerm along the way: nx - 2 k w ny to the right,
-  // ny + 2 k w nx upwards.
+  // A field along the row, with the leaf's sign: what does not change from
+  // point to point.
+  struct Term {
+    uint32_t value_q22;  // at x = 0, of the plane
+    uint32_t gain_q22;   // of the plane
+    int32_t bend;  // of FieldTerm, 0 for a line; without the sign, as below
+    uint32_t along_q22;  // at x = 0
+    int16_t nx_q14;
+    int16_t ny_q14;
+    int16_t other_q14;  // of the normal across the way
+  };
+
   __attribute__((always_inline)) Point at(uint32_t i,
                                           uint32_t x_q8,
                                           int32_t sign) const noexcept {
-    namespace layout = format::fields;
-    const uint32_t place = fields.place[i];
-    const int32_t across = way_.across;
-    constexpr uint32_t kBoth = layout::kNormalX + layout::kNormalY;
-    const uint32_t normal = across == 0 ? layout::kNormalX : layout::kNormalY;
-    int32_t slope_q14 = load_i16(row_.cells_ + (place & ~uint32_t{1}) + normal);
-    const int32_t value =
-        row_.value(place, x_q8, [&](const uint8_t* record, uint32_t half_q15) {
-          const int32_t other = load_i16(record + (kBoth - normal));
-          slope_q14 -= wrapped(times(with_sign(other, across), half_q15)) >> 14;
-        });
-    return {with_sign(value, sign),
-            wrapped(times(slope_q14, static_cast<uint32_t>(
-                                         with_sign(way_.way_q8, sign))))};
+    const Term& term = terms_[i];
+    uint32_t value = term.value_q22 + times(term.nx_q14, x_q8);
+    uint32_t gain = term.gain_q22;
+    if (term.bend != 0) {
+      const auto along = static_cast<uint32_t>(
+          wrapped(term.along_q22 - times(term.ny_q14, x_q8)) >> 14);
+      const auto half_q15 = static_cast<uint32_t>(
+          wrapped(times(term.bend, along)) >> way_.bend_shift);
+      value += static_cast<uint32_t>(
+          with_sign(wrapped(half_q15 * along) >> 1, sign));
+      gain -= times(wrapped(times(term.other_q14, half_q15)) >> 14,
+                    static_cast<uint32_t>(with_sign(way_.way_q8, sign)));
+    }
+    return {wrapped(value), wrapped(gain)};
   }
   bool is_far(int32_t value_q22) const noexcept {
     return value_q22 <= -way_.far_q22 || value_q22 >= way_.far_q22;
@@ -135,14 +183,22 @@ class FieldRow::ThirdValues {
 
   const FieldRow& row_;
   const Way& way_;
+  Term terms_[3];
 };
 
 void FieldRow::take_thirds(RowPoint at,
                            const ThirdsWay& way,
                            int32_t* out,
                            int32_t count) const noexcept {
-  const ThirdValues::Way same = {way.way_q8, reach_q22(way),
-                                 way.is_across ? -1 : 0};
+  const ThirdValues::Way same = {
+      cells_,
+      y_q8_,
+      scale_.size_q8,
+      scale_.bend_q14,
+      way.is_across ? format::fields::kNormalY : format::fields::kNormalX,
+      way.way_q8,
+      bend_shift_,
+      reach_q22(way)};
   take_with<ThirdValues>(at, out, count, same);
 }
 
