@@ -24,7 +24,7 @@ class FieldRow::ThirdValues {
 
   // Once the fields are read. The slope is that of FieldTerm along the way: nx
   // - 2 k w ny to the right, ny + 2 k w nx upwards.
-  void set_up(uint32_t count) noexcept {
+  __attribute__((noinline)) void set_up(uint32_t count) noexcept {
     namespace layout = format::fields;
     const Way way = way_;
     const int32_t sign = fields.sign;

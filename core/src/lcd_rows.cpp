@@ -42,16 +42,15 @@ __attribute__((noinline)) bool cover(const StripeRamp& ramp,
   const uint32_t scale = ramp.scale;
   const uint8_t* const table = ramp.table;
   auto* out = reinterpret_cast<uint8_t*>(line);
-  bool any = false;
-  for (const int32_t* const end = line + 3 * count; line != end;
-       line += 3, out += 3) {
+  uint32_t any = 0;
+  for (; count != 0; --count, line += 3, out += 3) {
     const int32_t at = line[1];
     if (at <= -far_q22 ||
         (at <= -near_q22 && line[0] <= -near_q22 && line[2] <= -near_q22)) {
       out[0] = out[1] = out[2] = 0;
       continue;
     }
-    any = true;
+    any = 1;
     if (at >= far_q22) {
       out[0] = out[1] = out[2] = 255;
       continue;
@@ -62,19 +61,19 @@ __attribute__((noinline)) bool cover(const StripeRamp& ramp,
     const int32_t steepness = steepness_q8(
         greater(magnitude(middle - before), magnitude(behind - middle)));
     // Filter::coverage; entries of its own steps are below 256.
-    const auto coverage = [=](int32_t way) {
+    const auto coverage = [=](int32_t way) -> uint32_t {
       const int32_t step = first + ((way * steepness) >> 8);
       if (static_cast<uint32_t>(step) < steps) {
         const uint32_t entry = (static_cast<uint32_t>(step) + 1) * scale >> 14;
         return table[static_cast<uint8_t>(entry)];
       }
-      return static_cast<uint8_t>(~(step >> 31));
+      return ~static_cast<uint32_t>(step >> 31);
     };
-    out[0] = coverage(before);
-    out[1] = coverage(middle);
-    out[2] = coverage(behind);
+    out[0] = static_cast<uint8_t>(coverage(before));
+    out[1] = static_cast<uint8_t>(coverage(middle));
+    out[2] = static_cast<uint8_t>(coverage(behind));
   }
-  return any;
+  return any != 0;
 }
 
 // Rows of pixels, three stripes each.
@@ -193,16 +192,18 @@ __attribute__((noinline)) void mix(uint8_t* stripes,
                                    bool red_first) noexcept {
   const uint32_t first = red_first ? 0 : 2;
   const uint32_t last = 2 - first;
-  int32_t before = stripes[0];
-  int32_t own = stripes[1];
-  for (const uint8_t* const end = stripes + 3 * count; stripes != end;
-       stripes += 3) {
-    const int32_t middle = stripes[2];
-    const int32_t behind = stripes[3];
-    const int32_t next = stripes[4];
-    stripes[first] = third(before + own + middle);
-    stripes[1] = third(own + middle + behind);
-    stripes[last] = third(middle + behind + next);
+  // third() of products: of three stripes in a row one is in the middle.
+  const auto product = [](int32_t stripe) { return 171 * stripe; };
+  int32_t before = product(stripes[0]);
+  int32_t own = product(stripes[1]);
+  for (; count != 0; --count, stripes += 3) {
+    const int32_t middle = product(stripes[2]) + 85;
+    const int32_t behind = product(stripes[3]);
+    const int32_t next = product(stripes[4]);
+    const int32_t two = own + middle;
+    stripes[first] = static_cast<uint8_t>((before + two) >> 9);
+    stripes[1] = static_cast<uint8_t>((two + behind) >> 9);
+    stripes[last] = static_cast<uint8_t>((middle + behind + next) >> 9);
     before = behind;
     own = next;
   }
@@ -282,8 +283,7 @@ __attribute__((noinline)) void mix_down(uint8_t* above,
                                         bool red_first) noexcept {
   const uint32_t first = red_first ? 0 : 2;
   const uint32_t last = 2 - first;
-  for (const uint8_t* const end = stripes + 3 * count; stripes != end;
-       stripes += 3, above += 4) {
+  for (; count != 0; --count, stripes += 3, above += 4) {
     const int32_t before = above[0];
     const int32_t own = above[1];
     const int32_t middle = above[2];

@@ -55,15 +55,15 @@ void blend_bytes(const Strip& strip,
   uint8_t* pixel = detail::row_at(strip, run.y) + kBytes * run.x;
   for (uint8_t* const end = pixel + kBytes * run.count; pixel != end;
        pixel += kBytes, coverage += 3) {
-    if ((coverage[0] | coverage[1] | coverage[2]) == 0) {
+    const uint32_t c0 = coverage[0];
+    const uint32_t c1 = coverage[1];
+    const uint32_t c2 = coverage[2];
+    if ((c0 | c1 | c2) == 0) {
       continue;
     }
-    const auto blended = [coverage](int channel, uint32_t level, uint8_t old) {
-      return static_cast<uint8_t>(blend(coverage[channel], level, old));
-    };
-    pixel[first] = blended(0, red, pixel[first]);
-    pixel[1] = blended(1, green, pixel[1]);
-    pixel[2 - first] = blended(2, blue, pixel[2 - first]);
+    pixel[first] = static_cast<uint8_t>(blend(c0, red, pixel[first]));
+    pixel[1] = static_cast<uint8_t>(blend(c1, green, pixel[1]));
+    pixel[2 - first] = static_cast<uint8_t>(blend(c2, blue, pixel[2 - first]));
   }
 }
 
