@@ -29,10 +29,11 @@ struct StripeRamp {
   }
 };
 
-// Turns the distances of pixels, three each, into coverages, in their place.
-// False: they are 0.
+// Turns the distances of pixels, three each, into coverages, which may take
+// their place. False: they are 0.
 __attribute__((noinline)) bool cover(const StripeRamp& ramp,
-                                     int32_t* line,
+                                     const int32_t* line,
+                                     uint8_t* out,
                                      int32_t count) noexcept {
   const int32_t far_q22 = ramp.far_q22;
   const int32_t near_q22 = ramp.near_q22;
@@ -41,7 +42,6 @@ __attribute__((noinline)) bool cover(const StripeRamp& ramp,
   const uint32_t steps = ramp.steps;
   const uint32_t scale = ramp.scale;
   const uint8_t* const table = ramp.table;
-  auto* out = reinterpret_cast<uint8_t*>(line);
   uint32_t any = 0;
   for (; count != 0; --count, line += 3, out += 3) {
     const int32_t at = line[1];
@@ -111,12 +111,15 @@ class StripeRow {
     return y_u >= field_.y0_u && y_u < field_.y1_u();
   }
 
-  // What the stripes of `count` pixels cover, three bytes for each; `line` has
-  // room for as many numbers. False: nothing.
+  // What the stripes of `count` pixels cover, three for each. `line` has room
+  // for as many numbers, and may be where coverages go. False: nothing.
   static constexpr int32_t kMost = 16;
-  bool take(int32_t x, int32_t count, int32_t* line) const noexcept {
+  bool take(int32_t x,
+            int32_t count,
+            int32_t* line,
+            uint8_t* out) const noexcept {
     fill(x, count, line);
-    return cover(ramp_, line, count);
+    return cover(ramp_, line, out, count);
   }
 
  private:
@@ -244,7 +247,7 @@ class StripeRows {
     auto* const stripes = reinterpret_cast<uint8_t*>(line);
     const int32_t count = lesser(end_ - x, StripeRow::kMost);
     line[0] = before_;
-    const bool any = row.take(x, count, line + 1);
+    const bool any = row.take(x, count, line + 1, stripes + 4);
     const int32_t from = greater(x - 1, rows_.box.x0);
     x += count;
     int32_t to = x - 1;
@@ -274,27 +277,25 @@ class StripeRows {
   int32_t before_ = 0;  // four stripes
 };
 
-// The same for stripes that lie on each other: each pixel's of the row above,
-// and the first one of this row, make pixels of the row above. Of `above` there
-// are four a pixel: one before it, and its own.
-__attribute__((noinline)) void mix_down(uint8_t* above,
+// The same for stripes that lie on each other: channels take the place of the
+// stripes of a row of pixels. Each has one of the row above `before`, which
+// becomes its own last one.
+__attribute__((noinline)) void mix_down(uint8_t* before,
                                         uint8_t* stripes,
+                                        const uint8_t* below,
                                         int32_t count,
                                         bool red_first) noexcept {
   const uint32_t first = red_first ? 0 : 2;
   const uint32_t last = 2 - first;
-  for (; count != 0; --count, stripes += 3, above += 4) {
-    const int32_t before = above[0];
-    const int32_t own = above[1];
-    const int32_t middle = above[2];
-    const uint8_t behind = above[3];
-    const uint8_t next = stripes[0];
-    above[0] = behind;
-    above[1] = next;
-    above[2] = stripes[1];
-    above[3] = stripes[2];
-    stripes[first] = third(before + own + middle);
-    stripes[1] = third(own + middle + behind);
+  for (; count != 0; --count, stripes += 3, below += 3) {
+    const int32_t two = stripes[0] + stripes[1];
+    const int32_t middle = stripes[1];
+    const uint8_t behind = stripes[2];
+    const int32_t above = *before;
+    const int32_t next = *below;
+    *before++ = behind;
+    stripes[first] = third(above + two);
+    stripes[1] = third(two + behind);
     stripes[last] = third(middle + behind + next);
   }
 }
@@ -325,26 +326,28 @@ class StripeColumn {
   }
 
  private:
-  // The row above y, which is in the grid or covers nothing.
+  // The row above y; y is in the grid or covers nothing.
   __attribute__((noinline)) void draw_above(const StripeRow& row,
                                             bool is_in_grid,
                                             int32_t y) noexcept {
     int32_t line[3 * kMost];
-    auto* const stripes = reinterpret_cast<uint8_t*>(line);
-    const bool any = is_in_grid && row.take(x_, count_, line);
-    if (!any && empty_ >= 2) {
-      return;
-    }
-    empty_ = any ? 0 : empty_ + 1;
+    uint8_t* const stripes = stripes_[y & 1];
+    uint8_t* const above = stripes_[~y & 1];
+    const bool any = is_in_grid && row.take(x_, count_, line, stripes);
     if (!any) {
+      // By then all that is kept is 0.
+      if (empty_ == 3) {
+        return;
+      }
       for (int32_t i = 0; i < 3 * count_; ++i) {
         stripes[i] = 0;
       }
     }
-    mix_down(above_, stripes, count_, is_red_first(style_.order));
-    if (y > rows_.box.y0) {
-      hand_on(sink_, style_, x_, y - 1, stripes, count_);
+    mix_down(before_, above, stripes, count_, is_red_first(style_.order));
+    if (y > rows_.box.y0 && (any || empty_ < 2)) {
+      hand_on(sink_, style_, x_, y - 1, above, count_);
     }
+    empty_ = any ? 0 : empty_ + 1;
   }
 
   const LcdRows& rows_;
@@ -352,8 +355,9 @@ class StripeColumn {
   const Sink& sink_;
   int32_t x_;
   int32_t count_;
-  int32_t empty_ = 2;  // rows above that cover nothing, if there are two
-  uint8_t above_[4 * kMost] = {};
+  int32_t empty_ = 3;  // rows above that cover nothing, 3 at the most
+  uint8_t before_[kMost] = {};
+  uint8_t stripes_[2][3 * kMost] = {};  // of this row and of the one above
 };
 
 // Not inline, both: one need not pay for the other's stack.
