@@ -29,12 +29,18 @@ struct StripeRamp {
   }
 };
 
+// Which pixels of some show something.
+struct Shown {
+  int32_t begin;
+  int32_t end;  // not after `begin` if none
+};
+
 // Turns the distances of pixels, three each, into coverages, which may take
-// their place. False: they are 0.
-__attribute__((noinline)) bool cover(const StripeRamp& ramp,
-                                     const int32_t* line,
-                                     uint8_t* out,
-                                     int32_t count) noexcept {
+// their place. Says which are not 0.
+__attribute__((noinline)) Shown cover(const StripeRamp& ramp,
+                                      const int32_t* line,
+                                      uint8_t* out,
+                                      int32_t count) noexcept {
   const int32_t far_q22 = ramp.far_q22;
   const int32_t near_q22 = ramp.near_q22;
   const int32_t centre = ramp.centre_q10;
@@ -42,7 +48,12 @@ __attribute__((noinline)) bool cover(const StripeRamp& ramp,
   const uint32_t steps = ramp.steps;
   const uint32_t scale = ramp.scale;
   const uint8_t* const table = ramp.table;
-  uint32_t any = 0;
+  const int32_t all = count;
+  for (; count != 0 && line[1] <= -far_q22; --count, line += 3, out += 3) {
+    out[0] = out[1] = out[2] = 0;
+  }
+  const int32_t begin = all - count;
+  int32_t left = all + 1;  // from the last one on that shows something
   for (; count != 0; --count, line += 3, out += 3) {
     const int32_t at = line[1];
     if (at <= -far_q22 ||
@@ -50,7 +61,7 @@ __attribute__((noinline)) bool cover(const StripeRamp& ramp,
       out[0] = out[1] = out[2] = 0;
       continue;
     }
-    any = 1;
+    left = count;
     if (at >= far_q22) {
       out[0] = out[1] = out[2] = 255;
       continue;
@@ -73,7 +84,7 @@ __attribute__((noinline)) bool cover(const StripeRamp& ramp,
     out[1] = static_cast<uint8_t>(coverage(middle));
     out[2] = static_cast<uint8_t>(coverage(behind));
   }
-  return any != 0;
+  return {begin, all - left + 1};
 }
 
 // Rows of pixels, three stripes each.
@@ -112,12 +123,11 @@ class StripeRow {
   }
 
   // What the stripes of `count` pixels cover, three for each. `line` has room
-  // for as many numbers, and may be where coverages go. False: nothing.
-  static constexpr int32_t kMost = 16;
-  bool take(int32_t x,
-            int32_t count,
-            int32_t* line,
-            uint8_t* out) const noexcept {
+  // for as many numbers, and may be where coverages go.
+  Shown take(int32_t x,
+             int32_t count,
+             int32_t* line,
+             uint8_t* out) const noexcept {
     fill(x, count, line);
     return cover(ramp_, line, out, count);
   }
@@ -231,7 +241,7 @@ class StripeRows {
     for (y_ = box.y0; y_ < box.y1; ++y_) {
       if (row.go_to(y_, y_ == box.y0)) {
         before_ = 0;
-        for (int32_t x = first; x < end_; x += StripeRow::kMost) {
+        for (int32_t x = first; x < end_; x += kMost) {
           draw_part(row, x);
         }
       }
@@ -239,33 +249,39 @@ class StripeRows {
   }
 
  private:
+  static constexpr int32_t kMost = 15;  // what the stack can bear
+
   // From the pixel before x on.
   __attribute__((noinline)) void draw_part(const StripeRow& row,
                                            int32_t x) noexcept {
     // First come the four stripes before x, then distances become coverages.
-    int32_t line[1 + 3 * StripeRow::kMost];
+    int32_t line[1 + 3 * kMost];
     auto* const stripes = reinterpret_cast<uint8_t*>(line);
-    const int32_t count = lesser(end_ - x, StripeRow::kMost);
+    const int32_t count = lesser(end_ - x, kMost);
     line[0] = before_;
-    const bool any = row.take(x, count, line + 1, stripes + 4);
-    const int32_t from = greater(x - 1, rows_.box.x0);
+    const Shown shown = row.take(x, count, line + 1, stripes + 4);
+    // Pixels that may show something, once the stripe after them is known.
+    const int32_t before = before_;
+    int32_t from =
+        greater(before != 0 ? x - 1 : x - 1 + shown.begin, rows_.box.x0);
+    int32_t to = x + 1 + shown.end;
     x += count;
-    int32_t to = x - 1;
-    // The first of four again; of the last pixel there are three and nothing.
     uint8_t* const last = stripes + 3 * count;
     if (x == end_) {
-      to = rows_.box.x1;
+      to = lesser(to, rows_.box.x1);
       last[4] = 0;
+    } else {
+      to = lesser(to, x - 1);
     }
-    const int32_t before = before_;
     auto* const kept = reinterpret_cast<uint8_t*>(&before_);
     for (int32_t i = 0; i < 4; ++i) {
       kept[i] = last[i];
     }
-    if (any || before != 0) {
+    const int32_t pixels = to - from;
+    if (pixels > 0) {
       uint8_t* const rgb = last - 3 * (x - 1 - from);
-      mix(rgb, to - from, is_red_first(style_.order));
-      hand_on(sink_, style_, from, y_, rgb, to - from);
+      mix(rgb, pixels, is_red_first(style_.order));
+      hand_on(sink_, style_, from, y_, rgb, pixels);
     }
   }
 
@@ -303,7 +319,7 @@ __attribute__((noinline)) void mix_down(uint8_t* before,
 // A column of pixels, at most kMost wide, row by row.
 class StripeColumn {
  public:
-  static constexpr int32_t kMost = StripeRow::kMost;
+  static constexpr int32_t kMost = 16;
 
   StripeColumn(const LcdRows& rows,
                const LcdStyle& style,
@@ -333,21 +349,32 @@ class StripeColumn {
     int32_t line[3 * kMost];
     uint8_t* const stripes = stripes_[y & 1];
     uint8_t* const above = stripes_[~y & 1];
-    const bool any = is_in_grid && row.take(x_, count_, line, stripes);
-    if (!any) {
-      // By then all that is kept is 0.
-      if (empty_ == 3) {
-        return;
-      }
+    Shown shown = kNothing;
+    if (is_in_grid) {
+      shown = row.take(x_, count_, line, stripes);
+    } else {
       for (int32_t i = 0; i < 3 * count_; ++i) {
         stripes[i] = 0;
       }
     }
-    mix_down(before_, above, stripes, count_, is_red_first(style_.order));
-    if (y > rows_.box.y0 && (any || empty_ < 2)) {
-      hand_on(sink_, style_, x_, y - 1, above, count_);
+    // What has shown nothing in three rows has left nothing, either.
+    const Shown all = together(together(shown, last_), before_last_);
+    before_last_ = last_;
+    last_ = shown;
+    const int32_t pixels = all.end - all.begin;
+    if (pixels > 0) {
+      uint8_t* const rgb = above + 3 * all.begin;
+      mix_down(before_ + all.begin, rgb, stripes + 3 * all.begin, pixels,
+               is_red_first(style_.order));
+      if (y > rows_.box.y0) {
+        hand_on(sink_, style_, x_ + all.begin, y - 1, rgb, pixels);
+      }
     }
-    empty_ = any ? 0 : empty_ + 1;
+  }
+
+  static constexpr Shown kNothing = {kMost, 0};
+  static Shown together(const Shown& a, const Shown& b) noexcept {
+    return {lesser(a.begin, b.begin), greater(a.end, b.end)};
   }
 
   const LcdRows& rows_;
@@ -355,7 +382,8 @@ class StripeColumn {
   const Sink& sink_;
   int32_t x_;
   int32_t count_;
-  int32_t empty_ = 3;  // rows above that cover nothing, 3 at the most
+  Shown last_ = kNothing;  // of the rows above
+  Shown before_last_ = kNothing;
   uint8_t before_[kMost] = {};
   uint8_t stripes_[2][3 * kMost] = {};  // of this row and of the one above
 };
