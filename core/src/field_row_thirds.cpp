@@ -41,7 +41,7 @@ class FieldRow::ThirdValues {
       term->value_q22 = static_cast<uint32_t>(with_sign(wrapped(value), sign));
       term->nx_q14 = static_cast<int16_t>(with_sign(nx, sign));
       term->gain_q22 =
-          static_cast<uint32_t>(load_i16(at + way.normal) * way_q8);
+          times(load_i16(at + way.normal), static_cast<uint32_t>(way_q8));
       term->bend = 0;
       if ((where & 1) != 0) {
         term->bend =
