@@ -49,7 +49,7 @@ class FieldRow::PlainValues {
 
  private:
   int32_t value(uint32_t i, uint32_t x_q8) const noexcept {
-    return row_.value(fields.place[i], x_q8, [](const uint8_t*, uint32_t) {});
+    return row_.value(fields.place[i], x_q8);
   }
 
   const FieldRow& row_;

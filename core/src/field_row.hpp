@@ -95,8 +95,7 @@ class FieldRow {
                  int32_t* out,
                  int32_t count,
                  const More&... more) const noexcept;
-  template <typename Bent>
-  int32_t value(uint32_t place, uint32_t x_q8, const Bent& bent) const noexcept;
+  int32_t value(uint32_t place, uint32_t x_q8) const noexcept;
   uint32_t place_of(uint32_t number) const noexcept;
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
   uint32_t read_linked(uint32_t reference, Fields& fields) const noexcept;
@@ -151,11 +150,9 @@ inline uint32_t FieldRow::read_narrow(uint32_t reference,
   return count;
 }
 
-// The value of a field, FieldTerm::value_q22, in one step. `bent` is told where
-// the record of an arc lies, and FieldTerm::slope_q15.
-template <typename Bent>
+// The value of a field, FieldTerm::value_q22, in one step.
 __attribute__((always_inline)) inline int32_t FieldRow::value(
-    uint32_t place, uint32_t x_q8, const Bent& bent) const noexcept {
+    uint32_t place, uint32_t x_q8) const noexcept {
   namespace layout = format::fields;
   const uint8_t* const at = cells_ + (place & ~uint32_t{1});
   const int32_t nx = load_i16(at + layout::kNormalX);
@@ -172,7 +169,6 @@ __attribute__((always_inline)) inline int32_t FieldRow::value(
     const auto half_q15 =
         static_cast<uint32_t>(wrapped(times(bend, along)) >> bend_shift_);
     value += static_cast<uint32_t>(wrapped(half_q15 * along) >> 1);
-    bent(at, half_q15);
   }
   return wrapped(value);
 }
