@@ -61,8 +61,10 @@ inline void set_up_row(SamplesRow& row,
   row.size_log2 = size_log2;
 }
 
+// Whether a glyph is made of cells of fields. An empty one may be of any kind.
 inline bool has_fields(const GlyphField& field) noexcept {
-  return INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples;
+  return INKCELL_FIELD_CELLS != 0 &&
+         (INKCELL_SAMPLE_CELLS == 0 || field.kind != GlyphField::Kind::samples);
 }
 
 inline bool in_grid(const GlyphField& field,

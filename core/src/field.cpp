@@ -67,7 +67,8 @@ Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   const uint8_t* at = record.data;
   const bool has_fields =
       INKCELL_FIELD_CELLS != 0 && at[glyph::kType] == glyph::kTypeFields;
-  if (at[glyph::kType] != glyph::kTypeSamples && !has_fields) {
+  if (!has_fields && (INKCELL_SAMPLE_CELLS == 0 ||
+                      at[glyph::kType] != glyph::kTypeSamples)) {
     return Status::unsupported;
   }
   GlyphField field;
@@ -131,10 +132,8 @@ Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
 }
 
 Cell locate(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
-  if (INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples) {
-    return detail::locate_fields(field, x_u, y_u);
-  }
-  return detail::locate_cell(field, x_u, y_u);
+  return detail::has_fields(field) ? detail::locate_fields(field, x_u, y_u)
+                                   : detail::locate_cell(field, x_u, y_u);
 }
 
 void SamplesRow::set_up(const uint8_t* samples,
@@ -169,7 +168,7 @@ int32_t detail::samples_distance_q10(const GlyphField& field,
 }
 
 Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
-  if (INKCELL_FIELD_CELLS == 0 || field.kind == GlyphField::Kind::samples) {
+  if (!detail::has_fields(field)) {
     return Q22_10::from_raw(detail::samples_distance_q10(field, x.raw, y.raw));
   }
   Cell cell;
@@ -194,7 +193,7 @@ Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
   if (cell.is_saturated()) {
     return gradient;
   }
-  if (INKCELL_FIELD_CELLS != 0 && cell.field_count != 0) {
+  if (detail::has_fields(field)) {
     return detail::combined_gradient(terms_at(field, cell, x, y),
                                      kScaleOfUnits.bend_log2);
   }

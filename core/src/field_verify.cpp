@@ -1,14 +1,11 @@
 #include "field_verify.hpp"
 
+#include "cell_access.hpp"
 #include "field_cell.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
-
-bool has_fields(const GlyphField& field) noexcept {
-  return INKCELL_FIELD_CELLS != 0 && field.kind != GlyphField::Kind::samples;
-}
 
 uint32_t field_count(const GlyphField& field) noexcept {
   return uint32_t{field.arc_count} + field.line_count;

@@ -35,7 +35,8 @@ struct Header {
 
 bool readable(uint32_t cell_kind, uint32_t coding) noexcept {
   if (cell_kind == static_cast<uint32_t>(format::CellKind::samples)) {
-    return coding == static_cast<uint32_t>(format::Coding::direct);
+    return INKCELL_SAMPLE_CELLS != 0 &&
+           coding == static_cast<uint32_t>(format::Coding::direct);
   }
   return INKCELL_FIELD_CELLS != 0 &&
          cell_kind == static_cast<uint32_t>(format::CellKind::fields) &&

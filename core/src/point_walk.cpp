@@ -93,7 +93,7 @@ void PointWalk::go_to(const FieldPosition& at) noexcept {
   if (is_saturated_) {
     saturated_q10_ = brush_.to_px_q10(cell.inside ? kSaturatedDistanceQ10
                                                   : -kSaturatedDistanceQ10);
-  } else if (samples_ == nullptr) {
+  } else if (is_of_fields()) {
     set_up_terms(terms_, field_, cell, 0, 0, scale_of(brush_));
   }
 }
@@ -210,9 +210,8 @@ bool PointWalk::is_plane_around(const FieldPosition& at,
   if (is_saturated_) {
     return true;
   }
-  return INKCELL_FIELD_CELLS != 0 && samples_ == nullptr
-             ? are_fields_plane(at, around.radius_q10)
-             : are_samples_plane(around.radius_q10);
+  return is_of_fields() ? are_fields_plane(at, around.radius_q10)
+                        : are_samples_plane(around.radius_q10);
 }
 
 int32_t PointWalk::distance_q10(const FieldPosition& at) noexcept {
@@ -220,10 +219,7 @@ int32_t PointWalk::distance_q10(const FieldPosition& at) noexcept {
   if (is_saturated_) {
     return saturated_q10_;
   }
-  if (INKCELL_FIELD_CELLS == 0 || samples_ != nullptr) {
-    return samples_q10(at);
-  }
-  return fields_q10(at);
+  return is_of_fields() ? fields_q10(at) : samples_q10(at);
 }
 
 ScreenGradient PointWalk::gradient(const FieldPosition& at) noexcept {
@@ -232,7 +228,7 @@ ScreenGradient PointWalk::gradient(const FieldPosition& at) noexcept {
     return {0, 0};
   }
   Gradient gradient;
-  if (INKCELL_FIELD_CELLS != 0 && samples_ == nullptr) {
+  if (is_of_fields()) {
     gradient = combined_gradient(terms_at(terms_, at), brush_.bend_log2());
   } else {
     gradient = gradient_at(field_, Q16_16::from_raw(at.x_q16),

@@ -107,9 +107,7 @@ class PointWalk {
   // The same at a point close to the last one. Of fields by those of its cell,
   // which go on beyond it: half the cost, and nearly as true.
   int32_t near_q10(const FieldPosition& at) noexcept {
-    const bool has_fields =
-        INKCELL_FIELD_CELLS != 0 && !is_saturated_ && samples_ == nullptr;
-    return has_fields ? fields_q10(at) : distance_q10(at);
+    return !is_saturated_ && is_of_fields() ? fields_q10(at) : distance_q10(at);
   }
 
   ScreenGradient gradient(const FieldPosition& at) noexcept;
@@ -126,6 +124,11 @@ class PointWalk {
                        const Surroundings& around) const noexcept;
 
  private:
+  // Whether the last point's cell has fields, if it is not saturated.
+  bool is_of_fields() const noexcept {
+    return INKCELL_FIELD_CELLS != 0 &&
+           (INKCELL_SAMPLE_CELLS == 0 || samples_ == nullptr);
+  }
   bool are_fields_plane(const FieldPosition& at,
                         int32_t radius_q10) const noexcept;
   bool are_samples_plane(int32_t radius_q10) const noexcept;

@@ -20,6 +20,15 @@
 #  define INKCELL_FIELD_CELLS 1
 #endif
 
+/// 0 leaves out cells of samples, likewise.
+#ifndef INKCELL_SAMPLE_CELLS
+#  define INKCELL_SAMPLE_CELLS 1
+#endif
+
+#if !INKCELL_FIELD_CELLS && !INKCELL_SAMPLE_CELLS
+#  error "one kind of cell must be left to draw"
+#endif
+
 namespace inkcell {
 
 /// The distance that a saturated cell reports, with the sign of its side, and

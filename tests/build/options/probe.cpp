@@ -1,0 +1,103 @@
+// Says what a build of the library can draw: for each font that is named, and
+// for a record of either kind of cells, a status and what drawing made of it.
+#include <stdint.h>
+#include <stdio.h>
+
+#include <vector>
+
+#include "inkcell/port/a8.hpp"
+#include "inkcell/splat.hpp"
+#include "inkcell/text.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kSide = 128;
+
+// FNV-1a of all pixels.
+uint32_t hash_of(const std::vector<uint8_t>& pixels) {
+  uint32_t hash = 2166136261u;
+  for (const uint8_t pixel : pixels) {
+    hash = (hash ^ pixel) * 16777619u;
+  }
+  return hash;
+}
+
+// A word in both orders, turned, and with the painter that has cells of its
+// own.
+bool draw(const Font& font, Sink& sink) {
+  std::vector<uint8_t> workspace(font.workspace_bytes());
+  std::vector<uint32_t> sums(kSide * 64);
+  Splats splats;
+  Brush small;
+  Brush large;
+  Brush turned;
+  const Direction leftwards = {Fixed<int32_t, 30>::from_raw(0),
+                               Fixed<int32_t, 30>::from_raw(1 << 30)};
+  if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
+          Status::ok ||
+      Brush::make(Q26_6::from_int(12), kFilterText, small) != Status::ok ||
+      Brush::make(Q26_6::from_int(64), kFilterText, large) != Status::ok ||
+      Brush::make(Q26_6::from_int(24), kFilterText, leftwards, turned) !=
+          Status::ok) {
+    return false;
+  }
+  Brush splatted = small;
+  splatted.set_painter(paint_splats, &splats, kSplatReach);
+  int32_t y = 0;
+  for (const Brush* brush : {&small, &splatted, &large, &turned}) {
+    y += brush->size().floor() + 4;
+    draw_text(font, "AB", *brush, {Q26_6::from_int(30), Q26_6::from_int(y)},
+              sink, {workspace.data(), workspace.size()});
+  }
+  return true;
+}
+
+bool show(const char* path) {
+  FILE* file = fopen(path, "rb");
+  if (file == nullptr) {
+    return false;
+  }
+  std::vector<uint32_t> words(1 << 14);
+  const size_t size = fread(words.data(), 1, words.size() * 4, file);
+  fclose(file);
+  Font font;
+  const Status status =
+      Font::open({reinterpret_cast<const uint8_t*>(words.data()), size}, font);
+  std::vector<uint8_t> pixels(kSide * kSide);
+  port::A8Target target;
+  target.strip.pixels = {pixels.data(), pixels.size()};
+  target.strip.width = kSide;
+  target.strip.height = kSide;
+  target.strip.stride = kSide;
+  Sink sink;
+  if (make_sink(target, sink) != Status::ok || !draw(font, sink)) {
+    return false;
+  }
+  printf("%d %08x\n", static_cast<int>(status), hash_of(pixels));
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // One tile that is all inside.
+  alignas(2)
+      const uint8_t samples[] = {1, 8, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0};
+  alignas(2) const uint8_t fields[] = {2, 8, 0, 0, 0, 0, 1, 1, 0, 0,
+                                       0, 0, 0, 0, 0, 0, 0, 0, 1};
+  const Span<const uint8_t> records[] = {samples, fields};
+  for (const Span<const uint8_t>& record : records) {
+    GlyphField field;
+    const Status status = GlyphField::open(record, field);
+    const bool inside = status == Status::ok && locate(field, 9, 9).inside;
+    printf("%d %d\n", static_cast<int>(status), inside ? 1 : 0);
+  }
+  for (int i = 1; i < argc; ++i) {
+    if (!show(argv[i])) {
+      return 1;
+    }
+  }
+  return 0;
+}
