@@ -9,17 +9,21 @@ namespace detail {
 // The format keeps u16 at even and u32 at fourfold offsets, and the reader
 // checks the base, so these become single loads where the core is little
 // endian. The compiler must not assume more than it is told here: Cortex-M0
-// traps on anything unaligned.
-inline uint16_t load_u16(const uint8_t* at) noexcept {
+// traps on anything unaligned. Inline at any level: a compiler finds out too
+// late how short they are.
+__attribute__((always_inline)) inline uint16_t load_u16(
+    const uint8_t* at) noexcept {
   const auto* p = static_cast<const uint8_t*>(__builtin_assume_aligned(at, 2));
   return static_cast<uint16_t>(p[0] | p[1] << 8);
 }
 
-inline int16_t load_i16(const uint8_t* at) noexcept {
+__attribute__((always_inline)) inline int16_t load_i16(
+    const uint8_t* at) noexcept {
   return static_cast<int16_t>(load_u16(at));
 }
 
-inline uint32_t load_u32(const uint8_t* at) noexcept {
+__attribute__((always_inline)) inline uint32_t load_u32(
+    const uint8_t* at) noexcept {
   const auto* p = static_cast<const uint8_t*>(__builtin_assume_aligned(at, 4));
   return static_cast<uint32_t>(p[0]) | static_cast<uint32_t>(p[1]) << 8 |
          static_cast<uint32_t>(p[2]) << 16 | static_cast<uint32_t>(p[3]) << 24;
