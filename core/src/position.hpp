@@ -162,35 +162,35 @@ inline Rect exact_limits_of(const GlyphField& field,
           lesser(field.y1_u() * kOneQ16, ink.y1_u * kOneQ16 + reach_q16)};
 }
 
+// The first pixel whose centre may not lie before a place, and the first behind
+// all whose centres may lie before it. [u -> px]
+//
+// Steps that are rounded down lead up to 1/4 px astray at the ends of the
+// largest grid; products are rounded down as well.
+inline constexpr int32_t kAstrayQ10 = 264;
+
+inline int32_t first_pixel(const Brush& brush,
+                           int32_t origin_q10,
+                           int32_t place_u) noexcept {
+  // Products are below 2^30.
+  const int32_t place_q10 = (place_u * brush.size().raw) >> 6;
+  return (origin_q10 + place_q10 + 511 - kAstrayQ10) >> 10;
+}
+inline int32_t end_pixel(const Brush& brush,
+                         int32_t origin_q10,
+                         int32_t place_u) noexcept {
+  return first_pixel(brush, origin_q10 + 2 * kAstrayQ10, place_u);
+}
+
 // The pixels whose centres may lie within `limits` [u], and few others.
 inline Rect upright_box(const Rect& limits,
                         const Brush& brush,
                         const Placed& placed) noexcept {
-  // Steps that are rounded down lead up to 1/4 px astray at the ends of the
-  // largest grid; products are rounded down as well.
-  constexpr int32_t kAstray = 264;
-  constexpr int32_t kFirst = 511 - kAstray;
-  constexpr int32_t kEnd = 511 + kAstray;
-  const int32_t size_q6 = brush.size().raw;
-  // Below 2^30.
-  const auto px_q10 = [size_q6](int32_t u) noexcept {
-    return (u * size_q6) >> 6;
-  };
-  int32_t low_q10 = px_q10(limits.y0);
-  int32_t high_q10 = px_q10(limits.y1);
-  if (placed.rows != nullptr) {
-    // What lies between two knots moves by no more than 1 px.
-    const RowMap::Knot& low = placed.rows->knots[0];
-    const RowMap::Knot& high = *placed.rows->highest();
-    low_q10 += low_q10 <= low.glyph_q10 ? low.screen_q10 - low.glyph_q10
-                                        : -RowMap::kMaxShiftQ10;
-    high_q10 += high_q10 >= high.glyph_q10 ? high.screen_q10 - high.glyph_q10
-                                           : RowMap::kMaxShiftQ10;
-  }
-  return {(placed.x_q10 + px_q10(limits.x0) + kFirst) >> 10,
-          (placed.y_q10 - high_q10 + kFirst) >> 10,
-          (placed.x_q10 + px_q10(limits.x1) + kEnd) >> 10,
-          (placed.y_q10 - low_q10 + kEnd) >> 10};
+  const int32_t up = -placed.y_q10;
+  return {first_pixel(brush, placed.x_q10, limits.x0),
+          -end_pixel(brush, up, limits.y1),
+          end_pixel(brush, placed.x_q10, limits.x1),
+          -first_pixel(brush, up, limits.y0)};
 }
 
 }  // namespace detail

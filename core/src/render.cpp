@@ -15,7 +15,9 @@ namespace {
 
 using detail::clamp;
 using detail::FieldPosition;
+using detail::greater;
 using detail::has_fields;
+using detail::lesser;
 using detail::limits_of;
 using detail::Placed;
 using detail::position_of;
@@ -41,7 +43,10 @@ struct Extent {
 };
 
 // From one place in the glyph to another, in px, along an axis of the screen.
-Extent extent_of(Extent place_q10, Fixed<int32_t, 30> factor) noexcept {
+//
+// Not inline: products of 64 bits are large.
+__attribute__((noinline)) Extent extent_of(Extent place_q10,
+                                           Fixed<int32_t, 30> factor) noexcept {
   const auto low =
       static_cast<int32_t>((int64_t{place_q10.low} * factor.raw) >> 30);
   const auto high =
@@ -97,6 +102,47 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
   }
 }
 
+// Pixels along one of the glyph's axes, begin <= i < end, and where the centre
+// of the first one is.
+struct Line {
+  int32_t begin;
+  int32_t end;
+  int32_t at_q16;  // [u]
+};
+
+// The pixels of a window whose centres lie at low <= place < high [u, Q16];
+// without `is_exact` some more, and those up to 1 px away.
+inline Line place_line(const Brush& brush,
+                       int32_t origin_q10,
+                       Range window,
+                       Range limits_q16,
+                       bool is_exact) noexcept {
+  const int32_t step = brush.step_along_q16();
+  const int32_t more_q10 = is_exact ? 0 : RowMap::kMaxShiftQ10;
+  Line line = {
+      greater(window.begin, detail::first_pixel(brush, origin_q10 - more_q10,
+                                                limits_q16.begin >> 16)),
+      lesser(window.end, detail::end_pixel(brush, origin_q10 + more_q10,
+                                           (limits_q16.end >> 16) + 1)),
+      0};
+  if (line.begin >= line.end) {
+    return line;
+  }
+  // position_of, whose products stay below 2^31 here.
+  line.at_q16 = detail::u_of_px(line.begin * 1024 + 512 - origin_q10, step);
+  if (is_exact) {
+    // The box has few others.
+    int32_t last_q16 = line.at_q16 + (line.end - line.begin - 1) * step;
+    for (; last_q16 >= limits_q16.end; last_q16 -= step) {
+      --line.end;
+    }
+    for (; line.at_q16 < limits_q16.begin; line.at_q16 += step) {
+      ++line.begin;
+    }
+  }
+  return line;
+}
+
 // The glyph's pixels that lie in the window.
 //
 // Not inline: what it needs of the stack is free again when pixels are drawn.
@@ -105,47 +151,26 @@ __attribute__((noinline)) Upright place_upright(const GlyphField& field,
                                                 const Placed& placed,
                                                 const Rect& window) noexcept {
   const Rect limits = detail::exact_limits_of(field, brush);
-  const Rect limits_u = {limits.x0 >> 16, limits.y0 >> 16,
-                         (limits.x1 >> 16) + 1, (limits.y1 >> 16) + 1};
-  Rect pixels = intersect(detail::upright_box(limits_u, brush, placed), window);
-  if (is_empty(pixels)) {
-    return {pixels, {}, nullptr, 0, 0, nullptr};
-  }
-  const int32_t step = brush.step_along_q16();
-  const int32_t right_q10 = pixels.x0 * 1024 + 512 - placed.x_q10;
-  const int32_t up_q10 = placed.y_q10 - (pixels.y0 * 1024 + 512);
-  // position_of, whose products stay below 2^31 here.
-  FieldPosition at = {
-      detail::u_of_px(right_q10, step), detail::u_of_px(up_q10, step),
-      static_cast<uint32_t>(right_q10) * 1024 + detail::kHalfQ20,
-      static_cast<uint32_t>(up_q10) * 1024 + detail::kHalfQ20};
-  // The box has few others.
-  while (at.x_q16 < limits.x0) {
-    ++pixels.x0;
-    at.x_q16 += step;
-    at.x_q20 += 1 << 20;
-  }
-  int32_t right_q16 = at.x_q16 + (pixels.x1 - pixels.x0 - 1) * step;
-  while (right_q16 >= limits.x1) {
-    --pixels.x1;
-    right_q16 -= step;
-  }
-  if (placed.rows == nullptr) {
-    while (at.y_q16 >= limits.y1) {
-      ++pixels.y0;
-      at.y_q16 -= step;
-      at.y_q20 -= 1 << 20;
-    }
-    int32_t low_q16 = at.y_q16 - (pixels.y1 - pixels.y0 - 1) * step;
-    while (low_q16 < limits.y0) {
-      --pixels.y1;
-      low_q16 += step;
-    }
+  const Line across = place_line(brush, placed.x_q10, {window.x0, window.x1},
+                                 {limits.x0, limits.x1}, true);
+  // From below: rows are counted upwards, the one above the screen is 0.
+  const Line along = place_line(brush, -placed.y_q10, {-window.y1, -window.y0},
+                                {limits.y0, limits.y1}, placed.rows == nullptr);
+  const int32_t rows = along.end - along.begin;
+  if (rows <= 0) {
+    return {{}, {}, nullptr, 0, 0, nullptr};
   }
   return {
-      pixels,      at,
-      placed.rows, limits.y0,
-      limits.y1,   placed.rows == nullptr ? nullptr : placed.rows->highest()};
+      {across.begin, -along.end, across.end, -along.begin},
+      {across.at_q16, along.at_q16 + (rows - 1) * brush.step_along_q16(),
+       static_cast<uint32_t>(across.begin * 1024 + 512 - placed.x_q10) * 1024 +
+           detail::kHalfQ20,
+       static_cast<uint32_t>(along.end * 1024 - 512 + placed.y_q10) * 1024 +
+           detail::kHalfQ20},
+      placed.rows,
+      limits.y0,
+      limits.y1,
+      placed.rows == nullptr ? nullptr : placed.rows->highest()};
 }
 
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
