@@ -6,15 +6,19 @@
 namespace inkcell {
 namespace {
 
-// The quotient rounded towards plus infinity; `divisor` is positive.
-int32_t divide_up(int32_t dividend, int32_t divisor) noexcept {
-  const int32_t towards_zero = dividend / divisor;
-  return dividend > towards_zero * divisor ? towards_zero + 1 : towards_zero;
+// The quotient rounded towards plus infinity. Unsigned: division of signed
+// numbers is one more routine on cores that have none.
+int32_t divide_up(int32_t dividend, uint32_t divisor) noexcept {
+  const auto size = static_cast<uint32_t>(dividend);
+  return dividend > 0 ? static_cast<int32_t>((size + divisor - 1) / divisor)
+                      : -static_cast<int32_t>((0u - size) / divisor);
 }
 
 // u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
-int64_t step_of(int32_t size_q6) noexcept {
-  return (int64_t{1} << 32) / size_q6;
+int32_t step_of(uint32_t size_q6) noexcept {
+  // 2^32 over a power of two is one more than what 32 bits make of it.
+  return static_cast<int32_t>(UINT32_MAX / size_q6) +
+         ((size_q6 & (size_q6 - 1)) == 0 ? 1 : 0);
 }
 
 // The length of a vector, rounded down; components below 2^30.
@@ -65,26 +69,26 @@ struct Brush::Stretch {
 Status Brush::set_size(const Stretch& stretch,
                        const Filter& filter,
                        Brush& brush) noexcept {
-  const int32_t size_q6 = stretch.most_q6;
-  if (stretch.least_q6 < kMinSize.raw || size_q6 > kMaxSize.raw) {
+  if (stretch.least_q6 < kMinSize.raw || stretch.most_q6 > kMaxSize.raw) {
     return Status::bad_argument;
   }
-  brush.size_q6_ = size_q6;
-  brush.limit_u_q10_ = INT32_MAX / size_q6;
+  const auto size_q6 = static_cast<uint32_t>(stretch.most_q6);
+  const auto least_q6 = static_cast<uint32_t>(stretch.least_q6);
+  brush.size_q6_ = stretch.most_q6;
+  brush.limit_u_q10_ = static_cast<int32_t>(uint32_t{INT32_MAX} / size_q6);
   // Least products of distance and size that reach past the cutoffs: the
   // smallest d with floor(d size / 2^16) > outside is transparent no more.
   brush.transparent_u_q10_ =
-      divide_up((filter.outside_q10 + 1) * (1 << 16), stretch.least_q6) - 1;
-  brush.opaque_u_q10_ =
-      divide_up(filter.inside_q10 * (1 << 16), stretch.least_q6);
-  int32_t log2 = 2;
-  while (64 << log2 < size_q6) {
+      divide_up((filter.outside_q10 + 1) * (1 << 16), least_q6) - 1;
+  brush.opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), least_q6);
+  uint32_t log2 = 2;
+  while (uint32_t{64} << log2 < size_q6) {
     ++log2;
   }
   brush.bend_log2_ = static_cast<uint8_t>(log2);
   brush.bend_q14_ =
-      static_cast<uint16_t>((int32_t{1} << (14 + 6 + log2)) / size_q6);
-  const auto step_q16 = static_cast<int32_t>(step_of(size_q6));
+      static_cast<uint16_t>((uint32_t{1} << (14 + 6 + log2)) / size_q6);
+  const int32_t step_q16 = step_of(size_q6);
   brush.right_.x_q16 = step_q16;
   brush.up_.y_q16 = step_q16;
   brush.filter_ = &filter;
@@ -114,7 +118,7 @@ Status Brush::make(Q26_6 size,
   Brush brush;
   INKCELL_TRY(set_size({size.raw, size.raw}, filter, brush));
   if (sine != 0 || cosine < 0) {
-    const int64_t step_q16 = step_of(size.raw);
+    const int64_t step_q16 = brush.step_along_q16();
     const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
     const auto across = static_cast<int32_t>((step_q16 * sine) >> 30);
     const int32_t along_px = direction.cosine.raw >> 10;

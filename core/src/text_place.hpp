@@ -25,9 +25,15 @@ inline constexpr int32_t kMaxUnits = 1 << 24;
 // division. [px per unit, Q10 with 20 more bits]
 class UnitScale {
  public:
-  UnitScale(const Font& font, const Brush& brush) noexcept
-      : scale_(((int64_t{brush.size().raw} << 24) + font.units_per_em() / 2) /
-               font.units_per_em()) {}
+  UnitScale(const Font& font, const Brush& brush) noexcept {
+    // 2^24 sizes over the em, to the nearest: 14 bits, then what is left and 10
+    // more, so that 32 are enough.
+    const uint32_t em = font.units_per_em();
+    const uint32_t size_q20 = static_cast<uint32_t>(brush.size().raw) << 14;
+    const uint32_t whole = size_q20 / em;
+    const uint32_t rest = size_q20 - whole * em;
+    scale_ = (int64_t{whole} << 10) + ((rest << 10) + em / 2) / em;
+  }
 
   // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
   // nearest, so that whole pixels are met exactly.
@@ -39,8 +45,12 @@ class UnitScale {
   int64_t scale_;
 };
 
-// (a p + b q) / 2^30, for any a and b below 2^42, p and q below 2^31.
-inline int64_t turned(int64_t a, int64_t p, int64_t b, int64_t q) noexcept {
+// (a p + b q) / 2^30, for any a and b below 2^42, p and q below 2^31. Not
+// inline for its size.
+__attribute__((noinline)) inline int64_t turned(int64_t a,
+                                                int64_t p,
+                                                int64_t b,
+                                                int64_t q) noexcept {
   // The products pass 64 bits, those of the halves do not.
   constexpr int64_t kLow = (1 << 20) - 1;
   const int64_t high = (a >> 20) * p + (b >> 20) * q;
