@@ -55,78 +55,86 @@ FieldTerms terms_at(const GlyphField& field,
   return terms;
 }
 
-}  // namespace
-
-Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
+// GlyphField::open, into an empty field. Not inline: what is read goes to its
+// place at once.
+__attribute__((noinline)) Status read_record(Span<const uint8_t> record,
+                                             GlyphField& field) noexcept {
   namespace glyph = format::glyph;
   namespace fields = format::fields;
   namespace linked = format::linked;
+  using Kind = GlyphField::Kind;
   if (record.size < linked::kBytes) {
     return Status::corrupt;
   }
-  const uint8_t* at = record.data;
-  const bool has_fields =
-      INKCELL_FIELD_CELLS != 0 && at[glyph::kType] == glyph::kTypeFields;
-  if (!has_fields && (INKCELL_SAMPLE_CELLS == 0 ||
-                      at[glyph::kType] != glyph::kTypeSamples)) {
+  const uint8_t* const at = record.data;
+  const bool of_fields = at[glyph::kType] == glyph::kTypeFields;
+  if (of_fields ? INKCELL_FIELD_CELLS == 0
+                : INKCELL_SAMPLE_CELLS == 0 ||
+                      at[glyph::kType] != glyph::kTypeSamples) {
     return Status::unsupported;
   }
-  GlyphField field;
-  field.tile_log2 = at[glyph::kTileLog2];
+  uint32_t log2 = at[glyph::kTileLog2];
+  uint32_t bytes = glyph::kBytes;
+  int32_t grid_limit = glyph::kGridLimit;
+  if (of_fields) {
+    field.kind = Kind::narrow_fields;
+    bytes = fields::kBytes;
+    grid_limit = fields::kGridLimit;
+    if ((log2 & linked::kFlag) != 0) {
+      field.kind = Kind::linked_fields;
+      bytes = linked::kBytes;
+      log2 -= linked::kFlag;
+    }
+  }
+  field.tile_log2 = static_cast<uint8_t>(log2);
   field.x0_u = load_i16(at + glyph::kX0);
   field.y0_u = load_i16(at + glyph::kY0);
   field.tiles_x = at[glyph::kTilesX];
   field.tiles_y = at[glyph::kTilesY];
-  uint32_t header_bytes = glyph::kBytes;
-  int32_t grid_limit = glyph::kGridLimit;
-  if (has_fields) {
-    const bool is_linked = (field.tile_log2 & linked::kFlag) != 0;
-    field.kind = is_linked ? Kind::linked_fields : Kind::narrow_fields;
-    field.tile_log2 &= static_cast<uint8_t>(~linked::kFlag);
-    header_bytes = is_linked ? linked::kBytes : fields::kBytes;
-    grid_limit = fields::kGridLimit;
-  }
-  if (record.size < header_bytes || field.tile_log2 > glyph::kMaxTileLog2 ||
+  if (record.size < bytes || log2 > glyph::kMaxTileLog2 ||
       field.x0_u < -grid_limit || field.x1_u() > grid_limit ||
       field.y0_u < -grid_limit || field.y1_u() > grid_limit) {
     return Status::corrupt;
   }
+  // Of what follows the header: cells first where they are fields.
+  field.cells = at + bytes;
   const uint32_t tiles = static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  at += header_bytes;
+  const uint16_t first_count = load_u16(at + glyph::kNodeCount);
+  uint32_t reference_bytes = tiles + 4u * first_count;
   if (field.kind == Kind::linked_fields) {
-    field.heap_units = load_u16(record.data + linked::kHeapUnits);
-    if (tiles > field.heap_units || field.heap_units > linked::kMaxUnits ||
-        record.size < header_bytes + 2u * field.heap_units) {
+    field.heap_units = first_count;
+    if (tiles > first_count || first_count > linked::kMaxUnits) {
       return Status::corrupt;
     }
-    field.references = at;
-    field.cells = at;
-    out = field;
-    return Status::ok;
-  }
-  field.node_count = load_u16(record.data + glyph::kNodeCount);
-  uint32_t reference_bytes = tiles + 4u * field.node_count;
-  uint32_t cell_bytes = 0;
-  if (has_fields) {
-    field.arc_count = load_u16(record.data + fields::kArcCount);
-    field.line_count = load_u16(record.data + fields::kLineCount);
-    field.pair_count = load_u16(record.data + fields::kPairCount);
-    field.triple_count = load_u16(record.data + fields::kTripleCount);
-    cell_bytes = fields::kArcBytes * field.arc_count +
-                 fields::kLineBytes * field.line_count +
-                 fields::kPairUnits * field.pair_count +
-                 fields::kTripleUnits * field.triple_count;
+    reference_bytes = 2u * first_count;
   } else {
+    field.node_count = first_count;
+    if (detail::has_fields(field)) {
+      field.arc_count = load_u16(at + fields::kArcCount);
+      field.line_count = load_u16(at + fields::kLineCount);
+      field.pair_count = load_u16(at + fields::kPairCount);
+      field.triple_count = load_u16(at + fields::kTripleCount);
+      bytes += fields::kArcBytes * field.arc_count +
+               fields::kLineBytes * field.line_count +
+               fields::kPairUnits * field.pair_count +
+               fields::kTripleUnits * field.triple_count;
+    }
+  }
+  field.references = at + bytes;
+  if (!detail::has_fields(field)) {
     reference_bytes *= 2;
-    field.cell_count = load_u16(record.data + glyph::kCellCount);
-    cell_bytes = format::samples::kBytes * field.cell_count;
+    field.cell_count = load_u16(at + glyph::kCellCount);
+    field.cells += reference_bytes;
+    bytes += format::samples::kBytes * field.cell_count;
   }
-  if (record.size < header_bytes + cell_bytes + reference_bytes) {
-    return Status::corrupt;
-  }
-  // References come first where cells are samples, last where they are fields.
-  field.cells = at + (has_fields ? 0 : reference_bytes);
-  field.references = at + (has_fields ? cell_bytes : 0);
+  return record.size < bytes + reference_bytes ? Status::corrupt : Status::ok;
+}
+
+}  // namespace
+
+Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
+  GlyphField field;
+  INKCELL_TRY(read_record(record, field));
   out = field;
   return Status::ok;
 }

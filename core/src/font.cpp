@@ -180,7 +180,9 @@ Status Font::open_tables() noexcept {
   metrics_row_bits_ = metrics_row_bits(metrics_);
   // Products of smaller ems pass 31 bits.
   u_per_unit_q14_ =
-      units_per_em_ < 256 ? 0 : (int32_t{1024} << 14) / units_per_em_;
+      units_per_em_ < 256
+          ? 0
+          : static_cast<int32_t>((uint32_t{1024} << 14) / units_per_em_);
   if (!detail::bits_fit(metrics_, format::metrics::kBytes,
                         uint32_t{metrics_row_bits_} * glyph_count_) ||
       !detail::bits_fit(glyphs_, format::glyphs::kBytes,
@@ -306,29 +308,27 @@ InkBox Font::ink_box(uint16_t glyph) const noexcept {
     return box;
   }
   MetricsRow row(metrics_, uint32_t{metrics_row_bits_} * glyph);
-  const auto take_units = [&row](uint32_t column) noexcept {
-    return static_cast<int32_t>(static_cast<int16_t>(row.take(column)));
-  };
-  const auto clamped = [](int32_t u) noexcept {
-    const int32_t above = u < -InkBox::kFar ? -InkBox::kFar : u;
-    return static_cast<int16_t>(above > InkBox::kFar ? InkBox::kFar : above);
-  };
+  const auto u_per_unit_q14 = static_cast<uint32_t>(u_per_unit_q14_);
   // The quotient is too small by less than one, or exact.
-  const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
-  const auto take_low = [&, this](uint32_t column) noexcept {
-    const int32_t units = take_units(column);
-    return clamped((units * (u_per_unit_q14_ + (units < 0 ? rest : 0))) >> 14);
-  };
-  const auto take_high = [&, this](uint32_t column) noexcept {
-    const int32_t units = take_units(column);
-    const int32_t u_q14 = units * (u_per_unit_q14_ + (units > 0 ? rest : 0));
-    return clamped((u_q14 + (1 << 14) - 1) >> 14);
+  const uint32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
+  const auto take = [&](uint32_t column, bool is_high) noexcept {
+    const int32_t units = static_cast<int16_t>(row.take(column));
+    const bool is_negative = units < 0;
+    const auto size = static_cast<uint32_t>(is_negative ? -units : units);
+    // Outwards, at most 2^31.
+    uint32_t u_q14 = size * u_per_unit_q14;
+    if (is_negative != is_high) {
+      u_q14 += size * rest + (1 << 14) - 1;
+    }
+    const auto u = static_cast<int32_t>(u_q14 >> 14);
+    const int32_t near = u < InkBox::kFar ? u : InkBox::kFar;
+    return static_cast<int16_t>(is_negative ? -near : near);
   };
   row.skip(0);  // the advance
-  box.x0_u = take_low(1);
-  box.y0_u = take_low(2);
-  box.x1_u = take_high(3);
-  box.y1_u = take_high(4);
+  box.x0_u = take(1, false);
+  box.y0_u = take(2, false);
+  box.x1_u = take(3, true);
+  box.y1_u = take(4, true);
   return box;
 }
 
