@@ -6,11 +6,6 @@ namespace {
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-struct Vector {
-  int32_t x;
-  int32_t y;
-};
-
 // The root rounded down, bit by bit.
 uint32_t root(uint32_t value) noexcept {
   uint32_t result = 0;
@@ -58,23 +53,23 @@ struct Cone {
   int32_t scale_log2;
 };
 
+// Whether two values, the lesser below 0, may have a vertex near: |c| < 1, so
+// that else q would not point away from both.
+bool may_meet(int32_t lesser_q22, int32_t greater_q22) noexcept {
+  return greater_q22 <= 0 || static_cast<uint32_t>(greater_q22) <
+                                 0u - static_cast<uint32_t>(lesser_q22);
+}
+
 // Whether a point lies in the cone of the vertex. Fields that are nearly
 // parallel (1 - c^2 below 0.022) have none.
 bool find_cone(int32_t a_q22,
-               const FieldTerm& a_term,
+               const Vector& g,
                int32_t b_q22,
-               const FieldTerm& b_term,
-               int32_t bend_log2,
+               const Vector& h,
                Cone& cone) noexcept {
   constexpr int32_t kMaxCosineQ14 = 16202;
-  const int32_t lesser = a_q22 < b_q22 ? a_q22 : b_q22;
-  const int32_t greater = a_q22 < b_q22 ? b_q22 : a_q22;
-  const uint32_t size = 0u - static_cast<uint32_t>(lesser);
-  if (greater > 0 && static_cast<uint32_t>(greater) >= size) {
-    return false;  // |c| < 1: q would not point away from both
-  }
-  const Vector g = gradient_q14(a_term, bend_log2);
-  const Vector h = gradient_q14(b_term, bend_log2);
+  const uint32_t size =
+      0u - static_cast<uint32_t>(a_q22 < b_q22 ? a_q22 : b_q22);
   const int32_t c =
       wrapped(times(g.x, static_cast<uint32_t>(h.x)) +
               times(g.y, static_cast<uint32_t>(h.y)) + (1 << 13)) >>
@@ -121,10 +116,12 @@ int32_t least_q22(int32_t a_q22,
   const bool in_order = a_q22 <= b_q22;
   const int32_t lesser = in_order ? a_q22 : b_q22;
   const int32_t greater = in_order ? b_q22 : a_q22;
-  return lesser < 0 && lesser > -reach_q22
-             ? rounded_q22(lesser, in_order ? a_term : b_term, greater,
-                           in_order ? b_term : a_term, bend_log2)
-             : lesser;
+  if (lesser >= 0 || lesser <= -reach_q22 || !may_meet(lesser, greater)) {
+    return lesser;
+  }
+  return rounded_q22(
+      lesser, gradient_q14(in_order ? a_term : b_term, bend_log2), greater,
+      gradient_q14(in_order ? b_term : a_term, bend_log2));
 }
 
 int32_t negated(int32_t value) noexcept {
@@ -194,10 +191,14 @@ Gradient unit_vector(Vector v) noexcept {
   return result;
 }
 
-bool is_rounded(const LastTwo& two, int32_t bend_log2, Cone& cone) noexcept {
-  return (two.a_q22 < 0 || two.b_q22 < 0) &&
-         find_cone(two.a_q22, *two.a_term, two.b_q22, *two.b_term, bend_log2,
-                   cone);
+bool is_rounded(const LastTwo& two,
+                const Vector& g,
+                const Vector& h,
+                Cone& cone) noexcept {
+  const int32_t lesser = two.a_q22 < two.b_q22 ? two.a_q22 : two.b_q22;
+  const int32_t greater = two.a_q22 < two.b_q22 ? two.b_q22 : two.a_q22;
+  return lesser < 0 && may_meet(lesser, greater) &&
+         find_cone(two.a_q22, g, two.b_q22, h, cone);
 }
 
 }  // namespace
@@ -241,14 +242,23 @@ Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
   return cell;
 }
 
+Vector gradient_q14(const GlyphField& field,
+                    uint32_t unit,
+                    uint32_t x_q8,
+                    uint32_t y_q8,
+                    const FieldScale& scale) noexcept {
+  FieldTerm term;
+  set_up_term(term, field, unit, x_q8, y_q8, scale);
+  return gradient_q14(term, scale.bend_log2);
+}
+
 int32_t rounded_q22(int32_t lesser_q22,
-                    const FieldTerm& lesser_term,
+                    const Vector& lesser_gradient_q14,
                     int32_t greater_q22,
-                    const FieldTerm& greater_term,
-                    int32_t bend_log2) noexcept {
+                    const Vector& greater_gradient_q14) noexcept {
   Cone cone;
-  return find_cone(lesser_q22, lesser_term, greater_q22, greater_term,
-                   bend_log2, cone)
+  return find_cone(lesser_q22, lesser_gradient_q14, greater_q22,
+                   greater_gradient_q14, cone)
              ? -length_q22(cone)
              : lesser_q22;
 }
@@ -285,7 +295,7 @@ Gradient combined_gradient(const FieldTerms& terms,
   const Vector g = gradient_q14(*two.a_term, bend_log2);
   const Vector h = gradient_q14(*two.b_term, bend_log2);
   Cone cone;
-  if (is_rounded(two, bend_log2, cone)) {
+  if (is_rounded(two, g, h, cone)) {
     const int32_t a = -cone.a_bc_q14 >> 15;
     const int32_t b = -cone.b_ac_q14 >> 15;
     return unit_vector({a * g.x + b * h.x, a * g.y + b * h.y});

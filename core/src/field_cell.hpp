@@ -347,13 +347,25 @@ uint32_t read_linked_leaf(const GlyphField& field,
 // The cell of fields that holds a point in the grid.
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;
 
+struct Vector {
+  int32_t x;
+  int32_t y;
+};
+
+// The gradient of a field at a point, as set_up_term has them. [Q14]
+Vector gradient_q14(const GlyphField& field,
+                    uint32_t unit,
+                    uint32_t x_q8,
+                    uint32_t y_q8,
+                    const FieldScale& scale) noexcept;
+
 // The lesser of two values, below 0, as it is rounded at the vertex of the two
-// fields. [px, Q22]
+// fields whose gradients these are; the greater one is not farther from 0. [px,
+// Q22]
 int32_t rounded_q22(int32_t lesser_q22,
-                    const FieldTerm& lesser_term,
+                    const Vector& lesser_gradient_q14,
                     int32_t greater_q22,
-                    const FieldTerm& greater_term,
-                    int32_t bend_log2) noexcept;
+                    const Vector& greater_gradient_q14) noexcept;
 
 // The cell's distance, with vertices rounded where that changes a result
 // between -reach_q22 and reach_q22. [px, Q22]

@@ -11,14 +11,11 @@ int32_t rounded_at(const FieldPage& page,
                    uint32_t j,
                    const int32_t* values,
                    PixelPlace place) noexcept {
-  FieldTerm lesser;
-  FieldTerm greater;
-  set_up_term(lesser, page.field, leaf.units[i], place.x_q8, place.y_q8,
-              page.scale);
-  set_up_term(greater, page.field, leaf.units[j], place.x_q8, place.y_q8,
-              page.scale);
-  return rounded_q22(values[i], lesser, values[j], greater,
-                     page.scale.bend_log2);
+  const auto gradient = [&page, place](uint32_t unit) noexcept {
+    return gradient_q14(page.field, unit, place.x_q8, place.y_q8, page.scale);
+  };
+  return rounded_q22(values[i], gradient(leaf.units[i]), values[j],
+                     gradient(leaf.units[j]));
 }
 
 // The lesser of two values, rounded where that changes coverage.

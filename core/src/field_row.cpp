@@ -72,10 +72,10 @@ __attribute__((noinline)) uint32_t FieldRow::read_linked(
   return count;
 }
 
-__attribute__((noinline)) void FieldRow::set_up(
-    uint32_t place, uint32_t x_q8, FieldTerm& term) const noexcept {
-  set_up_term(term, field_, place >> 1 | (place & 1) << 15, x_q8, y_q8_,
-              scale_);
+__attribute__((noinline)) Vector FieldRow::gradient(
+    uint32_t place, uint32_t x_q8) const noexcept {
+  return gradient_q14(field_, place >> 1 | (place & 1) << 15, x_q8, y_q8_,
+                      scale_);
 }
 
 // The lesser of two values, rounded.
@@ -87,12 +87,8 @@ __attribute__((noinline)) int32_t FieldRow::rounded(
   if (!is_near_vertex(lesser.value_q22, greater.value_q22)) {
     return lesser.value_q22;
   }
-  FieldTerm lesser_term;
-  FieldTerm greater_term;
-  set_up(lesser.place, x_q8, lesser_term);
-  set_up(greater.place, x_q8, greater_term);
-  return rounded_q22(lesser.value_q22, lesser_term, greater.value_q22,
-                     greater_term, scale_.bend_log2);
+  return rounded_q22(lesser.value_q22, gradient(lesser.place, x_q8),
+                     greater.value_q22, gradient(greater.place, x_q8));
 }
 
 __attribute__((noinline)) int32_t FieldRow::rounded_two(

@@ -99,7 +99,7 @@ class FieldRow {
   uint32_t place_of(uint32_t number) const noexcept;
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
   uint32_t read_linked(uint32_t reference, Fields& fields) const noexcept;
-  void set_up(uint32_t place, uint32_t x_q8, FieldTerm& term) const noexcept;
+  Vector gradient(uint32_t place, uint32_t x_q8) const noexcept;
   int32_t rounded(const Operand& a,
                   const Operand& b,
                   uint32_t x_q8) const noexcept;

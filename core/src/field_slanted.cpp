@@ -67,12 +67,11 @@ __attribute__((noinline)) int32_t rounded_at(const Slanted& slanted,
                                              uint32_t j,
                                              const int32_t* values,
                                              const PointQ8& at) noexcept {
-  FieldTerm lesser;
-  FieldTerm greater;
-  set_up_term(lesser, slanted.field, leaf.units[i], at.x, at.y, slanted.scale);
-  set_up_term(greater, slanted.field, leaf.units[j], at.x, at.y, slanted.scale);
-  return rounded_q22(values[i], lesser, values[j], greater,
-                     slanted.scale.bend_log2);
+  const auto gradient = [&slanted, &at](uint32_t unit) noexcept {
+    return gradient_q14(slanted.field, unit, at.x, at.y, slanted.scale);
+  };
+  return rounded_q22(values[i], gradient(leaf.units[i]), values[j],
+                     gradient(leaf.units[j]));
 }
 
 // The lesser of two values, rounded where that changes coverage: where the

@@ -17,11 +17,6 @@ namespace {
 // Farther than this, 256 px, is far everywhere.
 constexpr int32_t kMaxFarQ22 = 1 << 30;
 
-struct Vector {
-  int32_t x;
-  int32_t y;
-};
-
 uint32_t magnitude(int32_t value) noexcept {
   const auto plain = static_cast<uint32_t>(value);
   return value < 0 ? 0u - plain : plain;
