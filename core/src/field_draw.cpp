@@ -6,6 +6,7 @@
 #include "field_combine.hpp"
 #include "field_row.hpp"
 #include "order.hpp"
+#include "position.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -25,22 +26,26 @@ inline bool cover(const Filter& filter, int32_t* line, int32_t count) noexcept {
 }
 
 // Pixels of a row that are drawn at once: what the stack can bear.
-constexpr int32_t kAtOnce = 24;
+constexpr int32_t kAtOnce = 18;
 static_assert(kAtOnce <= kMaxSpan, "a span");
 
 __attribute__((noinline)) void draw_rows(const GlyphField& field,
                                          const Brush& brush,
-                                         Upright& upright,
+                                         const Placed& placed,
                                          const Sink& sink) noexcept {
-  const Filter& filter = brush.filter();
+  Upright upright = place_upright(field, brush, placed, sink.window);
   const Rect& pixels = upright.pixels;
+  if (is_empty(pixels)) {
+    return;
+  }
+  const Filter& filter = brush.filter();
   const auto step_q16 = static_cast<uint32_t>(brush.step_along_q16());
   FieldRow row(field, scale_of(brush), reach_of(filter), {step_q16, 1 << 20});
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    FieldPosition at;
-    if (upright.place_row(brush, at)) {
-      row.go_to(at.y_q16, at.y_q20);
-      RowPoint first = row.point(at.x_q16, at.x_q20);
+    RowHeight height;
+    if (upright.place_row(brush, height)) {
+      row.go_to(height.y_q16, height.y_q20);
+      RowPoint first = row.point(upright.at.x_q16, upright.at.x_q20);
       for (int32_t x = pixels.x0; x < pixels.x1; x += kAtOnce) {
         int32_t line[kAtOnce];
         const int32_t count = lesser(pixels.x1 - x, kAtOnce);
@@ -59,8 +64,12 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
 
 __attribute__((noinline)) void draw_cells(const GlyphField& field,
                                           const Brush& brush,
-                                          const Upright& upright,
+                                          const Placed& placed,
                                           const Sink& sink) noexcept {
+  const Upright upright = place_upright(field, brush, placed, sink.window);
+  if (is_empty(upright.pixels)) {
+    return;
+  }
   const FieldPage page = {field, brush.filter(), scale_of(brush),
                           reach_of(brush.filter()), brush.step_along_q16()};
   draw_by_cells(page, upright, sink);
@@ -73,12 +82,12 @@ constexpr uint32_t kCellsFromQ8 = 40 << 8;
 
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
-                 Upright& upright,
+                 const Placed& placed,
                  const Sink& sink) noexcept {
-  if (upright.rows == nullptr && scale_of(brush).size_q8 >= kCellsFromQ8) {
-    draw_cells(field, brush, upright, sink);
+  if (placed.rows == nullptr && scale_of(brush).size_q8 >= kCellsFromQ8) {
+    draw_cells(field, brush, placed, sink);
   } else {
-    draw_rows(field, brush, upright, sink);
+    draw_rows(field, brush, placed, sink);
   }
 }
 

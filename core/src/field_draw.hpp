@@ -57,6 +57,14 @@ inline int32_t u_of_px(int32_t px_q10, int32_t step_q16) noexcept {
 #endif
 }
 
+struct Placed;
+
+// Where a row lies in the glyph.
+struct RowHeight {
+  int32_t y_q16;
+  uint32_t y_q20;
+};
+
 // Pixels of upright text whose centres lie in the limits of what may show, and
 // where the upper left one is. Fitted rows may lie outside all the same.
 struct Upright {
@@ -74,24 +82,25 @@ struct Upright {
   }
   // Where the row lies in the glyph; rows come from top to bottom. False: it
   // shows nothing.
-  bool place_row(const Brush& brush, FieldPosition& row) noexcept {
-    row = at;
-    if (rows == nullptr) {
-      return true;
-    }
-    const int32_t screen_q10 = wrapped(at.y_q20 - kHalfQ20) >> 10;
-    knot = rows->knot_below(screen_q10, knot);
-    const int32_t height_q10 = knot->height_at(screen_q10);
-    row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
-    row.y_q16 = u_of_px(height_q10, brush.step_along_q16());
-    return row.y_q16 >= low_q16 && row.y_q16 < high_q16;
+  bool place_row(const Brush& brush, RowHeight& row) noexcept {
+    row = {at.y_q16, at.y_q20};
+    return rows == nullptr || place_fitted_row(brush, row);
   }
+
+ private:
+  bool place_fitted_row(const Brush& brush, RowHeight& row) noexcept;
 };
 
-// Draws cells of fields. `upright` is changed.
+// The glyph's pixels that lie in the window.
+Upright place_upright(const GlyphField& field,
+                      const Brush& brush,
+                      const Placed& placed,
+                      const Rect& window) noexcept;
+
+// Draws cells of fields.
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
-                 Upright& upright,
+                 const Placed& placed,
                  const Sink& sink) noexcept;
 
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]

@@ -143,47 +143,18 @@ inline Line place_line(const Brush& brush,
   return line;
 }
 
-// The glyph's pixels that lie in the window.
-//
-// Not inline: what it needs of the stack is free again when pixels are drawn.
-__attribute__((noinline)) Upright place_upright(const GlyphField& field,
-                                                const Brush& brush,
-                                                const Placed& placed,
-                                                const Rect& window) noexcept {
-  const Rect limits = detail::exact_limits_of(field, brush);
-  const Line across = place_line(brush, placed.x_q10, {window.x0, window.x1},
-                                 {limits.x0, limits.x1}, true);
-  // From below: rows are counted upwards, the one above the screen is 0.
-  const Line along = place_line(brush, -placed.y_q10, {-window.y1, -window.y0},
-                                {limits.y0, limits.y1}, placed.rows == nullptr);
-  const int32_t rows = along.end - along.begin;
-  if (rows <= 0) {
-    return {{}, {}, nullptr, 0, 0, nullptr};
-  }
-  return {
-      {across.begin, -along.end, across.end, -along.begin},
-      {across.at_q16, along.at_q16 + (rows - 1) * brush.step_along_q16(),
-       static_cast<uint32_t>(across.begin * 1024 + 512 - placed.x_q10) * 1024 +
-           detail::kHalfQ20,
-       static_cast<uint32_t>(along.end * 1024 - 512 + placed.y_q10) * 1024 +
-           detail::kHalfQ20},
-      placed.rows,
-      limits.y0,
-      limits.y1,
-      placed.rows == nullptr ? nullptr : placed.rows->highest()};
-}
-
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
                                             const Brush& brush,
-                                            Upright& upright,
+                                            const Placed& placed,
                                             const Sink& sink) noexcept {
+  Upright upright = detail::place_upright(field, brush, placed, sink.window);
   const Rect& pixels = upright.pixels;
   SpanWriter writer(sink, pixels.y0);
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    FieldPosition at;
-    if (upright.place_row(brush, at)) {
-      draw_upright_row(field, brush, {pixels.x0, pixels.x1}, at.x_q16, at.y_q16,
-                       writer);
+    detail::RowHeight height;
+    if (upright.place_row(brush, height)) {
+      draw_upright_row(field, brush, {pixels.x0, pixels.x1}, upright.at.x_q16,
+                       height.y_q16, writer);
     }
     writer.next_row();
     upright.next_row(brush);
@@ -193,25 +164,20 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
 // Cells of samples: object order wins from this size on.
 constexpr Q26_6 kCellsFrom = Q26_6::from_int(48);
 
-// Not inline: other ways to draw need not pay for its stack.
-__attribute__((noinline)) void draw_upright(const GlyphField& field,
-                                            const Brush& brush,
-                                            const Placed& placed,
-                                            const Sink& sink) noexcept {
-  Upright upright = place_upright(field, brush, placed, sink.window);
-  if (is_empty(upright.pixels)) {
-    return;
-  }
+void draw_upright(const GlyphField& field,
+                  const Brush& brush,
+                  const Placed& placed,
+                  const Sink& sink) noexcept {
   if (has_fields(field)) {
-    detail::draw_fields(field, brush, upright, sink);
-  } else if (upright.rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
-    detail::draw_samples_by_cells(field, brush, upright, sink);
+    detail::draw_fields(field, brush, placed, sink);
+  } else if (placed.rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
+    detail::draw_samples_by_cells(field, brush, placed, sink);
   } else {
-    draw_samples(field, brush, upright, sink);
+    draw_samples(field, brush, placed, sink);
   }
 }
 
-// Not inline for the same reason.
+// Not inline: other ways to draw need not pay for its stack.
 __attribute__((noinline)) void paint(const GlyphField& field,
                                      const Brush& brush,
                                      const Placed& placed,
@@ -283,6 +249,45 @@ Rect slanted_box(const Rect& limits,
 }
 
 }  // namespace
+
+bool detail::Upright::place_fitted_row(const Brush& brush,
+                                       RowHeight& row) noexcept {
+  const int32_t screen_q10 = wrapped(at.y_q20 - kHalfQ20) >> 10;
+  knot = rows->knot_below(screen_q10, knot);
+  const int32_t height_q10 = knot->height_at(screen_q10);
+  row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
+  row.y_q16 = u_of_px(height_q10, brush.step_along_q16());
+  return row.y_q16 >= low_q16 && row.y_q16 < high_q16;
+}
+
+// Not inline: what it needs of the stack is free again when pixels are drawn.
+__attribute__((noinline)) detail::Upright detail::place_upright(
+    const GlyphField& field,
+    const Brush& brush,
+    const Placed& placed,
+    const Rect& window) noexcept {
+  const Rect limits = detail::exact_limits_of(field, brush);
+  const Line across = place_line(brush, placed.x_q10, {window.x0, window.x1},
+                                 {limits.x0, limits.x1}, true);
+  // From below: rows are counted upwards, the one above the screen is 0.
+  const Line along = place_line(brush, -placed.y_q10, {-window.y1, -window.y0},
+                                {limits.y0, limits.y1}, placed.rows == nullptr);
+  const int32_t rows = along.end - along.begin;
+  if (rows <= 0) {
+    return {{}, {}, nullptr, 0, 0, nullptr};
+  }
+  return {
+      {across.begin, -along.end, across.end, -along.begin},
+      {across.at_q16, along.at_q16 + (rows - 1) * brush.step_along_q16(),
+       static_cast<uint32_t>(across.begin * 1024 + 512 - placed.x_q10) * 1024 +
+           detail::kHalfQ20,
+       static_cast<uint32_t>(along.end * 1024 - 512 + placed.y_q10) * 1024 +
+           detail::kHalfQ20},
+      placed.rows,
+      limits.y0,
+      limits.y1,
+      placed.rows == nullptr ? nullptr : placed.rows->highest()};
+}
 
 void detail::draw_plain(const GlyphField& field,
                         const Brush& brush,

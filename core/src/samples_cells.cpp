@@ -262,8 +262,12 @@ __attribute__((noinline)) void Painter::draw_cell(
 
 void draw_samples_by_cells(const GlyphField& field,
                            const Brush& brush,
-                           const Upright& upright,
+                           const Placed& placed,
                            const Sink& sink) noexcept {
+  const Upright upright = place_upright(field, brush, placed, sink.window);
+  if (is_empty(upright.pixels)) {
+    return;
+  }
   Painter painter(field, brush, upright, sink);
   CellTour<Painter>(field, brush, upright, painter).run();
 }

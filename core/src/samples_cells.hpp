@@ -9,7 +9,7 @@ namespace detail {
 // Draws an upright glyph that is not fitted, bit by bit as rows would.
 void draw_samples_by_cells(const GlyphField& field,
                            const Brush& brush,
-                           const Upright& upright,
+                           const Placed& placed,
                            const Sink& sink) noexcept;
 
 }  // namespace detail
