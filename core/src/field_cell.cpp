@@ -62,11 +62,11 @@ bool may_meet(int32_t lesser_q22, int32_t greater_q22) noexcept {
 
 // Whether a point lies in the cone of the vertex. Fields that are nearly
 // parallel (1 - c^2 below 0.022) have none.
-bool find_cone(int32_t a_q22,
-               const Vector& g,
-               int32_t b_q22,
-               const Vector& h,
-               Cone& cone) noexcept {
+__attribute__((always_inline)) inline bool find_cone(int32_t a_q22,
+                                                     const Vector& g,
+                                                     int32_t b_q22,
+                                                     const Vector& h,
+                                                     Cone& cone) noexcept {
   constexpr int32_t kMaxCosineQ14 = 16202;
   const uint32_t size =
       0u - static_cast<uint32_t>(a_q22 < b_q22 ? a_q22 : b_q22);

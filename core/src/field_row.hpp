@@ -94,7 +94,14 @@ class FieldRow {
   void take_with(RowPoint at,
                  int32_t* out,
                  int32_t count,
-                 const More&... more) const noexcept;
+                 const More&... more) const noexcept {
+    take_inline<Values>(at, out, count, more...);
+  }
+  template <typename Values, typename... More>
+  void take_inline(RowPoint at,
+                   int32_t* out,
+                   int32_t count,
+                   const More&... more) const noexcept;
   int32_t value(uint32_t place, uint32_t x_q8) const noexcept;
   uint32_t place_of(uint32_t number) const noexcept;
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
@@ -198,10 +205,11 @@ __attribute__((always_inline)) inline int32_t FieldRow::least_of_three(
 }
 
 template <typename Values, typename... More>
-inline void FieldRow::take_with(RowPoint at,
-                                int32_t* out,
-                                int32_t count,
-                                const More&... more) const noexcept {
+__attribute__((always_inline)) inline void FieldRow::take_inline(
+    RowPoint at,
+    int32_t* out,
+    int32_t count,
+    const More&... more) const noexcept {
   uint32_t x_q16 = at.x_q16;
   uint32_t x_q20 = at.x_q20;
   const RowPoint step = step_;
