@@ -80,43 +80,48 @@ __attribute__((noinline)) Vector FieldRow::gradient(
 
 // The lesser of two values, rounded.
 __attribute__((noinline)) int32_t FieldRow::rounded(
-    const Operand& a, const Operand& b, uint32_t x_q8) const noexcept {
-  const bool in_order = a.value_q22 <= b.value_q22;
-  const Operand& lesser = in_order ? a : b;
-  const Operand& greater = in_order ? b : a;
-  if (!is_near_vertex(lesser.value_q22, greater.value_q22)) {
-    return lesser.value_q22;
+    int32_t a,
+    uint32_t a_place,
+    int32_t b,
+    uint32_t b_place,
+    uint32_t x_q8) const noexcept {
+  if (a > b) {
+    const int32_t value = a;
+    a = b;
+    b = value;
+    const uint32_t place = a_place;
+    a_place = b_place;
+    b_place = place;
   }
-  return rounded_q22(lesser.value_q22, gradient(lesser.place, x_q8),
-                     greater.value_q22, gradient(greater.place, x_q8));
+  if (!is_near_vertex(a, b)) {
+    return a;
+  }
+  return rounded_q22(a, gradient(a_place, x_q8), b, gradient(b_place, x_q8));
 }
 
-__attribute__((noinline)) int32_t FieldRow::rounded_two(
-    const Fields& fields, int32_t a, int32_t b, uint32_t x_q8) const noexcept {
-  return rounded({a, fields.place[0]}, {b, fields.place[1]}, x_q8);
-}
-
+// The last step is a call in place of this one: its frame is the smaller.
 __attribute__((noinline)) int32_t FieldRow::rounded_three(
     const Fields& fields,
     int32_t a,
     int32_t b,
     int32_t c,
     uint32_t x_q8) const noexcept {
-  Operand first = {a, fields.place[0]};
-  Operand second = {b, fields.place[1]};
+  uint32_t first = 0;
+  uint32_t second = 1;
   if (fields.is_nested) {
     // The greater one is the lesser with the signs turned.
-    const int32_t inner =
-        with_sign(rounded({with_sign(b, -1), fields.place[1]},
-                          {with_sign(c, -1), fields.place[2]}, x_q8),
+    second = b >= c ? 1 : 2;
+    b = with_sign(rounded(with_sign(b, -1), fields.place[1], with_sign(c, -1),
+                          fields.place[2], x_q8),
                   -1);
-    second = {inner, fields.place[b >= c ? 1 : 2]};
   } else if (a > b && a > c) {
-    first = {c, fields.place[2]};  // without the greatest
+    first = 2;  // without the greatest
+    a = c;
   } else if (b > c) {
-    second = {c, fields.place[2]};
+    second = 2;
+    b = c;
   }
-  return rounded(first, second, x_q8);
+  return rounded(a, fields.place[first], b, fields.place[second], x_q8);
 }
 
 }  // namespace detail

@@ -82,10 +82,6 @@ class FieldRow {
       is_nested = op >= FieldOperator::least_of_greater;
     }
   };
-  struct Operand {
-    int32_t value_q22;
-    uint32_t place;
-  };
 
   class PlainValues;
   class ThirdValues;
@@ -107,8 +103,10 @@ class FieldRow {
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
   uint32_t read_linked(uint32_t reference, Fields& fields) const noexcept;
   Vector gradient(uint32_t place, uint32_t x_q8) const noexcept;
-  int32_t rounded(const Operand& a,
-                  const Operand& b,
+  int32_t rounded(int32_t a,
+                  uint32_t a_place,
+                  int32_t b,
+                  uint32_t b_place,
                   uint32_t x_q8) const noexcept;
   int32_t least_of_three(const Fields& fields,
                          int32_t a,
@@ -118,7 +116,9 @@ class FieldRow {
   int32_t rounded_two(const Fields& fields,
                       int32_t a,
                       int32_t b,
-                      uint32_t x_q8) const noexcept;
+                      uint32_t x_q8) const noexcept {
+    return rounded(a, fields.place[0], b, fields.place[1], x_q8);
+  }
   int32_t rounded_three(const Fields& fields,
                         int32_t a,
                         int32_t b,
