@@ -84,7 +84,8 @@ void draw_fields(const GlyphField& field,
                  const Brush& brush,
                  const Placed& placed,
                  const Sink& sink) noexcept {
-  if (placed.rows == nullptr && scale_of(brush).size_q8 >= kCellsFromQ8) {
+  if (INKCELL_OBJECT_ORDER != 0 && placed.rows == nullptr &&
+      scale_of(brush).size_q8 >= kCellsFromQ8) {
     draw_cells(field, brush, placed, sink);
   } else {
     draw_rows(field, brush, placed, sink);

@@ -8,6 +8,11 @@
 #include "inkcell/row_map.hpp"
 #include "span_writer.hpp"
 
+// 0 leaves out what draws large glyphs cell by cell: they are drawn row by row.
+#ifndef INKCELL_OBJECT_ORDER
+#  define INKCELL_OBJECT_ORDER 1
+#endif
+
 namespace inkcell {
 namespace detail {
 

@@ -170,7 +170,8 @@ void draw_upright(const GlyphField& field,
                   const Sink& sink) noexcept {
   if (has_fields(field)) {
     detail::draw_fields(field, brush, placed, sink);
-  } else if (placed.rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
+  } else if (INKCELL_OBJECT_ORDER != 0 && placed.rows == nullptr &&
+             brush.size().raw >= kCellsFrom.raw) {
     detail::draw_samples_by_cells(field, brush, placed, sink);
   } else {
     draw_samples(field, brush, placed, sink);

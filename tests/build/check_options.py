@@ -2,7 +2,7 @@
 
 What is left must look as it does with all parts; fonts and records that need
 what is missing must be answered with `unsupported`, and no code of it may be
-linked.
+linked. Large glyphs look the same in either order.
 
 Usage: check_options.py WORK_FOLDER FULL_PROBE
 """
@@ -29,6 +29,8 @@ OPTIONS = {
                              "packed font"},
                             ["FieldRow::", "BlockPainter::", "combine_q22",
                              "Expansion::"]),
+    "INKCELL_OBJECT_ORDER": (set(), ["BlockPainter::",
+                                     "draw_samples_by_cells"]),
     "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }
 
