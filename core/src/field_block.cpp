@@ -345,16 +345,11 @@ BlockPainter::BlockPainter(const FieldPage& page,
       x0_(pixels.x0),
       y0_(pixels.y0),
       bend_shift_(page.scale.bend_log2 + 5) {
-  // A filter that was not made by make_filter must not lead out of its table.
   const Filter& filter = page.filter;
   ramp_.outside_q10 = filter.outside_q10;
   ramp_.length_q10 =
       static_cast<uint32_t>(greater(filter.inside_q10 - filter.outside_q10, 0));
   ramp_.scale = filter.scale;
-  constexpr uint32_t kAll = Filter::kEntries << 14;
-  if (ramp_.length_q10 * ramp_.scale > kAll) {
-    ramp_.scale = kAll / ramp_.length_q10;
-  }
 }
 
 bool BlockPainter::draw(LeafFields& leaf, Block& block) noexcept {

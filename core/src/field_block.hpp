@@ -150,7 +150,7 @@ inline uint8_t BlockPainter::coverage(int32_t value_q22) const noexcept {
       (with_sign(value_q22, sign_) >> 12) - ramp_.outside_q10;
   const auto way = static_cast<uint32_t>(way_q10);
   if (way < ramp_.length_q10) {
-    return page_.filter.table[(way * ramp_.scale) >> 14];
+    return page_.filter.table[static_cast<uint8_t>((way * ramp_.scale) >> 14)];
   }
   return way_q10 < 0 ? 0 : 255;
 }

@@ -84,9 +84,8 @@ class Painter {
     const Filter& filter = brush_.filter();
     const uint32_t px =
         static_cast<uint32_t>(f_q6 >> down_) * factor_ + offset_;
-    const uint32_t entry = ((px >> 16) * filter.scale) >> 14;
     return filter
-        .table[entry < Filter::kEntries ? entry : Filter::kEntries - 1];
+        .table[static_cast<uint8_t>(((px >> 16) * filter.scale) >> 14)];
   }
   void set_up(const uint8_t* samples, uint32_t log2) noexcept;
   void draw_cell(const uint8_t* samples, const TourLeaf& leaf) noexcept;

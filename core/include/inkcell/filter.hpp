@@ -58,11 +58,11 @@ struct Filter {
     return ramp(distance_q10);
   }
 
-  /// The same between the cutoffs: outside_q10 < distance_q10 < inside_q10.
+  /// The same between the cutoffs: outside_q10 < distance_q10 < inside_q10. No
+  /// numbers lead out of the table.
   constexpr uint8_t ramp(int32_t distance_q10) const noexcept {
     const uint32_t step = static_cast<uint32_t>(distance_q10 - outside_q10);
-    const uint32_t entry = (step * scale) >> 14;
-    return table[entry < kEntries ? entry : kEntries - 1];
+    return table[static_cast<uint8_t>((step * scale) >> 14)];
   }
 };
 
