@@ -56,7 +56,7 @@ class FieldRow::PlainValues {
 };
 
 void FieldRow::take(RowPoint at, int32_t* out, int32_t count) const noexcept {
-  take_inline<PlainValues>(at, out, count);
+  take_with<PlainValues>(at, out, count);
 }
 
 __attribute__((noinline)) uint32_t FieldRow::read_linked(

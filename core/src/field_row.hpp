@@ -21,8 +21,11 @@ struct RowPoint {
 // How points of a row lead to those before and behind them: along the row, or
 // across it.
 struct ThirdsWay {
-  bool is_across;
-  int32_t way_q8;  // to the one behind, and upwards [px]
+  uint32_t normal;  // where a record has that along the way
+  int32_t way_q8;   // to the one behind, and upwards [px]
+  int32_t far_q22;  // beyond it only the one in the middle counts [px]
+
+  bool is_across() const noexcept { return normal == format::fields::kNormalY; }
 };
 
 // Evaluates rows of points, evenly spaced. A leaf is read once for its part of
@@ -58,14 +61,15 @@ class FieldRow {
   // Three distances for each of `count` points: a way before it, at it, and
   // behind it, the outer two along the tangents of the fields of its own leaf,
   // which go on beyond it. All three are rounded as the middle one is. Where
-  // that one is beyond reach_q22(way) it is any of the same side, and the outer
+  // that one is beyond way.far_q22 it is any of the same side, and the outer
   // two are not set.
   void take_thirds(RowPoint at,
                    const ThirdsWay& way,
                    int32_t* out,
                    int32_t count) const noexcept;
-  int32_t reach_q22(const ThirdsWay& way) const noexcept {
-    return reach_q22_ + magnitude(way.way_q8) * (1 << 14);
+  ThirdsWay way(bool is_across, int32_t way_q8) const noexcept {
+    return {is_across ? format::fields::kNormalY : format::fields::kNormalX,
+            way_q8, reach_q22_ + magnitude(way_q8) * (1 << 14)};
   }
 
  private:
@@ -90,14 +94,7 @@ class FieldRow {
   void take_with(RowPoint at,
                  int32_t* out,
                  int32_t count,
-                 const More&... more) const noexcept {
-    take_inline<Values>(at, out, count, more...);
-  }
-  template <typename Values, typename... More>
-  void take_inline(RowPoint at,
-                   int32_t* out,
-                   int32_t count,
-                   const More&... more) const noexcept;
+                 const More&... more) const noexcept;
   int32_t value(uint32_t place, uint32_t x_q8) const noexcept;
   uint32_t place_of(uint32_t number) const noexcept;
   uint32_t read_narrow(uint32_t reference, Fields& fields) const noexcept;
@@ -205,7 +202,7 @@ __attribute__((always_inline)) inline int32_t FieldRow::least_of_three(
 }
 
 template <typename Values, typename... More>
-__attribute__((always_inline)) inline void FieldRow::take_inline(
+__attribute__((always_inline)) inline void FieldRow::take_with(
     RowPoint at,
     int32_t* out,
     int32_t count,

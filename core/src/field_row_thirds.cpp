@@ -8,49 +8,42 @@ namespace detail {
 // What a field is at a point, and how much it gains on the way to the next.
 class FieldRow::ThirdValues {
  public:
-  // What all leaves have in common.
-  struct Way {
-    const uint8_t* cells;
-    uint32_t y_q8;
-    uint32_t size_q8;
-    int32_t bend_q14;
-    uint32_t normal;  // where a record has that along the way
-    int32_t way_q8;
-    int32_t bend_shift;
-    int32_t far_q22;
-  };
-  ThirdValues(const FieldRow& row, const Way& way) noexcept
+  ThirdValues(const FieldRow& row, const ThirdsWay& way) noexcept
       : row_(row), way_(way) {}
 
   // Once the fields are read. The slope is that of FieldTerm along the way: nx
   // - 2 k w ny to the right, ny + 2 k w nx upwards.
   __attribute__((noinline)) void set_up(uint32_t count) noexcept {
     namespace layout = format::fields;
-    const Way way = way_;
+    const uint8_t* const cells = row_.cells_;
+    const uint32_t y_q8 = row_.y_q8_;
+    const FieldScale scale = row_.scale_;
+    const uint32_t normal = way_.normal;
     const int32_t sign = fields.sign;
-    const int32_t way_q8 = with_sign(way.way_q8, sign);
+    const int32_t way_q8 = with_sign(way_.way_q8, sign);
     const uint32_t* place = fields.place;
     Term* term = terms_;
     for (const uint32_t* const end = place + count; place != end; ++term) {
       const uint32_t where = *place++;
-      const uint8_t* const at = way.cells + (where & ~uint32_t{1});
+      const uint8_t* const at = cells + (where & ~uint32_t{1});
       const int32_t nx = load_i16(at + layout::kNormalX);
       const int32_t ny = load_i16(at + layout::kNormalY);
-      const uint32_t value = times(ny, way.y_q8) +
-                             times(load_i16(at + layout::kOffset), way.size_q8);
+      const uint32_t value =
+          times(ny, y_q8) +
+          times(load_i16(at + layout::kOffset), scale.size_q8);
       term->value_q22 = static_cast<uint32_t>(with_sign(wrapped(value), sign));
       term->nx_q14 = static_cast<int16_t>(with_sign(nx, sign));
       term->gain_q22 =
-          times(load_i16(at + way.normal), static_cast<uint32_t>(way_q8));
+          times(load_i16(at + normal), static_cast<uint32_t>(way_q8));
       term->bend = 0;
       if ((where & 1) != 0) {
         term->bend =
-            (load_i16(at + layout::kBend) * way.bend_q14 + (1 << 10)) >> 11;
-        term->along_q22 = times(nx, way.y_q8) + (1 << 13) +
-                          times(load_i16(at + layout::kAlong), way.size_q8);
+            (load_i16(at + layout::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
+        term->along_q22 = times(nx, y_q8) + (1 << 13) +
+                          times(load_i16(at + layout::kAlong), scale.size_q8);
         term->ny_q14 = static_cast<int16_t>(ny);
         term->other_q14 =
-            static_cast<int16_t>(way.normal == layout::kNormalX ? ny : -nx);
+            static_cast<int16_t>(normal == layout::kNormalX ? ny : -nx);
       }
     }
   }
@@ -152,7 +145,7 @@ class FieldRow::ThirdValues {
       const auto along = static_cast<uint32_t>(
           wrapped(term.along_q22 - times(term.ny_q14, x_q8)) >> 14);
       const auto half_q15 = static_cast<uint32_t>(
-          wrapped(times(term.bend, along)) >> way_.bend_shift);
+          wrapped(times(term.bend, along)) >> row_.bend_shift_);
       value += static_cast<uint32_t>(
           with_sign(wrapped(half_q15 * along) >> 1, sign));
       gain -= times(wrapped(times(term.other_q14, half_q15)) >> 14,
@@ -182,7 +175,7 @@ class FieldRow::ThirdValues {
   }
 
   const FieldRow& row_;
-  const Way& way_;
+  const ThirdsWay& way_;
   Term terms_[3];
 };
 
@@ -190,16 +183,7 @@ void FieldRow::take_thirds(RowPoint at,
                            const ThirdsWay& way,
                            int32_t* out,
                            int32_t count) const noexcept {
-  const ThirdValues::Way same = {
-      cells_,
-      y_q8_,
-      scale_.size_q8,
-      scale_.bend_q14,
-      way.is_across ? format::fields::kNormalY : format::fields::kNormalX,
-      way.way_q8,
-      bend_shift_,
-      reach_q22(way)};
-  take_with<ThirdValues>(at, out, count, same);
+  take_with<ThirdValues>(at, out, count, way);
 }
 
 }  // namespace detail

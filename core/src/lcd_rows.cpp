@@ -98,8 +98,8 @@ class StripeRow {
              scale_of(rows.brush),
              ramp_.near_q22,
              {static_cast<uint32_t>(rows.brush.step_along_q16()), 1 << 20}),
-        way_{is_down, is_down ? -kThirdQ8 : kThirdQ8} {
-    ramp_.far_q22 = row_.reach_q22(way_);
+        way_(row_.way(is_down, is_down ? -kThirdQ8 : kThirdQ8)) {
+    ramp_.far_q22 = way_.far_q22;
   }
 
   // To the first row of pixels, or to the one below. False: it lies beside the
@@ -110,7 +110,7 @@ class StripeRow {
       if (is_first) {
         find_grid();
       }
-      if (way_.is_across && rows_.map != nullptr) {
+      if (way_.is_across() && rows_.map != nullptr) {
         fit_way(y);
       }
     } else {
@@ -155,8 +155,8 @@ class StripeRow {
   void fit_way(int32_t y) noexcept {
     const FieldPosition above = rows_.at(rows_.box.x0, y, 0, kThird);
     const FieldPosition below = rows_.at(rows_.box.x0, y, 0, -kThird);
-    way_.way_q8 = wrapped(below.y_q20 - above.y_q20) >> 13;
-    ramp_.far_q22 = row_.reach_q22(way_);
+    way_ = row_.way(true, wrapped(below.y_q20 - above.y_q20) >> 13);
+    ramp_.far_q22 = way_.far_q22;
   }
 
   // Far outside beside the grid. [px, Q22]
@@ -353,8 +353,9 @@ class StripeColumn {
     if (is_in_grid) {
       shown = row.take(x_, count_, line, stripes);
     } else {
-      for (int32_t i = 0; i < 3 * count_; ++i) {
-        stripes[i] = 0;
+      uint8_t* at = stripes;
+      for (const uint8_t* const end = at + 3 * count_; at != end; ++at) {
+        *at = 0;
       }
     }
     // What has shown nothing in three rows has left nothing, either.
