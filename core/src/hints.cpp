@@ -86,12 +86,15 @@ HintStems Hints::stems(uint32_t glyph) const noexcept {
     return stems;
   }
   const Span<const uint8_t> rows = {section_.data + rows_, lists_ - rows_};
-  uint32_t bit = glyph * row_bits_ + start_bits_ + count_bits_;
-  const uint32_t stem = detail::read_bits(rows, bit, stem_bits_);
-  bit += stem_bits_;
-  const uint32_t gap = detail::read_bits(rows, bit, gap_bits_);
+  // All three numbers at once: 25 bits at the most.
+  const uint32_t all =
+      detail::read_bits(rows, glyph * row_bits_ + start_bits_ + count_bits_,
+                        uint32_t{stem_bits_} + gap_bits_ + 1);
+  const uint32_t stem = all & ~(~uint32_t{0} << stem_bits_);
+  const uint32_t rest = all >> stem_bits_;
+  const uint32_t gap = rest & ~(~uint32_t{0} << gap_bits_);
   if (stem != 0) {
-    const uint32_t third = detail::read_bits(rows, bit + gap_bits_, 1);
+    const uint32_t third = rest >> gap_bits_;
     constexpr auto kStep = static_cast<int32_t>(hints::kStemStep);
     stems.first_u = stem_base_u_ + static_cast<int32_t>(stem) * kStep;
     stems.gap_u = static_cast<int32_t>(gap) * kStep;
