@@ -110,19 +110,21 @@ struct Line {
   int32_t at_q16;  // [u]
 };
 
-// The pixels of a window whose centres lie at low <= place < high [u, Q16];
-// without `is_exact` some more, and those up to 1 px away.
+// The pixels of a window whose centres lie at low <= place < high [u, Q16], or
+// some more, if what lies there is shifted [px, Q10].
 inline Line place_line(const Brush& brush,
                        int32_t origin_q10,
                        Range window,
                        Range limits_q16,
-                       bool is_exact) noexcept {
+                       const Range* shifts_q10) noexcept {
   const int32_t step = brush.step_along_q16();
-  const int32_t more_q10 = is_exact ? 0 : RowMap::kMaxShiftQ10;
+  const bool is_exact = shifts_q10 == nullptr;
+  const Range shifts = is_exact ? Range{0, 0} : *shifts_q10;
   Line line = {
-      greater(window.begin, detail::first_pixel(brush, origin_q10 - more_q10,
-                                                limits_q16.begin >> 16)),
-      lesser(window.end, detail::end_pixel(brush, origin_q10 + more_q10,
+      greater(window.begin,
+              detail::first_pixel(brush, origin_q10 + shifts.begin,
+                                  limits_q16.begin >> 16)),
+      lesser(window.end, detail::end_pixel(brush, origin_q10 + shifts.end,
                                            (limits_q16.end >> 16) + 1)),
       0};
   if (line.begin >= line.end) {
@@ -261,6 +263,18 @@ bool detail::Upright::place_fitted_row(const Brush& brush,
   return row.y_q16 >= low_q16 && row.y_q16 < high_q16;
 }
 
+// How far a map moves heights of the glyph on the screen: between two knots no
+// farther than at one of them. Roundings are below 1/1024 px. [px, Q10]
+inline Range shifts_of(const RowMap& rows) noexcept {
+  Range shifts = {RowMap::kMaxShiftQ10, -RowMap::kMaxShiftQ10};
+  for (const RowMap::Knot* knot = rows.knots; knot <= rows.highest(); ++knot) {
+    const int32_t shift = knot->screen_q10 - knot->glyph_q10;
+    shifts.begin = lesser(shifts.begin, shift - 1);
+    shifts.end = greater(shifts.end, shift + 1);
+  }
+  return shifts;
+}
+
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) detail::Upright detail::place_upright(
     const GlyphField& field,
@@ -269,10 +283,15 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
     const Rect& window) noexcept {
   const Rect limits = detail::exact_limits_of(field, brush);
   const Line across = place_line(brush, placed.x_q10, {window.x0, window.x1},
-                                 {limits.x0, limits.x1}, true);
+                                 {limits.x0, limits.x1}, nullptr);
+  Range shifts = {};
+  if (placed.rows != nullptr) {
+    shifts = shifts_of(*placed.rows);
+  }
   // From below: rows are counted upwards, the one above the screen is 0.
   const Line along = place_line(brush, -placed.y_q10, {-window.y1, -window.y0},
-                                {limits.y0, limits.y1}, placed.rows == nullptr);
+                                {limits.y0, limits.y1},
+                                placed.rows == nullptr ? nullptr : &shifts);
   const int32_t rows = along.end - along.begin;
   if (rows <= 0) {
     return {{}, {}, nullptr, 0, 0, nullptr};
