@@ -277,7 +277,7 @@ class Firmware:
     def glyphs(self, engine, coding, font, way, characters, sizes):
         """One dictionary for each size."""
         program = CODINGS[coding][0] if coding else engine
-        program = "turned" if way in (*report.SLANTED, "rows") else program
+        program = "turned" if way in (*report.SLANTED, "in_rows") else program
         program = "modes" if way in report.MODES else program
         kept = kept_bytes(self.folder / (program + ".map"))
         name = self.fonts.files[font, engine, coding]
@@ -365,7 +365,7 @@ def measure_turned(firmware, sizes, font, about, upright, pictures):
         return list(firmware.glyphs("inkcell", "direct", font, way, ASCII,
                                     sizes))
     rows = {}
-    for result, more in one("rows"):
+    for result, more in one("in_rows"):
         px = result["px"]
         pictures.setdefault((font.stem, px), {}).setdefault(
             "inkcell", set()).add(more["ink"])

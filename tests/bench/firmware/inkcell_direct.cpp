@@ -1,6 +1,6 @@
 // Inkcell with a direct font, of fields or of samples. Way: "upright"; or in a
 // program of its own (INKCELL_BENCH_TURNED) "turned", by 15 degrees, and
-// "rows", upright at every size in the order of rows.
+// "in_rows", upright at every size in the order of rows.
 #include "inkcell/row_map.hpp"
 #include "inkcell_strips.hpp"
 
@@ -46,7 +46,7 @@ bool engine_set_size(uint32_t px, const char* way) {
   }
   const bool is_made = set_upright(size);
   bench::brush.set_fitter(keep_rows, nullptr);
-  return is_made && bench::equal(way, "rows");
+  return is_made && bench::equal(way, "in_rows");
 #else
   return bench::equal(way, "upright") && set_upright(size);
 #endif
