@@ -230,7 +230,7 @@ __attribute__((always_inline)) inline void FieldRow::take_with(
                          : read_linked(found.reference, values.fields);
       values.set_up(fields);
     }
-    const auto points = [&](const auto& put) {
+    const auto points = [&](const auto& put) __attribute__((always_inline)) {
       do {
         out = put(static_cast<uint32_t>(wrapped(x_q20) >> 12), out);
         x_q20 += step.x_q20;

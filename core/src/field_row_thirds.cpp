@@ -42,8 +42,7 @@ class FieldRow::ThirdValues {
         term->along_q22 = times(nx, y_q8) + (1 << 13) +
                           times(load_i16(at + layout::kAlong), scale.size_q8);
         term->ny_q14 = static_cast<int16_t>(ny);
-        term->other_q14 =
-            static_cast<int16_t>(normal == layout::kNormalX ? ny : -nx);
+        term->other_q14 = normal == layout::kNormalX ? ny : -nx;
       }
     }
   }
@@ -132,7 +131,7 @@ class FieldRow::ThirdValues {
     uint32_t along_q22;  // at x = 0
     int16_t nx_q14;
     int16_t ny_q14;
-    int16_t other_q14;  // of the normal across the way
+    int32_t other_q14;  // of the normal across the way
   };
 
   __attribute__((always_inline)) Point at(uint32_t i,
