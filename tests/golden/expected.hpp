@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kSheetHash =
-    "0fb912b9b85ad8f957ae7fd1adf8bf5d1b7c45a27e7a27e8622b7c3abfe13031";
+    "3717b4ba2aef82b4d11a223006c4da8ea396e2af0085a48e224643a8e9d7da0a";
 inline constexpr const char* kPageHashes[] = {
     "1d78765fd4a31eb6f060c2eaa78f2132d8d4900c186d9041e34e668aca8d9eb7",
     "b5da73db52c92aebc0d435fa9b331e1eddf1812e9a8d587dd5e0e07fab862d82",
@@ -21,7 +21,7 @@ inline constexpr const char* kPageHashes[] = {
     "52b49bf747b75baf04089bc795b029843080cf0ceee83d24a12458a68d61c276",
     "9c959503dbd57a7551b13efa9f374bd8faddd2881992a2c07c964c6cb680a49e",
     "f8503aa8bbe4a0b6b51377a068a6d20702c72a5e04d83d25e6bf23325e3980b6",
-    "942479cc42564dfddd71b95c328e2fe22be81c8d1588c7e18d5babe7b0c84bad",
+    "ed4f78902904cadb27b9ed15c5dbedf14af2e419b5c4ef3ff3432f53e810ad74",
 };
 
 }  // namespace golden
