@@ -304,10 +304,13 @@ class LinkedHeap {
     if (count == 3) {
       return 3;
     }
+    if (out[0] == out[1]) {
+      return 1;  // a pair of one field is that field
+    }
     if (kind == linked::kMaxPair) {
       op = FieldOperator::greatest;
     }
-    return out[0] == out[1] ? 1 : 2;  // a pair of one field is that field
+    return 2;
   }
 
  private:

@@ -322,6 +322,39 @@ TEST(channels_are_means_of_three_stripes) {
   CHECK(far * (INKCELL_BOARD_FIRMWARE ? 25 : 100) < compared);
 }
 
+// Fields of a linked record may say so.
+TEST(greater_of_a_field_and_itself_is_that_field) {
+  namespace linked = format::linked;
+  record = FieldRecord();
+  record.linked = true;
+  record.line_count = 1;
+  record.pair_count = 1;
+  record.references[0] = record.pair_reference(0);
+  record.fields[0] = {16384, 0, -100 * 16, 0, 0};
+  const GlyphField field = open();
+  for (int32_t round = 0; round < 2; ++round) {
+    const LcdStyle style = {round == 0 ? SubPixels::rgb
+                                       : SubPixels::rgb_vertical};
+    Brush brush = brush_of(16 * 64, kFilterText);
+    brush.set_painter(paint_lcd, &style, kLcdReach);
+    const Rect window = {-1, -4, 5, 1};
+    Canvas least(window, picture);
+    bytes[11] = static_cast<uint8_t>(linked::kMinPair << 5);
+    draw_field(field, brush, {}, least.rgb_sink());
+    Canvas greatest(window, second);
+    bytes[11] = static_cast<uint8_t>(linked::kMaxPair << 5);
+    draw_field(field, brush, {}, greatest.rgb_sink());
+    int32_t sum = 0;
+    for_pixels(window, [&](int32_t, int32_t, int32_t i) {
+      for (int32_t channel = 0; channel < 3; ++channel) {
+        CHECK_EQ(second[3 * i + channel], picture[3 * i + channel]);
+        sum += picture[3 * i + channel];
+      }
+    });
+    CHECK(sum > 0);
+  }
+}
+
 TEST(less_colour_leaves_the_mean) {
   Random random(53);
   for (int round = 0; round < kRounds / 4; ++round) {
