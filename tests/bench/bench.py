@@ -44,6 +44,8 @@ CPUS = {
     "rv32": (ROOT / "boards/riscv_virt/toolchain.cmake", "riscv_virt"),
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
+# What a build may leave out: docs/PORTING.md.
+PARTS = ("field_cells", "sample_cells", "packed", "object_order")
 # Coding: firmware, its way, what the generator is told.
 CODINGS = {
     "direct": ("direct", "upright", ["--coding", "direct"]),
@@ -101,6 +103,8 @@ def parse_arguments():
         help="sources of FreeType (default: Debian's, downloaded)")
     add("--stb", metavar="FOLDER",
         help="of stb_truetype.h (default: Debian's, downloaded)")
+    add("--without", default="", metavar="LIST",
+        help=f"leave out of Inkcell: of {', '.join(PARTS)}")
     add("--write-docs", action="store_true",
         help="measure everything on all cores and write docs/BENCHMARKS.md")
     arguments = parser.parse_args()
@@ -112,6 +116,12 @@ def parse_arguments():
             if value not in known:
                 parser.error(f"--{option} {value}: there is {', '.join(known)}")
         setattr(arguments, option, values)
+    arguments.without = [part for part in arguments.without.split(",") if part]
+    for part in arguments.without:
+        if part not in PARTS:
+            parser.error(f"--without {part}: there is {', '.join(PARTS)}")
+    if arguments.write_docs and arguments.without:
+        parser.error("--write-docs measures all of Inkcell")
     if arguments.write_docs and set(arguments.engines) != set(LIBRARIES):
         parser.error("--write-docs compares all engines")
     arguments.px = arguments.px.split(",")
@@ -224,12 +234,14 @@ class Fonts:
         return (self.folder / name).stat().st_size
 
 
-def build_firmware(cpu, opt, sources, targets, build):
+def build_firmware(cpu, opt, sources, targets, without, build):
     folder = build / f"{cpu}-{opt}"
     say(f"building {cpu} -{opt}")
     run("cmake", "-S", HERE / "firmware", "-B", folder, "-G", "Ninja",
         f"-DCMAKE_TOOLCHAIN_FILE={CPUS[cpu][0]}",
         f"-DCMAKE_BUILD_TYPE={BUILD_TYPES[opt]}",
+        *(f"-DINKCELL_{part.upper()}={'OFF' if part in without else 'ON'}"
+          for part in PARTS),
         f"-DINKCELL_BENCH_FREETYPE={sources.get('freetype', '')}",
         f"-DINKCELL_BENCH_STB={sources.get('stb', '')}")
     run("cmake", "--build", folder, "--target", *targets)
@@ -261,9 +273,10 @@ def kept_bytes(linker_map):
 class Firmware:
     """The programs of one core and optimisation."""
 
-    def __init__(self, cpu, opt, sources, targets, fonts, build):
+    def __init__(self, cpu, opt, sources, targets, fonts, without, build):
         self.cpu, self.opt, self.fonts = cpu, opt, fonts
-        self.folder = build_firmware(cpu, opt, sources, targets, build)
+        self.folder = build_firmware(cpu, opt, sources, targets, without,
+                                     build)
 
     def run(self, program, *arguments):
         """Lines of numbers that a program prints, by their first word."""
@@ -479,7 +492,7 @@ def main():
                     cpu not in SMALL_CODE_CPUS):
                 continue
             firmware = Firmware(cpu, opt, sources, sorted(targets), fonts,
-                                build)
+                                arguments.without, build)
             glyphs = []
             if "glyphs" in arguments.what:
                 glyphs = measure_glyphs(firmware, arguments, pictures)
