@@ -374,8 +374,13 @@ bool BlockPainter::draw(LeafFields& leaf, Block& block) noexcept {
     return false;
   }
   const Filter& filter = page_.filter;
-  outside_q22_ = sign_ == 0 ? (filter.outside_q10 + 1) * (1 << 12) - 1
-                            : -filter.inside_q10 * (1 << 12);
+  if (leaf.is_nested) {
+    // What is below the ramp may still round the greater of two.
+    outside_q22_ = -page_.reach_q22;
+  } else {
+    outside_q22_ = sign_ == 0 ? (filter.outside_q10 + 1) * (1 << 12) - 1
+                              : -filter.inside_q10 * (1 << 12);
+  }
   const int32_t end = y0_ + block.bottom;
   int32_t y = y0_ + block.top;
   if (leaf.count == 1) {

@@ -195,6 +195,44 @@ TEST(fields_equal_the_plain_chain) {
   CHECK(grey > rounds);
 }
 
+// Ramps that lie on one side of the edge.
+constexpr Filter kFilterInside =
+    make_filter({Q6_10::from_raw(100), Q6_10::from_raw(500)});
+constexpr Filter kFilterOutside =
+    make_filter({Q6_10::from_raw(-500), Q6_10::from_raw(-100)});
+
+// Roundings of the greater of two fields reach farther than such a ramp.
+TEST(ramps_beside_the_edge_equal_the_plain_chain) {
+  Random random(46);
+  int grey = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 1500;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    record = FieldRecord();
+    record.linked = (round & 2) != 0;
+    record.tile_log2 = 6;
+    record.make(random, 8);
+    record.node_count = 0;
+    const uint32_t fields = record.arc_count + record.line_count;
+    record.triple_count = 1;
+    record.triples[0][0] = static_cast<uint16_t>(2 + (round & 1));
+    for (uint32_t i = 0; i < 3; ++i) {
+      record.triples[0][1 + i] = static_cast<uint16_t>(i % fields);
+    }
+    record.references[0] = record.triple_reference(0);
+    const GlyphField field = open();
+    const Brush brush =
+        brush_of(random.between(40 * 64, 400 * 64), 0,
+                 random.below(2) == 0 ? kFilterInside : kFilterOutside);
+    const FinePoint origin(random.between(-9999, 9999),
+                           random.between(-9999, 9999));
+    const Rect box = field_box(field, brush, origin);
+    for (int i = 0; i < 3; ++i) {
+      grey += check_plain_chain(field, brush, origin, window_in(random, box));
+    }
+  }
+  CHECK(grey > rounds);
+}
+
 // Numbers without sense make a picture without sense, in the window.
 TEST(any_fields_stay_in_the_window) {
   Random random(42);
