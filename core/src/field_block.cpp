@@ -16,6 +16,7 @@
 // What is not inline keeps the frames on the stack small.
 #include "field_block.hpp"
 
+#include "field_draw.hpp"
 #include "order.hpp"
 
 namespace inkcell {
@@ -60,29 +61,26 @@ bool turns(int32_t change_q14, int32_t slope_q14, int32_t width) noexcept {
 
 }  // namespace
 
-void BlockPainter::fill(const Block& block) noexcept {
-  for (int32_t row = block.top; row < block.bottom; ++row) {
-    sink_.solid(sink_.context, x0_ + block.left, y0_ + row,
-                block.right - block.left);
+void BlockPainter::fill(const Rect& block) noexcept {
+  for (int32_t y = block.y0; y < block.y1; ++y) {
+    sink_.solid(sink_.context, block.x0, y, block.x1 - block.x0);
   }
 }
 
 // Sets a field up for the row above the block. What it shows of the block.
 __attribute__((noinline)) BlockPainter::Side BlockPainter::set_up(
-    Track& track, uint32_t unit) noexcept {
+    Track& track, uint32_t unit, const PixelPlace& place) noexcept {
   namespace fields = format::fields;
-  const uint8_t* at =
-      page_.field.cells + 2 * (unit & format::linked::kOffsetMask);
+  const uint8_t* at = field_.cells + 2 * (unit & format::linked::kOffsetMask);
   const int32_t nx_q14 = load_i16(at + fields::kNormalX);
   const int32_t ny_q14 = load_i16(at + fields::kNormalY);
-  const uint32_t size_q8 = page_.scale.size_q8;
   // From the middle to the outer pixels.
   int32_t half_x_q8 = (width_ - 1) << 7;
   const int32_t half_y_q8 = (height_ - 1) << 7;
-  const uint32_t x_q8 = place_.x_q8 + static_cast<uint32_t>(half_x_q8);
-  const uint32_t y_q8 = place_.y_q8 - static_cast<uint32_t>(half_y_q8);
+  const uint32_t x_q8 = place.x_q8 + static_cast<uint32_t>(half_x_q8);
+  const uint32_t y_q8 = place.y_q8 - static_cast<uint32_t>(half_y_q8);
   uint32_t plane_q22 = times(nx_q14, x_q8) + times(ny_q14, y_q8) +
-                       times(load_i16(at + fields::kOffset), size_q8);
+                       times(load_i16(at + fields::kOffset), size_q8_);
   plane_q22 = static_cast<uint32_t>(with_sign(wrapped(plane_q22), sign_));
   int32_t value = wrapped(plane_q22);
   const int32_t dx_q14 = with_sign(nx_q14, sign_);
@@ -97,14 +95,11 @@ __attribute__((noinline)) BlockPainter::Side BlockPainter::set_up(
   int32_t bend = 0;
   if ((unit & format::linked::kArcField) != 0) {
     along_q22 = times(nx_q14, y_q8) - times(ny_q14, x_q8) + (1 << 13) +
-                times(load_i16(at + fields::kAlong), size_q8);
-    bend =
-        (load_i16(at + fields::kBend) * page_.scale.bend_q14 + (1 << 10)) >> 11;
+                times(load_i16(at + fields::kAlong), size_q8_);
+    bend = (load_i16(at + fields::kBend) * bend_q14_ + (1 << 10)) >> 11;
     value = value_q22(bend, {plane_q22, along_q22});
-    const int32_t slope_q15 =
-        wrapped(times(bend, static_cast<uint32_t>(wrapped(along_q22) >> 14))) >>
-        bend_shift_;
-    const auto slope = static_cast<uint32_t>(with_sign(slope_q15, sign_));
+    const auto slope =
+        static_cast<uint32_t>(with_sign(slope_q15(bend, along_q22), sign_));
     slope_x_q14 -= wrapped(times(ny_q14, slope)) >> 14;
     slope_y_q14 += wrapped(times(nx_q14, slope)) >> 14;
     const auto way_q8 = static_cast<uint32_t>(
@@ -118,7 +113,7 @@ __attribute__((noinline)) BlockPainter::Side BlockPainter::set_up(
   const auto wide_q8 = static_cast<uint32_t>(half_x_q8);
   const auto high_q8 = static_cast<uint32_t>(half_y_q8);
   const int32_t reach_q22 = bounded(
-      static_cast<uint32_t>(page_.reach_q22 + margin_q22) +
+      static_cast<uint32_t>(reach_q22_ + margin_q22) +
       static_cast<uint32_t>(sag_q22) + times(magnitude(slope_x_q14), wide_q8) +
       times(magnitude(slope_y_q14), high_q8));
   if (value >= reach_q22) {
@@ -143,7 +138,8 @@ __attribute__((noinline)) BlockPainter::Side BlockPainter::set_up(
     if (width_ >= kMinCut) {
       // Where it turns.
       const int32_t way = slope_x_q14 * (width_ >> 1) / change_q14;
-      cut_ = (width_ >> 1) + ((bend ^ sign_) < 0 ? way : -way);
+      cut_ = static_cast<uint8_t>((width_ >> 1) +
+                                  ((bend ^ sign_) < 0 ? way : -way));
     }
   } else if (slope_x_q14 < 0) {
     track.is_left = true;
@@ -166,46 +162,51 @@ __attribute__((noinline)) BlockPainter::Side BlockPainter::set_up(
 
 // Sets up the fields of a leaf and keeps those that matter. What the block
 // shows.
-inline BlockPainter::Side BlockPainter::set_up_all(LeafFields& leaf) noexcept {
+inline BlockPainter::Side BlockPainter::set_up_all(
+    const LeafFields& leaf, const PixelPlace& place) noexcept {
+  sign_ = -(static_cast<int32_t>(leaf.op) & 1);
+  is_nested_ = leaf.op >= FieldOperator::least_of_greater;
+  count_ = leaf.count;
+  for (uint32_t i = 0; i < count_; ++i) {
+    tracks_[i].unit = leaf.units[i];
+  }
   while (true) {
-    sign_ = leaf.sign;
-    const uint32_t all = leaf.count;
-    leaf.count = 0;
+    const uint32_t all = count_;
+    count_ = 0;
     Side sides[3];
     for (uint32_t i = 0; i < all; ++i) {
-      const uint16_t unit = leaf.units[i];
-      sides[i] = set_up(tracks_[leaf.count], unit);
-      if (sides[i] == Side::outside && (i == 0 || !leaf.is_nested)) {
+      sides[i] = set_up(tracks_[count_], tracks_[i].unit, place);
+      if (sides[i] == Side::outside && (i == 0 || !is_nested_)) {
         return Side::outside;
       }
       if (sides[i] == Side::edge) {
-        leaf.units[leaf.count++] = unit;
+        ++count_;
       }
     }
-    if (!leaf.is_nested || leaf.count == 3) {
+    if (!is_nested_ || count_ == 3) {
       break;
     }
     if (sides[1] == Side::outside && sides[2] == Side::outside) {
       return Side::outside;
     }
-    leaf.is_nested = false;
+    is_nested_ = false;
     const bool is_first_left = sides[0] == Side::edge;
     if (sides[1] == Side::inside || sides[2] == Side::inside) {
-      leaf.count = is_first_left ? 1 : 0;
+      count_ = is_first_left ? 1 : 0;
       break;
     }
     if (is_first_left) {
       break;
     }
     // The greater of the others is all.
-    leaf.sign = ~leaf.sign;
+    sign_ = ~sign_;
   }
-  return leaf.count == 0 ? Side::inside : Side::edge;
+  return count_ == 0 ? Side::inside : Side::edge;
 }
 
 // Whether all rows of the block are alike.
-inline bool BlockPainter::is_steady(uint32_t count) const noexcept {
-  for (uint32_t i = 0; i < count; ++i) {
+inline bool BlockPainter::is_steady() const noexcept {
+  for (uint32_t i = 0; i < count_; ++i) {
     if (tracks_[i].down.plane_q22 != 0 || tracks_[i].bend != 0) {
       return false;
     }
@@ -229,10 +230,10 @@ __attribute__((noinline)) void BlockPainter::draw_lone(int32_t y,
   const Spot further = track.further;
   const bool is_left = track.is_left;
   const bool is_wavy = track.is_wavy;
-  const bool is_same = is_steady(1);
+  const bool is_same = is_steady();
   const bool is_solid_left = is_left != (sign_ != 0);
   const int32_t outside_q22 = outside_q22_ - track.margin_q22;
-  const int32_t inside_q22 = page_.reach_q22 + track.margin_q22;
+  const int32_t inside_q22 = reach_q22_ + track.margin_q22;
   Spot spot = track.spot;
   int32_t most = width;  // pixels from `spot` on
   int32_t shown = 0;     // of them not outside: all or none
@@ -312,20 +313,19 @@ inline int32_t BlockPainter::solid(int32_t from,
   return end;
 }
 
-__attribute__((noinline)) void BlockPainter::hand_over(const Row& row,
-                                                       int32_t y) noexcept {
-  int32_t from = row.begin;
-  int32_t end = row.end;
+__attribute__((noinline)) void BlockPainter::hand_over(int32_t y) noexcept {
+  int32_t from = row_.begin;
+  int32_t end = row_.end;
   if (sign_ == 0) {
-    from = solid(from, row.solid_begin, row.solid_end, y);
+    from = solid(from, row_.solid_begin, row_.solid_end, y);
   } else {
     // All is the other way round.
     from = solid(0, 0, from, y);
-    if (row.solid_end - row.solid_begin >= kMinGap) {
-      span(from, row.solid_begin, y);
-      from = row.solid_end;
+    if (row_.solid_end - row_.solid_begin >= kMinGap) {
+      span(from, row_.solid_begin, y);
+      from = row_.solid_end;
     } else {
-      for (int32_t x = row.solid_begin; x < row.solid_end; ++x) {
+      for (int32_t x = row_.solid_begin; x < row_.solid_end; ++x) {
         buffer_[x] = 0;
       }
     }
@@ -335,69 +335,87 @@ __attribute__((noinline)) void BlockPainter::hand_over(const Row& row,
   span(from, end, y);
 }
 
-BlockPainter::BlockPainter(const FieldPage& page,
-                           const Sink& sink,
-                           const Rect& pixels,
-                           const PixelPlace& first) noexcept
-    : page_(page),
+BlockPainter::BlockPainter(const GlyphField& field,
+                           const Brush& brush,
+                           const Sink& sink) noexcept
+    : field_(field),
+      filter_(brush.filter()),
       sink_(sink),
-      first_(first),
-      x0_(pixels.x0),
-      y0_(pixels.y0),
-      bend_shift_(page.scale.bend_log2 + 5) {
-  const Filter& filter = page.filter;
-  ramp_.outside_q10 = filter.outside_q10;
-  ramp_.length_q10 =
-      static_cast<uint32_t>(greater(filter.inside_q10 - filter.outside_q10, 0));
-  ramp_.scale = filter.scale;
+      size_q8_(scale_of(brush).size_q8),
+      bend_q14_(brush.bend_q14()),
+      reach_q22_(reach_of(filter_)),
+      ramp_({filter_.outside_q10,
+             static_cast<uint16_t>(
+                 greater(filter_.inside_q10 - filter_.outside_q10, 0)),
+             filter_.scale}),
+      bend_shift_(static_cast<uint8_t>(brush.bend_log2() + 5)) {}
+
+inline void BlockPainter::next_row() noexcept {
+  const uint32_t some = follow_all();
+  switch (some) {
+    case 0:
+      row_ = row(0, 0, width_, width_);
+      break;
+    case 1:
+    case 2:
+    case 4:
+      single_row(tracks_[some >> 1]);
+      break;
+    case kAll:
+      triple_row();
+      break;
+    case kNone:
+      row_ = row(width_, width_, width_, width_);
+      break;
+    default:
+      pair_row(tracks_[~some & 1], tracks_[1 + (some >> 2)]);
+  }
 }
 
-bool BlockPainter::draw(LeafFields& leaf, Block& block) noexcept {
-  cut_ = 0;
-  width_ = block.right - block.left;
-  left_ = x0_ + block.left;
-  height_ = block.bottom - block.top;
-  place_ = {first_.x_q8 + (static_cast<uint32_t>(block.left) << 8),
-            first_.y_q8 - (static_cast<uint32_t>(block.top) << 8)};
-  const Side side = set_up_all(leaf);
-  if (side != Side::edge) {
-    if ((side == Side::inside) == (sign_ == 0)) {
-      fill(block);
-    }
-    return true;
-  }
-  if (leaf.count == 3 && width_ >= kMinCutOfThree) {
-    cut_ = width_ >> 1;
-  }
-  if (cut_ > 1 && cut_ < width_ - 1) {
-    block.right = block.left + cut_;
-    return false;
-  }
-  const Filter& filter = page_.filter;
-  if (leaf.is_nested) {
-    // What is below the ramp may still round the greater of two.
-    outside_q22_ = -page_.reach_q22;
-  } else {
-    outside_q22_ = sign_ == 0 ? (filter.outside_q10 + 1) * (1 << 12) - 1
-                              : -filter.inside_q10 * (1 << 12);
-  }
-  const int32_t end = y0_ + block.bottom;
-  int32_t y = y0_ + block.top;
-  if (leaf.count == 1) {
-    draw_lone(y, end);
-    return true;
-  }
-  const bool is_same = is_steady(leaf.count);
-  Row row = several_row(leaf);
+void BlockPainter::draw(const LeafFields& leaf, Rect& block) noexcept {
+  left_ = block.x0;
+  height_ = static_cast<uint8_t>(block.y1 - block.y0);
+  const PixelPlace place = {
+      origin_.x_q8 + (static_cast<uint32_t>(block.x0) << 8),
+      origin_.y_q8 - (static_cast<uint32_t>(block.y0) << 8)};
   while (true) {
-    hand_over(row, y);
-    if (++y == end) {
-      return true;
+    cut_ = 0;
+    width_ = block.x1 - block.x0;
+    const Side side = set_up_all(leaf, place);
+    if (side != Side::edge) {
+      if ((side == Side::inside) == (sign_ == 0)) {
+        fill(block);
+      }
+      return;
     }
-    place_.y_q8 -= 1 << 8;
-    if (!is_same) {
-      row = several_row(leaf);
+    if (count_ == 3 && width_ >= kMinCutOfThree) {
+      cut_ = static_cast<uint8_t>(width_ >> 1);
     }
+    if (cut_ <= 1 || cut_ >= width_ - 1) {
+      break;
+    }
+    block.x1 = block.x0 + cut_;
+  }
+  if (is_nested_) {
+    // What is below the ramp may still round the greater of two.
+    outside_q22_ = -reach_q22_;
+  } else {
+    outside_q22_ = sign_ == 0 ? (filter_.outside_q10 + 1) * (1 << 12) - 1
+                              : -filter_.inside_q10 * (1 << 12);
+  }
+  const int32_t end = block.y1;
+  int32_t y = block.y0;
+  if (count_ == 1) {
+    draw_lone(y, end);
+    return;
+  }
+  const bool is_same = is_steady();
+  for (bool is_drawn = false; y != end; ++y) {
+    if (!is_drawn || !is_same) {
+      is_drawn = true;
+      next_row();
+    }
+    hand_over(y);
   }
 }
 

@@ -3,38 +3,51 @@
 
 #include <stdint.h>
 
-#include "field_combine.hpp"
+#include "field_cell.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/filter.hpp"
+#include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace detail {
 
-// Whole pixels of the glyph's box: columns from the left, rows from the top.
-struct Block {
-  int32_t left;
-  int32_t top;
-  int32_t right;
-  int32_t bottom;
-};
-
 // The largest block: a row of it makes one span. [px]
 inline constexpr int32_t kMaxBlockSide = kMaxSpan;
 
-// Draws blocks of leaves.
+// Where a pixel lies in the glyph. [px, Q8]
+struct PixelPlace {
+  uint32_t x_q8;
+  uint32_t y_q8;
+};
+
+// The fields of a leaf.
+struct LeafFields {
+  uint16_t units[3];
+  uint8_t count;
+  FieldOperator op;
+};
+
+// Draws blocks of leaves. Whatever a row needs is a member, which keeps the
+// frames on the stack small.
 class BlockPainter {
  public:
-  // The glyph's box of pixels, whose upper left pixel is at `first`.
-  BlockPainter(const FieldPage& page,
-               const Sink& sink,
-               const Rect& pixels,
-               const PixelPlace& first) noexcept;
+  BlockPainter(const GlyphField& field,
+               const Brush& brush,
+               const Sink& sink) noexcept;
+
+  // Where the screen's pixel (0, 0) is; may wrap.
+  void set_origin(const PixelPlace& origin) noexcept { origin_ = origin; }
+
+  const GlyphField& field() const noexcept { return field_; }
+  uint32_t size_q8() const noexcept { return size_q8_; }
+  const Sink& sink() const noexcept { return sink_; }
 
   // A block that is all inside.
-  void fill(const Block& block) noexcept;
+  void fill(const Rect& block) noexcept;
 
-  // A block of a leaf that has fields, at most kMaxBlockSide wide and high.
-  // False: nothing was drawn, and the block became narrower: the rest of it is
-  // a block of its own. `leaf` is changed.
-  bool draw(LeafFields& leaf, Block& block) noexcept;
+  // A block of a leaf that has fields, at most kMaxBlockSide wide and high, or
+  // its left part: `block` becomes what was drawn.
+  void draw(const LeafFields& leaf, Rect& block) noexcept;
 
  private:
   // What a field or all of them show: nothing, all, or what distances say.
@@ -65,6 +78,7 @@ class BlockPainter {
     Spot down;     // what a row down takes off
     int32_t bend;
     int32_t margin_q22;  // how far beyond the ramp the rest is saturated
+    int32_t value_q22;   // at a pixel where fields are combined
     uint16_t unit;
     int8_t rest;       // pixels behind that one in the block
     bool is_left : 1;  // the way goes to the left
@@ -74,72 +88,101 @@ class BlockPainter {
   // The pixels of a row that are not outside. Those in the middle are inside,
   // the others in the buffer.
   struct Row {
-    int32_t begin;
-    int32_t solid_begin;
-    int32_t solid_end;
-    int32_t end;
+    uint8_t begin;
+    uint8_t solid_begin;
+    uint8_t solid_end;
+    uint8_t end;
   };
+
+  static Row row(int32_t begin,
+                 int32_t solid_begin,
+                 int32_t solid_end,
+                 int32_t end) noexcept {
+    return {static_cast<uint8_t>(begin), static_cast<uint8_t>(solid_begin),
+            static_cast<uint8_t>(solid_end), static_cast<uint8_t>(end)};
+  }
+
+  // Sets of tracks.
+  static constexpr uint32_t kAll = 7;
+  static constexpr uint32_t kNone = 8;
 
   // What becomes of distances: Filter, as the inner loops read it.
   struct Ramp {
-    int32_t outside_q10;
-    uint32_t length_q10;
-    uint32_t scale;
+    int16_t outside_q10;
+    uint16_t length_q10;
+    uint16_t scale;
   };
 
+  int32_t slope_q15(int32_t bend, uint32_t along_q22) const noexcept;
   int32_t value_q22(int32_t bend, const Spot& spot) const noexcept;
   uint8_t coverage(int32_t value_q22) const noexcept;
   int32_t x_of(const Track& track) const noexcept;
+  int32_t way_to(const Track& track, int32_t x) const noexcept;
   Spot spot_at(const Track& track, int32_t x) const noexcept;
-  Side set_up(Track& track, uint32_t unit) noexcept;
-  Side set_up_all(LeafFields& leaf) noexcept;
-  bool is_steady(uint32_t count) const noexcept;
+  Side set_up(Track& track, uint32_t unit, const PixelPlace& place) noexcept;
+  Side set_up_all(const LeafFields& leaf, const PixelPlace& place) noexcept;
+  bool is_steady() const noexcept;
   Side follow(Track& track) const noexcept;
+  Vector gradient_q14(const Track& track, int32_t x) const noexcept;
+  int32_t rounded(const Track& lesser,
+                  const Track& greater,
+                  int32_t x) const noexcept;
+  int32_t least(const Track& a, const Track& b, int32_t x) const noexcept;
+  int32_t least_of_three(int32_t x) noexcept;
   void draw_lone(int32_t y, int32_t end_y) noexcept;
   int32_t draw_ramp(const Track& track, int32_t most) noexcept;
-  int32_t draw_both(const Track& a,
-                    const Track& b,
-                    int32_t begin,
-                    int32_t end) noexcept;
-  void narrow(const Track& track, int32_t& begin, int32_t& end) const noexcept;
-  Row single_row(const Track& track) noexcept;
-  Row pair_row(const Track& a, const Track& b) noexcept;
-  Row triple_row(const LeafFields& leaf) noexcept;
-  Row several_row(const LeafFields& leaf) noexcept;
-  void hand_over(const Row& row, int32_t y) noexcept;
+  int32_t draw_both(Track& a, Track& b, int32_t begin, int32_t end) noexcept;
+  int32_t begin_of(const Track& track) const noexcept;
+  int32_t end_of(const Track& track) const noexcept;
+  void single_row(const Track& track) noexcept;
+  void pair_row(Track& a, Track& b) noexcept;
+  void triple_row() noexcept;
+  uint32_t follow_all() noexcept;
+  void next_row() noexcept;
+  void hand_over(int32_t y) noexcept;
   int32_t solid(int32_t from, int32_t begin, int32_t end, int32_t y) noexcept;
   void span(int32_t begin, int32_t end, int32_t y) noexcept;
 
-  Row outside_row() const noexcept { return {width_, width_, width_, width_}; }
-  Row inside_row() const noexcept { return {0, 0, width_, width_}; }
-
-  const FieldPage& page_;
-  const Sink& sink_;
-  PixelPlace first_;
-  int32_t x0_;
-  int32_t y0_;
-  int32_t bend_shift_;
-  Ramp ramp_ = {};
+  uint8_t buffer_[kMaxBlockSide];
   // Of the block.
   int32_t width_ = 0;
-  int32_t height_ = 0;
-  int32_t left_ = 0;         // on the screen
-  int32_t cut_ = 0;          // where it is better cut in two
-  int32_t sign_ = 0;         // of the leaf
+  int32_t sign_ = 0;         // -1: all values are negated
   int32_t outside_q22_ = 0;  // the greatest value that is outside
-  PixelPlace place_ = {};    // of the row's first pixel
+  int32_t left_ = 0;         // on the screen
+  uint8_t height_ = 0;
+  uint8_t cut_ = 0;    // where it is better cut in two
+  uint8_t count_ = 0;  // fields that matter
+  bool is_nested_ = false;
+  Row row_ = {};
+  // Of the glyph.
+  const GlyphField& field_;
+  const Filter& filter_;
+  const Sink& sink_;
+  PixelPlace origin_ = {};
+  uint32_t size_q8_;
+  int32_t bend_q14_;
+  int32_t reach_q22_;
+  Ramp ramp_;
+  uint8_t bend_shift_;
+
   Track tracks_[3];
-  uint8_t buffer_[kMaxBlockSide];
 };
+
+// FieldTerm::slope_q15.
+inline int32_t BlockPainter::slope_q15(int32_t bend,
+                                       uint32_t along_q22) const noexcept {
+  const auto along_q8 = static_cast<uint32_t>(wrapped(along_q22) >> 14);
+  return wrapped(times(bend, along_q8)) >> bend_shift_;
+}
 
 inline int32_t BlockPainter::value_q22(int32_t bend,
                                        const Spot& spot) const noexcept {
   if (bend == 0) {
     return wrapped(spot.plane_q22);
   }
-  const auto along = static_cast<uint32_t>(wrapped(spot.along_q22) >> 14);
-  const int32_t slope_q15 = wrapped(times(bend, along)) >> bend_shift_;
-  const int32_t sag_q22 = wrapped(times(slope_q15, along)) >> 1;
+  const auto along_q8 = static_cast<uint32_t>(wrapped(spot.along_q22) >> 14);
+  const int32_t sag_q22 =
+      wrapped(times(slope_q15(bend, spot.along_q22), along_q8)) >> 1;
   return wrapped(spot.plane_q22 +
                  static_cast<uint32_t>(with_sign(sag_q22, sign_)));
 }
@@ -150,7 +193,7 @@ inline uint8_t BlockPainter::coverage(int32_t value_q22) const noexcept {
       (with_sign(value_q22, sign_) >> 12) - ramp_.outside_q10;
   const auto way = static_cast<uint32_t>(way_q10);
   if (way < ramp_.length_q10) {
-    return page_.filter.table[static_cast<uint8_t>((way * ramp_.scale) >> 14)];
+    return filter_.table[static_cast<uint8_t>((way * ramp_.scale) >> 14)];
   }
   return way_q10 < 0 ? 0 : 255;
 }

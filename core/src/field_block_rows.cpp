@@ -38,7 +38,7 @@ __attribute__((noinline)) BlockPainter::Side BlockPainter::follow(
       spot = back;
       value = before;
     }
-    if (rest == width_ - 1 && value >= page_.reach_q22 + track.margin_q22) {
+    if (rest == width_ - 1 && value >= reach_q22_ + track.margin_q22) {
       side = Side::inside;
     }
   }
@@ -57,7 +57,7 @@ inline int32_t BlockPainter::x_of(const Track& track) const noexcept {
 __attribute__((noinline)) int32_t BlockPainter::draw_ramp(
     const Track& track, int32_t most) noexcept {
   const int32_t inside_q22 =
-      track.is_wavy ? INT32_MAX : page_.reach_q22 + track.margin_q22;
+      track.is_wavy ? INT32_MAX : reach_q22_ + track.margin_q22;
   uint8_t* at = buffer_ + x_of(track);
   const int32_t step = track.is_left ? -1 : 1;
   const int32_t bend = track.bend;
@@ -76,30 +76,96 @@ __attribute__((noinline)) int32_t BlockPainter::draw_ramp(
   return most - left;
 }
 
-inline BlockPainter::Row BlockPainter::single_row(const Track& track) noexcept {
+__attribute__((noinline)) void BlockPainter::single_row(
+    const Track& track) noexcept {
   const int32_t most = track.rest + 1;
   const int32_t solid = most - draw_ramp(track, most);
   if (track.is_left) {
-    return {0, 0, solid, most};
+    row_ = row(0, 0, solid, most);
+  } else {
+    row_ = row(width_ - most, width_ - solid, width_, width_);
   }
-  return {width_ - most, width_ - solid, width_, width_};
 }
 
-// A field at a pixel of its row.
+// How many pixels a field is followed to a pixel of its row.
+inline int32_t BlockPainter::way_to(const Track& track,
+                                    int32_t x) const noexcept {
+  const int32_t way = x - x_of(track);
+  return track.is_left ? -way : way;
+}
+
 inline BlockPainter::Spot BlockPainter::spot_at(const Track& track,
                                                 int32_t x) const noexcept {
-  const int32_t way = x - x_of(track);
-  return track.spot.plus(track.further.times(track.is_left ? -way : way));
+  return track.spot.plus(track.further.times(way_to(track, x)));
+}
+
+// A field's gradient at a pixel of its row, without the leaf's sign.
+__attribute__((noinline)) Vector BlockPainter::gradient_q14(
+    const Track& track, int32_t x) const noexcept {
+  const int32_t nx_q14 = wrapped(track.down.along_q22) >> 8;
+  const int32_t right_q14 = wrapped(track.further.along_q22) >> 8;
+  const int32_t ny_q14 = track.is_left ? right_q14 : -right_q14;
+  if (track.bend == 0) {
+    return {nx_q14, ny_q14};
+  }
+  const uint32_t along_q22 =
+      track.spot.along_q22 + times(way_to(track, x), track.further.along_q22);
+  const auto slope = static_cast<uint32_t>(slope_q15(track.bend, along_q22));
+  return {nx_q14 - (wrapped(times(ny_q14, slope)) >> 14),
+          ny_q14 + (wrapped(times(nx_q14, slope)) >> 14)};
+}
+
+// The lesser of two values at a pixel, rounded at the vertex of their fields.
+__attribute__((noinline)) int32_t BlockPainter::rounded(
+    const Track& lesser, const Track& greater, int32_t x) const noexcept {
+  return rounded_q22(lesser.value_q22, gradient_q14(lesser, x),
+                     greater.value_q22, gradient_q14(greater, x));
+}
+
+// The lesser of two values, rounded where that changes coverage: where the
+// greater one is farther from 0 no vertex is near.
+inline int32_t BlockPainter::least(const Track& a,
+                                   const Track& b,
+                                   int32_t x) const noexcept {
+  const bool in_order = a.value_q22 <= b.value_q22;
+  const Track& low = in_order ? a : b;
+  const Track& high = in_order ? b : a;
+  const int32_t value = low.value_q22;
+  if (value < 0 && value > -reach_q22_ && value + high.value_q22 < 0) {
+    return rounded(low, high, x);
+  }
+  return value;
+}
+
+// The distance of three fields from their values, which may be changed.
+__attribute__((noinline)) int32_t BlockPainter::least_of_three(
+    int32_t x) noexcept {
+  Track* first = tracks_;
+  Track* second = tracks_ + 1;
+  Track* const third = tracks_ + 2;
+  if (is_nested_) {
+    second->value_q22 = with_sign(second->value_q22, -1);
+    third->value_q22 = with_sign(third->value_q22, -1);
+    const int32_t inner = with_sign(least(*second, *third, x), -1);
+    second = second->value_q22 <= third->value_q22 ? second : third;
+    second->value_q22 = inner;
+  } else if (first->value_q22 > second->value_q22 &&
+             first->value_q22 > third->value_q22) {
+    first = third;  // without the greatest
+  } else if (second->value_q22 > third->value_q22) {
+    second = third;
+  }
+  return least(*first, *second, x);
 }
 
 // Draws pixels begin <= x < end of two fields, to the left if that is the way
 // of both, up to where both are inside if they go one way. How many there were.
 __attribute__((noinline)) int32_t BlockPainter::draw_both(
-    const Track& a, const Track& b, int32_t begin, int32_t end) noexcept {
+    Track& a, Track& b, int32_t begin, int32_t end) noexcept {
   const bool is_left = a.is_left && b.is_left;
   int32_t inside_q22 = INT32_MAX;
   if (a.is_left == b.is_left && !a.is_wavy && !b.is_wavy) {
-    inside_q22 = page_.reach_q22 + greater(a.margin_q22, b.margin_q22);
+    inside_q22 = reach_q22_ + greater(a.margin_q22, b.margin_q22);
   }
   int32_t x = is_left ? end - 1 : begin;
   Spot at_a = spot_at(a, x);
@@ -111,21 +177,19 @@ __attribute__((noinline)) int32_t BlockPainter::draw_both(
   const int32_t outside_q22 = outside_q22_;
   int32_t left = end - begin;
   do {
-    int32_t values[2] = {value_q22(bend_a, at_a), 0};
-    int32_t value = values[0];
+    const int32_t value_a = value_q22(bend_a, at_a);
+    int32_t value = value_a;
     if (value > outside_q22) {
-      values[1] = value_q22(bend_b, at_b);
-      const bool in_order = value <= values[1];
-      value = in_order ? value : values[1];
+      const int32_t value_b = value_q22(bend_b, at_b);
+      value = lesser(value, value_b);
       if (value >= inside_q22) {
         break;
       }
       // Where the greater one is farther from 0 no vertex is near.
-      if (value < 0 && value > outside_q22 && values[0] + values[1] < 0) {
-        const LeafFields leaf = {{a.unit, b.unit}, false, 2, sign_};
-        value = rounded_at(
-            page_, leaf, in_order ? 0 : 1, in_order ? 1 : 0, values,
-            {place_.x_q8 + (static_cast<uint32_t>(x) << 8), place_.y_q8});
+      if (value < 0 && value > outside_q22 && value_a + value_b < 0) {
+        a.value_q22 = value_a;
+        b.value_q22 = value_b;
+        value = value_a <= value_b ? rounded(a, b, x) : rounded(b, a, x);
       }
     }
     buffer_[x] = coverage(value);
@@ -136,26 +200,22 @@ __attribute__((noinline)) int32_t BlockPainter::draw_both(
   return end - begin - left;
 }
 
-// Leaves out what the field shows to be outside.
-inline void BlockPainter::narrow(const Track& track,
-                                 int32_t& begin,
-                                 int32_t& end) const noexcept {
-  if (track.is_left) {
-    end = lesser(end, track.rest + 1);
-  } else {
-    begin = greater(begin, width_ - 1 - track.rest);
-  }
+// The pixels of a row that a field does not show to be outside.
+inline int32_t BlockPainter::begin_of(const Track& track) const noexcept {
+  return track.is_left ? 0 : width_ - 1 - track.rest;
+}
+inline int32_t BlockPainter::end_of(const Track& track) const noexcept {
+  return track.is_left ? track.rest + 1 : width_;
 }
 
 // A row of two fields that both matter.
-__attribute__((noinline)) BlockPainter::Row BlockPainter::pair_row(
-    const Track& a, const Track& b) noexcept {
-  int32_t begin = 0;
-  int32_t end = width_;
-  narrow(a, begin, end);
-  narrow(b, begin, end);
+__attribute__((noinline)) void BlockPainter::pair_row(Track& a,
+                                                      Track& b) noexcept {
+  const int32_t begin = greater(begin_of(a), begin_of(b));
+  const int32_t end = lesser(end_of(a), end_of(b));
   if (begin >= end) {
-    return outside_row();
+    row_ = row(width_, width_, width_, width_);
+    return;
   }
   int32_t both_begin = begin;
   int32_t both_end = end;
@@ -163,106 +223,80 @@ __attribute__((noinline)) BlockPainter::Row BlockPainter::pair_row(
     both_end = begin + draw_ramp(a.is_left ? b : a, end - begin);
     both_begin = end - draw_ramp(a.is_left ? a : b, end - begin);
     if (both_end <= both_begin) {
-      return {begin, both_end, both_begin, end};
+      row_ = row(begin, both_end, both_begin, end);
+      return;
     }
   }
   const int32_t drawn = draw_both(a, b, both_begin, both_end);
   if (a.is_left && b.is_left) {
-    return {begin, begin, end - drawn, end};
+    row_ = row(begin, begin, end - drawn, end);
+  } else {
+    const bool is_cut = drawn < both_end - both_begin;
+    row_ = row(begin, is_cut ? begin + drawn : end, end, end);
   }
-  return {begin, drawn < both_end - both_begin ? begin + drawn : end, end, end};
 }
 
 // A row of three fields that all matter.
-__attribute__((noinline)) BlockPainter::Row BlockPainter::triple_row(
-    const LeafFields& leaf) noexcept {
-  const int32_t reach_q22 = page_.reach_q22;
+__attribute__((noinline)) void BlockPainter::triple_row() noexcept {
   int32_t begin = 0;
   int32_t end = width_;
-  Spot spots[3];
-  const uint32_t least = leaf.is_nested ? 1 : 3;
+  const uint32_t least = is_nested_ ? 1 : 3;
   for (uint32_t i = 0; i < least; ++i) {
-    narrow(tracks_[i], begin, end);
+    begin = greater(begin, begin_of(tracks_[i]));
+    end = lesser(end, end_of(tracks_[i]));
   }
   if (begin >= end) {
-    return outside_row();
+    row_ = row(width_, width_, width_, width_);
+    return;
   }
+  row_ = row(begin, end, end, end);
+  Spot spots[3];
   for (uint32_t i = 0; i < 3; ++i) {
     spots[i] = spot_at(tracks_[i], begin);
   }
   for (int32_t x = begin; x < end; ++x) {
-    int32_t values[3];
     for (uint32_t i = 0; i < 3; ++i) {
-      const Track& track = tracks_[i];
-      values[i] = value_q22(track.bend, spots[i]);
+      Track& track = tracks_[i];
+      track.value_q22 = value_q22(track.bend, spots[i]);
       spots[i] = track.is_left ? spots[i].minus(track.further)
                                : spots[i].plus(track.further);
     }
     // Roundings change values on the ramp only, but there by any amount.
-    const int32_t others = leaf.is_nested ? greater(values[1], values[2])
-                                          : lesser(values[1], values[2]);
-    int32_t value = lesser(values[0], others);
-    if (value < reach_q22 && value > -reach_q22) {
-      value = combined(
-          page_, leaf, values,
-          {place_.x_q8 + (static_cast<uint32_t>(x) << 8), place_.y_q8});
+    const int32_t b = tracks_[1].value_q22;
+    const int32_t c = tracks_[2].value_q22;
+    int32_t value =
+        lesser(tracks_[0].value_q22, is_nested_ ? greater(b, c) : lesser(b, c));
+    if (value < reach_q22_ && value > -reach_q22_) {
+      value = least_of_three(x);
     }
     buffer_[x] = coverage(value);
   }
-  return {begin, end, end, end};
 }
 
-// A row of several fields: most of them matter in a part of their cell only.
-__attribute__((noinline)) BlockPainter::Row BlockPainter::several_row(
-    const LeafFields& leaf) noexcept {
-  Side sides[3] = {};
-  for (uint32_t i = 0; i < leaf.count; ++i) {
-    sides[i] = follow(tracks_[i]);
-  }
-  if (sides[0] == Side::outside) {
-    return outside_row();
-  }
-  const Track* some[3];
-  uint32_t count = 0;
-  if (leaf.count == 2) {
-    if (sides[1] == Side::outside) {
-      return outside_row();
-    }
-    if (sides[0] == Side::edge && sides[1] == Side::edge) {
-      return pair_row(tracks_[0], tracks_[1]);
+// Goes on to the next row of several fields, most of which matter in a part of
+// their cell only. Those that do: bit i is track i.
+__attribute__((noinline)) uint32_t BlockPainter::follow_all() noexcept {
+  uint32_t edges = 0;
+  uint32_t outsides = 0;
+  for (uint32_t i = 0; i < count_; ++i) {
+    const Side side = follow(tracks_[i]);
+    if (side == Side::edge) {
+      edges |= 1u << i;
+    } else if (side == Side::outside) {
+      outsides |= 1u << i;
     }
   }
-  if (leaf.is_nested) {
-    if (sides[1] == Side::outside && sides[2] == Side::outside) {
-      return outside_row();
-    }
-    if (sides[1] != Side::inside && sides[2] != Side::inside) {
-      if (sides[0] == Side::inside ||
-          (sides[1] == Side::edge && sides[2] == Side::edge)) {
-        return triple_row(leaf);
-      }
-      some[count++] = tracks_ + (sides[1] == Side::edge ? 1 : 2);
-    }
-    if (sides[0] == Side::edge) {
-      some[count++] = tracks_;
-    }
-  } else {
-    for (uint32_t i = 0; i < leaf.count; ++i) {
-      if (sides[i] == Side::outside) {
-        return outside_row();
-      }
-      if (sides[i] == Side::edge) {
-        some[count++] = tracks_ + i;
-      }
-    }
+  if (!is_nested_) {
+    return outsides != 0 ? kNone : edges;
   }
-  if (count == 0) {
-    return inside_row();
+  constexpr uint32_t kInner = 6;
+  if ((outsides & 1) != 0 || (outsides & kInner) == kInner) {
+    return kNone;
   }
-  if (count == 1) {
-    return single_row(*some[0]);
+  if (((edges | outsides) & kInner) != kInner) {
+    return edges & 1;
   }
-  return count == 2 ? pair_row(*some[0], *some[1]) : triple_row(leaf);
+  return (edges & kInner) == kInner ? kAll : edges;
 }
 
 }  // namespace detail

@@ -37,6 +37,12 @@ inline int32_t wrapped(uint32_t value) noexcept {
   return static_cast<int32_t>(value);
 }
 
+// -value if `sign` is -1, value if it is 0; may wrap.
+inline int32_t with_sign(int32_t value, int32_t sign) noexcept {
+  return wrapped(static_cast<uint32_t>(value ^ sign) -
+                 static_cast<uint32_t>(sign));
+}
+
 // One field at one point.
 struct FieldTerm {
   uint32_t plane_q22;  // n.p + c [px]

@@ -3,7 +3,6 @@
 #include "field_draw.hpp"
 
 #include "cell_access.hpp"
-#include "field_combine.hpp"
 #include "field_row.hpp"
 #include "order.hpp"
 #include "position.hpp"
@@ -62,19 +61,6 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
   }
 }
 
-__attribute__((noinline)) void draw_cells(const GlyphField& field,
-                                          const Brush& brush,
-                                          const Placed& placed,
-                                          const Sink& sink) noexcept {
-  const Upright upright = place_upright(field, brush, placed, sink.window);
-  if (is_empty(upright.pixels)) {
-    return;
-  }
-  const FieldPage page = {field, brush.filter(), scale_of(brush),
-                          reach_of(brush.filter()), brush.step_along_q16()};
-  draw_by_cells(page, upright, sink);
-}
-
 // Object order wins from this size on. [px to the em, Q8]
 constexpr uint32_t kCellsFromQ8 = 40 << 8;
 
@@ -86,7 +72,7 @@ void draw_fields(const GlyphField& field,
                  const Sink& sink) noexcept {
   if (INKCELL_OBJECT_ORDER != 0 && placed.rows == nullptr &&
       scale_of(brush).size_q8 >= kCellsFromQ8) {
-    draw_cells(field, brush, placed, sink);
+    draw_by_cells(field, brush, placed, sink);
   } else {
     draw_rows(field, brush, placed, sink);
   }

@@ -108,6 +108,13 @@ void draw_fields(const GlyphField& field,
                  const Placed& placed,
                  const Sink& sink) noexcept;
 
+// The same cell after cell: fastest where cells have many pixels. Upright and
+// not fitted.
+void draw_by_cells(const GlyphField& field,
+                   const Brush& brush,
+                   const Placed& placed,
+                   const Sink& sink) noexcept;
+
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]
 int32_t fields_distance_q10(const GlyphField& field,
                             const Brush& brush,

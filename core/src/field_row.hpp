@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "field_cell.hpp"
-#include "field_combine.hpp"
 #include "inkcell/field.hpp"
 #include "order.hpp"
 

@@ -29,11 +29,6 @@ struct PointQ8 {
   uint32_t y;
 };
 
-int32_t with_sign(int32_t value, int32_t sign) noexcept {
-  return wrapped(static_cast<uint32_t>(value ^ sign) -
-                 static_cast<uint32_t>(sign));
-}
-
 // The plain way, negated if the leaf is.
 __attribute__((noinline)) int32_t stretched(const Slanted& slanted,
                                             const SlantedLeaf& leaf,
