@@ -365,7 +365,7 @@ inline void BlockPainter::next_row() noexcept {
       triple_row();
       break;
     case kNone:
-      row_ = row(width_, width_, width_, width_);
+      set_outside();
       break;
     default:
       pair_row(tracks_[~some & 1], tracks_[1 + (some >> 2)]);

@@ -134,6 +134,7 @@ class BlockPainter {
   int32_t draw_both(Track& a, Track& b, int32_t begin, int32_t end) noexcept;
   int32_t begin_of(const Track& track) const noexcept;
   int32_t end_of(const Track& track) const noexcept;
+  void set_outside() noexcept;
   void single_row(const Track& track) noexcept;
   void pair_row(Track& a, Track& b) noexcept;
   void triple_row() noexcept;

@@ -53,7 +53,7 @@ inline int32_t BlockPainter::x_of(const Track& track) const noexcept {
 }
 
 // Draws from where a field's ramp begins to where it ends, but `most` pixels at
-// the most. How many there were.
+// the most. How many of them are left, which are inside.
 __attribute__((noinline)) int32_t BlockPainter::draw_ramp(
     const Track& track, int32_t most) noexcept {
   const int32_t inside_q22 =
@@ -73,13 +73,18 @@ __attribute__((noinline)) int32_t BlockPainter::draw_ramp(
     at += step;
     spot = spot.plus(further);
   } while (--left != 0);
-  return most - left;
+  return left;
+}
+
+// Leaves a row empty.
+__attribute__((noinline)) void BlockPainter::set_outside() noexcept {
+  row_ = row(width_, width_, width_, width_);
 }
 
 __attribute__((noinline)) void BlockPainter::single_row(
     const Track& track) noexcept {
   const int32_t most = track.rest + 1;
-  const int32_t solid = most - draw_ramp(track, most);
+  const int32_t solid = draw_ramp(track, most);
   if (track.is_left) {
     row_ = row(0, 0, solid, most);
   } else {
@@ -159,7 +164,7 @@ __attribute__((noinline)) int32_t BlockPainter::least_of_three(
 }
 
 // Draws pixels begin <= x < end of two fields, to the left if that is the way
-// of both, up to where both are inside if they go one way. How many there were.
+// of both, up to where both are inside if they go one way. How many are left.
 __attribute__((noinline)) int32_t BlockPainter::draw_both(
     Track& a, Track& b, int32_t begin, int32_t end) noexcept {
   const bool is_left = a.is_left && b.is_left;
@@ -197,7 +202,7 @@ __attribute__((noinline)) int32_t BlockPainter::draw_both(
     at_a = at_a.plus(further_a);
     at_b = at_b.plus(further_b);
   } while (--left != 0);
-  return end - begin - left;
+  return left;
 }
 
 // The pixels of a row that a field does not show to be outside.
@@ -214,26 +219,25 @@ __attribute__((noinline)) void BlockPainter::pair_row(Track& a,
   const int32_t begin = greater(begin_of(a), begin_of(b));
   const int32_t end = lesser(end_of(a), end_of(b));
   if (begin >= end) {
-    row_ = row(width_, width_, width_, width_);
+    set_outside();
     return;
   }
+  // What the ramps have in common; without any it is what lies between them.
   int32_t both_begin = begin;
   int32_t both_end = end;
   if (a.is_left != b.is_left && !a.is_wavy && !b.is_wavy) {
-    both_end = begin + draw_ramp(a.is_left ? b : a, end - begin);
-    both_begin = end - draw_ramp(a.is_left ? a : b, end - begin);
-    if (both_end <= both_begin) {
-      row_ = row(begin, both_end, both_begin, end);
-      return;
-    }
+    both_end -= draw_ramp(a.is_left ? b : a, end - begin);
+    both_begin += draw_ramp(a.is_left ? a : b, end - begin);
   }
-  const int32_t drawn = draw_both(a, b, both_begin, both_end);
-  if (a.is_left && b.is_left) {
-    row_ = row(begin, begin, end - drawn, end);
-  } else {
-    const bool is_cut = drawn < both_end - both_begin;
-    row_ = row(begin, is_cut ? begin + drawn : end, end, end);
+  int32_t solid_begin = both_end;
+  int32_t solid_end = both_begin;
+  if (both_begin < both_end) {
+    const int32_t solid = draw_both(a, b, both_begin, both_end);
+    const bool is_left = a.is_left && b.is_left;
+    solid_begin = is_left ? begin : end - solid;
+    solid_end = is_left ? begin + solid : end;
   }
+  row_ = row(begin, solid_begin, solid_end, end);
 }
 
 // A row of three fields that all matter.
@@ -246,7 +250,7 @@ __attribute__((noinline)) void BlockPainter::triple_row() noexcept {
     end = lesser(end, end_of(tracks_[i]));
   }
   if (begin >= end) {
-    row_ = row(width_, width_, width_, width_);
+    set_outside();
     return;
   }
   row_ = row(begin, end, end, end);
