@@ -19,6 +19,36 @@ inline LeafFields read_leaf(const GlyphField& field,
   return leaf;
 }
 
+// The quadtrees of a glyph.
+struct Nodes {
+  const GlyphField& field;
+  bool is_narrow;
+
+  explicit Nodes(const GlyphField& the_field) noexcept
+      : field(the_field),
+        is_narrow(the_field.kind == GlyphField::Kind::narrow_fields) {}
+
+  uint32_t tile(uint32_t number) const noexcept {
+    if (is_narrow) {
+      return field.references[number];
+    }
+    const LinkedHeap heap(field);
+    return heap.holds(number, 1) ? heap.at(number) : format::glyph::kOutside;
+  }
+  bool is_node(uint32_t reference) const noexcept {
+    return is_narrow ? reference - format::glyph::kFirstNode < field.node_count
+                     : LinkedHeap(field).is_node(reference);
+  }
+  uint32_t child(uint32_t node, uint32_t number) const noexcept {
+    if (is_narrow) {
+      return field
+          .references[static_cast<uint32_t>(field.tiles_x) * field.tiles_y +
+                      4 * (node - format::glyph::kFirstNode) + number];
+    }
+    return LinkedHeap(field).at(LinkedHeap::offset(node) + number);
+  }
+};
+
 // The leaves of a glyph.
 class Cells {
  public:
@@ -33,10 +63,11 @@ class Cells {
   int32_t pixels_before(int32_t way_q16, int32_t most) const noexcept;
   int32_t column_at(uint32_t x, int32_t end) const noexcept;
   int32_t row_below(uint32_t y, int32_t end) const noexcept;
-  void draw_tile(uint32_t reference,
+  void draw_tile(const Nodes& nodes,
+                 uint32_t reference,
                  uint32_t x,
                  uint32_t y,
-                 Rect block) noexcept;
+                 Rect& block) noexcept;
   void draw_leaf(uint32_t reference, const Rect& cell) noexcept;
 
   BlockPainter painter_;
@@ -123,42 +154,13 @@ inline void Cells::draw_leaf(uint32_t reference, const Rect& cell) noexcept {
   }
 }
 
-// Where the children of a node begin; false if it is none.
-struct Nodes {
-  const GlyphField& field;
-  bool is_narrow;
-
-  explicit Nodes(const GlyphField& the_field) noexcept
-      : field(the_field),
-        is_narrow(the_field.kind == GlyphField::Kind::narrow_fields) {}
-
-  uint32_t tile(uint32_t number) const noexcept {
-    if (is_narrow) {
-      return field.references[number];
-    }
-    const LinkedHeap heap(field);
-    return heap.holds(number, 1) ? heap.at(number) : format::glyph::kOutside;
-  }
-  bool is_node(uint32_t reference) const noexcept {
-    return is_narrow ? reference - format::glyph::kFirstNode < field.node_count
-                     : LinkedHeap(field).is_node(reference);
-  }
-  uint32_t child(uint32_t node, uint32_t number) const noexcept {
-    if (is_narrow) {
-      return field
-          .references[static_cast<uint32_t>(field.tiles_x) * field.tiles_y +
-                      4 * (node - format::glyph::kFirstNode) + number];
-    }
-    return LinkedHeap(field).at(LinkedHeap::offset(node) + number);
-  }
-};
-
 // All leaves of a tile that have a pixel, child after child: to the right, then
-// up. `block` is the tile's.
-inline void Cells::draw_tile(uint32_t reference,
+// up. `block` is the tile's, and at the end again.
+inline void Cells::draw_tile(const Nodes& nodes,
+                             uint32_t reference,
                              uint32_t x,
                              uint32_t y,
-                             Rect block) noexcept {
+                             Rect& block) noexcept {
   // A node on the way to a square, and its borders that are not the square's.
   struct Level {
     uint16_t node;
@@ -166,8 +168,7 @@ inline void Cells::draw_tile(uint32_t reference,
     int16_t y;
   };
   Level path[format::glyph::kMaxTileLog2];
-  const Nodes nodes(painter_.field());
-  const uint32_t tile_log2 = painter_.field().tile_log2;
+  const uint32_t tile_log2 = nodes.field.tile_log2;
   uint32_t log2 = tile_log2;
   while (true) {
     // Nodes without a pixel are not entered: work is bounded by pixels.
@@ -225,18 +226,17 @@ inline void Cells::draw_tile(uint32_t reference,
 // Not inline: the painter has a frame on the stack for itself.
 __attribute__((noinline)) void Cells::draw() noexcept {
   const Nodes nodes(painter_.field());
-  const uint32_t log2 = painter_.field().tile_log2;
+  const uint32_t log2 = nodes.field.tile_log2;
   const uint32_t first = static_cast<uint32_t>(left_q16_) >> (16 + log2);
   uint32_t row = static_cast<uint32_t>(top_q16_) >> (16 + log2);
   Rect tile;
   for (tile.y0 = y0_; tile.y0 < y1_; tile.y0 = tile.y1, --row) {
     tile.y1 = row_below(row << log2, y1_);
     uint32_t column = first;
-    for (tile.x0 = x0_; tile.x0 < x1_; tile.x0 = tile.x1) {
+    for (tile.x0 = x0_; tile.x0 < x1_; tile.x0 = tile.x1, ++column) {
       tile.x1 = column_at((column + 1) << log2, x1_);
-      draw_tile(nodes.tile(row * painter_.field().tiles_x + column),
+      draw_tile(nodes, nodes.tile(row * nodes.field.tiles_x + column),
                 column << log2, row << log2, tile);
-      ++column;
     }
   }
 }
