@@ -367,7 +367,7 @@ inline void BlockPainter::next_row() noexcept {
     case kNone:
       set_outside();
       break;
-    default:
+    default:  // two of three
       pair_row(tracks_[~some & 1], tracks_[1 + (some >> 2)]);
   }
 }

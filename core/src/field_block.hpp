@@ -102,7 +102,8 @@ class BlockPainter {
             static_cast<uint8_t>(solid_end), static_cast<uint8_t>(end)};
   }
 
-  // Sets of tracks.
+  // Sets of tracks: bit i is track i. With kNone all is outside, and with no
+  // bit inside.
   static constexpr uint32_t kAll = 7;
   static constexpr uint32_t kNone = 8;
 

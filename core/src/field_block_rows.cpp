@@ -222,7 +222,8 @@ __attribute__((noinline)) void BlockPainter::pair_row(Track& a,
     set_outside();
     return;
   }
-  // What the ramps have in common; without any it is what lies between them.
+  // Where ramps that lead towards each other meet they are drawn together;
+  // where they do not all between them is solid.
   int32_t both_begin = begin;
   int32_t both_end = end;
   if (a.is_left != b.is_left && !a.is_wavy && !b.is_wavy) {
@@ -277,8 +278,8 @@ __attribute__((noinline)) void BlockPainter::triple_row() noexcept {
   }
 }
 
-// Goes on to the next row of several fields, most of which matter in a part of
-// their cell only. Those that do: bit i is track i.
+// Goes on to the next row of several fields. Most of them matter in a part of
+// their cell only; returns the set of those that do.
 __attribute__((noinline)) uint32_t BlockPainter::follow_all() noexcept {
   uint32_t edges = 0;
   uint32_t outsides = 0;
@@ -293,7 +294,7 @@ __attribute__((noinline)) uint32_t BlockPainter::follow_all() noexcept {
   if (!is_nested_) {
     return outsides != 0 ? kNone : edges;
   }
-  constexpr uint32_t kInner = 6;
+  constexpr uint32_t kInner = 6;  // the greater of them counts
   if ((outsides & 1) != 0 || (outsides & kInner) == kInner) {
     return kNone;
   }
