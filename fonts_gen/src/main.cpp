@@ -1,13 +1,12 @@
 // inkcell-fontgen: makes a ROM font from a font file.
 #include <cstdio>
-#include <exception>
 #include <map>
 #include <optional>
 
 #include "generate.hpp"
-#include "inkcell/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "program.hpp"
 #include "progress.hpp"
 #include "report.hpp"
 
@@ -24,18 +23,8 @@ struct Arguments {
   bool quiet = false;
 };
 
-std::string version() {
-  char text[96];
-  std::snprintf(text, sizeof text,
-                "inkcell-fontgen %d.%d.%d, font format %d.%d",
-                kLibraryVersionMajor, kLibraryVersionMinor,
-                kLibraryVersionPatch, kFormatMajor, kFormatMinor);
-  return text;
-}
-
 void add_arguments(CLI::App& app, Arguments& arguments) {
   GenerateRequest& request = arguments.request;
-  app.set_version_flag("--version", version());
   app.add_option("--font", request.font, "Font file: TTF, OTF, TTC, OTC")
       ->required()
       ->type_name("FILE");
@@ -196,12 +185,8 @@ int main(int argc, char** argv) {
       "glyphs of a font file.");
   inkcell::gen::Arguments arguments;
   inkcell::gen::add_arguments(app, arguments);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::gen::run(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

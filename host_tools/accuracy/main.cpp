@@ -243,7 +243,8 @@ int main(int argc, char** argv) {
       "Errors of pixels drawn by the device's core, in 1/255, against the "
       "exact distance field.\nworst: over all pixels; mean: over the glyph's "
       "box and 1.5 px around it, then over the glyphs;\nlargest mean: of a "
-      "single glyph, which is named.");
+      "single glyph, which is named.\nExits with 1 if a limit is missed, with "
+      "2 if nothing can be compared.");
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
   return inkcell::tools::run_program(

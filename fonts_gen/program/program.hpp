@@ -1,0 +1,56 @@
+// What main() of every program does: options, work, and a message if it fails.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include "inkcell/version.hpp"
+
+namespace inkcell::tools {
+
+/// "inkcell-fontgen 0.1.0, font format 0.2".
+inline std::string version_of(const std::string& program) {
+  const auto number = [](auto part) { return std::to_string(part); };
+  return program + " " + number(kLibraryVersionMajor) + "." +
+         number(kLibraryVersionMinor) + "." + number(kLibraryVersionPatch) +
+         ", font format " + number(kFormatMajor) + "." + number(kFormatMinor);
+}
+
+/// What is wrong with the arguments. One that is not known comes first: where
+/// it is misspelt, another one seems to be missing.
+inline std::string problem_of(const CLI::App& app,
+                              const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining();
+  return unknown.empty() ? error.what() : unknown.front() + " is not expected";
+}
+
+/// Adds --version, parses the arguments and calls `work`. Returns what main()
+/// shall: the result of `work`, or `failed` if the arguments are wrong or it
+/// threw, with a message on standard error.
+template <typename Work>
+int run_program(
+    CLI::App& app, int argc, char** argv, const Work& work, int failed = 1) {
+  app.set_version_flag(
+      "--version",
+      version_of(std::filesystem::path(argv[0]).filename().string()));
+  try {
+    app.parse(argc, argv);
+    return work();
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "error: %s; see --help\n",
+                 problem_of(app, error).c_str());
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "error: there is not enough memory for that\n");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+  }
+  return failed;
+}
+
+}  // namespace inkcell::tools
