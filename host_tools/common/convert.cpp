@@ -14,7 +14,10 @@
 namespace inkcell::tools {
 namespace {
 
-gen::RomFont generate(gen::GenerateRequest request, MaxPx max_px) {
+constexpr const char* kConversion =
+    "Options for a TTF or OTF, which is converted";
+
+gen::RomFont generate(gen::GenerateRequest request, bool may_halve) {
   while (true) {
     gen::Progress progress(false);
     request.progress = [&progress](size_t done, size_t count) {
@@ -27,7 +30,7 @@ gen::RomFont generate(gen::GenerateRequest request, MaxPx max_px) {
     } catch (const gen::TooComplex& error) {
       progress.finish();
       const double half = std::floor(request.adf.max_px / 2);
-      if (max_px == MaxPx::asked_for || half < request.adf.min_px) {
+      if (!may_halve || half < request.adf.min_px) {
         throw;
       }
       std::fprintf(stderr,
@@ -69,23 +72,42 @@ void add_conversion_options(CLI::App& app, gen::GenerateRequest& request) {
   gen::add_generator_options(app, request);
   const std::vector<CLI::Option*> options = app.get_options();
   for (size_t i = before; i < options.size(); ++i) {
-    options[i]->group("Options for a TTF or OTF, which is converted");
+    group_with_conversion(*options[i]);
   }
 }
 
+void group_with_conversion(CLI::Option& option) {
+  option.group(kConversion);
+}
+
+Conversion conversion_of(const CLI::App& app,
+                         const gen::GenerateRequest& request) {
+  const std::vector<const CLI::Option*> given =
+      app.get_options([](const CLI::Option* option) {
+        return option->get_group() == kConversion && option->count() > 0;
+      });
+  return {request, app.count("--max-px") == 0,
+          given.empty() ? std::string() : given.front()->get_name()};
+}
+
 RomFile load_font_file(const std::filesystem::path& file,
-                       gen::GenerateRequest request,
-                       const std::string& text,
-                       MaxPx max_px) {
+                       const Conversion& conversion,
+                       const std::string& text) {
   std::vector<uint8_t> bytes = read_file(file);
   if (is_rom_font(bytes)) {
+    if (!conversion.option.empty()) {
+      throw std::runtime_error(
+          file.string() + ": is a ROM font, which " + conversion.option +
+          " cannot change; name the TTF or OTF it was made of");
+    }
     RomFile rom(std::move(bytes), file.string());
     warn_of_missing(rom, file, text);
     return rom;
   }
+  gen::GenerateRequest request = conversion.request;
   request.font = file;
   request.symbols += text;
-  gen::RomFont font = generate(std::move(request), max_px);
+  gen::RomFont font = generate(std::move(request), conversion.may_halve);
   for (const gen::Warning& warning : font.warnings) {
     std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
   }

@@ -10,27 +10,35 @@
 
 namespace inkcell::tools {
 
+/// How a font file that is no ROM font becomes one.
+struct Conversion {
+  gen::GenerateRequest request;
+  /// If a glyph is too complex for it, the largest size may be halved.
+  bool may_halve = true;
+  /// The first of the options that the person gave, empty if there is none.
+  std::string option;
+};
+
 /// Adds the options of inkcell-fontgen, listed apart in the help.
 void add_conversion_options(CLI::App& app, gen::GenerateRequest& request);
 
-/// What becomes of the largest size if a glyph is too complex for it.
-enum class MaxPx { asked_for, may_halve };
+/// Puts an option where add_conversion_options() put the others.
+void group_with_conversion(CLI::Option& option);
 
-/// asked_for if the person gave --max-px.
-inline MaxPx max_px_of(const CLI::App& app) {
-  return app.count("--max-px") != 0 ? MaxPx::asked_for : MaxPx::may_halve;
-}
+/// `request`, after the arguments were parsed. A largest size that the person
+/// gave stays as it is.
+Conversion conversion_of(const CLI::App& app,
+                         const gen::GenerateRequest& request);
 
-/// Opens `file`. A ROM font is read as it is, under no request; any other font
-/// file is converted by the generator under `request`, with the characters of
-/// `text` (UTF-8) besides those that the request names. If it may, it tries
-/// again with half the largest size, down to the smallest, and says so.
-/// Warnings go to standard error.
+/// Opens `file`. A ROM font is read as it is, and refused if there is an option
+/// to convert it under; any other font file is converted by the generator, with
+/// the characters of `text` (UTF-8) besides those that the request names. If it
+/// may, it tries again with half the largest size, down to the smallest, and
+/// says so. Warnings go to standard error.
 ///
 /// Throws std::runtime_error.
 RomFile load_font_file(const std::filesystem::path& file,
-                       gen::GenerateRequest request,
-                       const std::string& text,
-                       MaxPx max_px);
+                       const Conversion& conversion,
+                       const std::string& text);
 
 }  // namespace inkcell::tools

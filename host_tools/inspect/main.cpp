@@ -27,15 +27,16 @@ struct Arguments {
 void add_arguments(CLI::App& app, Arguments& arguments) {
   add_conversion_options(app, arguments.request);
   app.remove_option(app.get_option("--cells"));  // a picture here
-  app.add_option("--kind", arguments.request.adf.cells,
-                 "Cells of a font that is converted: fields or samples")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, gen::CellKind>{
-                                      {"fields", gen::CellKind::fields},
-                                      {"samples", gen::CellKind::samples}})
-              .description(""))
-      ->type_name("fields|samples")
-      ->default_str("fields");
+  group_with_conversion(
+      *app.add_option("--kind", arguments.request.adf.cells,
+                      "What --cells is to inkcell-fontgen")
+           ->transform(
+               CLI::CheckedTransformer(std::map<std::string, gen::CellKind>{
+                                           {"fields", gen::CellKind::fields},
+                                           {"samples", gen::CellKind::samples}})
+                   .description(""))
+           ->type_name("fields|samples")
+           ->default_str("fields"));
   app.add_option("FILE", arguments.file,
                  "ROM font, or TTF or OTF to convert in memory")
       ->required();
@@ -104,11 +105,11 @@ const GlyphCensus& example_glyph(const FontCensus& font) {
 }
 
 void run(const Arguments& arguments, const CLI::App& app) {
-  const RomFile rom = load_font_file(
-      arguments.file, arguments.request,
-      arguments.glyph.size() > 1 && arguments.glyph[0] == '#' ? std::string()
-                                                              : arguments.glyph,
-      max_px_of(app));
+  const RomFile rom =
+      load_font_file(arguments.file, conversion_of(app, arguments.request),
+                     arguments.glyph.size() > 1 && arguments.glyph[0] == '#'
+                         ? std::string()
+                         : arguments.glyph);
   const FontCensus font = take_census(rom.font());
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);

@@ -176,9 +176,9 @@ void warn_of_size(const Font& font, double px) {
   }
 }
 
-void render_text(const Arguments& arguments, MaxPx max_px) {
+void render_text(const Arguments& arguments, const Conversion& conversion) {
   const RomFile rom =
-      load_font_file(arguments.font, arguments.request, arguments.text, max_px);
+      load_font_file(arguments.font, conversion, arguments.text);
   const Font& font = rom.font();
   const Look look(arguments.look, font, arguments.px, arguments.angle,
                   Use::still);
@@ -213,6 +213,7 @@ void render_text(const Arguments& arguments, MaxPx max_px) {
 }
 
 void run(const Arguments& arguments, const CLI::App& app) {
+  const Conversion conversion = conversion_of(app, arguments.request);
   if (!arguments.jobs.empty()) {
     if (app.count("--text") + app.count("--out") + app.count("--px") +
             app.count("--font") >
@@ -223,8 +224,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
     }
     const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
     const SampleTotal total =
-        render_jobs(jobs, arguments.request, max_px_of(app), arguments.look,
-                    arguments.inverted);
+        render_jobs(jobs, conversion, arguments.look, arguments.inverted);
     if (arguments.stats) {
       std::printf("pictures         %zu\n", jobs.size());
       print_samples(total);
@@ -237,7 +237,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
                                " is missing (or use --jobs); see --help");
     }
   }
-  render_text(arguments, max_px_of(app));
+  render_text(arguments, conversion);
 }
 
 }  // namespace

@@ -115,17 +115,23 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
 }
 
 SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
-                        const gen::GenerateRequest& request,
-                        MaxPx max_px,
+                        const Conversion& conversion,
                         const LookOptions& look,
                         bool inverted) {
   std::map<std::string, std::string> texts;
   for (const RenderJob& job : jobs) {
     texts[job.font] += job.text;
   }
+  // An option is not in vain if one of the fonts is converted.
+  Conversion shared = conversion;
+  for (const auto& entry : texts) {
+    if (!is_rom_font(read_file(entry.first))) {
+      shared.option.clear();
+    }
+  }
   std::map<std::string, RomFile> fonts;
   for (const auto& [file, text] : texts) {
-    fonts.emplace(file, load_font_file(file, request, text, max_px));
+    fonts.emplace(file, load_font_file(file, shared, text));
   }
   std::vector<SampleTotal> costs(jobs.size());
   parallel_for(jobs.size(), 0, [&](size_t i) {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "convert.hpp"
-#include "generate.hpp"
 #include "image.hpp"
 #include "look.hpp"
 
@@ -48,8 +47,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 /// Draws all pictures, on all cores. Each font file is opened or converted
 /// once, with the characters of all its jobs.
 SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
-                        const gen::GenerateRequest& request,
-                        MaxPx max_px,
+                        const Conversion& conversion,
                         const LookOptions& look,
                         bool inverted);
 

@@ -91,7 +91,7 @@ void check(const Arguments& arguments, const CLI::App& app) {
 void run(const Arguments& arguments, const CLI::App& app) {
   check(arguments, app);
   const RomFile rom =
-      load_font_file(arguments.font, arguments.request, "", max_px_of(app));
+      load_font_file(arguments.font, conversion_of(app, arguments.request), "");
   const auto write = [](const std::string& file, const auto& draw) {
     if (!file.empty()) {
       write_image(file, draw());

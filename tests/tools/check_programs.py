@@ -360,6 +360,25 @@ class Tools(unittest.TestCase):
         cut.write_bytes(self.font.read_bytes()[:500])
         self.assertIn("corrupt", run("render", "--font", cut, *text, code=1))
 
+    def test_rom_fonts_take_no_conversion_options(self):
+        out = self.path / "no.png"
+        job = self.path / "rom.jsonl"
+        job.write_text(json.dumps({
+            "font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
+            "out": str(out)}))
+        draw = ("--text", "a", "--px", 12, "--out", out)
+        for program, *arguments in [
+                ("render", "--font", self.font, *draw, "--chars", "A-Z"),
+                ("render", "--font", self.font, *draw, "--max-px", 64),
+                ("render", "--jobs", job, "--hints", "off"),
+                ("inspect", self.font, "--kind", "samples"),
+                ("inspect", self.font, "--effort", 5),
+                ("specimen", self.font, "--sizes", out, "--band-px", 1)]:
+            printed = run(program, *arguments, code=1)
+            self.assertIn(f"{self.font}: is a ROM font, which "
+                          f"{arguments[-2]} cannot change", printed)
+        self.assertFalse(out.exists())
+
     def test_wrong_arguments_fail_alike(self):
         for program in PROGRAMS:
             # 1 is what inkcell-accuracy says of a font that misses its limits.

@@ -45,11 +45,11 @@ Sfnt zone_plate() {
 TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
-  gen::GenerateRequest request;
-  request.adf.cells = gen::CellKind::samples;
-  request.adf.effort = 0;  // for speed
+  Conversion conversion;
+  conversion.request.adf.cells = gen::CellKind::samples;
+  conversion.request.adf.effort = 0;  // for speed
   testing::internal::CaptureStderr();
-  const RomFile rom = load_font_file(file, request, "ZH", MaxPx::may_halve);
+  const RomFile rom = load_font_file(file, conversion, "ZH");
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("U+005A 'Z'"), std::string::npos) << said;
   EXPECT_NE(said.find("at 64 px; the font is converted for 8 to 32 px"),
@@ -68,15 +68,15 @@ TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
 TEST(Convert, KeepsTheSizesThatWereAskedFor) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
-  gen::GenerateRequest request;
-  request.adf.cells = gen::CellKind::samples;
-  request.adf.effort = 0;  // for speed
-  EXPECT_THROW(load_font_file(file, request, "ZH", MaxPx::asked_for),
-               gen::TooComplex);
+  Conversion conversion;
+  conversion.request.adf.cells = gen::CellKind::samples;
+  conversion.request.adf.effort = 0;  // for speed
+  conversion.may_halve = false;
+  EXPECT_THROW(load_font_file(file, conversion, "ZH"), gen::TooComplex);
   // Half of 64 would be below the smallest size.
-  request.adf.min_px = 40;
-  EXPECT_THROW(load_font_file(file, request, "ZH", MaxPx::may_halve),
-               gen::TooComplex);
+  conversion.may_halve = true;
+  conversion.request.adf.min_px = 40;
+  EXPECT_THROW(load_font_file(file, conversion, "ZH"), gen::TooComplex);
 }
 
 }  // namespace
