@@ -26,6 +26,7 @@ struct Arguments {
   std::string font;
   std::string truth;
   int face = 0;
+  std::vector<std::string> axes;
   std::vector<std::string> sizes = {"12", "16", "24", "32", "48", "64"};
   std::vector<std::string> filters = {"text"};
   int phases = kMaxPhases;
@@ -49,6 +50,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE.ttf");
   app.add_option("--face", arguments.face, "Face number in a TTC or OTC file")
       ->capture_default_str();
+  app.add_option("--axis", arguments.axes,
+                 "Axis of a variable font, as it was generated, such as "
+                 "wght=600; repeatable")
+      ->type_name("TAG=VALUE")
+      ->allow_extra_args(false);
   app.add_option("--sizes", arguments.sizes,
                  "Sizes and ranges of whole sizes, such as 8-64,80 [px/em]")
       ->delimiter(',')
@@ -214,7 +220,7 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
 int run(const Arguments& arguments) {
   const RomFile rom = load_rom(arguments.font);
   const Font& font = rom.font();
-  const TrueFont truth(arguments.truth, arguments.face);
+  const TrueFont truth(arguments.truth, arguments.face, arguments.axes);
   const ErrorTable table = compare_all(font, truth, arguments);
   print_table(table);
   std::printf("%zu characters, %d phases; the font has %zu bytes, %s %s\n",

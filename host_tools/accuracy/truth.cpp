@@ -3,10 +3,13 @@
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_MULTIPLE_MASTERS_H
 #include FT_OUTLINE_H
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -189,6 +192,32 @@ int passes(const Chord& chord, Vector p) {
     return upwards ? 1 : -1;
   }
   return 0;
+}
+
+// Reads "wght=600" for `axis`; whether it is about it and within its range.
+bool read_axis(const std::string& setting,
+               const FT_Var_Axis& axis,
+               FT_Fixed& out) {
+  std::string tag;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    tag += static_cast<char>(axis.tag >> shift & 0xff);
+  }
+  const size_t equals = setting.find('=');
+  std::string wanted = setting.substr(0, equals);
+  wanted.resize(4, ' ');
+  if (equals == std::string::npos || equals > 4 || wanted != tag) {
+    return false;
+  }
+  const char* digits = setting.c_str() + equals + 1;
+  char* end = nullptr;
+  const double value = std::strtod(digits, &end) * 65536;
+  if (end == digits || *end != '\0' ||
+      !(value >= static_cast<double>(axis.minimum) &&
+        value <= static_cast<double>(axis.maximum))) {
+    return false;
+  }
+  out = std::lround(value);
+  return true;
 }
 
 }  // namespace
@@ -393,34 +422,74 @@ struct TrueFont::Handles {
   }
 };
 
-TrueFont::TrueFont(const std::filesystem::path& file, int face)
-    : handles_(std::make_unique<Handles>()) {
+TrueFont::TrueFont(const std::filesystem::path& file,
+                   int face,
+                   const std::vector<std::string>& axes)
+    : name_(file.string()), handles_(std::make_unique<Handles>()) {
   if (FT_Init_FreeType(&handles_->library) != 0 ||
       FT_New_Face(handles_->library, file.c_str(), face, &handles_->face) !=
           0 ||
       !FT_IS_SCALABLE(handles_->face)) {
-    throw std::runtime_error(file.string() + ": no outlines can be read");
+    refuse("no outlines can be read; check the file and --face");
+  }
+  if (handles_->face->charmap == nullptr) {
+    FT_Select_Charmap(handles_->face, FT_ENCODING_MS_SYMBOL);
+  }
+  if (!axes.empty()) {
+    set_axes(axes);
   }
 }
 
 TrueFont::~TrueFont() = default;
+
+void TrueFont::refuse(const std::string& text) const {
+  throw std::runtime_error(name_ + ": " + text);
+}
+
+void TrueFont::set_axes(const std::vector<std::string>& axes) {
+  FT_MM_Var* known = nullptr;
+  if (FT_Get_MM_Var(handles_->face, &known) != 0) {
+    refuse("is not a variable font: leave out --axis");
+  }
+  std::vector<FT_Fixed> values;
+  size_t found = 0;
+  for (FT_UInt i = 0; i < known->num_axis; ++i) {
+    values.push_back(known->axis[i].def);
+    for (const std::string& setting : axes) {
+      found += read_axis(setting, known->axis[i], values.back()) ? 1u : 0u;
+    }
+  }
+  FT_Done_MM_Var(handles_->library, known);
+  if (found < axes.size() ||
+      FT_Set_Var_Design_Coordinates(handles_->face,
+                                    static_cast<FT_UInt>(values.size()),
+                                    values.data()) != 0) {
+    refuse("has no such --axis; give those that inkcell-fontgen was given");
+  }
+}
 
 TrueGlyph TrueFont::glyph(char32_t code_point) const {
   FT_Face face = handles_->face;
   Collector out{1024.0 / (face->units_per_EM << kShift), {}, {}, {}, {}};
   {
     const std::lock_guard<std::mutex> lock(handles_->guard);
-    const FT_UInt index = FT_Get_Char_Index(face, code_point);
+    FT_UInt index = FT_Get_Char_Index(face, code_point);
+    if (index == 0 && code_point < 0x100 && face->charmap != nullptr &&
+        face->charmap->encoding == FT_ENCODING_MS_SYMBOL) {
+      index = FT_Get_Char_Index(face, 0xf000 + code_point);
+    }
     if (index == 0 ||
         FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING)) {
-      throw std::runtime_error(
-          "the truth has no glyph for code point " +
-          std::to_string(static_cast<uint32_t>(code_point)));
+      char name[16];
+      std::snprintf(name, sizeof name, "U+%04X",
+                    static_cast<unsigned>(code_point));
+      refuse("has no glyph for " + std::string(name) +
+             "; name the file and the --face that the font was made of");
     }
     const FT_Outline_Funcs walk = {move_to,  line_to, conic_to,
                                    cubic_to, kShift,  0};
     if (FT_Outline_Decompose(&face->glyph->outline, &walk, &out) != 0) {
-      throw std::runtime_error("an outline of the truth is broken");
+      refuse("has a broken outline");
     }
   }
   out.close();

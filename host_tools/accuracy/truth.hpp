@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace inkcell::tools {
@@ -106,8 +107,11 @@ class TrueTiles {
 /// A face of a font file.
 class TrueFont {
  public:
-  /// Throws std::runtime_error.
-  TrueFont(const std::filesystem::path& file, int face);
+  /// `axes` are settings of a variable font, such as "wght=600"; the others
+  /// keep their defaults. Throws std::runtime_error.
+  TrueFont(const std::filesystem::path& file,
+           int face,
+           const std::vector<std::string>& axes = {});
   ~TrueFont();
   TrueFont(const TrueFont&) = delete;
   TrueFont& operator=(const TrueFont&) = delete;
@@ -118,6 +122,11 @@ class TrueFont {
 
  private:
   struct Handles;
+
+  [[noreturn]] void refuse(const std::string& text) const;
+  void set_axes(const std::vector<std::string>& axes);
+
+  std::string name_;  // of the file
   std::unique_ptr<Handles> handles_;
 };
 

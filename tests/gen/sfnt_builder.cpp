@@ -121,7 +121,7 @@ Bytes cmap_table(const Sfnt& font) {
   }
   const auto groups = static_cast<uint32_t>(glyph_of.size());
   Table table;
-  table.u16(0).u16(1).u16(3).u16(10).u32(12);
+  table.u16(0).u16(1).u16(3).u16(font.is_symbol ? 0 : 10).u32(12);
   table.u16(12).u16(0).u32(16 + 12 * groups).u32(0).u32(groups);
   for (const auto& [code_point, glyph] : glyph_of) {
     table.u32(code_point).u32(code_point).u32(glyph);

@@ -37,6 +37,8 @@ struct Sfnt {
   /// If not 0: a variable font with the axis wght 100..900, default 400, that
   /// moves each point by this in x, and the advance too, at 900.
   int wght_shift = 0;
+  /// The character map is one of symbols, not of Unicode.
+  bool is_symbol = false;
   /// Replaces tables; an empty one is left out.
   std::map<std::string, std::vector<uint8_t>> tables;
 

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "sfnt_builder.hpp"
 #include "truth.hpp"
 
 namespace inkcell::tools {
@@ -150,6 +153,57 @@ TEST(TrueFont, DistanceGrowsFromAnExtreme) {
   // At the top, where the curve is level, straight down leads away from it;
   // the chords are off by kChordError.
   EXPECT_NEAR(distance(o, x, o.high().y - 20), 20, 0.01);
+}
+
+TEST(TrueFont, IsAtTheAxesThatAreGiven) {
+  const gen::test::TestFolder folder;
+  gen::test::Sfnt font = gen::test::Sfnt::plain();
+  font.wght_shift = 1000;  // the em: 1024 u
+  const auto file = folder.write("variable.ttf", font);
+  const auto left = [&](const std::vector<std::string>& axes) {
+    return TrueFont(file, 0, axes).glyph(U'H').low().x;
+  };
+  EXPECT_EQ(left({"wght=400"}), left({}));
+  EXPECT_NEAR(left({"wght=900"}), left({}) + 1024, 1e-6);
+  EXPECT_NEAR(left({"wght=650"}), left({}) + 512, 0.02);
+  for (const char* wrong : {"wght", "wght=", "wght=99", "wght=901", "wght=4x",
+                            "wdth=400", "=400", "", "wght=nan", "wghtx=400"}) {
+    EXPECT_THROW(left({wrong}), std::runtime_error) << wrong;
+    EXPECT_THROW(left({"wght=400", wrong}), std::runtime_error) << wrong;
+  }
+  font.wght_shift = 0;
+  const auto rigid = folder.write("rigid.ttf", font);
+  EXPECT_THROW(TrueFont(rigid, 0, {"wght=400"}), std::runtime_error);
+}
+
+TEST(TrueFont, FindsTheCharactersOfSymbolFonts) {
+  const gen::test::TestFolder folder;
+  gen::test::Sfnt font = gen::test::Sfnt::plain();
+  const auto plain = folder.write("plain.ttf", font);
+  for (gen::test::SfntGlyph& glyph : font.glyphs) {
+    glyph.code_point += glyph.code_point == 0 ? 0 : 0xf000;
+  }
+  font.is_symbol = true;
+  const auto symbol = folder.write("symbol.ttf", font);
+  const Vector high = TrueFont(plain, 0, {}).glyph(U'H').high();
+  for (const char32_t c : {U'H', U'\uf048'}) {
+    const Vector same = TrueFont(symbol, 0, {}).glyph(c).high();
+    EXPECT_EQ(same.x, high.x);
+    EXPECT_EQ(same.y, high.y);
+  }
+}
+
+TEST(TrueFont, SaysWhichFileLacksWhichGlyph) {
+  const gen::test::TestFolder folder;
+  const auto file = folder.write("plain.ttf", gen::test::Sfnt::plain());
+  try {
+    TrueFont(file, 0, {}).glyph(U'Z');
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    const std::string said = error.what();
+    EXPECT_EQ(said.find(file.string() + ": has no glyph for U+005A"), 0u)
+        << said;
+  }
 }
 
 }  // namespace
