@@ -8,6 +8,10 @@
 # build/ only; the output of each step is in build/tests/<step>.log. Exits with
 # 0 if everything passed.
 set -u
+if [ $# -ne 0 ]; then
+  sed -n '2,/^set/s/^# *//p' "$0" >&2
+  exit 2
+fi
 cd "$(dirname "$0")/.." || exit 2
 root=$PWD
 . host_tools/setup.sh

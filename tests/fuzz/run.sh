@@ -10,6 +10,12 @@
 set -eu
 seconds=${1:-30}
 folder=${2:-build/fuzz}
+case $seconds in
+  *[!0-9]*)
+    sed -n '2,/^set/s/^# *//p' "$0" >&2
+    exit 2
+    ;;
+esac
 cd "$(dirname "$0")/../.."
 command -v clang++ >/dev/null || {
   echo "tests/fuzz/run.sh: clang++ is missing: apt-get install clang" >&2
