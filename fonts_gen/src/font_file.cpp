@@ -129,7 +129,7 @@ void FontFile::read_bytes(const std::filesystem::path& file) {
     throw Error(file.string() + ": is a folder; name a file in it");
   }
   if (!std::filesystem::is_regular_file(file, error)) {
-    throw Error(file.string() + ": there is no such file; check --font");
+    throw Error(file.string() + ": there is no such file; check its name");
   }
   std::ifstream in(file, std::ios::binary);
   bytes_.assign(std::istreambuf_iterator<char>(in), {});

@@ -77,10 +77,12 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                "at whole sizes of its range with the filter text, and those "
                "that follow");
   app.add_option("--mean-limit", arguments.mean_limit,
-                 "Exit with 1 if the mean is larger there [1/255; none]");
+                 "Exit with 1 if the mean is larger there [1/255; none]")
+      ->check(CLI::Range(0.0, 255.0));
   app.add_option("--byte-limit", arguments.byte_limit,
                  "Exit with 1 if the font is larger [bytes; none]");
-  app.add_option("--jobs", arguments.jobs, "Threads [all cores]");
+  app.add_option("--jobs", arguments.jobs, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024));
   app.add_option("--json", arguments.json, "Write the table as JSON")
       ->type_name("FILE");
   app.add_option("--picture", arguments.picture,
@@ -208,7 +210,7 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
                     range.tolerance);
         within = false;
       }
-      if (errors.mean() > mean_limit) {
+      if (!(errors.mean() <= mean_limit)) {
         std::printf("%g px: the mean is beyond %g/255\n", px, mean_limit);
         within = false;
       }
@@ -217,7 +219,16 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
   return within;
 }
 
+// Comparing takes minutes: what would fail after it shall do so before.
+void check_outputs(const Arguments& arguments) {
+  check_folder_of(arguments.json);
+  if (!arguments.picture.empty()) {
+    check_image_file(arguments.picture, 3);  // in colour
+  }
+}
+
 int run(const Arguments& arguments) {
+  check_outputs(arguments);
   const RomFile rom = load_rom(arguments.font);
   const Font& font = rom.font();
   const TrueFont truth(arguments.truth, arguments.face, arguments.axes);

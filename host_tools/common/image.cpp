@@ -70,18 +70,32 @@ void invert(Image& image) {
   }
 }
 
-void write_image(const std::filesystem::path& file, const Image& image) {
+void check_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  std::error_code error;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+    refuse(file, "there is no folder " + folder.string());
+  }
+}
+
+void check_image_file(const std::filesystem::path& file, int channels) {
   const std::string suffix = file.extension().string();
+  const std::string plain = channels == 1 ? ".pgm" : ".ppm";
+  if (suffix != ".png" && suffix != plain) {
+    refuse(file, "the name must end in .png or " + plain);
+  }
+  check_folder_of(file);
+}
+
+void write_image(const std::filesystem::path& file, const Image& image) {
+  check_image_file(file, image.channels);
   if (image.width <= 0 || image.height <= 0) {
     refuse(file, "the picture has no pixels");
   }
-  if (suffix == ".png") {
+  if (file.extension() == ".png") {
     write_png(file, image);
-  } else if (suffix == (image.channels == 1 ? ".pgm" : ".ppm")) {
-    write_pnm(file, image);
   } else {
-    refuse(file, std::string("the name must end in .png or ") +
-                     (image.channels == 1 ? ".pgm" : ".ppm"));
+    write_pnm(file, image);
   }
 }
 

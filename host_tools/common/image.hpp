@@ -35,6 +35,13 @@ Image enlarge(const Image& image, int factor);
 /// 255 - value, everywhere.
 void invert(Image& image);
 
+/// Refuses a name that write_image() would, before work begins: one in a folder
+/// that is not there, or with another suffix. Throws std::runtime_error.
+void check_image_file(const std::filesystem::path& file, int channels);
+
+/// The same for a file of any kind.
+void check_folder_of(const std::filesystem::path& file);
+
 /// Writes by the file's suffix: .png, .pgm (grey) or .ppm (colour).
 ///
 /// Throws std::runtime_error that names the file.

@@ -2,6 +2,7 @@
 #include "look.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -42,6 +43,18 @@ Q6_10 to_q10(double px) {
   return Q6_10::from_raw(static_cast<int16_t>(std::lround(px * 1024)));
 }
 
+// CLI::Range lets "nan" pass.
+CLI::Validator within(double low, double high) {
+  return CLI::Range(low, high) &
+         CLI::Validator(
+             [](std::string& text) {
+               return std::isnan(std::atof(text.c_str()))
+                          ? text + " is no number"
+                          : std::string();
+             },
+             "");
+}
+
 // An option that takes one of some words.
 void add_words(CLI::App& app,
                const std::string& option,
@@ -72,7 +85,7 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
                  "of kind anim, 1.3 for paper and splats]")
-      ->check(CLI::Range(0.25, 1.5));
+      ->check(within(0.25, 1.5));
   add_words(app, "--rules", options.rules, {"none", "edges", "thin", "all"},
             "Contrast as eyes prefer it, with one sample a pixel: edges, "
             "darker on the left and below; thin, thin strokes darker; all");
@@ -82,10 +95,10 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--weight", options.weight,
                  "Move edges outwards, strokes gain twice that; with --levels "
                  "up to 0.5 [px]")
-      ->check(CLI::Range(-2.0, 2.0));
+      ->check(within(-2.0, 2.0));
   app.add_option("--outline", options.outline,
                  "Draw outlines of this width, in place of the inside [px]")
-      ->check(CLI::Range(0.0, 4.0));
+      ->check(within(0.0, 4.0));
   add_words(app, "--outline-place", options.place,
             {"inner", "centred", "outer"}, "Where they lie");
   app.add_option("--levels", options.levels,
@@ -99,7 +112,7 @@ void add_look_options(CLI::App& app, LookOptions& options) {
             "top to bottom; the picture is a PNG or PPM in colour");
   app.add_option("--lcd-colour", options.lcd_colour,
                  "How much of the stripes' colour is kept: 0 is grey")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(within(0.0, 1.0))
       ->capture_default_str();
 }
 
@@ -154,6 +167,9 @@ void Look::set_painter(const LookOptions& options, Use use) {
   }
   if (options.lcd == "none" && options.lcd_colour != 1) {
     throw std::runtime_error("--lcd-colour is for --lcd");
+  }
+  if (options.outline == 0 && options.place != LookOptions().place) {
+    throw std::runtime_error("--outline-place is for --outline");
   }
   if (options.outline != 0) {
     brush_.set_painter(paint_outline, &edges_.inner);

@@ -1,6 +1,7 @@
 // A loop whose rounds run on all cores.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -16,7 +17,8 @@ inline unsigned thread_count(unsigned wanted) {
   return wanted != 0 ? wanted : (cores != 0 ? cores : 1);
 }
 
-/// Calls work(i) once for every i below `count`, in any order. The first
+/// Calls work(i) once for every i below `count`, in any order, on no more
+/// threads than that. The first
 /// exception ends the loop and is thrown on.
 template <typename Work>
 void parallel_for(size_t count, unsigned threads, const Work& work) {
@@ -35,7 +37,7 @@ void parallel_for(size_t count, unsigned threads, const Work& work) {
     }
   };
   std::vector<std::thread> others;
-  for (unsigned i = 1; i < thread_count(threads); ++i) {
+  for (size_t i = 1; i < std::min<size_t>(count, thread_count(threads)); ++i) {
     others.emplace_back(rounds);
   }
   rounds();

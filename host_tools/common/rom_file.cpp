@@ -19,7 +19,7 @@ namespace {
 std::string remedy(Status status) {
   switch (status) {
     case Status::bad_magic:
-      return "it is not an Inkcell font";
+      return "it is not an Inkcell font; make one with inkcell-fontgen";
     case Status::bad_version:
       return "its format is not the one of this version; regenerate it";
     case Status::corrupt:

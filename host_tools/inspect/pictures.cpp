@@ -272,6 +272,7 @@ Image draw_edges(const FontCensus& font, const GlyphCensus& glyph, int side) {
 }
 
 Image draw_sheet(const Font& font, double px) {
+  const Brush brush = make_brush(px, 0, kFilterText);  // refuses odd sizes
   const FontMetrics metrics = font.metrics();
   const double scale = px / metrics.units_per_em;
   int32_t widest = 0;
@@ -297,7 +298,6 @@ Image draw_sheet(const Font& font, double px) {
   const int rows = (count + columns - 1) / columns;
 
   Image image(columns * box_width + 1, rows * box_height + 1);
-  const Brush brush = make_brush(px, 0, kFilterText);
   for (int i = 0; i < count; ++i) {
     GlyphMetrics measures;
     static_cast<void>(font.glyph_metrics(static_cast<uint16_t>(i), measures));

@@ -262,7 +262,8 @@ int main(int argc, char** argv) {
   app.add_option("--font", arguments.font, "Font file")->capture_default_str();
   app.add_option("--chars", arguments.chars, "Characters to average over")
       ->capture_default_str();
-  app.add_option("--jobs", arguments.jobs, "Threads [all cores]");
+  app.add_option("--jobs", arguments.jobs, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024));
   app.add_option("--json", arguments.json, "Write all glyphs as JSON");
   return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::tools::run(arguments);

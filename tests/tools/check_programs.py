@@ -342,6 +342,16 @@ class Tools(unittest.TestCase):
                 ("--zoom", ("--font", self.font, *text, "--width", 2000,
                             "--zoom", 64)),
                 ("degrees", ("--font", self.font, *text, "--angle", "nan")),
+                ("--outline-place is for --outline", (
+                    "--font", self.font, *text, "--outline-place", "inner")),
+                ("no folder /nowhere", ("--font", self.font, *text[:-1],
+                                        "/nowhere/a.png")),
+                ("end in .png or .pgm", ("--font", SANS, *text[:-1],
+                                         self.path / "a.jpg")),
+                *(("nan is no number", ("--font", self.font, *text, option,
+                                        "nan"))
+                  for option in ("--weight", "--outline", "--radius",
+                                 "--lcd-colour")),
                 ("is a folder; name a file", ("--font", self.path, *text)),
                 ("nowhere", ("--font", "/nowhere.ttf", *text))]:
             self.assertIn(said, run("render", *arguments, code=1))
@@ -491,6 +501,9 @@ class Tools(unittest.TestCase):
         self.assertEqual(converted["cell_kind"], "samples")
         self.assertIn("no glyph", run("inspect", self.font, "--glyph", "Z",
                                       code=1))
+        self.assertIn("4 to 1024 px", run("inspect", self.font, "--sheet",
+                                          self.path / "no.png", "--px", 1e9,
+                                          code=1))
 
     def test_accuracy_finds_the_wrong_truth(self):
         for font in self.fonts.values():
@@ -544,6 +557,11 @@ class Tools(unittest.TestCase):
         self.assertIn(f"more than {size - 1} bytes",
                       run("accuracy", *limit, size - 1, code=1))
         for said, arguments in [("no glyph for 'Z'", ("--glyph", "Z")),
+                                ("no folder", ("--json", "/nowhere/a.json")),
+                                ("no folder", ("--picture", "/nowhere/a.png")),
+                                (".png or .ppm", ("--picture", "a.jpg")),
+                                ("--jobs", ("--jobs", 100000)),
+                                ("--mean-limit", ("--mean-limit", -1)),
                                 ("is no size", ("--sizes", "8-")),
                                 ("is unknown", ("--filter", "x"))]:
             self.assertIn(said, run("accuracy", "--font", self.font, "--truth",
