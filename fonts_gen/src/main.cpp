@@ -48,7 +48,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
            }
            arguments.format = found->second;
          },
-         "Form of the output [hpp or c if --out ends so, else bin]")
+         "Form of the output [hpp or c if --out ends so; bin, if it does not "
+         "look like source]")
       ->type_name("bin|hpp|c");
   app.add_option("--name", arguments.name,
                  "Identifier in hpp and c [from the font file]")
@@ -69,10 +70,17 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
 OutputFormat format_of(const Arguments& arguments) {
   const std::string ending =
       std::filesystem::path(arguments.out).extension().string();
-  const OutputFormat by_name = ending == ".hpp" ? OutputFormat::hpp
-                               : ending == ".c" ? OutputFormat::c
-                                                : OutputFormat::bin;
-  return arguments.format.value_or(by_name);
+  if (arguments.format.has_value()) {
+    return *arguments.format;
+  }
+  for (const char* source : {".h", ".hh", ".hxx", ".cpp", ".cc", ".cxx"}) {
+    if (ending == source) {
+      throw Error(arguments.out + ": add --format hpp, for C++, or --format c");
+    }
+  }
+  return ending == ".hpp" ? OutputFormat::hpp
+         : ending == ".c" ? OutputFormat::c
+                          : OutputFormat::bin;
 }
 
 // A path in a Makefile rule.
@@ -101,9 +109,11 @@ std::string dependencies(const Arguments& arguments) {
 
 // Writes everything first and moves it to its place then, the font last: if
 // the disk is full, no file appears.
-void write_files(const Arguments& arguments, const RomFont& font) {
+void write_files(const Arguments& arguments,
+                 const RomFont& font,
+                 OutputFormat format) {
   OutputFile out(arguments.out);
-  out.write(encode(font, format_of(arguments), arguments.name));
+  out.write(encode(font, format, arguments.name));
   std::optional<OutputFile> report;
   if (!arguments.report.empty()) {
     report.emplace(arguments.report).write(report_as_json(font.report));
@@ -151,6 +161,7 @@ void run(Arguments& arguments) {
     arguments.name = identifier_of(arguments.request.font);
   }
   check_identifier(arguments.name);
+  const OutputFormat format = format_of(arguments);
   check_files(arguments);
   Progress progress(arguments.quiet);
   arguments.request.progress = [&](size_t done, size_t count) {
@@ -170,7 +181,7 @@ void run(Arguments& arguments) {
   for (const Warning& warning : font.warnings) {
     std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
   }
-  write_files(arguments, font);
+  write_files(arguments, font, format);
   if (!arguments.quiet) {
     std::fputs(report_for_people(font.report).c_str(), stdout);
   }

@@ -256,6 +256,19 @@ TEST_F(Program, FollowsTheEndingOfTheFile) {
   }
 }
 
+TEST_F(Program, AsksWhichLanguageASourceIsIn) {
+  for (const char* name : {"a.h", "a.hh", "a.hxx", "a.cpp", "a.cc", "a.cxx"}) {
+    const std::string options =
+        std::string("--font plain.ttf --symbols H --quiet --out ") + name;
+    const Outcome result = run(folder_, options);
+    EXPECT_EQ(result.code, 1) << name;
+    EXPECT_NE(result.err.find("--format hpp"), std::string::npos) << result.err;
+    EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
+    EXPECT_EQ(run(folder_, options + " --format c").code, 0) << name;
+    std::filesystem::remove(folder_.path() / name);
+  }
+}
+
 // The compilers of the house take what is generated.
 TEST_F(Program, WritesSourcesThatCompile) {
   ASSERT_EQ(run(folder_,
