@@ -216,12 +216,14 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
 void run(const Arguments& arguments, const CLI::App& app) {
   const Conversion conversion = conversion_of(app, arguments.request);
   if (!arguments.jobs.empty()) {
-    if (app.count("--text") + app.count("--out") + app.count("--px") +
-            app.count("--font") >
-        0) {
-      throw std::runtime_error(
-          "--jobs takes fonts, texts, sizes and outputs from its file, not "
-          "from --font, --text, --px and --out");
+    for (const char* option :
+         {"--font", "--text", "--px", "--out", "--dx", "--dy", "--angle",
+          "--width", "--height", "--ox", "--oy", "--zoom", "--rows"}) {
+      if (app.count(option) != 0) {
+        throw std::runtime_error(
+            std::string("--jobs takes no ") + option +
+            ": fonts, texts, sizes, places and outputs are in its file");
+      }
     }
     const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
     const SampleTotal total =

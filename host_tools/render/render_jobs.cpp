@@ -29,8 +29,11 @@ RenderJob read_job(const std::string& line) {
   job.dx = json.value("dx", 0.0);
   job.dy = json.value("dy", 0.0);
   job.angle = json.value("angle", 0.0);
-  job.use = json.value("kind", "static") == std::string("anim") ? Use::moving
-                                                                : Use::still;
+  const std::string kind = json.value("kind", "static");
+  if (kind != "static" && kind != "anim") {
+    throw std::runtime_error("kind '" + kind + "' is not static or anim");
+  }
+  job.use = kind == "anim" ? Use::moving : Use::still;
   return job;
 }
 
@@ -106,7 +109,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
     }
     try {
       jobs.push_back(read_job(line));
-    } catch (const nlohmann::json::exception& error) {
+    } catch (const std::exception& error) {
       throw std::runtime_error(file.string() + ":" + std::to_string(number) +
                                ": " + error.what());
     }

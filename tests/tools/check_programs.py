@@ -362,6 +362,15 @@ class Tools(unittest.TestCase):
             "out": str(self.path / "still.pgm")}))
         self.assertIn("--samples adaptive", run("render", "--jobs", still,
                                                 "--radius", 1, code=1))
+        for option in ("--font", "--text", "--px", "--out", "--dx", "--dy",
+                       "--angle", "--width", "--height", "--ox", "--oy",
+                       "--zoom", "--rows"):
+            self.assertIn(f"--jobs takes no {option}:",
+                          run("render", "--jobs", still, option, 5, code=1))
+        odd = self.path / "odd.jsonl"
+        odd.write_text(still.read_text().replace("{", '{"kind": "move",'))
+        self.assertIn("odd.jsonl:1: kind 'move' is not static or anim",
+                      run("render", "--jobs", odd, code=1))
         broken = self.path / "broken.jsonl"
         broken.write_text('{"font": "a"}\n')
         self.assertIn("broken.jsonl:1", run("render", "--jobs", broken, code=1))
