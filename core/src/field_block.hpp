@@ -14,12 +14,6 @@ namespace detail {
 // The largest block: a row of it makes one span. [px]
 inline constexpr int32_t kMaxBlockSide = kMaxSpan;
 
-// Where a pixel lies in the glyph. [px, Q8]
-struct PixelPlace {
-  uint32_t x_q8;
-  uint32_t y_q8;
-};
-
 // The fields of a leaf.
 struct LeafFields {
   uint16_t units[3];

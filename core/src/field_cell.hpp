@@ -43,6 +43,12 @@ inline int32_t with_sign(int32_t value, int32_t sign) noexcept {
                  static_cast<uint32_t>(sign));
 }
 
+// Where a pixel lies in the glyph. [px, Q8]
+struct PixelPlace {
+  uint32_t x_q8;
+  uint32_t y_q8;
+};
+
 // One field at one point.
 struct FieldTerm {
   uint32_t plane_q22;  // n.p + c [px]
@@ -247,22 +253,29 @@ class LinkedHeap {
   }
   bool is_field(uint32_t unit) const noexcept {
     namespace linked = format::linked;
-    return holds(offset(unit), (unit & linked::kArcField) != 0
-                                   ? linked::kArcUnits
-                                   : linked::kLineUnits);
+    // Seldom is it one of the last units.
+    return holds(offset(unit), linked::kArcUnits) ||
+           ((unit & linked::kArcField) == 0 &&
+            holds(offset(unit), linked::kLineUnits));
   }
   // find_narrow_leaf in this heap.
   __attribute__((always_inline)) Leaf find_leaf(uint32_t tile,
                                                 uint32_t tile_log2,
                                                 uint32_t x,
                                                 uint32_t y) const noexcept {
-    Leaf leaf = {holds(tile, 1) ? at(tile) : format::glyph::kOutside,
-                 tile_log2};
-    while (is_node(leaf.reference)) {
-      if (leaf.size_log2 == 0) {
-        return {format::glyph::kOutside, 0};
+    namespace linked = format::linked;
+    Leaf leaf = {format::glyph::kOutside, tile_log2};
+    if (tile < units_) {
+      leaf.reference = at(tile);
+      // Their tag is the least, so that one comparison tells nodes.
+      uint32_t node = leaf.reference - linked::reference(linked::kNode, 0);
+      while (node <= linked::kOffsetMask && holds(node, linked::kNodeUnits)) {
+        if (leaf.size_log2 == 0) {
+          return {format::glyph::kOutside, 0};
+        }
+        leaf.reference = at(node + leaf.descend(x, y));
+        node = leaf.reference - linked::reference(linked::kNode, 0);
       }
-      leaf.reference = at(offset(leaf.reference) + leaf.descend(x, y));
     }
     return leaf;
   }
@@ -278,11 +291,13 @@ class LinkedHeap {
     const uint32_t kind = tag(reference);
     uint32_t from = offset(reference);
     op = FieldOperator::least;
-    if (kind == linked::kLine || kind == linked::kArc) {
-      const uint32_t unit =
-          from | (kind == linked::kArc ? linked::kArcField : 0);
-      out[0] = name(unit);
-      return is_field(unit) ? 1 : 0;
+    if (kind == linked::kLine) {
+      out[0] = name(from);
+      return holds(from, linked::kLineUnits) ? 1 : 0;
+    }
+    if (kind == linked::kArc) {
+      out[0] = name(from | linked::kArcField);
+      return holds(from, linked::kArcUnits) ? 1 : 0;
     }
     uint32_t count = 2;
     if (kind == linked::kTriple) {
@@ -299,24 +314,21 @@ class LinkedHeap {
                !holds(from, linked::kPairUnits)) {
       return 0;
     }
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t unit =
-          at(from + i) & (linked::kArcField | linked::kOffsetMask);
+    const uint8_t* unit_at = data_ + 2 * from;
+    for (uint32_t i = 0; i < count; ++i, unit_at += 2) {
+      const uint32_t unit = load_u16(unit_at);
       if (!is_field(unit)) {
         return 0;
       }
-      out[i] = name(unit);
+      out[i] = name(unit & (linked::kArcField | linked::kOffsetMask));
     }
-    if (count == 3) {
-      return 3;
-    }
-    if (out[0] == out[1]) {
+    if (count == 2 && out[0] == out[1]) {
       return 1;  // a pair of one field is that field
     }
     if (kind == linked::kMaxPair) {
       op = FieldOperator::greatest;
     }
-    return 2;
+    return count;
   }
 
  private:

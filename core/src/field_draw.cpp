@@ -11,23 +11,6 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// Turns the distances of a row into coverage, in their place. False: it is 0
-// everywhere.
-inline bool cover(const Filter& filter, int32_t* line, int32_t count) noexcept {
-  auto* out = reinterpret_cast<uint8_t*>(line);
-  uint32_t any = 0;
-  for (const int32_t* const end = line + count; line != end; ++line) {
-    const uint8_t coverage = filter.coverage(*line >> 12);
-    any |= coverage;
-    *out++ = coverage;
-  }
-  return any != 0;
-}
-
-// Pixels of a row that are drawn at once: what the stack can bear.
-constexpr int32_t kAtOnce = 18;
-static_assert(kAtOnce <= kMaxSpan, "a span");
-
 __attribute__((noinline)) void draw_rows(const GlyphField& field,
                                          const Brush& brush,
                                          const Placed& placed,
@@ -37,24 +20,23 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
   if (is_empty(pixels)) {
     return;
   }
-  const Filter& filter = brush.filter();
+  const CoverageRamp ramp(brush.filter());
   const auto step_q16 = static_cast<uint32_t>(brush.step_along_q16());
-  FieldRow row(field, scale_of(brush), reach_of(filter), {step_q16, 1 << 20});
+  FieldRow row(field, scale_of(brush), reach_of(brush.filter()),
+               brush.step_along_q16());
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
     RowHeight height;
     if (upright.place_row(brush, height)) {
       row.go_to(height.y_q16, height.y_q20);
       RowPoint first = row.point(upright.at.x_q16, upright.at.x_q20);
-      for (int32_t x = pixels.x0; x < pixels.x1; x += kAtOnce) {
-        int32_t line[kAtOnce];
-        const int32_t count = lesser(pixels.x1 - x, kAtOnce);
-        row.take(first, line, count);
-        if (cover(filter, line, count)) {
-          sink.coverage(sink.context, x, y,
-                        reinterpret_cast<const uint8_t*>(line), count);
+      for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
+        uint8_t line[kMaxSpan];
+        const int32_t count = lesser(pixels.x1 - x, kMaxSpan);
+        if (row.cover(first, ramp, line, count)) {
+          sink.coverage(sink.context, x, y, line, count);
         }
-        first.x_q16 += kAtOnce * step_q16;
-        first.x_q20 += kAtOnce << 20;
+        first.x_q16 += kMaxSpan * step_q16;
+        first.x_q20 += kMaxSpan << 20;
       }
     }
     upright.next_row(brush);
@@ -62,7 +44,7 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
 }
 
 // Object order wins from this size on. [px to the em, Q8]
-constexpr uint32_t kCellsFromQ8 = 40 << 8;
+constexpr uint32_t kCellsFromQ8 = 50 << 8;
 
 }  // namespace
 

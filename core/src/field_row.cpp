@@ -1,79 +1,156 @@
+// Leaves of cells of fields along a row, and what they cover.
 #include "field_row.hpp"
 
 namespace inkcell {
 namespace detail {
 
-class FieldRow::PlainValues {
- public:
-  explicit PlainValues(const FieldRow& row) noexcept : row_(row) {}
-
-  static void set_up(uint32_t) noexcept {}
-
-  static int32_t* side(int32_t value, int32_t* out) noexcept {
-    *out = value;
-    return out + 1;
+__attribute__((noinline)) void FieldRow::find_narrow(
+    uint32_t x, RowLeaf& leaf) const noexcept {
+  using format::fields::kArcBytes;
+  using format::fields::kLineBytes;
+  const Leaf found = find_narrow_leaf(field_, tile_of(x), x, y_u_);
+  leaf.size_log2 = found.size_log2;
+  leaf.is_inside = found.reference == format::glyph::kInside;
+  leaf.count = 0;
+  leaf.field[1] = leaf.field[2] = nullptr;
+  if (found.reference < format::glyph::kFirstNode) {
+    return;
   }
-
-  int32_t* one(uint32_t x_q8, int32_t* out) const noexcept {
-    return side(value(0, x_q8), out);
-  }
-
-  int32_t* two(uint32_t x_q8, int32_t* out) const noexcept {
-    const int32_t sign = fields.sign;
-    const int32_t a = with_sign(value(0, x_q8), sign);
-    int32_t least = a;
-    if (a > -row_.reach_q22_) {
-      const int32_t b = with_sign(value(1, x_q8), sign);
-      const bool in_order = a <= b;
-      least = in_order ? a : b;
-      if (row_.is_near_vertex(least, in_order ? b : a)) {
-        least = row_.rounded_two(fields, a, b, x_q8);
-      }
-    }
-    return side(with_sign(least, sign), out);
-  }
-
-  int32_t* three(uint32_t x_q8, int32_t* out) const noexcept {
-    const int32_t sign = fields.sign;
-    const int32_t a = with_sign(value(0, x_q8), sign);
-    int32_t least = a;
-    if (a > -row_.reach_q22_) {
-      const int32_t b = with_sign(value(1, x_q8), sign);
-      const int32_t c = with_sign(value(2, x_q8), sign);
-      least = row_.least_of_three(fields, a, b, c, x_q8);
-    }
-    return side(with_sign(least, sign), out);
-  }
-
-  Fields fields;
-
- private:
-  int32_t value(uint32_t i, uint32_t x_q8) const noexcept {
-    return row_.value(fields.place[i], x_q8);
-  }
-
-  const FieldRow& row_;
-};
-
-void FieldRow::take(RowPoint at, int32_t* out, int32_t count) const noexcept {
-  take_with<PlainValues>(at, out, count);
+  const uint8_t* const cells = field_.cells;
+  const uint32_t arcs = field_.arc_count;
+  const uint8_t* const lines = cells + (kArcBytes - kLineBytes) * arcs;
+  FieldOperator op = FieldOperator::least;
+  const uint32_t count = read_narrow_leaf(
+      field_, found.reference,
+      [=](uint32_t number) {
+        return number < arcs ? cells + kArcBytes * number + 1
+                             : lines + kLineBytes * number;
+      },
+      leaf.field, op);
+  leaf.set(count, op);
 }
 
-__attribute__((noinline)) uint32_t FieldRow::read_linked(
-    uint32_t reference, Fields& fields) const noexcept {
+__attribute__((noinline)) void FieldRow::find_linked(
+    uint32_t x, RowLeaf& leaf) const noexcept {
+  namespace linked = format::linked;
+  const LinkedHeap heap(field_);
+  const Leaf found = heap.find_leaf(tile_of(x), field_.tile_log2, x, y_u_);
+  leaf.size_log2 = found.size_log2;
+  leaf.is_inside = found.reference == format::glyph::kInside;
+  leaf.count = 0;
+  leaf.field[1] = leaf.field[2] = nullptr;
+  if (found.reference < format::glyph::kFirstNode) {
+    return;
+  }
+  const uint8_t* const cells = field_.cells;
   FieldOperator op = FieldOperator::least;
-  const uint32_t count = LinkedHeap(field_).read_leaf(
-      reference,
-      [](uint32_t unit) {
-        return 2 * (unit & format::linked::kOffsetMask) + (unit >> 15);
+  const uint32_t count = heap.read_leaf(
+      found.reference,
+      [=](uint32_t unit) {
+        return cells + 2 * (unit & linked::kOffsetMask) + (unit >> 15);
       },
-      fields.place, op);
-  fields.set(op);
-  return count;
+      leaf.field, op);
+  leaf.set(count, op);
+}
+
+bool FieldRow::cover(RowPoint at,
+                     const CoverageRamp& ramp,
+                     uint8_t* const first,
+                     int32_t count) const noexcept {
+  const uint32_t step = step_q16_;
+  const auto first_q8 = static_cast<uint32_t>(wrapped(at.x_q20) >> 12);
+  uint32_t x_q16 = at.x_q16;
+  uint8_t* out = first;
+  const uint32_t end_q16 = x_q16 + static_cast<uint32_t>(count) * step;
+  bool any = false;
+  while (x_q16 < end_q16) {
+    RowLeaf leaf;
+    find_leaf(x_q16, leaf);
+    const uint32_t stop_q16 = stop_of(leaf, x_q16, end_q16);
+    const uint32_t fields = leaf.count;
+    if (fields == 0) {
+      any |= leaf.is_inside;
+      const uint8_t side = leaf.is_inside ? 255 : 0;
+      do {
+        *out++ = side;
+        x_q16 += step;
+      } while (x_q16 < stop_q16);
+      continue;
+    }
+    any = true;
+    const auto x_q8 = [=](uint8_t * here) __attribute__((always_inline)) {
+      return first_q8 + (static_cast<uint32_t>(here - first) << 8);
+    };
+    const PixelPlace place = {x_q8(out), y_q8_};
+    const int32_t sign = leaf.sign;
+    // True if the leaf ends there.
+    const auto put = [&](int32_t value) __attribute__((always_inline)) {
+      *out++ = ramp(with_sign(value, sign));
+      x_q16 += step;
+      return x_q16 >= stop_q16;
+    };
+    const auto one = [&](auto a) __attribute__((always_inline)) {
+      while (true) {
+        *out++ = ramp(a.value(bend_shift_, 0));
+        x_q16 += step;
+        if (x_q16 >= stop_q16) {
+          return;
+        }
+        a.go_on();
+      }
+    };
+    const auto two = [&](auto a, auto b) __attribute__((always_inline)) {
+      while (!put(least_of_two(leaf, a.value(bend_shift_, sign),
+                               b.value(bend_shift_, sign), x_q8(out)))) {
+        a.go_on();
+        b.go_on();
+      }
+    };
+    const auto three = [&](auto a, auto b, auto c)
+        __attribute__((always_inline)) {
+      while (!put(least_of_three(leaf, a.value(bend_shift_, sign),
+                                 b.value(bend_shift_, sign),
+                                 c.value(bend_shift_, sign), x_q8(out)))) {
+        a.go_on();
+        b.go_on();
+        c.go_on();
+      }
+    };
+    const uint8_t* const f0 = leaf.field[0];
+    const uint8_t* const f1 = leaf.field[1];
+    const uint8_t* const f2 = leaf.field[2];
+    const auto are_lines =
+        [](uintptr_t arc_bits) __attribute__((always_inline)) {
+      return kLineLoops && arc_bits == 0;
+    };
+    if (fields == 1) {
+      if (are_lines(arc_bit(f0))) {
+        one(LineTerm(f0, place, scale_, 0));
+      } else {
+        one(ArcTerm(f0, place, scale_, 0));
+      }
+    } else if (fields == 2) {
+      if (are_lines(arc_bit(f0) | arc_bit(f1))) {
+        two(LineTerm(f0, place, scale_, sign),
+            LineTerm(f1, place, scale_, sign));
+      } else {
+        two(ArcTerm(f0, place, scale_, sign), ArcTerm(f1, place, scale_, sign));
+      }
+    } else if (are_lines(arc_bit(f0) | arc_bit(f1) | arc_bit(f2))) {
+      three(LineTerm(f0, place, scale_, sign),
+            LineTerm(f1, place, scale_, sign),
+            LineTerm(f2, place, scale_, sign));
+    } else {
+      three(ArcTerm(f0, place, scale_, sign), ArcTerm(f1, place, scale_, sign),
+            ArcTerm(f2, place, scale_, sign));
+    }
+  }
+  return any;
 }
 
 __attribute__((noinline)) Vector FieldRow::gradient(
-    uint32_t place, uint32_t x_q8) const noexcept {
+    const uint8_t* field, uint32_t x_q8) const noexcept {
+  const auto place = static_cast<uint32_t>(field - field_.cells);
   return gradient_q14(field_, place >> 1 | (place & 1) << 15, x_q8, y_q8_,
                       scale_);
 }
@@ -81,38 +158,38 @@ __attribute__((noinline)) Vector FieldRow::gradient(
 // The lesser of two values, rounded.
 __attribute__((noinline)) int32_t FieldRow::rounded(
     int32_t a,
-    uint32_t a_place,
+    const uint8_t* a_field,
     int32_t b,
-    uint32_t b_place,
+    const uint8_t* b_field,
     uint32_t x_q8) const noexcept {
   if (a > b) {
     const int32_t value = a;
     a = b;
     b = value;
-    const uint32_t place = a_place;
-    a_place = b_place;
-    b_place = place;
+    const uint8_t* field = a_field;
+    a_field = b_field;
+    b_field = field;
   }
   if (!is_near_vertex(a, b)) {
     return a;
   }
-  return rounded_q22(a, gradient(a_place, x_q8), b, gradient(b_place, x_q8));
+  return rounded_q22(a, gradient(a_field, x_q8), b, gradient(b_field, x_q8));
 }
 
 // The last step is a call in place of this one: its frame is the smaller.
 __attribute__((noinline)) int32_t FieldRow::rounded_three(
-    const Fields& fields,
+    const RowLeaf& leaf,
     int32_t a,
     int32_t b,
     int32_t c,
     uint32_t x_q8) const noexcept {
   uint32_t first = 0;
   uint32_t second = 1;
-  if (fields.is_nested) {
+  if (leaf.is_nested) {
     // The greater one is the lesser with the signs turned.
     second = b >= c ? 1 : 2;
-    b = with_sign(rounded(with_sign(b, -1), fields.place[1], with_sign(c, -1),
-                          fields.place[2], x_q8),
+    b = with_sign(rounded(with_sign(b, -1), leaf.field[1], with_sign(c, -1),
+                          leaf.field[2], x_q8),
                   -1);
   } else if (a > b && a > c) {
     first = 2;  // without the greatest
@@ -121,7 +198,7 @@ __attribute__((noinline)) int32_t FieldRow::rounded_three(
     second = 2;
     b = c;
   }
-  return rounded(a, fields.place[first], b, fields.place[second], x_q8);
+  return rounded(a, leaf.field[first], b, leaf.field[second], x_q8);
 }
 
 }  // namespace detail

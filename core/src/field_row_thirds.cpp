@@ -4,46 +4,144 @@
 
 namespace inkcell {
 namespace detail {
+namespace {
 
-// What a field is at a point, and how much it gains on the way to the next.
-class FieldRow::ThirdValues {
- public:
-  ThirdValues(const FieldRow& row, const ThirdsWay& way) noexcept
-      : row_(row), way_(way) {}
+// It may wrap: beyond the reach distances may be any.
+int32_t sum(int32_t a, int32_t b) noexcept {
+  return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+}
 
-  // Once the fields are read. The slope is that of FieldTerm along the way: nx
-  // - 2 k w ny to the right, ny + 2 k w nx upwards.
-  __attribute__((noinline)) void set_up(uint32_t count) noexcept {
+// What a field is at a point, and how much it gains on the way to the next,
+// with the leaf's sign.
+struct Third {
+  int32_t value_q22;
+  int32_t gain_q22;
+
+  int32_t before() const noexcept {
+    return wrapped(static_cast<uint32_t>(value_q22) -
+                   static_cast<uint32_t>(gain_q22));
+  }
+  int32_t behind() const noexcept { return sum(value_q22, gain_q22); }
+};
+
+// The way to the next point, with the leaf's sign, and what else does not
+// change along a row.
+struct SignedWay {
+  uint32_t normal;
+  int32_t way_q8;
+  int32_t bend_shift;
+  int32_t sign;
+};
+
+// A line along a row.
+struct ThirdLine {
+  LineTerm plane;
+  int32_t gain_q22;
+
+  __attribute__((always_inline)) ThirdLine(const uint8_t* field,
+                                           PixelPlace place,
+                                           const FieldScale& scale,
+                                           const SignedWay& way) noexcept
+      : plane(field, place, scale, way.sign),
+        gain_q22(wrapped(times(load_i16(field + way.normal),
+                               static_cast<uint32_t>(way.way_q8)))) {}
+
+  Third at(const SignedWay&) const noexcept {
+    return {wrapped(plane.plane_q22), gain_q22};
+  }
+
+  void go_on() noexcept { plane.go_on(); }
+};
+
+// A line or an arc. The slope is that of FieldTerm along the way: nx - 2 k w ny
+// to the right, ny + 2 k w nx upwards.
+struct ThirdArc {
+  ArcTerm arc;
+  uint32_t gain_q22;  // of the plane
+  int32_t other_q14;  // of the normal across the way
+
+  __attribute__((always_inline)) ThirdArc(const uint8_t* field,
+                                          PixelPlace place,
+                                          const FieldScale& scale,
+                                          const SignedWay& way) noexcept
+      : arc(field, place, scale, way.sign) {
     namespace layout = format::fields;
-    const uint8_t* const cells = row_.cells_;
-    const uint32_t y_q8 = row_.y_q8_;
-    const FieldScale scale = row_.scale_;
-    const uint32_t normal = way_.normal;
-    const int32_t sign = fields.sign;
-    const int32_t way_q8 = with_sign(way_.way_q8, sign);
-    const uint32_t* place = fields.place;
-    Term* term = terms_;
-    for (const uint32_t* const end = place + count; place != end; ++term) {
-      const uint32_t where = *place++;
-      const uint8_t* const at = cells + (where & ~uint32_t{1});
-      const int32_t nx = load_i16(at + layout::kNormalX);
-      const int32_t ny = load_i16(at + layout::kNormalY);
-      const uint32_t value =
-          times(ny, y_q8) +
-          times(load_i16(at + layout::kOffset), scale.size_q8);
-      term->value_q22 = static_cast<uint32_t>(with_sign(wrapped(value), sign));
-      term->nx_q14 = static_cast<int16_t>(with_sign(nx, sign));
-      term->gain_q22 =
-          times(load_i16(at + normal), static_cast<uint32_t>(way_q8));
-      term->bend = 0;
-      if ((where & 1) != 0) {
-        term->bend =
-            (load_i16(at + layout::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
-        term->along_q22 = times(nx, y_q8) + (1 << 13) +
-                          times(load_i16(at + layout::kAlong), scale.size_q8);
-        term->ny_q14 = static_cast<int16_t>(ny);
-        term->other_q14 = normal == layout::kNormalX ? ny : -nx;
+    const uint8_t* const record = field - arc_bit(field);
+    gain_q22 =
+        times(load_i16(record + way.normal), static_cast<uint32_t>(way.way_q8));
+    other_q14 = way.normal == layout::kNormalX
+                    ? load_i16(record + layout::kNormalY)
+                    : -load_i16(record + layout::kNormalX);
+  }
+
+  __attribute__((always_inline)) Third at(const SignedWay& way) const noexcept {
+    const auto half_q15 = static_cast<uint32_t>(arc.slope_q15(way.bend_shift));
+    const uint32_t gain =
+        gain_q22 - times(wrapped(times(other_q14, half_q15)) >> 14,
+                         static_cast<uint32_t>(way.way_q8));
+    return {arc.value(way.bend_shift, way.sign), wrapped(gain)};
+  }
+
+  void go_on() noexcept { arc.go_on(); }
+};
+
+}  // namespace
+
+// Draws the points of one leaf that has fields.
+class FieldRow::Thirds {
+ public:
+  __attribute__((always_inline)) Thirds(const FieldRow& row,
+                                        const ThirdsWay& way,
+                                        const RowLeaf& leaf,
+                                        const uint32_t& x_q8) noexcept
+      : row_(row),
+        leaf_(leaf),
+        far_q22_(way.far_q22),
+        way_{way.normal, with_sign(way.way_q8, leaf.sign), row.bend_shift_,
+             leaf.sign},
+        x_q8_(x_q8) {}
+
+  // `next` is asked after each point whether there is one more.
+  template <typename Term, typename Next>
+  __attribute__((always_inline)) int32_t* draw(int32_t* out,
+                                               const Next& next) noexcept {
+    const PixelPlace place = {x_q8_, row_.y_q8_};
+    const auto term = [&](int i) __attribute__((always_inline)) {
+      return Term(leaf_.field[i], place, row_.scale_, way_);
+    };
+    if (leaf_.count == 1) {
+      Term a = term(0);
+      while (true) {
+        out = put(a.at(way_), out);
+        if (!next()) {
+          return out;
+        }
+        a.go_on();
       }
+    }
+    if (leaf_.count == 2) {
+      Term a = term(0);
+      Term b = term(1);
+      while (true) {
+        out = two(a.at(way_), b.at(way_), out);
+        if (!next()) {
+          return out;
+        }
+        a.go_on();
+        b.go_on();
+      }
+    }
+    Term a = term(0);
+    Term b = term(1);
+    Term c = term(2);
+    while (true) {
+      out = three(a.at(way_), b.at(way_), c.at(way_), out);
+      if (!next()) {
+        return out;
+      }
+      a.go_on();
+      b.go_on();
+      c.go_on();
     }
   }
 
@@ -52,120 +150,60 @@ class FieldRow::ThirdValues {
     return out + 3;
   }
 
-  __attribute__((always_inline)) int32_t* one(uint32_t x_q8,
-                                              int32_t* out) const noexcept {
-    const Point a = at(0, x_q8, 0);
+ private:
+  __attribute__((always_inline)) static int32_t* put(const Third& a,
+                                                     int32_t* out) noexcept {
     out[0] = a.before();
     out[1] = a.value_q22;
     out[2] = a.behind();
     return out + 3;
   }
 
-  __attribute__((always_inline)) int32_t* two(uint32_t x_q8,
+  __attribute__((always_inline)) int32_t* two(const Third& a,
+                                              const Third& b,
                                               int32_t* out) const noexcept {
-    const int32_t sign = fields.sign;
-    const Point a = at(0, x_q8, sign);
-    if (a.value_q22 <= -way_.far_q22) {
-      return side(with_sign(a.value_q22, sign), out);
-    }
-    const Point b = at(1, x_q8, sign);
-    const bool in_order = a.value_q22 <= b.value_q22;
-    const int32_t least = in_order ? a.value_q22 : b.value_q22;
+    const int32_t least = lesser(a.value_q22, b.value_q22);
     if (is_far(least)) {
-      return side(with_sign(least, sign), out);
+      return side(with_sign(least, way_.sign), out);
     }
-    int32_t change = 0;
-    if (row_.is_near_vertex(least, in_order ? b.value_q22 : a.value_q22)) {
-      change = row_.rounded_two(fields, a.value_q22, b.value_q22, x_q8) - least;
-    }
+    const int32_t rounded =
+        row_.least_of_two(leaf_, a.value_q22, b.value_q22, x_q8_);
     return put(lesser(a.before(), b.before()), least,
-               lesser(a.behind(), b.behind()), change, sign, out);
+               lesser(a.behind(), b.behind()), rounded - least, out);
   }
 
-  __attribute__((always_inline)) int32_t* three(uint32_t x_q8,
+  __attribute__((always_inline)) int32_t* three(const Third& a,
+                                                const Third& b,
+                                                const Third& c,
                                                 int32_t* out) const noexcept {
-    const int32_t sign = fields.sign;
-    const Point a = at(0, x_q8, sign);
-    if (a.value_q22 <= -way_.far_q22) {
-      return side(with_sign(a.value_q22, sign), out);
-    }
-    const Point b = at(1, x_q8, sign);
-    const Point c = at(2, x_q8, sign);
     const int32_t least = plain(a.value_q22, b.value_q22, c.value_q22);
     if (is_far(least)) {
-      return side(with_sign(least, sign), out);
+      return side(with_sign(least, way_.sign), out);
     }
-    const int32_t rounded = row_.least_of_three(fields, a.value_q22,
-                                                b.value_q22, c.value_q22, x_q8);
+    const int32_t rounded = row_.least_of_three(leaf_, a.value_q22, b.value_q22,
+                                                c.value_q22, x_q8_);
     return put(plain(a.before(), b.before(), c.before()), least,
-               plain(a.behind(), b.behind(), c.behind()), rounded - least, sign,
-               out);
+               plain(a.behind(), b.behind(), c.behind()), rounded - least, out);
   }
 
-  Fields fields;
-
- private:
-  // It may wrap: beyond the reach distances may be any.
-  static int32_t sum(int32_t a, int32_t b) noexcept {
-    return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
-  }
-
-  // With the leaf's sign.
-  struct Point {
-    int32_t value_q22;
-    int32_t gain_q22;
-
-    int32_t before() const noexcept {
-      return wrapped(static_cast<uint32_t>(value_q22) -
-                     static_cast<uint32_t>(gain_q22));
-    }
-    int32_t behind() const noexcept { return sum(value_q22, gain_q22); }
-  };
-
-  // A field along the row, with the leaf's sign: what does not change from
-  // point to point.
-  struct Term {
-    uint32_t value_q22;  // at x = 0, of the plane
-    uint32_t gain_q22;   // of the plane
-    int32_t bend;  // of FieldTerm, 0 for a line; without the sign, as below
-    uint32_t along_q22;  // at x = 0
-    int16_t nx_q14;
-    int16_t ny_q14;
-    int32_t other_q14;  // of the normal across the way
-  };
-
-  __attribute__((always_inline)) Point at(uint32_t i,
-                                          uint32_t x_q8,
-                                          int32_t sign) const noexcept {
-    const Term& term = terms_[i];
-    uint32_t value = term.value_q22 + times(term.nx_q14, x_q8);
-    uint32_t gain = term.gain_q22;
-    if (term.bend != 0) {
-      const auto along = static_cast<uint32_t>(
-          wrapped(term.along_q22 - times(term.ny_q14, x_q8)) >> 14);
-      const auto half_q15 = static_cast<uint32_t>(
-          wrapped(times(term.bend, along)) >> row_.bend_shift_);
-      value += static_cast<uint32_t>(
-          with_sign(wrapped(half_q15 * along) >> 1, sign));
-      gain -= times(wrapped(times(term.other_q14, half_q15)) >> 14,
-                    static_cast<uint32_t>(with_sign(way_.way_q8, sign)));
-    }
-    return {wrapped(value), wrapped(gain)};
-  }
-  bool is_far(int32_t value_q22) const noexcept {
-    return value_q22 <= -way_.far_q22 || value_q22 >= way_.far_q22;
+  // |value| >= far.
+  __attribute__((always_inline)) bool is_far(int32_t value_q22) const noexcept {
+    const auto far = static_cast<uint32_t>(far_q22_);
+    return static_cast<uint32_t>(value_q22) + far - 1 >= 2 * far - 1;
   }
   // What is left of three values, without rounding.
-  int32_t plain(int32_t a, int32_t b, int32_t c) const noexcept {
-    return lesser(a, fields.is_nested ? greater(b, c) : lesser(b, c));
+  __attribute__((always_inline)) int32_t plain(int32_t a,
+                                               int32_t b,
+                                               int32_t c) const noexcept {
+    return lesser(a, leaf_.is_nested ? greater(b, c) : lesser(b, c));
   }
-  static int32_t* put(int32_t before,
-                      int32_t at,
-                      int32_t behind,
-                      int32_t change,
-                      int32_t sign,
-                      int32_t* out) noexcept {
+  __attribute__((always_inline)) int32_t* put(int32_t before,
+                                              int32_t at,
+                                              int32_t behind,
+                                              int32_t change,
+                                              int32_t* out) const noexcept {
     // With the sign: (x ^ sign) - sign.
+    const int32_t sign = way_.sign;
     const int32_t more = sum(with_sign(change, sign), -sign);
     out[0] = sum(before ^ sign, more);
     out[1] = sum(at ^ sign, more);
@@ -174,15 +212,42 @@ class FieldRow::ThirdValues {
   }
 
   const FieldRow& row_;
-  const ThirdsWay& way_;
-  Term terms_[3];
+  const RowLeaf& leaf_;
+  int32_t far_q22_;
+  SignedWay way_;
+  const uint32_t& x_q8_;  // of the point [px]
 };
 
 void FieldRow::take_thirds(RowPoint at,
                            const ThirdsWay& way,
-                           int32_t* out,
+                           int32_t* const first,
                            int32_t count) const noexcept {
-  take_with<ThirdValues>(at, out, count, way);
+  const uint32_t step = step_q16_;
+  uint32_t x_q16 = at.x_q16;
+  uint32_t x_q8 = static_cast<uint32_t>(wrapped(at.x_q20) >> 12);
+  int32_t* out = first;
+  const uint32_t end_q16 = x_q16 + static_cast<uint32_t>(count) * step;
+  while (x_q16 < end_q16) {
+    RowLeaf leaf;
+    find_leaf(x_q16, leaf);
+    const uint32_t stop_q16 = stop_of(leaf, x_q16, end_q16);
+    const auto next = [&]() __attribute__((always_inline)) {
+      x_q8 += 1 << 8;
+      x_q16 += step;
+      return x_q16 < stop_q16;
+    };
+    Thirds thirds(*this, way, leaf, x_q8);
+    if (leaf.count == 0) {
+      const int32_t side = leaf.is_inside ? INT32_MAX : INT32_MIN;
+      do {
+        out = Thirds::side(side, out);
+      } while (next());
+    } else if (kLineLoops && leaf.has_lines()) {
+      out = thirds.draw<ThirdLine>(out, next);
+    } else {
+      out = thirds.draw<ThirdArc>(out, next);
+    }
+  }
 }
 
 }  // namespace detail
