@@ -6,24 +6,23 @@
 namespace inkcell {
 namespace detail {
 
-uint32_t read_last_bits(Span<const uint8_t> bytes,
-                        uint32_t bit,
-                        uint32_t width) noexcept {
-  const uint32_t first = bit / 8;
-  const uint32_t shift = bit % 8;
-  const uint32_t count = (shift + width + 7) / 8;
-  if (width > format::bit_table::kMaxBits || first > bytes.size ||
-      count > bytes.size - first) {
+uint32_t read_any_bits(const Span<const uint8_t>& bytes,
+                       uint32_t bit,
+                       uint32_t width) noexcept {
+  if (bytes.size < 4 || width - 1 >= format::bit_table::kMaxBits) {
     return 0;
   }
-  uint32_t read = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    read |= uint32_t{bytes[first + i]} << (8 * i);
+  // Four bytes hold any number: those from its first one on, or the last ones.
+  const uint32_t last = static_cast<uint32_t>(bytes.size) - 4;
+  const uint32_t first = bit / 8 < last ? bit / 8 : last;
+  const uint32_t shift = bit - 8 * first;
+  if (shift > 32 - width) {
+    return 0;
   }
-  return read >> shift & ((uint32_t{1} << width) - 1);
+  return load_any_u32(bytes.data + first) >> shift & ~(~uint32_t{0} << width);
 }
 
-bool bits_fit(Span<const uint8_t> section,
+bool bits_fit(const Span<const uint8_t>& section,
               uint32_t header_bytes,
               uint32_t bits) noexcept {
   return section.size >= header_bytes &&
@@ -69,18 +68,16 @@ bool Kerning::open(Span<const uint8_t> section) noexcept {
   left_bits = at[kerning::kLeftBits];
   right_bits = at[kerning::kRightBits];
   value_bits = at[kerning::kValueBits];
-  const Span<const uint8_t> bytes = {at + kerning::kBytes,
-                                     section.size - kerning::kBytes};
-  members = {bytes, 0, uint32_t{glyph_bits} + left_bits + right_bits};
-  row_starts = {bytes, member_count * members.row_bits,
+  members = {section, 8 * kerning::kBytes,
+             uint32_t{glyph_bits} + left_bits + right_bits};
+  row_starts = {section, members.first_bit + member_count * members.row_bits,
                 at[kerning::kStartBits]};
-  pairs = {bytes,
+  pairs = {section,
            row_starts.first_bit + (left_classes + 1u) * row_starts.row_bits,
            uint32_t{right_bits} + value_bits};
   // No sum of these passes 32 bits, whatever the widths.
   return pair_count <= kerning::kMaxPairs &&
-         bits_fit(section, kerning::kBytes,
-                  pairs.first_bit + pair_count * pairs.row_bits);
+         bits_fit(section, 0, pairs.first_bit + pair_count * pairs.row_bits);
 }
 
 }  // namespace detail

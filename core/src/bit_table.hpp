@@ -3,36 +3,37 @@
 
 #include <stdint.h>
 
+#include "bytes.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/span.hpp"
 
 namespace inkcell {
 namespace detail {
 
-/// read_bits for numbers near the end of `bytes`.
-uint32_t read_last_bits(Span<const uint8_t> bytes,
-                        uint32_t bit,
-                        uint32_t width) noexcept;
-
 /// The `width` bits that begin `bit` bits after the lowest of the first byte.
-/// 0 if they leave `bytes` or are wider than format::bit_table::kMaxBits.
-inline uint32_t read_bits(Span<const uint8_t> bytes,
+/// 0 if they leave `bytes`, if those are less than four, or if the bits are
+/// wider than format::bit_table::kMaxBits.
+uint32_t read_any_bits(const Span<const uint8_t>& bytes,
+                       uint32_t bit,
+                       uint32_t width) noexcept;
+
+/// The same, faster but for numbers near the end.
+inline uint32_t read_bits(const Span<const uint8_t>& bytes,
                           uint32_t bit,
                           uint32_t width) noexcept {
+#if !defined(__OPTIMIZE_SIZE__)
   const uint32_t first = bit / 8;
-  if (width > format::bit_table::kMaxBits || first + 4 > bytes.size) {
-    return read_last_bits(bytes, bit, width);
+  if (width <= format::bit_table::kMaxBits && first + 4 <= bytes.size) {
+    return load_any_u32(bytes.data + first) >> bit % 8 &
+           ~(~uint32_t{0} << width);
   }
-  // Four bytes hold any number. One load where addresses may be odd.
-  const uint8_t* at = bytes.data + first;
-  const uint32_t read = at[0] | uint32_t{at[1]} << 8 | uint32_t{at[2]} << 16 |
-                        uint32_t{at[3]} << 24;
-  return read >> bit % 8 & ~(~uint32_t{0} << width);
+#endif
+  return read_any_bits(bytes, bit, width);
 }
 
 /// Whether `bits` bits, below 2^32 - 7, fit behind the first `header_bytes` of
 /// `section`.
-bool bits_fit(Span<const uint8_t> section,
+bool bits_fit(const Span<const uint8_t>& section,
               uint32_t header_bytes,
               uint32_t bits) noexcept;
 

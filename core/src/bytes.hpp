@@ -29,5 +29,12 @@ __attribute__((always_inline)) inline uint32_t load_u32(
          static_cast<uint32_t>(p[2]) << 16 | static_cast<uint32_t>(p[3]) << 24;
 }
 
+// At any address: one load where the core has that.
+__attribute__((always_inline)) inline uint32_t load_any_u32(
+    const uint8_t* at) noexcept {
+  return at[0] | uint32_t{at[1]} << 8 | uint32_t{at[2]} << 16 |
+         uint32_t{at[3]} << 24;
+}
+
 }  // namespace detail
 }  // namespace inkcell

@@ -4,6 +4,7 @@
 #include "cell_access.hpp"
 #include "field_cell.hpp"
 #include "inkcell/format.hpp"
+#include "record.hpp"
 
 namespace inkcell {
 namespace {
@@ -55,23 +56,28 @@ FieldTerms terms_at(const GlyphField& field,
   return terms;
 }
 
-// GlyphField::open, into an empty field. Not inline: what is read goes to its
-// place at once.
-__attribute__((noinline)) Status read_record(Span<const uint8_t> record,
-                                             GlyphField& field) noexcept {
+}  // namespace
+
+// Not inline: what is read goes to its place at once.
+__attribute__((noinline)) Status detail::read_record(
+    Span<const uint8_t> record, GlyphField& field) noexcept {
   namespace glyph = format::glyph;
   namespace fields = format::fields;
   namespace linked = format::linked;
   using Kind = GlyphField::Kind;
-  if (record.size < linked::kBytes) {
+  const uint8_t* const at = record.data;
+  if (record.size == 0) {
     return Status::corrupt;
   }
-  const uint8_t* const at = record.data;
   const bool of_fields = at[glyph::kType] == glyph::kTypeFields;
   if (of_fields ? INKCELL_FIELD_CELLS == 0
                 : INKCELL_SAMPLE_CELLS == 0 ||
                       at[glyph::kType] != glyph::kTypeSamples) {
     return Status::unsupported;
+  }
+  if (record.size < linked::kBytes ||
+      reinterpret_cast<uintptr_t>(at) % format::glyphs::kRecordAlignment != 0) {
+    return Status::corrupt;
   }
   uint32_t log2 = at[glyph::kTileLog2];
   uint32_t bytes = glyph::kBytes;
@@ -130,11 +136,9 @@ __attribute__((noinline)) Status read_record(Span<const uint8_t> record,
   return record.size < bytes + reference_bytes ? Status::corrupt : Status::ok;
 }
 
-}  // namespace
-
 Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   GlyphField field;
-  INKCELL_TRY(read_record(record, field));
+  INKCELL_TRY(detail::read_record(record, field));
   out = field;
   return Status::ok;
 }

@@ -6,6 +6,7 @@
 #include "inkcell/format.hpp"
 #include "inkcell/packed.hpp"
 #include "inkcell/version.hpp"
+#include "record.hpp"
 
 namespace inkcell {
 namespace {
@@ -20,11 +21,11 @@ using detail::load_u32;
 // More sections than any minor of this major will have.
 constexpr uint32_t kMaxSections = 32;
 
-bool known_section(uint32_t tag) noexcept {
-  return tag == section::kCmap || tag == section::kMetrics ||
-         tag == section::kKerning || tag == section::kGlyphs ||
-         tag == section::kName;
-}
+// The sections that are known: first those that a font keeps, in its order.
+constexpr uint32_t kKnownTags[] = {section::kCmap, section::kMetrics,
+                                   section::kGlyphs, section::kKerning,
+                                   section::kName};
+constexpr uint32_t kKnown = sizeof kKnownTags / sizeof kKnownTags[0];
 
 // What the rest of `open` needs of a header that it has checked. Read once:
 // flash that changes meanwhile must not come between check and use.
@@ -81,41 +82,23 @@ Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
   return Status::ok;
 }
 
-// Where the section of a directory entry lies; `ok` is false if it leaves the
-// font or is misaligned.
-struct Section {
-  Span<const uint8_t> bytes;
-  bool ok;
-};
-
-Section section_of(Span<const uint8_t> rom, const uint8_t* entry) noexcept {
-  const uint32_t place =
+// Where the section of a directory entry lies. False if it leaves the font or
+// is misaligned.
+bool find_section(Span<const uint8_t> rom,
+                  const uint8_t* entry,
+                  Span<const uint8_t>& out) noexcept {
+  const uint32_t offset =
       load_u32(entry + section::kOffset) & ~section::kMustUnderstand;
-  const uint32_t offset = place & section::kOffsetMask;
   const uint32_t size = load_u32(entry + section::kSize);
-  if (offset != place || offset > rom.size || size > rom.size - offset) {
-    return {{}, false};
+  if ((offset & ~section::kOffsetMask) != 0 || offset > rom.size ||
+      size > rom.size - offset) {
+    return false;
   }
-  return {{rom.data + offset, size}, true};
+  out = {rom.data + offset, size};
+  return true;
 }
 
-// Every section lies within the font, and none is needed that is not known.
-Status check_directory(Span<const uint8_t> rom, uint32_t sections) noexcept {
-  const uint8_t* entry = rom.data + header::kBytes;
-  for (uint32_t i = 0; i < sections; ++i, entry += section::kBytes) {
-    if (!section_of(rom, entry).ok) {
-      return Status::corrupt;
-    }
-    const uint32_t offset = load_u32(entry + section::kOffset);
-    if ((offset & section::kMustUnderstand) != 0 &&
-        !known_section(load_u32(entry + section::kTag))) {
-      return Status::unsupported;
-    }
-  }
-  return Status::ok;
-}
-
-uint16_t metrics_row_bits(Span<const uint8_t> section) noexcept {
+uint16_t metrics_row_bits(const Span<const uint8_t>& section) noexcept {
   uint32_t bits = 0;
   for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
     bits += section[format::metrics::kColumnBits + i];
@@ -127,7 +110,7 @@ uint16_t metrics_row_bits(Span<const uint8_t> section) noexcept {
 // reading bits is safe with any.
 class MetricsRow {
  public:
-  MetricsRow(Span<const uint8_t> section, uint32_t first_bit) noexcept
+  MetricsRow(const Span<const uint8_t>& section, uint32_t first_bit) noexcept
       : section_(section), bit_(8 * format::metrics::kBytes + first_bit) {}
 
   uint32_t width(uint32_t column) const noexcept {
@@ -146,7 +129,7 @@ class MetricsRow {
   }
 
  private:
-  Span<const uint8_t> section_;
+  const Span<const uint8_t>& section_;
   uint32_t bit_;
 };
 
@@ -157,36 +140,49 @@ Status Font::open(Span<const uint8_t> rom, Font& out) noexcept {
   INKCELL_TRY(read_header(rom, read));
   Font font;
   font.rom_ = {rom.data, read.total_bytes};
-  INKCELL_TRY(check_directory(font.rom_, read.sections));
-  INKCELL_TRY(font.open_tables());
+  INKCELL_TRY(font.open_tables(read.sections));
   out = font;
   return Status::ok;
 }
 
-Status Font::open_tables() noexcept {
+Status Font::open_tables(uint32_t sections) noexcept {
+  const uint8_t* entry = rom_.data + header::kBytes;
+  for (; sections != 0; --sections, entry += section::kBytes) {
+    Span<const uint8_t> bytes;
+    if (!find_section(rom_, entry, bytes)) {
+      return Status::corrupt;
+    }
+    const uint32_t tag = load_u32(entry + section::kTag);
+    uint32_t known = 0;
+    while (known < kKnown && kKnownTags[known] != tag) {
+      ++known;
+    }
+    if (known == kKnown &&
+        (load_u32(entry + section::kOffset) & section::kMustUnderstand) != 0) {
+      return Status::unsupported;
+    }
+    // Of two with the same tag the first one counts.
+    if (known < kTables && tables_[known].data == nullptr) {
+      tables_[known] = bytes;
+    }
+  }
   glyph_count_ = load_u16(rom_.data + header::kGlyphCount);
   units_per_em_ = load_u16(rom_.data + header::kUnitsPerEm);
-  if (glyph_count_ == 0 || units_per_em_ < 16 || units_per_em_ > 16384) {
+  if (glyph_count_ == 0 || units_per_em_ < 16 || units_per_em_ > 16384 ||
+      metrics_table().size < format::metrics::kBytes ||
+      glyph_table().size < format::glyphs::kBytes) {
     return Status::corrupt;
   }
-  cmap_ = section(section::kCmap);
-  metrics_ = section(section::kMetrics);
-  glyphs_ = section(section::kGlyphs);
-  kerning_ = section(section::kKerning);
-  if (metrics_.size < format::metrics::kBytes ||
-      glyphs_.size < format::glyphs::kBytes) {
-    return Status::corrupt;
-  }
-  metrics_row_bits_ = metrics_row_bits(metrics_);
+  metrics_row_bits_ = metrics_row_bits(metrics_table());
   // Products of smaller ems pass 31 bits.
   u_per_unit_q14_ =
       units_per_em_ < 256
           ? 0
           : static_cast<int32_t>((uint32_t{1024} << 14) / units_per_em_);
-  if (!detail::bits_fit(metrics_, format::metrics::kBytes,
+  if (!detail::bits_fit(metrics_table(), format::metrics::kBytes,
                         uint32_t{metrics_row_bits_} * glyph_count_) ||
-      !detail::bits_fit(glyphs_, format::glyphs::kBytes,
-                        glyphs_.data[format::glyphs::kOffsetBits] *
+      !detail::bits_fit(glyph_table(), format::glyphs::kBytes,
+                        glyph_table().data[format::glyphs::kOffsetBits] *
                             (uint32_t{glyph_count_} + 1))) {
     return Status::corrupt;
   }
@@ -194,8 +190,9 @@ Status Font::open_tables() noexcept {
 }
 
 Span<const uint8_t> Font::section(uint32_t tag) const noexcept {
+  Span<const uint8_t> bytes;
   if (rom_.size == 0) {
-    return {};
+    return bytes;
   }
   const uint32_t sections = load_u16(rom_.data + header::kSectionCount);
   const uint8_t* entry = rom_.data + header::kBytes;
@@ -205,10 +202,11 @@ Span<const uint8_t> Font::section(uint32_t tag) const noexcept {
       break;
     }
     if (load_u32(entry + section::kTag) == tag) {
-      return section_of(rom_, entry).bytes;
+      static_cast<void>(find_section(rom_, entry, bytes));
+      break;
     }
   }
-  return {};
+  return bytes;
 }
 
 FontMetrics Font::metrics() const noexcept {
@@ -252,10 +250,10 @@ Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
   // Invariant: an entry that holds the code point has an index below `end`,
   // and all entries below `begin` start at or before it.
   uint32_t begin = 0;
-  uint32_t end = static_cast<uint32_t>(cmap_.size) / cmap::kBytes;
+  uint32_t end = static_cast<uint32_t>(cmap_table().size) / cmap::kBytes;
   while (begin < end) {
     const uint32_t middle = begin + (end - begin) / 2;
-    if (load_u32(cmap_.data + middle * cmap::kBytes + cmap::kFirst) <=
+    if (load_u32(cmap_table().data + middle * cmap::kBytes + cmap::kFirst) <=
         code_point) {
       begin = middle + 1;
     } else {
@@ -265,7 +263,7 @@ Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
   if (begin == 0) {
     return Status::no_glyph;
   }
-  const uint8_t* entry = cmap_.data + (begin - 1) * cmap::kBytes;
+  const uint8_t* entry = cmap_table().data + (begin - 1) * cmap::kBytes;
   const uint32_t step = code_point - load_u32(entry + cmap::kFirst);
   if (step > load_u16(entry + cmap::kExtra)) {
     return Status::no_glyph;
@@ -282,7 +280,7 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   if (glyph >= glyph_count_) {
     return Status::no_glyph;
   }
-  MetricsRow row(metrics_, uint32_t{metrics_row_bits_} * glyph);
+  MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
   uint16_t columns[format::metrics::kColumns];
   for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
     columns[i] = row.take(i);
@@ -299,44 +297,42 @@ int32_t Font::advance(uint16_t glyph) const noexcept {
   if (glyph >= glyph_count_) {
     return 0;
   }
-  return MetricsRow(metrics_, uint32_t{metrics_row_bits_} * glyph).take(0);
+  return MetricsRow(metrics_table(), uint32_t{metrics_row_bits_} * glyph)
+      .take(0);
 }
 
 InkBox Font::ink_box(uint16_t glyph) const noexcept {
-  InkBox box;
   if (u_per_unit_q14_ == 0 || glyph >= glyph_count_) {
-    return box;
+    return {};
   }
-  MetricsRow row(metrics_, uint32_t{metrics_row_bits_} * glyph);
-  const auto u_per_unit_q14 = static_cast<uint32_t>(u_per_unit_q14_);
-  // The quotient is too small by less than one, or exact.
-  const uint32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
-  const auto take = [&](uint32_t column, bool is_high) noexcept {
-    const int32_t units = static_cast<int16_t>(row.take(column));
-    const bool is_negative = units < 0;
-    const auto size = static_cast<uint32_t>(is_negative ? -units : units);
-    // Outwards, at most 2^31.
-    uint32_t u_q14 = size * u_per_unit_q14;
-    if (is_negative != is_high) {
-      u_q14 += size * rest + (1 << 14) - 1;
-    }
-    const auto u = static_cast<int32_t>(u_q14 >> 14);
-    const int32_t near = u < InkBox::kFar ? u : InkBox::kFar;
-    return static_cast<int16_t>(is_negative ? -near : near);
-  };
+  MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
   row.skip(0);  // the advance
-  box.x0_u = take(1, false);
-  box.y0_u = take(2, false);
-  box.x1_u = take(3, true);
-  box.y1_u = take(4, true);
-  return box;
+  // The quotient is too small by less than one, or exact.
+  const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
+  int16_t sides[4];
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 4
+#endif
+  for (uint32_t i = 0; i < 4; ++i) {
+    const int32_t units = static_cast<int16_t>(row.take(i + 1));
+    // Outwards. At most 2^31 below 0, and less above.
+    const bool is_high = i >= 2;
+    int32_t u_q14 = units * u_per_unit_q14_;
+    if (is_high != (units < 0)) {
+      u_q14 += units * rest;
+    }
+    const int32_t u = (u_q14 + (is_high ? (1 << 14) - 1 : 0)) >> 14;
+    constexpr int32_t kFar = InkBox::kFar;
+    sides[i] = static_cast<int16_t>(u > kFar ? kFar : (u < -kFar ? -kFar : u));
+  }
+  return {sides[0], sides[1], sides[2], sides[3]};
 }
 
 int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
   using detail::BitTable;
   detail::Kerning kerning;
   if (left >= glyph_count_ || right >= glyph_count_ ||
-      !kerning.open(kerning_)) {
+      !kerning.open(kerning_table())) {
     return 0;
   }
   const auto member = [&kerning](uint32_t glyph) noexcept {
@@ -365,28 +361,29 @@ int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
   if (pair == BitTable::kAbsent) {
     return 0;
   }
-  const uint32_t base = load_u16(kerning_.data + format::kerning::kValueBase);
+  const uint32_t base =
+      load_u16(kerning_table().data + format::kerning::kValueBase);
   return static_cast<int16_t>(
       base + kerning.pairs.get(pair, kerning.right_bits, kerning.value_bits));
 }
 
 Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
-  namespace glyphs = format::glyphs;
+  namespace at = format::glyphs;
   if (glyph >= glyph_count_) {
     return {};
   }
-  const uint32_t width = glyphs_.data[glyphs::kOffsetBits];
+  const Span<const uint8_t>& bytes = glyph_table();
+  const uint32_t width = bytes.data[at::kOffsetBits];
   // So much and no more, whatever the byte: no shift is too long.
-  const uint32_t unit_log2 =
-      glyphs_.data[glyphs::kUnitLog2] & glyphs::kMaxUnitLog2;
-  const uint32_t at = 8 * glyphs::kBytes + width * glyph;
-  const uint32_t begin = detail::read_bits(glyphs_, at, width) << unit_log2;
-  const uint32_t end = detail::read_bits(glyphs_, at + width, width)
+  const uint32_t unit_log2 = bytes.data[at::kUnitLog2] & at::kMaxUnitLog2;
+  const uint32_t bit = 8 * at::kBytes + width * glyph;
+  const uint32_t begin = detail::read_bits(bytes, bit, width) << unit_log2;
+  const uint32_t end = detail::read_bits(bytes, bit + width, width)
                        << unit_log2;
-  if (begin > end || end > glyphs_.size) {
+  if (begin > end || end > bytes.size) {
     return {};
   }
-  return {glyphs_.data + begin, end - begin};
+  return {bytes.data + begin, end - begin};
 }
 
 bool Font::is_packed() const noexcept {
@@ -402,29 +399,26 @@ uint32_t Font::row_workspace_bytes() const noexcept {
   return rom_.size == 0 ? 0 : load_u32(rom_.data + header::kRowWorkspace);
 }
 
-Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
-  if (glyph >= glyph_count_) {
+Status detail::read_field(const Font& font,
+                          uint16_t glyph,
+                          GlyphField& field) noexcept {
+  if (glyph >= font.glyph_count_) {
     return Status::no_glyph;
   }
-  const Span<const uint8_t> bytes = record(glyph);
-  if (bytes.size == 0) {
-    out = GlyphField{};
-    return Status::ok;
+  const Span<const uint8_t> bytes = font.record(glyph);
+  if (bytes.size != 0) {
+    // A packed font may hold glyphs that are read in place.
+    INKCELL_TRY(read_record(bytes, field));
+    field.ink = font.ink_box(glyph);
+    field.glyph = glyph;
   }
-  // A packed font may hold glyphs that are read in place.
-  const uint32_t type = bytes.data[format::packed::kType];
-  if ((type & ~uint32_t{format::packed::kWideRows}) ==
-      format::packed::kTypePacked) {
-    return Status::unsupported;
-  }
-  if (reinterpret_cast<uintptr_t>(bytes.data) %
-          format::glyphs::kRecordAlignment !=
-      0) {
-    return Status::corrupt;
-  }
-  INKCELL_TRY(GlyphField::open(bytes, out));
-  out.ink = ink_box(glyph);
-  out.glyph = glyph;
+  return Status::ok;
+}
+
+Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
+  GlyphField field;
+  INKCELL_TRY(detail::read_field(*this, glyph, field));
+  out = field;
   return Status::ok;
 }
 

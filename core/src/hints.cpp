@@ -68,8 +68,8 @@ bool Hints::edges(uint32_t glyph, Span<const uint8_t>& out) const noexcept {
   }
   // Both numbers at once: 24 bits at the most.
   const uint32_t both =
-      detail::read_bits({section_.data + rows_, lists_ - rows_},
-                        glyph * row_bits_, uint32_t{start_bits_} + count_bits_);
+      detail::read_bits({section_.data, lists_}, 8 * rows_ + glyph * row_bits_,
+                        uint32_t{start_bits_} + count_bits_);
   const uint32_t start = both & ((uint32_t{1} << start_bits_) - 1);
   const uint32_t count = both >> start_bits_;
   const size_t room = section_.size - lists_;
@@ -85,11 +85,11 @@ HintStems Hints::stems(uint32_t glyph) const noexcept {
   if (glyph >= glyph_count_) {
     return stems;
   }
-  const Span<const uint8_t> rows = {section_.data + rows_, lists_ - rows_};
   // All three numbers at once: 25 bits at the most.
-  const uint32_t all =
-      detail::read_bits(rows, glyph * row_bits_ + start_bits_ + count_bits_,
-                        uint32_t{stem_bits_} + gap_bits_ + 1);
+  const uint32_t all = detail::read_bits(
+      {section_.data, lists_},
+      8 * rows_ + glyph * row_bits_ + start_bits_ + count_bits_,
+      uint32_t{stem_bits_} + gap_bits_ + 1);
   const uint32_t stem = all & ~(~uint32_t{0} << stem_bits_);
   const uint32_t rest = all >> stem_bits_;
   const uint32_t gap = rest & ~(~uint32_t{0} << gap_bits_);

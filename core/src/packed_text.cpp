@@ -2,6 +2,7 @@
 #include "inkcell/packed.hpp"
 #include "inkcell/text.hpp"
 #include "packed_rows.hpp"
+#include "record.hpp"
 #include "text_place.hpp"
 
 namespace inkcell {
@@ -104,7 +105,8 @@ void draw_placed(const Font& font,
                  const FinePoint& origin,
                  const Sink& sink,
                  Workspace workspace) noexcept {
-  if (GlyphField in_place; font.field(glyph, in_place) == Status::ok) {
+  if (GlyphField in_place;
+      detail::read_field(font, glyph, in_place) == Status::ok) {
     draw_field(in_place, brush, origin, sink);
     return;
   }

@@ -1,6 +1,7 @@
 #include "inkcell/text.hpp"
 
 #include "position.hpp"
+#include "record.hpp"
 #include "text_place.hpp"
 
 namespace inkcell {
@@ -56,7 +57,7 @@ void draw_placed(const Font& font,
                  const Placed& placed,
                  const Sink& sink) noexcept {
   GlyphField field;
-  if (font.field(glyph, field) == Status::ok) {
+  if (detail::read_field(font, glyph, field) == Status::ok) {
     detail::draw_near(field, brush, placed, sink);
   }
 }

@@ -191,9 +191,10 @@ Status Font::verify() const noexcept {
   const uint32_t crc =
       detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
   if (crc != load_u32(rom_.data + header::kContentCrc) ||
-      !cmap_fits(cmap_, glyph_count_) || !metrics_fit(metrics_) ||
-      (kerning_.size != 0 && !KerningCheck().fits(kerning_, glyph_count_)) ||
-      !hints_fit(*this) || !offsets_fit(glyphs_, glyph_count_)) {
+      !cmap_fits(cmap_table(), glyph_count_) || !metrics_fit(metrics_table()) ||
+      (kerning_table().size != 0 &&
+       !KerningCheck().fits(kerning_table(), glyph_count_)) ||
+      !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_)) {
     return Status::corrupt;
   }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {

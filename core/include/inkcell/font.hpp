@@ -9,7 +9,12 @@
 
 namespace inkcell {
 
+class Font;
 struct Workspace;  // packed.hpp
+
+namespace detail {
+Status read_field(const Font& font, uint16_t glyph, GlyphField& field) noexcept;
+}  // namespace detail
 
 /// Measures of one glyph in font units (units_per_em to the em), y up, origin
 /// on the baseline. The box is that of the ink; it is empty for a space.
@@ -142,13 +147,25 @@ class Font {
   Span<const uint8_t> section(uint32_t tag) const noexcept;
 
  private:
-  Status open_tables() noexcept;
+  friend Status detail::read_field(const Font& font,
+                                   uint16_t glyph,
+                                   GlyphField& field) noexcept;
+
+  Status open_tables(uint32_t sections) noexcept;
+
+  const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
+  const Span<const uint8_t>& metrics_table() const noexcept {
+    return tables_[1];
+  }
+  const Span<const uint8_t>& glyph_table() const noexcept { return tables_[2]; }
+  const Span<const uint8_t>& kerning_table() const noexcept {
+    return tables_[3];
+  }
+
+  static constexpr uint32_t kTables = 4;
 
   Span<const uint8_t> rom_;
-  Span<const uint8_t> cmap_;
-  Span<const uint8_t> metrics_;
-  Span<const uint8_t> glyphs_;
-  Span<const uint8_t> kerning_;
+  Span<const uint8_t> tables_[kTables];
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
   uint16_t metrics_row_bits_ = 0;
