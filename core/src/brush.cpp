@@ -14,13 +14,6 @@ int32_t divide_up(int32_t dividend, uint32_t divisor) noexcept {
                       : -static_cast<int32_t>((0u - size) / divisor);
 }
 
-// u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
-int32_t step_of(uint32_t size_q6) noexcept {
-  // 2^32 over a power of two is one more than what 32 bits make of it.
-  return static_cast<int32_t>(UINT32_MAX / size_q6) +
-         ((size_q6 & (size_q6 - 1)) == 0 ? 1 : 0);
-}
-
 // The length of a vector, rounded down; components below 2^30.
 int64_t length_of(int64_t x, int64_t y) noexcept {
   auto rest = static_cast<uint64_t>(x * x + y * y);
@@ -65,41 +58,46 @@ struct Brush::Stretch {
   int32_t least_q6;
 };
 
-// A brush that is upright, but for what `least_q6` changes.
-Status Brush::set_size(const Stretch& stretch,
-                       const Filter& filter,
-                       Brush& brush) noexcept {
+// Makes it upright, but for what `least_q6` changes. Untouched if it fails.
+Status Brush::set_size(const Stretch& stretch, const Filter& filter) noexcept {
   if (stretch.least_q6 < kMinSize.raw || stretch.most_q6 > kMaxSize.raw) {
     return Status::bad_argument;
   }
   const auto size_q6 = static_cast<uint32_t>(stretch.most_q6);
   const auto least_q6 = static_cast<uint32_t>(stretch.least_q6);
-  brush.size_q6_ = stretch.most_q6;
-  brush.limit_u_q10_ = static_cast<int32_t>(uint32_t{INT32_MAX} / size_q6);
+  // Smaller than to assign a Brush: nearly all of it is 0 or follows here.
+  __builtin_memset(static_cast<void*>(this), 0, sizeof *this);
+  right_.x_q20 = 1 << 20;
+  up_.y_q20 = 1 << 20;
+  axes_.x_right.raw = 1 << 30;
+  axes_.y_up.raw = 1 << 30;
+  least_gain_q15_ = 1 << 15;
+  filter_ = &filter;
+  size_q6_ = stretch.most_q6;
   // Least products of distance and size that reach past the cutoffs: the
   // smallest d with floor(d size / 2^16) > outside is transparent no more.
-  brush.transparent_u_q10_ =
+  transparent_u_q10_ =
       divide_up((filter.outside_q10 + 1) * (1 << 16), least_q6) - 1;
-  brush.opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), least_q6);
+  opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), least_q6);
+  // All else takes 2^32 over the size. [Q32] Of a power of two that is one more
+  // than what 32 bits make of it.
+  uint32_t over_q32 = UINT32_MAX / size_q6;
+  limit_u_q10_ = static_cast<int32_t>(over_q32 >> 1);
+  over_q32 += (size_q6 & (size_q6 - 1)) == 0 ? 1 : 0;
   uint32_t log2 = 2;
   while (uint32_t{64} << log2 < size_q6) {
     ++log2;
   }
-  brush.bend_log2_ = static_cast<uint8_t>(log2);
-  brush.bend_q14_ =
-      static_cast<uint16_t>((uint32_t{1} << (14 + 6 + log2)) / size_q6);
-  const int32_t step_q16 = step_of(size_q6);
-  brush.right_.x_q16 = step_q16;
-  brush.up_.y_q16 = step_q16;
-  brush.filter_ = &filter;
+  bend_log2_ = static_cast<uint8_t>(log2);
+  bend_q14_ = static_cast<uint16_t>(over_q32 >> (12 - log2));
+  // u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
+  right_.x_q16 = static_cast<int32_t>(over_q32);
+  up_.y_q16 = right_.x_q16;
   return Status::ok;
 }
 
 Status Brush::make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
-  Brush brush;
-  INKCELL_TRY(set_size({size.raw, size.raw}, filter, brush));
-  out = brush;
-  return Status::ok;
+  return out.set_size({size.raw, size.raw}, filter);
 }
 
 Status Brush::make(Q26_6 size,
@@ -115,22 +113,20 @@ Status Brush::make(Q26_6 size,
   if (excess > kOneQ30 / 500 || excess < -kOneQ30 / 500) {
     return Status::bad_argument;
   }
-  Brush brush;
-  INKCELL_TRY(set_size({size.raw, size.raw}, filter, brush));
+  INKCELL_TRY(make(size, filter, out));
   if (sine != 0 || cosine < 0) {
-    const int64_t step_q16 = brush.step_along_q16();
+    const int64_t step_q16 = out.step_along_q16();
     const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
     const auto across = static_cast<int32_t>((step_q16 * sine) >> 30);
     const int32_t along_px = direction.cosine.raw >> 10;
     const int32_t across_px = direction.sine.raw >> 10;
-    brush.right_ = {along, -across, along_px, -across_px};
-    brush.up_ = {across, along, across_px, along_px};
-    brush.axes_ = {direction.cosine, direction.sine,
-                   Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
-                   direction.cosine};
-    brush.slanted_ = detail::paint_turned;
+    out.right_ = {along, -across, along_px, -across_px};
+    out.up_ = {across, along, across_px, along_px};
+    out.axes_ = {direction.cosine, direction.sine,
+                 Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
+                 direction.cosine};
+    out.set_slanted(detail::paint_turned);
   }
-  out = brush;
   return Status::ok;
 }
 
@@ -158,35 +154,32 @@ Status Brush::make(const Matrix& matrix,
       static_cast<int32_t>((turn_q17 + mirror_q17 + (1 << 10)) >> 11),
       static_cast<int32_t>((least_q17 + (1 << 10)) >> 11)};
   const int32_t size_q6 = stretch.most_q6;
-  Brush brush;
-  INKCELL_TRY(set_size(stretch, filter, brush));
+  INKCELL_TRY(out.set_size(stretch, filter));
   if (mirror_q17 == 0 && x_up == 0 && x_right == int64_t{size_q6} << 10) {
-    out = brush;  // upright
-    return Status::ok;
+    return Status::ok;  // upright
   }
-  Axes& axes = brush.axes_;
+  Axes& axes = out.axes_;
   axes = {over_size(matrix.x_right, size_q6), over_size(matrix.x_up, size_q6),
           over_size(matrix.y_right, size_q6), over_size(matrix.y_up, size_q6)};
   const int64_t determinant_q60 = int64_t{axes.x_right.raw} * axes.y_up.raw -
                                   int64_t{axes.x_up.raw} * axes.y_right.raw;
   // At least 1/256, in Q42.
   const int64_t determinant_q42 = determinant_q60 / (1 << 18);
-  brush.right_ =
+  out.right_ =
       step_from(axes.y_up.raw, -axes.x_up.raw, determinant_q42, size_q6);
-  brush.up_ =
+  out.up_ =
       step_from(-axes.y_right.raw, axes.x_right.raw, determinant_q42, size_q6);
   // What stretches all edges within 1/1000 alike is as good as a turn.
   const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
   constexpr int64_t kOneQ15 = 1 << 15;
-  brush.slanted_ = detail::paint_turned;
+  out.set_slanted(detail::paint_turned);
   if (lesser * 2048 > turn_q17 + mirror_q17) {
     // Below one, so that the brush is known as stretched.
     const int64_t gain_q15 = (least_q17 << 4) / size_q6;
-    brush.least_gain_q15_ =
+    out.least_gain_q15_ =
         static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);
-    brush.slanted_ = detail::paint_stretched;
+    out.set_slanted(detail::paint_stretched);
   }
-  out = brush;
   return Status::ok;
 }
 

@@ -63,6 +63,7 @@ inline int32_t u_of_px(int32_t px_q10, int32_t step_q16) noexcept {
 }
 
 struct Placed;
+struct Upright;
 
 // Where a row lies in the glyph.
 struct RowHeight {
@@ -70,30 +71,34 @@ struct RowHeight {
   uint32_t y_q20;
 };
 
+// How the rows of a fitted glyph lie in it. Only what fits glyphs makes one, so
+// that others do not link it.
+struct FittedRows {
+  // Upright::place_row; rows come from top to bottom.
+  bool (*place_row)(const Upright& upright, const Brush& brush, RowHeight& row);
+  const RowMap& map;         // with knots
+  const RowMap::Knot* knot;  // of the last row, or one above it
+  int32_t low_q16;  // heights that may show: low_q16 <= y < high_q16 [u]
+  int32_t high_q16;
+};
+
 // Pixels of upright text whose centres lie in the limits of what may show, and
 // where the upper left one is. Fitted rows may lie outside all the same.
 struct Upright {
   Rect pixels;
   FieldPosition at;
-  const RowMap* rows;  // null if the glyph is not fitted
-  int32_t low_q16;     // heights that may show: low_q16 <= y < high_q16 [u]
-  int32_t high_q16;
-  const RowMap::Knot* knot;  // of the row, or one above it, if there are rows
+  FittedRows* rows;  // null if the glyph is not fitted
 
   // Goes on to the row below.
   void next_row(const Brush& brush) noexcept {
     at.y_q16 -= brush.step_along_q16();
     at.y_q20 -= 1 << 20;
   }
-  // Where the row lies in the glyph; rows come from top to bottom. False: it
-  // shows nothing.
+  // Where the row lies in the glyph. False: it shows nothing.
   bool place_row(const Brush& brush, RowHeight& row) noexcept {
     row = {at.y_q16, at.y_q20};
-    return rows == nullptr || place_fitted_row(brush, row);
+    return rows == nullptr || rows->place_row(*this, brush, row);
   }
-
- private:
-  bool place_fitted_row(const Brush& brush, RowHeight& row) noexcept;
 };
 
 // The glyph's pixels that lie in the window.

@@ -29,7 +29,7 @@ struct Placed {
 
   int32_t x_q10;
   int32_t y_q10;
-  const RowMap* rows;  // null if the glyph is not fitted
+  FittedRows* rows;  // null if the glyph is not fitted
 
   FinePoint origin() const noexcept { return {x_q10, y_q10}; }
 

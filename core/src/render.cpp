@@ -15,6 +15,7 @@ namespace {
 
 using detail::clamp;
 using detail::FieldPosition;
+using detail::FittedRows;
 using detail::greater;
 using detail::has_fields;
 using detail::lesser;
@@ -22,8 +23,10 @@ using detail::limits_of;
 using detail::Placed;
 using detail::position_of;
 using detail::Range;
+using detail::RowHeight;
 using detail::SpanWriter;
 using detail::Upright;
+using detail::wrapped;
 
 // What a row of a cell shows.
 enum class Side : uint8_t { outside, inside, both };
@@ -110,21 +113,22 @@ struct Line {
   int32_t at_q16;  // [u]
 };
 
+// How far a map moves heights of the glyph on the screen: between two knots no
+// farther than at one of them. Roundings are below 1/1024 px. [px, Q10]
+constexpr int32_t kShiftQ10 = RowMap::kMaxShiftQ10 + 1;
+
 // The pixels of a window whose centres lie at low <= place < high [u, Q16], or
-// some more, if what lies there is shifted [px, Q10].
-inline Line place_line(const Brush& brush,
-                       int32_t origin_q10,
-                       Range window,
-                       Range limits_q16,
-                       const Range* shifts_q10) noexcept {
+// some more, if what lies there may be shifted.
+Line place_line(const Brush& brush,
+                int32_t origin_q10,
+                Range window,
+                Range limits_q16,
+                int32_t shift_q10) noexcept {
   const int32_t step = brush.step_along_q16();
-  const bool is_exact = shifts_q10 == nullptr;
-  const Range shifts = is_exact ? Range{0, 0} : *shifts_q10;
   Line line = {
-      greater(window.begin,
-              detail::first_pixel(brush, origin_q10 + shifts.begin,
-                                  limits_q16.begin >> 16)),
-      lesser(window.end, detail::end_pixel(brush, origin_q10 + shifts.end,
+      greater(window.begin, detail::first_pixel(brush, origin_q10 - shift_q10,
+                                                limits_q16.begin >> 16)),
+      lesser(window.end, detail::end_pixel(brush, origin_q10 + shift_q10,
                                            (limits_q16.end >> 16) + 1)),
       0};
   if (line.begin >= line.end) {
@@ -132,7 +136,7 @@ inline Line place_line(const Brush& brush,
   }
   // position_of, whose products stay below 2^31 here.
   line.at_q16 = detail::u_of_px(line.begin * 1024 + 512 - origin_q10, step);
-  if (is_exact) {
+  if (shift_q10 == 0) {
     // The box has few others.
     int32_t last_q16 = line.at_q16 + (line.end - line.begin - 1) * step;
     for (; last_q16 >= limits_q16.end; last_q16 -= step) {
@@ -153,7 +157,7 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
   const Rect& pixels = upright.pixels;
   SpanWriter writer(sink, pixels.y0);
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    detail::RowHeight height;
+    RowHeight height;
     if (upright.place_row(brush, height)) {
       draw_upright_row(field, brush, {pixels.x0, pixels.x1}, upright.at.x_q16,
                        height.y_q16, writer);
@@ -180,57 +184,6 @@ void draw_upright(const GlyphField& field,
   }
 }
 
-// Not inline: other ways to draw need not pay for its stack.
-__attribute__((noinline)) void paint(const GlyphField& field,
-                                     const Brush& brush,
-                                     const Placed& placed,
-                                     const Sink& sink) noexcept {
-  const FinePoint origin = placed.origin();
-  if (brush.painter() != nullptr) {
-    brush.painter()(field, brush, brush.painter_options(), origin, placed.rows,
-                    sink);
-  } else {
-    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
-  }
-}
-
-void draw_placed(const GlyphField& field,
-                 const Brush& brush,
-                 const Placed& placed,
-                 const Sink& sink) noexcept {
-  if (brush.painter() == nullptr && brush.is_upright()) {
-    draw_upright(field, brush, placed, sink);
-  } else {
-    paint(field, brush, placed, sink);
-  }
-}
-
-// Where a fitted glyph stands. False: nowhere near. Not inline for the same
-// reason.
-__attribute__((noinline)) bool fit(const GlyphField& field,
-                                   const Brush& brush,
-                                   const Placed& placed,
-                                   RowMap& rows,
-                                   Placed& out) noexcept {
-  FinePoint origin = placed.origin();
-  brush.fitter()(field, brush, brush.fitter_options(), origin, rows);
-  const bool is_near = out.set(origin);
-  out.rows = rows.count == 0 ? nullptr : &rows;
-  return is_near;
-}
-
-// Not inline: only fitted glyphs pay for the map on the stack.
-__attribute__((noinline)) void draw_fitted(const GlyphField& field,
-                                           const Brush& brush,
-                                           const Placed& placed,
-                                           const Sink& sink) noexcept {
-  RowMap rows;
-  Placed fitted;
-  if (fit(field, brush, placed, rows, fitted)) {
-    draw_placed(field, brush, fitted, sink);
-  }
-}
-
 // The box around a glyph that is not upright.
 Rect slanted_box(const Rect& limits,
                  const Brush& brush,
@@ -253,28 +206,6 @@ Rect slanted_box(const Rect& limits,
 
 }  // namespace
 
-bool detail::Upright::place_fitted_row(const Brush& brush,
-                                       RowHeight& row) noexcept {
-  const int32_t screen_q10 = wrapped(at.y_q20 - kHalfQ20) >> 10;
-  knot = rows->knot_below(screen_q10, knot);
-  const int32_t height_q10 = knot->height_at(screen_q10);
-  row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
-  row.y_q16 = u_of_px(height_q10, brush.step_along_q16());
-  return row.y_q16 >= low_q16 && row.y_q16 < high_q16;
-}
-
-// How far a map moves heights of the glyph on the screen: between two knots no
-// farther than at one of them. Roundings are below 1/1024 px. [px, Q10]
-inline Range shifts_of(const RowMap& rows) noexcept {
-  Range shifts = {RowMap::kMaxShiftQ10, -RowMap::kMaxShiftQ10};
-  for (const RowMap::Knot* knot = rows.knots; knot <= rows.highest(); ++knot) {
-    const int32_t shift = knot->screen_q10 - knot->glyph_q10;
-    shifts.begin = lesser(shifts.begin, shift - 1);
-    shifts.end = greater(shifts.end, shift + 1);
-  }
-  return shifts;
-}
-
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) detail::Upright detail::place_upright(
     const GlyphField& field,
@@ -283,18 +214,18 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
     const Rect& window) noexcept {
   const Rect limits = detail::exact_limits_of(field, brush);
   const Line across = place_line(brush, placed.x_q10, {window.x0, window.x1},
-                                 {limits.x0, limits.x1}, nullptr);
-  Range shifts = {};
-  if (placed.rows != nullptr) {
-    shifts = shifts_of(*placed.rows);
-  }
+                                 {limits.x0, limits.x1}, 0);
   // From below: rows are counted upwards, the one above the screen is 0.
   const Line along = place_line(brush, -placed.y_q10, {-window.y1, -window.y0},
                                 {limits.y0, limits.y1},
-                                placed.rows == nullptr ? nullptr : &shifts);
+                                placed.rows == nullptr ? 0 : kShiftQ10);
   const int32_t rows = along.end - along.begin;
   if (rows <= 0) {
-    return {{}, {}, nullptr, 0, 0, nullptr};
+    return {{}, {}, nullptr};
+  }
+  if (placed.rows != nullptr) {
+    placed.rows->low_q16 = limits.y0;
+    placed.rows->high_q16 = limits.y1;
   }
   return {
       {across.begin, -along.end, across.end, -along.begin},
@@ -303,11 +234,37 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
            detail::kHalfQ20,
        static_cast<uint32_t>(along.end * 1024 - 512 + placed.y_q10) * 1024 +
            detail::kHalfQ20},
-      placed.rows,
-      limits.y0,
-      limits.y1,
-      placed.rows == nullptr ? nullptr : placed.rows->highest()};
+      placed.rows};
 }
+
+namespace {
+
+// FittedRows::place_row.
+bool place_fitted_row(const Upright& upright,
+                      const Brush& brush,
+                      RowHeight& row) noexcept {
+  FittedRows& rows = *upright.rows;
+  const int32_t screen_q10 =
+      wrapped(upright.at.y_q20 - uint32_t{detail::kHalfQ20}) >> 10;
+  rows.knot = rows.map.knot_below(screen_q10, rows.knot);
+  const int32_t height_q10 = rows.knot->height_at(screen_q10);
+  row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + detail::kHalfQ20;
+  row.y_q16 = detail::u_of_px(height_q10, brush.step_along_q16());
+  return row.y_q16 >= rows.low_q16 && row.y_q16 < rows.high_q16;
+}
+
+// Not inline: only mapped glyphs pay for the rows on the stack.
+__attribute__((noinline)) void draw_mapped(const GlyphField& field,
+                                           const Brush& brush,
+                                           Placed& placed,
+                                           const RowMap& map,
+                                           const Sink& sink) noexcept {
+  FittedRows rows = {place_fitted_row, map, map.highest(), 0, 0};
+  placed.rows = &rows;
+  draw_upright(field, brush, placed, sink);
+}
+
+}  // namespace
 
 void detail::draw_plain(const GlyphField& field,
                         const Brush& brush,
@@ -318,7 +275,93 @@ void detail::draw_plain(const GlyphField& field,
   if (!brush.is_upright()) {
     brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
   } else if (placed.set(origin)) {
-    placed.rows = rows;
+    if (rows == nullptr) {
+      draw_upright(field, brush, placed, sink);
+    } else {
+      draw_mapped(field, brush, placed, *rows, sink);
+    }
+  }
+}
+
+namespace {
+
+// Not inline: other ways to draw need not pay for its stack.
+__attribute__((noinline)) void paint(const GlyphField& field,
+                                     const Brush& brush,
+                                     const Placed& placed,
+                                     const Sink& sink) noexcept {
+  const Painter painter =
+      brush.painter() != nullptr ? brush.painter() : brush.slanted();
+  painter(field, brush, brush.painter_options(), placed.origin(),
+          placed.rows == nullptr ? nullptr : &placed.rows->map, sink);
+}
+
+}  // namespace
+
+// Not inline for the same reason.
+__attribute__((noinline)) void detail::draw_painted(const GlyphField& field,
+                                                    const Brush& brush,
+                                                    const Placed& placed,
+                                                    const Sink& sink) {
+  if (brush.painter() == nullptr && brush.is_upright()) {
+    draw_upright(field, brush, placed, sink);
+  } else {
+    paint(field, brush, placed, sink);
+  }
+}
+
+namespace {
+
+struct Fitted {
+  RowMap map;
+  FittedRows rows = {place_fitted_row, map, nullptr, 0, 0};
+  Placed placed;
+};
+
+// Where a fitted glyph stands. False: nowhere near. Not inline: what it needs
+// of the stack is free again when the glyph is drawn.
+__attribute__((noinline)) bool fit(const GlyphField& field,
+                                   const Brush& brush,
+                                   const Placed& placed,
+                                   Fitted& fitted) noexcept {
+  FinePoint origin = placed.origin();
+  brush.fitter()(field, brush, brush.fitter_options(), origin, fitted.map);
+  const bool is_near = fitted.placed.set(origin);
+  if (fitted.map.count != 0) {
+    fitted.rows.knot = fitted.map.highest();
+    fitted.placed.rows = &fitted.rows;
+  }
+  return is_near;
+}
+
+}  // namespace
+
+void detail::draw_fitted(const GlyphField& field,
+                         const Brush& brush,
+                         const Placed& placed,
+                         const Sink& sink) {
+  if (!brush.is_fitted()) {
+    draw_painted(field, brush, placed, sink);
+    return;
+  }
+  Fitted fitted;
+  if (!fit(field, brush, placed, fitted)) {
+    return;
+  }
+  if (brush.painter() == nullptr) {
+    draw_upright(field, brush, fitted.placed, sink);
+  } else {
+    paint(field, brush, fitted.placed, sink);
+  }
+}
+
+void detail::draw_near(const GlyphField& field,
+                       const Brush& brush,
+                       const Placed& placed,
+                       const Sink& sink) noexcept {
+  if (brush.drawer() != nullptr) {
+    brush.drawer()(field, brush, placed, sink);
+  } else {
     draw_upright(field, brush, placed, sink);
   }
 }
@@ -341,17 +384,6 @@ Rect field_box(const GlyphField& field,
                        ? detail::upright_box(limits, brush, placed)
                        : slanted_box(limits, brush, placed);
   return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
-}
-
-void detail::draw_near(const GlyphField& field,
-                       const Brush& brush,
-                       const Placed& placed,
-                       const Sink& sink) noexcept {
-  if (brush.is_fitted()) {
-    draw_fitted(field, brush, placed, sink);
-  } else {
-    draw_placed(field, brush, placed, sink);
-  }
 }
 
 void draw_field(const GlyphField& field,

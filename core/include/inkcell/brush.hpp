@@ -34,6 +34,18 @@ using Painter = void (*)(const GlyphField& field,
                          const RowMap* rows,
                          const Sink& sink);
 
+namespace detail {
+struct Placed;
+void draw_painted(const GlyphField& field,
+                  const Brush& brush,
+                  const Placed& placed,
+                  const Sink& sink);
+void draw_fitted(const GlyphField& field,
+                 const Brush& brush,
+                 const Placed& placed,
+                 const Sink& sink);
+}  // namespace detail
+
 /// Smallest and largest size: 4 and 1024 px to the em.
 inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
 inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
@@ -108,11 +120,14 @@ class Brush {
   /// Fits the glyphs of upright text to the grid of pixels. The options must
   /// outlive the brush. Null, the default: glyphs stay as designed.
   void set_fitter(Fitter function, const void* options) noexcept {
-    fitter_ = function;
+    if (is_upright()) {
+      fitter_ = function;
+      drawer_ = detail::draw_fitted;
+    }
     fitter_options_ = options;
   }
-  bool is_fitted() const noexcept { return fitter_ != nullptr && is_upright(); }
-  Fitter fitter() const noexcept { return fitter_; }
+  bool is_fitted() const noexcept { return fitter() != nullptr; }
+  Fitter fitter() const noexcept { return is_upright() ? fitter_ : nullptr; }
   const void* fitter_options() const noexcept { return fitter_options_; }
 
   /// What draws the glyphs: null, the default, is one sample at the centre of
@@ -127,6 +142,9 @@ class Brush {
     painter_ = function;
     painter_options_ = options;
     painter_reach_px_ = reach_px;
+    if (drawer_ == nullptr) {
+      drawer_ = detail::draw_painted;
+    }
   }
   Painter painter() const noexcept { return painter_; }
   const void* painter_options() const noexcept { return painter_options_; }
@@ -135,11 +153,19 @@ class Brush {
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
-  bool is_upright() const noexcept { return slanted_ == nullptr; }
+  bool is_upright() const noexcept { return !is_slanted_; }
+
+  /// What draws glyphs, where that is more than to fill rows of them. Null, the
+  /// default: it is not. Linked with what asks for more.
+  using Drawer = void (*)(const GlyphField& field,
+                          const Brush& brush,
+                          const detail::Placed& placed,
+                          const Sink& sink);
+  Drawer drawer() const noexcept { return drawer_; }
 
   /// What draws glyphs that are not upright; null if they are. Linked with the
   /// make() that needs it.
-  Painter slanted() const noexcept { return slanted_; }
+  Painter slanted() const noexcept { return is_upright() ? nullptr : slanted_; }
 
   /// Whether edges of different directions are stretched differently, and the
   /// least stretch over the greatest.
@@ -213,24 +239,32 @@ class Brush {
 
  private:
   struct Stretch;
-  static Status set_size(const Stretch& stretch,
-                         const Filter& filter,
-                         Brush& brush) noexcept;
+  Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
+  void set_slanted(Painter function) noexcept {
+    is_slanted_ = true;
+    slanted_ = function;
+    drawer_ = detail::draw_painted;
+  }
 
   int32_t size_q6_ = 16 << 6;      // [px/em]
   int32_t limit_u_q10_ = 2097151;  // what 32 px are at this size
   int32_t transparent_u_q10_ = -32705;
   int32_t opaque_u_q10_ = 32768;
-  GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
-  GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
-  Axes axes_;
   uint16_t bend_q14_ = 1 << 14;
   uint16_t least_gain_q15_ = 1 << 15;
   uint8_t bend_log2_ = 4;
   uint8_t painter_reach_px_ = 0;
+  bool is_slanted_ = false;
+  GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
+  GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
+  Axes axes_;
   const Filter* filter_ = &kFilterText;
-  Painter slanted_ = nullptr;
-  Fitter fitter_ = nullptr;
+  Drawer drawer_ = nullptr;
+  // Only upright text is fitted.
+  union {
+    Fitter fitter_ = nullptr;
+    Painter slanted_;
+  };
   const void* fitter_options_ = nullptr;
   Painter painter_ = nullptr;
   const void* painter_options_ = nullptr;
