@@ -58,8 +58,7 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(A8Target& target, Sink& out) noexcept {
-  return detail::open_sink(target.strip, PixelFormat::a8,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::a8, coverage, solid, out);
 }
 
 }  // namespace port

@@ -39,8 +39,7 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(Grey8Target& target, Sink& out) noexcept {
-  return detail::open_sink(target.strip, PixelFormat::grey8,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::grey8, coverage, solid, out);
 }
 
 }  // namespace port

@@ -79,8 +79,8 @@ Status make_sink(MonoPagesTarget& target, Sink& out) noexcept {
   if (target.threshold == 0 || target.level > 1) {
     return Status::bad_argument;
   }
-  return detail::open_sink(target.strip, PixelFormat::mono_pages,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::mono_pages, coverage, solid,
+                           out);
 }
 
 }  // namespace port

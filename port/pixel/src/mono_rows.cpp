@@ -95,8 +95,8 @@ Status make_sink(MonoRowsTarget& target, Sink& out) noexcept {
   if (target.threshold == 0 || target.level > 1) {
     return Status::bad_argument;
   }
-  return detail::open_sink(target.strip, PixelFormat::mono_rows,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::mono_rows, coverage, solid,
+                           out);
 }
 
 }  // namespace port

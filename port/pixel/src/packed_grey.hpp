@@ -47,8 +47,7 @@ struct PackedGrey {
     if (target.level > kMaxLevel) {
       return Status::bad_argument;
     }
-    return open_sink(target.strip, kFormat, {{}, &target, coverage, solid},
-                     out);
+    return open_sink(target, kFormat, coverage, solid, out);
   }
 };
 

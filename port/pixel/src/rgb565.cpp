@@ -161,8 +161,7 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(Rgb565Target& target, Sink& out) noexcept {
-  return detail::open_sink(target.strip, PixelFormat::rgb565,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::rgb565, coverage, solid, out);
 }
 
 }  // namespace port

@@ -66,8 +66,7 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(Rgb888Target& target, Sink& out) noexcept {
-  return detail::open_sink(target.strip, PixelFormat::rgb888,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::rgb888, coverage, solid, out);
 }
 
 }  // namespace port

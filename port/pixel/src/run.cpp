@@ -6,73 +6,49 @@ namespace port {
 namespace {
 
 // 65535 rows of it still fit 32 bits.
-constexpr int32_t kMaxStride = 65535;  // [bytes]
+constexpr uint32_t kMaxStride = 65535;  // [bytes]
 
-// Sink::window lies within this, and no sum below overflows.
+// Sink::window lies within kMaxSide. Numbers below 0 are large.
 bool in_range(int32_t origin, int32_t size) noexcept {
-  return origin >= -kMaxSide && origin <= kMaxSide && size >= 0 &&
-         size <= kMaxSide && size <= kMaxSide - origin;
+  constexpr auto kMax = static_cast<uint32_t>(kMaxSide);
+  const auto length = static_cast<uint32_t>(size);
+  return length <= kMax &&
+         static_cast<uint32_t>(origin) + kMax <= 2 * kMax - length;
 }
 
 }  // namespace
 
 namespace detail {
 
-int32_t count_within(const Strip& strip,
-                     int32_t x,
-                     int32_t y,
-                     int32_t count) noexcept {
-  if (y < 0 || y >= strip.height || count <= 0) {
-    return 0;
+Status check_layout(const Strip& strip, Layout layout) noexcept {
+  if (!in_range(strip.x0, strip.width) || !in_range(strip.y0, strip.height)) {
+    return Status::bad_argument;
   }
-  if (x < 0) {
-    if (x <= -count) {
-      return 0;
-    }
-    count += x;
-    x = 0;
+  const auto stride = static_cast<uint32_t>(strip.stride);
+  const uint32_t row_bytes =
+      (static_cast<uint32_t>(strip.width) * layout.bits + 7) / 8;
+  if (stride < row_bytes || stride > kMaxStride) {
+    return Status::bad_argument;
   }
-  const int32_t room = strip.width - x;
-  const int32_t left = count > room ? room : count;
-  return left > 0 ? left : 0;
+  const uint32_t rows =
+      (static_cast<uint32_t>(strip.height) + (1u << layout.rows_log2) - 1) >>
+      layout.rows_log2;
+  // The last row need not be followed by the stride's padding.
+  return rows != 0 && (rows - 1) * stride + row_bytes > strip.pixels.size
+             ? Status::buffer_small
+             : Status::ok;
 }
 
-Status open_sink(const Strip& strip,
-                 PixelFormat format,
-                 const Sink& functions,
-                 Sink& out) noexcept {
-  INKCELL_TRY(check_strip(strip, format));
-  out = functions;
-  out.window = strip.rect();
+Status open_window(const Strip& strip, Layout layout, Rect& window) noexcept {
+  INKCELL_TRY(check_layout(strip, layout));
+  window = strip.rect();
   return Status::ok;
 }
 
 }  // namespace detail
 
 Status check_strip(const Strip& strip, PixelFormat format) noexcept {
-  if (!in_range(strip.x0, strip.width) || !in_range(strip.y0, strip.height)) {
-    return Status::bad_argument;
-  }
-  const int32_t row_bytes = stride_bytes(format, strip.width);
-  if (strip.stride < row_bytes || strip.stride > kMaxStride) {
-    return Status::bad_argument;
-  }
-  // Nothing is divided unless it must be: some cores take long.
-  const int32_t per_stride = rows_per_stride(format);
-  const int32_t rows = per_stride == 1
-                           ? strip.height
-                           : (strip.height + per_stride - 1) / per_stride;
-  if (rows > 0) {
-    // The last row need not be followed by the stride's padding.
-    const uint32_t before_last =
-        static_cast<uint32_t>(rows - 1) * static_cast<uint32_t>(strip.stride);
-    const size_t size = strip.pixels.size;
-    if (size < before_last ||
-        size - before_last < static_cast<uint32_t>(row_bytes)) {
-      return Status::buffer_small;
-    }
-  }
-  return Status::ok;
+  return detail::check_layout(strip, detail::layout_of(format));
 }
 
 }  // namespace port

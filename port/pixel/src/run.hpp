@@ -20,13 +20,6 @@ struct Run {
   int32_t skipped;  // pixels cut off on the left
 };
 
-/// How many of `count` pixels to the right of (x, y), counted from the strip's
-/// first pixel, lie in it.
-int32_t count_within(const Strip& strip,
-                     int32_t x,
-                     int32_t y,
-                     int32_t count) noexcept;
-
 /// Cuts `run` (screen) to the strip and makes it relative to the strip's first
 /// pixel. Returns whether anything is left. Safe for any values.
 inline bool clip(const Strip& strip, Run& run) noexcept {
@@ -36,29 +29,56 @@ inline bool clip(const Strip& strip, Run& run) noexcept {
       static_cast<uint32_t>(run.x) - static_cast<uint32_t>(strip.x0);
   const uint32_t y =
       static_cast<uint32_t>(run.y) - static_cast<uint32_t>(strip.y0);
-  const auto width = static_cast<uint32_t>(strip.width);
-  const auto count = static_cast<uint32_t>(run.count);
   run.x = static_cast<int32_t>(x);
   run.y = static_cast<int32_t>(y);
-  // What the core draws lies in the strip.
-  if (y >= static_cast<uint32_t>(strip.height) || x >= width ||
-      count - 1 >= width - x) {
-    run.count = count_within(strip, run.x, run.y, run.count);
-    if (run.x < 0) {
-      run.skipped = -run.x;
-      run.x = 0;
-    }
-    return run.count != 0;
+  if (y >= static_cast<uint32_t>(strip.height) || run.count <= 0) {
+    return false;
   }
-  return true;
+  if (run.x < 0) {
+    // Of two numbers with different signs.
+    run.count += run.x;
+    run.skipped = static_cast<int32_t>(0u - x);
+    run.x = 0;
+  }
+  const int32_t room = strip.width - run.x;
+  if (run.count > room) {
+    run.count = room;
+  }
+  return run.count > 0;
 }
 
-/// Makes the sink of `strip` from the two functions and their context, if
-/// check_strip() agrees.
-Status open_sink(const Strip& strip,
+/// How a format fills strips.
+struct Layout {
+  uint8_t bits;       // of a pixel along the row
+  uint8_t rows_log2;  // of the rows of pixels that a stride covers
+};
+
+constexpr Layout layout_of(PixelFormat format) noexcept {
+  return rows_per_stride(format) == 1
+             ? Layout{static_cast<uint8_t>(bits_per_pixel(format)), 0}
+             : Layout{8, 3};
+}
+
+/// check_strip().
+Status check_layout(const Strip& strip, Layout layout) noexcept;
+
+/// The same, and where the strip lies.
+Status open_window(const Strip& strip, Layout layout, Rect& window) noexcept;
+
+/// Makes the sink of `target` from two functions, if check_strip() agrees.
+template <typename Target>
+Status open_sink(Target& target,
                  PixelFormat format,
-                 const Sink& functions,
-                 Sink& out) noexcept;
+                 decltype(Sink::coverage) coverage,
+                 decltype(Sink::solid) solid,
+                 Sink& out) noexcept {
+  INKCELL_TRY(open_window(target.strip, layout_of(format), out.window));
+  out.context = &target;
+  out.coverage = coverage;
+  out.solid = solid;
+  out.coverage_rgb = nullptr;
+  return Status::ok;
+}
 
 /// The first byte of row (or page) `y` of the strip.
 inline uint8_t* row_at(const Strip& strip, int32_t y) noexcept {

@@ -73,8 +73,7 @@ Status make_sink(Xrgb8888Target& target, Sink& out) noexcept {
   if (((address | static_cast<uintptr_t>(strip.stride)) & 3) != 0) {
     return Status::misaligned;
   }
-  return detail::open_sink(strip, PixelFormat::xrgb8888,
-                           {{}, &target, coverage, solid}, out);
+  return detail::open_sink(target, PixelFormat::xrgb8888, coverage, solid, out);
 }
 
 }  // namespace port
