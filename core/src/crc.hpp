@@ -8,8 +8,8 @@
 namespace inkcell {
 namespace detail {
 
-/// The checksum of what `crc` covers followed by `bytes`; begin with 0. Four
-/// bits a step: a table of 64 bytes instead of 1 KB.
+/// The checksum of what `crc` covers followed by `bytes`; begin with 0. Bit by
+/// bit, without a table: opening a font takes it of the header only.
 uint32_t crc32(uint32_t crc, Span<const uint8_t> bytes) noexcept;
 
 }  // namespace detail

@@ -148,20 +148,6 @@ inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
           lesser(field.y1_u(), ink.y1_u + reach)};
 }
 
-// The same of an upright brush, exactly: what is as far from the ink as the
-// filter reaches shows nothing. [u, Q16] Cutoffs within 4 px are 2^10 u at the
-// most.
-inline Rect exact_limits_of(const GlyphField& field,
-                            const Brush& brush) noexcept {
-  constexpr int32_t kOneQ16 = 1 << 16;
-  const int32_t reach_q16 = -64 * brush.transparent_u_q10();
-  const InkBox& ink = field.ink;
-  return {greater(field.x0_u * kOneQ16, ink.x0_u * kOneQ16 - reach_q16 + 1),
-          greater(field.y0_u * kOneQ16, ink.y0_u * kOneQ16 - reach_q16 + 1),
-          lesser(field.x1_u() * kOneQ16, ink.x1_u * kOneQ16 + reach_q16),
-          lesser(field.y1_u() * kOneQ16, ink.y1_u * kOneQ16 + reach_q16)};
-}
-
 // The first pixel whose centre may not lie before a place, and the first behind
 // all whose centres may lie before it. [u -> px]
 //

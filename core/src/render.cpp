@@ -105,48 +105,73 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
   }
 }
 
-// Pixels along one of the glyph's axes, begin <= i < end, and where the centre
-// of the first one is.
+// Pixels along one of the glyph's axes, counted the way it leads.
 struct Line {
-  int32_t begin;
-  int32_t end;
-  int32_t at_q16;  // [u]
+  Range pixels;
+  int32_t origin_q10;  // [px]
+  Range grid_u;
+  Range ink_u;
+  // What may show: begin <= place < end. [u]
+  Range limits_q16;
+  // Where the centres of the first and of the last pixel are. [u]
+  int32_t first_q16;
+  int32_t last_q16;
 };
 
 // How far a map moves heights of the glyph on the screen: between two knots no
 // farther than at one of them. Roundings are below 1/1024 px. [px, Q10]
 constexpr int32_t kShiftQ10 = RowMap::kMaxShiftQ10 + 1;
 
-// The pixels of a window whose centres lie at low <= place < high [u, Q16], or
-// some more, if what lies there may be shifted.
-Line place_line(const Brush& brush,
-                int32_t origin_q10,
-                Range window,
-                Range limits_q16,
-                int32_t shift_q10) noexcept {
-  const int32_t step = brush.step_along_q16();
-  Line line = {
-      greater(window.begin, detail::first_pixel(brush, origin_q10 - shift_q10,
-                                                limits_q16.begin >> 16)),
-      lesser(window.end, detail::end_pixel(brush, origin_q10 + shift_q10,
-                                           (limits_q16.end >> 16) + 1)),
-      0};
-  if (line.begin >= line.end) {
-    return line;
+// Leaves of a window's pixels those whose centres lie in the limits, or some
+// more if what lies there may be shifted. False: there are none.
+inline bool place_line(const Brush& brush,
+                       Line& line,
+                       int32_t shift_q10) noexcept {
+  // What is as far from the ink as the filter reaches shows nothing. Cutoffs
+  // within 4 px are 2^10 u at the most.
+  constexpr int32_t kOneQ16 = 1 << 16;
+  const int32_t reach_q16 = -64 * brush.transparent_u_q10();
+  const int32_t low_q16 = greater(line.grid_u.begin * kOneQ16,
+                                  line.ink_u.begin * kOneQ16 - reach_q16 + 1);
+  const int32_t high_q16 =
+      lesser(line.grid_u.end * kOneQ16, line.ink_u.end * kOneQ16 + reach_q16);
+  line.limits_q16 = {low_q16, high_q16};
+  // The pixel at a place, or one of those beside it: steps that are rounded
+  // down lead up to 1/4 px astray at the ends of the largest grid.
+  const auto pixel_at = [&](int32_t place_u, int32_t origin_q10) noexcept {
+    return (origin_q10 + ((place_u * brush.size().raw) >> 6)) >> 10;
+  };
+  const int32_t origin_q10 = line.origin_q10;
+  int32_t begin = greater(line.pixels.begin,
+                          pixel_at(low_q16 >> 16, origin_q10 - shift_q10));
+  int32_t end =
+      lesser(line.pixels.end,
+             pixel_at((high_q16 >> 16) + 1, origin_q10 + shift_q10) + 1);
+  if (begin >= end) {
+    return false;
   }
   // position_of, whose products stay below 2^31 here.
-  line.at_q16 = detail::u_of_px(line.begin * 1024 + 512 - origin_q10, step);
+  const int32_t step = brush.step_along_q16();
+  int32_t first_q16 = detail::u_of_px(begin * 1024 + 512 - origin_q10, step);
+  int32_t last_q16 = first_q16 + (end - begin - 1) * step;
   if (shift_q10 == 0) {
-    // The box has few others.
-    int32_t last_q16 = line.at_q16 + (line.end - line.begin - 1) * step;
-    for (; last_q16 >= limits_q16.end; last_q16 -= step) {
-      --line.end;
+    for (; last_q16 >= high_q16; last_q16 -= step) {
+      --end;
     }
-    for (; line.at_q16 < limits_q16.begin; line.at_q16 += step) {
-      ++line.begin;
+    for (; first_q16 < low_q16; first_q16 += step) {
+      ++begin;
     }
   }
-  return line;
+  line.pixels = {begin, end};
+  line.first_q16 = first_q16;
+  line.last_q16 = last_q16;
+  return begin < end;
+}
+
+// The centre of a pixel from the origin. [px, Q20]
+uint32_t centre_q20(int32_t pixel, int32_t origin_q10) noexcept {
+  return static_cast<uint32_t>(pixel * 1024 + 512 - origin_q10) * 1024 +
+         detail::kHalfQ20;
 }
 
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
@@ -212,29 +237,36 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
     const Brush& brush,
     const Placed& placed,
     const Rect& window) noexcept {
-  const Rect limits = detail::exact_limits_of(field, brush);
-  const Line across = place_line(brush, placed.x_q10, {window.x0, window.x1},
-                                 {limits.x0, limits.x1}, 0);
+  Upright upright;
+  upright.rows = placed.rows;
+  const InkBox& ink = field.ink;
+  Line across;
+  across.pixels = {window.x0, window.x1};
+  across.origin_q10 = placed.x_q10;
+  across.grid_u = {field.x0_u, field.x1_u()};
+  across.ink_u = {ink.x0_u, ink.x1_u};
+  if (!place_line(brush, across, 0)) {
+    return upright;
+  }
   // From below: rows are counted upwards, the one above the screen is 0.
-  const Line along = place_line(brush, -placed.y_q10, {-window.y1, -window.y0},
-                                {limits.y0, limits.y1},
-                                placed.rows == nullptr ? 0 : kShiftQ10);
-  const int32_t rows = along.end - along.begin;
-  if (rows <= 0) {
-    return {{}, {}, nullptr};
+  Line along;
+  along.pixels = {-window.y1, -window.y0};
+  along.origin_q10 = -placed.y_q10;
+  along.grid_u = {field.y0_u, field.y1_u()};
+  along.ink_u = {ink.y0_u, ink.y1_u};
+  if (!place_line(brush, along, placed.rows == nullptr ? 0 : kShiftQ10)) {
+    return upright;
   }
   if (placed.rows != nullptr) {
-    placed.rows->low_q16 = limits.y0;
-    placed.rows->high_q16 = limits.y1;
+    placed.rows->low_q16 = along.limits_q16.begin;
+    placed.rows->high_q16 = along.limits_q16.end;
   }
-  return {
-      {across.begin, -along.end, across.end, -along.begin},
-      {across.at_q16, along.at_q16 + (rows - 1) * brush.step_along_q16(),
-       static_cast<uint32_t>(across.begin * 1024 + 512 - placed.x_q10) * 1024 +
-           detail::kHalfQ20,
-       static_cast<uint32_t>(along.end * 1024 - 512 + placed.y_q10) * 1024 +
-           detail::kHalfQ20},
-      placed.rows};
+  upright.pixels = {across.pixels.begin, -along.pixels.end, across.pixels.end,
+                    -along.pixels.begin};
+  upright.at = {across.first_q16, along.last_q16,
+                centre_q20(across.pixels.begin, across.origin_q10),
+                centre_q20(along.pixels.end - 1, along.origin_q10)};
+  return upright;
 }
 
 namespace {

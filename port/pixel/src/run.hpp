@@ -31,11 +31,13 @@ inline bool clip(const Strip& strip, Run& run) noexcept {
       static_cast<uint32_t>(run.y) - static_cast<uint32_t>(strip.y0);
   run.x = static_cast<int32_t>(x);
   run.y = static_cast<int32_t>(y);
-  if (y >= static_cast<uint32_t>(strip.height) || run.count <= 0) {
+  if (y >= static_cast<uint32_t>(strip.height)) {
     return false;
   }
-  if (run.x < 0) {
-    // Of two numbers with different signs.
+  if (__builtin_expect(run.x < 0, 0)) {
+    if (run.count <= 0) {
+      return false;
+    }
     run.count += run.x;
     run.skipped = static_cast<int32_t>(0u - x);
     run.x = 0;
