@@ -1,8 +1,6 @@
 // Sizes, directions and matrices as the numbers that drawing needs.
 #include "inkcell/brush.hpp"
 
-#include "field_turned.hpp"
-
 namespace inkcell {
 namespace {
 
@@ -125,7 +123,7 @@ Status Brush::make(Q26_6 size,
     out.axes_ = {direction.cosine, direction.sine,
                  Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
                  direction.cosine};
-    out.set_slanted(detail::paint_turned);
+    out.set_slant(detail::kTurned);
   }
   return Status::ok;
 }
@@ -172,13 +170,13 @@ Status Brush::make(const Matrix& matrix,
   // What stretches all edges within 1/1000 alike is as good as a turn.
   const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
   constexpr int64_t kOneQ15 = 1 << 15;
-  out.set_slanted(detail::paint_turned);
+  out.set_slant(detail::kTurned);
   if (lesser * 2048 > turn_q17 + mirror_q17) {
     // Below one, so that the brush is known as stretched.
     const int64_t gain_q15 = (least_q17 << 4) / size_q6;
     out.least_gain_q15_ =
         static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);
-    out.set_slanted(detail::paint_stretched);
+    out.set_slant(detail::kStretched);
   }
   return Status::ok;
 }

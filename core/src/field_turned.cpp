@@ -6,6 +6,7 @@
 
 #include "cell_access.hpp"
 #include "field_slanted.hpp"
+#include "position.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -137,14 +138,12 @@ void paint(Slanted& slanted,
   }
 }
 
-}  // namespace
-
 void paint_turned(const GlyphField& field,
                   const Brush& brush,
                   const void*,
                   const FinePoint& origin,
                   const RowMap*,
-                  const Sink& sink) noexcept {
+                  const Sink& sink) {
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
   if (!is_empty(box)) {
     Slanted slanted(field, brush, nullptr, sink, box.y0);
@@ -158,7 +157,7 @@ void paint_stretched(const GlyphField& field,
                      const void*,
                      const FinePoint& origin,
                      const RowMap*,
-                     const Sink& sink) noexcept {
+                     const Sink& sink) {
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
   if (!is_empty(box)) {
     Slanted slanted(field, brush, stretch_terms, sink, box.y0);
@@ -167,6 +166,71 @@ void paint_stretched(const GlyphField& field,
           has_fields(field) ? draw_slanted_row : draw_stretched_samples);
   }
 }
+
+// From `low` to `high`, in px. [Q10]
+struct Extent {
+  int32_t low;
+  int32_t high;
+};
+
+// From one place in the glyph to another, in px, along an axis of the screen.
+//
+// Not inline: products of 64 bits are large.
+__attribute__((noinline)) Extent extent_of(Extent place_q10,
+                                           Fixed<int32_t, 30> factor) noexcept {
+  const auto low =
+      static_cast<int32_t>((int64_t{place_q10.low} * factor.raw) >> 30);
+  const auto high =
+      static_cast<int32_t>((int64_t{place_q10.high} * factor.raw) >> 30);
+  return low < high ? Extent{low, high} : Extent{high, low};
+}
+
+// The box around a glyph that is not upright.
+Rect slanted_box(const Rect& limits, const Brush& brush, const Placed& placed) {
+  const int32_t size_q6 = brush.size().raw;
+  // Below 2^30.
+  const Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
+  const Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
+  const Brush::Axes& axes = brush.axes();
+  const Extent x_right = extent_of(x, axes.x_right);
+  const Extent x_up = extent_of(x, axes.x_up);
+  const Extent y_right = extent_of(y, axes.y_right);
+  const Extent y_up = extent_of(y, axes.y_up);
+  // A pixel generous on each side, because steps are rounded.
+  return {((placed.x_q10 + x_right.low + y_right.low) >> 10) - 1,
+          ((placed.y_q10 - x_up.high - y_up.high) >> 10) - 1,
+          ((placed.x_q10 + x_right.high + y_right.high) >> 10) + 2,
+          ((placed.y_q10 - x_up.low - y_up.low) >> 10) + 2};
+}
+
+// (a p + b q) / 2^30, for any a and b below 2^42, p and q below 2^31. Not
+// inline for its size.
+__attribute__((noinline)) int64_t turned(int64_t a,
+                                         int64_t p,
+                                         int64_t b,
+                                         int64_t q) noexcept {
+  // The products pass 64 bits, those of the halves do not.
+  constexpr int64_t kLow = (1 << 20) - 1;
+  const int64_t high = (a >> 20) * p + (b >> 20) * q;
+  const int64_t low = (a & kLow) * p + (b & kLow) * q;
+  return (high + (low >> 20)) >> 10;
+}
+
+FinePoint slanted_place(const Brush& brush,
+                        const FinePoint& origin,
+                        int64_t along_q10,
+                        int64_t across_q10) {
+  const Brush::Axes& axes = brush.axes();
+  return {origin.x_q10 +
+              turned(along_q10, axes.x_right.raw, across_q10, axes.y_right.raw),
+          origin.y_q10 -
+              turned(along_q10, axes.x_up.raw, across_q10, axes.y_up.raw)};
+}
+
+}  // namespace
+
+const Slant kTurned = {paint_turned, slanted_box, slanted_place};
+const Slant kStretched = {paint_stretched, slanted_box, slanted_place};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -11,21 +11,6 @@
 namespace inkcell {
 namespace detail {
 
-// Brush::slanted() where all edges are stretched alike, and where they are not.
-// Without options and rows.
-void paint_turned(const GlyphField& field,
-                  const Brush& brush,
-                  const void* options,
-                  const FinePoint& origin,
-                  const RowMap* rows,
-                  const Sink& sink) noexcept;
-void paint_stretched(const GlyphField& field,
-                     const Brush& brush,
-                     const void* options,
-                     const FinePoint& origin,
-                     const RowMap* rows,
-                     const Sink& sink) noexcept;
-
 // The values of fields from which on, on both sides, distances on the screen
 // are not below `reach_q22`, or just so. At most 2^30. [px of the brush's size]
 int32_t far_q22(const Brush& brush, int32_t reach_q22) noexcept;

@@ -39,24 +39,6 @@ Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
   return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
 }
 
-// From `low` to `high`, in px. [Q10]
-struct Extent {
-  int32_t low;
-  int32_t high;
-};
-
-// From one place in the glyph to another, in px, along an axis of the screen.
-//
-// Not inline: products of 64 bits are large.
-__attribute__((noinline)) Extent extent_of(Extent place_q10,
-                                           Fixed<int32_t, 30> factor) noexcept {
-  const auto low =
-      static_cast<int32_t>((int64_t{place_q10.low} * factor.raw) >> 30);
-  const auto high =
-      static_cast<int32_t>((int64_t{place_q10.high} * factor.raw) >> 30);
-  return low < high ? Extent{low, high} : Extent{high, low};
-}
-
 // One row of upright text: y is constant in the glyph, so that a cell is set up
 // once and then costs two products a pixel, and none where all of its row is
 // saturated.
@@ -207,26 +189,6 @@ void draw_upright(const GlyphField& field,
   } else {
     draw_samples(field, brush, placed, sink);
   }
-}
-
-// The box around a glyph that is not upright.
-Rect slanted_box(const Rect& limits,
-                 const Brush& brush,
-                 const Placed& placed) noexcept {
-  const int32_t size_q6 = brush.size().raw;
-  // Below 2^30.
-  const Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
-  const Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
-  const Brush::Axes& axes = brush.axes();
-  const Extent x_right = extent_of(x, axes.x_right);
-  const Extent x_up = extent_of(x, axes.x_up);
-  const Extent y_right = extent_of(y, axes.y_right);
-  const Extent y_up = extent_of(y, axes.y_up);
-  // A pixel generous on each side, because steps are rounded.
-  return {((placed.x_q10 + x_right.low + y_right.low) >> 10) - 1,
-          ((placed.y_q10 - x_up.high - y_up.high) >> 10) - 1,
-          ((placed.x_q10 + x_right.high + y_right.high) >> 10) + 2,
-          ((placed.y_q10 - x_up.low - y_up.low) >> 10) + 2};
 }
 
 }  // namespace
@@ -414,7 +376,7 @@ Rect field_box(const GlyphField& field,
   const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter_reach_px();
   const Rect box = brush.is_upright()
                        ? detail::upright_box(limits, brush, placed)
-                       : slanted_box(limits, brush, placed);
+                       : brush.slant().box(limits, brush, placed);
   return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
 }
 

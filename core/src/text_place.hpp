@@ -45,19 +45,6 @@ class UnitScale {
   int64_t scale_;
 };
 
-// (a p + b q) / 2^30, for any a and b below 2^42, p and q below 2^31. Not
-// inline for its size.
-__attribute__((noinline)) inline int64_t turned(int64_t a,
-                                                int64_t p,
-                                                int64_t b,
-                                                int64_t q) noexcept {
-  // The products pass 64 bits, those of the halves do not.
-  constexpr int64_t kLow = (1 << 20) - 1;
-  const int64_t high = (a >> 20) * p + (b >> 20) * q;
-  const int64_t low = (a & kLow) * p + (b & kLow) * q;
-  return (high + (low >> 20)) >> 10;
-}
-
 inline FinePoint place(const UnitScale& scale,
                        const Brush& brush,
                        const FinePoint& origin,
@@ -67,10 +54,7 @@ inline FinePoint place(const UnitScale& scale,
   if (brush.is_upright()) {
     return {origin.x_q10 + along, origin.y_q10 - across};
   }
-  const Brush::Axes& axes = brush.axes();
-  return {
-      origin.x_q10 + turned(along, axes.x_right.raw, across, axes.y_right.raw),
-      origin.y_q10 - turned(along, axes.x_up.raw, across, axes.y_up.raw)};
+  return brush.slant().place(brush, origin, along, across);
 }
 
 }  // namespace detail

@@ -9,6 +9,7 @@ namespace {
 
 using namespace inkcell;
 using detail::BitTable;
+using detail::read_any_bits;
 using detail::read_bits;
 
 uint8_t bytes[64];
@@ -46,7 +47,9 @@ TEST(reads_every_width_at_every_bit) {
   fill_at_random();
   for (uint32_t width = 0; width <= format::bit_table::kMaxBits; ++width) {
     for (uint32_t bit = 0; bit + width <= 8 * sizeof bytes; ++bit) {
-      CHECK_EQ(read_bits(bytes, bit, width), read_bits_ref(bit, width));
+      const uint32_t value = read_bits_ref(bit, width);
+      CHECK_EQ(read_bits(bytes, bit, width), value);
+      CHECK_EQ(read_any_bits(bytes, bit, width), value);
     }
   }
 }
@@ -62,6 +65,8 @@ TEST(reads_nothing_outside) {
     CHECK_EQ(read_bits(view, 40, width), 0);
     CHECK_EQ(read_bits(view, 0xffffffff, width), 0);
     CHECK_EQ(read_bits({}, 0, width), 0);
+    CHECK_EQ(read_bits({bytes, 3}, 0, width), 0);
+    CHECK_EQ(read_any_bits(view, 41 - width, width), 0);
   }
   CHECK_EQ(read_bits(view, 0, 26), 0);
   CHECK_EQ(read_bits(view, 0, 255), 0);

@@ -12,6 +12,7 @@ namespace inkcell {
 class Brush;
 struct FinePoint;
 struct GlyphField;
+struct Rect;
 struct RowMap;
 struct Sink;
 
@@ -36,6 +37,21 @@ using Painter = void (*)(const GlyphField& field,
 
 namespace detail {
 struct Placed;
+
+// What only glyphs that are not upright need.
+struct Slant {
+  Painter paint;  // without options and rows
+  // The box on the screen around a part of the glyph. [u -> px]
+  Rect (*box)(const Rect& limits, const Brush& brush, const Placed& placed);
+  // A place in px along and across the glyph's axes. [Q10]
+  FinePoint (*place)(const Brush& brush,
+                     const FinePoint& origin,
+                     int64_t along_q10,
+                     int64_t across_q10);
+};
+extern const Slant kTurned;     // where all edges are stretched alike
+extern const Slant kStretched;  // and where they are not
+
 void draw_painted(const GlyphField& field,
                   const Brush& brush,
                   const Placed& placed,
@@ -165,7 +181,11 @@ class Brush {
 
   /// What draws glyphs that are not upright; null if they are. Linked with the
   /// make() that needs it.
-  Painter slanted() const noexcept { return is_upright() ? nullptr : slanted_; }
+  Painter slanted() const noexcept {
+    return is_upright() ? nullptr : slant_->paint;
+  }
+  /// The same and all else that they need. They must not be upright.
+  const detail::Slant& slant() const noexcept { return *slant_; }
 
   /// Whether edges of different directions are stretched differently, and the
   /// least stretch over the greatest.
@@ -240,9 +260,9 @@ class Brush {
  private:
   struct Stretch;
   Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
-  void set_slanted(Painter function) noexcept {
+  void set_slant(const detail::Slant& slant) noexcept {
     is_slanted_ = true;
-    slanted_ = function;
+    slant_ = &slant;
     drawer_ = detail::draw_painted;
   }
 
@@ -263,7 +283,7 @@ class Brush {
   // Only upright text is fitted.
   union {
     Fitter fitter_ = nullptr;
-    Painter slanted_;
+    const detail::Slant* slant_;
   };
   const void* fitter_options_ = nullptr;
   Painter painter_ = nullptr;
