@@ -8,7 +8,8 @@
 namespace inkcell {
 namespace {
 
-using detail::place;
+using detail::place_near;
+using detail::Placed;
 using detail::UnitScale;
 
 // Rows of tiles: begin <= row < end.
@@ -20,9 +21,9 @@ struct Rows {
 Rect box_of(const PackedGlyph& glyph,
             const Rows& rows,
             const Brush& brush,
-            const FinePoint& origin) noexcept {
-  return field_box(glyph.grid(rows.begin, rows.end - rows.begin), brush,
-                   origin);
+            const Placed& placed) noexcept {
+  return detail::box_of(glyph.grid(rows.begin, rows.end - rows.begin), brush,
+                        placed);
 }
 
 bool is_within(const Rect& inner, const Rect& outer) noexcept {
@@ -33,10 +34,10 @@ bool is_within(const Rect& inner, const Rect& outer) noexcept {
 bool meets_window(const PackedGlyph& glyph,
                   uint32_t row,
                   const Brush& brush,
-                  const FinePoint& origin,
+                  const Placed& placed,
                   const Rect& window) noexcept {
   return !is_empty(
-      intersect(box_of(glyph, {row, row + 1}, brush, origin), window));
+      intersect(box_of(glyph, {row, row + 1}, brush, placed), window));
 }
 
 // None if the glyph is out of sight; else all, or without those at both ends
@@ -44,10 +45,10 @@ bool meets_window(const PackedGlyph& glyph,
 __attribute__((noinline)) Rows rows_in_window(const PackedGlyph& glyph,
                                               bool leaves_out,
                                               const Brush& brush,
-                                              const FinePoint& origin,
+                                              const Placed& placed,
                                               const Rect& window) noexcept {
   Rows rows = {0, glyph.tiles_y};
-  const Rect box = box_of(glyph, rows, brush, origin);
+  const Rect box = box_of(glyph, rows, brush, placed);
   if (is_empty(intersect(box, window))) {
     return {0, 0};
   }
@@ -55,11 +56,11 @@ __attribute__((noinline)) Rows rows_in_window(const PackedGlyph& glyph,
     return rows;
   }
   while (rows.begin < rows.end &&
-         !meets_window(glyph, rows.begin, brush, origin, window)) {
+         !meets_window(glyph, rows.begin, brush, placed, window)) {
     ++rows.begin;
   }
   while (rows.begin < rows.end &&
-         !meets_window(glyph, rows.end - 1, brush, origin, window)) {
+         !meets_window(glyph, rows.end - 1, brush, placed, window)) {
     --rows.end;
   }
   return rows;
@@ -80,7 +81,7 @@ void draw_rows(const PackedGlyph& glyph,
                Rows rows,
                uint32_t at_once,
                const Brush& brush,
-               const FinePoint& origin,
+               const Placed& placed,
                const Sink& sink,
                Workspace workspace) noexcept {
   detail::SharedFields shared;
@@ -90,7 +91,7 @@ void draw_rows(const PackedGlyph& glyph,
     GlyphField field;
     if (detail::expand_rows(glyph, rows.end - count, count, workspace, shared,
                             field) == Status::ok) {
-      draw_field(field, brush, origin, sink);
+      detail::draw_near(field, brush, placed, sink);
     } else if (count > 1 && goes_by_rows(brush)) {
       at_once = 1;
       continue;
@@ -102,12 +103,12 @@ void draw_rows(const PackedGlyph& glyph,
 void draw_placed(const Font& font,
                  uint16_t glyph,
                  const Brush& brush,
-                 const FinePoint& origin,
+                 const Placed& placed,
                  const Sink& sink,
                  Workspace workspace) noexcept {
   if (GlyphField in_place;
       detail::read_field(font, glyph, in_place) == Status::ok) {
-    draw_field(in_place, brush, origin, sink);
+    detail::draw_near(in_place, brush, placed, sink);
     return;
   }
   PackedGlyph packed;
@@ -115,10 +116,10 @@ void draw_placed(const Font& font,
     return;
   }
   const bool by_rows = goes_by_rows(brush);
-  const Rows rows = rows_in_window(packed, by_rows, brush, origin, sink.window);
+  const Rows rows = rows_in_window(packed, by_rows, brush, placed, sink.window);
   const bool is_roomy = workspace.size >= font.workspace_bytes();
   const uint32_t at_once = by_rows && !is_roomy ? 1 : packed.tiles_y;
-  draw_rows(packed, rows, at_once, brush, origin, sink, workspace);
+  draw_rows(packed, rows, at_once, brush, placed, sink, workspace);
 }
 
 }  // namespace
@@ -131,8 +132,10 @@ void draw(const Font& font,
           Workspace workspace) noexcept {
   const UnitScale scale(font, brush);
   for (const PositionedGlyph& at : glyphs) {
-    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink,
-                workspace);
+    Placed placed;
+    if (place_near(scale, brush, origin, at, placed)) {
+      draw_placed(font, at.glyph, brush, placed, sink, workspace);
+    }
   }
 }
 
@@ -146,8 +149,10 @@ void draw_text(const Font& font,
   TextCursor cursor(font, text);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    draw_placed(font, at.glyph, brush, place(scale, brush, origin, at), sink,
-                workspace);
+    Placed placed;
+    if (place_near(scale, brush, origin, at, placed)) {
+      draw_placed(font, at.glyph, brush, placed, sink, workspace);
+    }
   }
 }
 
@@ -157,7 +162,10 @@ void draw_glyph(const Font& font,
                 Point origin,
                 const Sink& sink,
                 Workspace workspace) noexcept {
-  draw_placed(font, glyph, brush, origin, sink, workspace);
+  Placed placed;
+  if (placed.set(origin)) {
+    draw_placed(font, glyph, brush, placed, sink, workspace);
+  }
 }
 
 }  // namespace inkcell

@@ -60,6 +60,11 @@ void draw_near(const GlyphField& field,
                const Placed& placed,
                const Sink& sink) noexcept;
 
+// field_box of what is placed.
+Rect box_of(const GlyphField& field,
+            const Brush& brush,
+            const Placed& placed) noexcept;
+
 // How far one pixel to the right leads in px along the glyph's axes. [Q20]
 inline int32_t along_q20(const Brush& brush) noexcept {
   return brush.right().x_q20;

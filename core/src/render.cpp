@@ -360,24 +360,30 @@ void detail::draw_near(const GlyphField& field,
   }
 }
 
-Rect field_box(const GlyphField& field,
-               const Brush& brush,
-               FinePoint origin) noexcept {
+Rect detail::box_of(const GlyphField& field,
+                    const Brush& brush,
+                    const Placed& placed) noexcept {
   if (field.tiles_x == 0 || field.tiles_y == 0) {
     return {};
   }
   const Rect limits = limits_of(field, brush);
+  // What fitting may move, and the painter's reach.
+  const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter_reach_px();
+  const Rect box = brush.is_upright()
+                       ? upright_box(limits, brush, placed)
+                       : brush.slant().box(limits, brush, placed);
+  return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
+}
+
+Rect field_box(const GlyphField& field,
+               const Brush& brush,
+               FinePoint origin) noexcept {
   // Origins that are too far to be seen remain so.
   constexpr int64_t kLimit = Placed::kLimit;
   const Placed placed = {
       static_cast<int32_t>(clamp(origin.x_q10, -kLimit, kLimit - 1)),
       static_cast<int32_t>(clamp(origin.y_q10, -kLimit, kLimit - 1)), nullptr};
-  // What fitting may move, and the painter's reach.
-  const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter_reach_px();
-  const Rect box = brush.is_upright()
-                       ? detail::upright_box(limits, brush, placed)
-                       : brush.slant().box(limits, brush, placed);
-  return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
+  return detail::box_of(field, brush, placed);
 }
 
 void draw_field(const GlyphField& field,

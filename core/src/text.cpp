@@ -9,7 +9,7 @@ namespace {
 
 using detail::clamp_to;
 using detail::kMaxUnits;
-using detail::place;
+using detail::place_near;
 using detail::Placed;
 using detail::UnitScale;
 
@@ -60,16 +60,6 @@ void draw_placed(const Font& font,
   if (detail::read_field(font, glyph, field) == Status::ok) {
     detail::draw_near(field, brush, placed, sink);
   }
-}
-
-// False: the glyph is too far away. Not inline: what it takes of the stack is
-// free again when the glyph is drawn.
-__attribute__((noinline)) bool place_near(const UnitScale& scale,
-                                          const Brush& brush,
-                                          Point origin,
-                                          const PositionedGlyph& at,
-                                          Placed& out) noexcept {
-  return out.set(place(scale, brush, origin, at));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
+#include "position.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -55,6 +56,16 @@ inline FinePoint place(const UnitScale& scale,
     return {origin.x_q10 + along, origin.y_q10 - across};
   }
   return brush.slant().place(brush, origin, along, across);
+}
+
+// False: the glyph is too far away. Not inline: what it takes of the stack is
+// free again when the glyph is drawn.
+__attribute__((noinline)) inline bool place_near(const UnitScale& scale,
+                                                 const Brush& brush,
+                                                 Point origin,
+                                                 const PositionedGlyph& at,
+                                                 Placed& out) noexcept {
+  return out.set(place(scale, brush, origin, at));
 }
 
 }  // namespace detail
