@@ -429,9 +429,12 @@ __attribute__((noinline)) Status expand_heap(const PackedGlyph& glyph,
 
 }  // namespace
 
-Status PackedGlyph::open(Span<const uint8_t> record,
-                         const PackedCoding& coding,
-                         PackedGlyph& out) noexcept {
+namespace {
+
+// PackedGlyph::open, into a glyph that is as it was constructed, but for its
+// coding.
+Status read_packed_record(Span<const uint8_t> record,
+                          PackedGlyph& glyph) noexcept {
   constexpr int32_t kLimit = format::fields::kGridLimit;
   if (record.size < packed::kRowLengths) {
     return Status::corrupt;
@@ -441,43 +444,58 @@ Status PackedGlyph::open(Span<const uint8_t> record,
       (at[packed::kType] & ~packed::kWideRows) != packed::kTypePacked) {
     return Status::unsupported;
   }
-  PackedGlyph glyph;
   glyph.record = record;
-  glyph.coding = coding;
   glyph.wide_rows = (at[packed::kType] & packed::kWideRows) != 0;
   glyph.tiles_x = at[packed::kTiles] & 15;
   glyph.tiles_y = at[packed::kTiles] >> 4;
   glyph.x0_u = packed::i12(at[packed::kX0Y0] | at[packed::kX0Y0 + 1] << 8);
   glyph.y0_u =
       packed::i12(at[packed::kX0Y0 + 1] >> 4 | at[packed::kX0Y0 + 2] << 4);
-  if (glyph.tiles_x == 0 || glyph.tiles_y == 0 || glyph.x0_u < -kLimit ||
-      glyph.y0_u < -kLimit ||
-      glyph.x0_u + packed::kTileU * glyph.tiles_x > kLimit ||
-      glyph.y0_u + packed::kTileU * glyph.tiles_y > kLimit ||
-      packed::streams_at(glyph.tiles_y, glyph.wide_rows) > record.size) {
-    return Status::corrupt;
-  }
+  return glyph.tiles_x == 0 || glyph.tiles_y == 0 || glyph.x0_u < -kLimit ||
+                 glyph.y0_u < -kLimit ||
+                 glyph.x0_u + packed::kTileU * glyph.tiles_x > kLimit ||
+                 glyph.y0_u + packed::kTileU * glyph.tiles_y > kLimit ||
+                 packed::streams_at(glyph.tiles_y, glyph.wide_rows) >
+                     record.size
+             ? Status::corrupt
+             : Status::ok;
+}
+
+}  // namespace
+
+Status PackedGlyph::open(Span<const uint8_t> record,
+                         const PackedCoding& coding,
+                         PackedGlyph& out) noexcept {
+  PackedGlyph glyph;
+  glyph.coding = coding;
+  INKCELL_TRY(read_packed_record(record, glyph));
   out = glyph;
+  return Status::ok;
+}
+
+Status detail::read_packed(const Font& font,
+                           uint16_t glyph,
+                           PackedGlyph& out) noexcept {
+  if (glyph >= font.glyph_count()) {
+    return Status::no_glyph;
+  }
+  const Span<const uint8_t> record = font.record(glyph);
+  if (record.size != 0) {
+    out.coding =
+        PackedCoding::read(font.rom().data + format::header::kQuantisation);
+    INKCELL_TRY(read_packed_record(record, out));
+    out.ink = font.ink_box(glyph);
+    out.glyph = glyph;
+  }
   return Status::ok;
 }
 
 Status PackedGlyph::open(const Font& font,
                          uint16_t glyph,
                          PackedGlyph& out) noexcept {
-  if (glyph >= font.glyph_count()) {
-    return Status::no_glyph;
-  }
-  const Span<const uint8_t> record = font.record(glyph);
-  if (record.size == 0) {
-    out = PackedGlyph{};
-    return Status::ok;
-  }
-  INKCELL_TRY(
-      open(record,
-           PackedCoding::read(font.rom().data + format::header::kQuantisation),
-           out));
-  out.ink = font.ink_box(glyph);
-  out.glyph = glyph;
+  PackedGlyph read;
+  INKCELL_TRY(detail::read_packed(font, glyph, read));
+  out = read;
   return Status::ok;
 }
 

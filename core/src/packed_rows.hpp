@@ -8,6 +8,10 @@
 namespace inkcell {
 namespace detail {
 
+// PackedGlyph::open, into a glyph that is as it was constructed, for those who
+// look at the result only if it is Status::ok.
+Status read_packed(const Font& font, uint16_t glyph, PackedGlyph& out) noexcept;
+
 // The fields that all rows of a glyph share, as an expansion left them in the
 // workspace.
 struct SharedFields {

@@ -112,7 +112,7 @@ void draw_placed(const Font& font,
     return;
   }
   PackedGlyph packed;
-  if (PackedGlyph::open(font, glyph, packed) != Status::ok) {
+  if (detail::read_packed(font, glyph, packed) != Status::ok) {
     return;
   }
   const bool by_rows = goes_by_rows(brush);
