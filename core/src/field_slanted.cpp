@@ -8,43 +8,12 @@
 // stretched_fields_q10 give the same coverage bit by bit.
 #include "field_slanted.hpp"
 
+#include "field_turned.hpp"
 #include "order.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
-
-// The fields of a leaf. With `sign` -1 all values are negated, so that there is
-// only the least.
-struct SlantedLeaf {
-  uint16_t units[3];
-  FieldOperator op;
-  uint32_t count;
-  int32_t sign;
-};
-
-// A point to evaluate. [px, Q8]
-struct PointQ8 {
-  uint32_t x;
-  uint32_t y;
-};
-
-// The plain way, negated if the leaf is.
-__attribute__((noinline)) int32_t stretched(const Slanted& slanted,
-                                            const SlantedLeaf& leaf,
-                                            const PointQ8& at) noexcept {
-  FieldTerms terms;
-  terms.count = static_cast<uint8_t>(leaf.count);
-  terms.op = leaf.op;
-  for (uint32_t i = 0; i < leaf.count; ++i) {
-    set_up_term(terms.term[i], slanted.field, leaf.units[i], at.x, at.y,
-                slanted.scale);
-  }
-  slanted.stretch(slanted.brush, slanted.far_q22, terms);
-  return with_sign(
-      combine_q22(terms, slanted.scale.bend_log2, slanted.reach_q22),
-      leaf.sign);
-}
 
 inline int32_t value_at(const Slanted& slanted,
                         const SlantedLeaf& leaf,
@@ -101,7 +70,7 @@ __attribute__((noinline)) int32_t triple_at(const Slanted& slanted,
   values[1] = value_at(slanted, leaf, 1, at);
   values[2] = value_at(slanted, leaf, 2, at);
   if (slanted.stretch != nullptr) {
-    return stretched(slanted, leaf, at);
+    return slanted.stretch(slanted, leaf, at);
   }
   uint32_t first = 0;
   uint32_t second = 1;
@@ -137,7 +106,7 @@ inline int32_t pair_at(const Slanted& slanted,
     least = least < values[1] ? least : values[1];
   }
   return slanted.stretch != nullptr && least < far && least > -far
-             ? stretched(slanted, leaf, at)
+             ? slanted.stretch(slanted, leaf, at)
              : least;
 }
 
@@ -351,6 +320,22 @@ constexpr uint32_t kMinRun = 4;
 constexpr uint32_t kMaxRun = 64;
 
 }  // namespace
+
+int32_t stretched_value(const Slanted& slanted,
+                        const SlantedLeaf& leaf,
+                        const PointQ8& at) {
+  FieldTerms terms;
+  terms.count = static_cast<uint8_t>(leaf.count);
+  terms.op = leaf.op;
+  for (uint32_t i = 0; i < leaf.count; ++i) {
+    set_up_term(terms.term[i], slanted.field, leaf.units[i], at.x, at.y,
+                slanted.scale);
+  }
+  stretch_terms(slanted.brush, slanted.far_q22, terms);
+  return with_sign(
+      combine_q22(terms, slanted.scale.bend_log2, slanted.reach_q22),
+      leaf.sign);
+}
 
 void draw_slanted_row(Slanted& slanted,
                       RowPoint at,

@@ -66,13 +66,35 @@ struct AxisStep {
   }
 };
 
-using StretchTerms = void (*)(const Brush&, int32_t, FieldTerms&);
+// The fields of a leaf. With `sign` -1 all values are negated, so that there is
+// only the least.
+struct SlantedLeaf {
+  uint16_t units[3];
+  FieldOperator op;
+  uint32_t count;
+  int32_t sign;
+};
+
+// A point to evaluate. [px, Q8]
+struct PointQ8 {
+  uint32_t x;
+  uint32_t y;
+};
+
+struct Slanted;
+
+// The value of a leaf where edges are stretched differently, the plain way,
+// negated if the leaf is.
+int32_t stretched_value(const Slanted& slanted,
+                        const SlantedLeaf& leaf,
+                        const PointQ8& at);
+using StretchedValue = decltype(stretched_value)*;
 
 // What a glyph's pixels have in common.
 struct Slanted {
   const GlyphField& field;
   const Brush& brush;
-  StretchTerms stretch;  // null: edges are stretched alike
+  StretchedValue stretch;  // null: edges are stretched alike
   int32_t reach_q22;
   int32_t far_q22;  // fields' values from here on decide
   FieldScale scale;
@@ -87,7 +109,7 @@ struct Slanted {
 
   Slanted(const GlyphField& glyph,
           const Brush& its_brush,
-          StretchTerms its_stretch,
+          StretchedValue its_stretch,
           const Sink& sink,
           int32_t y) noexcept
       : field(glyph),

@@ -160,7 +160,7 @@ void paint_stretched(const GlyphField& field,
                      const Sink& sink) {
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
   if (!is_empty(box)) {
-    Slanted slanted(field, brush, stretch_terms, sink, box.y0);
+    Slanted slanted(field, brush, stretched_value, sink, box.y0);
     slanted.far_q22 = far_q22(brush, slanted.reach_q22);
     paint(slanted, origin, box,
           has_fields(field) ? draw_slanted_row : draw_stretched_samples);
