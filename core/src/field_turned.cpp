@@ -73,17 +73,16 @@ __attribute__((noinline)) bool find_point(const Slanted& slanted,
   return clamp_i32(way.x_q16) == way.x_q16 && clamp_i32(way.y_q16) == way.y_q16;
 }
 
-// Whether no pixel of a box is so far away. Those of turned grids never are;
-// around a stretched one the corners may be.
+// Whether no pixel of a box is so far away. Those around turned grids never
+// are; around a stretched one the corners may be.
 bool is_near(const Slanted& slanted,
              const FinePoint& origin,
              const Rect& box) noexcept {
   RowPoint corner;
-  return slanted.stretch == nullptr ||
-         (find_point(slanted, origin, box.x0, box.y0, corner) &&
-          find_point(slanted, origin, box.x1, box.y0, corner) &&
-          find_point(slanted, origin, box.x0, box.y1, corner) &&
-          find_point(slanted, origin, box.x1, box.y1, corner));
+  return find_point(slanted, origin, box.x0, box.y0, corner) &&
+         find_point(slanted, origin, box.x1, box.y0, corner) &&
+         find_point(slanted, origin, box.x0, box.y1, corner) &&
+         find_point(slanted, origin, box.x1, box.y1, corner);
 }
 
 using DrawRow = void (*)(Slanted&, RowPoint, int32_t, int32_t);
@@ -104,14 +103,11 @@ __attribute__((noinline)) void paint_far(Slanted& slanted,
   }
 }
 
+// Row by row, all of the box being near.
 void paint(Slanted& slanted,
            const FinePoint& origin,
            const Rect& box,
            DrawRow draw_row) noexcept {
-  if (!is_near(slanted, origin, box)) {
-    paint_far(slanted, origin, box, draw_row);
-    return;
-  }
   const GlyphStep& right = slanted.brush.right();
   const GlyphStep& up = slanted.brush.up();
   RowPoint start;
@@ -162,8 +158,13 @@ void paint_stretched(const GlyphField& field,
   if (!is_empty(box)) {
     Slanted slanted(field, brush, stretched_value, sink, box.y0);
     slanted.far_q22 = far_q22(brush, slanted.reach_q22);
-    paint(slanted, origin, box,
-          has_fields(field) ? draw_slanted_row : draw_stretched_samples);
+    const DrawRow draw_row =
+        has_fields(field) ? draw_slanted_row : draw_stretched_samples;
+    if (is_near(slanted, origin, box)) {
+      paint(slanted, origin, box, draw_row);
+    } else {
+      paint_far(slanted, origin, box, draw_row);
+    }
   }
 }
 

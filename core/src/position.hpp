@@ -100,21 +100,20 @@ struct GlyphWay {
     const GlyphStep& up = brush.up();
     x_q16 = sum(way, right.x_q16, up.x_q16);
     y_q16 = sum(way, right.y_q16, up.y_q16);
-    x_q20 = wrapped_sum(way, right.x_q20, up.x_q20);
-    y_q20 = wrapped_sum(way, right.y_q20, up.y_q20);
+    x_q20 = static_cast<uint32_t>(sum(way, right.x_q20, up.x_q20)) + kHalfQ20;
+    y_q20 = static_cast<uint32_t>(sum(way, right.y_q20, up.y_q20)) + kHalfQ20;
   }
 
  private:
-  static int64_t sum(const ScreenWay& way, int32_t right, int32_t up) noexcept {
-    return (way.right_q10 * right + way.up_q10 * up) >> 10;
-  }
-  static uint32_t wrapped_sum(const ScreenWay& way,
-                              int32_t right,
-                              int32_t up) noexcept {
+  // Modulo 2^54: sums of px may wrap. Not inline: products of 64 bits are
+  // large.
+  __attribute__((noinline)) static int64_t sum(const ScreenWay& way,
+                                               int32_t right,
+                                               int32_t up) noexcept {
     const uint64_t products =
         static_cast<uint64_t>(way.right_q10) * static_cast<uint64_t>(right) +
         static_cast<uint64_t>(way.up_q10) * static_cast<uint64_t>(up);
-    return static_cast<uint32_t>(products >> 10) + kHalfQ20;
+    return static_cast<int64_t>(products) >> 10;
   }
 };
 
