@@ -58,7 +58,9 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(A8Target& target, Sink& out) noexcept {
-  return detail::open_sink(target, PixelFormat::a8, coverage, solid, out);
+  static constexpr detail::SinkKind kKind = {
+      coverage, solid, detail::layout_of(PixelFormat::a8)};
+  return detail::open_sink(target.strip, kKind, &target, out);
 }
 
 }  // namespace port

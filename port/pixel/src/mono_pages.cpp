@@ -79,8 +79,9 @@ Status make_sink(MonoPagesTarget& target, Sink& out) noexcept {
   if (target.threshold == 0 || target.level > 1) {
     return Status::bad_argument;
   }
-  return detail::open_sink(target, PixelFormat::mono_pages, coverage, solid,
-                           out);
+  static constexpr detail::SinkKind kKind = {
+      coverage, solid, detail::layout_of(PixelFormat::mono_pages)};
+  return detail::open_sink(target.strip, kKind, &target, out);
 }
 
 }  // namespace port

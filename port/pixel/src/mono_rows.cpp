@@ -95,8 +95,9 @@ Status make_sink(MonoRowsTarget& target, Sink& out) noexcept {
   if (target.threshold == 0 || target.level > 1) {
     return Status::bad_argument;
   }
-  return detail::open_sink(target, PixelFormat::mono_rows, coverage, solid,
-                           out);
+  static constexpr detail::SinkKind kKind = {
+      coverage, solid, detail::layout_of(PixelFormat::mono_rows)};
+  return detail::open_sink(target.strip, kKind, &target, out);
 }
 
 }  // namespace port

@@ -47,7 +47,8 @@ struct PackedGrey {
     if (target.level > kMaxLevel) {
       return Status::bad_argument;
     }
-    return open_sink(target, kFormat, coverage, solid, out);
+    static constexpr SinkKind kKind = {coverage, solid, layout_of(kFormat)};
+    return open_sink(target.strip, kKind, &target, out);
   }
 };
 

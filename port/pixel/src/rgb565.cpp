@@ -161,7 +161,9 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 }  // namespace
 
 Status make_sink(Rgb565Target& target, Sink& out) noexcept {
-  return detail::open_sink(target, PixelFormat::rgb565, coverage, solid, out);
+  static constexpr detail::SinkKind kKind = {
+      coverage, solid, detail::layout_of(PixelFormat::rgb565)};
+  return detail::open_sink(target.strip, kKind, &target, out);
 }
 
 }  // namespace port

@@ -39,9 +39,16 @@ Status check_layout(const Strip& strip, Layout layout) noexcept {
              : Status::ok;
 }
 
-Status open_window(const Strip& strip, Layout layout, Rect& window) noexcept {
-  INKCELL_TRY(check_layout(strip, layout));
-  window = strip.rect();
+Status open_sink(const Strip& strip,
+                 const SinkKind& kind,
+                 void* context,
+                 Sink& out) noexcept {
+  INKCELL_TRY(check_layout(strip, kind.layout));
+  out.window = strip.rect();
+  out.context = context;
+  out.coverage = kind.coverage;
+  out.solid = kind.solid;
+  out.coverage_rgb = nullptr;
   return Status::ok;
 }
 

@@ -64,23 +64,18 @@ constexpr Layout layout_of(PixelFormat format) noexcept {
 /// check_strip().
 Status check_layout(const Strip& strip, Layout layout) noexcept;
 
-/// The same, and where the strip lies.
-Status open_window(const Strip& strip, Layout layout, Rect& window) noexcept;
+/// What makes a sink of a target with a strip.
+struct SinkKind {
+  decltype(Sink::coverage) coverage;
+  decltype(Sink::solid) solid;
+  Layout layout;
+};
 
-/// Makes the sink of `target` from two functions, if check_strip() agrees.
-template <typename Target>
-Status open_sink(Target& target,
-                 PixelFormat format,
-                 decltype(Sink::coverage) coverage,
-                 decltype(Sink::solid) solid,
-                 Sink& out) noexcept {
-  INKCELL_TRY(open_window(target.strip, layout_of(format), out.window));
-  out.context = &target;
-  out.coverage = coverage;
-  out.solid = solid;
-  out.coverage_rgb = nullptr;
-  return Status::ok;
-}
+/// Makes the sink of `strip`, if check_strip() agrees.
+Status open_sink(const Strip& strip,
+                 const SinkKind& kind,
+                 void* context,
+                 Sink& out) noexcept;
 
 /// The first byte of row (or page) `y` of the strip.
 inline uint8_t* row_at(const Strip& strip, int32_t y) noexcept {

@@ -73,7 +73,9 @@ Status make_sink(Xrgb8888Target& target, Sink& out) noexcept {
   if (((address | static_cast<uintptr_t>(strip.stride)) & 3) != 0) {
     return Status::misaligned;
   }
-  return detail::open_sink(target, PixelFormat::xrgb8888, coverage, solid, out);
+  static constexpr detail::SinkKind kKind = {
+      coverage, solid, detail::layout_of(PixelFormat::xrgb8888)};
+  return detail::open_sink(target.strip, kKind, &target, out);
 }
 
 }  // namespace port
