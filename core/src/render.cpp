@@ -277,30 +277,18 @@ void detail::draw_plain(const GlyphField& field,
   }
 }
 
-namespace {
-
 // Not inline: other ways to draw need not pay for its stack.
-__attribute__((noinline)) void paint(const GlyphField& field,
-                                     const Brush& brush,
-                                     const Placed& placed,
-                                     const Sink& sink) noexcept {
-  const Painter painter =
-      brush.painter() != nullptr ? brush.painter() : brush.slanted();
-  painter(field, brush, brush.painter_options(), placed.origin(),
-          placed.rows == nullptr ? nullptr : &placed.rows->map, sink);
-}
-
-}  // namespace
-
-// Not inline for the same reason.
 __attribute__((noinline)) void detail::draw_painted(const GlyphField& field,
                                                     const Brush& brush,
                                                     const Placed& placed,
                                                     const Sink& sink) {
-  if (brush.painter() == nullptr && brush.is_upright()) {
+  const Painter painter =
+      brush.painter() != nullptr ? brush.painter() : brush.slanted();
+  if (painter == nullptr) {
     draw_upright(field, brush, placed, sink);
   } else {
-    paint(field, brush, placed, sink);
+    painter(field, brush, brush.painter_options(), placed.origin(),
+            placed.rows == nullptr ? nullptr : &placed.rows->map, sink);
   }
 }
 
@@ -345,7 +333,7 @@ void detail::draw_fitted(const GlyphField& field,
   if (brush.painter() == nullptr) {
     draw_upright(field, brush, fitted.placed, sink);
   } else {
-    paint(field, brush, fitted.placed, sink);
+    draw_painted(field, brush, fitted.placed, sink);
   }
 }
 
