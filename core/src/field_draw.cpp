@@ -1,5 +1,5 @@
-// Rows of cells of fields, pixel by pixel: fastest where cells have few pixels,
-// and the only way for rows that are fitted to the grid.
+// Rows of cells of fields: fastest where cells have few pixels, and the only
+// way for rows that are fitted to the grid.
 #include "field_draw.hpp"
 
 #include "cell_access.hpp"

@@ -89,6 +89,27 @@ bool FieldRow::cover(RowPoint at,
       x_q16 += step;
       return x_q16 >= stop_q16;
     };
+    const auto any_number = [&](uint32_t number) {
+      ArcTerm terms[3];
+      for (uint32_t i = 0; i < number; ++i) {
+        terms[i] = ArcTerm(leaf.field[i], place, scale_, sign);
+      }
+      int32_t least;
+      do {
+        int32_t values[3];
+        for (uint32_t i = 0; i < number; ++i) {
+          values[i] = terms[i].value(bend_shift_, sign);
+          terms[i].go_on();
+        }
+        least = values[0];
+        if (number == 2) {
+          least = least_of_two(leaf, values[0], values[1], x_q8(out));
+        } else if (number == 3) {
+          least =
+              least_of_three(leaf, values[0], values[1], values[2], x_q8(out));
+        }
+      } while (!put(least));
+    };
     const auto one = [&](auto a) __attribute__((always_inline)) {
       while (true) {
         *out++ = ramp(a.value(bend_shift_, 0));
@@ -116,27 +137,27 @@ bool FieldRow::cover(RowPoint at,
         c.go_on();
       }
     };
+    if (!kFastRows) {
+      any_number(fields);
+      continue;
+    }
     const uint8_t* const f0 = leaf.field[0];
     const uint8_t* const f1 = leaf.field[1];
     const uint8_t* const f2 = leaf.field[2];
-    const auto are_lines =
-        [](uintptr_t arc_bits) __attribute__((always_inline)) {
-      return kLineLoops && arc_bits == 0;
-    };
     if (fields == 1) {
-      if (are_lines(arc_bit(f0))) {
+      if (arc_bit(f0) == 0) {
         one(LineTerm(f0, place, scale_, 0));
       } else {
         one(ArcTerm(f0, place, scale_, 0));
       }
     } else if (fields == 2) {
-      if (are_lines(arc_bit(f0) | arc_bit(f1))) {
+      if ((arc_bit(f0) | arc_bit(f1)) == 0) {
         two(LineTerm(f0, place, scale_, sign),
             LineTerm(f1, place, scale_, sign));
       } else {
         two(ArcTerm(f0, place, scale_, sign), ArcTerm(f1, place, scale_, sign));
       }
-    } else if (are_lines(arc_bit(f0) | arc_bit(f1) | arc_bit(f2))) {
+    } else if (leaf.has_lines()) {
       three(LineTerm(f0, place, scale_, sign),
             LineTerm(f1, place, scale_, sign),
             LineTerm(f2, place, scale_, sign));

@@ -242,7 +242,7 @@ void FieldRow::take_thirds(RowPoint at,
       do {
         out = Thirds::side(side, out);
       } while (next());
-    } else if (kLineLoops && leaf.has_lines()) {
+    } else if (kFastRows && leaf.has_lines()) {
       out = thirds.draw<ThirdLine>(out, next);
     } else {
       out = thirds.draw<ThirdArc>(out, next);

@@ -122,36 +122,14 @@ class StripeRow {
     return y_u >= field_.y0_u && y_u < field_.y1_u();
   }
 
-  // Pixels of rows: those in the grid, and those on either side of it, which
-  // are far outside.
-  struct Part {
-    int32_t left;
-    int32_t inside;
-    int32_t right;
-    int32_t first;  // of those inside, from the box's left edge
-  };
-
-  // `count` pixels from x on, once there is a row.
-  Part part(int32_t x, int32_t count) const noexcept {
-    const int32_t end = x + count;
-    const int32_t begin = lesser(greater(x, grid_x0_), end);
-    const int32_t inside = greater(lesser(end, grid_x1_) - begin, 0);
-    return {begin - x, inside, end - begin - inside, begin - rows_.box.x0};
-  }
-
-  // What the stripes of pixels cover, three for each. `line` has room for as
-  // many numbers, and may be where coverages go.
-  Shown take(const Part& part, int32_t* line, uint8_t* out) const noexcept {
-    int32_t* at = put_far(line, part.left);
-    if (part.inside != 0) {
-      const auto way = static_cast<uint32_t>(part.first);
-      RowPoint first = row_.point(at_.x_q16, at_.x_q20);
-      first.x_q16 += way * static_cast<uint32_t>(rows_.brush.step_along_q16());
-      first.x_q20 += way << 20;
-      row_.take_thirds(first, way_, at, part.inside);
-    }
-    put_far(at + 3 * part.inside, part.right);
-    return cover(ramp_, line, out, part.left + part.inside + part.right);
+  // What the stripes of `count` pixels cover, three for each. `line` has room
+  // for as many numbers, and may be where coverages go.
+  Shown take(int32_t x,
+             int32_t count,
+             int32_t* line,
+             uint8_t* out) const noexcept {
+    fill(x, count, line);
+    return cover(ramp_, line, out, count);
   }
 
  private:
@@ -181,12 +159,32 @@ class StripeRow {
     ramp_.far_q22 = way_.far_q22;
   }
 
-  // Behind the last one.
-  static int32_t* put_far(int32_t* out, int32_t count) noexcept {
-    for (; count != 0; --count, out += 3) {
-      out[1] = INT32_MIN;
+  // Far outside beside the grid. [px, Q22]
+  __attribute__((noinline)) void fill(int32_t x,
+                                      int32_t count,
+                                      int32_t* line) const noexcept {
+    const int32_t end = x + count;
+    for (; x < end && x < grid_x0_; ++x) {
+      line = put_far(line);
     }
-    return out;
+    const int32_t inside = lesser(end, grid_x1_) - x;
+    if (inside > 0) {
+      const auto way = static_cast<uint32_t>(x - rows_.box.x0);
+      const auto step_q16 = static_cast<uint32_t>(rows_.brush.step_along_q16());
+      RowPoint at = row_.point(at_.x_q16, at_.x_q20);
+      at.x_q16 += way * step_q16;
+      at.x_q20 += way << 20;
+      row_.take_thirds(at, way_, line, inside);
+      line += 3 * inside;
+      x += inside;
+    }
+    for (; x < end; ++x) {
+      line = put_far(line);
+    }
+  }
+  static int32_t* put_far(int32_t* out) noexcept {
+    out[1] = INT32_MIN;
+    return out + 3;
   }
 
   const LcdRows& rows_;
@@ -261,7 +259,7 @@ class StripeRows {
     auto* const stripes = reinterpret_cast<uint8_t*>(line);
     const int32_t count = lesser(end_ - x, kMost);
     line[0] = before_;
-    const Shown shown = row.take(row.part(x, count), line + 1, stripes + 4);
+    const Shown shown = row.take(x, count, line + 1, stripes + 4);
     // Pixels that may show something, once the stripe after them is known.
     const int32_t before = before_;
     int32_t from =
@@ -336,11 +334,7 @@ class StripeColumn {
     const int32_t first = box.y0 - (box.y0 == sink_.window.y0 ? 1 : 0);
     const int32_t end = box.y1 + (box.y1 == sink_.window.y1 ? 1 : 0);
     for (int32_t y = first; y < end; ++y) {
-      const bool is_in_grid = row.go_to(y, y == first);
-      if (y == first) {
-        part_ = row.part(x_, count_);
-      }
-      draw_above(row, is_in_grid, y);
+      draw_above(row, row.go_to(y, y == first), y);
     }
     if (end == box.y1) {
       draw_above(row, false, end);
@@ -357,7 +351,7 @@ class StripeColumn {
     uint8_t* const above = stripes_[~y & 1];
     Shown shown = kNothing;
     if (is_in_grid) {
-      shown = row.take(part_, line, stripes);
+      shown = row.take(x_, count_, line, stripes);
     } else {
       uint8_t* at = stripes;
       for (const uint8_t* const end = at + 3 * count_; at != end; ++at) {
@@ -389,7 +383,6 @@ class StripeColumn {
   const Sink& sink_;
   int32_t x_;
   int32_t count_;
-  StripeRow::Part part_ = {};
   Shown last_ = kNothing;  // of the rows above
   Shown before_last_ = kNothing;
   uint8_t before_[kMost] = {};

@@ -45,7 +45,8 @@ CPUS = {
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 # What a build may leave out: docs/PORTING.md.
-PARTS = ("field_cells", "sample_cells", "packed", "object_order")
+PARTS = ("field_cells", "sample_cells", "packed", "object_order",
+         "fast_rows")
 # Coding: firmware, its way, what the generator is told.
 CODINGS = {
     "direct": ("direct", "upright", ["--coding", "direct"]),

@@ -31,6 +31,7 @@ OPTIONS = {
                              "draw_slanted_row", "Expansion::"]),
     "INKCELL_OBJECT_ORDER": (set(), ["BlockPainter::",
                                      "draw_samples_by_cells"]),
+    "INKCELL_FAST_ROWS": (set(), []),
     "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }
 
