@@ -88,6 +88,9 @@ __attribute__((noinline)) void Cells::place(const Brush& brush,
       place_upright(field, brush, placed, painter_.sink().window);
   const FieldPosition& at = upright.at;
   const Rect& pixels = upright.pixels;
+  if (is_empty(pixels)) {
+    return;  // and `at` is nowhere
+  }
   x0_ = static_cast<int16_t>(pixels.x0);
   y0_ = static_cast<int16_t>(pixels.y0);
   x1_ = static_cast<int16_t>(pixels.x1);
