@@ -172,6 +172,18 @@ int32_t any_size(Random& random) {
                   : random.between(4 * 64, 1024 * 64);
 }
 
+// check_plain_chain somewhere, in three windows.
+int check_windows(const GlyphField& field, const Brush& brush, Random& random) {
+  const FinePoint origin(random.between(-9999, 9999),
+                         random.between(-9999, 9999));
+  const Rect box = field_box(field, brush, origin);
+  int grey = 0;
+  for (int i = 0; i < 3; ++i) {
+    grey += check_plain_chain(field, brush, origin, window_in(random, box));
+  }
+  return grey;
+}
+
 }  // namespace
 
 TEST(fields_equal_the_plain_chain) {
@@ -185,12 +197,7 @@ TEST(fields_equal_the_plain_chain) {
         brush_of(any_size(random),
                  round % 3 != 0 ? 0 : static_cast<int>(random.below(kWays)),
                  *kFilters[random.below(3)]);
-    const FinePoint origin(random.between(-9999, 9999),
-                           random.between(-9999, 9999));
-    const Rect box = field_box(field, brush, origin);
-    for (int i = 0; i < 3; ++i) {
-      grey += check_plain_chain(field, brush, origin, window_in(random, box));
-    }
+    grey += check_windows(field, brush, random);
   }
   CHECK(grey > rounds);
 }
@@ -223,12 +230,7 @@ TEST(ramps_beside_the_edge_equal_the_plain_chain) {
     const Brush brush =
         brush_of(random.between(40 * 64, 400 * 64), 0,
                  random.below(2) == 0 ? kFilterInside : kFilterOutside);
-    const FinePoint origin(random.between(-9999, 9999),
-                           random.between(-9999, 9999));
-    const Rect box = field_box(field, brush, origin);
-    for (int i = 0; i < 3; ++i) {
-      grey += check_plain_chain(field, brush, origin, window_in(random, box));
-    }
+    grey += check_windows(field, brush, random);
   }
   CHECK(grey > rounds);
 }
