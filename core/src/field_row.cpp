@@ -9,11 +9,7 @@ __attribute__((noinline)) void FieldRow::find_narrow(
   using format::fields::kArcBytes;
   using format::fields::kLineBytes;
   const Leaf found = find_narrow_leaf(field_, tile_of(x), x, y_u_);
-  leaf.size_log2 = found.size_log2;
-  leaf.is_inside = found.reference == format::glyph::kInside;
-  leaf.count = 0;
-  leaf.field[1] = leaf.field[2] = nullptr;
-  if (found.reference < format::glyph::kFirstNode) {
+  if (!leaf.begin(found)) {
     return;
   }
   const uint8_t* const cells = field_.cells;
@@ -35,11 +31,7 @@ __attribute__((noinline)) void FieldRow::find_linked(
   namespace linked = format::linked;
   const LinkedHeap heap(field_);
   const Leaf found = heap.find_leaf(tile_of(x), field_.tile_log2, x, y_u_);
-  leaf.size_log2 = found.size_log2;
-  leaf.is_inside = found.reference == format::glyph::kInside;
-  leaf.count = 0;
-  leaf.field[1] = leaf.field[2] = nullptr;
-  if (found.reference < format::glyph::kFirstNode) {
+  if (!leaf.begin(found)) {
     return;
   }
   const uint8_t* const cells = field_.cells;

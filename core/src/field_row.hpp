@@ -89,6 +89,14 @@ class FieldRow {
     bool has_lines() const noexcept {
       return (arc_bit(field[0]) | arc_bit(field[1]) | arc_bit(field[2])) == 0;
     }
+    // False: it is saturated.
+    bool begin(const Leaf& found) noexcept {
+      field[1] = field[2] = nullptr;
+      size_log2 = found.size_log2;
+      count = 0;
+      is_inside = found.reference == format::glyph::kInside;
+      return found.reference >= format::glyph::kFirstNode;
+    }
     // How the fields that were read are combined.
     void set(uint32_t field_count, FieldOperator op) noexcept {
       count = static_cast<uint8_t>(field_count);
