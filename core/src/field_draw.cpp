@@ -1,62 +1,49 @@
-// Rows of cells of fields: fastest where cells have few pixels, and the only
-// way for rows that are fitted to the grid.
+// Upright cells of fields, band by band, and distances at any point.
 #include "field_draw.hpp"
 
 #include "cell_access.hpp"
-#include "field_row.hpp"
+#include "field_band.hpp"
 #include "order.hpp"
 #include "position.hpp"
 
 namespace inkcell {
 namespace detail {
-namespace {
-
-__attribute__((noinline)) void draw_rows(const GlyphField& field,
-                                         const Brush& brush,
-                                         const Placed& placed,
-                                         const Sink& sink) noexcept {
-  Upright upright = place_upright(field, brush, placed, sink.window);
-  const Rect& pixels = upright.pixels;
-  if (is_empty(pixels)) {
-    return;
-  }
-  const CoverageRamp ramp(brush.filter());
-  const auto step_q16 = static_cast<uint32_t>(brush.step_along_q16());
-  FieldRow row(field, scale_of(brush), reach_of(brush.filter()),
-               brush.step_along_q16());
-  for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    RowHeight height;
-    if (upright.place_row(brush, height)) {
-      row.go_to(height.y_q16, height.y_q20);
-      RowPoint first = row.point(upright.at.x_q16, upright.at.x_q20);
-      for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
-        uint8_t line[kMaxSpan];
-        const int32_t count = lesser(pixels.x1 - x, kMaxSpan);
-        if (row.cover(first, ramp, line, count)) {
-          sink.coverage(sink.context, x, y, line, count);
-        }
-        first.x_q16 += kMaxSpan * step_q16;
-        first.x_q20 += kMaxSpan << 20;
-      }
-    }
-    upright.next_row(brush);
-  }
-}
-
-// Object order wins from this size on. [px to the em, Q8]
-constexpr uint32_t kCellsFromQ8 = 50 << 8;
-
-}  // namespace
 
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
                  const Placed& placed,
                  const Sink& sink) noexcept {
-  if (INKCELL_OBJECT_ORDER != 0 && placed.rows == nullptr &&
-      scale_of(brush).size_q8 >= kCellsFromQ8) {
-    draw_by_cells(field, brush, placed, sink);
-  } else {
-    draw_rows(field, brush, placed, sink);
+  Upright upright = place_upright(field, brush, placed, sink.window);
+  const Rect& pixels = upright.pixels;
+  if (is_empty(pixels)) {
+    return;
+  }
+  FieldBand band(field, scale_of(brush), brush.filter(),
+                 reach_of(brush.filter()), brush.step_along_q16());
+  int32_t rows;
+  for (int32_t y = pixels.y0; y < pixels.y1; y += rows) {
+    rows = FieldBand::rows_of(pixels.y1 - y);
+    const RowHeight* heights = nullptr;
+    int32_t shown = rows;
+    if (upright.rows != nullptr) {
+      shown = upright.rows->place(upright, brush, rows);
+      rows = greater(shown, 1);
+      heights = upright.rows->heights;
+    }
+    if (shown != 0) {
+      band.go_to(upright.at, heights);
+      for (int32_t x = pixels.x0; x < pixels.x1; x += FieldBand::kColumns) {
+        FieldBand::Pixels lines;
+        const int32_t count = lesser(pixels.x1 - x, FieldBand::kColumns);
+        if (band.cover(count, rows, lines)) {
+          for (int32_t row = 0; row < rows; ++row) {
+            sink.coverage(sink.context, x, y + row, lines.row(row), count);
+          }
+        }
+        band.go_right(FieldBand::kColumns);
+      }
+    }
+    upright.go_down(brush, rows);
   }
 }
 

@@ -1,4 +1,4 @@
-// Coverage of rows of cells of fields.
+// Coverage of cells of fields.
 #pragma once
 
 #include <stdint.h>
@@ -8,13 +8,24 @@
 #include "inkcell/row_map.hpp"
 #include "span_writer.hpp"
 
-// 0 leaves out what draws large glyphs cell by cell: they are drawn row by row.
+// 0: upright cells of fields are drawn row by row and pixel after pixel,
+// instead of in bands of rows in which each cell is met once, and which skip
+// what is saturated. Cells of samples are always drawn row by row.
 #ifndef INKCELL_OBJECT_ORDER
 #  define INKCELL_OBJECT_ORDER 1
 #endif
 
+// 0: one loop for all cells of fields, instead of loops for one, two and three
+// fields, of lines and of arcs.
+#ifndef INKCELL_FAST_ROWS
+#  define INKCELL_FAST_ROWS 1
+#endif
+
 namespace inkcell {
 namespace detail {
+
+inline constexpr bool kObjectOrder = INKCELL_OBJECT_ORDER != 0;
+inline constexpr bool kFastRows = INKCELL_FAST_ROWS != 0;
 
 inline FieldScale scale_of(const Brush& brush) noexcept {
   return {static_cast<uint32_t>(brush.size().raw) << 2, brush.bend_q14(),
@@ -74,12 +85,24 @@ struct RowHeight {
 // How the rows of a fitted glyph lie in it. Only what fits glyphs makes one, so
 // that others do not link it.
 struct FittedRows {
-  // Upright::place_row; rows come from top to bottom.
-  bool (*place_row)(const Upright& upright, const Brush& brush, RowHeight& row);
-  const RowMap& map;         // with knots
-  const RowMap::Knot* knot;  // of the last row, or one above it
-  int32_t low_q16;  // heights that may show: low_q16 <= y < high_q16 [u]
-  int32_t high_q16;
+  // As many rows as are drawn together.
+  static constexpr int32_t kMost = kObjectOrder ? 8 : 1;
+
+  // Sets `heights` of the row that a glyph is at and those below it that show
+  // something, `most` at the most. How many they are.
+  using Place = int32_t (*)(const Upright& upright,
+                            const Brush& brush,
+                            int32_t most);
+
+  FittedRows(Place the_place, const RowMap& the_map) noexcept
+      : place(the_place), map(the_map) {}
+
+  Place place;
+  const RowMap& map;                   // with knots, before rows are placed
+  const RowMap::Knot* knot = nullptr;  // of the last row, or one above it
+  int32_t low_q16 = 0;  // heights that may show: low_q16 <= y < high_q16 [u]
+  int32_t high_q16 = 0;
+  RowHeight heights[kMost];
 };
 
 // Pixels of upright text whose centres lie in the limits of what may show, and
@@ -89,15 +112,22 @@ struct Upright {
   FieldPosition at;
   FittedRows* rows;  // null if the glyph is not fitted
 
-  // Goes on to the row below.
-  void next_row(const Brush& brush) noexcept {
-    at.y_q16 -= brush.step_along_q16();
-    at.y_q20 -= 1 << 20;
+  // Goes on to a row below. Behind the last one it may be nowhere.
+  void go_down(const Brush& brush, int32_t count) noexcept {
+    at.y_q16 =
+        wrapped(static_cast<uint32_t>(at.y_q16) -
+                times(count, static_cast<uint32_t>(brush.step_along_q16())));
+    at.y_q20 -= static_cast<uint32_t>(count) << 20;
   }
   // Where the row lies in the glyph. False: it shows nothing.
   bool place_row(const Brush& brush, RowHeight& row) noexcept {
     row = {at.y_q16, at.y_q20};
-    return rows == nullptr || rows->place_row(*this, brush, row);
+    if (rows == nullptr) {
+      return true;
+    }
+    const bool is_shown = rows->place(*this, brush, 1) != 0;
+    row = rows->heights[0];
+    return is_shown;
   }
 };
 
@@ -112,13 +142,6 @@ void draw_fields(const GlyphField& field,
                  const Brush& brush,
                  const Placed& placed,
                  const Sink& sink) noexcept;
-
-// The same cell after cell: fastest where cells have many pixels. Upright and
-// not fitted.
-void draw_by_cells(const GlyphField& field,
-                   const Brush& brush,
-                   const Placed& placed,
-                   const Sink& sink) noexcept;
 
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]
 int32_t fields_distance_q10(const GlyphField& field,

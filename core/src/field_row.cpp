@@ -1,217 +1,253 @@
-// Leaves of cells of fields along a row, and what they cover.
+// Rows of points in threes.
 #include "field_row.hpp"
 
 namespace inkcell {
 namespace detail {
+namespace {
 
-__attribute__((noinline)) void FieldRow::find_narrow(
-    uint32_t x, RowLeaf& leaf) const noexcept {
-  using format::fields::kArcBytes;
-  using format::fields::kLineBytes;
-  const Leaf found = find_narrow_leaf(field_, tile_of(x), x, y_u_);
-  if (!leaf.begin(found)) {
-    return;
-  }
-  const uint8_t* const cells = field_.cells;
-  const uint32_t arcs = field_.arc_count;
-  const uint8_t* const lines = cells + (kArcBytes - kLineBytes) * arcs;
-  FieldOperator op = FieldOperator::least;
-  const uint32_t count = read_narrow_leaf(
-      field_, found.reference,
-      [=](uint32_t number) {
-        return number < arcs ? cells + kArcBytes * number + 1
-                             : lines + kLineBytes * number;
-      },
-      leaf.field, op);
-  leaf.set(count, op);
+// It may wrap: beyond the reach distances may be any.
+int32_t sum(int32_t a, int32_t b) noexcept {
+  return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
 }
 
-__attribute__((noinline)) void FieldRow::find_linked(
-    uint32_t x, RowLeaf& leaf) const noexcept {
-  namespace linked = format::linked;
-  const LinkedHeap heap(field_);
-  const Leaf found = heap.find_leaf(tile_of(x), field_.tile_log2, x, y_u_);
-  if (!leaf.begin(found)) {
-    return;
-  }
-  const uint8_t* const cells = field_.cells;
-  FieldOperator op = FieldOperator::least;
-  const uint32_t count = heap.read_leaf(
-      found.reference,
-      [=](uint32_t unit) {
-        return cells + 2 * (unit & linked::kOffsetMask) + (unit >> 15);
-      },
-      leaf.field, op);
-  leaf.set(count, op);
-}
+// What a field is at a point, and how much it gains on the way to the next,
+// with the leaf's sign.
+struct Third {
+  int32_t value_q22;
+  int32_t gain_q22;
 
-bool FieldRow::cover(RowPoint at,
-                     const CoverageRamp& ramp,
-                     uint8_t* const first,
-                     int32_t count) const noexcept {
-  const uint32_t step = step_q16_;
-  const auto first_q8 = static_cast<uint32_t>(wrapped(at.x_q20) >> 12);
-  uint32_t x_q16 = at.x_q16;
-  uint8_t* out = first;
-  const uint32_t end_q16 = x_q16 + static_cast<uint32_t>(count) * step;
-  bool any = false;
-  while (x_q16 < end_q16) {
-    RowLeaf leaf;
-    find_leaf(x_q16, leaf);
-    const uint32_t stop_q16 = stop_of(leaf, x_q16, end_q16);
-    const uint32_t fields = leaf.count;
-    if (fields == 0) {
-      any |= leaf.is_inside;
-      const uint8_t side = leaf.is_inside ? 255 : 0;
-      do {
-        *out++ = side;
-        x_q16 += step;
-      } while (x_q16 < stop_q16);
-      continue;
-    }
-    any = true;
-    const auto x_q8 = [=](uint8_t * here) __attribute__((always_inline)) {
-      return first_q8 + (static_cast<uint32_t>(here - first) << 8);
+  int32_t before() const noexcept {
+    return wrapped(static_cast<uint32_t>(value_q22) -
+                   static_cast<uint32_t>(gain_q22));
+  }
+  int32_t behind() const noexcept { return sum(value_q22, gain_q22); }
+};
+
+// The way to the next point, with the leaf's sign, and what else does not
+// change along a row.
+struct SignedWay {
+  uint32_t normal;
+  int32_t way_q8;
+  int32_t bend_shift;
+  int32_t sign;
+};
+
+// A line along a row.
+struct ThirdLine {
+  LineTerm plane;
+  int32_t gain_q22;
+
+  __attribute__((always_inline)) ThirdLine(const uint8_t* field,
+                                           PixelPlace place,
+                                           const FieldScale& scale,
+                                           const SignedWay& way) noexcept
+      : plane(field, place, scale, way.sign),
+        gain_q22(wrapped(times(load_i16(field + way.normal),
+                               static_cast<uint32_t>(way.way_q8)))) {}
+
+  Third at(const SignedWay&) const noexcept {
+    return {wrapped(plane.plane_q22), gain_q22};
+  }
+
+  void go_on() noexcept { plane.go_on(); }
+};
+
+// A line or an arc. The slope is that of FieldTerm along the way: nx - 2 k w ny
+// to the right, ny + 2 k w nx upwards.
+struct ThirdArc {
+  ArcTerm arc;
+  uint32_t gain_q22;  // of the plane
+  int32_t other_q14;  // of the normal across the way
+
+  __attribute__((always_inline)) ThirdArc(const uint8_t* field,
+                                          PixelPlace place,
+                                          const FieldScale& scale,
+                                          const SignedWay& way) noexcept
+      : arc(field, place, scale, way.sign) {
+    namespace layout = format::fields;
+    const uint8_t* const record = field - arc_bit(field);
+    gain_q22 =
+        times(load_i16(record + way.normal), static_cast<uint32_t>(way.way_q8));
+    other_q14 = way.normal == layout::kNormalX
+                    ? load_i16(record + layout::kNormalY)
+                    : -load_i16(record + layout::kNormalX);
+  }
+
+  __attribute__((always_inline)) Third at(const SignedWay& way) const noexcept {
+    const auto half_q15 = static_cast<uint32_t>(arc.slope_q15(way.bend_shift));
+    const uint32_t gain =
+        gain_q22 - times(wrapped(times(other_q14, half_q15)) >> 14,
+                         static_cast<uint32_t>(way.way_q8));
+    return {arc.value(way.bend_shift, way.sign), wrapped(gain)};
+  }
+
+  void go_on() noexcept { arc.go_on(); }
+};
+
+}  // namespace
+
+// Draws the points of one leaf that has fields.
+class FieldRow::Thirds {
+ public:
+  __attribute__((always_inline)) Thirds(const FieldRow& row,
+                                        const ThirdsWay& way,
+                                        const FieldLeaf& leaf,
+                                        const uint32_t& number) noexcept
+      : row_(row),
+        leaf_(leaf),
+        far_q22_(way.far_q22),
+        way_{way.normal, with_sign(way.way_q8, leaf.sign), row.bend_shift_,
+             leaf.sign},
+        number_(number) {}
+
+  // `next` is asked after each point whether there is one more.
+  template <typename Term, typename Next>
+  __attribute__((always_inline)) int32_t* draw(int32_t* out,
+                                               const Next& next) noexcept {
+    const auto term = [&](int i) __attribute__((always_inline)) {
+      return Term(leaf_.field[i], leaf_.place, row_.scale_, way_);
     };
-    const PixelPlace place = {x_q8(out), y_q8_};
-    const int32_t sign = leaf.sign;
-    // True if the leaf ends there.
-    const auto put = [&](int32_t value) __attribute__((always_inline)) {
-      *out++ = ramp(with_sign(value, sign));
-      x_q16 += step;
-      return x_q16 >= stop_q16;
-    };
-    const auto any_number = [&](uint32_t number) {
-      ArcTerm terms[3];
-      for (uint32_t i = 0; i < number; ++i) {
-        terms[i] = ArcTerm(leaf.field[i], place, scale_, sign);
-      }
-      int32_t least;
-      do {
-        int32_t values[3];
-        for (uint32_t i = 0; i < number; ++i) {
-          values[i] = terms[i].value(bend_shift_, sign);
-          terms[i].go_on();
-        }
-        least = values[0];
-        if (number == 2) {
-          least = least_of_two(leaf, values[0], values[1], x_q8(out));
-        } else if (number == 3) {
-          least =
-              least_of_three(leaf, values[0], values[1], values[2], x_q8(out));
-        }
-      } while (!put(least));
-    };
-    const auto one = [&](auto a) __attribute__((always_inline)) {
+    if (leaf_.count == 1) {
+      Term a = term(0);
       while (true) {
-        *out++ = ramp(a.value(bend_shift_, 0));
-        x_q16 += step;
-        if (x_q16 >= stop_q16) {
-          return;
+        out = put(a.at(way_), out);
+        if (!next()) {
+          return out;
         }
         a.go_on();
       }
-    };
-    const auto two = [&](auto a, auto b) __attribute__((always_inline)) {
-      while (!put(least_of_two(leaf, a.value(bend_shift_, sign),
-                               b.value(bend_shift_, sign), x_q8(out)))) {
-        a.go_on();
-        b.go_on();
-      }
-    };
-    const auto three = [&](auto a, auto b, auto c)
-        __attribute__((always_inline)) {
-      while (!put(least_of_three(leaf, a.value(bend_shift_, sign),
-                                 b.value(bend_shift_, sign),
-                                 c.value(bend_shift_, sign), x_q8(out)))) {
-        a.go_on();
-        b.go_on();
-        c.go_on();
-      }
-    };
-    if (!kFastRows) {
-      any_number(fields);
-      continue;
     }
-    const uint8_t* const f0 = leaf.field[0];
-    const uint8_t* const f1 = leaf.field[1];
-    const uint8_t* const f2 = leaf.field[2];
-    if (fields == 1) {
-      if (arc_bit(f0) == 0) {
-        one(LineTerm(f0, place, scale_, 0));
-      } else {
-        one(ArcTerm(f0, place, scale_, 0));
+    if (leaf_.count == 2) {
+      Term a = term(0);
+      Term b = term(1);
+      while (true) {
+        out = two(a.at(way_), b.at(way_), out);
+        if (!next()) {
+          return out;
+        }
+        a.go_on();
+        b.go_on();
       }
-    } else if (fields == 2) {
-      if ((arc_bit(f0) | arc_bit(f1)) == 0) {
-        two(LineTerm(f0, place, scale_, sign),
-            LineTerm(f1, place, scale_, sign));
-      } else {
-        two(ArcTerm(f0, place, scale_, sign), ArcTerm(f1, place, scale_, sign));
+    }
+    Term a = term(0);
+    Term b = term(1);
+    Term c = term(2);
+    while (true) {
+      out = three(a.at(way_), b.at(way_), c.at(way_), out);
+      if (!next()) {
+        return out;
       }
-    } else if (leaf.has_lines()) {
-      three(LineTerm(f0, place, scale_, sign),
-            LineTerm(f1, place, scale_, sign),
-            LineTerm(f2, place, scale_, sign));
+      a.go_on();
+      b.go_on();
+      c.go_on();
+    }
+  }
+
+  static int32_t* side(int32_t value, int32_t* out) noexcept {
+    out[1] = value;
+    return out + 3;
+  }
+
+ private:
+  __attribute__((always_inline)) static int32_t* put(const Third& a,
+                                                     int32_t* out) noexcept {
+    out[0] = a.before();
+    out[1] = a.value_q22;
+    out[2] = a.behind();
+    return out + 3;
+  }
+
+  __attribute__((always_inline)) int32_t* two(const Third& a,
+                                              const Third& b,
+                                              int32_t* out) const noexcept {
+    const int32_t least = lesser(a.value_q22, b.value_q22);
+    if (is_far(least)) {
+      return side(with_sign(least, way_.sign), out);
+    }
+    const int32_t rounded =
+        row_.least_of_two(leaf_, a.value_q22, b.value_q22, number_);
+    return put(lesser(a.before(), b.before()), least,
+               lesser(a.behind(), b.behind()), rounded - least, out);
+  }
+
+  __attribute__((always_inline)) int32_t* three(const Third& a,
+                                                const Third& b,
+                                                const Third& c,
+                                                int32_t* out) const noexcept {
+    const int32_t least = plain(a.value_q22, b.value_q22, c.value_q22);
+    if (is_far(least)) {
+      return side(with_sign(least, way_.sign), out);
+    }
+    const int32_t rounded = row_.least_of_three(leaf_, a.value_q22, b.value_q22,
+                                                c.value_q22, number_);
+    return put(plain(a.before(), b.before(), c.before()), least,
+               plain(a.behind(), b.behind(), c.behind()), rounded - least, out);
+  }
+
+  // |value| >= far.
+  __attribute__((always_inline)) bool is_far(int32_t value_q22) const noexcept {
+    const auto far = static_cast<uint32_t>(far_q22_);
+    return static_cast<uint32_t>(value_q22) + far - 1 >= 2 * far - 1;
+  }
+  // What is left of three values, without rounding.
+  __attribute__((always_inline)) int32_t plain(int32_t a,
+                                               int32_t b,
+                                               int32_t c) const noexcept {
+    return lesser(a, leaf_.is_nested ? greater(b, c) : lesser(b, c));
+  }
+  __attribute__((always_inline)) int32_t* put(int32_t before,
+                                              int32_t at,
+                                              int32_t behind,
+                                              int32_t change,
+                                              int32_t* out) const noexcept {
+    // With the sign: (x ^ sign) - sign.
+    const int32_t sign = way_.sign;
+    const int32_t more = sum(with_sign(change, sign), -sign);
+    out[0] = sum(before ^ sign, more);
+    out[1] = sum(at ^ sign, more);
+    out[2] = sum(behind ^ sign, more);
+    return out + 3;
+  }
+
+  const FieldRow& row_;
+  const FieldLeaf& leaf_;
+  int32_t far_q22_;
+  SignedWay way_;
+  const uint32_t& number_;  // of the point, in its leaf
+};
+
+void FieldRow::take_thirds(RowPoint at,
+                           const ThirdsWay& way,
+                           int32_t* out,
+                           int32_t count) const noexcept {
+  const uint32_t step = step_q16_;
+  uint32_t x_q16 = at.x_q16;
+  auto x_q8 = static_cast<uint32_t>(wrapped(at.x_q20) >> 12);
+  const uint32_t end_q16 = x_q16 + static_cast<uint32_t>(count) * step;
+  while (x_q16 < end_q16) {
+    FieldLeaf leaf;
+    find_leaf(x_q16 >> 16, y_u_, leaf);
+    leaf.place = {x_q8, y_q8_};
+    const uint32_t stop_q16 = stop_of(leaf, x_q16, end_q16);
+    uint32_t number = 0;
+    const auto next = [&]() __attribute__((always_inline)) {
+      ++number;
+      x_q16 += step;
+      return x_q16 < stop_q16;
+    };
+    Thirds thirds(*this, way, leaf, number);
+    if (leaf.count == 0) {
+      const int32_t side = leaf.is_inside ? INT32_MAX : INT32_MIN;
+      do {
+        out = Thirds::side(side, out);
+      } while (next());
+    } else if (kFastRows && leaf.has_lines(leaf.count)) {
+      out = thirds.draw<ThirdLine>(out, next);
     } else {
-      three(ArcTerm(f0, place, scale_, sign), ArcTerm(f1, place, scale_, sign),
-            ArcTerm(f2, place, scale_, sign));
+      out = thirds.draw<ThirdArc>(out, next);
     }
+    x_q8 += number << 8;
   }
-  return any;
-}
-
-__attribute__((noinline)) Vector FieldRow::gradient(
-    const uint8_t* field, uint32_t x_q8) const noexcept {
-  const auto place = static_cast<uint32_t>(field - field_.cells);
-  return gradient_q14(field_, place >> 1 | (place & 1) << 15, x_q8, y_q8_,
-                      scale_);
-}
-
-// The lesser of two values, rounded.
-__attribute__((noinline)) int32_t FieldRow::rounded(
-    int32_t a,
-    const uint8_t* a_field,
-    int32_t b,
-    const uint8_t* b_field,
-    uint32_t x_q8) const noexcept {
-  if (a > b) {
-    const int32_t value = a;
-    a = b;
-    b = value;
-    const uint8_t* field = a_field;
-    a_field = b_field;
-    b_field = field;
-  }
-  if (!is_near_vertex(a, b)) {
-    return a;
-  }
-  return rounded_q22(a, gradient(a_field, x_q8), b, gradient(b_field, x_q8));
-}
-
-// The last step is a call in place of this one: its frame is the smaller.
-__attribute__((noinline)) int32_t FieldRow::rounded_three(
-    const RowLeaf& leaf,
-    int32_t a,
-    int32_t b,
-    int32_t c,
-    uint32_t x_q8) const noexcept {
-  uint32_t first = 0;
-  uint32_t second = 1;
-  if (leaf.is_nested) {
-    // The greater one is the lesser with the signs turned.
-    second = b >= c ? 1 : 2;
-    b = with_sign(rounded(with_sign(b, -1), leaf.field[1], with_sign(c, -1),
-                          leaf.field[2], x_q8),
-                  -1);
-  } else if (a > b && a > c) {
-    first = 2;  // without the greatest
-    a = c;
-  } else if (b > c) {
-    second = 2;
-    b = c;
-  }
-  return rounded(a, leaf.field[first], b, leaf.field[second], x_q8);
 }
 
 }  // namespace detail

@@ -170,7 +170,7 @@ __attribute__((noinline)) void draw_samples(const GlyphField& field,
                        height.y_q16, writer);
     }
     writer.next_row();
-    upright.next_row(brush);
+    upright.go_down(brush, 1);
   }
 }
 
@@ -183,7 +183,7 @@ void draw_upright(const GlyphField& field,
                   const Sink& sink) noexcept {
   if (has_fields(field)) {
     detail::draw_fields(field, brush, placed, sink);
-  } else if (INKCELL_OBJECT_ORDER != 0 && placed.rows == nullptr &&
+  } else if (detail::kObjectOrder && placed.rows == nullptr &&
              brush.size().raw >= kCellsFrom.raw) {
     detail::draw_samples_by_cells(field, brush, placed, sink);
   } else {
@@ -233,18 +233,25 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
 
 namespace {
 
-// FittedRows::place_row.
-bool place_fitted_row(const Upright& upright,
-                      const Brush& brush,
-                      RowHeight& row) noexcept {
+// FittedRows::place; rows come from top to bottom.
+int32_t place_fitted_rows(const Upright& upright,
+                          const Brush& brush,
+                          int32_t most) noexcept {
   FittedRows& rows = *upright.rows;
-  const int32_t screen_q10 =
-      wrapped(upright.at.y_q20 - uint32_t{detail::kHalfQ20}) >> 10;
-  rows.knot = rows.map.knot_below(screen_q10, rows.knot);
-  const int32_t height_q10 = rows.knot->height_at(screen_q10);
-  row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + detail::kHalfQ20;
-  row.y_q16 = detail::u_of_px(height_q10, brush.step_along_q16());
-  return row.y_q16 >= rows.low_q16 && row.y_q16 < rows.high_q16;
+  uint32_t y_q20 = upright.at.y_q20 - uint32_t{detail::kHalfQ20};
+  int32_t count = 0;
+  for (; count != most; ++count, y_q20 -= 1 << 20) {
+    const int32_t screen_q10 = wrapped(y_q20) >> 10;
+    rows.knot = rows.map.knot_below(screen_q10, rows.knot);
+    const int32_t height_q10 = rows.knot->height_at(screen_q10);
+    RowHeight& row = rows.heights[count];
+    row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + detail::kHalfQ20;
+    row.y_q16 = detail::u_of_px(height_q10, brush.step_along_q16());
+    if (row.y_q16 < rows.low_q16 || row.y_q16 >= rows.high_q16) {
+      break;
+    }
+  }
+  return count;
 }
 
 // Not inline: only mapped glyphs pay for the rows on the stack.
@@ -253,7 +260,8 @@ __attribute__((noinline)) void draw_mapped(const GlyphField& field,
                                            Placed& placed,
                                            const RowMap& map,
                                            const Sink& sink) noexcept {
-  FittedRows rows = {place_fitted_row, map, map.highest(), 0, 0};
+  FittedRows rows(place_fitted_rows, map);
+  rows.knot = map.highest();
   placed.rows = &rows;
   draw_upright(field, brush, placed, sink);
 }
@@ -296,7 +304,7 @@ namespace {
 
 struct Fitted {
   RowMap map;
-  FittedRows rows = {place_fitted_row, map, nullptr, 0, 0};
+  FittedRows rows{place_fitted_rows, map};
   Placed placed;
 };
 

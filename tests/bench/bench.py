@@ -291,7 +291,7 @@ class Firmware:
     def glyphs(self, engine, coding, font, way, characters, sizes):
         """One dictionary for each size."""
         program = CODINGS[coding][0] if coding else engine
-        program = "turned" if way in (*report.SLANTED, "in_rows") else program
+        program = "turned" if way in report.SLANTED else program
         program = "modes" if way in report.MODES else program
         kept = kept_bytes(self.folder / (program + ".map"))
         name = self.fonts.files[font, engine, coding]
@@ -366,34 +366,16 @@ def check_bounds(results, figures):
                      f"than the bound of {bound} instructions a pixel")
 
 
-def cells_from_px():
-    """The size from which on upright glyphs of fields come cell by cell."""
-    source = (ROOT / "core/src/field_draw.cpp").read_text()
-    return int(re.search(r"kCellsFromQ8 = (\d+) << 8;", source).group(1))
-
-
-def measure_turned(firmware, sizes, font, about, upright, pictures):
-    """Text that is turned or leans, over upright text as it is drawn at the
-    size, and over the same drawn row by row."""
-    def one(way):
-        return list(firmware.glyphs("inkcell", "direct", font, way, ASCII,
-                                    sizes))
-    rows = {}
-    for result, more in one("in_rows"):
-        px = result["px"]
-        pictures.setdefault((font.stem, px), {}).setdefault(
-            "inkcell", set()).add(more["ink"])
-        # Drawn in rows as it is, it needs no map of heights to be.
-        in_rows = upright.get((font.stem, px)) if px < cells_from_px() else None
-        rows[px] = in_rows or result["instructions_mean"]
+def measure_turned(firmware, sizes, font, about, upright):
+    """Text that is turned or leans, over upright text."""
     for way in report.SLANTED:
-        for result, _ in one(way):
+        for result, _ in firmware.glyphs("inkcell", "direct", font, way, ASCII,
+                                         sizes):
             px, mean = result["px"], result["instructions_mean"]
             straight = upright.get((font.stem, px))
             yield {"figure": way, **about, "px": px, "instructions_mean": mean,
                    "stack": result["stack"],
-                   "over_upright": straight and round(mean / straight, 3),
-                   "over_rows": round(mean / rows[px], 3)}
+                   "over_upright": straight and round(mean / straight, 3)}
 
 
 def measure_modes(firmware, font, about, pictures):
@@ -427,7 +409,7 @@ def measure_others(firmware, arguments, upright, pictures):
         about = {"cpu": firmware.cpu, "opt": firmware.opt, "font": font.stem}
         if "turned" in arguments.what:
             yield from measure_turned(firmware, arguments.px, font, about,
-                                      upright, pictures)
+                                      upright)
         if "modes" in arguments.what and (
                 not arguments.write_docs or
                 (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):

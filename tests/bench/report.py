@@ -286,15 +286,13 @@ def mode_table(figures):
 def other_tables(figures):
     """What is not a glyph by itself."""
     text = "## More\n\nDirect fonts.\n\n"
-    text += ("Slanted text: thousands of instructions a glyph, how many times "
-             "upright text, and how many times\nupright text that is drawn row "
-             "by row. Where it is not, at large sizes, fitting that moves\n"
-             "nothing makes it so, for about 1 % more.\n\n")
+    text += ("Slanted text: thousands of instructions a glyph, and how many "
+             "times upright text.\n\n")
     for way, name in SLANTED.items():
         text += sized_table(
             figures, way, name + ":",
             lambda f: f"{thousands(f['instructions_mean'])}, "
-            f"{f['over_upright']:.2f}, {f['over_rows']:.2f}")
+            f"{f['over_upright']:.2f}")
     text += sized_table(
         figures, "digits", "The ten digits: instructions for each pixel of the "
         "box of the ink:", lambda f: f["per_pixel"])

@@ -2,7 +2,7 @@
 
 What is left must look as it does with all parts; fonts and records that need
 what is missing must be answered with `unsupported`, and no code of it may be
-linked. Large glyphs look the same in either order.
+linked. Large glyphs of samples look the same in either order.
 
 Usage: check_options.py WORK_FOLDER FULL_PROBE
 """
@@ -27,10 +27,9 @@ OPTIONS = {
                               "draw_turned_samples", "Block::visit_tile"]),
     "INKCELL_FIELD_CELLS": ({"record of fields", "font of fields",
                              "packed font"},
-                            ["FieldRow::", "BlockPainter::",
+                            ["FieldBand::", "FieldLeaves::",
                              "draw_slanted_row", "Expansion::"]),
-    "INKCELL_OBJECT_ORDER": (set(), ["BlockPainter::",
-                                     "draw_samples_by_cells"]),
+    "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells"]),
     "INKCELL_FAST_ROWS": (set(), []),
     "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }

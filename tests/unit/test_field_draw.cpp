@@ -189,7 +189,7 @@ int check_windows(const GlyphField& field, const Brush& brush, Random& random) {
 TEST(fields_equal_the_plain_chain) {
   Random random(41);
   int grey = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 3000;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     make_record(random);
     const GlyphField field = open();
@@ -212,7 +212,7 @@ constexpr Filter kFilterOutside =
 TEST(ramps_beside_the_edge_equal_the_plain_chain) {
   Random random(46);
   int grey = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 1500;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     record = FieldRecord();
     record.linked = (round & 2) != 0;
@@ -238,7 +238,7 @@ TEST(ramps_beside_the_edge_equal_the_plain_chain) {
 // Numbers without sense make a picture without sense, in the window.
 TEST(any_fields_stay_in_the_window) {
   Random random(42);
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 3000;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     make_record(random);
     for (FieldRecord::Field& f : record.fields) {

@@ -247,8 +247,8 @@ void check_strips(int32_t size) {
 }  // namespace
 
 TEST(strips_do_not_change_the_picture) {
-  check_strips(37 * 64 + 11);  // row by row where upright
-  check_strips(53 * 64 + 5);   // cell by cell
+  check_strips(37 * 64 + 11);  // samples row by row where upright
+  check_strips(53 * 64 + 5);   // and cell by cell
 }
 
 // Turned by quarters about a pixel corner the same points are sampled.

@@ -1,33 +1,9 @@
 // Inkcell with a direct font, of fields or of samples. Way: "upright"; or in a
 // program of its own (INKCELL_BENCH_TURNED) "turned", by 15 degrees, and
-// "in_rows", upright at every size in the order of rows.
-#include "inkcell/row_map.hpp"
+// "leaning", by 1/5.
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
-
-namespace {
-
-bool set_upright(Q26_6 size) {
-  return Brush::make(size, kFilterText, bench::brush) == Status::ok;
-}
-
-#if INKCELL_BENCH_TURNED
-
-// Fitted glyphs are drawn in rows. This moves nothing: the one knot, a quarter
-// of an em above the baseline, stays where it is.
-void keep_rows(const GlyphField&,
-               const Brush& brush,
-               const void*,
-               FinePoint&,
-               RowMap& rows) {
-  const int32_t height_q10 = brush.size().raw * 4;
-  rows.add(height_q10, height_q10);
-}
-
-#endif
-
-}  // namespace
 
 bool engine_set_size(uint32_t px, const char* way) {
   const Q26_6 size = Q26_6::from_int(static_cast<int32_t>(px));
@@ -44,11 +20,10 @@ bool engine_set_size(uint32_t px, const char* way) {
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
     return Brush::make(matrix, kFilterText, bench::brush) == Status::ok;
   }
-  const bool is_made = set_upright(size);
-  bench::brush.set_fitter(keep_rows, nullptr);
-  return is_made && bench::equal(way, "in_rows");
+  return false;
 #else
-  return bench::equal(way, "upright") && set_upright(size);
+  return bench::equal(way, "upright") &&
+         Brush::make(size, kFilterText, bench::brush) == Status::ok;
 #endif
 }
 

@@ -1,0 +1,429 @@
+// Bands of cells of fields. Their leaves are met from top to bottom; where each
+// of them ends is kept in the column that it begins at:
+//
+//        a a b b b        row 0 finds a and b,
+//        a a b b b        row 1 nothing new,
+//        c d b b b        row 2 finds c and d.
+//
+// In a leaf its fields are set up once and followed by addition. A pixel that
+// is saturated tells how many behind it are so, too: as many as the slopes of
+// the fields, which are known for all but the smallest leaves, allow.
+#include "field_band.hpp"
+
+#include "order.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// From this width and height together on it pays to ask which fields matter.
+// [px]
+constexpr int32_t kMinReduced = 8;
+
+// One field along a row.
+template <typename Term>
+struct OneTerm {
+  Term a;
+
+  __attribute__((always_inline))
+  OneTerm(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
+      : a(leaf.field[0], leaf.place, leaves.scale(), 0) {}
+
+  __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
+                                               const FieldLeaf&,
+                                               uint32_t) const noexcept {
+    return a.value(leaves.bend_shift(), 0);
+  }
+  __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
+    a.go_on(count);
+  }
+  __attribute__((always_inline)) void go_down(FieldLeaf&,
+                                              uint32_t way_q8) noexcept {
+    a.go_down(way_q8);
+  }
+  __attribute__((always_inline)) bool is_steady() const noexcept {
+    return a.is_steady();
+  }
+};
+
+// Two fields.
+template <typename Term>
+struct TwoTerms {
+  int32_t sign;
+  Term a;
+  Term b;
+
+  __attribute__((always_inline))
+  TwoTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
+      : sign(leaf.sign),
+        a(leaf.field[0], leaf.place, leaves.scale(), sign),
+        b(leaf.field[1], leaf.place, leaves.scale(), sign) {}
+
+  __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
+                                               const FieldLeaf& leaf,
+                                               uint32_t number) const noexcept {
+    const int32_t shift = leaves.bend_shift();
+    return with_sign(leaves.least_of_two(leaf, a.value(shift, sign),
+                                         b.value(shift, sign), number),
+                     sign);
+  }
+  __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
+    a.go_on(count);
+    b.go_on(count);
+  }
+  __attribute__((always_inline)) void go_down(FieldLeaf& leaf,
+                                              uint32_t way_q8) noexcept {
+    leaf.place.y_q8 -= way_q8;
+    a.go_down(way_q8);
+    b.go_down(way_q8);
+  }
+  __attribute__((always_inline)) bool is_steady() const noexcept {
+    return a.is_steady() && b.is_steady();
+  }
+};
+
+// Three fields.
+template <typename Term>
+struct ThreeTerms {
+  int32_t sign;
+  Term a;
+  Term b;
+  Term c;
+
+  __attribute__((always_inline))
+  ThreeTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
+      : sign(leaf.sign),
+        a(leaf.field[0], leaf.place, leaves.scale(), sign),
+        b(leaf.field[1], leaf.place, leaves.scale(), sign),
+        c(leaf.field[2], leaf.place, leaves.scale(), sign) {}
+
+  __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
+                                               const FieldLeaf& leaf,
+                                               uint32_t number) const noexcept {
+    const int32_t shift = leaves.bend_shift();
+    return with_sign(
+        leaves.least_of_three(leaf, a.value(shift, sign), b.value(shift, sign),
+                              c.value(shift, sign), number),
+        sign);
+  }
+  __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
+    a.go_on(count);
+    b.go_on(count);
+    c.go_on(count);
+  }
+  __attribute__((always_inline)) void go_down(FieldLeaf& leaf,
+                                              uint32_t way_q8) noexcept {
+    leaf.place.y_q8 -= way_q8;
+    a.go_down(way_q8);
+    b.go_down(way_q8);
+    c.go_down(way_q8);
+  }
+  __attribute__((always_inline)) bool is_steady() const noexcept {
+    return a.is_steady() && b.is_steady() && c.is_steady();
+  }
+};
+
+// Any number of fields: smaller than all of those above.
+struct AllTerms {
+  int32_t sign;
+  uint32_t count;
+  ArcTerm term[3];
+
+  AllTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
+      : sign(leaf.sign), count(leaf.count) {
+    for (uint32_t i = 0; i < count; ++i) {
+      term[i] = ArcTerm(leaf.field[i], leaf.place, leaves.scale(), sign);
+    }
+  }
+
+  int32_t value(const FieldLeaves& leaves,
+                const FieldLeaf& leaf,
+                uint32_t number) const noexcept {
+    // Two are three of which one is never the least.
+    int32_t values[3] = {0, 0, INT32_MAX};
+    for (uint32_t i = 0; i < count; ++i) {
+      values[i] = term[i].value(leaves.bend_shift(), sign);
+    }
+    const int32_t least =
+        count == 1 ? values[0]
+                   : leaves.least_of_three(leaf, values[0], values[1],
+                                           values[2], number);
+    return with_sign(least, sign);
+  }
+  void go_on(uint32_t points) noexcept {
+    for (uint32_t i = 0; i < count; ++i) {
+      term[i].go_on(points);
+    }
+  }
+  void go_down(FieldLeaf& leaf, uint32_t way_q8) noexcept {
+    leaf.place.y_q8 -= way_q8;
+    for (uint32_t i = 0; i < count; ++i) {
+      term[i].go_down(way_q8);
+    }
+  }
+  bool is_steady() const noexcept { return false; }
+};
+
+// a - b; where a cell is beyond the format's limits it may wrap.
+inline int32_t less(int32_t a, int32_t b) noexcept {
+  return wrapped(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
+}
+
+// As many bytes as a row has.
+inline void clear_row(uint32_t* word) noexcept {
+  static_assert(FieldBand::kColumns == 4 * 6, "words");
+  word[0] = word[1] = word[2] = word[3] = word[4] = word[5] = 0;
+}
+
+inline void fill(uint8_t* at, int32_t count) noexcept {
+  uint8_t* const end = at + count;
+  while (kObjectOrder && end - at >= 4) {
+    if ((reinterpret_cast<uintptr_t>(at) & 3) == 0) {
+      *reinterpret_cast<uint32_t*>(at) = UINT32_MAX;
+      at += 4;
+    } else {
+      *at++ = 255;
+    }
+  }
+  while (at != end) {
+    *at++ = 255;
+  }
+}
+
+// Repeats a row in those below it.
+inline void repeat(uint8_t* line, int32_t width, int32_t rows) noexcept {
+  for (uint8_t* to = line; rows != 0; --rows) {
+    to += FieldBand::kColumns;
+    for (int32_t x = 0; x < width; ++x) {
+      to[x] = line[x];
+    }
+  }
+}
+
+}  // namespace
+
+inline int32_t FieldBand::points_before(uint32_t way_q16,
+                                        int32_t most) const noexcept {
+#if defined(__ARM_ARCH_6M__)
+  // No division there. A guess from a px being 65536 u / size: right, or up to
+  // two too low.
+  int32_t count = 0;
+  if (kObjectOrder) {
+    const uint32_t size_q6 = scale_.size_q8 >> 2;
+    count = static_cast<int32_t>(((way_q16 >> 13) * size_q6) >> 19);
+  }
+  uint32_t at_q16 = static_cast<uint32_t>(count) * step_q16_;
+  for (; at_q16 < way_q16; at_q16 += step_q16_) {
+    ++count;
+  }
+#else
+  const auto count = static_cast<int32_t>((way_q16 - 1) / step_q16_) + 1;
+#endif
+  return lesser(count, most);
+}
+
+inline int32_t FieldBand::rows_in(uint32_t mask_q16,
+                                  uint32_t first_q16,
+                                  int32_t row,
+                                  int32_t end) const noexcept {
+  if (kRows == 1) {
+    return 1;
+  }
+  if (heights_ == nullptr) {
+    return points_before((first_q16 & mask_q16) + 1, end - row);
+  }
+  int32_t count = 1;
+  while (row + count != end &&
+         ((height_q16(row + count) ^ first_q16) & ~mask_q16) == 0) {
+    ++count;
+  }
+  return count;
+}
+
+// Not inline: the loops have the registers for themselves.
+template <typename Terms>
+__attribute__((noinline)) void FieldBand::paint(BandLeaf& leaf) const noexcept {
+  const CoverageRamp& ramp = ramp_;
+  // How many pixels behind a saturated one are so, too, given how far beyond it
+  // is. One that a rounded vertex saturates is next to the ramp.
+  const auto behind = [&leaf](int32_t beyond_q22, uint32_t all)
+                          __attribute__((always_inline))
+                              ->uint32_t {
+    if (!kObjectOrder || beyond_q22 <= 0) {
+      return 0;
+    }
+    const uint32_t beyond_q6 = static_cast<uint32_t>(beyond_q22) >> 16;
+    return ((beyond_q6 | all) * leaf.skip_q15) >> 15;
+  };
+  Terms terms(*this, leaf);
+  uint8_t* line = leaf.line;
+  uint8_t* end = line + leaf.width;
+  int32_t rows = leaf.height;
+  while (true) {
+    uint8_t* out = line;
+    while (true) {
+      const int32_t value =
+          terms.value(*this, leaf, static_cast<uint32_t>(out - line));
+      const uint32_t way = ramp.way_q22(value);
+      uint32_t count = 1;
+      if (way < ramp.width_q22) {
+        *out = ramp.at(way);
+      } else if (value < ramp.low_q22) {
+        count += behind(less(far_outside_q22_, value), leaf.all_outside);
+      } else {
+        count += behind(less(value, far_inside_q22_), leaf.all_inside);
+        uint8_t* at = out;
+        uint32_t left = count;
+        do {
+          *at++ = 255;
+        } while (--left != 0 && at != end);
+      }
+      if (count >= static_cast<uint32_t>(end - out)) {
+        break;
+      }
+      terms.go_on(count);
+      out += count;
+    }
+    if (kRows == 1 || --rows == 0) {
+      return;
+    }
+    if (terms.is_steady()) {
+      repeat(line, leaf.width, rows);
+      return;
+    }
+    terms.go_on(static_cast<uint32_t>(line - out));
+    uint32_t down_q8 = 1 << 8;
+    if (heights_ != nullptr) {
+      const int32_t row = leaf.row + leaf.height - rows;
+      down_q8 = height_q8(row - 1) - height_q8(row);
+    }
+    terms.go_down(leaf, down_q8);
+    line += kColumns;
+    end += kColumns;
+  }
+}
+
+// Half of the leaves of small text have one point. Without loops, and what
+// leads to other points, one function serves all of them.
+__attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
+    const FieldLeaf& leaf) const noexcept {
+  const int32_t sign = leaf.sign;
+  const auto value = [&](uint32_t i) __attribute__((always_inline)) {
+    const ArcTerm term(leaf.field[i], leaf.place, scale_, sign);
+    return term.value(bend_shift_, sign);
+  };
+  int32_t least = value(0);
+  if (leaf.count == 2) {
+    least = least_of_two(leaf, least, value(1), 0);
+  } else if (leaf.count == 3) {
+    least = least_of_three(leaf, least, value(1), value(2), 0);
+  }
+  const int32_t distance = with_sign(least, sign);
+  const uint32_t way = ramp_.way_q22(distance);
+  if (way < ramp_.width_q22) {
+    return ramp_.at(way);
+  }
+  return distance < ramp_.low_q22 ? 0 : 255;
+}
+
+inline void FieldBand::paint_leaf(BandLeaf& leaf) const noexcept {
+  if (leaf.count == 0) {
+    uint8_t* line = leaf.line;
+    for (int32_t rows = leaf.height; rows != 0; --rows, line += kColumns) {
+      fill(line, leaf.width);
+    }
+    return;
+  }
+  if constexpr (!kFastRows) {
+    paint<AllTerms>(leaf);
+  } else if (leaf.count == 1) {
+    if (leaf.has_lines(1)) {
+      paint<OneTerm<LineTerm>>(leaf);
+    } else {
+      paint<OneTerm<ArcTerm>>(leaf);
+    }
+  } else if (leaf.count == 2) {
+    if (leaf.has_lines(2)) {
+      paint<TwoTerms<LineTerm>>(leaf);
+    } else {
+      paint<TwoTerms<ArcTerm>>(leaf);
+    }
+  } else if (leaf.has_lines(3)) {
+    paint<ThreeTerms<LineTerm>>(leaf);
+  } else {
+    paint<ThreeTerms<ArcTerm>>(leaf);
+  }
+}
+
+bool FieldBand::cover(int32_t width,
+                      int32_t height,
+                      Pixels& pixels) const noexcept {
+  height = rows_of(height);
+  // Of each leaf the row behind its last one, less one, and its width less one;
+  // 0 where none begins yet.
+  uint32_t words[kColumns / 4];
+  static_assert(kRows <= 8 && kColumns <= 32, "3 and 5 bits");
+  auto* const drawn = reinterpret_cast<uint8_t*>(words);
+  if (kRows > 1) {
+    clear_row(words);
+  }
+  for (int32_t y = 0; y < height; ++y) {
+    clear_row(pixels.words + y * (kColumns / 4));
+  }
+  bool any = false;
+  int32_t next;
+  for (int32_t y = 0; y < height; y = next) {
+    const uint32_t row_q16 = height_q16(y);
+    const uint32_t row_q8 = height_q8(y);
+    next = height;
+    for (int32_t x = 0; x < width;) {
+      const uint32_t last = kRows > 1 ? drawn[x] : 0;
+      const int32_t end_y = static_cast<int32_t>(last >> 5) + 1;
+      if (kRows > 1 && y != 0 && end_y > y) {
+        x += static_cast<int32_t>(last & 31) + 1;
+        next = lesser(next, end_y);
+        continue;
+      }
+      BandLeaf leaf;
+      const uint32_t x_q16 = left_q16_ + static_cast<uint32_t>(x) * step_q16_;
+      find_leaf(x_q16 >> 16, row_q16 >> 16, leaf);
+      const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
+      int32_t right = 1;
+      int32_t down = 1;
+      if (mask >= step_q16_) {
+        right = points_before((~x_q16 & mask) + 1, width - x);
+        down = rows_in(mask, row_q16, y, height);
+        if (kRows > 1) {
+          drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
+        }
+      }
+      next = lesser(next, y + down);
+      if (leaf.count != 0 || leaf.is_inside) {
+        uint8_t* const line = pixels.row(y) + x;
+        leaf.place = {left_q8_ + (static_cast<uint32_t>(x) << 8), row_q8};
+        if (kFastRows && leaf.count != 0 && right + down == 2) {
+          any = true;
+          *line = coverage_of_point(leaf);
+        } else {
+          leaf.line = line;
+          leaf.width = static_cast<uint8_t>(right);
+          leaf.height = static_cast<uint8_t>(down);
+          leaf.row = static_cast<uint8_t>(y);
+          leaf.skip_q15 = 0;
+          if (kObjectOrder && leaf.count != 0 && right + down >= kMinReduced) {
+            reduce(leaf);
+          }
+          if (leaf.count != 0 || leaf.is_inside) {
+            any = true;
+            paint_leaf(leaf);
+          }
+        }
+      }
+      x += right;
+    }
+  }
+  return any;
+}
+
+}  // namespace detail
+}  // namespace inkcell

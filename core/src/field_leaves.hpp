@@ -1,0 +1,187 @@
+// Leaves of cells of fields, as rows and bands of points meet them.
+#pragma once
+
+#include <stdint.h>
+
+#include "field_cell.hpp"
+#include "field_draw.hpp"
+#include "inkcell/field.hpp"
+#include "inkcell/strip.hpp"
+#include "order.hpp"
+#include "row_terms.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// A leaf and its fields, as arc_bit() has them. With `sign` -1 all values are
+// negated, so that there is only the least.
+struct FieldLeaf {
+  const uint8_t* field[3];
+  PixelPlace place;  // of its first point in the row
+  uint8_t size_log2;
+  uint8_t count;  // 0: saturated
+  int8_t sign;
+  bool is_nested;
+  bool is_inside;  // if it is saturated
+
+  // Whether the first `number` fields, which are all, are lines.
+  __attribute__((always_inline)) bool has_lines(
+      uint32_t number) const noexcept {
+    uintptr_t arcs = arc_bit(field[0]);
+    if (number > 1) {
+      arcs |= arc_bit(field[1]);
+    }
+    if (number > 2) {
+      arcs |= arc_bit(field[2]);
+    }
+    return arcs == 0;
+  }
+  // Where a point lies that is `number` behind the first one.
+  PixelPlace place_of(uint32_t number) const noexcept {
+    return {place.x_q8 + (number << 8), place.y_q8};
+  }
+  // False: it is saturated.
+  bool begin(const Leaf& found) noexcept {
+    size_log2 = static_cast<uint8_t>(found.size_log2);
+    if (found.reference >= format::glyph::kFirstNode) {
+      return true;
+    }
+    count = 0;
+    is_inside = found.reference == format::glyph::kInside;
+    return false;
+  }
+  // How the fields that were read are combined; outside, if there is none.
+  void set(uint32_t field_count, FieldOperator op) noexcept {
+    count = static_cast<uint8_t>(field_count);
+    sign = static_cast<int8_t>(-(static_cast<int32_t>(op) & 1));
+    is_nested = op >= FieldOperator::least_of_greater;
+    is_inside = false;
+  }
+};
+
+// Finds leaves, and combines what their fields say at a point.
+class FieldLeaves {
+ public:
+  // `step_q16` is what a px is in u.
+  FieldLeaves(const GlyphField& field,
+              const FieldScale& scale,
+              int32_t reach_q22,
+              int32_t step_q16) noexcept
+      : scale_(scale),
+        bend_shift_(scale.bend_log2 + 5),
+        reach_q22_(reach_q22),
+        step_q16_(static_cast<uint32_t>(step_q16)),
+        field_(field) {}
+
+  const FieldScale& scale() const noexcept { return scale_; }
+  int32_t bend_shift() const noexcept { return bend_shift_; }
+
+  // The least of a leaf's values at point `number` of its row, with the leaf's
+  // sign, or what is left of three if they are nested.
+  int32_t least_of_two(const FieldLeaf& leaf,
+                       int32_t a,
+                       int32_t b,
+                       uint32_t number) const noexcept;
+  int32_t least_of_three(const FieldLeaf& leaf,
+                         int32_t a,
+                         int32_t b,
+                         int32_t c,
+                         uint32_t number) const noexcept;
+
+ protected:
+  // The leaf that holds a point, from the grid's corner. [u]
+  void find_leaf(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept {
+    if (field_.kind == GlyphField::Kind::narrow_fields) {
+      find_narrow(x, y, leaf);
+    } else {
+      find_linked(x, y, leaf);
+    }
+  }
+
+  // From here on values that are rounded are cut off at these, which limits no
+  // others.
+  void limit_rounded(int32_t least_q22, int32_t greatest_q22) noexcept {
+    least_rounded_q22_ = least_q22;
+    greatest_rounded_q22_ = greatest_q22;
+  }
+
+  FieldScale scale_;
+  int32_t bend_shift_;
+  int32_t reach_q22_;
+  uint32_t step_q16_;
+  const GlyphField& field_;
+
+ private:
+  void find_narrow(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept;
+  void find_linked(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept;
+  uint32_t tile_of(uint32_t x, uint32_t y) const noexcept {
+    return (y >> field_.tile_log2) * uint32_t{field_.tiles_x} +
+           (x >> field_.tile_log2);
+  }
+  Vector gradient(const uint8_t* field, const PixelPlace& at) const noexcept;
+  int32_t rounded(int32_t a,
+                  const uint8_t* a_field,
+                  int32_t b,
+                  const uint8_t* b_field,
+                  const PixelPlace& at) const noexcept;
+  int32_t rounded_two(const FieldLeaf& leaf,
+                      int32_t a,
+                      int32_t b,
+                      uint32_t number) const noexcept;
+  int32_t rounded_three(const FieldLeaf& leaf,
+                        int32_t a,
+                        int32_t b,
+                        int32_t c,
+                        uint32_t number) const noexcept;
+  int32_t limited(int32_t value, int32_t sign) const noexcept {
+    if (!kObjectOrder) {
+      return value;
+    }
+    return with_sign(lesser(greater(with_sign(value, sign), least_rounded_q22_),
+                            greatest_rounded_q22_),
+                     sign);
+  }
+  bool is_near_vertex(int32_t lesser, int32_t greater) const noexcept {
+    // Where the greater one is farther from 0 no vertex is near.
+    return lesser < 0 && lesser > -reach_q22_ && lesser + greater < 0;
+  }
+
+  int32_t least_rounded_q22_ = INT32_MIN;
+  int32_t greatest_rounded_q22_ = INT32_MAX;
+};
+
+__attribute__((always_inline)) inline int32_t FieldLeaves::least_of_two(
+    const FieldLeaf& leaf,
+    int32_t a,
+    int32_t b,
+    uint32_t number) const noexcept {
+  const int32_t least = lesser(a, b);
+  return least < 0 && least > -reach_q22_ && a + b < 0
+             ? rounded_two(leaf, a, b, number)
+             : least;
+}
+
+__attribute__((always_inline)) inline int32_t FieldLeaves::least_of_three(
+    const FieldLeaf& leaf,
+    int32_t a,
+    int32_t b,
+    int32_t c,
+    uint32_t number) const noexcept {
+  const int32_t low = lesser(b, c);
+  const int32_t high = greater(b, c);
+  bool is_near = false;
+  int32_t other = low;
+  if (leaf.is_nested) {
+    is_near = high > 0 && high < reach_q22_ && low + high > 0;
+    other = high;
+  }
+  const bool is_first = a <= other;
+  const int32_t least = is_first ? a : other;
+  const int32_t second = is_first ? other : lesser(a, high);
+  return is_near || is_near_vertex(least, second)
+             ? rounded_three(leaf, a, b, c, number)
+             : least;
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,154 @@
+// Which fields of a leaf matter in its part of a band, and how fast they
+// change. What a field's slopes allow tells how far from 0 it must be in the
+// middle to leave all of it saturated.
+#include "field_band.hpp"
+#include "order.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// More than what the rounding of a bent field makes. [px, Q22]
+constexpr uint32_t kArcMarginQ22 = 1 << 17;
+// What a bent field must gain from a point to the next one to be known to gain
+// in spite of that. [px, Q14]
+constexpr int32_t kArcRiseQ14 = 1 << 10;
+
+}  // namespace
+
+// What a field shows of a leaf's points. If they are on both sides of its edge
+// `slopes` is widened to hold its own.
+__attribute__((noinline)) FieldBand::Side FieldBand::side_of(
+    const uint8_t* field, const Extent& all, Slopes& slopes) const noexcept {
+  namespace layout = format::fields;
+  const uint8_t* const record = field - arc_bit(field);
+  const int32_t nx = load_i16(record + layout::kNormalX);
+  const int32_t ny = load_i16(record + layout::kNormalY);
+  const uint32_t x_q8 = all.middle.x_q8;
+  const uint32_t y_q8 = all.middle.y_q8;
+  uint32_t value_q22 =
+      times(nx, x_q8) + times(ny, y_q8) +
+      times(load_i16(record + layout::kOffset), scale_.size_q8);
+  uint32_t reach_q22 = static_cast<uint32_t>(reach_q22_);
+  int32_t slope_x_q14 = nx;
+  int32_t slope_y_q14 = ny;
+  int32_t change_q14 = 0;  // of the slope along the row, to both sides
+  if (arc_bit(field) != 0) {
+    const ArcTerm term(field, all.middle, scale_, 0);
+    value_q22 = static_cast<uint32_t>(term.value(bend_shift_, 0));
+    // n + 2 k w (-ny, nx), where half of 2 k w in Q15 is all of it in Q14.
+    const auto bend_q14 = static_cast<uint32_t>(term.slope_q15(bend_shift_));
+    slope_x_q14 -= wrapped(times(ny, bend_q14)) >> 14;
+    slope_y_q14 += wrapped(times(nx, bend_q14)) >> 14;
+    const uint32_t way_q8 = (times(magnitude(nx), all.half_y_q8) +
+                             times(magnitude(ny), all.half_x_q8)) >>
+                            14;
+    const auto more_q14 = static_cast<uint32_t>(
+        wrapped(times(magnitude(term.bend), way_q8)) >> bend_shift_);
+    reach_q22 +=
+        kArcMarginQ22 + static_cast<uint32_t>(wrapped(more_q14 * way_q8) >> 1);
+    change_q14 = (wrapped(times(magnitude(ny), more_q14)) >> 14) + kArcRiseQ14;
+  }
+  // From 0 to 256 px for all that keeps the format's limits.
+  constexpr uint32_t kMost = 1 << 30;
+  reach_q22 += times(magnitude(slope_x_q14), all.half_x_q8) +
+               times(magnitude(slope_y_q14), all.half_y_q8);
+  const int32_t limit = wrapped(reach_q22 < kMost ? reach_q22 : kMost);
+  const int32_t value = with_sign(wrapped(value_q22), all.sign);
+  if (value >= limit) {
+    return Side::inside;
+  }
+  if (value <= -limit) {
+    return Side::outside;
+  }
+  const int32_t slope_q14 = with_sign(slope_x_q14, all.sign);
+  slopes.least = lesser(slopes.least, slope_q14 - change_q14);
+  slopes.greatest = greater(slopes.greatest, slope_q14 + change_q14);
+  return Side::edge;
+}
+
+// Of a leaf whose least field counts.
+inline FieldBand::Side FieldBand::keep_edges(BandLeaf& leaf,
+                                             const Extent& all,
+                                             Slopes& slopes) const noexcept {
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < leaf.count; ++i) {
+    const Side side = side_of(leaf.field[i], all, slopes);
+    if (side == Side::outside) {
+      return side;
+    }
+    if (side == Side::edge) {
+      leaf.field[kept++] = leaf.field[i];
+    }
+  }
+  leaf.count = static_cast<uint8_t>(kept);
+  return kept == 0 ? Side::inside : Side::edge;
+}
+
+// Of a leaf whose first field or the greater of the others counts.
+inline FieldBand::Side FieldBand::keep_nested(BandLeaf& leaf,
+                                              const Extent& all,
+                                              Slopes& slopes) const noexcept {
+  const Side first = side_of(leaf.field[0], all, slopes);
+  if (first == Side::outside) {
+    return first;
+  }
+  const Side second = side_of(leaf.field[1], all, slopes);
+  const Side third = side_of(leaf.field[2], all, slopes);
+  uint32_t kept = first == Side::edge ? 1 : 0;
+  if (second != Side::inside && third != Side::inside) {
+    if (second == Side::edge && third == Side::edge) {
+      if (kept != 0) {
+        return Side::edge;  // all three
+      }
+      // The greater of two: the least with the signs turned.
+      leaf.sign = static_cast<int8_t>(~leaf.sign);
+      leaf.field[0] = leaf.field[1];
+      leaf.field[1] = leaf.field[2];
+      kept = 2;
+    } else if (second == Side::edge || third == Side::edge) {
+      leaf.field[kept++] = leaf.field[second == Side::edge ? 1 : 2];
+    } else {
+      return Side::outside;
+    }
+  }
+  leaf.is_nested = false;
+  leaf.count = static_cast<uint8_t>(kept);
+  return kept == 0 ? Side::inside : Side::edge;
+}
+
+__attribute__((noinline)) void FieldBand::reduce(
+    BandLeaf& leaf) const noexcept {
+  const int32_t sign = leaf.sign;
+  Extent all;
+  const uint32_t depth_q8 =
+      leaf.place.y_q8 - height_q8(leaf.row + leaf.height - 1);
+  all.half_x_q8 = static_cast<uint32_t>(leaf.width - 1) << 7;
+  all.half_y_q8 = (depth_q8 + 1) >> 1;
+  all.middle = {leaf.place.x_q8 + all.half_x_q8,
+                leaf.place.y_q8 - (depth_q8 >> 1)};
+  all.sign = sign;
+  Slopes slopes = {INT32_MAX, INT32_MIN};
+  const Side side = leaf.is_nested ? keep_nested(leaf, all, slopes)
+                                   : keep_edges(leaf, all, slopes);
+  if (side != Side::edge) {
+    leaf.count = 0;
+    leaf.is_inside = (side == Side::inside) == (sign == 0);
+    return;
+  }
+  constexpr uint32_t kFlattestQ14 = 1 << 8;
+  const auto steepest = static_cast<uint32_t>(
+      greater(magnitude(slopes.least), magnitude(slopes.greatest)));
+  leaf.skip_q15 = static_cast<uint16_t>(
+      (uint32_t{1} << 23) /
+      (steepest > kFlattestQ14 ? steepest : kFlattestQ14));
+  // Where all fields go one way what is left of them does.
+  constexpr uint16_t kAll = UINT16_MAX;
+  const uint16_t falls = slopes.greatest <= 0 ? kAll : 0;
+  const uint16_t rises = slopes.least >= 0 ? kAll : 0;
+  leaf.all_outside = sign == 0 ? falls : rises;
+  leaf.all_inside = sign == 0 ? rises : falls;
+}
+
+}  // namespace detail
+}  // namespace inkcell
