@@ -146,12 +146,13 @@ Gain gain_of(const Brush& brush, const Vector& unit_q14) noexcept {
 }  // namespace
 
 int32_t far_q22(const Brush& brush, int32_t reach_q22) noexcept {
-  const auto gain = static_cast<uint32_t>(brush.least_gain_q15());
+  // Gains are rounded, and so is the quotient: it must not be too small.
+  const auto gain = static_cast<uint32_t>(brush.least_gain_q15() - 2);
   const uint32_t reach_q15 = static_cast<uint32_t>(reach_q22) >> 7;
   if (reach_q15 >= gain << 8) {
     return kMaxFarQ22;
   }
-  return static_cast<int32_t>(((reach_q15 << 8) / gain) << 14);
+  return static_cast<int32_t>(((reach_q15 << 8) / gain + 1) << 14);
 }
 
 void stretch_terms(const Brush& brush,

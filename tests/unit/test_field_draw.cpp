@@ -187,7 +187,7 @@ int check_windows(const GlyphField& field, const Brush& brush, Random& random) {
 }  // namespace
 
 TEST(fields_equal_the_plain_chain) {
-  Random random(41);
+  Random random(101);
   int grey = 0;
   const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
   for (int round = 0; round < rounds && !check::failed(); ++round) {
