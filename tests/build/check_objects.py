@@ -19,7 +19,7 @@ LEVELS = ["-Os", "-O2"]
 
 # Bytes of stack that one function may use by itself: on a device, and where
 # registers and pointers are twice as wide.
-STACK_LIMIT = 512
+STACK_LIMIT = 384
 HOST_STACK_LIMIT = 512
 
 # What a device's C library or compiler must bring: block moves, and integer
