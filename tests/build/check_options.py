@@ -2,7 +2,7 @@
 
 What is left must look as it does with all parts; fonts and records that need
 what is missing must be answered with `unsupported`, and no code of it may be
-linked. Large glyphs of samples look the same in either order.
+linked. Glyphs look the same in either order.
 
 Usage: check_options.py WORK_FOLDER FULL_PROBE
 """
@@ -29,8 +29,9 @@ OPTIONS = {
                              "packed font"},
                             ["FieldBand::", "FieldLeaves::",
                              "draw_slanted_row", "Expansion::"]),
-    "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells"]),
-    "INKCELL_FAST_ROWS": (set(), []),
+    "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells",
+                                     "FieldBand::reduce"]),
+    "INKCELL_FAST_ROWS": (set(), ["FieldBand::coverage_of_point"]),
     "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }
 
