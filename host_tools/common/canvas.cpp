@@ -186,6 +186,10 @@ Brush make_brush(double px, double angle, const Filter& filter) {
   return brush;
 }
 
+bool is_turned(double angle) {
+  return !make_brush(16, angle, kFilterText).is_upright();
+}
+
 Line lay_out(const Font& font, std::string_view text, Kerning kerning) {
   Line line;
   int32_t kerned = 0;

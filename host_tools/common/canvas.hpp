@@ -17,6 +17,9 @@ namespace inkcell::tools {
 /// clockwise. Throws std::runtime_error if one is out of range.
 Brush make_brush(double px, double angle, const Filter& filter);
 
+/// Whether brushes of this angle are not upright. Throws as make_brush().
+bool is_turned(double angle);
+
 /// A line of glyphs. [font units]
 struct Line {
   std::vector<PositionedGlyph> glyphs;

@@ -74,8 +74,9 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "text, motion, paper_display or paper_body [text; motion for "
                  "jobs of kind anim]");
   add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
-            "Fit to the pixel grid: none; vertical, heights; both, stems "
-            "too; auto, vertical but for jobs of kind anim");
+            "Fit upright text to the pixel grid: none; vertical, heights; "
+            "both, stems too; auto, vertical but for turned text and jobs of "
+            "kind anim");
   add_words(app, "--samples", options.samples,
             {"one", "adaptive", "paper", "splats", "auto"},
             "Distances a pixel: one; adaptive, up to 13 where one does "
@@ -121,6 +122,17 @@ void check_radius(const LookOptions& options, bool is_used) {
     throw std::runtime_error(
         "--radius is for several samples a pixel: --samples adaptive, paper or "
         "splats");
+  }
+}
+
+void check_hint(const LookOptions& options,
+                bool is_turned,
+                const std::string& angle) {
+  const bool is_asked = options.hint == "vertical" || options.hint == "both";
+  if (is_asked && is_turned) {
+    throw std::runtime_error("--hint " + options.hint +
+                             " fits upright text only, and " + angle +
+                             " turns it; leave out one of the two");
   }
 }
 

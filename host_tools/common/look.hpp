@@ -44,6 +44,12 @@ void add_look_options(CLI::App& app, LookOptions& options);
 /// drawn has one.
 void check_radius(const LookOptions& options, bool is_used);
 
+/// Throws std::runtime_error if fitting was asked for, but all that shall be
+/// drawn is turned. `angle` names what turns it.
+void check_hint(const LookOptions& options,
+                bool is_turned,
+                const std::string& angle);
+
 /// A brush and all that it points to: stays where it was made.
 class Look {
  public:

@@ -178,6 +178,7 @@ void warn_of_size(const Font& font, double px) {
 
 void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_image_file(arguments.out, arguments.look.lcd == "none" ? 1 : 3);
+  check_hint(arguments.look, is_turned(arguments.angle), "--angle");
   const RomFile rom =
       load_font_file(arguments.font, conversion, arguments.text);
   const Font& font = rom.font();

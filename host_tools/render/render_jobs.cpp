@@ -121,6 +121,11 @@ SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
                         const Conversion& conversion,
                         const LookOptions& look,
                         bool inverted) {
+  const bool all_turned =
+      !jobs.empty() &&
+      std::all_of(jobs.begin(), jobs.end(),
+                  [](const RenderJob& job) { return is_turned(job.angle); });
+  check_hint(look, all_turned, "the angle of every job");
   std::map<std::string, std::string> texts;
   for (const RenderJob& job : jobs) {
     texts[job.font] += job.text;

@@ -168,8 +168,11 @@ class Tools(unittest.TestCase):
         self.assertEqual(both.row_ink(5), 0)
         # What is turned is not fitted.
         turned = self.render(*box, "--angle", 1)
-        self.assertEqual(self.render(*box, "--angle", 1, "--hint",
-                                     "none").pixels, turned.pixels)
+        for hint in ("none", "auto"):
+            self.assertEqual(self.render(*box, "--angle", 1, "--hint",
+                                         hint).pixels, turned.pixels)
+        self.assertEqual(self.render(*box, "--angle", 360, "--hint",
+                                     "both").pixels, both.pixels)
 
     def test_weight_and_outlines_come_from_the_same_font(self):
         box = ("--text", "Vol", "--px", 30, "--width", 70, "--height", 40,
@@ -306,6 +309,27 @@ class Tools(unittest.TestCase):
             self.assertEqual(Pgm(self.path / "job0.pgm").pixels,
                              Pgm(self.path / same).pixels)
 
+    def test_jobs_are_fitted_where_one_is_upright(self):
+        drawn = self.path / "fitted.pgm"
+        jobs = [{"font": str(self.font), "text": "T", "size": 12, "w": 20,
+                 "h": 20, "ox": 4, "oy": 15, "angle": angle,
+                 "out": str(out)}
+                for angle, out in [(0, drawn), (30, self.path / "no.pgm")]]
+        listed = self.path / "angles.jsonl"
+        listed.write_text("\n".join(map(json.dumps, jobs)))
+        run("render", "--jobs", listed, "--hint", "both")
+        self.assertEqual(Pgm(drawn).row_ink(5), 0)
+        listed.write_text(json.dumps(jobs[1]))
+        pathlib.Path(jobs[1]["out"]).unlink()
+        self.assertIn("--hint both fits upright text only, and the angle of "
+                      "every job turns it",
+                      run("render", "--jobs", listed, "--hint", "both",
+                          code=1))
+        self.assertFalse(pathlib.Path(jobs[1]["out"]).exists())
+        run("render", "--jobs", listed)
+        listed.write_text("")
+        run("render", "--jobs", listed, "--hint", "both")
+
     def test_refusals_say_why(self):
         out = self.path / "no.png"
         text = ("--text", "a", "--px", 12, "--out", out)
@@ -342,6 +366,10 @@ class Tools(unittest.TestCase):
                 ("--zoom", ("--font", self.font, *text, "--width", 2000,
                             "--zoom", 64)),
                 ("degrees", ("--font", self.font, *text, "--angle", "nan")),
+                *((f"--hint {hint} fits upright text only, and --angle turns it",
+                   ("--font", self.font, *text, "--hint", hint, "--angle",
+                    angle))
+                  for hint in ("vertical", "both") for angle in (1, 90, -180)),
                 ("--outline-place is for --outline", (
                     "--font", self.font, *text, "--outline-place", "inner")),
                 ("no folder /nowhere", ("--font", self.font, *text[:-1],
