@@ -71,8 +71,8 @@ void add_words(CLI::App& app,
 
 void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--filter", options.filter,
-                 "text, motion, paper_display or paper_body [text; motion for "
-                 "jobs of kind anim]");
+                 "text, motion, paper_display or paper_body; not with "
+                 "--levels 2 [text; motion for jobs of kind anim]");
   add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
             "Fit upright text to the pixel grid: none; vertical, heights; "
             "both, stems too; auto, vertical but for turned text and jobs of "
@@ -231,6 +231,11 @@ void Look::set_levels(const LookOptions& options) {
   constexpr double kMostWeight = 0.5;  // of CrispStyle::threshold_px
   if (std::abs(options.weight) > kMostWeight) {
     throw std::runtime_error("--levels takes a --weight of -0.5 to 0.5 px");
+  }
+  if (options.levels == 2 && !options.filter.empty()) {
+    throw std::runtime_error(
+        "--levels 2 draws without greys, where --filter changes nothing; leave "
+        "out --filter, or use --levels 4");
   }
   crisp_.levels = static_cast<uint8_t>(options.levels);
   crisp_.threshold_px = to_q10(-options.weight);

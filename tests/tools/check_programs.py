@@ -197,6 +197,9 @@ class Tools(unittest.TestCase):
         self.assertEqual(set(self.render(*box, "--levels", 2).pixels), {0, 255})
         self.assertEqual(set(self.render(*box, "--levels", 4).pixels),
                          {0, 85, 170, 255})
+        self.assertNotEqual(
+            *(self.render(*box, "--levels", 4, "--filter", name).pixels
+              for name in ("text", "paper_body")))
         inks = [self.render("--text", "AVToal.", "--px", 13, "--levels", 2,
                             "--weight", weight).ink()
                 for weight in (-0.4, -0.2, 0, 0.2, 0.35, 0.5)]
@@ -357,6 +360,9 @@ class Tools(unittest.TestCase):
                                         1)),
                 ("-0.5 to 0.5", ("--font", self.font, *text, "--levels", 2,
                                  "--weight", 0.6)),
+                *(("leave out --filter, or use --levels 4",
+                   ("--font", self.font, *text, "--levels", 2, "--filter",
+                    name)) for name in ("text", "motion")),
                 ("--lcd-colour", ("--font", self.font, *text, "--lcd-colour",
                                   0.5)),
                 (".png or .ppm", ("--font", self.font, *text[:-1],
