@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "canvas.hpp"
 #include "convert.hpp"
@@ -15,25 +16,106 @@
 namespace inkcell::tools {
 namespace {
 
-RenderJob read_job(const std::string& line) {
-  const nlohmann::json json = nlohmann::json::parse(line);
-  RenderJob job;
-  json.at("font").get_to(job.font);
-  json.at("text").get_to(job.text);
-  json.at("size").get_to(job.size);
-  json.at("w").get_to(job.w);
-  json.at("h").get_to(job.h);
-  json.at("out").get_to(job.out);
-  job.ox = json.value("ox", 0.0);
-  job.oy = json.value("oy", 0.0);
-  job.dx = json.value("dx", 0.0);
-  job.dy = json.value("dy", 0.0);
-  job.angle = json.value("angle", 0.0);
-  const std::string kind = json.value("kind", "static");
+using Json = nlohmann::json;
+
+// A key of a job, and how its value is read.
+struct JobKey {
+  const char* name;
+  void (*read)(const Json& value, RenderJob& job);
+  bool is_needed = false;
+};
+
+template <auto kMember>
+void read_member(const Json& value, RenderJob& job) {
+  value.get_to(job.*kMember);
+}
+
+void read_kind(const Json& value, RenderJob& job) {
+  const auto kind = value.get<std::string>();
   if (kind != "static" && kind != "anim") {
     throw std::runtime_error("kind '" + kind + "' is not static or anim");
   }
   job.use = kind == "anim" ? Use::moving : Use::still;
+}
+
+constexpr bool kNeeded = true;
+constexpr JobKey kJobKeys[] = {{"font", read_member<&RenderJob::font>, kNeeded},
+                               {"text", read_member<&RenderJob::text>, kNeeded},
+                               {"size", read_member<&RenderJob::size>, kNeeded},
+                               {"w", read_member<&RenderJob::w>, kNeeded},
+                               {"h", read_member<&RenderJob::h>, kNeeded},
+                               {"out", read_member<&RenderJob::out>, kNeeded},
+                               {"ox", read_member<&RenderJob::ox>},
+                               {"oy", read_member<&RenderJob::oy>},
+                               {"dx", read_member<&RenderJob::dx>},
+                               {"dy", read_member<&RenderJob::dy>},
+                               {"angle", read_member<&RenderJob::angle>},
+                               {"kind", read_kind}};
+
+// Whether two words differ by one letter, or by two that changed places.
+bool is_slip(std::string_view a, std::string_view b) {
+  while (!a.empty() && !b.empty() && a.front() == b.front()) {
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    a.remove_suffix(1);
+    b.remove_suffix(1);
+  }
+  const bool is_swap =
+      a.size() == 2 && b.size() == 2 && a[0] == b[1] && a[1] == b[0];
+  return is_swap || (a.size() <= 1 && b.size() <= 1);
+}
+
+[[noreturn]] void refuse_key(const std::string& name) {
+  // Short names are near to too many others.
+  constexpr size_t kLeastLetters = 3;
+  std::string names;
+  std::string meant;
+  for (const JobKey& key : kJobKeys) {
+    names += std::string(" ") + key.name;
+    if (name.size() >= kLeastLetters && is_slip(name, key.name)) {
+      meant = std::string(", '") + key.name + "' may be meant";
+    }
+  }
+  throw std::runtime_error("key '" + name + "' is unknown" + meant +
+                           "; there are:" + names);
+}
+
+const JobKey& job_key(const std::string& name) {
+  for (const JobKey& key : kJobKeys) {
+    if (key.name == name) {
+      return key;
+    }
+  }
+  refuse_key(name);
+}
+
+void read_value(const std::string& name, const Json& value, RenderJob& job) {
+  const JobKey& key = job_key(name);
+  try {
+    key.read(value, job);
+  } catch (const Json::type_error&) {
+    throw std::runtime_error("key '" + name + "' cannot be of type " +
+                             value.type_name());
+  }
+}
+
+RenderJob read_job(const std::string& line) {
+  const Json json = Json::parse(line);
+  if (!json.is_object()) {
+    throw std::runtime_error("is no JSON object");
+  }
+  RenderJob job;
+  for (const auto& [name, value] : json.items()) {
+    read_value(name, value, job);
+  }
+  for (const JobKey& key : kJobKeys) {
+    if (key.is_needed && !json.contains(key.name)) {
+      throw std::runtime_error(std::string("key '") + key.name +
+                               "' is missing");
+    }
+  }
   return job;
 }
 

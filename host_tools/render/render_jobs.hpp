@@ -42,7 +42,7 @@ void add_samples(const Image& image, const Look& look, SampleTotal& total);
 
 /// Reads the file. `kind` "anim" is a frame of something that moves, "static"
 /// or none one of what stands still. Throws std::runtime_error that names file
-/// and line.
+/// and line, also for keys that are unknown.
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 
 /// Draws all pictures, on all cores. Each font file is opened or converted

@@ -405,13 +405,46 @@ class Tools(unittest.TestCase):
         odd.write_text(still.read_text().replace("{", '{"kind": "move",'))
         self.assertIn("odd.jsonl:1: kind 'move' is not static or anim",
                       run("render", "--jobs", odd, code=1))
-        broken = self.path / "broken.jsonl"
-        broken.write_text('{"font": "a"}\n')
-        self.assertIn("broken.jsonl:1", run("render", "--jobs", broken, code=1))
         self.assertIn("is a folder", run("render", "--jobs", self.path, code=1))
         cut = self.path / "cut.bin"
         cut.write_bytes(self.font.read_bytes()[:500])
         self.assertIn("corrupt", run("render", "--font", cut, *text, code=1))
+
+    def test_jobs_have_known_keys(self):
+        out = self.path / "keys.pgm"
+        job = {"font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
+               "out": str(out)}
+        listed = self.path / "keys.jsonl"
+
+        def refusal(second):
+            listed.write_text(f"{json.dumps(job)}\n\n{second}\n")
+            printed = run("render", "--jobs", listed, code=1)
+            self.assertFalse(out.exists())
+            start = f"error: {listed}:3: "
+            self.assertEqual(printed[:len(start)], start)
+            return printed[len(start):]
+        there_are = ("there are: font text size w h out ox oy dx dy angle "
+                     "kind\n")
+        for key, meant in [("siez", "size"), ("szie", "size"), ("Text", "text"),
+                           ("angl", "angle"), ("kinds", "kind"), ("px", None),
+                           ("width", None), ("", None), ("hint", None)]:
+            hint = f", '{meant}' may be meant" if meant else ""
+            self.assertEqual(refusal(json.dumps(dict(job, **{key: 1}))),
+                             f"key '{key}' is unknown{hint}; {there_are}")
+        for key in job:
+            others = {k: job[k] for k in job if k != key}
+            self.assertEqual(refusal(json.dumps(others)),
+                             f"key '{key}' is missing\n")
+            # One that is misspelt is said to be unknown, not missing.
+            self.assertIn(f"key '{key}_' is unknown",
+                          refusal(json.dumps(dict(others, **{key + "_": 1}))))
+        for key, value, kind in [("text", {"a": 1}, "object"),
+                                 ("size", "12", "string"),
+                                 ("dx", [1], "array"), ("kind", None, "null")]:
+            self.assertEqual(refusal(json.dumps(dict(job, **{key: value}))),
+                             f"key '{key}' cannot be of type {kind}\n")
+        self.assertEqual(refusal("[1]"), "is no JSON object\n")
+        self.assertIn("parse error", refusal("{"))
 
     def test_rom_fonts_take_no_conversion_options(self):
         out = self.path / "no.png"
