@@ -254,6 +254,11 @@ std::string encode_c(const RomFont& font, const std::string& name) {
 }  // namespace
 
 void check_writable(const std::filesystem::path& target) {
+  if (target == "-") {
+    throw Error(
+        "-: is not standard output here; name a file, ./- if it shall be "
+        "called so");
+  }
   const std::filesystem::path folder = folder_of(follow_links(target));
   std::error_code error;
   if (std::filesystem::is_directory(target, error)) {

@@ -34,7 +34,8 @@ class OutputFile {
 };
 
 /// Throws Error unless a file can be made at `target`, or the one that is there
-/// replaced: before work begins. Folders, devices and pipes are refused.
+/// replaced: before work begins. Folders, devices and pipes are refused, and -,
+/// which many take for standard output.
 void check_writable(const std::filesystem::path& target);
 
 /// Throws Error if one of `targets` is the same file as another or as one of

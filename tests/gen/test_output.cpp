@@ -43,6 +43,7 @@ TEST(OutputFile, RefusesPlacesThatCannotBe) {
   const TestFolder folder;
   EXPECT_THROW(OutputFile(folder.path() / "none" / "font.bin"), Error);
   EXPECT_THROW(OutputFile(folder.path()), Error);
+  EXPECT_THROW(OutputFile("-"), Error);
   ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
   EXPECT_THROW(OutputFile(folder.path() / "pipe"), Error);
   EXPECT_THROW(OutputFile("/dev/null"), Error);

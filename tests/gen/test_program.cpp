@@ -211,6 +211,23 @@ TEST_F(Program, SaysWhatWouldDo) {
             std::string::npos);
 }
 
+TEST_F(Program, WritesToNoStream) {
+  for (const char* options :
+       {"--out -", "--out - --format hpp", "--out a.bin --report -",
+        "--out a.bin --depfile -"}) {
+    const Outcome result =
+        run(folder_, std::string("--font plain.ttf --symbols H ") + options);
+    EXPECT_EQ(result.code, 1) << options;
+    EXPECT_EQ(result.out, "") << options;
+    EXPECT_NE(result.err.find("-: is not standard output here; name a file"),
+              std::string::npos)
+        << result.err;
+    EXPECT_EQ(folder_.names(), (Names{"plain.ttf"})) << options;
+  }
+  EXPECT_EQ(run(folder_, "--font plain.ttf --symbols H --out ./-").code, 0);
+  EXPECT_EQ(folder_.names(), (Names{"-", "plain.ttf"}));
+}
+
 TEST_F(Program, LeavesTheOldFileWhenItFails) {
   folder_.write("a.bin", std::vector<uint8_t>{'o', 'l', 'd'});
   EXPECT_EQ(run(folder_, "--font plain.ttf --out a.bin --chars 0x4E00").code,
