@@ -71,6 +71,11 @@ void invert(Image& image) {
 }
 
 void check_folder_of(const std::filesystem::path& file) {
+  if (file == "-") {
+    refuse(file,
+           "it is not standard output here; name a file, ./- if it shall be "
+           "called so");
+  }
   const std::filesystem::path folder = file.parent_path();
   std::error_code error;
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {

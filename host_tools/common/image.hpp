@@ -39,7 +39,8 @@ void invert(Image& image);
 /// that is not there, or with another suffix. Throws std::runtime_error.
 void check_image_file(const std::filesystem::path& file, int channels);
 
-/// The same for a file of any kind.
+/// The same for a file of any kind; also for -, which many take for standard
+/// output.
 void check_folder_of(const std::filesystem::path& file);
 
 /// Writes by the file's suffix: .png, .pgm (grey) or .ppm (colour).

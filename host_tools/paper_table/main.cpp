@@ -9,6 +9,7 @@
 
 #include "adf.hpp"
 #include "font_source.hpp"
+#include "image.hpp"
 #include "leaf_list.hpp"
 #include "paper_counts.hpp"
 #include "parallel.hpp"
@@ -213,6 +214,7 @@ void write_json(const Arguments& arguments, const nlohmann::json& json) {
 }
 
 void run(const Arguments& arguments) {
+  check_folder_of(arguments.json);
   const std::vector<GlyphRow> rows = measure_all(arguments);
   Counts mean;
   std::vector<uint8_t> leaves;

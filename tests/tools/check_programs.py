@@ -634,6 +634,7 @@ class Tools(unittest.TestCase):
                       run("accuracy", *limit, size - 1, code=1))
         for said, arguments in [("no glyph for 'Z'", ("--glyph", "Z")),
                                 ("no folder", ("--json", "/nowhere/a.json")),
+                                ("name a file", ("--json", "-")),
                                 ("no folder", ("--picture", "/nowhere/a.png")),
                                 (".png or .ppm", ("--picture", "a.jpg")),
                                 ("--jobs", ("--jobs", 100000)),
@@ -687,6 +688,13 @@ class Tools(unittest.TestCase):
         run("specimen", SANS, "--symbols", "Efcts", "--band-px", 2, "--min-px",
             12, "--max-px", 32, "--effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+
+    def test_paper_table_refuses(self):
+        for said, out in [("no folder /nowhere", "/nowhere/a.json"),
+                          ("-: cannot be written: it is not standard output "
+                           "here; name a file", "-")]:
+            self.assertIn(said, run("paper-table", "--chars", "a", "--json",
+                                    out, code=1))
 
     def test_paper_table_counts_in_the_paper_s_range(self):
         out = self.path / "table.json"
