@@ -63,9 +63,10 @@ struct TwoTerms {
                                                const FieldLeaf& leaf,
                                                uint32_t number) const noexcept {
     const int32_t shift = leaves.bend_shift();
-    return with_sign(leaves.least_of_two(leaf, a.value(shift, sign),
-                                         b.value(shift, sign), number),
-                     sign);
+    return with_sign(
+        leaves.least_of_two(leaf, a.value(shift, sign), b.value(shift, sign),
+                            RowNumber{number}),
+        sign);
   }
   __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
     a.go_on(count);
@@ -103,7 +104,7 @@ struct ThreeTerms {
     const int32_t shift = leaves.bend_shift();
     return with_sign(
         leaves.least_of_three(leaf, a.value(shift, sign), b.value(shift, sign),
-                              c.value(shift, sign), number),
+                              c.value(shift, sign), RowNumber{number}),
         sign);
   }
   __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
@@ -147,7 +148,7 @@ struct AllTerms {
     const int32_t least =
         count == 1 ? values[0]
                    : leaves.least_of_three(leaf, values[0], values[1],
-                                           values[2], number);
+                                           values[2], RowNumber{number});
     return with_sign(least, sign);
   }
   void go_on(uint32_t points) noexcept {
@@ -163,32 +164,6 @@ struct AllTerms {
   }
   bool is_steady() const noexcept { return false; }
 };
-
-// a - b; where a cell is beyond the format's limits it may wrap.
-inline int32_t less(int32_t a, int32_t b) noexcept {
-  return wrapped(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
-}
-
-// As many bytes as a row has.
-inline void clear_row(uint32_t* word) noexcept {
-  static_assert(FieldBand::kColumns == 4 * 6, "words");
-  word[0] = word[1] = word[2] = word[3] = word[4] = word[5] = 0;
-}
-
-inline void fill(uint8_t* at, int32_t count) noexcept {
-  uint8_t* const end = at + count;
-  while (kObjectOrder && end - at >= 4) {
-    if ((reinterpret_cast<uintptr_t>(at) & 3) == 0) {
-      *reinterpret_cast<uint32_t*>(at) = UINT32_MAX;
-      at += 4;
-    } else {
-      *at++ = 255;
-    }
-  }
-  while (at != end) {
-    *at++ = 255;
-  }
-}
 
 // Repeats a row in those below it.
 inline void repeat(uint8_t* line, int32_t width, int32_t rows) noexcept {
@@ -243,47 +218,12 @@ inline int32_t FieldBand::rows_in(uint32_t mask_q16,
 // Not inline: the loops have the registers for themselves.
 template <typename Terms>
 __attribute__((noinline)) void FieldBand::paint(BandLeaf& leaf) const noexcept {
-  const CoverageRamp& ramp = ramp_;
-  // How many pixels behind a saturated one are so, too, given how far beyond it
-  // is. One that a rounded vertex saturates is next to the ramp.
-  const auto behind = [&leaf](int32_t beyond_q22, uint32_t all)
-                          __attribute__((always_inline))
-                              ->uint32_t {
-    if (!kObjectOrder || beyond_q22 <= 0) {
-      return 0;
-    }
-    const uint32_t beyond_q6 = static_cast<uint32_t>(beyond_q22) >> 16;
-    return ((beyond_q6 | all) * leaf.skip_q15) >> 15;
-  };
   Terms terms(*this, leaf);
   uint8_t* line = leaf.line;
   uint8_t* end = line + leaf.width;
   int32_t rows = leaf.height;
   while (true) {
-    uint8_t* out = line;
-    while (true) {
-      const int32_t value =
-          terms.value(*this, leaf, static_cast<uint32_t>(out - line));
-      const uint32_t way = ramp.way_q22(value);
-      uint32_t count = 1;
-      if (way < ramp.width_q22) {
-        *out = ramp.at(way);
-      } else if (value < ramp.low_q22) {
-        count += behind(less(far_outside_q22_, value), leaf.all_outside);
-      } else {
-        count += behind(less(value, far_inside_q22_), leaf.all_inside);
-        uint8_t* at = out;
-        uint32_t left = count;
-        do {
-          *at++ = 255;
-        } while (--left != 0 && at != end);
-      }
-      if (count >= static_cast<uint32_t>(end - out)) {
-        break;
-      }
-      terms.go_on(count);
-      out += count;
-    }
+    const uint8_t* const out = paint_row(terms, leaf, line, end);
     if (kRows == 1 || --rows == 0) {
       return;
     }
@@ -314,9 +254,9 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
   };
   int32_t least = value(0);
   if (leaf.count == 2) {
-    least = least_of_two(leaf, least, value(1), 0);
+    least = least_of_two(leaf, least, value(1), RowNumber{0});
   } else if (leaf.count == 3) {
-    least = least_of_three(leaf, least, value(1), value(2), 0);
+    least = least_of_three(leaf, least, value(1), value(2), RowNumber{0});
   }
   const int32_t distance = with_sign(least, sign);
   const uint32_t way = ramp_.way_q22(distance);
@@ -367,9 +307,7 @@ bool FieldBand::cover(int32_t width,
   if (kRows > 1) {
     clear_row(words);
   }
-  for (int32_t y = 0; y < height; ++y) {
-    clear_row(pixels.words + y * (kColumns / 4));
-  }
+  pixels.clear(height);
   bool any = false;
   int32_t next;
   for (int32_t y = 0; y < height; y = next) {

@@ -24,17 +24,6 @@ uint32_t root(uint32_t value) noexcept {
   return result;
 }
 
-// n + 2 k w (-ny, nx). [Q14]
-Vector gradient_q14(const FieldTerm& term, int32_t bend_log2) noexcept {
-  if (term.bend == 0) {
-    return {term.nx_q14, term.ny_q14};
-  }
-  // Half the slope in Q15 is all of it in Q14.
-  const uint32_t slope = static_cast<uint32_t>(term.slope_q15(bend_log2));
-  return {term.nx_q14 - (wrapped(times(term.ny_q14, slope)) >> 14),
-          term.ny_q14 + (wrapped(times(term.nx_q14, slope)) >> 14)};
-}
-
 // Two values a and b of which the lesser is negative, as seen from the vertex
 // where both are 0: with unit gradients g and h and c = g.h, the distance from
 // it is |q|, g.q = a and h.q = b.
@@ -240,16 +229,6 @@ Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
   cell.x0_u = field.x0_u + static_cast<int32_t>((x >> log2) << log2);
   cell.y0_u = field.y0_u + static_cast<int32_t>((y >> log2) << log2);
   return cell;
-}
-
-Vector gradient_q14(const GlyphField& field,
-                    uint32_t unit,
-                    uint32_t x_q8,
-                    uint32_t y_q8,
-                    const FieldScale& scale) noexcept {
-  FieldTerm term;
-  set_up_term(term, field, unit, x_q8, y_q8, scale);
-  return gradient_q14(term, scale.bend_log2);
 }
 
 int32_t rounded_q22(int32_t lesser_q22,

@@ -95,15 +95,15 @@ struct FieldTerms {
   FieldOperator op;
 };
 
-// A field of a cell at a point, in px from the glyph's origin, y up.
+// A field at a point, in px from the glyph's origin, y up, given where its
+// record lies.
 inline void set_up_term(FieldTerm& term,
-                        const GlyphField& field,
-                        uint32_t unit,
+                        const uint8_t* at,
+                        bool is_arc,
                         uint32_t x_q8,
                         uint32_t y_q8,
                         const FieldScale& scale) noexcept {
   namespace fields = format::fields;
-  const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
   const int16_t nx = load_i16(at + fields::kNormalX);
   const int16_t ny = load_i16(at + fields::kNormalY);
   term.nx_q14 = nx;
@@ -112,12 +112,24 @@ inline void set_up_term(FieldTerm& term,
                    times(load_i16(at + fields::kOffset), scale.size_q8);
   term.along_q22 = 0;
   term.bend = 0;
-  if ((unit & format::linked::kArcField) != 0) {
+  if (is_arc) {
     term.along_q22 = times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
                      times(load_i16(at + fields::kAlong), scale.size_q8);
     term.bend =
         (load_i16(at + fields::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
   }
+}
+
+// The same of a field of a cell.
+inline void set_up_term(FieldTerm& term,
+                        const GlyphField& field,
+                        uint32_t unit,
+                        uint32_t x_q8,
+                        uint32_t y_q8,
+                        const FieldScale& scale) noexcept {
+  namespace linked = format::linked;
+  set_up_term(term, field.cells + 2 * (unit & linked::kOffsetMask),
+              (unit & linked::kArcField) != 0, x_q8, y_q8, scale);
 }
 
 inline void set_up_terms(FieldTerms& terms,
@@ -373,12 +385,26 @@ struct Vector {
   int32_t y;
 };
 
+// The normal of a field, given where its record lies. [Q14]
+inline Vector normal_of(const uint8_t* record) noexcept {
+  return {load_i16(record + format::fields::kNormalX),
+          load_i16(record + format::fields::kNormalY)};
+}
+
+// The gradient of a bent field: n + 2 k w (-ny, nx), given half the slope that
+// the bend adds in Q15, which is all of it in Q14. [Q14]
+inline Vector bent(Vector normal_q14, int32_t slope_q15) noexcept {
+  const auto slope = static_cast<uint32_t>(slope_q15);
+  return {normal_q14.x - (wrapped(times(normal_q14.y, slope)) >> 14),
+          normal_q14.y + (wrapped(times(normal_q14.x, slope)) >> 14)};
+}
+
 // The gradient of a field at a point, as set_up_term has them. [Q14]
-Vector gradient_q14(const GlyphField& field,
-                    uint32_t unit,
-                    uint32_t x_q8,
-                    uint32_t y_q8,
-                    const FieldScale& scale) noexcept;
+inline Vector gradient_q14(const FieldTerm& term, int32_t bend_log2) noexcept {
+  const Vector normal_q14 = {term.nx_q14, term.ny_q14};
+  return term.bend == 0 ? normal_q14
+                        : bent(normal_q14, term.slope_q15(bend_log2));
+}
 
 // The lesser of two values, below 0, as it is rounded at the vertex of the two
 // fields whose gradients these are; the greater one is not farther from 0. [px,

@@ -45,21 +45,14 @@ __attribute__((noinline)) void FieldLeaves::find_linked(
   leaf.set(count, op);
 }
 
-// n + 2 k w (-ny, nx), without the leaf's sign. [Q14]
+// Without the leaf's sign. [Q14]
 __attribute__((noinline)) Vector FieldLeaves::gradient(
     const uint8_t* field, const PixelPlace& at) const noexcept {
-  namespace layout = format::fields;
-  const uint8_t* const record = field - arc_bit(field);
-  const int32_t nx = load_i16(record + layout::kNormalX);
-  const int32_t ny = load_i16(record + layout::kNormalY);
   if (arc_bit(field) == 0) {
-    return {nx, ny};
+    return normal_of(field);
   }
-  // Half the slope in Q15 is all of it in Q14.
   const ArcTerm term(field, at, scale_, 0);
-  const auto slope = static_cast<uint32_t>(term.slope_q15(bend_shift_));
-  return {nx - (wrapped(times(ny, slope)) >> 14),
-          ny + (wrapped(times(nx, slope)) >> 14)};
+  return bent(normal_of(field - 1), term.slope_q15(bend_shift_));
 }
 
 // The lesser of two values, rounded.

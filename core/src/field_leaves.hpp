@@ -57,6 +57,22 @@ struct FieldLeaf {
     is_nested = op >= FieldOperator::least_of_greater;
     is_inside = false;
   }
+  FieldOperator field_operator() const noexcept {
+    if (is_nested) {
+      return sign == 0 ? FieldOperator::least_of_greater
+                       : FieldOperator::greatest_of_lesser;
+    }
+    return sign == 0 ? FieldOperator::least : FieldOperator::greatest;
+  }
+};
+
+// A point's number in its row, for FieldLeaves::least_of_two.
+struct RowNumber {
+  uint32_t number;
+
+  __attribute__((always_inline)) uint32_t operator()() const noexcept {
+    return number;
+  }
 };
 
 // Finds leaves, and combines what their fields say at a point.
@@ -76,17 +92,20 @@ class FieldLeaves {
   const FieldScale& scale() const noexcept { return scale_; }
   int32_t bend_shift() const noexcept { return bend_shift_; }
 
-  // The least of a leaf's values at point `number` of its row, with the leaf's
-  // sign, or what is left of three if they are nested.
+  // The least of a leaf's values at a point, with the leaf's sign, or what is
+  // left of three if they are nested. `number()` is the point's in its row; it
+  // is called only where it matters.
+  template <typename Number>
   int32_t least_of_two(const FieldLeaf& leaf,
                        int32_t a,
                        int32_t b,
-                       uint32_t number) const noexcept;
+                       const Number& number) const noexcept;
+  template <typename Number>
   int32_t least_of_three(const FieldLeaf& leaf,
                          int32_t a,
                          int32_t b,
                          int32_t c,
-                         uint32_t number) const noexcept;
+                         const Number& number) const noexcept;
 
  protected:
   // The leaf that holds a point, from the grid's corner. [u]
@@ -150,23 +169,25 @@ class FieldLeaves {
   int32_t greatest_rounded_q22_ = INT32_MAX;
 };
 
+template <typename Number>
 __attribute__((always_inline)) inline int32_t FieldLeaves::least_of_two(
     const FieldLeaf& leaf,
     int32_t a,
     int32_t b,
-    uint32_t number) const noexcept {
+    const Number& number) const noexcept {
   const int32_t least = lesser(a, b);
   return least < 0 && least > -reach_q22_ && a + b < 0
-             ? rounded_two(leaf, a, b, number)
+             ? rounded_two(leaf, a, b, number())
              : least;
 }
 
+template <typename Number>
 __attribute__((always_inline)) inline int32_t FieldLeaves::least_of_three(
     const FieldLeaf& leaf,
     int32_t a,
     int32_t b,
     int32_t c,
-    uint32_t number) const noexcept {
+    const Number& number) const noexcept {
   const int32_t low = lesser(b, c);
   const int32_t high = greater(b, c);
   bool is_near = false;
@@ -179,7 +200,7 @@ __attribute__((always_inline)) inline int32_t FieldLeaves::least_of_three(
   const int32_t least = is_first ? a : other;
   const int32_t second = is_first ? other : lesser(a, high);
   return is_near || is_near_vertex(least, second)
-             ? rounded_three(leaf, a, b, c, number)
+             ? rounded_three(leaf, a, b, c, number())
              : least;
 }
 

@@ -13,6 +13,19 @@ constexpr uint32_t kArcMarginQ22 = 1 << 17;
 // What a bent field must gain from a point to the next one to be known to gain
 // in spite of that. [px, Q14]
 constexpr int32_t kArcRiseQ14 = 1 << 10;
+// The same of all fields along steps that are rounded.
+constexpr int32_t kStepRiseQ14 = 1 << 10;
+
+// By how much what has this gradient grows in a step, less than 2 px along each
+// axis.
+inline int32_t slope_along_q14(const Vector& gradient_q14,
+                               const GlyphStep& step) noexcept {
+  const uint32_t x_q27 =
+      times(gradient_q14.x, static_cast<uint32_t>(step.x_q20 >> 7));
+  const uint32_t y_q27 =
+      times(gradient_q14.y, static_cast<uint32_t>(step.y_q20 >> 7));
+  return wrapped(x_q27 + y_q27) >> 13;
+}
 
 }  // namespace
 
@@ -22,28 +35,24 @@ __attribute__((noinline)) FieldBand::Side FieldBand::side_of(
     const uint8_t* field, const Extent& all, Slopes& slopes) const noexcept {
   namespace layout = format::fields;
   const uint8_t* const record = field - arc_bit(field);
-  const int32_t nx = load_i16(record + layout::kNormalX);
-  const int32_t ny = load_i16(record + layout::kNormalY);
-  const uint32_t x_q8 = all.middle.x_q8;
-  const uint32_t y_q8 = all.middle.y_q8;
+  const Vector normal_q14 = normal_of(record);
+  const int32_t nx = normal_q14.x;
+  const int32_t ny = normal_q14.y;
   uint32_t value_q22 =
-      times(nx, x_q8) + times(ny, y_q8) +
+      times(nx, all.middle.x_q8) + times(ny, all.middle.y_q8) +
       times(load_i16(record + layout::kOffset), scale_.size_q8);
   uint32_t reach_q22 = static_cast<uint32_t>(reach_q22_);
-  int32_t slope_x_q14 = nx;
-  int32_t slope_y_q14 = ny;
-  int32_t change_q14 = 0;  // of the slope along the row, to both sides
+  Vector slope_q14 = normal_q14;
+  uint32_t more_q14 = 0;   // by how much the bend changes it, to both sides
+  int32_t change_q14 = 0;  // what of this lies along the row
   if (arc_bit(field) != 0) {
     const ArcTerm term(field, all.middle, scale_, 0);
     value_q22 = static_cast<uint32_t>(term.value(bend_shift_, 0));
-    // n + 2 k w (-ny, nx), where half of 2 k w in Q15 is all of it in Q14.
-    const auto bend_q14 = static_cast<uint32_t>(term.slope_q15(bend_shift_));
-    slope_x_q14 -= wrapped(times(ny, bend_q14)) >> 14;
-    slope_y_q14 += wrapped(times(nx, bend_q14)) >> 14;
+    slope_q14 = bent(normal_q14, term.slope_q15(bend_shift_));
     const uint32_t way_q8 = (times(magnitude(nx), all.half_y_q8) +
                              times(magnitude(ny), all.half_x_q8)) >>
                             14;
-    const auto more_q14 = static_cast<uint32_t>(
+    more_q14 = static_cast<uint32_t>(
         wrapped(times(magnitude(term.bend), way_q8)) >> bend_shift_);
     reach_q22 +=
         kArcMarginQ22 + static_cast<uint32_t>(wrapped(more_q14 * way_q8) >> 1);
@@ -51,8 +60,8 @@ __attribute__((noinline)) FieldBand::Side FieldBand::side_of(
   }
   // From 0 to 256 px for all that keeps the format's limits.
   constexpr uint32_t kMost = 1 << 30;
-  reach_q22 += times(magnitude(slope_x_q14), all.half_x_q8) +
-               times(magnitude(slope_y_q14), all.half_y_q8);
+  reach_q22 += times(magnitude(slope_q14.x), all.half_x_q8) +
+               times(magnitude(slope_q14.y), all.half_y_q8);
   const int32_t limit = wrapped(reach_q22 < kMost ? reach_q22 : kMost);
   const int32_t value = with_sign(wrapped(value_q22), all.sign);
   if (value >= limit) {
@@ -61,9 +70,17 @@ __attribute__((noinline)) FieldBand::Side FieldBand::side_of(
   if (value <= -limit) {
     return Side::outside;
   }
-  const int32_t slope_q14 = with_sign(slope_x_q14, all.sign);
-  slopes.least = lesser(slopes.least, slope_q14 - change_q14);
-  slopes.greatest = greater(slopes.greatest, slope_q14 + change_q14);
+  int32_t along_q14 = slope_q14.x;
+  if (all.right != nullptr) {
+    along_q14 = slope_along_q14(slope_q14, *all.right);
+    // No step is longer than 3 px.
+    constexpr uint32_t kMostChange = 1 << 16;
+    change_q14 = 3 * wrapped(more_q14 < kMostChange ? more_q14 : kMostChange) +
+                 kStepRiseQ14;
+  }
+  along_q14 = with_sign(along_q14, all.sign);
+  slopes.least = lesser(slopes.least, along_q14 - change_q14);
+  slopes.greatest = greater(slopes.greatest, along_q14 + change_q14);
   return Side::edge;
 }
 
@@ -117,9 +134,7 @@ inline FieldBand::Side FieldBand::keep_nested(BandLeaf& leaf,
   return kept == 0 ? Side::inside : Side::edge;
 }
 
-__attribute__((noinline)) void FieldBand::reduce(
-    BandLeaf& leaf) const noexcept {
-  const int32_t sign = leaf.sign;
+void FieldBand::reduce(BandLeaf& leaf) const noexcept {
   Extent all;
   const uint32_t depth_q8 =
       leaf.place.y_q8 - height_q8(leaf.row + leaf.height - 1);
@@ -127,7 +142,14 @@ __attribute__((noinline)) void FieldBand::reduce(
   all.half_y_q8 = (depth_q8 + 1) >> 1;
   all.middle = {leaf.place.x_q8 + all.half_x_q8,
                 leaf.place.y_q8 - (depth_q8 >> 1)};
-  all.sign = sign;
+  all.sign = leaf.sign;
+  all.right = nullptr;
+  reduce(leaf, all);
+}
+
+__attribute__((noinline)) void FieldBand::reduce(
+    BandLeaf& leaf, const Extent& all) const noexcept {
+  const int32_t sign = leaf.sign;
   Slopes slopes = {INT32_MAX, INT32_MIN};
   const Side side = leaf.is_nested ? keep_nested(leaf, all, slopes)
                                    : keep_edges(leaf, all, slopes);

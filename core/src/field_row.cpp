@@ -165,7 +165,7 @@ class FieldRow::Thirds {
       return side(with_sign(least, way_.sign), out);
     }
     const int32_t rounded =
-        row_.least_of_two(leaf_, a.value_q22, b.value_q22, number_);
+        row_.least_of_two(leaf_, a.value_q22, b.value_q22, RowNumber{number_});
     return put(lesser(a.before(), b.before()), least,
                lesser(a.behind(), b.behind()), rounded - least, out);
   }
@@ -178,8 +178,8 @@ class FieldRow::Thirds {
     if (is_far(least)) {
       return side(with_sign(least, way_.sign), out);
     }
-    const int32_t rounded = row_.least_of_three(leaf_, a.value_q22, b.value_q22,
-                                                c.value_q22, number_);
+    const int32_t rounded = row_.least_of_three(
+        leaf_, a.value_q22, b.value_q22, c.value_q22, RowNumber{number_});
     return put(plain(a.before(), b.before(), c.before()), least,
                plain(a.behind(), b.behind(), c.behind()), rounded - least, out);
   }

@@ -83,15 +83,6 @@ Direct direct(Vector v) noexcept {
   return result;
 }
 
-// n + 2 k w (-ny, nx). [Q14]
-Vector gradient_of(const FieldTerm& term, int32_t bend_log2) noexcept {
-  // Half the slope in Q15 is all of it in Q14.
-  const auto slope =
-      static_cast<uint32_t>(term.bend == 0 ? 0 : term.slope_q15(bend_log2));
-  return {term.nx_q14 - (wrapped(times(term.ny_q14, slope)) >> 14),
-          term.ny_q14 + (wrapped(times(term.nx_q14, slope)) >> 14)};
-}
-
 // Within 1/2000, as normals of lines are.
 bool is_unit(const Vector& v) noexcept {
   const uint32_t square = times(v.x, static_cast<uint32_t>(v.x)) +
@@ -166,7 +157,7 @@ void stretch_terms(const Brush& brush,
     Gain gain = {};
     Vector normal_q14 = {0, 0};
     if (!is_far) {
-      const Vector gradient = gradient_of(term, bend_log2);
+      const Vector gradient = gradient_q14(term, bend_log2);
       if (is_unit(gradient)) {
         gain = gain_of(brush, gradient);
         normal_q14 = gain.unit_q14;

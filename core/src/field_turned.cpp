@@ -1,44 +1,44 @@
-// Glyphs that do not stand upright, row by row.
-//
-// A row begins where its first pixel meets the limits of what may show, and
-// ends where the last one does.
+// Glyphs that do not stand upright.
 #include "field_turned.hpp"
 
 #include "cell_access.hpp"
 #include "field_slanted.hpp"
 #include "position.hpp"
+#include "span_writer.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
 
 FieldPosition position_in(const GlyphField& field,
-                          const RowPoint& at) noexcept {
+                          const SlantedPoint& at) noexcept {
   return {wrapped(at.x_q16) + field.x0_u * (1 << 16),
           wrapped(at.y_q16) + field.y0_u * (1 << 16), 0, 0};
 }
 
-// The same for cells of samples, which are quartic along a row: every pixel is
-// a query of its own.
-void draw_turned_samples(Slanted& slanted,
-                         RowPoint at,
-                         int32_t x,
-                         int32_t count) noexcept {
+// Draws the pixels of a row that may show.
+using DrawSamples = void (*)(const Slanted&, SpanWriter&, SlantedPoint, Range);
+
+// Cells of samples are quartic along a row: every pixel is a query of its own.
+void draw_turned_samples(const Slanted& slanted,
+                         SpanWriter& writer,
+                         SlantedPoint at,
+                         Range row) noexcept {
   const Brush& brush = slanted.brush;
-  for (const int32_t end = x + count; x < end; ++x) {
+  for (int32_t x = row.begin; x < row.end; ++x) {
     const FieldPosition place = position_in(slanted.field, at);
-    slanted.writer.put(x, brush.coverage(samples_distance_q10(
-                              slanted.field, place.x_q16, place.y_q16)));
+    writer.put(x, brush.coverage(samples_distance_q10(
+                      slanted.field, place.x_q16, place.y_q16)));
     at.go(brush.right());
   }
 }
 
-void draw_stretched_samples(Slanted& slanted,
-                            RowPoint at,
-                            int32_t x,
-                            int32_t count) noexcept {
+void draw_stretched_samples(const Slanted& slanted,
+                            SpanWriter& writer,
+                            SlantedPoint at,
+                            Range row) noexcept {
   const Brush& brush = slanted.brush;
-  for (const int32_t end = x + count; x < end; ++x) {
+  for (int32_t x = row.begin; x < row.end; ++x) {
     const FieldPosition place = position_in(slanted.field, at);
     const int32_t plain =
         samples_distance_q10(slanted.field, place.x_q16, place.y_q16);
@@ -49,8 +49,34 @@ void draw_stretched_samples(Slanted& slanted,
       coverage = brush.filter().coverage(
           stretched_samples_q10(slanted.field, brush, place));
     }
-    slanted.writer.put(x, coverage);
+    writer.put(x, coverage);
     at.go(brush.right());
+  }
+}
+
+// Row by row.
+void draw_slanted_samples(const Slanted& slanted,
+                          SlantedPoint first,
+                          const Rect& box,
+                          const Sink& sink,
+                          DrawSamples draw_row) noexcept {
+  const Brush& brush = slanted.brush;
+  SpanWriter writer(sink, box.y0);
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    SlantedPoint at = first;
+    int32_t x = box.x0;
+    while (x < box.x1 && !slanted.may_show(at)) {
+      const int32_t count =
+          slanted.count_before(at.x_q16, at.y_q16, box.x1 - x);
+      at.go(brush.right(), static_cast<uint32_t>(count));
+      x += count;
+    }
+    if (x < box.x1) {
+      draw_row(slanted, writer, at,
+               {x, x + slanted.count_shown(at, box.x1 - x)});
+    }
+    writer.next_row();
+    first.go(brush.up(), UINT32_MAX);
   }
 }
 
@@ -62,7 +88,7 @@ __attribute__((noinline)) bool find_point(const Slanted& slanted,
                                           const FinePoint& origin,
                                           int32_t x,
                                           int32_t y,
-                                          RowPoint& at) noexcept {
+                                          SlantedPoint& at) noexcept {
   const GlyphField& field = slanted.field;
   const GlyphWay way(slanted.brush, ScreenWay(origin, x, y));
   at = {static_cast<uint32_t>(way.x_q16) -
@@ -78,60 +104,11 @@ __attribute__((noinline)) bool find_point(const Slanted& slanted,
 bool is_near(const Slanted& slanted,
              const FinePoint& origin,
              const Rect& box) noexcept {
-  RowPoint corner;
+  SlantedPoint corner;
   return find_point(slanted, origin, box.x0, box.y0, corner) &&
          find_point(slanted, origin, box.x1, box.y0, corner) &&
          find_point(slanted, origin, box.x0, box.y1, corner) &&
          find_point(slanted, origin, box.x1, box.y1, corner);
-}
-
-using DrawRow = void (*)(Slanted&, RowPoint, int32_t, int32_t);
-
-// Every pixel for itself.
-__attribute__((noinline)) void paint_far(Slanted& slanted,
-                                         const FinePoint& origin,
-                                         const Rect& box,
-                                         DrawRow draw_row) noexcept {
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      RowPoint at;
-      if (find_point(slanted, origin, x, y, at) && slanted.may_show(at)) {
-        draw_row(slanted, at, x, 1);
-      }
-    }
-    slanted.writer.next_row();
-  }
-}
-
-// Row by row, all of the box being near.
-void paint(Slanted& slanted,
-           const FinePoint& origin,
-           const Rect& box,
-           DrawRow draw_row) noexcept {
-  const GlyphStep& right = slanted.brush.right();
-  const GlyphStep& up = slanted.brush.up();
-  RowPoint start;
-  static_cast<void>(find_point(slanted, origin, box.x0, box.y0, start));
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    RowPoint at = start;
-    int32_t x = box.x0;
-    while (x < box.x1 && !slanted.may_show(at)) {
-      at.x_q16 += static_cast<uint32_t>(right.x_q16);
-      at.y_q16 += static_cast<uint32_t>(right.y_q16);
-      ++x;
-    }
-    if (x < box.x1) {
-      const auto before = static_cast<uint32_t>(x - box.x0);
-      at.x_q20 += times(right.x_q20, before);
-      at.y_q20 += times(right.y_q20, before);
-      draw_row(slanted, at, x, slanted.count_shown(at, box.x1 - x));
-    }
-    slanted.writer.next_row();
-    start.x_q16 -= static_cast<uint32_t>(up.x_q16);
-    start.y_q16 -= static_cast<uint32_t>(up.y_q16);
-    start.x_q20 -= static_cast<uint32_t>(up.x_q20);
-    start.y_q20 -= static_cast<uint32_t>(up.y_q20);
-  }
 }
 
 void paint_turned(const GlyphField& field,
@@ -141,10 +118,32 @@ void paint_turned(const GlyphField& field,
                   const RowMap*,
                   const Sink& sink) {
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
-  if (!is_empty(box)) {
-    Slanted slanted(field, brush, nullptr, sink, box.y0);
-    paint(slanted, origin, box,
-          has_fields(field) ? draw_slanted_row : draw_turned_samples);
+  if (is_empty(box)) {
+    return;
+  }
+  const Slanted slanted(field, brush);
+  SlantedPoint first;
+  static_cast<void>(find_point(slanted, origin, box.x0, box.y0, first));
+  if (has_fields(field)) {
+    draw_slanted(slanted, nullptr, first, box, sink);
+  } else {
+    draw_slanted_samples(slanted, first, box, sink, draw_turned_samples);
+  }
+}
+
+// Pixels that are near.
+void draw_stretched(const Slanted& slanted,
+                    const SlantedPoint& first,
+                    const Rect& box,
+                    const Sink& sink) noexcept {
+  if (has_fields(slanted.field)) {
+    const Brush& brush = slanted.brush;
+    const int32_t reach_q22 = reach_of(brush.filter());
+    const Stretching stretching = {stretched_value, brush, reach_q22,
+                                   far_q22(brush, reach_q22)};
+    draw_slanted(slanted, &stretching, first, box, sink);
+  } else {
+    draw_slanted_samples(slanted, first, box, sink, draw_stretched_samples);
   }
 }
 
@@ -155,15 +154,22 @@ void paint_stretched(const GlyphField& field,
                      const RowMap*,
                      const Sink& sink) {
   const Rect box = intersect(field_box(field, brush, origin), sink.window);
-  if (!is_empty(box)) {
-    Slanted slanted(field, brush, stretched_value, sink, box.y0);
-    slanted.far_q22 = far_q22(brush, slanted.reach_q22);
-    const DrawRow draw_row =
-        has_fields(field) ? draw_slanted_row : draw_stretched_samples;
-    if (is_near(slanted, origin, box)) {
-      paint(slanted, origin, box, draw_row);
-    } else {
-      paint_far(slanted, origin, box, draw_row);
+  if (is_empty(box)) {
+    return;
+  }
+  const Slanted slanted(field, brush);
+  SlantedPoint first;
+  if (is_near(slanted, origin, box)) {
+    static_cast<void>(find_point(slanted, origin, box.x0, box.y0, first));
+    draw_stretched(slanted, first, box, sink);
+    return;
+  }
+  // Every pixel for itself.
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      if (find_point(slanted, origin, x, y, first) && slanted.may_show(first)) {
+        draw_stretched(slanted, first, {x, y, x + 1, y + 1}, sink);
+      }
     }
   }
 }

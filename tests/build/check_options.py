@@ -28,7 +28,7 @@ OPTIONS = {
     "INKCELL_FIELD_CELLS": ({"record of fields", "font of fields",
                              "packed font"},
                             ["FieldBand::", "FieldLeaves::",
-                             "draw_slanted_row", "Expansion::"]),
+                             "draw_slanted(", "Expansion::"]),
     "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells",
                                      "FieldBand::reduce"]),
     "INKCELL_FAST_ROWS": (set(), ["FieldBand::coverage_of_point"]),
