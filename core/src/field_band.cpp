@@ -250,7 +250,7 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
   const int32_t sign = leaf.sign;
   const auto value = [&](uint32_t i) __attribute__((always_inline)) {
     const ArcTerm term(leaf.field[i], leaf.place, scale_, sign);
-    return term.value(bend_shift_, sign);
+    return term.value(bend_shift(), sign);
   };
   int32_t least = value(0);
   if (leaf.count == 2) {

@@ -52,7 +52,7 @@ __attribute__((noinline)) Vector FieldLeaves::gradient(
     return normal_of(field);
   }
   const ArcTerm term(field, at, scale_, 0);
-  return bent(normal_of(field - 1), term.slope_q15(bend_shift_));
+  return bent(normal_of(field - 1), term.slope_q15(bend_shift()));
 }
 
 // The lesser of two values, rounded.

@@ -84,13 +84,12 @@ class FieldLeaves {
               int32_t reach_q22,
               int32_t step_q16) noexcept
       : scale_(scale),
-        bend_shift_(scale.bend_log2 + 5),
         reach_q22_(reach_q22),
         step_q16_(static_cast<uint32_t>(step_q16)),
         field_(field) {}
 
   const FieldScale& scale() const noexcept { return scale_; }
-  int32_t bend_shift() const noexcept { return bend_shift_; }
+  int32_t bend_shift() const noexcept { return scale_.bend_log2 + 5; }
 
   // The least of a leaf's values at a point, with the leaf's sign, or what is
   // left of three if they are nested. `number()` is the point's in its row; it
@@ -125,7 +124,6 @@ class FieldLeaves {
   }
 
   FieldScale scale_;
-  int32_t bend_shift_;
   int32_t reach_q22_;
   uint32_t step_q16_;
   const GlyphField& field_;

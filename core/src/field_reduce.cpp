@@ -47,13 +47,13 @@ __attribute__((noinline)) FieldBand::Side FieldBand::side_of(
   int32_t change_q14 = 0;  // what of this lies along the row
   if (arc_bit(field) != 0) {
     const ArcTerm term(field, all.middle, scale_, 0);
-    value_q22 = static_cast<uint32_t>(term.value(bend_shift_, 0));
-    slope_q14 = bent(normal_q14, term.slope_q15(bend_shift_));
+    value_q22 = static_cast<uint32_t>(term.value(bend_shift(), 0));
+    slope_q14 = bent(normal_q14, term.slope_q15(bend_shift()));
     const uint32_t way_q8 = (times(magnitude(nx), all.half_y_q8) +
                              times(magnitude(ny), all.half_x_q8)) >>
                             14;
     more_q14 = static_cast<uint32_t>(
-        wrapped(times(magnitude(term.bend), way_q8)) >> bend_shift_);
+        wrapped(times(magnitude(term.bend), way_q8)) >> bend_shift());
     reach_q22 +=
         kArcMarginQ22 + static_cast<uint32_t>(wrapped(more_q14 * way_q8) >> 1);
     change_q14 = (wrapped(times(magnitude(ny), more_q14)) >> 14) + kArcRiseQ14;

@@ -96,7 +96,7 @@ class FieldRow::Thirds {
       : row_(row),
         leaf_(leaf),
         far_q22_(way.far_q22),
-        way_{way.normal, with_sign(way.way_q8, leaf.sign), row.bend_shift_,
+        way_{way.normal, with_sign(way.way_q8, leaf.sign), row.bend_shift(),
              leaf.sign},
         number_(number) {}
 
