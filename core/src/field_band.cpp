@@ -10,6 +10,7 @@
 // the fields, which are known for all but the smallest leaves, allow.
 #include "field_band.hpp"
 
+#include "field_terms.hpp"
 #include "order.hpp"
 
 namespace inkcell {
@@ -48,25 +49,18 @@ struct OneTerm {
 
 // Two fields.
 template <typename Term>
-struct TwoTerms {
-  int32_t sign;
-  Term a;
-  Term b;
+struct TwoTerms : TwoFields<Term> {
+  using TwoFields<Term>::a;
+  using TwoFields<Term>::b;
 
   __attribute__((always_inline))
   TwoTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
-      : sign(leaf.sign),
-        a(leaf.field[0], leaf.place, leaves.scale(), sign),
-        b(leaf.field[1], leaf.place, leaves.scale(), sign) {}
+      : TwoFields<Term>(leaf, leaves.scale(), leaf.place) {}
 
   __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
                                                const FieldLeaf& leaf,
                                                uint32_t number) const noexcept {
-    const int32_t shift = leaves.bend_shift();
-    return with_sign(
-        leaves.least_of_two(leaf, a.value(shift, sign), b.value(shift, sign),
-                            RowNumber{number}),
-        sign);
+    return this->combined(leaves, leaf, RowNumber{number});
   }
   __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
     a.go_on(count);
@@ -85,27 +79,19 @@ struct TwoTerms {
 
 // Three fields.
 template <typename Term>
-struct ThreeTerms {
-  int32_t sign;
-  Term a;
-  Term b;
-  Term c;
+struct ThreeTerms : ThreeFields<Term> {
+  using ThreeFields<Term>::a;
+  using ThreeFields<Term>::b;
+  using ThreeFields<Term>::c;
 
   __attribute__((always_inline))
   ThreeTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
-      : sign(leaf.sign),
-        a(leaf.field[0], leaf.place, leaves.scale(), sign),
-        b(leaf.field[1], leaf.place, leaves.scale(), sign),
-        c(leaf.field[2], leaf.place, leaves.scale(), sign) {}
+      : ThreeFields<Term>(leaf, leaves.scale(), leaf.place) {}
 
   __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
                                                const FieldLeaf& leaf,
                                                uint32_t number) const noexcept {
-    const int32_t shift = leaves.bend_shift();
-    return with_sign(
-        leaves.least_of_three(leaf, a.value(shift, sign), b.value(shift, sign),
-                              c.value(shift, sign), RowNumber{number}),
-        sign);
+    return this->combined(leaves, leaf, RowNumber{number});
   }
   __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
     a.go_on(count);
@@ -347,7 +333,7 @@ bool FieldBand::cover(int32_t width,
           leaf.width = static_cast<uint8_t>(right);
           leaf.height = static_cast<uint8_t>(down);
           leaf.row = static_cast<uint8_t>(y);
-          leaf.skip_q15 = 0;
+          leaf.skip_q15 = leaf.all_outside = leaf.all_inside = 0;
           if (kObjectOrder && leaf.count != 0 && right + down >= kMinReduced) {
             reduce(leaf);
           }

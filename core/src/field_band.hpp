@@ -38,7 +38,7 @@ struct CoverageRamp {
   }
 };
 
-// Draws bands of points, a px apart.
+// Draws bands of points: here a px apart.
 class FieldBand : public FieldLeaves {
  public:
   // The most rows and columns of a band: what the stack can bear.

@@ -8,7 +8,7 @@
 #include "inkcell/row_map.hpp"
 #include "span_writer.hpp"
 
-// 0: upright cells of fields are drawn row by row and pixel after pixel,
+// 0: cells of fields are drawn row by row and pixel after pixel,
 // instead of in bands of rows in which each cell is met once, and which skip
 // what is saturated. Cells of samples are always drawn row by row.
 #ifndef INKCELL_OBJECT_ORDER

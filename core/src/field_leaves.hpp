@@ -17,7 +17,7 @@ namespace detail {
 // negated, so that there is only the least.
 struct FieldLeaf {
   const uint8_t* field[3];
-  PixelPlace place;  // of its first point in the row
+  PixelPlace place;  // of its first point in the row, or of one to be rounded
   uint8_t size_log2;
   uint8_t count;  // 0: saturated
   int8_t sign;
@@ -78,7 +78,7 @@ struct RowNumber {
 // Finds leaves, and combines what their fields say at a point.
 class FieldLeaves {
  public:
-  // `step_q16` is what a px is in u.
+  // `step_q16` is what a px is in u; of any value where no row is followed.
   FieldLeaves(const GlyphField& field,
               const FieldScale& scale,
               int32_t reach_q22,
@@ -92,8 +92,8 @@ class FieldLeaves {
   int32_t bend_shift() const noexcept { return scale_.bend_log2 + 5; }
 
   // The least of a leaf's values at a point, with the leaf's sign, or what is
-  // left of three if they are nested. `number()` is the point's in its row; it
-  // is called only where it matters.
+  // left of three if they are nested. `number()` says how many points behind
+  // leaf.place it lies; it is called only where it matters.
   template <typename Number>
   int32_t least_of_two(const FieldLeaf& leaf,
                        int32_t a,

@@ -62,7 +62,8 @@ __attribute__((noinline)) FieldBand::Side FieldBand::side_of(
   constexpr uint32_t kMost = 1 << 30;
   reach_q22 += times(magnitude(slope_q14.x), all.half_x_q8) +
                times(magnitude(slope_q14.y), all.half_y_q8);
-  const int32_t limit = wrapped(reach_q22 < kMost ? reach_q22 : kMost);
+  // Farther than that nothing is decided.
+  const int32_t limit = reach_q22 < kMost ? wrapped(reach_q22) : INT32_MAX;
   const int32_t value = with_sign(wrapped(value_q22), all.sign);
   if (value >= limit) {
     return Side::inside;

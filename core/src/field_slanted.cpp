@@ -13,102 +13,13 @@
 #include "field_slanted.hpp"
 
 #include "field_band.hpp"
+#include "field_terms.hpp"
 #include "field_turned.hpp"
+#include "point_terms.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
-
-// A line at any point, with the leaf's sign.
-struct LineAt {
-  int32_t nx_q14;
-  int32_t ny_q14;
-  uint32_t offset_q22;
-
-  LineAt() = default;
-
-  __attribute__((always_inline)) LineAt(const uint8_t* record,
-                                        const FieldScale& scale,
-                                        int32_t sign) noexcept {
-    namespace layout = format::fields;
-    nx_q14 = with_sign(load_i16(record + layout::kNormalX), sign);
-    ny_q14 = with_sign(load_i16(record + layout::kNormalY), sign);
-    offset_q22 = times(with_sign(load_i16(record + layout::kOffset), sign),
-                       scale.size_q8);
-  }
-
-  __attribute__((always_inline)) uint32_t plane_q22(
-      const PixelPlace& at) const noexcept {
-    return times(nx_q14, at.x_q8) + times(ny_q14, at.y_q8) + offset_q22;
-  }
-  __attribute__((always_inline)) int32_t value(const PixelPlace& at,
-                                               int32_t,
-                                               int32_t) const noexcept {
-    return wrapped(plane_q22(at));
-  }
-};
-
-// The same of an arc, or of a line that is treated like one.
-struct ArcAt {
-  LineAt plane;
-  uint32_t along_q22;  // of the origin; it and `bend` as in FieldTerm
-  int32_t bend;
-
-  ArcAt() = default;
-  __attribute__((always_inline))
-  ArcAt(const uint8_t* field, const FieldScale& scale, int32_t) noexcept
-      : plane(field - arc_bit(field), scale, 0), along_q22(0), bend(0) {
-    namespace layout = format::fields;
-    if (arc_bit(field) != 0) {
-      const uint8_t* const record = field - 1;
-      along_q22 =
-          (1 << 13) + times(load_i16(record + layout::kAlong), scale.size_q8);
-      bend =
-          (load_i16(record + layout::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
-    }
-  }
-
-  __attribute__((always_inline)) int32_t value(const PixelPlace& at,
-                                               int32_t bend_shift,
-                                               int32_t sign) const noexcept {
-    const auto along_q8 =
-        static_cast<uint32_t>(wrapped(along_q22 + times(plane.nx_q14, at.y_q8) -
-                                      times(plane.ny_q14, at.x_q8)) >>
-                              14);
-    const int32_t slope_q15 = wrapped(times(bend, along_q8)) >> bend_shift;
-    const int32_t sag_q22 = wrapped(times(slope_q15, along_q8)) >> 1;
-    return with_sign(
-        wrapped(plane.plane_q22(at) + static_cast<uint32_t>(sag_q22)), sign);
-  }
-};
-
-// A point that goes along the rows of a leaf.
-class Pen {
- public:
-  Pen(const Brush& brush, const SlantedPoint& at) noexcept
-      : x_q20_(at.x_q20),
-        y_q20_(at.y_q20),
-        right_x_q20_(static_cast<uint32_t>(brush.right().x_q20)),
-        right_y_q20_(static_cast<uint32_t>(brush.right().y_q20)) {}
-
-  __attribute__((always_inline)) PixelPlace place() const noexcept {
-    return {q8_of(x_q20_), q8_of(y_q20_)};
-  }
-  __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
-    x_q20_ += count * right_x_q20_;
-    y_q20_ += count * right_y_q20_;
-  }
-  void go_down(const Brush& brush) noexcept {
-    x_q20_ -= static_cast<uint32_t>(brush.up().x_q20);
-    y_q20_ -= static_cast<uint32_t>(brush.up().y_q20);
-  }
-
- private:
-  uint32_t x_q20_;
-  uint32_t y_q20_;
-  uint32_t right_x_q20_;
-  uint32_t right_y_q20_;
-};
 
 // One field along a row.
 template <typename Field>
@@ -127,66 +38,31 @@ struct OneAt : Pen {
   }
 };
 
-// Two fields.
-template <typename Field>
-struct TwoAt : Pen {
-  int32_t sign;
-  Field a;
-  Field b;
+// Tells where a point lies that may be near a vertex: first in a row of its
+// own.
+struct PlaceHere {
+  FieldLeaf& leaf;
+  const PixelPlace& at;
 
-  __attribute__((always_inline)) TwoAt(const Pen& pen,
-                                       const FieldLeaves& leaves,
-                                       const FieldLeaf& leaf) noexcept
-      : Pen(pen),
-        sign(leaf.sign),
-        a(leaf.field[0], leaves.scale(), sign),
-        b(leaf.field[1], leaves.scale(), sign) {}
-
-  __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
-                                               FieldLeaf& leaf,
-                                               uint32_t) const noexcept {
-    const PixelPlace at = place();
-    const int32_t shift = leaves.bend_shift();
-    const auto number = [&leaf, &at ]() __attribute__((always_inline)) {
-      leaf.place = at;
-      return uint32_t{0};
-    };
-    return with_sign(leaves.least_of_two(leaf, a.value(at, shift, sign),
-                                         b.value(at, shift, sign), number),
-                     sign);
+  __attribute__((always_inline)) uint32_t operator()() const noexcept {
+    leaf.place = at;
+    return 0;
   }
 };
 
-// Three fields.
-template <typename Field>
-struct ThreeAt : Pen {
-  int32_t sign;
-  Field a;
-  Field b;
-  Field c;
-
-  __attribute__((always_inline)) ThreeAt(const Pen& pen,
-                                         const FieldLeaves& leaves,
-                                         const FieldLeaf& leaf) noexcept
-      : Pen(pen),
-        sign(leaf.sign),
-        a(leaf.field[0], leaves.scale(), sign),
-        b(leaf.field[1], leaves.scale(), sign),
-        c(leaf.field[2], leaves.scale(), sign) {}
+// Two fields, or three.
+template <typename Fields>
+struct SomeAt : Pen, Fields {
+  __attribute__((always_inline)) SomeAt(const Pen& pen,
+                                        const FieldLeaves& leaves,
+                                        const FieldLeaf& leaf) noexcept
+      : Pen(pen), Fields(leaf, leaves.scale()) {}
 
   __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
                                                FieldLeaf& leaf,
                                                uint32_t) const noexcept {
     const PixelPlace at = place();
-    const int32_t shift = leaves.bend_shift();
-    const auto number = [&leaf, &at ]() __attribute__((always_inline)) {
-      leaf.place = at;
-      return uint32_t{0};
-    };
-    return with_sign(leaves.least_of_three(leaf, a.value(at, shift, sign),
-                                           b.value(at, shift, sign),
-                                           c.value(at, shift, sign), number),
-                     sign);
+    return this->combined(leaves, leaf, PlaceHere{leaf, at}, at);
   }
 };
 
@@ -214,14 +90,10 @@ struct AllAt : Pen {
     for (uint32_t i = 0; i < count; ++i) {
       values[i] = field[i].value(at, leaves.bend_shift(), sign);
     }
-    const auto number = [&leaf, &at] {
-      leaf.place = at;
-      return uint32_t{0};
-    };
     const int32_t least =
         count == 1 ? values[0]
                    : leaves.least_of_three(leaf, values[0], values[1],
-                                           values[2], number);
+                                           values[2], PlaceHere{leaf, at});
     return with_sign(least, sign);
   }
 };
@@ -255,8 +127,88 @@ inline uint32_t bits_between(int32_t begin, int32_t end) noexcept {
 }
 
 // In cells that are so wide rows are measured, and fields asked whether they
-// matter. [px]
+// matter: of upright cells (kMinReduced) it takes a little less. [px]
 constexpr uint32_t kMinWide = 6;
+
+// The points of a row that lie in a leaf, all in a rectangle of the glyph. [u,
+// Q16]
+struct LeafRow {
+  uint32_t across;  // how large the rectangle is
+  uint32_t high;
+  uint32_t x;  // of the first point, from the rectangle's corner
+  uint32_t y;
+  int32_t begin;
+  int32_t end;
+
+  __attribute__((always_inline)) bool holds(uint32_t at_x,
+                                            uint32_t at_y) const noexcept {
+    return at_x < across && at_y < high;
+  }
+  // Moves the end as far as points lie in the rectangle; the last one does, and
+  // lies here.
+  __attribute__((always_inline)) void stretch(const GlyphStep& right,
+                                              uint32_t at_x,
+                                              uint32_t at_y,
+                                              int32_t most) noexcept {
+    while (end != most) {
+      at_x += static_cast<uint32_t>(right.x_q16);
+      at_y += static_cast<uint32_t>(right.y_q16);
+      if (!holds(at_x, at_y)) {
+        break;
+      }
+      ++end;
+    }
+  }
+  // To the row below. False: no point of it below those of this row lies in the
+  // rectangle.
+  __attribute__((always_inline)) bool go_down(const GlyphStep& right,
+                                              const GlyphStep& up,
+                                              int32_t width) noexcept {
+    x -= static_cast<uint32_t>(up.x_q16);
+    y -= static_cast<uint32_t>(up.y_q16);
+    if (!find_begin(right)) {
+      return false;
+    }
+    find_end(right, width);
+    return true;
+  }
+
+ private:
+  __attribute__((always_inline)) bool find_begin(
+      const GlyphStep& right) noexcept {
+    const auto step_x = static_cast<uint32_t>(right.x_q16);
+    const auto step_y = static_cast<uint32_t>(right.y_q16);
+    if (holds(x, y)) {
+      while (begin != 0 && holds(x - step_x, y - step_y)) {
+        x -= step_x;
+        y -= step_y;
+        --begin;
+      }
+      return true;
+    }
+    do {
+      x += step_x;
+      y += step_y;
+      ++begin;
+    } while (begin != end && !holds(x, y));
+    return begin != end;
+  }
+  __attribute__((always_inline)) void find_end(const GlyphStep& right,
+                                               int32_t width) noexcept {
+    const auto last = static_cast<uint32_t>(end - 1 - begin);
+    uint32_t end_x = x + times(right.x_q16, last);
+    uint32_t end_y = y + times(right.y_q16, last);
+    if (holds(end_x, end_y)) {
+      stretch(right, end_x, end_y, width);
+      return;
+    }
+    do {
+      end_x -= static_cast<uint32_t>(right.x_q16);
+      end_y -= static_cast<uint32_t>(right.y_q16);
+      --end;
+    } while (!holds(end_x, end_y));
+  }
+};
 
 // Draws bands of points that are a brush's step apart.
 class SlantedBand : public FieldBand {
@@ -332,10 +284,7 @@ __attribute__((noinline)) void SlantedBand::follow(
     uint32_t* todo) const noexcept {
   const GlyphStep& right = slanted_.brush.right();
   const GlyphStep& up = slanted_.brush.up();
-  const auto right_x = static_cast<uint32_t>(right.x_q16);
-  const auto right_y = static_cast<uint32_t>(right.y_q16);
-  // The part of the square that may show: how wide it is, and where the point
-  // lies in it, from its corner.
+  // The part of the square that may show.
   const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
   const auto meet = [mask](uint32_t place, uint32_t low, uint32_t length,
                            uint32_t& at) noexcept {
@@ -344,71 +293,27 @@ __attribute__((noinline)) void SlantedBand::follow(
     return at + lesser(~place & mask, length - 1 - way) + 1;
   };
   const Window& limits = slanted_.limits;
-  uint32_t x;
-  uint32_t y;
-  const uint32_t across = meet(x_q16, limits.left_q16, limits.width_q16, x);
-  const uint32_t high = meet(y_q16, limits.low_q16, limits.height_q16, y);
-  int32_t begin = leaf.spans[0].begin;
-  int32_t end = begin + 1;
+  LeafRow row;
+  row.across = meet(x_q16, limits.left_q16, limits.width_q16, row.x);
+  row.high = meet(y_q16, limits.low_q16, limits.height_q16, row.y);
+  row.begin = leaf.spans[0].begin;
   if (size_q18(leaf) >= kMinWide << 18) {
     const uint32_t steps = slanted_.across.steps_within(
-        x, across, static_cast<uint32_t>(width - end));
-    end += static_cast<int32_t>(slanted_.up.steps_within(y, high, steps));
+        row.x, row.across, static_cast<uint32_t>(width - 1 - row.begin));
+    row.end =
+        row.begin + 1 +
+        static_cast<int32_t>(slanted_.up.steps_within(row.y, row.high, steps));
   } else {
-    uint32_t end_x = x + right_x;
-    uint32_t end_y = y + right_y;
-    while (end != width && end_x < across && end_y < high) {
-      ++end;
-      end_x += right_x;
-      end_y += right_y;
-    }
+    row.end = row.begin + 1;
+    row.stretch(right, row.x, row.y, width);
   }
-  int32_t row = 0;
-  while (true) {
-    leaf.spans[row] = {static_cast<uint8_t>(begin), static_cast<uint8_t>(end)};
-    todo[row] &= ~bits_between(begin, end);
-    if (++row == height) {
-      break;
-    }
-    x -= static_cast<uint32_t>(up.x_q16);
-    y -= static_cast<uint32_t>(up.y_q16);
-    if (x < across && y < high) {
-      while (begin != 0 && x - right_x < across && y - right_y < high) {
-        x -= right_x;
-        y -= right_y;
-        --begin;
-      }
-    } else {
-      do {
-        x += right_x;
-        y += right_y;
-        ++begin;
-      } while (begin != end && (x >= across || y >= high));
-      if (begin == end) {
-        break;
-      }
-    }
-    const auto last = static_cast<uint32_t>(end - 1 - begin);
-    uint32_t end_x = x + last * right_x;
-    uint32_t end_y = y + last * right_y;
-    if (end_x < across && end_y < high) {
-      while (end != width) {
-        end_x += right_x;
-        end_y += right_y;
-        if (end_x >= across || end_y >= high) {
-          break;
-        }
-        ++end;
-      }
-    } else {
-      do {
-        end_x -= right_x;
-        end_y -= right_y;
-        --end;
-      } while (end_x >= across || end_y >= high);
-    }
-  }
-  leaf.height = static_cast<uint8_t>(row);
+  int32_t rows = 0;
+  do {
+    leaf.spans[rows] = {static_cast<uint8_t>(row.begin),
+                        static_cast<uint8_t>(row.end)};
+    todo[rows] &= ~bits_between(row.begin, row.end);
+  } while (++rows != height && row.go_down(right, up, width));
+  leaf.height = static_cast<uint8_t>(rows);
 }
 
 // What matters of a leaf in the box around its points, as far as that lies in
@@ -426,6 +331,7 @@ __attribute__((noinline)) void SlantedBand::reduce_at(
   const int32_t last = end - 1 - leaf.spans[0].begin;
   const int32_t down = leaf.height - 1;
   const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
+  // Leaves of 2048 u may wrap: none keeps the format's limits.
   const auto px_q8 = [this](uint32_t way_q16) noexcept {
     return static_cast<int32_t>(((way_q16 >> 10) * (scale_.size_q8 >> 2)) >>
                                 14);
@@ -482,7 +388,7 @@ __attribute__((always_inline)) inline void SlantedBand::paint(
 template <typename Terms>
 __attribute__((noinline)) void SlantedBand::paint_as(
     SlantedLeaf& leaf, const SlantedPoint& at) const noexcept {
-  Terms terms(Pen(slanted_.brush, at), *this, leaf);
+  Terms terms(Pen(slanted_.brush, at.x_q20, at.y_q20), *this, leaf);
   paint(terms, leaf);
 }
 
@@ -508,20 +414,20 @@ inline void SlantedBand::paint_leaf(SlantedLeaf& leaf,
     }
   } else if (leaf.count == 2) {
     if (leaf.has_lines(2)) {
-      paint_as<TwoAt<LineAt>>(leaf, at);
+      paint_as<SomeAt<TwoFields<LineAt>>>(leaf, at);
     } else {
-      paint_as<TwoAt<ArcAt>>(leaf, at);
+      paint_as<SomeAt<TwoFields<ArcAt>>>(leaf, at);
     }
   } else if (leaf.has_lines(3)) {
-    paint_as<ThreeAt<LineAt>>(leaf, at);
+    paint_as<SomeAt<ThreeFields<LineAt>>>(leaf, at);
   } else {
-    paint_as<ThreeAt<ArcAt>>(leaf, at);
+    paint_as<SomeAt<ThreeFields<ArcAt>>>(leaf, at);
   }
 }
 
 __attribute__((noinline)) void SlantedBand::paint_stretched(
     SlantedLeaf& leaf, const SlantedPoint& at) const noexcept {
-  StretchedAt stretched(Pen(slanted_.brush, at), *stretching_);
+  StretchedAt stretched(Pen(slanted_.brush, at.x_q20, at.y_q20), *stretching_);
   paint(stretched, leaf);
 }
 
@@ -532,7 +438,6 @@ __attribute__((noinline)) bool SlantedBand::cover(
     int32_t height,
     Pixels& pixels) const noexcept {
   const Brush& brush = slanted_.brush;
-  height = rows_of(height);
   pixels.clear(height);
   uint32_t todo[kRows];
   for (int32_t y = 0; y < height; ++y) {
@@ -565,7 +470,7 @@ __attribute__((noinline)) bool SlantedBand::cover(
                                row.x_q20 + times(right.x_q20, before),
                                row.y_q20 + times(right.y_q20, before)};
       leaf.line = pixels.row(y) + x;
-      leaf.skip_q15 = 0;
+      leaf.skip_q15 = leaf.all_outside = leaf.all_inside = 0;
       if (kObjectOrder && may_reduce_ && leaf.count != 0 &&
           size_q18(leaf) >= kMinWide << 18) {
         reduce_at(leaf, at);

@@ -72,7 +72,10 @@ struct AxisStep {
       return 0;
     }
     const uint32_t way = falls ? at - width : ~at;  // less one
-    return way >> 31 != 0 ? most : lesser(steps_in(way, most) + 1, most);
+    // Behind it, or so far before it that this many, of 256 u at the most, do
+    // not lead there.
+    constexpr uint32_t kFew = 120;
+    return lesser(way >> 31 != 0 ? kFew : steps_in(way, most) + 1, most);
   }
 };
 

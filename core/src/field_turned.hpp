@@ -1,4 +1,4 @@
-// Slanted rows: glyphs that do not stand upright.
+// Glyphs that do not stand upright.
 #pragma once
 
 #include <stdint.h>

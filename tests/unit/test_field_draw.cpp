@@ -202,6 +202,71 @@ TEST(fields_equal_the_plain_chain) {
   CHECK(grey > rounds);
 }
 
+namespace {
+
+// Stretched to `most_q16` px along the falling diagonal and to `least_q16`
+// along the rising one.
+Brush stretched_brush(int32_t most_q16,
+                      int32_t least_q16,
+                      const Filter& filter) {
+  const auto diagonal = [](int32_t px_q16) {
+    return static_cast<int32_t>((int64_t{px_q16} * 46341) >> 16);
+  };
+  const int32_t most = diagonal(most_q16);
+  const int32_t least = diagonal(least_q16);
+  Brush brush;
+  CHECK_OK(Brush::make({Q16_16::from_raw(-most), Q16_16::from_raw(least),
+                        Q16_16::from_raw(most), Q16_16::from_raw(least)},
+                       filter, brush));
+  return brush;
+}
+
+// A leaf of 256 u and one or two lines, about along a diagonal, that lie 256 u
+// or a little more from its middle.
+void make_far_lines(Random& random) {
+  record = FieldRecord();
+  record.linked = random.below(2) == 0;
+  record.x0_u = static_cast<int16_t>(random.between(-300, 100));
+  record.y0_u = static_cast<int16_t>(random.between(-300, 100));
+  record.line_count = 2;
+  record.pair_count = 1;
+  record.pairs[0][1] = 1;
+  for (uint32_t i = 0; i < 2; ++i) {
+    FieldRecord::Field& field = record.fields[i];
+    const int32_t turn = random.between(-160, 160);
+    const int32_t x_sign = random.below(2) == 0 ? 1 : -1;
+    const int32_t y_sign = random.below(2) == 0 ? 1 : -1;
+    field.nx = x_sign * (11585 + turn);
+    field.ny = y_sign * (11585 - turn);
+    const int32_t way_q4 = random.between(256 * 16, 260 * 16);
+    const int32_t middle_q4 =
+        (field.nx * (record.x0_u + 128) + field.ny * (record.y0_u + 128)) >> 10;
+    field.c = (random.below(2) == 0 ? way_q4 : -way_q4) - middle_q4;
+  }
+  record.references[0] = random.below(2) == 0 ? record.field_reference(0)
+                                              : record.pair_reference(0);
+}
+
+}  // namespace
+
+// A px there is many px of the brush's size, and fields matter far away.
+TEST(strongly_stretched_fields_equal_the_plain_chain) {
+  Random random(47);
+  int grey = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 20 : 2000;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    make_far_lines(random);
+    const Brush brush =
+        stretched_brush(random.between(1000 << 16, (1023 << 16) + 60000),
+                        random.between(5 << 16, 7 << 16), kFilterPaperBody);
+    const GlyphField field = open();
+    for (int i = 0; i < 4; ++i) {
+      grey += check_windows(field, brush, random);
+    }
+  }
+  CHECK(grey > rounds / 4);
+}
+
 // Ramps that lie on one side of the edge.
 constexpr Filter kFilterInside =
     make_filter({Q6_10::from_raw(100), Q6_10::from_raw(500)});

@@ -251,6 +251,73 @@ TEST(strips_do_not_change_the_picture) {
   check_strips(53 * 64 + 5);   // and cell by cell
 }
 
+namespace {
+
+// Of all that is drawn.
+uint32_t sum_in(const GlyphField& field,
+                const Brush& brush,
+                const Rect& window) {
+  uint32_t sum = 0;
+  const Sink sink = {window, &sum,
+                     [](void* context, int32_t x, int32_t y,
+                        const uint8_t* coverage, int32_t count) {
+                       for (int32_t i = 0; i < count; ++i) {
+                         *static_cast<uint32_t*>(context) +=
+                             coverage[i] *
+                             static_cast<uint32_t>(7 * (x + i) + y);
+                       }
+                     },
+                     [](void* context, int32_t x, int32_t y, int32_t count) {
+                       for (int32_t i = 0; i < count; ++i) {
+                         *static_cast<uint32_t*>(context) +=
+                             255 * static_cast<uint32_t>(7 * (x + i) + y);
+                       }
+                     }};
+  draw_field(field, brush, {}, sink);
+  return sum;
+}
+
+// A column of 90 saturated tiles at the end of what grids may reach.
+GlyphField far_column() {
+  constexpr uint32_t kTiles = 90;
+  constexpr int32_t kLeft = 15104;
+  constexpr int32_t kLow = -7680;
+  static uint8_t column[12 + 2 * kTiles] = {1, 8};
+  font_builder::put_u16(column + 2, kLeft);
+  font_builder::put_u16(column + 4, static_cast<uint16_t>(kLow));
+  column[6] = 1;
+  column[7] = kTiles;
+  for (uint32_t i = 0; i < kTiles; ++i) {
+    font_builder::put_u16(column + 12 + 2 * i, format::glyph::kInside);
+  }
+  GlyphField field;
+  CHECK_OK(GlyphField::open({column, sizeof(column)}, field));
+  return field;
+}
+
+}  // namespace
+
+// A row may be a whole grid away from the glyph where it begins, and more.
+TEST(rows_may_begin_far_from_the_grid) {
+  const GlyphField field = far_column();
+  for (int32_t lean = -240; lean <= 240; lean += 24) {
+    Brush brush;
+    CHECK_OK(Brush::make({Q16_16::from_int(30), Q16_16::from_int(0),
+                          Q16_16::from_int(lean), Q16_16::from_int(60)},
+                         kFilterText, brush));
+    const int32_t x = 15232 * 30 / 1024;
+    const Rect all = {x - 47000 * 30 / 1024, -20, x + 400, 20};
+    const uint32_t whole = sum_in(field, brush, all);
+    CHECK(whole != 0);
+    uint32_t parts = 0;
+    for (int32_t x0 = all.x0; x0 < all.x1; x0 += 60) {
+      parts +=
+          sum_in(field, brush, intersect(all, {x0, all.y0, x0 + 60, all.y1}));
+    }
+    CHECK_EQ(parts, whole);
+  }
+}
+
 // Turned by quarters about a pixel corner the same points are sampled.
 TEST(quarter_turns_turn_the_picture) {
   const GlyphField field = field_of(font_builder::bar);

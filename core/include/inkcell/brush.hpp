@@ -122,7 +122,7 @@ class Brush {
   /// edges are as sharp in all directions; a font is good where both stretches
   /// lie in its range.
   ///
-  /// Costs as much as turned text; up to twice that where the two stretches
+  /// Costs as much as turned text; about twice that where the two stretches
   /// differ.
   static Status make(const Matrix& matrix,
                      const Filter& filter,
