@@ -86,7 +86,7 @@ Status Brush::set_size(const Stretch& stretch, const Filter& filter) noexcept {
   while (uint32_t{64} << log2 < size_q6) {
     ++log2;
   }
-  bend_log2_ = static_cast<uint8_t>(log2);
+  bend_shift_ = static_cast<uint8_t>(log2 + 5);
   bend_q14_ = static_cast<uint16_t>(over_q32 >> (12 - log2));
   // u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
   right_.x_q16 = static_cast<int32_t>(over_q32);

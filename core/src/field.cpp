@@ -193,7 +193,7 @@ Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
   }
   const FieldTerms terms = terms_at(field, cell, x, y);
   return Q22_10::from_raw(
-      combine_q22(terms, kScaleOfUnits.bend_log2, detail::kNoReach) >> 12);
+      combine_q22(terms, kScaleOfUnits.bend_shift, detail::kNoReach) >> 12);
 }
 
 Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
@@ -207,7 +207,7 @@ Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept {
   }
   if (detail::has_fields(field)) {
     return detail::combined_gradient(terms_at(field, cell, x, y),
-                                     kScaleOfUnits.bend_log2);
+                                     kScaleOfUnits.bend_shift);
   }
   const int shift = cell.size_log2 + 2;
   const int32_t tx = (x.raw - cell.x0_u * (1 << 16)) >> shift;

@@ -100,7 +100,7 @@ int32_t least_q22(int32_t a_q22,
                   const FieldTerm& a_term,
                   int32_t b_q22,
                   const FieldTerm& b_term,
-                  int32_t bend_log2,
+                  int32_t bend_shift,
                   int32_t reach_q22) noexcept {
   const bool in_order = a_q22 <= b_q22;
   const int32_t lesser = in_order ? a_q22 : b_q22;
@@ -109,8 +109,8 @@ int32_t least_q22(int32_t a_q22,
     return lesser;
   }
   return rounded_q22(
-      lesser, gradient_q14(in_order ? a_term : b_term, bend_log2), greater,
-      gradient_q14(in_order ? b_term : a_term, bend_log2));
+      lesser, gradient_q14(in_order ? a_term : b_term, bend_shift), greater,
+      gradient_q14(in_order ? b_term : a_term, bend_shift));
 }
 
 int32_t negated(int32_t value) noexcept {
@@ -136,11 +136,11 @@ bool is_nested(FieldOperator op) noexcept {
 
 // `terms` are two or three.
 LastTwo last_two(const FieldTerms& terms,
-                 int32_t bend_log2,
+                 int32_t bend_shift,
                  int32_t reach_q22) noexcept {
   int32_t value[3];
   for (uint32_t i = 0; i < terms.count; ++i) {
-    const int32_t plain = terms.term[i].value_q22(bend_log2);
+    const int32_t plain = terms.term[i].value_q22(bend_shift);
     value[i] = is_negated(terms.op) ? negated(plain) : plain;
   }
   const FieldTerm* term = terms.term;
@@ -150,7 +150,7 @@ LastTwo last_two(const FieldTerms& terms,
   if (is_nested(terms.op)) {
     const int32_t inner =
         negated(least_q22(negated(value[1]), term[1], negated(value[2]),
-                          term[2], bend_log2, reach_q22));
+                          term[2], bend_shift, reach_q22));
     return {value[0], inner, term, value[1] >= value[2] ? term + 1 : term + 2};
   }
   // Without the greatest.
@@ -243,10 +243,10 @@ int32_t rounded_q22(int32_t lesser_q22,
 }
 
 int32_t combine_q22(const FieldTerms& terms,
-                    int32_t bend_log2,
+                    int32_t bend_shift,
                     int32_t reach_q22) noexcept {
   const FieldTerm* term = terms.term;
-  const int32_t first = term[0].value_q22(bend_log2);
+  const int32_t first = term[0].value_q22(bend_shift);
   if (terms.count == 1) {
     return first;
   }
@@ -254,25 +254,25 @@ int32_t combine_q22(const FieldTerms& terms,
   const bool is_greatest = is_negated(terms.op);
   LastTwo two = {};
   if (terms.count == 2) {
-    const int32_t second = term[1].value_q22(bend_log2);
+    const int32_t second = term[1].value_q22(bend_shift);
     two = is_greatest ? LastTwo{negated(first), negated(second), term, term + 1}
                       : LastTwo{first, second, term, term + 1};
   } else {
-    two = last_two(terms, bend_log2, reach_q22);
+    two = last_two(terms, bend_shift, reach_q22);
   }
   const int32_t least = least_q22(two.a_q22, *two.a_term, two.b_q22,
-                                  *two.b_term, bend_log2, reach_q22);
+                                  *two.b_term, bend_shift, reach_q22);
   return is_greatest ? negated(least) : least;
 }
 
 Gradient combined_gradient(const FieldTerms& terms,
-                           int32_t bend_log2) noexcept {
+                           int32_t bend_shift) noexcept {
   if (terms.count == 1) {
-    return unit_vector(gradient_q14(terms.term[0], bend_log2));
+    return unit_vector(gradient_q14(terms.term[0], bend_shift));
   }
-  const LastTwo two = last_two(terms, bend_log2, kNoReach);
-  const Vector g = gradient_q14(*two.a_term, bend_log2);
-  const Vector h = gradient_q14(*two.b_term, bend_log2);
+  const LastTwo two = last_two(terms, bend_shift, kNoReach);
+  const Vector g = gradient_q14(*two.a_term, bend_shift);
+  const Vector h = gradient_q14(*two.b_term, bend_shift);
   Cone cone;
   if (is_rounded(two, g, h, cone)) {
     const int32_t a = -cone.a_bc_q14 >> 15;
@@ -287,7 +287,7 @@ Gradient combined_gradient(const FieldTerms& terms,
         {terms.term[1], terms.term[2]},
         2,
         is_negated(terms.op) ? FieldOperator::least : FieldOperator::greatest};
-    return combined_gradient(inner, bend_log2);  // which is not nested
+    return combined_gradient(inner, bend_shift);  // which is not nested
   }
   return unit_vector(h);
 }

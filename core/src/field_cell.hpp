@@ -18,13 +18,14 @@ namespace detail {
 
 // What turns the numbers of a record into px.
 struct FieldScale {
-  uint32_t size_q8;   // px to the em
-  int32_t bend_q14;   // 2^bend_log2 over the px to the em: 1 to 2
-  int32_t bend_log2;  // 2^bend_log2 px is the first power that holds an em
+  uint32_t size_q8;    // px to the em
+  int32_t bend_q14;  // 2^(bend_shift - 5) over the px to the em: 1 to 2
+  // 5 and the log2 of the first power of two, in px, that holds an em.
+  int32_t bend_shift;
 };
 
 // An em of 1024 px, where a px is a u.
-inline constexpr FieldScale kScaleOfUnits = {1024 << 8, 1 << 14, 10};
+inline constexpr FieldScale kScaleOfUnits = {1024 << 8, 1 << 14, 15};
 
 // A distance that no rounding leaves alone.
 inline constexpr int32_t kNoReach = INT32_MAX;
@@ -62,20 +63,20 @@ struct FieldTerm {
   // k w, half the slope along the field that the bend adds.
   //
   // k is K 2^-19 / u and w is along_q8 2^-8 px, so that k w = K along_q8 2^-17
-  // / size. `bend` is K 2^(bend_log2 + 3) / size: K in Q3, divided by the size
+  // / size. `bend` is K 2^(bend_shift - 2) / size: K in Q3, divided by the size
   // but for a power of two.
-  int32_t slope_q15(int32_t bend_log2) const noexcept {
+  int32_t slope_q15(int32_t bend_shift) const noexcept {
     return wrapped(times(bend, static_cast<uint32_t>(along_q8()))) >>
-           (bend_log2 + 5);
+           bend_shift;
   }
 
   // The field's value. [px]
-  int32_t value_q22(int32_t bend_log2) const noexcept {
+  int32_t value_q22(int32_t bend_shift) const noexcept {
     if (bend == 0) {
       return wrapped(plane_q22);
     }
     const uint32_t along = static_cast<uint32_t>(along_q8());
-    const int32_t sag_q23 = wrapped(times(slope_q15(bend_log2), along));
+    const int32_t sag_q23 = wrapped(times(slope_q15(bend_shift), along));
     return wrapped(plane_q22 + static_cast<uint32_t>(sag_q23 >> 1));
   }
 
@@ -400,10 +401,10 @@ inline Vector bent(Vector normal_q14, int32_t slope_q15) noexcept {
 }
 
 // The gradient of a field at a point, as set_up_term has them. [Q14]
-inline Vector gradient_q14(const FieldTerm& term, int32_t bend_log2) noexcept {
+inline Vector gradient_q14(const FieldTerm& term, int32_t bend_shift) noexcept {
   const Vector normal_q14 = {term.nx_q14, term.ny_q14};
   return term.bend == 0 ? normal_q14
-                        : bent(normal_q14, term.slope_q15(bend_log2));
+                        : bent(normal_q14, term.slope_q15(bend_shift));
 }
 
 // The lesser of two values, below 0, as it is rounded at the vertex of the two
@@ -417,11 +418,12 @@ int32_t rounded_q22(int32_t lesser_q22,
 // The cell's distance, with vertices rounded where that changes a result
 // between -reach_q22 and reach_q22. [px, Q22]
 int32_t combine_q22(const FieldTerms& terms,
-                    int32_t bend_log2,
+                    int32_t bend_shift,
                     int32_t reach_q22) noexcept;
 
 // The gradient of that distance, of unit length.
-Gradient combined_gradient(const FieldTerms& terms, int32_t bend_log2) noexcept;
+Gradient combined_gradient(const FieldTerms& terms,
+                           int32_t bend_shift) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

@@ -64,7 +64,7 @@ int32_t fields_distance_q10(const GlyphField& field,
   FieldTerms terms;
   set_up_terms(terms, field, cell, q8_of(at.x_q20), q8_of(at.y_q20),
                scale_of(brush));
-  return combine_q22(terms, brush.bend_log2(), reach_q22) >> 12;
+  return combine_q22(terms, brush.bend_shift(), reach_q22) >> 12;
 }
 
 }  // namespace detail

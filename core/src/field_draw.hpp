@@ -29,7 +29,7 @@ inline constexpr bool kFastRows = INKCELL_FAST_ROWS != 0;
 
 inline FieldScale scale_of(const Brush& brush) noexcept {
   return {static_cast<uint32_t>(brush.size().raw) << 2, brush.bend_q14(),
-          brush.bend_log2()};
+          brush.bend_shift()};
 }
 
 // The centre of a pixel in the glyph, in the two units that it takes to find a

@@ -89,7 +89,7 @@ class FieldLeaves {
         field_(field) {}
 
   const FieldScale& scale() const noexcept { return scale_; }
-  int32_t bend_shift() const noexcept { return scale_.bend_log2 + 5; }
+  int32_t bend_shift() const noexcept { return scale_.bend_shift; }
 
   // The least of a leaf's values at a point, with the leaf's sign, or what is
   // left of three if they are nested. `number()` says how many points behind

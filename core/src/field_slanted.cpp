@@ -22,9 +22,8 @@ namespace detail {
 namespace {
 
 // One field along a row.
-template <typename Field>
 struct OneAt : Pen {
-  Field a;
+  ArcAt a;
 
   __attribute__((always_inline)) OneAt(const Pen& pen,
                                        const FieldLeaves& leaves,
@@ -407,11 +406,8 @@ inline void SlantedBand::paint_leaf(SlantedLeaf& leaf,
   } else if constexpr (!kFastRows) {
     paint_as<AllAt>(leaf, at);
   } else if (leaf.count == 1) {
-    if (leaf.has_lines(1)) {
-      paint_as<OneAt<LineAt>>(leaf, at);
-    } else {
-      paint_as<OneAt<ArcAt>>(leaf, at);
-    }
+    // Lines, too: a loop of their own is 1 % faster at 96 px, for 340 bytes.
+    paint_as<OneAt>(leaf, at);
   } else if (leaf.count == 2) {
     if (leaf.has_lines(2)) {
       paint_as<SomeAt<TwoFields<LineAt>>>(leaf, at);
@@ -491,7 +487,7 @@ int32_t stretched_value(const Stretching& stretching,
                         const FieldLeaves& leaves,
                         const FieldLeaf& leaf,
                         const PixelPlace& at) {
-  const int32_t bend_log2 = leaves.scale().bend_log2;
+  const int32_t bend_shift = leaves.scale().bend_shift;
   const int32_t far_q22 = stretching.far_q22;
   const int32_t sign = leaf.sign;
   FieldTerms terms;
@@ -505,7 +501,7 @@ int32_t stretched_value(const Stretching& stretching,
     const uint8_t* const field = leaf.field[i];
     set_up_term(term, field - arc_bit(field), arc_bit(field) != 0, at.x_q8,
                 at.y_q8, leaves.scale());
-    const int32_t value_q22 = with_sign(term.value_q22(bend_log2), sign);
+    const int32_t value_q22 = with_sign(term.value_q22(bend_shift), sign);
     if (value_q22 <= -far_q22 && (i == 0 || !leaf.is_nested)) {
       return with_sign(value_q22, sign);
     }
@@ -515,7 +511,8 @@ int32_t stretched_value(const Stretching& stretching,
     return with_sign(least_q22, sign);
   }
   stretch_terms(stretching.brush, far_q22, terms);
-  const int32_t value_q22 = combine_q22(terms, bend_log2, stretching.reach_q22);
+  const int32_t value_q22 =
+      combine_q22(terms, bend_shift, stretching.reach_q22);
   return lesser(greater(value_q22, -far_q22), far_q22);
 }
 

@@ -149,15 +149,15 @@ int32_t far_q22(const Brush& brush, int32_t reach_q22) noexcept {
 void stretch_terms(const Brush& brush,
                    int32_t far_q22,
                    FieldTerms& terms) noexcept {
-  const int32_t bend_log2 = brush.bend_log2();
+  const int32_t bend_shift = brush.bend_shift();
   for (uint32_t i = 0; i < terms.count; ++i) {
     FieldTerm& term = terms.term[i];
-    const int32_t value_q22 = term.value_q22(bend_log2);
+    const int32_t value_q22 = term.value_q22(bend_shift);
     const bool is_far = value_q22 >= far_q22 || value_q22 <= -far_q22;
     Gain gain = {};
     Vector normal_q14 = {0, 0};
     if (!is_far) {
-      const Vector gradient = gradient_q14(term, bend_log2);
+      const Vector gradient = gradient_q14(term, bend_shift);
       if (is_unit(gradient)) {
         gain = gain_of(brush, gradient);
         normal_q14 = gain.unit_q14;
@@ -192,7 +192,7 @@ int32_t stretched_fields_q10(const GlyphField& field,
   set_up_terms(terms, field, cell, q8_of(at.x_q20), q8_of(at.y_q20),
                scale_of(brush));
   stretch_terms(brush, far_q22(brush, reach_q22), terms);
-  return combine_q22(terms, brush.bend_log2(), reach_q22) >> 12;
+  return combine_q22(terms, brush.bend_shift(), reach_q22) >> 12;
 }
 
 int32_t stretched_samples_q10(const GlyphField& field,

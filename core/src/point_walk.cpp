@@ -99,13 +99,13 @@ void PointWalk::go_to(const FieldPosition& at) noexcept {
 }
 
 int32_t PointWalk::fields_q10(const FieldPosition& at) const noexcept {
-  const int32_t bend_log2 = brush_.bend_log2();
+  const int32_t bend_shift = brush_.bend_shift();
   if (terms_.count == 1) {
     return term_at(terms_.term[0], q8_of(at.x_q20), q8_of(at.y_q20))
-               .value_q22(bend_log2) >>
+               .value_q22(bend_shift) >>
            12;
   }
-  return combine_q22(terms_at(terms_, at), bend_log2, reach_q22_) >> 12;
+  return combine_q22(terms_at(terms_, at), bend_shift, reach_q22_) >> 12;
 }
 
 int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
@@ -127,18 +127,17 @@ int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
 bool PointWalk::are_fields_plane(const FieldPosition& at,
                                  int32_t radius_q10) const noexcept {
   constexpr int32_t kMaxSagQ22 = 1 << 17;
-  const int32_t bend_log2 = brush_.bend_log2();
+  const int32_t bend_shift = brush_.bend_shift();
   if (terms_.count == 1) {
     const int32_t radius_q8 = radius_q10 >> 2;
-    const int32_t slope_q15 =
-        (terms_.term[0].bend * radius_q8) >> (bend_log2 + 5);
+    const int32_t slope_q15 = (terms_.term[0].bend * radius_q8) >> bend_shift;
     const int32_t sag_q22 = (slope_q15 * radius_q8) >> 1;
     return sag_q22 < kMaxSagQ22 && sag_q22 > -kMaxSagQ22;
   }
   const FieldTerms terms = terms_at(terms_, at);
   int64_t value[3];
   for (uint32_t i = 0; i < terms.count; ++i) {
-    value[i] = terms.term[i].value_q22(bend_log2);
+    value[i] = terms.term[i].value_q22(bend_shift);
   }
   const int64_t apart = int64_t{radius_q10} << 13;
   const auto differ = [&value, apart](uint32_t i, uint32_t j) noexcept {
@@ -229,7 +228,7 @@ ScreenGradient PointWalk::gradient(const FieldPosition& at) noexcept {
   }
   Gradient gradient;
   if (is_of_fields()) {
-    gradient = combined_gradient(terms_at(terms_, at), brush_.bend_log2());
+    gradient = combined_gradient(terms_at(terms_, at), brush_.bend_shift());
   } else {
     gradient = gradient_at(field_, Q16_16::from_raw(at.x_q16),
                            Q16_16::from_raw(at.y_q16));

@@ -86,7 +86,7 @@ struct ArcTerm {
     }
   }
 
-  // FieldTerm::slope_q15; `bend_shift` is bend_log2 + 5.
+  // FieldTerm::slope_q15.
   __attribute__((always_inline)) int32_t slope_q15(
       int32_t bend_shift) const noexcept {
     return wrapped(times(bend, along_q8())) >> bend_shift;

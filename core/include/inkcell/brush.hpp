@@ -215,11 +215,11 @@ class Brush {
   int32_t step_along_q16() const noexcept { return right_.x_q16; }
   int32_t step_across_q16() const noexcept { return up_.x_q16; }
 
-  /// Two to the power of bend_log2() are the least px that hold an em; over the
-  /// size they are bend_q14(), one to two. What curvature in u takes to become
-  /// one in px without a division. [Q14]
+  /// Two to the power of bend_shift() - 5 are the least px that hold an em;
+  /// over the size they are bend_q14(), one to two. What curvature in u takes
+  /// to become one in px without a division. [Q14]
   int32_t bend_q14() const noexcept { return bend_q14_; }
-  int32_t bend_log2() const noexcept { return bend_log2_; }
+  int32_t bend_shift() const noexcept { return bend_shift_; }
 
   /// A distance in u as one in px, clamped to +-32 px. [Q10 -> Q10]
   int32_t to_px_q10(int32_t distance_u_q10) const noexcept {
@@ -272,7 +272,7 @@ class Brush {
   int32_t opaque_u_q10_ = 32768;
   uint16_t bend_q14_ = 1 << 14;
   uint16_t least_gain_q15_ = 1 << 15;
-  uint8_t bend_log2_ = 4;
+  uint8_t bend_shift_ = 9;
   uint8_t painter_reach_px_ = 0;
   bool is_slanted_ = false;
   GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
