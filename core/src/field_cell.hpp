@@ -18,7 +18,7 @@ namespace detail {
 
 // What turns the numbers of a record into px.
 struct FieldScale {
-  uint32_t size_q8;    // px to the em
+  uint32_t size_q8;  // px to the em
   int32_t bend_q14;  // 2^(bend_shift - 5) over the px to the em: 1 to 2
   // 5 and the log2 of the first power of two, in px, that holds an em.
   int32_t bend_shift;
