@@ -203,7 +203,7 @@ inline int32_t FieldBand::rows_in(uint32_t mask_q16,
 
 // Not inline: the loops have the registers for themselves.
 template <typename Terms>
-__attribute__((noinline)) void FieldBand::paint(BandLeaf& leaf) const noexcept {
+__attribute__((noinline)) void FieldBand::paint(BoxLeaf& leaf) const noexcept {
   Terms terms(*this, leaf);
   uint8_t* line = leaf.line;
   uint8_t* end = line + leaf.width;
@@ -252,7 +252,7 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
   return distance < ramp_.low_q22 ? 0 : 255;
 }
 
-inline void FieldBand::paint_leaf(BandLeaf& leaf) const noexcept {
+inline void FieldBand::paint_leaf(BoxLeaf& leaf) const noexcept {
   if (leaf.count == 0) {
     uint8_t* line = leaf.line;
     for (int32_t rows = leaf.height; rows != 0; --rows, line += kColumns) {
@@ -279,6 +279,20 @@ inline void FieldBand::paint_leaf(BandLeaf& leaf) const noexcept {
   } else {
     paint<ThreeTerms<ArcTerm>>(leaf);
   }
+}
+
+__attribute__((noinline)) void FieldBand::reduce_box(
+    BoxLeaf& leaf) const noexcept {
+  Extent all;
+  const uint32_t depth_q8 =
+      leaf.place.y_q8 - height_q8(leaf.row + leaf.height - 1);
+  all.half_x_q8 = static_cast<uint32_t>(leaf.width - 1) << 7;
+  all.half_y_q8 = (depth_q8 + 1) >> 1;
+  all.middle = {leaf.place.x_q8 + all.half_x_q8,
+                leaf.place.y_q8 - (depth_q8 >> 1)};
+  all.sign = leaf.sign;
+  all.right = nullptr;
+  reduce(leaf, all);
 }
 
 bool FieldBand::cover(int32_t width,
@@ -308,7 +322,7 @@ bool FieldBand::cover(int32_t width,
         next = lesser(next, end_y);
         continue;
       }
-      BandLeaf leaf;
+      BoxLeaf leaf;
       const uint32_t x_q16 = left_q16_ + static_cast<uint32_t>(x) * step_q16_;
       find_leaf(x_q16 >> 16, row_q16 >> 16, leaf);
       const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
@@ -330,12 +344,12 @@ bool FieldBand::cover(int32_t width,
           *line = coverage_of_point(leaf);
         } else {
           leaf.line = line;
-          leaf.width = static_cast<uint8_t>(right);
+          leaf.width = static_cast<uint16_t>(right);
           leaf.height = static_cast<uint8_t>(down);
-          leaf.row = static_cast<uint8_t>(y);
-          leaf.skip_q15 = leaf.all_outside = leaf.all_inside = 0;
+          leaf.row = static_cast<uint16_t>(y);
+          leaf.know_nothing();
           if (kObjectOrder && leaf.count != 0 && right + down >= kMinReduced) {
-            reduce(leaf);
+            reduce_box(leaf);
           }
           if (leaf.count != 0 || leaf.is_inside) {
             any = true;

@@ -1,7 +1,7 @@
 // Which fields of a leaf matter in its part of a band, and how fast they
 // change. What a field's slopes allow tells how far from 0 it must be in the
 // middle to leave all of it saturated.
-#include "field_band.hpp"
+#include "leaf_band.hpp"
 #include "order.hpp"
 
 namespace inkcell {
@@ -31,7 +31,7 @@ inline int32_t slope_along_q14(const Vector& gradient_q14,
 
 // What a field shows of a leaf's points. If they are on both sides of its edge
 // `slopes` is widened to hold its own.
-__attribute__((noinline)) FieldBand::Side FieldBand::side_of(
+__attribute__((noinline)) LeafBand::Side LeafBand::side_of(
     const uint8_t* field, const Extent& all, Slopes& slopes) const noexcept {
   namespace layout = format::fields;
   const uint8_t* const record = field - arc_bit(field);
@@ -86,9 +86,9 @@ __attribute__((noinline)) FieldBand::Side FieldBand::side_of(
 }
 
 // Of a leaf whose least field counts.
-inline FieldBand::Side FieldBand::keep_edges(BandLeaf& leaf,
-                                             const Extent& all,
-                                             Slopes& slopes) const noexcept {
+inline LeafBand::Side LeafBand::keep_edges(BandLeaf& leaf,
+                                           const Extent& all,
+                                           Slopes& slopes) const noexcept {
   uint32_t kept = 0;
   for (uint32_t i = 0; i < leaf.count; ++i) {
     const Side side = side_of(leaf.field[i], all, slopes);
@@ -104,9 +104,9 @@ inline FieldBand::Side FieldBand::keep_edges(BandLeaf& leaf,
 }
 
 // Of a leaf whose first field or the greater of the others counts.
-inline FieldBand::Side FieldBand::keep_nested(BandLeaf& leaf,
-                                              const Extent& all,
-                                              Slopes& slopes) const noexcept {
+inline LeafBand::Side LeafBand::keep_nested(BandLeaf& leaf,
+                                            const Extent& all,
+                                            Slopes& slopes) const noexcept {
   const Side first = side_of(leaf.field[0], all, slopes);
   if (first == Side::outside) {
     return first;
@@ -135,20 +135,7 @@ inline FieldBand::Side FieldBand::keep_nested(BandLeaf& leaf,
   return kept == 0 ? Side::inside : Side::edge;
 }
 
-void FieldBand::reduce(BandLeaf& leaf) const noexcept {
-  Extent all;
-  const uint32_t depth_q8 =
-      leaf.place.y_q8 - height_q8(leaf.row + leaf.height - 1);
-  all.half_x_q8 = static_cast<uint32_t>(leaf.width - 1) << 7;
-  all.half_y_q8 = (depth_q8 + 1) >> 1;
-  all.middle = {leaf.place.x_q8 + all.half_x_q8,
-                leaf.place.y_q8 - (depth_q8 >> 1)};
-  all.sign = leaf.sign;
-  all.right = nullptr;
-  reduce(leaf, all);
-}
-
-__attribute__((noinline)) void FieldBand::reduce(
+__attribute__((noinline)) void LeafBand::reduce(
     BandLeaf& leaf, const Extent& all) const noexcept {
   const int32_t sign = leaf.sign;
   Slopes slopes = {INT32_MAX, INT32_MIN};

@@ -12,9 +12,9 @@
 // and stretched_fields_q10 give the same coverage bit by bit.
 #include "field_slanted.hpp"
 
-#include "field_band.hpp"
 #include "field_terms.hpp"
 #include "field_turned.hpp"
+#include "leaf_band.hpp"
 #include "point_terms.hpp"
 
 namespace inkcell {
@@ -210,15 +210,15 @@ struct LeafRow {
 };
 
 // Draws bands of points that are a brush's step apart.
-class SlantedBand : public FieldBand {
+class SlantedBand : public LeafBand {
  public:
   SlantedBand(const Slanted& slanted, const Stretching* stretching) noexcept
-      : FieldBand(slanted.field,
-                  scale_of(slanted.brush),
-                  slanted.brush.filter(),
-                  stretching == nullptr ? reach_of(slanted.brush.filter())
-                                        : stretching->far_q22,
-                  0),
+      : LeafBand(slanted.field,
+                 scale_of(slanted.brush),
+                 slanted.brush.filter(),
+                 stretching == nullptr ? reach_of(slanted.brush.filter())
+                                       : stretching->far_q22,
+                 0),
         slanted_(slanted),
         stretching_(stretching) {
     if (stretching != nullptr) {
@@ -466,7 +466,7 @@ __attribute__((noinline)) bool SlantedBand::cover(
                                row.x_q20 + times(right.x_q20, before),
                                row.y_q20 + times(right.y_q20, before)};
       leaf.line = pixels.row(y) + x;
-      leaf.skip_q15 = leaf.all_outside = leaf.all_inside = 0;
+      leaf.know_nothing();
       if (kObjectOrder && may_reduce_ && leaf.count != 0 &&
           size_q18(leaf) >= kMinWide << 18) {
         reduce_at(leaf, at);
@@ -526,11 +526,11 @@ void draw_slanted(const Slanted& slanted,
   const GlyphStep& up = slanted.brush.up();
   int32_t rows;
   for (int32_t y = box.y0; y < box.y1; y += rows) {
-    rows = FieldBand::rows_of(box.y1 - y);
+    rows = LeafBand::rows_of(box.y1 - y);
     int32_t count;
     for (int32_t x = box.x0; x < box.x1; x += count) {
-      FieldBand::Pixels lines;
-      count = lesser(box.x1 - x, FieldBand::kColumns);
+      LeafBand::Pixels lines;
+      count = lesser(box.x1 - x, LeafBand::kColumns);
       if (band.cover(first, count, rows, lines)) {
         for (int32_t row = 0; row < rows; ++row) {
           sink.coverage(sink.context, x, y + row, lines.row(row), count);

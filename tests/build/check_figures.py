@@ -15,7 +15,7 @@ CONSTANTS = [
     ("docs/DESIGN.md", r"in bands of (\d+) rows and",
      "core/src/field_draw.hpp", r"kMost = kObjectOrder \? (\d+) : 1"),
     ("docs/DESIGN.md", r"in bands of 8 rows and (\d+) columns",
-     "core/src/field_band.hpp", r"kColumns = (\d+)"),
+     "core/src/leaf_band.hpp", r"kColumns = (\d+)"),
     ("docs/DESIGN.md", r"height in the band make (\d+) px",
      "core/src/field_band.cpp", r"kMinReduced = (\d+)"),
     ("docs/DESIGN.md", r"and in object order from (\d+) px on",

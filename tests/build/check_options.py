@@ -27,10 +27,10 @@ OPTIONS = {
                               "draw_turned_samples", "Block::visit_tile"]),
     "INKCELL_FIELD_CELLS": ({"record of fields", "font of fields",
                              "packed font"},
-                            ["FieldBand::", "FieldLeaves::",
+                            ["LeafBand::", "FieldLeaves::",
                              "draw_slanted(", "Expansion::"]),
     "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells",
-                                     "FieldBand::reduce"]),
+                                     "LeafBand::reduce"]),
     "INKCELL_FAST_ROWS": (set(), ["FieldBand::coverage_of_point"]),
     "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }
