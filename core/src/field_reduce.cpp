@@ -27,7 +27,29 @@ inline int32_t slope_along_q14(const Vector& gradient_q14,
   return wrapped(x_q27 + y_q27) >> 13;
 }
 
+// Of larger ones sums might wrap. [px]
+constexpr uint32_t kMostReachQ22 = 1 << 30;
+
+// Whether w passes 256 px or k w 1 where w differs by `way_q8` at the most:
+// products may wrap then.
+inline bool may_wrap(const ArcTerm& term,
+                     uint32_t way_q8,
+                     int32_t bend_shift) noexcept {
+  const uint32_t most_q8 =
+      way_q8 + static_cast<uint32_t>(magnitude(wrapped(term.along_q8())));
+  // 1/16 of what is below 2^20, rounded up: the product stays below 2^32.
+  const uint32_t part = (static_cast<uint32_t>(magnitude(term.bend)) >> 4) + 1;
+  return most_q8 >= 1 << 16 || (part * most_q8) >> (bend_shift + 11) != 0;
+}
+
 }  // namespace
+
+// Of a field that may wrap: so steep that a distance tells of no other one.
+inline LeafBand::Side LeafBand::know_nothing(Slopes& slopes) noexcept {
+  constexpr int32_t kSteepestQ14 = 1 << 24;
+  slopes = {-kSteepestQ14, kSteepestQ14};
+  return Side::edge;
+}
 
 // What a field shows of a leaf's points. If they are on both sides of its edge
 // `slopes` is widened to hold its own.
@@ -47,37 +69,36 @@ __attribute__((noinline)) LeafBand::Side LeafBand::side_of(
   int32_t change_q14 = 0;  // what of this lies along the row
   if (arc_bit(field) != 0) {
     const ArcTerm term(field, all.middle, scale_, 0);
-    value_q22 = static_cast<uint32_t>(term.value(bend_shift(), 0));
-    slope_q14 = bent(normal_q14, term.slope_q15(bend_shift()));
     const uint32_t way_q8 = (times(magnitude(nx), all.half_y_q8) +
                              times(magnitude(ny), all.half_x_q8)) >>
                             14;
-    more_q14 = static_cast<uint32_t>(
-        wrapped(times(magnitude(term.bend), way_q8)) >> bend_shift());
-    reach_q22 +=
-        kArcMarginQ22 + static_cast<uint32_t>(wrapped(more_q14 * way_q8) >> 1);
+    if (may_wrap(term, way_q8, bend_shift())) {
+      return know_nothing(slopes);
+    }
+    value_q22 = static_cast<uint32_t>(term.value(bend_shift(), 0));
+    slope_q14 = bent(normal_q14, term.slope_q15(bend_shift()));
+    more_q14 = times(magnitude(term.bend), way_q8) >> bend_shift();
+    reach_q22 += kArcMarginQ22 + ((more_q14 * way_q8) >> 1);
     change_q14 = (wrapped(times(magnitude(ny), more_q14)) >> 14) + kArcRiseQ14;
   }
-  // From 0 to 256 px for all that keeps the format's limits.
-  constexpr uint32_t kMost = 1 << 30;
   reach_q22 += times(magnitude(slope_q14.x), all.half_x_q8) +
                times(magnitude(slope_q14.y), all.half_y_q8);
-  // Farther than that nothing is decided.
-  const int32_t limit = reach_q22 < kMost ? wrapped(reach_q22) : INT32_MAX;
+  if (reach_q22 >= kMostReachQ22) {
+    return know_nothing(slopes);
+  }
+  const int32_t limit = wrapped(reach_q22);
   const int32_t value = with_sign(wrapped(value_q22), all.sign);
   if (value >= limit) {
-    return Side::inside;
+    return value <= INT32_MAX - limit ? Side::inside : know_nothing(slopes);
   }
   if (value <= -limit) {
-    return Side::outside;
+    return value >= limit - INT32_MAX ? Side::outside : know_nothing(slopes);
   }
   int32_t along_q14 = slope_q14.x;
   if (all.right != nullptr) {
     along_q14 = slope_along_q14(slope_q14, *all.right);
     // No step is longer than 3 px.
-    constexpr uint32_t kMostChange = 1 << 16;
-    change_q14 = 3 * wrapped(more_q14 < kMostChange ? more_q14 : kMostChange) +
-                 kStepRiseQ14;
+    change_q14 = 3 * wrapped(more_q14) + kStepRiseQ14;
   }
   along_q14 = with_sign(along_q14, all.sign);
   slopes.least = lesser(slopes.least, along_q14 - change_q14);

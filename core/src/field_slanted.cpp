@@ -362,7 +362,10 @@ __attribute__((noinline)) void SlantedBand::reduce_at(
        all.half_y_q8);
   all.sign = leaf.sign;
   all.right = &right;
-  reduce(leaf, all);
+  constexpr uint32_t kMostHalf = 64 << 8;
+  if (all.half_x_q8 < kMostHalf && all.half_y_q8 < kMostHalf) {
+    reduce(leaf, all);
+  }
 }
 
 template <typename Terms>

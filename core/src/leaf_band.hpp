@@ -130,6 +130,7 @@ class LeafBand : public FieldLeaves {
   CoverageRamp ramp_;
 
  private:
+  static Side know_nothing(Slopes& slopes) noexcept;
   Side side_of(const uint8_t* field,
                const Extent& all,
                Slopes& slopes) const noexcept;

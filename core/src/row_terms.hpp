@@ -86,7 +86,10 @@ struct ArcTerm {
     }
   }
 
-  // FieldTerm::slope_q15.
+  // FieldTerm::along_q8 and slope_q15.
+  __attribute__((always_inline)) uint32_t along_q8() const noexcept {
+    return static_cast<uint32_t>(wrapped(along_q22) >> 14);
+  }
   __attribute__((always_inline)) int32_t slope_q15(
       int32_t bend_shift) const noexcept {
     return wrapped(times(bend, along_q8())) >> bend_shift;
@@ -111,11 +114,6 @@ struct ArcTerm {
   }
 
   bool is_steady() const noexcept { return false; }  // or not worth a look
-
- private:
-  __attribute__((always_inline)) uint32_t along_q8() const noexcept {
-    return static_cast<uint32_t>(wrapped(along_q22) >> 14);
-  }
 };
 
 }  // namespace detail
