@@ -47,15 +47,12 @@ struct OneTerm {
   }
 };
 
-// Two fields.
-template <typename Term>
-struct TwoTerms : TwoFields<Term> {
-  using TwoFields<Term>::a;
-  using TwoFields<Term>::b;
-
+// Two fields, or three.
+template <typename Fields>
+struct SomeTerms : Fields {
   __attribute__((always_inline))
-  TwoTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
-      : TwoFields<Term>(leaf, leaves.scale(), leaf.place) {}
+  SomeTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
+      : Fields(leaf, leaves.scale(), leaf.place) {}
 
   __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
                                                const FieldLeaf& leaf,
@@ -63,50 +60,14 @@ struct TwoTerms : TwoFields<Term> {
     return this->combined(leaves, leaf, RowNumber{number});
   }
   __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
-    a.go_on(count);
-    b.go_on(count);
+    this->each([count](auto& term)
+                   __attribute__((always_inline)) { term.go_on(count); });
   }
   __attribute__((always_inline)) void go_down(FieldLeaf& leaf,
                                               uint32_t way_q8) noexcept {
     leaf.place.y_q8 -= way_q8;
-    a.go_down(way_q8);
-    b.go_down(way_q8);
-  }
-  __attribute__((always_inline)) bool is_steady() const noexcept {
-    return a.is_steady() && b.is_steady();
-  }
-};
-
-// Three fields.
-template <typename Term>
-struct ThreeTerms : ThreeFields<Term> {
-  using ThreeFields<Term>::a;
-  using ThreeFields<Term>::b;
-  using ThreeFields<Term>::c;
-
-  __attribute__((always_inline))
-  ThreeTerms(const FieldLeaves& leaves, const FieldLeaf& leaf) noexcept
-      : ThreeFields<Term>(leaf, leaves.scale(), leaf.place) {}
-
-  __attribute__((always_inline)) int32_t value(const FieldLeaves& leaves,
-                                               const FieldLeaf& leaf,
-                                               uint32_t number) const noexcept {
-    return this->combined(leaves, leaf, RowNumber{number});
-  }
-  __attribute__((always_inline)) void go_on(uint32_t count) noexcept {
-    a.go_on(count);
-    b.go_on(count);
-    c.go_on(count);
-  }
-  __attribute__((always_inline)) void go_down(FieldLeaf& leaf,
-                                              uint32_t way_q8) noexcept {
-    leaf.place.y_q8 -= way_q8;
-    a.go_down(way_q8);
-    b.go_down(way_q8);
-    c.go_down(way_q8);
-  }
-  __attribute__((always_inline)) bool is_steady() const noexcept {
-    return a.is_steady() && b.is_steady() && c.is_steady();
+    this->each([way_q8](auto& term)
+                   __attribute__((always_inline)) { term.go_down(way_q8); });
   }
 };
 
@@ -270,14 +231,14 @@ inline void FieldBand::paint_leaf(BoxLeaf& leaf) const noexcept {
     }
   } else if (leaf.count == 2) {
     if (leaf.has_lines(2)) {
-      paint<TwoTerms<LineTerm>>(leaf);
+      paint<SomeTerms<TwoFields<LineTerm>>>(leaf);
     } else {
-      paint<TwoTerms<ArcTerm>>(leaf);
+      paint<SomeTerms<TwoFields<ArcTerm>>>(leaf);
     }
   } else if (leaf.has_lines(3)) {
-    paint<ThreeTerms<LineTerm>>(leaf);
+    paint<SomeTerms<ThreeFields<LineTerm>>>(leaf);
   } else {
-    paint<ThreeTerms<ArcTerm>>(leaf);
+    paint<SomeTerms<ThreeFields<ArcTerm>>>(leaf);
   }
 }
 

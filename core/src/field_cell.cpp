@@ -201,21 +201,15 @@ uint32_t read_linked_leaf(const GlyphField& field,
       op);
 }
 
-Leaf find_linked_leaf(const GlyphField& field,
-                      uint32_t tile,
-                      uint32_t x,
-                      uint32_t y) noexcept {
-  return LinkedHeap(field).find_leaf(tile, field.tile_log2, x, y);
-}
-
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
   const uint32_t x = static_cast<uint32_t>(x_u - field.x0_u);
   const uint32_t y = static_cast<uint32_t>(y_u - field.y0_u);
   const uint32_t tile =
       (y >> field.tile_log2) * field.tiles_x + (x >> field.tile_log2);
   const bool is_narrow = field.kind == GlyphField::Kind::narrow_fields;
-  const Leaf leaf = is_narrow ? find_narrow_leaf(field, tile, x, y)
-                              : find_linked_leaf(field, tile, x, y);
+  const Leaf leaf =
+      is_narrow ? find_narrow_leaf(field, tile, x, y)
+                : LinkedHeap(field).find_leaf(tile, field.tile_log2, x, y);
   Cell cell;
   cell.inside = leaf.reference == format::glyph::kInside;
   if (leaf.reference >= format::glyph::kFirstNode) {

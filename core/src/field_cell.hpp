@@ -367,10 +367,6 @@ inline Leaf find_narrow_leaf(const GlyphField& field,
   }
   return leaf;
 }
-Leaf find_linked_leaf(const GlyphField& field,
-                      uint32_t tile,
-                      uint32_t x,
-                      uint32_t y) noexcept;
 
 // read_narrow_leaf for the linked form.
 uint32_t read_linked_leaf(const GlyphField& field,

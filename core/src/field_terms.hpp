@@ -23,6 +23,15 @@ struct TwoFields {
         a(leaf.field[0], where..., scale, sign),
         b(leaf.field[1], where..., scale, sign) {}
 
+  // Calls `what` with each field.
+  template <typename What>
+  __attribute__((always_inline)) void each(const What& what) noexcept {
+    what(a);
+    what(b);
+  }
+  __attribute__((always_inline)) bool is_steady() const noexcept {
+    return a.is_steady() && b.is_steady();
+  }
   template <typename Number, typename... Where>
   __attribute__((always_inline)) int32_t combined(
       const FieldLeaves& leaves,
@@ -38,21 +47,27 @@ struct TwoFields {
 };
 
 template <typename Field>
-struct ThreeFields {
-  int32_t sign;
-  Field a;
-  Field b;
+struct ThreeFields : TwoFields<Field> {
+  using TwoFields<Field>::sign;
+  using TwoFields<Field>::a;
+  using TwoFields<Field>::b;
   Field c;
 
   template <typename... Where>
   __attribute__((always_inline)) ThreeFields(const FieldLeaf& leaf,
                                              const FieldScale& scale,
                                              const Where&... where) noexcept
-      : sign(leaf.sign),
-        a(leaf.field[0], where..., scale, sign),
-        b(leaf.field[1], where..., scale, sign),
+      : TwoFields<Field>(leaf, scale, where...),
         c(leaf.field[2], where..., scale, sign) {}
 
+  template <typename What>
+  __attribute__((always_inline)) void each(const What& what) noexcept {
+    TwoFields<Field>::each(what);
+    what(c);
+  }
+  __attribute__((always_inline)) bool is_steady() const noexcept {
+    return TwoFields<Field>::is_steady() && c.is_steady();
+  }
   template <typename Number, typename... Where>
   __attribute__((always_inline)) int32_t combined(
       const FieldLeaves& leaves,
