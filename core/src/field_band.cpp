@@ -129,11 +129,8 @@ inline int32_t FieldBand::points_before(uint32_t way_q16,
 #if defined(__ARM_ARCH_6M__)
   // No division there. A guess from a px being 65536 u / size: right, or up to
   // two too low.
-  int32_t count = 0;
-  if (kObjectOrder) {
-    const uint32_t size_q6 = scale_.size_q8 >> 2;
-    count = static_cast<int32_t>(((way_q16 >> 13) * size_q6) >> 19);
-  }
+  const uint32_t size_q6 = scale_.size_q8 >> 2;
+  auto count = static_cast<int32_t>(((way_q16 >> 13) * size_q6) >> 19);
   uint32_t at_q16 = static_cast<uint32_t>(count) * step_q16_;
   for (; at_q16 < way_q16; at_q16 += step_q16_) {
     ++count;
@@ -148,9 +145,6 @@ inline int32_t FieldBand::rows_in(uint32_t mask_q16,
                                   uint32_t first_q16,
                                   int32_t row,
                                   int32_t end) const noexcept {
-  if (kRows == 1) {
-    return 1;
-  }
   if (heights_ == nullptr) {
     return points_before((first_q16 & mask_q16) + 1, end - row);
   }
@@ -171,7 +165,7 @@ __attribute__((noinline)) void FieldBand::paint(BoxLeaf& leaf) const noexcept {
   int32_t rows = leaf.height;
   while (true) {
     const uint8_t* const out = paint_row(terms, leaf, line, end);
-    if (kRows == 1 || --rows == 0) {
+    if (--rows == 0) {
       return;
     }
     if (terms.is_steady()) {
@@ -265,9 +259,7 @@ bool FieldBand::cover(int32_t width,
   uint32_t words[kColumns / 4];
   static_assert(kRows <= 8 && kColumns <= 32, "3 and 5 bits");
   auto* const drawn = reinterpret_cast<uint8_t*>(words);
-  if (kRows > 1) {
-    clear_row(words);
-  }
+  clear_row(words);
   pixels.clear(height);
   bool any = false;
   int32_t next;
@@ -276,9 +268,9 @@ bool FieldBand::cover(int32_t width,
     const uint32_t row_q8 = height_q8(y);
     next = height;
     for (int32_t x = 0; x < width;) {
-      const uint32_t last = kRows > 1 ? drawn[x] : 0;
+      const uint32_t last = drawn[x];
       const int32_t end_y = static_cast<int32_t>(last >> 5) + 1;
-      if (kRows > 1 && y != 0 && end_y > y) {
+      if (y != 0 && end_y > y) {
         x += static_cast<int32_t>(last & 31) + 1;
         next = lesser(next, end_y);
         continue;
@@ -292,9 +284,7 @@ bool FieldBand::cover(int32_t width,
       if (mask >= step_q16_) {
         right = points_before((~x_q16 & mask) + 1, width - x);
         down = rows_in(mask, row_q16, y, height);
-        if (kRows > 1) {
-          drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
-        }
+        drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
       }
       next = lesser(next, y + down);
       if (leaf.count != 0 || leaf.is_inside) {
@@ -309,7 +299,7 @@ bool FieldBand::cover(int32_t width,
           leaf.height = static_cast<uint8_t>(down);
           leaf.row = static_cast<uint16_t>(y);
           leaf.know_nothing();
-          if (kObjectOrder && leaf.count != 0 && right + down >= kMinReduced) {
+          if (leaf.count != 0 && right + down >= kMinReduced) {
             reduce_box(leaf);
           }
           if (leaf.count != 0 || leaf.is_inside) {

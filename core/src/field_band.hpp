@@ -45,16 +45,15 @@ class FieldBand : public LeafBand {
   int32_t points_before(uint32_t way_q16, int32_t most) const noexcept;
   // Where a row lies. [u]
   uint32_t height_q16(int32_t row) const noexcept {
-    return kRows == 1 || heights_ == nullptr
+    return heights_ == nullptr
                ? top_q16_ - static_cast<uint32_t>(row) * step_q16_
                : static_cast<uint32_t>(heights_[row].y_q16 -
                                        field_.y0_u * (1 << 16));
   }
   // The same in px, modulo 2^24.
   uint32_t height_q8(int32_t row) const noexcept {
-    return kRows == 1 || heights_ == nullptr
-               ? top_q8_ - (static_cast<uint32_t>(row) << 8)
-               : q8_of(heights_[row].y_q20);
+    return heights_ == nullptr ? top_q8_ - (static_cast<uint32_t>(row) << 8)
+                               : q8_of(heights_[row].y_q20);
   }
   // How many rows from one on, which lies at `first_q16`, lie in its square of
   // this size, before `end`.

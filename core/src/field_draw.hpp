@@ -6,26 +6,11 @@
 #include "field_cell.hpp"
 #include "inkcell/brush.hpp"
 #include "inkcell/row_map.hpp"
+#include "options.hpp"
 #include "span_writer.hpp"
-
-// 0: cells of fields are drawn row by row and pixel after pixel,
-// instead of in bands of rows in which each cell is met once, and which skip
-// what is saturated. Cells of samples are always drawn row by row.
-#ifndef INKCELL_OBJECT_ORDER
-#  define INKCELL_OBJECT_ORDER 1
-#endif
-
-// 0: one loop for all cells of fields, instead of loops for one, two and three
-// fields, of lines and of arcs.
-#ifndef INKCELL_FAST_ROWS
-#  define INKCELL_FAST_ROWS 1
-#endif
 
 namespace inkcell {
 namespace detail {
-
-inline constexpr bool kObjectOrder = INKCELL_OBJECT_ORDER != 0;
-inline constexpr bool kFastRows = INKCELL_FAST_ROWS != 0;
 
 inline FieldScale scale_of(const Brush& brush) noexcept {
   return {static_cast<uint32_t>(brush.size().raw) << 2, brush.bend_q14(),

@@ -470,8 +470,7 @@ __attribute__((noinline)) bool SlantedBand::cover(
                                row.y_q20 + times(right.y_q20, before)};
       leaf.line = pixels.row(y) + x;
       leaf.know_nothing();
-      if (kObjectOrder && may_reduce_ && leaf.count != 0 &&
-          size_q18(leaf) >= kMinWide << 18) {
+      if (may_reduce_ && leaf.count != 0 && size_q18(leaf) >= kMinWide << 18) {
         reduce_at(leaf, at);
       }
       if (leaf.count != 0 || leaf.is_inside) {

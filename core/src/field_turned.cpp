@@ -2,6 +2,7 @@
 #include "field_turned.hpp"
 
 #include "cell_access.hpp"
+#include "field_points.hpp"
 #include "field_slanted.hpp"
 #include "position.hpp"
 #include "span_writer.hpp"
@@ -17,10 +18,12 @@ FieldPosition position_in(const GlyphField& field,
 }
 
 // Draws the pixels of a row that may show.
-using DrawSamples = void (*)(const Slanted&, SpanWriter&, SlantedPoint, Range);
+using DrawRow = void (*)(
+    const Slanted&, const Stretching*, SpanWriter&, SlantedPoint, Range);
 
 // Cells of samples are quartic along a row: every pixel is a query of its own.
 void draw_turned_samples(const Slanted& slanted,
+                         const Stretching*,
                          SpanWriter& writer,
                          SlantedPoint at,
                          Range row) noexcept {
@@ -34,6 +37,7 @@ void draw_turned_samples(const Slanted& slanted,
 }
 
 void draw_stretched_samples(const Slanted& slanted,
+                            const Stretching*,
                             SpanWriter& writer,
                             SlantedPoint at,
                             Range row) noexcept {
@@ -54,12 +58,22 @@ void draw_stretched_samples(const Slanted& slanted,
   }
 }
 
+// Cells of fields in pixel order.
+void draw_slanted_points(const Slanted& slanted,
+                         const Stretching* stretching,
+                         SpanWriter& writer,
+                         SlantedPoint at,
+                         Range row) noexcept {
+  draw_points(slanted.field, slanted.brush, stretching, at, row, writer);
+}
+
 // Row by row.
-void draw_slanted_samples(const Slanted& slanted,
-                          SlantedPoint first,
-                          const Rect& box,
-                          const Sink& sink,
-                          DrawSamples draw_row) noexcept {
+void draw_slanted_rows(const Slanted& slanted,
+                       const Stretching* stretching,
+                       SlantedPoint first,
+                       const Rect& box,
+                       const Sink& sink,
+                       DrawRow draw_row) noexcept {
   const Brush& brush = slanted.brush;
   SpanWriter writer(sink, box.y0);
   for (int32_t y = box.y0; y < box.y1; ++y) {
@@ -72,7 +86,7 @@ void draw_slanted_samples(const Slanted& slanted,
       x += count;
     }
     if (x < box.x1) {
-      draw_row(slanted, writer, at,
+      draw_row(slanted, stretching, writer, at,
                {x, x + slanted.count_shown(at, box.x1 - x)});
     }
     writer.next_row();
@@ -80,35 +94,64 @@ void draw_slanted_samples(const Slanted& slanted,
   }
 }
 
-// The centre of a pixel from the grid's corner, modulo 2^16 u. False where it
-// is so far away that it could be taken for one in the grid.
+// The centre of a pixel in the glyph.
 //
 // Not inline: its products of 64 bits are large.
-__attribute__((noinline)) bool find_point(const Slanted& slanted,
-                                          const FinePoint& origin,
-                                          int32_t x,
-                                          int32_t y,
-                                          SlantedPoint& at) noexcept {
-  const GlyphField& field = slanted.field;
-  const GlyphWay way(slanted.brush, ScreenWay(origin, x, y));
-  at = {static_cast<uint32_t>(way.x_q16) -
-            static_cast<uint32_t>(field.x0_u * (1 << 16)),
-        static_cast<uint32_t>(way.y_q16) -
-            static_cast<uint32_t>(field.y0_u * (1 << 16)),
-        way.x_q20, way.y_q20};
+__attribute__((noinline)) GlyphWay find_way(const Brush& brush,
+                                            const Placed& placed,
+                                            int32_t x,
+                                            int32_t y) noexcept {
+  return GlyphWay(brush, ScreenWay(placed, x, y));
+}
+
+// The same from the grid's corner, modulo 2^16 u.
+SlantedPoint point_at(const GlyphField& field, const GlyphWay& way) noexcept {
+  return {static_cast<uint32_t>(way.x_q16) -
+              static_cast<uint32_t>(field.x0_u * (1 << 16)),
+          static_cast<uint32_t>(way.y_q16) -
+              static_cast<uint32_t>(field.y0_u * (1 << 16)),
+          way.x_q20, way.y_q20};
+}
+
+// Whether a pixel is not so far away that it could be taken for one in the
+// grid.
+bool is_near(const GlyphWay& way) noexcept {
   return clamp_i32(way.x_q16) == way.x_q16 && clamp_i32(way.y_q16) == way.y_q16;
 }
 
-// Whether no pixel of a box is so far away. Those around turned grids never
-// are; around a stretched one the corners may be.
-bool is_near(const Slanted& slanted,
-             const FinePoint& origin,
+// Whether all pixels of a box are near. Those around turned grids are; around a
+// stretched one the corners may not be.
+bool is_near(const Brush& brush,
+             const Placed& placed,
              const Rect& box) noexcept {
-  SlantedPoint corner;
-  return find_point(slanted, origin, box.x0, box.y0, corner) &&
-         find_point(slanted, origin, box.x1, box.y0, corner) &&
-         find_point(slanted, origin, box.x0, box.y1, corner) &&
-         find_point(slanted, origin, box.x1, box.y1, corner);
+  return is_near(find_way(brush, placed, box.x0, box.y0)) &&
+         is_near(find_way(brush, placed, box.x1, box.y0)) &&
+         is_near(find_way(brush, placed, box.x0, box.y1)) &&
+         is_near(find_way(brush, placed, box.x1, box.y1));
+}
+
+// The pixels of a window that a glyph may show something in.
+Rect shown_box(const GlyphField& field,
+               const Brush& brush,
+               const FinePoint& origin,
+               const Rect& window,
+               Placed& placed) noexcept {
+  return placed.set(origin) ? intersect(box_of(field, brush, placed), window)
+                            : Rect();
+}
+
+// Cells of fields.
+void draw_slanted_fields(const Slanted& slanted,
+                         const Stretching* stretching,
+                         const SlantedPoint& first,
+                         const Rect& box,
+                         const Sink& sink) noexcept {
+  if (kObjectOrder) {
+    draw_slanted(slanted, stretching, first, box, sink);
+  } else {
+    draw_slanted_rows(slanted, stretching, first, box, sink,
+                      draw_slanted_points);
+  }
 }
 
 void paint_turned(const GlyphField& field,
@@ -117,17 +160,18 @@ void paint_turned(const GlyphField& field,
                   const FinePoint& origin,
                   const RowMap*,
                   const Sink& sink) {
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
+  Placed placed;
+  const Rect box = shown_box(field, brush, origin, sink.window, placed);
   if (is_empty(box)) {
     return;
   }
   const Slanted slanted(field, brush);
-  SlantedPoint first;
-  static_cast<void>(find_point(slanted, origin, box.x0, box.y0, first));
+  const SlantedPoint first =
+      point_at(field, find_way(brush, placed, box.x0, box.y0));
   if (has_fields(field)) {
-    draw_slanted(slanted, nullptr, first, box, sink);
+    draw_slanted_fields(slanted, nullptr, first, box, sink);
   } else {
-    draw_slanted_samples(slanted, first, box, sink, draw_turned_samples);
+    draw_slanted_rows(slanted, nullptr, first, box, sink, draw_turned_samples);
   }
 }
 
@@ -141,9 +185,10 @@ void draw_stretched(const Slanted& slanted,
     const int32_t reach_q22 = reach_of(brush.filter());
     const Stretching stretching = {stretched_value, brush, reach_q22,
                                    far_q22(brush, reach_q22)};
-    draw_slanted(slanted, &stretching, first, box, sink);
+    draw_slanted_fields(slanted, &stretching, first, box, sink);
   } else {
-    draw_slanted_samples(slanted, first, box, sink, draw_stretched_samples);
+    draw_slanted_rows(slanted, nullptr, first, box, sink,
+                      draw_stretched_samples);
   }
 }
 
@@ -153,22 +198,25 @@ void paint_stretched(const GlyphField& field,
                      const FinePoint& origin,
                      const RowMap*,
                      const Sink& sink) {
-  const Rect box = intersect(field_box(field, brush, origin), sink.window);
+  Placed placed;
+  const Rect box = shown_box(field, brush, origin, sink.window, placed);
   if (is_empty(box)) {
     return;
   }
   const Slanted slanted(field, brush);
-  SlantedPoint first;
-  if (is_near(slanted, origin, box)) {
-    static_cast<void>(find_point(slanted, origin, box.x0, box.y0, first));
-    draw_stretched(slanted, first, box, sink);
+  if (is_near(brush, placed, box)) {
+    draw_stretched(slanted,
+                   point_at(field, find_way(brush, placed, box.x0, box.y0)),
+                   box, sink);
     return;
   }
   // Every pixel for itself.
   for (int32_t y = box.y0; y < box.y1; ++y) {
     for (int32_t x = box.x0; x < box.x1; ++x) {
-      if (find_point(slanted, origin, x, y, first) && slanted.may_show(first)) {
-        draw_stretched(slanted, first, {x, y, x + 1, y + 1}, sink);
+      const GlyphWay way = find_way(brush, placed, x, y);
+      const SlantedPoint at = point_at(field, way);
+      if (is_near(way) && slanted.may_show(at)) {
+        draw_stretched(slanted, at, {x, y, x + 1, y + 1}, sink);
       }
     }
   }

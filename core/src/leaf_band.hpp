@@ -20,9 +20,7 @@ class LeafBand : public FieldLeaves {
   static constexpr int32_t kColumns = 24;
 
   // How many rows a band has where so many are left, one at the least.
-  static int32_t rows_of(int32_t left) noexcept {
-    return kRows == 1 ? 1 : lesser(left, kRows);
-  }
+  static int32_t rows_of(int32_t left) noexcept { return lesser(left, kRows); }
 
   // Coverage, row by row.
   struct Pixels {
@@ -44,12 +42,10 @@ class LeafBand : public FieldLeaves {
            int32_t reach_q22,
            int32_t step_q16) noexcept
       : FieldLeaves(field, scale, reach_q22, step_q16), ramp_(filter) {
-    if (kObjectOrder) {
-      const int32_t high_q22 =
-          ramp_.low_q22 + static_cast<int32_t>(ramp_.width_q22);
-      limit_rounded(ramp_.low_q22 - 1, high_q22);
-      set_far(lesser(ramp_.low_q22, 0), greater(high_q22, 0));
-    }
+    const int32_t high_q22 =
+        ramp_.low_q22 + static_cast<int32_t>(ramp_.width_q22);
+    limit_rounded(ramp_.low_q22 - 1, high_q22);
+    set_far(lesser(ramp_.low_q22, 0), greater(high_q22, 0));
   }
 
  protected:
@@ -102,7 +98,7 @@ class LeafBand : public FieldLeaves {
   // Makes points opaque.
   static void fill(uint8_t* at, int32_t count) noexcept {
     uint8_t* const end = at + count;
-    while (kObjectOrder && end - at >= 4) {
+    while (end - at >= 4) {
       if ((reinterpret_cast<uintptr_t>(at) & 3) == 0) {
         *reinterpret_cast<uint32_t*>(at) = UINT32_MAX;
         at += 4;
@@ -162,7 +158,7 @@ __attribute__((always_inline)) inline const uint8_t* LeafBand::paint_row(
   const auto behind = [&leaf](int32_t beyond_q22, uint32_t all)
                           __attribute__((always_inline))
                               ->uint32_t {
-    if (!kObjectOrder || beyond_q22 <= 0) {
+    if (beyond_q22 <= 0) {
       return 0;
     }
     const uint32_t beyond_q6 = static_cast<uint32_t>(beyond_q22) >> 16;

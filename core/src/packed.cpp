@@ -1,6 +1,7 @@
 #include "inkcell/packed.hpp"
 
 #include "inkcell/format.hpp"
+#include "options.hpp"
 #include "packed_field.hpp"
 #include "packed_rows.hpp"
 #include "packed_stream.hpp"
@@ -241,8 +242,8 @@ class Expansion {
     uint32_t next = recent_.begin();  // where ranks count from
     uint32_t hole = recent_.end();
     uint32_t context = 0;
-    // Written out, so that places and contexts are constants.
-#pragma GCC unroll 3
+    // Written out places and contexts are constants.
+#pragma GCC unroll(detail::kFastRows ? 3 : 1)
     for (uint32_t i = 0; i < 3;) {
       const uint32_t entry =
           kFieldTables.of[context][bits.peek(detail::kFieldBits)];

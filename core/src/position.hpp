@@ -83,6 +83,10 @@ struct ScreenWay {
   ScreenWay(const FinePoint& origin, int32_t x, int32_t y) noexcept
       : right_q10(clamp(int64_t{x} * 1024 + 512 - origin.x_q10, -kFar, kFar)),
         up_q10(clamp(origin.y_q10 - (int64_t{y} * 1024 + 512), -kFar, kFar)) {}
+  // The same of a pixel of a window.
+  ScreenWay(const Placed& placed, int32_t x, int32_t y) noexcept
+      : right_q10(x * 1024 + 512 - placed.x_q10),
+        up_q10(placed.y_q10 - (y * 1024 + 512)) {}
 
  private:
   static constexpr int64_t kFar = int64_t{1} << 37;

@@ -3,6 +3,7 @@
 #include "cell_access.hpp"
 #include "field_cell.hpp"
 #include "field_draw.hpp"
+#include "field_points.hpp"
 #include "field_turned.hpp"
 #include "inkcell/row_map.hpp"
 #include "plain.hpp"
@@ -18,12 +19,14 @@ using detail::FieldPosition;
 using detail::FittedRows;
 using detail::greater;
 using detail::has_fields;
+using detail::kObjectOrder;
 using detail::lesser;
 using detail::limits_of;
 using detail::Placed;
 using detail::position_of;
 using detail::Range;
 using detail::RowHeight;
+using detail::SlantedPoint;
 using detail::SpanWriter;
 using detail::Upright;
 using detail::wrapped;
@@ -156,18 +159,28 @@ uint32_t centre_q20(int32_t pixel, int32_t origin_q10) noexcept {
          detail::kHalfQ20;
 }
 
-__attribute__((noinline)) void draw_samples(const GlyphField& field,
-                                            const Brush& brush,
-                                            const Placed& placed,
-                                            const Sink& sink) noexcept {
+// Row by row: cells of samples, and in pixel order cells of fields.
+__attribute__((noinline)) void draw_rows(const GlyphField& field,
+                                         const Brush& brush,
+                                         const Placed& placed,
+                                         const Sink& sink) noexcept {
   Upright upright = detail::place_upright(field, brush, placed, sink.window);
   const Rect& pixels = upright.pixels;
   SpanWriter writer(sink, pixels.y0);
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
     RowHeight height;
     if (upright.place_row(brush, height)) {
-      draw_upright_row(field, brush, {pixels.x0, pixels.x1}, upright.at.x_q16,
-                       height.y_q16, writer);
+      const Range row = {pixels.x0, pixels.x1};
+      if (!kObjectOrder && has_fields(field)) {
+        const SlantedPoint first = {
+            static_cast<uint32_t>(upright.at.x_q16 - field.x0_u * (1 << 16)),
+            static_cast<uint32_t>(height.y_q16 - field.y0_u * (1 << 16)),
+            upright.at.x_q20, height.y_q20};
+        detail::draw_points(field, brush, nullptr, first, row, writer);
+      } else {
+        draw_upright_row(field, brush, row, upright.at.x_q16, height.y_q16,
+                         writer);
+      }
     }
     writer.next_row();
     upright.go_down(brush, 1);
@@ -181,13 +194,13 @@ void draw_upright(const GlyphField& field,
                   const Brush& brush,
                   const Placed& placed,
                   const Sink& sink) noexcept {
-  if (has_fields(field)) {
+  if (kObjectOrder && has_fields(field)) {
     detail::draw_fields(field, brush, placed, sink);
-  } else if (detail::kObjectOrder && placed.rows == nullptr &&
+  } else if (kObjectOrder && placed.rows == nullptr &&
              brush.size().raw >= kCellsFrom.raw) {
     detail::draw_samples_by_cells(field, brush, placed, sink);
   } else {
-    draw_samples(field, brush, placed, sink);
+    draw_rows(field, brush, placed, sink);
   }
 }
 

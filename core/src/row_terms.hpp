@@ -36,7 +36,7 @@ struct LineTerm {
         times(load_i16(record + layout::kOffset), scale.size_q8);
     plane_q22 = static_cast<uint32_t>(with_sign(wrapped(plane), sign));
     step_q22 = times(nx, static_cast<uint32_t>(with_sign(1 << 8, sign)));
-    down_q14 = kObjectOrder ? static_cast<uint32_t>(with_sign(ny, sign)) : 0;
+    down_q14 = static_cast<uint32_t>(with_sign(ny, sign));
   }
 
   __attribute__((always_inline)) int32_t value(int32_t,
@@ -77,7 +77,7 @@ struct ArcTerm {
       along_q22 = times(nx, at.y_q8) - times(ny, at.x_q8) + (1 << 13) +
                   times(load_i16(record + layout::kAlong), scale.size_q8);
       along_step_q22 = static_cast<uint32_t>(ny) << 8;
-      along_down_q14 = kObjectOrder ? static_cast<uint32_t>(nx) : 0;
+      along_down_q14 = static_cast<uint32_t>(nx);
       bend =
           (load_i16(record + layout::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
     } else {

@@ -67,6 +67,10 @@ WHAT = {
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
 }
+# Without these it is smallest; what the document says of that.
+SMALLEST = ["sample_cells", "object_order", "fast_rows"]
+SMALLEST_CODINGS = ["direct", "packed"]
+SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
 # What programs keep of the library: kept.cpp.
 KEPT = ("glyphs", "packed", "text", "turned", "all_formats")
 # Cores that are measured at -Os, too, for the document: the others are alike.
@@ -451,6 +455,48 @@ def measure_others(firmware, arguments, upright, pictures):
                "libraries": kept[0].get(("gcc", "code"), 0)}
 
 
+def measure(firmware, arguments, pictures):
+    """The results and the other figures of one build, told as they come."""
+    glyphs, more = [], []
+    if "glyphs" in arguments.what:
+        glyphs = measure_glyphs(firmware, arguments, pictures)
+        report.print_table(glyphs)
+    upright = {(result["font"], result["px"]): result["instructions_mean"]
+               for result in glyphs if result.get("coding") == "direct"}
+    if "inkcell" in arguments.engines:
+        more = list(measure_others(firmware, arguments, upright, pictures))
+        report.print_others(more)
+    for line in glyphs + more:
+        print(json.dumps(line), flush=True)
+    return glyphs, more
+
+
+def targets_of(arguments):
+    """The programs that measure what is asked for."""
+    targets = {CODINGS[coding][0] for coding in arguments.coding}
+    targets |= {engine for engine in arguments.engines if engine != "inkcell"}
+    targets.add("direct")
+    targets |= {"bound", "modes", "rgb565", "turned"} & set(arguments.what)
+    if "code" in arguments.what:
+        targets |= {f"kept_{level}" for level in range(len(KEPT))}
+    return sorted(targets)
+
+
+def measure_smallest(arguments, fonts, pictures, build):
+    """The smallest build of each core."""
+    some = argparse.Namespace(**{**vars(arguments), "engines": ["inkcell"],
+                                 "coding": SMALLEST_CODINGS,
+                                 "what": SMALLEST_WHAT})
+    results, others = [], []
+    for cpu in SMALL_CODE_CPUS:
+        firmware = Firmware(cpu, "Os", {}, targets_of(some), fonts, SMALLEST,
+                            build / "smallest")
+        glyphs, more = measure(firmware, some, pictures)
+        results += glyphs
+        others += more
+    return results, others
+
+
 def main():
     arguments = parse_arguments()
     for tool in ("cmake", "ninja", "qemu-system-arm", "arm-none-eabi-g++"):
@@ -462,40 +508,24 @@ def main():
     os.environ.pop("INKCELL_QEMU_WINDOW", None)  # it would run in real time
     sources = peers.find_sources(arguments, build)
     fonts = Fonts(arguments, build)
-    targets = {CODINGS[coding][0] for coding in arguments.coding}
-    targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets.add("direct")
-    targets |= {"bound", "modes", "rgb565", "turned"} & set(arguments.what)
-    if "code" in arguments.what:
-        targets |= {f"kept_{level}" for level in range(len(KEPT))}
     results, others, pictures = [], [], {}
     for opt in arguments.opt:
         for cpu in arguments.cpu:
             if (arguments.write_docs and opt == "Os" and
                     cpu not in SMALL_CODE_CPUS):
                 continue
-            firmware = Firmware(cpu, opt, sources, sorted(targets), fonts,
-                                arguments.without, build)
-            glyphs = []
-            if "glyphs" in arguments.what:
-                glyphs = measure_glyphs(firmware, arguments, pictures)
-                report.print_table(glyphs)
-            upright = {(result["font"], result["px"]):
-                       result["instructions_mean"] for result in glyphs
-                       if result.get("coding") == "direct"}
-            more = []
-            if "inkcell" in arguments.engines:
-                more = list(measure_others(firmware, arguments, upright,
-                                           pictures))
-                report.print_others(more)
-            for line in glyphs + more:
-                print(json.dumps(line), flush=True)
+            firmware = Firmware(cpu, opt, sources, targets_of(arguments),
+                                fonts, arguments.without, build)
+            glyphs, more = measure(firmware, arguments, pictures)
             results += glyphs
             others += more
-    check_pictures(pictures)
     check_bounds(results, others)
+    smallest = None
     if arguments.write_docs:
-        report.write_document(results, others, sources)
+        smallest = measure_smallest(arguments, fonts, pictures, build)
+    check_pictures(pictures)
+    if arguments.write_docs:
+        report.write_document(results, others, smallest, sources)
 
 
 if __name__ == "__main__":

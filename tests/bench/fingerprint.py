@@ -1,9 +1,9 @@
 """What identifies the core that docs/BENCHMARKS.md describes.
 
 The objects of the library as the bench draws with it, for Cortex-M0 and
-Cortex-M3 at -O2: comments and names do not change them. Another compiler makes
-other objects; where there is one, sources are compared, without comments and
-white space.
+Cortex-M3 at -O2, and of the smallest build for Cortex-M0: comments and names do
+not change them. Another compiler makes other objects; where there is one,
+sources are compared, without comments and white space.
 """
 import hashlib
 import pathlib
@@ -18,7 +18,13 @@ from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES,  # noqa: E402
 
 DOCUMENT = ROOT / "docs/BENCHMARKS.md"
 COMMAND = "sh tests/bench/run.sh --write-docs"
-MACHINES = ["Cortex-M0", "Cortex-M3"]
+BUILDS = {
+    "m0": ("Cortex-M0", ["-O2"]),
+    "m3": ("Cortex-M3", ["-O2"]),
+    "smallest": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=0",
+                               "-DINKCELL_OBJECT_ORDER=0",
+                               "-DINKCELL_FAST_ROWS=0"]),
+}
 SINKS = ["a8", "rgb565", "run"]
 
 
@@ -35,8 +41,9 @@ def compiler():
 
 def objects_hash():
     """SHA-256 over all objects."""
-    def compile_source(machine, source, target):
-        command = [*COMPILERS[machine][0], *DEVICE_FLAGS, *INCLUDES, "-O2",
+    def compile_source(build, source, target):
+        machine, flags = BUILDS[build]
+        command = [*COMPILERS[machine][0], *DEVICE_FLAGS, *INCLUDES, *flags,
                    "-DNDEBUG", "-c", source.relative_to(ROOT), "-o", target]
         done = run(command, cwd=ROOT)
         if done.returncode != 0:
@@ -44,9 +51,9 @@ def objects_hash():
         return target.read_bytes()
 
     with tempfile.TemporaryDirectory() as folder:
-        jobs = [(machine, source,
-                 pathlib.Path(folder) / f"{machine}-{source.stem}.o")
-                for machine in MACHINES for source in measured_sources()]
+        jobs = [(build, source,
+                 pathlib.Path(folder) / f"{build}-{source.stem}.o")
+                for build in BUILDS for source in measured_sources()]
         result = hashlib.sha256()
         for content in in_parallel(compile_source, jobs):
             result.update(content)

@@ -258,6 +258,43 @@ def sized_table(figures, name, title, cell):
     return f"{title}\n\n" + table([""] + [f"{px} px" for px in sizes], rows)
 
 
+def smallest_tables(results, figures):
+    """What a build costs that leaves out what is there for speed."""
+    fonts = unique(r["font"] for r in results)
+    text = ("## The smallest build\n\n`INKCELL_SAMPLE_CELLS`, "
+            "`INKCELL_OBJECT_ORDER` and `INKCELL_FAST_ROWS` off (PORTING.md), "
+            "-Os.\nPictures are the same. Bytes of code, as above; and of "
+            "stack, for the deepest direct glyph, packed\none, and `draw` of "
+            "a line of text into RGB565:\n\n")
+    rows = []
+    for f in figures:
+        if f["figure"] == "code":
+            stack = [max(r["stack"] for r in results if r["cpu"] == f["cpu"] and
+                         r["coding"] == coding)
+                     for coding in ("direct", "packed")]
+            stack.append(max(r["stack"] for r in figures
+                             if r["cpu"] == f["cpu"] and r["figure"] == "run"))
+            rows.append([CORES[f["cpu"]]] + [f[name] for name in (
+                "glyphs", "packed", "text", "turned", "all_formats")] + stack)
+    text += table(["core", "glyphs", "packed", "text", "turned", "all formats",
+                   "stack, direct", "packed", "a line"], rows)
+    text += f"{fonts[0]}, thousands of instructions for the mean glyph:\n\n"
+    some = [r for r in results if r["font"] == fonts[0]]
+    sizes = unique(r["px"] for r in some)
+    rows = []
+    for name in unique(kind(r) for r in some):
+        means = {r["px"]: r["instructions_mean"] for r in some
+                 if kind(r) == name}
+        rows.append([", ".join(name)] + [thousands(means[px]) for px in sizes])
+    for cpu in unique(f["cpu"] for f in figures):
+        means = {f["px"]: f["instructions_mean"] for f in figures
+                 if f["figure"] == "turned" and f["cpu"] == cpu and
+                 f["font"] == fonts[0]}
+        rows.append([f"{CORES[cpu]}, turned"] +
+                    [thousands(means[px]) for px in sizes])
+    return text + table(["core, coding"] + [f"{px} px" for px in sizes], rows)
+
+
 def mode_table(figures):
     """What glyphs cost that look otherwise."""
     text = ("## Modes\n\nDirect fonts: thousands of instructions for the mean "
@@ -309,7 +346,7 @@ def other_tables(figures):
                          "call of solid"], rows)
 
 
-def write_document(results, figures, sources):
+def write_document(results, figures, smallest, sources):
     """docs/BENCHMARKS.md from all results."""
     qemu = subprocess.run(["qemu-system-arm", "--version"], check=True,
                           stdout=subprocess.PIPE, text=True).stdout
@@ -320,7 +357,8 @@ def write_document(results, figures, sources):
         stb=peers.stb_version(sources["stb"]))
     text = "\n".join([head, ratio_tables(results) + count_tables(results) +
                       stack_table(results) + memory_table(results) +
-                      code_table(results, figures) + mode_table(figures) +
+                      code_table(results, figures) +
+                      smallest_tables(*smallest) + mode_table(figures) +
                       bound_table(figures) + other_tables(figures)])
     fingerprint.DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
     say(f"wrote {fingerprint.DOCUMENT}")

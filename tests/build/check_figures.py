@@ -76,6 +76,10 @@ def measured(bench):
         return bench.number("Fonts and RAM", coding, "DejaVuSans") / 1000
     glyphs = bench.number("Code", code, "glyphs") / 1000
     packed = bench.number("Code", code, "packed") / 1000
+
+    def least(column):
+        return bench.number("The smallest build", "Cortex-M0", column) / 1000
+    least_stacks = [least("stack, direct"), least("a line")]
     most_stack = max(all_sizes for _, all_sizes in bench.stacks("direct"))
     workspaces = [bench.number("Fonts and RAM", way, "workspace") / 1000
                   for way in ("packed", "rows")]
@@ -101,6 +105,15 @@ def measured(bench):
           for px in (12, 48)]),
         ("README.md", r"\| RAM to draw packed \| up to ([\d.]+) KB for a "
          r"glyph, ([\d.]+) KB for a row", workspaces),
+        *[(document, words, [least("glyphs"), least("all formats"),
+                             max(least_stacks)])
+          for document, words in [
+              ("README.md", r"-Os: ([\d.]+) KB for one pixel format, ([\d.]+) "
+               r"KB with packed fonts.*? on ([\d.]+) KB of stack"),
+              ("docs/PORTING.md", r"into one format takes ([\d.]+) KB, and "
+               r"([\d.]+) KB with packed.*? on ([\d.]+) KB of stack")]],
+        ("docs/CHANGELOG.md", r"in pixel order, is ([\d.]+) KB on Cortex-M0",
+         [least("all formats")]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M3 at -Os",
          [glyphs]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB packed, ([\d.]+) KB direct, (\d+) "

@@ -29,8 +29,8 @@ OPTIONS = {
                              "packed font"},
                             ["LeafBand::", "FieldLeaves::",
                              "draw_slanted(", "Expansion::"]),
-    "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells",
-                                     "LeafBand::reduce"]),
+    "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells", "LeafBand::",
+                                     "draw_fields", "draw_slanted("]),
     "INKCELL_FAST_ROWS": (set(), ["FieldBand::coverage_of_point"]),
     "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }
