@@ -134,6 +134,11 @@ void check_hint(const LookOptions& options,
                              " fits upright text only, and " + angle +
                              " turns it; leave out one of the two");
   }
+  if (is_asked && options.samples == "splats") {
+    throw std::runtime_error("--hint " + options.hint +
+                             " fits rows, which --samples splats does not "
+                             "draw; leave out one of the two");
+  }
 }
 
 Look::Look(const LookOptions& options,

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -102,7 +103,17 @@ void read_value(const std::string& name, const Json& value, RenderJob& job) {
 }
 
 RenderJob read_job(const std::string& line) {
-  const Json json = Json::parse(line);
+  std::set<std::string> names;
+  const auto meet = [&names](int depth, Json::parse_event_t event,
+                             Json& parsed) {
+    if (depth == 1 && event == Json::parse_event_t::key &&
+        !names.insert(parsed.get<std::string>()).second) {
+      throw std::runtime_error("key '" + parsed.get<std::string>() +
+                               "' stands twice");
+    }
+    return true;
+  };
+  const Json json = Json::parse(line, meet);
   if (!json.is_object()) {
     throw std::runtime_error("is no JSON object");
   }

@@ -376,6 +376,9 @@ class Tools(unittest.TestCase):
                    ("--font", self.font, *text, "--hint", hint, "--angle",
                     angle))
                   for hint in ("vertical", "both") for angle in (1, 90, -180)),
+                *((f"--hint {hint} fits rows, which --samples splats",
+                   ("--font", self.font, *text, "--hint", hint, "--samples",
+                    "splats")) for hint in ("vertical", "both")),
                 ("--outline-place is for --outline", (
                     "--font", self.font, *text, "--outline-place", "inner")),
                 ("no folder /nowhere", ("--font", self.font, *text[:-1],
@@ -443,6 +446,9 @@ class Tools(unittest.TestCase):
                                  ("dx", [1], "array"), ("kind", None, "null")]:
             self.assertEqual(refusal(json.dumps(dict(job, **{key: value}))),
                              f"key '{key}' cannot be of type {kind}\n")
+        for key in job:
+            twice = json.dumps(job)[:-1] + f', "{key}": {json.dumps(job[key])}}}'
+            self.assertEqual(refusal(twice), f"key '{key}' stands twice\n")
         self.assertEqual(refusal("[1]"), "is no JSON object\n")
         self.assertIn("parse error", refusal("{"))
 
