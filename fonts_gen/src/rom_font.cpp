@@ -322,6 +322,8 @@ Bytes glyphs_section(const RomContent& content) {
     out.insert(out.end(), record.begin(), record.end());
   }
   pad(out, units.unit_log2);
+  // Readers take four bytes at once, also where no glyph has ink.
+  out.resize(std::max<size_t>(out.size(), 4));
   return out;
 }
 

@@ -174,6 +174,32 @@ TEST(RomFont, ClosedLoopAcceptsWhatWasWritten) {
   check_rom_font(write(larger()), larger());
 }
 
+TEST(RomFont, NoGlyphNeedsInk) {
+  for (const Coding coding : {Coding::direct, Coding::packed}) {
+    for (size_t count = 1; count < 20; ++count) {
+      RomContent content = smallest();
+      content.options.cells = CellKind::fields;
+      content.options.coding = coding;
+      content.glyphs.assign(count, RomGlyph());
+      content.glyph_of.clear();
+      for (size_t i = 0; i < count; ++i) {
+        content.glyphs[i].metrics.advance = static_cast<int>(300 + i);
+        content.glyph_of[static_cast<char32_t>(U' ' + i)] =
+            static_cast<uint16_t>(i);
+      }
+      const std::vector<uint8_t> bytes = write(content);
+      check_rom_font(bytes, content);
+      Font font;
+      ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
+      for (size_t i = 0; i < count; ++i) {
+        GlyphField field;
+        EXPECT_EQ(font.field(static_cast<uint16_t>(i), field), Status::ok);
+        EXPECT_EQ(field.tiles_x, 0);
+      }
+    }
+  }
+}
+
 TEST(RomFont, JoinsRunsOfCharacters) {
   RomContent content = larger();
   content.glyph_of.clear();
