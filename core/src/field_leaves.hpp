@@ -152,7 +152,7 @@ class FieldLeaves {
                         uint32_t number) const noexcept;
   int32_t limited(int32_t value, int32_t sign) const noexcept {
     if (!kObjectOrder) {
-      return value;
+      return value;  // limits are for bands
     }
     return with_sign(lesser(greater(with_sign(value, sign), least_rounded_q22_),
                             greatest_rounded_q22_),

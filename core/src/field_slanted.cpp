@@ -129,6 +129,10 @@ inline uint32_t bits_between(int32_t begin, int32_t end) noexcept {
 // matter: of upright cells (kMinReduced) it takes a little less. [px]
 constexpr uint32_t kMinWide = 6;
 
+// Larger cells are not: px from side to side would pass 32 bits. None keeps the
+// format's limits. [log2 u]
+constexpr uint8_t kMostReduced = 10;
+
 // The points of a row that lie in a leaf, all in a rectangle of the glyph. [u,
 // Q16]
 struct LeafRow {
@@ -330,7 +334,6 @@ __attribute__((noinline)) void SlantedBand::reduce_at(
   const int32_t last = end - 1 - leaf.spans[0].begin;
   const int32_t down = leaf.height - 1;
   const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
-  // Leaves of 2048 u may wrap: none keeps the format's limits.
   const auto px_q8 = [this](uint32_t way_q16) noexcept {
     return static_cast<int32_t>(((way_q16 >> 10) * (scale_.size_q8 >> 2)) >>
                                 14);
@@ -470,7 +473,8 @@ __attribute__((noinline)) bool SlantedBand::cover(
                                row.y_q20 + times(right.y_q20, before)};
       leaf.line = pixels.row(y) + x;
       leaf.know_nothing();
-      if (may_reduce_ && leaf.count != 0 && size_q18(leaf) >= kMinWide << 18) {
+      if (may_reduce_ && leaf.count != 0 && leaf.size_log2 <= kMostReduced &&
+          size_q18(leaf) >= kMinWide << 18) {
         reduce_at(leaf, at);
       }
       if (leaf.count != 0 || leaf.is_inside) {

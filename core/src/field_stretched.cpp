@@ -46,25 +46,19 @@ uint32_t inverse_root_q14(uint32_t x_q32) noexcept {
 
 // Any vector but 0, which gets some direction.
 Direct direct(Vector v) noexcept {
-  int32_t exponent = 0;
   uint32_t size = magnitude(v.x) | magnitude(v.y);
   if (size == 0) {
     v.x = 1;
     size = 1;
   }
-  for (; size >= 1u << 18; size >>= 4) {
-    exponent += 4;
-  }
-  for (; size >= 1u << 15; size >>= 1) {
-    ++exponent;
-  }
-  v.x >>= exponent;
-  v.y >>= exponent;
-  while (size < 1u << 14) {
-    size <<= 1;
-    v.x *= 2;
-    v.y *= 2;
-    --exponent;
+  // The greater one to 15 bits.
+  const int32_t exponent = 17 - __builtin_clz(size);
+  if (exponent >= 0) {
+    v.x >>= exponent;
+    v.y >>= exponent;
+  } else {
+    v.x *= 1 << -exponent;
+    v.y *= 1 << -exponent;
   }
   // 2^28 to 2^31.
   uint32_t square = times(v.x, static_cast<uint32_t>(v.x)) +

@@ -17,7 +17,8 @@ FieldPosition position_in(const GlyphField& field,
           wrapped(at.y_q16) + field.y0_u * (1 << 16), 0, 0};
 }
 
-// Draws the pixels of a row that may show.
+// Draws the pixels of a row that may show. Only fields can tell how edges are
+// stretched before they are combined.
 using DrawRow = void (*)(
     const Slanted&, const Stretching*, SpanWriter&, SlantedPoint, Range);
 
@@ -130,7 +131,8 @@ bool is_near(const Brush& brush,
          is_near(find_way(brush, placed, box.x1, box.y1));
 }
 
-// The pixels of a window that a glyph may show something in.
+// The pixels of a window that a glyph may show something in: none if a painter
+// has moved it too far away.
 Rect shown_box(const GlyphField& field,
                const Brush& brush,
                const FinePoint& origin,

@@ -242,7 +242,8 @@ class Expansion {
     uint32_t next = recent_.begin();  // where ranks count from
     uint32_t hole = recent_.end();
     uint32_t context = 0;
-    // Written out places and contexts are constants.
+    // Written out, so that places and contexts are constants, unless code
+    // shall be small.
 #pragma GCC unroll(detail::kFastRows ? 3 : 1)
     for (uint32_t i = 0; i < 3;) {
       const uint32_t entry =

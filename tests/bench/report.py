@@ -264,20 +264,23 @@ def smallest_tables(results, figures):
     text = ("## The smallest build\n\n`INKCELL_SAMPLE_CELLS`, "
             "`INKCELL_OBJECT_ORDER` and `INKCELL_FAST_ROWS` off (PORTING.md), "
             "-Os.\nPictures are the same. Bytes of code, as above; and of "
-            "stack, for the deepest direct glyph, packed\none, and `draw` of "
-            "a line of text into RGB565:\n\n")
+            "stack, for the deepest direct glyph, packed\none and turned one, "
+            "and for `draw` of a line of text into RGB565:\n\n")
     rows = []
     for f in figures:
         if f["figure"] == "code":
             stack = [max(r["stack"] for r in results if r["cpu"] == f["cpu"] and
                          r["coding"] == coding)
                      for coding in ("direct", "packed")]
-            stack.append(max(r["stack"] for r in figures
-                             if r["cpu"] == f["cpu"] and r["figure"] == "run"))
+            stack += [max(r["stack"] for r in figures
+                          if r["cpu"] == f["cpu"] and r["figure"] == figure)
+                      for figure in ("turned", "run")]
             rows.append([CORES[f["cpu"]]] + [f[name] for name in (
-                "glyphs", "packed", "text", "turned", "all_formats")] + stack)
+                "glyphs", "packed", "text", "turned", "all_formats",
+                "libraries")] + stack)
     text += table(["core", "glyphs", "packed", "text", "turned", "all formats",
-                   "stack, direct", "packed", "a line"], rows)
+                   "libgcc", "stack, direct", "stack, packed", "stack, turned",
+                   "stack, a line"], rows)
     text += f"{fonts[0]}, thousands of instructions for the mean glyph:\n\n"
     some = [r for r in results if r["font"] == fonts[0]]
     sizes = unique(r["px"] for r in some)

@@ -13,7 +13,7 @@ from toolchains import ROOT, finish
 # words around the constant.
 CONSTANTS = [
     ("docs/DESIGN.md", r"in bands of (\d+) rows and",
-     "core/src/field_draw.hpp", r"kMost = kObjectOrder \? (\d+) : 1"),
+     "core/src/leaf_band.hpp", r"kRows = (\d+)"),
     ("docs/DESIGN.md", r"in bands of 8 rows and (\d+) columns",
      "core/src/leaf_band.hpp", r"kColumns = (\d+)"),
     ("docs/DESIGN.md", r"height in the band make (\d+) px",
@@ -79,7 +79,6 @@ def measured(bench):
 
     def least(column):
         return bench.number("The smallest build", "Cortex-M0", column) / 1000
-    least_stacks = [least("stack, direct"), least("a line")]
     most_stack = max(all_sizes for _, all_sizes in bench.stacks("direct"))
     workspaces = [bench.number("Fonts and RAM", way, "workspace") / 1000
                   for way in ("packed", "rows")]
@@ -105,13 +104,18 @@ def measured(bench):
           for px in (12, 48)]),
         ("README.md", r"\| RAM to draw packed \| up to ([\d.]+) KB for a "
          r"glyph, ([\d.]+) KB for a row", workspaces),
-        *[(document, words, [least("glyphs"), least("all formats"),
-                             max(least_stacks)])
+        *[(document, words,
+           [least(column) for column in (
+               "glyphs", "libgcc", "all formats", "stack, direct",
+               "stack, packed", "stack, turned")])
           for document, words in [
-              ("README.md", r"-Os: ([\d.]+) KB for one pixel format, ([\d.]+) "
-               r"KB with packed fonts.*? on ([\d.]+) KB of stack"),
+              ("README.md", r"-Os: ([\d.]+) KB for one pixel format and "
+               r"([\d.]+) of libgcc, ([\d.]+) KB with packed .*?; ([\d.]+) KB "
+               r"of stack for a glyph, ([\d.]+) for a packed and ([\d.]+) for a"),
               ("docs/PORTING.md", r"into one format takes ([\d.]+) KB, and "
-               r"([\d.]+) KB with packed.*? on ([\d.]+) KB of stack")]],
+               r"([\d.]+) of libgcc; ([\d.]+) KB with packed .*?\. A glyph "
+               r"takes ([\d.]+) KB of stack, a packed one ([\d.]+), a turned "
+               r"one ([\d.]+)")]],
         ("docs/CHANGELOG.md", r"in pixel order, is ([\d.]+) KB on Cortex-M0",
          [least("all formats")]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M3 at -Os",

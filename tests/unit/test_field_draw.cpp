@@ -221,13 +221,19 @@ Brush stretched_brush(int32_t most_q16,
   return brush;
 }
 
-// A leaf of 256 u and one or two lines, about along a diagonal, that lie 256 u
-// or a little more from its middle.
+// A leaf of 256 u, or of 2048, and one or two lines, about along a diagonal,
+// that lie 256 u or a little more from its middle.
 void make_far_lines(Random& random) {
   record = FieldRecord();
   record.linked = random.below(2) == 0;
   record.x0_u = static_cast<int16_t>(random.between(-300, 100));
   record.y0_u = static_cast<int16_t>(random.between(-300, 100));
+  if (random.below(4) == 0) {
+    record.tile_log2 = 11;
+    record.x0_u -= 960;
+    record.y0_u -= 960;
+  }
+  const int32_t half_u = 1 << (record.tile_log2 - 1);
   record.line_count = 2;
   record.pair_count = 1;
   record.pairs[0][1] = 1;
@@ -239,8 +245,9 @@ void make_far_lines(Random& random) {
     field.nx = x_sign * (11585 + turn);
     field.ny = y_sign * (11585 - turn);
     const int32_t way_q4 = random.between(256 * 16, 260 * 16);
-    const int32_t middle_q4 =
-        (field.nx * (record.x0_u + 128) + field.ny * (record.y0_u + 128)) >> 10;
+    const int32_t middle_q4 = (field.nx * (record.x0_u + half_u) +
+                               field.ny * (record.y0_u + half_u)) >>
+                              10;
     field.c = (random.below(2) == 0 ? way_q4 : -way_q4) - middle_q4;
   }
   record.references[0] = random.below(2) == 0 ? record.field_reference(0)
@@ -265,6 +272,40 @@ TEST(strongly_stretched_fields_equal_the_plain_chain) {
     }
   }
   CHECK(grey > rounds / 8);
+}
+
+// Positions in the glyph are kept modulo 2^16 u. Around a grid that is strongly
+// stretched they pass that, in corners that could show it once more.
+TEST(far_corners_of_stretched_grids_are_empty) {
+  record = FieldRecord();
+  record.tiles_x = record.tiles_y = 4;
+  record.x0_u = record.y0_u = -512;
+  for (uint32_t i = 0; i < record.reference_count(); ++i) {
+    record.references[i] = format::glyph::kInside;
+  }
+  const GlyphField field = open();
+  // Along the rising diagonal of the screen, and across it.
+  const auto most = Q16_16::from_raw(723 << 16);
+  const auto least = Q16_16::from_raw(231705);
+  const auto less = Q16_16::from_raw(-231705);
+  Brush brush;
+  CHECK_OK(Brush::make({most, most, less, least}, kFilterText, brush));
+  const FinePoint origin(77, -99);
+  const Rect box = field_box(field, brush, origin);
+  CHECK(box.x1 - box.x0 > 700 && box.y1 - box.y0 > 700);
+  const int32_t middle_x = (box.x0 + box.x1) / 2 - kSide / 2;
+  const int32_t middle_y = (box.y0 + box.y1) / 2 - kSide / 2;
+  const int32_t step = INKCELL_BOARD_FIRMWARE ? 226 : kSide;
+  for (int32_t way = 0; way < 400; way += step) {
+    for (int32_t x_sign = -1; x_sign < 2; x_sign += 2) {
+      for (int32_t y_sign = -1; y_sign < 2; y_sign += 2) {
+        const int32_t x0 = middle_x + x_sign * way;
+        const int32_t y0 = middle_y + y_sign * way;
+        check_plain_chain(field, brush, origin,
+                          {x0, y0, x0 + kSide, y0 + kSide});
+      }
+    }
+  }
 }
 
 // Ramps that lie on one side of the edge.
