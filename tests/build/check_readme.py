@@ -1,7 +1,8 @@
 """Makes a project of the README's code, builds it and runs it.
 
 Once as the README has it, with add_subdirectory(inkcell); once as its comment
-says, with find_package(inkcell) after an installation.
+says, with find_package(inkcell) after an installation. Linked as docs/PORTING.md
+says, the program has what it calls and nothing else.
 
 Usage: check_readme.py subdirectory|installed WORK_FOLDER BUILD_FOLDER FONTGEN
 """
@@ -13,6 +14,12 @@ import sys
 from toolchains import ROOT, finish, run
 
 FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+LINKER_FLAGS = "-Wl,--gc-sections"
+# Functions that the program calls; that others would.
+CALLED = ["FieldBand::cover", "Expansion::", "draw_text("]
+NOT_CALLED = ["draw_slanted(", "SlantedBand::", "stretched_value", "paint_lcd",
+              "paint_adaptive", "paint_splats", "paint_crisp", "Fit::make",
+              "fit_glyph", "Font::verify", "distance_at"]
 SUBDIRECTORY = re.compile(r"add_subdirectory\(inkcell\).*")
 
 
@@ -45,6 +52,20 @@ def write_project(mode, project):
     (project / "CMakeLists.txt").write_text(text.replace("@README_CMAKE@", cmake))
 
 
+def check_linked(program, library):
+    """What is missing in a program, or too much."""
+    def names_of(binary):
+        return run(["nm", "-C", "--defined-only", binary]).stdout
+
+    if LINKER_FLAGS not in (ROOT / "docs/PORTING.md").read_text():
+        return [f"docs/PORTING.md does not name {LINKER_FLAGS}"]
+    names, all_names = names_of(program), names_of(library)
+    return ([f"{name} is not linked" for name in CALLED if name not in names] +
+            [f"{name} is linked" for name in NOT_CALLED if name in names] +
+            [f"{name} is nowhere: the test looks for nothing"
+             for name in NOT_CALLED if name not in all_names])
+
+
 def main():
     mode, work, build, fontgen = sys.argv[1], *map(pathlib.Path, sys.argv[2:])
     shutil.rmtree(work, ignore_errors=True)
@@ -59,7 +80,8 @@ def main():
     else:
         options = [f"-DINKCELL_FONTGEN={fontgen}"]
     commands += [
-        ["cmake", "-G", "Ninja", "-S", project, "-B", work / "build", *options],
+        ["cmake", "-G", "Ninja", "-S", project, "-B", work / "build",
+         f"-DCMAKE_EXE_LINKER_FLAGS={LINKER_FLAGS}", *options],
         ["cmake", "--build", work / "build"],
         [work / "build/app"],
     ]
@@ -69,7 +91,8 @@ def main():
             words = " ".join(str(word) for word in command)
             finish(0, [f"{words}\n{result.stdout}"])
     print(result.stdout, end="")
-    finish(len(commands), [])
+    finish(len(commands) + 1, check_linked(
+        work / "build/app", build / "core/libinkcell_core.a"))
 
 
 main()
