@@ -67,6 +67,22 @@ void add_words(CLI::App& app,
       ->capture_default_str();
 }
 
+// Whether glyphs have ink, but none of them cells of samples.
+bool lacks_samples(const Font& font) {
+  bool has_ink = font.is_packed();
+  for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
+    GlyphField field;
+    if (font.field(static_cast<uint16_t>(glyph), field) == Status::ok &&
+        field.references != nullptr) {
+      if (field.kind == GlyphField::Kind::samples) {
+        return false;
+      }
+      has_ink = true;
+    }
+  }
+  return has_ink;
+}
+
 }  // namespace
 
 void add_look_options(CLI::App& app, LookOptions& options) {
@@ -77,12 +93,13 @@ void add_look_options(CLI::App& app, LookOptions& options) {
             "Fit upright text to the pixel grid: none; vertical, heights; "
             "both, stems too; auto, vertical but for turned text and jobs of "
             "kind anim");
-  add_words(app, "--samples", options.samples,
-            {"one", "adaptive", "paper", "splats", "auto"},
-            "Distances a pixel: one; adaptive, up to 13 where one does "
-            "not tell enough; paper, as the paper has it; splats, cells "
-            "smaller than a pixel once each; auto, one, but adaptive below "
-            "10 px and for jobs of kind anim");
+  add_words(
+      app, "--samples", options.samples,
+      {"one", "adaptive", "paper", "splats", "auto"},
+      "Distances a pixel: one; adaptive, up to 13 where one does "
+      "not tell enough; paper, as the paper has it; splats, cells of samples "
+      "smaller than a pixel once each; auto, one, but adaptive below "
+      "10 px and for jobs of kind anim");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
                  "of kind anim, 1.3 for paper and splats]")
@@ -153,6 +170,11 @@ Look::Look(const LookOptions& options,
       brush_(make_brush(px, angle, edges_.outer)) {
   require_reach(options, font);
   set_painter(options, use);
+  if (brush_.painter() == paint_splats && lacks_samples(font)) {
+    throw std::runtime_error(
+        "--samples splats draws cells of samples, and this font has none: make "
+        "it by inkcell-fontgen --cells samples");
+  }
   set_hint(options, font, use);
 }
 

@@ -379,6 +379,8 @@ class Tools(unittest.TestCase):
                 *((f"--hint {hint} fits rows, which --samples splats",
                    ("--font", self.font, *text, "--hint", hint, "--samples",
                     "splats")) for hint in ("vertical", "both")),
+                ("make it by inkcell-fontgen --cells samples", (
+                    "--font", self.font, *text, "--samples", "splats")),
                 ("--outline-place is for --outline", (
                     "--font", self.font, *text, "--outline-place", "inner")),
                 ("no folder /nowhere", ("--font", self.font, *text[:-1],
