@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "inkcell/version.hpp"
 
@@ -28,6 +29,36 @@ inline std::string problem_of(const CLI::App& app,
   return unknown.empty() ? error.what() : unknown.front() + " is not expected";
 }
 
+/// Arguments with `--option=` as `--option` and an empty one behind it, which
+/// CLI11 would look for in the next argument.
+class Words {
+ public:
+  Words(int argc, char** argv) {
+    bool are_options = true;
+    for (int i = 0; i < argc; ++i) {
+      const std::string word = argv[i];
+      are_options = are_options && word != "--";
+      const bool is_empty = are_options && i > 0 && word.size() > 3 &&
+                            word.compare(0, 2, "--") == 0 &&
+                            word.find('=') == word.size() - 1;
+      words_.push_back(is_empty ? word.substr(0, word.size() - 1) : word);
+      if (is_empty) {
+        words_.emplace_back();
+      }
+    }
+    for (const std::string& word : words_) {
+      pointers_.push_back(word.c_str());
+    }
+  }
+
+  int count() const { return static_cast<int>(pointers_.size()); }
+  const char* const* data() const { return pointers_.data(); }
+
+ private:
+  std::vector<std::string> words_;
+  std::vector<const char*> pointers_;
+};
+
 /// Adds --version, parses the arguments and calls `work`. Returns what main()
 /// shall: the result of `work`, or `failed` if the arguments are wrong or it
 /// threw, with a message on standard error.
@@ -38,7 +69,8 @@ int run_program(
       "--version",
       version_of(std::filesystem::path(argv[0]).filename().string()));
   try {
-    app.parse(argc, argv);
+    const Words words(argc, argv);
+    app.parse(words.count(), words.data());
     return work();
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);

@@ -50,11 +50,14 @@ void check_request(const GenerateRequest& request) {
     throw Error("--effort is a whole number within 0..9");
   }
   if (adf.cells == CellKind::samples && adf.coding == Coding::packed) {
-    throw Error("--coding packed is for cells of fields; use --cells fields");
+    throw Error(
+        "--coding packed is for cells of fields; use --cells fields "
+        "(inkcell-inspect: --kind fields)");
   }
   if (adf.cells == CellKind::fields && adf.predicate == Predicate::fixed) {
     throw Error(
-        "--predicate fixed is the paper's, for its cells; use --cells samples");
+        "--predicate fixed is the paper's, for its cells; use --cells samples "
+        "(inkcell-inspect: --kind samples)");
   }
 }
 

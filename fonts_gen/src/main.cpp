@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "files.hpp"
 #include "generate.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -142,7 +143,7 @@ void check_files(const Arguments& arguments) {
   }
   std::vector<std::filesystem::path> inputs = arguments.request.text_files;
   inputs.push_back(arguments.request.font);
-  check_apart(targets, inputs);
+  tools::check_apart(targets, inputs);
 }
 
 // The bytes that a wide band takes: those that the font has without it.

@@ -71,6 +71,13 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
       ->type_name("LIST")
       ->allow_extra_args(false);
   app.add_option("--symbols", request.symbols, "Characters, as themselves")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return text.empty()
+                       ? "it is empty; name characters, or leave it out"
+                       : std::string();
+          },
+          ""))
       ->type_name("STRING");
 }
 

@@ -9,49 +9,11 @@
 #include <iterator>
 
 #include "error.hpp"
+#include "files.hpp"
 #include "inkcell/version.hpp"
 
 namespace inkcell::gen {
 namespace {
-
-std::filesystem::path folder_of(const std::filesystem::path& target) {
-  const std::filesystem::path folder = target.parent_path();
-  return folder.empty() ? std::filesystem::path(".") : folder;
-}
-
-// Links that may follow each other, as on Linux.
-constexpr int kMostLinks = 40;
-
-// What `target` is in the end if it is a symbolic link, which need not exist.
-std::filesystem::path follow_links(std::filesystem::path target) {
-  const std::string name = target.string();
-  std::error_code error;
-  for (int i = 0; i < kMostLinks; ++i) {
-    if (!std::filesystem::is_symlink(
-            std::filesystem::symlink_status(target, error))) {
-      return target;
-    }
-    // An absolute link replaces the whole path.
-    target = folder_of(target) / std::filesystem::read_symlink(target, error);
-    if (error) {
-      break;
-    }
-  }
-  throw Error(name + ": is a symbolic link that leads nowhere; remove it");
-}
-
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error)) {
-    return true;
-  }
-  const auto place = [&](const std::filesystem::path& file) {
-    const std::filesystem::path whole = follow_links(file);
-    return std::filesystem::weakly_canonical(folder_of(whole), error) /
-           whole.filename();
-  };
-  return place(a) == place(b);
-}
 
 // Numbers of an array, in lines of at most 80 columns.
 void append_array(std::string& out, const std::vector<uint8_t>& bytes) {
@@ -259,7 +221,8 @@ void check_writable(const std::filesystem::path& target) {
         "-: is not standard output here; name a file, ./- if it shall be "
         "called so");
   }
-  const std::filesystem::path folder = folder_of(follow_links(target));
+  const std::filesystem::path folder =
+      tools::folder_of(tools::follow_links(target));
   std::error_code error;
   if (std::filesystem::is_directory(target, error)) {
     throw Error(target.string() + ": is a folder; name a file");
@@ -280,31 +243,11 @@ void check_writable(const std::filesystem::path& target) {
   }
 }
 
-void check_apart(const std::vector<std::filesystem::path>& targets,
-                 const std::vector<std::filesystem::path>& inputs) {
-  for (size_t i = 0; i < targets.size(); ++i) {
-    const auto refuse_if_same = [&](const std::filesystem::path& other,
-                                    const char* what) {
-      if (!targets[i].empty() && !other.empty() &&
-          same_file(targets[i], other)) {
-        throw Error(targets[i].string() + ": is " + what +
-                    " too; name another file");
-      }
-    };
-    for (const std::filesystem::path& input : inputs) {
-      refuse_if_same(input, "a file to read");
-    }
-    for (size_t k = 0; k < i; ++k) {
-      refuse_if_same(targets[k], "another file to write");
-    }
-  }
-}
-
 OutputFile::OutputFile(std::filesystem::path target)
-    : target_(follow_links(std::move(target))) {
+    : target_(tools::follow_links(std::move(target))) {
   check_writable(target_);
-  temporary_ = folder_of(target_) / ("." + target_.filename().string() +
-                                     ".part" + std::to_string(getpid()));
+  temporary_ = tools::folder_of(target_) / ("." + target_.filename().string() +
+                                            ".part" + std::to_string(getpid()));
 }
 
 OutputFile::~OutputFile() {

@@ -16,7 +16,7 @@ namespace inkcell::gen {
 /// place is a symbolic link, what it points to is replaced, not the link.
 class OutputFile {
  public:
-  /// Throws Error as check_writable does.
+  /// Throws what check_writable does.
   explicit OutputFile(std::filesystem::path target);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -33,15 +33,10 @@ class OutputFile {
   bool committed_ = false;
 };
 
-/// Throws Error unless a file can be made at `target`, or the one that is there
-/// replaced: before work begins. Folders, devices and pipes are refused, and -,
-/// which many take for standard output.
+/// Throws std::runtime_error unless a file can be made at `target`, or the one
+/// that is there replaced: before work begins. Folders, devices and pipes are
+/// refused, and -, which many take for standard output.
 void check_writable(const std::filesystem::path& target);
-
-/// Throws Error if one of `targets` is the same file as another or as one of
-/// `inputs`, by whatever path. Empty paths are skipped.
-void check_apart(const std::vector<std::filesystem::path>& targets,
-                 const std::vector<std::filesystem::path>& inputs);
 
 enum class OutputFormat { bin, hpp, c };
 

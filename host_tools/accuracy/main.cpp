@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison.hpp"
+#include "files.hpp"
 #include "parallel.hpp"
 #include "pictures.hpp"
 #include "program.hpp"
@@ -225,6 +226,8 @@ void check_outputs(const Arguments& arguments) {
   if (!arguments.picture.empty()) {
     check_image_file(arguments.picture, 3);  // in colour
   }
+  check_apart({arguments.json, arguments.picture},
+              {arguments.font, arguments.truth});
 }
 
 int run(const Arguments& arguments) {

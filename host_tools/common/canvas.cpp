@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
 #include "glyph_cells.hpp"
@@ -175,7 +176,9 @@ Brush make_brush(double px, double angle, const Filter& filter) {
   const double raw = std::round(px * 64);
   const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
   if (!in_range) {
-    throw std::runtime_error("sizes go from 4 to 1024 px");
+    std::ostringstream text;
+    text << px << " px: sizes go from 4 to 1024 px";
+    throw std::runtime_error(text.str());
   }
   Brush brush;
   if (!std::isfinite(angle) ||

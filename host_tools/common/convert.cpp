@@ -50,7 +50,7 @@ void warn_of_missing(const RomFile& rom,
   std::set<char32_t> missing;
   for (const char32_t c : from_utf8(text)) {
     uint16_t glyph = 0;
-    if (c >= U' ' && rom.font().glyph_of(c, glyph) != Status::ok) {
+    if (c != U'\n' && rom.font().glyph_of(c, glyph) != Status::ok) {
       missing.insert(c);
     }
   }
@@ -92,7 +92,8 @@ Conversion conversion_of(const CLI::App& app,
 
 RomFile load_font_file(const std::filesystem::path& file,
                        const Conversion& conversion,
-                       const std::string& text) {
+                       const std::string& text,
+                       Damaged damaged) {
   std::vector<uint8_t> bytes = read_file(file);
   if (is_rom_font(bytes)) {
     if (!conversion.option.empty()) {
@@ -101,6 +102,9 @@ RomFile load_font_file(const std::filesystem::path& file,
           " cannot change; name the TTF or OTF it was made of");
     }
     RomFile rom(std::move(bytes), file.string());
+    if (damaged == Damaged::refused) {
+      require_sound(rom, file);
+    }
     warn_of_missing(rom, file, text);
     return rom;
   }

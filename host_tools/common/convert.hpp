@@ -36,9 +36,12 @@ Conversion conversion_of(const CLI::App& app,
 /// may, it tries again with half the largest size, down to the smallest, and
 /// says so. Warnings go to standard error.
 ///
-/// Throws std::runtime_error.
+/// Throws std::runtime_error, also for a damaged ROM font that is not to be
+/// shown.
+enum class Damaged { refused, shown };
 RomFile load_font_file(const std::filesystem::path& file,
                        const Conversion& conversion,
-                       const std::string& text);
+                       const std::string& text,
+                       Damaged damaged = Damaged::refused);
 
 }  // namespace inkcell::tools

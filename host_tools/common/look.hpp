@@ -77,6 +77,11 @@ class Look {
   }
   uint32_t more_samples() const { return more_samples_; }
 
+  /// How far motion blur leads beyond what it blurs. [px]
+  int blur_px() const {
+    return brush_.painter() == paint_motion_blur ? blur_.reach_px : 0;
+  }
+
  private:
   void require_reach(const LookOptions& options, const Font& font) const;
   void set_painter(const LookOptions& options, Use use);

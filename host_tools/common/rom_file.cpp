@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bytes.hpp"
+#include "glyph_cells.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/text.hpp"
 
@@ -102,8 +103,19 @@ bool is_rom_font(const std::vector<uint8_t>& bytes) {
   return bytes.size() >= 4 && read_u32(bytes.data()) == format::kMagic;
 }
 
+void require_sound(const RomFile& rom, const std::filesystem::path& file) {
+  FontWorkspace workspace(rom.font());
+  if (rom.font().verify(workspace) != Status::ok) {
+    throw std::runtime_error(
+        file.string() +
+        ": it is damaged; regenerate it (inkcell-inspect looks into it)");
+  }
+}
+
 RomFile load_rom(const std::filesystem::path& file) {
-  return RomFile(read_file(file), file.string());
+  RomFile rom(read_file(file), file.string());
+  require_sound(rom, file);
+  return rom;
 }
 
 std::vector<Mapping> mappings(const Font& font) {

@@ -46,7 +46,11 @@ std::vector<uint8_t> read_file(const std::filesystem::path& file);
 /// Whether the bytes claim to be a ROM font.
 bool is_rom_font(const std::vector<uint8_t>& bytes);
 
-/// read_file and open.
+/// Throws std::runtime_error that names the file if Font::verify finds fault
+/// with it.
+void require_sound(const RomFile& rom, const std::filesystem::path& file);
+
+/// read_file, open and require_sound.
 RomFile load_rom(const std::filesystem::path& file);
 
 /// A code point and its glyph.

@@ -5,6 +5,7 @@
 
 #include "census.hpp"
 #include "convert.hpp"
+#include "files.hpp"
 #include "pictures.hpp"
 #include "program.hpp"
 #include "report.hpp"
@@ -104,12 +105,15 @@ const GlyphCensus& example_glyph(const FontCensus& font) {
   return first == nullptr ? font.glyphs.front() : *first;
 }
 
-void run(const Arguments& arguments, const CLI::App& app) {
-  const RomFile rom =
-      load_font_file(arguments.file, conversion_of(app, arguments.request),
-                     arguments.glyph.size() > 1 && arguments.glyph[0] == '#'
-                         ? std::string()
-                         : arguments.glyph);
+// False: the font is damaged.
+bool run(const Arguments& arguments, const CLI::App& app) {
+  check_apart({arguments.cells, arguments.edges, arguments.sheet},
+              {arguments.file});
+  const RomFile rom = load_font_file(
+      arguments.file, conversion_of(app, arguments.request),
+      arguments.glyph.size() > 1 && arguments.glyph[0] == '#' ? std::string()
+                                                              : arguments.glyph,
+      Damaged::shown);
   const FontCensus font = take_census(rom.font());
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
@@ -127,6 +131,11 @@ void run(const Arguments& arguments, const CLI::App& app) {
                              : glyph != nullptr ? glyph_report(font, *glyph)
                                                 : font_report(font);
   std::fputs(report.c_str(), stdout);
+  if (font.verified != Status::ok) {
+    std::fprintf(stderr, "error: %s: it is damaged; regenerate it\n",
+                 arguments.file.c_str());
+  }
+  return font.verified == Status::ok;
 }
 
 }  // namespace
@@ -137,7 +146,6 @@ int main(int argc, char** argv) {
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
   return inkcell::tools::run_program(app, argc, argv, [&] {
-    inkcell::tools::run(arguments, app);
-    return 0;
+    return inkcell::tools::run(arguments, app) ? 0 : 1;
   });
 }

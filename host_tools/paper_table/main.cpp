@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adf.hpp"
+#include "files.hpp"
 #include "font_source.hpp"
 #include "image.hpp"
 #include "leaf_list.hpp"
@@ -215,6 +216,7 @@ void write_json(const Arguments& arguments, const nlohmann::json& json) {
 
 void run(const Arguments& arguments) {
   check_folder_of(arguments.json);
+  check_apart({arguments.json}, {arguments.font});
   const std::vector<GlyphRow> rows = measure_all(arguments);
   Counts mean;
   std::vector<uint8_t> leaves;

@@ -7,6 +7,7 @@
 
 #include "canvas.hpp"
 #include "convert.hpp"
+#include "files.hpp"
 #include "look.hpp"
 #include "program.hpp"
 #include "render_jobs.hpp"
@@ -101,12 +102,13 @@ Extent place(double low,
              double high,
              double shift,
              std::optional<double> origin,
-             std::optional<int> side) {
+             std::optional<int> side,
+             int margin) {
   // Beyond the margin the picture holds the text at both ends of the shift.
   const double beyond = std::abs(shift) <= kShiftInMargin ? 0 : shift;
   const double start =
-      origin.value_or(kMargin - std::floor(low + std::min(beyond, 0.0)));
-  const double end = std::ceil(start + high + std::max(beyond, 0.0)) + kMargin;
+      origin.value_or(margin - std::floor(low + std::min(beyond, 0.0)));
+  const double end = std::ceil(start + high + std::max(beyond, 0.0)) + margin;
   if (!side.has_value() && !(end <= kMaxSide)) {
     throw std::runtime_error(
         "the text ends beyond 32767 px, the largest picture; say --width and "
@@ -118,11 +120,14 @@ Extent place(double low,
   return extent;
 }
 
-Placement place(const Arguments& arguments, const InkBox& ink) {
-  const Extent x =
-      place(ink.x0, ink.x1, arguments.dx / 64, arguments.ox, arguments.width);
-  const Extent y =
-      place(ink.y0, ink.y1, arguments.dy / 64, arguments.oy, arguments.height);
+Placement place(const Arguments& arguments,
+                const InkBox& ink,
+                const Look& look) {
+  const int margin = kMargin + look.blur_px();
+  const Extent x = place(ink.x0, ink.x1, arguments.dx / 64, arguments.ox,
+                         arguments.width, margin);
+  const Extent y = place(ink.y0, ink.y1, arguments.dy / 64, arguments.oy,
+                         arguments.height, margin);
   return {x.side, y.side, make_point(x.origin, y.origin)};
 }
 
@@ -178,6 +183,7 @@ void warn_of_size(const Font& font, double px) {
 
 void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_image_file(arguments.out, arguments.look.lcd == "none" ? 1 : 3);
+  check_apart({arguments.out}, {arguments.font});
   check_hint(arguments.look, is_turned(arguments.angle), "--angle");
   const RomFile rom =
       load_font_file(arguments.font, conversion, arguments.text);
@@ -189,7 +195,8 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   const Brush& brush = look.brush();
   const std::vector<Line> lines = lay_out_lines(
       font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);
-  const Placement placement = place(arguments, ink_box(font, lines, brush));
+  const Placement placement =
+      place(arguments, ink_box(font, lines, brush), look);
   if (std::max(placement.width, placement.height) * arguments.zoom > kMaxSide) {
     throw std::runtime_error(
         "--zoom makes the picture larger than 32767 px, the largest one");

@@ -3,6 +3,7 @@
 
 #include "compare.hpp"
 #include "convert.hpp"
+#include "files.hpp"
 #include "program.hpp"
 #include "specimen.hpp"
 #include "star.hpp"
@@ -33,6 +34,7 @@ struct Arguments {
 };
 
 constexpr const char* kPictures = "Pictures, one or more";
+constexpr const char* kPicture = "OUT.png";
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("FONT", arguments.font,
@@ -40,7 +42,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->required();
   const auto picture = [&app](const char* option, std::string& file,
                               const char* help) {
-    app.add_option(option, file, help)->type_name("OUT.png")->group(kPictures);
+    app.add_option(option, file, help)->type_name(kPicture)->group(kPictures);
   };
   picture("--sizes", arguments.sizes, "One line at ten sizes");
   app.add_option("--width", arguments.width, "Of that picture [px]")
@@ -76,11 +78,16 @@ bool has_comparison(const Arguments& arguments) {
 void check(const Arguments& arguments, const CLI::App& app) {
   const std::vector<const CLI::Option*> given =
       app.get_options([](const CLI::Option* option) {
-        return option->get_group() == kPictures && option->count() > 0;
+        return option->get_type_name() == kPicture && option->count() > 0;
       });
   if (given.empty()) {
     throw std::runtime_error("no picture is asked for; see --help");
   }
+  std::vector<std::filesystem::path> pictures;
+  for (const CLI::Option* option : given) {
+    pictures.emplace_back(option->results().front());
+  }
+  check_apart(pictures, {arguments.font});
   if (has_comparison(arguments) && is_rom_font(read_file(arguments.font))) {
     throw std::runtime_error(
         arguments.font +

@@ -138,6 +138,25 @@ class Tools(unittest.TestCase):
             self.assertEqual(picture.column_ink(0), 0)
             self.assertEqual(picture.column_ink(picture.width - 1), 0)
 
+    def test_picture_holds_motion_blur(self):
+        out = self.path / "blurred.pgm"
+        for motion in ("6,0", "-20,20", "0.5,32"):
+            run("render", "--font", self.font, "--text", "AVT", "--px", 24,
+                "--motion", motion, "--out", out)
+            picture = Pgm(out)
+            self.assertEqual([0, 0, 0, 0], [
+                picture.row_ink(0), picture.row_ink(picture.height - 1),
+                picture.column_ink(0), picture.column_ink(picture.width - 1)])
+
+    def test_empty_values_are_values(self):
+        out = self.path / "empty.pgm"
+        run("render", f"--font={self.font}", "--text=", "--invert", "--px=9",
+            f"--out={out}")
+        self.assertEqual(Pgm(out).ink(), 255 * len(Pgm(out).pixels))
+        self.assertIn("--symbols: it is empty", run(
+            "fontgen", "--font", SANS, "--symbols=", "--quiet", "--out",
+            self.path / "empty.bin", code=1))
+
     def test_quarter_turn_turns_the_pixels(self):
         # With the origin on a pixel corner a quarter turn moves centres onto
         # centres.
@@ -454,6 +473,54 @@ class Tools(unittest.TestCase):
         self.assertEqual(refusal("[1]"), "is no JSON object\n")
         self.assertIn("parse error", refusal("{"))
 
+    def test_nothing_is_written_over_what_is_read(self):
+        font = self.path / "font.png"
+        font.write_bytes(self.font.read_bytes())
+        link = self.path / "link.png"
+        link.symlink_to(font)
+        truth = self.path / "truth.ttf"
+        truth.write_bytes(pathlib.Path(SANS).read_bytes())
+        accuracy = ("accuracy", "--font", font, "--truth", truth)
+        for failed, arguments in (
+                (1, ("render", "--font", font, "--text", "a", "--px", 9,
+                     "--out", font)),
+                (1, ("inspect", font, "--cells", link)),
+                (1, ("specimen", link, "--body", font)),
+                (1, ("paper-table", "--font", truth, "--json", truth)),
+                (2, (*accuracy, "--json", truth)),
+                (2, (*accuracy, "--picture", link))):
+            self.assertIn("is read, too; name another file",
+                          run(*arguments, code=failed))
+        self.assertEqual(font.read_bytes(), self.font.read_bytes())
+        self.assertEqual(truth.read_bytes(), pathlib.Path(SANS).read_bytes())
+        out = self.path / "twice.png"
+        for failed, arguments in (
+                (1, ("inspect", font, "--cells", out, "--sheet", out)),
+                (1, ("specimen", font, "--sizes", out, "--body", out)),
+                (2, (*accuracy, "--json", out, "--picture", out))):
+            self.assertIn("would be written twice",
+                          run(*arguments, code=failed))
+        self.assertFalse(out.exists())
+
+    def test_damaged_fonts_are_refused(self):
+        for kind, font in self.fonts.items():
+            damaged = self.path / "damaged.bin"
+            data = bytearray(font.read_bytes())
+            data[-9] ^= 1
+            damaged.write_bytes(data)
+            out = self.path / "damaged.png"
+            for failed, arguments in (
+                    (1, ("render", "--font", damaged, "--text", "a", "--px", 9,
+                         "--out", out)),
+                    (1, ("specimen", damaged, "--body", out)),
+                    (2, ("accuracy", "--font", damaged, "--truth", SANS))):
+                self.assertIn("damaged.bin: it is damaged; regenerate it",
+                              run(*arguments, code=failed), kind)
+            self.assertFalse(out.exists())
+            seen = run("inspect", damaged, code=1)
+            self.assertIn("corrupt", seen)
+            self.assertIn("it is damaged", seen)
+
     def test_rom_fonts_take_no_conversion_options(self):
         out = self.path / "no.png"
         job = self.path / "rom.jsonl"
@@ -655,6 +722,7 @@ class Tools(unittest.TestCase):
     def test_render_warns_of_what_looks_wrong(self):
         out = self.path / "warned.png"
         for said, text, px in [("U+6F22", "a\u6f22\n", 12),
+                               ("U+0009", "a\tV", 12),
                                ("8 to 32 px", "a", 7.9),
                                ("8 to 32 px", "a", 33)]:
             printed = run("render", "--font", self.font, "--text", text, "--px",
@@ -667,6 +735,8 @@ class Tools(unittest.TestCase):
     def test_specimen_refuses(self):
         out = self.path / "no.png"
         self.assertIn("no picture", run("specimen", self.font, code=1))
+        self.assertIn("no picture", run("specimen", self.font, "--width", 500,
+                                        code=1))
         self.assertIn("a TTF or OTF", run("specimen", self.font,
                                           "--compare-body", out, code=1))
         self.assertFalse(out.exists())
