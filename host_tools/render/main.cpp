@@ -65,7 +65,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "What to draw; a line feed begins a new line");
   app.add_option("--px", arguments.px, "Size, may be fractional [px/em]");
   app.add_option("--jobs", arguments.jobs,
-                 "Draw one picture for each line of JSON, instead of --text")
+                 "Draw one picture for each line, a JSON object of font, text, "
+                 "size [px/em], w, h [px] and out; ox, oy [px], dx, dy "
+                 "[1/64 px], angle [degrees] and kind [static, or anim] may be "
+                 "left out")
       ->type_name("FILE.jsonl");
   app.add_option("--out", arguments.out,
                  "The picture: 255 is full ink; PPM, not PGM, with --lcd")
