@@ -2,8 +2,11 @@
 #include "render_jobs.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <map>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -19,39 +22,98 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A key of a job, and how its value is read.
+// Calls work(); what it throws begins with the place, FILE:LINE.
+template <typename Work>
+auto at_place(const std::string& place, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(place + ": there is not enough memory for that");
+  } catch (const std::exception& error) {
+    throw std::runtime_error(place + ": " + error.what());
+  }
+}
+
+// A key of a job, what its value must be, and how it is read: false if it is
+// something else.
 struct JobKey {
   const char* name;
-  void (*read)(const Json& value, RenderJob& job);
+  const char* wanted;
+  bool (*read)(const Json& value, RenderJob& job);
   bool is_needed = false;
 };
 
-template <auto kMember>
-void read_member(const Json& value, RenderJob& job) {
-  value.get_to(job.*kMember);
-}
-
-void read_kind(const Json& value, RenderJob& job) {
-  const auto kind = value.get<std::string>();
-  if (kind != "static" && kind != "anim") {
-    throw std::runtime_error("kind '" + kind + "' is not static or anim");
+template <double RenderJob::*kMember>
+bool read_number(const Json& value, RenderJob& job) {
+  if (!value.is_number()) {  // Json would make 1 of true
+    return false;
   }
-  job.use = kind == "anim" ? Use::moving : Use::still;
+  value.get_to(job.*kMember);
+  return true;
 }
 
+template <int RenderJob::*kMember>
+bool read_side(const Json& value, RenderJob& job) {
+  constexpr double kMaxSide = 32767;
+  const double side = value.is_number() ? value.get<double>() : 0;
+  if (side < 1 || side > kMaxSide || side != std::floor(side)) {
+    return false;
+  }
+  job.*kMember = static_cast<int>(side);
+  return true;
+}
+
+bool read_text(const Json& value, RenderJob& job) {
+  if (!value.is_string()) {
+    return false;
+  }
+  value.get_to(job.text);
+  return true;
+}
+
+template <std::string RenderJob::*kMember>
+bool read_file_name(const Json& value, RenderJob& job) {
+  if (!value.is_string()) {
+    return false;
+  }
+  value.get_to(job.*kMember);
+  // The system would end a name at a zero.
+  return !(job.*kMember).empty() &&
+         (job.*kMember).find('\0') == std::string::npos;
+}
+
+bool read_kind(const Json& value, RenderJob& job) {
+  if (value != "static" && value != "anim") {
+    return false;
+  }
+  job.use = value == "anim" ? Use::moving : Use::still;
+  return true;
+}
+
+constexpr const char* kSide = "a whole number of 1 to 32767 px";
+constexpr const char* kFileName = "the name of a file in double quotes";
+constexpr const char* kPixels = "a number of px";
+constexpr const char* kParts = "a number of 1/64 px";
 constexpr bool kNeeded = true;
-constexpr JobKey kJobKeys[] = {{"font", read_member<&RenderJob::font>, kNeeded},
-                               {"text", read_member<&RenderJob::text>, kNeeded},
-                               {"size", read_member<&RenderJob::size>, kNeeded},
-                               {"w", read_member<&RenderJob::w>, kNeeded},
-                               {"h", read_member<&RenderJob::h>, kNeeded},
-                               {"out", read_member<&RenderJob::out>, kNeeded},
-                               {"ox", read_member<&RenderJob::ox>},
-                               {"oy", read_member<&RenderJob::oy>},
-                               {"dx", read_member<&RenderJob::dx>},
-                               {"dy", read_member<&RenderJob::dy>},
-                               {"angle", read_member<&RenderJob::angle>},
-                               {"kind", read_kind}};
+constexpr JobKey kJobKeys[] = {
+    {"font", kFileName, read_file_name<&RenderJob::font>, kNeeded},
+    {"text", "a text in double quotes", read_text, kNeeded},
+    {"size", "a number of px/em", read_number<&RenderJob::size>, kNeeded},
+    {"w", kSide, read_side<&RenderJob::w>, kNeeded},
+    {"h", kSide, read_side<&RenderJob::h>, kNeeded},
+    {"out", kFileName, read_file_name<&RenderJob::out>, kNeeded},
+    {"ox", kPixels, read_number<&RenderJob::ox>},
+    {"oy", kPixels, read_number<&RenderJob::oy>},
+    {"dx", kParts, read_number<&RenderJob::dx>},
+    {"dy", kParts, read_number<&RenderJob::dy>},
+    {"angle", "a number of degrees", read_number<&RenderJob::angle>},
+    {"kind", "\"static\" or \"anim\"", read_kind}};
+
+constexpr const char* kOneLine = "write each job as one {...} on one line";
+
+[[noreturn]] void refuse_other_kind() {
+  throw std::runtime_error(std::string("is no JSON object; ") + kOneLine);
+}
 
 // Whether two words differ by one letter, or by two that changed places.
 bool is_slip(std::string_view a, std::string_view b) {
@@ -92,30 +154,154 @@ const JobKey& job_key(const std::string& name) {
   refuse_key(name);
 }
 
-void read_value(const std::string& name, const Json& value, RenderJob& job) {
+[[noreturn]] void refuse_value(const std::string& name,
+                               const std::string& value) {
   const JobKey& key = job_key(name);
+  throw std::runtime_error(std::string("key '") + key.name + "' must be " +
+                           key.wanted + ", not " + value);
+}
+
+void read_value(const std::string& name, const Json& value, RenderJob& job) {
+  if (!job_key(name).read(value, job)) {
+    refuse_value(name, value.is_object()  ? "an object"
+                       : value.is_array() ? "an array"
+                                          : value.dump());
+  }
+}
+
+// What a line held until it turned out to be no JSON, or ended.
+struct Met {
+  std::set<std::string> keys;
+  std::string key;         // the last one
+  bool is_object = false;  // it began with {
+  bool is_closed = false;  // and its } is there
+};
+
+bool meet(int depth, Json::parse_event_t event, const Json& parsed, Met& met) {
+  if (depth == 0) {
+    met.is_object |= event == Json::parse_event_t::object_start;
+    met.is_closed |= event == Json::parse_event_t::object_end;
+  } else if (depth == 1 && event == Json::parse_event_t::key) {
+    parsed.get_to(met.key);
+    if (!met.keys.insert(met.key).second) {
+      throw std::runtime_error("key '" + met.key + "' stands twice");
+    }
+  }
+  return true;
+}
+
+// Whether the byte may be one of a word that stands without double quotes:
+// NaN, -1.5, 'single' and whatever is not ASCII.
+bool is_of_word(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || std::isalnum(byte) != 0 ||
+         std::string_view("+-._'/").find(c) != std::string_view::npos;
+}
+
+// A part of a line from `begin` to `end`.
+struct Part {
+  size_t begin = 0;
+  size_t end = 0;
+};
+
+// The word, string or sign at a place where reading failed, behind a {.
+Part part_at(const std::string& line, size_t at) {
+  const std::string_view unfinished = "+-.";  // then a digit is missing
+  if (!is_of_word(line[at]) &&
+      unfinished.find(line[at - 1]) != std::string_view::npos) {
+    --at;
+  }
+  Part part = {at, at + 1};
+  if (line[at] == '"') {  // reading goes on to the end of a string
+    const size_t begin = line.rfind('"', at - 1);
+    part.begin = begin == std::string::npos ? at : begin;
+  } else if (is_of_word(line[at])) {
+    while (part.begin > 0 && is_of_word(line[part.begin - 1])) {
+      --part.begin;
+    }
+    while (part.end < line.size() && is_of_word(line[part.end])) {
+      ++part.end;
+    }
+  }
+  return part;
+}
+
+// "column N: ", counted in characters from 1.
+std::string column(const std::string& line, size_t at) {
+  const auto begins = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  };
+  const auto end = line.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+  return "column " + std::to_string(std::count_if(line.begin(), end, begins)) +
+         ": ";
+}
+
+// Says what is wrong with a line that is no JSON.
+[[noreturn]] void refuse_line(const std::string& line,
+                              const Json::parse_error& error,
+                              const Met& met) {
+  if (!met.is_object) {
+    refuse_other_kind();
+  }
+  const size_t at = error.byte - 1;
+  if (at >= line.size()) {
+    throw std::runtime_error(
+        std::string("ends within the JSON object, or within a text; ") +
+        kOneLine);
+  }
+  const Part part = part_at(line, at);
+  const std::string found = line.substr(part.begin, part.end - part.begin);
+  const size_t before = line.find_last_not_of(" \t", part.begin - 1);
+  if (met.is_closed) {
+    throw std::runtime_error(column(line, part.begin) + "'" + found +
+                             "' follows the JSON object; " + kOneLine +
+                             ", without commas between them");
+  }
+  if (std::string_view(error.what()).find("UTF-8") != std::string_view::npos) {
+    throw std::runtime_error(column(line, at) +
+                             "is no UTF-8; save the file as UTF-8");
+  }
+  if (static_cast<unsigned char>(line[at]) < ' ') {
+    throw std::runtime_error(
+        column(line, at) +
+        "is a control character; write a tab as \\t, others as \\u00XX");
+  }
+  if (line[at - 1] == '\\' && line[at] != '"') {
+    throw std::runtime_error(
+        column(line, at - 1) +
+        "begins no escape that JSON knows; write a backslash as \\\\");
+  }
+  if (is_of_word(found.front()) && line[before] == ':') {
+    refuse_value(met.key, found);
+  }
+  throw std::runtime_error(
+      column(line, part.begin) + found + " does not belong there" +
+      (found.front() == '"' ? "; a comma or a colon may be missing before it"
+       : is_of_word(found.front()) ? "; keys and texts stand in double quotes"
+                                   : ""));
+}
+
+Json parse_line(const std::string& line) {
+  Met met;
   try {
-    key.read(value, job);
-  } catch (const Json::type_error&) {
-    throw std::runtime_error("key '" + name + "' cannot be of type " +
-                             value.type_name());
+    return Json::parse(
+        line, [&met](int depth, Json::parse_event_t event, Json& parsed) {
+          return meet(depth, event, parsed, met);
+        });
+  } catch (const Json::parse_error& error) {
+    refuse_line(line, error, met);
+  } catch (const Json::out_of_range&) {  // of a number
+    if (!met.is_object) {
+      refuse_other_kind();
+    }
+    refuse_value(met.key, "one beyond 1e308");
   }
 }
 
 RenderJob read_job(const std::string& line) {
-  std::set<std::string> names;
-  const auto meet = [&names](int depth, Json::parse_event_t event,
-                             Json& parsed) {
-    if (depth == 1 && event == Json::parse_event_t::key &&
-        !names.insert(parsed.get<std::string>()).second) {
-      throw std::runtime_error("key '" + parsed.get<std::string>() +
-                               "' stands twice");
-    }
-    return true;
-  };
-  const Json json = Json::parse(line, meet);
+  const Json json = parse_line(line);
   if (!json.is_object()) {
-    throw std::runtime_error("is no JSON object");
+    refuse_other_kind();
   }
   RenderJob job;
   for (const auto& [name, value] : json.items()) {
@@ -130,13 +316,62 @@ RenderJob read_job(const std::string& line) {
   return job;
 }
 
+// Files and what they are for, by what they are: a name may be spelt in several
+// ways, and links are names as well.
+class Files {
+ public:
+  /// Adds a file, unless it is there: returns what it is for then, else "".
+  std::string add(const std::filesystem::path& name, const std::string& use) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path absolute = fs::absolute(name, error).lexically_normal();
+    fs::path path = fs::weakly_canonical(absolute, error);
+    if (error) {
+      path = absolute;
+    }
+    const auto [known, is_new] = uses_.emplace(path, use);
+    if (!is_new) {
+      return known->second;
+    }
+    const auto links = fs::hard_link_count(path, error);
+    if (!error && links > 1) {
+      for (const auto& [other, other_use] : linked_) {
+        if (fs::equivalent(path, other, error)) {
+          return other_use;
+        }
+      }
+      linked_.emplace(path, use);
+    }
+    return {};
+  }
+
+ private:
+  std::map<std::filesystem::path, std::string> uses_;
+  std::map<std::filesystem::path, std::string> linked_;  // with hard links
+};
+
+// Refuses pictures that would replace each other, or what the jobs read.
+void check_outputs(const std::filesystem::path& file,
+                   const std::vector<RenderJob>& jobs) {
+  Files files;
+  files.add(file, "is the file of the jobs");
+  for (const RenderJob& job : jobs) {
+    files.add(job.font, "is the font of " + job.place);
+  }
+  for (const RenderJob& job : jobs) {
+    const std::string use =
+        files.add(job.out, "is the picture of " + job.place);
+    if (!use.empty()) {
+      throw std::runtime_error(job.place + ": key 'out': " + job.out + " " +
+                               use + "; name another file");
+    }
+  }
+}
+
 SampleTotal render(const RenderJob& job,
                    const Font& font,
                    const LookOptions& options,
                    bool inverted) {
-  if (job.w <= 0 || job.h <= 0) {
-    throw std::runtime_error("w and h must be positive");
-  }
   const Look look(options, font, job.size, job.angle, job.use);
   Image image(job.w, job.h, look.channels());
   draw_lines(font, {lay_out(font, job.text, Kerning::none)}, look.brush(),
@@ -197,16 +432,21 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
   std::vector<RenderJob> jobs;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) {
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (line.empty()) {
       continue;
     }
-    try {
-      jobs.push_back(read_job(line));
-    } catch (const std::exception& error) {
-      throw std::runtime_error(file.string() + ":" + std::to_string(number) +
-                               ": " + error.what());
-    }
+    const std::string place = file.string() + ":" + std::to_string(number);
+    jobs.push_back(at_place(place, [&line] { return read_job(line); }));
+    jobs.back().place = place;
   }
+  if (jobs.empty()) {
+    throw std::runtime_error(
+        file.string() +
+        ": holds no jobs; write each as a JSON object on one line, with the "
+        "keys that --help lists");
+  }
+  check_outputs(file, jobs);
   return jobs;
 }
 
@@ -215,33 +455,42 @@ SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
                         const LookOptions& look,
                         bool inverted) {
   const bool all_turned =
-      !jobs.empty() &&
-      std::all_of(jobs.begin(), jobs.end(),
-                  [](const RenderJob& job) { return is_turned(job.angle); });
+      std::all_of(jobs.begin(), jobs.end(), [](const RenderJob& job) {
+        return at_place(job.place, [&job] { return is_turned(job.angle); });
+      });
   check_hint(look, all_turned, "the angle of every job");
-  std::map<std::string, std::string> texts;
+  struct FontUse {
+    std::string place;  // of the first job that reads it
+    std::string text;
+  };
+  std::map<std::string, FontUse> uses;
   for (const RenderJob& job : jobs) {
-    texts[job.font] += job.text;
+    at_place(job.place,
+             [&] { check_image_file(job.out, look.lcd == "none" ? 1 : 3); });
+    uses.emplace(job.font, FontUse{job.place, {}}).first->second.text +=
+        job.text;
   }
   // An option is not in vain if one of the fonts is converted.
   Conversion shared = conversion;
-  for (const auto& entry : texts) {
-    if (!is_rom_font(read_file(entry.first))) {
-      shared.option.clear();
-    }
-  }
   std::map<std::string, RomFile> fonts;
-  for (const auto& [file, text] : texts) {
-    fonts.emplace(file, load_font_file(file, shared, text));
+  for (const auto& entry : uses) {
+    at_place(entry.second.place, [&] {
+      if (!is_rom_font(read_file(entry.first))) {
+        shared.option.clear();
+      }
+    });
+  }
+  for (const auto& entry : uses) {
+    at_place(entry.second.place, [&] {
+      fonts.emplace(entry.first,
+                    load_font_file(entry.first, shared, entry.second.text));
+    });
   }
   std::vector<SampleTotal> costs(jobs.size());
   parallel_for(jobs.size(), 0, [&](size_t i) {
-    try {
-      costs[i] = render(jobs[i], fonts.at(jobs[i].font).font(), look, inverted);
-    } catch (const std::exception& error) {
-      throw std::runtime_error("job " + std::to_string(i + 1) + " (" +
-                               jobs[i].out + "): " + error.what());
-    }
+    costs[i] = at_place(jobs[i].place, [&] {
+      return render(jobs[i], fonts.at(jobs[i].font).font(), look, inverted);
+    });
   });
   SampleTotal total;
   for (const SampleTotal& cost : costs) {

@@ -26,6 +26,7 @@ struct RenderJob {
   int w = 0;  // [px]
   int h = 0;
   std::string out;
+  std::string place;  // FILE:LINE, for messages
 };
 
 /// What pictures cost: pixels no farther than 3 px from ink, and the distances
@@ -42,11 +43,14 @@ void add_samples(const Image& image, const Look& look, SampleTotal& total);
 
 /// Reads the file. `kind` "anim" is a frame of something that moves, "static"
 /// or none one of what stands still. Throws std::runtime_error that names file
-/// and line, also for keys that are unknown.
+/// and line: also for unknown keys, numbers that are not whole or out of range
+/// where they must not be, and pictures that would replace each other or a file
+/// that the jobs read. A file without jobs is refused.
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 
-/// Draws all pictures, on all cores. Each font file is opened or converted
-/// once, with the characters of all its jobs.
+/// Draws all pictures, at least one, on all cores. Each font file is opened or
+/// converted once, with the characters of all its jobs. Throws
+/// std::runtime_error that begins with the place of the job.
 SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
                         const Conversion& conversion,
                         const LookOptions& look,

@@ -349,8 +349,6 @@ class Tools(unittest.TestCase):
                           code=1))
         self.assertFalse(pathlib.Path(jobs[1]["out"]).exists())
         run("render", "--jobs", listed)
-        listed.write_text("")
-        run("render", "--jobs", listed, "--hint", "both")
 
     def test_refusals_say_why(self):
         out = self.path / "no.png"
@@ -427,51 +425,236 @@ class Tools(unittest.TestCase):
                           run("render", "--jobs", still, option, 5, code=1))
         odd = self.path / "odd.jsonl"
         odd.write_text(still.read_text().replace("{", '{"kind": "move",'))
-        self.assertIn("odd.jsonl:1: kind 'move' is not static or anim",
+        self.assertIn("odd.jsonl:1: key 'kind' must be \"static\" or \"anim\", "
+                      "not \"move\"",
                       run("render", "--jobs", odd, code=1))
         self.assertIn("is a folder", run("render", "--jobs", self.path, code=1))
         cut = self.path / "cut.bin"
         cut.write_bytes(self.font.read_bytes()[:500])
         self.assertIn("corrupt", run("render", "--font", cut, *text, code=1))
 
-    def test_jobs_have_known_keys(self):
-        out = self.path / "keys.pgm"
+    def job(self, **values):
+        """A job of the fewest keys; one that is None is left out."""
         job = {"font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
-               "out": str(out)}
-        listed = self.path / "keys.jsonl"
+               "out": str(self.path / "refused.pgm"), **values}
+        return {key: value for key, value in job.items() if value is not None}
+
+    def refuse_jobs(self, *lines, at=None, options=()):
+        """Runs jobs, or lines as they are, that must not draw anything. Returns
+        what is wrong in the line that `at` counts, the last one if there is
+        none."""
+        listed = self.path / "refused.jsonl"
+        listed.write_bytes(b"\n".join(
+            line if isinstance(line, bytes) else
+            (line if isinstance(line, str) else json.dumps(line)).encode()
+            for line in lines))
+        before = sorted(self.path.iterdir())
+        printed = run("render", "--jobs", listed, *options, code=1)
+        self.assertEqual(sorted(self.path.iterdir()), before)
+        start = f"error: {listed}:{at or len(lines)}: "
+        self.assertEqual(printed[:len(start)], start)
+        self.assertEqual(printed.count("\n"), 1)
+        return printed[len(start):-1]
+
+    JOB_KEYS = ("font", "text", "size", "w", "h", "out", "ox", "oy", "dx", "dy",
+                "angle", "kind")
+
+    def test_jobs_have_known_keys(self):
+        job = self.job()
 
         def refusal(second):
-            listed.write_text(f"{json.dumps(job)}\n\n{second}\n")
-            printed = run("render", "--jobs", listed, code=1)
-            self.assertFalse(out.exists())
-            start = f"error: {listed}:3: "
-            self.assertEqual(printed[:len(start)], start)
-            return printed[len(start):]
-        there_are = ("there are: font text size w h out ox oy dx dy angle "
-                     "kind\n")
+            return self.refuse_jobs(job, "", second)
+        there_are = "there are: " + " ".join(self.JOB_KEYS)
         for key, meant in [("siez", "size"), ("szie", "size"), ("Text", "text"),
                            ("angl", "angle"), ("kinds", "kind"), ("px", None),
                            ("width", None), ("", None), ("hint", None)]:
             hint = f", '{meant}' may be meant" if meant else ""
-            self.assertEqual(refusal(json.dumps(dict(job, **{key: 1}))),
+            self.assertEqual(refusal(dict(job, **{key: 1})),
                              f"key '{key}' is unknown{hint}; {there_are}")
         for key in job:
             others = {k: job[k] for k in job if k != key}
-            self.assertEqual(refusal(json.dumps(others)),
-                             f"key '{key}' is missing\n")
+            self.assertEqual(refusal(others), f"key '{key}' is missing")
             # One that is misspelt is said to be unknown, not missing.
             self.assertIn(f"key '{key}_' is unknown",
-                          refusal(json.dumps(dict(others, **{key + "_": 1}))))
-        for key, value, kind in [("text", {"a": 1}, "object"),
-                                 ("size", "12", "string"),
-                                 ("dx", [1], "array"), ("kind", None, "null")]:
-            self.assertEqual(refusal(json.dumps(dict(job, **{key: value}))),
-                             f"key '{key}' cannot be of type {kind}\n")
+                          refusal(dict(others, **{key + "_": 1})))
         for key in job:
             twice = json.dumps(job)[:-1] + f', "{key}": {json.dumps(job[key])}}}'
-            self.assertEqual(refusal(twice), f"key '{key}' stands twice\n")
-        self.assertEqual(refusal("[1]"), "is no JSON object\n")
-        self.assertIn("parse error", refusal("{"))
+            self.assertEqual(refusal(twice), f"key '{key}' stands twice")
+
+    def test_keys_of_jobs_are_listed(self):
+        listed = run("render", "--help").split("--jobs FILE.jsonl")[1]
+        read = (pathlib.Path(__file__).parents[2] / "README.md").read_text()
+        read = read.split("`inkcell-render --jobs FILE.jsonl`")[1]
+        listed = listed.split("--out")[0].replace("\n", " ")
+        read = read.split("\n\n")[0].replace("\n", " ")
+        for text, pattern in [(listed, r"\b{}\b"), (read, "`{}`")]:
+            places = [re.search(pattern.format(key), text)
+                      for key in self.JOB_KEYS]
+            self.assertNotIn(None, places)
+            places = [place.start() for place in places]
+            self.assertEqual(places, sorted(places))
+            for word in ("px/em", "1/64 px", "degrees", "static", "anim"):
+                self.assertIn(word, text)
+
+    def test_values_of_jobs_are_not_bent(self):
+        for value, shown in [
+                (4294967316, "4294967316"), (20.9, "20.9"), (True, "true"),
+                (1e10, "10000000000.0"), (0, "0"), (-1, "-1"), (0.5, "0.5"),
+                (32768, "32768"), ("9", '"9"'), ([1], "an array"),
+                ({"a": 1}, "an object"), (10 ** 400, "one beyond 1e308"),
+                (float("nan"), "NaN")]:
+            for key in ("w", "h"):
+                self.assertEqual(
+                    self.refuse_jobs(self.job(), self.job(**{key: value})),
+                    f"key '{key}' must be a whole number of 1 to 32767 px, not "
+                    + shown)
+        for key, unit in [("size", "px/em"), ("ox", "px"), ("oy", "px"),
+                          ("dx", "1/64 px"), ("dy", "1/64 px"),
+                          ("angle", "degrees")]:
+            for value, shown in [
+                    (False, "false"), ("12", '"12"'), ([1], "an array"),
+                    (float("nan"), "NaN"), (float("inf"), "Infinity"),
+                    (-float("inf"), "-Infinity")]:
+                self.assertEqual(
+                    self.refuse_jobs(self.job(**{key: value})),
+                    f"key '{key}' must be a number of {unit}, not {shown}")
+            self.assertEqual(
+                self.refuse_jobs(json.dumps(self.job(**{key: -77})).replace(
+                    "-77", "1e999")),
+                f"key '{key}' must be a number of {unit}, not one beyond 1e308")
+        for key in ("font", "out"):
+            for value, shown in [(5, "5"), ("", '""'),
+                                 ("a\0.pgm", '"a\\u0000.pgm"')]:
+                self.assertEqual(
+                    self.refuse_jobs(self.job(**{key: value})),
+                    f"key '{key}' must be the name of a file in double quotes, "
+                    f"not {shown}")
+        self.assertEqual(self.refuse_jobs(self.job(text={"a": 1})),
+                         "key 'text' must be a text in double quotes, not an "
+                         "object")
+        for kind in (1, "move", "", True):
+            self.assertEqual(
+                self.refuse_jobs(self.job(kind=kind)),
+                'key \'kind\' must be "static" or "anim", not '
+                + json.dumps(kind))
+        # A whole number may be written as others are.
+        whole = self.path / "whole.jsonl"
+        out = self.path / "whole.pgm"
+        whole.write_text(json.dumps(self.job(w=20.0, out=str(out))).replace(
+            '"h": 9', '"h": 1e1'))
+        run("render", "--jobs", whole)
+        self.assertEqual((Pgm(out).width, Pgm(out).height), (20, 10))
+
+    def test_jobs_that_are_no_json(self):
+        job = json.dumps(self.job(font="a.bin"))
+        one_line = "write each job as one {...} on one line"
+        cut = "ends within the JSON object, or within a text; " + one_line
+        quotes = "; keys and texts stand in double quotes"
+        missing = "; a comma or a colon may be missing before it"
+        follows = (f"follows the JSON object; {one_line}, without commas "
+                   "between them")
+        for line in ("[1]", "[", "5", "1e999", "font", '"a"', "]"):
+            self.assertEqual(self.refuse_jobs("", line),
+                             "is no JSON object; " + one_line)
+        for line in ("{", '{"', job[:-1], job[:-3], '{"a": ['):
+            self.assertEqual(self.refuse_jobs(line + " \r"), cut)
+        for line, said in [
+                (job + ",", f"column {len(job) + 1}: ',' {follows}"),
+                (job + job, f"column {len(job) + 1}: '{{' {follows}"),
+                (job + " // x", f"column {len(job) + 2}: '//' {follows}"),
+                (job[:-1] + ",}",
+                 f"column {len(job) + 1}: }} does not belong there"),
+                ("{'font': 1}", "column 2: 'font' does not belong there"
+                 + quotes),
+                ("{font: 1}", "column 2: font does not belong there" + quotes),
+                ('{"text" "a"}', 'column 9: "a" does not belong there'
+                 + missing),
+                ('{"text": "\u6f22" "w": 1}',
+                 'column 14: "w" does not belong there' + missing),
+                ('{"w"= 5}', "column 5: = does not belong there"),
+                ('{"text": "a\tb"}', "column 12: is a control character; write "
+                 r"a tab as \t, others as \u00XX"),
+                (r'{"font": "C:\Users"}', "column 13: begins no escape that "
+                 r"JSON knows; write a backslash as \\"),
+                (b'{"text": "caf\xe9"}',
+                 "column 15: is no UTF-8; save the file as UTF-8"),
+                ('{"font": a.bin}', "key 'font' must be the name of a file in "
+                 "double quotes, not a.bin"),
+                ('{"text": \u201ca\u201d}', "key 'text' must be a text in "
+                 "double quotes, not \u201ca\u201d"),
+                *((f'{{"size": {number} }}',
+                   f"key 'size' must be a number of px/em, not {number}")
+                  for number in ("+5", ".5", "5.", "05", "0x10", "True",
+                                 "nan"))]:
+            self.assertEqual(self.refuse_jobs(line), said)
+
+    def test_jobs_fail_at_their_lines(self):
+        job = self.job(out=str(self.path / "first.pgm"))
+        self.assertIn("first.pgm: cannot be written: the name must end in .png "
+                      "or .ppm", self.refuse_jobs(job, options=("--lcd",
+                                                                "rgb")))
+        nowhere = self.path / "nowhere.bin"
+        for values, said in [
+                ({"size": 3}, "sizes go from 4 to 1024 px"),
+                ({"ox": 1e9}, "positions lie within 16777215 px"),
+                ({"angle": 1e308}, "not a number of degrees"),
+                ({"font": str(nowhere)}, f"{nowhere}: No such file"),
+                ({"font": str(self.path)}, f"{self.path}: is a folder"),
+                ({"out": "/nowhere/a.png"}, "no folder /nowhere"),
+                ({"out": "a.jpg"}, "must end in .png or .pgm")]:
+            self.assertIn(said, self.refuse_jobs("", "", self.job(**values)))
+        cut = self.path / "cut_job.bin"
+        cut.write_bytes(self.font.read_bytes()[:500])
+        self.assertIn(f"{cut}: an offset", self.refuse_jobs(
+            "", self.job(font=str(cut)),
+            self.job(font=str(cut), out=str(self.path / "second.pgm")), at=2))
+
+    def test_job_files_hold_jobs(self):
+        empty = self.path / "empty.jsonl"
+        for text in ("", "\n \r\n\t\n"):
+            empty.write_text(text)
+            self.assertEqual(
+                f"error: {empty}: holds no jobs; write each as a JSON object "
+                "on one line, with the keys that --help lists\n",
+                run("render", "--jobs", empty, code=1))
+
+    def test_jobs_do_not_replace_files(self):
+        listed = self.path / "refused.jsonl"
+        listed.touch()
+        drawn = self.path / "drawn.pgm"
+        linked = self.path / "linked.pgm"
+        drawn.write_text("old")
+        linked.symlink_to(drawn)
+        font = self.path / "font.pgm"
+        font.write_bytes(self.font.read_bytes())
+        hard = self.path / "hard.pgm"
+        hard.hardlink_to(font)
+        other = self.job(out=str(self.path / "other.pgm"))
+        for first, second, use in [
+                ({"out": "new.pgm"}, {"out": "./x/../new.pgm"},
+                 "picture of {}:1"),
+                ({"out": str(drawn)}, {"out": str(drawn)}, "picture of {}:1"),
+                ({"out": str(drawn)}, {"out": str(linked)}, "picture of {}:1"),
+                (other, {"out": str(listed)}, "file of the jobs"),
+                (dict(other, font=str(font)), {"out": str(font)},
+                 "font of {}:1"),
+                (dict(other, font=str(font)), {"out": str(hard)},
+                 "font of {}:1"),
+                (other, {"font": str(font), "out": str(font)},
+                 "font of {}:3")]:
+            said = (f"key 'out': {second['out']} is the {use.format(listed)}; "
+                    "name another file")
+            self.assertEqual(self.refuse_jobs(self.job(**first), "",
+                                              self.job(**second)), said)
+        self.assertEqual(drawn.read_text(), "old")
+        self.assertEqual(font.read_bytes(), self.font.read_bytes())
+        # Several jobs may read one font, by several names.
+        several = self.path / "several.jsonl"
+        several.write_text("\n".join(
+            json.dumps(self.job(font=str(name), out=str(self.path / out)))
+            for name, out in [(font, "1.pgm"), (font, "2.pgm"),
+                              (hard, "3.pgm")]))
+        run("render", "--jobs", several)
 
     def test_nothing_is_written_over_what_is_read(self):
         font = self.path / "font.png"
