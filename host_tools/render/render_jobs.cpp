@@ -2,7 +2,6 @@
 #include "render_jobs.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -174,13 +173,11 @@ struct Met {
   std::set<std::string> keys;
   std::string key;         // the last one
   bool is_object = false;  // it began with {
-  bool is_closed = false;  // and its } is there
 };
 
 bool meet(int depth, Json::parse_event_t event, const Json& parsed, Met& met) {
   if (depth == 0) {
     met.is_object |= event == Json::parse_event_t::object_start;
-    met.is_closed |= event == Json::parse_event_t::object_end;
   } else if (depth == 1 && event == Json::parse_event_t::key) {
     parsed.get_to(met.key);
     if (!met.keys.insert(met.key).second) {
@@ -190,95 +187,11 @@ bool meet(int depth, Json::parse_event_t event, const Json& parsed, Met& met) {
   return true;
 }
 
-// Whether the byte may be one of a word that stands without double quotes:
-// NaN, -1.5, 'single' and whatever is not ASCII.
-bool is_of_word(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte >= 0x80 || std::isalnum(byte) != 0 ||
-         std::string_view("+-._'/").find(c) != std::string_view::npos;
-}
-
-// A part of a line from `begin` to `end`.
-struct Part {
-  size_t begin = 0;
-  size_t end = 0;
-};
-
-// The word, string or sign at a place where reading failed, behind a {.
-Part part_at(const std::string& line, size_t at) {
-  const std::string_view unfinished = "+-.";  // then a digit is missing
-  if (!is_of_word(line[at]) &&
-      unfinished.find(line[at - 1]) != std::string_view::npos) {
-    --at;
-  }
-  Part part = {at, at + 1};
-  if (line[at] == '"') {  // reading goes on to the end of a string
-    const size_t begin = line.rfind('"', at - 1);
-    part.begin = begin == std::string::npos ? at : begin;
-  } else if (is_of_word(line[at])) {
-    while (part.begin > 0 && is_of_word(line[part.begin - 1])) {
-      --part.begin;
-    }
-    while (part.end < line.size() && is_of_word(line[part.end])) {
-      ++part.end;
-    }
-  }
-  return part;
-}
-
-// "column N: ", counted in characters from 1.
-std::string column(const std::string& line, size_t at) {
-  const auto begins = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  };
-  const auto end = line.begin() + static_cast<std::ptrdiff_t>(at) + 1;
-  return "column " + std::to_string(std::count_if(line.begin(), end, begins)) +
-         ": ";
-}
-
-// Says what is wrong with a line that is no JSON.
-[[noreturn]] void refuse_line(const std::string& line,
-                              const Json::parse_error& error,
-                              const Met& met) {
-  if (!met.is_object) {
-    refuse_other_kind();
-  }
-  const size_t at = error.byte - 1;
-  if (at >= line.size()) {
-    throw std::runtime_error(
-        std::string("ends within the JSON object, or within a text; ") +
-        kOneLine);
-  }
-  const Part part = part_at(line, at);
-  const std::string found = line.substr(part.begin, part.end - part.begin);
-  const size_t before = line.find_last_not_of(" \t", part.begin - 1);
-  if (met.is_closed) {
-    throw std::runtime_error(column(line, part.begin) + "'" + found +
-                             "' follows the JSON object; " + kOneLine +
-                             ", without commas between them");
-  }
-  if (std::string_view(error.what()).find("UTF-8") != std::string_view::npos) {
-    throw std::runtime_error(column(line, at) +
-                             "is no UTF-8; save the file as UTF-8");
-  }
-  if (static_cast<unsigned char>(line[at]) < ' ') {
-    throw std::runtime_error(
-        column(line, at) +
-        "is a control character; write a tab as \\t, others as \\u00XX");
-  }
-  if (line[at - 1] == '\\' && line[at] != '"') {
-    throw std::runtime_error(
-        column(line, at - 1) +
-        "begins no escape that JSON knows; write a backslash as \\\\");
-  }
-  if (is_of_word(found.front()) && line[before] == ':') {
-    refuse_value(met.key, found);
-  }
-  throw std::runtime_error(
-      column(line, part.begin) + found + " does not belong there" +
-      (found.front() == '"' ? "; a comma or a colon may be missing before it"
-       : is_of_word(found.front()) ? "; keys and texts stand in double quotes"
-                                   : ""));
+// Where a line is no JSON, and why: what follows the number of its only line.
+std::string fault_of(const Json::parse_error& error) {
+  const std::string what = error.what();
+  const size_t column = what.find("column ");
+  return column == std::string::npos ? what : what.substr(column);
 }
 
 Json parse_line(const std::string& line) {
@@ -289,7 +202,10 @@ Json parse_line(const std::string& line) {
           return meet(depth, event, parsed, met);
         });
   } catch (const Json::parse_error& error) {
-    refuse_line(line, error, met);
+    if (!met.is_object) {
+      refuse_other_kind();
+    }
+    throw std::runtime_error(fault_of(error) + "; " + kOneLine);
   } catch (const Json::out_of_range&) {  // of a number
     if (!met.is_object) {
       refuse_other_kind();
