@@ -14,7 +14,14 @@ endforeach()
 file(MAKE_DIRECTORY "${FOLDER}")
 file(LOCK "${FOLDER}" DIRECTORY GUARD PROCESS TIMEOUT 1800)
 
-if(NOT EXISTS "${FOLDER}/configured")
+# Checkouts and compilers may take turns in it: `configured` says whose it is.
+set(configured "${SOURCE}\n${CXX}\n")
+set(before "")
+if(EXISTS "${FOLDER}/configured")
+  file(READ "${FOLDER}/configured" before)
+endif()
+if(NOT "${before}" STREQUAL "${configured}")
+  file(REMOVE "${FOLDER}/configured")
   set(options)
   if(GENERATOR)
     list(APPEND options -G "${GENERATOR}")
@@ -26,10 +33,10 @@ if(NOT EXISTS "${FOLDER}/configured")
     list(APPEND options "-DCMAKE_CXX_COMPILER=${CXX}")
   endif()
   execute_process(
-    COMMAND "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${FOLDER}" ${options}
+    COMMAND "${CMAKE_COMMAND}" --fresh -S "${SOURCE}" -B "${FOLDER}" ${options}
       -DCMAKE_BUILD_TYPE=Release
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-  file(TOUCH "${FOLDER}/configured")
+  file(WRITE "${FOLDER}/configured" "${configured}")
 endif()
 execute_process(
   COMMAND "${CMAKE_COMMAND}" --build "${FOLDER}" --config Release

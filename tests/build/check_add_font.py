@@ -1,4 +1,5 @@
-"""Checks what inkcell_add_font() says to values that it does not take.
+"""Checks what inkcell_add_font() says to values that it does not take, and
+whose generator BuildFontgen.cmake builds.
 
 Usage: check_add_font.py
 """
@@ -7,6 +8,7 @@ import tempfile
 
 from toolchains import ROOT, finish, run
 
+CMAKE = ROOT / "fonts_gen/cmake"
 FONT = "FONT font.ttf"
 CASES = [
     (f"{FONT} CELLS curves", "CELLS is fields or samples, not curves"),
@@ -20,6 +22,32 @@ CASES = [
     (f"{FONT} CELLS fields CODING packed", "there is no font file"),
     (f"{FONT} CELLS samples PREDICATE fixed", "there is no font file"),
 ]
+# Sources of a generator: these say who had them configured, and by what.
+FAKE_GENERATOR = """cmake_minimum_required(VERSION 3.25)
+project(fake LANGUAGES NONE)
+file(APPEND ${CMAKE_BINARY_DIR}/log "${CMAKE_SOURCE_DIR}:${CMAKE_CXX_COMPILER}\\n")
+add_custom_target(inkcell-fontgen)
+"""
+
+
+def check_generator(folder):
+    """Problems of checkouts and compilers that take turns in one folder."""
+    turns = [("one", ""), ("one", ""), ("two", ""), ("two", "g++"),
+             ("two", "g++"), ("two", ""), ("one", "")]
+    for name in ("one", "two"):
+        (folder / name).mkdir()
+        (folder / name / "CMakeLists.txt").write_text(FAKE_GENERATOR)
+    for name, compiler in turns:
+        result = run(["cmake", f"-DSOURCE={folder / name}",
+                      f"-DFOLDER={folder / 'shared'}", "-DGENERATOR=Ninja",
+                      f"-DCXX={compiler}", "-P", CMAKE / "BuildFontgen.cmake"])
+        if result.returncode != 0:
+            return [f"generator of {name}: {result.stdout}"]
+    configured = [f"{folder / name}:{compiler}"
+                  for turn, (name, compiler) in enumerate(turns)
+                  if turn == 0 or turns[turn - 1] != (name, compiler)]
+    log = (folder / "shared/log").read_text().splitlines()
+    return [] if log == configured else [f"generators configured: {log}"]
 
 
 def main():
@@ -29,13 +57,14 @@ def main():
         for arguments, said in CASES:
             script.write_text(
                 "cmake_minimum_required(VERSION 3.25)\n"
-                f'include("{ROOT}/fonts_gen/cmake/InkcellFonts.cmake")\n'
+                f'include("{CMAKE}/InkcellFonts.cmake")\n'
                 f"inkcell_add_font(app {arguments})\n")
             result = run(["cmake", "-P", script])
             if result.returncode == 0 or said not in " ".join(
                     result.stdout.split()):
                 problems.append(f"{arguments}: {result.stdout}")
-    finish(len(CASES), problems)
+        problems += check_generator(pathlib.Path(folder))
+    finish(len(CASES) + 1 - len(problems), problems)
 
 
 main()
