@@ -14,12 +14,16 @@
 # drawing a packed font takes for all of a glyph, or for a row of its tiles.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 #
+# A NAME is one font in all of the project: targets may have it with the same
+# arguments, and each other font needs another NAME.
+#
 # The generator runs on the machine that builds. Which one is used:
 # - INKCELL_FONTGEN, if set: the path of the program;
 # - else the one of this build, or the one that was installed with this file;
 # - else, when cross compiling or when inkcell is part of another project, one
 #   that is built from the sources with the machine's own compiler, into
-#   INKCELL_FONTGEN_DIR. Several build trees may share that folder.
+#   INKCELL_FONTGEN_DIR. Several build trees may share that folder; another
+#   checkout or INKCELL_HOST_CXX has the generator built anew in it.
 set(INKCELL_FONTGEN "" CACHE FILEPATH "Generator to use: inkcell-fontgen")
 set(INKCELL_FONTGEN_DIR "" CACHE PATH
   "Where the generator is built if needed [<build>/inkcell-fontgen]")
@@ -103,16 +107,49 @@ function(_inkcell_check_choice word value)
   endif()
 endfunction()
 
+# Ends with an error if another target has another font of that name: a program
+# that has both would draw one for the other, and no linker says so.
+function(_inkcell_check_name target name arguments)
+  get_property(other GLOBAL PROPERTY _inkcell_target_of_${name})
+  get_property(others GLOBAL PROPERTY _inkcell_arguments_of_${name})
+  if(NOT "${other}" STREQUAL "" AND
+      NOT "${others}" STREQUAL "${arguments}")
+    message(FATAL_ERROR
+      "inkcell_add_font: NAME ${name} is one font for the target ${other} and "
+      "another for ${target}; give one of them another NAME, or both the same "
+      "arguments")
+  endif()
+  set_property(GLOBAL PROPERTY _inkcell_target_of_${name} "${target}")
+  set_property(GLOBAL PROPERTY _inkcell_arguments_of_${name} "${arguments}")
+endfunction()
+
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING HINTS
     PREDICATE EFFORT)
   set(several CHARS TEXT AXIS)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
-  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES OR NOT arg_FONT)
+  if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR
       "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
       "not understood: ${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES}")
+  endif()
+  if(NOT TARGET "${target}")
+    message(FATAL_ERROR
+      "inkcell_add_font: there is no target ${target}; add it before its fonts")
+  endif()
+  # cmake_parse_arguments() leaves out what is empty, as if it were not asked for.
+  math(EXPR last "${ARGC} - 1")
+  foreach(index RANGE ${last})
+    if("${ARGV${index}}" STREQUAL "")
+      message(FATAL_ERROR
+        "inkcell_add_font: the value after ${before} is empty; give it one, or "
+        "leave ${before} out")
+    endif()
+    set(before "${ARGV${index}}")
+  endforeach()
+  if(NOT DEFINED arg_FONT)
+    message(FATAL_ERROR "inkcell_add_font: there is no FONT <file>")
   endif()
 
   _inkcell_check_choice(CELLS "${arg_CELLS}" fields samples)
@@ -134,7 +171,7 @@ function(inkcell_add_font target)
   if(NOT EXISTS "${font}")
     message(FATAL_ERROR "inkcell_add_font: there is no font file ${font}")
   endif()
-  if(NOT arg_NAME)
+  if(NOT DEFINED arg_NAME)
     cmake_path(GET font STEM LAST_ONLY arg_NAME)
     string(MAKE_C_IDENTIFIER "${arg_NAME}" arg_NAME)
   endif()
@@ -161,6 +198,8 @@ function(inkcell_add_font target)
     list(APPEND options "--text=${value}")
     list(APPEND texts "${value}")
   endforeach()
+  _inkcell_check_name(
+    "${target}" "${arg_NAME}" "${font};${options};${arg_SYMBOLS}")
 
   set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
   set(header "${include}/fonts/${arg_NAME}.hpp")

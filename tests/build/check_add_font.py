@@ -1,4 +1,4 @@
-"""Checks what inkcell_add_font() says to values that it does not take, and
+"""Checks what inkcell_add_font() says to arguments that it does not take, and
 whose generator BuildFontgen.cmake builds.
 
 Usage: check_add_font.py
@@ -10,17 +10,35 @@ from toolchains import ROOT, finish, run
 
 CMAKE = ROOT / "fonts_gen/cmake"
 FONT = "FONT font.ttf"
+THERE = "FONT CMakeLists.txt"  # a file that is there
+# Arguments, and what is said to them; to fonts that are good, nothing.
 CASES = [
-    (f"{FONT} CELLS curves", "CELLS is fields or samples, not curves"),
-    (f"{FONT} CODING Packed", "CODING is direct or packed, not Packed"),
-    (f"{FONT} PREDICATE tight", "PREDICATE is size or fixed, not tight"),
-    (f"{FONT} CELLS samples CODING packed", "not for CODING packed"),
-    (f"{FONT} PREDICATE fixed", "PREDICATE fixed is for CELLS samples"),
-    (f"{FONT} CODING", "not understood: CODING"),
-    (f"{FONT} COLOUR red", "not understood: COLOUR"),
-    # Good so far: it is the font that is not there.
-    (f"{FONT} CELLS fields CODING packed", "there is no font file"),
-    (f"{FONT} CELLS samples PREDICATE fixed", "there is no font file"),
+    (f"app {FONT} CELLS curves", "CELLS is fields or samples, not curves"),
+    (f"app {FONT} CODING Packed", "CODING is direct or packed, not Packed"),
+    (f"app {FONT} PREDICATE tight", "PREDICATE is size or fixed, not tight"),
+    (f"app {FONT} CELLS samples CODING packed", "not for CODING packed"),
+    (f"app {FONT} PREDICATE fixed", "PREDICATE fixed is for CELLS samples"),
+    (f"app {FONT} CODING", "not understood: CODING"),
+    (f"app {FONT} COLOUR red", "not understood: COLOUR"),
+    (f"app OFF {FONT}", "not understood: OFF"),
+    (f"app {FONT} CELLS fields CODING packed", "there is no font file"),
+    (f"app {FONT} CELLS samples PREDICATE fixed", "there is no font file"),
+    (f"nope {THERE}", "there is no target nope; add it before its fonts"),
+    ("app NAME ui", "there is no FONT <file>"),
+    (f'app {THERE} NAME ""', "the value after NAME is empty"),
+    (f'app {THERE} SYMBOLS "${{unset}}"', "the value after SYMBOLS is empty"),
+    (f"app {THERE} SYMBOLS ${{unset}}", "not understood: SYMBOLS"),
+    (f'app {THERE} SYMBOLS ";"', ""),
+]
+# A second font, after one for `app`.
+FIRST = f"{THERE} NAME ui SYMBOLS abc CODING packed"
+SECOND_CASES = [
+    (f"lib {FIRST}", ""),
+    (f"lib {FIRST} MAX_PX 20", "NAME ui is one font for the target app and "
+     "another for lib; give one of them another NAME"),
+    (f"lib {THERE} NAME ui SYMBOLS abd CODING packed", "another for lib"),
+    (f"app {FIRST} MAX_PX 20", "another for app"),
+    (f"lib {FIRST} MAX_PX 20 NAME ui_small", ""),
 ]
 # Sources of a generator: these say who had them configured, and by what.
 FAKE_GENERATOR = """cmake_minimum_required(VERSION 3.25)
@@ -28,6 +46,22 @@ project(fake LANGUAGES NONE)
 file(APPEND ${CMAKE_BINARY_DIR}/log "${CMAKE_SOURCE_DIR}:${CMAKE_CXX_COMPILER}\\n")
 add_custom_target(inkcell-fontgen)
 """
+
+
+def check_fonts(folder, fonts, said):
+    """Problems of a project with these fonts, of which it says this."""
+    lines = ["cmake_minimum_required(VERSION 3.25)",
+             "project(fonts LANGUAGES NONE)",
+             f'include("{CMAKE}/InkcellFonts.cmake")',
+             "add_library(app INTERFACE)", "add_library(lib INTERFACE)",
+             *(f"inkcell_add_font({arguments})" for arguments in fonts)]
+    (folder / "CMakeLists.txt").write_text("\n".join(lines) + "\n")
+    result = run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build"])
+    if said:
+        good = result.returncode != 0 and said in " ".join(result.stdout.split())
+    else:
+        good = result.returncode == 0
+    return [] if good else [f"{fonts[-1]}: {result.stdout}"]
 
 
 def check_generator(folder):
@@ -51,20 +85,15 @@ def check_generator(folder):
 
 
 def main():
-    problems = []
-    with tempfile.TemporaryDirectory(prefix="inkcell") as folder:
-        script = pathlib.Path(folder, "script.cmake")
-        for arguments, said in CASES:
-            script.write_text(
-                "cmake_minimum_required(VERSION 3.25)\n"
-                f'include("{CMAKE}/InkcellFonts.cmake")\n'
-                f"inkcell_add_font(app {arguments})\n")
-            result = run(["cmake", "-P", script])
-            if result.returncode == 0 or said not in " ".join(
-                    result.stdout.split()):
-                problems.append(f"{arguments}: {result.stdout}")
-        problems += check_generator(pathlib.Path(folder))
-    finish(len(CASES) + 1 - len(problems), problems)
+    projects = [([arguments], said) for arguments, said in CASES]
+    projects += [([f"app {FIRST}", arguments], said)
+                 for arguments, said in SECOND_CASES]
+    with tempfile.TemporaryDirectory(prefix="inkcell") as name:
+        folder = pathlib.Path(name)
+        problems = [problem for project in projects
+                    for problem in check_fonts(folder, *project)]
+        problems += check_generator(folder)
+    finish(len(projects) + 1 - len(problems), problems)
 
 
 main()
