@@ -4,6 +4,7 @@ whose generator BuildFontgen.cmake builds.
 Usage: check_add_font.py
 """
 import pathlib
+import shutil
 import tempfile
 
 from toolchains import ROOT, finish, run
@@ -48,15 +49,19 @@ add_custom_target(inkcell-fontgen)
 """
 
 
-def check_fonts(folder, fonts, said):
+def check_fonts(folder, fonts, said, package=CMAKE):
     """Problems of a project with these fonts, of which it says this."""
     lines = ["cmake_minimum_required(VERSION 3.25)",
              "project(fonts LANGUAGES NONE)",
-             f'include("{CMAKE}/InkcellFonts.cmake")',
+             f'include("{package}/InkcellFonts.cmake")',
              "add_library(app INTERFACE)", "add_library(lib INTERFACE)",
              *(f"inkcell_add_font({arguments})" for arguments in fonts)]
     (folder / "CMakeLists.txt").write_text("\n".join(lines) + "\n")
-    result = run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build"])
+    # A generator of this machine, in PATH, is none of this test's.
+    result = run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
+                  "-DCMAKE_FIND_USE_SYSTEM_ENVIRONMENT_PATH=OFF",
+                  "-DCMAKE_FIND_USE_CMAKE_SYSTEM_PATH=OFF",
+                  "-DCMAKE_MAKE_PROGRAM=ninja"])
     if said:
         good = result.returncode != 0 and said in " ".join(result.stdout.split())
     else:
@@ -92,8 +97,15 @@ def main():
         folder = pathlib.Path(name)
         problems = [problem for project in projects
                     for problem in check_fonts(folder, *project)]
+        # Installed without a generator.
+        package = folder / "prefix/lib/cmake/inkcell"
+        package.mkdir(parents=True)
+        shutil.copy(CMAKE / "InkcellFonts.cmake", package)
+        problems += check_fonts(folder, [f"app {THERE}"],
+                                "there is no inkcell-fontgen; set "
+                                "INKCELL_FONTGEN", package)
         problems += check_generator(folder)
-    finish(len(projects) + 1 - len(problems), problems)
+    finish(len(projects) + 2 - len(problems), problems)
 
 
 main()

@@ -1,8 +1,9 @@
 """Makes a project of the README's code, builds it and runs it.
 
 Once as the README has it, with add_subdirectory(inkcell); once as its comment
-says, with find_package(inkcell) after an installation. Linked as docs/PORTING.md
-says, the program has what it calls and nothing else.
+says, with find_package(inkcell) after an installation. Compiled and linked as
+docs/PORTING.md says, by the C compiler, the program has what it calls and
+nothing else.
 
 Usage: check_readme.py subdirectory|installed WORK_FOLDER BUILD_FOLDER FONTGEN
 """
@@ -14,7 +15,10 @@ import sys
 from toolchains import ROOT, finish, run
 
 FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
+COMPILER_FLAGS = "-ffunction-sections"
 LINKER_FLAGS = "-Wl,--gc-sections"
+LINKER = "set_target_properties(app PROPERTIES LINKER_LANGUAGE C)"
+INSTALL = "cmake --install build --prefix"
 # Functions that the program calls; that others would.
 CALLED = ["FieldBand::cover", "Expansion::", "draw_text("]
 NOT_CALLED = ["draw_slanted(", "SlantedBand::", "stretched_value", "paint_lcd",
@@ -49,7 +53,8 @@ def write_project(mode, project):
     shutil.copy(template / "main.cpp", project)
     shutil.copy(FONT, project)
     text = (template / "CMakeLists.txt.in").read_text()
-    (project / "CMakeLists.txt").write_text(text.replace("@README_CMAKE@", cmake))
+    (project / "CMakeLists.txt").write_text(
+        text.replace("@README_CMAKE@", f"{cmake}\n{LINKER}"))
 
 
 def check_linked(program, library):
@@ -57,10 +62,12 @@ def check_linked(program, library):
     def names_of(binary):
         return run(["nm", "-C", "--defined-only", binary]).stdout
 
-    if LINKER_FLAGS not in (ROOT / "docs/PORTING.md").read_text():
-        return [f"docs/PORTING.md does not name {LINKER_FLAGS}"]
+    porting = (ROOT / "docs/PORTING.md").read_text()
     names, all_names = names_of(program), names_of(library)
-    return ([f"{name} is not linked" for name in CALLED if name not in names] +
+    return ([f"docs/PORTING.md does not name {words}"
+             for words in (COMPILER_FLAGS, LINKER_FLAGS, LINKER, INSTALL)
+             if words not in porting] +
+            [f"{name} is not linked" for name in CALLED if name not in names] +
             [f"{name} is linked" for name in NOT_CALLED if name in names] +
             [f"{name} is nowhere: the test looks for nothing"
              for name in NOT_CALLED if name not in all_names])
@@ -81,6 +88,7 @@ def main():
         options = [f"-DINKCELL_FONTGEN={fontgen}"]
     commands += [
         ["cmake", "-G", "Ninja", "-S", project, "-B", work / "build",
+         f"-DCMAKE_CXX_FLAGS={COMPILER_FLAGS}",
          f"-DCMAKE_EXE_LINKER_FLAGS={LINKER_FLAGS}", *options],
         ["cmake", "--build", work / "build"],
         [work / "build/app"],
