@@ -187,11 +187,13 @@ bool meet(int depth, Json::parse_event_t event, const Json& parsed, Met& met) {
   return true;
 }
 
-// Where a line is no JSON, and why: what follows the number of its only line.
+// Where a line is no JSON, and why, without what it held there: that may be no
+// UTF-8.
 std::string fault_of(const Json::parse_error& error) {
   const std::string what = error.what();
   const size_t column = what.find("column ");
-  return column == std::string::npos ? what : what.substr(column);
+  const size_t begin = column == std::string::npos ? 0 : column;
+  return what.substr(begin, what.find("; last read", begin) - begin);
 }
 
 Json parse_line(const std::string& line) {
