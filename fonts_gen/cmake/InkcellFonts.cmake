@@ -14,8 +14,8 @@
 # drawing a packed font takes for all of a glyph, or for a row of its tiles.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 #
-# A NAME is one font in all of the project: targets may have it with the same
-# arguments, and each other font needs another NAME.
+# In a program, libraries and all, a NAME is one font: two of one NAME are one
+# array to the linker, which keeps either and says nothing.
 #
 # The generator runs on the machine that builds. Which one is used:
 # - INKCELL_FONTGEN, if set: the path of the program;
@@ -107,22 +107,6 @@ function(_inkcell_check_choice word value)
   endif()
 endfunction()
 
-# Ends with an error if another target has another font of that name: a program
-# that has both would draw one for the other, and no linker says so.
-function(_inkcell_check_name target name arguments)
-  get_property(other GLOBAL PROPERTY _inkcell_target_of_${name})
-  get_property(others GLOBAL PROPERTY _inkcell_arguments_of_${name})
-  if(NOT "${other}" STREQUAL "" AND
-      NOT "${others}" STREQUAL "${arguments}")
-    message(FATAL_ERROR
-      "inkcell_add_font: NAME ${name} is one font for the target ${other} and "
-      "another for ${target}; give one of them another NAME, or both the same "
-      "arguments")
-  endif()
-  set_property(GLOBAL PROPERTY _inkcell_target_of_${name} "${target}")
-  set_property(GLOBAL PROPERTY _inkcell_arguments_of_${name} "${arguments}")
-endfunction()
-
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING HINTS
@@ -198,8 +182,6 @@ function(inkcell_add_font target)
     list(APPEND options "--text=${value}")
     list(APPEND texts "${value}")
   endforeach()
-  _inkcell_check_name(
-    "${target}" "${arg_NAME}" "${font};${options};${arg_SYMBOLS}")
 
   set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
   set(header "${include}/fonts/${arg_NAME}.hpp")

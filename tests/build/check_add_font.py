@@ -31,16 +31,6 @@ CASES = [
     (f"app {THERE} SYMBOLS ${{unset}}", "not understood: SYMBOLS"),
     (f'app {THERE} SYMBOLS ";"', ""),
 ]
-# A second font, after one for `app`.
-FIRST = f"{THERE} NAME ui SYMBOLS abc CODING packed"
-SECOND_CASES = [
-    (f"lib {FIRST}", ""),
-    (f"lib {FIRST} MAX_PX 20", "NAME ui is one font for the target app and "
-     "another for lib; give one of them another NAME"),
-    (f"lib {THERE} NAME ui SYMBOLS abd CODING packed", "another for lib"),
-    (f"app {FIRST} MAX_PX 20", "another for app"),
-    (f"lib {FIRST} MAX_PX 20 NAME ui_small", ""),
-]
 # Sources of a generator: these say who had them configured, and by what.
 FAKE_GENERATOR = """cmake_minimum_required(VERSION 3.25)
 project(fake LANGUAGES NONE)
@@ -49,13 +39,12 @@ add_custom_target(inkcell-fontgen)
 """
 
 
-def check_fonts(folder, fonts, said, package=CMAKE):
-    """Problems of a project with these fonts, of which it says this."""
+def check_font(folder, arguments, said, package=CMAKE):
+    """Problems of a project with this font, of which it says this."""
     lines = ["cmake_minimum_required(VERSION 3.25)",
              "project(fonts LANGUAGES NONE)",
              f'include("{package}/InkcellFonts.cmake")',
-             "add_library(app INTERFACE)", "add_library(lib INTERFACE)",
-             *(f"inkcell_add_font({arguments})" for arguments in fonts)]
+             "add_library(app INTERFACE)", f"inkcell_add_font({arguments})"]
     (folder / "CMakeLists.txt").write_text("\n".join(lines) + "\n")
     # A generator of this machine, in PATH, is none of this test's.
     result = run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
@@ -66,7 +55,7 @@ def check_fonts(folder, fonts, said, package=CMAKE):
         good = result.returncode != 0 and said in " ".join(result.stdout.split())
     else:
         good = result.returncode == 0
-    return [] if good else [f"{fonts[-1]}: {result.stdout}"]
+    return [] if good else [f"{arguments}: {result.stdout}"]
 
 
 def check_generator(folder):
@@ -90,22 +79,19 @@ def check_generator(folder):
 
 
 def main():
-    projects = [([arguments], said) for arguments, said in CASES]
-    projects += [([f"app {FIRST}", arguments], said)
-                 for arguments, said in SECOND_CASES]
     with tempfile.TemporaryDirectory(prefix="inkcell") as name:
         folder = pathlib.Path(name)
-        problems = [problem for project in projects
-                    for problem in check_fonts(folder, *project)]
+        problems = [problem for case in CASES
+                    for problem in check_font(folder, *case)]
         # Installed without a generator.
         package = folder / "prefix/lib/cmake/inkcell"
         package.mkdir(parents=True)
         shutil.copy(CMAKE / "InkcellFonts.cmake", package)
-        problems += check_fonts(folder, [f"app {THERE}"],
-                                "there is no inkcell-fontgen; set "
-                                "INKCELL_FONTGEN", package)
+        problems += check_font(folder, f"app {THERE}",
+                               "there is no inkcell-fontgen; set "
+                               "INKCELL_FONTGEN", package)
         problems += check_generator(folder)
-    finish(len(projects) + 2 - len(problems), problems)
+    finish(len(CASES) + 2 - len(problems), problems)
 
 
 main()

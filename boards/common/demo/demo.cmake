@@ -8,8 +8,7 @@ set(INKCELL_DEMO_DIR ${CMAKE_CURRENT_LIST_DIR})
 # inkcell_add_demo_font(<board>)
 #
 # <board>_demo_font: one font for the clock and the text, printable ASCII for 8 to
-# 64 px, or as large as the clock is. Its name is demo_<board>: the host draws the
-# demos of all boards in one build.
+# 64 px, or as large as the clock is.
 function(inkcell_add_demo_font board)
   if(TARGET ${board}_demo_font)
     return()
@@ -25,8 +24,8 @@ function(inkcell_add_demo_font board)
     set(max_px ${INKCELL_DEMO_CLOCK_PX})
   endif()
   add_library(${board}_demo_font INTERFACE)
-  inkcell_add_font(${board}_demo_font NAME demo_${board}
-    FONT ${INKCELL_DEMO_FONT} MIN_PX 8 MAX_PX ${max_px}
+  inkcell_add_font(${board}_demo_font NAME demo FONT ${INKCELL_DEMO_FONT}
+    MIN_PX 8 MAX_PX ${max_px}
     CELLS ${INKCELL_DEMO_CELLS} CODING ${INKCELL_DEMO_CODING})
 endfunction()
 
@@ -58,19 +57,12 @@ function(inkcell_add_demo name board format)
   inkcell_add_demo_font(${board})
   add_library(${name}_scene STATIC ${INKCELL_DEMO_DIR}/scene.cpp)
   string(COMPARE EQUAL "${INKCELL_DEMO_CODING}" packed packed)
-  set(workspace demo_${board}_workspace)
-  if("${INKCELL_DEMO_WORKSPACE}" STREQUAL "row")
-    set(workspace demo_${board}_row_workspace)
-  endif()
-  target_compile_definitions(${name}_scene
-    PUBLIC
-      INKCELL_DEMO_CLOCK_PX=${INKCELL_DEMO_CLOCK_PX}
-      INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX}
-    PRIVATE
-      INKCELL_DEMO_FONT_HEADER="fonts/demo_${board}.hpp"
-      INKCELL_DEMO_FONT=demo_${board}
-      INKCELL_DEMO_PACKED=${packed}
-      INKCELL_DEMO_WORKSPACE_BYTES=${workspace})
+  string(COMPARE EQUAL "${INKCELL_DEMO_WORKSPACE}" row row)
+  target_compile_definitions(${name}_scene PUBLIC
+    INKCELL_DEMO_CLOCK_PX=${INKCELL_DEMO_CLOCK_PX}
+    INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX}
+    INKCELL_DEMO_PACKED=${packed}
+    INKCELL_DEMO_ROW_WORKSPACE=${row})
   target_link_libraries(${name}_scene
     PUBLIC ${name}_pattern
     PRIVATE ${board}_demo_font)

@@ -1,7 +1,7 @@
 // Where everything stands on a screen of any size, and how it moves.
 #include "scene.hpp"
 
-#include INKCELL_DEMO_FONT_HEADER
+#include <fonts/demo.hpp>
 
 namespace inkcell {
 namespace demo {
@@ -38,7 +38,10 @@ Text time_text(uint32_t minute, char (&digits)[5]) noexcept {
 
 #if INKCELL_DEMO_PACKED
 // Where glyphs are expanded: whole, or a row of tiles at a time.
-alignas(2) uint8_t workspace[fonts::INKCELL_DEMO_WORKSPACE_BYTES];
+constexpr size_t kWorkspaceBytes = INKCELL_DEMO_ROW_WORKSPACE
+                                       ? fonts::demo_row_workspace
+                                       : fonts::demo_workspace;
+alignas(2) uint8_t workspace[kWorkspaceBytes];
 #endif
 
 void draw_line(const Font& font,
@@ -89,7 +92,7 @@ Status Scene::lay_out(const Font& font,
 }
 
 Status Scene::open() noexcept {
-  INKCELL_TRY(Font::open(fonts::INKCELL_DEMO_FONT, font_));
+  INKCELL_TRY(Font::open(fonts::demo, font_));
   INKCELL_TRY(
       Brush::make(Q26_6::from_raw(kClockQ6), kFilterText, clock_brush_));
   INKCELL_TRY(Brush::make(Q26_6::from_raw(kTextQ6), kFilterText, text_brush_));

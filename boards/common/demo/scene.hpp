@@ -2,9 +2,8 @@
 // by 1/8 px from frame to frame. The same code runs on boards and on the host.
 //
 // The build makes its font (demo.cmake) and says how: INKCELL_DEMO_CLOCK_PX and
-// INKCELL_DEMO_TEXT_PX [px/em]; INKCELL_DEMO_FONT_HEADER and INKCELL_DEMO_FONT:
-// where it is and its name; INKCELL_DEMO_PACKED: whether it is packed, and
-// INKCELL_DEMO_WORKSPACE_BYTES: the name of the RAM's size that it then takes.
+// INKCELL_DEMO_TEXT_PX [px/em]; INKCELL_DEMO_PACKED: whether it is packed, and
+// INKCELL_DEMO_ROW_WORKSPACE: whether RAM holds a row of tiles only.
 #pragma once
 
 #include <stdint.h>
