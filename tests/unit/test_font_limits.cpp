@@ -1,0 +1,503 @@
+// Fonts at the limits of what their tables may hold, and just beyond them.
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/hints.hpp"
+#include "inkcell/text.hpp"
+
+namespace {
+
+using namespace inkcell;
+using namespace font_builder;
+namespace header = format::header;
+namespace section = format::section;
+
+alignas(4) uint8_t rom[kSampleFontBytes + 512];
+size_t rom_bytes = 0;
+
+// A fresh sample font in `rom`, opened.
+Font sample() {
+  rom_bytes = build_sample_font({rom, kSampleFontBytes});
+  Font font;
+  CHECK_OK(Font::open({rom, rom_bytes}, font));
+  return font;
+}
+
+// What open says after something was changed.
+Status reopen(Font* out = nullptr) {
+  CHECK(repair_checksums({rom, rom_bytes}));
+  Font font;
+  const Status status = Font::open({rom, rom_bytes}, font);
+  if (out != nullptr) {
+    *out = font;
+  }
+  return status;
+}
+
+// What verify says of it; it must open.
+Status verify_changed() {
+  Font font;
+  CHECK_OK(reopen(&font));
+  return font.verify();
+}
+
+uint8_t* entry_of(uint32_t tag) {
+  uint8_t* entry = rom + header::kBytes;
+  while (get_u32(entry + section::kTag) != tag) {
+    entry += section::kBytes;
+  }
+  return entry;
+}
+
+uint8_t* section_bytes(uint32_t tag) {
+  return rom +
+         (get_u32(entry_of(tag) + section::kOffset) & section::kOffsetMask);
+}
+
+// The sample's METR has rows of five numbers of 16 bits.
+void put_metric(uint32_t glyph, uint32_t column, int32_t value) {
+  put_u16(section_bytes(section::kMetrics) + format::metrics::kBytes +
+              10 * glyph + 2 * column,
+          static_cast<uint16_t>(value));
+}
+
+}  // namespace
+
+TEST(the_least_and_the_greatest_em_open) {
+  sample();
+  put_u16(rom + header::kUnitsPerEm, 16);
+  CHECK_OK(reopen());
+  put_u16(rom + header::kUnitsPerEm, 16384);
+  CHECK_OK(reopen());
+}
+
+TEST(many_sections_open) {
+  sample();
+  constexpr uint32_t kMost = 32;
+  const uint32_t count = get_u16(rom + header::kSectionCount);
+  const uint32_t more = (kMost - count) * section::kBytes;
+  const uint32_t end = header::kBytes + count * section::kBytes;
+  for (size_t i = rom_bytes; i-- > end;) {
+    rom[i + more] = rom[i];
+  }
+  for (uint32_t i = 0; i < kMost; ++i) {
+    uint8_t* const entry = rom + header::kBytes + i * section::kBytes;
+    if (i < count) {
+      put_u32(entry + section::kOffset,
+              get_u32(entry + section::kOffset) + more);
+    } else {
+      put_u32(entry + section::kTag,
+              format::tag('X', 'X', 'A', static_cast<char>('A' + i)));
+      put_u32(entry + section::kOffset, 0);
+      put_u32(entry + section::kSize, 0);
+    }
+  }
+  put_u16(rom + header::kSectionCount, kMost);
+  put_u16(rom + header::kHeaderBytes, end + more);
+  rom_bytes += more;
+  put_u32(rom + header::kTotalBytes, static_cast<uint32_t>(rom_bytes));
+  CHECK_OK(verify_changed());
+}
+
+TEST(an_empty_section_may_lie_at_the_end) {
+  sample();
+  rom_bytes = (rom_bytes + 3) / 4 * 4;
+  put_u32(rom + header::kTotalBytes, static_cast<uint32_t>(rom_bytes));
+  put_u32(entry_of(section::kName) + section::kOffset,
+          static_cast<uint32_t>(rom_bytes));
+  put_u32(entry_of(section::kName) + section::kSize, 0);
+  CHECK_OK(reopen());
+}
+
+TEST(of_two_sections_with_a_tag_the_first_counts) {
+  sample();
+  put_u32(entry_of(section::kName) + section::kTag,
+          section::kCmap);  // behind the real one
+  Font font;
+  CHECK_OK(reopen(&font));
+  uint16_t glyph = 0;
+  CHECK_OK(font.glyph_of('A', glyph));
+  CHECK_EQ(glyph, 2);
+  CHECK_EQ(font.section(section::kCmap).size, 24);
+}
+
+TEST(a_known_section_may_have_to_be_understood) {
+  sample();
+  entry_of(section::kName)[section::kOffset] |= section::kMustUnderstand;
+  CHECK_OK(reopen());
+}
+
+TEST(fonts_without_tables_are_refused) {
+  const uint32_t tags[] = {section::kMetrics, section::kGlyphs};
+  for (const uint32_t tag : tags) {
+    sample();
+    uint8_t* entry = entry_of(tag);
+    put_u32(entry + section::kOffset,
+            get_u32(entry + section::kOffset) & ~section::kMustUnderstand);
+    put_u32(entry + section::kTag, format::tag('X', 'Y', 'Z', 'W'));
+    CHECK_EQ(reopen(), Status::corrupt);
+  }
+}
+
+TEST(small_ems_have_no_ink_boxes) {
+  const uint32_t ems[] = {16, 199, 200, 255};
+  for (const uint32_t em : ems) {
+    sample();
+    put_u16(rom + header::kUnitsPerEm, em);
+    Font font;
+    CHECK_OK(reopen(&font));
+    const InkBox ink = font.ink_box(2);
+    CHECK_EQ(ink.x0_u, -InkBox::kFar);
+    CHECK_EQ(ink.x1_u, InkBox::kFar);
+    CHECK_EQ(ink.y0_u, -InkBox::kFar);
+    CHECK_EQ(ink.y1_u, InkBox::kFar);
+  }
+}
+
+TEST(ink_boxes_end_far_away) {
+  sample();
+  put_u16(rom + header::kUnitsPerEm, 256);
+  put_metric(2, 1, -32768);
+  put_metric(2, 2, -32768);
+  put_metric(2, 3, 32767);
+  put_metric(2, 4, 32767);
+  Font font;
+  CHECK_OK(reopen(&font));
+  const InkBox ink = font.ink_box(2);
+  CHECK_EQ(ink.x0_u, -InkBox::kFar);
+  CHECK_EQ(ink.y0_u, -InkBox::kFar);
+  CHECK_EQ(ink.x1_u, InkBox::kFar);
+  CHECK_EQ(ink.y1_u, InkBox::kFar);
+}
+
+TEST(ink_boxes_below_0_are_tight) {
+  constexpr int32_t kEms[] = {256, 257, 1000, 2047, 2048, 16384};
+  for (const int32_t em : kEms) {
+    sample();
+    put_u16(rom + header::kUnitsPerEm, static_cast<uint32_t>(em));
+    put_metric(2, 1, -667);
+    put_metric(2, 2, -207);
+    put_metric(2, 3, -208);
+    put_metric(2, 4, -1);
+    Font font;
+    CHECK_OK(reopen(&font));
+    const bool is_exact = (em & (em - 1)) == 0;
+    const InkBox ink = font.ink_box(2);
+    const int32_t outside[] = {
+        -667 * 1024 - ink.x0_u * em, -207 * 1024 - ink.y0_u * em,
+        ink.x1_u * em + 208 * 1024, ink.y1_u * em + 1024};
+    for (const int32_t way : outside) {
+      CHECK(way >= 0);
+      CHECK(way < (is_exact ? em : 2 * em));
+    }
+  }
+}
+
+TEST(kerning_of_absent_glyphs_is_0) {
+  sample();
+  uint8_t* members = section_bytes(section::kKerning) + format::kerning::kBytes;
+  members[3 * 4] = 5;      // of five glyphs
+  members[3 * 4 + 1] = 2;  // like B on the left
+  Font font;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(3, 2), -50);
+  CHECK_EQ(font.kerning(5, 2), 0);
+  CHECK_EQ(font.kerning(3, 5), 0);
+}
+
+TEST(left_class_0_kerns_with_nothing_whatever_the_starts) {
+  sample();
+  uint8_t* kerning = section_bytes(section::kKerning) + format::kerning::kBytes;
+  kerning[3 * 4 + 1] = kerning[3 * 4 + 2] =
+      0;  // what lies before the first start
+  put_u16(kerning + 15, 1);
+  Font font;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(1, 3), 0);
+}
+
+TEST(kerning_behind_the_last_row_is_not_read) {
+  sample();
+  uint8_t* kerning = section_bytes(section::kKerning) + format::kerning::kBytes;
+  kerning[3 * 2 + 1] = 3;        // A: a left class of two
+  put_u16(kerning + 15 + 4, 0);  // the last start
+  Font font;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(2, 3), 0);
+  CHECK_EQ(font.kerning(2, 4), 0);
+}
+
+TEST(rows_of_kerning_end_with_the_pairs) {
+  sample();
+  uint8_t* kerning = section_bytes(section::kKerning) + format::kerning::kBytes;
+  put_u16(kerning + 15 + 4, 200);
+  Font font;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(3, 2), -50);
+}
+
+TEST(log2_of_units_counts_modulo_8) {
+  Font font = sample();
+  const size_t size = font.record(2).size;
+  section_bytes(section::kGlyphs)[format::glyphs::kUnitLog2] |= 8;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.record(2).size, size);
+  CHECK_EQ(font.verify(), Status::corrupt);
+}
+
+TEST(pairs_that_wrap_kern_with_nothing) {
+  sample();
+  section_bytes(section::kKerning)[format::kerning::kPairs + 3] =
+      0x20;  // 2^29 + 3, of 24 bits
+  Font font;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(2, 3), 0);
+  CHECK_EQ(font.verify(), Status::corrupt);
+}
+
+TEST(a_part_of_a_cmap_entry_is_corrupt) {
+  sample();
+  put_u32(entry_of(section::kCmap) + section::kSize, 23);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+TEST(ranges_that_overlap_are_corrupt) {
+  sample();
+  put_u32(section_bytes(section::kCmap) + 16, 'C');
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  put_u32(section_bytes(section::kCmap) + 16, 'C' + 1);
+  CHECK_OK(verify_changed());
+}
+
+TEST(numbers_of_kerning_have_limited_widths) {
+  // One member-less KERN: widths only.
+  sample();
+  uint8_t* kerning = section_bytes(section::kKerning);
+  put_u32(kerning + format::kerning::kPairs, 0);
+  put_u16(kerning + format::kerning::kMembers, 0);
+  put_u16(kerning + format::kerning::kLeftClasses, 0);
+  for (uint32_t i = format::kerning::kBytes; i < format::kerning::kBytes + 8;
+       ++i) {
+    kerning[i] = 0;
+  }
+  kerning[format::kerning::kStartBits] = 25;
+  CHECK_OK(verify_changed());
+  kerning[format::kerning::kStartBits] = 26;
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  kerning[format::kerning::kStartBits] = 25;
+  kerning[format::kerning::kValueBits] = 17;
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  kerning[format::kerning::kValueBits] = 16;
+  CHECK_OK(verify_changed());
+}
+
+TEST(the_last_record_ends_in_the_section) {
+  sample();
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
+  const uint32_t size = get_u32(entry_of(section::kGlyphs) + section::kSize);
+  put_u16(glyphs + 2 + 2 * 5, size / 2 + 1);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+TEST(records_lie_behind_all_bits_of_the_offsets) {
+  // Two glyphs without ink: three offsets of 9 bits are 27 bits, 4 bytes.
+  static constexpr GlyphSpec kGlyphs[2] = {};
+  FontSpec spec;
+  spec.glyphs = {kGlyphs, 2};
+  rom_bytes = build_font(spec, {rom, kSampleFontBytes});
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
+  put_u32(entry_of(section::kGlyphs) + section::kSize, 8);  // 2 + 3 * 2
+  glyphs[format::glyphs::kOffsetBits] = 9;
+  glyphs[format::glyphs::kUnitLog2] = 0;
+  for (uint32_t offset = 4; offset <= 8; ++offset) {
+    put_u32(glyphs + 2, offset | offset << 9 | offset << 18);
+    CHECK_EQ(verify_changed(), offset < 6 ? Status::corrupt : Status::ok);
+  }
+}
+
+TEST(measures_one_glyph) {
+  Font font = sample();
+  CHECK_EQ(measure(font, "A").y_min, 82);
+  put_metric(2, 1, -500);
+  put_metric(2, 3, -100);
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(measure(font, "A").x_min, -500);
+  CHECK_EQ(measure(font, "A").x_max, -100);
+}
+
+TEST(lengths_in_px_are_clamped) {
+  sample();
+  put_u16(rom + header::kUnitsPerEm, 16);
+  Font font;
+  CHECK_OK(reopen(&font));
+  Brush brush;
+  CHECK_OK(Brush::make(kMaxSize, kFilterText, brush));
+  CHECK_EQ(to_px(font, brush, 1 << 24).raw, INT32_MAX);
+  CHECK_EQ(to_px(font, brush, -(1 << 24)).raw, INT32_MIN);
+}
+
+TEST(records_at_odd_places_are_not_read_whatever_their_length) {
+  sample();
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
+  glyphs[format::glyphs::kUnitLog2] = 0;
+  uint8_t* offsets = glyphs + format::glyphs::kBytes;
+  for (uint32_t i = 0; i <= 5; ++i) {
+    put_u16(offsets + 2 * i, 2 * get_u16(offsets + 2 * i));
+  }
+  Font font;
+  CHECK_OK(reopen(&font));
+  for (size_t i = rom_bytes - 1; i > 0; --i) {
+    if (rom + i > font.record(2).data)
+      rom[i] = rom[i - 1];
+  }
+  put_u16(offsets + 4, get_u16(offsets + 4) + 1);
+  put_u16(offsets + 6, get_u16(offsets + 6) + 1);  // as long as before
+  CHECK_OK(reopen(&font));
+  GlyphField field;
+  CHECK_EQ(font.field(2, field), Status::corrupt);
+}
+
+TEST(nothing_is_no_record) {
+  GlyphField field;
+  CHECK_EQ(GlyphField::open({}, field), Status::corrupt);
+}
+
+TEST(tiles_are_2048_u_at_most) {
+  alignas(2) uint8_t record[] = {1, 12, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0};
+  GlyphField field;
+  CHECK_EQ(GlyphField::open(record, field), Status::corrupt);
+  record[1] = 11;
+  CHECK_OK(GlyphField::open(record, field));
+}
+
+TEST(kerning_has_as_many_pairs_as_there_may_be) {
+  sample();
+  uint8_t* kerning = section_bytes(section::kKerning);
+  put_u32(kerning + format::kerning::kPairs, format::kerning::kMaxPairs);
+  kerning[format::kerning::kRightBits] = kerning[format::kerning::kValueBits] =
+      0;
+  put_u16(kerning + format::kerning::kValueBase, 7);
+  // glyph, left class: rows of 16 bits
+  for (uint32_t i = 0; i < 5; ++i) {
+    kerning[17 + 2 * i] = static_cast<uint8_t>(i);
+    kerning[18 + 2 * i] = 1;
+  }
+  put_u16(kerning + 27, 0);
+  put_u16(kerning + 29, 1);
+  put_u16(kerning + 31, 1);
+  Font font;
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(2, 3), 7);
+  put_u32(kerning + format::kerning::kPairs, format::kerning::kMaxPairs + 1);
+  CHECK_OK(reopen(&font));
+  CHECK_EQ(font.kerning(2, 3), 0);
+}
+
+TEST(rows_of_kerning_do_not_go_back) {
+  static constexpr GlyphSpec kGlyphs[4] = {};
+  static constexpr uint16_t kSides[] = {0, 1, 2, 3};
+  static constexpr int16_t kValues[] = {10, 20, 30, 0, 0, 0, 0, 0, 0};
+  FontSpec spec;
+  spec.glyphs = {kGlyphs, 4};
+  spec.kerning.left_classes = 3;
+  spec.kerning.right_classes = 3;
+  spec.kerning.left = {kSides, 4};
+  spec.kerning.right = {kSides, 4};
+  spec.kerning.values = {kValues, 9};
+  rom_bytes = build_font(spec, {rom, kSampleFontBytes});
+  CHECK_OK(verify_changed());
+  uint8_t* kerning = section_bytes(section::kKerning);
+  const uint32_t members = get_u16(kerning + format::kerning::kMembers);
+  CHECK_EQ(get_u32(kerning + format::kerning::kPairs), 3);
+  CHECK_EQ(kerning[format::kerning::kStartBits], 16);
+  uint8_t* starts = kerning + 17 + 3 * members;
+  CHECK_EQ(get_u16(starts + 2), 3);
+  put_u16(starts + 2, 2);
+  put_u16(starts + 4, 1);
+  put_u16(starts + 6, 3);
+  CHECK_EQ(verify_changed(), Status::corrupt);
+  put_u16(starts + 2, 2);
+  put_u16(starts + 4, 2);
+  CHECK_OK(verify_changed());
+}
+
+TEST(the_first_row_of_kerning_starts_at_0) {
+  sample();
+  uint8_t* kerning = section_bytes(section::kKerning);
+  put_u32(kerning + format::kerning::kPairs, 0);
+  put_u16(kerning + format::kerning::kMembers, 0);
+  put_u16(kerning + format::kerning::kLeftClasses, 0);
+  for (uint32_t i = 17; i < 25; ++i) {
+    kerning[i] = 0;
+  }
+  CHECK_OK(verify_changed());
+  kerning[17] = 1;
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+TEST(units_are_128_bytes_at_most) {
+  static constexpr GlyphSpec kGlyphs[2] = {};
+  FontSpec spec;
+  spec.glyphs = {kGlyphs, 2};
+  rom_bytes = build_font(spec, {rom, kSampleFontBytes});
+  uint8_t* glyphs = section_bytes(section::kGlyphs);
+  rom_bytes = 4096;
+  put_u32(rom + header::kTotalBytes, 4096);
+  put_u32(entry_of(section::kGlyphs) + section::kSize,
+          static_cast<uint32_t>(rom + 4096 - glyphs));
+  for (uint32_t i = 0; i < 3; ++i) {
+    put_u16(glyphs + 2 + 2 * i, 8);
+  }
+  glyphs[format::glyphs::kUnitLog2] = 7;
+  CHECK_OK(verify_changed());
+  glyphs[format::glyphs::kUnitLog2] = 8;
+  CHECK_EQ(verify_changed(), Status::corrupt);
+}
+
+// Sanitizers see who reads on.
+TEST(tables_may_end_with_the_memory) {
+  constexpr uint32_t kTags[] = {section::kCmap,   section::kMetrics,
+                                section::kGlyphs, section::kKerning,
+                                section::kHints,  section::kName};
+  for (const uint32_t tag : kTags) {
+    for (uint32_t size = 0; size <= 32; size += 4) {
+      sample();
+      const uint32_t begin = static_cast<uint32_t>(rom_bytes + 3) / 4 * 4;
+      rom_bytes = begin + size;
+      for (uint32_t i = begin; i < rom_bytes; ++i) {
+        rom[i] = 0;
+      }
+      // The table instead of the name, and nothing instead of the table.
+      uint8_t* const name = entry_of(section::kName);
+      for (uint8_t* entry = rom + header::kBytes; entry != name;
+           entry += section::kBytes) {
+        if (get_u32(entry + section::kTag) == tag) {
+          put_u32(entry + section::kTag, format::tag('X', 'X', 'X', 'X'));
+          put_u32(entry + section::kOffset, 0);
+          put_u32(entry + section::kSize, 0);
+        }
+      }
+      put_u32(name + section::kTag, tag);
+      put_u32(name + section::kOffset, begin);
+      put_u32(name + section::kSize, size);
+      put_u32(rom + header::kTotalBytes, begin + size);
+      CHECK(repair_checksums({rom, rom_bytes}));
+      uint8_t* const last = rom + sizeof rom - rom_bytes;
+      for (size_t i = rom_bytes; i-- > 0;) {
+        last[i] = rom[i];
+      }
+      Font font;
+      if (Font::open({last, rom_bytes}, font) != Status::ok) {
+        continue;
+      }
+      Hints hints;
+      uint16_t glyph = 0;
+      CHECK(Hints::open(font, hints) == Status::ok ||
+            (tag == section::kHints && size != 0));
+      CHECK(font.glyph_of('A', glyph) == Status::ok || tag == section::kCmap);
+      CHECK(font.kerning(2, 3) != 0 || tag == section::kKerning);
+      CHECK_EQ(font.name().size, tag == section::kName ? size : 0);
+      CHECK(font.verify() == Status::ok || size != 0);
+    }
+  }
+}
