@@ -175,10 +175,12 @@ void paint_lcd(const GlyphField& field,
                const Sink& sink) {
   const LcdStyle& style = *static_cast<const LcdStyle*>(options);
   const int32_t across_q10 = is_vertical(style.order) ? 0 : 2 * kThird;
-  const LcdRows lcd_rows = {
-      brush, origin, rows,
-      detail::painted_box(field, brush, origin, rows, sink.window, across_q10,
-                          2 * kThird - across_q10)};
+  constexpr int32_t kFar = 1 << 30;
+  const Rect all = detail::painted_box(field, brush, origin, rows,
+                                       {-kFar, -kFar, kFar, kFar}, across_q10,
+                                       2 * kThird - across_q10);
+  const LcdRows lcd_rows = {brush, origin, rows, all,
+                            intersect(all, sink.window)};
   if (brush.is_upright() && detail::has_fields(field)) {
     detail::draw_stripe_rows(field, lcd_rows, style, sink);
   } else {

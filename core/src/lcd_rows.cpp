@@ -236,8 +236,8 @@ class StripeRows {
   __attribute__((noinline)) void draw(StripeRow& row) noexcept {
     const Rect& box = rows_.box;
     // What lies beside the box covers nothing, unless the window cuts it off.
-    const int32_t first = box.x0 - (box.x0 == sink_.window.x0 ? 1 : 0);
-    end_ = box.x1 + (box.x1 == sink_.window.x1 ? 1 : 0);
+    const int32_t first = box.x0 - (box.x0 != rows_.all.x0 ? 1 : 0);
+    end_ = box.x1 + (box.x1 != rows_.all.x1 ? 1 : 0);
     for (y_ = box.y0; y_ < box.y1; ++y_) {
       if (row.go_to(y_, y_ == box.y0)) {
         before_ = 0;
@@ -331,8 +331,8 @@ class StripeColumn {
   __attribute__((noinline)) void draw(StripeRow& row) noexcept {
     const Rect& box = rows_.box;
     // What lies beside the box covers nothing, unless the window cuts it off.
-    const int32_t first = box.y0 - (box.y0 == sink_.window.y0 ? 1 : 0);
-    const int32_t end = box.y1 + (box.y1 == sink_.window.y1 ? 1 : 0);
+    const int32_t first = box.y0 - (box.y0 != rows_.all.y0 ? 1 : 0);
+    const int32_t end = box.y1 + (box.y1 != rows_.all.y1 ? 1 : 0);
     for (int32_t y = first; y < end; ++y) {
       draw_above(row, row.go_to(y, y == first), y);
     }

@@ -162,7 +162,8 @@ struct LcdRows {
   const Brush& brush;
   const FinePoint& origin;
   const RowMap* map;
-  Rect box;
+  Rect all;  // the pixels that may show something
+  Rect box;  // those in the window
 
   __attribute__((noinline)) FieldPosition at(int32_t x,
                                              int32_t y,

@@ -218,7 +218,12 @@ void fit(
 TEST(windows_change_no_style) {
   Random random(51);
   for (int round = 0; round < kRounds / 2 && !check::failed(); ++round) {
-    const GlyphField field = any_field(random);
+    GlyphField field = any_field(random);
+    const auto side = [&random](int32_t least_u) {
+      return static_cast<int16_t>(random.between(least_u, least_u + 200));
+    };
+    field.ink = {side(field.x0_u), side(field.y0_u), side(field.x0_u + 200),
+                 side(field.y0_u + 200)};
     const bool is_turned = round % 3 == 0;
     const bool is_outlined = round % 2 == 0;
     Brush brush =
