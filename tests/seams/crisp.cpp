@@ -148,5 +148,10 @@ int main(int argc, char** argv) {
   }
   threshold.print("threshold");
   crisp.print("crisp");
-  return crisp.broken * 1000 <= std::atoi(argv[2]) * crisp.pictures ? 0 : 1;
+  // Of 94 characters that have ink.
+  constexpr int kLeastPictures = 94 * 7 * 8;
+  return crisp.pictures >= kLeastPictures &&
+                 crisp.broken * 1000 <= std::atoi(argv[2]) * crisp.pictures
+             ? 0
+             : 1;
 }

@@ -228,9 +228,11 @@ int main(int argc, char** argv) {
   std::vector<uint8_t> workspace(font.workspace_bytes());
   for (uint16_t id = 0; id < font.glyph_count(); ++id) {
     GlyphField field;
-    if (open_field(font, id, workspace, field) == Status::ok) {
-      Glyph(field, id, font.range().band_u, metric, summary).measure();
+    if (open_field(font, id, workspace, field) != Status::ok) {
+      fprintf(stderr, "seams: glyph %d cannot be opened\n", id);
+      return 1;
     }
+    Glyph(field, id, font.range().band_u, metric, summary).measure();
   }
   const double bound = 2.0 * font.range().tolerance;
   printf("%.*s, %d to %d px, tolerance %d/255\n",

@@ -3,6 +3,7 @@
 #include "font_builder.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/hints.hpp"
+#include "inkcell/packed.hpp"
 #include "inkcell/text.hpp"
 
 namespace {
@@ -498,6 +499,32 @@ TEST(tables_may_end_with_the_memory) {
       CHECK(font.kerning(2, 3) != 0 || tag == section::kKerning);
       CHECK_EQ(font.name().size, tag == section::kName ? size : 0);
       CHECK(font.verify() == Status::ok || size != 0);
+    }
+  }
+}
+
+TEST(records_may_end_with_the_memory) {
+  alignas(4) static uint8_t memory[24];
+  constexpr uint8_t kHeads[][2] = {
+      {1, 8}, {2, 8}, {2, 0x88}, {3, 0x11}, {0x83, 0x11}};
+  for (const auto& head : kHeads) {
+    for (uint32_t size = 0; size <= sizeof memory; size += 2) {
+      for (uint8_t& byte : memory) {
+        byte = 0;
+      }
+      uint8_t* const record = memory + sizeof memory - size;
+      if (size > 1) {
+        record[0] = head[0];
+        record[1] = head[1];
+      }
+      if (size > 7 && head[0] < 3) {
+        record[6] = record[7] = 1;
+      }
+      GlyphField field;
+      CHECK(GlyphField::open({record, size}, field) != Status::ok || size > 10);
+      PackedGlyph packed;
+      CHECK(PackedGlyph::open({record, size}, {}, packed) != Status::ok ||
+            size > 4);
     }
   }
 }

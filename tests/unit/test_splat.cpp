@@ -242,3 +242,72 @@ TEST(bad_options_are_refused) {
   CHECK_OK(make_splats({sums, kMinSplatSums}, kMinSplatRadius, splats));
   CHECK_OK(make_splats({sums, kMinSplatSums}, kMaxSplatRadius, splats));
 }
+
+// A buffer that is narrower than a row of the glyph.
+TEST(glyphs_may_be_wider_than_the_sums) {
+  constexpr int32_t kWidth = 200;
+  font_builder::Record& record = painter::glyph_record;
+  record.reset();
+  record.tile_log2 = 11;
+  record.tiles_x = 14;
+  record.tiles_y = 1;
+  record.x0_u = -14336;
+  record.y0_u = 0;
+  record.reference_count = record.tiles_x;
+  for (uint32_t i = 0; i < record.reference_count; ++i) {
+    record.references[i] = format::glyph::kInside;
+  }
+  record.write(painter::glyph_bytes);
+  GlyphField wide;
+  CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, wide));
+  Brush brush = brush_of(20 * 64, false);
+  const Splats splats = splats_of(kMinSplatSums);
+  brush.set_painter(paint_splats, &splats, kSplatReach);
+  int32_t sum = 0;
+  const Sink sink = {{0, 0, kWidth, 10},
+                     &sum,
+                     [](void* context, int32_t, int32_t,
+                        const uint8_t* coverage, int32_t count) {
+                       for (int32_t i = 0; i < count; ++i) {
+                         *static_cast<int32_t*>(context) += coverage[i];
+                       }
+                     },
+                     [](void* context, int32_t, int32_t, int32_t count) {
+                       *static_cast<int32_t*>(context) += 255 * count;
+                     }};
+  draw_field(wide, brush, {250 * 1024, 9 * 1024}, sink);
+  CHECK_EQ(sum, 255 * kWidth * 9);
+}
+
+TEST(small_tiles_look_like_larger_ones) {
+  for (uint32_t log2 = 6; log2 >= 5; --log2) {
+    font_builder::Record& record = painter::glyph_record;
+    record.reset();
+    record.tile_log2 = static_cast<uint8_t>(log2);
+    record.tiles_x = record.tiles_y = static_cast<uint8_t>(512 >> log2);
+    record.x0_u = record.y0_u = 0;
+    record.reference_count =
+        static_cast<uint16_t>(record.tiles_x * record.tiles_y);
+    for (uint32_t i = 0; i < record.reference_count; ++i) {
+      const uint32_t x = i % record.tiles_x >> (6 - log2);
+      const uint32_t y = i / record.tiles_x >> (6 - log2);
+      record.references[i] =
+          (x + y) % 3 != 0 ? format::glyph::kInside : format::glyph::kOutside;
+    }
+    CHECK(record.size() <= sizeof painter::glyph_bytes);
+    record.write(painter::glyph_bytes);
+    GlyphField field;
+    CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, field));
+    Brush brush = brush_of(4 * 64, false);
+    const Splats splats = splats_of();
+    brush.set_painter(paint_splats, &splats, kSplatReach);
+    draw(field, brush, {10 * 1024 + 300, 20 * 1024 + 77});
+    CHECK(painter::ink() > 0);
+    if (log2 == 6) {
+      painter::keep();
+    }
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      CHECK_EQ(picture[i], whole[i]);
+    }
+  }
+}

@@ -1,0 +1,68 @@
+// Sub-pixels lie where plain text lies, whichever way they are drawn.
+#include "inkcell/lcd.hpp"
+
+#include "check.hpp"
+#include "font_builder.hpp"
+#include "painter_canvas.hpp"
+#include "painter_glyph.hpp"
+
+namespace {
+
+using namespace inkcell;
+using painter::draw;
+using painter::ink;
+using painter::kSide;
+using painter::picture;
+
+// Where the middle of the ink lies. [1/64 px]
+struct Middle {
+  int32_t x_q6;
+  int32_t y_q6;
+};
+
+Middle middle_of_ink() {
+  int64_t x = 0;
+  int64_t y = 0;
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    x += int64_t{picture[i]} * (i % kSide);
+    y += int64_t{picture[i]} * (i / kSide);
+  }
+  return {static_cast<int32_t>(64 * x / ink()),
+          static_cast<int32_t>(64 * y / ink())};
+}
+
+// Sub-pixels are wider by 2/3 px on both sides, and all of that must show.
+void check_place(const GlyphField& field, Brush brush, FinePoint origin) {
+  brush.set_painter(nullptr, nullptr);
+  draw(field, brush, origin);
+  CHECK(ink() > 255 * 20);
+  const Middle plain = middle_of_ink();
+  for (uint32_t order = 0; order < 4; ++order) {
+    const LcdStyle style = {static_cast<SubPixels>(order), 255};
+    brush.set_painter(paint_lcd, &style, kLcdReach);
+    draw(field, brush, origin);
+    const Middle middle = middle_of_ink();
+    CHECK(painter::magnitude(middle.x_q6 - plain.x_q6) <= 8);
+    CHECK(painter::magnitude(middle.y_q6 - plain.y_q6) <= 8);
+  }
+}
+
+}  // namespace
+
+TEST(sub_pixels_lie_where_text_lies) {
+  constexpr font_builder::Shape kShapes[] = {
+      font_builder::disc, font_builder::ring, font_builder::bar};
+  constexpr int32_t kSizes[] = {16, 21, 30};
+  for (const font_builder::Shape shape : kShapes) {
+    const GlyphField field = painter::field_of(shape);
+    for (const int32_t px : kSizes) {
+      for (int32_t phase = 0; phase < 4; ++phase) {
+        const FinePoint shift(256 * phase, 200 * phase);
+        check_place(field, painter::brush_of(px * 64, false),
+                    {2 * 1024 + shift.x_q10, 32 * 1024 + shift.y_q10});
+        check_place(field, painter::brush_of(px * 64, true),
+                    {1024 + shift.x_q10, 9 * 1024 + shift.y_q10});
+      }
+    }
+  }
+}
