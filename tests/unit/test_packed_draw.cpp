@@ -2,6 +2,7 @@
 // a row of tiles.
 #include "check.hpp"
 #include "hints_record.hpp"
+#include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/text.hpp"
 #include "packed_record.hpp"
@@ -170,6 +171,16 @@ Point origin_of(Random& random, const Brush& brush) {
           Q26_6::from_raw(random.between(0, kSide * 64) + size / 8)};
 }
 
+// Two tiles and more each way, and more in all than in a row.
+Fonts tall_fonts(Random& random) {
+  Fonts fonts;
+  do {
+    fonts = make_fonts(random);
+  } while (record.tiles_y < 2 || record.tiles_x < 2 || record.x0_u < -200 ||
+           record.y0_u < -200 || fonts.row_workspace + 2 > fonts.workspace);
+  return fonts;
+}
+
 }  // namespace
 
 TEST(packed_pictures_equal_direct_ones) {
@@ -335,6 +346,93 @@ TEST(verifies_what_glyphs_expand_to) {
   const PackedSpec spec = {kQuantisation, row, whole};
   record.bytes[1] = static_cast<uint8_t>(record.bytes[1] & 0xf0);
   CHECK_EQ(build(bytes, spec, packed_rom).verify(), Status::corrupt);
+}
+
+TEST(turned_glyphs_are_drawn_from_all_rows_or_not_at_all) {
+  Random random(22);
+  const Fonts fonts = tall_fonts(random);
+  Direction up;
+  up.cosine.raw = 0;
+  up.sine.raw = 1 << 30;
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), kFilterText, up, brush));
+  const Point corner = {Q26_6::from_int(36), Q26_6::from_int(36)};
+  draw_both(fonts, brush, corner, {memory, fonts.workspace}, kSide);
+  CHECK(!is_blank(picture[1]));
+  CHECK(pictures_equal());
+  const int32_t strips[] = {1, 7, kSide};
+  for (const int32_t rows : strips) {
+    draw_both(fonts, brush, corner, {memory, fonts.row_workspace}, rows);
+    CHECK(is_blank(picture[1]));
+  }
+}
+
+TEST(painted_glyphs_are_drawn_from_all_rows_or_not_at_all) {
+  Random random(22);
+  const Fonts fonts = tall_fonts(random);
+  const Outline outline =
+      make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), outline.outer, brush));
+  brush.set_painter(paint_outline, &outline.inner);
+  const Point origin = {Q26_6::from_int(8), Q26_6::from_int(34)};
+  draw_both(fonts, brush, origin, {memory, fonts.workspace}, 3);
+  CHECK(!is_blank(picture[1]));
+  CHECK(pictures_equal());
+  draw_both(fonts, brush, origin, {memory, fonts.row_workspace}, kSide);
+  CHECK(is_blank(picture[1]));
+}
+
+TEST(a_workspace_that_is_stated_too_small_is_enough_for_rows) {
+  Random random(22);
+  Fonts fonts = tall_fonts(random);
+  const auto row = static_cast<uint32_t>(fonts.row_workspace);
+  fonts.packed =
+      build({record.bytes, record.size}, {kQuantisation, row, row}, packed_rom);
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), kFilterText, brush));
+  draw_both(fonts, brush, {Q26_6::from_int(8), Q26_6::from_int(34)},
+            {memory, fonts.row_workspace}, kSide);
+  CHECK(!is_blank(picture[1]));
+  CHECK(pictures_equal());
+}
+
+// 2^32 / 1024 px and more, which would wrap.
+TEST(far_glyphs_show_nothing) {
+  Random random(22);
+  const Fonts fonts = tall_fonts(random);
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), kFilterText, brush));
+  const int32_t far[] = {1 << 28, -(1 << 28), 1 << 29};
+  for (const int32_t way : far) {
+    for (int32_t axis = 0; axis < 2; ++axis) {
+      const Point origin = {Q26_6::from_raw(8 * 64 + (axis == 0 ? way : 0)),
+                            Q26_6::from_raw(34 * 64 + (axis == 1 ? way : 0))};
+      Canvas canvas({0, 0, kSide, kSide}, picture[1]);
+      draw_glyph(fonts.packed, 1, brush, origin, canvas.sink(),
+                 {memory, fonts.workspace});
+      draw_glyph(fonts.direct, 1, brush, origin, canvas.sink());
+      CHECK(is_blank(picture[1]));
+    }
+  }
+  // At 250 px an em of 1000 units: 2^24 of them are 2^22 px.
+  CHECK_OK(Brush::make(Q26_6::from_int(250), kFilterText, brush));
+  PositionedGlyph at;
+  at.glyph = 1;
+  at.x = 1 << 24;
+  const Point origin = {Q26_6::from_int(8), Q26_6::from_int(200)};
+  Canvas canvas({0, 0, kSide, kSide}, picture[1]);
+  draw(fonts.packed, {&at, 1}, brush, origin, canvas.sink(),
+       {memory, fonts.workspace});
+  draw(fonts.direct, {&at, 1}, brush, origin, canvas.sink());
+  CHECK(is_blank(picture[1]));
+}
+
+TEST(direct_fonts_hold_no_packed_records) {
+  Random random(23);
+  make_fonts(random);
+  const Font font = build({record.bytes, record.size}, {}, direct_rom);
+  CHECK_EQ(font.verify(), Status::unsupported);
 }
 
 #else
