@@ -250,3 +250,34 @@ TEST(cells_decide_by_the_papers_rule) {
 }
 
 #endif  // INKCELL_FIELD_CELLS
+
+// 48/64 of a cell's width to the right and 16/64 up: no sample more is taken.
+TEST(planes_of_samples_take_one_sample) {
+  uint32_t more = 0;
+  Adaptive adaptive = make_adaptive(kFilterText);
+  adaptive.more_samples = &more;
+  samples.reset();
+  samples.tile_log2 = 10;
+  samples.tiles_x = samples.tiles_y = 1;
+  samples.x0_u = samples.y0_u = 0;
+  samples.reference_count = 1;
+  constexpr int8_t kPlane[8] = {-64, -16, 32, -48, 48, -32, 16, 64};
+  samples.references[0] = samples.add_raw_cell(0, kPlane);
+  const GlyphField field = open(samples);
+  const Brush brush = brush_of(20 * 64, 0, adaptive);
+  Canvas canvas({0, 0, 1, 1});
+  draw_field(field, brush, {512 - 10 * 1024, 512 + 10 * 1024}, canvas.sink());
+  CHECK_EQ(more, 0);
+}
+
+TEST(radii_are_clamped) {
+  constexpr int16_t kLeast = 256;
+  constexpr int16_t kMost = 1536;
+  const int16_t radii[][2] = {{kLeast, kLeast},     {kMost, kMost},
+                              {kLeast - 1, kLeast}, {kMost + 1, kMost},
+                              {INT16_MIN, kLeast},  {INT16_MAX, kMost}};
+  for (const auto& radius : radii) {
+    CHECK_EQ(make_adaptive(kFilterText, Q6_10::from_raw(radius[0])).radius_q10,
+             radius[1]);
+  }
+}

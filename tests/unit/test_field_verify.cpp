@@ -59,6 +59,33 @@ void make(bool linked) {
   record.references[5] = record.field_reference(2);
 }
 
+// What verify says of a record of tiles of 256 u whose heap begins with these
+// units, and goes on with zeros.
+Status verify_heap(uint8_t tiles,
+                   uint16_t units,
+                   uint16_t first,
+                   uint16_t second) {
+  alignas(2) static uint8_t heap[40];
+  for (uint8_t& byte : heap) {
+    byte = 0;
+  }
+  heap[0] = 2;
+  heap[1] = 0x88;
+  heap[6] = tiles;
+  heap[7] = 1;
+  put_u16(heap + 8, units);
+  put_u16(heap + 10, first);
+  put_u16(heap + 12, second);
+  const GlyphSpec glyphs[] = {
+      {500, {0, 0, 0, 0}, nullptr, nullptr, {heap, 10 + 2u * units}}};
+  FontSpec spec;
+  spec.glyphs = {glyphs, 1};
+  const size_t size = build_font(spec, rom);
+  Font font;
+  CHECK_OK(Font::open({rom, size}, font));
+  return font.verify();
+}
+
 }  // namespace
 
 TEST(accepts_fields) {
@@ -161,6 +188,16 @@ TEST(finds_more_than_a_reference_can_say) {
     CHECK_OK(Font::open({large_rom, size}, font));
     CHECK_EQ(font.verify(), lines == 254 ? Status::ok : Status::corrupt);
   }
+}
+
+TEST(nodes_of_heaps_lie_behind_the_tiles_and_each_other) {
+  constexpr uint16_t kNode = 1 << 13;
+  CHECK_OK(verify_heap(6, 10, kNode | 6, 0));
+  CHECK_EQ(verify_heap(6, 10, kNode | 5, 0), Status::corrupt);
+  CHECK_EQ(verify_heap(6, 10, kNode | 1, 0), Status::corrupt);
+  CHECK_OK(verify_heap(2, 11, kNode | 2, kNode | 6));
+  CHECK_OK(verify_heap(2, 11, kNode | 2, kNode | 7));
+  CHECK_EQ(verify_heap(2, 11, kNode | 2, kNode | 5), Status::corrupt);
 }
 
 #endif
