@@ -227,6 +227,9 @@ int main(int argc, char** argv) {
   Summary summary;
   std::vector<uint8_t> workspace(font.workspace_bytes());
   for (uint16_t id = 0; id < font.glyph_count(); ++id) {
+    if (font.record(id).size == 0) {
+      continue;  // no ink
+    }
     GlyphField field;
     if (open_field(font, id, workspace, field) != Status::ok) {
       fprintf(stderr, "seams: glyph %d cannot be opened\n", id);
