@@ -1,83 +1,11 @@
 // Grid fitting: where edges go, how far, and what hostile hints can do.
 #include "check.hpp"
-#include "font_builder.hpp"
-#include "hints_record.hpp"
-#include "inkcell/fit.hpp"
+#include "fitted.hpp"
 #include "inkcell/text.hpp"
 #include "picture.hpp"
 #include "random.hpp"
 
-namespace {
-
-using namespace inkcell;
-using namespace font_builder;
-
-constexpr int32_t kPx = 1 << 10;
-
-alignas(4) uint8_t rom[1600];
-
-// A font of .notdef and a bar from 195 to 430 units to the right and 0 to 625
-// up.
-Font make_font(Span<const uint8_t> hints) {
-  static constexpr CmapEntry kCmap[] = {{'A', 0, 1}};
-  static constexpr GlyphSpec kGlyphs[] = {
-      {600, {0, 0, 0, 0}, nullptr, nullptr},
-      {600, {195, 0, 430, 625}, bar, nullptr}};
-  FontSpec spec;
-  spec.cmap = {kCmap, 1};
-  spec.glyphs = {kGlyphs, 2};
-  spec.hints = hints;
-  const size_t size = build_font(spec, rom);
-  CHECK(size != 0);
-  Font font;
-  CHECK_OK(Font::open({rom, size}, font));
-  return font;
-}
-
-Font usual_font() {
-  HintsRecord hints;
-  hints.make_usual();
-  return make_font(hints.write(2));
-}
-
-Brush brush_of(int32_t px_q6) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_raw(px_q6), kFilterText, brush));
-  return brush;
-}
-
-// What becomes of a glyph.
-struct Fitted {
-  FinePoint origin;
-  RowMap rows;
-
-  // Where the screen shows a height of the glyph in u. [px, Q10]
-  int32_t screen_q10(int32_t u, const Brush& brush) const {
-    const int32_t wanted = (u * brush.size().raw) >> 6;
-    for (uint32_t i = 0; i < rows.count; ++i) {
-      if (rows.knots[i].glyph_q10 == wanted) {
-        return rows.knots[i].screen_q10;
-      }
-    }
-    return INT32_MAX;
-  }
-};
-
-Fitted fitted(const Font& font,
-              const Brush& brush,
-              const FitOptions& options,
-              FinePoint origin) {
-  Fit fit;
-  CHECK_OK(Fit::make(font, brush, options, fit));
-  GlyphField field;
-  field.glyph = 1;
-  Fitted result;
-  result.origin = origin;
-  fit_glyph(field, brush, &fit, result.origin, result.rows);
-  return result;
-}
-
-}  // namespace
+using namespace fitting;
 
 TEST(hints_read_as_they_were_written) {
   const Font font = usual_font();
