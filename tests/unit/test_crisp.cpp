@@ -173,4 +173,158 @@ TEST(ends_of_strokes_are_not_prolonged) {
   }
 }
 
+namespace {
+
+// Where the stroke's middle lies between two pixels of 16.
+constexpr int32_t kMiddle_u = 512;
+
+// A picture of 16 px, and the seventh and eighth pixel across the stroke.
+struct Crossing {
+  Picture<16, 16> picture;
+
+  Crossing(const GlyphField& field, const Brush& brush, int32_t shift_q10 = 0) {
+    draw_field(field, brush, {shift_q10, 16 << 10}, picture.sink());
+  }
+  uint8_t left() const { return picture.at(7, 7); }
+  uint8_t right() const { return picture.at(8, 7); }
+};
+
+}  // namespace
+
+TEST(of_two_that_are_equally_near_the_left_or_upper_is_drawn) {
+  const CrispStyle style;
+  const Brush brush = brush_of(16, style);
+  // Even strokes that have no width at all.
+  constexpr int32_t kWidths[] = {26, 0};
+  for (const int32_t width_u : kWidths) {
+    const Crossing upright(stroke(16384, 0, kMiddle_u, width_u), brush);
+    CHECK_EQ(upright.left(), 255);
+    CHECK_EQ(upright.right(), 0);
+    const Crossing level(stroke(0, 16384, kMiddle_u, width_u), brush);
+    CHECK_EQ(level.picture.at(7, 7), 255);
+    CHECK_EQ(level.picture.at(7, 8), 0);
+  }
+}
+
+TEST(a_bridge_is_the_third_of_four_levels_at_least) {
+  const CrispStyle style = {4, {}};
+  Brush brush = brush_of(16, style);
+  const GlyphField field = stroke(16384, 0, kMiddle_u, 26);
+  const Crossing usual(field, brush);
+  CHECK_EQ(usual.left(), 170);
+  CHECK_EQ(usual.right(), 85);
+  // A bold filter has more than that to say.
+  const Filter bold = with_weight(kFilterText, Q6_10::from_raw(700));
+  CHECK_OK(Brush::make(Q26_6::from_int(16), bold, brush));
+  brush.set_painter(paint_crisp, &style, kCrispReach);
+  CHECK_EQ(Crossing(field, brush).left(), 255);
+  // A light one is not overruled where the centre is in the ink.
+  const Filter light = with_weight(kFilterText, Q6_10::from_raw(-300));
+  CHECK_OK(Brush::make(Q26_6::from_int(16), light, brush));
+  brush.set_painter(paint_crisp, &style, kCrispReach);
+  CHECK_EQ(Crossing(field, brush, 500).right(), 85);
+}
+
+// Two edges that meet in a narrow point: what passes close to the neighbour is
+// found as well, since the nearer edge leans.
+TEST(points_are_found_far_from_the_pixel) {
+  FieldRecord record;
+  record.tile_log2 = 10;
+  record.line_count = 2;
+  record.pair_count = 1;
+  record.pairs[0][1] = 1;
+  record.references[0] = record.pair_reference(0);
+  // At row 7 from 8 px and 1/32 on, 1/32 px wide.
+  record.fields[0] = {13107, 9830, 0, 0, 0};
+  record.fields[0].c = -(13107 * 514 + 9830 * 544) / 1024;
+  record.fields[1] = {-16384, 0, 16 * 516, 0, 0};
+  record.write(bytes);
+  GlyphField field;
+  CHECK_OK(GlyphField::open({bytes, record.size()}, field));
+  const CrispStyle style;
+  CHECK_EQ(Crossing(field, brush_of(16, style)).left(), 255);
+}
+
+// And so is a hairline that leans, close to the pixel.
+TEST(hairlines_are_found_near_the_pixel) {
+  const CrispStyle style;
+  const GlyphField field = stroke(11585, 11585, 731, 2);
+  const Crossing drawing(field, brush_of(16, style));
+  CHECK_EQ(drawing.left(), 255);
+  CHECK_EQ(drawing.right(), 0);
+}
+
+TEST(thresholds_end_at_half_a_px) {
+  constexpr int16_t kThresholds[] = {512, 513, INT16_MAX};
+  // 2 px wide: half a pixel from the centres of the outer ones to the edges.
+  // Distances know places to 1/256 px.
+  const GlyphField field = stroke(16384, 0, kMiddle_u, 128);
+  for (const int16_t raw : kThresholds) {
+    CrispStyle style;
+    style.threshold_px = Q6_10::from_raw(raw);
+    const Brush brush = brush_of(16, style);
+    const Crossing even(field, brush);
+    CHECK(even.left() == 255 && even.right() == 255);
+    const Crossing odd(field, brush, 4);
+    CHECK(odd.left() == 0 && odd.right() == 255);
+    style.threshold_px = Q6_10::from_raw(static_cast<int16_t>(-raw));
+    const Crossing bold(field, brush);
+    CHECK(bold.picture.at(6, 7) == 255 && bold.picture.at(9, 7) == 255);
+    const Crossing shifted(field, brush, 4);
+    CHECK(shifted.picture.at(6, 7) == 0 && shifted.picture.at(9, 7) == 255);
+  }
+}
+
+// Greys are the filter's, whatever the threshold, where no stroke would break.
+TEST(thresholds_do_not_move_greys) {
+  const GlyphField field = stroke(13623, -9102, 150, 250);
+  const CrispStyle plain = {4, {}};
+  const CrispStyle light = {4, Q6_10::from_raw(300)};
+  for (int32_t shift = 0; shift < 1024; shift += 100) {
+    const Crossing expected(field, brush_of(16, plain), shift);
+    const Crossing found(field, brush_of(16, light), shift);
+    for (int32_t i = 0; i < 16; ++i) {
+      CHECK_EQ(found.picture.at(i, 7), expected.picture.at(i, 7));
+    }
+  }
+}
+
+// Levels of coverage change from 42 to 43.
+TEST(levels_change_in_the_middle) {
+  const CrispStyle style = {4, {}};
+  const Brush brush = brush_of(16, style);
+  const GlyphField field = stroke(16384, 0, kMiddle_u, 192);
+  for (int32_t shift = 0; shift < 1024; shift += 2) {
+    const Crossing drawing(field, brush, shift);
+    Q6_10 row[16];
+    distance_row(field, brush, {shift, 16 << 10}, 0, 7, {row, 16});
+    const int32_t coverage = kFilterText.coverage(row[6].raw);
+    CHECK_EQ(drawing.picture.at(6, 7), (coverage + 42) / 85 * 85);
+  }
+}
+
+// Bold strokes reach farther than a sharp filter does.
+TEST(bold_strokes_pass_the_box_of_the_filter) {
+  FilterSpec spec;
+  spec.outside_px = Q6_10::from_raw(-32);
+  spec.inside_px = Q6_10::from_raw(32);
+  const Filter sharp = make_filter(spec);
+  CrispStyle style;
+  style.threshold_px = Q6_10::from_raw(-512);
+  GlyphField field = stroke(16384, 0, kMiddle_u, 128);
+  field.ink.x0_u = kMiddle_u - 64;
+  field.ink.x1_u = kMiddle_u + 64;
+  for (int32_t shift = 0; shift < 1024; shift += 50) {
+    Brush brush;
+    CHECK_OK(Brush::make(Q26_6::from_int(16), sharp, brush));
+    brush.set_painter(paint_crisp, &style, kCrispReach);
+    const Crossing drawing(field, brush, shift);
+    int32_t drawn = 0;
+    for (int32_t x = 0; x < 16; ++x) {
+      drawn += drawing.picture.at(x, 7) == 255 ? 1 : 0;
+    }
+    CHECK_EQ(drawn, shift == 0 ? 4 : 3);
+  }
+}
+
 #endif
