@@ -105,6 +105,51 @@ TEST(matrices_have_stretches_within_the_sizes) {
   CHECK(!brush.is_upright());
 }
 
+// Entries whose squares would wrap to those of a size of about 24 px.
+TEST(huge_matrices_do_not_pass_for_small_ones) {
+  constexpr int32_t kPx24 = 24 << 16;
+  constexpr int32_t kFar[] = {INT32_MIN, INT32_MAX};
+  for (const int32_t far : kFar) {
+    Brush brush;
+    const Matrix matrix = {Q16_16::from_raw(far), Q16_16::from_raw(kPx24),
+                           Q16_16::from_raw(-kPx24), Q16_16::from_raw(far)};
+    CHECK_EQ(Brush::make(matrix, kFilterText, brush), Status::bad_argument);
+  }
+}
+
+TEST(stretches_are_rounded_to_1_64_px) {
+  const auto make_raw = [](int32_t most_q16, int32_t least_q16) {
+    Brush brush;
+    return Brush::make(
+        {Q16_16::from_raw(most_q16), {}, {}, Q16_16::from_raw(least_q16)},
+        kFilterText, brush);
+  };
+  CHECK_OK(make_raw((1024 << 16) + 511, (4 << 16) - 512));
+  CHECK_EQ(make_raw((1024 << 16) + 512, 4 << 16), Status::bad_argument);
+  CHECK_EQ(make_raw(1024 << 16, (4 << 16) - 513), Status::bad_argument);
+}
+
+TEST(stretches_within_1_1024_are_alike) {
+  constexpr int32_t kMost = 64 << 16;
+  constexpr int32_t kPart = kMost / 1024;
+  Brush brush;
+  Matrix matrix;
+  matrix.x_right.raw = kMost;
+  matrix.y_up.raw = kMost - kPart;
+  CHECK_OK(Brush::make(matrix, kFilterText, brush));
+  CHECK(!brush.is_upright() && !brush.is_stretched());
+  matrix.y_up.raw = kMost - kPart - 1;
+  CHECK_OK(Brush::make(matrix, kFilterText, brush));
+  CHECK(brush.is_stretched());
+  // Where the size is rounded down the least stretch may be greater.
+  matrix.x_right.raw = (4 << 16) + 511;
+  matrix.y_up.raw = matrix.x_right.raw - 257;
+  CHECK_OK(Brush::make(matrix, kFilterText, brush));
+  CHECK_EQ(brush.size().raw, 4 << 6);
+  CHECK(brush.is_stretched());
+  CHECK(brush.least_gain_q15() < 1 << 15);
+}
+
 TEST(the_upright_matrix_is_upright) {
   Brush brush;
   Brush plain;
@@ -122,6 +167,17 @@ TEST(the_upright_matrix_is_upright) {
   CHECK(!brush.is_stretched());
   CHECK_OK(make({24, 0, 0, 24.25}, brush));
   CHECK(!brush.is_upright());
+  // Turned by 180 degrees, turned a very little, and a very little larger.
+  constexpr int32_t kPx24 = 24 << 16;
+  constexpr int32_t kNearly[][2] = {{-kPx24, 0}, {kPx24, 1}, {kPx24 + 1, 0}};
+  for (const auto& near : kNearly) {
+    const Matrix matrix = {Q16_16::from_raw(near[0]), Q16_16::from_raw(near[1]),
+                           Q16_16::from_raw(-near[1]),
+                           Q16_16::from_raw(near[0])};
+    CHECK_OK(Brush::make(matrix, kFilterText, brush));
+    CHECK_EQ(brush.size().raw, 24 << 6);
+    CHECK(!brush.is_upright());
+  }
 }
 
 // Steps and axes are each other's inverses, and the size is the greatest

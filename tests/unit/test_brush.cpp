@@ -73,10 +73,10 @@ TEST(directions_are_unit_vectors) {
   CHECK_OK(turn(0, -kOne));
   CHECK_OK(turn(759250125, 759250125));
   CHECK_OK(turn(kOne / 5 * 3, -kOne / 5 * 4));
-  CHECK_OK(turn(kOne - kOne / 1100, 0));
-  CHECK_OK(turn(kOne + kOne / 1100, 0));
-  CHECK_EQ(turn(kOne - kOne / 900, 0), Status::bad_argument);
-  CHECK_EQ(turn(kOne + kOne / 900, 0), Status::bad_argument);
+  CHECK_OK(turn(kOne - kOne / 1001, 0));
+  CHECK_OK(turn(kOne + kOne / 1001, 0));
+  CHECK_EQ(turn(kOne - kOne / 999, 0), Status::bad_argument);
+  CHECK_EQ(turn(kOne + kOne / 999, 0), Status::bad_argument);
   CHECK_EQ(turn(0, 0), Status::bad_argument);
   CHECK_EQ(turn(kOne, kOne), Status::bad_argument);
   CHECK_EQ(turn(INT32_MIN, INT32_MIN), Status::bad_argument);
@@ -141,6 +141,26 @@ TEST(coverage_equals_the_plain_chain) {
         CHECK(!brush.is_transparent(distance) || plain == 0);
         CHECK(!brush.is_opaque(distance) || plain == 255);
       }
+    }
+  }
+}
+
+TEST(cutoffs_are_those_of_the_filter) {
+  const Filter* filters[] = {&kFilterText, &kFilterMotion, &kFilterPaperDisplay,
+                             &kFilterPaperBody};
+  for (const Filter* filter : filters) {
+    for (int32_t size = 4 * 64; size <= 1024 * 64; size += size / 16 + 1) {
+      Brush brush;
+      CHECK_OK(Brush::make(Q26_6::from_raw(size), *filter, brush));
+      const auto px_q10 = [&brush](int32_t u_q10) {
+        return (u_q10 * brush.size().raw) >> 16;
+      };
+      const int32_t transparent = brush.transparent_u_q10();
+      CHECK(px_q10(transparent) <= filter->outside_q10);
+      CHECK(px_q10(transparent + 1) > filter->outside_q10);
+      const int32_t opaque = brush.opaque_u_q10();
+      CHECK(px_q10(opaque) >= filter->inside_q10);
+      CHECK(px_q10(opaque - 1) < filter->inside_q10);
     }
   }
   const Brush brush;
