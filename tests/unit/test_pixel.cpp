@@ -509,6 +509,10 @@ TEST(bytes_of_absurd_sizes_do_not_overflow) {
   CHECK_EQ(check_strip(strip, PixelFormat::a8), Status::bad_argument);
   strip.width = 32767;
   CHECK_OK(check_strip(strip, PixelFormat::a8));
+  strip.x0 = 0;
+  CHECK_OK(check_strip(strip, PixelFormat::a8));
+  strip.x0 = 1;
+  CHECK_EQ(check_strip(strip, PixelFormat::a8), Status::bad_argument);
 }
 
 TEST(short_stride_is_refused) {
@@ -541,7 +545,7 @@ TEST(wrong_targets_are_refused) {
   pages.threshold = 0;
   CHECK_EQ(make_sink(pages, sink), Status::bad_argument);
   pages = {};
-  pages.level = 255;
+  pages.level = 2;
   CHECK_EQ(make_sink(pages, sink), Status::bad_argument);
 }
 

@@ -273,6 +273,35 @@ TEST(shades_keep_their_weight) {
   }
 }
 
+// Whatever the threshold, which moves the steps by up to 127.
+TEST(solid_pixels_are_drawn_and_empty_ones_are_not) {
+  constexpr uint8_t kThresholds[] = {1, 255};
+  for (const uint8_t threshold : kThresholds) {
+    uint8_t pixels[4] = {};
+    MonoRowsTarget target{{pixels, 0, 0, 8, 4, 1}};
+    target.threshold = threshold;
+    Sink sink;
+    CHECK_OK(make_dithered_sink(target, sink));
+    const uint8_t coverage[] = {255, 0, 255, 0, 0, 255, 0, 255};
+    for (int32_t y = 0; y < 4; ++y) {
+      sink.coverage(sink.context, 0, y, coverage, 8);
+      CHECK_EQ(pixels[y], 0xa5);
+    }
+  }
+}
+
+TEST(dithered_levels_out_of_range_stay_in_their_pixel) {
+  uint8_t byte[1] = {0};
+  Grey4Target target{{byte, 0, 0, 1, 1, 1}};
+  target.order = BitOrder::low_left;
+  Sink sink;
+  CHECK_OK(make_dithered_sink(target, sink));
+  target.level = 255;
+  const uint8_t coverage[1] = {255};
+  sink.coverage(sink.context, 0, 0, coverage, 1);
+  CHECK_EQ(byte[0], 0x0f);
+}
+
 TEST(wrong_targets_make_no_sink) {
   Sink sink;
   Grey2Target grey{strip_of(PixelFormat::grey2), 4};

@@ -93,6 +93,37 @@ TEST(sizes_and_functions_are_checked) {
   check_refused(loop, Status::bad_argument);
 }
 
+TEST(strides_are_checked) {
+  Log log;
+  constexpr int32_t kNone[] = {0, -1};
+  for (const int32_t none : kNone) {
+    StripLoop loop = make_loop(10, 8, log);
+    loop.stride = none;
+    check_refused(loop, Status::bad_argument);
+    loop = make_loop(10, 8, log);
+    loop.rows_per_stride = none;
+    check_refused(loop, Status::bad_argument);
+  }
+}
+
+TEST(screens_have_up_to_32767_rows_and_columns) {
+  Log log;
+  CHECK_EQ(run_strips(make_loop(32767, 20, log)), Status::ok);
+  CHECK_EQ(log.next_y, 32767);
+  Log wide;
+  StripLoop loop = make_loop(10, 8, wide);
+  loop.width = 32767;
+  loop.draw = [](void* context, const Strip& strip) {
+    static_cast<Log*>(context)->draws += strip.width == 32767 ? 1 : 0;
+  };
+  CHECK_EQ(run_strips(loop), Status::ok);
+  CHECK_EQ(wide.draws, 2);
+  Log none;
+  loop.context = &none;
+  loop.width = 32768;
+  check_refused(loop, Status::bad_argument);
+}
+
 TEST(the_buffer_holds_a_strip) {
   Log log;
   StripLoop loop = make_loop(10, 8, log);
@@ -105,6 +136,15 @@ TEST(the_buffer_holds_a_strip) {
   loop.buffer.size = 24;
   CHECK_EQ(run_strips(loop), Status::ok);
   CHECK_EQ(log.next_y, 10);
+  // Two pages hold the screen, and one does not.
+  Log pages;
+  loop = make_loop(10, 16, pages);
+  loop.rows_per_stride = 8;
+  loop.buffer.size = 2 * 24 - 1;
+  check_refused(loop, Status::buffer_small);
+  loop.buffer.size = 2 * 24;
+  CHECK_EQ(run_strips(loop), Status::ok);
+  CHECK_EQ(pages.draws, 1);
   // No more than the screen is asked for.
   Log low;
   loop = make_loop(3, 8, low);
