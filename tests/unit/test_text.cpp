@@ -224,6 +224,21 @@ TEST(absent_code_points_become_notdef) {
   CHECK_EQ(run[2].x, 1200);
 }
 
+TEST(notdef_kerns_like_any_glyph) {
+  const Font font = sample();
+  CHECK_EQ(font.kerning(0, 3), 0);
+  // The first glyph's left class, behind its number: that of A.
+  const Span<const uint8_t> section = font.section(format::section::kKerning);
+  uint8_t* const members = rom + (section.data - rom) + format::kerning::kBytes;
+  members[1] = 1;
+  CHECK_EQ(font.kerning(0, 3), -100);
+  PositionedGlyph buffer[2];
+  Span<const PositionedGlyph> run;
+  CHECK_OK(layout(font, "aB", buffer, run));
+  CHECK_EQ(run[1].glyph, 3);
+  CHECK_EQ(run[1].x, 600 - 100);
+}
+
 TEST(layout_needs_room) {
   const Font font = sample();
   PositionedGlyph buffer[3];
@@ -258,6 +273,19 @@ TEST(measures_lines) {
 
 // Up to 2^19 units half of 1/64 px, and what 16 fractional bits of the scale
 // add; at the end of the range one more half.
+TEST(lines_may_lie_above_or_below_the_baseline) {
+  const Font font = sample();
+  CHECK_EQ(measure(font, "A").y_min, 82);
+  // The row of A: its lower and its upper end.
+  const Span<const uint8_t> section = font.section(format::section::kMetrics);
+  uint8_t* const row = rom + (section.data - rom) + format::metrics::kBytes +
+                       2 * 2 * format::metrics::kColumns;
+  font_builder::put_u16(row + 4, static_cast<uint16_t>(-200));
+  font_builder::put_u16(row + 8, static_cast<uint16_t>(-100));
+  CHECK_EQ(measure(font, "A").y_min, -200);
+  CHECK_EQ(measure(font, "A").y_max, -100);
+}
+
 TEST(lengths_in_px_round_to_the_nearest) {
   const Font font = sample();
   Random random(6);
@@ -393,6 +421,28 @@ TEST(draws_text_as_expected) {
                 "..+#####+.:*#*#+........\n"
                 "...+*#*+...:++:.........\n"
                 ".....:..................\n");
+}
+
+// 2^22 px are 2^32 / 1024.
+TEST(positions_do_not_wrap) {
+  const Font font = sample();
+  const Brush brush = brush_of(1000);  // a unit is a px
+  const Point origin = at(-355, 395);
+  PositionedGlyph glyph;
+  glyph.glyph = 2;
+  constexpr int32_t kPlaces[] = {0, 1 << 22, -(1 << 22)};
+  for (const int32_t x : kPlaces) {
+    glyph.x = x;
+    Ink ink;
+    Sink sink = ink.sink();
+    sink.window = {0, 0, 40, 40};
+    draw(font, {&glyph, 1}, brush, origin, sink);
+    CHECK_EQ(ink.sum > 0, x == 0);
+    ink.sum = 0;
+    draw_glyph(font, 2, brush,
+               {Q26_6::from_raw(origin.x.raw + x * 64), origin.y}, sink);
+    CHECK_EQ(ink.sum > 0, x == 0);
+  }
 }
 
 TEST(far_positions_are_harmless) {
