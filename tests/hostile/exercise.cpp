@@ -282,6 +282,28 @@ void use(const Font& font) {
   use_glyph(font, count);
 }
 
+// A verified font has every glyph, and packed ones fit what it states.
+void use_verified(const Font& font) {
+  Ram whole(font.workspace_bytes());
+  Ram one_row(font.row_workspace_bytes());
+  for (uint16_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
+    GlyphField field;
+    if (font.field(glyph, field) == Status::ok) {
+      continue;
+    }
+    PackedGlyph packed;
+    require(PackedGlyph::open(font, glyph, packed) == Status::ok,
+            "verified glyphs open");
+    require(expand(packed, 0, packed.tiles_y, whole.workspace(), field) ==
+                Status::ok,
+            "verified glyphs fit the workspace");
+    for (uint32_t row = 0; row < packed.tiles_y; ++row) {
+      require(expand(packed, row, 1, one_row.workspace(), field) == Status::ok,
+              "verified rows fit the workspace of one");
+    }
+  }
+}
+
 Outcome exercise(Span<const uint8_t> rom) {
   Outcome outcome;
   Font font;
@@ -289,8 +311,12 @@ Outcome exercise(Span<const uint8_t> rom) {
   if (outcome.opened) {
     Ram ram(font.workspace_bytes());
     outcome.verified = font.verify(ram.workspace()) == Status::ok;
-    require(!outcome.verified || font.verify() == Status::ok,
-            "what is verified without a workspace, too");
+    require(
+        font.is_packed() || outcome.verified == (font.verify() == Status::ok),
+        "direct fonts are verified without a workspace");
+    if (outcome.verified) {
+      use_verified(font);
+    }
     use(font);
   } else {
     require(font.glyph_count() == 0, "a refused font stays closed");

@@ -6,6 +6,8 @@
 //
 //   hostile_fonts 1       kerning classes of one byte, all damage
 //   hostile_fonts 2       kerning classes of two bytes
+//   hostile_fonts narrow  glyphs of fields, references of a byte
+//   hostile_fonts linked  glyphs of fields, heaps
 //   hostile_fonts packed  packed glyphs
 #include <stdio.h>
 #include <time.h>
@@ -17,6 +19,7 @@
 #include <vector>
 
 #include "exercise.hpp"
+#include "field_record.hpp"
 #include "font_builder.hpp"
 #include "hints_record.hpp"
 #include "packed_record.hpp"
@@ -75,6 +78,44 @@ Bytes build_font(bool wide) {
   HintsRecord hints;
   hints.make_usual();
   spec.hints = hints.write(4);
+  Bytes font(8192);
+  font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
+  hostile::require(!font.empty(), "the font fits its buffer");
+  return font;
+}
+
+// .notdef and A: glyphs of fields, and no kerning.
+Bytes build_fields_font(bool linked) {
+  static FieldRecord records[2];
+  static uint8_t bytes[2][512];
+  Random random(7);
+  font_builder::GlyphSpec glyphs[2];
+  for (int i = 0; i < 2; ++i) {
+    FieldRecord& record = records[i];
+    do {
+      record = FieldRecord();
+      record.linked = linked;
+      record.tile_log2 = 7;
+      record.tiles_x = 2;
+      record.tiles_y = 2;
+      record.x0_u = -32;
+      record.y0_u = -32;
+      record.make(random, 64);
+    } while (record.size() < 120 || record.size() > 200 ||
+             record.node_count == 0 || record.arc_count == 0 ||
+             record.pair_count == 0 || record.triple_count == 0);
+    record.write(bytes[i]);
+    glyphs[i] = {
+        600, {-30, -30, 220, 220}, nullptr, nullptr, {bytes[i], record.size()}};
+  }
+  const font_builder::CmapEntry cmap[] = {{'A', 0, 1}};
+  font_builder::FontSpec spec;
+  spec.cmap = cmap;
+  spec.glyphs = glyphs;
+  spec.name = "Hostile";
+  HintsRecord hints;
+  hints.make_usual();
+  spec.hints = hints.write(2);
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
   hostile::require(!font.empty(), "the font fits its buffer");
@@ -391,14 +432,20 @@ int change_while_open(const Bytes& good) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string classes = argc == 2 ? argv[1] : "";
-  const bool packed = classes == "packed";
-  if (classes != "1" && classes != "2" && !packed) {
-    fprintf(stderr, "usage: hostile_fonts 1|2|packed\n");
+  const std::string kind = argc == 2 ? argv[1] : "";
+  const bool wide = kind == "2";
+  const bool has_samples = kind == "1" || wide;
+  Bytes good;
+  if (has_samples) {
+    good = build_font(wide);
+  } else if (kind == "narrow" || kind == "linked") {
+    good = build_fields_font(kind == "linked");
+  } else if (kind == "packed") {
+    good = build_packed_font();
+  } else {
+    fprintf(stderr, "usage: hostile_fonts 1|2|narrow|linked|packed\n");
     return 2;
   }
-  const bool wide = classes == "2";
-  const Bytes good = packed ? build_packed_font() : build_font(wide);
   printf("font of %zu bytes\n", good.size());
   const Outcome outcome = hostile::exercise({good.data(), good.size()});
   hostile::require(outcome.verified, "the font is good");
@@ -410,7 +457,7 @@ int main(int argc, char** argv) {
     change_content_bytes(good);
     change_at_random(good);
   }
-  if (!wide && !packed) {
+  if (has_samples && !wide) {
     knot_trees(good);
     change_grids(good);
   }
