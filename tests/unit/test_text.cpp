@@ -273,16 +273,20 @@ TEST(measures_lines) {
 
 // Up to 2^19 units half of 1/64 px, and what 16 fractional bits of the scale
 // add; at the end of the range one more half.
-TEST(lines_may_lie_above_or_below_the_baseline) {
+TEST(lines_may_lie_anywhere) {
   const Font font = sample();
   CHECK_EQ(measure(font, "A").y_min, 82);
-  // The row of A: its lower and its upper end.
+  // The row of A, behind its advance: left, lower, right and upper end.
   const Span<const uint8_t> section = font.section(format::section::kMetrics);
   uint8_t* const row = rom + (section.data - rom) + format::metrics::kBytes +
                        2 * 2 * format::metrics::kColumns;
-  font_builder::put_u16(row + 4, static_cast<uint16_t>(-200));
-  font_builder::put_u16(row + 8, static_cast<uint16_t>(-100));
+  constexpr int16_t kSides[] = {-400, -200, -300, -100};
+  for (int i = 0; i < 4; ++i) {
+    font_builder::put_u16(row + 2 + 2 * i, static_cast<uint16_t>(kSides[i]));
+  }
+  CHECK_EQ(measure(font, "A").x_min, -400);
   CHECK_EQ(measure(font, "A").y_min, -200);
+  CHECK_EQ(measure(font, "A").x_max, -300);
   CHECK_EQ(measure(font, "A").y_max, -100);
 }
 
