@@ -367,6 +367,21 @@ TEST(turned_glyphs_are_drawn_from_all_rows_or_not_at_all) {
   }
 }
 
+// Also where a strip shows some of the rows of tiles only.
+TEST(nearly_upright_glyphs_do_not_depend_on_the_window) {
+  Random random(31);
+  Direction turn;
+  turn.sine.raw = 1;
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), kFilterText, turn, brush));
+  const Point origin = {Q26_6::from_int(8), Q26_6::from_int(34)};
+  for (int round = 0; round < 10; ++round) {
+    const Fonts fonts = tall_fonts(random);
+    draw_both(fonts, brush, origin, {memory, fonts.row_workspace}, 1);
+    CHECK(is_blank(picture[1]));
+  }
+}
+
 TEST(painted_glyphs_are_drawn_from_all_rows_or_not_at_all) {
   Random random(22);
   const Fonts fonts = tall_fonts(random);
@@ -426,6 +441,32 @@ TEST(far_glyphs_show_nothing) {
        {memory, fonts.workspace});
   draw(fonts.direct, {&at, 1}, brush, origin, canvas.sink());
   CHECK(is_blank(picture[1]));
+}
+
+// Where the uppermost row takes more than all others.
+TEST(the_last_row_must_fit_what_is_stated) {
+  Random random(77);
+  uint32_t others = 0;
+  uint32_t last = 0;
+  Fonts fonts;
+  do {
+    fonts = make_fonts(random);
+    others = 0;
+    last = 0;
+    for (uint32_t row = 0; row < record.tiles_y; ++row) {
+      others = last > others ? last : others;
+      record.expect(row, 1);
+      last = 2 * record.units;
+    }
+  } while (record.tiles_y < 2 || last <= others);
+  const auto whole = static_cast<uint32_t>(fonts.workspace);
+  const Span<const uint8_t> bytes(record.bytes, record.size);
+  const Workspace workspace(memory, fonts.workspace);
+  CHECK_OK(
+      build(bytes, {kQuantisation, last, whole}, packed_rom).verify(workspace));
+  CHECK_EQ(build(bytes, {kQuantisation, others, whole}, packed_rom)
+               .verify(workspace),
+           Status::corrupt);
 }
 
 TEST(direct_fonts_hold_no_packed_records) {
