@@ -430,16 +430,32 @@ TEST(far_glyphs_show_nothing) {
       CHECK(is_blank(picture[1]));
     }
   }
-  // At 250 px an em of 1000 units: 2^24 of them are 2^22 px.
+}
+
+TEST(positions_of_runs_do_not_wrap) {
+  Random random(22);
+  const Fonts fonts = tall_fonts(random);
+  const Workspace workspace(memory, fonts.workspace);
+  // An em of 1000 units: 2^24 of them are 2^22 px.
+  Brush brush;
   CHECK_OK(Brush::make(Q26_6::from_int(250), kFilterText, brush));
-  PositionedGlyph at;
-  at.glyph = 1;
-  at.x = 1 << 24;
-  const Point origin = {Q26_6::from_int(8), Q26_6::from_int(200)};
-  Canvas canvas({0, 0, kSide, kSide}, picture[1]);
-  draw(fonts.packed, {&at, 1}, brush, origin, canvas.sink(),
-       {memory, fonts.workspace});
-  draw(fonts.direct, {&at, 1}, brush, origin, canvas.sink());
+  const auto draw_at = [&](Point origin, int32_t x_units) {
+    PositionedGlyph at;
+    at.glyph = 1;
+    at.x = x_units;
+    Canvas canvas({0, 0, kSide, kSide}, picture[1]);
+    draw(fonts.packed, {&at, 1}, brush, origin, canvas.sink(), workspace);
+  };
+  // Where the window shows some of the glyph.
+  Point origin = {Q26_6::from_int(-20), Q26_6::from_int(0)};
+  do {
+    origin.y.raw += 20 * 64;
+    draw_at(origin, 0);
+  } while (is_blank(picture[1]) && origin.y.raw < 400 * 64);
+  CHECK(!is_blank(picture[1]));
+  draw_at(origin, 1 << 24);
+  CHECK(is_blank(picture[1]));
+  draw_at(origin, -(1 << 24));
   CHECK(is_blank(picture[1]));
 }
 
