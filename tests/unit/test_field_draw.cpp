@@ -254,6 +254,27 @@ void make_far_lines(Random& random) {
                                               : record.pair_reference(0);
 }
 
+// Sizes of which a px is a whole number of units, and centres that lie on them:
+// borders of cells and of the grid are met exactly.
+TEST(borders_that_are_met_exactly_equal_the_plain_chain) {
+  Random random(17);
+  int grey = 0;
+  const int rounds = INKCELL_BOARD_FIRMWARE ? 40 : 4000;
+  for (int round = 0; round < rounds && !check::failed(); ++round) {
+    make_record(random);
+    const GlyphField field = open();
+    const Brush brush =
+        brush_of(256 << random.below(9), 0, *kFilters[random.below(3)]);
+    const FinePoint origin(512 + 1024 * random.between(-9, 9),
+                           512 + 1024 * random.between(-9, 9));
+    const Rect box = field_box(field, brush, origin);
+    for (int i = 0; i < 3; ++i) {
+      grey += check_plain_chain(field, brush, origin, window_in(random, box));
+    }
+  }
+  CHECK(grey > rounds);
+}
+
 }  // namespace
 
 // A px there is many px of the brush's size, and fields matter far away.

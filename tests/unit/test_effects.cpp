@@ -1,0 +1,83 @@
+// Effects: outline and fill in windows of their own, and reach up to the band.
+#include "inkcell/effects.hpp"
+
+#include "check.hpp"
+#include "painter_glyph.hpp"
+#include "picture.hpp"
+
+using namespace inkcell;
+
+namespace {
+
+// The outline goes to the one, which fails when it is drawn outside, the fill
+// to the other.
+using Large = Picture<24, 24>;
+using Part = Picture<11, 9>;
+
+Large whole_outline;
+Large whole_fill;
+
+template <typename First, typename Second>
+void draw_into(First& outline_picture, Second& fill_picture) {
+  const GlyphField field = painter::field_of(font_builder::disc);
+  const Outline outline =
+      make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(24), outline.outer, brush));
+  const Sink fill = fill_picture.sink();
+  const OutlineAndFill both = {&outline.inner, &fill};
+  brush.set_painter(paint_outline_and_fill, &both);
+  draw_field(field, brush, {2048, 20 << 10}, outline_picture.sink());
+}
+
+// Whether a part shows what the whole picture does, something and nothing.
+void check_part(const Part& part, const Large& whole) {
+  int32_t drawn = 0;
+  for (int32_t y = 5; y < 5 + 9; ++y) {
+    for (int32_t x = 4; x < 4 + 11; ++x) {
+      CHECK_EQ(part.at(x, y), whole.at(x, y));
+      drawn += part.at(x, y) != 0 ? 1 : 0;
+    }
+  }
+  CHECK(drawn > 0 && drawn < 11 * 9);
+}
+
+// Whether the rest of a large picture is empty.
+void check_rest(const Large& picture) {
+  for (int32_t y = 0; y < 24; ++y) {
+    for (int32_t x = 0; x < 24; ++x) {
+      const bool is_inside = x >= 4 && x < 4 + 11 && y >= 5 && y < 5 + 9;
+      CHECK(is_inside || picture.at(x, y) == 0);
+    }
+  }
+}
+
+}  // namespace
+
+TEST(outline_and_fill_are_drawn_where_both_windows_are) {
+  draw_into(whole_outline, whole_fill);
+  {
+    Large outline;
+    Part fill(4, 5);
+    draw_into(outline, fill);
+    check_part(fill, whole_fill);
+    check_rest(outline);
+  }
+  {
+    Part outline(4, 5);
+    Large fill;
+    draw_into(outline, fill);
+    check_part(outline, whole_outline);
+    check_rest(fill);
+  }
+}
+
+// Distances are good up to the first unit that is beyond the band.
+TEST(filters_may_reach_to_the_end_of_the_band) {
+  FontRange range;
+  range.band_u = 127;
+  const Q26_6 size = Q26_6::from_int(16);  // 128 u are 2 px
+  CHECK_OK(check_reach(range, size, shadow_filter(Q6_10::from_raw(2048))));
+  CHECK_EQ(check_reach(range, size, shadow_filter(Q6_10::from_raw(2049))),
+           Status::beyond_band);
+}
