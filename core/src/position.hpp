@@ -146,9 +146,13 @@ inline FieldPosition position_of(const Brush& brush,
 }
 
 // What may show something: the grid, but no farther from the ink than the
-// filter reaches. [u]
+// filter reaches. Painters may show all of the ink, also where the filter's
+// ramp begins inside. [u]
 inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
-  const int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
+  int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
+  if (reach < 0 && brush.painter() != nullptr) {
+    reach = 0;
+  }
   const InkBox& ink = field.ink;
   return {greater(field.x0_u, ink.x0_u - reach),
           greater(field.y0_u, ink.y0_u - reach),

@@ -6,7 +6,7 @@
 //
 // Squares below a quarter of a pixel are not divided further: they are one
 // sample each, at the centre, whatever is in them. So work is bounded by the
-// number of tiles and of pixels, whatever the bytes say.
+// pixels and, for each block of them, by the tiles, whatever the bytes say.
 #include "inkcell/splat.hpp"
 
 #include "cell_access.hpp"

@@ -15,10 +15,9 @@ Status check(const StripLoop& loop) noexcept {
     return Status::bad_argument;
   }
   // No strip is higher than the screen, rounded up to whole strides.
-  const int32_t rows = loop.rows < loop.height
-                           ? loop.rows
-                           : loop.height + loop.rows_per_stride - 1;
-  const int64_t strides = rows / loop.rows_per_stride;
+  const int64_t strides = loop.rows < loop.height
+                              ? loop.rows / loop.rows_per_stride
+                              : (loop.height - 1) / loop.rows_per_stride + 1;
   return strides * loop.stride > static_cast<int64_t>(loop.buffer.size)
              ? Status::buffer_small
              : Status::ok;

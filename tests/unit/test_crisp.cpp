@@ -120,6 +120,35 @@ TEST(wide_strokes_are_what_the_threshold_says) {
   }
 }
 
+// Whatever the filter shows: also where its ramp begins inside the ink.
+TEST(two_levels_ask_nothing_of_the_filter) {
+  CrispStyle style;
+  style.threshold_px.raw = -512;
+  GlyphField field = stroke(0, 16384, 500, 250);
+  field.ink = {0, 375, 1024, 625};
+  for (int32_t shift_q10 = 0; shift_q10 < 1024; shift_q10 += 64) {
+    const FinePoint origin(0, (12 << 10) + shift_q10);
+    Drawing expected;
+    draw_field(field, brush_of(12, style), origin, expected.sink());
+    CHECK(expected.at(5, 6) == 255);
+    for (int32_t outside_q10 = 512; outside_q10 <= 2048; outside_q10 += 512) {
+      Filter thin = kFilterText;
+      thin.outside_q10 = static_cast<int16_t>(outside_q10);
+      thin.inside_q10 = static_cast<int16_t>(outside_q10 + 1024);
+      Brush brush;
+      CHECK_OK(Brush::make(Q26_6::from_int(12), thin, brush));
+      brush.set_painter(paint_crisp, &style, kCrispReach);
+      Drawing drawing;
+      draw_field(field, brush, origin, drawing.sink());
+      for (int32_t y = 0; y < kSide; ++y) {
+        for (int32_t x = 0; x < kSide; ++x) {
+          CHECK_EQ(drawing.at(x, y), expected.at(x, y));
+        }
+      }
+    }
+  }
+}
+
 TEST(four_levels_are_the_nearest) {
   const CrispStyle style = {4, {}};
   const Brush brush = brush_of(12, style);

@@ -151,6 +151,15 @@ TEST(the_buffer_holds_a_strip) {
   loop.buffer.size = 3 * 24;
   CHECK_EQ(run_strips(loop), Status::ok);
   CHECK_EQ(low.draws, 1);
+  // However high a page is.
+  Log page;
+  loop = make_loop(3, INT32_MAX, page);
+  loop.rows_per_stride = INT32_MAX;
+  loop.buffer.size = 23;
+  check_refused(loop, Status::buffer_small);
+  loop.buffer.size = 24;
+  CHECK_EQ(run_strips(loop), Status::ok);
+  CHECK_EQ(page.next_y, 3);
 }
 
 TEST(rectangles_intersect) {

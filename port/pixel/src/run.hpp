@@ -21,10 +21,10 @@ struct Run {
 };
 
 /// Cuts `run` (screen) to the strip and makes it relative to the strip's first
-/// pixel. Returns whether anything is left. Safe for any values.
+/// pixel. Returns whether anything is left. Safe for any values, but what
+/// begins 2^31 px away from the strip may show.
 inline bool clip(const Strip& strip, Run& run) noexcept {
-  // Differences modulo 2^32. The strip's corner is near, so they wrap only for
-  // what is some 2^31 px away, and are too large then.
+  // Modulo 2^32.
   const uint32_t x =
       static_cast<uint32_t>(run.x) - static_cast<uint32_t>(strip.x0);
   const uint32_t y =
