@@ -52,9 +52,16 @@ FieldPosition sample_position(const Brush& brush,
                               int32_t x,
                               int32_t y,
                               ScreenOffset offset) noexcept {
-  FieldPosition at = position_of(
-      brush, {origin.x_q10 - offset.right_q10, origin.y_q10 + offset.up_q10}, x,
-      y);
+  const FinePoint from = {origin.x_q10 - offset.right_q10,
+                          origin.y_q10 + offset.up_q10};
+  if (!brush.is_upright()) {
+    // Not clamped: rows of the largest grids begin 2^15 u and more away, where
+    // positions wrap, but into no grid.
+    const GlyphWay way(brush, ScreenWay(from, x, y));
+    return {wrapped(static_cast<uint32_t>(way.x_q16)),
+            wrapped(static_cast<uint32_t>(way.y_q16)), way.x_q20, way.y_q20};
+  }
+  FieldPosition at = position_of(brush, from, x, y);
   if (rows != nullptr) {
     const int32_t height_q10 =
         rows->glyph_height_q10(wrapped(at.y_q20 - kHalfQ20) >> 10);

@@ -6,6 +6,7 @@
 #include "font_builder.hpp"
 #include "painter_canvas.hpp"
 #include "painter_glyph.hpp"
+#include "picture.hpp"
 #include "random.hpp"
 
 namespace {
@@ -94,6 +95,49 @@ TEST(windows_do_not_change_blurred_pictures) {
     check_windows(field_of(font_builder::ring), brush,
                   {random.between(0, 9999), random.between(9999, 30000)});
   }
+}
+
+// Rows of the largest grid, small and turned, begin 2^15 u and more away from
+// the glyph.
+TEST(windows_do_not_change_large_grids) {
+  constexpr int32_t kLength = 160;
+  painter::glyph_record.reset();
+  painter::glyph_record.tile_log2 = 10;
+  painter::glyph_record.x0_u = 0;
+  painter::glyph_record.y0_u = -15360;
+  painter::glyph_record.tiles_x = 15;
+  painter::glyph_record.tiles_y = 15;
+  painter::glyph_record.reference_count = 15 * 15;
+  for (uint32_t i = 0; i < 15 * 15; ++i) {
+    painter::glyph_record.references[i] = format::glyph::kInside;
+  }
+  painter::glyph_record.write(painter::glyph_bytes);
+  GlyphField field;
+  CHECK_OK(GlyphField::open(
+      {painter::glyph_bytes, painter::glyph_record.size()}, field));
+  MotionBlur blur;
+  CHECK_OK(make_motion_blur(kFilterText, way_of(2048, -2048), blur));
+  Brush brush = brush_of(4 * 64, true);
+  brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+  const Rect box = field_box(field, brush, {0, 0});
+  CHECK(box.x1 - box.x0 <= kLength);
+  int32_t drawn = 0;
+  for (int32_t y = box.y1 - 16; y < box.y1; ++y) {
+    Picture<kLength, 1> whole_row(box.x0, y);
+    draw_field(field, brush, {0, 0}, whole_row.sink());
+    Picture<kLength, 1> parts(box.x0, y);
+    Sink sink = parts.sink();
+    for (int32_t x = box.x0; x < box.x1; x += 20) {
+      sink.window.x0 = x;
+      sink.window.x1 = x + 20;
+      draw_field(field, brush, {0, 0}, sink);
+    }
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      CHECK_EQ(parts.at(x, y), whole_row.at(x, y));
+      drawn += parts.at(x, y) != 0 ? 1 : 0;
+    }
+  }
+  CHECK(drawn > 50);
 }
 
 TEST(long_ways_are_refused) {
