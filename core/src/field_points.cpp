@@ -16,22 +16,36 @@ class Points : public FieldLeaves {
   using FieldLeaves::find_leaf;
 
   // The distance at leaf.place. [px, Q22]
-  __attribute__((noinline)) int32_t distance(
-      const FieldLeaf& leaf) const noexcept {
+  int32_t distance(const FieldLeaf& leaf) const noexcept {
+    int32_t values[3];
+    const uint32_t count = evaluate(leaf, values);
     // Two are three of which one is never the least.
-    int32_t values[3] = {0, 0, INT32_MAX};
+    const int32_t least =
+        count == 1 ? values[0]
+                   : least_of_three(leaf, values[0], values[1],
+                                    count == 2 ? INT32_MAX : values[2],
+                                    RowNumber{0});
+    return with_sign(least, leaf.sign);
+  }
+
+ private:
+  // What the fields say there, with the leaf's sign. Returns how many of them
+  // matter; if it is one, the first value.
+  //
+  // Not inline: what it needs of the stack is free again when a vertex is
+  // rounded.
+  __attribute__((noinline)) uint32_t evaluate(const FieldLeaf& leaf,
+                                              int32_t* values) const noexcept {
     for (uint32_t i = 0; i < leaf.count; ++i) {
       const ArcAt term(leaf.field[i], scale_, leaf.sign);
-      values[i] = term.value(leaf.place, bend_shift(), leaf.sign);
-      if (values[i] <= -reach_q22_ && (i == 0 || !leaf.is_nested)) {
-        return with_sign(values[i], leaf.sign);  // the others do not matter
+      const int32_t value = term.value(leaf.place, bend_shift(), leaf.sign);
+      values[i] = value;
+      if (value <= -reach_q22_ && (i == 0 || !leaf.is_nested)) {
+        values[0] = value;
+        return 1;
       }
     }
-    const int32_t least = leaf.count == 1
-                              ? values[0]
-                              : least_of_three(leaf, values[0], values[1],
-                                               values[2], RowNumber{0});
-    return with_sign(least, leaf.sign);
+    return leaf.count;
   }
 };
 
@@ -41,7 +55,7 @@ class Points : public FieldLeaves {
 __attribute__((noinline)) void draw_points(const GlyphField& field,
                                            const Brush& brush,
                                            const Stretching* stretching,
-                                           SlantedPoint at,
+                                           SlantedPoint& at,
                                            Range row,
                                            SpanWriter& writer) noexcept {
   const Points points(field, scale_of(brush), reach_of(brush.filter()), 0);

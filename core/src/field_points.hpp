@@ -11,12 +11,13 @@
 namespace inkcell {
 namespace detail {
 
-// Draws the pixels of a row, all in the grid, given where the first one lies.
-// `stretching` is null if edges are stretched alike.
+// Draws the pixels of a row, all in the grid, given where the first one lies,
+// which goes behind the last. `stretching` is null if edges are stretched
+// alike.
 void draw_points(const GlyphField& field,
                  const Brush& brush,
                  const Stretching* stretching,
-                 SlantedPoint at,
+                 SlantedPoint& at,
                  Range row,
                  SpanWriter& writer) noexcept;
 

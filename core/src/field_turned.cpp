@@ -17,16 +17,16 @@ FieldPosition position_in(const GlyphField& field,
           wrapped(at.y_q16) + field.y0_u * (1 << 16), 0, 0};
 }
 
-// Draws the pixels of a row that may show. Only fields can tell how edges are
-// stretched before they are combined.
+// Draws the pixels of a row that may show, from a point that goes behind them.
+// Only fields can tell how edges are stretched before they are combined.
 using DrawRow = void (*)(
-    const Slanted&, const Stretching*, SpanWriter&, SlantedPoint, Range);
+    const Slanted&, const Stretching*, SpanWriter&, SlantedPoint&, Range);
 
 // Cells of samples are quartic along a row: every pixel is a query of its own.
 void draw_turned_samples(const Slanted& slanted,
                          const Stretching*,
                          SpanWriter& writer,
-                         SlantedPoint at,
+                         SlantedPoint& at,
                          Range row) noexcept {
   const Brush& brush = slanted.brush;
   for (int32_t x = row.begin; x < row.end; ++x) {
@@ -40,7 +40,7 @@ void draw_turned_samples(const Slanted& slanted,
 void draw_stretched_samples(const Slanted& slanted,
                             const Stretching*,
                             SpanWriter& writer,
-                            SlantedPoint at,
+                            SlantedPoint& at,
                             Range row) noexcept {
   const Brush& brush = slanted.brush;
   for (int32_t x = row.begin; x < row.end; ++x) {
@@ -63,7 +63,7 @@ void draw_stretched_samples(const Slanted& slanted,
 void draw_slanted_points(const Slanted& slanted,
                          const Stretching* stretching,
                          SpanWriter& writer,
-                         SlantedPoint at,
+                         SlantedPoint& at,
                          Range row) noexcept {
   draw_points(slanted.field, slanted.brush, stretching, at, row, writer);
 }

@@ -172,11 +172,11 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
     if (upright.place_row(brush, height)) {
       const Range row = {pixels.x0, pixels.x1};
       if (!kObjectOrder && has_fields(field)) {
-        const SlantedPoint first = {
+        SlantedPoint at = {
             static_cast<uint32_t>(upright.at.x_q16 - field.x0_u * (1 << 16)),
             static_cast<uint32_t>(height.y_q16 - field.y0_u * (1 << 16)),
             upright.at.x_q20, height.y_q20};
-        detail::draw_points(field, brush, nullptr, first, row, writer);
+        detail::draw_points(field, brush, nullptr, at, row, writer);
       } else {
         draw_upright_row(field, brush, row, upright.at.x_q16, height.y_q16,
                          writer);

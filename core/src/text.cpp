@@ -51,11 +51,13 @@ Lead lead_of(uint32_t byte) noexcept {
   return {0, 0, 0, 0};
 }
 
-void draw_placed(const Font& font,
-                 uint16_t glyph,
-                 const Brush& brush,
-                 const Placed& placed,
-                 const Sink& sink) noexcept {
+// Inline: a frame of its own would take more of the stack, and of code.
+__attribute__((always_inline)) inline void draw_placed(
+    const Font& font,
+    uint16_t glyph,
+    const Brush& brush,
+    const Placed& placed,
+    const Sink& sink) noexcept {
   GlyphField field;
   if (detail::read_field(font, glyph, field) == Status::ok) {
     detail::draw_near(field, brush, placed, sink);
