@@ -11,7 +11,10 @@ namespace detail {
 // Draws bands of points, a px apart.
 class FieldBand : public LeafBand {
  public:
-  using LeafBand::LeafBand;
+  FieldBand(const GlyphField& field, const Brush& brush) noexcept
+      : LeafBand(
+            field, scale_of(brush), brush.filter(), reach_of(brush.filter())),
+        step_q16_(static_cast<uint32_t>(brush.step_along_q16())) {}
 
   // To a band by its first point, from the origin. Its rows lie a px apart, or
   // at `heights`, which must stay there.
@@ -68,6 +71,7 @@ class FieldBand : public LeafBand {
 
   void reduce_box(BoxLeaf& leaf) const noexcept;
 
+  uint32_t step_q16_;  // what a px is in u
   const RowHeight* heights_ = nullptr;
   // Where the first point lies, from the grid's corner [u] and the origin [px].
   uint32_t left_q16_ = 0;

@@ -49,21 +49,17 @@ bool may_meet(int32_t lesser_q22, int32_t greater_q22) noexcept {
                                  0u - static_cast<uint32_t>(lesser_q22);
 }
 
-// Whether a point lies in the cone of the vertex. Fields that are nearly
-// parallel (1 - c^2 below 0.022) have none.
+// Whether a point lies in the cone of the vertex, given the cosine of the angle
+// between the gradients. Fields that are nearly parallel (1 - c^2 below 0.022)
+// have none.
 __attribute__((always_inline)) inline bool find_cone(int32_t a_q22,
-                                                     const Vector& g,
                                                      int32_t b_q22,
-                                                     const Vector& h,
+                                                     int32_t c_q14,
                                                      Cone& cone) noexcept {
   constexpr int32_t kMaxCosineQ14 = 16202;
   const uint32_t size =
       0u - static_cast<uint32_t>(a_q22 < b_q22 ? a_q22 : b_q22);
-  const int32_t c =
-      wrapped(times(g.x, static_cast<uint32_t>(h.x)) +
-              times(g.y, static_cast<uint32_t>(h.y)) + (1 << 13)) >>
-      14;
-  if (c > kMaxCosineQ14 || c < -kMaxCosineQ14) {
+  if (c_q14 > kMaxCosineQ14 || c_q14 < -kMaxCosineQ14) {
     return false;
   }
   int32_t log2 = size >> 8 >= 1u << 12 ? 8 : 0;  // half of the steps at once
@@ -72,9 +68,9 @@ __attribute__((always_inline)) inline bool find_cone(int32_t a_q22,
   }
   cone.a = a_q22 >> log2;
   cone.b = b_q22 >> log2;
-  cone.a_bc_q14 = cone.a * kOneQ14 - c * cone.b;
-  cone.b_ac_q14 = cone.b * kOneQ14 - c * cone.a;
-  cone.c_q14 = c;
+  cone.a_bc_q14 = cone.a * kOneQ14 - c_q14 * cone.b;
+  cone.b_ac_q14 = cone.b * kOneQ14 - c_q14 * cone.a;
+  cone.c_q14 = c_q14;
   cone.scale_log2 = log2;
   return cone.a_bc_q14 <= 0 && cone.b_ac_q14 <= 0;
 }
@@ -108,9 +104,9 @@ int32_t least_q22(int32_t a_q22,
   if (lesser >= 0 || lesser <= -reach_q22 || !may_meet(lesser, greater)) {
     return lesser;
   }
-  return rounded_q22(
-      lesser, gradient_q14(in_order ? a_term : b_term, bend_shift), greater,
-      gradient_q14(in_order ? b_term : a_term, bend_shift));
+  return rounded_q22(lesser, greater,
+                     cosine_q14(gradient_q14(a_term, bend_shift),
+                                gradient_q14(b_term, bend_shift)));
 }
 
 int32_t negated(int32_t value) noexcept {
@@ -187,7 +183,7 @@ bool is_rounded(const LastTwo& two,
   const int32_t lesser = two.a_q22 < two.b_q22 ? two.a_q22 : two.b_q22;
   const int32_t greater = two.a_q22 < two.b_q22 ? two.b_q22 : two.a_q22;
   return lesser < 0 && may_meet(lesser, greater) &&
-         find_cone(two.a_q22, g, two.b_q22, h, cone);
+         find_cone(two.a_q22, two.b_q22, cosine_q14(g, h), cone);
 }
 
 }  // namespace
@@ -226,12 +222,10 @@ Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
 }
 
 int32_t rounded_q22(int32_t lesser_q22,
-                    const Vector& lesser_gradient_q14,
                     int32_t greater_q22,
-                    const Vector& greater_gradient_q14) noexcept {
+                    int32_t cosine_q14) noexcept {
   Cone cone;
-  return find_cone(lesser_q22, lesser_gradient_q14, greater_q22,
-                   greater_gradient_q14, cone)
+  return find_cone(lesser_q22, greater_q22, cosine_q14, cone)
              ? -length_q22(cone)
              : lesser_q22;
 }

@@ -403,13 +403,19 @@ inline Vector gradient_q14(const FieldTerm& term, int32_t bend_shift) noexcept {
                         : bent(normal_q14, term.slope_q15(bend_shift));
 }
 
+// Of the angle between two gradients.
+inline int32_t cosine_q14(const Vector& g_q14, const Vector& h_q14) noexcept {
+  return wrapped(times(g_q14.x, static_cast<uint32_t>(h_q14.x)) +
+                 times(g_q14.y, static_cast<uint32_t>(h_q14.y)) + (1 << 13)) >>
+         14;
+}
+
 // The lesser of two values, below 0, as it is rounded at the vertex of the two
-// fields whose gradients these are; the greater one is not farther from 0. [px,
-// Q22]
+// fields between whose gradients this cosine is; the greater one is not farther
+// from 0. [px, Q22]
 int32_t rounded_q22(int32_t lesser_q22,
-                    const Vector& lesser_gradient_q14,
                     int32_t greater_q22,
-                    const Vector& greater_gradient_q14) noexcept;
+                    int32_t cosine_q14) noexcept;
 
 // The cell's distance, with vertices rounded where that changes a result
 // between -reach_q22 and reach_q22. [px, Q22]

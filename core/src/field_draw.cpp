@@ -18,8 +18,7 @@ void draw_fields(const GlyphField& field,
   if (is_empty(pixels)) {
     return;
   }
-  FieldBand band(field, scale_of(brush), brush.filter(),
-                 reach_of(brush.filter()), brush.step_along_q16());
+  FieldBand band(field, brush);
   int32_t rows;
   for (int32_t y = pixels.y0; y < pixels.y1; y += rows) {
     rows = FieldBand::rows_of(pixels.y1 - y);

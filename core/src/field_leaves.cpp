@@ -46,34 +46,33 @@ __attribute__((noinline)) void FieldLeaves::find_linked(
 }
 
 // Without the leaf's sign. [Q14]
-__attribute__((noinline)) Vector FieldLeaves::gradient(
+__attribute__((noinline)) FieldLeaves::TwoWords FieldLeaves::gradient(
     const uint8_t* field, const PixelPlace& at) const noexcept {
-  if (arc_bit(field) == 0) {
-    return normal_of(field);
+  Vector gradient = normal_of(field - arc_bit(field));
+  if (arc_bit(field) != 0) {
+    const ArcTerm term(field, at, scale_, 0);
+    gradient = bent(gradient, term.slope_q15(bend_shift()));
   }
-  const ArcTerm term(field, at, scale_, 0);
-  return bent(normal_of(field - 1), term.slope_q15(bend_shift()));
+  return static_cast<uint32_t>(gradient.x) |
+         TwoWords{static_cast<uint32_t>(gradient.y)} << 32;
 }
 
-// The lesser of two values, rounded.
+// The lesser of the values of two fields, rounded.
 __attribute__((noinline)) int32_t FieldLeaves::rounded(
+    const FieldLeaf& leaf,
     int32_t a,
-    const uint8_t* a_field,
     int32_t b,
-    const uint8_t* b_field,
-    const PixelPlace& at) const noexcept {
-  if (a > b) {
-    const int32_t value = a;
-    a = b;
-    b = value;
-    const uint8_t* field = a_field;
-    a_field = b_field;
-    b_field = field;
+    Pair pair,
+    uint32_t number) const noexcept {
+  const int32_t least = lesser(a, b);
+  const int32_t other = greater(a, b);
+  if (!is_near_vertex(least, other)) {
+    return least;
   }
-  if (!is_near_vertex(a, b)) {
-    return a;
-  }
-  return rounded_q22(a, gradient(a_field, at), b, gradient(b_field, at));
+  const PixelPlace at = leaf.place_of(number);
+  const TwoWords g = gradient(leaf.field[pair >> 2], at);
+  const TwoWords h = gradient(leaf.field[pair & 3], at);
+  return rounded_q22(least, other, cosine_q14(vector_of(g), vector_of(h)));
 }
 
 __attribute__((noinline)) int32_t FieldLeaves::rounded_two(
@@ -81,9 +80,7 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_two(
     int32_t a,
     int32_t b,
     uint32_t number) const noexcept {
-  return limited(
-      rounded(a, leaf.field[0], b, leaf.field[1], leaf.place_of(number)),
-      leaf.sign);
+  return limited(rounded(leaf, a, b, pair_of(0, 1), number), leaf.sign);
 }
 
 __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
@@ -92,14 +89,13 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
     int32_t b,
     int32_t c,
     uint32_t number) const noexcept {
-  const PixelPlace at = leaf.place_of(number);
   uint32_t first = 0;
   uint32_t second = 1;
   if (leaf.is_nested) {
     // The greater one is the lesser with the signs turned.
     second = b >= c ? 1 : 2;
-    b = with_sign(rounded(with_sign(b, -1), leaf.field[1], with_sign(c, -1),
-                          leaf.field[2], at),
+    b = with_sign(rounded(leaf, with_sign(b, -1), with_sign(c, -1),
+                          pair_of(1, 2), number),
                   -1);
   } else if (a > b && a > c) {
     first = 2;  // without the greatest
@@ -108,7 +104,7 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
     second = 2;
     b = c;
   }
-  return limited(rounded(a, leaf.field[first], b, leaf.field[second], at),
+  return limited(rounded(leaf, a, b, pair_of(first, second), number),
                  leaf.sign);
 }
 

@@ -75,18 +75,40 @@ struct RowNumber {
   }
 };
 
+// What values that are rounded are cut off at, by a leaf's sign: for bands.
+template <bool kHasBands>
+class RoundedLimits {
+ protected:
+  // From here on; before, nothing is cut off.
+  void limit_rounded(int32_t least_q22, int32_t greatest_q22) noexcept {
+    least_q22_ = least_q22;
+    greatest_q22_ = greatest_q22;
+  }
+  int32_t limited(int32_t value, int32_t sign) const noexcept {
+    return with_sign(
+        lesser(greater(with_sign(value, sign), least_q22_), greatest_q22_),
+        sign);
+  }
+
+ private:
+  int32_t least_q22_ = INT32_MIN;
+  int32_t greatest_q22_ = INT32_MAX;
+};
+
+template <>
+class RoundedLimits<false> {
+ protected:
+  static void limit_rounded(int32_t, int32_t) noexcept {}
+  static int32_t limited(int32_t value, int32_t) noexcept { return value; }
+};
+
 // Finds leaves, and combines what their fields say at a point.
-class FieldLeaves {
+class FieldLeaves : protected RoundedLimits<kObjectOrder> {
  public:
-  // `step_q16` is what a px is in u; of any value where no row is followed.
   FieldLeaves(const GlyphField& field,
               const FieldScale& scale,
-              int32_t reach_q22,
-              int32_t step_q16) noexcept
-      : scale_(scale),
-        reach_q22_(reach_q22),
-        step_q16_(static_cast<uint32_t>(step_q16)),
-        field_(field) {}
+              int32_t reach_q22) noexcept
+      : scale_(scale), reach_q22_(reach_q22), field_(field) {}
 
   const FieldScale& scale() const noexcept { return scale_; }
   int32_t bend_shift() const noexcept { return scale_.bend_shift; }
@@ -116,16 +138,8 @@ class FieldLeaves {
     }
   }
 
-  // From here on values that are rounded are cut off at these, which limits no
-  // others.
-  void limit_rounded(int32_t least_q22, int32_t greatest_q22) noexcept {
-    least_rounded_q22_ = least_q22;
-    greatest_rounded_q22_ = greatest_q22;
-  }
-
   FieldScale scale_;
   int32_t reach_q22_;
-  uint32_t step_q16_;
   const GlyphField& field_;
 
  private:
@@ -135,12 +149,23 @@ class FieldLeaves {
     return (y >> field_.tile_log2) * uint32_t{field_.tiles_x} +
            (x >> field_.tile_log2);
   }
-  Vector gradient(const uint8_t* field, const PixelPlace& at) const noexcept;
-  int32_t rounded(int32_t a,
-                  const uint8_t* a_field,
+  // A vector: processors return structures in memory, but this in registers.
+  using TwoWords = uint64_t;
+  static Vector vector_of(TwoWords words) noexcept {
+    return {wrapped(static_cast<uint32_t>(words)),
+            wrapped(static_cast<uint32_t>(words >> 32))};
+  }
+  TwoWords gradient(const uint8_t* field, const PixelPlace& at) const noexcept;
+  // Two of a leaf's fields, in one word: few fit into registers.
+  using Pair = uint32_t;
+  static constexpr Pair pair_of(uint32_t a, uint32_t b) noexcept {
+    return a << 2 | b;
+  }
+  int32_t rounded(const FieldLeaf& leaf,
+                  int32_t a,
                   int32_t b,
-                  const uint8_t* b_field,
-                  const PixelPlace& at) const noexcept;
+                  Pair pair,
+                  uint32_t number) const noexcept;
   int32_t rounded_two(const FieldLeaf& leaf,
                       int32_t a,
                       int32_t b,
@@ -150,21 +175,10 @@ class FieldLeaves {
                         int32_t b,
                         int32_t c,
                         uint32_t number) const noexcept;
-  int32_t limited(int32_t value, int32_t sign) const noexcept {
-    if (!kObjectOrder) {
-      return value;  // limits are for bands
-    }
-    return with_sign(lesser(greater(with_sign(value, sign), least_rounded_q22_),
-                            greatest_rounded_q22_),
-                     sign);
-  }
   bool is_near_vertex(int32_t lesser, int32_t greater) const noexcept {
     // Where the greater one is farther from 0 no vertex is near.
     return lesser < 0 && lesser > -reach_q22_ && lesser + greater < 0;
   }
-
-  int32_t least_rounded_q22_ = INT32_MIN;
-  int32_t greatest_rounded_q22_ = INT32_MAX;
 };
 
 template <typename Number>

@@ -21,10 +21,10 @@ class Points : public FieldLeaves {
     const uint32_t count = evaluate(leaf, values);
     // Two are three of which one is never the least.
     const int32_t least =
-        count == 1 ? values[0]
-                   : least_of_three(leaf, values[0], values[1],
-                                    count == 2 ? INT32_MAX : values[2],
-                                    RowNumber{0});
+        count == 1
+            ? values[0]
+            : least_of_three(leaf, values[0], values[1],
+                             count == 2 ? INT32_MAX : values[2], RowNumber{0});
     return with_sign(least, leaf.sign);
   }
 
@@ -58,7 +58,7 @@ __attribute__((noinline)) void draw_points(const GlyphField& field,
                                            SlantedPoint& at,
                                            Range row,
                                            SpanWriter& writer) noexcept {
-  const Points points(field, scale_of(brush), reach_of(brush.filter()), 0);
+  const Points points(field, scale_of(brush), reach_of(brush.filter()));
   const GlyphStep& right = brush.right();
   int32_t x = row.begin;
   while (x < row.end) {

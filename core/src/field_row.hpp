@@ -29,7 +29,11 @@ struct ThirdsWay {
 // row.
 class FieldRow : public FieldLeaves {
  public:
-  using FieldLeaves::FieldLeaves;
+  FieldRow(const GlyphField& field,
+           const Brush& brush,
+           int32_t reach_q22) noexcept
+      : FieldLeaves(field, scale_of(brush), reach_q22),
+        step_q16_(static_cast<uint32_t>(brush.step_along_q16())) {}
 
   // A point of a row, from the origin.
   RowPoint point(int32_t x_q16, uint32_t x_q20) const noexcept {
@@ -69,6 +73,7 @@ class FieldRow : public FieldLeaves {
     return stop_q16 < end_q16 ? stop_q16 : end_q16;
   }
 
+  uint32_t step_q16_;  // what a px is in u
   uint32_t y_u_ = 0;
   uint32_t y_q8_ = 0;
 };

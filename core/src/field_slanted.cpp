@@ -221,8 +221,7 @@ class SlantedBand : public LeafBand {
                  scale_of(slanted.brush),
                  slanted.brush.filter(),
                  stretching == nullptr ? reach_of(slanted.brush.filter())
-                                       : stretching->far_q22,
-                 0),
+                                       : stretching->far_q22),
         slanted_(slanted),
         stretching_(stretching) {
     if (stretching != nullptr) {

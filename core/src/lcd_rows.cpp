@@ -94,10 +94,7 @@ class StripeRow {
       : rows_(rows),
         field_(field),
         ramp_(rows.brush.filter()),
-        row_(field,
-             scale_of(rows.brush),
-             ramp_.near_q22,
-             rows.brush.step_along_q16()),
+        row_(field, rows.brush, ramp_.near_q22),
         way_(row_.way(is_down, is_down ? -kThirdQ8 : kThirdQ8)) {
     ramp_.far_q22 = way_.far_q22;
   }

@@ -40,9 +40,8 @@ class LeafBand : public FieldLeaves {
   LeafBand(const GlyphField& field,
            const FieldScale& scale,
            const Filter& filter,
-           int32_t reach_q22,
-           int32_t step_q16) noexcept
-      : FieldLeaves(field, scale, reach_q22, step_q16), ramp_(filter) {
+           int32_t reach_q22) noexcept
+      : FieldLeaves(field, scale, reach_q22), ramp_(filter) {
     const int32_t high_q22 =
         ramp_.low_q22 + static_cast<int32_t>(ramp_.width_q22);
     limit_rounded(ramp_.low_q22 - 1, high_q22);

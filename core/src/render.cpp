@@ -160,10 +160,11 @@ uint32_t centre_q20(int32_t pixel, int32_t origin_q10) noexcept {
 }
 
 // Row by row: cells of samples, and in pixel order cells of fields.
-__attribute__((noinline)) void draw_rows(const GlyphField& field,
-                                         const Brush& brush,
-                                         const Placed& placed,
-                                         const Sink& sink) noexcept {
+__attribute__((always_inline)) inline void draw_rows(
+    const GlyphField& field,
+    const Brush& brush,
+    const Placed& placed,
+    const Sink& sink) noexcept {
   Upright upright = detail::place_upright(field, brush, placed, sink.window);
   const Rect& pixels = upright.pixels;
   SpanWriter writer(sink, pixels.y0);
@@ -187,24 +188,33 @@ __attribute__((noinline)) void draw_rows(const GlyphField& field,
   }
 }
 
+// Not inline: glyphs of fields need not pay for its stack.
+__attribute__((noinline)) void draw_samples(const GlyphField& field,
+                                            const Brush& brush,
+                                            const Placed& placed,
+                                            const Sink& sink) noexcept {
+  draw_rows(field, brush, placed, sink);
+}
+
 // Cells of samples: object order wins from this size on.
 constexpr Q26_6 kCellsFrom = Q26_6::from_int(48);
 
-void draw_upright(const GlyphField& field,
-                  const Brush& brush,
-                  const Placed& placed,
-                  const Sink& sink) noexcept {
-  if (kObjectOrder && has_fields(field)) {
+}  // namespace
+
+void detail::draw_upright(const GlyphField& field,
+                          const Brush& brush,
+                          const Placed& placed,
+                          const Sink& sink) noexcept {
+  if (!kObjectOrder) {
+    draw_rows(field, brush, placed, sink);
+  } else if (has_fields(field)) {
     detail::draw_fields(field, brush, placed, sink);
-  } else if (kObjectOrder && placed.rows == nullptr &&
-             brush.size().raw >= kCellsFrom.raw) {
+  } else if (placed.rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
     detail::draw_samples_by_cells(field, brush, placed, sink);
   } else {
-    draw_rows(field, brush, placed, sink);
+    draw_samples(field, brush, placed, sink);
   }
 }
-
-}  // namespace
 
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) detail::Upright detail::place_upright(
@@ -355,17 +365,6 @@ void detail::draw_fitted(const GlyphField& field,
     draw_upright(field, brush, fitted.placed, sink);
   } else {
     draw_painted(field, brush, fitted.placed, sink);
-  }
-}
-
-void detail::draw_near(const GlyphField& field,
-                       const Brush& brush,
-                       const Placed& placed,
-                       const Sink& sink) noexcept {
-  if (brush.drawer() != nullptr) {
-    brush.drawer()(field, brush, placed, sink);
-  } else {
-    draw_upright(field, brush, placed, sink);
   }
 }
 

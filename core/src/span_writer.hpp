@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/strip.hpp"
+#include "options.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -35,7 +36,7 @@ class SpanWriter {
   // A pixel. True if a span is full: begin anew with the next one.
   bool append(uint8_t coverage) noexcept {
     buffer_[count_++] = coverage;
-    if (count_ != kMaxSpan) {
+    if (count_ != kBuffer) {
       return false;
     }
     flush_all();
@@ -123,13 +124,16 @@ class SpanWriter {
     }
   }
 
+  // Pixel order is for boards with little RAM.
+  static constexpr int32_t kBuffer = kObjectOrder ? kMaxSpan : 8;
+
   const Sink& sink_;
   int32_t y_;
   int32_t x_ = 0;
   // At most one of the two is not 0.
   int32_t count_ = 0;
   int32_t solid_count_ = 0;
-  uint8_t buffer_[kMaxSpan];
+  uint8_t buffer_[kBuffer];
 };
 
 }  // namespace detail

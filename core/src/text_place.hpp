@@ -62,7 +62,7 @@ inline FinePoint place(const UnitScale& scale,
 // free again when the glyph is drawn.
 __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
                                                  const Brush& brush,
-                                                 Point origin,
+                                                 const Point& origin,
                                                  const PositionedGlyph& at,
                                                  Placed& out) noexcept {
   return out.set(place(scale, brush, origin, at));
