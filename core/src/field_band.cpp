@@ -252,7 +252,7 @@ __attribute__((noinline)) void FieldBand::reduce_box(
 
 bool FieldBand::cover(int32_t width,
                       int32_t height,
-                      Pixels& pixels) const noexcept {
+                      uint8_t* lines) const noexcept {
   height = rows_of(height);
   // Of each leaf the row behind its last one, less one, and its width less one;
   // 0 where none begins yet.
@@ -260,7 +260,6 @@ bool FieldBand::cover(int32_t width,
   static_assert(kRows <= 8 && kColumns <= 32, "3 and 5 bits");
   auto* const drawn = reinterpret_cast<uint8_t*>(words);
   clear_row(words);
-  pixels.clear(height);
   bool any = false;
   int32_t next;
   for (int32_t y = 0; y < height; y = next) {
@@ -288,7 +287,7 @@ bool FieldBand::cover(int32_t width,
       }
       next = lesser(next, y + down);
       if (leaf.count != 0 || leaf.is_inside) {
-        uint8_t* const line = pixels.row(y) + x;
+        uint8_t* const line = lines + y * kColumns + x;
         leaf.place = {left_q8_ + (static_cast<uint32_t>(x) << 8), row_q8};
         if (kFastRows && leaf.count != 0 && right + down == 2) {
           any = true;

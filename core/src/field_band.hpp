@@ -33,8 +33,9 @@ class FieldBand : public LeafBand {
     left_q8_ += static_cast<uint32_t>(count) << 8;
   }
 
-  // The coverage of its points, all in the grid. False: it is 0 everywhere.
-  bool cover(int32_t width, int32_t height, Pixels& pixels) const noexcept;
+  // The coverage of its points, all in the grid, in lines of Pixels that are
+  // clear. False: it is 0 everywhere.
+  bool cover(int32_t width, int32_t height, uint8_t* lines) const noexcept;
 
  private:
   // Its points form a box.

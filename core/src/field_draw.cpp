@@ -8,6 +8,16 @@
 
 namespace inkcell {
 namespace detail {
+namespace {
+
+// Whether words at any address are as fast as others.
+#if defined(__ARM_FEATURE_UNALIGNED) || defined(__x86_64__)
+constexpr bool kWordsAnywhere = true;
+#else
+constexpr bool kWordsAnywhere = false;
+#endif
+
+}  // namespace
 
 void draw_fields(const GlyphField& field,
                  const Brush& brush,
@@ -31,15 +41,21 @@ void draw_fields(const GlyphField& field,
     }
     if (shown != 0) {
       band.go_to(upright.at, heights);
-      for (int32_t x = pixels.x0; x < pixels.x1; x += FieldBand::kColumns) {
+      int32_t count;
+      for (int32_t x = pixels.x0; x < pixels.x1; x += count) {
         FieldBand::Pixels lines;
-        const int32_t count = lesser(pixels.x1 - x, FieldBand::kColumns);
-        if (band.cover(count, rows, lines)) {
+        // Where x begins a word coverage does, too, for sinks that copy words.
+        const int32_t first = kWordsAnywhere ? 0 : x & 3;
+        count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
+        uint8_t* line = lines.row(0) + first;
+        lines.clear(rows);
+        if (band.cover(count, rows, line)) {
           for (int32_t row = 0; row < rows; ++row) {
-            sink.coverage(sink.context, x, y + row, lines.row(row), count);
+            sink.coverage(sink.context, x, y + row, line, count);
+            line += FieldBand::kColumns;
           }
         }
-        band.go_right(FieldBand::kColumns);
+        band.go_right(count);
       }
     }
     upright.go_down(brush, rows);

@@ -16,6 +16,35 @@ uint32_t add(uint32_t above, uint32_t below) noexcept {
   return 255 - divide_by_255((255 - above) * (255 - below));
 }
 
+inline void put(uint8_t& pixel, uint32_t coverage) noexcept {
+  if (__builtin_expect(pixel != 0, 0)) {
+    coverage = add(coverage, pixel);
+  }
+  pixel = static_cast<uint8_t>(coverage);
+}
+
+// Whether two addresses lie alike in a word, and whether one begins none.
+inline bool is_beside(const uint8_t* a, const uint8_t* b) noexcept {
+  return ((reinterpret_cast<uintptr_t>(a) ^ reinterpret_cast<uintptr_t>(b)) &
+          3) == 0;
+}
+inline bool is_beside_word(const uint8_t* at) noexcept {
+  return (reinterpret_cast<uintptr_t>(at) & 3) != 0;
+}
+
+// Words where those loads and stores are fast.
+inline uint32_t load(const uint8_t* at) noexcept {
+  return detail::kAnyAddress ? detail::load_any_word(at)
+                             : detail::load_word(at);
+}
+inline void store(uint8_t* at, uint32_t word) noexcept {
+  if (detail::kAnyAddress) {
+    detail::store_any_word(at, word);
+  } else {
+    detail::store_word(at, word);
+  }
+}
+
 void coverage(void* context,
               int32_t x,
               int32_t y,
@@ -28,21 +57,20 @@ void coverage(void* context,
   }
   coverage += run.skipped;
   uint8_t* pixel = detail::row_at(strip, run.y) + run.x;
-  int32_t left = run.count;
+  uint8_t* const end = pixel + run.count;
   // Most pixels are drawn where nothing was.
-  while (detail::kAnyAddress && left >= 4 &&
-         detail::load_any_word(pixel) == 0) {
-    detail::store_any_word(pixel, detail::load_any_word(coverage));
-    coverage += 4;
-    pixel += 4;
-    left -= 4;
-  }
-  for (uint8_t* const end = pixel + left; pixel != end; ++pixel) {
-    uint32_t sum = *coverage++;
-    if (__builtin_expect(*pixel != 0, 0)) {
-      sum = add(sum, *pixel);
+  if (detail::kAnyAddress || is_beside(pixel, coverage)) {
+    while (!detail::kAnyAddress && is_beside_word(pixel) && pixel != end) {
+      put(*pixel++, *coverage++);
     }
-    *pixel = static_cast<uint8_t>(sum);
+    while (end - pixel >= 4 && load(pixel) == 0) {
+      store(pixel, load(coverage));
+      coverage += 4;
+      pixel += 4;
+    }
+  }
+  while (pixel != end) {
+    put(*pixel++, *coverage++);
   }
 }
 
