@@ -4,8 +4,12 @@
 namespace inkcell {
 namespace detail {
 
-__attribute__((noinline)) void FieldLeaves::find_narrow(
+__attribute__((noinline)) void FieldLeaves::find_leaf(
     uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept {
+  if (field_.kind != GlyphField::Kind::narrow_fields) {
+    find_linked(x, y, leaf);
+    return;
+  }
   using format::fields::kArcBytes;
   using format::fields::kLineBytes;
   const Leaf found = find_narrow_leaf(field_, tile_of(x, y), x, y);

@@ -130,20 +130,13 @@ class FieldLeaves : protected RoundedLimits<kObjectOrder> {
 
  protected:
   // The leaf that holds a point, from the grid's corner. [u]
-  void find_leaf(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept {
-    if (field_.kind == GlyphField::Kind::narrow_fields) {
-      find_narrow(x, y, leaf);
-    } else {
-      find_linked(x, y, leaf);
-    }
-  }
+  void find_leaf(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept;
 
   FieldScale scale_;
   int32_t reach_q22_;
   const GlyphField& field_;
 
  private:
-  void find_narrow(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept;
   void find_linked(uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept;
   uint32_t tile_of(uint32_t x, uint32_t y) const noexcept {
     return (y >> field_.tile_log2) * uint32_t{field_.tiles_x} +
