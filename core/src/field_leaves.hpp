@@ -55,7 +55,9 @@ struct FieldLeaf {
     count = static_cast<uint8_t>(field_count);
     sign = static_cast<int8_t>(-(static_cast<int32_t>(op) & 1));
     is_nested = op >= FieldOperator::least_of_greater;
-    is_inside = false;
+    if (field_count == 0) {
+      is_inside = false;
+    }
   }
   FieldOperator field_operator() const noexcept {
     if (is_nested) {

@@ -68,7 +68,7 @@ __attribute__((noinline)) void draw_points(const GlyphField& field,
     const uint32_t column = at.x_q16 >> log2;
     const uint32_t line = at.y_q16 >> log2;
     do {
-      uint8_t coverage = leaf.is_inside ? 255 : 0;
+      uint8_t coverage = leaf.count == 0 && leaf.is_inside ? 255 : 0;
       if (leaf.count != 0) {
         leaf.place = {q8_of(at.x_q20), q8_of(at.y_q20)};
         const int32_t distance_q22 =
