@@ -68,10 +68,17 @@ struct ArcTerm {
                                          PixelPlace at,
                                          const FieldScale& scale,
                                          int32_t sign) noexcept
-      : plane(field - arc_bit(field), at, scale, sign) {
+      : ArcTerm(field - arc_bit(field), arc_bit(field) != 0, at, scale, sign) {}
+
+  // The same of a record.
+  __attribute__((always_inline)) ArcTerm(const uint8_t* record,
+                                         bool is_arc,
+                                         PixelPlace at,
+                                         const FieldScale& scale,
+                                         int32_t sign) noexcept
+      : plane(record, at, scale, sign) {
     namespace layout = format::fields;
-    if (arc_bit(field) != 0) {
-      const uint8_t* const record = field - 1;
+    if (is_arc) {
       const int32_t nx = load_i16(record + layout::kNormalX);
       const int32_t ny = load_i16(record + layout::kNormalY);
       along_q22 = times(nx, at.y_q8) - times(ny, at.x_q8) + (1 << 13) +
