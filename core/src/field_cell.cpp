@@ -6,8 +6,24 @@ namespace {
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-// The root rounded down, bit by bit.
+// The root rounded down.
 uint32_t root(uint32_t value) noexcept {
+#if defined(__ARM_FEATURE_IDIV) || defined(__x86_64__)
+  if (value == 0) {
+    return 0;
+  }
+  // Newton's steps, from a power of two that is no less: each but the last one
+  // leads further down, and none below the root, so that there are few.
+  uint32_t result = uint32_t{1} << (16 - (__builtin_clz(value) >> 1));
+  while (true) {
+    const uint32_t next = (result + value / result) >> 1;
+    if (next >= result) {
+      return result;
+    }
+    result = next;
+  }
+#else
+  // Bit by bit.
   uint32_t result = 0;
   uint32_t bit = uint32_t{1} << 30;
   while (bit > value) {
@@ -22,6 +38,7 @@ uint32_t root(uint32_t value) noexcept {
     }
   }
   return result;
+#endif
 }
 
 // Two values a and b of which the lesser is negative, as seen from the vertex
