@@ -27,6 +27,26 @@ inline int32_t slope_along_q14(const Vector& gradient_q14,
   return wrapped(x_q27 + y_q27) >> 13;
 }
 
+// How many points on a slope, 2^8 at the least, gains 1/64 px, or fewer. [Q15]
+inline uint16_t skip_q15(uint32_t slope_q14) noexcept {
+#if defined(__ARM_ARCH_6M__)
+  // No division there. 1/m is no less than 2r - m r r for any r; m is 1 to 2.
+  int32_t log2 = 0;
+  if (slope_q14 >= 1 << 15) {
+    return 0;
+  }
+  while (slope_q14 < 1 << 14) {
+    slope_q14 <<= 1;
+    ++log2;
+  }
+  const uint32_t r_q14 = 23750 - (slope_q14 >> 1);
+  const uint32_t rest_q14 = (1 << 15) - ((slope_q14 * r_q14 >> 14) + 1);
+  return static_cast<uint16_t>(r_q14 * rest_q14 >> (19 - log2));
+#else
+  return static_cast<uint16_t>((uint32_t{1} << 23) / slope_q14);
+#endif
+}
+
 // Of larger ones sums might wrap. [px]
 constexpr uint32_t kMostReachQ22 = 1 << 30;
 
@@ -170,9 +190,8 @@ __attribute__((noinline)) void LeafBand::reduce(
   constexpr uint32_t kFlattestQ14 = 1 << 8;
   const auto steepest = static_cast<uint32_t>(
       greater(magnitude(slopes.least), magnitude(slopes.greatest)));
-  leaf.skip_q15 = static_cast<uint16_t>(
-      (uint32_t{1} << 23) /
-      (steepest > kFlattestQ14 ? steepest : kFlattestQ14));
+  leaf.skip_q15 =
+      skip_q15(steepest > kFlattestQ14 ? steepest : kFlattestQ14);
   // Where all fields go one way what is left of them does.
   constexpr uint16_t kAll = UINT16_MAX;
   const uint16_t falls = slopes.greatest <= 0 ? kAll : 0;
