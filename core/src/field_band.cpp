@@ -145,7 +145,7 @@ inline int32_t FieldBand::rows_in(uint32_t mask_q16,
                                   uint32_t first_q16,
                                   int32_t row,
                                   int32_t end) const noexcept {
-  if (heights_ == nullptr) {
+  if (__builtin_expect(heights_ == nullptr, 1)) {
     return points_before((first_q16 & mask_q16) + 1, end - row);
   }
   int32_t count = 1;
@@ -174,7 +174,7 @@ __attribute__((noinline)) void FieldBand::paint(BoxLeaf& leaf) const noexcept {
     }
     terms.go_on(static_cast<uint32_t>(line - out));
     uint32_t down_q8 = 1 << 8;
-    if (heights_ != nullptr) {
+    if (__builtin_expect(heights_ != nullptr, 0)) {
       const int32_t row = leaf.row + leaf.height - rows;
       down_q8 = height_q8(row - 1) - height_q8(row);
     }
@@ -208,7 +208,7 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
 }
 
 inline void FieldBand::paint_leaf(BoxLeaf& leaf) const noexcept {
-  if (leaf.count == 0) {
+  if (__builtin_expect(leaf.count == 0, 0)) {
     uint8_t* line = leaf.line;
     for (int32_t rows = leaf.height; rows != 0; --rows, line += kColumns) {
       fill(line, leaf.width);
@@ -280,7 +280,7 @@ bool FieldBand::cover(int32_t width,
       const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
       int32_t right = 1;
       int32_t down = 1;
-      if (mask >= step_q16_) {
+      if (__builtin_expect(mask >= step_q16_, 1)) {
         right = points_before((~x_q16 & mask) + 1, width - x);
         down = rows_in(mask, row_q16, y, height);
         drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));

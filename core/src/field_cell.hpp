@@ -182,7 +182,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     at += fields::kPairUnits * leaf;
     const uint32_t f0 = at[0];
     const uint32_t f1 = at[1];
-    if (f0 >= field_count || f1 >= field_count) {
+    if (__builtin_expect(f0 >= field_count || f1 >= field_count, 0)) {
       return 0;
     }
     out[0] = name(f0);
@@ -191,7 +191,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     return f0 == f1 ? 1 : 2;
   }
   leaf -= field.pair_count;
-  if (leaf >= field.triple_count) {
+  if (__builtin_expect(leaf >= field.triple_count, 0)) {
     return 0;
   }
   at -= fields::kTripleUnits * (field.triple_count - leaf);
@@ -199,8 +199,10 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
   const uint32_t f0 = at[1];
   const uint32_t f1 = at[2];
   const uint32_t f2 = at[3];
-  if (code > static_cast<uint8_t>(FieldOperator::greatest_of_lesser) ||
-      f0 >= field_count || f1 >= field_count || f2 >= field_count) {
+  if (__builtin_expect(
+          code > static_cast<uint8_t>(FieldOperator::greatest_of_lesser) ||
+              f0 >= field_count || f1 >= field_count || f2 >= field_count,
+          0)) {
     return 0;
   }
   op = static_cast<FieldOperator>(code);
@@ -359,7 +361,7 @@ inline Leaf find_narrow_leaf(const GlyphField& field,
   Leaf leaf = {field.references[tile], field.tile_log2};
   uint32_t node = leaf.reference - format::glyph::kFirstNode;
   while (node < field.node_count) {
-    if (leaf.size_log2 == 0) {
+    if (__builtin_expect(leaf.size_log2 == 0, 0)) {
       return {format::glyph::kOutside, 0};
     }
     leaf.reference = nodes[4 * node + leaf.descend(x, y)];

@@ -6,7 +6,7 @@ namespace detail {
 
 __attribute__((noinline)) void FieldLeaves::find_leaf(
     uint32_t x, uint32_t y, FieldLeaf& leaf) const noexcept {
-  if (field_.kind != GlyphField::Kind::narrow_fields) {
+  if (__builtin_expect(field_.kind != GlyphField::Kind::narrow_fields, 0)) {
     find_linked(x, y, leaf);
     return;
   }

@@ -16,6 +16,9 @@ namespace detail {
 // A leaf and its fields, as arc_bit() has them. With `sign` -1 all values are
 // negated, so that there is only the least.
 struct FieldLeaf {
+  // Not left to the compiler: what derives from it begins in its last word.
+  FieldLeaf() noexcept {}
+
   const uint8_t* field[3];
   PixelPlace place;  // of its first point in the row, or of one to be rounded
   uint8_t size_log2;
@@ -43,7 +46,7 @@ struct FieldLeaf {
   // False: it is saturated.
   bool begin(const Leaf& found) noexcept {
     size_log2 = static_cast<uint8_t>(found.size_log2);
-    if (found.reference >= format::glyph::kFirstNode) {
+    if (__builtin_expect(found.reference >= format::glyph::kFirstNode, 1)) {
       return true;
     }
     count = 0;
@@ -55,7 +58,7 @@ struct FieldLeaf {
     count = static_cast<uint8_t>(field_count);
     sign = static_cast<int8_t>(-(static_cast<int32_t>(op) & 1));
     is_nested = op >= FieldOperator::least_of_greater;
-    if (field_count == 0) {
+    if (__builtin_expect(field_count == 0, 0)) {
       is_inside = false;
     }
   }

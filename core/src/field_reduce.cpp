@@ -190,8 +190,7 @@ __attribute__((noinline)) void LeafBand::reduce(
   constexpr uint32_t kFlattestQ14 = 1 << 8;
   const auto steepest = static_cast<uint32_t>(
       greater(magnitude(slopes.least), magnitude(slopes.greatest)));
-  leaf.skip_q15 =
-      skip_q15(steepest > kFlattestQ14 ? steepest : kFlattestQ14);
+  leaf.skip_q15 = skip_q15(steepest > kFlattestQ14 ? steepest : kFlattestQ14);
   // Where all fields go one way what is left of them does.
   constexpr uint16_t kAll = UINT16_MAX;
   const uint16_t falls = slopes.greatest <= 0 ? kAll : 0;
