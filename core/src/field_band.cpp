@@ -190,8 +190,8 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
     const FieldLeaf& leaf) const noexcept {
   const int32_t sign = leaf.sign;
   const auto value = [&](uint32_t i) __attribute__((always_inline)) {
-    const ArcTerm term(leaf.field[i], leaf.place, scale_, sign);
-    return term.value(bend_shift(), sign);
+    const ArcTerm term(leaf.field[i], leaf.place, scale_, 0);
+    return with_sign(term.value(bend_shift(), 0), sign);
   };
   int32_t least = value(0);
   if (leaf.count == 2) {
