@@ -55,7 +55,8 @@ struct LineTerm {
   bool is_steady() const noexcept { return down_q14 == 0; }
 };
 
-// The same of an arc, or of a line that is followed like one.
+// The same of an arc, or of a line that is followed like one. Only its value
+// has the leaf's sign.
 struct ArcTerm {
   LineTerm plane;
   uint32_t along_q22;  // it and `bend` as in FieldTerm
@@ -67,16 +68,15 @@ struct ArcTerm {
   __attribute__((always_inline)) ArcTerm(const uint8_t* field,
                                          PixelPlace at,
                                          const FieldScale& scale,
-                                         int32_t sign) noexcept
-      : ArcTerm(field - arc_bit(field), arc_bit(field) != 0, at, scale, sign) {}
+                                         int32_t) noexcept
+      : ArcTerm(field - arc_bit(field), arc_bit(field) != 0, at, scale) {}
 
   // The same of a record.
   __attribute__((always_inline)) ArcTerm(const uint8_t* record,
                                          bool is_arc,
                                          PixelPlace at,
-                                         const FieldScale& scale,
-                                         int32_t sign) noexcept
-      : plane(record, at, scale, sign) {
+                                         const FieldScale& scale) noexcept
+      : plane(record, at, scale, 0) {
     namespace layout = format::fields;
     if (is_arc) {
       const int32_t nx = load_i16(record + layout::kNormalX);
@@ -107,8 +107,8 @@ struct ArcTerm {
                                                int32_t sign) const noexcept {
     const int32_t sag_q22 =
         wrapped(times(slope_q15(bend_shift), along_q8())) >> 1;
-    return wrapped(plane.plane_q22 +
-                   static_cast<uint32_t>(with_sign(sag_q22, sign)));
+    return with_sign(wrapped(plane.plane_q22 + static_cast<uint32_t>(sag_q22)),
+                     sign);
   }
 
   __attribute__((always_inline)) void go_on(uint32_t count = 1) noexcept {
