@@ -208,7 +208,7 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
 }
 
 inline void FieldBand::paint_leaf(BoxLeaf& leaf) const noexcept {
-  if (__builtin_expect(leaf.count == 0, 0)) {
+  if (leaf.count == 0) {
     uint8_t* line = leaf.line;
     for (int32_t rows = leaf.height; rows != 0; --rows, line += kColumns) {
       fill(line, leaf.width);
