@@ -311,6 +311,7 @@ Outcome exercise(Span<const uint8_t> rom) {
   if (outcome.opened) {
     Ram ram(font.workspace_bytes());
     outcome.verified = font.verify(ram.workspace()) == Status::ok;
+    // Of packed fonts it takes one to see more than the container.
     require(
         font.is_packed() || outcome.verified == (font.verify() == Status::ok),
         "direct fonts are verified without a workspace");

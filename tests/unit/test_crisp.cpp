@@ -223,7 +223,7 @@ struct Crossing {
 TEST(of_two_that_are_equally_near_the_left_or_upper_is_drawn) {
   const CrispStyle style;
   const Brush brush = brush_of(16, style);
-  // Even strokes that have no width at all.
+  // Also strokes of no width.
   constexpr int32_t kWidths[] = {26, 0};
   for (const int32_t width_u : kWidths) {
     const Crossing upright(stroke(16384, 0, kMiddle_u, width_u), brush);
@@ -309,27 +309,38 @@ TEST(thresholds_do_not_move_greys) {
   const GlyphField field = stroke(13623, -9102, 150, 250);
   const CrispStyle plain = {4, {}};
   const CrispStyle light = {4, Q6_10::from_raw(300)};
+  int32_t greys = 0;
   for (int32_t shift = 0; shift < 1024; shift += 100) {
     const Crossing expected(field, brush_of(16, plain), shift);
     const Crossing found(field, brush_of(16, light), shift);
     for (int32_t i = 0; i < 16; ++i) {
-      CHECK_EQ(found.picture.at(i, 7), expected.picture.at(i, 7));
+      const uint8_t level = expected.picture.at(i, 7);
+      CHECK_EQ(found.picture.at(i, 7), level);
+      greys += level == 85 || level == 170 ? 1 : 0;
     }
   }
+  CHECK(greys > 4);
 }
 
-// Levels of coverage change from 42 to 43.
+// Levels of coverage change from 42 to 43, and so on.
 TEST(levels_change_in_the_middle) {
   const CrispStyle style = {4, {}};
   const Brush brush = brush_of(16, style);
   const GlyphField field = stroke(16384, 0, kMiddle_u, 192);
+  int32_t least = 255;
+  int32_t greatest = 0;
   for (int32_t shift = 0; shift < 1024; shift += 2) {
     const Crossing drawing(field, brush, shift);
     Q6_10 row[16];
     distance_row(field, brush, {shift, 16 << 10}, 0, 7, {row, 16});
-    const int32_t coverage = kFilterText.coverage(row[6].raw);
-    CHECK_EQ(drawing.picture.at(6, 7), (coverage + 42) / 85 * 85);
+    for (int32_t x = 6; x < 8; ++x) {
+      const int32_t coverage = kFilterText.coverage(row[x].raw);
+      CHECK_EQ(drawing.picture.at(x, 7), (coverage + 42) / 85 * 85);
+      least = coverage < least ? coverage : least;
+      greatest = coverage > greatest ? coverage : greatest;
+    }
   }
+  CHECK(least == 0 && greatest == 255);
 }
 
 // Bold strokes reach farther than a sharp filter does.

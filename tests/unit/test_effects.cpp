@@ -9,8 +9,7 @@ using namespace inkcell;
 
 namespace {
 
-// The outline goes to the one, which fails when it is drawn outside, the fill
-// to the other.
+// Each fails if it is drawn outside its window.
 using Large = Picture<24, 24>;
 using Part = Picture<11, 9>;
 
@@ -30,8 +29,9 @@ void draw_into(First& outline_picture, Second& fill_picture) {
   draw_field(field, brush, {2048, 20 << 10}, outline_picture.sink());
 }
 
-// Whether a part shows what the whole picture does, something and nothing.
-void check_part(const Part& part, const Large& whole) {
+// Whether a picture shows what the whole one does there, something and nothing.
+template <typename Drawn>
+void check_part(const Drawn& part, const Large& whole) {
   int32_t drawn = 0;
   for (int32_t y = 5; y < 5 + 9; ++y) {
     for (int32_t x = 4; x < 4 + 11; ++x) {
@@ -61,6 +61,7 @@ TEST(outline_and_fill_are_drawn_where_both_windows_are) {
     Part fill(4, 5);
     draw_into(outline, fill);
     check_part(fill, whole_fill);
+    check_part(outline, whole_outline);
     check_rest(outline);
   }
   {
@@ -68,6 +69,7 @@ TEST(outline_and_fill_are_drawn_where_both_windows_are) {
     Large fill;
     draw_into(outline, fill);
     check_part(outline, whole_outline);
+    check_part(fill, whole_fill);
     check_rest(fill);
   }
 }

@@ -244,7 +244,7 @@ TEST(edges_of_one_height_are_survived) {
   CHECK_EQ(glyph.rows.count, 1);
 }
 
-TEST(edges_are_read_up_to_ten) {
+TEST(ten_edges_are_read) {
   HintsRecord hints;
   for (uint32_t i = 0; i < RowMap::kMaxKnots - 1; ++i) {
     hints.level(static_cast<int32_t>(50 * i), 0);

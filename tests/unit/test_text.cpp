@@ -271,8 +271,6 @@ TEST(measures_lines) {
   CHECK_EQ(empty.advance, 0);
 }
 
-// Up to 2^19 units half of 1/64 px, and what 16 fractional bits of the scale
-// add; at the end of the range one more half.
 TEST(lines_may_lie_anywhere) {
   const Font font = sample();
   CHECK_EQ(measure(font, "A").y_min, 82);
@@ -290,6 +288,8 @@ TEST(lines_may_lie_anywhere) {
   CHECK_EQ(measure(font, "A").y_max, -100);
 }
 
+// Up to 2^19 units half of 1/64 px, and what 16 fractional bits of the scale
+// add; at the end of the range one more half.
 TEST(lengths_in_px_round_to_the_nearest) {
   const Font font = sample();
   Random random(6);
