@@ -124,19 +124,19 @@ inline void repeat(uint8_t* line, int32_t width, int32_t rows) noexcept {
 
 }  // namespace
 
-inline int32_t FieldBand::points_before(uint32_t way_q16,
-                                        int32_t most) const noexcept {
+inline int32_t FieldBand::points_upto(uint32_t way_q16,
+                                      int32_t most) const noexcept {
 #if defined(__ARM_ARCH_6M__)
   // No division there. A guess from a px being 65536 u / size: right, or up to
   // two too low.
   const uint32_t size_q6 = scale_.size_q8 >> 2;
-  auto count = static_cast<int32_t>(((way_q16 >> 13) * size_q6) >> 19);
+  auto count = static_cast<int32_t>(((way_q16 >> 13) * size_q6) >> 19) + 1;
   uint32_t at_q16 = static_cast<uint32_t>(count) * step_q16_;
-  for (; at_q16 < way_q16; at_q16 += step_q16_) {
+  for (; at_q16 <= way_q16; at_q16 += step_q16_) {
     ++count;
   }
 #else
-  const auto count = static_cast<int32_t>((way_q16 - 1) / step_q16_) + 1;
+  const auto count = static_cast<int32_t>(way_q16 / step_q16_) + 1;
 #endif
   return lesser(count, most);
 }
@@ -146,7 +146,7 @@ inline int32_t FieldBand::rows_in(uint32_t mask_q16,
                                   int32_t row,
                                   int32_t end) const noexcept {
   if (__builtin_expect(heights_ == nullptr, 1)) {
-    return points_before((first_q16 & mask_q16) + 1, end - row);
+    return points_upto(first_q16 & mask_q16, end - row);
   }
   int32_t count = 1;
   while (row + count != end &&
@@ -281,7 +281,7 @@ bool FieldBand::cover(int32_t width,
       int32_t right = 1;
       int32_t down = 1;
       if (__builtin_expect(mask >= step_q16_, 1)) {
-        right = points_before((~x_q16 & mask) + 1, width - x);
+        right = points_upto(~x_q16 & mask, width - x);
         down = rows_in(mask, row_q16, y, height);
         drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
       }

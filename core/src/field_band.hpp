@@ -44,9 +44,9 @@ class FieldBand : public LeafBand {
     uint16_t row;  // the first one
   };
 
-  // How many points lie before a place that is `way_q16` further on, the first
-  // of them at 0; `most` at the most. [u]
-  int32_t points_before(uint32_t way_q16, int32_t most) const noexcept;
+  // How many points lie no further on than `way_q16`, the first of them at 0;
+  // `most` at the most. [u]
+  int32_t points_upto(uint32_t way_q16, int32_t most) const noexcept;
   // Where a row lies. [u]
   uint32_t height_q16(int32_t row) const noexcept {
     return heights_ == nullptr
