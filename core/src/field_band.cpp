@@ -260,18 +260,19 @@ bool FieldBand::cover(int32_t width,
   static_assert(kRows <= 8 && kColumns <= 32, "3 and 5 bits");
   auto* const drawn = reinterpret_cast<uint8_t*>(words);
   clear_row(words);
-  bool any = false;
-  int32_t next;
-  for (int32_t y = 0; y < height; y = next) {
+  const uint8_t* shown = nullptr;  // the last leaf
+  int32_t y = 0;
+  while (true) {
     const uint32_t row_q16 = height_q16(y);
     const uint32_t row_q8 = height_q8(y);
-    next = height;
-    for (int32_t x = 0; x < width;) {
+    int32_t next = height;
+    int32_t x = 0;
+    do {
       const uint32_t last = drawn[x];
-      const int32_t end_y = static_cast<int32_t>(last >> 5) + 1;
-      if (y != 0 && end_y > y) {
+      const auto last_y = static_cast<int32_t>(last >> 5);
+      if (y != 0 && last_y >= y) {
         x += static_cast<int32_t>(last & 31) + 1;
-        next = lesser(next, end_y);
+        next = lesser(next, last_y + 1);
         continue;
       }
       BoxLeaf leaf;
@@ -287,30 +288,35 @@ bool FieldBand::cover(int32_t width,
       }
       next = lesser(next, y + down);
       if (leaf.count != 0 || leaf.is_inside) {
-        uint8_t* const line = lines + y * kColumns + x;
+        uint8_t* const line = lines + x;
         leaf.place = {left_q8_ + (static_cast<uint32_t>(x) << 8), row_q8};
         if (kFastRows && leaf.count != 0 && right + down == 2) {
-          any = true;
+          shown = line;
           *line = coverage_of_point(leaf);
         } else {
           leaf.line = line;
           leaf.width = static_cast<uint16_t>(right);
           leaf.height = static_cast<uint8_t>(down);
           leaf.row = static_cast<uint16_t>(y);
-          leaf.know_nothing();
           if (leaf.count != 0 && right + down >= kMinReduced) {
             reduce_box(leaf);
+          } else {
+            leaf.know_nothing();
           }
           if (leaf.count != 0 || leaf.is_inside) {
-            any = true;
+            shown = line;
             paint_leaf(leaf);
           }
         }
       }
       x += right;
+    } while (x < width);
+    if (next == height) {
+      return shown != nullptr;
     }
+    lines += (next - y) * kColumns;
+    y = next;
   }
-  return any;
 }
 
 }  // namespace detail
