@@ -156,9 +156,9 @@ inline uint32_t unit_of(const GlyphField& field, uint32_t number) noexcept {
          (linked::kArcUnits - linked::kLineUnits) * field.arc_count;
 }
 
-// Fills in the fields that a reference from kFirstNode on stands for, as
-// `name` has their numbers, and their operator. How many they are: none, if it
-// names what does not exist.
+// Fills in the fields that a reference behind those of nodes stands for, as
+// find_narrow_leaf finds them, as `name` has their numbers, and their operator.
+// How many they are: none, if it names what does not exist.
 template <typename Out, typename Name>
 __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     const GlyphField& field,
@@ -190,11 +190,14 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     op = f0 > f1 ? FieldOperator::greatest : FieldOperator::least;
     return f0 == f1 ? 1 : 2;
   }
-  leaf -= field.pair_count;
-  if (__builtin_expect(leaf >= field.triple_count, 0)) {
+  // Triples end where pairs begin. Less than none is left of a leaf that is
+  // one, and not more than there are, as it is behind all pairs.
+  const int32_t triple =
+      wrapped(leaf) - (int32_t{field.pair_count} + field.triple_count);
+  if (__builtin_expect(triple >= 0, 0)) {
     return 0;
   }
-  at -= fields::kTripleUnits * (field.triple_count - leaf);
+  at += static_cast<int32_t>(fields::kTripleUnits) * triple;
   const uint8_t code = at[0];
   const uint32_t f0 = at[1];
   const uint32_t f1 = at[2];
@@ -358,16 +361,19 @@ inline Leaf find_narrow_leaf(const GlyphField& field,
                              uint32_t y) noexcept {
   const uint8_t* const nodes =
       field.references + static_cast<uint32_t>(field.tiles_x) * field.tiles_y;
-  Leaf leaf = {field.references[tile], field.tile_log2};
-  uint32_t node = leaf.reference - format::glyph::kFirstNode;
+  uint32_t reference = field.references[tile];
+  int32_t size_log2 = field.tile_log2;
+  uint32_t node = reference - format::glyph::kFirstNode;
   while (node < field.node_count) {
-    if (__builtin_expect(leaf.size_log2 == 0, 0)) {
+    // Each step spends one bit of the coordinates, so that the loop ends.
+    if (--size_log2 < 0) {
       return {format::glyph::kOutside, 0};
     }
-    leaf.reference = nodes[4 * node + leaf.descend(x, y)];
-    node = leaf.reference - format::glyph::kFirstNode;
+    const uint8_t* const row = nodes + 4 * node + ((y >> size_log2) & 1) * 2;
+    reference = row[(x >> size_log2) & 1];
+    node = reference - format::glyph::kFirstNode;
   }
-  return leaf;
+  return {reference, static_cast<uint32_t>(size_log2)};
 }
 
 // read_narrow_leaf for the linked form.
