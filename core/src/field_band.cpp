@@ -191,15 +191,20 @@ __attribute__((noinline)) uint8_t FieldBand::coverage_of_point(
   const int32_t sign = leaf.sign;
   const auto value = [&](uint32_t i) __attribute__((always_inline)) {
     const ArcTerm term(leaf.field[i], leaf.place, scale_, 0);
-    return with_sign(term.value(bend_shift(), 0), sign);
+    return term.value(bend_shift(), 0);
   };
-  int32_t least = value(0);
-  if (leaf.count == 2) {
-    least = least_of_two(leaf, least, value(1), RowNumber{0});
-  } else if (leaf.count == 3) {
-    least = least_of_three(leaf, least, value(1), value(2), RowNumber{0});
+  // A single one has no sign.
+  int32_t distance = value(0);
+  if (leaf.count != 1) {
+    const int32_t first = with_sign(distance, sign);
+    const int32_t second = with_sign(value(1), sign);
+    distance =
+        with_sign(leaf.count == 2
+                      ? least_of_two(leaf, first, second, RowNumber{0})
+                      : least_of_three(leaf, first, second,
+                                       with_sign(value(2), sign), RowNumber{0}),
+                  sign);
   }
-  const int32_t distance = with_sign(least, sign);
   const uint32_t way = ramp_.way_q22(distance);
   if (way < ramp_.width_q22) {
     return ramp_.at(way);
