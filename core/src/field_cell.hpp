@@ -188,7 +188,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     out[0] = name(f0);
     out[1] = name(f1);
     op = f0 > f1 ? FieldOperator::greatest : FieldOperator::least;
-    return f0 == f1 ? 1 : 2;
+    return __builtin_expect(f0 == f1, 0) ? 1 : 2;
   }
   // Triples end where pairs begin. Less than none is left of a leaf that is
   // one, and not more than there are, as it is behind all pairs.
