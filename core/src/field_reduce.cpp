@@ -64,58 +64,56 @@ inline bool may_wrap(const ArcTerm& term,
 
 }  // namespace
 
-// Of a field that may wrap: so steep that a distance tells of no other one.
-inline LeafBand::Side LeafBand::know_nothing(Slopes& slopes) noexcept {
-  constexpr int32_t kSteepestQ14 = 1 << 24;
-  slopes = {-kSteepestQ14, kSteepestQ14};
-  return Side::edge;
-}
-
 // What a field shows of a leaf's points. If they are on both sides of its edge
-// `slopes` is widened to hold its own.
-__attribute__((noinline)) LeafBand::Side LeafBand::side_of(
+// `slopes` is widened to hold its own. A function for each form: lines take
+// less than half of what arcs do.
+template <LeafBand::Form kForm>
+__attribute__((noinline)) LeafBand::Side LeafBand::side_as(
     const uint8_t* field, const Extent& all, Slopes& slopes) const noexcept {
-  namespace layout = format::fields;
-  const uint8_t* const record = field - arc_bit(field);
+  // Of a field that may wrap: so steep that a distance tells of no other one.
+  const auto know_nothing = [&slopes]() noexcept {
+    constexpr int32_t kSteepestQ14 = 1 << 24;
+    slopes = {-kSteepestQ14, kSteepestQ14};
+    return Side::edge;
+  };
+  const bool is_arc =
+      kForm == Form::any ? arc_bit(field) != 0 : kForm == Form::arc;
+  const uint8_t* const record = field - (is_arc ? 1 : 0);
   const Vector normal_q14 = normal_of(record);
-  const int32_t nx = normal_q14.x;
-  const int32_t ny = normal_q14.y;
-  uint32_t value_q22 =
-      times(nx, all.middle.x_q8) + times(ny, all.middle.y_q8) +
-      times(load_i16(record + layout::kOffset), scale_.size_q8);
-  uint32_t reach_q22 = static_cast<uint32_t>(reach_q22_);
+  const ArcTerm term(record, is_arc, all.middle, scale_);
+  int32_t value = wrapped(term.plane.plane_q22);
+  auto reach_q22 = static_cast<uint32_t>(reach_q22_);
   Vector slope_q14 = normal_q14;
   uint32_t more_q14 = 0;   // by how much the bend changes it, to both sides
   int32_t change_q14 = 0;  // what of this lies along the row
-  if (arc_bit(field) != 0) {
-    const ArcTerm term(field, all.middle, scale_, 0);
-    const uint32_t way_q8 = (times(magnitude(nx), all.half_y_q8) +
-                             times(magnitude(ny), all.half_x_q8)) >>
-                            14;
-    if (may_wrap(term, way_q8, bend_shift())) {
-      return know_nothing(slopes);
+  if (is_arc) {
+    const auto nx = static_cast<uint32_t>(magnitude(normal_q14.x));
+    const auto ny = static_cast<uint32_t>(magnitude(normal_q14.y));
+    const uint32_t way_q8 = (nx * all.half_y_q8 + ny * all.half_x_q8) >> 14;
+    if (__builtin_expect(may_wrap(term, way_q8, bend_shift()), 0)) {
+      return know_nothing();
     }
-    value_q22 = static_cast<uint32_t>(term.value(bend_shift(), 0));
+    value = term.value(bend_shift(), 0);
     slope_q14 = bent(normal_q14, term.slope_q15(bend_shift()));
     more_q14 = times(magnitude(term.bend), way_q8) >> bend_shift();
     reach_q22 += kArcMarginQ22 + ((more_q14 * way_q8) >> 1);
-    change_q14 = (wrapped(times(magnitude(ny), more_q14)) >> 14) + kArcRiseQ14;
+    change_q14 = (wrapped(ny * more_q14) >> 14) + kArcRiseQ14;
   }
   reach_q22 += times(magnitude(slope_q14.x), all.half_x_q8) +
                times(magnitude(slope_q14.y), all.half_y_q8);
-  if (reach_q22 >= kMostReachQ22) {
-    return know_nothing(slopes);
+  if (__builtin_expect(reach_q22 >= kMostReachQ22, 0)) {
+    return know_nothing();
   }
   const int32_t limit = wrapped(reach_q22);
-  const int32_t value = with_sign(wrapped(value_q22), all.sign);
+  value = with_sign(value, all.sign);
   if (value >= limit) {
-    return value <= INT32_MAX - limit ? Side::inside : know_nothing(slopes);
+    return value <= INT32_MAX - limit ? Side::inside : know_nothing();
   }
   if (value <= -limit) {
-    return value >= limit - INT32_MAX ? Side::outside : know_nothing(slopes);
+    return value >= limit - INT32_MAX ? Side::outside : know_nothing();
   }
   int32_t along_q14 = slope_q14.x;
-  if (all.right != nullptr) {
+  if (__builtin_expect(all.right != nullptr, 0)) {
     along_q14 = slope_along_q14(slope_q14, *all.right);
     // No step is longer than 3 px.
     change_q14 = 3 * wrapped(more_q14) + kStepRiseQ14;
@@ -124,6 +122,16 @@ __attribute__((noinline)) LeafBand::Side LeafBand::side_of(
   slopes.least = lesser(slopes.least, along_q14 - change_q14);
   slopes.greatest = greater(slopes.greatest, along_q14 + change_q14);
   return Side::edge;
+}
+
+inline LeafBand::Side LeafBand::side_of(const uint8_t* field,
+                                        const Extent& all,
+                                        Slopes& slopes) const noexcept {
+  if constexpr (!kFastRows) {
+    return side_as<Form::any>(field, all, slopes);
+  }
+  return arc_bit(field) == 0 ? side_as<Form::line>(field, all, slopes)
+                             : side_as<Form::arc>(field, all, slopes);
 }
 
 // Of a leaf whose least field counts.

@@ -67,8 +67,7 @@ class LeafBand : public FieldLeaves {
   // What a field shows of a leaf's points: nothing, all, or what distances say.
   enum class Side : uint8_t { outside, edge, inside };
 
-  // How a field changes from a point to the next one, with the leaf's sign.
-  // [px per px, Q14]
+  // How a field changes from point to point, with the leaf's sign. [Q14]
   struct Slopes {
     int32_t least;
     int32_t greatest;
@@ -80,8 +79,7 @@ class LeafBand : public FieldLeaves {
     uint32_t half_x_q8;  // from there to the outer ones
     uint32_t half_y_q8;
     int32_t sign;
-    // From a point to the next one, less than 2 px along each axis; null: a px
-    // to the right.
+    // Leads to the next point, below 2 px along each axis; null: a px right.
     const GlyphStep* right;
   };
 
@@ -126,7 +124,11 @@ class LeafBand : public FieldLeaves {
   CoverageRamp ramp_;
 
  private:
-  static Side know_nothing(Slopes& slopes) noexcept;
+  enum class Form : uint8_t { line, arc, any };
+  template <Form kForm>
+  Side side_as(const uint8_t* field,
+               const Extent& all,
+               Slopes& slopes) const noexcept;
   Side side_of(const uint8_t* field,
                const Extent& all,
                Slopes& slopes) const noexcept;
@@ -140,8 +142,8 @@ class LeafBand : public FieldLeaves {
   // More than what the roundings of two values of an arc make. [px]
   static constexpr int32_t kMarginQ22 = 1 << 18;
 
-  // From there on distances tell of others. Between them and the ramp they may
-  // be rounded, which leads back to it if it lies beside the edge. [px]
+  // From there on distances tell of others. Nearer ones may be rounded, which
+  // leads back to the ramp if it lies beside the edge. [px]
   int32_t far_outside_q22_ = 0;
   int32_t far_inside_q22_ = 0;
 };
