@@ -73,12 +73,13 @@ class FieldBand : public LeafBand {
   void reduce_box(BoxLeaf& leaf) const noexcept;
 
   uint32_t step_q16_;  // what a px is in u
-  const RowHeight* heights_ = nullptr;
+  // Nothing until the first `go_to`.
+  const RowHeight* heights_;
   // Where the first point lies, from the grid's corner [u] and the origin [px].
-  uint32_t left_q16_ = 0;
-  uint32_t top_q16_ = 0;
-  uint32_t left_q8_ = 0;
-  uint32_t top_q8_ = 0;
+  uint32_t left_q16_;
+  uint32_t top_q16_;
+  uint32_t left_q8_;
+  uint32_t top_q8_;
 };
 
 }  // namespace detail
