@@ -61,18 +61,13 @@ __attribute__((noinline)) FieldLeaves::TwoWords FieldLeaves::gradient(
          TwoWords{static_cast<uint32_t>(gradient.y)} << 32;
 }
 
-// The lesser of the values of two fields, rounded.
+// The lesser of the values of two fields that are near their vertex, rounded.
 __attribute__((noinline)) int32_t FieldLeaves::rounded(
     const FieldLeaf& leaf,
-    int32_t a,
-    int32_t b,
+    int32_t least,
+    int32_t other,
     Pair pair,
     uint32_t number) const noexcept {
-  const int32_t least = lesser(a, b);
-  const int32_t other = greater(a, b);
-  if (!is_near_vertex(least, other)) {
-    return least;
-  }
   const PixelPlace at = leaf.place_of(number);
   const TwoWords g = gradient(leaf.field[pair >> 2], at);
   const TwoWords h = gradient(leaf.field[pair & 3], at);
@@ -84,7 +79,9 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_two(
     int32_t a,
     int32_t b,
     uint32_t number) const noexcept {
-  return limited(rounded(leaf, a, b, pair_of(0, 1), number), leaf.sign);
+  return limited(
+      rounded(leaf, lesser(a, b), greater(a, b), pair_of(0, 1), number),
+      leaf.sign);
 }
 
 __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
@@ -98,8 +95,13 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
   if (leaf.is_nested) {
     // The greater one is the lesser with the signs turned.
     second = b >= c ? 1 : 2;
-    b = with_sign(rounded(leaf, with_sign(b, -1), with_sign(c, -1),
-                          pair_of(1, 2), number),
+    b = with_sign(b, -1);
+    c = with_sign(c, -1);
+    const int32_t least = lesser(b, c);
+    const int32_t other = greater(b, c);
+    b = with_sign(is_near_vertex(least, other)
+                      ? rounded(leaf, least, other, pair_of(1, 2), number)
+                      : least,
                   -1);
   } else if (a > b && a > c) {
     first = 2;  // without the greatest
@@ -108,8 +110,12 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
     second = 2;
     b = c;
   }
-  return limited(rounded(leaf, a, b, pair_of(first, second), number),
-                 leaf.sign);
+  int32_t least = lesser(a, b);
+  const int32_t other = greater(a, b);
+  if (is_near_vertex(least, other)) {
+    least = rounded(leaf, least, other, pair_of(first, second), number);
+  }
+  return limited(least, leaf.sign);
 }
 
 }  // namespace detail

@@ -160,8 +160,8 @@ class FieldLeaves : protected RoundedLimits<kObjectOrder> {
     return a << 2 | b;
   }
   int32_t rounded(const FieldLeaf& leaf,
-                  int32_t a,
-                  int32_t b,
+                  int32_t least,
+                  int32_t other,
                   Pair pair,
                   uint32_t number) const noexcept;
   int32_t rounded_two(const FieldLeaf& leaf,
