@@ -292,7 +292,7 @@ bool FieldBand::cover(int32_t width,
         drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
       }
       next = lesser(next, y + down);
-      if (leaf.count != 0 || leaf.is_inside) {
+      if (__builtin_expect(leaf.count != 0 || leaf.is_inside, 1)) {
         uint8_t* const line = lines + x;
         leaf.place = {left_q8_ + (static_cast<uint32_t>(x) << 8), row_q8};
         if (kFastRows && leaf.count != 0 && right + down == 2) {
