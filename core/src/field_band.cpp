@@ -283,7 +283,7 @@ bool FieldBand::cover(int32_t width,
       BoxLeaf leaf;
       const uint32_t x_q16 = left_q16_ + static_cast<uint32_t>(x) * step_q16_;
       find_leaf(x_q16 >> 16, row_q16 >> 16, leaf);
-      const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
+      const uint32_t mask = (uint32_t{1 << 16} << leaf.size_log2) - 1;
       int32_t right = 1;
       int32_t down = 1;
       if (__builtin_expect(mask >= step_q16_, 1)) {
