@@ -290,8 +290,10 @@ bool FieldBand::cover(int32_t width,
         right = points_upto(~x_q16 & mask, width - x);
         down = rows_in(mask, row_q16, y, height);
         drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
+        next = lesser(next, y + down);
+      } else {
+        next = y + 1;
       }
-      next = lesser(next, y + down);
       if (__builtin_expect(leaf.count != 0 || leaf.is_inside, 1)) {
         uint8_t* const line = lines + x;
         leaf.place = {left_q8_ + (static_cast<uint32_t>(x) << 8), row_q8};
