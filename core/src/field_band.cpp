@@ -289,7 +289,8 @@ bool FieldBand::cover(int32_t width,
       if (__builtin_expect(mask >= step_q16_, 1)) {
         right = points_upto(~x_q16 & mask, width - x);
         down = rows_in(mask, row_q16, y, height);
-        drawn[x] = static_cast<uint8_t>((y + down - 1) << 5 | (right - 1));
+        // Both less one.
+        drawn[x] = static_cast<uint8_t>((y + down) * 32 + right - 33);
         next = lesser(next, y + down);
       } else {
         next = y + 1;
