@@ -240,11 +240,10 @@ Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept {
 
 int32_t rounded_q22(int32_t lesser_q22,
                     int32_t greater_q22,
-                    int32_t cosine_q14) noexcept {
+                    int32_t c_q14) noexcept {
   Cone cone;
-  return find_cone(lesser_q22, greater_q22, cosine_q14, cone)
-             ? -length_q22(cone)
-             : lesser_q22;
+  return find_cone(lesser_q22, greater_q22, c_q14, cone) ? -length_q22(cone)
+                                                         : lesser_q22;
 }
 
 int32_t combine_q22(const FieldTerms& terms,

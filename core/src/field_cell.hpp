@@ -423,7 +423,7 @@ inline int32_t cosine_q14(const Vector& g_q14, const Vector& h_q14) noexcept {
 // from 0. [px, Q22]
 int32_t rounded_q22(int32_t lesser_q22,
                     int32_t greater_q22,
-                    int32_t cosine_q14) noexcept;
+                    int32_t c_q14) noexcept;
 
 // The cell's distance, with vertices rounded where that changes a result
 // between -reach_q22 and reach_q22. [px, Q22]

@@ -10,7 +10,7 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// Whether words at any address are as fast as others.
+// Whether words at any address are as fast as others, as port/pixel has it.
 #if defined(__ARM_FEATURE_UNALIGNED) || defined(__x86_64__)
 constexpr bool kWordsAnywhere = true;
 #else
@@ -44,15 +44,16 @@ void draw_fields(const GlyphField& field,
       int32_t count;
       for (int32_t x = pixels.x0; x < pixels.x1; x += count) {
         FieldBand::Pixels lines;
-        // Where x begins a word coverage does, too, for sinks that copy words.
+        // Coverage of an x that is a multiple of 4 begins a word, so that sinks
+        // of 8 bits can copy words.
         const int32_t first = kWordsAnywhere ? 0 : x & 3;
         count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
-        uint8_t* line = lines.row(0) + first;
+        uint8_t* const line = lines.row(0) + first;
         lines.clear(rows);
         if (band.cover(count, rows, line)) {
           for (int32_t row = 0; row < rows; ++row) {
-            sink.coverage(sink.context, x, y + row, line, count);
-            line += FieldBand::kColumns;
+            sink.coverage(sink.context, x, y + row,
+                          line + row * FieldBand::kColumns, count);
           }
         }
         band.go_right(count);

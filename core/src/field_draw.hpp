@@ -122,6 +122,25 @@ Upright place_upright(const GlyphField& field,
                       const Placed& placed,
                       const Rect& window) noexcept;
 
+// Draws what is upright, fitted or not, without a painter.
+void draw_upright(const GlyphField& field,
+                  const Brush& brush,
+                  const Placed& placed,
+                  const Sink& sink) noexcept;
+
+// draw_field of what is placed, and not yet fitted.
+__attribute__((always_inline)) inline void draw_near(
+    const GlyphField& field,
+    const Brush& brush,
+    const Placed& placed,
+    const Sink& sink) noexcept {
+  if (brush.drawer() != nullptr) {
+    brush.drawer()(field, brush, placed, sink);
+  } else {
+    draw_upright(field, brush, placed, sink);
+  }
+}
+
 // Draws cells of fields.
 void draw_fields(const GlyphField& field,
                  const Brush& brush,

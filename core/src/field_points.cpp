@@ -1,6 +1,6 @@
 // Cells of fields in pixel order. A leaf is kept while points lie in its
 // square; its fields are evaluated at each of them from their records, so that
-// nothing of them is on the stack.
+// only their values are on the stack.
 #include "field_points.hpp"
 
 #include "field_leaves.hpp"

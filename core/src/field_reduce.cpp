@@ -27,10 +27,13 @@ inline int32_t slope_along_q14(const Vector& gradient_q14,
   return wrapped(x_q27 + y_q27) >> 13;
 }
 
-// How many points on a slope, 2^8 at the least, gains 1/64 px, or fewer. [Q15]
+// After how many points a slope, 2^8 at the least, has gained 1/64 px, or
+// fewer. [Q15]
 inline uint16_t skip_q15(uint32_t slope_q14) noexcept {
 #if defined(__ARM_ARCH_6M__)
-  // No division there. 1/m is no less than 2r - m r r for any r; m is 1 to 2.
+  // No division there. 1/m is no less than 2r - m r r for any r; m is 1 to 2,
+  // and r a line close to 1/m. Steeper slopes, which only bends make, skip
+  // nothing.
   int32_t log2 = 0;
   if (slope_q14 >= 1 << 15) {
     return 0;

@@ -52,7 +52,7 @@ class LeafBand : public FieldLeaves {
   // A leaf's points in a band.
   struct BandLeaf : FieldLeaf {
     uint8_t height;  // how many rows
-    // How many points on a distance gains no more than 1/64 px. [Q15]
+    // After how many points a distance has gained 1/64 px, or fewer. [Q15]
     uint16_t skip_q15;
     // All bits, if what follows a point that is saturated on that side is so,
     // too.

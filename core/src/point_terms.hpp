@@ -40,7 +40,8 @@ struct LineAt {
   }
 };
 
-// The same of an arc, or of a line that is treated like one.
+// The same of an arc, or of a line that is treated like one. It takes a sign as
+// LineAt does, but leaves it to value().
 struct ArcAt {
   LineAt plane;
   uint32_t along_q22;  // of the origin; it and `bend` as in FieldTerm

@@ -56,7 +56,7 @@ FieldPosition sample_position(const Brush& brush,
                           origin.y_q10 + offset.up_q10};
   if (!brush.is_upright()) {
     // Not clamped: rows of the largest grids begin 2^15 u and more away, where
-    // positions wrap, but into no grid.
+    // positions wrap, but into no grid as far as painters reach, some 30 px.
     const GlyphWay way(brush, ScreenWay(from, x, y));
     return {wrapped(static_cast<uint32_t>(way.x_q16)),
             wrapped(static_cast<uint32_t>(way.y_q16)), way.x_q20, way.y_q20};

@@ -54,25 +54,6 @@ struct Placed {
   }
 };
 
-// Draws what is upright, fitted or not, without a painter.
-void draw_upright(const GlyphField& field,
-                  const Brush& brush,
-                  const Placed& placed,
-                  const Sink& sink) noexcept;
-
-// draw_field of what is placed, and not yet fitted.
-__attribute__((always_inline)) inline void draw_near(
-    const GlyphField& field,
-    const Brush& brush,
-    const Placed& placed,
-    const Sink& sink) noexcept {
-  if (brush.drawer() != nullptr) {
-    brush.drawer()(field, brush, placed, sink);
-  } else {
-    draw_upright(field, brush, placed, sink);
-  }
-}
-
 // field_box of what is placed.
 Rect box_of(const GlyphField& field,
             const Brush& brush,

@@ -55,8 +55,8 @@ struct LineTerm {
   bool is_steady() const noexcept { return down_q14 == 0; }
 };
 
-// The same of an arc, or of a line that is followed like one. Only its value
-// has the leaf's sign.
+// The same of an arc, or of a line that is followed like one. It takes a sign
+// as LineTerm does, but leaves it to value().
 struct ArcTerm {
   LineTerm plane;
   uint32_t along_q22;  // it and `bend` as in FieldTerm

@@ -24,15 +24,15 @@ inline void put(uint8_t& pixel, uint32_t coverage) noexcept {
 }
 
 // Whether two addresses lie alike in a word, and whether one begins none.
-inline bool is_beside(const uint8_t* a, const uint8_t* b) noexcept {
+inline bool lie_alike(const uint8_t* a, const uint8_t* b) noexcept {
   return ((reinterpret_cast<uintptr_t>(a) ^ reinterpret_cast<uintptr_t>(b)) &
           3) == 0;
 }
-inline bool is_beside_word(const uint8_t* at) noexcept {
+inline bool is_within_word(const uint8_t* at) noexcept {
   return (reinterpret_cast<uintptr_t>(at) & 3) != 0;
 }
 
-// Words where those loads and stores are fast.
+// Words, at addresses that the core may load them from.
 inline uint32_t load(const uint8_t* at) noexcept {
   return detail::kAnyAddress ? detail::load_any_word(at)
                              : detail::load_word(at);
@@ -59,8 +59,8 @@ void coverage(void* context,
   uint8_t* pixel = detail::row_at(strip, run.y) + run.x;
   uint8_t* const end = pixel + run.count;
   // Most pixels are drawn where nothing was.
-  if (detail::kAnyAddress || is_beside(pixel, coverage)) {
-    while (!detail::kAnyAddress && is_beside_word(pixel) && pixel != end) {
+  if (detail::kAnyAddress || lie_alike(pixel, coverage)) {
+    while (!detail::kAnyAddress && is_within_word(pixel) && pixel != end) {
       put(*pixel++, *coverage++);
     }
     while (end - pixel >= 4 && load(pixel) == 0) {

@@ -22,7 +22,7 @@ struct Run {
 
 /// Cuts `run` (screen) to the strip and makes it relative to the strip's first
 /// pixel. Returns whether anything is left. Safe for any values, but what
-/// begins 2^31 px away from the strip may show.
+/// begins 2^31 px and more away from the strip may show.
 inline bool clip(const Strip& strip, Run& run) noexcept {
   // Modulo 2^32.
   const uint32_t x =
