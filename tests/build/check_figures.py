@@ -118,6 +118,8 @@ def measured(bench):
                r"([\d.]+) of libgcc; ([\d.]+) KB with packed .*?\. A glyph "
                r"takes ([\d.]+) KB of stack, a packed one ([\d.]+), a turned "
                r"one ([\d.]+)")]],
+        ("docs/DESIGN.md", r"a line of text into RGB565 takes ([\d]+) bytes",
+         [1000 * least("stack, a line")]),
         ("docs/CHANGELOG.md", r"in pixel order, is ([\d.]+) KB on Cortex-M0",
          [least("all formats")]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M3 at -Os",
