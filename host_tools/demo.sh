@@ -1,5 +1,5 @@
 #!/bin/sh
-# Shows Inkcell on a fresh machine: builds everything, makes a font of each kind,
+# Shows Inkcell on a fresh machine: builds everything, makes a font of each coding,
 # draws with them on this machine and on four emulated boards with displays.
 #
 #   sh host_tools/demo.sh [FONT.ttf]
@@ -39,37 +39,32 @@ tools=$host/host_tools
 fontgen=$host/fonts_gen/inkcell-fontgen
 
 echo "Making fonts of $(basename "$font"), and comparing with the exact distance"
-for kind in samples direct packed; do
-  case $kind in
-    samples) options="--cells samples" ;;
-    *) options="--coding $kind" ;;
-  esac
-  # shellcheck disable=SC2086 # two words
-  "$fontgen" --font "$font" $options --out "$out/$kind.bin" \
-    --report "$out/$kind.json" >>"$out/sizes.txt"
-  "$tools/inkcell-accuracy" --font "$out/$kind.bin" --truth "$font" \
-    --json "$out/${kind}_accuracy.json" --no-check >>"$out/accuracy.txt"
+for coding in samples edges; do
+  "$fontgen" --font "$font" --coding $coding --out "$out/$coding.bin" \
+    --report "$out/$coding.json" >>"$out/sizes.txt"
+  "$tools/inkcell-accuracy" --font "$out/$coding.bin" --truth "$font" \
+    --json "$out/${coding}_accuracy.json" --no-check >>"$out/accuracy.txt"
 done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
-python3 host_tools/size_table.py "$out" samples direct packed |
+python3 host_tools/size_table.py "$out" samples edges |
   tee "$out/table.txt"
 
 echo "Drawing on this machine"
-"$tools/inkcell-specimen" "$out/packed.bin" --sizes "$out/sizes.png" \
+"$tools/inkcell-specimen" "$out/edges.bin" --sizes "$out/sizes.png" \
   --body "$out/body.png" --turned "$out/turned.png" \
   --moved "$out/moved.png" --filters "$out/filters.png" \
   --fitting "$out/fitting.png" --lcd "$out/lcd.png" \
   --levels "$out/levels.png" --maps "$out/maps.png" --motion "$out/motion.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
-for kind in samples direct; do
-  "$tools/inkcell-inspect" "$out/$kind.bin" --cells "$out/cells_$kind.png" \
+for coding in samples edges; do
+  "$tools/inkcell-inspect" "$out/$coding.bin" --cells "$out/cells_$coding.png" \
     >>"$out/sizes.txt"
 done
-"$tools/inkcell-inspect" "$out/packed.bin" --sheet "$out/sheet.png" \
+"$tools/inkcell-inspect" "$out/edges.bin" --sheet "$out/sheet.png" \
   --edges "$out/edges.png" --side 400 \
   >>"$out/sizes.txt"
-"$tools/inkcell-render" --font "$out/packed.bin" --px 24 --zoom 6 --stats \
+"$tools/inkcell-render" --font "$out/edges.bin" --px 24 --zoom 6 --stats \
   --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
 
 # Boards. A face with many contours may not fit the smallest one: it is then left
@@ -95,7 +90,7 @@ done
 
 if [ -f tests/bench/run.sh ]; then
   echo "Counting instructions"
-  if ! sh tests/bench/run.sh --font "$out/direct.bin" --fontgen "$fontgen" \
+  if ! sh tests/bench/run.sh --font "$out/edges.bin" --fontgen "$fontgen" \
     --cpu m0,m3 --px 12,24,48 --what glyphs,code >"$out/bench.jsonl" 2>"$out/bench.txt"; then
     missed="$missed bench"
     tail -n 5 "$out/bench.txt"
@@ -112,10 +107,9 @@ describe() {
   fi
 }
 describe samples.bin "95 characters for 8 to 64 px, nine distances a cell"
-describe direct.bin "the same, up to three fields a cell"
-describe packed.bin "the same fields, packed"
+describe edges.bin "the same, up to three fields a cell"
 describe digits.bin "digits for 48 to 200 px"
-describe table.txt "the three side by side"
+describe table.txt "the two side by side"
 describe sizes.txt "bytes of their parts, cells of each glyph"
 describe accuracy.txt "errors of pixels against the exact distance"
 describe speed.txt "instructions for a frame of each board"
@@ -135,7 +129,7 @@ describe motion.png "motion blur"
 describe edges.png "what grid fitting knows of a glyph"
 describe enlarged.png "pixels of 24 px type"
 describe cells_samples.png "the distance field of a glyph and its cells"
-describe cells_direct.png "the same with fields: green one, blue two, red three"
+describe cells_edges.png "the same with fields: green one, blue two, red three"
 describe sheet.png "all glyphs"
 for picture in "$out"/*_scene_*.png; do
   describe "$(basename "$picture")" "a screen, as the board showed it"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints fonts of one face side by side: bytes, cells, RAM, errors.
+"""Prints fonts of one face side by side: bytes, cells, errors.
 
     size_table.py FOLDER NAME...
 
@@ -19,7 +19,7 @@ def column(folder, name):
     total = next(row for row in judged["rows"] if "px" not in row)
     size, kinds = made["bytes"], made["cells_by_kind"]
     return {
-        "": f"{made['coding']} {made['cells']}",
+        "": made["coding"],
         "font file, bytes": size["total"],
         "of these for cells": size["cells"],
         "bytes a glyph": round(size["cells"] / made["glyphs"]),
@@ -27,8 +27,6 @@ def column(folder, name):
         "with one, two, three fields": ", ".join(
             str(kinds[kind]) for kind in ("single", "pair", "triple")),
         "distinct fields": made["field_count"],
-        "RAM for a glyph, bytes": made["workspace"]["glyph"],
-        "or for a row of tiles": made["workspace"]["row"],
         "worst pixel, 1/255": f"{total['max']:.1f}",
         "mean, 1/255": f"{total['mean']:.2f}",
     }

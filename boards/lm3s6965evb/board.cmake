@@ -7,10 +7,8 @@ set(INKCELL_DISPLAY_WIDTH 128)
 set(INKCELL_DISPLAY_HEIGHT 64)
 set(INKCELL_DISPLAY_FORMATS grey4)
 
-# What the demo shows on it: rows of a strip, sizes, and what its font is made
-# of.
+# What the demo shows on it: rows of a strip, sizes, and its font's coding.
 set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 29)
 set(INKCELL_DEMO_TEXT_PX 11)
-set(INKCELL_DEMO_CELLS fields)
-set(INKCELL_DEMO_CODING direct)
+set(INKCELL_DEMO_CODING edges)

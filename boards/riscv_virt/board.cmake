@@ -12,9 +12,7 @@ set(INKCELL_DISPLAY_FORMATS xrgb8888 rgb565)
 set(INKCELL_DEMO_ROWS 16)
 set(INKCELL_DEMO_CLOCK_PX 90)
 set(INKCELL_DEMO_TEXT_PX 18)
-set(INKCELL_DEMO_CELLS fields)
-set(INKCELL_DEMO_CODING packed)
-set(INKCELL_DEMO_WORKSPACE glyph)
+set(INKCELL_DEMO_CODING edges)
 
 # QEMU's options for a display of each format.
 set(INKCELL_DISPLAY_DEVICE_xrgb8888 "-device bochs-display,romfile=")

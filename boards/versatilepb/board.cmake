@@ -5,10 +5,8 @@ set(INKCELL_DISPLAY_WIDTH 320)
 set(INKCELL_DISPLAY_HEIGHT 240)
 set(INKCELL_DISPLAY_FORMATS rgb565)
 
-# What the demo shows on it: rows of a strip, sizes, and what its font is made
-# of.
+# What the demo shows on it: rows of a strip, sizes, and its font's coding.
 set(INKCELL_DEMO_ROWS 16)
 set(INKCELL_DEMO_CLOCK_PX 90)
 set(INKCELL_DEMO_TEXT_PX 18)
-set(INKCELL_DEMO_CELLS samples)
-set(INKCELL_DEMO_CODING direct)
+set(INKCELL_DEMO_CODING samples)

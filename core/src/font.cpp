@@ -4,7 +4,6 @@
 #include "bytes.hpp"
 #include "crc.hpp"
 #include "inkcell/format.hpp"
-#include "inkcell/packed.hpp"
 #include "inkcell/version.hpp"
 #include "record.hpp"
 
@@ -34,16 +33,12 @@ struct Header {
   uint32_t total_bytes = 0;
 };
 
-bool readable(uint32_t cell_kind, uint32_t coding) noexcept {
-  if (cell_kind == static_cast<uint32_t>(format::CellKind::samples)) {
-    return INKCELL_SAMPLE_CELLS != 0 &&
-           coding == static_cast<uint32_t>(format::Coding::direct);
-  }
-  return INKCELL_FIELD_CELLS != 0 &&
-         cell_kind == static_cast<uint32_t>(format::CellKind::fields) &&
-         (coding == static_cast<uint32_t>(format::Coding::direct) ||
-          (INKCELL_PACKED != 0 &&
-           coding == static_cast<uint32_t>(format::Coding::packed)));
+bool is_readable(uint32_t coding) noexcept {
+  using format::Coding;
+  return (INKCELL_SAMPLE_CELLS != 0 &&
+          coding == static_cast<uint32_t>(Coding::samples)) ||
+         (INKCELL_FIELD_CELLS != 0 &&
+          coding == static_cast<uint32_t>(Coding::edges));
 }
 
 Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
@@ -75,7 +70,7 @@ Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
   if (crc != load_u32(at + header::kHeaderCrc)) {
     return Status::corrupt;
   }
-  if (!readable(at[header::kCellKind], at[header::kCoding])) {
+  if (!is_readable(at[header::kCoding])) {
     return Status::unsupported;
   }
   out = read;
@@ -386,19 +381,6 @@ Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
   return {bytes.data + begin, end - begin};
 }
 
-bool Font::is_packed() const noexcept {
-  return rom_.size != 0 && rom_.data[header::kCoding] ==
-                               static_cast<uint8_t>(format::Coding::packed);
-}
-
-uint32_t Font::workspace_bytes() const noexcept {
-  return rom_.size == 0 ? 0 : load_u32(rom_.data + header::kWorkspace);
-}
-
-uint32_t Font::row_workspace_bytes() const noexcept {
-  return rom_.size == 0 ? 0 : load_u32(rom_.data + header::kRowWorkspace);
-}
-
 Status detail::read_field(const Font& font,
                           uint16_t glyph,
                           GlyphField& field) noexcept {
@@ -407,7 +389,6 @@ Status detail::read_field(const Font& font,
   }
   const Span<const uint8_t> bytes = font.record(glyph);
   if (bytes.size != 0) {
-    // A packed font may hold glyphs that are read in place.
     INKCELL_TRY(read_record(bytes, field));
     field.ink = font.ink_box(glyph);
     field.glyph = glyph;

@@ -9,7 +9,7 @@
 #endif
 
 // 0: one loop for all cells of fields, instead of loops for one, two and three
-// fields, of lines and of arcs; and one for all fields of a packed cell.
+// fields, of lines and of arcs.
 #ifndef INKCELL_FAST_ROWS
 #  define INKCELL_FAST_ROWS 1
 #endif

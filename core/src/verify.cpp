@@ -6,7 +6,6 @@
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/hints.hpp"
-#include "inkcell/packed.hpp"
 
 namespace inkcell {
 namespace {
@@ -199,13 +198,7 @@ Status Font::verify() const noexcept {
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
     const auto id = static_cast<uint16_t>(glyph);
     GlyphField opened;
-    const Status status = field(id, opened);
-    if (status == Status::unsupported && is_packed()) {
-      PackedGlyph packed;
-      INKCELL_TRY(PackedGlyph::open(*this, id, packed));
-      continue;
-    }
-    INKCELL_TRY(status);
+    INKCELL_TRY(field(id, opened));
     if (!detail::field_fits(opened)) {
       return Status::corrupt;
     }

@@ -6,12 +6,10 @@
 #     [SYMBOLS <string>] [TEXT <utf-8 file>...]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
-#     [CELLS fields|samples] [CODING direct|packed] [HINTS on|off]
+#     [CODING edges|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>])
 #
-# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>,
-# and beside it <NAME>_workspace and <NAME>_row_workspace: the bytes of RAM that
-# drawing a packed font takes for all of a glyph, or for a row of its tiles.
+# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 #
 # In a program, libraries and all, a NAME is one font: two of one NAME are one
@@ -109,7 +107,7 @@ endfunction()
 
 function(inkcell_add_font target)
   set(single
-    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING HINTS
+    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
     PREDICATE EFFORT)
   set(several CHARS TEXT AXIS)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
@@ -136,19 +134,13 @@ function(inkcell_add_font target)
     message(FATAL_ERROR "inkcell_add_font: there is no FONT <file>")
   endif()
 
-  _inkcell_check_choice(CELLS "${arg_CELLS}" fields samples)
-  _inkcell_check_choice(CODING "${arg_CODING}" direct packed)
+  _inkcell_check_choice(CODING "${arg_CODING}" edges samples)
   _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
-  if("${arg_CELLS};${arg_CODING}" STREQUAL "samples;packed")
-    message(FATAL_ERROR
-      "inkcell_add_font: CELLS samples are not for CODING packed; leave one "
-      "of them out")
-  endif()
   if("${arg_PREDICATE}" STREQUAL "fixed" AND
-      NOT "${arg_CELLS}" STREQUAL "samples")
+      NOT "${arg_CODING}" STREQUAL "samples")
     message(FATAL_ERROR
-      "inkcell_add_font: PREDICATE fixed is for CELLS samples")
+      "inkcell_add_font: PREDICATE fixed is for CODING samples")
   endif()
 
   cmake_path(ABSOLUTE_PATH arg_FONT NORMALIZE OUTPUT_VARIABLE font)
@@ -162,7 +154,7 @@ function(inkcell_add_font target)
 
   set(options)
   foreach(word
-      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CELLS CODING HINTS PREDICATE EFFORT)
+      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS PREDICATE EFFORT)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")

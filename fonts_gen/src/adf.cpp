@@ -17,7 +17,7 @@ double band_u(const AdfOptions& options) {
   if (options.band_px > 0) {
     return options.band_px * 1024 / options.min_px;
   }
-  return (options.cells == CellKind::fields ? 512 : 768) / options.min_px;
+  return (options.coding == Coding::edges ? 512 : 768) / options.min_px;
 }
 
 AdfGlyph build_adf(const Shape& shape, const AdfOptions& options) {

@@ -17,18 +17,11 @@ enum class Predicate {
   fixed,       // the paper's: error of distance, near the edge only
 };
 
-/// What cells are made of (docs/FORMAT.md).
-enum class CellKind {
-  samples,  // nine distances each
-  fields,   // one to three second-order fields
-};
-
-/// How cells lie in ROM. packed: fields only.
-enum class Coding { direct, packed };
+/// What glyphs are made of (docs/FORMAT.md).
+using format::Coding;
 
 struct AdfOptions {
-  CellKind cells = CellKind::samples;
-  Coding coding = Coding::direct;
+  Coding coding = Coding::samples;
   /// Sizes at which the glyph will be drawn. [px/em]
   double min_px = 8;
   double max_px = 64;
@@ -39,8 +32,8 @@ struct AdfOptions {
   /// shadows and glows. 0: what filters need, see band_u.
   double band_px = 0;
   /// How hard to try to serve a large cell before it is divided, 0..9. Used by
-  /// size_aware. fields: how many are tried. samples, 0: its nine samples or
-  /// nothing; else they are fitted in up to 2 * effort rounds.
+  /// size_aware. edges: how many fields are tried. samples, 0: its nine samples
+  /// or nothing; else they are fitted in up to 2 * effort rounds.
   int effort = 5;
 };
 
@@ -49,7 +42,7 @@ inline constexpr double kMostBand_u = 192;
 
 /// How far from the edge the field must be good, at the smallest size. [u]
 /// Where nothing is asked for, samples: 0.75 px, the widest filter of the
-/// presets. fields: 0.5 px, the `text` filter; beyond, they are good wherever a
+/// presets. edges: 0.5 px, the `text` filter; beyond, they are good wherever a
 /// cell is not saturated.
 double band_u(const AdfOptions& options);
 

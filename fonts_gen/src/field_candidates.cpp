@@ -78,10 +78,10 @@ bool same_code(const FieldCode& a, const FieldCode& b) {
 }  // namespace
 
 CandidateSource::CandidateSource(PointSource& points,
-                                 const PackedCoding& coding,
+                                 const FieldSteps& steps,
                                  const AdfOptions& options)
     : source_(points),
-      coding_(coding),
+      steps_(steps),
       e0_u_(e0_u(options)),
       effort_(static_cast<size_t>(options.effort)) {
   sample_border();
@@ -136,10 +136,10 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
 }
 
 double CandidateSource::bits_of(const FieldCode& code, int size_log2) const {
-  const int angle = has_angle(code.kind) ? angle_bits(coding_, size_log2) : 2;
+  const int angle = has_angle(code.kind) ? steps_.angle_bits(size_log2) : 2;
   const int bend =
-      is_bent(code.kind) ? bend_bits(coding_, code.bend, size_log2) : 0;
-  return d0_bits(coding_, size_log2) + angle + bend;
+      is_bent(code.kind) ? steps_.bend_bits(code.bend, size_log2) : 0;
+  return steps_.d0_bits(size_log2) + angle + bend;
 }
 
 std::vector<Candidate> CandidateSource::find_reused(
@@ -183,8 +183,7 @@ std::vector<Candidate> CandidateSource::find_new(
   const int half = 1 << size_log2 >> 1;
   for (const FieldCode& code : known->second) {
     Candidate c;
-    c.field = expand_field(code, coding_, static_cast<uint32_t>(size_log2),
-                           x_u + half, y_u + half);
+    c.field = field_numbers(code, steps_, size_log2, x_u + half, y_u + half);
     c.code = code;
     c.is_new = true;
     c.bits = bits_of(code, size_log2);
@@ -402,9 +401,10 @@ void CandidateSource::add_codes(const Fit& fit,
     add_code(fit, FieldKind::axis, axis, axis / 4.0, square, out);
     add_code(fit, FieldKind::axis_arc, axis, axis / 4.0, square, out);
   }
-  const int steps = 1 << angle_bits(coding_, square.size_log2);
-  const int angle = static_cast<int>(std::lround(turn * steps)) & (steps - 1);
-  const double nearest = static_cast<double>(angle) / steps;
+  const int turn_steps = 1 << steps_.angle_bits(square.size_log2);
+  const int angle =
+      static_cast<int>(std::lround(turn * turn_steps)) & (turn_steps - 1);
+  const double nearest = static_cast<double>(angle) / turn_steps;
   add_code(fit, FieldKind::line, angle, nearest, square, out);
   add_code(fit, FieldKind::arc, angle, nearest, square, out);
 }
@@ -425,11 +425,11 @@ void CandidateSource::add_code(const Fit& fit,
   code.kind = kind;
   code.angle = static_cast<uint32_t>(angle);
   if (is_bent(kind)) {
-    const double length = std::ldexp(1.0, bend_length_log2(log2));
-    const double step_u = coding_.bend_step / 64.0;
+    const double length = std::ldexp(1.0, FieldSteps::bend_length_log2(log2));
+    const double step_u = steps_.bend_step / 64.0;
     code.bend = std::clamp(
         static_cast<int>(std::lround(0.5 * fixed.k * length * length / step_u)),
-        -most_bend(coding_, log2), most_bend(coding_, log2));
+        -steps_.most_bend(log2), steps_.most_bend(log2));
     if (code.bend == 0) {
       return;
     }
@@ -446,7 +446,7 @@ void CandidateSource::add_code(const Fit& fit,
     }
     fixed.d0 = 0.5 * (low + high);
   }
-  code.d0 = quantised_d0(coding_, fixed.d0, log2);
+  code.d0 = steps_.quantised_d0(fixed.d0, log2);
   for (const FieldCode& other : out) {
     if (same_code(other, code)) {
       return;

@@ -41,7 +41,7 @@ class CandidateSource {
  public:
   /// `points` must outlive it.
   CandidateSource(PointSource& points,
-                  const PackedCoding& coding,
+                  const FieldSteps& steps,
                   const AdfOptions& options);
 
   /// A field that may be used again, and its number.
@@ -116,7 +116,7 @@ class CandidateSource {
                   const std::vector<size_t>& border) const;
 
   PointSource& source_;
-  PackedCoding coding_;
+  FieldSteps steps_;
   double e0_u_;
   size_t effort_;
   std::vector<BorderPoint> border_;

@@ -21,9 +21,7 @@ constexpr float kSaturated_u = 1024;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-// Fields that the packed coding remembers, and that it can write before the
-// rows.
-constexpr size_t kListSize = 16;
+// Fields that are stated for the whole grid, not for a square of it.
 constexpr size_t kMostShared = 15;
 
 // Squares of this size are not divided. [u, log2]
@@ -32,7 +30,7 @@ constexpr int kSmallestLog2 = 0;
 // Finished leaves are tested once more, 16 times to the largest px. [u px]
 constexpr double kFinePx_u = 64;
 
-// What the largest heap of an expansion holds: four references each.
+// What the largest heap of a record holds: four references each.
 constexpr uint32_t kMostSplits =
     format::linked::kMaxUnits / format::linked::kNodeUnits;
 
@@ -82,9 +80,9 @@ std::vector<int> rows_of_fields(const FieldTree& tree) {
 FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
     : grid_(near_grid(shape, options)),
       fine_step_u_(std::max(1, static_cast<int>(kFinePx_u / options.max_px))),
-      coding_(coding_for(options)),
+      steps_(steps_for(options)),
       points_(shape, Metric(options), grid_, limit_of(options)),
-      candidates_(points_, coding_, options),
+      candidates_(points_, steps_, options),
       shared_log2_(shared_log2(grid_)),
       shared_x_u_(grid_.x0_u + (grid_.tiles_x << (grid_.tile_log2 - 1))),
       shared_y_u_(grid_.y0_u + (grid_.tiles_y << (grid_.tile_log2 - 1))) {}
@@ -156,7 +154,7 @@ bool FieldEncoder::find_miss(const FieldTree& tree,
 FieldTree FieldEncoder::encode_rows(bool borrow) {
   FieldTree tree;
   tree.grid = grid_;
-  tree.coding = coding_;
+  tree.steps = steps_;
   tree.shared = shared_;
   fields_.clear();
   sure_splits_ = 0;
@@ -246,18 +244,17 @@ FieldCode FieldEncoder::shared_code(const FieldNumbers& field) const {
     code.kind = FieldKind::axis;
     code.angle = static_cast<uint32_t>(std::lround(turn * 4) & 3);
   } else {
-    const int steps = 1 << angle_bits(coding_, shared_log2_);
+    const int turns = 1 << steps_.angle_bits(shared_log2_);
     code.kind = FieldKind::line;
-    code.angle = static_cast<uint32_t>(std::lround(turn * steps) & (steps - 1));
+    code.angle = static_cast<uint32_t>(std::lround(turn * turns) & (turns - 1));
   }
-  code.d0 = quantised_d0(coding_, model.value(shared_x_u_, shared_y_u_),
-                         shared_log2_);
+  code.d0 =
+      steps_.quantised_d0(model.value(shared_x_u_, shared_y_u_), shared_log2_);
   return code;
 }
 
 FieldNumbers FieldEncoder::shared_field(const FieldCode& code) const {
-  return expand_field(code, coding_, static_cast<uint32_t>(shared_log2_),
-                      shared_x_u_, shared_y_u_);
+  return field_numbers(code, steps_, shared_log2_, shared_x_u_, shared_y_u_);
 }
 
 TreeNode FieldEncoder::node(TreeNode::Kind kind,
@@ -284,7 +281,6 @@ FieldEncoder::Coded FieldEncoder::settle(
     const Candidate& c = *leaf.members[i];
     FieldUse& use = at.uses[i];
     use.is_new = c.is_new;
-    use.rank = c.rank;
     use.code = c.code;
     use.field = c.id;
     if (c.is_new) {
@@ -298,7 +294,7 @@ FieldEncoder::Coded FieldEncoder::settle(
                  recent.end());
     recent.insert(recent.begin(), at.uses[i].field);
   }
-  coded.list.resize(std::min(coded.list.size(), kListSize));
+  coded.list.resize(std::min(coded.list.size(), size_t{kRecentFields}));
   coded.nodes.push_back(at);
   return coded;
 }

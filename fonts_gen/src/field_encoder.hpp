@@ -2,9 +2,9 @@
 //
 // Top down: a square becomes a leaf if some combination of up to three fields,
 // known ones or new ones fitted to the border here, keeps the limit at all of
-// its test points, and if its four quarters together would not be cheaper. Bits
-// are those of the packed coding, and errors cost some too. In the end the
-// numbers of the fields are moved to where all their cells are truest.
+// its test points, and if its four quarters together would not be cheaper.
+// bit_costs.hpp says what choices cost, and errors cost some too. In the end
+// the numbers of the fields are moved to where all their cells are truest.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ class FieldEncoder {
   /// Where the device was found to miss the tolerance: look there too.
   void add_point(const Point& point) { points_.add_extra(point); }
 
-  /// Throws GeometryError::too_complex if no expansion could hold the glyph.
+  /// Throws GeometryError::too_complex if no record could hold the glyph.
   FieldTree encode();
 
   /// Places where `tree` misses the tolerance, found on a finer lattice than
@@ -69,7 +69,7 @@ class FieldEncoder {
 
   Grid grid_;
   int fine_step_u_;
-  PackedCoding coding_;
+  FieldSteps steps_;
   PointSource points_;
   CandidateSource candidates_;
   LeafSearch search_;

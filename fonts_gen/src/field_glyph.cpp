@@ -35,7 +35,7 @@ FieldGlyph build_fields(const Shape& shape,
     if (!misses.empty()) {
       continue;
     }
-    glyph.record = direct_record(glyph.tree);
+    glyph.record = field_record(glyph.tree);
     GlyphField field;
     if (GlyphField::open({glyph.record.data(), glyph.record.size()}, field) !=
         Status::ok) {

@@ -15,8 +15,8 @@ namespace gen {
 
 struct FieldGlyph {
   FieldTree tree;
-  std::vector<uint8_t> record;  // direct coding
-  LoopResult errors;            // of this record as drawn
+  std::vector<uint8_t> record;
+  LoopResult errors;  // of this record as drawn
 };
 
 /// `shape` must not be empty. `loop_options` say what counts as an error.

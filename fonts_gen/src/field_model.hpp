@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "inkcell/packed.hpp"
+#include "field_code.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -188,12 +188,12 @@ void Polish::add_cell(const TreeNode& node) {
 // out.
 Parabola Polish::parabola(const Origin& origin,
                           const FieldNumbers& field) const {
-  const PackedCoding& coding = tree_.coding;
+  const FieldSteps& steps = tree_.steps;
   const int log2 = origin.size_log2;
-  const double d0_step = coding.d0_step / 64.0;
-  const double angle_step = 2 * kPi / (1 << angle_bits(coding, log2));
-  const double bend_step =
-      std::ldexp(coding.bend_step / 64.0, -2 * bend_length_log2(log2));
+  const double d0_step = steps.d0_step / 64.0;
+  const double angle_step = 2 * kPi / (1 << steps.angle_bits(log2));
+  const double bend_step = std::ldexp(steps.bend_step / 64.0,
+                                      -2 * FieldSteps::bend_length_log2(log2));
   const FieldModel model(field);
   Parabola out;
   for (const Origin::Use& use : origin.uses) {
@@ -259,23 +259,22 @@ std::vector<Move> Polish::moves(const Origin& origin,
 bool Polish::apply(const Move& move,
                    const Origin& origin,
                    FieldCode& code) const {
-  const PackedCoding& coding = tree_.coding;
+  const FieldSteps& steps = tree_.steps;
   const int log2 = origin.size_log2;
   const int old_bend = code.bend;
   code.d0 += move.d0;
   code.bend += move.bend;
-  const int angles = 1 << angle_bits(coding, log2);
+  const int angles = 1 << steps.angle_bits(log2);
   code.angle = static_cast<uint32_t>(static_cast<int>(code.angle) + move.angle +
                                      angles) %
                static_cast<uint32_t>(angles);
-  const int most = 1 << (d0_bits(coding, log2) - 1);
+  const int most = 1 << (steps.d0_bits(log2) - 1);
   if (code.d0 < -most || code.d0 >= most) {
     return false;
   }
   return !is_bent(code.kind) ||
-         (code.bend != 0 && std::abs(code.bend) <= most_bend(coding, log2) &&
-          bend_bits(coding, code.bend, log2) <=
-              bend_bits(coding, old_bend, log2));
+         (code.bend != 0 && std::abs(code.bend) <= steps.most_bend(log2) &&
+          steps.bend_bits(code.bend, log2) <= steps.bend_bits(old_bend, log2));
 }
 
 void Polish::improve(const Origin& origin, FieldNumbers& field) {
@@ -284,9 +283,8 @@ void Polish::improve(const Origin& origin, FieldNumbers& field) {
     if (!apply(move, origin, code)) {
       continue;
     }
-    const FieldNumbers moved = expand_field(
-        code, tree_.coding, static_cast<uint32_t>(origin.size_log2), origin.x_u,
-        origin.y_u);
+    const FieldNumbers moved = field_numbers(
+        code, tree_.steps, origin.size_log2, origin.x_u, origin.y_u);
     if (attempt(origin, moved)) {
       *origin.code = code;
       field = moved;

@@ -307,7 +307,7 @@ class LinkedRecord {
 
 }  // namespace
 
-std::vector<uint8_t> direct_record(const FieldTree& tree) {
+std::vector<uint8_t> field_record(const FieldTree& tree) {
   NarrowRecord narrow(tree);
   if (narrow.fits()) {
     return narrow.write();

@@ -1,4 +1,4 @@
-// Typed cells in the direct coding (docs/FORMAT.md, "Glyph record, type 2").
+// Cells of fields as a record (docs/FORMAT.md, "Glyph record, type 2").
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace gen {
 /// else the linked one.
 ///
 /// Throws GeometryError::too_complex if it fits neither.
-std::vector<uint8_t> direct_record(const FieldTree& tree);
+std::vector<uint8_t> field_record(const FieldTree& tree);
 
 }  // namespace gen
 }  // namespace inkcell

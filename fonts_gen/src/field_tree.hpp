@@ -13,11 +13,9 @@
 namespace inkcell {
 namespace gen {
 
-/// One field of a leaf: an earlier one by its place in the list of its tile
-/// row, or a new one.
+/// One field of a leaf: one of an earlier leaf, or a new one.
 struct FieldUse {
   bool is_new = false;
-  int rank = 0;        // reused: place in the list as the leaf finds it
   FieldCode code;      // new
   uint16_t field = 0;  // index in FieldTree::fields
 };
@@ -36,7 +34,7 @@ struct TreeNode {
   std::array<FieldUse, 3> uses;  // field_count(join) of them
 };
 
-/// What stands for the size of the cell in the codes of shared fields.
+/// What stands for the size of the cell in the steps of shared fields.
 inline int shared_log2(const Grid& grid) {
   int log2 = grid.tile_log2;
   while (std::max(grid.tiles_x, grid.tiles_y) > 1 << (log2 - grid.tile_log2)) {
@@ -47,8 +45,9 @@ inline int shared_log2(const Grid& grid) {
 
 struct FieldTree {
   Grid grid;
-  PackedCoding coding;
-  /// Fields that several rows of tiles use; they come first in `fields`.
+  FieldSteps steps;
+  /// Fields that several rows of tiles use, in steps of the whole grid; they
+  /// come first in `fields`.
   std::vector<FieldCode> shared;
   std::vector<FieldNumbers> fields;
   std::vector<TreeNode> nodes;

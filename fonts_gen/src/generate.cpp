@@ -42,22 +42,17 @@ void check_request(const GenerateRequest& request) {
     if (adf.predicate == Predicate::fixed || !(adf.band_px > 0) ||
         band_u(adf) < band_u(usual) || band_u(adf) > kMostBand_u) {
       throw Error(
-          "--band-px is at least 0.5 with cells of fields, 0.75 with samples, "
+          "--band-px is at least 0.5 with --coding edges, 0.75 with samples, "
           "and at most 3/16 em at --min-px; the fixed predicate has its own");
     }
   }
   if (adf.effort < 0 || adf.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }
-  if (adf.cells == CellKind::samples && adf.coding == Coding::packed) {
+  if (adf.coding != Coding::samples && adf.predicate == Predicate::fixed) {
     throw Error(
-        "--coding packed is for cells of fields; use --cells fields "
-        "(inkcell-inspect: --kind fields)");
-  }
-  if (adf.cells == CellKind::fields && adf.predicate == Predicate::fixed) {
-    throw Error(
-        "--predicate fixed is the paper's, for its cells; use --cells samples "
-        "(inkcell-inspect: --kind samples)");
+        "--predicate fixed is the paper's, for its cells; use --coding "
+        "samples");
   }
 }
 
@@ -118,13 +113,13 @@ void build_samples(const Shape& shape,
                    const AdfOptions& options,
                    Built& built) {
   AdfOptions of_samples = options;
-  of_samples.cells = CellKind::samples;
+  of_samples.coding = Coding::samples;
   built.glyph.fields = FieldTree();
   built.glyph.samples = build_adf(shape, of_samples);
   if (options.predicate == Predicate::fixed) {
     return;
   }
-  const std::vector<uint8_t> record = glyph_record(built.glyph, Coding::direct);
+  const std::vector<uint8_t> record = glyph_record(built.glyph);
   GlyphField field;
   if (GlyphField::open({record.data(), record.size()}, field) == Status::ok) {
     built.errors =
@@ -134,7 +129,7 @@ void build_samples(const Shape& shape,
 
 // Cells of fields, or of samples where fields cannot hold the tolerance.
 void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
-  if (options.cells == CellKind::samples) {
+  if (options.coding == Coding::samples) {
     build_samples(shape, options, built);
     return;
   }
@@ -248,7 +243,7 @@ GlyphReport report_glyph(const SourceGlyph& source,
     glyph.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
   }
   glyph.fields = built.fields.fields.size();
-  glyph.bytes = glyph_record(built, options.coding).size();
+  glyph.bytes = glyph_record(built).size();
   if (options.predicate == Predicate::fixed) {
     glyph.worst_error = built.samples.worst_error;
     glyph.mean_error = built.samples.mean_error;
@@ -378,11 +373,6 @@ RomFont generate(const GenerateRequest& request) {
   check_rom_font(rom.bytes, content);
   rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;
-  Font opened;
-  if (Font::open({rom.bytes.data(), rom.bytes.size()}, opened) == Status::ok) {
-    rom.report.row_workspace = opened.row_workspace_bytes();
-    rom.report.workspace = opened.workspace_bytes();
-  }
   warn_of_errors(rom.report, rom.warnings);
   rom.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)

@@ -28,7 +28,7 @@ struct GenerateRequest {
   /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
   /// a whole number within 1..255.
   AdfOptions adf;
-  GenerateRequest() { adf.cells = CellKind::fields; }
+  GenerateRequest() { adf.coding = Coding::edges; }
   /// Whether the font says what grid fitting needs.
   bool hints = true;
   /// Threads; 0: all cores. The bytes do not depend on it.
@@ -76,9 +76,6 @@ struct FontReport {
   size_t nodes = 0;
   CellCounts kinds;
   size_t fields = 0;
-  /// RAM that drawing takes from the caller; 0 if cells are read in place.
-  size_t row_workspace = 0;  // [bytes]
-  size_t workspace = 0;
   /// size_aware: as drawn, of all glyphs together; the mean of a size is that
   /// of the glyphs' means.
   std::vector<SizeError> sizes;

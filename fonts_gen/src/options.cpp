@@ -98,21 +98,16 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
          "Largest error of a pixel at any of these sizes")
       ->type_name("N/255")
       ->default_str("16/255");
-  add_choice<CellKind>(
-      app, "--cells", adf.cells, {"fields", CellKind::fields},
-      {"samples", CellKind::samples},
-      "What cells are made of: 'fields', up to three second-order distance "
-      "functions each; 'samples', the paper's nine distances");
   add_choice<Coding>(
-      app, "--coding", adf.coding, {"direct", Coding::direct},
-      {"packed", Coding::packed},
-      "How cells lie in ROM: 'direct', read in place; 'packed', two fifths of "
-      "that, expanded into RAM to draw");
+      app, "--coding", adf.coding, {"edges", Coding::edges},
+      {"samples", Coding::samples},
+      "What glyphs are made of: 'edges', cells of up to three second-order "
+      "distance functions; 'samples', cells of the paper's nine distances");
   add_choice<Predicate>(
       app, "--predicate", adf.predicate, {"size", Predicate::size_aware},
       {"fixed", Predicate::fixed},
       "What is good enough: 'size', the tolerance over the range of sizes; "
-      "'fixed', 1/1024 em near the edge, for --cells samples");
+      "'fixed', 1/1024 em near the edge, for --coding samples");
   add_choice<bool>(
       app, "--hints", request.hints, {"on", true}, {"off", false},
       "What grid fitting needs: heights of edges, places of stems");

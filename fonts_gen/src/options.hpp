@@ -8,7 +8,7 @@
 namespace inkcell::gen {
 
 /// Adds --face, --axis, --chars, --symbols, --min-px, --max-px, --tolerance,
-/// --cells, --coding, --predicate and --effort, which fill in `request`; it
+/// --coding, --predicate and --effort, which fill in `request`; it
 /// must live until `app` has parsed. The font file, text files and threads are
 /// left to the program: inkcell-render gives --text and --jobs other meanings.
 void add_generator_options(CLI::App& app, GenerateRequest& request);

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <iterator>
@@ -153,18 +152,6 @@ std::string provenance(const RomFont& font) {
   return safe;
 }
 
-// The RAM that drawing takes from the caller.
-struct WorkspaceConstant {
-  const char* suffix;
-  const char* holds;
-  size_t bytes;
-};
-
-std::array<WorkspaceConstant, 2> workspace_constants(const FontReport& report) {
-  return {{{"_workspace", "every glyph", report.workspace},
-           {"_row_workspace", "every row of tiles", report.row_workspace}}};
-}
-
 std::string encode_hpp(const RomFont& font, const std::string& name) {
   std::string out = "// " + provenance(font) +
                     ".\n// Made by inkcell-fontgen: do not edit.\n"
@@ -176,14 +163,7 @@ std::string encode_hpp(const RomFont& font, const std::string& name) {
   out += "namespace fonts {\n\nalignas(4) inline constexpr uint8_t " + name +
          "[" + std::to_string(font.bytes.size()) + "] = {\n";
   append_array(out, font.bytes);
-  out += "};\n\n// Bytes of a workspace, at a multiple of 2, to draw with";
-  out += font.report.workspace == 0 ? ": none is needed.\n" : ".\n";
-  for (const WorkspaceConstant& constant : workspace_constants(font.report)) {
-    out += "inline constexpr uint32_t " + name + constant.suffix + " = " +
-           std::to_string(constant.bytes) + ";  // holds " + constant.holds +
-           "\n";
-  }
-  out += "\n}  // namespace fonts\n";
+  out += "};\n\n}  // namespace fonts\n";
   return out;
 }
 
@@ -196,20 +176,12 @@ std::string encode_c(const RomFont& font, const std::string& name) {
   out += "#include <stdint.h>\n\n";
   out += "extern const uint8_t " + name + "[" + size + "];\n";
   out += "extern const uint32_t " + name + "_size;\n";
-  for (const WorkspaceConstant& constant : workspace_constants(font.report)) {
-    out += "extern const uint32_t " + name + constant.suffix + ";\n";
-  }
-  out += "\n";
   out +=
-      "#if defined(__GNUC__)\n__attribute__((aligned(4)))\n#else\n"
+      "\n#if defined(__GNUC__)\n__attribute__((aligned(4)))\n#else\n"
       "_Alignas(4)\n#endif\n";
   out += "const uint8_t " + name + "[" + size + "] = {\n";
   append_array(out, font.bytes);
   out += "};\n\nconst uint32_t " + name + "_size = " + size + ";\n";
-  for (const WorkspaceConstant& constant : workspace_constants(font.report)) {
-    out += "const uint32_t " + name + constant.suffix + " = " +
-           std::to_string(constant.bytes) + ";\n";
-  }
   return out;
 }
 

@@ -41,9 +41,7 @@ void check_writable(const std::filesystem::path& target);
 enum class OutputFormat { bin, hpp, c };
 
 /// The content of a font file in the given form. `name` is the identifier of
-/// the array in hpp and c; the array of hpp is fonts::<name>. Beside it stand
-/// <name>_workspace and <name>_row_workspace, the bytes that Font states as
-/// workspace_bytes() and row_workspace_bytes(); 0 if the coding is direct.
+/// the array in hpp and c; the array of hpp is fonts::<name>.
 std::string encode(const RomFont& font,
                    OutputFormat format,
                    const std::string& name);

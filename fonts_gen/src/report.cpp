@@ -55,18 +55,14 @@ double rounded(double value) {
   return std::round(value * 1000) / 1000;
 }
 
-const char* cells_name(const AdfOptions& options) {
-  return options.cells == CellKind::fields ? "fields" : "samples";
-}
-
 const char* coding_name(const AdfOptions& options) {
-  return options.coding == Coding::packed ? "packed" : "direct";
+  return options.coding == Coding::edges ? "edges" : "samples";
 }
 
 std::string cells_line(const FontReport& report) {
   std::string text = format("  %-16s%zu, %zu inner nodes; ", "cells",
                             report.cells, report.nodes);
-  if (report.options.cells == CellKind::samples) {
+  if (report.options.coding == Coding::samples) {
     return text +
            format("as a leaf list %zu bytes\n", report.leaf_list_bytes());
   }
@@ -78,10 +74,6 @@ std::string cells_line(const FontReport& report) {
                    "of samples", kinds.samples);
   }
   text += format("  %-16s%zu\n", "fields", report.fields);
-  if (report.options.coding == Coding::packed) {
-    text += format("  %-16s%zu bytes for a glyph, %zu for a row of tiles\n",
-                   "workspace", report.workspace, report.row_workspace);
-  }
   return text;
 }
 
@@ -168,7 +160,6 @@ std::string report_as_json(const FontReport& report) {
   json["glyphs"] = report.glyphs.size();
   json["characters"] = report.characters;
   json["missing"] = report.missing.size();
-  json["cells"] = cells_name(options);
   json["coding"] = coding_name(options);
   json["predicate"] = fixed ? "fixed" : "size";
   json["min_px"] = static_cast<int>(options.min_px);
@@ -191,8 +182,6 @@ std::string report_as_json(const FontReport& report) {
                            {"single", report.kinds.single},
                            {"pair", report.kinds.pairs},
                            {"triple", report.kinds.triples}};
-  json["workspace"] = {{"glyph", report.workspace},
-                       {"row", report.row_workspace}};
   Json per_glyph = Json::object();
   Json glyph_bytes = Json::object();
   Json glyph_error = Json::object();

@@ -7,7 +7,6 @@
 #include "field_record.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/hints.hpp"
-#include "inkcell/packed.hpp"
 #include "rom_font.hpp"
 
 namespace inkcell::gen {
@@ -240,29 +239,14 @@ class CellCheck {
   const GlyphField& field_;
 };
 
-// What the device makes of a packed glyph lies in `memory`.
-Status open_field(const Font& font,
-                  uint16_t glyph,
-                  std::vector<uint8_t>& memory,
-                  GlyphField& out) {
-  if (!font.is_packed()) {
-    return font.field(glyph, out);
-  }
-  PackedGlyph packed;
-  INKCELL_TRY(PackedGlyph::open(font, glyph, packed));
-  memory.assign(font.workspace_bytes(), 0);
-  return expand(packed, 0, packed.tiles_y,
-                Workspace(memory.data(), memory.size()), out);
-}
-
-// Whether `field` is the same as the direct form of `tree`: every square has
-// its leaf, and every leaf says the same at its corners and its centre.
+// Whether `field` says what the record of `tree` does: every square has its
+// leaf, and every leaf says the same at its corners and its centre.
 bool equal_fields(const FieldTree& tree, const GlyphField& field) {
-  const std::vector<uint8_t> bytes = direct_record(tree);
-  GlyphField direct;
-  if (GlyphField::open({bytes.data(), bytes.size()}, direct) != Status::ok ||
-      field.x0_u != direct.x0_u || field.y0_u != direct.y0_u ||
-      field.tiles_x != direct.tiles_x || field.tiles_y != direct.tiles_y) {
+  const std::vector<uint8_t> bytes = field_record(tree);
+  GlyphField expected;
+  if (GlyphField::open({bytes.data(), bytes.size()}, expected) != Status::ok ||
+      field.x0_u != expected.x0_u || field.y0_u != expected.y0_u ||
+      field.tiles_x != expected.tiles_x || field.tiles_y != expected.tiles_y) {
     return false;
   }
   for (const TreeNode& node : tree.nodes) {
@@ -279,7 +263,7 @@ bool equal_fields(const FieldTree& tree, const GlyphField& field) {
       if (cell.x0_u != node.x_u || cell.y0_u != node.y_u ||
           cell.size_log2 != node.size_log2 ||
           distance_at(field, Q16_16::from_int(x), Q16_16::from_int(y)).raw !=
-              distance_at(direct, Q16_16::from_int(x), Q16_16::from_int(y))
+              distance_at(expected, Q16_16::from_int(x), Q16_16::from_int(y))
                   .raw) {
         return false;
       }
@@ -289,16 +273,10 @@ bool equal_fields(const FieldTree& tree, const GlyphField& field) {
 }
 
 void check_cells(const Font& font, const RomContent& content) {
-  std::vector<uint8_t> memory;
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     const RomGlyph& glyph = content.glyphs[i];
     GlyphField field;
-    Status status = Status::ok;
-    if (glyph.fields.grid.tiles_x != 0) {
-      status = open_field(font, static_cast<uint16_t>(i), memory, field);
-    } else {
-      status = font.field(static_cast<uint16_t>(i), field);
-    }
+    const Status status = font.field(static_cast<uint16_t>(i), field);
     const bool equal = glyph.fields.grid.tiles_x != 0
                            ? equal_fields(glyph.fields, field)
                            : CellCheck(glyph.samples, field).equal();

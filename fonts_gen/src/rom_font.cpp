@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "bit_table.hpp"
-#include "field_code.hpp"
 #include "field_record.hpp"
-#include "field_stream.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/version.hpp"
 
@@ -257,24 +255,17 @@ struct OffsetUnits {
   }
 };
 
-// Packed records begin at any byte, all others at even ones.
-unsigned least_unit_log2(const RomContent& content) {
-  static_assert(format::glyphs::kRecordAlignment == 2);
-  for (const RomGlyph& glyph : content.glyphs) {
-    if (glyph.samples.tiles_x != 0) {
-      return 1;
-    }
-  }
-  return content.options.coding == Coding::packed ? 0 : 1;
-}
+// Records of cells begin at even bytes.
+constexpr unsigned kCellsUnitLog2 = 1;
+static_assert(format::glyphs::kRecordAlignment == 1 << kCellsUnitLog2);
 
 // The smallest unit that keeps every offset within its bits, and with it the
 // narrowest table.
 OffsetUnits offset_units(const RomContent& content,
                          const std::vector<Bytes>& glyph_records) {
   namespace glyphs = format::glyphs;
-  for (unsigned unit_log2 = least_unit_log2(content);
-       unit_log2 <= glyphs::kMaxUnitLog2; ++unit_log2) {
+  for (unsigned unit_log2 = kCellsUnitLog2; unit_log2 <= glyphs::kMaxUnitLog2;
+       ++unit_log2) {
     OffsetUnits units = {unit_log2, 0, 0, 0};
     uint64_t records = 0;
     for (const Bytes& record : glyph_records) {
@@ -300,7 +291,7 @@ OffsetUnits offset_units(const RomContent& content,
 Bytes glyphs_section(const RomContent& content) {
   std::vector<Bytes> records;
   for (const RomGlyph& glyph : content.glyphs) {
-    records.push_back(glyph_record(glyph, content.options.coding));
+    records.push_back(glyph_record(glyph));
   }
   const OffsetUnits units = offset_units(content, records);
   Bytes out;
@@ -373,8 +364,6 @@ struct Extent {
   size_t cells = 0;
   size_t nodes = 0;
   size_t depth = 0;
-  size_t row_workspace = 0;  // [bytes] of an expansion
-  size_t workspace = 0;
 };
 
 Extent extent_of(const RomGlyph& glyph) {
@@ -390,13 +379,6 @@ Extent extent_of(const RomGlyph& glyph) {
         std::max(extent.depth,
                  static_cast<size_t>(tree.grid.tile_log2 - node.size_log2));
   }
-  if (tree.grid.tiles_x != 0) {
-    extent.workspace = expanded_bytes(tree, 0, tree.grid.tiles_y);
-    for (int row = 0; row < tree.grid.tiles_y; ++row) {
-      extent.row_workspace =
-          std::max(extent.row_workspace, expanded_bytes(tree, row, 1));
-    }
-  }
   return extent;
 }
 
@@ -407,12 +389,7 @@ void set_range(Bytes& out, const RomContent& content) {
   set_u16(out, header::kMaxPx, static_cast<unsigned>(options.max_px));
   out[header::kTolerance] =
       fixed ? uint8_t{0} : static_cast<uint8_t>(options.tolerance);
-  const bool fields = options.cells == CellKind::fields;
-  out[header::kCellKind] = static_cast<uint8_t>(
-      fields ? format::CellKind::fields : format::CellKind::samples);
-  const bool packed = options.coding == Coding::packed;
-  out[header::kCoding] = static_cast<uint8_t>(packed ? format::Coding::packed
-                                                     : format::Coding::direct);
+  out[header::kCoding] = static_cast<uint8_t>(options.coding);
   out[header::kPredicate] = static_cast<uint8_t>(
       fixed ? format::Predicate::fixed : format::Predicate::size_aware);
   set_u16(out, header::kBand,
@@ -423,19 +400,10 @@ void set_range(Bytes& out, const RomContent& content) {
     most.cells = std::max(most.cells, extent.cells);
     most.nodes = std::max(most.nodes, extent.nodes);
     most.depth = std::max(most.depth, extent.depth);
-    most.row_workspace = std::max(most.row_workspace, extent.row_workspace);
-    most.workspace = std::max(most.workspace, extent.workspace);
   }
   set_u16(out, header::kMaxCells, static_cast<unsigned>(most.cells));
   set_u16(out, header::kMaxNodes, static_cast<unsigned>(most.nodes));
   out[header::kMaxDepth] = static_cast<uint8_t>(most.depth);
-  if (packed) {
-    set_u32(out, header::kRowWorkspace,
-            static_cast<uint32_t>(most.row_workspace));
-    set_u32(out, header::kWorkspace, static_cast<uint32_t>(most.workspace));
-    const std::array<uint8_t, 8> bytes = coding_bytes(coding_for(options));
-    std::copy(bytes.begin(), bytes.end(), out.begin() + header::kQuantisation);
-  }
 }
 
 // The last thing that is written: the header's checksum covers the others.
@@ -477,15 +445,14 @@ std::vector<Section> make_sections(const RomContent& content) {
 
 }  // namespace
 
-std::vector<uint8_t> glyph_record(const RomGlyph& glyph, Coding coding) {
+std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   if (glyph.samples.tiles_x != 0) {
     return samples_record(glyph.samples);
   }
   if (glyph.fields.grid.tiles_x == 0) {
     return {};
   }
-  return coding == Coding::packed ? packed_record(glyph.fields, nullptr)
-                                  : direct_record(glyph.fields);
+  return field_record(glyph.fields);
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,

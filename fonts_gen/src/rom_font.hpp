@@ -68,6 +68,6 @@ void check_rom_font(const std::vector<uint8_t>& bytes,
 /// The record of a glyph, without padding. Empty for a glyph without ink.
 ///
 /// Throws GeometryError::too_complex if it does not fit the format.
-std::vector<uint8_t> glyph_record(const RomGlyph& glyph, Coding coding);
+std::vector<uint8_t> glyph_record(const RomGlyph& glyph);
 
 }  // namespace inkcell::gen

@@ -156,9 +156,7 @@ void write_json(const Arguments& arguments,
   std::ofstream out(arguments.json);
   const nlohmann::json whole = {{"font", arguments.font},
                                 {"font_bytes", font.rom().size},
-                                {"cells", cells_name(font)},
                                 {"coding", coding_name(font)},
-                                {"workspace", font.workspace_bytes()},
                                 {"truth", arguments.truth},
                                 {"characters", table.characters.size()},
                                 {"phases", arguments.phases},
@@ -237,10 +235,9 @@ int run(const Arguments& arguments) {
   const TrueFont truth(arguments.truth, arguments.face, arguments.axes);
   const ErrorTable table = compare_all(font, truth, arguments);
   print_table(table);
-  std::printf("%zu characters, %d phases; the font has %zu bytes, %s %s\n",
+  std::printf("%zu characters, %d phases; the font has %zu bytes, coding %s\n",
               table.characters.size(), arguments.phases, font.rom().size,
-              std::string(coding_name(font)).c_str(),
-              std::string(cells_name(font)).c_str());
+              std::string(coding_name(font)).c_str());
   if (!arguments.json.empty()) {
     write_json(arguments, font, table);
   }

@@ -7,7 +7,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "glyph_cells.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/lcd.hpp"
 
@@ -104,7 +103,6 @@ struct Scene {
   const std::vector<Line>& lines;
   const std::vector<Point>& origins;  // of the lines
   const Brush& brush;
-  Workspace workspace;
   Image& image;
   DrawStats* stats;
 };
@@ -131,7 +129,7 @@ void draw_all(const Scene& scene, const Sink& sink) {
   for (size_t i = 0; i < scene.lines.size(); ++i) {
     const std::vector<PositionedGlyph>& glyphs = scene.lines[i].glyphs;
     draw(scene.font, {glyphs.data(), glyphs.size()}, scene.brush,
-         scene.origins[i], sink, scene.workspace);
+         scene.origins[i], sink);
   }
 }
 
@@ -272,8 +270,7 @@ void draw_lines(const Font& font,
     throw std::runtime_error("pictures are at most 32767 px wide and high");
   }
   const std::vector<Point> origins = origins_of(lines, font, brush, origin);
-  FontWorkspace workspace(font);
-  Scene scene{font, lines, origins, brush, workspace, image, stats};
+  Scene scene{font, lines, origins, brush, image, stats};
   const int32_t stride = image.width * image.channels;
   std::vector<uint8_t> buffer(static_cast<size_t>(stride) *
                               static_cast<size_t>(rows));

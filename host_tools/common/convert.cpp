@@ -72,12 +72,8 @@ void add_conversion_options(CLI::App& app, gen::GenerateRequest& request) {
   gen::add_generator_options(app, request);
   const std::vector<CLI::Option*> options = app.get_options();
   for (size_t i = before; i < options.size(); ++i) {
-    group_with_conversion(*options[i]);
+    options[i]->group(kConversion);
   }
-}
-
-void group_with_conversion(CLI::Option& option) {
-  option.group(kConversion);
 }
 
 Conversion conversion_of(const CLI::App& app,

@@ -22,9 +22,6 @@ struct Conversion {
 /// Adds the options of inkcell-fontgen, listed apart in the help.
 void add_conversion_options(CLI::App& app, gen::GenerateRequest& request);
 
-/// Puts an option where add_conversion_options() put the others.
-void group_with_conversion(CLI::Option& option);
-
 /// `request`, after the arguments were parsed. A largest size that the person
 /// gave stays as it is.
 Conversion conversion_of(const CLI::App& app,

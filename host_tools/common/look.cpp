@@ -69,7 +69,7 @@ void add_words(CLI::App& app,
 
 // Whether glyphs have ink, but none of them cells of samples.
 bool lacks_samples(const Font& font) {
-  bool has_ink = font.is_packed();
+  bool has_ink = false;
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     GlyphField field;
     if (font.field(static_cast<uint16_t>(glyph), field) == Status::ok &&
@@ -173,7 +173,7 @@ Look::Look(const LookOptions& options,
   if (brush_.painter() == paint_splats && lacks_samples(font)) {
     throw std::runtime_error(
         "--samples splats draws cells of samples, and this font has none: make "
-        "it by inkcell-fontgen --cells samples");
+        "it by inkcell-fontgen --coding samples");
   }
   set_hint(options, font, use);
 }

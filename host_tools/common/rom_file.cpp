@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "bytes.hpp"
-#include "glyph_cells.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/text.hpp"
 
@@ -27,8 +26,7 @@ std::string remedy(Status status) {
       return "an offset, a length or the header's checksum does not fit; "
              "regenerate it";
     case Status::unsupported:
-      return "it holds cells, a coding or a section that this version cannot "
-             "read";
+      return "it has a coding or a section that this version cannot read";
     default:
       return "it cannot be opened";
   }
@@ -62,15 +60,10 @@ std::string_view status_name(Status status) {
   return "?";
 }
 
-std::string_view cells_name(const Font& font) {
-  return font.rom().data[format::header::kCellKind] ==
-                 static_cast<uint8_t>(format::CellKind::fields)
-             ? "fields"
-             : "samples";
-}
-
 std::string_view coding_name(const Font& font) {
-  return font.is_packed() ? "packed" : "direct";
+  const auto coding =
+      static_cast<format::Coding>(font.rom().data[format::header::kCoding]);
+  return coding == format::Coding::edges ? "edges" : "samples";
 }
 
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
@@ -104,8 +97,7 @@ bool is_rom_font(const std::vector<uint8_t>& bytes) {
 }
 
 void require_sound(const RomFile& rom, const std::filesystem::path& file) {
-  FontWorkspace workspace(rom.font());
-  if (rom.font().verify(workspace) != Status::ok) {
+  if (rom.font().verify() != Status::ok) {
     throw std::runtime_error(
         file.string() +
         ": it is damaged; regenerate it (inkcell-inspect looks into it)");

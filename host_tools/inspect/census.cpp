@@ -39,10 +39,10 @@ std::vector<RecordPart> heap_parts(const GlyphCensus& glyph,
       units.begin(), units.end(),
       [](uint16_t unit) { return (unit & linked::kArcField) != 0; }));
   const size_t lines = units.size() - arcs;
-  const size_t references = 2 * references_of(glyph.field(), glyph.nodes);
+  const size_t references = 2 * references_of(glyph.field, glyph.nodes);
   const size_t arc_bytes = 2 * linked::kArcUnits * arcs;
   const size_t line_bytes = 2 * linked::kLineUnits * lines;
-  const size_t heap = size_t{2} * glyph.field().heap_units;
+  const size_t heap = size_t{2} * glyph.field.heap_units;
   const size_t known = references + arc_bytes + line_bytes;
   return {{"references", references},
           {"arcs", arc_bytes},
@@ -50,23 +50,10 @@ std::vector<RecordPart> heap_parts(const GlyphCensus& glyph,
           {"pairs and triples", heap > known ? heap - known : 0}};
 }
 
-std::vector<RecordPart> packed_parts(Span<const uint8_t> record,
-                                     const GlyphField& field) {
-  namespace packed = format::packed;
-  if (record.size <= packed::kRowLengths || field.tiles_y == 0) {
-    return {};
-  }
-  const bool wide = (record.data[packed::kType] & packed::kWideRows) != 0;
-  const size_t streams = packed::streams_at(field.tiles_y, wide);
-  return {{"grid", packed::kRowLengths},
-          {"row lengths", streams - packed::kRowLengths},
-          {"streams", record.size - streams}};
-}
-
-std::vector<RecordPart> direct_parts(const GlyphCensus& glyph,
-                                     const FieldUnits& units) {
+std::vector<RecordPart> parts_of(const GlyphCensus& glyph,
+                                 const FieldUnits& units) {
   namespace fields = format::fields;
-  const GlyphField& field = glyph.field();
+  const GlyphField& field = glyph.field;
   const size_t references = references_of(field, field.node_count);
   switch (field.kind) {
     case GlyphField::Kind::samples:
@@ -89,12 +76,14 @@ std::vector<RecordPart> direct_parts(const GlyphCensus& glyph,
 }
 
 GlyphCensus take_glyph(const Font& font, uint16_t id) {
-  GlyphCensus census(font, id);
+  GlyphCensus census;
+  census.glyph = id;
   // What a broken font lacks stays empty.
+  static_cast<void>(font.field(id, census.field));
   static_cast<void>(font.glyph_metrics(id, census.metrics));
   const Span<const uint8_t> record = font.record(id);
   census.bytes = record.size;
-  const GlyphField& field = census.field();
+  const GlyphField& field = census.field;
   FieldUnits units;
   int leaves = 0;
   for_each_cell(field, [&](const Cell& cell) {
@@ -111,11 +100,8 @@ GlyphCensus take_glyph(const Font& font, uint16_t id) {
   // Every node puts four squares in the place of one.
   census.nodes = (leaves - field.tiles_x * field.tiles_y) / 3;
   census.fields = static_cast<int>(units.size());
-  if (font.is_packed()) {
-    census.parts = packed_parts(record, field);
-    census.expanded = heap_parts(census, units);
-  } else if (record.size > 0) {
-    census.parts = direct_parts(census, units);
+  if (record.size > 0) {
+    census.parts = parts_of(census, units);
   }
   return census;
 }
@@ -262,12 +248,8 @@ FontCensus take_census(const Font& font) {
   census.bytes = font.rom().size;
   census.format_major = rom[format::header::kFormatMajor];
   census.format_minor = rom[format::header::kFormatMinor];
-  census.cells_name = cells_name(font);
   census.coding_name = coding_name(font);
-  census.workspace = font.workspace_bytes();
-  census.row_workspace = font.row_workspace_bytes();
-  FontWorkspace workspace(font);
-  census.verified = font.verify(workspace);
+  census.verified = font.verify();
   census.metrics = font.metrics();
   census.range = font.range();
   census.fixed_predicate = rom[format::header::kPredicate] ==

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "glyph_cells.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/hints.hpp"
 
@@ -47,15 +46,12 @@ struct EdgeCensus {
 
 /// One glyph.
 struct GlyphCensus {
-  GlyphCensus(const Font& font, uint16_t id) : glyph(id), cells_of(font, id) {}
-
   uint16_t glyph = 0;
-  GlyphCells cells_of;
+  GlyphField field;  // empty if the glyph cannot be read
   std::vector<char32_t> code_points;
   GlyphMetrics metrics;  // [font units]
   size_t bytes = 0;      // of the record
   std::vector<RecordPart> parts;
-  std::vector<RecordPart> expanded;  // of what a packed record becomes
   CellCensus cells;
   int nodes = 0;
   int fields = 0;   // that cells refer to
@@ -66,8 +62,6 @@ struct GlyphCensus {
   std::array<int, 12> by_size_log2{};
   std::vector<EdgeCensus> edges;  // from low to high
   std::vector<int> stems_u;       // their middles, from left to right
-
-  const GlyphField& field() const { return cells_of.field(); }
 
   /// UTF-8 of its first character, ".notdef" or the id, such as "#17".
   std::string name() const;
@@ -88,10 +82,7 @@ struct FontCensus {
   int format_major = 0;
   int format_minor = 0;
   Status verified = Status::ok;
-  std::string cells_name;
   std::string coding_name;
-  size_t workspace = 0;  // [bytes]
-  size_t row_workspace = 0;
   FontMetrics metrics;
   FontRange range;
   bool fixed_predicate = false;

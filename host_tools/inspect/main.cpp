@@ -27,17 +27,6 @@ struct Arguments {
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   add_conversion_options(app, arguments.request);
-  app.remove_option(app.get_option("--cells"));  // a picture here
-  group_with_conversion(
-      *app.add_option("--kind", arguments.request.adf.cells,
-                      "What --cells is to inkcell-fontgen")
-           ->transform(
-               CLI::CheckedTransformer(std::map<std::string, gen::CellKind>{
-                                           {"fields", gen::CellKind::fields},
-                                           {"samples", gen::CellKind::samples}})
-                   .description(""))
-           ->type_name("fields|samples")
-           ->default_str("fields"));
   app.add_option("FILE", arguments.file,
                  "ROM font, or TTF or OTF to convert in memory")
       ->required();
@@ -119,7 +108,7 @@ bool run(const Arguments& arguments, const CLI::App& app) {
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
   const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
   if (!arguments.cells.empty()) {
-    write_image(arguments.cells, draw_cells(shown.field(), arguments.side));
+    write_image(arguments.cells, draw_cells(shown.field, arguments.side));
   }
   if (!arguments.edges.empty()) {
     write_image(arguments.edges, draw_edges(font, shown, arguments.side));

@@ -257,7 +257,7 @@ Image draw_cells(const GlyphField& field, int side) {
 }
 
 Image draw_edges(const FontCensus& font, const GlyphCensus& glyph, int side) {
-  const View view = view_of(glyph.field(), side);
+  const View view = view_of(glyph.field, side);
   Image image = draw_field(view, ZeroLines::hidden);
   for (const int stem : glyph.stems_u) {
     draw_stem(view, stem, image);

@@ -223,7 +223,6 @@ nlohmann::json glyph_json(const GlyphCensus& glyph) {
           {"box", {m.x_min, m.y_min, m.x_max, m.y_max}},
           {"bytes", glyph.bytes},
           {"record_bytes", parts_json(glyph.parts)},
-          {"expanded_bytes", glyph.cells_of.expanded_bytes()},
           {"cells", glyph.cells.all()},
           {"cells_by_kind", kinds_json(glyph.cells)},
           {"fields", glyph.fields},
@@ -235,11 +234,11 @@ nlohmann::json glyph_json(const GlyphCensus& glyph) {
           {"edges", edges_json(glyph)},
           {"stems_u", glyph.stems_u},
           {"grid",
-           {{"x0_u", glyph.field().x0_u},
-            {"y0_u", glyph.field().y0_u},
-            {"tile_u", 1 << glyph.field().tile_log2},
-            {"tiles_x", glyph.field().tiles_x},
-            {"tiles_y", glyph.field().tiles_y}}}};
+           {{"x0_u", glyph.field.x0_u},
+            {"y0_u", glyph.field.y0_u},
+            {"tile_u", 1 << glyph.field.tile_log2},
+            {"tiles_x", glyph.field.tiles_x},
+            {"tiles_y", glyph.field.tiles_y}}}};
 }
 
 nlohmann::json metrics_json(const FontMetrics& m) {
@@ -260,14 +259,7 @@ std::string font_report(const FontCensus& font) {
   append(out, "  format          %d.%d, %zu bytes, verify: %s\n",
          font.format_major, font.format_minor, font.bytes,
          std::string(status_name(font.verified)).c_str());
-  append(out, "  coding          %s cells of %s\n", font.coding_name.c_str(),
-         font.cells_name.c_str());
-  if (font.workspace != 0) {
-    append(out,
-           "  workspace       %zu bytes for a glyph, %zu for a row of "
-           "tiles\n",
-           font.workspace, font.row_workspace);
-  }
+  append(out, "  coding          %s\n", font.coding_name.c_str());
   append(out, "  made for        %u to %u px, tolerance %u/255, predicate %s\n",
          static_cast<unsigned>(font.range.min_px),
          static_cast<unsigned>(font.range.max_px),
@@ -294,7 +286,7 @@ std::string font_report(const FontCensus& font) {
 
 std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
   const GlyphMetrics& m = glyph.metrics;
-  const GlyphField& field = glyph.field();
+  const GlyphField& field = glyph.field;
   std::string out =
       "glyph " + std::to_string(glyph.glyph) + ", " + glyph.name();
   for (const char32_t code_point : glyph.code_points) {
@@ -320,11 +312,6 @@ std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
   append_kinds(out, glyph.cells, glyph.fields);
   append(out, "  record          %zu bytes\n", glyph.bytes);
   append_parts(out, "of these", glyph.parts);
-  if (glyph.cells_of.expanded_bytes() != 0) {
-    append(out, "  expanded        %zu bytes of RAM\n",
-           glyph.cells_of.expanded_bytes());
-    append_parts(out, "of these", glyph.expanded);
-  }
   append_edges(out, font, glyph);
   return out;
 }
@@ -355,9 +342,7 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"kerning_classes", {font.left_classes, font.right_classes}},
       {"section_bytes", sections},
       {"hints", hints_json(font)},
-      {"cell_kind", font.cells_name},
       {"coding", font.coding_name},
-      {"workspace", {{"glyph", font.workspace}, {"row", font.row_workspace}}},
       {"record_bytes", parts_json(font.parts())},
       {"cells", font.cells().all()},
       {"cells_by_kind", kinds_json(font.cells())},

@@ -156,11 +156,9 @@ void print_stats(const DrawStats& stats,
                  const Image& image,
                  const Font& font,
                  double seconds) {
-  std::printf("font             %zu bytes, %u glyphs, %s %s\n", font.rom().size,
-              static_cast<unsigned>(font.glyph_count()),
-              std::string(coding_name(font)).c_str(),
-              std::string(cells_name(font)).c_str());
-  std::printf("workspace        %u bytes\n", font.workspace_bytes());
+  std::printf("font             %zu bytes, %u glyphs, coding %s\n",
+              font.rom().size, static_cast<unsigned>(font.glyph_count()),
+              std::string(coding_name(font)).c_str());
   std::printf("picture          %d x %d px in %lld strips\n", image.width,
               image.height, static_cast<long long>(stats.strips));
   std::printf("glyphs           %zu\n", glyph_count(lines));

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "canvas.hpp"
-#include "glyph_cells.hpp"
 #include "inkcell/text.hpp"
 
 namespace inkcell::tools {
@@ -66,9 +65,8 @@ void write_text(const Font& font,
                 Image& image) {
   const ColourSink target(image, colour);
   const Line line = lay_out(font, text, Kerning::font);
-  FontWorkspace workspace(font);
   draw(font, {line.glyphs.data(), line.glyphs.size()}, brush, make_point(x, y),
-       target.sink(), workspace);
+       target.sink());
 }
 
 Sheet::Sheet(const Font& font, const SheetLayout& layout)

@@ -131,7 +131,7 @@ class DeviceStar {
     options.max_px = kSide;
     gen::RomGlyph glyph;
     glyph.samples = gen::build_adf(shape, options);
-    record_ = gen::glyph_record(glyph, gen::Coding::direct);
+    record_ = gen::glyph_record(glyph);
     if (GlyphField::open({record_.data(), record_.size()}, field_) !=
         Status::ok) {
       throw std::runtime_error("the pattern does not open");

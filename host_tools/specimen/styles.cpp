@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "canvas.hpp"
-#include "glyph_cells.hpp"
 #include "inkcell/crisp.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
@@ -85,13 +84,12 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
   }
   // Half full in the middle of a stroke.
   const Filter shadow = make_filter(spec_of(-1.25, 3.5));
-  FontWorkspace workspace(font);
   draw_text(font, "Sphinx", make_brush(kPx, 0, shadow), make_point(7.5, 28.5),
-            dithered, workspace);
+            dithered);
   const CrispStyle style;
   Brush brush = make_brush(kPx, 0, kFilterText);
   brush.set_painter(paint_crisp, &style, kCrispReach);
-  draw_text(font, "Sphinx", brush, make_point(4, 25), plain, workspace);
+  draw_text(font, "Sphinx", brush, make_point(4, 25), plain);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const int byte = bits[static_cast<size_t>(y * stride + x / 8)];

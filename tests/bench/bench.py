@@ -45,17 +45,14 @@ CPUS = {
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 # What a build may leave out: docs/PORTING.md.
-PARTS = ("field_cells", "sample_cells", "packed", "object_order",
-         "fast_rows")
-# Coding: firmware, its way, what the generator is told.
+PARTS = ("field_cells", "sample_cells", "object_order", "fast_rows")
+# Coding, as the generator names it: firmware, its way.
 CODINGS = {
-    "direct": ("direct", "upright", ["--coding", "direct"]),
-    "packed": ("packed", "packed", ["--coding", "packed"]),
-    "retained": ("packed", "retained", ["--coding", "packed"]),
-    "rows": ("packed", "rows", ["--coding", "packed"]),
-    "samples": ("direct", "upright", ["--coding", "direct", "--cells",
-                                      "samples"]),
+    "edges": ("cells", "upright"),
+    "samples": ("cells", "upright"),
 }
+# Codings as ROM fonts number them.
+ROM_CODINGS = ("samples", "edges")
 LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
@@ -69,10 +66,10 @@ WHAT = {
 }
 # Without these it is smallest; what the document says of that.
 SMALLEST = ["sample_cells", "object_order", "fast_rows"]
-SMALLEST_CODINGS = ["direct", "packed"]
+SMALLEST_CODINGS = ["edges"]
 SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
 # What programs keep of the library: kept.cpp.
-KEPT = ("glyphs", "packed", "text", "turned", "all_formats")
+KEPT = ("glyphs", "text", "turned", "all_formats")
 # Cores that are measured at -Os, too, for the document: the others are alike.
 SMALL_CODE_CPUS = ("m0", "m3", "rv32")
 MODE_SIZES = ["12", "24"]
@@ -148,9 +145,9 @@ def is_rom_font(font):
         return file.read(4) == b"INKC"
 
 
-def is_packed(font):
+def coding_of(font):
     """Of a ROM font: docs/FORMAT.md, `coding`."""
-    return font.read_bytes()[40] == 1
+    return ROM_CODINGS[font.read_bytes()[39]]
 
 
 def say(text):
@@ -199,20 +196,16 @@ class Fonts:
             name = re.sub(r"[^\w.-]", "_", font.stem)
             if is_rom_font(font):
                 shutil.copyfile(font, self.folder / (name + ".bin"))
-                program = "packed" if is_packed(font) else "direct"
-                codings = [coding for coding in arguments.coding
-                           if CODINGS[coding][0] == program and
-                           coding != "samples"]
-                if not codings:
-                    sys.exit(f"bench: {font} is {program}: --coding {program}")
-                for coding in codings:
-                    self.files[font, "inkcell", coding] = name + ".bin"
+                coding = coding_of(font)
+                if coding not in arguments.coding:
+                    sys.exit(f"bench: {font} is of {coding}: "
+                             f"--coding {coding}")
+                self.files[font, "inkcell", coding] = name + ".bin"
                 continue
             if "inkcell" in arguments.engines:
-                for coding in {*arguments.coding, "direct"}:
-                    options = CODINGS[coding][2]
-                    made = f"{name}-{options[-1]}.bin"
-                    wanted[made] = (font, options)
+                for coding in {*arguments.coding, "edges"}:
+                    made = f"{name}-{coding}.bin"
+                    wanted[made] = (font, ["--coding", coding])
                     self.files[font, "inkcell", coding] = made
             if set(arguments.engines) & {"freetype", "stb"}:
                 made = self.folder / (name + ".ttf")
@@ -363,7 +356,7 @@ def check_bounds(results, figures):
               if f["figure"] == "bound"}
     for r in results:
         bound = bounds.get((r["cpu"], r["opt"], r["px"]))
-        if r.get("coding") != "direct" or bound is None:
+        if r.get("coding") != "edges" or bound is None:
             continue
         if r["instructions_max"] > bound * (1.25 * r["px"]) ** 2:
             sys.exit(f"bench: {r['font']}, {r['px']} px: a glyph costs more "
@@ -373,7 +366,7 @@ def check_bounds(results, figures):
 def measure_turned(firmware, sizes, font, about, upright):
     """Text that is turned or leans, over upright text."""
     for way in report.SLANTED:
-        for result, _ in firmware.glyphs("inkcell", "direct", font, way, ASCII,
+        for result, _ in firmware.glyphs("inkcell", "edges", font, way, ASCII,
                                          sizes):
             px, mean = result["px"], result["instructions_mean"]
             straight = upright.get((font.stem, px))
@@ -387,7 +380,7 @@ def measure_modes(firmware, font, about, pictures):
     means = {}
 
     def one(mode):
-        return list(firmware.glyphs("inkcell", "direct", font, mode, ASCII,
+        return list(firmware.glyphs("inkcell", "edges", font, mode, ASCII,
                                     MODE_SIZES))
     for mode, rows in zip(report.MODES,
                           in_parallel(one, [(m,) for m in report.MODES])):
@@ -405,9 +398,9 @@ def measure_modes(firmware, font, about, pictures):
 
 
 def measure_others(firmware, arguments, upright, pictures):
-    """The figures of Inkcell with direct fonts that are not a table."""
+    """The figures of Inkcell with fonts of edges that are not a table."""
     for font in arguments.font:
-        name = firmware.fonts.files.get((font, "inkcell", "direct"))
+        name = firmware.fonts.files.get((font, "inkcell", "edges"))
         if name is None:
             continue
         about = {"cpu": firmware.cpu, "opt": firmware.opt, "font": font.stem}
@@ -419,7 +412,7 @@ def measure_others(firmware, arguments, upright, pictures):
                 (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):
             yield from measure_modes(firmware, font, about, pictures)
         if "digits" in arguments.what:
-            for result, more in firmware.glyphs("inkcell", "direct", font,
+            for result, more in firmware.glyphs("inkcell", "edges", font,
                                                 "upright", DIGITS, ["200"]):
                 mean = result["instructions_mean"]
                 yield {"figure": "digits", **about, "px": 200,
@@ -462,7 +455,7 @@ def measure(firmware, arguments, pictures):
         glyphs = measure_glyphs(firmware, arguments, pictures)
         report.print_table(glyphs)
     upright = {(result["font"], result["px"]): result["instructions_mean"]
-               for result in glyphs if result.get("coding") == "direct"}
+               for result in glyphs if result.get("coding") == "edges"}
     if "inkcell" in arguments.engines:
         more = list(measure_others(firmware, arguments, upright, pictures))
         report.print_others(more)
@@ -475,7 +468,7 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets.add("direct")
+    targets.add("cells")
     targets |= {"bound", "modes", "rgb565", "turned"} & set(arguments.what)
     if "code" in arguments.what:
         targets |= {f"kept_{level}" for level in range(len(KEPT))}

@@ -29,7 +29,7 @@ MODES = {
     "lcd": ("sub-pixels, RGB888", "plain_rgb888"),
     "lcd_vertical": ("sub-pixels on each other, RGB888", "plain_rgb888"),
 }
-# Ways of firmware/inkcell_direct.cpp.
+# Ways of firmware/inkcell_cells.cpp.
 SLANTED = {"turned": "Turned by 15 degrees", "leaning": "Leaning by 1/5, which "
            "takes a matrix"}
 ENGINES = {"freetype": "FreeType", "stb": "stb_truetype"}
@@ -55,10 +55,8 @@ What one glyph costs, beside FreeType and stb_truetype. Written by
   computes with its floating-point unit (FPU). The other engines are compiled as
   hosted C and have the compiler's C library (newlib, picolibc), because they
   are written for one. Cortex-M0 code runs on the board of the Cortex-M3.
-- *direct*, *packed*: one font of fields for 8 to 64 px, tolerance 16/255, with
-  kerning. *packed* expands each glyph once for all of its strips, *rows* anew
-  for each strip and a row of tiles at a time; *retained* has expanded it
-  before. *samples*: cells of nine samples, direct.
+- *edges*, *samples*: the same characters for 8 to 64 px, tolerance 16/255, with
+  kerning, in each coding.
 - FreeType {freetype}, as released: smooth rasterizer, TrueType and sfnt
   modules, no hinting, no bitmaps. stb_truetype {stb}, as it comes. Both read
   the same face with these 95 glyphs, without hinting and kerning. They have a
@@ -213,7 +211,7 @@ def code_table(results, figures):
         if f["figure"] != "code":
             continue
         row = [f"{CORES[f['cpu']]}, -{f['opt']}"]
-        row += [f[name] for name in ("glyphs", "packed", "text", "turned",
+        row += [f[name] for name in ("glyphs", "text", "turned",
                                      "all_formats", "libraries")]
         for engine in ENGINES:
             own, more = next((r["code"], r["libraries"]) for r in results
@@ -222,12 +220,12 @@ def code_table(results, figures):
             row.append(f"{own} + {more}")
         rows.append(row)
     return ("## Code\n\nBytes of `.text` and `.rodata` that programs keep of "
-            "Inkcell: upright glyphs of direct fonts into\n8-bit coverage; "
-            "packed glyphs too; lines of text too; any angle too; every pixel "
-            "format too. What\nthe first needs of libgcc is apart. Of the "
-            "others, and + what they need of libgcc and the C library.\n\n" +
-            table(["core", "glyphs", "packed", "text", "turned",
-                   "all formats", "libgcc", *ENGINES.values()], rows))
+            "Inkcell: upright glyphs of cells into 8-bit\ncoverage; lines of "
+            "text too; any angle too; every pixel format too. What the first "
+            "needs of\nlibgcc is apart. Of the others, and + what they need "
+            "of libgcc and the C library.\n\n" +
+            table(["core", "glyphs", "text", "turned", "all formats",
+                   "libgcc", *ENGINES.values()], rows))
 
 
 def bound_table(figures):
@@ -239,7 +237,7 @@ def bound_table(figures):
         cells = {f["px"]: f"{f['per_pixel']}, {f['stack']}" for f in some
                  if (f["cpu"], f["opt"]) == (cpu, opt)}
         rows.append([f"{CORES[cpu]}, -{opt}"] + [cells[px] for px in sizes])
-    return ("## Bounds\n\nUpright direct fields, trees of depth 8: "
+    return ("## Bounds\n\nUpright glyphs of edges, trees of depth 8: "
             "instructions a pixel of the dearest glyph that bytes can\n"
             "describe, and bytes of stack.\n\n" +
             table([""] + [f"{px} px" for px in sizes], rows))
@@ -264,22 +262,21 @@ def smallest_tables(results, figures):
     text = ("## The smallest build\n\n`INKCELL_SAMPLE_CELLS`, "
             "`INKCELL_OBJECT_ORDER` and `INKCELL_FAST_ROWS` off (PORTING.md), "
             "-Os.\nPictures are the same. Bytes of code, as above; and of "
-            "stack, for the deepest direct glyph, packed\none and turned one, "
+            "stack, for the deepest upright glyph and turned\none, "
             "and for `draw` of a line of text into RGB565:\n\n")
     rows = []
     for f in figures:
         if f["figure"] == "code":
-            stack = [max(r["stack"] for r in results if r["cpu"] == f["cpu"] and
-                         r["coding"] == coding)
-                     for coding in ("direct", "packed")]
+            stack = [max(r["stack"] for r in results
+                         if r["cpu"] == f["cpu"])]
             stack += [max(r["stack"] for r in figures
                           if r["cpu"] == f["cpu"] and r["figure"] == figure)
                       for figure in ("turned", "run")]
             rows.append([CORES[f["cpu"]]] + [f[name] for name in (
-                "glyphs", "packed", "text", "turned", "all_formats",
+                "glyphs", "text", "turned", "all_formats",
                 "libraries")] + stack)
-    text += table(["core", "glyphs", "packed", "text", "turned", "all formats",
-                   "libgcc", "stack, direct", "stack, packed", "stack, turned",
+    text += table(["core", "glyphs", "text", "turned", "all formats",
+                   "libgcc", "stack, upright", "stack, turned",
                    "stack, a line"], rows)
     text += f"{fonts[0]}, thousands of instructions for the mean glyph:\n\n"
     some = [r for r in results if r["font"] == fonts[0]]
@@ -300,7 +297,7 @@ def smallest_tables(results, figures):
 
 def mode_table(figures):
     """What glyphs cost that look otherwise."""
-    text = ("## Modes\n\nDirect fonts: thousands of instructions for the mean "
+    text = ("## Modes\n\nFonts of edges: thousands of instructions for the mean "
             "glyph, and how many times a plain one into\nthe same format; "
             "bytes of stack for the deepest. Another filter (weight, gamma, "
             "shadow, glow) is as\nfast as plain, but for the pixels that it "
@@ -325,7 +322,7 @@ def mode_table(figures):
 
 def other_tables(figures):
     """What is not a glyph by itself."""
-    text = "## More\n\nDirect fonts.\n\n"
+    text = "## More\n\nFonts of edges.\n\n"
     text += ("Slanted text: thousands of instructions a glyph, and how many "
              "times upright text.\n\n")
     for way, name in SLANTED.items():

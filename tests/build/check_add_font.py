@@ -14,16 +14,16 @@ FONT = "FONT font.ttf"
 THERE = "FONT CMakeLists.txt"  # a file that is there
 # Arguments, and what is said to them; to fonts that are good, nothing.
 CASES = [
-    (f"app {FONT} CELLS curves", "CELLS is fields or samples, not curves"),
-    (f"app {FONT} CODING Packed", "CODING is direct or packed, not Packed"),
+    (f"app {FONT} CODING Edges", "CODING is edges or samples, not Edges"),
     (f"app {FONT} PREDICATE tight", "PREDICATE is size or fixed, not tight"),
-    (f"app {FONT} CELLS samples CODING packed", "not for CODING packed"),
-    (f"app {FONT} PREDICATE fixed", "PREDICATE fixed is for CELLS samples"),
+    (f"app {FONT} PREDICATE fixed", "PREDICATE fixed is for CODING samples"),
+    (f"app {FONT} CODING edges PREDICATE fixed",
+     "PREDICATE fixed is for CODING samples"),
     (f"app {FONT} CODING", "not understood: CODING"),
     (f"app {FONT} COLOUR red", "not understood: COLOUR"),
     (f"app OFF {FONT}", "not understood: OFF"),
-    (f"app {FONT} CELLS fields CODING packed", "there is no font file"),
-    (f"app {FONT} CELLS samples PREDICATE fixed", "there is no font file"),
+    (f"app {FONT} CODING edges", "there is no font file"),
+    (f"app {FONT} CODING samples PREDICATE fixed", "there is no font file"),
     (f"nope {THERE}", "there is no target nope; add it before its fonts"),
     ("app NAME ui", "there is no FONT <file>"),
     (f'app {THERE} NAME ""', "the value after NAME is empty"),

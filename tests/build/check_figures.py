@@ -75,58 +75,47 @@ def measured(bench):
     def font(coding):
         return bench.number("Fonts and RAM", coding, "DejaVuSans") / 1000
     glyphs = bench.number("Code", code, "glyphs") / 1000
-    packed = bench.number("Code", code, "packed") / 1000
 
     def least(column):
         return bench.number("The smallest build", "Cortex-M0", column) / 1000
-    most_stack = max(all_sizes for _, all_sizes in bench.stacks("direct"))
-    workspaces = [bench.number("Fonts and RAM", way, "workspace") / 1000
-                  for way in ("packed", "rows")]
+    most_stack = max(all_sizes for _, all_sizes in bench.stacks("edges"))
     return [
         ("README.md", r"([\d.]+) KB of stack, your strip",
          [most_stack / 1000]),
         ("README.md", r"\| code \| ([\d.]+) KB on Cortex-M3 at -Os", [glyphs]),
-        ("README.md", r"([\d.]+) KB more for lines of text, ([\d.]+) KB to "
-         r"expand packed glyphs",
-         [bench.number("Code", code, "text") / 1000 - packed,
-          packed - glyphs]),
-        ("README.md", r"with kerning: ([\d.]+) KB direct, ([\d.]+) KB packed",
-         [font("direct"), font("packed")]),
+        ("README.md", r"([\d.]+) KB more for lines of text",
+         [bench.number("Code", code, "text") / 1000 - glyphs]),
+        ("README.md", r"with kerning: ([\d.]+) KB,", [font("edges")]),
         ("README.md", r"of samples ([\d]+) KB", [font("samples")]),
         ("README.md", r"([\d.]+) thousand instructions a glyph at 12 px on "
-         r"Cortex-M3, ([\d.]+) at 48 px; ([\d.]+) to expand a packed one",
-         [glyph("direct", 12), glyph("direct", 48),
-          glyph("packed", 12) - glyph("retained", 12)]),
+         r"Cortex-M3, ([\d.]+) at 48 px",
+         [glyph("edges", 12), glyph("edges", 48)]),
         ("README.md", r"FreeType takes ([\d.]+) and ([\d.]+), in ([\d.]+) KB",
          [glyph("FreeType", 12), glyph("FreeType", 48),
           bench.number("Stack", "Cortex-M3, -O2", "FreeType") / 1000]),
         ("README.md", r"on Cortex-M0 ([\d.]+) and ([\d.]+), FreeType ([\d.]+) "
          r"and ([\d.]+)",
-         [glyph(engine, px, "Cortex-M0") for engine in ("direct", "FreeType")
+         [glyph(engine, px, "Cortex-M0") for engine in ("edges", "FreeType")
           for px in (12, 48)]),
-        ("README.md", r"\| RAM to draw packed \| up to ([\d.]+) KB for a "
-         r"glyph, ([\d.]+) KB for a row", workspaces),
         *[(document, words,
            [least(column) for column in (
-               "glyphs", "libgcc", "all formats", "stack, direct",
-               "stack, packed", "stack, turned")])
+               "glyphs", "libgcc", "all formats", "stack, upright",
+               "stack, turned")])
           for document, words in [
               ("README.md", r"-Os: ([\d.]+) KB for one pixel format and "
-               r"([\d.]+) of libgcc, ([\d.]+) KB with packed .*?; ([\d.]+) KB "
-               r"of stack for a glyph, ([\d.]+) for a packed and ([\d.]+) for a"),
+               r"([\d.]+) of libgcc, ([\d.]+) KB with text, .*?; ([\d.]+) KB "
+               r"of stack for a glyph, ([\d.]+) for a turned one"),
               ("docs/PORTING.md", r"into one format takes ([\d.]+) KB, and "
-               r"([\d.]+) of libgcc; ([\d.]+) KB with packed .*?\. A glyph "
-               r"takes ([\d.]+) KB of stack, a packed one ([\d.]+), a turned "
-               r"one ([\d.]+)")]],
+               r"([\d.]+) of libgcc; ([\d.]+) KB with lines .*?\. A glyph "
+               r"takes ([\d.]+) KB of stack, a turned one ([\d.]+)")]],
         ("docs/DESIGN.md", r"a line of text into RGB565 takes ([\d]+) bytes",
          [1000 * least("stack, a line")]),
         ("docs/CHANGELOG.md", r"in pixel order, is ([\d.]+) KB on Cortex-M0",
          [least("all formats")]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M3 at -Os",
          [glyphs]),
-        ("docs/CHANGELOG.md", r"([\d.]+) KB packed, ([\d.]+) KB direct, (\d+) "
-         r"KB of samples",
-         [font("packed"), font("direct"), font("samples")]),
+        ("docs/CHANGELOG.md", r"([\d.]+) KB of edges, (\d+) KB of samples",
+         [font("edges"), font("samples")]),
     ]
 
 
@@ -135,9 +124,8 @@ def check_offsets():
     form = (ROOT / "docs/FORMAT.md").read_text()
     source = (ROOT / "core/include/inkcell/format.hpp").read_text()
     problems = []
-    for heading, space, least in [("## Header", "header", 27),
-                                  ("## Section directory", "section", 3),
-                                  ("#### Quantisation", "quantisation", 7)]:
+    for heading, space, least in [("## Header", "header", 31),
+                                  ("## Section directory", "section", 3)]:
         part = form[form.index(f"\n{heading}\n"):]
         rows = re.findall(r"^\| (\d+) \| (\d+) \|[^|]*\| (\w+) \|",
                           part[:part.index("\n#", 1)], re.M)

@@ -13,10 +13,10 @@ import sys
 from toolchains import INCLUDES, ROOT, finish, run
 
 FONTS = [ROOT / "tests/golden/fonts" / f"dejavu_sans{kind}.bin"
-         for kind in ("_samples", "", "_packed")]
+         for kind in ("_samples", "")]
 # What the probe says, line by line.
 LINES = ["record of samples", "record of fields", "font of samples",
-         "font of fields", "packed font"]
+         "font of edges"]
 UNSUPPORTED = "7"
 
 # Option: what is missing without it, and names of functions that only that
@@ -25,14 +25,12 @@ OPTIONS = {
     "INKCELL_SAMPLE_CELLS": ({"record of samples", "font of samples"},
                              ["draw_samples", "samples_distance",
                               "draw_turned_samples", "Block::visit_tile"]),
-    "INKCELL_FIELD_CELLS": ({"record of fields", "font of fields",
-                             "packed font"},
+    "INKCELL_FIELD_CELLS": ({"record of fields", "font of edges"},
                             ["LeafBand::", "FieldLeaves::",
-                             "draw_slanted(", "Expansion::"]),
+                             "draw_slanted("]),
     "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells", "LeafBand::",
                                      "draw_fields", "draw_slanted("]),
     "INKCELL_FAST_ROWS": (set(), ["FieldBand::coverage_of_point"]),
-    "INKCELL_PACKED": ({"packed font"}, ["Expansion::"]),
 }
 
 

@@ -8,7 +8,8 @@ import zlib
 from typing import NamedTuple
 
 from squares import linked_squares, numbered_squares, require
-from packed import Quantisation, packed_squares
+
+HEADER_BYTES = 64
 
 
 class Glyph(NamedTuple):
@@ -19,11 +20,7 @@ class Glyph(NamedTuple):
 class Header(NamedTuple):
     glyph_count: int
     units_per_em: int
-    cell_kind: int
     coding: int
-    row_workspace: int
-    workspace: int
-    quantisation: bytes
 
 
 class BitTable:
@@ -45,19 +42,18 @@ def signed(value, bits=16):
 
 
 def read_header(data):
-    require(1, len(data) >= 76)
-    require(2, data[:6] == b"INKC\x02\x00")
+    require(1, len(data) >= HEADER_BYTES)
+    require(2, data[:6] == b"INKC\x03\x00")
     header_bytes, total_bytes, header_crc, content_crc = struct.unpack_from(
         "<HIII", data, 6)
     section_count = struct.unpack_from("<H", data, 42)[0]
     require(3, section_count <= 32)
-    require(3, header_bytes == 76 + 12 * section_count)
+    require(3, header_bytes == HEADER_BYTES + 12 * section_count)
     require(3, header_bytes <= total_bytes <= len(data))
     require(4, header_crc == zlib.crc32(data[:12] + data[16:header_bytes]))
     glyph_count, units_per_em = struct.unpack_from("<HH", data, 20)
-    header = Header(glyph_count, units_per_em, data[39], data[40],
-                    *struct.unpack_from("<II", data, 60), data[68:76])
-    require(5, (header.cell_kind, header.coding) in ((0, 0), (1, 0), (1, 1)))
+    header = Header(glyph_count, units_per_em, data[39])
+    require(5, header.coding <= 1)
     require(7, glyph_count > 0 and 16 <= units_per_em <= 16384)
     sections = read_directory(data[:total_bytes], section_count)
     require(9, content_crc == zlib.crc32(data[header_bytes:total_bytes]))
@@ -67,7 +63,8 @@ def read_header(data):
 def read_directory(data, section_count):
     sections = {}
     for i in range(section_count):
-        tag, place, size = struct.unpack_from("<4sII", data, 76 + 12 * i)
+        tag, place, size = struct.unpack_from("<4sII", data,
+                                              HEADER_BYTES + 12 * i)
         offset = place & ~1
         require(6, offset % 4 == 0 and offset + size <= len(data))
         known = tag in (b"CMAP", b"METR", b"KERN", b"HINT", b"GLYF", b"NAME")
@@ -173,24 +170,24 @@ class Hints(NamedTuple):
 def read_hints(data, glyph_count):
     if not data:
         return Hints([], [], [])
-    require(16, len(data) >= 10)
+    require(15, len(data) >= 10)
     (level_count, zone_count, start_bits, count_bits, stem_bits, gap_bits,
      base) = struct.unpack_from("<6Bh", data)
-    require(16, 1 <= level_count <= 128 and zone_count <= 15)
-    require(16, start_bits <= 20 and count_bits <= 4)
-    require(16, stem_bits <= 12 and gap_bits <= 12)
+    require(15, 1 <= level_count <= 128 and zone_count <= 15)
+    require(15, start_bits <= 20 and count_bits <= 4)
+    require(15, stem_bits <= 12 and gap_bits <= 12)
     zones_at = 10 + 2 * level_count
     rows_at = zones_at + zone_count
     row_bits = start_bits + count_bits + stem_bits + gap_bits + 1
     lists_at = rows_at + (row_bits * glyph_count + 7) // 8
-    require(16, lists_at <= len(data))
+    require(15, lists_at <= len(data))
     levels = [(signed(level, 12), level >> 12)
               for level in struct.unpack_from(f"<{level_count}H", data, 10)]
     heights = [height for height, _ in levels]
-    require(16, heights == sorted(heights))
-    require(16, all(zone <= zone_count for _, zone in levels))
+    require(15, heights == sorted(heights))
+    require(15, all(zone <= zone_count for _, zone in levels))
     zones = list(data[zones_at:rows_at])
-    require(16, all(zone & 127 < level_count for zone in zones))
+    require(15, all(zone & 127 < level_count for zone in zones))
     table = BitTable(data[rows_at:lists_at])
     lists = data[lists_at:]
     glyphs = []
@@ -200,11 +197,11 @@ def read_hints(data, glyph_count):
             row.append(table.get(at, width))
             at += width
         start, count, stem, gap, third = row
-        require(16, start + count <= len(lists) and count <= 10)
+        require(15, start + count <= len(lists) and count <= 10)
         edges = list(lists[start:start + count])
-        require(16, all(edge & 127 < level_count for edge in edges))
+        require(15, all(edge & 127 < level_count for edge in edges))
         ascent = [heights[edge & 127] for edge in edges]
-        require(16, ascent == sorted(set(ascent)))
+        require(15, ascent == sorted(set(ascent)))
         stems = 0 if stem == 0 else 1 if gap == 0 else 2 + third
         glyphs.append(GlyphHints(edges, base + 4 * stem, 4 * gap, stems))
     return Hints(levels, zones, glyphs)
@@ -223,20 +220,13 @@ def read_records(data, header):
     require(12, ends == sorted(ends))
     records = [data[a:b] for a, b in zip(ends, ends[1:])]
     for record, at in zip(records, ends):
-        require(12, not record or is_packed(record, header) or at % 2 == 0)
+        require(12, not record or at % 2 == 0)
     return records
 
 
-def is_packed(record, header):
-    return header.coding == 1 and record[0] & 0x7f == 3
-
-
-def read_squares(record, header):
+def read_squares(record):
     if not record:
         return []
-    if is_packed(record, header):
-        return packed_squares(record, Quantisation(header.quantisation),
-                              header.workspace, header.row_workspace)
     require(12, len(record) >= 10)
     if record[0] == 2 and record[1] & 0x80:
         return linked_squares(record)
@@ -248,8 +238,6 @@ class Font:
         header, sections = read_header(data)
         require(8, b"METR" in sections and b"GLYF" in sections)
         count = header.glyph_count
-        require(15, header.coding == 0 or
-                header.row_workspace <= header.workspace)
         self.glyph_of = read_cmap(sections.get(b"CMAP", b""), count)
         self.kerning = read_kerning(sections.get(b"KERN", b""), count)
         self.hints = read_hints(sections.get(b"HINT", b""), count)
@@ -258,7 +246,7 @@ class Font:
         metrics = read_metrics(sections[b"METR"], count)
         records = read_records(sections[b"GLYF"], header)
         self.glyphs = [
-            Glyph(row, read_squares(record, header))
+            Glyph(row, read_squares(record))
             for row, record in zip(metrics, records)]
 
 

@@ -1,10 +1,10 @@
 // Lists what the device reads from fonts, for test_decoder.py: metrics,
 // characters, kerning, hints, and the cells of each glyph.
 //
-//   dump_cells FONT [--rows] [--distances]
+//   dump_cells FONT [--distances]
 //
-// --rows expands packed glyphs row by row. --distances adds to every cell that
-// is not saturated the distance in its middle. [u, Q10]
+// --distances adds to every cell that is not saturated the distance in its
+// middle. [u, Q10]
 //
 // Ends with 3 if the font is refused.
 #include <cstdio>
@@ -17,7 +17,6 @@
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/hints.hpp"
-#include "inkcell/packed.hpp"
 
 namespace {
 
@@ -64,29 +63,24 @@ void print_content(const GlyphField& field, const Cell& cell) {
   }
 }
 
-struct Options {
-  bool rows = false;
-  bool distances = false;
-};
-
 // The cells of a square, found by asking for its corner.
 void print_square(const GlyphField& field,
                   int32_t x_u,
                   int32_t y_u,
                   int32_t size_u,
-                  const Options& options) {
+                  bool distances) {
   const Cell cell = locate(field, x_u, y_u);
   if (1 << cell.size_log2 != size_u) {
     const int32_t half = size_u / 2;
-    print_square(field, x_u, y_u, half, options);
-    print_square(field, x_u + half, y_u, half, options);
-    print_square(field, x_u, y_u + half, half, options);
-    print_square(field, x_u + half, y_u + half, half, options);
+    print_square(field, x_u, y_u, half, distances);
+    print_square(field, x_u + half, y_u, half, distances);
+    print_square(field, x_u, y_u + half, half, distances);
+    print_square(field, x_u + half, y_u + half, half, distances);
     return;
   }
   std::printf("%d %d %d ", cell.x0_u, cell.y0_u, size_u);
   print_content(field, cell);
-  if (options.distances && !cell.is_saturated()) {
+  if (distances && !cell.is_saturated()) {
     const Q16_16 x = Q16_16::from_raw(x_u * (1 << 16) + size_u * (1 << 15));
     const Q16_16 y = Q16_16::from_raw(y_u * (1 << 16) + size_u * (1 << 15));
     std::printf(" at %d", distance_at(field, x, y).raw);
@@ -94,36 +88,13 @@ void print_square(const GlyphField& field,
   std::printf("\n");
 }
 
-void print_cells(const GlyphField& field, const Options& options) {
+void print_cells(const GlyphField& field, bool distances) {
   const int32_t size_u = 1 << field.tile_log2;
   for (int32_t y = field.y0_u; y < field.y1_u(); y += size_u) {
     for (int32_t x = field.x0_u; x < field.x1_u(); x += size_u) {
-      print_square(field, x, y, size_u, options);
+      print_square(field, x, y, size_u, distances);
     }
   }
-}
-
-bool print_glyph(const Font& font,
-                 uint16_t id,
-                 Workspace workspace,
-                 const Options& options) {
-  GlyphField field;
-  if (font.field(id, field) == Status::ok) {
-    print_cells(field, options);
-    return true;
-  }
-  PackedGlyph glyph;
-  if (PackedGlyph::open(font, id, glyph) != Status::ok) {
-    return false;
-  }
-  const uint32_t at_once = options.rows ? 1 : glyph.tiles_y;
-  for (uint32_t row = 0; row < glyph.tiles_y; row += at_once) {
-    if (expand(glyph, row, at_once, workspace, field) != Status::ok) {
-      return false;
-    }
-    print_cells(field, options);
-  }
-  return true;
 }
 
 void print_characters(const Font& font) {
@@ -179,14 +150,12 @@ void print_hints(const Font& font) {
   }
 }
 
-int print_font(Span<const uint8_t> bytes, const Options& options) {
+int print_font(Span<const uint8_t> bytes, bool distances) {
   Font font;
   if (Font::open(bytes, font) != Status::ok) {
     return kRefused;
   }
-  std::vector<uint8_t> memory(font.workspace_bytes());
-  const Workspace workspace = {memory.data(), memory.size()};
-  if (font.verify(workspace) != Status::ok) {
+  if (font.verify() != Status::ok) {
     return kRefused;
   }
   const Span<const char> name = font.name();
@@ -204,9 +173,11 @@ int print_font(Span<const uint8_t> bytes, const Options& options) {
     }
     std::printf("glyph %d %d %d %d %d %d\n", id, metrics.advance, metrics.x_min,
                 metrics.y_min, metrics.x_max, metrics.y_max);
-    if (!print_glyph(font, id, workspace, options)) {
+    GlyphField field;
+    if (font.field(id, field) != Status::ok) {
       return 1;
     }
+    print_cells(field, distances);
   }
   return 0;
 }
@@ -214,14 +185,10 @@ int print_font(Span<const uint8_t> bytes, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  for (int i = 2; i < argc; ++i) {
-    options.rows |= std::strcmp(argv[i], "--rows") == 0;
-    options.distances |= std::strcmp(argv[i], "--distances") == 0;
-  }
+  const bool distances = argc > 2 && std::strcmp(argv[2], "--distances") == 0;
   std::ifstream file(argc > 1 ? argv[1] : "", std::ios::binary);
   if (!file) {
-    std::fprintf(stderr, "usage: dump_cells FONT [--rows] [--distances]\n");
+    std::fprintf(stderr, "usage: dump_cells FONT [--distances]\n");
     return 2;
   }
   const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
@@ -229,5 +196,6 @@ int main(int argc, char** argv) {
   std::vector<uint32_t> words(bytes.size() / 4 + 1);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   return print_font(
-      {reinterpret_cast<const uint8_t*>(words.data()), bytes.size()}, options);
+      {reinterpret_cast<const uint8_t*>(words.data()), bytes.size()},
+      distances);
 }

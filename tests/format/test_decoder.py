@@ -15,7 +15,6 @@ import unittest
 import zlib
 
 import decoder
-from packed import CODES, CONTENT, Quantisation
 from squares import Refused, Samples
 
 REFUSED = 3
@@ -60,7 +59,8 @@ def section(data, tag):
     """Where a section lies: offset and size."""
     count = struct.unpack_from("<H", data, 42)[0]
     for i in range(count):
-        name, place, size = struct.unpack_from("<4sII", data, 76 + 12 * i)
+        name, place, size = struct.unpack_from(
+            "<4sII", data, decoder.HEADER_BYTES + 12 * i)
         if name == tag:
             return place & ~1, size
     raise AssertionError(f"no {tag}")
@@ -74,17 +74,13 @@ def font_where(holds):
     raise AssertionError("no such font in the golden set")
 
 
-def is_packed(data):
-    return data[40] == 1
-
-
 def is_linked(data):
-    return data[40] == 0 and any(
-        record[:1] == b"\x02" and record[1] & 0x80 for record in records(data))
+    return any(record[:1] == b"\x02" and record[1] & 0x80
+               for record in records(data))
 
 
 def is_narrow(data):
-    return data[40] == 0 and not is_linked(data) and any(
+    return not is_linked(data) and any(
         record[:1] == b"\x02" for record in records(data))
 
 
@@ -106,7 +102,7 @@ def record_at(data, number):
 
 class Agreement(unittest.TestCase):
     def test_the_set_holds_every_kind_of_record(self):
-        for holds in (is_packed, is_linked, is_narrow, is_samples):
+        for holds in (is_linked, is_narrow, is_samples):
             font_where(holds)
 
     def test_every_cell_of_every_font(self):
@@ -115,36 +111,6 @@ class Agreement(unittest.TestCase):
             lines = own(data)
             self.assertIsNotNone(lines, path.name)
             self.assertEqual(lines, device(data), path.name)
-            self.assertEqual(lines, device(data, "--rows"), path.name)
-
-    def test_packed_fonts_hold_the_cells_of_direct_ones(self):
-        def cells(path):
-            for number, glyph in enumerate(decoder.Font(path.read_bytes())
-                                           .glyphs):
-                for x, y, size, content in glyph.squares:
-                    # The narrow form states the operator of a pair by order.
-                    if not isinstance(content, str) and content.operator < 2:
-                        fields = sorted(map(str, content.fields))
-                        content = (content.operator, fields)
-                    yield number, x, y, size, str(content)
-
-        packed = [path for path in FONTS if is_packed(path.read_bytes())]
-        for path in packed:
-            direct = path.with_name(path.name.replace("_packed", ""))
-            self.assertNotEqual(direct, path)
-            self.assertEqual(list(cells(path)), list(cells(direct)), path.name)
-
-    def test_packed_rows_one_by_one_in_little_ram(self):
-        """Each row of a packed font fits what its header states, and one unit
-        less is too little for the largest."""
-        data = bytearray(font_where(is_packed))
-        for place in (60, 64):
-            stated, = struct.unpack_from("<I", data, place)
-            less = bytearray(data)
-            struct.pack_into("<I", less, place, stated - 2)
-            less = with_checksums(less)
-            self.assertIsNone(own(less), place)
-            self.assertIsNone(device(less), place)
 
     def test_distances(self):
         """The equations in real numbers, in the middle of every cell."""
@@ -170,14 +136,6 @@ class Agreement(unittest.TestCase):
                     allowed = 1 / 128 + abs(truth) / 128 + 1 / 1024
                 self.assertLessEqual(abs(device_u - truth), allowed,
                                      f"{path.name}: {line}, not {truth}")
-
-    def test_the_document_states_complete_codes(self):
-        self.assertEqual([len(codes) for codes in CODES.values()], [7, 6, 2])
-        for codes in CODES.values():
-            for code in codes:
-                self.assertEqual(sum(2.0**-length for length, _ in code), 1)
-                for length, word in code:
-                    self.assertLess(word, 2**length)
 
 
 def without_hints(data):
@@ -206,14 +164,14 @@ class Refusal(unittest.TestCase):
         self.refuse(3, data, 8, "I", len(data) + 1, checksums=False)
         self.refuse(4, data, 24, "h", -1, checksums=False)
         self.refuse(5, data, 39, "B", 2)
-        self.refuse(6, data, 76 + 4, "I", 2)
-        self.refuse(6, data, 76, "4s", b"ABCD")
+        self.refuse(6, data, 64 + 4, "I", 2)
+        self.refuse(6, data, 64, "4s", b"ABCD")
         self.refuse(7, data, 22, "H", 15)
         self.refuse(8, data, 20, "H", 65535)
         self.refuse(9, data, len(data) - 1, "B", data[-1] ^ 1, checksums=False)
         with self.assertRaises(Refused):
-            decoder.Font(data[:75])
-        self.assertIsNone(device(data[:75]))
+            decoder.Font(data[:63])
+        self.assertIsNone(device(data[:63]))
 
     def test_tables(self):
         data = font_where(lambda d: is_narrow(d) and b"KERN" in d)
@@ -257,15 +215,6 @@ class Refusal(unittest.TestCase):
         self.refuse(13, data, heap + 2 * first_node, "H", 1 << 13)
         self.refuse(13, data, heap + 2 * first_node, "H", 1 << 13 | 8189)
 
-    def test_packed_record(self):
-        data = font_where(is_packed)
-        at = record_at(data, 0)
-        self.assertGreater(data[at + 1] >> 4, 1)
-        self.refuse(12, data, at, "B", 2)
-        self.refuse(12, data, at + 1, "B", 0)
-        self.refuse(12, data, at + 3, "H", 0x8000)
-        self.refuse(15, data, at + 5, "B", 255)
-
     def test_samples_record(self):
         data = font_where(is_samples)
         at = record_at(data, 0)
@@ -280,7 +229,7 @@ class Refusal(unittest.TestCase):
         """With bytes changed at random, both refuse or both read the same."""
         random_bytes = random.Random(1)
         read = refused = 0
-        for holds in (is_packed, is_linked, is_narrow, is_samples):
+        for holds in (is_linked, is_narrow, is_samples):
             data = font_where(holds)
             begin = struct.unpack_from("<H", data, 6)[0]
             for _ in range(60):
@@ -320,8 +269,8 @@ def with_hints(data, hints):
     hints += bytes(-len(hints) % 4)
     header = bytearray(data[:header_bytes])
     for i in range(count):
-        place = struct.unpack_from("<I", header, 80 + 12 * i)[0]
-        struct.pack_into("<I", header, 80 + 12 * i, place + 12)
+        place = struct.unpack_from("<I", header, 68 + 12 * i)[0]
+        struct.pack_into("<I", header, 68 + 12 * i, place + 12)
     header += struct.pack("<4sII", b"HINT", total_bytes + 12, len(hints))
     struct.pack_into("<HI", header, 6, header_bytes + 12,
                      total_bytes + 12 + len(hints))
@@ -372,128 +321,6 @@ class WithHints(unittest.TestCase):
             refused += lines is None
         self.assertGreater(read, 40)
         self.assertGreater(refused, 40)
-
-
-class Stream:
-    """Writes the bits of a packed glyph of one tile without shared fields."""
-
-    def __init__(self, quantisation):
-        self.quantisation = quantisation
-        self.bits = "0000" + "0000"  # no shared field, to the end of a byte
-
-    def word(self, name, context, wanted):
-        for (length, word), symbol in CODES[name][context].items():
-            if symbol == wanted:
-                self.bits += f"{word:0{length}b}"
-                return self
-        raise AssertionError(f"no code for {name} {wanted}")
-
-    def node(self, log2, name):
-        return self.word("node", min(8 - log2, 6), CONTENT.index(name))
-
-    def new(self, context, kind, log2, ones=0):
-        """A field whose numbers are 0; kinds are axis, axis_arc, line, arc."""
-        self.word("kind", context, kind + 1)
-        d0_bits, angle_bits, low_bits = self.quantisation.widths(log2)
-        self.bits += "0" * (d0_bits + (angle_bits if kind >= 2 else 2))
-        if kind % 2:
-            self.bits += "1" * ones + "0" + "0" * (low_bits + 1)
-        return self
-
-    def reuse(self, context, rank_context, rank):
-        return self.word("kind", context, 0).word("rank", rank_context, rank)
-
-    def record(self, size):
-        """Padded: zeros behind the end of a stream are what is read there."""
-        count = (len(self.bits) + 7) // 8
-        stream = int(self.bits.ljust(8 * count, "0"), 2).to_bytes(count, "big")
-        return (bytes((3, 0x11, 0, 0, 0)) + stream).ljust(size, b"\0")
-
-
-class PackedStreams(unittest.TestCase):
-    def setUp(self):
-        self.font = font_where(is_packed)
-        self.at = record_at(self.font, 0)
-        self.size = len(next(filter(None, records(self.font))))
-
-    def stream(self):
-        return Stream(Quantisation(self.font[68:76]))
-
-    def squares(self, stream):
-        """What both decoders make of a stream; None: both refuse it."""
-        record = stream.record(self.size)
-        self.assertEqual(len(record), self.size)
-        data = with_checksums(self.font[:self.at] + record +
-                              self.font[self.at + self.size:])
-        lines = own(data)
-        self.assertEqual(lines, device(data))
-        if lines is None:
-            return None
-        begin = next(i for i, line in enumerate(lines)
-                     if line.startswith("glyph 0"))
-        return lines[begin + 1:lines.index(next(
-            line for line in lines if line.startswith("glyph 1")))]
-
-    def test_one_cell(self):
-        self.assertEqual(self.squares(self.stream().node(8, "inside")),
-                         ["0 0 256 inside"])
-        squares = self.squares(self.stream().node(8, "single").new(0, 0, 8))
-        self.assertEqual(len(squares), 1)
-        self.assertRegex(squares[0], r"^0 0 256 single \(16384 0 -\d+\)$")
-
-    def test_what_has_been_used_is_used_again(self):
-        stream = self.stream().node(8, "split")
-        stream.node(7, "single").new(0, 0, 7)
-        stream.node(7, "min_max").reuse(0, 0, 0).new(2, 2, 7).new(5, 1, 7)
-        stream.node(7, "max2").reuse(0, 0, 1).reuse(2, 1, 0)
-        stream.node(7, "outside")
-        squares = self.squares(stream)
-        single, nested, pair, _ = squares
-        field = single.split("single ")[1]
-        self.assertIn("min_max " + field, nested)
-        # The list was f0, f1, f2: the pair is f1, f2.
-        self.assertEqual(pair.split("max ")[1],
-                         nested.split("min_max " + field + " ")[1])
-
-    def test_a_square_of_1_u_is_not_split(self):
-        for depth in 8, 9:
-            stream = self.stream()
-            for log2 in range(8, 8 - depth, -1):
-                stream.node(log2, "split")
-            # Then zeros: what they make ends, or has no field to use again.
-            for log2 in range(8 - depth, 8):
-                for _ in range(4 if log2 == 8 - depth else 3):
-                    stream.node(max(log2, 0), "outside")
-            self.assertEqual(self.squares(stream) is None, depth == 9)
-
-    def test_ranks_are_below_the_length_of_the_list(self):
-        stream = self.stream().node(8, "single").reuse(0, 0, 0)
-        self.assertIsNone(self.squares(stream))
-
-    def test_nested_fields_are_not_the_first(self):
-        for rank in 0, 1:
-            stream = self.stream().node(8, "split")
-            stream.node(7, "min2").new(0, 0, 7).new(3, 2, 7)
-            stream.node(7, "max_min").reuse(0, 0, 0).reuse(2, 0, rank)
-            stream.new(4, 0, 7)
-            stream.node(7, "outside").node(7, "outside")
-            self.assertEqual(self.squares(stream) is None, rank == 0)
-
-    def test_bends_have_at_most_15_ones(self):
-        for ones in 15, 16:
-            stream = self.stream().node(8, "single").new(0, 3, 8, ones)
-            self.assertEqual(self.squares(stream) is None, ones == 16)
-
-    def test_the_shared_stream_ends_within_the_record(self):
-        least = min(map(len, filter(None, records(self.font))))
-        at = next(record_at(self.font, i) for i, record in enumerate(
-            filter(None, records(self.font))) if len(record) == least)
-        stream = self.stream()
-        stream.bits = "1111"  # 15 fields take more
-        data = bytearray(self.font)
-        data[at:at + least] = stream.record(least)
-        self.assertIsNone(own(with_checksums(data)))
-        self.assertIsNone(device(with_checksums(data)))
 
 
 def main():

@@ -8,7 +8,6 @@
 
 #include "font_builder.hpp"
 #include "hints_record.hpp"
-#include "packed_record.hpp"
 
 namespace {
 
@@ -56,27 +55,6 @@ Record one_cell(bool divided) {
   return record;
 }
 
-// Two packed glyphs as small as the streams of this maker become.
-bool write_packed_seed(const std::string& path) {
-  static PackedRecord records[2];
-  Random random(9);
-  for (PackedRecord& record : records) {
-    do {
-      record.make(random);
-    } while (record.size < 40 || record.size > 80);
-  }
-  const CmapEntry cmap[] = {{'A', 1, 0}};
-  const GlyphSpec glyphs[] = {
-      {500, {}, nullptr, nullptr, {records[0].bytes, records[0].size}},
-      {600, {}, nullptr, nullptr, {records[1].bytes, records[1].size}}};
-  const uint8_t quantisation[] = {16, 24, 9, 6, 8, 0, 0x34, 0x22};
-  FontSpec spec;
-  spec.cmap = cmap;
-  spec.glyphs = glyphs;
-  spec.packed = {quantisation, 16384, 16384};
-  return write_seed(path, spec);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -111,6 +89,5 @@ int main(int argc, char** argv) {
   hints.make_usual();
   spec.hints = hints.write(2);
   written &= write_seed(folder + "hints.seed", spec);
-  written &= write_packed_seed(folder + "packed.seed");
   return written ? 0 : 1;
 }

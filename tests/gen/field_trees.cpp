@@ -60,14 +60,14 @@ class RandomTree {
     grid.tiles_y = options_.tiles_y;
     grid.x0_u = between(-1984, 1984 - 256 * grid.tiles_x);
     grid.y0_u = between(-1984, 1984 - 256 * grid.tiles_y);
-    tree_.coding = options_.coding;
+    tree_.steps = options_.steps;
     const int log2 = shared_log2(grid);
     for (int i = between(0, 15); i > 0; --i) {
       const FieldCode code = any_code(log2);
       tree_.shared.push_back(code);
-      tree_.fields.push_back(expand_field(
-          code, tree_.coding, static_cast<uint32_t>(log2),
-          grid.x0_u + 128 * grid.tiles_x, grid.y0_u + 128 * grid.tiles_y));
+      tree_.fields.push_back(field_numbers(code, tree_.steps, log2,
+                                           grid.x0_u + 128 * grid.tiles_x,
+                                           grid.y0_u + 128 * grid.tiles_y));
     }
     for (int row = 0; row < grid.tiles_y; ++row) {
       list_.clear();
@@ -87,16 +87,16 @@ class RandomTree {
   }
 
   FieldCode any_code(int log2) {
-    const PackedCoding& coding = tree_.coding;
+    const FieldSteps& steps = tree_.steps;
     FieldCode code;
     code.kind = static_cast<FieldKind>(between(0, 3));
     // Small distances are what glyphs have.
-    const int most = 1 << (d0_bits(coding, log2) - 1);
+    const int most = 1 << (steps.d0_bits(log2) - 1);
     code.d0 = between(-most, most - 1) / between(1, 8);
     code.angle = static_cast<uint32_t>(between(
-        0, has_angle(code.kind) ? (1 << angle_bits(coding, log2)) - 1 : 3));
+        0, has_angle(code.kind) ? (1 << steps.angle_bits(log2)) - 1 : 3));
     if (is_bent(code.kind)) {
-      code.bend = between(1, std::min(most_bend(coding, log2), 250));
+      code.bend = between(1, std::min(steps.most_bend(log2), 250));
       code.bend /= between(1, code.bend);
       code.bend *= between(0, 1) != 0 ? 1 : -1;
     }
@@ -153,6 +153,7 @@ class RandomTree {
     std::vector<FieldNumbers> fresh;
     bool after_new = false;
     int rank = 0;
+    int first_rank = -1;
     for (int i = 0; i < count; ++i) {
       if (i == 0 || (nested && i == 1)) {
         after_new = false;
@@ -161,14 +162,13 @@ class RandomTree {
       FieldUse& use = node.uses[static_cast<size_t>(i)];
       rank += between(0, 2) * between(0, 2);
       // No leaf names a field twice.
-      if (nested && i > 0 && !node.uses[0].is_new &&
-          rank == node.uses[0].rank) {
+      if (nested && i > 0 && rank == first_rank) {
         ++rank;
       }
       if (!after_new && rank < static_cast<int>(list_.size()) &&
           between(0, 2) != 0) {
-        use.rank = rank;
         use.field = list_[static_cast<size_t>(rank)];
+        first_rank = i == 0 ? rank : first_rank;
         ++rank;
       } else {
         after_new = true;
@@ -176,8 +176,8 @@ class RandomTree {
         use.code = any_code(node.size_log2);
         const int half = 1 << node.size_log2 >> 1;
         use.field = static_cast<uint16_t>(tree_.fields.size() + fresh.size());
-        fresh.push_back(expand_field(use.code, tree_.coding, node.size_log2,
-                                     node.x_u + half, node.y_u + half));
+        fresh.push_back(field_numbers(use.code, tree_.steps, node.size_log2,
+                                      node.x_u + half, node.y_u + half));
       }
       const FieldNumbers& field =
           use.is_new ? fresh.back() : tree_.fields[use.field];

@@ -30,13 +30,13 @@ struct TreeOptions {
   int tiles_x = 1;
   int tiles_y = 1;
   int depth = 3;
-  PackedCoding coding;
+  FieldSteps steps;
   /// Fields stay where readers can compute them (docs/FORMAT.md).
   bool within_limits = true;
 };
 
-/// A tree that the formats can hold. Fields, joins and the use of earlier
-/// fields are random; numbers of lists and ranks are right.
+/// A tree that the format can hold. Fields, joins and the use of earlier fields
+/// are random.
 FieldTree random_tree(std::mt19937& random, const TreeOptions& options);
 
 /// The square at a point of the grid, and its value there.
@@ -47,7 +47,7 @@ PlainValue value_at(const FieldTree& tree, const TreeNode& leaf, int x, int y);
 /// whole u.
 bool same_pictures(const GlyphField& a, const GlyphField& b, int step);
 
-/// Opens a record of the direct coding; an empty field if that fails.
+/// Opens a record; an empty field if that fails.
 GlyphField open_record(const std::vector<uint8_t>& bytes);
 
 /// The distance at a point of whole u. [u]

@@ -3,6 +3,7 @@
 
 #include "field_code.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -15,7 +16,7 @@ namespace {
 
 AdfOptions fields(double min_px, double max_px, double tolerance) {
   AdfOptions options;
-  options.cells = CellKind::fields;
+  options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
   options.tolerance = tolerance;
@@ -28,20 +29,6 @@ const std::vector<AdfOptions> kRanges = {
     fields(12, 32, 36),  fields(8, 128, 8),  fields(1024, 1024, 1),
     fields(40, 40, 100), fields(4, 8, 1)};
 
-TEST(FieldCode, BytesOfTheHeaderAreWhatTheDeviceReads) {
-  for (const AdfOptions& options : kRanges) {
-    const PackedCoding coding = coding_for(options);
-    const PackedCoding read = PackedCoding::read(coding_bytes(coding).data());
-    EXPECT_EQ(read.d0_step, coding.d0_step);
-    EXPECT_EQ(read.bend_step, coding.bend_step);
-    EXPECT_EQ(read.d0_base, coding.d0_base);
-    EXPECT_EQ(read.d0_log2, coding.d0_log2);
-    EXPECT_EQ(read.angle_base, coding.angle_base);
-    EXPECT_EQ(read.bend_k, coding.bend_k);
-    EXPECT_EQ(coding_bytes(coding)[5], 0);
-  }
-}
-
 // Half of 1/255 of the tolerance at 64 px is 32 u / 255.
 TEST(FieldCode, ToleranceIsADistanceAtTheLargestSize) {
   EXPECT_DOUBLE_EQ(e0_u(fields(8, 64, 16)), 16.0 / 255 * 16);
@@ -53,24 +40,24 @@ TEST(FieldCode, ToleranceIsADistanceAtTheLargestSize) {
 TEST(FieldCode, DistancesAreMetToHalfAStep) {
   std::mt19937 random(14);
   for (const AdfOptions& options : kRanges) {
-    const PackedCoding coding = coding_for(options);
-    EXPECT_LE(coding.d0_step / 64.0, std::max(e0_u(options), 1 / 64.0));
+    const FieldSteps steps = steps_for(options);
+    EXPECT_LE(steps.d0_step / 64.0, std::max(e0_u(options), 1 / 64.0));
     for (int log2 = 1; log2 <= 12; ++log2) {
       const double reach =
           std::min<double>(std::ldexp(1, std::max(log2 - 1, 5)), 512);
       std::uniform_real_distribution<double> any(-reach, 0.99 * reach);
-      const double half = coding.d0_step / 128.0;
-      const int most = 1 << (d0_bits(coding, log2) - 1);
+      const double half = steps.d0_step / 128.0;
+      const int most = 1 << (steps.d0_bits(log2) - 1);
       if (most * 2 * half < reach) {
         continue;  // 16 bits do not reach farther
       }
       for (int i = 0; i < 200; ++i) {
         const double d0 = any(random);
-        const int steps = quantised_d0(coding, d0, log2);
-        EXPECT_NEAR(steps * 2 * half, d0, half + 1e-9);
+        const int count = steps.quantised_d0(d0, log2);
+        EXPECT_NEAR(count * 2 * half, d0, half + 1e-9);
       }
-      EXPECT_EQ(quantised_d0(coding, 1e6, log2), most - 1);
-      EXPECT_EQ(quantised_d0(coding, -1e6, log2), -most);
+      EXPECT_EQ(steps.quantised_d0(1e6, log2), most - 1);
+      EXPECT_EQ(steps.quantised_d0(-1e6, log2), -most);
     }
   }
 }
@@ -83,60 +70,57 @@ TEST(FieldCode, FieldsAreWhatTheCodesSay) {
     return std::uniform_int_distribution<int>(least, most)(random);
   };
   for (size_t round = 0; round < 20000; ++round) {
-    const PackedCoding coding = coding_for(kRanges[round % kRanges.size()]);
+    const FieldSteps steps = steps_for(kRanges[round % kRanges.size()]);
     const int log2 = between(1, 8);
     const int x = between(-1200, 1200);  // |c| and |cw| stay below 2048 u
     const int y = between(-1200, 1200);
     FieldCode code;
     code.kind = static_cast<FieldKind>(between(0, 3));
     const int most =
-        std::min(1 << (d0_bits(coding, log2) - 1), 200 * 64 / coding.d0_step);
+        std::min(1 << (steps.d0_bits(log2) - 1), 200 * 64 / steps.d0_step);
     code.d0 = between(-most, most - 1);
-    const int turn = has_angle(code.kind) ? angle_bits(coding, log2) : 2;
+    const int turn = has_angle(code.kind) ? steps.angle_bits(log2) : 2;
     code.angle = static_cast<uint32_t>(between(0, (1 << turn) - 1));
-    const double length = std::ldexp(1.0, bend_length_log2(log2));
+    const double length = std::ldexp(1.0, FieldSteps::bend_length_log2(log2));
     if (is_bent(code.kind)) {
       const int bend =
-          std::min(most_bend(coding, log2),
-                   static_cast<int>(length / 4 / coding.bend_step * 64));
+          std::min(steps.most_bend(log2),
+                   static_cast<int>(length / 4 / steps.bend_step * 64));
       code.bend = between(1, std::max(1, bend)) * (between(0, 1) * 2 - 1);
     }
-    const FieldModel model(
-        expand_field(code, coding, static_cast<uint32_t>(log2), x, y));
+    const FieldModel model(field_numbers(code, steps, log2, x, y));
     const double angle = std::ldexp(2.0 * code.angle, -turn) * kPi;
     // The normal is rounded to 2^-14, the offset to 1/16 u.
     EXPECT_NEAR(model.nx, std::cos(angle), 1.5 / 16384);
     EXPECT_NEAR(model.ny, std::sin(angle), 1.5 / 16384);
     EXPECT_NEAR(model.nx * x + model.ny * y + model.c,
-                code.d0 * coding.d0_step / 64.0, 1.0 / 32 + 1e-9);
+                code.d0 * steps.d0_step / 64.0, 1.0 / 32 + 1e-9);
     if (model.k != 0) {
       EXPECT_NEAR(model.nx * y - model.ny * x + model.cw, 0, 1.0 / 32 + 1e-9);
     }
     if (is_bent(code.kind)) {
-      EXPECT_NEAR(model.k * length * length,
-                  code.bend * coding.bend_step / 64.0,
+      EXPECT_NEAR(model.k * length * length, code.bend * steps.bend_step / 64.0,
                   std::ldexp(length * length, -19));
     }
   }
 }
 
-TEST(FieldCode, BendsHaveALimitThatTheDeviceReads) {
+TEST(FieldCode, BendsHaveALimit) {
   for (const AdfOptions& options : kRanges) {
-    const PackedCoding coding = coding_for(options);
+    const FieldSteps steps = steps_for(options);
     for (int log2 = 1; log2 <= 8; ++log2) {
-      const int most = most_bend(coding, log2);
+      const int most = steps.most_bend(log2);
       EXPECT_GE(most, 16);
       int before = 0;
       for (int bend = 1; bend <= most; ++bend) {
-        const int bits = bend_bits(coding, bend, log2);
-        EXPECT_EQ(bend_bits(coding, -bend, log2), bits);
+        const int bits = steps.bend_bits(bend, log2);
+        EXPECT_EQ(steps.bend_bits(-bend, log2), bits);
         EXPECT_GE(bits, before);
         before = bits;
       }
       // Unary part of 15 ones and a zero, the rest, a sign.
-      const auto k =
-          static_cast<int>(coding.bend_bits(static_cast<uint32_t>(log2)));
-      EXPECT_EQ(before, 16 + k + 1);
+      const int low = steps.bend_low[std::clamp(8 - log2, 0, 3)];
+      EXPECT_EQ(before, 16 + low + 1);
     }
   }
 }

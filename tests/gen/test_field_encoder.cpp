@@ -8,7 +8,6 @@
 
 #include "field_code.hpp"
 #include "field_record.hpp"
-#include "field_stream.hpp"
 #include "field_trees.hpp"
 #include "glyph_outlines.hpp"
 
@@ -19,7 +18,7 @@ namespace {
 
 AdfOptions fields(double min_px, double max_px, double tolerance) {
   AdfOptions options;
-  options.cells = CellKind::fields;
+  options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
   options.tolerance = tolerance;
@@ -32,8 +31,8 @@ Outline outline(std::vector<Contour> contours) {
   return result;
 }
 
-// The rules that the packed coding depends on: order of the squares, numbers
-// that lists and ranks give, fields in the order in which they are met.
+// The rules that all users of trees depend on: order of the squares, fields in
+// the order in which they are met, reused ones among the last 16.
 class Rules {
  public:
   explicit Rules(const FieldTree& tree) : tree_(tree) {}
@@ -62,9 +61,8 @@ class Rules {
  private:
   void expect_field(const FieldCode& code, int log2, int x, int y) {
     ASSERT_LT(known_, tree_.fields.size());
-    EXPECT_TRUE(same_field(
-        tree_.fields[known_],
-        expand_field(code, tree_.coding, static_cast<uint32_t>(log2), x, y)));
+    EXPECT_TRUE(same_field(tree_.fields[known_],
+                           field_numbers(code, tree_.steps, log2, x, y)));
     ++known_;
   }
 
@@ -86,12 +84,10 @@ class Rules {
 
   void leaf(const TreeNode& node) {
     const bool nested = is_nested(node.join);
-    int previous = -1;
     bool after_new = false;
     const int count = field_count(node.join);
     for (int i = 0; i < count; ++i) {
-      if (i == 0 || (nested && i == 1)) {
-        previous = -1;
+      if (nested && i == 1) {
         after_new = false;
       }
       const FieldUse& use = node.uses[static_cast<size_t>(i)];
@@ -104,10 +100,7 @@ class Rules {
         continue;
       }
       EXPECT_FALSE(after_new);
-      EXPECT_GT(use.rank, previous);
-      previous = use.rank;
-      ASSERT_LT(static_cast<size_t>(use.rank), list_.size());
-      EXPECT_EQ(list_[static_cast<size_t>(use.rank)], use.field);
+      EXPECT_NE(std::find(list_.begin(), list_.end(), use.field), list_.end());
     }
     for (int i = count - 1; i >= 0; --i) {
       const uint16_t field = node.uses[static_cast<size_t>(i)].field;
@@ -129,7 +122,7 @@ size_t leaves_of(const FieldTree& tree) {
       [](const TreeNode& node) { return node.kind == TreeNode::Kind::leaf; }));
 }
 
-TEST(FieldEncoder, TreesKeepTheRulesOfTheCoding) {
+TEST(FieldEncoder, TreesKeepTheRules) {
   for (const char* file : {kDejaVuSans, kLiberationSerif, kRoboto}) {
     for (const Outline& glyph : load_outlines(file, 0, {'a'})) {
       const Shape shape(glyph);
@@ -145,10 +138,10 @@ TEST(FieldEncoder, TreesKeepTheRulesOfTheCoding) {
 TEST(FieldEncoder, SaysTheSameWhenAskedAgain) {
   const Shape shape(load_outlines(kDejaVuSans, 0, {'e'})[0]);
   FieldEncoder encoder(shape, fields(8, 32, 16));
-  const std::vector<uint8_t> first = packed_record(encoder.encode(), nullptr);
-  EXPECT_EQ(packed_record(encoder.encode(), nullptr), first);
+  const std::vector<uint8_t> first = field_record(encoder.encode());
+  EXPECT_EQ(field_record(encoder.encode()), first);
   FieldEncoder other(shape, fields(8, 32, 16));
-  EXPECT_EQ(packed_record(other.encode(), nullptr), first);
+  EXPECT_EQ(field_record(other.encode()), first);
 }
 
 TEST(FieldEncoder, PointsThatWereMissedAreMet) {
@@ -162,7 +155,7 @@ TEST(FieldEncoder, PointsThatWereMissedAreMet) {
         {200 + 151.3 * std::cos(0.17 * i), 200 + 151.3 * std::sin(0.17 * i)});
     encoder.add_point(points.back());
   }
-  const std::vector<uint8_t> record = direct_record(encoder.encode());
+  const std::vector<uint8_t> record = field_record(encoder.encode());
   const GlyphField field = open_record(record);
   for (const Point& p : points) {
     const auto q16 = [](double u) {
@@ -199,7 +192,7 @@ TEST(FieldEncoder, FewerBytesForLargerTolerances) {
   size_t before = 1000000;
   for (const double tolerance : {6.0, 16.0, 40.0}) {
     FieldEncoder encoder(shape, fields(8, 48, tolerance));
-    const size_t bytes = packed_record(encoder.encode(), nullptr).size();
+    const size_t bytes = field_record(encoder.encode()).size();
     EXPECT_LT(bytes, before) << tolerance;
     before = bytes;
   }

@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "field_record.hpp"
-#include "field_stream.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/render.hpp"
 
@@ -27,7 +26,7 @@ Outline outline(std::vector<Contour> contours) {
 
 FieldGlyph build(const Shape& shape, int min_px, int max_px, double tolerance) {
   AdfOptions options;
-  options.cells = CellKind::fields;
+  options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
   options.tolerance = tolerance;
@@ -92,7 +91,7 @@ void expect_good(const Outline& source,
   const Shape shape(source);
   const FieldGlyph glyph = build(shape, min_px, max_px, tolerance);
   EXPECT_LE(glyph.errors.worst, tolerance);
-  EXPECT_EQ(glyph.record, direct_record(glyph.tree));
+  EXPECT_EQ(glyph.record, field_record(glyph.tree));
   const double worst = worst_pixel(shape, open(glyph), min_px, max_px);
   EXPECT_LE(worst, tolerance);
   EXPECT_GT(worst, 0);
@@ -212,13 +211,13 @@ TEST(FieldGlyph, StatesItsErrorWhereTheToleranceIsMissed) {
             glyph.errors.worst);
 }
 
-// As many tiles as a packed glyph may have in a row.
+// As many tiles as a glyph of fields may have in a row.
 TEST(FieldGlyph, WideGlyphsFit) {
   const Shape shape(outline({rectangle(-1850, 0, 1850, 60)}));
   const FieldGlyph glyph = build(shape, 8, 64, 16);
   EXPECT_EQ(glyph.tree.grid.tiles_x, 15);
   EXPECT_LE(glyph.errors.worst, 16);
-  EXPECT_LT(packed_record(glyph.tree, nullptr).size(), 400u);
+  EXPECT_LT(glyph.record.size(), 800u);
 }
 
 TEST(FieldGlyph, RefusesWhatReachesTooFar) {
@@ -246,8 +245,6 @@ TEST(FieldGlyph, ResultIsTheSameInEveryThread) {
   }
   for (const FieldGlyph& glyph : found) {
     EXPECT_EQ(glyph.record, expected.record);
-    EXPECT_EQ(packed_record(glyph.tree, nullptr),
-              packed_record(expected.tree, nullptr));
     EXPECT_EQ(glyph.errors.worst, expected.errors.worst);
   }
 }

@@ -159,8 +159,8 @@ PlainCost plain_cost(Join join,
                      const std::vector<const Candidate*>& members,
                      int size_log2) {
   PlainCost cost;
-  cost.bits = packed_codes::kNodeLengths[6 - std::max(0, size_log2 - 2)]
-                                        [3 + static_cast<int>(join)];
+  cost.bits =
+      kNodeBits[6 - std::max(0, size_log2 - 2)][3 + static_cast<int>(join)];
   std::vector<std::vector<const Candidate*>> groups;
   if (is_nested(join)) {
     groups = {{members[0]}, {members[1], members[2]}};
@@ -179,14 +179,12 @@ PlainCost plain_cost(Join join,
       const Candidate& c = *group[i];
       cost.order.push_back(&c);
       const bool after_new = i > 0 && group[i - 1]->is_new;
-      const uint8_t* kinds =
-          packed_codes::kKindLengths[2 * place + (after_new ? 1 : 0)];
+      const uint8_t* kinds = kKindBits[2 * place + (after_new ? 1 : 0)];
       if (c.is_new) {
         cost.bits += kinds[1 + static_cast<size_t>(c.code.kind)] + c.bits;
       } else {
         const int step = i == 0 ? c.rank : c.rank - group[i - 1]->rank - 1;
-        cost.bits +=
-            kinds[0] + packed_codes::kRankLengths[i == 0 ? 0 : 1][step];
+        cost.bits += kinds[0] + kRankBits[i == 0 ? 0 : 1][step];
       }
     }
   }

@@ -22,7 +22,7 @@ Outline outline(std::vector<Contour> contours) {
 
 AdfOptions fields(double min_px, double max_px, double tolerance) {
   AdfOptions options;
-  options.cells = CellKind::fields;
+  options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
   options.tolerance = tolerance;

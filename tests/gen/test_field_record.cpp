@@ -1,4 +1,4 @@
-// Trees of fields as direct records, read with the device's own code.
+// Trees of fields as records, read with the device's own code.
 #include <gtest/gtest.h>
 
 #include "field_record.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 AdfOptions fields(double min_px, double max_px, double tolerance) {
   AdfOptions options;
-  options.cells = CellKind::fields;
+  options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
   options.tolerance = tolerance;
@@ -87,9 +87,9 @@ TEST(FieldRecord, SaysWhatTheTreeSays) {
     options.tiles_x = 1 + round % 3;
     options.tiles_y = 1 + round / 3 % 2;
     options.depth = 2 + round % 3;
-    options.coding = coding_for(fields(8, round % 2 == 0 ? 64 : 24, 16));
+    options.steps = steps_for(fields(8, round % 2 == 0 ? 64 : 24, 16));
     const FieldTree tree = random_tree(random, options);
-    const std::vector<uint8_t> record = direct_record(tree);
+    const std::vector<uint8_t> record = field_record(tree);
     narrow += is_linked(record) ? 0 : 1;
     expect_tree(tree, open_record(record), tally);
     if (HasFatalFailure()) {
@@ -157,7 +157,7 @@ TEST(FieldRecord, HasTheBytesOfTheDocument) {
       0,    0x40, 0,    0,    48,   0,                  //
       3,    1,    0,    2,                              // max(f1, min(f0, f2))
       2 + 3};
-  EXPECT_EQ(direct_record(tree), expected);
+  EXPECT_EQ(field_record(tree), expected);
 }
 
 TEST(FieldRecord, PairsSayByTheirOrderWhatTheyAre) {
@@ -165,7 +165,7 @@ TEST(FieldRecord, PairsSayByTheirOrderWhatTheyAre) {
     for (const bool swapped : {false, true}) {
       FieldTree tree = one_leaf(
           join, {line(swapped ? 160 : -160), arc(swapped ? -80 : 80, 0)});
-      const std::vector<uint8_t> record = direct_record(tree);
+      const std::vector<uint8_t> record = field_record(tree);
       ASSERT_EQ(record.size(), 18u + 12 + 2 + 1);
       EXPECT_EQ(record[30] < record[31], join == Join::min2);
       Tally tally;
@@ -186,23 +186,23 @@ TEST(FieldRecord, EqualFieldsAndLeavesAreWrittenOnce) {
   }
   // Bytes that do not count in a line.
   many.fields[3].along_q4 = 77;
-  const std::vector<uint8_t> record = direct_record(many);
+  const std::vector<uint8_t> record = field_record(many);
   EXPECT_EQ(count_at(record, 8), 1);
   EXPECT_EQ(count_at(record, 10), 1);
   EXPECT_EQ(count_at(record, 12), 2);
   EXPECT_EQ(count_at(record, 14), 0);
   EXPECT_EQ(count_at(record, 16), 1);
-  EXPECT_EQ(record.size(), direct_record(once).size() + 4);
+  EXPECT_EQ(record.size(), field_record(once).size() + 4);
   Tally tally;
   expect_tree(many, open_record(record), tally);
 }
 
 TEST(FieldRecord, FieldsThatNoLeafNamesAreLeftOut) {
   FieldTree tree = one_leaf(Join::single, {line(1)});
-  const std::vector<uint8_t> before = direct_record(tree);
+  const std::vector<uint8_t> before = field_record(tree);
   tree.fields.push_back(arc(5, 5));
   tree.fields.push_back(line(6));
-  EXPECT_EQ(direct_record(tree), before);
+  EXPECT_EQ(field_record(tree), before);
 }
 
 // A tile of 4^levels leaves, each of a line of its own.
@@ -239,9 +239,9 @@ FieldTree many_lines(int levels) {
 
 TEST(FieldRecord, TurnsToLinksWhereNumbersDoNotFitBytes) {
   // 2 + 21 nodes + 64 lines; then 2 + 85 nodes + 256 lines.
-  EXPECT_FALSE(is_linked(direct_record(many_lines(3))));
+  EXPECT_FALSE(is_linked(field_record(many_lines(3))));
   const FieldTree large = many_lines(4);
-  const std::vector<uint8_t> record = direct_record(large);
+  const std::vector<uint8_t> record = field_record(large);
   ASSERT_TRUE(is_linked(record));
   Tally tally;
   expect_tree(large, open_record(record), tally);
@@ -271,7 +271,7 @@ FieldTree mosaic(int pairs) {
 TEST(FieldRecord, UsesEveryNumberOfAByte) {
   for (const int pairs : {28, 29, 30}) {
     const FieldTree tree = mosaic(pairs);
-    const std::vector<uint8_t> record = direct_record(tree);
+    const std::vector<uint8_t> record = field_record(tree);
     // 2 and 225 lines.
     EXPECT_EQ(is_linked(record), 2 + 225 + pairs > 256);
     Tally tally;
@@ -288,9 +288,9 @@ TEST(FieldRecord, LinkedRecordsSayTheSame) {
     options.tiles_x = 2;
     options.tiles_y = 2;
     options.depth = 5;
-    options.coding = coding_for(fields(8, 64, 16));
+    options.steps = steps_for(fields(8, 64, 16));
     const FieldTree tree = random_tree(random, options);
-    const std::vector<uint8_t> record = direct_record(tree);
+    const std::vector<uint8_t> record = field_record(tree);
     linked += is_linked(record) ? 1 : 0;
     Tally tally;
     expect_tree(tree, open_record(record), tally);
@@ -303,9 +303,9 @@ TEST(FieldRecord, LinkedRecordsSayTheSame) {
 
 TEST(FieldRecord, RefusesWhatTheFormatCannotHold) {
   // 1024 lines of 3 units, and 341 nodes of 4; then four times as much.
-  EXPECT_TRUE(is_linked(direct_record(many_lines(5))));
+  EXPECT_TRUE(is_linked(field_record(many_lines(5))));
   try {
-    direct_record(many_lines(6));
+    field_record(many_lines(6));
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_EQ(error.kind(), GeometryError::Kind::too_complex);

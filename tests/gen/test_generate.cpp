@@ -34,22 +34,19 @@ std::string refusal(const GenerateRequest& request) {
   return "no error";
 }
 
-AdfOptions options_of(CellKind cells, Coding coding) {
+AdfOptions options_of(Coding coding) {
   AdfOptions options = dejavu().adf;
-  options.cells = cells;
   options.coding = coding;
   return options;
 }
 
-const std::vector<AdfOptions> kKinds = {
-    options_of(CellKind::samples, Coding::direct),
-    options_of(CellKind::fields, Coding::direct),
-    options_of(CellKind::fields, Coding::packed)};
+const std::vector<AdfOptions> kCodings = {options_of(Coding::samples),
+                                          options_of(Coding::edges)};
 
 TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
   GenerateRequest request = dejavu();
   request.chars = {"A-C,a"};
-  for (const AdfOptions& options : kKinds) {
+  for (const AdfOptions& options : kCodings) {
     request.adf = options;
     request.jobs = 1;
     const std::vector<uint8_t> one = generate(request).bytes;
@@ -60,17 +57,15 @@ TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Generate, MakesFieldsUnlessTold) {
-  EXPECT_EQ(GenerateRequest().adf.cells, CellKind::fields);
-  EXPECT_EQ(GenerateRequest().adf.coding, Coding::direct);
+TEST(Generate, MakesEdgesUnlessTold) {
+  EXPECT_EQ(GenerateRequest().adf.coding, Coding::edges);
   EXPECT_EQ(GenerateRequest().adf.predicate, Predicate::size_aware);
 }
 
-// The three forms of a font: each is smaller than the one before, and only the
-// last takes RAM.
+// Each coding takes less than half of the one before.
 TEST(Generate, MakesSmallerFontsOfFields) {
   size_t before = 1000000;
-  for (const AdfOptions& options : kKinds) {
+  for (const AdfOptions& options : kCodings) {
     GenerateRequest request = dejavu();
     request.symbols = "Rag8";
     request.adf = options;
@@ -82,13 +77,6 @@ TEST(Generate, MakesSmallerFontsOfFields) {
     EXPECT_LT(rom.report.bytes.cells, before / 2);
     before = rom.report.bytes.cells;
     EXPECT_LE(rom.report.worst_error, 16);
-    const bool packed = options.coding == Coding::packed;
-    EXPECT_EQ(font.is_packed(), packed);
-    EXPECT_EQ(rom.report.workspace, font.workspace_bytes());
-    EXPECT_EQ(rom.report.row_workspace, font.row_workspace_bytes());
-    EXPECT_EQ(rom.report.workspace > 0, packed);
-    EXPECT_EQ(rom.report.row_workspace > 0, packed);
-    EXPECT_LE(rom.report.row_workspace, rom.report.workspace);
   }
 }
 
@@ -127,18 +115,16 @@ TEST(Generate, TakesTheUnionOfAllCharacters) {
 }
 
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
-  for (const AdfOptions& options : kKinds) {
+  for (const AdfOptions& options : kCodings) {
     GenerateRequest request = dejavu();
     request.symbols = "Hamburg 8";
     request.adf = options;
     const RomFont rom = generate(request);
     const auto json = nlohmann::json::parse(report_as_json(rom.report));
-    const bool fields = options.cells == CellKind::fields;
-    const bool packed = options.coding == Coding::packed;
+    const bool fields = options.coding == Coding::edges;
     EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
     EXPECT_EQ(json.at("glyphs"), 10);
-    EXPECT_EQ(json.at("cells"), fields ? "fields" : "samples");
-    EXPECT_EQ(json.at("coding"), packed ? "packed" : "direct");
+    EXPECT_EQ(json.at("coding"), fields ? "edges" : "samples");
     EXPECT_EQ(json.at("min_px"), 12);
     EXPECT_EQ(json.at("max_px"), 16);
     EXPECT_EQ(json.at("tolerance"), 16);
@@ -168,8 +154,6 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
                   kinds.at("triple").get<size_t>(),
               fields ? cells : 0);
     EXPECT_EQ(json.at("field_count").get<size_t>() > 0, fields);
-    EXPECT_EQ(json.at("workspace").at("glyph").get<size_t>() > 0, packed);
-    EXPECT_EQ(json.at("workspace").at("row").get<size_t>() > 0, packed);
     EXPECT_LE(json.at("error").at("max").get<double>(), 16);
     EXPECT_GT(json.at("error").at("max").get<double>(), 1);
     EXPECT_LE(json.at("error").at("mean").get<double>(), 3);
@@ -191,7 +175,6 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
       EXPECT_NE(table.find(word), std::string::npos) << word;
     }
     EXPECT_EQ(table.find("three fields") != std::string::npos, fields);
-    EXPECT_EQ(table.find("workspace") != std::string::npos, packed);
     EXPECT_EQ(table.find("of samples"), std::string::npos);
   }
 }
@@ -225,15 +208,10 @@ TEST(Generate, RefusesWrongRequests) {
 TEST(Generate, RefusesWhatDoesNotGoTogether) {
   GenerateRequest request = dejavu();
   request.symbols = "H";
-  request.adf = options_of(CellKind::samples, Coding::packed);
-  EXPECT_EQ(refusal(request).find("--coding packed"), 0u);
-  EXPECT_NE(refusal(request).find("--cells fields"), std::string::npos);
-  for (const Coding coding : {Coding::direct, Coding::packed}) {
-    request.adf = options_of(CellKind::fields, coding);
-    request.adf.predicate = Predicate::fixed;
-    EXPECT_EQ(refusal(request).find("--predicate fixed"), 0u);
-    EXPECT_NE(refusal(request).find("--cells samples"), std::string::npos);
-  }
+  request.adf = options_of(Coding::edges);
+  request.adf.predicate = Predicate::fixed;
+  EXPECT_EQ(refusal(request).find("--predicate fixed"), 0u);
+  EXPECT_NE(refusal(request).find("--coding samples"), std::string::npos);
 }
 
 // Fields reach 1984 u from the origin. Beyond, a font has cells of samples, and
@@ -247,18 +225,15 @@ TEST(Generate, TakesSamplesWhereFieldsDoNotReach) {
   request.font = folder.write("wide.ttf", source);
   request.symbols = ".H";
   request.adf.max_px = 24;
-  for (const Coding coding : {Coding::direct, Coding::packed}) {
-    request.adf.coding = coding;
-    const FontReport report = generate(request).report;
-    for (const GlyphReport& glyph : report.glyphs) {
-      EXPECT_TRUE(glyph.within_tolerance) << glyph.key;
-      EXPECT_EQ(glyph.fields > 0, glyph.key != "H") << glyph.key;
-      EXPECT_GT(glyph.cells, 0u) << glyph.key;
-    }
-    EXPECT_GT(report.kinds.samples, 0u);
-    EXPECT_GT(report.kinds.single, 0u);
-    EXPECT_NE(report_for_people(report).find("of samples"), std::string::npos);
+  const FontReport report = generate(request).report;
+  for (const GlyphReport& glyph : report.glyphs) {
+    EXPECT_TRUE(glyph.within_tolerance) << glyph.key;
+    EXPECT_EQ(glyph.fields > 0, glyph.key != "H") << glyph.key;
+    EXPECT_GT(glyph.cells, 0u) << glyph.key;
   }
+  EXPECT_GT(report.kinds.samples, 0u);
+  EXPECT_GT(report.kinds.single, 0u);
+  EXPECT_NE(report_for_people(report).find("of samples"), std::string::npos);
 }
 
 TEST(Generate, DrawsOddOutlines) {
@@ -325,10 +300,10 @@ TEST(Generate, HoldsOutlinesUpToTheLimit) {
     source.glyphs[3].contours = {rectangle(far - 9, far - 9, far, far),
                                  rectangle(-far, -far, 9 - far, 9 - far)};
     request.font = folder.write("wide.ttf", source);
-    request.adf.cells = far % 2 == 0 ? CellKind::samples : CellKind::fields;
+    request.adf.coding = far % 2 == 0 ? Coding::samples : Coding::edges;
     EXPECT_EQ(refusal(request), "no error") << far;
   }
-  request.adf.cells = CellKind::samples;
+  request.adf.coding = Coding::samples;
   request.adf.predicate = Predicate::fixed;
   const std::string message = refusal(request);
   EXPECT_NE(message.find("beyond 15 em"), std::string::npos) << message;
@@ -340,7 +315,7 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   GenerateRequest request;
   request.font = folder.write("plain.ttf", Sfnt::plain());
   request.symbols = ".";
-  request.adf.cells = CellKind::samples;
+  request.adf.coding = Coding::samples;
   request.adf.max_px = 1024;
   request.adf.tolerance = 1;
   const RomFont rom = generate(request);
@@ -376,7 +351,7 @@ TEST(Generate, TellsOfProgress) {
 TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
   GenerateRequest request = dejavu();
   request.symbols = "aD";
-  request.adf.cells = CellKind::samples;
+  request.adf.coding = Coding::samples;
   request.adf.predicate = Predicate::fixed;
   const RomFont rom = generate(request);
   const auto json = nlohmann::json::parse(report_as_json(rom.report));

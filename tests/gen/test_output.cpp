@@ -120,29 +120,6 @@ TEST(Encode, WritesHeaders) {
   EXPECT_EQ(text.substr(0, 3), "// ");
 }
 
-TEST(Encode, StatesTheWorkspace) {
-  RomFont font = small_font();
-  const std::string direct = encode(font, OutputFormat::hpp, "odd");
-  EXPECT_NE(direct.find("to draw with: none is needed.\n"), std::string::npos);
-  EXPECT_NE(direct.find("inline constexpr uint32_t odd_workspace = 0;"),
-            std::string::npos);
-  font.report.workspace = 1828;
-  font.report.row_workspace = 812;
-  const std::string packed = encode(font, OutputFormat::hpp, "odd");
-  EXPECT_NE(packed.find("inline constexpr uint32_t odd_workspace = 1828;"),
-            std::string::npos);
-  EXPECT_NE(packed.find("inline constexpr uint32_t odd_row_workspace = 812;"),
-            std::string::npos);
-  EXPECT_EQ(packed.find("none is needed"), std::string::npos);
-  const std::string c = encode(font, OutputFormat::c, "odd");
-  EXPECT_NE(c.find("\nextern const uint32_t odd_workspace;\n"),
-            std::string::npos);
-  EXPECT_NE(c.find("\nconst uint32_t odd_workspace = 1828;\n"),
-            std::string::npos);
-  EXPECT_NE(c.find("\nconst uint32_t odd_row_workspace = 812;\n"),
-            std::string::npos);
-}
-
 TEST(Encode, WritesC) {
   const std::string text = encode(small_font(), OutputFormat::c, "odd");
   EXPECT_NE(text.find("const uint8_t odd[4] = {\n0,1,200,255,\n};"),

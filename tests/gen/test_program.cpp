@@ -85,7 +85,7 @@ TEST_F(Program, TakesEveryOption) {
   const Outcome result = run(
       folder_,
       "--font plain.ttf --face 0 --chars 0x2E --chars 'U+48,0x20' --min-px 10 "
-      "--max-px 20 --tolerance 12/255 --cells samples --coding direct "
+      "--max-px 20 --tolerance 12/255 --coding samples "
       "--predicate size --effort 3 --format c --name dot --out a.c --report "
       "a.json");
   EXPECT_EQ(result.code, 0) << result.err;
@@ -116,21 +116,19 @@ TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
     EXPECT_EQ(run(folder_, font + "--band-px " + refused).code, 1) << refused;
   }
   EXPECT_EQ(
-      run(folder_, font + "--cells samples --predicate fixed --band-px 1").code,
+      run(folder_, font + "--coding samples --predicate fixed --band-px 1")
+          .code,
       1);
 }
 
 TEST_F(Program, MakesEveryKindOfFont) {
   const struct {
     const char* options;
-    const char* cells;
     const char* coding;
-  } kinds[] = {{"", "fields", "direct"},
-               {"--cells fields", "fields", "direct"},
-               {"--cells fields --coding packed", "fields", "packed"},
-               {"--coding packed", "fields", "packed"},
-               {"--cells samples", "samples", "direct"},
-               {"--cells samples --predicate fixed", "samples", "direct"}};
+  } kinds[] = {{"", "edges"},
+               {"--coding edges", "edges"},
+               {"--coding samples", "samples"},
+               {"--coding samples --predicate fixed", "samples"}};
   for (const auto& kind : kinds) {
     const Outcome result = run(
         folder_, std::string("--font plain.ttf --out a.bin --report a.json ") +
@@ -138,7 +136,6 @@ TEST_F(Program, MakesEveryKindOfFont) {
     EXPECT_EQ(result.code, 0) << kind.options << result.err;
     const auto report =
         nlohmann::json::parse(read_file(folder_.path() / "a.json"));
-    EXPECT_EQ(report.at("cells"), kind.cells) << kind.options;
     EXPECT_EQ(report.at("coding"), kind.coding) << kind.options;
   }
 }
@@ -147,12 +144,9 @@ TEST_F(Program, RefusesOptionsThatDoNotGoTogether) {
   const struct {
     const char* options;
     const char* remedy;
-  } cases[] = {{"--cells samples --coding packed", "use --cells fields"},
-               {"--predicate fixed", "use --cells samples"},
-               {"--cells fields --predicate fixed", "use --cells samples"},
-               {"--coding packed --predicate fixed", "use --cells samples"},
-               {"--cells bitmaps", "use 'fields' or 'samples'"},
-               {"--coding zip", "use 'direct' or 'packed'"},
+  } cases[] = {{"--predicate fixed", "use --coding samples"},
+               {"--coding edges --predicate fixed", "use --coding samples"},
+               {"--coding bitmaps", "use 'edges' or 'samples'"},
                {"--predicate best", "use 'size' or 'fixed'"}};
   for (const auto& wrong : cases) {
     const Outcome result = run(

@@ -11,10 +11,8 @@
 
 #include "field_code.hpp"
 #include "field_record.hpp"
-#include "field_stream.hpp"
 #include "field_trees.hpp"
 #include "inkcell/format.hpp"
-#include "inkcell/packed.hpp"
 #include "shape.hpp"
 
 namespace inkcell::gen::test {
@@ -157,7 +155,7 @@ TEST(RomFont, PartsAddUp) {
   PartBytes parts;
   const std::vector<uint8_t> bytes = write_rom_font(larger(), parts);
   EXPECT_EQ(parts.total(), bytes.size());
-  EXPECT_EQ(parts.header, 76u + 5 * 12);
+  EXPECT_EQ(parts.header, 64u + 5 * 12);
   EXPECT_EQ(parts.cmap, 24u);
   // Advances 300..1200, x -20..100 and 0..1100, y -200..0 and 0..800.
   EXPECT_EQ(parts.metrics, padded(15 + bytes_of(4 * (10 + 7 + 8 + 11 + 10))));
@@ -175,10 +173,9 @@ TEST(RomFont, ClosedLoopAcceptsWhatWasWritten) {
 }
 
 TEST(RomFont, NoGlyphNeedsInk) {
-  for (const Coding coding : {Coding::direct, Coding::packed}) {
+  for (const Coding coding : {Coding::samples, Coding::edges}) {
     for (size_t count = 1; count < 20; ++count) {
       RomContent content = smallest();
-      content.options.cells = CellKind::fields;
       content.options.coding = coding;
       content.glyphs.assign(count, RomGlyph());
       content.glyph_of.clear();
@@ -342,22 +339,21 @@ TEST(RomFont, LargeFontsCountInLargerUnits) {
   EXPECT_EQ(glyphs[format::glyphs::kUnitLog2], 2);
   EXPECT_EQ(glyphs[format::glyphs::kOffsetBits], 25);
   EXPECT_EQ(font.record(205).size,
-            padded(glyph_record(content.glyphs[205], Coding::direct).size()));
+            padded(glyph_record(content.glyphs[205]).size()));
   check_rom_font(rom, content);
 }
 
 // Every kind of glyph that a font of fields may have: one without ink, two of
 // fields, one of samples.
-RomContent of_fields(Coding coding) {
+RomContent of_fields() {
   RomContent content = smallest();
-  content.options.cells = CellKind::fields;
-  content.options.coding = coding;
+  content.options.coding = Coding::edges;
   content.options.min_px = 8;
   content.options.max_px = 64;
   content.glyphs.resize(4);
   std::mt19937 random(13);
   TreeOptions options;
-  options.coding = coding_for(content.options);
+  options.steps = steps_for(content.options);
   options.tiles_x = 2;
   options.tiles_y = 3;
   for (const size_t glyph : {size_t{2}, size_t{3}}) {
@@ -370,73 +366,49 @@ RomContent of_fields(Coding coding) {
 }
 
 TEST(RomFont, FieldsAreReadBack) {
-  for (const Coding coding : {Coding::direct, Coding::packed}) {
-    const RomContent content = of_fields(coding);
+  const RomContent content = of_fields();
+  const std::vector<uint8_t> bytes = write(content);
+  check_rom_font(bytes, content);
+  Font font;
+  ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
+  EXPECT_EQ(font.verify(), Status::ok);
+  EXPECT_EQ(bytes[format::header::kCoding], 1);
+  // The band of fields: half a pixel at 8 px/em.
+  EXPECT_EQ(font.range().band_u, 64);
+  size_t cells = 0;
+  for (const size_t glyph : {size_t{2}, size_t{3}}) {
+    size_t leaves = 0;
+    for (const TreeNode& node : content.glyphs[glyph].fields.nodes) {
+      leaves += node.kind == TreeNode::Kind::leaf ? 1u : 0u;
+    }
+    cells = std::max(cells, leaves);
+  }
+  EXPECT_EQ(bytes[format::header::kMaxCells] |
+                bytes[format::header::kMaxCells + 1] << 8,
+            static_cast<int>(cells));
+}
+
+TEST(RomFont, HeaderSaysNothingOfOutlinesWhereThereAreCells) {
+  for (const RomContent& content : {smallest(), of_fields()}) {
     const std::vector<uint8_t> bytes = write(content);
-    check_rom_font(bytes, content);
-    Font font;
-    ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
-    EXPECT_EQ(font.verify(), Status::ok);
-    const bool packed = coding == Coding::packed;
-    EXPECT_EQ(font.is_packed(), packed);
-    EXPECT_EQ(bytes[format::header::kCellKind], 1);
-    EXPECT_EQ(bytes[format::header::kCoding], packed ? 1 : 0);
-    // The band of fields: half a pixel at 8 px/em.
-    EXPECT_EQ(font.range().band_u, 64);
-    size_t cells = 0;
-    size_t workspace = 0;
-    size_t row_workspace = 0;
-    for (const size_t glyph : {size_t{2}, size_t{3}}) {
-      const FieldTree& tree = content.glyphs[glyph].fields;
-      size_t leaves = 0;
-      for (const TreeNode& node : tree.nodes) {
-        leaves += node.kind == TreeNode::Kind::leaf ? 1u : 0u;
-      }
-      cells = std::max(cells, leaves);
-      workspace = std::max(workspace, expanded_bytes(tree, 0, 3));
-      for (int row = 0; row < 3; ++row) {
-        row_workspace = std::max(row_workspace, expanded_bytes(tree, row, 1));
-      }
-    }
-    EXPECT_EQ(bytes[format::header::kMaxCells] |
-                  bytes[format::header::kMaxCells + 1] << 8,
-              static_cast<int>(cells));
-    EXPECT_EQ(font.workspace_bytes(), packed ? workspace : 0);
-    EXPECT_EQ(font.row_workspace_bytes(), packed ? row_workspace : 0);
-    const std::array<uint8_t, 8> quantisation =
-        coding_bytes(coding_for(content.options));
-    for (size_t i = 0; i < quantisation.size(); ++i) {
-      EXPECT_EQ(bytes[format::header::kQuantisation + i],
-                packed ? quantisation[i] : 0);
-    }
+    EXPECT_EQ(bytes[format::header::kReserved0], 0);
+    EXPECT_EQ(bytes[format::header::kReserved1], 0);
+    EXPECT_EQ(bytes[format::header::kGridShift], 0);
+    EXPECT_EQ(bytes[format::header::kCodeBits], 0);
+    EXPECT_EQ(bytes[format::header::kMaxPoints], 0);
+    EXPECT_EQ(bytes[format::header::kMaxPoints + 1], 0);
   }
 }
 
-TEST(RomFont, RecordsAreThoseOfTheCoding) {
-  RomContent content = of_fields(Coding::packed);
-  const FieldTree& tree = content.glyphs[3].fields;
-  EXPECT_EQ(glyph_record(content.glyphs[3], Coding::packed),
-            packed_record(tree, nullptr));
-  EXPECT_EQ(glyph_record(content.glyphs[3], Coding::direct),
-            direct_record(tree));
-  EXPECT_TRUE(glyph_record(content.glyphs[0], Coding::packed).empty());
+TEST(RomFont, RecordsAreThoseOfTheCells) {
+  const RomContent content = of_fields();
+  EXPECT_EQ(glyph_record(content.glyphs[3]),
+            field_record(content.glyphs[3].fields));
+  EXPECT_TRUE(glyph_record(content.glyphs[0]).empty());
   EXPECT_TRUE(content.glyphs[3].has_ink());
   EXPECT_FALSE(content.glyphs[0].has_ink());
-  // Packed records begin at any byte, but not beside one that is read in place.
-  const auto unit_log2 = [](const RomContent& of) {
-    const std::vector<uint8_t> bytes = write(of);
-    Font font;
-    EXPECT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
-    return font.section(format::section::kGlyphs)[format::glyphs::kUnitLog2];
-  };
-  EXPECT_EQ(unit_log2(content), 1);
-  content.glyphs[1].samples = AdfGlyph();
-  EXPECT_EQ(unit_log2(content), 0);
-  check_rom_font(write(content), content);
-  content.options.coding = Coding::direct;
-  EXPECT_EQ(unit_log2(content), 1);
   const RomGlyph dot = smallest().glyphs[1];
-  EXPECT_EQ(glyph_record(dot, Coding::direct)[0], format::glyph::kTypeSamples);
+  EXPECT_EQ(glyph_record(dot)[0], format::glyph::kTypeSamples);
   EXPECT_TRUE(dot.has_ink());
 }
 
@@ -484,37 +456,35 @@ TEST(RomFont, ClosedLoopSeesEveryChangedByte) {
 }
 
 TEST(RomFont, ClosedLoopSeesDifferentFields) {
-  for (const Coding coding : {Coding::direct, Coding::packed}) {
-    const std::vector<uint8_t> bytes = write(of_fields(coding));
-    int seen = 0;
-    const auto refuses = [&](auto change) {
-      RomContent content = of_fields(coding);
-      change(content);
-      EXPECT_THROW(check_rom_font(bytes, content), Error) << seen;
-      ++seen;
-    };
-    const auto first = [](RomContent& c, TreeNode::Kind kind) -> TreeNode& {
-      std::vector<TreeNode>& nodes = c.glyphs[3].fields.nodes;
-      return *std::find_if(
-          nodes.begin(), nodes.end(),
-          [&](const TreeNode& node) { return node.kind == kind; });
-    };
-    refuses([](RomContent& c) { std::swap(c.glyphs[2], c.glyphs[3]); });
-    refuses([](RomContent& c) { c.glyphs[3].fields = FieldTree(); });
-    refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
-    refuses([](RomContent& c) {
-      c.glyphs[2].fields = FieldTree();
-      c.glyphs[2].samples = larger().glyphs[3].samples;
+  const std::vector<uint8_t> bytes = write(of_fields());
+  int seen = 0;
+  const auto refuses = [&](auto change) {
+    RomContent content = of_fields();
+    change(content);
+    EXPECT_THROW(check_rom_font(bytes, content), Error) << seen;
+    ++seen;
+  };
+  const auto first = [](RomContent& c, TreeNode::Kind kind) -> TreeNode& {
+    std::vector<TreeNode>& nodes = c.glyphs[3].fields.nodes;
+    return *std::find_if(nodes.begin(), nodes.end(), [&](const TreeNode& node) {
+      return node.kind == kind;
     });
-    refuses([&](RomContent& c) {
-      first(c, TreeNode::Kind::outside).kind = TreeNode::Kind::inside;
-    });
-    refuses([&](RomContent& c) {
-      const TreeNode& leaf = first(c, TreeNode::Kind::leaf);
-      c.glyphs[3].fields.fields[leaf.uses[0].field].c_q4 ^= 0x400;
-    });
-    EXPECT_EQ(seen, 6);
-  }
+  };
+  refuses([](RomContent& c) { std::swap(c.glyphs[2], c.glyphs[3]); });
+  refuses([](RomContent& c) { c.glyphs[3].fields = FieldTree(); });
+  refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
+  refuses([](RomContent& c) {
+    c.glyphs[2].fields = FieldTree();
+    c.glyphs[2].samples = larger().glyphs[3].samples;
+  });
+  refuses([&](RomContent& c) {
+    first(c, TreeNode::Kind::outside).kind = TreeNode::Kind::inside;
+  });
+  refuses([&](RomContent& c) {
+    const TreeNode& leaf = first(c, TreeNode::Kind::leaf);
+    c.glyphs[3].fields.fields[leaf.uses[0].field].c_q4 ^= 0x400;
+  });
+  EXPECT_EQ(seen, 6);
 }
 
 }  // namespace

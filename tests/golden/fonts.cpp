@@ -20,40 +20,26 @@
   extern "C" const uint8_t golden_##name##_end[]
 
 GOLDEN_FONT(dejavu_sans);
-GOLDEN_FONT(dejavu_sans_packed);
 GOLDEN_FONT(dejavu_sans_samples);
 GOLDEN_FONT(dejavu_serif);
-GOLDEN_FONT(dejavu_serif_packed);
 GOLDEN_FONT(noto_sans_cjk);
-GOLDEN_FONT(noto_sans_cjk_packed);
 GOLDEN_FONT(roboto);
-GOLDEN_FONT(roboto_packed);
 
 namespace golden {
 
-inkcell::Span<const uint8_t> font_bytes(FontId id, Coding coding) {
+inkcell::Span<const uint8_t> font_bytes(FontId id) {
   struct Ends {
     const uint8_t* begin;
     const uint8_t* end;
   };
-  struct Codings {
-    Ends direct;
-    Ends packed;
-  };
-  static constexpr Codings kFonts[kFontCount] = {
-      {{golden_dejavu_sans, golden_dejavu_sans_end},
-       {golden_dejavu_sans_packed, golden_dejavu_sans_packed_end}},
-      {{golden_dejavu_serif, golden_dejavu_serif_end},
-       {golden_dejavu_serif_packed, golden_dejavu_serif_packed_end}},
-      {{golden_roboto, golden_roboto_end},
-       {golden_roboto_packed, golden_roboto_packed_end}},
-      {{golden_noto_sans_cjk, golden_noto_sans_cjk_end},
-       {golden_noto_sans_cjk_packed, golden_noto_sans_cjk_packed_end}},
-      {{golden_dejavu_sans_samples, golden_dejavu_sans_samples_end},
-       {golden_dejavu_sans_samples, golden_dejavu_sans_samples_end}}};
-  const Codings& font = kFonts[static_cast<int>(id)];
-  const Ends& ends = coding == Coding::direct ? font.direct : font.packed;
-  return {ends.begin, static_cast<size_t>(ends.end - ends.begin)};
+  static constexpr Ends kFonts[kFontCount] = {
+      {golden_dejavu_sans, golden_dejavu_sans_end},
+      {golden_dejavu_serif, golden_dejavu_serif_end},
+      {golden_roboto, golden_roboto_end},
+      {golden_noto_sans_cjk, golden_noto_sans_cjk_end},
+      {golden_dejavu_sans_samples, golden_dejavu_sans_samples_end}};
+  const Ends& font = kFonts[static_cast<int>(id)];
+  return {font.begin, static_cast<size_t>(font.end - font.begin)};
 }
 
 }  // namespace golden

@@ -14,10 +14,6 @@ enum class FontId : uint8_t {
 };
 inline constexpr int kFontCount = 5;
 
-/// Whether glyphs are read in place or expanded. Of every font of fields there
-/// is one of each; that of samples is direct.
-enum class Coding : uint8_t { direct, packed };
-
-inkcell::Span<const uint8_t> font_bytes(FontId id, Coding coding);
+inkcell::Span<const uint8_t> font_bytes(FontId id);
 
 }  // namespace golden

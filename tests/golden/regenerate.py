@@ -2,8 +2,7 @@
 """Makes the golden files of this folder anew from a built tree.
 
     tests/golden/regenerate.py BUILD            hashes and pictures
-    tests/golden/regenerate.py BUILD --fonts    the frozen fonts first, and the
-                                                codes in docs/FORMAT.md
+    tests/golden/regenerate.py BUILD --fonts    the frozen fonts first
 
 Do this when a picture is meant to change, look at sheet.png, and say in the
 commit why it changed. Fonts are frozen: they change only with the format.
@@ -16,7 +15,6 @@ import zlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
 SYSTEM_FONTS = Path("/usr/share/fonts")
 # File, face, characters. Small, but with kerning, a character above U+FFFF, a
 # space, and a hanzi whose cells have too many numbers for bytes.
@@ -26,16 +24,12 @@ ROBOTO = ("Roboto-Regular.ttf", 0, "Roboty ")
 CJK = ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57\u8f5f")
 FONTS = {
     "dejavu_sans": (SANS, []),
-    "dejavu_sans_packed": (SANS, ["--coding", "packed"]),
     "dejavu_sans_samples": (("DejaVuSans.ttf", 0, "Again"),
-                            ["--cells", "samples", "--max-px", "24",
+                            ["--coding", "samples", "--max-px", "24",
                              "--tolerance", "24/255"]),
     "dejavu_serif": (SERIF, []),
-    "dejavu_serif_packed": (SERIF, ["--coding", "packed"]),
     "noto_sans_cjk": (CJK, ["--max-px", "32"]),
-    "noto_sans_cjk_packed": (CJK, ["--max-px", "32", "--coding", "packed"]),
     "roboto": (ROBOTO, []),
-    "roboto_packed": (ROBOTO, ["--coding", "packed"]),
 }
 OPTIONS = ["--format", "bin", "--quiet"]
 
@@ -50,25 +44,6 @@ def make_fonts(build):
              *options],
             check=True)
         print(out.name, out.stat().st_size, "bytes")
-
-
-def write_codes():
-    """The lengths of the prefix codes, from the header to the document."""
-    header = (ROOT / "core/include/inkcell/packed_codes.hpp").read_text()
-    document = ROOT / "docs/FORMAT.md"
-    text = document.read_text()
-    for name in "node", "kind", "rank":
-        array = re.search(rf"k{name.title()}Lengths\[.*?\]\[.*?\] = (.*?);",
-                          header, re.DOTALL).group(1)
-        for context, row in enumerate(re.findall(r"{([^{}]+)}", array)):
-            cells = [cell.strip() for cell in row.split(",")]
-            line = f"| {name} {context} |" + "".join(
-                f" {'-' if cell == '0' else cell} |" for cell in cells)
-            text, found = re.subn(rf"^\| {name} {context} \|.*$", line, text,
-                                  flags=re.MULTILINE)
-            if found != 1:
-                sys.exit("regenerate.py: FORMAT.md lacks a code")
-    document.write_text(text)
 
 
 def write_hashes(build):
@@ -130,7 +105,6 @@ def main():
         subprocess.run(["cmake", "--build", build, "--target",
                         "inkcell-fontgen"], check=True)
         make_fonts(build)
-        write_codes()
     subprocess.run(["cmake", "--build", build, "--target", *targets],
                    check=True)
     write_hashes(build)

@@ -56,9 +56,9 @@ constexpr Line kLines[] = {
      &kFilterPaperDisplay, 858993459, -644245094},
 };
 
-bool draw_line(const Line& line, const Fonts& fonts, const Sink& sink) {
+bool draw_line(const Line& line, const Sink& sink) {
   Font font;
-  if (Font::open(font_bytes(line.font, fonts.coding), font) != Status::ok) {
+  if (Font::open(font_bytes(line.font), font) != Status::ok) {
     return false;
   }
   Direction direction;
@@ -70,108 +70,103 @@ bool draw_line(const Line& line, const Fonts& fonts, const Sink& sink) {
     return false;
   }
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
-  if (fonts.coding == Coding::packed) {
-    draw_text(font, line.text, brush, origin, sink, fonts.workspace);
-  } else {
-    draw_text(font, line.text, brush, origin, sink);
-  }
+  draw_text(font, line.text, brush, origin, sink);
   return true;
 }
 
 template <typename Target>
-bool draw_lines(Target& target, const Strip& strip, const Fonts& fonts) {
+bool draw_lines(Target& target, const Strip& strip) {
   target.strip = strip;
   Sink sink;
   if (make_sink(target, sink) != Status::ok) {
     return false;
   }
   for (const Line& line : kLines) {
-    if (!draw_line(line, fonts, sink)) {
+    if (!draw_line(line, sink)) {
       return false;
     }
   }
   return true;
 }
 
-bool draw_a8(const Strip& strip, const Fonts& fonts) {
+bool draw_a8(const Strip& strip) {
   A8Target target;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
-bool draw_grey8(const Strip& strip, const Fonts& fonts) {
+bool draw_grey8(const Strip& strip) {
   Grey8Target target;
   target.level = 240;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
 template <BitOrder kOrder>
-bool draw_grey4(const Strip& strip, const Fonts& fonts) {
+bool draw_grey4(const Strip& strip) {
   Grey4Target target;
   target.order = kOrder;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
 template <BitOrder kOrder>
-bool draw_grey2(const Strip& strip, const Fonts& fonts) {
+bool draw_grey2(const Strip& strip) {
   Grey2Target target;
   target.order = kOrder;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
 template <BitOrder kOrder>
-bool draw_mono_rows(const Strip& strip, const Fonts& fonts) {
+bool draw_mono_rows(const Strip& strip) {
   MonoRowsTarget target;
   target.order = kOrder;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
-bool draw_mono_pages(const Strip& strip, const Fonts& fonts) {
+bool draw_mono_pages(const Strip& strip) {
   MonoPagesTarget target;
   target.threshold = 100;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
 template <ByteOrder kOrder>
-bool draw_rgb565(const Strip& strip, const Fonts& fonts) {
+bool draw_rgb565(const Strip& strip) {
   Rgb565Target target;
   target.colour = 0xfd88;
   target.order = kOrder;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
 template <ChannelOrder kOrder>
-bool draw_rgb888(const Strip& strip, const Fonts& fonts) {
+bool draw_rgb888(const Strip& strip) {
   Rgb888Target target;
   target.colour = 0xffb040;
   target.order = kOrder;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
-bool draw_xrgb8888(const Strip& strip, const Fonts& fonts) {
+bool draw_xrgb8888(const Strip& strip) {
   Xrgb8888Target target;
   target.colour = 0xff60c0ff;
-  return draw_lines(target, strip, fonts);
+  return draw_lines(target, strip);
 }
 
-bool draw_a8_styles(const Strip& strip, const Fonts& fonts) {
+bool draw_a8_styles(const Strip& strip) {
   A8Target target;
   target.strip = strip;
   Sink sink;
-  return make_sink(target, sink) == Status::ok && draw_styles(fonts, sink);
+  return make_sink(target, sink) == Status::ok && draw_styles(sink);
 }
 
-bool draw_rgb888_sub_pixels(const Strip& strip, const Fonts& fonts) {
+bool draw_rgb888_sub_pixels(const Strip& strip) {
   Rgb888Target target;
   target.strip = strip;
   target.colour = 0xf0f0f0;
   Sink sink;
-  return make_lcd_sink(target, sink) == Status::ok &&
-         draw_sub_pixels(fonts, sink);
+  return make_lcd_sink(target, sink) == Status::ok && draw_sub_pixels(sink);
 }
 
 struct DrawnPage {
   Page page;
-  bool (*draw)(const Strip& strip, const Fonts& fonts);
+  bool (*draw)(const Strip& strip);
 };
 
 constexpr DrawnPage kPages[kPageCount] = {
@@ -202,7 +197,6 @@ constexpr DrawnPage kPages[kPageCount] = {
 // What draw() of a loop needs to know.
 struct Loop {
   const DrawnPage* page;
-  const Fonts* fonts;
   TakeStrip take;
   void* context;
   bool drawn;
@@ -219,7 +213,7 @@ void draw_strip(void* context, const Strip& strip) {
       *at++ = strip.y0 + y < 120 ? 0 : 0x55;
     }
   }
-  loop.drawn &= loop.page->draw(strip, *loop.fonts);
+  loop.drawn &= loop.page->draw(strip);
 }
 
 void take_strip(void* context, const Strip& strip) {
@@ -234,7 +228,6 @@ const Page& page(int number) {
 }
 
 bool draw_page(int number,
-               const Fonts& fonts,
                int32_t rows,
                Span<uint8_t> buffer,
                TakeStrip take,
@@ -244,7 +237,7 @@ bool draw_page(int number,
       buffer.size < page_buffer_bytes(format, rows)) {
     return false;
   }
-  Loop loop = {&kPages[number], &fonts, take, context, true};
+  Loop loop = {&kPages[number], take, context, true};
   StripLoop strips;
   strips.buffer = buffer;
   strips.width = kPageWidth;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "fonts.hpp"
-#include "inkcell/packed.hpp"
 #include "inkcell/port/pixel.hpp"
 #include "inkcell/strip.hpp"
 
@@ -31,22 +30,12 @@ constexpr size_t page_buffer_bytes(inkcell::port::PixelFormat format,
   return inkcell::port::strip_bytes(format, kPageWidth, rows);
 }
 
-/// Which fonts to draw with, and RAM for packed ones.
-struct Fonts {
-  Coding coding = Coding::direct;
-  inkcell::Workspace workspace;
-};
-
-/// Bytes for every row of every packed font, and for the turned glyphs whole.
-inline constexpr size_t kWorkspaceBytes = 2304;
-
 using TakeStrip = void (*)(void* context, const inkcell::Strip& strip);
 
 /// Draws a page in strips of `rows` rows, a multiple of 8, into `buffer`, which
 /// begins at a multiple of 4, and hands each to `take`. False if a font did
 /// not open or a sink was refused.
 bool draw_page(int number,
-               const Fonts& fonts,
                int32_t rows,
                inkcell::Span<uint8_t> buffer,
                TakeStrip take,

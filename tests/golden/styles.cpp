@@ -24,13 +24,12 @@ struct Line {
 };
 
 bool draw_line(const Line& line,
-               const Fonts& fonts,
                const Brush& brush,
                bool fitted,
                const Sink& sink) {
   Font font;
   Fit fit;
-  if (Font::open(font_bytes(line.font, fonts.coding), font) != Status::ok) {
+  if (Font::open(font_bytes(line.font), font) != Status::ok) {
     return false;
   }
   Brush own = brush;
@@ -43,11 +42,7 @@ bool draw_line(const Line& line,
     own.set_fitter(fit_glyph, &fit);
   }
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
-  if (fonts.coding == Coding::packed) {
-    draw_text(font, line.text, own, origin, sink, fonts.workspace);
-  } else {
-    draw_text(font, line.text, own, origin, sink);
-  }
+  draw_text(font, line.text, own, origin, sink);
   return true;
 }
 
@@ -57,17 +52,15 @@ bool make_brush(const Line& line, const Filter& filter, Brush& brush) {
 }
 
 bool draw_plain(const Line& line,
-                const Fonts& fonts,
                 const Filter& filter,
                 bool fitted,
                 const Sink& sink) {
   Brush brush;
   return make_brush(line, filter, brush) &&
-         draw_line(line, fonts, brush, fitted, sink);
+         draw_line(line, brush, fitted, sink);
 }
 
 bool draw_painted(const Line& line,
-                  const Fonts& fonts,
                   const Filter& filter,
                   Painter painter,
                   const void* options,
@@ -79,109 +72,108 @@ bool draw_painted(const Line& line,
     return false;
   }
   brush.set_painter(painter, options, static_cast<uint8_t>(reach_px));
-  return draw_line(line, fonts, brush, fitted, sink);
+  return draw_line(line, brush, fitted, sink);
 }
 
-bool draw_fitted(const Fonts& fonts, const Sink& sink) {
+bool draw_fitted(const Sink& sink) {
   return draw_plain({FontId::dejavu_sans, "Inkcell 42", 12 * 64, 2 * 64 + 13,
                      12 * 64 + 21},
-                    fonts, kFilterText, true, sink) &&
+                    kFilterText, true, sink) &&
          draw_plain({FontId::roboto, "Roboty", 17 * 64 + 32, 80 * 64 + 40,
                      15 * 64 + 50},
-                    fonts, kFilterText, true, sink);
+                    kFilterText, true, sink);
 }
 
-bool draw_adaptive(const Fonts& fonts, const Sink& sink) {
+bool draw_adaptive(const Sink& sink) {
   const Adaptive even = make_adaptive(kFilterMotion, kCalmRadius);
   if (!draw_painted({FontId::dejavu_serif, "AVA Quav&", 10 * 64 + 11, 2 * 64,
                      28 * 64 + 17},
-                    fonts, kFilterMotion, paint_adaptive, &even, kAdaptiveReach,
-                    false, sink)) {
+                    kFilterMotion, paint_adaptive, &even, kAdaptiveReach, false,
+                    sink)) {
     return false;
   }
   const Adaptive paper =
       make_adaptive(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_samples, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
-      fonts, kFilterPaperDisplay, paint_adaptive, &paper, kAdaptiveReach, false,
-      sink);
+      kFilterPaperDisplay, paint_adaptive, &paper, kAdaptiveReach, false, sink);
 }
 
-bool draw_splats(const Fonts& fonts, const Sink& sink) {
+bool draw_splats(const Sink& sink) {
   // Fewer than the pixels of a glyph.
   uint32_t sums[2 * kMinSplatSums];
   Splats splats;
   return make_splats(sums, kSplatRadius, splats) == Status::ok &&
          draw_painted({FontId::dejavu_sans_samples, "Again", 13 * 64 + 7,
                        112 * 64 + 9, 169 * 64 + 30},
-                      fonts, kFilterText, paint_splats, &splats, kSplatReach,
-                      false, sink);
+                      kFilterText, paint_splats, &splats, kSplatReach, false,
+                      sink);
 }
 
-bool draw_perceptual(const Fonts& fonts, const Sink& sink) {
+bool draw_perceptual(const Sink& sink) {
   const Perception perception;
   return draw_painted(
-      {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64}, fonts,
+      {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64},
       kFilterText, paint_perceptual, &perception, kPerceptionReach, true, sink);
 }
 
-bool draw_blurred(const Fonts& fonts, const Sink& sink) {
+bool draw_blurred(const Sink& sink) {
   MotionBlur blur;
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
   return make_motion_blur(kFilterText, way, blur) == Status::ok &&
          draw_painted({FontId::roboto, "Root", 22 * 64, 95 * 64, 50 * 64},
-                      fonts, kFilterText, paint_motion_blur, &blur,
-                      blur.reach_px, false, sink);
+                      kFilterText, paint_motion_blur, &blur, blur.reach_px,
+                      false, sink);
 }
 
-bool draw_outlined(const Fonts& fonts, const Sink& sink) {
+bool draw_outlined(const Sink& sink) {
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
   if (!draw_painted({FontId::dejavu_serif, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
-                    fonts, outline.outer, paint_outline, &outline.inner, 0,
-                    false, sink)) {
+                    outline.outer, paint_outline, &outline.inner, 0, false,
+                    sink)) {
     return false;
   }
   const OutlineAndFill both = {&outline.inner, &sink};
   return draw_painted({FontId::dejavu_sans, "Inn", 28 * 64, 85 * 64, 80 * 64},
-                      fonts, outline.outer, paint_outline_and_fill, &both, 0,
-                      false, sink);
+                      outline.outer, paint_outline_and_fill, &both, 0, false,
+                      sink);
 }
 
-bool draw_weighted(const Fonts& fonts, const Sink& sink) {
+bool draw_weighted(const Sink& sink) {
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
   const Filter soft = shadow_filter(Q6_10::from_raw(1500));
-  return draw_plain({FontId::roboto, "Roboty", 16 * 64, 2 * 64, 98 * 64}, fonts,
-                    bold, false, sink) &&
+  return draw_plain({FontId::roboto, "Roboty", 16 * 64, 2 * 64, 98 * 64}, bold,
+                    false, sink) &&
          draw_plain({FontId::dejavu_sans, "Ink", 26 * 64, 90 * 64, 104 * 64},
-                    fonts, soft, false, sink);
+                    soft, false, sink);
 }
 
-bool draw_crisp(const Fonts& fonts, const Sink& sink) {
+bool draw_crisp(const Sink& sink) {
   const CrispStyle two = {2, Q6_10::from_raw(-100)};
   const CrispStyle four = {4, Q6_10()};
   return draw_painted(
              {FontId::dejavu_serif, "AV Qua", 11 * 64, 2 * 64 + 30, 118 * 64},
-             fonts, kFilterText, paint_crisp, &two, kCrispReach, false, sink) &&
+             kFilterText, paint_crisp, &two, kCrispReach, false, sink) &&
          draw_painted(
-             {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64}, fonts,
+             {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64},
              kFilterText, paint_crisp, &four, kCrispReach, true, sink);
 }
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
-bool draw_turned(const Fonts& fonts, const Sink& sink) {
+bool draw_turned(const Sink& sink) {
   Brush brush;
   const auto px = [](int32_t q10) { return Q16_16::from_raw(q10 * 64); };
   if (Brush::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
                   brush) != Status::ok ||
-      !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, fonts,
-                 brush, false, sink)) {
+      !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, brush,
+                 false, sink)) {
     return false;
   }
   if (Brush::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
                   brush) != Status::ok ||
-      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, fonts, brush,
-                 false, sink)) {
+      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, brush, false,
+                 sink)) {
     return false;
   }
   Direction direction;
@@ -194,20 +186,18 @@ bool draw_turned(const Fonts& fonts, const Sink& sink) {
   }
   brush.set_painter(paint_adaptive, &even, kAdaptiveReach);
   return draw_line({FontId::dejavu_serif, "Quav AVA", 0, 3 * 64, 160 * 64},
-                   fonts, brush, false, sink);
+                   brush, false, sink);
 }
 
 }  // namespace
 
-bool draw_styles(const Fonts& fonts, const Sink& sink) {
-  return draw_fitted(fonts, sink) && draw_adaptive(fonts, sink) &&
-         draw_splats(fonts, sink) && draw_perceptual(fonts, sink) &&
-         draw_blurred(fonts, sink) && draw_outlined(fonts, sink) &&
-         draw_weighted(fonts, sink) && draw_crisp(fonts, sink) &&
-         draw_turned(fonts, sink);
+bool draw_styles(const Sink& sink) {
+  return draw_fitted(sink) && draw_adaptive(sink) && draw_splats(sink) &&
+         draw_perceptual(sink) && draw_blurred(sink) && draw_outlined(sink) &&
+         draw_weighted(sink) && draw_crisp(sink) && draw_turned(sink);
 }
 
-bool draw_sub_pixels(const Fonts& fonts, const Sink& sink) {
+bool draw_sub_pixels(const Sink& sink) {
   constexpr SubPixels kOrders[] = {SubPixels::rgb, SubPixels::bgr,
                                    SubPixels::rgb_vertical,
                                    SubPixels::bgr_vertical};
@@ -215,10 +205,10 @@ bool draw_sub_pixels(const Fonts& fonts, const Sink& sink) {
   for (const SubPixels order : kOrders) {
     const LcdStyle style = {order, static_cast<uint8_t>(y_q6 >> 5)};
     if (!draw_painted(
-            {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6}, fonts,
+            {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
             kFilterText, paint_lcd, &style, kLcdReach, order == SubPixels::rgb,
             sink) ||
-        !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6}, fonts,
+        !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6},
                       kFilterText, paint_lcd, &style, kLcdReach, false, sink)) {
       return false;
     }

@@ -8,9 +8,9 @@ namespace golden {
 
 /// Lines that are fitted, sampled adaptively, blurred, outlined, crisp, leaning
 /// and so on. False if a font did not open, or a style was refused.
-bool draw_styles(const Fonts& fonts, const inkcell::Sink& sink);
+bool draw_styles(const inkcell::Sink& sink);
 
 /// Lines with each order of sub-pixels, for a sink that has coverage_rgb.
-bool draw_sub_pixels(const Fonts& fonts, const inkcell::Sink& sink);
+bool draw_sub_pixels(const inkcell::Sink& sink);
 
 }  // namespace golden

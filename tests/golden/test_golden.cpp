@@ -18,12 +18,9 @@ constexpr size_t kBufferBytes =
     page_buffer_bytes(inkcell::port::PixelFormat::xrgb8888, kRows);
 
 alignas(4) uint8_t buffer[kBufferBytes];
-alignas(4) uint8_t workspace[kWorkspaceBytes];
 
 static_assert(sizeof(kPageHashes) / sizeof(*kPageHashes) == kPageCount,
               "a hash for each page");
-
-constexpr Coding kCodings[] = {Coding::direct, Coding::packed};
 
 Span<const uint8_t> bytes_of(const Strip& strip, const Page& page) {
   return {strip.pixels.data, page_buffer_bytes(page.format, strip.height)};
@@ -91,15 +88,11 @@ TEST(sha256_is_sha256) {
 
 TEST(fonts_are_whole) {
   for (int i = 0; i < kFontCount; ++i) {
-    for (const Coding coding : kCodings) {
-      const Span<const uint8_t> bytes =
-          font_bytes(static_cast<FontId>(i), coding);
-      Font font;
-      CHECK_OK(Font::open(bytes, font));
-      CHECK_OK(font.verify());
-      CHECK_EQ(font.rom().size, bytes.size);
-      CHECK(font.row_workspace_bytes() <= kWorkspaceBytes);
-    }
+    const Span<const uint8_t> bytes = font_bytes(static_cast<FontId>(i));
+    Font font;
+    CHECK_OK(Font::open(bytes, font));
+    CHECK_OK(font.verify());
+    CHECK_EQ(font.rom().size, bytes.size);
   }
 }
 
@@ -107,58 +100,27 @@ TEST(the_sheet_is_the_same_everywhere) {
   Sha256 sheet;
   for (int i = 0; i < kPageCount; ++i) {
     Hashes hashes = {{}, &sheet, &page(i)};
-    CHECK(draw_page(i, Fonts{}, kRows, buffer, add_strip, &hashes));
+    CHECK(draw_page(i, kRows, buffer, add_strip, &hashes));
     check_hash(page(i).name, hashes.page, kPageHashes[i]);
   }
   check_hash("sheet", sheet, kSheetHash);
 }
 
-// In few bytes, which hold no glyph of the larger ones whole.
-TEST(packed_fonts_make_the_same_sheet) {
-  Sha256 sheet;
-  for (int i = 0; i < kPageCount; ++i) {
-    Hashes hashes = {{}, &sheet, &page(i)};
-    CHECK(draw_page(i, {Coding::packed, {workspace, sizeof(workspace)}}, kRows,
-                    buffer, add_strip, &hashes));
-  }
-  char hex[65];
-  sheet.finish().to_hex(hex);
-  CHECK(equal(hex, kSheetHash));
-}
-
 #if !INKCELL_BOARD_FIRMWARE
 
-// Strips of any height: the whole page at once is the last of them. Packed
-// glyphs are whole, too.
+// Strips of any height: the whole page at once is the last of them.
 TEST(the_sheet_is_the_same_in_any_strips) {
   static uint8_t large[page_buffer_bytes(inkcell::port::PixelFormat::xrgb8888,
                                          kPageHeight)];
-  alignas(4) static uint8_t glyph[16384];
   const int32_t heights[] = {16, 24, 40, 104, kPageHeight};
   for (const int32_t rows : heights) {
-    for (int i = 0; i < 2 * kPageCount; ++i) {
-      const int number = i / 2;
+    for (int i = 0; i < kPageCount; ++i) {
       Sha256 sheet;
-      Hashes hashes = {{}, &sheet, &page(number)};
-      CHECK(draw_page(number, {kCodings[i % 2], {glyph, sizeof(glyph)}}, rows,
-                      large, add_strip, &hashes));
+      Hashes hashes = {{}, &sheet, &page(i)};
+      CHECK(draw_page(i, rows, large, add_strip, &hashes));
       char hex[65];
       hashes.page.finish().to_hex(hex);
-      CHECK(equal(hex, kPageHashes[number]));
-    }
-  }
-}
-
-// The coding is exact: a packed font holds the direct one's cells, smaller.
-TEST(packed_fonts_are_smaller) {
-  for (int i = 0; i < kFontCount; ++i) {
-    const auto id = static_cast<FontId>(i);
-    Font font;
-    CHECK_OK(Font::open(font_bytes(id, Coding::packed), font));
-    CHECK_EQ(font.is_packed(), id != FontId::dejavu_sans_samples);
-    if (font.is_packed()) {
-      CHECK(font.rom().size < font_bytes(id, Coding::direct).size);
-      CHECK(font.workspace_bytes() <= 16384);
+      CHECK(equal(hex, kPageHashes[i]));
     }
   }
 }

@@ -32,7 +32,7 @@ void append_strip(void* context, const Strip& strip) {
 Bytes draw_whole(int number) {
   Bytes buffer(page_buffer_bytes(page(number).format, kPageHeight));
   Bytes whole;
-  if (!draw_page(number, Fonts{}, kPageHeight, {buffer.data(), buffer.size()},
+  if (!draw_page(number, kPageHeight, {buffer.data(), buffer.size()},
                  append_strip, &whole)) {
     fprintf(stderr, "golden_write_sheet: page %d was not drawn\n", number);
   }

@@ -137,35 +137,6 @@ void use_glyph(const Font& font, uint16_t glyph) {
   }
 }
 
-// RAM of exactly this size, so that the sanitizers see a byte too much. No
-// glyph can need more than 16 KB, whatever the font says.
-class Ram {
- public:
-  explicit Ram(uint32_t bytes) : bytes_(std::min(bytes, uint32_t{16384})) {}
-
-  Workspace workspace() { return {bytes_.data(), bytes_.size()}; }
-
- private:
-  std::vector<uint8_t> bytes_;
-};
-
-void use_packed(const Font& font, uint16_t glyph) {
-  PackedGlyph packed;
-  if (PackedGlyph::open(font, glyph, packed) != Status::ok) {
-    return;
-  }
-  Ram ram(16384);
-  for (uint32_t row = 0; row <= packed.tiles_y; ++row) {
-    GlyphField field;
-    if (expand(packed, row, 1, ram.workspace(), field) == Status::ok) {
-      require(row < packed.tiles_y && field.heap_units <= 8192,
-              "a row that exists, in the heap");
-      distance_at(field, Q16_16::from_int(field.x0_u + 100),
-                  Q16_16::from_int(field.y0_u + 77));
-    }
-  }
-}
-
 void use_tables(const Font& font) {
   const FontMetrics metrics = font.metrics();
   require(metrics.units_per_em >= 1, "units per em");
@@ -210,15 +181,14 @@ void draw_checked(const Font& font,
                   uint16_t glyph,
                   const Brush& brush,
                   Point origin) {
-  Ram ram(glyph % 2 == 0 ? font.workspace_bytes() : font.row_workspace_bytes());
   Canvas whole({0, 0, kWidth, kHeight});
-  draw_glyph(font, glyph, brush, origin, whole.sink(), ram.workspace());
+  draw_glyph(font, glyph, brush, origin, whole.sink());
   whole.check_guards();
   Canvas upper({0, 0, kWidth, 7});
-  draw_glyph(font, glyph, brush, origin, upper.sink(), ram.workspace());
+  draw_glyph(font, glyph, brush, origin, upper.sink());
   upper.check_guards();
   Canvas lower({0, 7, kWidth, kHeight});
-  draw_glyph(font, glyph, brush, origin, lower.sink(), ram.workspace());
+  draw_glyph(font, glyph, brush, origin, lower.sink());
   lower.check_guards();
   for (int32_t y = 0; y < kHeight; ++y) {
     require(!is_exact(brush) || whole.row_equals(y, y < 7 ? upper : lower),
@@ -233,7 +203,6 @@ void draw_checked(const Font& font,
     distance_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
     gradient_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
   }
-  use_packed(font, glyph);
 }
 
 void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
@@ -246,12 +215,11 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
                   Status::ok &&
               run.size <= text.size,
           "layout");
-  Ram ram(font.workspace_bytes());
   Canvas whole({0, 0, kWidth, kHeight});
   Canvas parts({0, 0, kWidth, kHeight});
   for (const PositionedGlyph& glyph : run) {
     whole.next_glyph();
-    draw(font, {&glyph, 1}, brush, origin, whole.sink(), ram.workspace());
+    draw(font, {&glyph, 1}, brush, origin, whole.sink());
   }
   whole.check_guards();
   // Drawn as a line, calls begin anew with each glyph: one window a row.
@@ -261,7 +229,7 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
       Sink sink = parts.sink();
       sink.window.y0 = y;
       sink.window.y1 = y + 1;
-      draw(font, {&glyph, 1}, brush, origin, sink, ram.workspace());
+      draw(font, {&glyph, 1}, brush, origin, sink);
     }
     require(!is_exact(brush) || parts.row_equals(y, whole),
             "the same line row by row");
@@ -282,25 +250,11 @@ void use(const Font& font) {
   use_glyph(font, count);
 }
 
-// A verified font has every glyph, and packed ones fit what it states.
+// A verified font has every glyph.
 void use_verified(const Font& font) {
-  Ram whole(font.workspace_bytes());
-  Ram one_row(font.row_workspace_bytes());
   for (uint16_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     GlyphField field;
-    if (font.field(glyph, field) == Status::ok) {
-      continue;
-    }
-    PackedGlyph packed;
-    require(PackedGlyph::open(font, glyph, packed) == Status::ok,
-            "verified glyphs open");
-    require(expand(packed, 0, packed.tiles_y, whole.workspace(), field) ==
-                Status::ok,
-            "verified glyphs fit the workspace");
-    for (uint32_t row = 0; row < packed.tiles_y; ++row) {
-      require(expand(packed, row, 1, one_row.workspace(), field) == Status::ok,
-              "verified rows fit the workspace of one");
-    }
+    require(font.field(glyph, field) == Status::ok, "verified glyphs open");
   }
 }
 
@@ -309,12 +263,7 @@ Outcome exercise(Span<const uint8_t> rom) {
   Font font;
   outcome.opened = Font::open(rom, font) == Status::ok;
   if (outcome.opened) {
-    Ram ram(font.workspace_bytes());
-    outcome.verified = font.verify(ram.workspace()) == Status::ok;
-    // Of packed fonts it takes one to see more than the container.
-    require(
-        font.is_packed() || outcome.verified == (font.verify() == Status::ok),
-        "direct fonts are verified without a workspace");
+    outcome.verified = font.verify() == Status::ok;
     if (outcome.verified) {
       use_verified(font);
     }

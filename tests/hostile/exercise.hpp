@@ -2,7 +2,6 @@
 #pragma once
 
 #include "inkcell/font.hpp"
-#include "inkcell/packed.hpp"
 #include "inkcell/text.hpp"
 
 namespace hostile {

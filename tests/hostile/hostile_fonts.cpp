@@ -8,7 +8,6 @@
 //   hostile_fonts 2       kerning classes of two bytes
 //   hostile_fonts narrow  glyphs of fields, references of a byte
 //   hostile_fonts linked  glyphs of fields, heaps
-//   hostile_fonts packed  packed glyphs
 #include <stdio.h>
 #include <time.h>
 
@@ -22,7 +21,6 @@
 #include "field_record.hpp"
 #include "font_builder.hpp"
 #include "hints_record.hpp"
-#include "packed_record.hpp"
 #include "random.hpp"
 
 namespace {
@@ -116,41 +114,6 @@ Bytes build_fields_font(bool linked) {
   HintsRecord hints;
   hints.make_usual();
   spec.hints = hints.write(2);
-  Bytes font(8192);
-  font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
-  hostile::require(!font.empty(), "the font fits its buffer");
-  return font;
-}
-
-// .notdef and A: packed glyphs of some size, and no kerning.
-Bytes build_packed_font() {
-  static PackedRecord records[2];
-  Random random(5);
-  uint32_t workspace = 0;
-  uint32_t row_workspace = 0;
-  for (PackedRecord& record : records) {
-    do {
-      record.make(random);
-    } while (record.size < 60 || record.size > 120 || record.tiles_y < 2);
-    workspace = std::max(workspace, 2 * record.units);
-    for (uint32_t row = 0; row < record.tiles_y; ++row) {
-      record.expect(row, 1);
-      row_workspace = std::max(row_workspace, 2 * record.units);
-    }
-  }
-  const font_builder::CmapEntry cmap[] = {{'A', 0, 1}};
-  const font_builder::GlyphSpec glyphs[] = {
-      {600, {}, nullptr, nullptr, {records[0].bytes, records[0].size}},
-      {400, {}, nullptr, nullptr, {records[1].bytes, records[1].size}}};
-  const uint8_t quantisation[] = {16, 24, 9, 6, 8, 0, 0x34, 0x22};
-  font_builder::FontSpec spec;
-  spec.cmap = cmap;
-  spec.glyphs = glyphs;
-  spec.name = "Hostile";
-  HintsRecord hints;
-  hints.make_usual();
-  spec.hints = hints.write(2);
-  spec.packed = {quantisation, row_workspace, workspace};
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
   hostile::require(!font.empty(), "the font fits its buffer");
@@ -440,10 +403,8 @@ int main(int argc, char** argv) {
     good = build_font(wide);
   } else if (kind == "narrow" || kind == "linked") {
     good = build_fields_font(kind == "linked");
-  } else if (kind == "packed") {
-    good = build_packed_font();
   } else {
-    fprintf(stderr, "usage: hostile_fonts 1|2|narrow|linked|packed\n");
+    fprintf(stderr, "usage: hostile_fonts 1|2|narrow|linked\n");
     return 2;
   }
   printf("font of %zu bytes\n", good.size());

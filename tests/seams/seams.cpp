@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "inkcell/font.hpp"
-#include "inkcell/packed.hpp"
 
 namespace {
 
@@ -175,22 +174,6 @@ std::vector<uint8_t> read_file(const char* path) {
   return bytes;
 }
 
-// The field of a glyph; of a packed one it lies in `workspace`.
-Status open_field(const Font& font,
-                  uint16_t glyph,
-                  std::vector<uint8_t>& workspace,
-                  GlyphField& out) {
-  if (!font.is_packed()) {
-    return font.field(glyph, out);
-  }
-  PackedGlyph packed;
-  INKCELL_TRY(PackedGlyph::open(font, glyph, packed));
-  return packed.tiles_y == 0
-             ? Status::no_glyph
-             : expand(packed, 0, packed.tiles_y,
-                      {workspace.data(), workspace.size()}, out);
-}
-
 std::string name_of(const Font& font, uint16_t glyph) {
   for (uint32_t code_point = 1; code_point < 0x110000; ++code_point) {
     uint16_t found = 0;
@@ -225,13 +208,12 @@ int main(int argc, char** argv) {
   }
   const Metric metric(font.range());
   Summary summary;
-  std::vector<uint8_t> workspace(font.workspace_bytes());
   for (uint16_t id = 0; id < font.glyph_count(); ++id) {
     if (font.record(id).size == 0) {
       continue;  // no ink
     }
     GlyphField field;
-    if (open_field(font, id, workspace, field) != Status::ok) {
+    if (font.field(id, field) != Status::ok) {
       fprintf(stderr, "seams: glyph %d cannot be opened\n", id);
       return 1;
     }

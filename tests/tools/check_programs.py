@@ -15,9 +15,8 @@ SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 PROGRAMS = {}
 
-# Every kind of font, and the options that make it.
-KINDS = {"samples": ("--cells", "samples"), "direct": (),
-         "packed": ("--coding", "packed")}
+# Every coding, and the options that choose it.
+CODINGS = {"samples": ("--coding", "samples"), "edges": ()}
 
 
 def run(program, *arguments, code=0):
@@ -66,11 +65,11 @@ class Tools(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="inkcell")
         cls.path = pathlib.Path(cls.folder.name)
         cls.fonts = {}
-        for name, options in KINDS.items():
+        for name, options in CODINGS.items():
             cls.fonts[name] = cls.path / f"{name}.bin"
             run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px",
                 "32", *options, "--quiet", "--out", cls.fonts[name])
-        cls.font = cls.fonts["direct"]
+        cls.font = cls.fonts["edges"]
 
     @classmethod
     def tearDownClass(cls):
@@ -89,44 +88,39 @@ class Tools(unittest.TestCase):
         self.assertGreater(rom.ink(), 255 * 100)
 
     def test_strips_do_not_show(self):
-        for kind, angle in itertools.product(KINDS, (0, 30)):
+        for coding, angle in itertools.product(CODINGS, (0, 30)):
             pictures = {
                 self.render("--text", "To\nAV", "--px", "21.5", "--angle", angle,
-                            "--rows", rows, font=self.fonts[kind]).pixels
+                            "--rows", rows, font=self.fonts[coding]).pixels
                 for rows in (1, 2, 7, 8, 32, 1000)
             }
             self.assertEqual(len(pictures), 1)
 
-    def test_packed_fonts_draw_what_direct_ones_draw(self):
+    def test_codings_draw_about_the_same(self):
         pictures = {}
-        for kind, font in self.fonts.items():
+        for coding, font in self.fonts.items():
             for angle in (0, 30):
-                pictures[kind, angle] = self.render(
+                pictures[coding, angle] = self.render(
                     "--text", "AVToal.", "--px", 19, "--angle", angle, font=font)
             said = run("render", "--font", font, "--text", "a", "--px", 12,
                        "--stats", "--out", self.path / "a.pgm")
-            cells = "samples" if kind == "samples" else "fields"
-            coding = "packed" if kind == "packed" else "direct"
-            self.assertIn(f"8 glyphs, {coding} {cells}\n", said)
-            workspace = int(re.search(r"workspace +(\d+) bytes", said).group(1))
-            self.assertEqual(workspace > 0, kind == "packed")
+            self.assertIn(f"8 glyphs, coding {coding}\n", said)
         for angle in (0, 30):
-            direct = pictures["direct", angle].pixels
-            self.assertEqual(direct, pictures["packed", angle].pixels)
+            edges = pictures["edges", angle].pixels
             samples = pictures["samples", angle].pixels
-            self.assertEqual(len(direct), len(samples))
-            self.assertNotEqual(direct, samples)
+            self.assertEqual(len(edges), len(samples))
+            self.assertNotEqual(edges, samples)
             # Each is within 16/255 of the truth.
             self.assertLessEqual(
-                max(abs(a - b) for a, b in zip(direct, samples)), 33)
+                max(abs(a - b) for a, b in zip(edges, samples)), 33)
 
-    def test_converts_to_any_kind_in_memory(self):
-        for kind, options in KINDS.items():
+    def test_converts_to_any_coding_in_memory(self):
+        for coding, options in CODINGS.items():
             converted = self.render("--text", "AVToal.", "--px", 24, "--max-px",
                                     32, "--symbols", "AVToal.", *options,
                                     font=SANS)
             opened = self.render("--text", "AVToal.", "--px", 24,
-                                 font=self.fonts[kind])
+                                 font=self.fonts[coding])
             self.assertEqual(converted.pixels, opened.pixels)
 
     def test_picture_holds_the_ink_with_a_margin(self):
@@ -312,8 +306,6 @@ class Tools(unittest.TestCase):
                          "h": 60, "angle": angle, "kind": "anim",
                          "out": str(self.path / f"job{i}.pgm")})
         jobs.append(dict(jobs[0], font=SANS, out=str(self.path / "job3.pgm")))
-        jobs.append(dict(jobs[0], font=str(self.fonts["packed"]),
-                         out=str(self.path / "job4.pgm")))
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
         run("render", "--jobs", listed, "--max-px", 32)
@@ -327,9 +319,8 @@ class Tools(unittest.TestCase):
                 70, "--height", 60, "--angle", job["angle"])
             self.assertEqual(single.pixels,
                              Pgm(self.path / f"job{i}.pgm").pixels)
-        for same in ("job3.pgm", "job4.pgm"):
-            self.assertEqual(Pgm(self.path / "job0.pgm").pixels,
-                             Pgm(self.path / same).pixels)
+        self.assertEqual(Pgm(self.path / "job0.pgm").pixels,
+                         Pgm(self.path / "job3.pgm").pixels)
 
     def test_jobs_are_fitted_where_one_is_upright(self):
         drawn = self.path / "fitted.pgm"
@@ -396,7 +387,7 @@ class Tools(unittest.TestCase):
                 *((f"--hint {hint} fits rows, which --samples splats",
                    ("--font", self.font, *text, "--hint", hint, "--samples",
                     "splats")) for hint in ("vertical", "both")),
-                ("make it by inkcell-fontgen --cells samples", (
+                ("make it by inkcell-fontgen --coding samples", (
                     "--font", self.font, *text, "--samples", "splats")),
                 ("--outline-place is for --outline", (
                     "--font", self.font, *text, "--outline-place", "inner")),
@@ -657,7 +648,7 @@ class Tools(unittest.TestCase):
         self.assertFalse(out.exists())
 
     def test_damaged_fonts_are_refused(self):
-        for kind, font in self.fonts.items():
+        for coding, font in self.fonts.items():
             damaged = self.path / "damaged.bin"
             data = bytearray(font.read_bytes())
             data[-9] ^= 1
@@ -669,7 +660,7 @@ class Tools(unittest.TestCase):
                     (1, ("specimen", damaged, "--body", out)),
                     (2, ("accuracy", "--font", damaged, "--truth", SANS))):
                 self.assertIn("damaged.bin: it is damaged; regenerate it",
-                              run(*arguments, code=failed), kind)
+                              run(*arguments, code=failed), coding)
             self.assertFalse(out.exists())
             seen = run("inspect", damaged, code=1)
             self.assertIn("corrupt", seen)
@@ -686,7 +677,7 @@ class Tools(unittest.TestCase):
                 ("render", "--font", self.font, *draw, "--chars", "A-Z"),
                 ("render", "--font", self.font, *draw, "--max-px", 64),
                 ("render", "--jobs", job, "--hints", "off"),
-                ("inspect", self.font, "--kind", "samples"),
+                ("inspect", self.font, "--coding", "samples"),
                 ("inspect", self.font, "--effort", 5),
                 ("specimen", self.font, "--sizes", out, "--band-px", 1)]:
             printed = run(program, *arguments, code=1)
@@ -710,7 +701,7 @@ class Tools(unittest.TestCase):
 
     def test_inspect_counts_what_the_generator_counted(self):
         report = self.path / "report.json"
-        run("fontgen", "--font", SERIF, "--symbols", "aD", "--cells", "samples",
+        run("fontgen", "--font", SERIF, "--symbols", "aD", "--coding", "samples",
             "--predicate", "fixed", "--quiet", "--out", self.path / "serif.bin", "--report",
             report)
         generated = json.loads(report.read_text())
@@ -728,36 +719,28 @@ class Tools(unittest.TestCase):
                                  glyph["cells"])
                 self.assertTrue(350 <= glyph["cells"] <= 550, glyph)
 
-    def test_inspect_counts_every_kind(self):
+    def test_inspect_counts_every_coding(self):
         report = self.path / "report.json"
-        for kind, options in KINDS.items():
-            rom = self.path / "kind.bin"
+        for coding, options in CODINGS.items():
+            rom = self.path / "coding.bin"
             run("fontgen", "--font", SERIF, "--symbols", "a%", *options,
                 "--quiet", "--out", rom, "--report", report)
             generated = json.loads(report.read_text())
             seen = json.loads(run("inspect", rom, "--json"))
             self.assertEqual(seen["verify"], "ok")
-            self.assertEqual(seen["cell_kind"], generated["cells"])
-            self.assertEqual(seen["coding"], generated["coding"])
-            self.assertEqual(seen["workspace"], generated["workspace"])
+            self.assertEqual(seen["coding"], coding)
+            self.assertEqual(generated["coding"], coding)
             self.assertEqual(seen["cells_by_kind"], generated["cells_by_kind"])
             self.assertEqual(seen["cells"],
                              sum(generated["cells_by_kind"].values()))
             self.assertEqual(seen["nodes"], generated["node_count"])
-            self.assertEqual(seen["fields"] > 0, kind != "samples")
-            expanded = []
+            self.assertEqual(seen["fields"] > 0, coding != "samples")
             for glyph in seen["glyphs"]:
                 # All parts of a record, but for the byte that may fill it up.
                 parts = sum(glyph["record_bytes"].values())
                 self.assertIn(glyph["bytes"] - parts,
-                              (0, 1) if kind == "direct" else (0,), glyph)
-                expanded.append(glyph["expanded_bytes"])
-            self.assertEqual(max(expanded) > 0, kind == "packed")
-            # The stack of the expansion is the caller's, the rest is the field.
-            self.assertLessEqual(max(expanded), seen["workspace"]["glyph"])
-            text = run("inspect", rom)
-            self.assertIn(f"{generated['coding']} cells of "
-                          f"{generated['cells']}", text)
+                              (0, 1) if coding == "edges" else (0,), glyph)
+            self.assertRegex(run("inspect", rom), rf"coding +{coding}\n")
 
     def test_inspect_shows_hints(self):
         seen = json.loads(run("inspect", self.font, "--glyph", "T", "--json"))
@@ -790,20 +773,20 @@ class Tools(unittest.TestCase):
         self.assertRegex(run("inspect", bare), r"hints +none")
 
     def test_inspect_draws(self):
-        for kind in KINDS:
+        for coding in CODINGS:
             pictures = [self.path / name for name in
                         ("cells.png", "edges.png", "sheet.png")]
             self.assertIn("glyph", run(
-                "inspect", self.fonts[kind], "--glyph", "A",
+                "inspect", self.fonts[coding], "--glyph", "A",
                 *(x for out in pictures for x in (f"--{out.stem}", out))))
             self.assertNotEqual(pictures[0].read_bytes(),
                                 pictures[1].read_bytes())
             for picture in pictures:
                 self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
                 picture.unlink()
-        converted = json.loads(run("inspect", SANS, "--symbols", "o", "--kind",
-                                   "samples", "--json"))
-        self.assertEqual(converted["cell_kind"], "samples")
+        converted = json.loads(run("inspect", SANS, "--symbols", "o",
+                                   "--coding", "samples", "--json"))
+        self.assertEqual(converted["coding"], "samples")
         self.assertIn("no glyph", run("inspect", self.font, "--glyph", "Z",
                                       code=1))
         self.assertIn("4 to 1024 px", run("inspect", self.font, "--sheet",
@@ -832,9 +815,7 @@ class Tools(unittest.TestCase):
         self.assertIn(f"the font has {size} bytes", printed)
         listed = json.loads(table.read_text())
         self.assertEqual(listed["font_bytes"], size)
-        self.assertEqual(
-            (listed["cells"], listed["coding"], listed["workspace"]),
-            ("fields", "direct", 0))
+        self.assertEqual(listed["coding"], "edges")
         self.assertEqual(listed["characters"], 2)
         rows = listed["rows"]
         filters = ("text", "motion", "paper_display", "paper_body")
@@ -897,14 +878,13 @@ class Tools(unittest.TestCase):
 
     def test_specimen_draws(self):
         pictures = {}
-        for kind, options in KINDS.items():
-            out = self.path / f"{kind}.png"
+        for coding, options in CODINGS.items():
+            out = self.path / f"{coding}.png"
             run("specimen", SANS, "--sizes", out, "--max-px", 16, "--symbols",
                 "Onefotvrysizikcl,", *options)
-            pictures[kind] = out.read_bytes()
-            self.assertEqual(pictures[kind][:4], b"\x89PNG")
-        self.assertEqual(pictures["direct"], pictures["packed"])
-        self.assertNotEqual(pictures["direct"], pictures["samples"])
+            pictures[coding] = out.read_bytes()
+            self.assertEqual(pictures[coding][:4], b"\x89PNG")
+        self.assertNotEqual(pictures["edges"], pictures["samples"])
 
     def test_specimen_draws_styles(self):
         pictures = [self.path / f"{name}.png" for name in (
@@ -916,7 +896,7 @@ class Tools(unittest.TestCase):
             self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
         out = self.path / "effects.png"
         self.assertIn("--band-px", run(
-            "specimen", self.fonts["direct"], "--effects", out, code=1))
+            "specimen", self.font, "--effects", out, code=1))
         run("specimen", SANS, "--symbols", "Efcts", "--band-px", 2, "--min-px",
             12, "--max-px", 32, "--effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")

@@ -46,7 +46,7 @@ TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   Conversion conversion;
-  conversion.request.adf.cells = gen::CellKind::samples;
+  conversion.request.adf.coding = gen::Coding::samples;
   conversion.request.adf.effort = 0;  // for speed
   testing::internal::CaptureStderr();
   const RomFile rom = load_font_file(file, conversion, "ZH");
@@ -69,7 +69,7 @@ TEST(Convert, KeepsTheSizesThatWereAskedFor) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   Conversion conversion;
-  conversion.request.adf.cells = gen::CellKind::samples;
+  conversion.request.adf.coding = gen::Coding::samples;
   conversion.request.adf.effort = 0;  // for speed
   conversion.may_halve = false;
   EXPECT_THROW(load_font_file(file, conversion, "ZH"), gen::TooComplex);

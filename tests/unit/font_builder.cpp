@@ -196,10 +196,9 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   out.u16(12);  // px
   out.u16(64);
   out.u8(16);
-  const uint32_t packed = spec.packed.quantisation.size != 0 ? 1 : 0;
-  out.u8(packed);  // cells of fields
-  out.u8(packed);
+  out.u8(static_cast<uint32_t>(format::Coding::samples));
   out.u8(0);
+  out.u8(static_cast<uint32_t>(format::Predicate::size_aware));
   out.u16(sections);
   out.u16(Record::kMaxCells);
   out.u16(Record::kMaxReferences / 4);
@@ -210,11 +209,7 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   for (const int32_t side : box) {
     out.i16(side);
   }
-  out.u32(spec.packed.row_workspace);
-  out.u32(spec.packed.workspace);
-  for (uint32_t i = 0; i < 8; ++i) {
-    out.u8(packed != 0 ? spec.packed.quantisation[i] : 0);
-  }
+  out.u32(0);  // of outlines
 }
 
 using WriteSection = void (*)(const FontSpec&, Writer&);

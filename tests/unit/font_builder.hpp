@@ -99,13 +99,6 @@ struct KerningSpec {
   Span<const int16_t> values;
 };
 
-/// What makes a font packed. Its glyphs then have `bytes`.
-struct PackedSpec {
-  Span<const uint8_t> quantisation;  // 8 bytes; none: the font is direct
-  uint32_t row_workspace = 0;        // [bytes]
-  uint32_t workspace = 0;
-};
-
 struct FontSpec {
   uint16_t units_per_em = 1000;
   Span<const CmapEntry> cmap;
@@ -115,7 +108,6 @@ struct FontSpec {
   const char* name = "";
   uint32_t extra_section = 0;  // tag of an empty section; 0: none
   uint32_t extra_flags = 0;
-  PackedSpec packed;
 };
 
 /// Writes the font into `out`; the bytes of the font, 0 if it does not fit.

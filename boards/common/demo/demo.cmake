@@ -25,8 +25,7 @@ function(inkcell_add_demo_font board)
   endif()
   add_library(${board}_demo_font INTERFACE)
   inkcell_add_font(${board}_demo_font NAME demo FONT ${INKCELL_DEMO_FONT}
-    MIN_PX 8 MAX_PX ${max_px}
-    CELLS ${INKCELL_DEMO_CELLS} CODING ${INKCELL_DEMO_CODING})
+    MIN_PX 8 MAX_PX ${max_px} CODING ${INKCELL_DEMO_CODING})
 endfunction()
 
 # inkcell_add_demo(<name> <board> <format> [<rows>])
@@ -56,13 +55,9 @@ function(inkcell_add_demo name board format)
 
   inkcell_add_demo_font(${board})
   add_library(${name}_scene STATIC ${INKCELL_DEMO_DIR}/scene.cpp)
-  string(COMPARE EQUAL "${INKCELL_DEMO_CODING}" packed packed)
-  string(COMPARE EQUAL "${INKCELL_DEMO_WORKSPACE}" row row)
   target_compile_definitions(${name}_scene PUBLIC
     INKCELL_DEMO_CLOCK_PX=${INKCELL_DEMO_CLOCK_PX}
-    INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX}
-    INKCELL_DEMO_PACKED=${packed}
-    INKCELL_DEMO_ROW_WORKSPACE=${row})
+    INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX})
   target_link_libraries(${name}_scene
     PUBLIC ${name}_pattern
     PRIVATE ${board}_demo_font)

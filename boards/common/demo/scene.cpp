@@ -36,26 +36,6 @@ Text time_text(uint32_t minute, char (&digits)[5]) noexcept {
   return {digits, sizeof digits};
 }
 
-#if INKCELL_DEMO_PACKED
-// Where glyphs are expanded: whole, or a row of tiles at a time.
-constexpr size_t kWorkspaceBytes = INKCELL_DEMO_ROW_WORKSPACE
-                                       ? fonts::demo_row_workspace
-                                       : fonts::demo_workspace;
-alignas(2) uint8_t workspace[kWorkspaceBytes];
-#endif
-
-void draw_line(const Font& font,
-               Span<const PositionedGlyph> glyphs,
-               const Brush& brush,
-               Point origin,
-               const Sink& sink) noexcept {
-#if INKCELL_DEMO_PACKED
-  draw(font, glyphs, brush, origin, sink, Span<uint8_t>(workspace));
-#else
-  draw(font, glyphs, brush, origin, sink);
-#endif
-}
-
 int32_t count_missing(const Font& font, Text text) noexcept {
   int32_t missing = 0;
   while (text.size != 0) {
@@ -144,15 +124,15 @@ void Scene::set_frame(uint32_t frame) noexcept {
 
 void Scene::draw(const Strip& strip) const noexcept {
   Canvas canvas(strip);
-  draw_line(font_, clock_.used, clock_brush_, clock_.origin,
-            canvas.sink(Ink::clock));
+  inkcell::draw(font_, clock_.used, clock_brush_, clock_.origin,
+                canvas.sink(Ink::clock));
   for (int32_t i = 0; i < kBodyLines; ++i) {
-    draw_line(font_, body_[i].used, text_brush_, body_[i].origin,
-              canvas.sink(Ink::text));
+    inkcell::draw(font_, body_[i].used, text_brush_, body_[i].origin,
+                  canvas.sink(Ink::text));
   }
   const int32_t left = kOneLine ? (clock_.width_q6 + kMarginQ6 + 63) / 64 : 0;
-  draw_line(font_, moving_.used, text_brush_, moving_.origin,
-            right_of(canvas.sink(Ink::moving), left));
+  inkcell::draw(font_, moving_.used, text_brush_, moving_.origin,
+                right_of(canvas.sink(Ink::moving), left));
 }
 
 int32_t Scene::missing_characters() const noexcept {

@@ -1,9 +1,8 @@
 // The demo's scene: a clock with large digits, body text, and a line that moves
 // by 1/8 px from frame to frame. The same code runs on boards and on the host.
 //
-// The build makes its font (demo.cmake) and says how: INKCELL_DEMO_CLOCK_PX and
-// INKCELL_DEMO_TEXT_PX [px/em]; INKCELL_DEMO_PACKED: whether it is packed, and
-// INKCELL_DEMO_ROW_WORKSPACE: whether RAM holds a row of tiles only.
+// The build makes its font (demo.cmake) and sets the sizes:
+// INKCELL_DEMO_CLOCK_PX and INKCELL_DEMO_TEXT_PX [px/em].
 #pragma once
 
 #include <stdint.h>

@@ -10,7 +10,6 @@
 namespace inkcell {
 
 class Font;
-struct Workspace;  // packed.hpp
 
 namespace detail {
 Status read_field(const Font& font, uint16_t glyph, GlyphField& field) noexcept;
@@ -70,20 +69,14 @@ class Font {
   /// longer than the font.
   ///
   /// bad_magic, bad_version, misaligned, corrupt (header, directory or table
-  /// sizes), unsupported (cells, coding or a section that this build cannot
-  /// read). `out` is untouched unless the result is ok.
+  /// sizes), unsupported (a coding or section that this build cannot read).
+  /// `out` is untouched unless the result is ok.
   static Status open(Span<const uint8_t> rom, Font& out) noexcept;
 
   /// Reads the whole font: its checksum, every table and every reference.
   /// Never needed for safety; for a factory test or after an update. Time is
   /// proportional to the font's size. corrupt: something does not fit.
-  ///
-  /// Of packed glyphs it reads no more than where they begin.
   Status verify() const noexcept;
-
-  /// The same, and expands packed glyphs to look into them as well.
-  /// buffer_small: `workspace` has less than workspace_bytes().
-  Status verify(Workspace workspace) const noexcept;
 
   uint16_t glyph_count() const noexcept { return glyph_count_; }
   FontMetrics metrics() const noexcept;
@@ -118,19 +111,9 @@ class Font {
   /// 16 steps for ASCII.
   int32_t kerning(uint16_t left, uint16_t right) const noexcept;
 
-  /// Whether glyphs must be expanded into RAM before they can be drawn:
-  /// packed.hpp.
-  bool is_packed() const noexcept;
-
-  /// RAM to expand the largest glyph, and the largest row of tiles of any
-  /// glyph, as the font states it; 0 if it is not packed. [bytes]
-  uint32_t workspace_bytes() const noexcept;
-  uint32_t row_workspace_bytes() const noexcept;
-
   /// The distance field of a glyph; empty for a glyph without ink.
   /// no_glyph: there is no glyph of this id. corrupt, unsupported: as
-  /// GlyphField::open; packed glyphs are unsupported (a packed font may hold
-  /// others too). `out` is untouched unless the result is ok.
+  /// GlyphField::open. `out` is untouched unless the result is ok.
   Status field(uint16_t glyph, GlyphField& out) const noexcept;
 
   /// The glyph's record as it lies in the font, for tools. Empty if the glyph

@@ -40,41 +40,32 @@ inline constexpr uint32_t kCapHeight = 32;     // i16 [font units]
 inline constexpr uint32_t kMinPx = 34;         // u16 [px/em]
 inline constexpr uint32_t kMaxPx = 36;         // u16 [px/em]
 inline constexpr uint32_t kTolerance = 38;     // u8 [1/255]
-inline constexpr uint32_t kCellKind = 39;      // u8, CellKind
-inline constexpr uint32_t kCoding = 40;        // u8, Coding
+inline constexpr uint32_t kCoding = 39;        // u8, Coding
+inline constexpr uint32_t kReserved0 = 40;     // u8, 0
 inline constexpr uint32_t kPredicate = 41;     // u8, Predicate
 inline constexpr uint32_t kSectionCount = 42;  // u16
 inline constexpr uint32_t kMaxCells = 44;      // u16, of any glyph
 inline constexpr uint32_t kMaxNodes = 46;      // u16, of any glyph
 inline constexpr uint32_t kMaxDepth = 48;      // u8, of any tile
-inline constexpr uint32_t kReserved = 49;      // u8, 0
+inline constexpr uint32_t kReserved1 = 49;     // u8, 0
 inline constexpr uint32_t kBand = 50;          // u16 [u], field good up to here
 inline constexpr uint32_t kXMin = 52;          // i16 [font units]
 inline constexpr uint32_t kYMin = 54;          // i16 [font units]
 inline constexpr uint32_t kXMax = 56;          // i16 [font units]
 inline constexpr uint32_t kYMax = 58;          // i16 [font units]
-// RAM to unpack the largest row of tiles of any glyph, and the largest glyph;
-// both 0 if the coding is direct.
-inline constexpr uint32_t kRowWorkspace = 60;  // u32 [bytes]
-inline constexpr uint32_t kWorkspace = 64;     // u32 [bytes]
-inline constexpr uint32_t kQuantisation = 68;  // quantisation, 0 if direct
-inline constexpr uint32_t kBytes = 76;
+// Outlines; 0 where the coding is one of cells.
+inline constexpr uint32_t kGridShift = 60;  // i8, grid unit: 2^shift font units
+inline constexpr uint32_t kCodeBits = 61;   // u8, the code table has 2^bits
+inline constexpr uint32_t kMaxPoints = 62;  // u16, of any glyph
+inline constexpr uint32_t kBytes = 64;
 }  // namespace header
 
-// What the packed coding's numbers count.
-namespace quantisation {
-inline constexpr uint32_t kD0Step = 0;     // u8 [u/64]
-inline constexpr uint32_t kBendStep = 1;   // u8 [u/64]
-inline constexpr uint32_t kD0Base = 2;     // u8 [bits]
-inline constexpr uint32_t kD0Log2 = 3;     // u8
-inline constexpr uint32_t kAngleBase = 4;  // u8 [bits]
-inline constexpr uint32_t kReserved = 5;   // u8, 0
-inline constexpr uint32_t kBendBits = 6;   // u16, 4 bits for each of 4 levels
-inline constexpr uint32_t kBytes = 8;
-}  // namespace quantisation
-
-enum class CellKind : uint8_t { samples = 0, fields = 1 };
-enum class Coding : uint8_t { direct = 0, packed = 1 };
+/// What a font's glyphs are made of.
+enum class Coding : uint8_t {
+  samples = 0,  // cells of nine samples
+  edges = 1,    // cells of fields, of samples where fields do not fit
+  outline = 2,  // outlines
+};
 enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };
 
 // An entry of the section directory.
@@ -188,15 +179,15 @@ inline constexpr uint32_t kStemStep = 4;
 // whose offset is that of the next has no ink.
 namespace glyphs {
 inline constexpr uint32_t kOffsetBits = 0;  // u8, 0..25
-inline constexpr uint32_t kUnitLog2 = 1;  // u8, 0..7; direct coding: at least 1
+inline constexpr uint32_t kUnitLog2 = 1;    // u8, 0..7; at least 1 for cells
 inline constexpr uint32_t kBytes = 2;
 inline constexpr uint32_t kMaxUnitLog2 = 7;
 
-/// Records in direct coding lie at multiples of this. [bytes]
+/// Records of cells lie at multiples of this. [bytes]
 inline constexpr uint32_t kRecordAlignment = 2;
 }  // namespace glyphs
 
-// A glyph record: `samples` cells, `direct` coding.
+// A glyph record of cells of nine samples.
 namespace glyph {
 inline constexpr uint32_t kType = 0;        // u8, kTypeSamples or kTypeFields
 inline constexpr uint32_t kTileLog2 = 1;    // u8, 0..11: tiles of 1..2048 u
@@ -301,59 +292,6 @@ inline constexpr uint32_t kArcUnits = 5;
 inline constexpr uint32_t kPairUnits = 2;
 inline constexpr uint32_t kTripleUnits = 4;
 }  // namespace linked
-
-// A glyph record in packed coding: the grid, the bytes of each row of tiles but
-// the last, and streams of bits. Prefix codes are those of packed_codes.hpp.
-namespace packed {
-inline constexpr uint32_t kType = 0;   // u8, kTypePacked, and kWideRows or not
-inline constexpr uint32_t kTiles = 1;  // u8, columns and, times 16, rows
-inline constexpr uint32_t kX0Y0 = 2;   // 24 bits: x0, then y0, 12 bits each [u]
-inline constexpr uint32_t kRowLengths = 5;  // u8, or u16 if kWideRows
-inline constexpr uint8_t kTypePacked = 3;
-inline constexpr uint8_t kWideRows = 0x80;
-
-inline constexpr uint32_t kTileLog2 = 8;
-inline constexpr int32_t kTileU = 1 << kTileLog2;
-inline constexpr uint32_t kSharedCountBits = 4;
-inline constexpr uint32_t kRecentFields = 16;
-inline constexpr uint32_t kMaxUnary = 15;
-
-constexpr int16_t i12(int32_t bits) noexcept {
-  return static_cast<int16_t>(((bits & 0xfff) ^ 0x800) - 0x800);
-}
-
-/// Where the streams begin: the shared one, then those of the rows.
-constexpr uint32_t streams_at(uint32_t tiles_y, bool wide_rows) noexcept {
-  return kRowLengths + (tiles_y - 1) * (wide_rows ? 2 : 1);
-}
-
-/// The square of a shared field is as large as the grid's longer side, at
-/// least. [log2 u]
-constexpr uint32_t shared_log2(uint32_t tiles_x, uint32_t tiles_y) noexcept {
-  uint32_t log2 = kTileLog2;
-  while ((uint32_t{1} << (log2 - kTileLog2)) < tiles_x ||
-         (uint32_t{1} << (log2 - kTileLog2)) < tiles_y) {
-    ++log2;
-  }
-  return log2;
-}
-
-// Symbols of a square. From kMin3 on they are ordered like the operators.
-inline constexpr uint32_t kSplit = 0;
-inline constexpr uint32_t kOutside = 1;
-inline constexpr uint32_t kInside = 2;
-inline constexpr uint32_t kSingle = 3;
-inline constexpr uint32_t kMin2 = 4;
-inline constexpr uint32_t kMax2 = 5;
-inline constexpr uint32_t kMin3 = 6;
-inline constexpr uint32_t kMax3 = 7;
-inline constexpr uint32_t kMinMax = 8;
-inline constexpr uint32_t kMaxMin = 9;
-
-// Symbols of a field.
-inline constexpr uint32_t kReuse = 0;
-inline constexpr uint32_t kNew = 1;  // and a FieldKind
-}  // namespace packed
 
 }  // namespace format
 }  // namespace inkcell

@@ -10,7 +10,6 @@
 
 #include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/packed.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
@@ -119,39 +118,5 @@ void draw_glyph(const Font& font,
                 const Brush& brush,
                 Point origin,
                 const Sink& sink) noexcept;
-
-/// The same for packed fonts, which the calls above leave out, and for direct
-/// ones, which need no workspace.
-///
-/// Of each packed glyph the rows of tiles that meet the sink's window are
-/// expanded into `workspace`: all at once if it has the font's
-/// workspace_bytes(), else one after the other, for which row_workspace_bytes()
-/// are enough. Turned glyphs always take all at once, and whole if there is
-/// less; those drawn by a Painter are always expanded whole. What does not fit
-/// is left out. Every call expands anew: high strips
-/// are faster than low ones.
-///
-/// They are calls of their own so that programs with direct fonts only do not
-/// link the decoder, about 6 KB.
-void draw(const Font& font,
-          Span<const PositionedGlyph> glyphs,
-          const Brush& brush,
-          Point origin,
-          const Sink& sink,
-          Workspace workspace) noexcept;
-
-void draw_text(const Font& font,
-               Text text,
-               const Brush& brush,
-               Point origin,
-               const Sink& sink,
-               Workspace workspace) noexcept;
-
-void draw_glyph(const Font& font,
-                uint16_t glyph,
-                const Brush& brush,
-                Point origin,
-                const Sink& sink,
-                Workspace workspace) noexcept;
 
 }  // namespace inkcell

@@ -13,7 +13,7 @@ inline constexpr uint8_t kLibraryVersionPatch = 0;
 /// same release writes. Independent of the library's version. While the major
 /// is 0 the format may change with every minor.
 inline constexpr uint8_t kFormatMajor = 0;
-inline constexpr uint8_t kFormatMinor = 2;
+inline constexpr uint8_t kFormatMinor = 3;
 
 /// Whether this library reads a font of the given format version: from 1.0 on
 /// the same major and a minor that is not newer, before that exactly the same.

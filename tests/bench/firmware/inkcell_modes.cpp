@@ -1,4 +1,4 @@
-// Inkcell with a direct font in every way that glyphs can look, one a mode.
+// Inkcell with a font of edges in every way that glyphs can look, one a mode.
 // Those of a display with sub-pixels, and "plain_rgb888" to compare them with,
 // draw into 24-bit pixels, all others into 8-bit coverage.
 #include "inkcell/adaptive.hpp"
@@ -138,7 +138,7 @@ bool engine_set_size(uint32_t px, const char* way) {
 }
 
 engine_answer engine_prepare(uint32_t code_point) {
-  return bench::place_direct(code_point);
+  return bench::place_glyph(code_point);
 }
 
 void engine_draw(uint32_t code_point) {

@@ -46,7 +46,7 @@ engine_answer bench::place(uint16_t glyph, const GlyphField& field) {
   return engine_ready;
 }
 
-engine_answer bench::place_direct(uint32_t code_point) {
+engine_answer bench::place_glyph(uint32_t code_point) {
   uint16_t glyph = 0;
   GlyphField field;
   if (font.glyph_of(code_point, glyph) != Status::ok ||

@@ -52,8 +52,8 @@ void draw_strips(const Draw& draw) {
 // Puts the glyph into the strips' upper left corner, and clears those.
 engine_answer place(uint16_t glyph, const inkcell::GlyphField& field);
 
-// The same with the glyph of a character, of a font that is read in place.
-engine_answer place_direct(uint32_t code_point);
+// The same with the glyph of a character.
+engine_answer place_glyph(uint32_t code_point);
 
 // Whether two names are the same.
 bool equal(const char* a, const char* b);

@@ -1,15 +1,14 @@
 // Programs that are linked to see what they keep of the library, not run. Each
 // opens a font and draws:
 //
-//   INKCELL_KEEP 0   upright glyphs of a direct font, 8-bit coverage
-//                1   the same, and packed ones
-//                2   the same, and lines of text
-//                3   the same, at any angle
-//                4   the same, into every format
+//   INKCELL_KEEP 0   upright glyphs of cells, 8-bit coverage
+//                1   the same, and lines of text
+//                2   the same, at any angle
+//                3   the same, into every format
 #include "inkcell/port/a8.hpp"
 #include "inkcell/text.hpp"
 
-#if INKCELL_KEEP >= 4
+#if INKCELL_KEEP >= 3
 #  include "inkcell/port/grey2.hpp"
 #  include "inkcell/port/grey4.hpp"
 #  include "inkcell/port/grey8.hpp"
@@ -26,7 +25,7 @@ namespace {
 
 alignas(4) uint8_t bytes[64];
 
-#if INKCELL_KEEP >= 3
+#if INKCELL_KEEP >= 2
 Direction direction;
 
 Status make_brush(Brush& brush) {
@@ -46,10 +45,8 @@ Status draw_into(const Font& font, const Brush& brush) {
   INKCELL_TRY(make_sink(target, sink));
 #if INKCELL_KEEP == 0
   draw_glyph(font, bytes[0], brush, {}, sink);
-#elif INKCELL_KEEP == 1
-  draw_glyph(font, bytes[0], brush, {}, sink, {bytes, sizeof bytes});
 #else
-  draw_text(font, "text", brush, {}, sink, {bytes, sizeof bytes});
+  draw_text(font, "text", brush, {}, sink);
 #endif
   return Status::ok;
 }
@@ -64,7 +61,7 @@ int main(int, char**) {
       draw_into<port::A8Target>(font, brush) != Status::ok) {
     return 1;
   }
-#if INKCELL_KEEP >= 4
+#if INKCELL_KEEP >= 3
   if (draw_into<port::Grey2Target>(font, brush) != Status::ok ||
       draw_into<port::Grey4Target>(font, brush) != Status::ok ||
       draw_into<port::Grey8Target>(font, brush) != Status::ok ||

@@ -27,7 +27,6 @@ uint32_t hash_of(const std::vector<uint8_t>& pixels) {
 // A word in both orders, turned, and with the painter that has cells of its
 // own.
 bool draw(const Font& font, Sink& sink) {
-  std::vector<uint8_t> workspace(font.workspace_bytes());
   std::vector<uint32_t> sums(kSide * 64);
   Splats splats;
   Brush small;
@@ -49,7 +48,7 @@ bool draw(const Font& font, Sink& sink) {
   for (const Brush* brush : {&small, &splatted, &large, &turned}) {
     y += brush->size().floor() + 4;
     draw_text(font, "AB", *brush, {Q26_6::from_int(30), Q26_6::from_int(y)},
-              sink, {workspace.data(), workspace.size()});
+              sink);
   }
   return true;
 }

@@ -1,7 +1,5 @@
 // Calls the README's functions and looks whether they drew their line of text.
 #include <stdio.h>
-#include <string.h>
-#include <fonts/dejavu_small.hpp>
 #include <inkcell/font.hpp>
 #include <inkcell/port/pixel.hpp>
 #include <inkcell/port/rgb565.hpp>
@@ -10,10 +8,6 @@
 #include <inkcell/text.hpp>
 
 inkcell::Status hello(const inkcell::Strip& strip);
-void hello_small(const inkcell::Font& small,
-                 const inkcell::Brush& brush,
-                 inkcell::Point origin,
-                 const inkcell::Sink& sink);
 
 // Nobody calls it, so that nothing of what it calls is linked.
 inkcell::Status uncalled(const inkcell::Font& font) {
@@ -39,34 +33,12 @@ struct Screen {
   }
 };
 
-// What `hello` does around its line of text, for the packed font.
-inkcell::Status draw_small(const inkcell::Strip& strip) {
-  inkcell::Font font;
-  INKCELL_TRY(inkcell::Font::open(fonts::dejavu_small, font));
-  inkcell::Brush brush;
-  INKCELL_TRY(inkcell::Brush::make(inkcell::Q26_6::from_int(24),
-                                   inkcell::kFilterText, brush));
-  inkcell::port::Rgb565Target target = {strip};
-  inkcell::Sink sink;
-  INKCELL_TRY(inkcell::port::make_sink(target, sink));
-  hello_small(font, brush,
-              {inkcell::Q26_6::from_int(4), inkcell::Q26_6::from_int(28)},
-              sink);
-  return inkcell::Status::ok;
-}
-
 }  // namespace
 
 int main() {
   Screen screen;
-  Screen small;
-  if (hello(screen.strip) != inkcell::Status::ok ||
-      draw_small(small.strip) != inkcell::Status::ok) {
+  if (hello(screen.strip) != inkcell::Status::ok) {
     puts("the README's program fails");
-    return 1;
-  }
-  if (memcmp(screen.bytes, small.bytes, sizeof screen.bytes) != 0) {
-    puts("the packed font draws another picture");
     return 1;
   }
   // Twelve characters of 24 px: some 12 x 60 px of stems, on a few rows only.

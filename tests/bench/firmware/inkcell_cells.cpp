@@ -1,4 +1,4 @@
-// Inkcell with a direct font, of fields or of samples. Way: "upright"; or in a
+// Inkcell with a font of edges or of samples. Way: "upright"; or in a
 // program of its own (INKCELL_BENCH_TURNED) "turned", by 15 degrees, and
 // "leaning", by 1/5.
 #include "inkcell_strips.hpp"
@@ -28,7 +28,7 @@ bool engine_set_size(uint32_t px, const char* way) {
 }
 
 engine_answer engine_prepare(uint32_t code_point) {
-  return bench::place_direct(code_point);
+  return bench::place_glyph(code_point);
 }
 
 void engine_draw(uint32_t code_point) {
