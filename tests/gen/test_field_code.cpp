@@ -105,6 +105,39 @@ TEST(FieldCode, FieldsAreWhatTheCodesSay) {
   }
 }
 
+TEST(FieldCode, AxesAreExact) {
+  constexpr int kExpected[4][2] = {
+      {16384, 0}, {0, 16384}, {-16384, 0}, {0, -16384}};
+  FieldCode code;
+  for (code.angle = 0; code.angle < 4; ++code.angle) {
+    const FieldNumbers field =
+        field_numbers(code, steps_for(kRanges[2]), 5, 0, 0);
+    EXPECT_EQ(field.nx_q14, kExpected[code.angle][0]);
+    EXPECT_EQ(field.ny_q14, kExpected[code.angle][1]);
+  }
+}
+
+TEST(FieldCode, NumbersThatDoNotFitAreClamped) {
+  FieldSteps steps;
+  steps.d0_step = 255;
+  steps.bend_step = 255;
+  FieldCode code;
+  code.kind = FieldKind::axis_arc;
+  for (const int sign : {1, -1}) {
+    code.d0 = sign * 32767;
+    code.bend = sign * 100000;
+    const FieldNumbers field = field_numbers(code, steps, 8, 0, 0);
+    EXPECT_EQ(field.c_q4, sign > 0 ? 32767 : -32768);
+    EXPECT_EQ(field.bend, sign * 32767);
+  }
+  // Rounded to no bend at all: a line.
+  steps.bend_step = 1;
+  code.bend = 1;
+  const FieldNumbers line = field_numbers(code, steps, 12, 100, 100);
+  EXPECT_EQ(line.bend, 0);
+  EXPECT_EQ(line.along_q4, 0);
+}
+
 TEST(FieldCode, BendsHaveALimit) {
   for (const AdfOptions& options : kRanges) {
     const FieldSteps steps = steps_for(options);
