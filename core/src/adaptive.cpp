@@ -388,12 +388,12 @@ Adaptive make_adaptive(const Filter& filter,
   return adaptive;
 }
 
-void paint_adaptive(const GlyphField& field,
-                    const Brush& brush,
-                    const void* options,
-                    const FinePoint& origin,
-                    const RowMap* rows,
-                    const Sink& sink) {
+void detail::paint_adaptive(const GlyphField& field,
+                            const Brush& brush,
+                            const void* options,
+                            const FinePoint& origin,
+                            const RowMap* rows,
+                            const Sink& sink) {
   const auto& adaptive = *static_cast<const Adaptive*>(options);
   const Rect box = detail::painted_box(field, brush, origin, sink);
   Sampling sampling(field, brush, adaptive, rows != nullptr);

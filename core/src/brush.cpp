@@ -94,14 +94,16 @@ Status Brush::set_size(const Stretch& stretch, const Filter& filter) noexcept {
   return Status::ok;
 }
 
-Status Brush::make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
+Status Brush::make_upright(Q26_6 size,
+                           const Filter& filter,
+                           Brush& out) noexcept {
   return out.set_size({size.raw, size.raw}, filter);
 }
 
-Status Brush::make(Q26_6 size,
-                   const Filter& filter,
-                   Direction direction,
-                   Brush& out) noexcept {
+Status Brush::make_turned(Q26_6 size,
+                          const Filter& filter,
+                          Direction direction,
+                          Brush& out) noexcept {
   const int64_t cosine = direction.cosine.raw;
   const int64_t sine = direction.sine.raw;
   constexpr int64_t kOneQ30 = int64_t{1} << 30;
@@ -111,7 +113,7 @@ Status Brush::make(Q26_6 size,
   if (excess > kOneQ30 / 500 || excess < -kOneQ30 / 500) {
     return Status::bad_argument;
   }
-  INKCELL_TRY(make(size, filter, out));
+  INKCELL_TRY(make_upright(size, filter, out));
   if (sine != 0 || cosine < 0) {
     const int64_t step_q16 = out.step_along_q16();
     const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
@@ -128,9 +130,9 @@ Status Brush::make(Q26_6 size,
   return Status::ok;
 }
 
-Status Brush::make(const Matrix& matrix,
-                   const Filter& filter,
-                   Brush& out) noexcept {
+Status Brush::make_mapped(const Matrix& matrix,
+                          const Filter& filter,
+                          Brush& out) noexcept {
   const int64_t x_right = matrix.x_right.raw;
   const int64_t x_up = matrix.x_up.raw;
   const int64_t y_right = matrix.y_right.raw;

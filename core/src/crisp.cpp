@@ -128,12 +128,12 @@ __attribute__((noinline)) void draw_rows(Neighbourhood& glyph,
 
 }  // namespace
 
-void paint_crisp(const GlyphField& field,
-                 const Brush& brush,
-                 const void* options,
-                 const FinePoint& origin,
-                 const RowMap* rows,
-                 const Sink& sink) {
+void detail::paint_crisp(const GlyphField& field,
+                         const Brush& brush,
+                         const void* options,
+                         const FinePoint& origin,
+                         const RowMap* rows,
+                         const Sink& sink) {
   const CrispStyle& style = *static_cast<const CrispStyle*>(options);
   constexpr int32_t kMostThreshold = 1 << 9;
   int32_t threshold = style.threshold_px.raw;

@@ -111,12 +111,12 @@ Status check_reach(const FontRange& range,
              : Status::ok;
 }
 
-void paint_outline(const GlyphField& field,
-                   const Brush& brush,
-                   const void* options,
-                   const FinePoint& origin,
-                   const RowMap* rows,
-                   const Sink& sink) {
+void detail::paint_outline(const GlyphField& field,
+                           const Brush& brush,
+                           const void* options,
+                           const FinePoint& origin,
+                           const RowMap* rows,
+                           const Sink& sink) {
   const Rows all = {
       brush, *static_cast<const Filter*>(options), origin, rows,
       detail::painted_box(field, brush, origin, rows, sink.window, 0, 0)};
@@ -124,12 +124,12 @@ void paint_outline(const GlyphField& field,
   draw_outline(all, walk, sink);
 }
 
-void paint_outline_and_fill(const GlyphField& field,
-                            const Brush& brush,
-                            const void* options,
-                            const FinePoint& origin,
-                            const RowMap* rows,
-                            const Sink& sink) {
+void detail::paint_outline_and_fill(const GlyphField& field,
+                                    const Brush& brush,
+                                    const void* options,
+                                    const FinePoint& origin,
+                                    const RowMap* rows,
+                                    const Sink& sink) {
   const OutlineAndFill& both = *static_cast<const OutlineAndFill*>(options);
   const Rows all = {
       brush, *both.inner, origin, rows,

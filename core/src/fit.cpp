@@ -355,7 +355,7 @@ int32_t Fit::sideways_q10(uint32_t glyph,
   return mean < -kMostSideways ? -kMostSideways : mean;
 }
 
-void fit_glyph(const GlyphField& field,
+void fit_glyph(uint16_t glyph,
                const Brush& brush,
                const void* fit,
                FinePoint& origin,
@@ -372,22 +372,21 @@ void fit_glyph(const GlyphField& field,
     return;
   }
   Span<const uint8_t> edges;
-  if (!style.hints_.edges(field.glyph, edges)) {
+  if (!style.hints_.edges(glyph, edges)) {
     return;
   }
   if (style.stem_q10_ != 0) {
-    origin.x_q10 +=
-        style.weakened(style.sideways_q10(field.glyph, brush, origin));
+    origin.x_q10 += style.weakened(style.sideways_q10(glyph, brush, origin));
   }
-  GlyphFit glyph(style, brush, lowered);
-  glyph.read(edges);
-  if (glyph.has_bars()) {
-    glyph.fit_bars();
+  GlyphFit edges_fit(style, brush, lowered);
+  edges_fit.read(edges);
+  if (edges_fit.has_bars()) {
+    edges_fit.fit_bars();
   }
-  if (glyph.has_twins()) {
-    glyph.separate();
+  if (edges_fit.has_twins()) {
+    edges_fit.separate();
   }
-  glyph.map(rows);
+  edges_fit.map(rows);
 }
 
 }  // namespace inkcell

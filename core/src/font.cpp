@@ -5,6 +5,7 @@
 #include "crc.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/version.hpp"
+#include "outlines/outline_reader.hpp"
 #include "record.hpp"
 
 namespace inkcell {
@@ -21,9 +22,9 @@ using detail::load_u32;
 constexpr uint32_t kMaxSections = 32;
 
 // The sections that are known: first those that a font keeps, in its order.
-constexpr uint32_t kKnownTags[] = {section::kCmap, section::kMetrics,
+constexpr uint32_t kKnownTags[] = {section::kCmap,   section::kMetrics,
                                    section::kGlyphs, section::kKerning,
-                                   section::kName};
+                                   section::kCode,   section::kName};
 constexpr uint32_t kKnown = sizeof kKnownTags / sizeof kKnownTags[0];
 
 // What the rest of `open` needs of a header that it has checked. Read once:
@@ -38,7 +39,9 @@ bool is_readable(uint32_t coding) noexcept {
   return (INKCELL_SAMPLE_CELLS != 0 &&
           coding == static_cast<uint32_t>(Coding::samples)) ||
          (INKCELL_FIELD_CELLS != 0 &&
-          coding == static_cast<uint32_t>(Coding::edges));
+          coding == static_cast<uint32_t>(Coding::edges)) ||
+         (INKCELL_OUTLINES != 0 &&
+          coding == static_cast<uint32_t>(Coding::outline));
 }
 
 Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
@@ -181,7 +184,33 @@ Status Font::open_tables(uint32_t sections) noexcept {
                             (uint32_t{glyph_count_} + 1))) {
     return Status::corrupt;
   }
-  return Status::ok;
+  return open_code() ? Status::ok : Status::corrupt;
+}
+
+// What outlines are read with is kept: it was checked.
+bool Font::open_code() noexcept {
+  namespace outline = format::outline;
+  const uint8_t* at = rom_.data;
+  if (at[header::kCoding] != static_cast<uint8_t>(format::Coding::outline)) {
+    return true;
+  }
+  const uint32_t code_bits = at[header::kCodeBits];
+  const auto grid_shift = static_cast<int8_t>(at[header::kGridShift]);
+  if (code_bits == 0 || code_bits > outline::kMaxCodeBits ||
+      code_table().size < size_t{2} << code_bits ||
+      grid_shift < outline::kMinGridShift ||
+      grid_shift > outline::kMaxGridShift) {
+    return false;
+  }
+  code_bits_ = static_cast<uint8_t>(code_bits);
+  grid_shift_ = grid_shift;
+  max_points_ = load_u16(at + header::kMaxPoints);
+  return true;
+}
+
+detail::OutlineCoding detail::outline_coding(const Font& font) noexcept {
+  return {font.code_table().data, font.code_bits_, font.grid_shift_,
+          font.max_points_};
 }
 
 Span<const uint8_t> Font::section(uint32_t tag) const noexcept {
@@ -231,7 +260,7 @@ FontRange Font::range() const noexcept {
   const uint8_t* at = rom_.data;
   range.min_px = load_u16(at + header::kMinPx);
   range.max_px = load_u16(at + header::kMaxPx);
-  range.band_u = load_u16(at + header::kBand);
+  range.band_u = has_outlines() ? UINT16_MAX : load_u16(at + header::kBand);
   range.tolerance = at[header::kTolerance];
   range.max_cells = load_u16(at + header::kMaxCells);
   range.max_nodes = load_u16(at + header::kMaxNodes);

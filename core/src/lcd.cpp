@@ -167,12 +167,12 @@ __attribute__((noinline)) void draw_points(const GlyphField& field,
 
 }  // namespace
 
-void paint_lcd(const GlyphField& field,
-               const Brush& brush,
-               const void* options,
-               const FinePoint& origin,
-               const RowMap* rows,
-               const Sink& sink) {
+void detail::paint_lcd(const GlyphField& field,
+                       const Brush& brush,
+                       const void* options,
+                       const FinePoint& origin,
+                       const RowMap* rows,
+                       const Sink& sink) {
   const LcdStyle& style = *static_cast<const LcdStyle*>(options);
   const int32_t across_q10 = is_vertical(style.order) ? 0 : 2 * kThird;
   constexpr int32_t kFar = 1 << 30;
@@ -181,6 +181,9 @@ void paint_lcd(const GlyphField& field,
                                        2 * kThird - across_q10);
   const LcdRows lcd_rows = {brush, origin, rows, all,
                             intersect(all, sink.window)};
+  if (is_empty(lcd_rows.box)) {
+    return;  // positions far away do not fit
+  }
   if (brush.is_upright() && detail::has_fields(field)) {
     detail::draw_stripe_rows(field, lcd_rows, style, sink);
   } else {

@@ -142,12 +142,12 @@ Status make_motion_blur(const Filter& filter,
   return Status::ok;
 }
 
-void paint_motion_blur(const GlyphField& field,
-                       const Brush& brush,
-                       const void* options,
-                       const FinePoint& origin,
-                       const RowMap* rows,
-                       const Sink& sink) {
+void detail::paint_motion_blur(const GlyphField& field,
+                               const Brush& brush,
+                               const void* options,
+                               const FinePoint& origin,
+                               const RowMap* rows,
+                               const Sink& sink) {
   const auto& blur = *static_cast<const MotionBlur*>(options);
   const Rect box = detail::painted_box(field, brush, origin, sink);
   Shot shot = {blur, PointWalk(field, brush, detail::kNoReach),

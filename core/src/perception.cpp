@@ -125,12 +125,12 @@ __attribute__((noinline)) void draw_row(Painting& painting,
 
 }  // namespace
 
-void paint_perceptual(const GlyphField& field,
-                      const Brush& brush,
-                      const void* options,
-                      const FinePoint& origin,
-                      const RowMap* rows,
-                      const Sink& sink) {
+void detail::paint_perceptual(const GlyphField& field,
+                              const Brush& brush,
+                              const void* options,
+                              const FinePoint& origin,
+                              const RowMap* rows,
+                              const Sink& sink) {
   const Rect box = detail::painted_box(field, brush, origin, sink);
   Painting painting = {brush, *static_cast<const Perception*>(options),
                        PointWalk(field, brush, detail::kNoReach),

@@ -144,7 +144,7 @@ inline FieldPosition position_of(const Brush& brush,
 // ramp begins inside. [u]
 inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
   int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
-  if (reach < 0 && brush.painter() != nullptr) {
+  if (reach < 0 && brush.painter().cells != nullptr) {
     reach = 0;
   }
   const InkBox& ink = field.ink;

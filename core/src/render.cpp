@@ -313,12 +313,13 @@ __attribute__((noinline)) void detail::draw_painted(const GlyphField& field,
                                                     const Brush& brush,
                                                     const Placed& placed,
                                                     const Sink& sink) {
-  const Painter painter =
-      brush.painter() != nullptr ? brush.painter() : brush.slanted();
+  const CellPainter painter = brush.painter().cells != nullptr
+                                  ? brush.painter().cells
+                                  : brush.slanted();
   if (painter == nullptr) {
     draw_upright(field, brush, placed, sink);
   } else {
-    painter(field, brush, brush.painter_options(), placed.origin(),
+    painter(field, brush, brush.painter().options, placed.origin(),
             placed.rows == nullptr ? nullptr : &placed.rows->map, sink);
   }
 }
@@ -338,7 +339,8 @@ __attribute__((noinline)) bool fit(const GlyphField& field,
                                    const Placed& placed,
                                    Fitted& fitted) noexcept {
   FinePoint origin = placed.origin();
-  brush.fitter()(field, brush, brush.fitter_options(), origin, fitted.map);
+  brush.fitter()(field.glyph, brush, brush.fitter_options(), origin,
+                 fitted.map);
   const bool is_near = fitted.placed.set(origin);
   if (fitted.map.count != 0) {
     fitted.rows.knot = fitted.map.highest();
@@ -361,7 +363,7 @@ void detail::draw_fitted(const GlyphField& field,
   if (!fit(field, brush, placed, fitted)) {
     return;
   }
-  if (brush.painter() == nullptr) {
+  if (brush.painter().cells == nullptr) {
     draw_upright(field, brush, fitted.placed, sink);
   } else {
     draw_painted(field, brush, fitted.placed, sink);
@@ -376,7 +378,7 @@ Rect detail::box_of(const GlyphField& field,
   }
   const Rect limits = limits_of(field, brush);
   // What fitting may move, and the painter's reach.
-  const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter_reach_px();
+  const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter().reach_px;
   const Rect box = brush.is_upright()
                        ? upright_box(limits, brush, placed)
                        : brush.slant().box(limits, brush, placed);

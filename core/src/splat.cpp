@@ -360,12 +360,12 @@ Status make_splats(Span<uint32_t> sums, Q6_10 radius, Splats& out) noexcept {
   return Status::ok;
 }
 
-void paint_splats(const GlyphField& field,
-                  const Brush& brush,
-                  const void* options,
-                  const FinePoint& origin,
-                  const RowMap* rows,
-                  const Sink& sink) {
+void detail::paint_splats(const GlyphField& field,
+                          const Brush& brush,
+                          const void* options,
+                          const FinePoint& origin,
+                          const RowMap* rows,
+                          const Sink& sink) {
   const auto& splats = *static_cast<const Splats*>(options);
   if (rows != nullptr || detail::has_fields(field)) {
     detail::draw_plain(field, brush, origin, rows, sink);

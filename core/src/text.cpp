@@ -1,5 +1,6 @@
 #include "inkcell/text.hpp"
 
+#include "outlines/outline_draw.hpp"
 #include "position.hpp"
 #include "record.hpp"
 #include "text_place.hpp"
@@ -57,10 +58,20 @@ __attribute__((always_inline)) inline void draw_placed(
     uint16_t glyph,
     const Brush& brush,
     const Placed& placed,
-    const Sink& sink) noexcept {
-  GlyphField field;
-  if (detail::read_field(font, glyph, field) == Status::ok) {
-    detail::draw_near(field, brush, placed, sink);
+    const Sink& sink,
+    Workspace workspace) noexcept {
+  const Span<const uint8_t> record = font.record(glyph);
+  if constexpr (detail::kHasOutlines) {
+    if (detail::is_outline(record)) {
+      detail::draw_outline(font, glyph, record, brush, placed, sink, workspace);
+      return;
+    }
+  }
+  if constexpr (detail::kHasCells) {
+    GlyphField field;
+    if (detail::read_field(font, glyph, field) == Status::ok) {
+      detail::draw_near(field, brush, placed, sink);
+    }
   }
 }
 
@@ -158,16 +169,25 @@ Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
       static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
 }
 
+Status check_painter(const Font& font, const Brush& brush) noexcept {
+  const Painter& painter = brush.painter();
+  const bool is_drawn = painter.cells == nullptr ||
+                        (font.has_outlines() ? painter.outlines != nullptr
+                                             : !brush.is_stretched());
+  return is_drawn ? Status::ok : Status::unsupported;
+}
+
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
           const Brush& brush,
           Point origin,
-          const Sink& sink) noexcept {
+          const Sink& sink,
+          Workspace workspace) noexcept {
   const UnitScale scale(font, brush);
   for (const PositionedGlyph& at : glyphs) {
     Placed placed;
     if (place_near(scale, brush, origin, at, placed)) {
-      draw_placed(font, at.glyph, brush, placed, sink);
+      draw_placed(font, at.glyph, brush, placed, sink, workspace);
     }
   }
 }
@@ -176,14 +196,15 @@ void draw_text(const Font& font,
                Text text,
                const Brush& brush,
                Point origin,
-               const Sink& sink) noexcept {
+               const Sink& sink,
+               Workspace workspace) noexcept {
   const UnitScale scale(font, brush);
   TextCursor cursor(font, text);
   PositionedGlyph at;
   while (cursor.next(at)) {
     Placed placed;
     if (place_near(scale, brush, origin, at, placed)) {
-      draw_placed(font, at.glyph, brush, placed, sink);
+      draw_placed(font, at.glyph, brush, placed, sink, workspace);
     }
   }
 }
@@ -192,10 +213,11 @@ void draw_glyph(const Font& font,
                 uint16_t glyph,
                 const Brush& brush,
                 Point origin,
-                const Sink& sink) noexcept {
+                const Sink& sink,
+                Workspace workspace) noexcept {
   Placed placed;
   if (placed.set(origin)) {
-    draw_placed(font, glyph, brush, placed, sink);
+    draw_placed(font, glyph, brush, placed, sink, workspace);
   }
 }
 

@@ -6,6 +6,8 @@
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/hints.hpp"
+#include "outlines/outline_glyph.hpp"
+#include "outlines/outline_verify.hpp"
 
 namespace inkcell {
 namespace {
@@ -195,9 +197,21 @@ Status Font::verify() const noexcept {
       !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_)) {
     return Status::corrupt;
   }
+  const detail::OutlineCoding coding = detail::outline_coding(*this);
+  const bool has_code = coding.code_bits != 0;
+  if (has_code && !detail::code_fits(coding)) {
+    return Status::corrupt;
+  }
   for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
     const auto id = static_cast<uint16_t>(glyph);
     GlyphField opened;
+    const Span<const uint8_t> bytes = record(id);
+    if (detail::is_outline(bytes)) {
+      if (!has_code || !detail::outline_fits(*this, bytes, coding)) {
+        return Status::corrupt;
+      }
+      continue;
+    }
     INKCELL_TRY(field(id, opened));
     if (!detail::field_fits(opened)) {
       return Status::corrupt;

@@ -1,7 +1,7 @@
 // Several samples to a pixel where one does not tell enough.
 //
 //   Adaptive adaptive = make_adaptive(filter);
-//   brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
+//   brush.set_painter(adaptive_painter(adaptive));
 //
 // Up to 13 distances are taken on concentric circles around a pixel's centre
 // (Perry and Frisken, section 4.3), where strokes, gaps and corners are too
@@ -27,7 +27,7 @@ enum class SampleRule : uint8_t {
   paper
 };
 
-/// Options of paint_adaptive: 276 bytes, built once a style, shared.
+/// Options of adaptive_painter: 276 bytes, built once a style, shared.
 struct Adaptive {
   SampleRule rule = SampleRule::even;
   int16_t radius_q10 = 0;  // of the filter [px]
@@ -54,15 +54,20 @@ Adaptive make_adaptive(const Filter& filter,
                        Q6_10 radius = kSharpRadius,
                        SampleRule rule = SampleRule::even) noexcept;
 
-/// What Brush::set_painter wants as `reach_px`.
-inline constexpr uint8_t kAdaptiveReach = 1;
-
-/// A Painter; `options` is an Adaptive.
+namespace detail {
 void paint_adaptive(const GlyphField& field,
                     const Brush& brush,
                     const void* options,
                     const FinePoint& origin,
                     const RowMap* rows,
                     const Sink& sink);
+}  // namespace detail
+
+/// Cells only; glyphs of outlines are drawn as without it. The options must
+/// outlive the brush.
+constexpr Painter adaptive_painter(const Adaptive& adaptive) noexcept {
+  return {detail::paint_adaptive, nullptr, &adaptive, 1};
+}
+Painter adaptive_painter(const Adaptive&&) = delete;
 
 }  // namespace inkcell

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/field.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/status.hpp"
@@ -20,27 +21,41 @@ struct Sink;
 /// brush whose origin is at `origin`, and may move the origin. Both together
 /// move nothing by more than 1 px. `options` is what Brush::set_fitter was
 /// given.
-using Fitter = void (*)(const GlyphField& field,
+using Fitter = void (*)(uint16_t glyph,
                         const Brush& brush,
                         const void* options,
                         FinePoint& origin,
                         RowMap& rows);
 
-/// Draws a glyph in another way than one sample a pixel. `rows` is null unless
-/// the glyph was fitted. Clips to the sink's window; cannot fail.
-using Painter = void (*)(const GlyphField& field,
-                         const Brush& brush,
-                         const void* options,
-                         const FinePoint& origin,
-                         const RowMap* rows,
-                         const Sink& sink);
+/// Draws a glyph of cells in another way than one sample a pixel. `rows` is
+/// null unless the glyph was fitted. Clips to the sink's window; cannot fail.
+using CellPainter = void (*)(const GlyphField& field,
+                             const Brush& brush,
+                             const void* options,
+                             const FinePoint& origin,
+                             const RowMap* rows,
+                             const Sink& sink);
 
 namespace detail {
+struct OutlineMixer;
+struct OutlinePainter;
 struct Placed;
+
+// Filters of outlines; linked with the Brush::make that names them.
+extern const OutlinePainter kPaintDistances;      // up to half a pixel
+extern const OutlinePainter kPaintWideDistances;  // any filter
+extern const OutlinePainter kPaintAreas;
+
+// A filter that is known when the program is compiled links one of the two.
+inline const OutlinePainter& painter_of(const Filter& filter) noexcept {
+  return filter.outside_q10 >= -512 && filter.inside_q10 <= 512
+             ? kPaintDistances
+             : kPaintWideDistances;
+}
 
 // What only glyphs that are not upright need.
 struct Slant {
-  Painter paint;  // without options and rows
+  CellPainter paint;  // without options and rows
   // The box on the screen around a part of the glyph. [u -> px]
   Rect (*box)(const Rect& limits, const Brush& brush, const Placed& placed);
   // A place in px along and across the glyph's axes. [Q10]
@@ -61,6 +76,20 @@ void draw_fitted(const GlyphField& field,
                  const Placed& placed,
                  const Sink& sink);
 }  // namespace detail
+
+/// Draws glyphs in another way than one sample a pixel. Made by functions
+/// beside the options that they take: outline_painter(), lcd_painter() and
+/// others.
+struct Painter {
+  CellPainter cells = nullptr;  // null: one sample a pixel
+  /// Null: glyphs of outlines are drawn as without a painter; see
+  /// check_painter().
+  const detail::OutlineMixer* outlines = nullptr;
+  const void* options = nullptr;
+  /// How much farther than plain drawing it reaches on each side of a glyph, in
+  /// pixels and in samples.
+  uint8_t reach_px = 0;
+};
 
 /// Smallest and largest size: 4 and 1024 px to the em.
 inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
@@ -107,14 +136,22 @@ class Brush {
 
   /// An upright brush of `size` px to the em. bad_argument: the size is outside
   /// kMinSize..kMaxSize; `out` is then untouched.
-  static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept;
+  static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
+    INKCELL_TRY(make_upright(size, filter, out));
+    out.set_outline_painter(detail::painter_of(filter));
+    return Status::ok;
+  }
 
   /// A brush that is turned. bad_argument: also if the direction is not a unit
   /// vector within 1/1000.
   static Status make(Q26_6 size,
                      const Filter& filter,
                      Direction direction,
-                     Brush& out) noexcept;
+                     Brush& out) noexcept {
+    INKCELL_TRY(make_turned(size, filter, direction, out));
+    out.set_outline_painter(detail::painter_of(filter));
+    return Status::ok;
+  }
 
   /// A brush that maps glyphs by `matrix`. bad_argument: its stretch, in the
   /// direction where that is least or in that where it is greatest, is outside
@@ -126,7 +163,32 @@ class Brush {
   /// differ.
   static Status make(const Matrix& matrix,
                      const Filter& filter,
-                     Brush& out) noexcept;
+                     Brush& out) noexcept {
+    INKCELL_TRY(make_mapped(matrix, filter, out));
+    out.set_outline_painter(detail::painter_of(filter));
+    return Status::ok;
+  }
+
+  /// Brushes with which glyphs of outlines are drawn with exact coverage: how
+  /// much of each pixel lies inside. Glyphs of cells take filter `text`.
+  static Status make(Q26_6 size, AreaFilter, Brush& out) noexcept {
+    INKCELL_TRY(make_upright(size, kFilterText, out));
+    out.set_outline_painter(detail::kPaintAreas);
+    return Status::ok;
+  }
+  static Status make(Q26_6 size,
+                     AreaFilter,
+                     Direction direction,
+                     Brush& out) noexcept {
+    INKCELL_TRY(make_turned(size, kFilterText, direction, out));
+    out.set_outline_painter(detail::kPaintAreas);
+    return Status::ok;
+  }
+  static Status make(const Matrix& matrix, AreaFilter, Brush& out) noexcept {
+    INKCELL_TRY(make_mapped(matrix, kFilterText, out));
+    out.set_outline_painter(detail::kPaintAreas);
+    return Status::ok;
+  }
 
   /// A filter made in the argument would be gone before the brush is used.
   static Status make(Q26_6, const Filter&&, Direction, Brush&) = delete;
@@ -138,7 +200,9 @@ class Brush {
   void set_fitter(Fitter function, const void* options) noexcept {
     if (is_upright()) {
       fitter_ = function;
-      drawer_ = detail::draw_fitted;
+      if constexpr (detail::kHasCells) {
+        drawer_ = detail::draw_fitted;
+      }
     }
     fitter_options_ = options;
   }
@@ -146,30 +210,29 @@ class Brush {
   Fitter fitter() const noexcept { return is_upright() ? fitter_ : nullptr; }
   const void* fitter_options() const noexcept { return fitter_options_; }
 
-  /// What draws the glyphs: null, the default, is one sample at the centre of
-  /// each pixel, the fastest. The options must outlive the brush. Only what is
-  /// named here is linked. Painters of this library take turned brushes, but
-  /// none that is made of a matrix. `reach_px` is how much farther than plain
-  /// drawing the painter reaches on each side of a glyph, in pixels and in
-  /// samples.
-  void set_painter(Painter function,
-                   const void* options,
-                   uint8_t reach_px = 0) noexcept {
-    painter_ = function;
-    painter_options_ = options;
-    painter_reach_px_ = reach_px;
-    if (drawer_ == nullptr) {
-      drawer_ = detail::draw_painted;
+  /// What draws the glyphs: `{}`, the default, is one sample at the centre of
+  /// each pixel, the fastest. The painter's options must outlive the brush. The
+  /// linker drops the painters that a program does not name. Of glyphs of cells
+  /// painters take turned brushes, but none that is made of a matrix.
+  void set_painter(const Painter& painter) noexcept {
+    painter_ = painter;
+    if constexpr (detail::kHasCells) {
+      if (drawer_ == nullptr) {
+        drawer_ = detail::draw_painted;
+      }
     }
   }
-  Painter painter() const noexcept { return painter_; }
-  const void* painter_options() const noexcept { return painter_options_; }
-  uint8_t painter_reach_px() const noexcept { return painter_reach_px_; }
+  const Painter& painter() const noexcept { return painter_; }
 
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
   bool is_upright() const noexcept { return !is_slanted_; }
+
+  /// What paints glyphs of outlines.
+  const detail::OutlinePainter& outline_painter() const noexcept {
+    return *outline_painter_;
+  }
 
   /// What draws glyphs, where that is more than to fill rows of them. Null, the
   /// default: it is not. Linked with what asks for more.
@@ -181,7 +244,7 @@ class Brush {
 
   /// What draws glyphs that are not upright; null if they are. Linked with the
   /// make() that needs it.
-  Painter slanted() const noexcept {
+  CellPainter slanted() const noexcept {
     return is_upright() ? nullptr : slant_->paint;
   }
   /// The same and all else that they need. They must not be upright.
@@ -259,11 +322,29 @@ class Brush {
 
  private:
   struct Stretch;
+  // All but the painter of outlines.
+  static Status make_upright(Q26_6 size,
+                             const Filter& filter,
+                             Brush& out) noexcept;
+  static Status make_turned(Q26_6 size,
+                            const Filter& filter,
+                            Direction direction,
+                            Brush& out) noexcept;
+  static Status make_mapped(const Matrix& matrix,
+                            const Filter& filter,
+                            Brush& out) noexcept;
   Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
+  void set_outline_painter(const detail::OutlinePainter& painter) noexcept {
+    if constexpr (detail::kHasOutlines) {
+      outline_painter_ = &painter;
+    }
+  }
   void set_slant(const detail::Slant& slant) noexcept {
     is_slanted_ = true;
-    slant_ = &slant;
-    drawer_ = detail::draw_painted;
+    if constexpr (detail::kHasCells) {
+      slant_ = &slant;
+      drawer_ = detail::draw_painted;
+    }
   }
 
   int32_t size_q6_ = 16 << 6;      // [px/em]
@@ -273,12 +354,13 @@ class Brush {
   uint16_t bend_q14_ = 1 << 14;
   uint16_t least_gain_q15_ = 1 << 15;
   uint8_t bend_shift_ = 9;
-  uint8_t painter_reach_px_ = 0;
   bool is_slanted_ = false;
   GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
   GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_ = &kFilterText;
+  const detail::OutlinePainter* outline_painter_ =
+      detail::kHasOutlines ? &detail::kPaintDistances : nullptr;
   Drawer drawer_ = nullptr;
   // Only upright text is fitted.
   union {
@@ -286,8 +368,7 @@ class Brush {
     const detail::Slant* slant_;
   };
   const void* fitter_options_ = nullptr;
-  Painter painter_ = nullptr;
-  const void* painter_options_ = nullptr;
+  Painter painter_;
 };
 
 }  // namespace inkcell

@@ -14,7 +14,7 @@
 
 namespace inkcell {
 
-/// Options of paint_crisp.
+/// Options of crisp_painter.
 struct CrispStyle {
   /// The display's levels. 2: coverage is 0 or 255, and only the threshold
   /// counts. 4: coverage is that of the brush's filter, to the nearest of 0,
@@ -25,16 +25,26 @@ struct CrispStyle {
   Q6_10 threshold_px;
 };
 
-/// A Painter; `options` is a CrispStyle. Any sink will do: full coverage draws
-/// with every threshold. Set it with kCrispReach.
+namespace detail {
 void paint_crisp(const GlyphField& field,
                  const Brush& brush,
                  const void* options,
                  const FinePoint& origin,
                  const RowMap* rows,
                  const Sink& sink);
+extern const OutlineMixer kCrispMixer;
+}  // namespace detail
 
-/// What Brush::set_painter wants as `reach_px`.
-inline constexpr uint8_t kCrispReach = 1;
+/// Any sink will do: full coverage draws with every threshold. The style must
+/// outlive the brush.
+///
+/// Glyphs of cells and of outlines may differ where strokes are narrower than a
+/// pixel: of outlines a stroke passes between two centres if both lie outside
+/// and the straight line between them crosses the outline. With thresholds
+/// above 0 strokes narrower than twice the threshold may break.
+constexpr Painter crisp_painter(const CrispStyle& style) noexcept {
+  return {detail::paint_crisp, &detail::kCrispMixer, &style, 1};
+}
+Painter crisp_painter(const CrispStyle&&) = delete;
 
 }  // namespace inkcell

@@ -1,18 +1,20 @@
 // Outlines, shadows and glows, all from the distances of the same font.
 //
-// What a filter can do costs nothing more than plain text: weight
-// (with_weight), shadow_filter, glow_filter. Draw a shadow first, with its own
-// brush and colour, at an origin moved as far as it shall fall, by any 1/64 px;
-// then the text. Outlines are painters:
+// Filters make weight (with_weight), shadow_filter and glow_filter. With fonts
+// of cells they cost nothing more than plain text; with fonts of outlines twice
+// as much for a weight, up to five times for a glow of 4 px. Draw a shadow
+// first, with its own brush and colour, at an origin moved as far as it shall
+// fall, by any 1/64 px; then the text. Outlines are painters:
 //
 //   const Outline outline = make_outline(kFilterText, width, place);
 //   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
 //   INKCELL_TRY(check_reach(font.range(), size, outline.inner));
 //   INKCELL_TRY(Brush::make(size, outline.outer, brush));
-//   brush.set_painter(paint_outline, &outline.inner);
+//   brush.set_painter(outline_painter(outline.inner));
 //
-// Distances end at the font's band (FontRange::band_u; --band-px of
-// inkcell-fontgen), and an effect that reaches beyond is cut off there.
+// Distances of cells end at the font's band (FontRange::band_u; --band-px of
+// inkcell-fontgen), and an effect that reaches beyond is cut off there. Those
+// of outlines are made as far as a filter reaches.
 #pragma once
 
 #include <stdint.h>
@@ -28,7 +30,7 @@
 namespace inkcell {
 
 /// beyond_band: at `size`, one of the filter's cutoffs is farther from the edge
-/// than the font's distances are good.
+/// than the font's distances are good. Those of outlines are good everywhere.
 Status check_reach(const FontRange& range,
                    Q26_6 size,
                    const Filter& filter) noexcept;
@@ -73,31 +75,50 @@ constexpr Outline make_outline(const Filter& edge,
           with_weight(edge, weight(out - width_px.raw))};
 }
 
-/// A Painter: what the brush's filter covers and the filter `options` does not.
-/// `options` is Outline::inner.
+namespace detail {
 void paint_outline(const GlyphField& field,
                    const Brush& brush,
                    const void* options,
                    const FinePoint& origin,
                    const RowMap* rows,
                    const Sink& sink);
+extern const OutlineMixer kOutlineMixer;
+}  // namespace detail
 
-/// Options of paint_outline_and_fill. The caller sets `fill` anew for each
+/// Draws what the brush's filter covers and `inner`, which is Outline::inner,
+/// does not. The filter must outlive the brush.
+constexpr Painter outline_painter(const Filter& inner) noexcept {
+  return {detail::paint_outline, &detail::kOutlineMixer, &inner, 0};
+}
+Painter outline_painter(const Filter&&) = delete;
+
+/// Options of outline_and_fill_painter. The caller sets `fill` anew for each
 /// strip, like the sink that the outline goes to.
 struct OutlineAndFill {
   const Filter* inner = nullptr;  // Outline::inner: the edge of the fill
   const Sink* fill = nullptr;     // over the same strip, of another colour
 };
 
-/// A Painter: outline and fill at once, from one distance a pixel. The outline
-/// goes on below the fill's edge, so that nothing shows between them. Draws
-/// where the windows of both sinks are; of each row up to kMaxSpan pixels go
-/// to the outline's sink, then the same to the fill's.
+namespace detail {
 void paint_outline_and_fill(const GlyphField& field,
                             const Brush& brush,
                             const void* options,
                             const FinePoint& origin,
                             const RowMap* rows,
                             const Sink& sink);
+extern const OutlineMixer kOutlineAndFillMixer;
+}  // namespace detail
+
+/// Draws outline and fill at once, from one distance a pixel. The outline goes
+/// on below the fill's edge, so that nothing shows between them. Draws where
+/// the windows of both sinks are; of each row up to kMaxSpan pixels go to the
+/// outline's sink, then the same to the fill's. The options must outlive the
+/// brush.
+constexpr Painter outline_and_fill_painter(
+    const OutlineAndFill& both) noexcept {
+  return {detail::paint_outline_and_fill, &detail::kOutlineAndFillMixer, &both,
+          0};
+}
+Painter outline_and_fill_painter(const OutlineAndFill&&) = delete;
 
 }  // namespace inkcell

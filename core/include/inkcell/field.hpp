@@ -25,11 +25,21 @@
 #  define INKCELL_SAMPLE_CELLS 1
 #endif
 
-#if !INKCELL_FIELD_CELLS && !INKCELL_SAMPLE_CELLS
-#  error "one kind of cell must be left to draw"
+/// 0 leaves out outlines, likewise.
+#ifndef INKCELL_OUTLINES
+#  define INKCELL_OUTLINES 1
+#endif
+
+#if !INKCELL_FIELD_CELLS && !INKCELL_SAMPLE_CELLS && !INKCELL_OUTLINES
+#  error "one coding must be left to draw"
 #endif
 
 namespace inkcell {
+namespace detail {
+inline constexpr bool kHasCells =
+    INKCELL_FIELD_CELLS != 0 || INKCELL_SAMPLE_CELLS != 0;
+inline constexpr bool kHasOutlines = INKCELL_OUTLINES != 0;
+}  // namespace detail
 
 /// The distance that a saturated cell reports, with the sign of its side, and
 /// the largest magnitude that any query returns: 1024 u.

@@ -37,7 +37,7 @@ struct FilterSpec {
   Polarity polarity = Polarity::light_on_dark;
 };
 
-/// A filter ready for use, 262 bytes: built once, constant afterwards, shared
+/// A filter ready for use, 264 bytes: built once, constant afterwards, shared
 /// by any number of brushes. The caller owns it; the presets below are ROM.
 struct Filter {
   static constexpr int32_t kEntries = 256;
@@ -46,6 +46,7 @@ struct Filter {
   int16_t inside_q10 = 0;   // [px]
   uint16_t scale = 0;       // entries per 1/1024 px, UQ2.14
   uint8_t table[kEntries] = {};
+  bool is_linear = false;  // the table is a straight line from 0 to 255
 
   /// Coverage of a pixel at a signed distance. [px, Q10]
   constexpr uint8_t coverage(int32_t distance_q10) const noexcept {
@@ -56,6 +57,12 @@ struct Filter {
       return 255;
     }
     return ramp(distance_q10);
+  }
+
+  /// Whether coverage is what a straight edge covers of a pixel, the ramp of
+  /// the `text` filter.
+  constexpr bool is_linear_pixel() const noexcept {
+    return is_linear && outside_q10 == -512 && inside_q10 == 512;
   }
 
   /// The same between the cutoffs: outside_q10 < distance_q10 < inside_q10. No
@@ -169,6 +176,8 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
   filter.inside_q10 = static_cast<int16_t>(inside);
   filter.scale =
       static_cast<uint16_t>((Filter::kEntries << 14) / (inside - outside));
+  filter.is_linear = spec.profile == FilterProfile::linear &&
+                     exponent == kOne && contrast == kOne && gamma == kOne;
   for (int32_t i = 0; i < Filter::kEntries; ++i) {
     // An entry stands for the middle of its interval.
     const int32_t ramp = (2 * i + 1) << 7;  // of 65536
@@ -190,7 +199,8 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
 
 /// The same filter with the edges of the text moved outwards by `weight_px`,
 /// inwards if it is negative: strokes gain twice that. Cutoffs stay within
-/// +-4 px, and so may the weight fall short. As fast to draw with.
+/// +-4 px, and so may the weight fall short. Glyphs of cells
+/// are as fast to draw with it.
 constexpr Filter with_weight(const Filter& filter, Q6_10 weight_px) noexcept {
   constexpr int32_t kLimit = 4 << 10;
   const int32_t weight = detail::limited(
@@ -220,5 +230,9 @@ inline constexpr Filter kFilterPaperDisplay =
 inline constexpr Filter kFilterPaperBody =
     make_filter({Q6_10::from_raw(-512), Q6_10::from_raw(640),
                  Fixed<uint16_t, 8>::from_raw(282)});
+
+/// Exact coverage, of outlines: ink and weight are the same at every position.
+struct AreaFilter {};
+inline constexpr AreaFilter kFilterArea;
 
 }  // namespace inkcell

@@ -54,11 +54,8 @@ class Fit {
 
  private:
   friend class GlyphFit;
-  friend void fit_glyph(const GlyphField&,
-                        const Brush&,
-                        const void*,
-                        FinePoint&,
-                        RowMap&) noexcept;
+  friend void fit_glyph(
+      uint16_t, const Brush&, const void*, FinePoint&, RowMap&) noexcept;
 
   // What is left of a shift, or of any number below 2^22.
   int32_t weakened(int32_t shift) const noexcept {
@@ -80,7 +77,7 @@ class Fit {
 };
 
 /// The Fitter; `fit` is a const Fit*.
-void fit_glyph(const GlyphField& field,
+void fit_glyph(uint16_t glyph,
                const Brush& brush,
                const void* fit,
                FinePoint& origin,

@@ -12,7 +12,10 @@ namespace inkcell {
 class Font;
 
 namespace detail {
+struct OutlineCoding;
+
 Status read_field(const Font& font, uint16_t glyph, GlyphField& field) noexcept;
+OutlineCoding outline_coding(const Font& font) noexcept;
 }  // namespace detail
 
 /// Measures of one glyph in font units (units_per_em to the em), y up, origin
@@ -44,7 +47,7 @@ struct FontMetrics {
 struct FontRange {
   uint16_t min_px = 0;  // [px/em]
   uint16_t max_px = 0;
-  uint16_t band_u = 0;     // distances are good up to here
+  uint16_t band_u = 0;     // distances are good up to here; outlines: any
   uint8_t tolerance = 0;   // worst coverage error that was allowed [1/255]
   uint16_t max_cells = 0;  // of any glyph
   uint16_t max_nodes = 0;
@@ -81,6 +84,8 @@ class Font {
   uint16_t glyph_count() const noexcept { return glyph_count_; }
   FontMetrics metrics() const noexcept;
   FontRange range() const noexcept;
+  /// Whether glyphs are outlines, and not cells.
+  bool has_outlines() const noexcept { return code_bits_ != 0; }
   uint16_t units_per_em() const noexcept { return units_per_em_; }
 
   /// The glyph of a code point. no_glyph: the font has none; `glyph` is then 0,
@@ -130,11 +135,14 @@ class Font {
   Span<const uint8_t> section(uint32_t tag) const noexcept;
 
  private:
+  friend detail::OutlineCoding detail::outline_coding(
+      const Font& font) noexcept;
   friend Status detail::read_field(const Font& font,
                                    uint16_t glyph,
                                    GlyphField& field) noexcept;
 
   Status open_tables(uint32_t sections) noexcept;
+  bool open_code() noexcept;
 
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
   const Span<const uint8_t>& metrics_table() const noexcept {
@@ -145,13 +153,18 @@ class Font {
     return tables_[3];
   }
 
-  static constexpr uint32_t kTables = 4;
+  const Span<const uint8_t>& code_table() const noexcept { return tables_[4]; }
+
+  static constexpr uint32_t kTables = 5;
 
   Span<const uint8_t> rom_;
   Span<const uint8_t> tables_[kTables];
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
   uint16_t metrics_row_bits_ = 0;
+  uint16_t max_points_ = 0;  // of a glyph of outlines
+  uint8_t code_bits_ = 0;    // of prefixes in CODE; 0: there are no outlines
+  int8_t grid_shift_ = 0;
   int32_t u_per_unit_q14_ = 0;  // 0: the em is too small for boxes of ink
 };
 

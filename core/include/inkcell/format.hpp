@@ -85,6 +85,7 @@ inline constexpr uint32_t kCmap = tag('C', 'M', 'A', 'P');
 inline constexpr uint32_t kMetrics = tag('M', 'E', 'T', 'R');
 inline constexpr uint32_t kKerning = tag('K', 'E', 'R', 'N');
 inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
+inline constexpr uint32_t kCode = tag('C', 'O', 'D', 'E');
 inline constexpr uint32_t kHints = tag('H', 'I', 'N', 'T');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
@@ -186,6 +187,29 @@ inline constexpr uint32_t kMaxUnitLog2 = 7;
 /// Records of cells lie at multiples of this. [bytes]
 inline constexpr uint32_t kRecordAlignment = 2;
 }  // namespace glyphs
+
+// CODE: the words of outlines, a u16 for each of 2^code_bits prefixes.
+namespace outline {
+inline constexpr uint32_t kLengthMask = 7;  // of the word, 1..7
+inline constexpr uint32_t kKindShift = 3;   // off curve, smooth, corner, end
+inline constexpr uint32_t kKindMask = 3;
+inline constexpr uint32_t kEndOfContour = 3;
+inline constexpr uint32_t kXBitsShift = 5;  // bits of dx, two's complement
+inline constexpr uint32_t kYBitsShift = 9;  // bits of dy
+inline constexpr uint32_t kWidthMask = 15;
+inline constexpr uint32_t kMaxCodeBits = 7;
+inline constexpr int32_t kMinGridShift = -4;
+inline constexpr int32_t kMaxGridShift = 3;
+
+/// In the first byte of a record of an outline; others have a type there.
+inline constexpr uint8_t kRecordBit = 0x80;
+}  // namespace outline
+
+// A glyph record that refers to others, bit by bit after its type.
+namespace composite {
+inline constexpr uint8_t kType = 3;
+inline constexpr uint32_t kTypeBytes = 1;
+}  // namespace composite
 
 // A glyph record of cells of nine samples.
 namespace glyph {

@@ -1,13 +1,13 @@
 // Sub-pixels: a coverage for each coloured stripe of a pixel.
 //
-//   brush.set_painter(paint_lcd, &lcd_style, kLcdReach);
+//   brush.set_painter(lcd_painter(style));
 //   port::make_lcd_sink(target, sink);
 //
-// Each stripe takes a distance of its own, at its middle, and its coverage is
-// that of a third of a pixel; each channel is the mean of its stripe and the
-// two beside it. So an edge has three times as many places to be, and every
-// stroke, however thin, gives the same to red, green and blue: grey stays grey
-// from a little way off.
+// Each stripe has a coverage of its own, that of a third of a pixel, made of
+// the distance at its middle or, of outlines, exact; each channel is the mean
+// of its stripe and the two beside it. So an edge has three times as many
+// places to be, and every stroke, however thin, gives the same to red, green
+// and blue: grey stays grey from a little way off.
 #pragma once
 
 #include <stdint.h>
@@ -21,7 +21,7 @@ namespace inkcell {
 /// How stripes lie in a pixel: from left to right, or from top to bottom.
 enum class SubPixels : uint8_t { rgb, bgr, rgb_vertical, bgr_vertical };
 
-/// Options of paint_lcd.
+/// Options of lcd_painter.
 struct LcdStyle {
   SubPixels order = SubPixels::rgb;
   /// How much of the coverages' differences is kept, 255 for all: less takes
@@ -29,16 +29,25 @@ struct LcdStyle {
   uint8_t colour = 255;
 };
 
-/// What Brush::set_painter wants as `reach_px`.
-inline constexpr uint8_t kLcdReach = 1;
-
-/// A Painter; `options` is a LcdStyle. A sink without coverage_rgb is given the
-/// mean of the three.
+namespace detail {
 void paint_lcd(const GlyphField& field,
                const Brush& brush,
                const void* options,
                const FinePoint& origin,
                const RowMap* rows,
                const Sink& sink);
+extern const OutlineMixer kLcdMixer;
+}  // namespace detail
+
+/// Draws sub-pixels. A sink without coverage_rgb is given the mean of the
+/// three. The style must outlive the brush.
+///
+/// Glyphs of outlines take the exact coverage of each stripe, mapped by the
+/// filter's table: gamma, contrast and exponent count, weights and the width of
+/// the ramp do not.
+constexpr Painter lcd_painter(const LcdStyle& style) noexcept {
+  return {detail::paint_lcd, &detail::kLcdMixer, &style, 1};
+}
+Painter lcd_painter(const LcdStyle&&) = delete;
 
 }  // namespace inkcell

@@ -2,7 +2,7 @@
 //
 //   MotionBlur blur;
 //   INKCELL_TRY(make_motion_blur(filter, {x, y}, blur));
-//   brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+//   brush.set_painter(motion_blur_painter(blur));
 //
 // The way is cut into steps of at most a pixel, and distances are taken where
 // they meet. Within a step the distance changes evenly, so that the filter's
@@ -19,7 +19,7 @@
 
 namespace inkcell {
 
-/// Options of paint_motion_blur: built once a vector, shared.
+/// Options of motion_blur_painter: built once a vector, shared.
 struct MotionBlur {
   Filter filter;
   /// What the entries of the filter's table before this one sum up to.
@@ -28,7 +28,7 @@ struct MotionBlur {
   int32_t up_q10 = 0;
   int32_t length_q10 = 0;  // at least that of a step, at most 1.5 times
   uint8_t steps = 1;
-  uint8_t reach_px = 1;  // what Brush::set_painter wants
+  uint8_t reach_px = 1;  // beyond plain drawing
 };
 
 /// For a glyph that moves by `way` while it is seen, half of it before and half
@@ -37,12 +37,20 @@ Status make_motion_blur(const Filter& filter,
                         Point way,
                         MotionBlur& out) noexcept;
 
-/// A Painter; `options` is a MotionBlur.
+namespace detail {
 void paint_motion_blur(const GlyphField& field,
                        const Brush& brush,
                        const void* options,
                        const FinePoint& origin,
                        const RowMap* rows,
                        const Sink& sink);
+}  // namespace detail
+
+/// Cells only; glyphs of outlines are drawn as without it. The options must
+/// outlive the brush.
+constexpr Painter motion_blur_painter(const MotionBlur& blur) noexcept {
+  return {detail::paint_motion_blur, nullptr, &blur, blur.reach_px};
+}
+Painter motion_blur_painter(const MotionBlur&&) = delete;
 
 }  // namespace inkcell

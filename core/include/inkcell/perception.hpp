@@ -1,6 +1,6 @@
 // Edges and strokes as eyes prefer them: contrast at small sizes.
 //
-//   brush.set_painter(paint_perceptual, &perception, kPerceptionReach);
+//   brush.set_painter(perception_painter(perception));
 //
 // Left and lower edges become darker and right and upper ones lighter (Perry
 // and Frisken, figure 11), by as much as a pixel is between empty and full, so
@@ -22,16 +22,21 @@ struct Perception {
   uint8_t thin = 96;
 };
 
-/// What Brush::set_painter wants as `reach_px`.
-inline constexpr uint8_t kPerceptionReach = 1;
-
-/// A Painter; `options` is a Perception. A pixel on an edge takes five
-/// gradients, others what they take in plain drawing.
+namespace detail {
 void paint_perceptual(const GlyphField& field,
                       const Brush& brush,
                       const void* options,
                       const FinePoint& origin,
                       const RowMap* rows,
                       const Sink& sink);
+}  // namespace detail
+
+/// A pixel on an edge takes five gradients, others what they take in plain
+/// drawing. Cells only; glyphs of outlines are drawn as without it. The options
+/// must outlive the brush.
+constexpr Painter perception_painter(const Perception& perception) noexcept {
+  return {detail::paint_perceptual, nullptr, &perception, 1};
+}
+Painter perception_painter(const Perception&&) = delete;
 
 }  // namespace inkcell

@@ -3,7 +3,7 @@
 //   uint32_t sums[64 * 16];
 //   Splats splats;
 //   INKCELL_TRY(make_splats({sums, 64 * 16}, kSplatRadius, splats));
-//   brush.set_painter(paint_splats, &splats, kSplatReach);
+//   brush.set_painter(splat_painter(splats));
 //
 // Perry and Frisken, section 4.4, for fonts of samples. Cells that are no wider
 // than the filter's radius are visited once, and are a sample each, at the
@@ -26,7 +26,7 @@
 
 namespace inkcell {
 
-/// Options of paint_splats: make_splats makes them.
+/// Options of splat_painter: make_splats makes them.
 struct Splats {
   /// A sum for each pixel. The caller's, in use while a glyph is drawn.
   Span<uint32_t> sums;
@@ -51,16 +51,21 @@ inline constexpr size_t kMinSplatSums = 64;
 /// range. `out` is then untouched.
 Status make_splats(Span<uint32_t> sums, Q6_10 radius, Splats& out) noexcept;
 
-/// What Brush::set_painter wants as `reach_px`.
-inline constexpr uint8_t kSplatReach = 2;
-
-/// A Painter; `options` is a Splats. Glyphs of fields and those that are fitted
-/// to the grid take one sample a pixel.
+namespace detail {
 void paint_splats(const GlyphField& field,
                   const Brush& brush,
                   const void* options,
                   const FinePoint& origin,
                   const RowMap* rows,
                   const Sink& sink);
+}  // namespace detail
+
+/// Glyphs of fields and those that are fitted to the grid take one sample a
+/// pixel; glyphs of outlines are drawn as without it. The options must outlive
+/// the brush.
+constexpr Painter splat_painter(const Splats& splats) noexcept {
+  return {detail::paint_splats, nullptr, &splats, 2};
+}
+Painter splat_painter(const Splats&&) = delete;
 
 }  // namespace inkcell

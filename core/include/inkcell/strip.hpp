@@ -50,6 +50,16 @@ struct Strip {
 /// The most coverages that one call of Sink::coverage brings.
 inline constexpr int32_t kMaxSpan = 32;
 
+/// Coverage of several rows, as outlines bring it.
+struct CoverageBlock {
+  Rect pixels;  // within the sink's window
+  /// Of the first pixel; valid during the call only. The bytes of a row are
+  /// followed by up to `stride`, all of which may be read; their addresses are
+  /// multiples of 4 where x is.
+  const uint8_t* coverage = nullptr;
+  int32_t stride = 0;  // [bytes] from one row to the next, a multiple of 4
+};
+
 /// Takes what the renderer draws. Calls come glyph by glyph, and within a glyph
 /// in any order, never the same pixel twice; pixels outside `window` are never
 /// named. Glyphs may overlap: a sink blends over what is there.
@@ -68,6 +78,9 @@ struct Sink {
                    int32_t count) = nullptr;
   /// `count` pixels (1 or more, any number) of full coverage.
   void (*solid)(void* context, int32_t x, int32_t y, int32_t count) = nullptr;
+  /// Whole blocks of coverage, 0 to 255, instead of rows of it; null: a block
+  /// comes as calls of the two functions above. Fewer calls, and words at once.
+  void (*block)(void* context, const CoverageBlock& block) = nullptr;
   /// Like `coverage`, but with three coverages for each of the `count` pixels:
   /// of red, green and blue. Only what draws sub-pixels calls it (lcd.hpp); it
   /// draws grey where this is null.

@@ -13,6 +13,7 @@
 #include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/workspace.hpp"
 
 namespace inkcell {
 
@@ -94,6 +95,11 @@ TextMeasure measure(const Font& font, Text text) noexcept;
 /// clamped to the range of Q26_6.
 Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept;
 
+/// unsupported: the brush's painter does not draw glyphs of this font, and they
+/// look as without it. Outlines take no painter that needs distances at points
+/// of its own; cells take none with a brush that stretches.
+Status check_painter(const Font& font, const Brush& brush) noexcept;
+
 /// Draws laid-out glyphs with the run's origin (left end of its baseline) at
 /// `origin`, along the brush's direction. Glyphs outside the sink's window cost
 /// little: their cells are not touched. Cannot fail: it clips, and glyphs that
@@ -102,7 +108,8 @@ void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
           const Brush& brush,
           Point origin,
-          const Sink& sink) noexcept;
+          const Sink& sink,
+          Workspace workspace = {}) noexcept;
 
 /// Lays out and draws one line. For a screen drawn in many strips, `layout`
 /// once and `draw` for each is faster.
@@ -110,13 +117,15 @@ void draw_text(const Font& font,
                Text text,
                const Brush& brush,
                Point origin,
-               const Sink& sink) noexcept;
+               const Sink& sink,
+               Workspace workspace = {}) noexcept;
 
 /// Draws one glyph by its id, with its origin at `origin`.
 void draw_glyph(const Font& font,
                 uint16_t glyph,
                 const Brush& brush,
                 Point origin,
-                const Sink& sink) noexcept;
+                const Sink& sink,
+                Workspace workspace = {}) noexcept;
 
 }  // namespace inkcell

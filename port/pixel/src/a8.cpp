@@ -74,6 +74,87 @@ void coverage(void* context,
   }
 }
 
+// A word's bytes from the `first` (0 to 3) on, and those up to the `last`.
+inline uint32_t bytes_from(uint32_t first) noexcept {
+  return detail::kLittleEndian ? ~0u << 8 * first : ~0u >> 8 * first;
+}
+inline uint32_t bytes_to(uint32_t last) noexcept {
+  return detail::kLittleEndian ? ~0u >> (24 - 8 * last)
+                               : ~0u << (24 - 8 * last);
+}
+
+// Four pixels over any four.
+__attribute__((noinline)) void put_four(uint8_t* pixel,
+                                        uint32_t word) noexcept {
+  uint8_t coverages[4];
+  __builtin_memcpy(coverages, &word, 4);
+  for (const uint8_t coverage : coverages) {
+    put(*pixel++, coverage);
+  }
+}
+
+// Whole words of a row, from `pixel` to `last`; of the first and the last one
+// only what the masks let through.
+inline void put_words(uint8_t* pixel,
+                      const uint8_t* last,
+                      const uint8_t* from,
+                      uint32_t first_mask,
+                      uint32_t last_mask) noexcept {
+  uint32_t word = detail::load_word(from) & first_mask;
+  for (;;) {
+    if (pixel == last) {
+      word &= last_mask;
+    }
+    if (word != 0) {
+      if (__builtin_expect(detail::load_word(pixel) == 0, 1)) {
+        detail::store_word(pixel, word);
+      } else {
+        put_four(pixel, word);
+      }
+    }
+    if (pixel == last) {
+      return;
+    }
+    pixel += 4;
+    from += 4;
+    word = detail::load_word(from);
+  }
+}
+
+void block(void* context, const CoverageBlock& given) noexcept {
+  const Strip& strip = static_cast<const A8Target*>(context)->strip;
+  CoverageBlock block = given;
+  if (!detail::clip(strip, block)) {
+    return;
+  }
+  const Rect& pixels = block.pixels;
+  const int32_t rows = pixels.y1 - pixels.y0;
+  const uint8_t* from = block.coverage;
+  // Words begin where x is a multiple of 4.
+  const int32_t before = pixels.x0 & 3;
+  const int32_t first = pixels.x0 - before;
+  const int32_t last = (pixels.x1 - 1) & ~3;
+  uint8_t* to =
+      detail::row_at(strip, pixels.y0 - strip.y0) + (first - strip.x0);
+  if (first >= strip.x0 && last + 4 <= strip.x0 + strip.width &&
+      !is_within_word(to) && (strip.stride & 3) == 0) {
+    const uint32_t first_mask = bytes_from(static_cast<uint32_t>(before));
+    const uint32_t last_mask =
+        bytes_to(static_cast<uint32_t>(pixels.x1 - 1 - last));
+    from -= before;
+    for (int32_t row = 0; row != rows; ++row) {
+      put_words(to, to + (last - first), from, first_mask, last_mask);
+      from += block.stride;
+      to += strip.stride;
+    }
+    return;
+  }
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    coverage(context, pixels.x0, y, from, pixels.x1 - pixels.x0);
+    from += block.stride;
+  }
+}
+
 void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
   const Strip& strip = static_cast<const A8Target*>(context)->strip;
   Run run{x, y, count, 0};
@@ -88,7 +169,9 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 Status make_sink(A8Target& target, Sink& out) noexcept {
   static constexpr detail::SinkKind kKind = {
       coverage, solid, detail::layout_of(PixelFormat::a8)};
-  return detail::open_sink(target.strip, kKind, &target, out);
+  INKCELL_TRY(detail::open_sink(target.strip, kKind, &target, out));
+  out.block = block;
+  return Status::ok;
 }
 
 }  // namespace port

@@ -96,6 +96,63 @@ void blend_bytes(uint8_t* pixel,
   }
 }
 
+// Whether pixels are half-words as the core stores them.
+inline bool are_halves(const Rgb565Target& target,
+                       const uint8_t* pixel) noexcept {
+  return detail::kLittleEndian && target.order == ByteOrder::low_first &&
+         (reinterpret_cast<uintptr_t>(pixel) & 1) == 0;
+}
+
+// A row of a block; words of coverage begin where x is a multiple of 4.
+void blend_words(uint8_t* pixel,
+                 const uint8_t* coverage,
+                 int32_t count,
+                 uint32_t colour) noexcept {
+  const uint32_t solid = (colour | colour >> 16) & 0xffff;
+  const uint8_t* const end = coverage + count;
+  while (coverage != end) {
+    if ((reinterpret_cast<uintptr_t>(coverage) & 3) != 0 ||
+        end - coverage < 4) {
+      blend_half(pixel, *coverage++, colour);
+      pixel += 2;
+      continue;
+    }
+    const uint32_t word = detail::load_word(coverage);
+    if (word == ~0u) {
+      detail::store_half(pixel, solid);
+      detail::store_half(pixel + 2, solid);
+      detail::store_half(pixel + 4, solid);
+      detail::store_half(pixel + 6, solid);
+    } else if (word != 0) {
+      for (int32_t i = 0; i != 4; ++i) {
+        blend_half(pixel + 2 * i, coverage[i], colour);
+      }
+    }
+    coverage += 4;
+    pixel += 8;
+  }
+}
+
+void block(void* context, const CoverageBlock& given) noexcept {
+  const auto& target = *static_cast<const Rgb565Target*>(context);
+  CoverageBlock block = given;
+  if (!detail::clip(target.strip, block)) {
+    return;
+  }
+  const uint32_t colour = spread(target.colour);
+  const int32_t count = block.pixels.x1 - block.pixels.x0;
+  for (int32_t y = block.pixels.y0; y != block.pixels.y1; ++y) {
+    uint8_t* const pixel = detail::row_at(target.strip, y - target.strip.y0) +
+                           2 * (block.pixels.x0 - target.strip.x0);
+    if (are_halves(target, pixel)) {
+      blend_words(pixel, block.coverage, count, colour);
+    } else {
+      blend_bytes(pixel, block.coverage, count, colour, target.order);
+    }
+    block.coverage += block.stride;
+  }
+}
+
 void coverage(void* context,
               int32_t x,
               int32_t y,
@@ -109,8 +166,7 @@ void coverage(void* context,
   coverage += run.skipped;
   const uint32_t colour = spread(target.colour);
   uint8_t* const pixel = detail::row_at(target.strip, run.y) + 2 * run.x;
-  if (detail::kLittleEndian && target.order == ByteOrder::low_first &&
-      (reinterpret_cast<uintptr_t>(pixel) & 1) == 0) {
+  if (are_halves(target, pixel)) {
     blend_halves(pixel, coverage, run.count, colour);
   } else {
     blend_bytes(pixel, coverage, run.count, colour, target.order);
@@ -163,7 +219,9 @@ void solid(void* context, int32_t x, int32_t y, int32_t count) noexcept {
 Status make_sink(Rgb565Target& target, Sink& out) noexcept {
   static constexpr detail::SinkKind kKind = {
       coverage, solid, detail::layout_of(PixelFormat::rgb565)};
-  return detail::open_sink(target.strip, kKind, &target, out);
+  INKCELL_TRY(detail::open_sink(target.strip, kKind, &target, out));
+  out.block = block;
+  return Status::ok;
 }
 
 }  // namespace port

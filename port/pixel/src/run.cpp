@@ -48,6 +48,7 @@ Status open_sink(const Strip& strip,
   out.context = context;
   out.coverage = kind.coverage;
   out.solid = kind.solid;
+  out.block = nullptr;
   out.coverage_rgb = nullptr;
   return Status::ok;
 }

@@ -49,6 +49,15 @@ inline bool clip(const Strip& strip, Run& run) noexcept {
   return run.count > 0;
 }
 
+/// Cuts `block` to the strip. Returns whether anything is left.
+inline bool clip(const Strip& strip, CoverageBlock& block) noexcept {
+  const Rect pixels = intersect(block.pixels, strip.rect());
+  block.coverage += (pixels.y0 - block.pixels.y0) * block.stride +
+                    (pixels.x0 - block.pixels.x0);
+  block.pixels = pixels;
+  return !is_empty(pixels);
+}
+
 /// How a format fills strips.
 struct Layout {
   uint8_t bits;       // of a pixel along the row

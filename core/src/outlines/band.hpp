@@ -1,0 +1,87 @@
+// The rows of pixels that an outline is painted into, a byte a pixel.
+#pragma once
+
+#include <stdint.h>
+
+#include "outlines/screen_point.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Some rows and columns of a glyph. Painters write whatever lies in it and
+// leave out the rest, so that a picture does not depend on how a glyph is cut
+// into bands. All bytes are 0 before and after.
+//
+//        0   1 .. last_column  last_column + 1
+//   -1   .   .       .             .             guards: the second pixel of a
+//    0   .  pixel  pixel           .             pair may lie there
+//   ...
+//  rows  .   .       .             .
+struct Band {
+  uint8_t* bytes;  // of row 0
+  int32_t stride;  // [bytes], a multiple of 4
+  int32_t rows;
+  int32_t last_column;
+  // Where column 0 and row 0 lie among the glyph's. [px, Q8]
+  int32_t x_q8;
+  int32_t y_q8;
+  // How far distances are good outside and inside, the greater of the two, and
+  // what nearness falls by in a px / 256 up to there. [px, Q8; Q14] Painters of
+  // fixed reach have constants.
+  int32_t outside_q8;
+  int32_t inside_q8;
+  int32_t reach_q8;
+  int32_t fall_q14;
+  bool is_whole;     // nothing of the glyph lies above or below
+  bool is_mirrored;  // filled areas lie to the right of contours, not the left
+
+  uint8_t* row(int32_t i) const noexcept { return bytes + i * stride; }
+};
+
+struct PixelPoint {
+  int32_t x;  // [px, Q8]
+  int32_t y;
+};
+
+// Whether an edge between these heights touches no row, not even as the second
+// of a pair. An 8th of a pixel is room for roundings and for chords outside of
+// their curve.
+constexpr int32_t kAboveBand = 256 + 32;
+constexpr int32_t kBelowBand = 32;
+inline bool is_outside(const Band& band,
+                       int32_t y0,
+                       int32_t y1,
+                       int32_t y2) noexcept {
+  const int32_t end = band.rows * 256 + kBelowBand;
+  return (((y0 + kAboveBand) & (y1 + kAboveBand) & (y2 + kAboveBand)) |
+          ((end - y0) & (end - y1) & (end - y2))) < 0;
+}
+
+// The same of a height.
+inline bool is_outside(const Band& band, int32_t y) noexcept {
+  return static_cast<uint32_t>(y + kAboveBand) >
+         static_cast<uint32_t>(band.rows * 256 + kAboveBand + kBelowBand);
+}
+
+// The last point on the curve that `at`, which is one, leads to without
+// touching a row: `at` itself, if the next edges may.
+const ScreenPoint* skip_outside(const Band& band,
+                                const ScreenPoint* at,
+                                const ScreenPoint* end) noexcept;
+
+// How far a painter has come in a glyph's points, which come in portions.
+struct OutlineCursor {
+  // Of the edge at hand: where it begins, its control point with `is_bent`, and
+  // room for its end. Set by a contour's start.
+  PixelPoint edge[3] = {};
+  bool is_bent = false;
+  uint32_t corner_at = 0;  // 1: the edge begins at a corner
+  // Of painters that reach far: where the contour began, its first direction,
+  // and that at the edge's beginning; zeros if there is none yet.
+  PixelPoint start = {0, 0};
+  PixelPoint first = {0, 0};
+  PixelPoint before = {0, 0};
+};
+
+}  // namespace detail
+}  // namespace inkcell

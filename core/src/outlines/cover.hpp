@@ -1,0 +1,18 @@
+// Rows of painted bytes to coverage, in place.
+#pragma once
+
+#include "inkcell/filter.hpp"
+#include "outlines/band.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// What paint_distances or paint_wide_distances left; coverage of `filter`,
+// whose ramp lies within the band's reach.
+void cover_distances(const Band& band, const Filter& filter) noexcept;
+
+// What paint_areas left. The filter is not looked at.
+void cover_areas(const Band& band, const Filter& filter) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell

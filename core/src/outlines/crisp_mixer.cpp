@@ -1,0 +1,146 @@
+// Outlines for displays of 1 and 2 bits.
+#include "inkcell/crisp.hpp"
+#include "order.hpp"
+#include "outlines/crossings.hpp"
+#include "outlines/outline_draw.hpp"
+#include "outlines/outline_mixer.hpp"
+#include "outlines/words.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// Pixels farther from the ink are never drawn. [px, Q8]
+constexpr int32_t kMostReach = 256;
+
+const CrispStyle& style_of(const Brush& brush) noexcept {
+  return *static_cast<const CrispStyle*>(brush.painter().options);
+}
+bool has_greys(const CrispStyle& style) noexcept {
+  return style.levels > 2;
+}
+
+// [px, Q10]
+int32_t threshold_of(const CrispStyle& style) noexcept {
+  return lesser(greater(style.threshold_px.raw, -512), 512);
+}
+
+void plan_crisp(const Brush& brush, OutlinePlan& plan) noexcept {
+  const CrispStyle& style = style_of(brush);
+  // Thresholds, and the nearer of two pixels that a stroke passes between.
+  constexpr int32_t kLeastReach = 128 + 16;
+  if (!has_greys(style)) {
+    plan.outside_q8 = 0;
+    plan.inside_q8 = 0;
+  }
+  plan.outside_q8 = greater(plan.outside_q8, kLeastReach);
+  plan.inside_q8 = greater(plan.inside_q8, kLeastReach);
+  plan.shown_q8 = greater(plan.shown_q8, kMostReach);
+  plan.margin_x = 1;
+  plan.margin_y = 1;
+}
+
+// From toggles to what is inside, four pixels at a time.
+void resolve(const Band& band) noexcept {
+  for (int32_t row = 0; row != band.rows; ++row) {
+    uint32_t inside = 0;  // all ones: the pixel to the left is
+    uint8_t* at = band.row(row);
+    for (uint8_t* const end = at + band.stride; at != end; at += 4) {
+      constexpr uint32_t kBits = 0x01010101 * kInsideBit;
+      const uint32_t word = load_pixels(at);
+      uint32_t bits = word & kBits;
+      bits ^= bits << 8;
+      bits ^= bits << 16;
+      bits ^= inside & kBits;
+      inside = 0u - (bits >> 24);
+      store_pixels(at, (word & ~kBits) | bits);
+    }
+  }
+}
+
+class CrispRow {
+ public:
+  CrispRow(const PaintedBand& painted) noexcept
+      : band_(painted.band),
+        filter_(painted.brush.filter()),
+        step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
+        threshold_q10_(threshold_of(style_of(painted.brush))),
+        has_greys_(has_greys(style_of(painted.brush))) {}
+
+  uint8_t coverage(const uint8_t* at) const noexcept {
+    if ((*at & kNearnessMask) == 0) {
+      return (*at & kInsideBit) != 0 ? 255 : 0;
+    }
+    const int32_t d = distance_q10(*at);
+    uint8_t coverage = d >= threshold_q10_ ? 255 : 0;
+    if (has_greys_) {
+      coverage = static_cast<uint8_t>((filter_.coverage(d) + 42) / 85 * 85);
+    }
+    const uint8_t bridge = has_greys_ ? 170 : 255;
+    return coverage < bridge && d < threshold_q10_ && is_bridge(at) ? bridge
+                                                                    : coverage;
+  }
+
+ private:
+  // In the middle of a step. [px, Q10]
+  int32_t distance_q10(uint32_t byte) const noexcept {
+    const auto distance =
+        static_cast<int32_t>((251 - (byte & kNearnessMask)) * step_q8_ >> 8);
+    return (byte & kInsideBit) != 0 ? distance : -distance;
+  }
+
+  // Whether a pixel that is not drawn must stand for a stroke that passes
+  // between it and a neighbour.
+  bool is_bridge(const uint8_t* at) const noexcept {
+    return (*at & kInsideBit) == 0 &&
+           (((*at & kCrossedLeft) != 0 && is_nearer(*at, at[-1], false)) ||
+            ((at[1] & kCrossedLeft) != 0 && is_nearer(*at, at[1], true)) ||
+            ((*at & kCrossedAbove) != 0 &&
+             is_nearer(*at, at[-band_.stride], false)) ||
+            ((at[band_.stride] & kCrossedAbove) != 0 &&
+             is_nearer(*at, at[band_.stride], true)));
+  }
+
+  // Whether the other pixel is not drawn and lies outside, and this one is
+  // nearer. Of two that are equally near the first one is drawn.
+  bool is_nearer(uint32_t byte, uint32_t other, bool is_first) const noexcept {
+    const uint32_t nearness = byte & kNearnessMask;
+    const uint32_t others = other & kNearnessMask;
+    return (other & kInsideBit) == 0 && distance_q10(other) < threshold_q10_ &&
+           (nearness > others || (nearness == others && is_first));
+  }
+
+  const Band& band_;
+  const Filter& filter_;
+  uint32_t step_q8_;  // a 254th of the reach [px, Q18]
+  int32_t threshold_q10_;
+  bool has_greys_;
+};
+
+void mix_crisp(const PaintedBand& painted) noexcept {
+  const Band& band = painted.band;
+  const Rect& pixels = painted.pixels;
+  resolve(band);
+  const CrispRow row(painted);
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    const uint8_t* at = band.row(y - pixels.y0 + painted.row) + painted.column;
+    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
+      alignas(4) uint8_t words[kMaxSpan + 4];
+      uint8_t* const coverage = words + (x & 3);
+      const int32_t count = lesser(kMaxSpan, pixels.x1 - x);
+      for (int32_t i = 0; i != count; ++i) {
+        coverage[i] = row.coverage(at++);
+      }
+      emit_row(painted.sink, x, y, coverage, count);
+    }
+  }
+}
+
+constexpr OutlinePainter kPaintCrossings = {paint_crossings, nullptr, 128, 0};
+
+}  // namespace
+
+const OutlineMixer kCrispMixer = {&kPaintCrossings, plan_crisp, mix_crisp};
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,210 @@
+#include "outlines/outline_glyph.hpp"
+
+#include "inkcell/format.hpp"
+#include "order.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+namespace composite = format::composite;
+
+constexpr int32_t kPxQ18 = 1 << 18;
+
+// Products and sums modulo 2^32.
+int32_t product(int32_t a, int32_t b) noexcept {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) *
+                              static_cast<uint32_t>(b));
+}
+int32_t sum(int32_t a, int32_t b) noexcept {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) +
+                              static_cast<uint32_t>(b));
+}
+
+// [px per grid unit, Q18]
+int32_t scale_of(const Font& font,
+                 const Brush& brush,
+                 const OutlineCoding& coding) noexcept {
+  // At most 2^16 sizes: 32 bits hold this.
+  const uint32_t shift = static_cast<uint32_t>(12 + coding.grid_shift);
+  const uint32_t size = static_cast<uint32_t>(brush.size().raw) << shift;
+  const uint32_t em = font.units_per_em();
+  return static_cast<int32_t>((size + em / 2) / em);
+}
+
+// A factor of at most 1 or so. [Q30]
+int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
+  return static_cast<int32_t>((int64_t{scale} * factor_q30 + (1 << 29)) >> 30);
+}
+
+OutlineMap map_of(const Brush& brush, int32_t scale) noexcept {
+  if (brush.is_upright()) {
+    return {scale, 0, 0, -scale};
+  }
+  const Brush::Axes& axes = brush.axes();
+  return {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
+          times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
+}
+
+// A map after that of a component, which is in Q14.
+OutlineMap mapped(const OutlineMap& map, const int32_t (&part)[4]) noexcept {
+  const auto mixed = [](int32_t a, int32_t x, int32_t b, int32_t y) noexcept {
+    return static_cast<int32_t>((int64_t{a} * x + int64_t{b} * y + (1 << 13)) >>
+                                14);
+  };
+  return {mixed(map.x_right, part[0], map.y_right, part[2]),
+          mixed(map.x_down, part[0], map.y_down, part[2]),
+          mixed(map.x_right, part[1], map.y_right, part[3]),
+          mixed(map.x_down, part[1], map.y_down, part[3])};
+}
+
+// From one place to another. [px, Q18]
+struct Extent {
+  int32_t low;
+  int32_t high;
+
+  void widen(int32_t by) noexcept {
+    int32_t& end = by < 0 ? low : high;
+    end = sum(end, by);
+  }
+};
+
+}  // namespace
+
+// Font units times px per grid unit. [px, Q18]
+int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
+  const int32_t value = product(units, per_unit);
+  return coding_.grid_shift >= 0
+             ? value >> coding_.grid_shift
+             : static_cast<int32_t>(static_cast<uint32_t>(value)
+                                    << -coding_.grid_shift);
+}
+
+bool OutlineGlyph::open(const Font& font,
+                        uint16_t glyph,
+                        Span<const uint8_t> record,
+                        const Brush& brush,
+                        const Placed& placed,
+                        const OutlineSampling& sampling) noexcept {
+  GlyphMetrics metrics;
+  if (font.glyph_metrics(glyph, metrics) != Status::ok) {
+    return false;
+  }
+  font_ = &font;
+  x_min_ = metrics.x_min;
+  y_min_ = metrics.y_min;
+  record_ = record;
+  coding_ = outline_coding(font);
+  if (coding_.code_bits == 0) {
+    return false;
+  }
+  is_composite_ = record_.data[0] == composite::kType;
+  map_ = map_of(brush, scale_of(font, brush, coding_));
+  is_mirrored_ =
+      !brush.is_upright() &&
+      (brush.axes().x_right.raw >> 15) * int64_t{brush.axes().y_up.raw >> 15} <
+          (brush.axes().x_up.raw >> 15) *
+              int64_t{brush.axes().y_right.raw >> 15};
+  const int32_t width = metrics.x_max - metrics.x_min;
+  const int32_t height = metrics.y_max - metrics.y_min;
+  const int32_t left = sum(scaled(metrics.x_min, map_.x_right),
+                           scaled(metrics.y_min, map_.y_right));
+  const int32_t bottom = sum(scaled(metrics.x_min, map_.x_down),
+                             scaled(metrics.y_min, map_.y_down));
+  Extent x = {left, left};
+  Extent y = {bottom, bottom};
+  x.widen(scaled(width, map_.x_right));
+  x.widen(scaled(height, map_.y_right));
+  y.widen(scaled(width, map_.x_down));
+  y.widen(scaled(height, map_.y_down));
+  // Of the origin the whole px apart: it may be far away.
+  const int32_t reach = sampling.reach_q8 * 1024;
+  const int32_t x_part = (placed.x_q10 & 1023) * 256;
+  const int32_t y_part = (placed.y_q10 & 1023) * 256;
+  const int32_t x_px = placed.x_q10 >> 10;
+  const int32_t y_px = placed.y_q10 >> 10;
+  // Centres from `low - reach` to `high + reach`.
+  constexpr int32_t centre = kPxQ18 / 2;
+  box_ = {x_px + (sum(x.low, x_part - reach - centre + kPxQ18 - 1) >> 18),
+          y_px + (sum(y.low, y_part - reach - centre + kPxQ18 - 1) >> 18),
+          x_px + (sum(x.high, x_part + reach - centre) >> 18) + 1,
+          y_px + (sum(y.high, y_part + reach - centre) >> 18) + 1};
+  // Half of a 256th, so that points are rounded to the nearest.
+  const int32_t origin = 512 - sampling.origin_q8 * 1024;
+  const int32_t left_px = (box_.x0 - 1) & ~3;
+  x0_ = left_px * sampling.columns;
+  y0_ = box_.y0 * sampling.rows;
+  x_q18_ = sum(origin, product(sum(x_part, product(x_px - left_px, kPxQ18)),
+                               sampling.columns));
+  y_q18_ = sum(origin, product(sum(y_part, product(y_px - box_.y0, kPxQ18)),
+                               sampling.rows));
+  map_.x_right = product(map_.x_right, sampling.columns);
+  map_.y_right = product(map_.y_right, sampling.columns);
+  map_.x_down = product(map_.x_down, sampling.rows);
+  map_.y_down = product(map_.y_down, sampling.rows);
+  return true;
+}
+
+// Steps begin at the lower left corner of the part's box.
+void OutlineGlyph::begin_part(int32_t x_min,
+                              int32_t y_min,
+                              Span<const uint8_t> record,
+                              const OutlineMap& map,
+                              int32_t x_q18,
+                              int32_t y_q18) noexcept {
+  const int32_t shift = coding_.grid_shift;
+  const int32_t x = shift >= 0 ? x_min >> shift : x_min * (1 << -shift);
+  const int32_t y = shift >= 0 ? y_min >> shift : y_min * (1 << -shift);
+  part_map_ = map;
+  reader_.begin(
+      record, coding_,
+      sum(x_q18, sum(product(x, map.x_right), product(y, map.y_right))),
+      sum(y_q18, sum(product(x, map.x_down), product(y, map.y_down))));
+}
+
+void OutlineGlyph::rewind() noexcept {
+  is_done_ = false;
+  points_left_ = coding_.max_points;
+  if (is_composite_) {
+    components_ = ComponentReader(record_);
+    is_done_ = !next_component();
+  } else {
+    begin_part(x_min_, y_min_, record_, map_, x_q18_, y_q18_);
+  }
+}
+
+bool OutlineGlyph::next_component() noexcept {
+  Component part;
+  while (components_.next(part)) {
+    const Span<const uint8_t> record = font_->record(part.glyph);
+    if (is_outline(record) && record.data[0] != composite::kType) {
+      GlyphMetrics metrics;
+      static_cast<void>(font_->glyph_metrics(part.glyph, metrics));
+      begin_part(metrics.x_min, metrics.y_min, record,
+                 part.has_matrix ? mapped(map_, part.matrix_q14) : map_,
+                 sum(x_q18_, sum(scaled(part.dx, map_.x_right),
+                                 scaled(part.dy, map_.y_right))),
+                 sum(y_q18_, sum(scaled(part.dx, map_.x_down),
+                                 scaled(part.dy, map_.y_down))));
+      return true;
+    }
+  }
+  return false;
+}
+
+ScreenPoint* OutlineGlyph::read(ScreenPoint* out, int32_t room) noexcept {
+  while (!is_done_ && room != 0) {
+    ScreenPoint* const end =
+        reader_.read(coding_, part_map_, out, lesser(room, points_left_));
+    const auto count = static_cast<int32_t>(end - out);
+    room -= count;
+    points_left_ -= count;
+    out = end;
+    is_done_ = points_left_ == 0 ||
+               (reader_.is_done() && !(is_composite_ && next_component()));
+  }
+  return out;
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,97 @@
+// One glyph of outlines where it stands on the screen: its box and its points.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/format.hpp"
+#include "inkcell/strip.hpp"
+#include "outlines/component.hpp"
+#include "outlines/outline_reader.hpp"
+#include "position.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Where painters have pixels, and how far they show around the ink.
+struct OutlineSampling {
+  // What lies at whole numbers, from a pixel's upper left corner. [px]
+  int32_t origin_q8;
+  int32_t reach_q8;  // of a pixel's centre [px]
+  // Samples a pixel, to the right and down.
+  int32_t columns = 1;
+  int32_t rows = 1;
+};
+
+// Whether a record, which may be empty, is one of outlines.
+inline bool is_outline(Span<const uint8_t> record) noexcept {
+  return record.size != 0 &&
+         ((record.data[0] & format::outline::kRecordBit) != 0 ||
+          record.data[0] == format::composite::kType);
+}
+
+// Placed and read for one style. Views the font, which must outlive it. Lies in
+// RAM that is lent as bytes.
+class __attribute__((may_alias)) OutlineGlyph {
+ public:
+  // `record` is the glyph's; is_outline(record). False: the font is not one of
+  // outlines.
+  bool open(const Font& font,
+            uint16_t glyph,
+            Span<const uint8_t> record,
+            const Brush& brush,
+            const Placed& placed,
+            const OutlineSampling& sampling) noexcept;
+
+  // The pixels that may show something.
+  const Rect& box() const noexcept { return box_; }
+  // The column and the row of samples that points are relative to: a few before
+  // the box, and its first.
+  int32_t x0() const noexcept { return x0_; }
+  int32_t y0() const noexcept { return y0_; }
+
+  // The row of the baseline of upright glyphs, as points have it. [rows, Q8]
+  int32_t baseline_q8() const noexcept { return y_q18_ >> 10; }
+
+  bool is_mirrored() const noexcept { return is_mirrored_; }
+
+  // Goes back to the first point.
+  void rewind() noexcept;
+  // Writes the next points, at most `room`; returns their end. With is_done()
+  // there are no more.
+  ScreenPoint* read(ScreenPoint* out, int32_t room) noexcept;
+  bool is_done() const noexcept { return is_done_; }
+
+ private:
+  void begin_part(int32_t x_min,
+                  int32_t y_min,
+                  Span<const uint8_t> record,
+                  const OutlineMap& map,
+                  int32_t x_q18,
+                  int32_t y_q18) noexcept;
+  bool next_component() noexcept;
+  int32_t scaled(int32_t units, int32_t per_unit) const noexcept;
+
+  const Font* font_;
+  Span<const uint8_t> record_;
+  OutlineCoding coding_;
+  OutlineMap map_;       // of the glyph
+  OutlineMap part_map_;  // of the component at hand
+  int32_t x_q18_;        // the glyph's origin from (x0(), box().y0) [px]
+  int32_t y_q18_;
+  Rect box_;
+  int32_t x0_;
+  int32_t y0_;
+  OutlineReader reader_;
+  ComponentReader components_;  // of a composite that come yet
+  int32_t points_left_;         // that may come
+  int16_t x_min_;               // of the glyph's box [font units]
+  int16_t y_min_;
+  bool is_composite_;
+  bool is_mirrored_;
+  bool is_done_;
+};
+
+}  // namespace detail
+}  // namespace inkcell

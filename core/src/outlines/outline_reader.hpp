@@ -1,0 +1,61 @@
+// From a glyph's record to points on the screen.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/span.hpp"
+#include "outlines/screen_point.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// What all outlines of a font share: sections CODE and GLYF.
+struct OutlineCoding {
+  const uint8_t* table = nullptr;  // 2^code_bits words, at an even address
+  uint8_t code_bits = 1;
+  int8_t grid_shift = 0;    // grid units are 2^grid_shift font units
+  uint16_t max_points = 0;  // of a glyph; no reader goes on beyond
+};
+
+// Where a grid unit to the right and one up lead on the screen. [px, Q18]
+// Computed modulo 2^32, so that pictures do not depend on strips.
+struct OutlineMap {
+  int32_t x_right;
+  int32_t x_down;
+  int32_t y_right;
+  int32_t y_down;
+};
+
+// Reads the record of one simple outline. Reads any bytes: behind the record's
+// end there are zeros, and no more than OutlineCoding::max_points points come
+// of it.
+class OutlineReader {
+ public:
+  // The record's first bit, which says that it is an outline, is skipped.
+  // `pen`: where steps begin. [px, Q18]
+  void begin(Span<const uint8_t> record,
+             const OutlineCoding& coding,
+             int32_t pen_x_q18,
+             int32_t pen_y_q18) noexcept;
+
+  // Writes the next points, at most `room`. Returns the end of what is written;
+  // is_done() tells whether any are left.
+  ScreenPoint* read(const OutlineCoding& coding,
+                    const OutlineMap& map,
+                    ScreenPoint* out,
+                    int32_t room) noexcept;
+
+  bool is_done() const noexcept { return budget_ == 0; }
+
+ private:
+  const uint8_t* record_;
+  uint32_t size_;   // [bytes]
+  uint32_t bit_;    // the next one
+  uint32_t x_q18_;  // [px, modulo 2^32]
+  uint32_t y_q18_;
+  ScreenPoint start_;  // of the contour; kind kStart: it comes yet
+  int32_t budget_;     // points that may come
+};
+
+}  // namespace detail
+}  // namespace inkcell

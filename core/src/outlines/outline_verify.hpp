@@ -1,0 +1,20 @@
+// What Font::verify asks of outlines.
+#pragma once
+
+#include "inkcell/font.hpp"
+#include "outlines/outline_reader.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Whether the code words make sense (docs/FORMAT.md, rule 16).
+bool code_fits(const OutlineCoding& coding) noexcept;
+
+// Whether the record of an outline or a composite does (rules 17 and 18). Every
+// code word of `coding` must.
+bool outline_fits(const Font& font,
+                  Span<const uint8_t> record,
+                  const OutlineCoding& coding) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,26 @@
+// Four bytes of a band at a time, the byte at the lowest address lowest.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+namespace detail {
+
+inline uint32_t load_pixels(const uint8_t* at) noexcept {
+  uint32_t word;
+  __builtin_memcpy(&word, __builtin_assume_aligned(at, 4), 4);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  word = __builtin_bswap32(word);
+#endif
+  return word;
+}
+
+inline void store_pixels(uint8_t* at, uint32_t word) noexcept {
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  word = __builtin_bswap32(word);
+#endif
+  __builtin_memcpy(__builtin_assume_aligned(at, 4), &word, 4);
+}
+
+}  // namespace detail
+}  // namespace inkcell
