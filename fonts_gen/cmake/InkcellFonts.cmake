@@ -6,16 +6,20 @@
 #     [SYMBOLS <string>] [TEXT <utf-8 file>...]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
-#     [CODING edges|samples] [HINTS on|off]
+#     [CODING outline|edges|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>])
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
+# CODING says what glyphs are made of:
+#   outline   points of lines and curves, about 6 KB for 95 characters; default
+#   edges     a quadtree of cells of edges: the field at any point, in place
+#   samples   a quadtree of cells of nine distances, as the paper has it
 #
-# In a program, libraries and all, a NAME is one font: two of one NAME are one
-# array to the linker, which keeps either and says nothing.
+# A NAME must be unique in a program and its libraries: the linker merges two
+# arrays of one name silently.
 #
-# The generator runs on the machine that builds. Which one is used:
+# The generator runs on the build host. Which one is used:
 # - INKCELL_FONTGEN, if set: the path of the program;
 # - else the one of this build, or the one that was installed with this file;
 # - else, when cross compiling or when inkcell is part of another project, one
@@ -134,7 +138,7 @@ function(inkcell_add_font target)
     message(FATAL_ERROR "inkcell_add_font: there is no FONT <file>")
   endif()
 
-  _inkcell_check_choice(CODING "${arg_CODING}" edges samples)
+  _inkcell_check_choice(CODING "${arg_CODING}" outline edges samples)
   _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
   if("${arg_PREDICATE}" STREQUAL "fixed" AND

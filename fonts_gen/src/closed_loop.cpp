@@ -265,6 +265,16 @@ ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
 }
 
 LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
+  return draw_and_compare(
+      {[&](const Brush& brush, inkcell::Point origin) {
+         return field_box(field, brush, origin);
+       },
+       [&](const Brush& brush, inkcell::Point origin, const Sink& sink) {
+         draw_field(field, brush, origin, sink);
+       }});
+}
+
+LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
   Gathering gathering(options_);
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
     Brush brush;
@@ -277,8 +287,8 @@ LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
       const inkcell::Point origin = {Q26_6::from_raw(setting.phase.x),
                                      Q26_6::from_raw(setting.phase.y)};
       const Rect inked = map_ ? setting.pixels_of(shape_.box()) : Rect();
-      Canvas canvas(join(inked, field_box(field, brush, origin)));
-      draw_field(field, brush, origin, canvas.sink());
+      Canvas canvas(join(inked, glyph.box(brush, origin)));
+      glyph.draw(brush, origin, canvas.sink());
       compare(setting, canvas, inked, map_ ? &*map_ : nullptr, gathering);
     }
     gathering.end();

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "distance_map.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/render.hpp"
 #include "shape.hpp"
 
 namespace inkcell {
@@ -52,6 +54,15 @@ struct LoopResult {
   double worst_mean = 0;         // the largest mean of a size
 };
 
+/// A glyph as the device draws it, with its origin at `origin`.
+struct LoopGlyph {
+  /// The pixels that it may touch.
+  std::function<Rect(const Brush& brush, inkcell::Point origin)> box;
+  std::function<void(
+      const Brush& brush, inkcell::Point origin, const Sink& sink)>
+      draw;
+};
+
 /// The sizes that a loop draws: every whole one up to 128 px/em, then steps of
 /// 1/64, and `max_px`. Ascending.
 std::vector<int> loop_sizes(int min_px, int max_px);
@@ -68,7 +79,8 @@ class ClosedLoop {
  public:
   ClosedLoop(const Shape& shape, const LoopOptions& options);
 
-  /// The result depends on the shape, the options and `field` only.
+  /// The result depends on the shape, the options and `glyph` only.
+  LoopResult draw_and_compare(const LoopGlyph& glyph);
   LoopResult draw_and_compare(const GlyphField& field);
 
  private:

@@ -1,4 +1,5 @@
 #include "font_source.hpp"
+#include "outlines/source_composites.hpp"
 
 #include FT_OUTLINE_H
 #include FT_TRUETYPE_TABLES_H
@@ -321,12 +322,37 @@ std::vector<KerningGlyph> kerning_glyphs(const SourceFont& font) {
 }  // namespace
 
 std::string SourceGlyph::name() const {
-  return code_points.empty() ? ".notdef" : describe(code_points.front());
+  if (!code_points.empty()) {
+    return describe(code_points.front());
+  }
+  return source == 0 ? ".notdef" : "component " + std::to_string(source);
 }
 
 std::string SourceGlyph::remedy(const std::string& repair) const {
   return code_points.empty() ? repair : repair + " or leave the character out";
 }
+
+namespace {
+
+// Adds the parts of other glyphs that have no character of their own.
+void add_components(const FontFile& file, SourceFont& font) {
+  std::vector<uint32_t> ids;
+  for (const SourceGlyph& glyph : font.glyphs) {
+    ids.push_back(glyph.source);
+  }
+  for (const uint32_t id : missing_components(file, ids)) {
+    if (font.glyphs.size() == kMostGlyphs) {
+      break;
+    }
+    SourceGlyph glyph;
+    glyph.source = id;
+    font.glyphs.push_back(glyph);
+    ids.push_back(id);
+  }
+  font.components = source_composites(file, ids);
+}
+
+}  // namespace
 
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   const FontFile file(request.file, request.face, request.axes);
@@ -337,6 +363,9 @@ SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   warn_of_embedding(file, warnings);
   warn_of_missing(file, font.missing, warnings);
   font.metrics = read_metrics(file, warnings);
+  if (request.with_components) {
+    add_components(file, font);
+  }
   for (SourceGlyph& glyph : font.glyphs) {
     read_glyph(file, glyph, warnings);
   }

@@ -11,6 +11,7 @@
 #include "font_file.hpp"
 #include "kerning.hpp"
 #include "outline.hpp"
+#include "outlines/outline_record.hpp"
 
 namespace inkcell::gen {
 
@@ -20,6 +21,9 @@ struct FontRequest {
   int face = 0;
   std::vector<AxisSetting> axes;
   CharSet characters;
+  /// Also the glyphs that others are made of, such as accents: at the end of
+  /// the list, without code points.
+  bool with_components = false;
 };
 
 /// Measures of the face, in font units, y up.
@@ -35,7 +39,7 @@ struct SourceMetrics {
 /// One glyph of the font to be.
 struct SourceGlyph {
   uint32_t source = 0;                // id in the font file
-  std::vector<char32_t> code_points;  // none: .notdef
+  std::vector<char32_t> code_points;  // none: .notdef, or only a component
   Outline outline;                    // [u]
   int advance = 0;                    // [font units]
 
@@ -54,6 +58,8 @@ struct SourceFont {
   /// .notdef, then in the order of their smallest code points. Code points that
   /// share a glyph in the file share it here.
   std::vector<SourceGlyph> glyphs;
+  /// What each glyph is made of; with components only.
+  std::vector<OutlineReferences> components;
   KerningMatrix kerning;
   /// Characters that the font does not have.
   std::vector<char32_t> missing;

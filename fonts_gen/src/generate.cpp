@@ -8,6 +8,8 @@
 #include "char_set.hpp"
 #include "field_glyph.hpp"
 #include "font_source.hpp"
+#include "outlines/outline_font.hpp"
+#include "outlines/outline_glyph.hpp"
 #include "shape.hpp"
 #include "work_pool.hpp"
 
@@ -151,6 +153,18 @@ void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
   built.errors = std::move(glyph.errors);
 }
 
+void build_outline(const Outline& source,
+                   const Shape& shape,
+                   int units_per_em,
+                   const AdfOptions& options,
+                   Built& built) {
+  RefittedGlyph glyph =
+      refit_glyph(source, shape, built.glyph.metrics,
+                  refit_options(options, units_per_em), loop_options(options));
+  built.glyph.outline = std::move(glyph.outline);
+  built.errors = std::move(glyph.errors);
+}
+
 Built build_glyph(const SourceFont& font,
                   const SourceGlyph& glyph,
                   const AdfOptions& options) {
@@ -164,7 +178,12 @@ Built build_glyph(const SourceFont& font,
       built.glyph.metrics =
           box_in_font_units(shape.box(), font.metrics.units_per_em);
       built.edges = find_edges(shape);
-      build_cells(shape, options, built);
+      if (options.coding == Coding::outline) {
+        build_outline(glyph.outline, shape, font.metrics.units_per_em, options,
+                      built);
+      } else {
+        build_cells(shape, options, built);
+      }
     }
   } catch (const GeometryError& error) {
     const bool complex = error.kind() == GeometryError::Kind::too_complex;
@@ -180,6 +199,28 @@ Built build_glyph(const SourceFont& font,
   }
   built.glyph.metrics.advance = glyph.advance;
   return built;
+}
+
+// Leaves out the last glyphs, from which no other one is made.
+void drop_unused_components(SourceFont& font,
+                            RomContent& content,
+                            std::vector<LoopResult>& errors,
+                            std::vector<GlyphEdges>& edges) {
+  const std::vector<size_t> kept = used_glyphs(content, [&](size_t glyph) {
+    return glyph == 0 || !font.glyphs[glyph].code_points.empty();
+  });
+  const auto keep = [&kept](auto& list) {
+    for (size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i] != i) {
+        list[i] = std::move(list[kept[i]]);
+      }
+    }
+    list.resize(kept.size());
+  };
+  keep(font.glyphs);
+  keep(content.glyphs);
+  keep(errors);
+  keep(edges);
 }
 
 RomContent build_content(SourceFont& font,
@@ -207,10 +248,18 @@ RomContent build_content(SourceFont& font,
         edges[i] = std::move(built.edges);
       },
       done);
+  if (request.adf.coding == Coding::outline) {
+    content.outlines.grid_shift =
+        refit_options(request.adf, font.metrics.units_per_em).grid_shift;
+    encode_outlines(content);
+    find_references(font.components, content);
+    drop_unused_components(font, content, errors, edges);
+    encode_outlines(content);
+  }
   if (request.hints) {
     content.alignment = align(font, edges);
   }
-  for (size_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < font.glyphs.size(); ++i) {
     for (const char32_t c : font.glyphs[i].code_points) {
       content.glyph_of[c] = static_cast<uint16_t>(i);
     }
@@ -234,7 +283,7 @@ GlyphReport report_glyph(const SourceGlyph& source,
                          const AdfOptions& options) {
   GlyphReport glyph;
   glyph.name = source.name();
-  glyph.key = source.code_points.empty() ? ".notdef"
+  glyph.key = source.code_points.empty() ? source.name()
                                          : to_utf8(source.code_points.front());
   glyph.cells = built.samples.cells.size();
   glyph.nodes = static_cast<size_t>(built.samples.node_count());
@@ -243,6 +292,10 @@ GlyphReport report_glyph(const SourceGlyph& source,
     glyph.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
   }
   glyph.fields = built.fields.fields.size();
+  for (const MinimalContour& contour : built.outline.contours) {
+    glyph.points += contour.points.size();
+  }
+  glyph.components = built.references.size();
   glyph.bytes = glyph_record(built).size();
   if (options.predicate == Predicate::fixed) {
     glyph.worst_error = built.samples.worst_error;
@@ -306,6 +359,8 @@ FontReport make_report(const SourceFont& font,
     report.cells += glyph.cells;
     report.nodes += glyph.nodes;
     report.fields += glyph.fields;
+    report.points += built.references.empty() ? glyph.points : 0;
+    report.composites += built.references.empty() ? 0u : 1u;
     report.worst_error = std::max(report.worst_error, glyph.worst_error);
     if (built.has_ink()) {
       report.mean_error += glyph.mean_error;
@@ -325,7 +380,8 @@ FontReport make_report(const SourceFont& font,
   return report;
 }
 
-void warn_of_errors(const FontReport& report, Warnings& warnings) {
+// Outlines keep the tolerance, or there is no font; of cells people are told.
+void tell_of_errors(const FontReport& report, Warnings& warnings) {
   std::vector<const GlyphReport*> missed;
   for (const GlyphReport& glyph : report.glyphs) {
     if (!glyph.within_tolerance) {
@@ -351,6 +407,9 @@ void warn_of_errors(const FontReport& report, Warnings& warnings) {
   text += missed.size() > kListedGlyphs ? ", ..." : "";
   text += fixed ? "; this is expected of the paper's predicate at corners"
                 : "; lower --max-px or raise --tolerance";
+  if (report.options.coding == Coding::outline) {
+    throw Error(text);
+  }
   warnings.push_back({Warning::Kind::tolerance_missed, text});
 }
 
@@ -365,6 +424,7 @@ RomFont generate(const GenerateRequest& request) {
   wanted.face = request.face;
   wanted.axes = request.axes;
   wanted.characters = characters_of(request);
+  wanted.with_components = request.adf.coding == Coding::outline;
   SourceFont font = load_font(wanted, request.jobs, rom.warnings);
   std::vector<LoopResult> errors;
   const RomContent content = build_content(font, request, errors);
@@ -373,7 +433,7 @@ RomFont generate(const GenerateRequest& request) {
   check_rom_font(rom.bytes, content);
   rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;
-  warn_of_errors(rom.report, rom.warnings);
+  tell_of_errors(rom.report, rom.warnings);
   rom.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
           .count();

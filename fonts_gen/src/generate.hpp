@@ -28,7 +28,7 @@ struct GenerateRequest {
   /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
   /// a whole number within 1..255.
   AdfOptions adf;
-  GenerateRequest() { adf.coding = Coding::edges; }
+  GenerateRequest() { adf.coding = Coding::outline; }
   /// Whether the font says what grid fitting needs.
   bool hints = true;
   /// Threads; 0: all cores. The bytes do not depend on it.
@@ -45,7 +45,9 @@ struct GlyphReport {
   size_t cells = 0;  // that are not saturated
   size_t nodes = 0;
   size_t fields = 0;  // distinct ones, of cells of fields
-  size_t bytes = 0;   // of its record
+  size_t points = 0;  // of outlines; on and off curve, implied ones not counted
+  size_t components = 0;  // that a composite record refers to; 0: simple
+  size_t bytes = 0;       // of its record
   /// size_aware: of the pixels that the device draws, at the worst size; the
   /// mean over the ink's box and 1.5 px [1/255]. fixed: as AdfGlyph.
   double worst_error = 0;
@@ -76,6 +78,8 @@ struct FontReport {
   size_t nodes = 0;
   CellCounts kinds;
   size_t fields = 0;
+  size_t points = 0;      // of all records of outlines
+  size_t composites = 0;  // glyphs that refer to others
   /// size_aware: as drawn, of all glyphs together; the mean of a size is that
   /// of the glyphs' means.
   std::vector<SizeError> sizes;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <utility>
+#include <vector>
 
 namespace inkcell::gen {
 namespace {
@@ -25,27 +26,35 @@ double parse_tolerance(const std::string& text) {
   return value;
 }
 
-// An option with two values.
+// An option with some values, the usual one first.
 template <typename Value>
 void add_choice(CLI::App& app,
                 const std::string& option,
                 Value& target,
-                const std::pair<std::string, Value>& usual,
-                const std::pair<std::string, Value>& other,
+                const std::vector<std::pair<std::string, Value>>& values,
                 const std::string& help) {
+  std::string names;
+  std::string quoted;
+  for (size_t i = 0; i < values.size(); ++i) {
+    names += (i == 0 ? "" : "|") + values[i].first;
+    quoted += i == 0 ? "" : i + 1 == values.size() ? " or " : ", ";
+    quoted += "'" + values[i].first + "'";
+  }
   app.add_option_function<std::string>(
          option,
          [=, &target](const std::string& value) {
-           if (value != usual.first && value != other.first) {
-             throw CLI::ValidationError(
-                 option, "'" + value + "' is not known; use '" + usual.first +
-                             "' or '" + other.first + "'");
+           for (const auto& [name, meaning] : values) {
+             if (value == name) {
+               target = meaning;
+               return;
+             }
            }
-           target = value == usual.first ? usual.second : other.second;
+           throw CLI::ValidationError(
+               option, "'" + value + "' is not known; use " + quoted);
          },
          help)
-      ->type_name(usual.first + "|" + other.first)
-      ->default_str(usual.first);
+      ->type_name(names)
+      ->default_str(values.front().first);
 }
 
 void add_selection(CLI::App& app, GenerateRequest& request) {
@@ -99,17 +108,20 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       ->type_name("N/255")
       ->default_str("16/255");
   add_choice<Coding>(
-      app, "--coding", adf.coding, {"edges", Coding::edges},
-      {"samples", Coding::samples},
-      "What glyphs are made of: 'edges', cells of up to three second-order "
-      "distance functions; 'samples', cells of the paper's nine distances");
+      app, "--coding", adf.coding,
+      {{"outline", Coding::outline},
+       {"edges", Coding::edges},
+       {"samples", Coding::samples}},
+      "What glyphs are made of: 'outline', few points, for text; 'edges', a "
+      "quadtree of cells of up to three second-order distance functions, for "
+      "the field at any point; 'samples', cells of the paper's nine distances");
   add_choice<Predicate>(
-      app, "--predicate", adf.predicate, {"size", Predicate::size_aware},
-      {"fixed", Predicate::fixed},
+      app, "--predicate", adf.predicate,
+      {{"size", Predicate::size_aware}, {"fixed", Predicate::fixed}},
       "What is good enough: 'size', the tolerance over the range of sizes; "
       "'fixed', 1/1024 em near the edge, for --coding samples");
   add_choice<bool>(
-      app, "--hints", request.hints, {"on", true}, {"off", false},
+      app, "--hints", request.hints, {{"on", true}, {"off", false}},
       "What grid fitting needs: heights of edges, places of stems");
   app.add_option("--effort", adf.effort,
                  "How hard to try for fewer bytes; more takes longer")

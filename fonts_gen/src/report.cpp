@@ -56,7 +56,14 @@ double rounded(double value) {
 }
 
 const char* coding_name(const AdfOptions& options) {
-  return options.coding == Coding::edges ? "edges" : "samples";
+  return options.coding == Coding::outline ? "outline"
+         : options.coding == Coding::edges ? "edges"
+                                           : "samples";
+}
+
+std::string outlines_line(const FontReport& report) {
+  return format("  %-16s%zu, %zu glyphs refer to others\n", "points",
+                report.points, report.composites);
 }
 
 std::string cells_line(const FontReport& report) {
@@ -132,10 +139,11 @@ std::string report_for_people(const FontReport& report) {
   part("metrics", bytes.metrics);
   part("kerning", bytes.kerning);
   part("hints", bytes.hints);
-  part("cells", bytes.cells);
+  part("glyphs", bytes.glyphs);
   part("name", bytes.name);
   part("total", bytes.total());
-  text += cells_line(report);
+  text += options.coding == Coding::outline ? outlines_line(report)
+                                            : cells_line(report);
   text += format("  %-16s%d left, %d right\n", "kerning classes",
                  report.left_classes, report.right_classes);
   text += format("  %-16s%.1f worst, %.2f mean, in %s\n", "error",
@@ -173,7 +181,9 @@ std::string report_as_json(const FontReport& report) {
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},
-                   {"cells", bytes.cells},     {"name", bytes.name}};
+                   {"glyphs", bytes.glyphs},   {"name", bytes.name}};
+  json["point_count"] = report.points;
+  json["composite_count"] = report.composites;
   json["leaf_list_bytes"] = report.leaf_list_bytes();
   json["cell_count"] = report.cells;
   json["node_count"] = report.nodes;
@@ -183,14 +193,17 @@ std::string report_as_json(const FontReport& report) {
                            {"pair", report.kinds.pairs},
                            {"triple", report.kinds.triples}};
   Json per_glyph = Json::object();
+  Json points = Json::object();
   Json glyph_bytes = Json::object();
   Json glyph_error = Json::object();
   for (const GlyphReport& glyph : report.glyphs) {
     per_glyph[glyph.key] = glyph.cells;
+    points[glyph.key] = glyph.points;
     glyph_bytes[glyph.key] = glyph.bytes;
     glyph_error[glyph.key] = rounded(glyph.worst_error);
   }
   json["cells_per_glyph"] = std::move(per_glyph);
+  json["points_per_glyph"] = std::move(points);
   json["bytes_per_glyph"] = std::move(glyph_bytes);
   json["error_per_glyph"] = std::move(glyph_error);
   json["error"] = {{"max", rounded(report.worst_error)},

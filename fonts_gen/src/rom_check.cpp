@@ -1,4 +1,5 @@
 // The closed loop: what was written is read as the device reads it.
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -275,6 +276,15 @@ bool equal_fields(const FieldTree& tree, const GlyphField& field) {
 void check_cells(const Font& font, const RomContent& content) {
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     const RomGlyph& glyph = content.glyphs[i];
+    if (content.options.coding == Coding::outline) {
+      const Span<const uint8_t> record = font.record(static_cast<uint16_t>(i));
+      if (!std::equal(record.begin(), record.end(),
+                      glyph.outline_record.begin(),
+                      glyph.outline_record.end())) {
+        differ(content, "the record" + of_glyph(i));
+      }
+      continue;
+    }
     GlyphField field;
     const Status status = font.field(static_cast<uint16_t>(i), field);
     const bool equal = glyph.fields.grid.tiles_x != 0

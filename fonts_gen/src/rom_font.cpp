@@ -255,7 +255,7 @@ struct OffsetUnits {
   }
 };
 
-// Records of cells begin at even bytes.
+// Records of cells begin at even bytes, those of outlines at any.
 constexpr unsigned kCellsUnitLog2 = 1;
 static_assert(format::glyphs::kRecordAlignment == 1 << kCellsUnitLog2);
 
@@ -264,8 +264,9 @@ static_assert(format::glyphs::kRecordAlignment == 1 << kCellsUnitLog2);
 OffsetUnits offset_units(const RomContent& content,
                          const std::vector<Bytes>& glyph_records) {
   namespace glyphs = format::glyphs;
-  for (unsigned unit_log2 = kCellsUnitLog2; unit_log2 <= glyphs::kMaxUnitLog2;
-       ++unit_log2) {
+  const bool has_cells = content.options.coding != Coding::outline;
+  for (unsigned unit_log2 = has_cells ? kCellsUnitLog2 : 0;
+       unit_log2 <= glyphs::kMaxUnitLog2; ++unit_log2) {
     OffsetUnits units = {unit_log2, 0, 0, 0};
     uint64_t records = 0;
     for (const Bytes& record : glyph_records) {
@@ -315,6 +316,14 @@ Bytes glyphs_section(const RomContent& content) {
   pad(out, units.unit_log2);
   // Readers take four bytes at once, also where no glyph has ink.
   out.resize(std::max<size_t>(out.size(), 4));
+  return out;
+}
+
+Bytes code_section(const RomContent& content) {
+  Bytes out;
+  for (const uint16_t word : content.outlines.table) {
+    put_u16(out, word);
+  }
   return out;
 }
 
@@ -404,6 +413,10 @@ void set_range(Bytes& out, const RomContent& content) {
   set_u16(out, header::kMaxCells, static_cast<unsigned>(most.cells));
   set_u16(out, header::kMaxNodes, static_cast<unsigned>(most.nodes));
   out[header::kMaxDepth] = static_cast<uint8_t>(most.depth);
+  const OutlineCoding& outlines = content.outlines;
+  out[header::kGridShift] = static_cast<uint8_t>(outlines.grid_shift);
+  out[header::kCodeBits] = static_cast<uint8_t>(outlines.code_bits);
+  set_u16(out, header::kMaxPoints, static_cast<unsigned>(outlines.max_points));
 }
 
 // The last thing that is written: the header's checksum covers the others.
@@ -438,7 +451,8 @@ std::vector<Section> make_sections(const RomContent& content) {
       &PartBytes::metrics);
   add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
   add(section::kHints, 0, hint_section(content.alignment), &PartBytes::hints);
-  add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::cells);
+  add(section::kCode, kNeeded, code_section(content), &PartBytes::glyphs);
+  add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::glyphs);
   add(section::kName, 0, name_section(content), &PartBytes::name);
   return sections;
 }
@@ -446,6 +460,9 @@ std::vector<Section> make_sections(const RomContent& content) {
 }  // namespace
 
 std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
+  if (!glyph.outline_record.empty()) {
+    return glyph.outline_record;
+  }
   if (glyph.samples.tiles_x != 0) {
     return samples_record(glyph.samples);
   }

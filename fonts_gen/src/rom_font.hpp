@@ -13,18 +13,32 @@
 #include "font_source.hpp"
 #include "inkcell/font.hpp"
 #include "kerning.hpp"
+#include "outlines/minimal_outline.hpp"
+#include "outlines/outline_record.hpp"
 
 namespace inkcell::gen {
 
-/// One glyph as the device sees it: cells of one kind, or no ink.
+/// One glyph as the device sees it: cells of one kind, an outline, or no ink.
 struct RomGlyph {
-  AdfGlyph samples;  // without tiles: none
-  FieldTree fields;  // without tiles: none
+  AdfGlyph samples;                     // without tiles: none
+  FieldTree fields;                     // without tiles: none
+  MinimalOutline outline;               // without contours: none
+  OutlineReferences references;         // what a record refers to instead
+  std::vector<uint8_t> outline_record;  // encode_outlines() makes it
   GlyphMetrics metrics;
 
   bool has_ink() const {
-    return samples.tiles_x != 0 || fields.grid.tiles_x != 0;
+    return samples.tiles_x != 0 || fields.grid.tiles_x != 0 ||
+           !outline.contours.empty();
   }
+};
+
+/// What the outlines of a font share; without a table: there are none.
+struct OutlineCoding {
+  int grid_shift = 0;
+  int code_bits = 0;
+  int max_points = 0;
+  std::vector<uint16_t> table;
 };
 
 /// Everything that a ROM font says, before it is written.
@@ -32,6 +46,7 @@ struct RomContent {
   std::string name;
   SourceMetrics metrics;
   AdfOptions options;
+  OutlineCoding outlines;
   std::vector<RomGlyph> glyphs;
   std::map<char32_t, uint16_t> glyph_of;
   KerningMatrix kerning;
@@ -45,11 +60,11 @@ struct PartBytes {
   size_t metrics = 0;
   size_t kerning = 0;
   size_t hints = 0;
-  size_t cells = 0;  // with the glyph records' headers, references and offsets
+  size_t glyphs = 0;  // records and offsets; of outlines the code table, too
   size_t name = 0;
 
   size_t total() const {
-    return header + cmap + metrics + kerning + hints + cells + name;
+    return header + cmap + metrics + kerning + hints + glyphs + name;
   }
 };
 

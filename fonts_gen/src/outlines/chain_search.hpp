@@ -1,0 +1,52 @@
+// Chains on the grid that keep to a part of a contour.
+#pragma once
+
+#include <cstddef>
+
+#include "outlines/curve_fit.hpp"
+#include "outlines/trace.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// Looks for chains between the nodes of a trace, `first` < `last`; node number
+/// nodes.size() is the first one again.
+class ChainSearch {
+ public:
+  /// Refers to both arguments.
+  ChainSearch(const Trace& trace, const RefitScale& scale)
+      : trace_(trace), scale_(scale) {}
+
+  const Node& node(size_t i) const {
+    return trace_.nodes[i == trace_.nodes.size() ? 0 : i];
+  }
+
+  /// The most care that a stretch in between asks for.
+  Care care(size_t first, size_t last) const;
+
+  /// A chain of `controls` quadratics, or a line, that is acceptable.
+  bool find(size_t first, size_t last, size_t controls, Chain& chain) const;
+
+  /// Moves controls that are nearly good until the chain is acceptable.
+  bool improve(size_t first, size_t last, Chain& chain) const;
+
+  /// Whether the chain, which must be on the grid, is within the tolerance and
+  /// turns back where the source does.
+  bool acceptable(size_t first, size_t last, const Chain& chain) const;
+
+  /// The chain for one stretch that is nearest to it, acceptable or not.
+  Chain nearest(size_t stretch) const;
+
+ private:
+  double tolerance(size_t first, size_t last) const;
+  Span span(size_t first, size_t last) const;
+  bool own_controls(size_t first, size_t last, Chain& chain) const;
+  bool keeps_extremes(size_t first, size_t last, const Chain& chain) const;
+  FixedControls fix(size_t first, size_t last, const Chain& chain) const;
+
+  const Trace& trace_;
+  const RefitScale& scale_;
+};
+
+}  // namespace gen
+}  // namespace inkcell

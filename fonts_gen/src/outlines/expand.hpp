@@ -1,0 +1,14 @@
+// From points on the grid back to segments.
+#pragma once
+
+#include "minimal_outline.hpp"
+#include "outline.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// The segments that `outline` stands for, in u.
+Outline expand(const MinimalOutline& outline, int units_per_em, int grid_shift);
+
+}  // namespace gen
+}  // namespace inkcell

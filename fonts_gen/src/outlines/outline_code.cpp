@@ -1,0 +1,464 @@
+#include "outline_code.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace inkcell::gen {
+namespace {
+
+// Table sizes that are tried. Smaller ones cannot tell the kinds apart, and
+// words have at most 7 bits.
+constexpr int kLeastCodeBits = 4;
+constexpr int kMostCodeBits = 7;
+
+constexpr uint64_t kImpossible = std::numeric_limits<uint64_t>::max();
+
+// n log2(n) [Q8], in integers so that all machines agree.
+uint64_t n_log_n_q8(uint64_t n) {
+  if (n < 2) {
+    return 0;
+  }
+  int whole = 0;
+  while (n >> (whole + 1) != 0) {
+    ++whole;
+  }
+  // Squaring the mantissa, 1 to 2, doubles its logarithm.
+  uint64_t mantissa_q30 = whole <= 30 ? n << (30 - whole) : n >> (whole - 30);
+  uint64_t log_q8 = static_cast<uint64_t>(whole);
+  for (int i = 0; i < 8; ++i) {
+    mantissa_q30 = mantissa_q30 * mantissa_q30 >> 30;
+    log_q8 <<= 1;
+    if (mantissa_q30 >> 31 != 0) {
+      log_q8 |= 1;
+      mantissa_q30 >>= 1;
+    }
+  }
+  return n * log_q8;
+}
+
+// A kind and widths of points, and how many of them there are.
+struct Pair {
+  CodeSymbol symbol;
+  uint64_t count;
+  uint64_t n_log_n_q8;  // of the count
+};
+
+bool covers(const CodeSymbol& wide, const CodeSymbol& narrow) {
+  return wide.kind == narrow.kind && wide.x_bits >= narrow.x_bits &&
+         wide.y_bits >= narrow.y_bits;
+}
+
+bool same(const CodeSymbol& a, const CodeSymbol& b) {
+  return a.kind == b.kind && a.x_bits == b.x_bits && a.y_bits == b.y_bits;
+}
+
+std::vector<Pair> pairs_of(const StepCounts& counts) {
+  std::vector<Pair> pairs;
+  for (int kind = 0; kind < 3; ++kind) {
+    for (int x = 0; x <= kMostStepBits; ++x) {
+      for (int y = 0; y <= kMostStepBits; ++y) {
+        const CodeSymbol symbol{static_cast<WordKind>(kind), x, y};
+        const uint64_t count = counts.points(
+            symbol.kind, static_cast<size_t>(x), static_cast<size_t>(y));
+        if (count != 0) {
+          pairs.push_back({symbol, count, n_log_n_q8(count)});
+        }
+      }
+    }
+  }
+  return pairs;
+}
+
+// Searches for the symbols of a code. In all lists of symbols `end` is left
+// out; it comes last where lengths are made.
+class CodeSearch {
+ public:
+  using Symbols = std::vector<CodeSymbol>;
+
+  explicit CodeSearch(const StepCounts& counts)
+      : pairs_(pairs_of(counts)), ends_(counts.ends()) {}
+
+  OutlineCode run() const {
+    uint64_t best_bits = kImpossible;
+    std::optional<OutlineCode> best;
+    const std::vector<Symbols> joined = join_pairs();
+    for (int code_bits = kLeastCodeBits; code_bits <= kMostCodeBits;
+         ++code_bits) {
+      const Symbols symbols = improve(least(joined, code_bits), code_bits);
+      const uint64_t bits =
+          cost(symbols, code_bits, nullptr) + table_bits(code_bits);
+      if (bits < best_bits) {
+        best_bits = bits;
+        best = code(symbols, code_bits);
+      }
+    }
+    return *best;
+  }
+
+ private:
+  static uint64_t table_bits(int code_bits) {
+    return uint64_t{16} << code_bits;
+  }
+
+  OutlineCode code(Symbols symbols, int code_bits) const {
+    std::vector<int> lengths;
+    cost(symbols, code_bits, &lengths);
+    symbols.push_back({WordKind::end, 0, 0});
+    return {code_bits, symbols, lengths};
+  }
+
+  // Points of each symbol, every pair with the symbol that takes fewest bits.
+  // False if a pair has none.
+  bool distribute(const Symbols& symbols,
+                  const std::vector<int>& lengths,
+                  std::vector<uint64_t>& counts,
+                  uint64_t& bits) const {
+    counts.assign(symbols.size() + 1, 0);
+    counts.back() = ends_;
+    bits = ends_ * static_cast<uint64_t>(lengths.back() + 1);
+    for (const Pair& pair : pairs_) {
+      int least_bits = std::numeric_limits<int>::max();
+      size_t least_symbol = 0;
+      for (size_t i = 0; i < symbols.size(); ++i) {
+        const CodeSymbol& symbol = symbols[i];
+        const int total = lengths[i] + symbol.x_bits + symbol.y_bits;
+        if (total < least_bits && covers(symbol, pair.symbol)) {
+          least_bits = total;
+          least_symbol = i;
+        }
+      }
+      if (least_bits == std::numeric_limits<int>::max()) {
+        return false;
+      }
+      counts[least_symbol] += pair.count;
+      bits += pair.count * static_cast<uint64_t>(least_bits);
+    }
+    return true;
+  }
+
+  // Bits of the streams with a code of `symbols`; kImpossible if there is none.
+  // Lengths and the choice of symbols depend on each other: a few rounds.
+  uint64_t cost(const Symbols& symbols,
+                int code_bits,
+                std::vector<int>* best_lengths) const {
+    constexpr int kRounds = 3;
+    if (symbols.size() + 1 > size_t{1} << code_bits) {
+      return kImpossible;
+    }
+    uint64_t best = kImpossible;
+    std::vector<int> lengths(symbols.size() + 1, code_bits);
+    std::vector<uint64_t> counts;
+    for (int round = 0; round <= kRounds; ++round) {
+      uint64_t bits = 0;
+      if (!distribute(symbols, lengths, counts, bits)) {
+        return kImpossible;
+      }
+      if (round > 0 && bits < best) {
+        best = bits;
+        if (best_lengths != nullptr) {
+          *best_lengths = lengths;
+        }
+      }
+      lengths = limited_lengths(counts, code_bits);
+    }
+    return best;
+  }
+
+  // From a symbol for each pair of widths to one for each kind: the lists on
+  // the way, each with one symbol less. Joins the two that cost the least by
+  // the entropy of the symbols.
+  std::vector<Symbols> join_pairs() const {
+    std::vector<Symbols> lists;
+    std::vector<Pair> joined = pairs_;
+    for (;;) {
+      Symbols symbols;
+      for (const Pair& pair : joined) {
+        symbols.push_back(pair.symbol);
+      }
+      lists.push_back(symbols);
+      int64_t least_loss = std::numeric_limits<int64_t>::max();
+      size_t a = 0;
+      size_t b = 0;
+      for (size_t i = 0; i < joined.size(); ++i) {
+        for (size_t j = i + 1; j < joined.size(); ++j) {
+          if (joined[i].symbol.kind != joined[j].symbol.kind) {
+            break;  // pairs are in order of their kinds
+          }
+          const int64_t loss = join_loss_q8(joined[i], joined[j]);
+          if (loss < least_loss) {
+            least_loss = loss;
+            a = i;
+            b = j;
+          }
+        }
+      }
+      if (b == 0) {
+        return lists;
+      }
+      joined[a] = {join(joined[a].symbol, joined[b].symbol),
+                   joined[a].count + joined[b].count,
+                   n_log_n_q8(joined[a].count + joined[b].count)};
+      joined.erase(joined.begin() + static_cast<long>(b));
+    }
+  }
+
+  static CodeSymbol join(const CodeSymbol& a, const CodeSymbol& b) {
+    return {a.kind, std::max(a.x_bits, b.x_bits), std::max(a.y_bits, b.y_bits)};
+  }
+
+  static int64_t join_loss_q8(const Pair& a, const Pair& b) {
+    const CodeSymbol both = join(a.symbol, b.symbol);
+    const auto wider = [&both](const Pair& pair) {
+      const int bits =
+          both.x_bits + both.y_bits - pair.symbol.x_bits - pair.symbol.y_bits;
+      return pair.count * static_cast<uint64_t>(bits);
+    };
+    const uint64_t separate = a.n_log_n_q8 + b.n_log_n_q8;
+    const uint64_t together = n_log_n_q8(a.count + b.count);
+    return static_cast<int64_t>((wider(a) + wider(b)) << 8) +
+           static_cast<int64_t>(separate) - static_cast<int64_t>(together);
+  }
+
+  // The list that takes the fewest bits.
+  Symbols least(const std::vector<Symbols>& lists, int code_bits) const {
+    uint64_t best_bits = kImpossible;
+    Symbols best;
+    for (const Symbols& symbols : lists) {
+      const uint64_t bits = cost(symbols, code_bits, nullptr);
+      if (bits < best_bits) {
+        best_bits = bits;
+        best = symbols;
+      }
+    }
+    return best;
+  }
+
+  // Removes, adds and changes symbols one by one as long as that saves bits.
+  Symbols improve(Symbols symbols, int code_bits) const {
+    uint64_t best = cost(symbols, code_bits, nullptr);
+    bool is_better = true;
+    while (is_better) {
+      is_better = false;
+      for (const Move& move : moves_from(symbols)) {
+        Symbols moved = symbols;
+        if (!apply(move, moved)) {
+          continue;
+        }
+        const uint64_t bits = cost(moved, code_bits, nullptr);
+        if (bits < best) {
+          best = bits;
+          symbols = std::move(moved);
+          is_better = true;
+        }
+      }
+    }
+    return symbols;
+  }
+
+  // A symbol to take away, one to add, or both.
+  struct Move {
+    std::optional<CodeSymbol> from;
+    std::optional<CodeSymbol> to;
+  };
+
+  std::vector<Move> moves_from(const Symbols& symbols) const {
+    std::vector<Move> moves;
+    for (const CodeSymbol& symbol : symbols) {
+      moves.push_back({symbol, std::nullopt});
+      for (const int step : {-1, 1}) {
+        CodeSymbol x = symbol;
+        x.x_bits += step;
+        CodeSymbol y = symbol;
+        y.y_bits += step;
+        moves.push_back({symbol, x});
+        moves.push_back({symbol, y});
+      }
+    }
+    for (const Pair& pair : pairs_) {
+      moves.push_back({std::nullopt, pair.symbol});
+    }
+    return moves;
+  }
+
+  // False if `symbols` does not allow the move.
+  static bool apply(const Move& move, Symbols& symbols) {
+    if (move.from) {
+      const auto at = find(symbols, *move.from);
+      if (at == symbols.end()) {
+        return false;
+      }
+      symbols.erase(at);
+    }
+    if (move.to) {
+      if (!is_valid(*move.to) || find(symbols, *move.to) != symbols.end()) {
+        return false;
+      }
+      symbols.push_back(*move.to);
+    }
+    return true;
+  }
+
+  static bool is_valid(const CodeSymbol& symbol) {
+    return symbol.x_bits >= 0 && symbol.x_bits <= kMostStepBits &&
+           symbol.y_bits >= 0 && symbol.y_bits <= kMostStepBits;
+  }
+
+  static Symbols::iterator find(Symbols& symbols, const CodeSymbol& symbol) {
+    return std::find_if(
+        symbols.begin(), symbols.end(),
+        [&symbol](const CodeSymbol& other) { return same(other, symbol); });
+  }
+
+  std::vector<Pair> pairs_;
+  uint64_t ends_;
+};
+
+// A symbol or a package of two items of the list before.
+struct Item {
+  uint64_t weight;
+  bool is_symbol;
+};
+
+// The symbols, lightest first, merged with packages of pairs of `previous`.
+std::vector<Item> package(const std::vector<uint64_t>& sorted,
+                          const std::vector<Item>& previous) {
+  std::vector<Item> items;
+  size_t symbol = 0;
+  for (size_t i = 0; i + 1 < previous.size(); i += 2) {
+    const uint64_t weight = previous[i].weight + previous[i + 1].weight;
+    while (symbol < sorted.size() && sorted[symbol] <= weight) {
+      items.push_back({sorted[symbol++], true});
+    }
+    items.push_back({weight, false});
+  }
+  while (symbol < sorted.size()) {
+    items.push_back({sorted[symbol++], true});
+  }
+  return items;
+}
+
+}  // namespace
+
+void StepCounts::add(const std::vector<OutlineStep>& steps) {
+  for (size_t i = 0; i < steps.size(); ++i) {
+    const OutlineStep& step = steps[i];
+    if (step.kind != WordKind::end) {
+      ++points_[static_cast<size_t>(step.kind)][static_cast<size_t>(
+          step_bits(step.dx))][static_cast<size_t>(step_bits(step.dy))];
+    } else if (i + 1 < steps.size()) {
+      ++ends_;
+    }
+  }
+}
+
+std::vector<int> limited_lengths(const std::vector<uint64_t>& counts,
+                                 int most) {
+  const size_t size = counts.size();
+  std::vector<int> lengths(size, size == 1 ? 1 : 0);
+  if (size < 2) {
+    return lengths;
+  }
+  std::vector<size_t> order(size);
+  std::iota(order.begin(), order.end(), size_t{0});
+  const auto weight = [&counts](size_t i) {
+    return std::max<uint64_t>(counts[i], 1);
+  };
+  std::stable_sort(order.begin(), order.end(), [&weight](size_t a, size_t b) {
+    return weight(a) < weight(b);
+  });
+  std::vector<uint64_t> sorted;
+  for (const size_t i : order) {
+    sorted.push_back(weight(i));
+  }
+  std::vector<std::vector<Item>> lists = {package(sorted, {})};
+  while (lists.size() < static_cast<size_t>(most)) {
+    lists.push_back(package(sorted, lists.back()));
+  }
+  // The 2n - 2 lightest items of the last list; in each list before, those
+  // that the packages taken consist of. Each symbol taken adds a bit.
+  size_t taken = 2 * size - 2;
+  for (auto list = lists.rbegin(); list != lists.rend(); ++list) {
+    size_t symbols = 0;
+    for (size_t i = 0; i < taken; ++i) {
+      symbols += (*list)[i].is_symbol ? 1u : 0u;
+    }
+    for (size_t i = 0; i < symbols; ++i) {
+      ++lengths[order[i]];
+    }
+    taken = 2 * (taken - symbols);
+  }
+  return lengths;
+}
+
+OutlineCode::OutlineCode(int code_bits,
+                         const std::vector<CodeSymbol>& symbols,
+                         const std::vector<int>& lengths)
+    : code_bits_(code_bits) {
+  for (size_t i = 0; i < symbols.size(); ++i) {
+    words_.push_back({symbols[i], lengths[i], 0});
+  }
+  std::stable_sort(words_.begin(), words_.end(),
+                   [](const CodeWord& a, const CodeWord& b) {
+                     const bool is_end = a.symbol.kind == WordKind::end;
+                     if (is_end || b.symbol.kind == WordKind::end) {
+                       return is_end && b.symbol.kind != WordKind::end;
+                     }
+                     return a.length > b.length;
+                   });
+  // Entries of the table that are in use. `end` may be shorter than words
+  // after it: as the code is complete, each word still begins at a multiple of
+  // its entries.
+  int used = 0;
+  for (CodeWord& word : words_) {
+    word.word = used >> (code_bits - word.length);
+    used += 1 << (code_bits - word.length);
+  }
+}
+
+std::vector<uint16_t> OutlineCode::table() const {
+  std::vector<uint16_t> entries;
+  for (const CodeWord& word : words_) {
+    const int entry = word.length | static_cast<int>(word.symbol.kind) << 3 |
+                      word.symbol.x_bits << 5 | word.symbol.y_bits << 9;
+    entries.insert(entries.end(),
+                   size_t{1} << static_cast<size_t>(code_bits_ - word.length),
+                   static_cast<uint16_t>(entry));
+  }
+  // Of a code of one word.
+  entries.resize(size_t{1} << code_bits_, entries.back());
+  return entries;
+}
+
+const CodeWord* OutlineCode::find(const OutlineStep& step) const {
+  const CodeSymbol needed{step.kind, step_bits(step.dx), step_bits(step.dy)};
+  const CodeWord* best = nullptr;
+  for (const CodeWord& word : words_) {
+    if (covers(word.symbol, needed) &&
+        (best == nullptr || word.total_bits() < best->total_bits())) {
+      best = &word;
+    }
+  }
+  return best;
+}
+
+OutlineCode make_outline_code(const StepCounts& counts) {
+  return CodeSearch(counts).run();
+}
+
+uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code) {
+  uint64_t bits =
+      counts.ends() * static_cast<uint64_t>(code.words().front().length + 1);
+  for (const Pair& pair : pairs_of(counts)) {
+    const int x = pair.symbol.x_bits;
+    const int y = pair.symbol.y_bits;
+    const OutlineStep step{pair.symbol.kind, x == 0 ? 0 : -(1 << (x - 1)),
+                           y == 0 ? 0 : -(1 << (y - 1))};
+    bits += pair.count * static_cast<uint64_t>(code.find(step)->total_bits());
+  }
+  return bits;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,91 @@
+// The prefix code of a font's outlines: section CODE (docs/FORMAT.md).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "outline_steps.hpp"
+
+namespace inkcell::gen {
+
+/// What a code word says: the kind of a point, and the bits of its step.
+struct CodeSymbol {
+  WordKind kind;
+  int x_bits;  // 0..15
+  int y_bits;
+};
+
+/// A symbol and its word: the lowest `length` bits of `word`.
+struct CodeWord {
+  CodeSymbol symbol;
+  int length;
+  int word;
+
+  /// Bits of a point with this word, or of the word of `end` alone.
+  int total_bits() const { return length + symbol.x_bits + symbol.y_bits; }
+};
+
+/// How often each kind of step with each pair of widths occurs.
+class StepCounts {
+ public:
+  static constexpr size_t kWidths = kMostStepBits + 1;
+
+  /// Adds the steps of a glyph. The last `end` costs next to nothing, for it is
+  /// all zeros, as what readers see after the end of a record; it is not
+  /// counted.
+  void add(const std::vector<OutlineStep>& steps);
+
+  uint64_t ends() const { return ends_; }
+  uint64_t points(WordKind kind, size_t x_bits, size_t y_bits) const {
+    return points_[static_cast<size_t>(kind)][x_bits][y_bits];
+  }
+
+ private:
+  uint64_t points_[3][kWidths][kWidths] = {};
+  uint64_t ends_ = 0;
+};
+
+/// Lengths of the words of a prefix code that takes the fewest bits among those
+/// with words of at most `most` bits: package-merge. A count of 0 is taken for
+/// 1. One symbol alone gets a word of one bit; two or more make the code
+/// complete.
+///
+/// `counts` has at most 2^most entries.
+std::vector<int> limited_lengths(const std::vector<uint64_t>& counts, int most);
+
+/// A complete prefix code. The word of `end` is all zeros.
+class OutlineCode {
+ public:
+  /// Makes the words: `end` first, then from the longest to the shortest.
+  /// `symbols` holds `end`; `lengths` are those of limited_lengths for it.
+  OutlineCode(int code_bits,
+              const std::vector<CodeSymbol>& symbols,
+              const std::vector<int>& lengths);
+
+  int code_bits() const { return code_bits_; }
+  /// By ascending words; the first is `end`.
+  const std::vector<CodeWord>& words() const { return words_; }
+
+  /// The 2^code_bits entries of section CODE.
+  std::vector<uint16_t> table() const;
+
+  /// The word with which `step` takes the fewest bits, or null if it does not
+  /// fit any.
+  const CodeWord* find(const OutlineStep& step) const;
+
+ private:
+  int code_bits_;
+  std::vector<CodeWord> words_;
+};
+
+/// The code with the smallest table and streams for `counts`, as far as the
+/// search finds it: it joins pairs of widths, then improves the symbols one by
+/// one. The same counts give the same code on every machine.
+OutlineCode make_outline_code(const StepCounts& counts);
+
+/// Bits of the streams that `counts` stands for, without the table.
+uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,50 @@
+// An outline as the steps that its record stores.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "minimal_outline.hpp"
+
+namespace inkcell::gen {
+
+/// What a code word of a record says. The values are those of the code table.
+enum class WordKind : uint8_t { off_curve, smooth, corner, end };
+
+/// A step from one point to the next, or the end of a contour. [grid units]
+struct OutlineStep {
+  WordKind kind;
+  int dx;
+  int dy;
+};
+
+struct GridPosition {
+  int x;
+  int y;
+};
+
+/// Most bits of dx and dy.
+inline constexpr int kMostStepBits = 15;
+
+/// Bits of `value` in two's complement; 0 has none.
+int step_bits(int value);
+
+/// Where the steps of a record begin: the lower left corner of the glyph's box
+/// in METR [font units], rounded down to the grid of 2^grid_shift font units.
+GridPosition record_start(int x_min, int y_min, int grid_shift);
+
+/// The steps of `outline` from `start`, with an `end` after each contour. Lines
+/// and curves with steps of more than 15 bits are halved until all fit; points
+/// that this adds are rounded to the grid.
+///
+/// Throws GeometryError: too_large if a coordinate passes +-2^19 or a contour
+/// begins more than 15 bits from the point before it, too_complex if the
+/// outline has more points than the format counts.
+std::vector<OutlineStep> outline_steps(const MinimalOutline& outline,
+                                       GridPosition start);
+
+/// Points as `max_points` of the font's header counts them: those of the steps
+/// and one closing point a contour.
+int point_count(const std::vector<OutlineStep>& steps);
+
+}  // namespace inkcell::gen
