@@ -39,7 +39,7 @@ tools=$host/host_tools
 fontgen=$host/fonts_gen/inkcell-fontgen
 
 echo "Making fonts of $(basename "$font"), and comparing with the exact distance"
-for coding in samples edges; do
+for coding in outline edges samples; do
   "$fontgen" --font "$font" --coding $coding --out "$out/$coding.bin" \
     --report "$out/$coding.json" >>"$out/sizes.txt"
   "$tools/inkcell-accuracy" --font "$out/$coding.bin" --truth "$font" \
@@ -47,24 +47,28 @@ for coding in samples edges; do
 done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
-python3 host_tools/size_table.py "$out" samples edges |
+python3 host_tools/size_table.py "$out" outline edges samples |
   tee "$out/table.txt"
 
 echo "Drawing on this machine"
-"$tools/inkcell-specimen" "$out/edges.bin" --sizes "$out/sizes.png" \
+"$tools/inkcell-specimen" "$out/outline.bin" --sizes "$out/sizes.png" \
   --body "$out/body.png" --turned "$out/turned.png" \
   --moved "$out/moved.png" --filters "$out/filters.png" \
-  --fitting "$out/fitting.png" --lcd "$out/lcd.png" \
-  --levels "$out/levels.png" --maps "$out/maps.png" --motion "$out/motion.png"
+  --effects "$out/effects.png" --lcd "$out/lcd.png" \
+  --levels "$out/levels.png" --maps "$out/maps.png"
+"$tools/inkcell-specimen" "$out/edges.bin" --fitting "$out/fitting.png" \
+  --motion "$out/motion.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
 for coding in samples edges; do
   "$tools/inkcell-inspect" "$out/$coding.bin" --cells "$out/cells_$coding.png" \
     >>"$out/sizes.txt"
 done
-"$tools/inkcell-inspect" "$out/edges.bin" --sheet "$out/sheet.png" \
+"$tools/inkcell-inspect" "$out/outline.bin" --points "$out/points.png" \
+  --field "$out/field.png" >>"$out/sizes.txt"
+"$tools/inkcell-inspect" "$out/outline.bin" --sheet "$out/sheet.png" \
   --edges "$out/edges.png" --side 400 \
   >>"$out/sizes.txt"
-"$tools/inkcell-render" --font "$out/edges.bin" --px 24 --zoom 6 --stats \
+"$tools/inkcell-render" --font "$out/outline.bin" --px 24 --zoom 6 --stats \
   --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
 
 # Boards. A face with many contours may not fit the smallest one: it is then left
@@ -90,7 +94,7 @@ done
 
 if [ -f tests/bench/run.sh ]; then
   echo "Counting instructions"
-  if ! sh tests/bench/run.sh --font "$out/edges.bin" --fontgen "$fontgen" \
+  if ! sh tests/bench/run.sh --font "$out/outline.bin" --fontgen "$fontgen" \
     --cpu m0,m3 --px 12,24,48 --what glyphs,code >"$out/bench.jsonl" 2>"$out/bench.txt"; then
     missed="$missed bench"
     tail -n 5 "$out/bench.txt"
@@ -106,11 +110,12 @@ describe() {
     printf '  %-34s %s\n' "$1" "$2"
   fi
 }
-describe samples.bin "95 characters for 8 to 64 px, nine distances a cell"
-describe edges.bin "the same, up to three fields a cell"
+describe outline.bin "95 characters for 8 to 64 px, outlines"
+describe edges.bin "the same, cells of up to three fields"
+describe samples.bin "the same, cells of nine distances"
 describe digits.bin "digits for 48 to 200 px"
-describe table.txt "the two side by side"
-describe sizes.txt "bytes of their parts, cells of each glyph"
+describe table.txt "the three side by side"
+describe sizes.txt "bytes of their parts, points and cells of each glyph"
 describe accuracy.txt "errors of pixels against the exact distance"
 describe speed.txt "instructions for a frame of each board"
 describe bench.txt "instructions for a glyph, stack, bytes of code"
@@ -122,12 +127,15 @@ describe turned.png "a word in 24 directions"
 describe moved.png "a line moved by 1/8 px from row to row"
 describe filters.png "filters, weights, gamma"
 describe fitting.png "grid fitting, darker edges and thin strokes"
+describe effects.png "outlines, shadow, glow"
 describe lcd.png "sub-pixels"
 describe levels.png "1 and 2 bits"
 describe maps.png "leaning, narrow, mirrored"
 describe motion.png "motion blur"
 describe edges.png "what grid fitting knows of a glyph"
 describe enlarged.png "pixels of 24 px type"
+describe points.png "the contours of a glyph and their points"
+describe field.png "the distance field of an outline near its edge"
 describe cells_samples.png "the distance field of a glyph and its cells"
 describe cells_edges.png "the same with fields: green one, blue two, red three"
 describe sheet.png "all glyphs"

@@ -14,17 +14,20 @@ mkdir -p docs/img
 "$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
   --sizes docs/img/sizes.png --filters docs/img/filters.png \
   --lcd docs/img/lcd.png --levels docs/img/levels.png \
-  --maps docs/img/maps.png --motion docs/img/motion.png
-"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
-  --min-px 12 --band-px 2 --effects docs/img/effects.png
+  --maps docs/img/maps.png --effects docs/img/effects.png
+"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" --coding edges \
+  --motion docs/img/motion.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --compare-body docs/img/compare_body.png \
-  --compare-display docs/img/compare_display.png --star docs/img/star.png \
-  --fitting docs/img/fitting.png
+  --compare-display docs/img/compare_display.png --star docs/img/star.png
+"$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
+  --coding edges --fitting docs/img/fitting.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Italic.ttf" \
   --compare-body docs/img/compare_italic.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --glyph a --side 600 --cells docs/img/cells.png >/dev/null
+  --glyph a --side 600 --coding edges --cells docs/img/cells.png >/dev/null
+"$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
+  --glyph a --side 600 --points docs/img/points.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/dejavu/DejaVuSans.ttf" \
   --glyph e --side 400 --edges docs/img/edges.png >/dev/null
 ls -l docs/img

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints fonts of one face side by side: bytes, cells, errors.
+"""Prints fonts of one face side by side: bytes, points or cells, errors.
 
     size_table.py FOLDER NAME...
 
@@ -21,8 +21,9 @@ def column(folder, name):
     return {
         "": made["coding"],
         "font file, bytes": size["total"],
-        "of these for cells": size["cells"],
-        "bytes a glyph": round(size["cells"] / made["glyphs"]),
+        "of these for glyphs": size["glyphs"],
+        "bytes a glyph": round(size["glyphs"] / made["glyphs"]),
+        "points": made["point_count"],
         "cells": made["cell_count"],
         "with one, two, three fields": ", ".join(
             str(kinds[kind]) for kind in ("single", "pair", "triple")),

@@ -64,6 +64,11 @@ class CountingSink {
                                                           count);
       };
     }
+    if (target_.block != nullptr) {
+      result.block = [](void* context, const CoverageBlock& block) noexcept {
+        static_cast<CountingSink*>(context)->block(block);
+      };
+    }
     result.solid = [](void* context, int32_t x, int32_t y,
                       int32_t count) noexcept {
       static_cast<CountingSink*>(context)->solid(x, y, count);
@@ -86,6 +91,13 @@ class CountingSink {
                     int32_t count) {
     add_span(count);
     target_.coverage_rgb(target_.context, x, y, values, count);
+  }
+  void block(const CoverageBlock& block) {
+    const Rect& pixels = block.pixels;
+    stats_.coverage_blocks += 1;
+    stats_.coverage_pixels +=
+        int64_t{pixels.x1 - pixels.x0} * (pixels.y1 - pixels.y0);
+    target_.block(target_.context, block);
   }
   void solid(int32_t x, int32_t y, int32_t count) {
     ++stats_.solid_runs;
@@ -170,7 +182,10 @@ void flush_strip(void* context, const Strip& strip) {
 
 }  // namespace
 
-Brush make_brush(double px, double angle, const Filter& filter) {
+namespace {
+
+template <typename AnyFilter>
+Brush make_any_brush(double px, double angle, const AnyFilter& filter) {
   const double raw = std::round(px * 64);
   const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
   if (!in_range) {
@@ -185,6 +200,16 @@ Brush make_brush(double px, double angle, const Filter& filter) {
     throw std::runtime_error("the angle is not a number of degrees");
   }
   return brush;
+}
+
+}  // namespace
+
+Brush make_brush(double px, double angle, const Filter& filter) {
+  return make_any_brush(px, angle, filter);
+}
+
+Brush make_brush(double px, double angle, AreaFilter filter) {
+  return make_any_brush(px, angle, filter);
 }
 
 bool is_turned(double angle) {

@@ -16,6 +16,8 @@ namespace inkcell::tools {
 /// A brush for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
 /// clockwise. Throws std::runtime_error if one is out of range.
 Brush make_brush(double px, double angle, const Filter& filter);
+/// The same with exact coverage, for fonts of outlines.
+Brush make_brush(double px, double angle, AreaFilter filter);
 
 /// Whether brushes of this angle are not upright. Throws as make_brush().
 bool is_turned(double angle);
@@ -52,6 +54,7 @@ InkBox ink_box(const Font& font,
 struct DrawStats {
   int64_t strips = 0;
   int64_t coverage_spans = 0;
+  int64_t coverage_blocks = 0;  // of several rows
   int64_t coverage_pixels = 0;  // given one by one, and so computed
   int64_t solid_runs = 0;
   int64_t solid_pixels = 0;  // filled, not computed

@@ -19,7 +19,13 @@ constexpr Q26_6 kLeastForOne = Q26_6::from_int(10);
 // Of splats: a larger glyph is drawn in parts.
 constexpr size_t kMaxSums = 1 << 16;
 
+// The filter that is exact area, which is no function of distance.
+constexpr const char* kArea = "area";
+
 const Filter& filter_for(const std::string& name, Use use) {
+  if (name == kArea) {
+    return kFilterText;  // what advances and boxes are taken from
+  }
   if (name.empty()) {
     return use == Use::moving ? kFilterMotion : kFilterText;
   }
@@ -87,8 +93,9 @@ bool lacks_samples(const Font& font) {
 
 void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--filter", options.filter,
-                 "text, motion, paper_display or paper_body; not with "
-                 "--levels 2 [text; motion for jobs of kind anim]");
+                 "text, motion, paper_display or paper_body, of distance, not "
+                 "with --levels 2; area, exact, for --coding outline [text; "
+                 "motion for jobs of kind anim]");
   add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
             "Fit upright text to the pixel grid: none; vertical, heights; "
             "both, stems too; auto, vertical but for turned text and jobs of "
@@ -96,10 +103,11 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   add_words(
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
-      "Distances a pixel: one; adaptive, up to 13 where one does "
-      "not tell enough; paper, as the paper has it; splats, cells of samples "
-      "smaller than a pixel once each; auto, one, but adaptive below "
-      "10 px and for jobs of kind anim");
+      "Distances a pixel: one; adaptive, up to 13 where one is not accurate "
+      "enough; paper, as the paper has it; splats, cells of samples smaller "
+      "than a pixel once each; all but one for --coding edges and samples; "
+      "auto, one, but of cells adaptive below 10 px and for jobs of kind "
+      "anim");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
                  "of kind anim, 1.3 for paper and splats]")
@@ -169,8 +177,19 @@ Look::Look(const LookOptions& options,
           place_of(options.place))),
       brush_(make_brush(px, angle, edges_.outer)) {
   require_reach(options, font);
-  set_painter(options, use);
-  if (brush_.painter() == paint_splats && lacks_samples(font)) {
+  if (options.filter == kArea) {
+    require_area(options, font);
+    brush_ = make_brush(px, angle, kFilterArea);
+  } else {
+    set_painter(options, font, use);
+  }
+  if (check_painter(font, brush_) != Status::ok) {
+    throw std::runtime_error(
+        "--motion, --rules and --samples adaptive, paper and splats need "
+        "distances at any point, and this font has outlines: make it by "
+        "inkcell-fontgen --coding edges");
+  }
+  if (brush_.painter().options == &splats_ && lacks_samples(font)) {
     throw std::runtime_error(
         "--samples splats draws cells of samples, and this font has none: make "
         "it by inkcell-fontgen --coding samples");
@@ -193,7 +212,24 @@ void Look::require_reach(const LookOptions& options, const Font& font) const {
   }
 }
 
-void Look::set_painter(const LookOptions& options, Use use) {
+void Look::require_area(const LookOptions& options, const Font& font) {
+  if (!font.has_outlines()) {
+    throw std::runtime_error(
+        "--filter area draws outlines, and this font has cells: make it by "
+        "inkcell-fontgen --coding outline");
+  }
+  if (options.weight != 0 || options.outline != 0 || options.levels != 256 ||
+      options.lcd != "none" || !options.motion.empty() ||
+      options.rules != "none" ||
+      (options.samples != "auto" && options.samples != "one")) {
+    throw std::runtime_error(
+        "--filter area is exact coverage; --weight, --outline, --levels, "
+        "--lcd, --motion, --rules and --samples take a filter of distance, "
+        "such as text");
+  }
+}
+
+void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
   const int ways =
       (options.outline != 0 ? 1 : 0) + (options.levels != 256 ? 1 : 0) +
       (options.lcd == "none" ? 0 : 1) + (options.motion.empty() ? 0 : 1) +
@@ -211,7 +247,7 @@ void Look::set_painter(const LookOptions& options, Use use) {
     throw std::runtime_error("--outline-place is for --outline");
   }
   if (options.outline != 0) {
-    brush_.set_painter(paint_outline, &edges_.inner);
+    brush_.set_painter(outline_painter(edges_.inner));
   } else if (options.levels != 256) {
     set_levels(options);
   } else if (options.lcd != "none") {
@@ -221,14 +257,15 @@ void Look::set_painter(const LookOptions& options, Use use) {
   } else if (options.rules != "none") {
     set_rules(options);
   } else {
-    set_samples(options, use);
+    set_samples(options, font, use);
   }
 }
 
-void Look::set_samples(const LookOptions& options, Use use) {
+void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
   if (options.samples == "one" ||
-      (options.samples == "auto" && use == Use::still &&
-       brush_.size().raw >= kLeastForOne.raw)) {
+      (options.samples == "auto" &&
+       (font.has_outlines() ||
+        (use == Use::still && brush_.size().raw >= kLeastForOne.raw)))) {
     return;
   }
   const bool is_paper = options.samples == "paper";
@@ -245,13 +282,13 @@ void Look::set_samples(const LookOptions& options, Use use) {
         Status::ok) {
       throw std::runtime_error("--samples splats: --radius is 0.75 to 1.5 px");
     }
-    brush_.set_painter(paint_splats, &splats_, kSplatReach);
+    brush_.set_painter(splat_painter(splats_));
     return;
   }
   adaptive_ = make_adaptive(brush_.filter(), radius,
                             is_paper ? SampleRule::paper : SampleRule::even);
   adaptive_.more_samples = &more_samples_;
-  brush_.set_painter(paint_adaptive, &adaptive_, kAdaptiveReach);
+  brush_.set_painter(adaptive_painter(adaptive_));
 }
 
 void Look::set_levels(const LookOptions& options) {
@@ -266,19 +303,19 @@ void Look::set_levels(const LookOptions& options) {
   }
   crisp_.levels = static_cast<uint8_t>(options.levels);
   crisp_.threshold_px = to_q10(-options.weight);
-  brush_.set_painter(paint_crisp, &crisp_, kCrispReach);
+  brush_.set_painter(crisp_painter(crisp_));
 }
 
 void Look::set_lcd(const LookOptions& options) {
   lcd_.order = order_of(options.lcd);
   lcd_.colour = static_cast<uint8_t>(std::lround(255 * options.lcd_colour));
-  brush_.set_painter(paint_lcd, &lcd_, kLcdReach);
+  brush_.set_painter(lcd_painter(lcd_));
 }
 
 void Look::set_rules(const LookOptions& options) {
   perception_.edge = options.rules == "thin" ? 0 : perception_.edge;
   perception_.thin = options.rules == "edges" ? 0 : perception_.thin;
-  brush_.set_painter(paint_perceptual, &perception_, kPerceptionReach);
+  brush_.set_painter(perception_painter(perception_));
 }
 
 void Look::set_motion(const LookOptions& options) {
@@ -291,7 +328,7 @@ void Look::set_motion(const LookOptions& options) {
           Status::ok) {
     throw std::runtime_error("--motion takes X,Y, up to 32 px each");
   }
-  brush_.set_painter(paint_motion_blur, &blur_, blur_.reach_px);
+  brush_.set_painter(motion_blur_painter(blur_));
 }
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {

@@ -67,25 +67,26 @@ class Look {
   const Brush& brush() const { return brush_; }
 
   /// Of the picture that the brush draws into: 3 with sub-pixels, else 1.
-  int channels() const { return brush_.painter() == paint_lcd ? 3 : 1; }
+  int channels() const { return brush_.painter().options == &lcd_ ? 3 : 1; }
 
   /// Whether the brush takes as many distances as a pixel needs, and how many
   /// it has taken beyond one a pixel.
-  bool is_adaptive() const { return brush_.painter() == paint_adaptive; }
+  bool is_adaptive() const { return brush_.painter().options == &adaptive_; }
   bool uses_radius() const {
-    return is_adaptive() || brush_.painter() == paint_splats;
+    return is_adaptive() || brush_.painter().options == &splats_;
   }
   uint32_t more_samples() const { return more_samples_; }
 
   /// How far motion blur leads beyond what it blurs. [px]
   int blur_px() const {
-    return brush_.painter() == paint_motion_blur ? blur_.reach_px : 0;
+    return brush_.painter().options == &blur_ ? blur_.reach_px : 0;
   }
 
  private:
   void require_reach(const LookOptions& options, const Font& font) const;
-  void set_painter(const LookOptions& options, Use use);
-  void set_samples(const LookOptions& options, Use use);
+  static void require_area(const LookOptions& options, const Font& font);
+  void set_painter(const LookOptions& options, const Font& font, Use use);
+  void set_samples(const LookOptions& options, const Font& font, Use use);
   void set_rules(const LookOptions& options);
   void set_motion(const LookOptions& options);
   void set_levels(const LookOptions& options);

@@ -63,7 +63,9 @@ std::string_view status_name(Status status) {
 std::string_view coding_name(const Font& font) {
   const auto coding =
       static_cast<format::Coding>(font.rom().data[format::header::kCoding]);
-  return coding == format::Coding::edges ? "edges" : "samples";
+  return coding == format::Coding::outline ? "outline"
+         : coding == format::Coding::edges ? "edges"
+                                           : "samples";
 }
 
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)

@@ -15,8 +15,8 @@ namespace inkcell::tools {
 /// Name of a status, as it stands in status.hpp.
 std::string_view status_name(Status status);
 
-/// What the font is made of, as the generator's --coding says it: "edges" or
-/// "samples".
+/// What the font is made of, as the generator's --coding says it: "outline",
+/// "edges" or "samples".
 std::string_view coding_name(const Font& font);
 
 /// A font and the bytes that it reads.

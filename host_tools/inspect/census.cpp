@@ -83,6 +83,10 @@ GlyphCensus take_glyph(const Font& font, uint16_t id) {
   static_cast<void>(font.glyph_metrics(id, census.metrics));
   const Span<const uint8_t> record = font.record(id);
   census.bytes = record.size;
+  if (font.has_outlines()) {
+    census.outline = glyph_outline(font, id);
+    return census;
+  }
   const GlyphField& field = census.field;
   FieldUnits units;
   int leaves = 0;
@@ -241,6 +245,37 @@ std::vector<RecordPart> FontCensus::parts() const {
   return sum;
 }
 
+int64_t FontCensus::points() const {
+  int64_t sum = 0;
+  for (const GlyphCensus& glyph : glyphs) {
+    sum += glyph.outline.components.empty() ? glyph.outline.points() : 0;
+  }
+  return sum;
+}
+
+int64_t FontCensus::points_of(PointKind kind) const {
+  int64_t sum = 0;
+  for (const GlyphCensus& glyph : glyphs) {
+    sum += glyph.outline.components.empty() ? glyph.outline.points_of(kind) : 0;
+  }
+  return sum;
+}
+
+int FontCensus::composites() const {
+  return static_cast<int>(
+      std::count_if(glyphs.begin(), glyphs.end(), [](const GlyphCensus& glyph) {
+        return !glyph.outline.components.empty();
+      }));
+}
+
+int64_t FontCensus::uses(size_t word) const {
+  int64_t sum = 0;
+  for (const GlyphCensus& glyph : glyphs) {
+    sum += word < glyph.outline.uses.size() ? glyph.outline.uses[word] : 0;
+  }
+  return sum;
+}
+
 FontCensus take_census(const Font& font) {
   const uint8_t* rom = font.rom().data;
   FontCensus census;
@@ -256,6 +291,9 @@ FontCensus take_census(const Font& font) {
                            static_cast<uint8_t>(format::Predicate::fixed);
   census.header_bytes = read_u16(rom + format::header::kHeaderBytes);
   census.sections = take_sections(rom);
+  census.words = code_words(font);
+  census.grid_units = grid_units(font);
+  census.max_points = max_points(font);
   take_kerning(font, census);
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     census.glyphs.push_back(take_glyph(font, static_cast<uint16_t>(glyph)));

@@ -9,6 +9,7 @@
 
 #include "inkcell/font.hpp"
 #include "inkcell/hints.hpp"
+#include "outline_points.hpp"
 
 namespace inkcell::tools {
 
@@ -47,7 +48,8 @@ struct EdgeCensus {
 /// One glyph.
 struct GlyphCensus {
   uint16_t glyph = 0;
-  GlyphField field;  // empty if the glyph cannot be read
+  GlyphField field;      // empty if the glyph has no cells
+  GlyphOutline outline;  // empty if it has no outline
   std::vector<char32_t> code_points;
   GlyphMetrics metrics;  // [font units]
   size_t bytes = 0;      // of the record
@@ -65,6 +67,7 @@ struct GlyphCensus {
 
   /// UTF-8 of its first character, ".notdef" or the id, such as "#17".
   std::string name() const;
+  bool has_ink() const { return cells.all() > 0 || outline.points() > 0; }
 };
 
 /// A section of the file.
@@ -96,11 +99,21 @@ struct FontCensus {
   int stem_width_u = 0;
   std::vector<GlyphCensus> glyphs;
   size_t characters = 0;
+  // Of outlines; without words there are none.
+  std::vector<CodeWord> words;
+  double grid_units = 1;
+  int max_points = 0;
 
   CellCensus cells() const;
   int64_t nodes() const;
   int64_t fields() const;
   std::vector<RecordPart> parts() const;  // of all records
+  bool has_outlines() const { return !words.empty(); }
+  // Of records that are no composites.
+  int64_t points() const;
+  int64_t points_of(PointKind kind) const;
+  int composites() const;
+  int64_t uses(size_t word) const;
 };
 
 FontCensus take_census(const Font& font);

@@ -18,6 +18,8 @@ struct Arguments {
   std::string file;
   std::string glyph;
   std::string cells;
+  std::string points;
+  std::string field;
   std::string edges;
   std::string sheet;
   int side = 1000;
@@ -34,15 +36,22 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Look at one glyph: a character, or #17 for an id")
       ->type_name("CHAR");
   app.add_option("--cells", arguments.cells,
-                 "Draw the glyph's field and cells [glyph a, or the first]")
+                 "Draw the glyph's field and cells [glyph a, or the first]; "
+                 "for --coding edges and samples")
+      ->type_name("OUT.png");
+  app.add_option("--points", arguments.points,
+                 "Draw the glyph's contours and points: corners (squares), "
+                 "smooth (discs), off the curve (rings); for --coding outline")
+      ->type_name("OUT.png");
+  app.add_option("--field", arguments.field,
+                 "Draw the glyph's field, as the device has it")
       ->type_name("OUT.png");
   app.add_option(
          "--edges", arguments.edges,
          "Draw the glyph and what grid fitting knows: zones (dashed), "
          "edges where a bar begins (red), others (purple), stems (green)")
       ->type_name("OUT.png");
-  app.add_option("--side", arguments.side,
-                 "Longer side of these two pictures [px]")
+  app.add_option("--side", arguments.side, "Longer side of these pictures [px]")
       ->check(CLI::Range(64, 16384))
       ->capture_default_str();
   app.add_option("--sheet", arguments.sheet, "Draw all glyphs")
@@ -84,7 +93,7 @@ const GlyphCensus& find_glyph(const FontCensus& font, const std::string& name) {
 const GlyphCensus& example_glyph(const FontCensus& font) {
   const GlyphCensus* first = nullptr;
   for (const GlyphCensus& glyph : font.glyphs) {
-    if (glyph.cells.all() > 0) {
+    if (glyph.has_ink()) {
       if (glyph.name() == "a") {
         return glyph;
       }
@@ -96,7 +105,8 @@ const GlyphCensus& example_glyph(const FontCensus& font) {
 
 // False: the font is damaged.
 bool run(const Arguments& arguments, const CLI::App& app) {
-  check_apart({arguments.cells, arguments.edges, arguments.sheet},
+  check_apart({arguments.cells, arguments.points, arguments.field,
+               arguments.edges, arguments.sheet},
               {arguments.file});
   const RomFile rom = load_font_file(
       arguments.file, conversion_of(app, arguments.request),
@@ -107,15 +117,18 @@ bool run(const Arguments& arguments, const CLI::App& app) {
   const GlyphCensus* glyph =
       arguments.glyph.empty() ? nullptr : &find_glyph(font, arguments.glyph);
   const GlyphCensus& shown = glyph != nullptr ? *glyph : example_glyph(font);
-  if (!arguments.cells.empty()) {
-    write_image(arguments.cells, draw_cells(shown.field, arguments.side));
-  }
-  if (!arguments.edges.empty()) {
-    write_image(arguments.edges, draw_edges(font, shown, arguments.side));
-  }
-  if (!arguments.sheet.empty()) {
-    write_image(arguments.sheet, draw_sheet(rom.font(), arguments.px));
-  }
+  const auto write = [](const std::string& file, const auto& draw) {
+    if (!file.empty()) {
+      write_image(file, draw());
+    }
+  };
+  const int side = arguments.side;
+  write(arguments.cells, [&] { return draw_cells(rom.font(), shown, side); });
+  write(arguments.points, [&] { return draw_points(rom.font(), shown, side); });
+  write(arguments.field, [&] { return draw_field(rom.font(), shown, side); });
+  write(arguments.edges,
+        [&] { return draw_edges(font, rom.font(), shown, side); });
+  write(arguments.sheet, [&] { return draw_sheet(rom.font(), arguments.px); });
   const std::string report = arguments.json     ? json_report(font, glyph)
                              : glyph != nullptr ? glyph_report(font, *glyph)
                                                 : font_report(font);

@@ -1,4 +1,4 @@
-// Draws fields, cell borders and sheets of glyphs.
+// Draws fields, cell borders, points of outlines and sheets of glyphs.
 #include "pictures.hpp"
 
 #include <algorithm>
@@ -9,25 +9,13 @@
 #include "bytes.hpp"
 #include "canvas.hpp"
 #include "census.hpp"
+#include "colours.hpp"
 #include "inkcell/format.hpp"
+#include "outline_field.hpp"
 
 namespace inkcell::tools {
 namespace {
 
-struct Colour {
-  double red = 0;
-  double green = 0;
-  double blue = 0;
-};
-
-// Strongest at the edge, fading away from it on both sides. Saturated areas are
-// flat.
-constexpr Colour kEdge = {24, 32, 48};
-constexpr Colour kInsideNear = {222, 104, 66};
-constexpr Colour kInsideFar = {252, 214, 164};
-constexpr Colour kOutsideNear = {136, 176, 214};
-constexpr Colour kOutsideFar = {238, 244, 250};
-constexpr Colour kSaturated = {255, 255, 255};
 // Borders of saturated cells, and the others by the number of their fields; 0:
 // samples.
 constexpr Colour kSaturatedBorder = {196, 204, 214};
@@ -41,12 +29,16 @@ constexpr Colour kBar = {208, 0, 24};
 constexpr Colour kOtherEdge = {150, 0, 190};
 constexpr Colour kStem = {0, 120, 40};
 constexpr int kDash = 6;  // and the gap to the next one [px]
-
-// Distance over which the colours change. [u]
-constexpr double kFade = 96;
-// Colours go in steps: one sees them as lines of equal distance, and the file
-// stays small.
-constexpr double kBandStep = 8;
+// Points of outlines.
+constexpr Colour kInside = {246, 226, 200};
+constexpr Colour kOutside = {255, 255, 255};
+constexpr Colour kCurve = {24, 32, 48};
+constexpr Colour kControl = {150, 166, 186};
+constexpr Colour kCorner = {208, 0, 24};
+constexpr Colour kSmooth = {0, 120, 40};
+constexpr Colour kOffCurve = {30, 90, 200};
+// Around the ink of outlines. [u]
+constexpr int kMargin = 48;
 
 // A point of the glyph. [u]
 struct Vector {
@@ -54,60 +46,24 @@ struct Vector {
   double y = 0;
 };
 
-Colour mix(const Colour& a, const Colour& b, double share_of_b) {
-  const double t = std::clamp(share_of_b, 0.0, 1.0);
-  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
-          a.blue + t * (b.blue - a.blue)};
-}
-
-void put(Image& image, int x, int y, const Colour& colour) {
-  uint8_t* pixel = image.at(x, y);
-  pixel[0] = static_cast<uint8_t>(std::lround(colour.red));
-  pixel[1] = static_cast<uint8_t>(std::lround(colour.green));
-  pixel[2] = static_cast<uint8_t>(std::lround(colour.blue));
-}
-
-Colour get(const Image& image, int x, int y) {
-  const uint8_t* pixel = image.at(x, y);
-  return {static_cast<double>(pixel[0]), static_cast<double>(pixel[1]),
-          static_cast<double>(pixel[2])};
-}
-
-// The grid of a glyph on a picture.
+// A part of the plane on a picture.
 struct View {
-  const GlyphField& field;
+  Rect box_u;  // y up
   double px_per_u;
   int width;
   int height;
 
-  int x_px(int x_u) const {
-    return static_cast<int>(std::lround((x_u - field.x0_u) * px_per_u));
-  }
-  int y_px(int y_u) const {
-    return static_cast<int>(std::lround((field.y1_u() - y_u) * px_per_u));
-  }
-  Q16_16 x_u(int px) const { return to_u(field.x0_u + (px + 0.5) / px_per_u); }
-  Q16_16 y_u(int px) const {
-    return to_u(field.y1_u() - (px + 0.5) / px_per_u);
-  }
-
- private:
-  static Q16_16 to_u(double u) {
-    return Q16_16::from_raw(static_cast<int32_t>(std::floor(u * 65536)));
-  }
+  double x_px(double x_u) const { return (x_u - box_u.x0) * px_per_u; }
+  double y_px(double y_u) const { return (box_u.y1 - y_u) * px_per_u; }
+  int column(int x_u) const { return static_cast<int>(std::lround(x_px(x_u))); }
+  int row(int y_u) const { return static_cast<int>(std::lround(y_px(y_u))); }
+  // Of a pixel's centre.
+  double x_u(int px) const { return box_u.x0 + (px + 0.5) / px_per_u; }
+  double y_u(int px) const { return box_u.y1 - (px + 0.5) / px_per_u; }
 };
 
-Colour field_colour(double distance_u, bool saturated, double px_per_u) {
-  Colour colour = kSaturated;
-  const double band = std::floor(std::fabs(distance_u) / kBandStep) * kBandStep;
-  if (distance_u > 0) {
-    colour = mix(kInsideNear, kInsideFar, saturated ? 1 : band / kFade);
-  } else if (!saturated) {
-    colour = mix(kOutsideNear, kOutsideFar, band / kFade);
-  }
-  const double away_px = std::fabs(distance_u) * px_per_u;
-  // The edge: a line 2 px wide.
-  return mix(colour, kEdge, std::clamp(1.5 - away_px, 0.0, 1.0));
+Q16_16 to_q16(double u) {
+  return Q16_16::from_raw(static_cast<int32_t>(std::floor(u * 65536)));
 }
 
 int read_i16(const uint8_t* at) {
@@ -132,11 +88,14 @@ double field_value(const GlyphField& field, uint16_t unit, Vector p) {
 
 // How much of a pixel lies on the lines, 1 px wide, where one of several fields
 // is zero.
-double zero_line(const View& view, const Cell& cell, Vector p) {
+double zero_line(const GlyphField& field,
+                 const Cell& cell,
+                 Vector p,
+                 double px_per_u) {
   double strength = 0;
   for (int i = 0; cell.field_count > 1 && i < cell.field_count; ++i) {
     const double away_px =
-        std::fabs(field_value(view.field, cell.fields[i], p)) * view.px_per_u;
+        std::fabs(field_value(field, cell.fields[i], p)) * px_per_u;
     strength = std::max(strength, std::clamp(1 - away_px, 0.0, 1.0));
   }
   return 0.6 * strength;
@@ -144,22 +103,27 @@ double zero_line(const View& view, const Cell& cell, Vector p) {
 
 enum class ZeroLines { hidden, shown };
 
-void draw_field_colours(const View& view, ZeroLines lines, Image& image) {
+Image draw_cell_field(const View& view,
+                      const GlyphField& field,
+                      ZeroLines lines) {
+  Image image(view.width + 1, view.height + 1, 3, 255);
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
-      const Q16_16 x_u = view.x_u(x);
-      const Q16_16 y_u = view.y_u(y);
-      const double distance = distance_at(view.field, x_u, y_u).raw / 1024.0;
-      const Cell cell = locate(view.field, x_u.floor(), y_u.floor());
+      const Q16_16 x_u = to_q16(view.x_u(x));
+      const Q16_16 y_u = to_q16(view.y_u(y));
+      const double distance = distance_at(field, x_u, y_u).raw / 1024.0;
+      const Cell cell = locate(field, x_u.floor(), y_u.floor());
       const double line =
           lines == ZeroLines::hidden
               ? 0
-              : zero_line(view, cell, {x_u.raw / 65536.0, y_u.raw / 65536.0});
+              : zero_line(field, cell, {x_u.raw / 65536.0, y_u.raw / 65536.0},
+                          view.px_per_u);
       put(image, x, y,
-          mix(field_colour(distance, cell.is_saturated(), view.px_per_u),
+          mix(field_colour({distance, cell.is_saturated()}, view.px_per_u),
               kZeroLine, line));
     }
   }
+  return image;
 }
 
 // Where cells meet, the border of the one with more fields shows: drawn last.
@@ -173,10 +137,10 @@ void draw_border(const View& view,
                  const Image& bare,
                  Image& image) {
   const int size = 1 << cell.size_log2;
-  const int left = view.x_px(cell.x0_u);
-  const int right = view.x_px(cell.x0_u + size);
-  const int top = view.y_px(cell.y0_u + size);
-  const int bottom = view.y_px(cell.y0_u);
+  const int left = view.column(cell.x0_u);
+  const int right = view.column(cell.x0_u + size);
+  const int top = view.row(cell.y0_u + size);
+  const int bottom = view.row(cell.y0_u);
   // Small cells would become one dark mass.
   const double strength = std::clamp(0.10 * (right - left), 0.25, 0.62);
   const Colour& colour =
@@ -194,10 +158,10 @@ void draw_border(const View& view,
   }
 }
 
-void draw_borders(const View& view, Image& image) {
+void draw_borders(const View& view, const GlyphField& field, Image& image) {
   const Image bare = image;
   std::vector<Cell> cells;
-  for_each_cell(view.field, [&](const Cell& cell) { cells.push_back(cell); });
+  for_each_cell(field, [&](const Cell& cell) { cells.push_back(cell); });
   std::stable_sort(
       cells.begin(), cells.end(),
       [](const Cell& a, const Cell& b) { return rank(a) < rank(b); });
@@ -206,30 +170,58 @@ void draw_borders(const View& view, Image& image) {
   }
 }
 
-// A picture of the glyph's grid, whose longer side becomes `side` px.
-View view_of(const GlyphField& field, int side) {
-  if (field.tiles_x == 0 || field.tiles_y == 0) {
-    throw std::runtime_error("the glyph has no ink, and so no picture");
-  }
-  const int width_u = field.x1_u() - field.x0_u;
-  const int height_u = field.y1_u() - field.y0_u;
+// A picture whose longer side becomes `side` px.
+View view_of(const Rect& box_u, int side) {
+  const int width_u = box_u.x1 - box_u.x0;
+  const int height_u = box_u.y1 - box_u.y0;
   const double px_per_u =
       static_cast<double>(side) / std::max(width_u, height_u);
-  return {field, px_per_u, static_cast<int>(std::lround(width_u * px_per_u)),
+  return {box_u, px_per_u, static_cast<int>(std::lround(width_u * px_per_u)),
           static_cast<int>(std::lround(height_u * px_per_u))};
 }
 
-Image draw_field(const View& view, ZeroLines lines) {
+// The grid of cells, or the ink with kMargin around it.
+Rect box_of(const Font& font, const GlyphCensus& glyph) {
+  const GlyphMetrics& m = glyph.metrics;
+  if (glyph.bytes == 0 || m.x_max <= m.x_min || m.y_max <= m.y_min) {
+    throw std::runtime_error("the glyph has no ink, and so no picture");
+  }
+  const GlyphField& field = glyph.field;
+  if (!font.has_outlines()) {
+    return {field.x0_u, field.y0_u, field.x1_u(), field.y1_u()};
+  }
+  const double u = 1024.0 / font.units_per_em();
+  return {static_cast<int>(std::floor(m.x_min * u)) - kMargin,
+          static_cast<int>(std::floor(m.y_min * u)) - kMargin,
+          static_cast<int>(std::ceil(m.x_max * u)) + kMargin,
+          static_cast<int>(std::ceil(m.y_max * u)) + kMargin};
+}
+
+Image draw_outline_field(const View& view,
+                         const Font& font,
+                         const GlyphCensus& glyph) {
+  const OutlineField field(font, glyph.glyph, view.box_u);
   Image image(view.width + 1, view.height + 1, 3, 255);
-  draw_field_colours(view, lines, image);
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      put(image, x, y,
+          field_colour(field.at(view.x_u(x), view.y_u(y)), view.px_per_u));
+    }
+  }
   return image;
+}
+
+Image draw_field(const View& view, const Font& font, const GlyphCensus& glyph) {
+  return font.has_outlines()
+             ? draw_outline_field(view, font, glyph)
+             : draw_cell_field(view, glyph.field, ZeroLines::hidden);
 }
 
 // Lines across the whole picture, `dash` px long with gaps in between; 0: in
 // one piece.
 void draw_height(
     const View& view, int y_u, const Colour& colour, int dash, Image& image) {
-  const int y = view.y_px(y_u);
+  const int y = view.row(y_u);
   for (int x = 0; y >= 0 && y < image.height && x < image.width; ++x) {
     if (dash == 0 || x / dash % 2 == 0) {
       put(image, x, y, colour);
@@ -238,9 +230,146 @@ void draw_height(
 }
 
 void draw_stem(const View& view, int x_u, Image& image) {
-  const int x = view.x_px(x_u);
+  const int x = view.column(x_u);
   for (int y = 0; x >= 0 && x < image.width && y < image.height; ++y) {
     put(image, x, y, kStem);
+  }
+}
+
+// The inside of the glyph in a pale colour.
+Image draw_shape(const View& view, const Font& font, const GlyphCensus& glyph) {
+  const OutlineField field(font, glyph.glyph, view.box_u);
+  Image image(view.width + 1, view.height + 1, 3, 255);
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const double distance = field.at(view.x_u(x), view.y_u(y)).distance_u;
+      put(image, x, y, mix(kOutside, kInside, distance * view.px_per_u + 0.5));
+    }
+  }
+  return image;
+}
+
+// Blends the pixels that are less than `radius_px` from the line from a to b.
+// [px]
+void draw_line(
+    Vector a, Vector b, double radius_px, const Colour& colour, Image& image) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const auto low = [&](double p, double q) {
+    return std::max(0, static_cast<int>(std::min(p, q) - radius_px) - 1);
+  };
+  const auto high = [&](double p, double q, int side) {
+    return std::min(side - 1, static_cast<int>(std::max(p, q) + radius_px) + 1);
+  };
+  for (int y = low(a.y, b.y); y <= high(a.y, b.y, image.height); ++y) {
+    for (int x = low(a.x, b.x); x <= high(a.x, b.x, image.width); ++x) {
+      const Vector p = {x + 0.5 - a.x, y + 0.5 - a.y};
+      const double along =
+          square == 0 ? 0
+                      : std::clamp((p.x * dx + p.y * dy) / square, 0.0, 1.0);
+      const double away = std::hypot(p.x - along * dx, p.y - along * dy);
+      put(image, x, y, mix(get(image, x, y), colour, radius_px + 0.5 - away));
+    }
+  }
+}
+
+void draw_dot(Vector p, double radius_px, const Colour& colour, Image& image) {
+  draw_line(p, p, radius_px, colour, image);
+}
+
+// Corners: squares. Smooth points: discs. Off-curve points: rings.
+void draw_point(Vector p, PointKind kind, Image& image) {
+  constexpr double kRadius = 4.5;
+  if (kind == PointKind::corner) {
+    for (double y = -kRadius; y <= kRadius; ++y) {
+      draw_line({p.x - kRadius + 0.5, p.y + y}, {p.x + kRadius - 0.5, p.y + y},
+                0.5, kCorner, image);
+    }
+    return;
+  }
+  draw_dot(p, kRadius, kind == PointKind::smooth ? kSmooth : kOffCurve, image);
+  if (kind == PointKind::off_curve) {
+    draw_dot(p, kRadius - 2, kOutside, image);
+  }
+}
+
+// The box of the ink, as metrics state it.
+void draw_box(const View& view, Vector low, Vector high, Image& image) {
+  const double left = view.x_px(low.x);
+  const double right = view.x_px(high.x);
+  const double top = view.y_px(high.y);
+  const double bottom = view.y_px(low.y);
+  const auto draw = [&](Vector a, Vector b) {
+    draw_line(a, b, 0.5, kZone, image);
+  };
+  for (double x = left; x < right; x += 2 * kDash) {
+    draw({x, top}, {std::min(x + kDash, right), top});
+    draw({x, bottom}, {std::min(x + kDash, right), bottom});
+  }
+  for (double y = top; y < bottom; y += 2 * kDash) {
+    draw({left, y}, {left, std::min(y + kDash, bottom)});
+    draw({right, y}, {right, std::min(y + kDash, bottom)});
+  }
+}
+
+// A quadratic curve in straight pieces.
+void draw_curve(Vector from, Vector control, Vector to, Image& image) {
+  constexpr int kPieces = 24;
+  Vector last = from;
+  for (int i = 1; i <= kPieces; ++i) {
+    const double t = static_cast<double>(i) / kPieces;
+    const double a = (1 - t) * (1 - t);
+    const double b = 2 * t * (1 - t);
+    const double c = t * t;
+    const Vector next = {a * from.x + b * control.x + c * to.x,
+                         a * from.y + b * control.y + c * to.y};
+    draw_line(last, next, 0.75, kCurve, image);
+    last = next;
+  }
+}
+
+// Control lines, curves and points. Two off-curve points in a row have an
+// on-curve point half-way, which is a small disc.
+void draw_contour(const View& view,
+                  const OutlineContour& contour,
+                  double u_per_unit,
+                  Image& image) {
+  std::vector<Vector> points;
+  for (const OutlinePoint& point : contour) {
+    points.push_back(
+        {view.x_px(point.x * u_per_unit), view.y_px(point.y * u_per_unit)});
+  }
+  const auto is_off = [&](size_t i) {
+    return contour[i].kind == PointKind::off_curve;
+  };
+  const auto middle = [&](size_t i, size_t j) {
+    return Vector{(points[i].x + points[j].x) / 2,
+                  (points[i].y + points[j].y) / 2};
+  };
+  const size_t count = points.size();
+  for (size_t i = 0; i < count; ++i) {
+    const size_t next = (i + 1) % count;
+    if (is_off(i) || is_off(next)) {
+      draw_line(points[i], points[next], 0.5, kControl, image);
+    }
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const size_t next = (i + 1) % count;
+    const size_t last = (i + count - 1) % count;
+    if (is_off(i)) {
+      draw_curve(is_off(last) ? middle(last, i) : points[last], points[i],
+                 is_off(next) ? middle(i, next) : points[next], image);
+    } else if (!is_off(next)) {
+      draw_line(points[i], points[next], 0.75, kCurve, image);
+    }
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const size_t next = (i + 1) % count;
+    if (is_off(i) && is_off(next)) {
+      draw_dot(middle(i, next), 2, kSmooth, image);
+    }
+    draw_point(points[i], contour[i].kind, image);
   }
 }
 
@@ -249,23 +378,52 @@ constexpr uint8_t kRule = 225;
 
 }  // namespace
 
-Image draw_cells(const GlyphField& field, int side) {
-  const View view = view_of(field, side);
-  Image image = draw_field(view, ZeroLines::shown);
-  draw_borders(view, image);
+Image draw_cells(const Font& font, const GlyphCensus& glyph, int side) {
+  if (font.has_outlines()) {
+    throw std::runtime_error(
+        "--cells draws cells, and the font has outlines: use --points or "
+        "--field, or --coding edges or samples for a TTF or OTF");
+  }
+  const View view = view_of(box_of(font, glyph), side);
+  Image image = draw_cell_field(view, glyph.field, ZeroLines::shown);
+  draw_borders(view, glyph.field, image);
   return image;
 }
 
-Image draw_edges(const FontCensus& font, const GlyphCensus& glyph, int side) {
-  const View view = view_of(glyph.field, side);
-  Image image = draw_field(view, ZeroLines::hidden);
+Image draw_field(const Font& font, const GlyphCensus& glyph, int side) {
+  return draw_field(view_of(box_of(font, glyph), side), font, glyph);
+}
+
+Image draw_points(const Font& font, const GlyphCensus& glyph, int side) {
+  if (!font.has_outlines()) {
+    throw std::runtime_error(
+        "--points draws outlines, and the font has cells: use --cells or "
+        "--field, or --coding outline for a TTF or OTF");
+  }
+  const View view = view_of(box_of(font, glyph), side);
+  Image image = draw_shape(view, font, glyph);
+  const double u = 1024.0 / font.units_per_em();
+  const GlyphMetrics& m = glyph.metrics;
+  draw_box(view, {m.x_min * u, m.y_min * u}, {m.x_max * u, m.y_max * u}, image);
+  for (const OutlineContour& contour : glyph.outline.contours) {
+    draw_contour(view, contour, u, image);
+  }
+  return image;
+}
+
+Image draw_edges(const FontCensus& census,
+                 const Font& font,
+                 const GlyphCensus& glyph,
+                 int side) {
+  const View view = view_of(box_of(font, glyph), side);
+  Image image = draw_field(view, font, glyph);
   for (const int stem : glyph.stems_u) {
     draw_stem(view, stem, image);
   }
   for (const EdgeCensus& edge : glyph.edges) {
     draw_height(view, edge.height_u, edge.is_bar ? kBar : kOtherEdge, 0, image);
   }
-  for (const HintZone& zone : font.zones) {
+  for (const HintZone& zone : census.zones) {
     draw_height(view, zone.height_u, kZone, kDash, image);
   }
   return image;

@@ -1,5 +1,5 @@
-// Pictures of what is in a font: the cells of a glyph, its edges, a sheet of
-// all glyphs.
+// Pictures of what is in a font: cells or points of a glyph, its field, its
+// edges, a sheet of all glyphs.
 #pragma once
 
 #include "census.hpp"
@@ -8,19 +8,33 @@
 
 namespace inkcell::tools {
 
+// The longer side of each picture of one glyph becomes about `side` px. These
+// functions throw std::runtime_error if the glyph has no ink, or if the picture
+// is not one of the font's coding.
+
 /// The field of a glyph as the device reads it, its edge, and over it the
 /// borders of the cells (the paper's figure 2): green, blue and red around
 /// cells of one, two and three fields, dark around samples. In cells of several
-/// fields thin lines show where one of them is zero. The longer side of the
-/// glyph's grid becomes about `side` px.
-///
-/// Throws std::runtime_error if the glyph has no ink.
-Image draw_cells(const GlyphField& field, int side);
+/// fields thin lines show where one of them is zero.
+Image draw_cells(const Font& font, const GlyphCensus& glyph, int side);
+
+/// The contours of an outline and its points: red squares are corners, green
+/// discs are smooth, blue rings are off the curve. Small green discs are the
+/// points half-way between those, which are not stored. Dashed: the glyph's
+/// box.
+Image draw_points(const Font& font, const GlyphCensus& glyph, int side);
+
+/// The field of a glyph and its edge: of cells where they have one, of outlines
+/// 128 u to both sides, as far as the widest filter reaches at 32 px/em.
+Image draw_field(const Font& font, const GlyphCensus& glyph, int side);
 
 /// The same field, and over it what grid fitting knows: dashed lines at the
 /// font's zones, red ones at edges below a bar, purple ones at the glyph's
 /// other edges, green ones in the middle of its stems.
-Image draw_edges(const FontCensus& font, const GlyphCensus& glyph, int side);
+Image draw_edges(const FontCensus& census,
+                 const Font& font,
+                 const GlyphCensus& glyph,
+                 int side);
 
 /// All glyphs in the order of their ids at `px` px/em, black on white, each in
 /// its own box.

@@ -105,6 +105,122 @@ void append_cells(std::string& out, const FontCensus& font) {
   out += '\n';
 }
 
+std::string width_text(int bits) {
+  return bits == 0 ? "0" : std::to_string(bits) + " bits";
+}
+
+// The code table, and how often records use each word.
+void append_words(std::string& out, const FontCensus& font) {
+  append(out, "  code table      %zu words\n", font.words.size());
+  for (size_t i = 0; i < font.words.size(); ++i) {
+    const CodeWord& word = font.words[i];
+    const auto uses = static_cast<long long>(font.uses(i));
+    if (word.is_end) {
+      append(out, "    %-8s end of contour %22lld uses\n", word.bits.c_str(),
+             uses);
+    } else {
+      append(out, "    %-8s %-9s  dx %-7s dy %-7s %6lld uses\n",
+             word.bits.c_str(), kind_name(word.kind),
+             width_text(word.x_bits).c_str(), width_text(word.y_bits).c_str(),
+             uses);
+    }
+  }
+}
+
+void append_outlines(std::string& out, const FontCensus& font) {
+  append(out,
+         "  points          %lld: %lld corners, %lld smooth, %lld off "
+         "the curve\n",
+         static_cast<long long>(font.points()),
+         static_cast<long long>(font.points_of(PointKind::corner)),
+         static_cast<long long>(font.points_of(PointKind::smooth)),
+         static_cast<long long>(font.points_of(PointKind::off_curve)));
+  append(out, "  grid            %g font units\n", font.grid_units);
+  append(out, "  composites      %d glyphs\n", font.composites());
+  append_words(out, font);
+  if (font.glyphs.size() > kListed) {
+    return;
+  }
+  append(out, "  points per glyph .notdef %d",
+         font.glyphs.front().outline.points());
+  for (size_t i = 1; i < font.glyphs.size(); ++i) {
+    const GlyphCensus& glyph = font.glyphs[i];
+    out += i % kColumns == 1 ? "\n    " : "  ";
+    append(out, "%s %5d", glyph.name().c_str(), glyph.outline.points());
+  }
+  out += '\n';
+}
+
+void append_outline(std::string& out, const GlyphCensus& glyph) {
+  const GlyphOutline& outline = glyph.outline;
+  append(out,
+         "  points          %d in %zu contours: %d corners, %d smooth, %d off "
+         "the curve\n",
+         outline.points(), outline.contours.size(),
+         outline.points_of(PointKind::corner),
+         outline.points_of(PointKind::smooth),
+         outline.points_of(PointKind::off_curve));
+  for (const OutlineComponent& part : outline.components) {
+    append(out, "    refers to #%d at (%d, %d) units", part.glyph, part.dx,
+           part.dy);
+    if (part.xx != 1 || part.xy != 0 || part.yx != 0 || part.yy != 1) {
+      append(out, ", matrix %.4f %.4f %.4f %.4f", part.xx, part.xy, part.yx,
+             part.yy);
+    }
+    out += '\n';
+  }
+  append(out, "  record          %zu bytes\n", glyph.bytes);
+}
+
+nlohmann::json outline_json(const GlyphOutline& outline) {
+  nlohmann::json components = nlohmann::json::array();
+  for (const OutlineComponent& part : outline.components) {
+    components.push_back({{"glyph", part.glyph},
+                          {"matrix", {part.xx, part.xy, part.yx, part.yy}},
+                          {"offset", {part.dx, part.dy}}});
+  }
+  return {{"points", outline.points()},
+          {"corners", outline.points_of(PointKind::corner)},
+          {"smooth", outline.points_of(PointKind::smooth)},
+          {"off_curve", outline.points_of(PointKind::off_curve)},
+          {"contours", outline.contours.size()},
+          {"components", components}};
+}
+
+nlohmann::json words_json(const FontCensus& font) {
+  nlohmann::json words = nlohmann::json::array();
+  for (size_t i = 0; i < font.words.size(); ++i) {
+    const CodeWord& word = font.words[i];
+    words.push_back({{"bits", word.bits},
+                     {"kind", word.is_end ? "end" : kind_name(word.kind)},
+                     {"dx_bits", word.x_bits},
+                     {"dy_bits", word.y_bits},
+                     {"uses", font.uses(i)}});
+  }
+  return words;
+}
+
+// The tree and the cells of one glyph.
+void append_cells_of(std::string& out, const GlyphCensus& glyph) {
+  const GlyphField& field = glyph.field;
+  append(out, "  grid            %d x %d tiles of %d u from (%d, %d) u\n",
+         field.tiles_x, field.tiles_y, 1 << field.tile_log2, field.x0_u,
+         field.y0_u);
+  append(out, "  tree            %d nodes, depth %d\n", glyph.nodes,
+         glyph.depth);
+  append(out, "  cells           %lld, and saturated: %d outside, %d inside\n",
+         static_cast<long long>(glyph.cells.all()), glyph.outside,
+         glyph.inside);
+  for (size_t i = glyph.by_size_log2.size(); i-- > 0;) {
+    if (glyph.by_size_log2[i] > 0) {
+      append(out, "    %4d u        %d\n", 1 << i, glyph.by_size_log2[i]);
+    }
+  }
+  append_kinds(out, glyph.cells, glyph.fields);
+  append(out, "  record          %zu bytes\n", glyph.bytes);
+  append_parts(out, "of these", glyph.parts);
+}
+
 const char* side_of(const HintZone& zone) {
   return zone.is_bottom ? "bottom" : "top";
 }
@@ -204,7 +320,7 @@ nlohmann::json parts_json(const std::vector<RecordPart>& parts) {
   return json;
 }
 
-nlohmann::json glyph_json(const GlyphCensus& glyph) {
+nlohmann::json glyph_json(const GlyphCensus& glyph, bool has_outlines) {
   nlohmann::json sizes = nlohmann::json::object();
   for (size_t i = 0; i < glyph.by_size_log2.size(); ++i) {
     if (glyph.by_size_log2[i] > 0) {
@@ -216,29 +332,34 @@ nlohmann::json glyph_json(const GlyphCensus& glyph) {
     code_points.push_back(static_cast<uint32_t>(code_point));
   }
   const GlyphMetrics& m = glyph.metrics;
-  return {{"glyph", glyph.glyph},
-          {"name", glyph.name()},
-          {"code_points", code_points},
-          {"advance", m.advance},
-          {"box", {m.x_min, m.y_min, m.x_max, m.y_max}},
-          {"bytes", glyph.bytes},
-          {"record_bytes", parts_json(glyph.parts)},
-          {"cells", glyph.cells.all()},
-          {"cells_by_kind", kinds_json(glyph.cells)},
-          {"fields", glyph.fields},
-          {"nodes", glyph.nodes},
-          {"saturated_outside", glyph.outside},
-          {"saturated_inside", glyph.inside},
-          {"depth", glyph.depth},
-          {"cells_by_size_u", sizes},
-          {"edges", edges_json(glyph)},
-          {"stems_u", glyph.stems_u},
-          {"grid",
-           {{"x0_u", glyph.field.x0_u},
-            {"y0_u", glyph.field.y0_u},
-            {"tile_u", 1 << glyph.field.tile_log2},
-            {"tiles_x", glyph.field.tiles_x},
-            {"tiles_y", glyph.field.tiles_y}}}};
+  nlohmann::json json = {{"glyph", glyph.glyph},
+                         {"name", glyph.name()},
+                         {"code_points", code_points},
+                         {"advance", m.advance},
+                         {"box", {m.x_min, m.y_min, m.x_max, m.y_max}},
+                         {"bytes", glyph.bytes},
+                         {"edges", edges_json(glyph)},
+                         {"stems_u", glyph.stems_u}};
+  if (has_outlines) {
+    json.update(outline_json(glyph.outline));
+    return json;
+  }
+  json.update({{"record_bytes", parts_json(glyph.parts)},
+               {"cells", glyph.cells.all()},
+               {"cells_by_kind", kinds_json(glyph.cells)},
+               {"fields", glyph.fields},
+               {"nodes", glyph.nodes},
+               {"saturated_outside", glyph.outside},
+               {"saturated_inside", glyph.inside},
+               {"depth", glyph.depth},
+               {"cells_by_size_u", sizes},
+               {"grid",
+                {{"x0_u", glyph.field.x0_u},
+                 {"y0_u", glyph.field.y0_u},
+                 {"tile_u", 1 << glyph.field.tile_log2},
+                 {"tiles_x", glyph.field.tiles_x},
+                 {"tiles_y", glyph.field.tiles_y}}}});
+  return json;
 }
 
 nlohmann::json metrics_json(const FontMetrics& m) {
@@ -274,19 +395,26 @@ std::string font_report(const FontCensus& font) {
          font.glyphs.size(), font.characters, code_point_ranges(font).c_str());
   append(out, "  kerning         %d left classes, %d right\n",
          font.left_classes, font.right_classes);
-  append(out, "  at most         %u cells, %u nodes, depth %u in a glyph\n",
-         static_cast<unsigned>(font.range.max_cells),
-         static_cast<unsigned>(font.range.max_nodes),
-         static_cast<unsigned>(font.range.max_depth));
+  if (font.has_outlines()) {
+    append(out, "  at most         %d points in a glyph\n", font.max_points);
+  } else {
+    append(out, "  at most         %u cells, %u nodes, depth %u in a glyph\n",
+           static_cast<unsigned>(font.range.max_cells),
+           static_cast<unsigned>(font.range.max_nodes),
+           static_cast<unsigned>(font.range.max_depth));
+  }
   append_sections(out, font);
   append_hints(out, font);
-  append_cells(out, font);
+  if (font.has_outlines()) {
+    append_outlines(out, font);
+  } else {
+    append_cells(out, font);
+  }
   return out;
 }
 
 std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
   const GlyphMetrics& m = glyph.metrics;
-  const GlyphField& field = glyph.field;
   std::string out =
       "glyph " + std::to_string(glyph.glyph) + ", " + glyph.name();
   for (const char32_t code_point : glyph.code_points) {
@@ -296,22 +424,11 @@ std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
          font.metrics.units_per_em);
   append(out, "  ink             x %d to %d, y %d to %d units\n", m.x_min,
          m.x_max, m.y_min, m.y_max);
-  append(out, "  grid            %d x %d tiles of %d u from (%d, %d) u\n",
-         field.tiles_x, field.tiles_y, 1 << field.tile_log2, field.x0_u,
-         field.y0_u);
-  append(out, "  tree            %d nodes, depth %d\n", glyph.nodes,
-         glyph.depth);
-  append(out, "  cells           %lld, and saturated: %d outside, %d inside\n",
-         static_cast<long long>(glyph.cells.all()), glyph.outside,
-         glyph.inside);
-  for (size_t i = glyph.by_size_log2.size(); i-- > 0;) {
-    if (glyph.by_size_log2[i] > 0) {
-      append(out, "    %4d u        %d\n", 1 << i, glyph.by_size_log2[i]);
-    }
+  if (font.has_outlines()) {
+    append_outline(out, glyph);
+  } else {
+    append_cells_of(out, glyph);
   }
-  append_kinds(out, glyph.cells, glyph.fields);
-  append(out, "  record          %zu bytes\n", glyph.bytes);
-  append_parts(out, "of these", glyph.parts);
   append_edges(out, font, glyph);
   return out;
 }
@@ -324,10 +441,10 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
   nlohmann::json glyphs = nlohmann::json::array();
   for (const GlyphCensus& each : font.glyphs) {
     if (glyph == nullptr || each.glyph == glyph->glyph) {
-      glyphs.push_back(glyph_json(each));
+      glyphs.push_back(glyph_json(each, font.has_outlines()));
     }
   }
-  const nlohmann::json whole = {
+  nlohmann::json whole = {
       {"name", font.name},
       {"bytes", font.bytes},
       {"format", {font.format_major, font.format_minor}},
@@ -343,12 +460,20 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"section_bytes", sections},
       {"hints", hints_json(font)},
       {"coding", font.coding_name},
-      {"record_bytes", parts_json(font.parts())},
-      {"cells", font.cells().all()},
-      {"cells_by_kind", kinds_json(font.cells())},
-      {"fields", font.fields()},
-      {"nodes", font.nodes()},
       {"glyphs", glyphs}};
+  if (font.has_outlines()) {
+    whole.update({{"points", font.points()},
+                  {"composites", font.composites()},
+                  {"max_points", font.max_points},
+                  {"grid_units", font.grid_units},
+                  {"code", words_json(font)}});
+  } else {
+    whole.update({{"record_bytes", parts_json(font.parts())},
+                  {"cells", font.cells().all()},
+                  {"cells_by_kind", kinds_json(font.cells())},
+                  {"fields", font.fields()},
+                  {"nodes", font.nodes()}});
+  }
   return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
          "\n";
 }

@@ -162,9 +162,10 @@ void print_stats(const DrawStats& stats,
   std::printf("picture          %d x %d px in %lld strips\n", image.width,
               image.height, static_cast<long long>(stats.strips));
   std::printf("glyphs           %zu\n", glyph_count(lines));
-  std::printf("computed pixels  %lld in %lld spans\n",
+  std::printf("computed pixels  %lld in %lld spans, %lld blocks\n",
               static_cast<long long>(stats.coverage_pixels),
-              static_cast<long long>(stats.coverage_spans));
+              static_cast<long long>(stats.coverage_spans),
+              static_cast<long long>(stats.coverage_blocks));
   std::printf("filled pixels    %lld in %lld runs\n",
               static_cast<long long>(stats.solid_pixels),
               static_cast<long long>(stats.solid_runs));

@@ -308,7 +308,7 @@ SampleTotal render(const RenderJob& job,
 void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   constexpr int kNear = 3;
   total.uses_radius |= look.uses_radius();
-  if (look.brush().painter() != nullptr && !look.is_adaptive()) {
+  if (look.brush().painter().cells != nullptr && !look.is_adaptive()) {
     return;
   }
   // Near in a row first, then near such a row: a square is a disc but for its

@@ -50,7 +50,7 @@ Image compare(const Font& font,
     });
   };
   // `set_up` may change the brush for the size.
-  const auto add_ours = [&](const char* label, const Filter& filter,
+  const auto add_ours = [&](const char* label, const auto& filter,
                             const std::function<void(Brush&)>& set_up) {
     sheet.add(label, 0xffffff, [&](Image& image) {
       for (const Entry& e : entries) {
@@ -65,7 +65,7 @@ Image compare(const Font& font,
   add_peer("FreeType, not hinted", Peer::freetype);
   add_peer("FreeType, light hinting", Peer::light);
   const auto plain = [](Brush&) {};
-  add_ours("Inkcell, one sample a pixel, filter text", kFilterText, plain);
+  add_ours("Inkcell, filter text", kFilterText, plain);
   add_ours("Inkcell, filter paper_body", kFilterPaperBody, plain);
   add_ours("Inkcell, filter paper_display", kFilterPaperDisplay, plain);
   Fit fit;
@@ -75,9 +75,13 @@ Image compare(const Font& font,
     }
     brush.set_fitter(fit_glyph, &fit);
   });
+  if (font.has_outlines()) {
+    add_ours("Inkcell, filter area", kFilterArea, plain);
+    return sheet.finish();
+  }
   const Adaptive adaptive = make_adaptive(kFilterText);
   add_ours("Inkcell, up to 13 samples a pixel", kFilterText, [&](Brush& brush) {
-    brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
+    brush.set_painter(adaptive_painter(adaptive));
   });
   return sheet.finish();
 }

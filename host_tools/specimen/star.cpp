@@ -138,11 +138,11 @@ class DeviceStar {
     }
   }
 
-  Image draw(Painter painter, const void* options, uint8_t reach_px) const {
+  Image draw(const Painter& painter) const {
     Image image = colour_image(kSide, kSide, 0);
     const ColourSink target(image, 0xffffff);
     Brush brush = make_brush(kSide, 0, kFilterText);
-    brush.set_painter(painter, options, reach_px);
+    brush.set_painter(painter);
     draw_field(field_, brush, make_point(0, kSide), target.sink());
     return image;
   }
@@ -197,12 +197,10 @@ Image draw_star(const Font& font) {
       {"16, jittered, Gaussian",
        in_colour(supersample(shape, 4, Jitter::whole, gaussian_weight))},
       {"FreeType", in_colour(cover(wedges))},
-      {"Inkcell, one sample", device.draw(nullptr, nullptr, 0)},
-      {"Inkcell, up to 13, even",
-       device.draw(paint_adaptive, &even, kAdaptiveReach)},
-      {"Inkcell, up to 13, paper",
-       device.draw(paint_adaptive, &paper, kAdaptiveReach)},
-      {"Inkcell, splats", device.draw(paint_splats, &splats, kSplatReach)}};
+      {"Inkcell, one sample", device.draw({})},
+      {"Inkcell, up to 13, even", device.draw(adaptive_painter(even))},
+      {"Inkcell, up to 13, paper", device.draw(adaptive_painter(paper))},
+      {"Inkcell, splats", device.draw(splat_painter(splats))}};
   // Two rows of columns, of which each is a picture and its middle.
   constexpr int kColumns = 4;
   constexpr int kColumn = kSide + kGap;

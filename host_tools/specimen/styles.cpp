@@ -88,7 +88,7 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
             dithered);
   const CrispStyle style;
   Brush brush = make_brush(kPx, 0, kFilterText);
-  brush.set_painter(paint_crisp, &style, kCrispReach);
+  brush.set_painter(crisp_painter(style));
   draw_text(font, "Sphinx", brush, make_point(4, 25), plain);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -143,7 +143,7 @@ Image draw_lcd(const Font& font) {
     sheet.add(label, ground, [&](Image& image) {
       Brush brush = make_brush(sample.px, 0, kFilterText);
       if (style != nullptr) {
-        brush.set_painter(paint_lcd, style, kLcdReach);
+        brush.set_painter(lcd_painter(*style));
       }
       sample.write(brush, colour, image);
     });
@@ -175,7 +175,7 @@ Image draw_effects(const Font& font) {
     check(font, kPx, outline.inner);
     sheet.add(label, kWhite, [&](Image& image) {
       Brush brush = make_brush(kPx, 0, outline.outer);
-      brush.set_painter(paint_outline, &outline.inner);
+      brush.set_painter(outline_painter(outline.inner));
       sample.write(brush, kBlack, image);
     });
   };
@@ -187,7 +187,7 @@ Image draw_effects(const Font& font) {
     const ColourSink fill(image, 0xffd070);
     const OutlineAndFill both = {&two.inner, &fill.sink()};
     Brush brush = make_brush(kPx, 0, two.outer);
-    brush.set_painter(paint_outline_and_fill, &both);
+    brush.set_painter(outline_and_fill_painter(both));
     sample.write(brush, 0xb02030, image);
   });
   const Filter shadow = shadow_filter(to_q10(2.5));
@@ -222,7 +222,7 @@ Image draw_fitting(const Font& font) {
         brush.set_fitter(fit_glyph, &fit);
       }
       if (perception != nullptr) {
-        brush.set_painter(paint_perceptual, perception, kPerceptionReach);
+        brush.set_painter(perception_painter(*perception));
       }
       sample.write(brush, kBlack, image);
     });
@@ -236,9 +236,12 @@ Image draw_fitting(const Font& font) {
   add("as designed", nullptr, nullptr);
   add("fitted to rows", &heights, nullptr);
   add("fitted to rows, and stems to columns", &stems, nullptr);
-  add("left and lower edges darker", nullptr, &edges);
-  add("thin strokes darker", nullptr, &thin);
-  add("fitted, with both rules", &stems, &all);
+  // Rules of contrast take the field at any point.
+  if (!font.has_outlines()) {
+    add("left and lower edges darker", nullptr, &edges);
+    add("thin strokes darker", nullptr, &thin);
+    add("fitted, with both rules", &stems, &all);
+  }
   return sheet.finish();
 }
 
@@ -280,6 +283,11 @@ Image draw_maps(const Font& font) {
 }
 
 Image draw_motion(const Font& font) {
+  if (font.has_outlines()) {
+    throw std::runtime_error(
+        "--motion needs the field at any point, and the font has outlines: use "
+        "--coding edges or samples for a TTF or OTF");
+  }
   constexpr double kPx = 24;
   const Sample sample = {font, "Sphinx 1958", kPx, 8, 26};
   Sheet sheet(font, {160, 36, 4, 4, 130});
@@ -291,7 +299,7 @@ Image draw_motion(const Font& font) {
     }
     sheet.add(label, kWhite, [&](Image& image) {
       Brush brush = make_brush(kPx, 0, kFilterText);
-      brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+      brush.set_painter(motion_blur_painter(blur));
       sample.write(brush, kBlack, image);
     });
   };
@@ -311,7 +319,7 @@ Image draw_levels(const Font& font) {
     sheet.add(label, kWhite, [&](Image& image) {
       Brush brush = make_brush(sample.px, 0, kFilterText);
       if (style != nullptr) {
-        brush.set_painter(paint_crisp, style, kCrispReach);
+        brush.set_painter(crisp_painter(*style));
       }
       sample.write(brush, kBlack, image);
       for (uint8_t& level : image.pixels) {

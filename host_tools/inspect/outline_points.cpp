@@ -1,0 +1,225 @@
+// Reads records bit by bit, with the limits that docs/FORMAT.md states.
+#include "outline_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bytes.hpp"
+#include "inkcell/format.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+// An entry of section CODE.
+struct Code {
+  int length;
+  uint32_t kind;
+  int x_bits;
+  int y_bits;
+};
+
+Code code_at(Span<const uint8_t> table, size_t index) {
+  namespace word = format::outline;
+  const uint32_t entry = read_u16(table.data + 2 * index);
+  return {std::max(1, static_cast<int>(entry & word::kLengthMask)),
+          entry >> word::kKindShift & word::kKindMask,
+          static_cast<int>(entry >> word::kXBitsShift & word::kWidthMask),
+          static_cast<int>(entry >> word::kYBitsShift & word::kWidthMask)};
+}
+
+int code_bits(const Font& font) {
+  return font.rom().data[format::header::kCodeBits];
+}
+
+// Bits from the highest of a byte to its lowest; zeros after the end.
+class BitReader {
+ public:
+  BitReader(Span<const uint8_t> bytes, size_t first_bit)
+      : bytes_(bytes), bit_(first_bit) {}
+
+  uint32_t peek(int count) const {
+    uint32_t value = 0;
+    for (size_t i = bit_; i < bit_ + static_cast<size_t>(count); ++i) {
+      const uint32_t byte = i / 8 < bytes_.size ? bytes_.data[i / 8] : 0;
+      value = value << 1 | (byte >> (7 - i % 8) & 1);
+    }
+    return value;
+  }
+  uint32_t take(int count) {
+    const uint32_t value = peek(count);
+    bit_ += static_cast<size_t>(count);
+    return value;
+  }
+  int take_signed(int count) {
+    const auto value = static_cast<int>(take(count));
+    return count > 0 && value >> (count - 1) != 0 ? value - (1 << count)
+                                                  : value;
+  }
+  bool is_at_end() const { return bit_ >= 8 * bytes_.size; }
+
+ private:
+  Span<const uint8_t> bytes_;
+  size_t bit_;
+};
+
+// The number of the word that entry `index` belongs to.
+size_t word_number(Span<const uint8_t> table, int bits, size_t index) {
+  size_t number = 0;
+  for (size_t i = 0; i < index;) {
+    i += size_t{1} << std::max(bits - code_at(table, i).length, 0);
+    number += i <= index ? 1 : 0;
+  }
+  return number;
+}
+
+void read_simple(const Font& font, uint16_t glyph, GlyphOutline& out) {
+  const Span<const uint8_t> table = font.section(format::section::kCode);
+  const int bits = code_bits(font);
+  const double grid = grid_units(font);
+  GlyphMetrics metrics;
+  static_cast<void>(font.glyph_metrics(glyph, metrics));
+  double x = std::floor(metrics.x_min / grid);
+  double y = std::floor(metrics.y_min / grid);
+  BitReader record(font.record(glyph), 1);
+  out.uses.resize(code_words(font).size());
+  out.contours.emplace_back();
+  for (int points = 0; points < max_points(font); ++points) {
+    const size_t index = record.peek(bits);
+    const Code code = code_at(table, index);
+    record.take(code.length);
+    const size_t number = word_number(table, bits, index);
+    if (number < out.uses.size()) {
+      ++out.uses[number];
+    }
+    if (code.kind != format::outline::kEndOfContour) {
+      x += record.take_signed(code.x_bits);
+      y += record.take_signed(code.y_bits);
+      out.contours.back().push_back(
+          {x * grid, y * grid, static_cast<PointKind>(code.kind)});
+      continue;
+    }
+    if (record.take(1) == 0) {
+      return;
+    }
+    out.contours.emplace_back();
+  }
+}
+
+bool is_composite(Span<const uint8_t> record) {
+  return record.size > 0 && record.data[0] == format::composite::kType;
+}
+
+OutlineComponent take_component(BitReader& record) {
+  constexpr double kQ14 = 16384;
+  OutlineComponent component;
+  component.glyph = static_cast<uint16_t>(record.take(16));
+  const bool has_matrix = record.take(1) != 0;
+  const auto width = static_cast<int>(record.take(4));
+  component.dx = record.take_signed(width);
+  component.dy = record.take_signed(width);
+  if (has_matrix) {
+    component.xx = record.take_signed(16) / kQ14;
+    component.xy = record.take_signed(16) / kQ14;
+    component.yx = record.take_signed(16) / kQ14;
+    component.yy = record.take_signed(16) / kQ14;
+  }
+  return component;
+}
+
+void add_component(const Font& font,
+                   const OutlineComponent& part,
+                   GlyphOutline& out) {
+  out.components.push_back(part);
+  const Span<const uint8_t> record = font.record(part.glyph);
+  if (record.size == 0 || is_composite(record)) {
+    return;  // the format forbids composites of composites
+  }
+  GlyphOutline simple;
+  read_simple(font, part.glyph, simple);
+  for (OutlineContour& contour : simple.contours) {
+    for (OutlinePoint& p : contour) {
+      p = {part.xx * p.x + part.xy * p.y + part.dx,
+           part.yx * p.x + part.yy * p.y + part.dy, p.kind};
+    }
+    out.contours.push_back(contour);
+  }
+}
+
+}  // namespace
+
+int GlyphOutline::points() const {
+  size_t count = 0;
+  for (const OutlineContour& contour : contours) {
+    count += contour.size();
+  }
+  return static_cast<int>(count);
+}
+
+int GlyphOutline::points_of(PointKind kind) const {
+  int count = 0;
+  for (const OutlineContour& contour : contours) {
+    count += static_cast<int>(std::count_if(
+        contour.begin(), contour.end(),
+        [kind](const OutlinePoint& point) { return point.kind == kind; }));
+  }
+  return count;
+}
+
+std::vector<CodeWord> code_words(const Font& font) {
+  std::vector<CodeWord> words;
+  if (!font.has_outlines()) {
+    return words;
+  }
+  const Span<const uint8_t> table = font.section(format::section::kCode);
+  const int bits = code_bits(font);
+  for (size_t i = 0; i < size_t{1} << bits;) {
+    const Code code = code_at(table, i);
+    CodeWord word;
+    for (int bit = bits - 1; bit >= bits - code.length && bit >= 0; --bit) {
+      word.bits += (i >> bit & 1) != 0 ? '1' : '0';
+    }
+    word.is_end = code.kind == format::outline::kEndOfContour;
+    word.kind =
+        word.is_end ? PointKind::corner : static_cast<PointKind>(code.kind);
+    word.x_bits = code.x_bits;
+    word.y_bits = code.y_bits;
+    words.push_back(word);
+    i += size_t{1} << std::max(bits - code.length, 0);
+  }
+  return words;
+}
+
+double grid_units(const Font& font) {
+  return std::ldexp(
+      1.0, static_cast<int8_t>(font.rom().data[format::header::kGridShift]));
+}
+
+int max_points(const Font& font) {
+  return static_cast<int>(
+      read_u16(font.rom().data + format::header::kMaxPoints));
+}
+
+GlyphOutline glyph_outline(const Font& font, uint16_t glyph) {
+  GlyphOutline outline;
+  const Span<const uint8_t> record = font.record(glyph);
+  if (!font.has_outlines() || record.size == 0) {
+    return outline;
+  }
+  if (!is_composite(record)) {
+    read_simple(font, glyph, outline);
+    return outline;
+  }
+  BitReader bits(record, 8 * format::composite::kTypeBytes);
+  do {
+    add_component(font, take_component(bits), outline);
+  } while (bits.take(1) != 0 && !bits.is_at_end());
+  return outline;
+}
+
+const char* kind_name(PointKind kind) {
+  return kind == PointKind::off_curve ? "off curve"
+         : kind == PointKind::smooth  ? "smooth"
+                                      : "corner";
+}
+
+}  // namespace inkcell::tools
