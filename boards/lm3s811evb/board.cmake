@@ -7,8 +7,7 @@ set(INKCELL_DISPLAY_WIDTH 96)
 set(INKCELL_DISPLAY_HEIGHT 16)
 set(INKCELL_DISPLAY_FORMATS mono_pages)
 
-# What the demo shows on it: rows of a strip, sizes, and its font's coding.
+# What the demo shows on it: rows of a strip and sizes.
 set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 16)
 set(INKCELL_DEMO_TEXT_PX 13)
-set(INKCELL_DEMO_CODING edges)

@@ -7,12 +7,10 @@ set(INKCELL_DISPLAY_WIDTH 320)
 set(INKCELL_DISPLAY_HEIGHT 240)
 set(INKCELL_DISPLAY_FORMATS xrgb8888 rgb565)
 
-# What the demo shows on it: rows of a strip, sizes, and what its font is made
-# of. RAM holds a whole glyph.
+# What the demo shows on it: rows of a strip and sizes.
 set(INKCELL_DEMO_ROWS 16)
 set(INKCELL_DEMO_CLOCK_PX 90)
 set(INKCELL_DEMO_TEXT_PX 18)
-set(INKCELL_DEMO_CODING edges)
 
 # QEMU's options for a display of each format.
 set(INKCELL_DISPLAY_DEVICE_xrgb8888 "-device bochs-display,romfile=")

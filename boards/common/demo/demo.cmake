@@ -8,7 +8,8 @@ set(INKCELL_DEMO_DIR ${CMAKE_CURRENT_LIST_DIR})
 # inkcell_add_demo_font(<board>)
 #
 # <board>_demo_font: one font for the clock and the text, printable ASCII for 8 to
-# 64 px, or as large as the clock is.
+# 64 px, or as large as the clock is; of outlines, unless the board's
+# INKCELL_DEMO_CODING is another.
 function(inkcell_add_demo_font board)
   if(TARGET ${board}_demo_font)
     return()
@@ -18,6 +19,7 @@ function(inkcell_add_demo_font board)
       "inkcell: the demo needs the font ${INKCELL_DEMO_FONT}; on Debian and "
       "Ubuntu: apt-get install fonts-dejavu-core, or set INKCELL_DEMO_FONT")
   endif()
+  set(INKCELL_DEMO_CODING outline)
   include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
   set(max_px 64)
   if(INKCELL_DEMO_CLOCK_PX GREATER max_px)

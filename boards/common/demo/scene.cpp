@@ -57,8 +57,8 @@ const char* Scene::body_text(int32_t line) noexcept {
   constexpr const char* kShort[] = {"Crisp at every size,",
                                     "no heap, no float."};
   constexpr const char* kLong[] = {
-      "Distance fields in ROM, sampled", "where the outline needs it: one",
-      "small font for every size, with", "no heap and only integers."};
+      "One small font for every size:", "each pixel takes its distance",
+      "to the outline, with no heap", "and only integers."};
   return kBodyLines == 2 ? kShort[line % 2] : kLong[line % 4];
 }
 
@@ -122,17 +122,19 @@ void Scene::set_frame(uint32_t frame) noexcept {
   moving_.origin = point(x, baseline);
 }
 
-void Scene::draw(const Strip& strip) const noexcept {
+void Scene::draw(const Strip& strip) noexcept {
   Canvas canvas(strip);
+  const Workspace ram =
+      kLentBytes == 0 ? Workspace() : Workspace(ram_, sizeof ram_);
   inkcell::draw(font_, clock_.used, clock_brush_, clock_.origin,
-                canvas.sink(Ink::clock));
+                canvas.sink(Ink::clock), ram);
   for (int32_t i = 0; i < kBodyLines; ++i) {
     inkcell::draw(font_, body_[i].used, text_brush_, body_[i].origin,
-                  canvas.sink(Ink::text));
+                  canvas.sink(Ink::text), ram);
   }
   const int32_t left = kOneLine ? (clock_.width_q6 + kMarginQ6 + 63) / 64 : 0;
   inkcell::draw(font_, moving_.used, text_brush_, moving_.origin,
-                right_of(canvas.sink(Ink::moving), left));
+                right_of(canvas.sink(Ink::moving), left), ram);
 }
 
 int32_t Scene::missing_characters() const noexcept {

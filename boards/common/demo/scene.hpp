@@ -5,11 +5,13 @@
 // INKCELL_DEMO_CLOCK_PX and INKCELL_DEMO_TEXT_PX [px/em].
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "canvas.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
 
 namespace inkcell {
 namespace demo {
@@ -27,7 +29,8 @@ class Scene {
   /// Frame 0 is at 10:42; a minute has 480 frames.
   void set_frame(uint32_t frame) noexcept;
 
-  void draw(const Strip& strip) const noexcept;
+  /// Not by two tasks at once: they would share the lent RAM.
+  void draw(const Strip& strip) noexcept;
 
   /// How many characters of the scene its font lacks.
   int32_t missing_characters() const noexcept;
@@ -37,6 +40,8 @@ class Scene {
   static constexpr bool kOneLine = kHeight < 32;
   static constexpr int32_t kBodyLines = kOneLine ? 0 : kHeight < 100 ? 2 : 4;
   static constexpr int32_t kMaxCharacters = 48;  // of a line
+  // Large digits are drawn faster with it; small displays have small RAM.
+  static constexpr size_t kLentBytes = kHeight < 100 ? 0 : 2560;
 
   struct Line {
     PositionedGlyph glyphs[kMaxCharacters];
@@ -58,6 +63,7 @@ class Scene {
   Line clock_;
   Line moving_;
   Line body_[kBodyLines == 0 ? 1 : kBodyLines];
+  alignas(4) uint8_t ram_[kLentBytes == 0 ? 4 : kLentBytes];
 };
 
 }  // namespace demo
