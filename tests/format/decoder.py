@@ -7,20 +7,26 @@ import struct
 import zlib
 from typing import NamedTuple
 
+from outlines import OutlineFont, read_code
 from squares import linked_squares, numbered_squares, require
 
 HEADER_BYTES = 64
+OUTLINE = 2
 
 
 class Glyph(NamedTuple):
     metrics: tuple  # advance, x_min, y_min, x_max, y_max
-    squares: list
+    squares: list  # of cells
+    contours: list  # of outlines: lists of points in font units
 
 
 class Header(NamedTuple):
     glyph_count: int
     units_per_em: int
     coding: int
+    grid_shift: int
+    code_bits: int
+    max_points: int
 
 
 class BitTable:
@@ -52,8 +58,9 @@ def read_header(data):
     require(3, header_bytes <= total_bytes <= len(data))
     require(4, header_crc == zlib.crc32(data[:12] + data[16:header_bytes]))
     glyph_count, units_per_em = struct.unpack_from("<HH", data, 20)
-    header = Header(glyph_count, units_per_em, data[39])
-    require(5, header.coding <= 1)
+    header = Header(glyph_count, units_per_em, data[39],
+                    *struct.unpack_from("<bBH", data, 60))
+    require(5, header.coding <= OUTLINE)
     require(7, glyph_count > 0 and 16 <= units_per_em <= 16384)
     sections = read_directory(data[:total_bytes], section_count)
     require(9, content_crc == zlib.crc32(data[header_bytes:total_bytes]))
@@ -67,7 +74,8 @@ def read_directory(data, section_count):
                                               HEADER_BYTES + 12 * i)
         offset = place & ~1
         require(6, offset % 4 == 0 and offset + size <= len(data))
-        known = tag in (b"CMAP", b"METR", b"KERN", b"HINT", b"GLYF", b"NAME")
+        known = tag in (b"CMAP", b"METR", b"KERN", b"HINT", b"CODE",
+                         b"GLYF", b"NAME")
         require(6, known or place % 2 == 0)
         sections.setdefault(tag, data[offset:offset + size])
     return sections
@@ -220,7 +228,7 @@ def read_records(data, header):
     require(12, ends == sorted(ends))
     records = [data[a:b] for a, b in zip(ends, ends[1:])]
     for record, at in zip(records, ends):
-        require(12, not record or at % 2 == 0)
+        require(12, not record or header.coding == OUTLINE or at % 2 == 0)
     return records
 
 
@@ -245,9 +253,16 @@ class Font:
             errors="surrogateescape")
         metrics = read_metrics(sections[b"METR"], count)
         records = read_records(sections[b"GLYF"], header)
-        self.glyphs = [
-            Glyph(row, read_squares(record))
-            for row, record in zip(metrics, records)]
+        if header.coding == OUTLINE:
+            require(16, -4 <= header.grid_shift <= 3)
+            code = read_code(sections.get(b"CODE", b""), header.code_bits)
+            outlines = OutlineFont(code, header.grid_shift, header.max_points,
+                                   records, metrics)
+            self.glyphs = [Glyph(row, [], outlines.contours(number))
+                           for number, row in enumerate(metrics)]
+        else:
+            self.glyphs = [Glyph(row, read_squares(record), [])
+                           for row, record in zip(metrics, records)]
 
 
 def listing(font):
@@ -271,3 +286,7 @@ def listing(font):
         yield f"glyph {number} " + " ".join(map(str, glyph.metrics))
         for square in glyph.squares:
             yield str(square)
+        for contour in glyph.contours:
+            yield "contour"
+            for point in contour:
+                yield str(point)

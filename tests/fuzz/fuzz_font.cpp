@@ -1,22 +1,14 @@
 // Fonts from a fuzzer: bytes in, and the promises of exercise.hpp checked.
 //
-// Three front ends in one file:
-//   libFuzzer     clang++ -fsanitize=fuzzer -DINKCELL_LIBFUZZER=1 (run.sh)
-//   files         fuzz_font FILE...: what CTest runs over the corpus
-//   stdin         fuzz_font < FILE: for other fuzzers, and to look at a crash
-//
 // The last 64 bytes of an input choose the text, size, direction and place. The
 // rest is the font. Unless the first of the 64 is odd, what would make open
 // refuse it at once is put right: magic, version, sizes and checksums.
-#include <stdio.h>
-
 #include <algorithm>
-#include <iterator>
 #include <memory>
-#include <vector>
 
 #include "exercise.hpp"
 #include "font_builder.hpp"
+#include "front_ends.hpp"
 #include "inkcell/version.hpp"
 
 namespace {
@@ -79,6 +71,8 @@ Q26_6 place(const uint8_t* choice) {
   return Q26_6::from_raw(raw >> (choice[4] % 24));
 }
 
+}  // namespace
+
 void run(const uint8_t* data, size_t size) {
   if (size < kChoiceBytes) {
     return;
@@ -106,48 +100,3 @@ void run(const uint8_t* data, size_t size) {
   const auto* text = reinterpret_cast<const char*>(choice + 16);
   hostile::use_text(font, {text, kChoiceBytes - 16}, brush, origin);
 }
-
-}  // namespace
-
-#if INKCELL_LIBFUZZER
-
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  run(data, size);
-  return 0;
-}
-
-#else
-
-namespace {
-
-std::vector<uint8_t> read_all(FILE* file) {
-  std::vector<uint8_t> bytes;
-  for (int c = getc(file); c != EOF; c = getc(file)) {
-    bytes.push_back(static_cast<uint8_t>(c));
-  }
-  return bytes;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc == 1) {
-    const std::vector<uint8_t> input = read_all(stdin);
-    run(input.data(), input.size());
-    return 0;
-  }
-  for (int i = 1; i < argc; ++i) {
-    FILE* file = fopen(argv[i], "rb");
-    if (file == nullptr) {
-      fprintf(stderr, "fuzz_font: cannot open %s\n", argv[i]);
-      return 2;
-    }
-    const std::vector<uint8_t> input = read_all(file);
-    fclose(file);
-    run(input.data(), input.size());
-  }
-  printf("%d inputs passed\n", argc - 1);
-  return 0;
-}
-
-#endif

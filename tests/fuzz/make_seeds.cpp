@@ -1,6 +1,6 @@
-// Writes the seeds of the corpus: fonts as small as they can be.
+// Writes the seeds of the corpora: fonts as small as they can be, and outlines.
 //
-//   fuzz_make_seeds tests/fuzz/corpus
+//   fuzz_make_seeds tests/fuzz/corpus tests/fuzz/corpus_outline
 #include <stdio.h>
 
 #include <string>
@@ -8,6 +8,8 @@
 
 #include "font_builder.hpp"
 #include "hints_record.hpp"
+#include "outline_input.hpp"
+#include "outline_record.hpp"
 
 namespace {
 
@@ -19,19 +21,116 @@ const std::string kChoice =
     "AB A\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\xff\xed\xa0\x80 "
     "ABBA AB AB AB A B BB AA AB AB";
 
+bool write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
+  FILE* file = fopen(path.c_str(), "wb");
+  if (file == nullptr) {
+    fprintf(stderr, "fuzz_make_seeds: cannot write %s\n", path.c_str());
+    return false;
+  }
+  const bool written =
+      fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  return fclose(file) == 0 && written;
+}
+
 bool write_seed(const std::string& path, const FontSpec& spec) {
   std::vector<uint8_t> font(1 << 14);
   font.resize(build_font(spec, {font.data(), font.size()}));
   std::string choice = kChoice;
   choice.resize(64, 'A');
   font.insert(font.end(), choice.begin(), choice.end());
-  FILE* file = fopen(path.c_str(), "wb");
-  if (file == nullptr) {
-    fprintf(stderr, "fuzz_make_seeds: cannot write %s\n", path.c_str());
+  return write_file(path, font);
+}
+
+namespace input = outline_input;
+using inkcell::Span;
+using outline_record::OutlinePoint;
+
+// Glyph 1 at 16 px, upright, in the picture; the next choices differ from seed
+// to seed.
+std::vector<uint8_t> outline_choice(uint8_t number) {
+  std::vector<uint8_t> choice(input::kBytes);
+  choice[input::kCodeBits] = outline_record::kCodeBits - 1;
+  choice[input::kGridShift] = 4;
+  put_u16(&choice[input::kEm], 1024);
+  put_u16(&choice[input::kMaxPoints], 100);
+  put_u16(&choice[input::kSize], 16 * 64 - 256 + 200u * number);
+  choice[input::kFilter] = number;
+  choice[input::kPainter] = static_cast<uint8_t>(number / 2);
+  choice[input::kMap] = static_cast<uint8_t>(number / 3);
+  choice[input::kGlyph] = 1;
+  put_u32(&choice[input::kOrigin + 4], 14 * 64 + 21);
+  choice[input::kCut] = 9;
+  choice[input::kCut + 1] = 6;
+  put_u16(&choice[input::kWorkspaces], 2560);
+  put_u16(&choice[input::kWorkspaces + 2], 720);
+  choice[input::kOdd] = 1;
+  return choice;
+}
+
+// The same shape as points, to 1/64 em, and as a record with a composite of it.
+bool write_outline_seeds(const std::string& folder,
+                         const char* name,
+                         uint8_t number,
+                         Span<const OutlinePoint> points) {
+  std::vector<uint8_t> seed = outline_choice(number);
+  seed[input::kFlags] = input::kHasPoints;
+  int32_t x = 0;
+  int32_t y = 0;
+  for (const OutlinePoint& at : points) {
+    const int32_t dx = at.x - x;
+    const int32_t dy = at.y - y;
+    seed.push_back(at.kind);
+    seed.push_back(static_cast<uint8_t>((dx - (dx & 15)) / 32));
+    seed.push_back(static_cast<uint8_t>((dy - (dy & 15)) / 32));
+    seed.push_back(static_cast<uint8_t>((dx & 15) | (dy & 15) << 4));
+    x = at.x;
+    y = at.y;
+  }
+  if (!write_file(folder + name + "_points.seed", seed)) {
     return false;
   }
-  const bool written = fwrite(font.data(), 1, font.size(), file) == font.size();
-  return fclose(file) == 0 && written;
+  seed = outline_choice(number);
+  const outline_record::PointBox box = outline_record::box_of(points);
+  const int32_t sides[] = {box.x_min, box.y_min, box.x_max, box.y_max};
+  for (uint32_t i = 0; i < 4; ++i) {
+    put_u16(&seed[input::kBoxes + 2 * i], static_cast<uint16_t>(sides[i]));
+    put_u16(&seed[input::kBoxes + 8 + 2 * i], static_cast<uint16_t>(sides[i]));
+  }
+  uint8_t code[2 << outline_record::kCodeBits];
+  outline_record::write_code(code);
+  seed.insert(seed.end(), code, code + sizeof(code));
+  std::vector<uint8_t> record(512);
+  record.resize(
+      outline_record::write_outline(points, {record.data(), record.size()}));
+  seed[input::kSizes] = static_cast<uint8_t>(record.size());
+  seed.insert(seed.end(), record.begin(), record.end());
+  const outline_record::Component parts[] = {
+      {1, 0, 0}, {1, 300, -40, true, {9000, -8192, 8192, 12000}}};
+  record.assign(64, 0);
+  record.resize(
+      outline_record::write_composite(parts, {record.data(), record.size()}));
+  seed.insert(seed.end(), record.begin() + 1, record.end());
+  return write_file(folder + name + "_record.seed", seed);
+}
+
+bool write_all_outline_seeds(const std::string& folder) {
+  using namespace outline_record;
+  struct Shape {
+    const char* name;
+    Span<const OutlinePoint> points;
+  };
+  const Shape shapes[] = {{"bar", {kBar, 4}},
+                          {"disc", {kDisc, 13}},
+                          {"ell", {kEll, 6}},
+                          {"frame", {kFrame, 12}},
+                          {"leaf", {kLeaf, 4}}};
+  bool written = true;
+  uint8_t number = 0;
+  for (const Shape& shape : shapes) {
+    written &= write_outline_seeds(folder, shape.name, number, shape.points);
+    number = static_cast<uint8_t>(number + 3);
+  }
+  return written;
 }
 
 // One tile of 512 u with a slanted edge; and one divided to the end.
@@ -58,8 +157,8 @@ Record one_cell(bool divided) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fprintf(stderr, "usage: fuzz_make_seeds FOLDER\n");
+  if (argc != 3) {
+    fprintf(stderr, "usage: fuzz_make_seeds FOLDER FOLDER_OF_OUTLINES\n");
     return 2;
   }
   const std::string folder = std::string(argv[1]) + "/";
@@ -89,5 +188,6 @@ int main(int argc, char** argv) {
   hints.make_usual();
   spec.hints = hints.write(2);
   written &= write_seed(folder + "hints.seed", spec);
+  written &= write_all_outline_seeds(std::string(argv[2]) + "/");
   return written ? 0 : 1;
 }

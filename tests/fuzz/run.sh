@@ -1,12 +1,14 @@
 #!/bin/sh
-# Runs the font fuzzer for a while, on all cores:
+# Runs the fuzzers of fonts and of outlines for a while, on all cores, each for
+# half of the time:
 #
 #   sh tests/fuzz/run.sh [SECONDS [FOLDER]]      (30 build/fuzz)
 #
-# New inputs gather in FOLDER/corpus, in a folder for each core, and are the
-# start of the next run. A crash ends it with an exit code; its input is
-# FOLDER/crash-*. Put that into tests/fuzz/corpus with the fix: CTest runs all
-# of them (fuzz.corpus).
+# New inputs gather in FOLDER/corpus and FOLDER/corpus_outline, in a folder for
+# each core, and are the start of the next run. A crash ends it with an exit
+# code; its input is FOLDER/crash-*. Put that into tests/fuzz/corpus, or
+# corpus_outline, with the fix: CTest runs all of them (fuzz.corpus,
+# fuzz.corpus_outline).
 set -eu
 seconds=${1:-30}
 folder=${2:-build/fuzz}
@@ -22,33 +24,46 @@ command -v clang++ >/dev/null || {
   exit 1
 }
 mkdir -p "$folder"
-clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined \
-  -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 \
-  -Icore/include -Itests/unit -Itests/hostile \
-  tests/fuzz/fuzz_font.cpp tests/hostile/exercise.cpp \
-  tests/unit/font_builder.cpp core/src/*.cpp -o "$folder/fuzz_font"
 
-# A unit that needs more than 5 s is as bad as a crash.
-common="-max_len=4096 -timeout=5 -rss_limit_mb=1024 -artifact_prefix=$folder/"
+# Fuzzer, folder of its corpus, longest input, more sources.
+run() {
+  target=$1
+  corpus=$2
+  longest=$3
+  shift 3
+  clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined \
+    -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 \
+    -Icore/include -Icore/src -Itests/unit -Itests/hostile \
+    "tests/fuzz/$target.cpp" tests/hostile/exercise.cpp \
+    tests/unit/font_builder.cpp "$@" core/src/*.cpp core/src/outlines/*.cpp \
+    -o "$folder/$target"
+  # A unit that needs more than 5 s is as bad as a crash.
+  common="-max_len=$longest -timeout=5 -rss_limit_mb=1024"
+  pids=
+  for job in $(seq "$(nproc)"); do
+    # A folder of its own: one job removes what another is about to read.
+    mkdir -p "$folder/$corpus/$job"
+    # shellcheck disable=SC2086  # options are meant to be split
+    "$folder/$target" $common -artifact_prefix="$folder/" \
+      -max_total_time="$((seconds / 2))" -print_final_stats=1 \
+      "$folder/$corpus/$job" "tests/fuzz/$corpus" \
+      >"$folder/$target-$job.log" 2>&1 &
+    pids="$pids $!"
+  done
+  job=0
+  for pid in $pids; do
+    job=$((job + 1))
+    log=$folder/$target-$job.log
+    if ! wait "$pid"; then
+      failed=1
+      tail -n 40 "$log"
+    fi
+    grep -E 'number_of_executed_units|new_units_added' "$log" || true
+    grep -E ' cov: ' "$log" | tail -n 1
+  done
+}
+
 failed=0
-pids=
-for job in $(seq "$(nproc)"); do
-  # A folder of its own: one job removes what another is about to read.
-  mkdir -p "$folder/corpus/$job"
-  # shellcheck disable=SC2086  # options are meant to be split
-  "$folder/fuzz_font" $common -max_total_time="$seconds" -print_final_stats=1 \
-    "$folder/corpus/$job" tests/fuzz/corpus >"$folder/job-$job.log" 2>&1 &
-  pids="$pids $!"
-done
-job=0
-for pid in $pids; do
-  job=$((job + 1))
-  log=$folder/job-$job.log
-  if ! wait "$pid"; then
-    failed=1
-    tail -n 40 "$log"
-  fi
-  grep -E 'number_of_executed_units|new_units_added' "$log" || true
-  grep -E ' cov: ' "$log" | tail -n 1
-done
+run fuzz_font corpus 4096
+run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
 exit $failed

@@ -159,7 +159,31 @@ Corners corners_of(const SfntGlyph& glyph) {
   return box;
 }
 
+Bytes composite_data(const SfntGlyph& glyph) {
+  constexpr int kWords = 1;    // 16-bit offsets
+  constexpr int kOffsets = 2;  // not numbers of points
+  constexpr int kMore = 0x20;  // another component follows
+  constexpr int kMatrix = 0x80;
+  Table table;
+  table.u16(-1).zeros(8);
+  for (size_t i = 0; i < glyph.components.size(); ++i) {
+    const SfntComponent& part = glyph.components[i];
+    table.u16(kWords | kOffsets |
+              (i + 1 < glyph.components.size() ? kMore : 0) |
+              (part.matrix_q14.empty() ? 0 : kMatrix));
+    table.u16(part.glyph).u16(part.dx).u16(part.dy);
+    for (const int value : part.matrix_q14) {
+      table.u16(value);
+    }
+  }
+  table.zeros((4 - table.bytes.size() % 4) % 4);
+  return table.bytes;
+}
+
 Bytes glyph_data(const SfntGlyph& glyph) {
+  if (!glyph.components.empty()) {
+    return composite_data(glyph);
+  }
   const size_t points = point_count(glyph);
   if (points == 0) {
     return {};

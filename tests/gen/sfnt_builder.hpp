@@ -16,10 +16,21 @@ using Polygon = std::vector<std::pair<int, int>>;
 /// A rectangle, clockwise as TrueType wants outer contours.
 Polygon rectangle(int x0, int y0, int x1, int y1);
 
+/// A part of a composite glyph.
+struct SfntComponent {
+  int glyph = 0;
+  int dx = 0;
+  int dy = 0;
+  /// If not empty, xx, yx, xy, yy in Q2.14, as TrueType stores them.
+  std::vector<int> matrix_q14 = {};
+};
+
 struct SfntGlyph {
   char32_t code_point = 0;  // 0: in no character map
   int advance = 500;
   std::vector<Polygon> contours;
+  /// If not empty, the glyph is a composite without contours of its own.
+  std::vector<SfntComponent> components = {};
 };
 
 /// A font to be. Glyph 0 is .notdef, whatever its code point.

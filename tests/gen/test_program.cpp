@@ -98,7 +98,8 @@ TEST_F(Program, TakesEveryOption) {
 
 TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
   const std::string font =
-      "--font plain.ttf --symbols H --min-px 12 --out a.bin --report a.json ";
+      "--font plain.ttf --symbols H --coding edges --min-px 12 --out a.bin "
+      "--report a.json ";
   const auto report = [&] {
     return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
   };
@@ -125,7 +126,8 @@ TEST_F(Program, MakesEveryKindOfFont) {
   const struct {
     const char* options;
     const char* coding;
-  } kinds[] = {{"", "edges"},
+  } kinds[] = {{"", "outline"},
+               {"--coding outline", "outline"},
                {"--coding edges", "edges"},
                {"--coding samples", "samples"},
                {"--coding samples --predicate fixed", "samples"}};
@@ -146,7 +148,7 @@ TEST_F(Program, RefusesOptionsThatDoNotGoTogether) {
     const char* remedy;
   } cases[] = {{"--predicate fixed", "use --coding samples"},
                {"--coding edges --predicate fixed", "use --coding samples"},
-               {"--coding bitmaps", "use 'edges' or 'samples'"},
+               {"--coding bitmaps", "use 'outline', 'edges' or 'samples'"},
                {"--predicate best", "use 'size' or 'fixed'"}};
   for (const auto& wrong : cases) {
     const Outcome result = run(

@@ -163,7 +163,7 @@ TEST(RomFont, PartsAddUp) {
   EXPECT_EQ(parts.kerning,
             padded(17 + bytes_of(2 * (2 + 2 + 2) + 3 * 2 + 3 * (2 + 9))));
   EXPECT_EQ(parts.hints, 0u);
-  EXPECT_EQ(parts.cells, 2 + bytes_of(5 * 6) + (12 + 2 + 10) + (12 + 20 + 30));
+  EXPECT_EQ(parts.glyphs, 2 + bytes_of(5 * 6) + (12 + 2 + 10) + (12 + 20 + 30));
   EXPECT_EQ(parts.name, 4u);
 }
 
@@ -314,7 +314,8 @@ TEST(RomFont, TablesOfRealFacesAreExact) {
       m.y_min = static_cast<int16_t>(std::floor(box.y0 * scale));
       m.x_max = static_cast<int16_t>(std::ceil(box.x1 * scale));
       m.y_max = static_cast<int16_t>(std::ceil(box.y1 * scale));
-      content.glyphs.push_back({{}, {}, m});
+      content.glyphs.emplace_back();
+      content.glyphs.back().metrics = m;
     }
     content.kerning = source.kerning;
     PartBytes parts;

@@ -8,6 +8,7 @@
 //   hostile_fonts 2       kerning classes of two bytes
 //   hostile_fonts narrow  glyphs of fields, references of a byte
 //   hostile_fonts linked  glyphs of fields, heaps
+//   hostile_fonts outline glyphs of outlines
 #include <stdio.h>
 #include <time.h>
 
@@ -21,6 +22,7 @@
 #include "field_record.hpp"
 #include "font_builder.hpp"
 #include "hints_record.hpp"
+#include "outline_record.hpp"
 #include "random.hpp"
 
 namespace {
@@ -116,6 +118,14 @@ Bytes build_fields_font(bool linked) {
   spec.hints = hints.write(2);
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
+  hostile::require(!font.empty(), "the font fits its buffer");
+  return font;
+}
+
+// Those of outline_record.hpp: outlines, a composite, and no hints.
+Bytes build_outline_font() {
+  Bytes font(outline_record::kSampleFontBytes);
+  font.resize(outline_record::build_sample_font({font.data(), font.size()}));
   hostile::require(!font.empty(), "the font fits its buffer");
   return font;
 }
@@ -403,8 +413,10 @@ int main(int argc, char** argv) {
     good = build_font(wide);
   } else if (kind == "narrow" || kind == "linked") {
     good = build_fields_font(kind == "linked");
+  } else if (kind == "outline") {
+    good = build_outline_font();
   } else {
-    fprintf(stderr, "usage: hostile_fonts 1|2|narrow|linked\n");
+    fprintf(stderr, "usage: hostile_fonts 1|2|narrow|linked|outline\n");
     return 2;
   }
   printf("font of %zu bytes\n", good.size());

@@ -72,7 +72,7 @@ inline Fitted fitted(const Font& font,
   field.glyph = 1;
   Fitted result;
   result.origin = origin;
-  fit_glyph(field, brush, &fit, result.origin, result.rows);
+  fit_glyph(field.glyph, brush, &fit, result.origin, result.rows);
   return result;
 }
 

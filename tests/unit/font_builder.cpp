@@ -146,19 +146,22 @@ void write_kerning(const FontSpec& spec, Writer& out) {
 void write_glyphs(const FontSpec& spec, Writer& out) {
   static Record drawn;  // too large for the stack of a small board
   const size_t begin = out.at();
+  // Cells begin at even bytes, outlines anywhere.
+  const uint32_t unit_log2 = spec.outlines.code.size == 0 ? 1 : 0;
   out.u8(16);  // bits of an offset
-  out.u8(1);   // in units of 2 bytes
+  out.u8(unit_log2);
   const size_t offsets = out.at();
   for (size_t i = 0; i <= spec.glyphs.size; ++i) {
     out.u16(0);
   }
   for (size_t i = 0; i < spec.glyphs.size; ++i) {
-    out.patch_u16(offsets + 2 * i, static_cast<uint32_t>(out.at() - begin) / 2);
+    out.patch_u16(offsets + 2 * i,
+                  static_cast<uint32_t>(out.at() - begin) >> unit_log2);
     const GlyphSpec& glyph = spec.glyphs[i];
     for (const uint8_t byte : glyph.bytes) {
       out.u8(byte);
     }
-    if (out.at() % 2 != 0) {
+    if (unit_log2 != 0 && out.at() % 2 != 0) {
       out.u8(0);
     }
     if (glyph.record != nullptr) {
@@ -170,7 +173,7 @@ void write_glyphs(const FontSpec& spec, Writer& out) {
     }
   }
   out.patch_u16(offsets + 2 * spec.glyphs.size,
-                static_cast<uint32_t>(out.at() - begin) / 2);
+                static_cast<uint32_t>(out.at() - begin) >> unit_log2);
 }
 
 void write_name(const FontSpec& spec, Writer& out) {
@@ -196,7 +199,10 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   out.u16(12);  // px
   out.u16(64);
   out.u8(16);
-  out.u8(static_cast<uint32_t>(format::Coding::samples));
+  const OutlineSpec& outlines = spec.outlines;
+  out.u8(static_cast<uint32_t>(outlines.code.size == 0
+                                   ? format::Coding::samples
+                                   : format::Coding::outline));
   out.u8(0);
   out.u8(static_cast<uint32_t>(format::Predicate::size_aware));
   out.u16(sections);
@@ -209,7 +215,9 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   for (const int32_t side : box) {
     out.i16(side);
   }
-  out.u32(0);  // of outlines
+  out.u8(static_cast<uint8_t>(outlines.grid_shift));
+  out.u8(outlines.code_bits);
+  out.u16(outlines.max_points);
 }
 
 using WriteSection = void (*)(const FontSpec&, Writer&);
@@ -425,12 +433,19 @@ void write_hints(const FontSpec& spec, Writer& out) {
   }
 }
 
+void write_code(const FontSpec& spec, Writer& out) {
+  for (const uint8_t byte : spec.outlines.code) {
+    out.u8(byte);
+  }
+}
+
 size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
   namespace section = format::section;
   const Section all[] = {
       {section::kCmap, section::kMustUnderstand, write_cmap},
       {section::kMetrics, section::kMustUnderstand, write_metrics},
       {section::kGlyphs, section::kMustUnderstand, write_glyphs},
+      {section::kCode, section::kMustUnderstand, write_code},
       {section::kKerning, 0, write_kerning},
       {section::kHints, 0, write_hints},
       {section::kName, 0, write_name},
@@ -439,6 +454,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
   const bool has[] = {true,
                       true,
                       true,
+                      spec.outlines.code.size != 0,
                       spec.kerning.left_classes != 0,
                       spec.hints.size != 0,
                       spec.name[0] != '\0',

@@ -99,11 +99,20 @@ struct KerningSpec {
   Span<const int16_t> values;
 };
 
+/// How outlines are read; see outline_record.hpp. No code: glyphs of cells.
+struct OutlineSpec {
+  Span<const uint8_t> code;  // CODE as it is
+  uint8_t code_bits = 0;
+  int8_t grid_shift = 0;
+  uint16_t max_points = 0;
+};
+
 struct FontSpec {
   uint16_t units_per_em = 1000;
   Span<const CmapEntry> cmap;
   Span<const GlyphSpec> glyphs;
   KerningSpec kerning;
+  OutlineSpec outlines;
   Span<const uint8_t> hints;  // HINT as it is; empty: none
   const char* name = "";
   uint32_t extra_section = 0;  // tag of an empty section; 0: none

@@ -99,7 +99,7 @@ inline void check_windows(const GlyphField& field,
   }
 }
 
-inline void lift(const GlyphField& /*field*/,
+inline void lift(uint16_t /*glyph*/,
                  const Brush& /*brush*/,
                  const void* /*options*/,
                  FinePoint& origin,

@@ -52,7 +52,7 @@ Brush brush_of(int32_t size_q6, uint32_t turn, const Adaptive& adaptive) {
   Brush brush;
   CHECK_OK(
       Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
-  brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
+  brush.set_painter(adaptive_painter(adaptive));
   return brush;
 }
 

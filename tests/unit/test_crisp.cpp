@@ -32,7 +32,7 @@ GlyphField stroke(int32_t nx, int32_t ny, int32_t c_u, int32_t width_u) {
 Brush brush_of(int32_t px, const CrispStyle& style) {
   Brush brush;
   CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, brush));
-  brush.set_painter(paint_crisp, &style, kCrispReach);
+  brush.set_painter(crisp_painter(style));
   return brush;
 }
 
@@ -137,7 +137,7 @@ TEST(two_levels_ask_nothing_of_the_filter) {
       thin.inside_q10 = static_cast<int16_t>(outside_q10 + 1024);
       Brush brush;
       CHECK_OK(Brush::make(Q26_6::from_int(12), thin, brush));
-      brush.set_painter(paint_crisp, &style, kCrispReach);
+      brush.set_painter(crisp_painter(style));
       Drawing drawing;
       draw_field(field, brush, origin, drawing.sink());
       for (int32_t y = 0; y < kSide; ++y) {
@@ -245,12 +245,12 @@ TEST(a_bridge_is_the_third_of_four_levels_at_least) {
   // A bold filter has more than that to say.
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(700));
   CHECK_OK(Brush::make(Q26_6::from_int(16), bold, brush));
-  brush.set_painter(paint_crisp, &style, kCrispReach);
+  brush.set_painter(crisp_painter(style));
   CHECK_EQ(Crossing(field, brush).left(), 255);
   // A light one is not overruled where the centre is in the ink.
   const Filter light = with_weight(kFilterText, Q6_10::from_raw(-300));
   CHECK_OK(Brush::make(Q26_6::from_int(16), light, brush));
-  brush.set_painter(paint_crisp, &style, kCrispReach);
+  brush.set_painter(crisp_painter(style));
   CHECK_EQ(Crossing(field, brush, 500).right(), 85);
 }
 
@@ -357,7 +357,7 @@ TEST(bold_strokes_pass_the_box_of_the_filter) {
   for (int32_t shift = 0; shift < 1024; shift += 50) {
     Brush brush;
     CHECK_OK(Brush::make(Q26_6::from_int(16), sharp, brush));
-    brush.set_painter(paint_crisp, &style, kCrispReach);
+    brush.set_painter(crisp_painter(style));
     const Crossing drawing(field, brush, shift);
     int32_t drawn = 0;
     for (int32_t x = 0; x < 16; ++x) {

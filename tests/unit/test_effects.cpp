@@ -25,7 +25,7 @@ void draw_into(First& outline_picture, Second& fill_picture) {
   CHECK_OK(Brush::make(Q26_6::from_int(24), outline.outer, brush));
   const Sink fill = fill_picture.sink();
   const OutlineAndFill both = {&outline.inner, &fill};
-  brush.set_painter(paint_outline_and_fill, &both);
+  brush.set_painter(outline_and_fill_painter(both));
   draw_field(field, brush, {2048, 20 << 10}, outline_picture.sink());
 }
 

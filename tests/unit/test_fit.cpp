@@ -264,7 +264,7 @@ TEST(hostile_hints_break_no_promise) {
                               random.between(-99999, 99999)};
     FinePoint moved = origin;
     RowMap rows;
-    fit_glyph(field, brush, &fit, moved, rows);
+    fit_glyph(field.glyph, brush, &fit, moved, rows);
     CHECK(moved.x_q10 - origin.x_q10 <= kPx / 4);
     CHECK(origin.x_q10 - moved.x_q10 <= kPx / 4);
     CHECK(moved.y_q10 - origin.y_q10 <= kPx / 2);

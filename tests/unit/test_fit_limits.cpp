@@ -295,10 +295,10 @@ TEST(a_fit_moves_nothing_at_sizes_that_are_not_fitted) {
   field.glyph = 1;
   FinePoint origin = {300, 400};
   RowMap rows;
-  fit_glyph(field, brush_of(40 * 64), &fit, origin, rows);
+  fit_glyph(field.glyph, brush_of(40 * 64), &fit, origin, rows);
   CHECK_EQ(origin.y_q10, 400);
   CHECK_EQ(rows.count, 0);
-  fit_glyph(field, brush_of(40 * 64 - 1), &fit, origin, rows);
+  fit_glyph(field.glyph, brush_of(40 * 64 - 1), &fit, origin, rows);
   CHECK_EQ(origin.y_q10, 0);
   CHECK(rows.count > 0);
 }

@@ -33,13 +33,13 @@ Middle middle_of_ink() {
 
 // Sub-pixels are wider by 2/3 px on both sides, and all of that must show.
 void check_place(const GlyphField& field, Brush brush, FinePoint origin) {
-  brush.set_painter(nullptr, nullptr);
+  brush.set_painter({});
   draw(field, brush, origin);
   CHECK(ink() > 255 * 20);
   const Middle plain = middle_of_ink();
   for (uint32_t order = 0; order < 4; ++order) {
     const LcdStyle style = {static_cast<SubPixels>(order), 255};
-    brush.set_painter(paint_lcd, &style, kLcdReach);
+    brush.set_painter(lcd_painter(style));
     draw(field, brush, origin);
     const Middle middle = middle_of_ink();
     CHECK(painter::magnitude(middle.x_q6 - plain.x_q6) <= 8);

@@ -52,7 +52,7 @@ TEST(blurred_pictures_are_means_of_shifted_ones) {
       }
       MotionBlur blur;
       CHECK_OK(make_motion_blur(kFilterText, way_of(way[0], way[1]), blur));
-      brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+      brush.set_painter(motion_blur_painter(blur));
       draw(field, brush, origin);
       int32_t total = 0;
       for (int32_t j = 0; j < kSide * kSide; ++j) {
@@ -73,7 +73,7 @@ TEST(no_way_is_no_blur) {
   painter::keep();
   MotionBlur blur;
   CHECK_OK(make_motion_blur(kFilterText, way_of(0, 0), blur));
-  brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+  brush.set_painter(motion_blur_painter(blur));
   draw(field, brush, origin);
   for (int32_t i = 0; i < kSide * kSide; ++i) {
     CHECK(magnitude(picture[i] - whole[i]) <= 1);
@@ -88,7 +88,7 @@ TEST(windows_do_not_change_blurred_pictures) {
         kFilterText,
         way_of(random.between(-400, 400), random.between(-400, 400)), blur));
     Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
-    brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+    brush.set_painter(motion_blur_painter(blur));
     if ((round & 2) != 0) {
       brush.set_fitter(painter::lift, nullptr);
     }
@@ -118,7 +118,7 @@ TEST(windows_do_not_change_large_grids) {
   MotionBlur blur;
   CHECK_OK(make_motion_blur(kFilterText, way_of(2048, -2048), blur));
   Brush brush = brush_of(4 * 64, true);
-  brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+  brush.set_painter(motion_blur_painter(blur));
   const Rect box = field_box(field, brush, {0, 0});
   CHECK(box.x1 - box.x0 <= kLength);
   int32_t drawn = 0;

@@ -31,10 +31,10 @@ Change change_of(const GlyphField& field,
                  FinePoint origin,
                  int32_t middle_x,
                  const Perception& perception) {
-  brush.set_painter(nullptr, nullptr);
+  brush.set_painter({});
   draw(field, brush, origin);
   painter::keep();
-  brush.set_painter(paint_perceptual, &perception, kPerceptionReach);
+  brush.set_painter(perception_painter(perception));
   draw(field, brush, origin);
   Change change = {0, 0};
   for (int32_t i = 0; i < kSide * kSide; ++i) {
@@ -81,7 +81,7 @@ TEST(windows_do_not_change_perceptual_pictures) {
   Random random(81);
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
     Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
-    brush.set_painter(paint_perceptual, &perception, kPerceptionReach);
+    brush.set_painter(perception_painter(perception));
     if ((round & 2) != 0) {
       brush.set_fitter(painter::lift, nullptr);
     }

@@ -560,8 +560,8 @@ TEST(far_glyphs_show_nothing) {
     CHECK(is_empty(intersect(field_box(field, brush, {way, 0}), kScreen)));
     CHECK(is_empty(intersect(field_box(field, brush, {0, way}), kScreen)));
   }
-  brush.set_fitter([](const GlyphField&, const Brush&, const void*,
-                      FinePoint& origin, RowMap&) { origin.x_q10 += kFar; },
+  brush.set_fitter([](uint16_t, const Brush&, const void*, FinePoint& origin,
+                      RowMap&) { origin.x_q10 += kFar; },
                    nullptr);
   draw_field(field, brush, {0, 20 * 1024}, canvas.sink());
   CHECK_EQ(canvas.ink(), 0);

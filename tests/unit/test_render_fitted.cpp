@@ -12,17 +12,13 @@ namespace {
 using painter::kSide;
 
 // As far down and up as a map goes.
-void stretch(
-    const GlyphField&, const Brush&, const void*, FinePoint&, RowMap& rows) {
+void stretch(uint16_t, const Brush&, const void*, FinePoint&, RowMap& rows) {
   CHECK(rows.add(0, -1000));
   CHECK(rows.add(8 << 10, (8 << 10) + 1000));
 }
 
-void shift(const GlyphField&,
-           const Brush&,
-           const void* shift_q10,
-           FinePoint&,
-           RowMap& rows) {
+void shift(
+    uint16_t, const Brush&, const void* shift_q10, FinePoint&, RowMap& rows) {
   CHECK(rows.add(0, *static_cast<const int32_t*>(shift_q10)));
 }
 
@@ -36,7 +32,7 @@ void check_rows(const GlyphField& field,
   CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, plain));
   RowMap map;
   FinePoint moved = origin;
-  fitter(field, plain, options, moved, map);
+  fitter(field.glyph, plain, options, moved, map);
   Brush brush = plain;
   brush.set_fitter(fitter, options);
   painter::Canvas canvas({0, 0, kSide, kSide});

@@ -39,7 +39,7 @@ void check_as_without(const GlyphField& field, Brush brush, FinePoint origin) {
   painter::keep();
   CHECK(painter::ink() > 0);
   const Splats splats = splats_of();
-  brush.set_painter(paint_splats, &splats, kSplatReach);
+  brush.set_painter(splat_painter(splats));
   draw(field, brush, origin);
   for (int32_t i = 0; i < kSide * kSide; ++i) {
     CHECK_EQ(picture[i], whole[i]);
@@ -147,7 +147,7 @@ TEST(splats_are_what_pixels_would_gather) {
     for (const int32_t px : kSizes) {
       Brush brush = brush_of(px * 64, false);
       const Splats splats = splats_of();
-      brush.set_painter(paint_splats, &splats, kSplatReach);
+      brush.set_painter(splat_painter(splats));
       draw(field, brush, origin);
       int32_t gathered = 0;
       for (int32_t y = 0; y < kSide; ++y) {
@@ -191,12 +191,12 @@ TEST(windows_and_sums_do_not_change_the_picture) {
     for (const int32_t px : kSizes) {
       Brush brush = brush_of(px * 64, turned != 0);
       const Splats large = splats_of();
-      brush.set_painter(paint_splats, &large, kSplatReach);
+      brush.set_painter(splat_painter(large));
       check_windows(field, brush, origin);
       CHECK(painter::ink() > 0);
       for (size_t count = kMinSplatSums; count < 100; count += 7) {
         const Splats small = splats_of(count);
-        brush.set_painter(paint_splats, &small, kSplatReach);
+        brush.set_painter(splat_painter(small));
         draw(field, brush, origin);
         for (int32_t i = 0; i < kSide * kSide; ++i) {
           CHECK_EQ(picture[i], whole[i]);
@@ -220,7 +220,7 @@ TEST(any_cells_are_drawn_in_the_window) {
         splats_of(kMinSplatSums + random.below(300),
                   Q6_10::from_raw(static_cast<int16_t>(random.between(
                       kMinSplatRadius.raw, kMaxSplatRadius.raw))));
-    brush.set_painter(paint_splats, &splats, kSplatReach);
+    brush.set_painter(splat_painter(splats));
     check_windows(field, brush,
                   {random.between(-9999, 30000), random.between(-9999, 40000)});
   }
@@ -262,7 +262,7 @@ TEST(glyphs_may_be_wider_than_the_sums) {
   CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, wide));
   Brush brush = brush_of(20 * 64, false);
   const Splats splats = splats_of(kMinSplatSums);
-  brush.set_painter(paint_splats, &splats, kSplatReach);
+  brush.set_painter(splat_painter(splats));
   int32_t sum = 0;
   const Sink sink = {{0, 0, kWidth, 10},
                      &sum,
@@ -300,7 +300,7 @@ TEST(small_tiles_look_like_larger_ones) {
     CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, field));
     Brush brush = brush_of(4 * 64, false);
     const Splats splats = splats_of();
-    brush.set_painter(paint_splats, &splats, kSplatReach);
+    brush.set_painter(splat_painter(splats));
     draw(field, brush, {10 * 1024 + 300, 20 * 1024 + 77});
     CHECK(painter::ink() > 0);
     if (log2 == 6) {

@@ -48,7 +48,9 @@ struct Canvas {
     }
   }
   Sink grey_sink() { return {shown, this, coverage, solid}; }
-  Sink rgb_sink() { return {shown, this, coverage, solid, coverage_rgb}; }
+  Sink rgb_sink() {
+    return {shown, this, coverage, solid, nullptr, coverage_rgb};
+  }
 
   // The coverages of a pixel: kept by nobody if it is out of place.
   uint8_t* put(int32_t x, int32_t y) {
@@ -208,7 +210,7 @@ void check_windows(const GlyphField& field,
 
 // Rows moved up by 3/8 px, and stretched above.
 void fit(
-    const GlyphField&, const Brush&, const void*, FinePoint&, RowMap& rows) {
+    uint16_t /*glyph*/, const Brush&, const void*, FinePoint&, RowMap& rows) {
   CHECK(rows.add(0, -384));
   CHECK(rows.add(6 << 10, (6 << 10) + 200));
 }
@@ -234,11 +236,11 @@ TEST(windows_change_no_style) {
                     static_cast<uint8_t>(255 - random.below(2) * 100)};
     CrispStyle crisp = {static_cast<uint8_t>(random.below(2) * 2 + 2), {}};
     if (is_outlined) {
-      brush.set_painter(paint_outline_and_fill, &both);
+      brush.set_painter(outline_and_fill_painter(both));
     } else if (round % 4 == 1) {
-      brush.set_painter(paint_lcd, &lcd, kLcdReach);
+      brush.set_painter(lcd_painter(lcd));
     } else {
-      brush.set_painter(paint_crisp, &crisp, kCrispReach);
+      brush.set_painter(crisp_painter(crisp));
     }
     if (round % 5 == 0) {
       brush.set_fitter(fit, nullptr);
@@ -246,7 +248,7 @@ TEST(windows_change_no_style) {
     const FinePoint origin = any_origin(random);
     check_windows(field, brush, origin, is_outlined ? &both : nullptr);
     if (is_outlined) {
-      brush.set_painter(paint_outline, &kOutline.inner);
+      brush.set_painter(outline_painter(kOutline.inner));
       check_windows(field, brush, origin, nullptr);
     }
   }
@@ -292,7 +294,7 @@ TEST(channels_are_means_of_three_stripes) {
     Brush brush =
         brush_of(random.between(8 * 64, 48 * 64), kFilterText, round % 3 == 0);
     const LcdStyle style = {static_cast<SubPixels>(round % 4)};
-    brush.set_painter(paint_lcd, &style, kLcdReach);
+    brush.set_painter(lcd_painter(style));
     const FinePoint origin = any_origin(random);
     const Rect window = window_in(random, field_box(field, brush, origin));
     Canvas canvas(window, picture);
@@ -341,7 +343,7 @@ TEST(greater_of_a_field_and_itself_is_that_field) {
     const LcdStyle style = {round == 0 ? SubPixels::rgb
                                        : SubPixels::rgb_vertical};
     Brush brush = brush_of(16 * 64, kFilterText);
-    brush.set_painter(paint_lcd, &style, kLcdReach);
+    brush.set_painter(lcd_painter(style));
     const Rect window = {-1, -4, 5, 1};
     Canvas least(window, picture);
     bytes[11] = static_cast<uint8_t>(linked::kMinPair << 5);
@@ -366,7 +368,7 @@ TEST(less_colour_leaves_the_mean) {
     const GlyphField field = any_field(random);
     Brush brush = brush_of(random.between(8 * 64, 48 * 64), kFilterText);
     LcdStyle style;
-    brush.set_painter(paint_lcd, &style, kLcdReach);
+    brush.set_painter(lcd_painter(style));
     const FinePoint origin = any_origin(random);
     const Rect window = window_in(random, field_box(field, brush, origin));
     Canvas full(window, picture);
@@ -410,7 +412,7 @@ TEST(strokes_along_stripes_are_grey_as_a_whole) {
     const GlyphField field = open();
     Brush brush = brush_of(16 * 64, kFilterText);
     const LcdStyle style = {is_down ? SubPixels::rgb_vertical : SubPixels::rgb};
-    brush.set_painter(paint_lcd, &style, kLcdReach);
+    brush.set_painter(lcd_painter(style));
     for (int32_t shift = 0; shift < 1024; shift += 37) {
       Canvas canvas(is_down ? Rect{2, -8, 3, 4} : Rect{-4, -3, 8, -2}, picture);
       draw_field(field, brush, {is_down ? 0 : shift, is_down ? shift : 0},
@@ -441,7 +443,7 @@ TEST(outlines_are_what_lies_between_two_filters) {
         static_cast<OutlinePlace>(round % 3));
     Brush brush = brush_of(random.between(8 * 64, 48 * 64), outline.outer,
                            round % 4 == 0);
-    brush.set_painter(paint_outline, &outline.inner);
+    brush.set_painter(outline_painter(outline.inner));
     const FinePoint origin = any_origin(random);
     const Rect window = window_in(random, field_box(field, brush, origin));
     Canvas canvas(window, picture);
@@ -454,7 +456,7 @@ TEST(outlines_are_what_lies_between_two_filters) {
       CHECK_EQ(picture[i], covered);
       grey += covered > 0 ? 1 : 0;
     });
-    brush.set_painter(paint_outline_and_fill, &both);
+    brush.set_painter(outline_and_fill_painter(both));
     Canvas edges(window, picture);
     Canvas insides(window, second);
     const Sink fill = insides.grey_sink();
@@ -479,7 +481,7 @@ TEST(painters_stay_close_to_the_ink) {
     GlyphField field = any_field(random);
     const int32_t size_q6 = random.between(8 * 64, 48 * 64);
     Brush brush = brush_of(size_q6, kOutline.outer);
-    brush.set_painter(paint_outline, &kOutline.inner);
+    brush.set_painter(outline_painter(kOutline.inner));
     const FinePoint origin = any_origin(random);
     const Rect window = window_in(random, field_box(field, brush, origin));
     Canvas all(window, picture);

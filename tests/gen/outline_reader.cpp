@@ -1,0 +1,100 @@
+#include "outline_reader.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+class Bits {
+ public:
+  explicit Bits(const std::vector<uint8_t>& bytes) : bytes_(bytes) {}
+
+  int u(int count) {
+    int value = 0;
+    for (int i = 0; i < count; ++i, ++at_) {
+      const int byte = at_ / 8 < bytes_.size() ? bytes_[at_ / 8] : 0;
+      value = 2 * value + (byte >> (7 - at_ % 8) & 1);
+    }
+    return value;
+  }
+
+  int s(int count) {
+    const int value = u(count);
+    return count > 0 && value >> (count - 1) != 0 ? value - (1 << count)
+                                                  : value;
+  }
+
+  void seek(size_t bit) { at_ = bit; }
+  size_t at() const { return at_; }
+
+ private:
+  const std::vector<uint8_t>& bytes_;
+  size_t at_ = 0;
+};
+
+int log2_of(size_t size) {
+  int bits = 0;
+  while (size >> bits > 1) {
+    ++bits;
+  }
+  return bits;
+}
+
+}  // namespace
+
+MinimalOutline read_outline(const std::vector<uint8_t>& record,
+                            const std::vector<uint16_t>& table,
+                            GridPosition start,
+                            int most_points) {
+  Bits bits(record);
+  MinimalOutline outline;
+  if (bits.u(1) != 1) {
+    return outline;
+  }
+  const int code_bits = log2_of(table.size());
+  GridPosition at = start;
+  bool begins = true;
+  for (int i = 0; i < most_points; ++i) {
+    const size_t place = bits.at();
+    const int entry = table[static_cast<size_t>(bits.u(code_bits))];
+    bits.seek(place + static_cast<size_t>(entry & 7));
+    const int kind = entry >> 3 & 3;
+    if (kind == 3) {
+      begins = true;
+      if (bits.u(1) == 0) {
+        return outline;
+      }
+      continue;
+    }
+    at.x += bits.s(entry >> 5 & 15);
+    at.y += bits.s(entry >> 9 & 15);
+    if (begins) {
+      outline.contours.emplace_back();
+      begins = false;
+    }
+    outline.contours.back().points.push_back(
+        {at.x, at.y, static_cast<PointKind>(kind)});
+  }
+  return outline;
+}
+
+OutlineReferences read_composite(const std::vector<uint8_t>& record) {
+  Bits bits(record);
+  OutlineReferences references;
+  if (bits.u(8) != 3) {
+    return references;
+  }
+  do {
+    OutlineReference reference;
+    reference.glyph = static_cast<size_t>(bits.u(16));
+    const bool has_matrix = bits.u(1) == 1;
+    const int width = bits.u(4);
+    reference.dx = bits.s(width);
+    reference.dy = bits.s(width);
+    for (int& value : reference.matrix_q14) {
+      value = has_matrix ? bits.s(16) : value;
+    }
+    references.push_back(reference);
+  } while (bits.u(1) == 1);
+  return references;
+}
+
+}  // namespace inkcell::gen::test

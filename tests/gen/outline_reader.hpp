@@ -1,0 +1,21 @@
+// A plain reader of outline and composite records, from docs/FORMAT.md alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "outlines/minimal_outline.hpp"
+#include "outlines/outline_record.hpp"
+
+namespace inkcell::gen::test {
+
+/// The outline of a record. Stops after `most_points`, which count one closing
+/// point a contour.
+MinimalOutline read_outline(const std::vector<uint8_t>& record,
+                            const std::vector<uint16_t>& table,
+                            GridPosition start,
+                            int most_points);
+
+OutlineReferences read_composite(const std::vector<uint8_t>& record);
+
+}  // namespace inkcell::gen::test

@@ -1,0 +1,54 @@
+// Glyphs of outlines drawn in one style: the promises of the renderer, checked
+// with small windows, small workspaces and any bytes.
+#pragma once
+
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/span.hpp"
+
+namespace hostile {
+
+/// The painters that take outlines, by number.
+inline constexpr uint32_t kPainterCount = 9;
+
+/// Filters by number; the last one is exact coverage.
+inline constexpr uint32_t kFilterCount = 9;
+
+/// Directions and matrices by number; 0 is upright.
+inline constexpr uint32_t kMapCount = 12;
+
+struct OutlineStyle {
+  int32_t size_q6 = 16 * 64;  // 4 to 1024 px; matrices are within it
+  uint8_t filter = 0;
+  uint8_t painter = 0;  // 0: none
+  uint8_t map = 0;
+  bool is_fitted = false;  // upright text only
+};
+
+/// How a picture is cut into windows, and in which RAM it is drawn.
+struct OutlineCut {
+  inkcell::Point origin;
+  int32_t x0 = 0;  // the picture's first pixel
+  int32_t y0 = 0;
+  int32_t x_cut = 7;          // 1 to kPictureWidth: windows end here
+  int32_t y_cut = 5;          // 1 to kPictureHeight
+  uint32_t whole_bytes = 0;   // of the workspace for the whole picture
+  uint32_t part_bytes = 700;  // and of the one for windows
+  uint8_t odd = 0;            // addresses of workspaces modulo 4
+};
+
+inline constexpr int32_t kPictureWidth = 29;
+inline constexpr int32_t kPictureHeight = 22;
+
+/// Draws the glyph whole, in four windows, into a sink that takes blocks, and
+/// prepared. Ends the program if pixels leave the window, come twice in a
+/// window, or a block is not laid out as promised; with `is_exact` also if the
+/// pictures differ.
+void check_outline(const inkcell::Font& font,
+                   uint16_t glyph,
+                   const OutlineStyle& style,
+                   const OutlineCut& cut,
+                   bool is_exact);
+
+}  // namespace hostile

@@ -1,0 +1,422 @@
+// Glyphs of outlines as pictures, and what must not change them.
+#include "check.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/prepared_glyph.hpp"
+#include "inkcell/text.hpp"
+#include "outline_record.hpp"
+#include "picture.hpp"
+
+namespace {
+
+using namespace inkcell;
+using outline_record::corner;
+using outline_record::off;
+using outline_record::OutlinePoint;
+using outline_record::OutlineSource;
+using outline_record::start;
+
+alignas(4) uint8_t rom[1024];
+alignas(8) uint8_t ram[2560];
+
+// In units of 1/1024 em, at 16 px a px is 64.
+constexpr OutlinePoint kSquare[] = {
+    {start, 96, 96}, {corner, 480, 96}, {corner, 480, 480}, {corner, 96, 480}};
+constexpr OutlinePoint kRing[] = {
+    {start, 704, 352}, {off, 704, 704},   {off, 0, 704},   {off, 0, 0},
+    {off, 704, 0},     {start, 224, 352}, {off, 224, 480}, {off, 480, 480},
+    {off, 480, 224},   {off, 224, 224}};
+// The ring, and two squares turned by 90 and 180 degrees; and the same as an
+// outline.
+constexpr outline_record::Component kParts[] = {
+    {2, 0, 0},
+    {1, 1300, 0, true, {0, -16384, 16384, 0}},
+    {1, 1000, 988, true, {-8192, 0, 0, -8192}}};
+constexpr OutlinePoint kWhole[] = {
+    {start, 704, 352},   {off, 704, 704},    {off, 0, 704},
+    {off, 0, 0},         {off, 704, 0},      {start, 224, 352},
+    {off, 224, 480},     {off, 480, 480},    {off, 480, 224},
+    {off, 224, 224},     {start, 820, 96},   {corner, 1204, 96},
+    {corner, 1204, 480}, {corner, 820, 480}, {start, 760, 748},
+    {corner, 952, 748},  {corner, 952, 940}, {corner, 760, 940}};
+
+enum Glyph : uint16_t { square = 1, ring, parts, whole };
+
+Font open() {
+  const OutlineSource glyphs[] = {{600},
+                                  {600, {kSquare, 4}},
+                                  {720, {kRing, 10}},
+                                  {1300, {}, {kParts, 3}, {0, 0, 1204, 940}},
+                                  {1300, {kWhole, 18}}};
+  const size_t size = outline_record::build_outline_font({glyphs, 5}, 0, 'A',
+                                                         {rom, sizeof(rom)});
+  Font font;
+  CHECK_OK(Font::open({rom, size}, font));
+  CHECK_OK(font.verify());
+  return font;
+}
+
+constexpr Point at(int32_t x_q6, int32_t y_q6) {
+  return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
+}
+
+Brush text_brush(int32_t px = 16) {
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, brush));
+  return brush;
+}
+Brush area_brush(int32_t px = 16) {
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterArea, brush));
+  return brush;
+}
+constexpr Filter kWide =
+    make_filter({Q6_10::from_raw(-3000), Q6_10::from_raw(2000)});
+
+// The triangle of sides 3, 4 and 5.
+Direction turned() {
+  Direction direction;
+  direction.cosine.raw = 858993459;
+  direction.sine.raw = -644245094;
+  return direction;
+}
+
+template <int32_t kWidth, int32_t kHeight>
+void draw(Picture<kWidth, kHeight>& picture,
+          uint16_t glyph,
+          const Brush& brush,
+          Point origin) {
+  draw_glyph(open(), glyph, brush, origin, picture.sink());
+}
+
+// In the middle of the sheet below.
+constexpr Point kMiddle = at(5 * 64 + 21, 27 * 64 + 37);
+
+// What is drawn, in any order; fails if a pixel comes twice or lies outside the
+// window.
+constexpr int32_t kSide = 40;
+constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
+uint8_t picture[kSide * kSide];
+uint8_t expected[kSide * kSide];
+uint8_t drawn[kSide * kSide / 8];  // bits
+
+struct Sheet {
+  Rect window = kAll;
+
+  Sheet() {
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      picture[i] = 0;
+      drawn[i / 8] = 0;
+    }
+  }
+  Sink sink(const Rect& part = kAll) {
+    window = intersect(part, kAll);
+    return {window, this, coverage, solid};
+  }
+  void put(int32_t x, int32_t y, uint8_t value) const {
+    const bool fits =
+        y >= window.y0 && y < window.y1 && x >= window.x0 && x < window.x1;
+    CHECK(fits && "pixel inside the window");
+    if (fits) {
+      const int32_t i = (y - kAll.y0) * kSide + x - kAll.x0;
+      CHECK((drawn[i / 8] >> i % 8 & 1) == 0 && "pixel drawn once");
+      drawn[i / 8] |= static_cast<uint8_t>(1 << i % 8);
+      picture[i] = value;
+    }
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    CHECK(count >= 1 && count <= kMaxSpan);
+    for (int32_t i = 0; i < count; ++i) {
+      static_cast<const Sheet*>(context)->put(x + i, y, coverage[i]);
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    for (int32_t i = 0; i < count; ++i) {
+      static_cast<const Sheet*>(context)->put(x + i, y, 255);
+    }
+  }
+};
+
+int32_t ink() {
+  int32_t sum = 0;
+  for (const uint8_t pixel : picture) {
+    sum += pixel;
+  }
+  return sum;
+}
+
+void keep() {
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    expected[i] = picture[i];
+  }
+}
+
+void check_same(int32_t apart = 0) {
+  for (int32_t i = 0; i < kSide * kSide && !check::failed(); ++i) {
+    if (picture[i] < expected[i] - apart || picture[i] > expected[i] + apart) {
+      CHECK_EQ(picture[i], expected[i]);
+    }
+  }
+}
+
+void draw_whole(const Font& font, uint16_t glyph, const Brush& brush) {
+  Sheet sheet;
+  draw_glyph(font, glyph, brush, kMiddle, sheet.sink());
+}
+
+// Every style that outlines have.
+struct Styles {
+  static constexpr int32_t kCount = 9;
+  Brush brushes[kCount];
+  Filter inner = with_weight(kFilterText, Q6_10::from_raw(-900));
+  LcdStyle lcd = {SubPixels::rgb, 200};
+  CrispStyle crisp = {2, Q6_10()};
+
+  Styles() {
+    brushes[0] = text_brush();
+    brushes[1] = area_brush();
+    CHECK_OK(Brush::make(Q26_6::from_int(16), kWide, brushes[2]));
+    CHECK_OK(
+        Brush::make(Q26_6::from_int(14), kFilterText, turned(), brushes[3]));
+    CHECK_OK(
+        Brush::make(Q26_6::from_int(14), kFilterArea, turned(), brushes[4]));
+    CHECK_OK(Brush::make(Q26_6::from_int(14), kWide, turned(), brushes[5]));
+    brushes[6] = text_brush();
+    brushes[6].set_painter(outline_painter(inner));
+    brushes[7] = text_brush();
+    brushes[7].set_painter(lcd_painter(lcd));
+    brushes[8] = text_brush();
+    brushes[8].set_painter(crisp_painter(crisp));
+  }
+};
+
+}  // namespace
+
+TEST(a_square_by_distance_and_area) {
+  Picture<9, 9> by_distance;
+  draw(by_distance, square, text_brush(), at(0, 8 * 64));
+  CHECK_PICTURE(by_distance,
+                ".+++++++.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+++++++.\n");
+  Picture<9, 9> by_area;
+  draw(by_area, square, area_brush(), at(0, 8 * 64));
+  CHECK_PICTURE(by_area,
+                ".:+++++:.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".+#####+.\n"
+                ".:+++++:.\n");
+}
+
+TEST(a_ring_by_distance_and_area) {
+  Picture<12, 12> by_distance;
+  draw(by_distance, ring, text_brush(), at(0, 11 * 64 + 32));
+  CHECK_PICTURE(by_distance,
+                "...:+++:....\n"
+                ".:*#####*:..\n"
+                ":#########:.\n"
+                "+####*####+.\n"
+                "*##*:::*##*.\n"
+                "*##+...+##*.\n"
+                "*##+...+##*.\n"
+                "*##*:::*##*.\n"
+                "+#########+.\n"
+                ":#########:.\n"
+                ".:*#####*:..\n"
+                "...:+++:....\n");
+  Picture<12, 12> by_area;
+  draw(by_area, ring, area_brush(), at(0, 11 * 64 + 32));
+  CHECK_PICTURE(by_area,
+                "..::+++::...\n"
+                ".:*#####*:..\n"
+                ":*#######*:.\n"
+                "+####*####+.\n"
+                "*##*:::*##*.\n"
+                "*##+...+##*.\n"
+                "*##+...+##*.\n"
+                "*##*:::*##*.\n"
+                "+#########+.\n"
+                ":*#######*:.\n"
+                ".:*#####*:..\n"
+                "..::+++::...\n");
+}
+
+TEST(a_wide_filter_reaches_far) {
+  Picture<16, 16> soft;
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(16), kWide, brush));
+  draw(soft, square, brush, at(4 * 64, 12 * 64));
+  CHECK_PICTURE(soft,
+                "................\n"
+                "................\n"
+                "...:::::::::::..\n"
+                "...::+++++++::..\n"
+                "...:+++++++++:..\n"
+                "...:++*****++:..\n"
+                "...:++*###*++:..\n"
+                "...:++*###*++:..\n"
+                "...:++*###*++:..\n"
+                "...:++*****++:..\n"
+                "...:+++++++++:..\n"
+                "...::+++++++::..\n"
+                "...:::::::::::..\n");
+}
+
+TEST(a_turned_square_and_a_mirrored_one) {
+  Picture<14, 12> leaning;
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(16), kFilterText, turned(), brush));
+  draw(leaning, square, brush, at(64, 64 * 6));
+  CHECK_PICTURE(leaning,
+                "......:.......\n"
+                "......*+......\n"
+                ".....+##*:....\n"
+                "....:####*:...\n"
+                "...:*######+..\n"
+                "...*######*...\n"
+                "...:*####*:...\n"
+                ".....+###:....\n"
+                "......:*+.....\n"
+                ".......:......\n");
+  const auto px = [](int32_t whole) { return Q16_16::from_raw(whole * 65536); };
+  Picture<12, 12> mirrored;
+  CHECK_OK(Brush::make({px(-16), px(0), px(0), px(16)}, kFilterArea, brush));
+  draw(mirrored, ring, brush, at(11 * 64, 11 * 64 + 32));
+  CHECK_PICTURE(mirrored,
+                "..::+++::...\n"
+                ".:*#####*:..\n"
+                ":*#######*:.\n"
+                "+####*####+.\n"
+                "*##*:::*##*.\n"
+                "*##+...+##*.\n"
+                "*##+...+##*.\n"
+                "*##*:::*##*.\n"
+                "+#########+.\n"
+                ":*#######*:.\n"
+                ".:*#####*:..\n"
+                "..::+++::...\n");
+}
+
+TEST(windows_leave_the_picture) {
+  const Font font = open();
+  Styles styles;
+  for (const Brush& brush : styles.brushes) {
+    for (uint16_t glyph = square; glyph <= whole; ++glyph) {
+      draw_whole(font, glyph, brush);
+      CHECK(ink() > 0);
+      keep();
+      for (int32_t cut = 3; cut < kSide; cut += 9) {
+        Sheet windows;
+        const int32_t x = kAll.x0 + cut;
+        for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
+          draw_glyph(font, glyph, brush, kMiddle,
+                     windows.sink({kAll.x0, y, x, y + cut}), {ram, 704});
+          draw_glyph(font, glyph, brush, kMiddle,
+                     windows.sink(intersect(kAll, {x, y, kAll.x1, y + cut})));
+        }
+        check_same();
+      }
+    }
+  }
+}
+
+TEST(workspaces_leave_the_picture) {
+  const Font font = open();
+  Styles styles;
+  for (const Brush& brush : styles.brushes) {
+    draw_whole(font, whole, brush);
+    keep();
+    const size_t sizes[] = {0, 1, 3, 700, 704, 705, 900, 1500, sizeof(ram) - 3};
+    for (const size_t size : sizes) {
+      for (uint32_t odd = 0; odd < 4; ++odd) {
+        Sheet sheet;
+        for (int32_t y = kAll.y0; y < kAll.y1; y += 13) {
+          const Sink part = sheet.sink({kAll.x0, y, kAll.x1, y + 13});
+          for (uint8_t& byte : ram) {
+            byte = 0x5a;  // its content has no meaning
+          }
+          draw_glyph(font, whole, brush, kMiddle, part, {ram + odd, size});
+        }
+        check_same();
+      }
+    }
+  }
+}
+
+TEST(composites_equal_their_parts) {
+  const Font font = open();
+  Styles styles;
+  for (const Brush& brush : styles.brushes) {
+    draw_whole(font, whole, brush);
+    keep();
+    draw_whole(font, parts, brush);
+    check_same(2);  // points of parts that are mapped are rounded
+  }
+}
+
+TEST(a_prepared_glyph_is_the_same) {
+  const Font font = open();
+  Styles styles;
+  for (const Brush& brush : styles.brushes) {
+    for (uint16_t glyph = square; glyph <= whole; ++glyph) {
+      draw_whole(font, glyph, brush);
+      keep();
+      PreparedGlyph prepared;
+      CHECK_OK(PreparedGlyph::make(font, glyph, brush, kMiddle,
+                                   {ram, sizeof(ram)}, prepared));
+      Sheet sheet;
+      for (int32_t y = kAll.y0; y < kAll.y1; y += 7) {
+        prepared.draw(sheet.sink({kAll.x0, y, kAll.x1, y + 7}));
+      }
+      check_same();
+      const Rect box = prepared.box();
+      for (int32_t i = 0; i < kSide * kSide; ++i) {
+        const Rect pixel = {kAll.x0 + i % kSide, kAll.y0 + i / kSide,
+                            kAll.x0 + i % kSide + 1, kAll.y0 + i / kSide + 1};
+        CHECK(picture[i] == 0 || !is_empty(intersect(box, pixel)));
+      }
+    }
+  }
+}
+
+TEST(a_prepared_glyph_says_what_it_lacks) {
+  const Font font = open();
+  const Brush brush = text_brush();
+  PreparedGlyph prepared;
+  CHECK_EQ(
+      PreparedGlyph::make(font, square, brush, kMiddle, {ram, 703}, prepared),
+      Status::buffer_small);
+  CHECK_EQ(PreparedGlyph::make(font, 5, brush, kMiddle, {ram, 2000}, prepared),
+           Status::no_glyph);
+  CHECK(is_empty(prepared.box()));
+  CHECK_OK(PreparedGlyph::make(font, 0, brush, kMiddle, {ram, 2000}, prepared));
+  CHECK(is_empty(prepared.box()));
+  Sheet sheet;
+  prepared.draw(sheet.sink());
+  CHECK_EQ(ink(), 0);
+}
+
+TEST(areas_are_the_same_at_every_position) {
+  const Font font = open();
+  const Brush brush = area_brush();
+  for (int32_t x_q6 = 0; x_q6 < 64; x_q6 += 7) {
+    for (int32_t y_q6 = 0; y_q6 < 64; y_q6 += 9) {
+      Sheet sheet;
+      draw_glyph(font, square, brush, at(x_q6, 20 * 64 + y_q6), sheet.sink());
+      // 6 px by 6 px.
+      CHECK(ink() >= 36 * 254 && ink() <= 36 * 256);
+    }
+  }
+}

@@ -1,0 +1,600 @@
+// Styles of outline fonts: weights, glows, outlines, crisp text, sub-pixels.
+#include "check.hpp"
+#include "inkcell/adaptive.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/perception.hpp"
+#include "inkcell/prepared_glyph.hpp"
+#include "inkcell/splat.hpp"
+#include "inkcell/text.hpp"
+#include "outline_record.hpp"
+#include "outline_truth.hpp"
+#include "picture.hpp"
+
+namespace {
+
+using namespace inkcell;
+using outline_record::OutlinePoint;
+
+constexpr int32_t kWidth = 32;
+constexpr int32_t kHeight = 28;
+constexpr int32_t kChannels = 3;
+
+// Where the glyph's origin is. [1/64 px]
+constexpr int32_t kX = 6 * 64 + 13;
+constexpr int32_t kY = 21 * 64 + 40;
+constexpr int32_t kSizePx = 18;
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+alignas(4) uint8_t ram[2560];
+
+Font sample_font() {
+  Font font;
+  const size_t size =
+      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
+  CHECK_OK(Font::open({font_bytes, size}, font));
+  return font;
+}
+
+const Span<const OutlinePoint> kShapes[] = {{},
+                                            outline_record::kDisc,
+                                            outline_record::kBar,
+                                            outline_record::kEll,
+                                            outline_record::kFrame,
+                                            outline_record::kLeaf};
+
+// The glyph's edges, until the next call.
+const outline_truth::Truth& truth_of(uint16_t glyph) {
+  static outline_truth::Truth truth;
+  truth.set(kShapes[glyph], kSizePx / 1024.0, kX / 64.0, kY / 64.0);
+  return truth;
+}
+
+// Keeps what is drawn, three channels a pixel; grey goes to all of them.
+struct Canvas {
+  uint8_t pixels[kHeight * kWidth * kChannels];
+  Rect shown;
+
+  void clear() {
+    for (uint8_t& channel : pixels) {
+      channel = 0;
+    }
+  }
+  Sink sink(const Rect& part) {
+    shown = part;
+    return {part, this, coverage, solid, nullptr, coverage_rgb};
+  }
+  static constexpr int32_t index(int32_t x, int32_t y) {
+    return (y * kWidth + x) * kChannels;
+  }
+  uint8_t at(int32_t x, int32_t y) const { return pixels[index(x, y) + 1]; }
+
+  void put(int32_t x,
+           int32_t y,
+           const uint8_t* values,
+           int32_t count,
+           int32_t channels) {
+    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
+                      x >= shown.x0 && count <= shown.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    for (int32_t i = 0; fits && i < count; ++i) {
+      for (int32_t j = 0; j < kChannels; ++j) {
+        uint8_t& channel = pixels[index(x + i, y) + j];
+        CHECK(channel == 0 && "drawn once");
+        channel = channels == 0
+                      ? uint8_t{255}
+                      : values[channels * i + (channels == 1 ? 0 : j)];
+      }
+    }
+  }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* values,
+                       int32_t count) {
+    CHECK(count <= kMaxSpan);
+    static_cast<Canvas*>(context)->put(x, y, values, count, 1);
+  }
+  static void coverage_rgb(void* context,
+                           int32_t x,
+                           int32_t y,
+                           const uint8_t* values,
+                           int32_t count) {
+    CHECK(count <= kMaxSpan);
+    static_cast<Canvas*>(context)->put(x, y, values, count, 3);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    static_cast<Canvas*>(context)->put(x, y, nullptr, count, 0);
+  }
+};
+
+constexpr Rect kAll = {0, 0, kWidth, kHeight};
+Canvas canvas;
+Canvas other;
+Canvas fill_canvas;
+
+constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
+
+Brush brush_of(const Filter& filter) {
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_int(kSizePx), filter, brush));
+  return brush;
+}
+
+void draw(const Font& font, uint16_t glyph, const Brush& brush, Canvas& out) {
+  out.clear();
+  draw_glyph(font, glyph, brush, kOrigin, out.sink(kAll), {ram, sizeof(ram)});
+}
+
+int32_t magnitude(int32_t value) {
+  return value < 0 ? -value : value;
+}
+
+// How far coverage may be from a picture of true distances.
+struct Bound {
+  int32_t worst;
+  int32_t mean_q8;
+};
+
+// A pixel that may be anything.
+constexpr int32_t kUnknown = -1;
+
+// Compares the canvas with coverage(distance in Q10).
+template <typename Coverage>
+void check_truth(const Canvas& drawn,
+                 uint16_t glyph,
+                 const Bound& bound,
+                 const Coverage& coverage) {
+  const outline_truth::Truth& truth = truth_of(glyph);
+  int32_t worst = 0;
+  int32_t sum = 0;
+  int32_t inked = 0;
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (int32_t x = 0; x < kWidth; ++x) {
+      double distance = truth.distance(x + 0.5, y + 0.5) * 1024;
+      distance = distance < -8000 ? -8000 : (distance > 8000 ? 8000 : distance);
+      const int32_t wanted = coverage(static_cast<int32_t>(distance));
+      const int32_t error =
+          wanted == kUnknown ? 0 : magnitude(drawn.at(x, y) - wanted);
+      worst = error > worst ? error : worst;
+      sum += error;
+      inked += wanted != 0 ? 1 : 0;
+    }
+  }
+  CHECK(inked > 0);
+  CHECK(worst <= bound.worst);
+  CHECK(sum * 256 <= bound.mean_q8 * inked);
+}
+
+void check_filter(const Filter& filter, const Bound& bound) {
+  const Font font = sample_font();
+  const Brush brush = brush_of(filter);
+  for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
+    draw(font, glyph, brush, canvas);
+    check_truth(canvas, glyph, bound,
+                [&filter](int32_t d) { return filter.coverage(d); });
+  }
+}
+
+constexpr Outline kOutline =
+    make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::centred);
+constexpr Outline kOuter =
+    make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
+
+// Whether both canvases hold one picture.
+void check_same() {
+  for (size_t i = 0; i < sizeof(canvas.pixels); ++i) {
+    CHECK_EQ(canvas.pixels[i], other.pixels[i]);
+  }
+}
+
+// Whether a picture is the same in strips of any height, with any RAM.
+void check_strips(const Font& font, uint16_t glyph, const Brush& brush) {
+  draw(font, glyph, brush, canvas);
+  constexpr int32_t kRows[] = {1, 3, 16};
+  constexpr size_t kBytes[] = {0, 704, 2560};
+  for (const int32_t rows : kRows) {
+    for (const size_t bytes : kBytes) {
+      other.clear();
+      for (int32_t y = 0; y < kHeight; y += rows) {
+        const Rect part = intersect(kAll, {0, y, kWidth, y + rows});
+        draw_glyph(font, glyph, brush, kOrigin, other.sink(part), {ram, bytes});
+      }
+      check_same();
+      if (check::failed()) {
+        return;
+      }
+    }
+  }
+}
+
+// A channel of the canvas as a picture.
+using Small = Picture<26, 24>;
+void show(const Canvas& drawn, int32_t channel, Small& out) {
+  const Sink sink = out.sink();
+  for (int32_t y = 0; y < 24; ++y) {
+    for (int32_t x = 0; x < 26; ++x) {
+      const int32_t index = Canvas::index(x + 2, y + 2) + channel;
+      sink.coverage(sink.context, x, y, &drawn.pixels[index], 1);
+    }
+  }
+}
+
+}  // namespace
+
+TEST(weights_shadows_and_glows_are_those_of_true_distances) {
+  check_filter(with_weight(kFilterText, Q6_10::from_raw(300)), {20, 1024});
+  check_filter(with_weight(kFilterText, Q6_10::from_raw(-300)), {20, 1024});
+  check_filter(shadow_filter(Q6_10::from_int(2)), {20, 1024});
+  check_filter(glow_filter(Q6_10::from_int(4)), {20, 1024});
+}
+
+TEST(outlines_are_what_lies_between_two_filters) {
+  const Font font = sample_font();
+  const Outline* const outlines[] = {&kOutline, &kOuter};
+  for (const Outline* outline : outlines) {
+    Brush brush = brush_of(outline->outer);
+    brush.set_painter(outline_painter(outline->inner));
+    for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
+      draw(font, glyph, brush, canvas);
+      check_truth(canvas, glyph, {24, 2048}, [outline](int32_t d) {
+        const int32_t covered =
+            outline->outer.coverage(d) - outline->inner.coverage(d);
+        return covered > 0 ? covered : 0;
+      });
+    }
+  }
+  Brush brush = brush_of(kOutline.outer);
+  brush.set_painter(outline_painter(kOutline.inner));
+  draw(font, 5, brush, canvas);
+  Small leaf;
+  show(canvas, 0, leaf);
+  CHECK_PICTURE(leaf,
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "...............::.........\n"
+                "...........:+****.........\n"
+                ".........:+*+:::*.........\n"
+                "........:*+:...:*.........\n"
+                ".......:*:.....++.........\n"
+                "......:*:......*:.........\n"
+                "......++......:*..........\n"
+                ".....:*:......++..........\n"
+                ".....+*......:*:..........\n"
+                ".....++.....:*:...........\n"
+                ".....*:....+*+............\n"
+                ".....*::++**:.............\n"
+                ".....***++:...............\n");
+}
+
+TEST(fills_lie_within_outlines) {
+  const Font font = sample_font();
+  for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
+    fill_canvas.clear();
+    const Sink fill = fill_canvas.sink(kAll);
+    const OutlineAndFill both = {&kOuter.inner, &fill};
+    Brush brush = brush_of(kOuter.outer);
+    brush.set_painter(outline_and_fill_painter(both));
+    draw(font, glyph, brush, canvas);
+    check_truth(fill_canvas, glyph, {20, 1024},
+                [](int32_t d) { return kOuter.inner.coverage(d); });
+    check_truth(canvas, glyph, {24, 2048}, [](int32_t d) {
+      // Where the fill may be solid or not there is no telling.
+      const int32_t filled = kOuter.inner.coverage(d);
+      return filled > 235 && d < 560 ? kUnknown
+             : filled == 255         ? 0
+                                     : kOuter.outer.coverage(d);
+    });
+  }
+}
+
+TEST(crisp_text_is_what_lies_within_the_threshold) {
+  const Font font = sample_font();
+  constexpr int32_t kThresholds[] = {0, -300};
+  for (const int32_t threshold : kThresholds) {
+    const CrispStyle style = {2,
+                              Q6_10::from_raw(static_cast<int16_t>(threshold))};
+    Brush brush = brush_of(kFilterText);
+    brush.set_painter(crisp_painter(style));
+    for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
+      const outline_truth::Truth& truth = truth_of(glyph);
+      draw(font, glyph, brush, canvas);
+      for (int32_t y = 0; y < kHeight; ++y) {
+        for (int32_t x = 0; x < kWidth; ++x) {
+          const double d = truth.distance(x + 0.5, y + 0.5) * 1024;
+          const uint8_t drawn = canvas.at(x, y);
+          CHECK(drawn == 0 || drawn == 255);
+          if (d > threshold + 40) {
+            CHECK_EQ(drawn, 255);
+          } else if (d < threshold - 40 && drawn != 0) {
+            // Only where a stroke passes by.
+            CHECK(d > -552);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(thin_strokes_stay_connected) {
+  const Font font = sample_font();
+  const CrispStyle two;
+  const CrispStyle four = {4, {}};
+  Brush brush = brush_of(kFilterText);
+  brush.set_painter(crisp_painter(two));
+  draw(font, 4, brush, canvas);
+  Small bilevel;
+  show(canvas, 0, bilevel);
+  CHECK_PICTURE(bilevel,
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..................#.......\n"
+                ".................#........\n"
+                ".................#........\n"
+                ".................#........\n"
+                "................#.........\n"
+                ".....#######....#.........\n"
+                ".....##....#....#.........\n"
+                ".....##....#...#..........\n"
+                ".....##....#...#..........\n"
+                ".....##....#..#...........\n"
+                ".....#######..#...........\n"
+                ".....#######..#...........\n"
+                ".............#............\n");
+  brush.set_painter(crisp_painter(four));
+  draw(font, 4, brush, canvas);
+  Small greys;
+  show(canvas, 0, greys);
+  CHECK_PICTURE(greys,
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..................+.......\n"
+                ".................+........\n"
+                ".................+........\n"
+                ".................+........\n"
+                ".....::::::::...+.........\n"
+                ".....+######:...+.........\n"
+                ".....+#::::#:...+.........\n"
+                ".....+#...:#:..+..........\n"
+                ".....+#...:#:..+..........\n"
+                ".....+#::::#:.+...........\n"
+                ".....+######:.+...........\n"
+                ".....+++++++:.+...........\n"
+                ".............+............\n");
+}
+
+TEST(sub_pixels_are_means_of_exact_thirds) {
+  const Font font = sample_font();
+  constexpr SubPixels kOrders[] = {SubPixels::rgb, SubPixels::bgr,
+                                   SubPixels::rgb_vertical,
+                                   SubPixels::bgr_vertical};
+  for (const SubPixels order : kOrders) {
+    const bool is_down =
+        order == SubPixels::rgb_vertical || order == SubPixels::bgr_vertical;
+    const bool is_red_first =
+        order == SubPixels::rgb || order == SubPixels::rgb_vertical;
+    const LcdStyle style = {order};
+    Brush brush = brush_of(kFilterText);
+    brush.set_painter(lcd_painter(style));
+    // Thirds as pixels of a picture that is three times as wide or high.
+    const auto em = Q16_16::from_raw(kSizePx << 16);
+    const auto thrice = Q16_16::from_raw(3 * kSizePx << 16);
+    const Matrix matrix = {
+        is_down ? em : thrice, {}, {}, is_down ? thrice : em};
+    Brush thirds;
+    CHECK_OK(Brush::make(matrix, kFilterArea, thirds));
+    const Point origin = {Q26_6::from_raw(kX * (is_down ? 1 : 3)),
+                          Q26_6::from_raw(kY * (is_down ? 3 : 1))};
+    for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
+      draw(font, glyph, brush, canvas);
+      static uint8_t exact[3 * kWidth * kHeight + 2 * kWidth];
+      static Rect window;
+      for (uint8_t& third : exact) {
+        third = 0;
+      }
+      window = is_down ? Rect{0, 0, kWidth, 3 * kHeight}
+                       : Rect{0, 0, 3 * kWidth, kHeight};
+      const Sink sink = {window, nullptr,
+                         [](void*, int32_t x, int32_t y, const uint8_t* values,
+                            int32_t count) {
+                           for (int32_t i = 0; i < count; ++i) {
+                             exact[kWidth + y * window.x1 + x + i] = values[i];
+                           }
+                         },
+                         [](void*, int32_t x, int32_t y, int32_t count) {
+                           for (int32_t i = 0; i < count; ++i) {
+                             exact[kWidth + y * window.x1 + x + i] = 255;
+                           }
+                         }};
+      draw_glyph(font, glyph, thirds, origin, sink);
+      const int32_t step = is_down ? kWidth : 1;
+      for (int32_t y = 0; y < kHeight; ++y) {
+        for (int32_t x = 0; x < kWidth; ++x) {
+          const uint8_t* at =
+              exact + kWidth +
+              (is_down ? 3 * y * kWidth + x : y * window.x1 + 3 * x);
+          for (int32_t i = 0; i < 3; ++i, at += step) {
+            const int32_t mean = (at[-step] + at[0] + at[step]) / 3;
+            const int32_t drawn =
+                canvas.pixels[Canvas::index(x, y) + (is_red_first ? i : 2 - i)];
+            CHECK(magnitude(drawn - mean) <= 4);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(sub_pixels_have_their_colours) {
+  const Font font = sample_font();
+  const LcdStyle style;
+  Brush brush = brush_of(kFilterText);
+  brush.set_painter(lcd_painter(style));
+  draw(font, 2, brush, canvas);
+  Small red;
+  Small blue;
+  show(canvas, 0, red);
+  show(canvas, 2, blue);
+  CHECK_PICTURE(red,
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "........++++:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........*###:.............\n"
+                "........++++:.............\n");
+  CHECK_PICTURE(blue,
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                ".......+++++..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+###+..............\n"
+                ".......+++++..............\n");
+  // No colour: all channels are the mean.
+  const LcdStyle grey = {SubPixels::rgb, 0};
+  brush.set_painter(lcd_painter(grey));
+  draw(font, 2, brush, other);
+  for (int32_t y = 0; y < kHeight; ++y) {
+    for (int32_t x = 0; x < kWidth; ++x) {
+      const uint8_t* rgb = &canvas.pixels[Canvas::index(x, y)];
+      const int32_t mean = (rgb[0] + rgb[1] + rgb[2]) / 3;
+      for (int32_t i = 0; i < 3; ++i) {
+        CHECK(magnitude(other.pixels[Canvas::index(x, y) + i] - mean) <= 1);
+      }
+    }
+  }
+}
+
+TEST(strips_and_ram_change_no_style) {
+  const Font font = sample_font();
+  const CrispStyle two = {2, Q6_10::from_raw(-100)};
+  const CrispStyle four = {4, {}};
+  const LcdStyle across;
+  const LcdStyle down = {SubPixels::bgr_vertical, 200};
+  const Painter painters[] = {crisp_painter(two), crisp_painter(four),
+                              lcd_painter(across), lcd_painter(down)};
+  const Filter glow = glow_filter(Q6_10::from_int(4));
+  const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
+  for (uint16_t glyph = 1; glyph <= 6; ++glyph) {
+    check_strips(font, glyph, brush_of(glow));
+    check_strips(font, glyph, brush_of(bold));
+    Brush outlined = brush_of(kOuter.outer);
+    outlined.set_painter(outline_painter(kOuter.inner));
+    check_strips(font, glyph, outlined);
+    for (const Painter& painter : painters) {
+      Brush brush = brush_of(kFilterText);
+      brush.set_painter(painter);
+      check_strips(font, glyph, brush);
+    }
+  }
+}
+
+TEST(turned_and_leaning_glyphs_have_styles_too) {
+  const Font font = sample_font();
+  const LcdStyle lcd;
+  const CrispStyle crisp;
+  const Matrix matrix = {Q16_16::from_raw(17 << 16), Q16_16::from_raw(5 << 16),
+                         Q16_16::from_raw(-(3 << 16)),
+                         Q16_16::from_raw(16 << 16)};
+  Brush brush;
+  CHECK_OK(Brush::make(matrix, kOutline.outer, brush));
+  brush.set_painter(outline_painter(kOutline.inner));
+  check_strips(font, 3, brush);
+  const Painter painters[] = {lcd_painter(lcd), crisp_painter(crisp)};
+  for (const Painter& painter : painters) {
+    brush.set_painter(painter);
+    check_strips(font, 3, brush);
+  }
+  Small ell;
+  show(canvas, 0, ell);
+  CHECK_PICTURE(ell,
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "..........................\n"
+                "....#.....................\n"
+                "....##....................\n"
+                "....##....................\n"
+                "....##....................\n"
+                "....##....................\n"
+                ".....#....................\n"
+                ".....#....................\n"
+                ".....##...................\n"
+                ".....##.....#.............\n"
+                ".....##..#####............\n"
+                "......#####...............\n"
+                "......##..................\n");
+}
+
+TEST(what_needs_distances_at_any_point_is_refused) {
+  const Font font = sample_font();
+  const Perception perception;
+  const LcdStyle lcd;
+  const CrispStyle crisp;
+  MotionBlur blur;
+  const Adaptive adaptive = make_adaptive(kFilterText);
+  const Splats splats;
+  Brush brush = brush_of(kFilterText);
+  CHECK_OK(check_painter(font, brush));
+  draw(font, 5, brush, other);
+  const Painter painters[] = {
+      perception_painter(perception), motion_blur_painter(blur),
+      adaptive_painter(adaptive), splat_painter(splats)};
+  for (const Painter& painter : painters) {
+    brush.set_painter(painter);
+    CHECK_EQ(check_painter(font, brush), Status::unsupported);
+    // Drawn as without it.
+    draw(font, 5, brush, canvas);
+    check_same();
+  }
+  const Painter others[] = {lcd_painter(lcd), crisp_painter(crisp), {}};
+  for (const Painter& painter : others) {
+    brush.set_painter(painter);
+    CHECK_OK(check_painter(font, brush));
+  }
+}
