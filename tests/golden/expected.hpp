@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kSheetHash =
-    "3717b4ba2aef82b4d11a223006c4da8ea396e2af0085a48e224643a8e9d7da0a";
+    "6716f57d357810eb12c2d9730e33b05f238a0349286b7f7d5e9410ce87f4921e";
 inline constexpr const char* kPageHashes[] = {
     "1d78765fd4a31eb6f060c2eaa78f2132d8d4900c186d9041e34e668aca8d9eb7",
     "b5da73db52c92aebc0d435fa9b331e1eddf1812e9a8d587dd5e0e07fab862d82",
@@ -22,6 +22,7 @@ inline constexpr const char* kPageHashes[] = {
     "9c959503dbd57a7551b13efa9f374bd8faddd2881992a2c07c964c6cb680a49e",
     "f8503aa8bbe4a0b6b51377a068a6d20702c72a5e04d83d25e6bf23325e3980b6",
     "ed4f78902904cadb27b9ed15c5dbedf14af2e419b5c4ef3ff3432f53e810ad74",
+    "f8c846cc72499b432f1cc2f148a02a6e3d9cae8e49b3d400de5dbe5cf56db684",
 };
 
 }  // namespace golden

@@ -22,6 +22,10 @@
 GOLDEN_FONT(dejavu_sans);
 GOLDEN_FONT(dejavu_sans_samples);
 GOLDEN_FONT(dejavu_serif);
+GOLDEN_FONT(dejavu_sans_outline);
+GOLDEN_FONT(dejavu_serif_outline);
+GOLDEN_FONT(roboto_outline);
+GOLDEN_FONT(noto_sans_cjk_outline);
 GOLDEN_FONT(noto_sans_cjk);
 GOLDEN_FONT(roboto);
 
@@ -37,7 +41,11 @@ inkcell::Span<const uint8_t> font_bytes(FontId id) {
       {golden_dejavu_serif, golden_dejavu_serif_end},
       {golden_roboto, golden_roboto_end},
       {golden_noto_sans_cjk, golden_noto_sans_cjk_end},
-      {golden_dejavu_sans_samples, golden_dejavu_sans_samples_end}};
+      {golden_dejavu_sans_samples, golden_dejavu_sans_samples_end},
+      {golden_dejavu_sans_outline, golden_dejavu_sans_outline_end},
+      {golden_dejavu_serif_outline, golden_dejavu_serif_outline_end},
+      {golden_roboto_outline, golden_roboto_outline_end},
+      {golden_noto_sans_cjk_outline, golden_noto_sans_cjk_outline_end}};
   const Ends& font = kFonts[static_cast<int>(id)];
   return {font.begin, static_cast<size_t>(font.end - font.begin)};
 }

@@ -3,6 +3,8 @@
 
     tests/golden/regenerate.py BUILD            hashes and pictures
     tests/golden/regenerate.py BUILD --fonts    the frozen fonts first
+    tests/golden/regenerate.py BUILD --fonts outline    those whose names
+                                                contain "outline"
 
 Do this when a picture is meant to change, look at sheet.png, and say in the
 commit why it changed. Fonts are frozen: they change only with the format.
@@ -22,20 +24,29 @@ SANS = ("DejaVuSans.ttf", 0, "Inkcel 42\U0001d538")
 SERIF = ("DejaVuSerif.ttf", 0, "AVQuav& ")
 ROBOTO = ("Roboto-Regular.ttf", 0, "Roboty ")
 CJK = ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57\u8f5f")
+OUTLINE = ["--coding", "outline", "--tolerance", "32/255"]
 FONTS = {
-    "dejavu_sans": (SANS, []),
+    "dejavu_sans": (SANS, ["--coding", "edges"]),
     "dejavu_sans_samples": (("DejaVuSans.ttf", 0, "Again"),
                             ["--coding", "samples", "--max-px", "24",
                              "--tolerance", "24/255"]),
-    "dejavu_serif": (SERIF, []),
-    "noto_sans_cjk": (CJK, ["--max-px", "32"]),
-    "roboto": (ROBOTO, []),
+    "dejavu_serif": (SERIF, ["--coding", "edges"]),
+    "noto_sans_cjk": (CJK, ["--coding", "edges", "--max-px", "32"]),
+    "roboto": (ROBOTO, ["--coding", "edges"]),
+    # With a composite: a letter and its accent.
+    "dejavu_sans_outline": (
+        ("DejaVuSans.ttf", 0, "Inkcel 42\u00e4\U0001d538"), OUTLINE),
+    "dejavu_serif_outline": (SERIF, OUTLINE),
+    "noto_sans_cjk_outline": (CJK, OUTLINE),
+    "roboto_outline": (ROBOTO, OUTLINE),
 }
 OPTIONS = ["--format", "bin", "--quiet"]
 
 
-def make_fonts(build):
+def make_fonts(build, part):
     for name, ((file, face, symbols), options) in FONTS.items():
+        if part not in name:
+            continue
         source = next(SYSTEM_FONTS.rglob(file))
         out = HERE / "fonts" / (name + ".bin")
         subprocess.run(
@@ -97,14 +108,14 @@ def write_pictures(build):
 
 def main():
     arguments = sys.argv[1:]
-    if not arguments or arguments[1:] not in ([], ["--fonts"]):
+    if not arguments or arguments[1:2] not in ([], ["--fonts"]):
         sys.exit(__doc__)
     build = Path(arguments[0])
     targets = ["unit_golden", "golden_write_sheet"]
     if arguments[1:]:
         subprocess.run(["cmake", "--build", build, "--target",
                         "inkcell-fontgen"], check=True)
-        make_fonts(build)
+        make_fonts(build, "".join(arguments[2:3]))
     subprocess.run(["cmake", "--build", build, "--target", *targets],
                    check=True)
     write_hashes(build)

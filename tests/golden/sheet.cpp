@@ -156,6 +156,13 @@ bool draw_a8_styles(const Strip& strip) {
   return make_sink(target, sink) == Status::ok && draw_styles(sink);
 }
 
+bool draw_a8_outlines(const Strip& strip) {
+  A8Target target;
+  target.strip = strip;
+  Sink sink;
+  return make_sink(target, sink) == Status::ok && draw_outlines(sink);
+}
+
 bool draw_rgb888_sub_pixels(const Strip& strip) {
   Rgb888Target target;
   target.strip = strip;
@@ -192,6 +199,7 @@ constexpr DrawnPage kPages[kPageCount] = {
     {{"xrgb8888", PixelFormat::xrgb8888}, draw_xrgb8888},
     {{"a8 styles", PixelFormat::a8}, draw_a8_styles},
     {{"rgb888 sub-pixels", PixelFormat::rgb888}, draw_rgb888_sub_pixels},
+    {{"a8 outlines", PixelFormat::a8}, draw_a8_outlines},
 };
 
 // What draw() of a loop needs to know.

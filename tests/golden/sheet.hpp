@@ -3,7 +3,8 @@
 //
 // A page is 160 x 176 px: five fonts at several sizes with each preset filter,
 // at sub-pixel origins, and two turned lines, over a dark ground and a
-// half-tone. Two pages more show every style.
+// half-tone. Three pages more show every
+/// style, and fonts of outlines.
 #pragma once
 
 #include "fonts.hpp"
@@ -16,7 +17,7 @@ inline constexpr int32_t kPageWidth = 160;
 inline constexpr int32_t kPageHeight = 176;
 
 /// One a pixel format and order of its bits or bytes, then the styles.
-inline constexpr int kPageCount = 16;
+inline constexpr int kPageCount = 17;
 
 struct Page {
   const char* name;

@@ -51,28 +51,25 @@ bool make_brush(const Line& line, const Filter& filter, Brush& brush) {
          Status::ok;
 }
 
-bool draw_plain(const Line& line,
-                const Filter& filter,
-                bool fitted,
-                const Sink& sink) {
-  Brush brush;
-  return make_brush(line, filter, brush) &&
-         draw_line(line, brush, fitted, sink);
-}
-
-bool draw_painted(const Line& line,
-                  const Filter& filter,
-                  Painter painter,
-                  const void* options,
-                  int32_t reach_px,
-                  bool fitted,
-                  const Sink& sink) {
+// Not inline, so that there is one brush at a time on the stack.
+__attribute__((noinline)) bool draw_painted(const Line& line,
+                                            const Filter& filter,
+                                            const Painter& painter,
+                                            bool fitted,
+                                            const Sink& sink) {
   Brush brush;
   if (!make_brush(line, filter, brush)) {
     return false;
   }
-  brush.set_painter(painter, options, static_cast<uint8_t>(reach_px));
+  brush.set_painter(painter);
   return draw_line(line, brush, fitted, sink);
+}
+
+bool draw_plain(const Line& line,
+                const Filter& filter,
+                bool fitted,
+                const Sink& sink) {
+  return draw_painted(line, filter, {}, fitted, sink);
 }
 
 bool draw_fitted(const Sink& sink) {
@@ -88,15 +85,14 @@ bool draw_adaptive(const Sink& sink) {
   const Adaptive even = make_adaptive(kFilterMotion, kCalmRadius);
   if (!draw_painted({FontId::dejavu_serif, "AVA Quav&", 10 * 64 + 11, 2 * 64,
                      28 * 64 + 17},
-                    kFilterMotion, paint_adaptive, &even, kAdaptiveReach, false,
-                    sink)) {
+                    kFilterMotion, adaptive_painter(even), false, sink)) {
     return false;
   }
   const Adaptive paper =
       make_adaptive(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_samples, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
-      kFilterPaperDisplay, paint_adaptive, &paper, kAdaptiveReach, false, sink);
+      kFilterPaperDisplay, adaptive_painter(paper), false, sink);
 }
 
 bool draw_splats(const Sink& sink) {
@@ -106,15 +102,14 @@ bool draw_splats(const Sink& sink) {
   return make_splats(sums, kSplatRadius, splats) == Status::ok &&
          draw_painted({FontId::dejavu_sans_samples, "Again", 13 * 64 + 7,
                        112 * 64 + 9, 169 * 64 + 30},
-                      kFilterText, paint_splats, &splats, kSplatReach, false,
-                      sink);
+                      kFilterText, splat_painter(splats), false, sink);
 }
 
 bool draw_perceptual(const Sink& sink) {
   const Perception perception;
   return draw_painted(
       {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64},
-      kFilterText, paint_perceptual, &perception, kPerceptionReach, true, sink);
+      kFilterText, perception_painter(perception), true, sink);
 }
 
 bool draw_blurred(const Sink& sink) {
@@ -122,21 +117,20 @@ bool draw_blurred(const Sink& sink) {
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
   return make_motion_blur(kFilterText, way, blur) == Status::ok &&
          draw_painted({FontId::roboto, "Root", 22 * 64, 95 * 64, 50 * 64},
-                      kFilterText, paint_motion_blur, &blur, blur.reach_px,
-                      false, sink);
+                      kFilterText, motion_blur_painter(blur), false, sink);
 }
 
 bool draw_outlined(const Sink& sink) {
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
   if (!draw_painted({FontId::dejavu_serif, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
-                    outline.outer, paint_outline, &outline.inner, 0, false,
+                    outline.outer, outline_painter(outline.inner), false,
                     sink)) {
     return false;
   }
   const OutlineAndFill both = {&outline.inner, &sink};
   return draw_painted({FontId::dejavu_sans, "Inn", 28 * 64, 85 * 64, 80 * 64},
-                      outline.outer, paint_outline_and_fill, &both, 0, false,
+                      outline.outer, outline_and_fill_painter(both), false,
                       sink);
 }
 
@@ -154,10 +148,10 @@ bool draw_crisp(const Sink& sink) {
   const CrispStyle four = {4, Q6_10()};
   return draw_painted(
              {FontId::dejavu_serif, "AV Qua", 11 * 64, 2 * 64 + 30, 118 * 64},
-             kFilterText, paint_crisp, &two, kCrispReach, false, sink) &&
+             kFilterText, crisp_painter(two), false, sink) &&
          draw_painted(
              {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64},
-             kFilterText, paint_crisp, &four, kCrispReach, true, sink);
+             kFilterText, crisp_painter(four), true, sink);
 }
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
@@ -184,12 +178,87 @@ bool draw_turned(const Sink& sink) {
       Status::ok) {
     return false;
   }
-  brush.set_painter(paint_adaptive, &even, kAdaptiveReach);
+  brush.set_painter(adaptive_painter(even));
   return draw_line({FontId::dejavu_serif, "Quav AVA", 0, 3 * 64, 160 * 64},
                    brush, false, sink);
 }
 
+// By area, upright and turned.
+bool draw_areas(const Sink& sink) {
+  const Line upright = {FontId::dejavu_sans_outline,
+                        "Inkcell 42 \xc3\xa4 \xf0\x9d\x94\xb8", 13 * 64 + 5,
+                        2 * 64 + 9, 30 * 64 + 3};
+  const Line turned = {FontId::dejavu_serif_outline, "Quava&", 18 * 64, 4 * 64,
+                       168 * 64};
+  Direction direction;
+  direction.cosine.raw = 858993459;
+  direction.sine.raw = 644245094;
+  Brush brush;
+  return Brush::make(Q26_6::from_raw(upright.size_q6), kFilterArea, brush) ==
+             Status::ok &&
+         draw_line(upright, brush, false, sink) &&
+         Brush::make(Q26_6::from_raw(turned.size_q6), kFilterArea, direction,
+                     brush) == Status::ok &&
+         draw_line(turned, brush, false, sink) &&
+         Brush::make(Q26_6::from_int(15), kFilterText, direction, brush) ==
+             Status::ok &&
+         draw_line({FontId::roboto_outline, "Roboty", 0, 50 * 64, 170 * 64},
+                   brush, false, sink);
+}
+
+// By distance, as it comes, fitted, and of many contours.
+bool draw_distances(const Sink& sink) {
+  return draw_plain({FontId::dejavu_sans_outline, "Inkcell 42 Inkcell 24",
+                     8 * 64, 2 * 64, 9 * 64},
+                    kFilterText, false, sink) &&
+         draw_plain({FontId::dejavu_serif_outline, "AVQua & Vau", 15 * 64,
+                     2 * 64, 49 * 64},
+                    kFilterText, true, sink) &&
+         draw_plain({FontId::noto_sans_cjk_outline,
+                     "\xe6\xb0\xb8\xe5\xad\x97\xe8\xbd\x9f", 30 * 64 + 1,
+                     2 * 64, 78 * 64},
+                    kFilterPaperBody, false, sink);
+}
+
+bool draw_soft(const Sink& sink) {
+  const Filter soft = shadow_filter(Q6_10::from_raw(1500));
+  return draw_plain(
+      {FontId::dejavu_sans_outline, "Ink", 24 * 64, 98 * 64, 76 * 64}, soft,
+      false, sink);
+}
+
+bool draw_edges(const Sink& sink) {
+  const Outline outline =
+      make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
+  return draw_painted(
+      {FontId::roboto_outline, "Roby", 28 * 64, 2 * 64, 106 * 64},
+      outline.outer, outline_painter(outline.inner), false, sink);
+}
+
+bool draw_two_levels(const Sink& sink) {
+  const CrispStyle two = {2, Q6_10::from_raw(-100)};
+  return draw_painted(
+      {FontId::roboto_outline, "Robot", 11 * 64, 80 * 64, 100 * 64},
+      kFilterText, crisp_painter(two), false, sink);
+}
+
+using DrawStyle = bool (*)(const Sink& sink);
+
+// By address, so that none is inlined: there are
+// the filters of one style at a time on the stack.
+constexpr DrawStyle kOutlineStyles[] = {draw_distances, draw_areas, draw_soft,
+                                        draw_edges, draw_two_levels};
+
 }  // namespace
+
+bool draw_outlines(const Sink& sink) {
+  for (const DrawStyle draw : kOutlineStyles) {
+    if (!draw(sink)) {
+      return false;
+    }
+  }
+  return true;
+}
 
 bool draw_styles(const Sink& sink) {
   return draw_fitted(sink) && draw_adaptive(sink) && draw_splats(sink) &&
@@ -206,10 +275,9 @@ bool draw_sub_pixels(const Sink& sink) {
     const LcdStyle style = {order, static_cast<uint8_t>(y_q6 >> 5)};
     if (!draw_painted(
             {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
-            kFilterText, paint_lcd, &style, kLcdReach, order == SubPixels::rgb,
-            sink) ||
+            kFilterText, lcd_painter(style), order == SubPixels::rgb, sink) ||
         !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6},
-                      kFilterText, paint_lcd, &style, kLcdReach, false, sink)) {
+                      kFilterText, lcd_painter(style), false, sink)) {
       return false;
     }
     y_q6 += 42 * 64 + 7;

@@ -2,7 +2,7 @@
 //
 //   crisp <font.bin> <most breaks of 1000 pictures>
 //
-// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with paint_crisp,
+// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with crisp_painter,
 // and counts pieces of ink that touch, also at corners. A picture that has more
 // pieces than the glyph at 64 px is broken. What a threshold alone would break,
 // and pictures with fewer pieces, are printed beside it.
@@ -34,7 +34,7 @@ Bitmap draw(const Font& font,
             int px,
             int x_q6,
             int y_q6,
-            Painter painter) {
+            bool is_crisp) {
   const int side = 3 * px;
   Bitmap picture = {side, side,
                     std::vector<uint8_t>(static_cast<size_t>(side * side))};
@@ -50,7 +50,9 @@ Bitmap draw(const Font& font,
       port::make_sink(target, sink) != Status::ok) {
     std::abort();
   }
-  brush.set_painter(painter, &style, kCrispReach);
+  if (is_crisp) {
+    brush.set_painter(crisp_painter(style));
+  }
   draw_glyph(font, glyph, brush,
              {Q26_6::from_raw(64 * px / 2 + x_q6),
               Q26_6::from_raw(64 * 2 * px + y_q6)},
@@ -133,16 +135,16 @@ int main(int argc, char** argv) {
   Tally threshold;
   Tally crisp;
   for (uint16_t glyph = 1; glyph < font.glyph_count(); ++glyph) {
-    const int wanted = count_pieces(draw(font, glyph, 64, 0, 0, nullptr));
+    const int wanted = count_pieces(draw(font, glyph, 64, 0, 0, false));
     for (int px = 8; px <= 14 && wanted > 0; ++px) {
       for (int phase = 0; phase < 8; ++phase) {
         const int x_q6 = phase % 4 * 16 + 5;
         const int y_q6 = phase / 4 * 32 + 3;
-        const auto pieces = [&](Painter painter) {
-          return count_pieces(draw(font, glyph, px, x_q6, y_q6, painter));
+        const auto pieces = [&](bool is_crisp) {
+          return count_pieces(draw(font, glyph, px, x_q6, y_q6, is_crisp));
         };
-        threshold.add(pieces(nullptr), wanted);
-        crisp.add(pieces(paint_crisp), wanted);
+        threshold.add(pieces(false), wanted);
+        crisp.add(pieces(true), wanted);
       }
     }
   }

@@ -1,0 +1,161 @@
+// Whether pictures of a whole font of outlines depend on strips.
+//
+//   strips <font.bin>
+//
+// Draws every glyph by distance, by area and with a wide filter, upright and
+// turned, at sizes from 8 to 200 px: whole with a large workspace, then in
+// strips of several heights and in two columns with small ones and with none.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "inkcell/font.hpp"
+#include "inkcell/text.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr Filter kWide =
+    make_filter({Q6_10::from_raw(-3500), Q6_10::from_raw(2500)});
+
+struct Picture {
+  int32_t width;
+  int32_t height;
+  std::vector<uint8_t> pixels;
+
+  Picture(int32_t columns, int32_t rows)
+      : width(columns),
+        height(rows),
+        pixels(static_cast<size_t>(columns * rows)) {}
+
+  Sink sink(const Rect& window) { return {window, this, coverage, solid}; }
+
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* coverage,
+                       int32_t count) {
+    auto& picture = *static_cast<Picture*>(context);
+    std::copy(coverage, coverage + count,
+              picture.pixels.begin() + y * picture.width + x);
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    auto& picture = *static_cast<Picture*>(context);
+    std::fill_n(picture.pixels.begin() + y * picture.width + x, count,
+                uint8_t{255});
+  }
+};
+
+Brush make_brush(int style, int32_t px) {
+  const Q26_6 size = Q26_6::from_int(px);
+  Direction turned;
+  turned.cosine.raw = 858993459;
+  turned.sine.raw = -644245094;
+  Brush brush;
+  Status status = Status::bad_argument;
+  switch (style) {
+    case 0:
+      status = Brush::make(size, kFilterText, brush);
+      break;
+    case 1:
+      status = Brush::make(size, kFilterArea, brush);
+      break;
+    case 2:
+      status = Brush::make(size, kWide, brush);
+      break;
+    case 3:
+      status = Brush::make(size, kFilterText, turned, brush);
+      break;
+    case 4:
+      status = Brush::make(size, kFilterArea, turned, brush);
+      break;
+    default:
+      status = Brush::make(size, kWide, turned, brush);
+      break;
+  }
+  if (status != Status::ok) {
+    std::abort();
+  }
+  return brush;
+}
+
+constexpr int kStyles = 6;
+
+// How many pixels differ.
+int64_t compare(const Font& font,
+                uint16_t glyph,
+                const Brush& brush,
+                int32_t px) {
+  const int32_t width = 2 * px + 12;
+  const int32_t height = 2 * px + 12;
+  const Point origin = {Q26_6::from_raw(px * 32 + glyph * 11 % 64),
+                        Q26_6::from_raw(px * 90 + glyph * 7 % 64)};
+  Picture whole(width, height);
+  std::vector<uint32_t> ram(1 << 14);
+  const Workspace large(reinterpret_cast<uint8_t*>(ram.data()), 1 << 16);
+  draw_glyph(font, glyph, brush, origin, whole.sink({0, 0, width, height}),
+             large);
+  int64_t differences = 0;
+  for (const int32_t rows : {1, 5, 16, height}) {
+    Picture parts(width, height);
+    const int32_t cut = rows * 7 % width;
+    for (int32_t y = 0; y < height; y += rows) {
+      const int32_t end = std::min(y + rows, height);
+      const Workspace small = {large.data, rows % 2 == 0 ? 2560u : 704u};
+      draw_glyph(font, glyph, brush, origin, parts.sink({0, y, cut, end}),
+                 small);
+      draw_glyph(font, glyph, brush, origin, parts.sink({cut, y, width, end}));
+    }
+    for (size_t i = 0; i < whole.pixels.size(); ++i) {
+      differences += whole.pixels[i] != parts.pixels[i] ? 1 : 0;
+    }
+  }
+  return differences;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "strips <font.bin>\n");
+    return 2;
+  }
+  std::ifstream file(argv[1], std::ios::binary);
+  const std::vector<char> loaded((std::istreambuf_iterator<char>(file)), {});
+  std::vector<uint32_t> words((loaded.size() + 3) / 4);
+  auto* rom = reinterpret_cast<uint8_t*>(words.data());
+  std::copy(loaded.begin(), loaded.end(), rom);
+  Font font;
+  if (Font::open({rom, loaded.size()}, font) != Status::ok ||
+      font.verify() != Status::ok) {
+    std::fprintf(stderr, "%s is no font\n", argv[1]);
+    return 2;
+  }
+  int64_t pictures = 0;
+  int64_t failures = 0;
+  for (uint16_t glyph = 1; glyph < font.glyph_count(); ++glyph) {
+    for (int style = 0; style < kStyles; ++style) {
+      for (const int32_t px : {8, 13, 31, 200}) {
+        if (px == 200 && glyph % 8 != style) {
+          continue;
+        }
+        const int64_t different =
+            compare(font, glyph, make_brush(style, px), px);
+        ++pictures;
+        if (different != 0) {
+          ++failures;
+          std::printf("glyph %d, style %d, %d px: %lld pixels differ\n", glyph,
+                      style, px, static_cast<long long>(different));
+        }
+      }
+    }
+  }
+  std::printf("%lld pictures, %lld depend on strips\n",
+              static_cast<long long>(pictures),
+              static_cast<long long>(failures));
+  return pictures >= 94 * kStyles * 3 && failures == 0 ? 0 : 1;
+}
