@@ -3,8 +3,9 @@
 
 A glyph is counted from its code point to 8-bit coverage, without a cache; mean
 and worst of the 95 printable ASCII characters (of those that the font has).
-Inkcell draws into strips of 16 rows, as many as the glyph needs; FreeType and
-stb_truetype render into a bitmap, which counts as output. Instructions, not
+Inkcell draws into strips of 16 rows, as many as the glyph needs, outlines with
+2,560 bytes of RAM lent; FreeType and stb_truetype render into a bitmap, which
+counts as output. Instructions, not
 cycles: exact and repeatable in QEMU. All engines have the same compiler and
 the same flags; m4f is an M4 whose floating-point unit is used, no other is.
 
@@ -14,6 +15,7 @@ floating point, setjmp) is apart, as "libraries".
 """
 import argparse
 import concurrent.futures
+import copy
 import json
 import os
 import re
@@ -45,31 +47,39 @@ CPUS = {
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 # What a build may leave out: docs/PORTING.md.
-PARTS = ("field_cells", "sample_cells", "object_order", "fast_rows")
-# Coding, as the generator names it: firmware, its way.
+PARTS = ("outlines", "field_cells", "sample_cells", "object_order",
+         "fast_rows")
+# Coding, as the generator names it: firmware, and the ways that stand beside
+# the other engines.
 CODINGS = {
-    "edges": ("cells", "upright"),
-    "samples": ("cells", "upright"),
+    "outline": ("outline", ("upright", "area")),
+    "edges": ("cells", ("upright",)),
+    "samples": ("cells", ("upright",)),
 }
 # Codings as ROM fonts number them.
-ROM_CODINGS = ("samples", "edges")
+ROM_CODINGS = ("samples", "edges", "outline")
+# Codings that modes, runs of text and digits are measured with.
+STYLED = ("outline", "edges")
 LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
     "glyphs": "each engine, coding and size",
     "turned": "text that is turned or leans, over upright",
+    "memory": "outlines without lent RAM, and decoded for each strip",
     "digits": "instructions for each pixel of the box of digits of 200 px",
     "rgb565": "a line of text into RGB565, and its sink alone",
     "modes": "every way that glyphs can look, at 12 and 24 px",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
 }
-# Without these it is smallest; what the document says of that.
-SMALLEST = ["sample_cells", "object_order", "fast_rows"]
-SMALLEST_CODINGS = ["edges"]
+# Without these it is smallest, for one coding; what the document says of that.
+SMALLEST = {
+    "outline": ["field_cells", "sample_cells"],
+    "edges": ["outlines", "sample_cells", "object_order", "fast_rows"],
+}
 SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
 # What programs keep of the library: kept.cpp.
-KEPT = ("glyphs", "text", "turned", "all_formats")
+KEPT = ("glyphs", "area", "text", "matrix", "all_formats")
 # Cores that are measured at -Os, too, for the document: the others are alike.
 SMALL_CODE_CPUS = ("m0", "m3", "rv32")
 MODE_SIZES = ["12", "24"]
@@ -203,7 +213,7 @@ class Fonts:
                 self.files[font, "inkcell", coding] = name + ".bin"
                 continue
             if "inkcell" in arguments.engines:
-                for coding in {*arguments.coding, "edges"}:
+                for coding in arguments.coding:
                     made = f"{name}-{coding}.bin"
                     wanted[made] = (font, ["--coding", coding])
                     self.files[font, "inkcell", coding] = made
@@ -227,6 +237,13 @@ class Fonts:
                 "bin", "--quiet", "--out", target.with_suffix(".new"))
             target.with_suffix(".new").rename(target)
         in_parallel(make, wanted.items())
+
+    def of(self, coding):
+        """The same with fonts of one coding only."""
+        some = copy.copy(self)
+        some.files = {key: name for key, name in self.files.items()
+                      if key[2] == coding}
+        return some
 
     def bytes(self, name):
         return (self.folder / name).stat().st_size
@@ -288,7 +305,8 @@ class Firmware:
     def glyphs(self, engine, coding, font, way, characters, sizes):
         """One dictionary for each size."""
         program = CODINGS[coding][0] if coding else engine
-        program = "turned" if way in report.SLANTED else program
+        if program == "cells" and way in report.SLANTED:
+            program = "turned"
         program = "modes" if way in report.MODES else program
         kept = kept_bytes(self.folder / (program + ".map"))
         name = self.fonts.files[font, engine, coding]
@@ -305,6 +323,7 @@ class Firmware:
                       "font_bytes": self.fonts.bytes(name)}
             if coding:
                 result["coding"] = coding
+                result["way"] = way
                 result["workspace"] = workspace
             result["libraries"] = sum(kept.get((library, "code"), 0)
                                       for library in ("c", "m", "gcc"))
@@ -319,9 +338,10 @@ def measure_glyphs(firmware, arguments, pictures):
     jobs.sort(key=lambda job: (arguments.font.index(job[0]),
                                list(LIBRARIES).index(job[1]),
                                list(CODINGS).index(job[2]) if job[2] else 0))
+    jobs = [(*job, way) for job in jobs
+            for way in (CODINGS[job[2]][1] if job[2] else ("upright",))]
 
-    def one(font, engine, coding):
-        way = CODINGS[coding][1] if coding else "upright"
+    def one(font, engine, coding, way):
         return list(firmware.glyphs(engine, coding, font, way, ASCII,
                                     arguments.px))
     results = []
@@ -331,7 +351,7 @@ def measure_glyphs(firmware, arguments, pictures):
         for result, more in rows:
             results.append(result)
             key = job[0].stem, result["px"]
-            name = job[2] if job[2] == "samples" else job[1]
+            name = job[1] if job[2] is None else f"{job[2]}, {job[3]}"
             pictures.setdefault(key, {}).setdefault(name, set()).add(
                 more["ink"])
     return results
@@ -340,10 +360,10 @@ def measure_glyphs(firmware, arguments, pictures):
 def check_pictures(pictures):
     """That all drew the same text: Inkcell bit by bit, others about."""
     for (font, px), engines in pictures.items():
-        for engine in ("inkcell", "samples"):
-            if len(engines.get(engine, ())) > 1:
-                sys.exit(f"bench: {font}, {px} px: pictures differ between "
-                         f"cores or codings: {engines[engine]}")
+        for engine, inks in engines.items():
+            if engine not in LIBRARIES and len(inks) > 1:
+                sys.exit(f"bench: {font}, {px} px: {engine}: pictures differ "
+                         f"between cores: {inks}")
         inks = [ink for some in engines.values() for ink in some]
         if px >= 24 and max(inks) > 1.03 * min(inks):
             sys.exit(f"bench: {font}, {px} px: engines did not draw the same: "
@@ -363,13 +383,14 @@ def check_bounds(results, figures):
                      f"than the bound of {bound} instructions a pixel")
 
 
-def measure_turned(firmware, sizes, font, about, upright):
-    """Text that is turned or leans, over upright text."""
-    for way in report.SLANTED:
-        for result, _ in firmware.glyphs("inkcell", "edges", font, way, ASCII,
+def measure_ways(firmware, ways, sizes, font, about, upright):
+    """Ways of drawing glyphs, over upright ones in the same coding."""
+    coding = about["coding"]
+    for way, plain in ways.items():
+        for result, _ in firmware.glyphs("inkcell", coding, font, way, ASCII,
                                          sizes):
             px, mean = result["px"], result["instructions_mean"]
-            straight = upright.get((font.stem, px))
+            straight = upright.get((coding, plain, font.stem, px))
             yield {"figure": way, **about, "px": px, "instructions_mean": mean,
                    "stack": result["stack"],
                    "over_upright": straight and round(mean / straight, 3)}
@@ -378,17 +399,19 @@ def measure_turned(firmware, sizes, font, about, upright):
 def measure_modes(firmware, font, about, pictures):
     """What every mode costs, and how many times a plain glyph."""
     means = {}
+    modes = [mode for mode, (_, _, codings) in report.MODES.items()
+             if about["coding"] in codings]
 
     def one(mode):
-        return list(firmware.glyphs("inkcell", "edges", font, mode, ASCII,
-                                    MODE_SIZES))
-    for mode, rows in zip(report.MODES,
-                          in_parallel(one, [(m,) for m in report.MODES])):
+        return list(firmware.glyphs("inkcell", about["coding"], font, mode,
+                                    ASCII, MODE_SIZES))
+    for mode, rows in zip(modes, in_parallel(one, [(m,) for m in modes])):
         for result, more in rows:
             px, mean = result["px"], result["instructions_mean"]
             means[mode, px] = mean
-            pictures.setdefault((f"{font.stem}, {mode}", px), {}).setdefault(
-                "inkcell", set()).add(more["ink"])
+            pictures.setdefault(
+                (f"{font.stem}, {about['coding']}, {mode}", px), {}).setdefault(
+                    mode, set()).add(more["ink"])
             plain = means[report.MODES[mode][1], px]
             yield {"figure": "mode", **about, "px": px, "mode": mode,
                    "instructions_mean": mean,
@@ -397,42 +420,52 @@ def measure_modes(firmware, font, about, pictures):
                    "over_plain": round(mean / plain, 2)}
 
 
+def measure_styled(firmware, arguments, font, coding, upright, pictures):
+    """The figures of one font that are not a table."""
+    name = firmware.fonts.files[font, "inkcell", coding]
+    about = {"cpu": firmware.cpu, "opt": firmware.opt, "coding": coding,
+             "font": font.stem}
+    ways = {}
+    if "turned" in arguments.what:
+        ways.update((way, plain) for way, (_, plain, codings)
+                    in report.SLANTED.items() if coding in codings)
+    if "memory" in arguments.what and coding == "outline":
+        ways.update((way, "upright") for way in report.MEMORY)
+    yield from measure_ways(firmware, ways, arguments.px, font, about, upright)
+    if "modes" in arguments.what and (
+            not arguments.write_docs or
+            (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):
+        yield from measure_modes(firmware, font, about, pictures)
+    if "digits" in arguments.what:
+        for result, more in firmware.glyphs("inkcell", coding, font, "upright",
+                                            DIGITS, ["200"]):
+            mean = result["instructions_mean"]
+            yield {"figure": "digits", **about, "px": 200,
+                   "instructions_mean": mean, "stack": result["stack"],
+                   "per_pixel": round(mean * more["glyphs"] / more["box"], 2)}
+    if "rgb565" in arguments.what:
+        for word, numbers in firmware.run("rgb565", name, *arguments.px):
+            if word == "run":
+                yield {"figure": "run", **about, "px": numbers[0],
+                       "instructions": numbers[1], "stack": numbers[2],
+                       "strips": numbers[3]}
+            elif font == arguments.font[0] and coding == arguments.coding[0]:
+                yield {"figure": "blend", "cpu": firmware.cpu,
+                       "opt": firmware.opt,
+                       "per_partly_covered": numbers[0] / 100,
+                       "per_solid": numbers[1] / 100,
+                       "call_coverage": numbers[2],
+                       "call_solid": numbers[3]}
+
+
 def measure_others(firmware, arguments, upright, pictures):
-    """The figures of Inkcell with fonts of edges that are not a table."""
-    for font in arguments.font:
-        name = firmware.fonts.files.get((font, "inkcell", "edges"))
-        if name is None:
-            continue
-        about = {"cpu": firmware.cpu, "opt": firmware.opt, "font": font.stem}
-        if "turned" in arguments.what:
-            yield from measure_turned(firmware, arguments.px, font, about,
-                                      upright)
-        if "modes" in arguments.what and (
-                not arguments.write_docs or
-                (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):
-            yield from measure_modes(firmware, font, about, pictures)
-        if "digits" in arguments.what:
-            for result, more in firmware.glyphs("inkcell", "edges", font,
-                                                "upright", DIGITS, ["200"]):
-                mean = result["instructions_mean"]
-                yield {"figure": "digits", **about, "px": 200,
-                       "instructions_mean": mean, "stack": result["stack"],
-                       "per_pixel": round(mean * more["glyphs"] / more["box"],
-                                          2)}
-        if "rgb565" in arguments.what:
-            for word, numbers in firmware.run("rgb565", name, *arguments.px):
-                if word == "run":
-                    yield {"figure": "run", **about, "px": numbers[0],
-                           "instructions": numbers[1], "stack": numbers[2],
-                           "strips": numbers[3]}
-                elif font == arguments.font[0]:
-                    del about["font"]
-                    yield {"figure": "blend", **about,
-                           "per_partly_covered": numbers[0] / 100,
-                           "per_solid": numbers[1] / 100,
-                           "call_coverage": numbers[2],
-                           "call_solid": numbers[3]}
-    if "bound" in arguments.what:
+    """All figures of Inkcell that are not a table."""
+    for coding in STYLED:
+        for font in arguments.font:
+            if (font, "inkcell", coding) in firmware.fonts.files:
+                yield from measure_styled(firmware, arguments, font, coding,
+                                          upright, pictures)
+    if "bound" in arguments.what and "edges" in arguments.coding:
         for _, numbers in firmware.run("bound", DEPTH, *arguments.px):
             px, pixels, instructions, stack = numbers
             yield {"figure": "bound", "cpu": firmware.cpu,
@@ -454,8 +487,9 @@ def measure(firmware, arguments, pictures):
     if "glyphs" in arguments.what:
         glyphs = measure_glyphs(firmware, arguments, pictures)
         report.print_table(glyphs)
-    upright = {(result["font"], result["px"]): result["instructions_mean"]
-               for result in glyphs if result.get("coding") == "edges"}
+    upright = {(result["coding"], result["way"], result["font"],
+                result["px"]): result["instructions_mean"]
+               for result in glyphs if "coding" in result}
     if "inkcell" in arguments.engines:
         more = list(measure_others(firmware, arguments, upright, pictures))
         report.print_others(more)
@@ -468,26 +502,31 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets.add("cells")
-    targets |= {"bound", "modes", "rgb565", "turned"} & set(arguments.what)
+    targets |= {"bound", "modes", "rgb565"} & set(arguments.what)
+    if "turned" in arguments.what and "edges" in arguments.coding:
+        targets.add("turned")
     if "code" in arguments.what:
         targets |= {f"kept_{level}" for level in range(len(KEPT))}
     return sorted(targets)
 
 
 def measure_smallest(arguments, fonts, pictures, build):
-    """The smallest build of each core."""
-    some = argparse.Namespace(**{**vars(arguments), "engines": ["inkcell"],
-                                 "coding": SMALLEST_CODINGS,
-                                 "what": SMALLEST_WHAT})
-    results, others = [], []
-    for cpu in SMALL_CODE_CPUS:
-        firmware = Firmware(cpu, "Os", {}, targets_of(some), fonts, SMALLEST,
-                            build / "smallest")
-        glyphs, more = measure(firmware, some, pictures)
-        results += glyphs
-        others += more
-    return results, others
+    """Results and figures of the smallest build of each core, by coding."""
+    measured = {}
+    for coding, without in SMALLEST.items():
+        some = argparse.Namespace(**{**vars(arguments), "engines": ["inkcell"],
+                                     "coding": [coding],
+                                     "what": SMALLEST_WHAT})
+        results, others = [], []
+        for cpu in SMALL_CODE_CPUS:
+            firmware = Firmware(cpu, "Os", {}, targets_of(some),
+                                fonts.of(coding), without,
+                                build / f"smallest-{coding}")
+            glyphs, more = measure(firmware, some, pictures)
+            results += glyphs
+            others += more
+        measured[coding] = results, others
+    return measured
 
 
 def main():

@@ -1,8 +1,8 @@
 """What identifies the core that docs/BENCHMARKS.md describes.
 
 The objects of the library as the bench draws with it, for Cortex-M0 and
-Cortex-M3 at -O2, and of the smallest build for Cortex-M0: comments and names do
-not change them. Another compiler makes other objects; where there is one,
+Cortex-M3 at -O2, and of the smallest builds for Cortex-M0: comments and names
+do not change them. Another compiler makes other objects; where there is one,
 sources are compared, without comments and white space.
 """
 import hashlib
@@ -22,14 +22,17 @@ BUILDS = {
     "m0": ("Cortex-M0", ["-O2"]),
     "m3": ("Cortex-M3", ["-O2"]),
     "smallest": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=0",
+                               "-DINKCELL_OUTLINES=0",
                                "-DINKCELL_OBJECT_ORDER=0",
                                "-DINKCELL_FAST_ROWS=0"]),
+    "outlines": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=0",
+                               "-DINKCELL_FIELD_CELLS=0"]),
 }
 SINKS = ["a8", "rgb565", "run"]
 
 
 def measured_sources():
-    return sorted(ROOT.glob("core/src/*.cpp")) + [
+    return sorted(ROOT.glob("core/src/**/*.cpp")) + [
         ROOT / f"port/pixel/src/{name}.cpp" for name in SINKS]
 
 

@@ -57,16 +57,10 @@ class Benchmarks:
         found = next(line for line in lines if line[0] == row)
         return float(re.match(r"[\d.]+", found[names.index(column)]).group(0))
 
-    def stacks(self, engine):
-        """Bytes at small sizes and at all of them, of each core."""
-        names, _, *lines = self.table("Stack")
-        return [[int(number) for number in line[names.index(engine)].split(",")]
-                for line in lines]
-
 
 def measured(bench):
     """What documents say of BENCHMARKS.md: document, words, figures."""
-    o2, code = "DejaVuSans, -O2:", "Cortex-M3, -Os"
+    o2 = "DejaVuSans, -O2:"
 
     def glyph(engine, px, core="Cortex-M3"):
         return bench.number("Instructions", f"{core}, {engine}", f"{px} px",
@@ -74,48 +68,47 @@ def measured(bench):
 
     def font(coding):
         return bench.number("Fonts and RAM", coding, "DejaVuSans") / 1000
-    glyphs = bench.number("Code", code, "glyphs") / 1000
 
-    def least(column):
-        return bench.number("The smallest build", "Cortex-M0", column) / 1000
-    most_stack = max(all_sizes for _, all_sizes in bench.stacks("edges"))
+    def least(column, title="Outlines only"):
+        return bench.number("The smallest builds", "Cortex-M0", column,
+                            title=title) / 1000
+
+    def outline(row):
+        return bench.number("The three codings", row, "outline")
+    stacks = [outline("stack without lent RAM, Cortex-M3, bytes") / 1000,
+              outline("stack, Cortex-M3, bytes") / 1000]
     return [
-        ("README.md", r"([\d.]+) KB of stack, your strip",
-         [most_stack / 1000]),
-        ("README.md", r"\| code \| ([\d.]+) KB on Cortex-M3 at -Os", [glyphs]),
-        ("README.md", r"([\d.]+) KB more for lines of text",
-         [bench.number("Code", code, "text") / 1000 - glyphs]),
-        ("README.md", r"with kerning: ([\d.]+) KB,", [font("edges")]),
-        ("README.md", r"of samples ([\d]+) KB", [font("samples")]),
+        ("README.md", r"([\d.]+) KB of stack, or ([\d.]+) KB of stack and "
+         r"([\d.]+) KB that you lend",
+         stacks + [outline("RAM lent, bytes") / 1024]),
+        ("docs/PORTING.md", r"nothing lent, the default \| ([\d.]+) KB \|.*?"
+         r"multiple of 4 \| ([\d.]+) KB", stacks),
+        ("README.md", r"\| code \| ([\d.]+) KB on Cortex-M0 at -Os for one "
+         r"pixel format and outlines, and ([\d.]+) of libgcc",
+         [least("glyphs"), least("libgcc")]),
+        ("docs/PORTING.md", r"distance takes ([\d.]+) KB, and ([\d.]+) of "
+         r"libgcc; ([\d.]+) KB with lines",
+         [least("glyphs"), least("libgcc"), least("all formats")]),
+        ("README.md", r"kerning and hints: ([\d.]+) KB; of edges ([\d.]+) KB, "
+         r"of samples (\d+) KB",
+         [font("outline"), font("edges"), font("samples")]),
         ("README.md", r"([\d.]+) thousand instructions a glyph at 12 px on "
          r"Cortex-M3, ([\d.]+) at 48 px",
-         [glyph("edges", 12), glyph("edges", 48)]),
+         [glyph("outline", 12), glyph("outline", 48)]),
         ("README.md", r"FreeType takes ([\d.]+) and ([\d.]+), in ([\d.]+) KB",
          [glyph("FreeType", 12), glyph("FreeType", 48),
           bench.number("Stack", "Cortex-M3, -O2", "FreeType") / 1000]),
         ("README.md", r"on Cortex-M0 ([\d.]+) and ([\d.]+), FreeType ([\d.]+) "
          r"and ([\d.]+)",
-         [glyph(engine, px, "Cortex-M0") for engine in ("edges", "FreeType")
+         [glyph(engine, px, "Cortex-M0") for engine in ("outline", "FreeType")
           for px in (12, 48)]),
-        *[(document, words,
-           [least(column) for column in (
-               "glyphs", "libgcc", "all formats", "stack, upright",
-               "stack, turned")])
-          for document, words in [
-              ("README.md", r"-Os: ([\d.]+) KB for one pixel format and "
-               r"([\d.]+) of libgcc, ([\d.]+) KB with text, .*?; ([\d.]+) KB "
-               r"of stack for a glyph, ([\d.]+) for a turned one"),
-              ("docs/PORTING.md", r"into one format takes ([\d.]+) KB, and "
-               r"([\d.]+) of libgcc; ([\d.]+) KB with lines .*?\. A glyph "
-               r"takes ([\d.]+) KB of stack, a turned one ([\d.]+)")]],
         ("docs/DESIGN.md", r"a line of text into RGB565 takes ([\d]+) bytes",
-         [1000 * least("stack, a line")]),
-        ("docs/CHANGELOG.md", r"in pixel order, is ([\d.]+) KB on Cortex-M0",
-         [least("all formats")]),
-        ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M3 at -Os",
-         [glyphs]),
-        ("docs/CHANGELOG.md", r"([\d.]+) KB of edges, (\d+) KB of samples",
-         [font("edges"), font("samples")]),
+         [1000 * least("stack, a line", "Edges only")]),
+        ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M0 at -Os",
+         [least("glyphs")]),
+        ("docs/CHANGELOG.md", r"([\d.]+) KB of outlines, ([\d.]+) KB of edges, "
+         r"(\d+) KB of samples",
+         [font("outline"), font("edges"), font("samples")]),
     ]
 
 

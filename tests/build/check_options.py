@@ -22,6 +22,7 @@ UNSUPPORTED = "7"
 # Option: what is missing without it, and names of functions that only that
 # needs.
 OPTIONS = {
+    "INKCELL_OUTLINES": (set(), ["paint_distances(", "OutlineReader::"]),
     "INKCELL_SAMPLE_CELLS": ({"record of samples", "font of samples"},
                              ["draw_samples", "samples_distance",
                               "draw_turned_samples", "Block::visit_tile"]),
@@ -82,18 +83,22 @@ def check_option(option, full, full_names, work):
 
 
 def check_refused(work):
-    """Nothing is left without both kinds of cells; tests need both."""
+    """Nothing is left without all codings; tests need all of them."""
     problems = []
     source = work / "none.cpp"
     source.write_text('#include "inkcell/field.hpp"\n')
     result = run(["g++", "-std=c++17", *INCLUDES, "-DINKCELL_FIELD_CELLS=0",
-                  "-DINKCELL_SAMPLE_CELLS=0", "-fsyntax-only", source])
-    if "one kind of cell" not in result.stdout:
-        problems.append(f"no kind of cells compiles: {result.stdout}")
-    result = run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", work / "tests",
-                  "-DINKCELL_SAMPLE_CELLS=OFF"])
-    if result.returncode == 0 or "INKCELL_SAMPLE_CELLS" not in result.stdout:
-        problems.append(f"tests without samples configure: {result.stdout}")
+                  "-DINKCELL_SAMPLE_CELLS=0", "-DINKCELL_OUTLINES=0",
+                  "-fsyntax-only", source])
+    if "one coding must be left" not in result.stdout:
+        problems.append(f"no coding compiles: {result.stdout}")
+    for option in ("INKCELL_SAMPLE_CELLS", "INKCELL_OUTLINES"):
+        result = run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", work / "tests",
+                      f"-D{option}=OFF"])
+        if result.returncode == 0 or option not in result.stdout:
+            problems.append(f"tests without {option} configure: "
+                            f"{result.stdout}")
+        shutil.rmtree(work / "tests")
     return problems
 
 

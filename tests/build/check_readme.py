@@ -20,10 +20,12 @@ LINKER_FLAGS = "-Wl,--gc-sections"
 LINKER = "set_target_properties(app PROPERTIES LINKER_LANGUAGE C)"
 INSTALL = "cmake --install build --prefix"
 # Functions that the program calls; that others would.
-CALLED = ["FieldBand::cover", "draw_text("]
+CALLED = ["paint_distances(", "FieldBand::cover", "draw_text("]
 NOT_CALLED = ["draw_slanted(", "SlantedBand::", "stretched_value", "paint_lcd",
-              "paint_adaptive", "paint_splats", "paint_crisp", "Fit::make",
-              "fit_glyph", "Font::verify", "distance_at"]
+              "paint_adaptive", "paint_splats", "paint_crisp", "mix_lcd",
+              "mix_outline", "mix_crisp", "paint_crossings", "paint_areas(",
+              "paint_wide", "PreparedGlyph::make", "Fit::make", "fit_glyph",
+              "Font::verify", "distance_at"]
 SUBDIRECTORY = re.compile(r"add_subdirectory\(inkcell\).*")
 
 
@@ -88,6 +90,7 @@ def main():
         options = [f"-DINKCELL_FONTGEN={fontgen}"]
     commands += [
         ["cmake", "-G", "Ninja", "-S", project, "-B", work / "build",
+         "-DCMAKE_BUILD_TYPE=Release",
          f"-DCMAKE_CXX_FLAGS={COMPILER_FLAGS}",
          f"-DCMAKE_EXE_LINKER_FLAGS={LINKER_FLAGS}", *options],
         ["cmake", "--build", work / "build"],

@@ -18,7 +18,8 @@ WARNINGS = [
     "-Wshadow", "-Wold-style-cast", "-Wundef", "-Werror",
 ]
 INCLUDES = ["-I" + str(path) for path in
-            [ROOT / "core/include", *sorted(ROOT.glob("port/*/include"))]]
+            [ROOT / "core/include", ROOT / "core/src",
+             *sorted(ROOT.glob("port/*/include"))]]
 
 # Name, compiler with its flags, prefix of the binary tools.
 ARM = "arm-none-eabi-"
@@ -34,7 +35,8 @@ COMPILERS = {
 
 def device_sources():
     """Sources of everything that runs on a device: core and port."""
-    return sorted([*ROOT.glob("core/src/*.cpp"), *ROOT.glob("port/*/src/*.cpp")])
+    return sorted([*ROOT.glob("core/src/**/*.cpp"),
+                   *ROOT.glob("port/*/src/*.cpp")])
 
 
 def device_headers():

@@ -16,7 +16,9 @@ SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 PROGRAMS = {}
 
 # Every coding, and the options that choose it.
-CODINGS = {"samples": ("--coding", "samples"), "edges": ()}
+CODINGS = {"outline": (), "edges": ("--coding", "edges"),
+           "samples": ("--coding", "samples")}
+CELLS = ("edges", "samples")
 
 
 def run(program, *arguments, code=0):
@@ -83,7 +85,7 @@ class Tools(unittest.TestCase):
     def test_converts_in_memory(self):
         rom = self.render("--text", "AVa.", "--px", 24)
         ttf = self.render("--text", "AVa.", "--px", 24, "--max-px", 32,
-                          font=SANS)
+                          *CODINGS["edges"], font=SANS)
         self.assertEqual(rom.pixels, ttf.pixels)
         self.assertGreater(rom.ink(), 255 * 100)
 
@@ -101,18 +103,20 @@ class Tools(unittest.TestCase):
         for coding, font in self.fonts.items():
             for angle in (0, 30):
                 pictures[coding, angle] = self.render(
-                    "--text", "AVToal.", "--px", 19, "--angle", angle, font=font)
+                    "--text", "AVToal.", "--px", 19, "--angle", angle, "--hint",
+                    "none", font=font)
             said = run("render", "--font", font, "--text", "a", "--px", 12,
                        "--stats", "--out", self.path / "a.pgm")
             self.assertIn(f"8 glyphs, coding {coding}\n", said)
-        for angle in (0, 30):
-            edges = pictures["edges", angle].pixels
-            samples = pictures["samples", angle].pixels
-            self.assertEqual(len(edges), len(samples))
-            self.assertNotEqual(edges, samples)
-            # Each is within 16/255 of the truth.
-            self.assertLessEqual(
-                max(abs(a - b) for a, b in zip(edges, samples)), 33)
+        for angle, pair in itertools.product(
+                (0, 30), itertools.combinations(CODINGS, 2)):
+            one, other = (pictures[coding, angle].pixels for coding in pair)
+            self.assertEqual(len(one), len(other))
+            self.assertNotEqual(one, other)
+            # Upright each is within 16/255 of the truth.
+            if angle == 0:
+                self.assertLessEqual(
+                    max(abs(a - b) for a, b in zip(one, other)), 33)
 
     def test_converts_to_any_coding_in_memory(self):
         for coding, options in CODINGS.items():
@@ -256,6 +260,28 @@ class Tools(unittest.TestCase):
                            samples("--samples", "adaptive", "--radius", 0.5))
         self.assertIsNone(samples("--rules", "all"))
 
+    def test_area_is_exact(self):
+        font = self.fonts["outline"]
+
+        def inks(name):
+            pictures = [self.render("--text", "Val", "--px", 12, "--hint",
+                                    "none", "--filter", name, "--dx", dx,
+                                    "--dy", dx // 2, font=font)
+                        for dx in range(0, 64, 16)]
+            return [picture.ink() for picture in pictures]
+        area, text = inks("area"), inks("text")
+        self.assertLess(max(area) - min(area), 0.01 * min(area))
+        self.assertLess(max(area) - min(area), max(text) - min(text))
+        draw = ("--text", "a", "--px", 12, "--filter", "area", "--out",
+                self.path / "no.png")
+        self.assertIn("--coding outline", run(
+            "render", "--font", self.font, *draw, code=1))
+        self.assertIn("take a filter of distance", run(
+            "render", "--font", font, *draw, "--weight", 0.25, code=1))
+        self.assertIn("at any point", run(
+            "render", "--font", font, *draw[:-4], *draw[-2:], "--rules", "all",
+            code=1))
+
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
         plain = self.render("--text", "AVAV", "--px", 32, "--no-kerning")
@@ -308,7 +334,7 @@ class Tools(unittest.TestCase):
         jobs.append(dict(jobs[0], font=SANS, out=str(self.path / "job3.pgm")))
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
-        run("render", "--jobs", listed, "--max-px", 32)
+        run("render", "--jobs", listed, "--max-px", 32, *CODINGS["edges"])
         moving = ("--hint", "none", "--filter", "motion", "--samples",
                   "adaptive", "--radius", 0.75)
         for i, job in enumerate(jobs[:3]):
@@ -719,9 +745,33 @@ class Tools(unittest.TestCase):
                                  glyph["cells"])
                 self.assertTrue(350 <= glyph["cells"] <= 550, glyph)
 
-    def test_inspect_counts_every_coding(self):
+    def test_inspect_counts_points(self):
         report = self.path / "report.json"
-        for coding, options in CODINGS.items():
+        rom = self.path / "points.bin"
+        run("fontgen", "--font", SANS, "--symbols", "aDi\u00e4\u00ec",
+            "--quiet", "--out", rom, "--report", report)
+        generated = json.loads(report.read_text())
+        seen = json.loads(run("inspect", rom, "--json"))
+        self.assertEqual(seen["verify"], "ok")
+        self.assertEqual(seen["points"], generated["point_count"])
+        self.assertEqual(seen["composites"], generated["composite_count"])
+        self.assertEqual(sum(word["uses"] for word in seen["code"]),
+                         seen["points"] + sum(
+                             glyph["contours"] for glyph in seen["glyphs"]
+                             if not glyph["components"]))
+        for glyph in seen["glyphs"]:
+            self.assertEqual(glyph["points"], glyph["corners"] +
+                             glyph["smooth"] + glyph["off_curve"])
+            self.assertLessEqual(glyph["points"] + glyph["contours"],
+                                 seen["max_points"])
+        said = run("inspect", rom, "--glyph", "D")
+        self.assertRegex(said, r"points +\d+ in 2 contours")
+        self.assertRegex(run("inspect", rom), r"code table +\d+ words")
+
+    def test_inspect_counts_every_kind_of_cells(self):
+        report = self.path / "report.json"
+        for coding in CELLS:
+            options = CODINGS[coding]
             rom = self.path / "coding.bin"
             run("fontgen", "--font", SERIF, "--symbols", "a%", *options,
                 "--quiet", "--out", rom, "--report", report)
@@ -774,8 +824,9 @@ class Tools(unittest.TestCase):
 
     def test_inspect_draws(self):
         for coding in CODINGS:
+            own = "points.png" if coding == "outline" else "cells.png"
             pictures = [self.path / name for name in
-                        ("cells.png", "edges.png", "sheet.png")]
+                        (own, "field.png", "edges.png", "sheet.png")]
             self.assertIn("glyph", run(
                 "inspect", self.fonts[coding], "--glyph", "A",
                 *(x for out in pictures for x in (f"--{out.stem}", out))))
@@ -784,6 +835,12 @@ class Tools(unittest.TestCase):
             for picture in pictures:
                 self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
                 picture.unlink()
+        out = self.path / "no.png"
+        self.assertIn("use --points or --field", run(
+            "inspect", self.fonts["outline"], "--cells", out, code=1))
+        self.assertIn("use --cells or --field", run(
+            "inspect", self.font, "--points", out, code=1))
+        self.assertFalse(out.exists())
         converted = json.loads(run("inspect", SANS, "--symbols", "o",
                                    "--coding", "samples", "--json"))
         self.assertEqual(converted["coding"], "samples")
@@ -884,21 +941,28 @@ class Tools(unittest.TestCase):
                 "Onefotvrysizikcl,", *options)
             pictures[coding] = out.read_bytes()
             self.assertEqual(pictures[coding][:4], b"\x89PNG")
-        self.assertNotEqual(pictures["edges"], pictures["samples"])
+        self.assertEqual(len(set(pictures.values())), len(CODINGS))
 
     def test_specimen_draws_styles(self):
         pictures = [self.path / f"{name}.png" for name in (
             "filters", "lcd", "levels", "fitting", "maps", "motion", "star",
             "compare-body", "compare-display")]
         options = [x for out in pictures for x in (f"--{out.stem}", out)]
-        run("specimen", SANS, "--max-px", 16, *options)
+        run("specimen", SANS, "--max-px", 16, *CODINGS["edges"], *options)
         for out in pictures:
             self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+            out.unlink()
+        self.assertIn("the field at any point", run(
+            "specimen", self.fonts["outline"], "--motion", pictures[0], code=1))
+        still = [x for out in pictures if out.stem != "motion"
+                 for x in (f"--{out.stem}", out)]
+        run("specimen", SANS, "--max-px", 16, *still, "--effects",
+            self.path / "effects.png")
         out = self.path / "effects.png"
         self.assertIn("--band-px", run(
             "specimen", self.font, "--effects", out, code=1))
-        run("specimen", SANS, "--symbols", "Efcts", "--band-px", 2, "--min-px",
-            12, "--max-px", 32, "--effects", out)
+        run("specimen", SANS, "--symbols", "Efcts", *CODINGS["edges"],
+            "--band-px", 2, "--min-px", 12, "--max-px", 32, "--effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
 
     def test_paper_table_refuses(self):

@@ -1,4 +1,6 @@
-// Inkcell with a font of edges in every way that glyphs can look, one a mode.
+// Inkcell with a font of edges or of outlines in every way that glyphs can
+// look, one a mode; a font of outlines lacks the glyphs of modes that it cannot
+// draw. kWorkspace bytes are lent to outlines.
 // Those of a display with sub-pixels, and "plain_rgb888" to compare them with,
 // draw into 24-bit pixels, all others into 8-bit coverage.
 #include "inkcell/adaptive.hpp"
@@ -9,6 +11,7 @@
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/perception.hpp"
 #include "inkcell/port/lcd.hpp"
+#include "inkcell/prepared_glyph.hpp"
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
@@ -29,6 +32,12 @@ struct ColourTarget : port::Rgb888Target {};
 constexpr int32_t kColourBytes = 3;
 static_assert(kColourBytes <= bench::kMaxPixelBytes, "strips hold them");
 ColourTarget colour_target;
+constexpr size_t kWorkspace = 2560;
+alignas(4) uint8_t workspace[kWorkspace];
+
+// The filters of the modes that are one.
+Filter filter;
+
 bool is_coloured = false;
 
 Status make_sink(ColourTarget& target, Sink& out) {
@@ -45,13 +54,13 @@ bool set_fit(Brush& brush, bool stems) {
 bool set_lcd(Brush& brush, SubPixels order) {
   is_coloured = true;
   lcd.order = order;
-  brush.set_painter(paint_lcd, &lcd, kLcdReach);
+  brush.set_painter(lcd_painter(lcd));
   return true;
 }
 
 bool set_adaptive(Brush& brush, Q6_10 radius, SampleRule rule) {
   adaptive = make_adaptive(kFilterText, radius, rule);
-  brush.set_painter(paint_adaptive, &adaptive, kAdaptiveReach);
+  brush.set_painter(adaptive_painter(adaptive));
   return true;
 }
 
@@ -63,14 +72,19 @@ void make_edges() {
 bool set_motion_blur(Brush& brush) {
   const Point way = {Q26_6::from_int(3), {}};
   const Status status = make_motion_blur(kFilterText, way, blur);
-  brush.set_painter(paint_motion_blur, &blur, blur.reach_px);
+  brush.set_painter(motion_blur_painter(blur));
   return status == Status::ok;
 }
 
 bool set_crisp(Brush& brush, uint8_t levels) {
   crisp.levels = levels;
-  brush.set_painter(paint_crisp, &crisp, kCrispReach);
+  brush.set_painter(crisp_painter(crisp));
   return true;
+}
+
+bool set_filter(Brush& brush, const Filter& made) {
+  filter = made;
+  return Brush::make(brush.size(), filter, brush) == Status::ok;
 }
 
 struct Mode {
@@ -85,21 +99,33 @@ constexpr Mode kModes[] = {
     {"outline",
      [](Brush& brush) {
        make_edges();
-       brush.set_painter(paint_outline, &edges.inner);
+       brush.set_painter(outline_painter(edges.inner));
        return true;
      }},
     {"outline_and_fill",
      [](Brush& brush) {
        make_edges();
        outline_and_fill = {&edges.inner, &bench::sink};
-       brush.set_painter(paint_outline_and_fill, &outline_and_fill);
+       brush.set_painter(outline_and_fill_painter(outline_and_fill));
        return true;
+     }},
+    {"bold",
+     [](Brush& brush) {
+       return set_filter(brush, with_weight(kFilterText, Q6_10::from_raw(256)));
+     }},
+    {"shadow_2_px",
+     [](Brush& brush) {
+       return set_filter(brush, shadow_filter(Q6_10::from_int(2)));
+     }},
+    {"glow_4_px",
+     [](Brush& brush) {
+       return set_filter(brush, glow_filter(Q6_10::from_int(4)));
      }},
     {"crisp_1_bit", [](Brush& brush) { return set_crisp(brush, 2); }},
     {"crisp_2_bits", [](Brush& brush) { return set_crisp(brush, 4); }},
     {"perceptual",
      [](Brush& brush) {
-       brush.set_painter(paint_perceptual, &perception, kPerceptionReach);
+       brush.set_painter(perception_painter(perception));
        return true;
      }},
     {"motion_blur_3_px", set_motion_blur},
@@ -138,7 +164,28 @@ bool engine_set_size(uint32_t px, const char* way) {
 }
 
 engine_answer engine_prepare(uint32_t code_point) {
-  return bench::place_glyph(code_point);
+  if (!bench::font.has_outlines()) {
+    return bench::place_glyph(code_point);
+  }
+  uint16_t glyph = 0;
+  PreparedGlyph prepared;
+  if (check_painter(bench::font, bench::brush) != Status::ok ||
+      bench::font.glyph_of(code_point, glyph) != Status::ok ||
+      PreparedGlyph::make(bench::font, glyph, bench::brush, {},
+                          {workspace, kWorkspace}, prepared) != Status::ok) {
+    return engine_lacks;
+  }
+  return bench::place(glyph, prepared.box());
+}
+
+// Outlines, decoded once for all strips.
+template <typename DrawStrips>
+void draw_prepared(uint16_t glyph, const DrawStrips& draw_strips) {
+  PreparedGlyph prepared;
+  if (PreparedGlyph::make(bench::font, glyph, bench::brush, bench::origin,
+                          {workspace, kWorkspace}, prepared) == Status::ok) {
+    draw_strips([&prepared] { prepared.draw(bench::sink); });
+  }
 }
 
 void engine_draw(uint32_t code_point) {
@@ -146,16 +193,22 @@ void engine_draw(uint32_t code_point) {
   if (bench::font.glyph_of(code_point, glyph) != Status::ok) {
     return;
   }
-  const auto draw = [glyph] {
-    draw_glyph(bench::font, glyph, bench::brush, bench::origin, bench::sink);
+  const auto draw_strips = [](const auto& draw) {
+    if (is_coloured) {
+      bench::draw_strips(colour_target, kColourBytes, draw);
+    } else {
+      bench::draw_strips(draw);
+    }
   };
-  if (is_coloured) {
-    bench::draw_strips(colour_target, kColourBytes, draw);
-  } else {
-    bench::draw_strips(draw);
+  if (bench::font.has_outlines()) {
+    draw_prepared(glyph, draw_strips);
+    return;
   }
+  draw_strips([glyph] {
+    draw_glyph(bench::font, glyph, bench::brush, bench::origin, bench::sink);
+  });
 }
 
 size_t engine_workspace() {
-  return 0;
+  return bench::font.has_outlines() ? kWorkspace : 0;
 }

@@ -28,12 +28,11 @@ int32_t drawn_bytes() {
 
 }  // namespace
 
-engine_answer bench::place(uint16_t glyph, const GlyphField& field) {
+engine_answer bench::place(uint16_t glyph, const Rect& rect) {
   GlyphMetrics metrics;
   if (font.glyph_metrics(glyph, metrics) != Status::ok) {
     return engine_lacks;
   }
-  const Rect rect = field_box(field, brush, {});
   if (rect.x1 - rect.x0 > kEngineSide || rect.y1 - rect.y0 > kEngineSide) {
     return engine_too_large;
   }
@@ -53,7 +52,7 @@ engine_answer bench::place_glyph(uint32_t code_point) {
       font.field(glyph, field) != Status::ok) {
     return engine_lacks;
   }
-  return place(glyph, field);
+  return place(glyph, field_box(field, brush, {}));
 }
 
 bool bench::equal(const char* a, const char* b) {

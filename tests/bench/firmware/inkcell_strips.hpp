@@ -50,7 +50,8 @@ void draw_strips(const Draw& draw) {
 }
 
 // Puts the glyph into the strips' upper left corner, and clears those.
-engine_answer place(uint16_t glyph, const inkcell::GlyphField& field);
+// `box`: its pixels, its origin at (0, 0).
+engine_answer place(uint16_t glyph, const inkcell::Rect& box);
 
 // The same with the glyph of a character.
 engine_answer place_glyph(uint32_t code_point);

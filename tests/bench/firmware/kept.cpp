@@ -1,14 +1,15 @@
 // Programs that are linked to see what they keep of the library, not run. Each
 // opens a font and draws:
 //
-//   INKCELL_KEEP 0   upright glyphs of cells, 8-bit coverage
-//                1   the same, and lines of text
-//                2   the same, at any angle
-//                3   the same, into every format
+//   INKCELL_KEEP 0   upright glyphs into 8-bit coverage, by distance
+//                1   the same, by exact area; of outlines only
+//                2   as 0, and lines of text
+//                3   as 2, with any matrix
+//                4   as 3, and by area, into every format
 #include "inkcell/port/a8.hpp"
 #include "inkcell/text.hpp"
 
-#if INKCELL_KEEP >= 3
+#if INKCELL_KEEP >= 4
 #  include "inkcell/port/grey2.hpp"
 #  include "inkcell/port/grey4.hpp"
 #  include "inkcell/port/grey8.hpp"
@@ -24,26 +25,36 @@ using namespace inkcell;
 namespace {
 
 alignas(4) uint8_t bytes[64];
+Brush brush;
 
-#if INKCELL_KEEP >= 2
+#if INKCELL_KEEP >= 3
 Direction direction;
+Matrix matrix;
 
-Status make_brush(Brush& brush) {
-  return Brush::make(kMinSize, kFilterText, direction, brush);
+Status make_brush() {
+  INKCELL_TRY(Brush::make(kMinSize, kFilterText, direction, brush));
+#  if INKCELL_KEEP >= 4
+  INKCELL_TRY(Brush::make(matrix, kFilterArea, brush));
+#  endif
+  return Brush::make(matrix, kFilterText, brush);
+}
+#elif INKCELL_KEEP == 1
+Status make_brush() {
+  return Brush::make(kMinSize, kFilterArea, brush);
 }
 #else
-Status make_brush(Brush& brush) {
+Status make_brush() {
   return Brush::make(kMinSize, kFilterText, brush);
 }
 #endif
 
 template <typename Target>
-Status draw_into(const Font& font, const Brush& brush) {
+Status draw_into(const Font& font) {
   Target target;
   target.strip.pixels = {bytes, sizeof bytes};
   Sink sink;
   INKCELL_TRY(make_sink(target, sink));
-#if INKCELL_KEEP == 0
+#if INKCELL_KEEP < 2
   draw_glyph(font, bytes[0], brush, {}, sink);
 #else
   draw_text(font, "text", brush, {}, sink);
@@ -55,21 +66,20 @@ Status draw_into(const Font& font, const Brush& brush) {
 
 int main(int, char**) {
   Font font;
-  Brush brush;
   if (Font::open({bytes, sizeof bytes}, font) != Status::ok ||
-      make_brush(brush) != Status::ok ||
-      draw_into<port::A8Target>(font, brush) != Status::ok) {
+      make_brush() != Status::ok ||
+      draw_into<port::A8Target>(font) != Status::ok) {
     return 1;
   }
-#if INKCELL_KEEP >= 3
-  if (draw_into<port::Grey2Target>(font, brush) != Status::ok ||
-      draw_into<port::Grey4Target>(font, brush) != Status::ok ||
-      draw_into<port::Grey8Target>(font, brush) != Status::ok ||
-      draw_into<port::MonoPagesTarget>(font, brush) != Status::ok ||
-      draw_into<port::MonoRowsTarget>(font, brush) != Status::ok ||
-      draw_into<port::Rgb565Target>(font, brush) != Status::ok ||
-      draw_into<port::Rgb888Target>(font, brush) != Status::ok ||
-      draw_into<port::Xrgb8888Target>(font, brush) != Status::ok) {
+#if INKCELL_KEEP >= 4
+  if (draw_into<port::Grey2Target>(font) != Status::ok ||
+      draw_into<port::Grey4Target>(font) != Status::ok ||
+      draw_into<port::Grey8Target>(font) != Status::ok ||
+      draw_into<port::MonoPagesTarget>(font) != Status::ok ||
+      draw_into<port::MonoRowsTarget>(font) != Status::ok ||
+      draw_into<port::Rgb565Target>(font) != Status::ok ||
+      draw_into<port::Rgb888Target>(font) != Status::ok ||
+      draw_into<port::Xrgb8888Target>(font) != Status::ok) {
     return 1;
   }
 #endif

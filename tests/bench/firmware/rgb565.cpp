@@ -28,6 +28,7 @@ constexpr size_t kFontBytes = 1 << 20;
 alignas(4) uint8_t font_bytes[kFontBytes];
 alignas(4) uint8_t pixels[kWidth * kRows * 2];
 PositionedGlyph glyphs[16];
+alignas(4) uint8_t workspace[2560];  // for outlines
 
 void print_number(uint32_t value) {
   board::print(" ");
@@ -69,7 +70,8 @@ bool measure_run(const Font& font, int32_t px) {
       return false;
     }
     const auto work = [&] {
-      draw(font, run, brush, {Q26_6::from_int(4), Q26_6::from_int(px)}, sink);
+      draw(font, run, brush, {Q26_6::from_int(4), Q26_6::from_int(px)}, sink,
+           {workspace, sizeof workspace});
     };
     const auto used = static_cast<uint32_t>(board::count_stack(work));
     stack = used > stack ? used : stack;

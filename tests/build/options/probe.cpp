@@ -43,7 +43,7 @@ bool draw(const Font& font, Sink& sink) {
     return false;
   }
   Brush splatted = small;
-  splatted.set_painter(paint_splats, &splats, kSplatReach);
+  splatted.set_painter(splat_painter(splats));
   int32_t y = 0;
   for (const Brush* brush : {&small, &splatted, &large, &turned}) {
     y += brush->size().floor() + 4;

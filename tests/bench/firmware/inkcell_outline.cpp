@@ -1,0 +1,93 @@
+// Inkcell with a font of outlines. Ways:
+//
+//   upright, turned, leaning   by distance; by 15 degrees, and by 1/5
+//   area, area_turned          by exact coverage
+//   strips                     upright, decoded anew for each strip
+//   stack                      the same without lent RAM
+//
+// All but the last lend kWorkspace bytes.
+#include "inkcell/prepared_glyph.hpp"
+#include "inkcell_strips.hpp"
+
+using namespace inkcell;
+
+namespace {
+
+constexpr size_t kWorkspace = 2560;
+alignas(4) uint8_t workspace[kWorkspace];
+
+enum class Way { prepared, strips, stack };
+Way way = Way::prepared;
+
+constexpr Direction kTurn = {
+    Fixed<int32_t, 30>::from_raw(1037154959),  // 15 degrees
+    Fixed<int32_t, 30>::from_raw(277904834)};
+
+Status make_brush(Q26_6 size, const char* name) {
+  using bench::brush;
+  using bench::equal;
+  if (equal(name, "turned")) {
+    return Brush::make(size, kFilterText, kTurn, brush);
+  }
+  if (equal(name, "leaning")) {
+    const auto em = Q16_16::from_raw(size.raw << 10);
+    const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
+    return Brush::make(matrix, kFilterText, brush);
+  }
+  if (equal(name, "area")) {
+    return Brush::make(size, kFilterArea, brush);
+  }
+  if (equal(name, "area_turned")) {
+    return Brush::make(size, kFilterArea, kTurn, brush);
+  }
+  way = equal(name, "strips")  ? Way::strips
+        : equal(name, "stack") ? Way::stack
+                               : Way::prepared;
+  return way != Way::prepared || equal(name, "upright")
+             ? Brush::make(size, kFilterText, brush)
+             : Status::bad_argument;
+}
+
+}  // namespace
+
+bool engine_set_size(uint32_t px, const char* name) {
+  way = Way::prepared;
+  return make_brush(Q26_6::from_int(static_cast<int32_t>(px)), name) ==
+         Status::ok;
+}
+
+engine_answer engine_prepare(uint32_t code_point) {
+  uint16_t glyph = 0;
+  PreparedGlyph prepared;
+  if (bench::font.glyph_of(code_point, glyph) != Status::ok ||
+      PreparedGlyph::make(bench::font, glyph, bench::brush, {},
+                          {workspace, kWorkspace}, prepared) != Status::ok) {
+    return engine_lacks;
+  }
+  return bench::place(glyph, prepared.box());
+}
+
+void engine_draw(uint32_t code_point) {
+  uint16_t glyph = 0;
+  if (bench::font.glyph_of(code_point, glyph) != Status::ok) {
+    return;
+  }
+  if (way != Way::prepared) {
+    const Workspace ram =
+        way == Way::strips ? Workspace{workspace, kWorkspace} : Workspace{};
+    bench::draw_strips([glyph, &ram] {
+      draw_glyph(bench::font, glyph, bench::brush, bench::origin, bench::sink,
+                 ram);
+    });
+    return;
+  }
+  PreparedGlyph prepared;
+  if (PreparedGlyph::make(bench::font, glyph, bench::brush, bench::origin,
+                          {workspace, kWorkspace}, prepared) == Status::ok) {
+    bench::draw_strips([&prepared] { prepared.draw(bench::sink); });
+  }
+}
+
+size_t engine_workspace() {
+  return way == Way::stack ? 0 : kWorkspace;
+}
