@@ -23,11 +23,11 @@ int32_t sum(int32_t a, int32_t b) noexcept {
 
 // [px per grid unit, Q18]
 int32_t scale_of(const Font& font,
-                 const Brush& brush,
+                 Q26_6 size_px,
                  const OutlineCoding& coding) noexcept {
   // At most 2^16 sizes: 32 bits hold this.
   const uint32_t shift = static_cast<uint32_t>(12 + coding.grid_shift);
-  const uint32_t size = static_cast<uint32_t>(brush.size().raw) << shift;
+  const uint32_t size = static_cast<uint32_t>(size_px.raw) << shift;
   const uint32_t em = font.units_per_em();
   return static_cast<int32_t>((size + em / 2) / em);
 }
@@ -37,13 +37,13 @@ int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
   return static_cast<int32_t>((int64_t{scale} * factor_q30 + (1 << 29)) >> 30);
 }
 
-OutlineMap map_of(const Brush& brush, int32_t scale) noexcept {
-  if (brush.is_upright()) {
+OutlineMap map_of(const Brush::Axes* axes, int32_t scale) noexcept {
+  if (axes == nullptr) {
     return {scale, 0, 0, -scale};
   }
-  const Brush::Axes& axes = brush.axes();
-  return {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
-          times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
+  return {
+      times_q30(scale, axes->x_right.raw), -times_q30(scale, axes->x_up.raw),
+      times_q30(scale, axes->y_right.raw), -times_q30(scale, axes->y_up.raw)};
 }
 
 // A map after that of a component, which is in Q14.
@@ -83,7 +83,8 @@ int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
 bool OutlineGlyph::open(const Font& font,
                         uint16_t glyph,
                         Span<const uint8_t> record,
-                        const Brush& brush,
+                        Q26_6 size,
+                        const Brush::Axes* axes,
                         const Placed& placed,
                         const OutlineSampling& sampling) noexcept {
   GlyphMetrics metrics;
@@ -99,12 +100,10 @@ bool OutlineGlyph::open(const Font& font,
     return false;
   }
   is_composite_ = record_.data[0] == composite::kType;
-  map_ = map_of(brush, scale_of(font, brush, coding_));
-  is_mirrored_ =
-      !brush.is_upright() &&
-      (brush.axes().x_right.raw >> 15) * int64_t{brush.axes().y_up.raw >> 15} <
-          (brush.axes().x_up.raw >> 15) *
-              int64_t{brush.axes().y_right.raw >> 15};
+  map_ = map_of(axes, scale_of(font, size, coding_));
+  is_mirrored_ = axes != nullptr &&
+                 (axes->x_right.raw >> 15) * int64_t{axes->y_up.raw >> 15} <
+                     (axes->x_up.raw >> 15) * int64_t{axes->y_right.raw >> 15};
   const int32_t width = metrics.x_max - metrics.x_min;
   const int32_t height = metrics.y_max - metrics.y_min;
   const int32_t left = sum(scaled(metrics.x_min, map_.x_right),

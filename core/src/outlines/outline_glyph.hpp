@@ -35,14 +35,25 @@ inline bool is_outline(Span<const uint8_t> record) noexcept {
 // RAM that is lent as bytes.
 class __attribute__((may_alias)) OutlineGlyph {
  public:
-  // `record` is the glyph's; is_outline(record). False: the font is not one of
-  // outlines.
+  // `record` is the glyph's; is_outline(record). `axes` is null for upright
+  // glyphs. False: the font is not one of outlines.
+  bool open(const Font& font,
+            uint16_t glyph,
+            Span<const uint8_t> record,
+            Q26_6 size,
+            const Brush::Axes* axes,
+            const Placed& placed,
+            const OutlineSampling& sampling) noexcept;
+
   bool open(const Font& font,
             uint16_t glyph,
             Span<const uint8_t> record,
             const Brush& brush,
             const Placed& placed,
-            const OutlineSampling& sampling) noexcept;
+            const OutlineSampling& sampling) noexcept {
+    return open(font, glyph, record, brush.size(),
+                brush.is_upright() ? nullptr : &brush.axes(), placed, sampling);
+  }
 
   // The pixels that may show something.
   const Rect& box() const noexcept { return box_; }
