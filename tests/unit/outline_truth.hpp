@@ -31,8 +31,14 @@ inline double root(double value) {
 /// A glyph as edges on the screen. [px, y down]
 class Truth {
  public:
-  /// `scale`: px per grid unit; the origin is at (x, y).
-  void set(Span<const OutlinePoint> points, double scale, double x, double y) {
+  /// `scale`: px per grid unit; the origin is at (x, y). Curves become `steps`
+  /// edges.
+  void set(Span<const OutlinePoint> points,
+           double scale,
+           double x,
+           double y,
+           int32_t steps = kSteps) {
+    steps_ = steps;
     scale_ = scale;
     x_ = x;
     y_ = y;
@@ -84,8 +90,8 @@ class Truth {
   }
   void add_curve(const Place& a, const Place& c, const Place& b) {
     Place at = a;
-    for (int32_t i = 1; i <= kSteps; ++i) {
-      const double t = static_cast<double>(i) / kSteps;
+    for (int32_t i = 1; i <= steps_; ++i) {
+      const double t = static_cast<double>(i) / steps_;
       const double u = 1 - t;
       const Place next = {u * u * a.x + 2 * t * u * c.x + t * t * b.x,
                           u * u * a.y + 2 * t * u * c.y + t * t * b.y};
@@ -125,6 +131,7 @@ class Truth {
   double scale_ = 0;
   double x_ = 0;
   double y_ = 0;
+  int32_t steps_ = kSteps;
   uint32_t count_ = 0;
   Place from_[kMaxEdges];
   Place to_[kMaxEdges];

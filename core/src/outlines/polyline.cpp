@@ -216,19 +216,22 @@ int32_t Polyline::distance(int32_t x,
     const Vertex* const begin = &vertex(edges_[i]);
     const Vertex* const end = begin - 1;
     const Offset v = from(*begin, x, y);
-    if (dot_q14(v, *begin) < 0) {
+    const int32_t up = height(v, *begin);
+    uint32_t away = square(up >> 1);
+    if (away >= least || dot_q14(v, *begin) < 0) {
       continue;
     }
-    const int32_t up = height(v, *begin);
     const Offset w = from(*end, x, y);
     const bool is_beyond = dot_q14(w, *begin) > 0;
-    const uint32_t away =
-        is_beyond ? square(w.x >> 1) + square(w.y >> 1) : square(up >> 1);
-    if (away < least) {
-      least = away;
-      best = up;
-      nearest_end = is_beyond ? end : nullptr;
+    if (is_beyond) {
+      away = square(w.x >> 1) + square(w.y >> 1);
+      if (away >= least) {
+        continue;
+      }
     }
+    least = away;
+    best = up;
+    nearest_end = is_beyond ? end : nullptr;
   }
   if (nearest_end == nullptr) {
     return best;

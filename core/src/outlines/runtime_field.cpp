@@ -236,11 +236,12 @@ void Builder::make_cell(Level& level,
 }
 
 // Whether what a reader makes of the cell is near the distances that it is not
-// made of. Beyond the band nothing matters but that it is beyond.
+// made of. Beyond the band nothing matters but that it is beyond, which one
+// point tells of its neighbours if the band is wider by the way to them.
 bool Builder::is_good(Level& level,
                       int32_t log2,
                       const uint8_t* cell) const noexcept {
-  const int32_t band_q10 = limits_.band_u * 1024;
+  const int32_t band_q10 = limits_.band_u * 1024 + (1024 << log2 >> 2);
   const auto clamped = [band_q10](int32_t distance_q10) noexcept {
     return lesser(greater(distance_q10, -band_q10), band_q10);
   };
