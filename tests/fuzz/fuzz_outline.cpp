@@ -167,4 +167,7 @@ void run(const uint8_t* data, size_t size) {
   const auto glyph = static_cast<uint16_t>(choice[input::kGlyph] % 5);
   // The box of the composite is not that of its parts.
   hostile::check_outline(font, glyph, style, cut, has_points && glyph != 3);
+  if ((choice[input::kFlags] & input::kHasField) != 0) {
+    hostile::check_generated_field(font, glyph, style, cut);
+  }
 }

@@ -8,7 +8,7 @@
 /// to its end, of the composite glyph 3, without its type. Of one of points:
 /// four bytes a point, kind, dx / 32 in 1/1024 em, dy / 32, both.
 namespace outline_input {
-inline constexpr uint32_t kFlags = 0;      // kHasPoints, kIsFitted
+inline constexpr uint32_t kFlags = 0;      // kHasPoints and others
 inline constexpr uint32_t kCodeBits = 1;   // modulo 7, and 1
 inline constexpr uint32_t kGridShift = 2;  // modulo 8, less 4
 inline constexpr uint32_t kEm = 3;         // u16
@@ -29,4 +29,5 @@ inline constexpr uint32_t kBytes = 47;
 
 inline constexpr uint8_t kHasPoints = 1;
 inline constexpr uint8_t kIsFitted = 2;
+inline constexpr uint8_t kHasField = 4;  // one is generated, too
 }  // namespace outline_input

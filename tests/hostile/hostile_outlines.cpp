@@ -22,6 +22,7 @@
 namespace {
 
 using namespace inkcell;
+using hostile::check_generated_field;
 using hostile::check_outline;
 using hostile::OutlineCut;
 using hostile::OutlineStyle;
@@ -141,6 +142,7 @@ class Artist {
       cut.origin.y.raw = static_cast<int32_t>(random_.next());
     }
     check_outline(font, glyph, style, cut, is_exact);
+    check_generated_field(font, glyph, style, cut);
     ++count_;
   }
 

@@ -9,6 +9,7 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/runtime_field.hpp"
 #include "inkcell/text.hpp"
 
 namespace hostile {
@@ -293,6 +294,46 @@ void check_outline(const Font& font,
       prepared.draw(part);
     }
     require(!is_exact || blocks.equals(whole), "the same picture prepared");
+  }
+}
+
+void check_generated_field(const Font& font,
+                           uint16_t glyph,
+                           const OutlineStyle& style,
+                           const OutlineCut& cut) {
+  // From the finest to the coarsest, from the narrowest band to the widest.
+  FieldLimits limits;
+  limits.tolerance.raw = style.size_q6 < FieldLimits::kMinTolerance.raw
+                             ? FieldLimits::kMinTolerance.raw
+                             : style.size_q6;
+  limits.band_u =
+      static_cast<int32_t>(cut.whole_bytes % FieldLimits::kMaxBand) + 1;
+  const Ram ram(4 * (cut.part_bytes % 1024), 0);
+  const Workspace lent = ram.workspace();
+  const Span<uint8_t> buffer = {lent.data, lent.size};
+  GlyphField field;
+  if (generate_field(font, glyph, limits, buffer, field) != Status::ok ||
+      record_bytes(field) == 0) {
+    return;
+  }
+  const size_t bytes = record_bytes(field);
+  require(bytes <= buffer.size, "the field fits its buffer");
+  GlyphField again;
+  require(GlyphField::open({buffer.data, bytes}, again) == Status::ok,
+          "the record opens");
+  require(again.cells == field.cells, "the record is the field");
+  Brush brush;
+  const auto size = Q26_6::from_raw(style.size_q6);
+  require(Brush::make(size, kFilterText, brush) == Status::ok, "brush");
+  Picture picture(cut.x0, cut.y0);
+  draw_field(field, brush, cut.origin, picture.sink(picture.all(), false));
+  for (int32_t i = 0; i < 16; ++i) {
+    const auto x = Q16_16::from_int(field.x0_u + 61 * i);
+    const auto y = Q16_16::from_int(field.y0_u + 37 * i);
+    const int32_t distance = distance_at(field, x, y).raw;
+    require(
+        distance <= kSaturatedDistanceQ10 && distance >= -kSaturatedDistanceQ10,
+        "distances are within bounds");
   }
 }
 

@@ -51,4 +51,13 @@ void check_outline(const inkcell::Font& font,
                    const OutlineCut& cut,
                    bool is_exact);
 
+/// Generates the field of the glyph in a buffer of 4 cut.part_bytes, 4092 at
+/// most, draws it upright at style.size_q6, and looks at points of it. Ends the
+/// program if the field is not of this buffer, its record is not one that
+/// opens, or pixels leave the window.
+void check_generated_field(const inkcell::Font& font,
+                           uint16_t glyph,
+                           const OutlineStyle& style,
+                           const OutlineCut& cut);
+
 }  // namespace hostile

@@ -72,7 +72,8 @@ void set_direction(Vertex& vertex, Offset v) noexcept {
   }
   const int32_t over = length(v);
   vertex.along_x = static_cast<int16_t>((v.x * (1 << 15) / over + 1) >> 1);
-  vertex.along_y = static_cast<int16_t>((v.y * (1 << 14) / over + 1) >> 1 << 1);
+  vertex.along_y =
+      static_cast<int16_t>((v.y * (1 << 14) / over + 1) & ~kLastVertex);
 }
 
 }  // namespace
