@@ -69,6 +69,7 @@ WHAT = {
     "digits": "instructions for each pixel of the box of digits of 200 px",
     "rgb565": "a line of text into RGB565, and its sink alone",
     "modes": "every way that glyphs can look, at 12 and 24 px",
+    "field": "fields generated from outlines",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
 }
@@ -87,6 +88,9 @@ MODE_SIZES = ["12", "24"]
 MODE_CPUS = ("m0", "m3")
 ASCII = ("32", "126")
 DIGITS = ("48", "57")
+# Of generated fields. [u, 1/1024 u]
+BAND = "32"
+TOLERANCES = ("512", "1024", "2048")
 # The trees of fonts: tiles of 256 u.
 DEPTH = "8"
 
@@ -458,6 +462,22 @@ def measure_styled(firmware, arguments, font, coding, upright, pictures):
                        "call_solid": numbers[3]}
 
 
+def measure_fields(firmware, font):
+    """What it takes to generate fields of outlines."""
+    name = firmware.fonts.files[font, "inkcell", "outline"]
+    kept = kept_bytes(firmware.folder / "field.map")
+    for _, numbers in firmware.run("field", name, *ASCII, BAND, *TOLERANCES):
+        (tolerance, _, mean, most, stack, record, most_record, ram,
+         most_ram) = numbers
+        yield {"figure": "field", "cpu": firmware.cpu, "opt": firmware.opt,
+               "font": font.stem, "tolerance": tolerance,
+               "instructions_mean": mean, "instructions_max": most,
+               "stack": stack, "record_mean": record,
+               "record_max": most_record, "ram_mean": ram,
+               "ram_max": most_ram,
+               "code": kept.get(("inkcell_core", "code"), 0)}
+
+
 def measure_others(firmware, arguments, upright, pictures):
     """All figures of Inkcell that are not a table."""
     for coding in STYLED:
@@ -465,6 +485,10 @@ def measure_others(firmware, arguments, upright, pictures):
             if (font, "inkcell", coding) in firmware.fonts.files:
                 yield from measure_styled(firmware, arguments, font, coding,
                                           upright, pictures)
+    if "field" in arguments.what:
+        for font in arguments.font:
+            if (font, "inkcell", "outline") in firmware.fonts.files:
+                yield from measure_fields(firmware, font)
     if "bound" in arguments.what and "edges" in arguments.coding:
         for _, numbers in firmware.run("bound", DEPTH, *arguments.px):
             px, pixels, instructions, stack = numbers
@@ -502,7 +526,7 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets |= {"bound", "modes", "rgb565"} & set(arguments.what)
+    targets |= {"bound", "field", "modes", "rgb565"} & set(arguments.what)
     if "turned" in arguments.what and "edges" in arguments.coding:
         targets.add("turned")
     if "code" in arguments.what:

@@ -1,0 +1,140 @@
+// Generates fields of outlines, and counts.
+//
+//   FIRMWARE FONT FIRST LAST BAND TOLERANCE...  code points and u in decimal,
+//                                               the tolerance in 1/1024 u
+//
+// Prints for each tolerance of the characters that have ink:
+//
+//   field TOLERANCE GLYPHS MEAN MOST STACK RECORD MOST_RECORD RAM MOST_RAM
+//
+// instructions (mean, most), the stack of the deepest glyph, the bytes of the
+// field, and those of the least buffer that it can be generated in.
+#include "board.hpp"
+#include "counter.hpp"
+#include "inkcell/runtime_field.hpp"
+#include "semihosting.hpp"
+#include "stack.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr size_t kFontBytes = 1 << 20;
+alignas(4) uint8_t font_bytes[kFontBytes];
+alignas(4) uint8_t ram[1 << 18];
+constexpr uint8_t kUntouched = 0xa5;
+
+struct Total {
+  uint32_t sum = 0;
+  uint32_t most = 0;
+
+  void add(uint32_t value) {
+    sum += value;
+    most = value > most ? value : most;
+  }
+};
+
+void print_number(uint32_t value) {
+  board::print(" ");
+  board::print_decimal(value);
+}
+
+void print_total(const Total& total, uint32_t count) {
+  print_number((total.sum + count / 2) / count);
+  print_number(total.most);
+}
+
+bool open_font(const char* name, Font& font) {
+  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
+  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
+  const auto size = static_cast<size_t>(length);
+  return length >= 0 && size <= kFontBytes &&
+         semihosting::read(file, font_bytes, size) &&
+         Font::open({font_bytes, size}, font) == Status::ok;
+}
+
+// What is left between nodes and cells while the field grows: afterwards cells
+// lie in it, and what nobody wrote to.
+uint32_t free_bytes(const GlyphField& field) {
+  const size_t cells = size_t{format::samples::kBytes} * field.cell_count;
+  size_t end = record_bytes(field);
+  const size_t begin = end;
+  while (end < sizeof ram && ram[end] == kUntouched) {
+    ++end;
+  }
+  return static_cast<uint32_t>(end - begin + cells);
+}
+
+bool measure(const Font& font,
+             uint32_t first,
+             uint32_t last,
+             const FieldLimits& limits) {
+  uint32_t glyphs = 0;
+  Total instructions;
+  Total stack;
+  Total records;
+  Total buffers;
+  for (uint32_t code_point = first; code_point <= last; ++code_point) {
+    uint16_t glyph = 0;
+    if (font.glyph_of(code_point, glyph) != Status::ok ||
+        font.record(glyph).size == 0) {
+      continue;
+    }
+    GlyphField field;
+    Status status = Status::ok;
+    const auto work = [&] {
+      status = generate_field(font, glyph, limits, ram, field);
+    };
+    stack.add(static_cast<uint32_t>(board::count_stack(work)));
+    for (uint8_t& byte : ram) {
+      byte = kUntouched;
+    }
+    instructions.add(board::count_instructions(work));
+    if (status != Status::ok) {
+      return false;
+    }
+    records.add(static_cast<uint32_t>(record_bytes(field)));
+    buffers.add(static_cast<uint32_t>(sizeof ram) - free_bytes(field));
+    ++glyphs;
+  }
+  if (glyphs == 0) {
+    return false;
+  }
+  board::print("field");
+  print_number(static_cast<uint32_t>(limits.tolerance.raw));
+  print_number(glyphs);
+  print_total(instructions, glyphs);
+  print_number(stack.most);
+  print_total(records, glyphs);
+  print_total(buffers, glyphs);
+  board::print("\n");
+  return true;
+}
+
+uint32_t parse(const char* digits) {
+  uint32_t value = 0;
+  while (*digits >= '0' && *digits <= '9') {
+    value = value * 10 + static_cast<uint32_t>(*digits++ - '0');
+  }
+  return value;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Font font;
+  if (argc < 6 || !open_font(argv[1], font)) {
+    board::print("usage: FONT FIRST LAST BAND TOLERANCE...\n");
+    return 1;
+  }
+  for (int i = 5; i < argc; ++i) {
+    FieldLimits limits;
+    limits.band_u = static_cast<int32_t>(parse(argv[4]));
+    limits.tolerance.raw = static_cast<int32_t>(parse(argv[i]));
+    if (!measure(font, parse(argv[2]), parse(argv[3]), limits)) {
+      board::print("no glyphs, a limit out of range, or too little RAM\n");
+      return 1;
+    }
+  }
+  return 0;
+}
