@@ -61,7 +61,7 @@ struct FieldLimits {
 /// hold the field, as a glyph record of samples (docs/FORMAT.md), and must
 /// outlive it. A glyph without ink needs no buffer.
 ///
-/// Distances are those from chords, which keep within tolerance / 8 of curves,
+/// Distances are those from chords, which keep within tolerance / 4 of curves,
 /// with coordinates of 1/64 u where ink and band fit 1024 u, and twice that
 /// wherever they need twice as many.
 ///

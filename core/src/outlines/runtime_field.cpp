@@ -33,6 +33,8 @@ using detail::magnitude;
 using detail::OutlineGlyph;
 using detail::Polyline;
 
+constexpr bool kIsSupported = detail::kHasOutlines && INKCELL_SAMPLE_CELLS != 0;
+
 // Tiles are as wide as the glyph, within these limits.
 constexpr int32_t kMinTileLog2 = 6;
 constexpr int32_t kMaxTileLog2 = glyphs::kMaxTileLog2;
@@ -179,7 +181,7 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
 bool Builder::share_out(OutlineGlyph& outline, Span<uint8_t> buffer) noexcept {
   const Polyline::Frame frame = {
       grid_.x0_u, grid_.y0_u, grid_.fraction,
-      greater(limits_.tolerance.raw >> 5, kMinChordError)};
+      greater(limits_.tolerance.raw >> 4, kMinChordError)};
   buffer.size &= ~size_t{3};
   if (!outline_.read(outline, frame, buffer)) {
     return false;
@@ -428,7 +430,7 @@ Status generate_field(const Font& font,
   GlyphField field;
   const Span<const uint8_t> record = font.record(glyph);
   if (record.size != 0) {
-    if (!detail::kHasOutlines || !detail::is_outline(record)) {
+    if (!kIsSupported || !detail::is_outline(record)) {
       return Status::unsupported;
     }
     if (reinterpret_cast<uintptr_t>(buffer.data) % 4 != 0) {
