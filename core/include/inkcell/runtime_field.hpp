@@ -31,7 +31,8 @@ struct FieldLimits {
   static constexpr Q22_10 kMaxTolerance = Q22_10::from_int(64);
 
   /// A cell is divided while it differs by more than this from the distance at
-  /// one of 16 points between its samples. 1/16..64 u.
+  /// one of 16 points between its samples; down to 2 u. Between these points it
+  /// may differ by about twice as much. 1/16..64 u.
   Q22_10 tolerance = Q22_10::from_int(1);
   /// Distances are good up to here on both sides of the edge; beyond, a query
   /// may answer kSaturatedDistanceQ10 with the right sign. 1..kMaxBand u.
@@ -61,9 +62,9 @@ struct FieldLimits {
 /// hold the field, as a glyph record of samples (docs/FORMAT.md), and must
 /// outlive it. A glyph without ink needs no buffer.
 ///
-/// Distances are those from chords, which keep within tolerance / 4 of curves,
-/// with coordinates of 1/64 u where ink and band fit 1024 u, and twice that
-/// wherever they need twice as many.
+/// Curves become chords that keep within tolerance / 4 of them. Coordinates are
+/// of 1/64 u if ink and band fit 1024 u, of 1/32 u if they fit 2048 u, and so
+/// on. What this costs, and how true fields are: docs/DESIGN.md.
 ///
 /// Work is bounded whatever the font's bytes are: at most size / 2 squares (and
 /// the tiles) are looked at, each at 26 points and from 32 max_points edges at
