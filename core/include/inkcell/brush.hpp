@@ -37,6 +37,8 @@ using CellPainter = void (*)(const GlyphField& field,
                              const Sink& sink);
 
 namespace detail {
+struct OutlineFitter;
+struct OutlineMap;
 struct OutlineMixer;
 struct OutlinePainter;
 struct Placed;
@@ -64,6 +66,14 @@ struct Slant {
                      int64_t along_q10,
                      int64_t across_q10);
 };
+// Grid fitting of outlines.
+extern const OutlineFitter kOutlineFitter;
+
+// From the map of an upright brush to that of a slanted one. Returns whether it
+// mirrors.
+using OutlineMapper = bool (*)(const Brush& brush, OutlineMap& map);
+bool map_slanted(const Brush& brush, OutlineMap& map);
+
 extern const Slant kTurned;     // where all edges are stretched alike
 extern const Slant kStretched;  // and where they are not
 
@@ -131,7 +141,8 @@ struct GlyphStep {
 /// outlive it, unchanged.
 class Brush {
  public:
-  /// 16 px/em, upright, filter `text`.
+  /// 16 px/em, upright, filter `text`. Glyphs of outlines are drawn only after
+  /// make(), which names what paints them: a program links no other.
   constexpr Brush() noexcept = default;
 
   /// An upright brush of `size` px to the em. bad_argument: the size is outside
@@ -203,6 +214,9 @@ class Brush {
       if constexpr (detail::kHasCells) {
         drawer_ = detail::draw_fitted;
       }
+      if constexpr (detail::kHasOutlines) {
+        outline_fitter_ = &detail::kOutlineFitter;
+      }
     }
     fitter_options_ = options;
   }
@@ -229,9 +243,18 @@ class Brush {
   const Filter& filter() const noexcept { return *filter_; }
   bool is_upright() const noexcept { return !is_slanted_; }
 
-  /// What paints glyphs of outlines.
-  const detail::OutlinePainter& outline_painter() const noexcept {
-    return *outline_painter_;
+  /// What paints glyphs of outlines; null before make().
+  const detail::OutlinePainter* outline_painter() const noexcept {
+    return outline_painter_;
+  }
+
+  /// What fits them, and what maps them if they are not upright. Linked with
+  /// set_fitter() and with the make() that needs it.
+  const detail::OutlineFitter& outline_fitter() const noexcept {
+    return *outline_fitter_;
+  }
+  detail::OutlineMapper outline_mapper() const noexcept {
+    return outline_mapper_;
   }
 
   /// What draws glyphs, where that is more than to fill rows of them. Null, the
@@ -345,6 +368,9 @@ class Brush {
       slant_ = &slant;
       drawer_ = detail::draw_painted;
     }
+    if constexpr (detail::kHasOutlines) {
+      outline_mapper_ = detail::map_slanted;
+    }
   }
 
   int32_t size_q6_ = 16 << 6;      // [px/em]
@@ -359,13 +385,16 @@ class Brush {
   GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_ = &kFilterText;
-  const detail::OutlinePainter* outline_painter_ =
-      detail::kHasOutlines ? &detail::kPaintDistances : nullptr;
+  const detail::OutlinePainter* outline_painter_ = nullptr;
   Drawer drawer_ = nullptr;
   // Only upright text is fitted.
   union {
     Fitter fitter_ = nullptr;
     const detail::Slant* slant_;
+  };
+  union {
+    const detail::OutlineFitter* outline_fitter_ = nullptr;
+    detail::OutlineMapper outline_mapper_;
   };
   const void* fitter_options_ = nullptr;
   Painter painter_;

@@ -378,8 +378,8 @@ void paint_areas(const Band& band,
                  OutlineCursor& cursor,
                  const ScreenPoint* points,
                  const ScreenPoint* end) noexcept {
-  PixelPoint at = cursor.edge[0];
-  PixelPoint control = cursor.edge[1];
+  PixelPoint at = cursor.edge()[0];
+  PixelPoint control = cursor.edge()[1];
   bool is_bent = cursor.is_bent;
   const bool is_whole = band.is_whole;
   for (; points != end; ++points) {
@@ -414,8 +414,8 @@ void paint_areas(const Band& band,
       at = {points->x_q8 - band.x_q8, points->y_q8() - band.y_q8};
     }
   }
-  cursor.edge[0] = at;
-  cursor.edge[1] = control;
+  cursor.edge()[0] = at;
+  cursor.edge()[1] = control;
   cursor.is_bent = is_bent;
 }
 

@@ -69,18 +69,34 @@ const ScreenPoint* skip_outside(const Band& band,
                                 const ScreenPoint* at,
                                 const ScreenPoint* end) noexcept;
 
+// Curves are halved so often at most: 16 pieces.
+inline constexpr uint32_t kHalvings = 4;
+
 // How far a painter has come in a glyph's points, which come in portions.
 struct OutlineCursor {
-  // Of the edge at hand: where it begins, its control point with `is_bent`, and
-  // room for its end. Set by a contour's start.
-  PixelPoint edge[3] = {};
-  bool is_bent = false;
-  uint32_t corner_at = 0;  // 1: the edge begins at a corner
-  // Of painters that reach far: where the contour began, its first direction,
-  // and that at the edge's beginning; zeros if there is none yet.
-  PixelPoint start = {0, 0};
-  PixelPoint first = {0, 0};
-  PixelPoint before = {0, 0};
+  static constexpr uint32_t kEdge = 2 * kHalvings;
+
+  PixelPoint points[kEdge + 3];
+  bool is_bent;
+  uint32_t corner_at;  // 1: the edge begins at a corner
+
+  // The edge at hand: where it begins, its control point with `is_bent`, and
+  // room for its end. Set by a contour's start. Halves of curves lie before it.
+  PixelPoint* edge() noexcept { return points + kEdge; }
+
+  // Of painters that reach far and halve nothing: where the contour began, its
+  // first direction, and that at the edge's beginning; zeros if there is none
+  // yet.
+  PixelPoint& start() noexcept { return points[0]; }
+  PixelPoint& first() noexcept { return points[1]; }
+  PixelPoint& before() noexcept { return points[2]; }
+
+  void begin() noexcept {
+    start() = first() = before() = {0, 0};
+    edge()[0] = edge()[1] = {0, 0};
+    is_bent = false;
+    corner_at = 0;
+  }
 };
 
 }  // namespace detail

@@ -38,9 +38,6 @@ constexpr int32_t kMayTurn = 3 << 13;
 // A smooth end goes on for that much of a pixel. [px, Q8]
 constexpr int32_t kBeyondEnd = 90;
 
-// Curves are halved so often at most: 16 pieces.
-constexpr uint32_t kHalvings = 4;
-
 // How far feet may lie beyond an end, in 16ths of the distance: a corner has a
 // vertex of its own, so that this covers what rounding leaves; beyond a smooth
 // end another edge goes on.
@@ -373,17 +370,13 @@ inline uint32_t ends_of(uint32_t corners,
   return piece == last ? corners : corners & kCornerBefore;
 }
 
-// A curve that must be halved. Its pieces share ends: at, control, middle,
-// control, end.
+// A curve that must be halved: edge()[0] to edge()[2], of which the end is
+// left. Its pieces share ends: at, control, middle, control, end.
 __attribute__((noinline)) void paint_halves(const Band& band,
-                                            const PixelPoint* curve,
+                                            OutlineCursor& cursor,
                                             uint32_t corners) noexcept {
-  PixelPoint points[2 * kHalvings + 3];
-  PixelPoint* const last = points + 2 * kHalvings;  // piece
+  PixelPoint* const last = cursor.edge();
   PixelPoint* piece = last;
-  for (int32_t i = 0; i < 3; ++i) {
-    piece[i] = curve[i];
-  }
   uint32_t levels = 0;  // how often pieces were halved, four bits each
   bool is_painted = false;
   for (;;) {
@@ -416,10 +409,10 @@ __attribute__((noinline)) void paint_halves(const Band& band,
 }
 
 inline void paint_curve(const Band& band,
-                        const PixelPoint* points,
+                        OutlineCursor& cursor,
                         uint32_t corners) noexcept {
-  if (!paint_edge(band, points, true, corners)) {
-    paint_halves(band, points, corners);
+  if (!paint_edge(band, cursor.edge(), true, corners)) {
+    paint_halves(band, cursor, corners);
   }
 }
 
@@ -429,7 +422,7 @@ void paint_distances(const Band& band,
                      OutlineCursor& cursor,
                      const ScreenPoint* points,
                      const ScreenPoint* end) noexcept {
-  PixelPoint* const edge = cursor.edge;
+  PixelPoint* const edge = cursor.edge();
   bool is_bent = cursor.is_bent;
   uint32_t corner = cursor.corner_at;
   const bool is_whole = band.is_whole;
@@ -440,7 +433,7 @@ void paint_distances(const Band& band,
     if (kind == kOffCurve) {
       if (is_bent) {
         edge[2] = {(edge[1].x + x) >> 1, (edge[1].y + y) >> 1};
-        paint_curve(band, edge, corner);
+        paint_curve(band, cursor, corner);
         edge[0] = edge[2];
         corner = 0;
       }
@@ -454,7 +447,7 @@ void paint_distances(const Band& band,
                     "the kind tells whether the edge before ends at a corner");
       edge[2] = {x, y};
       if (is_bent) {
-        paint_curve(band, edge, corners);
+        paint_curve(band, cursor, corners);
       } else if (edge[0].x == x) {
         paint_vertical(band, x, edge[0].y, y);
       } else if (edge[0].y == y) {

@@ -16,7 +16,7 @@ namespace {
 
 // The least RAM that a glyph is drawn in, and what it takes of the stack where
 // no RAM is lent. [bytes]
-constexpr int32_t kLeastBytes = 704;
+constexpr int32_t kLeastBytes = 864;
 
 // More is not used: sizes stay below 2^31.
 constexpr size_t kMostBytes = 1 << 20;
@@ -102,57 +102,77 @@ void emit(const Sink& sink,
 
 namespace {
 
-int32_t stride_of(int32_t x0, int32_t x1) noexcept {
-  // From the word that holds the pixel before the first one to the pixel after
-  // the last one.
-  return (x1 - ((x0 - 1) & ~3) + 4) & ~3;
-}
-
 // Points at a time of a glyph that has more than there is room for: few, as
 // each row that a band has less costs more than they do.
 constexpr int32_t kPortion = 16;
 
-const OutlinePainter& painter_of(const Brush& brush) noexcept {
-  const OutlineMixer* const mixer = brush.painter().outlines;
-  return mixer == nullptr ? brush.outline_painter() : *mixer->painter;
-}
-
-OutlinePlan plan_of(const Brush& brush) noexcept {
+// False: the brush was not made.
+bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
   // Room for roundings.
   constexpr int32_t kMore = 4;
-  const OutlinePainter& painter = painter_of(brush);
-  OutlinePlan plan;
-  if (painter.reach_q8 != 0) {
-    plan.outside_q8 = painter.reach_q8;
+  const OutlineMixer* const mixer = brush.painter().outlines;
+  plan = {};
+  plan.painter = mixer == nullptr ? brush.outline_painter() : mixer->painter;
+  if (plan.painter == nullptr) {
+    return false;
+  }
+  const int32_t reach_q8 = plan.painter->reach_q8;
+  if (reach_q8 != 0) {
+    plan.outside_q8 = reach_q8;
     plan.shown_q8 = 128 + kMore;
   } else {
     const Filter& filter = brush.filter();
     plan.widen(filter);
     plan.shown_q8 = (greater(-filter.outside_q10, 0) >> 2) + kMore;
   }
-  if (brush.painter().outlines != nullptr) {
-    brush.painter().outlines->plan(brush, plan);
+  if (mixer != nullptr) {
+    mixer->plan(brush, plan);
   }
-  return plan;
+  return true;
 }
 
 // A glyph in RAM: where it stands, its points, and room for bands of rows.
 struct __attribute__((may_alias)) Prepared {
-  OutlineGlyph glyph;
-  const Brush* brush;
+  Band band;    // the one at hand
+  Rect pixels;  // that it is for
+  OutlineCursor cursor;
   OutlinePlan plan;
+  const Brush* brush;
   const PointWarp* warp;  // null if the glyph is not fitted
-  ScreenPoint* points;  // all of them if the glyph is done, else room for some
+  ScreenPoint* points;    // room for all of them, or for some
   ScreenPoint* points_end;
   int32_t band_bytes;  // behind the points
+  bool has_all;        // points
+  OutlineGlyph glyph;
 };
+
+// A glyph to draw, and where.
+struct Job {
+  const Font& font;
+  Span<const uint8_t> record;
+  const Brush& brush;
+  const Placed& placed;
+  uint16_t glyph;
+};
+
+}  // namespace
+
+// How glyphs are moved to the grid of pixels.
+struct OutlineFitter {
+  bool (*open)(Prepared& prepared, const Job& job) noexcept;
+  void (*apply)(const PointWarp& warp,
+                ScreenPoint* points,
+                const ScreenPoint* end) noexcept;
+};
+
+namespace {
 
 ScreenPoint* read_points(Prepared& prepared,
                          ScreenPoint* points,
                          int32_t room) noexcept {
   ScreenPoint* const end = prepared.glyph.read(points, room);
   if (prepared.warp != nullptr) {
-    prepared.warp->apply(points, end);
+    prepared.brush->outline_fitter().apply(*prepared.warp, points, end);
   }
   return end;
 }
@@ -173,138 +193,143 @@ bool prepare(Prepared& prepared, int32_t size) noexcept {
   glyph.rewind();
   ScreenPoint* end =
       read_points(prepared, points, size / 2 / int32_t{sizeof(ScreenPoint)});
-  if (!glyph.is_done()) {
+  prepared.has_all = glyph.is_done();
+  if (!prepared.has_all) {
     end = points + kPortion;
   }
   prepared.points = points;
   prepared.points_end = end;
   prepared.band_bytes =
       size - static_cast<int32_t>(end - points) * int32_t{sizeof(ScreenPoint)};
+  Band& band = prepared.band;
+  const OutlinePlan& plan = prepared.plan;
+  band.outside_q8 = plan.outside_q8;
+  band.inside_q8 = plan.inside_q8;
+  band.reach_q8 = greater(plan.outside_q8, plan.inside_q8);
+  if (plan.painter->reach_q8 == 0) {
+    band.fall_q14 = static_cast<int32_t>((254u << 14) /
+                                         static_cast<uint32_t>(band.reach_q8));
+  }
+  band.is_mirrored = glyph.is_mirrored();
   return end != points;
 }
 
-// Points for which there is no room: anew for each band.
-__attribute__((noinline)) void paint_portions(Prepared& prepared,
-                                              const Band& band) noexcept {
-  OutlineGlyph& glyph = prepared.glyph;
-  const auto room = static_cast<int32_t>(prepared.points_end - prepared.points);
-  OutlineCursor cursor;
-  glyph.rewind();
+// All points, or portions of those for which there is no room.
+void paint_band(Prepared& prepared) noexcept {
+  prepared.cursor.begin();
+  ScreenPoint* const points = prepared.points;
+  const ScreenPoint* end = prepared.points_end;
+  const auto room = static_cast<int32_t>(end - points);
+  if (!prepared.has_all) {
+    prepared.glyph.rewind();
+  }
   do {
-    const ScreenPoint* const end = read_points(prepared, prepared.points, room);
-    painter_of(*prepared.brush).paint(band, cursor, prepared.points, end);
-  } while (!glyph.is_done());
-  glyph.rewind();  // so that it is not done
+    if (!prepared.has_all) {
+      end = read_points(prepared, points, room);
+    }
+    prepared.plan.painter->paint(prepared.band, prepared.cursor, points, end);
+  } while (!prepared.glyph.is_done());
 }
 
-// The samples that pixels are made of.
-Rect samples_of(const OutlinePlan& plan, const Rect& pixels) noexcept {
-  return {pixels.x0 * plan.columns - plan.margin_x,
-          pixels.y0 * plan.rows - plan.margin_y,
-          pixels.x1 * plan.columns + plan.margin_x,
-          pixels.y1 * plan.rows + plan.margin_y};
+// Samples before the first pixel of a band, from a multiple of 4 on: one of
+// them at least.
+int32_t columns_before(const OutlinePlan& plan, int32_t x0) noexcept {
+  return ((x0 * plan.columns - plan.margin_x - 1) & 3) + 1 + plan.margin_x;
 }
 
-void draw_band(Prepared& prepared,
-               const Rect& pixels,
-               const Sink& sink) noexcept {
+// Of a band of pixels, from there on. [samples]
+int32_t width_of(const OutlinePlan& plan, int32_t x0, int32_t x1) noexcept {
+  return columns_before(plan, x0) + (x1 - x0) * plan.columns + plan.margin_x;
+}
+
+// Rows of that many samples and the pixel after them. [bytes]
+int32_t stride_of(int32_t width) noexcept {
+  return (width + 4) & ~3;
+}
+
+__attribute__((noinline)) void mix(const Prepared& prepared,
+                                   const OutlineMixer& mixer,
+                                   const Sink& sink) noexcept {
+  const OutlinePlan& plan = prepared.plan;
+  mixer.mix({prepared.band, *prepared.brush, prepared.pixels,
+             columns_before(plan, prepared.pixels.x0), plan.margin_y, sink});
+}
+
+__attribute__((noinline)) void draw_band(Prepared& prepared,
+                                         const Sink& sink) noexcept {
   const OutlineGlyph& glyph = prepared.glyph;
   const OutlinePlan& plan = prepared.plan;
-  const OutlinePainter& painter = painter_of(*prepared.brush);
-  const Rect samples = samples_of(plan, pixels);
-  const int32_t first = (samples.x0 - 1) & ~3;  // of columns
+  const Rect& pixels = prepared.pixels;
   auto* const bytes = reinterpret_cast<uint8_t*>(prepared.points_end);
-  Band band;
-  band.stride = stride_of(samples.x0, samples.x1);
-  band.rows = samples.y1 - samples.y0;
+  Band& band = prepared.band;
+  const int32_t width = width_of(plan, pixels.x0, pixels.x1);
+  band.stride = stride_of(width);
+  band.rows = (pixels.y1 - pixels.y0) * plan.rows + 2 * plan.margin_y;
   band.bytes = bytes + kGuardBytes + band.stride;
-  band.last_column = samples.x1 - 1 - first;
-  band.x_q8 = (first - glyph.x0()) * 256;
-  band.y_q8 = (samples.y0 - glyph.y0()) * 256;
-  band.outside_q8 = plan.outside_q8;
-  band.inside_q8 = plan.inside_q8;
-  band.reach_q8 = plan.reach_q8();
-  band.fall_q14 =
-      static_cast<int32_t>((254u << 14) / static_cast<uint32_t>(band.reach_q8));
+  band.last_column = width - 1;
+  band.x_q8 =
+      (pixels.x1 * plan.columns + plan.margin_x - width - glyph.x0()) * 256;
+  band.y_q8 = (pixels.y0 * plan.rows - plan.margin_y - glyph.y0()) * 256;
   band.is_whole = pixels.y1 - pixels.y0 == glyph.box().y1 - glyph.box().y0;
-  band.is_mirrored = glyph.is_mirrored();
   clear(bytes, kGuardBytes + (band.rows + kGuardRows) * band.stride);
-  if (glyph.is_done()) {
-    OutlineCursor cursor;
-    painter.paint(band, cursor, prepared.points, prepared.points_end);
-  } else {
-    paint_portions(prepared, band);
-  }
+  paint_band(prepared);
   if (const OutlineMixer* const mixer = prepared.brush->painter().outlines) {
-    mixer->mix({band, *prepared.brush, pixels,
-                samples.x0 + plan.margin_x - first, plan.margin_y, sink});
+    mix(prepared, *mixer, sink);
     return;
   }
-  painter.cover(band, prepared.brush->filter());
-  emit(sink, pixels, band.bytes + (pixels.x0 - first), band.stride);
+  plan.painter->cover(band, prepared.brush->filter());
+  emit(sink, pixels, band.bytes + columns_before(plan, pixels.x0), band.stride);
 }
 
 void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
-  const Rect pixels = intersect(prepared.glyph.box(), sink.window);
-  if (is_empty(pixels)) {
+  const Rect all = intersect(prepared.glyph.box(), sink.window);
+  if (is_empty(all)) {
     return;
   }
   const OutlinePlan& plan = prepared.plan;
   const int32_t bytes = prepared.band_bytes - kGuardBytes;
-  const int32_t height = pixels.y1 - pixels.y0;
-  const Rect samples = samples_of(plan, pixels);
   // Of samples.
   const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
-  int32_t rows = bytes / stride_of(samples.x0, samples.x1) - more_rows;
-  int32_t columns = pixels.x1 - pixels.x0;
+  int32_t rows = bytes / stride_of(width_of(plan, all.x0, all.x1)) - more_rows;
+  int32_t columns = all.x1 - all.x0;
   const int32_t least =
-      lesser(height, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
+      lesser(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
   if (rows < least * plan.rows) {
     rows = least * plan.rows;
     columns = (bytes / (rows + more_rows) & ~3) - 8 - 2 * plan.margin_x;
     columns = plan.columns == 1 ? columns : columns / plan.columns;
   }
   rows = plan.rows == 1 ? rows : rows / plan.rows;
-  Rect band = pixels;
-  for (; band.y0 < pixels.y1; band.y0 = band.y1) {
-    band.y1 = lesser(band.y0 + rows, pixels.y1);
-    for (band.x0 = pixels.x0; band.x0 < pixels.x1; band.x0 = band.x1) {
-      band.x1 = lesser(band.x0 + columns, pixels.x1);
-      draw_band(prepared, band, sink);
+  Rect& part = prepared.pixels;
+  for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
+    part.y1 = lesser(part.y0 + rows, all.y1);
+    for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
+      part.x1 = lesser(part.x0 + columns, all.x1);
+      draw_band(prepared, sink);
     }
   }
 }
 
-// A glyph to draw, and where.
-struct Job {
-  const Font& font;
-  Span<const uint8_t> record;
-  const Brush& brush;
-  const Placed& placed;
-  uint16_t glyph;
-};
-
-// Where samples are, and how far pixels show: `more` is what fitting may move.
-OutlineSampling sampling_of(const Prepared& prepared,
-                            int32_t more_q8) noexcept {
+// `more_q8`: how far fitting may move what shows.
+bool open_at(Prepared& prepared,
+             const Job& job,
+             const Placed& placed,
+             int32_t more_q8) noexcept {
   const OutlinePlan& plan = prepared.plan;
-  return {painter_of(*prepared.brush).origin_q8, plan.shown_q8 + more_q8,
-          plan.columns, plan.rows};
+  return prepared.glyph.open(job.font, job.glyph, job.record, job.brush, placed,
+                             {plan.painter->origin_q8, plan.shown_q8 + more_q8,
+                              plan.columns, plan.rows});
 }
 
-// The same of a glyph that is moved to the grid of pixels; its map lies behind
-// it.
-__attribute__((noinline)) bool open_fitted(Prepared& prepared,
-                                           const Job& job) noexcept {
+// The map lies behind the glyph.
+bool open_fitted(Prepared& prepared, const Job& job) noexcept {
   RowMap rows;
   FinePoint origin = job.placed.origin();
   job.brush.fitter()(job.glyph, job.brush, job.brush.fitter_options(), origin,
                      rows);
   Placed placed;
   // No point moves by more than a pixel.
-  if (!placed.set(origin) ||
-      !prepared.glyph.open(job.font, job.glyph, job.record, job.brush, placed,
-                           sampling_of(prepared, 256))) {
+  if (!placed.set(origin) || !open_at(prepared, job, placed, 256)) {
     return false;
   }
   if (rows.count != 0) {
@@ -316,19 +341,34 @@ __attribute__((noinline)) bool open_fitted(Prepared& prepared,
   return true;
 }
 
+void apply_warp(const PointWarp& warp,
+                ScreenPoint* points,
+                const ScreenPoint* end) noexcept {
+  warp.apply(points, end);
+}
+
+// False if there is nothing to draw in the window.
 bool open(Prepared& prepared, const Job& job) noexcept {
   prepared.brush = &job.brush;
   prepared.warp = nullptr;
-  prepared.plan = plan_of(job.brush);
-  if (job.brush.is_fitted()) {
-    return open_fitted(prepared, job);
+  if (!plan_for(job.brush, prepared.plan)) {
+    return false;
   }
-  return prepared.glyph.open(job.font, job.glyph, job.record, job.brush,
-                             job.placed, sampling_of(prepared, 0));
+  if (job.brush.is_fitted()) {
+    return job.brush.outline_fitter().open(prepared, job);
+  }
+  return open_at(prepared, job, job.placed, 0);
 }
 
-bool is_in(const Prepared& prepared, const Rect& window) noexcept {
-  return !is_empty(intersect(prepared.glyph.box(), window));
+void draw_in(Prepared& prepared,
+             int32_t size,
+             const Job& job,
+             const Sink& sink) noexcept {
+  if (open(prepared, job) &&
+      !is_empty(intersect(prepared.glyph.box(), sink.window)) &&
+      prepare(prepared, size)) {
+    draw_prepared(prepared, sink);
+  }
 }
 
 __attribute__((noinline)) void draw_on_stack(const Job& job,
@@ -337,10 +377,7 @@ __attribute__((noinline)) void draw_on_stack(const Job& job,
     Prepared prepared;
     uint8_t bytes[kLeastBytes - sizeof(Prepared)];
   } ram;
-  if (open(ram.prepared, job) && is_in(ram.prepared, sink.window) &&
-      prepare(ram.prepared, kLeastBytes)) {
-    draw_prepared(ram.prepared, sink);
-  }
+  draw_in(ram.prepared, kLeastBytes, job, sink);
 }
 
 // The part of a workspace that begins where pointers may lie; none if that is
@@ -357,6 +394,8 @@ Workspace aligned(const Workspace& workspace) noexcept {
 }
 
 }  // namespace
+
+const OutlineFitter kOutlineFitter = {open_fitted, apply_warp};
 
 const OutlinePainter kPaintDistances = {paint_distances, cover_distances, 128,
                                         128};
@@ -377,11 +416,8 @@ void draw_outline(const Font& font,
     draw_on_stack(job, sink);
     return;
   }
-  Prepared& prepared = *reinterpret_cast<Prepared*>(ram.data);
-  if (open(prepared, job) && is_in(prepared, sink.window) &&
-      prepare(prepared, static_cast<int32_t>(ram.size))) {
-    draw_prepared(prepared, sink);
-  }
+  draw_in(*reinterpret_cast<Prepared*>(ram.data),
+          static_cast<int32_t>(ram.size), job, sink);
 }
 
 }  // namespace detail

@@ -37,15 +37,6 @@ int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
   return static_cast<int32_t>((int64_t{scale} * factor_q30 + (1 << 29)) >> 30);
 }
 
-OutlineMap map_of(const Brush::Axes* axes, int32_t scale) noexcept {
-  if (axes == nullptr) {
-    return {scale, 0, 0, -scale};
-  }
-  return {
-      times_q30(scale, axes->x_right.raw), -times_q30(scale, axes->x_up.raw),
-      times_q30(scale, axes->y_right.raw), -times_q30(scale, axes->y_up.raw)};
-}
-
 // A map after that of a component, which is in Q14.
 OutlineMap mapped(const OutlineMap& map, const int32_t (&part)[4]) noexcept {
   const auto mixed = [](int32_t a, int32_t x, int32_t b, int32_t y) noexcept {
@@ -71,6 +62,15 @@ struct Extent {
 
 }  // namespace
 
+bool map_slanted(const Brush& brush, OutlineMap& map) {
+  const int32_t scale = map.x_right;
+  const Brush::Axes& axes = brush.axes();
+  map = {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
+         times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
+  return (axes.x_right.raw >> 15) * int64_t{axes.y_up.raw >> 15} <
+         (axes.x_up.raw >> 15) * int64_t{axes.y_right.raw >> 15};
+}
+
 // Font units times px per grid unit. [px, Q18]
 int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
   const int32_t value = product(units, per_unit);
@@ -84,7 +84,7 @@ bool OutlineGlyph::open(const Font& font,
                         uint16_t glyph,
                         Span<const uint8_t> record,
                         Q26_6 size,
-                        const Brush::Axes* axes,
+                        const Brush* slanted,
                         const Placed& placed,
                         const OutlineSampling& sampling) noexcept {
   GlyphMetrics metrics;
@@ -100,10 +100,10 @@ bool OutlineGlyph::open(const Font& font,
     return false;
   }
   is_composite_ = record_.data[0] == composite::kType;
-  map_ = map_of(axes, scale_of(font, size, coding_));
-  is_mirrored_ = axes != nullptr &&
-                 (axes->x_right.raw >> 15) * int64_t{axes->y_up.raw >> 15} <
-                     (axes->x_up.raw >> 15) * int64_t{axes->y_right.raw >> 15};
+  const int32_t scale = scale_of(font, size, coding_);
+  map_ = {scale, 0, 0, -scale};
+  is_mirrored_ =
+      slanted != nullptr && slanted->outline_mapper()(*slanted, map_);
   const int32_t width = metrics.x_max - metrics.x_min;
   const int32_t height = metrics.y_max - metrics.y_min;
   const int32_t left = sum(scaled(metrics.x_min, map_.x_right),

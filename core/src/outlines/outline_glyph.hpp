@@ -35,13 +35,13 @@ inline bool is_outline(Span<const uint8_t> record) noexcept {
 // RAM that is lent as bytes.
 class __attribute__((may_alias)) OutlineGlyph {
  public:
-  // `record` is the glyph's; is_outline(record). `axes` is null for upright
-  // glyphs. False: the font is not one of outlines.
+  // `record` is the glyph's; is_outline(record). `slanted` is null for
+  // upright glyphs. False: the font is not one of outlines.
   bool open(const Font& font,
             uint16_t glyph,
             Span<const uint8_t> record,
             Q26_6 size,
-            const Brush::Axes* axes,
+            const Brush* slanted,
             const Placed& placed,
             const OutlineSampling& sampling) noexcept;
 
@@ -52,7 +52,7 @@ class __attribute__((may_alias)) OutlineGlyph {
             const Placed& placed,
             const OutlineSampling& sampling) noexcept {
     return open(font, glyph, record, brush.size(),
-                brush.is_upright() ? nullptr : &brush.axes(), placed, sampling);
+                brush.is_upright() ? nullptr : &brush, placed, sampling);
   }
 
   // The pixels that may show something.

@@ -15,6 +15,7 @@ struct OutlinePainter;
 
 // How the bands of a glyph are painted.
 struct OutlinePlan {
+  const OutlinePainter* painter = nullptr;
   // How far distances are good, outside and inside. [px]
   int32_t outside_q8 = 0;
   int32_t inside_q8 = 0;
@@ -27,7 +28,6 @@ struct OutlinePlan {
   uint8_t margin_x = 0;
   uint8_t margin_y = 0;
 
-  int32_t reach_q8() const noexcept { return greater(outside_q8, inside_q8); }
   // For the ramp of a filter.
   void widen(const Filter& filter) noexcept {
     outside_q8 = greater(outside_q8, (-filter.outside_q10 >> 2) + 1);

@@ -441,25 +441,26 @@ class Contours {
     OutlineCursor& at = cursor_;
     if (kind == kOffCurve) {
       if (at.is_bent) {
-        take_piece({(at.edge[1].x + next.x) >> 1, (at.edge[1].y + next.y) >> 1},
-                   0);
+        take_piece(
+            {(at.edge()[1].x + next.x) >> 1, (at.edge()[1].y + next.y) >> 1},
+            0);
       }
-      at.edge[1] = next;
+      at.edge()[1] = next;
       at.is_bent = true;
       return;
     }
     if (kind == kStart) {
-      at.start = next;
-      at.before = {0, 0};
-      at.edge[0] = next;
+      at.start() = next;
+      at.before() = {0, 0};
+      at.edge()[0] = next;
       at.corner_at = 1;
       at.is_bent = false;
       return;
     }
     take_piece(next, kind >> 1);
     at.is_bent = false;
-    if (kind == kCorner && is_zero(difference(next, at.start))) {
-      paint_corner<Marks>(band_, next, at.before, at.first);
+    if (kind == kCorner && is_zero(difference(next, at.start()))) {
+      paint_corner<Marks>(band_, next, at.before(), at.first());
     }
   }
 
@@ -467,33 +468,36 @@ class Contours {
   // A line or curve to `next`; `corner`: 1 if that is one.
   void take_piece(const PixelPoint& next, uint32_t corner) noexcept {
     OutlineCursor& at = cursor_;
-    PixelPoint after = difference(at.is_bent ? at.edge[1] : next, at.edge[0]);
+    PixelPoint after =
+        difference(at.is_bent ? at.edge()[1] : next, at.edge()[0]);
     if (is_zero(after)) {
-      after = difference(next, at.edge[0]);
+      after = difference(next, at.edge()[0]);
     }
     if (at.corner_at != 0) {
-      if (is_zero(at.before)) {
-        at.first = after;
+      if (is_zero(at.before())) {
+        at.first() = after;
       } else {
-        paint_corner<Marks>(band_, at.edge[0], at.before, after);
+        paint_corner<Marks>(band_, at.edge()[0], at.before(), after);
       }
     }
     const uint32_t corners = at.corner_at | corner << 1;
     if (!at.is_bent) {
-      if (!is_out_of_reach(band_, at.edge[0].y, next.y, next.y)) {
-        paint_line<Marks>(band_, at.edge[0], next, corners);
+      if (!is_out_of_reach(band_, at.edge()[0].y, next.y, next.y)) {
+        paint_line<Marks>(band_, at.edge()[0], next, corners);
       }
-    } else if (!is_out_of_reach(band_, at.edge[0].y, at.edge[1].y, next.y)) {
-      paint_curve<Marks>(band_, at.edge[0], at.edge[1], next, corners);
+    } else if (!is_out_of_reach(band_, at.edge()[0].y, at.edge()[1].y,
+                                next.y)) {
+      paint_curve<Marks>(band_, at.edge()[0], at.edge()[1], next, corners);
     }
-    PixelPoint before = difference(next, at.is_bent ? at.edge[1] : at.edge[0]);
+    PixelPoint before =
+        difference(next, at.is_bent ? at.edge()[1] : at.edge()[0]);
     if (is_zero(before)) {
-      before = difference(next, at.edge[0]);
+      before = difference(next, at.edge()[0]);
     }
     if (!is_zero(before)) {
-      at.before = before;
+      at.before() = before;
     }
-    at.edge[0] = next;
+    at.edge()[0] = next;
     at.corner_at = corner;
   }
 
