@@ -41,8 +41,9 @@ constexpr int32_t kBeyondEnd = 90;
 // How far feet may lie beyond an end, in 16ths of the distance: a corner has a
 // vertex of its own, so that this covers what rounding leaves; beyond a smooth
 // end another edge goes on.
-constexpr int32_t kCornerSlack = 2;
-constexpr int32_t kSmoothSlack = 4;
+constexpr uint8_t kCornerSlack = 2;
+constexpr uint8_t kSmoothSlack = 4;
+constexpr uint8_t kSharpSlack = 5;
 
 // Edges that bend more, with a radius of 1 px or less, are looked at closely in
 // each row: there feet lie where the edge has left its tangent. [Q16]
@@ -222,30 +223,31 @@ inline void set_rows(Edge& edge,
   const int32_t after = magnitude(edge.slope_after);
   edge.first = (edge.from >> 8) + 1;
   edge.end = (to >> 8) + 1;
-  edge.tips = 0;
+  edge.first_slack = 0;
+  edge.last_slack = 0;
   if (corners & kCornerBefore) {
     if (before >= kNearlyAxis) {
       edge.first = (edge.from + 128) >> 8;
-      edge.tips = kCornerSlack;
+      edge.first_slack = kCornerSlack;
     }
   } else if (before > kMayTurn && (edge.from & 255) < kBeyondEnd) {
     --edge.first;
-    edge.tips = kSmoothSlack;
+    edge.first_slack = kSmoothSlack;
   }
   if (corners & kCornerAfter) {
     if (after >= kNearlyAxis) {
       edge.end = ((to + 128) >> 8) + 1;
-      edge.tips |= kCornerSlack << 4;
+      edge.last_slack = kCornerSlack;
     }
   } else if (after > kMayTurn && (to & 255) > 256 - kBeyondEnd) {
     ++edge.end;
-    edge.tips |= kSmoothSlack << 4;
+    edge.last_slack = kSmoothSlack;
   }
   const int32_t u = edge.first * 256 - edge.from;
   const int32_t jerk_part = cubic.half_jerk * u >> 8;
   edge.half_jerk = cubic.half_jerk;
   edge.half_bend = cubic.half_bend + jerk_part;
-  edge.is_sharp = magnitude(edge.half_bend) > kSharp;
+  edge.slack = magnitude(edge.half_bend) > kSharp ? kSharpSlack : 0;
   edge.across =
       edge.across_before * 256 +
       ((cubic.slope + ((cubic.half_bend + (jerk_part * 85 >> 8)) * u >> 8)) *

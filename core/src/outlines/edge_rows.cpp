@@ -8,9 +8,6 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// Of the rows of edges that bend sharply, as Edge::tips has it.
-constexpr int32_t kSharpSlack = 5;
-
 // By slope in 1/32, from -2 to 2 and what roundings add.
 struct Slopes {
   static constexpr int32_t kMost = 66;
@@ -170,7 +167,7 @@ inline void paint_steep_rows(const Band& band,
     slope += half_bend;
     bytes += stride;
   } while (--count != 0);
-  if (edge.tips >> 4 != 0) {
+  if (edge.last_slack != 0) {
     edge.across = across;
     edge.slope = slope;
     edge.half_bend = half_bend;
@@ -182,11 +179,11 @@ inline void paint_steep_rows(const Band& band,
 void paint_steep(const Band& band, Edge& edge) noexcept {
   int32_t row = edge.first;
   int32_t last = edge.end;  // the row of the second tip
-  if (edge.tips >> 4 != 0) {
+  if (edge.last_slack != 0) {
     --last;
   }
-  if ((edge.tips & 15) != 0) {
-    paint_steep_tip(band, edge, row, static_cast<int32_t>(edge.tips & 15));
+  if (edge.first_slack != 0) {
+    paint_steep_tip(band, edge, row, edge.first_slack);
     if (row == last) {
       return;
     }
@@ -201,17 +198,17 @@ void paint_steep(const Band& band, Edge& edge) noexcept {
     }
   }
   const int32_t end = lesser(last, band.rows);
-  if (row < end && edge.is_sharp) {
+  if (row < end && edge.slack != 0) {
     for (; row != end; ++row) {
-      paint_steep_tip(band, edge, row, kSharpSlack);
+      paint_steep_tip(band, edge, row, edge.slack);
       edge.step();
     }
   } else if (row < end) {
     paint_steep_rows(band, edge, row, end - row);
     row = end;
   }
-  if (edge.tips >> 4 != 0 && row == last) {
-    paint_steep_tip(band, edge, row, static_cast<int32_t>(edge.tips >> 4));
+  if (edge.last_slack != 0 && row == last) {
+    paint_steep_tip(band, edge, row, edge.last_slack);
   }
 }
 
@@ -234,11 +231,12 @@ void toggle_rows(const Band& band,
 }
 
 // A column near an end of a flat edge. `above`: the row above the edge so far.
-__attribute__((noinline)) void paint_flat_tip(const Band& band,
-                                              const Edge& edge,
-                                              int32_t column,
-                                              int32_t slack,
-                                              int32_t& above) noexcept {
+// Returns that of the next one.
+__attribute__((noinline)) int32_t paint_flat_tip(const Band& band,
+                                                 const Edge& edge,
+                                                 int32_t column,
+                                                 int32_t slack,
+                                                 int32_t above) noexcept {
   const Crossing crossing(edge, column);
   const int32_t row = crossing.across >> 16;
   const int32_t before = column * 256 - edge.from;
@@ -252,6 +250,7 @@ __attribute__((noinline)) void paint_flat_tip(const Band& band,
     paint_tip(band.row(row) + column, band.stride, edge, crossing, column,
               slack);
   }
+  return above;
 }
 
 // Columns without tests.
@@ -296,7 +295,7 @@ inline void paint_flat_columns(const Band& band,
     half_bend += half_jerk;
     slope += half_bend;
   } while (++column != end);
-  if (edge.tips >> 4 != 0) {
+  if (edge.last_slack != 0) {
     edge.across = across;
     edge.slope = slope;
     edge.half_bend = half_bend;
@@ -310,12 +309,11 @@ void paint_flat(const Band& band, Edge& edge) noexcept {
   int32_t above = edge.across_before >> 8;
   int32_t column = edge.first;
   int32_t last = edge.end;  // the column of the second tip
-  if (edge.tips >> 4 != 0) {
+  if (edge.last_slack != 0) {
     --last;
   }
-  if ((edge.tips & 15) != 0) {
-    paint_flat_tip(band, edge, column, static_cast<int32_t>(edge.tips & 15),
-                   above);
+  if (edge.first_slack != 0) {
+    above = paint_flat_tip(band, edge, column, edge.first_slack, above);
     edge.step();
     ++column;
   }
@@ -327,18 +325,17 @@ void paint_flat(const Band& band, Edge& edge) noexcept {
     }
   }
   const int32_t end = lesser(last, band.last_column + 1);
-  if (column < end && edge.is_sharp) {
+  if (column < end && edge.slack != 0) {
     for (; column != end; ++column) {
-      paint_flat_tip(band, edge, column, kSharpSlack, above);
+      above = paint_flat_tip(band, edge, column, edge.slack, above);
       edge.step();
     }
   } else if (column < end) {
     paint_flat_columns(band, edge, column, end, above);
     column = end;
   }
-  if (edge.tips >> 4 != 0 && column == last) {
-    paint_flat_tip(band, edge, column, static_cast<int32_t>(edge.tips >> 4),
-                   above);
+  if (edge.last_slack != 0 && column == last) {
+    above = paint_flat_tip(band, edge, column, edge.last_slack, above);
   }
   // Rounding may leave the last crossing beside the end.
   const int32_t below = edge.across_after >> 8;

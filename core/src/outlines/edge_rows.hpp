@@ -26,10 +26,11 @@ struct Edge {
   int32_t slope;
   int32_t half_bend;  // what the slope gains in half a row
   int32_t half_jerk;  // what that gains in a row
-  bool is_sharp;
-  // Whether feet are tested in the first row (bits 0 to 3) and in the last one
-  // (4 to 7): their slack in 16ths, or 0.
-  uint32_t tips;
+  // Whether feet are tested in the first row and in the last one, and in all
+  // between: their slack in 16ths, or 0.
+  uint8_t first_slack;
+  uint8_t last_slack;
+  uint8_t slack;
   // Where it begins and ends: beyond that it goes on straight. [Q8; Q16]
   int32_t across_before;
   int32_t across_after;
