@@ -44,12 +44,16 @@ struct OutlinePainter;
 struct Placed;
 
 // Filters of outlines; linked with the Brush::make that names them.
+extern const OutlinePainter kPaintPixelRamp;      // Filter::is_linear_pixel()
 extern const OutlinePainter kPaintDistances;      // up to half a pixel
 extern const OutlinePainter kPaintWideDistances;  // any filter
 extern const OutlinePainter kPaintAreas;
 
-// A filter that is known when the program is compiled links one of the two.
+// A filter that is known when the program is compiled links one of the three.
 inline const OutlinePainter& painter_of(const Filter& filter) noexcept {
+  if (filter.is_linear_pixel()) {
+    return kPaintPixelRamp;
+  }
   return filter.outside_q10 >= -512 && filter.inside_q10 <= 512
              ? kPaintDistances
              : kPaintWideDistances;

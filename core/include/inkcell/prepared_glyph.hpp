@@ -29,9 +29,9 @@ class PreparedGlyph {
   /// taken for each point, the rest for rows: 2.5 KB hold every glyph of a
   /// Latin face and 16 rows of 96 px. The same picture as draw_glyph's.
   ///
-  /// buffer_small: the workspace has less than 704 bytes. no_glyph: there is no
-  /// glyph of this id. unsupported: it is not one of outlines. `out` is
-  /// untouched unless the result is ok.
+  /// buffer_small: the workspace has less than 860 bytes, or 928 where pointers
+  /// have 64 bits. no_glyph: there is no glyph of this id. unsupported: it is
+  /// not one of outlines. `out` is untouched unless the result is ok.
   static Status make(const Font& font,
                      uint16_t glyph,
                      const Brush& brush,

@@ -91,9 +91,10 @@ struct OutlineCursor {
   PixelPoint& first() noexcept { return points[1]; }
   PixelPoint& before() noexcept { return points[2]; }
 
+  // All else is set by the start of a contour.
   void begin() noexcept {
-    start() = first() = before() = {0, 0};
-    edge()[0] = edge()[1] = {0, 0};
+    edge()[0] = {0, 0};
+    edge()[1] = {0, 0};
     is_bent = false;
     corner_at = 0;
   }

@@ -6,14 +6,12 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-constexpr int32_t kHalfPixel = 128;
-
 // Four bytes of nearness and bits to coverage of a linear ramp of +-0.5 px.
 // `inside`: all ones if the pixel to the left is inside.
 //
 // t: bit 0 of each byte, of all bits up to it; the mask of what is inside is
 // 255 for each 1. Outside coverage is half the nearness, inside 255 less that.
-inline uint32_t cover_linear(uint32_t bytes, uint32_t& inside) noexcept {
+inline uint32_t linear_word(uint32_t bytes, uint32_t& inside) noexcept {
   uint32_t t = bytes & 0x01010101;
   t ^= t << 8;
   t ^= t << 16;
@@ -23,10 +21,10 @@ inline uint32_t cover_linear(uint32_t bytes, uint32_t& inside) noexcept {
 }
 
 // The same with any filter.
-uint32_t cover_filtered(uint32_t bytes,
-                        uint32_t& inside,
-                        const Filter& filter,
-                        uint32_t step_q8) noexcept {
+uint32_t filtered_word(uint32_t bytes,
+                       uint32_t& inside,
+                       const Filter& filter,
+                       uint32_t step_q8) noexcept {
   uint32_t coverage = 0;
   for (uint32_t shift = 0; shift != 32; shift += 8) {
     const uint32_t byte = bytes >> shift & 255;
@@ -41,8 +39,9 @@ uint32_t cover_filtered(uint32_t bytes,
   return coverage;
 }
 
-__attribute__((noinline)) void cover_filtered(const Band& band,
-                                              const Filter& filter) noexcept {
+}  // namespace
+
+void cover_filtered(const Band& band, const Filter& filter) noexcept {
   // Half of what a 127th of the reach is. [px, Q18]
   const uint32_t step_q8 = static_cast<uint32_t>(band.reach_q8) * 1024 / 254;
   uint8_t* at = band.bytes;
@@ -53,19 +52,13 @@ __attribute__((noinline)) void cover_filtered(const Band& band,
       if ((bytes | inside) != 0) {
         store_pixels(at, bytes == 0
                              ? inside
-                             : cover_filtered(bytes, inside, filter, step_q8));
+                             : filtered_word(bytes, inside, filter, step_q8));
       }
     }
   }
 }
 
-}  // namespace
-
-void cover_distances(const Band& band, const Filter& filter) noexcept {
-  if (!filter.is_linear_pixel() || band.reach_q8 != kHalfPixel) {
-    cover_filtered(band, filter);
-    return;
-  }
+void cover_linear(const Band& band, const Filter&) noexcept {
   uint8_t* at = band.bytes;
   for (int32_t row = band.rows; row != 0; --row) {
     uint32_t inside = 0;
@@ -75,7 +68,7 @@ void cover_distances(const Band& band, const Filter& filter) noexcept {
       if (__builtin_expect(bytes == 0, 1)) {
         store_pixels(at, inside);
       } else {
-        store_pixels(at, cover_linear(bytes, inside));
+        store_pixels(at, linear_word(bytes, inside));
       }
       at += 4;
     } while (at != end);

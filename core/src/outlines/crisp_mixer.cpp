@@ -62,10 +62,10 @@ class CrispRow {
  public:
   CrispRow(const PaintedBand& painted) noexcept
       : band_(painted.band),
-        filter_(painted.brush.filter()),
+        filter_(painted.brush->filter()),
         step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
-        threshold_q10_(threshold_of(style_of(painted.brush))),
-        has_greys_(has_greys(style_of(painted.brush))) {}
+        threshold_q10_(threshold_of(style_of(*painted.brush))),
+        has_greys_(has_greys(style_of(*painted.brush))) {}
 
   uint8_t coverage(const uint8_t* at) const noexcept {
     if ((*at & kNearnessMask) == 0) {
@@ -131,7 +131,7 @@ void mix_crisp(const PaintedBand& painted) noexcept {
       for (int32_t i = 0; i != count; ++i) {
         coverage[i] = row.coverage(at++);
       }
-      emit_row(painted.sink, x, y, coverage, count);
+      emit_row(*painted.sink, x, y, coverage, count);
     }
   }
 }

@@ -82,7 +82,7 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
                                            int32_t y,
                                            int32_t count) noexcept {
   constexpr int32_t kFull = 3 * 255;
-  const LcdStyle& style = style_of(painted.brush);
+  const LcdStyle& style = style_of(*painted.brush);
   const bool is_red_first = detail::is_red_first(style.order);
   uint8_t rgb[3 * kMaxSpan];
   uint8_t* out = rgb;
@@ -109,21 +109,21 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
     }
   }
   if (all_sum == 3 * kFull) {
-    painted.sink.solid(painted.sink.context, x, y, done);
+    painted.sink->solid(painted.sink->context, x, y, done);
   } else if (all_sum == 1) {
-    hand_on(painted.sink, style, x, y, rgb, done);
+    hand_on(*painted.sink, style, x, y, rgb, done);
   }
   return done;
 }
 
 void mix_lcd(const PaintedBand& painted) noexcept {
   const Band& band = painted.band;
-  const Filter& filter = painted.brush.filter();
+  const Filter& filter = painted.brush->filter();
   cover_areas(band, filter);
   if (!filter.is_linear) {
     map_stripes(band, filter);
   }
-  const bool is_down = is_vertical(style_of(painted.brush).order);
+  const bool is_down = is_vertical(style_of(*painted.brush).order);
   const Rect& pixels = painted.pixels;
   for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
     const int32_t row = (y - pixels.y0) * (is_down ? 3 : 1) + painted.row;

@@ -14,10 +14,6 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// The least RAM that a glyph is drawn in, and what it takes of the stack where
-// no RAM is lent. [bytes]
-constexpr int32_t kLeastBytes = 864;
-
 // More is not used: sizes stay below 2^31.
 constexpr size_t kMostBytes = 1 << 20;
 
@@ -27,6 +23,9 @@ constexpr int32_t kGuardBytes = 4;
 
 // Bands that are cut in columns have at least so many rows.
 constexpr int32_t kLeastRows = 4;
+
+// All painters and mixers have such a row of a pixel or more in that. [bytes]
+constexpr int32_t kLeastBand = 128;
 
 // `bytes` is a multiple of 4.
 void clear(uint8_t* at, int32_t bytes) noexcept {
@@ -133,18 +132,21 @@ bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
 
 // A glyph in RAM: where it stands, its points, and room for bands of rows.
 struct __attribute__((may_alias)) Prepared {
-  Band band;    // the one at hand
-  Rect pixels;  // that it is for
-  OutlineCursor cursor;
+  PaintedBand at;  // the band at hand
   OutlinePlan plan;
-  const Brush* brush;
   const PointWarp* warp;  // null if the glyph is not fitted
   ScreenPoint* points;    // room for all of them, or for some
   ScreenPoint* points_end;
   int32_t band_bytes;  // behind the points
   bool has_all;        // points
   OutlineGlyph glyph;
+  OutlineCursor cursor;
 };
+
+// The least RAM that a glyph is drawn in, and what it takes of the stack where
+// no RAM is lent. [bytes]
+constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(PointWarp) +
+                               kPortion * sizeof(ScreenPoint) + kLeastBand;
 
 // A glyph to draw, and where.
 struct Job {
@@ -172,7 +174,7 @@ ScreenPoint* read_points(Prepared& prepared,
                          int32_t room) noexcept {
   ScreenPoint* const end = prepared.glyph.read(points, room);
   if (prepared.warp != nullptr) {
-    prepared.brush->outline_fitter().apply(*prepared.warp, points, end);
+    prepared.at.brush->outline_fitter().apply(*prepared.warp, points, end);
   }
   return end;
 }
@@ -201,7 +203,7 @@ bool prepare(Prepared& prepared, int32_t size) noexcept {
   prepared.points_end = end;
   prepared.band_bytes =
       size - static_cast<int32_t>(end - points) * int32_t{sizeof(ScreenPoint)};
-  Band& band = prepared.band;
+  Band& band = prepared.at.band;
   const OutlinePlan& plan = prepared.plan;
   band.outside_q8 = plan.outside_q8;
   band.inside_q8 = plan.inside_q8;
@@ -227,7 +229,8 @@ void paint_band(Prepared& prepared) noexcept {
     if (!prepared.has_all) {
       end = read_points(prepared, points, room);
     }
-    prepared.plan.painter->paint(prepared.band, prepared.cursor, points, end);
+    prepared.plan.painter->paint(prepared.at.band, prepared.cursor, points,
+                                 end);
   } while (!prepared.glyph.is_done());
 }
 
@@ -238,8 +241,10 @@ int32_t columns_before(const OutlinePlan& plan, int32_t x0) noexcept {
 }
 
 // Of a band of pixels, from there on. [samples]
-int32_t width_of(const OutlinePlan& plan, int32_t x0, int32_t x1) noexcept {
-  return columns_before(plan, x0) + (x1 - x0) * plan.columns + plan.margin_x;
+int32_t width_of(const OutlinePlan& plan,
+                 int32_t column,
+                 const Rect& pixels) noexcept {
+  return column + (pixels.x1 - pixels.x0) * plan.columns + plan.margin_x;
 }
 
 // Rows of that many samples and the pixel after them. [bytes]
@@ -247,38 +252,33 @@ int32_t stride_of(int32_t width) noexcept {
   return (width + 4) & ~3;
 }
 
-__attribute__((noinline)) void mix(const Prepared& prepared,
-                                   const OutlineMixer& mixer,
-                                   const Sink& sink) noexcept {
-  const OutlinePlan& plan = prepared.plan;
-  mixer.mix({prepared.band, *prepared.brush, prepared.pixels,
-             columns_before(plan, prepared.pixels.x0), plan.margin_y, sink});
-}
-
-__attribute__((noinline)) void draw_band(Prepared& prepared,
-                                         const Sink& sink) noexcept {
+// The band of prepared.at.pixels.
+__attribute__((noinline)) void draw_band(Prepared& prepared) noexcept {
   const OutlineGlyph& glyph = prepared.glyph;
   const OutlinePlan& plan = prepared.plan;
-  const Rect& pixels = prepared.pixels;
+  const Rect& pixels = prepared.at.pixels;
   auto* const bytes = reinterpret_cast<uint8_t*>(prepared.points_end);
-  Band& band = prepared.band;
-  const int32_t width = width_of(plan, pixels.x0, pixels.x1);
+  Band& band = prepared.at.band;
+  const int32_t column = columns_before(plan, pixels.x0);
+  const int32_t width = width_of(plan, column, pixels);
+  prepared.at.column = column;
+  prepared.at.row = plan.margin_y;
   band.stride = stride_of(width);
   band.rows = (pixels.y1 - pixels.y0) * plan.rows + 2 * plan.margin_y;
   band.bytes = bytes + kGuardBytes + band.stride;
   band.last_column = width - 1;
-  band.x_q8 =
-      (pixels.x1 * plan.columns + plan.margin_x - width - glyph.x0()) * 256;
+  band.x_q8 = (pixels.x0 * plan.columns - column - glyph.x0()) * 256;
   band.y_q8 = (pixels.y0 * plan.rows - plan.margin_y - glyph.y0()) * 256;
   band.is_whole = pixels.y1 - pixels.y0 == glyph.box().y1 - glyph.box().y0;
   clear(bytes, kGuardBytes + (band.rows + kGuardRows) * band.stride);
   paint_band(prepared);
-  if (const OutlineMixer* const mixer = prepared.brush->painter().outlines) {
-    mix(prepared, *mixer, sink);
+  const Brush& brush = *prepared.at.brush;
+  if (const OutlineMixer* const mixer = brush.painter().outlines) {
+    mixer->mix(prepared.at);
     return;
   }
-  plan.painter->cover(band, prepared.brush->filter());
-  emit(sink, pixels, band.bytes + columns_before(plan, pixels.x0), band.stride);
+  plan.painter->cover(band, brush.filter());
+  emit(*prepared.at.sink, pixels, band.bytes + prepared.at.column, band.stride);
 }
 
 void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
@@ -290,7 +290,9 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
   const int32_t bytes = prepared.band_bytes - kGuardBytes;
   // Of samples.
   const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
-  int32_t rows = bytes / stride_of(width_of(plan, all.x0, all.x1)) - more_rows;
+  int32_t rows =
+      bytes / stride_of(width_of(plan, columns_before(plan, all.x0), all)) -
+      more_rows;
   int32_t columns = all.x1 - all.x0;
   const int32_t least =
       lesser(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
@@ -300,12 +302,13 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
     columns = plan.columns == 1 ? columns : columns / plan.columns;
   }
   rows = plan.rows == 1 ? rows : rows / plan.rows;
-  Rect& part = prepared.pixels;
+  prepared.at.sink = &sink;
+  Rect& part = prepared.at.pixels;
   for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
     part.y1 = lesser(part.y0 + rows, all.y1);
     for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
       part.x1 = lesser(part.x0 + columns, all.x1);
-      draw_band(prepared, sink);
+      draw_band(prepared);
     }
   }
 }
@@ -349,7 +352,7 @@ void apply_warp(const PointWarp& warp,
 
 // False if there is nothing to draw in the window.
 bool open(Prepared& prepared, const Job& job) noexcept {
-  prepared.brush = &job.brush;
+  prepared.at.brush = &job.brush;
   prepared.warp = nullptr;
   if (!plan_for(job.brush, prepared.plan)) {
     return false;
@@ -397,10 +400,12 @@ Workspace aligned(const Workspace& workspace) noexcept {
 
 const OutlineFitter kOutlineFitter = {open_fitted, apply_warp};
 
-const OutlinePainter kPaintDistances = {paint_distances, cover_distances, 128,
+const OutlinePainter kPaintPixelRamp = {paint_distances, cover_linear, 128,
+                                        128};
+const OutlinePainter kPaintDistances = {paint_distances, cover_filtered, 128,
                                         128};
 const OutlinePainter kPaintWideDistances = {paint_wide_distances,
-                                            cover_distances, 128, 0};
+                                            cover_filtered, 128, 0};
 const OutlinePainter kPaintAreas = {paint_areas, cover_areas, 0, 128};
 
 void draw_outline(const Font& font,

@@ -28,7 +28,7 @@ struct OutlinePainter {
 };
 
 // Draws a placed glyph. What it does is the same for any workspace; without
-// one, or with a small one, it takes half a kilobyte of the stack.
+// one, or with a small one, it takes 860 bytes of the stack.
 void draw_outline(const Font& font,
                   uint16_t glyph,
                   Span<const uint8_t> record,

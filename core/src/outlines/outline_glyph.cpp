@@ -37,28 +37,27 @@ int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
   return static_cast<int32_t>((int64_t{scale} * factor_q30 + (1 << 29)) >> 30);
 }
 
-// A map after that of a component, which is in Q14.
+// A row of a map times a column of a component's, which is in Q14 and 16 bits
+// wide: rounded, modulo 2^32, without products of 64 bits.
+int32_t mixed(int32_t a, int32_t x, int32_t b, int32_t y) noexcept {
+  constexpr int32_t kLow = (1 << 14) - 1;
+  return sum(sum(product(a >> 14, x), product(b >> 14, y)),
+             ((a & kLow) * x + (b & kLow) * y + (1 << 13)) >> 14);
+}
+
+// A map after that of a component.
 OutlineMap mapped(const OutlineMap& map, const int32_t (&part)[4]) noexcept {
-  const auto mixed = [](int32_t a, int32_t x, int32_t b, int32_t y) noexcept {
-    return static_cast<int32_t>((int64_t{a} * x + int64_t{b} * y + (1 << 13)) >>
-                                14);
-  };
   return {mixed(map.x_right, part[0], map.y_right, part[2]),
           mixed(map.x_down, part[0], map.y_down, part[2]),
           mixed(map.x_right, part[1], map.y_right, part[3]),
           mixed(map.x_down, part[1], map.y_down, part[3])};
 }
 
-// From one place to another. [px, Q18]
-struct Extent {
-  int32_t low;
-  int32_t high;
-
-  void widen(int32_t by) noexcept {
-    int32_t& end = by < 0 ? low : high;
-    end = sum(end, by);
-  }
-};
+// From a pixel to a place, modulo 2^32. [px, Q10; px -> Q18]
+int32_t place_from(int32_t at_q10, int32_t px) noexcept {
+  return static_cast<int32_t>(
+      (static_cast<uint32_t>(at_q10) - (static_cast<uint32_t>(px) << 10)) << 8);
+}
 
 }  // namespace
 
@@ -78,6 +77,29 @@ int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
              ? value >> coding_.grid_shift
              : static_cast<int32_t>(static_cast<uint32_t>(value)
                                     << -coding_.grid_shift);
+}
+
+// Along the screen's x or y: the pixels whose centres lie within the reach of
+// the glyph's box. `per_x`, `per_y`: where grid units lead. [px, Q18]
+OutlineGlyph::Axis OutlineGlyph::axis_of(const GlyphMetrics& metrics,
+                                         int32_t per_x,
+                                         int32_t per_y,
+                                         int32_t at_q10,
+                                         int32_t reach_q8) const noexcept {
+  // Of the place the whole px apart: it may be far away.
+  int32_t low =
+      sum(sum(scaled(metrics.x_min, per_x), scaled(metrics.y_min, per_y)),
+          (at_q10 & 1023) * 256 - kPxQ18 / 2);
+  int32_t high = low;
+  const int32_t sides[] = {scaled(metrics.x_max - metrics.x_min, per_x),
+                           scaled(metrics.y_max - metrics.y_min, per_y)};
+  for (const int32_t side : sides) {
+    int32_t& end = side < 0 ? low : high;
+    end = sum(end, side);
+  }
+  const int32_t reach = reach_q8 * 1024;
+  return {(at_q10 >> 10) + (sum(low, kPxQ18 - 1 - reach) >> 18),
+          (at_q10 >> 10) + (sum(high, reach) >> 18) + 1};
 }
 
 bool OutlineGlyph::open(const Font& font,
@@ -104,39 +126,20 @@ bool OutlineGlyph::open(const Font& font,
   map_ = {scale, 0, 0, -scale};
   is_mirrored_ =
       slanted != nullptr && slanted->outline_mapper()(*slanted, map_);
-  const int32_t width = metrics.x_max - metrics.x_min;
-  const int32_t height = metrics.y_max - metrics.y_min;
-  const int32_t left = sum(scaled(metrics.x_min, map_.x_right),
-                           scaled(metrics.y_min, map_.y_right));
-  const int32_t bottom = sum(scaled(metrics.x_min, map_.x_down),
-                             scaled(metrics.y_min, map_.y_down));
-  Extent x = {left, left};
-  Extent y = {bottom, bottom};
-  x.widen(scaled(width, map_.x_right));
-  x.widen(scaled(height, map_.y_right));
-  y.widen(scaled(width, map_.x_down));
-  y.widen(scaled(height, map_.y_down));
-  // Of the origin the whole px apart: it may be far away.
-  const int32_t reach = sampling.reach_q8 * 1024;
-  const int32_t x_part = (placed.x_q10 & 1023) * 256;
-  const int32_t y_part = (placed.y_q10 & 1023) * 256;
-  const int32_t x_px = placed.x_q10 >> 10;
-  const int32_t y_px = placed.y_q10 >> 10;
-  // Centres from `low - reach` to `high + reach`.
-  constexpr int32_t centre = kPxQ18 / 2;
-  box_ = {x_px + (sum(x.low, x_part - reach - centre + kPxQ18 - 1) >> 18),
-          y_px + (sum(y.low, y_part - reach - centre + kPxQ18 - 1) >> 18),
-          x_px + (sum(x.high, x_part + reach - centre) >> 18) + 1,
-          y_px + (sum(y.high, y_part + reach - centre) >> 18) + 1};
+  const Axis x = axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
+                         sampling.reach_q8);
+  const Axis y = axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
+                         sampling.reach_q8);
+  box_ = {x.low_px, y.low_px, x.high_px, y.high_px};
   // Half of a 256th, so that points are rounded to the nearest.
   const int32_t origin = 512 - sampling.origin_q8 * 1024;
   const int32_t left_px = (box_.x0 - 1) & ~3;
   x0_ = left_px * sampling.columns;
   y0_ = box_.y0 * sampling.rows;
-  x_q18_ = sum(origin, product(sum(x_part, product(x_px - left_px, kPxQ18)),
-                               sampling.columns));
-  y_q18_ = sum(origin, product(sum(y_part, product(y_px - box_.y0, kPxQ18)),
-                               sampling.rows));
+  x_q18_ =
+      sum(origin, product(place_from(placed.x_q10, left_px), sampling.columns));
+  y_q18_ =
+      sum(origin, product(place_from(placed.y_q10, box_.y0), sampling.rows));
   map_.x_right = product(map_.x_right, sampling.columns);
   map_.y_right = product(map_.y_right, sampling.columns);
   map_.x_down = product(map_.x_down, sampling.rows);
@@ -148,13 +151,12 @@ bool OutlineGlyph::open(const Font& font,
 void OutlineGlyph::begin_part(int32_t x_min,
                               int32_t y_min,
                               Span<const uint8_t> record,
-                              const OutlineMap& map,
                               int32_t x_q18,
                               int32_t y_q18) noexcept {
   const int32_t shift = coding_.grid_shift;
   const int32_t x = shift >= 0 ? x_min >> shift : x_min * (1 << -shift);
   const int32_t y = shift >= 0 ? y_min >> shift : y_min * (1 << -shift);
-  part_map_ = map;
+  const OutlineMap& map = part_map_;
   reader_.begin(
       record, coding_,
       sum(x_q18, sum(product(x, map.x_right), product(y, map.y_right))),
@@ -164,11 +166,12 @@ void OutlineGlyph::begin_part(int32_t x_min,
 void OutlineGlyph::rewind() noexcept {
   is_done_ = false;
   points_left_ = coding_.max_points;
+  part_map_ = map_;
   if (is_composite_) {
     components_ = ComponentReader(record_);
     is_done_ = !next_component();
   } else {
-    begin_part(x_min_, y_min_, record_, map_, x_q18_, y_q18_);
+    begin_part(x_min_, y_min_, record_, x_q18_, y_q18_);
   }
 }
 
@@ -179,8 +182,8 @@ bool OutlineGlyph::next_component() noexcept {
     if (is_outline(record) && record.data[0] != composite::kType) {
       GlyphMetrics metrics;
       static_cast<void>(font_->glyph_metrics(part.glyph, metrics));
+      part_map_ = part.has_matrix ? mapped(map_, part.matrix_q14) : map_;
       begin_part(metrics.x_min, metrics.y_min, record,
-                 part.has_matrix ? mapped(map_, part.matrix_q14) : map_,
                  sum(x_q18_, sum(scaled(part.dx, map_.x_right),
                                  scaled(part.dy, map_.y_right))),
                  sum(y_q18_, sum(scaled(part.dx, map_.x_down),

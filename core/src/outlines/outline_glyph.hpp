@@ -75,10 +75,19 @@ class __attribute__((may_alias)) OutlineGlyph {
   bool is_done() const noexcept { return is_done_; }
 
  private:
+  struct Axis {
+    int32_t low_px;
+    int32_t high_px;
+  };
+  Axis axis_of(const GlyphMetrics& metrics,
+               int32_t per_x,
+               int32_t per_y,
+               int32_t at_q10,
+               int32_t reach_q8) const noexcept;
+  // Its map is in place.
   void begin_part(int32_t x_min,
                   int32_t y_min,
                   Span<const uint8_t> record,
-                  const OutlineMap& map,
                   int32_t x_q18,
                   int32_t y_q18) noexcept;
   bool next_component() noexcept;

@@ -37,12 +37,12 @@ struct OutlinePlan {
 
 // A band that is painted, and the pixels that it is for.
 struct PaintedBand {
-  const Band& band;
-  const Brush& brush;
+  Band band;
   Rect pixels;
   int32_t column;  // of the first sample of the first pixel
   int32_t row;
-  const Sink& sink;
+  const Brush* brush;
+  const Sink* sink;
 };
 
 // Makes coverage of painted bands and hands it to sinks. Linked with the

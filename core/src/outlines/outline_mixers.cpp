@@ -54,8 +54,8 @@ class StepRamp {
 // cover all there, or none.
 void mix_outline(const PaintedBand& painted) noexcept {
   const Band& band = painted.band;
-  const StepRamp outer(painted.brush.filter(), band.reach_q8);
-  const StepRamp inner(inner_of(painted.brush), band.reach_q8);
+  const StepRamp outer(painted.brush->filter(), band.reach_q8);
+  const StepRamp inner(inner_of(*painted.brush), band.reach_q8);
   for (int32_t row = 0; row != band.rows; ++row) {
     DistanceRow distances(band, row);
     uint8_t* at = band.row(row);
@@ -77,7 +77,7 @@ void mix_outline(const PaintedBand& painted) noexcept {
       store_pixels(at, word);
     }
   }
-  emit(painted.sink, painted.pixels, band.bytes + painted.column, band.stride);
+  emit(*painted.sink, painted.pixels, band.bytes + painted.column, band.stride);
 }
 
 // Up to kMaxSpan pixels of a row, to both sinks.
@@ -86,7 +86,7 @@ __attribute__((noinline)) void mix_span(const PaintedBand& painted,
                                         int32_t x,
                                         int32_t y,
                                         int32_t count) noexcept {
-  const OutlineAndFill& both = both_of(painted.brush);
+  const OutlineAndFill& both = both_of(*painted.brush);
   // Words of pixels, as emit_row() takes them.
   alignas(4) uint8_t outline_words[kMaxSpan + 4];
   alignas(4) uint8_t fill_words[kMaxSpan + 4];
@@ -97,15 +97,15 @@ __attribute__((noinline)) void mix_span(const PaintedBand& painted,
     fill[i] = both.inner->coverage(d);
     // Where the fill is solid nothing of the outline is left to see.
     outline[i] =
-        fill[i] == 255 ? uint8_t{0} : painted.brush.filter().coverage(d);
+        fill[i] == 255 ? uint8_t{0} : painted.brush->filter().coverage(d);
   }
-  emit_row(painted.sink, x, y, outline, count);
+  emit_row(*painted.sink, x, y, outline, count);
   emit_row(*both.fill, x, y, fill, count);
 }
 
 void mix_both(const PaintedBand& painted) noexcept {
   const Rect& all = painted.pixels;
-  const Rect shown = intersect(all, both_of(painted.brush).fill->window);
+  const Rect shown = intersect(all, both_of(*painted.brush).fill->window);
   for (int32_t y = shown.y0; y < shown.y1; ++y) {
     DistanceRow distances(painted.band, y - all.y0);
     distances.skip(painted.column + shown.x0 - all.x0);
