@@ -28,7 +28,7 @@ WIDE = ("draw_fields", "draw_slanted", "take_thirds", "draw_fitted")
 
 # This one holds a glyph of outlines where the caller lends no RAM.
 WITHOUT_RAM = "draw_on_stack"
-RAM_LIMIT = 832
+RAM_LIMIT = 960
 
 # What a device's C library or compiler must bring: block moves, and integer
 # arithmetic that the core lacks.

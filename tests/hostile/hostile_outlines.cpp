@@ -121,7 +121,7 @@ class Artist {
                     ? uint8_t{0}
                     : static_cast<uint8_t>(random_.below(hostile::kMapCount));
     style.is_fitted = random_.below(4) == 0;
-    const uint32_t bytes[] = {0, 1, 3, 700, 704, 705, 711, 1000, 2560};
+    const uint32_t bytes[] = {0, 1, 3, 927, 928, 929, 935, 1000, 2560};
     OutlineCut cut;
     cut.whole_bytes = bytes[random_.below(9)];
     cut.part_bytes = bytes[random_.below(9)];

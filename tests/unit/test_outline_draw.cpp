@@ -322,7 +322,7 @@ TEST(windows_leave_the_picture) {
         const int32_t x = kAll.x0 + cut;
         for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
           draw_glyph(font, glyph, brush, kMiddle,
-                     windows.sink({kAll.x0, y, x, y + cut}), {ram, 704});
+                     windows.sink({kAll.x0, y, x, y + cut}), {ram, 928});
           draw_glyph(font, glyph, brush, kMiddle,
                      windows.sink(intersect(kAll, {x, y, kAll.x1, y + cut})));
         }
@@ -338,7 +338,7 @@ TEST(workspaces_leave_the_picture) {
   for (const Brush& brush : styles.brushes) {
     draw_whole(font, whole, brush);
     keep();
-    const size_t sizes[] = {0, 1, 3, 700, 704, 705, 900, 1500, sizeof(ram) - 3};
+    const size_t sizes[] = {0, 1, 3, 860, 927, 928, 929, 1500, sizeof(ram) - 3};
     for (const size_t size : sizes) {
       for (uint32_t odd = 0; odd < 4; ++odd) {
         Sheet sheet;
@@ -396,7 +396,7 @@ TEST(a_prepared_glyph_says_what_it_lacks) {
   const Brush brush = text_brush();
   PreparedGlyph prepared;
   CHECK_EQ(
-      PreparedGlyph::make(font, square, brush, kMiddle, {ram, 703}, prepared),
+      PreparedGlyph::make(font, square, brush, kMiddle, {ram, 859}, prepared),
       Status::buffer_small);
   CHECK_EQ(PreparedGlyph::make(font, 5, brush, kMiddle, {ram, 2000}, prepared),
            Status::no_glyph);

@@ -193,7 +193,7 @@ void check_same() {
 void check_strips(const Font& font, uint16_t glyph, const Brush& brush) {
   draw(font, glyph, brush, canvas);
   constexpr int32_t kRows[] = {1, 3, 16};
-  constexpr size_t kBytes[] = {0, 704, 2560};
+  constexpr size_t kBytes[] = {0, 928, 2560};
   for (const int32_t rows : kRows) {
     for (const size_t bytes : kBytes) {
       other.clear();

@@ -35,6 +35,8 @@ struct Band {
   bool is_whole;     // nothing of the glyph lies above or below
   bool is_mirrored;  // filled areas lie to the right of contours, not the left
 
+  // Of the words that hold pixels of a row. [bytes]
+  int32_t row_bytes() const noexcept { return (last_column | 3) + 1; }
   uint8_t* row(int32_t i) const noexcept { return bytes + i * stride; }
 };
 

@@ -46,10 +46,12 @@ inline uint32_t cover_four(uint32_t bytes, uint32_t& sum) noexcept {
 
 void cover_areas(const Band& band, const Filter&) noexcept {
   uint8_t* at = band.bytes;
+  const int32_t row_bytes = band.row_bytes();
+  const int32_t skipped = band.stride - row_bytes;
   for (int32_t row = band.rows; row != 0; --row) {
     uint32_t sum = 0;
     uint32_t last = 0;  // the coverage of the pixel before, four times
-    uint8_t* const end = at + band.stride;
+    uint8_t* const end = at + row_bytes;
     do {
       const uint32_t bytes = load_pixels(at);
       if (__builtin_expect(bytes == 0, 1)) {
@@ -61,6 +63,7 @@ void cover_areas(const Band& band, const Filter&) noexcept {
       }
       at += 4;
     } while (at != end);
+    at += skipped;
   }
 }
 

@@ -45,9 +45,11 @@ void cover_filtered(const Band& band, const Filter& filter) noexcept {
   // Half of what a 127th of the reach is. [px, Q18]
   const uint32_t step_q8 = static_cast<uint32_t>(band.reach_q8) * 1024 / 254;
   uint8_t* at = band.bytes;
+  const int32_t row_bytes = band.row_bytes();
+  const int32_t skipped = band.stride - row_bytes;
   for (int32_t row = 0; row != band.rows; ++row) {
     uint32_t inside = 0;
-    for (uint8_t* const end = at + band.stride; at != end; at += 4) {
+    for (uint8_t* const end = at + row_bytes; at != end; at += 4) {
       const uint32_t bytes = load_pixels(at);
       if ((bytes | inside) != 0) {
         store_pixels(at, bytes == 0
@@ -55,14 +57,17 @@ void cover_filtered(const Band& band, const Filter& filter) noexcept {
                              : filtered_word(bytes, inside, filter, step_q8));
       }
     }
+    at += skipped;
   }
 }
 
 void cover_linear(const Band& band, const Filter&) noexcept {
   uint8_t* at = band.bytes;
+  const int32_t row_bytes = band.row_bytes();
+  const int32_t skipped = band.stride - row_bytes;
   for (int32_t row = band.rows; row != 0; --row) {
     uint32_t inside = 0;
-    uint8_t* const end = at + band.stride;
+    uint8_t* const end = at + row_bytes;
     do {
       const uint32_t bytes = load_pixels(at);
       if (__builtin_expect(bytes == 0, 1)) {
@@ -72,6 +77,7 @@ void cover_linear(const Band& band, const Filter&) noexcept {
       }
       at += 4;
     } while (at != end);
+    at += skipped;
   }
 }
 
