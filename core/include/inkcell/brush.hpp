@@ -49,8 +49,10 @@ extern const OutlinePainter kPaintDistances;      // up to half a pixel
 extern const OutlinePainter kPaintWideDistances;  // any filter
 extern const OutlinePainter kPaintAreas;
 
-// A filter that is known when the program is compiled links one of the three.
-inline const OutlinePainter& painter_of(const Filter& filter) noexcept {
+// Inlined with make(), so that a filter that is known when the program is
+// compiled links one of the three.
+__attribute__((always_inline)) inline const OutlinePainter& painter_of(
+    const Filter& filter) noexcept {
   if (filter.is_linear_pixel()) {
     return kPaintPixelRamp;
   }
@@ -151,7 +153,9 @@ class Brush {
 
   /// An upright brush of `size` px to the em. bad_argument: the size is outside
   /// kMinSize..kMaxSize; `out` is then untouched.
-  static Status make(Q26_6 size, const Filter& filter, Brush& out) noexcept {
+  __attribute__((always_inline)) static Status make(Q26_6 size,
+                                                    const Filter& filter,
+                                                    Brush& out) noexcept {
     INKCELL_TRY(make_upright(size, filter, out));
     out.set_outline_painter(detail::painter_of(filter));
     return Status::ok;
@@ -159,10 +163,10 @@ class Brush {
 
   /// A brush that is turned. bad_argument: also if the direction is not a unit
   /// vector within 1/1000.
-  static Status make(Q26_6 size,
-                     const Filter& filter,
-                     Direction direction,
-                     Brush& out) noexcept {
+  __attribute__((always_inline)) static Status make(Q26_6 size,
+                                                    const Filter& filter,
+                                                    Direction direction,
+                                                    Brush& out) noexcept {
     INKCELL_TRY(make_turned(size, filter, direction, out));
     out.set_outline_painter(detail::painter_of(filter));
     return Status::ok;
@@ -176,9 +180,9 @@ class Brush {
   ///
   /// Costs as much as turned text; about twice that where the two stretches
   /// differ.
-  static Status make(const Matrix& matrix,
-                     const Filter& filter,
-                     Brush& out) noexcept {
+  __attribute__((always_inline)) static Status make(const Matrix& matrix,
+                                                    const Filter& filter,
+                                                    Brush& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, filter, out));
     out.set_outline_painter(detail::painter_of(filter));
     return Status::ok;
