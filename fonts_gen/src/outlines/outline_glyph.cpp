@@ -115,9 +115,10 @@ bool take_care(const std::vector<LoopMiss>& misses, RefitOptions& options) {
   return !careful.empty() || !exact.empty();
 }
 
-// Chords of a polygon that stands for the outline stray no farther, in shares
-// of the tolerance of the refit.
+// Chords that stand for curves stray no farther, in shares of the tolerance of
+// the refit: what is tried for places that miss, and for the whole outline.
 constexpr double kChordShare = 0.6;
+constexpr double kPolygonShares[] = {0.6, 0.8, 1, 0.5, 0.7, 0.9, 1.2, 0.4};
 
 // Points along a segment but its first, so that chords stray by `bound` at
 // most: second differences fall with the square of the number of chords.
@@ -143,26 +144,49 @@ void add_chords(const Segment& segment, double bound, Contour& polygon) {
   }
 }
 
-// The outline as polygons whose corners are kept: what the device draws most
+// Whether a segment passes within the reach of one of the places.
+bool passes(const Segment& segment, const std::vector<Point>& places) {
+  constexpr int kSteps = 16;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Point at =
+        i == 0 ? segment.p[0]
+               : end_of(part_of(segment, 0, static_cast<double>(i) / kSteps));
+    if (std::any_of(places.begin(), places.end(), [&](const Point& place) {
+          return length(at - place) < kCareRadius_u;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The outline with chords, whose corners are kept, for the curves that pass the
+// places, or for all of them if that is null: what the device draws most
 // exactly, at the price of more points.
-MinimalOutline polygons_of(const Outline& source, RefitOptions options) {
-  Outline polygons;
+MinimalOutline outline_of_chords(const Outline& source,
+                                 const std::vector<Point>* places,
+                                 double share,
+                                 RefitOptions options) {
+  Outline chords;
   for (const Contour& contour : unite(source).contours) {
     Contour polygon;
     for (const Segment& segment : contour.segments) {
-      add_chords(segment, kChordShare * options.tolerance_u, polygon);
-      options.exact_u.push_back(segment.p[0]);
-    }
-    polygons.contours.push_back(polygon);
-  }
-  for (const Contour& polygon : polygons.contours) {
-    for (const Segment& segment : polygon.segments) {
-      if (!is_near(options.exact_u, segment.p[0])) {
-        options.exact_u.push_back(segment.p[0]);
+      if (places != nullptr && !passes(segment, *places)) {
+        polygon.segments.push_back(segment);
+        continue;
+      }
+      const size_t first = polygon.segments.size();
+      add_chords(segment, share * options.tolerance_u, polygon);
+      for (size_t i = first; i < polygon.segments.size(); ++i) {
+        const Point at = polygon.segments[i].p[0];
+        if (!is_near(options.exact_u, at)) {
+          options.exact_u.push_back(at);
+        }
       }
     }
+    chords.contours.push_back(polygon);
   }
-  return minimal_outline(polygons, options);
+  return minimal_outline(chords, options);
 }
 
 }  // namespace
@@ -190,33 +214,57 @@ RefittedGlyph refit_glyph(const Outline& source,
   strict.tolerance -= kReserve;
   ClosedLoop loop(shape, strict);
   std::optional<RefittedGlyph> best;
+  // Draws an outline and keeps the best; returns what misses.
+  const auto try_out = [&](MinimalOutline outline) {
+    RefittedGlyph glyph;
+    glyph.outline = std::move(outline);
+    if (!glyph.outline.contours.empty()) {
+      OneGlyphFont font(glyph.outline, metrics, options);
+      glyph.errors = loop.draw_and_compare(font.loop_glyph());
+    }
+    std::vector<LoopMiss> misses = glyph.errors.misses;
+    if (!best || misses.empty() || glyph.errors.worst < best->errors.worst) {
+      best = std::move(glyph);
+    }
+    return misses;
+  };
+  std::vector<RefitOptions> attempts;
   for (const double share : kShares) {
     RefitOptions attempt = options;
     attempt.tolerance_u *= share;
     bool may_improve = true;
     for (int round = 0; round < kRounds && may_improve; ++round) {
-      RefittedGlyph glyph;
-      glyph.outline = minimal_outline(source, attempt);
-      if (glyph.outline.contours.empty()) {
-        return glyph;
+      const std::vector<LoopMiss> misses =
+          try_out(minimal_outline(source, attempt));
+      if (misses.empty()) {
+        return std::move(*best);
       }
-      OneGlyphFont font(glyph.outline, metrics, options);
-      glyph.errors = loop.draw_and_compare(font.loop_glyph());
-      if (glyph.errors.misses.empty()) {
-        return glyph;
+      may_improve = take_care(misses, attempt);
+    }
+    attempts.push_back(std::move(attempt));
+  }
+  // What is left are turns so tight that only chords draw them truly.
+  for (RefitOptions& attempt : attempts) {
+    std::vector<Point> places;
+    for (int round = 0; round < kRounds; ++round) {
+      const std::vector<LoopMiss> misses =
+          try_out(outline_of_chords(source, &places, kChordShare, attempt));
+      if (misses.empty()) {
+        return std::move(*best);
       }
-      may_improve = take_care(glyph.errors.misses, attempt);
-      if (!best || glyph.errors.worst < best->errors.worst) {
-        best = std::move(glyph);
+      take_care(misses, attempt);
+      for (const LoopMiss& miss : misses) {
+        const Point place = {miss.x_u, miss.y_u};
+        if (!is_near(places, place)) {
+          places.push_back(place);
+        }
       }
     }
   }
-  RefittedGlyph glyph;
-  glyph.outline = polygons_of(source, options);
-  OneGlyphFont font(glyph.outline, metrics, options);
-  glyph.errors = loop.draw_and_compare(font.loop_glyph());
-  if (glyph.errors.worst < best->errors.worst) {
-    best = std::move(glyph);
+  for (const double share : kPolygonShares) {
+    if (try_out(outline_of_chords(source, nullptr, share, options)).empty()) {
+      break;
+    }
   }
   return std::move(*best);
 }
