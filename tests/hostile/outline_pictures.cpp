@@ -34,12 +34,16 @@ class Picture {
   // Pixels may not come twice from one window.
   Sink sink(const Rect& window, bool takes_blocks) {
     window_ = intersect(window, all_);
-    return {window_,     this, coverage, solid, takes_blocks ? block : nullptr,
+    return {window_,
+            this,
+            coverage<0>,
+            solid<0>,
+            takes_blocks ? block : nullptr,
             coverage_rgb};
   }
   // Of a second colour, over the same window.
   Sink fill_sink(const Rect& window) {
-    return {intersect(window, all_), this, fill_coverage, fill_solid};
+    return {intersect(window, all_), this, coverage<1>, solid<1>};
   }
 
   bool equals(const Picture& other) const {
@@ -57,6 +61,7 @@ class Picture {
     pixels_[plane][row][column] = value;
   }
   static Picture& of(void* context) { return *static_cast<Picture*>(context); }
+  template <size_t plane>
   static void coverage(void* context,
                        int32_t x,
                        int32_t y,
@@ -64,29 +69,14 @@ class Picture {
                        int32_t count) {
     require(count >= 1 && count <= kMaxSpan, "length of the span");
     for (int32_t i = 0; i < count; ++i) {
-      of(context).put(x + i, y, 0, coverage[i]);
+      of(context).put(x + i, y, plane, coverage[i]);
     }
   }
+  template <size_t plane>
   static void solid(void* context, int32_t x, int32_t y, int32_t count) {
     require(count >= 1, "length of the run");
     for (int32_t i = 0; i < count; ++i) {
-      of(context).put(x + i, y, 0, 255);
-    }
-  }
-  static void fill_coverage(void* context,
-                            int32_t x,
-                            int32_t y,
-                            const uint8_t* coverage,
-                            int32_t count) {
-    require(count >= 1 && count <= kMaxSpan, "length of the span");
-    for (int32_t i = 0; i < count; ++i) {
-      of(context).put(x + i, y, 1, coverage[i]);
-    }
-  }
-  static void fill_solid(void* context, int32_t x, int32_t y, int32_t count) {
-    require(count >= 1, "length of the run");
-    for (int32_t i = 0; i < count; ++i) {
-      of(context).put(x + i, y, 1, 255);
+      of(context).put(x + i, y, plane, 255);
     }
   }
   static void coverage_rgb(void* context,

@@ -9,14 +9,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "inkcell/crisp.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/text.hpp"
+#include "rom_file.hpp"
 
 namespace {
 
@@ -122,13 +121,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "crisp <font.bin> <most breaks of 1000 pictures>\n");
     return 2;
   }
-  std::ifstream file(argv[1], std::ios::binary);
-  const std::vector<char> loaded((std::istreambuf_iterator<char>(file)), {});
-  std::vector<uint32_t> words((loaded.size() + 3) / 4);
-  auto* rom = reinterpret_cast<uint8_t*>(words.data());
-  std::copy(loaded.begin(), loaded.end(), rom);
+  const RomFile file(argv[1]);
   Font font;
-  if (Font::open({rom, loaded.size()}, font) != Status::ok) {
+  if (!file.open(font)) {
     std::fprintf(stderr, "%s is no font\n", argv[1]);
     return 2;
   }

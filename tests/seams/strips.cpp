@@ -8,16 +8,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
+#include "rom_file.hpp"
 
 namespace {
 
 using namespace inkcell;
+
+// What PreparedGlyph::make takes where pointers have 64 bits.
+constexpr uint32_t kLeastBytes = 928;
 
 constexpr Filter kWide =
     make_filter({Q6_10::from_raw(-3500), Q6_10::from_raw(2500)});
@@ -105,7 +107,7 @@ int64_t compare(const Font& font,
     const int32_t cut = rows * 7 % width;
     for (int32_t y = 0; y < height; y += rows) {
       const int32_t end = std::min(y + rows, height);
-      const Workspace small = {large.data, rows % 2 == 0 ? 2560u : 704u};
+      const Workspace small = {large.data, rows % 2 == 0 ? 2560u : kLeastBytes};
       draw_glyph(font, glyph, brush, origin, parts.sink({0, y, cut, end}),
                  small);
       draw_glyph(font, glyph, brush, origin, parts.sink({cut, y, width, end}));
@@ -124,14 +126,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "strips <font.bin>\n");
     return 2;
   }
-  std::ifstream file(argv[1], std::ios::binary);
-  const std::vector<char> loaded((std::istreambuf_iterator<char>(file)), {});
-  std::vector<uint32_t> words((loaded.size() + 3) / 4);
-  auto* rom = reinterpret_cast<uint8_t*>(words.data());
-  std::copy(loaded.begin(), loaded.end(), rom);
+  const RomFile file(argv[1]);
   Font font;
-  if (Font::open({rom, loaded.size()}, font) != Status::ok ||
-      font.verify() != Status::ok) {
+  if (!file.open(font)) {
     std::fprintf(stderr, "%s is no font\n", argv[1]);
     return 2;
   }

@@ -251,13 +251,13 @@ class Brush {
   const Filter& filter() const noexcept { return *filter_; }
   bool is_upright() const noexcept { return !is_slanted_; }
 
-  /// What paints glyphs of outlines; null before make().
+  /// The painter for glyphs of outlines; null before make().
   const detail::OutlinePainter* outline_painter() const noexcept {
     return outline_painter_;
   }
 
-  /// What fits them, and what maps them if they are not upright. Linked with
-  /// set_fitter() and with the make() that needs it.
+  /// Functions that fit glyphs of outlines, or map those that are not upright.
+  /// Linked with set_fitter() and with the make() that needs them.
   const detail::OutlineFitter& outline_fitter() const noexcept {
     return *outline_fitter_;
   }

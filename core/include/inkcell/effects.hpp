@@ -1,8 +1,8 @@
 // Outlines, shadows and glows, all from the distances of the same font.
 //
 // Filters make weight (with_weight), shadow_filter and glow_filter. With fonts
-// of cells they cost nothing more than plain text; with fonts of outlines twice
-// as much for a weight, up to five times for a glow of 4 px. Draw a shadow
+// of cells they cost no more than plain text. With fonts of outlines a weight
+// costs two to three times as much, a glow of 4 px four to five. Draw a shadow
 // first, with its own brush and colour, at an origin moved as far as it shall
 // fall, by any 1/64 px; then the text. Outlines are painters:
 //
@@ -13,8 +13,8 @@
 //   brush.set_painter(outline_painter(outline.inner));
 //
 // Distances of cells end at the font's band (FontRange::band_u; --band-px of
-// inkcell-fontgen), and an effect that reaches beyond is cut off there. Those
-// of outlines are made as far as a filter reaches.
+// inkcell-fontgen), and an effect that reaches beyond is cut off there. For
+// outlines the device makes distances as far as the filter reaches.
 #pragma once
 
 #include <stdint.h>

@@ -163,12 +163,12 @@ bool passes(const Segment& segment, const std::vector<Point>& places) {
 // The outline with chords, whose corners are kept, for the curves that pass the
 // places, or for all of them if that is null: what the device draws most
 // exactly, at the price of more points.
-MinimalOutline outline_of_chords(const Outline& source,
+MinimalOutline outline_of_chords(const Outline& united,
                                  const std::vector<Point>* places,
                                  double share,
                                  RefitOptions options) {
   Outline chords;
-  for (const Contour& contour : unite(source).contours) {
+  for (const Contour& contour : united.contours) {
     Contour polygon;
     for (const Segment& segment : contour.segments) {
       if (places != nullptr && !passes(segment, *places)) {
@@ -244,11 +244,12 @@ RefittedGlyph refit_glyph(const Outline& source,
     attempts.push_back(std::move(attempt));
   }
   // What is left are turns so tight that only chords draw them truly.
+  const Outline united = unite(source);
   for (RefitOptions& attempt : attempts) {
     std::vector<Point> places;
     for (int round = 0; round < kRounds; ++round) {
       const std::vector<LoopMiss> misses =
-          try_out(outline_of_chords(source, &places, kChordShare, attempt));
+          try_out(outline_of_chords(united, &places, kChordShare, attempt));
       if (misses.empty()) {
         return std::move(*best);
       }
@@ -262,7 +263,7 @@ RefittedGlyph refit_glyph(const Outline& source,
     }
   }
   for (const double share : kPolygonShares) {
-    if (try_out(outline_of_chords(source, nullptr, share, options)).empty()) {
+    if (try_out(outline_of_chords(united, nullptr, share, options)).empty()) {
       break;
     }
   }

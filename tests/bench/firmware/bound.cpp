@@ -7,6 +7,7 @@
 // Prints for each size: bound PX PIXELS INSTRUCTIONS STACK, for strips of 16
 // rows of 8-bit coverage.
 #include "board.hpp"
+#include "console.hpp"
 #include "counter.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell_strips.hpp"
@@ -90,9 +91,8 @@ bool measure(uint32_t depth, int32_t px) {
   bench::origin = {Q26_6::from_int(-box.x0), Q26_6::from_int(-box.y0)};
   bench::height = box.y1 - box.y0;
   const auto work = [] {
-    bench::draw_strips([] {
-      draw_field(field, bench::brush, bench::origin, bench::sink);
-    });
+    bench::draw_strips(
+        [] { draw_field(field, bench::brush, bench::origin, bench::sink); });
   };
   const auto stack = static_cast<uint32_t>(board::count_stack(work));
   const uint32_t numbers[] = {static_cast<uint32_t>(px),
@@ -100,31 +100,22 @@ bool measure(uint32_t depth, int32_t px) {
                               board::count_instructions(work), stack};
   board::print("bound");
   for (const uint32_t number : numbers) {
-    board::print(" ");
-    board::print_decimal(number);
+    bench::print_number(number);
   }
   board::print("\n");
   return true;
 }
 
-uint32_t parse(const char* digits) {
-  uint32_t value = 0;
-  while (*digits >= '0' && *digits <= '9') {
-    value = value * 10 + static_cast<uint32_t>(*digits++ - '0');
-  }
-  return value;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const uint32_t depth = argc < 3 ? 0 : parse(argv[1]);
+  const uint32_t depth = argc < 3 ? 0 : bench::parse(argv[1]);
   if (depth < kMinDepth || depth > format::glyph::kMaxTileLog2) {
     board::print("usage: DEPTH PX...\n");
     return 1;
   }
   for (int i = 2; i < argc; ++i) {
-    if (!measure(depth, static_cast<int32_t>(parse(argv[i])))) {
+    if (!measure(depth, static_cast<int32_t>(bench::parse(argv[i])))) {
       board::print("the size does not fit\n");
       return 1;
     }

@@ -10,17 +10,20 @@
 // instructions (mean, most), the stack of the deepest glyph, the bytes of the
 // field, and those of the least buffer that it can be generated in.
 #include "board.hpp"
+#include "console.hpp"
 #include "counter.hpp"
 #include "inkcell/runtime_field.hpp"
-#include "semihosting.hpp"
+#include "rom_file.hpp"
 #include "stack.hpp"
 
 namespace {
 
 using namespace inkcell;
+using bench::open_font;
+using bench::parse;
+using bench::print_number;
 
-constexpr size_t kFontBytes = 1 << 20;
-alignas(4) uint8_t font_bytes[kFontBytes];
+alignas(4) uint8_t font_bytes[1 << 20];
 alignas(4) uint8_t ram[1 << 18];
 constexpr uint8_t kUntouched = 0xa5;
 
@@ -34,23 +37,9 @@ struct Total {
   }
 };
 
-void print_number(uint32_t value) {
-  board::print(" ");
-  board::print_decimal(value);
-}
-
 void print_total(const Total& total, uint32_t count) {
   print_number((total.sum + count / 2) / count);
   print_number(total.most);
-}
-
-bool open_font(const char* name, Font& font) {
-  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
-  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
-  const auto size = static_cast<size_t>(length);
-  return length >= 0 && size <= kFontBytes &&
-         semihosting::read(file, font_bytes, size) &&
-         Font::open({font_bytes, size}, font) == Status::ok;
 }
 
 // What is left between nodes and cells while the field grows: afterwards cells
@@ -111,19 +100,11 @@ bool measure(const Font& font,
   return true;
 }
 
-uint32_t parse(const char* digits) {
-  uint32_t value = 0;
-  while (*digits >= '0' && *digits <= '9') {
-    value = value * 10 + static_cast<uint32_t>(*digits++ - '0');
-  }
-  return value;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   Font font;
-  if (argc < 6 || !open_font(argv[1], font)) {
+  if (argc < 6 || !open_font(argv[1], font_bytes, font)) {
     board::print("usage: FONT FIRST LAST BAND TOLERANCE...\n");
     return 1;
   }

@@ -13,36 +13,25 @@
 //   blend PARTLY SOLID CALL_PARTLY CALL_SOLID
 #include "inkcell/port/rgb565.hpp"
 #include "board.hpp"
+#include "console.hpp"
 #include "counter.hpp"
 #include "inkcell/text.hpp"
-#include "semihosting.hpp"
+#include "rom_file.hpp"
 #include "stack.hpp"
 
 namespace {
 
 using namespace inkcell;
+using bench::open_font;
+using bench::parse;
+using bench::print_number;
 
 constexpr int32_t kWidth = 640;
 constexpr int32_t kRows = 16;
-constexpr size_t kFontBytes = 1 << 20;
-alignas(4) uint8_t font_bytes[kFontBytes];
+alignas(4) uint8_t font_bytes[1 << 20];
 alignas(4) uint8_t pixels[kWidth * kRows * 2];
 PositionedGlyph glyphs[16];
 alignas(4) uint8_t workspace[2560];  // for outlines
-
-void print_number(uint32_t value) {
-  board::print(" ");
-  board::print_decimal(value);
-}
-
-bool open_font(const char* name, Font& font) {
-  const intptr_t file = semihosting::open(name, semihosting::Mode::read);
-  const intptr_t length = file < 0 ? -1 : semihosting::length(file);
-  const auto size = static_cast<size_t>(length);
-  return length >= 0 && size <= kFontBytes &&
-         semihosting::read(file, font_bytes, size) &&
-         Font::open({font_bytes, size}, font) == Status::ok;
-}
 
 bool make_strip(int32_t y, port::Rgb565Target& target, Sink& sink) {
   target.strip.pixels = {pixels, sizeof pixels};
@@ -121,16 +110,12 @@ bool measure_blend() {
 
 int main(int argc, char** argv) {
   Font font;
-  if (argc < 3 || !open_font(argv[1], font)) {
+  if (argc < 3 || !open_font(argv[1], font_bytes, font)) {
     board::print("usage: FONT PX..., or the font does not open\n");
     return 1;
   }
   for (int i = 2; i < argc; ++i) {
-    int32_t px = 0;
-    for (const char* at = argv[i]; *at != '\0'; ++at) {
-      px = px * 10 + (*at - '0');
-    }
-    if (!measure_run(font, px)) {
+    if (!measure_run(font, static_cast<int32_t>(parse(argv[i])))) {
       board::print("a size is out of range\n");
       return 1;
     }

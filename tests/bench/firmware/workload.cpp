@@ -7,6 +7,7 @@
 // deepest glyph, heap, workspace [bytes], the sum of all coverage, and the
 // pixels of all boxes. Characters that the font lacks are left out.
 #include "board.hpp"
+#include "console.hpp"
 #include "counter.hpp"
 #include "engine.h"
 #include "semihosting.hpp"
@@ -15,6 +16,8 @@
 namespace {
 
 using namespace inkcell;
+using bench::parse;
+using bench::print_number;
 
 constexpr size_t kFontBytes = 1 << 20;
 alignas(4) uint8_t font_bytes[kFontBytes];
@@ -64,19 +67,6 @@ bool counter_is_exact() {
   };
   loop(1);
   return loop(11000) - loop(1000) == 20000;
-}
-
-void print_number(size_t value) {
-  board::print(" ");
-  board::print_decimal(static_cast<uint32_t>(value));
-}
-
-uint32_t parse(const char* digits) {
-  uint32_t value = 0;
-  while (*digits >= '0' && *digits <= '9') {
-    value = value * 10 + static_cast<uint32_t>(*digits++ - '0');
-  }
-  return value;
 }
 
 bool fail(const char* why) {
