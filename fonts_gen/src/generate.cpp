@@ -8,6 +8,7 @@
 #include "char_set.hpp"
 #include "field_glyph.hpp"
 #include "font_source.hpp"
+#include "hints/font_hints.hpp"
 #include "outlines/outline_font.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "shape.hpp"
@@ -99,7 +100,6 @@ GlyphMetrics box_in_font_units(const Box& box, int units_per_em) {
 // One glyph, and how it looks.
 struct Built {
   RomGlyph glyph;
-  GlyphEdges edges;
   LoopResult errors;  // size_aware
 };
 
@@ -177,7 +177,6 @@ Built build_glyph(const SourceFont& font,
     if (!shape.empty()) {
       built.glyph.metrics =
           box_in_font_units(shape.box(), font.metrics.units_per_em);
-      built.edges = find_edges(shape);
       if (options.coding == Coding::outline) {
         build_outline(glyph.outline, shape, font.metrics.units_per_em, options,
                       built);
@@ -204,8 +203,7 @@ Built build_glyph(const SourceFont& font,
 // Leaves out the last glyphs, from which no other one is made.
 void drop_unused_components(SourceFont& font,
                             RomContent& content,
-                            std::vector<LoopResult>& errors,
-                            std::vector<GlyphEdges>& edges) {
+                            std::vector<LoopResult>& errors) {
   const std::vector<size_t> kept = used_glyphs(content, [&](size_t glyph) {
     return glyph == 0 || !font.glyphs[glyph].code_points.empty();
   });
@@ -220,7 +218,6 @@ void drop_unused_components(SourceFont& font,
   keep(font.glyphs);
   keep(content.glyphs);
   keep(errors);
-  keep(edges);
 }
 
 RomContent build_content(SourceFont& font,
@@ -234,7 +231,6 @@ RomContent build_content(SourceFont& font,
   const size_t count = font.glyphs.size();
   content.glyphs.resize(count);
   errors.resize(count);
-  std::vector<GlyphEdges> edges(count);
   std::function<void(size_t)> done;
   if (request.progress) {
     done = [&](size_t finished) { request.progress(finished, count); };
@@ -245,7 +241,6 @@ RomContent build_content(SourceFont& font,
         Built built = build_glyph(font, font.glyphs[i], request.adf);
         content.glyphs[i] = std::move(built.glyph);
         errors[i] = std::move(built.errors);
-        edges[i] = std::move(built.edges);
       },
       done);
   if (request.adf.coding == Coding::outline) {
@@ -253,16 +248,16 @@ RomContent build_content(SourceFont& font,
         refit_options(request.adf, font.metrics.units_per_em).grid_shift;
     encode_outlines(content);
     find_references(font.components, content);
-    drop_unused_components(font, content, errors, edges);
+    drop_unused_components(font, content, errors);
     encode_outlines(content);
-  }
-  if (request.hints) {
-    content.alignment = align(font, edges);
   }
   for (size_t i = 0; i < font.glyphs.size(); ++i) {
     for (const char32_t c : font.glyphs[i].code_points) {
       content.glyph_of[c] = static_cast<uint16_t>(i);
     }
+  }
+  if (request.hints && request.adf.coding == Coding::outline) {
+    content.hints = find_hints(content, request.jobs);
   }
   return content;
 }

@@ -29,7 +29,7 @@ struct GenerateRequest {
   /// a whole number within 1..255.
   AdfOptions adf;
   GenerateRequest() { adf.coding = Coding::outline; }
-  /// Whether the font says what grid fitting needs.
+  /// Whether an outline font says what grid fitting needs.
   bool hints = true;
   /// Threads; 0: all cores. The bytes do not depend on it.
   int jobs = 0;

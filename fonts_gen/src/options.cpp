@@ -122,7 +122,7 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       "'fixed', 1/1024 em near the edge, for --coding samples");
   add_choice<bool>(
       app, "--hints", request.hints, {{"on", true}, {"off", false}},
-      "What grid fitting needs: heights of edges, places of stems");
+      "What grid fitting of outlines needs: zones, bars, stems and more");
   app.add_option("--effort", adf.effort,
                  "How hard to try for fewer bytes; more takes longer")
       ->check(CLI::Range(0, 9).description(""))

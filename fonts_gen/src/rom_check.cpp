@@ -1,13 +1,12 @@
 // The closed loop: what was written is read as the device reads it.
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 #include <vector>
 
 #include "field_record.hpp"
+#include "hints/grid_section.hpp"
 #include "inkcell/format.hpp"
-#include "inkcell/hints.hpp"
 #include "rom_font.hpp"
 
 namespace inkcell::gen {
@@ -112,52 +111,13 @@ void check_kerning(const Font& font, const RomContent& content) {
   }
 }
 
-bool equal_edges(Span<const uint8_t> read, const GlyphAlignment& source) {
-  if (read.size != source.edges.size()) {
-    return false;
-  }
-  for (size_t i = 0; i < source.edges.size(); ++i) {
-    const HintEdge edge = Hints::edge(read[i]);
-    if (edge.level != source.edges[i].level ||
-        edge.is_bar != source.edges[i].is_bar) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Stems are kept in steps: their middles are met within half of one, their
-// gaps as well.
-bool equal_stems(const HintStems& read, const GlyphAlignment& source) {
-  constexpr int kHalf = static_cast<int>(format::hints::kStemStep) / 2;
-  return read.count == source.stems &&
-         (source.stems == 0 ||
-          std::abs(read.first_u - source.stem_u) <= kHalf) &&
-         (source.stems < 2 || std::abs(read.gap_u - source.gap_u) <= kHalf);
-}
-
+// Fitting reads the section; how well it does is tested glyph by glyph.
 void check_hints(const Font& font, const RomContent& content) {
-  const Alignment& source = content.alignment;
-  Hints hints;
-  if (Hints::open(font, hints) != Status::ok ||
-      hints.level_count() != source.levels.size() ||
-      hints.zone_count() != source.zones.size()) {
+  const Span<const uint8_t> read = font.section(format::section::kGrid);
+  const std::vector<uint8_t> source = grid_section(content.hints);
+  if (read.size < source.size() ||
+      !std::equal(source.begin(), source.end(), read.begin())) {
     differ(content, "its hints");
-  }
-  for (uint32_t i = 0; i < hints.level_count(); ++i) {
-    const HintLevel level = hints.level(i);
-    if (level.height_u != source.levels[i].y_u ||
-        static_cast<int>(level.zone) != source.levels[i].zone + 1) {
-      differ(content, "the level " + std::to_string(i) + " of its hints");
-    }
-  }
-  for (size_t i = 0; i < source.glyphs.size(); ++i) {
-    const auto glyph = static_cast<uint32_t>(i);
-    Span<const uint8_t> edges;
-    if (!hints.edges(glyph, edges) || !equal_edges(edges, source.glyphs[i]) ||
-        !equal_stems(hints.stems(glyph), source.glyphs[i])) {
-      differ(content, "the hints" + of_glyph(i));
-    }
   }
 }
 

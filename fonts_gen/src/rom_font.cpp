@@ -6,6 +6,7 @@
 
 #include "bit_table.hpp"
 #include "field_record.hpp"
+#include "hints/grid_section.hpp"
 #include "inkcell/format.hpp"
 #include "inkcell/version.hpp"
 
@@ -450,7 +451,7 @@ std::vector<Section> make_sections(const RomContent& content) {
   add(section::kMetrics, kNeeded, metrics_section(content),
       &PartBytes::metrics);
   add(section::kKerning, 0, kerning_section(content), &PartBytes::kerning);
-  add(section::kHints, 0, hint_section(content.alignment), &PartBytes::hints);
+  add(section::kGrid, 0, grid_section(content.hints), &PartBytes::hints);
   add(section::kCode, kNeeded, code_section(content), &PartBytes::glyphs);
   add(section::kGlyphs, kNeeded, glyphs_section(content), &PartBytes::glyphs);
   add(section::kName, 0, name_section(content), &PartBytes::name);

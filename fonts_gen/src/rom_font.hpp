@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "adf.hpp"
-#include "alignment.hpp"
 #include "field_tree.hpp"
 #include "font_source.hpp"
+#include "hints/glyph_hints.hpp"
 #include "inkcell/font.hpp"
 #include "kerning.hpp"
 #include "outlines/minimal_outline.hpp"
@@ -50,7 +50,7 @@ struct RomContent {
   std::vector<RomGlyph> glyphs;
   std::map<char32_t, uint16_t> glyph_of;
   KerningMatrix kerning;
-  Alignment alignment;
+  FontHints hints;  // of outlines only
 };
 
 /// Bytes of each part with its padding; they add up to the whole font.

@@ -7,6 +7,7 @@ import struct
 import zlib
 from typing import NamedTuple
 
+from grid import grid_listing, read_grid
 from outlines import OutlineFont, read_code
 from squares import linked_squares, numbered_squares, require
 
@@ -74,7 +75,7 @@ def read_directory(data, section_count):
                                               HEADER_BYTES + 12 * i)
         offset = place & ~1
         require(6, offset % 4 == 0 and offset + size <= len(data))
-        known = tag in (b"CMAP", b"METR", b"KERN", b"HINT", b"CODE",
+        known = tag in (b"CMAP", b"METR", b"KERN", b"GRID", b"CODE",
                          b"GLYF", b"NAME")
         require(6, known or place % 2 == 0)
         sections.setdefault(tag, data[offset:offset + size])
@@ -162,59 +163,6 @@ def read_kerning(data, glyph_count):
     return values
 
 
-class GlyphHints(NamedTuple):
-    edges: list  # of bytes
-    stem: int
-    gap: int
-    stems: int
-
-
-class Hints(NamedTuple):
-    levels: list  # of (height, zone)
-    zones: list  # of bytes
-    glyphs: list
-
-
-def read_hints(data, glyph_count):
-    if not data:
-        return Hints([], [], [])
-    require(15, len(data) >= 10)
-    (level_count, zone_count, start_bits, count_bits, stem_bits, gap_bits,
-     base) = struct.unpack_from("<6Bh", data)
-    require(15, 1 <= level_count <= 128 and zone_count <= 15)
-    require(15, start_bits <= 20 and count_bits <= 4)
-    require(15, stem_bits <= 12 and gap_bits <= 12)
-    zones_at = 10 + 2 * level_count
-    rows_at = zones_at + zone_count
-    row_bits = start_bits + count_bits + stem_bits + gap_bits + 1
-    lists_at = rows_at + (row_bits * glyph_count + 7) // 8
-    require(15, lists_at <= len(data))
-    levels = [(signed(level, 12), level >> 12)
-              for level in struct.unpack_from(f"<{level_count}H", data, 10)]
-    heights = [height for height, _ in levels]
-    require(15, heights == sorted(heights))
-    require(15, all(zone <= zone_count for _, zone in levels))
-    zones = list(data[zones_at:rows_at])
-    require(15, all(zone & 127 < level_count for zone in zones))
-    table = BitTable(data[rows_at:lists_at])
-    lists = data[lists_at:]
-    glyphs = []
-    for at in range(0, row_bits * glyph_count, row_bits):
-        row = []
-        for width in (start_bits, count_bits, stem_bits, gap_bits, 1):
-            row.append(table.get(at, width))
-            at += width
-        start, count, stem, gap, third = row
-        require(15, start + count <= len(lists) and count <= 10)
-        edges = list(lists[start:start + count])
-        require(15, all(edge & 127 < level_count for edge in edges))
-        ascent = [heights[edge & 127] for edge in edges]
-        require(15, ascent == sorted(set(ascent)))
-        stems = 0 if stem == 0 else 1 if gap == 0 else 2 + third
-        glyphs.append(GlyphHints(edges, base + 4 * stem, 4 * gap, stems))
-    return Hints(levels, zones, glyphs)
-
-
 def read_records(data, header):
     count = header.glyph_count
     require(8, len(data) >= 2)
@@ -248,7 +196,7 @@ class Font:
         count = header.glyph_count
         self.glyph_of = read_cmap(sections.get(b"CMAP", b""), count)
         self.kerning = read_kerning(sections.get(b"KERN", b""), count)
-        self.hints = read_hints(sections.get(b"HINT", b""), count)
+        self.hints = read_grid(sections.get(b"GRID", b""), count, BitTable)
         self.name = sections.get(b"NAME", b"").decode(
             errors="surrogateescape")
         metrics = read_metrics(sections[b"METR"], count)
@@ -272,16 +220,8 @@ def listing(font):
     for (left, right), value in sorted(font.kerning.items()):
         if value != 0:
             yield f"kerning {left} {right} {value}"
-    for height, zone in font.hints.levels:
-        yield f"level {height} {zone}"
-    for zone in font.hints.zones:
-        height = font.hints.levels[zone & 127][0]
-        yield f"zone {height} {zone >> 7}"
-    for glyph in font.hints.glyphs:
-        edges = "".join(f" {edge}" for edge in glyph.edges)
-        stems = [glyph.stem, glyph.gap][:glyph.stems]
-        yield f"edges{edges} stems {glyph.stems}" + "".join(
-            f" {place}" for place in stems)
+    if font.hints is not None:
+        yield from grid_listing(font.hints)
     for number, glyph in enumerate(font.glyphs):
         yield f"glyph {number} " + " ".join(map(str, glyph.metrics))
         for square in glyph.squares:

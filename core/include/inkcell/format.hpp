@@ -87,6 +87,7 @@ inline constexpr uint32_t kKerning = tag('K', 'E', 'R', 'N');
 inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
 inline constexpr uint32_t kCode = tag('C', 'O', 'D', 'E');
 inline constexpr uint32_t kHints = tag('H', 'I', 'N', 'T');
+inline constexpr uint32_t kGrid = tag('G', 'R', 'I', 'D');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
 
@@ -174,6 +175,62 @@ inline constexpr uint32_t kBar = 0x80;
 /// Stems and gaps count units of this many u.
 inline constexpr uint32_t kStemStep = 4;
 }  // namespace hints
+
+// GRID: how outlines are fitted to the grid of pixels. After the header the
+// zones; a bit table of glyph_count + 1 offsets from its own end, in bytes; and
+// the records, sequences of bits from the highest of a byte to its lowest:
+//   symmetric (1 bit), has insets (1), heights (4), across (3), [left inset,
+//   right inset], heights, ascending, and what lies across, from the left
+// A glyph whose offset is that of the next has no hints.
+namespace grid {
+inline constexpr uint32_t kZones = 0;       // u8, 0..8
+inline constexpr uint32_t kFlags = 1;       // u8
+inline constexpr uint32_t kStemWidth = 2;   // u8 [u], of most stems; 0: none
+inline constexpr uint32_t kBarWidth = 3;    // u8 [u], of most bars; 0: none
+inline constexpr uint32_t kXZone = 4;       // u8, zone of the x-height
+inline constexpr uint32_t kOffsetBits = 5;  // u8, 0..20
+inline constexpr uint32_t kReserved = 6;    // u16, 0
+inline constexpr uint32_t kBytes = 8;
+inline constexpr uint32_t kMaxZones = 8;
+inline constexpr uint32_t kMaxOffsetBits = 20;
+
+// Flags.
+inline constexpr uint32_t kContrast = 1;  // bars are thinner than 3/4 stem
+inline constexpr uint32_t kFewBars = 2;   // fewer than 1.1 bars a glyph
+
+inline constexpr uint32_t kNoZone = 255;
+
+// A zone.
+inline constexpr uint32_t kZoneFlat = 0;       // i16 [u]
+inline constexpr uint32_t kZoneOvershoot = 2;  // i8 [u], of round edges
+inline constexpr uint32_t kZoneFlags = 3;      // u8
+inline constexpr uint32_t kZoneBytes = 4;
+inline constexpr uint32_t kTopZone = 1;  // ink is below it
+
+// Widths of a record's numbers. [bits]
+inline constexpr int kHeightCountBits = 4;
+inline constexpr int kAcrossCountBits = 3;
+inline constexpr int kInsetBits = 6;      // [2 u]
+inline constexpr int kPositionBits = 10;  // n: 2 n - 512 u
+inline constexpr int kWidthBits = 7;      // [2 u]
+inline constexpr int kZoneBits = 3;
+inline constexpr int kHeightKindBits = 2;
+inline constexpr int kPositionStep = 2;     // [u]
+inline constexpr int kPositionBase = -512;  // [u]
+
+// Kinds of heights.
+inline constexpr uint32_t kBar = 0;
+inline constexpr uint32_t kSerif = 1;
+inline constexpr uint32_t kLoneEdge = 2;
+inline constexpr uint32_t kFreeEnd = 3;
+
+// Kinds of what lies across.
+inline constexpr uint32_t kStem = 0;
+inline constexpr uint32_t kFoot = 1;
+
+/// Knots of a fitted map.
+inline constexpr uint32_t kMaxKnots = 14;
+}  // namespace grid
 
 // GLYF: after the header a bit table of glyph_count + 1 offsets from the
 // section's start, in units of 2^unit_log2 bytes; then the records. A glyph

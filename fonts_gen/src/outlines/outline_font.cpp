@@ -1,13 +1,35 @@
 #include "outlines/outline_font.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "outlines/composites.hpp"
+#include "outlines/expand.hpp"
 #include "outlines/outline_code.hpp"
 #include "outlines/outline_steps.hpp"
 
 namespace inkcell::gen {
+namespace {
+
+// `outline` [u] where the reference puts it.
+Outline placed(Outline outline, const OutlineReference& at, double u) {
+  const auto& m = at.matrix_q14;
+  const auto times = [&m](size_t i, double value) {
+    return std::ldexp(m[i] * value, -14);
+  };
+  for (Contour& contour : outline.contours) {
+    for (Segment& segment : contour.segments) {
+      for (Point& p : segment.p) {
+        p = {times(0, p.x) + times(1, p.y) + at.dx * u,
+             times(2, p.x) + times(3, p.y) + at.dy * u};
+      }
+    }
+  }
+  return outline;
+}
+
+}  // namespace
 
 void encode_outlines(RomContent& content) {
   OutlineCoding& coding = content.outlines;
@@ -42,6 +64,24 @@ void encode_outlines(RomContent& content) {
     }
     coding.max_points = std::max(coding.max_points, sum);
   }
+}
+
+Outline decoded_outline(const RomContent& content, size_t glyph) {
+  const int units_per_em = content.metrics.units_per_em;
+  const int grid_shift = content.outlines.grid_shift;
+  const RomGlyph& decoded = content.glyphs[glyph];
+  if (decoded.references.empty()) {
+    return expand(decoded.outline, units_per_em, grid_shift);
+  }
+  Outline whole;
+  for (const OutlineReference& part : decoded.references) {
+    const Outline component = placed(
+        expand(content.glyphs[part.glyph].outline, units_per_em, grid_shift),
+        part, 1024.0 / units_per_em);
+    whole.contours.insert(whole.contours.end(), component.contours.begin(),
+                          component.contours.end());
+  }
+  return whole;
 }
 
 void find_references(const std::vector<OutlineReferences>& source,

@@ -14,6 +14,10 @@ namespace inkcell::gen {
 /// does not fit the format.
 void encode_outlines(RomContent& content);
 
+/// The outline that the device decodes: that of the record, or those of the
+/// components of a composite. [u]
+Outline decoded_outline(const RomContent& content, size_t glyph);
+
 /// Replaces outlines by references to other glyphs where that takes fewer
 /// bytes. `source`: the components of each glyph in the font file. The records
 /// must be encoded before, and anew afterwards.
