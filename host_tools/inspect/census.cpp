@@ -137,39 +137,6 @@ void take_kerning(const Font& font, FontCensus& census) {
   }
 }
 
-void take_edges(const Hints& hints, GlyphCensus& census) {
-  Span<const uint8_t> edges;
-  // Without a list there are none.
-  static_cast<void>(hints.edges(census.glyph, edges));
-  for (const uint8_t byte : edges) {
-    const HintEdge edge = Hints::edge(byte);
-    if (edge.level < hints.level_count()) {
-      const HintLevel level = hints.level(edge.level);
-      census.edges.push_back(
-          {level.height_u, static_cast<int>(level.zone), edge.is_bar});
-    }
-  }
-  const HintStems stems = hints.stems(census.glyph);
-  for (int i = 0; i < stems.count; ++i) {
-    census.stems_u.push_back(stems.first_u + i * stems.gap_u);
-  }
-}
-
-void take_hints(const Font& font, FontCensus& census) {
-  Hints hints;
-  census.hints_read = Hints::open(font, hints);
-  for (uint32_t i = 0; i < hints.zone_count(); ++i) {
-    census.zones.push_back(hints.zone(i));
-  }
-  for (uint32_t i = 0; i < hints.level_count(); ++i) {
-    census.levels.push_back(hints.level(i));
-  }
-  census.stem_width_u = hints.stem_width_u();
-  for (GlyphCensus& glyph : census.glyphs) {
-    take_edges(hints, glyph);
-  }
-}
-
 }  // namespace
 
 void for_each_cell(const GlyphField& field,
@@ -298,7 +265,7 @@ FontCensus take_census(const Font& font) {
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     census.glyphs.push_back(take_glyph(font, static_cast<uint16_t>(glyph)));
   }
-  take_hints(font, census);
+  census.hints = grid_hints(font);
   for (const Mapping& mapping : mappings(font)) {
     ++census.characters;
     if (mapping.glyph < census.glyphs.size()) {

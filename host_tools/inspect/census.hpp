@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "grid_hints.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/hints.hpp"
 #include "outline_points.hpp"
 
 namespace inkcell::tools {
@@ -38,13 +38,6 @@ struct CellCensus {
   void add(const CellCensus& other);
 };
 
-/// An edge of a glyph that grid fitting knows.
-struct EdgeCensus {
-  int height_u = 0;
-  int zone = 0;  // from 1; 0: none
-  bool is_bar = false;
-};
-
 /// One glyph.
 struct GlyphCensus {
   uint16_t glyph = 0;
@@ -62,8 +55,6 @@ struct GlyphCensus {
   int depth = 0;  // steps from a tile to its smallest cell
   /// Cells that are not saturated and 2^i u wide.
   std::array<int, 12> by_size_log2{};
-  std::vector<EdgeCensus> edges;  // from low to high
-  std::vector<int> stems_u;       // their middles, from left to right
 
   /// UTF-8 of its first character, ".notdef" or the id, such as "#17".
   std::string name() const;
@@ -93,10 +84,7 @@ struct FontCensus {
   int right_classes = 0;
   size_t header_bytes = 0;
   std::vector<SectionCensus> sections;
-  Status hints_read = Status::ok;
-  std::vector<HintZone> zones;  // the first is number 1
-  std::vector<HintLevel> levels;
-  int stem_width_u = 0;
+  GridHints hints;
   std::vector<GlyphCensus> glyphs;
   size_t characters = 0;
   // Of outlines; without words there are none.

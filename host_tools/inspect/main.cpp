@@ -20,7 +20,6 @@ struct Arguments {
   std::string cells;
   std::string points;
   std::string field;
-  std::string edges;
   std::string sheet;
   int side = 1000;
   double px = 32;
@@ -41,15 +40,12 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("OUT.png");
   app.add_option("--points", arguments.points,
                  "Draw the glyph's contours and points: corners (squares), "
-                 "smooth (discs), off the curve (rings); for --coding outline")
+                 "smooth (discs), off the curve (rings); with its hints: zones "
+                 "(dashed), bars (red), serifs (orange), lone edges (purple), "
+                 "free ends (blue), stems (green); for --coding outline")
       ->type_name("OUT.png");
   app.add_option("--field", arguments.field,
                  "Draw the glyph's field, as the device has it")
-      ->type_name("OUT.png");
-  app.add_option(
-         "--edges", arguments.edges,
-         "Draw the glyph and what grid fitting knows: zones (dashed), "
-         "edges where a bar begins (red), others (purple), stems (green)")
       ->type_name("OUT.png");
   app.add_option("--side", arguments.side, "Longer side of these pictures [px]")
       ->check(CLI::Range(64, 16384))
@@ -105,9 +101,9 @@ const GlyphCensus& example_glyph(const FontCensus& font) {
 
 // False: the font is damaged.
 bool run(const Arguments& arguments, const CLI::App& app) {
-  check_apart({arguments.cells, arguments.points, arguments.field,
-               arguments.edges, arguments.sheet},
-              {arguments.file});
+  check_apart(
+      {arguments.cells, arguments.points, arguments.field, arguments.sheet},
+      {arguments.file});
   const RomFile rom = load_font_file(
       arguments.file, conversion_of(app, arguments.request),
       arguments.glyph.size() > 1 && arguments.glyph[0] == '#' ? std::string()
@@ -124,10 +120,9 @@ bool run(const Arguments& arguments, const CLI::App& app) {
   };
   const int side = arguments.side;
   write(arguments.cells, [&] { return draw_cells(rom.font(), shown, side); });
-  write(arguments.points, [&] { return draw_points(rom.font(), shown, side); });
+  write(arguments.points,
+        [&] { return draw_points(font, rom.font(), shown, side); });
   write(arguments.field, [&] { return draw_field(rom.font(), shown, side); });
-  write(arguments.edges,
-        [&] { return draw_edges(font, rom.font(), shown, side); });
   write(arguments.sheet, [&] { return draw_sheet(rom.font(), arguments.px); });
   const std::string report = arguments.json     ? json_report(font, glyph)
                              : glyph != nullptr ? glyph_report(font, *glyph)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bit_reader.hpp"
 #include "bytes.hpp"
 #include "inkcell/format.hpp"
 
@@ -30,37 +31,6 @@ Code code_at(Span<const uint8_t> table, size_t index) {
 int code_bits(const Font& font) {
   return font.rom().data[format::header::kCodeBits];
 }
-
-// Bits from the highest of a byte to its lowest; zeros after the end.
-class BitReader {
- public:
-  BitReader(Span<const uint8_t> bytes, size_t first_bit)
-      : bytes_(bytes), bit_(first_bit) {}
-
-  uint32_t peek(int count) const {
-    uint32_t value = 0;
-    for (size_t i = bit_; i < bit_ + static_cast<size_t>(count); ++i) {
-      const uint32_t byte = i / 8 < bytes_.size ? bytes_.data[i / 8] : 0;
-      value = value << 1 | (byte >> (7 - i % 8) & 1);
-    }
-    return value;
-  }
-  uint32_t take(int count) {
-    const uint32_t value = peek(count);
-    bit_ += static_cast<size_t>(count);
-    return value;
-  }
-  int take_signed(int count) {
-    const auto value = static_cast<int>(take(count));
-    return count > 0 && value >> (count - 1) != 0 ? value - (1 << count)
-                                                  : value;
-  }
-  bool is_at_end() const { return bit_ >= 8 * bytes_.size; }
-
- private:
-  Span<const uint8_t> bytes_;
-  size_t bit_;
-};
 
 // The number of the word that entry `index` belongs to.
 size_t word_number(Span<const uint8_t> table, int bits, size_t index) {

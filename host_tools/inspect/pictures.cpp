@@ -26,7 +26,9 @@ constexpr Colour kZeroLine = {112, 40, 120};
 // What grid fitting knows.
 constexpr Colour kZone = {90, 96, 104};
 constexpr Colour kBar = {208, 0, 24};
-constexpr Colour kOtherEdge = {150, 0, 190};
+constexpr Colour kSerif = {226, 122, 0};
+constexpr Colour kEdge = {150, 0, 190};
+constexpr Colour kFreeEnd = {0, 140, 160};
 constexpr Colour kStem = {0, 120, 40};
 constexpr int kDash = 6;  // and the gap to the next one [px]
 // Points of outlines.
@@ -229,10 +231,41 @@ void draw_height(
   }
 }
 
-void draw_stem(const View& view, int x_u, Image& image) {
+void draw_abscissa(const View& view, int x_u, Image& image) {
   const int x = view.column(x_u);
   for (int y = 0; x >= 0 && x < image.width && y < image.height; ++y) {
     put(image, x, y, kStem);
+  }
+}
+
+const Colour& colour_of(HeightHint::Kind kind) {
+  switch (kind) {
+    case HeightHint::Kind::bar:
+      return kBar;
+    case HeightHint::Kind::serif:
+      return kSerif;
+    case HeightHint::Kind::edge:
+      return kEdge;
+    case HeightHint::Kind::free_end:
+      break;
+  }
+  return kFreeEnd;
+}
+
+void draw_hints(const View& view,
+                const GridHints& hints,
+                const GlyphHints& glyph,
+                Image& image) {
+  for (const HintZone& zone : hints.zones) {
+    draw_height(view, zone.flat_u, kZone, kDash, image);
+  }
+  for (const HeightHint& hint : glyph.heights) {
+    draw_height(view, hint.low_u, colour_of(hint.kind), 0, image);
+    draw_height(view, hint.high_u, colour_of(hint.kind), 0, image);
+  }
+  for (const AcrossHint& hint : glyph.across) {
+    draw_abscissa(view, hint.left_u, image);
+    draw_abscissa(view, hint.right_u, image);
   }
 }
 
@@ -394,7 +427,10 @@ Image draw_field(const Font& font, const GlyphCensus& glyph, int side) {
   return draw_field(view_of(box_of(font, glyph), side), font, glyph);
 }
 
-Image draw_points(const Font& font, const GlyphCensus& glyph, int side) {
+Image draw_points(const FontCensus& census,
+                  const Font& font,
+                  const GlyphCensus& glyph,
+                  int side) {
   if (!font.has_outlines()) {
     throw std::runtime_error(
         "--points draws outlines, and the font has cells: use --cells or "
@@ -402,29 +438,14 @@ Image draw_points(const Font& font, const GlyphCensus& glyph, int side) {
   }
   const View view = view_of(box_of(font, glyph), side);
   Image image = draw_shape(view, font, glyph);
+  if (census.hints.is_there) {
+    draw_hints(view, census.hints, census.hints.glyphs[glyph.glyph], image);
+  }
   const double u = 1024.0 / font.units_per_em();
   const GlyphMetrics& m = glyph.metrics;
   draw_box(view, {m.x_min * u, m.y_min * u}, {m.x_max * u, m.y_max * u}, image);
   for (const OutlineContour& contour : glyph.outline.contours) {
     draw_contour(view, contour, u, image);
-  }
-  return image;
-}
-
-Image draw_edges(const FontCensus& census,
-                 const Font& font,
-                 const GlyphCensus& glyph,
-                 int side) {
-  const View view = view_of(box_of(font, glyph), side);
-  Image image = draw_field(view, font, glyph);
-  for (const int stem : glyph.stems_u) {
-    draw_stem(view, stem, image);
-  }
-  for (const EdgeCensus& edge : glyph.edges) {
-    draw_height(view, edge.height_u, edge.is_bar ? kBar : kOtherEdge, 0, image);
-  }
-  for (const HintZone& zone : census.zones) {
-    draw_height(view, zone.height_u, kZone, kDash, image);
   }
   return image;
 }

@@ -1,5 +1,5 @@
-// Pictures of what is in a font: cells or points of a glyph, its field, its
-// edges, a sheet of all glyphs.
+// Pictures of what is in a font: cells or points of a glyph, its field, a sheet
+// of all glyphs.
 #pragma once
 
 #include "census.hpp"
@@ -21,20 +21,17 @@ Image draw_cells(const Font& font, const GlyphCensus& glyph, int side);
 /// The contours of an outline and its points: red squares are corners, green
 /// discs are smooth, blue rings are off the curve. Small green discs are the
 /// points half-way between those, which are not stored. Dashed: the glyph's
-/// box.
-Image draw_points(const Font& font, const GlyphCensus& glyph, int side);
+/// box. Under them the hints: dashed lines are the zones of the face; lines in
+/// red, orange, purple and blue are the edges of bars and serifs, lone edges
+/// and free ends; green ones are the edges of stems.
+Image draw_points(const FontCensus& census,
+                  const Font& font,
+                  const GlyphCensus& glyph,
+                  int side);
 
 /// The field of a glyph and its edge: of cells where they have one, of outlines
 /// 128 u to both sides, as far as the widest filter reaches at 32 px/em.
 Image draw_field(const Font& font, const GlyphCensus& glyph, int side);
-
-/// The same field, and over it what grid fitting knows: dashed lines at the
-/// font's zones, red ones at edges below a bar, purple ones at the glyph's
-/// other edges, green ones in the middle of its stems.
-Image draw_edges(const FontCensus& census,
-                 const Font& font,
-                 const GlyphCensus& glyph,
-                 int side);
 
 /// All glyphs in the order of their ids at `px` px/em, black on white, each in
 /// its own box.

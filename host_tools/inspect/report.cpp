@@ -222,87 +222,110 @@ void append_cells_of(std::string& out, const GlyphCensus& glyph) {
 }
 
 const char* side_of(const HintZone& zone) {
-  return zone.is_bottom ? "bottom" : "top";
+  return zone.is_top ? "top" : "bottom";
 }
 
-// Edges of all glyphs that lie in a zone, which is counted from 1.
-int edges_in(const FontCensus& font, int zone) {
+// Hints of all glyphs whose edges lie in a zone.
+int hints_in(const GridHints& hints, int zone) {
   int count = 0;
-  for (const GlyphCensus& glyph : font.glyphs) {
+  for (const GlyphHints& glyph : hints.glyphs) {
     count += static_cast<int>(std::count_if(
-        glyph.edges.begin(), glyph.edges.end(),
-        [zone](const EdgeCensus& edge) { return edge.zone == zone; }));
+        glyph.heights.begin(), glyph.heights.end(),
+        [zone](const HeightHint& hint) { return hint.zone == zone; }));
   }
   return count;
 }
 
-void append_hints(std::string& out, const FontCensus& font) {
-  if (font.hints_read != Status::ok) {
-    append(out, "  hints           %s\n",
-           std::string(status_name(font.hints_read)).c_str());
-    return;
-  }
-  if (font.levels.empty()) {
+void append_hints(std::string& out, const GridHints& hints) {
+  if (!hints.is_there) {
     out += "  hints           none\n";
     return;
   }
-  append(out, "  hints           %zu zones, %zu levels, most stems %d u wide\n",
-         font.zones.size(), font.levels.size(), font.stem_width_u);
-  for (size_t i = 0; i < font.zones.size(); ++i) {
-    append(out, "    zone %-2zu         %5d u, %s, %d edges\n", i + 1,
-           font.zones[i].height_u, side_of(font.zones[i]),
-           edges_in(font, static_cast<int>(i + 1)));
+  append(out, "  hints           %zu zones, stems %d u wide, bars %d u%s%s\n",
+         hints.zones.size(), hints.stem_width_u, hints.bar_width_u,
+         hints.has_contrast ? ", much contrast" : "",
+         hints.has_few_bars ? ", few bars" : "");
+  for (size_t i = 0; i < hints.zones.size(); ++i) {
+    const auto zone = static_cast<int>(i);
+    append(out, "    zone %-2d         %5d u, %s, overshoot %d u, %d edges%s\n",
+           zone, hints.zones[i].flat_u, side_of(hints.zones[i]),
+           hints.zones[i].overshoot_u, hints_in(hints, zone),
+           zone == hints.x_zone ? ", x-height" : "");
   }
-  out += "    levels [u]";
-  for (size_t i = 0; i < font.levels.size(); ++i) {
-    out += i % (2 * kColumns) == 0 ? "\n     " : "";
-    append(out, " %d", font.levels[i].height_u);
+}
+
+void append_height(std::string& out, const HeightHint& hint) {
+  append(out, "    %-9s       %5d u", kind_name(hint.kind), hint.low_u);
+  if (hint.high_u != hint.low_u) {
+    append(out, " to %d u", hint.high_u);
+  }
+  if (hint.zone >= 0) {
+    append(out, ", zone %d", hint.zone);
+  }
+  if (hint.kind == HeightHint::Kind::free_end) {
+    out += hint.rises ? ", rises" : ", hangs";
   }
   out += '\n';
 }
 
-void append_edges(std::string& out,
-                  const FontCensus& font,
-                  const GlyphCensus& glyph) {
-  append(out, "  hints           %zu edges, %zu stems\n", glyph.edges.size(),
-         glyph.stems_u.size());
-  for (const EdgeCensus& edge : glyph.edges) {
-    append(out, "    edge at         %5d u", edge.height_u);
-    const auto zone = static_cast<size_t>(edge.zone);
-    if (zone != 0 && zone <= font.zones.size()) {
-      append(out, ", zone %d (%s at %d u)", edge.zone,
-             side_of(font.zones[zone - 1]), font.zones[zone - 1].height_u);
+void append_hints_of(std::string& out, const GlyphHints& glyph) {
+  append(out, "  hints           %zu heights, %zu stems%s\n",
+         glyph.heights.size(), glyph.across.size(),
+         glyph.is_symmetric ? ", symmetric" : "");
+  if (glyph.left_inset_u != 0 || glyph.right_inset_u != 0) {
+    append(out, "    serifs reach    %5d u to the left, %d u to the right\n",
+           glyph.left_inset_u, glyph.right_inset_u);
+  }
+  for (const HeightHint& hint : glyph.heights) {
+    append_height(out, hint);
+  }
+  for (const AcrossHint& hint : glyph.across) {
+    if (hint.is_foot) {
+      append(out, "    foot            %5d u\n", hint.left_u);
+    } else {
+      append(out, "    stem            %5d u to %d u\n", hint.left_u,
+             hint.right_u);
     }
-    out += edge.is_bar ? ", below a bar\n" : "\n";
-  }
-  for (const int stem : glyph.stems_u) {
-    append(out, "    stem around     %5d u\n", stem);
   }
 }
 
-nlohmann::json hints_json(const FontCensus& font) {
+nlohmann::json hints_json(const GridHints& hints) {
   nlohmann::json zones = nlohmann::json::array();
-  for (const HintZone& zone : font.zones) {
-    zones.push_back({{"height_u", zone.height_u}, {"side", side_of(zone)}});
+  for (const HintZone& zone : hints.zones) {
+    zones.push_back({{"flat_u", zone.flat_u},
+                     {"overshoot_u", zone.overshoot_u},
+                     {"side", side_of(zone)}});
   }
-  nlohmann::json levels = nlohmann::json::array();
-  for (const HintLevel& level : font.levels) {
-    levels.push_back({{"height_u", level.height_u}, {"zone", level.zone}});
-  }
-  return {{"read", std::string(status_name(font.hints_read))},
-          {"zones", zones},
-          {"levels", levels},
-          {"stem_width_u", font.stem_width_u}};
+  return {{"zones", zones},
+          {"x_zone", hints.x_zone},
+          {"stem_width_u", hints.stem_width_u},
+          {"bar_width_u", hints.bar_width_u},
+          {"contrast", hints.has_contrast},
+          {"few_bars", hints.has_few_bars}};
 }
 
-nlohmann::json edges_json(const GlyphCensus& glyph) {
-  nlohmann::json edges = nlohmann::json::array();
-  for (const EdgeCensus& edge : glyph.edges) {
-    edges.push_back({{"height_u", edge.height_u},
-                     {"zone", edge.zone},
-                     {"bar", edge.is_bar}});
+nlohmann::json hints_json(const GlyphHints& glyph) {
+  nlohmann::json heights = nlohmann::json::array();
+  for (const HeightHint& hint : glyph.heights) {
+    nlohmann::json json = {{"kind", kind_name(hint.kind)},
+                           {"low_u", hint.low_u},
+                           {"high_u", hint.high_u},
+                           {"zone", hint.zone}};
+    if (hint.kind == HeightHint::Kind::free_end) {
+      json["rises"] = hint.rises;
+    }
+    heights.push_back(std::move(json));
   }
-  return edges;
+  nlohmann::json across = nlohmann::json::array();
+  for (const AcrossHint& hint : glyph.across) {
+    across.push_back({{"kind", hint.is_foot ? "foot" : "stem"},
+                      {"left_u", hint.left_u},
+                      {"right_u", hint.right_u}});
+  }
+  return {{"symmetric", glyph.is_symmetric},
+          {"insets_u", {glyph.left_inset_u, glyph.right_inset_u}},
+          {"heights", heights},
+          {"across", across}};
 }
 
 nlohmann::json kinds_json(const CellCensus& cells) {
@@ -337,9 +360,7 @@ nlohmann::json glyph_json(const GlyphCensus& glyph, bool has_outlines) {
                          {"code_points", code_points},
                          {"advance", m.advance},
                          {"box", {m.x_min, m.y_min, m.x_max, m.y_max}},
-                         {"bytes", glyph.bytes},
-                         {"edges", edges_json(glyph)},
-                         {"stems_u", glyph.stems_u}};
+                         {"bytes", glyph.bytes}};
   if (has_outlines) {
     json.update(outline_json(glyph.outline));
     return json;
@@ -404,7 +425,7 @@ std::string font_report(const FontCensus& font) {
            static_cast<unsigned>(font.range.max_depth));
   }
   append_sections(out, font);
-  append_hints(out, font);
+  append_hints(out, font.hints);
   if (font.has_outlines()) {
     append_outlines(out, font);
   } else {
@@ -429,7 +450,9 @@ std::string glyph_report(const FontCensus& font, const GlyphCensus& glyph) {
   } else {
     append_cells_of(out, glyph);
   }
-  append_edges(out, font, glyph);
+  if (font.hints.is_there) {
+    append_hints_of(out, font.hints.glyphs[glyph.glyph]);
+  }
   return out;
 }
 
@@ -442,6 +465,9 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
   for (const GlyphCensus& each : font.glyphs) {
     if (glyph == nullptr || each.glyph == glyph->glyph) {
       glyphs.push_back(glyph_json(each, font.has_outlines()));
+      if (font.hints.is_there) {
+        glyphs.back()["hints"] = hints_json(font.hints.glyphs[each.glyph]);
+      }
     }
   }
   nlohmann::json whole = {
@@ -458,7 +484,7 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
       {"characters", font.characters},
       {"kerning_classes", {font.left_classes, font.right_classes}},
       {"section_bytes", sections},
-      {"hints", hints_json(font)},
+      {"hints", hints_json(font.hints)},
       {"coding", font.coding_name},
       {"glyphs", glyphs}};
   if (font.has_outlines()) {
