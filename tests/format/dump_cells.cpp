@@ -1,5 +1,5 @@
 // Lists what the device reads from fonts, for test_decoder.py: metrics,
-// characters, kerning, hints, and the cells of each glyph.
+// characters, kerning, and the cells of each glyph.
 //
 //   dump_cells FONT [--distances]
 //
@@ -16,7 +16,6 @@
 #include "inkcell/field.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
-#include "inkcell/hints.hpp"
 
 namespace {
 
@@ -118,38 +117,6 @@ void print_kerning(const Font& font) {
   }
 }
 
-void print_hints(const Font& font) {
-  Hints hints;
-  if (Hints::open(font, hints) != Status::ok || hints.empty()) {
-    return;
-  }
-  for (uint32_t i = 0; i < hints.level_count(); ++i) {
-    const HintLevel level = hints.level(i);
-    std::printf("level %d %u\n", level.height_u, level.zone);
-  }
-  for (uint32_t i = 0; i < hints.zone_count(); ++i) {
-    const HintZone zone = hints.zone(i);
-    std::printf("zone %d %d\n", zone.height_u, zone.is_bottom ? 1 : 0);
-  }
-  for (uint32_t i = 0; i < font.glyph_count(); ++i) {
-    Span<const uint8_t> edges;
-    static_cast<void>(hints.edges(i, edges));
-    const HintStems stems = hints.stems(i);
-    std::printf("edges");
-    for (const uint8_t edge : edges) {
-      std::printf(" %d", edge);
-    }
-    std::printf(" stems %d", stems.count);
-    if (stems.count > 0) {
-      std::printf(" %d", stems.first_u);
-    }
-    if (stems.count > 1) {
-      std::printf(" %d", stems.gap_u);
-    }
-    std::printf("\n");
-  }
-}
-
 int print_font(Span<const uint8_t> bytes, bool distances) {
   Font font;
   if (Font::open(bytes, font) != Status::ok) {
@@ -164,7 +131,6 @@ int print_font(Span<const uint8_t> bytes, bool distances) {
   std::printf("\n");
   print_characters(font);
   print_kerning(font);
-  print_hints(font);
   for (uint32_t i = 0; i < font.glyph_count(); ++i) {
     const auto id = static_cast<uint16_t>(i);
     GlyphMetrics metrics;

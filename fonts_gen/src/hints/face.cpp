@@ -216,8 +216,8 @@ class ZoneFinder {
 };
 
 // Letters that show the widths of strokes.
-constexpr char32_t kStemLetters[] = U"nhmuidlbpqHIEFLTDBP";
-constexpr char32_t kBarLetters[] = U"eoftzEFHTLOBD";
+constexpr char32_t kStemLetters[] = U"nhmuidlrpq";
+constexpr char32_t kBarLetters[] = U"acefgostzbdpqABDEFHOPRST";
 
 void add_widths(const std::vector<Stroke>& strokes,
                 std::vector<double>& widths) {
@@ -231,16 +231,12 @@ void add_widths(const std::vector<Stroke>& strokes,
 // The width near the median that most strokes have: straight stems rather than
 // bowls.
 int usual_width(const std::vector<double>& widths) {
-  if (widths.empty()) {
-    return 0;
-  }
   const double middle = median(widths);
   // Strokes of nearly that width, the more the nearer they are to it.
   const auto sharing = [&widths](int width) {
     double sum = 0;
     for (const double other : widths) {
-      const double distance = std::abs(other - width);
-      sum += std::max(0.0, kSameWidth - distance);
+      sum += std::max(0.0, kSameWidth - std::abs(other - width));
     }
     return sum;
   };
@@ -271,7 +267,7 @@ int standard_width(const std::vector<GlyphFeatures>& glyphs,
       add_widths(glyph.*strokes, widths);
     }
   }
-  return usual_width(widths);
+  return widths.empty() ? 0 : usual_width(widths);
 }
 
 bool has_few_bars(const std::vector<GlyphFeatures>& glyphs) {

@@ -18,7 +18,7 @@ constexpr double kLeastFacingShare = 0.13;
 
 // Edges that face each other longer are preferred, as if they were nearer by
 // this share of the length, which counts up to kMostFacing. [u]
-constexpr double kFacingMerit = 0.1;
+constexpr double kFacingMerit = 0.12;
 constexpr double kMostFacing = 200;
 
 // A spine keeps this distance from other bars. [u]

@@ -1,0 +1,317 @@
+// What the generator finds in outlines for grid fitting, and its bytes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "generate.hpp"
+#include "glyph_outlines.hpp"
+#include "hints/face.hpp"
+#include "hints/features.hpp"
+#include "hints/glyph_hints.hpp"
+#include "hints/grid_section.hpp"
+#include "inkcell/format.hpp"
+#include "outlines/unite.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+using Kind = Stroke::Kind;
+using Height = HeightHint::Kind;
+
+constexpr double kClose = 3;  // [u]
+
+GlyphFeatures features(const std::string& font, char32_t letter) {
+  return find_features(unite(load_outlines(font, 0, {letter})[0]));
+}
+
+// Letters of a font and the face that they make.
+struct Letters {
+  Letters(const std::string& font, const std::u32string& letters) {
+    for (const char32_t letter : letters) {
+      glyph_of[letter] = static_cast<uint16_t>(glyphs.size());
+      glyphs.push_back(features(font, letter));
+    }
+    face = find_face(glyphs, glyph_of);
+  }
+
+  GlyphHints hints(char32_t letter) const {
+    const GlyphFeatures& glyph = glyphs[glyph_of.at(letter)];
+    return make_glyph_hints(glyph, face, {glyph.box.x0, glyph.box.x1});
+  }
+
+  std::map<char32_t, uint16_t> glyph_of;
+  std::vector<GlyphFeatures> glyphs;
+  FaceHints face;
+};
+
+std::u32string printable() {
+  std::u32string all;
+  for (const uint32_t c : ascii()) {
+    all += c;
+  }
+  return all;
+}
+
+size_t count(const GlyphHints& hints, Height kind) {
+  return static_cast<size_t>(
+      std::count_if(hints.heights.begin(), hints.heights.end(),
+                    [kind](const auto& hint) { return hint.kind == kind; }));
+}
+
+TEST(Hints, AStemIsSymmetricAndHasTwoLoneEdges) {
+  const GlyphFeatures glyph = find_features({{rectangle(100, 0, 190, 700)}});
+  ASSERT_EQ(glyph.stems.size(), 1u);
+  EXPECT_EQ(glyph.stems[0].low, 100);
+  EXPECT_EQ(glyph.stems[0].high, 190);
+  EXPECT_TRUE(glyph.bars.empty());
+  ASSERT_EQ(glyph.lone_edges.size(), 2u);
+  EXPECT_EQ(glyph.lone_edges[0].position, 0);
+  EXPECT_TRUE(glyph.lone_edges[0].ink_beyond);
+  EXPECT_EQ(glyph.lone_edges[1].position, 700);
+  EXPECT_FALSE(glyph.lone_edges[1].ink_beyond);
+  EXPECT_TRUE(glyph.is_symmetric);
+}
+
+TEST(Hints, ABarIsNoStem) {
+  const GlyphFeatures glyph = find_features({{rectangle(50, 200, 450, 280)}});
+  ASSERT_EQ(glyph.bars.size(), 1u);
+  EXPECT_EQ(glyph.bars[0].low, 200);
+  EXPECT_EQ(glyph.bars[0].high, 280);
+  EXPECT_EQ(glyph.bars[0].kind, Kind::plain);
+  EXPECT_TRUE(glyph.stems.empty());
+}
+
+TEST(Hints, WingsAtTheEndOfAStemAreASerif) {
+  const GlyphFeatures glyph = find_features({{polygon({{0, 0},
+                                                       {300, 0},
+                                                       {300, 30},
+                                                       {195, 30},
+                                                       {195, 700},
+                                                       {105, 700},
+                                                       {105, 30},
+                                                       {0, 30}})}});
+  ASSERT_EQ(glyph.bars.size(), 1u);
+  EXPECT_EQ(glyph.bars[0].kind, Kind::serif);
+  EXPECT_EQ(glyph.bars[0].high, 30);
+  EXPECT_EQ(glyph.body.low, 105);
+  EXPECT_EQ(glyph.body.high, 195);
+  // An arm is longer than a serif.
+  const GlyphFeatures arm = find_features({{polygon(
+      {{0, 0}, {400, 0}, {400, 30}, {90, 30}, {90, 700}, {0, 700}})}});
+  ASSERT_EQ(arm.bars.size(), 1u);
+  EXPECT_EQ(arm.bars[0].kind, Kind::plain);
+}
+
+TEST(Hints, ACuppedFootIsASerif) {
+  const GlyphFeatures glyph = find_features({{polygon({{0, 0},
+                                                       {300, 0},
+                                                       {300, 12},
+                                                       {195, 60},
+                                                       {195, 700},
+                                                       {105, 700},
+                                                       {105, 60},
+                                                       {0, 12}})}});
+  ASSERT_EQ(glyph.bars.size(), 1u);
+  EXPECT_EQ(glyph.bars[0].kind, Kind::serif);
+  EXPECT_EQ(glyph.bars[0].low, 0);
+  EXPECT_LT(glyph.bars[0].high, 60);
+}
+
+TEST(Hints, BentStrokesHaveRoundEdgesAtTheirExtremes) {
+  Contour counter = circle(300, 250, -180);
+  const GlyphFeatures ring = find_features({{circle(300, 250, 260), counter}});
+  ASSERT_EQ(ring.bars.size(), 2u);
+  EXPECT_TRUE(ring.bars[0].is_round);
+  EXPECT_NEAR(ring.bars[0].low, -10, 0.1);
+  EXPECT_NEAR(ring.bars[0].high, 70, 0.1);
+  ASSERT_EQ(ring.stems.size(), 2u);
+  EXPECT_NEAR(ring.stems[1].high, 560, 0.1);
+  EXPECT_TRUE(ring.is_symmetric);
+}
+
+TEST(Hints, DiagonalsAreNoStems) {
+  EXPECT_TRUE(
+      find_features({{polygon({{0, 0}, {80, 0}, {180, 700}, {100, 700}})}})
+          .stems.empty());
+}
+
+TEST(Hints, AnEHasThreeBarsAndAFreeEnd) {
+  for (const char* font : {kDejaVuSans, kRoboto}) {
+    const GlyphFeatures glyph = features(font, 'e');
+    EXPECT_EQ(glyph.bars.size(), 3u) << font;
+    EXPECT_TRUE(std::any_of(glyph.ends.begin(), glyph.ends.end(),
+                            [](const FreeEnd& end) { return end.rises; }))
+        << font;
+    EXPECT_FALSE(glyph.is_symmetric);
+  }
+}
+
+TEST(Hints, AnSHasASpineBetweenTwoFreeEnds) {
+  for (const char* font : {kDejaVuSans, kLiberationSerif, kRoboto}) {
+    for (const char letter : {'s', 'S'}) {
+      const GlyphFeatures glyph = features(font, static_cast<char32_t>(letter));
+      ASSERT_EQ(glyph.bars.size(), 3u) << font << letter;
+      EXPECT_EQ(glyph.bars[1].kind, Kind::spine) << font << letter;
+      const double middle = (glyph.box.y0 + glyph.box.y1) / 2;
+      EXPECT_NEAR(glyph.bars[1].middle(), middle, 25) << font << letter;
+      ASSERT_EQ(glyph.ends.size(), 2u) << font << letter;
+      EXPECT_TRUE(glyph.ends[0].rises);
+      EXPECT_FALSE(glyph.ends[1].rises);
+    }
+  }
+}
+
+TEST(Hints, BarsAndStemsOfLetters) {
+  struct Expected {
+    char32_t letter;
+    size_t bars;
+    size_t stems;
+  };
+  for (const char* font : {kDejaVuSans, kRoboto}) {
+    const Letters letters(font, printable());
+    for (const Expected& expected :
+         {Expected{U'n', 1, 2}, Expected{U'm', 1, 3}, Expected{U'h', 1, 2},
+          Expected{U'u', 1, 2}, Expected{U'o', 2, 2}, Expected{U'B', 3, 2},
+          Expected{U'8', 3, 2}, Expected{U'E', 3, 1}, Expected{U'H', 1, 2},
+          Expected{U'z', 2, 0}, Expected{U'T', 1, 1}, Expected{U'v', 0, 0}}) {
+      const GlyphHints hints = letters.hints(expected.letter);
+      const std::string name =
+          font + std::string(" ") + static_cast<char>(expected.letter);
+      EXPECT_EQ(count(hints, Height::bar), expected.bars) << name;
+      EXPECT_EQ(hints.across.size(), expected.stems) << name;
+      EXPECT_EQ(count(hints, Height::serif), 0u) << name;
+    }
+  }
+}
+
+TEST(Hints, SymmetricLetters) {
+  for (const char* font : {kDejaVuSans, kRoboto}) {
+    for (const char letter : std::string("AHIMOTUVWXYovwx08")) {
+      EXPECT_TRUE(features(font, static_cast<char32_t>(letter)).is_symmetric)
+          << font << letter;
+    }
+    for (const char letter : std::string("BCDEFGJKLPRabcdefghjkpqrty")) {
+      EXPECT_FALSE(features(font, static_cast<char32_t>(letter)).is_symmetric)
+          << font << letter;
+    }
+  }
+}
+
+TEST(Hints, SerifsOfASerifFace) {
+  const Letters letters(kLiberationSerif, printable());
+  EXPECT_TRUE(letters.face.has_contrast);
+  for (const char32_t letter : {U'l', U'h', U'I', U'H', U'M', U'i'}) {
+    EXPECT_EQ(count(letters.hints(letter), Height::serif), 2u)
+        << static_cast<char>(letter);
+    EXPECT_GT(letters.hints(letter).left_inset_u, 0);
+  }
+  for (const char32_t letter : {U'o', U'z', U'E', U'[', U'e'}) {
+    EXPECT_EQ(count(letters.hints(letter), Height::serif), 0u)
+        << static_cast<char>(letter);
+  }
+}
+
+TEST(Hints, ZonesOfLatinType) {
+  const Letters letters(kDejaVuSans, printable());
+  const FaceHints& face = letters.face;
+  ASSERT_TRUE(face.x_zone.has_value());
+  const HintZone& x_height = face.zones[*face.x_zone];
+  EXPECT_NEAR(x_height.flat_u, 560, 1);
+  EXPECT_NEAR(x_height.overshoot_u, 14, 1);
+  EXPECT_TRUE(x_height.is_top);
+  for (const double y : {0.0, -14.5}) {
+    const std::optional<ZoneEdge> edge = zone_of(face, y, false);
+    ASSERT_TRUE(edge.has_value());
+    EXPECT_EQ(face.zones[edge->zone].flat_u, 0);
+    EXPECT_EQ(edge->is_round, y < 0);
+  }
+  EXPECT_FALSE(zone_of(face, 300, true).has_value());
+  EXPECT_NEAR(face.stem_width_u, 92, kClose);
+  EXPECT_NEAR(face.bar_width_u, 77, kClose);
+}
+
+TEST(Hints, ZonesOfAnyCharacters) {
+  const Letters digits(kRoboto, U"0123456789");
+  EXPECT_TRUE(zone_of(digits.face, 728, true).has_value());
+  EXPECT_TRUE(zone_of(digits.face, 0, false).has_value());
+  const Letters cyrillic(kDejaVuSans, U"нптсо");
+  ASSERT_TRUE(cyrillic.face.x_zone.has_value());
+  EXPECT_NEAR(cyrillic.face.zones[*cyrillic.face.x_zone].flat_u, 560, 1);
+  const Letters hanzi(kNotoSansCjk, U"一二三口日目田中");
+  EXPECT_FALSE(hanzi.face.x_zone.has_value());
+  const Letters none(kRoboto, U"");
+  EXPECT_TRUE(none.face.zones.empty());
+}
+
+TEST(Hints, HeightsThatNoLetterNamesAreFoundWhereGlyphsShareThem) {
+  std::vector<GlyphFeatures> glyphs;
+  for (int i = 0; i < 6; ++i) {
+    glyphs.push_back(find_features({{rectangle(100, -90, 190 + 40 * i, 840),
+                                     rectangle(0, 300, 90, 340)}}));
+  }
+  const FaceHints face = find_face(glyphs, {});
+  EXPECT_TRUE(zone_of(face, -90, false).has_value());
+  EXPECT_TRUE(zone_of(face, 840, true).has_value());
+  EXPECT_FALSE(zone_of(face, 840, false).has_value());
+}
+
+TEST(Hints, MapsHaveFewKnots) {
+  const std::vector<uint32_t> hanzi = {0x9f9c, 0x9b31, 0x9f3b, 0x91cf};
+  std::vector<GlyphFeatures> glyphs;
+  for (const Outline& outline : load_outlines(kNotoSansCjk, 0, hanzi)) {
+    glyphs.push_back(find_features(unite(outline)));
+  }
+  const FaceHints face = find_face(glyphs, {});
+  for (const GlyphFeatures& glyph : glyphs) {
+    const GlyphHints hints =
+        make_glyph_hints(glyph, face, {glyph.box.x0, glyph.box.x1});
+    const size_t bars = count(hints, Height::bar) + count(hints, Height::serif);
+    EXPECT_LE(hints.heights.size() + bars, format::grid::kMaxKnots);
+    EXPECT_LE(2 * hints.across.size() + 2, format::grid::kMaxKnots);
+    EXPECT_GT(bars, 0u);
+  }
+}
+
+TEST(Hints, RecordsHoldWhatFormatMdSays) {
+  GlyphHints hints;
+  EXPECT_TRUE(hint_record(hints).empty());
+  hints.is_symmetric = true;
+  HeightHint bar;
+  bar.edge.zone = ZoneEdge{1, true};
+  bar.is_top_edge = true;
+  hints.heights.push_back(bar);
+  AcrossHint stem;
+  stem.position_u = 100;
+  stem.width_u = 90;
+  hints.across.push_back(stem);
+  // 1 0 0001 001 | 00 1 1 001 1 1 | 0 0100110010 0 0101101
+  EXPECT_EQ(hint_record(hints),
+            (std::vector<uint8_t>{0x84, 0x99, 0xc9, 0x91, 0x68}));
+}
+
+TEST(Hints, OfAFontTakeAFewBytesAGlyph) {
+  struct Expected {
+    const char* file;
+    double most;  // bytes a glyph
+  };
+  for (const Expected& expected :
+       {Expected{kDejaVuSans, 9}, Expected{kLiberationSerif, 9.4},
+        Expected{kRoboto, 9}}) {
+    const Letters letters(expected.file, printable());
+    FontHints hints;
+    hints.face = letters.face;
+    for (const uint32_t c : ascii()) {
+      hints.glyphs.push_back(letters.hints(c));
+    }
+    const size_t of_face = format::grid::kBytes +
+                           format::grid::kZoneBytes * hints.face.zones.size();
+    const double bytes =
+        static_cast<double>(grid_section(hints).size() - of_face) /
+        static_cast<double>(hints.glyphs.size());
+    EXPECT_LE(bytes, expected.most) << expected.file;
+  }
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test
