@@ -66,7 +66,6 @@ done
 "$tools/inkcell-inspect" "$out/outline.bin" --points "$out/points.png" \
   --field "$out/field.png" >>"$out/sizes.txt"
 "$tools/inkcell-inspect" "$out/outline.bin" --sheet "$out/sheet.png" \
-  --edges "$out/edges.png" --side 400 \
   >>"$out/sizes.txt"
 "$tools/inkcell-render" --font "$out/outline.bin" --px 24 --zoom 6 --stats \
   --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
@@ -132,7 +131,6 @@ describe lcd.png "sub-pixels"
 describe levels.png "1 and 2 bits"
 describe maps.png "leaning, narrow, mirrored"
 describe motion.png "motion blur"
-describe edges.png "what grid fitting knows of a glyph"
 describe enlarged.png "pixels of 24 px type"
 describe points.png "the contours of a glyph and their points"
 describe field.png "the distance field of an outline near its edge"

@@ -29,5 +29,5 @@ mkdir -p docs/img
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --glyph a --side 600 --points docs/img/points.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/dejavu/DejaVuSans.ttf" \
-  --glyph e --side 400 --edges docs/img/edges.png >/dev/null
+  --glyph e --side 400 --points docs/img/hints.png >/dev/null
 ls -l docs/img

@@ -793,40 +793,38 @@ class Tools(unittest.TestCase):
             self.assertRegex(run("inspect", rom), rf"coding +{coding}\n")
 
     def test_inspect_shows_hints(self):
-        seen = json.loads(run("inspect", self.font, "--glyph", "T", "--json"))
-        hints = seen["hints"]
-        self.assertIn({"height_u": 0, "side": "bottom"}, hints["zones"])
+        font = self.fonts["outline"]
+        seen = json.loads(run("inspect", font, "--glyph", "T", "--json"))
+        zones = seen["hints"]["zones"]
+        self.assertEqual((zones[0]["flat_u"], zones[0]["side"]), (0, "bottom"))
         # Of 2048 units; x.5 may go up or down.
-        capitals = min((zone["height_u"] for zone in hints["zones"]),
-                       key=lambda u: abs(
-                           u - seen["metrics"]["cap_height"] / 2))
-        self.assertLess(abs(capitals - seen["metrics"]["cap_height"] / 2), 1)
-        self.assertIn({"height_u": capitals, "side": "top"}, hints["zones"])
-        edges = seen["glyphs"][0]["edges"]
-        heights = [edge["height_u"] for edge in edges]
-        self.assertEqual(heights, sorted(heights))
-        self.assertEqual((heights[0], heights[-1]), (0, capitals))
-        self.assertEqual([edge["height_u"] for edge in edges if edge["bar"]],
-                         [heights[-2]])
-        levels = [level["height_u"] for level in hints["levels"]]
-        self.assertLessEqual(set(heights), set(levels))
+        cap_height = seen["metrics"]["cap_height"] / 2
+        capitals = min((zone["flat_u"] for zone in zones),
+                       key=lambda u: abs(u - cap_height))
+        self.assertLess(abs(capitals - cap_height), 1)
+        hints = seen["glyphs"][0]["hints"]
+        self.assertTrue(hints["symmetric"])
+        foot, bar = hints["heights"]
+        self.assertEqual((foot["kind"], foot["low_u"]), ("edge", 0))
+        self.assertEqual((bar["kind"], bar["high_u"]), ("bar", capitals))
+        self.assertEqual(zones[bar["zone"]]["side"], "top")
+        stem, = hints["across"]
         middle = sum(seen["glyphs"][0]["box"][::2]) / 4
-        stems = seen["glyphs"][0]["stems_u"]
-        self.assertEqual(len(stems), 1)
-        self.assertLess(abs(stems[0] - middle), 4)
-        said = run("inspect", self.font, "--glyph", "T")
-        self.assertIn(f"zone {edges[0]['zone']} (bottom at 0 u)", said)
-        self.assertIn("below a bar", said)
+        self.assertLess(abs((stem["left_u"] + stem["right_u"]) / 2 - middle), 4)
+        said = run("inspect", font, "--glyph", "T")
+        self.assertRegex(said, r"edge +0 u, zone 0")
+        self.assertRegex(said, r"bar +\d+ u to \d+ u, zone")
         bare = self.path / "bare.bin"
         run("fontgen", "--font", SANS, "--symbols", "T", "--hints", "off",
             "--quiet", "--out", bare)
-        self.assertRegex(run("inspect", bare), r"hints +none")
+        for bare in (bare, self.fonts["samples"]):
+            self.assertRegex(run("inspect", bare), r"hints +none")
 
     def test_inspect_draws(self):
         for coding in CODINGS:
             own = "points.png" if coding == "outline" else "cells.png"
             pictures = [self.path / name for name in
-                        (own, "field.png", "edges.png", "sheet.png")]
+                        (own, "field.png", "sheet.png")]
             self.assertIn("glyph", run(
                 "inspect", self.fonts[coding], "--glyph", "A",
                 *(x for out in pictures for x in (f"--{out.stem}", out))))
