@@ -234,7 +234,8 @@ TEST(Hints, ZonesOfLatinType) {
 TEST(Hints, ZonesOfAnyCharacters) {
   const Letters digits(kRoboto, U"0123456789");
   EXPECT_TRUE(zone_of(digits.face, 728, true).has_value());
-  EXPECT_TRUE(zone_of(digits.face, 0, false).has_value());
+  ASSERT_TRUE(zone_of(digits.face, 0, false).has_value());
+  EXPECT_TRUE(zone_of(digits.face, -10, false)->is_round);
   const Letters cyrillic(kDejaVuSans, U"нптсо");
   ASSERT_TRUE(cyrillic.face.x_zone.has_value());
   EXPECT_NEAR(cyrillic.face.zones[*cyrillic.face.x_zone].flat_u, 560, 1);

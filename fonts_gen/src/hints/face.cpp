@@ -54,6 +54,7 @@ constexpr ZoneLetters kZoneLetters[] = {
     {U"bdhkl", U"f", true, false},
     {U"pq", U"gy", false, false},
     {U"17", U"0", true, false},
+    {U"12", U"0", false, false},
     {U"НПТГнптгк", U"оО", false, false},
     {U"нптгкви", U"осе", true, true},
     {U"НПТГЕ", U"ОС", true, false},
