@@ -257,6 +257,15 @@ TEST(Hints, HeightsThatNoLetterNamesAreFoundWhereGlyphsShareThem) {
   EXPECT_FALSE(zone_of(face, 840, false).has_value());
 }
 
+TEST(Hints, OfBarsSideBySideOneStays) {
+  const GlyphFeatures glyph = find_features(
+      {{rectangle(0, 300, 200, 360), rectangle(300, 330, 600, 390)}});
+  ASSERT_EQ(glyph.bars.size(), 2u);
+  const GlyphHints hints = make_glyph_hints(glyph, FaceHints(), {0, 600});
+  ASSERT_EQ(hints.heights.size(), 1u);
+  EXPECT_EQ(hints.heights[0].edge.position_u, 330);
+}
+
 TEST(Hints, MapsHaveFewKnots) {
   const std::vector<uint32_t> hanzi = {0x9f9c, 0x9b31, 0x9f3b, 0x91cf};
   std::vector<GlyphFeatures> glyphs;

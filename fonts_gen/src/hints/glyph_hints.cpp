@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "inkcell/format.hpp"
@@ -31,6 +32,7 @@ constexpr size_t kMostStems = (grid::kMaxKnots - 2) / 2;
 // A hint that may be dropped, the least important one first.
 struct Candidate {
   double low = 0;
+  double high = 0;
   double importance = 0;
   HeightHint hint;
 };
@@ -101,8 +103,9 @@ std::vector<Candidate> height_candidates(const GlyphFeatures& features,
   for (const Stroke& bar : features.bars) {
     const HeightHint hint = bar_hint(bar, face);
     if (hint.edge.zone || fits_position(bar.low)) {
-      candidates.push_back(
-          {bar.low, (hint.edge.zone ? kOfZone : kOfBar) + bar.facing, hint});
+      candidates.push_back({bar.low, bar.high,
+                            (hint.edge.zone ? kOfZone : kOfBar) + bar.facing,
+                            hint});
     }
   }
   for (const StrokeEdge& edge : features.lone_edges) {
@@ -112,7 +115,8 @@ std::vector<Candidate> height_candidates(const GlyphFeatures& features,
       HeightHint hint;
       hint.kind = Height::lone_edge;
       hint.edge.zone = zone;
-      candidates.push_back({edge.position, kOfLoneEdge + edge.length(), hint});
+      candidates.push_back(
+          {edge.position, edge.position, kOfLoneEdge + edge.length(), hint});
     }
   }
   for (const FreeEnd& end : features.ends) {
@@ -121,22 +125,46 @@ std::vector<Candidate> height_candidates(const GlyphFeatures& features,
       hint.kind = Height::free_end;
       hint.edge.position_u = rounded(end.y);
       hint.rises = end.rises;
-      candidates.push_back({end.y, 0, hint});
+      candidates.push_back({end.y, end.y, 0, hint});
     }
   }
   return candidates;
 }
 
+bool is_bar(const Candidate& candidate) {
+  return candidate.hint.kind == Height::bar ||
+         candidate.hint.kind == Height::serif;
+}
+
+// Bars that share rows lie side by side: the most important one stays.
+void resolve_bars(std::vector<Candidate>& candidates) {
+  const auto is_worse = [&candidates](const Candidate& bar) {
+    return is_bar(bar) &&
+           std::any_of(candidates.begin(), candidates.end(),
+                       [&bar](const Candidate& other) {
+                         return is_bar(other) && other.low < bar.high &&
+                                bar.low < other.high &&
+                                (other.importance > bar.importance ||
+                                 (other.importance == bar.importance &&
+                                  other.low < bar.low));
+                       });
+  };
+  std::vector<Candidate> kept;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept),
+               [&](const Candidate& each) { return !is_worse(each); });
+  candidates = std::move(kept);
+}
+
 size_t knots_of(const std::vector<Candidate>& candidates) {
   size_t knots = 0;
   for (const Candidate& candidate : candidates) {
-    const Height kind = candidate.hint.kind;
-    knots += kind == Height::bar || kind == Height::serif ? 2 : 1;
+    knots += is_bar(candidate) ? 2u : 1u;
   }
   return knots;
 }
 
 std::vector<HeightHint> choose_heights(std::vector<Candidate> candidates) {
+  resolve_bars(candidates);
   while (knots_of(candidates) > grid::kMaxKnots) {
     candidates.erase(
         std::min_element(candidates.begin(), candidates.end(),
