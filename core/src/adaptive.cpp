@@ -90,8 +90,7 @@ struct Sampling {
 
   Sampling(const GlyphField& field,
            const Brush& the_brush,
-           const Adaptive& the_options,
-           bool is_fitted) noexcept;
+           const Adaptive& the_options) noexcept;
 
   int32_t distance_q10(const FieldPosition& at) noexcept {
     ++more_samples;
@@ -104,8 +103,7 @@ struct Sampling {
 
 Sampling::Sampling(const GlyphField& field,
                    const Brush& the_brush,
-                   const Adaptive& the_options,
-                   bool is_fitted) noexcept
+                   const Adaptive& the_options) noexcept
     : brush(the_brush),
       options(the_options),
       // Farther away vertices need not be round.
@@ -118,9 +116,7 @@ Sampling::Sampling(const GlyphField& field,
   const FieldPosition right = scaled(the_brush.right(), around.radius_q10);
   const FieldPosition up = scaled(the_brush.up(), around.radius_q10);
   around.x_q16 = magnitude(right.x_q16) + magnitude(up.x_q16);
-  // Fitted rows may lie twice as far apart.
-  around.y_q16 =
-      (magnitude(right.y_q16) + magnitude(up.y_q16)) * (is_fitted ? 2 : 1);
+  around.y_q16 = magnitude(right.y_q16) + magnitude(up.y_q16);
 }
 
 // Of values on the two circles.
@@ -287,7 +283,6 @@ __attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
 __attribute__((noinline)) void set_up_rows(SampleRows& rows,
                                            const Brush& brush,
                                            const FinePoint& origin,
-                                           const RowMap* map,
                                            int32_t x,
                                            int32_t y,
                                            int32_t radius_q10) noexcept {
@@ -295,12 +290,12 @@ __attribute__((noinline)) void set_up_rows(SampleRows& rows,
   const int32_t ways[] = {outer, diagonal(outer),
                           diagonal(part_of(radius_q10, 1))};
   rows.heights[kCentre] =
-      detail::sample_position(brush, origin, map, x, y, {0, 0});
+      detail::sample_position(brush, origin, x, y, {0, 0});
   for (int32_t i = 0; i < 3; ++i) {
     rows.heights[kOuterUp + 2 * i] =
-        detail::sample_position(brush, origin, map, x, y, {0, ways[i]});
+        detail::sample_position(brush, origin, x, y, {0, ways[i]});
     rows.heights[kOuterDown + 2 * i] =
-        detail::sample_position(brush, origin, map, x, y, {0, -ways[i]});
+        detail::sample_position(brush, origin, x, y, {0, -ways[i]});
   }
   rows.outer = scaled(brush.right(), ways[0]);
   rows.diagonal = scaled(brush.right(), ways[1]);
@@ -328,12 +323,11 @@ __attribute__((noinline)) void draw_pixels(Sampling& sampling,
 // Not inline, like all that draws a row: no function needs much of the stack.
 __attribute__((noinline)) void draw_row(Sampling& sampling,
                                         const FinePoint& origin,
-                                        const RowMap* map,
                                         const Rect& box,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   SampleRows rows;
-  set_up_rows(rows, sampling.brush, origin, map, box.x0, y,
+  set_up_rows(rows, sampling.brush, origin, box.x0, y,
               sampling.options.radius_q10);
   SpanWriter writer(sink, y);
   draw_pixels(sampling, rows, box.x0, box.x1, writer);
@@ -392,13 +386,12 @@ void detail::paint_adaptive(const GlyphField& field,
                             const Brush& brush,
                             const void* options,
                             const FinePoint& origin,
-                            const RowMap* rows,
                             const Sink& sink) {
   const auto& adaptive = *static_cast<const Adaptive*>(options);
   const Rect box = detail::painted_box(field, brush, origin, sink);
-  Sampling sampling(field, brush, adaptive, rows != nullptr);
+  Sampling sampling(field, brush, adaptive);
   for (int32_t y = box.y0; y < box.y1; ++y) {
-    draw_row(sampling, origin, rows, box, y, sink);
+    draw_row(sampling, origin, box, y, sink);
   }
   if (adaptive.more_samples != nullptr) {
     *adaptive.more_samples += sampling.more_samples;

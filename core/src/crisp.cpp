@@ -22,19 +22,17 @@ class Neighbourhood {
   Neighbourhood(const GlyphField& field,
                 const Brush& brush,
                 const FinePoint& origin,
-                const RowMap* rows,
                 int32_t threshold_q10) noexcept
       : walk_(field, brush, detail::kNoReach),
         brush_(brush),
         origin_(origin),
-        rows_(rows),
         threshold_q10_(threshold_q10) {}
 
   FieldPosition position(int32_t x,
                          int32_t y,
                          int32_t right_q10,
                          int32_t down_q10) const noexcept {
-    return detail::sample_position(brush_, origin_, rows_, x, y,
+    return detail::sample_position(brush_, origin_, x, y,
                                    {right_q10, -down_q10});
   }
 
@@ -91,7 +89,6 @@ class Neighbourhood {
   PointWalk walk_;
   const Brush& brush_;
   const FinePoint& origin_;
-  const RowMap* rows_;
   int32_t threshold_q10_;
 };
 
@@ -132,17 +129,16 @@ void detail::paint_crisp(const GlyphField& field,
                          const Brush& brush,
                          const void* options,
                          const FinePoint& origin,
-                         const RowMap* rows,
                          const Sink& sink) {
   const CrispStyle& style = *static_cast<const CrispStyle*>(options);
   constexpr int32_t kMostThreshold = 1 << 9;
   int32_t threshold = style.threshold_px.raw;
   threshold = threshold < -kMostThreshold ? -kMostThreshold : threshold;
   threshold = threshold > kMostThreshold ? kMostThreshold : threshold;
-  Neighbourhood glyph(field, brush, origin, rows, threshold);
+  Neighbourhood glyph(field, brush, origin, threshold);
   // Beyond the ramp of the filter, by what the threshold and bridges reach.
   draw_rows(glyph, style,
-            detail::painted_box(field, brush, origin, rows, sink.window,
+            detail::painted_box(field, brush, origin, sink.window,
                                 kMostReachQ10, kMostReachQ10),
             sink);
 }

@@ -46,11 +46,10 @@ struct Rows {
   const Brush& brush;
   const Filter& inner;
   const FinePoint& origin;
-  const RowMap* map;
   Rect box;
 
   FieldPosition at(int32_t y) const noexcept {
-    return detail::sample_position(brush, origin, map, box.x0, y, {0, 0});
+    return detail::sample_position(brush, origin, box.x0, y, {0, 0});
   }
   int32_t reach_q22() const noexcept {
     return greater(detail::reach_of(brush.filter()), detail::reach_of(inner));
@@ -115,11 +114,10 @@ void detail::paint_outline(const GlyphField& field,
                            const Brush& brush,
                            const void* options,
                            const FinePoint& origin,
-                           const RowMap* rows,
                            const Sink& sink) {
   const Rows all = {
-      brush, *static_cast<const Filter*>(options), origin, rows,
-      detail::painted_box(field, brush, origin, rows, sink.window, 0, 0)};
+      brush, *static_cast<const Filter*>(options), origin,
+      detail::painted_box(field, brush, origin, sink.window, 0, 0)};
   PointWalk walk(field, brush, all.reach_q22());
   draw_outline(all, walk, sink);
 }
@@ -128,12 +126,11 @@ void detail::paint_outline_and_fill(const GlyphField& field,
                                     const Brush& brush,
                                     const void* options,
                                     const FinePoint& origin,
-                                    const RowMap* rows,
                                     const Sink& sink) {
   const OutlineAndFill& both = *static_cast<const OutlineAndFill*>(options);
   const Rows all = {
-      brush, *both.inner, origin, rows,
-      detail::painted_box(field, brush, origin, rows,
+      brush, *both.inner, origin,
+      detail::painted_box(field, brush, origin,
                           intersect(sink.window, both.fill->window), 0, 0)};
   PointWalk walk(field, brush, all.reach_q22());
   for (int32_t y = all.box.y0; y < all.box.y1; ++y) {

@@ -141,21 +141,6 @@ inline int32_t FieldBand::points_upto(uint32_t way_q16,
   return lesser(count, most);
 }
 
-inline int32_t FieldBand::rows_in(uint32_t mask_q16,
-                                  uint32_t first_q16,
-                                  int32_t row,
-                                  int32_t end) const noexcept {
-  if (__builtin_expect(heights_ == nullptr, 1)) {
-    return points_upto(first_q16 & mask_q16, end - row);
-  }
-  int32_t count = 1;
-  while (row + count != end &&
-         ((height_q16(row + count) ^ first_q16) & ~mask_q16) == 0) {
-    ++count;
-  }
-  return count;
-}
-
 // Not inline: the loops have the registers for themselves.
 template <typename Terms>
 __attribute__((noinline)) void FieldBand::paint(BoxLeaf& leaf) const noexcept {
@@ -173,12 +158,7 @@ __attribute__((noinline)) void FieldBand::paint(BoxLeaf& leaf) const noexcept {
       return;
     }
     terms.go_on(static_cast<uint32_t>(line - out));
-    uint32_t down_q8 = 1 << 8;
-    if (__builtin_expect(heights_ != nullptr, 0)) {
-      const int32_t row = leaf.row + leaf.height - rows;
-      down_q8 = height_q8(row - 1) - height_q8(row);
-    }
-    terms.go_down(leaf, down_q8);
+    terms.go_down(leaf, 1 << 8);
     line += kColumns;
     end += kColumns;
   }
@@ -288,7 +268,7 @@ bool FieldBand::cover(int32_t width,
       int32_t down = 1;
       if (__builtin_expect(mask >= step_q16_, 1)) {
         right = points_upto(~x_q16 & mask, width - x);
-        down = rows_in(mask, row_q16, y, height);
+        down = points_upto(row_q16 & mask, height - y);
         // Both less one.
         drawn[x] = static_cast<uint8_t>((y + down) * 32 + right - 33);
         next = lesser(next, y + down);

@@ -16,16 +16,12 @@ class FieldBand : public LeafBand {
             field, scale_of(brush), brush.filter(), reach_of(brush.filter())),
         step_q16_(static_cast<uint32_t>(brush.step_along_q16())) {}
 
-  // To a band by its first point, from the origin. Its rows lie a px apart, or
-  // at `heights`, which must stay there.
-  void go_to(const FieldPosition& at, const RowHeight* heights) noexcept {
-    const RowHeight first =
-        heights == nullptr ? RowHeight{at.y_q16, at.y_q20} : heights[0];
+  // To a band by its first point, from the origin.
+  void go_to(const FieldPosition& at) noexcept {
     left_q16_ = static_cast<uint32_t>(at.x_q16 - field_.x0_u * (1 << 16));
-    top_q16_ = static_cast<uint32_t>(first.y_q16 - field_.y0_u * (1 << 16));
+    top_q16_ = static_cast<uint32_t>(at.y_q16 - field_.y0_u * (1 << 16));
     left_q8_ = q8_of(at.x_q20);
-    top_q8_ = q8_of(first.y_q20);
-    heights_ = heights;
+    top_q8_ = q8_of(at.y_q20);
   }
   // As many points to the right.
   void go_right(int32_t count) noexcept {
@@ -49,22 +45,12 @@ class FieldBand : public LeafBand {
   int32_t points_upto(uint32_t way_q16, int32_t most) const noexcept;
   // Where a row lies. [u]
   uint32_t height_q16(int32_t row) const noexcept {
-    return heights_ == nullptr
-               ? top_q16_ - static_cast<uint32_t>(row) * step_q16_
-               : static_cast<uint32_t>(heights_[row].y_q16 -
-                                       field_.y0_u * (1 << 16));
+    return top_q16_ - static_cast<uint32_t>(row) * step_q16_;
   }
   // The same in px, modulo 2^24.
   uint32_t height_q8(int32_t row) const noexcept {
-    return heights_ == nullptr ? top_q8_ - (static_cast<uint32_t>(row) << 8)
-                               : q8_of(heights_[row].y_q20);
+    return top_q8_ - (static_cast<uint32_t>(row) << 8);
   }
-  // How many rows from one on, which lies at `first_q16`, lie in its square of
-  // this size, before `end`.
-  int32_t rows_in(uint32_t mask_q16,
-                  uint32_t first_q16,
-                  int32_t row,
-                  int32_t end) const noexcept;
   uint8_t coverage_of_point(const FieldLeaf& leaf) const noexcept;
   void paint_leaf(BoxLeaf& leaf) const noexcept;
   template <typename Terms>
@@ -73,9 +59,8 @@ class FieldBand : public LeafBand {
   void reduce_box(BoxLeaf& leaf) const noexcept;
 
   uint32_t step_q16_;  // what a px is in u
-  // Nothing until the first `go_to`.
-  const RowHeight* heights_;
   // Where the first point lies, from the grid's corner [u] and the origin [px].
+  // Nothing until the first `go_to`.
   uint32_t left_q16_;
   uint32_t top_q16_;
   uint32_t left_q8_;

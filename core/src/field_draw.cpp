@@ -32,32 +32,23 @@ void draw_fields(const GlyphField& field,
   int32_t rows;
   for (int32_t y = pixels.y0; y < pixels.y1; y += rows) {
     rows = FieldBand::rows_of(pixels.y1 - y);
-    const RowHeight* heights = nullptr;
-    int32_t shown = rows;
-    if (upright.rows != nullptr) {
-      shown = upright.rows->place(upright, brush, rows);
-      rows = greater(shown, 1);
-      heights = upright.rows->heights;
-    }
-    if (shown != 0) {
-      band.go_to(upright.at, heights);
-      int32_t count;
-      for (int32_t x = pixels.x0; x < pixels.x1; x += count) {
-        FieldBand::Pixels lines;
-        // Coverage of an x that is a multiple of 4 begins a word, so that sinks
-        // of 8 bits can copy words.
-        const int32_t first = kWordsAnywhere ? 0 : x & 3;
-        count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
-        uint8_t* const line = lines.row(0) + first;
-        lines.clear(rows);
-        if (band.cover(count, rows, line)) {
-          for (int32_t row = 0; row < rows; ++row) {
-            sink.coverage(sink.context, x, y + row,
-                          line + row * FieldBand::kColumns, count);
-          }
+    band.go_to(upright.at);
+    int32_t count;
+    for (int32_t x = pixels.x0; x < pixels.x1; x += count) {
+      FieldBand::Pixels lines;
+      // Coverage of an x that is a multiple of 4 begins a word, so that sinks
+      // of 8 bits can copy words.
+      const int32_t first = kWordsAnywhere ? 0 : x & 3;
+      count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
+      uint8_t* const line = lines.row(0) + first;
+      lines.clear(rows);
+      if (band.cover(count, rows, line)) {
+        for (int32_t row = 0; row < rows; ++row) {
+          sink.coverage(sink.context, x, y + row,
+                        line + row * FieldBand::kColumns, count);
         }
-        band.go_right(count);
       }
+      band.go_right(count);
     }
     upright.go_down(brush, rows);
   }

@@ -5,7 +5,6 @@
 
 #include "field_cell.hpp"
 #include "inkcell/brush.hpp"
-#include "inkcell/row_map.hpp"
 #include "options.hpp"
 #include "span_writer.hpp"
 
@@ -61,41 +60,11 @@ inline int32_t u_of_px(int32_t px_q10, int32_t step_q16) noexcept {
 struct Placed;
 struct Upright;
 
-// Where a row lies in the glyph.
-struct RowHeight {
-  int32_t y_q16;
-  uint32_t y_q20;
-};
-
-// How the rows of a fitted glyph lie in it. Only what fits glyphs makes one, so
-// that others do not link it.
-struct FittedRows {
-  // As many rows as are drawn together.
-  static constexpr int32_t kMost = kObjectOrder ? 8 : 1;
-
-  // Sets `heights` of the row that a glyph is at and those below it that show
-  // something, `most` at the most. How many they are.
-  using Place = int32_t (*)(const Upright& upright,
-                            const Brush& brush,
-                            int32_t most);
-
-  FittedRows(Place the_place, const RowMap& the_map) noexcept
-      : place(the_place), map(the_map) {}
-
-  Place place;
-  const RowMap& map;                   // with knots, before rows are placed
-  const RowMap::Knot* knot = nullptr;  // of the last row, or one above it
-  int32_t low_q16 = 0;  // heights that may show: low_q16 <= y < high_q16 [u]
-  int32_t high_q16 = 0;
-  RowHeight heights[kMost];
-};
-
 // Pixels of upright text whose centres lie in the limits of what may show, and
-// where the upper left one is. Fitted rows may lie outside all the same.
+// where the upper left one is.
 struct Upright {
   Rect pixels;
   FieldPosition at;
-  FittedRows* rows;  // null if the glyph is not fitted
 
   // Goes on to a row below. Behind the last one it may be nowhere.
   void go_down(const Brush& brush, int32_t count) noexcept {
@@ -103,16 +72,6 @@ struct Upright {
         wrapped(static_cast<uint32_t>(at.y_q16) -
                 times(count, static_cast<uint32_t>(brush.step_along_q16())));
     at.y_q20 -= static_cast<uint32_t>(count) << 20;
-  }
-  // Where the row lies in the glyph. False: it shows nothing.
-  bool place_row(const Brush& brush, RowHeight& row) noexcept {
-    row = {at.y_q16, at.y_q20};
-    if (rows == nullptr) {
-      return true;
-    }
-    const bool is_shown = rows->place(*this, brush, 1) != 0;
-    row = rows->heights[0];
-    return is_shown;
   }
 };
 
@@ -122,13 +81,13 @@ Upright place_upright(const GlyphField& field,
                       const Placed& placed,
                       const Rect& window) noexcept;
 
-// Draws what is upright, fitted or not, without a painter.
+// Draws what is upright, without a painter.
 void draw_upright(const GlyphField& field,
                   const Brush& brush,
                   const Placed& placed,
                   const Sink& sink) noexcept;
 
-// draw_field of what is placed, and not yet fitted.
+// draw_field of what is placed.
 __attribute__((always_inline)) inline void draw_near(
     const GlyphField& field,
     const Brush& brush,

@@ -160,7 +160,6 @@ void paint_turned(const GlyphField& field,
                   const Brush& brush,
                   const void*,
                   const FinePoint& origin,
-                  const RowMap*,
                   const Sink& sink) {
   Placed placed;
   const Rect box = shown_box(field, brush, origin, sink.window, placed);
@@ -198,7 +197,6 @@ void paint_stretched(const GlyphField& field,
                      const Brush& brush,
                      const void*,
                      const FinePoint& origin,
-                     const RowMap*,
                      const Sink& sink) {
   Placed placed;
   const Rect box = shown_box(field, brush, origin, sink.window, placed);

@@ -420,7 +420,6 @@ Status detail::read_field(const Font& font,
   if (bytes.size != 0) {
     INKCELL_TRY(read_record(bytes, field));
     field.ink = font.ink_box(glyph);
-    field.glyph = glyph;
   }
   return Status::ok;
 }

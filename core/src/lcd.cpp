@@ -53,7 +53,7 @@ class Stripes {
   }
 
  private:
-  // Two stripes, and more where fitting stretches. [px, Q10]
+  // More than two stripes. [px, Q10]
   static constexpr int32_t kWay = 3 << 8;
 
   const Filter& filter_;
@@ -67,7 +67,8 @@ struct Ways {
   FieldPosition way[5];
 
   __attribute__((noinline))
-  Ways(const LcdRows& rows, bool is_down, int32_t y) noexcept {
+  Ways(const LcdRows& rows, bool is_down) noexcept {
+    const int32_t y = rows.box.y0;
     const FieldPosition middle = rows.at(rows.box.x0, y, 0, 0);
     for (int32_t i = 0; i < 5; ++i) {
       const int32_t third = (i - 2) * kThird;
@@ -121,15 +122,6 @@ __attribute__((noinline)) void draw_down(const LcdRows& rows,
   }
 }
 
-// Rows that are fitted lie at ways of their own.
-__attribute__((noinline)) void draw_fitted_down(const LcdRows& rows,
-                                                int32_t y,
-                                                Stripes& stripes,
-                                                RgbSpans& spans) noexcept {
-  const Ways ways(rows, true, y);
-  draw_down(rows, ways, y, stripes, spans);
-}
-
 __attribute__((noinline)) void draw_rows(const LcdRows& rows,
                                          const Ways& ways,
                                          const LcdStyle& style,
@@ -139,10 +131,8 @@ __attribute__((noinline)) void draw_rows(const LcdRows& rows,
   for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
     if (!is_vertical(style.order)) {
       draw_across(rows, ways, y, stripes, spans);
-    } else if (rows.map == nullptr) {
-      draw_down(rows, ways, y, stripes, spans);
     } else {
-      draw_fitted_down(rows, y, stripes, spans);
+      draw_down(rows, ways, y, stripes, spans);
     }
     spans.next_row();
   }
@@ -152,7 +142,7 @@ __attribute__((noinline)) void draw_stripes(const LcdRows& rows,
                                             const LcdStyle& style,
                                             Stripes& stripes,
                                             const Sink& sink) noexcept {
-  const Ways ways(rows, is_vertical(style.order), rows.box.y0);
+  const Ways ways(rows, is_vertical(style.order));
   draw_rows(rows, ways, style, stripes, sink);
 }
 
@@ -171,15 +161,14 @@ void detail::paint_lcd(const GlyphField& field,
                        const Brush& brush,
                        const void* options,
                        const FinePoint& origin,
-                       const RowMap* rows,
                        const Sink& sink) {
   const LcdStyle& style = *static_cast<const LcdStyle*>(options);
   const int32_t across_q10 = is_vertical(style.order) ? 0 : 2 * kThird;
   constexpr int32_t kFar = 1 << 30;
-  const Rect all = detail::painted_box(field, brush, origin, rows,
+  const Rect all = detail::painted_box(field, brush, origin,
                                        {-kFar, -kFar, kFar, kFar}, across_q10,
                                        2 * kThird - across_q10);
-  const LcdRows lcd_rows = {brush, origin, rows, all,
+  const LcdRows lcd_rows = {brush, origin, all,
                             intersect(all, sink.window)};
   if (is_empty(lcd_rows.box)) {
     return;  // positions far away do not fit

@@ -102,14 +102,9 @@ class StripeRow {
   // To the first row of pixels, or to the one below. False: it lies beside the
   // grid.
   bool go_to(int32_t y, bool is_first) noexcept {
-    if (is_first || rows_.map != nullptr) {
+    if (is_first) {
       at_ = rows_.at(rows_.box.x0, y, 0, 0);
-      if (is_first) {
-        find_grid();
-      }
-      if (way_.is_across() && rows_.map != nullptr) {
-        fit_way(y);
-      }
+      find_grid();
     } else {
       at_.y_q16 -= rows_.brush.step_along_q16();
       at_.y_q20 -= 1 << 20;
@@ -147,13 +142,6 @@ class StripeRow {
     for (; grid_x0_ < grid_x1_ && x_q16 >= right_q16; x_q16 -= step_q16) {
       --grid_x1_;
     }
-  }
-  // Rows that are fitted lie at ways of their own.
-  void fit_way(int32_t y) noexcept {
-    const FieldPosition above = rows_.at(rows_.box.x0, y, 0, kThird);
-    const FieldPosition below = rows_.at(rows_.box.x0, y, 0, -kThird);
-    way_ = row_.way(true, wrapped(below.y_q20 - above.y_q20) >> 13);
-    ramp_.far_q22 = way_.far_q22;
   }
 
   // Far outside beside the grid. [px, Q22]

@@ -161,7 +161,6 @@ class RgbSpans {
 struct LcdRows {
   const Brush& brush;
   const FinePoint& origin;
-  const RowMap* map;
   Rect all;  // the pixels that may show something
   Rect box;  // those in the window
 
@@ -169,7 +168,7 @@ struct LcdRows {
                                              int32_t y,
                                              int32_t right_q10,
                                              int32_t up_q10) const noexcept {
-    return sample_position(brush, origin, map, x, y, {right_q10, up_q10});
+    return sample_position(brush, origin, x, y, {right_q10, up_q10});
   }
 };
 

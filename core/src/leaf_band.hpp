@@ -17,7 +17,6 @@ class LeafBand : public FieldLeaves {
  public:
   // The most rows and columns of a band: what the stack can bear.
   static constexpr int32_t kRows = 8;
-  static_assert(!kObjectOrder || FittedRows::kMost == kRows, "bands");
   static constexpr int32_t kColumns = 24;
 
   // How many rows a band has where so many are left, one at the least.

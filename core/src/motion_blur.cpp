@@ -81,13 +81,12 @@ __attribute__((noinline)) uint8_t coverage_at(Shot& shot,
 __attribute__((noinline)) void draw_row(Shot& shot,
                                         const Brush& brush,
                                         const FinePoint& origin,
-                                        const RowMap* rows,
                                         const Rect& box,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   const MotionBlur& blur = shot.blur;
   FieldPosition at = detail::sample_position(
-      brush, origin, rows, box.x0, y,
+      brush, origin, box.x0, y,
       {-blur.right_q10 * blur.steps / 2, -blur.up_q10 * blur.steps / 2});
   const FieldPosition step = detail::pixel_step(brush);
   SpanWriter writer(sink, y);
@@ -146,7 +145,6 @@ void detail::paint_motion_blur(const GlyphField& field,
                                const Brush& brush,
                                const void* options,
                                const FinePoint& origin,
-                               const RowMap* rows,
                                const Sink& sink) {
   const auto& blur = *static_cast<const MotionBlur*>(options);
   const Rect box = detail::painted_box(field, brush, origin, sink);
@@ -154,7 +152,7 @@ void detail::paint_motion_blur(const GlyphField& field,
                step_of(brush, blur), blur.filter.outside_q10 - blur.length_q10,
                blur.filter.inside_q10 + blur.length_q10};
   for (int32_t y = box.y0; y < box.y1; ++y) {
-    draw_row(shot, brush, origin, rows, box, y, sink);
+    draw_row(shot, brush, origin, box, y, sink);
   }
 }
 

@@ -6,7 +6,6 @@
 #include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/render.hpp"
-#include "inkcell/row_map.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
@@ -43,7 +42,6 @@ __attribute__((noinline)) inline Rect painted_box(
     const GlyphField& field,
     const Brush& brush,
     const FinePoint& origin,
-    const RowMap* rows,
     const Rect& window,
     int32_t more_across_q10,
     int32_t more_along_q10) noexcept {
@@ -59,9 +57,6 @@ __attribute__((noinline)) inline Rect painted_box(
       shown(field.x0_u, field.x1_u(), ink.x0_u, ink.x1_u, size_q6, reach_q10);
   const Stretch y =
       shown(field.y0_u, field.y1_u(), ink.y0_u, ink.y1_u, size_q6, reach_q10);
-  if (rows != nullptr) {
-    more_along_q10 += RowMap::kMaxShiftQ10;
-  }
   // The first pixel whose centre is not before a place.
   const auto first = [](int64_t place_q10) noexcept {
     constexpr int64_t kFar = int64_t{1} << 30;

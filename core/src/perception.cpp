@@ -104,13 +104,12 @@ __attribute__((noinline)) uint8_t coverage_at(
 
 __attribute__((noinline)) void draw_row(Painting& painting,
                                         const FinePoint& origin,
-                                        const RowMap* map,
                                         const Rect& box,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   const Brush& brush = painting.brush;
   const auto position = [&](int32_t up_q10) noexcept {
-    return detail::sample_position(brush, origin, map, box.x0, y, {0, up_q10});
+    return detail::sample_position(brush, origin, box.x0, y, {0, up_q10});
   };
   const Rows rows = {position(0), position(kAway), position(-kAway)};
   SpanWriter writer(sink, y);
@@ -129,14 +128,13 @@ void detail::paint_perceptual(const GlyphField& field,
                               const Brush& brush,
                               const void* options,
                               const FinePoint& origin,
-                              const RowMap* rows,
                               const Sink& sink) {
   const Rect box = detail::painted_box(field, brush, origin, sink);
   Painting painting = {brush, *static_cast<const Perception*>(options),
                        PointWalk(field, brush, detail::kNoReach),
                        detail::scaled(brush.right(), kAway)};
   for (int32_t y = box.y0; y < box.y1; ++y) {
-    draw_row(painting, origin, rows, box, y, sink);
+    draw_row(painting, origin, box, y, sink);
   }
 }
 

@@ -4,17 +4,15 @@
 #include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/render.hpp"
-#include "inkcell/row_map.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
 namespace detail {
 
-// One sample a pixel; `rows` is null unless the glyph is fitted.
+// One sample a pixel.
 void draw_plain(const GlyphField& field,
                 const Brush& brush,
                 const FinePoint& origin,
-                const RowMap* rows,
                 const Sink& sink) noexcept;
 
 }  // namespace detail

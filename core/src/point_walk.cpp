@@ -48,7 +48,6 @@ int16_t turned_q14(int32_t a_q14,
 
 FieldPosition sample_position(const Brush& brush,
                               const FinePoint& origin,
-                              const RowMap* rows,
                               int32_t x,
                               int32_t y,
                               ScreenOffset offset) noexcept {
@@ -61,15 +60,7 @@ FieldPosition sample_position(const Brush& brush,
     return {wrapped(static_cast<uint32_t>(way.x_q16)),
             wrapped(static_cast<uint32_t>(way.y_q16)), way.x_q20, way.y_q20};
   }
-  FieldPosition at = position_of(brush, from, x, y);
-  if (rows != nullptr) {
-    const int32_t height_q10 =
-        rows->glyph_height_q10(wrapped(at.y_q20 - kHalfQ20) >> 10);
-    at.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + kHalfQ20;
-    at.y_q16 = static_cast<int32_t>(
-        (int64_t{height_q10} * brush.step_along_q16()) >> 10);
-  }
-  return at;
+  return position_of(brush, from, x, y);
 }
 
 Rect painted_box(const GlyphField& field,

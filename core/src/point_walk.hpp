@@ -1,7 +1,7 @@
 // Distances and gradients at points that lie close to each other.
 //
 // What painters are made of: any number of points to a pixel, on rows with any
-// step, upright or turned, fitted or not. The cell of the last point is kept,
+// step, upright or turned. The cell of the last point is kept,
 // and its fields as they are at the glyph's origin, from where a point takes
 // two products a field, four if it is bent.
 #pragma once
@@ -12,7 +12,6 @@
 #include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/render.hpp"
-#include "inkcell/row_map.hpp"
 #include "position.hpp"
 
 namespace inkcell {
@@ -58,11 +57,9 @@ inline FieldPosition pixel_step(const Brush& brush) noexcept {
 
 // Where the point lies that is `offset` away from the centre of pixel (x, y).
 // From here pixel_step() leads to the same point of the next pixels, exactly:
-// no picture depends on where a row begins. `rows` is null unless the glyph is
-// fitted, and then the brush is upright.
+// no picture depends on where a row begins.
 FieldPosition sample_position(const Brush& brush,
                               const FinePoint& origin,
-                              const RowMap* rows,
                               int32_t x,
                               int32_t y,
                               ScreenOffset offset) noexcept;

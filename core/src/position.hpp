@@ -29,15 +29,13 @@ struct Placed {
 
   int32_t x_q10;
   int32_t y_q10;
-  FittedRows* rows;  // null if the glyph is not fitted
 
   FinePoint origin() const noexcept { return {x_q10, y_q10}; }
 
-  // False: the origin is too far. `rows` is null.
+  // False: the origin is too far.
   bool set(const FinePoint& at) noexcept {
     x_q10 = static_cast<int32_t>(at.x_q10);
     y_q10 = static_cast<int32_t>(at.y_q10);
-    rows = nullptr;
     constexpr uint64_t kAll = uint64_t{2} * kLimit;
     return static_cast<uint64_t>(at.x_q10) + kLimit < kAll &&
            static_cast<uint64_t>(at.y_q10) + kLimit < kAll;
@@ -48,7 +46,6 @@ struct Placed {
     const auto y_q6 = static_cast<uint32_t>(at.y.raw);
     x_q10 = wrapped(x_q6 * 16);
     y_q10 = wrapped(y_q6 * 16);
-    rows = nullptr;
     constexpr uint32_t kLimitQ6 = kLimit / 16;
     return x_q6 + kLimitQ6 < 2 * kLimitQ6 && y_q6 + kLimitQ6 < 2 * kLimitQ6;
   }

@@ -5,7 +5,6 @@
 #include "field_draw.hpp"
 #include "field_points.hpp"
 #include "field_turned.hpp"
-#include "inkcell/row_map.hpp"
 #include "plain.hpp"
 #include "position.hpp"
 #include "samples_cells.hpp"
@@ -16,7 +15,6 @@ namespace {
 
 using detail::clamp;
 using detail::FieldPosition;
-using detail::FittedRows;
 using detail::greater;
 using detail::has_fields;
 using detail::kObjectOrder;
@@ -25,7 +23,6 @@ using detail::limits_of;
 using detail::Placed;
 using detail::position_of;
 using detail::Range;
-using detail::RowHeight;
 using detail::SlantedPoint;
 using detail::SpanWriter;
 using detail::Upright;
@@ -96,22 +93,14 @@ struct Line {
   int32_t origin_q10;  // [px]
   Range grid_u;
   Range ink_u;
-  // What may show: begin <= place < end. [u]
-  Range limits_q16;
   // Where the centres of the first and of the last pixel are. [u]
   int32_t first_q16;
   int32_t last_q16;
 };
 
-// How far a map moves heights of the glyph on the screen: between two knots no
-// farther than at one of them. Roundings are below 1/1024 px. [px, Q10]
-constexpr int32_t kShiftQ10 = RowMap::kMaxShiftQ10 + 1;
-
-// Leaves of a window's pixels those whose centres lie in the limits, or some
-// more if what lies there may be shifted. False: there are none.
-inline bool place_line(const Brush& brush,
-                       Line& line,
-                       int32_t shift_q10) noexcept {
+// Leaves of a window's pixels those whose centres lie in the limits. False:
+// there are none.
+inline bool place_line(const Brush& brush, Line& line) noexcept {
   // What is as far from the ink as the filter reaches shows nothing. Cutoffs
   // within 4 px are 2^10 u at the most.
   constexpr int32_t kOneQ16 = 1 << 16;
@@ -120,18 +109,16 @@ inline bool place_line(const Brush& brush,
                                   line.ink_u.begin * kOneQ16 - reach_q16 + 1);
   const int32_t high_q16 =
       lesser(line.grid_u.end * kOneQ16, line.ink_u.end * kOneQ16 + reach_q16);
-  line.limits_q16 = {low_q16, high_q16};
   // The pixel at a place, or one of those beside it: steps that are rounded
   // down lead up to 1/4 px astray at the ends of the largest grid.
   const auto pixel_at = [&](int32_t place_u, int32_t origin_q10) noexcept {
     return (origin_q10 + ((place_u * brush.size().raw) >> 6)) >> 10;
   };
   const int32_t origin_q10 = line.origin_q10;
-  int32_t begin = greater(line.pixels.begin,
-                          pixel_at(low_q16 >> 16, origin_q10 - shift_q10));
-  int32_t end =
-      lesser(line.pixels.end,
-             pixel_at((high_q16 >> 16) + 1, origin_q10 + shift_q10) + 1);
+  int32_t begin =
+      greater(line.pixels.begin, pixel_at(low_q16 >> 16, origin_q10));
+  int32_t end = lesser(line.pixels.end,
+                       pixel_at((high_q16 >> 16) + 1, origin_q10) + 1);
   if (begin >= end) {
     return false;
   }
@@ -139,13 +126,11 @@ inline bool place_line(const Brush& brush,
   const int32_t step = brush.step_along_q16();
   int32_t first_q16 = detail::u_of_px(begin * 1024 + 512 - origin_q10, step);
   int32_t last_q16 = first_q16 + (end - begin - 1) * step;
-  if (shift_q10 == 0) {
-    for (; last_q16 >= high_q16; last_q16 -= step) {
-      --end;
-    }
-    for (; first_q16 < low_q16; first_q16 += step) {
-      ++begin;
-    }
+  for (; last_q16 >= high_q16; last_q16 -= step) {
+    --end;
+  }
+  for (; first_q16 < low_q16; first_q16 += step) {
+    ++begin;
   }
   line.pixels = {begin, end};
   line.first_q16 = first_q16;
@@ -169,19 +154,16 @@ __attribute__((always_inline)) inline void draw_rows(
   const Rect& pixels = upright.pixels;
   SpanWriter writer(sink, pixels.y0);
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
-    RowHeight height;
-    if (upright.place_row(brush, height)) {
-      const Range row = {pixels.x0, pixels.x1};
-      if (!kObjectOrder && has_fields(field)) {
-        SlantedPoint at = {
-            static_cast<uint32_t>(upright.at.x_q16 - field.x0_u * (1 << 16)),
-            static_cast<uint32_t>(height.y_q16 - field.y0_u * (1 << 16)),
-            upright.at.x_q20, height.y_q20};
-        detail::draw_points(field, brush, nullptr, at, row, writer);
-      } else {
-        draw_upright_row(field, brush, row, upright.at.x_q16, height.y_q16,
-                         writer);
-      }
+    const Range row = {pixels.x0, pixels.x1};
+    if (!kObjectOrder && has_fields(field)) {
+      SlantedPoint at = {
+          static_cast<uint32_t>(upright.at.x_q16 - field.x0_u * (1 << 16)),
+          static_cast<uint32_t>(upright.at.y_q16 - field.y0_u * (1 << 16)),
+          upright.at.x_q20, upright.at.y_q20};
+      detail::draw_points(field, brush, nullptr, at, row, writer);
+    } else {
+      draw_upright_row(field, brush, row, upright.at.x_q16, upright.at.y_q16,
+                       writer);
     }
     writer.next_row();
     upright.go_down(brush, 1);
@@ -209,7 +191,7 @@ void detail::draw_upright(const GlyphField& field,
     draw_rows(field, brush, placed, sink);
   } else if (has_fields(field)) {
     detail::draw_fields(field, brush, placed, sink);
-  } else if (placed.rows == nullptr && brush.size().raw >= kCellsFrom.raw) {
+  } else if (brush.size().raw >= kCellsFrom.raw) {
     detail::draw_samples_by_cells(field, brush, placed, sink);
   } else {
     draw_samples(field, brush, placed, sink);
@@ -223,14 +205,13 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
     const Placed& placed,
     const Rect& window) noexcept {
   Upright upright;
-  upright.rows = placed.rows;
   const InkBox& ink = field.ink;
   Line across;
   across.pixels = {window.x0, window.x1};
   across.origin_q10 = placed.x_q10;
   across.grid_u = {field.x0_u, field.x1_u()};
   across.ink_u = {ink.x0_u, ink.x1_u};
-  if (!place_line(brush, across, 0)) {
+  if (!place_line(brush, across)) {
     return upright;
   }
   // From below: rows are counted upwards, the one above the screen is 0.
@@ -239,12 +220,8 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
   along.origin_q10 = -placed.y_q10;
   along.grid_u = {field.y0_u, field.y1_u()};
   along.ink_u = {ink.y0_u, ink.y1_u};
-  if (!place_line(brush, along, placed.rows == nullptr ? 0 : kShiftQ10)) {
+  if (!place_line(brush, along)) {
     return upright;
-  }
-  if (placed.rows != nullptr) {
-    placed.rows->low_q16 = along.limits_q16.begin;
-    placed.rows->high_q16 = along.limits_q16.end;
   }
   upright.pixels = {across.pixels.begin, -along.pixels.end, across.pixels.end,
                     -along.pixels.begin};
@@ -254,57 +231,15 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
   return upright;
 }
 
-namespace {
-
-// FittedRows::place; rows come from top to bottom.
-int32_t place_fitted_rows(const Upright& upright,
-                          const Brush& brush,
-                          int32_t most) noexcept {
-  FittedRows& rows = *upright.rows;
-  uint32_t y_q20 = upright.at.y_q20 - uint32_t{detail::kHalfQ20};
-  int32_t count = 0;
-  for (; count != most; ++count, y_q20 -= 1 << 20) {
-    const int32_t screen_q10 = wrapped(y_q20) >> 10;
-    rows.knot = rows.map.knot_below(screen_q10, rows.knot);
-    const int32_t height_q10 = rows.knot->height_at(screen_q10);
-    RowHeight& row = rows.heights[count];
-    row.y_q20 = (static_cast<uint32_t>(height_q10) << 10) + detail::kHalfQ20;
-    row.y_q16 = detail::u_of_px(height_q10, brush.step_along_q16());
-    if (row.y_q16 < rows.low_q16 || row.y_q16 >= rows.high_q16) {
-      break;
-    }
-  }
-  return count;
-}
-
-// Not inline: only mapped glyphs pay for the rows on the stack.
-__attribute__((noinline)) void draw_mapped(const GlyphField& field,
-                                           const Brush& brush,
-                                           Placed& placed,
-                                           const RowMap& map,
-                                           const Sink& sink) noexcept {
-  FittedRows rows(place_fitted_rows, map);
-  rows.knot = map.highest();
-  placed.rows = &rows;
-  draw_upright(field, brush, placed, sink);
-}
-
-}  // namespace
-
 void detail::draw_plain(const GlyphField& field,
                         const Brush& brush,
                         const FinePoint& origin,
-                        const RowMap* rows,
                         const Sink& sink) noexcept {
   Placed placed;
   if (!brush.is_upright()) {
-    brush.slanted()(field, brush, nullptr, origin, nullptr, sink);
+    brush.slanted()(field, brush, nullptr, origin, sink);
   } else if (placed.set(origin)) {
-    if (rows == nullptr) {
-      draw_upright(field, brush, placed, sink);
-    } else {
-      draw_mapped(field, brush, placed, *rows, sink);
-    }
+    draw_upright(field, brush, placed, sink);
   }
 }
 
@@ -319,54 +254,7 @@ __attribute__((noinline)) void detail::draw_painted(const GlyphField& field,
   if (painter == nullptr) {
     draw_upright(field, brush, placed, sink);
   } else {
-    painter(field, brush, brush.painter().options, placed.origin(),
-            placed.rows == nullptr ? nullptr : &placed.rows->map, sink);
-  }
-}
-
-namespace {
-
-struct Fitted {
-  RowMap map;
-  FittedRows rows{place_fitted_rows, map};
-  Placed placed;
-};
-
-// Where a fitted glyph stands. False: nowhere near. Not inline: what it needs
-// of the stack is free again when the glyph is drawn.
-__attribute__((noinline)) bool fit(const GlyphField& field,
-                                   const Brush& brush,
-                                   const Placed& placed,
-                                   Fitted& fitted) noexcept {
-  FinePoint origin = placed.origin();
-  brush.fitter()(field.glyph, brush, brush.fitter_options(), origin,
-                 fitted.map);
-  const bool is_near = fitted.placed.set(origin);
-  if (fitted.map.count != 0) {
-    fitted.rows.knot = fitted.map.highest();
-    fitted.placed.rows = &fitted.rows;
-  }
-  return is_near;
-}
-
-}  // namespace
-
-void detail::draw_fitted(const GlyphField& field,
-                         const Brush& brush,
-                         const Placed& placed,
-                         const Sink& sink) {
-  if (!brush.is_fitted()) {
-    draw_painted(field, brush, placed, sink);
-    return;
-  }
-  Fitted fitted;
-  if (!fit(field, brush, placed, fitted)) {
-    return;
-  }
-  if (brush.painter().cells == nullptr) {
-    draw_upright(field, brush, fitted.placed, sink);
-  } else {
-    draw_painted(field, brush, fitted.placed, sink);
+    painter(field, brush, brush.painter().options, placed.origin(), sink);
   }
 }
 
@@ -377,8 +265,7 @@ Rect detail::box_of(const GlyphField& field,
     return {};
   }
   const Rect limits = limits_of(field, brush);
-  // What fitting may move, and the painter's reach.
-  const int32_t more = (brush.is_fitted() ? 1 : 0) + brush.painter().reach_px;
+  const int32_t more = brush.painter().reach_px;
   const Rect box = brush.is_upright()
                        ? upright_box(limits, brush, placed)
                        : brush.slant().box(limits, brush, placed);
@@ -392,7 +279,7 @@ Rect field_box(const GlyphField& field,
   constexpr int64_t kLimit = Placed::kLimit;
   const Placed placed = {
       static_cast<int32_t>(clamp(origin.x_q10, -kLimit, kLimit - 1)),
-      static_cast<int32_t>(clamp(origin.y_q10, -kLimit, kLimit - 1)), nullptr};
+      static_cast<int32_t>(clamp(origin.y_q10, -kLimit, kLimit - 1))};
   return detail::box_of(field, brush, placed);
 }
 

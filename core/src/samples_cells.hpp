@@ -6,7 +6,7 @@
 namespace inkcell {
 namespace detail {
 
-// Draws an upright glyph that is not fitted, bit by bit as rows would.
+// Draws an upright glyph, bit by bit as rows would.
 void draw_samples_by_cells(const GlyphField& field,
                            const Brush& brush,
                            const Placed& placed,

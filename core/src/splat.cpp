@@ -364,15 +364,14 @@ void detail::paint_splats(const GlyphField& field,
                           const Brush& brush,
                           const void* options,
                           const FinePoint& origin,
-                          const RowMap* rows,
                           const Sink& sink) {
   const auto& splats = *static_cast<const Splats*>(options);
-  if (rows != nullptr || detail::has_fields(field)) {
-    detail::draw_plain(field, brush, origin, rows, sink);
+  if (detail::has_fields(field)) {
+    detail::draw_plain(field, brush, origin, sink);
     return;
   }
   const Rect all =
-      detail::painted_box(field, brush, origin, nullptr, sink.window,
+      detail::painted_box(field, brush, origin, sink.window,
                           splats.radius_q10, splats.radius_q10);
   if (is_empty(all)) {
     return;
@@ -387,7 +386,7 @@ void detail::paint_splats(const GlyphField& field,
     for (int32_t x = all.x0; x < all.x1; x += columns) {
       block.start(origin, intersect(all, {x, y, x + columns, y + height}));
       block.splat();
-      detail::draw_plain(field, brush, origin, nullptr, block.own_sink());
+      detail::draw_plain(field, brush, origin, block.own_sink());
       block.draw(sink);
     }
   }

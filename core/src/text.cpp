@@ -9,6 +9,7 @@ namespace inkcell {
 namespace {
 
 using detail::clamp_to;
+using detail::kMaxPx;
 using detail::kMaxUnits;
 using detail::place_near;
 using detail::Placed;
@@ -50,6 +51,13 @@ Lead lead_of(uint32_t byte) noexcept {
     return {3, static_cast<uint8_t>(byte & 0x07), low, high};
   }
   return {0, 0, 0, 0};
+}
+
+// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
+// others wrap.
+int32_t product(int32_t a, int32_t b) noexcept {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) *
+                              static_cast<uint32_t>(b));
 }
 
 // Inline: a frame of its own would take more of the stack, and of code.
@@ -101,29 +109,60 @@ uint32_t next_code_point(Text& text) noexcept {
   return whole ? code_point : kReplacement;
 }
 
+TextCursor::TextCursor(const Font& font, Text text, const Brush& brush) noexcept
+    : font_(font), text_(text) {
+  if (brush.has_whole_advances()) {
+    brush_ = &brush;
+  }
+}
+
+// Positions are the sum of whole pixels, each converted by itself: nothing
+// accumulates.
+void TextCursor::add_px(int32_t px) noexcept {
+  advance_px_ = clamp_to(advance_px_ + px, kMaxPx);
+  const int32_t size_q6 = brush_->size().raw;
+  const int32_t em_q6 = font_.units_per_em() * 64;
+  // Whole units of a pixel, and what is left.
+  const int32_t whole = em_q6 / size_q6;
+  const int32_t part = product(advance_px_, em_q6 - whole * size_q6);
+  const int32_t half = part < 0 ? -size_q6 / 2 : size_q6 / 2;
+  advance_ =
+      clamp_to(advance_px_ * whole + (part + half) / size_q6, kMaxUnits);
+}
+
 bool TextCursor::next(PositionedGlyph& out) noexcept {
   if (text_.size == 0) {
     return false;
   }
   const uint16_t glyph = font_.glyph_or_notdef(next_code_point(text_));
   if (previous_ >= 0) {
-    advance_ = clamp_to(
-        advance_ + font_.kerning(static_cast<uint16_t>(previous_), glyph),
-        kMaxUnits);
+    const int32_t kerning =
+        font_.kerning(static_cast<uint16_t>(previous_), glyph);
+    if (brush_ == nullptr) {
+      advance_ = clamp_to(advance_ + kerning, kMaxUnits);
+    } else if (kerning != 0) {
+      add_px(product(kerning, brush_->size().raw) /
+             (font_.units_per_em() * 64));
+    }
   }
   out.x = advance_;
   out.y = 0;
   out.glyph = glyph;
-  advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
+  if (brush_ == nullptr) {
+    advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
+  } else {
+    add_px(brush_->fitter()->advance_px(font_, glyph,
+                                        brush_->fitter_options()));
+  }
   previous_ = glyph;
   return true;
 }
 
-Status layout(const Font& font,
-              Text text,
+namespace {
+
+Status layout(TextCursor cursor,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept {
-  TextCursor cursor(font, text);
   PositionedGlyph glyph;
   size_t count = 0;
   while (cursor.next(glyph)) {
@@ -136,9 +175,8 @@ Status layout(const Font& font,
   return Status::ok;
 }
 
-TextMeasure measure(const Font& font, Text text) noexcept {
+TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
   TextMeasure sum;
-  TextCursor cursor(font, text);
   PositionedGlyph at;
   bool inked = false;
   while (cursor.next(at)) {
@@ -157,6 +195,41 @@ TextMeasure measure(const Font& font, Text text) noexcept {
   }
   sum.advance = cursor.advance();
   return sum;
+}
+
+// Whole-pixel advances count from a whole pixel.
+Point run_origin(const Brush& brush, Point origin) noexcept {
+  if (brush.has_whole_advances()) {
+    // Far away it may wrap, but not to where it would be seen.
+    const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;
+    origin.x.raw = static_cast<int32_t>(x & ~uint32_t{63});
+  }
+  return origin;
+}
+
+}  // namespace
+
+Status layout(const Font& font,
+              Text text,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  return layout(TextCursor(font, text), out, glyphs);
+}
+
+Status layout(const Font& font,
+              Text text,
+              const Brush& brush,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  return layout(TextCursor(font, text, brush), out, glyphs);
+}
+
+TextMeasure measure(const Font& font, Text text) noexcept {
+  return measure(font, TextCursor(font, text));
+}
+
+TextMeasure measure(const Font& font, Text text, const Brush& brush) noexcept {
+  return measure(font, TextCursor(font, text, brush));
 }
 
 Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
@@ -184,6 +257,7 @@ void draw(const Font& font,
           const Sink& sink,
           Workspace workspace) noexcept {
   const UnitScale scale(font, brush);
+  origin = run_origin(brush, origin);
   for (const PositionedGlyph& at : glyphs) {
     Placed placed;
     if (place_near(scale, brush, origin, at, placed)) {
@@ -199,7 +273,8 @@ void draw_text(const Font& font,
                const Sink& sink,
                Workspace workspace) noexcept {
   const UnitScale scale(font, brush);
-  TextCursor cursor(font, text);
+  TextCursor cursor(font, text, brush);
+  origin = run_origin(brush, origin);
   PositionedGlyph at;
   while (cursor.next(at)) {
     Placed placed;

@@ -5,7 +5,7 @@
 #include "field_verify.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
-#include "inkcell/hints.hpp"
+#include "inkcell/grid_hints.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "outlines/outline_verify.hpp"
 
@@ -128,49 +128,48 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   return true;
 }
 
-bool edges_fit(const Hints& hints, Span<const uint8_t> edges) noexcept {
+// The hints of a glyph ascend, name zones that exist, and do not end before the
+// last byte of its record.
+bool hints_fit(const GridHints& hints, uint32_t glyph) noexcept {
+  Span<const uint8_t> record;
+  if (!hints.record(glyph, record)) {
+    return false;
+  }
+  GlyphHints read(hints, glyph);
   int32_t last_u = INT32_MIN;
-  for (const uint8_t byte : edges) {
-    const uint32_t level = Hints::edge(byte).level;
-    if (level >= hints.level_count() || hints.level(level).height_u <= last_u) {
+  for (uint32_t i = 0; i < read.y_count(); ++i) {
+    const YHint hint = read.next_y();
+    if (hint.low_u < last_u || (hint.zone != YHint::kNoZone &&
+                                hint.zone >= hints.zone_count())) {
       return false;
     }
-    last_u = hints.level(level).height_u;
+    last_u = hint.low_u;
   }
-  return edges.size <= format::hints::kMaxCount;
+  last_u = INT32_MIN;
+  for (uint32_t i = 0; i < read.x_count(); ++i) {
+    const XHint hint = read.next_x();
+    if (hint.left_u <= last_u) {
+      return false;
+    }
+    last_u = hint.right_u;
+  }
+  return record.size <= (read.bits() + 7) / 8;
 }
 
-// Levels ascend and name zones that exist, zones name levels, and the edges of
-// every glyph ascend.
 bool hints_fit(const Font& font) noexcept {
-  namespace at = format::hints;
-  const Span<const uint8_t> section = font.section(format::section::kHints);
-  Hints hints;
-  if (Hints::open(font, hints) != Status::ok) {
+  GridHints hints;
+  if (GridHints::open(font, hints) != Status::ok) {
     return false;
-  }
-  if (section.size == 0) {
-    return true;
   }
   if (hints.empty()) {
+    return true;
+  }
+  if (hints.x_zone() >= hints.zone_count() &&
+      hints.x_zone() != format::grid::kNoZone) {
     return false;
   }
-  for (uint32_t i = 0; i < hints.level_count(); ++i) {
-    const HintLevel level = hints.level(i);
-    if (level.zone > hints.zone_count() ||
-        (i > 0 && level.height_u < hints.level(i - 1).height_u)) {
-      return false;
-    }
-  }
-  const uint32_t zones = at::kBytes + 2 * hints.level_count();
-  for (uint32_t i = 0; i < hints.zone_count(); ++i) {
-    if ((section[zones + i] & at::kLevelMask) >= hints.level_count()) {
-      return false;
-    }
-  }
   for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
-    Span<const uint8_t> edges;
-    if (!hints.edges(glyph, edges) || !edges_fit(hints, edges)) {
+    if (!hints_fit(hints, glyph)) {
       return false;
     }
   }

@@ -60,8 +60,8 @@ void write(
     return;
   }
   Image ink(kPanel, kCaption);
-  draw_lines(font, {lay_out(font, text, Kerning::font)},
-             make_brush(kCaptionPx, 0, kFilterText),
+  const Brush brush = make_brush(kCaptionPx, 0, kFilterText);
+  draw_lines(font, {lay_out(font, text, Kerning::font, brush)}, brush,
              make_point(0, 0.7 * kCaption), ink);
   for (int row = 0; row < ink.height; ++row) {
     for (int column = 0; column < ink.width; ++column) {

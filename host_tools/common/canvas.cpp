@@ -216,17 +216,20 @@ bool is_turned(double angle) {
   return !make_brush(16, angle, kFilterText).is_upright();
 }
 
-Line lay_out(const Font& font, std::string_view text, Kerning kerning) {
+Line lay_out(const Font& font,
+             std::string_view text,
+             Kerning kerning,
+             const Brush& brush) {
   Line line;
   int32_t kerned = 0;
-  int32_t previous = -1;
-  TextCursor cursor(font, Text(text.data(), text.size()));
+  int32_t unkerned = 0;
+  TextCursor cursor(font, Text(text.data(), text.size()), brush);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    if (kerning == Kerning::none && previous >= 0) {
-      kerned += font.kerning(static_cast<uint16_t>(previous), at.glyph);
+    if (kerning == Kerning::none) {
+      kerned += at.x - unkerned;
+      unkerned = cursor.advance();
     }
-    previous = at.glyph;
     at.x -= kerned;
     line.glyphs.push_back(at);
   }
@@ -235,14 +238,15 @@ Line lay_out(const Font& font, std::string_view text, Kerning kerning) {
 
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
-                                Kerning kerning) {
+                                Kerning kerning,
+                                const Brush& brush) {
   const FontMetrics metrics = font.metrics();
   const int32_t height =
       metrics.ascender - metrics.descender + metrics.line_gap;
   std::vector<Line> lines;
   for (int32_t y = 0;; y -= height) {
     const size_t end = text.find('\n');
-    lines.push_back(lay_out(font, text.substr(0, end), kerning));
+    lines.push_back(lay_out(font, text.substr(0, end), kerning, brush));
     lines.back().y = y;
     if (end == std::string_view::npos) {
       return lines;

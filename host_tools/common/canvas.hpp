@@ -30,13 +30,17 @@ struct Line {
 
 enum class Kerning { none, font };
 
-/// Lays out one line.
-Line lay_out(const Font& font, std::string_view text, Kerning kerning);
+/// Lays out one line, with the advances of the brush.
+Line lay_out(const Font& font,
+             std::string_view text,
+             Kerning kerning,
+             const Brush& brush);
 
 /// Lays out lines divided by line feeds, below each other.
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
-                                Kerning kerning);
+                                Kerning kerning,
+                                const Brush& brush);
 
 /// The ink of lines relative to the origin of the first, turned by the brush.
 /// [px, y down] Without ink: the point at the origin.

@@ -338,12 +338,16 @@ void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
     return;
   }
   FitOptions fit;
-  fit.stems = options.hint == "both";
+  fit.across = options.hint == "both";
+  fit.levels =
+      static_cast<uint8_t>(options.levels == 256 ? 0 : options.levels);
   // Without hints, or with broken ones, glyphs stay as they are.
-  Hints hints;
-  if (Hints::open(font, hints) == Status::ok && !hints.empty() &&
-      Fit::make(font, brush_, fit, fit_) == Status::ok) {
-    brush_.set_fitter(fit_glyph, &fit_);
+  if (font.has_outlines() && Fit::make(font, brush_, fit, fit_) == Status::ok &&
+      !fit_.hints().empty()) {
+    brush_.set_fitter(&kGridFit, &fit_);
+    if (options.levels == 2 && options.weight == 0) {
+      crisp_.threshold_px = fit_.crisp_weight();
+    }
   }
 }
 

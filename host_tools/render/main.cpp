@@ -196,7 +196,8 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   warn_of_size(font, arguments.px);
   const Brush& brush = look.brush();
   const std::vector<Line> lines = lay_out_lines(
-      font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font);
+      font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font,
+      brush);
   const Placement placement =
       place(arguments, ink_box(font, lines, brush), look);
   if (std::max(placement.width, placement.height) * arguments.zoom > kMaxSide) {

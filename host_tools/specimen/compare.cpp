@@ -73,7 +73,7 @@ Image compare(const Font& font,
     if (Fit::make(font, brush, {}, fit) != Status::ok) {
       throw std::runtime_error("the font's hints are broken");
     }
-    brush.set_fitter(fit_glyph, &fit);
+    brush.set_fitter(&kGridFit, &fit);
   });
   if (font.has_outlines()) {
     add_ours("Inkcell, filter area", kFilterArea, plain);

@@ -64,7 +64,7 @@ void write_text(const Font& font,
                 uint32_t colour,
                 Image& image) {
   const ColourSink target(image, colour);
-  const Line line = lay_out(font, text, Kerning::font);
+  const Line line = lay_out(font, text, Kerning::font, brush);
   draw(font, {line.glyphs.data(), line.glyphs.size()}, brush, make_point(x, y),
        target.sink());
 }

@@ -33,7 +33,7 @@ void put(const Font& font,
          double y,
          Image& image) {
   const Brush brush = make_brush(px, angle, kFilterText);
-  draw_lines(font, lay_out_lines(font, text, Kerning::font), brush,
+  draw_lines(font, lay_out_lines(font, text, Kerning::font, brush), brush,
              make_point(x, y), image);
 }
 

@@ -219,7 +219,7 @@ Image draw_fitting(const Font& font) {
         if (Fit::make(font, brush, *options, fit) != Status::ok) {
           throw std::runtime_error("the font's hints are broken");
         }
-        brush.set_fitter(fit_glyph, &fit);
+        brush.set_fitter(&kGridFit, &fit);
       }
       if (perception != nullptr) {
         brush.set_painter(perception_painter(*perception));
@@ -232,10 +232,10 @@ Image draw_fitting(const Font& font) {
   const Perception thin = {0, all.thin};
   const FitOptions heights;
   FitOptions stems;
-  stems.stems = true;
+  stems.across = true;
   add("as designed", nullptr, nullptr);
   add("fitted to rows", &heights, nullptr);
-  add("fitted to rows, and stems to columns", &stems, nullptr);
+  add("fitted to rows and columns", &stems, nullptr);
   // Rules of contrast take the field at any point.
   if (!font.has_outlines()) {
     add("left and lower edges darker", nullptr, &edges);

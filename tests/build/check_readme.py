@@ -24,7 +24,7 @@ CALLED = ["paint_distances(", "FieldBand::cover", "draw_text("]
 NOT_CALLED = ["draw_slanted(", "SlantedBand::", "stretched_value", "paint_lcd",
               "paint_adaptive", "paint_splats", "paint_crisp", "mix_lcd",
               "mix_outline", "mix_crisp", "paint_crossings", "paint_areas(",
-              "paint_wide", "PreparedGlyph::make", "Fit::make", "fit_glyph",
+              "paint_wide", "PreparedGlyph::make", "Fit::make", "kGridFit",
               "Font::verify", "distance_at"]
 SUBDIRECTORY = re.compile(r"add_subdirectory\(inkcell\).*")
 

@@ -1,5 +1,5 @@
 // Lists what the device reads from fonts, for test_decoder.py: metrics,
-// characters, kerning, and the cells of each glyph.
+// characters, kerning, hints, and the cells of each glyph.
 //
 //   dump_cells FONT [--distances]
 //
@@ -16,6 +16,7 @@
 #include "inkcell/field.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/grid_hints.hpp"
 
 namespace {
 
@@ -117,6 +118,55 @@ void print_kerning(const Font& font) {
   }
 }
 
+void print_height(const YHint& hint) {
+  constexpr const char* kNames[] = {"bar", "serif", "edge", "end"};
+  std::printf("  %s ", kNames[hint.kind]);
+  if (hint.kind <= YHint::serif) {
+    std::printf("%d to %d", hint.low_u, hint.high_u);
+  } else {
+    std::printf("at %d", hint.low_u);
+  }
+  if (hint.kind == YHint::end) {
+    std::printf(hint.is_top ? " rises" : " hangs");
+  }
+  if (hint.zone != YHint::kNoZone) {
+    std::printf(" zone %d %s", hint.zone, hint.is_round ? "round" : "flat");
+  }
+  std::printf("\n");
+}
+
+void print_hints(const Font& font) {
+  GridHints hints;
+  if (GridHints::open(font, hints) != Status::ok || hints.empty()) {
+    return;
+  }
+  std::printf("grid flags %d stems %d bars %d x-height %u\n",
+              (hints.has_contrast() ? 1 : 0) | (hints.has_few_bars() ? 2 : 0),
+              hints.stem_width_u(), hints.bar_width_u(), hints.x_zone());
+  for (uint32_t i = 0; i < hints.zone_count(); ++i) {
+    const GridZone zone = hints.zone(i);
+    std::printf("zone %d %d %s\n", zone.flat_u, zone.overshoot_u,
+                zone.is_top ? "top" : "bottom");
+  }
+  for (uint32_t i = 0; i < font.glyph_count(); ++i) {
+    GlyphHints glyph(hints, i);
+    std::printf("hints %u symmetric %d insets %d %d\n", i,
+                glyph.is_symmetric() ? 1 : 0, glyph.left_inset_u(),
+                glyph.right_inset_u());
+    for (uint32_t k = 0; k < glyph.y_count(); ++k) {
+      print_height(glyph.next_y());
+    }
+    for (uint32_t k = 0; k < glyph.x_count(); ++k) {
+      const XHint hint = glyph.next_x();
+      if (hint.is_foot) {
+        std::printf("  foot at %d\n", hint.left_u);
+      } else {
+        std::printf("  stem %d to %d\n", hint.left_u, hint.right_u);
+      }
+    }
+  }
+}
+
 int print_font(Span<const uint8_t> bytes, bool distances) {
   Font font;
   if (Font::open(bytes, font) != Status::ok) {
@@ -131,6 +181,7 @@ int print_font(Span<const uint8_t> bytes, bool distances) {
   std::printf("\n");
   print_characters(font);
   print_kerning(font);
+  print_hints(font);
   for (uint32_t i = 0; i < font.glyph_count(); ++i) {
     const auto id = static_cast<uint16_t>(i);
     GlyphMetrics metrics;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "font_builder.hpp"
-#include "hints_record.hpp"
+#include "grid_record.hpp"
 #include "outline_input.hpp"
 #include "outline_record.hpp"
 
@@ -184,9 +184,9 @@ int main(int argc, char** argv) {
   const std::vector<int16_t> wide(256, -1);
   spec.kerning = {1, 256, classes, classes, {wide.data(), wide.size()}};
   written &= write_seed(folder + "kerning_wide_classes.seed", spec);
-  HintsRecord hints;
-  hints.make_usual();
-  spec.hints = hints.write(2);
+  GridRecord hints;
+  hints.make_usual(2);
+  spec.hints = hints.write();
   written &= write_seed(folder + "hints.seed", spec);
   written &= write_all_outline_seeds(std::string(argv[2]) + "/");
   return written ? 0 : 1;

@@ -35,11 +35,11 @@ bool draw_line(const Line& line,
   Brush own = brush;
   if (fitted) {
     FitOptions options;
-    options.stems = true;
+    options.across = true;
     if (Fit::make(font, brush, options, fit) != Status::ok) {
       return false;
     }
-    own.set_fitter(fit_glyph, &fit);
+    own.set_fitter(&kGridFit, &fit);
   }
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
   draw_text(font, line.text, own, origin, sink);

@@ -128,11 +128,12 @@ void use_glyph(const Font& font, uint16_t glyph) {
     draw_checked(font, glyph, brush, origin);
     Fit fit;
     FitOptions options;
-    options.stems = true;
+    options.across = glyph % 2 == 0;
+    options.levels = static_cast<uint8_t>(glyph % 3 * 2);
     options.strength_q8 = static_cast<uint16_t>(256 - glyph % 100);
     if (brush.is_upright() &&
         Fit::make(font, brush, options, fit) == Status::ok) {
-      brush.set_fitter(fit_glyph, &fit);
+      brush.set_fitter(&kGridFit, &fit);
       draw_checked(font, glyph, brush, origin);
     }
   }

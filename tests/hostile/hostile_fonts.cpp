@@ -21,7 +21,7 @@
 #include "exercise.hpp"
 #include "field_record.hpp"
 #include "font_builder.hpp"
-#include "hints_record.hpp"
+#include "grid_record.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
 
@@ -75,9 +75,9 @@ Bytes build_font(bool wide) {
   spec.kerning.right = classes;
   spec.kerning.values = {values.data(), values.size()};
   spec.name = "Hostile";
-  HintsRecord hints;
-  hints.make_usual();
-  spec.hints = hints.write(4);
+  GridRecord hints;
+  hints.make_usual(4);
+  spec.hints = hints.write();
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
   hostile::require(!font.empty(), "the font fits its buffer");
@@ -113,9 +113,9 @@ Bytes build_fields_font(bool linked) {
   spec.cmap = cmap;
   spec.glyphs = glyphs;
   spec.name = "Hostile";
-  HintsRecord hints;
-  hints.make_usual();
-  spec.hints = hints.write(2);
+  GridRecord hints;
+  hints.make_usual(2);
+  spec.hints = hints.write();
   Bytes font(8192);
   font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
   hostile::require(!font.empty(), "the font fits its buffer");
@@ -376,7 +376,7 @@ void change_at_random(const Bytes& good) {
     }
     keep_header(font, section::kMetrics, format::metrics::kBytes);
     keep_header(font, section::kKerning, format::kerning::kBytes);
-    keep_header(font, section::kHints, format::hints::kBytes);
+    keep_header(font, section::kGrid, format::grid::kBytes);
     keep_header(font, section::kGlyphs, format::glyphs::kBytes);
     noise.try_repaired(font);
   }

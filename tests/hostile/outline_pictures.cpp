@@ -243,8 +243,9 @@ void check_outline(const Font& font,
   Options options;
   require(make_brush(style, brush) == Status::ok, "brush");
   if (style.is_fitted && brush.is_upright() &&
-      Fit::make(font, brush, {}, options.fit) == Status::ok) {
-    brush.set_fitter(fit_glyph, &options.fit);
+      Fit::make(font, brush, {true, 0, FitOptions::kAll}, options.fit) ==
+          Status::ok) {
+    brush.set_fitter(&kGridFit, &options.fit);
   }
   set_painter(style.painter, options, brush);
 

@@ -447,7 +447,7 @@ size_t build_font(const FontSpec& spec, Span<uint8_t> out) {
       {section::kGlyphs, section::kMustUnderstand, write_glyphs},
       {section::kCode, section::kMustUnderstand, write_code},
       {section::kKerning, 0, write_kerning},
-      {section::kHints, 0, write_hints},
+      {section::kGrid, 0, write_hints},
       {section::kName, 0, write_name},
       {spec.extra_section, spec.extra_flags, write_nothing},
   };

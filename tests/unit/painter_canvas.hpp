@@ -3,7 +3,6 @@
 
 #include "check.hpp"
 #include "inkcell/render.hpp"
-#include "inkcell/row_map.hpp"
 
 namespace painter {
 
@@ -97,16 +96,6 @@ inline void check_windows(const GlyphField& field,
       CHECK_EQ(picture[i], whole[i]);
     }
   }
-}
-
-inline void lift(uint16_t /*glyph*/,
-                 const Brush& /*brush*/,
-                 const void* /*options*/,
-                 FinePoint& origin,
-                 RowMap& rows) {
-  origin.x_q10 += 100;
-  CHECK(rows.add(0, 0));
-  CHECK(rows.add(7 << 10, (7 << 10) - 500));
 }
 
 inline int32_t magnitude(int32_t value) {

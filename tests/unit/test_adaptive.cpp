@@ -17,7 +17,6 @@ using painter::ink;
 using painter::kAll;
 using painter::keep;
 using painter::kSide;
-using painter::lift;
 using painter::magnitude;
 using painter::picture;
 using painter::whole;
@@ -168,11 +167,8 @@ TEST(windows_do_not_change_pictures) {
       make_adaptive(kFilterText, kPaperRadius, SampleRule::paper)};
   Random random(63);
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 4 : 24); ++round) {
-    Brush brush = brush_of(random.between(8 * 64, 40 * 64), random.below(3),
-                           styles[round & 1]);
-    if ((round & 2) != 0) {
-      brush.set_fitter(lift, nullptr);
-    }
+    const Brush brush = brush_of(random.between(8 * 64, 40 * 64),
+                                 random.below(3), styles[round & 1]);
     const FinePoint origin(random.between(0, 9999),
                            random.between(9999, 30000));
     check_windows(field_of_samples(font_builder::ring), brush, origin);

@@ -1,304 +1,372 @@
-// Grid fitting: where edges go, how far, and what hostile hints can do.
+// Grid fitting: where strokes and advances go, in numbers and in pictures.
+#include "inkcell/fit.hpp"
+
 #include "check.hpp"
-#include "fitted.hpp"
+#include "grid_record.hpp"
+#include "inkcell/crisp.hpp"
 #include "inkcell/text.hpp"
 #include "picture.hpp"
 #include "random.hpp"
 
-using namespace fitting;
+namespace {
 
-TEST(hints_read_as_they_were_written) {
-  const Font font = usual_font();
+using namespace inkcell;
+using namespace outline_record;
+
+alignas(4) uint8_t rom[2048];
+
+// Three bars, such as those of e, with a stroke that hangs into the upper
+// counter; n; v; and an oblong with serifs.
+constexpr OutlinePoint kThree[] = {
+    {start, 60, 0},      {corner, 540, 0},    {corner, 540, 70},
+    {corner, 150, 70},   {corner, 150, 200},  {corner, 540, 200},
+    {corner, 540, 270},  {corner, 150, 270},  {corner, 150, 442},
+    {corner, 450, 442},  {corner, 450, 320},  {corner, 540, 320},
+    {corner, 540, 512},  {corner, 60, 512}};
+constexpr OutlinePoint kTwo[] = {
+    {start, 60, 0},     {corner, 150, 0},   {corner, 150, 442},
+    {corner, 450, 442}, {corner, 450, 0},   {corner, 540, 0},
+    {corner, 540, 512}, {corner, 60, 512}};
+constexpr OutlinePoint kWedge[] = {{start, 40, 512},
+                                   {corner, 210, 0},
+                                   {corner, 300, 0},
+                                   {corner, 470, 512}};
+constexpr OutlinePoint kSerif[] = {
+    {start, 40, 0},     {corner, 270, 0},   {corner, 270, 30},
+    {corner, 200, 30},  {corner, 200, 512}, {corner, 110, 512},
+    {corner, 110, 30},  {corner, 40, 30}};
+
+enum Glyph : uint16_t { three = 1, two, wedge, serif, space };
+
+Font open(Span<const uint8_t> hints) {
+  const OutlineSource glyphs[] = {{600},
+                                  {600, {kThree, 14}},
+                                  {600, {kTwo, 8}},
+                                  {510, {kWedge, 4}},
+                                  {310, {kSerif, 8}},
+                                  {300}};
+  const size_t size =
+      build_outline_font({glyphs, 6}, 0, 'A', {rom, sizeof rom}, hints);
+  Font font;
+  CHECK_OK(Font::open({rom, size}, font));
+  return font;
+}
+
+void fill(GridRecord& record) {
+  record.usual_zones();
+  record.glyph_without_hints();
+  record.glyph(false, 4, 2);
+  record.stroke_in_zone(0, false, 0);
+  record.stroke(0, 200);
+  record.end(320, false);
+  record.stroke_in_zone(0, true, 1);
+  record.stem(60);
+  record.stem(450);
+  record.glyph(true, 2, 2);
+  record.edge(0, false);
+  record.stroke_in_zone(0, true, 1);
+  record.stem(60);
+  record.stem(450);
+  record.glyph(true, 2, 0);
+  record.edge(0, false);
+  record.edge(1, false);
+  record.insets_glyph(2, 1, 70, 70);
+  record.stroke_in_zone(1, false, 0, 30);
+  record.edge(1, false);
+  record.stem(110);
+  record.glyph_without_hints();
+}
+
+Font hinted_font() {
+  GridRecord record;
+  fill(record);
+  const Font font = open(record.write());
   CHECK_OK(font.verify());
-  Hints hints;
-  CHECK_OK(Hints::open(font, hints));
-  CHECK_EQ(hints.level_count(), 6);
-  CHECK_EQ(hints.level(0).height_u, -14);
-  CHECK_EQ(hints.level(0).zone, 1);
-  CHECK_EQ(hints.level(3).height_u, 270);
-  CHECK_EQ(hints.level(3).zone, 0);
-  CHECK_EQ(hints.zone_count(), 2);
-  CHECK_EQ(hints.zone(0).height_u, 0);
-  CHECK(hints.zone(0).is_bottom && !hints.zone(1).is_bottom);
-  CHECK_EQ(hints.zone(1).height_u, 512);
-  Span<const uint8_t> edges;
-  CHECK(hints.edges(1, edges));
-  CHECK_EQ(edges.size, 6);
-  CHECK_EQ(Hints::edge(edges[2]).level, 2);
-  CHECK(Hints::edge(edges[2]).is_bar);
-  CHECK(!Hints::edge(edges[3]).is_bar);
-  CHECK_EQ(hints.stems(1).first_u, 120);
-  CHECK_EQ(hints.stems(1).gap_u, 240);
-  CHECK_EQ(hints.stems(1).count, 3);
-  CHECK(!hints.edges(2, edges));
-  CHECK_EQ(edges.size, 0);
-  CHECK_EQ(hints.stems(2).count, 0);
+  return font;
 }
 
-TEST(edges_of_zones_and_bars_lie_between_rows) {
-  const Font font = usual_font();
-  // 11 px: the zone is 5.5 px high, bars are 0.8 px.
-  constexpr int32_t kSizes[] = {10 * 64, 11 * 64 + 10, 12 * 64, 14 * 64};
-  for (const int32_t px_q6 : kSizes) {
-    const Brush brush = brush_of(px_q6);
-    const Fitted glyph = fitted(font, brush, {}, {});
-    const int32_t zone = glyph.screen_q10(512, brush);
-    // Upwards from 3/8 px on.
-    CHECK_EQ(zone, (px_q6 * 8 + kPx * 5 / 8) / kPx * kPx);
-    CHECK_EQ(glyph.screen_q10(440, brush), zone - kPx);
-    // The overshoot is cut off, and the flat edge a step above it.
-    CHECK_EQ(glyph.screen_q10(-14, brush), 0);
-    CHECK_EQ(glyph.screen_q10(0, brush), RowMap::kLeastStepQ10);
-    const int32_t bar = glyph.screen_q10(200, brush);
-    CHECK_EQ(bar % kPx, 0);
-    CHECK_EQ(glyph.screen_q10(270, brush), bar + kPx);
-    CHECK(bar >= kPx && bar <= zone - 3 * kPx);
-  }
+Brush brush_of(int32_t px_q6) {
+  Brush brush;
+  CHECK_OK(Brush::make(Q26_6::from_raw(px_q6), kFilterText, brush));
+  return brush;
 }
 
-TEST(a_bar_without_room_is_left_to_what_is_around_it) {
-  const Font font = usual_font();
-  // At 6 px the zone is 3 px high: one row is free, and it must stay so.
-  const Brush brush = brush_of(6 * 64);
-  const Fitted glyph = fitted(font, brush, {}, {});
-  CHECK_EQ(glyph.screen_q10(512, brush), 3 * kPx);
-  CHECK_EQ(glyph.screen_q10(440, brush), 2 * kPx);
-  CHECK_EQ(glyph.screen_q10(200, brush), INT32_MAX);
-}
-
-TEST(wide_overshoots_stay) {
-  HintsRecord hints;
-  hints.level(0, 1);
-  hints.level(500, 2);
-  hints.level(530, 2);
-  hints.zone(0, true);
-  hints.zone(1, false);
-  hints.edge(0, false);
-  hints.edge(1, false);
-  hints.edge(2, false);
-  const Font round = make_font(hints.write(2));
-  // 30 u are 0.59 px at 20 px and 0.62 px at 21 px.
-  Brush brush = brush_of(20 * 64);
-  CHECK_EQ(fitted(round, brush, {}, {}).screen_q10(530, brush), 10 * kPx);
-  brush = brush_of(21 * 64 + 10);
-  CHECK_EQ(fitted(round, brush, {}, {}).screen_q10(530, brush), 11 * kPx);
-}
-
-TEST(baselines_lie_between_rows) {
-  const Font plain = make_font({});
-  const Brush brush = brush_of(12 * 64);
-  constexpr int64_t kHeights[] = {0, 511, 512, 1023, -1, -512, -513};
-  for (const int64_t y : kHeights) {
-    const Fitted glyph = fitted(plain, brush, {}, {300, y});
-    CHECK_EQ(glyph.origin.y_q10 % kPx, 0);
-    CHECK(glyph.origin.y_q10 - y <= kPx / 2 && y - glyph.origin.y_q10 < kPx);
-    CHECK_EQ(glyph.origin.x_q10, 300);
-    CHECK_EQ(glyph.rows.count, 0);
-  }
-}
-
-TEST(strength_and_size_let_go) {
-  const Font font = usual_font();
-  const Brush brush = brush_of(11 * 64);
-  const FinePoint origin = {0, 400};
-  FitOptions options;
-  const Fitted all = fitted(font, brush, options, origin);
-  options.strength_q8 = 128;
-  const Fitted half = fitted(font, brush, options, origin);
-  CHECK_EQ(all.origin.y_q10, 0);
-  CHECK_EQ(half.origin.y_q10, 200);
-  const int32_t zone = 11 * kPx / 2;
-  CHECK_EQ(all.screen_q10(512, brush), zone + kPx / 2);
-  CHECK_EQ(half.screen_q10(512, brush), zone + kPx / 4);
-  options.strength_q8 = 0;
-  const Fitted none = fitted(font, brush, options, origin);
-  CHECK_EQ(none.origin.y_q10, 400);
-  CHECK_EQ(none.rows.count, 0);
-  options.strength_q8 = FitOptions::kAll;
-  const Brush middle = brush_of(32 * 64 + 31);
-  const Fitted fading = fitted(font, middle, options, origin);
-  CHECK(fading.origin.y_q10 > 100 && fading.origin.y_q10 < 300);
-  const Fitted large = fitted(font, brush_of(40 * 64), options, origin);
-  CHECK_EQ(large.origin.y_q10, 400);
-  CHECK_EQ(large.rows.count, 0);
-  options.strength_q8 = FitOptions::kAll + 1;
+Fit fit_of(const Font& font, int32_t px_q6, const FitOptions& options = {}) {
   Fit fit;
-  CHECK_EQ(Fit::make(font, brush, options, fit), Status::bad_argument);
+  CHECK_OK(Fit::make(font, brush_of(px_q6), options, fit));
+  return fit;
 }
 
-TEST(stems_go_to_the_middle_of_pixels) {
-  HintsRecord hints;
-  hints.level(0, 0);
-  hints.edge(0, false);
-  hints.stem = 32;  // 128 u: 1.5 px at 12 px
-  const Font font = make_font(hints.write(2));
-  const Brush brush = brush_of(12 * 64);
-  FitOptions options;
-  options.stems = true;
-  for (int64_t x = -700; x < 700; x += 100) {
-    const Fitted glyph = fitted(font, brush, options, {x, 0});
-    const int64_t moved = glyph.origin.x_q10 - x;
-    const int64_t before = x & (kPx - 1);
-    const int64_t wanted = before >= kPx / 2 ? kPx - before : -before;
-    CHECK_EQ(moved, wanted > 256 ? 256 : wanted < -256 ? -256 : wanted);
+constexpr FitOptions kAcross = {true, 0, FitOptions::kAll};
+constexpr FitOptions kCrisp = {true, 2, FitOptions::kAll};
+
+GlyphWarp warp_of(const Font& font, const Fit& fit, uint16_t glyph) {
+  FinePoint origin = {300, 700};
+  GlyphWarp warp;
+  fit.fit(font, glyph, origin, warp);
+  return warp;
+}
+
+struct Knot {
+  int32_t from_q8;
+  int32_t to_q8;
+};
+
+template <size_t kCount>
+void check_knots(const AxisMap& map, const Knot (&knots)[kCount]) {
+  constexpr auto kKnots = static_cast<int32_t>(kCount);
+  CHECK_EQ(map.count, kKnots);
+  for (int32_t i = 0; i < kKnots && i < map.count; ++i) {
+    CHECK_EQ(map.knots[i].from_q8, knots[i].from_q8);
+    CHECK_EQ(map.knots[i].to_q8, knots[i].to_q8);
   }
-  options.stems = false;
-  CHECK_EQ(fitted(font, brush, options, {100, 0}).origin.x_q10, 100);
-}
-
-// A bar 0.6 px high, across two rows as designed and in one when fitted.
-TEST(pictures_are_sharper) {
-  const Font font = usual_font();
-  const Point origin = {Q26_6::from_int(0), Q26_6::from_raw(9 * 64 + 24)};
-  Brush brush = brush_of(12 * 64);
-  Picture<8, 12> plain;
-  draw_glyph(font, 1, brush, origin, plain.sink());
-  Fit fit;
-  CHECK_OK(Fit::make(font, brush, {}, fit));
-  brush.set_fitter(fit_glyph, &fit);
-  Picture<8, 12> sharp;
-  draw_glyph(font, 1, brush, origin, sharp.sink());
-  // The lower end lies on the baseline.
-  CHECK(plain.at(3, 9) > 0 && plain.at(3, 9) < 255);
-  CHECK_EQ(sharp.at(3, 8), 255);
-  CHECK_EQ(sharp.at(3, 9), 0);
-}
-
-namespace {
-
-// What a picture shows, in one number. One at a time is all that boards have
-// the stack for.
-__attribute__((noinline)) uint32_t sum_of_picture(const Font& font,
-                                                  const Brush& brush,
-                                                  Point origin) {
-  Picture<24, 34> picture;
-  draw_glyph(font, 1, brush, origin, picture.sink());
-  CHECK(picture.at(12, 20) > 0);
-  uint32_t sum = 2166136261u;
-  for (int32_t i = 0; i < 24 * 34; ++i) {
-    sum = (sum ^ picture.at(i % 24, i / 24)) * 16777619u;
-  }
-  return sum;
 }
 
 }  // namespace
 
-// Where nothing is fitted any more, glyphs are what they are without.
-TEST(large_pictures_stay) {
-  const Font font = usual_font();
-  Brush brush = brush_of(40 * 64);
+// At 11 px the x-height is 5.5 px and becomes 6. Bars of 48/64 px, the middle
+// one inside a row; the end keeps a row above it.
+TEST(heights_lie_between_rows) {
+  const Font font = hinted_font();
+  check_knots(warp_of(font, fit_of(font, 11 * 64), three).y,
+              {{0, 0},
+               {193, 192},
+               {550, 544},
+               {743, 736},
+               {880, 992},
+               {1216, 1344},
+               {1408, 1536}});
+  // At 10 px it is 5 px as it is.
+  check_knots(warp_of(font, fit_of(font, 10 * 64), two).y,
+              {{0, 0}, {1105, 1088}, {1280, 1280}});
+}
+
+TEST(bars_of_crisp_text_fill_rows) {
+  const Font font = hinted_font();
+  const FitOptions options = {false, 2, FitOptions::kAll};
+  const GlyphWarp warp = warp_of(font, fit_of(font, 11 * 64, options), three);
+  check_knots(warp.y, {{0, 0},
+                       {193, 256},
+                       {550, 512},
+                       {743, 768},
+                       {880, 1024},
+                       {1216, 1280},
+                       {1408, 1536}});
+  CHECK_EQ(warp.x.count, 0);
+}
+
+// 0.88 px of stem in the middle of a pixel, and four px from one to the next.
+TEST(stems_stand_in_whole_pixels) {
+  const Font font = hinted_font();
+  const Fit fit = fit_of(font, 10 * 64, kAcross);
+  check_knots(warp_of(font, fit, two).x,
+              {{150, 272}, {375, 496}, {1125, 1296}, {1350, 1520}});
+  CHECK_EQ(fit.advance_px(font, two), 6);
+  const Fit crisp = fit_of(font, 10 * 64, kCrisp);
+  check_knots(warp_of(font, crisp, two).x,
+              {{150, 256}, {375, 512}, {1125, 1280}, {1350, 1536}});
+  CHECK_EQ(crisp.advance_px(font, two), 6);
+}
+
+// Symmetric: an odd number of pixels, as a stem has. 4.2 px become 5.
+TEST(ink_without_stems_is_whole) {
+  const Font font = hinted_font();
+  const Fit fit = fit_of(font, 10 * 64, kAcross);
+  check_knots(warp_of(font, fit, wedge).x, {{100, 256}, {1175, 1536}});
+  CHECK_EQ(fit.advance_px(font, wedge), 6);
+  CHECK_EQ(fit.advance_px(font, space), 3);
+}
+
+// Below 12 px wings of serifs go into the zone, and the ink begins at the stem.
+TEST(serifs_of_crisp_text_are_left_out) {
+  const Font font = hinted_font();
+  const GlyphWarp small = warp_of(font, fit_of(font, 10 * 64, kCrisp), serif);
+  check_knots(small.y, {{0, 0}, {75, 0}, {1280, 1280}});
+  check_knots(small.x, {{275, 256}, {500, 512}});
+  CHECK_EQ(fit_of(font, 10 * 64, kCrisp).advance_px(font, serif), 3);
+  const GlyphWarp large = warp_of(font, fit_of(font, 12 * 64, kCrisp), serif);
+  CHECK_EQ(large.y.knots[1].to_q8, 256);
+  CHECK_EQ(large.x.count, 4);
+}
+
+TEST(diagonals_get_the_weight_of_stems) {
+  const Font font = hinted_font();
+  // 56 become 64: 4/64 px on each side.
+  CHECK_EQ(fit_of(font, 10 * 64, kCrisp).crisp_weight().raw, -64);
+  // 84 become 64.
+  CHECK_EQ(fit_of(font, 15 * 64, kCrisp).crisp_weight().raw, 160);
+}
+
+TEST(fitting_fades_and_ends) {
+  const Font font = hinted_font();
+  const auto shift = [&font](int32_t px, const FitOptions& options) {
+    const AxisMap map =
+        warp_of(font, fit_of(font, px * 64 + 32, options), two).y;
+    return map.count == 0 ? 0 : map.knots[2].to_q8 - map.knots[2].from_q8;
+  };
+  // The x-height is 1/4 px more than whole.
+  CHECK_EQ(shift(24, {}), (192 * 248) >> 8);
+  CHECK_EQ(shift(32, {}), (192 * 120) >> 8);
+  CHECK_EQ(shift(40, {}), 0);
+  CHECK_EQ(shift(24, {false, 0, 128}), (192 * 124) >> 8);
+  // Crisp text is fitted or not.
+  CHECK_EQ(shift(32, {false, 2, FitOptions::kAll}), 192);
+  CHECK(!fit_of(font, 40 * 64, kAcross).has_advances());
   Fit fit;
-  CHECK_OK(Fit::make(font, brush, {}, fit));
-  for (int32_t y = 30 * 64; y < 31 * 64; y += 7) {
-    const Point origin = {Q26_6::from_raw(y % 64), Q26_6::from_raw(y)};
-    brush.set_fitter(nullptr, nullptr);
-    const uint32_t plain = sum_of_picture(font, brush, origin);
-    brush.set_fitter(fit_glyph, &fit);
-    CHECK_EQ(sum_of_picture(font, brush, origin), plain);
+  CHECK_EQ(Fit::make(font, brush_of(640), {true, 3, 256}, fit),
+           Status::bad_argument);
+  CHECK_EQ(Fit::make(font, brush_of(640), {true, 2, 257}, fit),
+           Status::bad_argument);
+}
+
+TEST(fonts_without_hints_keep_all_but_baselines) {
+  const Font font = open({});
+  const Fit fit = fit_of(font, 10 * 64, kAcross);
+  CHECK(!fit.has_advances());
+  FinePoint origin = {300, 700};
+  GlyphWarp warp;
+  fit.fit(font, two, origin, warp);
+  CHECK_EQ(warp.x.count + warp.y.count, 0);
+  CHECK_EQ(origin.x_q10, 300);
+  CHECK_EQ(origin.y_q10, 1024);
+}
+
+// Positions are whole pixels, however long the line and wherever it begins.
+TEST(text_is_measured_as_it_is_drawn) {
+  const Font font = hinted_font();
+  Brush brush = brush_of(10 * 64);
+  const Fit fit = fit_of(font, 10 * 64, kAcross);
+  brush.set_fitter(&kGridFit, &fit);
+  CHECK(brush.has_whole_advances());
+  static char text[120];
+  int32_t width_px = 0;
+  for (size_t i = 0; i < sizeof text; ++i) {
+    text[i] = static_cast<char>('A' + i % 5);
+    width_px += fit.advance_px(font, static_cast<uint16_t>(1 + i % 5));
+  }
+  const Text all(text, sizeof text);
+  CHECK_EQ(to_px(font, brush, measure(font, all, brush).advance).raw,
+           width_px * 64);
+  static PositionedGlyph room[sizeof text];
+  Span<const PositionedGlyph> glyphs;
+  CHECK_OK(layout(font, all, brush, {room, sizeof text}, glyphs));
+  CHECK_EQ(glyphs.size, sizeof text);
+  int32_t x_px = 0;
+  TextCursor cursor(font, all, brush);
+  PositionedGlyph at;
+  for (size_t i = 0; i < glyphs.size; ++i) {
+    CHECK_EQ(to_px(font, brush, glyphs[i].x).raw, x_px * 64);
+    CHECK(cursor.next(at) && at.x == glyphs[i].x);
+    x_px += fit.advance_px(font, glyphs[i].glyph);
+  }
+  // Without the brush they are the font's.
+  CHECK_EQ(measure(font, all).advance, 24 * (600 + 600 + 510 + 310 + 300));
+
+  for (int32_t part = 0; part < 64; part += 16) {
+    const Point origin = {Q26_6::from_raw(64 + part), Q26_6::from_raw(480)};
+    static Picture<32, 9> whole;
+    static Picture<32, 9> drawn;
+    whole = Picture<32, 9>();
+    drawn = Picture<32, 9>();
+    const Point rounded = {Q26_6::from_int(part < 32 ? 1 : 2), origin.y};
+    CHECK_OK(layout(font, "BAB", brush, {room, 3}, glyphs));
+    for (const PositionedGlyph& glyph : glyphs) {
+      draw(font, {&glyph, 1}, brush, rounded, whole.sink());
+      draw(font, {&glyph, 1}, brush, origin, drawn.sink());
+      whole.next_glyph();
+      drawn.next_glyph();
+    }
+    for (int32_t i = 0; i < 32 * 9; ++i) {
+      CHECK_EQ(whole.at(i % 32, i / 32), drawn.at(i % 32, i / 32));
+    }
   }
 }
 
 namespace {
 
-// A section of any bytes.
-Span<const uint8_t> noise_of(Random& random) {
-  static uint8_t bytes[100];
-  for (uint8_t& byte : bytes) {
-    byte = static_cast<uint8_t>(random.byte());
+// One glyph at a time: boxes of neighbours may overlap.
+void draw_each(const Font& font,
+               const Brush& brush,
+               Picture<18, 8>& picture) {
+  TextCursor cursor(font, "ABD", brush);
+  PositionedGlyph at;
+  while (cursor.next(at)) {
+    draw(font, {&at, 1}, brush, {Q26_6::from_int(0), Q26_6::from_int(7)},
+         picture.sink());
+    picture.next_glyph();
   }
-  bytes[format::hints::kLevels] = static_cast<uint8_t>(random.below(20));
-  bytes[format::hints::kZones] = static_cast<uint8_t>(random.below(16));
-  bytes[format::hints::kStartBits] = static_cast<uint8_t>(random.below(4));
-  bytes[format::hints::kCountBits] = static_cast<uint8_t>(random.below(5));
-  bytes[format::hints::kStemBits] = static_cast<uint8_t>(random.below(14));
-  bytes[format::hints::kGapBits] = static_cast<uint8_t>(random.below(14));
-  return bytes;
-}
-
-// A section whose heights ascend more often than not.
-Span<const uint8_t> disorder_of(Random& random, HintsRecord& record) {
-  int32_t height = random.between(-300, 0);
-  const uint32_t zones = random.below(4);
-  for (uint32_t i = 0; i < 12; ++i) {
-    record.level(height, random.below(5));
-    height += random.between(-20, 150);
-  }
-  for (uint32_t i = 0; i < zones; ++i) {
-    record.zone(random.below(14), random.below(2) == 0);
-  }
-  for (uint32_t i = 0; i < 12; ++i) {
-    record.edge(i + (random.below(9) == 0 ? 1 : 0), random.below(3) != 0);
-  }
-  record.stem = random.below(256);
-  record.gap = random.below(256);
-  record.has_third = random.below(2) != 0;
-  record.stem_base_u = random.between(-32768, 32767);
-  return record.write(2);
 }
 
 }  // namespace
 
-// Whatever the section says.
-TEST(hostile_hints_break_no_promise) {
-  Random random(41);
-  int fits = 0;
-  int knots = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 200 : 20000;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
-    HintsRecord record;
-    const Font font = make_font(round % 2 == 0 ? noise_of(random)
-                                               : disorder_of(random, record));
-    static_cast<void>(font.verify() == Status::ok);
-    const Brush brush = brush_of(random.between(4 * 64, 48 * 64));
+TEST(fitted_glyphs_look_sharp) {
+  const Font font = hinted_font();
+  Brush brush = brush_of(11 * 64);
+  const Fit fit = fit_of(font, 11 * 64, kAcross);
+  brush.set_fitter(&kGridFit, &fit);
+  Picture<18, 8> grey;
+  draw_each(font, brush, grey);
+  CHECK_PICTURE(grey,
+                "..................\n"
+                ".*****.*****..*...\n"
+                ".*...*.*...*..*...\n"
+                ".*...:.*...*..*...\n"
+                ".*****.*...*..*...\n"
+                ".*.....*...*..*...\n"
+                ".*****.*...*.+*+..\n");
+  const Fit whole = fit_of(font, 11 * 64, kCrisp);
+  const CrispStyle style = {2, whole.crisp_weight()};
+  brush.set_fitter(&kGridFit, &whole);
+  brush.set_painter(crisp_painter(style));
+  Picture<18, 8> crisp;
+  draw_each(font, brush, crisp);
+  CHECK_PICTURE(crisp,
+                "..................\n"
+                ".#####.#####.#....\n"
+                ".#...#.#...#.#....\n"
+                ".#.....#...#.#....\n"
+                ".#####.#...#.#....\n"
+                ".#.....#...#.#....\n"
+                ".#####.#...#.#....\n");
+}
+
+// Maps ascend, advances are whole and not negative, and whatever is drawn stays
+// in the window, for any bytes at any size.
+TEST(any_hints_are_safe) {
+  Random random(23);
+  static uint8_t bytes[120];
+  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 30 : 1500); ++round) {
+    for (uint8_t& byte : bytes) {
+      byte = static_cast<uint8_t>(random.below(256));
+    }
+    bytes[0] = static_cast<uint8_t>(random.below(9));
+    bytes[4] = static_cast<uint8_t>(random.below(9));
+    bytes[5] = static_cast<uint8_t>(random.below(8));
+    const Font font = open({bytes, sizeof bytes});
+    const int32_t px_q6 = random.between(4 * 64, 42 * 64);
+    Brush brush = brush_of(px_q6);
     FitOptions options;
-    options.stems = round % 3 != 0;
-    options.strength_q8 = static_cast<uint16_t>(random.below(257));
+    options.across = random.below(4) != 0;
+    options.levels = static_cast<uint8_t>(random.below(3) * 2);
     Fit fit;
     if (Fit::make(font, brush, options, fit) != Status::ok) {
       continue;
     }
-    ++fits;
-    GlyphField field;
-    field.glyph = static_cast<uint16_t>(random.below(3));
-    const FinePoint origin = {random.between(-99999, 99999),
-                              random.between(-99999, 99999)};
-    FinePoint moved = origin;
-    RowMap rows;
-    fit_glyph(field.glyph, brush, &fit, moved, rows);
-    CHECK(moved.x_q10 - origin.x_q10 <= kPx / 4);
-    CHECK(origin.x_q10 - moved.x_q10 <= kPx / 4);
-    CHECK(moved.y_q10 - origin.y_q10 <= kPx / 2);
-    CHECK(origin.y_q10 - moved.y_q10 <= kPx / 2);
-    knots += rows.count;
-    // Both together move nothing by more than 1 px, but for a rounding.
-    for (uint32_t i = 0; i < rows.count; ++i) {
-      const int64_t lowered = moved.y_q10 - origin.y_q10 -
-                              rows.knots[i].screen_q10 +
-                              rows.knots[i].glyph_q10;
-      CHECK(lowered <= kPx + 2 && lowered >= -kPx - 2);
-    }
-    for (uint32_t i = 1; i < rows.count; ++i) {
-      CHECK(rows.knots[i].screen_q10 > rows.knots[i - 1].screen_q10);
-      CHECK(rows.knots[i].glyph_q10 > rows.knots[i - 1].glyph_q10);
+    brush.set_fitter(&kGridFit, &fit);
+    for (uint16_t glyph = 0; glyph < 6; ++glyph) {
+      const GlyphWarp warp = warp_of(font, fit, glyph);
+      const AxisMap* const maps[] = {&warp.x, &warp.y};
+      for (const AxisMap* map : maps) {
+        CHECK(map->count >= 0 && map->count <= AxisMap::kMaxKnots);
+        for (int32_t i = 1; i < map->count; ++i) {
+          CHECK(map->knots[i].from_q8 > map->knots[i - 1].from_q8);
+          CHECK(map->knots[i].to_q8 >= map->knots[i - 1].to_q8);
+        }
+      }
+      CHECK(!fit.has_advances() || fit.advance_px(font, glyph) >= 0);
+      Picture<24, 24> picture;
+      draw_glyph(font, glyph, brush, {Q26_6::from_int(2), Q26_6::from_int(18)},
+                 picture.sink());
     }
   }
-  CHECK(fits > rounds / 2 && knots > rounds);
-}
-
-TEST(a_section_that_does_not_fit_is_corrupt) {
-  HintsRecord record;
-  record.make_usual();
-  const Span<const uint8_t> good = record.write(2);
-  Hints hints;
-  for (uint32_t size = 1; size < good.size; ++size) {
-    const Font font = make_font({good.data, size});
-    CHECK(font.verify() == Status::corrupt);
-    const bool opens = Hints::open(font, hints) == Status::ok;
-    // Header, levels, zones and rows; lists are looked at when they are used.
-    CHECK_EQ(opens, size >= 10 + 12 + 2 + 6);
-  }
-  Fit fit;
-  const Font cut = make_font({good.data, 9});
-  CHECK_EQ(Fit::make(cut, Brush(), {}, fit), Status::corrupt);
-  CHECK_OK(Fit::make(make_font({}), Brush(), {}, fit));
 }

@@ -2,7 +2,7 @@
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/hints.hpp"
+#include "inkcell/grid_hints.hpp"
 #include "inkcell/text.hpp"
 
 namespace {
@@ -458,7 +458,7 @@ TEST(units_are_128_bytes_at_most) {
 TEST(tables_may_end_with_the_memory) {
   constexpr uint32_t kTags[] = {section::kCmap,   section::kMetrics,
                                 section::kGlyphs, section::kKerning,
-                                section::kHints,  section::kName};
+                                section::kGrid,  section::kName};
   for (const uint32_t tag : kTags) {
     for (uint32_t size = 0; size <= 32; size += 4) {
       sample();
@@ -490,10 +490,10 @@ TEST(tables_may_end_with_the_memory) {
       if (Font::open({last, rom_bytes}, font) != Status::ok) {
         continue;
       }
-      Hints hints;
+      GridHints hints;
       uint16_t glyph = 0;
-      CHECK(Hints::open(font, hints) == Status::ok ||
-            (tag == section::kHints && size != 0));
+      CHECK(GridHints::open(font, hints) == Status::ok ||
+            (tag == section::kGrid && size != 0));
       CHECK(font.glyph_of('A', glyph) == Status::ok || tag == section::kCmap);
       CHECK(font.kerning(2, 3) != 0 || tag == section::kKerning);
       CHECK_EQ(font.name().size, tag == section::kName ? size : 0);

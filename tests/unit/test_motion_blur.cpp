@@ -89,9 +89,6 @@ TEST(windows_do_not_change_blurred_pictures) {
         way_of(random.between(-400, 400), random.between(-400, 400)), blur));
     Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
     brush.set_painter(motion_blur_painter(blur));
-    if ((round & 2) != 0) {
-      brush.set_fitter(painter::lift, nullptr);
-    }
     check_windows(field_of(font_builder::ring), brush,
                   {random.between(0, 9999), random.between(9999, 30000)});
   }

@@ -82,9 +82,6 @@ TEST(windows_do_not_change_perceptual_pictures) {
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
     Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
     brush.set_painter(perception_painter(perception));
-    if ((round & 2) != 0) {
-      brush.set_fitter(painter::lift, nullptr);
-    }
     check_windows(field_of(font_builder::ring), brush,
                   {random.between(0, 9999), random.between(9999, 30000)});
   }

@@ -26,7 +26,7 @@ Brush brush_of(int32_t px) {
 
 FieldPosition position(const Brush& brush, int32_t x_u, int32_t y_u) {
   const int32_t px = brush.size().raw >> 6;
-  return detail::sample_position(brush, {0, 0}, nullptr, 0, 0,
+  return detail::sample_position(brush, {0, 0}, 0, 0,
                                  {x_u * px - kPx / 2, y_u * px + kPx / 2});
 }
 
@@ -122,7 +122,7 @@ TEST(gradients_end_at_2) {
     // 132 u along both axes: straight up.
     constexpr int32_t kUp = 11947;  // 132 / 16 px times the root of 2
     const ScreenGradient found = walk.gradient(detail::sample_position(
-        brush, {0, 0}, nullptr, 0, 0, {-kPx / 2, kUp + kPx / 2}));
+        brush, {0, 0}, 0, 0, {-kPx / 2, kUp + kPx / 2}));
     CHECK_EQ(found.up_q14, sign < 0 ? INT16_MIN : INT16_MAX);
     CHECK(found.right_q14 > -4000 && found.right_q14 < 4000);
   }

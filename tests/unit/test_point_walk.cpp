@@ -89,7 +89,7 @@ int check_points(const GlyphField& field, const Brush& brush, Random& random) {
         {origin.x_q10 - offset.right_q10, origin.y_q10 + offset.up_q10}, x, y,
         expected);
     FieldPosition at =
-        detail::sample_position(brush, origin, nullptr, x, y, offset);
+        detail::sample_position(brush, origin, x, y, offset);
     for (const Q6_10& distance : expected) {
       CHECK_EQ(clamped(walk.distance_q10(at)), distance.raw);
       edge += walk.is_saturated() ? 0 : 1;
@@ -115,34 +115,6 @@ TEST(points_of_samples_are_what_each_is_alone) {
   CHECK(edge > 100);
 }
 
-// A map that lifts the upper half: the point above it is where the map says.
-TEST(fitted_rows_are_where_the_map_says) {
-  const GlyphField field = field_of_samples(font_builder::disc);
-  const Brush brush = brush_of(20 * 64, 0);
-  const FinePoint origin(300, 9000);
-  RowMap rows;
-  CHECK(rows.add(0, 0));
-  CHECK(rows.add(5 << 10, (5 << 10) - 500));
-  PointWalk walk(field, brush, detail::kNoReach);
-  int32_t lifted = 0;
-  for (int32_t y = -8; y < 9; ++y) {
-    for (int32_t up_q10 = -400; up_q10 <= 600; up_q10 += 500) {
-      const FieldPosition at =
-          detail::sample_position(brush, origin, &rows, 7, y, {100, up_q10});
-      const auto height =
-          static_cast<int32_t>(origin.y_q10) - (y * 1024 + 512) + up_q10;
-      const int32_t shift = rows.glyph_height_q10(height) - height;
-      Q6_10 expected;
-      distance_row(field, brush,
-                   {origin.x_q10 - 100, origin.y_q10 + up_q10 + shift}, 7, y,
-                   {&expected, 1});
-      CHECK_EQ(clamped(walk.distance_q10(at)), expected.raw);
-      lifted += shift != 0 && !walk.is_saturated() ? 1 : 0;
-    }
-  }
-  CHECK(lifted > 5);
-}
-
 // The gradient of a disc points to its middle, whichever way it is turned.
 TEST(gradients_turn_with_the_glyph) {
   const GlyphField field = field_of_samples(font_builder::disc);
@@ -160,7 +132,7 @@ TEST(gradients_turn_with_the_glyph) {
       const auto x = static_cast<int32_t>(middle_x * 1024) + from.right_q10;
       const auto y = static_cast<int32_t>(middle_y * 1024) - from.up_q10;
       const ScreenGradient g = walk.gradient(detail::sample_position(
-          brush, {0, 0}, nullptr, 0, 0, {x - 512, 512 - y}));
+          brush, {0, 0}, 0, 0, {x - 512, 512 - y}));
       const double away = from.right_q10 != 0 && from.up_q10 != 0
                               ? 13 * 1024 * 1.41421356
                               : 18 * 1024;
@@ -196,7 +168,7 @@ TEST(gradients_of_fields_are_those_of_the_glyph) {
       const int32_t x = random.between(-10, 520);
       const int32_t y = random.between(-520, 10);
       const ScreenGradient found = walk.gradient(
-          detail::sample_position(brush, {0, 0}, nullptr, x, y, {0, 0}));
+          detail::sample_position(brush, {0, 0}, x, y, {0, 0}));
       const Gradient expected =
           gradient_at(field, Q16_16::from_raw(x * 65536 + 32768),
                       Q16_16::from_raw(-y * 65536 - 32768));

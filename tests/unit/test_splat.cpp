@@ -177,13 +177,6 @@ TEST(wide_cells_look_as_without) {
   }
 }
 
-TEST(fitted_glyphs_look_as_without) {
-  Brush brush = brush_of(12 * 64, false);
-  brush.set_fitter(painter::lift, nullptr);
-  check_as_without(field_of(font_builder::ring), brush,
-                   {3 * 1024 + 300, 25 * 1024 + 77});
-}
-
 TEST(windows_and_sums_do_not_change_the_picture) {
   const GlyphField field = field_of(font_builder::ring);
   const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);

@@ -5,7 +5,6 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/lcd.hpp"
-#include "inkcell/row_map.hpp"
 
 #if INKCELL_FIELD_CELLS
 
@@ -208,13 +207,6 @@ void check_windows(const GlyphField& field,
   }
 }
 
-// Rows moved up by 3/8 px, and stretched above.
-void fit(
-    uint16_t /*glyph*/, const Brush&, const void*, FinePoint&, RowMap& rows) {
-  CHECK(rows.add(0, -384));
-  CHECK(rows.add(6 << 10, (6 << 10) + 200));
-}
-
 }  // namespace
 
 TEST(windows_change_no_style) {
@@ -241,9 +233,6 @@ TEST(windows_change_no_style) {
       brush.set_painter(lcd_painter(lcd));
     } else {
       brush.set_painter(crisp_painter(crisp));
-    }
-    if (round % 5 == 0) {
-      brush.set_fitter(fit, nullptr);
     }
     const FinePoint origin = any_origin(random);
     check_windows(field, brush, origin, is_outlined ? &both : nullptr);

@@ -59,7 +59,6 @@ void paint_adaptive(const GlyphField& field,
                     const Brush& brush,
                     const void* options,
                     const FinePoint& origin,
-                    const RowMap* rows,
                     const Sink& sink);
 }  // namespace detail
 

@@ -11,29 +11,37 @@
 namespace inkcell {
 
 class Brush;
+class Font;
 struct FinePoint;
 struct GlyphField;
+struct GlyphWarp;
 struct Rect;
-struct RowMap;
 struct Sink;
 
-/// Grid fitting (fit.hpp makes one): fills in `rows` for a glyph of an upright
-/// brush whose origin is at `origin`, and may move the origin. Both together
-/// move nothing by more than 1 px. `options` is what Brush::set_fitter was
+/// Grid fitting (fit.hpp has one). `options` is what Brush::set_fitter was
 /// given.
-using Fitter = void (*)(uint16_t glyph,
-                        const Brush& brush,
-                        const void* options,
-                        FinePoint& origin,
-                        RowMap& rows);
+struct Fitter {
+  /// Fills in `warp` for a glyph of outlines and of an upright brush whose
+  /// origin is at `origin`, and may move the origin.
+  void (*fit)(const Font& font,
+              uint16_t glyph,
+              const void* options,
+              FinePoint& origin,
+              GlyphWarp& warp) noexcept;
+  /// Whether fitted glyphs have advances of their own, in whole pixels.
+  bool (*has_advances)(const void* options) noexcept;
+  /// Such an advance. [px]
+  int32_t (*advance_px)(const Font& font,
+                        uint16_t glyph,
+                        const void* options) noexcept;
+};
 
-/// Draws a glyph of cells in another way than one sample a pixel. `rows` is
-/// null unless the glyph was fitted. Clips to the sink's window; cannot fail.
+/// Draws a glyph of cells in another way than one sample a pixel. Clips to the
+/// sink's window; cannot fail.
 using CellPainter = void (*)(const GlyphField& field,
                              const Brush& brush,
                              const void* options,
                              const FinePoint& origin,
-                             const RowMap* rows,
                              const Sink& sink);
 
 namespace detail {
@@ -63,7 +71,7 @@ __attribute__((always_inline)) inline const OutlinePainter& painter_of(
 
 // What only glyphs that are not upright need.
 struct Slant {
-  CellPainter paint;  // without options and rows
+  CellPainter paint;  // without options
   // The box on the screen around a part of the glyph. [u -> px]
   Rect (*box)(const Rect& limits, const Brush& brush, const Placed& placed);
   // A place in px along and across the glyph's axes. [Q10]
@@ -87,10 +95,6 @@ void draw_painted(const GlyphField& field,
                   const Brush& brush,
                   const Placed& placed,
                   const Sink& sink);
-void draw_fitted(const GlyphField& field,
-                 const Brush& brush,
-                 const Placed& placed,
-                 const Sink& sink);
 }  // namespace detail
 
 /// Draws glyphs in another way than one sample a pixel. Made by functions
@@ -214,14 +218,12 @@ class Brush {
   static Status make(Q26_6, const Filter&&, Brush&) = delete;
   static Status make(const Matrix&, const Filter&&, Brush&) = delete;
 
-  /// Fits the glyphs of upright text to the grid of pixels. The options must
-  /// outlive the brush. Null, the default: glyphs stay as designed.
-  void set_fitter(Fitter function, const void* options) noexcept {
+  /// Fits glyphs of outlines of upright text to the grid of pixels. Fitter and
+  /// options must outlive the brush. Null, the default: glyphs stay as
+  /// designed.
+  void set_fitter(const Fitter* fitter, const void* options) noexcept {
     if (is_upright()) {
-      fitter_ = function;
-      if constexpr (detail::kHasCells) {
-        drawer_ = detail::draw_fitted;
-      }
+      fitter_ = fitter;
       if constexpr (detail::kHasOutlines) {
         outline_fitter_ = &detail::kOutlineFitter;
       }
@@ -229,8 +231,15 @@ class Brush {
     fitter_options_ = options;
   }
   bool is_fitted() const noexcept { return fitter() != nullptr; }
-  Fitter fitter() const noexcept { return is_upright() ? fitter_ : nullptr; }
+  const Fitter* fitter() const noexcept {
+    return is_upright() ? fitter_ : nullptr;
+  }
   const void* fitter_options() const noexcept { return fitter_options_; }
+
+  /// Whether the advances of glyphs are whole pixels, by fitting.
+  bool has_whole_advances() const noexcept {
+    return is_fitted() && fitter_->has_advances(fitter_options_);
+  }
 
   /// What draws the glyphs: `{}`, the default, is one sample at the centre of
   /// each pixel, the fastest. The painter's options must outlive the brush. The
@@ -397,7 +406,7 @@ class Brush {
   Drawer drawer_ = nullptr;
   // Only upright text is fitted.
   union {
-    Fitter fitter_ = nullptr;
+    const Fitter* fitter_ = nullptr;
     const detail::Slant* slant_;
   };
   union {

@@ -30,7 +30,6 @@ void paint_crisp(const GlyphField& field,
                  const Brush& brush,
                  const void* options,
                  const FinePoint& origin,
-                 const RowMap* rows,
                  const Sink& sink);
 extern const OutlineMixer kCrispMixer;
 }  // namespace detail

@@ -80,7 +80,6 @@ void paint_outline(const GlyphField& field,
                    const Brush& brush,
                    const void* options,
                    const FinePoint& origin,
-                   const RowMap* rows,
                    const Sink& sink);
 extern const OutlineMixer kOutlineMixer;
 }  // namespace detail
@@ -104,7 +103,6 @@ void paint_outline_and_fill(const GlyphField& field,
                             const Brush& brush,
                             const void* options,
                             const FinePoint& origin,
-                            const RowMap* rows,
                             const Sink& sink);
 extern const OutlineMixer kOutlineAndFillMixer;
 }  // namespace detail

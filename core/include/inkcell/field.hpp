@@ -59,7 +59,6 @@ struct InkBox {
 /// A default-constructed field is empty: outside everywhere.
 struct GlyphField {
   enum class Kind : uint8_t { samples, narrow_fields, linked_fields };
-  static constexpr uint16_t kNoGlyph = 0xffff;
 
   const uint8_t* references = nullptr;  // tiles, then nodes; u8 if narrow
   const uint8_t* cells = nullptr;  // of samples; or arcs, lines; or the heap
@@ -76,8 +75,6 @@ struct GlyphField {
   uint16_t pair_count = 0;
   uint16_t triple_count = 0;
   uint16_t heap_units = 0;  // of 2 bytes, where fields are linked
-  /// Which glyph of its font it is, where known: for grid fitting.
-  uint16_t glyph = kNoGlyph;
   /// Nothing is drawn farther from here than the filter reaches.
   InkBox ink;
 

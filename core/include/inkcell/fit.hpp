@@ -1,23 +1,27 @@
-// Grid fitting: glyphs that give way to the grid of pixels, for text that
-// stands still.
+// Grid fitting: outlines whose strokes are moved to the grid of pixels, for
+// small text that stands still.
 //
 //   inkcell::Fit fit;
 //   INKCELL_TRY(inkcell::Fit::make(font, brush, {}, fit));
-//   brush.set_fitter(inkcell::fit_glyph, &fit);
+//   brush.set_fitter(&inkcell::kGridFit, &fit);
 //
-// Heights only, unless stems are asked for: baselines and the heights that
-// glyphs share come to lie between two rows of pixels, horizontal strokes fill
-// whole rows. Distances stay those of the glyph (RowMap), so that a fitted
-// glyph costs little more than another.
+// Baselines and the heights that glyphs share come to lie between two rows of
+// pixels, the x-height is rounded up to whole rows, horizontal strokes keep
+// free rows between them. With FitOptions::across stems are whole pixels wide,
+// and so are advances: lay out and measure with the brush then.
+//
+// Points of outlines are moved before they are painted, which costs about as
+// much as to decode them. Glyphs of cells stay as designed.
 #pragma once
 
 #include <stdint.h>
 
 #include "inkcell/brush.hpp"
+#include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/hints.hpp"
+#include "inkcell/glyph_warp.hpp"
+#include "inkcell/grid_hints.hpp"
 #include "inkcell/render.hpp"
-#include "inkcell/row_map.hpp"
 #include "inkcell/status.hpp"
 
 namespace inkcell {
@@ -25,62 +29,95 @@ namespace inkcell {
 struct FitOptions {
   static constexpr uint16_t kAll = 256;
 
+  /// Fits x, too: stems and advances are whole pixels. Reads best to 11 px, and
+  /// at any size on displays of 1 and 2 bits; lines get 3 to 14 % longer.
+  bool across = false;
+  /// The display's levels: 0, many; 2 or 4. With 2 all strokes are whole
+  /// pixels, and serifs are left out below 12 px.
+  uint8_t levels = 0;
   /// How much of the way to the grid glyphs go: 0 none, kAll all of it. For
   /// text that begins to move or comes to rest.
   uint16_t strength_q8 = kAll;
-  /// Moves each glyph by up to 1/4 px to the left or right, so that its stems
-  /// look alike. Costs evenness of the gaps between glyphs.
-  bool stems = false;
 };
 
 /// A font's hints at one size. Made once, constant afterwards, in the caller's
 /// memory. The font's bytes must outlive it. For brushes of the same size and
-/// for glyphs of this font: others are drawn, but fitted to what is not there.
+/// for glyphs of this font: others are drawn with the wrong hints.
 class Fit {
  public:
-  /// From here on glyphs are less and less fitted, and then not at all.
+  /// From here on glyphs of many levels are less and less fitted, and then no
+  /// glyph is.
   static constexpr Q26_6 kFades = Q26_6::from_int(24);
   static constexpr Q26_6 kEnds = Q26_6::from_int(40);
-  static constexpr uint32_t kMaxZones = 15;
+  static constexpr uint32_t kMaxZones = 8;
 
   constexpr Fit() noexcept = default;
 
-  /// Without hints in the font it moves baselines only. corrupt: Hints::open;
-  /// bad_argument: the strength. `out` is untouched unless the result is ok.
+  /// Without hints in the font it moves baselines only. corrupt:
+  /// GridHints::open; bad_argument: the levels or the strength. `out` is
+  /// untouched unless the result is ok.
   static Status make(const Font& font,
                      const Brush& brush,
                      const FitOptions& options,
                      Fit& out) noexcept;
 
+  const GridHints& hints() const noexcept { return hints_; }
+
+  /// Whether advances are whole pixels.
+  bool has_advances() const noexcept { return is_across_; }
+
+  /// For CrispStyle::threshold_px: diagonals and bowls get the weight that
+  /// stems have as whole pixels.
+  Q6_10 crisp_weight() const noexcept {
+    return Q6_10::from_raw(crisp_weight_q10_);
+  }
+
+  /// Moves the origin of a glyph and fills in `warp`, as kGridFit does.
+  void fit(const Font& font,
+           uint16_t glyph,
+           FinePoint& origin,
+           GlyphWarp& warp) const noexcept;
+
+  /// The advance of a glyph in whole pixels, with has_advances().
+  int32_t advance_px(const Font& font, uint16_t glyph) const noexcept;
+
  private:
-  friend class GlyphFit;
-  friend void fit_glyph(
-      uint16_t, const Brush&, const void*, FinePoint&, RowMap&) noexcept;
+  friend class AcrossFit;
+  friend class HeightFit;
 
-  // What is left of a shift, or of any number below 2^22.
-  int32_t weakened(int32_t shift) const noexcept {
-    return (shift * strength_q8_) >> 8;
-  }
-  // Whether ink is above the zone; `zone` is its number and 1.
-  bool is_bottom(uint32_t zone) const noexcept {
-    return (bottoms_ >> zone & 1u) != 0;
-  }
-  int32_t sideways_q10(uint32_t glyph,
-                       const Brush& brush,
-                       const FinePoint& origin) const noexcept;
+  struct Zone {
+    int16_t flat_q6;   // [px]
+    int16_t round_q6;
+    bool is_top;
+  };
 
-  Hints hints_;
-  uint16_t strength_q8_ = 0;           // 0: glyphs stay as they are
-  uint16_t stem_q10_ = 0;              // how wide stems are [px]; 0: they stay
-  uint32_t bottoms_ = 0;               // bits of zones
-  int32_t zones_q10_[kMaxZones] = {};  // flat edges [px]
+  // As designed, and as the x-height is scaled. [u -> px, Q6]
+  int32_t px_q6(int32_t u) const noexcept {
+    return (u * size_q6_ + (1 << 9)) >> 10;
+  }
+  int32_t height_q6(int32_t u) const noexcept {
+    return (u * y_scale_q16_ + (1 << 15)) >> 16;
+  }
+  int32_t u_of(int32_t units, int32_t limit) const noexcept;
+  void add_knot(AxisMap& map, int32_t at_u, int32_t to_q6) const noexcept;
+  void set_zones() noexcept;
+  void set_weight() noexcept;
+
+  GridHints hints_;
+  Zone zones_[kMaxZones] = {};
+  int32_t y_scale_q16_ = 0;  // Q6 px per u
+  int32_t u_per_unit_q14_ = 0;
+  int16_t size_q6_ = 0;
+  uint16_t strength_q8_ = 0;  // 0: glyphs stay as they are
+  int16_t stem_q6_ = 0;       // how wide most stems and bars are [px]
+  int16_t bar_q6_ = 0;
+  int16_t crisp_weight_q10_ = 0;  // [px]
+  uint8_t levels_ = 0;
+  bool is_across_ = false;
+  bool drops_serifs_ = false;
 };
 
-/// The Fitter; `fit` is a const Fit*.
-void fit_glyph(uint16_t glyph,
-               const Brush& brush,
-               const void* fit,
-               FinePoint& origin,
-               RowMap& rows) noexcept;
+/// For Brush::set_fitter; the options are a const Fit*.
+extern const Fitter kGridFit;
 
 }  // namespace inkcell

@@ -86,7 +86,6 @@ inline constexpr uint32_t kMetrics = tag('M', 'E', 'T', 'R');
 inline constexpr uint32_t kKerning = tag('K', 'E', 'R', 'N');
 inline constexpr uint32_t kGlyphs = tag('G', 'L', 'Y', 'F');
 inline constexpr uint32_t kCode = tag('C', 'O', 'D', 'E');
-inline constexpr uint32_t kHints = tag('H', 'I', 'N', 'T');
 inline constexpr uint32_t kGrid = tag('G', 'R', 'I', 'D');
 inline constexpr uint32_t kName = tag('N', 'A', 'M', 'E');
 }  // namespace section
@@ -141,40 +140,6 @@ inline constexpr uint32_t kBytes = 17;
 inline constexpr uint32_t kMaxBits = 16;
 inline constexpr uint32_t kMaxPairs = (1u << 22) - 1;
 }  // namespace kerning
-
-// HINT: heights at which glyphs have horizontal edges, and where their stems
-// stand. After the header the levels, u16 each; a byte for each zone; a bit
-// table with a row for each glyph: start, count, stem, gap, third; and to the
-// section's end the lists, bytes that glyphs refer to by start and count.
-namespace hints {
-inline constexpr uint32_t kLevels = 0;     // u8, 1..128
-inline constexpr uint32_t kZones = 1;      // u8, 0..15
-inline constexpr uint32_t kStartBits = 2;  // u8, 0..20
-inline constexpr uint32_t kCountBits = 3;  // u8, 0..4
-inline constexpr uint32_t kStemBits = 4;   // u8, 0..12
-inline constexpr uint32_t kGapBits = 5;    // u8, 0..12
-inline constexpr uint32_t kStemBase = 6;   // i16 [u]
-inline constexpr uint32_t kStemWidth = 8;  // u8 [u], of most stems
-inline constexpr uint32_t kReserved = 9;   // u8, 0
-inline constexpr uint32_t kBytes = 10;
-inline constexpr uint32_t kMaxLevels = 128;
-inline constexpr uint32_t kMaxZones = 15;
-inline constexpr uint32_t kMaxCount = 10;
-inline constexpr uint32_t kMaxStartBits = 20;
-inline constexpr uint32_t kMaxCountBits = 4;
-inline constexpr uint32_t kMaxStemBits = 12;
-
-// A level: its height, i12 [u], and the zone that it belongs to, 0 if none.
-inline constexpr uint32_t kZoneShift = 12;
-// A zone: the level that it is about, and whether ink is above it.
-inline constexpr uint32_t kLevelMask = 0x7f;
-inline constexpr uint32_t kBottomZone = 0x80;
-// An entry of a list: a level, and whether a bar begins there.
-inline constexpr uint32_t kBar = 0x80;
-
-/// Stems and gaps count units of this many u.
-inline constexpr uint32_t kStemStep = 4;
-}  // namespace hints
 
 // GRID: how outlines are fitted to the grid of pixels. After the header the
 // zones; a bit table of glyph_count + 1 offsets from its own end, in bytes; and

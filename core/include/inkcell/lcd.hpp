@@ -34,7 +34,6 @@ void paint_lcd(const GlyphField& field,
                const Brush& brush,
                const void* options,
                const FinePoint& origin,
-               const RowMap* rows,
                const Sink& sink);
 extern const OutlineMixer kLcdMixer;
 }  // namespace detail

@@ -42,7 +42,6 @@ void paint_motion_blur(const GlyphField& field,
                        const Brush& brush,
                        const void* options,
                        const FinePoint& origin,
-                       const RowMap* rows,
                        const Sink& sink);
 }  // namespace detail
 

@@ -27,7 +27,6 @@ void paint_perceptual(const GlyphField& field,
                       const Brush& brush,
                       const void* options,
                       const FinePoint& origin,
-                      const RowMap* rows,
                       const Sink& sink);
 }  // namespace detail
 

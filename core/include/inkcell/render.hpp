@@ -53,7 +53,7 @@ Rect field_box(const GlyphField& field,
 /// px, whichever is less; 32 px where a matrix stretches cells of fields. The
 /// plain form of what draw_field fuses, for filters and effects of one's own:
 /// brush.filter() maps these distances to the coverage that draw_field draws,
-/// bit by bit, without a painter and a fitter.
+/// bit by bit, without a painter.
 void distance_row(const GlyphField& field,
                   const Brush& brush,
                   FinePoint origin,

@@ -56,13 +56,11 @@ void paint_splats(const GlyphField& field,
                   const Brush& brush,
                   const void* options,
                   const FinePoint& origin,
-                  const RowMap* rows,
                   const Sink& sink);
 }  // namespace detail
 
-/// Glyphs of fields and those that are fitted to the grid take one sample a
-/// pixel; glyphs of outlines are drawn as without it. The options must outlive
-/// the brush.
+/// Glyphs of fields take one sample a pixel; glyphs of outlines are drawn as
+/// without it. The options must outlive the brush.
 constexpr Painter splat_painter(const Splats& splats) noexcept {
   return {detail::paint_splats, nullptr, &splats, 2};
 }

@@ -1,8 +1,10 @@
 // Lines of text: UTF-8 to positioned glyphs, and those to pixels.
 //
 // Layout knows no size: positions are in font units, unrounded, so that one
-// layout serves every size, strip and frame. One line at a time, left to right;
-// line breaks are the caller's.
+// layout serves every size, strip and frame. Only text that is fitted across
+// (FitOptions::across) has advances that depend on the size: lay it out and
+// measure it with its brush. One line at a time, left to right; line breaks are
+// the caller's.
 #pragma once
 
 #include <stddef.h>
@@ -51,10 +53,15 @@ struct PositionedGlyph {
 ///   while (cursor.next(glyph)) { ... }
 ///   // cursor.advance() is the width of the line
 ///
-/// `font` and the text must outlive it.
+/// `font`, the text and the brush must outlive it.
 class TextCursor {
  public:
   TextCursor(const Font& font, Text text) noexcept : font_(font), text_(text) {}
+
+  /// With the advances that glyphs have when the brush draws them. If those are
+  /// whole pixels, so is the kerning, rounded towards 0; positions are whole
+  /// pixels in font units, to the nearest.
+  TextCursor(const Font& font, Text text, const Brush& brush) noexcept;
 
   /// The next glyph, kerned against the one before; false at the end. A code
   /// point that the font lacks gives .notdef.
@@ -65,9 +72,13 @@ class TextCursor {
   int32_t advance() const noexcept { return advance_; }
 
  private:
+  void add_px(int32_t px) noexcept;
+
   const Font& font_;
   Text text_;
+  const Brush* brush_ = nullptr;  // null: advances are the font's
   int32_t advance_ = 0;
+  int32_t advance_px_ = 0;
   int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
 };
 
@@ -77,6 +88,13 @@ class TextCursor {
 /// buffer_small: `out` was too short; `glyphs` is untouched.
 Status layout(const Font& font,
               Text text,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept;
+
+/// The same with the advances of a brush.
+Status layout(const Font& font,
+              Text text,
+              const Brush& brush,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept;
 
@@ -90,6 +108,10 @@ struct TextMeasure {
 };
 
 TextMeasure measure(const Font& font, Text text) noexcept;
+
+/// The same with the advances of a brush. The ink is that of glyphs as they are
+/// designed: fitting moves it by a pixel or so.
+TextMeasure measure(const Font& font, Text text, const Brush& brush) noexcept;
 
 /// A length in font units at a brush's size, rounded to the nearest 1/64 px and
 /// clamped to the range of Q26_6.
@@ -111,7 +133,7 @@ void draw(const Font& font,
           const Sink& sink,
           Workspace workspace = {}) noexcept;
 
-/// Lays out and draws one line. For a screen drawn in many strips, `layout`
+/// Lays out and draws one line, with the advances of the brush. For a screen drawn in many strips, `layout`
 /// once and `draw` for each is faster.
 void draw_text(const Font& font,
                Text text,

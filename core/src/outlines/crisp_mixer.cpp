@@ -36,8 +36,9 @@ void plan_crisp(const Brush& brush, OutlinePlan& plan) noexcept {
   plan.outside_q8 = greater(plan.outside_q8, kLeastReach);
   plan.inside_q8 = greater(plan.inside_q8, kLeastReach);
   plan.shown_q8 = greater(plan.shown_q8, kMostReach);
-  plan.margin_x = 1;
-  plan.margin_y = 1;
+  // The pixels that decide about one.
+  plan.margin_x = 2;
+  plan.margin_y = 2;
 }
 
 // From toggles to what is inside, four pixels at a time.
@@ -58,10 +59,18 @@ void resolve(const Band& band) noexcept {
   }
 }
 
+// Lines of pixels through a band: a row's, or a column's.
+struct Line {
+  int32_t step;      // to the next pixel [bytes]
+  int32_t across;    // to the line below or to the right
+  uint32_t crossed;  // the bit of an edge between a pixel and the one before
+};
+
 class CrispRow {
  public:
   CrispRow(const PaintedBand& painted) noexcept
-      : band_(painted.band),
+      : row_{1, painted.band.stride, kCrossedLeft},
+        column_{painted.band.stride, 1, kCrossedAbove},
         filter_(painted.brush->filter()),
         step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
         threshold_q10_(threshold_of(style_of(*painted.brush))),
@@ -88,29 +97,82 @@ class CrispRow {
         static_cast<int32_t>((251 - (byte & kNearnessMask)) * step_q8_ >> 8);
     return (byte & kInsideBit) != 0 ? distance : -distance;
   }
-
-  // Whether a pixel that is not drawn must stand for a stroke that passes
-  // between it and a neighbour.
-  bool is_bridge(const uint8_t* at) const noexcept {
-    return (*at & kInsideBit) == 0 &&
-           (((*at & kCrossedLeft) != 0 && is_nearer(*at, at[-1], false)) ||
-            ((at[1] & kCrossedLeft) != 0 && is_nearer(*at, at[1], true)) ||
-            ((*at & kCrossedAbove) != 0 &&
-             is_nearer(*at, at[-band_.stride], false)) ||
-            ((at[band_.stride] & kCrossedAbove) != 0 &&
-             is_nearer(*at, at[band_.stride], true)));
+  bool is_drawn(uint32_t byte) const noexcept {
+    return (byte & kNearnessMask) == 0 ? (byte & kInsideBit) != 0
+                                       : distance_q10(byte) >= threshold_q10_;
   }
 
-  // Whether the other pixel is not drawn and lies outside, and this one is
-  // nearer. Of two that are equally near the first one is drawn.
-  bool is_nearer(uint32_t byte, uint32_t other, bool is_first) const noexcept {
+  // Whether a pixel that is not drawn must stand for a stroke. Rows come first:
+  // what they draw keeps columns from drawing beside it.
+  bool is_bridge(const uint8_t* at) const noexcept {
+    return stands_for_stroke(row_, at) ||
+           (stands_for_stroke(column_, at) &&
+            !stands_for_stroke(row_, at - column_.step) &&
+            !stands_for_stroke(row_, at + column_.step));
+  }
+
+  // Whether a pixel is in the middle of a stroke across a line that draws none
+  // of its pixels.
+  bool stands_for_stroke(const Line& line, const uint8_t* at) const noexcept {
+    const uint8_t* const before = at - line.step;
+    const uint8_t* const behind = at + line.step;
+    if (is_drawn(*at)) {
+      return false;
+    }
+    if ((*at & kInsideBit) != 0) {
+      return is_deepest(at, -line.step, false) &&
+             is_deepest(at, line.step, true) &&
+             has_ink_around(line, at - line.across) &&
+             has_ink_around(line, at + line.across);
+    }
+    if (is_drawn(*before) || is_drawn(*behind)) {
+      return false;
+    }
+    return ((*at & line.crossed) != 0 && is_nearer(*at, *before, false) &&
+            goes_on(line, at)) ||
+           ((*behind & line.crossed) != 0 && is_nearer(*at, *behind, true) &&
+            goes_on(line, behind));
+  }
+
+  // Whether the next pixel of a line lies outside, or inside as the last one,
+  // not drawn and less deep. Strokes over more pixels are narrow across the
+  // other lines.
+  bool is_deepest(const uint8_t* at,
+                  int32_t step,
+                  bool is_first) const noexcept {
+    const uint32_t next = at[step];
+    const uint32_t own = *at & kNearnessMask;
+    return (next & kInsideBit) == 0 ||
+           (!is_drawn(next) && (at[2 * step] & kInsideBit) == 0 &&
+            (own < (next & kNearnessMask) ||
+             (own == (next & kNearnessMask) && is_first)));
+  }
+  static bool has_ink_around(const Line& line, const uint8_t* at) noexcept {
+    return ((at[-line.step] | *at | at[line.step]) &
+            (kInsideBit | line.crossed)) != 0;
+  }
+
+  // Whether a stroke between `at` and the pixel before goes on in both lines
+  // beside: ends of strokes are no strokes.
+  bool goes_on(const Line& line, const uint8_t* at) const noexcept {
+    return has_ink(line, at - line.across) && has_ink(line, at + line.across);
+  }
+  static bool has_ink(const Line& line, const uint8_t* at) noexcept {
+    return (((at[-line.step] | *at) & (kInsideBit | line.crossed)) |
+            (at[line.step] & line.crossed)) != 0;
+  }
+
+  // Whether the other pixel lies outside and this one is nearer. Of two that
+  // are equally near the first one is drawn.
+  static bool is_nearer(uint32_t byte, uint32_t other, bool is_first) noexcept {
     const uint32_t nearness = byte & kNearnessMask;
     const uint32_t others = other & kNearnessMask;
-    return (other & kInsideBit) == 0 && distance_q10(other) < threshold_q10_ &&
+    return (other & kInsideBit) == 0 &&
            (nearness > others || (nearness == others && is_first));
   }
 
-  const Band& band_;
+  Line row_;
+  Line column_;
   const Filter& filter_;
   uint32_t step_q8_;  // a 254th of the reach [px, Q18]
   int32_t threshold_q10_;

@@ -24,8 +24,9 @@ constexpr int32_t kGuardBytes = 4;
 // Bands that are cut in columns have at least so many rows.
 constexpr int32_t kLeastRows = 4;
 
-// All painters and mixers have such a row of a pixel or more in that. [bytes]
-constexpr int32_t kLeastBand = 128;
+// What such a band of one column takes of bytes: of the widest margin, 4 + 6
+// rows and 16 columns.
+constexpr int32_t kLeastBand = kGuardBytes + 10 * 16;
 
 // `bytes` is a multiple of 4.
 void clear(uint8_t* at, int32_t bytes) noexcept {
@@ -134,7 +135,7 @@ bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
 struct __attribute__((may_alias)) Prepared {
   PaintedBand at;  // the band at hand
   OutlinePlan plan;
-  const PointWarp* warp;  // null if the glyph is not fitted
+  const GlyphWarp* warp;  // null if the glyph is not fitted
   ScreenPoint* points;    // room for all of them, or for some
   ScreenPoint* points_end;
   int32_t band_bytes;  // behind the points
@@ -145,7 +146,7 @@ struct __attribute__((may_alias)) Prepared {
 
 // The least RAM that a glyph is drawn in, and what it takes of the stack where
 // no RAM is lent. [bytes]
-constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(PointWarp) +
+constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(GlyphWarp) +
                                kPortion * sizeof(ScreenPoint) + kLeastBand;
 
 // A glyph to draw, and where.
@@ -162,7 +163,7 @@ struct Job {
 // How glyphs are moved to the grid of pixels.
 struct OutlineFitter {
   bool (*open)(Prepared& prepared, const Job& job) noexcept;
-  void (*apply)(const PointWarp& warp,
+  void (*apply)(const Prepared& prepared,
                 ScreenPoint* points,
                 const ScreenPoint* end) noexcept;
 };
@@ -174,7 +175,7 @@ ScreenPoint* read_points(Prepared& prepared,
                          int32_t room) noexcept {
   ScreenPoint* const end = prepared.glyph.read(points, room);
   if (prepared.warp != nullptr) {
-    prepared.at.brush->outline_fitter().apply(*prepared.warp, points, end);
+    prepared.at.brush->outline_fitter().apply(prepared, points, end);
   }
   return end;
 }
@@ -186,18 +187,19 @@ bool prepare(Prepared& prepared, int32_t size) noexcept {
   auto* points = reinterpret_cast<ScreenPoint*>(&prepared + 1);
   size -= int32_t{sizeof(Prepared)};
   if (prepared.warp != nullptr) {
-    static_assert(sizeof(PointWarp) % sizeof(uint32_t) == 0, "aligned");
+    static_assert(sizeof(GlyphWarp) % sizeof(uint32_t) == 0, "aligned");
     points = reinterpret_cast<ScreenPoint*>(reinterpret_cast<uint8_t*>(points) +
-                                            sizeof(PointWarp));
-    size -= int32_t{sizeof(PointWarp)};
+                                            sizeof(GlyphWarp));
+    size -= int32_t{sizeof(GlyphWarp)};
   }
   // Half of it for points at most.
+  const int32_t room =
+      lesser(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
   glyph.rewind();
-  ScreenPoint* end =
-      read_points(prepared, points, size / 2 / int32_t{sizeof(ScreenPoint)});
+  ScreenPoint* end = read_points(prepared, points, room);
   prepared.has_all = glyph.is_done();
   if (!prepared.has_all) {
-    end = points + kPortion;
+    end = points + lesser(kPortion, room);
   }
   prepared.points = points;
   prepared.points_end = end;
@@ -313,41 +315,33 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
   }
 }
 
-// `more_q8`: how far fitting may move what shows.
 bool open_at(Prepared& prepared,
              const Job& job,
-             const Placed& placed,
-             int32_t more_q8) noexcept {
+             const Placed& placed) noexcept {
   const OutlinePlan& plan = prepared.plan;
-  return prepared.glyph.open(job.font, job.glyph, job.record, job.brush, placed,
-                             {plan.painter->origin_q8, plan.shown_q8 + more_q8,
-                              plan.columns, plan.rows});
+  return prepared.glyph.open(
+      job.font, job.glyph, job.record, job.brush, placed,
+      {plan.painter->origin_q8, plan.shown_q8, plan.columns, plan.rows},
+      prepared.warp);
 }
 
-// The map lies behind the glyph.
+// The maps lie behind the glyph.
 bool open_fitted(Prepared& prepared, const Job& job) noexcept {
-  RowMap rows;
+  auto* const warp = reinterpret_cast<GlyphWarp*>(&prepared + 1);
   FinePoint origin = job.placed.origin();
-  job.brush.fitter()(job.glyph, job.brush, job.brush.fitter_options(), origin,
-                     rows);
-  Placed placed;
-  // No point moves by more than a pixel.
-  if (!placed.set(origin) || !open_at(prepared, job, placed, 256)) {
-    return false;
-  }
-  if (rows.count != 0) {
-    auto* const warp = reinterpret_cast<PointWarp*>(&prepared + 1);
-    warp->x.clear();
-    warp->y.set(rows, prepared.glyph.baseline_q8(), prepared.plan.rows);
+  job.brush.fitter()->fit(job.font, job.glyph, job.brush.fitter_options(),
+                          origin, *warp);
+  if ((warp->x.count | warp->y.count) != 0) {
     prepared.warp = warp;
   }
-  return true;
+  Placed placed;
+  return placed.set(origin) && open_at(prepared, job, placed);
 }
 
-void apply_warp(const PointWarp& warp,
+void apply_warp(const Prepared& prepared,
                 ScreenPoint* points,
                 const ScreenPoint* end) noexcept {
-  warp.apply(points, end);
+  warp_points(*prepared.warp, prepared.glyph, prepared.plan, points, end);
 }
 
 // False if there is nothing to draw in the window.
@@ -360,7 +354,7 @@ bool open(Prepared& prepared, const Job& job) noexcept {
   if (job.brush.is_fitted()) {
     return job.brush.outline_fitter().open(prepared, job);
   }
-  return open_at(prepared, job, job.placed, 0);
+  return open_at(prepared, job, job.placed);
 }
 
 void draw_in(Prepared& prepared,

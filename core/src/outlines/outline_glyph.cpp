@@ -59,6 +59,11 @@ int32_t place_from(int32_t at_q10, int32_t px) noexcept {
       (static_cast<uint32_t>(at_q10) - (static_cast<uint32_t>(px) << 10)) << 8);
 }
 
+// Where a map takes a place; `sign` is -1 where places count down. [px, Q18]
+int32_t warped(const AxisMap& map, int32_t at, int32_t sign) noexcept {
+  return product(map.map(product(at >> 10, sign)), sign * (1 << 10));
+}
+
 }  // namespace
 
 bool map_slanted(const Brush& brush, OutlineMap& map) {
@@ -80,16 +85,15 @@ int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
 }
 
 // Along the screen's x or y: the pixels whose centres lie within the reach of
-// the glyph's box. `per_x`, `per_y`: where grid units lead. [px, Q18]
+// the glyph's box, moved by `map` if that is not null. `per_x`, `per_y`: where
+// grid units lead. [px, Q18]
 OutlineGlyph::Axis OutlineGlyph::axis_of(const GlyphMetrics& metrics,
                                          int32_t per_x,
                                          int32_t per_y,
                                          int32_t at_q10,
-                                         int32_t reach_q8) const noexcept {
-  // Of the place the whole px apart: it may be far away.
-  int32_t low =
-      sum(sum(scaled(metrics.x_min, per_x), scaled(metrics.y_min, per_y)),
-          (at_q10 & 1023) * 256 - kPxQ18 / 2);
+                                         int32_t reach_q8,
+                                         const AxisMap* map) const noexcept {
+  int32_t low = sum(scaled(metrics.x_min, per_x), scaled(metrics.y_min, per_y));
   int32_t high = low;
   const int32_t sides[] = {scaled(metrics.x_max - metrics.x_min, per_x),
                            scaled(metrics.y_max - metrics.y_min, per_y)};
@@ -97,9 +101,17 @@ OutlineGlyph::Axis OutlineGlyph::axis_of(const GlyphMetrics& metrics,
     int32_t& end = side < 0 ? low : high;
     end = sum(end, side);
   }
-  const int32_t reach = reach_q8 * 1024;
-  return {(at_q10 >> 10) + (sum(low, kPxQ18 - 1 - reach) >> 18),
-          (at_q10 >> 10) + (sum(high, reach) >> 18) + 1};
+  int32_t reach = reach_q8 * 1024;
+  if (map != nullptr && map->count != 0) {
+    const int32_t sign = per_y < 0 ? -1 : 1;  // upright
+    low = warped(*map, low, sign);
+    high = warped(*map, high, sign);
+    reach += 1 << 11;  // roundings
+  }
+  // Of the place the whole px apart: it may be far away.
+  const int32_t part = (at_q10 & 1023) * 256 - kPxQ18 / 2;
+  return {(at_q10 >> 10) + (sum(sum(low, part), kPxQ18 - 1 - reach) >> 18),
+          (at_q10 >> 10) + (sum(sum(high, part), reach) >> 18) + 1};
 }
 
 bool OutlineGlyph::open(const Font& font,
@@ -108,7 +120,8 @@ bool OutlineGlyph::open(const Font& font,
                         Q26_6 size,
                         const Brush* slanted,
                         const Placed& placed,
-                        const OutlineSampling& sampling) noexcept {
+                        const OutlineSampling& sampling,
+                        const GlyphWarp* warp) noexcept {
   GlyphMetrics metrics;
   if (font.glyph_metrics(glyph, metrics) != Status::ok) {
     return false;
@@ -126,10 +139,12 @@ bool OutlineGlyph::open(const Font& font,
   map_ = {scale, 0, 0, -scale};
   is_mirrored_ =
       slanted != nullptr && slanted->outline_mapper()(*slanted, map_);
-  const Axis x = axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
-                         sampling.reach_q8);
-  const Axis y = axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
-                         sampling.reach_q8);
+  const Axis x =
+      axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
+              sampling.reach_q8, warp == nullptr ? nullptr : &warp->x);
+  const Axis y =
+      axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
+              sampling.reach_q8, warp == nullptr ? nullptr : &warp->y);
   box_ = {x.low_px, y.low_px, x.high_px, y.high_px};
   // Half of a 256th, so that points are rounded to the nearest.
   const int32_t origin = 512 - sampling.origin_q8 * 1024;

@@ -6,6 +6,7 @@
 #include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format.hpp"
+#include "inkcell/glyph_warp.hpp"
 #include "inkcell/strip.hpp"
 #include "outlines/component.hpp"
 #include "outlines/outline_reader.hpp"
@@ -36,23 +37,26 @@ inline bool is_outline(Span<const uint8_t> record) noexcept {
 class __attribute__((may_alias)) OutlineGlyph {
  public:
   // `record` is the glyph's; is_outline(record). `slanted` is null for
-  // upright glyphs. False: the font is not one of outlines.
+  // upright glyphs; `warp` moves points, and may be null. False: the font is
+  // not one of outlines.
   bool open(const Font& font,
             uint16_t glyph,
             Span<const uint8_t> record,
             Q26_6 size,
             const Brush* slanted,
             const Placed& placed,
-            const OutlineSampling& sampling) noexcept;
+            const OutlineSampling& sampling,
+            const GlyphWarp* warp) noexcept;
 
   bool open(const Font& font,
             uint16_t glyph,
             Span<const uint8_t> record,
             const Brush& brush,
             const Placed& placed,
-            const OutlineSampling& sampling) noexcept {
+            const OutlineSampling& sampling,
+            const GlyphWarp* warp) noexcept {
     return open(font, glyph, record, brush.size(),
-                brush.is_upright() ? nullptr : &brush, placed, sampling);
+                brush.is_upright() ? nullptr : &brush, placed, sampling, warp);
   }
 
   // The pixels that may show something.
@@ -62,8 +66,9 @@ class __attribute__((may_alias)) OutlineGlyph {
   int32_t x0() const noexcept { return x0_; }
   int32_t y0() const noexcept { return y0_; }
 
-  // The row of the baseline of upright glyphs, as points have it. [rows, Q8]
-  int32_t baseline_q8() const noexcept { return y_q18_ >> 10; }
+  // Where the glyph's origin is, as points have it. [samples, Q8]
+  int32_t origin_x_q8() const noexcept { return x_q18_ >> 10; }
+  int32_t origin_y_q8() const noexcept { return y_q18_ >> 10; }
 
   bool is_mirrored() const noexcept { return is_mirrored_; }
 
@@ -83,7 +88,8 @@ class __attribute__((may_alias)) OutlineGlyph {
                int32_t per_x,
                int32_t per_y,
                int32_t at_q10,
-               int32_t reach_q8) const noexcept;
+               int32_t reach_q8,
+               const AxisMap* map) const noexcept;
   // Its map is in place.
   void begin_part(int32_t x_min,
                   int32_t y_min,

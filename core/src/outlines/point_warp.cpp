@@ -2,52 +2,52 @@
 
 namespace inkcell {
 namespace detail {
+namespace {
 
-void AxisWarp::set(const RowMap& rows,
-                   int32_t baseline_q8,
-                   int32_t samples) noexcept {
-  count_ = rows.count;
-  for (int32_t i = 0; i < count_; ++i) {
-    // The highest knot has the least y.
-    const RowMap::Knot& from = rows.knots[count_ - 1 - i];
-    Knot& knot = knots_[i];
-    knot.from_q8 = baseline_q8 - (from.glyph_q10 * samples >> 2);
-    knot.to_q8 = baseline_q8 - (from.screen_q10 * samples >> 2);
-    knot.slope_q12 = 1 << 12;
-    if (i != 0) {
-      Knot& before = knots_[i - 1];
-      const int32_t length = knot.from_q8 - before.from_q8;
-      if (length > 0) {
-        before.slope_q12 = (knot.to_q8 - before.to_q8) * (1 << 12) / length;
-      }
+// A map for points that follow each other, from an origin in samples.
+class AxisWarp {
+ public:
+  AxisWarp(const AxisMap& map, int32_t origin_q8, int32_t samples) noexcept
+      : map_(map), origin_q8_(origin_q8), samples_(samples) {}
+
+  // `sign` is -1 where points count down.
+  int32_t to(int32_t at_q8, int32_t sign) noexcept {
+    if (map_.count == 0) {
+      return at_q8;
     }
+    // Points of hostile fonts lie anywhere: modulo 2^32.
+    const auto from = static_cast<int32_t>(
+        (static_cast<uint32_t>(at_q8) - static_cast<uint32_t>(origin_q8_)) *
+        static_cast<uint32_t>(sign));
+    int32_t px_q8 = from;
+    if (samples_ != 1) {
+      px_q8 = static_cast<int32_t>(int64_t{from} * 21846 >> 16);
+    }
+    return static_cast<int32_t>(
+        static_cast<uint32_t>(origin_q8_) +
+        static_cast<uint32_t>(map_.map(px_q8, knot_)) *
+            static_cast<uint32_t>(sign * samples_));
   }
-}
 
-int32_t AxisWarp::map(int32_t at_q8) const noexcept {
-  const Knot* knot = knots_ + count_ - 1;
-  while (knot != knots_ && knot->from_q8 > at_q8) {
-    --knot;
-  }
-  const int32_t beyond = at_q8 - knot->from_q8;
-  // Between two knots the product is at most 2^30: they lie within 1024 px, and
-  // their distances differ by 2 px.
-  return knot->to_q8 +
-         (beyond > 0 && knot->slope_q12 != 1 << 12
-              ? static_cast<int32_t>(int64_t{beyond} * knot->slope_q12 >> 12)
-              : beyond);
-}
+ private:
+  const AxisMap& map_;
+  int32_t origin_q8_;
+  int32_t samples_;  // a pixel, 1 or 3
+  int32_t knot_ = 0;
+};
 
-void PointWarp::apply(ScreenPoint* points,
-                      const ScreenPoint* end) const noexcept {
+}  // namespace
+
+void warp_points(const GlyphWarp& warp,
+                 const OutlineGlyph& glyph,
+                 const OutlinePlan& plan,
+                 ScreenPoint* points,
+                 const ScreenPoint* end) noexcept {
+  AxisWarp x(warp.x, glyph.origin_x_q8(), plan.columns);
+  AxisWarp y(warp.y, glyph.origin_y_q8(), plan.rows);
   for (; points != end; ++points) {
-    if (!x.is_identity()) {
-      points->x_q8 = x.map(points->x_q8);
-    }
-    if (!y.is_identity()) {
-      *points =
-          ScreenPoint::at(points->x_q8, y.map(points->y_q8()), points->kind());
-    }
+    *points = ScreenPoint::at(x.to(points->x_q8, 1), y.to(points->y_q8(), -1),
+                              points->kind());
   }
 }
 

@@ -169,7 +169,7 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
   OutlineGlyph outline;
   const detail::Placed origin = {0, 0, nullptr};
   if (!outline.open(font, glyph, record, Q26_6::from_int(1024), nullptr, origin,
-                    {0, 128})) {
+                    {0, 128}, nullptr)) {
     return Status::unsupported;
   }
   if (!grid_.set(outline.box(), limits_.band_u)) {

@@ -44,10 +44,10 @@ Status make_sink(ColourTarget& target, Sink& out) {
   return port::make_lcd_sink(target, out);
 }
 
-bool set_fit(Brush& brush, bool stems) {
+bool set_fit(Brush& brush, bool across) {
   FitOptions options;
-  options.stems = stems;
-  brush.set_fitter(fit_glyph, &fit);
+  options.across = across;
+  brush.set_fitter(&kGridFit, &fit);
   return Fit::make(bench::font, brush, options, fit) == Status::ok;
 }
 

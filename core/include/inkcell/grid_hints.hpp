@@ -1,0 +1,119 @@
+// What a font says about the strokes of its glyphs, for grid fitting.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+
+/// A height that edges of many glyphs share, such as the baseline.
+struct GridZone {
+  int32_t flat_u;       // of flat edges
+  int32_t overshoot_u;  // how much higher round edges lie
+  bool is_top;          // ink is below it
+};
+
+/// Something horizontal in a glyph.
+struct YHint {
+  enum Kind : uint8_t {
+    bar,    // a stroke
+    serif,  // a thin bar at the end of a stem
+    edge,   // in a zone, with nothing on its other side
+    end     // of a stroke between two bars, free
+  };
+  static constexpr uint8_t kNoZone = 255;
+
+  int16_t low_u;   // edges; the same of `edge` and `end`
+  int16_t high_u;
+  Kind kind;
+  uint8_t zone;      // of one edge; kNoZone
+  bool is_round;     // that edge passes the zone by its overshoot
+  bool is_top;       // that edge is the upper one; ends: the stroke is below
+  bool is_standard;  // as wide as most bars
+};
+
+/// Something vertical.
+struct XHint {
+  int16_t left_u;
+  int16_t right_u;
+  bool is_foot;      // the middle of a diagonal's end; else a stem
+  bool is_standard;  // as wide as most stems
+};
+
+/// The section GRID of a font, read in place: any bytes are safe, also those
+/// that change. Without the section it is empty.
+class GridHints {
+ public:
+  constexpr GridHints() noexcept = default;
+
+  /// corrupt: the tables do not fit the section; `out` is then untouched.
+  static Status open(const Font& font, GridHints& out) noexcept;
+
+  bool empty() const noexcept { return section_.size == 0; }
+  uint32_t zone_count() const noexcept { return zone_count_; }
+  /// `i` is below the count.
+  GridZone zone(uint32_t i) const noexcept;
+  /// That of the lower case; zone_count() or more: there is none.
+  uint32_t x_zone() const noexcept { return x_zone_; }
+  /// Widths of most stems and bars, 0 if there are none. [u]
+  int32_t stem_width_u() const noexcept { return stem_width_u_; }
+  int32_t bar_width_u() const noexcept { return bar_width_u_; }
+  /// Whether bars are much thinner than stems.
+  bool has_contrast() const noexcept { return has_contrast_; }
+  /// Whether glyphs have few bars, as old-style faces do: those gain less.
+  bool has_few_bars() const noexcept { return has_few_bars_; }
+
+  /// The record of a glyph; empty if it has none or there is no such glyph.
+  /// False if it leaves the section.
+  bool record(uint32_t glyph, Span<const uint8_t>& out) const noexcept;
+
+ private:
+  Span<const uint8_t> section_;
+  uint32_t records_ = 0;  // where they begin in the section
+  uint16_t glyph_count_ = 0;
+  uint8_t offset_bits_ = 0;
+  uint8_t zone_count_ = 0;
+  uint8_t x_zone_ = 0;
+  uint8_t stem_width_u_ = 0;
+  uint8_t bar_width_u_ = 0;
+  bool has_contrast_ = false;
+  bool has_few_bars_ = false;
+};
+
+/// The hints of one glyph, read one by one: all of y, then those of x.
+class GlyphHints {
+ public:
+  GlyphHints(const GridHints& hints, uint32_t glyph) noexcept;
+
+  bool empty() const noexcept { return record_.size == 0; }
+  bool is_symmetric() const noexcept { return is_symmetric_; }
+  /// How much narrower the ink is on either side without serifs. [u]
+  int32_t left_inset_u() const noexcept { return left_inset_u_; }
+  int32_t right_inset_u() const noexcept { return right_inset_u_; }
+  uint32_t y_count() const noexcept { return y_count_; }
+  uint32_t x_count() const noexcept { return x_count_; }
+
+  /// At most as often as the counts say.
+  YHint next_y() noexcept;
+  XHint next_x() noexcept;
+
+  /// Bits that were read.
+  uint32_t bits() const noexcept { return bit_; }
+
+ private:
+  uint32_t window() const noexcept;
+
+  const GridHints& hints_;
+  Span<const uint8_t> record_;
+  uint32_t bit_ = 0;  // the next one
+  uint8_t y_count_ = 0;
+  uint8_t x_count_ = 0;
+  uint8_t left_inset_u_ = 0;
+  uint8_t right_inset_u_ = 0;
+  bool is_symmetric_ = false;
+};
+
+}  // namespace inkcell
