@@ -38,7 +38,7 @@ int32_t round_px(int32_t value) noexcept {
 }
 
 // A stroke about as wide as most are is as wide as they are.
-int32_t common_width(int32_t width, int32_t most) noexcept {
+__attribute__((noinline)) int32_t common_width(int32_t width, int32_t most) noexcept {
   return magnitude(width - most) < greater(16, most * 77 >> 8) ? most : width;
 }
 
@@ -65,8 +65,8 @@ class HeightFit {
   enum State : uint8_t { kFree, kInZone, kFitted };
 
   struct Edge {
-    int16_t at_u;
-    int16_t to;
+    int32_t at_u;
+    int32_t to;
   };
   struct Item {
     Edge low;
@@ -77,8 +77,8 @@ class HeightFit {
 
     bool is_bar() const noexcept { return kind <= YHint::serif; }
     void set(int32_t to, int32_t width) noexcept {
-      low.to = static_cast<int16_t>(to);
-      high.to = static_cast<int16_t>(to + width);
+      low.to = to;
+      high.to = to + width;
     }
   };
   // The nearest bars around something.
@@ -277,10 +277,10 @@ class AcrossFit {
 
  private:
   struct Stem {
-    int16_t left_u;
-    int16_t right_u;
-    int16_t cell;   // whole pixels
-    int16_t width;  // in the middle of it
+    int32_t left_u;
+    int32_t right_u;
+    int32_t cell;   // whole pixels
+    int32_t width;  // in the middle of it
   };
 
   void read(GlyphHints& hints) noexcept;
@@ -317,12 +317,12 @@ void AcrossFit::read(GlyphHints& hints) noexcept {
     Stem& stem = stems_[count_++];
     stem.left_u = hint.left_u;
     stem.right_u = hint.right_u;
-    stem.cell = static_cast<int16_t>(cell);
-    stem.width = static_cast<int16_t>(
-        fit_.levels_ == 2 ? cell
-                          : lesser(greater(greater(width, kLeastStroke),
-                                           cell - kStemShoulder),
-                                   cell + kStemShoulder));
+    stem.cell = cell;
+    stem.width = fit_.levels_ == 2
+                     ? cell
+                     : lesser(greater(greater(width, kLeastStroke),
+                                      cell - kStemShoulder),
+                              cell + kStemShoulder);
   }
 }
 
@@ -508,14 +508,14 @@ Status Fit::make(const Font& font,
     fit.strength_q8_ = static_cast<uint16_t>(strength);
   }
   if (fit.strength_q8_ != 0) {
-    fit.size_q6_ = static_cast<int16_t>(size_q6);
+    fit.size_q6_ = size_q6;
     fit.levels_ = options.levels;
     fit.is_across_ = options.across && !fit.hints_.empty();
     fit.drops_serifs_ = options.levels == 2 && size_q6 < kSerifsFrom;
     fit.u_per_unit_q14_ = static_cast<int32_t>((uint32_t{1024} << 14) /
                                                font.units_per_em());
-    fit.stem_q6_ = static_cast<int16_t>(fit.px_q6(fit.hints_.stem_width_u()));
-    fit.bar_q6_ = static_cast<int16_t>(fit.px_q6(fit.hints_.bar_width_u()));
+    fit.stem_q6_ = fit.px_q6(fit.hints_.stem_width_u());
+    fit.bar_q6_ = fit.px_q6(fit.hints_.bar_width_u());
     fit.set_zones();
     if (fit.hints_.stem_width_u() != 0) {
       fit.set_weight();

@@ -114,8 +114,14 @@ GlyphHints::GlyphHints(const GridHints& hints, uint32_t glyph) noexcept
 uint32_t GlyphHints::window() const noexcept {
   const uint32_t first = bit_ / 8;
   uint32_t word = 0;
-  for (uint32_t i = first; i != first + 4; ++i) {
-    word = word << 8 | (i < record_.size ? record_[i] : 0u);
+  if (first + 4 <= record_.size) {
+    word = __builtin_bswap32(detail::load_any_u32(record_.data + first));
+  } else {
+    uint32_t shift = 32;
+    for (uint32_t i = first; i < record_.size; ++i) {
+      shift -= 8;
+      word |= uint32_t{record_[i]} << shift;
+    }
   }
   return word << bit_ % 8;
 }

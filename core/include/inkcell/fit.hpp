@@ -107,10 +107,10 @@ class Fit {
   Zone zones_[kMaxZones] = {};
   int32_t y_scale_q16_ = 0;  // Q6 px per u
   int32_t u_per_unit_q14_ = 0;
-  int16_t size_q6_ = 0;
+  int32_t size_q6_ = 0;
   uint16_t strength_q8_ = 0;  // 0: glyphs stay as they are
-  int16_t stem_q6_ = 0;       // how wide most stems and bars are [px]
-  int16_t bar_q6_ = 0;
+  int32_t stem_q6_ = 0;       // how wide most stems and bars are [px]
+  int32_t bar_q6_ = 0;
   int16_t crisp_weight_q10_ = 0;  // [px]
   uint8_t levels_ = 0;
   bool is_across_ = false;
