@@ -167,7 +167,7 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
                                                Span<uint8_t> buffer) noexcept {
   // A px is a u, and the box is up to 1 u wider than the ink.
   OutlineGlyph outline;
-  const detail::Placed origin = {0, 0, nullptr};
+  const detail::Placed origin = {0, 0};
   if (!outline.open(font, glyph, record, Q26_6::from_int(1024), nullptr, origin,
                     {0, 128}, nullptr)) {
     return Status::unsupported;
@@ -443,7 +443,6 @@ Status generate_field(const Font& font,
     }
     INKCELL_TRY(detail::read_record(builder.record(), field));
     field.ink = font.ink_box(glyph);
-    field.glyph = glyph;
   }
   out = field;
   return Status::ok;
