@@ -97,9 +97,10 @@ void add_look_options(CLI::App& app, LookOptions& options) {
                  "with --levels 2; area, exact, for --coding outline [text; "
                  "motion for jobs of kind anim]");
   add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
-            "Fit upright text to the pixel grid: none; vertical, heights; "
-            "both, stems too; auto, vertical but for turned text and jobs of "
-            "kind anim");
+            "Fit upright text of outlines to the pixel grid: none; vertical, "
+            "heights; both, stems and advances too; auto, both below 12 px "
+            "and with --levels 2 and 4, but in --jobs, and else vertical; "
+            "nothing of jobs of kind anim");
   add_words(
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
@@ -158,11 +159,6 @@ void check_hint(const LookOptions& options,
     throw std::runtime_error("--hint " + options.hint +
                              " fits upright text only, and " + angle +
                              " turns it; leave out one of the two");
-  }
-  if (is_asked && options.samples == "splats") {
-    throw std::runtime_error("--hint " + options.hint +
-                             " fits rows, which --samples splats does not "
-                             "draw; leave out one of the two");
   }
 }
 
@@ -265,7 +261,7 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
   if (options.samples == "one" ||
       (options.samples == "auto" &&
        (font.has_outlines() ||
-        (use == Use::still && brush_.size().raw >= kLeastForOne.raw)))) {
+        (use != Use::moving && brush_.size().raw >= kLeastForOne.raw)))) {
     return;
   }
   const bool is_paper = options.samples == "paper";
@@ -332,17 +328,29 @@ void Look::set_motion(const LookOptions& options) {
 }
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
-  if (options.hint == "none" ||
-      (options.hint == "auto" &&
-       (use == Use::moving || options.samples == "splats"))) {
+  const bool is_auto = options.hint == "auto";
+  if (options.hint == "none" || (is_auto && use == Use::moving)) {
     return;
   }
+  if (!font.has_outlines()) {
+    if (!is_auto) {
+      throw std::runtime_error(
+          "--hint " + options.hint +
+          " moves points of outlines, and this font has cells: make it by "
+          "inkcell-fontgen --coding outline");
+    }
+    return;
+  }
+  // At 12 px both read alike, and lines keep their length.
+  constexpr Q26_6 kAcrossBelow = Q26_6::from_int(12);
   FitOptions fit;
-  fit.across = options.hint == "both";
-  fit.levels =
-      static_cast<uint8_t>(options.levels == 256 ? 0 : options.levels);
+  fit.across =
+      options.hint == "both" ||
+      (is_auto && use == Use::text &&
+       (options.levels != 256 || brush_.size().raw < kAcrossBelow.raw));
+  fit.levels = static_cast<uint8_t>(options.levels == 256 ? 0 : options.levels);
   // Without hints, or with broken ones, glyphs stay as they are.
-  if (font.has_outlines() && Fit::make(font, brush_, fit, fit_) == Status::ok &&
+  if (Fit::make(font, brush_, fit, fit_) == Status::ok &&
       !fit_.hints().empty()) {
     brush_.set_fitter(&kGridFit, &fit_);
     if (options.levels == 2 && options.weight == 0) {

@@ -18,9 +18,9 @@
 
 namespace inkcell::tools {
 
-/// Whether a picture stands alone or is a frame of something that moves. Picks
-/// what the options leave open.
-enum class Use { still, moving };
+/// Picks what options leave open: text whose lines may change their length,
+/// still text with advances as designed, or a frame of something that moves.
+enum class Use { text, still, moving };
 
 /// What a person may ask for; empty: what suits the use.
 struct LookOptions {

@@ -191,7 +191,7 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
       load_font_file(arguments.font, conversion, arguments.text);
   const Font& font = rom.font();
   const Look look(arguments.look, font, arguments.px, arguments.angle,
-                  Use::still);
+                  Use::text);
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
   const Brush& brush = look.brush();

@@ -170,26 +170,43 @@ class Tools(unittest.TestCase):
                         - turned.pixels[(59 - x) * 60 + y]), 1)
 
     def test_hints_make_edges_sharp(self):
-        # At 12 px the capitals of this font are 8.75 px high, its bars 1 px.
-        box = ("--text", "TTTT", "--px", 12, "--width", 40, "--height", 20,
-               "--ox", 4, "--oy", 15)
-        plain = self.render(*box, "--hint", "none")
-        fitted = self.render(*box)
+        # At 12 px the capitals of this font are 8.75 px high, its bars 1 px:
+        # unfitted they lie across two rows.
+        def draw(*arguments):
+            return self.render("--text", "TTTT", "--px", 12, "--width", 40,
+                               "--height", 20, "--ox", 4, "--oy", 15,
+                               *arguments, font=self.fonts["outline"])
+
+        plain = draw("--hint", "none")
+        fitted = draw()
         self.assertEqual(fitted.row_ink(5), 0)
         self.assertGreater(fitted.row_ink(6), 1.2 * plain.row_ink(6))
         self.assertLess(fitted.row_ink(7), 0.7 * plain.row_ink(7))
-        self.assertEqual(self.render(*box, "--hint", "vertical").pixels,
-                         fitted.pixels)
-        both = self.render(*box, "--hint", "both")
+        self.assertEqual(draw("--hint", "vertical").pixels, fitted.pixels)
+        both = draw("--hint", "both")
         self.assertNotEqual(both.pixels, fitted.pixels)
         self.assertEqual(both.row_ink(5), 0)
         # What is turned is not fitted.
-        turned = self.render(*box, "--angle", 1)
+        turned = draw("--angle", 1)
         for hint in ("none", "auto"):
-            self.assertEqual(self.render(*box, "--angle", 1, "--hint",
-                                         hint).pixels, turned.pixels)
-        self.assertEqual(self.render(*box, "--angle", 360, "--hint",
-                                     "both").pixels, both.pixels)
+            self.assertEqual(draw("--angle", 1, "--hint", hint).pixels,
+                             turned.pixels)
+        self.assertEqual(draw("--angle", 360, "--hint", "both").pixels,
+                         both.pixels)
+
+    def test_hints_suit_the_size_and_the_display(self):
+        def draw(px, *arguments):
+            return self.render("--text", "Val", "--px", px, "--width", 60,
+                               "--height", 30, "--ox", 4, "--oy", 20,
+                               *arguments, font=self.fonts["outline"]).pixels
+
+        for px, levels, hint in ((11, 256, "both"), (12, 256, "vertical"),
+                                 (14, 2, "both"), (14, 4, "both")):
+            auto = draw(px, "--levels", levels)
+            self.assertEqual(auto, draw(px, "--levels", levels, "--hint",
+                                        hint))
+        self.assertNotEqual(draw(11, "--hint", "both"),
+                            draw(11, "--hint", "vertical"))
 
     def test_weight_and_outlines_come_from_the_same_font(self):
         box = ("--text", "Vol", "--px", 30, "--width", 70, "--height", 40,
@@ -350,9 +367,9 @@ class Tools(unittest.TestCase):
 
     def test_jobs_are_fitted_where_one_is_upright(self):
         drawn = self.path / "fitted.pgm"
-        jobs = [{"font": str(self.font), "text": "T", "size": 12, "w": 20,
-                 "h": 20, "ox": 4, "oy": 15, "angle": angle,
-                 "out": str(out)}
+        jobs = [{"font": str(self.fonts["outline"]), "text": "T",
+                 "size": 12, "w": 20, "h": 20, "ox": 4, "oy": 15,
+                 "angle": angle, "out": str(out)}
                 for angle, out in [(0, drawn), (30, self.path / "no.pgm")]]
         listed = self.path / "angles.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)))
@@ -410,9 +427,9 @@ class Tools(unittest.TestCase):
                    ("--font", self.font, *text, "--hint", hint, "--angle",
                     angle))
                   for hint in ("vertical", "both") for angle in (1, 90, -180)),
-                *((f"--hint {hint} fits rows, which --samples splats",
-                   ("--font", self.font, *text, "--hint", hint, "--samples",
-                    "splats")) for hint in ("vertical", "both")),
+                *((f"--hint {hint} moves points of outlines",
+                   ("--font", self.font, *text, "--hint", hint))
+                  for hint in ("vertical", "both")),
                 ("make it by inkcell-fontgen --coding samples", (
                     "--font", self.font, *text, "--samples", "splats")),
                 ("--outline-place is for --outline", (
