@@ -23,9 +23,14 @@ struct Line {
   int32_t y_q6;
 };
 
+constexpr FitOptions kHeights;
+constexpr FitOptions kAcross = {true};
+constexpr FitOptions kTwoLevels = {true, 2};
+
+// `options` may be null: not fitted.
 bool draw_line(const Line& line,
                const Brush& brush,
-               bool fitted,
+               const FitOptions* options,
                const Sink& sink) {
   Font font;
   Fit fit;
@@ -33,10 +38,8 @@ bool draw_line(const Line& line,
     return false;
   }
   Brush own = brush;
-  if (fitted) {
-    FitOptions options;
-    options.across = true;
-    if (Fit::make(font, brush, options, fit) != Status::ok) {
+  if (options != nullptr) {
+    if (Fit::make(font, brush, *options, fit) != Status::ok) {
       return false;
     }
     own.set_fitter(&kGridFit, &fit);
@@ -55,44 +58,44 @@ bool make_brush(const Line& line, const Filter& filter, Brush& brush) {
 __attribute__((noinline)) bool draw_painted(const Line& line,
                                             const Filter& filter,
                                             const Painter& painter,
-                                            bool fitted,
+                                            const FitOptions* fit,
                                             const Sink& sink) {
   Brush brush;
   if (!make_brush(line, filter, brush)) {
     return false;
   }
   brush.set_painter(painter);
-  return draw_line(line, brush, fitted, sink);
+  return draw_line(line, brush, fit, sink);
 }
 
 bool draw_plain(const Line& line,
                 const Filter& filter,
-                bool fitted,
+                const FitOptions* fit,
                 const Sink& sink) {
-  return draw_painted(line, filter, {}, fitted, sink);
+  return draw_painted(line, filter, {}, fit, sink);
 }
 
 bool draw_fitted(const Sink& sink) {
-  return draw_plain({FontId::dejavu_sans, "Inkcell 42", 12 * 64, 2 * 64 + 13,
-                     12 * 64 + 21},
-                    kFilterText, true, sink) &&
-         draw_plain({FontId::roboto, "Roboty", 17 * 64 + 32, 80 * 64 + 40,
-                     15 * 64 + 50},
-                    kFilterText, true, sink);
+  return draw_plain({FontId::dejavu_sans_outline, "Inkcell 42", 12 * 64,
+                     2 * 64 + 13, 12 * 64 + 21},
+                    kFilterText, &kHeights, sink) &&
+         draw_plain({FontId::roboto_outline, "Roboty", 17 * 64 + 32,
+                     80 * 64 + 40, 15 * 64 + 50},
+                    kFilterText, &kAcross, sink);
 }
 
 bool draw_adaptive(const Sink& sink) {
   const Adaptive even = make_adaptive(kFilterMotion, kCalmRadius);
   if (!draw_painted({FontId::dejavu_serif, "AVA Quav&", 10 * 64 + 11, 2 * 64,
                      28 * 64 + 17},
-                    kFilterMotion, adaptive_painter(even), false, sink)) {
+                    kFilterMotion, adaptive_painter(even), nullptr, sink)) {
     return false;
   }
   const Adaptive paper =
       make_adaptive(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_samples, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
-      kFilterPaperDisplay, adaptive_painter(paper), false, sink);
+      kFilterPaperDisplay, adaptive_painter(paper), nullptr, sink);
 }
 
 bool draw_splats(const Sink& sink) {
@@ -102,14 +105,14 @@ bool draw_splats(const Sink& sink) {
   return make_splats(sums, kSplatRadius, splats) == Status::ok &&
          draw_painted({FontId::dejavu_sans_samples, "Again", 13 * 64 + 7,
                        112 * 64 + 9, 169 * 64 + 30},
-                      kFilterText, splat_painter(splats), false, sink);
+                      kFilterText, splat_painter(splats), nullptr, sink);
 }
 
 bool draw_perceptual(const Sink& sink) {
   const Perception perception;
   return draw_painted(
       {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64},
-      kFilterText, perception_painter(perception), true, sink);
+      kFilterText, perception_painter(perception), nullptr, sink);
 }
 
 bool draw_blurred(const Sink& sink) {
@@ -117,20 +120,20 @@ bool draw_blurred(const Sink& sink) {
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
   return make_motion_blur(kFilterText, way, blur) == Status::ok &&
          draw_painted({FontId::roboto, "Root", 22 * 64, 95 * 64, 50 * 64},
-                      kFilterText, motion_blur_painter(blur), false, sink);
+                      kFilterText, motion_blur_painter(blur), nullptr, sink);
 }
 
 bool draw_outlined(const Sink& sink) {
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
   if (!draw_painted({FontId::dejavu_serif, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
-                    outline.outer, outline_painter(outline.inner), false,
+                    outline.outer, outline_painter(outline.inner), nullptr,
                     sink)) {
     return false;
   }
   const OutlineAndFill both = {&outline.inner, &sink};
   return draw_painted({FontId::dejavu_sans, "Inn", 28 * 64, 85 * 64, 80 * 64},
-                      outline.outer, outline_and_fill_painter(both), false,
+                      outline.outer, outline_and_fill_painter(both), nullptr,
                       sink);
 }
 
@@ -138,9 +141,9 @@ bool draw_weighted(const Sink& sink) {
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
   const Filter soft = shadow_filter(Q6_10::from_raw(1500));
   return draw_plain({FontId::roboto, "Roboty", 16 * 64, 2 * 64, 98 * 64}, bold,
-                    false, sink) &&
+                    nullptr, sink) &&
          draw_plain({FontId::dejavu_sans, "Ink", 26 * 64, 90 * 64, 104 * 64},
-                    soft, false, sink);
+                    soft, nullptr, sink);
 }
 
 bool draw_crisp(const Sink& sink) {
@@ -148,10 +151,10 @@ bool draw_crisp(const Sink& sink) {
   const CrispStyle four = {4, Q6_10()};
   return draw_painted(
              {FontId::dejavu_serif, "AV Qua", 11 * 64, 2 * 64 + 30, 118 * 64},
-             kFilterText, crisp_painter(two), false, sink) &&
+             kFilterText, crisp_painter(two), nullptr, sink) &&
          draw_painted(
              {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64},
-             kFilterText, crisp_painter(four), true, sink);
+             kFilterText, crisp_painter(four), nullptr, sink);
 }
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
@@ -161,13 +164,13 @@ bool draw_turned(const Sink& sink) {
   if (Brush::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
                   brush) != Status::ok ||
       !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, brush,
-                 false, sink)) {
+                 nullptr, sink)) {
     return false;
   }
   if (Brush::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
                   brush) != Status::ok ||
-      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, brush, false,
-                 sink)) {
+      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, brush,
+                 nullptr, sink)) {
     return false;
   }
   Direction direction;
@@ -180,7 +183,7 @@ bool draw_turned(const Sink& sink) {
   }
   brush.set_painter(adaptive_painter(even));
   return draw_line({FontId::dejavu_serif, "Quav AVA", 0, 3 * 64, 160 * 64},
-                   brush, false, sink);
+                   brush, nullptr, sink);
 }
 
 // By area, upright and turned.
@@ -196,35 +199,35 @@ bool draw_areas(const Sink& sink) {
   Brush brush;
   return Brush::make(Q26_6::from_raw(upright.size_q6), kFilterArea, brush) ==
              Status::ok &&
-         draw_line(upright, brush, false, sink) &&
+         draw_line(upright, brush, nullptr, sink) &&
          Brush::make(Q26_6::from_raw(turned.size_q6), kFilterArea, direction,
                      brush) == Status::ok &&
-         draw_line(turned, brush, false, sink) &&
+         draw_line(turned, brush, nullptr, sink) &&
          Brush::make(Q26_6::from_int(15), kFilterText, direction, brush) ==
              Status::ok &&
          draw_line({FontId::roboto_outline, "Roboty", 0, 50 * 64, 170 * 64},
-                   brush, false, sink);
+                   brush, nullptr, sink);
 }
 
 // By distance, as it comes, fitted, and of many contours.
 bool draw_distances(const Sink& sink) {
   return draw_plain({FontId::dejavu_sans_outline, "Inkcell 42 Inkcell 24",
                      8 * 64, 2 * 64, 9 * 64},
-                    kFilterText, false, sink) &&
+                    kFilterText, nullptr, sink) &&
          draw_plain({FontId::dejavu_serif_outline, "AVQua & Vau", 15 * 64,
                      2 * 64, 49 * 64},
-                    kFilterText, true, sink) &&
+                    kFilterText, &kHeights, sink) &&
          draw_plain({FontId::noto_sans_cjk_outline,
                      "\xe6\xb0\xb8\xe5\xad\x97\xe8\xbd\x9f", 30 * 64 + 1,
                      2 * 64, 78 * 64},
-                    kFilterPaperBody, false, sink);
+                    kFilterPaperBody, nullptr, sink);
 }
 
 bool draw_soft(const Sink& sink) {
   const Filter soft = shadow_filter(Q6_10::from_raw(1500));
   return draw_plain(
       {FontId::dejavu_sans_outline, "Ink", 24 * 64, 98 * 64, 76 * 64}, soft,
-      false, sink);
+      nullptr, sink);
 }
 
 bool draw_edges(const Sink& sink) {
@@ -232,14 +235,24 @@ bool draw_edges(const Sink& sink) {
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
   return draw_painted(
       {FontId::roboto_outline, "Roby", 28 * 64, 2 * 64, 106 * 64},
-      outline.outer, outline_painter(outline.inner), false, sink);
+      outline.outer, outline_painter(outline.inner), nullptr, sink);
 }
 
 bool draw_two_levels(const Sink& sink) {
   const CrispStyle two = {2, Q6_10::from_raw(-100)};
+  const CrispStyle four = {4, {}};
   return draw_painted(
-      {FontId::roboto_outline, "Robot", 11 * 64, 80 * 64, 100 * 64},
-      kFilterText, crisp_painter(two), false, sink);
+             {FontId::roboto_outline, "Robot", 11 * 64, 80 * 64, 100 * 64},
+             kFilterText, crisp_painter(two), nullptr, sink) &&
+         draw_painted({FontId::dejavu_serif_outline, "Quav", 11 * 64, 120 * 64,
+                       100 * 64},
+                      kFilterText, crisp_painter(two), &kTwoLevels, sink) &&
+         draw_painted({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 80 * 64,
+                       112 * 64},
+                      kFilterText, crisp_painter(four), &kAcross, sink) &&
+         draw_plain({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 118 * 64,
+                     112 * 64},
+                    kFilterText, &kAcross, sink);
 }
 
 using DrawStyle = bool (*)(const Sink& sink);
@@ -275,9 +288,9 @@ bool draw_sub_pixels(const Sink& sink) {
     const LcdStyle style = {order, static_cast<uint8_t>(y_q6 >> 5)};
     if (!draw_painted(
             {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
-            kFilterText, lcd_painter(style), order == SubPixels::rgb, sink) ||
+            kFilterText, lcd_painter(style), nullptr, sink) ||
         !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6},
-                      kFilterText, lcd_painter(style), false, sink)) {
+                      kFilterText, lcd_painter(style), nullptr, sink)) {
       return false;
     }
     y_q6 += 42 * 64 + 7;
