@@ -293,7 +293,8 @@ SampleTotal render(const RenderJob& job,
   const Look look(options, font, job.size, job.angle, job.use);
   Image image(job.w, job.h, look.channels());
   draw_lines(font, {lay_out(font, job.text, Kerning::none, look.brush())},
-             look.brush(), make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
+             look.brush(),
+             make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
   SampleTotal total;
   add_samples(image, look, total);
   if (inverted) {

@@ -9,6 +9,8 @@
 #include <stdint.h>
 
 #include "canvas.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/workspace.hpp"
@@ -42,6 +44,7 @@ class Scene {
   static constexpr int32_t kMaxCharacters = 48;  // of a line
   // Large digits are drawn faster with it; small displays have small RAM.
   static constexpr size_t kLentBytes = kHeight < 100 ? 0 : 2560;
+  static constexpr bool kIsMono = kFormat == port::PixelFormat::mono_pages;
 
   struct Line {
     PositionedGlyph glyphs[kMaxCharacters];
@@ -50,7 +53,15 @@ class Scene {
     int32_t width_q6 = 0;  // [px]
   };
 
+  // How glyphs of one size are drawn. The brush points into it.
+  struct Style {
+    Brush brush;
+    Fit fit;
+    CrispStyle crisp;
+  };
+
   static const char* body_text(int32_t line) noexcept;
+  Status make_style(int32_t size_q6, bool is_still, Style& style) noexcept;
   static Status lay_out(const Font& font,
                         const Brush& brush,
                         Text text,
@@ -58,8 +69,9 @@ class Scene {
   Status lay_out_body() noexcept;
 
   Font font_;
-  Brush clock_brush_;
-  Brush text_brush_;
+  Style clock_style_;
+  Style text_style_;
+  Style moving_style_;
   Line clock_;
   Line moving_;
   Line body_[kBodyLines == 0 ? 1 : kBodyLines];
