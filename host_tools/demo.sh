@@ -55,8 +55,9 @@ echo "Drawing on this machine"
   --body "$out/body.png" --turned "$out/turned.png" \
   --moved "$out/moved.png" --filters "$out/filters.png" \
   --effects "$out/effects.png" --lcd "$out/lcd.png" \
-  --levels "$out/levels.png" --maps "$out/maps.png"
-"$tools/inkcell-specimen" "$out/edges.bin" --fitting "$out/fitting.png" \
+  --levels "$out/levels.png" --maps "$out/maps.png" \
+  --fitting "$out/fitting.png"
+"$tools/inkcell-specimen" "$out/edges.bin" --contrast "$out/contrast.png" \
   --motion "$out/motion.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
 for coding in samples edges; do
@@ -125,7 +126,8 @@ describe digits.png "a clock"
 describe turned.png "a word in 24 directions"
 describe moved.png "a line moved by 1/8 px from row to row"
 describe filters.png "filters, weights, gamma"
-describe fitting.png "grid fitting, darker edges and thin strokes"
+describe fitting.png "grid fitting, in grey and in 1 bit"
+describe contrast.png "darker edges and thin strokes"
 describe effects.png "outlines, shadow, glow"
 describe lcd.png "sub-pixels"
 describe levels.png "1 and 2 bits"

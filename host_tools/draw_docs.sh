@@ -21,7 +21,9 @@ mkdir -p docs/img
   --compare-body docs/img/compare_body.png \
   --compare-display docs/img/compare_display.png --star docs/img/star.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --coding edges --fitting docs/img/fitting.png
+  --fitting docs/img/fitting.png
+"$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
+  --coding edges --contrast docs/img/contrast.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Italic.ttf" \
   --compare-body docs/img/compare_italic.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \

@@ -3,6 +3,7 @@
 #   . host_tools/setup.sh
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
 #   inkcell_setup tests    # these, and what the tests need on top
+#   inkcell_setup reading  # what reads and judges small text
 #
 # Installs what is missing as root or through sudo. Where neither is allowed it
 # prints the line that would, and ends the script that called it.
@@ -15,8 +16,12 @@ inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   qemu-system-arm qemu-system-misc
   libgtest-dev fonts-dejavu-core fonts-liberation fonts-roboto-unhinted"
 
+inkcell_packages_reading="python3 python3-freetype tesseract-ocr
+  tesseract-ocr-eng"
+
 inkcell_packages_tests="$inkcell_packages_demo git clang
-  libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk"
+  libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk
+  $inkcell_packages_reading"
 
 # The packages of "$@" that are not installed.
 inkcell_missing() {
@@ -30,7 +35,8 @@ inkcell_setup() {
   case $1 in
     demo) inkcell_missing=$(inkcell_missing $inkcell_packages_demo) ;;
     tests) inkcell_missing=$(inkcell_missing $inkcell_packages_tests) ;;
-    *) echo "inkcell_setup demo|tests" >&2; exit 2 ;;
+    reading) inkcell_missing=$(inkcell_missing $inkcell_packages_reading) ;;
+    *) echo "inkcell_setup demo|tests|reading" >&2; exit 2 ;;
   esac
   [ -n "$inkcell_missing" ] || return 0
   if [ "$(id -u)" = 0 ]; then

@@ -24,6 +24,7 @@ struct Arguments {
   std::string lcd;
   std::string effects;
   std::string fitting;
+  std::string contrast;
   std::string maps;
   std::string motion;
   std::string levels;
@@ -57,8 +58,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   picture("--lcd", arguments.lcd, "Sub-pixels");
   picture("--effects", arguments.effects,
           "Outlines, shadows, glows: with --band-px 2 --min-px 12");
-  picture("--fitting", arguments.fitting,
-          "Grid fitting, darker edges and thin strokes");
+  picture("--fitting", arguments.fitting, "Grid fitting, in grey and in 1 bit");
+  picture("--contrast", arguments.contrast,
+          "Darker edges and thin strokes; for --coding edges and samples");
   picture("--maps", arguments.maps, "Leaning, narrow, mirrored, turned");
   picture("--motion", arguments.motion, "Motion blur");
   picture("--levels", arguments.levels, "Displays of 1 and 2 bits");
@@ -114,6 +116,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
   write(arguments.lcd, [&] { return draw_lcd(font); });
   write(arguments.effects, [&] { return draw_effects(font); });
   write(arguments.fitting, [&] { return draw_fitting(font); });
+  write(arguments.contrast, [&] { return draw_contrast(font); });
   write(arguments.maps, [&] { return draw_maps(font); });
   write(arguments.motion, [&] { return draw_motion(font); });
   write(arguments.levels, [&] { return draw_levels(font); });

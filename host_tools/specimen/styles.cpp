@@ -207,41 +207,66 @@ Image draw_effects(const Font& font) {
 }
 
 Image draw_fitting(const Font& font) {
-  constexpr double kPx = 12;
-  const Sample sample = {font, "Hamburg anno 1958", kPx, 4.3, 13.4};
+  constexpr double kPx = 9;
+  if (!font.has_outlines()) {
+    throw std::runtime_error(
+        "--fitting moves points of outlines: make the font by "
+        "inkcell-fontgen --coding outline");
+  }
+  const Sample sample = {font, "Eggs, ham & 38 buns", kPx, 4.3, 13.4};
   Sheet sheet(font, {128, 18, 6, 3, 92});
+  // `options` may be null.
   const auto add = [&](const char* label, const FitOptions* options,
-                       const Perception* perception) {
+                       bool is_bilevel) {
     sheet.add(label, kWhite, [&](Image& image) {
       Brush brush = make_brush(kPx, 0, kFilterText);
       Fit fit;
+      CrispStyle crisp;
       if (options != nullptr) {
         if (Fit::make(font, brush, *options, fit) != Status::ok) {
           throw std::runtime_error("the font's hints are broken");
         }
         brush.set_fitter(&kGridFit, &fit);
+        crisp.threshold_px = fit.crisp_weight();
       }
-      if (perception != nullptr) {
-        brush.set_painter(perception_painter(*perception));
+      if (is_bilevel) {
+        brush.set_painter(crisp_painter(crisp));
+      }
+      sample.write(brush, kBlack, image);
+    });
+  };
+  FitOptions options;
+  add("as designed", nullptr, false);
+  add("heights fitted", &options, false);
+  options.across = true;
+  add("stems and advances, too", &options, false);
+  add("1 bit, as designed", nullptr, true);
+  options.levels = 2;
+  add("1 bit, fitted", &options, true);
+  return sheet.finish();
+}
+
+Image draw_contrast(const Font& font) {
+  constexpr double kPx = 12;
+  const Sample sample = {font, "Hamburg anno 1958", kPx, 4.3, 13.4};
+  Sheet sheet(font, {128, 18, 6, 3, 92});
+  const auto add = [&](const char* label, const Perception& perception) {
+    sheet.add(label, kWhite, [&](Image& image) {
+      Brush brush = make_brush(kPx, 0, kFilterText);
+      brush.set_painter(perception_painter(perception));
+      if (check_painter(font, brush) != Status::ok) {
+        throw std::runtime_error(
+            "--contrast needs distances at any point: make the font by "
+            "inkcell-fontgen --coding edges");
       }
       sample.write(brush, kBlack, image);
     });
   };
   const Perception all;
-  const Perception edges = {all.edge, 0};
-  const Perception thin = {0, all.thin};
-  const FitOptions heights;
-  FitOptions stems;
-  stems.across = true;
-  add("as designed", nullptr, nullptr);
-  add("fitted to rows", &heights, nullptr);
-  add("fitted to rows and columns", &stems, nullptr);
-  // Rules of contrast take the field at any point.
-  if (!font.has_outlines()) {
-    add("left and lower edges darker", nullptr, &edges);
-    add("thin strokes darker", nullptr, &thin);
-    add("fitted, with both rules", &stems, &all);
-  }
+  add("as designed", {0, 0});
+  add("left and lower edges darker", {all.edge, 0});
+  add("thin strokes darker", {0, all.thin});
+  add("both", all);
   return sheet.finish();
 }
 

@@ -17,10 +17,14 @@ Image draw_lcd(const Font& font);
 /// font's band is too narrow for them.
 Image draw_effects(const Font& font);
 
-/// Text fitted to the grid of pixels, and contrast from gradients, as in the
-/// paper's figures 10 to 12. Throws std::runtime_error if the font's hints are
-/// broken.
+/// Text fitted to the grid of pixels, in grey and in 1 bit, as the paper's
+/// figure 10. Throws std::runtime_error if the font has no outlines or its hints
+/// are broken.
 Image draw_fitting(const Font& font);
+
+/// Darker edges and thin strokes, from gradients, as in the paper's figures 11
+/// and 12. Throws std::runtime_error if the font has outlines.
+Image draw_contrast(const Font& font);
 
 /// Leaning, narrow, wide, mirrored and turned text.
 Image draw_maps(const Font& font);

@@ -959,19 +959,25 @@ class Tools(unittest.TestCase):
         self.assertEqual(len(set(pictures.values())), len(CODINGS))
 
     def test_specimen_draws_styles(self):
-        pictures = [self.path / f"{name}.png" for name in (
-            "filters", "lcd", "levels", "fitting", "maps", "motion", "star",
-            "compare-body", "compare-display")]
-        options = [x for out in pictures for x in (f"--{out.stem}", out)]
-        run("specimen", SANS, "--max-px", 16, *CODINGS["edges"], *options)
-        for out in pictures:
-            self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
-            out.unlink()
-        self.assertIn("the field at any point", run(
-            "specimen", self.fonts["outline"], "--motion", pictures[0], code=1))
-        still = [x for out in pictures if out.stem != "motion"
-                 for x in (f"--{out.stem}", out)]
-        run("specimen", SANS, "--max-px", 16, *still, "--effects",
+        of_all = ["filters", "lcd", "levels", "maps", "star", "compare-body",
+                  "compare-display"]
+        own = {"edges": ["contrast", "motion"], "outline": ["fitting"]}
+        for coding, others in own.items():
+            pictures = [self.path / f"{name}.png" for name in of_all + others]
+            options = [x for out in pictures for x in (f"--{out.stem}", out)]
+            run("specimen", SANS, "--max-px", 16, *CODINGS[coding], *options)
+            for out in pictures:
+                self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
+                out.unlink()
+        out = self.path / "no.png"
+        for coding, name, said in (
+                ("outline", "motion", "the field at any point"),
+                ("outline", "contrast", "distances at any point"),
+                ("edges", "fitting", "points of outlines")):
+            self.assertIn(said, run("specimen", self.fonts[coding],
+                                    f"--{name}", out, code=1))
+            self.assertFalse(out.exists())
+        run("specimen", SANS, "--max-px", 16, "--effects",
             self.path / "effects.png")
         out = self.path / "effects.png"
         self.assertIn("--band-px", run(
