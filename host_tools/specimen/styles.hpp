@@ -18,8 +18,8 @@ Image draw_lcd(const Font& font);
 Image draw_effects(const Font& font);
 
 /// Text fitted to the grid of pixels, in grey and in 1 bit, as the paper's
-/// figure 10. Throws std::runtime_error if the font has no outlines or its hints
-/// are broken.
+/// figure 10. Throws std::runtime_error if the font has no outlines or its
+/// hints are broken.
 Image draw_fitting(const Font& font);
 
 /// Darker edges and thin strokes, from gradients, as in the paper's figures 11

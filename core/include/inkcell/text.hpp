@@ -133,8 +133,8 @@ void draw(const Font& font,
           const Sink& sink,
           Workspace workspace = {}) noexcept;
 
-/// Lays out and draws one line, with the advances of the brush. For a screen drawn in many strips, `layout`
-/// once and `draw` for each is faster.
+/// Lays out and draws one line, with the advances of the brush. For a screen
+/// drawn in many strips, `layout` once and `draw` for each is faster.
 void draw_text(const Font& font,
                Text text,
                const Brush& brush,
