@@ -93,6 +93,10 @@ bool GridHints::record(uint32_t glyph,
   return true;
 }
 
+static_assert(GlyphHints::kMostY + 1 == 1u << grid::kHeightCountBits &&
+                  GlyphHints::kMostX + 1 == 1u << grid::kAcrossCountBits,
+              "as many as can be stored");
+
 GlyphHints::GlyphHints(const GridHints& hints, uint32_t glyph) noexcept
     : hints_(hints) {
   if (hints.empty() || !hints.record(glyph, record_) || empty()) {
@@ -110,20 +114,18 @@ GlyphHints::GlyphHints(const GridHints& hints, uint32_t glyph) noexcept
   bit_ = bits.used;
 }
 
-// 25 bits at least, from the highest on; 0 beyond the record.
+// 25 bits at least, from the highest on; 0 beyond the record. The last four
+// bytes are read where fewer are left: a header lies before all records.
 uint32_t GlyphHints::window() const noexcept {
+  static_assert(grid::kBytes >= 4, "bytes before the first record");
+  const auto size = static_cast<uint32_t>(record_.size);  // below 2^20
   const uint32_t first = bit_ / 8;
-  uint32_t word = 0;
-  if (first + 4 <= record_.size) {
-    word = __builtin_bswap32(detail::load_any_u32(record_.data + first));
-  } else {
-    uint32_t shift = 32;
-    for (uint32_t i = first; i < record_.size; ++i) {
-      shift -= 8;
-      word |= uint32_t{record_[i]} << shift;
-    }
+  if (first >= size) {
+    return 0;
   }
-  return word << bit_ % 8;
+  const uint32_t past = first + 4 > size ? first + 4 - size : 0;
+  return __builtin_bswap32(detail::load_any_u32(record_.data + first - past))
+         << (8 * past + bit_ % 8);
 }
 
 YHint GlyphHints::next_y() noexcept {
@@ -156,8 +158,8 @@ YHint GlyphHints::next_y() noexcept {
                          : 2 * static_cast<int32_t>(bits.take(grid::kWidthBits));
     (hint.is_top ? low_u : high_u) += hint.is_top ? -width_u : width_u;
   }
-  hint.low_u = static_cast<int16_t>(low_u);
-  hint.high_u = static_cast<int16_t>(high_u);
+  hint.low_u = low_u;
+  hint.high_u = high_u;
   bit_ += bits.used;
   return hint;
 }
@@ -174,8 +176,8 @@ XHint GlyphHints::next_x() noexcept {
                    ? hints_.stem_width_u()
                    : 2 * static_cast<int32_t>(bits.take(grid::kWidthBits));
   }
-  hint.left_u = static_cast<int16_t>(left_u);
-  hint.right_u = static_cast<int16_t>(right_u);
+  hint.left_u = left_u;
+  hint.right_u = right_u;
   bit_ += bits.used;
   return hint;
 }

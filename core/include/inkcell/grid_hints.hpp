@@ -26,8 +26,8 @@ struct YHint {
   };
   static constexpr uint8_t kNoZone = 255;
 
-  int16_t low_u;   // edges; the same of `edge` and `end`
-  int16_t high_u;
+  int32_t low_u;  // edges; the same of `edge` and `end`
+  int32_t high_u;
   Kind kind;
   uint8_t zone;      // of one edge; kNoZone
   bool is_round;     // that edge passes the zone by its overshoot
@@ -37,8 +37,8 @@ struct YHint {
 
 /// Something vertical.
 struct XHint {
-  int16_t left_u;
-  int16_t right_u;
+  int32_t left_u;
+  int32_t right_u;
   bool is_foot;      // the middle of a diagonal's end; else a stem
   bool is_standard;  // as wide as most stems
 };
@@ -86,6 +86,10 @@ class GridHints {
 /// The hints of one glyph, read one by one: all of y, then those of x.
 class GlyphHints {
  public:
+  /// There are at most as many.
+  static constexpr uint32_t kMostY = 15;
+  static constexpr uint32_t kMostX = 7;
+
   GlyphHints(const GridHints& hints, uint32_t glyph) noexcept;
 
   bool empty() const noexcept { return record_.size == 0; }
