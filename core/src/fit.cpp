@@ -31,22 +31,24 @@ constexpr int32_t kStemShoulder = 16;
 // Serifs are whole pixels from this size on, and are left out below.
 constexpr int32_t kSerifsFrom = 12 << 6;
 
-constexpr int32_t kMaxStems = 6;
-
 int32_t round_px(int32_t value) noexcept {
   return (value + kPx / 2) & ~(kPx - 1);
 }
 
 // A stroke about as wide as most are is as wide as they are.
-__attribute__((noinline)) int32_t common_width(int32_t width, int32_t most) noexcept {
+__attribute__((noinline)) int32_t common_width(int32_t width,
+                                               int32_t most) noexcept {
   return magnitude(width - most) < greater(16, most * 77 >> 8) ? most : width;
 }
 
-int32_t whole_width(int32_t width) noexcept {
+__attribute__((noinline)) int32_t whole_width(int32_t width) noexcept {
   return greater(kPx, round_px(width));
 }
 
 }  // namespace
+
+// The functions of these classes are `inline` for the linker: the compiler can
+// then drop those that it joins to their only caller.
 
 // Fits heights: bars in zones first, then those between them.
 class HeightFit {
@@ -54,14 +56,10 @@ class HeightFit {
   explicit HeightFit(const Fit& fit) noexcept : fit_(fit) {}
 
   void read(GlyphHints& hints) noexcept;
-  void fit_bars() noexcept;
-  void fit_ends() noexcept;
+  void fit_free() noexcept;
   void write(AxisMap& map) const noexcept;
 
  private:
-  // Two knots each, or one.
-  static constexpr int32_t kMost = AxisMap::kMaxKnots;
-
   enum State : uint8_t { kFree, kInZone, kFitted };
 
   struct Edge {
@@ -69,65 +67,73 @@ class HeightFit {
     int32_t to;
   };
   struct Item {
-    Edge low;
-    Edge high;
+    Edge edges[2];
     YHint::Kind kind;
     State state;
     bool is_top;
 
     bool is_bar() const noexcept { return kind <= YHint::serif; }
+    const Edge& low() const noexcept { return edges[0]; }
+    const Edge& high() const noexcept { return edges[1]; }
     void set(int32_t to, int32_t width) noexcept {
-      low.to = to;
-      high.to = to + width;
+      edges[0].to = to;
+      edges[1].to = to + width;
     }
   };
-  // The nearest bars around something.
+  // Between the nearest bars around something. Of a bar that there is not the
+  // place in the glyph is unset.
   struct Room {
-    const Item* below = nullptr;
-    const Item* above = nullptr;
+    Edge floor;
+    Edge ceiling;
+
+    int32_t height() const noexcept { return ceiling.to - floor.to; }
   };
+  // Where there is no bar: farther away than any is. No two bars are half as
+  // far from each other.
+  static constexpr int32_t kFar = 1 << 15;
 
   bool is_crisp() const noexcept { return fit_.levels_ == 2; }
-  int32_t width_of(const Item& item, bool is_standard) const noexcept;
+  int32_t width_of(const YHint& hint) const noexcept;
   int32_t height_between(int32_t at_u2) const noexcept;
   Room room_of(const Item& item) const noexcept;
   void fit_bar(Item& item) noexcept;
+  void fit_end(Item& item) noexcept;
 
   const Fit& fit_;
-  int32_t count_ = 0;
-  Item items_[kMost];
+  Item* end_ = items_;
+  Item items_[GlyphHints::kMostY];
 };
 
-int32_t HeightFit::width_of(const Item& item, bool is_standard) const noexcept {
-  const int32_t width =
-      fit_.height_q6(item.high.at_u) - fit_.height_q6(item.low.at_u);
-  if (item.kind == YHint::serif) {
-    return !is_crisp() ? width : fit_.drops_serifs_ ? 0 : kPx;
+inline int32_t HeightFit::width_of(const YHint& hint) const noexcept {
+  const bool is_serif = hint.kind == YHint::serif;
+  int32_t width = fit_.bar_q6_;
+  if (is_serif || !hint.is_standard) {
+    width = fit_.height_q6(hint.high_u) - fit_.height_q6(hint.low_u);
+    if (is_serif) {
+      return !is_crisp() ? width : fit_.drops_serifs_ ? 0 : kPx;
+    }
+    width = common_width(width, fit_.bar_q6_);
   }
-  const int32_t common =
-      is_standard ? fit_.bar_q6_ : common_width(width, fit_.bar_q6_);
-  return is_crisp() ? whole_width(common) : greater(common, kLeastStroke);
+  return is_crisp() ? whole_width(width) : greater(width, kLeastStroke);
 }
 
-void HeightFit::read(GlyphHints& hints) noexcept {
+inline void HeightFit::read(GlyphHints& hints) noexcept {
   for (uint32_t i = hints.y_count(); i != 0; --i) {
     const YHint hint = hints.next_y();
-    if (count_ == kMost) {
-      continue;  // all must be read, as those of x follow
-    }
-    Item& item = items_[count_++];
-    item.low.at_u = hint.low_u;
-    item.high.at_u = hint.high_u;
+    Item& item = *end_++;
+    item.edges[0].at_u = hint.low_u;
+    item.edges[1].at_u = hint.high_u;
     item.kind = hint.kind;
     item.is_top = hint.is_top;
     item.state = kFree;
-    const int32_t width =
-        item.is_bar() ? width_of(item, hint.is_standard) : 0;
+    const int32_t width = item.is_bar() ? width_of(hint) : 0;
     int32_t to = 0;
     if (hint.zone < fit_.hints_.zone_count()) {
       const Fit::Zone& zone = fit_.zones_[hint.zone];
       to = hint.is_round ? zone.round_q6 : zone.flat_q6;
-      to -= item.is_bar() && item.is_top ? width : 0;
+      if (hint.is_top) {
+        to -= width;
+      }
       item.state = kInZone;
     }
     // Of a free bar the width alone counts as yet.
@@ -136,49 +142,47 @@ void HeightFit::read(GlyphHints& hints) noexcept {
 }
 
 // Where a height goes by what lies in zones. [2 u]
-int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
+inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
   const Edge* below = nullptr;
   const Edge* above = nullptr;
-  const Item* const end = items_ + count_;
-  for (const Item* item = items_; item != end; ++item) {
+  for (const Item* item = items_; item != end_; ++item) {
     if (item->state != kInZone) {
       continue;
     }
-    for (const Edge* edge = &item->low; edge <= &item->high; ++edge) {
-      if (2 * edge->at_u <= at_u2) {
-        below = below == nullptr || edge->at_u >= below->at_u ? edge : below;
+    for (const Edge& edge : item->edges) {
+      if (2 * edge.at_u <= at_u2) {
+        below = below == nullptr || edge.at_u >= below->at_u ? &edge : below;
       } else {
-        above = above == nullptr || edge->at_u < above->at_u ? edge : above;
+        above = above == nullptr || edge.at_u < above->at_u ? &edge : above;
       }
     }
   }
   const Edge* const near = below != nullptr ? below : above;
+  if (below != nullptr && above != nullptr) {
+    return below->to + (above->to - below->to) * (at_u2 - 2 * below->at_u) /
+                           (2 * (above->at_u - below->at_u));
+  }
   const int32_t height = (at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17;
-  if (near == nullptr) {
-    return height;
-  }
-  if (below == nullptr || above == nullptr) {
-    return height + near->to - fit_.height_q6(near->at_u);
-  }
-  return below->to + (above->to - below->to) * (at_u2 - 2 * below->at_u) /
-                         (2 * (above->at_u - below->at_u));
+  return near == nullptr ? height
+                         : height + near->to - fit_.height_q6(near->at_u);
 }
 
 // Bars that are not fitted yet leave no limits.
-HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
+inline HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
   Room room;
-  const Item* const end = items_ + count_;
-  for (const Item* other = items_; other != end; ++other) {
+  room.floor.to = -kFar;
+  room.ceiling.to = kFar;
+  for (const Item* other = items_; other != end_; ++other) {
     if (!other->is_bar() || other->state == kFree) {
       continue;
     }
-    if (other->high.at_u <= item.low.at_u) {
-      if (room.below == nullptr || other->high.to > room.below->high.to) {
-        room.below = other;
+    if (other->high().at_u <= item.low().at_u) {
+      if (other->high().to > room.floor.to) {
+        room.floor = other->high();
       }
-    } else if (other->low.at_u >= item.high.at_u) {
-      if (room.above == nullptr || other->low.to < room.above->low.to) {
-        room.above = other;
+    } else if (other->low().at_u >= item.high().at_u) {
+      if (other->low().to < room.ceiling.to) {
+        room.ceiling = other->low();
       }
     }
   }
@@ -187,17 +191,16 @@ HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
 
 // A bar that lies in no zone: in the rows that are nearest and leave a free one
 // on both sides, as far as there is room.
-void HeightFit::fit_bar(Item& item) noexcept {
+inline void HeightFit::fit_bar(Item& item) noexcept {
   const Room room = room_of(item);
   const int32_t gap = is_crisp() ? kPx : kLeastStroke;
-  // Far away where there is none.
-  const int32_t floor = room.below == nullptr ? -(1 << 15) : room.below->high.to;
-  const int32_t ceiling = room.above == nullptr ? 1 << 15 : room.above->low.to;
-  int32_t width = item.high.to - item.low.to;
-  int32_t middle = height_between(item.low.at_u + item.high.at_u);
-  if (ceiling - floor < width + 2 * gap) {
-    width = lesser(width, greater(lesser(width, kLeastSqueezed),
-                                  ceiling - floor - 2 * gap));
+  const int32_t floor = room.floor.to;
+  const int32_t ceiling = room.ceiling.to;
+  const int32_t left = room.height() - 2 * gap;
+  int32_t width = item.high().to - item.low().to;
+  int32_t middle = height_between(item.low().at_u + item.high().at_u);
+  if (left < width) {
+    width = lesser(width, greater(kLeastSqueezed, left));
     middle = (floor + ceiling) >> 1;
   }
   int32_t low;
@@ -218,50 +221,47 @@ void HeightFit::fit_bar(Item& item) noexcept {
   item.state = kFitted;
 }
 
-void HeightFit::fit_bars() noexcept {
-  for (int32_t i = 0; i != count_; ++i) {
-    if (items_[i].is_bar() && items_[i].state == kFree) {
-      fit_bar(items_[i]);
+// A free end keeps a row open to the bar that it points to, but no farther than
+// to its own.
+inline void HeightFit::fit_end(Item& item) noexcept {
+  const Room room = room_of(item);
+  const int32_t open = room.height();
+  if (open >= kFar / 2) {
+    return;
+  }
+  const int32_t whole_u = room.ceiling.at_u - room.floor.at_u;
+  // Whether the map leaves less than a row.
+  const int32_t open_u = item.is_top ? room.ceiling.at_u - item.low().at_u
+                                     : item.low().at_u - room.floor.at_u;
+  if (open * open_u < kPx * whole_u) {
+    const int32_t kept = lesser(kPx, greater(open, 0));
+    item.set(item.is_top ? room.ceiling.to - kept : room.floor.to + kept, 0);
+    item.state = kFitted;
+  }
+}
+
+// Ends when all bars are fitted.
+inline void HeightFit::fit_free() noexcept {
+  for (Item* item = items_; item != end_; ++item) {
+    if (item->is_bar() && item->state == kFree) {
+      fit_bar(*item);
+    }
+  }
+  for (Item* item = items_; item != end_; ++item) {
+    if (item->kind == YHint::end) {
+      fit_end(*item);
     }
   }
 }
 
-// Free ends keep a row open to the bar that they point to, but no farther than
-// to their own.
-void HeightFit::fit_ends() noexcept {
-  for (int32_t i = 0; i != count_; ++i) {
-    Item& item = items_[i];
-    if (item.kind != YHint::end) {
-      continue;
-    }
-    const Room room = room_of(item);
-    if (room.below == nullptr || room.above == nullptr) {
-      continue;
-    }
-    const Edge& below = room.below->high;
-    const Edge& above = room.above->low;
-    const int32_t open = above.to - below.to;
-    const int32_t whole_u = above.at_u - below.at_u;
-    // Whether the map leaves less than a row.
-    const int32_t open_u = item.is_top ? above.at_u - item.low.at_u
-                                       : item.low.at_u - below.at_u;
-    if (open * open_u < kPx * whole_u) {
-      const int32_t kept = lesser(kPx, greater(open, 0));
-      item.set(item.is_top ? above.to - kept : below.to + kept, 0);
-      item.state = kFitted;
-    }
-  }
-}
-
-void HeightFit::write(AxisMap& map) const noexcept {
-  const Item* const end = items_ + count_;
-  for (const Item* item = items_; item != end; ++item) {
+inline void HeightFit::write(AxisMap& map) const noexcept {
+  for (const Item* item = items_; item != end_; ++item) {
     if (item->state == kFree) {
       continue;
     }
-    fit_.add_knot(map, item->low.at_u, item->low.to);
+    fit_.add_knot(map, item->low().at_u, item->low().to);
     if (item->is_bar()) {
-      fit_.add_knot(map, item->high.at_u, item->high.to);
+      fit_.add_knot(map, item->high().at_u, item->high().to);
     }
   }
 }
@@ -272,189 +272,217 @@ class AcrossFit {
   explicit AcrossFit(const Fit& fit) noexcept : fit_(fit) {}
 
   // The hints of y were read. Returns the advance.
-  int32_t fit(const Font& font, uint16_t glyph, GlyphHints& hints) noexcept;
+  int32_t fit(const GlyphMetrics& metrics, GlyphHints& hints) noexcept;
   void write(AxisMap& map) const noexcept;
 
  private:
+  // Or an end of the ink, which is a stem without a width.
   struct Stem {
     int32_t left_u;
     int32_t right_u;
     int32_t cell;   // whole pixels
     int32_t width;  // in the middle of it
+    int32_t gap;    // before the cell
   };
 
+  void add(int32_t left_u,
+           int32_t right_u,
+           int32_t cell,
+           int32_t width) noexcept;
   void read(GlyphHints& hints) noexcept;
-  int32_t middle_of(const Stem& stem) const noexcept {
-    return ((stem.left_u + stem.right_u) * fit_.size_q6_ + (1 << 10)) >> 11;
-  }
-  void set_gaps() noexcept;
+  int32_t set_gaps() noexcept;
   void make_alike() noexcept;
-  int32_t whole_total(bool is_symmetric) const noexcept;
+  int32_t whole_gaps() noexcept;
+  int32_t whole_ink(bool is_symmetric) noexcept;
+
+  bool has_stems() const noexcept { return end_ > stems_ + 2; }
 
   const Fit& fit_;
-  int32_t count_ = 0;
-  int32_t left_u_ = 0;  // of the ink
-  int32_t right_u_ = 0;
-  int32_t first_ = 0;  // where the ink begins
-  int32_t total_ = 0;  // and how wide it is; 0: nothing is fitted
-  Stem stems_[kMaxStems];
-  int32_t gaps_[kMaxStems + 1];  // before each stem and after the last
+  // With both ends of the ink; none: nothing is fitted.
+  Stem* end_ = stems_;
+  Stem stems_[GlyphHints::kMostX + 2];
 };
 
-void AcrossFit::read(GlyphHints& hints) noexcept {
-  for (uint32_t i = hints.x_count(); i != 0 && count_ != kMaxStems; --i) {
+inline void AcrossFit::add(int32_t left_u,
+                           int32_t right_u,
+                           int32_t cell,
+                           int32_t width) noexcept {
+  Stem* const stem = end_;
+  stem->left_u = left_u;
+  stem->right_u = right_u;
+  stem->cell = cell;
+  stem->width = width;
+  end_ = stem + 1;
+}
+
+inline void AcrossFit::read(GlyphHints& hints) noexcept {
+  for (uint32_t i = hints.x_count(); i != 0; --i) {
     const XHint hint = hints.next_x();
     if (hint.is_foot ||
-        (count_ != 0 && hint.left_u <= stems_[count_ - 1].right_u)) {
+        (end_ != stems_ + 1 && hint.left_u <= end_[-1].right_u)) {
       continue;
     }
-    const int32_t width =
-        hint.is_standard
-            ? fit_.stem_q6_
-            : common_width(fit_.px_q6(hint.right_u) - fit_.px_q6(hint.left_u),
-                           fit_.stem_q6_);
+    int32_t width = fit_.stem_q6_;
+    if (!hint.is_standard) {
+      width = common_width(fit_.px_q6(hint.right_u) - fit_.px_q6(hint.left_u),
+                           width);
+    }
     const int32_t cell = whole_width(width);
-    Stem& stem = stems_[count_++];
-    stem.left_u = hint.left_u;
-    stem.right_u = hint.right_u;
-    stem.cell = cell;
-    stem.width = fit_.levels_ == 2
-                     ? cell
-                     : lesser(greater(greater(width, kLeastStroke),
-                                      cell - kStemShoulder),
-                              cell + kStemShoulder);
+    if (fit_.levels_ == 2) {
+      width = cell;
+    } else {
+      width =
+          lesser(greater(greater(width, kLeastStroke), cell - kStemShoulder),
+                 cell + kStemShoulder);
+    }
+    add(hint.left_u, hint.right_u, cell, width);
   }
+}
+
+// As designed. Returns where the ink ends.
+inline int32_t AcrossFit::set_gaps() noexcept {
+  int32_t from = 0;
+  for (Stem* stem = stems_; stem != end_; ++stem) {
+    const int32_t middle =
+        ((stem->left_u + stem->right_u) * fit_.size_q6_ + (1 << 10)) >> 11;
+    const int32_t half = stem->cell >> 1;
+    stem->gap = middle - half - from;
+    from = middle + half;
+  }
+  return from;
 }
 
 // Gaps of one kind that differ by little are alike, so that m has two counters
 // of one width, and symmetric letters stay symmetric.
-void AcrossFit::make_alike() noexcept {
-  for (int32_t i = 1; i <= count_; ++i) {
-    for (int32_t j = 0; j != i; ++j) {
-      const bool is_inner = i != count_;
-      if (is_inner == (j == 0)) {
-        continue;
+inline void AcrossFit::make_alike() noexcept {
+  Stem* const last = end_ - 1;
+  for (Stem* one = stems_ + 2; one <= last; ++one) {
+    // At the ends of the ink, or between stems.
+    Stem* other = one == last ? stems_ + 1 : stems_ + 2;
+    do {
+      const int32_t difference = magnitude(one->gap - other->gap);
+      if (difference < 6 || 25 * difference < 2 * magnitude(one->gap)) {
+        one->gap = (one->gap + other->gap) >> 1;
+        other->gap = one->gap;
       }
-      const int32_t difference = magnitude(gaps_[i] - gaps_[j]);
-      if (difference < 6 || 25 * difference < 2 * magnitude(gaps_[i])) {
-        gaps_[i] = (gaps_[i] + gaps_[j]) >> 1;
-        gaps_[j] = gaps_[i];
-      }
-    }
+      ++other;
+    } while (one != last && other < one);
   }
 }
 
-void AcrossFit::set_gaps() noexcept {
-  int32_t from = fit_.px_q6(left_u_);
-  for (int32_t i = 0; i != count_; ++i) {
-    const int32_t middle = middle_of(stems_[i]);
-    const int32_t half = stems_[i].cell >> 1;
-    gaps_[i] = middle - half - from;
-    from = middle + half;
-  }
-  gaps_[count_] = fit_.px_q6(right_u_) - from;
+// Returns the width of the ink.
+inline int32_t AcrossFit::whole_gaps() noexcept {
   make_alike();
-  for (int32_t i = 0; i <= count_; ++i) {
-    const bool is_inner = i != 0 && i != count_;
-    gaps_[i] = greater(round_px(gaps_[i]), is_inner ? kPx : 0);
-    total_ += gaps_[i] + (i != count_ ? stems_[i].cell : 0);
+  int32_t total = 0;
+  int32_t least = 0;  // where the ink begins and ends
+  Stem* const last = end_ - 1;
+  for (Stem* stem = stems_ + 1; stem <= last; ++stem) {
+    stem->gap = greater(round_px(stem->gap), stem != last ? least : 0);
+    total += stem->gap + stem->cell;
+    least = kPx;
   }
+  return total;
 }
 
 // Of ink without stems. Symmetric ink has an odd number of pixels if a stem
 // has, so that its apex is as wide.
-int32_t AcrossFit::whole_total(bool is_symmetric) const noexcept {
-  const int32_t width = fit_.px_q6(right_u_) - fit_.px_q6(left_u_);
+inline int32_t AcrossFit::whole_ink(bool is_symmetric) noexcept {
+  const int32_t width = stems_[1].gap;
   int32_t total = whole_width(width);
   const int32_t stem = whole_width(fit_.stem_q6_);
   if (is_symmetric && total > kPx && ((total ^ stem) & kPx) != 0) {
     total += width > total ? kPx : -kPx;
     total = total < 2 * kPx && width > 100 ? 3 * kPx : total;
   }
+  stems_[1].gap = total;
   return total;
 }
 
-int32_t AcrossFit::fit(const Font& font,
-                       uint16_t glyph,
-                       GlyphHints& hints) noexcept {
-  GlyphMetrics metrics;
-  if (font.glyph_metrics(glyph, metrics) != Status::ok) {
-    return 0;
-  }
-  // Lines of 64 em, and ink of 4.
-  const int32_t advance = fit_.px_q6(fit_.u_of(metrics.advance, 1 << 16));
+inline int32_t AcrossFit::fit(const GlyphMetrics& metrics,
+                              GlyphHints& hints) noexcept {
+  const int32_t advance = fit_.px_q6(fit_.u_of(metrics.advance));
   if (metrics.x_max <= metrics.x_min || metrics.advance == 0) {
     return round_px(advance);
   }
-  left_u_ = fit_.u_of(metrics.x_min, 1 << 12);
-  right_u_ = fit_.u_of(metrics.x_max, 1 << 12);
-  const int32_t insets = hints.left_inset_u() + hints.right_inset_u();
-  if (fit_.drops_serifs_ && insets < right_u_ - left_u_) {
-    left_u_ += hints.left_inset_u();
-    right_u_ -= hints.right_inset_u();
+  int32_t left_u = fit_.u_of(metrics.x_min);
+  int32_t right_u = fit_.u_of(metrics.x_max);
+  const int32_t left_inset_u = hints.left_inset_u();
+  const int32_t right_inset_u = hints.right_inset_u();
+  if (fit_.drops_serifs_ && left_inset_u + right_inset_u < right_u - left_u) {
+    left_u += left_inset_u;
+    right_u -= right_inset_u;
   }
+  add(left_u, left_u, 0, 0);
   read(hints);
-  if (count_ != 0) {
-    set_gaps();
-  } else {
-    total_ = whole_total(hints.is_symmetric());
-  }
-  const int32_t left = fit_.px_q6(left_u_);
-  const int32_t right = advance - fit_.px_q6(right_u_);
+  add(right_u, right_u, 0, 0);
+  const bool is_stemless = !has_stems();
+  const int32_t right = advance - set_gaps();
+  const int32_t total =
+      is_stemless ? whole_ink(hints.is_symmetric()) : whole_gaps();
+  const int32_t left = stems_[0].gap;
   // A column is free to the left of all glyphs but those that overhang.
   const int32_t overhang = -fit_.px_q6(10);
-  first_ = round_px(left);
+  int32_t first = round_px(left);
   if (left > overhang) {
-    first_ = greater(kPx, first_);
+    first = greater(kPx, first);
   }
+  stems_[0].gap = first;
   int32_t after = right;
   if (right > 0) {
-    after -= greater(0, first_ - left) >> 1;
+    after -= greater(0, first - left) >> 1;
   }
   after = round_px(after);
   if (left > overhang && right > overhang) {
     after = greater(after, 0);
   }
-  return greater(first_ + total_ + after, 0);
+  return greater(first + total + after, 0);
 }
 
-void AcrossFit::write(AxisMap& map) const noexcept {
-  if (total_ == 0) {
-    return;
-  }
+inline void AcrossFit::write(AxisMap& map) const noexcept {
   // Ends of the ink that are a stem's own need no knots.
   constexpr int32_t kNear_u = 4;
-  int32_t at = first_;
-  if (count_ == 0 || stems_[0].left_u >= left_u_ + kNear_u) {
-    fit_.add_knot(map, left_u_, at);
+  const Stem* stem = stems_;
+  const Stem* end = end_;
+  int32_t at = 0;
+  if (has_stems()) {
+    if (stem[1].left_u < stem->left_u + kNear_u) {
+      at = stem->gap;
+      ++stem;
+    }
+    if (end[-1].left_u <= end[-2].right_u + kNear_u) {
+      --end;
+    }
   }
-  for (int32_t i = 0; i != count_; ++i) {
-    const Stem& stem = stems_[i];
-    at += gaps_[i];
-    const int32_t shoulder = (stem.cell - stem.width) >> 1;
-    fit_.add_knot(map, stem.left_u, at + shoulder);
-    fit_.add_knot(map, stem.right_u, at + shoulder + stem.width);
-    at += stem.cell;
-  }
-  if (count_ == 0 || right_u_ > stems_[count_ - 1].right_u + kNear_u) {
-    fit_.add_knot(map, right_u_, first_ + total_);
+  for (; stem != end; ++stem) {
+    at += stem->gap;
+    const int32_t left = at + ((stem->cell - stem->width) >> 1);
+    at += stem->cell;
+    fit_.add_knot(map, stem->left_u, left);
+    if (stem->width != 0) {
+      fit_.add_knot(map, stem->right_u, left + stem->width);
+    }
   }
 }
 
-// Font units, at most `limit` u of them.
-int32_t Fit::u_of(int32_t units, int32_t limit) const noexcept {
-  const auto u = static_cast<int32_t>(
-      (int64_t{units} * u_per_unit_q14_ + (1 << 13)) >> 14);
-  return lesser(greater(u, -limit), limit);
+// Font units, at most 64 em of them.
+inline int32_t Fit::u_of(int32_t units) const noexcept {
+  constexpr int32_t kMost_u = 1 << 16;
+  // In two parts, as the product may pass 2^31.
+  const int32_t whole = units * (u_per_unit_q14_ >> 14);
+  const int32_t part = units * (u_per_unit_q14_ & ((1 << 14) - 1));
+  const int32_t u = whole + ((part + (1 << 13)) >> 14);
+  return lesser(greater(u, -kMost_u), kMost_u);
 }
 
-void Fit::add_knot(AxisMap& map, int32_t at_u, int32_t to_q6) const noexcept {
+inline void Fit::add_knot(AxisMap& map,
+                          int32_t at_u,
+                          int32_t to_q6) const noexcept {
   const int32_t from_q8 = (at_u * size_q6_ + (1 << 7)) >> 8;
-  static_cast<void>(map.add(
-      from_q8, from_q8 + ((to_q6 * 4 - from_q8) * strength_q8_ >> 8)));
+  static_cast<void>(
+      map.add(from_q8, from_q8 + ((to_q6 * 4 - from_q8) * strength_q8_ >> 8)));
 }
 
-void Fit::set_zones() noexcept {
+inline void Fit::set_zones() noexcept {
   y_scale_q16_ = size_q6_ * (1 << 6);
   const uint32_t count = hints_.zone_count();
   if (hints_.x_zone() < count) {
@@ -472,117 +500,147 @@ void Fit::set_zones() noexcept {
     const int32_t flat = round_px(height_q6(read.flat_u));
     const int32_t beyond = px_q6(read.overshoot_u);
     zones_[i] = {static_cast<int16_t>(flat),
-                 static_cast<int16_t>(
-                     flat + (magnitude(beyond) < kLeastOvershoot ? 0 : beyond)),
-                 read.is_top};
+                 static_cast<int16_t>(magnitude(beyond) < kLeastOvershoot
+                                          ? flat
+                                          : flat + beyond)};
   }
 }
 
-void Fit::set_weight() noexcept {
-  // Half of what a stem gains. [px, Q10]
-  int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
-  if (hints_.has_contrast()) {
-    more = lesser(greater(more, 0), 51);
+inline void Fit::set_weight() noexcept {
+  if (hints_.stem_width_u() == 0) {
+    return;
   }
-  crisp_weight_q10_ =
-      static_cast<int16_t>(-lesser(greater(more, -256), 123));
+  // Half of what a stem gains. [px, Q10]
+  const int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
+  const bool is_fine = hints_.has_contrast();
+  crisp_weight_q10_ = static_cast<int16_t>(
+      -lesser(greater(more, is_fine ? 0 : -256), is_fine ? 51 : 123));
 }
 
 Status Fit::make(const Font& font,
                  const Brush& brush,
                  const FitOptions& options,
                  Fit& out) noexcept {
-  if (options.strength_q8 > FitOptions::kAll ||
-      (options.levels != 0 && options.levels != 2 && options.levels != 4)) {
+  if (options.strength_q8 > FitOptions::kAll || options.levels > 4 ||
+      options.levels % 2 != 0) {
     return Status::bad_argument;
   }
-  Fit fit;
-  INKCELL_TRY(GridHints::open(font, fit.hints_));
+  INKCELL_TRY(GridHints::open(font, out.hints_));
+  out.is_across_ = false;
+  out.strength_q8_ = 0;
+  out.crisp_weight_q10_ = 0;
   const int32_t size_q6 = brush.size().raw;
-  if (size_q6 < kEnds.raw) {
-    uint32_t strength = options.strength_q8;
-    if (options.levels == 0 && size_q6 > kFades.raw) {
-      strength = strength * static_cast<uint32_t>(kEnds.raw - size_q6) /
-                 static_cast<uint32_t>(kEnds.raw - kFades.raw);
-    }
-    fit.strength_q8_ = static_cast<uint16_t>(strength);
+  if (size_q6 >= kEnds.raw) {
+    return Status::ok;
   }
-  if (fit.strength_q8_ != 0) {
-    fit.size_q6_ = size_q6;
-    fit.levels_ = options.levels;
-    fit.is_across_ = options.across && !fit.hints_.empty();
-    fit.drops_serifs_ = options.levels == 2 && size_q6 < kSerifsFrom;
-    fit.u_per_unit_q14_ = static_cast<int32_t>((uint32_t{1024} << 14) /
-                                               font.units_per_em());
-    fit.stem_q6_ = fit.px_q6(fit.hints_.stem_width_u());
-    fit.bar_q6_ = fit.px_q6(fit.hints_.bar_width_u());
-    fit.set_zones();
-    if (fit.hints_.stem_width_u() != 0) {
-      fit.set_weight();
-    }
+  uint32_t strength = options.strength_q8;
+  if (options.levels == 0 && size_q6 > kFades.raw) {
+    strength = strength * static_cast<uint32_t>(kEnds.raw - size_q6) /
+               static_cast<uint32_t>(kEnds.raw - kFades.raw);
   }
-  out = fit;
+  if (strength != 0) {
+    out.levels_ = options.levels;
+    out.is_across_ = options.across && !out.hints_.empty();
+    out.drops_serifs_ = options.levels == 2 && size_q6 < kSerifsFrom;
+    out.strength_q8_ = static_cast<uint16_t>(strength);
+    out.size_q6_ = size_q6;
+    out.u_per_unit_q14_ =
+        static_cast<int32_t>((uint32_t{1024} << 14) / font.units_per_em());
+    out.stem_q6_ = out.px_q6(out.hints_.stem_width_u());
+    out.bar_q6_ = out.px_q6(out.hints_.bar_width_u());
+    out.set_zones();
+    out.set_weight();
+  }
   return Status::ok;
 }
 
-void Fit::fit(const Font& font,
-              uint16_t glyph,
-              FinePoint& origin,
-              GlyphWarp& warp) const noexcept {
-  warp.clear();
-  if (strength_q8_ == 0) {
-    return;
+// A place to the nearest pixel.
+__attribute__((noinline)) void Fit::to_grid(int64_t& at_q10) const noexcept {
+  const int32_t part =
+      static_cast<int32_t>((static_cast<uint32_t>(at_q10) + 512) & 1023) - 512;
+  at_q10 -= part * strength_q8_ >> 8;
+}
+
+// The functions of both fitters.
+class GridFit {
+ public:
+  static void fit(uint16_t glyph,
+                  const GlyphMetrics& metrics,
+                  const void* options,
+                  FinePoint& origin,
+                  GlyphWarp& warp) noexcept {
+    const Fit& fit = *static_cast<const Fit*>(options);
+    GlyphHints hints(fit.hints_, glyph);
+    fit_heights(fit, hints, origin, warp);
+    if (fit.is_across_) {
+      fit.to_grid(origin.x_q10);
+      static_cast<void>(fit_across(fit, metrics, hints, &warp.x));
+    }
   }
-  const auto to_grid_q10 = [this](int64_t at_q10) noexcept {
-    const auto part = static_cast<int32_t>((at_q10 + 512) & 1023) - 512;
-    return at_q10 - (part * strength_q8_ >> 8);
-  };
-  // The baseline lies between two rows.
-  origin.y_q10 = to_grid_q10(origin.y_q10);
-  GlyphHints hints(hints_, glyph);
-  if (!hints.empty()) {
-    HeightFit heights(*this);
+
+  static void heights(uint16_t glyph,
+                      const GlyphMetrics&,
+                      const void* options,
+                      FinePoint& origin,
+                      GlyphWarp& warp) noexcept {
+    const Fit& fit = *static_cast<const Fit*>(options);
+    GlyphHints hints(fit.hints_, glyph);
+    fit_heights(fit, hints, origin, warp);
+  }
+
+  static bool has_advances(const void* options) noexcept {
+    return static_cast<const Fit*>(options)->has_advances();
+  }
+  static bool has_none(const void*) noexcept { return false; }
+
+  static int32_t advance_px(const Font& font,
+                            uint16_t glyph,
+                            const void* options) noexcept {
+    const Fit& fit = *static_cast<const Fit*>(options);
+    GlyphHints hints(fit.hints_, glyph);
+    for (uint32_t i = hints.y_count(); i != 0; --i) {
+      static_cast<void>(hints.next_y());
+    }
+    GlyphMetrics metrics;
+    static_cast<void>(font.glyph_metrics(glyph, metrics));
+    return fit_across(fit, metrics, hints, nullptr) >> 6;
+  }
+
+ private:
+  // Each apart, so that one has the stack while the other does not run.
+  __attribute__((noinline)) static void fit_heights(const Fit& fit,
+                                                    GlyphHints& hints,
+                                                    FinePoint& origin,
+                                                    GlyphWarp& warp) noexcept {
+    warp.clear();
+    if (fit.strength_q8_ == 0) {
+      return;
+    }
+    // The baseline lies between two rows.
+    fit.to_grid(origin.y_q10);
+    HeightFit heights(fit);
     heights.read(hints);
-    heights.fit_bars();
-    heights.fit_ends();
+    heights.fit_free();
     heights.write(warp.y);
   }
-  if (is_across_) {
-    origin.x_q10 = to_grid_q10(origin.x_q10);
-    AcrossFit across(*this);
-    static_cast<void>(across.fit(font, glyph, hints));
-    across.write(warp.x);
+
+  // Without a map for the advance alone, which it returns.
+  __attribute__((noinline)) static int32_t fit_across(
+      const Fit& fit,
+      const GlyphMetrics& metrics,
+      GlyphHints& hints,
+      AxisMap* map) noexcept {
+    AcrossFit across(fit);
+    const int32_t advance = across.fit(metrics, hints);
+    if (map != nullptr) {
+      across.write(*map);
+    }
+    return advance;
   }
-}
+};
 
-int32_t Fit::advance_px(const Font& font, uint16_t glyph) const noexcept {
-  GlyphHints hints(hints_, glyph);
-  for (uint32_t i = hints.y_count(); i != 0; --i) {
-    static_cast<void>(hints.next_y());
-  }
-  return AcrossFit(*this).fit(font, glyph, hints) >> 6;
-}
-
-namespace {
-
-void fit_glyph(const Font& font,
-               uint16_t glyph,
-               const void* options,
-               FinePoint& origin,
-               GlyphWarp& warp) noexcept {
-  static_cast<const Fit*>(options)->fit(font, glyph, origin, warp);
-}
-bool has_advances(const void* options) noexcept {
-  return static_cast<const Fit*>(options)->has_advances();
-}
-int32_t advance_px(const Font& font,
-                   uint16_t glyph,
-                   const void* options) noexcept {
-  return static_cast<const Fit*>(options)->advance_px(font, glyph);
-}
-
-}  // namespace
-
-const Fitter kGridFit = {fit_glyph, has_advances, advance_px};
+const Fitter kGridFit = {GridFit::fit, GridFit::has_advances,
+                         GridFit::advance_px};
+const Fitter kFitHeights = {GridFit::heights, GridFit::has_none, nullptr};
 
 }  // namespace inkcell

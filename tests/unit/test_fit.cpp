@@ -197,6 +197,35 @@ TEST(diagonals_get_the_weight_of_stems) {
   CHECK_EQ(fit_of(font, 15 * 64, kCrisp).crisp_weight().raw, 160);
 }
 
+TEST(heights_can_be_fitted_alone) {
+  const Font font = hinted_font();
+  const Fit fit = fit_of(font, 10 * 64, kAcross);
+  const GlyphWarp both = warp_of(font, fit, two);
+  FinePoint origin = {300, 700};
+  GlyphWarp warp;
+  GlyphMetrics metrics;
+  CHECK_OK(font.glyph_metrics(two, metrics));
+  kFitHeights.fit(two, metrics, &fit, origin, warp);
+  CHECK_EQ(origin.x_q10, 300);
+  CHECK_EQ(origin.y_q10, 1024);
+  CHECK_EQ(warp.x.count, 0);
+  CHECK_EQ(warp.y.count, both.y.count);
+  for (int32_t i = 0; i != warp.y.count; ++i) {
+    CHECK_EQ(warp.y.knots[i].to_q8, both.y.knots[i].to_q8);
+  }
+  CHECK(!kFitHeights.has_advances(&fit));
+  CHECK(kGridFit.has_advances(&fit));
+}
+
+TEST(a_fit_can_be_made_again) {
+  const Font font = hinted_font();
+  Fit fit = fit_of(font, 10 * 64, kCrisp);
+  CHECK_OK(Fit::make(font, brush_of(40 * 64), kCrisp, fit));
+  CHECK(!fit.has_advances());
+  CHECK_EQ(fit.crisp_weight().raw, 0);
+  CHECK_EQ(warp_of(font, fit, two).y.count, 0);
+}
+
 TEST(fitting_fades_and_ends) {
   const Font font = hinted_font();
   const auto shift = [&font](int32_t px, const FitOptions& options) {

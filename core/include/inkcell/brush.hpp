@@ -14,6 +14,7 @@ class Brush;
 class Font;
 struct FinePoint;
 struct GlyphField;
+struct GlyphMetrics;
 struct GlyphWarp;
 struct Rect;
 struct Sink;
@@ -23,8 +24,8 @@ struct Sink;
 struct Fitter {
   /// Fills in `warp` for a glyph of outlines and of an upright brush whose
   /// origin is at `origin`, and may move the origin.
-  void (*fit)(const Font& font,
-              uint16_t glyph,
+  void (*fit)(uint16_t glyph,
+              const GlyphMetrics& metrics,
               const void* options,
               FinePoint& origin,
               GlyphWarp& warp) noexcept;

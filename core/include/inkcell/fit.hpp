@@ -40,6 +40,13 @@ struct FitOptions {
   uint16_t strength_q8 = kAll;
 };
 
+/// For Brush::set_fitter; the options are a const Fit*.
+extern const Fitter kGridFit;
+
+/// The same for heights alone, in two thirds of the code: FitOptions::across
+/// does nothing, and no advances are whole pixels.
+extern const Fitter kFitHeights;
+
 /// A font's hints at one size. Made once, constant afterwards, in the caller's
 /// memory. The font's bytes must outlive it. For brushes of the same size and
 /// for glyphs of this font: others are drawn with the wrong hints.
@@ -76,19 +83,25 @@ class Fit {
   void fit(const Font& font,
            uint16_t glyph,
            FinePoint& origin,
-           GlyphWarp& warp) const noexcept;
+           GlyphWarp& warp) const noexcept {
+    GlyphMetrics metrics;
+    static_cast<void>(font.glyph_metrics(glyph, metrics));
+    kGridFit.fit(glyph, metrics, this, origin, warp);
+  }
 
   /// The advance of a glyph in whole pixels, with has_advances().
-  int32_t advance_px(const Font& font, uint16_t glyph) const noexcept;
+  int32_t advance_px(const Font& font, uint16_t glyph) const noexcept {
+    return kGridFit.advance_px(font, glyph, this);
+  }
 
  private:
   friend class AcrossFit;
   friend class HeightFit;
+  friend class GridFit;
 
   struct Zone {
-    int16_t flat_q6;   // [px]
+    int16_t flat_q6;  // [px]
     int16_t round_q6;
-    bool is_top;
   };
 
   // As designed, and as the x-height is scaled. [u -> px, Q6]
@@ -98,26 +111,25 @@ class Fit {
   int32_t height_q6(int32_t u) const noexcept {
     return (u * y_scale_q16_ + (1 << 15)) >> 16;
   }
-  int32_t u_of(int32_t units, int32_t limit) const noexcept;
+  int32_t u_of(int32_t units) const noexcept;
   void add_knot(AxisMap& map, int32_t at_u, int32_t to_q6) const noexcept;
+  void to_grid(int64_t& at_q10) const noexcept;
   void set_zones() noexcept;
   void set_weight() noexcept;
 
+  // Bytes before words: the smallest cores reach fewer of them at once.
   GridHints hints_;
-  Zone zones_[kMaxZones] = {};
-  int32_t y_scale_q16_ = 0;  // Q6 px per u
-  int32_t u_per_unit_q14_ = 0;
-  int32_t size_q6_ = 0;
-  uint16_t strength_q8_ = 0;  // 0: glyphs stay as they are
-  int32_t stem_q6_ = 0;       // how wide most stems and bars are [px]
-  int32_t bar_q6_ = 0;
-  int16_t crisp_weight_q10_ = 0;  // [px]
   uint8_t levels_ = 0;
   bool is_across_ = false;
   bool drops_serifs_ = false;
+  uint16_t strength_q8_ = 0;      // 0: glyphs stay as they are
+  int16_t crisp_weight_q10_ = 0;  // [px]
+  int32_t size_q6_ = 0;
+  int32_t y_scale_q16_ = 0;  // Q6 px per u
+  int32_t u_per_unit_q14_ = 0;
+  int32_t stem_q6_ = 0;  // how wide most stems and bars are [px]
+  int32_t bar_q6_ = 0;
+  Zone zones_[kMaxZones] = {};
 };
-
-/// For Brush::set_fitter; the options are a const Fit*.
-extern const Fitter kGridFit;
 
 }  // namespace inkcell

@@ -162,7 +162,9 @@ struct Job {
 
 // How glyphs are moved to the grid of pixels.
 struct OutlineFitter {
-  bool (*open)(Prepared& prepared, const Job& job) noexcept;
+  bool (*open)(Prepared& prepared,
+               const Job& job,
+               const GlyphMetrics& metrics) noexcept;
   void (*apply)(const Prepared& prepared,
                 ScreenPoint* points,
                 const ScreenPoint* end) noexcept;
@@ -317,25 +319,28 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
 
 bool open_at(Prepared& prepared,
              const Job& job,
+             const GlyphMetrics& metrics,
              const Placed& placed) noexcept {
   const OutlinePlan& plan = prepared.plan;
   return prepared.glyph.open(
-      job.font, job.glyph, job.record, job.brush, placed,
+      job.font, metrics, job.record, job.brush, placed,
       {plan.painter->origin_q8, plan.shown_q8, plan.columns, plan.rows},
       prepared.warp);
 }
 
 // The maps lie behind the glyph.
-bool open_fitted(Prepared& prepared, const Job& job) noexcept {
+bool open_fitted(Prepared& prepared,
+                 const Job& job,
+                 const GlyphMetrics& metrics) noexcept {
   auto* const warp = reinterpret_cast<GlyphWarp*>(&prepared + 1);
   FinePoint origin = job.placed.origin();
-  job.brush.fitter()->fit(job.font, job.glyph, job.brush.fitter_options(),
+  job.brush.fitter()->fit(job.glyph, metrics, job.brush.fitter_options(),
                           origin, *warp);
   if ((warp->x.count | warp->y.count) != 0) {
     prepared.warp = warp;
   }
   Placed placed;
-  return placed.set(origin) && open_at(prepared, job, placed);
+  return placed.set(origin) && open_at(prepared, job, metrics, placed);
 }
 
 void apply_warp(const Prepared& prepared,
@@ -351,10 +356,14 @@ bool open(Prepared& prepared, const Job& job) noexcept {
   if (!plan_for(job.brush, prepared.plan)) {
     return false;
   }
-  if (job.brush.is_fitted()) {
-    return job.brush.outline_fitter().open(prepared, job);
+  GlyphMetrics metrics;
+  if (job.font.glyph_metrics(job.glyph, metrics) != Status::ok) {
+    return false;
   }
-  return open_at(prepared, job, job.placed);
+  if (job.brush.is_fitted()) {
+    return job.brush.outline_fitter().open(prepared, job, metrics);
+  }
+  return open_at(prepared, job, metrics, job.placed);
 }
 
 void draw_in(Prepared& prepared,

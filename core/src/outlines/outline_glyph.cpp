@@ -115,17 +115,13 @@ OutlineGlyph::Axis OutlineGlyph::axis_of(const GlyphMetrics& metrics,
 }
 
 bool OutlineGlyph::open(const Font& font,
-                        uint16_t glyph,
+                        const GlyphMetrics& metrics,
                         Span<const uint8_t> record,
                         Q26_6 size,
                         const Brush* slanted,
                         const Placed& placed,
                         const OutlineSampling& sampling,
                         const GlyphWarp* warp) noexcept {
-  GlyphMetrics metrics;
-  if (font.glyph_metrics(glyph, metrics) != Status::ok) {
-    return false;
-  }
   font_ = &font;
   x_min_ = metrics.x_min;
   y_min_ = metrics.y_min;

@@ -40,7 +40,7 @@ class __attribute__((may_alias)) OutlineGlyph {
   // upright glyphs; `warp` moves points, and may be null. False: the font is
   // not one of outlines.
   bool open(const Font& font,
-            uint16_t glyph,
+            const GlyphMetrics& metrics,
             Span<const uint8_t> record,
             Q26_6 size,
             const Brush* slanted,
@@ -49,13 +49,13 @@ class __attribute__((may_alias)) OutlineGlyph {
             const GlyphWarp* warp) noexcept;
 
   bool open(const Font& font,
-            uint16_t glyph,
+            const GlyphMetrics& metrics,
             Span<const uint8_t> record,
             const Brush& brush,
             const Placed& placed,
             const OutlineSampling& sampling,
             const GlyphWarp* warp) noexcept {
-    return open(font, glyph, record, brush.size(),
+    return open(font, metrics, record, brush.size(),
                 brush.is_upright() ? nullptr : &brush, placed, sampling, warp);
   }
 

@@ -168,8 +168,10 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
   // A px is a u, and the box is up to 1 u wider than the ink.
   OutlineGlyph outline;
   const detail::Placed origin = {0, 0};
-  if (!outline.open(font, glyph, record, Q26_6::from_int(1024), nullptr, origin,
-                    {0, 128}, nullptr)) {
+  GlyphMetrics metrics;
+  if (font.glyph_metrics(glyph, metrics) != Status::ok ||
+      !outline.open(font, metrics, record, Q26_6::from_int(1024), nullptr,
+                    origin, {0, 128}, nullptr)) {
     return Status::unsupported;
   }
   if (!grid_.set(outline.box(), limits_.band_u)) {
