@@ -129,9 +129,9 @@ class CrispRow {
       return false;
     }
     return ((*at & line.crossed) != 0 && is_nearer(*at, *before, false) &&
-            goes_on(line, at)) ||
+            has_width(*at, *before) && goes_on(line, at)) ||
            ((*behind & line.crossed) != 0 && is_nearer(*at, *behind, true) &&
-            goes_on(line, behind));
+            has_width(*at, *behind) && goes_on(line, behind));
   }
 
   // Whether the next pixel of a line lies outside, or inside as the last one,
@@ -160,6 +160,13 @@ class CrispRow {
   static bool has_ink(const Line& line, const uint8_t* at) noexcept {
     return (((at[-line.step] | *at) & (kInsideBit | line.crossed)) |
             (at[line.step] & line.crossed)) != 0;
+  }
+
+  // Whether a stroke between two pixels, both outside, leaves less than all of
+  // the way between them: what grid fitting flattens has no width.
+  bool has_width(uint32_t byte, uint32_t other) const noexcept {
+    constexpr int32_t kWay = 1000;  // a pixel but what nearness is rounded by
+    return distance_q10(byte) + distance_q10(other) > -kWay;
   }
 
   // Whether the other pixel lies outside and this one is nearer. Of two that
