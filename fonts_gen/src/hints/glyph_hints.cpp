@@ -163,7 +163,14 @@ size_t knots_of(const std::vector<Candidate>& candidates) {
   return knots;
 }
 
-std::vector<HeightHint> choose_heights(std::vector<Candidate> candidates) {
+// As it is stored.
+int lower_edge(const HeightHint& hint, const FaceHints& face) {
+  const bool is_bar = hint.kind == Height::bar || hint.kind == Height::serif;
+  return is_bar ? edges_of(hint, face)[0] : height_of(hint.edge, face);
+}
+
+std::vector<HeightHint> choose_heights(std::vector<Candidate> candidates,
+                                       const FaceHints& face) {
   resolve_bars(candidates);
   while (knots_of(candidates) > grid::kMaxKnots) {
     candidates.erase(
@@ -172,13 +179,14 @@ std::vector<HeightHint> choose_heights(std::vector<Candidate> candidates) {
                            return a.importance < b.importance;
                          }));
   }
-  std::stable_sort(
-      candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.low < b.low; });
   std::vector<HeightHint> heights;
   for (const Candidate& candidate : candidates) {
     heights.push_back(candidate.hint);
   }
+  std::stable_sort(heights.begin(), heights.end(),
+                   [&face](const HeightHint& a, const HeightHint& b) {
+                     return lower_edge(a, face) < lower_edge(b, face);
+                   });
   return heights;
 }
 
@@ -237,7 +245,8 @@ GlyphHints make_glyph_hints(const GlyphFeatures& features,
     hints.left_inset_u = inset(left);
     hints.right_inset_u = inset(right);
   }
-  hints.heights = choose_heights(height_candidates(features, face));
+  hints.heights = 
+      choose_heights(height_candidates(features, face), face);
   for (const Stroke& stem :
        resolve_stems(features.stems, features.body.middle())) {
     AcrossHint hint;
