@@ -31,6 +31,9 @@ constexpr int32_t kStemShoulder = 16;
 // Serifs are whole pixels from this size on, and are left out below.
 constexpr int32_t kSerifsFrom = 12 << 6;
 
+// Bends whose control points were moved are fuller. [px, Q10]
+constexpr int32_t kFuller = 30;
+
 int32_t round_px(int32_t value) noexcept {
   return (value + kPx / 2) & ~(kPx - 1);
 }
@@ -512,9 +515,10 @@ inline void Fit::set_weight() noexcept {
   }
   // Half of what a stem gains. [px, Q10]
   const int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
-  const bool is_fine = hints_.has_contrast();
-  crisp_weight_q10_ = static_cast<int16_t>(
-      -lesser(greater(more, is_fine ? 0 : -256), is_fine ? 51 : 123));
+  const int32_t weight = hints_.has_contrast()
+                             ? lesser(greater(more, 0), 51)
+                             : lesser(greater(more - kFuller, -256), 123);
+  crisp_weight_q10_ = static_cast<int16_t>(-weight);
 }
 
 Status Fit::make(const Font& font,
