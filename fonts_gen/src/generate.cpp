@@ -9,6 +9,7 @@
 #include "field_glyph.hpp"
 #include "font_source.hpp"
 #include "hints/font_hints.hpp"
+#include "hints/hint_trial.hpp"
 #include "outlines/outline_font.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "shape.hpp"
@@ -258,6 +259,7 @@ RomContent build_content(SourceFont& font,
   }
   if (request.hints && request.adf.coding == Coding::outline) {
     content.hints = find_hints(content, request.jobs);
+    drop_harmful_hints(content, request.jobs);
   }
   return content;
 }

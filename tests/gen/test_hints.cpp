@@ -10,7 +10,9 @@
 #include "hints/features.hpp"
 #include "hints/glyph_hints.hpp"
 #include "hints/grid_section.hpp"
+#include "hints/hint_trial.hpp"
 #include "inkcell/format.hpp"
+#include "outlines/outline_font.hpp"
 #include "outlines/unite.hpp"
 
 namespace inkcell::gen::test {
@@ -321,6 +323,83 @@ TEST(Hints, OfAFontTakeAFewBytesAGlyph) {
         static_cast<double>(hints.glyphs.size());
     EXPECT_LE(bytes, expected.most) << expected.file;
   }
+}
+
+// A canvas drawn as text.
+Topology topology(const std::vector<std::string>& rows) {
+  const auto width = static_cast<int>(rows[0].size());
+  Canvas canvas({0, 0, width, static_cast<int>(rows.size())});
+  const Sink sink = canvas.sink();
+  for (size_t y = 0; y < rows.size(); ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (rows[y][static_cast<size_t>(x)] == '#') {
+        sink.solid(sink.context, x, static_cast<int32_t>(y), 1);
+      }
+    }
+  }
+  return topology_of(canvas);
+}
+
+TEST(Hints, PartsTouchAtCornersCountersDoNot) {
+  const Topology ring = topology({"####", "#..#", "####"});
+  EXPECT_EQ(1, ring.parts);
+  EXPECT_EQ(1, ring.counters);
+  const Topology diagonals = topology({".#.", "#.#", ".#.", "...", "..#"});
+  EXPECT_EQ(2, diagonals.parts);
+  EXPECT_EQ(1, diagonals.counters);
+  EXPECT_EQ(0, topology({"...", "..."}).counters);
+}
+
+// A frame of 600 x 420 u around a counter of 400 x 220 u, in a font with a zone
+// near the counter's bottom.
+RomContent framed(const GlyphHints& hints) {
+  constexpr PointKind kCorner = PointKind::corner;
+  RomContent content;
+  content.name = "frame";
+  content.options.coding = Coding::outline;
+  content.metrics.units_per_em = 1024;
+  RomGlyph glyph;
+  glyph.outline.contours = {{{{0, 0, kCorner},
+                              {600, 0, kCorner},
+                              {600, 420, kCorner},
+                              {0, 420, kCorner}}},
+                            {{{100, 100, kCorner},
+                              {100, 320, kCorner},
+                              {500, 320, kCorner},
+                              {500, 100, kCorner}}}};
+  glyph.metrics.x_max = 600;
+  glyph.metrics.y_max = 420;
+  glyph.metrics.advance = 650;
+  content.glyphs = {glyph};
+  content.hints.face.zones = {HintZone()};
+  content.hints.face.zones[0].flat_u = 90;
+  content.hints.glyphs = {hints};
+  encode_outlines(content);
+  return content;
+}
+
+TEST(Hints, WhatSpoilsAGlyphIsDropped) {
+  // A serif that is no serif vanishes, and the counter with it.
+  HeightHint serif;
+  serif.kind = Height::serif;
+  serif.edge.zone = ZoneEdge{0, false};
+  serif.width_u = 240;
+  GlyphHints hints;
+  hints.is_symmetric = true;
+  hints.heights = {serif};
+  RomContent content = framed(hints);
+  drop_harmful_hints(content, 1);
+  EXPECT_TRUE(content.hints.glyphs[0].heights.empty());
+  EXPECT_TRUE(content.hints.glyphs[0].is_symmetric);
+
+  // With bars in their places all is well.
+  HeightHint bar;
+  bar.width_u = 100;
+  hints.heights = {bar, bar};
+  hints.heights[1].edge.position_u = 320;
+  content = framed(hints);
+  drop_harmful_hints(content, 2);
+  EXPECT_EQ(2u, content.hints.glyphs[0].heights.size());
 }
 
 }  // namespace

@@ -245,8 +245,7 @@ GlyphHints make_glyph_hints(const GlyphFeatures& features,
     hints.left_inset_u = inset(left);
     hints.right_inset_u = inset(right);
   }
-  hints.heights = 
-      choose_heights(height_candidates(features, face), face);
+  hints.heights = choose_heights(height_candidates(features, face), face);
   for (const Stroke& stem :
        resolve_stems(features.stems, features.body.middle())) {
     AcrossHint hint;
