@@ -17,6 +17,30 @@ constexpr bool kWordsAnywhere = true;
 constexpr bool kWordsAnywhere = false;
 #endif
 
+// Rows of a band, whose first point is that of the first pixel.
+__attribute__((noinline)) void draw_band(FieldBand& band,
+                                         const Rect& pixels,
+                                         const Sink& sink) noexcept {
+  const int32_t rows = pixels.y1 - pixels.y0;
+  int32_t count;
+  for (int32_t x = pixels.x0; x < pixels.x1; x += count) {
+    FieldBand::Pixels lines;
+    // Coverage of an x that is a multiple of 4 begins a word, so that sinks
+    // of 8 bits can copy words.
+    const int32_t first = kWordsAnywhere ? 0 : x & 3;
+    count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
+    uint8_t* const line = lines.row(0) + first;
+    lines.clear(rows);
+    if (band.cover(count, rows, line)) {
+      for (int32_t row = 0; row < rows; ++row) {
+        sink.coverage(sink.context, x, pixels.y0 + row,
+                      line + row * FieldBand::kColumns, count);
+      }
+    }
+    band.go_right(count);
+  }
+}
+
 }  // namespace
 
 void draw_fields(const GlyphField& field,
@@ -24,33 +48,17 @@ void draw_fields(const GlyphField& field,
                  const Placed& placed,
                  const Sink& sink) noexcept {
   Upright upright = place_upright(field, brush, placed, sink.window);
-  const Rect& pixels = upright.pixels;
-  if (is_empty(pixels)) {
+  if (is_empty(upright.pixels)) {
     return;
   }
   FieldBand band(field, brush);
-  int32_t rows;
-  for (int32_t y = pixels.y0; y < pixels.y1; y += rows) {
-    rows = FieldBand::rows_of(pixels.y1 - y);
+  Rect pixels = upright.pixels;
+  const int32_t end = pixels.y1;
+  for (; pixels.y0 < end; pixels.y0 = pixels.y1) {
+    pixels.y1 = pixels.y0 + FieldBand::rows_of(end - pixels.y0);
     band.go_to(upright.at);
-    int32_t count;
-    for (int32_t x = pixels.x0; x < pixels.x1; x += count) {
-      FieldBand::Pixels lines;
-      // Coverage of an x that is a multiple of 4 begins a word, so that sinks
-      // of 8 bits can copy words.
-      const int32_t first = kWordsAnywhere ? 0 : x & 3;
-      count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
-      uint8_t* const line = lines.row(0) + first;
-      lines.clear(rows);
-      if (band.cover(count, rows, line)) {
-        for (int32_t row = 0; row < rows; ++row) {
-          sink.coverage(sink.context, x, y + row,
-                        line + row * FieldBand::kColumns, count);
-        }
-      }
-      band.go_right(count);
-    }
-    upright.go_down(brush, rows);
+    draw_band(band, pixels, sink);
+    upright.go_down(brush, pixels.y1 - pixels.y0);
   }
 }
 

@@ -26,7 +26,8 @@ struct Bits {
   bool flag() noexcept { return take(1) != 0; }
   int32_t position_u() noexcept {
     return grid::kPositionBase +
-           grid::kPositionStep * static_cast<int32_t>(take(grid::kPositionBits));
+           grid::kPositionStep *
+               static_cast<int32_t>(take(grid::kPositionBits));
   }
 };
 
@@ -65,8 +66,7 @@ Status GridHints::open(const Font& font, GridHints& out) noexcept {
 }
 
 GridZone GridHints::zone(uint32_t i) const noexcept {
-  const uint8_t* const at =
-      section_.data + grid::kBytes + grid::kZoneBytes * i;
+  const uint8_t* const at = section_.data + grid::kBytes + grid::kZoneBytes * i;
   int32_t flat = detail::load_i16(at + grid::kZoneFlat);
   flat = flat > kFarthestZone ? kFarthestZone : flat;
   flat = flat < -kFarthestZone ? -kFarthestZone : flat;
@@ -154,8 +154,9 @@ YHint GlyphHints::next_y() noexcept {
   if (is_stroke) {
     hint.is_standard = bits.flag();
     const int32_t width_u =
-        hint.is_standard ? hints_.bar_width_u()
-                         : 2 * static_cast<int32_t>(bits.take(grid::kWidthBits));
+        hint.is_standard
+            ? hints_.bar_width_u()
+            : 2 * static_cast<int32_t>(bits.take(grid::kWidthBits));
     (hint.is_top ? low_u : high_u) += hint.is_top ? -width_u : width_u;
   }
   hint.low_u = low_u;

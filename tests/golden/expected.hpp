@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kSheetHash =
-    "ae9879f38787a6fd9168e0e58bd96c988326690981b8e7173ba292774e11d43c";
+    "dc8084519268c3368fd23fde9cbd5e61e9577c5ddec2c0716714e2aa668e7042";
 inline constexpr const char* kPageHashes[] = {
     "153a8cdc0d2185f012c6f79e9d4e3d0b09d139e352643026fc4edb22a2ccd501",
     "d15a3f74433a404e65dc1095e219f4d89439f0ecd36623addc7854c87890c21e",
@@ -22,7 +22,7 @@ inline constexpr const char* kPageHashes[] = {
     "288960b9a790313f2e91a7b692e4b35efab3741de6e04622ced0730ab60bb24e",
     "946f3804f8919874892bfd0bec0fe3c0f8bc606e01b36d99c7eef8c694eeee46",
     "c2cdde607fa230120c2e32b2042990ce511134de10c449d1521cc207cfc4e773",
-    "08e02e1dbd819f8a9d2c4e3659a181ff9dd78a5fe13769699c1a407635ea2774",
+    "7a6d47de0c11045bec75d753eb25d5df5072dcfe35183e7419d81108852f1c19",
 };
 
 }  // namespace golden

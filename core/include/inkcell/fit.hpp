@@ -26,6 +26,11 @@
 
 namespace inkcell {
 
+namespace detail {
+class AcrossFit;
+class HeightFit;
+}  // namespace detail
+
 struct FitOptions {
   static constexpr uint16_t kAll = 256;
 
@@ -95,8 +100,8 @@ class Fit {
   }
 
  private:
-  friend class AcrossFit;
-  friend class HeightFit;
+  friend class detail::AcrossFit;
+  friend class detail::HeightFit;
   friend class GridFit;
 
   struct Zone {

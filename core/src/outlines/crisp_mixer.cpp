@@ -74,7 +74,8 @@ class CrispRow {
         filter_(painted.brush->filter()),
         step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
         threshold_q10_(threshold_of(style_of(*painted.brush))),
-        has_greys_(has_greys(style_of(*painted.brush))) {}
+        has_greys_(has_greys(style_of(*painted.brush))),
+        is_fitted_(painted.brush->is_fitted()) {}
 
   uint8_t coverage(const uint8_t* at) const noexcept {
     if ((*at & kNearnessMask) == 0) {
@@ -102,13 +103,14 @@ class CrispRow {
                                        : distance_q10(byte) >= threshold_q10_;
   }
 
-  // Whether a pixel that is not drawn must stand for a stroke. Rows come first:
-  // what they draw keeps columns from drawing beside it.
+  // Whether a pixel that is not drawn must stand for a stroke. Where strokes
+  // were fitted few pass between pixels, and rows come first: what they draw
+  // keeps columns from drawing beside it.
   bool is_bridge(const uint8_t* at) const noexcept {
     return stands_for_stroke(row_, at) ||
            (stands_for_stroke(column_, at) &&
-            !stands_for_stroke(row_, at - column_.step) &&
-            !stands_for_stroke(row_, at + column_.step));
+            !(is_fitted_ && (stands_for_stroke(row_, at - column_.step) ||
+                             stands_for_stroke(row_, at + column_.step))));
   }
 
   // Whether a pixel is in the middle of a stroke across a line that draws none
@@ -125,13 +127,22 @@ class CrispRow {
              has_ink_around(line, at - line.across) &&
              has_ink_around(line, at + line.across);
     }
-    if (is_drawn(*before) || is_drawn(*behind)) {
+    if (is_fitted_ && (is_drawn(*before) || is_drawn(*behind))) {
       return false;
     }
     return ((*at & line.crossed) != 0 && is_nearer(*at, *before, false) &&
-            has_width(*at, *before) && goes_on(line, at)) ||
+            is_stroke(line, at, *at, *before)) ||
            ((*behind & line.crossed) != 0 && is_nearer(*at, *behind, true) &&
-            has_width(*at, *behind) && goes_on(line, behind));
+            is_stroke(line, behind, *at, *behind));
+  }
+
+  // Whether what lies between `at` and the pixel before is a stroke rather than
+  // an end of one, or what grid fitting has flattened.
+  bool is_stroke(const Line& line,
+                 const uint8_t* at,
+                 uint32_t byte,
+                 uint32_t other) const noexcept {
+    return !is_fitted_ || (has_width(byte, other) && goes_on(line, at));
   }
 
   // Whether the next pixel of a line lies outside, or inside as the last one,
@@ -169,12 +180,12 @@ class CrispRow {
     return distance_q10(byte) + distance_q10(other) > -kWay;
   }
 
-  // Whether the other pixel lies outside and this one is nearer. Of two that
+  // Whether the other pixel lies outside, is not drawn and farther. Of two that
   // are equally near the first one is drawn.
-  static bool is_nearer(uint32_t byte, uint32_t other, bool is_first) noexcept {
+  bool is_nearer(uint32_t byte, uint32_t other, bool is_first) const noexcept {
     const uint32_t nearness = byte & kNearnessMask;
     const uint32_t others = other & kNearnessMask;
-    return (other & kInsideBit) == 0 &&
+    return (other & kInsideBit) == 0 && !is_drawn(other) &&
            (nearness > others || (nearness == others && is_first));
   }
 
@@ -184,6 +195,7 @@ class CrispRow {
   uint32_t step_q8_;  // a 254th of the reach [px, Q18]
   int32_t threshold_q10_;
   bool has_greys_;
+  bool is_fitted_;
 };
 
 void mix_crisp(const PaintedBand& painted) noexcept {

@@ -160,18 +160,25 @@ class Builder {
   uint32_t cell_count_ = 0;
 };
 
+// A px is a u, and the box is up to 1 u wider than the ink.
+__attribute__((noinline)) bool open_outline(const Font& font,
+                                            uint16_t glyph,
+                                            Span<const uint8_t> record,
+                                            OutlineGlyph& outline) noexcept {
+  constexpr detail::Placed kOrigin = {0, 0};
+  GlyphMetrics metrics;
+  return font.glyph_metrics(glyph, metrics) == Status::ok &&
+         outline.open(font, metrics, record, Q26_6::from_int(1024), nullptr,
+                      kOrigin, {0, 128}, nullptr);
+}
+
 // Not inline: the reader's stack is free again when the tree grows.
 __attribute__((noinline)) Status Builder::open(const Font& font,
                                                uint16_t glyph,
                                                Span<const uint8_t> record,
                                                Span<uint8_t> buffer) noexcept {
-  // A px is a u, and the box is up to 1 u wider than the ink.
   OutlineGlyph outline;
-  const detail::Placed origin = {0, 0};
-  GlyphMetrics metrics;
-  if (font.glyph_metrics(glyph, metrics) != Status::ok ||
-      !outline.open(font, metrics, record, Q26_6::from_int(1024), nullptr,
-                    origin, {0, 128}, nullptr)) {
+  if (!open_outline(font, glyph, record, outline)) {
     return Status::unsupported;
   }
   if (!grid_.set(outline.box(), limits_.band_u)) {
