@@ -50,8 +50,8 @@ MEMORY = {
 }
 # What codings can do; measured figures stand above it.
 ABILITIES = [
-    ["any size, position and matrix; kerning, grid fitting", "yes", "yes",
-     "yes"],
+    ["any size, position and matrix; kerning", "yes", "yes", "yes"],
+    ["grid fitting", "yes", "no", "no"],
     ["filters, weight, gamma, sub-pixels, outlines, 1 and 2 bits", "yes", "yes",
      "yes"],
     ["exact area", "yes", "no", "no"],
