@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "shape.hpp"
 
 namespace inkcell {

@@ -8,7 +8,7 @@
 #include "bit_costs.hpp"
 #include "field_code.hpp"
 #include "field_polish.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "metric.hpp"
 
 namespace inkcell {

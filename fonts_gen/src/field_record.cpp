@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell {
 namespace gen {

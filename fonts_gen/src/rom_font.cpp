@@ -7,7 +7,7 @@
 #include "bit_table.hpp"
 #include "field_record.hpp"
 #include "hints/grid_section.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
 
 namespace inkcell::gen {

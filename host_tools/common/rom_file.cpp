@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bytes.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/text.hpp"
 
 namespace inkcell::tools {

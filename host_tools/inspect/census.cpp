@@ -5,7 +5,7 @@
 #include <set>
 
 #include "bytes.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "rom_file.hpp"
 
 namespace inkcell::tools {

@@ -6,7 +6,7 @@
 
 #include "bit_reader.hpp"
 #include "bytes.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell::tools {
 namespace {

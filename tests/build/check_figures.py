@@ -13,13 +13,13 @@ from toolchains import ROOT, finish
 # words around the constant.
 CONSTANTS = [
     ("docs/DESIGN.md", r"in bands of (\d+) rows and",
-     "core/src/leaf_band.hpp", r"kRows = (\d+)"),
+     "core/src/raster/leaf_band.hpp", r"kRows = (\d+)"),
     ("docs/DESIGN.md", r"in bands of 8 rows and (\d+) columns",
-     "core/src/leaf_band.hpp", r"kColumns = (\d+)"),
+     "core/src/raster/leaf_band.hpp", r"kColumns = (\d+)"),
     ("docs/DESIGN.md", r"height in the band make (\d+) px",
-     "core/src/field_band.cpp", r"kMinReduced = (\d+)"),
+     "core/src/raster/field_band.cpp", r"kMinReduced = (\d+)"),
     ("docs/DESIGN.md", r"and in object order from (\d+) px on",
-     "core/src/render.cpp", r"kCellsFrom = Q26_6::from_int\((\d+)\)"),
+     "core/src/raster/render.cpp", r"kCellsFrom = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"From (\d+) px on fitting of grey text fades",
      "core/include/inkcell/fit.hpp", r"kFades = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"of grey text fades, to nothing at (\d+) px",
@@ -115,7 +115,7 @@ def measured(bench):
 def check_offsets():
     """Where FORMAT.md places numbers, and where format.hpp does."""
     form = (ROOT / "docs/FORMAT.md").read_text()
-    source = (ROOT / "core/include/inkcell/format.hpp").read_text()
+    source = (ROOT / "core/include/inkcell/format/rom.hpp").read_text()
     problems = []
     for heading, space, least in [("## Header", "header", 31),
                                   ("## Section directory", "section", 3)]:

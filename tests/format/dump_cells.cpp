@@ -15,7 +15,7 @@
 
 #include "inkcell/field.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
 
 namespace {

@@ -35,7 +35,7 @@ run() {
     -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 \
     -Icore/include -Icore/src -Itests/unit -Itests/hostile \
     "tests/fuzz/$target.cpp" tests/hostile/exercise.cpp \
-    tests/unit/font_builder.cpp "$@" core/src/*.cpp core/src/outlines/*.cpp \
+    tests/unit/font_builder.cpp "$@" core/src/*/*.cpp \
     -o "$folder/$target"
   # A unit that needs more than 5 s is as bad as a crash.
   common="-max_len=$longest -timeout=5 -rss_limit_mb=1024"

@@ -10,7 +10,7 @@
 
 #include "distance_map.hpp"
 #include "glyph_outlines.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/render.hpp"
 
 namespace inkcell {

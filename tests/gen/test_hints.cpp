@@ -11,7 +11,7 @@
 #include "hints/glyph_hints.hpp"
 #include "hints/grid_section.hpp"
 #include "hints/hint_trial.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "outlines/outline_font.hpp"
 #include "outlines/unite.hpp"
 

@@ -12,7 +12,7 @@
 #include "field_code.hpp"
 #include "field_record.hpp"
 #include "field_trees.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "shape.hpp"
 
 namespace inkcell::gen::test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "inkcell/fit.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace hostile {
 namespace {

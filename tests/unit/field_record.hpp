@@ -6,7 +6,7 @@
 
 #include "font_builder.hpp"
 #include "inkcell/field.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "random.hpp"
 
 /// A record being put together. Fields are numbered arcs first, and references

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 
 namespace font_builder {

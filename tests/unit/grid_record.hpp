@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 #include "outline_record.hpp"
 
@@ -113,8 +113,9 @@ class GridRecord {
   inkcell::Span<const uint8_t> write() {
     end_glyph();
     size_ = 0;
-    const uint32_t header[] = {zone_count_, flags,  stem_width_u, bar_width_u,
-                               x_zone,      kOffsetBits, 0,       0};
+    const uint32_t header[] = {zone_count_, flags,  stem_width_u,
+                               bar_width_u, x_zone, kOffsetBits,
+                               0,           0};
     for (const uint32_t byte : header) {
       byte_out(byte);
     }

@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 #include "font_builder.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 
 namespace outline_record {

@@ -1,8 +1,8 @@
 // Bit tables: every width at every place, and nothing outside.
-#include "bit_table.hpp"
+#include "base/bit_table.hpp"
 
 #include "check.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "random.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include "outlines/outline_reader.hpp"
 
 #include "check.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "outline_record.hpp"
 
 namespace {

@@ -1,10 +1,10 @@
 // Where the walk knows that a glyph is plane around a point, and gradients that
 // are steeper than they should be.
 #include "check.hpp"
+#include "distance/point_walk.hpp"
 #include "field_record.hpp"
 #include "font_builder.hpp"
 #include "inkcell/render.hpp"
-#include "point_walk.hpp"
 
 namespace {
 

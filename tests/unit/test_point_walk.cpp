@@ -1,5 +1,5 @@
 // Points near each other: in any order they are what each is alone.
-#include "point_walk.hpp"
+#include "distance/point_walk.hpp"
 
 #include "check.hpp"
 #include "field_record.hpp"
@@ -88,8 +88,7 @@ int check_points(const GlyphField& field, const Brush& brush, Random& random) {
         field, brush,
         {origin.x_q10 - offset.right_q10, origin.y_q10 + offset.up_q10}, x, y,
         expected);
-    FieldPosition at =
-        detail::sample_position(brush, origin, x, y, offset);
+    FieldPosition at = detail::sample_position(brush, origin, x, y, offset);
     for (const Q6_10& distance : expected) {
       CHECK_EQ(clamped(walk.distance_q10(at)), distance.raw);
       edge += walk.is_saturated() ? 0 : 1;
@@ -131,8 +130,8 @@ TEST(gradients_turn_with_the_glyph) {
     for (const ScreenOffset& from : offsets) {
       const auto x = static_cast<int32_t>(middle_x * 1024) + from.right_q10;
       const auto y = static_cast<int32_t>(middle_y * 1024) - from.up_q10;
-      const ScreenGradient g = walk.gradient(detail::sample_position(
-          brush, {0, 0}, 0, 0, {x - 512, 512 - y}));
+      const ScreenGradient g = walk.gradient(
+          detail::sample_position(brush, {0, 0}, 0, 0, {x - 512, 512 - y}));
       const double away = from.right_q10 != 0 && from.up_q10 != 0
                               ? 13 * 1024 * 1.41421356
                               : 18 * 1024;
@@ -167,8 +166,8 @@ TEST(gradients_of_fields_are_those_of_the_glyph) {
     for (int i = 0; i < 20; ++i) {
       const int32_t x = random.between(-10, 520);
       const int32_t y = random.between(-520, 10);
-      const ScreenGradient found = walk.gradient(
-          detail::sample_position(brush, {0, 0}, x, y, {0, 0}));
+      const ScreenGradient found =
+          walk.gradient(detail::sample_position(brush, {0, 0}, x, y, {0, 0}));
       const Gradient expected =
           gradient_at(field, Q16_16::from_raw(x * 65536 + 32768),
                       Q16_16::from_raw(-y * 65536 - 32768));

@@ -18,7 +18,7 @@
 #include "inkcell/field.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 #include "outlines/record_bits.hpp"
 

@@ -1,7 +1,7 @@
 #include "outlines/outline_glyph.hpp"
 
-#include "inkcell/format.hpp"
-#include "order.hpp"
+#include "base/math.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell {
 namespace detail {

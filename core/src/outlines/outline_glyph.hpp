@@ -5,12 +5,12 @@
 
 #include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/strip.hpp"
 #include "outlines/component.hpp"
 #include "outlines/outline_reader.hpp"
-#include "position.hpp"
+#include "place/position.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -1,8 +1,8 @@
 #include "outlines/outline_reader.hpp"
 
-#include "bytes.hpp"
-#include "inkcell/format.hpp"
-#include "order.hpp"
+#include "base/bytes.hpp"
+#include "base/math.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell {
 namespace detail {

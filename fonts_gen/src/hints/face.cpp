@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hints/grid_section.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "outlines/outline_font.hpp"
 #include "work_pool.hpp"
 

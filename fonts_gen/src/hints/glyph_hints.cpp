@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bit_table.hpp"
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "outlines/bit_writer.hpp"
 
 namespace inkcell::gen {

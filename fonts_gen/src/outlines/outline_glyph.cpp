@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "inkcell/format.hpp"
+#include "inkcell/format/rom.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/text.hpp"
 #include "outlines/curves.hpp"

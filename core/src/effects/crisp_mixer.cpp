@@ -1,0 +1,227 @@
+// Outlines for displays of 1 and 2 bits.
+#include "base/math.hpp"
+#include "inkcell/crisp.hpp"
+#include "rows/crossings.hpp"
+#include "rows/outline_draw.hpp"
+#include "rows/outline_mixer.hpp"
+#include "rows/words.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// Pixels farther from the ink are never drawn. [px, Q8]
+constexpr int32_t kMostReach = 256;
+
+const CrispStyle& style_of(const Brush& brush) noexcept {
+  return *static_cast<const CrispStyle*>(brush.painter().options);
+}
+bool has_greys(const CrispStyle& style) noexcept {
+  return style.levels > 2;
+}
+
+// [px, Q10]
+int32_t threshold_of(const CrispStyle& style) noexcept {
+  return lesser(greater(style.threshold_px.raw, -512), 512);
+}
+
+void plan_crisp(const Brush& brush, OutlinePlan& plan) noexcept {
+  const CrispStyle& style = style_of(brush);
+  // Thresholds, and the nearer of two pixels that a stroke passes between.
+  constexpr int32_t kLeastReach = 128 + 16;
+  if (!has_greys(style)) {
+    plan.outside_q8 = 0;
+    plan.inside_q8 = 0;
+  }
+  plan.outside_q8 = greater(plan.outside_q8, kLeastReach);
+  plan.inside_q8 = greater(plan.inside_q8, kLeastReach);
+  plan.shown_q8 = greater(plan.shown_q8, kMostReach);
+  // The pixels that decide about one.
+  plan.margin_x = 2;
+  plan.margin_y = 2;
+}
+
+// From toggles to what is inside, four pixels at a time.
+void resolve(const Band& band) noexcept {
+  for (int32_t row = 0; row != band.rows; ++row) {
+    uint32_t inside = 0;  // all ones: the pixel to the left is
+    uint8_t* at = band.row(row);
+    for (uint8_t* const end = at + band.stride; at != end; at += 4) {
+      constexpr uint32_t kBits = 0x01010101 * kInsideBit;
+      const uint32_t word = load_pixels(at);
+      uint32_t bits = word & kBits;
+      bits ^= bits << 8;
+      bits ^= bits << 16;
+      bits ^= inside & kBits;
+      inside = 0u - (bits >> 24);
+      store_pixels(at, (word & ~kBits) | bits);
+    }
+  }
+}
+
+// Lines of pixels through a band: a row's, or a column's.
+struct Line {
+  int32_t step;      // to the next pixel [bytes]
+  int32_t across;    // to the line below or to the right
+  uint32_t crossed;  // the bit of an edge between a pixel and the one before
+};
+
+class CrispRow {
+ public:
+  CrispRow(const PaintedBand& painted) noexcept
+      : row_{1, painted.band.stride, kCrossedLeft},
+        column_{painted.band.stride, 1, kCrossedAbove},
+        filter_(painted.brush->filter()),
+        step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
+        threshold_q10_(threshold_of(style_of(*painted.brush))),
+        has_greys_(has_greys(style_of(*painted.brush))),
+        is_fitted_(painted.brush->is_fitted()) {}
+
+  uint8_t coverage(const uint8_t* at) const noexcept {
+    if ((*at & kNearnessMask) == 0) {
+      return (*at & kInsideBit) != 0 ? 255 : 0;
+    }
+    const int32_t d = distance_q10(*at);
+    uint8_t coverage = d >= threshold_q10_ ? 255 : 0;
+    if (has_greys_) {
+      coverage = static_cast<uint8_t>((filter_.coverage(d) + 42) / 85 * 85);
+    }
+    const uint8_t bridge = has_greys_ ? 170 : 255;
+    return coverage < bridge && d < threshold_q10_ && is_bridge(at) ? bridge
+                                                                    : coverage;
+  }
+
+ private:
+  // In the middle of a step. [px, Q10]
+  int32_t distance_q10(uint32_t byte) const noexcept {
+    const auto distance =
+        static_cast<int32_t>((251 - (byte & kNearnessMask)) * step_q8_ >> 8);
+    return (byte & kInsideBit) != 0 ? distance : -distance;
+  }
+  bool is_drawn(uint32_t byte) const noexcept {
+    return (byte & kNearnessMask) == 0 ? (byte & kInsideBit) != 0
+                                       : distance_q10(byte) >= threshold_q10_;
+  }
+
+  // Whether a pixel that is not drawn must stand for a stroke. Where strokes
+  // were fitted few pass between pixels, and rows come first: what they draw
+  // keeps columns from drawing beside it.
+  bool is_bridge(const uint8_t* at) const noexcept {
+    return stands_for_stroke(row_, at) ||
+           (stands_for_stroke(column_, at) &&
+            !(is_fitted_ && (stands_for_stroke(row_, at - column_.step) ||
+                             stands_for_stroke(row_, at + column_.step))));
+  }
+
+  // Whether a pixel is in the middle of a stroke across a line that draws none
+  // of its pixels.
+  bool stands_for_stroke(const Line& line, const uint8_t* at) const noexcept {
+    const uint8_t* const before = at - line.step;
+    const uint8_t* const behind = at + line.step;
+    if (is_drawn(*at)) {
+      return false;
+    }
+    if ((*at & kInsideBit) != 0) {
+      return is_deepest(at, -line.step, false) &&
+             is_deepest(at, line.step, true) &&
+             has_ink_around(line, at - line.across) &&
+             has_ink_around(line, at + line.across);
+    }
+    if (is_fitted_ && (is_drawn(*before) || is_drawn(*behind))) {
+      return false;
+    }
+    return ((*at & line.crossed) != 0 && is_nearer(*at, *before, false) &&
+            is_stroke(line, at, *at, *before)) ||
+           ((*behind & line.crossed) != 0 && is_nearer(*at, *behind, true) &&
+            is_stroke(line, behind, *at, *behind));
+  }
+
+  // Whether what lies between `at` and the pixel before is a stroke rather than
+  // an end of one, or what grid fitting has flattened.
+  bool is_stroke(const Line& line,
+                 const uint8_t* at,
+                 uint32_t byte,
+                 uint32_t other) const noexcept {
+    return !is_fitted_ || (has_width(byte, other) && goes_on(line, at));
+  }
+
+  // Whether the next pixel of a line lies outside, or inside as the last one,
+  // not drawn and less deep. Strokes over more pixels are narrow across the
+  // other lines.
+  bool is_deepest(const uint8_t* at,
+                  int32_t step,
+                  bool is_first) const noexcept {
+    const uint32_t next = at[step];
+    const uint32_t own = *at & kNearnessMask;
+    return (next & kInsideBit) == 0 ||
+           (!is_drawn(next) && (at[2 * step] & kInsideBit) == 0 &&
+            (own < (next & kNearnessMask) ||
+             (own == (next & kNearnessMask) && is_first)));
+  }
+  static bool has_ink_around(const Line& line, const uint8_t* at) noexcept {
+    return ((at[-line.step] | *at | at[line.step]) &
+            (kInsideBit | line.crossed)) != 0;
+  }
+
+  // Whether a stroke between `at` and the pixel before goes on in both lines
+  // beside: ends of strokes are no strokes.
+  bool goes_on(const Line& line, const uint8_t* at) const noexcept {
+    return has_ink(line, at - line.across) && has_ink(line, at + line.across);
+  }
+  static bool has_ink(const Line& line, const uint8_t* at) noexcept {
+    return (((at[-line.step] | *at) & (kInsideBit | line.crossed)) |
+            (at[line.step] & line.crossed)) != 0;
+  }
+
+  // Whether a stroke between two pixels, both outside, leaves less than all of
+  // the way between them: what grid fitting flattens has no width.
+  bool has_width(uint32_t byte, uint32_t other) const noexcept {
+    constexpr int32_t kWay = 1000;  // a pixel but what nearness is rounded by
+    return distance_q10(byte) + distance_q10(other) > -kWay;
+  }
+
+  // Whether the other pixel lies outside, is not drawn and farther. Of two that
+  // are equally near the first one is drawn.
+  bool is_nearer(uint32_t byte, uint32_t other, bool is_first) const noexcept {
+    const uint32_t nearness = byte & kNearnessMask;
+    const uint32_t others = other & kNearnessMask;
+    return (other & kInsideBit) == 0 && !is_drawn(other) &&
+           (nearness > others || (nearness == others && is_first));
+  }
+
+  Line row_;
+  Line column_;
+  const Filter& filter_;
+  uint32_t step_q8_;  // a 254th of the reach [px, Q18]
+  int32_t threshold_q10_;
+  bool has_greys_;
+  bool is_fitted_;
+};
+
+void mix_crisp(const PaintedBand& painted) noexcept {
+  const Band& band = painted.band;
+  const Rect& pixels = painted.pixels;
+  resolve(band);
+  const CrispRow row(painted);
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    const uint8_t* at = band.row(y - pixels.y0 + painted.row) + painted.column;
+    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
+      alignas(4) uint8_t words[kMaxSpan + 4];
+      uint8_t* const coverage = words + (x & 3);
+      const int32_t count = lesser(kMaxSpan, pixels.x1 - x);
+      for (int32_t i = 0; i != count; ++i) {
+        coverage[i] = row.coverage(at++);
+      }
+      emit_row(*painted.sink, x, y, coverage, count);
+    }
+  }
+}
+
+constexpr OutlinePainter kPaintCrossings = {paint_crossings, nullptr, 128, 0};
+
+}  // namespace
+
+const OutlineMixer kCrispMixer = {&kPaintCrossings, plan_crisp, mix_crisp};
+
+}  // namespace detail
+}  // namespace inkcell

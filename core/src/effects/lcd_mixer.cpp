@@ -1,0 +1,143 @@
+// Sub-pixels of outlines: exact coverage of each stripe.
+#include "base/math.hpp"
+#include "effects/lcd_stripes.hpp"
+#include "inkcell/lcd.hpp"
+#include "rows/cover.hpp"
+#include "rows/outline_draw.hpp"
+#include "rows/outline_mixer.hpp"
+#include "rows/words.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+const LcdStyle& style_of(const Brush& brush) noexcept {
+  return *static_cast<const LcdStyle*>(brush.painter().options);
+}
+
+void plan_lcd(const Brush& brush, OutlinePlan& plan) noexcept {
+  // A channel is the mean of a stripe and the two beside it.
+  plan.shown_q8 += 86;
+  if (is_vertical(style_of(brush).order)) {
+    plan.rows = 3;
+    plan.margin_y = 1;
+  } else {
+    plan.columns = 3;
+    plan.margin_x = 1;
+  }
+}
+
+// A straight edge's coverage as the filter's table has it.
+void map_stripes(const Band& band, const Filter& filter) noexcept {
+  uint8_t* at = band.bytes;
+  for (uint8_t* const end = at + band.rows * band.stride; at != end; at += 4) {
+    const uint32_t word = load_pixels(at);
+    if (word != 0 && word != 0xffffffff) {
+      for (int32_t i = 0; i != 4; ++i) {
+        at[i] = at[i] == 0 || at[i] == 255 ? at[i] : filter.table[at[i]];
+      }
+    }
+  }
+}
+
+// Pixels of a row. A pixel's stripes are `stripe` bytes apart, and pixels
+// `pixel` bytes:
+//
+//   | . . 0 | 1 2 3 | 4 . . |     red is the mean of 0, 1 and 2
+//
+class StripeRow {
+ public:
+  StripeRow(const uint8_t* first, int32_t stripe, int32_t pixel) noexcept
+      : at_(first - stripe), stripe_(stripe), pixel_(pixel) {}
+
+  // The sums of three channels, 0 to 765.
+  void next(int32_t& first, int32_t& second, int32_t& third) noexcept {
+    const uint8_t* at = at_;
+    at_ += pixel_;
+    first = *at;
+    at += stripe_;
+    second = *at;
+    at += stripe_;
+    third = *at;
+    first += second + third;
+    second += third;
+    at += stripe_;
+    second += *at;
+    third += *at;
+    at += stripe_;
+    third += *at;
+  }
+
+ private:
+  const uint8_t* at_;
+  int32_t stripe_;
+  int32_t pixel_;
+};
+
+// Up to kMaxSpan pixels, as long as they are of one kind: none, all, or what
+// lies between. Returns how many.
+__attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
+                                           StripeRow& row,
+                                           int32_t x,
+                                           int32_t y,
+                                           int32_t count) noexcept {
+  constexpr int32_t kFull = 3 * 255;
+  const LcdStyle& style = style_of(*painted.brush);
+  const bool is_red_first = detail::is_red_first(style.order);
+  uint8_t rgb[3 * kMaxSpan];
+  uint8_t* out = rgb;
+  int32_t done = 0;
+  int32_t all_sum = -1;
+  for (; done != count; ++done) {
+    StripeRow next = row;
+    int32_t a;
+    int32_t b;
+    int32_t c;
+    next.next(a, b, c);
+    const int32_t sum = a + b + c;
+    const int32_t kind = sum == 0 || sum == 3 * kFull ? sum : 1;
+    if (all_sum >= 0 && kind != all_sum) {
+      break;
+    }
+    all_sum = kind;
+    row = next;
+    if (kind == 1) {
+      out[0] = third(is_red_first ? a : c);
+      out[1] = third(b);
+      out[2] = third(is_red_first ? c : a);
+      out += 3;
+    }
+  }
+  if (all_sum == 3 * kFull) {
+    painted.sink->solid(painted.sink->context, x, y, done);
+  } else if (all_sum == 1) {
+    hand_on(*painted.sink, style, x, y, rgb, done);
+  }
+  return done;
+}
+
+void mix_lcd(const PaintedBand& painted) noexcept {
+  const Band& band = painted.band;
+  const Filter& filter = painted.brush->filter();
+  cover_areas(band, filter);
+  if (!filter.is_linear) {
+    map_stripes(band, filter);
+  }
+  const bool is_down = is_vertical(style_of(*painted.brush).order);
+  const Rect& pixels = painted.pixels;
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    const int32_t row = (y - pixels.y0) * (is_down ? 3 : 1) + painted.row;
+    StripeRow stripes(band.row(row) + painted.column, is_down ? band.stride : 1,
+                      is_down ? 1 : 3);
+    for (int32_t x = pixels.x0; x != pixels.x1;) {
+      x += mix_span(painted, stripes, x, y, lesser(kMaxSpan, pixels.x1 - x));
+    }
+  }
+}
+
+}  // namespace
+
+const OutlineMixer kLcdMixer = {&kPaintAreas, plan_lcd, mix_lcd};
+
+}  // namespace detail
+}  // namespace inkcell

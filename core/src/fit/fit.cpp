@@ -1,0 +1,214 @@
+#include "inkcell/fit.hpp"
+
+#include "base/math.hpp"
+#include "fit/across_fit.hpp"
+#include "fit/fit_units.hpp"
+#include "fit/height_fit.hpp"
+
+namespace inkcell {
+
+using detail::greater;
+using detail::kPx;
+using detail::lesser;
+using detail::magnitude;
+using detail::round_px;
+using detail::whole_width;
+
+namespace {
+
+// All lengths are [px, Q6] unless their names say otherwise.
+
+// Fractions of an x-height from here on are rounded up: 1/8 px.
+constexpr int32_t kRoundUp = kPx - kPx / 8;
+// Shorter x-heights are not scaled.
+constexpr int32_t kLeastHeight = 96;
+// Round edges pass their zone from this much on.
+constexpr int32_t kLeastOvershoot = 38;
+// Serifs are whole pixels from this size on, and are left out below.
+constexpr int32_t kSerifsFrom = 12 << 6;
+// Bends whose control points were moved are fuller. [px, Q10]
+constexpr int32_t kFuller = 30;
+
+}  // namespace
+
+// Font units, less than 32 em of them.
+inline int32_t Fit::u_of(int32_t units) const noexcept {
+  constexpr int32_t kMost_u = (1 << 15) - 1;
+  // In two parts, as the product may pass 2^31.
+  const int32_t whole = units * (u_per_unit_q14_ >> 14);
+  const int32_t part = units * (u_per_unit_q14_ & ((1 << 14) - 1));
+  const int32_t u = whole + ((part + (1 << 13)) >> 14);
+  return lesser(greater(u, -kMost_u), kMost_u);
+}
+
+inline void Fit::add_knot(AxisMap& map,
+                          int32_t at_u,
+                          int32_t to_q6) const noexcept {
+  const int32_t from_q8 = (at_u * size_q6_ + (1 << 7)) >> 8;
+  static_cast<void>(
+      map.add(from_q8, from_q8 + ((to_q6 * 4 - from_q8) * strength_q8_ >> 8)));
+}
+
+inline void Fit::set_zones() noexcept {
+  y_scale_q16_ = size_q6_ * (1 << 6);
+  const uint32_t count = hints_.zone_count();
+  if (hints_.x_zone() < count) {
+    const int32_t natural = px_q6(hints_.zone(hints_.x_zone()).flat_u);
+    if (natural >= kLeastHeight) {
+      const int32_t fitted = (natural + kRoundUp) & ~(kPx - 1);
+      // At most 40 px, and half as much more.
+      y_scale_q16_ = static_cast<int32_t>(static_cast<uint32_t>(size_q6_) * 64 *
+                                          static_cast<uint32_t>(fitted) /
+                                          static_cast<uint32_t>(natural));
+    }
+  }
+  for (uint32_t i = 0; i != count; ++i) {
+    const GridZone read = hints_.zone(i);
+    const int32_t flat = round_px(height_q6(read.flat_u));
+    const int32_t beyond = px_q6(read.overshoot_u);
+    zones_[i] = {static_cast<int16_t>(flat),
+                 static_cast<int16_t>(magnitude(beyond) < kLeastOvershoot
+                                          ? flat
+                                          : flat + beyond)};
+  }
+}
+
+inline void Fit::set_weight() noexcept {
+  if (hints_.stem_width_u() == 0) {
+    return;
+  }
+  // Half of what a stem gains. [px, Q10]
+  const int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
+  const int32_t weight = hints_.has_contrast()
+                             ? lesser(greater(more, 0), 51)
+                             : lesser(greater(more - kFuller, -256), 123);
+  crisp_weight_q10_ = static_cast<int16_t>(-weight);
+}
+
+Status Fit::make(const Font& font,
+                 const Brush& brush,
+                 const FitOptions& options,
+                 Fit& out) noexcept {
+  if (options.strength_q8 > FitOptions::kAll || options.levels > 4 ||
+      options.levels % 2 != 0) {
+    return Status::bad_argument;
+  }
+  INKCELL_TRY(GridHints::open(font, out.hints_));
+  out.is_across_ = false;
+  out.strength_q8_ = 0;
+  out.crisp_weight_q10_ = 0;
+  const int32_t size_q6 = brush.size().raw;
+  if (size_q6 >= kEnds.raw) {
+    return Status::ok;
+  }
+  uint32_t strength = options.strength_q8;
+  if (options.levels == 0 && size_q6 > kFades.raw) {
+    strength = strength * static_cast<uint32_t>(kEnds.raw - size_q6) /
+               static_cast<uint32_t>(kEnds.raw - kFades.raw);
+  }
+  if (strength != 0) {
+    out.levels_ = options.levels;
+    out.is_across_ = options.across && !out.hints_.empty();
+    out.drops_serifs_ = options.levels == 2 && size_q6 < kSerifsFrom;
+    out.strength_q8_ = static_cast<uint16_t>(strength);
+    out.size_q6_ = size_q6;
+    out.u_per_unit_q14_ =
+        static_cast<int32_t>((uint32_t{1024} << 14) / font.units_per_em());
+    out.stem_q6_ = out.px_q6(out.hints_.stem_width_u());
+    out.bar_q6_ = out.px_q6(out.hints_.bar_width_u());
+    out.set_zones();
+    out.set_weight();
+  }
+  return Status::ok;
+}
+
+// A place to the nearest pixel.
+__attribute__((noinline)) void Fit::to_grid(int64_t& at_q10) const noexcept {
+  const int32_t part =
+      static_cast<int32_t>((static_cast<uint32_t>(at_q10) + 512) & 1023) - 512;
+  at_q10 -= part * strength_q8_ >> 8;
+}
+
+// The functions of both fitters.
+class GridFit {
+ public:
+  static void fit(uint16_t glyph,
+                  const GlyphMetrics& metrics,
+                  const void* options,
+                  FinePoint& origin,
+                  GlyphWarp& warp) noexcept {
+    const Fit& fit = *static_cast<const Fit*>(options);
+    GlyphHints hints(fit.hints_, glyph);
+    fit_heights(fit, hints, origin, warp);
+    if (fit.is_across_) {
+      fit.to_grid(origin.x_q10);
+      static_cast<void>(fit_across(fit, metrics, hints, &warp.x));
+    }
+  }
+
+  static void heights(uint16_t glyph,
+                      const GlyphMetrics&,
+                      const void* options,
+                      FinePoint& origin,
+                      GlyphWarp& warp) noexcept {
+    const Fit& fit = *static_cast<const Fit*>(options);
+    GlyphHints hints(fit.hints_, glyph);
+    fit_heights(fit, hints, origin, warp);
+  }
+
+  static bool has_advances(const void* options) noexcept {
+    return static_cast<const Fit*>(options)->has_advances();
+  }
+  static bool has_none(const void*) noexcept { return false; }
+
+  static int32_t advance_px(const Font& font,
+                            uint16_t glyph,
+                            const void* options) noexcept {
+    const Fit& fit = *static_cast<const Fit*>(options);
+    GlyphHints hints(fit.hints_, glyph);
+    for (uint32_t i = hints.y_count(); i != 0; --i) {
+      static_cast<void>(hints.next_y());
+    }
+    GlyphMetrics metrics;
+    static_cast<void>(font.glyph_metrics(glyph, metrics));
+    return fit_across(fit, metrics, hints, nullptr) >> 6;
+  }
+
+ private:
+  // Each apart, so that one has the stack while the other does not run.
+  __attribute__((noinline)) static void fit_heights(const Fit& fit,
+                                                    GlyphHints& hints,
+                                                    FinePoint& origin,
+                                                    GlyphWarp& warp) noexcept {
+    warp.clear();
+    if (fit.strength_q8_ == 0) {
+      return;
+    }
+    // The baseline lies between two rows.
+    fit.to_grid(origin.y_q10);
+    detail::HeightFit heights(fit);
+    heights.read(hints);
+    heights.fit_free();
+    heights.write(warp.y);
+  }
+
+  // Without a map for the advance alone, which it returns.
+  __attribute__((noinline)) static int32_t fit_across(
+      const Fit& fit,
+      const GlyphMetrics& metrics,
+      GlyphHints& hints,
+      AxisMap* map) noexcept {
+    detail::AcrossFit across(fit);
+    const int32_t advance = across.fit(metrics, hints);
+    if (map != nullptr) {
+      across.write(*map);
+    }
+    return advance;
+  }
+};
+
+const Fitter kGridFit = {GridFit::fit, GridFit::has_advances,
+                         GridFit::advance_px};
+const Fitter kFitHeights = {GridFit::heights, GridFit::has_none, nullptr};
+
+}  // namespace inkcell

@@ -1,0 +1,236 @@
+// Fits heights: bars in zones first, then those between them.
+#pragma once
+
+#include <stdint.h>
+
+#include "base/math.hpp"
+#include "fit/fit_units.hpp"
+#include "inkcell/fit.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// What a bar keeps where three of them have little room.
+constexpr int32_t kLeastSqueezed = 32;
+// Bars from here on begin at a row; thinner ones stand in the middle of one.
+constexpr int32_t kWholeBar = 60;
+
+// `inline` for the linker: the compiler can then drop functions that it joins
+// to their only caller.
+class HeightFit {
+ public:
+  explicit HeightFit(const Fit& fit) noexcept : fit_(fit) {}
+
+  void read(GlyphHints& hints) noexcept;
+  void fit_free() noexcept;
+  void write(AxisMap& map) const noexcept;
+
+ private:
+  enum State : uint8_t { kFree, kInZone, kFitted };
+
+  struct Edge {
+    int16_t at_u;
+    int16_t to;  // at most 40 px times the 4 em that a zone may lie away
+  };
+  struct Item {
+    Edge edges[2];
+    YHint::Kind kind;
+    State state;
+    bool is_top;
+
+    bool is_bar() const noexcept { return kind <= YHint::serif; }
+    const Edge& low() const noexcept { return edges[0]; }
+    const Edge& high() const noexcept { return edges[1]; }
+    void set(int32_t to, int32_t width) noexcept {
+      edges[0].to = static_cast<int16_t>(to);
+      edges[1].to = static_cast<int16_t>(to + width);
+    }
+  };
+  // Between the nearest bars around something. Of a bar that there is not the
+  // place in the glyph is unset.
+  struct Room {
+    Edge floor;
+    Edge ceiling;
+
+    int32_t height() const noexcept { return ceiling.to - floor.to; }
+  };
+  // Where there is no bar: farther away than any is. No two bars are half as
+  // far from each other.
+  static constexpr int16_t kFar = INT16_MAX;
+
+  bool is_crisp() const noexcept { return fit_.levels_ == 2; }
+  int32_t width_of(const YHint& hint) const noexcept;
+  int32_t height_between(int32_t at_u2) const noexcept;
+  Room room_of(const Item& item) const noexcept;
+  void fit_bar(Item& item) noexcept;
+  void fit_end(Item& item) noexcept;
+
+  const Fit& fit_;
+  Item* end_ = items_;
+  Item items_[GlyphHints::kMostY];
+};
+
+inline int32_t HeightFit::width_of(const YHint& hint) const noexcept {
+  const bool is_serif = hint.kind == YHint::serif;
+  int32_t width = fit_.bar_q6_;
+  if (is_serif || !hint.is_standard) {
+    width = fit_.height_q6(hint.high_u) - fit_.height_q6(hint.low_u);
+    if (is_serif) {
+      return !is_crisp() ? width : fit_.drops_serifs_ ? 0 : kPx;
+    }
+    width = common_width(width, fit_.bar_q6_);
+  }
+  return is_crisp() ? whole_width(width) : greater(width, kLeastStroke);
+}
+
+inline void HeightFit::read(GlyphHints& hints) noexcept {
+  for (uint32_t i = hints.y_count(); i != 0; --i) {
+    const YHint hint = hints.next_y();
+    Item& item = *end_++;
+    item.edges[0].at_u = static_cast<int16_t>(hint.low_u);
+    item.edges[1].at_u = static_cast<int16_t>(hint.high_u);
+    item.kind = hint.kind;
+    item.is_top = hint.is_top;
+    item.state = kFree;
+    const int32_t width = item.is_bar() ? width_of(hint) : 0;
+    int32_t to = 0;
+    if (hint.zone < fit_.hints_.zone_count()) {
+      const Fit::Zone& zone = fit_.zones_[hint.zone];
+      to = hint.is_round ? zone.round_q6 : zone.flat_q6;
+      if (hint.is_top) {
+        to -= width;
+      }
+      item.state = kInZone;
+    }
+    // Of a free bar the width alone counts as yet.
+    item.set(to, width);
+  }
+}
+
+// Where a height goes by what lies in zones. [2 u]
+inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
+  const Edge* below = nullptr;
+  const Edge* above = nullptr;
+  for (const Item* item = items_; item != end_; ++item) {
+    if (item->state != kInZone) {
+      continue;
+    }
+    for (const Edge& edge : item->edges) {
+      if (2 * edge.at_u <= at_u2) {
+        below = below == nullptr || edge.at_u >= below->at_u ? &edge : below;
+      } else {
+        above = above == nullptr || edge.at_u < above->at_u ? &edge : above;
+      }
+    }
+  }
+  const Edge* const near = below != nullptr ? below : above;
+  if (below != nullptr && above != nullptr) {
+    return below->to + (above->to - below->to) * (at_u2 - 2 * below->at_u) /
+                           (2 * (above->at_u - below->at_u));
+  }
+  const int32_t height = (at_u2 * fit_.y_scale_q16_ + (1 << 16)) >> 17;
+  return near == nullptr ? height
+                         : height + near->to - fit_.height_q6(near->at_u);
+}
+
+// Bars that are not fitted yet leave no limits.
+inline HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
+  Room room;
+  room.floor.to = -kFar;
+  room.ceiling.to = kFar;
+  for (const Item* other = items_; other != end_; ++other) {
+    if (!other->is_bar() || other->state == kFree) {
+      continue;
+    }
+    if (other->high().at_u <= item.low().at_u) {
+      if (other->high().to > room.floor.to) {
+        room.floor = other->high();
+      }
+    } else if (other->low().at_u >= item.high().at_u) {
+      if (other->low().to < room.ceiling.to) {
+        room.ceiling = other->low();
+      }
+    }
+  }
+  return room;
+}
+
+// A bar that lies in no zone: in the rows that are nearest and leave a free one
+// on both sides, as far as there is room.
+inline void HeightFit::fit_bar(Item& item) noexcept {
+  const Room room = room_of(item);
+  const int32_t gap = is_crisp() ? kPx : kLeastStroke;
+  const int32_t floor = room.floor.to;
+  const int32_t ceiling = room.ceiling.to;
+  const int32_t left = room.height() - 2 * gap;
+  int32_t width = item.high().to - item.low().to;
+  int32_t middle = height_between(item.low().at_u + item.high().at_u);
+  if (left < width) {
+    width = lesser(width, greater(kLeastSqueezed, left));
+    middle = (floor + ceiling) >> 1;
+  }
+  int32_t low;
+  if (is_crisp() || width >= kWholeBar) {
+    width = is_crisp() ? whole_width(width) : width;
+    low = round_px(middle - (width >> 1));
+    if (low < floor + gap && low + kPx + width <= ceiling) {
+      low += kPx;
+    }
+    if (low + width > ceiling - gap && low - kPx >= floor) {
+      low -= kPx;
+    }
+  } else {
+    low = (middle & ~(kPx - 1)) + ((kPx - width) >> 1);
+  }
+  low = lesser(greater(low, floor), ceiling - width);
+  item.set(low, width);
+  item.state = kFitted;
+}
+
+// A free end keeps a row open to the bar that it points to, but no farther than
+// to its own.
+inline void HeightFit::fit_end(Item& item) noexcept {
+  const Room room = room_of(item);
+  const int32_t open = room.height();
+  if (open >= kFar / 2) {
+    return;
+  }
+  const int32_t whole_u = room.ceiling.at_u - room.floor.at_u;
+  // Whether the map leaves less than a row.
+  const int32_t open_u = item.is_top ? room.ceiling.at_u - item.low().at_u
+                                     : item.low().at_u - room.floor.at_u;
+  if (open * open_u < kPx * whole_u) {
+    const int32_t kept = lesser(kPx, greater(open, 0));
+    item.set(item.is_top ? room.ceiling.to - kept : room.floor.to + kept, 0);
+    item.state = kFitted;
+  }
+}
+
+// Ends when all bars are fitted.
+inline void HeightFit::fit_free() noexcept {
+  for (Item* item = items_; item != end_; ++item) {
+    if (item->is_bar() && item->state == kFree) {
+      fit_bar(*item);
+    }
+  }
+  for (Item* item = items_; item != end_; ++item) {
+    if (item->kind == YHint::end) {
+      fit_end(*item);
+    }
+  }
+}
+
+inline void HeightFit::write(AxisMap& map) const noexcept {
+  for (const Item* item = items_; item != end_; ++item) {
+    if (item->state == kFree) {
+      continue;
+    }
+    fit_.add_knot(map, item->low().at_u, item->low().to);
+    if (item->is_bar()) {
+      fit_.add_knot(map, item->high().at_u, item->high().to);
+    }
+  }
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,439 @@
+#include "inkcell/font.hpp"
+
+#include "base/bit_table.hpp"
+#include "base/bytes.hpp"
+#include "base/crc.hpp"
+#include "cells/record.hpp"
+#include "inkcell/format/rom.hpp"
+#include "inkcell/version.hpp"
+#include "outlines/outline_reader.hpp"
+
+namespace inkcell {
+namespace {
+
+namespace header = format::header;
+namespace section = format::section;
+
+using detail::load_i16;
+using detail::load_u16;
+using detail::load_u32;
+
+// More sections than any minor of this major will have.
+constexpr uint32_t kMaxSections = 32;
+
+// The sections that are known: first those that a font keeps, in its order.
+constexpr uint32_t kKnownTags[] = {section::kCmap,   section::kMetrics,
+                                   section::kGlyphs, section::kKerning,
+                                   section::kCode,   section::kName};
+constexpr uint32_t kKnown = sizeof kKnownTags / sizeof kKnownTags[0];
+
+// What the rest of `open` needs of a header that it has checked. Read once:
+// flash that changes meanwhile must not come between check and use.
+struct Header {
+  uint32_t sections = 0;
+  uint32_t total_bytes = 0;
+};
+
+bool is_readable(uint32_t coding) noexcept {
+  using format::Coding;
+  return (INKCELL_SAMPLE_CELLS != 0 &&
+          coding == static_cast<uint32_t>(Coding::samples)) ||
+         (INKCELL_FIELD_CELLS != 0 &&
+          coding == static_cast<uint32_t>(Coding::edges)) ||
+         (INKCELL_OUTLINES != 0 &&
+          coding == static_cast<uint32_t>(Coding::outline));
+}
+
+Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
+  if (rom.size < header::kBytes) {
+    return Status::bad_magic;
+  }
+  if (reinterpret_cast<uintptr_t>(rom.data) % format::kAlignment != 0) {
+    return Status::misaligned;
+  }
+  const uint8_t* at = rom.data;
+  if (load_u32(at + header::kMagic) != format::kMagic) {
+    return Status::bad_magic;
+  }
+  if (!reads_format(at[header::kFormatMajor], at[header::kFormatMinor])) {
+    return Status::bad_version;
+  }
+  const Header read = {load_u16(at + header::kSectionCount),
+                       load_u32(at + header::kTotalBytes)};
+  const uint32_t header_bytes =
+      header::kBytes + read.sections * section::kBytes;
+  if (read.sections > kMaxSections ||
+      header_bytes != load_u16(at + header::kHeaderBytes) ||
+      read.total_bytes < header_bytes || read.total_bytes > rom.size) {
+    return Status::corrupt;
+  }
+  uint32_t crc = detail::crc32(0, {at, header::kHeaderCrc});
+  crc = detail::crc32(
+      crc, {at + header::kContentCrc, header_bytes - header::kContentCrc});
+  if (crc != load_u32(at + header::kHeaderCrc)) {
+    return Status::corrupt;
+  }
+  if (!is_readable(at[header::kCoding])) {
+    return Status::unsupported;
+  }
+  out = read;
+  return Status::ok;
+}
+
+// Where the section of a directory entry lies. False if it leaves the font or
+// is misaligned.
+bool find_section(Span<const uint8_t> rom,
+                  const uint8_t* entry,
+                  Span<const uint8_t>& out) noexcept {
+  const uint32_t offset =
+      load_u32(entry + section::kOffset) & ~section::kMustUnderstand;
+  const uint32_t size = load_u32(entry + section::kSize);
+  if ((offset & ~section::kOffsetMask) != 0 || offset > rom.size ||
+      size > rom.size - offset) {
+    return false;
+  }
+  out = {rom.data + offset, size};
+  return true;
+}
+
+uint16_t metrics_row_bits(const Span<const uint8_t>& section) noexcept {
+  uint32_t bits = 0;
+  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
+    bits += section[format::metrics::kColumnBits + i];
+  }
+  return static_cast<uint16_t>(bits);
+}
+
+// Takes a row of METR from left to right. Widths are read again, not kept:
+// reading bits is safe with any.
+class MetricsRow {
+ public:
+  MetricsRow(const Span<const uint8_t>& section, uint32_t first_bit) noexcept
+      : section_(section), bit_(8 * format::metrics::kBytes + first_bit) {}
+
+  uint32_t width(uint32_t column) const noexcept {
+    return section_.data[format::metrics::kColumnBits + column];
+  }
+  void skip(uint32_t column) noexcept { bit_ += width(column); }
+
+  // Modulo 2^16.
+  uint16_t take(uint32_t column) noexcept {
+    const uint32_t bits = width(column);
+    const uint32_t above_base = detail::read_bits(section_, bit_, bits);
+    bit_ += bits;
+    return static_cast<uint16_t>(
+        load_u16(section_.data + format::metrics::kBase + 2 * column) +
+        above_base);
+  }
+
+ private:
+  const Span<const uint8_t>& section_;
+  uint32_t bit_;
+};
+
+}  // namespace
+
+Status Font::open(Span<const uint8_t> rom, Font& out) noexcept {
+  Header read;
+  INKCELL_TRY(read_header(rom, read));
+  Font font;
+  font.rom_ = {rom.data, read.total_bytes};
+  INKCELL_TRY(font.open_tables(read.sections));
+  out = font;
+  return Status::ok;
+}
+
+Status Font::open_tables(uint32_t sections) noexcept {
+  const uint8_t* entry = rom_.data + header::kBytes;
+  for (; sections != 0; --sections, entry += section::kBytes) {
+    Span<const uint8_t> bytes;
+    if (!find_section(rom_, entry, bytes)) {
+      return Status::corrupt;
+    }
+    const uint32_t tag = load_u32(entry + section::kTag);
+    uint32_t known = 0;
+    while (known < kKnown && kKnownTags[known] != tag) {
+      ++known;
+    }
+    if (known == kKnown &&
+        (load_u32(entry + section::kOffset) & section::kMustUnderstand) != 0) {
+      return Status::unsupported;
+    }
+    // Of two with the same tag the first one counts.
+    if (known < kTables && tables_[known].data == nullptr) {
+      tables_[known] = bytes;
+    }
+  }
+  glyph_count_ = load_u16(rom_.data + header::kGlyphCount);
+  units_per_em_ = load_u16(rom_.data + header::kUnitsPerEm);
+  if (glyph_count_ == 0 || units_per_em_ < 16 || units_per_em_ > 16384 ||
+      metrics_table().size < format::metrics::kBytes ||
+      glyph_table().size < format::glyphs::kBytes) {
+    return Status::corrupt;
+  }
+  metrics_row_bits_ = metrics_row_bits(metrics_table());
+  // Products of smaller ems pass 31 bits.
+  u_per_unit_q14_ =
+      units_per_em_ < 256
+          ? 0
+          : static_cast<int32_t>((uint32_t{1024} << 14) / units_per_em_);
+  if (!detail::bits_fit(metrics_table(), format::metrics::kBytes,
+                        uint32_t{metrics_row_bits_} * glyph_count_) ||
+      !detail::bits_fit(glyph_table(), format::glyphs::kBytes,
+                        glyph_table().data[format::glyphs::kOffsetBits] *
+                            (uint32_t{glyph_count_} + 1))) {
+    return Status::corrupt;
+  }
+  return open_code() ? Status::ok : Status::corrupt;
+}
+
+// What outlines are read with is kept: it was checked.
+bool Font::open_code() noexcept {
+  namespace outline = format::outline;
+  const uint8_t* at = rom_.data;
+  if (at[header::kCoding] != static_cast<uint8_t>(format::Coding::outline)) {
+    return true;
+  }
+  const uint32_t code_bits = at[header::kCodeBits];
+  const auto grid_shift = static_cast<int8_t>(at[header::kGridShift]);
+  if (code_bits == 0 || code_bits > outline::kMaxCodeBits ||
+      code_table().size < size_t{2} << code_bits ||
+      grid_shift < outline::kMinGridShift ||
+      grid_shift > outline::kMaxGridShift) {
+    return false;
+  }
+  code_bits_ = static_cast<uint8_t>(code_bits);
+  grid_shift_ = grid_shift;
+  max_points_ = load_u16(at + header::kMaxPoints);
+  return true;
+}
+
+detail::OutlineCoding detail::outline_coding(const Font& font) noexcept {
+  return {font.code_table().data, font.code_bits_, font.grid_shift_,
+          font.max_points_};
+}
+
+Span<const uint8_t> Font::section(uint32_t tag) const noexcept {
+  Span<const uint8_t> bytes;
+  if (rom_.size == 0) {
+    return bytes;
+  }
+  const uint32_t sections = load_u16(rom_.data + header::kSectionCount);
+  const uint8_t* entry = rom_.data + header::kBytes;
+  const uint8_t* const end = rom_.data + rom_.size;
+  for (uint32_t i = 0; i < sections; ++i, entry += section::kBytes) {
+    if (static_cast<size_t>(end - entry) < section::kBytes) {
+      break;
+    }
+    if (load_u32(entry + section::kTag) == tag) {
+      static_cast<void>(find_section(rom_, entry, bytes));
+      break;
+    }
+  }
+  return bytes;
+}
+
+FontMetrics Font::metrics() const noexcept {
+  FontMetrics metrics;
+  if (rom_.size == 0) {
+    return metrics;
+  }
+  const uint8_t* at = rom_.data;
+  metrics.units_per_em = units_per_em_;
+  metrics.ascender = load_i16(at + header::kAscender);
+  metrics.descender = load_i16(at + header::kDescender);
+  metrics.line_gap = load_i16(at + header::kLineGap);
+  metrics.x_height = load_i16(at + header::kXHeight);
+  metrics.cap_height = load_i16(at + header::kCapHeight);
+  metrics.x_min = load_i16(at + header::kXMin);
+  metrics.y_min = load_i16(at + header::kYMin);
+  metrics.x_max = load_i16(at + header::kXMax);
+  metrics.y_max = load_i16(at + header::kYMax);
+  return metrics;
+}
+
+FontRange Font::range() const noexcept {
+  FontRange range;
+  if (rom_.size == 0) {
+    return range;
+  }
+  const uint8_t* at = rom_.data;
+  range.min_px = load_u16(at + header::kMinPx);
+  range.max_px = load_u16(at + header::kMaxPx);
+  range.band_u = has_outlines() ? UINT16_MAX : load_u16(at + header::kBand);
+  range.tolerance = at[header::kTolerance];
+  range.max_cells = load_u16(at + header::kMaxCells);
+  range.max_nodes = load_u16(at + header::kMaxNodes);
+  range.max_depth = at[header::kMaxDepth];
+  return range;
+}
+
+Status Font::glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept {
+  namespace cmap = format::cmap;
+  glyph = 0;
+  // Invariant: an entry that holds the code point has an index below `end`,
+  // and all entries below `begin` start at or before it.
+  uint32_t begin = 0;
+  uint32_t end = static_cast<uint32_t>(cmap_table().size) / cmap::kBytes;
+  while (begin < end) {
+    const uint32_t middle = begin + (end - begin) / 2;
+    if (load_u32(cmap_table().data + middle * cmap::kBytes + cmap::kFirst) <=
+        code_point) {
+      begin = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  if (begin == 0) {
+    return Status::no_glyph;
+  }
+  const uint8_t* entry = cmap_table().data + (begin - 1) * cmap::kBytes;
+  const uint32_t step = code_point - load_u32(entry + cmap::kFirst);
+  if (step > load_u16(entry + cmap::kExtra)) {
+    return Status::no_glyph;
+  }
+  const uint32_t id = load_u16(entry + cmap::kFirstGlyph) + step;
+  if (id >= glyph_count_) {
+    return Status::no_glyph;
+  }
+  glyph = static_cast<uint16_t>(id);
+  return Status::ok;
+}
+
+Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
+  if (glyph >= glyph_count_) {
+    return Status::no_glyph;
+  }
+  MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
+  uint16_t columns[format::metrics::kColumns];
+  for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
+    columns[i] = row.take(i);
+  }
+  out.advance = columns[0];
+  out.x_min = static_cast<int16_t>(columns[1]);
+  out.y_min = static_cast<int16_t>(columns[2]);
+  out.x_max = static_cast<int16_t>(columns[3]);
+  out.y_max = static_cast<int16_t>(columns[4]);
+  return Status::ok;
+}
+
+int32_t Font::advance(uint16_t glyph) const noexcept {
+  if (glyph >= glyph_count_) {
+    return 0;
+  }
+  return MetricsRow(metrics_table(), uint32_t{metrics_row_bits_} * glyph)
+      .take(0);
+}
+
+InkBox Font::ink_box(uint16_t glyph) const noexcept {
+  if (u_per_unit_q14_ == 0 || glyph >= glyph_count_) {
+    return {};
+  }
+  MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
+  row.skip(0);  // the advance
+  // The quotient is too small by less than one, or exact.
+  const int32_t rest = (units_per_em_ & (units_per_em_ - 1)) != 0 ? 1 : 0;
+  int16_t sides[4];
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 4
+#endif
+  for (uint32_t i = 0; i < 4; ++i) {
+    const int32_t units = static_cast<int16_t>(row.take(i + 1));
+    // Outwards. At most 2^31 below 0, and less above.
+    const bool is_high = i >= 2;
+    int32_t u_q14 = units * u_per_unit_q14_;
+    if (is_high != (units < 0)) {
+      u_q14 += units * rest;
+    }
+    const int32_t u = (u_q14 + (is_high ? (1 << 14) - 1 : 0)) >> 14;
+    constexpr int32_t kFar = InkBox::kFar;
+    sides[i] = static_cast<int16_t>(u > kFar ? kFar : (u < -kFar ? -kFar : u));
+  }
+  return {sides[0], sides[1], sides[2], sides[3]};
+}
+
+int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
+  using detail::BitTable;
+  detail::Kerning kerning;
+  if (left >= glyph_count_ || right >= glyph_count_ ||
+      !kerning.open(kerning_table())) {
+    return 0;
+  }
+  const auto member = [&kerning](uint32_t glyph) noexcept {
+    return kerning.members.find(0, kerning.member_count, kerning.glyph_bits,
+                                glyph);
+  };
+  // Most glyphs of a text kern with nothing on their right.
+  const uint32_t left_member = member(left);
+  if (left_member == BitTable::kAbsent) {
+    return 0;
+  }
+  const uint32_t row = kerning.left_class(left_member);
+  if (row == 0 || row > kerning.left_classes) {
+    return 0;
+  }
+  const uint32_t right_member = member(right);
+  if (right_member == BitTable::kAbsent) {
+    return 0;
+  }
+  const uint32_t column = kerning.right_class(right_member);
+  const uint32_t end = kerning.row_start(row);
+  const uint32_t pair =
+      kerning.pairs.find(kerning.row_start(row - 1),
+                         end < kerning.pair_count ? end : kerning.pair_count,
+                         kerning.right_bits, column);
+  if (pair == BitTable::kAbsent) {
+    return 0;
+  }
+  const uint32_t base =
+      load_u16(kerning_table().data + format::kerning::kValueBase);
+  return static_cast<int16_t>(
+      base + kerning.pairs.get(pair, kerning.right_bits, kerning.value_bits));
+}
+
+Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
+  namespace at = format::glyphs;
+  if (glyph >= glyph_count_) {
+    return {};
+  }
+  const Span<const uint8_t>& bytes = glyph_table();
+  const uint32_t width = bytes.data[at::kOffsetBits];
+  // So much and no more, whatever the byte: no shift is too long.
+  const uint32_t unit_log2 = bytes.data[at::kUnitLog2] & at::kMaxUnitLog2;
+  const uint32_t bit = 8 * at::kBytes + width * glyph;
+  const uint32_t begin = detail::read_bits(bytes, bit, width) << unit_log2;
+  const uint32_t end = detail::read_bits(bytes, bit + width, width)
+                       << unit_log2;
+  if (begin > end || end > bytes.size) {
+    return {};
+  }
+  return {bytes.data + begin, end - begin};
+}
+
+Status detail::read_field(const Font& font,
+                          uint16_t glyph,
+                          GlyphField& field) noexcept {
+  if (glyph >= font.glyph_count_) {
+    return Status::no_glyph;
+  }
+  const Span<const uint8_t> bytes = font.record(glyph);
+  if (bytes.size != 0) {
+    INKCELL_TRY(read_record(bytes, field));
+    field.ink = font.ink_box(glyph);
+  }
+  return Status::ok;
+}
+
+Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
+  GlyphField field;
+  INKCELL_TRY(detail::read_field(*this, glyph, field));
+  out = field;
+  return Status::ok;
+}
+
+Span<const char> Font::name() const noexcept {
+  const Span<const uint8_t> bytes = section(section::kName);
+  return {reinterpret_cast<const char*>(bytes.data), bytes.size};
+}
+
+}  // namespace inkcell

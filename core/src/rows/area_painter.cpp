@@ -1,0 +1,423 @@
+// Exact area under an outline.
+//
+// A pixel's byte holds what coverage gains from the pixel to its left to it,
+// modulo 256, where a full pixel is 240: sums along a row are exact however
+// large the differences are, and 16 values are left for roundings on both
+// sides. An edge that goes down gains, one that goes up loses:
+//
+//     in one column           in several: at a column the sum is what lies to
+//     +-------+-------+       the left of the edge in the column's middle
+//     |    /  |       |       +-------+-------+-------+
+//     |  /####|#######|       |       |    _-#|#######|
+//     |/######|#######|       |   _-##|#######|#######|
+//     +-------+-------+       +-------+-------+-------+
+//      d - t      t            t = d (mean distance to the column's left)
+//
+// Every height becomes units once (units_of), so that a row's sum is the
+// winding number, whatever was rounded.
+#include "rows/area_painter.hpp"
+
+#include "base/math.hpp"
+#include "rows/reciprocal.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+constexpr int32_t kFull = 240;
+
+// Chords stray no farther from a curve. [px, Q8]
+constexpr int32_t kTolerance = 6;
+
+// At most 2^6 chords a curve.
+constexpr uint32_t kMostHalvings = 6;
+
+// Curves with longer legs, 4096 px, are drawn as a line: products stay below
+// 2^31.
+constexpr int32_t kLegLimit = 1 << 20;
+
+// So are curves farther away, 8192 px.
+constexpr int32_t kFarLimit = 1 << 21;
+
+// A height in units. [px, Q8 -> 1/240]
+int32_t units_of(int32_t y_q8) noexcept {
+  return y_q8 - ((y_q8 + 8) >> 4);
+}
+
+inline void add(uint8_t* pixel, int32_t gain) noexcept {
+  *pixel = static_cast<uint8_t>(*pixel + static_cast<uint32_t>(gain));
+}
+
+// A row's part of an edge that passes several columns, from `left` to `right`.
+// `rise`: what the edge gains in a 256th of a column. [Q16]
+__attribute__((noinline)) void add_wide(const Band& band,
+                                        uint8_t* row,
+                                        int32_t left,
+                                        int32_t right,
+                                        int32_t gain,
+                                        int32_t rise) noexcept {
+  const int32_t last = (right - 1) >> 8;
+  int32_t column = left >> 8;
+  const int32_t in_first = 256 - (left & 255);
+  int32_t before = ((in_first * rise >> 8) * in_first + 65536) >> 17;
+  int32_t sum = rise * in_first + rise * 128 + 32768;
+  const int32_t limit = band.last_column + 1;
+  if (column >= 0) {
+    if (column > limit) {
+      return;
+    }
+    add(row + column, before);
+  } else {
+    before = 0;
+  }
+  // `before`: what columns to the left show of the sum.
+  while (++column != last) {
+    const int32_t at = sum >> 16;
+    if (static_cast<uint32_t>(column) <= static_cast<uint32_t>(limit)) {
+      add(row + column, at - before);
+      before = at;
+    }
+    sum += rise * 256;
+  }
+  const int32_t in_last = ((right - 1) & 255) + 1;
+  const int32_t at = gain - (((in_last * rise >> 8) * in_last + 65536) >> 17);
+  if (static_cast<uint32_t>(last) <= static_cast<uint32_t>(limit)) {
+    add(row + last, at - before);
+    before = at;
+  }
+  if (last < limit) {
+    add(row + greater(last + 1, 0), gain - before);
+  }
+}
+
+// Within one column. `twice`: the sum of both ends' distances to its left.
+inline void add_narrow(const Band& band,
+                       uint8_t* row,
+                       int32_t column,
+                       int32_t twice,
+                       int32_t gain) noexcept {
+  if (static_cast<uint32_t>(column) <=
+      static_cast<uint32_t>(band.last_column)) {
+    const int32_t behind = (twice * gain + 256) >> 9;
+    add(row + column, gain - behind);
+    add(row + column + 1, behind);
+  } else if (column < 0) {
+    add(row, gain);
+  }
+}
+
+__attribute__((noinline)) void add_any(const Band& band,
+                                       uint8_t* row,
+                                       int32_t from,
+                                       int32_t to,
+                                       int32_t gain) noexcept {
+  const int32_t left = lesser(from, to);
+  const int32_t right = greater(from, to);
+  const int32_t column = left >> 8;
+  if (right - column * 256 <= 256) {
+    add_narrow(band, row, column, left + right - 512 * column, gain);
+  } else {
+    add_wide(band, row, left, right, gain,
+             times(gain, reciprocal_of(static_cast<uint32_t>(right - left))));
+  }
+}
+
+inline void add_part(const Band& band,
+                     uint8_t* row,
+                     int32_t from,
+                     int32_t to,
+                     int32_t gain) noexcept {
+  if (__builtin_expect((from ^ to) >> 8 == 0, 1)) {
+    add_narrow(band, row, from >> 8, (from & 255) + (to & 255), gain);
+  } else {
+    add_any(band, row, from, to, gain);
+  }
+}
+
+__attribute__((noinline)) void paint_vertical(const Band& band,
+                                              int32_t x,
+                                              int32_t from,
+                                              int32_t to) noexcept {
+  const int32_t full = (from < to) != band.is_mirrored ? kFull : -kFull;
+  const int32_t top = greater(lesser(from, to), 0);
+  const int32_t bottom = lesser(greater(from, to), band.rows * 256);
+  const int32_t column = x >> 8;
+  if (top >= bottom || column > band.last_column) {
+    return;
+  }
+  const int32_t stride = band.stride;
+  const int32_t twice = (x & 255) * 2;
+  int32_t row = top >> 8;
+  const int32_t end = bottom >> 8;
+  uint8_t* bytes = band.row(row);
+  // What of its first row and of the one after its last whole one it passes.
+  int32_t units =
+      units_of(row == end ? bottom : (row + 1) * 256) - units_of(top);
+  if ((top & 255) != 0 || row == end) {
+    add_narrow(band, bytes, column, twice, full < 0 ? -units : units);
+    if (row == end) {
+      return;
+    }
+    bytes += stride;
+    ++row;
+  }
+  if (column >= 0) {
+    const int32_t behind = ((x & 255) * full + 128) >> 8;
+    for (; row != end; ++row) {
+      add(bytes + column, full - behind);
+      add(bytes + column + 1, behind);
+      bytes += stride;
+    }
+  } else {
+    for (; row != end; ++row) {
+      add(bytes, full);
+      bytes += stride;
+    }
+  }
+  if ((bottom & 255) != 0) {
+    units = units_of(bottom & 255);
+    add_narrow(band, bytes, column, twice, full < 0 ? -units : units);
+  }
+}
+
+// `count` rows that a line passes from top to bottom. [px, Q16]
+__attribute__((noinline)) void paint_full_rows(const Band& band,
+                                               uint8_t* row,
+                                               int32_t count,
+                                               int32_t x_q16,
+                                               int32_t slope,
+                                               int32_t full) noexcept {
+  int32_t rise = 0;
+  const int32_t width = magnitude(slope) >> 8;
+  x_q16 += lesser(slope, 0);  // the left end of a row's part
+  const auto last_column = static_cast<uint32_t>(band.last_column);
+  const int32_t stride = band.stride;
+  do {
+    const int32_t left = x_q16 >> 8;
+    const int32_t twice = (left & 255) * 2 + width;
+    const int32_t column = x_q16 >> 16;
+    if (__builtin_expect((left & 255) + width <= 256, 1)) {
+      if (static_cast<uint32_t>(column) <= last_column) {
+        const int32_t behind = (twice * full + 256) >> 9;
+        add(row + column, full - behind);
+        add(row + column + 1, behind);
+      } else if (column < 0) {
+        add(row, full);
+      }
+    } else {
+      if (rise == 0) {
+        rise = times(full, reciprocal_of(static_cast<uint32_t>(width)));
+      }
+      add_wide(band, row, left, left + width, full, rise);
+    }
+    x_q16 += slope;
+    row += stride;
+  } while (--count != 0);
+}
+
+// A line in several rows, shorter than kLengthLimit in both directions.
+__attribute__((noinline)) void paint_rows(
+    const Band& band, int32_t x0, int32_t y0, int32_t x1, int32_t y1) noexcept {
+  bool gains = !band.is_mirrored;
+  if (y0 > y1) {
+    gains = !gains;
+    int32_t swapped = x0;
+    x0 = x1;
+    x1 = swapped;
+    swapped = y0;
+    y0 = y1;
+    y1 = swapped;
+  }
+  const int32_t high = band.rows * 256;
+  if (y1 <= 0 || y0 >= high) {
+    return;
+  }
+  const int32_t slope =
+      times(x1 - x0, reciprocal_of(static_cast<uint32_t>(y1 - y0)));
+  int32_t x_q16 = x0 * 256;
+  if (y0 < 0) {
+    x_q16 += (-y0 >> 8) * slope + ((-y0 & 255) * slope >> 8);
+    y0 = 0;
+  }
+  int32_t row = y0 >> 8;
+  uint8_t* bytes = band.row(row);
+  if ((y0 & 255) != 0) {
+    const int32_t next_q16 = x_q16 + ((256 - (y0 & 255)) * slope >> 8);
+    const int32_t units = kFull - units_of(y0 & 255);
+    add_part(band, bytes, x_q16 >> 8, next_q16 >> 8, gains ? units : -units);
+    x_q16 = next_q16;
+    bytes += band.stride;
+    ++row;
+  }
+  const int32_t end = lesser(y1, high);
+  const int32_t count = (end >> 8) - row;
+  if (count > 0) {
+    paint_full_rows(band, bytes, count, x_q16, slope, gains ? kFull : -kFull);
+    x_q16 += slope * count;
+    bytes += band.stride * count;
+  }
+  if ((end & 255) != 0) {
+    const int32_t units = units_of(end & 255);
+    add_part(band, bytes, x_q16 >> 8, x1, gains ? units : -units);
+  }
+}
+
+// The same in any number of rows; most lines lie in one.
+inline void paint_short_line(
+    const Band& band, int32_t x0, int32_t y0, int32_t x1, int32_t y1) noexcept {
+  if ((y0 ^ y1) >> 8 != 0) {
+    paint_rows(band, x0, y0, x1, y1);
+    return;
+  }
+  const int32_t row = y0 >> 8;
+  const int32_t units = units_of(y1 & 255) - units_of(y0 & 255);
+  if (static_cast<uint32_t>(row) < static_cast<uint32_t>(band.rows)) {
+    add_part(band, band.row(row), x0, x1, band.is_mirrored ? -units : units);
+  }
+}
+
+__attribute__((noinline)) void paint_line(const Band& band,
+                                          const PixelPoint& from,
+                                          const PixelPoint& to) noexcept {
+  const int32_t dx = to.x - from.x;
+  const int32_t dy = to.y - from.y;
+  const int32_t length = greater(magnitude(dx), magnitude(dy));
+  uint32_t halvings = 0;
+  while (__builtin_expect(length >> halvings >= kLengthLimit, 0)) {
+    ++halvings;
+  }
+  PixelPoint at = from;
+  for (int32_t left = (1 << halvings) - 1; left != 0; --left) {
+    const PixelPoint next = {at.x + (dx >> halvings), at.y + (dy >> halvings)};
+    paint_short_line(band, at.x, at.y, next.x, next.y);
+    at = next;
+  }
+  // Roundings add up to less than a 256th a part: what is left is short.
+  paint_short_line(band, at.x, at.y, to.x, to.y);
+}
+
+// Whether all magnitudes are below a power of 2.
+template <int32_t kLimit>
+inline bool are_below(int32_t a, int32_t b, int32_t c, int32_t d) noexcept {
+  return (static_cast<uint32_t>((a + kLimit) | (b + kLimit) | (c + kLimit) |
+                                (d + kLimit)) &
+          ~uint32_t{2 * kLimit - 1}) == 0;
+}
+
+// 2^n chords. Their joints lie outside of the curve by two thirds of how far
+// chords would stray: then they hold as much area as the curve. Moves `at` to
+// the curve's end, which of a smooth one lies outside, too.
+__attribute__((noinline)) void paint_curve(const Band& band,
+                                           PixelPoint& at,
+                                           const PixelPoint& control,
+                                           const PixelPoint& to,
+                                           bool is_smooth) noexcept {
+  const bool is_seen =
+      band.is_whole || !is_outside(band, at.y, control.y, to.y);
+  if (!is_seen && !is_smooth) {
+    at = to;
+    return;
+  }
+  const int32_t ax = control.x - at.x;
+  const int32_t ay = control.y - at.y;
+  const int32_t bx = to.x - control.x;
+  const int32_t by = to.y - control.y;
+  if (!are_below<kLegLimit>(ax, ay, bx, by) ||
+      !are_below<kFarLimit>(at.x, at.y, to.x, to.y)) {
+    paint_line(band, at, to);
+    at = to;
+    return;
+  }
+  const int32_t ddx = bx - ax;
+  const int32_t ddy = by - ay;
+  const int32_t wide = magnitude(ddx);
+  const int32_t high = magnitude(ddy);
+  int32_t strays =
+      wide > high ? wide + (high * 3 >> 3) : high + (wide * 3 >> 3);
+  uint32_t halvings = 0;
+  for (; strays > 4 * kTolerance && halvings != kMostHalvings; strays >>= 2) {
+    ++halvings;
+  }
+  // Second differences of chords. [px, Q17]
+  const int32_t d2x = ddx * 512 >> 2 * halvings;
+  const int32_t d2y = ddy * 512 >> 2 * halvings;
+  const PixelPoint out = {-(d2x * 11 >> 15), -(d2y * 11 >> 15)};
+  PixelPoint end = to;
+  if (is_smooth) {
+    end.x += out.x;
+    end.y += out.y;
+  }
+  if (is_seen) {
+    // Chords are at most twice as long as legs.
+    const bool are_short = are_below<kLengthLimit / 4>(ax, ay, bx, by);
+    int32_t dx = (ax * 1024 >> halvings) + d2x;
+    int32_t dy = (ay * 1024 >> halvings) + d2y;
+    int32_t x = (at.x + out.x) * 512 + 256;
+    int32_t y = (at.y + out.y) * 512 + 256;
+    PixelPoint joint = at;
+    for (uint32_t left = 1u << halvings; left != 0; --left) {
+      x += dx;
+      y += dy;
+      dx += 2 * d2x;
+      dy += 2 * d2y;
+      const PixelPoint next = left == 1 ? end : PixelPoint{x >> 9, y >> 9};
+      if (are_short) {
+        paint_short_line(band, joint.x, joint.y, next.x, next.y);
+      } else {
+        paint_line(band, joint, next);
+      }
+      joint = next;
+    }
+  }
+  at = end;
+}
+
+}  // namespace
+
+void paint_areas(const Band& band,
+                 OutlineCursor& cursor,
+                 const ScreenPoint* points,
+                 const ScreenPoint* end) noexcept {
+  PixelPoint at = cursor.edge()[0];
+  PixelPoint control = cursor.edge()[1];
+  bool is_bent = cursor.is_bent;
+  const bool is_whole = band.is_whole;
+  for (; points != end; ++points) {
+    const PixelPoint next = {points->x_q8 - band.x_q8,
+                             points->y_q8() - band.y_q8};
+    const uint32_t kind = points->kind();
+    if (kind == kOffCurve) {
+      if (is_bent) {
+        const PixelPoint middle = {(control.x + next.x) >> 1,
+                                   (control.y + next.y) >> 1};
+        paint_curve(band, at, control, middle, true);
+      }
+      control = next;
+      is_bent = true;
+      continue;
+    }
+    if (kind == kStart) {
+      at = next;
+    } else if (is_bent) {
+      paint_curve(band, at, control, next, false);
+    } else {
+      if (at.x == next.x) {
+        paint_vertical(band, next.x, at.y, next.y);
+      } else if (at.y != next.y) {
+        paint_line(band, at, next);
+      }
+      at = next;
+    }
+    is_bent = false;
+    if (!is_whole && is_outside(band, at.y)) {
+      points = skip_outside(band, points, end);
+      at = {points->x_q8 - band.x_q8, points->y_q8() - band.y_q8};
+    }
+  }
+  cursor.edge()[0] = at;
+  cursor.edge()[1] = control;
+  cursor.is_bent = is_bent;
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,475 @@
+#include "rows/outline_draw.hpp"
+
+#include "base/math.hpp"
+#include "inkcell/prepared_glyph.hpp"
+#include "rows/area_painter.hpp"
+#include "rows/cover.hpp"
+#include "rows/distance_painter.hpp"
+#include "rows/outline_mixer.hpp"
+#include "rows/point_warp.hpp"
+#include "rows/wide_painter.hpp"
+#include "rows/words.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// More is not used: sizes stay below 2^31.
+constexpr size_t kMostBytes = 1 << 20;
+
+// Rows above and below a band, and a word before the first: see Band.
+constexpr int32_t kGuardRows = 2;
+constexpr int32_t kGuardBytes = 4;
+
+// Bands that are cut in columns have at least so many rows.
+constexpr int32_t kLeastRows = 4;
+
+// What such a band of one column takes of bytes: of the widest margin, 4 + 6
+// rows and 16 columns.
+constexpr int32_t kLeastBand = kGuardBytes + 10 * 16;
+
+// `bytes` is a multiple of 4.
+void clear(uint8_t* at, int32_t bytes) noexcept {
+  for (; bytes >= 32; bytes -= 32) {
+    store_pixels(at, 0);
+    store_pixels(at + 4, 0);
+    store_pixels(at + 8, 0);
+    store_pixels(at + 12, 0);
+    store_pixels(at + 16, 0);
+    store_pixels(at + 20, 0);
+    store_pixels(at + 24, 0);
+    store_pixels(at + 28, 0);
+    at += 32;
+  }
+  for (; bytes != 0; bytes -= 4) {
+    store_pixels(at, 0);
+    at += 4;
+  }
+}
+
+// The next pixels of a row up to the end of a word: 0 or ~0 if the word is all
+// of that, else any other value.
+inline uint32_t next_pixels(const uint8_t* at, int32_t count) noexcept {
+  return count == 4 ? load_pixels(at) : 1;
+}
+
+}  // namespace
+
+// To a sink that takes no blocks: runs of words that are covered, not covered,
+// or in part.
+void emit_row(const Sink& sink,
+              int32_t x,
+              int32_t y,
+              const uint8_t* coverage,
+              int32_t count) noexcept {
+  const int32_t end = x + count;
+  int32_t next = lesser((x | 3) + 1, end);
+  uint32_t pixels = next_pixels(coverage, next - x);
+  while (x != end) {
+    const uint8_t* const begin = coverage;
+    const int32_t from = x;
+    const bool is_mixed = pixels + 1 > 1;
+    const int32_t most = is_mixed ? kMaxSpan - 4 : count;
+    const uint32_t first = pixels;
+    do {
+      coverage += next - x;
+      x = next;
+      next = lesser(x + 4, end);
+      pixels = next_pixels(coverage, next - x);
+    } while (x != end && x - from <= most &&
+             (is_mixed ? pixels + 1 > 1 : pixels == first));
+    if (is_mixed) {
+      sink.coverage(sink.context, from, y, begin, x - from);
+    } else if (first != 0) {
+      sink.solid(sink.context, from, y, x - from);
+    }
+  }
+}
+
+void emit(const Sink& sink,
+          const Rect& pixels,
+          const uint8_t* coverage,
+          int32_t stride) noexcept {
+  if (sink.block != nullptr) {
+    sink.block(sink.context, {pixels, coverage, stride});
+    return;
+  }
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    emit_row(sink, pixels.x0, y, coverage, pixels.x1 - pixels.x0);
+    coverage += stride;
+  }
+}
+
+namespace {
+
+// Points at a time of a glyph that has more than there is room for: few, as
+// each row that a band has less costs more than they do.
+constexpr int32_t kPortion = 16;
+
+// False: the brush was not made.
+bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
+  // Room for roundings.
+  constexpr int32_t kMore = 4;
+  const OutlineMixer* const mixer = brush.painter().outlines;
+  plan = {};
+  plan.painter = mixer == nullptr ? brush.outline_painter() : mixer->painter;
+  if (plan.painter == nullptr) {
+    return false;
+  }
+  const int32_t reach_q8 = plan.painter->reach_q8;
+  if (reach_q8 != 0) {
+    plan.outside_q8 = reach_q8;
+    plan.shown_q8 = 128 + kMore;
+  } else {
+    const Filter& filter = brush.filter();
+    plan.widen(filter);
+    plan.shown_q8 = (greater(-filter.outside_q10, 0) >> 2) + kMore;
+  }
+  if (mixer != nullptr) {
+    mixer->plan(brush, plan);
+  }
+  return true;
+}
+
+// A glyph in RAM: where it stands, its points, and room for bands of rows.
+struct __attribute__((may_alias)) Prepared {
+  PaintedBand at;  // the band at hand
+  OutlinePlan plan;
+  const GlyphWarp* warp;  // null if the glyph is not fitted
+  ScreenPoint* points;    // room for all of them, or for some
+  ScreenPoint* points_end;
+  int32_t band_bytes;  // behind the points
+  bool has_all;        // points
+  OutlineGlyph glyph;
+  OutlineCursor cursor;
+};
+
+// The least RAM that a glyph is drawn in, and what it takes of the stack where
+// no RAM is lent. [bytes]
+constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(GlyphWarp) +
+                               kPortion * sizeof(ScreenPoint) + kLeastBand;
+
+// A glyph to draw, and where.
+struct Job {
+  const Font& font;
+  Span<const uint8_t> record;
+  const Brush& brush;
+  const Placed& placed;
+  uint16_t glyph;
+};
+
+}  // namespace
+
+// How glyphs are moved to the grid of pixels.
+struct OutlineFitter {
+  bool (*open)(Prepared& prepared,
+               const Job& job,
+               const GlyphMetrics& metrics) noexcept;
+  void (*apply)(const Prepared& prepared,
+                ScreenPoint* points,
+                const ScreenPoint* end) noexcept;
+};
+
+namespace {
+
+ScreenPoint* read_points(Prepared& prepared,
+                         ScreenPoint* points,
+                         int32_t room) noexcept {
+  ScreenPoint* const end = prepared.glyph.read(points, room);
+  if (prepared.warp != nullptr) {
+    prepared.at.brush->outline_fitter().apply(prepared, points, end);
+  }
+  return end;
+}
+
+// False if there is nothing to draw. `data` is a multiple of 4, `size` at least
+// kLeastBytes.
+bool prepare(Prepared& prepared, int32_t size) noexcept {
+  OutlineGlyph& glyph = prepared.glyph;
+  auto* points = reinterpret_cast<ScreenPoint*>(&prepared + 1);
+  size -= int32_t{sizeof(Prepared)};
+  if (prepared.warp != nullptr) {
+    static_assert(sizeof(GlyphWarp) % sizeof(uint32_t) == 0, "aligned");
+    points = reinterpret_cast<ScreenPoint*>(reinterpret_cast<uint8_t*>(points) +
+                                            sizeof(GlyphWarp));
+    size -= int32_t{sizeof(GlyphWarp)};
+  }
+  // Half of it for points at most.
+  const int32_t room =
+      lesser(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
+  glyph.rewind();
+  ScreenPoint* end = read_points(prepared, points, room);
+  prepared.has_all = glyph.is_done();
+  if (!prepared.has_all) {
+    end = points + lesser(kPortion, room);
+  }
+  prepared.points = points;
+  prepared.points_end = end;
+  prepared.band_bytes =
+      size - static_cast<int32_t>(end - points) * int32_t{sizeof(ScreenPoint)};
+  Band& band = prepared.at.band;
+  const OutlinePlan& plan = prepared.plan;
+  band.outside_q8 = plan.outside_q8;
+  band.inside_q8 = plan.inside_q8;
+  band.reach_q8 = greater(plan.outside_q8, plan.inside_q8);
+  if (plan.painter->reach_q8 == 0) {
+    band.fall_q14 = static_cast<int32_t>((254u << 14) /
+                                         static_cast<uint32_t>(band.reach_q8));
+  }
+  band.is_mirrored = glyph.is_mirrored();
+  return end != points;
+}
+
+// All points, or portions of those for which there is no room.
+void paint_band(Prepared& prepared) noexcept {
+  prepared.cursor.begin();
+  ScreenPoint* const points = prepared.points;
+  const ScreenPoint* end = prepared.points_end;
+  const auto room = static_cast<int32_t>(end - points);
+  if (!prepared.has_all) {
+    prepared.glyph.rewind();
+  }
+  do {
+    if (!prepared.has_all) {
+      end = read_points(prepared, points, room);
+    }
+    prepared.plan.painter->paint(prepared.at.band, prepared.cursor, points,
+                                 end);
+  } while (!prepared.glyph.is_done());
+}
+
+// Samples before the first pixel of a band, from a multiple of 4 on: one of
+// them at least.
+int32_t columns_before(const OutlinePlan& plan, int32_t x0) noexcept {
+  return ((x0 * plan.columns - plan.margin_x - 1) & 3) + 1 + plan.margin_x;
+}
+
+// Of a band of pixels, from there on. [samples]
+int32_t width_of(const OutlinePlan& plan,
+                 int32_t column,
+                 const Rect& pixels) noexcept {
+  return column + (pixels.x1 - pixels.x0) * plan.columns + plan.margin_x;
+}
+
+// Rows of that many samples and the pixel after them. [bytes]
+int32_t stride_of(int32_t width) noexcept {
+  return (width + 4) & ~3;
+}
+
+// The band of prepared.at.pixels.
+__attribute__((noinline)) void draw_band(Prepared& prepared) noexcept {
+  const OutlineGlyph& glyph = prepared.glyph;
+  const OutlinePlan& plan = prepared.plan;
+  const Rect& pixels = prepared.at.pixels;
+  auto* const bytes = reinterpret_cast<uint8_t*>(prepared.points_end);
+  Band& band = prepared.at.band;
+  const int32_t column = columns_before(plan, pixels.x0);
+  const int32_t width = width_of(plan, column, pixels);
+  prepared.at.column = column;
+  prepared.at.row = plan.margin_y;
+  band.stride = stride_of(width);
+  band.rows = (pixels.y1 - pixels.y0) * plan.rows + 2 * plan.margin_y;
+  band.bytes = bytes + kGuardBytes + band.stride;
+  band.last_column = width - 1;
+  band.x_q8 = (pixels.x0 * plan.columns - column - glyph.x0()) * 256;
+  band.y_q8 = (pixels.y0 * plan.rows - plan.margin_y - glyph.y0()) * 256;
+  band.is_whole = pixels.y1 - pixels.y0 == glyph.box().y1 - glyph.box().y0;
+  clear(bytes, kGuardBytes + (band.rows + kGuardRows) * band.stride);
+  paint_band(prepared);
+  const Brush& brush = *prepared.at.brush;
+  if (const OutlineMixer* const mixer = brush.painter().outlines) {
+    mixer->mix(prepared.at);
+    return;
+  }
+  plan.painter->cover(band, brush.filter());
+  emit(*prepared.at.sink, pixels, band.bytes + prepared.at.column, band.stride);
+}
+
+void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
+  const Rect all = intersect(prepared.glyph.box(), sink.window);
+  if (is_empty(all)) {
+    return;
+  }
+  const OutlinePlan& plan = prepared.plan;
+  const int32_t bytes = prepared.band_bytes - kGuardBytes;
+  // Of samples.
+  const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
+  int32_t rows =
+      bytes / stride_of(width_of(plan, columns_before(plan, all.x0), all)) -
+      more_rows;
+  int32_t columns = all.x1 - all.x0;
+  const int32_t least =
+      lesser(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
+  if (rows < least * plan.rows) {
+    rows = least * plan.rows;
+    columns = (bytes / (rows + more_rows) & ~3) - 8 - 2 * plan.margin_x;
+    columns = plan.columns == 1 ? columns : columns / plan.columns;
+  }
+  rows = plan.rows == 1 ? rows : rows / plan.rows;
+  prepared.at.sink = &sink;
+  Rect& part = prepared.at.pixels;
+  for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
+    part.y1 = lesser(part.y0 + rows, all.y1);
+    for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
+      part.x1 = lesser(part.x0 + columns, all.x1);
+      draw_band(prepared);
+    }
+  }
+}
+
+bool open_at(Prepared& prepared,
+             const Job& job,
+             const GlyphMetrics& metrics,
+             const Placed& placed) noexcept {
+  const OutlinePlan& plan = prepared.plan;
+  return prepared.glyph.open(
+      job.font, metrics, job.record, job.brush, placed,
+      {plan.painter->origin_q8, plan.shown_q8, plan.columns, plan.rows},
+      prepared.warp);
+}
+
+// The maps lie behind the glyph.
+bool open_fitted(Prepared& prepared,
+                 const Job& job,
+                 const GlyphMetrics& metrics) noexcept {
+  auto* const warp = reinterpret_cast<GlyphWarp*>(&prepared + 1);
+  FinePoint origin = job.placed.origin();
+  job.brush.fitter()->fit(job.glyph, metrics, job.brush.fitter_options(),
+                          origin, *warp);
+  if ((warp->x.count | warp->y.count) != 0) {
+    prepared.warp = warp;
+  }
+  Placed placed;
+  return placed.set(origin) && open_at(prepared, job, metrics, placed);
+}
+
+void apply_warp(const Prepared& prepared,
+                ScreenPoint* points,
+                const ScreenPoint* end) noexcept {
+  warp_points(*prepared.warp, prepared.glyph, prepared.plan, points, end);
+}
+
+// False if there is nothing to draw in the window.
+bool open(Prepared& prepared, const Job& job) noexcept {
+  prepared.at.brush = &job.brush;
+  prepared.warp = nullptr;
+  if (!plan_for(job.brush, prepared.plan)) {
+    return false;
+  }
+  GlyphMetrics metrics;
+  if (job.font.glyph_metrics(job.glyph, metrics) != Status::ok) {
+    return false;
+  }
+  if (job.brush.is_fitted()) {
+    return job.brush.outline_fitter().open(prepared, job, metrics);
+  }
+  return open_at(prepared, job, metrics, job.placed);
+}
+
+void draw_in(Prepared& prepared,
+             int32_t size,
+             const Job& job,
+             const Sink& sink) noexcept {
+  if (open(prepared, job) &&
+      !is_empty(intersect(prepared.glyph.box(), sink.window)) &&
+      prepare(prepared, size)) {
+    draw_prepared(prepared, sink);
+  }
+}
+
+__attribute__((noinline)) void draw_on_stack(const Job& job,
+                                             const Sink& sink) noexcept {
+  struct {
+    Prepared prepared;
+    uint8_t bytes[kLeastBytes - sizeof(Prepared)];
+  } ram;
+  draw_in(ram.prepared, kLeastBytes, job, sink);
+}
+
+// The part of a workspace that begins where pointers may lie; none if that is
+// too small.
+Workspace aligned(const Workspace& workspace) noexcept {
+  const uintptr_t skipped = (0u - reinterpret_cast<uintptr_t>(workspace.data)) &
+                            (alignof(Prepared) - 1);
+  if (workspace.size < kLeastBytes + skipped) {
+    return {};
+  }
+  const size_t size = workspace.size - skipped;
+  return {workspace.data + skipped,
+          (size < kMostBytes ? size : kMostBytes) & ~size_t{3}};
+}
+
+}  // namespace
+
+const OutlineFitter kOutlineFitter = {open_fitted, apply_warp};
+
+const OutlinePainter kPaintPixelRamp = {paint_distances, cover_linear, 128,
+                                        128};
+const OutlinePainter kPaintDistances = {paint_distances, cover_filtered, 128,
+                                        128};
+const OutlinePainter kPaintWideDistances = {paint_wide_distances,
+                                            cover_filtered, 128, 0};
+const OutlinePainter kPaintAreas = {paint_areas, cover_areas, 0, 128};
+
+void draw_outline(const Font& font,
+                  uint16_t glyph,
+                  Span<const uint8_t> record,
+                  const Brush& brush,
+                  const Placed& placed,
+                  const Sink& sink,
+                  Workspace workspace) noexcept {
+  const Job job = {font, record, brush, placed, glyph};
+  const Workspace ram = aligned(workspace);
+  if (ram.size == 0) {
+    draw_on_stack(job, sink);
+    return;
+  }
+  draw_in(*reinterpret_cast<Prepared*>(ram.data),
+          static_cast<int32_t>(ram.size), job, sink);
+}
+
+}  // namespace detail
+
+Status PreparedGlyph::make(const Font& font,
+                           uint16_t glyph,
+                           const Brush& brush,
+                           Point origin,
+                           Workspace workspace,
+                           PreparedGlyph& out) noexcept {
+  using namespace detail;
+  const Workspace ram = aligned(workspace);
+  if (ram.size == 0) {
+    return Status::buffer_small;
+  }
+  PreparedGlyph made;
+  const Span<const uint8_t> record = font.record(glyph);
+  Placed placed;
+  auto* const prepared = reinterpret_cast<Prepared*>(ram.data);
+  if (record.size == 0) {
+    if (glyph >= font.glyph_count()) {
+      return Status::no_glyph;
+    }
+  } else if (!is_outline(record)) {
+    return Status::unsupported;
+  } else if (placed.set(origin) &&
+             open(*prepared, {font, record, brush, placed, glyph}) &&
+             prepare(*prepared, static_cast<int32_t>(ram.size))) {
+    made.prepared_ = prepared;
+  }
+  out = made;
+  return Status::ok;
+}
+
+Rect PreparedGlyph::box() const noexcept {
+  return prepared_ == nullptr
+             ? Rect{}
+             : static_cast<detail::Prepared*>(prepared_)->glyph.box();
+}
+
+void PreparedGlyph::draw(const Sink& sink) const noexcept {
+  if (prepared_ != nullptr) {
+    detail::draw_prepared(*static_cast<detail::Prepared*>(prepared_), sink);
+  }
+}
+
+}  // namespace inkcell

@@ -1,0 +1,71 @@
+// What painters of styles do with glyphs of outlines.
+#pragma once
+
+#include <stdint.h>
+
+#include "base/math.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/strip.hpp"
+#include "rows/band.hpp"
+
+namespace inkcell {
+namespace detail {
+
+struct OutlinePainter;
+
+// How the bands of a glyph are painted.
+struct OutlinePlan {
+  const OutlinePainter* painter = nullptr;
+  // How far distances are good, outside and inside. [px]
+  int32_t outside_q8 = 0;
+  int32_t inside_q8 = 0;
+  // How far from the ink a pixel's centre may show something. [px]
+  int32_t shown_q8 = 0;
+  // Samples a pixel, 1 or 3: columns of a band and rows. Only areas have 3.
+  uint8_t columns = 1;
+  uint8_t rows = 1;
+  // Samples around the pixels that are drawn.
+  uint8_t margin_x = 0;
+  uint8_t margin_y = 0;
+
+  // For the ramp of a filter.
+  void widen(const Filter& filter) noexcept {
+    outside_q8 = greater(outside_q8, (-filter.outside_q10 >> 2) + 1);
+    inside_q8 = greater(inside_q8, (filter.inside_q10 >> 2) + 1);
+  }
+};
+
+// A band that is painted, and the pixels that it is for.
+struct PaintedBand {
+  Band band;
+  Rect pixels;
+  int32_t column;  // of the first sample of the first pixel
+  int32_t row;
+  const Brush* brush;
+  const Sink* sink;
+};
+
+// Makes coverage of painted bands and hands it to sinks. Linked with the
+// painter that names it.
+struct OutlineMixer {
+  const OutlinePainter* painter;
+  // Changes the plan that the brush's filter asks for.
+  void (*plan)(const Brush& brush, OutlinePlan& plan) noexcept;
+  void (*mix)(const PaintedBand& painted) noexcept;
+};
+
+// Hands on a block of coverage whose rows are `stride` bytes apart, and a row
+// of one.
+void emit(const Sink& sink,
+          const Rect& pixels,
+          const uint8_t* coverage,
+          int32_t stride) noexcept;
+// `coverage` lies at a multiple of 4 where x is one.
+void emit_row(const Sink& sink,
+              int32_t x,
+              int32_t y,
+              const uint8_t* coverage,
+              int32_t count) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell

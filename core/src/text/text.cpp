@@ -1,0 +1,298 @@
+#include "inkcell/text.hpp"
+
+#include "cells/record.hpp"
+#include "place/position.hpp"
+#include "rows/outline_draw.hpp"
+#include "text/text_place.hpp"
+
+namespace inkcell {
+namespace {
+
+using detail::clamp_to;
+using detail::kMaxPx;
+using detail::kMaxUnits;
+using detail::place_near;
+using detail::Placed;
+using detail::UnitScale;
+
+constexpr uint32_t kReplacement = 0xfffd;
+
+uint32_t byte_at(const Text& text, size_t i) noexcept {
+  return static_cast<uint8_t>(text.data[i]);
+}
+
+void take(Text& text, size_t count) noexcept {
+  text.data += count;
+  text.size -= count;
+}
+
+// What a lead byte says: the number of bytes that follow, the payload of the
+// lead, and what the first of those bytes may be. The narrowed ranges exclude
+// overlong forms, surrogates and what lies above U+10FFFF (Unicode, table 3-7).
+struct Lead {
+  uint8_t following;
+  uint8_t payload;
+  uint8_t low;
+  uint8_t high;
+};
+
+Lead lead_of(uint32_t byte) noexcept {
+  if (byte >= 0xc2 && byte <= 0xdf) {
+    return {1, static_cast<uint8_t>(byte & 0x1f), 0x80, 0xbf};
+  }
+  if (byte >= 0xe0 && byte <= 0xef) {
+    const uint8_t low = byte == 0xe0 ? 0xa0 : 0x80;
+    const uint8_t high = byte == 0xed ? 0x9f : 0xbf;
+    return {2, static_cast<uint8_t>(byte & 0x0f), low, high};
+  }
+  if (byte >= 0xf0 && byte <= 0xf4) {
+    const uint8_t low = byte == 0xf0 ? 0x90 : 0x80;
+    const uint8_t high = byte == 0xf4 ? 0x8f : 0xbf;
+    return {3, static_cast<uint8_t>(byte & 0x07), low, high};
+  }
+  return {0, 0, 0, 0};
+}
+
+// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
+// others wrap.
+int32_t product(int32_t a, int32_t b) noexcept {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) *
+                              static_cast<uint32_t>(b));
+}
+
+// Inline: a frame of its own would take more of the stack, and of code.
+__attribute__((always_inline)) inline void draw_placed(
+    const Font& font,
+    uint16_t glyph,
+    const Brush& brush,
+    const Placed& placed,
+    const Sink& sink,
+    Workspace workspace) noexcept {
+  const Span<const uint8_t> record = font.record(glyph);
+  if constexpr (detail::kHasOutlines) {
+    if (detail::is_outline(record)) {
+      detail::draw_outline(font, glyph, record, brush, placed, sink, workspace);
+      return;
+    }
+  }
+  if constexpr (detail::kHasCells) {
+    GlyphField field;
+    if (detail::read_field(font, glyph, field) == Status::ok) {
+      detail::draw_near(field, brush, placed, sink);
+    }
+  }
+}
+
+}  // namespace
+
+uint32_t next_code_point(Text& text) noexcept {
+  const uint32_t first = byte_at(text, 0);
+  if (first < 0x80) {
+    take(text, 1);
+    return first;
+  }
+  const Lead lead = lead_of(first);
+  uint32_t code_point = lead.payload;
+  size_t used = 1;
+  while (used <= lead.following && used < text.size) {
+    const uint32_t next = byte_at(text, used);
+    const uint32_t low = used == 1 ? lead.low : 0x80;
+    const uint32_t high = used == 1 ? lead.high : 0xbf;
+    if (next < low || next > high) {
+      break;
+    }
+    code_point = code_point << 6 | (next & 0x3f);
+    ++used;
+  }
+  take(text, used);
+  const bool whole = lead.following > 0 && used == lead.following + size_t{1};
+  return whole ? code_point : kReplacement;
+}
+
+TextCursor::TextCursor(const Font& font, Text text, const Brush& brush) noexcept
+    : font_(font), text_(text) {
+  if (brush.has_whole_advances()) {
+    brush_ = &brush;
+  }
+}
+
+// Positions are the sum of whole pixels, each converted by itself: nothing
+// accumulates.
+void TextCursor::add_px(int32_t px) noexcept {
+  advance_px_ = clamp_to(advance_px_ + px, kMaxPx);
+  const int32_t size_q6 = brush_->size().raw;
+  const int32_t em_q6 = font_.units_per_em() * 64;
+  // Whole units of a pixel, and what is left.
+  const int32_t whole = em_q6 / size_q6;
+  const int32_t part = product(advance_px_, em_q6 - whole * size_q6);
+  const int32_t half = part < 0 ? -size_q6 / 2 : size_q6 / 2;
+  advance_ = clamp_to(advance_px_ * whole + (part + half) / size_q6, kMaxUnits);
+}
+
+bool TextCursor::next(PositionedGlyph& out) noexcept {
+  if (text_.size == 0) {
+    return false;
+  }
+  const uint16_t glyph = font_.glyph_or_notdef(next_code_point(text_));
+  if (previous_ >= 0) {
+    const int32_t kerning =
+        font_.kerning(static_cast<uint16_t>(previous_), glyph);
+    if (brush_ == nullptr) {
+      advance_ = clamp_to(advance_ + kerning, kMaxUnits);
+    } else if (kerning != 0) {
+      add_px(product(kerning, brush_->size().raw) /
+             (font_.units_per_em() * 64));
+    }
+  }
+  out.x = advance_;
+  out.y = 0;
+  out.glyph = glyph;
+  if (brush_ == nullptr) {
+    advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
+  } else {
+    add_px(
+        brush_->fitter()->advance_px(font_, glyph, brush_->fitter_options()));
+  }
+  previous_ = glyph;
+  return true;
+}
+
+namespace {
+
+Status layout(TextCursor cursor,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  PositionedGlyph glyph;
+  size_t count = 0;
+  while (cursor.next(glyph)) {
+    if (count == out.size) {
+      return Status::buffer_small;
+    }
+    out[count++] = glyph;
+  }
+  glyphs = {out.data, count};
+  return Status::ok;
+}
+
+TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
+  TextMeasure sum;
+  PositionedGlyph at;
+  bool inked = false;
+  while (cursor.next(at)) {
+    GlyphMetrics glyph;
+    if (font.glyph_metrics(at.glyph, glyph) != Status::ok ||
+        glyph.x_max <= glyph.x_min) {
+      continue;
+    }
+    const int32_t left = at.x + glyph.x_min;
+    const int32_t right = at.x + glyph.x_max;
+    sum.x_min = !inked || left < sum.x_min ? left : sum.x_min;
+    sum.x_max = !inked || right > sum.x_max ? right : sum.x_max;
+    sum.y_min = !inked || glyph.y_min < sum.y_min ? glyph.y_min : sum.y_min;
+    sum.y_max = !inked || glyph.y_max > sum.y_max ? glyph.y_max : sum.y_max;
+    inked = true;
+  }
+  sum.advance = cursor.advance();
+  return sum;
+}
+
+// Whole-pixel advances count from a whole pixel.
+Point run_origin(const Brush& brush, Point origin) noexcept {
+  if (brush.has_whole_advances()) {
+    // Far away it may wrap, but not to where it would be seen.
+    const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;
+    origin.x.raw = static_cast<int32_t>(x & ~uint32_t{63});
+  }
+  return origin;
+}
+
+}  // namespace
+
+Status layout(const Font& font,
+              Text text,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  return layout(TextCursor(font, text), out, glyphs);
+}
+
+Status layout(const Font& font,
+              Text text,
+              const Brush& brush,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  return layout(TextCursor(font, text, brush), out, glyphs);
+}
+
+TextMeasure measure(const Font& font, Text text) noexcept {
+  return measure(font, TextCursor(font, text));
+}
+
+TextMeasure measure(const Font& font, Text text, const Brush& brush) noexcept {
+  return measure(font, TextCursor(font, text, brush));
+}
+
+Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
+  const int64_t fine = UnitScale(font, brush).to_px_q10(units);
+  const int64_t rounded = (fine + 8) >> 4;
+  if (rounded < INT32_MIN) {
+    return Q26_6::from_raw(INT32_MIN);
+  }
+  return Q26_6::from_raw(
+      static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
+}
+
+Status check_painter(const Font& font, const Brush& brush) noexcept {
+  const Painter& painter = brush.painter();
+  const bool is_drawn = painter.cells == nullptr ||
+                        (font.has_outlines() ? painter.outlines != nullptr
+                                             : !brush.is_stretched());
+  return is_drawn ? Status::ok : Status::unsupported;
+}
+
+void draw(const Font& font,
+          Span<const PositionedGlyph> glyphs,
+          const Brush& brush,
+          Point origin,
+          const Sink& sink,
+          Workspace workspace) noexcept {
+  const UnitScale scale(font, brush);
+  origin = run_origin(brush, origin);
+  for (const PositionedGlyph& at : glyphs) {
+    Placed placed;
+    if (place_near(scale, brush, origin, at, placed)) {
+      draw_placed(font, at.glyph, brush, placed, sink, workspace);
+    }
+  }
+}
+
+void draw_text(const Font& font,
+               Text text,
+               const Brush& brush,
+               Point origin,
+               const Sink& sink,
+               Workspace workspace) noexcept {
+  const UnitScale scale(font, brush);
+  TextCursor cursor(font, text, brush);
+  origin = run_origin(brush, origin);
+  PositionedGlyph at;
+  while (cursor.next(at)) {
+    Placed placed;
+    if (place_near(scale, brush, origin, at, placed)) {
+      draw_placed(font, at.glyph, brush, placed, sink, workspace);
+    }
+  }
+}
+
+void draw_glyph(const Font& font,
+                uint16_t glyph,
+                const Brush& brush,
+                Point origin,
+                const Sink& sink,
+                Workspace workspace) noexcept {
+  Placed placed;
+  if (placed.set(origin)) {
+    draw_placed(font, glyph, brush, placed, sink, workspace);
+  }
+}
+
+}  // namespace inkcell

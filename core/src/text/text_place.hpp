@@ -1,0 +1,75 @@
+// Where the glyphs of a run stand, in px.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/text.hpp"
+#include "place/position.hpp"
+
+namespace inkcell {
+namespace detail {
+
+inline int32_t clamp_to(int32_t value, int32_t limit) noexcept {
+  if (value > limit) {
+    return limit;
+  }
+  return value < -limit ? -limit : value;
+}
+
+// Longer lines than this, 1000 em at the least, end where it ends: a hostile
+// font may have glyphs 65535 units wide.
+inline constexpr int32_t kMaxUnits = 1 << 24;
+
+// The same of lines of whole pixels.
+inline constexpr int32_t kMaxPx = 1 << 18;
+
+// What a run's font units are in px: computed once, because it takes a
+// division. [px per unit, Q10 with 20 more bits]
+class UnitScale {
+ public:
+  UnitScale(const Font& font, const Brush& brush) noexcept {
+    // 2^24 sizes over the em, to the nearest: 14 bits, then what is left and 10
+    // more, so that 32 are enough.
+    const uint32_t em = font.units_per_em();
+    const uint32_t size_q20 = static_cast<uint32_t>(brush.size().raw) << 14;
+    const uint32_t whole = size_q20 / em;
+    const uint32_t rest = size_q20 - whole * em;
+    scale_ = (int64_t{whole} << 10) + ((rest << 10) + em / 2) / em;
+  }
+
+  // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
+  // nearest, so that whole pixels are met exactly.
+  int64_t to_px_q10(int32_t units) const noexcept {
+    return (clamp_to(units, kMaxUnits) * scale_ + (1 << 19)) >> 20;
+  }
+
+ private:
+  int64_t scale_;
+};
+
+inline FinePoint place(const UnitScale& scale,
+                       const Brush& brush,
+                       const FinePoint& origin,
+                       const PositionedGlyph& at) noexcept {
+  const int64_t along = scale.to_px_q10(at.x);
+  const int64_t across = scale.to_px_q10(at.y);
+  if (brush.is_upright()) {
+    return {origin.x_q10 + along, origin.y_q10 - across};
+  }
+  return brush.slant().place(brush, origin, along, across);
+}
+
+// False: the glyph is too far away. Not inline: what it takes of the stack is
+// free again when the glyph is drawn.
+__attribute__((noinline)) inline bool place_near(const UnitScale& scale,
+                                                 const Brush& brush,
+                                                 const Point& origin,
+                                                 const PositionedGlyph& at,
+                                                 Placed& out) noexcept {
+  return out.set(place(scale, brush, origin, at));
+}
+
+}  // namespace detail
+}  // namespace inkcell

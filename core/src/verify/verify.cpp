@@ -1,0 +1,222 @@
+// Font::verify: everything that `open` leaves to the moment of reading.
+#include "base/bit_table.hpp"
+#include "base/bytes.hpp"
+#include "base/crc.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/format/rom.hpp"
+#include "inkcell/grid_hints.hpp"
+#include "outlines/outline_glyph.hpp"
+#include "verify/field_verify.hpp"
+#include "verify/outline_verify.hpp"
+
+namespace inkcell {
+namespace {
+
+using detail::load_u16;
+using detail::load_u32;
+
+// Code points ascend without overlap, and every glyph exists.
+bool cmap_fits(Span<const uint8_t> cmap, uint32_t glyph_count) noexcept {
+  if (cmap.size % format::cmap::kBytes != 0) {
+    return false;
+  }
+  uint32_t next = 0;
+  for (size_t i = 0; i < cmap.size; i += format::cmap::kBytes) {
+    const uint8_t* entry = cmap.data + i;
+    const uint32_t first = load_u32(entry + format::cmap::kFirst);
+    const uint32_t extra = load_u16(entry + format::cmap::kExtra);
+    const uint32_t glyph = load_u16(entry + format::cmap::kFirstGlyph);
+    if (first < next || first > 0x10ffff || glyph + extra >= glyph_count) {
+      return false;
+    }
+    next = first + extra + 1;
+  }
+  return true;
+}
+
+bool widths_fit(const uint8_t* widths, uint32_t count, uint32_t most) noexcept {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (widths[i] > most) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Glyphs and pairs ascend, every class exists, and the rows cover the pairs.
+class KerningCheck {
+ public:
+  bool fits(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
+    namespace kerning = format::kerning;
+    if (!kerning_.open(section) ||
+        !widths_fit(section.data + kerning::kGlyphBits, 4, kerning::kMaxBits) ||
+        section[kerning::kStartBits] > format::bit_table::kMaxBits) {
+      return false;
+    }
+    right_classes_ = load_u16(section.data + kerning::kRightClasses);
+    return rows_fit() && members_fit(glyph_count);
+  }
+
+ private:
+  bool rows_fit() const noexcept {
+    uint32_t next = 0;
+    for (uint32_t row = 0; row < kerning_.left_classes; ++row) {
+      const uint32_t begin = kerning_.row_start(row);
+      const uint32_t end = kerning_.row_start(row + 1);
+      if (begin != next || begin > end || end > kerning_.pair_count ||
+          !pairs_fit(begin, end)) {
+        return false;
+      }
+      next = end;
+    }
+    return kerning_.row_start(0) == 0 && next == kerning_.pair_count;
+  }
+
+  bool pairs_fit(uint32_t begin, uint32_t end) const noexcept {
+    uint32_t next = 1;
+    for (uint32_t i = begin; i < end; ++i) {
+      const uint32_t right = kerning_.pairs.get(i, 0, kerning_.right_bits);
+      if (right < next || right > right_classes_) {
+        return false;
+      }
+      next = right + 1;
+    }
+    return true;
+  }
+
+  bool members_fit(uint32_t glyph_count) const noexcept {
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < kerning_.member_count; ++i) {
+      const uint32_t glyph = kerning_.members.get(i, 0, kerning_.glyph_bits);
+      if (glyph < next || glyph >= glyph_count ||
+          kerning_.left_class(i) > kerning_.left_classes ||
+          kerning_.right_class(i) > right_classes_) {
+        return false;
+      }
+      next = glyph + 1;
+    }
+    return true;
+  }
+
+  detail::Kerning kerning_;
+  uint32_t right_classes_ = 0;
+};
+
+bool metrics_fit(Span<const uint8_t> section) noexcept {
+  namespace metrics = format::metrics;
+  return widths_fit(section.data + metrics::kColumnBits, metrics::kColumns,
+                    metrics::kMaxBits);
+}
+
+// Records lie one after the other behind the offsets.
+bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
+  namespace glyphs = format::glyphs;
+  const uint32_t width = section[glyphs::kOffsetBits];
+  const uint32_t unit_log2 = section[glyphs::kUnitLog2];
+  if (width > format::bit_table::kMaxBits || unit_log2 > glyphs::kMaxUnitLog2) {
+    return false;
+  }
+  const detail::BitTable offsets = {section, 8 * glyphs::kBytes, width};
+  size_t least = glyphs::kBytes + (width * (glyph_count + 1) + 7) / 8;
+  for (uint32_t i = 0; i <= glyph_count; ++i) {
+    const uint32_t offset = offsets.get(i, 0, width) << unit_log2;
+    if (offset < least || offset > section.size) {
+      return false;
+    }
+    least = offset;
+  }
+  return true;
+}
+
+// The hints of a glyph ascend, name zones that exist, and do not end before the
+// last byte of its record.
+bool hints_fit(const GridHints& hints, uint32_t glyph) noexcept {
+  Span<const uint8_t> record;
+  if (!hints.record(glyph, record)) {
+    return false;
+  }
+  GlyphHints read(hints, glyph);
+  int32_t last_u = INT32_MIN;
+  for (uint32_t i = 0; i < read.y_count(); ++i) {
+    const YHint hint = read.next_y();
+    if (hint.low_u < last_u ||
+        (hint.zone != YHint::kNoZone && hint.zone >= hints.zone_count())) {
+      return false;
+    }
+    last_u = hint.low_u;
+  }
+  last_u = INT32_MIN;
+  for (uint32_t i = 0; i < read.x_count(); ++i) {
+    const XHint hint = read.next_x();
+    if (hint.left_u <= last_u) {
+      return false;
+    }
+    last_u = hint.right_u;
+  }
+  return record.size <= (read.bits() + 7) / 8;
+}
+
+bool hints_fit(const Font& font) noexcept {
+  GridHints hints;
+  if (GridHints::open(font, hints) != Status::ok) {
+    return false;
+  }
+  if (hints.empty()) {
+    return true;
+  }
+  if (hints.x_zone() >= hints.zone_count() &&
+      hints.x_zone() != format::grid::kNoZone) {
+    return false;
+  }
+  for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
+    if (!hints_fit(hints, glyph)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Status Font::verify() const noexcept {
+  if (rom_.size == 0) {
+    return Status::corrupt;
+  }
+  namespace header = format::header;
+  const uint32_t header_bytes = load_u16(rom_.data + header::kHeaderBytes);
+  if (header_bytes > rom_.size) {
+    return Status::corrupt;
+  }
+  const uint32_t crc =
+      detail::crc32(0, {rom_.data + header_bytes, rom_.size - header_bytes});
+  if (crc != load_u32(rom_.data + header::kContentCrc) ||
+      !cmap_fits(cmap_table(), glyph_count_) || !metrics_fit(metrics_table()) ||
+      (kerning_table().size != 0 &&
+       !KerningCheck().fits(kerning_table(), glyph_count_)) ||
+      !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_)) {
+    return Status::corrupt;
+  }
+  const detail::OutlineCoding coding = detail::outline_coding(*this);
+  const bool has_code = coding.code_bits != 0;
+  if (has_code && !detail::code_fits(coding)) {
+    return Status::corrupt;
+  }
+  for (uint32_t glyph = 0; glyph < glyph_count_; ++glyph) {
+    const auto id = static_cast<uint16_t>(glyph);
+    GlyphField opened;
+    const Span<const uint8_t> bytes = record(id);
+    if (detail::is_outline(bytes)) {
+      if (!has_code || !detail::outline_fits(*this, bytes, coding)) {
+        return Status::corrupt;
+      }
+      continue;
+    }
+    INKCELL_TRY(field(id, opened));
+    if (!detail::field_fits(opened)) {
+      return Status::corrupt;
+    }
+  }
+  return Status::ok;
+}
+
+}  // namespace inkcell
