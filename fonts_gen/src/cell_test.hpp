@@ -6,6 +6,7 @@
 
 #include "adf.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/format/cell.hpp"
 #include "metric.hpp"
 #include "shape.hpp"
 

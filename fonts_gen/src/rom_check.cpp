@@ -6,6 +6,7 @@
 
 #include "field_record.hpp"
 #include "hints/grid_section.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "rom_font.hpp"
 

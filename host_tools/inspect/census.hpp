@@ -9,6 +9,7 @@
 
 #include "grid_hints.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/format/cell.hpp"
 #include "outline_points.hpp"
 
 namespace inkcell::tools {

@@ -15,6 +15,7 @@
 
 #include "inkcell/field.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "field_code.hpp"
+#include "inkcell/format/cell.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -9,6 +9,7 @@
 #include "adf.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/format/cell.hpp"
 
 namespace inkcell {
 namespace gen {

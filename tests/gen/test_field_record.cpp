@@ -9,6 +9,7 @@
 
 #include "field_code.hpp"
 #include "field_trees.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "inkcell/font.hpp"
+#include "inkcell/format/cell.hpp"
 
 namespace {
 

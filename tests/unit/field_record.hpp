@@ -6,6 +6,7 @@
 
 #include "font_builder.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "random.hpp"
 

@@ -2,6 +2,7 @@
 // from the edge on the screen as it should be.
 #include "check.hpp"
 #include "field_record.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/render.hpp"
 #include "random.hpp"
 

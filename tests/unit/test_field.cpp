@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "equation.hpp"
 #include "font_builder.hpp"
+#include "inkcell/format/cell.hpp"
 #include "random.hpp"
 
 namespace {

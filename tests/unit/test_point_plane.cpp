@@ -4,6 +4,7 @@
 #include "distance/point_walk.hpp"
 #include "field_record.hpp"
 #include "font_builder.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/render.hpp"
 
 namespace {

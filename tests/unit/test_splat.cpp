@@ -5,6 +5,7 @@
 #include "any_record.hpp"
 #include "check.hpp"
 #include "font_builder.hpp"
+#include "inkcell/format/cell.hpp"
 #include "painter_canvas.hpp"
 #include "painter_glyph.hpp"
 #include "random.hpp"

@@ -10,27 +10,10 @@
 #include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/fixed.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 
 namespace inkcell {
-
-/// A place on the screen in px, y down.
-struct Point {
-  Q26_6 x;
-  Q26_6 y;
-};
-
-/// The same, finer and wider: how glyphs of a run are placed. [px, Q10] At most
-/// 2^60 in magnitude.
-struct FinePoint {
-  int64_t x_q10 = 0;
-  int64_t y_q10 = 0;
-
-  constexpr FinePoint() noexcept = default;
-  constexpr FinePoint(int64_t x, int64_t y) noexcept : x_q10(x), y_q10(y) {}
-  constexpr FinePoint(Point p) noexcept
-      : x_q10(int64_t{p.x.raw} * 16), y_q10(int64_t{p.y.raw} * 16) {}
-};
 
 /// Draws the glyph whose origin (left end of its baseline) is at `origin`, into
 /// `sink`. Clipped to the sink's window; cannot fail. The picture does not

@@ -18,7 +18,6 @@
 #include "inkcell/field.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format/rom.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
@@ -83,14 +82,6 @@ Status generate_field(const Font& font,
                       GlyphField& out) noexcept;
 
 /// The bytes of a generated field: what follows in its buffer is free.
-constexpr size_t record_bytes(const GlyphField& field) noexcept {
-  return field.references == nullptr
-             ? 0
-             : format::glyph::kBytes +
-                   2 * static_cast<size_t>(field.tiles_x) * field.tiles_y +
-                   8 * static_cast<size_t>(field.node_count) +
-                   static_cast<size_t>(format::samples::kBytes) *
-                       field.cell_count;
-}
+size_t record_bytes(const GlyphField& field) noexcept;
 
 }  // namespace inkcell

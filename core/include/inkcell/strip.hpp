@@ -7,29 +7,11 @@
 
 #include <stdint.h>
 
+#include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
 namespace inkcell {
-
-/// A half-open rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
-/// Empty when x1 <= x0 or y1 <= y0.
-struct Rect {
-  int32_t x0 = 0;
-  int32_t y0 = 0;
-  int32_t x1 = 0;
-  int32_t y1 = 0;
-};
-
-/// The common part of two rectangles; empty when they do not meet.
-constexpr Rect intersect(const Rect& a, const Rect& b) noexcept {
-  return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0,
-          a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
-}
-
-constexpr bool is_empty(const Rect& r) noexcept {
-  return r.x1 <= r.x0 || r.y1 <= r.y0;
-}
 
 /// Rows of the framebuffer held in RAM. The caller owns the memory, the loop
 /// over strips and the transfer to the display. How many bytes `pixels` needs

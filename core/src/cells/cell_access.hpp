@@ -5,6 +5,7 @@
 
 #include "base/bytes.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell {
@@ -140,6 +141,9 @@ inline Cell locate_cell(const GlyphField& field,
 int32_t samples_distance_q10(const GlyphField& field,
                              int32_t x_q16,
                              int32_t y_q16) noexcept;
+
+// inkcell::gradient_at for a point in a cell of samples.
+Gradient samples_gradient(const Cell& cell, Q16_16 x, Q16_16 y) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

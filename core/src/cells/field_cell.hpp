@@ -11,6 +11,7 @@
 
 #include "base/bytes.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell {

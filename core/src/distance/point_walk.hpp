@@ -10,6 +10,7 @@
 
 #include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/format/cell.hpp"
 #include "inkcell/render.hpp"
 #include "place/position.hpp"
 #include "raster/field_draw.hpp"

@@ -4,7 +4,8 @@
 #include "rows/crossings.hpp"
 #include "rows/outline_draw.hpp"
 #include "rows/outline_mixer.hpp"
-#include "rows/words.hpp"
+#include "sink/emit.hpp"
+#include "base/words.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -1,11 +1,11 @@
 // Sub-pixels of outlines: exact coverage of each stripe.
 #include "base/math.hpp"
+#include "base/words.hpp"
 #include "effects/lcd_stripes.hpp"
 #include "inkcell/lcd.hpp"
-#include "rows/cover.hpp"
+#include "rows/cover_areas.hpp"
 #include "rows/outline_draw.hpp"
 #include "rows/outline_mixer.hpp"
-#include "rows/words.hpp"
 
 namespace inkcell {
 namespace detail {

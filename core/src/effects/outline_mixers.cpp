@@ -1,10 +1,11 @@
 // Outlines, and outlines with what they enclose.
 #include "base/math.hpp"
+#include "base/words.hpp"
 #include "inkcell/effects.hpp"
 #include "rows/distance_row.hpp"
 #include "rows/outline_draw.hpp"
 #include "rows/outline_mixer.hpp"
-#include "rows/words.hpp"
+#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -4,9 +4,9 @@
 #include "base/bytes.hpp"
 #include "base/crc.hpp"
 #include "cells/record.hpp"
+#include "font/outline_coding.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
-#include "outlines/outline_reader.hpp"
 
 namespace inkcell {
 namespace {
@@ -350,45 +350,6 @@ InkBox Font::ink_box(uint16_t glyph) const noexcept {
     sides[i] = static_cast<int16_t>(u > kFar ? kFar : (u < -kFar ? -kFar : u));
   }
   return {sides[0], sides[1], sides[2], sides[3]};
-}
-
-int32_t Font::kerning(uint16_t left, uint16_t right) const noexcept {
-  using detail::BitTable;
-  detail::Kerning kerning;
-  if (left >= glyph_count_ || right >= glyph_count_ ||
-      !kerning.open(kerning_table())) {
-    return 0;
-  }
-  const auto member = [&kerning](uint32_t glyph) noexcept {
-    return kerning.members.find(0, kerning.member_count, kerning.glyph_bits,
-                                glyph);
-  };
-  // Most glyphs of a text kern with nothing on their right.
-  const uint32_t left_member = member(left);
-  if (left_member == BitTable::kAbsent) {
-    return 0;
-  }
-  const uint32_t row = kerning.left_class(left_member);
-  if (row == 0 || row > kerning.left_classes) {
-    return 0;
-  }
-  const uint32_t right_member = member(right);
-  if (right_member == BitTable::kAbsent) {
-    return 0;
-  }
-  const uint32_t column = kerning.right_class(right_member);
-  const uint32_t end = kerning.row_start(row);
-  const uint32_t pair =
-      kerning.pairs.find(kerning.row_start(row - 1),
-                         end < kerning.pair_count ? end : kerning.pair_count,
-                         kerning.right_bits, column);
-  if (pair == BitTable::kAbsent) {
-    return 0;
-  }
-  const uint32_t base =
-      load_u16(kerning_table().data + format::kerning::kValueBase);
-  return static_cast<int16_t>(
-      base + kerning.pairs.get(pair, kerning.right_bits, kerning.value_bits));
 }
 
 Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {

@@ -14,6 +14,8 @@
 //
 // In the buffer nodes grow upwards behind the tiles, and cells downwards from
 // what the outline and the levels of the tree take at its end.
+//
+// Over 400 lines: one builder, whose steps share that buffer.
 #include "inkcell/runtime_field.hpp"
 
 #include "base/bytes.hpp"
@@ -21,6 +23,7 @@
 #include "cells/cell_access.hpp"
 #include "cells/record.hpp"
 #include "generate/polyline.hpp"
+#include "inkcell/format/rom.hpp"
 
 namespace inkcell {
 namespace {
@@ -455,6 +458,16 @@ Status generate_field(const Font& font,
   }
   out = field;
   return Status::ok;
+}
+
+size_t record_bytes(const GlyphField& field) noexcept {
+  return field.references == nullptr
+             ? 0
+             : format::glyph::kBytes +
+                   2 * static_cast<size_t>(field.tiles_x) * field.tiles_y +
+                   8 * static_cast<size_t>(field.node_count) +
+                   static_cast<size_t>(format::samples::kBytes) *
+                       field.cell_count;
 }
 
 }  // namespace inkcell

@@ -3,19 +3,12 @@
 
 #include <stdint.h>
 
+#include "font/outline_coding.hpp"
 #include "inkcell/span.hpp"
 #include "outlines/screen_point.hpp"
 
 namespace inkcell {
 namespace detail {
-
-// What all outlines of a font share: sections CODE and GLYF.
-struct OutlineCoding {
-  const uint8_t* table = nullptr;  // 2^code_bits words, at an even address
-  uint8_t code_bits = 1;
-  int8_t grid_shift = 0;    // grid units are 2^grid_shift font units
-  uint16_t max_points = 0;  // of a glyph; no reader goes on beyond
-};
 
 // Where a grid unit to the right and one up lead on the screen. [px, Q18]
 // Computed modulo 2^32, so that pictures do not depend on strips.

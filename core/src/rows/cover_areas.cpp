@@ -1,6 +1,6 @@
 // Painted areas to coverage.
-#include "rows/cover.hpp"
-#include "rows/words.hpp"
+#include "rows/cover_areas.hpp"
+#include "base/words.hpp"
 
 namespace inkcell {
 namespace detail {

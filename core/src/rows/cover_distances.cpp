@@ -1,6 +1,6 @@
 // Painted distances to coverage.
-#include "rows/cover.hpp"
-#include "rows/words.hpp"
+#include "rows/cover_distances.hpp"
+#include "base/words.hpp"
 
 namespace inkcell {
 namespace detail {

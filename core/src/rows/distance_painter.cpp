@@ -18,6 +18,8 @@
 // Curves are walked as cubics or parabolas along their axis: one reciprocal a
 // piece, a few additions a row. Only near the ends of an edge the foot of a
 // pixel may lie beyond it: there it is tested.
+//
+// Over 400 lines: one painter, whose loops are inlined into each other.
 #include "rows/distance_painter.hpp"
 
 #include "base/math.hpp"

@@ -1,14 +1,16 @@
 #include "rows/outline_draw.hpp"
 
 #include "base/math.hpp"
+#include "base/words.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "rows/area_painter.hpp"
-#include "rows/cover.hpp"
+#include "rows/cover_areas.hpp"
+#include "rows/cover_distances.hpp"
 #include "rows/distance_painter.hpp"
 #include "rows/outline_mixer.hpp"
 #include "rows/point_warp.hpp"
 #include "rows/wide_painter.hpp"
-#include "rows/words.hpp"
+#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -27,80 +29,6 @@ constexpr int32_t kLeastRows = 4;
 // What such a band of one column takes of bytes: of the widest margin, 4 + 6
 // rows and 16 columns.
 constexpr int32_t kLeastBand = kGuardBytes + 10 * 16;
-
-// `bytes` is a multiple of 4.
-void clear(uint8_t* at, int32_t bytes) noexcept {
-  for (; bytes >= 32; bytes -= 32) {
-    store_pixels(at, 0);
-    store_pixels(at + 4, 0);
-    store_pixels(at + 8, 0);
-    store_pixels(at + 12, 0);
-    store_pixels(at + 16, 0);
-    store_pixels(at + 20, 0);
-    store_pixels(at + 24, 0);
-    store_pixels(at + 28, 0);
-    at += 32;
-  }
-  for (; bytes != 0; bytes -= 4) {
-    store_pixels(at, 0);
-    at += 4;
-  }
-}
-
-// The next pixels of a row up to the end of a word: 0 or ~0 if the word is all
-// of that, else any other value.
-inline uint32_t next_pixels(const uint8_t* at, int32_t count) noexcept {
-  return count == 4 ? load_pixels(at) : 1;
-}
-
-}  // namespace
-
-// To a sink that takes no blocks: runs of words that are covered, not covered,
-// or in part.
-void emit_row(const Sink& sink,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept {
-  const int32_t end = x + count;
-  int32_t next = lesser((x | 3) + 1, end);
-  uint32_t pixels = next_pixels(coverage, next - x);
-  while (x != end) {
-    const uint8_t* const begin = coverage;
-    const int32_t from = x;
-    const bool is_mixed = pixels + 1 > 1;
-    const int32_t most = is_mixed ? kMaxSpan - 4 : count;
-    const uint32_t first = pixels;
-    do {
-      coverage += next - x;
-      x = next;
-      next = lesser(x + 4, end);
-      pixels = next_pixels(coverage, next - x);
-    } while (x != end && x - from <= most &&
-             (is_mixed ? pixels + 1 > 1 : pixels == first));
-    if (is_mixed) {
-      sink.coverage(sink.context, from, y, begin, x - from);
-    } else if (first != 0) {
-      sink.solid(sink.context, from, y, x - from);
-    }
-  }
-}
-
-void emit(const Sink& sink,
-          const Rect& pixels,
-          const uint8_t* coverage,
-          int32_t stride) noexcept {
-  if (sink.block != nullptr) {
-    sink.block(sink.context, {pixels, coverage, stride});
-    return;
-  }
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    emit_row(sink, pixels.x0, y, coverage, pixels.x1 - pixels.x0);
-    coverage += stride;
-  }
-}
-
-namespace {
 
 // Points at a time of a glyph that has more than there is room for: few, as
 // each row that a band has less costs more than they do.
@@ -129,6 +57,11 @@ bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
     mixer->plan(brush, plan);
   }
   return true;
+}
+
+// Rows of that many samples and the pixel after them. [bytes]
+int32_t stride_of(int32_t width) noexcept {
+  return (width + 4) & ~3;
 }
 
 // A glyph in RAM: where it stands, its points, and room for bands of rows.
@@ -238,24 +171,6 @@ void paint_band(Prepared& prepared) noexcept {
   } while (!prepared.glyph.is_done());
 }
 
-// Samples before the first pixel of a band, from a multiple of 4 on: one of
-// them at least.
-int32_t columns_before(const OutlinePlan& plan, int32_t x0) noexcept {
-  return ((x0 * plan.columns - plan.margin_x - 1) & 3) + 1 + plan.margin_x;
-}
-
-// Of a band of pixels, from there on. [samples]
-int32_t width_of(const OutlinePlan& plan,
-                 int32_t column,
-                 const Rect& pixels) noexcept {
-  return column + (pixels.x1 - pixels.x0) * plan.columns + plan.margin_x;
-}
-
-// Rows of that many samples and the pixel after them. [bytes]
-int32_t stride_of(int32_t width) noexcept {
-  return (width + 4) & ~3;
-}
-
 // The band of prepared.at.pixels.
 __attribute__((noinline)) void draw_band(Prepared& prepared) noexcept {
   const OutlineGlyph& glyph = prepared.glyph;
@@ -263,8 +178,8 @@ __attribute__((noinline)) void draw_band(Prepared& prepared) noexcept {
   const Rect& pixels = prepared.at.pixels;
   auto* const bytes = reinterpret_cast<uint8_t*>(prepared.points_end);
   Band& band = prepared.at.band;
-  const int32_t column = columns_before(plan, pixels.x0);
-  const int32_t width = width_of(plan, column, pixels);
+  const int32_t column = plan.columns_before(pixels.x0);
+  const int32_t width = plan.width_of(column, pixels);
   prepared.at.column = column;
   prepared.at.row = plan.margin_y;
   band.stride = stride_of(width);
@@ -274,7 +189,7 @@ __attribute__((noinline)) void draw_band(Prepared& prepared) noexcept {
   band.x_q8 = (pixels.x0 * plan.columns - column - glyph.x0()) * 256;
   band.y_q8 = (pixels.y0 * plan.rows - plan.margin_y - glyph.y0()) * 256;
   band.is_whole = pixels.y1 - pixels.y0 == glyph.box().y1 - glyph.box().y0;
-  clear(bytes, kGuardBytes + (band.rows + kGuardRows) * band.stride);
+  clear_pixels(bytes, kGuardBytes + (band.rows + kGuardRows) * band.stride);
   paint_band(prepared);
   const Brush& brush = *prepared.at.brush;
   if (const OutlineMixer* const mixer = brush.painter().outlines) {
@@ -295,7 +210,7 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
   // Of samples.
   const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
   int32_t rows =
-      bytes / stride_of(width_of(plan, columns_before(plan, all.x0), all)) -
+      bytes / stride_of(plan.width_of(plan.columns_before(all.x0), all)) -
       more_rows;
   int32_t columns = all.x1 - all.x0;
   const int32_t least =

@@ -33,6 +33,16 @@ struct OutlinePlan {
     outside_q8 = greater(outside_q8, (-filter.outside_q10 >> 2) + 1);
     inside_q8 = greater(inside_q8, (filter.inside_q10 >> 2) + 1);
   }
+
+  // Samples before the first pixel of a band, from a multiple of 4 on: one of
+  // them at least.
+  int32_t columns_before(int32_t x0) const noexcept {
+    return ((x0 * columns - margin_x - 1) & 3) + 1 + margin_x;
+  }
+  // Of a band of pixels, from there on. [samples]
+  int32_t width_of(int32_t column, const Rect& pixels) const noexcept {
+    return column + (pixels.x1 - pixels.x0) * columns + margin_x;
+  }
 };
 
 // A band that is painted, and the pixels that it is for.
@@ -53,19 +63,6 @@ struct OutlineMixer {
   void (*plan)(const Brush& brush, OutlinePlan& plan) noexcept;
   void (*mix)(const PaintedBand& painted) noexcept;
 };
-
-// Hands on a block of coverage whose rows are `stride` bytes apart, and a row
-// of one.
-void emit(const Sink& sink,
-          const Rect& pixels,
-          const uint8_t* coverage,
-          int32_t stride) noexcept;
-// `coverage` lies at a multiple of 4 where x is one.
-void emit_row(const Sink& sink,
-              int32_t x,
-              int32_t y,
-              const uint8_t* coverage,
-              int32_t count) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

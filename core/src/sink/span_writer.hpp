@@ -93,9 +93,6 @@ class SpanWriter {
     }
   }
 
-  // To another row, where nothing is left from the one before.
-  void go_to_row(int32_t y) noexcept { y_ = y; }
-
   // To the row below.
   void next_row() noexcept {
     flush();

@@ -1,7 +1,8 @@
 #include "inkcell/text.hpp"
 
-#include "cells/record.hpp"
+#include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
+#include "raster/field_draw.hpp"
 #include "rows/outline_draw.hpp"
 #include "text/text_place.hpp"
 

@@ -2,6 +2,7 @@
 #include "base/bit_table.hpp"
 #include "base/bytes.hpp"
 #include "base/crc.hpp"
+#include "font/kerning.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "inkcell/format/cell.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/splat.hpp"
 #include "inkcell/text.hpp"

@@ -1,4 +1,4 @@
-// Rows of painted bytes to coverage, in place.
+// Rows of painted distances to coverage, in place.
 #pragma once
 
 #include "inkcell/filter.hpp"
@@ -13,9 +13,6 @@ void cover_linear(const Band& band, const Filter& filter) noexcept;
 // What paint_distances or paint_wide_distances left; coverage of `filter`,
 // whose ramp lies within the band's reach.
 void cover_filtered(const Band& band, const Filter& filter) noexcept;
-
-// What paint_areas left. The filter is not looked at.
-void cover_areas(const Band& band, const Filter& filter) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

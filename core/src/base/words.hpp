@@ -22,5 +22,24 @@ inline void store_pixels(uint8_t* at, uint32_t word) noexcept {
   __builtin_memcpy(__builtin_assume_aligned(at, 4), &word, 4);
 }
 
+// `bytes` is a multiple of 4.
+inline void clear_pixels(uint8_t* at, int32_t bytes) noexcept {
+  for (; bytes >= 32; bytes -= 32) {
+    store_pixels(at, 0);
+    store_pixels(at + 4, 0);
+    store_pixels(at + 8, 0);
+    store_pixels(at + 12, 0);
+    store_pixels(at + 16, 0);
+    store_pixels(at + 20, 0);
+    store_pixels(at + 24, 0);
+    store_pixels(at + 28, 0);
+    at += 32;
+  }
+  for (; bytes != 0; bytes -= 4) {
+    store_pixels(at, 0);
+    at += 4;
+  }
+}
+
 }  // namespace detail
 }  // namespace inkcell

@@ -1,0 +1,47 @@
+// Points and rectangles on the screen: x to the right, y down.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/fixed.hpp"
+
+namespace inkcell {
+
+/// A half-open rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
+/// Empty when x1 <= x0 or y1 <= y0.
+struct Rect {
+  int32_t x0 = 0;
+  int32_t y0 = 0;
+  int32_t x1 = 0;
+  int32_t y1 = 0;
+};
+
+/// The common part of two rectangles; empty when they do not meet.
+constexpr Rect intersect(const Rect& a, const Rect& b) noexcept {
+  return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0,
+          a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
+}
+
+constexpr bool is_empty(const Rect& r) noexcept {
+  return r.x1 <= r.x0 || r.y1 <= r.y0;
+}
+
+/// A place on the screen in px, y down.
+struct Point {
+  Q26_6 x;
+  Q26_6 y;
+};
+
+/// The same, finer and wider: how glyphs of a run are placed. [px, Q10] At most
+/// 2^60 in magnitude.
+struct FinePoint {
+  int64_t x_q10 = 0;
+  int64_t y_q10 = 0;
+
+  constexpr FinePoint() noexcept = default;
+  constexpr FinePoint(int64_t x, int64_t y) noexcept : x_q10(x), y_q10(y) {}
+  constexpr FinePoint(Point p) noexcept
+      : x_q10(int64_t{p.x.raw} * 16), y_q10(int64_t{p.y.raw} * 16) {}
+};
+
+}  // namespace inkcell

@@ -1,0 +1,214 @@
+// Lines and curves of a glyph's contours as chords: see wide_chord.hpp.
+#pragma once
+
+#include "base/math.hpp"
+#include "rows/band.hpp"
+#include "rows/reciprocal.hpp"
+#include "rows/wide_chord.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace wide {
+
+// Chords stray no farther from a curve. [px, Q8]
+inline constexpr int32_t kTolerance = 12;
+
+inline constexpr int32_t kMostChords = 32;
+
+// Curves with longer legs, 1024 px, are drawn as a line: products stay below
+// 2^31.
+inline constexpr int32_t kLegLimit = 1 << 18;
+
+// Whether nothing of a piece between these heights is shown.
+inline bool is_out_of_reach(const Band& band,
+                            int32_t y0,
+                            int32_t y1,
+                            int32_t y2) noexcept {
+  const int32_t reach = band.reach_q8;
+  const int32_t end = band.rows * 256 + reach;
+  return (((y0 + reach) & (y1 + reach) & (y2 + reach)) |
+          ((end - y0) & (end - y1) & (end - y2))) < 0;
+}
+
+template <typename Marks>
+__attribute__((noinline)) void paint_line(const Band& band,
+                                          const PixelPoint& from,
+                                          const PixelPoint& to,
+                                          uint32_t corners) noexcept {
+  const Tangent along = tangent_of(to.x - from.x, to.y - from.y);
+  paint_chord<Marks>(band, from, to,
+                     (corners & 1) != 0 ? along : joined(band, along),
+                     (corners & 2) != 0 ? along : joined(band, along));
+}
+
+// The length of a vector within 12 %.
+inline int32_t length_of(int32_t x, int32_t y) noexcept {
+  const int32_t a = magnitude(x);
+  const int32_t b = magnitude(y);
+  return greater(a, b) + (lesser(a, b) * 3 >> 3);
+}
+
+// How many chords a curve of second difference `bend` takes. One strays from it
+// by bend / 4; of more the joints are moved outwards by half of that, which
+// leaves 3 / 16 where a chord ends at a stored point.
+inline int32_t chords_of(int32_t bend, int32_t leg) noexcept {
+  int32_t count = 1;
+  if (bend > 4 * kTolerance) {
+    do {
+      ++count;
+    } while (count != kMostChords &&
+             count * count * 16 * kTolerance < 3 * bend);
+  }
+  // Chords that are not tiny turn by less than 28 degrees.
+  if (bend > 64) {
+    while (count != kMostChords && count * leg < 2 * bend) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+// `corners`: bit 0, 1: the curve begins, ends at a corner.
+template <typename Marks>
+__attribute__((noinline)) void paint_curve(const Band& band,
+                                           const PixelPoint& from,
+                                           const PixelPoint& control,
+                                           const PixelPoint& to,
+                                           uint32_t corners) noexcept {
+  const int32_t ax = control.x - from.x;
+  const int32_t ay = control.y - from.y;
+  const int32_t bx = to.x - control.x;
+  const int32_t by = to.y - control.y;
+  const int32_t a = length_of(ax, ay);
+  const int32_t b = length_of(bx, by);
+  if (greater(a, b) >= kLegLimit || a == 0 || b == 0) {
+    paint_line<Marks>(band, from, to, corners);
+    return;
+  }
+  const Tangent first = tangent_of(ax, ay);
+  const Tangent last = tangent_of(bx, by);
+  Tangent before = (corners & 1) != 0 ? first : joined(band, first);
+  const Tangent end = (corners & 2) != 0 ? last : joined(band, last);
+  const int32_t bend_x = bx - ax;
+  const int32_t bend_y = by - ay;
+  const int32_t count = chords_of(length_of(bend_x, bend_y), lesser(a, b));
+  PixelPoint at = from;
+  if (count != 1) {
+    // from + 2 t a + t t (b - a), and what joints are moved by.
+    const int32_t step_q10 =
+        times(1, reciprocal_of(static_cast<uint32_t>(count))) >> 6;
+    const int32_t move_x = (bend_x * step_q10 >> 10) * step_q10 >> 13;
+    const int32_t move_y = (bend_y * step_q10 >> 10) * step_q10 >> 13;
+    for (int32_t t_q10 = step_q10, i = 1; i != count; t_q10 += step_q10, ++i) {
+      const int32_t along_x = bend_x * t_q10 >> 10;
+      const int32_t along_y = bend_y * t_q10 >> 10;
+      const PixelPoint next = {
+          from.x + ((2 * ax + along_x) * t_q10 >> 10) - move_x,
+          from.y + ((2 * ay + along_y) * t_q10 >> 10) - move_y};
+      const Tangent after = tangent_of(ax + along_x, ay + along_y);
+      paint_chord<Marks>(band, at, next, before, after);
+      before = after;
+      at = next;
+    }
+  }
+  paint_chord<Marks>(band, at, to, before, end);
+}
+
+inline PixelPoint difference(const PixelPoint& a,
+                             const PixelPoint& b) noexcept {
+  return {a.x - b.x, a.y - b.y};
+}
+inline bool is_zero(const PixelPoint& a) noexcept {
+  return (a.x | a.y) == 0;
+}
+
+// Follows a glyph's points.
+template <typename Marks>
+class Contours {
+ public:
+  Contours(const Band& band, OutlineCursor& cursor) noexcept
+      : band_(band), cursor_(cursor) {}
+
+  void take(const PixelPoint& next, uint32_t kind) noexcept {
+    OutlineCursor& at = cursor_;
+    if (kind == kOffCurve) {
+      if (at.is_bent) {
+        take_piece(
+            {(at.edge()[1].x + next.x) >> 1, (at.edge()[1].y + next.y) >> 1},
+            0);
+      }
+      at.edge()[1] = next;
+      at.is_bent = true;
+      return;
+    }
+    if (kind == kStart) {
+      at.start() = next;
+      at.before() = {0, 0};
+      at.edge()[0] = next;
+      at.corner_at = 1;
+      at.is_bent = false;
+      return;
+    }
+    take_piece(next, kind >> 1);
+    at.is_bent = false;
+    if (kind == kCorner && is_zero(difference(next, at.start()))) {
+      paint_corner<Marks>(band_, next, at.before(), at.first());
+    }
+  }
+
+ private:
+  // A line or curve to `next`; `corner`: 1 if that is one.
+  void take_piece(const PixelPoint& next, uint32_t corner) noexcept {
+    OutlineCursor& at = cursor_;
+    PixelPoint after =
+        difference(at.is_bent ? at.edge()[1] : next, at.edge()[0]);
+    if (is_zero(after)) {
+      after = difference(next, at.edge()[0]);
+    }
+    if (at.corner_at != 0) {
+      if (is_zero(at.before())) {
+        at.first() = after;
+      } else {
+        paint_corner<Marks>(band_, at.edge()[0], at.before(), after);
+      }
+    }
+    const uint32_t corners = at.corner_at | corner << 1;
+    if (!at.is_bent) {
+      if (!is_out_of_reach(band_, at.edge()[0].y, next.y, next.y)) {
+        paint_line<Marks>(band_, at.edge()[0], next, corners);
+      }
+    } else if (!is_out_of_reach(band_, at.edge()[0].y, at.edge()[1].y,
+                                next.y)) {
+      paint_curve<Marks>(band_, at.edge()[0], at.edge()[1], next, corners);
+    }
+    PixelPoint before =
+        difference(next, at.is_bent ? at.edge()[1] : at.edge()[0]);
+    if (is_zero(before)) {
+      before = difference(next, at.edge()[0]);
+    }
+    if (!is_zero(before)) {
+      at.before() = before;
+    }
+    at.edge()[0] = next;
+    at.corner_at = corner;
+  }
+
+  const Band& band_;
+  OutlineCursor& cursor_;
+};
+
+template <typename Marks>
+void paint_points(const Band& band,
+                  OutlineCursor& cursor,
+                  const ScreenPoint* points,
+                  const ScreenPoint* end) noexcept {
+  Contours<Marks> contours(band, cursor);
+  for (; points != end; ++points) {
+    contours.take({points->x_q8 - band.x_q8, points->y_q8() - band.y_q8},
+                  points->kind());
+  }
+}
+
+}  // namespace wide
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,64 @@
+#include "sink/emit.hpp"
+
+#include "base/math.hpp"
+#include "base/words.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// The next pixels of a row up to the end of a word: 0 or ~0 if the word is all
+// of that, else any other value.
+inline uint32_t next_pixels(const uint8_t* at, int32_t count) noexcept {
+  return count == 4 ? load_pixels(at) : 1;
+}
+
+}  // namespace
+
+// To a sink that takes no blocks: runs of words that are covered, not covered,
+// or in part.
+void emit_row(const Sink& sink,
+              int32_t x,
+              int32_t y,
+              const uint8_t* coverage,
+              int32_t count) noexcept {
+  const int32_t end = x + count;
+  int32_t next = lesser((x | 3) + 1, end);
+  uint32_t pixels = next_pixels(coverage, next - x);
+  while (x != end) {
+    const uint8_t* const begin = coverage;
+    const int32_t from = x;
+    const bool is_mixed = pixels + 1 > 1;
+    const int32_t most = is_mixed ? kMaxSpan - 4 : count;
+    const uint32_t first = pixels;
+    do {
+      coverage += next - x;
+      x = next;
+      next = lesser(x + 4, end);
+      pixels = next_pixels(coverage, next - x);
+    } while (x != end && x - from <= most &&
+             (is_mixed ? pixels + 1 > 1 : pixels == first));
+    if (is_mixed) {
+      sink.coverage(sink.context, from, y, begin, x - from);
+    } else if (first != 0) {
+      sink.solid(sink.context, from, y, x - from);
+    }
+  }
+}
+
+void emit(const Sink& sink,
+          const Rect& pixels,
+          const uint8_t* coverage,
+          int32_t stride) noexcept {
+  if (sink.block != nullptr) {
+    sink.block(sink.context, {pixels, coverage, stride});
+    return;
+  }
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    emit_row(sink, pixels.x0, y, coverage, pixels.x1 - pixels.x0);
+    coverage += stride;
+  }
+}
+
+}  // namespace detail
+}  // namespace inkcell
