@@ -1,0 +1,261 @@
+"""Checks the rooms of core and fonts_gen: the folders of their sources.
+
+A room uses the rooms that the tables below name, which stand before it, and no
+others. It has a README of three lines, the first of which is its promise. A
+source belongs to the header of its name. Files of core stay short, and hold few
+passages twice.
+
+Usage: check_rooms.py
+"""
+import collections
+import re
+import sys
+
+from toolchains import ROOT, finish
+
+# Rooms of core/src from the lowest to the highest, and those that each may use
+# besides the public headers, `base` and itself.
+CORE = {
+    "base": "",
+    "sink": "",
+    "cells": "",
+    "font": "cells",
+    "place": "cells",
+    "outlines": "font place",
+    "rows": "sink outlines place",
+    "distance": "cells place",
+    "raster": "sink cells place distance",
+    "effects": "sink cells place outlines rows distance raster",
+    "fit": "font place",
+    "text": "font place outlines rows raster",
+    "generate": "cells outlines",
+    "verify": "cells font outlines",
+}
+
+# Folders of public headers, likewise.
+PUBLIC = {
+    "inkcell": "",
+    "inkcell/format": "inkcell",
+}
+
+# Includes of core that climb. All of them wait for cells to be drawn through
+# one map from pixels to glyphs: raster/field_draw.hpp then leaves its positions
+# to `place`, and what evaluates fields no longer sees what draws them. There is
+# to be none.
+CLIMBING = {
+    ("core/src/place/position.hpp", "raster/field_draw.hpp"):
+        "FieldPosition, the rounding of px and u",
+    ("core/src/distance/field_leaves.hpp", "raster/field_draw.hpp"):
+        "FieldPosition, the scale of a style",
+    ("core/src/distance/point_terms.hpp", "raster/field_draw.hpp"):
+        "FieldPosition",
+    ("core/src/distance/point_walk.hpp", "raster/field_draw.hpp"):
+        "FieldPosition, the distance of cells at a point",
+    ("core/src/distance/row_terms.hpp", "raster/field_draw.hpp"):
+        "FieldPosition",
+}
+
+# Sources of core that implement a header of another name, for the same reason,
+# and those that are one of two halves of a public header: linked apart, or one
+# for cells and one for outlines.
+OF_OTHER_HEADERS = {
+    "core/src/raster/field_reduce.cpp": "raster/leaf_band.hpp",
+    "core/src/raster/field_stretched.cpp": "raster/field_turned.hpp",
+    "core/src/effects/lcd_rows.cpp": "effects/lcd_stripes.hpp",
+    "core/src/effects/crisp_mixer.cpp": "inkcell/crisp.hpp",
+    "core/src/effects/lcd_mixer.cpp": "inkcell/lcd.hpp",
+    "core/src/effects/outline_mixers.cpp": "inkcell/effects.hpp",
+    "core/src/verify/verify.cpp": "inkcell/font.hpp",
+}
+
+# The most lines of a file of core that gives no reason for more.
+MAX_LINES = 400
+REASON = "// Over 400 lines: "
+
+# Longer files without a reason, and why they may wait: they are being
+# rewritten. There is to be none.
+LONG = {
+    "core/src/cells/field_cell.hpp": "one evaluator of primitives",
+    "core/src/effects/adaptive.cpp": "painters over one map",
+    "core/src/effects/lcd_rows.cpp": "rows of sub-pixel distances",
+    "core/src/fit/fit.cpp": "fitting of points",
+    "core/src/raster/field_slanted.cpp": "one traversal for bands",
+}
+
+# Lines of code that two passages of core must share to count as a pair, and the
+# most pairs.
+EQUAL_LINES = 6
+MAX_PAIRS = 10
+
+INCLUDE = re.compile(r'^#\s*include ["<]([^">]+\.hpp)[">]', re.M)
+
+
+def room_of(name):
+    """The folder of an include path: "" for a file without one."""
+    return name.rpartition("/")[0]
+
+
+class House:
+    """The rooms of one folder of sources."""
+
+    def __init__(self, source, may_use, always):
+        self.source = source
+        self.may_use = may_use
+        self.always = always
+        self.used = collections.Counter()
+        self.climbed = set()
+
+    def files(self):
+        return sorted([*(ROOT / self.source).glob("**/*.hpp"),
+                       *(ROOT / self.source).glob("**/*.cpp")])
+
+    def check_table(self):
+        """Rooms that the table puts above one that uses them."""
+        known = list(self.may_use)
+        return [f"{self.source}/{room}: the table lets it use {other}, which "
+                "does not stand before it"
+                for at, room in enumerate(known)
+                for other in self.may_use[room].split()
+                if other not in known[:at]]
+
+    def check_folders(self):
+        """Rooms without a line of the table, and without a promise."""
+        problems = []
+        folders = {path.name for path in (ROOT / self.source).iterdir()
+                   if path.is_dir()}
+        for room in sorted(folders ^ set(self.may_use)):
+            problems.append(f"{self.source}/{room}: not both a folder and a "
+                            "line of the table")
+        for room in sorted(folders):
+            readme = ROOT / self.source / room / "README.md"
+            lines = readme.read_text().splitlines() if readme.exists() else []
+            if len(lines) != 3 or not re.fullmatch(r"[A-Z][^.]*\.", lines[0]):
+                problems.append(f"{self.source}/{room}/README.md: not three "
+                                "lines, the first of them one sentence")
+        return problems
+
+    def check_includes(self):
+        """Includes that the table does not name."""
+        problems = []
+        for path in self.files():
+            name = str(path.relative_to(ROOT))
+            room = path.parent.name
+            allowed = {room, *self.always, *self.may_use.get(room, "").split()}
+            for header in INCLUDE.findall(path.read_text()):
+                other = room_of(header)
+                if other.startswith("inkcell/port"):
+                    problems.append(f"{name}: includes {header}")
+                elif other in allowed:
+                    self.used[room, other] += room != other
+                elif (name, header) in CLIMBING:
+                    self.climbed.add((name, header))
+                else:
+                    problems.append(f"{name}: {room} may not use {header}")
+        return problems
+
+    def check_sources(self):
+        """Sources whose first header is not their own."""
+        problems = []
+        for path in self.files():
+            name = str(path.relative_to(ROOT))
+            if path.suffix != ".cpp" or name in OF_OTHER_HEADERS:
+                continue
+            headers = INCLUDE.findall(path.read_text())
+            if not headers or headers[0] not in (
+                    f"{path.parent.name}/{path.stem}.hpp",
+                    f"inkcell/{path.stem}.hpp",
+                    f"inkcell/format/{path.stem}.hpp"):
+                if "int main(" not in path.read_text():
+                    problems.append(f"{name}: its first include is not its "
+                                    "own header")
+        return problems
+
+    def check(self):
+        return (self.check_table() + self.check_folders() +
+                self.check_includes() + self.check_sources())
+
+
+def check_public():
+    """Includes between public headers that their table does not name."""
+    problems = []
+    include = ROOT / "core/include"
+    for path in sorted(include.glob("**/*.hpp")):
+        room = str(path.parent.relative_to(include))
+        allowed = {room, *PUBLIC[room].split()}
+        problems += [f"{path.relative_to(ROOT)}: {room} may not use {header}"
+                     for header in INCLUDE.findall(path.read_text())
+                     if room_of(header) not in allowed]
+    return problems
+
+
+def core_files():
+    """Sources and headers of core, as text by name."""
+    return {str(path.relative_to(ROOT)): path.read_text()
+            for path in sorted((ROOT / "core").glob("**/*.[hc]pp"))}
+
+
+def check_lengths(files):
+    problems = []
+    for name, text in files.items():
+        head = text[:text.find("#include")]
+        count = text.count("\n")
+        if count > MAX_LINES and REASON not in head and name not in LONG:
+            problems.append(f"{name}: {count} lines, and no line that begins "
+                            f"with {REASON!r}")
+        if count <= MAX_LINES and (REASON in head or name in LONG):
+            problems.append(f"{name}: {count} lines need no reason")
+    return problems
+
+
+def code_lines(text):
+    """Lines without comments, blank ones, directives and namespaces."""
+    lines = [re.sub(r"//.*", "", line).strip() for line in text.splitlines()]
+    return [line for line in lines
+            if line and not line.startswith(("#", "namespace"))]
+
+
+def equal_passages(files):
+    """Pairs of passages with EQUAL_LINES equal lines or more."""
+    code = {name: code_lines(text) for name, text in files.items()}
+    places = collections.defaultdict(list)
+    for name, lines in code.items():
+        for at in range(len(lines) - EQUAL_LINES + 1):
+            places["\n".join(lines[at:at + EQUAL_LINES])].append((name, at))
+    pairs = []
+    for found in places.values():
+        for i, (a, at_a) in enumerate(found):
+            for b, at_b in found[i + 1:]:
+                begins = (at_a == 0 or at_b == 0 or
+                          code[a][at_a - 1] != code[b][at_b - 1])
+                if begins:
+                    pairs.append((a, b, code[a][at_a]))
+    return sorted(pairs)
+
+
+def check_pairs(files):
+    pairs = equal_passages(files)
+    print(f"{len(pairs)} pairs of {EQUAL_LINES} equal lines in core, "
+          f"{MAX_PAIRS} allowed")
+    if len(pairs) <= MAX_PAIRS:
+        return []
+    return [f"{a} and {b} share {EQUAL_LINES} lines from {line!r} on"
+            for a, b, line in pairs]
+
+
+def main():
+    files = core_files()
+    core = House("core/src", CORE, ["base", *PUBLIC])
+    problems = (core.check() + check_public() + check_lengths(files) +
+                check_pairs(files))
+    problems += [f"{name}: {header} climbs no longer"
+                 for name, header in CLIMBING.keys() - core.climbed]
+    for room in CORE:
+        lines = sum(text.count("\n") for name, text in files.items()
+                    if name.startswith(f"core/src/{room}/"))
+        print(f"{room:10} {lines:5} lines, uses " +
+              " ".join(other for other in [*PUBLIC, *CORE]
+                       if core.used[room, other]))
+    finish(len(files), problems)
+
+
+main()
