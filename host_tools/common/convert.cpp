@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "char_set.hpp"
-#include "options.hpp"
-#include "progress.hpp"
+#include "app/options.hpp"
+#include "app/progress.hpp"
+#include "source/char_set.hpp"
 
 namespace inkcell::tools {
 namespace {

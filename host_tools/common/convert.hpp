@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "generate.hpp"
+#include "pipeline/generate.hpp"
 #include "rom_file.hpp"
 
 namespace inkcell::tools {

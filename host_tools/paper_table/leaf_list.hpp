@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "adf.hpp"
+#include "samples/sample_tree.hpp"
 
 namespace inkcell::tools {
 

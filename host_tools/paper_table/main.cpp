@@ -7,16 +7,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "adf.hpp"
 #include "files.hpp"
-#include "font_source.hpp"
 #include "image.hpp"
 #include "leaf_list.hpp"
-#include "paper_counts.hpp"
 #include "parallel.hpp"
 #include "program.hpp"
 #include "rom_file.hpp"
-#include "shape.hpp"
+#include "samples/paper_counts.hpp"
+#include "samples/sample_tree.hpp"
+#include "shape/shape.hpp"
+#include "source/font_source.hpp"
 
 namespace inkcell::tools {
 namespace {

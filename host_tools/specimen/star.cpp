@@ -8,15 +8,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include "adf.hpp"
 #include "canvas.hpp"
 #include "inkcell/adaptive.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/splat.hpp"
-#include "outline.hpp"
 #include "peers.hpp"
-#include "rom_font.hpp"
-#include "shape.hpp"
+#include "rom/rom_font.hpp"
+#include "samples/sample_tree.hpp"
+#include "shape/outline.hpp"
+#include "shape/shape.hpp"
 #include "sheet.hpp"
 
 namespace inkcell::tools {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field_code.hpp"
+#include "edges/code.hpp"
 #include "inkcell/format/cell.hpp"
 
 namespace inkcell {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "field_tree.hpp"
+#include "edges/tree.hpp"
 #include "inkcell/field.hpp"
 
 namespace inkcell {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

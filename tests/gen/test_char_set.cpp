@@ -1,9 +1,9 @@
 // Lists of characters as the command line takes them.
 #include <gtest/gtest.h>
 
-#include "char_set.hpp"
-#include "error.hpp"
+#include "base/error.hpp"
 #include "sfnt_builder.hpp"
+#include "source/char_set.hpp"
 
 namespace inkcell::gen::test {
 namespace {

@@ -1,17 +1,17 @@
 // The closed loop against pixels drawn and measured one by one.
 #include <gtest/gtest.h>
 
-#include "closed_loop.hpp"
+#include "judge/closed_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
 
-#include "distance_map.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/render.hpp"
+#include "shape/distance_map.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "outlines/source_composites.hpp"
 #include "sfnt_builder.hpp"
+#include "source/composites.hpp"
 
 namespace inkcell::gen::test {
 namespace {

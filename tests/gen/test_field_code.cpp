@@ -1,13 +1,13 @@
 // The steps of a font's fields, and what they cost.
 #include <gtest/gtest.h>
 
-#include "field_code.hpp"
+#include "edges/code.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "field_model.hpp"
+#include "edges/model.hpp"
 
 namespace inkcell {
 namespace gen {

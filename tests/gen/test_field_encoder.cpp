@@ -1,13 +1,13 @@
 // Shapes made into trees of fields.
 #include <gtest/gtest.h>
 
-#include "field_encoder.hpp"
+#include "edges/encoder.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "field_code.hpp"
-#include "field_record.hpp"
+#include "edges/code.hpp"
+#include "edges/record.hpp"
 #include "field_trees.hpp"
 #include "glyph_outlines.hpp"
 

@@ -1,7 +1,7 @@
 // Fields fitted to distances that are known in closed form.
 #include <gtest/gtest.h>
 
-#include "field_fit.hpp"
+#include "edges/fit.hpp"
 
 #include <cmath>
 #include <functional>

@@ -1,7 +1,7 @@
 // Glyphs of fields as they are drawn.
 #include <gtest/gtest.h>
 
-#include "field_glyph.hpp"
+#include "judge/edges_glyph.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,7 @@
 #include <random>
 #include <thread>
 
-#include "field_record.hpp"
+#include "edges/record.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/render.hpp"
 

@@ -1,14 +1,14 @@
 // Cells made of candidates: what they say, and that the cheapest is found.
 #include <gtest/gtest.h>
 
-#include "field_leaf.hpp"
+#include "edges/leaf.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
-#include "bit_costs.hpp"
+#include "edges/bit_costs.hpp"
 #include "field_trees.hpp"
 
 namespace inkcell {

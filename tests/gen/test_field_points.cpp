@@ -1,7 +1,7 @@
 // What a cell of fields may show, and where it is looked at.
 #include <gtest/gtest.h>
 
-#include "field_points.hpp"
+#include "edges/points.hpp"
 
 #include <algorithm>
 #include <cmath>

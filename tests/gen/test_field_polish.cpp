@@ -1,14 +1,14 @@
 // Fields of a finished tree moved to where they are truest.
 #include <gtest/gtest.h>
 
-#include "field_polish.hpp"
+#include "edges/refine.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "field_code.hpp"
-#include "field_encoder.hpp"
-#include "field_leaf.hpp"
+#include "edges/code.hpp"
+#include "edges/encoder.hpp"
+#include "edges/leaf.hpp"
 #include "glyph_outlines.hpp"
 
 namespace inkcell {

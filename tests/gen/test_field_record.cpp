@@ -1,13 +1,13 @@
 // Trees of fields as records, read with the device's own code.
 #include <gtest/gtest.h>
 
-#include "field_record.hpp"
+#include "edges/record.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "field_code.hpp"
+#include "edges/code.hpp"
 #include "field_trees.hpp"
 #include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"

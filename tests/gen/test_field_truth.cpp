@@ -1,7 +1,7 @@
 // What the encoder of fields knows about a border: distances, chains, corners.
 #include <gtest/gtest.h>
 
-#include "field_truth.hpp"
+#include "shape/distance_lattice.hpp"
 
 #include <cmath>
 #include <random>

@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "flatten.hpp"
 #include "glyph_outlines.hpp"
+#include "shape/flatten.hpp"
 
 namespace inkcell {
 namespace gen {

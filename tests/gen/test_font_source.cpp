@@ -1,8 +1,8 @@
 // Loading: characters, faces, axes, metrics, outlines, and all that is refused.
 #include <gtest/gtest.h>
 
-#include "font_source.hpp"
 #include "sfnt_builder.hpp"
+#include "source/font_source.hpp"
 
 namespace inkcell::gen::test {
 namespace {

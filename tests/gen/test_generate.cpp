@@ -1,15 +1,15 @@
 // The whole generator in memory: determinism, closed loop, report, refusals.
 #include <gtest/gtest.h>
 
-#include "generate.hpp"
+#include "pipeline/generate.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "char_set.hpp"
-#include "outline.hpp"
-#include "report.hpp"
+#include "app/report.hpp"
 #include "sfnt_builder.hpp"
+#include "shape/outline.hpp"
+#include "source/char_set.hpp"
 
 namespace inkcell::gen::test {
 namespace {

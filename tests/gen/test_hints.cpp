@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <string>
 
-#include "generate.hpp"
 #include "glyph_outlines.hpp"
 #include "hints/face.hpp"
 #include "hints/features.hpp"
 #include "hints/glyph_hints.hpp"
 #include "hints/grid_section.hpp"
-#include "hints/hint_trial.hpp"
 #include "inkcell/format/rom.hpp"
-#include "outlines/outline_font.hpp"
+#include "judge/hint_trial.hpp"
 #include "outlines/unite.hpp"
+#include "pipeline/generate.hpp"
+#include "rom/outline_font.hpp"
 
 namespace inkcell::gen::test {
 namespace {

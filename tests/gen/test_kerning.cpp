@@ -1,14 +1,14 @@
 // Kerning against HarfBuzz, pair by pair, and the joining of classes.
 #include <gtest/gtest.h>
 
-#include "kerning.hpp"
+#include "source/kerning.hpp"
 
 #include <hb-ot.h>
 
 #include <random>
 
-#include "font_source.hpp"
 #include "sfnt_builder.hpp"
+#include "source/font_source.hpp"
 
 namespace inkcell::gen::test {
 namespace {

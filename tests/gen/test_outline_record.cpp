@@ -11,8 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "outline.hpp"
 #include "outline_reader.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell::gen::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "glyph_outlines.hpp"
 #include "outlines/expand.hpp"
 #include "outlines/refit.hpp"
-#include "shape.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell {
 namespace gen {

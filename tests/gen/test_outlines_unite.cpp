@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "flatten.hpp"
 #include "glyph_outlines.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/unite.hpp"
-#include "shape.hpp"
+#include "shape/flatten.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell {
 namespace gen {

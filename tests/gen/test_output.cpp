@@ -1,11 +1,11 @@
 // Files that appear whole or not at all, and the source forms of a font.
 #include <gtest/gtest.h>
 
-#include "output.hpp"
+#include "app/output.hpp"
 
 #include <sys/stat.h>
 
-#include "error.hpp"
+#include "base/error.hpp"
 #include "files.hpp"
 #include "sfnt_builder.hpp"
 

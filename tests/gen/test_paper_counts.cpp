@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "glyph_outlines.hpp"
-#include "paper_counts.hpp"
+#include "samples/paper_counts.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -1,7 +1,8 @@
 // The container byte by byte, and the closed loop that guards it.
 #include <gtest/gtest.h>
 
-#include "rom_font.hpp"
+#include "judge/rom_check.hpp"
+#include "rom/rom_font.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -9,11 +10,11 @@
 #include <iterator>
 #include <random>
 
-#include "field_code.hpp"
-#include "field_record.hpp"
+#include "edges/code.hpp"
+#include "edges/record.hpp"
 #include "field_trees.hpp"
 #include "inkcell/format/rom.hpp"
-#include "shape.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell::gen::test {
 namespace {

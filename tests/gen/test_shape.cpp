@@ -6,9 +6,10 @@
 #include <limits>
 #include <random>
 
-#include "flatten.hpp"
 #include "glyph_outlines.hpp"
-#include "shape.hpp"
+#include "shape/flatten.hpp"
+#include "shape/neighbourhood.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell {
 namespace gen {

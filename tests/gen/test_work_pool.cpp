@@ -1,7 +1,7 @@
 // The loop over threads: every round once, the first failure, progress.
 #include <gtest/gtest.h>
 
-#include "work_pool.hpp"
+#include "base/work_pool.hpp"
 
 #include <stdexcept>
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "flatten.hpp"
-#include "outlines/points.hpp"
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "outline.hpp"
-#include "shape.hpp"
+#include "shape/outline.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell::gen {
 

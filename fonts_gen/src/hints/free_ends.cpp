@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outlines/points.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::gen {
 namespace {

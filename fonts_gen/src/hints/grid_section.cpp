@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "bit_table.hpp"
+#include "base/bit_table_writer.hpp"
+#include "base/bit_writer.hpp"
 #include "inkcell/format/rom.hpp"
-#include "outlines/bit_writer.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "outlines/point_bits.hpp"
-#include "outlines/points.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -1,4 +1,4 @@
-#include "composites.hpp"
+#include "outlines/composites.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell::gen {
 namespace {

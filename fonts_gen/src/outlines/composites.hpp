@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "minimal_outline.hpp"
-#include "outline_record.hpp"
+#include "outlines/minimal_outline.hpp"
+#include "outlines/outline_record.hpp"
+#include "source/components.hpp"
 
 namespace inkcell::gen {
 

@@ -1,7 +1,7 @@
 // Where contours start, and which comes first.
 #pragma once
 
-#include "minimal_outline.hpp"
+#include "outlines/minimal_outline.hpp"
 
 namespace inkcell {
 namespace gen {

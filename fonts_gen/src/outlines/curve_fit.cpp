@@ -5,8 +5,8 @@
 #include <iterator>
 #include <limits>
 
-#include "flatten.hpp"
-#include "outlines/points.hpp"
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {

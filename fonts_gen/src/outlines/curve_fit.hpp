@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

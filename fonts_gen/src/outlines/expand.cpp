@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "outlines/curves.hpp"
-#include "outlines/points.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {

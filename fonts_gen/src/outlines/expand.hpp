@@ -1,8 +1,8 @@
 // From points on the grid back to segments.
 #pragma once
 
-#include "minimal_outline.hpp"
-#include "outline.hpp"
+#include "outlines/minimal_outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

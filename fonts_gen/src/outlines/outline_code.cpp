@@ -1,4 +1,4 @@
-#include "outline_code.hpp"
+#include "outlines/outline_code.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "outline_steps.hpp"
+#include "outlines/outline_steps.hpp"
 
 namespace inkcell::gen {
 

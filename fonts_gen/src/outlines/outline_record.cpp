@@ -1,10 +1,10 @@
-#include "outline_record.hpp"
+#include "outlines/outline_record.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "bit_writer.hpp"
-#include "outline.hpp"
+#include "base/bit_writer.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -1,9 +1,9 @@
-#include "outline_steps.hpp"
+#include "outlines/outline_steps.hpp"
 
 #include <cstdlib>
 #include <string>
 
-#include "outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell::gen {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "minimal_outline.hpp"
+#include "outlines/minimal_outline.hpp"
 
 namespace inkcell::gen {
 

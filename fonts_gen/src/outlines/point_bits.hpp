@@ -1,7 +1,7 @@
 // What a point costs in the font.
 #pragma once
 
-#include "outlines/points.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <limits>
 
-#include "flatten.hpp"
 #include "outlines/chain_path.hpp"
 #include "outlines/contour_order.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/expand.hpp"
-#include "outlines/points.hpp"
 #include "outlines/trace.hpp"
 #include "outlines/unite.hpp"
-#include "shape.hpp"
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "minimal_outline.hpp"
-#include "outline.hpp"
+#include "outlines/minimal_outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

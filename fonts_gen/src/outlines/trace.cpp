@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flatten.hpp"
 #include "outlines/curve_fit.hpp"
 #include "outlines/curves.hpp"
-#include "outlines/points.hpp"
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {

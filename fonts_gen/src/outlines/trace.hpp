@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "outline.hpp"
 #include "outlines/refit.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

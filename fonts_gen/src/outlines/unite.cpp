@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "flatten.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/intersect.hpp"
-#include "outlines/points.hpp"
-#include "shape.hpp"
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -1,7 +1,7 @@
 // Contours that overlap become contours that do not.
 #pragma once
 
-#include "outline.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -1,0 +1,204 @@
+// inkcell-fontgen: makes a ROM font from a font file.
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "app/options.hpp"
+#include "app/output.hpp"
+#include "app/progress.hpp"
+#include "app/report.hpp"
+#include "files.hpp"
+#include "pipeline/generate.hpp"
+#include "program.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+struct Arguments {
+  GenerateRequest request;
+  std::optional<OutputFormat> format;
+  std::string name;
+  std::string out;
+  std::string report;
+  std::string depfile;
+  bool quiet = false;
+};
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  GenerateRequest& request = arguments.request;
+  app.add_option("--font", request.font, "Font file: TTF, OTF, TTC, OTC")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--text", request.text_files,
+                 "Take the characters of a UTF-8 text file; repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_generator_options(app, request);
+  app.add_option_function<std::string>(
+         "--format",
+         [&arguments](const std::string& value) {
+           const std::map<std::string, OutputFormat> formats = {
+               {"bin", OutputFormat::bin},
+               {"hpp", OutputFormat::hpp},
+               {"c", OutputFormat::c}};
+           const auto found = formats.find(value);
+           if (found == formats.end()) {
+             throw CLI::ValidationError(
+                 "--format",
+                 "'" + value + "' is not known; use 'bin', 'hpp' or 'c'");
+           }
+           arguments.format = found->second;
+         },
+         "Form of the output [hpp or c if --out ends so; bin, if it does not "
+         "look like source]")
+      ->type_name("bin|hpp|c");
+  app.add_option("--name", arguments.name,
+                 "Identifier in hpp and c [from the font file]")
+      ->type_name("ID");
+  app.add_option("--out", arguments.out, "The file to write")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--report", arguments.report, "Write the report as JSON")
+      ->type_name("FILE");
+  app.add_option("--depfile", arguments.depfile,
+                 "Write the files that were read as a Makefile rule")
+      ->type_name("FILE");
+  app.add_option("--jobs", request.jobs, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--quiet", arguments.quiet, "No report, no progress");
+}
+
+OutputFormat format_of(const Arguments& arguments) {
+  const std::string ending =
+      std::filesystem::path(arguments.out).extension().string();
+  if (arguments.format.has_value()) {
+    return *arguments.format;
+  }
+  for (const char* source : {".h", ".hh", ".hxx", ".cpp", ".cc", ".cxx"}) {
+    if (ending == source) {
+      throw Error(arguments.out + ": add --format hpp, for C++, or --format c");
+    }
+  }
+  return ending == ".hpp" ? OutputFormat::hpp
+         : ending == ".c" ? OutputFormat::c
+                          : OutputFormat::bin;
+}
+
+// A path in a Makefile rule.
+std::string escape(const std::string& path) {
+  std::string out;
+  for (const char c : path) {
+    if (c == ' ' || c == '#' || c == '\\') {
+      out += '\\';
+    }
+    out += c == '$' ? std::string("$$") : std::string(1, c);
+  }
+  return out;
+}
+
+std::string dependencies(const Arguments& arguments) {
+  std::string rule = escape(arguments.out) + ":";
+  const auto add = [&](const std::filesystem::path& file) {
+    rule += " " + escape(std::filesystem::absolute(file).string());
+  };
+  add(arguments.request.font);
+  for (const std::filesystem::path& file : arguments.request.text_files) {
+    add(file);
+  }
+  return rule + "\n";
+}
+
+// Writes everything first and moves it to its place then, the font last: if
+// the disk is full, no file appears.
+void write_files(const Arguments& arguments,
+                 const RomFont& font,
+                 OutputFormat format) {
+  OutputFile out(arguments.out);
+  out.write(encode(font, format, arguments.name));
+  std::optional<OutputFile> report;
+  if (!arguments.report.empty()) {
+    report.emplace(arguments.report).write(report_as_json(font.report));
+  }
+  std::optional<OutputFile> depfile;
+  if (!arguments.depfile.empty()) {
+    depfile.emplace(arguments.depfile).write(dependencies(arguments));
+  }
+  if (report) {
+    report->commit();
+  }
+  if (depfile) {
+    depfile->commit();
+  }
+  out.commit();
+}
+
+// Refuses before work begins what would fail or do harm after it.
+void check_files(const Arguments& arguments) {
+  const std::vector<std::filesystem::path> targets = {
+      arguments.out, arguments.report, arguments.depfile};
+  for (const std::filesystem::path& file : targets) {
+    if (!file.empty()) {
+      check_writable(file);
+    }
+  }
+  std::vector<std::filesystem::path> inputs = arguments.request.text_files;
+  inputs.push_back(arguments.request.font);
+  tools::check_apart(targets, inputs);
+}
+
+// The bytes that a wide band takes: those that the font has without it.
+void measure_band(const GenerateRequest& request, FontReport& report) {
+  if (request.adf.band_px != 0) {
+    GenerateRequest usual = request;
+    usual.adf.band_px = 0;
+    report.band_bytes =
+        static_cast<int64_t>(report.bytes.total()) -
+        static_cast<int64_t>(generate(usual).report.bytes.total());
+  }
+}
+
+void run(Arguments& arguments) {
+  if (arguments.name.empty()) {
+    arguments.name = identifier_of(arguments.request.font);
+  }
+  check_identifier(arguments.name);
+  const OutputFormat format = format_of(arguments);
+  check_files(arguments);
+  Progress progress(arguments.quiet);
+  arguments.request.progress = [&](size_t done, size_t count) {
+    progress.update(done, count);
+  };
+  RomFont font;
+  try {
+    font = generate(arguments.request);
+    if (!arguments.quiet || !arguments.report.empty()) {
+      measure_band(arguments.request, font.report);
+    }
+  } catch (...) {
+    progress.finish();
+    throw;
+  }
+  progress.finish();
+  for (const Warning& warning : font.warnings) {
+    std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
+  }
+  write_files(arguments, font, format);
+  if (!arguments.quiet) {
+    std::fputs(report_for_people(font.report).c_str(), stdout);
+  }
+}
+
+}  // namespace
+}  // namespace inkcell::gen
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Makes an Inkcell ROM font: adaptively sampled distance fields of the "
+      "glyphs of a font file.");
+  inkcell::gen::Arguments arguments;
+  inkcell::gen::add_arguments(app, arguments);
+  return inkcell::tools::run_program(app, argc, argv, [&] {
+    inkcell::gen::run(arguments);
+    return 0;
+  });
+}

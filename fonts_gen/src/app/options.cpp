@@ -1,0 +1,142 @@
+#include "app/options.hpp"
+
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+// Reads "16/255" or "16".
+double parse_tolerance(const std::string& text) {
+  std::string digits = text;
+  const size_t slash = text.find('/');
+  if (slash != std::string::npos && text.substr(slash) == "/255") {
+    digits = text.substr(0, slash);
+  }
+  int value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [at, error] = std::from_chars(digits.data(), end, value);
+  if (error != std::errc() || at != end || value < 1 || value > 255) {
+    throw CLI::ValidationError("--tolerance",
+                               "'" + text +
+                                   "' is not within 1/255..255/255; write 16 "
+                                   "or 16/255");
+  }
+  return value;
+}
+
+// An option with some values, the usual one first.
+template <typename Value>
+void add_choice(CLI::App& app,
+                const std::string& option,
+                Value& target,
+                const std::vector<std::pair<std::string, Value>>& values,
+                const std::string& help) {
+  std::string names;
+  std::string quoted;
+  for (size_t i = 0; i < values.size(); ++i) {
+    names += (i == 0 ? "" : "|") + values[i].first;
+    quoted += i == 0 ? "" : i + 1 == values.size() ? " or " : ", ";
+    quoted += "'" + values[i].first + "'";
+  }
+  app.add_option_function<std::string>(
+         option,
+         [=, &target](const std::string& value) {
+           for (const auto& [name, meaning] : values) {
+             if (value == name) {
+               target = meaning;
+               return;
+             }
+           }
+           throw CLI::ValidationError(
+               option, "'" + value + "' is not known; use " + quoted);
+         },
+         help)
+      ->type_name(names)
+      ->default_str(values.front().first);
+}
+
+void add_selection(CLI::App& app, GenerateRequest& request) {
+  app.add_option("--face", request.face, "Face number in a TTC or OTC file")
+      ->capture_default_str();
+  app.add_option_function<std::vector<std::string>>(
+         "--axis",
+         [&request](const std::vector<std::string>& settings) {
+           for (const std::string& text : settings) {
+             try {
+               request.axes.push_back(parse_axis(text));
+             } catch (const Error& error) {
+               throw CLI::ValidationError(error.what());
+             }
+           }
+         },
+         "Axis of a variable font, such as wght=600; repeatable")
+      ->type_name("TAG=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--chars", request.chars,
+                 "Characters: 0x20-0x7E,U+B0,176,A-Z; repeatable "
+                 "[0x20-0x7E if no character is asked for]")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  app.add_option("--symbols", request.symbols, "Characters, as themselves")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return text.empty()
+                       ? "it is empty; name characters, or leave it out"
+                       : std::string();
+          },
+          ""))
+      ->type_name("STRING");
+}
+
+void add_quality(CLI::App& app, GenerateRequest& request) {
+  AdfOptions& adf = request.adf;
+  app.add_option("--min-px", adf.min_px, "Smallest size [px/em]")
+      ->capture_default_str();
+  app.add_option("--max-px", adf.max_px, "Largest size [px/em]")
+      ->capture_default_str();
+  app.add_option("--band-px", adf.band_px,
+                 "How far from the edge distances are good, at --min-px: for "
+                 "outlines, shadows, glows [what filters need]");
+  app.add_option_function<std::string>(
+         "--tolerance",
+         [&adf](const std::string& text) {
+           adf.tolerance = parse_tolerance(text);
+         },
+         "Largest error of a pixel at any of these sizes")
+      ->type_name("N/255")
+      ->default_str("16/255");
+  add_choice<Coding>(
+      app, "--coding", adf.coding,
+      {{"outline", Coding::outline},
+       {"edges", Coding::edges},
+       {"samples", Coding::samples}},
+      "What glyphs are made of: 'outline', few points, for text; 'edges', a "
+      "quadtree of cells of up to three second-order distance functions, for "
+      "the field at any point; 'samples', cells of the paper's nine distances");
+  add_choice<Predicate>(
+      app, "--predicate", adf.predicate,
+      {{"size", Predicate::size_aware}, {"fixed", Predicate::fixed}},
+      "What is good enough: 'size', the tolerance over the range of sizes; "
+      "'fixed', 1/1024 em near the edge, for --coding samples");
+  add_choice<bool>(
+      app, "--hints", request.hints, {{"on", true}, {"off", false}},
+      "What grid fitting of outlines needs: zones, bars, stems and more");
+  app.add_option("--effort", adf.effort,
+                 "How hard to try for fewer bytes; more takes longer")
+      ->check(CLI::Range(0, 9).description(""))
+      ->type_name("0..9")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_generator_options(CLI::App& app, GenerateRequest& request) {
+  add_selection(app, request);
+  add_quality(app, request);
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,57 @@
+// Files that appear whole or not at all, and the forms that a font takes there.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/generate.hpp"
+
+namespace inkcell::gen {
+
+/// A file that is written beside its place and moved there by `commit`. Without
+/// commit nothing is left behind, and what was there before stays. Where the
+/// place is a symbolic link, what it points to is replaced, not the link.
+class OutputFile {
+ public:
+  /// Throws what check_writable does.
+  explicit OutputFile(std::filesystem::path target);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Writes the whole content. Throws Error.
+  void write(std::string_view content);
+  /// Moves the file to its place. Throws Error.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  bool committed_ = false;
+};
+
+/// Throws std::runtime_error unless a file can be made at `target`, or the one
+/// that is there replaced: before work begins. Folders, devices and pipes are
+/// refused, and -, which many take for standard output.
+void check_writable(const std::filesystem::path& target);
+
+enum class OutputFormat { bin, hpp, c };
+
+/// The content of a font file in the given form. `name` is the identifier of
+/// the array in hpp and c; the array of hpp is fonts::<name>.
+std::string encode(const RomFont& font,
+                   OutputFormat format,
+                   const std::string& name);
+
+/// Throws Error unless `name` is an identifier that C and C++ accept: no
+/// keyword of either.
+void check_identifier(const std::string& name);
+
+/// An identifier made of a font file's name: DejaVuSans-Bold.ttf gives
+/// DejaVuSans_Bold, new.ttf gives font_new.
+std::string identifier_of(const std::filesystem::path& font);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,227 @@
+#include "app/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "inkcell/version.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+// Glyphs in each list of worst ones.
+constexpr size_t kWorst = 5;
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern,
+                                                         ...) {
+  char line[256];
+  va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(line, sizeof line, pattern, values);
+  va_end(values);
+  return line;
+}
+
+const char* error_unit(const FontReport& report) {
+  return report.options.predicate == Predicate::fixed ? "1/1024 em" : "1/255";
+}
+
+// One line of the worst glyphs by the measure `of`.
+template <typename Measure>
+std::string worst_line(const FontReport& report,
+                       const char* title,
+                       const char* pattern,
+                       Measure of) {
+  std::vector<const GlyphReport*> order;
+  for (const GlyphReport& glyph : report.glyphs) {
+    order.push_back(&glyph);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const GlyphReport* a, const GlyphReport* b) {
+                     return of(*a) > of(*b);
+                   });
+  std::string line = format("  %-16s", title);
+  for (size_t i = 0; i < std::min(kWorst, order.size()); ++i) {
+    char value[32];
+    std::snprintf(value, sizeof value, pattern, of(*order[i]));
+    line += (i == 0 ? "" : ", ") + order[i]->key + " " + value;
+  }
+  return line + "\n";
+}
+
+double rounded(double value) {
+  return std::round(value * 1000) / 1000;
+}
+
+const char* coding_name(const AdfOptions& options) {
+  return options.coding == Coding::outline ? "outline"
+         : options.coding == Coding::edges ? "edges"
+                                           : "samples";
+}
+
+std::string outlines_line(const FontReport& report) {
+  return format("  %-16s%zu, %zu glyphs refer to others\n", "points",
+                report.points, report.composites);
+}
+
+std::string cells_line(const FontReport& report) {
+  std::string text = format("  %-16s%zu, %zu inner nodes; ", "cells",
+                            report.cells, report.nodes);
+  if (report.options.coding == Coding::samples) {
+    return text +
+           format("as a leaf list %zu bytes\n", report.leaf_list_bytes());
+  }
+  const CellCounts& kinds = report.kinds;
+  text += format("of one, two, three fields: %zu, %zu, %zu\n", kinds.single,
+                 kinds.pairs, kinds.triples);
+  if (kinds.samples != 0) {
+    text += format("  %-16s%zu, where fields cannot hold the tolerance\n",
+                   "of samples", kinds.samples);
+  }
+  text += format("  %-16s%zu\n", "fields", report.fields);
+  return text;
+}
+
+// The smallest, the largest, and some sizes between.
+std::string sizes_lines(const FontReport& report) {
+  constexpr size_t kColumns = 8;
+  const std::vector<SizeError>& sizes = report.sizes;
+  if (sizes.empty()) {
+    return "";
+  }
+  std::string px = format("  %-16s", "size, px");
+  std::string worst = format("  %-16s", "worst, 1/255");
+  std::string mean = format("  %-16s", "mean, 1/255");
+  const size_t columns = std::min(kColumns, sizes.size());
+  for (size_t i = 0; i < columns; ++i) {
+    const SizeError& size =
+        sizes[columns == 1 ? 0 : i * (sizes.size() - 1) / (columns - 1)];
+    px += format("%7d", size.px);
+    worst += format("%7.1f", size.worst);
+    mean += format("%7.2f", size.mean);
+  }
+  return px + "\n" + worst + "\n" + mean + "\n";
+}
+
+}  // namespace
+
+std::string report_for_people(const FontReport& report) {
+  const AdfOptions& options = report.options;
+  const PartBytes& bytes = report.bytes;
+  std::string text = report.name + " (" + report.file_name + ")\n";
+  text += format("  %-16s%zu, for %zu characters\n", "glyphs",
+                 report.glyphs.size(), report.characters);
+  if (options.predicate == Predicate::fixed) {
+    text +=
+        format("  %-16s1/1024 em, cells of 1/512 em and more\n", "tolerance");
+  } else {
+    text += format("  %-16s%.0f/255 from %.0f to %.0f px\n", "tolerance",
+                   options.tolerance, options.min_px, options.max_px);
+  }
+  if (options.band_px > 0) {
+    text +=
+        format("  %-16s%.2f px at %.0f px, %.0f/1024 em", "band",
+               options.band_px, options.min_px, std::floor(band_u(options)));
+    text += report.band_bytes
+                ? format(", for %+lld bytes\n",
+                         static_cast<long long>(*report.band_bytes))
+                : "\n";
+  }
+  const auto part = [&](const char* name, size_t size) {
+    text += format(
+        "  %-16s%9zu bytes  %5.1f %%\n", name, size,
+        100.0 * static_cast<double>(size) / static_cast<double>(bytes.total()));
+  };
+  part("header", bytes.header);
+  part("cmap", bytes.cmap);
+  part("metrics", bytes.metrics);
+  part("kerning", bytes.kerning);
+  part("hints", bytes.hints);
+  part("glyphs", bytes.glyphs);
+  part("name", bytes.name);
+  part("total", bytes.total());
+  text += options.coding == Coding::outline ? outlines_line(report)
+                                            : cells_line(report);
+  text += format("  %-16s%d left, %d right\n", "kerning classes",
+                 report.left_classes, report.right_classes);
+  text += format("  %-16s%.1f worst, %.2f mean, in %s\n", "error",
+                 report.worst_error, report.mean_error, error_unit(report));
+  text += sizes_lines(report);
+  text += worst_line(report, "most bytes", "%.0f", [](const GlyphReport& g) {
+    return static_cast<double>(g.bytes);
+  });
+  text += worst_line(report, "worst error", "%.1f",
+                     [](const GlyphReport& g) { return g.worst_error; });
+  return text + format("  %-16s%.2f s\n", "time", report.seconds);
+}
+
+std::string report_as_json(const FontReport& report) {
+  using Json = nlohmann::ordered_json;
+  const AdfOptions& options = report.options;
+  const PartBytes& bytes = report.bytes;
+  const bool fixed = options.predicate == Predicate::fixed;
+  Json json;
+  json["font"] = report.name;
+  json["file"] = report.file_name;
+  json["glyphs"] = report.glyphs.size();
+  json["characters"] = report.characters;
+  json["missing"] = report.missing.size();
+  json["coding"] = coding_name(options);
+  json["predicate"] = fixed ? "fixed" : "size";
+  json["min_px"] = static_cast<int>(options.min_px);
+  json["max_px"] = static_cast<int>(options.max_px);
+  json["tolerance"] = fixed ? 0 : static_cast<int>(options.tolerance);
+  json["band_u"] = static_cast<int>(band_u(options));
+  if (report.band_bytes) {
+    json["band_bytes"] = *report.band_bytes;
+  }
+  json["effort"] = options.effort;
+  json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
+                   {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
+                   {"kerning", bytes.kerning}, {"hints", bytes.hints},
+                   {"glyphs", bytes.glyphs},   {"name", bytes.name}};
+  json["point_count"] = report.points;
+  json["composite_count"] = report.composites;
+  json["leaf_list_bytes"] = report.leaf_list_bytes();
+  json["cell_count"] = report.cells;
+  json["node_count"] = report.nodes;
+  json["field_count"] = report.fields;
+  json["cells_by_kind"] = {{"samples", report.kinds.samples},
+                           {"single", report.kinds.single},
+                           {"pair", report.kinds.pairs},
+                           {"triple", report.kinds.triples}};
+  Json per_glyph = Json::object();
+  Json points = Json::object();
+  Json glyph_bytes = Json::object();
+  Json glyph_error = Json::object();
+  for (const GlyphReport& glyph : report.glyphs) {
+    per_glyph[glyph.key] = glyph.cells;
+    points[glyph.key] = glyph.points;
+    glyph_bytes[glyph.key] = glyph.bytes;
+    glyph_error[glyph.key] = rounded(glyph.worst_error);
+  }
+  json["cells_per_glyph"] = std::move(per_glyph);
+  json["points_per_glyph"] = std::move(points);
+  json["bytes_per_glyph"] = std::move(glyph_bytes);
+  json["error_per_glyph"] = std::move(glyph_error);
+  json["error"] = {{"max", rounded(report.worst_error)},
+                   {"mean", rounded(report.mean_error)},
+                   {"unit", error_unit(report)}};
+  Json by_size = Json::array();
+  for (const SizeError& size : report.sizes) {
+    by_size.push_back({{"px", size.px},
+                       {"worst", rounded(size.worst)},
+                       {"mean", rounded(size.mean)}});
+  }
+  json["error_by_size"] = std::move(by_size);
+  json["kerning_classes"] = {{"left", report.left_classes},
+                             {"right", report.right_classes}};
+  json["format"] =
+      std::to_string(kFormatMajor) + "." + std::to_string(kFormatMinor);
+  json["seconds"] = rounded(report.seconds);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace inkcell::gen

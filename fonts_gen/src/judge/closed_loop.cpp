@@ -1,0 +1,255 @@
+#include "judge/closed_loop.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "inkcell/brush.hpp"
+#include "inkcell/render.hpp"
+#include "judge/canvas.hpp"
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+// How far around the ink box the mean is taken. [px]
+constexpr double kMargin_px = 1.5;
+
+// The size up to which every whole one is drawn at every phase. [px]
+constexpr int kDensePx = 128;
+
+// The glyph's origin within its pixel: a lattice of rank 1, y = 5 x modulo 1,
+// in an order whose beginnings are spread out too. [1/64 px]
+struct Phase {
+  int x;
+  int y;
+};
+constexpr std::array<Phase, kLoopPhases> kPhases = {{{0, 0},
+                                                     {32, 32},
+                                                     {16, 16},
+                                                     {48, 48},
+                                                     {8, 40},
+                                                     {40, 8},
+                                                     {24, 56},
+                                                     {56, 24}}};
+
+int phases_at(int px, int phases) {
+  const double share = static_cast<double>(kDensePx) / px;
+  const int needed = static_cast<int>(std::ceil(phases * share * share));
+  return std::clamp(needed, 1, phases);
+}
+
+// One picture: where its pixels lie in the glyph.
+struct Setting {
+  int px;
+  Phase phase;
+
+  double u_per_px() const { return 1024.0 / px; }
+  double x_u(int x) const { return (x + 0.5 - phase.x / 64.0) * u_per_px(); }
+  double y_u(int y) const { return (phase.y / 64.0 - y - 0.5) * u_per_px(); }
+
+  // The pixels whose centres are in `box` or less than kMargin_px around.
+  Rect pixels_of(const Box& box) const {
+    const double px_per_u = px / 1024.0;
+    const double dx = phase.x / 64.0 - 0.5;
+    const double dy = phase.y / 64.0 - 0.5;
+    return {above(box.x0 * px_per_u + dx - kMargin_px),
+            above(-box.y1 * px_per_u + dy - kMargin_px),
+            below(box.x1 * px_per_u + dx + kMargin_px) + 1,
+            below(-box.y0 * px_per_u + dy + kMargin_px) + 1};
+  }
+
+ private:
+  static int above(double x) { return static_cast<int>(std::floor(x)) + 1; }
+  static int below(double x) { return static_cast<int>(std::ceil(x)) - 1; }
+};
+
+Rect join(const Rect& a, const Rect& b) {
+  if (is_empty(a) || is_empty(b)) {
+    return is_empty(a) ? b : a;
+  }
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1),
+          std::max(a.y1, b.y1)};
+}
+
+// The filter `text`, in real numbers. [1/255]
+double coverage(double distance_px) {
+  return 255 * std::clamp(0.5 + distance_px, 0.0, 1.0);
+}
+
+bool is_worse(const LoopMiss& a, const LoopMiss& b) {
+  return a.error > b.error;
+}
+
+// Gathers the errors of one size after another.
+class Gathering {
+ public:
+  explicit Gathering(const LoopOptions& options) : options_(options) {}
+
+  void begin(int px) {
+    size_ = SizeError();
+    size_.px = px;
+    sum_ = 0;
+    pixels_ = 0;
+  }
+
+  void end() {
+    size_.mean = pixels_ > 0 ? sum_ / pixels_ : 0;
+    result_.worst = std::max(result_.worst, size_.worst);
+    result_.worst_mean = std::max(result_.worst_mean, size_.mean);
+    result_.sizes.push_back(size_);
+  }
+
+  // A pixel counts for the worst; add_mean() has it count for the mean.
+  void add(double error, double x_u, double y_u) {
+    size_.worst = std::max(size_.worst, error);
+    if (error > options_.tolerance) {
+      add_miss({x_u, y_u, size_.px, error});
+    }
+  }
+  void add_mean(double sum, int pixels) {
+    sum_ += sum;
+    pixels_ += pixels;
+  }
+
+  LoopResult finish() {
+    std::sort_heap(result_.misses.begin(), result_.misses.end(), is_worse);
+    return std::move(result_);
+  }
+
+ private:
+  // Misses are a heap with the least bad one on top.
+  void add_miss(const LoopMiss& miss) {
+    std::vector<LoopMiss>& heap = result_.misses;
+    ++result_.miss_count;
+    if (heap.size() == options_.max_misses) {
+      if (heap.empty() || miss.error <= heap.front().error) {
+        return;
+      }
+      std::pop_heap(heap.begin(), heap.end(), is_worse);
+      heap.pop_back();
+    }
+    heap.push_back(miss);
+    std::push_heap(heap.begin(), heap.end(), is_worse);
+  }
+
+  const LoopOptions& options_;
+  LoopResult result_;
+  SizeError size_;
+  double sum_ = 0;
+  double pixels_ = 0;
+};
+
+// Holds the pixels x0 <= x < x1 of a row against the truth.
+void compare_row(const Setting& setting,
+                 const Canvas& canvas,
+                 const Rect& pixels,
+                 int y,
+                 DistanceMap& map,
+                 Gathering& gathering) {
+  const double half_px_u = setting.u_per_px() / 2;
+  const double y_u = setting.y_u(y);
+  double sum = 0;
+  for (int x = pixels.x0; x < pixels.x1; ++x) {
+    const double x_u = setting.x_u(x);
+    const DistanceMap::Bounds& bounds = map.bounds(x_u, y_u);
+    double error = canvas.at(x, y);
+    if (bounds.low >= half_px_u) {
+      error = 255 - error;
+    } else if (bounds.high > -half_px_u) {
+      const double distance_px = map.distance(x_u, y_u) / setting.u_per_px();
+      error = std::fabs(error - coverage(distance_px));
+    }
+    if (error > 0) {
+      sum += error;
+      gathering.add(error, x_u, y_u);
+    }
+  }
+  gathering.add_mean(sum, pixels.x1 - pixels.x0);
+}
+
+// No ink belongs to pixels x0 <= x < x1 of a row.
+void expect_nothing(const Setting& setting,
+                    const Canvas& canvas,
+                    int x0,
+                    int x1,
+                    int y,
+                    Gathering& gathering) {
+  for (int x = x0; x < x1; ++x) {
+    if (canvas.at(x, y) != 0) {
+      gathering.add(canvas.at(x, y), setting.x_u(x), setting.y_u(y));
+    }
+  }
+}
+
+void compare(const Setting& setting,
+             const Canvas& canvas,
+             const Rect& inked,
+             DistanceMap* map,
+             Gathering& gathering) {
+  const Rect& area = canvas.area();
+  for (int y = area.y0; y < area.y1; ++y) {
+    if (map == nullptr || y < inked.y0 || y >= inked.y1) {
+      expect_nothing(setting, canvas, area.x0, area.x1, y, gathering);
+      continue;
+    }
+    expect_nothing(setting, canvas, area.x0, inked.x0, y, gathering);
+    compare_row(setting, canvas, inked, y, *map, gathering);
+    expect_nothing(setting, canvas, inked.x1, area.x1, y, gathering);
+  }
+}
+
+}  // namespace
+
+std::vector<int> loop_sizes(int min_px, int max_px) {
+  std::vector<int> sizes;
+  for (int px = min_px; px < max_px; px += std::max(1, px / (kDensePx / 2))) {
+    sizes.push_back(px);
+  }
+  sizes.push_back(max_px);
+  return sizes;
+}
+
+ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
+    : shape_(shape), options_(options) {
+  if (!shape.empty()) {
+    map_.emplace(shape, kMargin_px * 1024 / options.min_px);
+  }
+}
+
+LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
+  return draw_and_compare(
+      {[&](const Brush& brush, inkcell::Point origin) {
+         return field_box(field, brush, origin);
+       },
+       [&](const Brush& brush, inkcell::Point origin, const Sink& sink) {
+         draw_field(field, brush, origin, sink);
+       }});
+}
+
+LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
+  Gathering gathering(options_);
+  for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
+    Brush brush;
+    if (Brush::make(Q26_6::from_int(px), kFilterText, brush) != Status::ok) {
+      throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
+    }
+    gathering.begin(px);
+    for (int i = 0; i < phases_at(px, options_.phases); ++i) {
+      const Setting setting{px, kPhases[static_cast<size_t>(i)]};
+      const inkcell::Point origin = {Q26_6::from_raw(setting.phase.x),
+                                     Q26_6::from_raw(setting.phase.y)};
+      const Rect inked = map_ ? setting.pixels_of(shape_.box()) : Rect();
+      Canvas canvas(join(inked, glyph.box(brush, origin)));
+      glyph.draw(brush, origin, canvas.sink());
+      compare(setting, canvas, inked, map_ ? &*map_ : nullptr, gathering);
+    }
+    gathering.end();
+  }
+  return gathering.finish();
+}
+
+}  // namespace gen
+}  // namespace inkcell

@@ -1,0 +1,93 @@
+// The closed loop: what the device draws, at every size, against the truth.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "inkcell/field.hpp"
+#include "inkcell/render.hpp"
+#include "shape/distance_map.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// Sub-pixel positions that the loop knows.
+inline constexpr int kLoopPhases = 8;
+
+struct LoopOptions {
+  /// Sizes. [px/em] Whole numbers, kMinSize..kMaxSize, min <= max.
+  int min_px = 8;
+  int max_px = 64;
+  /// Sub-pixel positions at each size, 1..kLoopPhases. Above 128 px there are
+  /// fewer: one phase's pixels lie denser there than all of them below.
+  int phases = kLoopPhases;
+  /// A pixel farther from the truth is a miss. [1/255]
+  double tolerance = 16;
+  /// Misses to hand back, the worst ones first.
+  size_t max_misses = 256;
+};
+
+/// A pixel beyond the tolerance.
+struct LoopMiss {
+  double x_u = 0;  // its centre in the glyph
+  double y_u = 0;
+  int px = 0;        // the size at which it was drawn
+  double error = 0;  // [1/255]
+};
+
+/// Errors at one size, all phases together. [1/255]
+struct SizeError {
+  int px = 0;
+  double worst = 0;
+  /// Over the pixels whose centres lie in the ink box or up to 1.5 px around.
+  double mean = 0;
+};
+
+struct LoopResult {
+  std::vector<SizeError> sizes;  // ascending
+  std::vector<LoopMiss> misses;  // worst first
+  size_t miss_count = 0;         // all of them, not only those handed back
+  double worst = 0;              // of all sizes
+  double worst_mean = 0;         // the largest mean of a size
+};
+
+/// A glyph as the device draws it, with its origin at `origin`.
+struct LoopGlyph {
+  /// The pixels that it may touch.
+  std::function<Rect(const Brush& brush, inkcell::Point origin)> box;
+  std::function<void(
+      const Brush& brush, inkcell::Point origin, const Sink& sink)>
+      draw;
+};
+
+/// The sizes that a loop draws: every whole one up to 128 px/em, then steps of
+/// 1/64, and `max_px`. Ascending.
+std::vector<int> loop_sizes(int min_px, int max_px);
+
+/// Draws a glyph with the device's own renderer, filter `text`, and compares
+/// each pixel with the coverage that the exact distance to the shape gives:
+/// 255 clamp(0.5 + distance in px), not rounded. A pixel that the device draws
+/// outside of the area of the mean counts for the worst one.
+///
+/// What is known of the shape is kept, so that asking again for another coding
+/// of the same glyph costs little more than the drawing. Not for several
+/// threads at once; refers to the shape, which must outlive it.
+class ClosedLoop {
+ public:
+  ClosedLoop(const Shape& shape, const LoopOptions& options);
+
+  /// The result depends on the shape, the options and `glyph` only.
+  LoopResult draw_and_compare(const LoopGlyph& glyph);
+  LoopResult draw_and_compare(const GlyphField& field);
+
+ private:
+  const Shape& shape_;
+  LoopOptions options_;
+  std::optional<DistanceMap> map_;  // none if the shape is empty
+};
+
+}  // namespace gen
+}  // namespace inkcell

@@ -1,0 +1,259 @@
+#include "judge/hint_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+#include "base/work_pool.hpp"
+#include "inkcell/brush.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/fit.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/text.hpp"
+#include "rom/rom_font.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+constexpr int kLargePx = 128;
+constexpr int kLeastPx = 8;
+constexpr int kMostPx = 12;
+
+// Fewer hints must be better by so much over all pictures, and at most 3/4 as
+// bad; none at all by more, and half as bad: glyphs beside fitted ones look
+// best if they are fitted, too.
+constexpr int kLeastGain = 3;
+constexpr int kLeastGainOfNone = 5;
+
+// Covered pixels, of 255: thin grey strokes are strokes.
+constexpr int kInk = 96;
+
+constexpr FitOptions kLooks[] = {{false, 0}, {true, 0}, {true, 2}};
+
+// What is dropped, the least first.
+using Reduction = void (*)(GlyphHints&);
+
+void drop_heights(HeightHint::Kind kind, GlyphHints& hints) {
+  hints.heights.erase(std::remove_if(hints.heights.begin(), hints.heights.end(),
+                                     [kind](const HeightHint& hint) {
+                                       return hint.kind == kind;
+                                     }),
+                      hints.heights.end());
+}
+
+void drop_ends(GlyphHints& hints) {
+  drop_heights(HeightHint::Kind::free_end, hints);
+}
+
+constexpr Reduction kReductions[] = {
+    [](GlyphHints&) {},
+    drop_ends,
+    [](GlyphHints& hints) { drop_heights(HeightHint::Kind::serif, hints); },
+    [](GlyphHints& hints) { hints.across.clear(); },
+    [](GlyphHints& hints) {
+      drop_ends(hints);
+      hints.across.clear();
+    },
+    [](GlyphHints& hints) { hints = GlyphHints(); },
+};
+constexpr size_t kReductionCount = std::size(kReductions);
+
+std::vector<GlyphHints> reduced(const std::vector<GlyphHints>& hints,
+                                Reduction reduction) {
+  std::vector<GlyphHints> fewer = hints;
+  for (GlyphHints& glyph : fewer) {
+    reduction(glyph);
+  }
+  return fewer;
+}
+
+// A font in memory, which the device reads in place.
+class TrialFont {
+ public:
+  explicit TrialFont(const RomContent& content) {
+    PartBytes parts;
+    bytes_ = write_rom_font(content, parts);
+    require(Font::open({bytes_.data(), bytes_.size()}, font_));
+  }
+
+  TrialFont(const TrialFont&) = delete;
+  TrialFont& operator=(const TrialFont&) = delete;
+
+  Topology unfitted(uint16_t glyph, int px) const {
+    return draw(glyph, px, make_brush(px));
+  }
+
+  Topology fitted(uint16_t glyph, int px, const FitOptions& look) const {
+    Brush brush = make_brush(px);
+    Fit fit;
+    require(Fit::make(font_, brush, look, fit));
+    brush.set_fitter(&kGridFit, &fit);
+    CrispStyle crisp;
+    if (look.levels == 2) {
+      crisp.threshold_px = fit.crisp_weight();
+      brush.set_painter(crisp_painter(crisp));
+    }
+    return draw(glyph, px, brush);
+  }
+
+ private:
+  static void require(Status status) {
+    if (status != Status::ok) {
+      throw Error("the device cannot read the font that hints are tried in");
+    }
+  }
+
+  static Brush make_brush(int px) {
+    Brush brush;
+    require(Brush::make(Q26_6::from_int(px), kFilterText, brush));
+    return brush;
+  }
+
+  // The box of the ink with room for what fitting moves.
+  Topology draw(uint16_t glyph, int px, const Brush& brush) const {
+    GlyphMetrics metrics;
+    require(font_.glyph_metrics(glyph, metrics));
+    const double scale = static_cast<double>(px) / font_.units_per_em();
+    const auto pixels = [scale](int units) {
+      return static_cast<int>(std::floor(units * scale));
+    };
+    const int room_x = 4 + (pixels(metrics.x_max - metrics.x_min) / 2);
+    const int room_y = 4 + (pixels(metrics.y_max - metrics.y_min) / 2);
+    Canvas canvas(
+        {pixels(metrics.x_min) - room_x, pixels(-metrics.y_max) - room_y,
+         pixels(metrics.x_max) + room_x, pixels(-metrics.y_min) + room_y});
+    draw_glyph(font_, glyph, brush, {}, canvas.sink());
+    return topology_of(canvas);
+  }
+
+  std::vector<uint8_t> bytes_;
+  Font font_;
+};
+
+int difference(const Topology& a, const Topology& b) {
+  return std::abs(a.parts - b.parts) + std::abs(a.counters - b.counters);
+}
+
+// By how much small pictures of a glyph differ from what it is.
+int harm(const TrialFont& font, uint16_t glyph, const Topology& wanted) {
+  int sum = 0;
+  for (const FitOptions& look : kLooks) {
+    for (int px = kLeastPx; px <= kMostPx; ++px) {
+      sum += difference(font.fitted(glyph, px, look), wanted);
+    }
+  }
+  return sum;
+}
+
+// Joins pixels of one colour that touch.
+class Regions {
+ public:
+  Regions(int width, int height)
+      : width_(width),
+        is_ink_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+
+  void set_ink(int x, int y) { is_ink_[index(x, y)] = true; }
+
+  int count(bool of_ink) const {
+    std::vector<bool> is_free(is_ink_.size());
+    for (size_t i = 0; i < is_free.size(); ++i) {
+      is_free[i] = is_ink_[i] == of_ink;
+    }
+    int regions = 0;
+    for (size_t i = 0; i < is_free.size(); ++i) {
+      if (is_free[i]) {
+        ++regions;
+        take(i, of_ink, is_free);
+      }
+    }
+    return regions;
+  }
+
+ private:
+  size_t index(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_) +
+           static_cast<size_t>(x);
+  }
+
+  void take(size_t first, bool with_corners, std::vector<bool>& is_free) const {
+    const int height = static_cast<int>(is_free.size()) / width_;
+    std::vector<size_t> left = {first};
+    is_free[first] = false;
+    while (!left.empty()) {
+      const int x = static_cast<int>(left.back()) % width_;
+      const int y = static_cast<int>(left.back()) / width_;
+      left.pop_back();
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          if ((dx != 0 && dy != 0 && !with_corners) || x + dx < 0 ||
+              x + dx >= width_ || y + dy < 0 || y + dy >= height) {
+            continue;
+          }
+          const size_t to = index(x + dx, y + dy);
+          if (is_free[to]) {
+            is_free[to] = false;
+            left.push_back(to);
+          }
+        }
+      }
+    }
+  }
+
+  int width_;
+  std::vector<bool> is_ink_;
+};
+
+}  // namespace
+
+Topology topology_of(const Canvas& canvas) {
+  const Rect& area = canvas.area();
+  const int width = area.x1 - area.x0;
+  const int height = area.y1 - area.y0;
+  // What surrounds the glyph is one region.
+  Regions regions(width + 2, height + 2);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (canvas.at(area.x0 + x, area.y0 + y) >= kInk) {
+        regions.set_ink(x + 1, y + 1);
+      }
+    }
+  }
+  return {regions.count(true), regions.count(false) - 1};
+}
+
+void drop_harmful_hints(RomContent& content, int jobs) {
+  const std::vector<GlyphHints> all = content.hints.glyphs;
+  std::vector<std::array<int, kReductionCount>> harms(all.size());
+  std::vector<Topology> wanted(all.size());
+  for (size_t k = 0; k < kReductionCount; ++k) {
+    content.hints.glyphs = reduced(all, kReductions[k]);
+    const TrialFont font(content);
+    parallel_for(all.size(), jobs, [&](size_t i) {
+      const auto glyph = static_cast<uint16_t>(i);
+      if (k == 0) {
+        wanted[i] = font.unfitted(glyph, kLargePx);
+      }
+      harms[i][k] = harm(font, glyph, wanted[i]);
+    });
+  }
+  content.hints.glyphs = all;
+  for (size_t i = 0; i < all.size(); ++i) {
+    const auto is_worth_it = [&harm = harms[i]](size_t k) {
+      const bool is_none = k + 1 == kReductionCount;
+      return harm[k] + (is_none ? kLeastGainOfNone : kLeastGain) <= harm[0] &&
+             4 * harm[k] <= (is_none ? 2 : 3) * harm[0];
+    };
+    size_t best = 0;
+    for (size_t k = 1; k < kReductionCount; ++k) {
+      if (harms[i][k] < harms[i][best] && is_worth_it(k)) {
+        best = k;
+      }
+    }
+    kReductions[best](content.hints.glyphs[i]);
+  }
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,36 @@
+// One glyph of outlines, refitted until the device draws it within the
+// tolerance.
+#pragma once
+
+#include "inkcell/font.hpp"
+#include "judge/closed_loop.hpp"
+#include "outlines/minimal_outline.hpp"
+#include "outlines/refit.hpp"
+#include "shape/shape.hpp"
+#include "target/target.hpp"
+
+namespace inkcell::gen {
+
+/// How all glyphs of a font are refitted: the coarsest grid that keeps the
+/// tolerance at the largest size, and how far outlines may stray.
+RefitOptions refit_options(const AdfOptions& options, int units_per_em);
+
+struct RefittedGlyph {
+  MinimalOutline outline;
+  LoopResult errors;
+};
+
+/// Refits `source`, draws it with the device's decoder and painter at all sizes
+/// of the loop, and takes more care where a pixel misses the tolerance: first
+/// corners and a quarter of the tolerance, then the points of the source. The
+/// best of all attempts, which may still miss it; see `errors`.
+///
+/// `shape` is the area of `source` and not empty, `metrics` its box. Throws
+/// GeometryError.
+RefittedGlyph refit_glyph(const Outline& source,
+                          const Shape& shape,
+                          const GlyphMetrics& metrics,
+                          const RefitOptions& options,
+                          const LoopOptions& loop_options);
+
+}  // namespace inkcell::gen

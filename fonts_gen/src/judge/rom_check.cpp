@@ -1,0 +1,283 @@
+#include "judge/rom_check.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "edges/record.hpp"
+#include "hints/grid_section.hpp"
+#include "inkcell/format/cell.hpp"
+#include "inkcell/format/rom.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+[[noreturn]] void differ(const RomContent& content, const std::string& what) {
+  throw Error(content.name + ": the finished font differs from its source in " +
+              what +
+              "; nothing was written. This is an error of the "
+              "generator: please report it");
+}
+
+std::string of_glyph(size_t glyph) {
+  return " of glyph " + std::to_string(glyph);
+}
+
+void check_header(const Font& font, const RomContent& content) {
+  const FontMetrics m = font.metrics();
+  const SourceMetrics& s = content.metrics;
+  const FontRange range = font.range();
+  const bool same =
+      font.glyph_count() == content.glyphs.size() &&
+      m.units_per_em == s.units_per_em && m.ascender == s.ascender &&
+      m.descender == s.descender && m.line_gap == s.line_gap &&
+      m.x_height == s.x_height && m.cap_height == s.cap_height &&
+      range.min_px == content.options.min_px &&
+      range.max_px == content.options.max_px &&
+      std::string(font.name().begin(), font.name().end()) == content.name;
+  if (!same) {
+    differ(content, "its header");
+  }
+}
+
+void check_cmap(const Font& font, const RomContent& content) {
+  const auto expect = [&](char32_t code_point) {
+    uint16_t glyph = 0;
+    const Status status = font.glyph_of(code_point, glyph);
+    const auto found = content.glyph_of.find(code_point);
+    const bool known = found != content.glyph_of.end();
+    if ((status == Status::ok) != known ||
+        (status != Status::ok && status != Status::no_glyph) ||
+        glyph != (known ? found->second : 0)) {
+      differ(content, "the glyph of " + describe(code_point));
+    }
+  };
+  for (const auto& entry : content.glyph_of) {
+    expect(entry.first);
+    expect(entry.first - 1);
+    expect(entry.first + 1);
+  }
+}
+
+void check_metrics(const Font& font, const RomContent& content) {
+  for (size_t i = 0; i < content.glyphs.size(); ++i) {
+    GlyphMetrics m;
+    const GlyphMetrics& s = content.glyphs[i].metrics;
+    const Status status = font.glyph_metrics(static_cast<uint16_t>(i), m);
+    if (status != Status::ok || m.advance != s.advance || m.x_min != s.x_min ||
+        m.y_min != s.y_min || m.x_max != s.x_max || m.y_max != s.y_max) {
+      differ(content, "the metrics" + of_glyph(i));
+    }
+  }
+}
+
+// One glyph of each class, 0 included if it has any.
+std::vector<size_t> representatives(const std::vector<uint16_t>& classes,
+                                    int count) {
+  std::vector<size_t> found;
+  std::vector<bool> seen(static_cast<size_t>(count) + 1);
+  for (size_t glyph = 0; glyph < classes.size(); ++glyph) {
+    if (!seen[classes[glyph]]) {
+      seen[classes[glyph]] = true;
+      found.push_back(glyph);
+    }
+  }
+  return found;
+}
+
+// Every glyph against one of each class of the other side. That settles every
+// pair: the reader's answer depends on nothing but the two classes.
+void check_kerning(const Font& font, const RomContent& content) {
+  const KerningMatrix& kerning = content.kerning;
+  const auto expect = [&](size_t left, size_t right) {
+    if (font.kerning(static_cast<uint16_t>(left),
+                     static_cast<uint16_t>(right)) !=
+        kerning.value(left, right)) {
+      differ(content, "the kerning of glyphs " + std::to_string(left) +
+                          " and " + std::to_string(right));
+    }
+  };
+  const std::vector<size_t> lefts =
+      representatives(kerning.left_class, kerning.left_classes);
+  const std::vector<size_t> rights =
+      representatives(kerning.right_class, kerning.right_classes);
+  for (size_t glyph = 0; glyph < content.glyphs.size(); ++glyph) {
+    for (const size_t right : rights) {
+      expect(glyph, right);
+    }
+    for (const size_t left : lefts) {
+      expect(left, glyph);
+    }
+  }
+}
+
+// Fitting reads the section; how well it does is tested glyph by glyph.
+void check_hints(const Font& font, const RomContent& content) {
+  const Span<const uint8_t> read = font.section(format::section::kGrid);
+  const std::vector<uint8_t> source = grid_section(content.hints);
+  if (read.size < source.size() ||
+      !std::equal(source.begin(), source.end(), read.begin())) {
+    differ(content, "its hints");
+  }
+}
+
+// Walks the tree of the source and looks each leaf up in the font.
+class CellCheck {
+ public:
+  CellCheck(const AdfGlyph& source, const GlyphField& field)
+      : source_(source), field_(field) {}
+
+  bool equal() const {
+    const bool same_grid =
+        field_.tile_log2 == source_.tile_log2 && field_.x0_u == source_.x0_u &&
+        field_.y0_u == source_.y0_u && field_.tiles_x == source_.tiles_x &&
+        field_.tiles_y == source_.tiles_y &&
+        field_.node_count == source_.node_count() &&
+        field_.cell_count == source_.cells.size();
+    if (!same_grid) {
+      return false;
+    }
+    const int size = 1 << source_.tile_log2;
+    size_t tile = 0;
+    for (int row = 0; row < source_.tiles_y; ++row) {
+      for (int column = 0; column < source_.tiles_x; ++column, ++tile) {
+        if (!equal_below(source_.references[tile], source_.x0_u + column * size,
+                         source_.y0_u + row * size, source_.tile_log2)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  bool equal_below(uint16_t reference, int x_u, int y_u, int log2) const {
+    namespace glyph = format::glyph;
+    if (reference < glyph::kFirstNode || reference >= glyph::kCellFlag) {
+      return equal_leaf(reference, x_u, y_u, log2);
+    }
+    if (log2 == 0) {
+      return false;
+    }
+    const int half = 1 << (log2 - 1);
+    const auto tiles = static_cast<size_t>(source_.tiles_x) *
+                       static_cast<size_t>(source_.tiles_y);
+    const size_t first = tiles + 4u * (reference - glyph::kFirstNode);
+    for (size_t child = 0; child < 4; ++child) {
+      if (!equal_below(source_.references.at(first + child),
+                       x_u + (child % 2 != 0 ? half : 0),
+                       y_u + (child / 2 != 0 ? half : 0), log2 - 1)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // The leaf is found from both of its ends.
+  bool equal_leaf(uint16_t reference, int x_u, int y_u, int log2) const {
+    const int last = (1 << log2) - 1;
+    return equal_cell(locate(field_, x_u, y_u), reference, x_u, y_u, log2) &&
+           equal_cell(locate(field_, x_u + last, y_u + last), reference, x_u,
+                      y_u, log2);
+  }
+
+  bool equal_cell(
+      const Cell& cell, uint16_t reference, int x_u, int y_u, int log2) const {
+    if (cell.x0_u != x_u || cell.y0_u != y_u || cell.size_log2 != log2) {
+      return false;
+    }
+    if (reference < format::glyph::kFirstNode) {
+      return cell.samples == nullptr &&
+             cell.inside == (reference == format::glyph::kInside);
+    }
+    const SampleCell& samples =
+        source_.cells.at(reference - format::glyph::kCellFlag);
+    return cell.samples != nullptr &&
+           std::memcmp(cell.samples, samples.data(), samples.size()) == 0;
+  }
+
+  const AdfGlyph& source_;
+  const GlyphField& field_;
+};
+
+// Whether `field` says what the record of `tree` does: every square has its
+// leaf, and every leaf says the same at its corners and its centre.
+bool equal_fields(const FieldTree& tree, const GlyphField& field) {
+  const std::vector<uint8_t> bytes = field_record(tree);
+  GlyphField expected;
+  if (GlyphField::open({bytes.data(), bytes.size()}, expected) != Status::ok ||
+      field.x0_u != expected.x0_u || field.y0_u != expected.y0_u ||
+      field.tiles_x != expected.tiles_x || field.tiles_y != expected.tiles_y) {
+    return false;
+  }
+  for (const TreeNode& node : tree.nodes) {
+    if (node.kind == TreeNode::Kind::split) {
+      continue;
+    }
+    const int last = (1 << node.size_log2) - 1;
+    for (const auto& [i, j] :
+         {std::pair(0, 0), std::pair(last, 0), std::pair(0, last),
+          std::pair(last, last), std::pair(last / 2, last / 2)}) {
+      const int x = node.x_u + i;
+      const int y = node.y_u + j;
+      const Cell cell = locate(field, x, y);
+      if (cell.x0_u != node.x_u || cell.y0_u != node.y_u ||
+          cell.size_log2 != node.size_log2 ||
+          distance_at(field, Q16_16::from_int(x), Q16_16::from_int(y)).raw !=
+              distance_at(expected, Q16_16::from_int(x), Q16_16::from_int(y))
+                  .raw) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void check_cells(const Font& font, const RomContent& content) {
+  for (size_t i = 0; i < content.glyphs.size(); ++i) {
+    const RomGlyph& glyph = content.glyphs[i];
+    if (content.options.coding == Coding::outline) {
+      const Span<const uint8_t> record = font.record(static_cast<uint16_t>(i));
+      if (!std::equal(record.begin(), record.end(),
+                      glyph.outline_record.begin(),
+                      glyph.outline_record.end())) {
+        differ(content, "the record" + of_glyph(i));
+      }
+      continue;
+    }
+    GlyphField field;
+    const Status status = font.field(static_cast<uint16_t>(i), field);
+    const bool equal = glyph.fields.grid.tiles_x != 0
+                           ? equal_fields(glyph.fields, field)
+                           : CellCheck(glyph.samples, field).equal();
+    if (status != Status::ok || !equal) {
+      differ(content, "the cells" + of_glyph(i));
+    }
+  }
+}
+
+}  // namespace
+
+void check_rom_font(const std::vector<uint8_t>& bytes,
+                    const RomContent& content) {
+  Font font;
+  const Status opened = Font::open({bytes.data(), bytes.size()}, font);
+  if (opened != Status::ok) {
+    differ(content, "that the device does not open it (status " +
+                        std::to_string(static_cast<int>(opened)) + ")");
+  }
+  const Status verified = font.verify();
+  if (verified != Status::ok) {
+    differ(content, "that the device does not verify it (status " +
+                        std::to_string(static_cast<int>(verified)) + ")");
+  }
+  check_header(font, content);
+  check_cmap(font, content);
+  check_metrics(font, content);
+  check_kerning(font, content);
+  check_hints(font, content);
+  check_cells(font, content);
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,20 @@
+// All glyphs of a font, from outlines to what the ROM font says of them.
+#pragma once
+
+#include <vector>
+
+#include "judge/closed_loop.hpp"
+#include "pipeline/request.hpp"
+#include "rom/rom_content.hpp"
+#include "source/font_source.hpp"
+
+namespace inkcell::gen {
+
+/// Builds every glyph of `font`, on request.jobs threads. `errors` gets what
+/// the device draws of each. Glyphs that nothing needs are dropped from `font`,
+/// and its kerning is moved to the result. Throws Error.
+RomContent build_content(SourceFont& font,
+                         const GenerateRequest& request,
+                         std::vector<LoopResult>& errors);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,161 @@
+#include "pipeline/font_report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace inkcell::gen {
+
+namespace {
+
+// Glyphs named by a warning.
+constexpr size_t kListedGlyphs = 10;
+
+void count_cells(const RomGlyph& glyph, CellCounts& kinds) {
+  kinds.samples += glyph.samples.cells.size();
+  for (const TreeNode& node : glyph.fields.nodes) {
+    if (node.kind == TreeNode::Kind::leaf) {
+      const int count = field_count(node.join);
+      ++(count == 1 ? kinds.single : count == 2 ? kinds.pairs : kinds.triples);
+    }
+  }
+}
+
+GlyphReport report_glyph(const SourceGlyph& source,
+                         const RomGlyph& built,
+                         const LoopResult& errors,
+                         const AdfOptions& options) {
+  GlyphReport glyph;
+  glyph.name = source.name();
+  glyph.key = source.code_points.empty() ? source.name()
+                                         : to_utf8(source.code_points.front());
+  glyph.cells = built.samples.cells.size();
+  glyph.nodes = static_cast<size_t>(built.samples.node_count());
+  for (const TreeNode& node : built.fields.nodes) {
+    glyph.cells += node.kind == TreeNode::Kind::leaf ? 1 : 0;
+    glyph.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
+  }
+  glyph.fields = built.fields.fields.size();
+  for (const MinimalContour& contour : built.outline.contours) {
+    glyph.points += contour.points.size();
+  }
+  glyph.components = built.references.size();
+  glyph.bytes = glyph_record(built).size();
+  if (options.predicate == Predicate::fixed) {
+    glyph.worst_error = built.samples.worst_error;
+    glyph.mean_error = built.samples.mean_error;
+    glyph.within_tolerance = built.samples.within_tolerance;
+    return glyph;
+  }
+  glyph.worst_error = errors.worst;
+  glyph.mean_error = errors.worst_mean;
+  glyph.within_tolerance = errors.worst <= options.tolerance;
+  for (const SizeError& size : errors.sizes) {
+    if (size.worst == errors.worst) {
+      glyph.worst_px = size.px;
+    }
+  }
+  return glyph;
+}
+
+// The errors of all glyphs, size by size.
+std::vector<SizeError> sum_of_sizes(const std::vector<LoopResult>& glyphs) {
+  std::vector<SizeError> sum;
+  size_t count = 0;
+  for (const LoopResult& glyph : glyphs) {
+    if (glyph.sizes.empty()) {
+      continue;
+    }
+    ++count;
+    if (sum.empty()) {
+      sum = glyph.sizes;
+      continue;
+    }
+    for (size_t i = 0; i < sum.size(); ++i) {
+      sum[i].worst = std::max(sum[i].worst, glyph.sizes[i].worst);
+      sum[i].mean += glyph.sizes[i].mean;
+    }
+  }
+  for (SizeError& size : sum) {
+    size.mean /= static_cast<double>(count);
+  }
+  return sum;
+}
+
+}  // namespace
+
+FontReport make_report(const SourceFont& font,
+                       const RomContent& content,
+                       const std::vector<LoopResult>& errors) {
+  FontReport report;
+  report.file_name = font.file_name;
+  report.name = font.name;
+  report.options = content.options;
+  report.missing = font.missing;
+  report.characters = content.glyph_of.size();
+  report.left_classes = content.kerning.left_classes;
+  report.right_classes = content.kerning.right_classes;
+  report.sizes = sum_of_sizes(errors);
+  size_t with_ink = 0;
+  for (size_t i = 0; i < content.glyphs.size(); ++i) {
+    const RomGlyph& built = content.glyphs[i];
+    GlyphReport glyph =
+        report_glyph(font.glyphs[i], built, errors[i], content.options);
+    count_cells(built, report.kinds);
+    report.cells += glyph.cells;
+    report.nodes += glyph.nodes;
+    report.fields += glyph.fields;
+    report.points += built.references.empty() ? glyph.points : 0;
+    report.composites += built.references.empty() ? 0u : 1u;
+    report.worst_error = std::max(report.worst_error, glyph.worst_error);
+    if (built.has_ink()) {
+      report.mean_error += glyph.mean_error;
+      ++with_ink;
+    }
+    report.glyphs.push_back(std::move(glyph));
+  }
+  if (with_ink != 0) {
+    report.mean_error /= static_cast<double>(with_ink);
+  }
+  if (!report.sizes.empty()) {
+    report.mean_error = 0;
+    for (const SizeError& size : report.sizes) {
+      report.mean_error = std::max(report.mean_error, size.mean);
+    }
+  }
+  return report;
+}
+
+// Outlines keep the tolerance, or there is no font; of cells people are told.
+void tell_of_errors(const FontReport& report, Warnings& warnings) {
+  std::vector<const GlyphReport*> missed;
+  for (const GlyphReport& glyph : report.glyphs) {
+    if (!glyph.within_tolerance) {
+      missed.push_back(&glyph);
+    }
+  }
+  if (missed.empty()) {
+    return;
+  }
+  std::stable_sort(missed.begin(), missed.end(), [](auto* a, auto* b) {
+    return a->worst_error > b->worst_error;
+  });
+  const bool fixed = report.options.predicate == Predicate::fixed;
+  const char* unit = fixed ? "/1024 em" : "/255";
+  std::string text = report.file_name + ": " + std::to_string(missed.size()) +
+                     (missed.size() == 1 ? " glyph misses" : " glyphs miss") +
+                     " the tolerance: ";
+  for (size_t i = 0; i < std::min(missed.size(), kListedGlyphs); ++i) {
+    char error[32];
+    std::snprintf(error, sizeof error, " %.1f", missed[i]->worst_error);
+    text += (i == 0 ? "" : ", ") + missed[i]->name + error + unit;
+  }
+  text += missed.size() > kListedGlyphs ? ", ..." : "";
+  text += fixed ? "; this is expected of the paper's predicate at corners"
+                : "; lower --max-px or raise --tolerance";
+  if (report.options.coding == Coding::outline) {
+    throw Error(text);
+  }
+  warnings.push_back({Warning::Kind::tolerance_missed, text});
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,82 @@
+// What became of a font: bytes, cells, points and errors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "judge/closed_loop.hpp"
+#include "rom/rom_content.hpp"
+#include "rom/rom_font.hpp"
+#include "source/font_source.hpp"
+
+namespace inkcell::gen {
+
+/// What became of one glyph.
+struct GlyphReport {
+  std::string name;  // U+0041 'A'
+  std::string key;   // its smallest character in UTF-8, or .notdef
+  size_t cells = 0;  // that are not saturated
+  size_t nodes = 0;
+  size_t fields = 0;  // distinct ones, of cells of fields
+  size_t points = 0;  // of outlines; on and off curve, implied ones not counted
+  size_t components = 0;  // that a composite record refers to; 0: simple
+  size_t bytes = 0;       // of its record
+  /// size_aware: of the pixels that the device draws, at the worst size; the
+  /// mean over the ink's box and 1.5 px [1/255]. fixed: as AdfGlyph.
+  double worst_error = 0;
+  double mean_error = 0;
+  int worst_px = 0;  // size_aware: the size of the worst pixel
+  bool within_tolerance = true;
+};
+
+/// Cells that are not saturated, by what they hold.
+struct CellCounts {
+  size_t samples = 0;
+  size_t single = 0;  // fields
+  size_t pairs = 0;
+  size_t triples = 0;
+};
+
+struct FontReport {
+  std::string file_name;
+  std::string name;  // family and style
+  AdfOptions options;
+  PartBytes bytes;
+  std::vector<GlyphReport> glyphs;
+  std::vector<char32_t> missing;
+  size_t characters = 0;
+  int left_classes = 0;
+  int right_classes = 0;
+  size_t cells = 0;
+  size_t nodes = 0;
+  CellCounts kinds;
+  size_t fields = 0;
+  size_t points = 0;      // of all records of outlines
+  size_t composites = 0;  // glyphs that refer to others
+  /// size_aware: as drawn, of all glyphs together; the mean of a size is that
+  /// of the glyphs' means.
+  std::vector<SizeError> sizes;
+  double worst_error = 0;  // of all glyphs
+  double mean_error = 0;   // at the worst size; fixed: over the glyphs with ink
+  double seconds = 0;
+  /// What AdfOptions::band_px cost, if it was asked for and measured. [bytes]
+  std::optional<int64_t> band_bytes;
+
+  /// Of the same cells as a list of leaves, the paper's form: 15 bytes each.
+  size_t leaf_list_bytes() const { return 15 * cells; }
+};
+
+/// `errors`: of each glyph as drawn.
+FontReport make_report(const SourceFont& font,
+                       const RomContent& content,
+                       const std::vector<LoopResult>& errors);
+
+/// Adds a warning if glyphs miss the tolerance. Throws Error if they are
+/// outlines.
+void tell_of_errors(const FontReport& report, Warnings& warnings);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,74 @@
+#include "pipeline/request.hpp"
+
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace inkcell::gen {
+
+namespace {
+
+constexpr double kLeastPx = 4;
+constexpr double kMostPx = 1024;
+
+bool is_whole_within(double value, double least, double most) {
+  return value >= least && value <= most && value == std::floor(value);
+}
+
+}  // namespace
+
+void check_request(const GenerateRequest& request) {
+  const AdfOptions& adf = request.adf;
+  if (!is_whole_within(adf.min_px, kLeastPx, kMostPx) ||
+      !is_whole_within(adf.max_px, kLeastPx, kMostPx) ||
+      adf.min_px > adf.max_px) {
+    throw Error(
+        "--min-px and --max-px are whole numbers within 4..1024, the first "
+        "not above the second");
+  }
+  if (!is_whole_within(adf.tolerance, 1, 255)) {
+    throw Error("--tolerance is a whole number within 1..255, such as 16/255");
+  }
+  if (adf.band_px != 0) {
+    AdfOptions usual = adf;
+    usual.band_px = 0;
+    if (adf.predicate == Predicate::fixed || !(adf.band_px > 0) ||
+        band_u(adf) < band_u(usual) || band_u(adf) > kMostBand_u) {
+      throw Error(
+          "--band-px is at least 0.5 with --coding edges, 0.75 with samples, "
+          "and at most 3/16 em at --min-px; the fixed predicate has its own");
+    }
+  }
+  if (adf.effort < 0 || adf.effort > 9) {
+    throw Error("--effort is a whole number within 0..9");
+  }
+  if (adf.coding != Coding::samples && adf.predicate == Predicate::fixed) {
+    throw Error(
+        "--predicate fixed is the paper's, for its cells; use --coding "
+        "samples");
+  }
+}
+
+CharSet characters_of(const GenerateRequest& request) {
+  CharSet characters;
+  for (const std::string& list : request.chars) {
+    add_ranges(list, characters);
+  }
+  for (const std::filesystem::path& file : request.text_files) {
+    add_text_file(file, characters);
+  }
+  add_text(request.symbols, "--symbols", characters);
+  const bool asked = !request.chars.empty() || !request.text_files.empty() ||
+                     !request.symbols.empty();
+  if (!asked) {
+    add_ranges(kDefaultChars, characters);
+  }
+  if (characters.empty()) {
+    throw Error(
+        "no characters asked for: the texts hold nothing printable; check "
+        "--text and --symbols");
+  }
+  return characters;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,44 @@
+// What to generate.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "source/char_set.hpp"
+#include "source/font_file.hpp"
+#include "target/target.hpp"
+
+namespace inkcell::gen {
+
+/// What to generate. The defaults are those of the command line.
+struct GenerateRequest {
+  std::filesystem::path font;
+  int face = 0;
+  std::vector<AxisSetting> axes;
+  /// Characters: the union of all three; printable ASCII if all are empty.
+  std::vector<std::string> chars;  // lists as add_ranges reads them
+  std::vector<std::filesystem::path> text_files;
+  std::string symbols;  // UTF-8
+  /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
+  /// a whole number within 1..255.
+  AdfOptions adf;
+  GenerateRequest() { adf.coding = Coding::outline; }
+  /// Whether an outline font says what grid fitting needs.
+  bool hints = true;
+  /// Threads; 0: all cores. The bytes do not depend on it.
+  int jobs = 0;
+  /// Called now and then on the calling thread with glyphs done and their
+  /// number.
+  std::function<void(size_t done, size_t count)> progress;
+};
+
+/// Throws Error unless the numbers of `request` lie within their limits.
+void check_request(const GenerateRequest& request);
+
+/// All characters that `request` asks for. Throws Error if there are none.
+CharSet characters_of(const GenerateRequest& request);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,56 @@
+// Everything that a ROM font says, before it is written.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "edges/tree.hpp"
+#include "hints/glyph_hints.hpp"
+#include "inkcell/font.hpp"
+#include "outlines/minimal_outline.hpp"
+#include "samples/sample_tree.hpp"
+#include "source/components.hpp"
+#include "source/font_source.hpp"
+#include "source/kerning.hpp"
+#include "target/target.hpp"
+
+namespace inkcell::gen {
+
+/// One glyph as the device sees it: cells of one kind, an outline, or no ink.
+struct RomGlyph {
+  AdfGlyph samples;                     // without tiles: none
+  FieldTree fields;                     // without tiles: none
+  MinimalOutline outline;               // without contours: none
+  OutlineReferences references;         // what a record refers to instead
+  std::vector<uint8_t> outline_record;  // encode_outlines() makes it
+  GlyphMetrics metrics;
+
+  bool has_ink() const {
+    return samples.tiles_x != 0 || fields.grid.tiles_x != 0 ||
+           !outline.contours.empty();
+  }
+};
+
+/// What the outlines of a font share; without a table: there are none.
+struct OutlineCoding {
+  int grid_shift = 0;
+  int code_bits = 0;
+  int max_points = 0;
+  std::vector<uint16_t> table;
+};
+
+/// Everything that a ROM font says, before it is written.
+struct RomContent {
+  std::string name;
+  SourceMetrics metrics;
+  AdfOptions options;
+  OutlineCoding outlines;
+  std::vector<RomGlyph> glyphs;
+  std::map<char32_t, uint16_t> glyph_of;
+  KerningMatrix kerning;
+  FontHints hints;  // of outlines only
+};
+
+}  // namespace inkcell::gen

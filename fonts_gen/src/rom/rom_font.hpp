@@ -1,0 +1,38 @@
+// The container: from fields and tables to the bytes that lie in ROM.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rom/rom_content.hpp"
+
+namespace inkcell::gen {
+
+/// Bytes of each part with its padding; they add up to the whole font.
+struct PartBytes {
+  size_t header = 0;  // with the section directory
+  size_t cmap = 0;
+  size_t metrics = 0;
+  size_t kerning = 0;
+  size_t hints = 0;
+  size_t glyphs = 0;  // records and offsets; of outlines the code table, too
+  size_t name = 0;
+
+  size_t total() const {
+    return header + cmap + metrics + kerning + hints + glyphs + name;
+  }
+};
+
+/// The font's bytes as docs/FORMAT.md states them. They depend on `content`
+/// only. `parts` is filled in. Throws Error if the font passes a limit of the
+/// format.
+std::vector<uint8_t> write_rom_font(const RomContent& content,
+                                    PartBytes& parts);
+
+/// The record of a glyph, without padding. Empty for a glyph without ink.
+///
+/// Throws GeometryError::too_complex if it does not fit the format.
+std::vector<uint8_t> glyph_record(const RomGlyph& glyph);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,175 @@
+#include "shape/neighbourhood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Points of a row that are worked on together.
+constexpr size_t kChunk = 32;
+
+// What doubles may lose at coordinates up to kCoordinateLimit. [u]
+constexpr double kRounding_u = 1e-7;
+
+double squared_to_segment(
+    double px, double py, double dx, double dy, double inverse) {
+  double t = (px * dx + py * dy) * inverse;
+  t = t < 0 ? 0 : t;
+  t = t > 1 ? 1 : t;
+  const double x = px - t * dx;
+  const double y = py - t * dy;
+  return x * x + y * y;
+}
+
+double squared_to_square(const Square& square, double x, double y) {
+  const double dx = std::max({square.x - x, x - square.x - square.size, 0.0});
+  const double dy = std::max({square.y - y, y - square.y - square.size, 0.0});
+  return dx * dx + dy * dy;
+}
+
+// Narrows [t0, t1] to where low <= a + t d <= high.
+void clip(double a, double d, double low, double high, double& t0, double& t1) {
+  if (d == 0) {
+    if (a < low || a > high) {
+      t1 = -1;
+    }
+    return;
+  }
+  const double at_low = (low - a) / d;
+  const double at_high = (high - a) / d;
+  t0 = std::max(t0, std::min(at_low, at_high));
+  t1 = std::min(t1, std::max(at_low, at_high));
+}
+
+bool meets(const Square& square, double ax, double ay, double dx, double dy) {
+  double t0 = 0;
+  double t1 = 1;
+  clip(ax, dx, square.x, square.x + square.size, t0, t1);
+  clip(ay, dy, square.y, square.y + square.size, t0, t1);
+  return t0 <= t1;
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const Shape& shape, const Square& square) {
+  shape_ = &shape;
+  square_ = square;
+  Neighbourhood all;
+  all.shape_ = &shape;
+  all.square_ = square;
+  for (const Edge& edge : shape.edges()) {
+    const double dx = edge.b.x - edge.a.x;
+    const double dy = edge.b.y - edge.a.y;
+    all.add(edge.a.x, edge.a.y, dx, dy, 1 / (dx * dx + dy * dy));
+  }
+  *this = all.part(square);
+}
+
+void Neighbourhood::add(
+    double ax, double ay, double dx, double dy, double inverse) {
+  ax_.push_back(ax);
+  ay_.push_back(ay);
+  dx_.push_back(dx);
+  dy_.push_back(dy);
+  inverse_.push_back(inverse);
+}
+
+// With r half the diagonal, c the centre and m the distance from c to the
+// nearest edge, no point of the square is farther than m + r from the border,
+// and none is nearer to an edge at distance e from c than e - r. So an edge
+// with e > m + 2 r is nowhere the nearest.
+Neighbourhood Neighbourhood::part(const Square& part) const {
+  const double cx = part.x + part.size / 2;
+  const double cy = part.y + part.size / 2;
+  std::vector<double> squares(edge_count());
+  double least = kInfinity;
+  for (size_t i = 0; i < edge_count(); ++i) {
+    squares[i] = squared_to_segment(cx - ax_[i], cy - ay_[i], dx_[i], dy_[i],
+                                    inverse_[i]);
+    least = std::min(least, squares[i]);
+  }
+  const double reach =
+      std::sqrt(least) + part.size * std::sqrt(2.0) + kRounding_u;
+  Neighbourhood result;
+  result.shape_ = shape_;
+  result.square_ = part;
+  for (size_t i = 0; i < edge_count(); ++i) {
+    if (squares[i] <= reach * reach) {
+      result.add(ax_[i], ay_[i], dx_[i], dy_[i], inverse_[i]);
+    }
+  }
+  return result;
+}
+
+double Neighbourhood::distance(double x, double y) const {
+  double best = kInfinity;
+  for (size_t i = 0; i < edge_count(); ++i) {
+    best = std::min(best, squared_to_segment(x - ax_[i], y - ay_[i], dx_[i],
+                                             dy_[i], inverse_[i]));
+  }
+  const double size = std::sqrt(best);
+  return shape_->inside(x, y) ? size : -size;
+}
+
+// Edges outside, points inside: the inner loop has no branch and no sum, so
+// compilers turn it into vector instructions.
+void Neighbourhood::distances(
+    double x, double y, double step, size_t count, double* out) const {
+  std::vector<double> crossings;
+  shape_->crossings(y, crossings);
+  size_t passed = 0;
+  for (size_t first = 0; first < count; first += kChunk) {
+    const size_t n = std::min(kChunk, count - first);
+    double px[kChunk];
+    double best[kChunk];
+    for (size_t i = 0; i < n; ++i) {
+      px[i] = x + static_cast<double>(first + i) * step;
+      best[i] = kInfinity;
+    }
+    for (size_t e = 0; e < edge_count(); ++e) {
+      const double ax = ax_[e];
+      const double py = y - ay_[e];
+      const double dx = dx_[e];
+      const double dy = dy_[e];
+      const double inverse = inverse_[e];
+      for (size_t i = 0; i < n; ++i) {
+        const double d2 = squared_to_segment(px[i] - ax, py, dx, dy, inverse);
+        best[i] = d2 < best[i] ? d2 : best[i];
+      }
+    }
+    for (size_t i = 0; i < n; ++i) {
+      while (passed < crossings.size() && crossings[passed] <= px[i]) {
+        ++passed;
+      }
+      const double size = std::sqrt(best[i]);
+      out[first + i] = passed % 2 == 1 ? size : -size;
+    }
+  }
+}
+
+double Neighbourhood::clearance() const {
+  double best = kInfinity;
+  for (size_t i = 0; i < edge_count(); ++i) {
+    if (meets(square_, ax_[i], ay_[i], dx_[i], dy_[i])) {
+      return 0;
+    }
+    best = std::min(
+        {best, squared_to_square(square_, ax_[i], ay_[i]),
+         squared_to_square(square_, ax_[i] + dx_[i], ay_[i] + dy_[i])});
+    for (int corner = 0; corner < 4; ++corner) {
+      const double x = square_.x + (corner & 1) * square_.size;
+      const double y = square_.y + (corner >> 1) * square_.size;
+      best = std::min(best, squared_to_segment(x - ax_[i], y - ay_[i], dx_[i],
+                                               dy_[i], inverse_[i]));
+    }
+  }
+  return std::sqrt(best);
+}
+
+}  // namespace gen
+}  // namespace inkcell

@@ -1,0 +1,55 @@
+// The edges of a shape that matter inside a square.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "shape/shape.hpp"
+
+namespace inkcell::gen {
+
+/// An axis-parallel square: lower left corner and width. [u]
+struct Square {
+  double x = 0;
+  double y = 0;
+  double size = 0;
+};
+
+/// The edges of a shape that can be nearest to some point of a square: what
+/// distances inside it depend on. The list of a part is found from the list of
+/// the whole, so that going down a quadtree costs less with each level. Refers
+/// to the shape, which must outlive it.
+class Neighbourhood {
+ public:
+  /// `shape` must not be empty.
+  Neighbourhood(const Shape& shape, const Square& square);
+
+  /// The list for `part`, which must lie in square().
+  Neighbourhood part(const Square& part) const;
+
+  const Square& square() const { return square_; }
+  size_t edge_count() const { return ax_.size(); }
+
+  /// The same as Shape::distance for any (x, y) in square().
+  double distance(double x, double y) const;
+
+  /// Distances at the `count` points (x + i * step, y), all in square(), to
+  /// out[0..count). Cheaper than one by one.
+  void distances(
+      double x, double y, double step, size_t count, double* out) const;
+
+  /// Least distance between the square and the border. [u] 0 if they meet.
+  double clearance() const;
+
+ private:
+  Neighbourhood() = default;
+
+  void add(double ax, double ay, double dx, double dy, double inverse);
+
+  const Shape* shape_ = nullptr;
+  Square square_;
+  // An edge is a + t d, t = 0..1; inverse = 1 / |d|^2.
+  std::vector<double> ax_, ay_, dx_, dy_, inverse_;
+};
+
+}  // namespace inkcell::gen

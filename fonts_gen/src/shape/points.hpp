@@ -1,0 +1,64 @@
+// Arithmetic of points and vectors.
+#pragma once
+
+#include <cmath>
+
+#include "shape/outline.hpp"
+
+namespace inkcell {
+namespace gen {
+
+inline Point operator+(const Point& a, const Point& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+
+inline Point operator-(const Point& a, const Point& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+inline Point operator*(double s, const Point& p) {
+  return {s * p.x, s * p.y};
+}
+
+inline bool operator==(const Point& a, const Point& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+inline double dot(const Point& a, const Point& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// Positive if `b` is to the left of `a`.
+inline double cross(const Point& a, const Point& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// sqrt of the sum of squares: the same on every machine, unlike std::hypot.
+inline double length(const Point& p) {
+  return std::sqrt(dot(p, p));
+}
+
+/// The vector of length 1, or zero for a vector that has no direction.
+inline Point direction(const Point& p) {
+  const double size = length(p);
+  return size > 1e-9 ? (1 / size) * p : Point{};
+}
+
+inline Point middle(const Point& a, const Point& b) {
+  return 0.5 * (a + b);
+}
+
+inline double squared_distance_to_segment(const Point& p,
+                                          const Point& a,
+                                          const Point& b) {
+  const Point d = b - a;
+  const Point r = p - a;
+  const double size = dot(d, d);
+  double t = size > 0 ? dot(r, d) / size : 0;
+  t = t < 0 ? 0 : t > 1 ? 1 : t;
+  const Point e = r - t * d;
+  return dot(e, e);
+}
+
+}  // namespace gen
+}  // namespace inkcell

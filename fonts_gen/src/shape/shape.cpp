@@ -1,0 +1,232 @@
+#include "shape/shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <polyclipping/clipper.hpp>
+
+#include "shape/flatten.hpp"
+
+namespace inkcell {
+namespace gen {
+namespace {
+
+// Clipper works on integers. Below 2^30 it needs no 128-bit products, and a
+// product of two coordinates still has bits to spare in its doubles.
+constexpr double kClipperUnits_per_u = 65536;
+static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
+              "outlines must stay in Clipper's fast range");
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr uint32_t kEdgesPerLeaf = 6;
+
+// Height of the bands that hold the edges for a horizontal line. [u]
+constexpr double kRowHeight_u = 4;
+
+ClipperLib::Path to_clipper(const std::vector<Point>& polygon) {
+  ClipperLib::Path path;
+  path.reserve(polygon.size());
+  for (const Point& p : polygon) {
+    path.emplace_back(std::llround(p.x * kClipperUnits_per_u),
+                      std::llround(p.y * kClipperUnits_per_u));
+  }
+  return path;
+}
+
+Point from_clipper(const ClipperLib::IntPoint& p) {
+  return {static_cast<double>(p.X) / kClipperUnits_per_u,
+          static_cast<double>(p.Y) / kClipperUnits_per_u};
+}
+
+// The outer borders counter-clockwise, the holes clockwise.
+ClipperLib::Paths unite(const Outline& outline) {
+  ClipperLib::Clipper clipper;
+  bool any = false;
+  for (const Contour& contour : outline.contours) {
+    const ClipperLib::Path path = to_clipper(flatten(contour));
+    if (path.size() >= 3) {
+      // False for a path without area, which is then left out: as it should.
+      any |= clipper.AddPath(path, ClipperLib::ptSubject, true);
+    }
+  }
+  if (!any) {
+    return {};  // Execute would report failure
+  }
+  ClipperLib::Paths united;
+  bool done = false;
+  try {
+    done = clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero,
+                           ClipperLib::pftNonZero);
+  } catch (const ClipperLib::clipperException&) {
+    done = false;
+  }
+  if (!done) {
+    throw GeometryError(GeometryError::Kind::not_united,
+                        "the contours could not be united");
+  }
+  return united;
+}
+
+Box box_of(const std::vector<Edge>& edges, size_t first, size_t count) {
+  Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  for (size_t i = first; i < first + count; ++i) {
+    for (const Point& p : {edges[i].a, edges[i].b}) {
+      box.x0 = std::min(box.x0, p.x);
+      box.y0 = std::min(box.y0, p.y);
+      box.x1 = std::max(box.x1, p.x);
+      box.y1 = std::max(box.y1, p.y);
+    }
+  }
+  return box;
+}
+
+double squared(double x, double y) {
+  return x * x + y * y;
+}
+
+double squared_distance(const Box& box, double x, double y) {
+  return squared(std::max({box.x0 - x, x - box.x1, 0.0}),
+                 std::max({box.y0 - y, y - box.y1, 0.0}));
+}
+
+double squared_distance(const Edge& edge, double x, double y) {
+  const double dx = edge.b.x - edge.a.x;
+  const double dy = edge.b.y - edge.a.y;
+  const double px = x - edge.a.x;
+  const double py = y - edge.a.y;
+  const double t = std::clamp((px * dx + py * dy) / squared(dx, dy), 0.0, 1.0);
+  return squared(px - t * dx, py - t * dy);
+}
+
+// Half open, so that a line through a corner meets one of the two edges there
+// or both or none, and the number of crossings stays even.
+bool crosses(const Edge& edge, double y) {
+  return (edge.a.y <= y) != (edge.b.y <= y);
+}
+
+double crossing(const Edge& edge, double y) {
+  return edge.a.x +
+         (y - edge.a.y) * (edge.b.x - edge.a.x) / (edge.b.y - edge.a.y);
+}
+
+}  // namespace
+
+Shape::Shape(const Outline& outline) {
+  for (const ClipperLib::Path& path : unite(outline)) {
+    for (size_t i = 0; i < path.size(); ++i) {
+      const ClipperLib::IntPoint& next = path[(i + 1) % path.size()];
+      if (path[i] != next) {
+        edges_.push_back({from_clipper(path[i]), from_clipper(next)});
+      }
+    }
+  }
+  if (edges_.empty()) {
+    return;
+  }
+  box_ = box_of(edges_, 0, edges_.size());
+  build_tree(0, 0, static_cast<uint32_t>(edges_.size()));
+  build_rows();
+}
+
+// Edges follow each other along the contours, so halves of a range are compact
+// enough for a tree without sorting.
+void Shape::build_tree(size_t node, uint32_t first, uint32_t count) {
+  if (tree_.size() <= node) {
+    tree_.resize(node + 1);
+  }
+  tree_[node] = {box_of(edges_, first, count), first, count};
+  if (count <= kEdgesPerLeaf) {
+    return;
+  }
+  build_tree(2 * node + 1, first, count / 2);
+  build_tree(2 * node + 2, first + count / 2, count - count / 2);
+}
+
+void Shape::build_rows() {
+  const double height = box_.y1 - box_.y0;
+  const size_t rows = static_cast<size_t>(height / kRowHeight_u) + 1;
+  row_height_ = kRowHeight_u;
+  std::vector<std::vector<uint32_t>> lists(rows);
+  for (size_t i = 0; i < edges_.size(); ++i) {
+    const double low = std::min(edges_[i].a.y, edges_[i].b.y) - box_.y0;
+    const double high = std::max(edges_[i].a.y, edges_[i].b.y) - box_.y0;
+    const size_t last = static_cast<size_t>(high / row_height_);
+    for (size_t row = static_cast<size_t>(low / row_height_); row <= last;
+         ++row) {
+      lists[row].push_back(static_cast<uint32_t>(i));
+    }
+  }
+  for (const std::vector<uint32_t>& list : lists) {
+    row_starts_.push_back(static_cast<uint32_t>(row_edges_.size()));
+    row_edges_.insert(row_edges_.end(), list.begin(), list.end());
+  }
+  row_starts_.push_back(static_cast<uint32_t>(row_edges_.size()));
+}
+
+double Shape::distance(double x, double y) const {
+  if (empty()) {
+    return -kInfinity;
+  }
+  double best = kInfinity;
+  // A range is halved at each level: 32 levels hold any count.
+  size_t pending[64];
+  size_t depth = 0;
+  pending[depth++] = 0;
+  while (depth > 0) {
+    const size_t node = pending[--depth];
+    const Branch& branch = tree_[node];
+    if (squared_distance(branch.box, x, y) >= best) {
+      continue;
+    }
+    if (branch.count <= kEdgesPerLeaf) {
+      for (uint32_t i = 0; i < branch.count; ++i) {
+        best = std::min(best, squared_distance(edges_[branch.first + i], x, y));
+      }
+      continue;
+    }
+    // The nearer half comes from the stack first.
+    size_t near = 2 * node + 1;
+    size_t far = 2 * node + 2;
+    if (squared_distance(tree_[far].box, x, y) <
+        squared_distance(tree_[near].box, x, y)) {
+      std::swap(near, far);
+    }
+    pending[depth++] = far;
+    pending[depth++] = near;
+  }
+  return inside(x, y) ? std::sqrt(best) : -std::sqrt(best);
+}
+
+bool Shape::inside(double x, double y) const {
+  if (empty() || !(y >= box_.y0 && y <= box_.y1)) {
+    return false;
+  }
+  const size_t row = static_cast<size_t>((y - box_.y0) / row_height_);
+  bool odd = false;
+  for (uint32_t i = row_starts_[row]; i < row_starts_[row + 1]; ++i) {
+    const Edge& edge = edges_[row_edges_[i]];
+    if (crosses(edge, y) && crossing(edge, y) <= x) {
+      odd = !odd;
+    }
+  }
+  return odd;
+}
+
+void Shape::crossings(double y, std::vector<double>& out) const {
+  out.clear();
+  if (empty() || !(y >= box_.y0 && y <= box_.y1)) {
+    return;
+  }
+  const size_t row = static_cast<size_t>((y - box_.y0) / row_height_);
+  for (uint32_t i = row_starts_[row]; i < row_starts_[row + 1]; ++i) {
+    const Edge& edge = edges_[row_edges_[i]];
+    if (crosses(edge, y)) {
+      out.push_back(crossing(edge, y));
+    }
+  }
+  std::sort(out.begin(), out.end());
+}
+
+}  // namespace gen
+}  // namespace inkcell

@@ -1,0 +1,83 @@
+// The filled area of a glyph and the exact signed distance to its border.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shape/outline.hpp"
+
+namespace inkcell {
+namespace gen {
+
+/// A rectangle. [u]
+struct Box {
+  double x0 = 0;
+  double y0 = 0;
+  double x1 = 0;
+  double y1 = 0;
+};
+
+/// A straight piece of the border. The filled side is on its left.
+struct Edge {
+  Point a;
+  Point b;
+};
+
+/// The union of everything an outline fills, as a polygon.
+///
+/// Curves become chords (kFlatteningBound), coordinates are rounded to
+/// 1/65536 u, and contours are united under the non-zero rule, so that every
+/// edge has filled area on one side only: no distance is measured to an edge
+/// inside the shape. Constant after construction; any number of threads may
+/// query it.
+class Shape {
+ public:
+  /// Degenerate contours fill nothing and are dropped.
+  ///
+  /// Throws GeometryError::bad_coordinates.
+  explicit Shape(const Outline& outline);
+
+  bool empty() const { return edges_.empty(); }
+
+  /// Smallest box around the filled area; all zero if there is none.
+  const Box& box() const { return box_; }
+
+  const std::vector<Edge>& edges() const { return edges_; }
+
+  /// Distance from (x, y) to the border, positive inside. [u] Exact for the
+  /// polygon but for rounding of doubles. -infinity for an empty shape.
+  double distance(double x, double y) const;
+
+  /// Whether (x, y) is filled. On the border: either.
+  bool inside(double x, double y) const;
+
+  /// Abscissas at which the height `y` meets the border, ascending, an even
+  /// number: filled between the first and the second, and so on. Replaces what
+  /// `out` holds. An edge counts for a.y <= y < b.y, whichever end is lower.
+  void crossings(double y, std::vector<double>& out) const;
+
+ private:
+  // A box around edges [first, first + count); children of node i are 2i + 1
+  // and 2i + 2.
+  struct Branch {
+    Box box;
+    uint32_t first = 0;
+    uint32_t count = 0;
+  };
+
+  void build_tree(size_t node, uint32_t first, uint32_t count);
+  void build_rows();
+
+  std::vector<Edge> edges_;
+  std::vector<Branch> tree_;
+  // Edges that touch the horizontal band i of height row_height_ are
+  // row_edges_[row_starts_[i] .. row_starts_[i + 1]).
+  std::vector<uint32_t> row_starts_;
+  std::vector<uint32_t> row_edges_;
+  double row_height_ = 1;
+  Box box_;
+};
+
+}  // namespace gen
+}  // namespace inkcell

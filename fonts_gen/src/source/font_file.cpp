@@ -1,0 +1,345 @@
+#include "source/font_file.hpp"
+
+#include FT_MULTIPLE_MASTERS_H
+#include FT_TRUETYPE_TABLES_H
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+constexpr int kLeastUnitsPerEm = 16;
+constexpr int kMostUnitsPerEm = 16384;
+
+uint32_t big_endian_32(const uint8_t* at) {
+  return uint32_t{at[0]} << 24 | uint32_t{at[1]} << 16 | uint32_t{at[2]} << 8 |
+         at[3];
+}
+
+constexpr uint32_t tag(const char (&text)[5]) {
+  return static_cast<uint32_t>(static_cast<uint8_t>(text[0])) << 24 |
+         static_cast<uint32_t>(static_cast<uint8_t>(text[1])) << 16 |
+         static_cast<uint32_t>(static_cast<uint8_t>(text[2])) << 8 |
+         static_cast<uint32_t>(static_cast<uint8_t>(text[3]));
+}
+
+std::string tag_text(uint32_t value) {
+  std::string text;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    text += static_cast<char>(value >> shift & 0xff);
+  }
+  return text;
+}
+
+// Shortest decimal form, as a person would write it.
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+double from_16_16(FT_Fixed value) {
+  return static_cast<double>(value) / 65536;
+}
+
+FT_Fixed to_16_16(double value) {
+  return static_cast<FT_Fixed>(std::lround(value * 65536));
+}
+
+// FT_Get_MM_Var with its release. Empty for a font without axes.
+class Axes {
+ public:
+  explicit Axes(FT_Face face) : library_(face->glyph->library) {
+    if (FT_Get_MM_Var(face, &axes_) != 0) {
+      axes_ = nullptr;
+    }
+  }
+  ~Axes() {
+    if (axes_ != nullptr) {
+      FT_Done_MM_Var(library_, axes_);
+    }
+  }
+  Axes(const Axes&) = delete;
+  Axes& operator=(const Axes&) = delete;
+
+  size_t size() const { return axes_ == nullptr ? 0 : axes_->num_axis; }
+  const FT_Var_Axis& operator[](size_t i) const { return axes_->axis[i]; }
+
+  /// "wght 200..900 (default 400), wdth 62.5..100 (default 100)"
+  std::string describe() const {
+    std::string text;
+    for (size_t i = 0; i < size(); ++i) {
+      const FT_Var_Axis& axis = (*this)[i];
+      text += (i == 0 ? "" : ", ") + tag_text(static_cast<uint32_t>(axis.tag)) +
+              " " + number(from_16_16(axis.minimum)) + ".." +
+              number(from_16_16(axis.maximum)) + " (default " +
+              number(from_16_16(axis.def)) + ")";
+    }
+    return text;
+  }
+
+ private:
+  FT_Library library_;
+  FT_MM_Var* axes_ = nullptr;
+};
+
+}  // namespace
+
+AxisSetting parse_axis(const std::string& text) {
+  const size_t equals = text.find('=');
+  const std::string value =
+      equals == std::string::npos ? "" : text.substr(equals + 1);
+  char* end = nullptr;
+  const double parsed = std::strtod(value.c_str(), &end);
+  if (equals == 0 || equals > 4 || value.empty() || *end != '\0' ||
+      !(std::abs(parsed) <= 32767)) {
+    throw Error("--axis: '" + text + "' is not TAG=VALUE, such as wght=600");
+  }
+  std::string axis = text.substr(0, equals);
+  axis.resize(4, ' ');
+  return {axis, parsed};
+}
+
+FontFile::FontFile(const std::filesystem::path& file,
+                   int face,
+                   const std::vector<AxisSetting>& axes)
+    : file_name_(file.filename().string()) {
+  read_bytes(file);
+  check_tables(face);
+  open_face(face);
+  check_face();
+  select_character_map();
+  set_axes(axes);
+  open_harfbuzz(face, axes);
+}
+
+void FontFile::refuse(const std::string& text) const {
+  throw Error(file_name_ + ": " + text);
+}
+
+void FontFile::read_bytes(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw Error(file.string() + ": is a folder; name a file in it");
+  }
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw Error(file.string() + ": there is no such file; check its name");
+  }
+  std::ifstream in(file, std::ios::binary);
+  bytes_.assign(std::istreambuf_iterator<char>(in), {});
+  if (!in.is_open() || in.bad()) {
+    throw Error(file.string() + ": cannot be read; check its permissions");
+  }
+}
+
+// Where the table directory of the face begins. A face that the collection does
+// not have is left to open_face.
+size_t FontFile::find_directory(int face) const {
+  if (bytes_.size() < 12) {
+    refuse("is not a font: only " + std::to_string(bytes_.size()) + " bytes");
+  }
+  const uint32_t magic = big_endian_32(bytes_.data());
+  if (magic == tag("wOFF") || magic == tag("wOF2")) {
+    refuse("is a compressed web font; convert it to TTF or OTF first");
+  }
+  if (magic == tag("ttcf")) {
+    const uint32_t faces = big_endian_32(bytes_.data() + 8);
+    const size_t index = face >= 0 && static_cast<uint32_t>(face) < faces
+                             ? static_cast<size_t>(face)
+                             : 0;
+    if (bytes_.size() < 16 + 4 * index) {
+      refuse("is truncated in its list of faces; get the whole font file");
+    }
+    return big_endian_32(bytes_.data() + 12 + 4 * index);
+  }
+  if (magic != 0x00010000 && magic != tag("OTTO") && magic != tag("true")) {
+    refuse("is not a font; TTF, OTF, TTC and OTC files can be read");
+  }
+  return 0;
+}
+
+// FreeType leaves out tables that the file is too short for; a font without its
+// kerning would then pass for a font that has none.
+void FontFile::check_tables(int face) const {
+  const size_t directory = find_directory(face);
+  if (directory > bytes_.size() - 12) {
+    refuse("is truncated; get the whole font file");
+  }
+  const uint8_t* at = bytes_.data() + directory;
+  const size_t tables = size_t{at[4]} << 8 | at[5];
+  if (tables * 16 > bytes_.size() - 12 - directory) {
+    refuse("is truncated in its table directory; get the whole font file");
+  }
+  bool outlines = false;
+  for (size_t i = 0; i < tables; ++i) {
+    const uint8_t* entry = at + 12 + 16 * i;
+    check_table(entry);
+    const uint32_t name = big_endian_32(entry);
+    outlines |=
+        name == tag("glyf") || name == tag("CFF ") || name == tag("CFF2");
+  }
+  if (!outlines) {
+    refuse("has no outlines, only bitmaps or nothing; use an outline font");
+  }
+}
+
+void FontFile::check_table(const uint8_t* entry) const {
+  const uint32_t name = big_endian_32(entry);
+  const uint64_t begin = big_endian_32(entry + 8);
+  const uint64_t end = begin + big_endian_32(entry + 12);
+  if (end > bytes_.size()) {
+    refuse("is truncated: table '" + tag_text(name) + "' ends at byte " +
+           std::to_string(end) + ", the file at " +
+           std::to_string(bytes_.size()) + "; get the whole font file");
+  }
+  if (name == tag("maxp") && end >= begin + 6 &&
+      (bytes_[begin + 4] | bytes_[begin + 5]) == 0) {
+    refuse("holds no glyphs; use another font");
+  }
+  if (name == tag("head") && end >= begin + 20) {
+    const int units = bytes_[begin + 18] << 8 | bytes_[begin + 19];
+    if (units < kLeastUnitsPerEm || units > kMostUnitsPerEm) {
+      refuse("has " + std::to_string(units) +
+             " units per em, OpenType allows 16 to 16384; repair the font");
+    }
+  }
+}
+
+void FontFile::open_face(int face) {
+  FT_Library library = nullptr;
+  if (FT_Init_FreeType(&library) != 0) {
+    refuse("FreeType does not start; is there memory left?");
+  }
+  library_.reset(library);
+  const auto open = [&](FT_Long index, FT_Face* out) {
+    return FT_New_Memory_Face(library, bytes_.data(),
+                              static_cast<FT_Long>(bytes_.size()), index, out);
+  };
+  FT_Face found = nullptr;
+  const FT_Error error = open(face, &found);
+  if (error == 0 && face >= 0) {
+    face_.reset(found);
+    return;
+  }
+  FT_Face count_only = nullptr;
+  if (open(-1, &count_only) == 0) {
+    const FT_Long faces = count_only->num_faces;
+    FT_Done_Face(count_only);
+    if (face < 0 || face >= faces) {
+      refuse("has no face " + std::to_string(face) + "; give --face 0" +
+             (faces > 1 ? " to " + std::to_string(faces - 1) : ""));
+    }
+  }
+  refuse("is not a usable font (FreeType error " + std::to_string(error) +
+         "); it may be damaged");
+}
+
+void FontFile::check_face() const {
+  if (!FT_IS_SFNT(ft())) {
+    refuse("is not a TrueType or OpenType font; convert it first");
+  }
+  if (ft()->num_glyphs < 1) {
+    refuse("holds no glyphs; use another font");
+  }
+  if (!FT_IS_SCALABLE(ft())) {
+    refuse("has no outlines; use an outline font");
+  }
+  const int units = units_per_em();
+  if (units < kLeastUnitsPerEm || units > kMostUnitsPerEm) {
+    refuse("has " + std::to_string(units) +
+           " units per em, OpenType allows 16 to 16384; repair the font");
+  }
+}
+
+void FontFile::select_character_map() {
+  if (FT_Select_Charmap(ft(), FT_ENCODING_UNICODE) != 0 &&
+      FT_Select_Charmap(ft(), FT_ENCODING_MS_SYMBOL) != 0) {
+    refuse(
+        "has no Unicode character map, so that no character can be found in "
+        "it; use a font that has one");
+  }
+}
+
+uint32_t FontFile::glyph_of(char32_t code_point) const {
+  const uint32_t glyph = FT_Get_Char_Index(ft(), code_point);
+  // Symbol fonts keep ASCII at U+F000.
+  if (glyph == 0 && code_point < 0x100 &&
+      ft()->charmap->encoding == FT_ENCODING_MS_SYMBOL) {
+    return FT_Get_Char_Index(ft(), 0xf000 + code_point);
+  }
+  return glyph;
+}
+
+std::string FontFile::full_name() const {
+  const char* family = ft()->family_name;
+  const char* style = ft()->style_name;
+  std::string name = family == nullptr ? file_name_ : family;
+  if (style != nullptr) {
+    name += std::string(" ") + style;
+  }
+  return name;
+}
+
+void FontFile::set_axes(const std::vector<AxisSetting>& settings) {
+  if (settings.empty()) {
+    return;
+  }
+  const Axes axes(ft());
+  if (axes.size() == 0) {
+    refuse("is not a variable font: leave out --axis");
+  }
+  std::vector<FT_Fixed> coordinates;
+  for (size_t i = 0; i < axes.size(); ++i) {
+    coordinates.push_back(axes[i].def);
+  }
+  for (const AxisSetting& setting : settings) {
+    bool known = false;
+    for (size_t i = 0; i < axes.size(); ++i) {
+      if (tag_text(static_cast<uint32_t>(axes[i].tag)) != setting.tag) {
+        continue;
+      }
+      known = true;
+      coordinates[i] = to_16_16(setting.value);
+      if (coordinates[i] < axes[i].minimum ||
+          coordinates[i] > axes[i].maximum) {
+        refuse("--axis " + setting.tag + "=" + number(setting.value) +
+               " is out of range; the axes are " + axes.describe());
+      }
+    }
+    if (!known) {
+      refuse("has no axis '" + setting.tag + "'; the axes are " +
+             axes.describe());
+    }
+  }
+  if (FT_Set_Var_Design_Coordinates(ft(),
+                                    static_cast<FT_UInt>(coordinates.size()),
+                                    coordinates.data()) != 0) {
+    refuse("does not take these --axis values; the axes are " +
+           axes.describe());
+  }
+}
+
+void FontFile::open_harfbuzz(int face, const std::vector<AxisSetting>& axes) {
+  hb_blob_t* blob = hb_blob_create(reinterpret_cast<const char*>(bytes_.data()),
+                                   static_cast<unsigned>(bytes_.size()),
+                                   HB_MEMORY_MODE_READONLY, nullptr, nullptr);
+  hb_face_.reset(hb_face_create(blob, static_cast<unsigned>(face)));
+  hb_blob_destroy(blob);
+  hb_font_.reset(hb_font_create(hb_face_.get()));
+  hb_font_set_scale(hb_font_.get(), units_per_em(), units_per_em());
+  std::vector<hb_variation_t> variations;
+  for (const AxisSetting& axis : axes) {
+    variations.push_back({hb_tag_from_string(axis.tag.data(), 4),
+                          static_cast<float>(axis.value)});
+  }
+  hb_font_set_variations(hb_font_.get(), variations.data(),
+                         static_cast<unsigned>(variations.size()));
+}
+
+}  // namespace inkcell::gen

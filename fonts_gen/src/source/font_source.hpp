@@ -1,0 +1,72 @@
+// What the generator takes from a font file: outlines, metrics, kerning.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "shape/outline.hpp"
+#include "source/char_set.hpp"
+#include "source/components.hpp"
+#include "source/font_file.hpp"
+#include "source/kerning.hpp"
+
+namespace inkcell::gen {
+
+/// Which face of which file, and which of its characters.
+struct FontRequest {
+  std::filesystem::path file;
+  int face = 0;
+  std::vector<AxisSetting> axes;
+  CharSet characters;
+  /// Also the glyphs that others are made of, such as accents: at the end of
+  /// the list, without code points.
+  bool with_components = false;
+};
+
+/// Measures of the face, in font units, y up.
+struct SourceMetrics {
+  int units_per_em = 0;
+  int ascender = 0;
+  int descender = 0;
+  int line_gap = 0;
+  int x_height = 0;
+  int cap_height = 0;
+};
+
+/// One glyph of the font to be.
+struct SourceGlyph {
+  uint32_t source = 0;                // id in the font file
+  std::vector<char32_t> code_points;  // none: .notdef, or only a component
+  Outline outline;                    // [u]
+  int advance = 0;                    // [font units]
+
+  /// How messages and reports name the glyph.
+  std::string name() const;
+  /// What to do if the glyph cannot be used: `repair`, or leave the character
+  /// out, which .notdef cannot be.
+  std::string remedy(const std::string& repair) const;
+};
+
+/// Everything about a font that is not yet a field.
+struct SourceFont {
+  std::string file_name;
+  std::string name;  // family and style
+  SourceMetrics metrics;
+  /// .notdef, then in the order of their smallest code points. Code points that
+  /// share a glyph in the file share it here.
+  std::vector<SourceGlyph> glyphs;
+  /// What each glyph is made of; with components only.
+  std::vector<OutlineReferences> components;
+  KerningMatrix kerning;
+  /// Characters that the font does not have.
+  std::vector<char32_t> missing;
+};
+
+/// Reads all that `request` asks for. Kerning is looked up on `jobs` threads
+/// (0: all cores). Throws Error.
+SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,17 @@
+#include "target/target.hpp"
+
+#include "target/metric.hpp"
+
+namespace inkcell::gen {
+
+double band_u(const AdfOptions& options) {
+  if (options.predicate == Predicate::fixed) {
+    return kFixedBand_u;
+  }
+  if (options.band_px > 0) {
+    return options.band_px * 1024 / options.min_px;
+  }
+  return (options.coding == Coding::edges ? 512 : 768) / options.min_px;
+}
+
+}  // namespace inkcell::gen

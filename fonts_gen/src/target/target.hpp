@@ -1,0 +1,42 @@
+// What is good enough: sizes, tolerance, and how hard to try.
+#pragma once
+
+#include "inkcell/format/rom.hpp"
+
+namespace inkcell::gen {
+
+/// What decides whether a cell is good enough. size_aware: the error of
+/// rendered intensity over a range of sizes. fixed: the paper's, the error of
+/// distance, near the edge only.
+using format::Predicate;
+
+/// What glyphs are made of (docs/FORMAT.md).
+using format::Coding;
+
+struct AdfOptions {
+  Coding coding = Coding::samples;
+  /// Sizes at which the glyph will be drawn. [px/em]
+  double min_px = 8;
+  double max_px = 64;
+  /// Largest error of rendered intensity. [1/255] Used by size_aware.
+  double tolerance = 16;
+  Predicate predicate = Predicate::size_aware;
+  /// How far from the edge distances are good, at min_px [px]: for outlines,
+  /// shadows and glows. 0: what filters need, see band_u.
+  double band_px = 0;
+  /// How hard to try to serve a large cell before it is divided, 0..9. Used by
+  /// size_aware. edges: how many fields are tried. samples, 0: its nine samples
+  /// or nothing; else they are fitted in up to 2 * effort rounds.
+  int effort = 5;
+};
+
+/// The widest band: what kCoordinateLimit leaves room for. [u]
+inline constexpr double kMostBand_u = 192;
+
+/// How far from the edge the field must be good, at the smallest size. [u]
+/// Where nothing is asked for, samples: 0.75 px, the widest filter of the
+/// presets. edges: 0.5 px, the `text` filter; beyond, they are good wherever a
+/// cell is not saturated.
+double band_u(const AdfOptions& options);
+
+}  // namespace inkcell::gen
