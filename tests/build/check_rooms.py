@@ -94,7 +94,6 @@ LONG = {
     "core/src/cells/field_cell.hpp": "one evaluator of primitives",
     "core/src/effects/adaptive.cpp": "painters over one map",
     "core/src/effects/lcd_rows.cpp": "rows of sub-pixel distances",
-    "core/src/fit/fit.cpp": "fitting of points",
     "core/src/raster/field_slanted.cpp": "one traversal for bands",
 }
 
