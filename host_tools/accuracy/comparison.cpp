@@ -121,11 +121,11 @@ std::vector<double> true_distances(TrueTiles& truth, const Setting& setting) {
 Image draw(const Font& font,
            uint16_t glyph,
            const Setting& setting,
-           const Brush& brush) {
+           const TextStyle& style) {
   Image image(setting.width, setting.height);
   Line line;
   line.glyphs.push_back({0, 0, glyph});
-  draw_lines(font, {line}, brush,
+  draw_lines(font, {line}, style,
              make_point(setting.phase_x() - setting.x0,
                         setting.phase_y() - setting.y0),
              image);
@@ -194,9 +194,9 @@ std::vector<GlyphErrors> compare_glyph(const Subject& subject,
       const std::vector<double> distances = true_distances(tiles, setting);
       for (size_t f = 0; f < request.filters.size(); ++f) {
         const ExactFilter& filter = request.filters[f];
-        const Brush brush =
-            make_brush(setting.px, request.angle, *filter.device->filter);
-        compare(draw(subject.font, subject.glyph, setting, brush), distances,
+        const TextStyle style =
+            make_style(setting.px, request.angle, *filter.device->filter);
+        compare(draw(subject.font, subject.glyph, setting, style), distances,
                 setting, filter, subject.code_point, !truth.empty(),
                 errors[s * request.filters.size() + f]);
       }
@@ -211,11 +211,11 @@ Picture draw_picture(const Subject& subject,
                      double angle,
                      int phase) {
   const Setting setting = make_setting(subject.truth, px, angle, phase);
-  const Brush brush = make_brush(px, angle, *filter.device->filter);
+  const TextStyle style = make_style(px, angle, *filter.device->filter);
   Picture picture;
   picture.x0 = setting.x0;
   picture.y0 = setting.y0;
-  picture.drawn = draw(subject.font, subject.glyph, setting, brush);
+  picture.drawn = draw(subject.font, subject.glyph, setting, style);
   TrueTiles tiles = tiles_for(subject.truth, px);
   for (const double distance : true_distances(tiles, setting)) {
     picture.exact.push_back(filter.coverage(distance));

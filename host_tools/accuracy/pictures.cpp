@@ -60,8 +60,8 @@ void write(
     return;
   }
   Image ink(kPanel, kCaption);
-  const Brush brush = make_brush(kCaptionPx, 0, kFilterText);
-  draw_lines(font, {lay_out(font, text, Kerning::font, brush)}, brush,
+  const TextStyle style = make_style(kCaptionPx, 0, kFilterText);
+  draw_lines(font, {lay_out(font, text, Kerning::font, style)}, style,
              make_point(0, 0.7 * kCaption), ink);
   for (int row = 0; row < ink.height; ++row) {
     for (int column = 0; column < ink.width; ++column) {

@@ -114,7 +114,7 @@ struct Scene {
   const Font& font;
   const std::vector<Line>& lines;
   const std::vector<Point>& origins;  // of the lines
-  const Brush& brush;
+  const TextStyle& style;
   Image& image;
   DrawStats* stats;
 };
@@ -122,10 +122,10 @@ struct Scene {
 // Where lines begin if the first begins at `origin`.
 std::vector<Point> origins_of(const std::vector<Line>& lines,
                               const Font& font,
-                              const Brush& brush,
+                              const TextStyle& style,
                               Point origin) {
-  const double em = brush.size().raw / 64.0;
-  const Direction direction = brush.direction();
+  const double em = style.size().raw / 64.0;
+  const Direction direction = style.direction();
   std::vector<Point> origins;
   for (const Line& line : lines) {
     const double up = em * line.y / font.units_per_em();
@@ -140,7 +140,7 @@ std::vector<Point> origins_of(const std::vector<Line>& lines,
 void draw_all(const Scene& scene, const Sink& sink) {
   for (size_t i = 0; i < scene.lines.size(); ++i) {
     const std::vector<PositionedGlyph>& glyphs = scene.lines[i].glyphs;
-    draw(scene.font, {glyphs.data(), glyphs.size()}, scene.brush,
+    draw(scene.font, {glyphs.data(), glyphs.size()}, scene.style,
          scene.origins[i], sink);
   }
 }
@@ -185,7 +185,7 @@ void flush_strip(void* context, const Strip& strip) {
 namespace {
 
 template <typename AnyFilter>
-Brush make_any_brush(double px, double angle, const AnyFilter& filter) {
+TextStyle make_any_style(double px, double angle, const AnyFilter& filter) {
   const double raw = std::round(px * 64);
   const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
   if (!in_range) {
@@ -193,37 +193,37 @@ Brush make_any_brush(double px, double angle, const AnyFilter& filter) {
     text << px << " px: sizes go from 4 to 1024 px";
     throw std::runtime_error(text.str());
   }
-  Brush brush;
+  TextStyle style;
   if (!std::isfinite(angle) ||
-      Brush::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
-                  direction_of(angle), brush) != Status::ok) {
+      TextStyle::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
+                      direction_of(angle), style) != Status::ok) {
     throw std::runtime_error("the angle is not a number of degrees");
   }
-  return brush;
+  return style;
 }
 
 }  // namespace
 
-Brush make_brush(double px, double angle, const Filter& filter) {
-  return make_any_brush(px, angle, filter);
+TextStyle make_style(double px, double angle, const Filter& filter) {
+  return make_any_style(px, angle, filter);
 }
 
-Brush make_brush(double px, double angle, AreaFilter filter) {
-  return make_any_brush(px, angle, filter);
+TextStyle make_style(double px, double angle, AreaFilter filter) {
+  return make_any_style(px, angle, filter);
 }
 
 bool is_turned(double angle) {
-  return !make_brush(16, angle, kFilterText).is_upright();
+  return !make_style(16, angle, kFilterText).is_upright();
 }
 
 Line lay_out(const Font& font,
              std::string_view text,
              Kerning kerning,
-             const Brush& brush) {
+             const TextStyle& style) {
   Line line;
   int32_t kerned = 0;
   int32_t unkerned = 0;
-  TextCursor cursor(font, Text(text.data(), text.size()), brush);
+  TextCursor cursor(font, Text(text.data(), text.size()), style);
   PositionedGlyph at;
   while (cursor.next(at)) {
     if (kerning == Kerning::none) {
@@ -239,14 +239,14 @@ Line lay_out(const Font& font,
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
-                                const Brush& brush) {
+                                const TextStyle& style) {
   const FontMetrics metrics = font.metrics();
   const int32_t height =
       metrics.ascender - metrics.descender + metrics.line_gap;
   std::vector<Line> lines;
   for (int32_t y = 0;; y -= height) {
     const size_t end = text.find('\n');
-    lines.push_back(lay_out(font, text.substr(0, end), kerning, brush));
+    lines.push_back(lay_out(font, text.substr(0, end), kerning, style));
     lines.back().y = y;
     if (end == std::string_view::npos) {
       return lines;
@@ -257,10 +257,10 @@ std::vector<Line> lay_out_lines(const Font& font,
 
 InkBox ink_box(const Font& font,
                const std::vector<Line>& lines,
-               const Brush& brush) {
-  const double scale = brush.size().raw / 64.0 / font.units_per_em();
-  const double cosine = scale * from_q30(brush.direction().cosine);
-  const double sine = scale * from_q30(brush.direction().sine);
+               const TextStyle& style) {
+  const double scale = style.size().raw / 64.0 / font.units_per_em();
+  const double cosine = scale * from_q30(style.direction().cosine);
+  const double sine = scale * from_q30(style.direction().sine);
   InkBox box;
   bool inked = false;
   const auto add = [&](int x, int y) {
@@ -290,7 +290,7 @@ InkBox ink_box(const Font& font,
 
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
-                const Brush& brush,
+                const TextStyle& style,
                 Point origin,
                 Image& image,
                 DrawStats* stats,
@@ -298,8 +298,8 @@ void draw_lines(const Font& font,
   if (image.width > kMaxSide || image.height > kMaxSide) {
     throw std::runtime_error("pictures are at most 32767 px wide and high");
   }
-  const std::vector<Point> origins = origins_of(lines, font, brush, origin);
-  Scene scene{font, lines, origins, brush, image, stats};
+  const std::vector<Point> origins = origins_of(lines, font, style, origin);
+  Scene scene{font, lines, origins, style, image, stats};
   const int32_t stride = image.width * image.channels;
   std::vector<uint8_t> buffer(static_cast<size_t>(stride) *
                               static_cast<size_t>(rows));

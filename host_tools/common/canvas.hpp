@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "image.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell::tools {
 
-/// A brush for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
+/// A style for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
 /// clockwise. Throws std::runtime_error if one is out of range.
-Brush make_brush(double px, double angle, const Filter& filter);
+TextStyle make_style(double px, double angle, const Filter& filter);
 /// The same with exact coverage, for fonts of outlines.
-Brush make_brush(double px, double angle, AreaFilter filter);
+TextStyle make_style(double px, double angle, AreaFilter filter);
 
-/// Whether brushes of this angle are not upright. Throws as make_brush().
+/// Whether styles of this angle are not upright. Throws as make_style().
 bool is_turned(double angle);
 
 /// A line of glyphs. [font units]
@@ -30,19 +30,19 @@ struct Line {
 
 enum class Kerning { none, font };
 
-/// Lays out one line, with the advances of the brush.
+/// Lays out one line, with the advances of the style.
 Line lay_out(const Font& font,
              std::string_view text,
              Kerning kerning,
-             const Brush& brush);
+             const TextStyle& style);
 
 /// Lays out lines divided by line feeds, below each other.
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
-                                const Brush& brush);
+                                const TextStyle& style);
 
-/// The ink of lines relative to the origin of the first, turned by the brush.
+/// The ink of lines relative to the origin of the first, turned by the style.
 /// [px, y down] Without ink: the point at the origin.
 struct InkBox {
   double x0 = 0;
@@ -52,7 +52,7 @@ struct InkBox {
 };
 InkBox ink_box(const Font& font,
                const std::vector<Line>& lines,
-               const Brush& brush);
+               const TextStyle& style);
 
 /// What drawing cost.
 struct DrawStats {
@@ -69,12 +69,12 @@ inline constexpr int32_t kStripRows = 32;
 
 /// Draws lines over the picture (255: full ink, of each sub-pixel if it has
 /// three channels) in strips of `rows` rows, the first line's origin at
-/// `origin`, the others where the brush's direction leads, to the nearest 1/64
+/// `origin`, the others where the style's direction leads, to the nearest 1/64
 /// px. Adds to `stats` if given. Throws std::runtime_error if a side of the
 /// picture is not within 1..32767 px, or a line lies too far from the first.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
-                const Brush& brush,
+                const TextStyle& style,
                 Point origin,
                 Image& image,
                 DrawStats* stats = nullptr,

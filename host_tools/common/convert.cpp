@@ -29,16 +29,16 @@ gen::RomFont generate(gen::GenerateRequest request, bool may_halve) {
       return font;
     } catch (const gen::TooComplex& error) {
       progress.finish();
-      const double half = std::floor(request.adf.max_px / 2);
-      if (!may_halve || half < request.adf.min_px) {
+      const double half = std::floor(request.target.max_px / 2);
+      if (!may_halve || half < request.target.min_px) {
         throw;
       }
       std::fprintf(stderr,
                    "warning: %s at %g px; the font is converted for %g to %g "
                    "px; say --max-px to forbid that\n",
-                   error.problem().c_str(), request.adf.max_px,
-                   request.adf.min_px, half);
-      request.adf.max_px = half;
+                   error.problem().c_str(), request.target.max_px,
+                   request.target.min_px, half);
+      request.target.max_px = half;
     }
   }
 }

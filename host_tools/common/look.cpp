@@ -1,4 +1,4 @@
-// Sets brushes up as people ask for them.
+// Sets styles up as people ask for them.
 #include "look.hpp"
 
 #include <cmath>
@@ -104,10 +104,11 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   add_words(
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
-      "Distances a pixel: one; adaptive, up to 13 where one is not accurate "
+      "Distances a pixel: one; supersampling, up to 13 where one is not "
+      "accurate "
       "enough; paper, as the paper has it; splats, cells of samples smaller "
       "than a pixel once each; all but one for --coding edges and samples; "
-      "auto, one, but of cells adaptive below 10 px and for jobs of kind "
+      "auto, one, but of cells supersampling below 10 px and for jobs of kind "
       "anim");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
@@ -146,7 +147,8 @@ void add_look_options(CLI::App& app, LookOptions& options) {
 void check_radius(const LookOptions& options, bool is_used) {
   if (options.radius > 0 && !is_used) {
     throw std::runtime_error(
-        "--radius is for several samples a pixel: --samples adaptive, paper or "
+        "--radius is for several samples a pixel: --samples supersampling, "
+        "paper or "
         "splats");
   }
 }
@@ -171,21 +173,21 @@ Look::Look(const LookOptions& options,
           with_weight(filter_for(options.filter, use), to_q10(options.weight)),
           to_q10(options.outline),
           place_of(options.place))),
-      brush_(make_brush(px, angle, edges_.outer)) {
+      style_(make_style(px, angle, edges_.outer)) {
   require_reach(options, font);
   if (options.filter == kArea) {
     require_area(options, font);
-    brush_ = make_brush(px, angle, kFilterArea);
+    style_ = make_style(px, angle, kFilterArea);
   } else {
-    set_painter(options, font, use);
+    set_effect(options, font, use);
   }
-  if (check_painter(font, brush_) != Status::ok) {
+  if (check_effect(font, style_) != Status::ok) {
     throw std::runtime_error(
-        "--motion, --rules and --samples adaptive, paper and splats need "
+        "--motion, --rules and --samples supersampling, paper and splats need "
         "distances at any point, and this font has outlines: make it by "
         "inkcell-fontgen --coding edges");
   }
-  if (brush_.painter().options == &splats_ && lacks_samples(font)) {
+  if (style_.effect().options == &splats_ && lacks_samples(font)) {
     throw std::runtime_error(
         "--samples splats draws cells of samples, and this font has none: make "
         "it by inkcell-fontgen --coding samples");
@@ -200,7 +202,7 @@ void Look::require_reach(const LookOptions& options, const Font& font) const {
       (options.weight == 0 && options.outline == 0) || options.levels == 2;
   for (const Filter* edge : {&edges_.outer, &edges_.inner}) {
     if (!reaches &&
-        check_reach(font.range(), brush_.size(), *edge) != Status::ok) {
+        check_reach(font.range(), style_.size(), *edge) != Status::ok) {
       throw std::runtime_error(
           "at this size the font's distances do not reach as far as --weight "
           "and --outline: draw it larger, or give the font a --band-px");
@@ -225,7 +227,7 @@ void Look::require_area(const LookOptions& options, const Font& font) {
   }
 }
 
-void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
+void Look::set_effect(const LookOptions& options, const Font& font, Use use) {
   const int ways =
       (options.outline != 0 ? 1 : 0) + (options.levels != 256 ? 1 : 0) +
       (options.lcd == "none" ? 0 : 1) + (options.motion.empty() ? 0 : 1) +
@@ -243,7 +245,7 @@ void Look::set_painter(const LookOptions& options, const Font& font, Use use) {
     throw std::runtime_error("--outline-place is for --outline");
   }
   if (options.outline != 0) {
-    brush_.set_painter(outline_painter(edges_.inner));
+    style_.set_effect(outline_effect(edges_.inner));
   } else if (options.levels != 256) {
     set_levels(options);
   } else if (options.lcd != "none") {
@@ -261,7 +263,7 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
   if (options.samples == "one" ||
       (options.samples == "auto" &&
        (font.has_outlines() ||
-        (use != Use::moving && brush_.size().raw >= kLeastForOne.raw)))) {
+        (use != Use::moving && style_.size().raw >= kLeastForOne.raw)))) {
     return;
   }
   const bool is_paper = options.samples == "paper";
@@ -278,17 +280,17 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
         Status::ok) {
       throw std::runtime_error("--samples splats: --radius is 0.75 to 1.5 px");
     }
-    brush_.set_painter(splat_painter(splats_));
+    style_.set_effect(splat_effect(splats_));
     return;
   }
-  adaptive_ = make_adaptive(brush_.filter(), radius,
-                            is_paper ? SampleRule::paper : SampleRule::even);
-  adaptive_.more_samples = &more_samples_;
-  brush_.set_painter(adaptive_painter(adaptive_));
+  supersampling_ = make_supersampling(
+      style_.filter(), radius, is_paper ? SampleRule::paper : SampleRule::even);
+  supersampling_.more_samples = &more_samples_;
+  style_.set_effect(supersample_effect(supersampling_));
 }
 
 void Look::set_levels(const LookOptions& options) {
-  constexpr double kMostWeight = 0.5;  // of CrispStyle::threshold_px
+  constexpr double kMostWeight = 0.5;  // of CrispOptions::threshold_px
   if (std::abs(options.weight) > kMostWeight) {
     throw std::runtime_error("--levels takes a --weight of -0.5 to 0.5 px");
   }
@@ -299,19 +301,19 @@ void Look::set_levels(const LookOptions& options) {
   }
   crisp_.levels = static_cast<uint8_t>(options.levels);
   crisp_.threshold_px = to_q10(-options.weight);
-  brush_.set_painter(crisp_painter(crisp_));
+  style_.set_effect(crisp_effect(crisp_));
 }
 
 void Look::set_lcd(const LookOptions& options) {
   lcd_.order = order_of(options.lcd);
   lcd_.colour = static_cast<uint8_t>(std::lround(255 * options.lcd_colour));
-  brush_.set_painter(lcd_painter(lcd_));
+  style_.set_effect(lcd_effect(lcd_));
 }
 
 void Look::set_rules(const LookOptions& options) {
-  perception_.edge = options.rules == "thin" ? 0 : perception_.edge;
-  perception_.thin = options.rules == "edges" ? 0 : perception_.thin;
-  brush_.set_painter(perception_painter(perception_));
+  edge_contrast_.edge = options.rules == "thin" ? 0 : edge_contrast_.edge;
+  edge_contrast_.thin = options.rules == "edges" ? 0 : edge_contrast_.thin;
+  style_.set_effect(edge_contrast_effect(edge_contrast_));
 }
 
 void Look::set_motion(const LookOptions& options) {
@@ -320,11 +322,11 @@ void Look::set_motion(const LookOptions& options) {
   double y = 0;
   char comma = 0;
   if (!(in >> x >> comma >> y) || comma != ',' || !in.eof() ||
-      make_motion_blur(brush_.filter(), make_point(x, y), blur_) !=
+      make_motion_blur(style_.filter(), make_point(x, y), blur_) !=
           Status::ok) {
     throw std::runtime_error("--motion takes X,Y, up to 32 px each");
   }
-  brush_.set_painter(motion_blur_painter(blur_));
+  style_.set_effect(motion_blur_effect(blur_));
 }
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
@@ -347,12 +349,12 @@ void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
   fit.across =
       options.hint == "both" ||
       (is_auto && use == Use::text &&
-       (options.levels != 256 || brush_.size().raw < kAcrossBelow.raw));
+       (options.levels != 256 || style_.size().raw < kAcrossBelow.raw));
   fit.levels = static_cast<uint8_t>(options.levels == 256 ? 0 : options.levels);
   // Without hints, or with broken ones, glyphs stay as they are.
-  if (Fit::make(font, brush_, fit, fit_) == Status::ok &&
+  if (Fit::make(font, style_, fit, fit_) == Status::ok &&
       !fit_.hints().empty()) {
-    brush_.set_fitter(&kGridFit, &fit_);
+    style_.set_fitter(&kGridFit, &fit_);
     if (options.levels == 2 && options.weight == 0) {
       crisp_.threshold_px = fit_.crisp_weight();
     }

@@ -1,20 +1,20 @@
-// How text looks: the options of programs that draw, and the brush they make.
+// How text looks: the options of programs that draw, and the style they make.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-#include "inkcell/adaptive.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/perception.hpp"
 #include "inkcell/splat.hpp"
+#include "inkcell/supersample.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell::tools {
 
@@ -50,7 +50,7 @@ void check_hint(const LookOptions& options,
                 bool is_turned,
                 const std::string& angle);
 
-/// A brush and all that it points to: stays where it was made.
+/// A style and all that it points to: stays where it was made.
 class Look {
  public:
   /// `px` px/em (rounded to 1/64), `angle` in degrees, counter-clockwise. The
@@ -64,28 +64,30 @@ class Look {
   Look(const Look&) = delete;
   Look& operator=(const Look&) = delete;
 
-  const Brush& brush() const { return brush_; }
+  const TextStyle& style() const { return style_; }
 
-  /// Of the picture that the brush draws into: 3 with sub-pixels, else 1.
-  int channels() const { return brush_.painter().options == &lcd_ ? 3 : 1; }
+  /// Of the picture that the style draws into: 3 with sub-pixels, else 1.
+  int channels() const { return style_.effect().options == &lcd_ ? 3 : 1; }
 
-  /// Whether the brush takes as many distances as a pixel needs, and how many
+  /// Whether the style takes as many distances as a pixel needs, and how many
   /// it has taken beyond one a pixel.
-  bool is_adaptive() const { return brush_.painter().options == &adaptive_; }
+  bool is_supersampled() const {
+    return style_.effect().options == &supersampling_;
+  }
   bool uses_radius() const {
-    return is_adaptive() || brush_.painter().options == &splats_;
+    return is_supersampled() || style_.effect().options == &splats_;
   }
   uint32_t more_samples() const { return more_samples_; }
 
   /// How far motion blur leads beyond what it blurs. [px]
   int blur_px() const {
-    return brush_.painter().options == &blur_ ? blur_.reach_px : 0;
+    return style_.effect().options == &blur_ ? blur_.reach_px : 0;
   }
 
  private:
   void require_reach(const LookOptions& options, const Font& font) const;
   static void require_area(const LookOptions& options, const Font& font);
-  void set_painter(const LookOptions& options, const Font& font, Use use);
+  void set_effect(const LookOptions& options, const Font& font, Use use);
   void set_samples(const LookOptions& options, const Font& font, Use use);
   void set_rules(const LookOptions& options);
   void set_motion(const LookOptions& options);
@@ -94,15 +96,15 @@ class Look {
   void set_hint(const LookOptions& options, const Font& font, Use use);
 
   Outline edges_;  // without an outline both are the filter
-  Brush brush_;
+  TextStyle style_;
   Fit fit_;
-  CrispStyle crisp_;
-  Adaptive adaptive_;
+  CrispOptions crisp_;
+  Supersampling supersampling_;
   Splats splats_;
   std::vector<uint32_t> sums_;
-  Perception perception_;
+  EdgeContrast edge_contrast_;
   MotionBlur blur_;
-  LcdStyle lcd_;
+  LcdOptions lcd_;
   uint32_t more_samples_ = 0;
 };
 

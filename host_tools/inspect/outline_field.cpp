@@ -36,7 +36,7 @@ Image draw_phase(const Font& font,
   // y_u = (cells.y1 - 1 - row) kStep + phase_y at row + 1/2, from the top.
   const double x = 0.5 - cells.x0 - static_cast<double>(phase_x) / kStep;
   const double y = 0.5 + cells.y1 - 1 + static_cast<double>(phase_y) / kStep;
-  draw_lines(font, {line}, make_brush(kPx, 0, filter), make_point(x, y), image);
+  draw_lines(font, {line}, make_style(kPx, 0, filter), make_point(x, y), image);
   return image;
 }
 

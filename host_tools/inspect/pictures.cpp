@@ -452,7 +452,7 @@ Image draw_points(const FontCensus& census,
 }
 
 Image draw_sheet(const Font& font, double px) {
-  const Brush brush = make_brush(px, 0, kFilterText);  // refuses odd sizes
+  const TextStyle style = make_style(px, 0, kFilterText);  // refuses odd sizes
   const FontMetrics metrics = font.metrics();
   const double scale = px / metrics.units_per_em;
   int32_t widest = 0;
@@ -485,7 +485,7 @@ Image draw_sheet(const Font& font, double px) {
     Line line;
     line.glyphs.push_back({0, 0, static_cast<uint16_t>(i)});
     const double slack = box_width - measures.advance * scale;
-    draw_lines(font, {line}, brush, make_point(slack / 2, rise + 4), box);
+    draw_lines(font, {line}, style, make_point(slack / 2, rise + 4), box);
     const int x0 = i % columns * box_width;
     const int y0 = i / columns * box_height;
     for (int y = 0; y < box_height; ++y) {

@@ -11,7 +11,7 @@ namespace {
 // Walks the trees of a glyph and writes its leaves.
 class LeafWriter {
  public:
-  LeafWriter(const gen::AdfGlyph& glyph, std::vector<uint8_t>& out)
+  LeafWriter(const gen::SampleTree& glyph, std::vector<uint8_t>& out)
       : glyph_(glyph), out_(out) {}
 
   void run() {
@@ -57,13 +57,13 @@ class LeafWriter {
     out_.push_back(static_cast<uint8_t>(value >> 8));
   }
 
-  const gen::AdfGlyph& glyph_;
+  const gen::SampleTree& glyph_;
   std::vector<uint8_t>& out_;
 };
 
 }  // namespace
 
-std::vector<uint8_t> leaf_list(const gen::AdfGlyph& glyph) {
+std::vector<uint8_t> leaf_list(const gen::SampleTree& glyph) {
   std::vector<uint8_t> out;
   LeafWriter(glyph, out).run();
   return out;

@@ -11,7 +11,7 @@ namespace inkcell::tools {
 /// The paper's section 3.3.1: for each leaf that is not constant x and y (2
 /// bytes each), level (1), distance at the centre (2), eight offsets (1 each);
 /// in the order of a walk through the quadtree.
-std::vector<uint8_t> leaf_list(const gen::AdfGlyph& glyph);
+std::vector<uint8_t> leaf_list(const gen::SampleTree& glyph);
 
 /// Bytes that zlib at its best makes of them.
 size_t compressed_bytes(const std::vector<uint8_t>& bytes);

@@ -77,7 +77,7 @@ struct GlyphRow {
 };
 
 void count(const gen::Shape& shape,
-           const gen::AdfOptions& options,
+           const gen::Target& options,
            gen::Scope scope,
            size_t condition,
            Counts& counts) {
@@ -89,7 +89,7 @@ void count(const gen::Shape& shape,
 
 GlyphRow measure(const gen::SourceGlyph& glyph) {
   const gen::Shape shape(glyph.outline);
-  gen::AdfOptions fixed;
+  gen::Target fixed;
   fixed.predicate = gen::Predicate::fixed;
   GlyphRow row;
   row.name = to_utf8(glyph.code_points.front());
@@ -103,8 +103,8 @@ GlyphRow measure(const gen::SourceGlyph& glyph) {
   counts.three_colour_all = static_cast<double>(colours.all);
   count(shape, fixed, gen::Scope::edge, 0, counts);
   count(shape, fixed, gen::Scope::band, 1, counts);
-  count(shape, gen::AdfOptions{}, gen::Scope::band, 2, counts);
-  const gen::AdfGlyph field = gen::build_adf(shape, fixed);
+  count(shape, gen::Target{}, gen::Scope::band, 2, counts);
+  const gen::SampleTree field = gen::build_sample_tree(shape, fixed);
   row.leaves = leaf_list(field);
   counts.device_cells = static_cast<double>(field.cells.size());
   counts.leaf_bytes = static_cast<double>(row.leaves.size());

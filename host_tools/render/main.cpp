@@ -194,12 +194,12 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
                   Use::text);
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
-  const Brush& brush = look.brush();
-  const std::vector<Line> lines = lay_out_lines(
-      font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font,
-      brush);
+  const TextStyle& style = look.style();
+  const std::vector<Line> lines =
+      lay_out_lines(font, arguments.text,
+                    arguments.unkerned ? Kerning::none : Kerning::font, style);
   const Placement placement =
-      place(arguments, ink_box(font, lines, brush), look);
+      place(arguments, ink_box(font, lines, style), look);
   if (std::max(placement.width, placement.height) * arguments.zoom > kMaxSide) {
     throw std::runtime_error(
         "--zoom makes the picture larger than 32767 px, the largest one");
@@ -207,7 +207,7 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   Image image(placement.width, placement.height, look.channels());
   DrawStats stats;
   const auto begin = std::chrono::steady_clock::now();
-  draw_lines(font, lines, brush, placement.origin, image,
+  draw_lines(font, lines, style, placement.origin, image,
              arguments.stats ? &stats : nullptr, arguments.rows);
   const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - begin;

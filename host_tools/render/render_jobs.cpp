@@ -292,8 +292,8 @@ SampleTotal render(const RenderJob& job,
                    bool inverted) {
   const Look look(options, font, job.size, job.angle, job.use);
   Image image(job.w, job.h, look.channels());
-  draw_lines(font, {lay_out(font, job.text, Kerning::none, look.brush())},
-             look.brush(),
+  draw_lines(font, {lay_out(font, job.text, Kerning::none, look.style())},
+             look.style(),
              make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
   SampleTotal total;
   add_samples(image, look, total);
@@ -309,7 +309,7 @@ SampleTotal render(const RenderJob& job,
 void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   constexpr int kNear = 3;
   total.uses_radius |= look.uses_radius();
-  if (look.brush().painter().cells != nullptr && !look.is_adaptive()) {
+  if (look.style().effect().cells != nullptr && !look.is_supersampled()) {
     return;
   }
   // Near in a row first, then near such a row: a square is a disc but for its

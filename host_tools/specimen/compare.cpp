@@ -9,8 +9,8 @@
 #include <string>
 
 #include "canvas.hpp"
-#include "inkcell/adaptive.hpp"
 #include "inkcell/fit.hpp"
+#include "inkcell/supersample.hpp"
 #include "sheet.hpp"
 
 namespace inkcell::tools {
@@ -49,14 +49,14 @@ Image compare(const Font& font,
       print(ink, image);
     });
   };
-  // `set_up` may change the brush for the size.
+  // `set_up` may change the style for the size.
   const auto add_ours = [&](const char* label, const auto& filter,
-                            const std::function<void(Brush&)>& set_up) {
+                            const std::function<void(TextStyle&)>& set_up) {
     sheet.add(label, 0xffffff, [&](Image& image) {
       for (const Entry& e : entries) {
-        Brush brush = make_brush(e.px, 0, filter);
-        set_up(brush);
-        write_text(font, e.text, brush, e.x, e.y, 0, image);
+        TextStyle style = make_style(e.px, 0, filter);
+        set_up(style);
+        write_text(font, e.text, style, e.x, e.y, 0, image);
       }
     });
   };
@@ -64,25 +64,26 @@ Image compare(const Font& font,
   add_peer("16 samples a pixel, Gaussian filter", Peer::gauss16);
   add_peer("FreeType, not hinted", Peer::freetype);
   add_peer("FreeType, light hinting", Peer::light);
-  const auto plain = [](Brush&) {};
+  const auto plain = [](TextStyle&) {};
   add_ours("Inkcell, filter text", kFilterText, plain);
   add_ours("Inkcell, filter paper_body", kFilterPaperBody, plain);
   add_ours("Inkcell, filter paper_display", kFilterPaperDisplay, plain);
   Fit fit;
-  add_ours("Inkcell, fitted to the grid", kFilterText, [&](Brush& brush) {
-    if (Fit::make(font, brush, {}, fit) != Status::ok) {
+  add_ours("Inkcell, fitted to the grid", kFilterText, [&](TextStyle& style) {
+    if (Fit::make(font, style, {}, fit) != Status::ok) {
       throw std::runtime_error("the font's hints are broken");
     }
-    brush.set_fitter(&kGridFit, &fit);
+    style.set_fitter(&kGridFit, &fit);
   });
   if (font.has_outlines()) {
     add_ours("Inkcell, filter area", kFilterArea, plain);
     return sheet.finish();
   }
-  const Adaptive adaptive = make_adaptive(kFilterText);
-  add_ours("Inkcell, up to 13 samples a pixel", kFilterText, [&](Brush& brush) {
-    brush.set_painter(adaptive_painter(adaptive));
-  });
+  const Supersampling supersampling = make_supersampling(kFilterText);
+  add_ours("Inkcell, up to 13 samples a pixel", kFilterText,
+           [&](TextStyle& style) {
+             style.set_effect(supersample_effect(supersampling));
+           });
   return sheet.finish();
 }
 

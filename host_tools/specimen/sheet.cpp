@@ -58,14 +58,14 @@ ColourSink::ColourSink(Image& image, uint32_t colour) {
 
 void write_text(const Font& font,
                 const std::string& text,
-                const Brush& brush,
+                const TextStyle& style,
                 double x,
                 double y,
                 uint32_t colour,
                 Image& image) {
   const ColourSink target(image, colour);
-  const Line line = lay_out(font, text, Kerning::font, brush);
-  draw(font, {line.glyphs.data(), line.glyphs.size()}, brush, make_point(x, y),
+  const Line line = lay_out(font, text, Kerning::font, style);
+  draw(font, {line.glyphs.data(), line.glyphs.size()}, style, make_point(x, y),
        target.sink());
 }
 
@@ -97,11 +97,11 @@ Image Sheet::finish() const {
   }
   Image sheet =
       colour_image(kGap + layout_.columns * column, tops.back(), kPaper);
-  const Brush brush = make_brush(kLabelPx, 0, kFilterText);
+  const TextStyle style = make_style(kLabelPx, 0, kFilterText);
   for (size_t i = 0; i < samples_.size(); ++i) {
     const int x = kGap + static_cast<int>(i % columns) * column;
     const int y = tops[i / columns];
-    write_text(font_, labels_[i], brush, x, y + kLabelPx, kLabel, sheet);
+    write_text(font_, labels_[i], style, x, y + kLabelPx, kLabel, sheet);
     paste(samples_[i], x, y + kLabelHeight, sheet);
     paste(enlarge(cut(samples_[i], layout_.zoomed_x, layout_.zoomed_width),
                   layout_.zoom),

@@ -32,8 +32,8 @@ void put(const Font& font,
          double x,
          double y,
          Image& image) {
-  const Brush brush = make_brush(px, angle, kFilterText);
-  draw_lines(font, lay_out_lines(font, text, Kerning::font, brush), brush,
+  const TextStyle style = make_style(px, angle, kFilterText);
+  draw_lines(font, lay_out_lines(font, text, Kerning::font, style), style,
              make_point(x, y), image);
 }
 

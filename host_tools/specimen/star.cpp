@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "canvas.hpp"
-#include "inkcell/adaptive.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/splat.hpp"
+#include "inkcell/supersample.hpp"
 #include "peers.hpp"
 #include "rom/rom_font.hpp"
 #include "samples/sample_tree.hpp"
@@ -126,11 +126,11 @@ Image supersample(const gen::Shape& shape,
 class DeviceStar {
  public:
   explicit DeviceStar(const gen::Shape& shape) {
-    gen::AdfOptions options;
+    gen::Target options;
     options.min_px = kSide;
     options.max_px = kSide;
     gen::RomGlyph glyph;
-    glyph.samples = gen::build_adf(shape, options);
+    glyph.samples = gen::build_sample_tree(shape, options);
     record_ = gen::glyph_record(glyph);
     if (GlyphField::open({record_.data(), record_.size()}, field_) !=
         Status::ok) {
@@ -138,12 +138,12 @@ class DeviceStar {
     }
   }
 
-  Image draw(const Painter& painter) const {
+  Image draw(const Effect& effect) const {
     Image image = colour_image(kSide, kSide, 0);
     const ColourSink target(image, 0xffffff);
-    Brush brush = make_brush(kSide, 0, kFilterText);
-    brush.set_painter(painter);
-    draw_field(field_, brush, make_point(0, kSide), target.sink());
+    TextStyle style = make_style(kSide, 0, kFilterText);
+    style.set_effect(effect);
+    draw_field(field_, style, make_point(0, kSide), target.sink());
     return image;
   }
 
@@ -176,9 +176,9 @@ Image draw_star(const Font& font) {
   const std::vector<Wedge> wedges = star();
   const gen::Shape shape = shape_of(wedges);
   const DeviceStar device(shape);
-  const Adaptive even = make_adaptive(kFilterText, kCalmRadius);
-  const Adaptive paper =
-      make_adaptive(kFilterText, kPaperRadius, SampleRule::paper);
+  const Supersampling even = make_supersampling(kFilterText, kCalmRadius);
+  const Supersampling paper =
+      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper);
   std::vector<uint32_t> sums(kSide * kSide);
   Splats splats;
   if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
@@ -198,20 +198,20 @@ Image draw_star(const Font& font) {
        in_colour(supersample(shape, 4, Jitter::whole, gaussian_weight))},
       {"FreeType", in_colour(cover(wedges))},
       {"Inkcell, one sample", device.draw({})},
-      {"Inkcell, up to 13, even", device.draw(adaptive_painter(even))},
-      {"Inkcell, up to 13, paper", device.draw(adaptive_painter(paper))},
-      {"Inkcell, splats", device.draw(splat_painter(splats))}};
+      {"Inkcell, up to 13, even", device.draw(supersample_effect(even))},
+      {"Inkcell, up to 13, paper", device.draw(supersample_effect(paper))},
+      {"Inkcell, splats", device.draw(splat_effect(splats))}};
   // Two rows of columns, of which each is a picture and its middle.
   constexpr int kColumns = 4;
   constexpr int kColumn = kSide + kGap;
   constexpr int kRow = kLabelHeight + kSide + kZoom * kMiddle + 3 * kGap;
   Image sheet = colour_image(kGap + kColumns * kColumn, 2 * kRow, 0xffffff);
-  const Brush brush = make_brush(10, 0, kFilterText);
+  const TextStyle style = make_style(10, 0, kFilterText);
   int column = 0;
   int y = kGap;
   for (const Entry& entry : entries) {
     const int x = kGap + column * kColumn;
-    write_text(font, entry.label, brush, x, y + 10, 0x404040, sheet);
+    write_text(font, entry.label, style, x, y + 10, 0x404040, sheet);
     paste(entry.image, x, y + kLabelHeight, sheet);
     paste(middle_of(entry.image), x, y + kGap + kLabelHeight + kSide, sheet);
     column = (column + 1) % kColumns;

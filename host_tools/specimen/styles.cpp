@@ -8,11 +8,11 @@
 
 #include "canvas.hpp"
 #include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/perception.hpp"
 #include "inkcell/port/dither.hpp"
 #include "inkcell/text.hpp"
 #include "sheet.hpp"
@@ -53,15 +53,15 @@ struct Sample {
   double x;
   double y;
 
-  void write(const Brush& brush, uint32_t colour, Image& image) const {
-    write_text(font, text, brush, x, y, colour, image);
+  void write(const TextStyle& style, uint32_t colour, Image& image) const {
+    write_text(font, text, style, x, y, colour, image);
   }
   void write(const Filter& filter,
              uint32_t colour,
              Image& image,
              double right = 0,
              double down = 0) const {
-    write_text(font, text, make_brush(px, 0, filter), x + right, y + down,
+    write_text(font, text, make_style(px, 0, filter), x + right, y + down,
                colour, image);
   }
 };
@@ -84,12 +84,12 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
   }
   // Half full in the middle of a stroke.
   const Filter shadow = make_filter(spec_of(-1.25, 3.5));
-  draw_text(font, "Sphinx", make_brush(kPx, 0, shadow), make_point(7.5, 28.5),
+  draw_text(font, "Sphinx", make_style(kPx, 0, shadow), make_point(7.5, 28.5),
             dithered);
-  const CrispStyle style;
-  Brush brush = make_brush(kPx, 0, kFilterText);
-  brush.set_painter(crisp_painter(style));
-  draw_text(font, "Sphinx", brush, make_point(4, 25), plain);
+  const CrispOptions crisp;
+  TextStyle style = make_style(kPx, 0, kFilterText);
+  style.set_effect(crisp_effect(crisp));
+  draw_text(font, "Sphinx", style, make_point(4, 25), plain);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const int byte = bits[static_cast<size_t>(y * stride + x / 8)];
@@ -138,29 +138,29 @@ Image draw_filters(const Font& font) {
 Image draw_lcd(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 13, 4, 14.3};
   Sheet sheet(font, {180, 19, 5, 3, 84});
-  const auto add = [&](const char* label, const LcdStyle* style,
+  const auto add = [&](const char* label, const LcdOptions* lcd,
                        uint32_t ground, uint32_t colour) {
     sheet.add(label, ground, [&](Image& image) {
-      Brush brush = make_brush(sample.px, 0, kFilterText);
-      if (style != nullptr) {
-        brush.set_painter(lcd_painter(*style));
+      TextStyle style = make_style(sample.px, 0, kFilterText);
+      if (lcd != nullptr) {
+        style.set_effect(lcd_effect(*lcd));
       }
-      sample.write(brush, colour, image);
+      sample.write(style, colour, image);
     });
   };
-  LcdStyle style;
+  LcdOptions lcd;
   add("grey", nullptr, kWhite, kBlack);
-  add("rgb", &style, kWhite, kBlack);
-  style.order = SubPixels::bgr;
-  add("bgr", &style, kWhite, kBlack);
-  style.order = SubPixels::rgb_vertical;
-  add("rgb, stripes on each other", &style, kWhite, kBlack);
-  style.order = SubPixels::rgb;
-  style.colour = 128;
-  add("rgb, half of the colour", &style, kWhite, kBlack);
-  style.colour = 255;
-  add("rgb, light on dark", &style, kBlack, kWhite);
-  add("rgb, in colour", &style, kNight, 0xffc060);
+  add("rgb", &lcd, kWhite, kBlack);
+  lcd.order = SubPixels::bgr;
+  add("bgr", &lcd, kWhite, kBlack);
+  lcd.order = SubPixels::rgb_vertical;
+  add("rgb, stripes on each other", &lcd, kWhite, kBlack);
+  lcd.order = SubPixels::rgb;
+  lcd.colour = 128;
+  add("rgb, half of the colour", &lcd, kWhite, kBlack);
+  lcd.colour = 255;
+  add("rgb, light on dark", &lcd, kBlack, kWhite);
+  add("rgb, in colour", &lcd, kNight, 0xffc060);
   return sheet.finish();
 }
 
@@ -174,9 +174,9 @@ Image draw_effects(const Font& font) {
     check(font, kPx, outline.outer);
     check(font, kPx, outline.inner);
     sheet.add(label, kWhite, [&](Image& image) {
-      Brush brush = make_brush(kPx, 0, outline.outer);
-      brush.set_painter(outline_painter(outline.inner));
-      sample.write(brush, kBlack, image);
+      TextStyle style = make_style(kPx, 0, outline.outer);
+      style.set_effect(outline_effect(outline.inner));
+      sample.write(style, kBlack, image);
     });
   };
   add_outline("outline 1 px, inner", OutlinePlace::inner, 1);
@@ -186,9 +186,9 @@ Image draw_effects(const Font& font) {
   sheet.add("outline and fill in one pass", kNight, [&](Image& image) {
     const ColourSink fill(image, 0xffd070);
     const OutlineAndFill both = {&two.inner, &fill.sink()};
-    Brush brush = make_brush(kPx, 0, two.outer);
-    brush.set_painter(outline_and_fill_painter(both));
-    sample.write(brush, 0xb02030, image);
+    TextStyle style = make_style(kPx, 0, two.outer);
+    style.set_effect(outline_and_fill_effect(both));
+    sample.write(style, 0xb02030, image);
   });
   const Filter shadow = shadow_filter(to_q10(2.5));
   check(font, kPx, shadow);
@@ -219,20 +219,20 @@ Image draw_fitting(const Font& font) {
   const auto add = [&](const char* label, const FitOptions* options,
                        bool is_bilevel) {
     sheet.add(label, kWhite, [&](Image& image) {
-      Brush brush = make_brush(kPx, 0, kFilterText);
+      TextStyle style = make_style(kPx, 0, kFilterText);
       Fit fit;
-      CrispStyle crisp;
+      CrispOptions crisp;
       if (options != nullptr) {
-        if (Fit::make(font, brush, *options, fit) != Status::ok) {
+        if (Fit::make(font, style, *options, fit) != Status::ok) {
           throw std::runtime_error("the font's hints are broken");
         }
-        brush.set_fitter(&kGridFit, &fit);
+        style.set_fitter(&kGridFit, &fit);
         crisp.threshold_px = fit.crisp_weight();
       }
       if (is_bilevel) {
-        brush.set_painter(crisp_painter(crisp));
+        style.set_effect(crisp_effect(crisp));
       }
-      sample.write(brush, kBlack, image);
+      sample.write(style, kBlack, image);
     });
   };
   FitOptions options;
@@ -250,19 +250,19 @@ Image draw_contrast(const Font& font) {
   constexpr double kPx = 12;
   const Sample sample = {font, "Hamburg anno 1958", kPx, 4.3, 13.4};
   Sheet sheet(font, {128, 18, 6, 3, 92});
-  const auto add = [&](const char* label, const Perception& perception) {
+  const auto add = [&](const char* label, const EdgeContrast& edge_contrast) {
     sheet.add(label, kWhite, [&](Image& image) {
-      Brush brush = make_brush(kPx, 0, kFilterText);
-      brush.set_painter(perception_painter(perception));
-      if (check_painter(font, brush) != Status::ok) {
+      TextStyle style = make_style(kPx, 0, kFilterText);
+      style.set_effect(edge_contrast_effect(edge_contrast));
+      if (check_effect(font, style) != Status::ok) {
         throw std::runtime_error(
             "--contrast needs distances at any point: make the font by "
             "inkcell-fontgen --coding edges");
       }
-      sample.write(brush, kBlack, image);
+      sample.write(style, kBlack, image);
     });
   };
-  const Perception all;
+  const EdgeContrast all;
   add("as designed", {0, 0});
   add("left and lower edges darker", {all.edge, 0});
   add("thin strokes darker", {0, all.thin});
@@ -294,14 +294,14 @@ Image draw_maps(const Font& font) {
     const auto px = [](double em) {
       return Q16_16::from_raw(static_cast<int32_t>(em * kPx * 65536));
     };
-    Brush brush;
-    if (Brush::make(
+    TextStyle style;
+    if (TextStyle::make(
             {px(map.x_right), px(map.x_up), px(map.y_right), px(map.y_up)},
-            kFilterText, brush) != Status::ok) {
+            kFilterText, style) != Status::ok) {
       throw std::runtime_error("a map is out of range");
     }
     sheet.add(map.label, kWhite, [&](Image& image) {
-      write_text(font, "Sphinx", brush, map.x, map.y, kBlack, image);
+      write_text(font, "Sphinx", style, map.x, map.y, kBlack, image);
     });
   }
   return sheet.finish();
@@ -323,9 +323,9 @@ Image draw_motion(const Font& font) {
       throw std::runtime_error("a way is out of range");
     }
     sheet.add(label, kWhite, [&](Image& image) {
-      Brush brush = make_brush(kPx, 0, kFilterText);
-      brush.set_painter(motion_blur_painter(blur));
-      sample.write(brush, kBlack, image);
+      TextStyle style = make_style(kPx, 0, kFilterText);
+      style.set_effect(motion_blur_effect(blur));
+      sample.write(style, kBlack, image);
     });
   };
   add("at rest", 0, 0);
@@ -339,27 +339,27 @@ Image draw_motion(const Font& font) {
 Image draw_levels(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 11, 4, 12.4};
   Sheet sheet(font, {152, 17, 5, 3, 84});
-  const auto add = [&](const char* label, const CrispStyle* style,
+  const auto add = [&](const char* label, const CrispOptions* crisp,
                        uint8_t threshold) {
     sheet.add(label, kWhite, [&](Image& image) {
-      Brush brush = make_brush(sample.px, 0, kFilterText);
-      if (style != nullptr) {
-        brush.set_painter(crisp_painter(*style));
+      TextStyle style = make_style(sample.px, 0, kFilterText);
+      if (crisp != nullptr) {
+        style.set_effect(crisp_effect(*crisp));
       }
-      sample.write(brush, kBlack, image);
+      sample.write(style, kBlack, image);
       for (uint8_t& level : image.pixels) {
-        level = style == nullptr ? (level <= 255 - threshold ? 0 : 255) : level;
+        level = crisp == nullptr ? (level <= 255 - threshold ? 0 : 255) : level;
       }
     });
   };
-  CrispStyle style;
+  CrispOptions crisp;
   add("1 bit, threshold alone", nullptr, 128);
-  add("1 bit, crisp", &style, 0);
-  style.threshold_px = to_q10(-0.15);
-  add("1 bit, crisp, bolder by 0.15 px", &style, 0);
-  style.threshold_px = {};
-  style.levels = 4;
-  add("2 bits, crisp", &style, 0);
+  add("1 bit, crisp", &crisp, 0);
+  crisp.threshold_px = to_q10(-0.15);
+  add("1 bit, crisp, bolder by 0.15 px", &crisp, 0);
+  crisp.threshold_px = {};
+  crisp.levels = 4;
+  add("2 bits, crisp", &crisp, 0);
   sheet.add(
       "1 bit, over a dithered shadow", kWhite,
       [&](Image& image) { draw_shadow_in_1_bit(font, image); }, 36);

@@ -26,7 +26,7 @@ BUILDS = {
                                "-DINKCELL_OBJECT_ORDER=0",
                                "-DINKCELL_FAST_ROWS=0"]),
     "outlines": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=0",
-                               "-DINKCELL_FIELD_CELLS=0"]),
+                               "-DINKCELL_EDGE_CELLS=0"]),
 }
 SINKS = ["a8", "rgb565", "run"]
 

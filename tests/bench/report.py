@@ -359,7 +359,7 @@ def sized_table(figures, name, title, cell):
 
 
 SMALLEST_TEXT = {
-    "outline": "Outlines only: `INKCELL_FIELD_CELLS` and `INKCELL_SAMPLE_CELLS` "
+    "outline": "Outlines only: `INKCELL_EDGE_CELLS` and `INKCELL_SAMPLE_CELLS` "
     "off (PORTING.md), -Os.",
     "edges": "Edges only: `INKCELL_OUTLINES`, `INKCELL_SAMPLE_CELLS`, "
     "`INKCELL_OBJECT_ORDER` and\n`INKCELL_FAST_ROWS` off, -Os. Pictures are "

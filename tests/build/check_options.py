@@ -26,7 +26,7 @@ OPTIONS = {
     "INKCELL_SAMPLE_CELLS": ({"record of samples", "font of samples"},
                              ["draw_samples", "samples_distance",
                               "draw_turned_samples", "Block::visit_tile"]),
-    "INKCELL_FIELD_CELLS": ({"record of fields", "font of edges"},
+    "INKCELL_EDGE_CELLS": ({"record of fields", "font of edges"},
                             ["LeafBand::", "FieldLeaves::",
                              "draw_slanted("]),
     "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells", "LeafBand::",
@@ -87,7 +87,7 @@ def check_refused(work):
     problems = []
     source = work / "none.cpp"
     source.write_text('#include "inkcell/field.hpp"\n')
-    result = run(["g++", "-std=c++17", *INCLUDES, "-DINKCELL_FIELD_CELLS=0",
+    result = run(["g++", "-std=c++17", *INCLUDES, "-DINKCELL_EDGE_CELLS=0",
                   "-DINKCELL_SAMPLE_CELLS=0", "-DINKCELL_OUTLINES=0",
                   "-fsyntax-only", source])
     if "one coding must be left" not in result.stdout:

@@ -22,7 +22,7 @@ INSTALL = "cmake --install build --prefix"
 # Functions that the program calls; that others would.
 CALLED = ["paint_distances(", "FieldBand::cover", "draw_text("]
 NOT_CALLED = ["draw_slanted(", "SlantedBand::", "stretched_value", "paint_lcd",
-              "paint_adaptive", "paint_splats", "paint_crisp", "mix_lcd",
+              "paint_supersampled", "paint_splats", "paint_crisp", "mix_lcd",
               "mix_outline", "mix_crisp", "paint_crossings", "paint_areas(",
               "paint_wide", "PreparedGlyph::make", "Fit::make", "kGridFit",
               "Font::verify", "distance_at"]

@@ -92,7 +92,6 @@ REASON = "// Over 400 lines: "
 # rewritten. There is to be none.
 LONG = {
     "core/src/cells/field_cell.hpp": "one evaluator of primitives",
-    "core/src/effects/adaptive.cpp": "painters over one map",
     "core/src/effects/lcd_rows.cpp": "rows of sub-pixel distances",
     "core/src/raster/field_slanted.cpp": "one traversal for bands",
 }

@@ -42,7 +42,7 @@ void repair(Span<uint8_t> font) {
   font_builder::repair_checksums(font);
 }
 
-Brush brush_of(const uint8_t* choice) {
+TextStyle style_of(const uint8_t* choice) {
   static constexpr int32_t kOne = 1 << 30;
   static constexpr int32_t kDirections[8][2] = {{kOne, 0},
                                                 {0, kOne},
@@ -58,11 +58,11 @@ Brush brush_of(const uint8_t* choice) {
   Direction direction;
   direction.cosine.raw = turn[0];
   direction.sine.raw = turn[1];
-  Brush brush;
-  hostile::require(Brush::make(Q26_6::from_raw(size), kFilterPaperDisplay,
-                               direction, brush) == Status::ok,
-                   "brush");
-  return brush;
+  TextStyle style;
+  hostile::require(TextStyle::make(Q26_6::from_raw(size), kFilterPaperDisplay,
+                                   direction, style) == Status::ok,
+                   "style");
+  return style;
 }
 
 // Near the window for small exponents, anywhere for large ones.
@@ -92,11 +92,11 @@ void run(const uint8_t* data, size_t size) {
   Font font;
   const Status status = Font::open(rom, font);
   hostile::require(status == Status::ok, "open twice");
-  const Brush brush = brush_of(choice + 1);
+  const TextStyle style = style_of(choice + 1);
   const Point origin = {place(choice + 4), place(choice + 9)};
   const auto glyph =
       static_cast<uint16_t>(get_u16(choice + 14) % (font.glyph_count() + 1u));
-  hostile::draw_checked(font, glyph, brush, origin);
+  hostile::draw_checked(font, glyph, style, origin);
   const auto* text = reinterpret_cast<const char*>(choice + 16);
-  hostile::use_text(font, {text, kChoiceBytes - 16}, brush, origin);
+  hostile::use_text(font, {text, kChoiceBytes - 16}, style, origin);
 }

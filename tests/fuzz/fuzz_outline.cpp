@@ -149,13 +149,13 @@ void run(const uint8_t* data, size_t size) {
   const bool is_verified = font.verify() == Status::ok;
   hostile::require(!has_points || is_verified, "a font of points is verified");
 
-  hostile::OutlineStyle style;
-  style.size_q6 = static_cast<int32_t>(256 + get_u16(choice + input::kSize) %
-                                                 (65536 - 256 + 1));
-  style.filter = choice[input::kFilter] % hostile::kFilterCount;
-  style.painter = choice[input::kPainter] % hostile::kPainterCount;
-  style.map = choice[input::kMap] % hostile::kMapCount;
-  style.is_fitted = (choice[input::kFlags] & input::kIsFitted) != 0;
+  hostile::OutlineLook look;
+  look.size_q6 = static_cast<int32_t>(256 + get_u16(choice + input::kSize) %
+                                                (65536 - 256 + 1));
+  look.filter = choice[input::kFilter] % hostile::kFilterCount;
+  look.effect = choice[input::kEffect] % hostile::kEffectCount;
+  look.map = choice[input::kMap] % hostile::kMapCount;
+  look.is_fitted = (choice[input::kFlags] & input::kIsFitted) != 0;
   hostile::OutlineCut cut;
   cut.origin = {place(choice, 0), place(choice, 1)};
   cut.x0 = cut.y0 = -5;
@@ -166,8 +166,8 @@ void run(const uint8_t* data, size_t size) {
   cut.odd = choice[input::kOdd] % 4;
   const auto glyph = static_cast<uint16_t>(choice[input::kGlyph] % 5);
   // The box of the composite is not that of its parts.
-  hostile::check_outline(font, glyph, style, cut, has_points && glyph != 3);
+  hostile::check_outline(font, glyph, look, cut, has_points && glyph != 3);
   if ((choice[input::kFlags] & input::kHasField) != 0) {
-    hostile::check_generated_field(font, glyph, style, cut);
+    hostile::check_generated_field(font, glyph, look, cut);
   }
 }

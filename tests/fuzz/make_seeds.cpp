@@ -55,7 +55,7 @@ std::vector<uint8_t> outline_choice(uint8_t number) {
   put_u16(&choice[input::kMaxPoints], 100);
   put_u16(&choice[input::kSize], 16 * 64 - 256 + 200u * number);
   choice[input::kFilter] = number;
-  choice[input::kPainter] = static_cast<uint8_t>(number / 2);
+  choice[input::kEffect] = static_cast<uint8_t>(number / 2);
   choice[input::kMap] = static_cast<uint8_t>(number / 3);
   choice[input::kGlyph] = 1;
   put_u32(&choice[input::kOrigin + 4], 14 * 64 + 21);

@@ -109,8 +109,9 @@ struct Plain {
         const LoopOptions& options,
         int px,
         const std::vector<std::pair<int, int>>& phases) {
-    Brush brush;
-    EXPECT_EQ(Brush::make(Q26_6::from_int(px), kFilterText, brush), Status::ok);
+    TextStyle style;
+    EXPECT_EQ(TextStyle::make(Q26_6::from_int(px), kFilterText, style),
+              Status::ok);
     const double scale = px / 1024.0;
     const Box& box = shape.box();
     double sum = 0;
@@ -122,7 +123,7 @@ struct Plain {
           const double x_px = x + 0.5 - origin.x;
           const double y_px = origin.y - y - 0.5;
           Q6_10 distance[1];
-          distance_row(field, brush,
+          distance_row(field, style,
                        inkcell::Point{Q26_6::from_raw(dx), Q26_6::from_raw(dy)},
                        x, y, distance);
           const double drawn = kFilterText.coverage(distance[0].raw);

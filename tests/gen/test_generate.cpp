@@ -20,8 +20,8 @@ constexpr const char* kDejaVu =
 GenerateRequest dejavu() {
   GenerateRequest request;
   request.font = kDejaVu;
-  request.adf.min_px = 12;
-  request.adf.max_px = 16;
+  request.target.min_px = 12;
+  request.target.max_px = 16;
   return request;
 }
 
@@ -34,21 +34,21 @@ std::string refusal(const GenerateRequest& request) {
   return "no error";
 }
 
-AdfOptions options_of(Coding coding) {
-  AdfOptions options = dejavu().adf;
+Target options_of(Coding coding) {
+  Target options = dejavu().target;
   options.coding = coding;
   return options;
 }
 
-const std::vector<AdfOptions> kCodings = {options_of(Coding::samples),
-                                          options_of(Coding::edges),
-                                          options_of(Coding::outline)};
+const std::vector<Target> kCodings = {options_of(Coding::samples),
+                                      options_of(Coding::edges),
+                                      options_of(Coding::outline)};
 
 TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
   GenerateRequest request = dejavu();
   request.chars = {"A-C,a"};
-  for (const AdfOptions& options : kCodings) {
-    request.adf = options;
+  for (const Target& options : kCodings) {
+    request.target = options;
     request.jobs = 1;
     const std::vector<uint8_t> one = generate(request).bytes;
     for (const int jobs : {3, 8}) {
@@ -59,17 +59,17 @@ TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(Generate, MakesOutlinesUnlessTold) {
-  EXPECT_EQ(GenerateRequest().adf.coding, Coding::outline);
-  EXPECT_EQ(GenerateRequest().adf.predicate, Predicate::size_aware);
+  EXPECT_EQ(GenerateRequest().target.coding, Coding::outline);
+  EXPECT_EQ(GenerateRequest().target.predicate, Predicate::size_aware);
 }
 
 // Each coding takes less than half of the one before.
 TEST(Generate, MakesSmallerFontsOfEdgesAndOutlines) {
   size_t before = 1000000;
-  for (const AdfOptions& options : kCodings) {
+  for (const Target& options : kCodings) {
     GenerateRequest request = dejavu();
     request.symbols = "Rag8";
-    request.adf = options;
+    request.target = options;
     const RomFont rom = generate(request);
     Font font;
     ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font),
@@ -116,11 +116,11 @@ TEST(Generate, TakesTheUnionOfAllCharacters) {
 }
 
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
-  for (const AdfOptions& options :
+  for (const Target& options :
        {options_of(Coding::samples), options_of(Coding::edges)}) {
     GenerateRequest request = dejavu();
     request.symbols = "Hamburg 8";
-    request.adf = options;
+    request.target = options;
     const RomFont rom = generate(request);
     const auto json = nlohmann::json::parse(report_as_json(rom.report));
     const bool fields = options.coding == Coding::edges;
@@ -155,7 +155,7 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
                   kinds.at("pair").get<size_t>() +
                   kinds.at("triple").get<size_t>(),
               fields ? cells : 0);
-    EXPECT_EQ(json.at("field_count").get<size_t>() > 0, fields);
+    EXPECT_EQ(json.at("primitive_count").get<size_t>() > 0, fields);
     EXPECT_LE(json.at("error").at("max").get<double>(), 16);
     EXPECT_GT(json.at("error").at("max").get<double>(), 1);
     EXPECT_LE(json.at("error").at("mean").get<double>(), 3);
@@ -185,9 +185,9 @@ TEST(Generate, RefusesWrongRequests) {
   const auto range = [](double min_px, double max_px, double tolerance) {
     GenerateRequest request = dejavu();
     request.symbols = "H";
-    request.adf.min_px = min_px;
-    request.adf.max_px = max_px;
-    request.adf.tolerance = tolerance;
+    request.target.min_px = min_px;
+    request.target.max_px = max_px;
+    request.target.tolerance = tolerance;
     return refusal(request);
   };
   EXPECT_EQ(range(4, 4, 255), "no error");
@@ -199,7 +199,7 @@ TEST(Generate, RefusesWrongRequests) {
   EXPECT_NE(range(8, 64, 256).find("--tolerance"), std::string::npos);
   for (const int effort : {-1, 10}) {
     GenerateRequest request = dejavu();
-    request.adf.effort = effort;
+    request.target.effort = effort;
     EXPECT_EQ(refusal(request).find("--effort"), 0u);
   }
   GenerateRequest request = dejavu();
@@ -210,8 +210,8 @@ TEST(Generate, RefusesWrongRequests) {
 TEST(Generate, RefusesWhatDoesNotGoTogether) {
   GenerateRequest request = dejavu();
   request.symbols = "H";
-  request.adf = options_of(Coding::edges);
-  request.adf.predicate = Predicate::fixed;
+  request.target = options_of(Coding::edges);
+  request.target.predicate = Predicate::fixed;
   EXPECT_EQ(refusal(request).find("--predicate fixed"), 0u);
   EXPECT_NE(refusal(request).find("--coding samples"), std::string::npos);
 }
@@ -226,8 +226,8 @@ TEST(Generate, TakesSamplesWhereFieldsDoNotReach) {
   GenerateRequest request;
   request.font = folder.write("wide.ttf", source);
   request.symbols = ".H";
-  request.adf.coding = Coding::edges;
-  request.adf.max_px = 24;
+  request.target.coding = Coding::edges;
+  request.target.max_px = 24;
   const FontReport report = generate(request).report;
   for (const GlyphReport& glyph : report.glyphs) {
     EXPECT_TRUE(glyph.within_tolerance) << glyph.key;
@@ -253,8 +253,8 @@ TEST(Generate, DrawsOddOutlines) {
       {U'5', 500, {rectangle(0, 0, 300, 300), rectangle(100, 100, 400, 400)}});
   GenerateRequest request;
   request.font = folder.write("odd.ttf", source);
-  request.adf.coding = Coding::edges;
-  request.adf.max_px = 16;
+  request.target.coding = Coding::edges;
+  request.target.max_px = 16;
   const RomFont rom = generate(request);
   const std::map<std::string, bool> has_ink = {
       {"1", true}, {"2", true}, {"3", false}, {"4", false}, {"5", true}};
@@ -298,17 +298,17 @@ TEST(Generate, HoldsOutlinesUpToTheLimit) {
   const int limit = static_cast<int>(kCoordinateLimit);
   GenerateRequest request;
   request.symbols = "H";
-  request.adf.min_px = 4;
-  request.adf.max_px = 4;
+  request.target.min_px = 4;
+  request.target.max_px = 4;
   for (const int far : {limit, limit - 1, limit - 77, limit - 255}) {
     source.glyphs[3].contours = {rectangle(far - 9, far - 9, far, far),
                                  rectangle(-far, -far, 9 - far, 9 - far)};
     request.font = folder.write("wide.ttf", source);
-    request.adf.coding = far % 2 == 0 ? Coding::samples : Coding::edges;
+    request.target.coding = far % 2 == 0 ? Coding::samples : Coding::edges;
     EXPECT_EQ(refusal(request), "no error") << far;
   }
-  request.adf.coding = Coding::samples;
-  request.adf.predicate = Predicate::fixed;
+  request.target.coding = Coding::samples;
+  request.target.predicate = Predicate::fixed;
   const std::string message = refusal(request);
   EXPECT_NE(message.find("beyond 15 em"), std::string::npos) << message;
   EXPECT_EQ(message.find("--max-px"), std::string::npos) << message;
@@ -319,9 +319,9 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   GenerateRequest request;
   request.font = folder.write("plain.ttf", Sfnt::plain());
   request.symbols = ".";
-  request.adf.coding = Coding::samples;
-  request.adf.max_px = 1024;
-  request.adf.tolerance = 1;
+  request.target.coding = Coding::samples;
+  request.target.max_px = 1024;
+  request.target.tolerance = 1;
   const RomFont rom = generate(request);
   bool missed = false;
   for (const GlyphReport& glyph : rom.report.glyphs) {
@@ -355,8 +355,8 @@ TEST(Generate, TellsOfProgress) {
 TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
   GenerateRequest request = dejavu();
   request.symbols = "aD";
-  request.adf.coding = Coding::samples;
-  request.adf.predicate = Predicate::fixed;
+  request.target.coding = Coding::samples;
+  request.target.predicate = Predicate::fixed;
   const RomFont rom = generate(request);
   const auto json = nlohmann::json::parse(report_as_json(rom.report));
   EXPECT_EQ(json.at("predicate"), "fixed");

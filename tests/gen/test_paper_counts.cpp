@@ -15,8 +15,8 @@ Outline outline(std::vector<Contour> contours) {
   return result;
 }
 
-AdfOptions fixed() {
-  AdfOptions options;
+Target fixed() {
+  Target options;
   options.predicate = Predicate::fixed;
   return options;
 }
@@ -68,13 +68,13 @@ TEST(PaperCounts, BilinearNeedsFarMoreForGlyphs) {
     EXPECT_GT(colours, 5 * two);
     // Quantisation costs little.
     const double coded =
-        static_cast<double>(build_adf(shape, fixed()).cells.size());
+        static_cast<double>(build_sample_tree(shape, fixed()).cells.size());
     EXPECT_NEAR(coded / two, 1, 0.1);
     // In the whole band the difference is what the paper says.
-    const double band_two = static_cast<double>(
-        count_cells_biquadratic(shape, AdfOptions()).varying);
+    const double band_two =
+        static_cast<double>(count_cells_biquadratic(shape, Target()).varying);
     const double band_one =
-        static_cast<double>(count_cells_bilinear(shape, AdfOptions()).varying);
+        static_cast<double>(count_cells_bilinear(shape, Target()).varying);
     EXPECT_GT(band_one, 2 * band_two);
   }
 }

@@ -10,9 +10,9 @@
 #include <iterator>
 #include <random>
 
+#include "edge_trees.hpp"
 #include "edges/code.hpp"
 #include "edges/record.hpp"
-#include "field_trees.hpp"
 #include "inkcell/format/rom.hpp"
 #include "shape/shape.hpp"
 
@@ -405,7 +405,7 @@ TEST(RomFont, HeaderSaysNothingOfOutlinesWhereThereAreCells) {
 TEST(RomFont, RecordsAreThoseOfTheCells) {
   const RomContent content = of_fields();
   EXPECT_EQ(glyph_record(content.glyphs[3]),
-            field_record(content.glyphs[3].fields));
+            edge_record(content.glyphs[3].fields));
   EXPECT_TRUE(glyph_record(content.glyphs[0]).empty());
   EXPECT_TRUE(content.glyphs[3].has_ink());
   EXPECT_FALSE(content.glyphs[0].has_ink());
@@ -473,10 +473,10 @@ TEST(RomFont, ClosedLoopSeesDifferentFields) {
     });
   };
   refuses([](RomContent& c) { std::swap(c.glyphs[2], c.glyphs[3]); });
-  refuses([](RomContent& c) { c.glyphs[3].fields = FieldTree(); });
+  refuses([](RomContent& c) { c.glyphs[3].fields = EdgeTree(); });
   refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
   refuses([](RomContent& c) {
-    c.glyphs[2].fields = FieldTree();
+    c.glyphs[2].fields = EdgeTree();
     c.glyphs[2].samples = larger().glyphs[3].samples;
   });
   refuses([&](RomContent& c) {

@@ -1,13 +1,13 @@
 #include "styles.hpp"
 
-#include "inkcell/adaptive.hpp"
 #include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/perception.hpp"
 #include "inkcell/splat.hpp"
+#include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 
 namespace golden {
@@ -29,7 +29,7 @@ constexpr FitOptions kTwoLevels = {true, 2};
 
 // `options` may be null: not fitted.
 bool draw_line(const Line& line,
-               const Brush& brush,
+               const TextStyle& style,
                const FitOptions* options,
                const Sink& sink) {
   Font font;
@@ -37,9 +37,9 @@ bool draw_line(const Line& line,
   if (Font::open(font_bytes(line.font), font) != Status::ok) {
     return false;
   }
-  Brush own = brush;
+  TextStyle own = style;
   if (options != nullptr) {
-    if (Fit::make(font, brush, *options, fit) != Status::ok) {
+    if (Fit::make(font, style, *options, fit) != Status::ok) {
       return false;
     }
     own.set_fitter(&kGridFit, &fit);
@@ -49,23 +49,23 @@ bool draw_line(const Line& line,
   return true;
 }
 
-bool make_brush(const Line& line, const Filter& filter, Brush& brush) {
-  return Brush::make(Q26_6::from_raw(line.size_q6), filter, brush) ==
+bool make_style(const Line& line, const Filter& filter, TextStyle& style) {
+  return TextStyle::make(Q26_6::from_raw(line.size_q6), filter, style) ==
          Status::ok;
 }
 
-// Not inline, so that there is one brush at a time on the stack.
+// Not inline, so that there is one style at a time on the stack.
 __attribute__((noinline)) bool draw_painted(const Line& line,
                                             const Filter& filter,
-                                            const Painter& painter,
+                                            const Effect& effect,
                                             const FitOptions* fit,
                                             const Sink& sink) {
-  Brush brush;
-  if (!make_brush(line, filter, brush)) {
+  TextStyle style;
+  if (!make_style(line, filter, style)) {
     return false;
   }
-  brush.set_painter(painter);
-  return draw_line(line, brush, fit, sink);
+  style.set_effect(effect);
+  return draw_line(line, style, fit, sink);
 }
 
 bool draw_plain(const Line& line,
@@ -85,17 +85,17 @@ bool draw_fitted(const Sink& sink) {
 }
 
 bool draw_adaptive(const Sink& sink) {
-  const Adaptive even = make_adaptive(kFilterMotion, kCalmRadius);
+  const Supersampling even = make_supersampling(kFilterMotion, kCalmRadius);
   if (!draw_painted({FontId::dejavu_serif, "AVA Quav&", 10 * 64 + 11, 2 * 64,
                      28 * 64 + 17},
-                    kFilterMotion, adaptive_painter(even), nullptr, sink)) {
+                    kFilterMotion, supersample_effect(even), nullptr, sink)) {
     return false;
   }
-  const Adaptive paper =
-      make_adaptive(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
+  const Supersampling paper =
+      make_supersampling(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_samples, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
-      kFilterPaperDisplay, adaptive_painter(paper), nullptr, sink);
+      kFilterPaperDisplay, supersample_effect(paper), nullptr, sink);
 }
 
 bool draw_splats(const Sink& sink) {
@@ -105,14 +105,14 @@ bool draw_splats(const Sink& sink) {
   return make_splats(sums, kSplatRadius, splats) == Status::ok &&
          draw_painted({FontId::dejavu_sans_samples, "Again", 13 * 64 + 7,
                        112 * 64 + 9, 169 * 64 + 30},
-                      kFilterText, splat_painter(splats), nullptr, sink);
+                      kFilterText, splat_effect(splats), nullptr, sink);
 }
 
 bool draw_perceptual(const Sink& sink) {
-  const Perception perception;
+  const EdgeContrast edge_contrast;
   return draw_painted(
       {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64},
-      kFilterText, perception_painter(perception), nullptr, sink);
+      kFilterText, edge_contrast_effect(edge_contrast), nullptr, sink);
 }
 
 bool draw_blurred(const Sink& sink) {
@@ -120,20 +120,20 @@ bool draw_blurred(const Sink& sink) {
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
   return make_motion_blur(kFilterText, way, blur) == Status::ok &&
          draw_painted({FontId::roboto, "Root", 22 * 64, 95 * 64, 50 * 64},
-                      kFilterText, motion_blur_painter(blur), nullptr, sink);
+                      kFilterText, motion_blur_effect(blur), nullptr, sink);
 }
 
 bool draw_outlined(const Sink& sink) {
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
   if (!draw_painted({FontId::dejavu_serif, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
-                    outline.outer, outline_painter(outline.inner), nullptr,
+                    outline.outer, outline_effect(outline.inner), nullptr,
                     sink)) {
     return false;
   }
   const OutlineAndFill both = {&outline.inner, &sink};
   return draw_painted({FontId::dejavu_sans, "Inn", 28 * 64, 85 * 64, 80 * 64},
-                      outline.outer, outline_and_fill_painter(both), nullptr,
+                      outline.outer, outline_and_fill_effect(both), nullptr,
                       sink);
 }
 
@@ -147,43 +147,43 @@ bool draw_weighted(const Sink& sink) {
 }
 
 bool draw_crisp(const Sink& sink) {
-  const CrispStyle two = {2, Q6_10::from_raw(-100)};
-  const CrispStyle four = {4, Q6_10()};
+  const CrispOptions two = {2, Q6_10::from_raw(-100)};
+  const CrispOptions four = {4, Q6_10()};
   return draw_painted(
              {FontId::dejavu_serif, "AV Qua", 11 * 64, 2 * 64 + 30, 118 * 64},
-             kFilterText, crisp_painter(two), nullptr, sink) &&
+             kFilterText, crisp_effect(two), nullptr, sink) &&
          draw_painted(
              {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64},
-             kFilterText, crisp_painter(four), nullptr, sink);
+             kFilterText, crisp_effect(four), nullptr, sink);
 }
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
 bool draw_turned(const Sink& sink) {
-  Brush brush;
+  TextStyle style;
   const auto px = [](int32_t q10) { return Q16_16::from_raw(q10 * 64); };
-  if (Brush::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
-                  brush) != Status::ok ||
-      !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, brush,
+  if (TextStyle::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
+                      style) != Status::ok ||
+      !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, style,
                  nullptr, sink)) {
     return false;
   }
-  if (Brush::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
-                  brush) != Status::ok ||
-      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, brush,
+  if (TextStyle::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
+                      style) != Status::ok ||
+      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, style,
                  nullptr, sink)) {
     return false;
   }
   Direction direction;
   direction.cosine.raw = 1065418748;
   direction.sine.raw = -133530580;
-  const Adaptive even = make_adaptive(kFilterText);
-  if (Brush::make(Q26_6::from_int(15), kFilterText, direction, brush) !=
+  const Supersampling even = make_supersampling(kFilterText);
+  if (TextStyle::make(Q26_6::from_int(15), kFilterText, direction, style) !=
       Status::ok) {
     return false;
   }
-  brush.set_painter(adaptive_painter(even));
+  style.set_effect(supersample_effect(even));
   return draw_line({FontId::dejavu_serif, "Quav AVA", 0, 3 * 64, 160 * 64},
-                   brush, nullptr, sink);
+                   style, nullptr, sink);
 }
 
 // By area, upright and turned.
@@ -196,17 +196,17 @@ bool draw_areas(const Sink& sink) {
   Direction direction;
   direction.cosine.raw = 858993459;
   direction.sine.raw = 644245094;
-  Brush brush;
-  return Brush::make(Q26_6::from_raw(upright.size_q6), kFilterArea, brush) ==
-             Status::ok &&
-         draw_line(upright, brush, nullptr, sink) &&
-         Brush::make(Q26_6::from_raw(turned.size_q6), kFilterArea, direction,
-                     brush) == Status::ok &&
-         draw_line(turned, brush, nullptr, sink) &&
-         Brush::make(Q26_6::from_int(15), kFilterText, direction, brush) ==
+  TextStyle style;
+  return TextStyle::make(Q26_6::from_raw(upright.size_q6), kFilterArea,
+                         style) == Status::ok &&
+         draw_line(upright, style, nullptr, sink) &&
+         TextStyle::make(Q26_6::from_raw(turned.size_q6), kFilterArea,
+                         direction, style) == Status::ok &&
+         draw_line(turned, style, nullptr, sink) &&
+         TextStyle::make(Q26_6::from_int(15), kFilterText, direction, style) ==
              Status::ok &&
          draw_line({FontId::roboto_outline, "Roboty", 0, 50 * 64, 170 * 64},
-                   brush, nullptr, sink);
+                   style, nullptr, sink);
 }
 
 // By distance, as it comes, fitted, and of many contours.
@@ -235,37 +235,37 @@ bool draw_edges(const Sink& sink) {
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
   return draw_painted(
       {FontId::roboto_outline, "Roby", 28 * 64, 2 * 64, 106 * 64},
-      outline.outer, outline_painter(outline.inner), nullptr, sink);
+      outline.outer, outline_effect(outline.inner), nullptr, sink);
 }
 
 bool draw_two_levels(const Sink& sink) {
-  const CrispStyle two = {2, Q6_10::from_raw(-100)};
-  const CrispStyle four = {4, {}};
+  const CrispOptions two = {2, Q6_10::from_raw(-100)};
+  const CrispOptions four = {4, {}};
   return draw_painted(
              {FontId::roboto_outline, "Robot", 11 * 64, 80 * 64, 100 * 64},
-             kFilterText, crisp_painter(two), nullptr, sink) &&
+             kFilterText, crisp_effect(two), nullptr, sink) &&
          draw_painted({FontId::dejavu_serif_outline, "Quav", 11 * 64, 120 * 64,
                        100 * 64},
-                      kFilterText, crisp_painter(two), &kTwoLevels, sink) &&
+                      kFilterText, crisp_effect(two), &kTwoLevels, sink) &&
          draw_painted({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 80 * 64,
                        112 * 64},
-                      kFilterText, crisp_painter(four), &kAcross, sink) &&
+                      kFilterText, crisp_effect(four), &kAcross, sink) &&
          draw_plain({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 118 * 64,
                      112 * 64},
                     kFilterText, &kAcross, sink);
 }
 
-using DrawStyle = bool (*)(const Sink& sink);
+using DrawLook = bool (*)(const Sink& sink);
 
 // By address, so that none is inlined: there are
 // the filters of one style at a time on the stack.
-constexpr DrawStyle kOutlineStyles[] = {draw_distances, draw_areas, draw_soft,
-                                        draw_edges, draw_two_levels};
+constexpr DrawLook kOutlineLooks[] = {draw_distances, draw_areas, draw_soft,
+                                      draw_edges, draw_two_levels};
 
 }  // namespace
 
 bool draw_outlines(const Sink& sink) {
-  for (const DrawStyle draw : kOutlineStyles) {
+  for (const DrawLook draw : kOutlineLooks) {
     if (!draw(sink)) {
       return false;
     }
@@ -285,12 +285,12 @@ bool draw_sub_pixels(const Sink& sink) {
                                    SubPixels::bgr_vertical};
   int32_t y_q6 = 20 * 64 + 11;
   for (const SubPixels order : kOrders) {
-    const LcdStyle style = {order, static_cast<uint8_t>(y_q6 >> 5)};
+    const LcdOptions lcd = {order, static_cast<uint8_t>(y_q6 >> 5)};
     if (!draw_painted(
             {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
-            kFilterText, lcd_painter(style), nullptr, sink) ||
+            kFilterText, lcd_effect(lcd), nullptr, sink) ||
         !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6},
-                      kFilterText, lcd_painter(style), nullptr, sink)) {
+                      kFilterText, lcd_effect(lcd), nullptr, sink)) {
       return false;
     }
     y_q6 += 42 * 64 + 7;

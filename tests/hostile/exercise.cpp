@@ -85,27 +85,27 @@ class Canvas {
   std::vector<uint8_t> drawn_;
 };
 
-struct Style {
+struct Look {
   int32_t size_q6;
   int32_t cosine_q30;
   int32_t sine_q30;
 };
 
 constexpr int32_t kOne = 1 << 30;
-constexpr Style kStyles[] = {
+constexpr Look kLooks[] = {
     {4 * 64, kOne, 0},    {13 * 64 + 21, kOne, 0},
     {1024 * 64, kOne, 0}, {4 * 64, 759250125, 759250125},
     {20 * 64, 0, -kOne},  {700 * 64, -858993459, 644245094}};
 
-Brush brush_of(const Style& style) {
+TextStyle style_of(const Look& look) {
   Direction direction;
-  direction.cosine.raw = style.cosine_q30;
-  direction.sine.raw = style.sine_q30;
-  Brush brush;
-  require(Brush::make(Q26_6::from_raw(style.size_q6), kFilterText, direction,
-                      brush) == Status::ok,
-          "brush");
-  return brush;
+  direction.cosine.raw = look.cosine_q30;
+  direction.sine.raw = look.sine_q30;
+  TextStyle style;
+  require(TextStyle::make(Q26_6::from_raw(look.size_q6), kFilterText, direction,
+                          style) == Status::ok,
+          "style");
+  return style;
 }
 
 void use_glyph(const Font& font, uint16_t glyph) {
@@ -120,21 +120,21 @@ void use_glyph(const Font& font, uint16_t glyph) {
                (record.data >= rom.data &&
                 record.data + record.size <= rom.data + rom.size)),
           "record in the font");
-  for (const Style& style : kStyles) {
+  for (const Look& look : kLooks) {
     // Somewhere in the upper part of a glyph of any size.
-    const Point origin = {Q26_6::from_raw(-style.size_q6 / 8 + 1000),
-                          Q26_6::from_raw(style.size_q6 / 2 + 300)};
-    Brush brush = brush_of(style);
-    draw_checked(font, glyph, brush, origin);
+    const Point origin = {Q26_6::from_raw(-look.size_q6 / 8 + 1000),
+                          Q26_6::from_raw(look.size_q6 / 2 + 300)};
+    TextStyle style = style_of(look);
+    draw_checked(font, glyph, style, origin);
     Fit fit;
     FitOptions options;
     options.across = glyph % 2 == 0;
     options.levels = static_cast<uint8_t>(glyph % 3 * 2);
     options.strength_q8 = static_cast<uint16_t>(256 - glyph % 100);
-    if (brush.is_upright() &&
-        Fit::make(font, brush, options, fit) == Status::ok) {
-      brush.set_fitter(&kGridFit, &fit);
-      draw_checked(font, glyph, brush, origin);
+    if (style.is_upright() &&
+        Fit::make(font, style, options, fit) == Status::ok) {
+      style.set_fitter(&kGridFit, &fit);
+      draw_checked(font, glyph, style, origin);
     }
   }
 }
@@ -171,9 +171,9 @@ bool is_of_outlines(const Font& font) {
 // Whether numbers without sense make the same picture in every window: object
 // order, of larger upright text, needs fields within the format's limits, and
 // outlines must lie in their boxes.
-bool is_exact(const Font& font, const Brush& brush) {
+bool is_exact(const Font& font, const TextStyle& style) {
   return !is_of_outlines(font) &&
-         (brush.size().raw < 40 * 64 || !brush.is_upright());
+         (style.size().raw < 40 * 64 || !style.is_upright());
 }
 
 }  // namespace
@@ -188,26 +188,26 @@ void require(bool condition, const char* what) {
 // One picture, then the same in two strips, then row by row in distances.
 void draw_checked(const Font& font,
                   uint16_t glyph,
-                  const Brush& brush,
+                  const TextStyle& style,
                   Point origin) {
   Canvas whole({0, 0, kWidth, kHeight});
-  draw_glyph(font, glyph, brush, origin, whole.sink());
+  draw_glyph(font, glyph, style, origin, whole.sink());
   whole.check_guards();
   Canvas upper({0, 0, kWidth, 7});
-  draw_glyph(font, glyph, brush, origin, upper.sink());
+  draw_glyph(font, glyph, style, origin, upper.sink());
   upper.check_guards();
   Canvas lower({0, 7, kWidth, kHeight});
-  draw_glyph(font, glyph, brush, origin, lower.sink());
+  draw_glyph(font, glyph, style, origin, lower.sink());
   lower.check_guards();
   for (int32_t y = 0; y < kHeight; ++y) {
     require(
-        !is_exact(font, brush) || whole.row_equals(y, y < 7 ? upper : lower),
+        !is_exact(font, style) || whole.row_equals(y, y < 7 ? upper : lower),
         "the same picture in strips");
   }
   GlyphField field;
   if (font.field(glyph, field) == Status::ok) {
     std::array<Q6_10, kWidth> distances;
-    distance_row(field, brush, origin, -3, 5,
+    distance_row(field, style, origin, -3, 5,
                  {distances.data(), distances.size()});
     const auto x = static_cast<int32_t>(glyph * 97 % 2000 * 65536);
     distance_at(field, Q16_16::from_raw(x), Q16_16::from_raw(x / 3));
@@ -215,7 +215,10 @@ void draw_checked(const Font& font,
   }
 }
 
-void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
+void use_text(const Font& font,
+              Text text,
+              const TextStyle& style,
+              Point origin) {
   const TextMeasure line = measure(font, text);
   require(line.advance >= -(1 << 24) && line.advance <= 1 << 24, "advance");
   std::array<PositionedGlyph, 64> buffer;
@@ -229,7 +232,7 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
   Canvas parts({0, 0, kWidth, kHeight});
   for (const PositionedGlyph& glyph : run) {
     whole.next_glyph();
-    draw(font, {&glyph, 1}, brush, origin, whole.sink());
+    draw(font, {&glyph, 1}, style, origin, whole.sink());
   }
   whole.check_guards();
   // Drawn as a line, calls begin anew with each glyph: one window a row.
@@ -239,9 +242,9 @@ void use_text(const Font& font, Text text, const Brush& brush, Point origin) {
       Sink sink = parts.sink();
       sink.window.y0 = y;
       sink.window.y1 = y + 1;
-      draw(font, {&glyph, 1}, brush, origin, sink);
+      draw(font, {&glyph, 1}, style, origin, sink);
     }
-    require(!is_exact(font, brush) || parts.row_equals(y, whole),
+    require(!is_exact(font, style) || parts.row_equals(y, whole),
             "the same line row by row");
   }
 }
@@ -251,7 +254,7 @@ void use(const Font& font) {
   use_text(font,
            "AB\xf0\x9f\x98\x80 C\xff"
            "BA",
-           brush_of(kStyles[1]), {Q26_6::from_int(2), Q26_6::from_int(14)});
+           style_of(kLooks[1]), {Q26_6::from_int(2), Q26_6::from_int(14)});
   const uint16_t count = font.glyph_count();
   for (uint16_t glyph = 0; glyph < count && glyph < 5; ++glyph) {
     use_glyph(font, glyph);

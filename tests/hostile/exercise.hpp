@@ -24,13 +24,13 @@ void use(const inkcell::Font& font);
 /// for distances.
 void draw_checked(const inkcell::Font& font,
                   uint16_t glyph,
-                  const inkcell::Brush& brush,
+                  const inkcell::TextStyle& style,
                   inkcell::Point origin);
 
 /// Lays out, measures and draws a line, whole and row by row. At most 64 bytes.
 void use_text(const inkcell::Font& font,
               inkcell::Text text,
-              const inkcell::Brush& brush,
+              const inkcell::TextStyle& style,
               inkcell::Point origin);
 
 /// Ends the program unless `condition` holds.

@@ -25,7 +25,7 @@ using namespace inkcell;
 using hostile::check_generated_field;
 using hostile::check_outline;
 using hostile::OutlineCut;
-using hostile::OutlineStyle;
+using hostile::OutlineLook;
 using hostile::require;
 using outline_record::BitWriter;
 namespace word = format::outline;
@@ -108,19 +108,19 @@ class Artist {
   explicit Artist(uint32_t seed) : random_(seed) {}
 
   void draw(const Font& font, uint16_t glyph, bool is_exact) {
-    OutlineStyle style;
+    OutlineLook look;
     const int32_t sizes[] = {4 * 64,  9 * 64 + 13,  16 * 64,  33 * 64,
                              90 * 64, 300 * 64 + 1, 1024 * 64};
-    style.size_q6 = sizes[random_.below(7)];
-    style.filter = static_cast<uint8_t>(random_.below(hostile::kFilterCount));
-    style.painter =
+    look.size_q6 = sizes[random_.below(7)];
+    look.filter = static_cast<uint8_t>(random_.below(hostile::kFilterCount));
+    look.effect =
         random_.below(3) == 0
-            ? static_cast<uint8_t>(random_.below(hostile::kPainterCount))
+            ? static_cast<uint8_t>(random_.below(hostile::kEffectCount))
             : uint8_t{0};
-    style.map = random_.below(2) == 0
-                    ? uint8_t{0}
-                    : static_cast<uint8_t>(random_.below(hostile::kMapCount));
-    style.is_fitted = random_.below(4) == 0;
+    look.map = random_.below(2) == 0
+                   ? uint8_t{0}
+                   : static_cast<uint8_t>(random_.below(hostile::kMapCount));
+    look.is_fitted = random_.below(4) == 0;
     const uint32_t bytes[] = {0, 1, 3, 927, 928, 929, 935, 1000, 2560};
     OutlineCut cut;
     cut.whole_bytes = bytes[random_.below(9)];
@@ -129,8 +129,8 @@ class Artist {
     cut.x_cut = random_.between(1, hostile::kPictureWidth);
     cut.y_cut = random_.between(1, hostile::kPictureHeight);
     // Some part of the glyph lies in the picture.
-    cut.origin = {Q26_6::from_raw(random_.between(-style.size_q6, 29 * 64)),
-                  Q26_6::from_raw(random_.between(0, 22 * 64 + style.size_q6))};
+    cut.origin = {Q26_6::from_raw(random_.between(-look.size_q6, 29 * 64)),
+                  Q26_6::from_raw(random_.between(0, 22 * 64 + look.size_q6))};
     if (random_.below(8) == 0) {
       const int32_t far = 30000;
       cut.x0 = random_.between(-far, far);
@@ -141,8 +141,8 @@ class Artist {
       cut.origin.x.raw = static_cast<int32_t>(random_.next());
       cut.origin.y.raw = static_cast<int32_t>(random_.next());
     }
-    check_outline(font, glyph, style, cut, is_exact);
-    check_generated_field(font, glyph, style, cut);
+    check_outline(font, glyph, look, cut, is_exact);
+    check_generated_field(font, glyph, look, cut);
     ++count_;
   }
 

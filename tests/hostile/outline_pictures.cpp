@@ -176,85 +176,85 @@ Matrix matrix_of(uint32_t number, int32_t size_q6) {
   }
 }
 
-Status make_brush(const OutlineStyle& style, Brush& brush) {
-  const Q26_6 size = Q26_6::from_raw(style.size_q6);
-  const bool is_area = style.filter == kFilterCount - 1;
-  const Filter& filter = *kFilters[is_area ? 0 : style.filter];
-  if (style.map == 0) {
-    return is_area ? Brush::make(size, kFilterArea, brush)
-                   : Brush::make(size, filter, brush);
+Status make_style(const OutlineLook& look, TextStyle& style) {
+  const Q26_6 size = Q26_6::from_raw(look.size_q6);
+  const bool is_area = look.filter == kFilterCount - 1;
+  const Filter& filter = *kFilters[is_area ? 0 : look.filter];
+  if (look.map == 0) {
+    return is_area ? TextStyle::make(size, kFilterArea, style)
+                   : TextStyle::make(size, filter, style);
   }
-  if (style.map < kDirectionCount) {
+  if (look.map < kDirectionCount) {
     Direction direction;
-    direction.cosine.raw = kDirections[style.map][0];
-    direction.sine.raw = kDirections[style.map][1];
-    return is_area ? Brush::make(size, kFilterArea, direction, brush)
-                   : Brush::make(size, filter, direction, brush);
+    direction.cosine.raw = kDirections[look.map][0];
+    direction.sine.raw = kDirections[look.map][1];
+    return is_area ? TextStyle::make(size, kFilterArea, direction, style)
+                   : TextStyle::make(size, filter, direction, style);
   }
-  const Matrix matrix = matrix_of(style.map - kDirectionCount, style.size_q6);
-  return is_area ? Brush::make(matrix, kFilterArea, brush)
-                 : Brush::make(matrix, filter, brush);
+  const Matrix matrix = matrix_of(look.map - kDirectionCount, look.size_q6);
+  return is_area ? TextStyle::make(matrix, kFilterArea, style)
+                 : TextStyle::make(matrix, filter, style);
 }
 
 static_assert(kDirectionCount + 4 == kMapCount, "all maps have numbers");
 
-// Everything that a painter refers to.
+// Everything that an effect refers to.
 struct Options {
   Outline outline = {};
   OutlineAndFill both = {};
-  LcdStyle lcd = {};
-  CrispStyle crisp = {};
+  LcdOptions lcd = {};
+  CrispOptions crisp = {};
   Sink fill = {};
   Fit fit = {};
 };
 
-void set_painter(uint8_t number, Options& options, Brush& brush) {
+void set_effect(uint8_t number, Options& options, TextStyle& style) {
   constexpr SubPixels kOrders[] = {SubPixels::rgb, SubPixels::bgr,
                                    SubPixels::rgb_vertical,
                                    SubPixels::bgr_vertical};
   if (number == 1) {
-    options.outline.inner = with_weight(brush.filter(), Q6_10::from_raw(-1100));
-    brush.set_painter(outline_painter(options.outline.inner));
+    options.outline.inner = with_weight(style.filter(), Q6_10::from_raw(-1100));
+    style.set_effect(outline_effect(options.outline.inner));
   } else if (number == 2) {
-    options.outline.inner = with_weight(brush.filter(), Q6_10::from_raw(-600));
+    options.outline.inner = with_weight(style.filter(), Q6_10::from_raw(-600));
     options.both = {&options.outline.inner, &options.fill};
-    brush.set_painter(outline_and_fill_painter(options.both));
+    style.set_effect(outline_and_fill_effect(options.both));
   } else if (number >= 3 && number < 7) {
     options.lcd = {kOrders[number - 3],
                    static_cast<uint8_t>(number == 5 ? 90 : 255)};
-    brush.set_painter(lcd_painter(options.lcd));
+    style.set_effect(lcd_effect(options.lcd));
   } else if (number >= 7) {
     options.crisp = {static_cast<uint8_t>(number == 7 ? 2 : 4),
                      Q6_10::from_raw(number == 7 ? 120 : -250)};
-    brush.set_painter(crisp_painter(options.crisp));
+    style.set_effect(crisp_effect(options.crisp));
   }
 }
 
-static_assert(kPainterCount == 9, "all painters have numbers");
+static_assert(kEffectCount == 9, "all effects have numbers");
 
 }  // namespace
 
 void check_outline(const Font& font,
                    uint16_t glyph,
-                   const OutlineStyle& style,
+                   const OutlineLook& look,
                    const OutlineCut& cut,
                    bool is_exact) {
-  Brush brush;
+  TextStyle style;
   Options options;
-  require(make_brush(style, brush) == Status::ok, "brush");
-  if (style.is_fitted && brush.is_upright() &&
-      Fit::make(font, brush, {true, 0, FitOptions::kAll}, options.fit) ==
+  require(make_style(look, style) == Status::ok, "style");
+  if (look.is_fitted && style.is_upright() &&
+      Fit::make(font, style, {true, 0, FitOptions::kAll}, options.fit) ==
           Status::ok) {
-    brush.set_fitter(&kGridFit, &options.fit);
+    style.set_fitter(&kGridFit, &options.fit);
   }
-  set_painter(style.painter, options, brush);
+  set_effect(look.effect, options, style);
 
   const Ram large(cut.whole_bytes, 0);
   Picture whole(cut.x0, cut.y0);
   const Rect& all = whole.all();
   const Sink sink = whole.sink(all, false);
   options.fill = whole.fill_sink(all);
-  draw_glyph(font, glyph, brush, cut.origin, sink, large.workspace());
+  draw_glyph(font, glyph, style, cut.origin, sink, large.workspace());
 
   const Ram small(cut.part_bytes, cut.odd);
   Picture parts(cut.x0, cut.y0);
@@ -267,14 +267,14 @@ void check_outline(const Font& font,
   for (const Rect& window : windows) {
     const Sink part = parts.sink(window, false);
     options.fill = parts.fill_sink(window);
-    draw_glyph(font, glyph, brush, cut.origin, part, small.workspace());
+    draw_glyph(font, glyph, style, cut.origin, part, small.workspace());
   }
   require(!is_exact || parts.equals(whole), "the same picture in windows");
 
   Picture blocks(cut.x0, cut.y0);
   const Ram ram(704 + 4 + cut.part_bytes % 512, cut.odd);
   PreparedGlyph prepared;
-  const Status status = PreparedGlyph::make(font, glyph, brush, cut.origin,
+  const Status status = PreparedGlyph::make(font, glyph, style, cut.origin,
                                             ram.workspace(), prepared);
   if (status == Status::ok) {
     const Rect strips[] = {{all.x0, all.y0, all.x1, y},
@@ -290,13 +290,13 @@ void check_outline(const Font& font,
 
 void check_generated_field(const Font& font,
                            uint16_t glyph,
-                           const OutlineStyle& style,
+                           const OutlineLook& look,
                            const OutlineCut& cut) {
   // From the finest to the coarsest, from the narrowest band to the widest.
   FieldLimits limits;
-  limits.tolerance.raw = style.size_q6 < FieldLimits::kMinTolerance.raw
+  limits.tolerance.raw = look.size_q6 < FieldLimits::kMinTolerance.raw
                              ? FieldLimits::kMinTolerance.raw
-                             : style.size_q6;
+                             : look.size_q6;
   limits.band_u =
       static_cast<int32_t>(cut.whole_bytes % FieldLimits::kMaxBand) + 1;
   const Ram ram(4 * (cut.part_bytes % 1024), 0);
@@ -313,11 +313,11 @@ void check_generated_field(const Font& font,
   require(GlyphField::open({buffer.data, bytes}, again) == Status::ok,
           "the record opens");
   require(again.cells == field.cells, "the record is the field");
-  Brush brush;
-  const auto size = Q26_6::from_raw(style.size_q6);
-  require(Brush::make(size, kFilterText, brush) == Status::ok, "brush");
+  TextStyle style;
+  const auto size = Q26_6::from_raw(look.size_q6);
+  require(TextStyle::make(size, kFilterText, style) == Status::ok, "style");
   Picture picture(cut.x0, cut.y0);
-  draw_field(field, brush, cut.origin, picture.sink(picture.all(), false));
+  draw_field(field, style, cut.origin, picture.sink(picture.all(), false));
   for (int32_t i = 0; i < 16; ++i) {
     const auto x = Q16_16::from_int(field.x0_u + 61 * i);
     const auto y = Q16_16::from_int(field.y0_u + 37 * i);

@@ -2,15 +2,15 @@
 // with small windows, small workspaces and any bytes.
 #pragma once
 
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace hostile {
 
-/// The painters that take outlines, by number.
-inline constexpr uint32_t kPainterCount = 9;
+/// The effects that take outlines, by number.
+inline constexpr uint32_t kEffectCount = 9;
 
 /// Filters by number; the last one is exact coverage.
 inline constexpr uint32_t kFilterCount = 9;
@@ -18,10 +18,10 @@ inline constexpr uint32_t kFilterCount = 9;
 /// Directions and matrices by number; 0 is upright.
 inline constexpr uint32_t kMapCount = 12;
 
-struct OutlineStyle {
+struct OutlineLook {
   int32_t size_q6 = 16 * 64;  // 4 to 1024 px; matrices are within it
   uint8_t filter = 0;
-  uint8_t painter = 0;  // 0: none
+  uint8_t effect = 0;  // 0: none
   uint8_t map = 0;
   bool is_fitted = false;  // upright text only
 };
@@ -47,7 +47,7 @@ inline constexpr int32_t kPictureHeight = 22;
 /// pictures differ.
 void check_outline(const inkcell::Font& font,
                    uint16_t glyph,
-                   const OutlineStyle& style,
+                   const OutlineLook& look,
                    const OutlineCut& cut,
                    bool is_exact);
 
@@ -57,7 +57,7 @@ void check_outline(const inkcell::Font& font,
 /// opens, or pixels leave the window.
 void check_generated_field(const inkcell::Font& font,
                            uint16_t glyph,
-                           const OutlineStyle& style,
+                           const OutlineLook& look,
                            const OutlineCut& cut);
 
 }  // namespace hostile

@@ -2,7 +2,7 @@
 //
 //   crisp <font.bin> <most breaks of 1000 pictures>
 //
-// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with crisp_painter,
+// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with crisp_effect,
 // and counts pieces of ink that touch, also at corners. A picture that has more
 // pieces than the glyph at 64 px is broken. What a threshold alone would break,
 // and pictures with fewer pieces, are printed beside it.
@@ -37,22 +37,22 @@ Bitmap draw(const Font& font,
   const int side = 3 * px;
   Bitmap picture = {side, side,
                     std::vector<uint8_t>(static_cast<size_t>(side * side))};
-  const CrispStyle style;
-  Brush brush;
+  const CrispOptions crisp;
+  TextStyle style;
   port::A8Target target;
   target.strip.pixels = {picture.pixels.data(), picture.pixels.size()};
   target.strip.width = side;
   target.strip.height = side;
   target.strip.stride = side;
   Sink sink;
-  if (Brush::make(Q26_6::from_int(px), kFilterText, brush) != Status::ok ||
+  if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok ||
       port::make_sink(target, sink) != Status::ok) {
     std::abort();
   }
   if (is_crisp) {
-    brush.set_painter(crisp_painter(style));
+    style.set_effect(crisp_effect(crisp));
   }
-  draw_glyph(font, glyph, brush,
+  draw_glyph(font, glyph, style,
              {Q26_6::from_raw(64 * px / 2 + x_q6),
               Q26_6::from_raw(64 * 2 * px + y_q6)},
              sink);

@@ -52,45 +52,45 @@ struct Picture {
   }
 };
 
-Brush make_brush(int style, int32_t px) {
+TextStyle make_style(int look, int32_t px) {
   const Q26_6 size = Q26_6::from_int(px);
   Direction turned;
   turned.cosine.raw = 858993459;
   turned.sine.raw = -644245094;
-  Brush brush;
+  TextStyle style;
   Status status = Status::bad_argument;
-  switch (style) {
+  switch (look) {
     case 0:
-      status = Brush::make(size, kFilterText, brush);
+      status = TextStyle::make(size, kFilterText, style);
       break;
     case 1:
-      status = Brush::make(size, kFilterArea, brush);
+      status = TextStyle::make(size, kFilterArea, style);
       break;
     case 2:
-      status = Brush::make(size, kWide, brush);
+      status = TextStyle::make(size, kWide, style);
       break;
     case 3:
-      status = Brush::make(size, kFilterText, turned, brush);
+      status = TextStyle::make(size, kFilterText, turned, style);
       break;
     case 4:
-      status = Brush::make(size, kFilterArea, turned, brush);
+      status = TextStyle::make(size, kFilterArea, turned, style);
       break;
     default:
-      status = Brush::make(size, kWide, turned, brush);
+      status = TextStyle::make(size, kWide, turned, style);
       break;
   }
   if (status != Status::ok) {
     std::abort();
   }
-  return brush;
+  return style;
 }
 
-constexpr int kStyles = 6;
+constexpr int kLooks = 6;
 
 // How many pixels differ.
 int64_t compare(const Font& font,
                 uint16_t glyph,
-                const Brush& brush,
+                const TextStyle& style,
                 int32_t px) {
   const int32_t width = 2 * px + 12;
   const int32_t height = 2 * px + 12;
@@ -99,7 +99,7 @@ int64_t compare(const Font& font,
   Picture whole(width, height);
   std::vector<uint32_t> ram(1 << 14);
   const Workspace large(reinterpret_cast<uint8_t*>(ram.data()), 1 << 16);
-  draw_glyph(font, glyph, brush, origin, whole.sink({0, 0, width, height}),
+  draw_glyph(font, glyph, style, origin, whole.sink({0, 0, width, height}),
              large);
   int64_t differences = 0;
   for (const int32_t rows : {1, 5, 16, height}) {
@@ -108,9 +108,9 @@ int64_t compare(const Font& font,
     for (int32_t y = 0; y < height; y += rows) {
       const int32_t end = std::min(y + rows, height);
       const Workspace small = {large.data, rows % 2 == 0 ? 2560u : kLeastBytes};
-      draw_glyph(font, glyph, brush, origin, parts.sink({0, y, cut, end}),
+      draw_glyph(font, glyph, style, origin, parts.sink({0, y, cut, end}),
                  small);
-      draw_glyph(font, glyph, brush, origin, parts.sink({cut, y, width, end}));
+      draw_glyph(font, glyph, style, origin, parts.sink({cut, y, width, end}));
     }
     for (size_t i = 0; i < whole.pixels.size(); ++i) {
       differences += whole.pixels[i] != parts.pixels[i] ? 1 : 0;
@@ -135,18 +135,18 @@ int main(int argc, char** argv) {
   int64_t pictures = 0;
   int64_t failures = 0;
   for (uint16_t glyph = 1; glyph < font.glyph_count(); ++glyph) {
-    for (int style = 0; style < kStyles; ++style) {
+    for (int look = 0; look < kLooks; ++look) {
       for (const int32_t px : {8, 13, 31, 200}) {
-        if (px == 200 && glyph % 8 != style) {
+        if (px == 200 && glyph % 8 != look) {
           continue;
         }
         const int64_t different =
-            compare(font, glyph, make_brush(style, px), px);
+            compare(font, glyph, make_style(look, px), px);
         ++pictures;
         if (different != 0) {
           ++failures;
-          std::printf("glyph %d, style %d, %d px: %lld pixels differ\n", glyph,
-                      style, px, static_cast<long long>(different));
+          std::printf("glyph %d, look %d, %d px: %lld pixels differ\n", glyph,
+                      look, px, static_cast<long long>(different));
         }
       }
     }
@@ -154,5 +154,5 @@ int main(int argc, char** argv) {
   std::printf("%lld pictures, %lld depend on strips\n",
               static_cast<long long>(pictures),
               static_cast<long long>(failures));
-  return pictures >= 94 * kStyles * 3 && failures == 0 ? 0 : 1;
+  return pictures >= 94 * kLooks * 3 && failures == 0 ? 0 : 1;
 }

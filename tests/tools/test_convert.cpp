@@ -46,8 +46,8 @@ TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   Conversion conversion;
-  conversion.request.adf.coding = gen::Coding::samples;
-  conversion.request.adf.effort = 0;  // for speed
+  conversion.request.target.coding = gen::Coding::samples;
+  conversion.request.target.effort = 0;  // for speed
   testing::internal::CaptureStderr();
   const RomFile rom = load_font_file(file, conversion, "ZH");
   const std::string said = testing::internal::GetCapturedStderr();
@@ -69,13 +69,13 @@ TEST(Convert, KeepsTheSizesThatWereAskedFor) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   Conversion conversion;
-  conversion.request.adf.coding = gen::Coding::samples;
-  conversion.request.adf.effort = 0;  // for speed
+  conversion.request.target.coding = gen::Coding::samples;
+  conversion.request.target.effort = 0;  // for speed
   conversion.may_halve = false;
   EXPECT_THROW(load_font_file(file, conversion, "ZH"), gen::TooComplex);
   // Half of 64 would be below the smallest size.
   conversion.may_halve = true;
-  conversion.request.adf.min_px = 40;
+  conversion.request.target.min_px = 40;
   EXPECT_THROW(load_font_file(file, conversion, "ZH"), gen::TooComplex);
 }
 

@@ -1,4 +1,4 @@
-// Brushes of any matrix: which are allowed, and that what they draw is as far
+// Styles of any matrix: which are allowed, and that what they draw is as far
 // from the edge on the screen as it should be.
 #include "check.hpp"
 #include "field_record.hpp"
@@ -39,8 +39,8 @@ Map map_of(const Matrix& matrix) {
           matrix.x_up.raw / 65536.0, matrix.y_up.raw / 65536.0};
 }
 
-Status make(const Map& map, Brush& out) {
-  return Brush::make(matrix_of(map), kFilterText, out);
+Status make(const Map& map, TextStyle& out) {
+  return TextStyle::make(matrix_of(map), kFilterText, out);
 }
 
 // A unit vector in any direction.
@@ -79,31 +79,31 @@ Map any_map(Random& random, double most_px, double least_px) {
 }  // namespace
 
 TEST(matrices_have_stretches_within_the_sizes) {
-  Brush brush;
-  CHECK_EQ(make({0, 0, 0, 0}, brush), Status::bad_argument);
-  CHECK_EQ(make({24, 24, 24, 24}, brush), Status::bad_argument);
-  CHECK_EQ(make({3.9, 0, 0, 24}, brush), Status::bad_argument);
-  CHECK_EQ(make({24, 0, 0, 1025}, brush), Status::bad_argument);
-  CHECK_EQ(make({800, 800, -800, 800}, brush), Status::bad_argument);
-  CHECK_EQ(make({24, 1000, 0, 24}, brush), Status::bad_argument);
+  TextStyle style;
+  CHECK_EQ(make({0, 0, 0, 0}, style), Status::bad_argument);
+  CHECK_EQ(make({24, 24, 24, 24}, style), Status::bad_argument);
+  CHECK_EQ(make({3.9, 0, 0, 24}, style), Status::bad_argument);
+  CHECK_EQ(make({24, 0, 0, 1025}, style), Status::bad_argument);
+  CHECK_EQ(make({800, 800, -800, 800}, style), Status::bad_argument);
+  CHECK_EQ(make({24, 1000, 0, 24}, style), Status::bad_argument);
   const int32_t ends[] = {INT32_MIN, INT32_MAX};
   for (const int32_t a : ends) {
     for (const int32_t b : ends) {
       const Matrix far = {Q16_16::from_raw(a), Q16_16::from_raw(b),
                           Q16_16::from_raw(b), Q16_16::from_raw(a)};
-      CHECK_EQ(Brush::make(far, kFilterText, brush), Status::bad_argument);
+      CHECK_EQ(TextStyle::make(far, kFilterText, style), Status::bad_argument);
     }
   }
-  CHECK_EQ(brush.size().raw, 16 << 6);  // untouched
-  CHECK_OK(make({4, 0, 0, 1024}, brush));
-  CHECK_EQ(brush.size().raw, 1024 << 6);
-  CHECK_EQ(brush.least_gain_q15(), 1 << 7);
-  CHECK_OK(make({0, -4, 4, 0}, brush));
-  CHECK(!brush.is_stretched());
-  CHECK_OK(make({-1024, 0, 0, 4}, brush));
-  CHECK_OK(make({20, 8, 0, 20}, brush));
-  CHECK(brush.is_stretched());
-  CHECK(!brush.is_upright());
+  CHECK_EQ(style.size().raw, 16 << 6);  // untouched
+  CHECK_OK(make({4, 0, 0, 1024}, style));
+  CHECK_EQ(style.size().raw, 1024 << 6);
+  CHECK_EQ(style.least_gain_q15(), 1 << 7);
+  CHECK_OK(make({0, -4, 4, 0}, style));
+  CHECK(!style.is_stretched());
+  CHECK_OK(make({-1024, 0, 0, 4}, style));
+  CHECK_OK(make({20, 8, 0, 20}, style));
+  CHECK(style.is_stretched());
+  CHECK(!style.is_upright());
 }
 
 // Entries whose squares would wrap to those of a size of about 24 px.
@@ -111,19 +111,19 @@ TEST(huge_matrices_do_not_pass_for_small_ones) {
   constexpr int32_t kPx24 = 24 << 16;
   constexpr int32_t kFar[] = {INT32_MIN, INT32_MAX};
   for (const int32_t far : kFar) {
-    Brush brush;
+    TextStyle style;
     const Matrix matrix = {Q16_16::from_raw(far), Q16_16::from_raw(kPx24),
                            Q16_16::from_raw(-kPx24), Q16_16::from_raw(far)};
-    CHECK_EQ(Brush::make(matrix, kFilterText, brush), Status::bad_argument);
+    CHECK_EQ(TextStyle::make(matrix, kFilterText, style), Status::bad_argument);
   }
 }
 
 TEST(stretches_are_rounded_to_1_64_px) {
   const auto make_raw = [](int32_t most_q16, int32_t least_q16) {
-    Brush brush;
-    return Brush::make(
+    TextStyle style;
+    return TextStyle::make(
         {Q16_16::from_raw(most_q16), {}, {}, Q16_16::from_raw(least_q16)},
-        kFilterText, brush);
+        kFilterText, style);
   };
   CHECK_OK(make_raw((1024 << 16) + 511, (4 << 16) - 512));
   CHECK_EQ(make_raw((1024 << 16) + 512, 4 << 16), Status::bad_argument);
@@ -133,41 +133,41 @@ TEST(stretches_are_rounded_to_1_64_px) {
 TEST(stretches_within_1_1024_are_alike) {
   constexpr int32_t kMost = 64 << 16;
   constexpr int32_t kPart = kMost / 1024;
-  Brush brush;
+  TextStyle style;
   Matrix matrix;
   matrix.x_right.raw = kMost;
   matrix.y_up.raw = kMost - kPart;
-  CHECK_OK(Brush::make(matrix, kFilterText, brush));
-  CHECK(!brush.is_upright() && !brush.is_stretched());
+  CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+  CHECK(!style.is_upright() && !style.is_stretched());
   matrix.y_up.raw = kMost - kPart - 1;
-  CHECK_OK(Brush::make(matrix, kFilterText, brush));
-  CHECK(brush.is_stretched());
+  CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+  CHECK(style.is_stretched());
   // Where the size is rounded down the least stretch may be greater.
   matrix.x_right.raw = (4 << 16) + 511;
   matrix.y_up.raw = matrix.x_right.raw - 257;
-  CHECK_OK(Brush::make(matrix, kFilterText, brush));
-  CHECK_EQ(brush.size().raw, 4 << 6);
-  CHECK(brush.is_stretched());
-  CHECK(brush.least_gain_q15() < 1 << 15);
+  CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+  CHECK_EQ(style.size().raw, 4 << 6);
+  CHECK(style.is_stretched());
+  CHECK(style.least_gain_q15() < 1 << 15);
 }
 
 TEST(the_upright_matrix_is_upright) {
-  Brush brush;
-  Brush plain;
+  TextStyle style;
+  TextStyle plain;
   for (int32_t px = 4; px <= 1024; ++px) {
     const double size = px;
-    CHECK_OK(make({size, 0, 0, size}, brush));
-    CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, plain));
-    CHECK(brush.is_upright());
-    CHECK_EQ(brush.size().raw, plain.size().raw);
-    CHECK_EQ(brush.step_along_q16(), plain.step_along_q16());
-    CHECK_EQ(brush.transparent_u_q10(), plain.transparent_u_q10());
+    CHECK_OK(make({size, 0, 0, size}, style));
+    CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, plain));
+    CHECK(style.is_upright());
+    CHECK_EQ(style.size().raw, plain.size().raw);
+    CHECK_EQ(style.step_along_q16(), plain.step_along_q16());
+    CHECK_EQ(style.transparent_u_q10(), plain.transparent_u_q10());
   }
-  CHECK_OK(make({-24, 0, 0, 24}, brush));
-  CHECK(!brush.is_upright());
-  CHECK(!brush.is_stretched());
-  CHECK_OK(make({24, 0, 0, 24.25}, brush));
-  CHECK(!brush.is_upright());
+  CHECK_OK(make({-24, 0, 0, 24}, style));
+  CHECK(!style.is_upright());
+  CHECK(!style.is_stretched());
+  CHECK_OK(make({24, 0, 0, 24.25}, style));
+  CHECK(!style.is_upright());
   // Turned by 180 degrees, turned a very little, and a very little larger.
   constexpr int32_t kPx24 = 24 << 16;
   constexpr int32_t kNearly[][2] = {{-kPx24, 0}, {kPx24, 1}, {kPx24 + 1, 0}};
@@ -175,9 +175,9 @@ TEST(the_upright_matrix_is_upright) {
     const Matrix matrix = {Q16_16::from_raw(near[0]), Q16_16::from_raw(near[1]),
                            Q16_16::from_raw(-near[1]),
                            Q16_16::from_raw(near[0])};
-    CHECK_OK(Brush::make(matrix, kFilterText, brush));
-    CHECK_EQ(brush.size().raw, 24 << 6);
-    CHECK(!brush.is_upright());
+    CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+    CHECK_EQ(style.size().raw, 24 << 6);
+    CHECK(!style.is_upright());
   }
 }
 
@@ -189,23 +189,23 @@ TEST(steps_undo_the_matrix) {
     const double most = random.between(4 * 64, 1024 * 64) / 64.0;
     const double least = 4 + (most - 4) * random.between(0, 1000) / 1000;
     const Map map = any_map(random, most, least);
-    Brush brush;
-    const Status status = make(map, brush);
+    TextStyle style;
+    const Status status = make(map, style);
     if (least < 4.05 || most > 1023) {
       continue;  // roundings decide
     }
     CHECK_OK(status);
-    CHECK(magnitude(brush.size().raw / 64.0 - most) < 1.0 / 64);
-    const double gain = brush.least_gain_q15() / 32768.0;
+    CHECK(magnitude(style.size().raw / 64.0 - most) < 1.0 / 64);
+    const double gain = style.least_gain_q15() / 32768.0;
     CHECK(most - least < most / 500 || magnitude(gain - least / most) < 0.004);
     const double x = random.between(-2000, 2000);
     const double y = random.between(-2000, 2000);
     const Map exact = map_of(matrix_of(map));
     const double right = (exact.x_right * x + exact.y_right * y) / 1024;
     const double up = (exact.x_up * x + exact.y_up * y) / 1024;
-    const GlyphStep& to_right = brush.right();
-    const GlyphStep& to_up = brush.up();
-    const double px = 1024 * 64.0 / brush.size().raw;
+    const GlyphStep& to_right = style.right();
+    const GlyphStep& to_up = style.up();
+    const double px = 1024 * 64.0 / style.size().raw;
     const double x_px =
         (right * to_right.x_q20 + up * to_up.x_q20) / 1048576 * px;
     const double y_px =
@@ -217,7 +217,7 @@ TEST(steps_undo_the_matrix) {
   }
 }
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 namespace {
 
@@ -270,12 +270,12 @@ bool is_in(const GlyphField& field, const Cell& cell, const Place& at) {
 }
 
 Q6_10 distance_of(const GlyphField& field,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const FinePoint& origin,
                   int32_t x,
                   int32_t y) {
   Q6_10 distance;
-  distance_row(field, brush, origin, x, y, {&distance, 1});
+  distance_row(field, style, origin, x, y, {&distance, 1});
   return distance;
 }
 
@@ -315,7 +315,7 @@ struct Errors {
 };
 
 void compare(const GlyphField& field,
-             const Brush& brush,
+             const TextStyle& style,
              const Map& map,
              const FinePoint& origin,
              int32_t x,
@@ -341,7 +341,7 @@ void compare(const GlyphField& field,
   if (magnitude(expected) > 2) {
     return;
   }
-  const double found = distance_of(field, brush, origin, x, y).raw / 1024.0;
+  const double found = distance_of(field, style, origin, x, y).raw / 1024.0;
   bool is_bent = false;
   for (uint32_t i = 0; i < cell.field_count; ++i) {
     is_bent = is_bent || record.number_of(cell.fields[i]) < record.arc_count;
@@ -381,13 +381,13 @@ TEST(distances_are_those_of_the_screen) {
         round % 4 == 0 ? most : 4.5 + (most - 4.5) * random.below(1000) / 1000;
     const Map wanted = any_map(random, most, least);
     const Map map = map_of(matrix_of(wanted));
-    Brush brush;
-    CHECK_OK(make(wanted, brush));
+    TextStyle style;
+    CHECK_OK(make(wanted, style));
     const FinePoint origin(random.between(-9999, 9999),
                            random.between(-9999, 9999));
-    const Rect box = field_box(field, brush, origin);
+    const Rect box = field_box(field, style, origin);
     for (int i = 0; i < 40; ++i) {
-      compare(field, brush, map, origin, random.between(box.x0, box.x1 - 1),
+      compare(field, style, map, origin, random.between(box.x0, box.x1 - 1),
               random.between(box.y0, box.y1 - 1), errors);
     }
   }
@@ -458,9 +458,9 @@ TEST(bent_edges_are_where_their_curves_are) {
     const double least = most * random.between(300, 1000) / 1000;
     const Map wanted = any_map(random, most, least);
     const Map map = map_of(matrix_of(wanted));
-    Brush brush;
-    CHECK_OK(make(wanted, brush));
-    const Rect box = field_box(field, brush, {});
+    TextStyle style;
+    CHECK_OK(make(wanted, style));
+    const Rect box = field_box(field, style, {});
     for (int i = 0; i < 40; ++i) {
       const int32_t x = random.between(box.x0, box.x1 - 1);
       const int32_t y = random.between(box.y0, box.y1 - 1);
@@ -468,7 +468,7 @@ TEST(bent_edges_are_where_their_curves_are) {
       const FieldRecord::Field& f = record.fields[0];
       const double w = (f.nx * at.y_u - f.ny * at.x_u) / 16384 + f.along / 16.0;
       const double found =
-          magnitude(distance_of(field, brush, {}, x, y).raw / 1024.0);
+          magnitude(distance_of(field, style, {}, x, y).raw / 1024.0);
       if (at.x_u < 1 || at.x_u > 255 || at.y_u < 1 || at.y_u > 255 ||
           magnitude(f.bend / 262144.0 * w) > 0.1 || found > 0.75) {
         continue;

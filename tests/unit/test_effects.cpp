@@ -2,7 +2,7 @@
 #include "inkcell/effects.hpp"
 
 #include "check.hpp"
-#include "painter_glyph.hpp"
+#include "effect_glyph.hpp"
 #include "picture.hpp"
 
 using namespace inkcell;
@@ -18,15 +18,15 @@ Large whole_fill;
 
 template <typename First, typename Second>
 void draw_into(First& outline_picture, Second& fill_picture) {
-  const GlyphField field = painter::field_of(font_builder::disc);
+  const GlyphField field = effect::field_of(font_builder::disc);
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(24), outline.outer, brush));
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(24), outline.outer, style));
   const Sink fill = fill_picture.sink();
   const OutlineAndFill both = {&outline.inner, &fill};
-  brush.set_painter(outline_and_fill_painter(both));
-  draw_field(field, brush, {2048, 20 << 10}, outline_picture.sink());
+  style.set_effect(outline_and_fill_effect(both));
+  draw_field(field, style, {2048, 20 << 10}, outline_picture.sink());
 }
 
 // Whether a picture shows what the whole one does there, something and nothing.

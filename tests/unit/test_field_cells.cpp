@@ -3,7 +3,7 @@
 #include "field_record.hpp"
 #include "inkcell/render.hpp"
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 namespace {
 
@@ -161,15 +161,15 @@ TEST(locates_every_kind_of_leaf) {
     CHECK_EQ(record.number_of(lone.fields[0]), 0);
     CHECK_EQ(lone.size_log2, 7);
     const Cell least = locate(field, 128, 0);
-    CHECK(least.field_count == 2 && least.op == FieldOperator::least);
+    CHECK(least.field_count == 2 && least.op == Csg::intersection);
     CHECK(record.number_of(least.fields[0]) == 1 &&
           record.number_of(least.fields[1]) == 2);
     CHECK(least.x0_u == 128 && least.y0_u == 0);
     const Cell greatest = locate(field, 0, 128);
-    CHECK(greatest.field_count == 2 && greatest.op == FieldOperator::greatest);
+    CHECK(greatest.field_count == 2 && greatest.op == Csg::union_);
     const Cell triple = locate(field, 255, 255);
     CHECK_EQ(triple.field_count, 3);
-    CHECK(triple.op == FieldOperator::least_of_greater);
+    CHECK(triple.op == Csg::intersection_of_union);
     CHECK(record.number_of(triple.fields[0]) == 1 &&
           record.number_of(triple.fields[1]) == 0);
     CHECK_EQ(record.number_of(triple.fields[2]), 2);

@@ -3,7 +3,7 @@
 #include "field_record.hpp"
 #include "inkcell/render.hpp"
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 namespace {
 
@@ -90,23 +90,23 @@ constexpr int kTurns = 7;
 constexpr int kWays = kTurns + 6;
 
 // A matrix whose stretches do not fit becomes another that does.
-Brush brush_of(int32_t size_q6, int way, const Filter& filter) {
-  Brush brush;
+TextStyle style_of(int32_t size_q6, int way, const Filter& filter) {
+  TextStyle style;
   if (way >= kTurns) {
     const int32_t(&entries)[4] = kMatrices[way - kTurns];
     const Matrix matrix = {Q16_16::from_raw(size_q6 * entries[0]),
                            Q16_16::from_raw(size_q6 * entries[1]),
                            Q16_16::from_raw(size_q6 * entries[2]),
                            Q16_16::from_raw(size_q6 * entries[3])};
-    if (Brush::make(matrix, filter, brush) == Status::ok) {
-      return brush;
+    if (TextStyle::make(matrix, filter, style) == Status::ok) {
+      return style;
     }
   }
   Direction turn;
   turn.cosine.raw = kDirections[way % kTurns][0];
   turn.sine.raw = kDirections[way % kTurns][1];
-  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), filter, turn, brush));
-  return brush;
+  CHECK_OK(TextStyle::make(Q26_6::from_raw(size_q6), filter, turn, style));
+  return style;
 }
 
 GlyphField open() {
@@ -126,19 +126,19 @@ Rect window_in(Random& random, const Rect& box) {
 // draw_field against distances one by one and the filter. Returns the number
 // of pixels that are neither empty nor full.
 int check_plain_chain(const GlyphField& field,
-                      const Brush& brush,
+                      const TextStyle& style,
                       const FinePoint& origin,
                       const Rect& window) {
   Canvas canvas(window);
-  draw_field(field, brush, origin, canvas.sink());
+  draw_field(field, style, origin, canvas.sink());
   int grey = 0;
   for (int32_t y = window.y0; y < window.y1; ++y) {
     Q6_10 distances[kSide];
     const auto width = static_cast<size_t>(window.x1 - window.x0);
-    distance_row(field, brush, origin, window.x0, y, {distances, width});
+    distance_row(field, style, origin, window.x0, y, {distances, width});
     const uint8_t* row = picture + (y - window.y0) * kSide;
     for (size_t i = 0; i < width; ++i) {
-      const uint8_t expected = brush.filter().coverage(distances[i].raw);
+      const uint8_t expected = style.filter().coverage(distances[i].raw);
       CHECK_EQ(row[i], expected);
       grey += expected != 0 && expected != 255 ? 1 : 0;
     }
@@ -173,13 +173,15 @@ int32_t any_size(Random& random) {
 }
 
 // check_plain_chain somewhere, in three windows.
-int check_windows(const GlyphField& field, const Brush& brush, Random& random) {
+int check_windows(const GlyphField& field,
+                  const TextStyle& style,
+                  Random& random) {
   const FinePoint origin(random.between(-9999, 9999),
                          random.between(-9999, 9999));
-  const Rect box = field_box(field, brush, origin);
+  const Rect box = field_box(field, style, origin);
   int grey = 0;
   for (int i = 0; i < 3; ++i) {
-    grey += check_plain_chain(field, brush, origin, window_in(random, box));
+    grey += check_plain_chain(field, style, origin, window_in(random, box));
   }
   return grey;
 }
@@ -193,11 +195,11 @@ TEST(fields_equal_the_plain_chain) {
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     make_record(random);
     const GlyphField field = open();
-    const Brush brush =
-        brush_of(any_size(random),
+    const TextStyle style =
+        style_of(any_size(random),
                  round % 3 != 0 ? 0 : static_cast<int>(random.below(kWays)),
                  *kFilters[random.below(3)]);
-    grey += check_windows(field, brush, random);
+    grey += check_windows(field, style, random);
   }
   CHECK(grey > rounds);
 }
@@ -206,19 +208,19 @@ namespace {
 
 // Stretched to `most_q16` px along the falling diagonal and to `least_q16`
 // along the rising one.
-Brush stretched_brush(int32_t most_q16,
-                      int32_t least_q16,
-                      const Filter& filter) {
+TextStyle stretched_style(int32_t most_q16,
+                          int32_t least_q16,
+                          const Filter& filter) {
   const auto diagonal = [](int32_t px_q16) {
     return static_cast<int32_t>((int64_t{px_q16} * 46341) >> 16);
   };
   const int32_t most = diagonal(most_q16);
   const int32_t least = diagonal(least_q16);
-  Brush brush;
-  CHECK_OK(Brush::make({Q16_16::from_raw(-most), Q16_16::from_raw(least),
-                        Q16_16::from_raw(most), Q16_16::from_raw(least)},
-                       filter, brush));
-  return brush;
+  TextStyle style;
+  CHECK_OK(TextStyle::make({Q16_16::from_raw(-most), Q16_16::from_raw(least),
+                            Q16_16::from_raw(most), Q16_16::from_raw(least)},
+                           filter, style));
+  return style;
 }
 
 // A leaf of 256 u, or of 2048, and one or two lines, about along a diagonal,
@@ -263,13 +265,13 @@ TEST(borders_that_are_met_exactly_equal_the_plain_chain) {
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     make_record(random);
     const GlyphField field = open();
-    const Brush brush =
-        brush_of(256 << random.below(9), 0, *kFilters[random.below(3)]);
+    const TextStyle style =
+        style_of(256 << random.below(9), 0, *kFilters[random.below(3)]);
     const FinePoint origin(512 + 1024 * random.between(-9, 9),
                            512 + 1024 * random.between(-9, 9));
-    const Rect box = field_box(field, brush, origin);
+    const Rect box = field_box(field, style, origin);
     for (int i = 0; i < 3; ++i) {
-      grey += check_plain_chain(field, brush, origin, window_in(random, box));
+      grey += check_plain_chain(field, style, origin, window_in(random, box));
     }
   }
   CHECK(grey > rounds);
@@ -277,19 +279,19 @@ TEST(borders_that_are_met_exactly_equal_the_plain_chain) {
 
 }  // namespace
 
-// A px there is many px of the brush's size, and fields matter far away.
+// A px there is many px of the style's size, and fields matter far away.
 TEST(strongly_stretched_fields_equal_the_plain_chain) {
   Random random(47);
   int grey = 0;
   const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 2000;
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     make_far_lines(random);
-    const Brush brush =
-        stretched_brush(random.between(1000 << 16, (1023 << 16) + 60000),
+    const TextStyle style =
+        stretched_style(random.between(1000 << 16, (1023 << 16) + 60000),
                         random.between(5 << 16, 7 << 16), kFilterPaperBody);
     const GlyphField field = open();
     for (int i = 0; i < 4; ++i) {
-      grey += check_windows(field, brush, random);
+      grey += check_windows(field, style, random);
     }
   }
   CHECK(grey > rounds / 8);
@@ -309,10 +311,10 @@ TEST(far_corners_of_stretched_grids_are_empty) {
   const auto most = Q16_16::from_raw(723 << 16);
   const auto least = Q16_16::from_raw(231705);
   const auto less = Q16_16::from_raw(-231705);
-  Brush brush;
-  CHECK_OK(Brush::make({most, most, less, least}, kFilterText, brush));
+  TextStyle style;
+  CHECK_OK(TextStyle::make({most, most, less, least}, kFilterText, style));
   const FinePoint origin(77, -99);
-  const Rect box = field_box(field, brush, origin);
+  const Rect box = field_box(field, style, origin);
   CHECK(box.x1 - box.x0 > 700 && box.y1 - box.y0 > 700);
   const int32_t middle_x = (box.x0 + box.x1) / 2 - kSide / 2;
   const int32_t middle_y = (box.y0 + box.y1) / 2 - kSide / 2;
@@ -322,7 +324,7 @@ TEST(far_corners_of_stretched_grids_are_empty) {
       for (int32_t y_sign = -1; y_sign < 2; y_sign += 2) {
         const int32_t x0 = middle_x + x_sign * way;
         const int32_t y0 = middle_y + y_sign * way;
-        check_plain_chain(field, brush, origin,
+        check_plain_chain(field, style, origin,
                           {x0, y0, x0 + kSide, y0 + kSide});
       }
     }
@@ -354,10 +356,10 @@ TEST(ramps_beside_the_edge_equal_the_plain_chain) {
     }
     record.references[0] = record.triple_reference(0);
     const GlyphField field = open();
-    const Brush brush =
-        brush_of(random.between(40 * 64, 400 * 64), 0,
+    const TextStyle style =
+        style_of(random.between(40 * 64, 400 * 64), 0,
                  random.below(2) == 0 ? kFilterInside : kFilterOutside);
-    grey += check_windows(field, brush, random);
+    grey += check_windows(field, style, random);
   }
   CHECK(grey > rounds);
 }
@@ -382,15 +384,15 @@ TEST(any_fields_stay_in_the_window) {
       }
     }
     const GlyphField field = open();
-    const Brush brush =
-        brush_of(any_size(random), static_cast<int>(random.below(kWays)),
+    const TextStyle style =
+        style_of(any_size(random), static_cast<int>(random.below(kWays)),
                  *kFilters[random.below(3)]);
     const FinePoint origin(random.between(-9999, 9999),
                            random.between(-9999, 9999));
-    const Rect box = field_box(field, brush, origin);
+    const Rect box = field_box(field, style, origin);
     for (int i = 0; i < 3; ++i) {
       Canvas canvas(window_in(random, box));
-      draw_field(field, brush, origin, canvas.sink());
+      draw_field(field, style, origin, canvas.sink());
     }
   }
 }
@@ -402,13 +404,13 @@ TEST(windows_do_not_change_fields) {
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 2 : 40); ++round) {
     make_record(random);
     const GlyphField field = open();
-    const Brush brush =
-        brush_of(random.between(8 * 64, 64 * 64),
+    const TextStyle style =
+        style_of(random.between(8 * 64, 64 * 64),
                  round % 4 == 0 ? 3 + round % 10 : 0, kFilterText);
     const FinePoint origin(random.between(0, 9999),
                            random.between(9999, 30000));
     Canvas canvas(all);
-    draw_field(field, brush, origin, canvas.sink());
+    draw_field(field, style, origin, canvas.sink());
     for (int32_t i = 0; i < kSide * kSide; ++i) {
       whole[i] = picture[i];
     }
@@ -417,9 +419,9 @@ TEST(windows_do_not_change_fields) {
       const int32_t x = all.x0 + cut;
       for (int32_t y = all.y0; y < all.y1; y += cut) {
         parts.show(intersect(all, {all.x0, y, x, y + cut}));
-        draw_field(field, brush, origin, parts.sink());
+        draw_field(field, style, origin, parts.sink());
         parts.show(intersect(all, {x, y, all.x1, y + cut}));
-        draw_field(field, brush, origin, parts.sink());
+        draw_field(field, style, origin, parts.sink());
       }
       for (int32_t i = 0; i < kSide * kSide; ++i) {
         CHECK_EQ(picture[i], whole[i]);
@@ -439,12 +441,13 @@ TEST(nothing_is_drawn_far_from_the_ink) {
     make_record(random);
     GlyphField field = open();
     const Filter& filter = *kFilters[random.below(3)];
-    const Brush brush = brush_of(random.between(8 * 64, 64 * 64), 0, filter);
+    const TextStyle style =
+        style_of(random.between(8 * 64, 64 * 64), 0, filter);
     const FinePoint origin(random.between(-9999, 9999),
                            random.between(-9999, 9999));
-    const Rect window = window_in(random, field_box(field, brush, origin));
+    const Rect window = window_in(random, field_box(field, style, origin));
     Canvas all(window);
-    draw_field(field, brush, origin, all.sink());
+    draw_field(field, style, origin, all.sink());
     for (int32_t i = 0; i < kSide * kSide; ++i) {
       whole[i] = picture[i];
     }
@@ -453,8 +456,8 @@ TEST(nothing_is_drawn_far_from_the_ink) {
     field.ink.x1_u = static_cast<int16_t>(random.between(-300, 900));
     field.ink.y1_u = static_cast<int16_t>(random.between(-300, 900));
     Canvas part(window);
-    draw_field(field, brush, origin, part.sink());
-    const double u_per_px = 65536.0 / brush.size().raw;
+    draw_field(field, style, origin, part.sink());
+    const double u_per_px = 65536.0 / style.size().raw;
     const double reach_u = -filter.outside_q10 / 1024.0 * u_per_px;
     for (int32_t y = window.y0; y < window.y1; ++y) {
       for (int32_t x = window.x0; x < window.x1; ++x) {
@@ -500,15 +503,15 @@ TEST(pixels_follow_their_equations) {
     record.references[0] = record.field_reference(number);
     const GlyphField field = open();
     const int32_t size_q6 = any_size(random);
-    const Brush brush = brush_of(size_q6, 0, kFilterText);
+    const TextStyle style = style_of(size_q6, 0, kFilterText);
     const FinePoint origin(4 * random.between(-999, 999),
                            4 * random.between(-999, 999));
-    const Rect box = field_box(field, brush, origin);
+    const Rect box = field_box(field, style, origin);
     for (int i = 0; i < 10; ++i) {
       const int32_t x = random.between(box.x0, box.x1 - 1);
       const int32_t y = random.between(box.y0, box.y1 - 1);
       Q6_10 distance;
-      distance_row(field, brush, origin, x, y, {&distance, 1});
+      distance_row(field, style, origin, x, y, {&distance, 1});
       const double px_per_u = size_q6 / 65536.0;
       const double x_u =
           (x + 0.5 - static_cast<double>(origin.x_q10) / 1024) / px_per_u;

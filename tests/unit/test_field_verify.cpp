@@ -3,7 +3,7 @@
 #include "field_record.hpp"
 #include "inkcell/font.hpp"
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 namespace {
 

@@ -85,15 +85,15 @@ Font hinted_font() {
   return font;
 }
 
-Brush brush_of(int32_t px_q6) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_raw(px_q6), kFilterText, brush));
-  return brush;
+TextStyle style_of(int32_t px_q6) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_raw(px_q6), kFilterText, style));
+  return style;
 }
 
 Fit fit_of(const Font& font, int32_t px_q6, const FitOptions& options = {}) {
   Fit fit;
-  CHECK_OK(Fit::make(font, brush_of(px_q6), options, fit));
+  CHECK_OK(Fit::make(font, style_of(px_q6), options, fit));
   return fit;
 }
 
@@ -220,7 +220,7 @@ TEST(heights_can_be_fitted_alone) {
 TEST(a_fit_can_be_made_again) {
   const Font font = hinted_font();
   Fit fit = fit_of(font, 10 * 64, kCrisp);
-  CHECK_OK(Fit::make(font, brush_of(40 * 64), kCrisp, fit));
+  CHECK_OK(Fit::make(font, style_of(40 * 64), kCrisp, fit));
   CHECK(!fit.has_advances());
   CHECK_EQ(fit.crisp_weight().raw, 0);
   CHECK_EQ(warp_of(font, fit, two).y.count, 0);
@@ -242,9 +242,9 @@ TEST(fitting_fades_and_ends) {
   CHECK_EQ(shift(32, {false, 2, FitOptions::kAll}), 192);
   CHECK(!fit_of(font, 40 * 64, kAcross).has_advances());
   Fit fit;
-  CHECK_EQ(Fit::make(font, brush_of(640), {true, 3, 256}, fit),
+  CHECK_EQ(Fit::make(font, style_of(640), {true, 3, 256}, fit),
            Status::bad_argument);
-  CHECK_EQ(Fit::make(font, brush_of(640), {true, 2, 257}, fit),
+  CHECK_EQ(Fit::make(font, style_of(640), {true, 2, 257}, fit),
            Status::bad_argument);
 }
 
@@ -263,10 +263,10 @@ TEST(fonts_without_hints_keep_all_but_baselines) {
 // Positions are whole pixels, however long the line and wherever it begins.
 TEST(text_is_measured_as_it_is_drawn) {
   const Font font = hinted_font();
-  Brush brush = brush_of(10 * 64);
+  TextStyle style = style_of(10 * 64);
   const Fit fit = fit_of(font, 10 * 64, kAcross);
-  brush.set_fitter(&kGridFit, &fit);
-  CHECK(brush.has_whole_advances());
+  style.set_fitter(&kGridFit, &fit);
+  CHECK(style.has_whole_advances());
   static char text[120];
   int32_t width_px = 0;
   for (size_t i = 0; i < sizeof text; ++i) {
@@ -274,21 +274,21 @@ TEST(text_is_measured_as_it_is_drawn) {
     width_px += fit.advance_px(font, static_cast<uint16_t>(1 + i % 5));
   }
   const Text all(text, sizeof text);
-  CHECK_EQ(to_px(font, brush, measure(font, all, brush).advance).raw,
+  CHECK_EQ(to_px(font, style, measure(font, all, style).advance).raw,
            width_px * 64);
   static PositionedGlyph room[sizeof text];
   Span<const PositionedGlyph> glyphs;
-  CHECK_OK(layout(font, all, brush, {room, sizeof text}, glyphs));
+  CHECK_OK(layout(font, all, style, {room, sizeof text}, glyphs));
   CHECK_EQ(glyphs.size, sizeof text);
   int32_t x_px = 0;
-  TextCursor cursor(font, all, brush);
+  TextCursor cursor(font, all, style);
   PositionedGlyph at;
   for (size_t i = 0; i < glyphs.size; ++i) {
-    CHECK_EQ(to_px(font, brush, glyphs[i].x).raw, x_px * 64);
+    CHECK_EQ(to_px(font, style, glyphs[i].x).raw, x_px * 64);
     CHECK(cursor.next(at) && at.x == glyphs[i].x);
     x_px += fit.advance_px(font, glyphs[i].glyph);
   }
-  // Without the brush they are the font's.
+  // Without the style they are the font's.
   CHECK_EQ(measure(font, all).advance, 24 * (600 + 600 + 510 + 310 + 300));
 
   for (int32_t part = 0; part < 64; part += 16) {
@@ -298,10 +298,10 @@ TEST(text_is_measured_as_it_is_drawn) {
     whole = Picture<32, 9>();
     drawn = Picture<32, 9>();
     const Point rounded = {Q26_6::from_int(part < 32 ? 1 : 2), origin.y};
-    CHECK_OK(layout(font, "BAB", brush, {room, 3}, glyphs));
+    CHECK_OK(layout(font, "BAB", style, {room, 3}, glyphs));
     for (const PositionedGlyph& glyph : glyphs) {
-      draw(font, {&glyph, 1}, brush, rounded, whole.sink());
-      draw(font, {&glyph, 1}, brush, origin, drawn.sink());
+      draw(font, {&glyph, 1}, style, rounded, whole.sink());
+      draw(font, {&glyph, 1}, style, origin, drawn.sink());
       whole.next_glyph();
       drawn.next_glyph();
     }
@@ -315,12 +315,12 @@ namespace {
 
 // One glyph at a time: boxes of neighbours may overlap.
 void draw_each(const Font& font,
-               const Brush& brush,
+               const TextStyle& style,
                Picture<18, 8>& picture) {
-  TextCursor cursor(font, "ABD", brush);
+  TextCursor cursor(font, "ABD", style);
   PositionedGlyph at;
   while (cursor.next(at)) {
-    draw(font, {&at, 1}, brush, {Q26_6::from_int(0), Q26_6::from_int(7)},
+    draw(font, {&at, 1}, style, {Q26_6::from_int(0), Q26_6::from_int(7)},
          picture.sink());
     picture.next_glyph();
   }
@@ -330,11 +330,11 @@ void draw_each(const Font& font,
 
 TEST(fitted_glyphs_look_sharp) {
   const Font font = hinted_font();
-  Brush brush = brush_of(11 * 64);
+  TextStyle style = style_of(11 * 64);
   const Fit fit = fit_of(font, 11 * 64, kAcross);
-  brush.set_fitter(&kGridFit, &fit);
+  style.set_fitter(&kGridFit, &fit);
   Picture<18, 8> grey;
-  draw_each(font, brush, grey);
+  draw_each(font, style, grey);
   CHECK_PICTURE(grey,
                 "..................\n"
                 ".*****.*****..*...\n"
@@ -344,11 +344,11 @@ TEST(fitted_glyphs_look_sharp) {
                 ".*.....*...*..*...\n"
                 ".*****.*...*.+*+..\n");
   const Fit whole = fit_of(font, 11 * 64, kCrisp);
-  const CrispStyle style = {2, whole.crisp_weight()};
-  brush.set_fitter(&kGridFit, &whole);
-  brush.set_painter(crisp_painter(style));
+  const CrispOptions options = {2, whole.crisp_weight()};
+  style.set_fitter(&kGridFit, &whole);
+  style.set_effect(crisp_effect(options));
   Picture<18, 8> crisp;
-  draw_each(font, brush, crisp);
+  draw_each(font, style, crisp);
   CHECK_PICTURE(crisp,
                 "..................\n"
                 ".#####.#####.#....\n"
@@ -373,15 +373,15 @@ TEST(any_hints_are_safe) {
     bytes[5] = static_cast<uint8_t>(random.below(8));
     const Font font = open({bytes, sizeof bytes});
     const int32_t px_q6 = random.between(4 * 64, 42 * 64);
-    Brush brush = brush_of(px_q6);
+    TextStyle style = style_of(px_q6);
     FitOptions options;
     options.across = random.below(4) != 0;
     options.levels = static_cast<uint8_t>(random.below(3) * 2);
     Fit fit;
-    if (Fit::make(font, brush, options, fit) != Status::ok) {
+    if (Fit::make(font, style, options, fit) != Status::ok) {
       continue;
     }
-    brush.set_fitter(&kGridFit, &fit);
+    style.set_fitter(&kGridFit, &fit);
     for (uint16_t glyph = 0; glyph < 6; ++glyph) {
       const GlyphWarp warp = warp_of(font, fit, glyph);
       const AxisMap* const maps[] = {&warp.x, &warp.y};
@@ -394,7 +394,7 @@ TEST(any_hints_are_safe) {
       }
       CHECK(!fit.has_advances() || fit.advance_px(font, glyph) >= 0);
       Picture<24, 24> picture;
-      draw_glyph(font, glyph, brush, {Q26_6::from_int(2), Q26_6::from_int(18)},
+      draw_glyph(font, glyph, style, {Q26_6::from_int(2), Q26_6::from_int(18)},
                  picture.sink());
     }
   }

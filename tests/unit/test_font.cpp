@@ -285,7 +285,7 @@ TEST(kerning_that_does_not_fit_kerns_with_nothing) {
 TEST(refuses_what_it_cannot_read) {
   sample();
   const Status edges =
-      INKCELL_FIELD_CELLS != 0 ? Status::ok : Status::unsupported;
+      INKCELL_EDGE_CELLS != 0 ? Status::ok : Status::unsupported;
   // A font of outlines without CODE is none.
   const Status expected[] = {Status::ok, edges, Status::corrupt,
                              Status::unsupported};

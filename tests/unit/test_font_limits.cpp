@@ -330,10 +330,10 @@ TEST(lengths_in_px_are_clamped) {
   put_u16(rom + header::kUnitsPerEm, 16);
   Font font;
   CHECK_OK(reopen(&font));
-  Brush brush;
-  CHECK_OK(Brush::make(kMaxSize, kFilterText, brush));
-  CHECK_EQ(to_px(font, brush, 1 << 24).raw, INT32_MAX);
-  CHECK_EQ(to_px(font, brush, -(1 << 24)).raw, INT32_MIN);
+  TextStyle style;
+  CHECK_OK(TextStyle::make(kMaxSize, kFilterText, style));
+  CHECK_EQ(to_px(font, style, 1 << 24).raw, INT32_MAX);
+  CHECK_EQ(to_px(font, style, -(1 << 24)).raw, INT32_MIN);
 }
 
 TEST(records_at_odd_places_are_not_read_whatever_their_length) {

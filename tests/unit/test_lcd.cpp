@@ -2,17 +2,17 @@
 #include "inkcell/lcd.hpp"
 
 #include "check.hpp"
+#include "effect_canvas.hpp"
+#include "effect_glyph.hpp"
 #include "font_builder.hpp"
-#include "painter_canvas.hpp"
-#include "painter_glyph.hpp"
 
 namespace {
 
 using namespace inkcell;
-using painter::draw;
-using painter::ink;
-using painter::kSide;
-using painter::picture;
+using effect::draw;
+using effect::ink;
+using effect::kSide;
+using effect::picture;
 
 // Where the middle of the ink lies. [1/64 px]
 struct Middle {
@@ -32,18 +32,18 @@ Middle middle_of_ink() {
 }
 
 // Sub-pixels are wider by 2/3 px on both sides, and all of that must show.
-void check_place(const GlyphField& field, Brush brush, FinePoint origin) {
-  brush.set_painter({});
-  draw(field, brush, origin);
+void check_place(const GlyphField& field, TextStyle style, FinePoint origin) {
+  style.set_effect({});
+  draw(field, style, origin);
   CHECK(ink() > 255 * 20);
   const Middle plain = middle_of_ink();
   for (uint32_t order = 0; order < 4; ++order) {
-    const LcdStyle style = {static_cast<SubPixels>(order), 255};
-    brush.set_painter(lcd_painter(style));
-    draw(field, brush, origin);
+    const LcdOptions lcd = {static_cast<SubPixels>(order), 255};
+    style.set_effect(lcd_effect(lcd));
+    draw(field, style, origin);
     const Middle middle = middle_of_ink();
-    CHECK(painter::magnitude(middle.x_q6 - plain.x_q6) <= 8);
-    CHECK(painter::magnitude(middle.y_q6 - plain.y_q6) <= 8);
+    CHECK(effect::magnitude(middle.x_q6 - plain.x_q6) <= 8);
+    CHECK(effect::magnitude(middle.y_q6 - plain.y_q6) <= 8);
   }
 }
 
@@ -54,13 +54,13 @@ TEST(sub_pixels_lie_where_text_lies) {
       font_builder::disc, font_builder::ring, font_builder::bar};
   constexpr int32_t kSizes[] = {16, 21, 30};
   for (const font_builder::Shape shape : kShapes) {
-    const GlyphField field = painter::field_of(shape);
+    const GlyphField field = effect::field_of(shape);
     for (const int32_t px : kSizes) {
       for (int32_t phase = 0; phase < 4; ++phase) {
         const FinePoint shift(256 * phase, 200 * phase);
-        check_place(field, painter::brush_of(px * 64, false),
+        check_place(field, effect::style_of(px * 64, false),
                     {2 * 1024 + shift.x_q10, 32 * 1024 + shift.y_q10});
-        check_place(field, painter::brush_of(px * 64, true),
+        check_place(field, effect::style_of(px * 64, true),
                     {1024 + shift.x_q10, 9 * 1024 + shift.y_q10});
       }
     }

@@ -61,15 +61,15 @@ constexpr Point at(int32_t x_q6, int32_t y_q6) {
   return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
 }
 
-Brush text_brush(int32_t px = 16) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, brush));
-  return brush;
+TextStyle text_style(int32_t px = 16) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+  return style;
 }
-Brush area_brush(int32_t px = 16) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterArea, brush));
-  return brush;
+TextStyle area_style(int32_t px = 16) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterArea, style));
+  return style;
 }
 constexpr Filter kWide =
     make_filter({Q6_10::from_raw(-3000), Q6_10::from_raw(2000)});
@@ -85,9 +85,9 @@ Direction turned() {
 template <int32_t kWidth, int32_t kHeight>
 void draw(Picture<kWidth, kHeight>& picture,
           uint16_t glyph,
-          const Brush& brush,
+          const TextStyle& style,
           Point origin) {
-  draw_glyph(open(), glyph, brush, origin, picture.sink());
+  draw_glyph(open(), glyph, style, origin, picture.sink());
 }
 
 // In the middle of the sheet below.
@@ -164,34 +164,34 @@ void check_same(int32_t apart = 0) {
   }
 }
 
-void draw_whole(const Font& font, uint16_t glyph, const Brush& brush) {
+void draw_whole(const Font& font, uint16_t glyph, const TextStyle& style) {
   Sheet sheet;
-  draw_glyph(font, glyph, brush, kMiddle, sheet.sink());
+  draw_glyph(font, glyph, style, kMiddle, sheet.sink());
 }
 
 // Every style that outlines have.
 struct Styles {
   static constexpr int32_t kCount = 9;
-  Brush brushes[kCount];
+  TextStyle styles[kCount];
   Filter inner = with_weight(kFilterText, Q6_10::from_raw(-900));
-  LcdStyle lcd = {SubPixels::rgb, 200};
-  CrispStyle crisp = {2, Q6_10()};
+  LcdOptions lcd = {SubPixels::rgb, 200};
+  CrispOptions crisp = {2, Q6_10()};
 
   Styles() {
-    brushes[0] = text_brush();
-    brushes[1] = area_brush();
-    CHECK_OK(Brush::make(Q26_6::from_int(16), kWide, brushes[2]));
+    styles[0] = text_style();
+    styles[1] = area_style();
+    CHECK_OK(TextStyle::make(Q26_6::from_int(16), kWide, styles[2]));
     CHECK_OK(
-        Brush::make(Q26_6::from_int(14), kFilterText, turned(), brushes[3]));
+        TextStyle::make(Q26_6::from_int(14), kFilterText, turned(), styles[3]));
     CHECK_OK(
-        Brush::make(Q26_6::from_int(14), kFilterArea, turned(), brushes[4]));
-    CHECK_OK(Brush::make(Q26_6::from_int(14), kWide, turned(), brushes[5]));
-    brushes[6] = text_brush();
-    brushes[6].set_painter(outline_painter(inner));
-    brushes[7] = text_brush();
-    brushes[7].set_painter(lcd_painter(lcd));
-    brushes[8] = text_brush();
-    brushes[8].set_painter(crisp_painter(crisp));
+        TextStyle::make(Q26_6::from_int(14), kFilterArea, turned(), styles[4]));
+    CHECK_OK(TextStyle::make(Q26_6::from_int(14), kWide, turned(), styles[5]));
+    styles[6] = text_style();
+    styles[6].set_effect(outline_effect(inner));
+    styles[7] = text_style();
+    styles[7].set_effect(lcd_effect(lcd));
+    styles[8] = text_style();
+    styles[8].set_effect(crisp_effect(crisp));
   }
 };
 
@@ -199,7 +199,7 @@ struct Styles {
 
 TEST(a_square_by_distance_and_area) {
   Picture<9, 9> by_distance;
-  draw(by_distance, square, text_brush(), at(0, 8 * 64));
+  draw(by_distance, square, text_style(), at(0, 8 * 64));
   CHECK_PICTURE(by_distance,
                 ".+++++++.\n"
                 ".+#####+.\n"
@@ -209,7 +209,7 @@ TEST(a_square_by_distance_and_area) {
                 ".+#####+.\n"
                 ".+++++++.\n");
   Picture<9, 9> by_area;
-  draw(by_area, square, area_brush(), at(0, 8 * 64));
+  draw(by_area, square, area_style(), at(0, 8 * 64));
   CHECK_PICTURE(by_area,
                 ".:+++++:.\n"
                 ".+#####+.\n"
@@ -222,7 +222,7 @@ TEST(a_square_by_distance_and_area) {
 
 TEST(a_ring_by_distance_and_area) {
   Picture<12, 12> by_distance;
-  draw(by_distance, ring, text_brush(), at(0, 11 * 64 + 32));
+  draw(by_distance, ring, text_style(), at(0, 11 * 64 + 32));
   CHECK_PICTURE(by_distance,
                 "...:+++:....\n"
                 ".:*#####*:..\n"
@@ -237,7 +237,7 @@ TEST(a_ring_by_distance_and_area) {
                 ".:*#####*:..\n"
                 "...:+++:....\n");
   Picture<12, 12> by_area;
-  draw(by_area, ring, area_brush(), at(0, 11 * 64 + 32));
+  draw(by_area, ring, area_style(), at(0, 11 * 64 + 32));
   CHECK_PICTURE(by_area,
                 "..::+++::...\n"
                 ".:*#####*:..\n"
@@ -255,9 +255,9 @@ TEST(a_ring_by_distance_and_area) {
 
 TEST(a_wide_filter_reaches_far) {
   Picture<16, 16> soft;
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(16), kWide, brush));
-  draw(soft, square, brush, at(4 * 64, 12 * 64));
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kWide, style));
+  draw(soft, square, style, at(4 * 64, 12 * 64));
   CHECK_PICTURE(soft,
                 "................\n"
                 "................\n"
@@ -276,9 +276,9 @@ TEST(a_wide_filter_reaches_far) {
 
 TEST(a_turned_square_and_a_mirrored_one) {
   Picture<14, 12> leaning;
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(16), kFilterText, turned(), brush));
-  draw(leaning, square, brush, at(64, 64 * 6));
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kFilterText, turned(), style));
+  draw(leaning, square, style, at(64, 64 * 6));
   CHECK_PICTURE(leaning,
                 "......:.......\n"
                 "......*+......\n"
@@ -292,8 +292,9 @@ TEST(a_turned_square_and_a_mirrored_one) {
                 ".......:......\n");
   const auto px = [](int32_t whole) { return Q16_16::from_raw(whole * 65536); };
   Picture<12, 12> mirrored;
-  CHECK_OK(Brush::make({px(-16), px(0), px(0), px(16)}, kFilterArea, brush));
-  draw(mirrored, ring, brush, at(11 * 64, 11 * 64 + 32));
+  CHECK_OK(
+      TextStyle::make({px(-16), px(0), px(0), px(16)}, kFilterArea, style));
+  draw(mirrored, ring, style, at(11 * 64, 11 * 64 + 32));
   CHECK_PICTURE(mirrored,
                 "..::+++::...\n"
                 ".:*#####*:..\n"
@@ -312,18 +313,18 @@ TEST(a_turned_square_and_a_mirrored_one) {
 TEST(windows_leave_the_picture) {
   const Font font = open();
   Styles styles;
-  for (const Brush& brush : styles.brushes) {
+  for (const TextStyle& style : styles.styles) {
     for (uint16_t glyph = square; glyph <= whole; ++glyph) {
-      draw_whole(font, glyph, brush);
+      draw_whole(font, glyph, style);
       CHECK(ink() > 0);
       keep();
       for (int32_t cut = 3; cut < kSide; cut += 9) {
         Sheet windows;
         const int32_t x = kAll.x0 + cut;
         for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
-          draw_glyph(font, glyph, brush, kMiddle,
+          draw_glyph(font, glyph, style, kMiddle,
                      windows.sink({kAll.x0, y, x, y + cut}), {ram, 928});
-          draw_glyph(font, glyph, brush, kMiddle,
+          draw_glyph(font, glyph, style, kMiddle,
                      windows.sink(intersect(kAll, {x, y, kAll.x1, y + cut})));
         }
         check_same();
@@ -335,8 +336,8 @@ TEST(windows_leave_the_picture) {
 TEST(workspaces_leave_the_picture) {
   const Font font = open();
   Styles styles;
-  for (const Brush& brush : styles.brushes) {
-    draw_whole(font, whole, brush);
+  for (const TextStyle& style : styles.styles) {
+    draw_whole(font, whole, style);
     keep();
     const size_t sizes[] = {0, 1, 3, 860, 927, 928, 929, 1500, sizeof(ram) - 3};
     for (const size_t size : sizes) {
@@ -347,7 +348,7 @@ TEST(workspaces_leave_the_picture) {
           for (uint8_t& byte : ram) {
             byte = 0x5a;  // its content has no meaning
           }
-          draw_glyph(font, whole, brush, kMiddle, part, {ram + odd, size});
+          draw_glyph(font, whole, style, kMiddle, part, {ram + odd, size});
         }
         check_same();
       }
@@ -358,10 +359,10 @@ TEST(workspaces_leave_the_picture) {
 TEST(composites_equal_their_parts) {
   const Font font = open();
   Styles styles;
-  for (const Brush& brush : styles.brushes) {
-    draw_whole(font, whole, brush);
+  for (const TextStyle& style : styles.styles) {
+    draw_whole(font, whole, style);
     keep();
-    draw_whole(font, parts, brush);
+    draw_whole(font, parts, style);
     check_same(2);  // points of parts that are mapped are rounded
   }
 }
@@ -369,12 +370,12 @@ TEST(composites_equal_their_parts) {
 TEST(a_prepared_glyph_is_the_same) {
   const Font font = open();
   Styles styles;
-  for (const Brush& brush : styles.brushes) {
+  for (const TextStyle& style : styles.styles) {
     for (uint16_t glyph = square; glyph <= whole; ++glyph) {
-      draw_whole(font, glyph, brush);
+      draw_whole(font, glyph, style);
       keep();
       PreparedGlyph prepared;
-      CHECK_OK(PreparedGlyph::make(font, glyph, brush, kMiddle,
+      CHECK_OK(PreparedGlyph::make(font, glyph, style, kMiddle,
                                    {ram, sizeof(ram)}, prepared));
       Sheet sheet;
       for (int32_t y = kAll.y0; y < kAll.y1; y += 7) {
@@ -393,15 +394,15 @@ TEST(a_prepared_glyph_is_the_same) {
 
 TEST(a_prepared_glyph_says_what_it_lacks) {
   const Font font = open();
-  const Brush brush = text_brush();
+  const TextStyle style = text_style();
   PreparedGlyph prepared;
   CHECK_EQ(
-      PreparedGlyph::make(font, square, brush, kMiddle, {ram, 859}, prepared),
+      PreparedGlyph::make(font, square, style, kMiddle, {ram, 859}, prepared),
       Status::buffer_small);
-  CHECK_EQ(PreparedGlyph::make(font, 5, brush, kMiddle, {ram, 2000}, prepared),
+  CHECK_EQ(PreparedGlyph::make(font, 5, style, kMiddle, {ram, 2000}, prepared),
            Status::no_glyph);
   CHECK(is_empty(prepared.box()));
-  CHECK_OK(PreparedGlyph::make(font, 0, brush, kMiddle, {ram, 2000}, prepared));
+  CHECK_OK(PreparedGlyph::make(font, 0, style, kMiddle, {ram, 2000}, prepared));
   CHECK(is_empty(prepared.box()));
   Sheet sheet;
   prepared.draw(sheet.sink());
@@ -410,11 +411,11 @@ TEST(a_prepared_glyph_says_what_it_lacks) {
 
 TEST(areas_are_the_same_at_every_position) {
   const Font font = open();
-  const Brush brush = area_brush();
+  const TextStyle style = area_style();
   for (int32_t x_q6 = 0; x_q6 < 64; x_q6 += 7) {
     for (int32_t y_q6 = 0; y_q6 < 64; y_q6 += 9) {
       Sheet sheet;
-      draw_glyph(font, square, brush, at(x_q6, 20 * 64 + y_q6), sheet.sink());
+      draw_glyph(font, square, style, at(x_q6, 20 * 64 + y_q6), sheet.sink());
       // 6 px by 6 px.
       CHECK(ink() >= 36 * 254 && ink() <= 36 * 256);
     }

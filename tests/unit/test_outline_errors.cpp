@@ -63,9 +63,9 @@ void draw(const FilterKind& filter, Random& random) {
                                                          {rom, sizeof(rom)});
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
-  Brush brush;
+  TextStyle style;
   const int32_t size_q6 = random.between(10 * 64, 24 * 64);
-  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), filter, brush));
+  CHECK_OK(TextStyle::make(Q26_6::from_raw(size_q6), filter, style));
   const int32_t x_q6 = random.between(0, 64);
   const int32_t y_q6 = random.between(24 * 64, 25 * 64);
   for (auto& row : picture) {
@@ -73,7 +73,7 @@ void draw(const FilterKind& filter, Random& random) {
       pixel = 0;
     }
   }
-  draw_glyph(font, 1, brush, {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)},
+  draw_glyph(font, 1, style, {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)},
              {{0, 0, kSide, kSide}, nullptr, put, fill});
   for (int32_t i = 0; i < kCorners; ++i) {
     corners[i] = {(x_q6 + points[i].x * size_q6 / 1024.0) / 64,

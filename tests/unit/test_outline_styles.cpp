@@ -1,13 +1,13 @@
 // Styles of outline fonts: weights, glows, outlines, crisp text, sub-pixels.
 #include "check.hpp"
-#include "inkcell/adaptive.hpp"
 #include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/perception.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/splat.hpp"
+#include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
@@ -116,15 +116,18 @@ Canvas fill_canvas;
 
 constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
 
-Brush brush_of(const Filter& filter) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(kSizePx), filter, brush));
-  return brush;
+TextStyle style_of(const Filter& filter) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(kSizePx), filter, style));
+  return style;
 }
 
-void draw(const Font& font, uint16_t glyph, const Brush& brush, Canvas& out) {
+void draw(const Font& font,
+          uint16_t glyph,
+          const TextStyle& style,
+          Canvas& out) {
   out.clear();
-  draw_glyph(font, glyph, brush, kOrigin, out.sink(kAll), {ram, sizeof(ram)});
+  draw_glyph(font, glyph, style, kOrigin, out.sink(kAll), {ram, sizeof(ram)});
 }
 
 int32_t magnitude(int32_t value) {
@@ -169,9 +172,9 @@ void check_truth(const Canvas& drawn,
 
 void check_filter(const Filter& filter, const Bound& bound) {
   const Font font = sample_font();
-  const Brush brush = brush_of(filter);
+  const TextStyle style = style_of(filter);
   for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
-    draw(font, glyph, brush, canvas);
+    draw(font, glyph, style, canvas);
     check_truth(canvas, glyph, bound,
                 [&filter](int32_t d) { return filter.coverage(d); });
   }
@@ -190,8 +193,8 @@ void check_same() {
 }
 
 // Whether a picture is the same in strips of any height, with any RAM.
-void check_strips(const Font& font, uint16_t glyph, const Brush& brush) {
-  draw(font, glyph, brush, canvas);
+void check_strips(const Font& font, uint16_t glyph, const TextStyle& style) {
+  draw(font, glyph, style, canvas);
   constexpr int32_t kRows[] = {1, 3, 16};
   constexpr size_t kBytes[] = {0, 928, 2560};
   for (const int32_t rows : kRows) {
@@ -199,7 +202,7 @@ void check_strips(const Font& font, uint16_t glyph, const Brush& brush) {
       other.clear();
       for (int32_t y = 0; y < kHeight; y += rows) {
         const Rect part = intersect(kAll, {0, y, kWidth, y + rows});
-        draw_glyph(font, glyph, brush, kOrigin, other.sink(part), {ram, bytes});
+        draw_glyph(font, glyph, style, kOrigin, other.sink(part), {ram, bytes});
       }
       check_same();
       if (check::failed()) {
@@ -234,10 +237,10 @@ TEST(outlines_are_what_lies_between_two_filters) {
   const Font font = sample_font();
   const Outline* const outlines[] = {&kOutline, &kOuter};
   for (const Outline* outline : outlines) {
-    Brush brush = brush_of(outline->outer);
-    brush.set_painter(outline_painter(outline->inner));
+    TextStyle style = style_of(outline->outer);
+    style.set_effect(outline_effect(outline->inner));
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
-      draw(font, glyph, brush, canvas);
+      draw(font, glyph, style, canvas);
       check_truth(canvas, glyph, {24, 2048}, [outline](int32_t d) {
         const int32_t covered =
             outline->outer.coverage(d) - outline->inner.coverage(d);
@@ -245,9 +248,9 @@ TEST(outlines_are_what_lies_between_two_filters) {
       });
     }
   }
-  Brush brush = brush_of(kOutline.outer);
-  brush.set_painter(outline_painter(kOutline.inner));
-  draw(font, 5, brush, canvas);
+  TextStyle style = style_of(kOutline.outer);
+  style.set_effect(outline_effect(kOutline.inner));
+  draw(font, 5, style, canvas);
   Small leaf;
   show(canvas, 0, leaf);
   CHECK_PICTURE(leaf,
@@ -278,9 +281,9 @@ TEST(fills_lie_within_outlines) {
     fill_canvas.clear();
     const Sink fill = fill_canvas.sink(kAll);
     const OutlineAndFill both = {&kOuter.inner, &fill};
-    Brush brush = brush_of(kOuter.outer);
-    brush.set_painter(outline_and_fill_painter(both));
-    draw(font, glyph, brush, canvas);
+    TextStyle style = style_of(kOuter.outer);
+    style.set_effect(outline_and_fill_effect(both));
+    draw(font, glyph, style, canvas);
     check_truth(fill_canvas, glyph, {20, 1024},
                 [](int32_t d) { return kOuter.inner.coverage(d); });
     check_truth(canvas, glyph, {24, 2048}, [](int32_t d) {
@@ -297,13 +300,13 @@ TEST(crisp_text_is_what_lies_within_the_threshold) {
   const Font font = sample_font();
   constexpr int32_t kThresholds[] = {0, -300};
   for (const int32_t threshold : kThresholds) {
-    const CrispStyle style = {2,
-                              Q6_10::from_raw(static_cast<int16_t>(threshold))};
-    Brush brush = brush_of(kFilterText);
-    brush.set_painter(crisp_painter(style));
+    const CrispOptions crisp = {
+        2, Q6_10::from_raw(static_cast<int16_t>(threshold))};
+    TextStyle style = style_of(kFilterText);
+    style.set_effect(crisp_effect(crisp));
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       const outline_truth::Truth& truth = truth_of(glyph);
-      draw(font, glyph, brush, canvas);
+      draw(font, glyph, style, canvas);
       for (int32_t y = 0; y < kHeight; ++y) {
         for (int32_t x = 0; x < kWidth; ++x) {
           const double d = truth.distance(x + 0.5, y + 0.5) * 1024;
@@ -323,11 +326,11 @@ TEST(crisp_text_is_what_lies_within_the_threshold) {
 
 TEST(thin_strokes_stay_connected) {
   const Font font = sample_font();
-  const CrispStyle two;
-  const CrispStyle four = {4, {}};
-  Brush brush = brush_of(kFilterText);
-  brush.set_painter(crisp_painter(two));
-  draw(font, 4, brush, canvas);
+  const CrispOptions two;
+  const CrispOptions four = {4, {}};
+  TextStyle style = style_of(kFilterText);
+  style.set_effect(crisp_effect(two));
+  draw(font, 4, style, canvas);
   Small bilevel;
   show(canvas, 0, bilevel);
   CHECK_PICTURE(bilevel,
@@ -351,8 +354,8 @@ TEST(thin_strokes_stay_connected) {
                 ".....#######..#...........\n"
                 ".....#######..#...........\n"
                 ".............#............\n");
-  brush.set_painter(crisp_painter(four));
-  draw(font, 4, brush, canvas);
+  style.set_effect(crisp_effect(four));
+  draw(font, 4, style, canvas);
   Small greys;
   show(canvas, 0, greys);
   CHECK_PICTURE(greys,
@@ -388,20 +391,20 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
         order == SubPixels::rgb_vertical || order == SubPixels::bgr_vertical;
     const bool is_red_first =
         order == SubPixels::rgb || order == SubPixels::rgb_vertical;
-    const LcdStyle style = {order};
-    Brush brush = brush_of(kFilterText);
-    brush.set_painter(lcd_painter(style));
+    const LcdOptions lcd = {order};
+    TextStyle style = style_of(kFilterText);
+    style.set_effect(lcd_effect(lcd));
     // Thirds as pixels of a picture that is three times as wide or high.
     const auto em = Q16_16::from_raw(kSizePx << 16);
     const auto thrice = Q16_16::from_raw(3 * kSizePx << 16);
     const Matrix matrix = {
         is_down ? em : thrice, {}, {}, is_down ? thrice : em};
-    Brush thirds;
-    CHECK_OK(Brush::make(matrix, kFilterArea, thirds));
+    TextStyle thirds;
+    CHECK_OK(TextStyle::make(matrix, kFilterArea, thirds));
     const Point origin = {Q26_6::from_raw(kX * (is_down ? 1 : 3)),
                           Q26_6::from_raw(kY * (is_down ? 3 : 1))};
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
-      draw(font, glyph, brush, canvas);
+      draw(font, glyph, style, canvas);
       static uint8_t exact[3 * kWidth * kHeight + 2 * kWidth];
       static Rect window;
       for (uint8_t& third : exact) {
@@ -442,10 +445,10 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
 
 TEST(sub_pixels_have_their_colours) {
   const Font font = sample_font();
-  const LcdStyle style;
-  Brush brush = brush_of(kFilterText);
-  brush.set_painter(lcd_painter(style));
-  draw(font, 2, brush, canvas);
+  const LcdOptions lcd;
+  TextStyle style = style_of(kFilterText);
+  style.set_effect(lcd_effect(lcd));
+  draw(font, 2, style, canvas);
   Small red;
   Small blue;
   show(canvas, 0, red);
@@ -493,9 +496,9 @@ TEST(sub_pixels_have_their_colours) {
                 ".......+###+..............\n"
                 ".......+++++..............\n");
   // No colour: all channels are the mean.
-  const LcdStyle grey = {SubPixels::rgb, 0};
-  brush.set_painter(lcd_painter(grey));
-  draw(font, 2, brush, other);
+  const LcdOptions grey = {SubPixels::rgb, 0};
+  style.set_effect(lcd_effect(grey));
+  draw(font, 2, style, other);
   for (int32_t y = 0; y < kHeight; ++y) {
     for (int32_t x = 0; x < kWidth; ++x) {
       const uint8_t* rgb = &canvas.pixels[Canvas::index(x, y)];
@@ -509,43 +512,43 @@ TEST(sub_pixels_have_their_colours) {
 
 TEST(strips_and_ram_change_no_style) {
   const Font font = sample_font();
-  const CrispStyle two = {2, Q6_10::from_raw(-100)};
-  const CrispStyle four = {4, {}};
-  const LcdStyle across;
-  const LcdStyle down = {SubPixels::bgr_vertical, 200};
-  const Painter painters[] = {crisp_painter(two), crisp_painter(four),
-                              lcd_painter(across), lcd_painter(down)};
+  const CrispOptions two = {2, Q6_10::from_raw(-100)};
+  const CrispOptions four = {4, {}};
+  const LcdOptions across;
+  const LcdOptions down = {SubPixels::bgr_vertical, 200};
+  const Effect effects[] = {crisp_effect(two), crisp_effect(four),
+                            lcd_effect(across), lcd_effect(down)};
   const Filter glow = glow_filter(Q6_10::from_int(4));
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
   for (uint16_t glyph = 1; glyph <= 6; ++glyph) {
-    check_strips(font, glyph, brush_of(glow));
-    check_strips(font, glyph, brush_of(bold));
-    Brush outlined = brush_of(kOuter.outer);
-    outlined.set_painter(outline_painter(kOuter.inner));
+    check_strips(font, glyph, style_of(glow));
+    check_strips(font, glyph, style_of(bold));
+    TextStyle outlined = style_of(kOuter.outer);
+    outlined.set_effect(outline_effect(kOuter.inner));
     check_strips(font, glyph, outlined);
-    for (const Painter& painter : painters) {
-      Brush brush = brush_of(kFilterText);
-      brush.set_painter(painter);
-      check_strips(font, glyph, brush);
+    for (const Effect& effect : effects) {
+      TextStyle style = style_of(kFilterText);
+      style.set_effect(effect);
+      check_strips(font, glyph, style);
     }
   }
 }
 
 TEST(turned_and_leaning_glyphs_have_styles_too) {
   const Font font = sample_font();
-  const LcdStyle lcd;
-  const CrispStyle crisp;
+  const LcdOptions lcd;
+  const CrispOptions crisp;
   const Matrix matrix = {Q16_16::from_raw(17 << 16), Q16_16::from_raw(5 << 16),
                          Q16_16::from_raw(-(3 << 16)),
                          Q16_16::from_raw(16 << 16)};
-  Brush brush;
-  CHECK_OK(Brush::make(matrix, kOutline.outer, brush));
-  brush.set_painter(outline_painter(kOutline.inner));
-  check_strips(font, 3, brush);
-  const Painter painters[] = {lcd_painter(lcd), crisp_painter(crisp)};
-  for (const Painter& painter : painters) {
-    brush.set_painter(painter);
-    check_strips(font, 3, brush);
+  TextStyle style;
+  CHECK_OK(TextStyle::make(matrix, kOutline.outer, style));
+  style.set_effect(outline_effect(kOutline.inner));
+  check_strips(font, 3, style);
+  const Effect effects[] = {lcd_effect(lcd), crisp_effect(crisp)};
+  for (const Effect& effect : effects) {
+    style.set_effect(effect);
+    check_strips(font, 3, style);
   }
   Small ell;
   show(canvas, 0, ell);
@@ -573,28 +576,28 @@ TEST(turned_and_leaning_glyphs_have_styles_too) {
 
 TEST(what_needs_distances_at_any_point_is_refused) {
   const Font font = sample_font();
-  const Perception perception;
-  const LcdStyle lcd;
-  const CrispStyle crisp;
+  const EdgeContrast edge_contrast;
+  const LcdOptions lcd;
+  const CrispOptions crisp;
   MotionBlur blur;
-  const Adaptive adaptive = make_adaptive(kFilterText);
+  const Supersampling supersampling = make_supersampling(kFilterText);
   const Splats splats;
-  Brush brush = brush_of(kFilterText);
-  CHECK_OK(check_painter(font, brush));
-  draw(font, 5, brush, other);
-  const Painter painters[] = {
-      perception_painter(perception), motion_blur_painter(blur),
-      adaptive_painter(adaptive), splat_painter(splats)};
-  for (const Painter& painter : painters) {
-    brush.set_painter(painter);
-    CHECK_EQ(check_painter(font, brush), Status::unsupported);
+  TextStyle style = style_of(kFilterText);
+  CHECK_OK(check_effect(font, style));
+  draw(font, 5, style, other);
+  const Effect effects[] = {
+      edge_contrast_effect(edge_contrast), motion_blur_effect(blur),
+      supersample_effect(supersampling), splat_effect(splats)};
+  for (const Effect& effect : effects) {
+    style.set_effect(effect);
+    CHECK_EQ(check_effect(font, style), Status::unsupported);
     // Drawn as without it.
-    draw(font, 5, brush, canvas);
+    draw(font, 5, style, canvas);
     check_same();
   }
-  const Painter others[] = {lcd_painter(lcd), crisp_painter(crisp), {}};
-  for (const Painter& painter : others) {
-    brush.set_painter(painter);
-    CHECK_OK(check_painter(font, brush));
+  const Effect others[] = {lcd_effect(lcd), crisp_effect(crisp), {}};
+  for (const Effect& effect : others) {
+    style.set_effect(effect);
+    CHECK_OK(check_effect(font, style));
   }
 }

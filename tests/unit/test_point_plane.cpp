@@ -19,15 +19,15 @@ constexpr int32_t kPx = 1 << 10;  // [Q10]
 alignas(4) uint8_t bytes[512];
 font_builder::Record samples;  // too large for the stack of a small board
 
-Brush brush_of(int32_t px) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, brush));
-  return brush;
+TextStyle style_of(int32_t px) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+  return style;
 }
 
-FieldPosition position(const Brush& brush, int32_t x_u, int32_t y_u) {
-  const int32_t px = brush.size().raw >> 6;
-  return detail::sample_position(brush, {0, 0}, 0, 0,
+FieldPosition position(const TextStyle& style, int32_t x_u, int32_t y_u) {
+  const int32_t px = style.size().raw >> 6;
+  return detail::sample_position(style, {0, 0}, 0, 0,
                                  {x_u * px - kPx / 2, y_u * px + kPx / 2});
 }
 
@@ -50,9 +50,9 @@ GlyphField field_of_samples(const int8_t (&offsets)[8]) {
 }
 
 bool is_plane(const GlyphField& field, int32_t px, int32_t radius_q10) {
-  const Brush brush = brush_of(px);
-  PointWalk walk(field, brush, detail::kNoReach);
-  const FieldPosition at = position(brush, 128, 128);
+  const TextStyle style = style_of(px);
+  PointWalk walk(field, style, detail::kNoReach);
+  const FieldPosition at = position(style, 128, 128);
   walk.distance_q10(at);
   CHECK(!walk.is_saturated());
   return walk.is_plane_around(at, {radius_q10, 0, 0});
@@ -89,11 +89,11 @@ TEST(samples_are_plane_within_half_a_cell) {
 TEST(what_is_around_must_lie_in_the_cell) {
   constexpr int8_t kPlane[8] = {-64, -16, 32, -48, 48, -32, 16, 64};
   const GlyphField field = field_of_samples(kPlane);
-  const Brush brush = brush_of(64);
-  PointWalk walk(field, brush, detail::kNoReach);
+  const TextStyle style = style_of(64);
+  PointWalk walk(field, style, detail::kNoReach);
   const auto has_room = [&](int32_t x_u, int32_t y_u, int32_t room_x_u,
                             int32_t room_y_u) {
-    const FieldPosition at = position(brush, x_u, y_u);
+    const FieldPosition at = position(style, x_u, y_u);
     walk.distance_q10(at);
     return walk.is_plane_around(at, {kPx, room_x_u << 16, room_y_u << 16});
   };
@@ -112,24 +112,24 @@ TEST(gradients_end_at_2) {
   Direction direction;
   direction.cosine.raw = 759250125;
   direction.sine.raw = 759250125;
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(64), kFilterText, direction, brush));
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(64), kFilterText, direction, style));
   for (int sign = -1; sign < 2; sign += 2) {
     const auto steep = static_cast<int8_t>(sign * 127);
     const auto fall = static_cast<int8_t>(-steep);
     const int8_t offsets[8] = {fall, fall, 0, fall, steep, 0, steep, steep};
     const GlyphField field = field_of_samples(offsets);
-    PointWalk walk(field, brush, detail::kNoReach);
+    PointWalk walk(field, style, detail::kNoReach);
     // 132 u along both axes: straight up.
     constexpr int32_t kUp = 11947;  // 132 / 16 px times the root of 2
     const ScreenGradient found = walk.gradient(detail::sample_position(
-        brush, {0, 0}, 0, 0, {-kPx / 2, kUp + kPx / 2}));
+        style, {0, 0}, 0, 0, {-kPx / 2, kUp + kPx / 2}));
     CHECK_EQ(found.up_q14, sign < 0 ? INT16_MIN : INT16_MAX);
     CHECK(found.right_q14 > -4000 && found.right_q14 < 4000);
   }
 }
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 namespace {
 
@@ -163,7 +163,7 @@ bool is_pair_plane(int32_t first, int32_t second, bool is_greatest) {
   return is_plane(open_record(record.pair_reference(0)), 1024, kRadius);
 }
 
-bool is_triple_plane(FieldOperator op, int32_t a, int32_t b, int32_t c) {
+bool is_triple_plane(Csg op, int32_t a, int32_t b, int32_t c) {
   const int32_t values[] = {a, b, c};
   make_lines(values);
   record.triple_count = 1;
@@ -201,8 +201,7 @@ TEST(two_fields_are_plane_where_they_do_not_meet) {
 // The two that are not the least, or the greatest, may be equal.
 TEST(three_fields_are_plane_where_the_one_that_decides_meets_none) {
   for (int sign = -1; sign < 2; sign += 2) {
-    const FieldOperator op =
-        sign > 0 ? FieldOperator::least : FieldOperator::greatest;
+    const Csg op = sign > 0 ? Csg::intersection : Csg::union_;
     CHECK(is_triple_plane(op, 0, sign * 16, sign * 16));
     CHECK(is_triple_plane(op, sign * 16, 0, sign * 17));
     CHECK(is_triple_plane(op, sign * 17, sign * 16, 0));
@@ -216,9 +215,9 @@ TEST(three_fields_are_plane_where_the_one_that_decides_meets_none) {
 }
 
 TEST(nested_fields_are_plane_where_no_two_meet) {
-  constexpr FieldOperator kOps[] = {FieldOperator::least_of_greater,
-                                    FieldOperator::greatest_of_lesser};
-  for (const FieldOperator op : kOps) {
+  constexpr Csg kOps[] = {Csg::intersection_of_union,
+                          Csg::union_of_intersection};
+  for (const Csg op : kOps) {
     CHECK(is_triple_plane(op, 0, 16, 32));
     CHECK(is_triple_plane(op, 32, 0, 16));
     CHECK(!is_triple_plane(op, 0, 15, 40));
@@ -227,4 +226,4 @@ TEST(nested_fields_are_plane_where_no_two_meet) {
   }
 }
 
-#endif  // INKCELL_FIELD_CELLS
+#endif  // INKCELL_EDGE_CELLS

@@ -20,7 +20,7 @@ constexpr int32_t kDirections[][2] = {
 
 alignas(4) uint8_t bytes[1536];
 font_builder::Record samples;  // too large for the stack of a small board
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 FieldRecord record;
 #endif
 
@@ -34,7 +34,7 @@ GlyphField field_of_samples(font_builder::Shape shape) {
   return field;
 }
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 GlyphField field_of_fields(Random& random) {
   record = FieldRecord();
   record.linked = (random.next() & 1) != 0;
@@ -49,14 +49,14 @@ GlyphField field_of_fields(Random& random) {
 }
 #endif
 
-Brush brush_of(int32_t size_q6, uint32_t turn) {
+TextStyle style_of(int32_t size_q6, uint32_t turn) {
   Direction direction;
   direction.cosine.raw = kDirections[turn][0];
   direction.sine.raw = kDirections[turn][1];
-  Brush brush;
+  TextStyle style;
   CHECK_OK(
-      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
-  return brush;
+      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+  return style;
 }
 
 // A disc of samples is not quite round.
@@ -73,10 +73,12 @@ int32_t clamped(int32_t distance_q10) {
 
 // Jumps about in a glyph, and steps. Returns the number of points that do not
 // lie in saturated cells.
-int check_points(const GlyphField& field, const Brush& brush, Random& random) {
+int check_points(const GlyphField& field,
+                 const TextStyle& style,
+                 Random& random) {
   const FinePoint origin(random.between(-999, 999), random.between(-999, 999));
-  const Rect box = field_box(field, brush, origin);
-  PointWalk walk(field, brush, detail::kNoReach);
+  const Rect box = field_box(field, style, origin);
+  PointWalk walk(field, style, detail::kNoReach);
   int edge = 0;
   for (int i = 0; i < 12; ++i) {
     const int32_t x = random.between(box.x0 - 2, box.x1 + 1);
@@ -85,14 +87,14 @@ int check_points(const GlyphField& field, const Brush& brush, Random& random) {
                                  random.between(-1500, 1500)};
     Q6_10 expected[5];
     distance_row(
-        field, brush,
+        field, style,
         {origin.x_q10 - offset.right_q10, origin.y_q10 + offset.up_q10}, x, y,
         expected);
-    FieldPosition at = detail::sample_position(brush, origin, x, y, offset);
+    FieldPosition at = detail::sample_position(style, origin, x, y, offset);
     for (const Q6_10& distance : expected) {
       CHECK_EQ(clamped(walk.distance_q10(at)), distance.raw);
       edge += walk.is_saturated() ? 0 : 1;
-      at = detail::moved(at, detail::pixel_step(brush));
+      at = detail::moved(at, detail::pixel_step(style));
     }
   }
   return edge;
@@ -107,9 +109,9 @@ TEST(points_of_samples_are_what_each_is_alone) {
                                         font_builder::bar};
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 12 : 300); ++round) {
     const GlyphField field = field_of_samples(shapes[round % 3]);
-    const Brush brush =
-        brush_of(random.between(4 * 64, 200 * 64), random.below(4));
-    edge += check_points(field, brush, random);
+    const TextStyle style =
+        style_of(random.between(4 * 64, 200 * 64), random.below(4));
+    edge += check_points(field, style, random);
   }
   CHECK(edge > 100);
 }
@@ -118,20 +120,20 @@ TEST(points_of_samples_are_what_each_is_alone) {
 TEST(gradients_turn_with_the_glyph) {
   const GlyphField field = field_of_samples(font_builder::disc);
   for (uint32_t turn = 0; turn < 4; ++turn) {
-    const Brush brush = brush_of(64 * 64, turn);
+    const TextStyle style = style_of(64 * 64, turn);
     // The middle, 24 px along both axes of the glyph.
     const double c = kDirections[turn][0] / double{kOne};
     const double s = kDirections[turn][1] / double{kOne};
     const double middle_x = 24 * c - 24 * s;
     const double middle_y = -24 * s - 24 * c;
-    PointWalk walk(field, brush, detail::kNoReach);
+    PointWalk walk(field, style, detail::kNoReach);
     const ScreenOffset offsets[] = {
         {18 * 1024, 0}, {0, -18 * 1024}, {-13 * 1024, 13 * 1024}};
     for (const ScreenOffset& from : offsets) {
       const auto x = static_cast<int32_t>(middle_x * 1024) + from.right_q10;
       const auto y = static_cast<int32_t>(middle_y * 1024) - from.up_q10;
       const ScreenGradient g = walk.gradient(
-          detail::sample_position(brush, {0, 0}, 0, 0, {x - 512, 512 - y}));
+          detail::sample_position(style, {0, 0}, 0, 0, {x - 512, 512 - y}));
       const double away = from.right_q10 != 0 && from.up_q10 != 0
                               ? 13 * 1024 * 1.41421356
                               : 18 * 1024;
@@ -141,7 +143,7 @@ TEST(gradients_turn_with_the_glyph) {
   }
 }
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 TEST(points_of_fields_are_what_each_is_alone) {
   Random random(52);
@@ -149,9 +151,9 @@ TEST(points_of_fields_are_what_each_is_alone) {
   const int rounds = INKCELL_BOARD_FIRMWARE ? 30 : 1500;
   for (int round = 0; round < rounds && !check::failed(); ++round) {
     const GlyphField field = field_of_fields(random);
-    const Brush brush =
-        brush_of(random.between(4 * 64, 200 * 64), random.below(4));
-    edge += check_points(field, brush, random);
+    const TextStyle style =
+        style_of(random.between(4 * 64, 200 * 64), random.below(4));
+    edge += check_points(field, style, random);
   }
   CHECK(edge > rounds);
 }
@@ -159,15 +161,15 @@ TEST(points_of_fields_are_what_each_is_alone) {
 // Where a px is a u, gradients are those of gradient_at.
 TEST(gradients_of_fields_are_those_of_the_glyph) {
   Random random(53);
-  const Brush brush = brush_of(1024 * 64, 0);
+  const TextStyle style = style_of(1024 * 64, 0);
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 10 : 300); ++round) {
     const GlyphField field = field_of_fields(random);
-    PointWalk walk(field, brush, detail::kNoReach);
+    PointWalk walk(field, style, detail::kNoReach);
     for (int i = 0; i < 20; ++i) {
       const int32_t x = random.between(-10, 520);
       const int32_t y = random.between(-520, 10);
       const ScreenGradient found =
-          walk.gradient(detail::sample_position(brush, {0, 0}, x, y, {0, 0}));
+          walk.gradient(detail::sample_position(style, {0, 0}, x, y, {0, 0}));
       const Gradient expected =
           gradient_at(field, Q16_16::from_raw(x * 65536 + 32768),
                       Q16_16::from_raw(-y * 65536 - 32768));
@@ -177,4 +179,4 @@ TEST(gradients_of_fields_are_those_of_the_glyph) {
   }
 }
 
-#endif  // INKCELL_FIELD_CELLS
+#endif  // INKCELL_EDGE_CELLS

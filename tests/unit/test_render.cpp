@@ -136,11 +136,11 @@ constexpr int32_t kDirections[][2] = {{kOne, 0},
                                       {858993459, -644245094},
                                       {kOne, 1}};
 
-Brush brush_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), kFilterText,
-                       direction(turn[0], turn[1]), brush));
-  return brush;
+TextStyle style_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_raw(size_q6), kFilterText,
+                           direction(turn[0], turn[1]), style));
+  return style;
 }
 
 // A window of at most kSide pixels a side somewhere in or around the box.
@@ -152,18 +152,18 @@ Rect window_in(Random& random, const Rect& box) {
 
 // draw_field against distances one by one and the filter.
 void check_plain_chain(const GlyphField& field,
-                       const Brush& brush,
+                       const TextStyle& style,
                        const FinePoint& origin,
                        const Rect& window) {
   canvas.clear(window);
-  draw_field(field, brush, origin, canvas.sink());
+  draw_field(field, style, origin, canvas.sink());
   for (int32_t y = window.y0; y < window.y1; ++y) {
     Q6_10 distances[kSide];
     const auto width = static_cast<size_t>(window.x1 - window.x0);
-    distance_row(field, brush, origin, window.x0, y, {distances, width});
+    distance_row(field, style, origin, window.x0, y, {distances, width});
     for (int32_t x = window.x0; x < window.x1; ++x) {
       const int32_t distance = distances[x - window.x0].raw;
-      CHECK_EQ(canvas.at(x, y), brush.filter().coverage(distance));
+      CHECK_EQ(canvas.at(x, y), style.filter().coverage(distance));
     }
   }
 }
@@ -178,12 +178,12 @@ TEST(fused_drawing_equals_the_plain_chain) {
                            200 * 64, 40000,       1024 * 64 - 1, 1024 * 64};
   for (const int32_t size : sizes) {
     for (const auto& turn : kDirections) {
-      const Brush brush = brush_of(size, turn);
+      const TextStyle style = style_of(size, turn);
       for (int i = 0; i < 6 && !check::failed(); ++i) {
         const FinePoint origin(random.between(-50000, 50000),
                                random.between(-50000, 50000));
-        const Rect box = field_box(field, brush, origin);
-        check_plain_chain(field, brush, origin, window_in(random, box));
+        const Rect box = field_box(field, style, origin);
+        check_plain_chain(field, style, origin, window_in(random, box));
       }
     }
   }
@@ -200,14 +200,14 @@ TEST(any_cells_equal_the_plain_chain) {
     const bool exact = round % 2 != 0;
     const int32_t size =
         exact ? 256 << random.below(9) : random.between(4 * 64, 600 * 64);
-    const Brush brush =
-        brush_of(size, kDirections[round % 4 < 2 ? 0 : random.below(8)]);
+    const TextStyle style =
+        style_of(size, kDirections[round % 4 < 2 ? 0 : random.below(8)]);
     const FinePoint origin(exact ? 512 + 1024 * random.between(-9, 9)
                                  : random.between(-9999, 9999),
                            exact ? 512 : random.between(-9999, 9999));
-    const Rect box = field_box(field, brush, origin);
+    const Rect box = field_box(field, style, origin);
     for (int i = 0; i < 4; ++i) {
-      check_plain_chain(field, brush, origin, window_in(random, box));
+      check_plain_chain(field, style, origin, window_in(random, box));
     }
   }
 }
@@ -219,26 +219,26 @@ void check_strips(int32_t size) {
   const GlyphField field = field_of(font_builder::ring);
   const Rect all = {-3, -2, -3 + kSide, -2 + kSide};
   for (const auto& turn : kDirections) {
-    const Brush brush = brush_of(size, turn);
+    const TextStyle style = style_of(size, turn);
     const FinePoint origin(turn[0] > 0 ? 123 : 30123,
                            turn[1] < 0 ? 4567 : 28765);
     reference.clear(all);
-    draw_field(field, brush, origin, reference.sink());
+    draw_field(field, style, origin, reference.sink());
     CHECK(reference.ink() > 0);
     for (int32_t rows = 1; rows < kSide; ++rows) {
       canvas.clear(all);
       for (int32_t y = all.y0; y < all.y1; y += rows) {
         canvas.open(intersect(all, {all.x0, y, all.x1, y + rows}));
-        draw_field(field, brush, origin, canvas.sink());
+        draw_field(field, style, origin, canvas.sink());
       }
       CHECK(canvas.equals(reference));
     }
     for (int32_t x = all.x0; x <= all.x1; ++x) {
       canvas.clear(all);
       canvas.open({all.x0, all.y0, x, all.y1});
-      draw_field(field, brush, origin, canvas.sink());
+      draw_field(field, style, origin, canvas.sink());
       canvas.open({x, all.y0, all.x1, all.y1});
-      draw_field(field, brush, origin, canvas.sink());
+      draw_field(field, style, origin, canvas.sink());
       CHECK(canvas.equals(reference));
     }
   }
@@ -255,7 +255,7 @@ namespace {
 
 // Of all that is drawn.
 uint32_t sum_in(const GlyphField& field,
-                const Brush& brush,
+                const TextStyle& style,
                 const Rect& window) {
   uint32_t sum = 0;
   const Sink sink = {window, &sum,
@@ -273,7 +273,7 @@ uint32_t sum_in(const GlyphField& field,
                              255 * static_cast<uint32_t>(7 * (x + i) + y);
                        }
                      }};
-  draw_field(field, brush, {}, sink);
+  draw_field(field, style, {}, sink);
   return sum;
 }
 
@@ -301,18 +301,18 @@ GlyphField far_column() {
 TEST(rows_may_begin_far_from_the_grid) {
   const GlyphField field = far_column();
   for (int32_t lean = -240; lean <= 240; lean += 24) {
-    Brush brush;
-    CHECK_OK(Brush::make({Q16_16::from_int(30), Q16_16::from_int(0),
-                          Q16_16::from_int(lean), Q16_16::from_int(60)},
-                         kFilterText, brush));
+    TextStyle style;
+    CHECK_OK(TextStyle::make({Q16_16::from_int(30), Q16_16::from_int(0),
+                              Q16_16::from_int(lean), Q16_16::from_int(60)},
+                             kFilterText, style));
     const int32_t x = 15232 * 30 / 1024;
     const Rect all = {x - 47000 * 30 / 1024, -20, x + 400, 20};
-    const uint32_t whole = sum_in(field, brush, all);
+    const uint32_t whole = sum_in(field, style, all);
     CHECK(whole != 0);
     uint32_t parts = 0;
     for (int32_t x0 = all.x0; x0 < all.x1; x0 += 60) {
       parts +=
-          sum_in(field, brush, intersect(all, {x0, all.y0, x0 + 60, all.y1}));
+          sum_in(field, style, intersect(all, {x0, all.y0, x0 + 60, all.y1}));
     }
     CHECK_EQ(parts, whole);
   }
@@ -325,11 +325,11 @@ TEST(quarter_turns_turn_the_picture) {
   const int32_t sizes[] = {8 * 64, 16 * 64, 32 * 64};  // exact steps
   for (const int32_t size : sizes) {
     reference.clear(around);
-    draw_field(field, brush_of(size), {}, reference.sink());
+    draw_field(field, style_of(size), {}, reference.sink());
     CHECK(reference.ink() > 0);
     for (int quarter = 1; quarter < 4; ++quarter) {
       canvas.clear(around);
-      draw_field(field, brush_of(size, kDirections[quarter]), {},
+      draw_field(field, style_of(size, kDirections[quarter]), {},
                  canvas.sink());
       for (int32_t y = -20; y < 20; ++y) {
         for (int32_t x = -20; x < 20; ++x) {
@@ -357,12 +357,12 @@ TEST(stretched_edges_are_as_sharp) {
     const int32_t lean = side.lean;
     const Matrix matrix = {
         Q16_16::from_int(96), {}, Q16_16::from_int(lean), Q16_16::from_int(48)};
-    Brush brush;
-    CHECK_OK(Brush::make(matrix, kFilterText, brush));
+    TextStyle style;
+    CHECK_OK(TextStyle::make(matrix, kFilterText, style));
     const FinePoint origin(3000, 40000);
     for (int32_t y = 25; y < 35; ++y) {
       Q6_10 distances[40];
-      distance_row(field, brush, origin, 0, y, {distances, 40});
+      distance_row(field, style, origin, 0, y, {distances, 40});
       for (int32_t x = 0; x < 40; ++x) {
         const double up = 40000 / 1024.0 - y - 0.5;
         const double right = x + 0.5 - 3000 / 1024.0;
@@ -374,7 +374,7 @@ TEST(stretched_edges_are_as_sharp) {
         }
       }
     }
-    check_plain_chain(field, brush, origin, {0, 10, 40, 45});
+    check_plain_chain(field, style, origin, {0, 10, 40, 45});
   }
 }
 
@@ -384,7 +384,7 @@ TEST(turned_shapes_are_where_they_should_be) {
   const double size = 30;
   for (const auto& turn : kDirections) {
     canvas.clear({-20, -20, 20, 20});
-    draw_field(field, brush_of(30 * 64, turn), {}, canvas.sink());
+    draw_field(field, style_of(30 * 64, turn), {}, canvas.sink());
     const double cosine = turn[0] / static_cast<double>(kOne);
     const double sine = turn[1] / static_cast<double>(kOne);
     for (int32_t y = -20; y < 20; ++y) {
@@ -408,14 +408,14 @@ TEST(moving_by_pixels_moves_the_picture) {
   const GlyphField field = field_of(font_builder::ring);
   const int32_t places[] = {-32767, -32700, -1, 1, 12345, 32767 - kSide};
   for (const auto& turn : kDirections) {
-    const Brush brush = brush_of(33 * 64, turn);
+    const TextStyle style = style_of(33 * 64, turn);
     reference.clear({0, 0, kSide, kSide});
-    draw_field(field, brush, {20200, 20100}, reference.sink());
+    draw_field(field, style, {20200, 20100}, reference.sink());
     CHECK(reference.ink() > 0);
     for (const int32_t x : places) {
       for (const int32_t y : places) {
         canvas.clear({x, y, x + kSide, y + kSide});
-        draw_field(field, brush,
+        draw_field(field, style,
                    {20200 + int64_t{x} * 1024, 20100 + int64_t{y} * 1024},
                    canvas.sink());
         CHECK(canvas.equals(reference));
@@ -432,13 +432,13 @@ TEST(origins_anywhere_are_harmless) {
   const int32_t sizes[] = {4 * 64, 1024 * 64};
   for (const int32_t size : sizes) {
     for (const auto& turn : kDirections) {
-      const Brush brush = brush_of(size, turn);
+      const TextStyle style = style_of(size, turn);
       for (int i = 0; i < 60; ++i) {
         const Point origin = {Q26_6::from_raw(ends[random.below(7)]),
                               Q26_6::from_raw(ends[random.below(7)])};
         const int32_t x = (i & 1) != 0 ? -32767 : 32767 - kSide;
         const int32_t y = (i & 2) != 0 ? -32767 : 32767 - kSide;
-        check_plain_chain(field, brush, origin, {x, y, x + kSide, y + kSide});
+        check_plain_chain(field, style, origin, {x, y, x + kSide, y + kSide});
       }
     }
   }
@@ -466,17 +466,17 @@ TEST(the_largest_grids_are_harmless) {
   const int32_t sizes[] = {4 * 64, 5 * 64 + 3, 100 * 64, 1024 * 64};
   for (const int32_t size : sizes) {
     for (const auto& turn : kDirections) {
-      const Brush brush = brush_of(size, turn);
-      const Rect box = field_box(field, brush, {100, 100});
+      const TextStyle style = style_of(size, turn);
+      const Rect box = field_box(field, style, {100, 100});
       const Rect corners[] = {{box.x0 - 1, box.y0 - 1, 0, 0},
                               {box.x1 - kSide + 1, box.y0 - 1, 0, 0},
                               {box.x0 - 1, box.y1 - kSide + 1, 0, 0},
                               {box.x1 - kSide + 1, box.y1 - kSide + 1, 0, 0}};
       for (const Rect& c : corners) {
-        check_plain_chain(field, brush, {100, 100},
+        check_plain_chain(field, style, {100, 100},
                           {c.x0, c.y0, c.x0 + kSide, c.y0 + kSide});
       }
-      check_plain_chain(field, brush, {100, 100}, window_in(random, box));
+      check_plain_chain(field, style, {100, 100}, window_in(random, box));
     }
   }
 }
@@ -484,12 +484,12 @@ TEST(the_largest_grids_are_harmless) {
 TEST(nothing_to_draw) {
   const GlyphField field = field_of(font_builder::disc);
   canvas.clear({0, 0, kSide, kSide});
-  draw_field(GlyphField{}, brush_of(1000), {20000, 20000}, canvas.sink());
-  CHECK(is_empty(field_box(GlyphField{}, brush_of(1000), {})));
+  draw_field(GlyphField{}, style_of(1000), {20000, 20000}, canvas.sink());
+  CHECK(is_empty(field_box(GlyphField{}, style_of(1000), {})));
   const Rect windows[] = {{0, 0, 0, 40}, {0, 0, 40, 0}, {40, 40, 0, 0}};
   for (const Rect& window : windows) {
     canvas.open(window);
-    draw_field(field, brush_of(1000), {0, 30000}, canvas.sink());
+    draw_field(field, style_of(1000), {0, 30000}, canvas.sink());
   }
   CHECK_EQ(canvas.ink(), 0);
 }
@@ -498,7 +498,7 @@ TEST(draws_a_bar_between_pixels) {
   const GlyphField field = field_of(font_builder::bar);
   Picture<10, 14> picture;
   // 16 px: 200..440 u are 3.125..6.875 px, moved by a quarter; 640 u are 10.
-  draw_field(field, brush_of(16 * 64), {256, 12 * 1024 + 512}, picture.sink());
+  draw_field(field, style_of(16 * 64), {256, 12 * 1024 + 512}, picture.sink());
   CHECK_PICTURE(picture,
                 "..........\n"
                 "..........\n"
@@ -519,7 +519,7 @@ TEST(draws_a_bar_between_pixels) {
 TEST(draws_a_small_disc_upright_and_turned) {
   const GlyphField field = field_of(font_builder::disc);
   Picture<9, 9> upright;
-  draw_field(field, brush_of(12 * 64), {0, 9 * 1024}, upright.sink());
+  draw_field(field, style_of(12 * 64), {0, 9 * 1024}, upright.sink());
   CHECK_PICTURE(upright,
                 "....:....\n"
                 "..+*#*+..\n"
@@ -531,7 +531,7 @@ TEST(draws_a_small_disc_upright_and_turned) {
                 "..+*#*+..\n"
                 "....:....\n");
   Picture<9, 9> turned;
-  draw_field(field, brush_of(12 * 64, kDirections[4]), {4608, 11008},
+  draw_field(field, style_of(12 * 64, kDirections[4]), {4608, 11008},
              turned.sink());
   CHECK_PICTURE(turned,
                 "...:::...\n"
@@ -548,16 +548,16 @@ TEST(draws_a_small_disc_upright_and_turned) {
 // 2^32 / 1024 px and its multiples, which would wrap.
 TEST(far_glyphs_show_nothing) {
   const GlyphField field = field_of(font_builder::disc);
-  const Brush brush = brush_of(20 * 64);
+  const TextStyle style = style_of(20 * 64);
   constexpr int64_t kFar = int64_t{1} << 32;
   const int64_t ways[] = {kFar, -kFar, 3 * kFar};
   for (const int64_t way : ways) {
     canvas.clear({0, 0, kSide, kSide});
-    draw_field(field, brush, {way, 20 * 1024}, canvas.sink());
-    draw_field(field, brush, {0, way + 20 * 1024}, canvas.sink());
+    draw_field(field, style, {way, 20 * 1024}, canvas.sink());
+    draw_field(field, style, {0, way + 20 * 1024}, canvas.sink());
     CHECK_EQ(canvas.ink(), 0);
     constexpr Rect kScreen = {-32767, -32767, 32767, 32767};
-    CHECK(is_empty(intersect(field_box(field, brush, {way, 0}), kScreen)));
-    CHECK(is_empty(intersect(field_box(field, brush, {0, way}), kScreen)));
+    CHECK(is_empty(intersect(field_box(field, style, {way, 0}), kScreen)));
+    CHECK(is_empty(intersect(field_box(field, style, {0, way}), kScreen)));
   }
 }

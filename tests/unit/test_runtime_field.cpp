@@ -186,20 +186,20 @@ TEST(pictures_are_those_of_the_distance) {
   constexpr int32_t kPx = 24;
   constexpr int32_t kTolerance = 8;  // and what is between and beside it
   constexpr int32_t kWorst = 20;
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(kPx), kFilterText, brush));
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(kPx), kFilterText, style));
   const FieldLimits limits =
       FieldLimits::for_sizes(kPx, kPx, kTolerance, Q6_10::from_int(1));
   for (uint16_t glyph = 0; glyph < 6; ++glyph) {
     GlyphField field;
     CHECK_OK(generate_field(font, glyph, limits, ram, field));
     Picture<kPx, kPx> picture;
-    draw_field(field, brush, FinePoint(1024, 20 * 1024), picture.sink());
+    draw_field(field, style, FinePoint(1024, 20 * 1024), picture.sink());
     set_truth(glyph, kPx / 1024.0, 1, 20);
     for (int32_t y = 0; y < kPx; ++y) {
       for (int32_t x = 0; x < kPx; ++x) {
         const double px = truth.distance(x + 0.5, y + 0.5);
-        const int32_t expected = brush.filter().coverage(
+        const int32_t expected = style.filter().coverage(
             static_cast<int32_t>(clamped(px, 4) * 1024));
         const int32_t error = picture.at(x, y) - expected;
         CHECK(error <= kWorst && error >= -kWorst);

@@ -4,24 +4,24 @@
 
 #include "any_record.hpp"
 #include "check.hpp"
+#include "effect_canvas.hpp"
+#include "effect_glyph.hpp"
 #include "font_builder.hpp"
 #include "inkcell/format/cell.hpp"
-#include "painter_canvas.hpp"
-#include "painter_glyph.hpp"
 #include "random.hpp"
 
 namespace {
 
 using namespace inkcell;
-using painter::brush_of;
-using painter::check_windows;
-using painter::draw;
-using painter::field_of;
-using painter::kAll;
-using painter::kSide;
-using painter::magnitude;
-using painter::picture;
-using painter::whole;
+using effect::check_windows;
+using effect::draw;
+using effect::field_of;
+using effect::kAll;
+using effect::kSide;
+using effect::magnitude;
+using effect::picture;
+using effect::style_of;
+using effect::whole;
 
 // Px to the em where the cells of shapes, 64 u wide, are splatted.
 constexpr int32_t kSizes[] = {6, 9, 15, 20};
@@ -35,13 +35,15 @@ Splats splats_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
   return splats;
 }
 
-void check_as_without(const GlyphField& field, Brush brush, FinePoint origin) {
-  draw(field, brush, origin);
-  painter::keep();
-  CHECK(painter::ink() > 0);
+void check_as_without(const GlyphField& field,
+                      TextStyle style,
+                      FinePoint origin) {
+  draw(field, style, origin);
+  effect::keep();
+  CHECK(effect::ink() > 0);
   const Splats splats = splats_of();
-  brush.set_painter(splat_painter(splats));
-  draw(field, brush, origin);
+  style.set_effect(splat_effect(splats));
+  draw(field, style, origin);
   for (int32_t i = 0; i < kSide * kSide; ++i) {
     CHECK_EQ(picture[i], whole[i]);
   }
@@ -63,12 +65,12 @@ double fall(double t) {
 // What a pixel gathers from all squares around it. [px, y up, from the origin]
 class Gathered {
  public:
-  Gathered(const GlyphField& field, const Brush& brush, double x, double y)
+  Gathered(const GlyphField& field, const TextStyle& style, double x, double y)
       : field_(field),
-        brush_(brush),
+        style_(style),
         x_(x),
         y_(y),
-        px_(brush.size().raw / 65536.0) {
+        px_(style.size().raw / 65536.0) {
     int32_t least = 1;
     while (2 * least * px_ <= 0.25) {
       least *= 2;
@@ -126,11 +128,11 @@ class Gathered {
                     Q16_16::from_raw(y_u * 65536 + size * 32768))
             .raw;
     weight_ += weight;
-    covered_ += weight * brush_.coverage(distance);
+    covered_ += weight * style_.coverage(distance);
   }
 
   const GlyphField& field_;
-  const Brush& brush_;
+  const TextStyle& style_;
   double x_;
   double y_;
   double px_;
@@ -146,21 +148,21 @@ TEST(splats_are_what_pixels_would_gather) {
   for (const font_builder::Shape shape : shapes) {
     const GlyphField field = field_of(shape);
     for (const int32_t px : kSizes) {
-      Brush brush = brush_of(px * 64, false);
+      TextStyle style = style_of(px * 64, false);
       const Splats splats = splats_of();
-      brush.set_painter(splat_painter(splats));
-      draw(field, brush, origin);
+      style.set_effect(splat_effect(splats));
+      draw(field, style, origin);
       int32_t gathered = 0;
       for (int32_t y = 0; y < kSide; ++y) {
         Q6_10 own[kSide];
-        distance_row(field, brush, origin, kAll.x0, y + kAll.y0, {own, kSide});
+        distance_row(field, style, origin, kAll.x0, y + kAll.y0, {own, kSide});
         for (int32_t x = y % 3; x < kSide; x += 3) {
           const Gathered pixel(
-              field, brush,
+              field, style,
               x + kAll.x0 + 0.5 - static_cast<double>(origin.x_q10) / 1024,
               static_cast<double>(origin.y_q10) / 1024 - y - kAll.y0 - 0.5);
           const auto coverage = static_cast<int32_t>(
-              pixel.coverage(brush.filter().coverage(own[x].raw)) + 0.5);
+              pixel.coverage(style.filter().coverage(own[x].raw)) + 0.5);
           CHECK(magnitude(picture[y * kSide + x] - coverage) <= 8);
           gathered += pixel.weight() > 0.5 && coverage > 0 ? 1 : 0;
         }
@@ -173,7 +175,7 @@ TEST(splats_are_what_pixels_would_gather) {
 TEST(wide_cells_look_as_without) {
   const GlyphField field = field_of(font_builder::ring);
   for (int turned = 0; turned < 2; ++turned) {
-    check_as_without(field, brush_of(40 * 64, turned != 0),
+    check_as_without(field, style_of(40 * 64, turned != 0),
                      {3 * 1024 + 300, 33 * 1024 + 77});
   }
 }
@@ -183,15 +185,15 @@ TEST(windows_and_sums_do_not_change_the_picture) {
   const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
   for (int turned = 0; turned < 2; ++turned) {
     for (const int32_t px : kSizes) {
-      Brush brush = brush_of(px * 64, turned != 0);
+      TextStyle style = style_of(px * 64, turned != 0);
       const Splats large = splats_of();
-      brush.set_painter(splat_painter(large));
-      check_windows(field, brush, origin);
-      CHECK(painter::ink() > 0);
+      style.set_effect(splat_effect(large));
+      check_windows(field, style, origin);
+      CHECK(effect::ink() > 0);
       for (size_t count = kMinSplatSums; count < 100; count += 7) {
         const Splats small = splats_of(count);
-        brush.set_painter(splat_painter(small));
-        draw(field, brush, origin);
+        style.set_effect(splat_effect(small));
+        draw(field, style, origin);
         for (int32_t i = 0; i < kSide * kSide; ++i) {
           CHECK_EQ(picture[i], whole[i]);
         }
@@ -202,20 +204,20 @@ TEST(windows_and_sums_do_not_change_the_picture) {
 
 TEST(any_cells_are_drawn_in_the_window) {
   Random random(7);
-  font_builder::Record& record = painter::glyph_record;
+  font_builder::Record& record = effect::glyph_record;
   for (int round = 0; round < 60 && !check::failed(); ++round) {
     make_any(record, random);
     GlyphField field;
-    CHECK(record.size() <= sizeof(painter::glyph_bytes));
-    record.write(painter::glyph_bytes);
-    CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, field));
-    Brush brush = brush_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
+    CHECK(record.size() <= sizeof(effect::glyph_bytes));
+    record.write(effect::glyph_bytes);
+    CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
+    TextStyle style = style_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
     const Splats splats =
         splats_of(kMinSplatSums + random.below(300),
                   Q6_10::from_raw(static_cast<int16_t>(random.between(
                       kMinSplatRadius.raw, kMaxSplatRadius.raw))));
-    brush.set_painter(splat_painter(splats));
-    check_windows(field, brush,
+    style.set_effect(splat_effect(splats));
+    check_windows(field, style,
                   {random.between(-9999, 30000), random.between(-9999, 40000)});
   }
 }
@@ -240,7 +242,7 @@ TEST(bad_options_are_refused) {
 // A buffer that is narrower than a row of the glyph.
 TEST(glyphs_may_be_wider_than_the_sums) {
   constexpr int32_t kWidth = 200;
-  font_builder::Record& record = painter::glyph_record;
+  font_builder::Record& record = effect::glyph_record;
   record.reset();
   record.tile_log2 = 11;
   record.tiles_x = 14;
@@ -251,12 +253,12 @@ TEST(glyphs_may_be_wider_than_the_sums) {
   for (uint32_t i = 0; i < record.reference_count; ++i) {
     record.references[i] = format::glyph::kInside;
   }
-  record.write(painter::glyph_bytes);
+  record.write(effect::glyph_bytes);
   GlyphField wide;
-  CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, wide));
-  Brush brush = brush_of(20 * 64, false);
+  CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, wide));
+  TextStyle style = style_of(20 * 64, false);
   const Splats splats = splats_of(kMinSplatSums);
-  brush.set_painter(splat_painter(splats));
+  style.set_effect(splat_effect(splats));
   int32_t sum = 0;
   const Sink sink = {{0, 0, kWidth, 10},
                      &sum,
@@ -269,13 +271,13 @@ TEST(glyphs_may_be_wider_than_the_sums) {
                      [](void* context, int32_t, int32_t, int32_t count) {
                        *static_cast<int32_t*>(context) += 255 * count;
                      }};
-  draw_field(wide, brush, {250 * 1024, 9 * 1024}, sink);
+  draw_field(wide, style, {250 * 1024, 9 * 1024}, sink);
   CHECK_EQ(sum, 255 * kWidth * 9);
 }
 
 TEST(small_tiles_look_like_larger_ones) {
   for (uint32_t log2 = 6; log2 >= 5; --log2) {
-    font_builder::Record& record = painter::glyph_record;
+    font_builder::Record& record = effect::glyph_record;
     record.reset();
     record.tile_log2 = static_cast<uint8_t>(log2);
     record.tiles_x = record.tiles_y = static_cast<uint8_t>(512 >> log2);
@@ -288,17 +290,17 @@ TEST(small_tiles_look_like_larger_ones) {
       record.references[i] =
           (x + y) % 3 != 0 ? format::glyph::kInside : format::glyph::kOutside;
     }
-    CHECK(record.size() <= sizeof painter::glyph_bytes);
-    record.write(painter::glyph_bytes);
+    CHECK(record.size() <= sizeof effect::glyph_bytes);
+    record.write(effect::glyph_bytes);
     GlyphField field;
-    CHECK_OK(GlyphField::open({painter::glyph_bytes, record.size()}, field));
-    Brush brush = brush_of(4 * 64, false);
+    CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
+    TextStyle style = style_of(4 * 64, false);
     const Splats splats = splats_of();
-    brush.set_painter(splat_painter(splats));
-    draw(field, brush, {10 * 1024 + 300, 20 * 1024 + 77});
-    CHECK(painter::ink() > 0);
+    style.set_effect(splat_effect(splats));
+    draw(field, style, {10 * 1024 + 300, 20 * 1024 + 77});
+    CHECK(effect::ink() > 0);
     if (log2 == 6) {
-      painter::keep();
+      effect::keep();
     }
     for (int32_t i = 0; i < kSide * kSide; ++i) {
       CHECK_EQ(picture[i], whole[i]);

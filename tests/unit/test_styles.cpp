@@ -6,7 +6,7 @@
 #include "inkcell/effects.hpp"
 #include "inkcell/lcd.hpp"
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 namespace {
 
@@ -125,15 +125,15 @@ GlyphField any_field(Random& random) {
 
 constexpr int32_t kOne = 1 << 30;
 
-Brush brush_of(int32_t size_q6, const Filter& filter, bool turned = false) {
+TextStyle style_of(int32_t size_q6, const Filter& filter, bool turned = false) {
   Direction turn;
   if (turned) {
     turn.cosine.raw = 858993459;
     turn.sine.raw = -644245094;
   }
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_raw(size_q6), filter, turn, brush));
-  return brush;
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_raw(size_q6), filter, turn, style));
+  return style;
 }
 
 FinePoint any_origin(Random& random) {
@@ -147,12 +147,12 @@ Rect window_in(Random& random, const Rect& box) {
 }
 
 int32_t distance_q10(const GlyphField& field,
-                     const Brush& brush,
+                     const TextStyle& style,
                      FinePoint origin,
                      int32_t x,
                      int32_t y) {
   Q6_10 distance;
-  distance_row(field, brush, origin, x, y, {&distance, 1});
+  distance_row(field, style, origin, x, y, {&distance, 1});
   return distance.raw;
 }
 
@@ -172,12 +172,12 @@ const Outline kOutline =
 
 // Draws in one piece and in many, and compares. `fill`: the second picture too.
 void check_windows(const GlyphField& field,
-                   const Brush& brush,
+                   const TextStyle& style,
                    const FinePoint& origin,
                    OutlineAndFill* both) {
   static Pixels whole;
   static Pixels whole_second;
-  const Rect box = field_box(field, brush, origin);
+  const Rect box = field_box(field, style, origin);
   const Rect all = {box.x0 + 1, box.y0 + 1, box.x0 + 1 + kSide,
                     box.y0 + 1 + kSide};
   for (int32_t cut = kSide; cut > 0; cut = cut * 2 / 3) {
@@ -193,7 +193,7 @@ void check_windows(const GlyphField& field,
         if (both != nullptr) {
           both->fill = &fill_sink;
         }
-        draw_field(field, brush, origin, canvas.rgb_sink());
+        draw_field(field, style, origin, canvas.rgb_sink());
       }
     }
     for (int32_t i = 0; i < 3 * kSide * kSide; ++i) {
@@ -220,25 +220,25 @@ TEST(windows_change_no_style) {
                  side(field.y0_u + 200)};
     const bool is_turned = round % 3 == 0;
     const bool is_outlined = round % 2 == 0;
-    Brush brush =
-        brush_of(random.between(8 * 64, 48 * 64),
+    TextStyle style =
+        style_of(random.between(8 * 64, 48 * 64),
                  is_outlined ? kOutline.outer : kFilterText, is_turned);
     OutlineAndFill both = {&kOutline.inner, nullptr};
-    LcdStyle lcd = {static_cast<SubPixels>(random.below(4)),
-                    static_cast<uint8_t>(255 - random.below(2) * 100)};
-    CrispStyle crisp = {static_cast<uint8_t>(random.below(2) * 2 + 2), {}};
+    LcdOptions lcd = {static_cast<SubPixels>(random.below(4)),
+                      static_cast<uint8_t>(255 - random.below(2) * 100)};
+    CrispOptions crisp = {static_cast<uint8_t>(random.below(2) * 2 + 2), {}};
     if (is_outlined) {
-      brush.set_painter(outline_and_fill_painter(both));
+      style.set_effect(outline_and_fill_effect(both));
     } else if (round % 4 == 1) {
-      brush.set_painter(lcd_painter(lcd));
+      style.set_effect(lcd_effect(lcd));
     } else {
-      brush.set_painter(crisp_painter(crisp));
+      style.set_effect(crisp_effect(crisp));
     }
     const FinePoint origin = any_origin(random);
-    check_windows(field, brush, origin, is_outlined ? &both : nullptr);
+    check_windows(field, style, origin, is_outlined ? &both : nullptr);
     if (is_outlined) {
-      brush.set_painter(outline_painter(kOutline.inner));
-      check_windows(field, brush, origin, nullptr);
+      style.set_effect(outline_effect(kOutline.inner));
+      check_windows(field, style, origin, nullptr);
     }
   }
 }
@@ -246,7 +246,7 @@ TEST(windows_change_no_style) {
 // What a stripe covers, `stripe` thirds of a pixel beside the middle of pixel
 // (x, y), by the gradient that the 2 most + 1 stripes around it say.
 double stripe_coverage(const GlyphField& field,
-                       const Brush& brush,
+                       const TextStyle& style,
                        const FinePoint& origin,
                        bool is_down,
                        int32_t most,
@@ -258,7 +258,7 @@ double stripe_coverage(const GlyphField& field,
     const int32_t way = -341 * i;  // the origin goes the other way
     const FinePoint moved(origin.x_q10 + (is_down ? 0 : way),
                           origin.y_q10 + (is_down ? way : 0));
-    d[i + most] = distance_q10(field, brush, moved, x, y) / 1024.0;
+    d[i + most] = distance_q10(field, style, moved, x, y) / 1024.0;
   }
   double slope = 0;
   for (int32_t i = 1; i <= 2 * most; ++i) {
@@ -280,14 +280,14 @@ TEST(channels_are_means_of_three_stripes) {
   int32_t far = 0;
   for (int round = 0; round < kRounds && !check::failed(); ++round) {
     const GlyphField field = any_field(random);
-    Brush brush =
-        brush_of(random.between(8 * 64, 48 * 64), kFilterText, round % 3 == 0);
-    const LcdStyle style = {static_cast<SubPixels>(round % 4)};
-    brush.set_painter(lcd_painter(style));
+    TextStyle style =
+        style_of(random.between(8 * 64, 48 * 64), kFilterText, round % 3 == 0);
+    const LcdOptions lcd = {static_cast<SubPixels>(round % 4)};
+    style.set_effect(lcd_effect(lcd));
     const FinePoint origin = any_origin(random);
-    const Rect window = window_in(random, field_box(field, brush, origin));
+    const Rect window = window_in(random, field_box(field, style, origin));
     Canvas canvas(window, picture);
-    draw_field(field, brush, origin, canvas.rgb_sink());
+    draw_field(field, style, origin, canvas.rgb_sink());
     const bool is_down = round % 4 >= 2;
     const bool red_first = round % 2 == 0;
     // Turned, those beside a pixel are looked at from there.
@@ -295,10 +295,10 @@ TEST(channels_are_means_of_three_stripes) {
     for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
       const auto stripe = [&](int32_t number) {
         if (is_alone) {
-          return stripe_coverage(field, brush, origin, true, 2, x, y, number);
+          return stripe_coverage(field, style, origin, true, 2, x, y, number);
         }
         const int32_t pixel = number < -1 ? -1 : number > 1 ? 1 : 0;
-        return stripe_coverage(field, brush, origin, is_down, 1,
+        return stripe_coverage(field, style, origin, is_down, 1,
                                x + (is_down ? 0 : pixel),
                                y + (is_down ? pixel : 0), number - 3 * pixel);
       };
@@ -329,17 +329,17 @@ TEST(greater_of_a_field_and_itself_is_that_field) {
   record.fields[0] = {16384, 0, -100 * 16, 0, 0};
   const GlyphField field = open();
   for (int32_t round = 0; round < 2; ++round) {
-    const LcdStyle style = {round == 0 ? SubPixels::rgb
+    const LcdOptions lcd = {round == 0 ? SubPixels::rgb
                                        : SubPixels::rgb_vertical};
-    Brush brush = brush_of(16 * 64, kFilterText);
-    brush.set_painter(lcd_painter(style));
+    TextStyle style = style_of(16 * 64, kFilterText);
+    style.set_effect(lcd_effect(lcd));
     const Rect window = {-1, -4, 5, 1};
     Canvas least(window, picture);
     bytes[11] = static_cast<uint8_t>(linked::kMinPair << 5);
-    draw_field(field, brush, {}, least.rgb_sink());
+    draw_field(field, style, {}, least.rgb_sink());
     Canvas greatest(window, second);
     bytes[11] = static_cast<uint8_t>(linked::kMaxPair << 5);
-    draw_field(field, brush, {}, greatest.rgb_sink());
+    draw_field(field, style, {}, greatest.rgb_sink());
     int32_t sum = 0;
     for_pixels(window, [&](int32_t, int32_t, int32_t i) {
       for (int32_t channel = 0; channel < 3; ++channel) {
@@ -355,27 +355,27 @@ TEST(less_colour_leaves_the_mean) {
   Random random(53);
   for (int round = 0; round < kRounds / 4; ++round) {
     const GlyphField field = any_field(random);
-    Brush brush = brush_of(random.between(8 * 64, 48 * 64), kFilterText);
-    LcdStyle style;
-    brush.set_painter(lcd_painter(style));
+    TextStyle style = style_of(random.between(8 * 64, 48 * 64), kFilterText);
+    LcdOptions lcd;
+    style.set_effect(lcd_effect(lcd));
     const FinePoint origin = any_origin(random);
-    const Rect window = window_in(random, field_box(field, brush, origin));
+    const Rect window = window_in(random, field_box(field, style, origin));
     Canvas full(window, picture);
-    draw_field(field, brush, origin, full.rgb_sink());
-    style.colour = static_cast<uint8_t>(round % 2 * 128);
+    draw_field(field, style, origin, full.rgb_sink());
+    lcd.colour = static_cast<uint8_t>(round % 2 * 128);
     Canvas faded(window, second);
-    draw_field(field, brush, origin, faded.rgb_sink());
+    draw_field(field, style, origin, faded.rgb_sink());
     for_pixels(window, [&](int32_t, int32_t, int32_t i) {
       const int32_t mean = (picture[i] + picture[i + 1] + picture[i + 2]) / 3;
       for (int32_t j = i; j < i + 3; ++j) {
         const int32_t kept =
-            mean + (picture[j] - mean) * int32_t{style.colour} / 255;
+            mean + (picture[j] - mean) * int32_t{lcd.colour} / 255;
         CHECK(second[j] >= kept - 2 && second[j] <= kept + 2);
       }
     });
     Canvas grey(window, picture);
-    style.colour = 0;
-    draw_field(field, brush, origin, grey.grey_sink());
+    lcd.colour = 0;
+    draw_field(field, style, origin, grey.grey_sink());
     for_pixels(window, [&](int32_t, int32_t, int32_t i) {
       CHECK(round % 2 != 0 || picture[i] == second[i]);
     });
@@ -399,12 +399,12 @@ TEST(strokes_along_stripes_are_grey_as_a_whole) {
     record.fields[1] = {static_cast<int16_t>(-nx), static_cast<int16_t>(-ny),
                         static_cast<int16_t>((100 + width_u) * 16), 0, 0};
     const GlyphField field = open();
-    Brush brush = brush_of(16 * 64, kFilterText);
-    const LcdStyle style = {is_down ? SubPixels::rgb_vertical : SubPixels::rgb};
-    brush.set_painter(lcd_painter(style));
+    TextStyle style = style_of(16 * 64, kFilterText);
+    const LcdOptions lcd = {is_down ? SubPixels::rgb_vertical : SubPixels::rgb};
+    style.set_effect(lcd_effect(lcd));
     for (int32_t shift = 0; shift < 1024; shift += 37) {
       Canvas canvas(is_down ? Rect{2, -8, 3, 4} : Rect{-4, -3, 8, -2}, picture);
-      draw_field(field, brush, {is_down ? 0 : shift, is_down ? shift : 0},
+      draw_field(field, style, {is_down ? 0 : shift, is_down ? shift : 0},
                  canvas.rgb_sink());
       int32_t sums[3] = {};
       for_pixels(canvas.window, [&](int32_t, int32_t, int32_t i) {
@@ -430,29 +430,29 @@ TEST(outlines_are_what_lies_between_two_filters) {
         kFilterPaperBody,
         Q6_10::from_raw(static_cast<int16_t>(random.between(100, 2048))),
         static_cast<OutlinePlace>(round % 3));
-    Brush brush = brush_of(random.between(8 * 64, 48 * 64), outline.outer,
-                           round % 4 == 0);
-    brush.set_painter(outline_painter(outline.inner));
+    TextStyle style = style_of(random.between(8 * 64, 48 * 64), outline.outer,
+                               round % 4 == 0);
+    style.set_effect(outline_effect(outline.inner));
     const FinePoint origin = any_origin(random);
-    const Rect window = window_in(random, field_box(field, brush, origin));
+    const Rect window = window_in(random, field_box(field, style, origin));
     Canvas canvas(window, picture);
-    draw_field(field, brush, origin, canvas.grey_sink());
+    draw_field(field, style, origin, canvas.grey_sink());
     OutlineAndFill both = {&outline.inner, nullptr};
     for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
-      const int32_t d = distance_q10(field, brush, origin, x, y);
+      const int32_t d = distance_q10(field, style, origin, x, y);
       const int32_t covered =
           outline.outer.coverage(d) - outline.inner.coverage(d);
       CHECK_EQ(picture[i], covered);
       grey += covered > 0 ? 1 : 0;
     });
-    brush.set_painter(outline_and_fill_painter(both));
+    style.set_effect(outline_and_fill_effect(both));
     Canvas edges(window, picture);
     Canvas insides(window, second);
     const Sink fill = insides.grey_sink();
     both.fill = &fill;
-    draw_field(field, brush, origin, edges.grey_sink());
+    draw_field(field, style, origin, edges.grey_sink());
     for_pixels(window, [&](int32_t x, int32_t y, int32_t i) {
-      const int32_t d = distance_q10(field, brush, origin, x, y);
+      const int32_t d = distance_q10(field, style, origin, x, y);
       const uint8_t filled = outline.inner.coverage(d);
       CHECK_EQ(second[i], filled);
       CHECK_EQ(picture[i], filled == 255 ? 0 : outline.outer.coverage(d));
@@ -469,19 +469,19 @@ TEST(painters_stay_close_to_the_ink) {
   for (int round = 0; round < kRounds; ++round) {
     GlyphField field = any_field(random);
     const int32_t size_q6 = random.between(8 * 64, 48 * 64);
-    Brush brush = brush_of(size_q6, kOutline.outer);
-    brush.set_painter(outline_painter(kOutline.inner));
+    TextStyle style = style_of(size_q6, kOutline.outer);
+    style.set_effect(outline_effect(kOutline.inner));
     const FinePoint origin = any_origin(random);
-    const Rect window = window_in(random, field_box(field, brush, origin));
+    const Rect window = window_in(random, field_box(field, style, origin));
     Canvas all(window, picture);
-    draw_field(field, brush, origin, all.grey_sink());
+    draw_field(field, style, origin, all.grey_sink());
     InkBox& ink = field.ink;
     ink.x0_u = static_cast<int16_t>(random.between(-300, 400));
     ink.y0_u = static_cast<int16_t>(random.between(-300, 400));
     ink.x1_u = static_cast<int16_t>(ink.x0_u + random.between(1, 400));
     ink.y1_u = static_cast<int16_t>(ink.y0_u + random.between(1, 400));
     Canvas some(window, second);
-    draw_field(field, brush, origin, some.grey_sink());
+    draw_field(field, style, origin, some.grey_sink());
     // From the nearer side of the ink, what lies beyond the filter's reach.
     const auto beyond = [size_q6](int64_t way_q10, int32_t low, int32_t high) {
       const int64_t below = low * int64_t{size_q6} / 64 - way_q10;

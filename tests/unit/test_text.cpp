@@ -84,10 +84,10 @@ size_t encode(uint32_t code_point, char* out) {
   return size;
 }
 
-Brush brush_of(int32_t px) {
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(px), kFilterText, brush));
-  return brush;
+TextStyle style_of(int32_t px) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+  return style;
 }
 
 Point at(int32_t x, int32_t y) {
@@ -295,20 +295,20 @@ TEST(lengths_in_px_round_to_the_nearest) {
   Random random(6);
   const int32_t sizes[] = {4, 12, 17, 1024};
   for (const int32_t px : sizes) {
-    const Brush brush = brush_of(px);
+    const TextStyle style = style_of(px);
     for (int i = 0; i < 600; ++i) {
       const int32_t limit = (i & 1) != 0 ? 1 << 19 : 1 << 24;
       const double bound = (i & 1) != 0 ? 0.55 : 1.05;
       const int32_t units = random.between(-limit, limit);
       const double exact = units * (px * 64.0) / 1000.0;
-      const double error = exact - to_px(font, brush, units).raw;
+      const double error = exact - to_px(font, style, units).raw;
       CHECK(error <= bound && error >= -bound);
     }
-    CHECK_EQ(to_px(font, brush, 1000).raw, px * 64);
-    CHECK_EQ(to_px(font, brush, INT32_MAX).raw,
-             to_px(font, brush, 1 << 24).raw);
-    CHECK_EQ(to_px(font, brush, INT32_MIN).raw,
-             to_px(font, brush, -(1 << 24)).raw);
+    CHECK_EQ(to_px(font, style, 1000).raw, px * 64);
+    CHECK_EQ(to_px(font, style, INT32_MAX).raw,
+             to_px(font, style, 1 << 24).raw);
+    CHECK_EQ(to_px(font, style, INT32_MIN).raw,
+             to_px(font, style, -(1 << 24)).raw);
   }
 }
 
@@ -338,14 +338,14 @@ TEST(long_lines_end_at_the_limit) {
 
 TEST(a_run_is_its_glyphs) {
   const Font font = sample();
-  const Brush brush = brush_of(20);
+  const TextStyle style = style_of(20);
   PositionedGlyph buffer[8];
   Span<const PositionedGlyph> run;
   CHECK_OK(layout(font, "AB C", buffer, run));
   Ink whole;
-  draw(font, run, brush, at(3, 40), whole.sink());
+  draw(font, run, style, at(3, 40), whole.sink());
   Ink streamed;
-  draw_text(font, "AB C", brush, at(3, 40), streamed.sink());
+  draw_text(font, "AB C", style, at(3, 40), streamed.sink());
   CHECK(same(whole, streamed));
   Ink single;
   for (const PositionedGlyph& glyph : run) {
@@ -354,28 +354,28 @@ TEST(a_run_is_its_glyphs) {
     // 20 px to 1000 units, in Q10: 20.48 to the unit.
     const FinePoint origin(3 * 1024 + (int64_t{glyph.x} * 2048 + 50) / 100,
                            40 * 1024);
-    draw_field(field, brush, origin, single.sink());
+    draw_field(field, style, origin, single.sink());
   }
   CHECK(same(whole, single));
   Ink alone;
-  draw_glyph(font, 2, brush, at(3, 40), alone.sink());
+  draw_glyph(font, 2, style, at(3, 40), alone.sink());
   Ink first;
-  draw(font, {buffer, 1}, brush, at(3, 40), first.sink());
+  draw(font, {buffer, 1}, style, at(3, 40), first.sink());
   CHECK(alone.sum > 0);
   CHECK(same(alone, first));
 }
 
 TEST(positions_in_a_run_go_up) {
   const Font font = sample();
-  const Brush brush = brush_of(10);
+  const TextStyle style = style_of(10);
   PositionedGlyph glyph;
   glyph.glyph = 2;
   glyph.x = 1000;
   glyph.y = 500;
   Ink raised;
-  draw(font, {&glyph, 1}, brush, at(0, 20), raised.sink());
+  draw(font, {&glyph, 1}, style, at(0, 20), raised.sink());
   Ink plain;
-  draw_glyph(font, 2, brush, at(10, 15), plain.sink());
+  draw_glyph(font, 2, style, at(10, 15), plain.sink());
   CHECK(same(raised, plain));
 }
 
@@ -384,37 +384,37 @@ TEST(turned_runs_follow_their_direction) {
   Direction up;  // to the top of the screen
   up.cosine.raw = 0;
   up.sine.raw = 1 << 30;
-  Brush brush;
-  CHECK_OK(Brush::make(Q26_6::from_int(20), kFilterText, up, brush));
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(20), kFilterText, up, style));
   PositionedGlyph glyph;
   glyph.glyph = 2;
   glyph.x = 1000;
   Ink moved;
-  draw(font, {&glyph, 1}, brush, at(50, 50), moved.sink());
+  draw(font, {&glyph, 1}, style, at(50, 50), moved.sink());
   Ink plain;
-  draw_glyph(font, 2, brush, at(50, 30), plain.sink());
+  draw_glyph(font, 2, style, at(50, 30), plain.sink());
   CHECK(plain.sum > 0);
   CHECK(same(moved, plain));
 }
 
 TEST(absent_glyphs_are_left_out) {
   const Font font = sample();
-  const Brush brush = brush_of(20);
+  const TextStyle style = style_of(20);
   Ink ink;
-  draw_glyph(font, 1, brush, at(0, 0), ink.sink());
-  draw_glyph(font, 5, brush, at(0, 0), ink.sink());
-  draw_glyph(font, 65535, brush, at(0, 0), ink.sink());
-  draw_text(Font{}, "AB", brush, at(0, 0), ink.sink());
-  draw_text(font, "", brush, at(0, 0), ink.sink());
+  draw_glyph(font, 1, style, at(0, 0), ink.sink());
+  draw_glyph(font, 5, style, at(0, 0), ink.sink());
+  draw_glyph(font, 65535, style, at(0, 0), ink.sink());
+  draw_text(Font{}, "AB", style, at(0, 0), ink.sink());
+  draw_text(font, "", style, at(0, 0), ink.sink());
   CHECK_EQ(ink.sum, 0);
 }
 
 TEST(draws_text_as_expected) {
   const Font font = sample();
-  const Brush brush = brush_of(12);
+  const TextStyle style = style_of(12);
   Picture<24, 10> picture;
   picture.next_glyph();
-  draw_text(font, "AB", brush, at(1, 9), picture.sink());
+  draw_text(font, "AB", style, at(1, 9), picture.sink());
   CHECK_PICTURE(picture,
                 ".....:..................\n"
                 "...+*#*+...:++:.........\n"
@@ -430,7 +430,7 @@ TEST(draws_text_as_expected) {
 // 2^22 px are 2^32 / 1024.
 TEST(positions_do_not_wrap) {
   const Font font = sample();
-  const Brush brush = brush_of(1000);  // a unit is a px
+  const TextStyle style = style_of(1000);  // a unit is a px
   const Point origin = at(-355, 395);
   PositionedGlyph glyph;
   glyph.glyph = 2;
@@ -440,10 +440,10 @@ TEST(positions_do_not_wrap) {
     Ink ink;
     Sink sink = ink.sink();
     sink.window = {0, 0, 40, 40};
-    draw(font, {&glyph, 1}, brush, origin, sink);
+    draw(font, {&glyph, 1}, style, origin, sink);
     CHECK_EQ(ink.sum > 0, x == 0);
     ink.sum = 0;
-    draw_glyph(font, 2, brush,
+    draw_glyph(font, 2, style,
                {Q26_6::from_raw(origin.x.raw + x * 64), origin.y}, sink);
     CHECK_EQ(ink.sum > 0, x == 0);
   }
@@ -454,7 +454,7 @@ TEST(far_positions_are_harmless) {
   const int32_t ends[] = {INT32_MIN, INT32_MIN / 2, INT32_MAX / 2, INT32_MAX};
   const int32_t sizes[] = {4, 1024};
   for (const int32_t px : sizes) {
-    const Brush brush = brush_of(px);
+    const TextStyle style = style_of(px);
     for (const int32_t x : ends) {
       for (const int32_t y : ends) {
         Ink ink;
@@ -463,7 +463,7 @@ TEST(far_positions_are_harmless) {
         glyph.x = x;
         glyph.y = static_cast<int16_t>(y);
         const Point origin = {Q26_6::from_raw(y), Q26_6::from_raw(x)};
-        draw(font, {&glyph, 1}, brush, origin, ink.sink());
+        draw(font, {&glyph, 1}, style, origin, ink.sink());
         CHECK_EQ(ink.sum, 0);
       }
     }

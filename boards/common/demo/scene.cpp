@@ -63,42 +63,41 @@ const char* Scene::body_text(int32_t line) noexcept {
 }
 
 Status Scene::lay_out(const Font& font,
-                      const Brush& brush,
+                      const TextStyle& style,
                       Text text,
                       Line& line) noexcept {
-  INKCELL_TRY(layout(font, text, brush, line.glyphs, line.used));
-  line.width_q6 = to_px(font, brush, measure(font, text, brush).advance).raw;
+  INKCELL_TRY(layout(font, text, style, line.glyphs, line.used));
+  line.width_q6 = to_px(font, style, measure(font, text, style).advance).raw;
   return Status::ok;
 }
 
 // Fits what stands still to the grid of pixels, and all that is drawn in black
 // and white: there a step of less than a pixel is none.
-Status Scene::make_style(int32_t size_q6,
-                         bool is_still,
-                         Style& style) noexcept {
+Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
   constexpr int32_t kAcrossBelowQ6 = 12 * 64;
-  INKCELL_TRY(Brush::make(Q26_6::from_raw(size_q6), kFilterText, style.brush));
+  INKCELL_TRY(
+      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, look.style));
   if (!is_still && !kIsMono) {
     return Status::ok;
   }
   FitOptions options;
   options.across = kIsMono || size_q6 < kAcrossBelowQ6;
   options.levels = kIsMono ? 2 : 0;
-  INKCELL_TRY(Fit::make(font_, style.brush, options, style.fit));
-  style.brush.set_fitter(&kGridFit, &style.fit);
+  INKCELL_TRY(Fit::make(font_, look.style, options, look.fit));
+  look.style.set_fitter(&kGridFit, &look.fit);
   if constexpr (kIsMono) {
-    style.crisp.threshold_px = style.fit.crisp_weight();
-    style.brush.set_painter(crisp_painter(style.crisp));
+    look.crisp.threshold_px = look.fit.crisp_weight();
+    look.style.set_effect(crisp_effect(look.crisp));
   }
   return Status::ok;
 }
 
 Status Scene::open() noexcept {
   INKCELL_TRY(Font::open(fonts::demo, font_));
-  INKCELL_TRY(make_style(kClockQ6, true, clock_style_));
-  INKCELL_TRY(make_style(kTextQ6, true, text_style_));
-  INKCELL_TRY(make_style(kTextQ6, false, moving_style_));
-  INKCELL_TRY(lay_out(font_, moving_style_.brush, kMoving, moving_));
+  INKCELL_TRY(make_look(kClockQ6, true, clock_look_));
+  INKCELL_TRY(make_look(kTextQ6, true, text_look_));
+  INKCELL_TRY(make_look(kTextQ6, false, moving_look_));
+  INKCELL_TRY(lay_out(font_, moving_look_.style, kMoving, moving_));
   INKCELL_TRY(lay_out_body());
   set_frame(0);
   return Status::ok;
@@ -111,7 +110,7 @@ Status Scene::lay_out_body() noexcept {
   const int32_t step = (bottom - top) / (kBodyLines + 1);
   for (int32_t i = 0; i < kBodyLines; ++i) {
     Line& line = body_[i];
-    INKCELL_TRY(lay_out(font_, text_style_.brush, body_text(i), line));
+    INKCELL_TRY(lay_out(font_, text_look_.style, body_text(i), line));
     line.origin = point((kWidthQ6 - line.width_q6) / 2, top + step * (i + 1));
   }
   return Status::ok;
@@ -123,7 +122,7 @@ void Scene::set_frame(uint32_t frame) noexcept {
   char digits[5];
   // Five glyphs fit a line.
   static_cast<void>(
-      lay_out(font_, clock_style_.brush, time_text(minute, digits), clock_));
+      lay_out(font_, clock_look_.style, time_text(minute, digits), clock_));
   // Digits are three quarters of an em high.
   clock_.origin = kOneLine ? point(0, (kHeightQ6 + kClockQ6 * 3 / 4) / 2)
                            : point((kWidthQ6 - clock_.width_q6) / 2,
@@ -148,14 +147,14 @@ void Scene::draw(const Strip& strip) noexcept {
   Canvas canvas(strip);
   const Workspace ram =
       kLentBytes == 0 ? Workspace() : Workspace(ram_, sizeof ram_);
-  inkcell::draw(font_, clock_.used, clock_style_.brush, clock_.origin,
+  inkcell::draw(font_, clock_.used, clock_look_.style, clock_.origin,
                 canvas.sink(Ink::clock), ram);
   for (int32_t i = 0; i < kBodyLines; ++i) {
-    inkcell::draw(font_, body_[i].used, text_style_.brush, body_[i].origin,
+    inkcell::draw(font_, body_[i].used, text_look_.style, body_[i].origin,
                   canvas.sink(Ink::text), ram);
   }
   const int32_t left = kOneLine ? (clock_.width_q6 + kMarginQ6 + 63) / 64 : 0;
-  inkcell::draw(font_, moving_.used, moving_style_.brush, moving_.origin,
+  inkcell::draw(font_, moving_.used, moving_look_.style, moving_.origin,
                 right_of(canvas.sink(Ink::moving), left), ram);
 }
 

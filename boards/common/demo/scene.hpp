@@ -53,25 +53,25 @@ class Scene {
     int32_t width_q6 = 0;  // [px]
   };
 
-  // How glyphs of one size are drawn. The brush points into it.
-  struct Style {
-    Brush brush;
+  // How glyphs of one size are drawn. The style points into it.
+  struct Look {
+    TextStyle style;
     Fit fit;
-    CrispStyle crisp;
+    CrispOptions crisp;
   };
 
   static const char* body_text(int32_t line) noexcept;
-  Status make_style(int32_t size_q6, bool is_still, Style& style) noexcept;
+  Status make_look(int32_t size_q6, bool is_still, Look& look) noexcept;
   static Status lay_out(const Font& font,
-                        const Brush& brush,
+                        const TextStyle& style,
                         Text text,
                         Line& line) noexcept;
   Status lay_out_body() noexcept;
 
   Font font_;
-  Style clock_style_;
-  Style text_style_;
-  Style moving_style_;
+  Look clock_look_;
+  Look text_look_;
+  Look moving_look_;
   Line clock_;
   Line moving_;
   Line body_[kBodyLines == 0 ? 1 : kBodyLines];

@@ -7,17 +7,17 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
-/// Options of crisp_painter.
-struct CrispStyle {
+/// Options of crisp_effect.
+struct CrispOptions {
   /// The display's levels. 2: coverage is 0 or 255, and only the threshold
-  /// counts. 4: coverage is that of the brush's filter, to the nearest of 0,
+  /// counts. 4: coverage is that of the style's filter, to the nearest of 0,
   /// 85, 170 and 255, and at least 170 where a stroke would break.
   uint8_t levels = 2;
   /// The distance from which on a pixel is drawn, -1/2 to 1/2 px: negative
@@ -27,23 +27,23 @@ struct CrispStyle {
 
 namespace detail {
 void paint_crisp(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const void* options,
                  const FinePoint& origin,
                  const Sink& sink);
 extern const OutlineMixer kCrispMixer;
 }  // namespace detail
 
-/// Any sink will do: full coverage draws with every threshold. The style must
-/// outlive the brush.
+/// Any sink will do: full coverage draws with every threshold. The options must
+/// outlive the style.
 ///
 /// Glyphs of cells and of outlines may differ where strokes are narrower than a
 /// pixel: of outlines a stroke passes between two centres if both lie outside
 /// and the straight line between them crosses the outline. With thresholds
 /// above 0 strokes narrower than twice the threshold may break.
-constexpr Painter crisp_painter(const CrispStyle& style) noexcept {
-  return {detail::paint_crisp, &detail::kCrispMixer, &style, 1};
+constexpr Effect crisp_effect(const CrispOptions& crisp) noexcept {
+  return {detail::paint_crisp, &detail::kCrispMixer, &crisp, 1};
 }
-Painter crisp_painter(const CrispStyle&&) = delete;
+Effect crisp_effect(const CrispOptions&&) = delete;
 
 }  // namespace inkcell

@@ -3,14 +3,14 @@
 // Filters make weight (with_weight), shadow_filter and glow_filter. With fonts
 // of cells they cost no more than plain text. With fonts of outlines a weight
 // costs two to three times as much, a glow of 4 px four to five. Draw a shadow
-// first, with its own brush and colour, at an origin moved as far as it shall
+// first, with its own style and colour, at an origin moved as far as it shall
 // fall, by any 1/64 px; then the text. Outlines are painters:
 //
 //   const Outline outline = make_outline(kFilterText, width, place);
 //   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
 //   INKCELL_TRY(check_reach(font.range(), size, outline.inner));
-//   INKCELL_TRY(Brush::make(size, outline.outer, brush));
-//   brush.set_painter(outline_painter(outline.inner));
+//   INKCELL_TRY(TextStyle::make(size, outline.outer, style));
+//   style.set_effect(outline_effect(outline.inner));
 //
 // Distances of cells end at the font's band (FontRange::band_u; --band-px of
 // inkcell-fontgen), and an effect that reaches beyond is cut off there. For
@@ -19,13 +19,13 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
@@ -57,7 +57,7 @@ enum class OutlinePlace : uint8_t { inner, centred, outer };
 
 /// The filters of an outline's two edges, 524 bytes. The caller owns them.
 struct Outline {
-  Filter outer;  // for Brush::make
+  Filter outer;  // for TextStyle::make
   Filter inner;  // for what is painted
 };
 
@@ -77,21 +77,21 @@ constexpr Outline make_outline(const Filter& edge,
 
 namespace detail {
 void paint_outline(const GlyphField& field,
-                   const Brush& brush,
+                   const TextStyle& style,
                    const void* options,
                    const FinePoint& origin,
                    const Sink& sink);
 extern const OutlineMixer kOutlineMixer;
 }  // namespace detail
 
-/// Draws what the brush's filter covers and `inner`, which is Outline::inner,
-/// does not. The filter must outlive the brush.
-constexpr Painter outline_painter(const Filter& inner) noexcept {
+/// Draws what the style's filter covers and `inner`, which is Outline::inner,
+/// does not. The filter must outlive the style.
+constexpr Effect outline_effect(const Filter& inner) noexcept {
   return {detail::paint_outline, &detail::kOutlineMixer, &inner, 0};
 }
-Painter outline_painter(const Filter&&) = delete;
+Effect outline_effect(const Filter&&) = delete;
 
-/// Options of outline_and_fill_painter. The caller sets `fill` anew for each
+/// Options of outline_and_fill_effect. The caller sets `fill` anew for each
 /// strip, like the sink that the outline goes to.
 struct OutlineAndFill {
   const Filter* inner = nullptr;  // Outline::inner: the edge of the fill
@@ -100,7 +100,7 @@ struct OutlineAndFill {
 
 namespace detail {
 void paint_outline_and_fill(const GlyphField& field,
-                            const Brush& brush,
+                            const TextStyle& style,
                             const void* options,
                             const FinePoint& origin,
                             const Sink& sink);
@@ -111,12 +111,11 @@ extern const OutlineMixer kOutlineAndFillMixer;
 /// on below the fill's edge, so that nothing shows between them. Draws where
 /// the windows of both sinks are; of each row up to kMaxSpan pixels go to the
 /// outline's sink, then the same to the fill's. The options must outlive the
-/// brush.
-constexpr Painter outline_and_fill_painter(
-    const OutlineAndFill& both) noexcept {
+/// style.
+constexpr Effect outline_and_fill_effect(const OutlineAndFill& both) noexcept {
   return {detail::paint_outline_and_fill, &detail::kOutlineAndFillMixer, &both,
           0};
 }
-Painter outline_and_fill_painter(const OutlineAndFill&&) = delete;
+Effect outline_and_fill_effect(const OutlineAndFill&&) = delete;
 
 }  // namespace inkcell

@@ -16,8 +16,8 @@
 
 /// 0 leaves cells of fields out of the library: glyphs made of them are
 /// unsupported.
-#ifndef INKCELL_FIELD_CELLS
-#  define INKCELL_FIELD_CELLS 1
+#ifndef INKCELL_EDGE_CELLS
+#  define INKCELL_EDGE_CELLS 1
 #endif
 
 /// 0 leaves out cells of samples, likewise.
@@ -30,14 +30,14 @@
 #  define INKCELL_OUTLINES 1
 #endif
 
-#if !INKCELL_FIELD_CELLS && !INKCELL_SAMPLE_CELLS && !INKCELL_OUTLINES
+#if !INKCELL_EDGE_CELLS && !INKCELL_SAMPLE_CELLS && !INKCELL_OUTLINES
 #  error "one coding must be left to draw"
 #endif
 
 namespace inkcell {
 namespace detail {
 inline constexpr bool kHasCells =
-    INKCELL_FIELD_CELLS != 0 || INKCELL_SAMPLE_CELLS != 0;
+    INKCELL_EDGE_CELLS != 0 || INKCELL_SAMPLE_CELLS != 0;
 inline constexpr bool kHasOutlines = INKCELL_OUTLINES != 0;
 }  // namespace detail
 

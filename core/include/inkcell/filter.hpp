@@ -38,7 +38,7 @@ struct FilterSpec {
 };
 
 /// A filter ready for use, 264 bytes: built once, constant afterwards, shared
-/// by any number of brushes. The caller owns it; the presets below are ROM.
+/// by any number of styles. The caller owns it; the presets below are ROM.
 struct Filter {
   static constexpr int32_t kEntries = 256;
 

@@ -2,13 +2,13 @@
 // small text that stands still.
 //
 //   inkcell::Fit fit;
-//   INKCELL_TRY(inkcell::Fit::make(font, brush, {}, fit));
-//   brush.set_fitter(&inkcell::kGridFit, &fit);
+//   INKCELL_TRY(inkcell::Fit::make(font, style, {}, fit));
+//   style.set_fitter(&inkcell::kGridFit, &fit);
 //
 // Baselines and the heights that glyphs share come to lie between two rows of
 // pixels, the x-height is rounded up to whole rows, horizontal strokes keep
 // free rows between them. With FitOptions::across stems are whole pixels wide,
-// and so are advances: lay out and measure with the brush then.
+// and so are advances: lay out and measure with the style then.
 //
 // Points of outlines are moved before they are painted, which costs about as
 // much as to decode them. Glyphs of cells stay as designed.
@@ -16,13 +16,13 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/grid_hints.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/status.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
@@ -45,7 +45,7 @@ struct FitOptions {
   uint16_t strength_q8 = kAll;
 };
 
-/// For Brush::set_fitter; the options are a const Fit*.
+/// For TextStyle::set_fitter; the options are a const Fit*.
 extern const Fitter kGridFit;
 
 /// The same for heights alone, in two thirds of the code: FitOptions::across
@@ -53,7 +53,7 @@ extern const Fitter kGridFit;
 extern const Fitter kFitHeights;
 
 /// A font's hints at one size. Made once, constant afterwards, in the caller's
-/// memory. The font's bytes must outlive it. For brushes of the same size and
+/// memory. The font's bytes must outlive it. For styles of the same size and
 /// for glyphs of this font: others are drawn with the wrong hints.
 class Fit {
  public:
@@ -69,7 +69,7 @@ class Fit {
   /// GridHints::open; bad_argument: the levels or the strength. `out` is
   /// untouched unless the result is ok.
   static Status make(const Font& font,
-                     const Brush& brush,
+                     const TextStyle& style,
                      const FitOptions& options,
                      Fit& out) noexcept;
 
@@ -78,7 +78,7 @@ class Fit {
   /// Whether advances are whole pixels.
   bool has_advances() const noexcept { return is_across_; }
 
-  /// For CrispStyle::threshold_px: diagonals and bowls get the weight that
+  /// For CrispOptions::threshold_px: diagonals and bowls get the weight that
   /// stems have as whole pixels.
   Q6_10 crisp_weight() const noexcept {
     return Q6_10::from_raw(crisp_weight_q10_);

@@ -6,7 +6,7 @@
 namespace inkcell {
 
 /// A monotone piecewise-linear map of one coordinate, from where points of an
-/// upright glyph lie at the brush's size to where they go, both from the
+/// upright glyph lie at the style's size to where they go, both from the
 /// glyph's origin; x to the right, y up. [px] Beyond the outer knots points
 /// shift as the knots do. No knots: the identity.
 ///

@@ -1,6 +1,6 @@
 // Sub-pixels: a coverage for each coloured stripe of a pixel.
 //
-//   brush.set_painter(lcd_painter(style));
+//   style.set_effect(lcd_effect(lcd));
 //   port::make_lcd_sink(target, sink);
 //
 // Each stripe has a coverage of its own, that of a third of a pixel, made of
@@ -12,17 +12,17 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
 /// How stripes lie in a pixel: from left to right, or from top to bottom.
 enum class SubPixels : uint8_t { rgb, bgr, rgb_vertical, bgr_vertical };
 
-/// Options of lcd_painter.
-struct LcdStyle {
+/// Options of lcd_effect.
+struct LcdOptions {
   SubPixels order = SubPixels::rgb;
   /// How much of the coverages' differences is kept, 255 for all: less takes
   /// colour off thin strokes, and some sharpness. 0 is grey.
@@ -31,7 +31,7 @@ struct LcdStyle {
 
 namespace detail {
 void paint_lcd(const GlyphField& field,
-               const Brush& brush,
+               const TextStyle& style,
                const void* options,
                const FinePoint& origin,
                const Sink& sink);
@@ -39,14 +39,14 @@ extern const OutlineMixer kLcdMixer;
 }  // namespace detail
 
 /// Draws sub-pixels. A sink without coverage_rgb is given the mean of the
-/// three. The style must outlive the brush.
+/// three. The options must outlive the style.
 ///
 /// Glyphs of outlines take the exact coverage of each stripe, mapped by the
 /// filter's table: gamma, contrast and exponent count, weights and the width of
 /// the ramp do not.
-constexpr Painter lcd_painter(const LcdStyle& style) noexcept {
-  return {detail::paint_lcd, &detail::kLcdMixer, &style, 1};
+constexpr Effect lcd_effect(const LcdOptions& lcd) noexcept {
+  return {detail::paint_lcd, &detail::kLcdMixer, &lcd, 1};
 }
-Painter lcd_painter(const LcdStyle&&) = delete;
+Effect lcd_effect(const LcdOptions&&) = delete;
 
 }  // namespace inkcell

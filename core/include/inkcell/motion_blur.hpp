@@ -2,7 +2,7 @@
 //
 //   MotionBlur blur;
 //   INKCELL_TRY(make_motion_blur(filter, {x, y}, blur));
-//   brush.set_painter(motion_blur_painter(blur));
+//   style.set_effect(motion_blur_effect(blur));
 //
 // The way is cut into steps of at most a pixel, and distances are taken where
 // they meet. Within a step the distance changes evenly, so that the filter's
@@ -12,14 +12,14 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
-/// Options of motion_blur_painter: built once a vector, shared.
+/// Options of motion_blur_effect: built once a vector, shared.
 struct MotionBlur {
   Filter filter;
   /// What the entries of the filter's table before this one sum up to.
@@ -39,17 +39,17 @@ Status make_motion_blur(const Filter& filter,
 
 namespace detail {
 void paint_motion_blur(const GlyphField& field,
-                       const Brush& brush,
+                       const TextStyle& style,
                        const void* options,
                        const FinePoint& origin,
                        const Sink& sink);
 }  // namespace detail
 
 /// Cells only; glyphs of outlines are drawn as without it. The options must
-/// outlive the brush.
-constexpr Painter motion_blur_painter(const MotionBlur& blur) noexcept {
+/// outlive the style.
+constexpr Effect motion_blur_effect(const MotionBlur& blur) noexcept {
   return {detail::paint_motion_blur, nullptr, &blur, blur.reach_px};
 }
-Painter motion_blur_painter(const MotionBlur&&) = delete;
+Effect motion_blur_effect(const MotionBlur&&) = delete;
 
 }  // namespace inkcell

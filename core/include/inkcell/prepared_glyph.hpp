@@ -4,22 +4,22 @@
 // drawing it. For large digits drawn in low strips:
 //
 //   PreparedGlyph digit;
-//   INKCELL_TRY(PreparedGlyph::make(font, glyph, brush, origin, ram, digit));
+//   INKCELL_TRY(PreparedGlyph::make(font, glyph, style, origin, ram, digit));
 //   for each strip:  digit.draw(sink);
 #pragma once
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
 
 /// A glyph at one place, in RAM that the caller lends as long as it is used.
-/// The font, the brush and what it refers to must outlive it, unchanged.
+/// The font, the style and what it refers to must outlive it, unchanged.
 class PreparedGlyph {
  public:
   /// Draws nothing.
@@ -34,7 +34,7 @@ class PreparedGlyph {
   /// not one of outlines. `out` is untouched unless the result is ok.
   static Status make(const Font& font,
                      uint16_t glyph,
-                     const Brush& brush,
+                     const TextStyle& style,
                      Point origin,
                      Workspace workspace,
                      PreparedGlyph& out) noexcept;

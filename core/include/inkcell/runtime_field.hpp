@@ -3,7 +3,7 @@
 //   alignas(4) static uint8_t ram[16384];
 //   GlyphField field;
 //   INKCELL_TRY(generate_field(font, glyph, {}, ram, field));
-//   draw_field(field, brush, origin, sink);
+//   draw_field(field, style, origin, sink);
 //
 // Perry and Frisken, section 3.3.2: a font stores outlines, and a quadtree of
 // cells with nine samples each is made of them on demand. The field serves all

@@ -3,7 +3,7 @@
 //   uint32_t sums[64 * 16];
 //   Splats splats;
 //   INKCELL_TRY(make_splats({sums, 64 * 16}, kSplatRadius, splats));
-//   brush.set_painter(splat_painter(splats));
+//   style.set_effect(splat_effect(splats));
 //
 // Perry and Frisken, section 4.4, for fonts of samples. Cells that are no wider
 // than the filter's radius are visited once, and are a sample each, at the
@@ -12,21 +12,21 @@
 // weight times coverage to the sums of all pixels within the radius. What is
 // left of a pixel's filter, where cells are wider, has the coverage of plain
 // drawing; a pixel shows the quotient. For patterns that are finer than pixels:
-// there it is calmer than adaptive.hpp, softer, and cheaper.
+// there it is calmer than supersample.hpp, softer, and cheaper.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
-/// Options of splat_painter: make_splats makes them.
+/// Options of splat_effect: make_splats makes them.
 struct Splats {
   /// A sum for each pixel. The caller's, in use while a glyph is drawn.
   Span<uint32_t> sums;
@@ -53,17 +53,17 @@ Status make_splats(Span<uint32_t> sums, Q6_10 radius, Splats& out) noexcept;
 
 namespace detail {
 void paint_splats(const GlyphField& field,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const void* options,
                   const FinePoint& origin,
                   const Sink& sink);
 }  // namespace detail
 
 /// Glyphs of fields take one sample a pixel; glyphs of outlines are drawn as
-/// without it. The options must outlive the brush.
-constexpr Painter splat_painter(const Splats& splats) noexcept {
+/// without it. The options must outlive the style.
+constexpr Effect splat_effect(const Splats& splats) noexcept {
   return {detail::paint_splats, nullptr, &splats, 2};
 }
-Painter splat_painter(const Splats&&) = delete;
+Effect splat_effect(const Splats&&) = delete;
 
 }  // namespace inkcell

@@ -3,18 +3,18 @@
 // Layout knows no size: positions are in font units, unrounded, so that one
 // layout serves every size, strip and frame. Only text that is fitted across
 // (FitOptions::across) has advances that depend on the size: lay it out and
-// measure it with its brush. One line at a time, left to right; line breaks are
+// measure it with its style. One line at a time, left to right; line breaks are
 // the caller's.
 #pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -53,15 +53,15 @@ struct PositionedGlyph {
 ///   while (cursor.next(glyph)) { ... }
 ///   // cursor.advance() is the width of the line
 ///
-/// `font`, the text and the brush must outlive it.
+/// `font`, the text and the style must outlive it.
 class TextCursor {
  public:
   TextCursor(const Font& font, Text text) noexcept : font_(font), text_(text) {}
 
-  /// With the advances that glyphs have when the brush draws them. If those are
+  /// With the advances that glyphs have when the style draws them. If those are
   /// whole pixels, so is the kerning, rounded towards 0; positions are whole
   /// pixels in font units, to the nearest.
-  TextCursor(const Font& font, Text text, const Brush& brush) noexcept;
+  TextCursor(const Font& font, Text text, const TextStyle& style) noexcept;
 
   /// The next glyph, kerned against the one before; false at the end. A code
   /// point that the font lacks gives .notdef.
@@ -76,7 +76,7 @@ class TextCursor {
 
   const Font& font_;
   Text text_;
-  const Brush* brush_ = nullptr;  // null: advances are the font's
+  const TextStyle* style_ = nullptr;  // null: advances are the font's
   int32_t advance_ = 0;
   int32_t advance_px_ = 0;
   int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
@@ -91,10 +91,10 @@ Status layout(const Font& font,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept;
 
-/// The same with the advances of a brush.
+/// The same with the advances of a style.
 Status layout(const Font& font,
               Text text,
-              const Brush& brush,
+              const TextStyle& style,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept;
 
@@ -109,35 +109,37 @@ struct TextMeasure {
 
 TextMeasure measure(const Font& font, Text text) noexcept;
 
-/// The same with the advances of a brush. The ink is that of glyphs as they are
+/// The same with the advances of a style. The ink is that of glyphs as they are
 /// designed: fitting moves it by a pixel or so.
-TextMeasure measure(const Font& font, Text text, const Brush& brush) noexcept;
+TextMeasure measure(const Font& font,
+                    Text text,
+                    const TextStyle& style) noexcept;
 
-/// A length in font units at a brush's size, rounded to the nearest 1/64 px and
+/// A length in font units at a style's size, rounded to the nearest 1/64 px and
 /// clamped to the range of Q26_6.
-Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept;
+Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept;
 
-/// unsupported: the brush's painter does not draw glyphs of this font, and they
-/// look as without it. Outlines take no painter that needs distances at points
-/// of its own; cells take none with a brush that stretches.
-Status check_painter(const Font& font, const Brush& brush) noexcept;
+/// unsupported: the style's effect does not draw glyphs of this font, and they
+/// look as without it. Outlines take no effect that needs distances at points
+/// of its own; cells take none with a style that stretches.
+Status check_effect(const Font& font, const TextStyle& style) noexcept;
 
 /// Draws laid-out glyphs with the run's origin (left end of its baseline) at
-/// `origin`, along the brush's direction. Glyphs outside the sink's window cost
+/// `origin`, along the style's direction. Glyphs outside the sink's window cost
 /// little: their cells are not touched. Cannot fail: it clips, and glyphs that
 /// the font lacks are left out. Positions are clamped to +-2^24 font units.
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
-          const Brush& brush,
+          const TextStyle& style,
           Point origin,
           const Sink& sink,
           Workspace workspace = {}) noexcept;
 
-/// Lays out and draws one line, with the advances of the brush. For a screen
+/// Lays out and draws one line, with the advances of the style. For a screen
 /// drawn in many strips, `layout` once and `draw` for each is faster.
 void draw_text(const Font& font,
                Text text,
-               const Brush& brush,
+               const TextStyle& style,
                Point origin,
                const Sink& sink,
                Workspace workspace = {}) noexcept;
@@ -145,7 +147,7 @@ void draw_text(const Font& font,
 /// Draws one glyph by its id, with its origin at `origin`.
 void draw_glyph(const Font& font,
                 uint16_t glyph,
-                const Brush& brush,
+                const TextStyle& style,
                 Point origin,
                 const Sink& sink,
                 Workspace workspace = {}) noexcept;

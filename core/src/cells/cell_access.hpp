@@ -64,7 +64,7 @@ inline void set_up_row(SamplesRow& row,
 
 // Whether a glyph is made of cells of fields. An empty one may be of any kind.
 inline bool has_fields(const GlyphField& field) noexcept {
-  return INKCELL_FIELD_CELLS != 0 &&
+  return INKCELL_EDGE_CELLS != 0 &&
          (INKCELL_SAMPLE_CELLS == 0 || field.kind != GlyphField::Kind::samples);
 }
 

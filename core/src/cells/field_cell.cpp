@@ -139,12 +139,12 @@ struct LastTwo {
   const FieldTerm* b_term;
 };
 
-bool is_negated(FieldOperator op) noexcept {
+bool is_negated(Csg op) noexcept {
   return (static_cast<uint8_t>(op) & 1) != 0;
 }
 
-bool is_nested(FieldOperator op) noexcept {
-  return op >= FieldOperator::least_of_greater;
+bool is_nested(Csg op) noexcept {
+  return op >= Csg::intersection_of_union;
 }
 
 // `terms` are two or three.
@@ -208,7 +208,7 @@ bool is_rounded(const LastTwo& two,
 uint32_t read_linked_leaf(const GlyphField& field,
                           uint32_t reference,
                           uint16_t* out,
-                          FieldOperator& op) noexcept {
+                          Csg& op) noexcept {
   return LinkedHeap(field).read_leaf(
       reference, [](uint32_t unit) { return static_cast<uint16_t>(unit); }, out,
       op);
@@ -290,7 +290,7 @@ Gradient combined_gradient(const FieldTerms& terms,
     const FieldTerms inner = {
         {terms.term[1], terms.term[2]},
         2,
-        is_negated(terms.op) ? FieldOperator::least : FieldOperator::greatest};
+        is_negated(terms.op) ? Csg::intersection : Csg::union_};
     return combined_gradient(inner, bend_shift);  // which is not nested
   }
   return unit_vector(h);

@@ -94,7 +94,7 @@ struct FieldTerm {
 struct FieldTerms {
   FieldTerm term[3];
   uint8_t count;
-  FieldOperator op;
+  Csg op;
 };
 
 // A field at a point, in px from the glyph's origin, y up, given where its
@@ -166,11 +166,11 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     uint32_t reference,
     const Name& name,
     Out* out,
-    FieldOperator& op) noexcept {
+    Csg& op) noexcept {
   namespace fields = format::fields;
   const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
   uint32_t leaf = reference - format::glyph::kFirstNode - field.node_count;
-  op = FieldOperator::least;
+  op = Csg::intersection;
   if (leaf < field_count) {
     out[0] = name(leaf);
     return 1;
@@ -188,7 +188,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     }
     out[0] = name(f0);
     out[1] = name(f1);
-    op = f0 > f1 ? FieldOperator::greatest : FieldOperator::least;
+    op = f0 > f1 ? Csg::union_ : Csg::intersection;
     return __builtin_expect(f0 == f1, 0) ? 1 : 2;
   }
   // Triples end where pairs begin. Less than none is left of a leaf that is
@@ -204,12 +204,12 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
   const uint32_t f1 = at[2];
   const uint32_t f2 = at[3];
   if (__builtin_expect(
-          code > static_cast<uint8_t>(FieldOperator::greatest_of_lesser) ||
+          code > static_cast<uint8_t>(Csg::union_of_intersection) ||
               f0 >= field_count || f1 >= field_count || f2 >= field_count,
           0)) {
     return 0;
   }
-  op = static_cast<FieldOperator>(code);
+  op = static_cast<Csg>(code);
   out[0] = name(f0);
   out[1] = name(f1);
   out[2] = name(f2);
@@ -220,7 +220,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
 inline uint32_t read_narrow_leaf(const GlyphField& field,
                                  uint32_t reference,
                                  uint16_t* out,
-                                 FieldOperator& op) noexcept {
+                                 Csg& op) noexcept {
   return read_narrow_leaf(
       field, reference,
       [&field](uint32_t number) {
@@ -301,15 +301,14 @@ class LinkedHeap {
 
   // read_narrow_leaf for a reference of this heap: `name` takes a field's unit.
   template <typename Out, typename Name>
-  __attribute__((always_inline)) uint32_t read_leaf(
-      uint32_t reference,
-      const Name& name,
-      Out* out,
-      FieldOperator& op) const noexcept {
+  __attribute__((always_inline)) uint32_t read_leaf(uint32_t reference,
+                                                    const Name& name,
+                                                    Out* out,
+                                                    Csg& op) const noexcept {
     namespace linked = format::linked;
     const uint32_t kind = tag(reference);
     uint32_t from = offset(reference);
-    op = FieldOperator::least;
+    op = Csg::intersection;
     if (kind == linked::kLine) {
       out[0] = name(from);
       return holds(from, linked::kLineUnits) ? 1 : 0;
@@ -324,10 +323,10 @@ class LinkedHeap {
         return 0;
       }
       const uint32_t number = at(from++);
-      if (number > static_cast<uint32_t>(FieldOperator::greatest_of_lesser)) {
+      if (number > static_cast<uint32_t>(Csg::union_of_intersection)) {
         return 0;
       }
-      op = static_cast<FieldOperator>(number);
+      op = static_cast<Csg>(number);
       count = 3;
     } else if ((kind != linked::kMinPair && kind != linked::kMaxPair) ||
                !holds(from, linked::kPairUnits)) {
@@ -345,7 +344,7 @@ class LinkedHeap {
       return 1;  // a pair of one field is that field
     }
     if (kind == linked::kMaxPair) {
-      op = FieldOperator::greatest;
+      op = Csg::union_;
     }
     return count;
   }
@@ -381,7 +380,7 @@ inline Leaf find_narrow_leaf(const GlyphField& field,
 uint32_t read_linked_leaf(const GlyphField& field,
                           uint32_t reference,
                           uint16_t* out,
-                          FieldOperator& op) noexcept;
+                          Csg& op) noexcept;
 
 // The cell of fields that holds a point in the grid.
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;

@@ -18,7 +18,7 @@ __attribute__((noinline)) Status detail::read_record(
     return Status::corrupt;
   }
   const bool of_fields = at[glyph::kType] == glyph::kTypeFields;
-  if (of_fields ? INKCELL_FIELD_CELLS == 0
+  if (of_fields ? INKCELL_EDGE_CELLS == 0
                 : INKCELL_SAMPLE_CELLS == 0 ||
                       at[glyph::kType] != glyph::kTypeSamples) {
     return Status::unsupported;

@@ -53,20 +53,20 @@ struct FieldLeaf {
     return false;
   }
   // How the fields that were read are combined; outside, if there is none.
-  void set(uint32_t field_count, FieldOperator op) noexcept {
+  void set(uint32_t field_count, Csg op) noexcept {
     count = static_cast<uint8_t>(field_count);
     sign = static_cast<int8_t>(-(static_cast<int32_t>(op) & 1));
-    is_nested = op >= FieldOperator::least_of_greater;
+    is_nested = op >= Csg::intersection_of_union;
     if (__builtin_expect(field_count == 0, 0)) {
       is_inside = false;
     }
   }
-  FieldOperator field_operator() const noexcept {
+  Csg field_operator() const noexcept {
     if (is_nested) {
-      return sign == 0 ? FieldOperator::least_of_greater
-                       : FieldOperator::greatest_of_lesser;
+      return sign == 0 ? Csg::intersection_of_union
+                       : Csg::union_of_intersection;
     }
-    return sign == 0 ? FieldOperator::least : FieldOperator::greatest;
+    return sign == 0 ? Csg::intersection : Csg::union_;
   }
 };
 

@@ -19,7 +19,7 @@ __attribute__((noinline)) void FieldLeaves::find_leaf(
   const uint8_t* const cells = field_.cells;
   const uint32_t arcs = field_.arc_count;
   const uint8_t* const lines = cells + (kArcBytes - kLineBytes) * arcs;
-  FieldOperator op = FieldOperator::least;
+  Csg op = Csg::intersection;
   const uint32_t count = read_narrow_leaf(
       field_, found.reference,
       [=](uint32_t number) {
@@ -39,7 +39,7 @@ __attribute__((noinline)) void FieldLeaves::find_linked(
     return;
   }
   const uint8_t* const cells = field_.cells;
-  FieldOperator op = FieldOperator::least;
+  Csg op = Csg::intersection;
   const uint32_t count = heap.read_leaf(
       found.reference,
       [=](uint32_t unit) {
@@ -79,9 +79,8 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_two(
     int32_t a,
     int32_t b,
     uint32_t number) const noexcept {
-  return limited(
-      rounded(leaf, lesser(a, b), greater(a, b), pair_of(0, 1), number),
-      leaf.sign);
+  return limited(rounded(leaf, min(a, b), max(a, b), pair_of(0, 1), number),
+                 leaf.sign);
 }
 
 __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
@@ -97,8 +96,8 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
     second = b >= c ? 1 : 2;
     b = with_sign(b, -1);
     c = with_sign(c, -1);
-    const int32_t least = lesser(b, c);
-    const int32_t other = greater(b, c);
+    const int32_t least = min(b, c);
+    const int32_t other = max(b, c);
     b = with_sign(is_near_vertex(least, other)
                       ? rounded(leaf, least, other, pair_of(1, 2), number)
                       : least,
@@ -110,8 +109,8 @@ __attribute__((noinline)) int32_t FieldLeaves::rounded_three(
     second = 2;
     b = c;
   }
-  int32_t least = lesser(a, b);
-  const int32_t other = greater(a, b);
+  int32_t least = min(a, b);
+  const int32_t other = max(a, b);
   if (is_near_vertex(least, other)) {
     least = rounded(leaf, least, other, pair_of(first, second), number);
   }

@@ -34,8 +34,7 @@ class RoundedLimits {
   }
   int32_t limited(int32_t value, int32_t sign) const noexcept {
     return with_sign(
-        lesser(greater(with_sign(value, sign), least_q22_), greatest_q22_),
-        sign);
+        min(max(with_sign(value, sign), least_q22_), greatest_q22_), sign);
   }
 
  private:
@@ -129,7 +128,7 @@ __attribute__((always_inline)) inline int32_t FieldLeaves::least_of_two(
     int32_t a,
     int32_t b,
     const Number& number) const noexcept {
-  const int32_t least = lesser(a, b);
+  const int32_t least = min(a, b);
   return least < 0 && least > -reach_q22_ && a + b < 0
              ? rounded_two(leaf, a, b, number())
              : least;
@@ -142,8 +141,8 @@ __attribute__((always_inline)) inline int32_t FieldLeaves::least_of_three(
     int32_t b,
     int32_t c,
     const Number& number) const noexcept {
-  const int32_t low = lesser(b, c);
-  const int32_t high = greater(b, c);
+  const int32_t low = min(b, c);
+  const int32_t high = max(b, c);
   bool is_near = false;
   int32_t other = low;
   if (leaf.is_nested) {
@@ -152,7 +151,7 @@ __attribute__((always_inline)) inline int32_t FieldLeaves::least_of_three(
   }
   const bool is_first = a <= other;
   const int32_t least = is_first ? a : other;
-  const int32_t second = is_first ? other : lesser(a, high);
+  const int32_t second = is_first ? other : min(a, high);
   return is_near || is_near_vertex(least, second)
              ? rounded_three(leaf, a, b, c, number())
              : least;

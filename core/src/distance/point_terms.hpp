@@ -78,11 +78,11 @@ struct ArcAt {
 // A point that goes along the rows of a leaf.
 class Pen {
  public:
-  Pen(const Brush& brush, uint32_t x_q20, uint32_t y_q20) noexcept
+  Pen(const TextStyle& style, uint32_t x_q20, uint32_t y_q20) noexcept
       : x_q20_(x_q20),
         y_q20_(y_q20),
-        right_x_q20_(static_cast<uint32_t>(brush.right().x_q20)),
-        right_y_q20_(static_cast<uint32_t>(brush.right().y_q20)) {}
+        right_x_q20_(static_cast<uint32_t>(style.right().x_q20)),
+        right_y_q20_(static_cast<uint32_t>(style.right().y_q20)) {}
 
   __attribute__((always_inline)) PixelPlace place() const noexcept {
     return {q8_of(x_q20_), q8_of(y_q20_)};
@@ -91,9 +91,9 @@ class Pen {
     x_q20_ += count * right_x_q20_;
     y_q20_ += count * right_y_q20_;
   }
-  void go_down(const Brush& brush) noexcept {
-    x_q20_ -= static_cast<uint32_t>(brush.up().x_q20);
-    y_q20_ -= static_cast<uint32_t>(brush.up().y_q20);
+  void go_down(const TextStyle& style) noexcept {
+    x_q20_ -= static_cast<uint32_t>(style.up().x_q20);
+    y_q20_ -= static_cast<uint32_t>(style.up().y_q20);
   }
 
  private:

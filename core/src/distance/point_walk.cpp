@@ -46,28 +46,28 @@ int16_t turned_q14(int32_t a_q14,
 
 }  // namespace
 
-FieldPosition sample_position(const Brush& brush,
+FieldPosition sample_position(const TextStyle& style,
                               const FinePoint& origin,
                               int32_t x,
                               int32_t y,
                               ScreenOffset offset) noexcept {
   const FinePoint from = {origin.x_q10 - offset.right_q10,
                           origin.y_q10 + offset.up_q10};
-  if (!brush.is_upright()) {
+  if (!style.is_upright()) {
     // Not clamped: rows of the largest grids begin 2^15 u and more away, where
     // positions wrap, but into no grid as far as painters reach, some 30 px.
-    const GlyphWay way(brush, ScreenWay(from, x, y));
+    const GlyphWay way(style, ScreenWay(from, x, y));
     return {wrapped(static_cast<uint32_t>(way.x_q16)),
             wrapped(static_cast<uint32_t>(way.y_q16)), way.x_q20, way.y_q20};
   }
-  return position_of(brush, from, x, y);
+  return position_of(style, from, x, y);
 }
 
 Rect painted_box(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const FinePoint& origin,
                  const Sink& sink) noexcept {
-  return intersect(field_box(field, brush, origin), sink.window);
+  return intersect(field_box(field, style, origin), sink.window);
 }
 
 void PointWalk::go_to(const FieldPosition& at) noexcept {
@@ -89,15 +89,15 @@ void PointWalk::go_to(const FieldPosition& at) noexcept {
   samples_ = cell.samples;
   row_y_q16_ = INT32_MIN;
   if (is_saturated_) {
-    saturated_q10_ = brush_.to_px_q10(cell.inside ? kSaturatedDistanceQ10
+    saturated_q10_ = style_.to_px_q10(cell.inside ? kSaturatedDistanceQ10
                                                   : -kSaturatedDistanceQ10);
   } else if (is_of_fields()) {
-    set_up_terms(terms_, field_, cell, 0, 0, scale_of(brush_));
+    set_up_terms(terms_, field_, cell, 0, 0, scale_of(style_));
   }
 }
 
 int32_t PointWalk::fields_q10(const FieldPosition& at) const noexcept {
-  const int32_t bend_shift = brush_.bend_shift();
+  const int32_t bend_shift = style_.bend_shift();
   if (terms_.count == 1) {
     return term_at(terms_.term[0], q8_of(at.x_q20), q8_of(at.y_q20))
                .value_q22(bend_shift) >>
@@ -116,7 +116,7 @@ int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
     set_up_row(row_, samples_, static_cast<uint8_t>(size_log2_), y_q16);
     row_y_q16_ = y_q16;
   }
-  return brush_.to_px_q10(
+  return style_.to_px_q10(
       row_.distance_q10(at.x_q16 - field_.x0_u * (1 << 16) - corner_q16(x_u_)));
 }
 
@@ -125,7 +125,7 @@ int32_t PointWalk::samples_q10(const FieldPosition& at) noexcept {
 bool PointWalk::are_fields_plane(const FieldPosition& at,
                                  int32_t radius_q10) const noexcept {
   constexpr int32_t kMaxSagQ22 = 1 << 17;
-  const int32_t bend_shift = brush_.bend_shift();
+  const int32_t bend_shift = style_.bend_shift();
   if (terms_.count == 1) {
     const int32_t radius_q8 = radius_q10 >> 2;
     const int32_t slope_q15 = (terms_.term[0].bend * radius_q8) >> bend_shift;
@@ -145,13 +145,13 @@ bool PointWalk::are_fields_plane(const FieldPosition& at,
   if (terms.count == 2) {
     return differ(0, 1);
   }
-  if (terms.op >= FieldOperator::least_of_greater) {
+  if (terms.op >= Csg::intersection_of_union) {
     return differ(0, 1) && differ(0, 2) && differ(1, 2);
   }
   uint32_t first = 0;
   for (uint32_t i = 1; i < 3; ++i) {
     const bool is_less = value[i] < value[first];
-    first = is_less == (terms.op == FieldOperator::least) ? i : first;
+    first = is_less == (terms.op == Csg::intersection) ? i : first;
   }
   return differ(first, (first + 1) % 3) && differ(first, (first + 2) % 3);
 }
@@ -160,7 +160,7 @@ bool PointWalk::are_fields_plane(const FieldPosition& at,
 // over the cell shrink with the square of the way that is asked for.
 bool PointWalk::are_samples_plane(int32_t radius_q10) const noexcept {
   constexpr int32_t kMaxSagQ10 = 1 << 5;
-  const int32_t cell_q10 = brush_.to_px_q10(int32_t{1} << (10 + size_log2_));
+  const int32_t cell_q10 = style_.to_px_q10(int32_t{1} << (10 + size_log2_));
   if (cell_q10 <= 2 * radius_q10) {
     return false;
   }
@@ -226,15 +226,15 @@ ScreenGradient PointWalk::gradient(const FieldPosition& at) noexcept {
   }
   Gradient gradient;
   if (is_of_fields()) {
-    gradient = combined_gradient(terms_at(terms_, at), brush_.bend_shift());
+    gradient = combined_gradient(terms_at(terms_, at), style_.bend_shift());
   } else {
     gradient = gradient_at(field_, Q16_16::from_raw(at.x_q16),
                            Q16_16::from_raw(at.y_q16));
   }
-  if (brush_.is_upright()) {
+  if (style_.is_upright()) {
     return {gradient.x.raw, gradient.y.raw};
   }
-  const Direction turn = brush_.direction();
+  const Direction turn = style_.direction();
   const Fixed<int32_t, 30> minus_sine =
       Fixed<int32_t, 30>::from_raw(-turn.sine.raw);
   return {turned_q14(gradient.x.raw, turn.cosine, gradient.y.raw, minus_sine),

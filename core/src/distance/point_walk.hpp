@@ -8,10 +8,10 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/format/cell.hpp"
 #include "inkcell/render.hpp"
+#include "inkcell/text_style.hpp"
 #include "place/position.hpp"
 #include "raster/field_draw.hpp"
 
@@ -50,8 +50,8 @@ inline FieldPosition scaled(const GlyphStep& step, int32_t way_q10) noexcept {
 }
 
 // From a pixel to the next one on its right.
-inline FieldPosition pixel_step(const Brush& brush) noexcept {
-  const GlyphStep& right = brush.right();
+inline FieldPosition pixel_step(const TextStyle& style) noexcept {
+  const GlyphStep& right = style.right();
   return {right.x_q16, right.y_q16, static_cast<uint32_t>(right.x_q20),
           static_cast<uint32_t>(right.y_q20)};
 }
@@ -59,7 +59,7 @@ inline FieldPosition pixel_step(const Brush& brush) noexcept {
 // Where the point lies that is `offset` away from the centre of pixel (x, y).
 // From here pixel_step() leads to the same point of the next pixels, exactly:
 // no picture depends on where a row begins.
-FieldPosition sample_position(const Brush& brush,
+FieldPosition sample_position(const TextStyle& style,
                               const FinePoint& origin,
                               int32_t x,
                               int32_t y,
@@ -67,7 +67,7 @@ FieldPosition sample_position(const Brush& brush,
 
 // The pixels that a painter may touch.
 Rect painted_box(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const FinePoint& origin,
                  const Sink& sink) noexcept;
 
@@ -91,12 +91,12 @@ class PointWalk {
   // `reach_q22` as fields_distance_q10 takes it: reach_of(filter), or kNoReach
   // where distances matter beyond the ramp.
   PointWalk(const GlyphField& field,
-            const Brush& brush,
+            const TextStyle& style,
             int32_t reach_q22) noexcept
       : field_(field),
-        brush_(brush),
+        style_(style),
         reach_q22_(reach_q22),
-        saturated_q10_(brush.to_px_q10(-kSaturatedDistanceQ10)) {}
+        saturated_q10_(style.to_px_q10(-kSaturatedDistanceQ10)) {}
 
   // What distance_row says of a pixel whose centre is here, but that distances
   // of fields are not clamped to 32 px. [px, Q10]
@@ -124,7 +124,7 @@ class PointWalk {
  private:
   // Whether the last point's cell has fields, if it is not saturated.
   bool is_of_fields() const noexcept {
-    return INKCELL_FIELD_CELLS != 0 &&
+    return INKCELL_EDGE_CELLS != 0 &&
            (INKCELL_SAMPLE_CELLS == 0 || samples_ == nullptr);
   }
   bool are_fields_plane(const FieldPosition& at,
@@ -135,7 +135,7 @@ class PointWalk {
   int32_t samples_q10(const FieldPosition& at) noexcept;
 
   const GlyphField& field_;
-  const Brush& brush_;
+  const TextStyle& style_;
   int32_t reach_q22_;
   // A point of the cell, from the grid's corner: at first one outside of it.
   uint32_t x_u_ = UINT32_MAX;

@@ -20,11 +20,11 @@ constexpr int32_t kMostReachQ10 = 1 << 10;
 class Neighbourhood {
  public:
   Neighbourhood(const GlyphField& field,
-                const Brush& brush,
+                const TextStyle& style,
                 const FinePoint& origin,
                 int32_t threshold_q10) noexcept
-      : walk_(field, brush, detail::kNoReach),
-        brush_(brush),
+      : walk_(field, style, detail::kNoReach),
+        style_(style),
         origin_(origin),
         threshold_q10_(threshold_q10) {}
 
@@ -32,15 +32,15 @@ class Neighbourhood {
                          int32_t y,
                          int32_t right_q10,
                          int32_t down_q10) const noexcept {
-    return detail::sample_position(brush_, origin_, x, y,
+    return detail::sample_position(style_, origin_, x, y,
                                    {right_q10, -down_q10});
   }
 
   FieldPosition next(const FieldPosition& at) const noexcept {
-    return detail::moved(at, detail::pixel_step(brush_));
+    return detail::moved(at, detail::pixel_step(style_));
   }
   uint8_t covered(int32_t value_q10) const noexcept {
-    return brush_.filter().coverage(value_q10 + threshold_q10_);
+    return style_.filter().coverage(value_q10 + threshold_q10_);
   }
 
   int32_t value_at(const FieldPosition& at) noexcept {
@@ -87,7 +87,7 @@ class Neighbourhood {
   }
 
   PointWalk walk_;
-  const Brush& brush_;
+  const TextStyle& style_;
   const FinePoint& origin_;
   int32_t threshold_q10_;
 };
@@ -98,10 +98,10 @@ uint8_t nearest_level(uint8_t coverage) noexcept {
 
 // In a frame of its own, so that none is large.
 __attribute__((noinline)) void draw_rows(Neighbourhood& glyph,
-                                         const CrispStyle& style,
+                                         const CrispOptions& crisp,
                                          const Rect& box,
                                          const Sink& sink) noexcept {
-  const bool has_greys = style.levels > 2;
+  const bool has_greys = crisp.levels > 2;
   const uint8_t bridge = has_greys ? 170 : 255;
   SpanWriter writer(sink, box.y0);
   for (int32_t y = box.y0; y < box.y1; ++y) {
@@ -126,19 +126,19 @@ __attribute__((noinline)) void draw_rows(Neighbourhood& glyph,
 }  // namespace
 
 void detail::paint_crisp(const GlyphField& field,
-                         const Brush& brush,
+                         const TextStyle& style,
                          const void* options,
                          const FinePoint& origin,
                          const Sink& sink) {
-  const CrispStyle& style = *static_cast<const CrispStyle*>(options);
+  const CrispOptions& crisp = *static_cast<const CrispOptions*>(options);
   constexpr int32_t kMostThreshold = 1 << 9;
-  int32_t threshold = style.threshold_px.raw;
+  int32_t threshold = crisp.threshold_px.raw;
   threshold = threshold < -kMostThreshold ? -kMostThreshold : threshold;
   threshold = threshold > kMostThreshold ? kMostThreshold : threshold;
-  Neighbourhood glyph(field, brush, origin, threshold);
+  Neighbourhood glyph(field, style, origin, threshold);
   // Beyond the ramp of the filter, by what the threshold and bridges reach.
-  draw_rows(glyph, style,
-            detail::painted_box(field, brush, origin, sink.window,
+  draw_rows(glyph, crisp,
+            detail::painted_box(field, style, origin, sink.window,
                                 kMostReachQ10, kMostReachQ10),
             sink);
 }

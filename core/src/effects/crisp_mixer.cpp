@@ -14,29 +14,29 @@ namespace {
 // Pixels farther from the ink are never drawn. [px, Q8]
 constexpr int32_t kMostReach = 256;
 
-const CrispStyle& style_of(const Brush& brush) noexcept {
-  return *static_cast<const CrispStyle*>(brush.painter().options);
+const CrispOptions& crisp_of(const TextStyle& style) noexcept {
+  return *static_cast<const CrispOptions*>(style.effect().options);
 }
-bool has_greys(const CrispStyle& style) noexcept {
-  return style.levels > 2;
+bool has_greys(const CrispOptions& crisp) noexcept {
+  return crisp.levels > 2;
 }
 
 // [px, Q10]
-int32_t threshold_of(const CrispStyle& style) noexcept {
-  return lesser(greater(style.threshold_px.raw, -512), 512);
+int32_t threshold_of(const CrispOptions& crisp) noexcept {
+  return min(max(crisp.threshold_px.raw, -512), 512);
 }
 
-void plan_crisp(const Brush& brush, OutlinePlan& plan) noexcept {
-  const CrispStyle& style = style_of(brush);
+void plan_crisp(const TextStyle& style, OutlinePlan& plan) noexcept {
+  const CrispOptions& crisp = crisp_of(style);
   // Thresholds, and the nearer of two pixels that a stroke passes between.
   constexpr int32_t kLeastReach = 128 + 16;
-  if (!has_greys(style)) {
+  if (!has_greys(crisp)) {
     plan.outside_q8 = 0;
     plan.inside_q8 = 0;
   }
-  plan.outside_q8 = greater(plan.outside_q8, kLeastReach);
-  plan.inside_q8 = greater(plan.inside_q8, kLeastReach);
-  plan.shown_q8 = greater(plan.shown_q8, kMostReach);
+  plan.outside_q8 = max(plan.outside_q8, kLeastReach);
+  plan.inside_q8 = max(plan.inside_q8, kLeastReach);
+  plan.shown_q8 = max(plan.shown_q8, kMostReach);
   // The pixels that decide about one.
   plan.margin_x = 2;
   plan.margin_y = 2;
@@ -72,11 +72,11 @@ class CrispRow {
   CrispRow(const PaintedBand& painted) noexcept
       : row_{1, painted.band.stride, kCrossedLeft},
         column_{painted.band.stride, 1, kCrossedAbove},
-        filter_(painted.brush->filter()),
+        filter_(painted.style->filter()),
         step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
-        threshold_q10_(threshold_of(style_of(*painted.brush))),
-        has_greys_(has_greys(style_of(*painted.brush))),
-        is_fitted_(painted.brush->is_fitted()) {}
+        threshold_q10_(threshold_of(crisp_of(*painted.style))),
+        has_greys_(has_greys(crisp_of(*painted.style))),
+        is_fitted_(painted.style->is_fitted()) {}
 
   uint8_t coverage(const uint8_t* at) const noexcept {
     if ((*at & kNearnessMask) == 0) {
@@ -209,7 +209,7 @@ void mix_crisp(const PaintedBand& painted) noexcept {
     for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
       alignas(4) uint8_t words[kMaxSpan + 4];
       uint8_t* const coverage = words + (x & 3);
-      const int32_t count = lesser(kMaxSpan, pixels.x1 - x);
+      const int32_t count = min(kMaxSpan, pixels.x1 - x);
       for (int32_t i = 0; i != count; ++i) {
         coverage[i] = row.coverage(at++);
       }

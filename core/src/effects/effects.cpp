@@ -9,8 +9,8 @@ namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
-using detail::greater;
-using detail::lesser;
+using detail::max;
+using detail::min;
 using detail::PointWalk;
 using detail::SpanWriter;
 
@@ -43,31 +43,31 @@ void emit(const Sink& sink,
 
 // What drawing both painters takes, in a frame of its own: none shall be large.
 struct Rows {
-  const Brush& brush;
+  const TextStyle& style;
   const Filter& inner;
   const FinePoint& origin;
   Rect box;
 
   FieldPosition at(int32_t y) const noexcept {
-    return detail::sample_position(brush, origin, box.x0, y, {0, 0});
+    return detail::sample_position(style, origin, box.x0, y, {0, 0});
   }
   int32_t reach_q22() const noexcept {
-    return greater(detail::reach_of(brush.filter()), detail::reach_of(inner));
+    return max(detail::reach_of(style.filter()), detail::reach_of(inner));
   }
 };
 
 __attribute__((noinline)) void draw_outline(const Rows& rows,
                                             PointWalk& walk,
                                             const Sink& sink) noexcept {
-  const Filter& outer = rows.brush.filter();
-  const FieldPosition step = detail::pixel_step(rows.brush);
+  const Filter& outer = rows.style.filter();
+  const FieldPosition step = detail::pixel_step(rows.style);
   SpanWriter writer(sink, rows.box.y0);
   for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
     FieldPosition at = rows.at(y);
     for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
       const int32_t d = walk.distance_q10(at);
-      writer.put(x, static_cast<uint8_t>(greater(
-                        outer.coverage(d) - rows.inner.coverage(d), 0)));
+      writer.put(x, static_cast<uint8_t>(
+                        max(outer.coverage(d) - rows.inner.coverage(d), 0)));
       at = detail::moved(at, step);
     }
     writer.next_row();
@@ -82,11 +82,11 @@ __attribute__((noinline)) void draw_both(const Rows& rows,
                                          FieldPosition& at,
                                          int32_t x,
                                          int32_t y) noexcept {
-  const Filter& outer = rows.brush.filter();
-  const FieldPosition step = detail::pixel_step(rows.brush);
+  const Filter& outer = rows.style.filter();
+  const FieldPosition step = detail::pixel_step(rows.style);
   uint8_t outline[kMaxSpan];
   uint8_t fill[kMaxSpan];
-  const int32_t count = lesser(kMaxSpan, rows.box.x1 - x);
+  const int32_t count = min(kMaxSpan, rows.box.x1 - x);
   for (int32_t i = 0; i < count; ++i) {
     const int32_t d = walk.distance_q10(at);
     fill[i] = rows.inner.coverage(d);
@@ -103,7 +103,7 @@ __attribute__((noinline)) void draw_both(const Rows& rows,
 Status check_reach(const FontRange& range,
                    Q26_6 size,
                    const Filter& filter) noexcept {
-  const int32_t reach_q10 = greater(-filter.outside_q10, filter.inside_q10);
+  const int32_t reach_q10 = max(-filter.outside_q10, filter.inside_q10);
   // The band is 1/1024 em, so that both sides are 1/1024 px, Q6.
   return int64_t{reach_q10} * 64 > (int64_t{range.band_u} + 1) * size.raw
              ? Status::beyond_band
@@ -111,28 +111,28 @@ Status check_reach(const FontRange& range,
 }
 
 void detail::paint_outline(const GlyphField& field,
-                           const Brush& brush,
+                           const TextStyle& style,
                            const void* options,
                            const FinePoint& origin,
                            const Sink& sink) {
   const Rows all = {
-      brush, *static_cast<const Filter*>(options), origin,
-      detail::painted_box(field, brush, origin, sink.window, 0, 0)};
-  PointWalk walk(field, brush, all.reach_q22());
+      style, *static_cast<const Filter*>(options), origin,
+      detail::painted_box(field, style, origin, sink.window, 0, 0)};
+  PointWalk walk(field, style, all.reach_q22());
   draw_outline(all, walk, sink);
 }
 
 void detail::paint_outline_and_fill(const GlyphField& field,
-                                    const Brush& brush,
+                                    const TextStyle& style,
                                     const void* options,
                                     const FinePoint& origin,
                                     const Sink& sink) {
   const OutlineAndFill& both = *static_cast<const OutlineAndFill*>(options);
   const Rows all = {
-      brush, *both.inner, origin,
-      detail::painted_box(field, brush, origin,
+      style, *both.inner, origin,
+      detail::painted_box(field, style, origin,
                           intersect(sink.window, both.fill->window), 0, 0)};
-  PointWalk walk(field, brush, all.reach_q22());
+  PointWalk walk(field, style, all.reach_q22());
   for (int32_t y = all.box.y0; y < all.box.y1; ++y) {
     FieldPosition at = all.at(y);
     for (int32_t x = all.box.x0; x < all.box.x1; x += kMaxSpan) {

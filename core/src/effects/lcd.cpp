@@ -19,14 +19,14 @@ using detail::RgbSpans;
 class Stripes {
  public:
   Stripes(const GlyphField& field,
-          const Brush& brush,
-          const LcdStyle& style) noexcept
-      : filter_(brush.filter()),
+          const TextStyle& style,
+          const LcdOptions& lcd) noexcept
+      : filter_(style.filter()),
         walk_(field,
-              brush,
-              detail::reach_of(brush.filter()) + (kFlattest << 12)) {
+              style,
+              detail::reach_of(style.filter()) + (kFlattest << 12)) {
     // Where the middle one is this far beyond the ramp, all are.
-    const int32_t way = is_vertical(style.order) ? kWay : kWay / 2;
+    const int32_t way = is_vertical(lcd.order) ? kWay : kWay / 2;
     empty_q10_ = filter_.outside_q10 - way;
     full_q10_ = filter_.inside_q10 + way;
   }
@@ -89,7 +89,7 @@ __attribute__((noinline)) void draw_across(const LcdRows& rows,
                                            int32_t y,
                                            Stripes& stripes,
                                            RgbSpans& spans) noexcept {
-  const FieldPosition step = detail::pixel_step(rows.brush);
+  const FieldPosition step = detail::pixel_step(rows.style);
   const FieldPosition* const three = ways.way + 1;
   FieldPosition at = rows.at(rows.box.x0 - 1, y, 0, 0);
   uint8_t covered[7];
@@ -112,7 +112,7 @@ __attribute__((noinline)) void draw_down(const LcdRows& rows,
                                          int32_t y,
                                          Stripes& stripes,
                                          RgbSpans& spans) noexcept {
-  const FieldPosition step = detail::pixel_step(rows.brush);
+  const FieldPosition step = detail::pixel_step(rows.style);
   FieldPosition at = rows.at(rows.box.x0, y, 0, 0);
   uint8_t covered[5];
   for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
@@ -124,12 +124,12 @@ __attribute__((noinline)) void draw_down(const LcdRows& rows,
 
 __attribute__((noinline)) void draw_rows(const LcdRows& rows,
                                          const Ways& ways,
-                                         const LcdStyle& style,
+                                         const LcdOptions& lcd,
                                          Stripes& stripes,
                                          const Sink& sink) noexcept {
-  RgbSpans spans(sink, style, rows.box.y0);
+  RgbSpans spans(sink, lcd, rows.box.y0);
   for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
-    if (!is_vertical(style.order)) {
+    if (!is_vertical(lcd.order)) {
       draw_across(rows, ways, y, stripes, spans);
     } else {
       draw_down(rows, ways, y, stripes, spans);
@@ -139,44 +139,43 @@ __attribute__((noinline)) void draw_rows(const LcdRows& rows,
 }
 
 __attribute__((noinline)) void draw_stripes(const LcdRows& rows,
-                                            const LcdStyle& style,
+                                            const LcdOptions& lcd,
                                             Stripes& stripes,
                                             const Sink& sink) noexcept {
-  const Ways ways(rows, is_vertical(style.order));
-  draw_rows(rows, ways, style, stripes, sink);
+  const Ways ways(rows, is_vertical(lcd.order));
+  draw_rows(rows, ways, lcd, stripes, sink);
 }
 
 // Point by point: of samples, or turned.
 __attribute__((noinline)) void draw_points(const GlyphField& field,
                                            const LcdRows& rows,
-                                           const LcdStyle& style,
+                                           const LcdOptions& lcd,
                                            const Sink& sink) noexcept {
-  Stripes stripes(field, rows.brush, style);
-  draw_stripes(rows, style, stripes, sink);
+  Stripes stripes(field, rows.style, lcd);
+  draw_stripes(rows, lcd, stripes, sink);
 }
 
 }  // namespace
 
 void detail::paint_lcd(const GlyphField& field,
-                       const Brush& brush,
+                       const TextStyle& style,
                        const void* options,
                        const FinePoint& origin,
                        const Sink& sink) {
-  const LcdStyle& style = *static_cast<const LcdStyle*>(options);
-  const int32_t across_q10 = is_vertical(style.order) ? 0 : 2 * kThird;
+  const LcdOptions& lcd = *static_cast<const LcdOptions*>(options);
+  const int32_t across_q10 = is_vertical(lcd.order) ? 0 : 2 * kThird;
   constexpr int32_t kFar = 1 << 30;
-  const Rect all = detail::painted_box(field, brush, origin,
-                                       {-kFar, -kFar, kFar, kFar}, across_q10,
-                                       2 * kThird - across_q10);
-  const LcdRows lcd_rows = {brush, origin, all,
-                            intersect(all, sink.window)};
+  const Rect all =
+      detail::painted_box(field, style, origin, {-kFar, -kFar, kFar, kFar},
+                          across_q10, 2 * kThird - across_q10);
+  const LcdRows lcd_rows = {style, origin, all, intersect(all, sink.window)};
   if (is_empty(lcd_rows.box)) {
     return;  // positions far away do not fit
   }
-  if (brush.is_upright() && detail::has_fields(field)) {
-    detail::draw_stripe_rows(field, lcd_rows, style, sink);
+  if (style.is_upright() && detail::has_fields(field)) {
+    detail::draw_stripe_rows(field, lcd_rows, lcd, sink);
   } else {
-    draw_points(field, lcd_rows, style, sink);
+    draw_points(field, lcd_rows, lcd, sink);
   }
 }
 

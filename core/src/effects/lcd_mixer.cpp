@@ -11,14 +11,14 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const LcdStyle& style_of(const Brush& brush) noexcept {
-  return *static_cast<const LcdStyle*>(brush.painter().options);
+const LcdOptions& lcd_of(const TextStyle& style) noexcept {
+  return *static_cast<const LcdOptions*>(style.effect().options);
 }
 
-void plan_lcd(const Brush& brush, OutlinePlan& plan) noexcept {
+void plan_lcd(const TextStyle& style, OutlinePlan& plan) noexcept {
   // A channel is the mean of a stripe and the two beside it.
   plan.shown_q8 += 86;
-  if (is_vertical(style_of(brush).order)) {
+  if (is_vertical(lcd_of(style).order)) {
     plan.rows = 3;
     plan.margin_y = 1;
   } else {
@@ -82,8 +82,8 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
                                            int32_t y,
                                            int32_t count) noexcept {
   constexpr int32_t kFull = 3 * 255;
-  const LcdStyle& style = style_of(*painted.brush);
-  const bool is_red_first = detail::is_red_first(style.order);
+  const LcdOptions& lcd = lcd_of(*painted.style);
+  const bool is_red_first = detail::is_red_first(lcd.order);
   uint8_t rgb[3 * kMaxSpan];
   uint8_t* out = rgb;
   int32_t done = 0;
@@ -111,26 +111,26 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
   if (all_sum == 3 * kFull) {
     painted.sink->solid(painted.sink->context, x, y, done);
   } else if (all_sum == 1) {
-    hand_on(*painted.sink, style, x, y, rgb, done);
+    hand_on(*painted.sink, lcd, x, y, rgb, done);
   }
   return done;
 }
 
 void mix_lcd(const PaintedBand& painted) noexcept {
   const Band& band = painted.band;
-  const Filter& filter = painted.brush->filter();
+  const Filter& filter = painted.style->filter();
   cover_areas(band, filter);
   if (!filter.is_linear) {
     map_stripes(band, filter);
   }
-  const bool is_down = is_vertical(style_of(*painted.brush).order);
+  const bool is_down = is_vertical(lcd_of(*painted.style).order);
   const Rect& pixels = painted.pixels;
   for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
     const int32_t row = (y - pixels.y0) * (is_down ? 3 : 1) + painted.row;
     StripeRow stripes(band.row(row) + painted.column, is_down ? band.stride : 1,
                       is_down ? 1 : 3);
     for (int32_t x = pixels.x0; x != pixels.x1;) {
-      x += mix_span(painted, stripes, x, y, lesser(kMaxSpan, pixels.x1 - x));
+      x += mix_span(painted, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
     }
   }
 }

@@ -69,8 +69,8 @@ __attribute__((noinline)) Shown cover(const StripeRamp& ramp,
     const int32_t before = (line[0] >> 12) - centre;
     const int32_t middle = (at >> 12) - centre;
     const int32_t behind = (line[2] >> 12) - centre;
-    const int32_t steepness = steepness_q8(
-        greater(magnitude(middle - before), magnitude(behind - middle)));
+    const int32_t steepness =
+        steepness_q8(max(abs(middle - before), abs(behind - middle)));
     // Filter::coverage; entries of its own steps are below 256.
     const auto coverage = [=](int32_t way) -> uint32_t {
       const int32_t step = first + ((way * steepness) >> 8);
@@ -93,8 +93,8 @@ class StripeRow {
   StripeRow(const GlyphField& field, const LcdRows& rows, bool is_down) noexcept
       : rows_(rows),
         field_(field),
-        ramp_(rows.brush.filter()),
-        row_(field, rows.brush, ramp_.near_q22),
+        ramp_(rows.style.filter()),
+        row_(field, rows.style, ramp_.near_q22),
         way_(row_.way(is_down, is_down ? -kThirdQ8 : kThirdQ8)) {
     ramp_.far_q22 = way_.far_q22;
   }
@@ -106,7 +106,7 @@ class StripeRow {
       at_ = rows_.at(rows_.box.x0, y, 0, 0);
       find_grid();
     } else {
-      at_.y_q16 -= rows_.brush.step_along_q16();
+      at_.y_q16 -= rows_.style.step_along_q16();
       at_.y_q20 -= 1 << 20;
     }
     row_.go_to(at_.y_q16, at_.y_q20);
@@ -129,7 +129,7 @@ class StripeRow {
 
   // Which pixels of rows lie in the grid.
   void find_grid() noexcept {
-    const int32_t step_q16 = rows_.brush.step_along_q16();
+    const int32_t step_q16 = rows_.style.step_along_q16();
     const int32_t left_q16 = field_.x0_u * (1 << 16);
     const int32_t right_q16 = field_.x1_u() * (1 << 16);
     grid_x0_ = rows_.box.x0 - 1;
@@ -152,10 +152,10 @@ class StripeRow {
     for (; x < end && x < grid_x0_; ++x) {
       line = put_far(line);
     }
-    const int32_t inside = lesser(end, grid_x1_) - x;
+    const int32_t inside = min(end, grid_x1_) - x;
     if (inside > 0) {
       const auto way = static_cast<uint32_t>(x - rows_.box.x0);
-      const auto step_q16 = static_cast<uint32_t>(rows_.brush.step_along_q16());
+      const auto step_q16 = static_cast<uint32_t>(rows_.style.step_along_q16());
       RowPoint at = row_.point(at_.x_q16, at_.x_q20);
       at.x_q16 += way * step_q16;
       at.x_q20 += way << 20;
@@ -214,9 +214,9 @@ __attribute__((noinline)) void mix(uint8_t* stripes,
 class StripeRows {
  public:
   StripeRows(const LcdRows& rows,
-             const LcdStyle& style,
+             const LcdOptions& lcd,
              const Sink& sink) noexcept
-      : rows_(rows), style_(style), sink_(sink) {}
+      : rows_(rows), lcd_(lcd), sink_(sink) {}
 
   __attribute__((noinline)) void draw(StripeRow& row) noexcept {
     const Rect& box = rows_.box;
@@ -242,21 +242,20 @@ class StripeRows {
     // First come the four stripes before x, then distances become coverages.
     int32_t line[1 + 3 * kMost];
     auto* const stripes = reinterpret_cast<uint8_t*>(line);
-    const int32_t count = lesser(end_ - x, kMost);
+    const int32_t count = min(end_ - x, kMost);
     line[0] = before_;
     const Shown shown = row.take(x, count, line + 1, stripes + 4);
     // Pixels that may show something, once the stripe after them is known.
     const int32_t before = before_;
-    int32_t from =
-        greater(before != 0 ? x - 1 : x - 1 + shown.begin, rows_.box.x0);
+    int32_t from = max(before != 0 ? x - 1 : x - 1 + shown.begin, rows_.box.x0);
     int32_t to = x + 1 + shown.end;
     x += count;
     uint8_t* const last = stripes + 3 * count;
     if (x == end_) {
-      to = lesser(to, rows_.box.x1);
+      to = min(to, rows_.box.x1);
       last[4] = 0;
     } else {
-      to = lesser(to, x - 1);
+      to = min(to, x - 1);
     }
     auto* const kept = reinterpret_cast<uint8_t*>(&before_);
     for (int32_t i = 0; i < 4; ++i) {
@@ -265,13 +264,13 @@ class StripeRows {
     const int32_t pixels = to - from;
     if (pixels > 0) {
       uint8_t* const rgb = last - 3 * (x - 1 - from);
-      mix(rgb, pixels, is_red_first(style_.order));
-      hand_on(sink_, style_, from, y_, rgb, pixels);
+      mix(rgb, pixels, is_red_first(lcd_.order));
+      hand_on(sink_, lcd_, from, y_, rgb, pixels);
     }
   }
 
   const LcdRows& rows_;
-  const LcdStyle& style_;
+  const LcdOptions& lcd_;
   const Sink& sink_;
   int32_t y_ = 0;
   int32_t end_ = 0;     // of the stripes that cover something
@@ -307,11 +306,11 @@ class StripeColumn {
   static constexpr int32_t kMost = 16;
 
   StripeColumn(const LcdRows& rows,
-               const LcdStyle& style,
+               const LcdOptions& lcd,
                const Sink& sink,
                int32_t x,
                int32_t count) noexcept
-      : rows_(rows), style_(style), sink_(sink), x_(x), count_(count) {}
+      : rows_(rows), lcd_(lcd), sink_(sink), x_(x), count_(count) {}
 
   __attribute__((noinline)) void draw(StripeRow& row) noexcept {
     const Rect& box = rows_.box;
@@ -351,20 +350,20 @@ class StripeColumn {
     if (pixels > 0) {
       uint8_t* const rgb = above + 3 * all.begin;
       mix_down(before_ + all.begin, rgb, stripes + 3 * all.begin, pixels,
-               is_red_first(style_.order));
+               is_red_first(lcd_.order));
       if (y > rows_.box.y0) {
-        hand_on(sink_, style_, x_ + all.begin, y - 1, rgb, pixels);
+        hand_on(sink_, lcd_, x_ + all.begin, y - 1, rgb, pixels);
       }
     }
   }
 
   static constexpr Shown kNothing = {kMost, 0};
   static Shown together(const Shown& a, const Shown& b) noexcept {
-    return {lesser(a.begin, b.begin), greater(a.end, b.end)};
+    return {min(a.begin, b.begin), max(a.end, b.end)};
   }
 
   const LcdRows& rows_;
-  const LcdStyle& style_;
+  const LcdOptions& lcd_;
   const Sink& sink_;
   int32_t x_;
   int32_t count_;
@@ -377,18 +376,18 @@ class StripeColumn {
 // Not inline, both: one need not pay for the other's stack.
 __attribute__((noinline)) void draw_rows(StripeRow& row,
                                          const LcdRows& rows,
-                                         const LcdStyle& style,
+                                         const LcdOptions& lcd,
                                          const Sink& sink) noexcept {
-  StripeRows(rows, style, sink).draw(row);
+  StripeRows(rows, lcd, sink).draw(row);
 }
 
 __attribute__((noinline)) void draw_columns(StripeRow& row,
                                             const LcdRows& rows,
-                                            const LcdStyle& style,
+                                            const LcdOptions& lcd,
                                             const Sink& sink) noexcept {
   const Rect& box = rows.box;
   for (int32_t x = box.x0; x < box.x1; x += StripeColumn::kMost) {
-    StripeColumn(rows, style, sink, x, lesser(box.x1 - x, StripeColumn::kMost))
+    StripeColumn(rows, lcd, sink, x, min(box.x1 - x, StripeColumn::kMost))
         .draw(row);
   }
 }
@@ -397,17 +396,17 @@ __attribute__((noinline)) void draw_columns(StripeRow& row,
 
 void draw_stripe_rows(const GlyphField& field,
                       const LcdRows& rows,
-                      const LcdStyle& style,
+                      const LcdOptions& lcd,
                       const Sink& sink) noexcept {
   if (is_empty(rows.box)) {
     return;
   }
-  const bool is_down = is_vertical(style.order);
+  const bool is_down = is_vertical(lcd.order);
   StripeRow row(field, rows, is_down);
   if (is_down) {
-    draw_columns(row, rows, style, sink);
+    draw_columns(row, rows, lcd, sink);
   } else {
-    draw_rows(row, rows, style, sink);
+    draw_rows(row, rows, lcd, sink);
   }
 }
 

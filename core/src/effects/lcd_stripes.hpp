@@ -49,7 +49,7 @@ inline void cover_stripes(const Filter& filter,
                           uint8_t* out) noexcept {
   int32_t most_q10 = 0;  // of what changes from one to the next
   for (uint32_t i = 1; i < kCount; ++i) {
-    most_q10 = greater(most_q10, magnitude(d[i] - d[i - 1]));
+    most_q10 = max(most_q10, abs(d[i] - d[i - 1]));
   }
   const int32_t steepness = steepness_q8(most_q10);
   const int32_t centre = (filter.outside_q10 + filter.inside_q10) >> 1;
@@ -64,19 +64,19 @@ inline bool is_red_first(SubPixels order) noexcept {
 
 // Hands on pixels of three coverages, which may be changed.
 __attribute__((noinline)) inline void hand_on(const Sink& sink,
-                                              const LcdStyle& style,
+                                              const LcdOptions& lcd,
                                               int32_t x,
                                               int32_t y,
                                               uint8_t* rgb,
                                               int32_t count) noexcept {
   const bool is_grey = sink.coverage_rgb == nullptr;
-  if (is_grey || style.colour != 255) {
+  if (is_grey || lcd.colour != 255) {
     for (int32_t i = 0; i < count; ++i) {
       uint8_t* const pixel = rgb + 3 * i;
       const int32_t grey = mean(pixel[0], pixel[1], pixel[2]);
       for (int32_t j = 0; j < 3; ++j) {
         pixel[j] =
-            static_cast<uint8_t>(grey + (pixel[j] - grey) * style.colour / 255);
+            static_cast<uint8_t>(grey + (pixel[j] - grey) * lcd.colour / 255);
       }
     }
   }
@@ -93,8 +93,8 @@ __attribute__((noinline)) inline void hand_on(const Sink& sink,
 // Pixels of three coverages on their way to a sink.
 class RgbSpans {
  public:
-  RgbSpans(const Sink& sink, const LcdStyle& style, int32_t y) noexcept
-      : sink_(sink), style_(style), y_(y) {}
+  RgbSpans(const Sink& sink, const LcdOptions& lcd, int32_t y) noexcept
+      : sink_(sink), lcd_(lcd), y_(y) {}
 
   // Five stripes around a pixel; the three in the middle are its own. Each
   // channel is the mean of its stripe and the two beside it.
@@ -115,7 +115,7 @@ class RgbSpans {
       flush();
     }
     x_ = count_ == 0 ? x : x_;
-    const bool red_first = is_red_first(style_.order);
+    const bool red_first = is_red_first(lcd_.order);
     uint8_t* const rgb = buffer_ + 3 * count_++;
     rgb[0] = red_first ? first : third;
     rgb[1] = second;
@@ -141,14 +141,14 @@ class RgbSpans {
     if (solid_count_ != 0) {
       sink_.solid(sink_.context, x_, y_, solid_count_);
     } else if (count_ != 0) {
-      hand_on(sink_, style_, x_, y_, buffer_, count_);
+      hand_on(sink_, lcd_, x_, y_, buffer_, count_);
     }
     count_ = 0;
     solid_count_ = 0;
   }
 
   const Sink& sink_;
-  const LcdStyle& style_;
+  const LcdOptions& lcd_;
   int32_t y_;
   int32_t x_ = 0;
   // At most one of the two is not 0.
@@ -159,7 +159,7 @@ class RgbSpans {
 
 // What drawing takes, in frames of their own: none shall be large.
 struct LcdRows {
-  const Brush& brush;
+  const TextStyle& style;
   const FinePoint& origin;
   Rect all;  // the pixels that may show something
   Rect box;  // those in the window
@@ -168,14 +168,14 @@ struct LcdRows {
                                              int32_t y,
                                              int32_t right_q10,
                                              int32_t up_q10) const noexcept {
-    return sample_position(brush, origin, x, y, {right_q10, up_q10});
+    return sample_position(style, origin, x, y, {right_q10, up_q10});
   }
 };
 
 // Draws stripes of an upright glyph of fields.
 void draw_stripe_rows(const GlyphField& field,
                       const LcdRows& rows,
-                      const LcdStyle& style,
+                      const LcdOptions& lcd,
                       const Sink& sink) noexcept;
 
 }  // namespace detail

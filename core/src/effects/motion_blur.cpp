@@ -7,8 +7,8 @@
 namespace inkcell {
 namespace {
 
+using detail::abs;
 using detail::FieldPosition;
-using detail::magnitude;
 using detail::moved;
 using detail::PointWalk;
 using detail::SpanWriter;
@@ -37,7 +37,7 @@ int32_t mean_coverage(const MotionBlur& blur,
                       int32_t a_q8,
                       int32_t b_q8) noexcept {
   // Closer than an entry there is nothing to integrate.
-  if (magnitude(b_q8 - a_q8) < 256) {
+  if (abs(b_q8 - a_q8) < 256) {
     const int32_t middle = (a_q8 + b_q8) >> 9;
     return middle < 0                  ? 0
            : middle < Filter::kEntries ? blur.filter.table[middle]
@@ -79,16 +79,16 @@ __attribute__((noinline)) uint8_t coverage_at(Shot& shot,
 }
 
 __attribute__((noinline)) void draw_row(Shot& shot,
-                                        const Brush& brush,
+                                        const TextStyle& style,
                                         const FinePoint& origin,
                                         const Rect& box,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   const MotionBlur& blur = shot.blur;
   FieldPosition at = detail::sample_position(
-      brush, origin, box.x0, y,
+      style, origin, box.x0, y,
       {-blur.right_q10 * blur.steps / 2, -blur.up_q10 * blur.steps / 2});
-  const FieldPosition step = detail::pixel_step(brush);
+  const FieldPosition step = detail::pixel_step(style);
   SpanWriter writer(sink, y);
   for (int32_t x = box.x0; x < box.x1; ++x) {
     writer.put(x, coverage_at(shot, at));
@@ -97,9 +97,9 @@ __attribute__((noinline)) void draw_row(Shot& shot,
   writer.flush();
 }
 
-FieldPosition step_of(const Brush& brush, const MotionBlur& blur) noexcept {
-  const GlyphStep& right = brush.right();
-  const GlyphStep& up = brush.up();
+FieldPosition step_of(const TextStyle& style, const MotionBlur& blur) noexcept {
+  const GlyphStep& right = style.right();
+  const GlyphStep& up = style.up();
   const auto sum = [&blur](int32_t along, int32_t across) noexcept {
     return static_cast<int32_t>(
         (int64_t{along} * blur.right_q10 + int64_t{across} * blur.up_q10) >>
@@ -120,8 +120,8 @@ Status make_motion_blur(const Filter& filter,
       way.y.raw < -kMost) {
     return Status::bad_argument;
   }
-  const int32_t x = magnitude(way.x.raw);
-  const int32_t y = magnitude(way.y.raw);
+  const int32_t x = abs(way.x.raw);
+  const int32_t y = abs(way.y.raw);
   // From the length to 3/2 of it; steps are no longer than a pixel along an
   // axis.
   const int32_t longer = x > y ? x : y;
@@ -142,17 +142,17 @@ Status make_motion_blur(const Filter& filter,
 }
 
 void detail::paint_motion_blur(const GlyphField& field,
-                               const Brush& brush,
+                               const TextStyle& style,
                                const void* options,
                                const FinePoint& origin,
                                const Sink& sink) {
   const auto& blur = *static_cast<const MotionBlur*>(options);
-  const Rect box = detail::painted_box(field, brush, origin, sink);
-  Shot shot = {blur, PointWalk(field, brush, detail::kNoReach),
-               step_of(brush, blur), blur.filter.outside_q10 - blur.length_q10,
+  const Rect box = detail::painted_box(field, style, origin, sink);
+  Shot shot = {blur, PointWalk(field, style, detail::kNoReach),
+               step_of(style, blur), blur.filter.outside_q10 - blur.length_q10,
                blur.filter.inside_q10 + blur.length_q10};
   for (int32_t y = box.y0; y < box.y1; ++y) {
-    draw_row(shot, brush, origin, box, y, sink);
+    draw_row(shot, style, origin, box, y, sink);
   }
 }
 

@@ -11,22 +11,22 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const Filter& inner_of(const Brush& brush) noexcept {
-  return *static_cast<const Filter*>(brush.painter().options);
+const Filter& inner_of(const TextStyle& style) noexcept {
+  return *static_cast<const Filter*>(style.effect().options);
 }
-const OutlineAndFill& both_of(const Brush& brush) noexcept {
-  return *static_cast<const OutlineAndFill*>(brush.painter().options);
-}
-
-void plan_outline(const Brush& brush, OutlinePlan& plan) noexcept {
-  plan.widen(inner_of(brush));
+const OutlineAndFill& both_of(const TextStyle& style) noexcept {
+  return *static_cast<const OutlineAndFill*>(style.effect().options);
 }
 
-void plan_both(const Brush& brush, OutlinePlan& plan) noexcept {
-  const Filter& inner = *both_of(brush).inner;
+void plan_outline(const TextStyle& style, OutlinePlan& plan) noexcept {
+  plan.widen(inner_of(style));
+}
+
+void plan_both(const TextStyle& style, OutlinePlan& plan) noexcept {
+  const Filter& inner = *both_of(style).inner;
   plan.widen(inner);
   // Fills may lie outside of their outlines.
-  plan.shown_q8 = greater(plan.shown_q8, -inner.outside_q10 >> 2);
+  plan.shown_q8 = max(plan.shown_q8, -inner.outside_q10 >> 2);
 }
 
 // A filter's coverage by steps of distance, a 254th of a band's reach each.
@@ -55,8 +55,8 @@ class StepRamp {
 // cover all there, or none.
 void mix_outline(const PaintedBand& painted) noexcept {
   const Band& band = painted.band;
-  const StepRamp outer(painted.brush->filter(), band.reach_q8);
-  const StepRamp inner(inner_of(*painted.brush), band.reach_q8);
+  const StepRamp outer(painted.style->filter(), band.reach_q8);
+  const StepRamp inner(inner_of(*painted.style), band.reach_q8);
   for (int32_t row = 0; row != band.rows; ++row) {
     DistanceRow distances(band, row);
     uint8_t* at = band.row(row);
@@ -70,9 +70,8 @@ void mix_outline(const PaintedBand& painted) noexcept {
         const int32_t steps = distances.next_steps();
         const int32_t covered = outer.coverage(steps);
         if (covered != 0) {
-          word |=
-              static_cast<uint32_t>(greater(covered - inner.coverage(steps), 0))
-              << shift;
+          word |= static_cast<uint32_t>(max(covered - inner.coverage(steps), 0))
+                  << shift;
         }
       }
       store_pixels(at, word);
@@ -87,7 +86,7 @@ __attribute__((noinline)) void mix_span(const PaintedBand& painted,
                                         int32_t x,
                                         int32_t y,
                                         int32_t count) noexcept {
-  const OutlineAndFill& both = both_of(*painted.brush);
+  const OutlineAndFill& both = both_of(*painted.style);
   // Words of pixels, as emit_row() takes them.
   alignas(4) uint8_t outline_words[kMaxSpan + 4];
   alignas(4) uint8_t fill_words[kMaxSpan + 4];
@@ -98,7 +97,7 @@ __attribute__((noinline)) void mix_span(const PaintedBand& painted,
     fill[i] = both.inner->coverage(d);
     // Where the fill is solid nothing of the outline is left to see.
     outline[i] =
-        fill[i] == 255 ? uint8_t{0} : painted.brush->filter().coverage(d);
+        fill[i] == 255 ? uint8_t{0} : painted.style->filter().coverage(d);
   }
   emit_row(*painted.sink, x, y, outline, count);
   emit_row(*both.fill, x, y, fill, count);
@@ -106,12 +105,12 @@ __attribute__((noinline)) void mix_span(const PaintedBand& painted,
 
 void mix_both(const PaintedBand& painted) noexcept {
   const Rect& all = painted.pixels;
-  const Rect shown = intersect(all, both_of(*painted.brush).fill->window);
+  const Rect shown = intersect(all, both_of(*painted.style).fill->window);
   for (int32_t y = shown.y0; y < shown.y1; ++y) {
     DistanceRow distances(painted.band, y - all.y0);
     distances.skip(painted.column + shown.x0 - all.x0);
     for (int32_t x = shown.x0; x < shown.x1; x += kMaxSpan) {
-      mix_span(painted, distances, x, y, lesser(kMaxSpan, shown.x1 - x));
+      mix_span(painted, distances, x, y, min(kMaxSpan, shown.x1 - x));
     }
   }
 }

@@ -18,8 +18,8 @@
 namespace inkcell {
 namespace {
 
-using detail::greater;
-using detail::lesser;
+using detail::max;
+using detail::min;
 using detail::SamplesTree;
 using detail::SpanWriter;
 
@@ -44,7 +44,7 @@ struct Place {
 class Block {
  public:
   Block(const GlyphField& field,
-        const Brush& brush,
+        const TextStyle& style,
         const Splats& splats) noexcept;
 
   // Goes on to a window.
@@ -80,7 +80,7 @@ class Block {
   void add(const Place& centre, uint32_t log2, uint32_t coverage) noexcept;
 
   SamplesTree tree_;
-  const Brush& brush_;
+  const TextStyle& style_;
   const Splats& splats_;
   Rect pixels_;
   Place origin_ = {0, 0};
@@ -90,10 +90,10 @@ class Block {
 };
 
 Block::Block(const GlyphField& field,
-             const Brush& brush,
+             const TextStyle& style,
              const Splats& splats) noexcept
-    : tree_{field}, brush_(brush), splats_(splats) {
-  const auto size_q6 = static_cast<uint32_t>(brush.size().raw);
+    : tree_{field}, style_(style), splats_(splats) {
+  const auto size_q6 = static_cast<uint32_t>(style.size().raw);
   const auto radius_q10 = static_cast<uint32_t>(splats.radius_q10);
   // Of 1 u or of at most a quarter of a px.
   while ((size_q6 << (least_log2_ + 1)) <= 256 << 6) {
@@ -120,16 +120,16 @@ void Block::start(const FinePoint& origin, const Rect& pixels) noexcept {
 // Of a square of the grid, from the grid's corner.
 Place Block::centre_of(uint32_t x, uint32_t y, uint32_t log2) const noexcept {
   const GlyphField& field = tree_.field;
-  const int32_t size_q6 = brush_.size().raw;
+  const int32_t size_q6 = style_.size().raw;
   const int32_t size_u = int32_t{1} << log2;
   const int32_t x_q10 =
       ((2 * (field.x0_u + static_cast<int32_t>(x)) + size_u) * size_q6) >> 7;
   const int32_t y_q10 =
       ((2 * (field.y0_u + static_cast<int32_t>(y)) + size_u) * size_q6) >> 7;
-  if (brush_.is_upright()) {
+  if (style_.is_upright()) {
     return {origin_.x_q10 + x_q10, origin_.y_q10 - y_q10};
   }
-  const Brush::Axes& axes = brush_.axes();
+  const TextStyle::Axes& axes = style_.axes();
   const int64_t right =
       int64_t{x_q10} * axes.x_right.raw + int64_t{y_q10} * axes.y_right.raw;
   const int64_t up =
@@ -142,10 +142,10 @@ Place Block::centre_of(uint32_t x, uint32_t y, uint32_t log2) const noexcept {
 bool Block::is_near(const Place& centre, uint32_t log2) const noexcept {
   // Half a diagonal is 91/128.
   const int32_t side_q10 = static_cast<int32_t>(
-      (static_cast<uint32_t>(brush_.size().raw) << log2) >> 6);
+      (static_cast<uint32_t>(style_.size().raw) << log2) >> 6);
   const int32_t way_q10 =
       splats_.radius_q10 +
-      (brush_.is_upright() ? side_q10 >> 1 : ((side_q10 >> 4) * 91 >> 3)) + 16;
+      (style_.is_upright() ? side_q10 >> 1 : ((side_q10 >> 4) * 91 >> 3)) + 16;
   return centre.x_q10 > -way_q10 && centre.y_q10 > -way_q10 &&
          centre.x_q10 < (pixels_.x1 - pixels_.x0 - 1) * 1024 + way_q10 &&
          centre.y_q10 < (pixels_.y1 - pixels_.y0 - 1) * 1024 + way_q10;
@@ -158,10 +158,10 @@ void Block::add(const Place& centre,
   const uint32_t weight_q8 = weight_q8_ << 2 * (log2 - least_log2_);
   const int32_t radius_q10 = splats_.radius_q10;
   const auto first = [radius_q10](int32_t place_q10) noexcept {
-    return greater((place_q10 - radius_q10 + 1023) >> 10, 0);
+    return max((place_q10 - radius_q10 + 1023) >> 10, 0);
   };
   const auto end = [radius_q10](int32_t place_q10, int32_t most) noexcept {
-    return lesser(((place_q10 + radius_q10) >> 10) + 1, most);
+    return min(((place_q10 + radius_q10) >> 10) + 1, most);
   };
   const int32_t left = first(centre.x_q10);
   const int32_t right = end(centre.x_q10, pixels_.x1 - pixels_.x0);
@@ -194,7 +194,7 @@ uint32_t Block::coverage_at(uint32_t x,
                             uint32_t log2) const noexcept {
   const GlyphField& field = tree_.field;
   const auto half_q16 = static_cast<int32_t>(1u << (log2 + 15));
-  return brush_.coverage(detail::samples_distance_q10(
+  return style_.coverage(detail::samples_distance_q10(
       field, (field.x0_u + static_cast<int32_t>(x)) * (1 << 16) + half_q16,
       (field.y0_u + static_cast<int32_t>(y)) * (1 << 16) + half_q16));
 }
@@ -224,7 +224,7 @@ bool Block::visit(uint32_t reference,
   if (log2 + 1 < wide_log2_ || log2 == least_log2_) {
     // What a cell says of its centre it says without an equation.
     add(centre, log2,
-        samples != nullptr ? brush_.coverage(detail::centre_q10(samples))
+        samples != nullptr ? style_.coverage(detail::centre_q10(samples))
                            : saturated);
     return false;
   }
@@ -240,7 +240,7 @@ bool Block::visit(uint32_t reference,
     add(centre_of(x + (right << half_log2), y + (up << half_log2), half_log2),
         half_log2,
         samples != nullptr
-            ? brush_.coverage(samples_distance(samples,
+            ? style_.coverage(samples_distance(samples,
                                                static_cast<uint8_t>(log2),
                                                place(right), place(up))
                                   .raw)
@@ -361,32 +361,31 @@ Status make_splats(Span<uint32_t> sums, Q6_10 radius, Splats& out) noexcept {
 }
 
 void detail::paint_splats(const GlyphField& field,
-                          const Brush& brush,
+                          const TextStyle& style,
                           const void* options,
                           const FinePoint& origin,
                           const Sink& sink) {
   const auto& splats = *static_cast<const Splats*>(options);
   if (detail::has_fields(field)) {
-    detail::draw_plain(field, brush, origin, sink);
+    detail::draw_plain(field, style, origin, sink);
     return;
   }
-  const Rect all =
-      detail::painted_box(field, brush, origin, sink.window,
-                          splats.radius_q10, splats.radius_q10);
+  const Rect all = detail::painted_box(field, style, origin, sink.window,
+                                       splats.radius_q10, splats.radius_q10);
   if (is_empty(all)) {
     return;
   }
-  Block block(field, brush, splats);
+  Block block(field, style, splats);
   // As many rows at once as there are sums for, or a part of one.
   const auto most = static_cast<int32_t>(
       splats.sums.size < (1u << 20) ? splats.sums.size : 1u << 20);
-  const int32_t columns = lesser(all.x1 - all.x0, most);
+  const int32_t columns = min(all.x1 - all.x0, most);
   const int32_t height = most / columns;
   for (int32_t y = all.y0; y < all.y1; y += height) {
     for (int32_t x = all.x0; x < all.x1; x += columns) {
       block.start(origin, intersect(all, {x, y, x + columns, y + height}));
       block.splat();
-      detail::draw_plain(field, brush, origin, block.own_sink());
+      detail::draw_plain(field, style, origin, block.own_sink());
       block.draw(sink);
     }
   }

@@ -77,9 +77,8 @@ inline void AcrossFit::read(GlyphHints& hints) noexcept {
     if (fit_.levels_ == 2) {
       width = cell;
     } else {
-      width =
-          lesser(greater(greater(width, kLeastStroke), cell - kStemShoulder),
-                 cell + kStemShoulder);
+      width = min(max(max(width, kLeastStroke), cell - kStemShoulder),
+                  cell + kStemShoulder);
     }
     add(hint.left_u, hint.right_u, cell, width);
   }
@@ -106,8 +105,8 @@ inline void AcrossFit::make_alike() noexcept {
     // At the ends of the ink, or between stems.
     Stem* other = one == last ? stems_ + 1 : stems_ + 2;
     do {
-      const int32_t difference = magnitude(one->gap - other->gap);
-      if (difference < 6 || 25 * difference < 2 * magnitude(one->gap)) {
+      const int32_t difference = abs(one->gap - other->gap);
+      if (difference < 6 || 25 * difference < 2 * abs(one->gap)) {
         one->gap = (one->gap + other->gap) >> 1;
         other->gap = one->gap;
       }
@@ -123,7 +122,7 @@ inline int32_t AcrossFit::whole_gaps() noexcept {
   int32_t least = 0;  // where the ink begins and ends
   Stem* const last = end_ - 1;
   for (Stem* stem = stems_ + 1; stem <= last; ++stem) {
-    stem->gap = greater(round_px(stem->gap), stem != last ? least : 0);
+    stem->gap = max(round_px(stem->gap), stem != last ? least : 0);
     total += stem->gap + stem->cell;
     least = kPx;
   }
@@ -170,18 +169,18 @@ inline int32_t AcrossFit::fit(const GlyphMetrics& metrics,
   const int32_t overhang = -fit_.px_q6(10);
   int32_t first = round_px(left);
   if (left > overhang) {
-    first = greater(kPx, first);
+    first = max(kPx, first);
   }
   stems_[0].gap = first;
   int32_t after = right;
   if (right > 0) {
-    after -= greater(0, first - left) >> 1;
+    after -= max(0, first - left) >> 1;
   }
   after = round_px(after);
   if (left > overhang && right > overhang) {
-    after = greater(after, 0);
+    after = max(after, 0);
   }
-  return greater(first + total + after, 0);
+  return max(first + total + after, 0);
 }
 
 inline void AcrossFit::write(AxisMap& map) const noexcept {

@@ -7,10 +7,10 @@
 
 namespace inkcell {
 
-using detail::greater;
+using detail::abs;
 using detail::kPx;
-using detail::lesser;
-using detail::magnitude;
+using detail::max;
+using detail::min;
 using detail::round_px;
 using detail::whole_width;
 
@@ -38,7 +38,7 @@ inline int32_t Fit::u_of(int32_t units) const noexcept {
   const int32_t whole = units * (u_per_unit_q14_ >> 14);
   const int32_t part = units * (u_per_unit_q14_ & ((1 << 14) - 1));
   const int32_t u = whole + ((part + (1 << 13)) >> 14);
-  return lesser(greater(u, -kMost_u), kMost_u);
+  return min(max(u, -kMost_u), kMost_u);
 }
 
 inline void Fit::add_knot(AxisMap& map,
@@ -67,9 +67,8 @@ inline void Fit::set_zones() noexcept {
     const int32_t flat = round_px(height_q6(read.flat_u));
     const int32_t beyond = px_q6(read.overshoot_u);
     zones_[i] = {static_cast<int16_t>(flat),
-                 static_cast<int16_t>(magnitude(beyond) < kLeastOvershoot
-                                          ? flat
-                                          : flat + beyond)};
+                 static_cast<int16_t>(
+                     abs(beyond) < kLeastOvershoot ? flat : flat + beyond)};
   }
 }
 
@@ -80,13 +79,13 @@ inline void Fit::set_weight() noexcept {
   // Half of what a stem gains. [px, Q10]
   const int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
   const int32_t weight = hints_.has_contrast()
-                             ? lesser(greater(more, 0), 51)
-                             : lesser(greater(more - kFuller, -256), 123);
+                             ? min(max(more, 0), 51)
+                             : min(max(more - kFuller, -256), 123);
   crisp_weight_q10_ = static_cast<int16_t>(-weight);
 }
 
 Status Fit::make(const Font& font,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const FitOptions& options,
                  Fit& out) noexcept {
   if (options.strength_q8 > FitOptions::kAll || options.levels > 4 ||
@@ -97,7 +96,7 @@ Status Fit::make(const Font& font,
   out.is_across_ = false;
   out.strength_q8_ = 0;
   out.crisp_weight_q10_ = 0;
-  const int32_t size_q6 = brush.size().raw;
+  const int32_t size_q6 = style.size().raw;
   if (size_q6 >= kEnds.raw) {
     return Status::ok;
   }

@@ -22,11 +22,11 @@ inline int32_t round_px(int32_t value) noexcept {
 // A stroke about as wide as most are is as wide as they are.
 __attribute__((noinline)) inline int32_t common_width(int32_t width,
                                                       int32_t most) noexcept {
-  return magnitude(width - most) < greater(16, most * 77 >> 8) ? most : width;
+  return abs(width - most) < max(16, most * 77 >> 8) ? most : width;
 }
 
 __attribute__((noinline)) inline int32_t whole_width(int32_t width) noexcept {
-  return greater(kPx, round_px(width));
+  return max(kPx, round_px(width));
 }
 
 }  // namespace detail

@@ -80,7 +80,7 @@ inline int32_t HeightFit::width_of(const YHint& hint) const noexcept {
     }
     width = common_width(width, fit_.bar_q6_);
   }
-  return is_crisp() ? whole_width(width) : greater(width, kLeastStroke);
+  return is_crisp() ? whole_width(width) : max(width, kLeastStroke);
 }
 
 inline void HeightFit::read(GlyphHints& hints) noexcept {
@@ -166,7 +166,7 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
   int32_t width = item.high().to - item.low().to;
   int32_t middle = height_between(item.low().at_u + item.high().at_u);
   if (left < width) {
-    width = lesser(width, greater(kLeastSqueezed, left));
+    width = min(width, max(kLeastSqueezed, left));
     middle = (floor + ceiling) >> 1;
   }
   int32_t low;
@@ -182,7 +182,7 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
   } else {
     low = (middle & ~(kPx - 1)) + ((kPx - width) >> 1);
   }
-  low = lesser(greater(low, floor), ceiling - width);
+  low = min(max(low, floor), ceiling - width);
   item.set(low, width);
   item.state = kFitted;
 }
@@ -200,7 +200,7 @@ inline void HeightFit::fit_end(Item& item) noexcept {
   const int32_t open_u = item.is_top ? room.ceiling.at_u - item.low().at_u
                                      : item.low().at_u - room.floor.at_u;
   if (open * open_u < kPx * whole_u) {
-    const int32_t kept = lesser(kPx, greater(open, 0));
+    const int32_t kept = min(kPx, max(open, 0));
     item.set(item.is_top ? room.ceiling.to - kept : room.floor.to + kept, 0);
     item.state = kFitted;
   }

@@ -38,7 +38,7 @@ bool is_readable(uint32_t coding) noexcept {
   using format::Coding;
   return (INKCELL_SAMPLE_CELLS != 0 &&
           coding == static_cast<uint32_t>(Coding::samples)) ||
-         (INKCELL_FIELD_CELLS != 0 &&
+         (INKCELL_EDGE_CELLS != 0 &&
           coding == static_cast<uint32_t>(Coding::edges)) ||
          (INKCELL_OUTLINES != 0 &&
           coding == static_cast<uint32_t>(Coding::outline));

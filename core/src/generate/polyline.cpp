@@ -55,8 +55,7 @@ uint32_t square_root(uint32_t value) noexcept {
 
 // Of components below 2^17.
 int32_t length(const Offset& v) noexcept {
-  const int32_t shift =
-      greater(magnitude(v.x), magnitude(v.y)) < (1 << 15) ? 0 : 2;
+  const int32_t shift = max(abs(v.x), abs(v.y)) < (1 << 15) ? 0 : 2;
   return static_cast<int32_t>(
       square_root(square(v.x >> shift) + square(v.y >> shift)) << shift);
 }
@@ -64,10 +63,10 @@ int32_t length(const Offset& v) noexcept {
 // Turns `vertex` to `v`, which is not 0. Not the last of a contour.
 void set_direction(Vertex& vertex, Offset v) noexcept {
   // With the longer component in 2^14..2^15 the length is exact to 2^-15.
-  while (greater(magnitude(v.x), magnitude(v.y)) >= 1 << 15) {
+  while (max(abs(v.x), abs(v.y)) >= 1 << 15) {
     v = {v.x >> 1, v.y >> 1};
   }
-  while (greater(magnitude(v.x), magnitude(v.y)) < 1 << 14) {
+  while (max(abs(v.x), abs(v.y)) < 1 << 14) {
     v = {v.x * 2, v.y * 2};
   }
   const int32_t over = length(v);
@@ -96,7 +95,7 @@ struct Polyline::Pen {
   uint16_t to_step(int32_t from_q8) const noexcept {
     const int32_t down = 8 - frame.fraction;
     const int32_t step = (from_q8 + (1 << down >> 1)) >> down;
-    return static_cast<uint16_t>(lesser(greater(step, 0), UINT16_MAX));
+    return static_cast<uint16_t>(min(max(step, 0), UINT16_MAX));
   }
   void add_point(const Offset& to) noexcept;
   void add_curve(const Offset& control, const Offset& to) noexcept;
@@ -135,9 +134,9 @@ void Polyline::Pen::add_curve(const Offset& control,
                               const Offset& to) noexcept {
   const Offset side = {2 * (control.x - at.x), 2 * (control.y - at.y)};
   const Offset bend = {to.x - at.x - side.x, to.y - at.y - side.y};
-  const int32_t x = magnitude(bend.x);
-  const int32_t y = magnitude(bend.y);
-  const int32_t most = greater(x, y) + lesser(x, y) / 2;
+  const int32_t x = abs(bend.x);
+  const int32_t y = abs(bend.y);
+  const int32_t most = max(x, y) + min(x, y) / 2;
   int32_t chords = 1;
   while (chords < kMaxChords && 4 * chords * chords * frame.error_q8 < most) {
     ++chords;
@@ -242,7 +241,7 @@ int32_t Polyline::distance(int32_t x,
   const int32_t turn_q28 =
       last.along_x * next.along_y - last.along_y * next.along_x;
   const bool is_straight =
-      magnitude(turn_q28) < kStraightQ28 &&
+      abs(turn_q28) < kStraightQ28 &&
       last.along_x * next.along_x + last.along_y * next.along_y > 0;
   const int32_t away = length(from(next, x, y));
   return (is_straight ? best < 0 : turn_q28 >= 0) ? -away : away;
@@ -260,8 +259,7 @@ uint32_t Polyline::keep(int32_t x,
     const EdgeNumber edge = edges_[i];
     const Vertex& begin = vertex(edge);
     const Offset v = from(begin, x, y);
-    if (magnitude(height(v, begin)) <= reach &&
-        dot_q14(v, begin) >> 14 >= far &&
+    if (abs(height(v, begin)) <= reach && dot_q14(v, begin) >> 14 >= far &&
         dot_q14(from(vertex(edge + 1u), x, y), begin) >> 14 <= reach) {
       edges_[i] = edges_[kept];
       edges_[kept++] = edge;

@@ -30,9 +30,9 @@ namespace {
 
 namespace glyphs = format::glyph;
 namespace samples = format::samples;
-using detail::greater;
-using detail::lesser;
-using detail::magnitude;
+using detail::abs;
+using detail::max;
+using detail::min;
 using detail::OutlineGlyph;
 using detail::Polyline;
 
@@ -101,7 +101,7 @@ struct Grid {
         box.y0 < -kGridLimit || box.x1 > kGridLimit || box.y1 > kGridLimit) {
       return false;
     }
-    const int32_t most = greater(width, height);
+    const int32_t most = max(width, height);
     tile_log2 = kMinTileLog2;
     while (tile_log2 < kMaxTileLog2 && 1 << tile_log2 < most) {
       ++tile_log2;
@@ -109,7 +109,7 @@ struct Grid {
     tiles_x = ((width - 1) >> tile_log2) + 1;
     tiles_y = ((height - 1) >> tile_log2) + 1;
     fraction = kMaxFraction;
-    while (greater(tiles_x, tiles_y) << tile_log2 >
+    while (max(tiles_x, tiles_y) << tile_log2 >
            1 << (kCoordinateBits - fraction)) {
       --fraction;
     }
@@ -193,7 +193,7 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
 bool Builder::share_out(OutlineGlyph& outline, Span<uint8_t> buffer) noexcept {
   const Polyline::Frame frame = {
       grid_.x0_u, grid_.y0_u, grid_.fraction,
-      greater(limits_.tolerance.raw >> 4, kMinChordError)};
+      max(limits_.tolerance.raw >> 4, kMinChordError)};
   buffer.size &= ~size_t{3};
   if (!outline_.read(outline, frame, buffer)) {
     return false;
@@ -223,8 +223,8 @@ int32_t Builder::distance_q6(Level& level,
         outline_.distance(to_steps(level.x_u) + (column << shift),
                           to_steps(level.y_u) + (row << shift), level.edges);
     const int32_t value = steps * (1 << (kMaxFraction - grid_.fraction));
-    known = static_cast<int16_t>(
-        lesser(greater(value, -INT16_MAX), int32_t{INT16_MAX}));
+    known =
+        static_cast<int16_t>(min(max(value, -INT16_MAX), int32_t{INT16_MAX}));
   }
   return known;
 }
@@ -242,8 +242,8 @@ void Builder::make_cell(Level& level,
         const int32_t offset =
             2 * (distance_q6(level, log2, column, row) - centre);
         const int32_t quanta = (offset + (1 << log2 >> 1)) >> log2;
-        *out++ = static_cast<uint8_t>(
-            lesser(greater(quanta, INT8_MIN), int32_t{INT8_MAX}));
+        *out++ =
+            static_cast<uint8_t>(min(max(quanta, INT8_MIN), int32_t{INT8_MAX}));
       }
     }
   }
@@ -257,7 +257,7 @@ bool Builder::is_good(Level& level,
                       const uint8_t* cell) const noexcept {
   const int32_t band_q10 = limits_.band_u * 1024 + (1024 << log2 >> 2);
   const auto clamped = [band_q10](int32_t distance_q10) noexcept {
-    return lesser(greater(distance_q10, -band_q10), band_q10);
+    return min(max(distance_q10, -band_q10), band_q10);
   };
   const auto place_q16 = [log2](int32_t number) noexcept {
     return (number << (14 + log2)) - (number == kSide - 1 ? 1 : 0);
@@ -270,7 +270,7 @@ bool Builder::is_good(Level& level,
       const int32_t truth = 16 * distance_q6(level, log2, column, row);
       const int32_t error =
           clamped(line.distance_q10(place_q16(column))) - clamped(truth);
-      if (magnitude(error) > limits_.tolerance.raw) {
+      if (abs(error) > limits_.tolerance.raw) {
         return false;
       }
     }
@@ -310,13 +310,13 @@ uint32_t Builder::settle(Level& level, int32_t log2) noexcept {
           ? outline_.distance(x, y, level.edges)
           : distance_q6(level, log2, 2, 2) >> (kMaxFraction - grid_.fraction);
   const int32_t radius = (half * 182 >> 7) + kRounded;
-  if (magnitude(centre) - radius > to_steps(limits_.band_u)) {
+  if (abs(centre) - radius > to_steps(limits_.band_u)) {
     return centre > 0 ? glyphs::kInside : glyphs::kOutside;
   }
   // No point of the square is farther from the edge than the centre is, and the
   // radius; so no edge matters that is farther from the centre by another one.
-  level.edges = static_cast<uint16_t>(outline_.keep(
-      x, y, level.edges, magnitude(centre) + 2 * radius + kRounded));
+  level.edges = static_cast<uint16_t>(
+      outline_.keep(x, y, level.edges, abs(centre) + 2 * radius + kRounded));
   if (log2 > kMaxCellLog2) {
     return kDivide;
   }

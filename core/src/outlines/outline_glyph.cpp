@@ -66,9 +66,9 @@ int32_t warped(const AxisMap& map, int32_t at, int32_t sign) noexcept {
 
 }  // namespace
 
-bool map_slanted(const Brush& brush, OutlineMap& map) {
+bool map_slanted(const TextStyle& style, OutlineMap& map) {
   const int32_t scale = map.x_right;
-  const Brush::Axes& axes = brush.axes();
+  const TextStyle::Axes& axes = style.axes();
   map = {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
          times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
   return (axes.x_right.raw >> 15) * int64_t{axes.y_up.raw >> 15} <
@@ -118,7 +118,7 @@ bool OutlineGlyph::open(const Font& font,
                         const GlyphMetrics& metrics,
                         Span<const uint8_t> record,
                         Q26_6 size,
-                        const Brush* slanted,
+                        const TextStyle* slanted,
                         const Placed& placed,
                         const OutlineSampling& sampling,
                         const GlyphWarp* warp) noexcept {
@@ -208,7 +208,7 @@ bool OutlineGlyph::next_component() noexcept {
 ScreenPoint* OutlineGlyph::read(ScreenPoint* out, int32_t room) noexcept {
   while (!is_done_ && room != 0) {
     ScreenPoint* const end =
-        reader_.read(coding_, part_map_, out, lesser(room, points_left_));
+        reader_.read(coding_, part_map_, out, min(room, points_left_));
     const auto count = static_cast<int32_t>(end - out);
     room -= count;
     points_left_ -= count;

@@ -3,11 +3,11 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 #include "outlines/component.hpp"
 #include "outlines/outline_reader.hpp"
 #include "place/position.hpp"
@@ -43,7 +43,7 @@ class __attribute__((may_alias)) OutlineGlyph {
             const GlyphMetrics& metrics,
             Span<const uint8_t> record,
             Q26_6 size,
-            const Brush* slanted,
+            const TextStyle* slanted,
             const Placed& placed,
             const OutlineSampling& sampling,
             const GlyphWarp* warp) noexcept;
@@ -51,12 +51,12 @@ class __attribute__((may_alias)) OutlineGlyph {
   bool open(const Font& font,
             const GlyphMetrics& metrics,
             Span<const uint8_t> record,
-            const Brush& brush,
+            const TextStyle& style,
             const Placed& placed,
             const OutlineSampling& sampling,
             const GlyphWarp* warp) noexcept {
-    return open(font, metrics, record, brush.size(),
-                brush.is_upright() ? nullptr : &brush, placed, sampling, warp);
+    return open(font, metrics, record, style.size(),
+                style.is_upright() ? nullptr : &style, placed, sampling, warp);
   }
 
   // The pixels that may show something.

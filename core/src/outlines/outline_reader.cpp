@@ -74,7 +74,7 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
   uint32_t bit = bit_;
   uint32_t x = x_q18_;
   uint32_t y = y_q18_;
-  const int32_t count = lesser(room, budget_);
+  const int32_t count = min(room, budget_);
   budget_ -= count;
   ScreenPoint* last = out + count;
   while (out != last) {

@@ -3,10 +3,10 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -40,17 +40,17 @@ inline Stretch shown(int32_t grid_low_u,
 // down; [px, Q10] of other glyphs those of field_box.
 __attribute__((noinline)) inline Rect painted_box(
     const GlyphField& field,
-    const Brush& brush,
+    const TextStyle& style,
     const FinePoint& origin,
     const Rect& window,
     int32_t more_across_q10,
     int32_t more_along_q10) noexcept {
-  const Rect box = intersect(field_box(field, brush, origin), window);
-  if (!brush.is_upright()) {
+  const Rect box = intersect(field_box(field, style, origin), window);
+  if (!style.is_upright()) {
     return box;
   }
-  const int32_t size_q6 = brush.size().raw;
-  const int32_t outside = brush.filter().outside_q10;
+  const int32_t size_q6 = style.size().raw;
+  const int32_t outside = style.filter().outside_q10;
   const int32_t reach_q10 = outside < 0 ? -outside : 0;
   const InkBox& ink = field.ink;
   const Stretch x =

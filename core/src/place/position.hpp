@@ -4,8 +4,8 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/render.hpp"
+#include "inkcell/text_style.hpp"
 #include "raster/field_draw.hpp"
 
 namespace inkcell {
@@ -53,15 +53,15 @@ struct Placed {
 
 // field_box of what is placed.
 Rect box_of(const GlyphField& field,
-            const Brush& brush,
+            const TextStyle& style,
             const Placed& placed) noexcept;
 
 // How far one pixel to the right leads in px along the glyph's axes. [Q20]
-inline int32_t along_q20(const Brush& brush) noexcept {
-  return brush.right().x_q20;
+inline int32_t along_q20(const TextStyle& style) noexcept {
+  return style.right().x_q20;
 }
-inline int32_t across_q20(const Brush& brush) noexcept {
-  return brush.up().x_q20;
+inline int32_t across_q20(const TextStyle& style) noexcept {
+  return style.up().x_q20;
 }
 
 // The pixel's centre from the origin, in px. [Q10]
@@ -83,16 +83,16 @@ struct ScreenWay {
   static constexpr int64_t kFar = int64_t{1} << 37;
 };
 
-// The same in the glyph: in u, and in px of the brush's size modulo 2^12.
+// The same in the glyph: in u, and in px of the style's size modulo 2^12.
 struct GlyphWay {
   int64_t x_q16;
   int64_t y_q16;
   uint32_t x_q20;
   uint32_t y_q20;
 
-  GlyphWay(const Brush& brush, const ScreenWay& way) noexcept {
-    const GlyphStep& right = brush.right();
-    const GlyphStep& up = brush.up();
+  GlyphWay(const TextStyle& style, const ScreenWay& way) noexcept {
+    const GlyphStep& right = style.right();
+    const GlyphStep& up = style.up();
     x_q16 = sum(way, right.x_q16, up.x_q16);
     y_q16 = sum(way, right.y_q16, up.y_q16);
     x_q20 = static_cast<uint32_t>(sum(way, right.x_q20, up.x_q20)) + kHalfQ20;
@@ -114,41 +114,41 @@ struct GlyphWay {
 
 // Where the centre of pixel (x, y) lies in the glyph.
 //
-// Linear in x and y with whole steps: neighbours differ by exactly the brush's
+// Linear in x and y with whole steps: neighbours differ by exactly the style's
 // step, so that it does not matter where a row or a strip begins. Within the
 // box of a field positions in u stay below 2^31: its grid ends at 15360 u,
 // twice that in a corner of the box around a turned grid. Around a stretched
 // one they may pass it, and are clamped where nothing is.
-inline FieldPosition position_of(const Brush& brush,
+inline FieldPosition position_of(const TextStyle& style,
                                  const FinePoint& origin,
                                  int32_t x,
                                  int32_t y) noexcept {
   const ScreenWay way(origin, x, y);
-  if (brush.is_upright()) {
-    const int64_t along = brush.step_along_q16();
+  if (style.is_upright()) {
+    const int64_t along = style.step_along_q16();
     constexpr int64_t kHalf = kHalfQ20;
     return {clamp_i32((way.right_q10 * along) >> 10),
             clamp_i32((way.up_q10 * along) >> 10),
             static_cast<uint32_t>(way.right_q10 * 1024 + kHalf),
             static_cast<uint32_t>(way.up_q10 * 1024 + kHalf)};
   }
-  const GlyphWay at(brush, way);
+  const GlyphWay at(style, way);
   return {clamp_i32(at.x_q16), clamp_i32(at.y_q16), at.x_q20, at.y_q20};
 }
 
 // What may show something: the grid, but no farther from the ink than the
 // filter reaches. Painters may show all of the ink, also where the filter's
 // ramp begins inside. [u]
-inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
-  int32_t reach = (1023 - brush.transparent_u_q10()) >> 10;
-  if (reach < 0 && brush.painter().cells != nullptr) {
+inline Rect limits_of(const GlyphField& field,
+                      const TextStyle& style) noexcept {
+  int32_t reach = (1023 - style.transparent_u_q10()) >> 10;
+  if (reach < 0 && style.effect().cells != nullptr) {
     reach = 0;
   }
   const InkBox& ink = field.ink;
-  return {greater(field.x0_u, ink.x0_u - reach),
-          greater(field.y0_u, ink.y0_u - reach),
-          lesser(field.x1_u(), ink.x1_u + reach),
-          lesser(field.y1_u(), ink.y1_u + reach)};
+  return {max(field.x0_u, ink.x0_u - reach), max(field.y0_u, ink.y0_u - reach),
+          min(field.x1_u(), ink.x1_u + reach),
+          min(field.y1_u(), ink.y1_u + reach)};
 }
 
 // The first pixel whose centre may not lie before a place, and the first behind
@@ -158,28 +158,28 @@ inline Rect limits_of(const GlyphField& field, const Brush& brush) noexcept {
 // largest grid; products are rounded down as well.
 inline constexpr int32_t kAstrayQ10 = 264;
 
-inline int32_t first_pixel(const Brush& brush,
+inline int32_t first_pixel(const TextStyle& style,
                            int32_t origin_q10,
                            int32_t place_u) noexcept {
   // Products are below 2^30.
-  const int32_t place_q10 = (place_u * brush.size().raw) >> 6;
+  const int32_t place_q10 = (place_u * style.size().raw) >> 6;
   return (origin_q10 + place_q10 + 511 - kAstrayQ10) >> 10;
 }
-inline int32_t end_pixel(const Brush& brush,
+inline int32_t end_pixel(const TextStyle& style,
                          int32_t origin_q10,
                          int32_t place_u) noexcept {
-  return first_pixel(brush, origin_q10 + 2 * kAstrayQ10, place_u);
+  return first_pixel(style, origin_q10 + 2 * kAstrayQ10, place_u);
 }
 
 // The pixels whose centres may lie within `limits` [u], and few others.
 inline Rect upright_box(const Rect& limits,
-                        const Brush& brush,
+                        const TextStyle& style,
                         const Placed& placed) noexcept {
   const int32_t up = -placed.y_q10;
-  return {first_pixel(brush, placed.x_q10, limits.x0),
-          -end_pixel(brush, up, limits.y1),
-          end_pixel(brush, placed.x_q10, limits.x1),
-          -first_pixel(brush, up, limits.y0)};
+  return {first_pixel(style, placed.x_q10, limits.x0),
+          -end_pixel(style, up, limits.y1),
+          end_pixel(style, placed.x_q10, limits.x1),
+          -first_pixel(style, up, limits.y0)};
 }
 
 }  // namespace detail

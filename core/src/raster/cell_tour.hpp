@@ -32,12 +32,12 @@ template <typename Leaves>
 class CellTour {
  public:
   CellTour(const GlyphField& field,
-           const Brush& brush,
+           const TextStyle& style,
            const Upright& upright,
            Leaves& leaves) noexcept
       : leaves_(leaves),
-        size_q6_(static_cast<uint32_t>(brush.size().raw)),
-        step_q16_(brush.step_along_q16()),
+        size_q6_(static_cast<uint32_t>(style.size().raw)),
+        step_q16_(style.step_along_q16()),
         columns_(upright.pixels.x1 - upright.pixels.x0),
         rows_(upright.pixels.y1 - upright.pixels.y0),
         left_q16_(upright.at.x_q16 - field.x0_u * (1 << 16)),
@@ -107,7 +107,7 @@ class CellTour {
     if (left > 0) {
       ++count;
     }
-    return lesser(count, most);
+    return min(count, most);
   }
 
   // The first column, from `first` on, whose centre is not before `x_u`; `end`

@@ -138,7 +138,7 @@ inline int32_t FieldBand::points_upto(uint32_t way_q16,
 #else
   const auto count = static_cast<int32_t>(way_q16 / step_q16_) + 1;
 #endif
-  return lesser(count, most);
+  return min(count, most);
 }
 
 // Not inline: the loops have the registers for themselves.
@@ -257,7 +257,7 @@ bool FieldBand::cover(int32_t width,
       const auto last_y = static_cast<int32_t>(last >> 5);
       if (y != 0 && last_y >= y) {
         x += static_cast<int32_t>(last & 31) + 1;
-        next = lesser(next, last_y + 1);
+        next = min(next, last_y + 1);
         continue;
       }
       BoxLeaf leaf;
@@ -271,7 +271,7 @@ bool FieldBand::cover(int32_t width,
         down = points_upto(row_q16 & mask, height - y);
         // Both less one.
         drawn[x] = static_cast<uint8_t>((y + down) * 32 + right - 33);
-        next = lesser(next, y + down);
+        next = min(next, y + down);
       } else {
         next = y + 1;
       }

@@ -11,10 +11,10 @@ namespace detail {
 // Draws bands of points, a px apart.
 class FieldBand : public LeafBand {
  public:
-  FieldBand(const GlyphField& field, const Brush& brush) noexcept
+  FieldBand(const GlyphField& field, const TextStyle& style) noexcept
       : LeafBand(
-            field, scale_of(brush), brush.filter(), reach_of(brush.filter())),
-        step_q16_(static_cast<uint32_t>(brush.step_along_q16())) {}
+            field, scale_of(style), style.filter(), reach_of(style.filter())),
+        step_q16_(static_cast<uint32_t>(style.step_along_q16())) {}
 
   // To a band by its first point, from the origin.
   void go_to(const FieldPosition& at) noexcept {

@@ -28,7 +28,7 @@ __attribute__((noinline)) void draw_band(FieldBand& band,
     // Coverage of an x that is a multiple of 4 begins a word, so that sinks
     // of 8 bits can copy words.
     const int32_t first = kWordsAnywhere ? 0 : x & 3;
-    count = lesser(pixels.x1 - x, FieldBand::kColumns - first);
+    count = min(pixels.x1 - x, FieldBand::kColumns - first);
     uint8_t* const line = lines.row(0) + first;
     lines.clear(rows);
     if (band.cover(count, rows, line)) {
@@ -44,26 +44,26 @@ __attribute__((noinline)) void draw_band(FieldBand& band,
 }  // namespace
 
 void draw_fields(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const Placed& placed,
                  const Sink& sink) noexcept {
-  Upright upright = place_upright(field, brush, placed, sink.window);
+  Upright upright = place_upright(field, style, placed, sink.window);
   if (is_empty(upright.pixels)) {
     return;
   }
-  FieldBand band(field, brush);
+  FieldBand band(field, style);
   Rect pixels = upright.pixels;
   const int32_t end = pixels.y1;
   for (; pixels.y0 < end; pixels.y0 = pixels.y1) {
     pixels.y1 = pixels.y0 + FieldBand::rows_of(end - pixels.y0);
     band.go_to(upright.at);
     draw_band(band, pixels, sink);
-    upright.go_down(brush, pixels.y1 - pixels.y0);
+    upright.go_down(style, pixels.y1 - pixels.y0);
   }
 }
 
 int32_t fields_distance_q10(const GlyphField& field,
-                            const Brush& brush,
+                            const TextStyle& style,
                             const FieldPosition& at,
                             int32_t reach_q22) noexcept {
   const int32_t x_u = at.x_q16 >> 16;
@@ -73,13 +73,13 @@ int32_t fields_distance_q10(const GlyphField& field,
     cell = locate_fields(field, x_u, y_u);
   }
   if (cell.field_count == 0) {
-    return brush.to_px_q10(cell.inside ? kSaturatedDistanceQ10
+    return style.to_px_q10(cell.inside ? kSaturatedDistanceQ10
                                        : -kSaturatedDistanceQ10);
   }
   FieldTerms terms;
   set_up_terms(terms, field, cell, q8_of(at.x_q20), q8_of(at.y_q20),
-               scale_of(brush));
-  return combine_q22(terms, brush.bend_shift(), reach_q22) >> 12;
+               scale_of(style));
+  return combine_q22(terms, style.bend_shift(), reach_q22) >> 12;
 }
 
 }  // namespace detail

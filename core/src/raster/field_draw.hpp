@@ -5,15 +5,15 @@
 
 #include "base/config.hpp"
 #include "cells/field_cell.hpp"
-#include "inkcell/brush.hpp"
+#include "inkcell/text_style.hpp"
 #include "sink/span_writer.hpp"
 
 namespace inkcell {
 namespace detail {
 
-inline FieldScale scale_of(const Brush& brush) noexcept {
-  return {static_cast<uint32_t>(brush.size().raw) << 2, brush.bend_q14(),
-          brush.bend_shift()};
+inline FieldScale scale_of(const TextStyle& style) noexcept {
+  return {static_cast<uint32_t>(style.size().raw) << 2, style.bend_q14(),
+          style.bend_shift()};
 }
 
 // The centre of a pixel in the glyph, in the two units that it takes to find a
@@ -67,48 +67,48 @@ struct Upright {
   FieldPosition at;
 
   // Goes on to a row below. Behind the last one it may be nowhere.
-  void go_down(const Brush& brush, int32_t count) noexcept {
+  void go_down(const TextStyle& style, int32_t count) noexcept {
     at.y_q16 =
         wrapped(static_cast<uint32_t>(at.y_q16) -
-                times(count, static_cast<uint32_t>(brush.step_along_q16())));
+                times(count, static_cast<uint32_t>(style.step_along_q16())));
     at.y_q20 -= static_cast<uint32_t>(count) << 20;
   }
 };
 
 // The glyph's pixels that lie in the window.
 Upright place_upright(const GlyphField& field,
-                      const Brush& brush,
+                      const TextStyle& style,
                       const Placed& placed,
                       const Rect& window) noexcept;
 
 // Draws what is upright, without a painter.
 void draw_upright(const GlyphField& field,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const Placed& placed,
                   const Sink& sink) noexcept;
 
 // draw_field of what is placed.
 __attribute__((always_inline)) inline void draw_near(
     const GlyphField& field,
-    const Brush& brush,
+    const TextStyle& style,
     const Placed& placed,
     const Sink& sink) noexcept {
-  if (brush.drawer() != nullptr) {
-    brush.drawer()(field, brush, placed, sink);
+  if (style.drawer() != nullptr) {
+    style.drawer()(field, style, placed, sink);
   } else {
-    draw_upright(field, brush, placed, sink);
+    draw_upright(field, style, placed, sink);
   }
 }
 
 // Draws cells of fields.
 void draw_fields(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const Placed& placed,
                  const Sink& sink) noexcept;
 
 // The distance at any position; beyond `reach_q22` its sign. [px, Q10]
 int32_t fields_distance_q10(const GlyphField& field,
-                            const Brush& brush,
+                            const TextStyle& style,
                             const FieldPosition& at,
                             int32_t reach_q22) noexcept;
 

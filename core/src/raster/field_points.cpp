@@ -53,13 +53,13 @@ class Points : public FieldLeaves {
 
 // Not inline: all rows share it.
 __attribute__((noinline)) void draw_points(const GlyphField& field,
-                                           const Brush& brush,
+                                           const TextStyle& style,
                                            const Stretching* stretching,
                                            SlantedPoint& at,
                                            Range row,
                                            SpanWriter& writer) noexcept {
-  const Points points(field, scale_of(brush), reach_of(brush.filter()));
-  const GlyphStep& right = brush.right();
+  const Points points(field, scale_of(style), reach_of(style.filter()));
+  const GlyphStep& right = style.right();
   int32_t x = row.begin;
   while (x < row.end) {
     FieldLeaf leaf;
@@ -75,7 +75,7 @@ __attribute__((noinline)) void draw_points(const GlyphField& field,
             stretching == nullptr
                 ? points.distance(leaf)
                 : stretching->value(*stretching, points, leaf, leaf.place);
-        coverage = brush.filter().coverage(distance_q22 >> 12);
+        coverage = style.filter().coverage(distance_q22 >> 12);
       }
       writer.put(x, coverage);
       at.go(right);

@@ -3,8 +3,8 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/text_style.hpp"
 #include "raster/field_slanted.hpp"
 #include "sink/span_writer.hpp"
 
@@ -15,7 +15,7 @@ namespace detail {
 // which goes behind the last. `stretching` is null if edges are stretched
 // alike.
 void draw_points(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  const Stretching* stretching,
                  SlantedPoint& at,
                  Range row,

@@ -59,9 +59,9 @@ inline bool may_wrap(const ArcTerm& term,
                      uint32_t way_q8,
                      int32_t bend_shift) noexcept {
   const uint32_t most_q8 =
-      way_q8 + static_cast<uint32_t>(magnitude(wrapped(term.along_q8())));
+      way_q8 + static_cast<uint32_t>(abs(wrapped(term.along_q8())));
   // 1/16 of what is below 2^20, rounded up: the product stays below 2^32.
-  const uint32_t part = (static_cast<uint32_t>(magnitude(term.bend)) >> 4) + 1;
+  const uint32_t part = (static_cast<uint32_t>(abs(term.bend)) >> 4) + 1;
   return most_q8 >= 1 << 16 || (part * most_q8) >> (bend_shift + 11) != 0;
 }
 
@@ -90,20 +90,20 @@ __attribute__((noinline)) LeafBand::Side LeafBand::side_as(
   uint32_t more_q14 = 0;   // by how much the bend changes it, to both sides
   int32_t change_q14 = 0;  // what of this lies along the row
   if (is_arc) {
-    const auto nx = static_cast<uint32_t>(magnitude(normal_q14.x));
-    const auto ny = static_cast<uint32_t>(magnitude(normal_q14.y));
+    const auto nx = static_cast<uint32_t>(abs(normal_q14.x));
+    const auto ny = static_cast<uint32_t>(abs(normal_q14.y));
     const uint32_t way_q8 = (nx * all.half_y_q8 + ny * all.half_x_q8) >> 14;
     if (__builtin_expect(may_wrap(term, way_q8, bend_shift()), 0)) {
       return know_nothing();
     }
     value = term.value(bend_shift(), 0);
     slope_q14 = bent(normal_q14, term.slope_q15(bend_shift()));
-    more_q14 = times(magnitude(term.bend), way_q8) >> bend_shift();
+    more_q14 = times(abs(term.bend), way_q8) >> bend_shift();
     reach_q22 += kArcMarginQ22 + ((more_q14 * way_q8) >> 1);
     change_q14 = (wrapped(ny * more_q14) >> 14) + kArcRiseQ14;
   }
-  reach_q22 += times(magnitude(slope_q14.x), all.half_x_q8) +
-               times(magnitude(slope_q14.y), all.half_y_q8);
+  reach_q22 += times(abs(slope_q14.x), all.half_x_q8) +
+               times(abs(slope_q14.y), all.half_y_q8);
   if (__builtin_expect(reach_q22 >= kMostReachQ22, 0)) {
     return know_nothing();
   }
@@ -122,8 +122,8 @@ __attribute__((noinline)) LeafBand::Side LeafBand::side_as(
     change_q14 = 3 * wrapped(more_q14) + kStepRiseQ14;
   }
   along_q14 = with_sign(along_q14, all.sign);
-  slopes.least = lesser(slopes.least, along_q14 - change_q14);
-  slopes.greatest = greater(slopes.greatest, along_q14 + change_q14);
+  slopes.least = min(slopes.least, along_q14 - change_q14);
+  slopes.greatest = max(slopes.greatest, along_q14 + change_q14);
   return Side::edge;
 }
 
@@ -199,8 +199,8 @@ __attribute__((noinline)) void LeafBand::reduce(
     return;
   }
   constexpr uint32_t kFlattestQ14 = 1 << 8;
-  const auto steepest = static_cast<uint32_t>(
-      greater(magnitude(slopes.least), magnitude(slopes.greatest)));
+  const auto steepest =
+      static_cast<uint32_t>(max(abs(slopes.least), abs(slopes.greatest)));
   leaf.skip_q15 = skip_q15(steepest > kFlattestQ14 ? steepest : kFlattestQ14);
   // Where all fields go one way what is left of them does.
   constexpr uint16_t kAll = UINT16_MAX;

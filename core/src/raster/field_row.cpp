@@ -160,14 +160,14 @@ class FieldRow::Thirds {
   __attribute__((always_inline)) int32_t* two(const Third& a,
                                               const Third& b,
                                               int32_t* out) const noexcept {
-    const int32_t least = lesser(a.value_q22, b.value_q22);
+    const int32_t least = min(a.value_q22, b.value_q22);
     if (is_far(least)) {
       return side(with_sign(least, way_.sign), out);
     }
     const int32_t rounded =
         row_.least_of_two(leaf_, a.value_q22, b.value_q22, RowNumber{number_});
-    return put(lesser(a.before(), b.before()), least,
-               lesser(a.behind(), b.behind()), rounded - least, out);
+    return put(min(a.before(), b.before()), least, min(a.behind(), b.behind()),
+               rounded - least, out);
   }
 
   __attribute__((always_inline)) int32_t* three(const Third& a,
@@ -193,7 +193,7 @@ class FieldRow::Thirds {
   __attribute__((always_inline)) int32_t plain(int32_t a,
                                                int32_t b,
                                                int32_t c) const noexcept {
-    return lesser(a, leaf_.is_nested ? greater(b, c) : lesser(b, c));
+    return min(a, leaf_.is_nested ? max(b, c) : min(b, c));
   }
   __attribute__((always_inline)) int32_t* put(int32_t before,
                                               int32_t at,

@@ -30,10 +30,10 @@ struct ThirdsWay {
 class FieldRow : public FieldLeaves {
  public:
   FieldRow(const GlyphField& field,
-           const Brush& brush,
+           const TextStyle& style,
            int32_t reach_q22) noexcept
-      : FieldLeaves(field, scale_of(brush), reach_q22),
-        step_q16_(static_cast<uint32_t>(brush.step_along_q16())) {}
+      : FieldLeaves(field, scale_of(style), reach_q22),
+        step_q16_(static_cast<uint32_t>(style.step_along_q16())) {}
 
   // A point of a row, from the origin.
   RowPoint point(int32_t x_q16, uint32_t x_q20) const noexcept {
@@ -58,7 +58,7 @@ class FieldRow : public FieldLeaves {
                    int32_t count) const noexcept;
   ThirdsWay way(bool is_across, int32_t way_q8) const noexcept {
     return {is_across ? format::fields::kNormalY : format::fields::kNormalX,
-            way_q8, reach_q22_ + magnitude(way_q8) * (1 << 14)};
+            way_q8, reach_q22_ + abs(way_q8) * (1 << 14)};
   }
 
  private:

@@ -213,21 +213,21 @@ struct LeafRow {
   }
 };
 
-// Draws bands of points that are a brush's step apart.
+// Draws bands of points that are a style's step apart.
 class SlantedBand : public LeafBand {
  public:
   SlantedBand(const Slanted& slanted, const Stretching* stretching) noexcept
       : LeafBand(slanted.field,
-                 scale_of(slanted.brush),
-                 slanted.brush.filter(),
-                 stretching == nullptr ? reach_of(slanted.brush.filter())
+                 scale_of(slanted.style),
+                 slanted.style.filter(),
+                 stretching == nullptr ? reach_of(slanted.style.filter())
                                        : stretching->far_q22),
         slanted_(slanted),
         stretching_(stretching) {
     if (stretching != nullptr) {
       set_far(-stretching->far_q22, stretching->far_q22);
     }
-    const GlyphStep& right = slanted.brush.right();
+    const GlyphStep& right = slanted.style.right();
     // Steps of less than 2 px along each axis of the glyph, and distances that
     // leave room for sums.
     constexpr int32_t kLimit = 1 << 21;
@@ -284,15 +284,15 @@ __attribute__((noinline)) void SlantedBand::follow(
     int32_t width,
     int32_t height,
     uint32_t* todo) const noexcept {
-  const GlyphStep& right = slanted_.brush.right();
-  const GlyphStep& up = slanted_.brush.up();
+  const GlyphStep& right = slanted_.style.right();
+  const GlyphStep& up = slanted_.style.up();
   // The part of the square that may show.
   const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
   const auto meet = [mask](uint32_t place, uint32_t low, uint32_t length,
                            uint32_t& at) noexcept {
     const uint32_t way = place - low;
-    at = lesser(place & mask, way);
-    return at + lesser(~place & mask, length - 1 - way) + 1;
+    at = min(place & mask, way);
+    return at + min(~place & mask, length - 1 - way) + 1;
   };
   const Window& limits = slanted_.limits;
   LeafRow row;
@@ -325,8 +325,8 @@ __attribute__((noinline)) void SlantedBand::reduce_at(
   int32_t begin = kColumns;
   int32_t end = 0;
   for (int32_t row = 0; row < leaf.height; ++row) {
-    begin = lesser(begin, leaf.spans[row].begin);
-    end = greater(end, leaf.spans[row].end);
+    begin = min(begin, leaf.spans[row].begin);
+    end = max(end, leaf.spans[row].end);
   }
   // From the first point, `at`.
   const int32_t first = begin - leaf.spans[0].begin;
@@ -344,19 +344,18 @@ __attribute__((noinline)) void SlantedBand::reduce_at(
                         uint32_t& half_q8) noexcept {
     const int32_t right_q12 = right_q20 >> 8;
     const int32_t down_q12 = -down * (up_q20 >> 8);
-    const int32_t low_q12 = lesser(right_q12 * first, right_q12 * last) +
-                            lesser(down_q12, int32_t{0});
-    const int32_t high_q12 = greater(right_q12 * first, right_q12 * last) +
-                             greater(down_q12, int32_t{0});
-    const int32_t low =
-        greater((low_q12 >> 4), -px_q8(place_q16 & mask)) - kMargin;
+    const int32_t low_q12 =
+        min(right_q12 * first, right_q12 * last) + min(down_q12, int32_t{0});
+    const int32_t high_q12 =
+        max(right_q12 * first, right_q12 * last) + max(down_q12, int32_t{0});
+    const int32_t low = max((low_q12 >> 4), -px_q8(place_q16 & mask)) - kMargin;
     const int32_t high =
-        lesser((high_q12 >> 4), px_q8(~place_q16 & mask)) + kMargin;
+        min((high_q12 >> 4), px_q8(~place_q16 & mask)) + kMargin;
     middle_q8 = q8_of(place_q20) + static_cast<uint32_t>((low + high) >> 1);
     half_q8 = static_cast<uint32_t>((high - low + 1) >> 1);
   };
-  const GlyphStep& right = slanted_.brush.right();
-  const GlyphStep& up = slanted_.brush.up();
+  const GlyphStep& right = slanted_.style.right();
+  const GlyphStep& up = slanted_.style.up();
   Extent all;
   meet(at.x_q16, at.x_q20, right.x_q20, up.x_q20, all.middle.x_q8,
        all.half_x_q8);
@@ -383,7 +382,7 @@ __attribute__((always_inline)) inline void SlantedBand::paint(
     }
     const int32_t shift = span[1].begin - span->begin;
     terms.go_on(static_cast<uint32_t>(line - out + shift));
-    terms.go_down(slanted_.brush);
+    terms.go_down(slanted_.style);
     line += kColumns + shift;
   }
 }
@@ -392,7 +391,7 @@ __attribute__((always_inline)) inline void SlantedBand::paint(
 template <typename Terms>
 __attribute__((noinline)) void SlantedBand::paint_as(
     SlantedLeaf& leaf, const SlantedPoint& at) const noexcept {
-  Terms terms(Pen(slanted_.brush, at.x_q20, at.y_q20), *this, leaf);
+  Terms terms(Pen(slanted_.style, at.x_q20, at.y_q20), *this, leaf);
   paint(terms, leaf);
 }
 
@@ -428,7 +427,7 @@ inline void SlantedBand::paint_leaf(SlantedLeaf& leaf,
 
 __attribute__((noinline)) void SlantedBand::paint_stretched(
     SlantedLeaf& leaf, const SlantedPoint& at) const noexcept {
-  StretchedAt stretched(Pen(slanted_.brush, at.x_q20, at.y_q20), *stretching_);
+  StretchedAt stretched(Pen(slanted_.style, at.x_q20, at.y_q20), *stretching_);
   paint(stretched, leaf);
 }
 
@@ -438,13 +437,13 @@ __attribute__((noinline)) bool SlantedBand::cover(
     int32_t width,
     int32_t height,
     Pixels& pixels) const noexcept {
-  const Brush& brush = slanted_.brush;
+  const TextStyle& style = slanted_.style;
   pixels.clear(height);
   uint32_t todo[kRows];
   for (int32_t y = 0; y < height; ++y) {
     todo[y] = bits_between(0, width);
   }
-  const GlyphStep& right = brush.right();
+  const GlyphStep& right = style.right();
   bool any = false;
   SlantedPoint row = first;
   for (int32_t y = 0; y < height; ++y) {
@@ -481,7 +480,7 @@ __attribute__((noinline)) bool SlantedBand::cover(
         paint_leaf(leaf, at);
       }
     }
-    row.go(brush.up(), UINT32_MAX);
+    row.go(style.up(), UINT32_MAX);
   }
   return any;
 }
@@ -510,15 +509,15 @@ int32_t stretched_value(const Stretching& stretching,
     if (value_q22 <= -far_q22 && (i == 0 || !leaf.is_nested)) {
       return with_sign(value_q22, sign);
     }
-    least_q22 = lesser(least_q22, value_q22);
+    least_q22 = min(least_q22, value_q22);
   }
   if (least_q22 >= far_q22) {
     return with_sign(least_q22, sign);
   }
-  stretch_terms(stretching.brush, far_q22, terms);
+  stretch_terms(stretching.style, far_q22, terms);
   const int32_t value_q22 =
       combine_q22(terms, bend_shift, stretching.reach_q22);
-  return lesser(greater(value_q22, -far_q22), far_q22);
+  return min(max(value_q22, -far_q22), far_q22);
 }
 
 void draw_slanted(const Slanted& slanted,
@@ -527,15 +526,15 @@ void draw_slanted(const Slanted& slanted,
                   const Rect& box,
                   const Sink& sink) noexcept {
   const SlantedBand band(slanted, stretching);
-  const GlyphStep& right = slanted.brush.right();
-  const GlyphStep& up = slanted.brush.up();
+  const GlyphStep& right = slanted.style.right();
+  const GlyphStep& up = slanted.style.up();
   int32_t rows;
   for (int32_t y = box.y0; y < box.y1; y += rows) {
     rows = LeafBand::rows_of(box.y1 - y);
     int32_t count;
     for (int32_t x = box.x0; x < box.x1; x += count) {
       LeafBand::Pixels lines;
-      count = lesser(box.x1 - x, LeafBand::kColumns);
+      count = min(box.x1 - x, LeafBand::kColumns);
       if (band.cover(first, count, rows, lines)) {
         for (int32_t row = 0; row < rows; ++row) {
           sink.coverage(sink.context, x, y + row, lines.row(row), count);

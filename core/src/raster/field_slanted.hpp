@@ -26,10 +26,10 @@ struct SlantedPoint {
   }
 };
 
-inline uint32_t lesser(uint32_t a, uint32_t b) noexcept {
+inline uint32_t min(uint32_t a, uint32_t b) noexcept {
   return a < b ? a : b;
 }
-inline uint32_t greater(uint32_t a, uint32_t b) noexcept {
+inline uint32_t max(uint32_t a, uint32_t b) noexcept {
   return a > b ? a : b;
 }
 
@@ -51,14 +51,14 @@ struct AxisStep {
     if (size < 1 << 12 && size * most <= way) {
       return most;
     }
-    const uint32_t near = lesser(way >> 11, uint32_t{1} << 16);
+    const uint32_t near = min(way >> 11, uint32_t{1} << 16);
     uint32_t steps = (near * inverse_q27) >> 16;
     // Both factors are cut, so that the guess is not too high.
     for (uint32_t left = way - steps * size; left >= size && steps < most;
          left -= size) {
       ++steps;
     }
-    return lesser(steps, most);
+    return min(steps, most);
   }
   // Steps before a coordinate leaves a span that it lies in, from its start.
   uint32_t steps_within(uint32_t at,
@@ -75,7 +75,7 @@ struct AxisStep {
     // Behind it, or so far before it that this many, of 256 u at the most, do
     // not lead there.
     constexpr uint32_t kFew = 120;
-    return lesser(way >> 31 != 0 ? kFew : steps_in(way, most) + 1, most);
+    return min(way >> 31 != 0 ? kFew : steps_in(way, most) + 1, most);
   }
 };
 
@@ -94,17 +94,17 @@ struct Window {
 // A glyph, and how rows of pixels cross it.
 struct Slanted {
   const GlyphField& field;
-  const Brush& brush;
+  const TextStyle& style;
   AxisStep across;
   AxisStep up;
   Window limits;  // of what may show
 
-  Slanted(const GlyphField& glyph, const Brush& its_brush) noexcept
+  Slanted(const GlyphField& glyph, const TextStyle& its_style) noexcept
       : field(glyph),
-        brush(its_brush),
-        across(its_brush.right().x_q16),
-        up(its_brush.right().y_q16) {
-    const Rect inner = limits_of(field, brush);
+        style(its_style),
+        across(its_style.right().x_q16),
+        up(its_style.right().y_q16) {
+    const Rect inner = limits_of(field, style);
     const auto side = [](int32_t low, int32_t high) noexcept {
       return low < high ? static_cast<uint32_t>(high - low) << 16 : 0;
     };
@@ -130,9 +130,9 @@ struct Slanted {
                        uint32_t y_q16,
                        int32_t most) const noexcept {
     const auto limit = static_cast<uint32_t>(most);
-    return static_cast<int32_t>(greater(
-        across.steps_to(x_q16 - limits.left_q16, limits.width_q16, limit),
-        up.steps_to(y_q16 - limits.low_q16, limits.height_q16, limit)));
+    return static_cast<int32_t>(
+        max(across.steps_to(x_q16 - limits.left_q16, limits.width_q16, limit),
+            up.steps_to(y_q16 - limits.low_q16, limits.height_q16, limit)));
   }
 };
 
@@ -149,7 +149,7 @@ int32_t stretched_value(const Stretching& stretching,
 // link it.
 struct Stretching {
   decltype(stretched_value)* value;
-  const Brush& brush;
+  const TextStyle& style;
   int32_t reach_q22;
   int32_t far_q22;  // fields' values from here on decide
 };

@@ -1,7 +1,7 @@
-// Distances on the screen where a brush stretches edges differently.
+// Distances on the screen where a style stretches edges differently.
 //
 // A field f of a glyph, as the screen shows it, has the gradient A f', where
-// the rows of A are the brush's steps. An edge at the distance f in the glyph
+// the rows of A are the style's steps. An edge at the distance f in the glyph
 // is at f |f'| / |A f'| on the screen, to first order: exactly where the field
 // is a plane. The quotient, the gain, depends on the gradient's direction
 // alone, so that a field keeps what its bends stand for if nothing is
@@ -17,7 +17,7 @@ namespace {
 // Farther than this, 256 px, is far everywhere.
 constexpr int32_t kMaxFarQ22 = 1 << 30;
 
-uint32_t magnitude(int32_t value) noexcept {
+uint32_t abs(int32_t value) noexcept {
   const auto plain = static_cast<uint32_t>(value);
   return value < 0 ? 0u - plain : plain;
 }
@@ -46,7 +46,7 @@ uint32_t inverse_root_q14(uint32_t x_q32) noexcept {
 
 // Any vector but 0, which gets some direction.
 Direct direct(Vector v) noexcept {
-  uint32_t size = magnitude(v.x) | magnitude(v.y);
+  uint32_t size = abs(v.x) | abs(v.y);
   if (size == 0) {
     v.x = 1;
     size = 1;
@@ -81,7 +81,7 @@ Direct direct(Vector v) noexcept {
 bool is_unit(const Vector& v) noexcept {
   const uint32_t square = times(v.x, static_cast<uint32_t>(v.x)) +
                           times(v.y, static_cast<uint32_t>(v.y));
-  return magnitude(v.x) <= 1u << 15 && magnitude(v.y) <= 1u << 15 &&
+  return abs(v.x) <= 1u << 15 && abs(v.y) <= 1u << 15 &&
          square - ((1u << 28) - (1u << 18)) < 1u << 19;
 }
 
@@ -113,26 +113,26 @@ struct Gain {
   }
 };
 
-Gain gain_of(const Brush& brush, const Vector& unit_q14) noexcept {
+Gain gain_of(const TextStyle& style, const Vector& unit_q14) noexcept {
   // Steps are at most one over the least gain.
   int32_t log2 = 5;
-  for (int32_t gain = brush.least_gain_q15(); gain < 1 << 14; gain *= 2) {
+  for (int32_t gain = style.least_gain_q15(); gain < 1 << 14; gain *= 2) {
     ++log2;
   }
   const auto along = [&](const GlyphStep& step) noexcept {
     return unit_q14.x * (step.x_q20 >> log2) +
            unit_q14.y * (step.y_q20 >> log2);
   };
-  const Direct screen = direct({along(brush.right()), along(brush.up())});
+  const Direct screen = direct({along(style.right()), along(style.up())});
   // Of a length in Q(34 - log2); 15 of them are taken off when it is used.
   return {screen.inverse_q14, screen.exponent + log2 - 35, screen.unit_q14};
 }
 
 }  // namespace
 
-int32_t far_q22(const Brush& brush, int32_t reach_q22) noexcept {
+int32_t far_q22(const TextStyle& style, int32_t reach_q22) noexcept {
   // Gains are rounded, and so is the quotient: it must not be too small.
-  const auto gain = static_cast<uint32_t>(brush.least_gain_q15() - 2);
+  const auto gain = static_cast<uint32_t>(style.least_gain_q15() - 2);
   const uint32_t reach_q15 = static_cast<uint32_t>(reach_q22) >> 7;
   if (reach_q15 >= gain << 8) {
     return kMaxFarQ22;
@@ -140,10 +140,10 @@ int32_t far_q22(const Brush& brush, int32_t reach_q22) noexcept {
   return static_cast<int32_t>(((reach_q15 << 8) / gain + 1) << 14);
 }
 
-void stretch_terms(const Brush& brush,
+void stretch_terms(const TextStyle& style,
                    int32_t far_q22,
                    FieldTerms& terms) noexcept {
-  const int32_t bend_shift = brush.bend_shift();
+  const int32_t bend_shift = style.bend_shift();
   for (uint32_t i = 0; i < terms.count; ++i) {
     FieldTerm& term = terms.term[i];
     const int32_t value_q22 = term.value_q22(bend_shift);
@@ -153,11 +153,11 @@ void stretch_terms(const Brush& brush,
     if (!is_far) {
       const Vector gradient = gradient_q14(term, bend_shift);
       if (is_unit(gradient)) {
-        gain = gain_of(brush, gradient);
+        gain = gain_of(style, gradient);
         normal_q14 = gain.unit_q14;
       } else {
         const Vector unit_q14 = direct(gradient).unit_q14;
-        gain = gain_of(brush, unit_q14);
+        gain = gain_of(style, unit_q14);
         normal_q14 = scaled(gain.unit_q14, product_q14(gradient, unit_q14));
       }
     }
@@ -170,7 +170,7 @@ void stretch_terms(const Brush& brush,
 }
 
 int32_t stretched_fields_q10(const GlyphField& field,
-                             const Brush& brush,
+                             const TextStyle& style,
                              const FieldPosition& at,
                              int32_t reach_q22) noexcept {
   const int32_t x_u = at.x_q16 >> 16;
@@ -184,20 +184,20 @@ int32_t stretched_fields_q10(const GlyphField& field,
   }
   FieldTerms terms;
   set_up_terms(terms, field, cell, q8_of(at.x_q20), q8_of(at.y_q20),
-               scale_of(brush));
-  stretch_terms(brush, far_q22(brush, reach_q22), terms);
-  return combine_q22(terms, brush.bend_shift(), reach_q22) >> 12;
+               scale_of(style));
+  stretch_terms(style, far_q22(style, reach_q22), terms);
+  return combine_q22(terms, style.bend_shift(), reach_q22) >> 12;
 }
 
 int32_t stretched_samples_q10(const GlyphField& field,
-                              const Brush& brush,
+                              const TextStyle& style,
                               const FieldPosition& at) noexcept {
   const int32_t distance_q10 =
-      brush.to_px_q10(samples_distance_q10(field, at.x_q16, at.y_q16));
+      style.to_px_q10(samples_distance_q10(field, at.x_q16, at.y_q16));
   const Gradient gradient = gradient_at(field, Q16_16::from_raw(at.x_q16),
                                         Q16_16::from_raw(at.y_q16));
   const Vector unit_q14 = direct({gradient.x.raw, gradient.y.raw}).unit_q14;
-  return gain_of(brush, unit_q14).of(distance_q10);
+  return gain_of(style, unit_q14).of(distance_q10);
 }
 
 }  // namespace detail

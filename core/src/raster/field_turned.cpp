@@ -28,12 +28,12 @@ void draw_turned_samples(const Slanted& slanted,
                          SpanWriter& writer,
                          SlantedPoint& at,
                          Range row) noexcept {
-  const Brush& brush = slanted.brush;
+  const TextStyle& style = slanted.style;
   for (int32_t x = row.begin; x < row.end; ++x) {
     const FieldPosition place = position_in(slanted.field, at);
-    writer.put(x, brush.coverage(samples_distance_q10(
+    writer.put(x, style.coverage(samples_distance_q10(
                       slanted.field, place.x_q16, place.y_q16)));
-    at.go(brush.right());
+    at.go(style.right());
   }
 }
 
@@ -42,20 +42,20 @@ void draw_stretched_samples(const Slanted& slanted,
                             SpanWriter& writer,
                             SlantedPoint& at,
                             Range row) noexcept {
-  const Brush& brush = slanted.brush;
+  const TextStyle& style = slanted.style;
   for (int32_t x = row.begin; x < row.end; ++x) {
     const FieldPosition place = position_in(slanted.field, at);
     const int32_t plain =
         samples_distance_q10(slanted.field, place.x_q16, place.y_q16);
     uint8_t coverage = 0;
-    if (brush.is_opaque(plain)) {
+    if (style.is_opaque(plain)) {
       coverage = 255;
-    } else if (!brush.is_transparent(plain)) {
-      coverage = brush.filter().coverage(
-          stretched_samples_q10(slanted.field, brush, place));
+    } else if (!style.is_transparent(plain)) {
+      coverage = style.filter().coverage(
+          stretched_samples_q10(slanted.field, style, place));
     }
     writer.put(x, coverage);
-    at.go(brush.right());
+    at.go(style.right());
   }
 }
 
@@ -65,7 +65,7 @@ void draw_slanted_points(const Slanted& slanted,
                          SpanWriter& writer,
                          SlantedPoint& at,
                          Range row) noexcept {
-  draw_points(slanted.field, slanted.brush, stretching, at, row, writer);
+  draw_points(slanted.field, slanted.style, stretching, at, row, writer);
 }
 
 // Row by row.
@@ -75,7 +75,7 @@ void draw_slanted_rows(const Slanted& slanted,
                        const Rect& box,
                        const Sink& sink,
                        DrawRow draw_row) noexcept {
-  const Brush& brush = slanted.brush;
+  const TextStyle& style = slanted.style;
   SpanWriter writer(sink, box.y0);
   for (int32_t y = box.y0; y < box.y1; ++y) {
     SlantedPoint at = first;
@@ -83,7 +83,7 @@ void draw_slanted_rows(const Slanted& slanted,
     while (x < box.x1 && !slanted.may_show(at)) {
       const int32_t count =
           slanted.count_before(at.x_q16, at.y_q16, box.x1 - x);
-      at.go(brush.right(), static_cast<uint32_t>(count));
+      at.go(style.right(), static_cast<uint32_t>(count));
       x += count;
     }
     if (x < box.x1) {
@@ -91,18 +91,18 @@ void draw_slanted_rows(const Slanted& slanted,
                {x, x + slanted.count_shown(at, box.x1 - x)});
     }
     writer.next_row();
-    first.go(brush.up(), UINT32_MAX);
+    first.go(style.up(), UINT32_MAX);
   }
 }
 
 // The centre of a pixel in the glyph.
 //
 // Not inline: its products of 64 bits are large.
-__attribute__((noinline)) GlyphWay find_way(const Brush& brush,
+__attribute__((noinline)) GlyphWay find_way(const TextStyle& style,
                                             const Placed& placed,
                                             int32_t x,
                                             int32_t y) noexcept {
-  return GlyphWay(brush, ScreenWay(placed, x, y));
+  return GlyphWay(style, ScreenWay(placed, x, y));
 }
 
 // The same from the grid's corner, modulo 2^16 u.
@@ -122,23 +122,23 @@ bool is_near(const GlyphWay& way) noexcept {
 
 // Whether all pixels of a box are near. Those around turned grids are; around a
 // stretched one the corners may not be.
-bool is_near(const Brush& brush,
+bool is_near(const TextStyle& style,
              const Placed& placed,
              const Rect& box) noexcept {
-  return is_near(find_way(brush, placed, box.x0, box.y0)) &&
-         is_near(find_way(brush, placed, box.x1, box.y0)) &&
-         is_near(find_way(brush, placed, box.x0, box.y1)) &&
-         is_near(find_way(brush, placed, box.x1, box.y1));
+  return is_near(find_way(style, placed, box.x0, box.y0)) &&
+         is_near(find_way(style, placed, box.x1, box.y0)) &&
+         is_near(find_way(style, placed, box.x0, box.y1)) &&
+         is_near(find_way(style, placed, box.x1, box.y1));
 }
 
 // The pixels of a window that a glyph may show something in: none if a painter
 // has moved it too far away.
 Rect shown_box(const GlyphField& field,
-               const Brush& brush,
+               const TextStyle& style,
                const FinePoint& origin,
                const Rect& window,
                Placed& placed) noexcept {
-  return placed.set(origin) ? intersect(box_of(field, brush, placed), window)
+  return placed.set(origin) ? intersect(box_of(field, style, placed), window)
                             : Rect();
 }
 
@@ -157,18 +157,18 @@ void draw_slanted_fields(const Slanted& slanted,
 }
 
 void paint_turned(const GlyphField& field,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const void*,
                   const FinePoint& origin,
                   const Sink& sink) {
   Placed placed;
-  const Rect box = shown_box(field, brush, origin, sink.window, placed);
+  const Rect box = shown_box(field, style, origin, sink.window, placed);
   if (is_empty(box)) {
     return;
   }
-  const Slanted slanted(field, brush);
+  const Slanted slanted(field, style);
   const SlantedPoint first =
-      point_at(field, find_way(brush, placed, box.x0, box.y0));
+      point_at(field, find_way(style, placed, box.x0, box.y0));
   if (has_fields(field)) {
     draw_slanted_fields(slanted, nullptr, first, box, sink);
   } else {
@@ -182,10 +182,10 @@ void draw_stretched(const Slanted& slanted,
                     const Rect& box,
                     const Sink& sink) noexcept {
   if (has_fields(slanted.field)) {
-    const Brush& brush = slanted.brush;
-    const int32_t reach_q22 = reach_of(brush.filter());
-    const Stretching stretching = {stretched_value, brush, reach_q22,
-                                   far_q22(brush, reach_q22)};
+    const TextStyle& style = slanted.style;
+    const int32_t reach_q22 = reach_of(style.filter());
+    const Stretching stretching = {stretched_value, style, reach_q22,
+                                   far_q22(style, reach_q22)};
     draw_slanted_fields(slanted, &stretching, first, box, sink);
   } else {
     draw_slanted_rows(slanted, nullptr, first, box, sink,
@@ -194,26 +194,26 @@ void draw_stretched(const Slanted& slanted,
 }
 
 void paint_stretched(const GlyphField& field,
-                     const Brush& brush,
+                     const TextStyle& style,
                      const void*,
                      const FinePoint& origin,
                      const Sink& sink) {
   Placed placed;
-  const Rect box = shown_box(field, brush, origin, sink.window, placed);
+  const Rect box = shown_box(field, style, origin, sink.window, placed);
   if (is_empty(box)) {
     return;
   }
-  const Slanted slanted(field, brush);
-  if (is_near(brush, placed, box)) {
+  const Slanted slanted(field, style);
+  if (is_near(style, placed, box)) {
     draw_stretched(slanted,
-                   point_at(field, find_way(brush, placed, box.x0, box.y0)),
+                   point_at(field, find_way(style, placed, box.x0, box.y0)),
                    box, sink);
     return;
   }
   // Every pixel for itself.
   for (int32_t y = box.y0; y < box.y1; ++y) {
     for (int32_t x = box.x0; x < box.x1; ++x) {
-      const GlyphWay way = find_way(brush, placed, x, y);
+      const GlyphWay way = find_way(style, placed, x, y);
       const SlantedPoint at = point_at(field, way);
       if (is_near(way) && slanted.may_show(at)) {
         draw_stretched(slanted, at, {x, y, x + 1, y + 1}, sink);
@@ -241,12 +241,14 @@ __attribute__((noinline)) Extent extent_of(Extent place_q10,
 }
 
 // The box around a glyph that is not upright.
-Rect slanted_box(const Rect& limits, const Brush& brush, const Placed& placed) {
-  const int32_t size_q6 = brush.size().raw;
+Rect slanted_box(const Rect& limits,
+                 const TextStyle& style,
+                 const Placed& placed) {
+  const int32_t size_q6 = style.size().raw;
   // Below 2^30.
   const Extent x = {(limits.x0 * size_q6) >> 6, (limits.x1 * size_q6) >> 6};
   const Extent y = {(limits.y0 * size_q6) >> 6, (limits.y1 * size_q6) >> 6};
-  const Brush::Axes& axes = brush.axes();
+  const TextStyle::Axes& axes = style.axes();
   const Extent x_right = extent_of(x, axes.x_right);
   const Extent x_up = extent_of(x, axes.x_up);
   const Extent y_right = extent_of(y, axes.y_right);
@@ -271,11 +273,11 @@ __attribute__((noinline)) int64_t turned(int64_t a,
   return (high + (low >> 20)) >> 10;
 }
 
-FinePoint slanted_place(const Brush& brush,
+FinePoint slanted_place(const TextStyle& style,
                         const FinePoint& origin,
                         int64_t along_q10,
                         int64_t across_q10) {
-  const Brush::Axes& axes = brush.axes();
+  const TextStyle::Axes& axes = style.axes();
   return {origin.x_q10 +
               turned(along_q10, axes.x_right.raw, across_q10, axes.y_right.raw),
           origin.y_q10 -

@@ -5,8 +5,8 @@
 #include <stdint.h>
 
 #include "distance/field_leaves.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/filter.hpp"
+#include "inkcell/text_style.hpp"
 #include "raster/coverage_ramp.hpp"
 
 namespace inkcell {
@@ -20,7 +20,7 @@ class LeafBand : public FieldLeaves {
   static constexpr int32_t kColumns = 24;
 
   // How many rows a band has where so many are left, one at the least.
-  static int32_t rows_of(int32_t left) noexcept { return lesser(left, kRows); }
+  static int32_t rows_of(int32_t left) noexcept { return min(left, kRows); }
 
   // Coverage, row by row.
   struct Pixels {
@@ -44,7 +44,7 @@ class LeafBand : public FieldLeaves {
     const int32_t high_q22 =
         ramp_.low_q22 + static_cast<int32_t>(ramp_.width_q22);
     limit_rounded(ramp_.low_q22 - 1, high_q22);
-    set_far(lesser(ramp_.low_q22, 0), greater(high_q22, 0));
+    set_far(min(ramp_.low_q22, 0), max(high_q22, 0));
   }
 
  protected:

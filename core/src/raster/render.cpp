@@ -15,11 +15,11 @@ namespace {
 
 using detail::clamp;
 using detail::FieldPosition;
-using detail::greater;
 using detail::has_fields;
 using detail::kObjectOrder;
-using detail::lesser;
 using detail::limits_of;
+using detail::max;
+using detail::min;
 using detail::Placed;
 using detail::position_of;
 using detail::Range;
@@ -31,12 +31,12 @@ using detail::wrapped;
 // What a row of a cell shows.
 enum class Side : uint8_t { outside, inside, both };
 
-Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
+Side side_of(const SamplesRow& row, const TextStyle& style) noexcept {
   const SamplesRow::Bounds bounds = row.bounds_q10();
-  if (brush.is_transparent(bounds.high)) {
+  if (style.is_transparent(bounds.high)) {
     return Side::outside;
   }
-  return brush.is_opaque(bounds.low) ? Side::inside : Side::both;
+  return style.is_opaque(bounds.low) ? Side::inside : Side::both;
 }
 
 // One row of upright text: y is constant in the glyph, so that a cell is set up
@@ -48,12 +48,12 @@ Side side_of(const SamplesRow& row, const Brush& brush) noexcept {
 //
 // Invariant of the outer loop: `x` is the next pixel, at `x_q16` in the grid.
 __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
-                                                const Brush& brush,
+                                                const TextStyle& style,
                                                 Range pixels,
                                                 int32_t x_q16,
                                                 int32_t y_q16,
                                                 SpanWriter& writer) noexcept {
-  const int32_t step = brush.step_along_q16();
+  const int32_t step = style.step_along_q16();
   int32_t x = pixels.begin;
   while (x < pixels.end) {
     const Cell cell = detail::locate_cell(field, x_q16 >> 16, y_q16 >> 16);
@@ -64,11 +64,11 @@ __attribute__((noinline)) void draw_upright_row(const GlyphField& field,
     if (cell.samples != nullptr) {
       detail::set_up_row(row, cell.samples, cell.size_log2,
                          y_q16 - cell.y0_u * (1 << 16));
-      side = side_of(row, brush);
+      side = side_of(row, style);
     }
     if (side == Side::both) {
       do {
-        writer.put(x, brush.coverage(row.distance_q10(x_q16 - left_q16)));
+        writer.put(x, style.coverage(row.distance_q10(x_q16 - left_q16)));
         ++x;
         x_q16 += step;
       } while (x < pixels.end && x_q16 < right_q16);
@@ -100,30 +100,29 @@ struct Line {
 
 // Leaves of a window's pixels those whose centres lie in the limits. False:
 // there are none.
-inline bool place_line(const Brush& brush, Line& line) noexcept {
+inline bool place_line(const TextStyle& style, Line& line) noexcept {
   // What is as far from the ink as the filter reaches shows nothing. Cutoffs
   // within 4 px are 2^10 u at the most.
   constexpr int32_t kOneQ16 = 1 << 16;
-  const int32_t reach_q16 = -64 * brush.transparent_u_q10();
-  const int32_t low_q16 = greater(line.grid_u.begin * kOneQ16,
-                                  line.ink_u.begin * kOneQ16 - reach_q16 + 1);
+  const int32_t reach_q16 = -64 * style.transparent_u_q10();
+  const int32_t low_q16 = max(line.grid_u.begin * kOneQ16,
+                              line.ink_u.begin * kOneQ16 - reach_q16 + 1);
   const int32_t high_q16 =
-      lesser(line.grid_u.end * kOneQ16, line.ink_u.end * kOneQ16 + reach_q16);
+      min(line.grid_u.end * kOneQ16, line.ink_u.end * kOneQ16 + reach_q16);
   // The pixel at a place, or one of those beside it: steps that are rounded
   // down lead up to 1/4 px astray at the ends of the largest grid.
   const auto pixel_at = [&](int32_t place_u, int32_t origin_q10) noexcept {
-    return (origin_q10 + ((place_u * brush.size().raw) >> 6)) >> 10;
+    return (origin_q10 + ((place_u * style.size().raw) >> 6)) >> 10;
   };
   const int32_t origin_q10 = line.origin_q10;
-  int32_t begin =
-      greater(line.pixels.begin, pixel_at(low_q16 >> 16, origin_q10));
-  int32_t end = lesser(line.pixels.end,
-                       pixel_at((high_q16 >> 16) + 1, origin_q10) + 1);
+  int32_t begin = max(line.pixels.begin, pixel_at(low_q16 >> 16, origin_q10));
+  int32_t end =
+      min(line.pixels.end, pixel_at((high_q16 >> 16) + 1, origin_q10) + 1);
   if (begin >= end) {
     return false;
   }
   // position_of, whose products stay below 2^31 here.
-  const int32_t step = brush.step_along_q16();
+  const int32_t step = style.step_along_q16();
   int32_t first_q16 = detail::u_of_px(begin * 1024 + 512 - origin_q10, step);
   int32_t last_q16 = first_q16 + (end - begin - 1) * step;
   for (; last_q16 >= high_q16; last_q16 -= step) {
@@ -147,10 +146,10 @@ uint32_t centre_q20(int32_t pixel, int32_t origin_q10) noexcept {
 // Row by row: cells of samples, and in pixel order cells of fields.
 __attribute__((always_inline)) inline void draw_rows(
     const GlyphField& field,
-    const Brush& brush,
+    const TextStyle& style,
     const Placed& placed,
     const Sink& sink) noexcept {
-  Upright upright = detail::place_upright(field, brush, placed, sink.window);
+  Upright upright = detail::place_upright(field, style, placed, sink.window);
   const Rect& pixels = upright.pixels;
   SpanWriter writer(sink, pixels.y0);
   for (int32_t y = pixels.y0; y < pixels.y1; ++y) {
@@ -160,22 +159,22 @@ __attribute__((always_inline)) inline void draw_rows(
           static_cast<uint32_t>(upright.at.x_q16 - field.x0_u * (1 << 16)),
           static_cast<uint32_t>(upright.at.y_q16 - field.y0_u * (1 << 16)),
           upright.at.x_q20, upright.at.y_q20};
-      detail::draw_points(field, brush, nullptr, at, row, writer);
+      detail::draw_points(field, style, nullptr, at, row, writer);
     } else {
-      draw_upright_row(field, brush, row, upright.at.x_q16, upright.at.y_q16,
+      draw_upright_row(field, style, row, upright.at.x_q16, upright.at.y_q16,
                        writer);
     }
     writer.next_row();
-    upright.go_down(brush, 1);
+    upright.go_down(style, 1);
   }
 }
 
 // Not inline: glyphs of fields need not pay for its stack.
 __attribute__((noinline)) void draw_samples(const GlyphField& field,
-                                            const Brush& brush,
+                                            const TextStyle& style,
                                             const Placed& placed,
                                             const Sink& sink) noexcept {
-  draw_rows(field, brush, placed, sink);
+  draw_rows(field, style, placed, sink);
 }
 
 // Cells of samples: object order wins from this size on.
@@ -184,24 +183,24 @@ constexpr Q26_6 kCellsFrom = Q26_6::from_int(48);
 }  // namespace
 
 void detail::draw_upright(const GlyphField& field,
-                          const Brush& brush,
+                          const TextStyle& style,
                           const Placed& placed,
                           const Sink& sink) noexcept {
   if (!kObjectOrder) {
-    draw_rows(field, brush, placed, sink);
+    draw_rows(field, style, placed, sink);
   } else if (has_fields(field)) {
-    detail::draw_fields(field, brush, placed, sink);
-  } else if (brush.size().raw >= kCellsFrom.raw) {
-    detail::draw_samples_by_cells(field, brush, placed, sink);
+    detail::draw_fields(field, style, placed, sink);
+  } else if (style.size().raw >= kCellsFrom.raw) {
+    detail::draw_samples_by_cells(field, style, placed, sink);
   } else {
-    draw_samples(field, brush, placed, sink);
+    draw_samples(field, style, placed, sink);
   }
 }
 
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) detail::Upright detail::place_upright(
     const GlyphField& field,
-    const Brush& brush,
+    const TextStyle& style,
     const Placed& placed,
     const Rect& window) noexcept {
   Upright upright;
@@ -211,7 +210,7 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
   across.origin_q10 = placed.x_q10;
   across.grid_u = {field.x0_u, field.x1_u()};
   across.ink_u = {ink.x0_u, ink.x1_u};
-  if (!place_line(brush, across)) {
+  if (!place_line(style, across)) {
     return upright;
   }
   // From below: rows are counted upwards, the one above the screen is 0.
@@ -220,7 +219,7 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
   along.origin_q10 = -placed.y_q10;
   along.grid_u = {field.y0_u, field.y1_u()};
   along.ink_u = {ink.y0_u, ink.y1_u};
-  if (!place_line(brush, along)) {
+  if (!place_line(style, along)) {
     return upright;
   }
   upright.pixels = {across.pixels.begin, -along.pixels.end, across.pixels.end,
@@ -232,85 +231,84 @@ __attribute__((noinline)) detail::Upright detail::place_upright(
 }
 
 void detail::draw_plain(const GlyphField& field,
-                        const Brush& brush,
+                        const TextStyle& style,
                         const FinePoint& origin,
                         const Sink& sink) noexcept {
   Placed placed;
-  if (!brush.is_upright()) {
-    brush.slanted()(field, brush, nullptr, origin, sink);
+  if (!style.is_upright()) {
+    style.slanted()(field, style, nullptr, origin, sink);
   } else if (placed.set(origin)) {
-    draw_upright(field, brush, placed, sink);
+    draw_upright(field, style, placed, sink);
   }
 }
 
 // Not inline: other ways to draw need not pay for its stack.
 __attribute__((noinline)) void detail::draw_painted(const GlyphField& field,
-                                                    const Brush& brush,
+                                                    const TextStyle& style,
                                                     const Placed& placed,
                                                     const Sink& sink) {
-  const CellPainter painter = brush.painter().cells != nullptr
-                                  ? brush.painter().cells
-                                  : brush.slanted();
+  const CellEffect painter =
+      style.effect().cells != nullptr ? style.effect().cells : style.slanted();
   if (painter == nullptr) {
-    draw_upright(field, brush, placed, sink);
+    draw_upright(field, style, placed, sink);
   } else {
-    painter(field, brush, brush.painter().options, placed.origin(), sink);
+    painter(field, style, style.effect().options, placed.origin(), sink);
   }
 }
 
 Rect detail::box_of(const GlyphField& field,
-                    const Brush& brush,
+                    const TextStyle& style,
                     const Placed& placed) noexcept {
   if (field.tiles_x == 0 || field.tiles_y == 0) {
     return {};
   }
-  const Rect limits = limits_of(field, brush);
-  const int32_t more = brush.painter().reach_px;
-  const Rect box = brush.is_upright()
-                       ? upright_box(limits, brush, placed)
-                       : brush.slant().box(limits, brush, placed);
+  const Rect limits = limits_of(field, style);
+  const int32_t more = style.effect().reach_px;
+  const Rect box = style.is_upright()
+                       ? upright_box(limits, style, placed)
+                       : style.slant().box(limits, style, placed);
   return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
 }
 
 Rect field_box(const GlyphField& field,
-               const Brush& brush,
+               const TextStyle& style,
                FinePoint origin) noexcept {
   // Origins that are too far to be seen remain so.
   constexpr int64_t kLimit = Placed::kLimit;
   const Placed placed = {
       static_cast<int32_t>(clamp(origin.x_q10, -kLimit, kLimit - 1)),
       static_cast<int32_t>(clamp(origin.y_q10, -kLimit, kLimit - 1))};
-  return detail::box_of(field, brush, placed);
+  return detail::box_of(field, style, placed);
 }
 
 void draw_field(const GlyphField& field,
-                const Brush& brush,
+                const TextStyle& style,
                 FinePoint origin,
                 const Sink& sink) noexcept {
   Placed placed;
   if (placed.set(origin)) {
-    detail::draw_near(field, brush, placed, sink);
+    detail::draw_near(field, style, placed, sink);
   }
 }
 
 void distance_row(const GlyphField& field,
-                  const Brush& brush,
+                  const TextStyle& style,
                   FinePoint origin,
                   int32_t x,
                   int32_t y,
                   Span<Q6_10> out) noexcept {
   for (Q6_10& distance : out) {
-    const FieldPosition at = position_of(brush, origin, x, y);
+    const FieldPosition at = position_of(style, origin, x, y);
     int32_t in_px = 0;
-    if (brush.is_stretched()) {
+    if (style.is_stretched()) {
       in_px =
           has_fields(field)
-              ? detail::stretched_fields_q10(field, brush, at, detail::kNoReach)
-              : detail::stretched_samples_q10(field, brush, at);
+              ? detail::stretched_fields_q10(field, style, at, detail::kNoReach)
+              : detail::stretched_samples_q10(field, style, at);
     } else if (has_fields(field)) {
-      in_px = detail::fields_distance_q10(field, brush, at, detail::kNoReach);
+      in_px = detail::fields_distance_q10(field, style, at, detail::kNoReach);
     } else {
-      in_px = brush.to_px_q10(
+      in_px = style.to_px_q10(
           detail::samples_distance_q10(field, at.x_q16, at.y_q16));
     }
     in_px = static_cast<int32_t>(clamp(in_px, INT16_MIN, INT16_MAX));

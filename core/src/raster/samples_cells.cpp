@@ -45,13 +45,13 @@ struct Parabola {
 class Painter {
  public:
   Painter(const GlyphField& field,
-          const Brush& brush,
+          const TextStyle& style,
           const Upright& upright,
           const Sink& sink) noexcept
       : tree_{field},
-        brush_(brush),
+        style_(style),
         sink_(sink),
-        step_q16_(brush.step_along_q16()),
+        step_q16_(style.step_along_q16()),
         x0_(upright.pixels.x0),
         y0_(upright.pixels.y0),
         left_q16_(upright.at.x_q16 - field.x0_u * (1 << 16)),
@@ -81,7 +81,7 @@ class Painter {
     }
   }
   uint8_t ramp(int32_t f_q6) const noexcept {
-    const Filter& filter = brush_.filter();
+    const Filter& filter = style_.filter();
     const uint32_t px =
         static_cast<uint32_t>(f_q6 >> down_) * factor_ + offset_;
     return filter
@@ -117,7 +117,7 @@ class Painter {
   }
 
   SamplesTree tree_;
-  const Brush& brush_;
+  const TextStyle& style_;
   const Sink& sink_;
   int32_t step_q16_;
   int32_t x0_;
@@ -150,9 +150,9 @@ constexpr int32_t kLeastWay = 64;
 
 void Painter::set_up(const uint8_t* samples, uint32_t log2) noexcept {
   const int32_t centre = centre_q10(samples);
-  const int32_t low = brush_.transparent_u_q10() - centre;
-  const int32_t high = brush_.opaque_u_q10() - centre;
-  const auto size_q6 = static_cast<uint32_t>(brush_.size().raw);
+  const int32_t low = style_.transparent_u_q10() - centre;
+  const int32_t high = style_.opaque_u_q10() - centre;
+  const auto size_q6 = static_cast<uint32_t>(style_.size().raw);
   factor_ = size_q6;
   down_ = 0;
   if (log2 >= 3) {
@@ -167,7 +167,7 @@ void Painter::set_up(const uint8_t* samples, uint32_t log2) noexcept {
   }
   // Both may wrap, but not their sum within the ramp.
   offset_ = static_cast<uint32_t>(centre) * size_q6 -
-            static_cast<uint32_t>(brush_.filter().outside_q10) * 65536u;
+            static_cast<uint32_t>(style_.filter().outside_q10) * 65536u;
   // In a pixel the steepest parabola changes by 10240 2^16 / (size 2^log2).
   // Times 3/16, this is a little less than one over that: roundings have room.
   skip_q16_ = static_cast<int32_t>((size_q6 << log2) >> 11);
@@ -178,15 +178,15 @@ void Painter::set_up(const uint8_t* samples, uint32_t log2) noexcept {
 // are in the buffer.
 inline void Painter::draw_row(int32_t y, const Parabola& row) noexcept {
   const int32_t end_slope = row.b + 2 * row.c;
-  const int32_t least = lesser(row.b, end_slope);
-  const int32_t most = greater(row.b, end_slope);
+  const int32_t least = min(row.b, end_slope);
+  const int32_t most = max(row.b, end_slope);
   // How many pixels behind this one are saturated like it, `way_q6` beyond the
   // ramp.
   const auto skipped = [this, least, most](int32_t way_q6) noexcept -> int32_t {
     if (way_q6 < kLeastWay || most > kMaxSlopeQ6 || least < -kMaxSlopeQ6) {
       return 0;
     }
-    return (((lesser(way_q6, INT16_MAX) * skip_q16_) >> 16) * 3) >> 4;
+    return (((min(way_q6, INT16_MAX) * skip_q16_) >> 16) * 3) >> 4;
   };
   const int32_t end = end_;
   int32_t x_q16 = x_q16_;
@@ -208,7 +208,7 @@ inline void Painter::draw_row(int32_t y, const Parabola& row) noexcept {
       const int32_t way_q6 = f_q6 - high_q6_;
       count = least >= 0 && way_q6 >= kRounded
                   ? end - x
-                  : lesser(1 + skipped(way_q6), end - x);
+                  : min(1 + skipped(way_q6), end - x);
       draw_solid(x, y, count);
     }
     x += count;
@@ -246,10 +246,10 @@ __attribute__((noinline)) void Painter::draw_cell(
     const Parabola parabola = {v1, 4 * v2 - 3 * v1 - v3,
                                2 * (v1 - 2 * v2 + v3)};
     const int32_t sag = parabola.c >> 2;
-    if (greater(v1, v3) - lesser(sag, 0) <= low_q6_) {
+    if (max(v1, v3) - min(sag, 0) <= low_q6_) {
       continue;
     }
-    if (lesser(v1, v3) - greater(sag, 0) - 3 >= high_q6_) {
+    if (min(v1, v3) - max(sag, 0) - 3 >= high_q6_) {
       sink_.solid(sink_.context, begin_, y, end_ - begin_);
     } else {
       draw_row(y, parabola);
@@ -260,15 +260,15 @@ __attribute__((noinline)) void Painter::draw_cell(
 }  // namespace
 
 void draw_samples_by_cells(const GlyphField& field,
-                           const Brush& brush,
+                           const TextStyle& style,
                            const Placed& placed,
                            const Sink& sink) noexcept {
-  const Upright upright = place_upright(field, brush, placed, sink.window);
+  const Upright upright = place_upright(field, style, placed, sink.window);
   if (is_empty(upright.pixels)) {
     return;
   }
-  Painter painter(field, brush, upright, sink);
-  CellTour<Painter>(field, brush, upright, painter).run();
+  Painter painter(field, style, upright, sink);
+  CellTour<Painter>(field, style, upright, painter).run();
 }
 
 }  // namespace detail

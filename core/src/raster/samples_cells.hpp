@@ -8,7 +8,7 @@ namespace detail {
 
 // Draws an upright glyph, bit by bit as rows would.
 void draw_samples_by_cells(const GlyphField& field,
-                           const Brush& brush,
+                           const TextStyle& style,
                            const Placed& placed,
                            const Sink& sink) noexcept;
 

@@ -88,7 +88,7 @@ __attribute__((noinline)) void add_wide(const Band& band,
     before = at;
   }
   if (last < limit) {
-    add(row + greater(last + 1, 0), gain - before);
+    add(row + max(last + 1, 0), gain - before);
   }
 }
 
@@ -113,8 +113,8 @@ __attribute__((noinline)) void add_any(const Band& band,
                                        int32_t from,
                                        int32_t to,
                                        int32_t gain) noexcept {
-  const int32_t left = lesser(from, to);
-  const int32_t right = greater(from, to);
+  const int32_t left = min(from, to);
+  const int32_t right = max(from, to);
   const int32_t column = left >> 8;
   if (right - column * 256 <= 256) {
     add_narrow(band, row, column, left + right - 512 * column, gain);
@@ -141,8 +141,8 @@ __attribute__((noinline)) void paint_vertical(const Band& band,
                                               int32_t from,
                                               int32_t to) noexcept {
   const int32_t full = (from < to) != band.is_mirrored ? kFull : -kFull;
-  const int32_t top = greater(lesser(from, to), 0);
-  const int32_t bottom = lesser(greater(from, to), band.rows * 256);
+  const int32_t top = max(min(from, to), 0);
+  const int32_t bottom = min(max(from, to), band.rows * 256);
   const int32_t column = x >> 8;
   if (top >= bottom || column > band.last_column) {
     return;
@@ -190,8 +190,8 @@ __attribute__((noinline)) void paint_full_rows(const Band& band,
                                                int32_t slope,
                                                int32_t full) noexcept {
   int32_t rise = 0;
-  const int32_t width = magnitude(slope) >> 8;
-  x_q16 += lesser(slope, 0);  // the left end of a row's part
+  const int32_t width = abs(slope) >> 8;
+  x_q16 += min(slope, 0);  // the left end of a row's part
   const auto last_column = static_cast<uint32_t>(band.last_column);
   const int32_t stride = band.stride;
   do {
@@ -251,7 +251,7 @@ __attribute__((noinline)) void paint_rows(
     bytes += band.stride;
     ++row;
   }
-  const int32_t end = lesser(y1, high);
+  const int32_t end = min(y1, high);
   const int32_t count = (end >> 8) - row;
   if (count > 0) {
     paint_full_rows(band, bytes, count, x_q16, slope, gains ? kFull : -kFull);
@@ -283,7 +283,7 @@ __attribute__((noinline)) void paint_line(const Band& band,
                                           const PixelPoint& to) noexcept {
   const int32_t dx = to.x - from.x;
   const int32_t dy = to.y - from.y;
-  const int32_t length = greater(magnitude(dx), magnitude(dy));
+  const int32_t length = max(abs(dx), abs(dy));
   uint32_t halvings = 0;
   while (__builtin_expect(length >> halvings >= kLengthLimit, 0)) {
     ++halvings;
@@ -332,8 +332,8 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   }
   const int32_t ddx = bx - ax;
   const int32_t ddy = by - ay;
-  const int32_t wide = magnitude(ddx);
-  const int32_t high = magnitude(ddy);
+  const int32_t wide = abs(ddx);
+  const int32_t high = abs(ddy);
   int32_t strays =
       wide > high ? wide + (high * 3 >> 3) : high + (wide * 3 >> 3);
   uint32_t halvings = 0;

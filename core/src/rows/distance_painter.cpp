@@ -66,8 +66,8 @@ __attribute__((noinline)) void paint_vertex(const Band& band,
       static_cast<uint32_t>(column) > static_cast<uint32_t>(band.last_column)) {
     return;
   }
-  int32_t longer = magnitude(x - column * 256);
-  int32_t shorter = magnitude(y - row * 256);
+  int32_t longer = abs(x - column * 256);
+  int32_t shorter = abs(y - row * 256);
   if (longer < shorter) {
     const int32_t swapped = longer;
     longer = shorter;
@@ -86,8 +86,8 @@ __attribute__((noinline)) void paint_vertical(const Band& band,
                                               int32_t x,
                                               int32_t from,
                                               int32_t to) noexcept {
-  const int32_t first = greater((lesser(from, to) >> 8) + 1, 0);
-  int32_t count = lesser((greater(from, to) >> 8) + 1, band.rows) - first;
+  const int32_t first = max((min(from, to) >> 8) + 1, 0);
+  int32_t count = min((max(from, to) >> 8) + 1, band.rows) - first;
   const int32_t column = x >> 8;
   if (count <= 0 || column > band.last_column) {
     return;
@@ -129,9 +129,9 @@ __attribute__((noinline)) void paint_horizontal(const Band& band,
                                                 int32_t y,
                                                 int32_t from,
                                                 int32_t to) noexcept {
-  const int32_t first = greater((lesser(from, to) >> 8) + 1, 0);
+  const int32_t first = max((min(from, to) >> 8) + 1, 0);
   const int32_t count =
-      lesser((greater(from, to) >> 8) + 1, band.last_column + 1) - first;
+      min((max(from, to) >> 8) + 1, band.last_column + 1) - first;
   const int32_t row = y >> 8;
   if (count <= 0 ||
       static_cast<uint32_t>(row + 1) > static_cast<uint32_t>(band.rows)) {
@@ -159,8 +159,8 @@ inline bool may_be_cubic(int32_t d_along) noexcept {
 // Whether a parabola strays by more than about 5/256 px, a tenth of e times the
 // bend, e = dd_along / d_along.
 inline bool is_cubic(int32_t bend, int32_t d_along, int32_t dd_along) noexcept {
-  return may_be_cubic(d_along) && 3 * magnitude(dd_along) <= d_along &&
-         bend * magnitude(dd_along) > 48 * d_along;
+  return may_be_cubic(d_along) && 3 * abs(dd_along) <= d_along &&
+         bend * abs(dd_along) > 48 * d_along;
 }
 
 // What e times the bend must not pass, times the length: of cubics, which stray
@@ -182,9 +182,9 @@ inline bool must_be_halved(int32_t d_along,
                            int32_t d_across,
                            int32_t dd_along,
                            int32_t dd_across) noexcept {
-  const auto uneven = static_cast<uint32_t>(magnitude(dd_along));
-  const uint32_t bend = static_cast<uint32_t>(magnitude(dd_across)) + uneven;
-  return bend > 16 && (2 * (static_cast<uint32_t>(magnitude(d_across)) + bend) >
+  const auto uneven = static_cast<uint32_t>(abs(dd_along));
+  const uint32_t bend = static_cast<uint32_t>(abs(dd_across)) + uneven;
+  return bend > 16 && (2 * (static_cast<uint32_t>(abs(d_across)) + bend) >
                            3 * static_cast<uint32_t>(d_along) ||
                        bend * uneven > uneven_limit(d_along, uneven));
 }
@@ -221,8 +221,8 @@ inline void set_rows(Edge& edge,
                      const Cubic& cubic,
                      uint32_t corners) noexcept {
   const int32_t to = edge.from + edge.length;
-  const int32_t before = magnitude(edge.slope_before);
-  const int32_t after = magnitude(edge.slope_after);
+  const int32_t before = abs(edge.slope_before);
+  const int32_t after = abs(edge.slope_after);
   edge.first = (edge.from >> 8) + 1;
   edge.end = (to >> 8) + 1;
   edge.first_slack = 0;
@@ -249,7 +249,7 @@ inline void set_rows(Edge& edge,
   const int32_t jerk_part = cubic.half_jerk * u >> 8;
   edge.half_jerk = cubic.half_jerk;
   edge.half_bend = cubic.half_bend + jerk_part;
-  edge.slack = magnitude(edge.half_bend) > kSharp ? kSharpSlack : 0;
+  edge.slack = abs(edge.half_bend) > kSharp ? kSharpSlack : 0;
   edge.across =
       edge.across_before * 256 +
       ((cubic.slope + ((cubic.half_bend + (jerk_part * 85 >> 8)) * u >> 8)) *
@@ -275,7 +275,7 @@ __attribute__((noinline)) bool paint_edge(const Band& band,
   }
   int32_t d_across = end->x - begin->x;
   int32_t d_along = end->y - begin->y;
-  const bool is_steep = magnitude(d_along) >= magnitude(d_across);
+  const bool is_steep = abs(d_along) >= abs(d_across);
   if ((is_steep ? d_along : d_across) < 0) {
     begin = end;
     end = points;
@@ -317,11 +317,11 @@ __attribute__((noinline)) bool paint_edge(const Band& band,
   // What is shorter than a 10th of a pixel or bends by no more than roundings
   // is straight, and so is what reaches slopes above 2: kSlopes ends there, and
   // products stay below 2^31.
-  const int32_t bend = magnitude(dd_across) + magnitude(dd_along);
+  const int32_t bend = abs(dd_across) + abs(dd_along);
   if (bend > 10 && d_along > 24) {
     const int32_t turn =
         times(dd_across - (chord * dd_along >> 16), over_length);
-    if (magnitude(turn) + magnitude(chord) <= 1 << 17) {
+    if (abs(turn) + abs(chord) <= 1 << 17) {
       cubic.half_bend = times(turn >> 2, over_length) >> 6;
       cubic.slope -= cubic.half_bend * d_along >> 8;
       edge.slope_after += turn;
@@ -349,7 +349,7 @@ __attribute__((noinline)) void paint_long_line(const Band& band,
                                                uint32_t corners) noexcept {
   const int32_t dx = to.x - from.x;
   const int32_t dy = to.y - from.y;
-  const int32_t length = greater(magnitude(dx), magnitude(dy));
+  const int32_t length = max(abs(dx), abs(dy));
   uint32_t halvings = 0;
   while (length >> halvings >= kLengthLimit) {
     ++halvings;

@@ -72,8 +72,7 @@ __attribute__((noinline)) void paint_tip(uint8_t* pixel,
                                          const Crossing& crossing,
                                          int32_t row,
                                          int32_t slack) noexcept {
-  const int32_t slope =
-      lesser(magnitude(in_32nds(crossing.slope)), Slopes::kMost);
+  const int32_t slope = min(abs(in_32nds(crossing.slope)), Slopes::kMost);
   const int32_t fall = kSlopes.cosines[Slopes::kMost + slope] * 2;
   const int32_t sine_cosine = kSlopes.sine_cosines[slope];
   const int32_t along = crossing.slope < 0 ? -sine_cosine : sine_cosine;
@@ -88,13 +87,13 @@ __attribute__((noinline)) void paint_tip(uint8_t* pixel,
   distance += sag_of(crossing.half_bend, foot, fall);
   int32_t room = (distance * slack >> 4) + slack;
   if (before + room >= foot && after + room >= -foot) {
-    approach(pixel, 254 - (greater(distance, 0) & ~1));
+    approach(pixel, 254 - (max(distance, 0) & ~1));
   }
   foot -= along;
   distance = other - sag_of(crossing.half_bend, foot, fall);
   room = (distance * slack >> 4) + slack;
   if (before + room >= foot && after + room >= -foot) {
-    approach(pixel + stride, 254 - (greater(distance, 0) & ~1));
+    approach(pixel + stride, 254 - (max(distance, 0) & ~1));
   }
 }
 
@@ -191,13 +190,13 @@ void paint_steep(const Band& band, Edge& edge) noexcept {
     edge.step();
   }
   if (row < 0) {
-    const int32_t count = lesser(last, 0) - row;
+    const int32_t count = min(last, 0) - row;
     if (count > 0) {
       edge.step(count);
       row += count;
     }
   }
-  const int32_t end = lesser(last, band.rows);
+  const int32_t end = min(last, band.rows);
   if (row < end && edge.slack != 0) {
     for (; row != end; ++row) {
       paint_steep_tip(band, edge, row, edge.slack);
@@ -222,9 +221,9 @@ void toggle_rows(const Band& band,
   if (column > band.last_column + 1) {
     return;
   }
-  column = greater(column, 0);
-  int32_t first = greater(lesser(from, to) + 1, 0);
-  const int32_t end = lesser(greater(from, to) + 1, band.rows);
+  column = max(column, 0);
+  int32_t first = max(min(from, to) + 1, 0);
+  const int32_t end = min(max(from, to) + 1, band.rows);
   for (; first < end; ++first) {
     band.row(first)[column] ^= 1;
   }
@@ -276,7 +275,7 @@ inline void paint_flat_columns(const Band& band,
       const bool was_in = bytes != nullptr;
       bytes = static_cast<uint32_t>(row + 1) <= rows ? band.row(row) + column
                                                      : nullptr;
-      if (was_in && bytes != nullptr && magnitude(row - above) == 1) {
+      if (was_in && bytes != nullptr && abs(row - above) == 1) {
         bytes[row < above ? stride : 0] ^= 1;
       } else {
         toggle_rows(band, column, above, row);
@@ -318,13 +317,13 @@ void paint_flat(const Band& band, Edge& edge) noexcept {
     ++column;
   }
   if (column < 0) {
-    const int32_t count = lesser(last, 0) - column;
+    const int32_t count = min(last, 0) - column;
     if (count > 0) {
       edge.step(count);
       column += count;
     }
   }
-  const int32_t end = lesser(last, band.last_column + 1);
+  const int32_t end = min(last, band.last_column + 1);
   if (column < end && edge.slack != 0) {
     for (; column != end; ++column) {
       above = paint_flat_tip(band, edge, column, edge.slack, above);

@@ -34,13 +34,13 @@ constexpr int32_t kLeastBand = kGuardBytes + 10 * 16;
 // each row that a band has less costs more than they do.
 constexpr int32_t kPortion = 16;
 
-// False: the brush was not made.
-bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
+// False: the style was not made.
+bool plan_for(const TextStyle& style, OutlinePlan& plan) noexcept {
   // Room for roundings.
   constexpr int32_t kMore = 4;
-  const OutlineMixer* const mixer = brush.painter().outlines;
+  const OutlineMixer* const mixer = style.effect().outlines;
   plan = {};
-  plan.painter = mixer == nullptr ? brush.outline_painter() : mixer->painter;
+  plan.painter = mixer == nullptr ? style.outline_painter() : mixer->painter;
   if (plan.painter == nullptr) {
     return false;
   }
@@ -49,12 +49,12 @@ bool plan_for(const Brush& brush, OutlinePlan& plan) noexcept {
     plan.outside_q8 = reach_q8;
     plan.shown_q8 = 128 + kMore;
   } else {
-    const Filter& filter = brush.filter();
+    const Filter& filter = style.filter();
     plan.widen(filter);
-    plan.shown_q8 = (greater(-filter.outside_q10, 0) >> 2) + kMore;
+    plan.shown_q8 = (max(-filter.outside_q10, 0) >> 2) + kMore;
   }
   if (mixer != nullptr) {
-    mixer->plan(brush, plan);
+    mixer->plan(style, plan);
   }
   return true;
 }
@@ -86,7 +86,7 @@ constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(GlyphWarp) +
 struct Job {
   const Font& font;
   Span<const uint8_t> record;
-  const Brush& brush;
+  const TextStyle& style;
   const Placed& placed;
   uint16_t glyph;
 };
@@ -110,7 +110,7 @@ ScreenPoint* read_points(Prepared& prepared,
                          int32_t room) noexcept {
   ScreenPoint* const end = prepared.glyph.read(points, room);
   if (prepared.warp != nullptr) {
-    prepared.at.brush->outline_fitter().apply(prepared, points, end);
+    prepared.at.style->outline_fitter().apply(prepared, points, end);
   }
   return end;
 }
@@ -129,12 +129,12 @@ bool prepare(Prepared& prepared, int32_t size) noexcept {
   }
   // Half of it for points at most.
   const int32_t room =
-      lesser(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
+      min(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
   glyph.rewind();
   ScreenPoint* end = read_points(prepared, points, room);
   prepared.has_all = glyph.is_done();
   if (!prepared.has_all) {
-    end = points + lesser(kPortion, room);
+    end = points + min(kPortion, room);
   }
   prepared.points = points;
   prepared.points_end = end;
@@ -144,7 +144,7 @@ bool prepare(Prepared& prepared, int32_t size) noexcept {
   const OutlinePlan& plan = prepared.plan;
   band.outside_q8 = plan.outside_q8;
   band.inside_q8 = plan.inside_q8;
-  band.reach_q8 = greater(plan.outside_q8, plan.inside_q8);
+  band.reach_q8 = max(plan.outside_q8, plan.inside_q8);
   if (plan.painter->reach_q8 == 0) {
     band.fall_q14 = static_cast<int32_t>((254u << 14) /
                                          static_cast<uint32_t>(band.reach_q8));
@@ -191,12 +191,12 @@ __attribute__((noinline)) void draw_band(Prepared& prepared) noexcept {
   band.is_whole = pixels.y1 - pixels.y0 == glyph.box().y1 - glyph.box().y0;
   clear_pixels(bytes, kGuardBytes + (band.rows + kGuardRows) * band.stride);
   paint_band(prepared);
-  const Brush& brush = *prepared.at.brush;
-  if (const OutlineMixer* const mixer = brush.painter().outlines) {
+  const TextStyle& style = *prepared.at.style;
+  if (const OutlineMixer* const mixer = style.effect().outlines) {
     mixer->mix(prepared.at);
     return;
   }
-  plan.painter->cover(band, brush.filter());
+  plan.painter->cover(band, style.filter());
   emit(*prepared.at.sink, pixels, band.bytes + prepared.at.column, band.stride);
 }
 
@@ -214,7 +214,7 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
       more_rows;
   int32_t columns = all.x1 - all.x0;
   const int32_t least =
-      lesser(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
+      min(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
   if (rows < least * plan.rows) {
     rows = least * plan.rows;
     columns = (bytes / (rows + more_rows) & ~3) - 8 - 2 * plan.margin_x;
@@ -224,9 +224,9 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
   prepared.at.sink = &sink;
   Rect& part = prepared.at.pixels;
   for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
-    part.y1 = lesser(part.y0 + rows, all.y1);
+    part.y1 = min(part.y0 + rows, all.y1);
     for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
-      part.x1 = lesser(part.x0 + columns, all.x1);
+      part.x1 = min(part.x0 + columns, all.x1);
       draw_band(prepared);
     }
   }
@@ -238,7 +238,7 @@ bool open_at(Prepared& prepared,
              const Placed& placed) noexcept {
   const OutlinePlan& plan = prepared.plan;
   return prepared.glyph.open(
-      job.font, metrics, job.record, job.brush, placed,
+      job.font, metrics, job.record, job.style, placed,
       {plan.painter->origin_q8, plan.shown_q8, plan.columns, plan.rows},
       prepared.warp);
 }
@@ -249,7 +249,7 @@ bool open_fitted(Prepared& prepared,
                  const GlyphMetrics& metrics) noexcept {
   auto* const warp = reinterpret_cast<GlyphWarp*>(&prepared + 1);
   FinePoint origin = job.placed.origin();
-  job.brush.fitter()->fit(job.glyph, metrics, job.brush.fitter_options(),
+  job.style.fitter()->fit(job.glyph, metrics, job.style.fitter_options(),
                           origin, *warp);
   if ((warp->x.count | warp->y.count) != 0) {
     prepared.warp = warp;
@@ -266,17 +266,17 @@ void apply_warp(const Prepared& prepared,
 
 // False if there is nothing to draw in the window.
 bool open(Prepared& prepared, const Job& job) noexcept {
-  prepared.at.brush = &job.brush;
+  prepared.at.style = &job.style;
   prepared.warp = nullptr;
-  if (!plan_for(job.brush, prepared.plan)) {
+  if (!plan_for(job.style, prepared.plan)) {
     return false;
   }
   GlyphMetrics metrics;
   if (job.font.glyph_metrics(job.glyph, metrics) != Status::ok) {
     return false;
   }
-  if (job.brush.is_fitted()) {
-    return job.brush.outline_fitter().open(prepared, job, metrics);
+  if (job.style.is_fitted()) {
+    return job.style.outline_fitter().open(prepared, job, metrics);
   }
   return open_at(prepared, job, metrics, job.placed);
 }
@@ -329,11 +329,11 @@ const OutlinePainter kPaintAreas = {paint_areas, cover_areas, 0, 128};
 void draw_outline(const Font& font,
                   uint16_t glyph,
                   Span<const uint8_t> record,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const Placed& placed,
                   const Sink& sink,
                   Workspace workspace) noexcept {
-  const Job job = {font, record, brush, placed, glyph};
+  const Job job = {font, record, style, placed, glyph};
   const Workspace ram = aligned(workspace);
   if (ram.size == 0) {
     draw_on_stack(job, sink);
@@ -347,7 +347,7 @@ void draw_outline(const Font& font,
 
 Status PreparedGlyph::make(const Font& font,
                            uint16_t glyph,
-                           const Brush& brush,
+                           const TextStyle& style,
                            Point origin,
                            Workspace workspace,
                            PreparedGlyph& out) noexcept {
@@ -367,7 +367,7 @@ Status PreparedGlyph::make(const Font& font,
   } else if (!is_outline(record)) {
     return Status::unsupported;
   } else if (placed.set(origin) &&
-             open(*prepared, {font, record, brush, placed, glyph}) &&
+             open(*prepared, {font, record, style, placed, glyph}) &&
              prepare(*prepared, static_cast<int32_t>(ram.size))) {
     made.prepared_ = prepared;
   }

@@ -1,9 +1,9 @@
 // Drawing glyphs of outlines: band by band, into a sink.
 #pragma once
 
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 #include "inkcell/workspace.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
@@ -32,7 +32,7 @@ struct OutlinePainter {
 void draw_outline(const Font& font,
                   uint16_t glyph,
                   Span<const uint8_t> record,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const Placed& placed,
                   const Sink& sink,
                   Workspace workspace) noexcept;

@@ -4,8 +4,8 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 #include "rows/band.hpp"
 
 namespace inkcell {
@@ -30,8 +30,8 @@ struct OutlinePlan {
 
   // For the ramp of a filter.
   void widen(const Filter& filter) noexcept {
-    outside_q8 = greater(outside_q8, (-filter.outside_q10 >> 2) + 1);
-    inside_q8 = greater(inside_q8, (filter.inside_q10 >> 2) + 1);
+    outside_q8 = max(outside_q8, (-filter.outside_q10 >> 2) + 1);
+    inside_q8 = max(inside_q8, (filter.inside_q10 >> 2) + 1);
   }
 
   // Samples before the first pixel of a band, from a multiple of 4 on: one of
@@ -51,7 +51,7 @@ struct PaintedBand {
   Rect pixels;
   int32_t column;  // of the first sample of the first pixel
   int32_t row;
-  const Brush* brush;
+  const TextStyle* style;
   const Sink* sink;
 };
 
@@ -59,8 +59,8 @@ struct PaintedBand {
 // painter that names it.
 struct OutlineMixer {
   const OutlinePainter* painter;
-  // Changes the plan that the brush's filter asks for.
-  void (*plan)(const Brush& brush, OutlinePlan& plan) noexcept;
+  // Changes the plan that the style's filter asks for.
+  void (*plan)(const TextStyle& style, OutlinePlan& plan) noexcept;
   void (*mix)(const PaintedBand& painted) noexcept;
 };
 

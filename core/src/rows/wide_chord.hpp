@@ -56,7 +56,7 @@ constexpr int32_t kLeastSlack = 4;
 
 // A direction with components below kTangentLimit.
 inline Tangent tangent_of(int32_t x, int32_t y) noexcept {
-  while (greater(magnitude(x), magnitude(y)) >= kTangentLimit) {
+  while (max(abs(x), abs(y)) >= kTangentLimit) {
     x >>= 1;
     y >>= 1;
   }
@@ -82,10 +82,10 @@ __attribute__((noinline)) void paint_corner(const Band& band,
   // Outlines that turn to the side that is filled have the wedge outside.
   const bool is_outside = (a.x * b.y > a.y * b.x) != band.is_mirrored;
   const int32_t reach = is_outside ? band.outside_q8 : band.inside_q8;
-  const int32_t first_row = greater((at.y - reach + 255) >> 8, 0);
-  const int32_t last_row = lesser((at.y + reach) >> 8, band.rows - 1);
-  const int32_t first = greater((at.x - reach + 255) >> 8, 0);
-  const int32_t last = lesser((at.x + reach) >> 8, band.last_column);
+  const int32_t first_row = max((at.y - reach + 255) >> 8, 0);
+  const int32_t last_row = min((at.y + reach) >> 8, band.rows - 1);
+  const int32_t first = max((at.x - reach + 255) >> 8, 0);
+  const int32_t last = min((at.x + reach) >> 8, band.last_column);
   if (first_row > last_row || first > last) {
     return;
   }
@@ -99,13 +99,13 @@ __attribute__((noinline)) void paint_corner(const Band& band,
     uint8_t* pixel = band.row(row) + first;
     for (int32_t column = first; column <= last; ++column, ++pixel) {
       if ((beyond_a | beyond_b) >= 0) {
-        const int32_t dx = magnitude(column * 256 - at.x);
-        const int32_t dy = magnitude(y);
-        const int32_t longer = greater(dx, dy);
+        const int32_t dx = abs(column * 256 - at.x);
+        const int32_t dy = abs(y);
+        const int32_t longer = max(dx, dy);
         // The length within 3 %.
-        const int32_t slanted = (longer * 7 >> 3) + (lesser(dx, dy) >> 1);
+        const int32_t slanted = (longer * 7 >> 3) + (min(dx, dy) >> 1);
         approach<Marks>(pixel,
-                        254 - (greater(longer, slanted) * band.fall_q14 >> 14));
+                        254 - (max(longer, slanted) * band.fall_q14 >> 14));
       }
       beyond_a += a.x * 256;
       beyond_b += b.x * 256;
@@ -127,15 +127,15 @@ struct End {
       : along(is_steep ? at.y : at.x),
         across(is_steep ? at.x : at.y),
         slack(tangent.slack) {
-    const int32_t a = magnitude(is_steep ? tangent.y : tangent.x);
+    const int32_t a = abs(is_steep ? tangent.y : tangent.x);
     int32_t b = is_steep ? tangent.x : tangent.y;
     if ((is_steep ? tangent.y : tangent.x) < 0) {
       b = -b;
     }
     // Normals lean by 76 degrees at most.
-    const int32_t least = greater(magnitude(b) >> 2, 1);
+    const int32_t least = max(abs(b) >> 2, 1);
     lean_q14 =
-        times(b, reciprocal_of(static_cast<uint32_t>(greater(a, least)))) >> 2;
+        times(b, reciprocal_of(static_cast<uint32_t>(max(a, least)))) >> 2;
   }
 
   // The normal in a line of pixels. [px, Q16] The same from wherever lines are
@@ -154,15 +154,15 @@ __attribute__((noinline)) void cross_lines(const Band& band,
                                            int32_t across,
                                            int32_t end_across,
                                            int32_t inverse_q8) noexcept {
-  int32_t line = greater((lesser(across, end_across) >> 8) + 1, 0);
-  const int32_t last = lesser(greater(across, end_across) >> 8,
-                              rows ? band.rows - 1 : band.last_column);
+  int32_t line = max((min(across, end_across) >> 8) + 1, 0);
+  const int32_t last = min(max(across, end_across) >> 8,
+                           rows ? band.rows - 1 : band.last_column);
   for (; line <= last; ++line) {
     const int32_t at = along + ((line * 256 - across) * inverse_q8 >> 8);
     const int32_t pixel = (at >> 8) + 1;
     if (rows) {
       if (pixel <= band.last_column + 1) {
-        Marks::cross_row(band.row(line) + greater(pixel, 0));
+        Marks::cross_row(band.row(line) + max(pixel, 0));
       }
     } else if (pixel >= 0 && pixel < band.rows) {
       Marks::cross_column(band.row(pixel) + line);
@@ -214,18 +214,17 @@ __attribute__((noinline)) void paint_strip(const Band& band,
   const int32_t fall_along = -(fall_across * slope_q14 >> 14);
   // Normals at the ends may lead further across than the chord's own.
   const auto aside = [cosine](int32_t far) noexcept {
-    return lesser((cosine * far >> 14) + (far >> 2), far) + 1;
+    return min((cosine * far >> 14) + (far >> 2), far) + 1;
   };
   const int32_t low = aside(is_inside_low ? band.inside_q8 : band.outside_q8);
   const int32_t high = aside(is_inside_low ? band.outside_q8 : band.inside_q8);
   const int32_t last_across = is_steep ? band.last_column : band.rows - 1;
-  const int32_t first_along = greater((before.along - reach + 255) >> 8, 0);
-  const int32_t last_along = lesser(
-      (after.along + reach) >> 8, is_steep ? band.rows - 1 : band.last_column);
-  int32_t line =
-      greater((lesser(before.across, after.across) - low + 255) & ~255, 0);
+  const int32_t first_along = max((before.along - reach + 255) >> 8, 0);
+  const int32_t last_along = min((after.along + reach) >> 8,
+                                 is_steep ? band.rows - 1 : band.last_column);
+  int32_t line = max((min(before.across, after.across) - low + 255) & ~255, 0);
   const int32_t last_line =
-      lesser(greater(before.across, after.across) + high, last_across * 256);
+      min(max(before.across, after.across) + high, last_across * 256);
   if (line > last_line || first_along > last_along) {
     return;
   }
@@ -237,13 +236,13 @@ __attribute__((noinline)) void paint_strip(const Band& band,
   // Nearness that is missing beside the first end. [Q14]
   int32_t missing = (line - before.across) * fall_across;
   do {
-    int32_t pixel = greater(low_q16 >> 16, first_along);
-    const int32_t last = lesser(high_q16 >> 16, last_along);
+    int32_t pixel = max(low_q16 >> 16, first_along);
+    const int32_t last = min(high_q16 >> 16, last_along);
     if (pixel <= last) {
       uint8_t* at = pixels + pixel * step;
       int32_t away = missing + (pixel * 256 - before.along) * fall_along;
       do {
-        approach<Marks>(at, 254 - (magnitude(away) >> 14));
+        approach<Marks>(at, 254 - (abs(away) >> 14));
         away += fall_along * 256;
         at += step;
         ++pixel;
@@ -265,7 +264,7 @@ __attribute__((noinline)) void paint_short(const Band& band,
                                            const Tangent& before,
                                            const Tangent& after) noexcept {
   cross<Marks>(band, from, to);
-  const bool is_steep = magnitude(to.y - from.y) >= magnitude(to.x - from.x);
+  const bool is_steep = abs(to.y - from.y) >= abs(to.x - from.x);
   const End first(from, before, is_steep);
   const End second(to, after, is_steep);
   // What is filled lies to the left, or in a mirror to the right.
@@ -287,7 +286,7 @@ void paint_chord(const Band& band,
                  const Tangent& after) noexcept {
   const int32_t dx = to.x - from.x;
   const int32_t dy = to.y - from.y;
-  const int32_t longest = greater(magnitude(dx), magnitude(dy));
+  const int32_t longest = max(abs(dx), abs(dy));
   if (longest < kChordLimit) {
     paint_short<Marks>(band, from, to, before, after);
     return;

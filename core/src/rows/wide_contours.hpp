@@ -43,9 +43,9 @@ __attribute__((noinline)) void paint_line(const Band& band,
 
 // The length of a vector within 12 %.
 inline int32_t length_of(int32_t x, int32_t y) noexcept {
-  const int32_t a = magnitude(x);
-  const int32_t b = magnitude(y);
-  return greater(a, b) + (lesser(a, b) * 3 >> 3);
+  const int32_t a = abs(x);
+  const int32_t b = abs(y);
+  return max(a, b) + (min(a, b) * 3 >> 3);
 }
 
 // How many chords a curve of second difference `bend` takes. One strays from it
@@ -81,7 +81,7 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const int32_t by = to.y - control.y;
   const int32_t a = length_of(ax, ay);
   const int32_t b = length_of(bx, by);
-  if (greater(a, b) >= kLegLimit || a == 0 || b == 0) {
+  if (max(a, b) >= kLegLimit || a == 0 || b == 0) {
     paint_line<Marks>(band, from, to, corners);
     return;
   }
@@ -91,7 +91,7 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const Tangent end = (corners & 2) != 0 ? last : joined(band, last);
   const int32_t bend_x = bx - ax;
   const int32_t bend_y = by - ay;
-  const int32_t count = chords_of(length_of(bend_x, bend_y), lesser(a, b));
+  const int32_t count = chords_of(length_of(bend_x, bend_y), min(a, b));
   PixelPoint at = from;
   if (count != 1) {
     // from + 2 t a + t t (b - a), and what joints are moved by.

@@ -23,7 +23,7 @@ void emit_row(const Sink& sink,
               const uint8_t* coverage,
               int32_t count) noexcept {
   const int32_t end = x + count;
-  int32_t next = lesser((x | 3) + 1, end);
+  int32_t next = min((x | 3) + 1, end);
   uint32_t pixels = next_pixels(coverage, next - x);
   while (x != end) {
     const uint8_t* const begin = coverage;
@@ -34,7 +34,7 @@ void emit_row(const Sink& sink,
     do {
       coverage += next - x;
       x = next;
-      next = lesser(x + 4, end);
+      next = min(x + 4, end);
       pixels = next_pixels(coverage, next - x);
     } while (x != end && x - from <= most &&
              (is_mixed ? pixels + 1 > 1 : pixels == first));

@@ -65,21 +65,21 @@ int32_t product(int32_t a, int32_t b) noexcept {
 __attribute__((always_inline)) inline void draw_placed(
     const Font& font,
     uint16_t glyph,
-    const Brush& brush,
+    const TextStyle& style,
     const Placed& placed,
     const Sink& sink,
     Workspace workspace) noexcept {
   const Span<const uint8_t> record = font.record(glyph);
   if constexpr (detail::kHasOutlines) {
     if (detail::is_outline(record)) {
-      detail::draw_outline(font, glyph, record, brush, placed, sink, workspace);
+      detail::draw_outline(font, glyph, record, style, placed, sink, workspace);
       return;
     }
   }
   if constexpr (detail::kHasCells) {
     GlyphField field;
     if (detail::read_field(font, glyph, field) == Status::ok) {
-      detail::draw_near(field, brush, placed, sink);
+      detail::draw_near(field, style, placed, sink);
     }
   }
 }
@@ -110,10 +110,12 @@ uint32_t next_code_point(Text& text) noexcept {
   return whole ? code_point : kReplacement;
 }
 
-TextCursor::TextCursor(const Font& font, Text text, const Brush& brush) noexcept
+TextCursor::TextCursor(const Font& font,
+                       Text text,
+                       const TextStyle& style) noexcept
     : font_(font), text_(text) {
-  if (brush.has_whole_advances()) {
-    brush_ = &brush;
+  if (style.has_whole_advances()) {
+    style_ = &style;
   }
 }
 
@@ -121,7 +123,7 @@ TextCursor::TextCursor(const Font& font, Text text, const Brush& brush) noexcept
 // accumulates.
 void TextCursor::add_px(int32_t px) noexcept {
   advance_px_ = clamp_to(advance_px_ + px, kMaxPx);
-  const int32_t size_q6 = brush_->size().raw;
+  const int32_t size_q6 = style_->size().raw;
   const int32_t em_q6 = font_.units_per_em() * 64;
   // Whole units of a pixel, and what is left.
   const int32_t whole = em_q6 / size_q6;
@@ -138,21 +140,21 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   if (previous_ >= 0) {
     const int32_t kerning =
         font_.kerning(static_cast<uint16_t>(previous_), glyph);
-    if (brush_ == nullptr) {
+    if (style_ == nullptr) {
       advance_ = clamp_to(advance_ + kerning, kMaxUnits);
     } else if (kerning != 0) {
-      add_px(product(kerning, brush_->size().raw) /
+      add_px(product(kerning, style_->size().raw) /
              (font_.units_per_em() * 64));
     }
   }
   out.x = advance_;
   out.y = 0;
   out.glyph = glyph;
-  if (brush_ == nullptr) {
+  if (style_ == nullptr) {
     advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
   } else {
     add_px(
-        brush_->fitter()->advance_px(font_, glyph, brush_->fitter_options()));
+        style_->fitter()->advance_px(font_, glyph, style_->fitter_options()));
   }
   previous_ = glyph;
   return true;
@@ -198,8 +200,8 @@ TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
 }
 
 // Whole-pixel advances count from a whole pixel.
-Point run_origin(const Brush& brush, Point origin) noexcept {
-  if (brush.has_whole_advances()) {
+Point run_origin(const TextStyle& style, Point origin) noexcept {
+  if (style.has_whole_advances()) {
     // Far away it may wrap, but not to where it would be seen.
     const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;
     origin.x.raw = static_cast<int32_t>(x & ~uint32_t{63});
@@ -218,22 +220,24 @@ Status layout(const Font& font,
 
 Status layout(const Font& font,
               Text text,
-              const Brush& brush,
+              const TextStyle& style,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(TextCursor(font, text, brush), out, glyphs);
+  return layout(TextCursor(font, text, style), out, glyphs);
 }
 
 TextMeasure measure(const Font& font, Text text) noexcept {
   return measure(font, TextCursor(font, text));
 }
 
-TextMeasure measure(const Font& font, Text text, const Brush& brush) noexcept {
-  return measure(font, TextCursor(font, text, brush));
+TextMeasure measure(const Font& font,
+                    Text text,
+                    const TextStyle& style) noexcept {
+  return measure(font, TextCursor(font, text, style));
 }
 
-Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
-  const int64_t fine = UnitScale(font, brush).to_px_q10(units);
+Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept {
+  const int64_t fine = UnitScale(font, style).to_px_q10(units);
   const int64_t rounded = (fine + 8) >> 4;
   if (rounded < INT32_MIN) {
     return Q26_6::from_raw(INT32_MIN);
@@ -242,57 +246,57 @@ Q26_6 to_px(const Font& font, const Brush& brush, int32_t units) noexcept {
       static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
 }
 
-Status check_painter(const Font& font, const Brush& brush) noexcept {
-  const Painter& painter = brush.painter();
-  const bool is_drawn = painter.cells == nullptr ||
-                        (font.has_outlines() ? painter.outlines != nullptr
-                                             : !brush.is_stretched());
+Status check_effect(const Font& font, const TextStyle& style) noexcept {
+  const Effect& effect = style.effect();
+  const bool is_drawn = effect.cells == nullptr ||
+                        (font.has_outlines() ? effect.outlines != nullptr
+                                             : !style.is_stretched());
   return is_drawn ? Status::ok : Status::unsupported;
 }
 
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
-          const Brush& brush,
+          const TextStyle& style,
           Point origin,
           const Sink& sink,
           Workspace workspace) noexcept {
-  const UnitScale scale(font, brush);
-  origin = run_origin(brush, origin);
+  const UnitScale scale(font, style);
+  origin = run_origin(style, origin);
   for (const PositionedGlyph& at : glyphs) {
     Placed placed;
-    if (place_near(scale, brush, origin, at, placed)) {
-      draw_placed(font, at.glyph, brush, placed, sink, workspace);
+    if (place_near(scale, style, origin, at, placed)) {
+      draw_placed(font, at.glyph, style, placed, sink, workspace);
     }
   }
 }
 
 void draw_text(const Font& font,
                Text text,
-               const Brush& brush,
+               const TextStyle& style,
                Point origin,
                const Sink& sink,
                Workspace workspace) noexcept {
-  const UnitScale scale(font, brush);
-  TextCursor cursor(font, text, brush);
-  origin = run_origin(brush, origin);
+  const UnitScale scale(font, style);
+  TextCursor cursor(font, text, style);
+  origin = run_origin(style, origin);
   PositionedGlyph at;
   while (cursor.next(at)) {
     Placed placed;
-    if (place_near(scale, brush, origin, at, placed)) {
-      draw_placed(font, at.glyph, brush, placed, sink, workspace);
+    if (place_near(scale, style, origin, at, placed)) {
+      draw_placed(font, at.glyph, style, placed, sink, workspace);
     }
   }
 }
 
 void draw_glyph(const Font& font,
                 uint16_t glyph,
-                const Brush& brush,
+                const TextStyle& style,
                 Point origin,
                 const Sink& sink,
                 Workspace workspace) noexcept {
   Placed placed;
   if (placed.set(origin)) {
-    draw_placed(font, glyph, brush, placed, sink, workspace);
+    draw_placed(font, glyph, style, placed, sink, workspace);
   }
 }
 

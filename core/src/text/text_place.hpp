@@ -3,9 +3,9 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
 #include "place/position.hpp"
 
 namespace inkcell {
@@ -29,11 +29,11 @@ inline constexpr int32_t kMaxPx = 1 << 18;
 // division. [px per unit, Q10 with 20 more bits]
 class UnitScale {
  public:
-  UnitScale(const Font& font, const Brush& brush) noexcept {
+  UnitScale(const Font& font, const TextStyle& style) noexcept {
     // 2^24 sizes over the em, to the nearest: 14 bits, then what is left and 10
     // more, so that 32 are enough.
     const uint32_t em = font.units_per_em();
-    const uint32_t size_q20 = static_cast<uint32_t>(brush.size().raw) << 14;
+    const uint32_t size_q20 = static_cast<uint32_t>(style.size().raw) << 14;
     const uint32_t whole = size_q20 / em;
     const uint32_t rest = size_q20 - whole * em;
     scale_ = (int64_t{whole} << 10) + ((rest << 10) + em / 2) / em;
@@ -50,25 +50,25 @@ class UnitScale {
 };
 
 inline FinePoint place(const UnitScale& scale,
-                       const Brush& brush,
+                       const TextStyle& style,
                        const FinePoint& origin,
                        const PositionedGlyph& at) noexcept {
   const int64_t along = scale.to_px_q10(at.x);
   const int64_t across = scale.to_px_q10(at.y);
-  if (brush.is_upright()) {
+  if (style.is_upright()) {
     return {origin.x_q10 + along, origin.y_q10 - across};
   }
-  return brush.slant().place(brush, origin, along, across);
+  return style.slant().place(style, origin, along, across);
 }
 
 // False: the glyph is too far away. Not inline: what it takes of the stack is
 // free again when the glyph is drawn.
 __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
-                                                 const Brush& brush,
+                                                 const TextStyle& style,
                                                  const Point& origin,
                                                  const PositionedGlyph& at,
                                                  Placed& out) noexcept {
-  return out.set(place(scale, brush, origin, at));
+  return out.set(place(scale, style, origin, at));
 }
 
 }  // namespace detail

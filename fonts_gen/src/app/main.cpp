@@ -148,9 +148,9 @@ void check_files(const Arguments& arguments) {
 
 // The bytes that a wide band takes: those that the font has without it.
 void measure_band(const GenerateRequest& request, FontReport& report) {
-  if (request.adf.band_px != 0) {
+  if (request.target.band_px != 0) {
     GenerateRequest usual = request;
-    usual.adf.band_px = 0;
+    usual.target.band_px = 0;
     report.band_bytes =
         static_cast<int64_t>(report.bytes.total()) -
         static_cast<int64_t>(generate(usual).report.bytes.total());

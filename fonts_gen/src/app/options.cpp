@@ -93,24 +93,24 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
 }
 
 void add_quality(CLI::App& app, GenerateRequest& request) {
-  AdfOptions& adf = request.adf;
-  app.add_option("--min-px", adf.min_px, "Smallest size [px/em]")
+  Target& target = request.target;
+  app.add_option("--min-px", target.min_px, "Smallest size [px/em]")
       ->capture_default_str();
-  app.add_option("--max-px", adf.max_px, "Largest size [px/em]")
+  app.add_option("--max-px", target.max_px, "Largest size [px/em]")
       ->capture_default_str();
-  app.add_option("--band-px", adf.band_px,
+  app.add_option("--band-px", target.band_px,
                  "How far from the edge distances are good, at --min-px: for "
                  "outlines, shadows, glows [what filters need]");
   app.add_option_function<std::string>(
          "--tolerance",
-         [&adf](const std::string& text) {
-           adf.tolerance = parse_tolerance(text);
+         [&target](const std::string& text) {
+           target.tolerance = parse_tolerance(text);
          },
          "Largest error of a pixel at any of these sizes")
       ->type_name("N/255")
       ->default_str("16/255");
   add_choice<Coding>(
-      app, "--coding", adf.coding,
+      app, "--coding", target.coding,
       {{"outline", Coding::outline},
        {"edges", Coding::edges},
        {"samples", Coding::samples}},
@@ -118,14 +118,14 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       "quadtree of cells of up to three second-order distance functions, for "
       "the field at any point; 'samples', cells of the paper's nine distances");
   add_choice<Predicate>(
-      app, "--predicate", adf.predicate,
+      app, "--predicate", target.predicate,
       {{"size", Predicate::size_aware}, {"fixed", Predicate::fixed}},
       "What is good enough: 'size', the tolerance over the range of sizes; "
       "'fixed', 1/1024 em near the edge, for --coding samples");
   add_choice<bool>(
       app, "--hints", request.hints, {{"on", true}, {"off", false}},
       "What grid fitting of outlines needs: zones, bars, stems and more");
-  app.add_option("--effort", adf.effort,
+  app.add_option("--effort", target.effort,
                  "How hard to try for fewer bytes; more takes longer")
       ->check(CLI::Range(0, 9).description(""))
       ->type_name("0..9")

@@ -55,7 +55,7 @@ double rounded(double value) {
   return std::round(value * 1000) / 1000;
 }
 
-const char* coding_name(const AdfOptions& options) {
+const char* coding_name(const Target& options) {
   return options.coding == Coding::outline ? "outline"
          : options.coding == Coding::edges ? "edges"
                                            : "samples";
@@ -108,7 +108,7 @@ std::string sizes_lines(const FontReport& report) {
 }  // namespace
 
 std::string report_for_people(const FontReport& report) {
-  const AdfOptions& options = report.options;
+  const Target& options = report.options;
   const PartBytes& bytes = report.bytes;
   std::string text = report.name + " (" + report.file_name + ")\n";
   text += format("  %-16s%zu, for %zu characters\n", "glyphs",
@@ -159,7 +159,7 @@ std::string report_for_people(const FontReport& report) {
 
 std::string report_as_json(const FontReport& report) {
   using Json = nlohmann::ordered_json;
-  const AdfOptions& options = report.options;
+  const Target& options = report.options;
   const PartBytes& bytes = report.bytes;
   const bool fixed = options.predicate == Predicate::fixed;
   Json json;
@@ -187,7 +187,7 @@ std::string report_as_json(const FontReport& report) {
   json["leaf_list_bytes"] = report.leaf_list_bytes();
   json["cell_count"] = report.cells;
   json["node_count"] = report.nodes;
-  json["field_count"] = report.fields;
+  json["primitive_count"] = report.fields;
   json["cells_by_kind"] = {{"samples", report.kinds.samples},
                            {"single", report.kinds.single},
                            {"pair", report.kinds.pairs},

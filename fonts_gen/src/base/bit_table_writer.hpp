@@ -16,9 +16,9 @@ inline unsigned width_of(uint32_t most) {
 }
 
 /// Appends numbers, the first in the lowest bits of a new byte.
-class BitTable {
+class BitTableWriter {
  public:
-  explicit BitTable(std::vector<uint8_t>& out) : out_(out) {}
+  explicit BitTableWriter(std::vector<uint8_t>& out) : out_(out) {}
 
   void put(uint32_t value, unsigned width) {
     for (unsigned bit = 0; bit < width; ++bit, ++written_) {

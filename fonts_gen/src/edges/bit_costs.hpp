@@ -22,7 +22,7 @@ inline constexpr int kJoin = 3;  // + Join
 /// Choices for a field.
 namespace kind_symbol {
 inline constexpr int kReuse = 0;
-inline constexpr int kNew = 1;  // + FieldKind
+inline constexpr int kNew = 1;  // + PrimitiveKind
 }  // namespace kind_symbol
 
 /// Fields that a cell may use again: so many were used last.

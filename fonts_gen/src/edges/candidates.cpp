@@ -70,7 +70,7 @@ constexpr int kAnyChain = -1;
 // Fields whose angle is within this of an axis are tried along it. [quarters]
 constexpr double kNearAxis = 0.08;
 
-bool same_code(const FieldCode& a, const FieldCode& b) {
+bool same_code(const PrimitiveCode& a, const PrimitiveCode& b) {
   return a.kind == b.kind && a.d0 == b.d0 && a.angle == b.angle &&
          a.bend == b.bend;
 }
@@ -78,8 +78,8 @@ bool same_code(const FieldCode& a, const FieldCode& b) {
 }  // namespace
 
 CandidateSource::CandidateSource(PointSource& points,
-                                 const FieldSteps& steps,
-                                 const AdfOptions& options)
+                                 const PrimitiveSteps& steps,
+                                 const Target& options)
     : source_(points),
       steps_(steps),
       e0_u_(e0_u(options)),
@@ -88,7 +88,7 @@ CandidateSource::CandidateSource(PointSource& points,
 }
 
 void CandidateSource::evaluate(Candidate& c, const Points& points) const {
-  const FieldModel model(c.field);
+  const Primitive model(c.field);
   const size_t count = points.size();
   c.is_arc = gen::is_arc(c.field);
   c.nx = static_cast<float>(model.nx);
@@ -135,7 +135,8 @@ void CandidateSource::evaluate(Candidate& c, const Points& points) const {
   }
 }
 
-double CandidateSource::bits_of(const FieldCode& code, int size_log2) const {
+double CandidateSource::bits_of(const PrimitiveCode& code,
+                                int size_log2) const {
   const int angle = has_angle(code.kind) ? steps_.angle_bits(size_log2) : 2;
   const int bend =
       is_bent(code.kind) ? steps_.bend_bits(code.bend, size_log2) : 0;
@@ -181,7 +182,7 @@ std::vector<Candidate> CandidateSource::find_new(
   const std::vector<size_t> border = unserved_border(square, list);
   std::vector<Candidate> out;
   const int half = 1 << size_log2 >> 1;
-  for (const FieldCode& code : known->second) {
+  for (const PrimitiveCode& code : known->second) {
     Candidate c;
     c.field = field_numbers(code, steps_, size_log2, x_u + half, y_u + half);
     c.code = code;
@@ -221,7 +222,7 @@ void CandidateSource::sample_border() {
   }
 }
 
-bool CandidateSource::follows(const FieldModel& model,
+bool CandidateSource::follows(const Primitive& model,
                               const BorderPoint& at,
                               double reach_u) const {
   if (std::fabs(model.value(at.x, at.y)) > reach_u) {
@@ -236,7 +237,7 @@ bool CandidateSource::follows(const FieldModel& model,
 // The border outside of the cell that no known field follows.
 std::vector<size_t> CandidateSource::unserved_border(
     const Square& square, const std::vector<Known>& list) const {
-  std::vector<FieldModel> models;
+  std::vector<Primitive> models;
   for (const Known& known : list) {
     models.emplace_back(known.second);
   }
@@ -259,7 +260,7 @@ std::vector<size_t> CandidateSource::unserved_border(
 // A field that follows more of the border will be used again there.
 double CandidateSource::bonus_of(const Candidate& candidate,
                                  const std::vector<size_t>& border) const {
-  const FieldModel model(candidate.field);
+  const Primitive model(candidate.field);
   int count = 0;
   for (const size_t i : border) {
     count += follows(model, border_[i], kWillServe * e0_u_) ? 1 : 0;
@@ -267,8 +268,8 @@ double CandidateSource::bonus_of(const Candidate& candidate,
   return std::min(kMostBonus, kBonus * count * kBorderStep_u / 64);
 }
 
-std::vector<FieldCode> CandidateSource::find_codes(const Square& square,
-                                                   const Points& points) {
+std::vector<PrimitiveCode> CandidateSource::find_codes(const Square& square,
+                                                       const Points& points) {
   const std::vector<Corner>& corners = source_.truth().corners();
   std::map<int, size_t> chains;
   for (size_t i = 0; i < points.size(); ++i) {
@@ -287,7 +288,7 @@ std::vector<FieldCode> CandidateSource::find_codes(const Square& square,
   std::sort(order.rbegin(), order.rend());
   order.resize(std::min(order.size(), kMostChains));
 
-  std::vector<FieldCode> out;
+  std::vector<PrimitiveCode> out;
   const double half = std::ldexp(0.5, square.size_log2);
   const double cx = square.x_u + half;
   const double cy = square.y_u + half;
@@ -332,7 +333,7 @@ std::vector<FieldCode> CandidateSource::find_codes(const Square& square,
 void CandidateSource::add_tangent(const Corner& corner,
                                   uint32_t edge_number,
                                   const Square& square,
-                                  std::vector<FieldCode>& out) {
+                                  std::vector<PrimitiveCode>& out) {
   const Edge& edge = source_.truth().shape().edges()[edge_number];
   const int half = 1 << square.size_log2 >> 1;
   Fit fit;
@@ -350,7 +351,7 @@ void CandidateSource::add_tangent(const Corner& corner,
 void CandidateSource::fit_window(int chain,
                                  const Window& window,
                                  const Square& square,
-                                 std::vector<FieldCode>& out) {
+                                 std::vector<PrimitiveCode>& out) {
   const Grid& grid = source_.grid();
   const int x1 = grid.x0_u + (grid.tiles_x << grid.tile_log2);
   const int y1 = grid.y0_u + (grid.tiles_y << grid.tile_log2);
@@ -393,39 +394,40 @@ void CandidateSource::fit_window(int chain,
 // Quantises a fit in all ways that may do.
 void CandidateSource::add_codes(const Fit& fit,
                                 const Square& square,
-                                std::vector<FieldCode>& out) {
+                                std::vector<PrimitiveCode>& out) {
   const double turn = fit.angle / (2 * kPi);
   const double quarters = std::round(turn * 4);
   if (std::fabs(turn * 4 - quarters) < kNearAxis) {
     const int axis = static_cast<int>(quarters) & 3;
-    add_code(fit, FieldKind::axis, axis, axis / 4.0, square, out);
-    add_code(fit, FieldKind::axis_arc, axis, axis / 4.0, square, out);
+    add_code(fit, PrimitiveKind::axis, axis, axis / 4.0, square, out);
+    add_code(fit, PrimitiveKind::axis_arc, axis, axis / 4.0, square, out);
   }
   const int turn_steps = 1 << steps_.angle_bits(square.size_log2);
   const int angle =
       static_cast<int>(std::lround(turn * turn_steps)) & (turn_steps - 1);
   const double nearest = static_cast<double>(angle) / turn_steps;
-  add_code(fit, FieldKind::line, angle, nearest, square, out);
-  add_code(fit, FieldKind::arc, angle, nearest, square, out);
+  add_code(fit, PrimitiveKind::line, angle, nearest, square, out);
+  add_code(fit, PrimitiveKind::arc, angle, nearest, square, out);
 }
 
 // With the angle given, the rest is fitted again; with the bend quantised, the
 // distance is put into the middle of what passes.
 void CandidateSource::add_code(const Fit& fit,
-                               FieldKind kind,
+                               PrimitiveKind kind,
                                int angle,
                                double turn,
                                const Square& square,
-                               std::vector<FieldCode>& out) {
+                               std::vector<PrimitiveCode>& out) {
   const int log2 = square.size_log2;
   Fit fixed = fit;
   fixed.angle = turn * 2 * kPi;
   fit_at_angle(fit_points_, is_bent(kind), fixed);
-  FieldCode code;
+  PrimitiveCode code;
   code.kind = kind;
   code.angle = static_cast<uint32_t>(angle);
   if (is_bent(kind)) {
-    const double length = std::ldexp(1.0, FieldSteps::bend_length_log2(log2));
+    const double length =
+        std::ldexp(1.0, PrimitiveSteps::bend_length_log2(log2));
     const double step_u = steps_.bend_step / 64.0;
     code.bend = std::clamp(
         static_cast<int>(std::lround(0.5 * fixed.k * length * length / step_u)),
@@ -447,7 +449,7 @@ void CandidateSource::add_code(const Fit& fit,
     fixed.d0 = 0.5 * (low + high);
   }
   code.d0 = steps_.quantised_d0(fixed.d0, log2);
-  for (const FieldCode& other : out) {
+  for (const PrimitiveCode& other : out) {
     if (same_code(other, code)) {
       return;
     }

@@ -19,11 +19,11 @@ namespace gen {
 
 /// A field and how it does in one cell.
 struct Candidate {
-  FieldNumbers field;
+  PrimitiveNumbers field;
   bool is_new = false;
   int rank = 0;      // reused: place in the list
   uint16_t id = 0;   // reused: number of the field
-  FieldCode code;    // new
+  PrimitiveCode code;  // new
   double bits = 0;   // new: of all but its kind
   double bonus = 0;  // new: what later cells may save by it [bits]
 
@@ -41,11 +41,11 @@ class CandidateSource {
  public:
   /// `points` must outlive it.
   CandidateSource(PointSource& points,
-                  const FieldSteps& steps,
-                  const AdfOptions& options);
+                  const PrimitiveSteps& steps,
+                  const Target& options);
 
   /// A field that may be used again, and its number.
-  using Known = std::pair<uint16_t, FieldNumbers>;
+  using Known = std::pair<uint16_t, PrimitiveNumbers>;
 
   /// New fields for a cell, the most useful first. `list`: known fields, most
   /// recent first.
@@ -60,7 +60,7 @@ class CandidateSource {
                                      const Points& points) const;
 
   /// Bits of a new field without its kind.
-  double bits_of(const FieldCode& code, int size_log2) const;
+  double bits_of(const PrimitiveCode& code, int size_log2) const;
 
   /// Sets what `candidate` says at `points`.
   void evaluate(Candidate& candidate, const Points& points) const;
@@ -81,7 +81,7 @@ class CandidateSource {
   };
 
   void sample_border();
-  bool follows(const FieldModel& model,
+  bool follows(const Primitive& model,
                const BorderPoint& at,
                double reach_u) const;
 
@@ -92,37 +92,38 @@ class CandidateSource {
     double half;
   };
 
-  std::vector<FieldCode> find_codes(const Square& square, const Points& points);
+  std::vector<PrimitiveCode> find_codes(const Square& square,
+                                        const Points& points);
   void fit_window(int chain,
                   const Window& window,
                   const Square& square,
-                  std::vector<FieldCode>& out);
+                  std::vector<PrimitiveCode>& out);
   void add_tangent(const Corner& corner,
                    uint32_t edge_number,
                    const Square& square,
-                   std::vector<FieldCode>& out);
+                   std::vector<PrimitiveCode>& out);
   void add_codes(const Fit& fit,
                  const Square& square,
-                 std::vector<FieldCode>& out);
+                 std::vector<PrimitiveCode>& out);
   void add_code(const Fit& fit,
-                FieldKind kind,
+                PrimitiveKind kind,
                 int angle,
                 double turn,
                 const Square& square,
-                std::vector<FieldCode>& out);
+                std::vector<PrimitiveCode>& out);
   std::vector<size_t> unserved_border(const Square& square,
                                       const std::vector<Known>& list) const;
   double bonus_of(const Candidate& candidate,
                   const std::vector<size_t>& border) const;
 
   PointSource& source_;
-  FieldSteps steps_;
+  PrimitiveSteps steps_;
   double e0_u_;
   size_t effort_;
   std::vector<BorderPoint> border_;
   std::vector<FitPoint> fit_points_;
   // What find_codes said of a cell: it does not depend on other cells.
-  std::map<std::array<int, 3>, std::vector<FieldCode>> known_;
+  std::map<std::array<int, 3>, std::vector<PrimitiveCode>> known_;
 };
 
 }  // namespace gen

@@ -104,7 +104,7 @@ Normal normal_of(uint32_t turn) {
 
 // Half the curvature of `bend` steps, each of which is a sagitta in the middle
 // of a chord of the square's width, or of 64 u in smaller ones.
-int16_t curvature(int bend, const FieldSteps& steps, int log2) {
+int16_t curvature(int bend, const PrimitiveSteps& steps, int log2) {
   const int sagitta = bend * steps.bend_step;
   const int shift = 15 - 2 * std::max(log2, 6);
   const int k = shift >= 0 ? sagitta * (1 << shift)
@@ -120,35 +120,35 @@ int16_t to_q4(int64_t value_q14) {
 
 }  // namespace
 
-int FieldSteps::d0_bits(int log2) const {
+int PrimitiveSteps::d0_bits(int log2) const {
   return std::min(d0_base + std::max(log2 - d0_log2, 0), kMostBits);
 }
 
-int FieldSteps::angle_bits(int log2) const {
+int PrimitiveSteps::angle_bits(int log2) const {
   return std::min(angle_base + std::max(log2 - 5, 0), kMostBits);
 }
 
-int FieldSteps::bend_bits(int bend, int log2) const {
+int PrimitiveSteps::bend_bits(int bend, int log2) const {
   const int low = bend_low[level_of(log2)];
   return 2 + low + ((std::abs(bend) - 1) >> low);
 }
 
-int FieldSteps::most_bend(int log2) const {
+int PrimitiveSteps::most_bend(int log2) const {
   return kUnaryLimit << bend_low[level_of(log2)];
 }
 
-int FieldSteps::quantised_d0(double d0_u, int log2) const {
+int PrimitiveSteps::quantised_d0(double d0_u, int log2) const {
   const int most = 1 << (d0_bits(log2) - 1);
   return whole(d0_u * 64 / d0_step, -most, most - 1);
 }
 
-double e0_u(const AdfOptions& options) {
+double e0_u(const Target& options) {
   return options.tolerance / 255 * 1024 / options.max_px;
 }
 
-FieldSteps steps_for(const AdfOptions& options) {
+PrimitiveSteps steps_for(const Target& options) {
   const double e0 = e0_u(options);
-  FieldSteps steps;
+  PrimitiveSteps steps;
   steps.d0_step = whole(64 * kDistanceStep * e0, 1, 255);
   steps.bend_step = whole(64 * kBendStep * e0, 1, 255);
   steps.d0_log2 = whole(std::ceil(std::log2(band_u(options))), 4, 8);
@@ -163,16 +163,16 @@ FieldSteps steps_for(const AdfOptions& options) {
   return steps;
 }
 
-FieldNumbers field_numbers(const FieldCode& code,
-                           const FieldSteps& steps,
-                           int log2,
-                           int x_u,
-                           int y_u) {
+PrimitiveNumbers field_numbers(const PrimitiveCode& code,
+                               const PrimitiveSteps& steps,
+                               int log2,
+                               int x_u,
+                               int y_u) {
   const int angle_bits = has_angle(code.kind) ? steps.angle_bits(log2) : 2;
   const Normal n = normal_of(code.angle << (16 - angle_bits));
   // 1/64 u are 256 in Q14.
   const int64_t d0_q14 = int64_t{code.d0} * steps.d0_step * 256;
-  FieldNumbers field;
+  PrimitiveNumbers field;
   field.nx_q14 = static_cast<int16_t>(n.x);
   field.ny_q14 = static_cast<int16_t>(n.y);
   field.c_q4 = to_q4(d0_q14 - (int64_t{n.x} * x_u + int64_t{n.y} * y_u));

@@ -13,26 +13,31 @@ namespace gen {
 
 /// The kind of a field: bit 0 is set in arcs, bit 1 where the direction is any
 /// and not one of the axes.
-enum class FieldKind : uint8_t { axis = 0, axis_arc = 1, line = 2, arc = 3 };
+enum class PrimitiveKind : uint8_t {
+  axis = 0,
+  axis_arc = 1,
+  line = 2,
+  arc = 3
+};
 
-constexpr bool is_bent(FieldKind kind) {
+constexpr bool is_bent(PrimitiveKind kind) {
   return (static_cast<unsigned>(kind) & 1) != 0;
 }
-constexpr bool has_angle(FieldKind kind) {
+constexpr bool has_angle(PrimitiveKind kind) {
   return (static_cast<unsigned>(kind) & 2) != 0;
 }
 
 /// A field in steps, seen from its anchor: the centre of the square where it is
 /// new.
-struct FieldCode {
-  FieldKind kind = FieldKind::axis;
+struct PrimitiveCode {
+  PrimitiveKind kind = PrimitiveKind::axis;
   int32_t d0 = 0;      // the distance at the anchor [d0_step]
   uint32_t angle = 0;  // quarters of a turn, or of 2^angle_bits a turn
   int32_t bend = 0;    // [bend_step]; 0 unless bent
 };
 
 /// A field as a record states it (format::fields).
-struct FieldNumbers {
+struct PrimitiveNumbers {
   int16_t nx_q14 = 0;
   int16_t ny_q14 = 0;
   int16_t c_q4 = 0;      // [u]
@@ -41,7 +46,7 @@ struct FieldNumbers {
 };
 
 /// The steps, and the bits of their numbers in a square of 2^log2 u.
-struct FieldSteps {
+struct PrimitiveSteps {
   int d0_step = 0;       // [u/64]
   int bend_step = 0;     // [u/64]
   int d0_base = 0;       // [bits]
@@ -66,16 +71,19 @@ struct FieldSteps {
 };
 
 /// The distance that makes an error of the tolerance at the edge. [u]
-double e0_u(const AdfOptions& options);
+double e0_u(const Target& options);
 
 /// Steps that keep the tolerance with room to spare.
-FieldSteps steps_for(const AdfOptions& options);
+PrimitiveSteps steps_for(const Target& options);
 
 /// The numbers of a field that is new in a square of 2^log2 u, log2 up to 12,
 /// with its anchor at (x_u, y_u), at most 2^13 in magnitude. Numbers that do
 /// not fit are clamped.
-FieldNumbers field_numbers(
-    const FieldCode& code, const FieldSteps& steps, int log2, int x_u, int y_u);
+PrimitiveNumbers field_numbers(const PrimitiveCode& code,
+                               const PrimitiveSteps& steps,
+                               int log2,
+                               int x_u,
+                               int y_u);
 
 }  // namespace gen
 }  // namespace inkcell

@@ -40,12 +40,12 @@ constexpr double kCheap = 12;
 // What the test points may show: some of the tolerance stays for what they do
 // not see, and for the device's filter table, whose steps are 1/255 and more.
 // What still goes wrong the closed loop finds. [1/255]
-double limit_of(const AdfOptions& options) {
+double limit_of(const Target& options) {
   return std::max(options.tolerance - 1.25, options.tolerance / 2);
 }
 
 // The grid of a shape that cells of fields reach.
-Grid near_grid(const Shape& shape, const AdfOptions& options) {
+Grid near_grid(const Shape& shape, const Target& options) {
   const Grid grid = lay_grid(shape, options);
   const int limit = format::fields::kGridLimit;
   if (grid.x0_u < -limit || grid.y0_u < -limit ||
@@ -58,7 +58,7 @@ Grid near_grid(const Shape& shape, const AdfOptions& options) {
 }
 
 // In how many rows of tiles each field is used.
-std::vector<int> rows_of_fields(const FieldTree& tree) {
+std::vector<int> rows_of_fields(const EdgeTree& tree) {
   std::vector<int> rows(tree.fields.size());
   std::vector<int> last(tree.fields.size(), -1);
   for (const TreeNode& node : tree.nodes) {
@@ -66,7 +66,7 @@ std::vector<int> rows_of_fields(const FieldTree& tree) {
       continue;
     }
     const int row = (node.y_u - tree.grid.y0_u) >> tree.grid.tile_log2;
-    for (int i = 0; i < field_count(node.join); ++i) {
+    for (int i = 0; i < primitive_count(node.join); ++i) {
       const uint16_t field = node.uses[static_cast<size_t>(i)].field;
       rows[field] += last[field] != row ? 1 : 0;
       last[field] = row;
@@ -77,7 +77,7 @@ std::vector<int> rows_of_fields(const FieldTree& tree) {
 
 }  // namespace
 
-FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
+EdgeEncoder::EdgeEncoder(const Shape& shape, const Target& options)
     : grid_(near_grid(shape, options)),
       fine_step_u_(std::max(1, static_cast<int>(kFinePx_u / options.max_px))),
       steps_(steps_for(options)),
@@ -89,10 +89,10 @@ FieldEncoder::FieldEncoder(const Shape& shape, const AdfOptions& options)
 
 // Fields that several rows of tiles use are written once, before the rows.
 // Which they are shows when the rows may borrow from each other.
-FieldTree FieldEncoder::encode() {
+EdgeTree EdgeEncoder::encode() {
   shared_.clear();
   share(encode_rows(true));
-  FieldTree tree = encode_rows(false);
+  EdgeTree tree = encode_rows(false);
   if (drop_unshared(tree)) {
     tree = encode_rows(false);
   }
@@ -100,7 +100,7 @@ FieldTree FieldEncoder::encode() {
   return tree;
 }
 
-std::vector<Point> FieldEncoder::find_misses(const FieldTree& tree) {
+std::vector<Point> EdgeEncoder::find_misses(const EdgeTree& tree) {
   std::vector<Point> out;
   for (const TreeNode& node : tree.nodes) {
     Point miss;
@@ -112,15 +112,15 @@ std::vector<Point> FieldEncoder::find_misses(const FieldTree& tree) {
 }
 
 // The worst point of a leaf, if it misses.
-bool FieldEncoder::find_miss(const FieldTree& tree,
-                             const TreeNode& leaf,
-                             Point& out) {
-  std::array<FieldModel, 3> models;
+bool EdgeEncoder::find_miss(const EdgeTree& tree,
+                            const TreeNode& leaf,
+                            Point& out) {
+  std::array<Primitive, 3> models;
   const bool is_leaf = leaf.kind == TreeNode::Kind::leaf;
   const auto count =
-      is_leaf ? static_cast<size_t>(field_count(leaf.join)) : size_t{0};
+      is_leaf ? static_cast<size_t>(primitive_count(leaf.join)) : size_t{0};
   for (size_t i = 0; i < count; ++i) {
-    models[i] = FieldModel(tree.fields[leaf.uses[i].field]);
+    models[i] = Primitive(tree.fields[leaf.uses[i].field]);
   }
   const float saturated =
       leaf.kind == TreeNode::Kind::inside ? kSaturated_u : -kSaturated_u;
@@ -151,15 +151,15 @@ bool FieldEncoder::find_miss(const FieldTree& tree,
   return worst > 0;
 }
 
-FieldTree FieldEncoder::encode_rows(bool borrow) {
-  FieldTree tree;
+EdgeTree EdgeEncoder::encode_rows(bool borrow) {
+  EdgeTree tree;
   tree.grid = grid_;
   tree.steps = steps_;
   tree.shared = shared_;
   fields_.clear();
   sure_splits_ = 0;
   List first;
-  for (const FieldCode& code : shared_) {
+  for (const PrimitiveCode& code : shared_) {
     first.push_back(static_cast<uint16_t>(fields_.size()));
     fields_.push_back(shared_field(code));
   }
@@ -185,10 +185,10 @@ FieldTree FieldEncoder::encode_rows(bool borrow) {
 
 // States the fields that several rows of `tree` use for the whole grid, where
 // their codes are finer, and moves them to where they serve all of their cells.
-void FieldEncoder::share(FieldTree tree) {
+void EdgeEncoder::share(EdgeTree tree) {
   const std::vector<int> rows = rows_of_fields(tree);
-  std::vector<FieldNumbers> fields;  // the shared ones first
-  std::vector<FieldNumbers> others;
+  std::vector<PrimitiveNumbers> fields;  // the shared ones first
+  std::vector<PrimitiveNumbers> others;
   std::vector<size_t> places(rows.size());
   std::vector<bool> is_shared(rows.size());
   for (size_t f = 0; f < rows.size(); ++f) {
@@ -207,8 +207,9 @@ void FieldEncoder::share(FieldTree tree) {
     if (node.kind != TreeNode::Kind::leaf) {
       continue;
     }
-    for (size_t i = 0; i < static_cast<size_t>(field_count(node.join)); ++i) {
-      FieldUse& use = node.uses[i];
+    for (size_t i = 0; i < static_cast<size_t>(primitive_count(node.join));
+         ++i) {
+      PrimitiveUse& use = node.uses[i];
       const bool here = is_shared[use.field];
       use.is_new &= !here;
       use.field =
@@ -222,9 +223,9 @@ void FieldEncoder::share(FieldTree tree) {
   shared_ = std::move(tree.shared);
 }
 
-bool FieldEncoder::drop_unshared(const FieldTree& tree) {
+bool EdgeEncoder::drop_unshared(const EdgeTree& tree) {
   const std::vector<int> rows = rows_of_fields(tree);
-  std::vector<FieldCode> kept;
+  std::vector<PrimitiveCode> kept;
   for (size_t f = 0; f < shared_.size(); ++f) {
     if (rows[f] >= 2) {
       kept.push_back(shared_[f]);
@@ -236,16 +237,16 @@ bool FieldEncoder::drop_unshared(const FieldTree& tree) {
 }
 
 // The straight field nearest to `field`, with the precision of the whole grid.
-FieldCode FieldEncoder::shared_code(const FieldNumbers& field) const {
-  const FieldModel model(field);
+PrimitiveCode EdgeEncoder::shared_code(const PrimitiveNumbers& field) const {
+  const Primitive model(field);
   const double turn = std::atan2(model.ny, model.nx) / (2 * kPi);
-  FieldCode code;
+  PrimitiveCode code;
   if (field.nx_q14 == 0 || field.ny_q14 == 0) {
-    code.kind = FieldKind::axis;
+    code.kind = PrimitiveKind::axis;
     code.angle = static_cast<uint32_t>(std::lround(turn * 4) & 3);
   } else {
     const int turns = 1 << steps_.angle_bits(shared_log2_);
-    code.kind = FieldKind::line;
+    code.kind = PrimitiveKind::line;
     code.angle = static_cast<uint32_t>(std::lround(turn * turns) & (turns - 1));
   }
   code.d0 =
@@ -253,14 +254,14 @@ FieldCode FieldEncoder::shared_code(const FieldNumbers& field) const {
   return code;
 }
 
-FieldNumbers FieldEncoder::shared_field(const FieldCode& code) const {
+PrimitiveNumbers EdgeEncoder::shared_field(const PrimitiveCode& code) const {
   return field_numbers(code, steps_, shared_log2_, shared_x_u_, shared_y_u_);
 }
 
-TreeNode FieldEncoder::node(TreeNode::Kind kind,
-                            int x_u,
-                            int y_u,
-                            int log2) const {
+TreeNode EdgeEncoder::node(TreeNode::Kind kind,
+                           int x_u,
+                           int y_u,
+                           int log2) const {
   TreeNode node;
   node.kind = kind;
   node.size_log2 = static_cast<uint8_t>(log2);
@@ -269,17 +270,17 @@ TreeNode FieldEncoder::node(TreeNode::Kind kind,
   return node;
 }
 
-FieldEncoder::Coded FieldEncoder::settle(
+EdgeEncoder::Coded EdgeEncoder::settle(
     const Leaf& leaf, int x_u, int y_u, int log2, const List& list) const {
   Coded coded;
   coded.list = list;
   coded.cost = leaf.bits + leaf.loss;
   TreeNode at = node(TreeNode::Kind::leaf, x_u, y_u, log2);
   at.join = leaf.join;
-  const auto count = static_cast<size_t>(field_count(leaf.join));
+  const auto count = static_cast<size_t>(primitive_count(leaf.join));
   for (size_t i = 0; i < count; ++i) {
     const Candidate& c = *leaf.members[i];
-    FieldUse& use = at.uses[i];
+    PrimitiveUse& use = at.uses[i];
     use.is_new = c.is_new;
     use.code = c.code;
     use.field = c.id;
@@ -300,7 +301,7 @@ FieldEncoder::Coded FieldEncoder::settle(
 }
 
 // The four quarters of a square. False if they cost more than `budget`.
-bool FieldEncoder::divide(
+bool EdgeEncoder::divide(
     int x_u, int y_u, int log2, const List& list, double budget, Coded& out) {
   out.nodes.push_back(node(TreeNode::Kind::split, x_u, y_u, log2));
   out.cost = node_bits(log2, node_symbol::kSplit);
@@ -322,7 +323,7 @@ bool FieldEncoder::divide(
   return out.cost < budget;
 }
 
-FieldEncoder::Coded FieldEncoder::encode_square(
+EdgeEncoder::Coded EdgeEncoder::encode_square(
     int x_u, int y_u, int log2, const List& list, double budget) {
   const Points points = points_.collect(x_u, y_u, log2);
   bool inside = false;

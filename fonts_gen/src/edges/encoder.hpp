@@ -22,22 +22,22 @@
 namespace inkcell {
 namespace gen {
 
-class FieldEncoder {
+class EdgeEncoder {
  public:
   /// `shape` must not be empty, and outlive the encoder.
   ///
   /// Throws GeometryError::too_large.
-  FieldEncoder(const Shape& shape, const AdfOptions& options);
+  EdgeEncoder(const Shape& shape, const Target& options);
 
   /// Where the device was found to miss the tolerance: look there too.
   void add_point(const Point& point) { points_.add_extra(point); }
 
   /// Throws GeometryError::too_complex if no record could hold the glyph.
-  FieldTree encode();
+  EdgeTree encode();
 
   /// Places where `tree` misses the tolerance, found on a finer lattice than
   /// its leaves were tested on; at most one for each leaf.
-  std::vector<Point> find_misses(const FieldTree& tree);
+  std::vector<Point> find_misses(const EdgeTree& tree);
 
  private:
   // Numbers of fields, most recent first.
@@ -47,18 +47,18 @@ class FieldEncoder {
   // there before.
   struct Coded {
     std::vector<TreeNode> nodes;
-    std::vector<FieldNumbers> fields;
+    std::vector<PrimitiveNumbers> fields;
     List list;        // afterwards
     double cost = 0;  // with what errors are worth [bits]
     int failures = 0;
   };
 
-  FieldTree encode_rows(bool borrow);
-  bool find_miss(const FieldTree& tree, const TreeNode& leaf, Point& out);
-  void share(FieldTree tree);
-  bool drop_unshared(const FieldTree& tree);
-  FieldCode shared_code(const FieldNumbers& field) const;
-  FieldNumbers shared_field(const FieldCode& code) const;
+  EdgeTree encode_rows(bool borrow);
+  bool find_miss(const EdgeTree& tree, const TreeNode& leaf, Point& out);
+  void share(EdgeTree tree);
+  bool drop_unshared(const EdgeTree& tree);
+  PrimitiveCode shared_code(const PrimitiveNumbers& field) const;
+  PrimitiveNumbers shared_field(const PrimitiveCode& code) const;
   Coded encode_square(
       int x_u, int y_u, int log2, const List& list, double budget);
   bool divide(
@@ -69,15 +69,15 @@ class FieldEncoder {
 
   Grid grid_;
   int fine_step_u_;
-  FieldSteps steps_;
+  PrimitiveSteps steps_;
   PointSource points_;
   CandidateSource candidates_;
   LeafSearch search_;
   int shared_log2_;
   int shared_x_u_;
   int shared_y_u_;
-  std::vector<FieldCode> shared_;
-  std::vector<FieldNumbers> fields_;  // of all that is decided so far
+  std::vector<PrimitiveCode> shared_;
+  std::vector<PrimitiveNumbers> fields_;  // of all that is decided so far
   uint32_t sure_splits_ = 0;          // squares that no leaf can replace
 };
 

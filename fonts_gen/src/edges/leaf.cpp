@@ -83,7 +83,7 @@ double order_leaf(Leaf& leaf, int size_log2) {
   if (is_nested(leaf.join)) {
     return bits + order_group(members, 1, 0) + order_group(members + 1, 2, 1);
   }
-  return bits + order_group(members, field_count(leaf.join), 0);
+  return bits + order_group(members, primitive_count(leaf.join), 0);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ float join_values(Join join, const std::array<FieldValue, 3>& fields) {
   const float sign = greatest ? -1.0f : 1.0f;
   const FieldValue a = greatest ? negated(fields[0]) : fields[0];
   const FieldValue b = greatest ? negated(fields[1]) : fields[1];
-  if (field_count(join) == 2) {
+  if (primitive_count(join) == 2) {
     return sign * least(a, b);
   }
   const FieldValue c = greatest ? negated(fields[2]) : fields[2];
@@ -110,7 +110,7 @@ float join_values(Join join, const std::array<FieldValue, 3>& fields) {
 
 float leaf_value(const Leaf& leaf, size_t i) {
   std::array<FieldValue, 3> values;
-  for (size_t m = 0; m < static_cast<size_t>(field_count(leaf.join)); ++m) {
+  for (size_t m = 0; m < static_cast<size_t>(primitive_count(leaf.join)); ++m) {
     values[m] = value_of(*leaf.members[m], i);
   }
   return join_values(leaf.join, values);

@@ -27,8 +27,8 @@ struct FieldValue {
   float gy = 0;
 };
 
-/// Up to three fields joined, field_count(join) of them: docs/FORMAT.md, "The
-/// value of a cell", in real numbers. [u]
+/// Up to three fields joined, primitive_count(join) of them: docs/FORMAT.md,
+/// "The value of a cell", in real numbers. [u]
 float join_values(Join join, const std::array<FieldValue, 3>& fields);
 
 /// What the leaf says at point `i`. [u]

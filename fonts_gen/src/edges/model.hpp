@@ -10,25 +10,26 @@
 namespace inkcell {
 namespace gen {
 
-inline bool is_arc(const FieldNumbers& field) {
+inline bool is_arc(const PrimitiveNumbers& field) {
   return field.bend != 0;
 }
 
-inline bool same_field(const FieldNumbers& a, const FieldNumbers& b) {
+inline bool same_primitive(const PrimitiveNumbers& a,
+                           const PrimitiveNumbers& b) {
   return a.nx_q14 == b.nx_q14 && a.ny_q14 == b.ny_q14 && a.c_q4 == b.c_q4 &&
          a.bend == b.bend && (a.bend == 0 || a.along_q4 == b.along_q4);
 }
 
 /// A field in real numbers. [u]
-struct FieldModel {
+struct Primitive {
   double nx = 0;
   double ny = 0;
   double c = 0;
   double cw = 0;
   double k = 0;
 
-  FieldModel() = default;
-  explicit FieldModel(const FieldNumbers& field)
+  Primitive() = default;
+  explicit Primitive(const PrimitiveNumbers& field)
       : nx(field.nx_q14 / 16384.0),
         ny(field.ny_q14 / 16384.0),
         c(field.c_q4 / 16.0),
@@ -60,7 +61,7 @@ enum class Join : uint8_t {
 
 inline constexpr int kJoins = 7;
 
-inline int field_count(Join join) {
+inline int primitive_count(Join join) {
   return join == Join::single                         ? 1
          : (join == Join::min2 || join == Join::max2) ? 2
                                                       : 3;

@@ -20,7 +20,7 @@ struct Points {
   /// cell is one over its pixels at the largest size, of errors in tolerances.
   /// [1/u^2]
   std::vector<float> weight;
-  /// What is nearest: FieldTruth's numbers. corner -1: no corner.
+  /// What is nearest: DistanceLattice's numbers. corner -1: no corner.
   std::vector<int16_t> chain, corner;
   /// Corners that are nearest to some point in the band, ascending.
   std::vector<int16_t> corners;
@@ -68,7 +68,7 @@ class PointSource {
     allow(d, limit_, low, high);
   }
 
-  FieldTruth& truth() { return truth_; }
+  DistanceLattice& truth() { return truth_; }
   const Metric& metric() const { return metric_; }
   const Grid& grid() const { return grid_; }
 
@@ -86,7 +86,7 @@ class PointSource {
   Metric metric_;
   Grid grid_;
   double limit_;
-  FieldTruth truth_;
+  DistanceLattice truth_;
   std::vector<Point> extra_;
 };
 

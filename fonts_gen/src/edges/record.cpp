@@ -16,7 +16,7 @@ constexpr uint8_t kLinkedFlag = 0x80;
 constexpr size_t kNarrowNumbers = 256;
 constexpr size_t kMostUnits = 8192;  // offsets have 13 bits
 
-void put_field(Bytes& out, const FieldNumbers& field) {
+void put_field(Bytes& out, const PrimitiveNumbers& field) {
   put_i16(out, field.nx_q14);
   put_i16(out, field.ny_q14);
   put_i16(out, field.c_q4);
@@ -42,7 +42,7 @@ int operator_of(Join join) {
 
 class NarrowRecord {
  public:
-  explicit NarrowRecord(const FieldTree& tree) : tree_(tree) {
+  explicit NarrowRecord(const EdgeTree& tree) : tree_(tree) {
     number_fields();
     for (const TreeNode& node : tree.nodes) {
       splits_ += node.kind == TreeNode::Kind::split ? 1 : 0;
@@ -65,7 +65,7 @@ class NarrowRecord {
     put_u16(out, static_cast<unsigned>(fields_.size() - arcs_));
     put_u16(out, static_cast<unsigned>(pairs_.size()));
     put_u16(out, static_cast<unsigned>(triples_.size()));
-    for (const FieldNumbers* field : fields_) {
+    for (const PrimitiveNumbers* field : fields_) {
       put_field(out, *field);
     }
     for (const auto& triple : triples_in_order_) {
@@ -85,20 +85,20 @@ class NarrowRecord {
     std::vector<bool> used(tree_.fields.size());
     for (const TreeNode& node : tree_.nodes) {
       if (node.kind == TreeNode::Kind::leaf) {
-        for (int i = 0; i < field_count(node.join); ++i) {
+        for (int i = 0; i < primitive_count(node.join); ++i) {
           used[node.uses[static_cast<size_t>(i)].field] = true;
         }
       }
     }
     for (const bool arc : {true, false}) {
       for (size_t f = 0; f < tree_.fields.size(); ++f) {
-        const FieldNumbers& field = tree_.fields[f];
+        const PrimitiveNumbers& field = tree_.fields[f];
         if (!used[f] || is_arc(field) != arc) {
           continue;
         }
         size_t number = 0;
         while (number < fields_.size() &&
-               !same_field(*fields_[number], field)) {
+               !same_primitive(*fields_[number], field)) {
           ++number;
         }
         if (number == fields_.size()) {
@@ -128,7 +128,7 @@ class NarrowRecord {
   }
 
   void add_leaf(const TreeNode& node) {
-    const int count = field_count(node.join);
+    const int count = primitive_count(node.join);
     if (count == 2 && pairs_.emplace(pair_of(node), pairs_.size()).second) {
       pairs_in_order_.push_back(pair_of(node));
     }
@@ -150,7 +150,7 @@ class NarrowRecord {
         break;
     }
     size_t number = 2 + splits_;
-    switch (field_count(node.join)) {
+    switch (primitive_count(node.join)) {
       case 1:
         return static_cast<uint8_t>(number + number_of_[node.uses[0].field]);
       case 2:
@@ -188,10 +188,10 @@ class NarrowRecord {
     out.insert(out.end(), references.begin(), references.end());
   }
 
-  const FieldTree& tree_;
+  const EdgeTree& tree_;
   size_t splits_ = 0;
   size_t arcs_ = 0;
-  std::vector<const FieldNumbers*> fields_;
+  std::vector<const PrimitiveNumbers*> fields_;
   std::vector<size_t> number_of_;
   std::map<std::array<uint8_t, 2>, size_t> pairs_;
   std::map<std::array<uint8_t, 4>, size_t> triples_;
@@ -202,7 +202,7 @@ class NarrowRecord {
 // A heap of 16-bit units; references hold a tag and an offset.
 class LinkedRecord {
  public:
-  explicit LinkedRecord(const FieldTree& tree) : tree_(tree) {
+  explicit LinkedRecord(const EdgeTree& tree) : tree_(tree) {
     const auto tiles = static_cast<size_t>(tree.grid.tiles_x) *
                        static_cast<size_t>(tree.grid.tiles_y);
     heap_.resize(tiles);
@@ -254,7 +254,7 @@ class LinkedRecord {
   size_t field_offset(uint16_t f) {
     if (offsets_[f] == 0) {
       offsets_[f] = heap_.size();
-      const FieldNumbers& field = tree_.fields[f];
+      const PrimitiveNumbers& field = tree_.fields[f];
       add(field.nx_q14);
       add(field.ny_q14);
       add(field.c_q4);
@@ -270,7 +270,7 @@ class LinkedRecord {
     if (node.kind != TreeNode::Kind::leaf) {
       return node.kind == TreeNode::Kind::inside ? 1 : 0;
     }
-    const size_t count = static_cast<size_t>(field_count(node.join));
+    const size_t count = static_cast<size_t>(primitive_count(node.join));
     std::array<uint16_t, 3> units{};
     for (size_t i = 0; i < count; ++i) {
       const uint16_t f = node.uses[i].field;
@@ -294,14 +294,14 @@ class LinkedRecord {
     return reference(takes_greatest(node.join) ? kGreatest : kLeast, at);
   }
 
-  const FieldTree& tree_;
+  const EdgeTree& tree_;
   std::vector<uint16_t> heap_;
   std::vector<size_t> offsets_;
 };
 
 }  // namespace
 
-std::vector<uint8_t> field_record(const FieldTree& tree) {
+std::vector<uint8_t> edge_record(const EdgeTree& tree) {
   NarrowRecord narrow(tree);
   if (narrow.fits()) {
     return narrow.write();

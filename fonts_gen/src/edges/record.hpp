@@ -13,7 +13,7 @@ namespace gen {
 /// else the linked one.
 ///
 /// Throws GeometryError::too_complex if it fits neither.
-std::vector<uint8_t> field_record(const FieldTree& tree);
+std::vector<uint8_t> edge_record(const EdgeTree& tree);
 
 }  // namespace gen
 }  // namespace inkcell

@@ -45,7 +45,7 @@ struct Origin {
     size_t member;
   };
 
-  FieldCode* code = nullptr;
+  PrimitiveCode* code = nullptr;
   int x_u = 0;
   int y_u = 0;
   int size_log2 = 0;
@@ -87,7 +87,7 @@ class Polish {
   Polish(PointSource& points,
          const CandidateSource& candidates,
          size_t count,
-         FieldTree& tree)
+         EdgeTree& tree)
       : points_(points), candidates_(candidates), tree_(tree), origins_(count) {
     gather();
   }
@@ -115,16 +115,16 @@ class Polish {
 
   void gather();
   void add_cell(const TreeNode& node);
-  Parabola parabola(const Origin& origin, const FieldNumbers& field) const;
+  Parabola parabola(const Origin& origin, const PrimitiveNumbers& field) const;
   std::vector<Move> moves(const Origin& origin,
-                          const FieldNumbers& field) const;
-  bool apply(const Move& move, const Origin& origin, FieldCode& code) const;
-  void improve(const Origin& origin, FieldNumbers& field);
-  bool attempt(const Origin& origin, const FieldNumbers& field);
+                          const PrimitiveNumbers& field) const;
+  bool apply(const Move& move, const Origin& origin, PrimitiveCode& code) const;
+  void improve(const Origin& origin, PrimitiveNumbers& field);
+  bool attempt(const Origin& origin, const PrimitiveNumbers& field);
 
   PointSource& points_;
   const CandidateSource& candidates_;
-  FieldTree& tree_;
+  EdgeTree& tree_;
   std::vector<Cell> cells_;
   std::vector<Origin> origins_;  // of each field that may move
   int now_ = 0;                  // fields that were tried so far
@@ -144,8 +144,9 @@ void Polish::gather() {
       continue;
     }
     bool moves = false;
-    for (size_t m = 0; m < static_cast<size_t>(field_count(node.join)); ++m) {
-      FieldUse& use = node.uses[m];
+    for (size_t m = 0; m < static_cast<size_t>(primitive_count(node.join));
+         ++m) {
+      PrimitiveUse& use = node.uses[m];
       if (use.field >= origins_.size()) {
         continue;
       }
@@ -177,7 +178,7 @@ void Polish::add_cell(const TreeNode& node) {
   Cell cell;
   cell.leaf.join = node.join;
   cell.points = points_.collect(node.x_u, node.y_u, node.size_log2);
-  for (size_t m = 0; m < static_cast<size_t>(field_count(node.join)); ++m) {
+  for (size_t m = 0; m < static_cast<size_t>(primitive_count(node.join)); ++m) {
     cell.members[m].field = tree_.fields[node.uses[m].field];
     candidates_.evaluate(cell.members[m], cell.points);
   }
@@ -187,14 +188,14 @@ void Polish::add_cell(const TreeNode& node) {
 // Where the field is what its cell says; the distance from a vertex is left
 // out.
 Parabola Polish::parabola(const Origin& origin,
-                          const FieldNumbers& field) const {
-  const FieldSteps& steps = tree_.steps;
+                          const PrimitiveNumbers& field) const {
+  const PrimitiveSteps& steps = tree_.steps;
   const int log2 = origin.size_log2;
   const double d0_step = steps.d0_step / 64.0;
   const double angle_step = 2 * kPi / (1 << steps.angle_bits(log2));
-  const double bend_step = std::ldexp(steps.bend_step / 64.0,
-                                      -2 * FieldSteps::bend_length_log2(log2));
-  const FieldModel model(field);
+  const double bend_step = std::ldexp(
+      steps.bend_step / 64.0, -2 * PrimitiveSteps::bend_length_log2(log2));
+  const Primitive model(field);
   Parabola out;
   for (const Origin::Use& use : origin.uses) {
     const Cell& cell = cells_[use.cell];
@@ -226,9 +227,9 @@ Parabola Polish::parabola(const Origin& origin,
 
 // What promises to lessen the squares, the most first.
 std::vector<Move> Polish::moves(const Origin& origin,
-                                const FieldNumbers& field) const {
+                                const PrimitiveNumbers& field) const {
   const Parabola at = parabola(origin, field);
-  const FieldKind kind = origin.code->kind;
+  const PrimitiveKind kind = origin.code->kind;
   const int most_angle = has_angle(kind) ? kReach : 0;
   const int most_bend = is_bent(kind) ? kReach : 0;
   std::vector<Move> out;
@@ -258,8 +259,8 @@ std::vector<Move> Polish::moves(const Origin& origin,
 // False if the code cannot say it, or not with the bits it has.
 bool Polish::apply(const Move& move,
                    const Origin& origin,
-                   FieldCode& code) const {
-  const FieldSteps& steps = tree_.steps;
+                   PrimitiveCode& code) const {
+  const PrimitiveSteps& steps = tree_.steps;
   const int log2 = origin.size_log2;
   const int old_bend = code.bend;
   code.d0 += move.d0;
@@ -277,13 +278,13 @@ bool Polish::apply(const Move& move,
           steps.bend_bits(code.bend, log2) <= steps.bend_bits(old_bend, log2));
 }
 
-void Polish::improve(const Origin& origin, FieldNumbers& field) {
+void Polish::improve(const Origin& origin, PrimitiveNumbers& field) {
   for (const Move& move : moves(origin, field)) {
-    FieldCode code = *origin.code;
+    PrimitiveCode code = *origin.code;
     if (!apply(move, origin, code)) {
       continue;
     }
-    const FieldNumbers moved = field_numbers(
+    const PrimitiveNumbers moved = field_numbers(
         code, tree_.steps, origin.size_log2, origin.x_u, origin.y_u);
     if (attempt(origin, moved)) {
       *origin.code = code;
@@ -294,7 +295,7 @@ void Polish::improve(const Origin& origin, FieldNumbers& field) {
 }
 
 // Uses `field` in all cells of `origin` if that lessens their squares.
-bool Polish::attempt(const Origin& origin, const FieldNumbers& field) {
+bool Polish::attempt(const Origin& origin, const PrimitiveNumbers& field) {
   double before = 0;
   for (const Origin::Use& use : origin.uses) {
     before += cells_[use.cell].squares;
@@ -331,7 +332,7 @@ bool Polish::attempt(const Origin& origin, const FieldNumbers& field) {
 void polish_fields(PointSource& points,
                    const CandidateSource& candidates,
                    size_t count,
-                   FieldTree& tree) {
+                   EdgeTree& tree) {
   Polish(points, candidates, count, tree).run();
 }
 

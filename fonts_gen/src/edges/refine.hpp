@@ -17,7 +17,7 @@ namespace gen {
 void polish_fields(PointSource& points,
                    const CandidateSource& candidates,
                    size_t count,
-                   FieldTree& tree);
+                   EdgeTree& tree);
 
 }  // namespace gen
 }  // namespace inkcell

@@ -14,10 +14,10 @@ namespace inkcell {
 namespace gen {
 
 /// One field of a leaf: one of an earlier leaf, or a new one.
-struct FieldUse {
+struct PrimitiveUse {
   bool is_new = false;
-  FieldCode code;      // new
-  uint16_t field = 0;  // index in FieldTree::fields
+  PrimitiveCode code;  // new
+  uint16_t field = 0;  // index in EdgeTree::fields
 };
 
 /// A square of the forest. Nodes lie in depth-first order, tiles row by row
@@ -31,7 +31,7 @@ struct TreeNode {
   int16_t x_u = 0;
   int16_t y_u = 0;
   Join join = Join::single;
-  std::array<FieldUse, 3> uses;  // field_count(join) of them
+  std::array<PrimitiveUse, 3> uses;  // primitive_count(join) of them
 };
 
 /// What stands for the size of the cell in the steps of shared fields.
@@ -43,13 +43,13 @@ inline int shared_log2(const Grid& grid) {
   return log2;
 }
 
-struct FieldTree {
+struct EdgeTree {
   Grid grid;
-  FieldSteps steps;
+  PrimitiveSteps steps;
   /// Fields that several rows of tiles use, in steps of the whole grid; they
   /// come first in `fields`.
-  std::vector<FieldCode> shared;
-  std::vector<FieldNumbers> fields;
+  std::vector<PrimitiveCode> shared;
+  std::vector<PrimitiveNumbers> fields;
   std::vector<TreeNode> nodes;
   int failures = 0;  // squares of the smallest size that no fields fit
 };

@@ -135,7 +135,7 @@ std::vector<uint8_t> grid_section(const FontHints& hints) {
     put(zone.overshoot_u & 0xff);
     put(zone.is_top ? static_cast<int>(grid::kTopZone) : 0);
   }
-  BitTable table(out);
+  BitTableWriter table(out);
   for (const uint32_t end : ends) {
     table.put(end, offset_bits);
   }

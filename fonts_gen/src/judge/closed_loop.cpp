@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/render.hpp"
+#include "inkcell/text_style.hpp"
 #include "judge/canvas.hpp"
 
 namespace inkcell {
@@ -221,19 +221,20 @@ ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
 
 LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
   return draw_and_compare(
-      {[&](const Brush& brush, inkcell::Point origin) {
-         return field_box(field, brush, origin);
+      {[&](const TextStyle& style, inkcell::Point origin) {
+         return field_box(field, style, origin);
        },
-       [&](const Brush& brush, inkcell::Point origin, const Sink& sink) {
-         draw_field(field, brush, origin, sink);
+       [&](const TextStyle& style, inkcell::Point origin, const Sink& sink) {
+         draw_field(field, style, origin, sink);
        }});
 }
 
 LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
   Gathering gathering(options_);
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
-    Brush brush;
-    if (Brush::make(Q26_6::from_int(px), kFilterText, brush) != Status::ok) {
+    TextStyle style;
+    if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) !=
+        Status::ok) {
       throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
     }
     gathering.begin(px);
@@ -242,8 +243,8 @@ LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
       const inkcell::Point origin = {Q26_6::from_raw(setting.phase.x),
                                      Q26_6::from_raw(setting.phase.y)};
       const Rect inked = map_ ? setting.pixels_of(shape_.box()) : Rect();
-      Canvas canvas(join(inked, glyph.box(brush, origin)));
-      glyph.draw(brush, origin, canvas.sink());
+      Canvas canvas(join(inked, glyph.box(style, origin)));
+      glyph.draw(style, origin, canvas.sink());
       compare(setting, canvas, inked, map_ ? &*map_ : nullptr, gathering);
     }
     gathering.end();

@@ -57,9 +57,9 @@ struct LoopResult {
 /// A glyph as the device draws it, with its origin at `origin`.
 struct LoopGlyph {
   /// The pixels that it may touch.
-  std::function<Rect(const Brush& brush, inkcell::Point origin)> box;
+  std::function<Rect(const TextStyle& style, inkcell::Point origin)> box;
   std::function<void(
-      const Brush& brush, inkcell::Point origin, const Sink& sink)>
+      const TextStyle& style, inkcell::Point origin, const Sink& sink)>
       draw;
 };
 

@@ -7,11 +7,11 @@
 #include <iterator>
 
 #include "base/work_pool.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/crisp.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
 #include "rom/rom_font.hpp"
 #include "shape/shape.hpp"
 
@@ -83,20 +83,20 @@ class TrialFont {
   TrialFont& operator=(const TrialFont&) = delete;
 
   Topology unfitted(uint16_t glyph, int px) const {
-    return draw(glyph, px, make_brush(px));
+    return draw(glyph, px, make_style(px));
   }
 
   Topology fitted(uint16_t glyph, int px, const FitOptions& look) const {
-    Brush brush = make_brush(px);
+    TextStyle style = make_style(px);
     Fit fit;
-    require(Fit::make(font_, brush, look, fit));
-    brush.set_fitter(&kGridFit, &fit);
-    CrispStyle crisp;
+    require(Fit::make(font_, style, look, fit));
+    style.set_fitter(&kGridFit, &fit);
+    CrispOptions crisp;
     if (look.levels == 2) {
       crisp.threshold_px = fit.crisp_weight();
-      brush.set_painter(crisp_painter(crisp));
+      style.set_effect(crisp_effect(crisp));
     }
-    return draw(glyph, px, brush);
+    return draw(glyph, px, style);
   }
 
  private:
@@ -106,14 +106,14 @@ class TrialFont {
     }
   }
 
-  static Brush make_brush(int px) {
-    Brush brush;
-    require(Brush::make(Q26_6::from_int(px), kFilterText, brush));
-    return brush;
+  static TextStyle make_style(int px) {
+    TextStyle style;
+    require(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+    return style;
   }
 
   // The box of the ink with room for what fitting moves.
-  Topology draw(uint16_t glyph, int px, const Brush& brush) const {
+  Topology draw(uint16_t glyph, int px, const TextStyle& style) const {
     GlyphMetrics metrics;
     require(font_.glyph_metrics(glyph, metrics));
     const double scale = static_cast<double>(px) / font_.units_per_em();
@@ -125,7 +125,7 @@ class TrialFont {
     Canvas canvas(
         {pixels(metrics.x_min) - room_x, pixels(-metrics.y_max) - room_y,
          pixels(metrics.x_max) + room_x, pixels(-metrics.y_min) + room_y});
-    draw_glyph(font_, glyph, brush, {}, canvas.sink());
+    draw_glyph(font_, glyph, style, {}, canvas.sink());
     return topology_of(canvas);
   }
 

@@ -66,16 +66,16 @@ class OneGlyphFont {
   }
 
   LoopGlyph loop_glyph() {
-    return {
-        [this](const Brush& brush, inkcell::Point origin) {
-          PreparedGlyph glyph;
-          static_cast<void>(
-              PreparedGlyph::make(font_, 1, brush, origin, workspace(), glyph));
-          return glyph.box();
-        },
-        [this](const Brush& brush, inkcell::Point origin, const Sink& sink) {
-          draw_glyph(font_, 1, brush, origin, sink, workspace());
-        }};
+    return {[this](const TextStyle& style, inkcell::Point origin) {
+              PreparedGlyph glyph;
+              static_cast<void>(PreparedGlyph::make(font_, 1, style, origin,
+                                                    workspace(), glyph));
+              return glyph.box();
+            },
+            [this](const TextStyle& style, inkcell::Point origin,
+                   const Sink& sink) {
+              draw_glyph(font_, 1, style, origin, sink, workspace());
+            }};
   }
 
  private:
@@ -191,7 +191,7 @@ MinimalOutline outline_of_chords(const Outline& united,
 
 }  // namespace
 
-RefitOptions refit_options(const AdfOptions& options, int units_per_em) {
+RefitOptions refit_options(const Target& options, int units_per_em) {
   RefitOptions refit;
   refit.units_per_em = units_per_em;
   refit.tolerance_u = kShare * options.tolerance / options.max_px;

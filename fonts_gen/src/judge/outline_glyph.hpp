@@ -13,7 +13,7 @@ namespace inkcell::gen {
 
 /// How all glyphs of a font are refitted: the coarsest grid that keeps the
 /// tolerance at the largest size, and how far outlines may stray.
-RefitOptions refit_options(const AdfOptions& options, int units_per_em);
+RefitOptions refit_options(const Target& options, int units_per_em);
 
 struct RefittedGlyph {
   MinimalOutline outline;

@@ -125,7 +125,7 @@ void check_hints(const Font& font, const RomContent& content) {
 // Walks the tree of the source and looks each leaf up in the font.
 class CellCheck {
  public:
-  CellCheck(const AdfGlyph& source, const GlyphField& field)
+  CellCheck(const SampleTree& source, const GlyphField& field)
       : source_(source), field_(field) {}
 
   bool equal() const {
@@ -197,14 +197,14 @@ class CellCheck {
            std::memcmp(cell.samples, samples.data(), samples.size()) == 0;
   }
 
-  const AdfGlyph& source_;
+  const SampleTree& source_;
   const GlyphField& field_;
 };
 
 // Whether `field` says what the record of `tree` does: every square has its
 // leaf, and every leaf says the same at its corners and its centre.
-bool equal_fields(const FieldTree& tree, const GlyphField& field) {
-  const std::vector<uint8_t> bytes = field_record(tree);
+bool equal_fields(const EdgeTree& tree, const GlyphField& field) {
+  const std::vector<uint8_t> bytes = edge_record(tree);
   GlyphField expected;
   if (GlyphField::open({bytes.data(), bytes.size()}, expected) != Status::ok ||
       field.x0_u != expected.x0_u || field.y0_u != expected.y0_u ||

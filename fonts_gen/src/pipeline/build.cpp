@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "base/work_pool.hpp"
-#include "judge/edges_glyph.hpp"
+#include "judge/edge_glyph.hpp"
 #include "judge/hint_trial.hpp"
 #include "judge/outline_glyph.hpp"
 #include "pipeline/font_hints.hpp"
@@ -40,7 +40,7 @@ struct Built {
   LoopResult errors;  // size_aware
 };
 
-LoopOptions loop_options(const AdfOptions& options) {
+LoopOptions loop_options(const Target& options) {
   LoopOptions loop;
   loop.min_px = static_cast<int>(options.min_px);
   loop.max_px = static_cast<int>(options.max_px);
@@ -48,13 +48,11 @@ LoopOptions loop_options(const AdfOptions& options) {
   return loop;
 }
 
-void build_samples(const Shape& shape,
-                   const AdfOptions& options,
-                   Built& built) {
-  AdfOptions of_samples = options;
+void build_samples(const Shape& shape, const Target& options, Built& built) {
+  Target of_samples = options;
   of_samples.coding = Coding::samples;
-  built.glyph.fields = FieldTree();
-  built.glyph.samples = build_adf(shape, of_samples);
+  built.glyph.fields = EdgeTree();
+  built.glyph.samples = build_sample_tree(shape, of_samples);
   if (options.predicate == Predicate::fixed) {
     return;
   }
@@ -67,14 +65,14 @@ void build_samples(const Shape& shape,
 }
 
 // Cells of fields, or of samples where fields cannot hold the tolerance.
-void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
+void build_cells(const Shape& shape, const Target& options, Built& built) {
   if (options.coding == Coding::samples) {
     build_samples(shape, options, built);
     return;
   }
-  FieldGlyph glyph;
+  EdgeGlyph glyph;
   try {
-    glyph = build_fields(shape, options, loop_options(options));
+    glyph = build_edges(shape, options, loop_options(options));
   } catch (const GeometryError&) {
     build_samples(shape, options, built);
     return;
@@ -84,7 +82,7 @@ void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
     if (built.errors.worst < glyph.errors.worst) {
       return;
     }
-    built.glyph.samples = AdfGlyph();
+    built.glyph.samples = SampleTree();
   }
   built.glyph.fields = std::move(glyph.tree);
   built.errors = std::move(glyph.errors);
@@ -93,7 +91,7 @@ void build_cells(const Shape& shape, const AdfOptions& options, Built& built) {
 void build_outline(const Outline& source,
                    const Shape& shape,
                    int units_per_em,
-                   const AdfOptions& options,
+                   const Target& options,
                    Built& built) {
   RefittedGlyph glyph =
       refit_glyph(source, shape, built.glyph.metrics,
@@ -104,7 +102,7 @@ void build_outline(const Outline& source,
 
 Built build_glyph(const SourceFont& font,
                   const SourceGlyph& glyph,
-                  const AdfOptions& options) {
+                  const Target& options) {
   const auto refuse = [&](const std::string& why) {
     throw Error(font.file_name + ": " + glyph.name() + ": " + why);
   };
@@ -165,7 +163,7 @@ RomContent build_content(SourceFont& font,
   RomContent content;
   content.name = font.name;
   content.metrics = font.metrics;
-  content.options = request.adf;
+  content.options = request.target;
   content.kerning = std::move(font.kerning);
   const size_t count = font.glyphs.size();
   content.glyphs.resize(count);
@@ -177,14 +175,14 @@ RomContent build_content(SourceFont& font,
   parallel_for(
       count, request.jobs,
       [&](size_t i) {
-        Built built = build_glyph(font, font.glyphs[i], request.adf);
+        Built built = build_glyph(font, font.glyphs[i], request.target);
         content.glyphs[i] = std::move(built.glyph);
         errors[i] = std::move(built.errors);
       },
       done);
-  if (request.adf.coding == Coding::outline) {
+  if (request.target.coding == Coding::outline) {
     content.outlines.grid_shift =
-        refit_options(request.adf, font.metrics.units_per_em).grid_shift;
+        refit_options(request.target, font.metrics.units_per_em).grid_shift;
     encode_outlines(content);
     find_references(font.components, content);
     drop_unused_components(font, content, errors);
@@ -195,7 +193,7 @@ RomContent build_content(SourceFont& font,
       content.glyph_of[c] = static_cast<uint16_t>(i);
     }
   }
-  if (request.hints && request.adf.coding == Coding::outline) {
+  if (request.hints && request.target.coding == Coding::outline) {
     content.hints = find_hints(content, request.jobs);
     drop_harmful_hints(content, request.jobs);
   }

@@ -14,7 +14,7 @@ void count_cells(const RomGlyph& glyph, CellCounts& kinds) {
   kinds.samples += glyph.samples.cells.size();
   for (const TreeNode& node : glyph.fields.nodes) {
     if (node.kind == TreeNode::Kind::leaf) {
-      const int count = field_count(node.join);
+      const int count = primitive_count(node.join);
       ++(count == 1 ? kinds.single : count == 2 ? kinds.pairs : kinds.triples);
     }
   }
@@ -23,7 +23,7 @@ void count_cells(const RomGlyph& glyph, CellCounts& kinds) {
 GlyphReport report_glyph(const SourceGlyph& source,
                          const RomGlyph& built,
                          const LoopResult& errors,
-                         const AdfOptions& options) {
+                         const Target& options) {
   GlyphReport glyph;
   glyph.name = source.name();
   glyph.key = source.code_points.empty() ? source.name()

@@ -26,7 +26,7 @@ struct GlyphReport {
   size_t components = 0;  // that a composite record refers to; 0: simple
   size_t bytes = 0;       // of its record
   /// size_aware: of the pixels that the device draws, at the worst size; the
-  /// mean over the ink's box and 1.5 px [1/255]. fixed: as AdfGlyph.
+  /// mean over the ink's box and 1.5 px [1/255]. fixed: as SampleTree.
   double worst_error = 0;
   double mean_error = 0;
   int worst_px = 0;  // size_aware: the size of the worst pixel
@@ -44,7 +44,7 @@ struct CellCounts {
 struct FontReport {
   std::string file_name;
   std::string name;  // family and style
-  AdfOptions options;
+  Target options;
   PartBytes bytes;
   std::vector<GlyphReport> glyphs;
   std::vector<char32_t> missing;
@@ -63,7 +63,7 @@ struct FontReport {
   double worst_error = 0;  // of all glyphs
   double mean_error = 0;   // at the worst size; fixed: over the glyphs with ink
   double seconds = 0;
-  /// What AdfOptions::band_px cost, if it was asked for and measured. [bytes]
+  /// What Target::band_px cost, if it was asked for and measured. [bytes]
   std::optional<int64_t> band_bytes;
 
   /// Of the same cells as a list of leaves, the paper's form: 15 bytes each.

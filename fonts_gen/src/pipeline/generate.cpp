@@ -19,7 +19,7 @@ RomFont generate(const GenerateRequest& request) {
   wanted.face = request.face;
   wanted.axes = request.axes;
   wanted.characters = characters_of(request);
-  wanted.with_components = request.adf.coding == Coding::outline;
+  wanted.with_components = request.target.coding == Coding::outline;
   SourceFont font = load_font(wanted, request.jobs, rom.warnings);
   std::vector<LoopResult> errors;
   const RomContent content = build_content(font, request, errors);

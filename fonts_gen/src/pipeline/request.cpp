@@ -18,31 +18,32 @@ bool is_whole_within(double value, double least, double most) {
 }  // namespace
 
 void check_request(const GenerateRequest& request) {
-  const AdfOptions& adf = request.adf;
-  if (!is_whole_within(adf.min_px, kLeastPx, kMostPx) ||
-      !is_whole_within(adf.max_px, kLeastPx, kMostPx) ||
-      adf.min_px > adf.max_px) {
+  const Target& target = request.target;
+  if (!is_whole_within(target.min_px, kLeastPx, kMostPx) ||
+      !is_whole_within(target.max_px, kLeastPx, kMostPx) ||
+      target.min_px > target.max_px) {
     throw Error(
         "--min-px and --max-px are whole numbers within 4..1024, the first "
         "not above the second");
   }
-  if (!is_whole_within(adf.tolerance, 1, 255)) {
+  if (!is_whole_within(target.tolerance, 1, 255)) {
     throw Error("--tolerance is a whole number within 1..255, such as 16/255");
   }
-  if (adf.band_px != 0) {
-    AdfOptions usual = adf;
+  if (target.band_px != 0) {
+    Target usual = target;
     usual.band_px = 0;
-    if (adf.predicate == Predicate::fixed || !(adf.band_px > 0) ||
-        band_u(adf) < band_u(usual) || band_u(adf) > kMostBand_u) {
+    if (target.predicate == Predicate::fixed || !(target.band_px > 0) ||
+        band_u(target) < band_u(usual) || band_u(target) > kMostBand_u) {
       throw Error(
           "--band-px is at least 0.5 with --coding edges, 0.75 with samples, "
           "and at most 3/16 em at --min-px; the fixed predicate has its own");
     }
   }
-  if (adf.effort < 0 || adf.effort > 9) {
+  if (target.effort < 0 || target.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }
-  if (adf.coding != Coding::samples && adf.predicate == Predicate::fixed) {
+  if (target.coding != Coding::samples &&
+      target.predicate == Predicate::fixed) {
     throw Error(
         "--predicate fixed is the paper's, for its cells; use --coding "
         "samples");

@@ -24,8 +24,8 @@ struct GenerateRequest {
   std::string symbols;  // UTF-8
   /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
   /// a whole number within 1..255.
-  AdfOptions adf;
-  GenerateRequest() { adf.coding = Coding::outline; }
+  Target target;
+  GenerateRequest() { target.coding = Coding::outline; }
   /// Whether an outline font says what grid fitting needs.
   bool hints = true;
   /// Threads; 0: all cores. The bytes do not depend on it.

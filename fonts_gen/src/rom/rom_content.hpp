@@ -20,8 +20,8 @@ namespace inkcell::gen {
 
 /// One glyph as the device sees it: cells of one kind, an outline, or no ink.
 struct RomGlyph {
-  AdfGlyph samples;                     // without tiles: none
-  FieldTree fields;                     // without tiles: none
+  SampleTree samples;                   // without tiles: none
+  EdgeTree fields;                      // without tiles: none
   MinimalOutline outline;               // without contours: none
   OutlineReferences references;         // what a record refers to instead
   std::vector<uint8_t> outline_record;  // encode_outlines() makes it
@@ -45,7 +45,7 @@ struct OutlineCoding {
 struct RomContent {
   std::string name;
   SourceMetrics metrics;
-  AdfOptions options;
+  Target options;
   OutlineCoding outlines;
   std::vector<RomGlyph> glyphs;
   std::map<char32_t, uint16_t> glyph_of;

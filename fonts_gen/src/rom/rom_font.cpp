@@ -86,7 +86,7 @@ Bytes metrics_section(const RomContent& content) {
   for (size_t i = 0; i < least.size(); ++i) {
     put_u8(out, width_of(static_cast<uint32_t>(most[i] - least[i])));
   }
-  BitTable table(out);
+  BitTableWriter table(out);
   for (const RomGlyph& glyph : content.glyphs) {
     const MetricsRow row = metrics_row(glyph.metrics);
     for (size_t i = 0; i < row.size(); ++i) {
@@ -170,7 +170,7 @@ Bytes kerning_section(const RomContent& content) {
        {glyph_bits, left_bits, right_bits, value_bits, start_bits}) {
     put_u8(out, width);
   }
-  BitTable table(out);
+  BitTableWriter table(out);
   for (const uint32_t glyph : members) {
     table.put(glyph, glyph_bits);
     table.put(kerning.left_class[glyph], left_bits);
@@ -242,7 +242,7 @@ Bytes glyphs_section(const RomContent& content) {
   out.reserve(units.total);
   put_u8(out, units.width);
   put_u8(out, units.unit_log2);
-  BitTable offsets(out);
+  BitTableWriter offsets(out);
   uint64_t end = units.begin;
   const auto put_end = [&] {
     offsets.put(static_cast<uint32_t>(end >> units.unit_log2), units.width);
@@ -323,7 +323,7 @@ Extent extent_of(const RomGlyph& glyph) {
   extent.cells = glyph.samples.cells.size();
   extent.nodes = static_cast<size_t>(glyph.samples.node_count());
   extent.depth = static_cast<size_t>(glyph.samples.depth);
-  const FieldTree& tree = glyph.fields;
+  const EdgeTree& tree = glyph.fields;
   for (const TreeNode& node : tree.nodes) {
     extent.cells += node.kind == TreeNode::Kind::leaf ? 1 : 0;
     extent.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
@@ -335,7 +335,7 @@ Extent extent_of(const RomGlyph& glyph) {
 }
 
 void set_range(Bytes& out, const RomContent& content) {
-  const AdfOptions& options = content.options;
+  const Target& options = content.options;
   const bool fixed = options.predicate == Predicate::fixed;
   set_u16(out, header::kMinPx, static_cast<unsigned>(options.min_px));
   set_u16(out, header::kMaxPx, static_cast<unsigned>(options.max_px));
@@ -412,7 +412,7 @@ std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   if (glyph.fields.grid.tiles_x == 0) {
     return {};
   }
-  return field_record(glyph.fields);
+  return edge_record(glyph.fields);
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,

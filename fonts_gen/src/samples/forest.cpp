@@ -37,7 +37,7 @@ constexpr int kSeamSteps = 16;
 
 }  // namespace
 
-Forest::Forest(const Shape& shape, const AdfOptions& options)
+Forest::Forest(const Shape& shape, const Target& options)
     : shape_(shape),
       metric_(options),
       test_(metric_, options.predicate == Predicate::size_aware),
@@ -219,7 +219,7 @@ void Forest::mend_seams() {
 }
 
 // Appends the tree `at` and returns the reference to it.
-uint16_t Forest::write(uint32_t at, int level, AdfGlyph& glyph) const {
+uint16_t Forest::write(uint32_t at, int level, SampleTree& glyph) const {
   namespace refs = format::glyph;
   const Tree& tree = trees_[at];
   glyph.depth = std::max(glyph.depth, level);
@@ -261,8 +261,8 @@ double Forest::mean_error() const {
   return area > 0 ? sum / area : 0;
 }
 
-AdfGlyph Forest::glyph() const {
-  AdfGlyph glyph;
+SampleTree Forest::glyph() const {
+  SampleTree glyph;
   glyph.tile_log2 = grid_.tile_log2;
   glyph.x0_u = grid_.x0_u;
   glyph.y0_u = grid_.y0_u;

@@ -1,4 +1,4 @@
-// A grid of quadtrees while it grows; build_adf() is the way in.
+// A grid of quadtrees while it grows; build_sample_tree() is the way in.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace gen {
 class Forest {
  public:
   /// `shape` must outlive the forest.
-  Forest(const Shape& shape, const AdfOptions& options);
+  Forest(const Shape& shape, const Target& options);
 
   /// Divides every tile until each cell passes or is of the smallest size.
   void grow();
@@ -26,7 +26,7 @@ class Forest {
   void mend_seams();
 
   /// The result, in the order that the format wants.
-  AdfGlyph glyph() const;
+  SampleTree glyph() const;
 
  private:
   enum class Kind : uint8_t { outside, inside, cell, node };
@@ -47,7 +47,7 @@ class Forest {
   double read(const Tree& leaf, double x_u, double y_u) const;
   double jump(const Tree& a, const Tree& b, int side) const;
   uint32_t weaker_at_seam(uint32_t at, int side) const;
-  uint16_t write(uint32_t at, int level, AdfGlyph& glyph) const;
+  uint16_t write(uint32_t at, int level, SampleTree& glyph) const;
   double mean_error() const;
 
   const Shape& shape_;

@@ -34,7 +34,7 @@ double interpolate(const std::array<double, 9>& nine,
 // Counts the leaves of an ADF that interpolates with polynomials of `order`.
 class AdfCounter {
  public:
-  AdfCounter(const AdfOptions& options, int order, Scope scope)
+  AdfCounter(const Target& options, int order, Scope scope)
       : metric_(options), order_(order), scope_(scope) {}
 
   void count(const CellSquare& square,
@@ -93,7 +93,7 @@ class AdfCounter {
 };
 
 LeafCounts count_cells(const Shape& shape,
-                       const AdfOptions& options,
+                       const Target& options,
                        int order,
                        Scope scope) {
   LeafCounts counts;
@@ -132,13 +132,13 @@ void count_colours(const Square& square,
 }  // namespace
 
 LeafCounts count_cells_bilinear(const Shape& shape,
-                                const AdfOptions& options,
+                                const Target& options,
                                 Scope scope) {
   return count_cells(shape, options, 1, scope);
 }
 
 LeafCounts count_cells_biquadratic(const Shape& shape,
-                                   const AdfOptions& options,
+                                   const Target& options,
                                    Scope scope) {
   return count_cells(shape, options, 2, scope);
 }
@@ -148,7 +148,7 @@ LeafCounts count_cells_three_colour(const Shape& shape, int resolution) {
   if (shape.empty()) {
     return counts;
   }
-  AdfOptions root;
+  Target root;
   root.predicate = Predicate::fixed;
   for (const CellSquare& tile : tiles_of(lay_grid(shape, root))) {
     count_colours(tile.square(), Neighbourhood(shape, tile.square()),

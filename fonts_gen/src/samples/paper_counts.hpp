@@ -23,16 +23,16 @@ enum class Scope {
 };
 
 /// Leaves of a bi-linear ADF (Frisken et al. 2000: four distances at the
-/// corners) under the conditions of build_adf with the same options, but with
-/// distances in full precision, tested on the lattice alone.
+/// corners) under the conditions of build_sample_tree with the same options,
+/// but with distances in full precision, tested on the lattice alone.
 LeafCounts count_cells_bilinear(const Shape& shape,
-                                const AdfOptions& options,
+                                const Target& options,
                                 Scope scope = Scope::edge);
 
 /// The same with nine distances: the fair partner of the bi-linear count. What
-/// quantisation costs is the difference to build_adf.
+/// quantisation costs is the difference to build_sample_tree.
 LeafCounts count_cells_biquadratic(const Shape& shape,
-                                   const AdfOptions& options,
+                                   const Target& options,
                                    Scope scope = Scope::edge);
 
 /// Leaves of a 3-colour quadtree (inside, outside, edge) whose edge cells are

@@ -4,7 +4,7 @@
 
 namespace inkcell::gen {
 
-Bytes samples_record(const AdfGlyph& field) {
+Bytes samples_record(const SampleTree& field) {
   Bytes out;
   put_u8(out, format::glyph::kTypeSamples);
   put_u8(out, static_cast<unsigned>(field.tile_log2));

@@ -7,6 +7,6 @@
 namespace inkcell::gen {
 
 /// `field` has tiles.
-Bytes samples_record(const AdfGlyph& field);
+Bytes samples_record(const SampleTree& field);
 
 }  // namespace inkcell::gen

@@ -5,9 +5,9 @@
 namespace inkcell {
 namespace gen {
 
-AdfGlyph build_adf(const Shape& shape, const AdfOptions& options) {
+SampleTree build_sample_tree(const Shape& shape, const Target& options) {
   if (shape.empty()) {
-    return AdfGlyph();
+    return SampleTree();
   }
   Forest forest(shape, options);
   forest.grow();

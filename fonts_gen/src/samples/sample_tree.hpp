@@ -1,4 +1,5 @@
-// Adaptive subdivision: from the exact distance of a shape to cells in ROM.
+// Supersampling subdivision: from the exact distance of a shape to cells in
+// ROM.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ namespace gen {
 using SampleCell = std::array<uint8_t, format::samples::kBytes>;
 
 /// The field of one glyph, in the terms of format::glyph.
-struct AdfGlyph {
+struct SampleTree {
   int tile_log2 = 0;
   int x0_u = 0;  // lower left corner of the grid
   int y0_u = 0;
@@ -47,7 +48,7 @@ struct AdfGlyph {
 /// nothing else; calls may run in parallel.
 ///
 /// Throws GeometryError too_complex or too_large if it does not fit the format.
-AdfGlyph build_adf(const Shape& shape, const AdfOptions& options);
+SampleTree build_sample_tree(const Shape& shape, const Target& options);
 
 }  // namespace gen
 }  // namespace inkcell

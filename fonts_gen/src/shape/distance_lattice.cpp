@@ -47,7 +47,7 @@ bool is_corner(const Edge& in, const Edge& out) {
 
 }  // namespace
 
-FieldTruth::FieldTruth(
+DistanceLattice::DistanceLattice(
     const Shape& shape, int x0_u, int y0_u, int width_u, int height_u)
     : shape_(shape),
       x0_u_(x0_u),
@@ -64,7 +64,7 @@ FieldTruth::FieldTruth(
   find_chains();
 }
 
-void FieldTruth::find_chains() {
+void DistanceLattice::find_chains() {
   const std::vector<Edge>& edges = shape_.edges();
   const size_t count = edges.size();
   if (count > kMostEdges) {
@@ -118,7 +118,7 @@ void FieldTruth::find_chains() {
 
 // As Neighbourhood::part: an edge farther from the centre than the nearest one
 // and a whole diagonal is nowhere in the square the nearest.
-const FieldTruth::Block& FieldTruth::block_of(int x_u, int y_u) {
+const DistanceLattice::Block& DistanceLattice::block_of(int x_u, int y_u) {
   const int bx = (x_u - x0_u_) / kBlock_u;
   const int by = (y_u - y0_u_) / kBlock_u;
   Block& block = blocks_[static_cast<size_t>(by * blocks_x_ + bx)];
@@ -147,7 +147,9 @@ const FieldTruth::Block& FieldTruth::block_of(int x_u, int y_u) {
   return block;
 }
 
-TruthSample FieldTruth::measure(const Block& block, double x, double y) const {
+TruthSample DistanceLattice::measure(const Block& block,
+                                     double x,
+                                     double y) const {
   double best = std::numeric_limits<double>::infinity();
   double best_t = 0;
   uint32_t nearest = 0;
@@ -184,7 +186,7 @@ TruthSample FieldTruth::measure(const Block& block, double x, double y) const {
   return sample;
 }
 
-const TruthSample& FieldTruth::at(int x_u, int y_u) {
+const TruthSample& DistanceLattice::at(int x_u, int y_u) {
   const size_t index =
       static_cast<size_t>(y_u - y0_u_) * static_cast<size_t>(width_u_ + 1) +
       static_cast<size_t>(x_u - x0_u_);
@@ -195,7 +197,7 @@ const TruthSample& FieldTruth::at(int x_u, int y_u) {
   return samples_[index];
 }
 
-TruthSample FieldTruth::at_point(double x_u, double y_u) {
+TruthSample DistanceLattice::at_point(double x_u, double y_u) {
   return measure(block_of(static_cast<int>(std::floor(x_u)),
                           static_cast<int>(std::floor(y_u))),
                  x_u, y_u);

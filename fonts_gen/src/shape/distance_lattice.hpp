@@ -34,12 +34,13 @@ struct TruthSample {
 };
 
 /// Not for use by several threads at once.
-class FieldTruth {
+class DistanceLattice {
  public:
   /// Answers in x0..x0 + width, y0..y0 + height. [u] `shape` must outlive it.
   ///
   /// Throws GeometryError::too_complex above 32767 edges.
-  FieldTruth(const Shape& shape, int x0_u, int y0_u, int width_u, int height_u);
+  DistanceLattice(
+      const Shape& shape, int x0_u, int y0_u, int width_u, int height_u);
 
   /// The lattice point (x, y). [u]
   const TruthSample& at(int x_u, int y_u);

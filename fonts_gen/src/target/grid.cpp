@@ -28,7 +28,7 @@ int tiles_for(double extent_u, int tile_log2) {
 
 }  // namespace
 
-Grid lay_grid(const Shape& shape, const AdfOptions& options) {
+Grid lay_grid(const Shape& shape, const Target& options) {
   const double band = band_u(options);
   const Box& ink = shape.box();
   const Box box{ink.x0 - band, ink.y0 - band, ink.x1 + band, ink.y1 + band};

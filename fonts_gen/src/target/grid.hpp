@@ -41,7 +41,7 @@ struct Grid {
 /// 64 * 2^k u, its corner at the ink's and the band's.
 ///
 /// Throws GeometryError::too_large.
-Grid lay_grid(const Shape& shape, const AdfOptions& options);
+Grid lay_grid(const Shape& shape, const Target& options);
 
 /// The tiles of a grid, row by row from below.
 std::vector<CellSquare> tiles_of(const Grid& grid);

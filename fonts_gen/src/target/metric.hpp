@@ -23,7 +23,7 @@ inline constexpr double kHalfDiagonal = 0.7072;
 /// The error of an approximate distance against the true one.
 class Metric {
  public:
-  explicit Metric(const AdfOptions& options)
+  explicit Metric(const Target& options)
       : predicate_(options.predicate),
         band_u_(gen::band_u(options)),
         tolerance_(options.predicate == Predicate::fixed ? 1

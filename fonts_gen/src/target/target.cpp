@@ -4,7 +4,7 @@
 
 namespace inkcell::gen {
 
-double band_u(const AdfOptions& options) {
+double band_u(const Target& options) {
   if (options.predicate == Predicate::fixed) {
     return kFixedBand_u;
   }

@@ -13,7 +13,7 @@ using format::Predicate;
 /// What glyphs are made of (docs/FORMAT.md).
 using format::Coding;
 
-struct AdfOptions {
+struct Target {
   Coding coding = Coding::samples;
   /// Sizes at which the glyph will be drawn. [px/em]
   double min_px = 8;
@@ -37,6 +37,6 @@ inline constexpr double kMostBand_u = 192;
 /// Where nothing is asked for, samples: 0.75 px, the widest filter of the
 /// presets. edges: 0.5 px, the `text` filter; beyond, they are good wherever a
 /// cell is not saturated.
-double band_u(const AdfOptions& options);
+double band_u(const Target& options);
 
 }  // namespace inkcell::gen

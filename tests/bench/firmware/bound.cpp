@@ -55,8 +55,8 @@ bool make_record(uint32_t depth, int32_t px) {
   put_arc(at, -3, px);
   put_arc(at, 1, px);
   put_arc(at, 1, px);
-  const uint8_t triple[] = {
-      static_cast<uint8_t>(FieldOperator::least_of_greater), 0, 1, 2};
+  const uint8_t triple[] = {static_cast<uint8_t>(Csg::intersection_of_union), 0,
+                            1, 2};
   for (const uint8_t byte : triple) {
     *at++ = byte;
   }
@@ -82,10 +82,10 @@ bool make_record(uint32_t depth, int32_t px) {
 bool measure(uint32_t depth, int32_t px) {
   const Q26_6 size = Q26_6::from_int(px);
   if (!make_record(depth, px) ||
-      Brush::make(size, kFilterText, bench::brush) != Status::ok) {
+      TextStyle::make(size, kFilterText, bench::style) != Status::ok) {
     return false;
   }
-  const Rect box = field_box(field, bench::brush, {});
+  const Rect box = field_box(field, bench::style, {});
   if (box.x1 - box.x0 > kEngineSide || box.y1 - box.y0 > kEngineSide) {
     return false;
   }
@@ -93,7 +93,7 @@ bool measure(uint32_t depth, int32_t px) {
   bench::height = box.y1 - box.y0;
   const auto work = [] {
     bench::draw_strips(
-        [] { draw_field(field, bench::brush, bench::origin, bench::sink); });
+        [] { draw_field(field, bench::style, bench::origin, bench::sink); });
   };
   const auto stack = static_cast<uint32_t>(board::count_stack(work));
   const uint32_t numbers[] = {static_cast<uint32_t>(px),

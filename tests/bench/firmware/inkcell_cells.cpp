@@ -12,18 +12,18 @@ bool engine_set_size(uint32_t px, const char* way) {
     Direction direction;
     direction.cosine.raw = 1037154959;
     direction.sine.raw = 277904834;
-    return Brush::make(size, kFilterText, direction, bench::brush) ==
+    return TextStyle::make(size, kFilterText, direction, bench::style) ==
            Status::ok;
   }
   if (bench::equal(way, "leaning")) {
     const auto em = Q16_16::from_int(static_cast<int32_t>(px));
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
-    return Brush::make(matrix, kFilterText, bench::brush) == Status::ok;
+    return TextStyle::make(matrix, kFilterText, bench::style) == Status::ok;
   }
   return false;
 #else
   return bench::equal(way, "upright") &&
-         Brush::make(size, kFilterText, bench::brush) == Status::ok;
+         TextStyle::make(size, kFilterText, bench::style) == Status::ok;
 #endif
 }
 
@@ -37,7 +37,7 @@ void engine_draw(uint32_t code_point) {
     return;
   }
   bench::draw_strips([glyph] {
-    draw_glyph(bench::font, glyph, bench::brush, bench::origin, bench::sink);
+    draw_glyph(bench::font, glyph, bench::style, bench::origin, bench::sink);
   });
 }
 

@@ -3,30 +3,30 @@
 // draw. kWorkspace bytes are lent to outlines.
 // Those of a display with sub-pixels, and "plain_rgb888" to compare them with,
 // draw into 24-bit pixels, all others into 8-bit coverage.
-#include "inkcell/adaptive.hpp"
 #include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/perception.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/supersample.hpp"
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
 
 namespace {
 
-// What brushes point to: made anew for each size.
+// What styles point to: made anew for each size.
 Fit fit;
-LcdStyle lcd;
+LcdOptions lcd;
 Outline edges;
 OutlineAndFill outline_and_fill;
-Adaptive adaptive;
-Perception perception;
+Supersampling supersampling;
+EdgeContrast edge_contrast;
 MotionBlur blur;
-CrispStyle crisp;
+CrispOptions crisp;
 
 struct ColourTarget : port::Rgb888Target {};
 constexpr int32_t kColourBytes = 3;
@@ -44,23 +44,23 @@ Status make_sink(ColourTarget& target, Sink& out) {
   return port::make_lcd_sink(target, out);
 }
 
-bool set_fit(Brush& brush, bool across) {
+bool set_fit(TextStyle& style, bool across) {
   FitOptions options;
   options.across = across;
-  brush.set_fitter(&kGridFit, &fit);
-  return Fit::make(bench::font, brush, options, fit) == Status::ok;
+  style.set_fitter(&kGridFit, &fit);
+  return Fit::make(bench::font, style, options, fit) == Status::ok;
 }
 
-bool set_lcd(Brush& brush, SubPixels order) {
+bool set_lcd(TextStyle& style, SubPixels order) {
   is_coloured = true;
   lcd.order = order;
-  brush.set_painter(lcd_painter(lcd));
+  style.set_effect(lcd_effect(lcd));
   return true;
 }
 
-bool set_adaptive(Brush& brush, Q6_10 radius, SampleRule rule) {
-  adaptive = make_adaptive(kFilterText, radius, rule);
-  brush.set_painter(adaptive_painter(adaptive));
+bool set_adaptive(TextStyle& style, Q6_10 radius, SampleRule rule) {
+  supersampling = make_supersampling(kFilterText, radius, rule);
+  style.set_effect(supersample_effect(supersampling));
   return true;
 }
 
@@ -69,95 +69,95 @@ void make_edges() {
   edges = make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::inner);
 }
 
-bool set_motion_blur(Brush& brush) {
+bool set_motion_blur(TextStyle& style) {
   const Point way = {Q26_6::from_int(3), {}};
   const Status status = make_motion_blur(kFilterText, way, blur);
-  brush.set_painter(motion_blur_painter(blur));
+  style.set_effect(motion_blur_effect(blur));
   return status == Status::ok;
 }
 
-bool set_crisp(Brush& brush, uint8_t levels) {
+bool set_crisp(TextStyle& style, uint8_t levels) {
   crisp.levels = levels;
-  brush.set_painter(crisp_painter(crisp));
+  style.set_effect(crisp_effect(crisp));
   return true;
 }
 
-bool set_filter(Brush& brush, const Filter& made) {
+bool set_filter(TextStyle& style, const Filter& made) {
   filter = made;
-  return Brush::make(brush.size(), filter, brush) == Status::ok;
+  return TextStyle::make(style.size(), filter, style) == Status::ok;
 }
 
 struct Mode {
   const char* name;
-  bool (*set)(Brush& brush);
+  bool (*set)(TextStyle& style);
 };
 
 constexpr Mode kModes[] = {
-    {"plain", [](Brush&) { return true; }},
-    {"fitted", [](Brush& brush) { return set_fit(brush, false); }},
-    {"fitted_stems", [](Brush& brush) { return set_fit(brush, true); }},
+    {"plain", [](TextStyle&) { return true; }},
+    {"fitted", [](TextStyle& style) { return set_fit(style, false); }},
+    {"fitted_stems", [](TextStyle& style) { return set_fit(style, true); }},
     {"outline",
-     [](Brush& brush) {
+     [](TextStyle& style) {
        make_edges();
-       brush.set_painter(outline_painter(edges.inner));
+       style.set_effect(outline_effect(edges.inner));
        return true;
      }},
     {"outline_and_fill",
-     [](Brush& brush) {
+     [](TextStyle& style) {
        make_edges();
        outline_and_fill = {&edges.inner, &bench::sink};
-       brush.set_painter(outline_and_fill_painter(outline_and_fill));
+       style.set_effect(outline_and_fill_effect(outline_and_fill));
        return true;
      }},
     {"bold",
-     [](Brush& brush) {
-       return set_filter(brush, with_weight(kFilterText, Q6_10::from_raw(256)));
+     [](TextStyle& style) {
+       return set_filter(style, with_weight(kFilterText, Q6_10::from_raw(256)));
      }},
     {"shadow_2_px",
-     [](Brush& brush) {
-       return set_filter(brush, shadow_filter(Q6_10::from_int(2)));
+     [](TextStyle& style) {
+       return set_filter(style, shadow_filter(Q6_10::from_int(2)));
      }},
     {"glow_4_px",
-     [](Brush& brush) {
-       return set_filter(brush, glow_filter(Q6_10::from_int(4)));
+     [](TextStyle& style) {
+       return set_filter(style, glow_filter(Q6_10::from_int(4)));
      }},
-    {"crisp_1_bit", [](Brush& brush) { return set_crisp(brush, 2); }},
-    {"crisp_2_bits", [](Brush& brush) { return set_crisp(brush, 4); }},
+    {"crisp_1_bit", [](TextStyle& style) { return set_crisp(style, 2); }},
+    {"crisp_2_bits", [](TextStyle& style) { return set_crisp(style, 4); }},
     {"perceptual",
-     [](Brush& brush) {
-       brush.set_painter(perception_painter(perception));
+     [](TextStyle& style) {
+       style.set_effect(edge_contrast_effect(edge_contrast));
        return true;
      }},
     {"motion_blur_3_px", set_motion_blur},
     {"adaptive_even",
-     [](Brush& brush) {
-       return set_adaptive(brush, kSharpRadius, SampleRule::even);
+     [](TextStyle& style) {
+       return set_adaptive(style, kSharpRadius, SampleRule::even);
      }},
     {"adaptive_paper",
-     [](Brush& brush) {
-       return set_adaptive(brush, kPaperRadius, SampleRule::paper);
+     [](TextStyle& style) {
+       return set_adaptive(style, kPaperRadius, SampleRule::paper);
      }},
     {"plain_rgb888",
-     [](Brush&) {
+     [](TextStyle&) {
        is_coloured = true;
        return true;
      }},
-    {"lcd", [](Brush& brush) { return set_lcd(brush, SubPixels::rgb); }},
+    {"lcd", [](TextStyle& style) { return set_lcd(style, SubPixels::rgb); }},
     {"lcd_vertical",
-     [](Brush& brush) { return set_lcd(brush, SubPixels::rgb_vertical); }},
+     [](TextStyle& style) { return set_lcd(style, SubPixels::rgb_vertical); }},
 };
 
 }  // namespace
 
 bool engine_set_size(uint32_t px, const char* way) {
-  if (Brush::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
-                  bench::brush) != Status::ok) {
+  if (TextStyle::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
+                      bench::style) != Status::ok) {
     return false;
   }
   for (const Mode& mode : kModes) {
     if (bench::equal(way, mode.name)) {
       is_coloured = false;
-      return mode.set(bench::brush);
+      return mode.set(bench::style);
     }
   }
   return false;
@@ -169,9 +169,9 @@ engine_answer engine_prepare(uint32_t code_point) {
   }
   uint16_t glyph = 0;
   PreparedGlyph prepared;
-  if (check_painter(bench::font, bench::brush) != Status::ok ||
+  if (check_effect(bench::font, bench::style) != Status::ok ||
       bench::font.glyph_of(code_point, glyph) != Status::ok ||
-      PreparedGlyph::make(bench::font, glyph, bench::brush, {},
+      PreparedGlyph::make(bench::font, glyph, bench::style, {},
                           {workspace, kWorkspace}, prepared) != Status::ok) {
     return engine_lacks;
   }
@@ -182,7 +182,7 @@ engine_answer engine_prepare(uint32_t code_point) {
 template <typename DrawStrips>
 void draw_prepared(uint16_t glyph, const DrawStrips& draw_strips) {
   PreparedGlyph prepared;
-  if (PreparedGlyph::make(bench::font, glyph, bench::brush, bench::origin,
+  if (PreparedGlyph::make(bench::font, glyph, bench::style, bench::origin,
                           {workspace, kWorkspace}, prepared) == Status::ok) {
     draw_strips([&prepared] { prepared.draw(bench::sink); });
   }
@@ -205,7 +205,7 @@ void engine_draw(uint32_t code_point) {
     return;
   }
   draw_strips([glyph] {
-    draw_glyph(bench::font, glyph, bench::brush, bench::origin, bench::sink);
+    draw_glyph(bench::font, glyph, bench::style, bench::origin, bench::sink);
   });
 }
 

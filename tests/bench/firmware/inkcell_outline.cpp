@@ -23,28 +23,28 @@ constexpr Direction kTurn = {
     Fixed<int32_t, 30>::from_raw(1037154959),  // 15 degrees
     Fixed<int32_t, 30>::from_raw(277904834)};
 
-Status make_brush(Q26_6 size, const char* name) {
-  using bench::brush;
+Status make_style(Q26_6 size, const char* name) {
   using bench::equal;
+  using bench::style;
   if (equal(name, "turned")) {
-    return Brush::make(size, kFilterText, kTurn, brush);
+    return TextStyle::make(size, kFilterText, kTurn, style);
   }
   if (equal(name, "leaning")) {
     const auto em = Q16_16::from_raw(size.raw << 10);
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
-    return Brush::make(matrix, kFilterText, brush);
+    return TextStyle::make(matrix, kFilterText, style);
   }
   if (equal(name, "area")) {
-    return Brush::make(size, kFilterArea, brush);
+    return TextStyle::make(size, kFilterArea, style);
   }
   if (equal(name, "area_turned")) {
-    return Brush::make(size, kFilterArea, kTurn, brush);
+    return TextStyle::make(size, kFilterArea, kTurn, style);
   }
   way = equal(name, "strips")  ? Way::strips
         : equal(name, "stack") ? Way::stack
                                : Way::prepared;
   return way != Way::prepared || equal(name, "upright")
-             ? Brush::make(size, kFilterText, brush)
+             ? TextStyle::make(size, kFilterText, style)
              : Status::bad_argument;
 }
 
@@ -52,7 +52,7 @@ Status make_brush(Q26_6 size, const char* name) {
 
 bool engine_set_size(uint32_t px, const char* name) {
   way = Way::prepared;
-  return make_brush(Q26_6::from_int(static_cast<int32_t>(px)), name) ==
+  return make_style(Q26_6::from_int(static_cast<int32_t>(px)), name) ==
          Status::ok;
 }
 
@@ -60,7 +60,7 @@ engine_answer engine_prepare(uint32_t code_point) {
   uint16_t glyph = 0;
   PreparedGlyph prepared;
   if (bench::font.glyph_of(code_point, glyph) != Status::ok ||
-      PreparedGlyph::make(bench::font, glyph, bench::brush, {},
+      PreparedGlyph::make(bench::font, glyph, bench::style, {},
                           {workspace, kWorkspace}, prepared) != Status::ok) {
     return engine_lacks;
   }
@@ -76,13 +76,13 @@ void engine_draw(uint32_t code_point) {
     const Workspace ram =
         way == Way::strips ? Workspace{workspace, kWorkspace} : Workspace{};
     bench::draw_strips([glyph, &ram] {
-      draw_glyph(bench::font, glyph, bench::brush, bench::origin, bench::sink,
+      draw_glyph(bench::font, glyph, bench::style, bench::origin, bench::sink,
                  ram);
     });
     return;
   }
   PreparedGlyph prepared;
-  if (PreparedGlyph::make(bench::font, glyph, bench::brush, bench::origin,
+  if (PreparedGlyph::make(bench::font, glyph, bench::style, bench::origin,
                           {workspace, kWorkspace}, prepared) == Status::ok) {
     bench::draw_strips([&prepared] { prepared.draw(bench::sink); });
   }

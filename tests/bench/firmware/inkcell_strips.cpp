@@ -8,7 +8,7 @@ namespace {
 // Pixels of a box of ink, rounded outwards.
 uint32_t box_pixels(const GlyphMetrics& metrics) {
   const int32_t units = bench::font.units_per_em();
-  const int32_t size = bench::brush.size().raw;
+  const int32_t size = bench::style.size().raw;
   const auto to_px_down = [units, size](int32_t value) {
     const int64_t product = int64_t{value} * size;
     const int64_t whole = int64_t{units} * 64;
@@ -52,7 +52,7 @@ engine_answer bench::place_glyph(uint32_t code_point) {
       font.field(glyph, field) != Status::ok) {
     return engine_lacks;
   }
-  return place(glyph, field_box(field, brush, {}));
+  return place(glyph, field_box(field, style, {}));
 }
 
 bool bench::equal(const char* a, const char* b) {

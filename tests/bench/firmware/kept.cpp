@@ -25,26 +25,26 @@ using namespace inkcell;
 namespace {
 
 alignas(4) uint8_t bytes[64];
-Brush brush;
+TextStyle style;
 
 #if INKCELL_KEEP >= 3
 Direction direction;
 Matrix matrix;
 
-Status make_brush() {
-  INKCELL_TRY(Brush::make(kMinSize, kFilterText, direction, brush));
+Status make_style() {
+  INKCELL_TRY(TextStyle::make(kMinSize, kFilterText, direction, style));
 #  if INKCELL_KEEP >= 4
-  INKCELL_TRY(Brush::make(matrix, kFilterArea, brush));
+  INKCELL_TRY(TextStyle::make(matrix, kFilterArea, style));
 #  endif
-  return Brush::make(matrix, kFilterText, brush);
+  return TextStyle::make(matrix, kFilterText, style);
 }
 #elif INKCELL_KEEP == 1
-Status make_brush() {
-  return Brush::make(kMinSize, kFilterArea, brush);
+Status make_style() {
+  return TextStyle::make(kMinSize, kFilterArea, style);
 }
 #else
-Status make_brush() {
-  return Brush::make(kMinSize, kFilterText, brush);
+Status make_style() {
+  return TextStyle::make(kMinSize, kFilterText, style);
 }
 #endif
 
@@ -55,9 +55,9 @@ Status draw_into(const Font& font) {
   Sink sink;
   INKCELL_TRY(make_sink(target, sink));
 #if INKCELL_KEEP < 2
-  draw_glyph(font, bytes[0], brush, {}, sink);
+  draw_glyph(font, bytes[0], style, {}, sink);
 #else
-  draw_text(font, "text", brush, {}, sink);
+  draw_text(font, "text", style, {}, sink);
 #endif
   return Status::ok;
 }
@@ -67,7 +67,7 @@ Status draw_into(const Font& font) {
 int main(int, char**) {
   Font font;
   if (Font::open({bytes, sizeof bytes}, font) != Status::ok ||
-      make_brush() != Status::ok ||
+      make_style() != Status::ok ||
       draw_into<port::A8Target>(font) != Status::ok) {
     return 1;
   }

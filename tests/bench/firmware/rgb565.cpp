@@ -43,9 +43,9 @@ bool make_strip(int32_t y, port::Rgb565Target& target, Sink& sink) {
 }
 
 bool measure_run(const Font& font, int32_t px) {
-  Brush brush;
+  TextStyle style;
   Span<const PositionedGlyph> run;
-  if (Brush::make(Q26_6::from_int(px), kFilterText, brush) != Status::ok ||
+  if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok ||
       layout(font, "Hello, 12:34", glyphs, run) != Status::ok) {
     return false;
   }
@@ -59,7 +59,7 @@ bool measure_run(const Font& font, int32_t px) {
       return false;
     }
     const auto work = [&] {
-      draw(font, run, brush, {Q26_6::from_int(4), Q26_6::from_int(px)}, sink,
+      draw(font, run, style, {Q26_6::from_int(4), Q26_6::from_int(px)}, sink,
            {workspace, sizeof workspace});
     };
     const auto used = static_cast<uint32_t>(board::count_stack(work));

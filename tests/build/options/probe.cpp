@@ -25,30 +25,30 @@ uint32_t hash_of(const std::vector<uint8_t>& pixels) {
   return hash;
 }
 
-// A word in both orders, turned, and with the painter that has cells of its
+// A word in both orders, turned, and with the effect that has cells of its
 // own.
 bool draw(const Font& font, Sink& sink) {
   std::vector<uint32_t> sums(kSide * 64);
   Splats splats;
-  Brush small;
-  Brush large;
-  Brush turned;
+  TextStyle small;
+  TextStyle large;
+  TextStyle turned;
   const Direction leftwards = {Fixed<int32_t, 30>::from_raw(0),
                                Fixed<int32_t, 30>::from_raw(1 << 30)};
   if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
           Status::ok ||
-      Brush::make(Q26_6::from_int(12), kFilterText, small) != Status::ok ||
-      Brush::make(Q26_6::from_int(64), kFilterText, large) != Status::ok ||
-      Brush::make(Q26_6::from_int(24), kFilterText, leftwards, turned) !=
+      TextStyle::make(Q26_6::from_int(12), kFilterText, small) != Status::ok ||
+      TextStyle::make(Q26_6::from_int(64), kFilterText, large) != Status::ok ||
+      TextStyle::make(Q26_6::from_int(24), kFilterText, leftwards, turned) !=
           Status::ok) {
     return false;
   }
-  Brush splatted = small;
-  splatted.set_painter(splat_painter(splats));
+  TextStyle splatted = small;
+  splatted.set_effect(splat_effect(splats));
   int32_t y = 0;
-  for (const Brush* brush : {&small, &splatted, &large, &turned}) {
-    y += brush->size().floor() + 4;
-    draw_text(font, "AB", *brush, {Q26_6::from_int(30), Q26_6::from_int(y)},
+  for (const TextStyle* style : {&small, &splatted, &large, &turned}) {
+    y += style->size().floor() + 4;
+    draw_text(font, "AB", *style, {Q26_6::from_int(30), Q26_6::from_int(y)},
               sink);
   }
   return true;

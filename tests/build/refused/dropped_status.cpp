@@ -1,14 +1,14 @@
 // A Status that nobody looks at.
 // refused: nodiscard|unused-result
-#include "inkcell/brush.hpp"
+#include "inkcell/text_style.hpp"
 
-inkcell::Status make_brush(inkcell::Brush& brush) noexcept {
+inkcell::Status make_style(inkcell::TextStyle& style) noexcept {
 #if REFUSED
-  inkcell::Brush::make(inkcell::Q26_6::from_int(16), inkcell::kFilterText,
-                       brush);
+  inkcell::TextStyle::make(inkcell::Q26_6::from_int(16), inkcell::kFilterText,
+                           style);
   return inkcell::Status::ok;
 #else
-  return inkcell::Brush::make(inkcell::Q26_6::from_int(16),
-                              inkcell::kFilterText, brush);
+  return inkcell::TextStyle::make(inkcell::Q26_6::from_int(16),
+                                  inkcell::kFilterText, style);
 #endif
 }

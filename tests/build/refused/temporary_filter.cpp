@@ -1,16 +1,16 @@
-// A brush whose filter is gone before it is used.
+// A style whose filter is gone before it is used.
 // refused: deleted function
-#include "inkcell/brush.hpp"
+#include "inkcell/text_style.hpp"
 
-inkcell::Status make_brush(const inkcell::FilterSpec& spec,
+inkcell::Status make_style(const inkcell::FilterSpec& spec,
                            inkcell::Filter& filter,
-                           inkcell::Brush& brush) noexcept {
+                           inkcell::TextStyle& style) noexcept {
 #if REFUSED
   static_cast<void>(filter);
-  return inkcell::Brush::make(inkcell::Q26_6::from_int(16),
-                              inkcell::make_filter(spec), brush);
+  return inkcell::TextStyle::make(inkcell::Q26_6::from_int(16),
+                                  inkcell::make_filter(spec), style);
 #else
   filter = inkcell::make_filter(spec);
-  return inkcell::Brush::make(inkcell::Q26_6::from_int(16), filter, brush);
+  return inkcell::TextStyle::make(inkcell::Q26_6::from_int(16), filter, style);
 #endif
 }

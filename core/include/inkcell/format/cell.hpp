@@ -11,11 +11,11 @@ namespace inkcell {
 
 /// How the fields of a cell make one distance. Where a result is that of a
 /// convex vertex, it is the distance to the vertex (docs/FORMAT.md).
-enum class FieldOperator : uint8_t {
-  least = 0,              // min(f0, f1) or min(f0, f1, f2); a single field
-  greatest = 1,           // max(f0, f1) or max(f0, f1, f2)
-  least_of_greater = 2,   // min(f0, max(f1, f2))
-  greatest_of_lesser = 3  // max(f0, min(f1, f2))
+enum class Csg : uint8_t {
+  intersection = 0,           // min(f0, f1) or min(f0, f1, f2); a single field
+  union_ = 1,                 // max(f0, f1) or max(f0, f1, f2)
+  intersection_of_union = 2,  // min(f0, max(f1, f2))
+  union_of_intersection = 3   // max(f0, min(f1, f2))
 };
 
 /// A leaf of the quadtree, as `locate` finds it. Saturated unless it has
@@ -28,7 +28,7 @@ struct Cell {
   // GlyphField::cells in units of 2 bytes, with format::linked::kArcField.
   uint16_t fields[3] = {};
   uint8_t field_count = 0;
-  FieldOperator op = FieldOperator::least;
+  Csg op = Csg::intersection;
   uint8_t size_log2 = 0;  // the cell is 2^size_log2 u wide, 1..2048 u
   bool inside = false;    // the side of a saturated cell
 

@@ -1,7 +1,7 @@
 // Sinks for colour formats that take a coverage for each sub-pixel.
 //
 // They are those of make_sink() with Sink::coverage_rgb besides: set the
-// painter lcd_painter() (inkcell/lcd.hpp) on a brush to draw with it.
+// effect lcd_effect() (inkcell/lcd.hpp) on a style to draw with it.
 #pragma once
 
 #include "inkcell/port/rgb565.hpp"

@@ -1,24 +1,24 @@
 // Perceptual rules: which pixels become darker and lighter, and that no picture
 // depends on how it is cut.
-#include "inkcell/perception.hpp"
+#include "inkcell/edge_contrast.hpp"
 
 #include "check.hpp"
+#include "effect_canvas.hpp"
+#include "effect_glyph.hpp"
 #include "font_builder.hpp"
-#include "painter_canvas.hpp"
-#include "painter_glyph.hpp"
 #include "random.hpp"
 
 namespace {
 
 using namespace inkcell;
-using painter::brush_of;
-using painter::check_windows;
-using painter::draw;
-using painter::field_of;
-using painter::kAll;
-using painter::kSide;
-using painter::picture;
-using painter::whole;
+using effect::check_windows;
+using effect::draw;
+using effect::field_of;
+using effect::kAll;
+using effect::kSide;
+using effect::picture;
+using effect::style_of;
+using effect::whole;
 
 // Changes of coverage in the left and the right half of the picture.
 struct Change {
@@ -27,15 +27,15 @@ struct Change {
 };
 
 Change change_of(const GlyphField& field,
-                 Brush& brush,
+                 TextStyle& style,
                  FinePoint origin,
                  int32_t middle_x,
-                 const Perception& perception) {
-  brush.set_painter({});
-  draw(field, brush, origin);
-  painter::keep();
-  brush.set_painter(perception_painter(perception));
-  draw(field, brush, origin);
+                 const EdgeContrast& edge_contrast) {
+  style.set_effect({});
+  draw(field, style, origin);
+  effect::keep();
+  style.set_effect(edge_contrast_effect(edge_contrast));
+  draw(field, style, origin);
   Change change = {0, 0};
   for (int32_t i = 0; i < kSide * kSide; ++i) {
     const int32_t x = i % kSide + kAll.x0;
@@ -50,11 +50,11 @@ Change change_of(const GlyphField& field,
 TEST(left_edges_are_darker_and_right_ones_lighter) {
   const GlyphField field = field_of(font_builder::bar);
   for (int turned = 0; turned < 2; ++turned) {
-    Brush brush = brush_of(32 * 64, turned != 0);
+    TextStyle style = style_of(32 * 64, turned != 0);
     // The bar's middle, 10 px along the baseline and up, lands about (16, 16).
     const FinePoint origin = turned != 0 ? FinePoint(2 * 1024, 18 * 1024)
                                          : FinePoint(6 * 1024 + 512, 26 * 1024);
-    const Change change = change_of(field, brush, origin, 16, {90, 0});
+    const Change change = change_of(field, style, origin, 16, {90, 0});
     CHECK(change.left > 120);
     CHECK(change.right < -120);
     // Weight stays: the ends of the bar are an upper and a lower edge.
@@ -67,8 +67,8 @@ TEST(left_edges_are_darker_and_right_ones_lighter) {
 // not.
 TEST(only_thin_strokes_are_darker) {
   const GlyphField field = field_of(font_builder::ring);
-  Brush thin = brush_of(10 * 64, false);
-  Brush wide = brush_of(40 * 64, false);
+  TextStyle thin = style_of(10 * 64, false);
+  TextStyle wide = style_of(40 * 64, false);
   const FinePoint origin(10 * 1024 + 300, 26 * 1024);
   const Change at_thin = change_of(field, thin, origin, kAll.x0, {0, 128});
   CHECK(at_thin.right > 120);
@@ -77,12 +77,13 @@ TEST(only_thin_strokes_are_darker) {
 }
 
 TEST(windows_do_not_change_perceptual_pictures) {
-  const Perception perception;
+  const EdgeContrast edge_contrast;
   Random random(81);
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
-    Brush brush = brush_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
-    brush.set_painter(perception_painter(perception));
-    check_windows(field_of(font_builder::ring), brush,
+    TextStyle style =
+        style_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
+    style.set_effect(edge_contrast_effect(edge_contrast));
+    check_windows(field_of(font_builder::ring), style,
                   {random.between(0, 9999), random.between(9999, 30000)});
   }
 }

@@ -1,4 +1,4 @@
-#include "inkcell/perception.hpp"
+#include "inkcell/edge_contrast.hpp"
 
 #include "base/math.hpp"
 #include "distance/point_walk.hpp"
@@ -9,7 +9,7 @@ namespace inkcell {
 namespace {
 
 using detail::FieldPosition;
-using detail::greater;
+using detail::max;
 using detail::moved;
 using detail::moved_back;
 using detail::PointWalk;
@@ -47,12 +47,12 @@ int32_t convergence(const ScreenGradient& low,
   }
   const int32_t dot =
       (low.right_q14 * high.right_q14 + low.up_q14 * high.up_q14) >> 14;
-  return greater(0, -dot);
+  return max(0, -dot);
 }
 
 struct Painting {
-  const Brush& brush;
-  const Perception& options;
+  const TextStyle& style;
+  const EdgeContrast& options;
   PointWalk walk;
   FieldPosition aside;  // kAway to the right
 };
@@ -69,7 +69,7 @@ __attribute__((noinline)) int32_t thinness_q14(
       convergence(left, left.right_q14, right, -right.right_q14);
   const ScreenGradient low = walk.gradient(below);
   const ScreenGradient high = walk.gradient(above);
-  return greater(across, convergence(low, low.up_q14, high, -high.up_q14));
+  return max(across, convergence(low, low.up_q14, high, -high.up_q14));
 }
 
 // What a change of `share_q22` of I (1 - I) makes of a coverage.
@@ -85,14 +85,13 @@ __attribute__((noinline)) uint8_t coverage_at(
     Painting& painting, const Rows& rows, const FieldPosition& way) noexcept {
   const FieldPosition at = moved(rows.centre, way);
   const int32_t distance_q10 = painting.walk.distance_q10(at);
-  int32_t coverage = painting.brush.filter().coverage(distance_q10);
+  int32_t coverage = painting.style.filter().coverage(distance_q10);
   if (coverage == 0 || coverage == 255) {
     return static_cast<uint8_t>(coverage);
   }
   const ScreenGradient g = painting.walk.gradient(at);
-  int32_t side_q14 =
-      greater(g.right_q14, g.up_q14) - greater(-g.right_q14, -g.up_q14);
-  side_q14 = side_q14 > kOneQ14 ? kOneQ14 : greater(side_q14, -kOneQ14);
+  int32_t side_q14 = max(g.right_q14, g.up_q14) - max(-g.right_q14, -g.up_q14);
+  side_q14 = side_q14 > kOneQ14 ? kOneQ14 : max(side_q14, -kOneQ14);
   coverage = changed(coverage, side_q14 * painting.options.edge);
   if (distance_q10 > kThinLow && distance_q10 < kThinHigh) {
     const int32_t thin_q14 = thinness_q14(painting, at, moved(rows.above, way),
@@ -107,13 +106,13 @@ __attribute__((noinline)) void draw_row(Painting& painting,
                                         const Rect& box,
                                         int32_t y,
                                         const Sink& sink) noexcept {
-  const Brush& brush = painting.brush;
+  const TextStyle& style = painting.style;
   const auto position = [&](int32_t up_q10) noexcept {
-    return detail::sample_position(brush, origin, box.x0, y, {0, up_q10});
+    return detail::sample_position(style, origin, box.x0, y, {0, up_q10});
   };
   const Rows rows = {position(0), position(kAway), position(-kAway)};
   SpanWriter writer(sink, y);
-  const FieldPosition step = detail::pixel_step(brush);
+  const FieldPosition step = detail::pixel_step(style);
   FieldPosition way = {0, 0, 0, 0};
   for (int32_t x = box.x0; x < box.x1; ++x) {
     writer.put(x, coverage_at(painting, rows, way));
@@ -124,15 +123,15 @@ __attribute__((noinline)) void draw_row(Painting& painting,
 
 }  // namespace
 
-void detail::paint_perceptual(const GlyphField& field,
-                              const Brush& brush,
-                              const void* options,
-                              const FinePoint& origin,
-                              const Sink& sink) {
-  const Rect box = detail::painted_box(field, brush, origin, sink);
-  Painting painting = {brush, *static_cast<const Perception*>(options),
-                       PointWalk(field, brush, detail::kNoReach),
-                       detail::scaled(brush.right(), kAway)};
+void detail::paint_edge_contrast(const GlyphField& field,
+                                 const TextStyle& style,
+                                 const void* options,
+                                 const FinePoint& origin,
+                                 const Sink& sink) {
+  const Rect box = detail::painted_box(field, style, origin, sink);
+  Painting painting = {style, *static_cast<const EdgeContrast*>(options),
+                       PointWalk(field, style, detail::kNoReach),
+                       detail::scaled(style.right(), kAway)};
   for (int32_t y = box.y0; y < box.y1; ++y) {
     draw_row(painting, origin, box, y, sink);
   }

@@ -19,7 +19,7 @@ namespace {
 // A glyph as the device sees it: a record in the format's bytes.
 class Record {
  public:
-  explicit Record(const AdfGlyph& glyph) {
+  explicit Record(const SampleTree& glyph) {
     bytes_ = {format::glyph::kTypeSamples,
               static_cast<uint8_t>(glyph.tile_log2)};
     put(glyph.x0_u);
@@ -71,7 +71,7 @@ Outline outline(std::vector<Contour> contours) {
 // Largest error of pixels at random positions and sizes.
 double worst_pixel(const Shape& shape,
                    const Record& record,
-                   const AdfOptions& options,
+                   const Target& options,
                    int count) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> size(options.min_px, options.max_px);
@@ -103,10 +103,10 @@ TEST(Adf, EveryPixelIsWithinTheTolerance) {
     const std::vector<Outline> glyphs = load_outlines(file, 0, letters);
     for (size_t i = 0; i < letters.size(); ++i) {
       SCOPED_TRACE(std::string(file) + " " + static_cast<char>(letters[i]));
-      AdfOptions options;
+      Target options;
       options.min_px = i % 2 == 0 ? 12 : 8;
       const Shape shape(glyphs[i]);
-      const AdfGlyph glyph = build_adf(shape, options);
+      const SampleTree glyph = build_sample_tree(shape, options);
       EXPECT_TRUE(glyph.within_tolerance);
       EXPECT_LE(glyph.worst_error, options.tolerance);
       EXPECT_LE(glyph.mean_error, 2);
@@ -121,19 +121,19 @@ TEST(Adf, SizesAndTolerancesAreHeld) {
   const Shape shape(load_outlines(kLiberationSerif, 0, {'R'})[0]);
   size_t cells = 0;
   for (const double tolerance : {32.0, 16.0, 8.0, 4.0}) {
-    AdfOptions options;
+    Target options;
     options.tolerance = tolerance;
-    const AdfGlyph glyph = build_adf(shape, options);
+    const SampleTree glyph = build_sample_tree(shape, options);
     EXPECT_LE(worst_pixel(shape, Record(glyph), options, 20000), tolerance);
     EXPECT_GT(glyph.cells.size(), cells);
     cells = glyph.cells.size();
   }
   for (const double max_px : {16.0, 32.0, 96.0, 128.0}) {
-    AdfOptions options;
+    Target options;
     options.max_px = max_px;
-    EXPECT_LE(
-        worst_pixel(shape, Record(build_adf(shape, options)), options, 20000),
-        options.tolerance);
+    EXPECT_LE(worst_pixel(shape, Record(build_sample_tree(shape, options)),
+                          options, 20000),
+              options.tolerance);
   }
 }
 
@@ -142,12 +142,12 @@ TEST(Adf, EffortSavesCells) {
       load_outlines(kLiberationSerif, 0, {'a', 'R', '&'});
   size_t before = 0;
   for (const int effort : {0, 1, 5, 9}) {
-    AdfOptions options;
+    Target options;
     options.effort = effort;
     size_t cells = 0;
     for (const Outline& o : glyphs) {
       const Shape shape(o);
-      const AdfGlyph glyph = build_adf(shape, options);
+      const SampleTree glyph = build_sample_tree(shape, options);
       EXPECT_LE(worst_pixel(shape, Record(glyph), options, 20000),
                 options.tolerance);
       cells += glyph.cells.size();
@@ -163,19 +163,19 @@ TEST(Adf, EffortSavesCells) {
 }
 
 TEST(Adf, HanziAreWithinTheTolerance) {
-  AdfOptions options;
+  Target options;
   options.max_px = 32;
   for (const Outline& o : load_outlines(kNotoSansCjk, 2, {0x9F8D, 0x6C38})) {
     const Shape shape(o);
-    EXPECT_LE(
-        worst_pixel(shape, Record(build_adf(shape, options)), options, 30000),
-        options.tolerance);
+    EXPECT_LE(worst_pixel(shape, Record(build_sample_tree(shape, options)),
+                          options, 30000),
+              options.tolerance);
   }
 }
 
 // Features far smaller than the step of any lattice over a large cell.
 TEST(Adf, SmallThingsAreSeen) {
-  AdfOptions options;
+  Target options;
   const std::vector<Outline> small = {
       outline({circle(333.3, 77.7, 3)}),
       outline({rectangle(0, 0, 900, 200), circle(411.3, 196, 9)}),
@@ -183,7 +183,7 @@ TEST(Adf, SmallThingsAreSeen) {
       outline({rectangle(0, 0, 500, 500), rectangle(243, 237, 239, 241)})};
   for (const Outline& o : small) {
     const Shape shape(o);
-    const Record record(build_adf(shape, options));
+    const Record record(build_sample_tree(shape, options));
     EXPECT_LE(worst_pixel(shape, record, options, 100000), options.tolerance);
     // Around each corner, closely.
     for (const Edge& edge : shape.edges()) {
@@ -199,20 +199,20 @@ TEST(Adf, SmallThingsAreSeen) {
 
 // worst_error is what the field has, give or take what lies between points.
 TEST(Adf, StatesItsError) {
-  AdfOptions options;
+  Target options;
   const Shape shape(load_outlines(kDejaVuSans, 0, {'S'})[0]);
-  const AdfGlyph glyph = build_adf(shape, options);
+  const SampleTree glyph = build_sample_tree(shape, options);
   const double worst = worst_pixel(shape, Record(glyph), options, 200000);
   EXPECT_LE(worst, glyph.worst_error + 1.5);
   EXPECT_GE(worst, glyph.worst_error - 3);
 }
 
 TEST(Adf, SaysWhenTheToleranceCannotBeHeld) {
-  AdfOptions options;
+  Target options;
   options.max_px = 1024;
   options.tolerance = 2;
   const Shape shape(outline({polygon({{0, 0}, {30.5, 0.25}, {15.25, 40.75}})}));
-  const AdfGlyph glyph = build_adf(shape, options);
+  const SampleTree glyph = build_sample_tree(shape, options);
   EXPECT_FALSE(glyph.within_tolerance);
   EXPECT_GT(glyph.worst_error, options.tolerance);
   EXPECT_EQ(glyph.depth, 8);
@@ -221,13 +221,13 @@ TEST(Adf, SaysWhenTheToleranceCannotBeHeld) {
 // Compares the leaf on each side of every border, in steps of half a u. The
 // outer border of the grid is one, too: beyond it all is outside.
 TEST(Adf, FieldDoesNotJumpBetweenCells) {
-  AdfOptions options;
+  Target options;
   std::vector<Outline> glyphs =
       load_outlines(kLiberationSerif, 0, {'a', '&', 'W'});
   glyphs.push_back(load_outlines(kNotoSansCjk, 2, {0x6C38})[0]);
   for (const Outline& o : glyphs) {
     const Shape shape(o);
-    const AdfGlyph glyph = build_adf(shape, options);
+    const SampleTree glyph = build_sample_tree(shape, options);
     const Record record(glyph);
     const GlyphField& field = record.field();
     const double hair = 1.0 / 16384;
@@ -257,7 +257,7 @@ TEST(Adf, FieldDoesNotJumpBetweenCells) {
   }
 }
 
-bool equal(const AdfGlyph& a, const AdfGlyph& b) {
+bool equal(const SampleTree& a, const SampleTree& b) {
   return a.references == b.references && a.cells == b.cells &&
          a.x0_u == b.x0_u && a.y0_u == b.y0_u && a.tiles_x == b.tiles_x &&
          a.tiles_y == b.tiles_y && a.depth == b.depth &&
@@ -266,24 +266,24 @@ bool equal(const AdfGlyph& a, const AdfGlyph& b) {
 
 TEST(Adf, ResultIsTheSameInEveryThread) {
   const Shape shape(load_outlines(kRoboto, 0, {'&'})[0]);
-  const AdfGlyph expected = build_adf(shape, AdfOptions());
-  std::vector<AdfGlyph> results(4);
+  const SampleTree expected = build_sample_tree(shape, Target());
+  std::vector<SampleTree> results(4);
   std::vector<std::thread> threads;
-  for (AdfGlyph& result : results) {
+  for (SampleTree& result : results) {
     threads.emplace_back(
-        [&shape, &result] { result = build_adf(shape, AdfOptions()); });
+        [&shape, &result] { result = build_sample_tree(shape, Target()); });
   }
   for (std::thread& thread : threads) {
     thread.join();
   }
-  for (const AdfGlyph& result : results) {
+  for (const SampleTree& result : results) {
     EXPECT_TRUE(equal(result, expected));
   }
 }
 
 // Walks a tree and checks that cells and nodes come in order, each once.
 struct Walk {
-  const AdfGlyph& glyph;
+  const SampleTree& glyph;
   size_t cells = 0;
   size_t nodes = 0;
   int depth = 0;
@@ -307,10 +307,10 @@ struct Walk {
 
 TEST(Adf, TreeIsInOrder) {
   for (const Predicate predicate : {Predicate::size_aware, Predicate::fixed}) {
-    AdfOptions options;
+    Target options;
     options.predicate = predicate;
     const Shape shape(load_outlines(kRoboto, 0, {'&'})[0]);
-    const AdfGlyph glyph = build_adf(shape, options);
+    const SampleTree glyph = build_sample_tree(shape, options);
     Walk walk{glyph};
     for (int tile = 0; tile < glyph.tiles_x * glyph.tiles_y; ++tile) {
       walk.visit(glyph.references[static_cast<size_t>(tile)], 0);
@@ -322,11 +322,11 @@ TEST(Adf, TreeIsInOrder) {
 }
 
 TEST(Adf, GridHoldsInkAndBand) {
-  AdfOptions options;
+  Target options;
   options.min_px = 10;
   EXPECT_DOUBLE_EQ(band_u(options), 76.8);
   const Shape shape(outline({rectangle(-30.5, -200.25, 410.75, 333)}));
-  const AdfGlyph glyph = build_adf(shape, options);
+  const SampleTree glyph = build_sample_tree(shape, options);
   EXPECT_EQ(glyph.tile_log2, 8);
   EXPECT_EQ(glyph.tiles_x, 3);
   EXPECT_EQ(glyph.tiles_y, 3);
@@ -343,10 +343,10 @@ TEST(Adf, GridHoldsInkAndBand) {
 }
 
 TEST(Adf, SaturatedCellsAreBeyondTheBand) {
-  AdfOptions options;
+  Target options;
   options.min_px = 24;
   const Shape shape(outline({rectangle(0, 0, 700, 700), circle(900, 0, 80)}));
-  const Record record(build_adf(shape, options));
+  const Record record(build_sample_tree(shape, options));
   const GlyphField& field = record.field();
   int saturated = 0;
   for (int y = field.y0_u; y < field.y1_u(); y += 3) {
@@ -363,7 +363,7 @@ TEST(Adf, SaturatedCellsAreBeyondTheBand) {
 }
 
 TEST(Adf, NothingIsMadeOfNothing) {
-  const AdfGlyph glyph = build_adf(Shape(Outline()), AdfOptions());
+  const SampleTree glyph = build_sample_tree(Shape(Outline()), Target());
   EXPECT_EQ(glyph.tiles_x, 0);
   EXPECT_EQ(glyph.tiles_y, 0);
   EXPECT_TRUE(glyph.references.empty());
@@ -378,10 +378,10 @@ TEST(Adf, RefusesWhatTheFormatCannotHold) {
     const double y = i / 45 * 24;
     gravel.contours.push_back(rectangle(x, y, x + 8, y + 8));
   }
-  AdfOptions options;
+  Target options;
   options.tolerance = 4;
   try {
-    build_adf(Shape(gravel), options);
+    build_sample_tree(Shape(gravel), options);
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_EQ(error.kind(), GeometryError::Kind::too_complex);
@@ -391,11 +391,11 @@ TEST(Adf, RefusesWhatTheFormatCannotHold) {
 // The paper's figure 2 has 457 and 399 cells for Times New Roman; an
 // independent count for these outlines gave 427 and 436.
 TEST(Adf, FixedPredicateNeedsThePapersCells) {
-  AdfOptions options;
+  Target options;
   options.predicate = Predicate::fixed;
   for (const Outline& o : load_outlines(kLiberationSerif, 0, {'a', 'D'})) {
     const Shape shape(o);
-    const AdfGlyph glyph = build_adf(shape, options);
+    const SampleTree glyph = build_sample_tree(shape, options);
     EXPECT_EQ(glyph.tiles_x * glyph.tiles_y, 1);
     EXPECT_GE(glyph.cells.size(), 350u);
     EXPECT_LE(glyph.cells.size(), 550u);

@@ -8,8 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "edge_trees.hpp"
 #include "edges/bit_costs.hpp"
-#include "field_trees.hpp"
 
 namespace inkcell {
 namespace gen {
@@ -30,9 +30,9 @@ class FieldLeaf : public testing::Test {
   }
 
   // A field through the square of 64 u at the origin.
-  FieldNumbers any_field() {
+  PrimitiveNumbers any_field() {
     const double angle = any(0, 6.2832);
-    FieldNumbers field;
+    PrimitiveNumbers field;
     field.nx_q14 = static_cast<int16_t>(std::lround(16384 * std::cos(angle)));
     field.ny_q14 = static_cast<int16_t>(std::lround(16384 * std::sin(angle)));
     const double at = field.nx_q14 / 512.0 + field.ny_q14 / 512.0;
@@ -64,8 +64,9 @@ class FieldLeaf : public testing::Test {
     return points;
   }
 
-  static Candidate candidate(const FieldNumbers& field, const Points& points) {
-    const FieldModel model(field);
+  static Candidate candidate(const PrimitiveNumbers& field,
+                             const Points& points) {
+    const Primitive model(field);
     Candidate c;
     c.field = field;
     c.is_arc = is_arc(field);
@@ -99,9 +100,9 @@ TEST_F(FieldLeaf, ValueIsTheOneOfTheDocument) {
   for (int round = 0; round < 600; ++round) {
     for (const Join join : kAllJoins) {
       std::vector<Candidate> candidates;
-      std::vector<FieldModel> models;
-      for (int i = 0; i < field_count(join); ++i) {
-        const FieldNumbers field = any_field();
+      std::vector<Primitive> models;
+      for (int i = 0; i < primitive_count(join); ++i) {
+        const PrimitiveNumbers field = any_field();
         candidates.push_back(candidate(field, points));
         models.emplace_back(field);
       }
@@ -129,10 +130,10 @@ TEST_F(FieldLeaf, ValueIsTheOneOfTheDocument) {
 // A corner of a square: what fields say there is the distance.
 TEST_F(FieldLeaf, CornersAreRound) {
   Points points = lattice();
-  FieldNumbers right;  // inside where x < 32
+  PrimitiveNumbers right;  // inside where x < 32
   right.nx_q14 = -16384;
   right.c_q4 = 32 * 16;
-  FieldNumbers upper;
+  PrimitiveNumbers upper;
   upper.ny_q14 = -16384;
   upper.c_q4 = 32 * 16;
   const Candidate a = candidate(right, points);
@@ -197,7 +198,7 @@ void for_all_leaves(const std::vector<Candidate>& candidates, Visit visit) {
   const size_t count = candidates.size();
   for (const Join join : kAllJoins) {
     const bool nested = is_nested(join);
-    const int fields = field_count(join);
+    const int fields = primitive_count(join);
     for (size_t i = 0; i < count; ++i) {
       if (fields == 1) {
         visit(join, std::vector<const Candidate*>{&candidates[i]});
@@ -231,14 +232,14 @@ TEST_F(FieldLeaf, SearchFindsTheCheapest) {
     SCOPED_TRACE(round);
     const int size_log2 = whole(1, 8);
     Points points = lattice();
-    std::vector<FieldNumbers> fields;
+    std::vector<PrimitiveNumbers> fields;
     for (int i = 0; i < 7; ++i) {
       fields.push_back(any_field());
     }
     // The truth is some combination of the first three.
     const Join truth = kAllJoins[whole(0, kJoins - 1)];
-    std::vector<FieldModel> models;
-    for (int i = 0; i < field_count(truth); ++i) {
+    std::vector<Primitive> models;
+    for (int i = 0; i < primitive_count(truth); ++i) {
       models.emplace_back(fields[static_cast<size_t>(i)]);
     }
     const float leeway = static_cast<float>(any(0.5, 6));
@@ -257,7 +258,7 @@ TEST_F(FieldLeaf, SearchFindsTheCheapest) {
       Candidate c = candidate(fields[i], points);
       c.is_new = whole(0, 1) == 0;
       if (c.is_new) {
-        c.code.kind = static_cast<FieldKind>(whole(0, 3));
+        c.code.kind = static_cast<PrimitiveKind>(whole(0, 3));
         c.bits = whole(8, 30);
         c.bonus = whole(0, 3);
       } else {
@@ -294,7 +295,7 @@ TEST_F(FieldLeaf, SearchFindsTheCheapest) {
       continue;
     }
     ++found_of[static_cast<int>(leaf.join)];
-    const auto count = static_cast<size_t>(field_count(leaf.join));
+    const auto count = static_cast<size_t>(primitive_count(leaf.join));
     const std::vector<const Candidate*> members(leaf.members.begin(),
                                                 leaf.members.begin() + count);
     const PlainCost cost = plain_cost(leaf.join, members, size_log2);
@@ -320,10 +321,10 @@ TEST_F(FieldLeaf, SearchFindsTheCheapest) {
 // left out for that reason would not have passed.
 TEST_F(FieldLeaf, SearchNeedsFieldsThatServeEveryPoint) {
   Points points = lattice();
-  FieldNumbers right;
+  PrimitiveNumbers right;
   right.nx_q14 = -16384;
   right.c_q4 = 32 * 16;
-  FieldNumbers upper;
+  PrimitiveNumbers upper;
   upper.ny_q14 = -16384;
   upper.c_q4 = 32 * 16;
   for (size_t i = 0; i < points.size(); ++i) {
@@ -354,10 +355,10 @@ TEST_F(FieldLeaf, SearchNeedsFieldsThatServeEveryPoint) {
 // errors are worth it.
 TEST_F(FieldLeaf, TruthIsWorthBits) {
   Points points = lattice();
-  FieldNumbers true_field;
+  PrimitiveNumbers true_field;
   true_field.nx_q14 = 16384;
   true_field.c_q4 = -32 * 16;
-  FieldNumbers cheap_field = true_field;
+  PrimitiveNumbers cheap_field = true_field;
   cheap_field.c_q4 = -31 * 16;
   for (size_t i = 0; i < points.size(); ++i) {
     points.d[i] = points.x[i] - 32;

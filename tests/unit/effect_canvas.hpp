@@ -1,10 +1,10 @@
-// What tests of painters draw on, and what they all must keep.
+// What tests of effects draw on, and what they all must keep.
 #pragma once
 
 #include "check.hpp"
 #include "inkcell/render.hpp"
 
-namespace painter {
+namespace effect {
 
 using namespace inkcell;
 
@@ -58,10 +58,10 @@ struct Canvas {
 inline constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
 
 inline void draw(const GlyphField& field,
-                 const Brush& brush,
+                 const TextStyle& style,
                  FinePoint origin) {
   Canvas canvas(kAll);
-  draw_field(field, brush, origin, canvas.sink());
+  draw_field(field, style, origin, canvas.sink());
 }
 
 inline int32_t ink() {
@@ -79,18 +79,18 @@ inline void keep() {
 }
 
 inline void check_windows(const GlyphField& field,
-                          const Brush& brush,
+                          const TextStyle& style,
                           FinePoint origin) {
-  draw(field, brush, origin);
+  draw(field, style, origin);
   keep();
   for (int32_t cut = 1; cut < kSide; cut += 5) {
     Canvas parts(kAll);
     const int32_t x = kAll.x0 + cut;
     for (int32_t y = kAll.y0; y < kAll.y1; y += cut) {
       parts.show(intersect(kAll, {kAll.x0, y, x, y + cut}));
-      draw_field(field, brush, origin, parts.sink());
+      draw_field(field, style, origin, parts.sink());
       parts.show(intersect(kAll, {x, y, kAll.x1, y + cut}));
-      draw_field(field, brush, origin, parts.sink());
+      draw_field(field, style, origin, parts.sink());
     }
     for (int32_t i = 0; i < kSide * kSide; ++i) {
       CHECK_EQ(picture[i], whole[i]);
@@ -102,4 +102,4 @@ inline int32_t magnitude(int32_t value) {
   return value < 0 ? -value : value;
 }
 
-}  // namespace painter
+}  // namespace effect

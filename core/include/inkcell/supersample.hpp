@@ -1,7 +1,7 @@
 // Several samples to a pixel where one does not tell enough.
 //
-//   Adaptive adaptive = make_adaptive(filter);
-//   brush.set_painter(adaptive_painter(adaptive));
+//   Supersampling supersampling = make_supersampling(filter);
+//   style.set_effect(supersample_effect(supersampling));
 //
 // Up to 13 distances are taken on concentric circles around a pixel's centre
 // (Perry and Frisken, section 4.3), where strokes, gaps and corners are too
@@ -10,10 +10,10 @@
 
 #include <stdint.h>
 
-#include "inkcell/brush.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 
@@ -27,8 +27,8 @@ enum class SampleRule : uint8_t {
   paper
 };
 
-/// Options of adaptive_painter: 276 bytes, built once a style, shared.
-struct Adaptive {
+/// Options of supersample_effect: 276 bytes, built once a style, shared.
+struct Supersampling {
   SampleRule rule = SampleRule::even;
   int16_t radius_q10 = 0;  // of the filter [px]
   /// Weights of the centre and of each sample on a circle; all 13 are 2^16.
@@ -48,25 +48,26 @@ inline constexpr Q6_10 kSharpRadius = Q6_10::from_raw(870);
 inline constexpr Q6_10 kCalmRadius = Q6_10::from_raw(768);
 inline constexpr Q6_10 kPaperRadius = Q6_10::from_raw(1331);
 
-/// `filter` is that of the brush; the radius is clamped to 0.25..1.5 px.
+/// `filter` is that of the style; the radius is clamped to 0.25..1.5 px.
 /// Divides and looks up some thousand times: once a style.
-Adaptive make_adaptive(const Filter& filter,
-                       Q6_10 radius = kSharpRadius,
-                       SampleRule rule = SampleRule::even) noexcept;
+Supersampling make_supersampling(const Filter& filter,
+                                 Q6_10 radius = kSharpRadius,
+                                 SampleRule rule = SampleRule::even) noexcept;
 
 namespace detail {
-void paint_adaptive(const GlyphField& field,
-                    const Brush& brush,
-                    const void* options,
-                    const FinePoint& origin,
-                    const Sink& sink);
+void paint_supersampled(const GlyphField& field,
+                        const TextStyle& style,
+                        const void* options,
+                        const FinePoint& origin,
+                        const Sink& sink);
 }  // namespace detail
 
 /// Cells only; glyphs of outlines are drawn as without it. The options must
-/// outlive the brush.
-constexpr Painter adaptive_painter(const Adaptive& adaptive) noexcept {
-  return {detail::paint_adaptive, nullptr, &adaptive, 1};
+/// outlive the style.
+constexpr Effect supersample_effect(
+    const Supersampling& supersampling) noexcept {
+  return {detail::paint_supersampled, nullptr, &supersampling, 1};
 }
-Painter adaptive_painter(const Adaptive&&) = delete;
+Effect supersample_effect(const Supersampling&&) = delete;
 
 }  // namespace inkcell

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edge_trees.hpp"
 #include "edges/code.hpp"
 #include "edges/record.hpp"
-#include "field_trees.hpp"
 #include "glyph_outlines.hpp"
 
 namespace inkcell {
@@ -16,8 +16,8 @@ namespace gen {
 namespace test {
 namespace {
 
-AdfOptions fields(double min_px, double max_px, double tolerance) {
-  AdfOptions options;
+Target fields(double min_px, double max_px, double tolerance) {
+  Target options;
   options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
@@ -35,12 +35,12 @@ Outline outline(std::vector<Contour> contours) {
 // the order in which they are met, reused ones among the last 16.
 class Rules {
  public:
-  explicit Rules(const FieldTree& tree) : tree_(tree) {}
+  explicit Rules(const EdgeTree& tree) : tree_(tree) {}
 
   void check() {
     const Grid& grid = tree_.grid;
     const int log2 = shared_log2(grid);
-    for (const FieldCode& code : tree_.shared) {
+    for (const PrimitiveCode& code : tree_.shared) {
       expect_field(code, log2, grid.x0_u + 128 * grid.tiles_x,
                    grid.y0_u + 128 * grid.tiles_y);
     }
@@ -59,10 +59,10 @@ class Rules {
   }
 
  private:
-  void expect_field(const FieldCode& code, int log2, int x, int y) {
+  void expect_field(const PrimitiveCode& code, int log2, int x, int y) {
     ASSERT_LT(known_, tree_.fields.size());
-    EXPECT_TRUE(same_field(tree_.fields[known_],
-                           field_numbers(code, tree_.steps, log2, x, y)));
+    EXPECT_TRUE(same_primitive(tree_.fields[known_],
+                               field_numbers(code, tree_.steps, log2, x, y)));
     ++known_;
   }
 
@@ -85,12 +85,12 @@ class Rules {
   void leaf(const TreeNode& node) {
     const bool nested = is_nested(node.join);
     bool after_new = false;
-    const int count = field_count(node.join);
+    const int count = primitive_count(node.join);
     for (int i = 0; i < count; ++i) {
       if (nested && i == 1) {
         after_new = false;
       }
-      const FieldUse& use = node.uses[static_cast<size_t>(i)];
+      const PrimitiveUse& use = node.uses[static_cast<size_t>(i)];
       if (use.is_new) {
         EXPECT_EQ(use.field, known_);
         const int half = 1 << node.size_log2 >> 1;
@@ -110,24 +110,24 @@ class Rules {
     list_.resize(std::min(list_.size(), size_t{16}));
   }
 
-  const FieldTree& tree_;
+  const EdgeTree& tree_;
   size_t next_ = 0;
   size_t known_ = 0;
   std::vector<uint16_t> list_;
 };
 
-size_t leaves_of(const FieldTree& tree) {
+size_t leaves_of(const EdgeTree& tree) {
   return static_cast<size_t>(std::count_if(
       tree.nodes.begin(), tree.nodes.end(),
       [](const TreeNode& node) { return node.kind == TreeNode::Kind::leaf; }));
 }
 
-TEST(FieldEncoder, TreesKeepTheRules) {
+TEST(EdgeEncoder, TreesKeepTheRules) {
   for (const char* file : {kDejaVuSans, kLiberationSerif, kRoboto}) {
     for (const Outline& glyph : load_outlines(file, 0, {'a'})) {
       const Shape shape(glyph);
-      FieldEncoder encoder(shape, fields(8, 32, 16));
-      const FieldTree tree = encoder.encode();
+      EdgeEncoder encoder(shape, fields(8, 32, 16));
+      const EdgeTree tree = encoder.encode();
       EXPECT_EQ(tree.failures, 0);
       EXPECT_GT(leaves_of(tree), 10u);
       Rules(tree).check();
@@ -135,19 +135,19 @@ TEST(FieldEncoder, TreesKeepTheRules) {
   }
 }
 
-TEST(FieldEncoder, SaysTheSameWhenAskedAgain) {
+TEST(EdgeEncoder, SaysTheSameWhenAskedAgain) {
   const Shape shape(load_outlines(kDejaVuSans, 0, {'e'})[0]);
-  FieldEncoder encoder(shape, fields(8, 32, 16));
-  const std::vector<uint8_t> first = field_record(encoder.encode());
-  EXPECT_EQ(field_record(encoder.encode()), first);
-  FieldEncoder other(shape, fields(8, 32, 16));
-  EXPECT_EQ(field_record(other.encode()), first);
+  EdgeEncoder encoder(shape, fields(8, 32, 16));
+  const std::vector<uint8_t> first = edge_record(encoder.encode());
+  EXPECT_EQ(edge_record(encoder.encode()), first);
+  EdgeEncoder other(shape, fields(8, 32, 16));
+  EXPECT_EQ(edge_record(other.encode()), first);
 }
 
-TEST(FieldEncoder, PointsThatWereMissedAreMet) {
+TEST(EdgeEncoder, PointsThatWereMissedAreMet) {
   const Shape shape(outline({circle(200, 200, 150)}));
-  const AdfOptions options = fields(8, 64, 16);
-  FieldEncoder encoder(shape, options);
+  const Target options = fields(8, 64, 16);
+  EdgeEncoder encoder(shape, options);
   const Metric metric(options);
   std::vector<Point> points;
   for (int i = 0; i < 40; ++i) {
@@ -155,7 +155,7 @@ TEST(FieldEncoder, PointsThatWereMissedAreMet) {
         {200 + 151.3 * std::cos(0.17 * i), 200 + 151.3 * std::sin(0.17 * i)});
     encoder.add_point(points.back());
   }
-  const std::vector<uint8_t> record = field_record(encoder.encode());
+  const std::vector<uint8_t> record = edge_record(encoder.encode());
   const GlyphField field = open_record(record);
   for (const Point& p : points) {
     const auto q16 = [](double u) {
@@ -168,31 +168,31 @@ TEST(FieldEncoder, PointsThatWereMissedAreMet) {
 }
 
 // A square has four sides, a circle one arc in each cell: not many fields.
-TEST(FieldEncoder, SimpleShapesTakeFewFields) {
-  const AdfOptions options = fields(8, 64, 16);
+TEST(EdgeEncoder, SimpleShapesTakeFewFields) {
+  const Target options = fields(8, 64, 16);
   const Shape square(outline({rectangle(0, 0, 600, 600)}));
-  FieldTree tree = FieldEncoder(square, options).encode();
+  EdgeTree tree = EdgeEncoder(square, options).encode();
   Rules(tree).check();
   EXPECT_EQ(tree.failures, 0);
   EXPECT_LE(tree.fields.size(), 8u);
-  for (const FieldNumbers& field : tree.fields) {
+  for (const PrimitiveNumbers& field : tree.fields) {
     EXPECT_FALSE(is_arc(field));
     EXPECT_TRUE(field.nx_q14 == 0 || field.ny_q14 == 0);
   }
   const Shape disk(outline({circle(0, 0, 300)}));
-  tree = FieldEncoder(disk, options).encode();
+  tree = EdgeEncoder(disk, options).encode();
   Rules(tree).check();
   EXPECT_EQ(tree.failures, 0);
   EXPECT_LE(tree.fields.size(), 40u);
   EXPECT_TRUE(std::any_of(tree.fields.begin(), tree.fields.end(), is_arc));
 }
 
-TEST(FieldEncoder, FewerBytesForLargerTolerances) {
+TEST(EdgeEncoder, FewerBytesForLargerTolerances) {
   const Shape shape(load_outlines(kLiberationSerif, 0, {'S'})[0]);
   size_t before = 1000000;
   for (const double tolerance : {6.0, 16.0, 40.0}) {
-    FieldEncoder encoder(shape, fields(8, 48, tolerance));
-    const size_t bytes = field_record(encoder.encode()).size();
+    EdgeEncoder encoder(shape, fields(8, 48, tolerance));
+    const size_t bytes = edge_record(encoder.encode()).size();
     EXPECT_LT(bytes, before) << tolerance;
     before = bytes;
   }

@@ -1,12 +1,12 @@
-// Glyphs of samples and brushes for tests of painters.
+// Glyphs of samples and styles for tests of effects.
 #pragma once
 
 #include "check.hpp"
 #include "font_builder.hpp"
-#include "inkcell/brush.hpp"
 #include "inkcell/field.hpp"
+#include "inkcell/text_style.hpp"
 
-namespace painter {
+namespace effect {
 
 using namespace inkcell;
 
@@ -25,14 +25,14 @@ inline GlyphField field_of(font_builder::Shape shape) {
 }
 
 /// Upright, or down the triangle of sides 3, 4 and 5.
-inline Brush brush_of(int32_t size_q6, bool is_turned) {
+inline TextStyle style_of(int32_t size_q6, bool is_turned) {
   Direction direction;
   direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
   direction.sine.raw = is_turned ? -644245094 : 0;
-  Brush brush;
+  TextStyle style;
   CHECK_OK(
-      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
-  return brush;
+      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+  return style;
 }
 
-}  // namespace painter
+}  // namespace effect

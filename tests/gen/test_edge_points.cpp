@@ -20,8 +20,8 @@ Outline outline(std::vector<Contour> contours) {
   return result;
 }
 
-AdfOptions fields(double min_px, double max_px, double tolerance) {
-  AdfOptions options;
+Target fields(double min_px, double max_px, double tolerance) {
+  Target options;
   options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
@@ -35,7 +35,7 @@ TEST(FieldPoints, AllowIsTheInverseOfTheError) {
   const Shape shape(outline({rectangle(0, 0, 300, 300)}));
   std::mt19937 random(4);
   std::uniform_real_distribution<double> part(0, 1);
-  for (const AdfOptions& options :
+  for (const Target& options :
        {fields(8, 64, 16), fields(12, 32, 8), fields(8, 128, 36),
         fields(4, 4, 100), fields(4, 1024, 1)}) {
     const Metric metric(options);
@@ -72,7 +72,7 @@ TEST(FieldPoints, AllowIsTheInverseOfTheError) {
 
 TEST(FieldPoints, BeyondTheBandAnythingSaturatedPasses) {
   const Shape shape(outline({rectangle(0, 0, 300, 300)}));
-  const AdfOptions options = fields(8, 64, 16);
+  const Target options = fields(8, 64, 16);
   const Metric metric(options);
   const PointSource source(shape, metric, lay_grid(shape, options), 16);
   float low = 0;
@@ -88,7 +88,7 @@ TEST(FieldPoints, BeyondTheBandAnythingSaturatedPasses) {
 
 TEST(FieldPoints, LatticeCoversTheCellWithItsBorders) {
   const Shape shape(load_outlines(kDejaVuSans, 0, {'R'})[0]);
-  const AdfOptions options = fields(8, 64, 16);
+  const Target options = fields(8, 64, 16);
   PointSource source(shape, Metric(options), lay_grid(shape, options), 15);
   const Grid grid = source.grid();
   for (int log2 = 1; log2 <= 8; ++log2) {
@@ -137,7 +137,7 @@ TEST(FieldPoints, LatticeCoversTheCellWithItsBorders) {
 
 TEST(FieldPoints, LatticeIsDenserNearTheEdge) {
   const Shape shape(outline({rectangle(3, 3, 253, 253)}));
-  const AdfOptions options = fields(8, 64, 16);
+  const Target options = fields(8, 64, 16);
   PointSource source(shape, Metric(options), lay_grid(shape, options), 15);
   const Points points = source.collect(0, 0, 8);
   size_t near = 0;
@@ -153,7 +153,7 @@ TEST(FieldPoints, LatticeIsDenserNearTheEdge) {
 
 TEST(FieldPoints, ExtraPointsAreHeldToATighterLimit) {
   const Shape shape(outline({rectangle(0, 0, 300, 300)}));
-  const AdfOptions options = fields(8, 64, 16);
+  const Target options = fields(8, 64, 16);
   const Metric metric(options);
   PointSource source(shape, metric, lay_grid(shape, options), 15);
   const size_t before = source.collect(0, 0, 5).size();
@@ -178,7 +178,7 @@ TEST(FieldPoints, ExtraPointsAreHeldToATighterLimit) {
 
 TEST(FieldPoints, SaturatedSquaresAreSeen) {
   const Shape shape(outline({rectangle(0, 0, 600, 600)}));
-  const AdfOptions options = fields(8, 64, 16);
+  const Target options = fields(8, 64, 16);
   PointSource source(shape, Metric(options), lay_grid(shape, options), 15);
   bool inside = false;
   EXPECT_TRUE(source.saturated(source.collect(200, 200, 7), inside));
@@ -194,7 +194,7 @@ TEST(FieldPoints, SaturatedSquaresAreSeen) {
 // An error of the tolerance all along an edge of 256 u, 16 px at 64 px, on the
 // ramp: 16 pixels of it. Lattices of all densities must agree.
 TEST(FieldPoints, WeightsCountPixels) {
-  const AdfOptions options = fields(8, 64, 16);
+  const Target options = fields(8, 64, 16);
   const Shape shape(outline({rectangle(-600, -600, 5, 1200)}));
   const Metric metric(options);
   const Grid grid = lay_grid(shape, options);

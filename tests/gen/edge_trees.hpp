@@ -22,7 +22,7 @@ struct PlainValue {
 };
 
 PlainValue plain_value(Join join,
-                       const std::vector<FieldModel>& fields,
+                       const std::vector<Primitive>& fields,
                        double x,
                        double y);
 
@@ -30,18 +30,18 @@ struct TreeOptions {
   int tiles_x = 1;
   int tiles_y = 1;
   int depth = 3;
-  FieldSteps steps;
+  PrimitiveSteps steps;
   /// Fields stay where readers can compute them (docs/FORMAT.md).
   bool within_limits = true;
 };
 
 /// A tree that the format can hold. Fields, joins and the use of earlier fields
 /// are random.
-FieldTree random_tree(std::mt19937& random, const TreeOptions& options);
+EdgeTree random_tree(std::mt19937& random, const TreeOptions& options);
 
 /// The square at a point of the grid, and its value there.
-const TreeNode& square_at(const FieldTree& tree, int x_u, int y_u);
-PlainValue value_at(const FieldTree& tree, const TreeNode& leaf, int x, int y);
+const TreeNode& square_at(const EdgeTree& tree, int x_u, int y_u);
+PlainValue value_at(const EdgeTree& tree, const TreeNode& leaf, int x, int y);
 
 /// `locate` and `distance_at` of both say the same at every `step`-th point of
 /// whole u.

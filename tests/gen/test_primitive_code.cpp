@@ -14,8 +14,8 @@ namespace gen {
 namespace test {
 namespace {
 
-AdfOptions fields(double min_px, double max_px, double tolerance) {
-  AdfOptions options;
+Target fields(double min_px, double max_px, double tolerance) {
+  Target options;
   options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
@@ -24,23 +24,23 @@ AdfOptions fields(double min_px, double max_px, double tolerance) {
 }
 
 // From coarse to as fine as it goes.
-const std::vector<AdfOptions> kRanges = {
-    fields(4, 4, 255),   fields(4, 1024, 1), fields(8, 64, 16),
-    fields(12, 32, 36),  fields(8, 128, 8),  fields(1024, 1024, 1),
-    fields(40, 40, 100), fields(4, 8, 1)};
+const std::vector<Target> kRanges = {fields(4, 4, 255),   fields(4, 1024, 1),
+                                     fields(8, 64, 16),   fields(12, 32, 36),
+                                     fields(8, 128, 8),   fields(1024, 1024, 1),
+                                     fields(40, 40, 100), fields(4, 8, 1)};
 
 // Half of 1/255 of the tolerance at 64 px is 32 u / 255.
-TEST(FieldCode, ToleranceIsADistanceAtTheLargestSize) {
+TEST(PrimitiveCode, ToleranceIsADistanceAtTheLargestSize) {
   EXPECT_DOUBLE_EQ(e0_u(fields(8, 64, 16)), 16.0 / 255 * 16);
   EXPECT_DOUBLE_EQ(e0_u(fields(8, 1024, 255)), 1);
 }
 
 // A distance up to the band is met to half a step, with no step above the
 // distance that the tolerance allows unless the format has no finer one.
-TEST(FieldCode, DistancesAreMetToHalfAStep) {
+TEST(PrimitiveCode, DistancesAreMetToHalfAStep) {
   std::mt19937 random(14);
-  for (const AdfOptions& options : kRanges) {
-    const FieldSteps steps = steps_for(options);
+  for (const Target& options : kRanges) {
+    const PrimitiveSteps steps = steps_for(options);
     EXPECT_LE(steps.d0_step / 64.0, std::max(e0_u(options), 1 / 64.0));
     for (int log2 = 1; log2 <= 12; ++log2) {
       const double reach =
@@ -63,32 +63,33 @@ TEST(FieldCode, DistancesAreMetToHalfAStep) {
 }
 
 // What a code says, in real numbers, is what its field says.
-TEST(FieldCode, FieldsAreWhatTheCodesSay) {
+TEST(PrimitiveCode, FieldsAreWhatTheCodesSay) {
   constexpr double kPi = 3.14159265358979323846;
   std::mt19937 random(15);
   const auto between = [&](int least, int most) {
     return std::uniform_int_distribution<int>(least, most)(random);
   };
   for (size_t round = 0; round < 20000; ++round) {
-    const FieldSteps steps = steps_for(kRanges[round % kRanges.size()]);
+    const PrimitiveSteps steps = steps_for(kRanges[round % kRanges.size()]);
     const int log2 = between(1, 8);
     const int x = between(-1200, 1200);  // |c| and |cw| stay below 2048 u
     const int y = between(-1200, 1200);
-    FieldCode code;
-    code.kind = static_cast<FieldKind>(between(0, 3));
+    PrimitiveCode code;
+    code.kind = static_cast<PrimitiveKind>(between(0, 3));
     const int most =
         std::min(1 << (steps.d0_bits(log2) - 1), 200 * 64 / steps.d0_step);
     code.d0 = between(-most, most - 1);
     const int turn = has_angle(code.kind) ? steps.angle_bits(log2) : 2;
     code.angle = static_cast<uint32_t>(between(0, (1 << turn) - 1));
-    const double length = std::ldexp(1.0, FieldSteps::bend_length_log2(log2));
+    const double length =
+        std::ldexp(1.0, PrimitiveSteps::bend_length_log2(log2));
     if (is_bent(code.kind)) {
       const int bend =
           std::min(steps.most_bend(log2),
                    static_cast<int>(length / 4 / steps.bend_step * 64));
       code.bend = between(1, std::max(1, bend)) * (between(0, 1) * 2 - 1);
     }
-    const FieldModel model(field_numbers(code, steps, log2, x, y));
+    const Primitive model(field_numbers(code, steps, log2, x, y));
     const double angle = std::ldexp(2.0 * code.angle, -turn) * kPi;
     // The normal is rounded to 2^-14, the offset to 1/16 u.
     EXPECT_NEAR(model.nx, std::cos(angle), 1.5 / 16384);
@@ -105,42 +106,42 @@ TEST(FieldCode, FieldsAreWhatTheCodesSay) {
   }
 }
 
-TEST(FieldCode, AxesAreExact) {
+TEST(PrimitiveCode, AxesAreExact) {
   constexpr int kExpected[4][2] = {
       {16384, 0}, {0, 16384}, {-16384, 0}, {0, -16384}};
-  FieldCode code;
+  PrimitiveCode code;
   for (code.angle = 0; code.angle < 4; ++code.angle) {
-    const FieldNumbers field =
+    const PrimitiveNumbers field =
         field_numbers(code, steps_for(kRanges[2]), 5, 0, 0);
     EXPECT_EQ(field.nx_q14, kExpected[code.angle][0]);
     EXPECT_EQ(field.ny_q14, kExpected[code.angle][1]);
   }
 }
 
-TEST(FieldCode, NumbersThatDoNotFitAreClamped) {
-  FieldSteps steps;
+TEST(PrimitiveCode, NumbersThatDoNotFitAreClamped) {
+  PrimitiveSteps steps;
   steps.d0_step = 255;
   steps.bend_step = 255;
-  FieldCode code;
-  code.kind = FieldKind::axis_arc;
+  PrimitiveCode code;
+  code.kind = PrimitiveKind::axis_arc;
   for (const int sign : {1, -1}) {
     code.d0 = sign * 32767;
     code.bend = sign * 100000;
-    const FieldNumbers field = field_numbers(code, steps, 8, 0, 0);
+    const PrimitiveNumbers field = field_numbers(code, steps, 8, 0, 0);
     EXPECT_EQ(field.c_q4, sign > 0 ? 32767 : -32768);
     EXPECT_EQ(field.bend, sign * 32767);
   }
   // Rounded to no bend at all: a line.
   steps.bend_step = 1;
   code.bend = 1;
-  const FieldNumbers line = field_numbers(code, steps, 12, 100, 100);
+  const PrimitiveNumbers line = field_numbers(code, steps, 12, 100, 100);
   EXPECT_EQ(line.bend, 0);
   EXPECT_EQ(line.along_q4, 0);
 }
 
-TEST(FieldCode, BendsHaveALimit) {
-  for (const AdfOptions& options : kRanges) {
-    const FieldSteps steps = steps_for(options);
+TEST(PrimitiveCode, BendsHaveALimit) {
+  for (const Target& options : kRanges) {
+    const PrimitiveSteps steps = steps_for(options);
     for (int log2 = 1; log2 <= 8; ++log2) {
       const int most = steps.most_bend(log2);
       EXPECT_GE(most, 16);

@@ -1,4 +1,4 @@
-#include "judge/edges_glyph.hpp"
+#include "judge/edge_glyph.hpp"
 
 #include "edges/encoder.hpp"
 #include "edges/record.hpp"
@@ -15,16 +15,16 @@ constexpr double kReserve = 0.5;
 
 }  // namespace
 
-FieldGlyph build_fields(const Shape& shape,
-                        const AdfOptions& options,
-                        const LoopOptions& loop_options) {
+EdgeGlyph build_edges(const Shape& shape,
+                      const Target& options,
+                      const LoopOptions& loop_options) {
   LoopOptions strict = loop_options;
   strict.tolerance -= kReserve;
   ClosedLoop loop(shape, strict);
-  FieldEncoder encoder(shape, options);
-  FieldGlyph best;
+  EdgeEncoder encoder(shape, options);
+  EdgeGlyph best;
   for (int round = 0; round < kMostRounds; ++round) {
-    FieldGlyph glyph;
+    EdgeGlyph glyph;
     glyph.tree = encoder.encode();
     const bool last = round + 1 == kMostRounds;
     const std::vector<Point> misses =
@@ -35,7 +35,7 @@ FieldGlyph build_fields(const Shape& shape,
     if (!misses.empty()) {
       continue;
     }
-    glyph.record = field_record(glyph.tree);
+    glyph.record = edge_record(glyph.tree);
     GlyphField field;
     if (GlyphField::open({glyph.record.data(), glyph.record.size()}, field) !=
         Status::ok) {

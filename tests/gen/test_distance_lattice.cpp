@@ -35,11 +35,11 @@ struct Subject {
   int y0;
   int width;
   int height;
-  FieldTruth truth;
+  DistanceLattice truth;
 };
 
 // Chains hold every edge once and meet, one after the other, in the corners.
-void expect_consistent(const FieldTruth& truth) {
+void expect_consistent(const DistanceLattice& truth) {
   const std::vector<Edge>& edges = truth.shape().edges();
   size_t sum = 0;
   for (const Chain& chain : truth.chains()) {
@@ -64,7 +64,7 @@ void expect_consistent(const FieldTruth& truth) {
   }
 }
 
-TEST(FieldTruth, DistancesAreThoseOfTheShape) {
+TEST(DistanceLattice, DistancesAreThoseOfTheShape) {
   std::vector<Outline> all = load_outlines(kDejaVuSans, 0, {'B', '@', 'i'});
   all.push_back(load_outlines(kLiberationSerif, 0, {'g'})[0]);
   all.push_back(outline({rectangle(0, 0, 100, 100),
@@ -98,7 +98,7 @@ TEST(FieldTruth, DistancesAreThoseOfTheShape) {
   }
 }
 
-TEST(FieldTruth, SidesOfASquareAreChains) {
+TEST(DistanceLattice, SidesOfASquareAreChains) {
   Subject s(outline({rectangle(0, 0, 300, 300)}));
   expect_consistent(s.truth);
   EXPECT_EQ(s.truth.chains().size(), 4u);
@@ -120,7 +120,7 @@ TEST(FieldTruth, SidesOfASquareAreChains) {
   }
 }
 
-TEST(FieldTruth, CirclesHaveNoCorners) {
+TEST(DistanceLattice, CirclesHaveNoCorners) {
   for (const double radius : {1.0, 2.5, 20.0, 300.0}) {
     Subject s(outline({circle(10, 20, radius)}));
     expect_consistent(s.truth);
@@ -131,7 +131,7 @@ TEST(FieldTruth, CirclesHaveNoCorners) {
   }
 }
 
-TEST(FieldTruth, LettersHaveTheCornersOneSees) {
+TEST(DistanceLattice, LettersHaveTheCornersOneSees) {
   // All straight: each edge is a chain.
   Subject a(load_outlines(kDejaVuSans, 0, {'A'})[0]);
   expect_consistent(a.truth);
@@ -149,7 +149,7 @@ TEST(FieldTruth, LettersHaveTheCornersOneSees) {
   EXPECT_EQ(d.truth.corners().size(), 4u);
 }
 
-TEST(FieldTruth, ContoursThatTouchStayConsistent) {
+TEST(DistanceLattice, ContoursThatTouchStayConsistent) {
   for (const std::vector<Contour>& contours :
        {std::vector<Contour>{rectangle(0, 0, 100, 100),
                              rectangle(100, 100, 200, 200)},
@@ -168,7 +168,7 @@ TEST(FieldTruth, ContoursThatTouchStayConsistent) {
   }
 }
 
-TEST(FieldTruth, CornerSamplesLieInTheConeOfTheCorner) {
+TEST(DistanceLattice, CornerSamplesLieInTheConeOfTheCorner) {
   Subject s(load_outlines(kDejaVuSans, 0, {'k'})[0]);
   expect_consistent(s.truth);
   const std::vector<Edge>& edges = s.shape.edges();

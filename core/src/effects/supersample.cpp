@@ -5,7 +5,7 @@
 //       o   c   o          four on the axes come first: with the centre they
 //          i i             tell whether the field bends or breaks there.
 //       o   o   o
-#include "inkcell/adaptive.hpp"
+#include "inkcell/supersample.hpp"
 
 #include "base/math.hpp"
 #include "distance/point_walk.hpp"
@@ -15,8 +15,8 @@
 namespace inkcell {
 namespace {
 
+using detail::abs;
 using detail::FieldPosition;
-using detail::magnitude;
 using detail::moved;
 using detail::moved_back;
 using detail::PointWalk;
@@ -60,8 +60,8 @@ struct SampleRows {
   FieldPosition inner;
 };
 
-// Adaptive::edge between its entries, which lie farther apart than those of the
-// filter.
+// Supersampling::edge between its entries, which lie farther apart than those
+// of the filter.
 int32_t edge_coverage(const Filter& edge, int32_t distance_q10) noexcept {
   if (distance_q10 <= edge.outside_q10) {
     return 0;
@@ -82,41 +82,41 @@ int32_t edge_coverage(const Filter& edge, int32_t distance_q10) noexcept {
 
 // What a glyph's pixels have in common.
 struct Sampling {
-  const Brush& brush;
-  const Adaptive& options;
+  const TextStyle& style;
+  const Supersampling& options;
   PointWalk walk;
   Surroundings around;
   uint32_t more_samples;
 
   Sampling(const GlyphField& field,
-           const Brush& the_brush,
-           const Adaptive& the_options) noexcept;
+           const TextStyle& the_style,
+           const Supersampling& the_options) noexcept;
 
   int32_t distance_q10(const FieldPosition& at) noexcept {
     ++more_samples;
     return walk.distance_q10(at);
   }
   int32_t coverage(const FieldPosition& at) noexcept {
-    return brush.filter().coverage(distance_q10(at));
+    return style.filter().coverage(distance_q10(at));
   }
 };
 
 Sampling::Sampling(const GlyphField& field,
-                   const Brush& the_brush,
-                   const Adaptive& the_options) noexcept
-    : brush(the_brush),
+                   const TextStyle& the_style,
+                   const Supersampling& the_options) noexcept
+    : style(the_style),
       options(the_options),
       // Farther away vertices need not be round.
       walk(field,
-           the_brush,
-           detail::reach_of(the_brush.filter()) +
+           the_style,
+           detail::reach_of(the_style.filter()) +
                (the_options.radius_q10 << 12)),
       around{part_of(the_options.radius_q10, 2), 0, 0},
       more_samples(0) {
-  const FieldPosition right = scaled(the_brush.right(), around.radius_q10);
-  const FieldPosition up = scaled(the_brush.up(), around.radius_q10);
-  around.x_q16 = magnitude(right.x_q16) + magnitude(up.x_q16);
-  around.y_q16 = magnitude(right.y_q16) + magnitude(up.y_q16);
+  const FieldPosition right = scaled(the_style.right(), around.radius_q10);
+  const FieldPosition up = scaled(the_style.up(), around.radius_q10);
+  around.x_q16 = abs(right.x_q16) + abs(up.x_q16);
+  around.y_q16 = abs(right.y_q16) + abs(up.y_q16);
 }
 
 // Of values on the two circles.
@@ -170,8 +170,8 @@ struct Pixel {
 __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
                                                 int32_t centre_q10) noexcept {
   Sampling& sampling = pixel.sampling;
-  const Adaptive& options = sampling.options;
-  const Filter& filter = sampling.brush.filter();
+  const Supersampling& options = sampling.options;
+  const Filter& filter = sampling.style.filter();
   int32_t cross[4];
   pixel.cross(cross);
   // The other eight lie between these, and distances change by no more than the
@@ -189,9 +189,7 @@ __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
   }
   const int32_t across = cross[0] + cross[2] - 2 * centre_q10;
   const int32_t upright = cross[1] + cross[3] - 2 * centre_q10;
-  const int32_t bend = magnitude(across) > magnitude(upright)
-                           ? magnitude(across)
-                           : magnitude(upright);
+  const int32_t bend = abs(across) > abs(upright) ? abs(across) : abs(upright);
   // Where the field bends a little its mean is a little elsewhere: the circles
   // are at a quarter of the sum, and at a quarter of that, with 0.43 of the
   // weight each.
@@ -237,15 +235,15 @@ int32_t even_sample(const Pixel& pixel) noexcept {
 // The paper's rule: 13 samples where a cell is no wider than half the radius.
 __attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
   Sampling& sampling = pixel.sampling;
-  const Adaptive& options = sampling.options;
-  const Filter& filter = sampling.brush.filter();
+  const Supersampling& options = sampling.options;
+  const Filter& filter = sampling.style.filter();
   const int32_t centre_q10 = sampling.walk.distance_q10(pixel.at(kCentre));
   // What a saturated cell reports is clamped to what cannot change coverage.
   const int32_t low = filter.outside_q10 - options.radius_q10;
   const int32_t high = filter.inside_q10 + options.radius_q10;
   // Widths as the radius has them: 2^log2 u in px, Q10.
   const int32_t width_q10 =
-      sampling.brush.to_px_q10(int32_t{1} << (10 + sampling.walk.cell_log2()));
+      sampling.style.to_px_q10(int32_t{1} << (10 + sampling.walk.cell_log2()));
   if (width_q10 > options.radius_q10 ||
       (!sampling.walk.is_saturated() &&
        (centre_q10 < low || centre_q10 > high))) {
@@ -281,7 +279,7 @@ __attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
 
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) void set_up_rows(SampleRows& rows,
-                                           const Brush& brush,
+                                           const TextStyle& style,
                                            const FinePoint& origin,
                                            int32_t x,
                                            int32_t y,
@@ -289,17 +287,16 @@ __attribute__((noinline)) void set_up_rows(SampleRows& rows,
   const int32_t outer = part_of(radius_q10, 2);
   const int32_t ways[] = {outer, diagonal(outer),
                           diagonal(part_of(radius_q10, 1))};
-  rows.heights[kCentre] =
-      detail::sample_position(brush, origin, x, y, {0, 0});
+  rows.heights[kCentre] = detail::sample_position(style, origin, x, y, {0, 0});
   for (int32_t i = 0; i < 3; ++i) {
     rows.heights[kOuterUp + 2 * i] =
-        detail::sample_position(brush, origin, x, y, {0, ways[i]});
+        detail::sample_position(style, origin, x, y, {0, ways[i]});
     rows.heights[kOuterDown + 2 * i] =
-        detail::sample_position(brush, origin, x, y, {0, -ways[i]});
+        detail::sample_position(style, origin, x, y, {0, -ways[i]});
   }
-  rows.outer = scaled(brush.right(), ways[0]);
-  rows.diagonal = scaled(brush.right(), ways[1]);
-  rows.inner = scaled(brush.right(), ways[2]);
+  rows.outer = scaled(style.right(), ways[0]);
+  rows.diagonal = scaled(style.right(), ways[1]);
+  rows.inner = scaled(style.right(), ways[2]);
 }
 
 // The pixels of a row whose samples are set up.
@@ -308,7 +305,7 @@ __attribute__((noinline)) void draw_pixels(Sampling& sampling,
                                            int32_t x,
                                            int32_t end,
                                            SpanWriter& writer) noexcept {
-  const FieldPosition step = detail::pixel_step(sampling.brush);
+  const FieldPosition step = detail::pixel_step(sampling.style);
   const bool is_even = sampling.options.rule == SampleRule::even;
   FieldPosition way = {0, 0, 0, 0};
   const Pixel pixel = {sampling, rows, way};
@@ -327,7 +324,7 @@ __attribute__((noinline)) void draw_row(Sampling& sampling,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   SampleRows rows;
-  set_up_rows(rows, sampling.brush, origin, box.x0, y,
+  set_up_rows(rows, sampling.style, origin, box.x0, y,
               sampling.options.radius_q10);
   SpanWriter writer(sink, y);
   draw_pixels(sampling, rows, box.x0, box.x1, writer);
@@ -335,29 +332,29 @@ __attribute__((noinline)) void draw_row(Sampling& sampling,
 
 }  // namespace
 
-Adaptive make_adaptive(const Filter& filter,
-                       Q6_10 radius,
-                       SampleRule rule) noexcept {
+Supersampling make_supersampling(const Filter& filter,
+                                 Q6_10 radius,
+                                 SampleRule rule) noexcept {
   constexpr int32_t kLeast = 256;
   constexpr int32_t kMost = 1536;
   // 1, 2^(-1/3) and 2^(-4/3): their shares of 1 + 4 inner + 8 outer.
   constexpr int32_t kInner = 7077;
   constexpr int32_t kOuter = 3539;
-  Adaptive adaptive;
+  Supersampling supersampling;
   int32_t radius_q10 = radius.raw;
   radius_q10 = radius_q10 < kLeast ? kLeast : radius_q10;
   radius_q10 = radius_q10 > kMost ? kMost : radius_q10;
-  adaptive.rule = rule;
-  adaptive.radius_q10 = static_cast<int16_t>(radius_q10);
-  adaptive.inner_q16 = kInner;
-  adaptive.outer_q16 = kOuter;
-  adaptive.centre_q16 = (1 << 16) - 4 * kInner - 8 * kOuter;
+  supersampling.rule = rule;
+  supersampling.radius_q10 = static_cast<int16_t>(radius_q10);
+  supersampling.inner_q16 = kInner;
+  supersampling.outer_q16 = kOuter;
+  supersampling.centre_q16 = (1 << 16) - 4 * kInner - 8 * kOuter;
 
   // The mean of an edge along the axes and one along the diagonals: what lies
   // on the axes of one lies on the diagonals of the other.
   const int32_t outer = part_of(radius_q10, 2);
   const int32_t inner = part_of(radius_q10, 1);
-  Filter& edge = adaptive.edge;
+  Filter& edge = supersampling.edge;
   const int32_t low = filter.outside_q10 - outer;
   const int32_t high = filter.inside_q10 + outer;
   edge.outside_q10 = static_cast<int16_t>(low);
@@ -374,27 +371,27 @@ Adaptive make_adaptive(const Filter& filter,
     const int32_t off_outer = 4 * both(diagonal(outer));
     const int32_t on_inner = 2 * centre + both(inner);
     const int32_t off_inner = 2 * both(diagonal(inner));
-    const int32_t sum_q17 = 2 * centre * adaptive.centre_q16 +
+    const int32_t sum_q17 = 2 * centre * supersampling.centre_q16 +
                             (on_inner + off_inner) * kInner +
                             (on_outer + off_outer) * kOuter;
     edge.table[i] = static_cast<uint8_t>((sum_q17 + (1 << 16)) >> 17);
   }
-  return adaptive;
+  return supersampling;
 }
 
-void detail::paint_adaptive(const GlyphField& field,
-                            const Brush& brush,
-                            const void* options,
-                            const FinePoint& origin,
-                            const Sink& sink) {
-  const auto& adaptive = *static_cast<const Adaptive*>(options);
-  const Rect box = detail::painted_box(field, brush, origin, sink);
-  Sampling sampling(field, brush, adaptive);
+void detail::paint_supersampled(const GlyphField& field,
+                                const TextStyle& style,
+                                const void* options,
+                                const FinePoint& origin,
+                                const Sink& sink) {
+  const auto& supersampling = *static_cast<const Supersampling*>(options);
+  const Rect box = detail::painted_box(field, style, origin, sink);
+  Sampling sampling(field, style, supersampling);
   for (int32_t y = box.y0; y < box.y1; ++y) {
     draw_row(sampling, origin, box, y, sink);
   }
-  if (adaptive.more_samples != nullptr) {
-    *adaptive.more_samples += sampling.more_samples;
+  if (supersampling.more_samples != nullptr) {
+    *supersampling.more_samples += sampling.more_samples;
   }
 }
 

@@ -16,8 +16,8 @@ namespace gen {
 namespace test {
 namespace {
 
-AdfOptions fields() {
-  AdfOptions options;
+Target fields() {
+  Target options;
   options.coding = Coding::edges;
   return options;
 }
@@ -32,10 +32,10 @@ class FieldPolish : public testing::Test {
                 lay_grid(shape_, options_),
                 options_.tolerance),
         candidates_(points_, steps_for(options_), options_),
-        tree_(FieldEncoder(shape_, options_).encode()) {}
+        tree_(EdgeEncoder(shape_, options_).encode()) {}
 
   // The sum of the squares of all errors; infinite if a cell misses the limit.
-  double squares(const FieldTree& tree) {
+  double squares(const EdgeTree& tree) {
     double sum = 0;
     for (const TreeNode& node : tree.nodes) {
       if (node.kind != TreeNode::Kind::leaf) {
@@ -45,7 +45,8 @@ class FieldPolish : public testing::Test {
       std::array<Candidate, 3> members;
       Leaf leaf;
       leaf.join = node.join;
-      for (size_t m = 0; m < static_cast<size_t>(field_count(node.join)); ++m) {
+      for (size_t m = 0; m < static_cast<size_t>(primitive_count(node.join));
+           ++m) {
         members[m].field = tree.fields[node.uses[m].field];
         candidates_.evaluate(members[m], points);
         leaf.members[m] = &members[m];
@@ -59,10 +60,10 @@ class FieldPolish : public testing::Test {
   }
 
   // Moves the new field of a leaf by one step of its distance.
-  FieldTree disturbed(size_t node, size_t member) {
-    FieldTree tree = tree_;
+  EdgeTree disturbed(size_t node, size_t member) {
+    EdgeTree tree = tree_;
     TreeNode& leaf = tree.nodes[node];
-    FieldUse& use = leaf.uses[member];
+    PrimitiveUse& use = leaf.uses[member];
     ++use.code.d0;
     const int half = 1 << leaf.size_log2 >> 1;
     tree.fields[use.field] = field_numbers(use.code, tree.steps, leaf.size_log2,
@@ -70,11 +71,11 @@ class FieldPolish : public testing::Test {
     return tree;
   }
 
-  AdfOptions options_ = fields();
+  Target options_ = fields();
   Shape shape_;
   PointSource points_;
   CandidateSource candidates_;
-  FieldTree tree_;
+  EdgeTree tree_;
 };
 
 TEST_F(FieldPolish, BringsBackWhatWasMoved) {
@@ -86,11 +87,12 @@ TEST_F(FieldPolish, BringsBackWhatWasMoved) {
     if (node.kind != TreeNode::Kind::leaf) {
       continue;
     }
-    for (size_t m = 0; m < static_cast<size_t>(field_count(node.join)); ++m) {
+    for (size_t m = 0; m < static_cast<size_t>(primitive_count(node.join));
+         ++m) {
       if (!node.uses[m].is_new) {
         continue;
       }
-      FieldTree tree = disturbed(n, m);
+      EdgeTree tree = disturbed(n, m);
       const double worse = squares(tree);
       if (!(worse > best + 0.02)) {
         continue;
@@ -109,19 +111,19 @@ TEST_F(FieldPolish, ChangesNumbersAlone) {
         !tree_.nodes[n].uses[0].is_new) {
       continue;
     }
-    FieldTree tree = disturbed(n, 0);
-    const FieldTree before = tree;
+    EdgeTree tree = disturbed(n, 0);
+    const EdgeTree before = tree;
     polish_fields(points_, candidates_, tree.fields.size(), tree);
     ASSERT_EQ(tree.nodes.size(), before.nodes.size());
     for (size_t i = 0; i < tree.nodes.size(); ++i) {
       const TreeNode& node = tree.nodes[i];
       ASSERT_EQ(node.kind, before.nodes[i].kind);
       ASSERT_EQ(node.join, before.nodes[i].join);
-      for (size_t m = 0; m < static_cast<size_t>(field_count(node.join)) &&
+      for (size_t m = 0; m < static_cast<size_t>(primitive_count(node.join)) &&
                          node.kind == TreeNode::Kind::leaf;
            ++m) {
-        const FieldUse& use = node.uses[m];
-        const FieldUse& old = before.nodes[i].uses[m];
+        const PrimitiveUse& use = node.uses[m];
+        const PrimitiveUse& old = before.nodes[i].uses[m];
         ASSERT_EQ(use.is_new, old.is_new);
         ASSERT_EQ(use.field, old.field);
         if (!use.is_new) {
@@ -130,9 +132,9 @@ TEST_F(FieldPolish, ChangesNumbersAlone) {
         ASSERT_EQ(use.code.kind, old.code.kind);
         const int half = 1 << node.size_log2 >> 1;
         ASSERT_TRUE(
-            same_field(tree.fields[use.field],
-                       field_numbers(use.code, tree.steps, node.size_log2,
-                                     node.x_u + half, node.y_u + half)));
+            same_primitive(tree.fields[use.field],
+                           field_numbers(use.code, tree.steps, node.size_log2,
+                                         node.x_u + half, node.y_u + half)));
         if (is_bent(use.code.kind)) {
           ASSERT_NE(use.code.bend, 0);
           ASSERT_LE(tree.steps.bend_bits(use.code.bend, node.size_log2),
@@ -145,12 +147,12 @@ TEST_F(FieldPolish, ChangesNumbersAlone) {
 
 TEST_F(FieldPolish, LeavesFieldsBeyondTheCount) {
   for (size_t f = 0; f < tree_.fields.size(); ++f) {
-    FieldTree tree = tree_;
+    EdgeTree tree = tree_;
     tree.fields[f].c_q4 = static_cast<int16_t>(tree.fields[f].c_q4 + 4);
-    const std::vector<FieldNumbers> before = tree.fields;
+    const std::vector<PrimitiveNumbers> before = tree.fields;
     polish_fields(points_, candidates_, f, tree);
     for (size_t i = f; i < before.size(); ++i) {
-      EXPECT_TRUE(same_field(tree.fields[i], before[i])) << f << ' ' << i;
+      EXPECT_TRUE(same_primitive(tree.fields[i], before[i])) << f << ' ' << i;
     }
   }
 }

@@ -1,7 +1,7 @@
 // Glyphs of fields as they are drawn.
 #include <gtest/gtest.h>
 
-#include "judge/edges_glyph.hpp"
+#include "judge/edge_glyph.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,8 +24,8 @@ Outline outline(std::vector<Contour> contours) {
   return result;
 }
 
-FieldGlyph build(const Shape& shape, int min_px, int max_px, double tolerance) {
-  AdfOptions options;
+EdgeGlyph build(const Shape& shape, int min_px, int max_px, double tolerance) {
+  Target options;
   options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
@@ -34,10 +34,10 @@ FieldGlyph build(const Shape& shape, int min_px, int max_px, double tolerance) {
   loop.min_px = min_px;
   loop.max_px = max_px;
   loop.tolerance = tolerance;
-  return build_fields(shape, options, loop);
+  return build_edges(shape, options, loop);
 }
 
-GlyphField open(const FieldGlyph& glyph) {
+GlyphField open(const EdgeGlyph& glyph) {
   GlyphField field;
   EXPECT_EQ(GlyphField::open({glyph.record.data(), glyph.record.size()}, field),
             Status::ok);
@@ -57,8 +57,8 @@ double worst_pixel(const Shape& shape,
   double worst = 0;
   for (int i = 0; i < 3000; ++i) {
     const int size_q6 = between(64 * min_px, 64 * max_px);
-    Brush brush;
-    EXPECT_EQ(Brush::make(Q26_6::from_raw(size_q6), kFilterText, brush),
+    TextStyle style;
+    EXPECT_EQ(TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, style),
               Status::ok);
     const double scale = size_q6 / 64.0 / 1024;
     // Around the border: there pixels are neither empty nor full.
@@ -72,7 +72,7 @@ double worst_pixel(const Shape& shape,
     const int y =
         static_cast<int>(std::floor(-near.y * scale)) + between(-2, 2);
     Q6_10 distance[1];
-    distance_row(field, brush,
+    distance_row(field, style,
                  inkcell::Point{Q26_6::from_raw(left), Q26_6::from_raw(base)},
                  x, y, distance);
     const double exact = shape.distance((x + 0.5 - left / 64.0) / scale,
@@ -89,9 +89,9 @@ void expect_good(const Outline& source,
                  int max_px,
                  double tolerance) {
   const Shape shape(source);
-  const FieldGlyph glyph = build(shape, min_px, max_px, tolerance);
+  const EdgeGlyph glyph = build(shape, min_px, max_px, tolerance);
   EXPECT_LE(glyph.errors.worst, tolerance);
-  EXPECT_EQ(glyph.record, field_record(glyph.tree));
+  EXPECT_EQ(glyph.record, edge_record(glyph.tree));
   const double worst = worst_pixel(shape, open(glyph), min_px, max_px);
   EXPECT_LE(worst, tolerance);
   EXPECT_GT(worst, 0);
@@ -116,10 +116,10 @@ TEST_P(Ranges, ToleranceHoldsAsDrawn) {
               ranges[range][0], ranges[range][1], tolerances[step]);
 }
 
-INSTANTIATE_TEST_SUITE_P(FieldGlyph, Ranges, testing::Range(0, 9));
+INSTANTIATE_TEST_SUITE_P(EdgeGlyph, Ranges, testing::Range(0, 9));
 
 // Strokes of 12, 4 and 1 u: a fifth to a sixtieth of a pixel at 16 px.
-TEST(FieldGlyph, ThinStrokesKeepTheTolerance) {
+TEST(EdgeGlyph, ThinStrokesKeepTheTolerance) {
   expect_good(outline({rectangle(0, 0, 12, 700)}), 8, 64, 16);
   expect_good(outline({rectangle(0, 0, 700, 4)}), 8, 64, 16);
   expect_good(outline({rectangle(3.3, 0, 4.3, 300)}), 8, 64, 16);
@@ -127,7 +127,7 @@ TEST(FieldGlyph, ThinStrokesKeepTheTolerance) {
               64, 16);
 }
 
-TEST(FieldGlyph, TinyDotsKeepTheTolerance) {
+TEST(EdgeGlyph, TinyDotsKeepTheTolerance) {
   for (const double radius : {1.0, 3.0, 8.0}) {
     SCOPED_TRACE(radius);
     expect_good(outline({circle(333.3, 77.7, radius)}), 8, 64, 16);
@@ -168,21 +168,21 @@ Contour rounded(double x0, double y0, double x1, double y1, double radius) {
   return contour;
 }
 
-TEST(FieldGlyph, RoundedCornersKeepTheTolerance) {
+TEST(EdgeGlyph, RoundedCornersKeepTheTolerance) {
   for (const double radius : {2.0, 6.0, 15.0, 40.0}) {
     SCOPED_TRACE(radius);
     expect_good(outline({rounded(0, 0, 500, 300, radius)}), 8, 64, 16);
   }
 }
 
-TEST(FieldGlyph, OverlappingContoursKeepTheTolerance) {
+TEST(EdgeGlyph, OverlappingContoursKeepTheTolerance) {
   expect_good(outline({rectangle(0, 0, 400, 120),
                        rectangle(100, -200, 230, 400), circle(300, 60, 140)}),
               8, 64, 16);
 }
 
 // Of 12, 4 and 1 degrees, and of 90 to the inside.
-TEST(FieldGlyph, SharpCornersKeepTheTolerance) {
+TEST(EdgeGlyph, SharpCornersKeepTheTolerance) {
   for (const double half : {63.0, 20.0, 5.0}) {
     SCOPED_TRACE(half);
     expect_good(outline({polygon({{0, 0}, {600, -half}, {600, half}})}), 8, 64,
@@ -196,13 +196,13 @@ TEST(FieldGlyph, SharpCornersKeepTheTolerance) {
 
 // Teeth as narrow as half the smallest square: what comes out says how wrong it
 // is.
-TEST(FieldGlyph, StatesItsErrorWhereTheToleranceIsMissed) {
+TEST(EdgeGlyph, StatesItsErrorWhereTheToleranceIsMissed) {
   Outline comb = outline({rectangle(0, 0, 40, 10)});
   for (int i = 0; i < 20; ++i) {
     comb.contours.push_back(rectangle(2 * i, 10, 2 * i + 1, 30));
   }
   const Shape shape(comb);
-  const FieldGlyph glyph = build(shape, 1024, 1024, 2);
+  const EdgeGlyph glyph = build(shape, 1024, 1024, 2);
   EXPECT_GT(glyph.errors.worst, 2);
   EXPECT_FALSE(glyph.errors.misses.empty());
   LoopOptions loop;
@@ -212,15 +212,15 @@ TEST(FieldGlyph, StatesItsErrorWhereTheToleranceIsMissed) {
 }
 
 // As many tiles as a glyph of fields may have in a row.
-TEST(FieldGlyph, WideGlyphsFit) {
+TEST(EdgeGlyph, WideGlyphsFit) {
   const Shape shape(outline({rectangle(-1850, 0, 1850, 60)}));
-  const FieldGlyph glyph = build(shape, 8, 64, 16);
+  const EdgeGlyph glyph = build(shape, 8, 64, 16);
   EXPECT_EQ(glyph.tree.grid.tiles_x, 15);
   EXPECT_LE(glyph.errors.worst, 16);
   EXPECT_LT(glyph.record.size(), 800u);
 }
 
-TEST(FieldGlyph, RefusesWhatReachesTooFar) {
+TEST(EdgeGlyph, RefusesWhatReachesTooFar) {
   for (const auto& [x0, x1] : {std::pair(-300, 1990), std::pair(-1990, 300)}) {
     const Shape shape(outline({rectangle(x0, 0, x1, 60)}));
     try {
@@ -232,25 +232,25 @@ TEST(FieldGlyph, RefusesWhatReachesTooFar) {
   }
 }
 
-TEST(FieldGlyph, ResultIsTheSameInEveryThread) {
+TEST(EdgeGlyph, ResultIsTheSameInEveryThread) {
   const Shape shape(load_outlines(kRoboto, 0, {'r'})[0]);
-  const FieldGlyph expected = build(shape, 12, 24, 16);
-  std::vector<FieldGlyph> found(8);
+  const EdgeGlyph expected = build(shape, 12, 24, 16);
+  std::vector<EdgeGlyph> found(8);
   std::vector<std::thread> threads;
-  for (FieldGlyph& glyph : found) {
+  for (EdgeGlyph& glyph : found) {
     threads.emplace_back([&] { glyph = build(shape, 12, 24, 16); });
   }
   for (std::thread& thread : threads) {
     thread.join();
   }
-  for (const FieldGlyph& glyph : found) {
+  for (const EdgeGlyph& glyph : found) {
     EXPECT_EQ(glyph.record, expected.record);
     EXPECT_EQ(glyph.errors.worst, expected.errors.worst);
   }
 }
 
 // Hundreds of contours: it ends, well or with a reason.
-TEST(FieldGlyph, ManyContoursTakeBoundedTime) {
+TEST(EdgeGlyph, ManyContoursTakeBoundedTime) {
   Outline gravel;
   for (int i = 0; i < 16 * 16; ++i) {
     const double x = i % 16 * 24;

@@ -1,5 +1,5 @@
 // Trees of fields made by hand, and what docs/FORMAT.md says they are worth.
-#include "field_trees.hpp"
+#include "edge_trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ class RandomTree {
   RandomTree(std::mt19937& random, const TreeOptions& options)
       : random_(random), options_(options) {}
 
-  FieldTree make() {
+  EdgeTree make() {
     Grid& grid = tree_.grid;
     grid.tile_log2 = 8;
     grid.tiles_x = options_.tiles_x;
@@ -64,7 +64,7 @@ class RandomTree {
     tree_.steps = options_.steps;
     const int log2 = shared_log2(grid);
     for (int i = between(0, 15); i > 0; --i) {
-      const FieldCode code = any_code(log2);
+      const PrimitiveCode code = any_code(log2);
       tree_.shared.push_back(code);
       tree_.fields.push_back(field_numbers(code, tree_.steps, log2,
                                            grid.x0_u + 128 * grid.tiles_x,
@@ -87,10 +87,10 @@ class RandomTree {
     return std::uniform_int_distribution<int>(least, most)(random_);
   }
 
-  FieldCode any_code(int log2) {
-    const FieldSteps& steps = tree_.steps;
-    FieldCode code;
-    code.kind = static_cast<FieldKind>(between(0, 3));
+  PrimitiveCode any_code(int log2) {
+    const PrimitiveSteps& steps = tree_.steps;
+    PrimitiveCode code;
+    code.kind = static_cast<PrimitiveKind>(between(0, 3));
     // Small distances are what glyphs have.
     const int most = 1 << (steps.d0_bits(log2) - 1);
     code.d0 = between(-most, most - 1) / between(1, 8);
@@ -104,11 +104,14 @@ class RandomTree {
     return code;
   }
 
-  bool allowed(const FieldNumbers& field, int x_u, int y_u, int size) const {
+  bool allowed(const PrimitiveNumbers& field,
+               int x_u,
+               int y_u,
+               int size) const {
     if (!options_.within_limits) {
       return true;
     }
-    const FieldModel model(field);
+    const Primitive model(field);
     for (const int x : {x_u, x_u + size}) {
       for (const int y : {y_u, y_u + size}) {
         const double w = model.nx * y - model.ny * x + model.cw;
@@ -149,9 +152,9 @@ class RandomTree {
   bool leaf(TreeNode& node) {
     node.kind = TreeNode::Kind::leaf;
     node.join = static_cast<Join>(between(0, kJoins - 1));
-    const int count = field_count(node.join);
+    const int count = primitive_count(node.join);
     const bool nested = is_nested(node.join);
-    std::vector<FieldNumbers> fresh;
+    std::vector<PrimitiveNumbers> fresh;
     bool after_new = false;
     int rank = 0;
     int first_rank = -1;
@@ -160,7 +163,7 @@ class RandomTree {
         after_new = false;
         rank = 0;
       }
-      FieldUse& use = node.uses[static_cast<size_t>(i)];
+      PrimitiveUse& use = node.uses[static_cast<size_t>(i)];
       rank += between(0, 2) * between(0, 2);
       // No leaf names a field twice.
       if (nested && i > 0 && rank == first_rank) {
@@ -180,7 +183,7 @@ class RandomTree {
         fresh.push_back(field_numbers(use.code, tree_.steps, node.size_log2,
                                       node.x_u + half, node.y_u + half));
       }
-      const FieldNumbers& field =
+      const PrimitiveNumbers& field =
           use.is_new ? fresh.back() : tree_.fields[use.field];
       if (!allowed(field, node.x_u, node.y_u, 1 << node.size_log2)) {
         return false;
@@ -199,19 +202,19 @@ class RandomTree {
 
   std::mt19937& random_;
   const TreeOptions& options_;
-  FieldTree tree_;
+  EdgeTree tree_;
   std::vector<uint16_t> list_;
 };
 
 }  // namespace
 
 PlainValue plain_value(Join join,
-                       const std::vector<FieldModel>& fields,
+                       const std::vector<Primitive>& fields,
                        double x,
                        double y) {
   const bool greatest = takes_greatest(join);
   std::vector<Term> terms;
-  for (const FieldModel& field : fields) {
+  for (const Primitive& field : fields) {
     Term term = {field.value(x, y), 0, 0};
     field.gradient(x, y, term.gx, term.gy);
     terms.push_back(greatest ? negated(term) : term);
@@ -235,11 +238,11 @@ PlainValue plain_value(Join join,
   return out;
 }
 
-FieldTree random_tree(std::mt19937& random, const TreeOptions& options) {
+EdgeTree random_tree(std::mt19937& random, const TreeOptions& options) {
   return RandomTree(random, options).make();
 }
 
-const TreeNode& square_at(const FieldTree& tree, int x_u, int y_u) {
+const TreeNode& square_at(const EdgeTree& tree, int x_u, int y_u) {
   const auto holds = [&](const TreeNode& node) {
     const int size = 1 << node.size_log2;
     return node.kind != TreeNode::Kind::split && x_u >= node.x_u &&
@@ -248,9 +251,9 @@ const TreeNode& square_at(const FieldTree& tree, int x_u, int y_u) {
   return *std::find_if(tree.nodes.begin(), tree.nodes.end(), holds);
 }
 
-PlainValue value_at(const FieldTree& tree, const TreeNode& leaf, int x, int y) {
-  std::vector<FieldModel> fields;
-  for (int i = 0; i < field_count(leaf.join); ++i) {
+PlainValue value_at(const EdgeTree& tree, const TreeNode& leaf, int x, int y) {
+  std::vector<Primitive> fields;
+  for (int i = 0; i < primitive_count(leaf.join); ++i) {
     fields.emplace_back(tree.fields[leaf.uses[static_cast<size_t>(i)].field]);
   }
   return plain_value(leaf.join, fields, x, y);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "edge_trees.hpp"
 #include "edges/code.hpp"
-#include "field_trees.hpp"
 #include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 
@@ -17,8 +17,8 @@ namespace gen {
 namespace test {
 namespace {
 
-AdfOptions fields(double min_px, double max_px, double tolerance) {
-  AdfOptions options;
+Target fields(double min_px, double max_px, double tolerance) {
+  Target options;
   options.coding = Coding::edges;
   options.min_px = min_px;
   options.max_px = max_px;
@@ -41,7 +41,7 @@ struct Tally {
 };
 
 // Every square and its value, at points of whole u.
-void expect_tree(const FieldTree& tree, const GlyphField& field, Tally& tally) {
+void expect_tree(const EdgeTree& tree, const GlyphField& field, Tally& tally) {
   for (const TreeNode& node : tree.nodes) {
     if (node.kind == TreeNode::Kind::split) {
       continue;
@@ -89,8 +89,8 @@ TEST(FieldRecord, SaysWhatTheTreeSays) {
     options.tiles_y = 1 + round / 3 % 2;
     options.depth = 2 + round % 3;
     options.steps = steps_for(fields(8, round % 2 == 0 ? 64 : 24, 16));
-    const FieldTree tree = random_tree(random, options);
-    const std::vector<uint8_t> record = field_record(tree);
+    const EdgeTree tree = random_tree(random, options);
+    const std::vector<uint8_t> record = edge_record(tree);
     narrow += is_linked(record) ? 0 : 1;
     expect_tree(tree, open_record(record), tally);
     if (HasFatalFailure()) {
@@ -104,8 +104,8 @@ TEST(FieldRecord, SaysWhatTheTreeSays) {
 }
 
 // A tile without a split, all of one leaf.
-FieldTree one_leaf(Join join, const std::vector<FieldNumbers>& fields) {
-  FieldTree tree;
+EdgeTree one_leaf(Join join, const std::vector<PrimitiveNumbers>& fields) {
+  EdgeTree tree;
   tree.grid = {8, -128, -128, 1, 1};
   tree.fields = fields;
   TreeNode node;
@@ -122,16 +122,16 @@ FieldTree one_leaf(Join join, const std::vector<FieldNumbers>& fields) {
   return tree;
 }
 
-FieldNumbers line(int c_q4) {
+PrimitiveNumbers line(int c_q4) {
   return {16384, 0, static_cast<int16_t>(c_q4), 0, 0};
 }
 
-FieldNumbers arc(int c_q4, int bend) {
+PrimitiveNumbers arc(int c_q4, int bend) {
   return {0, 16384, static_cast<int16_t>(c_q4), 0, static_cast<int16_t>(bend)};
 }
 
 // Turns a tree of one leaf into one of four.
-void repeat(FieldTree& tree) {
+void repeat(EdgeTree& tree) {
   TreeNode quarter = tree.nodes[0];
   TreeNode split;
   split.kind = TreeNode::Kind::split;
@@ -148,7 +148,7 @@ void repeat(FieldTree& tree) {
 }
 
 TEST(FieldRecord, HasTheBytesOfTheDocument) {
-  FieldTree tree = one_leaf(Join::max_min, {line(16), arc(-32, 64), line(48)});
+  EdgeTree tree = one_leaf(Join::max_min, {line(16), arc(-32, 64), line(48)});
   const std::vector<uint8_t> expected = {
       2,    8,    0x80, 0xff, 0x80, 0xff, 1, 1,  // type, tile, x0, y0, tiles
       0,    0,    1,    0,    2,    0,           // nodes, arcs, lines
@@ -158,15 +158,15 @@ TEST(FieldRecord, HasTheBytesOfTheDocument) {
       0,    0x40, 0,    0,    48,   0,                  //
       3,    1,    0,    2,                              // max(f1, min(f0, f2))
       2 + 3};
-  EXPECT_EQ(field_record(tree), expected);
+  EXPECT_EQ(edge_record(tree), expected);
 }
 
 TEST(FieldRecord, PairsSayByTheirOrderWhatTheyAre) {
   for (const Join join : {Join::min2, Join::max2}) {
     for (const bool swapped : {false, true}) {
-      FieldTree tree = one_leaf(
+      EdgeTree tree = one_leaf(
           join, {line(swapped ? 160 : -160), arc(swapped ? -80 : 80, 0)});
-      const std::vector<uint8_t> record = field_record(tree);
+      const std::vector<uint8_t> record = edge_record(tree);
       ASSERT_EQ(record.size(), 18u + 12 + 2 + 1);
       EXPECT_EQ(record[30] < record[31], join == Join::min2);
       Tally tally;
@@ -177,41 +177,41 @@ TEST(FieldRecord, PairsSayByTheirOrderWhatTheyAre) {
 }
 
 TEST(FieldRecord, EqualFieldsAndLeavesAreWrittenOnce) {
-  FieldTree once = one_leaf(Join::min3, {line(1), line(2), arc(3, 9)});
-  FieldTree many = once;
+  EdgeTree once = one_leaf(Join::min3, {line(1), line(2), arc(3, 9)});
+  EdgeTree many = once;
   repeat(many);
   // The same three again under other numbers.
   many.fields.insert(many.fields.end(), once.fields.begin(), once.fields.end());
-  for (FieldUse& use : many.nodes[2].uses) {
+  for (PrimitiveUse& use : many.nodes[2].uses) {
     use.field = static_cast<uint16_t>(use.field + 3);
   }
   // Bytes that do not count in a line.
   many.fields[3].along_q4 = 77;
-  const std::vector<uint8_t> record = field_record(many);
+  const std::vector<uint8_t> record = edge_record(many);
   EXPECT_EQ(count_at(record, 8), 1);
   EXPECT_EQ(count_at(record, 10), 1);
   EXPECT_EQ(count_at(record, 12), 2);
   EXPECT_EQ(count_at(record, 14), 0);
   EXPECT_EQ(count_at(record, 16), 1);
-  EXPECT_EQ(record.size(), field_record(once).size() + 4);
+  EXPECT_EQ(record.size(), edge_record(once).size() + 4);
   Tally tally;
   expect_tree(many, open_record(record), tally);
 }
 
 TEST(FieldRecord, FieldsThatNoLeafNamesAreLeftOut) {
-  FieldTree tree = one_leaf(Join::single, {line(1)});
-  const std::vector<uint8_t> before = field_record(tree);
+  EdgeTree tree = one_leaf(Join::single, {line(1)});
+  const std::vector<uint8_t> before = edge_record(tree);
   tree.fields.push_back(arc(5, 5));
   tree.fields.push_back(line(6));
-  EXPECT_EQ(field_record(tree), before);
+  EXPECT_EQ(edge_record(tree), before);
 }
 
 // A tile of 4^levels leaves, each of a line of its own.
-FieldTree many_lines(int levels) {
-  FieldTree tree;
+EdgeTree many_lines(int levels) {
+  EdgeTree tree;
   tree.grid = {8, -128, -128, 1, 1};
   struct Grow {
-    FieldTree& tree;
+    EdgeTree& tree;
     int last;
     void square(int x, int y, int log2) {
       TreeNode node;
@@ -240,9 +240,9 @@ FieldTree many_lines(int levels) {
 
 TEST(FieldRecord, TurnsToLinksWhereNumbersDoNotFitBytes) {
   // 2 + 21 nodes + 64 lines; then 2 + 85 nodes + 256 lines.
-  EXPECT_FALSE(is_linked(field_record(many_lines(3))));
-  const FieldTree large = many_lines(4);
-  const std::vector<uint8_t> record = field_record(large);
+  EXPECT_FALSE(is_linked(edge_record(many_lines(3))));
+  const EdgeTree large = many_lines(4);
+  const std::vector<uint8_t> record = edge_record(large);
   ASSERT_TRUE(is_linked(record));
   Tally tally;
   expect_tree(large, open_record(record), tally);
@@ -250,8 +250,8 @@ TEST(FieldRecord, TurnsToLinksWhereNumbersDoNotFitBytes) {
 }
 
 // 225 tiles of a line each; some meet the first one.
-FieldTree mosaic(int pairs) {
-  FieldTree tree;
+EdgeTree mosaic(int pairs) {
+  EdgeTree tree;
   tree.grid = {4, -128, -128, 15, 15};
   for (int i = 0; i < 225; ++i) {
     TreeNode node;
@@ -271,8 +271,8 @@ FieldTree mosaic(int pairs) {
 
 TEST(FieldRecord, UsesEveryNumberOfAByte) {
   for (const int pairs : {28, 29, 30}) {
-    const FieldTree tree = mosaic(pairs);
-    const std::vector<uint8_t> record = field_record(tree);
+    const EdgeTree tree = mosaic(pairs);
+    const std::vector<uint8_t> record = edge_record(tree);
     // 2 and 225 lines.
     EXPECT_EQ(is_linked(record), 2 + 225 + pairs > 256);
     Tally tally;
@@ -290,8 +290,8 @@ TEST(FieldRecord, LinkedRecordsSayTheSame) {
     options.tiles_y = 2;
     options.depth = 5;
     options.steps = steps_for(fields(8, 64, 16));
-    const FieldTree tree = random_tree(random, options);
-    const std::vector<uint8_t> record = field_record(tree);
+    const EdgeTree tree = random_tree(random, options);
+    const std::vector<uint8_t> record = edge_record(tree);
     linked += is_linked(record) ? 1 : 0;
     Tally tally;
     expect_tree(tree, open_record(record), tally);
@@ -304,9 +304,9 @@ TEST(FieldRecord, LinkedRecordsSayTheSame) {
 
 TEST(FieldRecord, RefusesWhatTheFormatCannotHold) {
   // 1024 lines of 3 units, and 341 nodes of 4; then four times as much.
-  EXPECT_TRUE(is_linked(field_record(many_lines(5))));
+  EXPECT_TRUE(is_linked(edge_record(many_lines(5))));
   try {
-    field_record(many_lines(6));
+    edge_record(many_lines(6));
     FAIL();
   } catch (const GeometryError& error) {
     EXPECT_EQ(error.kind(), GeometryError::Kind::too_complex);

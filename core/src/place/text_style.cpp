@@ -1,5 +1,5 @@
 // Sizes, directions and matrices as the numbers that drawing needs.
-#include "inkcell/brush.hpp"
+#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 namespace {
@@ -51,19 +51,20 @@ GlyphStep step_from(int32_t x_q30,
 }  // namespace
 
 // Greatest and least. [px/em, Q6]
-struct Brush::Stretch {
+struct TextStyle::Stretch {
   int32_t most_q6;
   int32_t least_q6;
 };
 
 // Makes it upright, but for what `least_q6` changes. Untouched if it fails.
-Status Brush::set_size(const Stretch& stretch, const Filter& filter) noexcept {
+Status TextStyle::set_size(const Stretch& stretch,
+                           const Filter& filter) noexcept {
   if (stretch.least_q6 < kMinSize.raw || stretch.most_q6 > kMaxSize.raw) {
     return Status::bad_argument;
   }
   const auto size_q6 = static_cast<uint32_t>(stretch.most_q6);
   const auto least_q6 = static_cast<uint32_t>(stretch.least_q6);
-  // Smaller than to assign a Brush: nearly all of it is 0 or follows here.
+  // Smaller than to assign a TextStyle: nearly all of it is 0 or follows here.
   __builtin_memset(static_cast<void*>(this), 0, sizeof *this);
   right_.x_q20 = 1 << 20;
   up_.y_q20 = 1 << 20;
@@ -94,16 +95,16 @@ Status Brush::set_size(const Stretch& stretch, const Filter& filter) noexcept {
   return Status::ok;
 }
 
-Status Brush::make_upright(Q26_6 size,
-                           const Filter& filter,
-                           Brush& out) noexcept {
+Status TextStyle::make_upright(Q26_6 size,
+                               const Filter& filter,
+                               TextStyle& out) noexcept {
   return out.set_size({size.raw, size.raw}, filter);
 }
 
-Status Brush::make_turned(Q26_6 size,
-                          const Filter& filter,
-                          Direction direction,
-                          Brush& out) noexcept {
+Status TextStyle::make_turned(Q26_6 size,
+                              const Filter& filter,
+                              Direction direction,
+                              TextStyle& out) noexcept {
   const int64_t cosine = direction.cosine.raw;
   const int64_t sine = direction.sine.raw;
   constexpr int64_t kOneQ30 = int64_t{1} << 30;
@@ -130,9 +131,9 @@ Status Brush::make_turned(Q26_6 size,
   return Status::ok;
 }
 
-Status Brush::make_mapped(const Matrix& matrix,
-                          const Filter& filter,
-                          Brush& out) noexcept {
+Status TextStyle::make_mapped(const Matrix& matrix,
+                              const Filter& filter,
+                              TextStyle& out) noexcept {
   const int64_t x_right = matrix.x_right.raw;
   const int64_t x_up = matrix.x_up.raw;
   const int64_t y_right = matrix.y_right.raw;
@@ -174,7 +175,7 @@ Status Brush::make_mapped(const Matrix& matrix,
   constexpr int64_t kOneQ15 = 1 << 15;
   out.set_slant(detail::kTurned);
   if (lesser * 2048 > turn_q17 + mirror_q17) {
-    // Below one, so that the brush is known as stretched.
+    // Below one, so that the style is known as stretched.
     const int64_t gain_q15 = (least_q17 << 4) / size_q6;
     out.least_gain_q15_ =
         static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);

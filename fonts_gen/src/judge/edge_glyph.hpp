@@ -13,8 +13,8 @@
 namespace inkcell {
 namespace gen {
 
-struct FieldGlyph {
-  FieldTree tree;
+struct EdgeGlyph {
+  EdgeTree tree;
   std::vector<uint8_t> record;
   LoopResult errors;  // of this record as drawn
 };
@@ -22,9 +22,9 @@ struct FieldGlyph {
 /// `shape` must not be empty. `loop_options` say what counts as an error.
 ///
 /// Throws GeometryError::too_complex or too_large if it does not fit.
-FieldGlyph build_fields(const Shape& shape,
-                        const AdfOptions& options,
-                        const LoopOptions& loop_options);
+EdgeGlyph build_edges(const Shape& shape,
+                      const Target& options,
+                      const LoopOptions& loop_options);
 
 }  // namespace gen
 }  // namespace inkcell

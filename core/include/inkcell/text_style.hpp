@@ -11,7 +11,7 @@
 
 namespace inkcell {
 
-class Brush;
+class TextStyle;
 class Font;
 struct FinePoint;
 struct GlyphField;
@@ -20,10 +20,10 @@ struct GlyphWarp;
 struct Rect;
 struct Sink;
 
-/// Grid fitting (fit.hpp has one). `options` is what Brush::set_fitter was
+/// Grid fitting (fit.hpp has one). `options` is what TextStyle::set_fitter was
 /// given.
 struct Fitter {
-  /// Fills in `warp` for a glyph of outlines and of an upright brush whose
+  /// Fills in `warp` for a glyph of outlines and of an upright style whose
   /// origin is at `origin`, and may move the origin.
   void (*fit)(uint16_t glyph,
               const GlyphMetrics& metrics,
@@ -40,11 +40,11 @@ struct Fitter {
 
 /// Draws a glyph of cells in another way than one sample a pixel. Clips to the
 /// sink's window; cannot fail.
-using CellPainter = void (*)(const GlyphField& field,
-                             const Brush& brush,
-                             const void* options,
-                             const FinePoint& origin,
-                             const Sink& sink);
+using CellEffect = void (*)(const GlyphField& field,
+                            const TextStyle& style,
+                            const void* options,
+                            const FinePoint& origin,
+                            const Sink& sink);
 
 namespace detail {
 struct OutlineFitter;
@@ -53,7 +53,7 @@ struct OutlineMixer;
 struct OutlinePainter;
 struct Placed;
 
-// Filters of outlines; linked with the Brush::make that names them.
+// Filters of outlines; linked with the TextStyle::make that names them.
 extern const OutlinePainter kPaintPixelRamp;      // Filter::is_linear_pixel()
 extern const OutlinePainter kPaintDistances;      // up to half a pixel
 extern const OutlinePainter kPaintWideDistances;  // any filter
@@ -73,11 +73,11 @@ __attribute__((always_inline)) inline const OutlinePainter& painter_of(
 
 // What only glyphs that are not upright need.
 struct Slant {
-  CellPainter paint;  // without options
+  CellEffect paint;  // without options
   // The box on the screen around a part of the glyph. [u -> px]
-  Rect (*box)(const Rect& limits, const Brush& brush, const Placed& placed);
+  Rect (*box)(const Rect& limits, const TextStyle& style, const Placed& placed);
   // A place in px along and across the glyph's axes. [Q10]
-  FinePoint (*place)(const Brush& brush,
+  FinePoint (*place)(const TextStyle& style,
                      const FinePoint& origin,
                      int64_t along_q10,
                      int64_t across_q10);
@@ -85,27 +85,27 @@ struct Slant {
 // Grid fitting of outlines.
 extern const OutlineFitter kOutlineFitter;
 
-// From the map of an upright brush to that of a slanted one. Returns whether it
+// From the map of an upright style to that of a slanted one. Returns whether it
 // mirrors.
-using OutlineMapper = bool (*)(const Brush& brush, OutlineMap& map);
-bool map_slanted(const Brush& brush, OutlineMap& map);
+using OutlineMapper = bool (*)(const TextStyle& style, OutlineMap& map);
+bool map_slanted(const TextStyle& style, OutlineMap& map);
 
 extern const Slant kTurned;     // where all edges are stretched alike
 extern const Slant kStretched;  // and where they are not
 
 void draw_painted(const GlyphField& field,
-                  const Brush& brush,
+                  const TextStyle& style,
                   const Placed& placed,
                   const Sink& sink);
 }  // namespace detail
 
 /// Draws glyphs in another way than one sample a pixel. Made by functions
-/// beside the options that they take: outline_painter(), lcd_painter() and
+/// beside the options that they take: outline_effect(), lcd_effect() and
 /// others.
-struct Painter {
-  CellPainter cells = nullptr;  // null: one sample a pixel
-  /// Null: glyphs of outlines are drawn as without a painter; see
-  /// check_painter().
+struct Effect {
+  CellEffect cells = nullptr;  // null: one sample a pixel
+  /// Null: glyphs of outlines are drawn as without an effect; see
+  /// check_effect().
   const detail::OutlineMixer* outlines = nullptr;
   const void* options = nullptr;
   /// How much farther than plain drawing it reaches on each side of a glyph, in
@@ -120,34 +120,34 @@ inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
 /// Size, direction and filter of a style. Built once, constant afterwards, in
 /// the caller's memory; shared by any number of drawing calls. The filter must
 /// outlive it, unchanged.
-class Brush {
+class TextStyle {
  public:
   /// 16 px/em, upright, filter `text`. Glyphs of outlines are drawn only after
   /// make(), which names what paints them: a program links no other.
-  constexpr Brush() noexcept = default;
+  constexpr TextStyle() noexcept = default;
 
-  /// An upright brush of `size` px to the em. bad_argument: the size is outside
+  /// An upright style of `size` px to the em. bad_argument: the size is outside
   /// kMinSize..kMaxSize; `out` is then untouched.
   __attribute__((always_inline)) static Status make(Q26_6 size,
                                                     const Filter& filter,
-                                                    Brush& out) noexcept {
+                                                    TextStyle& out) noexcept {
     INKCELL_TRY(make_upright(size, filter, out));
     out.set_outline_painter(detail::painter_of(filter));
     return Status::ok;
   }
 
-  /// A brush that is turned. bad_argument: also if the direction is not a unit
+  /// A style that is turned. bad_argument: also if the direction is not a unit
   /// vector within 1/1000.
   __attribute__((always_inline)) static Status make(Q26_6 size,
                                                     const Filter& filter,
                                                     Direction direction,
-                                                    Brush& out) noexcept {
+                                                    TextStyle& out) noexcept {
     INKCELL_TRY(make_turned(size, filter, direction, out));
     out.set_outline_painter(detail::painter_of(filter));
     return Status::ok;
   }
 
-  /// A brush that maps glyphs by `matrix`. bad_argument: its stretch, in the
+  /// A style that maps glyphs by `matrix`. bad_argument: its stretch, in the
   /// direction where that is least or in that where it is greatest, is outside
   /// kMinSize..kMaxSize. Distances are what they are on the screen, so that
   /// edges are as sharp in all directions; a font is good where both stretches
@@ -157,15 +157,15 @@ class Brush {
   /// differ.
   __attribute__((always_inline)) static Status make(const Matrix& matrix,
                                                     const Filter& filter,
-                                                    Brush& out) noexcept {
+                                                    TextStyle& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, filter, out));
     out.set_outline_painter(detail::painter_of(filter));
     return Status::ok;
   }
 
-  /// Brushes with which glyphs of outlines are drawn with exact coverage: how
+  /// Styles with which glyphs of outlines are drawn with exact coverage: how
   /// much of each pixel lies inside. Glyphs of cells take filter `text`.
-  static Status make(Q26_6 size, AreaFilter, Brush& out) noexcept {
+  static Status make(Q26_6 size, AreaFilter, TextStyle& out) noexcept {
     INKCELL_TRY(make_upright(size, kFilterText, out));
     out.set_outline_painter(detail::kPaintAreas);
     return Status::ok;
@@ -173,24 +173,26 @@ class Brush {
   static Status make(Q26_6 size,
                      AreaFilter,
                      Direction direction,
-                     Brush& out) noexcept {
+                     TextStyle& out) noexcept {
     INKCELL_TRY(make_turned(size, kFilterText, direction, out));
     out.set_outline_painter(detail::kPaintAreas);
     return Status::ok;
   }
-  static Status make(const Matrix& matrix, AreaFilter, Brush& out) noexcept {
+  static Status make(const Matrix& matrix,
+                     AreaFilter,
+                     TextStyle& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, kFilterText, out));
     out.set_outline_painter(detail::kPaintAreas);
     return Status::ok;
   }
 
-  /// A filter made in the argument would be gone before the brush is used.
-  static Status make(Q26_6, const Filter&&, Direction, Brush&) = delete;
-  static Status make(Q26_6, const Filter&&, Brush&) = delete;
-  static Status make(const Matrix&, const Filter&&, Brush&) = delete;
+  /// A filter made in the argument would be gone before the style is used.
+  static Status make(Q26_6, const Filter&&, Direction, TextStyle&) = delete;
+  static Status make(Q26_6, const Filter&&, TextStyle&) = delete;
+  static Status make(const Matrix&, const Filter&&, TextStyle&) = delete;
 
   /// Fits glyphs of outlines of upright text to the grid of pixels. Fitter and
-  /// options must outlive the brush. Null, the default: glyphs stay as
+  /// options must outlive the style. Null, the default: glyphs stay as
   /// designed.
   void set_fitter(const Fitter* fitter, const void* options) noexcept {
     if (is_upright()) {
@@ -213,18 +215,18 @@ class Brush {
   }
 
   /// What draws the glyphs: `{}`, the default, is one sample at the centre of
-  /// each pixel, the fastest. The painter's options must outlive the brush. The
-  /// linker drops the painters that a program does not name. Of glyphs of cells
-  /// painters take turned brushes, but none that is made of a matrix.
-  void set_painter(const Painter& painter) noexcept {
-    painter_ = painter;
+  /// each pixel, the fastest. The effect's options must outlive the style. The
+  /// linker drops the effects that a program does not name. Of glyphs of cells
+  /// effects take turned styles, but none that is made of a matrix.
+  void set_effect(const Effect& effect) noexcept {
+    effect_ = effect;
     if constexpr (detail::kHasCells) {
       if (drawer_ == nullptr) {
         drawer_ = detail::draw_painted;
       }
     }
   }
-  const Painter& painter() const noexcept { return painter_; }
+  const Effect& effect() const noexcept { return effect_; }
 
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
@@ -248,14 +250,14 @@ class Brush {
   /// What draws glyphs, where that is more than to fill rows of them. Null, the
   /// default: it is not. Linked with what asks for more.
   using Drawer = void (*)(const GlyphField& field,
-                          const Brush& brush,
+                          const TextStyle& style,
                           const detail::Placed& placed,
                           const Sink& sink);
   Drawer drawer() const noexcept { return drawer_; }
 
   /// What draws glyphs that are not upright; null if they are. Linked with the
   /// make() that needs it.
-  CellPainter slanted() const noexcept {
+  CellEffect slanted() const noexcept {
     return is_upright() ? nullptr : slant_->paint;
   }
   /// The same and all else that they need. They must not be upright.
@@ -268,7 +270,7 @@ class Brush {
 
   /// Where a px along the axes of the glyph leads on the screen: to the right
   /// and up. The first two are the direction of the baseline, of unit length
-  /// unless the brush comes from a matrix.
+  /// unless the style comes from a matrix.
   struct Axes {
     Fixed<int32_t, 30> x_right = Fixed<int32_t, 30>::from_raw(1 << 30);
     Fixed<int32_t, 30> x_up;
@@ -283,7 +285,7 @@ class Brush {
   const GlyphStep& right() const noexcept { return right_; }
   const GlyphStep& up() const noexcept { return up_; }
 
-  /// Of brushes without a matrix the step to the right is {along, -across}, the
+  /// Of styles without a matrix the step to the right is {along, -across}, the
   /// step up {across, along}. [u per px, Q16] Upright: along is 1024 / size,
   /// across is 0.
   int32_t step_along_q16() const noexcept { return right_.x_q16; }
@@ -305,7 +307,7 @@ class Brush {
   }
 
   /// Whether every distance up to this one has coverage 0, and whether every
-  /// one from it on has 255; of stretched brushes in any direction. [u, Q10]
+  /// one from it on has 255; of stretched styles in any direction. [u, Q10]
   bool is_transparent(int32_t distance_u_q10) const noexcept {
     return distance_u_q10 <= transparent_u_q10_;
   }
@@ -319,7 +321,7 @@ class Brush {
   int32_t opaque_u_q10() const noexcept { return opaque_u_q10_; }
 
   /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)),
-  /// with the two common cases first. Not of stretched brushes. [u, Q10]
+  /// with the two common cases first. Not of stretched styles. [u, Q10]
   uint8_t coverage(int32_t distance_u_q10) const noexcept {
     if (is_transparent(distance_u_q10)) {
       return 0;
@@ -336,14 +338,14 @@ class Brush {
   // All but the painter of outlines.
   static Status make_upright(Q26_6 size,
                              const Filter& filter,
-                             Brush& out) noexcept;
+                             TextStyle& out) noexcept;
   static Status make_turned(Q26_6 size,
                             const Filter& filter,
                             Direction direction,
-                            Brush& out) noexcept;
+                            TextStyle& out) noexcept;
   static Status make_mapped(const Matrix& matrix,
                             const Filter& filter,
-                            Brush& out) noexcept;
+                            TextStyle& out) noexcept;
   Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
   void set_outline_painter(const detail::OutlinePainter& painter) noexcept {
     if constexpr (detail::kHasOutlines) {
@@ -385,7 +387,7 @@ class Brush {
     detail::OutlineMapper outline_mapper_;
   };
   const void* fitter_options_ = nullptr;
-  Painter painter_;
+  Effect effect_;
 };
 
 }  // namespace inkcell

@@ -1,25 +1,25 @@
 // Several samples to a pixel: what they are, where they matter, and that no
 // picture depends on how it is cut.
-#include "inkcell/adaptive.hpp"
+#include "inkcell/supersample.hpp"
 
 #include "check.hpp"
+#include "effect_canvas.hpp"
 #include "field_record.hpp"
 #include "font_builder.hpp"
-#include "painter_canvas.hpp"
 
 namespace {
 
 using namespace inkcell;
-using painter::Canvas;
-using painter::check_windows;
-using painter::draw;
-using painter::ink;
-using painter::kAll;
-using painter::keep;
-using painter::kSide;
-using painter::magnitude;
-using painter::picture;
-using painter::whole;
+using effect::Canvas;
+using effect::check_windows;
+using effect::draw;
+using effect::ink;
+using effect::kAll;
+using effect::keep;
+using effect::kSide;
+using effect::magnitude;
+using effect::picture;
+using effect::whole;
 
 constexpr int32_t kOne = 1 << 30;
 constexpr int32_t kDirections[][2] = {
@@ -44,20 +44,22 @@ GlyphField field_of_samples(font_builder::Shape shape) {
   return open(samples);
 }
 
-Brush brush_of(int32_t size_q6, uint32_t turn, const Adaptive& adaptive) {
+TextStyle style_of(int32_t size_q6,
+                   uint32_t turn,
+                   const Supersampling& supersampling) {
   Direction direction;
   direction.cosine.raw = kDirections[turn][0];
   direction.sine.raw = kDirections[turn][1];
-  Brush brush;
+  TextStyle style;
   CHECK_OK(
-      Brush::make(Q26_6::from_raw(size_q6), kFilterText, direction, brush));
-  brush.set_painter(adaptive_painter(adaptive));
-  return brush;
+      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+  style.set_effect(supersample_effect(supersampling));
+  return style;
 }
 
 // The mean coverage of 13 distances, each asked for alone.
 int32_t mean_of_13(const GlyphField& field,
-                   const Brush& brush,
+                   const TextStyle& style,
                    FinePoint origin,
                    int32_t x,
                    int32_t y,
@@ -82,11 +84,11 @@ int32_t mean_of_13(const GlyphField& field,
   double weights = 0;
   for (const auto& place : places) {
     Q6_10 distance;
-    distance_row(field, brush,
+    distance_row(field, style,
                  {origin.x_q10 - static_cast<int64_t>(place[0] * 1024),
                   origin.y_q10 - static_cast<int64_t>(place[1] * 1024)},
                  x, y, {&distance, 1});
-    sum += place[2] * brush.filter().coverage(distance.raw);
+    sum += place[2] * style.filter().coverage(distance.raw);
     weights += place[2];
   }
   return static_cast<int32_t>(sum / weights + 0.5);
@@ -95,20 +97,20 @@ int32_t mean_of_13(const GlyphField& field,
 // Every pixel of a random glyph against the mean of 13. Returns the number of
 // pixels that one sample would have shown differently.
 int check_means(const GlyphField& field,
-                const Brush& brush,
+                const TextStyle& style,
                 FinePoint origin,
                 double radius,
                 int32_t tolerance) {
-  draw(field, brush, origin);
+  draw(field, style, origin);
   int differ = 0;
   for (int32_t y = kAll.y0; y < kAll.y1; y += 3) {
     for (int32_t x = kAll.x0; x < kAll.x1; ++x) {
       const int32_t found = picture[(y - kAll.y0) * kSide + x - kAll.x0];
-      const int32_t expected = mean_of_13(field, brush, origin, x, y, radius);
+      const int32_t expected = mean_of_13(field, style, origin, x, y, radius);
       CHECK(magnitude(found - expected) <= tolerance);
       Q6_10 distance;
-      distance_row(field, brush, origin, x, y, {&distance, 1});
-      const int32_t one = brush.filter().coverage(distance.raw);
+      distance_row(field, style, origin, x, y, {&distance, 1});
+      const int32_t one = style.filter().coverage(distance.raw);
       differ += magnitude(one - expected) > 12 ? 1 : 0;
     }
   }
@@ -117,13 +119,13 @@ int check_means(const GlyphField& field,
 
 }  // namespace
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 // Where a field is a plane one sample says what 13 do, whatever its direction.
 TEST(straight_edges_take_one_sample) {
   uint32_t more = 0;
-  Adaptive adaptive = make_adaptive(kFilterText);
-  adaptive.more_samples = &more;
+  Supersampling supersampling = make_supersampling(kFilterText);
+  supersampling.more_samples = &more;
   Random random(61);
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 40); ++round) {
     record = FieldRecord();
@@ -134,59 +136,59 @@ TEST(straight_edges_take_one_sample) {
     record.fields[0] = random_field(random, 0, 0, 100);
     record.references[0] = record.field_reference(0);
     const GlyphField field = open(record);
-    const Brush brush = brush_of(40 * 64, random.below(3), adaptive);
+    const TextStyle style = style_of(40 * 64, random.below(3), supersampling);
     const FinePoint origin(16 * 1024 + random.between(0, 1023),
                            16 * 1024 + random.between(0, 1023));
-    check_means(field, brush, origin, 870 / 1024.0, 5);
+    check_means(field, style, origin, 870 / 1024.0, 5);
   }
   CHECK_EQ(more, 0u);
 }
 
-#endif  // INKCELL_FIELD_CELLS
+#endif  // INKCELL_EDGE_CELLS
 
 TEST(small_shapes_take_thirteen) {
-  const Adaptive adaptive = make_adaptive(kFilterText);
+  const Supersampling supersampling = make_supersampling(kFilterText);
   Random random(62);
   int differ = 0;
   const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
                                         font_builder::bar};
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 60); ++round) {
     const GlyphField field = field_of_samples(shapes[round % 3]);
-    const Brush brush =
-        brush_of(random.between(4 * 64, 24 * 64), random.below(3), adaptive);
+    const TextStyle style = style_of(random.between(4 * 64, 24 * 64),
+                                     random.below(3), supersampling);
     const FinePoint origin(8 * 1024 + random.between(0, 1023),
                            24 * 1024 + random.between(0, 1023));
-    differ += check_means(field, brush, origin, 870 / 1024.0, 12);
+    differ += check_means(field, style, origin, 870 / 1024.0, 12);
   }
   CHECK(differ > 3);
 }
 
 TEST(windows_do_not_change_pictures) {
-  const Adaptive styles[] = {
-      make_adaptive(kFilterText),
-      make_adaptive(kFilterText, kPaperRadius, SampleRule::paper)};
+  const Supersampling styles[] = {
+      make_supersampling(kFilterText),
+      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper)};
   Random random(63);
   for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 4 : 24); ++round) {
-    const Brush brush = brush_of(random.between(8 * 64, 40 * 64),
-                                 random.below(3), styles[round & 1]);
+    const TextStyle style = style_of(random.between(8 * 64, 40 * 64),
+                                     random.below(3), styles[round & 1]);
     const FinePoint origin(random.between(0, 9999),
                            random.between(9999, 30000));
-    check_windows(field_of_samples(font_builder::ring), brush, origin);
-#if INKCELL_FIELD_CELLS
+    check_windows(field_of_samples(font_builder::ring), style, origin);
+#if INKCELL_EDGE_CELLS
     record = FieldRecord();
     record.tiles_x = 2;
     record.tiles_y = 2;
     record.make(random, 128);
-    check_windows(open(record), brush, origin);
+    check_windows(open(record), style, origin);
 #endif
   }
 }
 
-#if INKCELL_FIELD_CELLS
+#if INKCELL_EDGE_CELLS
 
 // A bar 0.9 px wide has the same ink wherever it stands, and no pixel jumps.
 TEST(moving_bars_keep_their_ink) {
-  const Adaptive adaptive = make_adaptive(kFilterText);
+  const Supersampling supersampling = make_supersampling(kFilterText);
   record = FieldRecord();
   record.tile_log2 = 11;
   record.x0_u = -1000;
@@ -199,12 +201,12 @@ TEST(moving_bars_keep_their_ink) {
   record.references[0] = record.pair_reference(0);
   const GlyphField field = open(record);
   for (uint32_t turn = 0; turn < 3; ++turn) {
-    const Brush brush = brush_of(32 * 64, turn, adaptive);
+    const TextStyle style = style_of(32 * 64, turn, supersampling);
     int32_t least = INT32_MAX;
     int32_t most = 0;
     int32_t jump = 0;
     for (int32_t i = 0; i <= 64; ++i) {
-      draw(field, brush, {16384 + 16 * i, 16384 + 7 * i});
+      draw(field, style, {16384 + 16 * i, 16384 + 7 * i});
       least = ink() < least ? ink() : least;
       most = ink() > most ? ink() : most;
       for (int32_t j = 0; i != 0 && j < kSide * kSide; ++j) {
@@ -222,9 +224,9 @@ TEST(moving_bars_keep_their_ink) {
 // 13 samples on small cells, five and one on larger ones, as the paper says.
 TEST(cells_decide_by_the_papers_rule) {
   uint32_t more = 0;
-  Adaptive adaptive =
-      make_adaptive(kFilterText, kPaperRadius, SampleRule::paper);
-  adaptive.more_samples = &more;
+  Supersampling supersampling =
+      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper);
+  supersampling.more_samples = &more;
   // Cells of 64 u: 4, 1 and 0.5 px.
   const int32_t sizes[] = {64 * 64, 16 * 64, 8 * 64};
   record = FieldRecord();
@@ -235,23 +237,23 @@ TEST(cells_decide_by_the_papers_rule) {
   const GlyphField field = open(record);
   const uint32_t expected[] = {0, 4, 12};
   for (int i = 0; i < 3; ++i) {
-    const Brush brush = brush_of(sizes[i], 0, adaptive);
+    const TextStyle style = style_of(sizes[i], 0, supersampling);
     more = 0;
     // The pixel whose centre is on the edge, in the middle of the cell.
     const int32_t middle = (512 * sizes[i]) >> 10;  // 32 u in px, Q10
     Canvas canvas({0, 0, 1, 1});
-    draw_field(field, brush, {512 - middle, 512 + middle}, canvas.sink());
+    draw_field(field, style, {512 - middle, 512 + middle}, canvas.sink());
     CHECK_EQ(more, expected[i]);
   }
 }
 
-#endif  // INKCELL_FIELD_CELLS
+#endif  // INKCELL_EDGE_CELLS
 
 // 48/64 of a cell's width to the right and 16/64 up: no sample more is taken.
 TEST(planes_of_samples_take_one_sample) {
   uint32_t more = 0;
-  Adaptive adaptive = make_adaptive(kFilterText);
-  adaptive.more_samples = &more;
+  Supersampling supersampling = make_supersampling(kFilterText);
+  supersampling.more_samples = &more;
   samples.reset();
   samples.tile_log2 = 10;
   samples.tiles_x = samples.tiles_y = 1;
@@ -260,9 +262,9 @@ TEST(planes_of_samples_take_one_sample) {
   constexpr int8_t kPlane[8] = {-64, -16, 32, -48, 48, -32, 16, 64};
   samples.references[0] = samples.add_raw_cell(0, kPlane);
   const GlyphField field = open(samples);
-  const Brush brush = brush_of(20 * 64, 0, adaptive);
+  const TextStyle style = style_of(20 * 64, 0, supersampling);
   Canvas canvas({0, 0, 1, 1});
-  draw_field(field, brush, {512 - 10 * 1024, 512 + 10 * 1024}, canvas.sink());
+  draw_field(field, style, {512 - 10 * 1024, 512 + 10 * 1024}, canvas.sink());
   CHECK_EQ(more, 0);
 }
 
@@ -273,7 +275,8 @@ TEST(radii_are_clamped) {
                               {kLeast - 1, kLeast}, {kMost + 1, kMost},
                               {INT16_MIN, kLeast},  {INT16_MAX, kMost}};
   for (const auto& radius : radii) {
-    CHECK_EQ(make_adaptive(kFilterText, Q6_10::from_raw(radius[0])).radius_q10,
-             radius[1]);
+    CHECK_EQ(
+        make_supersampling(kFilterText, Q6_10::from_raw(radius[0])).radius_q10,
+        radius[1]);
   }
 }
