@@ -116,9 +116,12 @@ Canvas fill_canvas;
 
 constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
 
-TextStyle style_of(const Filter& filter) {
+TextStyle style_of(const Filter& filter, const Effect& effect = {}) {
   TextStyle style;
   CHECK_OK(TextStyle::make(Q26_6::from_int(kSizePx), filter, style));
+  if (effect.outlines != nullptr) {
+    style.set_effect(effect);
+  }
   return style;
 }
 
@@ -237,8 +240,8 @@ TEST(outlines_are_what_lies_between_two_filters) {
   const Font font = sample_font();
   const Outline* const outlines[] = {&kOutline, &kOuter};
   for (const Outline* outline : outlines) {
-    TextStyle style = style_of(outline->outer);
-    style.set_effect(outline_effect(outline->inner));
+    const TextStyle style =
+        style_of(outline->outer, outline_effect(outline->inner));
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       draw(font, glyph, style, canvas);
       check_truth(canvas, glyph, {24, 2048}, [outline](int32_t d) {
@@ -248,8 +251,8 @@ TEST(outlines_are_what_lies_between_two_filters) {
       });
     }
   }
-  TextStyle style = style_of(kOutline.outer);
-  style.set_effect(outline_effect(kOutline.inner));
+  const TextStyle style =
+      style_of(kOutline.outer, outline_effect(kOutline.inner));
   draw(font, 5, style, canvas);
   Small leaf;
   show(canvas, 0, leaf);
@@ -281,8 +284,8 @@ TEST(fills_lie_within_outlines) {
     fill_canvas.clear();
     const Sink fill = fill_canvas.sink(kAll);
     const OutlineAndFill both = {&kOuter.inner, &fill};
-    TextStyle style = style_of(kOuter.outer);
-    style.set_effect(outline_and_fill_effect(both));
+    const TextStyle style =
+        style_of(kOuter.outer, outline_and_fill_effect(both));
     draw(font, glyph, style, canvas);
     check_truth(fill_canvas, glyph, {20, 1024},
                 [](int32_t d) { return kOuter.inner.coverage(d); });
@@ -302,8 +305,7 @@ TEST(crisp_text_is_what_lies_within_the_threshold) {
   for (const int32_t threshold : kThresholds) {
     const CrispOptions crisp = {
         2, Q6_10::from_raw(static_cast<int16_t>(threshold))};
-    TextStyle style = style_of(kFilterText);
-    style.set_effect(crisp_effect(crisp));
+    const TextStyle style = style_of(kFilterText, crisp_effect(crisp));
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       const outline_truth::Truth& truth = truth_of(glyph);
       draw(font, glyph, style, canvas);
@@ -328,8 +330,7 @@ TEST(thin_strokes_stay_connected) {
   const Font font = sample_font();
   const CrispOptions two;
   const CrispOptions four = {4, {}};
-  TextStyle style = style_of(kFilterText);
-  style.set_effect(crisp_effect(two));
+  const TextStyle style = style_of(kFilterText, crisp_effect(two));
   draw(font, 4, style, canvas);
   Small bilevel;
   show(canvas, 0, bilevel);
@@ -354,8 +355,7 @@ TEST(thin_strokes_stay_connected) {
                 ".....#######..#...........\n"
                 ".....#######..#...........\n"
                 ".............#............\n");
-  style.set_effect(crisp_effect(four));
-  draw(font, 4, style, canvas);
+  draw(font, 4, style_of(kFilterText, crisp_effect(four)), canvas);
   Small greys;
   show(canvas, 0, greys);
   CHECK_PICTURE(greys,
@@ -392,8 +392,7 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
     const bool is_red_first =
         order == SubPixels::rgb || order == SubPixels::rgb_vertical;
     const LcdOptions lcd = {order};
-    TextStyle style = style_of(kFilterText);
-    style.set_effect(lcd_effect(lcd));
+    const TextStyle style = style_of(kFilterText, lcd_effect(lcd));
     // Thirds as pixels of a picture that is three times as wide or high.
     const auto em = Q16_16::from_raw(kSizePx << 16);
     const auto thrice = Q16_16::from_raw(3 * kSizePx << 16);
@@ -446,8 +445,7 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
 TEST(sub_pixels_have_their_colours) {
   const Font font = sample_font();
   const LcdOptions lcd;
-  TextStyle style = style_of(kFilterText);
-  style.set_effect(lcd_effect(lcd));
+  const TextStyle style = style_of(kFilterText, lcd_effect(lcd));
   draw(font, 2, style, canvas);
   Small red;
   Small blue;
@@ -497,8 +495,7 @@ TEST(sub_pixels_have_their_colours) {
                 ".......+++++..............\n");
   // No colour: all channels are the mean.
   const LcdOptions grey = {SubPixels::rgb, 0};
-  style.set_effect(lcd_effect(grey));
-  draw(font, 2, style, other);
+  draw(font, 2, style_of(kFilterText, lcd_effect(grey)), other);
   for (int32_t y = 0; y < kHeight; ++y) {
     for (int32_t x = 0; x < kWidth; ++x) {
       const uint8_t* rgb = &canvas.pixels[Canvas::index(x, y)];
