@@ -1,9 +1,9 @@
 """Checks what can be false in documents and the form of all tracked files.
 
-Links and paths in documents lead somewhere, versions agree, and no file names
-a path that only one machine has.
+Links and paths in documents lead somewhere, lines that they quote are where they
+say, versions agree, and no file names a path that only one machine has.
 
-Usage: check_docs.py
+Usage: check_docs.py [--write]     (--write corrects the numbers of quoted lines)
 """
 import pathlib
 import re
@@ -70,11 +70,39 @@ def check_paths(name, text):
             if not (ROOT / path.rstrip(".")).exists()]
 
 
+# A line of a source, quoted: `path:number`: `the line`.
+QUOTED = re.compile(r"`([\w./-]+):(\d+)`:\s`(.+)`")
+
+
+def check_quotes(name, text, files, write):
+    """Quoted lines of sources that are not where a document says."""
+    problems = []
+
+    def correct(found):
+        path, number, line = found.groups()
+        lines = [each.strip() for each in files.get(path, "").splitlines()]
+        if lines.count(line) != 1:
+            problems.append(f"{name}: {path} has {lines.count(line)} lines "
+                            f"{line!r}")
+            return found.group(0)
+        at = lines.index(line) + 1
+        if at != int(number) and not write:
+            problems.append(f"{name}: {path}:{number} is line {at}; run "
+                            "check_docs.py --write")
+        return f"`{path}:{at}`: `{line}`"
+
+    corrected = QUOTED.sub(correct, text)
+    if write:
+        (ROOT / name).write_text(corrected)
+    return problems
+
+
 def check_prose(name, text):
     """Lines of a document that an editor would wrap: not of tables and code."""
     return [f"{name}:{number}: over 100 columns"
             for number, line in enumerate(text.splitlines(), 1)
-            if len(line) > 100 and not line.startswith(("|", "    "))]
+            if len(line) > 100 and not line.startswith(("|", "    "))
+            and not QUOTED.search(line)]
 
 
 def constant(text, name):
@@ -132,6 +160,7 @@ def main():
         if name.endswith(".md"):
             problems += check_links(name, text, files)
             problems += check_paths(name, text)
+            problems += check_quotes(name, text, files, "--write" in sys.argv)
             if name != "docs/BENCHMARKS.md":  # a program wraps that
                 problems += check_prose(name, text)
         if name.endswith(SOURCES):
