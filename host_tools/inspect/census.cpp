@@ -52,7 +52,7 @@ std::vector<RecordPart> heap_parts(const GlyphCensus& glyph,
 
 std::vector<RecordPart> parts_of(const GlyphCensus& glyph,
                                  const FieldUnits& units) {
-  namespace fields = format::fields;
+  namespace edges = format::edges;
   const GlyphField& field = glyph.field;
   const size_t references = references_of(field, field.node_count);
   switch (field.kind) {
@@ -61,12 +61,12 @@ std::vector<RecordPart> parts_of(const GlyphCensus& glyph,
               {"references", 2 * references},
               {"cells", format::samples::kBytes * field.cell_count}};
     case GlyphField::Kind::narrow_fields:
-      return {{"grid", fields::kBytes},
+      return {{"grid", edges::kBytes},
               {"references", references},
-              {"arcs", fields::kArcBytes * field.arc_count},
-              {"lines", fields::kLineBytes * field.line_count},
-              {"pairs", fields::kPairUnits * field.pair_count},
-              {"triples", fields::kTripleUnits * field.triple_count}};
+              {"arcs", edges::kArcBytes * field.arc_count},
+              {"lines", edges::kLineBytes * field.line_count},
+              {"pairs", edges::kPairUnits * field.pair_count},
+              {"triples", edges::kTripleUnits * field.triple_count}};
     case GlyphField::Kind::linked_fields:
       break;
   }

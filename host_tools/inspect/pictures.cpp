@@ -75,18 +75,18 @@ int read_i16(const uint8_t* at) {
 
 // One field of a cell as docs/FORMAT.md states it, in real numbers. [u]
 double field_value(const GlyphField& field, uint16_t unit, Vector p) {
-  namespace fields = format::fields;
+  namespace edges = format::edges;
   const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
-  const double nx = read_i16(at + fields::kNormalX) / 16384.0;
-  const double ny = read_i16(at + fields::kNormalY) / 16384.0;
+  const double nx = read_i16(at + edges::kNormalX) / 16384.0;
+  const double ny = read_i16(at + edges::kNormalY) / 16384.0;
   const double plane =
-      nx * p.x + ny * p.y + read_i16(at + fields::kOffset) / 16.0;
+      nx * p.x + ny * p.y + read_i16(at + edges::kOffset) / 16.0;
   if ((unit & format::linked::kArcField) == 0) {
     return plane;
   }
   const double along =
-      nx * p.y - ny * p.x + read_i16(at + fields::kAlong) / 16.0;
-  return plane + read_i16(at + fields::kBend) / 524288.0 * along * along;
+      nx * p.y - ny * p.x + read_i16(at + edges::kAlong) / 16.0;
+  return plane + read_i16(at + edges::kBend) / 524288.0 * along * along;
 }
 
 // How much of a pixel lies on the lines, 1 px wide, where one of several fields

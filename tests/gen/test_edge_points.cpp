@@ -1,4 +1,4 @@
-// What a cell of fields may show, and where it is looked at.
+// What a cell of primitives may show, and where it is looked at.
 #include <gtest/gtest.h>
 
 #include "edges/points.hpp"

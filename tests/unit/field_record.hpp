@@ -1,4 +1,5 @@
-// Glyph records of cells of fields, made by hand, and what they mean in double.
+// Glyph records of cells of primitives, made by hand, and what they mean in
+// double.
 #pragma once
 
 #include <stddef.h>
@@ -328,7 +329,7 @@ inline Value combined(const Value (&fields)[3], uint32_t count, uint32_t op) {
   return op % 2 != 0 ? negated(result) : result;
 }
 
-/// What a cell of fields says at a point.
+/// What a cell of primitives says at a point.
 inline Value cell(const FieldRecord& record,
                   const inkcell::Cell& cell,
                   double x_u,

@@ -1,4 +1,4 @@
-// Cells of fields: finding them, and their distances against double.
+// Cells of primitives: finding them, and their distances against double.
 #include "check.hpp"
 #include "field_record.hpp"
 #include "inkcell/render.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using namespace inkcell;
 using field_equation::Value;
-namespace fields = format::fields;
+namespace edges = format::edges;
 
 alignas(4) uint8_t bytes[1024];
 FieldRecord record;  // too large for the stack of a small board

@@ -1,4 +1,4 @@
-// Drawing cells of fields: every way to draw a picture gives the same one.
+// Drawing cells of primitives: every way to draw a picture gives the same one.
 #include "check.hpp"
 #include "field_record.hpp"
 #include "inkcell/render.hpp"

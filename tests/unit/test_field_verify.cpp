@@ -1,4 +1,4 @@
-// Font::verify and glyphs of cells of fields.
+// Font::verify and glyphs of cells of primitives.
 #include "check.hpp"
 #include "field_record.hpp"
 #include "inkcell/font.hpp"
@@ -173,11 +173,11 @@ TEST(finds_more_than_a_reference_can_say) {
     for (uint8_t& byte : large) {
       byte = 0;
     }
-    large[0] = glyph::kTypeFields;
+    large[0] = glyph::kTypeEdges;
     large[6] = large[7] = 1;
-    put_u16(large + format::fields::kLineCount, lines);
+    put_u16(large + format::edges::kLineCount, lines);
     for (uint32_t i = 0; i < lines; ++i) {
-      put_u16(large + format::fields::kBytes + 6 * i, 1 << 14);
+      put_u16(large + format::edges::kBytes + 6 * i, 1 << 14);
     }
     const GlyphSpec glyphs[] = {
         {500, {0, 0, 0, 0}, nullptr, nullptr, {large, 18 + 6 * lines + 1}}};

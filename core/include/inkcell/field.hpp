@@ -14,7 +14,7 @@
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
-/// 0 leaves cells of fields out of the library: glyphs made of them are
+/// 0 leaves cells of primitives out of the library: glyphs made of them are
 /// unsupported.
 #ifndef INKCELL_EDGE_CELLS
 #  define INKCELL_EDGE_CELLS 1
@@ -82,7 +82,7 @@ struct GlyphField {
   /// which starts at a multiple of 2 bytes. Any content is safe afterwards.
   ///
   /// corrupt: the counts do not fit `record`, or the grid leaves +-15360 u,
-  /// +-1984 u with cells of fields.
+  /// +-1984 u with cells of primitives.
   /// unsupported: the record is of a type that this build does not know.
   /// `out` is untouched unless the result is ok.
   static Status open(Span<const uint8_t> record, GlyphField& out) noexcept;
@@ -97,11 +97,11 @@ struct GlyphField {
 
 /// Signed distance at a point, in u. Outside the grid: saturated outside.
 ///
-/// Cells of fields are evaluated as distance_row does at 1024 px/em, where a px
-/// is a u: the position is rounded to 1/256 px, and from there the distance is
-/// that of the equations in docs/FORMAT.md to 1/1024 px for planes, 1/80 px
-/// for bent ones (|w| <= 256 u), and 1/128 of the distance from a rounded
-/// vertex.
+/// Cells of primitives are evaluated as distance_row does at 1024 px/em, where
+/// a px is a u: the position is rounded to 1/256 px, and from there the
+/// distance is that of the equations in docs/FORMAT.md to 1/1024 px for planes,
+/// 1/80 px for bent ones (|w| <= 256 u), and 1/128 of the distance from a
+/// rounded vertex.
 Q22_10 distance_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
 
 /// The gradient of the distance, (d/dx, d/dy), y up. It points inwards: the
@@ -112,7 +112,7 @@ struct Gradient {
 };
 
 /// Gradient at a point; zero where the field is saturated. Of a cell of samples
-/// each component is clamped to just under +-2; of a cell of fields it is a
+/// each component is clamped to just under +-2; of a cell of primitives it is a
 /// unit vector, the normal of the field that decides or the direction of a
 /// vertex.
 Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;

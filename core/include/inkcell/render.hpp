@@ -33,10 +33,10 @@ Rect field_box(const GlyphField& field,
 
 /// Signed distances, in px, at the centres of `out.size` pixels of row `y` from
 /// `x` to the right, x + out.size below 2^31. Saturated ones are one em or 32
-/// px, whichever is less; 32 px where a matrix stretches cells of fields. The
-/// plain form of what draw_field fuses, for filters and effects of one's own:
-/// style.filter() maps these distances to the coverage that draw_field draws,
-/// bit by bit, without an effect.
+/// px, whichever is less; 32 px where a matrix stretches cells of primitives.
+/// The plain form of what draw_field fuses, for filters and effects of one's
+/// own: style.filter() maps these distances to the coverage that draw_field
+/// draws, bit by bit, without an effect.
 void distance_row(const GlyphField& field,
                   const TextStyle& style,
                   FinePoint origin,

@@ -62,7 +62,8 @@ inline void set_up_row(SamplesRow& row,
   row.size_log2 = size_log2;
 }
 
-// Whether a glyph is made of cells of fields. An empty one may be of any kind.
+// Whether a glyph is made of cells of primitives. An empty one may be of any
+// kind.
 inline bool has_fields(const GlyphField& field) noexcept {
   return INKCELL_EDGE_CELLS != 0 &&
          (INKCELL_SAMPLE_CELLS == 0 || field.kind != GlyphField::Kind::samples);

@@ -1,4 +1,4 @@
-// Cells of fields: planes and bent planes, combined by least and greatest.
+// Cells of primitives: planes and bent planes, combined by least and greatest.
 //
 // All is computed in px of some size, in 32 bits modulo 2^32. A field's two
 // products may wrap; their sum is right again because within a cell distances
@@ -105,20 +105,20 @@ inline void set_up_term(FieldTerm& term,
                         uint32_t x_q8,
                         uint32_t y_q8,
                         const FieldScale& scale) noexcept {
-  namespace fields = format::fields;
-  const int16_t nx = load_i16(at + fields::kNormalX);
-  const int16_t ny = load_i16(at + fields::kNormalY);
+  namespace edges = format::edges;
+  const int16_t nx = load_i16(at + edges::kNormalX);
+  const int16_t ny = load_i16(at + edges::kNormalY);
   term.nx_q14 = nx;
   term.ny_q14 = ny;
   term.plane_q22 = times(nx, x_q8) + times(ny, y_q8) +
-                   times(load_i16(at + fields::kOffset), scale.size_q8);
+                   times(load_i16(at + edges::kOffset), scale.size_q8);
   term.along_q22 = 0;
   term.bend = 0;
   if (is_arc) {
     term.along_q22 = times(nx, y_q8) - times(ny, x_q8) + (1 << 13) +
-                     times(load_i16(at + fields::kAlong), scale.size_q8);
+                     times(load_i16(at + edges::kAlong), scale.size_q8);
     term.bend =
-        (load_i16(at + fields::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
+        (load_i16(at + edges::kBend) * scale.bend_q14 + (1 << 10)) >> 11;
   }
 }
 
@@ -167,7 +167,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
     const Name& name,
     Out* out,
     Csg& op) noexcept {
-  namespace fields = format::fields;
+  namespace edges = format::edges;
   const uint32_t field_count = uint32_t{field.arc_count} + field.line_count;
   uint32_t leaf = reference - format::glyph::kFirstNode - field.node_count;
   op = Csg::intersection;
@@ -177,10 +177,10 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
   }
   leaf -= field_count;
   // Behind the pairs come the references; before them, the triples.
-  const uint8_t* at = field.references - fields::kPairUnits * field.pair_count;
+  const uint8_t* at = field.references - edges::kPairUnits * field.pair_count;
   if (leaf < field.pair_count) {
     // Everything is read once: flash may change between check and use.
-    at += fields::kPairUnits * leaf;
+    at += edges::kPairUnits * leaf;
     const uint32_t f0 = at[0];
     const uint32_t f1 = at[1];
     if (__builtin_expect(f0 >= field_count || f1 >= field_count, 0)) {
@@ -198,7 +198,7 @@ __attribute__((always_inline)) inline uint32_t read_narrow_leaf(
   if (__builtin_expect(triple >= 0, 0)) {
     return 0;
   }
-  at += static_cast<int32_t>(fields::kTripleUnits) * triple;
+  at += static_cast<int32_t>(edges::kTripleUnits) * triple;
   const uint8_t code = at[0];
   const uint32_t f0 = at[1];
   const uint32_t f1 = at[2];
@@ -382,7 +382,7 @@ uint32_t read_linked_leaf(const GlyphField& field,
                           uint16_t* out,
                           Csg& op) noexcept;
 
-// The cell of fields that holds a point in the grid.
+// The cell of primitives that holds a point in the grid.
 Cell locate_fields(const GlyphField& field, int32_t x_u, int32_t y_u) noexcept;
 
 struct Vector {
@@ -392,8 +392,8 @@ struct Vector {
 
 // The normal of a field, given where its record lies. [Q14]
 inline Vector normal_of(const uint8_t* record) noexcept {
-  return {load_i16(record + format::fields::kNormalX),
-          load_i16(record + format::fields::kNormalY)};
+  return {load_i16(record + format::edges::kNormalX),
+          load_i16(record + format::edges::kNormalY)};
 }
 
 // The gradient of a bent field: n + 2 k w (-ny, nx), given half the slope that

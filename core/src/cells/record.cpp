@@ -10,14 +10,14 @@ namespace inkcell {
 __attribute__((noinline)) Status detail::read_record(
     Span<const uint8_t> record, GlyphField& field) noexcept {
   namespace glyph = format::glyph;
-  namespace fields = format::fields;
+  namespace edges = format::edges;
   namespace linked = format::linked;
   using Kind = GlyphField::Kind;
   const uint8_t* const at = record.data;
   if (record.size == 0) {
     return Status::corrupt;
   }
-  const bool of_fields = at[glyph::kType] == glyph::kTypeFields;
+  const bool of_fields = at[glyph::kType] == glyph::kTypeEdges;
   if (of_fields ? INKCELL_EDGE_CELLS == 0
                 : INKCELL_SAMPLE_CELLS == 0 ||
                       at[glyph::kType] != glyph::kTypeSamples) {
@@ -32,8 +32,8 @@ __attribute__((noinline)) Status detail::read_record(
   int32_t grid_limit = glyph::kGridLimit;
   if (of_fields) {
     field.kind = Kind::narrow_fields;
-    bytes = fields::kBytes;
-    grid_limit = fields::kGridLimit;
+    bytes = edges::kBytes;
+    grid_limit = edges::kGridLimit;
     if ((log2 & linked::kFlag) != 0) {
       field.kind = Kind::linked_fields;
       bytes = linked::kBytes;
@@ -64,14 +64,14 @@ __attribute__((noinline)) Status detail::read_record(
   } else {
     field.node_count = first_count;
     if (detail::has_fields(field)) {
-      field.arc_count = detail::load_u16(at + fields::kArcCount);
-      field.line_count = detail::load_u16(at + fields::kLineCount);
-      field.pair_count = detail::load_u16(at + fields::kPairCount);
-      field.triple_count = detail::load_u16(at + fields::kTripleCount);
-      bytes += fields::kArcBytes * field.arc_count +
-               fields::kLineBytes * field.line_count +
-               fields::kPairUnits * field.pair_count +
-               fields::kTripleUnits * field.triple_count;
+      field.arc_count = detail::load_u16(at + edges::kArcCount);
+      field.line_count = detail::load_u16(at + edges::kLineCount);
+      field.pair_count = detail::load_u16(at + edges::kPairCount);
+      field.triple_count = detail::load_u16(at + edges::kTripleCount);
+      bytes += edges::kArcBytes * field.arc_count +
+               edges::kLineBytes * field.line_count +
+               edges::kPairUnits * field.pair_count +
+               edges::kTripleUnits * field.triple_count;
     }
   }
   field.references = at + bytes;

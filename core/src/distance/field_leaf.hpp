@@ -1,4 +1,4 @@
-// A leaf of cells of fields, as it is drawn.
+// A leaf of cells of primitives, as it is drawn.
 #pragma once
 
 #include <stdint.h>

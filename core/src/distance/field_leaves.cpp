@@ -1,4 +1,4 @@
-// Finding leaves of cells of fields, and rounding their vertices.
+// Finding leaves of cells of primitives, and rounding their vertices.
 #include "distance/field_leaves.hpp"
 
 namespace inkcell {
@@ -10,8 +10,8 @@ __attribute__((noinline)) void FieldLeaves::find_leaf(
     find_linked(x, y, leaf);
     return;
   }
-  using format::fields::kArcBytes;
-  using format::fields::kLineBytes;
+  using format::edges::kArcBytes;
+  using format::edges::kLineBytes;
   const Leaf found = find_narrow_leaf(field_, tile_of(x, y), x, y);
   if (!leaf.begin(found)) {
     return;

@@ -1,4 +1,4 @@
-// Leaves of cells of fields, as rows and bands of points meet them.
+// Leaves of cells of primitives, as rows and bands of points meet them.
 #pragma once
 
 #include <stdint.h>

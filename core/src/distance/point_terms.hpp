@@ -22,7 +22,7 @@ struct LineAt {
   __attribute__((always_inline)) LineAt(const uint8_t* record,
                                         const FieldScale& scale,
                                         int32_t sign) noexcept {
-    namespace layout = format::fields;
+    namespace layout = format::edges;
     nx_q14 = with_sign(load_i16(record + layout::kNormalX), sign);
     ny_q14 = with_sign(load_i16(record + layout::kNormalY), sign);
     offset_q22 = times(with_sign(load_i16(record + layout::kOffset), sign),
@@ -51,7 +51,7 @@ struct ArcAt {
   __attribute__((always_inline))
   ArcAt(const uint8_t* field, const FieldScale& scale, int32_t) noexcept
       : plane(field - arc_bit(field), scale, 0), along_q22(0), bend(0) {
-    namespace layout = format::fields;
+    namespace layout = format::edges;
     if (arc_bit(field) != 0) {
       const uint8_t* const record = field - 1;
       along_q22 =

@@ -28,7 +28,7 @@ struct LineTerm {
                                           PixelPlace at,
                                           const FieldScale& scale,
                                           int32_t sign) noexcept {
-    namespace layout = format::fields;
+    namespace layout = format::edges;
     const int32_t nx = load_i16(record + layout::kNormalX);
     const int32_t ny = load_i16(record + layout::kNormalY);
     const uint32_t plane =
@@ -77,7 +77,7 @@ struct ArcTerm {
                                          PixelPlace at,
                                          const FieldScale& scale) noexcept
       : plane(record, at, scale, 0) {
-    namespace layout = format::fields;
+    namespace layout = format::edges;
     if (is_arc) {
       const int32_t nx = load_i16(record + layout::kNormalX);
       const int32_t ny = load_i16(record + layout::kNormalY);

@@ -1,5 +1,5 @@
-// Bands of cells of fields. Their leaves are met from top to bottom; where each
-// of them ends is kept in the column that it begins at:
+// Bands of cells of primitives. Their leaves are met from top to bottom; where
+// each of them ends is kept in the column that it begins at:
 //
 //        a a b b b        row 0 finds a and b,
 //        a a b b b        row 1 nothing new,

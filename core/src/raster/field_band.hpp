@@ -1,4 +1,4 @@
-// Bands of upright cells of fields.
+// Bands of upright cells of primitives.
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-// Upright cells of fields, band by band, and distances at any point.
+// Upright cells of primitives, band by band, and distances at any point.
 #include "raster/field_draw.hpp"
 
 #include "base/math.hpp"

@@ -1,4 +1,4 @@
-// Coverage of cells of fields.
+// Coverage of cells of primitives.
 #pragma once
 
 #include <stdint.h>
@@ -100,7 +100,7 @@ __attribute__((always_inline)) inline void draw_near(
   }
 }
 
-// Draws cells of fields.
+// Draws cells of primitives.
 void draw_fields(const GlyphField& field,
                  const TextStyle& style,
                  const Placed& placed,

@@ -1,4 +1,4 @@
-// Cells of fields in pixel order. A leaf is kept while points lie in its
+// Cells of primitives in pixel order. A leaf is kept while points lie in its
 // square; its fields are evaluated at each of them from their records, so that
 // only their values are on the stack.
 #include "raster/field_points.hpp"

@@ -1,4 +1,4 @@
-// Cells of fields in pixel order: each pixel for itself, upright or not.
+// Cells of primitives in pixel order: each pixel for itself, upright or not.
 #pragma once
 
 #include <stdint.h>

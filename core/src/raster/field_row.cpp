@@ -64,7 +64,7 @@ struct ThirdArc {
                                           const FieldScale& scale,
                                           const SignedWay& way) noexcept
       : arc(field, place, scale, way.sign) {
-    namespace layout = format::fields;
+    namespace layout = format::edges;
     const uint8_t* const record = field - arc_bit(field);
     gain_q22 =
         times(load_i16(record + way.normal), static_cast<uint32_t>(way.way_q8));

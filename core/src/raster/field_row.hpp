@@ -22,7 +22,7 @@ struct ThirdsWay {
   int32_t way_q8;   // to the one behind, and upwards [px]
   int32_t far_q22;  // beyond it only the one in the middle counts [px]
 
-  bool is_across() const noexcept { return normal == format::fields::kNormalY; }
+  bool is_across() const noexcept { return normal == format::edges::kNormalY; }
 };
 
 // Evaluates rows of points, a px apart. A leaf is read once for its part of a
@@ -57,7 +57,7 @@ class FieldRow : public FieldLeaves {
                    int32_t* out,
                    int32_t count) const noexcept;
   ThirdsWay way(bool is_across, int32_t way_q8) const noexcept {
-    return {is_across ? format::fields::kNormalY : format::fields::kNormalX,
+    return {is_across ? format::edges::kNormalY : format::edges::kNormalX,
             way_q8, reach_q22_ + abs(way_q8) * (1 << 14)};
   }
 

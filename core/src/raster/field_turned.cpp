@@ -59,7 +59,7 @@ void draw_stretched_samples(const Slanted& slanted,
   }
 }
 
-// Cells of fields in pixel order.
+// Cells of primitives in pixel order.
 void draw_slanted_points(const Slanted& slanted,
                          const Stretching* stretching,
                          SpanWriter& writer,
@@ -142,7 +142,7 @@ Rect shown_box(const GlyphField& field,
                             : Rect();
 }
 
-// Cells of fields.
+// Cells of primitives.
 void draw_slanted_fields(const Slanted& slanted,
                          const Stretching* stretching,
                          const SlantedPoint& first,

@@ -1,5 +1,5 @@
-// What bands of cells of fields share, upright or not: a few rows of a strip at
-// a time, in which each leaf is found and set up once.
+// What bands of cells of primitives share, upright or not: a few rows of a
+// strip at a time, in which each leaf is found and set up once.
 #pragma once
 
 #include <stdint.h>

@@ -143,7 +143,7 @@ uint32_t centre_q20(int32_t pixel, int32_t origin_q10) noexcept {
          detail::kHalfQ20;
 }
 
-// Row by row: cells of samples, and in pixel order cells of fields.
+// Row by row: cells of samples, and in pixel order cells of primitives.
 __attribute__((always_inline)) inline void draw_rows(
     const GlyphField& field,
     const TextStyle& style,

@@ -19,11 +19,11 @@ uint32_t leaf_count(const GlyphField& field) noexcept {
 // Whether the field that begins at `at` has a normal of unit length within
 // 1/64.
 bool normal_fits(const uint8_t* at) noexcept {
-  namespace fields = format::fields;
+  namespace edges = format::edges;
   constexpr uint32_t kShortest = (1 << 14) - (1 << 8);
   constexpr uint32_t kLongest = (1 << 14) + (1 << 8);
-  const int32_t nx = load_i16(at + fields::kNormalX);
-  const int32_t ny = load_i16(at + fields::kNormalY);
+  const int32_t nx = load_i16(at + edges::kNormalX);
+  const int32_t ny = load_i16(at + edges::kNormalY);
   const uint32_t square =
       static_cast<uint32_t>(nx * nx) + static_cast<uint32_t>(ny * ny);
   return square >= kShortest * kShortest && square <= kLongest * kLongest;

@@ -36,7 +36,7 @@ struct PrimitiveCode {
   int32_t bend = 0;    // [bend_step]; 0 unless bent
 };
 
-/// A field as a record states it (format::fields).
+/// A field as a record states it (format::edges).
 struct PrimitiveNumbers {
   int16_t nx_q14 = 0;
   int16_t ny_q14 = 0;

@@ -44,15 +44,15 @@ double limit_of(const Target& options) {
   return std::max(options.tolerance - 1.25, options.tolerance / 2);
 }
 
-// The grid of a shape that cells of fields reach.
+// The grid of a shape that cells of primitives reach.
 Grid near_grid(const Shape& shape, const Target& options) {
   const Grid grid = lay_grid(shape, options);
-  const int limit = format::fields::kGridLimit;
+  const int limit = format::edges::kGridLimit;
   if (grid.x0_u < -limit || grid.y0_u < -limit ||
       grid.x0_u + (grid.tiles_x << grid.tile_log2) > limit ||
       grid.y0_u + (grid.tiles_y << grid.tile_log2) > limit) {
     throw GeometryError(GeometryError::Kind::too_large,
-                        "the glyph reaches farther than cells of fields");
+                        "the glyph reaches farther than cells of primitives");
   }
   return grid;
 }

@@ -1,4 +1,4 @@
-// Where a cell of fields is tested, and what it may show there.
+// Where a cell of primitives is tested, and what it may show there.
 #pragma once
 
 #include <cstddef>

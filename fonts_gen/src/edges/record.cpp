@@ -11,7 +11,7 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-constexpr uint8_t kTypeFields = 2;
+constexpr uint8_t kTypeEdges = 2;
 constexpr uint8_t kLinkedFlag = 0x80;
 constexpr size_t kNarrowNumbers = 256;
 constexpr size_t kMostUnits = 8192;  // offsets have 13 bits
@@ -27,7 +27,7 @@ void put_field(Bytes& out, const PrimitiveNumbers& field) {
 }
 
 void put_grid(Bytes& out, const Grid& grid, uint8_t flag) {
-  out.push_back(kTypeFields);
+  out.push_back(kTypeEdges);
   out.push_back(static_cast<uint8_t>(grid.tile_log2 | flag));
   put_i16(out, grid.x0_u);
   put_i16(out, grid.y0_u);

@@ -1,4 +1,4 @@
-// Cells of fields as a record (docs/FORMAT.md, "Glyph record, type 2").
+// Cells of primitives as a record (docs/FORMAT.md, "Glyph record, type 2").
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ EdgeGlyph build_edges(const Shape& shape,
     if (GlyphField::open({glyph.record.data(), glyph.record.size()}, field) !=
         Status::ok) {
       throw GeometryError(GeometryError::Kind::too_large,
-                          "the glyph reaches farther than cells of fields");
+                          "the glyph reaches farther than cells of primitives");
     }
     glyph.errors = loop.draw_and_compare(field);
     for (const LoopMiss& miss : glyph.errors.misses) {

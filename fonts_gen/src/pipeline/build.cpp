@@ -64,7 +64,7 @@ void build_samples(const Shape& shape, const Target& options, Built& built) {
   }
 }
 
-// Cells of fields, or of samples where fields cannot hold the tolerance.
+// Cells of primitives, or of samples where fields cannot hold the tolerance.
 void build_cells(const Shape& shape, const Target& options, Built& built) {
   if (options.coding == Coding::samples) {
     build_samples(shape, options, built);

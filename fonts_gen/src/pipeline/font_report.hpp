@@ -21,7 +21,7 @@ struct GlyphReport {
   std::string key;   // its smallest character in UTF-8, or .notdef
   size_t cells = 0;  // that are not saturated
   size_t nodes = 0;
-  size_t fields = 0;  // distinct ones, of cells of fields
+  size_t fields = 0;  // distinct ones, of cells of primitives
   size_t points = 0;  // of outlines; on and off curve, implied ones not counted
   size_t components = 0;  // that a composite record refers to; 0: simple
   size_t bytes = 0;       // of its record

@@ -68,8 +68,9 @@ void DistanceLattice::find_chains() {
   const std::vector<Edge>& edges = shape_.edges();
   const size_t count = edges.size();
   if (count > kMostEdges) {
-    throw GeometryError(GeometryError::Kind::too_complex,
-                        "the outline has too many pieces for cells of fields");
+    throw GeometryError(
+        GeometryError::Kind::too_complex,
+        "the outline has too many pieces for cells of primitives");
   }
   next_.resize(count);
   chain_of_.assign(count, -1);

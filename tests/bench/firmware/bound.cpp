@@ -41,7 +41,7 @@ void put_arc(uint8_t*& at, int32_t tenths, int32_t px) {
 bool make_record(uint32_t depth, int32_t px) {
   const uint32_t tiles = depth < 10 ? kEm >> depth : 1;
   uint8_t* at = record;
-  *at++ = 2;  // cells of fields
+  *at++ = 2;  // cells of primitives
   *at++ = static_cast<uint8_t>(depth);
   put_u16(at, 0);
   put_u16(at, 0);

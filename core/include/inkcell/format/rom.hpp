@@ -63,7 +63,7 @@ inline constexpr uint32_t kBytes = 64;
 /// What a font's glyphs are made of.
 enum class Coding : uint8_t {
   samples = 0,  // cells of nine samples
-  edges = 1,    // cells of fields, of samples where fields do not fit
+  edges = 1,    // cells of primitives, of samples where fields do not fit
   outline = 2,  // outlines
 };
 enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };
@@ -235,7 +235,7 @@ inline constexpr uint32_t kTypeBytes = 1;
 
 // A glyph record of cells of nine samples.
 namespace glyph {
-inline constexpr uint32_t kType = 0;        // u8, kTypeSamples or kTypeFields
+inline constexpr uint32_t kType = 0;        // u8, kTypeSamples or kTypeEdges
 inline constexpr uint32_t kTileLog2 = 1;    // u8, 0..11: tiles of 1..2048 u
 inline constexpr uint32_t kX0 = 2;          // i16 [u], left edge of the grid
 inline constexpr uint32_t kY0 = 4;          // i16 [u], lower edge, y up
@@ -248,7 +248,7 @@ inline constexpr uint32_t kBytes = 12;
 // (child 2 * upper + right); then the cells.
 
 inline constexpr uint8_t kTypeSamples = 1;
-inline constexpr uint8_t kTypeFields = 2;
+inline constexpr uint8_t kTypeEdges = 2;
 inline constexpr uint32_t kMaxTileLog2 = 11;
 
 /// Grids lie within this of the origin in both directions. [u] Twice as much,
@@ -280,7 +280,7 @@ inline constexpr int kQuantaLog2 = 7;  // 128 quanta to the cell size
 // A glyph record of fields in the narrow form begins like one of samples, but
 // for the counts. Then arcs, lines, and units of one byte: triples, pairs, and
 // references, one a tile and four a node.
-namespace fields {
+namespace edges {
 inline constexpr uint32_t kArcCount = 10;     // u16
 inline constexpr uint32_t kLineCount = 12;    // u16
 inline constexpr uint32_t kPairCount = 14;    // u16
@@ -305,7 +305,7 @@ inline constexpr uint32_t kTripleUnits = 4;  // operator, f0, f1, f2
 
 // A reference: kOutside, kInside, then nodes from kFirstNode on, single
 // fields, pairs, triples.
-}  // namespace fields
+}  // namespace edges
 
 // The linked form of a record of fields. Behind the grid a heap of units of two
 // bytes: the references of the tiles, then whatever they lead to.
