@@ -291,9 +291,11 @@ class TextStyle {
   int32_t step_along_q16() const noexcept { return right_.x_q16; }
   int32_t step_across_q16() const noexcept { return up_.x_q16; }
 
-  /// Two to the power of bend_shift() - 5 are the least px that hold an em;
-  /// over the size they are bend_q14(), one to two. What curvature in u takes
-  /// to become one in px without a division. [Q14]
+  /// The factor from curvature in 1/u to curvature in 1/px, which is 1024 /
+  /// size, without a division: bend_q14() 2^(15 - bend_shift()).
+  ///
+  /// bend_shift() = 5 + ceil(log2(size)), and bend_q14() = 2^(bend_shift() - 5)
+  /// / size, in [1, 2). [px/em; Q14]
   int32_t bend_q14() const noexcept { return bend_q14_; }
   int32_t bend_shift() const noexcept { return bend_shift_; }
 

@@ -1,4 +1,4 @@
-// What speed is worth: less code and stack, or fewer instructions.
+// Build options that trade speed for code size and stack.
 #pragma once
 
 // 0: cells of primitives are drawn in pixel order, each pixel for itself,

@@ -1,4 +1,4 @@
-// The lesser and the greater of two numbers, and how far one is from 0.
+// Minimum, maximum and absolute value.
 #pragma once
 
 #include <stdint.h>
@@ -13,7 +13,7 @@ inline int32_t max(int32_t a, int32_t b) noexcept {
   return a > b ? a : b;
 }
 
-// Of any number but the least of all.
+// Not of INT32_MIN.
 inline int32_t abs(int32_t value) noexcept {
   return value < 0 ? -value : value;
 }

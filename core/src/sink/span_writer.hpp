@@ -22,8 +22,8 @@ class SpanWriter {
  public:
   SpanWriter(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
 
-  // Before pixels are appended that follow those before them or come after a
-  // flush; `x` is the first of them.
+  // Call before append(), with the first of the pixels to come: after a flush,
+  // or when it follows the last pixel.
   void begin(int32_t x) noexcept {
     if (solid_count_ != 0) {
       flush_all();
