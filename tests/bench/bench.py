@@ -47,7 +47,7 @@ CPUS = {
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 # What a build may leave out: docs/PORTING.md.
-PARTS = ("outlines", "field_cells", "sample_cells", "object_order",
+PARTS = ("outlines", "edge_cells", "sample_cells", "object_order",
          "fast_rows")
 # Coding, as the generator names it: firmware, and the ways that stand beside
 # the other engines.
@@ -75,7 +75,7 @@ WHAT = {
 }
 # Without these it is smallest, for one coding; what the document says of that.
 SMALLEST = {
-    "outline": ["field_cells", "sample_cells"],
+    "outline": ["edge_cells", "sample_cells"],
     "edges": ["outlines", "sample_cells", "object_order", "fast_rows"],
 }
 SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
