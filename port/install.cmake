@@ -9,7 +9,8 @@ install(EXPORT inkcell NAMESPACE inkcell:: FILE inkcellTargets.cmake
   DESTINATION ${package})
 foreach(folder core port/pixel port/display)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/include/
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 
 configure_package_config_file(
