@@ -1,4 +1,4 @@
-// What painters of styles do with glyphs of outlines.
+// How effects draw glyphs of outlines.
 #pragma once
 
 #include <stdint.h>
