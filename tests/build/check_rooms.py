@@ -233,10 +233,10 @@ def check_lengths(files):
 
 
 def code_lines(text):
-    """Lines without comments, blank ones, directives and namespaces."""
+    """Lines with words: no comments, directives, namespaces, lone brackets."""
     lines = [re.sub(r"//.*", "", line).strip() for line in text.splitlines()]
-    return [line for line in lines
-            if line and not line.startswith(("#", "namespace"))]
+    return [line for line in lines if re.search(r"\w", line)
+            and not line.startswith(("#", "namespace"))]
 
 
 def equal_passages(files):
