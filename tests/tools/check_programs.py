@@ -407,7 +407,7 @@ class Tools(unittest.TestCase):
                                         2, "--samples", "adaptive")),
                 ("exclude each other", ("--font", self.font, *text, "--levels",
                                         2, "--lcd", "rgb")),
-                ("--samples adaptive", ("--font", self.font, *text, "--radius",
+                ("--samples supersampling", ("--font", self.font, *text, "--radius",
                                         1)),
                 ("-0.5 to 0.5", ("--font", self.font, *text, "--levels", 2,
                                  "--weight", 0.6)),
@@ -450,7 +450,7 @@ class Tools(unittest.TestCase):
         still.write_text(json.dumps({
             "font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
             "out": str(self.path / "still.pgm")}))
-        self.assertIn("--samples adaptive", run("render", "--jobs", still,
+        self.assertIn("--samples supersampling", run("render", "--jobs", still,
                                                 "--radius", 1, code=1))
         for option in ("--font", "--text", "--px", "--out", "--dx", "--dy",
                        "--angle", "--width", "--height", "--ox", "--oy",
