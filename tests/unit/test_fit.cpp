@@ -102,7 +102,7 @@ constexpr FitOptions kCrisp = {true, 2, FitOptions::kAll};
 
 GlyphWarp warp_of(const Font& font, const Fit& fit, uint16_t glyph) {
   FinePoint origin = {300, 700};
-  GlyphWarp warp;
+  GlyphWarp warp = {};
   fit.fit(font, glyph, origin, warp);
   return warp;
 }
@@ -202,7 +202,7 @@ TEST(heights_can_be_fitted_alone) {
   const Fit fit = fit_of(font, 10 * 64, kAcross);
   const GlyphWarp both = warp_of(font, fit, two);
   FinePoint origin = {300, 700};
-  GlyphWarp warp;
+  GlyphWarp warp = {};
   GlyphMetrics metrics;
   CHECK_OK(font.glyph_metrics(two, metrics));
   kFitHeights.fit(two, metrics, &fit, origin, warp);
@@ -253,7 +253,7 @@ TEST(fonts_without_hints_keep_all_but_baselines) {
   const Fit fit = fit_of(font, 10 * 64, kAcross);
   CHECK(!fit.has_advances());
   FinePoint origin = {300, 700};
-  GlyphWarp warp;
+  GlyphWarp warp = {};
   fit.fit(font, two, origin, warp);
   CHECK_EQ(warp.x.count + warp.y.count, 0);
   CHECK_EQ(origin.x_q10, 300);

@@ -6,7 +6,7 @@
 using namespace inkcell;
 
 TEST(points_go_where_the_knots_say) {
-  AxisMap map;
+  AxisMap map = {};
   map.clear();
   CHECK_EQ(map.map(1234), 1234);
   CHECK(map.add(-256, -512));
@@ -24,7 +24,7 @@ TEST(points_go_where_the_knots_say) {
 }
 
 TEST(knots_ascend) {
-  AxisMap map;
+  AxisMap map = {};
   map.clear();
   CHECK(map.add(0, 100));
   CHECK(!map.add(0, 200));
@@ -43,7 +43,7 @@ TEST(knots_ascend) {
 TEST(maps_are_monotone_from_wherever_they_begin) {
   Random random(5);
   for (int round = 0; round < 200; ++round) {
-    AxisMap map;
+    AxisMap map = {};
     map.clear();
     for (int i = 0; i < 40; ++i) {
       static_cast<void>(map.add(random.between(-40000, 40000),
