@@ -18,23 +18,20 @@ alignas(4) uint8_t rom[2048];
 // Three bars, such as those of e, with a stroke that hangs into the upper
 // counter; n; v; and an oblong with serifs.
 constexpr OutlinePoint kThree[] = {
-    {start, 60, 0},      {corner, 540, 0},    {corner, 540, 70},
-    {corner, 150, 70},   {corner, 150, 200},  {corner, 540, 200},
-    {corner, 540, 270},  {corner, 150, 270},  {corner, 150, 442},
-    {corner, 450, 442},  {corner, 450, 320},  {corner, 540, 320},
-    {corner, 540, 512},  {corner, 60, 512}};
-constexpr OutlinePoint kTwo[] = {
-    {start, 60, 0},     {corner, 150, 0},   {corner, 150, 442},
-    {corner, 450, 442}, {corner, 450, 0},   {corner, 540, 0},
+    {start, 60, 0},     {corner, 540, 0},   {corner, 540, 70},
+    {corner, 150, 70},  {corner, 150, 200}, {corner, 540, 200},
+    {corner, 540, 270}, {corner, 150, 270}, {corner, 150, 442},
+    {corner, 450, 442}, {corner, 450, 320}, {corner, 540, 320},
     {corner, 540, 512}, {corner, 60, 512}};
-constexpr OutlinePoint kWedge[] = {{start, 40, 512},
-                                   {corner, 210, 0},
-                                   {corner, 300, 0},
-                                   {corner, 470, 512}};
-constexpr OutlinePoint kSerif[] = {
-    {start, 40, 0},     {corner, 270, 0},   {corner, 270, 30},
-    {corner, 200, 30},  {corner, 200, 512}, {corner, 110, 512},
-    {corner, 110, 30},  {corner, 40, 30}};
+constexpr OutlinePoint kTwo[] = {
+    {start, 60, 0},   {corner, 150, 0}, {corner, 150, 442}, {corner, 450, 442},
+    {corner, 450, 0}, {corner, 540, 0}, {corner, 540, 512}, {corner, 60, 512}};
+constexpr OutlinePoint kWedge[] = {
+    {start, 40, 512}, {corner, 210, 0}, {corner, 300, 0}, {corner, 470, 512}};
+constexpr OutlinePoint kSerif[] = {{start, 40, 0},     {corner, 270, 0},
+                                   {corner, 270, 30},  {corner, 200, 30},
+                                   {corner, 200, 512}, {corner, 110, 512},
+                                   {corner, 110, 30},  {corner, 40, 30}};
 
 enum Glyph : uint16_t { three = 1, two, wedge, serif, space };
 
@@ -128,14 +125,13 @@ void check_knots(const AxisMap& map, const Knot (&knots)[kCount]) {
 // one inside a row; the end keeps a row above it.
 TEST(heights_lie_between_rows) {
   const Font font = hinted_font();
-  check_knots(warp_of(font, fit_of(font, 11 * 64), three).y,
-              {{0, 0},
-               {193, 192},
-               {550, 544},
-               {743, 736},
-               {880, 992},
-               {1216, 1344},
-               {1408, 1536}});
+  check_knots(warp_of(font, fit_of(font, 11 * 64), three).y, {{0, 0},
+                                                              {193, 192},
+                                                              {550, 544},
+                                                              {743, 736},
+                                                              {880, 992},
+                                                              {1216, 1344},
+                                                              {1408, 1536}});
   // At 10 px it is 5 px as it is.
   check_knots(warp_of(font, fit_of(font, 10 * 64), two).y,
               {{0, 0}, {1105, 1088}, {1280, 1280}});
