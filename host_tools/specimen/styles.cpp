@@ -248,7 +248,7 @@ Image draw_fitting(const Font& font) {
 
 Image draw_contrast(const Font& font) {
   constexpr double kPx = 12;
-  const Sample sample = {font, "Hamburg anno 1958", kPx, 4.3, 13.4};
+  const Sample sample = {font, "Hamburg at noon", kPx, 4.3, 13.4};
   Sheet sheet(font, {128, 18, 6, 3, 92});
   const auto add = [&](const char* label, const EdgeContrast& edge_contrast) {
     sheet.add(label, kWhite, [&](Image& image) {

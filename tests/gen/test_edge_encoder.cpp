@@ -1,4 +1,4 @@
-// Shapes made into trees of fields.
+// Shapes made into trees of primitives.
 #include <gtest/gtest.h>
 
 #include "edges/encoder.hpp"
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edge_target.hpp"
 #include "edge_trees.hpp"
 #include "edges/code.hpp"
 #include "edges/record.hpp"
@@ -15,15 +16,6 @@ namespace inkcell {
 namespace gen {
 namespace test {
 namespace {
-
-Target fields(double min_px, double max_px, double tolerance) {
-  Target options;
-  options.coding = Coding::edges;
-  options.min_px = min_px;
-  options.max_px = max_px;
-  options.tolerance = tolerance;
-  return options;
-}
 
 Outline outline(std::vector<Contour> contours) {
   Outline result;
@@ -126,7 +118,7 @@ TEST(EdgeEncoder, TreesKeepTheRules) {
   for (const char* file : {kDejaVuSans, kLiberationSerif, kRoboto}) {
     for (const Outline& glyph : load_outlines(file, 0, {'a'})) {
       const Shape shape(glyph);
-      EdgeEncoder encoder(shape, fields(8, 32, 16));
+      EdgeEncoder encoder(shape, edge_target(8, 32, 16));
       const EdgeTree tree = encoder.encode();
       EXPECT_EQ(tree.failures, 0);
       EXPECT_GT(leaves_of(tree), 10u);
@@ -137,16 +129,16 @@ TEST(EdgeEncoder, TreesKeepTheRules) {
 
 TEST(EdgeEncoder, SaysTheSameWhenAskedAgain) {
   const Shape shape(load_outlines(kDejaVuSans, 0, {'e'})[0]);
-  EdgeEncoder encoder(shape, fields(8, 32, 16));
+  EdgeEncoder encoder(shape, edge_target(8, 32, 16));
   const std::vector<uint8_t> first = edge_record(encoder.encode());
   EXPECT_EQ(edge_record(encoder.encode()), first);
-  EdgeEncoder other(shape, fields(8, 32, 16));
+  EdgeEncoder other(shape, edge_target(8, 32, 16));
   EXPECT_EQ(edge_record(other.encode()), first);
 }
 
 TEST(EdgeEncoder, PointsThatWereMissedAreMet) {
   const Shape shape(outline({circle(200, 200, 150)}));
-  const Target options = fields(8, 64, 16);
+  const Target options = edge_target(8, 64, 16);
   EdgeEncoder encoder(shape, options);
   const Metric metric(options);
   std::vector<Point> points;
@@ -169,7 +161,7 @@ TEST(EdgeEncoder, PointsThatWereMissedAreMet) {
 
 // A square has four sides, a circle one arc in each cell: not many fields.
 TEST(EdgeEncoder, SimpleShapesTakeFewFields) {
-  const Target options = fields(8, 64, 16);
+  const Target options = edge_target(8, 64, 16);
   const Shape square(outline({rectangle(0, 0, 600, 600)}));
   EdgeTree tree = EdgeEncoder(square, options).encode();
   Rules(tree).check();
@@ -191,7 +183,7 @@ TEST(EdgeEncoder, FewerBytesForLargerTolerances) {
   const Shape shape(load_outlines(kLiberationSerif, 0, {'S'})[0]);
   size_t before = 1000000;
   for (const double tolerance : {6.0, 16.0, 40.0}) {
-    EdgeEncoder encoder(shape, fields(8, 48, tolerance));
+    EdgeEncoder encoder(shape, edge_target(8, 48, tolerance));
     const size_t bytes = edge_record(encoder.encode()).size();
     EXPECT_LT(bytes, before) << tolerance;
     before = bytes;

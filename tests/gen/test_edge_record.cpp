@@ -1,4 +1,4 @@
-// Trees of fields as records, read with the device's own code.
+// Trees of primitives as records, read with the device's own code.
 #include <gtest/gtest.h>
 
 #include "edges/record.hpp"
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "edge_target.hpp"
 #include "edge_trees.hpp"
 #include "edges/code.hpp"
 #include "inkcell/format/cell.hpp"
@@ -16,15 +17,6 @@ namespace inkcell {
 namespace gen {
 namespace test {
 namespace {
-
-Target fields(double min_px, double max_px, double tolerance) {
-  Target options;
-  options.coding = Coding::edges;
-  options.min_px = min_px;
-  options.max_px = max_px;
-  options.tolerance = tolerance;
-  return options;
-}
 
 bool is_linked(const std::vector<uint8_t>& record) {
   return (record[1] & 0x80) != 0;
@@ -88,7 +80,7 @@ TEST(FieldRecord, SaysWhatTheTreeSays) {
     options.tiles_x = 1 + round % 3;
     options.tiles_y = 1 + round / 3 % 2;
     options.depth = 2 + round % 3;
-    options.steps = steps_for(fields(8, round % 2 == 0 ? 64 : 24, 16));
+    options.steps = steps_for(edge_target(8, round % 2 == 0 ? 64 : 24, 16));
     const EdgeTree tree = random_tree(random, options);
     const std::vector<uint8_t> record = edge_record(tree);
     narrow += is_linked(record) ? 0 : 1;
@@ -289,7 +281,7 @@ TEST(FieldRecord, LinkedRecordsSayTheSame) {
     options.tiles_x = 2;
     options.tiles_y = 2;
     options.depth = 5;
-    options.steps = steps_for(fields(8, 64, 16));
+    options.steps = steps_for(edge_target(8, 64, 16));
     const EdgeTree tree = random_tree(random, options);
     const std::vector<uint8_t> record = edge_record(tree);
     linked += is_linked(record) ? 1 : 0;

@@ -1,4 +1,4 @@
-// The steps of a font's fields, and what they cost.
+// The steps of a font's primitives, and what they cost.
 #include <gtest/gtest.h>
 
 #include "edges/code.hpp"
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "edge_target.hpp"
 #include "edges/model.hpp"
 
 namespace inkcell {
@@ -14,25 +15,17 @@ namespace gen {
 namespace test {
 namespace {
 
-Target fields(double min_px, double max_px, double tolerance) {
-  Target options;
-  options.coding = Coding::edges;
-  options.min_px = min_px;
-  options.max_px = max_px;
-  options.tolerance = tolerance;
-  return options;
-}
-
 // From coarse to as fine as it goes.
-const std::vector<Target> kRanges = {fields(4, 4, 255),   fields(4, 1024, 1),
-                                     fields(8, 64, 16),   fields(12, 32, 36),
-                                     fields(8, 128, 8),   fields(1024, 1024, 1),
-                                     fields(40, 40, 100), fields(4, 8, 1)};
+const std::vector<Target> kRanges = {
+    edge_target(4, 4, 255),   edge_target(4, 1024, 1),
+    edge_target(8, 64, 16),   edge_target(12, 32, 36),
+    edge_target(8, 128, 8),   edge_target(1024, 1024, 1),
+    edge_target(40, 40, 100), edge_target(4, 8, 1)};
 
 // Half of 1/255 of the tolerance at 64 px is 32 u / 255.
 TEST(PrimitiveCode, ToleranceIsADistanceAtTheLargestSize) {
-  EXPECT_DOUBLE_EQ(e0_u(fields(8, 64, 16)), 16.0 / 255 * 16);
-  EXPECT_DOUBLE_EQ(e0_u(fields(8, 1024, 255)), 1);
+  EXPECT_DOUBLE_EQ(e0_u(edge_target(8, 64, 16)), 16.0 / 255 * 16);
+  EXPECT_DOUBLE_EQ(e0_u(edge_target(8, 1024, 255)), 1);
 }
 
 // A distance up to the band is met to half a step, with no step above the

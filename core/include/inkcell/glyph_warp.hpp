@@ -1,4 +1,4 @@
-// What grid fitting does to a glyph: a map of each coordinate of its points.
+// The maps of x and y by which grid fitting moves the points of a glyph.
 #pragma once
 
 #include <stdint.h>
@@ -59,7 +59,7 @@ struct __attribute__((may_alias)) AxisMap {
   }
 };
 
-/// Of both coordinates.
+/// The maps of both coordinates.
 struct __attribute__((may_alias)) GlyphWarp {
   AxisMap x;
   AxisMap y;

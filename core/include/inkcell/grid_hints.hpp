@@ -1,4 +1,4 @@
-// What a font says about the strokes of its glyphs, for grid fitting.
+// Reads the hints of a font: where strokes of its glyphs lie, for grid fitting.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@ namespace inkcell {
 
 /// A height that edges of many glyphs share, such as the baseline.
 struct GridZone {
-  int32_t flat_u;       // of flat edges
+  int32_t flat_u;       // height of flat edges
   int32_t overshoot_u;  // how much higher round edges lie
   bool is_top;          // ink is below it
 };

@@ -73,7 +73,7 @@ struct SamplesRow {
     return to_u_q10(a_q6 + ((x_q14 * (b_q6 + ((c_q6 * x_q14) >> 14))) >> 14));
   }
 
-  /// What distance_q10 never leaves on this row, both ends included. [u, Q10]
+  /// Bounds of distance_q10 on this row, both ends included. [u, Q10]
   struct Bounds {
     int32_t low;
     int32_t high;
