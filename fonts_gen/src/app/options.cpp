@@ -7,9 +7,7 @@
 #include "base/error.hpp"
 
 namespace inkcell::gen {
-namespace {
 
-// Reads "16/255" or "16".
 double parse_tolerance(const std::string& text) {
   std::string digits = text;
   const size_t slash = text.find('/');
@@ -27,6 +25,8 @@ double parse_tolerance(const std::string& text) {
   }
   return value;
 }
+
+namespace {
 
 // An option with some values, the usual one first.
 template <typename Value>

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 #include "pipeline/request.hpp"
 
 namespace inkcell::gen {
+
+/// Reads a tolerance, "16/255" or "16". Throws CLI::ValidationError.
+double parse_tolerance(const std::string& text);
 
 /// Adds --face, --axis, --chars, --symbols, --min-px, --max-px, --tolerance,
 /// --coding, --predicate and --effort, which fill in `request`; it
