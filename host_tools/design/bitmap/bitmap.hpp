@@ -1,0 +1,36 @@
+// Bitmap masters: drawn, rendered or scanned glyphs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace inkcell::design {
+
+/// Ink of each pixel, 0..255, row by row from the top.
+struct Bitmap {
+  int width = 0;
+  int height = 0;
+  std::vector<uint8_t> ink;
+
+  uint8_t at(int x, int y) const {
+    return x < 0 || y < 0 || x >= width || y >= height
+               ? uint8_t{0}
+               : ink[static_cast<size_t>(y) * static_cast<size_t>(width) +
+                     static_cast<size_t>(x)];
+  }
+  /// Whether every pixel is all ink or none.
+  bool is_bilevel() const;
+};
+
+/// Reads PNG, PBM or PGM; dark pixels are ink, transparent ones are none.
+/// Throws Error that names the file.
+Bitmap read_bitmap(const std::filesystem::path& file);
+
+/// The threshold that divides the histogram best (Otsu 1979).
+int otsu_threshold(const Bitmap& bitmap);
+
+/// Ink 255 from `threshold` on, 0 below.
+void make_bilevel(Bitmap& bitmap, int threshold);
+
+}  // namespace inkcell::design

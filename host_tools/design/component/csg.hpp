@@ -1,0 +1,44 @@
+// Shapes combined: union, intersection, difference, and smooth blends.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/project.hpp"
+#include "shape/outline.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design {
+
+enum class Combination { unite, intersect, subtract, blend };
+
+/// Combines two shapes. The result is a shape again, so that its distances are
+/// exact: fields that are combined point by point are none (too small in
+/// magnitude on one side). Sharp combinations are exact to 1/65536 u.
+///
+/// blend: the union with a fillet, max(a, b) + h^2 / (4 k) with
+/// h = max(k - |a - b|, 0) of both distances; `radius_u` is k, above 0. Its
+/// edge is followed and measured anew, which is true to 1/16 u.
+///
+/// Throws gen::GeometryError.
+gen::Shape combine(const gen::Shape& a,
+                   const gen::Shape& b,
+                   Combination combination,
+                   double radius_u = 0);
+
+/// The shape that a tree stands for. A leaf is a glyph, { "glyph": "o",
+/// "matrix": [...] }; a node combines two or more parts, from the first on:
+///
+///   { "op": "union" | "intersection" | "difference" | "blend", "radius": 20,
+///     "parts": [...] }
+///
+/// Radius and matrix in font units. Throws Error that says where the tree is
+/// wrong.
+gen::Shape shape_of_tree(const Project& project,
+                         size_t layer,
+                         const Value& tree);
+
+/// The border as closed polygons, filled on the left.
+std::vector<std::vector<gen::Point>> polygons_of(const gen::Shape& shape);
+
+}  // namespace inkcell::design

@@ -1,0 +1,109 @@
+// Commands on what outlines are made of: strokes and trees of shapes. The
+// source goes to the glyph's lib, and its outline into the contours.
+#include <cmath>
+
+#include "component/csg.hpp"
+#include "model/command_table.hpp"
+#include "model/contours.hpp"
+#include "stroke/stroke.hpp"
+
+namespace inkcell::design {
+namespace {
+
+constexpr const char* kStrokesKey = "org.inkcell.strokes";
+constexpr const char* kTreeKey = "org.inkcell.tree";
+
+constexpr double kUnitsOfU = 1024;
+constexpr double kRadians = 0.017453292519943295;
+
+// Of curves from the exact border, and of a stroke's path from its points. [u]
+constexpr double kFit_u = 0.12;
+constexpr double kPathFit_u = 0.5;
+
+// Coordinates are rounded to this. [font units]
+constexpr double kGrid = 1.0 / 64;
+
+std::vector<PointContour> fitted(
+    const std::vector<std::vector<Point>>& polygons, double scale) {
+  std::vector<PointContour> contours;
+  for (const gen::Contour& contour : fit_polygons(polygons, kFit_u).contours) {
+    PointContour points = from_segments(contour, scale);
+    for (GlyphPoint& point : points.points) {
+      point.x = std::round(point.x / kGrid) * kGrid;
+      point.y = std::round(point.y / kGrid) * kGrid;
+    }
+    contours.push_back(std::move(points));
+  }
+  return contours;
+}
+
+StrokePoint point_of(const Value& value,
+                     double scale,
+                     const Arguments& arguments) {
+  const bool ok = value.is_array() && value.size() >= 2 && value.size() <= 5 &&
+                  value[0].is_number() && value[1].is_number();
+  if (!ok) {
+    arguments.refuse(
+        "points of a stroke are [x, y, width, height, angle], the last three "
+        "null or left out where nothing changes");
+  }
+  StrokePoint point;
+  point.at = {scale * value[0].get<double>(), scale * value[1].get<double>()};
+  const auto change = [&value](size_t i, double unit_size) {
+    return i < value.size() && value[i].is_number()
+               ? std::optional<double>(unit_size * value[i].get<double>())
+               : std::nullopt;
+  };
+  point.width = change(2, scale);
+  point.height = change(3, scale);
+  point.angle = change(4, kRadians);
+  return point;
+}
+
+Change set_strokes(const Project& project, const Arguments& arguments) {
+  const double scale = kUnitsOfU / project.units_per_em();
+  std::vector<std::vector<Point>> polygons;
+  for (const Value& value : arguments.array("strokes")) {
+    if (!value.is_object() || !value.contains("nib") ||
+        !value["nib"].is_string() || !value.contains("points")) {
+      arguments.refuse(
+          "strokes are { \"nib\": \"ellipse:80,30,45\", \"points\": [...] }");
+    }
+    Stroke stroke;
+    stroke.nib = parse_nib(value["nib"].get<std::string>());
+    stroke.nib.width *= scale;
+    stroke.nib.height *= scale;
+    for (const Value& point : value["points"]) {
+      stroke.points.push_back(point_of(point, scale, arguments));
+    }
+    for (std::vector<Point>& polygon : polygons_of(stroke, kPathFit_u)) {
+      polygons.push_back(std::move(polygon));
+    }
+  }
+  const gen::Shape shape(outline_of_polygons(polygons));
+  return edited(project, arguments, [&](Glyph& glyph) {
+    glyph.contours = fitted(polygons_of(shape), scale);
+    glyph.lib[kStrokesKey] = arguments.value("strokes");
+    glyph.lib.erase(kTreeKey);
+  });
+}
+
+Change set_tree(const Project& project, const Arguments& arguments) {
+  const gen::Shape shape = shape_of_tree(project, layer_of(project, arguments),
+                                         arguments.value("tree"));
+  return edited(project, arguments, [&](Glyph& glyph) {
+    glyph.contours =
+        fitted(polygons_of(shape), kUnitsOfU / project.units_per_em());
+    glyph.lib[kTreeKey] = arguments.value("tree");
+    glyph.lib.erase(kStrokesKey);
+  });
+}
+
+}  // namespace
+
+void add_source_commands(CommandTable& table) {
+  table["set_strokes"] = set_strokes;
+  table["set_tree"] = set_tree;
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,384 @@
+#include "export/ttf.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "export/glyf.hpp"
+#include "export/sfnt.hpp"
+#include "export/tables.hpp"
+#include "model/contours.hpp"
+#include "model/error.hpp"
+#include "rom_file.hpp"
+
+namespace inkcell::design {
+namespace {
+
+// 1 January 2000, in seconds since 1904: equal projects give equal fonts.
+constexpr uint64_t kDate = 3029529600;
+
+struct ExportGlyph {
+  std::string name;
+  std::vector<char32_t> unicodes;
+  int advance = 0;
+  std::vector<GlyfContour> contours;
+
+  int extreme(int GlyfPoint::*axis, int sign) const {
+    int result = 0;
+    bool any = false;
+    for (const GlyfContour& contour : contours) {
+      for (const GlyfPoint& p : contour) {
+        result = any ? std::max(result, sign * (p.*axis)) : sign * (p.*axis);
+        any = true;
+      }
+    }
+    return sign * result;
+  }
+};
+
+class TtfWriter {
+ public:
+  explicit TtfWriter(const Project& project) : project_(project) { collect(); }
+
+  std::vector<uint8_t> write() {
+    add_outlines();
+    tables_["head"] = head();
+    tables_["hhea"] = hhea();
+    tables_["hmtx"] = hmtx();
+    tables_["maxp"] = maxp();
+    tables_["OS/2"] = os2();
+    tables_["cmap"] = cmap();
+    tables_["name"] = name();
+    tables_["post"] = post();
+    add_kerning();
+    return write_sfnt(tables_);
+  }
+
+ private:
+  int info(const char* key, double otherwise) const {
+    const auto found = project_.font->info.find(key);
+    const double value =
+        found != project_.font->info.end() && found->is_number()
+            ? found->get<double>()
+            : otherwise;
+    return static_cast<int>(std::lround(std::clamp(value, -32768.0, 32767.0)));
+  }
+  std::string text(const char* key, const std::string& otherwise) const {
+    const auto found = project_.font->info.find(key);
+    return found != project_.font->info.end() && found->is_string()
+               ? found->get<std::string>()
+               : otherwise;
+  }
+  int em() const { return info("unitsPerEm", 1000); }
+
+  void collect() {
+    std::vector<std::string> names = glyph_order(project_);
+    const auto notdef = std::find(names.begin(), names.end(), ".notdef");
+    if (notdef != names.end()) {
+      std::rotate(names.begin(), notdef, notdef + 1);
+    } else {
+      ExportGlyph glyph;
+      glyph.name = ".notdef";
+      glyph.advance = em() / 2;
+      glyphs_.push_back(glyph);
+    }
+    for (const std::string& glyph_name : names) {
+      add_glyph(*project_.glyph(glyph_name));
+    }
+    if (glyphs_.size() > 65535) {
+      throw Error("the project has more than 65535 glyphs, the limit of fonts");
+    }
+  }
+
+  void add_glyph(const Glyph& source) {
+    ExportGlyph glyph;
+    glyph.name = source.name;
+    glyph.unicodes = source.unicodes;
+    glyph.advance =
+        static_cast<int>(std::lround(std::clamp(source.width, 0.0, 65535.0)));
+    std::vector<PointContour> contours = source.contours;
+    try {
+      for (const ComponentUse& use : source.components) {
+        append_component(project_, 0, use, contours);
+      }
+      glyph.contours = glyf_contours(contours);
+    } catch (const Error& error) {
+      throw Error("glyph '" + source.name + "': " + error.what());
+    }
+    glyphs_.push_back(std::move(glyph));
+  }
+
+  void add_outlines() {
+    BigEndian glyf;
+    BigEndian loca;
+    for (const ExportGlyph& glyph : glyphs_) {
+      loca.u32(static_cast<uint32_t>(glyf.size()));
+      glyf.append(glyf_record(glyph.contours));
+      glyf.align(4);
+    }
+    loca.u32(static_cast<uint32_t>(glyf.size()));
+    if (glyf.size() == 0) {
+      glyf.u8(0);  // FreeType refuses an empty table
+    }
+    tables_["glyf"] = std::move(glyf);
+    tables_["loca"] = std::move(loca);
+  }
+
+  int least(int GlyfPoint::*axis) const {
+    int result = 0;
+    for (const ExportGlyph& glyph : glyphs_) {
+      result = std::min(result, glyph.extreme(axis, -1));
+    }
+    return result;
+  }
+  int most(int GlyfPoint::*axis) const {
+    int result = 0;
+    for (const ExportGlyph& glyph : glyphs_) {
+      result = std::max(result, glyph.extreme(axis, 1));
+    }
+    return result;
+  }
+
+  BigEndian head() const {
+    BigEndian table;
+    table.u32(0x00010000);
+    table.u32(0x00010000);  // revision
+    table.u32(0);           // write_sfnt() fills it in
+    table.u32(0x5f0f3cf5);
+    table.u16(0x000b);  // baseline and bearing at 0, whole numbers of px
+    table.u16(static_cast<unsigned>(em()));
+    table.u64(kDate);
+    table.u64(kDate);
+    table.i16(least(&GlyfPoint::x));
+    table.i16(least(&GlyfPoint::y));
+    table.i16(most(&GlyfPoint::x));
+    table.i16(most(&GlyfPoint::y));
+    table.u16(0);  // style
+    table.u16(6);  // least size
+    table.i16(2);
+    table.i16(1);  // long offsets
+    table.i16(0);
+    return table;
+  }
+
+  int ascender() const {
+    return info("openTypeHheaAscender", info("ascender", 0.8 * em()));
+  }
+  int descender() const {
+    return info("openTypeHheaDescender", info("descender", -0.2 * em()));
+  }
+  int line_gap() const { return info("openTypeHheaLineGap", 0); }
+
+  BigEndian hhea() const {
+    int widest = 0, left = 32767, right = 32767, extent = 0;
+    for (const ExportGlyph& glyph : glyphs_) {
+      widest = std::max(widest, glyph.advance);
+      if (!glyph.contours.empty()) {
+        const int x0 = glyph.extreme(&GlyfPoint::x, -1);
+        const int x1 = glyph.extreme(&GlyfPoint::x, 1);
+        left = std::min(left, x0);
+        right = std::min(right, glyph.advance - x1);
+        extent = std::max(extent, x1);
+      }
+    }
+    BigEndian table;
+    table.u32(0x00010000);
+    table.i16(ascender());
+    table.i16(descender());
+    table.i16(line_gap());
+    table.u16(static_cast<unsigned>(widest));
+    table.i16(left == 32767 ? 0 : left);
+    table.i16(right == 32767 ? 0 : std::max(right, -32768));
+    table.i16(extent);
+    table.i16(1);  // caret upright
+    for (int i = 0; i < 7; ++i) {
+      table.i16(0);
+    }
+    table.u16(static_cast<unsigned>(glyphs_.size()));
+    return table;
+  }
+
+  BigEndian hmtx() const {
+    BigEndian table;
+    for (const ExportGlyph& glyph : glyphs_) {
+      table.u16(static_cast<unsigned>(glyph.advance));
+      table.i16(glyph.contours.empty() ? 0 : glyph.extreme(&GlyfPoint::x, -1));
+    }
+    return table;
+  }
+
+  BigEndian maxp() const {
+    size_t points = 0, contours = 0;
+    for (const ExportGlyph& glyph : glyphs_) {
+      size_t count = 0;
+      for (const GlyfContour& contour : glyph.contours) {
+        count += contour.size();
+      }
+      points = std::max(points, count);
+      contours = std::max(contours, glyph.contours.size());
+    }
+    BigEndian table;
+    table.u32(0x00010000);
+    table.u16(static_cast<unsigned>(glyphs_.size()));
+    table.u16(static_cast<unsigned>(points));
+    table.u16(static_cast<unsigned>(contours));
+    table.u16(0);
+    table.u16(0);
+    table.u16(2);  // zones
+    for (int i = 0; i < 8; ++i) {
+      table.u16(0);
+    }
+    return table;
+  }
+
+  BigEndian os2() const {
+    int sum = 0, count = 0;
+    char32_t first = 0xffff, last = 0;
+    for (const ExportGlyph& glyph : glyphs_) {
+      sum += glyph.advance;
+      count += glyph.advance > 0 ? 1 : 0;
+      for (const char32_t c : glyph.unicodes) {
+        first = std::min(first, c);
+        last = std::max(last, c);
+      }
+    }
+    BigEndian table;
+    table.u16(4);
+    table.i16(count == 0 ? 0 : std::min(sum / count, 32767));
+    table.u16(static_cast<unsigned>(info("openTypeOS2WeightClass", 400)));
+    table.u16(static_cast<unsigned>(info("openTypeOS2WidthClass", 5)));
+    table.u16(0);  // may be installed
+    for (const double part : {0.65, 0.7, 0.0, 0.14, 0.65, 0.7, 0.0, 0.48, 0.05,
+                              0.26}) {  // sub-, superscripts, strike-out
+      table.i16(static_cast<int>(part * em()));
+    }
+    for (int i = 0; i < 2 + 10 + 16; ++i) {  // class, PANOSE, ranges
+      table.u8(0);
+    }
+    table.text("NONE");
+    table.u16(0x40);  // regular
+    table.u16(static_cast<unsigned>(std::min<char32_t>(first, 0xffff)));
+    table.u16(static_cast<unsigned>(std::min<char32_t>(last, 0xffff)));
+    table.i16(info("openTypeOS2TypoAscender", ascender()));
+    table.i16(info("openTypeOS2TypoDescender", descender()));
+    table.i16(info("openTypeOS2TypoLineGap", line_gap()));
+    table.u16(static_cast<unsigned>(
+        std::max(info("openTypeOS2WinAscent", most(&GlyfPoint::y)), 0)));
+    table.u16(static_cast<unsigned>(
+        std::max(info("openTypeOS2WinDescent", -least(&GlyfPoint::y)), 0)));
+    table.u32(1);  // code page of Latin 1
+    table.u32(0);
+    table.i16(info("xHeight", 0));
+    table.i16(info("capHeight", 0));
+    table.u16(0);
+    table.u16(32);
+    table.u16(2);
+    return table;
+  }
+
+  BigEndian cmap() const {
+    std::map<char32_t, unsigned> map;
+    for (size_t i = 0; i < glyphs_.size(); ++i) {
+      for (const char32_t c : glyphs_[i].unicodes) {
+        const auto [found, is_new] = map.emplace(c, static_cast<unsigned>(i));
+        if (!is_new) {
+          throw Error("glyph '" + glyphs_[i].name +
+                      "': its code point is that "
+                      "of '" +
+                      glyphs_[found->second].name + "' too");
+        }
+      }
+    }
+    return cmap_table(map);
+  }
+
+  BigEndian name() const {
+    const std::string family = text("familyName", "Untitled");
+    const std::string style = text("styleName", "Regular");
+    std::string script = text("postscriptFontName", family + "-" + style);
+    script.erase(std::remove_if(script.begin(), script.end(),
+                                [](char c) {
+                                  return c <= ' ' || c > '~' ||
+                                         std::string("[](){}<>/%").find(c) !=
+                                             std::string::npos;
+                                }),
+                 script.end());
+    const std::pair<unsigned, std::string> entries[] = {
+        {1, family},
+        {2, style},
+        {3, script + ";" + text("versionMajor", "1")},
+        {4, family + " " + style},
+        {5, "Version 1.000"},
+        {6, script}};
+    BigEndian records;
+    BigEndian strings;
+    for (const auto& [id, value] : entries) {
+      BigEndian utf16;
+      for (const char32_t c : tools::from_utf8(value)) {
+        if (c > 0xffff) {
+          utf16.u16(0xd800 + ((c - 0x10000) >> 10));
+          utf16.u16(0xdc00 + ((c - 0x10000) & 0x3ff));
+        } else {
+          utf16.u16(c);
+        }
+      }
+      records.u16(3);
+      records.u16(1);
+      records.u16(0x409);
+      records.u16(id);
+      records.u16(static_cast<unsigned>(utf16.size()));
+      records.u16(static_cast<unsigned>(strings.size()));
+      strings.append(utf16);
+    }
+    BigEndian table;
+    table.u16(0);
+    table.u16(static_cast<unsigned>(std::size(entries)));
+    table.u16(static_cast<unsigned>(6 + records.size()));
+    table.append(records);
+    table.append(strings);
+    return table;
+  }
+
+  BigEndian post() const {
+    BigEndian table;
+    table.u32(0x00020000);
+    table.u32(static_cast<uint32_t>(info("italicAngle", 0) * 65536));
+    table.i16(info("postscriptUnderlinePosition", -0.1 * em()));
+    table.i16(info("postscriptUnderlineThickness", 0.05 * em()));
+    for (int i = 0; i < 5; ++i) {
+      table.u32(0);
+    }
+    table.u16(static_cast<unsigned>(glyphs_.size()));
+    BigEndian names;
+    for (size_t i = 0; i < glyphs_.size(); ++i) {
+      table.u16(static_cast<unsigned>(258 + i));  // after Apple's standard ones
+      const std::string short_name = glyphs_[i].name.substr(0, 63);
+      names.u8(static_cast<unsigned>(short_name.size()));
+      names.text(short_name);
+    }
+    table.append(names);
+    return table;
+  }
+
+  void add_kerning() {
+    std::vector<std::string> names;
+    for (const ExportGlyph& glyph : glyphs_) {
+      names.push_back(glyph.name);
+    }
+    BigEndian table = kern_table(*project_.font, names);
+    if (table.size() != 0) {
+      tables_["kern"] = std::move(table);
+    }
+  }
+
+  const Project& project_;
+  std::vector<ExportGlyph> glyphs_;
+  std::map<std::string, BigEndian> tables_;
+};
+
+}  // namespace
+
+std::vector<uint8_t> write_ttf(const Project& project) {
+  return TtfWriter(project).write();
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,334 @@
+// Corners of loops: where they are, and points instead of what is rounded.
+#include <algorithm>
+#include <cmath>
+
+#include "fit/loop.hpp"
+
+namespace inkcell::design {
+namespace {
+
+// What is looked at on each side of a corner, beyond its reach. [u]
+constexpr double kSide_u = 10;
+
+// Where the sides of a corner meet farther than this from the edge, it is a
+// blunt tip. [u]
+constexpr double kBlunt_u = 1;
+
+// A corner lies within this many times its reach of the contour's point.
+constexpr double kMostExtension = 2.5;
+
+// x and y as polynomials of second degree of the way along the contour.
+struct Parabola {
+  Point c[3];
+
+  Point at(double s) const { return c[0] + s * (c[1] + s * c[2]); }
+  Point slope(double s) const { return c[1] + 2 * s * c[2]; }
+};
+
+// Least squares through (s, p); a line if there are too few points.
+Parabola fit(const std::vector<double>& s, const std::vector<Point>& p) {
+  const int degree = s.size() >= 6 ? 2 : 1;
+  double m[3][5] = {};
+  for (size_t i = 0; i < s.size(); ++i) {
+    double powers[3] = {1, s[i], s[i] * s[i]};
+    for (int r = 0; r <= degree; ++r) {
+      for (int c = 0; c <= degree; ++c) {
+        m[r][c] += powers[r] * powers[c];
+      }
+      m[r][3] += powers[r] * p[i].x;
+      m[r][4] += powers[r] * p[i].y;
+    }
+  }
+  for (int k = 0; k <= degree; ++k) {  // positive definite: no pivoting
+    for (int r = 0; r <= degree; ++r) {
+      if (r == k || m[k][k] == 0) {
+        continue;
+      }
+      const double f = m[r][k] / m[k][k];
+      for (double *to = m[r], *from = m[k]; to != m[r] + 5; ++to, ++from) {
+        *to -= f * *from;
+      }
+    }
+  }
+  Parabola result;
+  for (int k = 0; k <= degree; ++k) {
+    if (m[k][k] != 0) {
+      result.c[k] = {m[k][3] / m[k][k], m[k][4] / m[k][k]};
+    }
+  }
+  return result;
+}
+
+struct Corner {
+  double way = 0;
+  Point at;
+  double reach = 0;  // points this near give way to it
+};
+
+class CornerFinder {
+ public:
+  CornerFinder(const CornerOptions& options, Loop& loop)
+      : options_(options), loop_(loop), count_(loop.points.size()) {
+    way_.push_back(0);
+    angle_.push_back(0);
+    for (size_t i = 0; i < count_; ++i) {
+      const size_t next = (i + 1) % count_;
+      way_.push_back(way_.back() + length(point(next) - point(i)));
+      angle_.push_back(angle_.back() +
+                       turn(loop_.tangents[i], loop_.tangents[next]));
+    }
+  }
+
+  void run() {
+    if (count_ < 8 || way_.back() < 6 * options_.reach) {
+      return;
+    }
+    rate_all();
+    choose();
+    if (options_.is_exact) {
+      mark();
+    } else {
+      replace();
+    }
+  }
+
+ private:
+  const Point& point(size_t i) const { return loop_.points[i % count_]; }
+
+  // The contour's direction at `s`, which may lie up to a round beyond its
+  // ends. [radians]
+  double angle_at(double s) const {
+    const double rounds = std::floor(s / way_.back());
+    const double within = s - rounds * way_.back();
+    const auto next = std::upper_bound(way_.begin(), way_.end() - 1, within);
+    const size_t i = static_cast<size_t>(next - way_.begin());
+    const double span = way_[i] - way_[i - 1];
+    const double f = span == 0 ? 0 : (within - way_[i - 1]) / span;
+    return rounds * angle_.back() + angle_[i - 1] +
+           f * (angle_[i] - angle_[i - 1]);
+  }
+
+  // What the contour turns by here beyond what its sides do anyway.
+  double corner_turn(double s) const {
+    const double w = options_.reach;
+    const double a = angle_at(s - w);
+    const double b = angle_at(s + w);
+    const double before = (a - angle_at(s - 3 * w)) / (2 * w);
+    const double after = (angle_at(s + 3 * w) - b) / (2 * w);
+    const double both = before * after <= 0                    ? 0
+                        : std::fabs(before) < std::fabs(after) ? before
+                                                               : after;
+    return b - a - 2 * w * both;
+  }
+
+  void rate_all() {
+    for (size_t i = 0; i < count_; ++i) {
+      ratings_.push_back(std::fabs(corner_turn(way_[i])));
+    }
+  }
+
+  double gap(double from, double to) const {
+    const double d = std::fabs(to - from);
+    return std::min(d, way_.back() - d);
+  }
+
+  // The strongest first; another one is at least its reach away. A corner that
+  // the window sees from several points is where most of the turn is in the
+  // middle.
+  void choose() {
+    std::vector<size_t> order;
+    for (size_t i = 0; i < count_; ++i) {
+      if (ratings_[i] > options_.turn) {
+        order.push_back(i);
+      }
+    }
+    std::stable_sort(order.begin(), order.end(), [this](size_t a, size_t b) {
+      return ratings_[a] > ratings_[b] + 1e-3;
+    });
+    for (const size_t i : order) {
+      const double s = part_of_turn(way_[i], 0.5);
+      const bool is_free = std::none_of(
+          chosen_.begin(), chosen_.end(),
+          [&](double other) { return gap(s, other) < 1.5 * options_.reach; });
+      if (is_free) {
+        chosen_.push_back(s);
+      }
+    }
+    std::sort(chosen_.begin(), chosen_.end());
+  }
+
+  // Where this part of the turn within the reach of s is done.
+  double part_of_turn(double s, double part) const {
+    double low = s - options_.reach;
+    double high = s + options_.reach;
+    const double a = angle_at(low);
+    const double b = angle_at(high);
+    const double wanted = a + part * (b - a);
+    for (int round = 0; round < 30; ++round) {
+      const double middle = (low + high) / 2;
+      ((angle_at(middle) < wanted) == (b > a) ? low : high) = middle;
+    }
+    const double at = (low + high) / 2;
+    return at - std::floor(at / way_.back()) * way_.back();
+  }
+
+  // The side of the corner at `s` in `direction`, 1 or -1, up to `room` away;
+  // s = 0 at the corner.
+  Parabola side(double s, double direction, double room) const {
+    const double near = std::min(options_.reach, room / 2);
+    const double far = std::min(std::max(options_.reach + kSide_u, near), room);
+    std::vector<double> ways;
+    std::vector<Point> points;
+    const int steps = std::max(3, static_cast<int>((far - near) / 0.7));
+    for (int i = 0; i <= steps; ++i) {
+      const double d = direction * (near + (far - near) * i / steps);
+      ways.push_back(d);
+      points.push_back(at(s + d));
+    }
+    return fit(ways, points);
+  }
+
+  Point at(double s) const {
+    const double within = s - std::floor(s / way_.back()) * way_.back();
+    const auto next = std::upper_bound(way_.begin(), way_.end() - 1, within);
+    const size_t i = static_cast<size_t>(next - way_.begin());
+    const double span = way_[i] - way_[i - 1];
+    const double f = span == 0 ? 0 : (within - way_[i - 1]) / span;
+    return point(i - 1) + f * (point(i) - point(i - 1));
+  }
+
+  // Where the sides of corner k meet.
+  Point meeting(size_t k) const {
+    const double s = chosen_[k];
+    double before = way_.back();
+    double after = way_.back();
+    if (chosen_.size() > 1) {
+      const size_t n = chosen_.size();
+      before =
+          std::fmod(s - chosen_[(k + n - 1) % n] + way_.back(), way_.back());
+      after = std::fmod(chosen_[(k + 1) % n] - s + way_.back(), way_.back());
+    }
+    const Parabola a = side(s, -1, std::max(before - options_.reach, 0.5));
+    const Parabola b = side(s, 1, std::max(after - options_.reach, 0.5));
+    double sa = 0;
+    double sb = 0;
+    for (int round = 0; round < 8; ++round) {
+      const Point gap_now = b.at(sb) - a.at(sa);
+      const Point da = a.slope(sa);
+      const Point db = b.slope(sb);
+      const double det = cross(da, db);
+      if (std::fabs(det) < 0.05) {
+        break;
+      }
+      sa += cross(gap_now, db) / det;
+      sb += cross(gap_now, da) / det;
+    }
+    const Point found = 0.5 * (a.at(sa) + b.at(sb));
+    const Point traced = at(s);
+    // Cells and pixels cut more off a sharp corner: as 1 / sin of half of it.
+    const double sine = std::cos(turn(a.slope(sa), b.slope(sb)) / 2);
+    const double most = kMostExtension * options_.reach /
+                        std::max(sine, options_.distance ? 0.25 : 0.6);
+    const bool is_near = std::fabs(sa) < most && std::fabs(sb) < most &&
+                         length(found - traced) < most;
+    return is_near ? found : traced;
+  }
+
+  // A corner, or the two ends of a blunt tip.
+  std::vector<Corner> corners() const {
+    std::vector<Corner> result;
+    for (size_t k = 0; k < chosen_.size(); ++k) {
+      const Corner corner = {chosen_[k], meeting(k), options_.reach};
+      if (!options_.distance ||
+          std::fabs(options_.distance(corner.at)) < kBlunt_u) {
+        result.push_back(corner);
+        continue;
+      }
+      for (const double part : {0.25, 0.75}) {
+        const double s = part_of_turn(chosen_[k], part);
+        result.push_back({s, at(s), options_.reach / 4});
+      }
+    }
+    std::sort(result.begin(), result.end(),
+              [](const Corner& a, const Corner& b) { return a.way < b.way; });
+    return result;
+  }
+
+  void mark() {
+    for (const double s : chosen_) {
+      const auto next = std::lower_bound(way_.begin(), way_.end() - 1, s);
+      size_t i = static_cast<size_t>(next - way_.begin());
+      if (i > 0 && s - way_[i - 1] < way_[i] - s) {
+        --i;
+      }
+      loop_.corners.push_back(i % count_);
+    }
+    std::sort(loop_.corners.begin(), loop_.corners.end());
+    loop_.corners.erase(std::unique(loop_.corners.begin(), loop_.corners.end()),
+                        loop_.corners.end());
+  }
+
+  void replace() {
+    if (chosen_.empty()) {
+      return;
+    }
+    const std::vector<Corner> all = corners();
+    const auto near_any = [&](double s) {
+      return std::any_of(all.begin(), all.end(), [&](const Corner& corner) {
+        return gap(s, corner.way) < corner.reach;
+      });
+    };
+    Loop result;
+    size_t i = 0;
+    for (size_t k = 0; k <= all.size(); ++k) {
+      const double until = k < all.size() ? all[k].way : way_.back();
+      for (; i < count_ && way_[i] < until; ++i) {
+        if (!near_any(way_[i])) {
+          result.points.push_back(loop_.points[i]);
+          result.tangents.push_back(loop_.tangents[i]);
+        }
+      }
+      if (k < all.size()) {
+        result.corners.push_back(result.points.size());
+        result.points.push_back(all[k].at);
+        result.tangents.push_back({0, 0});
+      }
+    }
+    loop_ = std::move(result);
+  }
+
+  CornerOptions options_;
+  Loop& loop_;
+  size_t count_;
+  std::vector<double> way_;    // up to each point; the last one is the length
+  std::vector<double> angle_;  // likewise, unwrapped
+  std::vector<double> ratings_;
+  std::vector<double> chosen_;  // ways, ascending
+};
+
+}  // namespace
+
+void find_corners(const CornerOptions& options, Loop& loop) {
+  CornerFinder(options, loop).run();
+}
+
+Loop sample_polygon(const std::vector<Point>& polygon, double spacing) {
+  Loop loop;
+  const size_t count = polygon.size();
+  for (size_t i = 0; i < count; ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % count];
+    const Point& before = polygon[(i + count - 1) % count];
+    const Point out = unit(b - a);
+    loop.points.push_back(a);
+    loop.tangents.push_back(unit(unit(a - before) + out));
+    const int pieces = static_cast<int>(std::ceil(length(b - a) / spacing));
+    for (int k = 1; k < pieces; ++k) {
+      loop.points.push_back(a + static_cast<double>(k) / pieces * (b - a));
+      loop.tangents.push_back(out);
+    }
+  }
+  return loop;
+}
+
+}  // namespace inkcell::design

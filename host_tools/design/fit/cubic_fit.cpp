@@ -1,0 +1,312 @@
+#include "fit/cubic_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace inkcell::design {
+namespace {
+
+// Points that least squares looks at.
+constexpr size_t kMostPoints = 32;
+
+constexpr int kRounds = 20;
+constexpr int kIdleRounds = 3;
+
+// Keeps handles where they are if no point tells about them.
+constexpr double kDamping = 1e-6;
+
+// A curve this many times beyond the limit after three rounds stays beyond it.
+constexpr double kHopeless = 4;
+
+// Points whose distances from the curve are measured in the end.
+constexpr size_t kMostMeasured = 64;
+
+class CubicFit {
+ public:
+  CubicFit(const Stretch& stretch, double limit)
+      : stretch_(stretch), limit_(limit) {
+    const size_t step =
+        std::max<size_t>(1, (stretch.count + kMostPoints - 1) / kMostPoints);
+    double way = 0;
+    const size_t last = stretch.count - 1;
+    Point before = stretch.points[0];
+    for (size_t i = 1; i < last; ++i) {
+      way += length(stretch.points[i] - before);
+      before = stretch.points[i];
+      if (i % step == 0) {
+        points_.push_back(before);
+        t_.push_back(way);
+      }
+    }
+    way += length(stretch.points[last] - before);
+    for (double& t : t_) {
+      t /= way;
+    }
+    length_ = way;
+    cubic_.kind = gen::Segment::Kind::cubic;
+    cubic_.p[0] = stretch.points[0];
+    cubic_.p[3] = stretch.points[last];
+  }
+
+  FittedCubic run() {
+    set_basis();
+    solve();
+    double error = project();
+    gen::Segment best = cubic_;
+    int idle = 0;  // rounds without much gain
+    for (int round = 0; round < kRounds && idle < kIdleRounds; ++round) {
+      if (round == kIdleRounds && error > kHopeless * limit_) {
+        break;
+      }
+      improve();
+      const double now = project();
+      idle = now > 0.95 * error ? idle + 1 : 0;
+      if (now < error) {
+        best = cubic_;
+        error = now;
+      }
+    }
+    cubic_ = best;
+    FittedCubic result;
+    result.segment = cubic_;
+    measure(result);
+    return result;
+  }
+
+ private:
+  // P1 = P0 + handle along a direction, or anywhere; P2 likewise. Unknowns are
+  // the lengths or the coordinates of the handles: up to four.
+  void set_basis() {
+    const auto put = [this](const Point& direction, bool is_second) {
+      basis_[unknowns_] = direction;
+      second_[unknowns_++] = is_second;
+    };
+    for (const bool is_second : {false, true}) {
+      const std::optional<Point>& t = is_second ? stretch_.end : stretch_.begin;
+      if (t) {
+        put(is_second ? -1.0 * *t : *t, is_second);
+      } else {
+        put({1, 0}, is_second);
+        put({0, 1}, is_second);
+      }
+    }
+  }
+
+  // Weight of an unknown at the parameter t.
+  double weight(int unknown, double t) const {
+    const double s = 1 - t;
+    return second_[unknown] ? 3 * s * t * t : 3 * s * s * t;
+  }
+
+  // Least squares of the points' distances from the curve's points at their
+  // parameters.
+  void solve() {
+    const Point& p0 = cubic_.p[0];
+    const Point& p3 = cubic_.p[3];
+    double m[4][5] = {};
+    for (size_t i = 0; i < points_.size(); ++i) {
+      const double t = t_[i];
+      const double w0 = (1 - t) * (1 - t) * (1 + 2 * t);
+      const Point rest = points_[i] - (w0 * p0 + (1 - w0) * p3);
+      for (int r = 0; r < unknowns_; ++r) {
+        const Point row = weight(r, t) * basis_[r];
+        for (int c = 0; c < unknowns_; ++c) {
+          m[r][c] += weight(c, t) * dot(row, basis_[c]);
+        }
+        m[r][4] += dot(row, rest);
+      }
+    }
+    double x[4] = {};
+    if (eliminate(m, unknowns_, x) && usable(x)) {
+      set_handles(x);
+    } else {
+      thirds();
+    }
+  }
+
+  // The same for the distances across the curve only: along it, points are free
+  // to move. A step of Gauss and Newton, which needs few rounds.
+  void improve() {
+    double m[4][5] = {};
+    for (size_t i = 0; i < points_.size(); ++i) {
+      const double t = t_[i];
+      const Point slope = unit(cubic_slope(cubic_, t));
+      const Point normal = {-slope.y, slope.x};
+      const double off = dot(points_[i] - cubic_at(cubic_, t), normal);
+      double row[4];
+      for (int r = 0; r < unknowns_; ++r) {
+        row[r] = weight(r, t) * dot(basis_[r], normal);
+      }
+      for (int r = 0; r < unknowns_; ++r) {
+        for (int c = 0; c < unknowns_; ++c) {
+          m[r][c] += row[r] * row[c];
+        }
+        m[r][4] += row[r] * off;
+      }
+    }
+    for (int r = 0; r < unknowns_; ++r) {
+      m[r][r] += kDamping * static_cast<double>(points_.size());
+    }
+    double step[4] = {};
+    if (!eliminate(m, unknowns_, step)) {
+      return;
+    }
+    double x[4];
+    for (int r = 0; r < unknowns_; ++r) {
+      x[r] = handle_[r] + step[r];
+    }
+    if (usable(x)) {
+      set_handles(x);
+    }
+  }
+
+  void set_handles(const double (&x)[4]) {
+    cubic_.p[1] = cubic_.p[0];
+    cubic_.p[2] = cubic_.p[3];
+    for (int r = 0; r < unknowns_; ++r) {
+      handle_[r] = x[r];
+      Point& handle = cubic_.p[second_[r] ? 2 : 1];
+      handle = handle + x[r] * basis_[r];
+    }
+  }
+
+  static bool eliminate(double (&m)[4][5], int n, double (&x)[4]) {
+    for (int k = 0; k < n; ++k) {
+      int best = k;
+      for (int r = k + 1; r < n; ++r) {
+        best = std::fabs(m[r][k]) > std::fabs(m[best][k]) ? r : best;
+      }
+      if (std::fabs(m[best][k]) < 1e-12) {
+        return false;
+      }
+      std::swap(m[k], m[best]);
+      for (int r = k + 1; r < n; ++r) {
+        const double f = m[r][k] / m[k][k];
+        for (int c = k; c < 5; ++c) {
+          m[r][c] -= f * m[k][c];
+        }
+      }
+    }
+    for (int k = n - 1; k >= 0; --k) {
+      x[k] = m[k][4];
+      for (int c = k + 1; c < n; ++c) {
+        x[k] -= m[k][c] * x[c];
+      }
+      x[k] /= m[k][k];
+    }
+    return true;
+  }
+
+  // Handles point forwards and are no longer than the curve.
+  bool usable(const double (&x)[4]) const {
+    int i = 0;
+    for (const bool is_free : {!stretch_.begin, !stretch_.end}) {
+      if (is_free) {
+        if (std::hypot(x[i], x[i + 1]) > length_) {
+          return false;
+        }
+        i += 2;
+      } else {
+        if (x[i] < 0.02 * length_ || x[i] > length_) {
+          return false;
+        }
+        i += 1;
+      }
+    }
+    return true;
+  }
+
+  void thirds() {
+    const Point straight = unit(cubic_.p[3] - cubic_.p[0]);
+    const Point out = stretch_.begin.value_or(straight);
+    const Point back = -1.0 * stretch_.end.value_or(straight);
+    double x[4];
+    for (int r = 0; r < unknowns_; ++r) {
+      x[r] = length_ / 3 * dot(second_[r] ? back : out, basis_[r]);
+    }
+    set_handles(x);
+  }
+
+  // Moves the parameters; the largest distance.
+  double project() {
+    double worst = 0;
+    double least = 0;
+    for (size_t i = 0; i < points_.size(); ++i) {
+      double& t = t_[i];
+      const Point off = cubic_at(cubic_, t) - points_[i];
+      const Point d1 = cubic_slope(cubic_, t);
+      const Point d2 = bend(t);
+      const double down = dot(d1, d1) + dot(off, d2);
+      if (down > 0) {
+        t = std::clamp(t - dot(off, d1) / down, least, 1.0);
+      }
+      least = t;
+      worst = std::max(worst, length(cubic_at(cubic_, t) - points_[i]));
+    }
+    return worst;
+  }
+
+  Point bend(double t) const {
+    const Point* p = cubic_.p;
+    return 6.0 * ((1 - t) * (p[0] - 2.0 * p[1] + p[2]) +
+                  t * (p[1] - 2.0 * p[2] + p[3]));
+  }
+
+  // All points against chords of the curve, both in order.
+  void measure(FittedCubic& result) const {
+    constexpr int kChords = 64;
+    Point chord[kChords + 1];
+    for (int i = 0; i <= kChords; ++i) {
+      chord[i] = cubic_at(cubic_, static_cast<double>(i) / kChords);
+    }
+    int at = 0;
+    const size_t step = 1 + stretch_.count / kMostMeasured;
+    for (size_t i = 1; i + 1 < stretch_.count; i += step) {
+      const Point& p = stretch_.points[i];
+      double best = distance_to_piece(p, chord[at], chord[at + 1]);
+      for (int next = at + 1; next < kChords && next < at + 8; ++next) {
+        const double d = distance_to_piece(p, chord[next], chord[next + 1]);
+        if (d < best) {
+          best = d;
+          at = next;
+        }
+      }
+      result.worst = std::max(result.worst, best);
+      result.sum += best * best;
+    }
+  }
+
+  Stretch stretch_;
+  double limit_;
+  double length_ = 0;
+  std::vector<Point> points_;  // between the ends
+  std::vector<double> t_;
+  gen::Segment cubic_;
+  int unknowns_ = 0;
+  Point basis_[4];
+  bool second_[4] = {};    // of the second handle
+  double handle_[4] = {};  // the unknowns
+};
+
+}  // namespace
+
+FittedCubic fit_cubic(const Stretch& stretch, double limit) {
+  return CubicFit(stretch, limit).run();
+}
+
+Point cubic_at(const gen::Segment& cubic, double t) {
+  const double s = 1 - t;
+  const Point* p = cubic.p;
+  return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] +
+         t * t * t * p[3];
+}
+
+Point cubic_slope(const gen::Segment& cubic, double t) {
+  const double s = 1 - t;
+  const Point* p = cubic.p;
+  return 3 * s * s * (p[1] - p[0]) + 6 * s * t * (p[2] - p[1]) +
+         3 * t * t * (p[3] - p[2]);
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,299 @@
+#include "fit/knots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace inkcell::design {
+namespace {
+
+// Between knots the contour turns by about this, or goes this far.
+constexpr double kStepTurn = 0.16;  // [radians]
+constexpr double kStepLength_u = 60;
+
+// Straight parts are at least this long. [u]
+constexpr double kLeastLine_u = 12;
+
+// Straight parts turn by less than this. [radians]
+constexpr double kMostBend = 0.02;
+
+// Tangents are those of a parabola through the points this far around. [u]
+constexpr double kTangentReach_u = 7;
+
+// A level part longer than this has no extreme but its ends. [u]
+constexpr double kMostPlateau_u = 40;
+
+class KnotFinder {
+ public:
+  KnotFinder(const SmoothPiece& piece, const KnotOptions& options)
+      : piece_(piece), options_(options), count_(piece.points.size()) {
+    way_.push_back(0);
+    for (size_t i = 1; i < count_; ++i) {
+      way_.push_back(way_.back() +
+                     length(piece.points[i] - piece.points[i - 1]));
+    }
+  }
+
+  std::vector<Knot> run() {
+    add_steps();
+    add_lines();
+    places_.insert(0);
+    places_.insert(count_ - 1);
+    std::vector<Knot> knots;
+    for (const size_t at : places_) {
+      knots.push_back({at, tangent_at(at), false});
+    }
+    if (options_.extremes) {
+      add_extremes(true, knots);
+      add_extremes(false, knots);
+    }
+    std::stable_sort(knots.begin(), knots.end(),
+                     [](const Knot& a, const Knot& b) { return a.at < b.at; });
+    return without_crowds(std::move(knots));
+  }
+
+ private:
+  const Point& p(size_t i) const { return piece_.points[i]; }
+
+  void add_steps() {
+    double turned = 0;
+    double went = 0;
+    for (size_t i = 1; i + 1 < count_; ++i) {
+      const Point in = p(i) - p(i - 1);
+      turned += turn(piece_.tangents[i - 1], piece_.tangents[i]);
+      went += length(in);
+      if (std::fabs(turned) > kStepTurn || went > kStepLength_u) {
+        places_.insert(i);
+        turned = 0;
+        went = 0;
+      }
+    }
+  }
+
+  // Whether the points from i to j lie on a line.
+  bool is_line(size_t i, size_t j) const {
+    const double limit = options_.tolerance / 2;
+    for (size_t k = i + 1; k < j; ++k) {
+      if (distance_to_piece(p(k), p(i), p(j)) > limit) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // The longest line from i: lengths double until one fails, then halve.
+  size_t line_from(size_t i) const {
+    size_t good = i + 1;
+    size_t step = 1;
+    while (good + step < count_ && is_line(i, good + step)) {
+      good += step;
+      step *= 2;
+    }
+    for (; step > 0; step /= 2) {
+      if (good + step < count_ && is_line(i, good + step)) {
+        good += step;
+      }
+    }
+    return good;
+  }
+
+  // What the contour turns by between i and j, a little off both ends, which
+  // the curves beside a line bend. [radians]
+  double turn_within(size_t i, size_t j) const {
+    const size_t off = (j - i) / 8;
+    return std::fabs(
+        turn(p(i + 2 * off) - p(i + off), p(j - off) - p(j - 2 * off)));
+  }
+
+  void add_lines() {
+    for (size_t i = 0; i + 1 < count_;) {
+      const size_t j = line_from(i);
+      if (way_[j] - way_[i] >= kLeastLine_u && turn_within(i, j) < kMostBend) {
+        places_.insert(i);
+        places_.insert(j);
+        // A curve that follows is level with the line a little before.
+        const double back = way_[j] - 3;
+        const auto before = std::lower_bound(way_.begin(), way_.end(), back);
+        places_.insert(static_cast<size_t>(before - way_.begin()));
+      }
+      i += std::max<size_t>(1, (j - i) / 3);
+    }
+  }
+
+  // Least squares over the way: p = a + b s + c s^2, the tangent is b.
+  Point tangent_at(size_t at) const {
+    double reach = kTangentReach_u;
+    const auto index = [&](double s) {
+      return static_cast<size_t>(std::lower_bound(way_.begin(), way_.end(), s) -
+                                 way_.begin());
+    };
+    if (!piece_.is_closed) {
+      // One-sided tangents are of no use: less reach near the ends.
+      const double room = std::min(way_[at], way_.back() - way_[at]);
+      reach = std::max(std::min(reach, room), 2.0);
+    }
+    const size_t first = index(way_[at] - reach);
+    const size_t last = std::min(index(way_[at] + reach), count_ - 1);
+    double n = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0;
+    Point q0, q1, q2;
+    const auto add = [&](double s, const Point& point) {
+      n += 1;
+      s1 += s;
+      s2 += s * s;
+      s3 += s * s * s;
+      s4 += s * s * s * s;
+      q0 = q0 + point;
+      q1 = q1 + s * point;
+      q2 = q2 + s * s * point;
+    };
+    for (size_t i = first; i <= last; ++i) {
+      add(way_[i] - way_[at], p(i) - p(at));
+    }
+    if (piece_.is_closed) {
+      for (size_t i = 1; i < count_ && way_[i] + way_.back() - way_[at] < reach;
+           ++i) {
+        add(way_[i] + way_.back() - way_[at], p(i) - p(at));
+      }
+      for (size_t i = count_ - 1;
+           i-- > 0 && way_[i] - way_.back() - way_[at] > -reach;) {
+        add(way_[i] - way_.back() - way_[at], p(i) - p(at));
+      }
+    }
+    // Cramer's rule for b.
+    const double det = n * (s2 * s4 - s3 * s3) - s1 * (s1 * s4 - s3 * s2) +
+                       s2 * (s1 * s3 - s2 * s2);
+    if (n < 5 || std::fabs(det) < 1e-6) {
+      return piece_.tangents[at];
+    }
+    const double k0 = -(s1 * s4 - s2 * s3);
+    const double k1 = n * s4 - s2 * s2;
+    const double k2 = -(n * s3 - s1 * s2);
+    return unit((1 / det) * (k0 * q0 + k1 * q1 + k2 * q2));
+  }
+
+  double value(size_t i, bool in_x) const { return in_x ? p(i).x : p(i).y; }
+
+  // Extremes that stand out by the tolerance.
+  void add_extremes(bool in_x, std::vector<Knot>& knots) const {
+    const double least = std::min(options_.tolerance, 0.5);
+    size_t low = 0;
+    size_t high = 0;
+    int direction = 0;  // 1: rising since `low`
+    const auto emit = [&](size_t at) { add_extreme(at, in_x, knots); };
+    for (size_t i = 1; i < count_; ++i) {
+      const double v = value(i, in_x);
+      if (v > value(high, in_x)) {
+        high = i;
+      }
+      if (v < value(low, in_x)) {
+        low = i;
+      }
+      if (direction >= 0 && v < value(high, in_x) - least) {
+        if (direction > 0) {
+          emit(high);
+        }
+        direction = -1;
+        low = i;
+      } else if (direction <= 0 && v > value(low, in_x) + least) {
+        if (direction < 0) {
+          emit(low);
+        }
+        direction = 1;
+        high = i;
+      }
+      if (direction > 0 && v == value(high, in_x)) {
+        low = i;
+      }
+      if (direction < 0 && v == value(low, in_x)) {
+        high = i;
+      }
+    }
+  }
+
+  // Where the tangent is level or upright, near the points from `first` to
+  // `last`; their middle if it nowhere is.
+  size_t turning_point(size_t first, size_t last, bool in_x) const {
+    const auto index = [this](double s) {
+      return static_cast<size_t>(std::lower_bound(way_.begin(), way_.end(), s) -
+                                 way_.begin());
+    };
+    const auto slope = [&](size_t i) {
+      const Point t = tangent_at(i);
+      return in_x ? t.x : t.y;
+    };
+    size_t low = std::max<size_t>(index(way_[first] - kTangentReach_u), 1);
+    size_t high = std::min(index(way_[last] + kTangentReach_u), count_ - 2);
+    const bool rises = slope(low) < slope(high);
+    if (low >= high || slope(low) * slope(high) > 0) {
+      return index((way_[first] + way_[last]) / 2);
+    }
+    while (high - low > 1) {
+      const size_t middle = (low + high) / 2;
+      ((slope(middle) < 0) == rises ? low : high) = middle;
+    }
+    return low;
+  }
+
+  void add_extreme(size_t at, bool in_x, std::vector<Knot>& knots) const {
+    size_t first = at;
+    size_t last = at;
+    const double level = options_.tolerance / 4;
+    while (first > 0 &&
+           std::fabs(value(first - 1, in_x) - value(at, in_x)) < level) {
+      --first;
+    }
+    while (last + 1 < count_ &&
+           std::fabs(value(last + 1, in_x) - value(at, in_x)) < level) {
+      ++last;
+    }
+    if (way_[last] - way_[first] > kMostPlateau_u) {
+      return;
+    }
+    const size_t index = turning_point(first, last, in_x);
+    if (index == 0 || index + 1 >= count_) {
+      return;
+    }
+    const Point t = tangent_at(index);
+    const Point level_tangent =
+        in_x ? Point{0, t.y < 0 ? -1.0 : 1.0} : Point{t.x < 0 ? -1.0 : 1.0, 0};
+    if (dot(t, level_tangent) > 0.95) {
+      knots.push_back({index, level_tangent, true});
+    }
+  }
+
+  // Other knots beside a forced one only tempt to tiny pieces.
+  std::vector<Knot> without_crowds(std::vector<Knot> knots) const {
+    std::vector<Knot> kept;
+    for (size_t i = 0; i < knots.size(); ++i) {
+      const bool is_end = knots[i].at == 0 || knots[i].at == count_ - 1;
+      bool drop = false;
+      for (const Knot& other : knots) {
+        const double gap = std::fabs(way_[other.at] - way_[knots[i].at]);
+        drop = drop ||
+               (other.is_forced && !knots[i].is_forced && !is_end && gap < 3);
+      }
+      const bool repeats = !kept.empty() && kept.back().at == knots[i].at;
+      if (!drop && !repeats) {
+        kept.push_back(knots[i]);
+      } else if (repeats && knots[i].is_forced) {
+        kept.back() = knots[i];
+      }
+    }
+    return kept;
+  }
+
+  const SmoothPiece& piece_;
+  const KnotOptions& options_;
+  size_t count_;
+  std::vector<double> way_;
+  std::set<size_t> places_;
+};
+
+}  // namespace
+
+std::vector<Knot> find_knots(const SmoothPiece& piece,
+                             const KnotOptions& options) {
+  return KnotFinder(piece, options).run();
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,210 @@
+#include "import/font_import.hpp"
+
+#include "source/font_source.hpp"
+
+#include FT_OUTLINE_H
+
+#include <algorithm>
+#include <set>
+
+#include "model/contours.hpp"
+
+namespace inkcell::design {
+namespace {
+
+constexpr size_t kLongestName = 128;
+
+// One contour of FreeType, point by point. The first point is where it is in
+// the file; types say how the curve arrives.
+PointContour contour_of(const FT_Outline& outline, int first, int last) {
+  PointContour contour;
+  const auto tag_of = [&outline](int i) {
+    return FT_CURVE_TAG(outline.tags[i]);
+  };
+  // What arrives at the first point is what leaves the last.
+  int controls = 0;
+  bool after_cubic = false;
+  for (int i = last; i >= first && tag_of(i) != FT_CURVE_TAG_ON; --i) {
+    after_cubic = tag_of(i) == FT_CURVE_TAG_CUBIC;
+    ++controls;
+  }
+  for (int i = first; i <= last; ++i) {
+    const int tag = tag_of(i);
+    GlyphPoint point;
+    point.x = static_cast<double>(outline.points[i].x);
+    point.y = static_cast<double>(outline.points[i].y);
+    if (tag != FT_CURVE_TAG_ON) {
+      point.type = PointType::offcurve;
+      after_cubic = tag == FT_CURVE_TAG_CUBIC;
+      ++controls;
+    } else {
+      point.type = controls == 0 ? PointType::line
+                   : after_cubic ? PointType::curve
+                                 : PointType::qcurve;
+      controls = 0;
+    }
+    contour.points.push_back(point);
+  }
+  return contour;
+}
+
+std::string printable(const std::string& name) {
+  const bool ok = !name.empty() && name.size() <= kLongestName &&
+                  std::all_of(name.begin(), name.end(),
+                              [](char c) { return c > ' ' && c < 127; });
+  return ok ? name : "";
+}
+
+class FontImporter {
+ public:
+  FontImporter(const std::filesystem::path& path, gen::Warnings& warnings)
+      : file_(path, 0, {}), path_(path), warnings_(warnings) {}
+
+  Project run(gen::CharSet characters) {
+    if (characters.empty()) {
+      characters = all_characters();
+    }
+    gen::FontRequest request;
+    request.file = path_;
+    request.characters = characters;
+    source_ = gen::load_font(request, 1, warnings_);
+    for (const gen::SourceGlyph& glyph : source_.glyphs) {
+      add(glyph);
+    }
+    FontData font;
+    fill_info(font);
+    fill_kerning(font);
+    font.lib["public.glyphOrder"] = names_;
+    project_.font = std::make_shared<const FontData>(std::move(font));
+    return std::move(project_);
+  }
+
+ private:
+  gen::CharSet all_characters() const {
+    gen::CharSet characters;
+    FT_UInt glyph = 0;
+    for (FT_ULong c = FT_Get_First_Char(file_.ft(), &glyph); glyph != 0;
+         c = FT_Get_Next_Char(file_.ft(), c, &glyph)) {
+      characters.insert(static_cast<char32_t>(c));
+    }
+    return characters;
+  }
+
+  std::string name_of(const gen::SourceGlyph& glyph) {
+    char buffer[256] = "";
+    std::string name;
+    if (glyph.source == 0) {
+      name = ".notdef";
+    } else if (FT_HAS_GLYPH_NAMES(file_.ft()) &&
+               FT_Get_Glyph_Name(file_.ft(), glyph.source, buffer,
+                                 sizeof buffer) == 0) {
+      name = printable(buffer);
+    }
+    if (name.empty() || !used_.insert(name).second) {
+      std::snprintf(buffer, sizeof buffer, "glyph%05u", glyph.source);
+      name = buffer;
+      used_.insert(name);
+    }
+    return name;
+  }
+
+  void add(const gen::SourceGlyph& source) {
+    Glyph glyph;
+    glyph.name = name_of(source);
+    glyph.unicodes = source.code_points;
+    glyph.width = source.advance;
+    if (FT_Load_Glyph(file_.ft(), source.source,
+                      FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) {
+      file_.refuse(source.name() + " cannot be read");
+    }
+    const FT_Outline& outline = file_.ft()->glyph->outline;
+    int first = 0;
+    for (int i = 0; i < outline.n_contours; ++i) {
+      const int last = outline.contours[i];
+      if (last > first) {
+        glyph.contours.push_back(contour_of(outline, first, last));
+      }
+      first = last + 1;
+    }
+    names_.push_back(glyph.name);
+    std::string name = glyph.name;
+    project_.front().glyphs[name] =
+        std::make_shared<const Glyph>(std::move(glyph));
+  }
+
+  void fill_info(FontData& font) const {
+    const gen::SourceMetrics& m = source_.metrics;
+    font.info = {{"unitsPerEm", static_cast<unsigned>(m.units_per_em)},
+                 {"ascender", m.ascender},
+                 {"descender", m.descender},
+                 {"openTypeHheaAscender", m.ascender},
+                 {"openTypeHheaDescender", m.descender},
+                 {"openTypeHheaLineGap", m.line_gap},
+                 {"xHeight", m.x_height},
+                 {"capHeight", m.cap_height}};
+    const auto put = [&font](const char* key, const char* text) {
+      if (text != nullptr && *text != '\0') {
+        font.info[key] = text;
+      }
+    };
+    put("familyName", file_.ft()->family_name);
+    put("styleName", file_.ft()->style_name);
+  }
+
+  // Classes become groups; a class of one glyph needs none.
+  void fill_kerning(FontData& font) const {
+    const gen::KerningMatrix& matrix = source_.kerning;
+    if (matrix.empty()) {
+      return;
+    }
+    const auto groups = [&](const std::vector<uint16_t>& classes, int count,
+                            const char* prefix) {
+      std::vector<std::string> names(static_cast<size_t>(count));
+      std::vector<Value> members(names.size(), Value::array());
+      for (size_t i = 0; i < classes.size(); ++i) {
+        if (classes[i] != 0) {
+          members[classes[i] - 1u].push_back(names_[i]);
+        }
+      }
+      for (size_t k = 0; k < names.size(); ++k) {
+        names[k] = members[k].size() == 1
+                       ? members[k][0].get<std::string>()
+                       : prefix + members[k][0].get<std::string>();
+        if (members[k].size() > 1) {
+          font.groups[names[k]] = members[k];
+        }
+      }
+      return names;
+    };
+    const std::vector<std::string> left =
+        groups(matrix.left_class, matrix.left_classes, "public.kern1.");
+    const std::vector<std::string> right =
+        groups(matrix.right_class, matrix.right_classes, "public.kern2.");
+    for (size_t l = 0; l < left.size(); ++l) {
+      for (size_t r = 0; r < right.size(); ++r) {
+        const int value = matrix.values[l * right.size() + r];
+        if (value != 0) {
+          font.kerning[left[l]][right[r]] = value;
+        }
+      }
+    }
+  }
+
+  gen::FontFile file_;
+  std::filesystem::path path_;
+  gen::Warnings& warnings_;
+  gen::SourceFont source_;
+  Project project_;
+  std::vector<std::string> names_;
+  std::set<std::string> used_;
+};
+
+}  // namespace
+
+Project import_font(const std::filesystem::path& file,
+                    const gen::CharSet& characters,
+                    gen::Warnings& warnings) {
+  return FontImporter(file, warnings).run(characters);
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,113 @@
+// Records carried out, and steps taken back.
+#include "journal/session.hpp"
+#include "model/commands.hpp"
+#include "model/error.hpp"
+#include "ufo/glif.hpp"
+
+namespace inkcell::design {
+namespace {
+
+Value font_value(const FontData& font) {
+  return {{"info", font.info},
+          {"groups", font.groups},
+          {"kerning", font.kerning},
+          {"lib", font.lib},
+          {"features", font.features}};
+}
+
+}  // namespace
+
+Value restore_record(const Change& change, bool after) {
+  Value glyphs = Value::array();
+  for (const GlyphChange& glyph : change.glyphs) {
+    const GlyphPointer& state = after ? glyph.after : glyph.before;
+    glyphs.push_back({glyph.layer, glyph.name,
+                      state == nullptr ? Value() : Value(write_glif(*state))});
+  }
+  Value record = {{"do", "restore"}, {"glyphs", std::move(glyphs)}};
+  const FontDataPointer& font = after ? change.font_after : change.font_before;
+  if (font != nullptr) {
+    record["font"] = font_value(*font);
+  }
+  return record;
+}
+
+void History::add(Change change) {
+  steps_.resize(position_);
+  steps_.push_back(std::move(change));
+  ++position_;
+}
+
+const Change* History::last() const {
+  return position_ == 0 ? nullptr : &steps_[position_ - 1];
+}
+
+const Change* History::next() const {
+  return position_ == steps_.size() ? nullptr : &steps_[position_];
+}
+
+bool Player::undo() {
+  const Change* step = history_.last();
+  if (step != nullptr) {
+    project_.revert(*step);
+    history_.step_back();
+  }
+  return step != nullptr;
+}
+
+bool Player::redo() {
+  const Change* step = history_.next();
+  if (step != nullptr) {
+    project_.apply(*step);
+    history_.step_on();
+  }
+  return step != nullptr;
+}
+
+void Player::take(Change change) {
+  project_.apply(change);
+  history_.add(std::move(change));
+}
+
+void Player::restore(const Value& record) {
+  Change change;
+  for (const Value& entry : record.at("glyphs")) {
+    GlyphChange glyph;
+    glyph.layer = entry.at(0).get<size_t>();
+    glyph.name = entry.at(1).get<std::string>();
+    if (!entry.at(2).is_null()) {
+      glyph.after = std::make_shared<const Glyph>(
+          parse_glif(entry.at(2).get<std::string>(), "journal"));
+    }
+    change.glyphs.push_back(std::move(glyph));
+  }
+  if (record.contains("font")) {
+    const Value& data = record["font"];
+    change.font_after = std::make_shared<const FontData>(
+        FontData{data.at("info"), data.at("groups"), data.at("kerning"),
+                 data.at("lib"), data.at("features").get<std::string>()});
+  }
+  project_.apply(change);
+}
+
+void Player::play(const Value& record) {
+  const std::string name = record.value("do", "");
+  if (name == "begin" || name == "save") {
+    return;
+  }
+  if (name == "undo" || name == "redo") {
+    if (!(name == "undo" ? undo() : redo())) {
+      throw Error("command '" + name + "': there is nothing to " + name);
+    }
+  } else if (name == "restore") {
+    try {
+      restore(record);
+    } catch (const Value::exception& error) {
+      throw Error(std::string("command 'restore': ") + error.what());
+    }
+  } else {
+    take(change_of(project_, record));
+  }
+}
+
+}  // namespace inkcell::design

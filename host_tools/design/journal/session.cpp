@@ -1,0 +1,126 @@
+#include "journal/session.hpp"
+
+#include <algorithm>
+
+#include "model/commands.hpp"
+#include "model/error.hpp"
+
+namespace inkcell::design {
+
+namespace fs = std::filesystem;
+
+fs::path journal_of(const fs::path& folder) {
+  fs::path file = folder;
+  if (!file.has_filename()) {
+    file = file.parent_path();  // P.ufo/
+  }
+  file += ".journal";
+  return file;
+}
+
+Session::Session(const fs::path& folder, JournalFile::Flush flush)
+    : journal_path_(journal_of(folder)),
+      flush_(flush),
+      files_(read_ufo(folder)),
+      player_(std::make_unique<Player>(files_.project)) {
+  const std::string digest = digest_of(files_.texts);
+  if (fs::exists(journal_path_)) {
+    recover(digest);
+  } else {
+    begin_journal();
+  }
+}
+
+// The new journal replaces the old one at once.
+void Session::begin_journal() {
+  fs::path fresh = journal_path_;
+  fresh += ".new";
+  journal_.reset();
+  {
+    JournalFile file(fresh, 0, flush_);
+    file.append({{"do", "begin"},
+                 {"project", files_.folder.filename().string()},
+                 {"digest", digest_of(files_.texts)}});
+  }
+  fs::rename(fresh, journal_path_);
+  journal_ = std::make_unique<JournalFile>(
+      journal_path_, fs::file_size(journal_path_), flush_);
+  records_ = 0;
+  base_ = player_->history().position();
+}
+
+void Session::recover(const std::string& digest) {
+  const JournalRecords found = read_journal(journal_path_);
+  recovery_.lost_bytes = found.lost_bytes;
+  if (found.records.empty()) {  // cut within its first record
+    begin_journal();
+    return;
+  }
+  const Value& last = found.records.back();
+  if (last.value("do", "") == "save" && last.value("digest", "") == digest) {
+    begin_journal();  // the save was finished, the journal was not
+    return;
+  }
+  if (found.records.front().value("digest", "") != digest) {
+    throw Error(files_.folder.string() +
+                ": was changed by another program since " +
+                journal_path_.string() +
+                " was written; to carry the journal out all the same use "
+                "inkcell-design replay, to forget it remove it");
+  }
+  for (size_t i = 1; i < found.records.size(); ++i) {
+    player_->play(found.records[i]);
+    ++recovery_.commands;
+  }
+  journal_ =
+      std::make_unique<JournalFile>(journal_path_, found.good_bytes, flush_);
+  records_ = recovery_.commands;
+}
+
+void Session::run(const Value& command) {
+  const size_t position = player_->history().position();
+  // Tried first: the journal holds nothing that cannot be done.
+  Change change = change_of(player_->project(), command);
+  journal_->append(command);
+  player_->take(std::move(change));
+  ++records_;
+  base_ = std::min(base_, position);
+}
+
+bool Session::undo() {
+  const Change* step = player_->history().last();
+  if (step == nullptr) {
+    return false;
+  }
+  const bool is_held = player_->history().position() > base_;
+  journal_->append(is_held ? Value{{"do", "undo"}}
+                           : restore_record(*step, false));
+  ++records_;
+  return player_->undo();
+}
+
+bool Session::redo() {
+  const Change* step = player_->history().next();
+  if (step == nullptr) {
+    return false;
+  }
+  const bool is_held = player_->history().position() >= base_;
+  journal_->append(is_held ? Value{{"do", "redo"}}
+                           : restore_record(*step, true));
+  ++records_;
+  return player_->redo();
+}
+
+void Session::save() {
+  const std::string digest = digest_of(ufo_texts(player_->project(), files_));
+  journal_->append({{"do", "save"}, {"digest", digest}});
+  write_ufo(player_->project(), files_.folder, files_);
+  begin_journal();
+}
+
+void Session::close() {
+  journal_.reset();
+  fs::remove(journal_path_);
+}
+
+}  // namespace inkcell::design

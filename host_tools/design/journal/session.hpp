@@ -1,0 +1,112 @@
+// A project that is being worked on: commands, undo, redo, and nothing lost.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "journal/journal_file.hpp"
+#include "model/project.hpp"
+#include "ufo/ufo.hpp"
+
+namespace inkcell::design {
+
+/// Steps that can be taken back.
+class History {
+ public:
+  /// Forgets what was undone.
+  void add(Change change);
+  /// The step to undo or to redo; null if there is none. Valid until add().
+  const Change* last() const;
+  const Change* next() const;
+  void step_back() { --position_; }
+  void step_on() { ++position_; }
+
+  size_t position() const { return position_; }
+
+ private:
+  std::vector<Change> steps_;
+  size_t position_ = 0;  // steps done
+};
+
+/// Carries out the records of a journal or a script: commands, undo, redo, and
+/// what a session writes besides.
+class Player {
+ public:
+  explicit Player(Project project) : project_(std::move(project)) {}
+
+  /// Throws Error; the project stays as it was.
+  void play(const Value& record);
+
+  const Project& project() const { return project_; }
+  const History& history() const { return history_; }
+
+  /// False if there is nothing to undo or redo.
+  bool undo();
+  bool redo();
+  /// Applies a change; it can be undone.
+  void take(Change change);
+
+ private:
+  void restore(const Value& record);
+
+  Project project_;
+  History history_;
+};
+
+/// The state of all that `change` touches, after it or before it, as a record:
+/// an undo or redo for a journal that does not hold the step.
+Value restore_record(const Change& change, bool after);
+
+/// What a session found when it opened a project.
+struct Recovery {
+  size_t commands = 0;    // that were not saved, and are there again
+  size_t lost_bytes = 0;  // of a record that was cut
+};
+
+class Session {
+ public:
+  /// Opens `folder` and recovers what its journal (`folder`.journal) holds
+  /// beyond the saved state.
+  ///
+  /// Throws Error also if the project was changed by another program since the
+  /// journal was written.
+  Session(const std::filesystem::path& folder,
+          JournalFile::Flush flush = JournalFile::Flush::always);
+
+  const Recovery& recovery() const { return recovery_; }
+  const Project& project() const { return player_->project(); }
+  const UfoFiles& files() const { return files_; }
+
+  /// Carries out a command; it is in the journal before it is in project().
+  void run(const Value& command);
+  bool undo();
+  bool redo();
+
+  /// Writes the project and empties the journal. A crash at any moment leaves
+  /// the old or the new project, and nothing to recover that is in it.
+  void save();
+  /// Removes the journal. Commands since the last save are forgotten.
+  void close();
+
+  bool has_changes() const { return records_ != 0; }
+
+ private:
+  void begin_journal();
+  void recover(const std::string& digest);
+
+  std::filesystem::path journal_path_;
+  JournalFile::Flush flush_;
+  UfoFiles files_;
+  std::unique_ptr<Player> player_;
+  std::unique_ptr<JournalFile> journal_;
+  Recovery recovery_;
+  size_t base_ = 0;     // steps before the journal began
+  size_t records_ = 0;  // since the journal began
+};
+
+/// The file that Session keeps for a project: P.ufo.journal.
+std::filesystem::path journal_of(const std::filesystem::path& folder);
+
+}  // namespace inkcell::design

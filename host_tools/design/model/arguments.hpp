@@ -1,0 +1,44 @@
+// The arguments of a command, with errors that say which one is wrong.
+#pragma once
+
+#include <string>
+
+#include "model/error.hpp"
+#include "model/glyph.hpp"
+#include "model/value.hpp"
+
+namespace inkcell::design {
+
+class Arguments {
+ public:
+  /// `command` must outlive this. Throws Error unless it is a dictionary whose
+  /// "do" is a string.
+  explicit Arguments(const Value& command);
+
+  const std::string& name() const { return name_; }
+  bool has(const char* key) const { return command_.contains(key); }
+
+  std::string text(const char* key) const;
+  std::string text(const char* key, const std::string& otherwise) const;
+  /// Finite.
+  double number(const char* key) const;
+  double number(const char* key, double otherwise) const;
+  bool flag(const char* key, bool otherwise) const;
+  /// Below `count`.
+  size_t index(const char* key, size_t count) const;
+  /// A place to insert at: up to `count`, which is the default.
+  size_t place(const char* key, size_t count) const;
+  const Value& array(const char* key) const;
+  const Value& value(const char* key) const;
+  /// Six numbers, xx xy yx yy dx dy; the identity if it is not there.
+  Matrix matrix(const char* key) const;
+
+  /// Throws Error "command 'move_points': <text>".
+  [[noreturn]] void refuse(const std::string& text) const;
+
+ private:
+  const Value& command_;
+  std::string name_;
+};
+
+}  // namespace inkcell::design

@@ -1,0 +1,45 @@
+// Between the files that implement commands.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/arguments.hpp"
+#include "model/project.hpp"
+
+namespace inkcell::design {
+
+using CommandFunction = Change (*)(const Project& project,
+                                   const Arguments& arguments);
+using CommandTable = std::map<std::string, CommandFunction>;
+
+void add_glyph_commands(CommandTable& table);
+void add_part_commands(CommandTable& table);
+void add_point_commands(CommandTable& table);
+void add_font_commands(CommandTable& table);
+void add_source_commands(CommandTable& table);
+
+/// The layer that "layer" names, the default one if it is left out.
+size_t layer_of(const Project& project, const Arguments& arguments);
+
+/// The change that `edit` makes of a copy of the glyph that "glyph" names.
+template <typename Edit>
+Change edited(const Project& project,
+              const Arguments& arguments,
+              const Edit& edit) {
+  GlyphChange change;
+  change.layer = layer_of(project, arguments);
+  change.name = arguments.text("glyph");
+  change.before = project.find(change.name, change.layer);
+  if (change.before == nullptr) {
+    arguments.refuse("there is no such glyph; add it with add_glyph");
+  }
+  Glyph glyph = *change.before;
+  edit(glyph);
+  change.after = std::make_shared<const Glyph>(std::move(glyph));
+  Change result;
+  result.glyphs.push_back(std::move(change));
+  return result;
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,81 @@
+// A font that is being designed: glyphs that never change, and the latest of
+// each.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/glyph.hpp"
+#include "model/value.hpp"
+
+namespace inkcell::design {
+
+using GlyphPointer = std::shared_ptr<const Glyph>;
+
+/// All of a font but its glyphs: fontinfo, groups, kerning and lib of UFO 3.
+struct FontData {
+  Value info = Value::object();
+  Value groups = Value::object();
+  Value kerning = Value::object();
+  Value lib = Value::object();
+  std::string features;
+};
+
+bool operator==(const FontData& a, const FontData& b);
+
+using FontDataPointer = std::shared_ptr<const FontData>;
+
+struct Layer {
+  std::string name;
+  std::string folder;
+  Value info = Value::object();  // layerinfo.plist
+  std::map<std::string, GlyphPointer> glyphs;
+};
+
+/// A glyph of a layer before and after a command; null: it is not there.
+struct GlyphChange {
+  size_t layer = 0;
+  std::string name;
+  GlyphPointer before;
+  GlyphPointer after;
+};
+
+/// What one command does. `before` and `after` of the font are null if it
+/// stays.
+struct Change {
+  std::vector<GlyphChange> glyphs;
+  FontDataPointer font_before;
+  FontDataPointer font_after;
+};
+
+class Project {
+ public:
+  Project();
+
+  /// The first is the default layer.
+  std::vector<Layer> layers;
+  FontDataPointer font;
+
+  const Layer& front() const { return layers.front(); }
+  Layer& front() { return layers.front(); }
+
+  /// Null if there is none.
+  GlyphPointer find(const std::string& glyph, size_t layer = 0) const;
+  /// Throws Error that names the glyph.
+  GlyphPointer glyph(const std::string& name, size_t layer = 0) const;
+
+  /// fontinfo's unitsPerEm, 1000 if it is not said.
+  double units_per_em() const;
+
+  void apply(const Change& change);
+  void revert(const Change& change);
+};
+
+/// Names of the default layer's glyphs in the order of lib's
+/// public.glyphOrder; glyphs that it does not list follow by name.
+std::vector<std::string> glyph_order(const Project& project);
+
+}  // namespace inkcell::design

@@ -1,0 +1,16 @@
+// Data whose structure other programs define: libraries, font information,
+// commands.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace inkcell::design {
+
+/// A tree of dictionaries, arrays, strings and numbers. Dictionaries are sorted
+/// by key, so that equal data is written as equal bytes. The data of a property
+/// list is binary; its dates are binary of the subtype kDateSubtype.
+using Value = nlohmann::json;
+
+inline constexpr uint8_t kDateSubtype = 1;
+
+}  // namespace inkcell::design

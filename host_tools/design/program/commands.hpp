@@ -1,0 +1,20 @@
+// The subcommands of inkcell-design.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace inkcell::design {
+
+/// A subcommand is added to `app`; if it is chosen, `work` becomes what main()
+/// does.
+using Work = std::function<void()>;
+
+void add_export(CLI::App& app, Work& work);
+void add_import(CLI::App& app, Work& work);
+void add_replay(CLI::App& app, Work& work);
+void add_roundtrip(CLI::App& app, Work& work);
+void add_stroke(CLI::App& app, Work& work);
+void add_trace(CLI::App& app, Work& work);
+
+}  // namespace inkcell::design

@@ -1,0 +1,172 @@
+// inkcell-design export and import: projects as fonts, fonts as projects.
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/options.hpp"
+#include "app/output.hpp"
+#include "app/progress.hpp"
+#include "export/svg.hpp"
+#include "export/ttf.hpp"
+#include "import/font_import.hpp"
+#include "model/contours.hpp"
+#include "model/error.hpp"
+#include "pipeline/generate.hpp"
+#include "program/commands.hpp"
+#include "ufo/ufo.hpp"
+
+namespace inkcell::design {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string project;
+  std::string out;
+  std::string glyph;
+  std::string font;
+  gen::GenerateRequest request;
+};
+
+void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
+  gen::OutputFile file(path);
+  file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  file.commit();
+}
+
+void say_warnings(const gen::Warnings& warnings) {
+  for (const gen::Warning& warning : warnings) {
+    std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
+  }
+}
+
+// A file that is gone in the end.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const char* ending)
+      : path_(fs::temp_directory_path() /
+              ("inkcell-design-" + std::to_string(::getpid()) + ending)) {}
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// The generator reads fonts; all characters unless some were asked for.
+void export_rom(const Project& project, Arguments& arguments) {
+  const TemporaryFile ttf(".ttf");
+  write_bytes(ttf.path(), write_ttf(project));
+  gen::GenerateRequest& request = arguments.request;
+  request.font = ttf.path();
+  if (request.chars.empty() && request.symbols.empty()) {
+    for (const auto& [name, glyph] : project.front().glyphs) {
+      for (const char32_t c : glyph->unicodes) {
+        request.chars.push_back(std::to_string(static_cast<uint32_t>(c)));
+      }
+    }
+  }
+  gen::Progress progress(false);
+  request.progress = [&progress](size_t done, size_t count) {
+    progress.update(done, count);
+  };
+  const gen::RomFont font = gen::generate(request);
+  progress.finish();
+  say_warnings(font.warnings);
+  write_bytes(arguments.out, font.bytes);
+}
+
+void run_export(Arguments& arguments) {
+  UfoFiles files = read_ufo(arguments.project);
+  const Project& project = files.project;
+  const std::string ending = fs::path(arguments.out).extension().string();
+  if (ending == ".ufo") {
+    write_ufo(project, arguments.out, files);
+    return;
+  }
+  gen::check_writable(arguments.out);
+  if (ending == ".ttf") {
+    write_bytes(arguments.out, write_ttf(project));
+  } else if (ending == ".bin") {
+    export_rom(project, arguments);
+  } else if (ending == ".svg") {
+    if (arguments.glyph.empty()) {
+      throw Error("say with --glyph which glyph to draw");
+    }
+    gen::OutputFile file(arguments.out);
+    file.write(svg_document(
+        outline_of(project, *project.glyph(arguments.glyph)), arguments.glyph));
+    file.commit();
+  } else {
+    throw Error(arguments.out +
+                ": its ending says what to write: .ttf, .bin, .ufo or .svg");
+  }
+  std::printf("%s: %ju bytes\n", arguments.out.c_str(),
+              static_cast<uintmax_t>(fs::file_size(arguments.out)));
+}
+
+void run_import(const Arguments& arguments) {
+  if (fs::exists(arguments.out)) {
+    throw Error(arguments.out + ": exists; name another folder, or remove it");
+  }
+  gen::CharSet characters;
+  for (const std::string& list : arguments.request.chars) {
+    gen::add_ranges(list, characters);
+  }
+  gen::Warnings warnings;
+  const Project project = import_font(arguments.font, characters, warnings);
+  say_warnings(warnings);
+  UfoFiles files;
+  write_ufo(project, arguments.out, files);
+  std::printf("%s: %zu glyphs\n", arguments.out.c_str(),
+              project.front().glyphs.size());
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Work& work) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "export", "Write a project as a font, or a glyph of it as a picture");
+  command->add_option("--project", arguments->project, "The project")
+      ->required()
+      ->type_name("P.ufo");
+  command
+      ->add_option("--out", arguments->out,
+                   "What to write: TrueType, an Inkcell font, a UFO, or SVG")
+      ->required()
+      ->type_name("FONT.ttf|FONT.bin|Q.ufo|GLYPH.svg");
+  command->add_option("--glyph", arguments->glyph, "The glyph, for SVG")
+      ->type_name("NAME");
+  gen::add_generator_options(*command, arguments->request);
+  command->callback(
+      [arguments, &work] { work = [arguments] { run_export(*arguments); }; });
+}
+
+void add_import(CLI::App& app, Work& work) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("import", "Make a project of a font file");
+  command->add_option("--font", arguments->font, "TTF or OTF")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--chars", arguments->request.chars,
+                   "Characters: 0x20-0x7E,U+B0,A-Z; repeatable [all]")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  command->add_option("--out", arguments->out, "The project, a new folder")
+      ->required()
+      ->type_name("P.ufo");
+  command->callback(
+      [arguments, &work] { work = [arguments] { run_import(*arguments); }; });
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,81 @@
+// inkcell-design stroke: what a pen draws along a path.
+#include <cstdio>
+#include <memory>
+
+#include "app/output.hpp"
+#include "export/svg.hpp"
+#include "program/commands.hpp"
+#include "shape/shape.hpp"
+#include "stroke/stroke.hpp"
+#include "trace/field_outline.hpp"
+
+namespace inkcell::design {
+namespace {
+
+struct Arguments {
+  std::string path;
+  std::string nib = "ellipse:80,80,0";
+  std::string out;
+  double path_tolerance = 0.5;
+  double fit = 0.12;
+};
+
+void run(const Arguments& arguments) {
+  gen::check_writable(arguments.out);
+  std::vector<std::vector<Point>> polygons;
+  for (const Stroke& stroke :
+       read_strokes(arguments.path, parse_nib(arguments.nib))) {
+    for (std::vector<Point>& polygon :
+         polygons_of(stroke, arguments.path_tolerance)) {
+      polygons.push_back(std::move(polygon));
+    }
+  }
+  const gen::Outline curves = fit_polygons(polygons, arguments.fit);
+  const EdgeError error = edge_error(gen::Shape(outline_of_polygons(polygons)),
+                                     gen::Shape(curves), 1);
+  gen::OutputFile file(arguments.out);
+  file.write(svg_document(curves, arguments.nib + " along " + arguments.path));
+  file.commit();
+  std::printf(
+      "%s: %zu contours, %zu segments, %.3f u from what the nib covers\n",
+      arguments.out.c_str(), curves.contours.size(), segment_count(curves),
+      error.worst);
+}
+
+}  // namespace
+
+void add_stroke(CLI::App& app, Work& work) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "stroke", "Draw a path with a pen, and write its outline as SVG");
+  command
+      ->add_option("--path", arguments->path,
+                   "Points, x y [width [height [angle]]] on each line, in "
+                   "1/1024 em and degrees; an empty line ends a stroke")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--nib", arguments->nib,
+                   "ellipse:WIDTH,HEIGHT,ANGLE or rectangle:WIDTH,HEIGHT,ANGLE")
+      ->capture_default_str()
+      ->type_name("NIB");
+  command->add_option("--out", arguments->out, "The picture")
+      ->required()
+      ->type_name("GLYPH.svg");
+  command
+      ->add_option("--path-tolerance", arguments->path_tolerance,
+                   "Bound on the distance of the path from its points "
+                   "[1/1024 em]")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--fit", arguments->fit,
+                   "Bound on the distance of curves from the pen's edge "
+                   "[1/1024 em]")
+      ->check(CLI::Range(0.05, 16.0))
+      ->capture_default_str();
+  command->callback(
+      [arguments, &work] { work = [arguments] { run(*arguments); }; });
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,125 @@
+// inkcell-design trace: from a bitmap master to curves.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/output.hpp"
+#include "bitmap/edge_walk.hpp"
+#include "export/svg.hpp"
+#include "fit/curve_fitter.hpp"
+#include "model/error.hpp"
+#include "program/commands.hpp"
+
+namespace inkcell::design {
+namespace {
+
+struct Arguments {
+  std::string master;
+  std::string out;
+  std::string report;
+  MasterOptions options;
+  std::vector<double> origin;
+  bool is_scan = false;
+  bool no_extremes = false;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+void run(Arguments& arguments) {
+  gen::check_writable(arguments.out);
+  if (!arguments.report.empty()) {
+    gen::check_writable(arguments.report);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  Bitmap bitmap = read_bitmap(arguments.master);
+  if (arguments.is_scan) {
+    make_bilevel(bitmap, otsu_threshold(bitmap));
+  }
+  MasterOptions& options = arguments.options;
+  options.place.origin_y = bitmap.height;
+  if (!arguments.origin.empty()) {
+    options.place.origin_x = arguments.origin[0];
+    options.place.origin_y = arguments.origin[1];
+  }
+  options.extremes = !arguments.no_extremes;
+  const gen::Outline curves = outline_of(bitmap, options);
+  if (curves.contours.empty()) {
+    throw Error(arguments.master +
+                ": holds no ink; dark pixels are ink, and specks below "
+                "--least-area are dropped");
+  }
+  gen::OutputFile file(arguments.out);
+  file.write(svg_document(curves, arguments.master));
+  file.commit();
+  const double seconds = seconds_since(begin);
+  std::printf("%s: %zu contours, %zu segments, %.2f s\n", arguments.out.c_str(),
+              curves.contours.size(), segment_count(curves), seconds);
+  if (!arguments.report.empty()) {
+    const nlohmann::json report = {
+        {"master", arguments.master},
+        {"px_per_em", options.place.px_per_em},
+        {"bilevel", bitmap.is_bilevel()},
+        {"contours", curves.contours.size()},
+        {"segments", segment_count(curves)},
+        {"tolerance_u", options.tolerance_u > 0
+                            ? options.tolerance_u
+                            : pixel_tolerance(bitmap, options.place)},
+        {"seconds", seconds}};
+    gen::OutputFile json(arguments.report);
+    json.write(report.dump(2) + "\n");
+    json.commit();
+  }
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, Work& work) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "trace",
+      "Turn a bitmap master, of ink and none or of greys, into curves");
+  command
+      ->add_option("--master", arguments->master,
+                   "PNG, PBM or PGM; dark is ink")
+      ->required()
+      ->type_name("BITMAP");
+  command
+      ->add_option("--px-per-em", arguments->options.place.px_per_em,
+                   "Pixels that an em is wide")
+      ->required()
+      ->check(CLI::Range(16.0, 65536.0));
+  command
+      ->add_option("--origin", arguments->origin,
+                   "The glyph's origin, from the upper left corner [px]; the "
+                   "lower left corner if left out")
+      ->expected(2)
+      ->delimiter(',')
+      ->type_name("X,Y");
+  command->add_option("--out", arguments->out, "The picture")
+      ->required()
+      ->type_name("GLYPH.svg");
+  command
+      ->add_option("--fit", arguments->options.tolerance_u,
+                   "Bound on the distance of curves from the edge [1/1024 em; "
+                   "what the pixels allow]")
+      ->check(CLI::Range(0.02, 64.0));
+  command
+      ->add_option("--least-area", arguments->options.least_area_px,
+                   "Specks and holes below this are dropped [px^2]")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_flag("--scan", arguments->is_scan,
+                    "A scan: divide its greys into ink and paper (Otsu)");
+  command->add_flag("--no-extremes", arguments->no_extremes,
+                    "Do not insist on points at extremes");
+  command->add_option("--report", arguments->report, "Write the report as JSON")
+      ->type_name("R.json");
+  command->callback(
+      [arguments, &work] { work = [arguments] { run(*arguments); }; });
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,222 @@
+#include "stroke/stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "model/error.hpp"
+#include "shape/flatten.hpp"
+
+namespace inkcell::design {
+namespace {
+
+constexpr double kRadians = 0.017453292519943295;
+
+// Where a path turns by more, it has a corner.
+constexpr double kPathCorner = 60 * kRadians;
+
+// Polygons turn by less so near to each other where they stand for a curve.
+constexpr double kPolygonCorner = 0.2;
+constexpr double kPolygonReach_u = 0.8;
+constexpr double kPolygonSpacing_u = 1.5;
+
+double number(const std::string& word, const std::string& where) {
+  try {
+    size_t used = 0;
+    const double value = std::stod(word, &used);
+    if (used == word.size() && std::isfinite(value)) {
+      return value;
+    }
+  } catch (const std::logic_error&) {
+    // the message below
+  }
+  throw Error(where + ": '" + word + "' is no number");
+}
+
+StrokePoint parse_point(const std::vector<std::string>& words,
+                        const std::string& where) {
+  if (words.size() < 2 || words.size() > 5) {
+    throw Error(where +
+                ": a point of a path is x y [width [height [angle]]], such as "
+                "100 250 80 - 45");
+  }
+  StrokePoint point;
+  point.at = {number(words[0], where), number(words[1], where)};
+  const auto change = [&](size_t i) {
+    return i < words.size() && words[i] != "-"
+               ? std::optional<double>(number(words[i], where))
+               : std::nullopt;
+  };
+  point.width = change(2);
+  point.height = change(3);
+  point.angle = change(4);
+  if (point.angle) {
+    *point.angle *= kRadians;
+  }
+  return point;
+}
+
+// The nib at every point: evenly between the points that say something.
+std::vector<double> spread(const Stroke& stroke,
+                           std::optional<double> StrokePoint::*member,
+                           double otherwise) {
+  const std::vector<StrokePoint>& points = stroke.points;
+  std::vector<double> way(points.size(), 0);
+  for (size_t i = 1; i < points.size(); ++i) {
+    way[i] = way[i - 1] + length(points[i].at - points[i - 1].at);
+  }
+  std::vector<double> values(points.size(), otherwise);
+  std::optional<size_t> last;
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (!(points[i].*member)) {
+      if (last) {
+        values[i] = values[*last];
+      }
+      continue;
+    }
+    values[i] = *(points[i].*member);
+    const size_t from = last.value_or(0);
+    if (!last) {
+      std::fill(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(i),
+                values[i]);
+    }
+    for (size_t k = from + 1; last && k < i; ++k) {
+      const double span = way[i] - way[from];
+      const double f = span == 0 ? 1 : (way[k] - way[from]) / span;
+      values[k] = values[from] + f * (values[i] - values[from]);
+    }
+    last = i;
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<Stroke> read_strokes(const std::filesystem::path& file,
+                                 const Nib& nib) {
+  std::ifstream in(file);
+  if (!in) {
+    throw Error(file.string() + ": cannot be read");
+  }
+  std::vector<Stroke> strokes;
+  Stroke stroke;
+  stroke.nib = nib;
+  const auto finish = [&] {
+    if (!stroke.points.empty()) {
+      strokes.push_back(stroke);
+    }
+    stroke.points.clear();
+  };
+  std::string line;
+  for (size_t count = 1; std::getline(in, line); ++count) {
+    line = line.substr(0, line.find('#'));
+    std::istringstream words(line);
+    std::vector<std::string> list;
+    for (std::string word; words >> word;) {
+      list.push_back(word);
+    }
+    if (list.empty()) {
+      finish();
+    } else {
+      stroke.points.push_back(
+          parse_point(list, file.string() + ":" + std::to_string(count)));
+    }
+  }
+  finish();
+  if (strokes.empty()) {
+    throw Error(file.string() +
+                ": holds no point; write x y on each line, in 1/1024 em");
+  }
+  return strokes;
+}
+
+NibPath fit_path(const Stroke& stroke, double tolerance) {
+  const std::vector<double> width =
+      spread(stroke, &StrokePoint::width, stroke.nib.width);
+  const std::vector<double> height =
+      spread(stroke, &StrokePoint::height, stroke.nib.height);
+  const std::vector<double> angle =
+      spread(stroke, &StrokePoint::angle, stroke.nib.angle);
+  std::vector<Point> points;
+  std::vector<Nib> nibs;
+  for (size_t i = 0; i < stroke.points.size(); ++i) {
+    if (!points.empty() && length(points.back() - stroke.points[i].at) == 0) {
+      continue;
+    }
+    points.push_back(stroke.points[i].at);
+    nibs.push_back({stroke.nib.kind, width[i], height[i], angle[i]});
+  }
+  NibPath path;
+  if (points.size() == 1) {
+    gen::Segment dot;
+    dot.p[0] = dot.p[1] = points[0];
+    path.pieces = {dot};
+    path.nibs = {nibs[0], nibs[0]};
+    return path;
+  }
+  size_t first = 0;
+  for (size_t i = 1; i < points.size(); ++i) {
+    const bool is_corner =
+        i + 1 == points.size() ||
+        std::fabs(turn(points[i] - points[i - 1], points[i + 1] - points[i])) >
+            kPathCorner;
+    if (!is_corner) {
+      continue;
+    }
+    const std::vector<Point> piece(
+        points.begin() + static_cast<std::ptrdiff_t>(first),
+        points.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    std::vector<size_t> ends;
+    for (const gen::Segment& segment : fit_open(piece, tolerance, ends)) {
+      path.pieces.push_back(segment);
+    }
+    if (path.nibs.empty()) {
+      path.nibs.push_back(nibs[first]);
+    }
+    for (const size_t end : ends) {
+      path.nibs.push_back(nibs[first + end]);
+    }
+    first = i;
+  }
+  return path;
+}
+
+std::vector<std::vector<Point>> polygons_of(const Stroke& stroke,
+                                            double path_tolerance) {
+  return sweep(places_on(fit_path(stroke, path_tolerance)));
+}
+
+gen::Outline outline_of_polygons(
+    const std::vector<std::vector<Point>>& polygons) {
+  gen::Outline outline;
+  for (const std::vector<Point>& polygon : polygons) {
+    gen::Contour contour;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      gen::Segment segment;
+      segment.p[0] = polygon[i];
+      segment.p[1] = polygon[(i + 1) % polygon.size()];
+      contour.segments.push_back(segment);
+    }
+    outline.contours.push_back(std::move(contour));
+  }
+  return outline;
+}
+
+gen::Outline fit_polygons(const std::vector<std::vector<Point>>& polygons,
+                          double tolerance) {
+  CornerOptions corners;
+  corners.reach = kPolygonReach_u;
+  corners.turn = kPolygonCorner;
+  corners.is_exact = true;
+  std::vector<Loop> loops;
+  for (const std::vector<Point>& polygon : polygons) {
+    loops.push_back(sample_polygon(polygon, kPolygonSpacing_u));
+    find_corners(corners, loops.back());
+  }
+  FitOptions options;
+  options.tolerance = tolerance;
+  return fit_loops(loops, options);
+}
+
+}  // namespace inkcell::design

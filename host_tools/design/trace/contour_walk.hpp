@@ -1,0 +1,25 @@
+// The zero contour of a glyph's field, as dense points.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "fit/loop.hpp"
+#include "inkcell/field.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design {
+
+/// Follows the edge of `field` through the leaves of its quadtree (Perry and
+/// Frisken, section 5): leaves that the edge crosses are found by their
+/// distances, and within them the edge is followed from one square of 1 u to
+/// the next, where it crosses the sides. Every loop is closed. Coordinates in
+/// u, filled on the left; tangents by the field's gradient.
+std::vector<Loop> walk_contours(const GlyphField& field);
+
+/// The same for any distance, positive inside, that changes by at most 1 u per
+/// u, within a box. [u] The contour must not leave the box.
+std::vector<Loop> walk_contours(
+    const std::function<double(const Point&)>& distance, const gen::Box& box);
+
+}  // namespace inkcell::design

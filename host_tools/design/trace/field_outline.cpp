@@ -1,0 +1,103 @@
+#include "trace/field_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "judge/edge_glyph.hpp"
+#include "model/error.hpp"
+#include "samples/record.hpp"
+#include "trace/contour_walk.hpp"
+
+namespace inkcell::design {
+namespace {
+
+// How far a corner is rounded by cells: fields keep it but for the walk's own
+// squares, samples lose it within their smallest cells.
+constexpr double kFieldReach_u = 1.5;
+constexpr double kSampleReach_u = 2.5;
+constexpr double kCornerTurn = 0.2;
+
+Q16_16 to_q16(double value) {
+  return Q16_16::from_raw(static_cast<int32_t>(std::lround(value * 65536)));
+}
+
+void add_distances(const gen::Shape& from,
+                   const gen::Shape& to,
+                   double step_u,
+                   EdgeError& error) {
+  for (const gen::Edge& edge : from.edges()) {
+    const Point way = edge.b - edge.a;
+    const int steps = std::max(1, static_cast<int>(length(way) / step_u));
+    for (int i = 0; i < steps; ++i) {
+      const Point p = edge.a + static_cast<double>(i) / steps * way;
+      const double d = to.distance(p.x, p.y);
+      error.worst = std::max(error.worst, std::fabs(d));
+      // Short chords of curves do not count more than long ones.
+      const double share = length(way) / steps;
+      error.sum += d * d * share;
+      error.length_u += share;
+    }
+  }
+}
+
+}  // namespace
+
+gen::Outline outline_of(const GlyphField& field,
+                        const FieldOutlineOptions& options) {
+  const auto distance = [&field](const Point& p) {
+    return distance_at(field, to_q16(p.x), to_q16(p.y)).raw / 1024.0;
+  };
+  std::vector<Loop> loops = walk_contours(field);
+  CornerOptions corners;
+  corners.reach =
+      field.kind == GlyphField::Kind::samples ? kSampleReach_u : kFieldReach_u;
+  corners.turn = kCornerTurn;
+  corners.distance = distance;
+  for (Loop& loop : loops) {
+    find_corners(corners, loop);
+  }
+  FitOptions fit;
+  fit.tolerance = options.tolerance_u;
+  fit.extremes = options.extremes;
+  fit.distance = distance;
+  return fit_loops(loops, fit);
+}
+
+ShapeField::ShapeField(const gen::Shape& shape, const gen::Target& options) {
+  if (options.coding == gen::Coding::samples) {
+    record_ = gen::samples_record(gen::build_sample_tree(shape, options));
+  } else {
+    gen::LoopOptions loop;
+    loop.min_px = static_cast<int>(options.min_px);
+    loop.max_px = static_cast<int>(options.max_px);
+    loop.tolerance = options.tolerance;
+    record_ = gen::build_edges(shape, options, loop).record;
+  }
+  if (GlyphField::open({record_.data(), record_.size()}, field_) !=
+      Status::ok) {
+    throw Error("the field that was generated cannot be opened");
+  }
+}
+
+double EdgeError::rms() const {
+  return length_u == 0 ? 0 : std::sqrt(sum / length_u);
+}
+
+void EdgeError::add(const EdgeError& other) {
+  worst = std::max(worst, other.worst);
+  sum += other.sum;
+  length_u += other.length_u;
+}
+
+EdgeError edge_error(const gen::Shape& a, const gen::Shape& b, double step_u) {
+  EdgeError error;
+  if (a.empty() || b.empty()) {
+    error.worst = a.empty() && b.empty() ? 0 : HUGE_VAL;
+    return error;
+  }
+  add_distances(a, b, step_u, error);
+  add_distances(b, a, step_u, error);
+  return error;
+}
+
+}  // namespace inkcell::design
