@@ -1,0 +1,133 @@
+"""Checks inkcell-design as people use it: each subcommand, and its errors.
+
+Usage: check_design.py INKCELL_DESIGN
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+PROBLEMS = []
+
+
+def expect(condition, what):
+    if not condition:
+        PROBLEMS.append(what)
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], text=True,
+                          capture_output=True, check=False)
+
+
+def good(program, *arguments):
+    result = run(program, *arguments)
+    expect(result.returncode == 0,
+           f"{' '.join(map(str, arguments))}: {result.stderr.strip()}")
+    return result.stdout
+
+
+def bad(program, message, *arguments):
+    """Fails with one line that begins with error: and holds `message`."""
+    result = run(program, *arguments)
+    lines = result.stderr.strip().splitlines()
+    expect(result.returncode != 0 and lines and
+           lines[-1].startswith("error: ") and message in lines[-1],
+           f"{' '.join(map(str, arguments))}: said {result.stderr!r} "
+           f"instead of {message!r}")
+
+
+def check_help(design):
+    text = good(design, "--help")
+    for name in ("export", "import", "replay", "roundtrip", "stroke", "trace"):
+        expect(name in text, f"--help does not name {name}")
+        expect("--" in good(design, name, "--help"), f"{name} --help")
+
+
+def check_roundtrip(design, folder):
+    report = folder / "r.json"
+    good(design, "roundtrip", "--font", FONT, "--symbols", "eB", "--coding",
+         "samples", "--tolerance", "4/255", "--report", report)
+    data = json.loads(report.read_text())
+    expect(len(data["glyphs"]) == 2, "roundtrip: two glyphs")
+    for name, glyph in data["glyphs"].items():
+        expect(0 < glyph["worst_u"] <= 1.5 and 0 < glyph["rms_u"] <= 0.5,
+               f"roundtrip: {name} is off by {glyph['worst_u']} u")
+        expect(0 < glyph["segments"] <= glyph["source_segments"],
+               f"roundtrip: {name} has {glyph['segments']} segments")
+    bad(design, "'x' is not within", "roundtrip", "--font", FONT,
+        "--tolerance", "x")
+
+
+def check_projects(design, folder):
+    project = folder / "P.ufo"
+    good(design, "import", "--font", FONT, "--chars", "A-C", "--out", project)
+    bad(design, "exists", "import", "--font", FONT, "--out", project)
+    script = folder / "script.jsonl"
+    script.write_text(
+        '# a wider A, and a ring drawn with a pen\n'
+        '{"do": "set_advance", "glyph": "A", "width": 1500}\n'
+        '{"do": "add_glyph", "glyph": "ring", "unicodes": [9711],'
+        ' "width": 2048}\n'
+        '{"do": "set_strokes", "glyph": "ring", "strokes": [{"nib":'
+        ' "ellipse:150", "points": [[600,300],[1100,800],[600,1300],[100,800],'
+        '[600,300]]}]}\n')
+    good(design, "replay", script, "--project", project)
+    for name in ("f.ttf", "f.bin", "Q.ufo"):
+        good(design, "export", "--project", project, "--out", folder / name)
+    # The generator has read it back with the device's reader.
+    expect((folder / "f.bin").stat().st_size > 300, "export: f.bin is small")
+    expect((folder / "f.ttf").read_bytes()[:4] == b"\0\1\0\0", "export: TTF")
+    good(design, "export", "--project", project, "--glyph", "ring", "--out",
+         folder / "ring.svg")
+    expect((folder / "ring.svg").read_text().count("M") == 2,
+           "export: a ring has two contours")
+    bad(design, "--glyph", "export", "--project", project, "--out",
+        folder / "x.svg")
+    bad(design, "its ending says", "export", "--project", project, "--out",
+        folder / "x.doc")
+    script.write_text('{"do": "set_advance", "glyph": "Z", "width": 1}\n')
+    bad(design, "record 1 of 1: command 'set_advance', glyph 'Z'", "replay",
+        script, "--project", project)
+
+
+def check_pictures(design, folder):
+    path = folder / "s.path"
+    path.write_text("100 100\n300 700 40 80 30\n600 100\n")
+    good(design, "stroke", "--path", path, "--nib", "rectangle:80,20,45",
+         "--out", folder / "s.svg")
+    bad(design, "nib 'round'", "stroke", "--path", path, "--nib", "round",
+        "--out", folder / "s.svg")
+    path.write_text("100\n")
+    bad(design, "s.path:1: a point of a path", "stroke", "--path", path,
+        "--out", folder / "s.svg")
+    master = folder / "m.pgm"
+    rows = ["0" if 20 < x < 80 and 30 < y < 70 else "255"
+            for y in range(100) for x in range(100)]
+    master.write_text("P2 100 100 255\n" + " ".join(rows) + "\n")
+    report = folder / "t.json"
+    good(design, "trace", "--master", master, "--px-per-em", 1024, "--out",
+         folder / "t.svg", "--report", report)
+    data = json.loads(report.read_text())
+    expect(data["contours"] == 1 and data["segments"] >= 4, f"trace: {data}")
+    master.write_text("P2 2 2 255\n255 255 255 255\n")
+    bad(design, "holds no ink", "trace", "--master", master, "--px-per-em",
+        1024, "--out", folder / "t.svg")
+
+
+def main():
+    design, = sys.argv[1:]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        check_help(design)
+        check_roundtrip(design, folder)
+        check_projects(design, folder)
+        check_pictures(design, folder)
+    for problem in PROBLEMS:
+        print(problem)
+    sys.exit(1 if PROBLEMS else 0)
+
+
+main()

@@ -1,0 +1,235 @@
+// Bitmap masters against the outlines they were drawn from: the exact distance
+// transform beside edges walked and curves fitted.
+//
+// Usage: inkcell_master_figures FONT.ttf SYMBOLS PX_PER_EM bilevel|grey
+//          [WORST_U RMS_U]
+//
+// Errors in u: of the transform at pixels within 32 u of the edge, of the
+// curves at their edge, both beyond 3 u from corners. Fails if the curves are
+// worse than the limits, or no truer than the transform.
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "bitmap/distance_transform.hpp"
+#include "bitmap/edge_walk.hpp"
+#include "outlines/curves.hpp"
+#include "outlines/unite.hpp"
+#include "shape/shape.hpp"
+#include "source/font_source.hpp"
+#include "trace/field_outline.hpp"
+
+namespace inkcell::design::test {
+namespace {
+
+constexpr double kNear_u = 32;
+constexpr double kCorner_u = 3;
+constexpr double kCornerTurn = 0.17;  // [radians]
+constexpr int kGreyRows = 16;
+constexpr double kMargin_u = 16;
+
+double work_done() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) +
+         static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+struct Errors {
+  double worst = 0;
+  double sum = 0;
+  double count = 0;
+
+  void note(double error, double weight = 1) {
+    worst = std::max(worst, std::fabs(error));
+    sum += weight * error * error;
+    count += weight;
+  }
+  double rms() const { return count == 0 ? 0 : std::sqrt(sum / count); }
+};
+
+// Ink between the crossings of a row, of each pixel. [px]
+void add_row(std::vector<double>& row,
+             const std::vector<double>& crossings,
+             double x0_u,
+             double px_u) {
+  for (size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    const double a = (crossings[i] - x0_u) / px_u;
+    const double b = (crossings[i + 1] - x0_u) / px_u;
+    for (int x = static_cast<int>(std::max(a, 0.0));
+         x < b && x < static_cast<int>(row.size()); ++x) {
+      row[static_cast<size_t>(x)] +=
+          std::min(b, x + 1.0) - std::max(a, static_cast<double>(x));
+    }
+  }
+}
+
+Bitmap draw(const gen::Shape& shape,
+            double px_per_em,
+            bool is_grey,
+            MasterPlace& place) {
+  const double px = 1024 / px_per_em;
+  const gen::Box& box = shape.box();
+  place.px_per_em = px_per_em;
+  place.origin_x = std::ceil((kMargin_u - box.x0) / px);
+  place.origin_y = std::ceil((kMargin_u + box.y1) / px);
+  Bitmap bitmap;
+  bitmap.width =
+      static_cast<int>(place.origin_x + (box.x1 + kMargin_u) / px) + 1;
+  bitmap.height =
+      static_cast<int>(place.origin_y + (kMargin_u - box.y0) / px) + 1;
+  const int rows = is_grey ? kGreyRows : 1;
+  std::vector<double> crossings;
+  for (int y = 0; y < bitmap.height; ++y) {
+    std::vector<double> row(static_cast<size_t>(bitmap.width), 0);
+    for (int i = 0; i < rows; ++i) {
+      shape.crossings((place.origin_y - y - (i + 0.5) / rows) * px, crossings);
+      if (is_grey) {
+        add_row(row, crossings, -place.origin_x * px, px);
+        continue;
+      }
+      for (size_t k = 0; k + 1 < crossings.size(); k += 2) {
+        const double a = crossings[k] / px + place.origin_x - 0.5;
+        const double b = crossings[k + 1] / px + place.origin_x - 0.5;
+        for (int x = static_cast<int>(std::ceil(a)); x < b; ++x) {
+          row[static_cast<size_t>(x)] = 1;
+        }
+      }
+    }
+    for (const double ink : row) {
+      bitmap.ink.push_back(
+          static_cast<uint8_t>(std::lround(255 * std::min(ink / rows, 1.0))));
+    }
+  }
+  return bitmap;
+}
+
+std::vector<Point> corners_of(const gen::Outline& source) {
+  std::vector<Point> corners;
+  for (const gen::Contour& contour : gen::unite(source).contours) {
+    for (size_t i = 0; i < contour.segments.size(); ++i) {
+      const gen::Segment& next =
+          contour.segments[(i + 1) % contour.segments.size()];
+      const double angle = turn(gen::direction_at_end(contour.segments[i]),
+                                gen::direction_at_start(next));
+      if (std::fabs(angle) > kCornerTurn) {
+        corners.push_back(next.p[0]);
+      }
+    }
+  }
+  return corners;
+}
+
+bool is_near_any(const Point& p, const std::vector<Point>& corners) {
+  return std::any_of(corners.begin(), corners.end(), [&p](const Point& c) {
+    return length(c - p) < kCorner_u;
+  });
+}
+
+void compare_edges(const gen::Shape& from,
+                   const gen::Shape& to,
+                   const std::vector<Point>& corners,
+                   Errors& off_corners,
+                   Errors& all) {
+  for (const gen::Edge& edge : from.edges()) {
+    const Point middle = 0.5 * (edge.a + edge.b);
+    for (const Point& p : {edge.a, middle}) {
+      const double d = to.distance(p.x, p.y);
+      const double weight = length(edge.b - edge.a);
+      all.note(d, weight);
+      if (!is_near_any(p, corners)) {
+        off_corners.note(d, weight);
+      }
+    }
+  }
+}
+
+struct Row {
+  Errors transform;
+  Errors curves;
+  Errors with_corners;
+  double transform_s = 0;
+  double curves_s = 0;
+  size_t segments = 0;
+};
+
+void measure(const gen::SourceGlyph& glyph,
+             double px_per_em,
+             bool is_grey,
+             Row& row) {
+  const gen::Shape truth(glyph.outline);
+  const std::vector<Point> corners = corners_of(glyph.outline);
+  MasterOptions options;
+  const Bitmap bitmap = draw(truth, px_per_em, is_grey, options.place);
+  double begin = work_done();
+  const std::vector<float> distances = signed_distances(bitmap);
+  row.transform_s = std::max(row.transform_s, work_done() - begin);
+  begin = work_done();
+  const gen::Outline curves = outline_of(bitmap, options);
+  row.curves_s = std::max(row.curves_s, work_done() - begin);
+  row.segments += segment_count(curves);
+  const gen::Shape traced(curves);
+  compare_edges(traced, truth, corners, row.curves, row.with_corners);
+  compare_edges(truth, traced, corners, row.curves, row.with_corners);
+  const double px = 1024 / px_per_em;
+  // Some of the pixels, spread evenly.
+  for (size_t i = 0; i < distances.size(); i += 97) {
+    const double d = static_cast<double>(distances[i]) * px;
+    if (std::fabs(d) > kNear_u) {
+      continue;
+    }
+    const int x = static_cast<int>(i) % bitmap.width;
+    const int y = static_cast<int>(i) / bitmap.width;
+    const Point p = {(x + 0.5 - options.place.origin_x) * px,
+                     (options.place.origin_y - y - 0.5) * px};
+    if (!is_near_any(p, corners)) {
+      row.transform.note(d - truth.distance(p.x, p.y));
+    }
+  }
+}
+
+int run(char** arguments, bool has_limits) {
+  gen::FontRequest request;
+  request.file = arguments[1];
+  gen::add_text(arguments[2], "SYMBOLS", request.characters);
+  gen::Warnings warnings;
+  gen::SourceFont font = gen::load_font(request, 1, warnings);
+  const double px_per_em = std::atof(arguments[3]);
+  const bool is_grey = std::string(arguments[4]) == "grey";
+  Row row;
+  for (size_t i = 1; i < font.glyphs.size(); ++i) {
+    measure(font.glyphs[i], px_per_em, is_grey, row);
+  }
+  std::printf(
+      "%g px/em %s: distance transform %.3f u worst, %.4f RMS, %.2f s; curves "
+      "%.3f u worst (%.3f at corners), %.4f RMS, %zu segments, %.2f s a glyph "
+      "at most\n",
+      px_per_em, arguments[4], row.transform.worst, row.transform.rms(),
+      row.transform_s, row.curves.worst, row.with_corners.worst,
+      row.curves.rms(), row.segments, row.curves_s);
+  if (!has_limits) {
+    return 0;
+  }
+  const bool is_good = row.curves.worst <= std::atof(arguments[5]) &&
+                       row.curves.rms() <= std::atof(arguments[6]) &&
+                       row.curves.rms() < row.transform.rms();
+  return is_good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace inkcell::design::test
+
+int main(int argc, char** argv) {
+  if (argc != 5 && argc != 7) {
+    std::fprintf(stderr,
+                 "usage: inkcell_master_figures FONT.ttf SYMBOLS PX_PER_EM "
+                 "bilevel|grey [WORST_U RMS_U]\n");
+    return 2;
+  }
+  return inkcell::design::test::run(argv, argc == 7);
+}

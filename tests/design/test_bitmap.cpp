@@ -1,0 +1,133 @@
+// Bitmaps: files, the distance transform, edges, noise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "bitmap/bitmap.hpp"
+#include "bitmap/distance_transform.hpp"
+#include "bitmap/edge_walk.hpp"
+#include "folders.hpp"
+#include "image.hpp"
+#include "model/error.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design::test {
+namespace {
+
+constexpr int kSide = 200;
+
+// A disc of 60 px about (100, 100) with a hole of 20 px.
+Bitmap ring() {
+  Bitmap bitmap;
+  bitmap.width = bitmap.height = kSide;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double r = std::hypot(x + 0.5 - 100, y + 0.5 - 100);
+      bitmap.ink.push_back(r < 60 && r > 20 ? 255 : 0);
+    }
+  }
+  return bitmap;
+}
+
+MasterOptions options_for_ring() {
+  MasterOptions options;
+  options.place.px_per_em = 1024;
+  options.place.origin_y = kSide;
+  return options;
+}
+
+TEST(DistanceTransform, IsExact) {
+  Bitmap bitmap;
+  bitmap.width = 37;
+  bitmap.height = 23;
+  std::mt19937 random(4);
+  for (int i = 0; i < 37 * 23; ++i) {
+    bitmap.ink.push_back(random() % 12 == 0 ? 255 : 0);
+  }
+  const std::vector<float> made = signed_distances(bitmap);
+  for (int y = 0; y < bitmap.height; ++y) {
+    for (int x = 0; x < bitmap.width; ++x) {
+      const bool inside = bitmap.at(x, y) != 0;
+      double nearest = 1e9;
+      for (int v = 0; v < bitmap.height; ++v) {
+        for (int u = 0; u < bitmap.width; ++u) {
+          if ((bitmap.at(u, v) != 0) != inside) {
+            nearest = std::min(nearest, std::hypot(u - x, v - y));
+          }
+        }
+      }
+      const double truth = inside ? nearest - 0.5 : 0.5 - nearest;
+      ASSERT_NEAR(made[static_cast<size_t>(y * bitmap.width + x)], truth, 1e-4);
+    }
+  }
+}
+
+TEST(Master, ARingIsTwoCirclesOfFewCubics) {
+  const gen::Outline outline = outline_of(ring(), options_for_ring());
+  ASSERT_EQ(outline.contours.size(), 2u);
+  const gen::Shape shape(outline);
+  for (int i = 0; i < 100; ++i) {
+    const double a = i * 0.0628;
+    EXPECT_LT(std::fabs(shape.distance(100 + 60 * std::cos(a),
+                                       100 + 60 * std::sin(a))),
+              0.5);
+    EXPECT_LT(std::fabs(shape.distance(100 + 20 * std::cos(a),
+                                       100 + 20 * std::sin(a))),
+              0.5);
+  }
+  EXPECT_GT(shape.distance(100, 140), 15);
+  EXPECT_LT(shape.distance(100, 100), -15);
+}
+
+// One pixel in a thousand is wrong.
+TEST(Master, SaltDoesNoHarm) {
+  Bitmap bitmap = ring();
+  std::mt19937 random(9);
+  for (int i = 0; i < kSide * kSide / 1000; ++i) {
+    uint8_t& pixel = bitmap.ink[random() % bitmap.ink.size()];
+    pixel = static_cast<uint8_t>(255 - pixel);
+  }
+  const gen::Outline outline = outline_of(bitmap, options_for_ring());
+  EXPECT_EQ(outline.contours.size(), 2u);
+}
+
+TEST(Bitmap, ReadsWhatNetpbmAndPngSay) {
+  const TemporaryFolder folder;
+  const auto read = [&folder](const char* name, const std::string& text) {
+    write_text(folder.path() / name, text);
+    return read_bitmap(folder.path() / name).ink;
+  };
+  using Ink = std::vector<uint8_t>;
+  EXPECT_EQ(read("a.pbm", "P1\n# a comment\n3 2\n1 0 1\n010\n"),
+            (Ink{255, 0, 255, 0, 255, 0}));
+  EXPECT_EQ(read("b.pbm", std::string("P4 3 2\n\xa0\x40", 9)),
+            (Ink{255, 0, 255, 0, 255, 0}));
+  EXPECT_EQ(read("c.pgm", "P2 3 1 255\n255 128 0\n"), (Ink{0, 127, 255}));
+  tools::Image image(3, 1);
+  image.pixels = {255, 128, 0};
+  tools::write_image(folder.path() / "d.png", image);
+  EXPECT_EQ(read_bitmap(folder.path() / "d.png").ink, (Ink{0, 127, 255}));
+  EXPECT_THROW(read("e.pbm", std::string("P4 30 20\n\xa0", 10)), Error);
+  EXPECT_THROW(read("f.txt", "no bitmap at all"), Error);
+}
+
+TEST(Bitmap, OtsuDividesInkAndPaper) {
+  Bitmap bitmap;
+  bitmap.width = 100;
+  bitmap.height = 1;
+  for (int i = 0; i < 100; ++i) {
+    bitmap.ink.push_back(
+        static_cast<uint8_t>(i < 70 ? 20 + i % 9 : 190 + i % 7));
+  }
+  const int threshold = otsu_threshold(bitmap);
+  EXPECT_GT(threshold, 28);
+  EXPECT_LE(threshold, 190);
+  make_bilevel(bitmap, threshold);
+  EXPECT_TRUE(bitmap.is_bilevel());
+  EXPECT_EQ(bitmap.ink[69], 0);
+  EXPECT_EQ(bitmap.ink[70], 255);
+}
+
+}  // namespace
+}  // namespace inkcell::design::test

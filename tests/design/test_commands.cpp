@@ -1,0 +1,138 @@
+// Commands: what they do, and what they refuse.
+#include <gtest/gtest.h>
+
+#include "model/commands.hpp"
+#include "model/contours.hpp"
+#include "model/error.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design::test {
+namespace {
+
+const char* const kSquare = R"([[0, 0], [500, 0], [500, 500], [0, 500]])";
+
+class Commands : public testing::Test {
+ protected:
+  Commands() { run(R"({"do": "add_glyph", "glyph": "a", "width": 500})"); }
+
+  void run(const std::string& command) {
+    project_.apply(change_of(project_, Value::parse(command)));
+  }
+
+  std::string refusal_of(const std::string& command) {
+    try {
+      run(command);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  void add_square() {
+    run(std::string(R"({"do": "add_contour", "glyph": "a", "points": )") +
+        kSquare + "}");
+  }
+
+  double area_at(const char* glyph, double x, double y) {
+    const gen::Shape shape(outline_of(project_, *project_.glyph(glyph)));
+    return shape.distance(x * 1.024, y * 1.024);
+  }
+
+  Project project_;
+};
+
+TEST_F(Commands, DrawAndMoveASquare) {
+  add_square();
+  EXPECT_NEAR(area_at("a", 250, 250), 256, 1e-3);
+  run(R"({"do": "move_points", "glyph": "a", "points": [[0,1],[0,2],[0,2]],
+          "dx": 100})");
+  EXPECT_EQ(project_.glyph("a")->contours[0].points[2].x, 600);
+  EXPECT_GT(area_at("a", 590, 250), 0);
+}
+
+TEST_F(Commands, LeaveTheProjectAsItWasIfTheyFail) {
+  add_square();
+  const GlyphPointer before = project_.glyph("a");
+  EXPECT_NE(refusal_of(R"({"do": "set_point", "glyph": "a", "contour": 0,
+                          "point": 0, "type": "offcurve"})"),
+            "");
+  EXPECT_EQ(project_.glyph("a"), before);
+}
+
+TEST_F(Commands, NameWhatIsWrongAndWhatIsAllowed) {
+  add_square();
+  EXPECT_EQ(refusal_of(R"({"do": "fly"})").substr(0, 34),
+            "command 'fly': is not known; there");
+  EXPECT_EQ(refusal_of(R"({"do": "set_advance", "glyph": "a"})"),
+            "command 'set_advance', glyph 'a': \"width\" is missing");
+  EXPECT_EQ(refusal_of(R"({"do": "set_advance", "glyph": "b", "width": 1})"),
+            "command 'set_advance', glyph 'b': there is no such glyph; add it "
+            "with add_glyph");
+  EXPECT_EQ(
+      refusal_of(R"({"do": "delete_contour", "glyph": "a", "contour": 3})"),
+      "command 'delete_contour', glyph 'a': \"contour\" is 3, allowed are "
+      "0..0");
+}
+
+TEST_F(Commands, RefuseAGlyphThatContainsItself) {
+  run(R"({"do": "add_glyph", "glyph": "b"})");
+  run(R"({"do": "add_component", "glyph": "b", "base": "a"})");
+  EXPECT_NE(refusal_of(R"({"do": "add_component", "glyph": "a",
+                          "base": "b"})"),
+            "");
+  EXPECT_NE(refusal_of(R"({"do": "delete_glyph", "glyph": "a"})"), "");
+}
+
+TEST_F(Commands, RenameReferencesToo) {
+  run(R"({"do": "add_glyph", "glyph": "b"})");
+  run(R"({"do": "add_component", "glyph": "b", "base": "a"})");
+  run(R"({"do": "rename_glyph", "glyph": "a", "to": "c"})");
+  EXPECT_EQ(project_.find("a"), nullptr);
+  EXPECT_EQ(project_.glyph("c")->name, "c");
+  EXPECT_EQ(project_.glyph("b")->components[0].base, "c");
+}
+
+TEST_F(Commands, DecomposeTurnsReflectedContoursOver) {
+  add_square();
+  run(R"({"do": "add_glyph", "glyph": "b"})");
+  run(R"({"do": "add_component", "glyph": "b", "base": "a",
+          "matrix": [-1, 0, 0, 1, 1000, 0]})");
+  const double inside = area_at("b", 750, 250);
+  run(R"({"do": "decompose", "glyph": "b"})");
+  EXPECT_TRUE(project_.glyph("b")->components.empty());
+  EXPECT_NEAR(inside, 256, 1e-3);
+  EXPECT_NEAR(area_at("b", 750, 250), 256, 1e-3);
+}
+
+// Lines, cubics, quadratics with implied points: the way back is the same
+// curve.
+TEST_F(Commands, ReverseTwiceIsNothing) {
+  const Value contours = Value::parse(R"([
+      [[0,0],[500,0],[500,500],[0,500]],
+      [[0,0,"offcurve"],[0,9,"offcurve"],[9,9,"offcurve"]],
+      [[10,0,"curve"],[0,5],[3,9,"offcurve"],[4,9,"offcurve"],[9,9,"curve"],
+       [9,2,"offcurve"]],
+      [[0,0,"move"],[4,4,"offcurve"],[8,0,"qcurve"],[9,9]]])");
+  for (const Value& value : contours) {
+    const PointContour contour = parse_contour(value);
+    const PointContour back = reversed(contour);
+    check_contour(back);
+    EXPECT_EQ(contour_value(reversed(back)), contour_value(contour));
+  }
+}
+
+TEST_F(Commands, KeepTheCurveWhenItIsReversed) {
+  const PointContour contour = parse_contour(Value::parse(
+      R"([[10,0,"curve"],[0,500],[300,900,"offcurve"],[400,900,"offcurve"],
+          [900,900,"curve"],[900,200,"offcurve"]])"));
+  const gen::Contour there = to_segments(contour, 1);
+  const gen::Contour back = to_segments(reversed(contour), 1);
+  const gen::Shape a({{there}});
+  const gen::Shape b({{back}});
+  for (double x = 0; x < 1000; x += 37) {
+    EXPECT_NEAR(a.distance(x, x / 2), b.distance(x, x / 2), 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace inkcell::design::test

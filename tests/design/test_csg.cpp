@@ -1,0 +1,155 @@
+// Shapes combined, against their distances point by point.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "component/csg.hpp"
+#include "journal/session.hpp"
+#include "model/commands.hpp"
+#include "model/contours.hpp"
+#include "model/error.hpp"
+
+namespace inkcell::design::test {
+namespace {
+
+class Csg : public testing::Test {
+ protected:
+  Csg() {
+    run({{"do", "set_info"}, {"key", "unitsPerEm"}, {"value", 1024u}});
+    run({{"do", "add_glyph"}, {"glyph", "box"}});
+    run(Value::parse(R"({"do": "add_contour", "glyph": "box",
+        "points": [[0,0],[300,0],[300,300],[0,300]]})"));
+    run({{"do", "add_glyph"}, {"glyph", "disc"}});
+    run(Value::parse(R"({"do": "set_strokes", "glyph": "disc", "strokes":
+        [{"nib": "ellipse:300", "points": [[0,0]]}]})"));
+    run({{"do", "add_glyph"}, {"glyph", "out"}});
+  }
+
+  void run(const Value& command) {
+    project_.apply(change_of(project_, command));
+  }
+
+  gen::Shape shape(const char* glyph) const {
+    return gen::Shape(outline_of(project_, *project_.glyph(glyph)));
+  }
+
+  Project project_;
+};
+
+TEST_F(Csg, AStrokeOfOnePointIsItsNib) {
+  const gen::Shape disc = shape("disc");
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_NEAR(disc.distance(150 * std::cos(i), 150 * std::sin(i)), 0, 0.25);
+  }
+  EXPECT_EQ(project_.glyph("disc")->lib.count("org.inkcell.strokes"), 1u);
+}
+
+// Turned, scaled, reflected parts: on which side a point lies is what the
+// distances say.
+TEST_F(Csg, RandomTreesHaveTheirPointsOnTheRightSide) {
+  std::mt19937 random(7);
+  const auto within = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const char* const ops[] = {"union", "intersection", "difference"};
+  for (int round = 0; round < 60; ++round) {
+    Value parts = Value::array();
+    std::vector<gen::Shape> shapes;
+    const int count = 2 + static_cast<int>(random() % 5);
+    for (int i = 0; i < count; ++i) {
+      const double a = within(0, 6.3);
+      const double s = within(0.5, 1.5);
+      const double f = random() % 2 == 0 ? 1 : -1;
+      const Value leaf = {
+          {"glyph", random() % 2 == 0 ? "box" : "disc"},
+          {"matrix",
+           {s * std::cos(a), s * std::sin(a), -f * s * std::sin(a),
+            f * s * std::cos(a), within(0, 300), within(0, 300)}}};
+      parts.push_back(leaf);
+      const Value alone = {{"op", "union"},
+                           {"parts", Value::array({leaf, leaf})}};
+      shapes.push_back(shape_of_tree(project_, 0, alone));
+    }
+    const std::string op = ops[random() % 3];
+    const gen::Shape made =
+        shape_of_tree(project_, 0, {{"op", op}, {"parts", parts}});
+    for (int i = 0; i < 200; ++i) {
+      const double x = within(-400, 800);
+      const double y = within(-400, 800);
+      double truth = shapes[0].distance(x, y);
+      for (size_t k = 1; k < shapes.size(); ++k) {
+        const double d = shapes[k].distance(x, y);
+        truth = op == "union"          ? std::max(truth, d)
+                : op == "intersection" ? std::min(truth, d)
+                                       : std::min(truth, -d);
+      }
+      if (std::fabs(truth) > 1.0 / 64) {
+        EXPECT_EQ(made.inside(x, y), truth > 0) << op << " round " << round;
+      }
+    }
+  }
+}
+
+TEST_F(Csg, ABlendFollowsItsFormulaAndIsADistanceAgain) {
+  constexpr double kRadius = 60;
+  const gen::Shape a = shape("box");
+  const Value moved = Value::parse(
+      R"({"op": "union", "parts": [
+          {"glyph": "disc", "matrix": [1,0,0,1,380,250]},
+          {"glyph": "disc", "matrix": [1,0,0,1,380,250]}]})");
+  const gen::Shape b = shape_of_tree(project_, 0, moved);
+  const gen::Shape made = combine(a, b, Combination::blend, kRadius);
+  ASSERT_FALSE(made.empty());
+  for (const gen::Edge& edge : made.edges()) {
+    const double da = a.distance(edge.a.x, edge.a.y);
+    const double db = b.distance(edge.a.x, edge.a.y);
+    const double h = std::max(kRadius - std::fabs(da - db), 0.0);
+    EXPECT_NEAR(std::max(da, db) + h * h / (4 * kRadius), 0, 1.0 / 16);
+  }
+  // Just off the edge its distance grows by 1 u per u, in the fillet, too.
+  int steep = 0;
+  for (size_t i = 0; i < made.edges().size(); i += 5) {
+    const gen::Edge& edge = made.edges()[i];
+    const double dx = edge.b.x - edge.a.x;
+    const double dy = edge.b.y - edge.a.y;
+    const double l = std::hypot(dx, dy);
+    const double d = made.distance((edge.a.x + edge.b.x) / 2 - 0.2 * dy / l,
+                                   (edge.a.y + edge.b.y) / 2 + 0.2 * dx / l);
+    EXPECT_NEAR(d / 0.2, 1, 0.02);
+    ++steep;
+  }
+  EXPECT_GT(steep, 100);
+}
+
+TEST_F(Csg, TreesAreCommandsThatCanBeUndone) {
+  Player player(project_);
+  player.play(Value::parse(R"({"do": "set_tree", "glyph": "out", "tree":
+      {"op": "difference", "parts": [{"glyph": "box"}, {"glyph": "disc"}]}})"));
+  const gen::Shape made(
+      outline_of(player.project(), *player.project().glyph("out")));
+  EXPECT_LT(made.distance(50, 50), -50);
+  EXPECT_GT(made.distance(250, 250), 49);
+  EXPECT_TRUE(player.undo());
+  EXPECT_TRUE(player.project().glyph("out")->contours.empty());
+}
+
+TEST_F(Csg, ErrorsSayWhatIsAllowed) {
+  const auto refusal = [this](const char* tree) {
+    try {
+      shape_of_tree(project_, 0, Value::parse(tree));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(R"({"op": "xor", "parts": []})"),
+            "operator 'xor' of a tree is not known; use union, intersection, "
+            "difference or blend");
+  EXPECT_EQ(refusal(R"({"op": "blend", "parts": []})"),
+            "a blend has a \"radius\" above 0, in font units");
+  EXPECT_NE(refusal(R"({"glyph": "none"})"), "");
+}
+
+}  // namespace
+}  // namespace inkcell::design::test

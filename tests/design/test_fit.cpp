@@ -1,0 +1,126 @@
+// Curves for dense points: few of them, true, corners kept.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fit/cubic_fit.hpp"
+#include "fit/curve_fitter.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design::test {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+Loop circle(double radius, int count) {
+  Loop loop;
+  for (int i = 0; i < count; ++i) {
+    const double a = 2 * kPi * i / count;
+    loop.points.push_back({radius * std::cos(a), radius * std::sin(a)});
+    loop.tangents.push_back({-std::sin(a), std::cos(a)});
+  }
+  return loop;
+}
+
+const std::vector<Point> kSquare = {{0, 0}, {300, 0}, {300, 300}, {0, 300}};
+
+TEST(FitCubic, FindsTheCubicThatThePointsLieOn) {
+  gen::Segment truth;
+  truth.kind = gen::Segment::Kind::cubic;
+  truth.p[0] = {0, 0};
+  truth.p[1] = {30, 80};
+  truth.p[2] = {140, 90};
+  truth.p[3] = {200, -20};
+  std::vector<Point> points;
+  for (int i = 0; i <= 100; ++i) {
+    points.push_back(cubic_at(truth, i / 100.0));
+  }
+  Stretch stretch;
+  stretch.points = points.data();
+  stretch.count = points.size();
+  EXPECT_LT(fit_cubic(stretch, 0.1).worst, 0.1);
+  stretch.begin = unit(truth.p[1] - truth.p[0]);
+  stretch.end = unit(truth.p[3] - truth.p[2]);
+  const FittedCubic fitted = fit_cubic(stretch, 0.1);
+  EXPECT_LT(fitted.worst, 0.1);
+  EXPECT_LT(length(fitted.segment.p[1] - truth.p[1]), 2);
+}
+
+TEST(FitLoop, ACircleIsFourCubicsWithPointsAtItsExtremes) {
+  FitOptions options;
+  options.tolerance = 0.25;
+  const gen::Contour contour = fit_loop(circle(250, 1500), options);
+  ASSERT_EQ(contour.segments.size(), 4u);
+  for (const gen::Segment& segment : contour.segments) {
+    EXPECT_EQ(segment.kind, gen::Segment::Kind::cubic);
+    const Point& at = segment.p[0];
+    EXPECT_LT(std::min(std::fabs(at.x), std::fabs(at.y)), 0.6);
+    // Level or upright handles.
+    const Point handle = segment.p[1] - at;
+    EXPECT_LT(std::min(std::fabs(handle.x), std::fabs(handle.y)), 1e-3);
+    for (int i = 0; i <= 20; ++i) {
+      EXPECT_NEAR(length(cubic_at(segment, i / 20.0)), 250, 0.25);
+    }
+  }
+}
+
+TEST(FitLoop, ASquareIsFourLines) {
+  Loop loop = sample_polygon(kSquare, 1);
+  CornerOptions exact;
+  exact.is_exact = true;
+  find_corners(exact, loop);
+  ASSERT_EQ(loop.corners.size(), 4u);
+  const gen::Contour contour = fit_loop(loop, FitOptions());
+  ASSERT_EQ(contour.segments.size(), 4u);
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(contour.segments[i].kind, gen::Segment::Kind::line);
+    EXPECT_TRUE(same(contour.segments[i].p[0], kSquare[i]));
+  }
+}
+
+// The points near the corners are cut off, as cells and pixels do.
+TEST(FindCorners, RestoreThoseThatWereRounded) {
+  const Loop sharp = sample_polygon(kSquare, 1);
+  Loop loop;
+  for (size_t i = 0; i < sharp.points.size(); ++i) {
+    bool is_near = false;
+    for (const Point& corner : kSquare) {
+      is_near = is_near || length(sharp.points[i] - corner) < 1.5;
+    }
+    if (!is_near) {
+      loop.points.push_back(sharp.points[i]);
+      loop.tangents.push_back(sharp.tangents[i]);
+    }
+  }
+  CornerOptions options;
+  options.reach = 2.5;
+  find_corners(options, loop);
+  ASSERT_EQ(loop.corners.size(), 4u);
+  for (const size_t corner : loop.corners) {
+    double nearest = 1e9;
+    for (const Point& truth : kSquare) {
+      nearest = std::min(nearest, length(loop.points[corner] - truth));
+    }
+    EXPECT_LT(nearest, 1e-6);
+  }
+}
+
+TEST(FindCorners, ACircleHasNone) {
+  Loop loop = circle(20, 120);
+  find_corners(CornerOptions(), loop);
+  EXPECT_TRUE(loop.corners.empty());
+}
+
+TEST(SegmentCount, CountsTheLineThatCloses) {
+  gen::Contour contour;
+  for (int i = 0; i < 3; ++i) {
+    gen::Segment segment;
+    segment.p[0] = kSquare[static_cast<size_t>(i)];
+    segment.p[1] = kSquare[static_cast<size_t>(i) + 1];
+    contour.segments.push_back(segment);
+  }
+  EXPECT_EQ(segment_count({{contour}}), 4u);
+}
+
+}  // namespace
+}  // namespace inkcell::design::test
