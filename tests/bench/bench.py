@@ -69,6 +69,7 @@ WHAT = {
     "digits": "instructions for each pixel of the box of digits of 200 px",
     "rgb565": "a line of text into RGB565, and its sink alone",
     "modes": "every way that glyphs can look, at 12 and 24 px",
+    "cache": "glyphs that a cache holds, and bitmaps of 4 bits",
     "field": "fields generated from outlines",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
@@ -312,6 +313,7 @@ class Firmware:
         if program == "cells" and way in report.SLANTED:
             program = "turned"
         program = "modes" if way in report.MODES else program
+        program = "cache" if way in report.CACHE else program
         kept = kept_bytes(self.folder / (program + ".map"))
         name = self.fonts.files[font, engine, coding]
         for _, numbers in self.run(program, name, way, *characters, *sizes):
@@ -424,6 +426,20 @@ def measure_modes(firmware, font, about, pictures):
                    "over_plain": round(mean / plain, 2)}
 
 
+def measure_cache(firmware, sizes, font, about):
+    """Cached glyphs over bitmaps of the same pictures."""
+    cached, bitmaps = (
+        [result for result, _ in firmware.glyphs(
+            "inkcell", about["coding"], font, way, ASCII, sizes)]
+        for way in report.CACHE)
+    for held, bitmap in zip(cached, bitmaps):
+        mean, plain = held["instructions_mean"], bitmap["instructions_mean"]
+        yield {"figure": "cache", **about, "px": held["px"],
+               "instructions_mean": mean, "bitmap_mean": plain,
+               "over_bitmap": round(mean / plain, 2), "stack": held["stack"],
+               "ram": held["workspace"]}
+
+
 def measure_styled(firmware, arguments, font, coding, upright, pictures):
     """The figures of one font that are not a table."""
     name = firmware.fonts.files[font, "inkcell", coding]
@@ -440,6 +456,8 @@ def measure_styled(firmware, arguments, font, coding, upright, pictures):
             not arguments.write_docs or
             (firmware.cpu in MODE_CPUS and firmware.opt == "O2")):
         yield from measure_modes(firmware, font, about, pictures)
+    if "cache" in arguments.what and coding == "outline":
+        yield from measure_cache(firmware, arguments.px, font, about)
     if "digits" in arguments.what:
         for result, more in firmware.glyphs("inkcell", coding, font, "upright",
                                             DIGITS, ["200"]):
@@ -526,7 +544,8 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets |= {"bound", "field", "modes", "rgb565"} & set(arguments.what)
+    targets |= ({"bound", "cache", "field", "modes", "rgb565"} &
+                set(arguments.what))
     if "turned" in arguments.what and "edges" in arguments.coding:
         targets.add("turned")
     if "code" in arguments.what:

@@ -48,6 +48,8 @@ MEMORY = {
     "strips": "Lent RAM, but points decoded anew for each strip",
     "stack": "No lent RAM: a band on the stack",
 }
+# Of inkcell_cache.cpp: what is held, and a bitmap font of the same pictures.
+CACHE = ("cached", "bitmap")
 # What codings can do; measured figures stand above it.
 ABILITIES = [
     ["any size, position and matrix; kerning", "yes", "yes", "yes"],
@@ -451,6 +453,12 @@ def other_tables(figures):
              "and points that are decoded\nonce. Pictures are the same.\n\n")
     for way, title in MEMORY.items():
         text += sized_table(figures, way, title + ":", ratio)
+    text += sized_table(
+        figures, "cache", "Glyphs that a cache of 4 bits holds, all 95 of "
+        "them: thousands of instructions, how many times what a\nbitmap of 4 "
+        "bits a pixel takes, and the bytes of the cache:",
+        lambda f: f"{thousands(f['instructions_mean'])}, "
+                  f"{f['over_bitmap']:.2f}, {f['ram']}")
     text += sized_table(
         figures, "digits", "The ten digits: instructions for each pixel of the "
         "box of the ink:", lambda f: f["per_pixel"])

@@ -28,6 +28,7 @@ CORE = {
     "effects": "sink cells place rows distance raster",
     "fit": "",
     "text": "place outlines rows raster",
+    "cache": "text place",
     "generate": "cells outlines",
     "verify": "cells font outlines",
 }

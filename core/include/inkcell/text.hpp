@@ -144,6 +144,14 @@ void draw_text(const Font& font,
                const Sink& sink,
                Workspace workspace = {}) noexcept;
 
+/// The pixels that draw_glyph may touch, with filter, grid fitting and effect,
+/// whatever the window is; few of them at its edges stay empty. Empty if the
+/// glyph shows nothing.
+Rect glyph_box(const Font& font,
+               uint16_t glyph,
+               const TextStyle& style,
+               Point origin) noexcept;
+
 /// Draws one glyph by its id, with its origin at `origin`.
 void draw_glyph(const Font& font,
                 uint16_t glyph,

@@ -233,7 +233,7 @@ class TextStyle {
   const Filter& filter() const noexcept { return *filter_; }
   bool is_upright() const noexcept { return !is_slanted_; }
 
-  /// The painter for glyphs of outlines; null before make().
+  /// What paints glyphs of outlines; null before make().
   const detail::OutlinePainter* outline_painter() const noexcept {
     return outline_painter_;
   }
@@ -335,9 +335,10 @@ class TextStyle {
     return filter_->ramp((distance_u_q10 * size_q6_) >> 16);
   }
 
+  friend bool is_same(const TextStyle& a, const TextStyle& b) noexcept;
+
  private:
   struct Stretch;
-  // All but the painter of outlines.
   static Status make_upright(Q26_6 size,
                              const Filter& filter,
                              TextStyle& out) noexcept;
@@ -391,5 +392,9 @@ class TextStyle {
   const void* fitter_options_ = nullptr;
   Effect effect_;
 };
+
+/// Whether two styles draw alike: equal sizes and directions, and the same
+/// filter, fitter and effect, by address.
+bool is_same(const TextStyle& a, const TextStyle& b) noexcept;
 
 }  // namespace inkcell

@@ -8,7 +8,7 @@
 #include "rows/cover_distances.hpp"
 #include "rows/distance_painter.hpp"
 #include "rows/outline_mixer.hpp"
-#include "rows/point_warp.hpp"
+#include "rows/outline_open.hpp"
 #include "rows/wide_painter.hpp"
 #include "sink/emit.hpp"
 
@@ -18,7 +18,6 @@ namespace {
 
 // More is not used: sizes stay below 2^31.
 constexpr size_t kMostBytes = 1 << 20;
-
 // Rows above and below a band, and a word before the first: see Band.
 constexpr int32_t kGuardRows = 2;
 constexpr int32_t kGuardBytes = 4;
@@ -33,31 +32,6 @@ constexpr int32_t kLeastBand = kGuardBytes + 10 * 16;
 // Points at a time of a glyph that has more than there is room for: few, as
 // each row that a band has less costs more than they do.
 constexpr int32_t kPortion = 16;
-
-// False: the style was not made.
-bool plan_for(const TextStyle& style, OutlinePlan& plan) noexcept {
-  // Room for roundings.
-  constexpr int32_t kMore = 4;
-  const OutlineMixer* const mixer = style.effect().outlines;
-  plan = {};
-  plan.painter = mixer == nullptr ? style.outline_painter() : mixer->painter;
-  if (plan.painter == nullptr) {
-    return false;
-  }
-  const int32_t reach_q8 = plan.painter->reach_q8;
-  if (reach_q8 != 0) {
-    plan.outside_q8 = reach_q8;
-    plan.shown_q8 = 128 + kMore;
-  } else {
-    const Filter& filter = style.filter();
-    plan.widen(filter);
-    plan.shown_q8 = (max(-filter.outside_q10, 0) >> 2) + kMore;
-  }
-  if (mixer != nullptr) {
-    mixer->plan(style, plan);
-  }
-  return true;
-}
 
 // Rows of that many samples and the pixel after them. [bytes]
 int32_t stride_of(int32_t width) noexcept {
@@ -82,35 +56,13 @@ struct __attribute__((may_alias)) Prepared {
 constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(GlyphWarp) +
                                kPortion * sizeof(ScreenPoint) + kLeastBand;
 
-// A glyph to draw, and where.
-struct Job {
-  const Font& font;
-  Span<const uint8_t> record;
-  const TextStyle& style;
-  const Placed& placed;
-  uint16_t glyph;
-};
-
-}  // namespace
-
-// How glyphs are moved to the grid of pixels.
-struct OutlineFitter {
-  bool (*open)(Prepared& prepared,
-               const Job& job,
-               const GlyphMetrics& metrics) noexcept;
-  void (*apply)(const Prepared& prepared,
-                ScreenPoint* points,
-                const ScreenPoint* end) noexcept;
-};
-
-namespace {
-
 ScreenPoint* read_points(Prepared& prepared,
                          ScreenPoint* points,
                          int32_t room) noexcept {
   ScreenPoint* const end = prepared.glyph.read(points, room);
   if (prepared.warp != nullptr) {
-    prepared.at.style->outline_fitter().apply(prepared, points, end);
+    prepared.at.style->outline_fitter().apply(*prepared.warp, prepared.glyph,
+                                              prepared.plan, points, end);
   }
   return end;
 }
@@ -232,58 +184,17 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
   }
 }
 
-bool open_at(Prepared& prepared,
-             const Job& job,
-             const GlyphMetrics& metrics,
-             const Placed& placed) noexcept {
-  const OutlinePlan& plan = prepared.plan;
-  return prepared.glyph.open(
-      job.font, metrics, job.record, job.style, placed,
-      {plan.painter->origin_q8, plan.shown_q8, plan.columns, plan.rows},
-      prepared.warp);
-}
-
 // The maps lie behind the glyph.
-bool open_fitted(Prepared& prepared,
-                 const Job& job,
-                 const GlyphMetrics& metrics) noexcept {
-  auto* const warp = reinterpret_cast<GlyphWarp*>(&prepared + 1);
-  FinePoint origin = job.placed.origin();
-  job.style.fitter()->fit(job.glyph, metrics, job.style.fitter_options(),
-                          origin, *warp);
-  if ((warp->x.count | warp->y.count) != 0) {
-    prepared.warp = warp;
-  }
-  Placed placed;
-  return placed.set(origin) && open_at(prepared, job, metrics, placed);
-}
-
-void apply_warp(const Prepared& prepared,
-                ScreenPoint* points,
-                const ScreenPoint* end) noexcept {
-  warp_points(*prepared.warp, prepared.glyph, prepared.plan, points, end);
-}
-
-// False if there is nothing to draw in the window.
-bool open(Prepared& prepared, const Job& job) noexcept {
+bool open(Prepared& prepared, const OutlineJob& job) noexcept {
   prepared.at.style = &job.style;
-  prepared.warp = nullptr;
-  if (!plan_for(job.style, prepared.plan)) {
-    return false;
-  }
-  GlyphMetrics metrics;
-  if (job.font.glyph_metrics(job.glyph, metrics) != Status::ok) {
-    return false;
-  }
-  if (job.style.is_fitted()) {
-    return job.style.outline_fitter().open(prepared, job, metrics);
-  }
-  return open_at(prepared, job, metrics, job.placed);
+  return open_outline({prepared.glyph, prepared.plan, prepared.warp,
+                       reinterpret_cast<GlyphWarp*>(&prepared + 1)},
+                      job);
 }
 
 void draw_in(Prepared& prepared,
              int32_t size,
-             const Job& job,
+             const OutlineJob& job,
              const Sink& sink) noexcept {
   if (open(prepared, job) &&
       !is_empty(intersect(prepared.glyph.box(), sink.window)) &&
@@ -292,7 +203,7 @@ void draw_in(Prepared& prepared,
   }
 }
 
-__attribute__((noinline)) void draw_on_stack(const Job& job,
+__attribute__((noinline)) void draw_on_stack(const OutlineJob& job,
                                              const Sink& sink) noexcept {
   struct {
     Prepared prepared;
@@ -316,8 +227,6 @@ Workspace aligned(const Workspace& workspace) noexcept {
 
 }  // namespace
 
-const OutlineFitter kOutlineFitter = {open_fitted, apply_warp};
-
 const OutlinePainter kPaintPixelRamp = {paint_distances, cover_linear, 128,
                                         128};
 const OutlinePainter kPaintDistances = {paint_distances, cover_filtered, 128,
@@ -333,7 +242,7 @@ void draw_outline(const Font& font,
                   const Placed& placed,
                   const Sink& sink,
                   Workspace workspace) noexcept {
-  const Job job = {font, record, style, placed, glyph};
+  const OutlineJob job = {font, record, style, placed, glyph};
   const Workspace ram = aligned(workspace);
   if (ram.size == 0) {
     draw_on_stack(job, sink);

@@ -4,6 +4,7 @@
 #include "place/position.hpp"
 #include "raster/field_draw.hpp"
 #include "rows/outline_draw.hpp"
+#include "rows/outline_open.hpp"
 #include "text/text_place.hpp"
 
 namespace inkcell {
@@ -14,6 +15,7 @@ using detail::kMaxPx;
 using detail::kMaxUnits;
 using detail::place_near;
 using detail::Placed;
+using detail::run_origin;
 using detail::UnitScale;
 
 constexpr uint32_t kReplacement = 0xfffd;
@@ -199,16 +201,6 @@ TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
   return sum;
 }
 
-// Whole-pixel advances count from a whole pixel.
-Point run_origin(const TextStyle& style, Point origin) noexcept {
-  if (style.has_whole_advances()) {
-    // Far away it may wrap, but not to where it would be seen.
-    const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;
-    origin.x.raw = static_cast<int32_t>(x & ~uint32_t{63});
-  }
-  return origin;
-}
-
 }  // namespace
 
 Status layout(const Font& font,
@@ -286,6 +278,34 @@ void draw_text(const Font& font,
       draw_placed(font, at.glyph, style, placed, sink, workspace);
     }
   }
+}
+
+Rect glyph_box(const Font& font,
+               uint16_t glyph,
+               const TextStyle& style,
+               Point origin) noexcept {
+  Placed placed;
+  if (!placed.set(origin)) {
+    return {};
+  }
+  const Span<const uint8_t> record = font.record(glyph);
+  if constexpr (detail::kHasOutlines) {
+    if (detail::is_outline(record)) {
+      return detail::outline_box(font, glyph, record, style, placed);
+    }
+  }
+  if constexpr (detail::kHasCells) {
+    GlyphField field;
+    if (detail::read_field(font, glyph, field) == Status::ok) {
+      const Rect plain = detail::box_of(field, style, placed);
+      const int32_t reach =
+          style.effect().cells == nullptr ? 0 : style.effect().reach_px;
+      return is_empty(plain) ? Rect{}
+                             : Rect{plain.x0 - reach, plain.y0 - reach,
+                                    plain.x1 + reach, plain.y1 + reach};
+    }
+  }
+  return {};
 }
 
 void draw_glyph(const Font& font,

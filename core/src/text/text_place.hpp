@@ -71,5 +71,15 @@ __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
   return out.set(place(scale, style, origin, at));
 }
 
+// Where a run begins: whole-pixel advances count from a whole pixel.
+inline Point run_origin(const TextStyle& style, Point origin) noexcept {
+  if (style.has_whole_advances()) {
+    // Far away it may wrap, but not to where it would be seen.
+    const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;
+    origin.x.raw = static_cast<int32_t>(x & ~uint32_t{63});
+  }
+  return origin;
+}
+
 }  // namespace detail
 }  // namespace inkcell
