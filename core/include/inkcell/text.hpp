@@ -3,8 +3,8 @@
 // Layout knows no size: positions are in font units, unrounded, so that one
 // layout serves every size, strip and frame. Only text that is fitted across
 // (FitOptions::across) has advances that depend on the size: lay it out and
-// measure it with its style. One line at a time, left to right; line breaks are
-// the caller's.
+// measure it with its style. One line at a time, left to right; layout.hpp has
+// lines that break, and mixed directions.
 #pragma once
 
 #include <stddef.h>
@@ -44,6 +44,17 @@ struct PositionedGlyph {
   int32_t x = 0;
   int16_t y = 0;
   uint16_t glyph = 0;
+  uint16_t offset = 0;  // of its first byte in the line
+  uint8_t face = 0;     // 0: the run's own; others: fallback[face - 1]
+};
+
+/// The longest line whose glyphs know their offsets. [bytes]
+inline constexpr size_t kMaxLineBytes = 65535;
+
+/// A font and the style that draws it. Both must outlive it.
+struct Face {
+  const Font* font = nullptr;
+  const TextStyle* style = nullptr;
 };
 
 /// Lays text out glyph by glyph, without a buffer.
@@ -56,7 +67,8 @@ struct PositionedGlyph {
 /// `font`, the text and the style must outlive it.
 class TextCursor {
  public:
-  TextCursor(const Font& font, Text text) noexcept : font_(font), text_(text) {}
+  TextCursor(const Font& font, Text text) noexcept
+      : font_(font), text_(text), size_(text.size) {}
 
   /// With the advances that glyphs have when the style draws them. If those are
   /// whole pixels, so is the kerning, rounded towards 0; positions are whole
@@ -64,28 +76,29 @@ class TextCursor {
   TextCursor(const Font& font, Text text, const TextStyle& style) noexcept;
 
   /// The next glyph, kerned against the one before; false at the end. A code
-  /// point that the font lacks gives .notdef.
+  /// point that the font lacks gives .notdef, unless it shows nothing: tabs and
+  /// other spaces are then as wide as a space; controls, line ends, soft
+  /// hyphens, zero width characters and variation selectors never give a glyph.
   bool next(PositionedGlyph& out) noexcept;
 
   /// Where the next glyph would stand without kerning. [font units, at most
   /// 2^24 in magnitude]
-  int32_t advance() const noexcept { return advance_; }
+  int32_t advance() const noexcept;
 
  private:
-  void add_px(int32_t px) noexcept;
-
   const Font& font_;
   Text text_;
+  size_t size_;
   const TextStyle* style_ = nullptr;  // null: advances are the font's
-  int32_t advance_ = 0;
-  int32_t advance_px_ = 0;
+  int32_t advance_ = 0;               // [px with a style, or font units]
   int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
 };
 
 /// Positions of all glyphs of one line. `out` holds at most text.size glyphs,
 /// which always suffice; `glyphs` is the part of it that was filled.
 ///
-/// buffer_small: `out` was too short; `glyphs` is untouched.
+/// buffer_small: `out` was too short; bad_argument: the text is longer than
+/// kMaxLineBytes. `glyphs` is then untouched.
 Status layout(const Font& font,
               Text text,
               Span<PositionedGlyph> out,
@@ -131,6 +144,16 @@ Status check_effect(const Font& font, const TextStyle& style) noexcept;
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
           const TextStyle& style,
+          Point origin,
+          const Sink& sink,
+          Workspace workspace = {}) noexcept;
+
+/// The same for runs of several fonts. Positions are in units of `face`, along
+/// the direction of its style; `fallback` has the faces of other glyphs, of any
+/// size. Glyphs of faces beyond its end are left out.
+void draw(const Face& face,
+          Span<const Face> fallback,
+          Span<const PositionedGlyph> glyphs,
           Point origin,
           const Sink& sink,
           Workspace workspace = {}) noexcept;

@@ -5,14 +5,13 @@
 #include "raster/field_draw.hpp"
 #include "rows/outline_draw.hpp"
 #include "rows/outline_open.hpp"
+#include "text/find_glyph.hpp"
 #include "text/text_place.hpp"
 
 namespace inkcell {
 namespace {
 
-using detail::clamp_to;
-using detail::kMaxPx;
-using detail::kMaxUnits;
+using detail::Advances;
 using detail::place_near;
 using detail::Placed;
 using detail::run_origin;
@@ -54,13 +53,6 @@ Lead lead_of(uint32_t byte) noexcept {
     return {3, static_cast<uint8_t>(byte & 0x07), low, high};
   }
   return {0, 0, 0, 0};
-}
-
-// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
-// others wrap.
-int32_t product(int32_t a, int32_t b) noexcept {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) *
-                              static_cast<uint32_t>(b));
 }
 
 // Inline: a frame of its own would take more of the stack, and of code.
@@ -115,58 +107,53 @@ uint32_t next_code_point(Text& text) noexcept {
 TextCursor::TextCursor(const Font& font,
                        Text text,
                        const TextStyle& style) noexcept
-    : font_(font), text_(text) {
+    : TextCursor(font, text) {
   if (style.has_whole_advances()) {
     style_ = &style;
   }
 }
 
-// Positions are the sum of whole pixels, each converted by itself: nothing
-// accumulates.
-void TextCursor::add_px(int32_t px) noexcept {
-  advance_px_ = clamp_to(advance_px_ + px, kMaxPx);
-  const int32_t size_q6 = style_->size().raw;
-  const int32_t em_q6 = font_.units_per_em() * 64;
-  // Whole units of a pixel, and what is left.
-  const int32_t whole = em_q6 / size_q6;
-  const int32_t part = product(advance_px_, em_q6 - whole * size_q6);
-  const int32_t half = part < 0 ? -size_q6 / 2 : size_q6 / 2;
-  advance_ = clamp_to(advance_px_ * whole + (part + half) / size_q6, kMaxUnits);
+int32_t TextCursor::advance() const noexcept {
+  return Advances(font_, style_).to_units(advance_);
 }
 
 bool TextCursor::next(PositionedGlyph& out) noexcept {
-  if (text_.size == 0) {
-    return false;
-  }
-  const uint16_t glyph = font_.glyph_or_notdef(next_code_point(text_));
-  if (previous_ >= 0) {
-    const int32_t kerning =
-        font_.kerning(static_cast<uint16_t>(previous_), glyph);
-    if (style_ == nullptr) {
-      advance_ = clamp_to(advance_ + kerning, kMaxUnits);
-    } else if (kerning != 0) {
-      add_px(product(kerning, style_->size().raw) /
-             (font_.units_per_em() * 64));
+  while (text_.size != 0) {
+    const size_t offset = size_ - text_.size;
+    uint16_t glyph = 0;
+    if (!detail::find_glyph(font_, next_code_point(text_), glyph)) {
+      continue;
     }
+    const Advances advances(font_, style_);
+    const int32_t kerning =
+        previous_ >= 0
+            ? advances.kerning(static_cast<uint16_t>(previous_), glyph)
+            : 0;
+    const int32_t limit = advances.limit();
+    const int32_t at = detail::clamp_to(advance_ + kerning, limit);
+    // Positions are sums of advances, each converted by itself: nothing
+    // accumulates.
+    out.x = advances.to_units(at);
+    out.y = 0;
+    out.glyph = glyph;
+    out.offset = static_cast<uint16_t>(offset);
+    out.face = 0;
+    advance_ = detail::clamp_to(at + advances.advance(glyph), limit);
+    previous_ = glyph;
+    return true;
   }
-  out.x = advance_;
-  out.y = 0;
-  out.glyph = glyph;
-  if (style_ == nullptr) {
-    advance_ = clamp_to(advance_ + font_.advance(glyph), kMaxUnits);
-  } else {
-    add_px(
-        style_->fitter()->advance_px(font_, glyph, style_->fitter_options()));
-  }
-  previous_ = glyph;
-  return true;
+  return false;
 }
 
 namespace {
 
 Status layout(TextCursor cursor,
+              size_t bytes,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept {
+  if (bytes > kMaxLineBytes) {
+    return Status::bad_argument;
+  }
   PositionedGlyph glyph;
   size_t count = 0;
   while (cursor.next(glyph)) {
@@ -207,7 +194,7 @@ Status layout(const Font& font,
               Text text,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(TextCursor(font, text), out, glyphs);
+  return layout(TextCursor(font, text), text.size, out, glyphs);
 }
 
 Status layout(const Font& font,
@@ -215,7 +202,7 @@ Status layout(const Font& font,
               const TextStyle& style,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(TextCursor(font, text, style), out, glyphs);
+  return layout(TextCursor(font, text, style), text.size, out, glyphs);
 }
 
 TextMeasure measure(const Font& font, Text text) noexcept {
@@ -252,12 +239,25 @@ void draw(const Font& font,
           Point origin,
           const Sink& sink,
           Workspace workspace) noexcept {
-  const UnitScale scale(font, style);
-  origin = run_origin(style, origin);
+  draw(Face{&font, &style}, {}, glyphs, origin, sink, workspace);
+}
+
+void draw(const Face& face,
+          Span<const Face> fallback,
+          Span<const PositionedGlyph> glyphs,
+          Point origin,
+          const Sink& sink,
+          Workspace workspace) noexcept {
+  const UnitScale scale(*face.font, *face.style);
+  origin = run_origin(*face.style, origin);
   for (const PositionedGlyph& at : glyphs) {
+    if (at.face > fallback.size) {
+      continue;
+    }
+    const Face& own = at.face == 0 ? face : fallback[at.face - 1u];
     Placed placed;
-    if (place_near(scale, style, origin, at, placed)) {
-      draw_placed(font, at.glyph, style, placed, sink, workspace);
+    if (place_near(scale, *face.style, origin, at, placed)) {
+      draw_placed(*own.font, at.glyph, *own.style, placed, sink, workspace);
     }
   }
 }

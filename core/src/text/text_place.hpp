@@ -7,23 +7,10 @@
 #include "inkcell/text.hpp"
 #include "inkcell/text_style.hpp"
 #include "place/position.hpp"
+#include "text/advances.hpp"
 
 namespace inkcell {
 namespace detail {
-
-inline int32_t clamp_to(int32_t value, int32_t limit) noexcept {
-  if (value > limit) {
-    return limit;
-  }
-  return value < -limit ? -limit : value;
-}
-
-// Longer lines than this, 1000 em at the least, end where it ends: a hostile
-// font may have glyphs 65535 units wide.
-inline constexpr int32_t kMaxUnits = 1 << 24;
-
-// The same of lines of whole pixels.
-inline constexpr int32_t kMaxPx = 1 << 18;
 
 // What a run's font units are in px: computed once, because it takes a
 // division. [px per unit, Q10 with 20 more bits]

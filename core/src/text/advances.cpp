@@ -1,0 +1,44 @@
+#include "text/advances.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
+// others wrap.
+int32_t product(int32_t a, int32_t b) noexcept {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) *
+                              static_cast<uint32_t>(b));
+}
+
+}  // namespace
+
+int32_t Advances::advance(uint16_t glyph) const noexcept {
+  return is_whole() ? style_->fitter()->advance_px(font_, glyph,
+                                                   style_->fitter_options())
+                    : font_.advance(glyph);
+}
+
+int32_t Advances::kerning(uint16_t left, uint16_t right) const noexcept {
+  const int32_t units = font_.kerning(left, right);
+  if (!is_whole() || units == 0) {
+    return units;
+  }
+  return product(units, style_->size().raw) / (font_.units_per_em() * 64);
+}
+
+int32_t Advances::to_units(int32_t sum) const noexcept {
+  if (!is_whole()) {
+    return sum;
+  }
+  const int32_t size_q6 = style_->size().raw;
+  const int32_t em_q6 = font_.units_per_em() * 64;
+  // Whole units of a pixel, and what is left.
+  const int32_t whole = em_q6 / size_q6;
+  const int32_t part = product(sum, em_q6 - whole * size_q6);
+  const int32_t half = part < 0 ? -size_q6 / 2 : size_q6 / 2;
+  return clamp_to(sum * whole + (part + half) / size_q6, kMaxUnits);
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,49 @@
+// Widths of glyphs in the unit in which a style adds them up: whole pixels, or
+// the font's units.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/text_style.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Longer lines than this, 1000 em at the least, end where it ends: a hostile
+// font may have glyphs 65535 units wide.
+inline constexpr int32_t kMaxUnits = 1 << 24;
+
+// The same of lines of whole pixels.
+inline constexpr int32_t kMaxPx = 1 << 18;
+
+inline int32_t clamp_to(int32_t value, int32_t limit) noexcept {
+  if (value > limit) {
+    return limit;
+  }
+  return value < -limit ? -limit : value;
+}
+
+// A font, and the style if that has advances in whole pixels.
+class Advances {
+ public:
+  Advances(const Font& font, const TextStyle* whole) noexcept
+      : font_(font), style_(whole) {}
+
+  bool is_whole() const noexcept { return style_ != nullptr; }
+  int32_t limit() const noexcept { return is_whole() ? kMaxPx : kMaxUnits; }
+
+  int32_t advance(uint16_t glyph) const noexcept;
+  // Whole pixels are rounded towards 0.
+  int32_t kerning(uint16_t left, uint16_t right) const noexcept;
+
+  // A sum of them in font units, to the nearest. At most limit() in magnitude.
+  int32_t to_units(int32_t sum) const noexcept;
+
+ private:
+  const Font& font_;
+  const TextStyle* style_;
+};
+
+}  // namespace detail
+}  // namespace inkcell

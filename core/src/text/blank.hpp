@@ -1,0 +1,21 @@
+// Characters that show nothing.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+namespace detail {
+
+enum class Shown : uint8_t {
+  glyph,
+  space,    // as wide as a space where the font has no glyph of its own
+  nothing,  // no glyph and no width, whatever the font has
+};
+
+// Controls, line ends and default ignorable code points (zero width characters,
+// soft hyphen, variation selectors, directional controls) show nothing; tabs
+// and spaces of all kinds are spaces.
+Shown shown_as(uint32_t code_point) noexcept;
+
+}  // namespace detail
+}  // namespace inkcell
