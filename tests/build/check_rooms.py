@@ -29,6 +29,7 @@ CORE = {
     "fit": "",
     "text": "place outlines rows raster",
     "cache": "text place",
+    "layout": "text",
     "generate": "cells outlines",
     "verify": "cells font outlines",
 }

@@ -1,0 +1,241 @@
+#include "inkcell/line_break.hpp"
+
+#include "layout/line_class.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+using Class = LineClass;
+
+// A set of classes that have rows. Bit i: class i.
+constexpr uint32_t set() noexcept {
+  return 0;
+}
+template <typename... Rest>
+constexpr uint32_t set(Class first, Rest... rest) noexcept {
+  return uint32_t{1} << static_cast<uint8_t>(first) | set(rest...);
+}
+constexpr bool has(uint32_t classes, Class c) noexcept {
+  return is_pair_class(c) && (classes >> static_cast<uint8_t>(c) & 1) != 0;
+}
+
+constexpr uint32_t kLetters = set(Class::al, Class::hl);
+constexpr uint32_t kOpening = set(Class::op, Class::opw);
+constexpr uint32_t kClosing = set(Class::cl, Class::cp);
+constexpr uint32_t kAffixes = set(Class::pr, Class::po);
+constexpr uint32_t kPictures = set(Class::id, Class::eb, Class::em);
+constexpr uint32_t kJamo =
+    set(Class::jl, Class::jv, Class::jt, Class::h2, Class::h3);
+// Never at the beginning of a line, even after spaces: LB11, LB13.
+constexpr uint32_t kTrailing =
+    kClosing | set(Class::ex, Class::is, Class::sy, Class::wj);
+
+// The classes that stay on the line of a class `before` which they follow, by
+// the rules that look at two characters. LB12, LB12a and LB15 need no more than
+// is said here; LB25 and LB30a have states of their own.
+constexpr uint32_t stays_after(Class before) noexcept {
+  constexpr uint32_t kAll = (uint32_t{1} << kPairClasses) - 1;
+  if (has(set(Class::wj, Class::gl) | kOpening | set(Class::qu), before)) {
+    return kAll;  // LB11, LB12, LB14, LB19
+  }
+  uint32_t after = kTrailing | set(Class::qu);  // LB13, LB19
+  if (!has(set(Class::ba, Class::hy), before)) {
+    after |= set(Class::gl);  // LB12a
+  }
+  if (has(kClosing, before)) {
+    after |= set(Class::ns);  // LB16
+  }
+  if (before == Class::b2) {
+    after |= set(Class::b2);  // LB17
+  }
+  if (before == Class::cb) {
+    return after;  // LB20
+  }
+  after |= set(Class::ba, Class::hy, Class::ns, Class::in);  // LB21, LB22
+  if (before == Class::bb) {
+    after |= kAll & ~set(Class::cb);  // LB21
+  }
+  if (before == Class::sy) {
+    after |= set(Class::hl);  // LB21b
+  }
+  if (has(kLetters, before)) {
+    after |= set(Class::nu) | kAffixes | kLetters;  // LB23, LB24, LB28
+  }
+  if (before == Class::nu) {
+    after |= kLetters;  // LB23
+  }
+  if (before == Class::pr) {
+    after |= kPictures | kJamo;  // LB23a, LB27
+  }
+  if (has(kPictures | kJamo, before)) {
+    after |= set(Class::po);  // LB23a, LB27
+  }
+  if (has(kAffixes, before)) {
+    after |= kLetters | set(Class::nu);  // LB24, LB25
+  }
+  if (before == Class::hy) {
+    after |= set(Class::nu);  // LB25
+  }
+  if (before == Class::jl) {
+    after |= set(Class::jl, Class::jv, Class::h2, Class::h3);  // LB26
+  }
+  if (has(set(Class::jv, Class::h2), before)) {
+    after |= set(Class::jv, Class::jt);
+  }
+  if (has(set(Class::jt, Class::h3), before)) {
+    after |= set(Class::jt);
+  }
+  if (before == Class::is) {
+    after |= kLetters;  // LB29
+  }
+  if (has(kLetters | set(Class::nu), before)) {
+    after |= set(Class::op);  // LB30
+  }
+  if (before == Class::cp) {
+    after |= kLetters | set(Class::nu);  // LB30
+  }
+  if (before == Class::eb) {
+    after |= set(Class::em);  // LB30b
+  }
+  return after;
+}
+
+struct PairTable {
+  uint32_t rows[kPairClasses] = {};
+
+  constexpr PairTable() noexcept {
+    for (uint8_t i = 0; i < kPairClasses; ++i) {
+      rows[i] = stays_after(static_cast<Class>(i));
+    }
+  }
+};
+
+constexpr PairTable kPairs;
+
+// Whether a digit follows, after marks.
+bool begins_with_digit(Text text) noexcept {
+  while (text.size != 0) {
+    const Class next = line_class(next_code_point(text));
+    if (!is_mark(next)) {
+      return next == Class::nu;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Break LineState::decide_after_spaces(LineClass after) const noexcept {
+  const bool stays = has(kTrailing, after) || has(kOpening, before_) ||  // LB14
+                     (before_ == Class::qu && has(kOpening, after)) ||   // LB15
+                     (has(kClosing, before_) && after == Class::ns) ||   // LB16
+                     (before_ == Class::b2 && after == Class::b2);       // LB17
+  return stays ? Break::none : Break::allowed;                           // LB18
+}
+
+// The rules in their order. `before_` has a row unless a line ends with it, or
+// spaces begin the text, or it is a zero width space.
+Break LineState::decide(LineClass after, const Text& rest) const noexcept {
+  if (before_ == Class::none && !is_spaced_) {
+    return Break::none;  // LB2
+  }
+  if (ends_line(before_)) {
+    return before_ == Class::cr && after == Class::lf ? Break::none
+                                                      : Break::mandatory;
+  }
+  if (ends_line(after) || after == Class::sp || after == Class::zw) {
+    return Break::none;  // LB6, LB7
+  }
+  if (before_ == Class::zw) {
+    return Break::allowed;  // LB8
+  }
+  if (is_joined_) {
+    return Break::none;  // LB8a
+  }
+  if (is_mark(after)) {
+    if (!is_spaced_) {
+      return Break::none;  // LB9
+    }
+    after = Class::al;  // LB10
+  }
+  if (is_spaced_) {
+    return decide_after_spaces(after);
+  }
+  if (has(kPairs.rows[static_cast<uint8_t>(before_)], after)) {
+    return Break::none;
+  }
+  const bool is_in_number =
+      (number_ == digits &&
+       has(set(Class::nu, Class::sy, Class::is) | kClosing | kAffixes,
+           after)) ||
+      (number_ == closed && has(kAffixes, after)) ||
+      (has(kAffixes, before_) && has(kOpening | set(Class::hy), after) &&
+       begins_with_digit(rest));  // LB25
+  const bool is_after_hyphen = is_hebrew_hyphen_ && after != Class::cb;
+  const bool is_flag =
+      is_odd_flag_ && before_ == Class::ri && after == Class::ri;  // LB30a
+  return is_in_number || is_after_hyphen || is_flag ? Break::none
+                                                    : Break::allowed;
+}
+
+void LineState::go_past(LineClass after) noexcept {
+  is_joined_ = after == Class::zwj;
+  if (after == Class::sp && !ends_line(before_)) {
+    is_spaced_ = true;
+    number_ = none;
+    return;
+  }
+  if (is_mark(after)) {
+    if (is_pair_class(before_) && !is_spaced_) {
+      return;  // LB9
+    }
+    after = Class::al;  // LB10
+  }
+  const bool follows = !is_spaced_;
+  if (after == Class::nu) {
+    number_ = digits;
+  } else if (number_ == digits && has(kClosing, after)) {
+    number_ = closed;
+  } else if (!(number_ == digits &&
+               (after == Class::sy || after == Class::is))) {
+    number_ = none;
+  }
+  is_hebrew_hyphen_ = follows && before_ == Class::hl &&
+                      (after == Class::hy || after == Class::ba);  // LB21a
+  is_odd_flag_ =
+      after == Class::ri && !(follows && before_ == Class::ri && is_odd_flag_);
+  is_spaced_ = after == Class::sp;
+  before_ = after == Class::sp ? Class::none : after;
+}
+
+Break LineState::step(LineClass after, const Text& rest) noexcept {
+  const Break result = decide(after, rest);
+  go_past(after);
+  return result;
+}
+
+}  // namespace detail
+
+// The characters before a place that is found are past: it is the offset of the
+// one that was read last.
+bool LineBreaker::next(LineBreak& out) noexcept {
+  while (rest_.size != 0) {
+    const size_t offset = text_.size - rest_.size;
+    const uint32_t code_point = next_code_point(rest_);
+    const detail::Break found =
+        state_.step(detail::line_class(code_point), rest_);
+    if (found != detail::Break::none) {
+      out = {offset, found == detail::Break::mandatory};
+      return true;
+    }
+  }
+  if (is_done_ || text_.size == 0) {
+    return false;
+  }
+  is_done_ = true;
+  out = {text_.size, true};
+  return true;
+}
+
+}  // namespace inkcell
