@@ -21,6 +21,7 @@ inkcell_packages_reading="python3 python3-freetype tesseract-ocr
 
 inkcell_packages_tests="$inkcell_packages_demo git clang
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk
+  unicode-data
   $inkcell_packages_reading"
 
 # The packages of "$@" that are not installed.

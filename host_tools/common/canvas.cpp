@@ -239,20 +239,40 @@ Line lay_out(const Font& font,
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
-                                const TextStyle& style) {
+                                const TextStyle& style,
+                                const Wrapping& wrapping) {
   const FontMetrics metrics = font.metrics();
   const int32_t height =
       metrics.ascender - metrics.descender + metrics.line_gap;
+  const Text whole(text.data(), text.size());
+  std::vector<uint16_t> cells(text.size());
+  Bidi bidi({cells.data(), cells.size()});
+  LayoutOptions options(font, style);
+  options.set_bidi(bidi);
+  options.wraps = wrapping.width.has_value();
+  options.align = wrapping.align;
   std::vector<Line> lines;
-  for (int32_t y = 0;; y -= height) {
-    const size_t end = text.find('\n');
-    lines.push_back(lay_out(font, text.substr(0, end), kerning, style));
-    lines.back().y = y;
-    if (end == std::string_view::npos) {
-      return lines;
+  std::vector<PositionedGlyph> room(text.size() + 4);
+  TextLine line;
+  Q26_6 width = wrapping.width.value_or(Q26_6{});
+  for (int32_t y = 0; next_line(options, whole, width, line); y -= height) {
+    if (kerning == Kerning::none) {
+      lines.push_back(
+          lay_out(font, text.substr(line.begin, line.length), kerning, style));
+    } else {
+      Span<const PositionedGlyph> glyphs;
+      if (!options.wraps) {
+        width = to_px(font, style, line.width);
+      }
+      if (lay_out(options, whole, line, width, {room.data(), room.size()},
+                  glyphs) != Status::ok) {
+        throw std::runtime_error("a line has more glyphs than its text");
+      }
+      lines.push_back({{glyphs.begin(), glyphs.end()}, 0});
     }
-    text.remove_prefix(end + 1);
+    lines.back().y = y;
   }
+  return lines;
 }
 
 InkBox ink_box(const Font& font,

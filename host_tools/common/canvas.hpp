@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "image.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/layout.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/text_style.hpp"
 
@@ -36,11 +38,19 @@ Line lay_out(const Font& font,
              Kerning kerning,
              const TextStyle& style);
 
-/// Lays out lines divided by line feeds, below each other.
+/// How wide a text may be, and how its lines are aligned in that.
+struct Wrapping {
+  std::optional<Q26_6> width;  // none: lines end at line feeds [px]
+  Align align = Align::start;
+};
+
+/// Lays out lines below each other: the library breaks, orders and aligns them.
+/// Without kerning all text is read from left to right, and not aligned.
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
-                                const TextStyle& style);
+                                const TextStyle& style,
+                                const Wrapping& wrapping = {});
 
 /// The ink of lines relative to the origin of the first, turned by the style.
 /// [px, y down] Without ink: the point at the origin.

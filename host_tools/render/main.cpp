@@ -35,6 +35,8 @@ struct Arguments {
   double dy = 0;
   std::optional<double> ox;  // [px]
   std::optional<double> oy;
+  std::optional<double> wrap;  // [px]
+  std::string align = "start";
   std::optional<int> width;
   std::optional<int> height;
   int zoom = 1;
@@ -75,8 +77,13 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE.png|FILE.pgm|FILE.ppm");
   add_look_options(app, arguments.look);
   add_placement(app, arguments);
+  app.add_option("--wrap", arguments.wrap,
+                 "Break lines where they would be wider [px]")
+      ->check(CLI::Range(1, 32767));
+  app.add_option("--align", arguments.align, "Of lines within --wrap")
+      ->check(CLI::IsMember({"start", "left", "center", "right", "justify"}));
   app.add_flag("--no-kerning", arguments.unkerned,
-               "Advances only, as --jobs always does");
+               "Advances only, as --jobs always does; without --wrap");
   app.add_flag("--invert", arguments.inverted, "Black on white");
   app.add_option("--zoom", arguments.zoom, "Draw each pixel N x N")
       ->check(CLI::Range(1, 64));
@@ -132,6 +139,26 @@ Placement place(const Arguments& arguments,
   const Extent y = place(ink.y0, ink.y1, arguments.dy / 64, arguments.oy,
                          arguments.height, margin);
   return {x.side, y.side, make_point(x.origin, y.origin)};
+}
+
+Wrapping wrapping_of(const Arguments& arguments) {
+  constexpr const char* kNames[] = {"start", "left", "center", "right",
+                                    "justify"};
+  Wrapping wrapping;
+  if (!arguments.wrap.has_value()) {
+    return wrapping;
+  }
+  if (arguments.unkerned) {
+    throw std::runtime_error("--no-kerning and --wrap exclude each other");
+  }
+  wrapping.width =
+      Q26_6::from_raw(static_cast<int32_t>(std::lround(*arguments.wrap * 64)));
+  for (size_t i = 0; i != std::size(kNames); ++i) {
+    if (arguments.align == kNames[i]) {
+      wrapping.align = static_cast<Align>(i);
+    }
+  }
+  return wrapping;
 }
 
 size_t glyph_count(const std::vector<Line>& lines) {
@@ -195,9 +222,9 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
   const TextStyle& style = look.style();
-  const std::vector<Line> lines =
-      lay_out_lines(font, arguments.text,
-                    arguments.unkerned ? Kerning::none : Kerning::font, style);
+  const std::vector<Line> lines = lay_out_lines(
+      font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font,
+      style, wrapping_of(arguments));
   const Placement placement =
       place(arguments, ink_box(font, lines, style), look);
   if (std::max(placement.width, placement.height) * arguments.zoom > kMaxSide) {
@@ -229,7 +256,8 @@ void run(const Arguments& arguments, const CLI::App& app) {
   if (!arguments.jobs.empty()) {
     for (const char* option :
          {"--font", "--text", "--px", "--out", "--dx", "--dy", "--angle",
-          "--width", "--height", "--ox", "--oy", "--zoom", "--rows"}) {
+          "--wrap", "--align", "--width", "--height", "--ox", "--oy", "--zoom",
+          "--rows"}) {
       if (app.count(option) != 0) {
         throw std::runtime_error(
             std::string("--jobs takes no ") + option +
