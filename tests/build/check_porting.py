@@ -1,4 +1,5 @@
 """Checks docs/PORTING.md: its code is code of the project, its paths exist.
+So is the code of docs/LAYOUT.md.
 
 Usage: check_porting.py
 """
@@ -26,7 +27,9 @@ def main():
     problems = []
 
     blocks = re.findall(r"^```\w+\n(.*?)^```", text, re.M | re.S)
-    if len(blocks) < 2:
+    layout = (ROOT / "docs/LAYOUT.md").read_text()
+    blocks += re.findall(r"^```\w+\n(.*?)^```", layout, re.M | re.S)
+    if len(blocks) < 4:
         problems.append("the code blocks were not found")
     for block in blocks:
         if not any(squeeze(block) in source for source in sources):
