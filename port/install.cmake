@@ -3,11 +3,11 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/inkcell)
-install(TARGETS inkcell_core inkcell_port_pixel inkcell_port_display
+install(TARGETS inkcell_core inkcell_kinetic inkcell_port_pixel inkcell_port_display
   EXPORT inkcell)
 install(EXPORT inkcell NAMESPACE inkcell:: FILE inkcellTargets.cmake
   DESTINATION ${package})
-foreach(folder core port/pixel port/display)
+foreach(folder core core/kinetic port/pixel port/display)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/include/
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     FILES_MATCHING PATTERN "*.hpp")

@@ -65,7 +65,8 @@ def objects_hash():
 
 def sources_hash():
     """SHA-256 over sources and headers without comments and white space."""
-    headers = sorted([*ROOT.glob("core/**/*.hpp"),
+    headers = sorted([*ROOT.glob("core/include/**/*.hpp"),
+                      *ROOT.glob("core/src/**/*.hpp"),
                       *ROOT.glob("port/pixel/**/*.hpp")])
     result = hashlib.sha256()
     for path in measured_sources() + headers:

@@ -73,7 +73,7 @@ def check_stack(usage, limits):
     for line in usage.read_text().splitlines():
         where, size, kind = line.split("\t")
         name = where.split(":", 3)[-1]
-        function = re.search(r"(\w+)\(", name)[1]
+        function = re.search(r"([\w=!]+)\(", name)[1]
         limit = RAM_LIMIT if function == WITHOUT_RAM else limits[function in WIDE]
         if function != WITHOUT_RAM:
             most = max(most, int(size))

@@ -1,5 +1,7 @@
 """Checks the rooms of core and fonts_gen: the folders of their sources.
 
+core/kinetic is one room over core. It may use core's public headers and KINETIC.
+
 A room uses the rooms that the tables below name, which stand before it, and no
 others. It has a README of three lines, the first of which is its promise. A
 source belongs to the header of its name. Files of core stay short, and hold few
@@ -33,6 +35,9 @@ CORE = {
     "generate": "cells outlines",
     "verify": "cells font outlines",
 }
+
+# Rooms of core/src that core/kinetic may use.
+KINETIC = "base"
 
 # Folders of public headers, likewise.
 PUBLIC = {
@@ -113,6 +118,16 @@ def room_of(name):
     return name.rpartition("/")[0]
 
 
+def check_promise(room):
+    """A room's README, if it is not one of three lines."""
+    readme = ROOT / room / "README.md"
+    lines = readme.read_text().splitlines() if readme.exists() else []
+    if len(lines) == 3 and re.fullmatch(r"[A-Z][^.]*\.", lines[0]):
+        return []
+    return [f"{room}/README.md: not three lines, the first of them one "
+            "sentence"]
+
+
 class House:
     """The rooms of one folder of sources."""
 
@@ -145,11 +160,7 @@ class House:
             problems.append(f"{self.source}/{room}: not both a folder and a "
                             "line of the table")
         for room in sorted(folders):
-            readme = ROOT / self.source / room / "README.md"
-            lines = readme.read_text().splitlines() if readme.exists() else []
-            if len(lines) != 3 or not re.fullmatch(r"[A-Z][^.]*\.", lines[0]):
-                problems.append(f"{self.source}/{room}/README.md: not three "
-                                "lines, the first of them one sentence")
+            problems += check_promise(f"{self.source}/{room}")
         return problems
 
     def check_includes(self):
@@ -215,6 +226,23 @@ def check_public():
     return problems
 
 
+def check_kinetic():
+    """Includes of core/kinetic, and sources that are not their header's."""
+    problems = check_promise("core/kinetic")
+    public = {"inkcell", "inkcell/kinetic"}
+    for path in sorted((ROOT / "core/kinetic").glob("**/*.[hc]pp")):
+        name = str(path.relative_to(ROOT))
+        headers = INCLUDE.findall(path.read_text())
+        allowed = public if "include" in path.parts else {
+            *public, *KINETIC.split()}
+        problems += [f"{name}: kinetic may not use {header}"
+                     for header in headers if room_of(header) not in allowed]
+        if path.suffix == ".cpp" and headers[:1] != [
+                f"inkcell/kinetic/{path.stem}.hpp"]:
+            problems.append(f"{name}: its first include is not its own header")
+    return problems
+
+
 def core_files():
     """Sources and headers of core, as text by name."""
     return {str(path.relative_to(ROOT)): path.read_text()
@@ -273,7 +301,8 @@ def main():
     files = core_files()
     houses = [House("core/src", CORE, ["base", *PUBLIC]),
               House("fonts_gen/src", GENERATOR, ["base", *PUBLIC])]
-    problems = check_public() + check_lengths(files) + check_pairs(files)
+    problems = (check_public() + check_kinetic() + check_lengths(files) +
+                check_pairs(files))
     for house in houses:
         problems += house.check()
         house.print_table()

@@ -19,6 +19,7 @@ WARNINGS = [
 ]
 INCLUDES = ["-I" + str(path) for path in
             [ROOT / "core/include", ROOT / "core/src",
+             ROOT / "core/kinetic/include",
              *sorted(ROOT.glob("port/*/include"))]]
 
 # Name, compiler with its flags, prefix of the binary tools.
@@ -34,14 +35,16 @@ COMPILERS = {
 
 
 def device_sources():
-    """Sources of everything that runs on a device: core and port."""
+    """Sources of everything that runs on a device: core, kinetic and port."""
     return sorted([*ROOT.glob("core/src/**/*.cpp"),
+                   *ROOT.glob("core/kinetic/src/*.cpp"),
                    *ROOT.glob("port/*/src/*.cpp")])
 
 
 def device_headers():
     """Public headers, as a program includes them."""
-    roots = [ROOT / "core/include", *sorted(ROOT.glob("port/*/include"))]
+    roots = [ROOT / "core/include", ROOT / "core/kinetic/include",
+             *sorted(ROOT.glob("port/*/include"))]
     return sorted(str(path.relative_to(root))
                   for root in roots for path in root.glob("**/*.hpp"))
 

@@ -1,0 +1,103 @@
+// Paths of lines, arcs and cubics, measured by their length; text along them.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/fixed.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/kinetic/pose.hpp"
+#include "inkcell/kinetic/run.hpp"
+#include "inkcell/render.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+namespace kinetic {
+
+/// A place on a path. [px, Q16.16, y down]
+struct PathPoint {
+  Q16_16 x;
+  Q16_16 y;
+  Q16_16 length;  // of the path up to here
+};
+
+/// A polyline in the caller's memory, with the length up to each of its points.
+///
+///   PathPoint points[40];
+///   Path path(points);
+///   INKCELL_TRY(path.move_to({x, y}));
+///   INKCELL_TRY(path.cubic_to(c1, c2, end, 32));
+///
+/// Coordinates are clamped to +-8191 px, and the length ends at 32767 px.
+class Path {
+ public:
+  constexpr explicit Path(Span<PathPoint> points) noexcept : points_(points) {}
+
+  void clear() noexcept { count_ = 0; }
+
+  /// The first point. bad_argument: there is one already. buffer_small, here
+  /// and below: the points do not fit; the path is as before.
+  Status move_to(Point to) noexcept;
+
+  /// bad_argument, here and below: there is no point to start from.
+  Status line_to(Point to) noexcept;
+
+  /// A cubic Bezier curve as `pieces` chords, 1 to 256. A chord of the angle a
+  /// and the length l is off by l a / 8: 16 pieces serve a bend of 90 px.
+  Status cubic_to(Point control1,
+                  Point control2,
+                  Point to,
+                  int32_t pieces) noexcept;
+
+  /// An arc about `centre` from where the path stands, by `turns` of a turn,
+  /// counter-clockwise if positive, -4 to 4.
+  Status arc_to(Point centre, Q16_16 turns, int32_t pieces) noexcept;
+
+  Q16_16 length() const noexcept {
+    return count_ == 0 ? Q16_16() : points_[count_ - 1].length;
+  }
+  Span<const PathPoint> points() const noexcept {
+    return {points_.data, count_};
+  }
+
+  /// The point at a length. Beyond the ends: on their tangents.
+  PathPoint at(Q16_16 length) const noexcept;
+
+ private:
+  Status add(int64_t x_q16, int64_t y_q16) noexcept;
+
+  Span<PathPoint> points_;
+  size_t count_ = 0;
+};
+
+/// What becomes of glyphs beyond the ends of a path.
+enum class PathOverflow : uint8_t {
+  hide,    // they are not drawn
+  extend,  // they go on along the end's tangent
+  wrap,    // they come in at the other end: for closed paths
+};
+
+/// How a run lies along a path.
+struct PathPlace {
+  Q16_16 start;    // of the run's origin, along the path [px]
+  Q26_6 size;      // [px to the em]
+  Q26_6 tracking;  // [px]
+  Q26_6 lift;      // of the baseline to the left of the path [px]
+  PathOverflow overflow = PathOverflow::hide;
+  int16_t pivot_height = 250;  // as in RunPlace
+};
+
+/// Glyph `index` of a run, which must lie in it, along a path: the middle of
+/// its advance is on the path, and its baseline along the chord under it, so
+/// that glyphs which slide turn without a jerk. Kerning is along the path.
+/// Lines after the first run beside it. A glyph that is hidden has opacity 0.
+PosedGlyph place(const Font& font,
+                 const Run& run,
+                 size_t index,
+                 const Path& path,
+                 const PathPlace& where,
+                 const Pose& pose) noexcept;
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,75 @@
+// Draws glyphs in any pose into strips, and tells what changed.
+//
+//   PoseRenderer renderer(font, Q26_6::from_int(48));
+//   for (size_t i = 0; i < run.glyphs.size; ++i) {
+//     const int32_t time = now - delay_of(stagger, i, run.glyphs.size);
+//     posed[i] = place(font, run, i, where, pose_at(keys, time));
+//   }
+//   for each strip:  renderer.draw(posed, sink);
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/filter.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/kinetic/pose.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
+#include "inkcell/workspace.hpp"
+
+namespace inkcell {
+namespace kinetic {
+
+/// Draws glyphs of one font and size. 400 bytes, in the caller's memory; what
+/// it refers to must outlive it. Tasks that draw at once need one each.
+class PoseRenderer {
+ public:
+  /// `size` is that of glyphs whose scale is 1, 4 to 1024 px to the em. The
+  /// workspace makes large glyphs faster; the picture is the same.
+  PoseRenderer(const Font& font,
+               Q26_6 size,
+               const Filter& filter = kFilterMotion,
+               Workspace workspace = {}) noexcept
+      : font_(font), size_(size), filter_(filter), workspace_(workspace) {}
+  PoseRenderer(const Font&, Q26_6, const Filter&&, Workspace = {}) = delete;
+  PoseRenderer(const PoseRenderer&) = delete;
+  PoseRenderer& operator=(const PoseRenderer&) = delete;
+
+  /// Draws glyphs in their order. Positions are to 1/64 px. Cannot fail: a
+  /// glyph of opacity 0, or larger than 1024 px or smaller than 4 px to the em,
+  /// is left out; one that is narrower than 4 px to the em is drawn that wide,
+  /// so that what turns about an axis never blinks.
+  ///
+  /// A glyph costs what the core takes for it. Outside the sink's window it
+  /// costs about 400 instructions.
+  void draw(Span<const PosedGlyph> glyphs, const Sink& sink) noexcept;
+
+  /// The pixels that a glyph may touch; empty if it is not drawn.
+  Rect box(const PosedGlyph& glyph) const noexcept;
+
+  /// Adds where `now` looks different from `before`. Glyphs are compared by
+  /// their index; those that only one has count, too.
+  void add_changes(Span<const PosedGlyph> before,
+                   Span<const PosedGlyph> now,
+                   const Rect& screen,
+                   DirtyRects& dirty) const noexcept;
+
+ private:
+  struct Map;
+
+  bool map_of(const PosedGlyph& glyph, Map& out) const noexcept;
+  Rect box_of(const PosedGlyph& glyph, const Map& map) const noexcept;
+  bool make_style(const PosedGlyph& glyph, const Map& map) noexcept;
+
+  const Font& font_;
+  Q26_6 size_;
+  const Filter& filter_;
+  Workspace workspace_;
+  Filter weighted_;
+  TextStyle style_;
+};
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,64 @@
+// A short list of disjoint rectangles.
+#include "inkcell/kinetic/dirty_rects.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+int64_t area(const Rect& r) noexcept {
+  return int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
+}
+
+// The pixels that are in the box around both and in neither. Below 0 where they
+// overlap a lot.
+int64_t waste(const Rect& a, const Rect& b) noexcept {
+  return area(bounding_box(a, b)) - area(a) - area(b);
+}
+
+}  // namespace
+
+Rect bounding_box(const Rect& a, const Rect& b) noexcept {
+  if (is_empty(a)) {
+    return b;
+  }
+  if (is_empty(b)) {
+    return a;
+  }
+  return {a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0,
+          a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1};
+}
+
+void DirtyRects::remove(size_t index) noexcept {
+  room_[index] = room_[--count_];
+}
+
+void DirtyRects::add(const Rect& rect, const Rect& screen) noexcept {
+  Rect next = intersect(rect, screen);
+  if (is_empty(next) || room_.size == 0) {
+    return;
+  }
+  // Each round makes the list shorter or ends.
+  for (;;) {
+    size_t partner = count_;
+    int64_t least = INT64_MAX;
+    for (size_t i = 0; i < count_; ++i) {
+      const int64_t wasted = is_empty(intersect(room_[i], next))
+                                 ? waste(room_[i], next)
+                                 : INT64_MIN;
+      if (wasted < least) {
+        least = wasted;
+        partner = i;
+      }
+    }
+    const bool is_cheap = least <= area(next) / 8;
+    if (partner == count_ || (!is_cheap && count_ < room_.size)) {
+      room_[count_++] = next;
+      return;
+    }
+    next = bounding_box(room_[partner], next);
+    remove(partner);
+  }
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

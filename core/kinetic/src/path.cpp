@@ -1,0 +1,201 @@
+// Polylines with their lengths, and glyphs along them.
+#include "inkcell/kinetic/path.hpp"
+
+#include "inkcell/kinetic/timeline.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kMostQ16 = 8191 << 16;
+constexpr int32_t kLongestQ16 = 32767 << 16;
+
+int32_t to_q16(Q26_6 px) noexcept {
+  return clamp_i64(int64_t{px.raw} * (1 << 10), -kMostQ16, kMostQ16);
+}
+
+// One coordinate of a cubic by de Casteljau's construction.
+int32_t cubic_at(const int32_t (&points)[4], Q16_16 t) noexcept {
+  const int32_t a = lerp(points[0], points[1], t);
+  const int32_t b = lerp(points[1], points[2], t);
+  const int32_t c = lerp(points[2], points[3], t);
+  return lerp(lerp(a, b, t), lerp(b, c, t), t);
+}
+
+}  // namespace
+
+Status Path::add(int64_t x_q16, int64_t y_q16) noexcept {
+  if (count_ == points_.size) {
+    return Status::buffer_small;
+  }
+  PathPoint point;
+  point.x.raw = clamp_i64(x_q16, -kMostQ16, kMostQ16);
+  point.y.raw = clamp_i64(y_q16, -kMostQ16, kMostQ16);
+  if (count_ != 0) {
+    const PathPoint& last = points_[count_ - 1];
+    const int64_t length =
+        int64_t{last.length.raw} +
+        length_of(point.x.raw - last.x.raw, point.y.raw - last.y.raw);
+    point.length.raw = clamp_i64(length, 0, kLongestQ16);
+  }
+  points_[count_++] = point;
+  return Status::ok;
+}
+
+Status Path::move_to(Point to) noexcept {
+  return count_ != 0 ? Status::bad_argument : add(to_q16(to.x), to_q16(to.y));
+}
+
+Status Path::line_to(Point to) noexcept {
+  return count_ == 0 ? Status::bad_argument : add(to_q16(to.x), to_q16(to.y));
+}
+
+Status Path::cubic_to(Point control1,
+                      Point control2,
+                      Point to,
+                      int32_t pieces) noexcept {
+  if (count_ == 0 || pieces < 1 || pieces > 256) {
+    return Status::bad_argument;
+  }
+  if (points_.size - count_ < static_cast<size_t>(pieces)) {
+    return Status::buffer_small;
+  }
+  const PathPoint from = points_[count_ - 1];
+  const int32_t x[4] = {from.x.raw, to_q16(control1.x), to_q16(control2.x),
+                        to_q16(to.x)};
+  const int32_t y[4] = {from.y.raw, to_q16(control1.y), to_q16(control2.y),
+                        to_q16(to.y)};
+  for (int32_t i = 1; i <= pieces; ++i) {
+    const Q16_16 t = fraction(0, pieces, i);
+    INKCELL_TRY(add(cubic_at(x, t), cubic_at(y, t)));
+  }
+  return Status::ok;
+}
+
+Status Path::arc_to(Point centre, Q16_16 turns, int32_t pieces) noexcept {
+  if (count_ == 0 || pieces < 1 || pieces > 256 || turns.raw > 4 << 16 ||
+      turns.raw < -(4 << 16)) {
+    return Status::bad_argument;
+  }
+  if (points_.size - count_ < static_cast<size_t>(pieces)) {
+    return Status::buffer_small;
+  }
+  const PathPoint from = points_[count_ - 1];
+  const int64_t centre_x = to_q16(centre.x);
+  const int64_t centre_y = to_q16(centre.y);
+  const int64_t x = from.x.raw - centre_x;
+  const int64_t y = from.y.raw - centre_y;
+  for (int32_t i = 1; i <= pieces; ++i) {
+    const Angle angle = Angle::from_raw(
+        static_cast<uint16_t>(lerp(0, turns.raw, fraction(0, pieces, i))));
+    // A unit vector in Q30, y up: the screen's y is down.
+    const Direction direction = direction_of(angle);
+    const int64_t c = direction.cosine.raw >> 14;
+    const int64_t s = direction.sine.raw >> 14;
+    constexpr int64_t kHalf = 1 << 15;
+    INKCELL_TRY(add(centre_x + ((x * c + y * s + kHalf) >> 16),
+                    centre_y + ((y * c - x * s + kHalf) >> 16)));
+  }
+  return Status::ok;
+}
+
+PathPoint Path::at(Q16_16 length) const noexcept {
+  PathPoint result;
+  result.length = length;
+  if (count_ < 2) {
+    if (count_ == 1) {
+      result.x = points_[0].x;
+      result.y = points_[0].y;
+    }
+    return result;
+  }
+  // The last point, but for the end, whose length is not beyond.
+  size_t low = 0;
+  size_t high = count_ - 1;
+  while (high - low > 1) {
+    const size_t middle = low + (high - low) / 2;
+    if (points_[middle].length.raw <= length.raw) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  const PathPoint& from = points_[low];
+  const PathPoint& to = points_[high];
+  const int64_t whole = to.length.raw - from.length.raw;
+  const int64_t part = int64_t{length.raw} - from.length.raw;
+  if (whole <= 0) {
+    result.x = from.x;
+    result.y = from.y;
+    return result;
+  }
+  if (part >= 0 && part <= whole) {
+    const Q16_16 t = fraction(from.length.raw, to.length.raw, length.raw);
+    result.x.raw = lerp(from.x.raw, to.x.raw, t);
+    result.y.raw = lerp(from.y.raw, to.y.raw, t);
+    return result;
+  }
+  // Components are no longer than the whole: the products stay below 2^63.
+  result.x.raw =
+      clamp_i64(from.x.raw + (int64_t{to.x.raw} - from.x.raw) * part / whole,
+                -INT32_MAX, INT32_MAX);
+  result.y.raw =
+      clamp_i64(from.y.raw + (int64_t{to.y.raw} - from.y.raw) * part / whole,
+                -INT32_MAX, INT32_MAX);
+  return result;
+}
+
+PosedGlyph place(const Font& font,
+                 const Run& run,
+                 size_t index,
+                 const Path& path,
+                 const PathPlace& where,
+                 const Pose& pose) noexcept {
+  const RunGlyph& glyph = run.glyphs[index];
+  const int64_t length = path.length().raw;
+  const int64_t half = to_px_q16(font, where.size, glyph.advance).raw / 2;
+  int64_t middle = int64_t{where.start.raw} +
+                   to_px_q16(font, where.size, glyph.x).raw + half +
+                   int64_t{where.tracking.raw} * glyph.half_gaps * (1 << 9);
+  PosedGlyph posed;
+  posed.glyph = glyph.glyph;
+  posed.pose = pose;
+  if (where.overflow == PathOverflow::wrap && length > 0) {
+    middle %= length;
+    middle += middle < 0 ? length : 0;
+  }
+  if (where.overflow == PathOverflow::hide &&
+      (middle < half || middle > length - half)) {
+    posed.pose.opacity = 0;
+  }
+  const auto point_at = [&](int64_t at) {
+    if (where.overflow == PathOverflow::wrap && length > 0) {
+      at += at < 0 ? length : at > length ? -length : 0;
+    }
+    return path.at(Q16_16::from_raw(clamp_i64(at, INT32_MIN, INT32_MAX)));
+  };
+  // The chord under the glyph; of one without width that of a pixel.
+  const int64_t reach = half > (1 << 15) ? half : 1 << 15;
+  const PathPoint from = point_at(middle - reach);
+  const PathPoint to = point_at(middle + reach);
+  const PathPoint on = point_at(middle);
+  // Halved, so that the difference fits; y up.
+  const Angle along =
+      angle_of(to.x.raw / 2 - from.x.raw / 2, from.y.raw / 2 - to.y.raw / 2);
+  posed.pose.angle.raw = static_cast<uint16_t>(pose.angle.raw + along.raw);
+  posed.pivot_x.raw = static_cast<int32_t>(half);
+  posed.pivot_y = pivot_height_px(where.size, where.pivot_height);
+  // From the path to the pivot, to the left of the path.
+  const int64_t aside = int64_t{posed.pivot_y.raw} +
+                        int64_t{where.lift.raw} * (1 << 10) +
+                        to_px_q16(font, where.size, glyph.y).raw;
+  const int64_t x = on.x.raw - (aside * sine(along).raw >> 14);
+  const int64_t y = on.y.raw - (aside * cosine(along).raw >> 14);
+  posed.at.x.raw = static_cast<int32_t>((x + (1 << 9)) >> 10);
+  posed.at.y.raw = static_cast<int32_t>((y + (1 << 9)) >> 10);
+  return posed;
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
