@@ -1,0 +1,141 @@
+// A sink whose coverage is distance.
+#include "inkcell/kinetic/distance_grid.hpp"
+
+#include "inkcell/effects.hpp"
+#include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+void keep_greater(int8_t& sample, int32_t value) noexcept {
+  sample = static_cast<int8_t>(value > sample ? value : sample);
+}
+
+void unite_coverage(void* context,
+                    int32_t x,
+                    int32_t y,
+                    const uint8_t* coverage,
+                    int32_t count) {
+  int8_t* row = static_cast<DistanceGrid*>(context)->row(y) + x;
+  for (int32_t i = 0; i < count; ++i) {
+    keep_greater(row[i], coverage[i] - 128);
+  }
+}
+
+void unite_solid(void* context, int32_t x, int32_t y, int32_t count) {
+  int8_t* row = static_cast<DistanceGrid*>(context)->row(y) + x;
+  for (int32_t i = 0; i < count; ++i) {
+    row[i] = INT8_MAX;
+  }
+}
+
+}  // namespace
+
+// Entry i of a linear table is i: distances of i - 128 to i - 127 of 1/32 px.
+constexpr Filter kFilterDistance =
+    make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(4096)});
+
+DistanceGrid::DistanceGrid(Span<int8_t> samples,
+                           int32_t width,
+                           int32_t height,
+                           int32_t scale_log2) noexcept {
+  const bool is_valid = width >= 1 && width <= kMaxSide && height >= 1 &&
+                        height <= kMaxSide && scale_log2 >= 0 &&
+                        scale_log2 <= kMaxScaleLog2 &&
+                        static_cast<size_t>(width * height) <= samples.size;
+  if (is_valid) {
+    samples_ = samples.data;
+    width_ = width;
+    height_ = height;
+    scale_log2_ = scale_log2;
+  }
+}
+
+int32_t DistanceGrid::depth() const noexcept {
+  int32_t most = 0;
+  for (int32_t i = 0; i < width_ * height_; ++i) {
+    most = samples_[i] > most ? samples_[i] : most;
+  }
+  return most;
+}
+
+int32_t DistanceGrid::area() const noexcept {
+  int32_t sum = 0;
+  for (int32_t i = 0; i < width_ * height_; ++i) {
+    // A sample stands for the middle of its quantum.
+    const int32_t covered = 2 * samples_[i] + 33;
+    sum += covered < 0 ? 0 : covered > 64 ? 64 : covered;
+  }
+  return sum;
+}
+
+void DistanceGrid::clear() noexcept {
+  for (int32_t i = 0; i < width_ * height_; ++i) {
+    samples_[i] = kOutside;
+  }
+}
+
+Sink DistanceGrid::sink() noexcept {
+  Sink sink;
+  sink.window = {0, 0, width_, height_};
+  sink.context = this;
+  sink.coverage = unite_coverage;
+  sink.solid = unite_solid;
+  return sink;
+}
+
+Status DistanceGrid::paint(const Font& font,
+                           uint16_t glyph,
+                           Q26_6 size,
+                           Point origin,
+                           Workspace workspace) noexcept {
+  const Q26_6 painted = Q26_6::from_raw(size.raw >> scale_log2_);
+  TextStyle style;
+  INKCELL_TRY(TextStyle::make(painted, kFilterDistance, style));
+  INKCELL_TRY(check_reach(font.range(), painted, kFilterDistance));
+  const Point at = {Q26_6::from_raw(origin.x.raw >> scale_log2_),
+                    Q26_6::from_raw(origin.y.raw >> scale_log2_)};
+  draw_glyph(font, glyph, style, at, sink(), workspace);
+  return Status::ok;
+}
+
+GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept {
+  // In samples from the centre of the first. [Q16]
+  const int32_t column_q16 = (x.raw >> grid.scale_log2()) - (1 << 15);
+  const int32_t row_q16 = (y.raw >> grid.scale_log2()) - (1 << 15);
+  const int32_t column = column_q16 >> 16;
+  const int32_t row = row_q16 >> 16;
+  const int32_t right = (column_q16 >> 8) & 255;
+  const int32_t down = (row_q16 >> 8) & 255;
+  int32_t corners[4];
+  if (column >= 0 && row >= 0 && column + 1 < grid.width() &&
+      row + 1 < grid.height()) {
+    const int8_t* top = grid.row(row) + column;
+    const int8_t* bottom = top + grid.width();
+    corners[0] = top[0];
+    corners[1] = top[1];
+    corners[2] = bottom[0];
+    corners[3] = bottom[1];
+  } else {
+    corners[0] = grid.at(column, row);
+    corners[1] = grid.at(column + 1, row);
+    corners[2] = grid.at(column, row + 1);
+    corners[3] = grid.at(column + 1, row + 1);
+  }
+  const int32_t top_step = corners[1] - corners[0];
+  const int32_t bottom_step = corners[3] - corners[2];
+  const int32_t top = corners[0] * 256 + top_step * right;
+  const int32_t bottom = corners[2] * 256 + bottom_step * right;
+  GridPoint point;
+  // A sample stands for the middle of its quantum. [Q13 of a sample]
+  const int32_t distance = top + ((bottom - top) * down >> 8) + 128;
+  point.distance_q10 = distance * (1 << grid.scale_log2()) >> 3;
+  point.x_slope_q13 = top_step * 256 + (bottom_step - top_step) * down;
+  point.y_slope_q13 = bottom - top;
+  return point;
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

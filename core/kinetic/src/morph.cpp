@@ -1,0 +1,130 @@
+// The grids of two glyphs, and which of them is known.
+#include "inkcell/kinetic/morph.hpp"
+
+#include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/run.hpp"
+#include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+
+GlyphMorph::GlyphMorph(const Font& font,
+                       Q26_6 size,
+                       const Filter& filter,
+                       const MorphBox& box,
+                       Span<int8_t> grids,
+                       Workspace workspace) noexcept
+    : font_(font),
+      size_(size),
+      filter_(filter),
+      box_(box),
+      workspace_(workspace) {
+  const int32_t width = DistanceGrid::samples_of(box.width, box.scale_log2);
+  const int32_t height = DistanceGrid::samples_of(box.height, box.scale_log2);
+  const size_t part = grids.size / 3;
+  const auto grid = [&](size_t i) {
+    return DistanceGrid({grids.data + i * part, part}, width, height,
+                        box.scale_log2);
+  };
+  grid_a_ = grid(0);
+  grid_b_ = grid(1);
+  between_ = grid(2);
+}
+
+Point GlyphMorph::origin_of(uint16_t glyph) const noexcept {
+  const int32_t advance_q6 =
+      to_px_q16(font_, size_, font_.advance(glyph)).raw >> 10;
+  return {Q26_6::from_raw((box_.width * 64 - advance_q6) / 2),
+          Q26_6::from_int(box_.baseline)};
+}
+
+Status GlyphMorph::paint(uint16_t glyph, DistanceGrid& grid) noexcept {
+  grid.clear();
+  return grid.paint(font_, glyph, size_, origin_of(glyph), workspace_);
+}
+
+Status GlyphMorph::set(uint16_t from, uint16_t to) noexcept {
+  if (grid_a_.width() == 0) {
+    return Status::buffer_small;
+  }
+  progress_ = {};
+  blend_.part_q8 = 0;
+  if (from != from_ && (from == to_ || to == from_)) {
+    const DistanceGrid grid = grid_a_;
+    grid_a_ = grid_b_;
+    grid_b_ = grid;
+    const uint16_t glyph = from_;
+    from_ = to_;
+    to_ = glyph;
+  }
+  if (from != from_) {
+    from_ = kNone;
+    INKCELL_TRY(paint(from, grid_a_));
+    from_ = from;
+  }
+  if (to != to_) {
+    to_ = kNone;
+    INKCELL_TRY(paint(to, grid_b_));
+    to_ = to;
+  }
+  const int32_t reach_q10 = max(-filter_.outside_q10, 0);
+  const int32_t reach = (reach_q10 + 31) >> (5 + box_.scale_log2);
+  blend_.depth_a = grid_a_.depth() + reach;
+  blend_.depth_b = grid_b_.depth() + reach;
+  blend_.area_a = grid_a_.area();
+  blend_.area_b = grid_b_.area();
+  return Status::ok;
+}
+
+void GlyphMorph::step(Q16_16 progress, GridHistogram& scratch) noexcept {
+  constexpr int32_t kOne = 1 << 16;
+  progress_.raw = clamp(progress.raw, 0, kOne);
+  blend_.part_q8 = progress_.raw >> 8;
+  const bool is_end = blend_.part_q8 == 0 || blend_.part_q8 == 256;
+  cutoff_ = is_end ? Fixed<int32_t, 13>()
+                   : blend(grid_a_, grid_b_, blend_, between_, scratch);
+}
+
+void GlyphMorph::draw(int32_t x, int32_t y, const Sink& sink) const noexcept {
+  draw(x, y, filter_, sink);
+}
+
+void GlyphMorph::draw(int32_t x,
+                      int32_t y,
+                      const Filter& filter,
+                      const Sink& sink) const noexcept {
+  constexpr int32_t kFar = 32767;  // as far as windows go
+  if (x > kFar || x < -kFar || y > kFar || y < -kFar) {
+    return;
+  }
+  Sink clipped = sink;
+  clipped.window = intersect(sink.window, box(x, y));
+  if (is_empty(clipped.window)) {
+    return;
+  }
+  if (blend_.part_q8 > 0 && blend_.part_q8 < 256) {
+    // At both ends the field is one of distances, whose slope is 1: also where
+    // samples around a corner tell of less. Half-way the slope is what it is.
+    const int32_t part = blend_.part_q8;
+    GridLook look;
+    look.cutoff = cutoff_;
+    look.slope_q8 = 4 * (part < 128 ? part : 256 - part);
+    draw_grid(between_, look, x, y, filter, clipped);
+    return;
+  }
+  const uint16_t glyph = blend_.part_q8 == 0 ? from_ : to_;
+  TextStyle style;
+  if (glyph == kNone || TextStyle::make(size_, filter, style) != Status::ok) {
+    return;
+  }
+  const Point at = origin_of(glyph);
+  draw_glyph(
+      font_, glyph, style,
+      {Q26_6::from_raw(at.x.raw + x * 64), Q26_6::from_raw(at.y.raw + y * 64)},
+      clipped, workspace_);
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
