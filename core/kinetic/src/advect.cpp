@@ -1,0 +1,219 @@
+// Looking back along a flow, and what was there.
+//
+// Rounding decides: what is cut and not rounded is a wind that never stops.
+#include "inkcell/kinetic/advect.hpp"
+
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kMostStrength = 1 << 26;
+
+// Catmull and Rom's cubic through four samples, at a place between the second
+// and the third. [Q12] Their sum is 1.
+struct Weights {
+  int32_t of[4];
+
+  // `t` is Q8, 0 to 255.
+  explicit Weights(int32_t t) noexcept {
+    const int32_t once = t << 4;
+    const int32_t square = (t * t + 8) >> 4;
+    const int32_t cube = (t * t * t + (1 << 11)) >> 12;
+    of[1] = (2 * 4096 - 5 * square + 3 * cube) >> 1;
+    of[2] = (once + 4 * square - 3 * cube) >> 1;
+    of[3] = (cube - square) >> 1;
+    of[0] = 4096 - of[1] - of[2] - of[3];
+  }
+
+  int32_t sum(int32_t a, int32_t b, int32_t c, int32_t d) const noexcept {
+    return a * of[0] + b * of[1] + c * of[2] + d * of[3];
+  }
+};
+
+// To the nearest 1/256.
+int32_t rounded(Q16_16 value) noexcept {
+  return (value.raw >> 8) + ((value.raw >> 7) & 1);
+}
+
+// How far a sample looks back. [samples, Q8]
+struct Way {
+  int32_t x;
+  int32_t y;
+};
+
+// Q20 to Q8.
+int32_t nearest(int32_t value) noexcept {
+  return (value + 2048) >> 12;
+}
+
+void add_vortex(const Vortex& vortex, int32_t x_q8, int32_t y_q8, Way& way) {
+  // At most 2^18 each.
+  const int32_t right = x_q8 - clamp(vortex.x.raw >> 8, -(1 << 17), 1 << 17);
+  const int32_t down = y_q8 - clamp(vortex.y.raw >> 8, -(1 << 17), 1 << 17);
+  const int32_t right_q2 = right >> 6;
+  const int32_t down_q2 = down >> 6;
+  const int32_t core = clamp(vortex.core, 1, 255);
+  // [samples^2] At least 1.
+  const int32_t square =
+      ((right_q2 * right_q2 + down_q2 * down_q2) >> 4) + core * core;
+  // The turn of a step, at most 1/2. [Q12]
+  const int32_t strength =
+      clamp(vortex.strength, -kMostStrength, kMostStrength);
+  const int32_t turn_q12 = clamp(strength * 16 / square, -2048, 2048);
+  // Along the circle, and as far inwards as the chord leaves it: looking back
+  // by the angle a from (x, y), y down, is (x cos a - y sin a, ...).
+  const int32_t half_square_q12 = turn_q12 * turn_q12 >> 13;
+  const int32_t near_right = clamp(right, -(1 << 16), 1 << 16);
+  const int32_t near_down = clamp(down, -(1 << 16), 1 << 16);
+  way.x -= nearest(near_down * turn_q12 + near_right * half_square_q12);
+  way.y += nearest(near_right * turn_q12 - near_down * half_square_q12);
+}
+
+Way look_back(const Flow& flow, int32_t x, int32_t y) noexcept {
+  constexpr int32_t kFar = 16 << 8;
+  Way way = {-clamp(rounded(flow.x_drift), -kFar, kFar),
+             -clamp(rounded(flow.y_drift), -kFar, kFar)};
+  const size_t count = flow.vortices.size < Flow::kMaxVortices
+                           ? flow.vortices.size
+                           : Flow::kMaxVortices;
+  for (size_t i = 0; i < count; ++i) {
+    add_vortex(flow.vortices[i], x * 256 + 128, y * 256 + 128, way);
+  }
+  return {clamp(way.x, -kFar, kFar), clamp(way.y, -kFar, kFar)};
+}
+
+// Four sums along rows to one across them. [Q12 -> 1/32 of a sample's side]
+int8_t cubic_across(const int32_t (&rows)[4], int32_t down) noexcept {
+  // Below 2^20: in Q8, so that 32 bits hold the second product.
+  const int32_t sum = Weights(down).sum((rows[0] + 8) >> 4, (rows[1] + 8) >> 4,
+                                        (rows[2] + 8) >> 4, (rows[3] + 8) >> 4);
+  return static_cast<int8_t>(
+      clamp((sum + (1 << 19)) >> 20, INT8_MIN, INT8_MAX));
+}
+
+// The field between sample (x, y) and the next, from the 16 around it.
+int8_t cubic_at(const DistanceGrid& grid,
+                int32_t x,
+                int32_t y,
+                int32_t right,
+                int32_t down) noexcept {
+  const Weights across(right);
+  int32_t rows[4];
+  for (int32_t i = 0; i < 4; ++i) {
+    const int32_t row = y - 1 + i;
+    rows[i] = across.sum(grid.at(x - 1, row), grid.at(x, row),
+                         grid.at(x + 1, row), grid.at(x + 2, row));
+  }
+  return cubic_across(rows, down);
+}
+
+// The same where all of them are in the grid.
+int8_t cubic_inside(const int8_t* at,
+                    int32_t stride,
+                    int32_t right,
+                    int32_t down) noexcept {
+  const Weights across(right);
+  int32_t rows[4];
+  at -= stride + 1;
+  for (int32_t& row : rows) {
+    row = across.sum(at[0], at[1], at[2], at[3]);
+    at += stride;
+  }
+  return cubic_across(rows, down);
+}
+
+// How far from edges samples need not be exact: on which side, or 0.
+int32_t far_side(int32_t value) noexcept {
+  constexpr int32_t kFar = 120;
+  return value >= kFar ? 1 : value <= -kFar ? -1 : 0;
+}
+
+// The same of three samples above each other; 0 also if they differ.
+int32_t far_side(const int8_t* above,
+                 const int8_t* at,
+                 const int8_t* below) noexcept {
+  const int32_t side = far_side(*at);
+  return side != 0 && far_side(*above) == side && far_side(*below) == side
+             ? side
+             : 0;
+}
+
+// Not less than what any sample moves along an axis. [samples, Q8]
+int32_t fastest_q8(const Flow& flow) noexcept {
+  const int32_t x = abs(rounded(flow.x_drift));
+  const int32_t y = abs(rounded(flow.y_drift));
+  int32_t sum = max(x, y);
+  for (size_t i = 0; i < flow.vortices.size && i < Flow::kMaxVortices; ++i) {
+    // Greatest where the radius is that of the core: strength / (2 core).
+    const Vortex& vortex = flow.vortices[i];
+    const int32_t strength =
+        abs(clamp(vortex.strength, -kMostStrength, kMostStrength));
+    sum += strength / (2 * clamp(vortex.core, 1, 255)) + 8;
+  }
+  return sum;
+}
+
+// A sample by what is at the place that it comes from.
+int8_t moved(const DistanceGrid& grid,
+             const Flow& flow,
+             int32_t x,
+             int32_t y) noexcept {
+  const Way way = look_back(flow, x, y);
+  const int32_t x_q8 = x * 256 + way.x;
+  const int32_t y_q8 = y * 256 + way.y;
+  const int32_t left = x_q8 >> 8;
+  const int32_t top = y_q8 >> 8;
+  const bool is_inside = left >= 1 && top >= 1 && left + 2 < grid.width() &&
+                         top + 2 < grid.height();
+  if (!is_inside) {
+    return cubic_at(grid, left, top, x_q8 & 255, y_q8 & 255);
+  }
+  const int8_t* at = grid.row(top) + left;
+  const int32_t stride = grid.width();
+  const int32_t side = far_side(at[0]);
+  if (side != 0 && far_side(at[1]) == side && far_side(at[stride]) == side &&
+      far_side(at[stride + 1]) == side) {
+    const int32_t right = (x_q8 & 255) >= 128 ? 1 : 0;
+    return at[right + ((y_q8 & 255) >= 128 ? stride : 0)];
+  }
+  return cubic_inside(at, stride, x_q8 & 255, y_q8 & 255);
+}
+
+}  // namespace
+
+void advect(const DistanceGrid& grid,
+            const Flow& flow,
+            DistanceGrid& out) noexcept {
+  if (grid.width() != out.width() || grid.height() != out.height() ||
+      grid.width() == 0) {
+    return;
+  }
+  // What moves less than a sample, and is far from edges with all neighbours,
+  // stays far.
+  const bool is_slow = fastest_q8(flow) < 256;
+  for (int32_t y = 0; y < grid.height(); ++y) {
+    int8_t* to = out.row(y);
+    const int8_t* at = grid.row(y);
+    const bool is_border = y == 0 || y + 1 == grid.height();
+    const int8_t* above = is_border ? at : at - grid.width();
+    const int8_t* below = is_border ? at : at + grid.width();
+    int32_t before = 0;  // sides of the columns before this one, and of it
+    int32_t here = 0;
+    for (int32_t x = 0; x < grid.width(); ++x) {
+      const int32_t after =
+          is_slow && !is_border && x + 1 < grid.width()
+              ? far_side(above + x + 1, at + x + 1, below + x + 1)
+              : 0;
+      to[x] = here != 0 && before == here && after == here
+                  ? at[x]
+                  : moved(grid, flow, x, y);
+      before = here;
+      here = after;
+    }
+  }
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,157 @@
+// Fast sweeping: distances spread from the edge in four orders.
+#include "inkcell/kinetic/redistance.hpp"
+
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kSide = 32;  // of a sample, in units of its value
+constexpr int32_t kMost = 127;
+
+// sqrt(2 h^2 - d^2) for differences d from 0 to h, to the nearest.
+struct Roots {
+  uint8_t of[kSide + 1];
+};
+
+constexpr Roots make_roots() noexcept {
+  Roots roots = {};
+  for (int32_t d = 0; d <= kSide; ++d) {
+    const int32_t square = 2 * kSide * kSide - d * d;
+    int32_t root = 0;
+    while ((2 * root + 1) * (2 * root + 1) <= 4 * square) {
+      ++root;
+    }
+    roots.of[d] = static_cast<uint8_t>(root);
+  }
+  return roots;
+}
+
+constexpr Roots kRoots = make_roots();
+
+// A value's magnitude: 0 is inside by half a quantum, -1 outside by as much.
+int32_t depth(int32_t value) noexcept {
+  return value < 0 ? -1 - value : value;
+}
+
+int8_t with_side(int32_t depth, bool is_inside) noexcept {
+  return static_cast<int8_t>(is_inside ? depth : -1 - depth);
+}
+
+// A sample, and beyond the grid the one at its border.
+int32_t nearest(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
+  const int32_t right = grid.width() - 1;
+  const int32_t bottom = grid.height() - 1;
+  return grid.at(clamp(x, 0, right), clamp(y, 0, bottom));
+}
+
+bool is_edge(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
+  if (x > 0 && y > 0 && x + 1 < grid.width() && y + 1 < grid.height()) {
+    const int8_t* at = grid.row(y) + x;
+    const int32_t stride = grid.width();
+    return ((*at ^ at[-1]) | (*at ^ at[1]) | (*at ^ at[-stride]) |
+            (*at ^ at[stride])) < 0;
+  }
+  const bool side = grid.at(x, y) < 0;
+  return (nearest(grid, x - 1, y) < 0) != side ||
+         (nearest(grid, x + 1, y) < 0) != side ||
+         (nearest(grid, x, y - 1) < 0) != side ||
+         (nearest(grid, x, y + 1) < 0) != side;
+}
+
+// The slope along one direction: to the neighbour beyond the edge, to the
+// farther one of two; between both neighbours if there is no edge.
+int32_t slope(int32_t value, int32_t before, int32_t after) noexcept {
+  const bool side = value < 0;
+  const int32_t back = value < before ? before - value : value - before;
+  const int32_t ahead = value < after ? after - value : value - after;
+  const bool has_back = (before < 0) != side;
+  const bool has_ahead = (after < 0) != side;
+  if (has_back && has_ahead) {
+    return max(back, ahead);
+  }
+  if (has_back || has_ahead) {
+    return has_back ? back : ahead;
+  }
+  return (after < before ? before - after : after - before) >> 1;
+}
+
+// Next to the edge a value over its slope, which is within 3 %; all others are
+// far for now.
+void mark(const DistanceGrid& from, DistanceGrid& to) noexcept {
+  for (int32_t y = 0; y < from.height(); ++y) {
+    for (int32_t x = 0; x < from.width(); ++x) {
+      const int32_t value = from.row(y)[x];
+      int32_t distance = kMost;
+      if (is_edge(from, x, y)) {
+        const int32_t across =
+            slope(value, nearest(from, x - 1, y), nearest(from, x + 1, y));
+        const int32_t along =
+            slope(value, nearest(from, x, y - 1), nearest(from, x, y + 1));
+        const int32_t length = rough_length(across, along);
+        // There is an edge, so that it is at least 1. A depth is half a quantum
+        // less than the distance.
+        const int32_t found = (2 * depth(value) + 1) * (kSide / 2) / length;
+        distance = found < kMost ? found : kMost;
+      }
+      to.row(y)[x] = with_side(distance, value >= 0);
+    }
+  }
+}
+
+// A sample that has neighbours on all sides, of which none is beyond the edge:
+// what spreads to it. `stride` leads to the next row.
+void spread_to(int8_t* at, int32_t stride) noexcept {
+  const int32_t value = *at;
+  const int32_t left = at[-1];
+  const int32_t right = at[1];
+  const int32_t above = at[-stride];
+  const int32_t below = at[stride];
+  if (((value ^ left) | (value ^ right) | (value ^ above) | (value ^ below)) <
+      0) {
+    return;  // next to the edge: kept
+  }
+  // All on one side: depths, and back, are the same exclusive or.
+  const int32_t side = value >> 31;
+  const int32_t across_1 = left ^ side;
+  const int32_t across_2 = right ^ side;
+  const int32_t along_1 = above ^ side;
+  const int32_t along_2 = below ^ side;
+  const int32_t a = across_1 < across_2 ? across_1 : across_2;
+  const int32_t b = along_1 < along_2 ? along_1 : along_2;
+  const int32_t least = a < b ? a : b;
+  const int32_t difference = a < b ? b - a : a - b;
+  const int32_t found = difference >= kSide
+                            ? least + kSide
+                            : (a + b + kRoots.of[difference]) >> 1;
+  if (found < (value ^ side)) {
+    *at = static_cast<int8_t>(found ^ side);
+  }
+}
+
+}  // namespace
+
+void redistance(const DistanceGrid& from, DistanceGrid& grid) noexcept {
+  if (from.width() != grid.width() || from.height() != grid.height() ||
+      from.width() == 0) {
+    return;
+  }
+  mark(from, grid);
+  // The outermost samples keep what mark() gave them.
+  const int32_t width = grid.width();
+  const int32_t height = grid.height();
+  for (int32_t order = 0; order < 4; ++order) {
+    const int32_t step = (order & 1) != 0 ? -1 : 1;
+    for (int32_t i = 1; i < height - 1; ++i) {
+      const int32_t y = (order & 2) != 0 ? height - 1 - i : i;
+      int8_t* at = grid.row(y) + (step > 0 ? 1 : width - 2);
+      for (int32_t k = 1; k < width - 1; ++k, at += step) {
+        spread_to(at, width);
+      }
+    }
+  }
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
