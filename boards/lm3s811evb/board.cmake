@@ -11,3 +11,5 @@ set(INKCELL_DISPLAY_FORMATS mono_pages)
 set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 16)
 set(INKCELL_DEMO_TEXT_PX 13)
+# Text that turns, and particles, take more than its 64 KB of flash.
+set(INKCELL_DEMO_MOTIONS clock)

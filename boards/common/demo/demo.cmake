@@ -65,3 +65,37 @@ function(inkcell_add_demo name board format)
     PRIVATE ${board}_demo_font)
   target_compile_options(${name}_scene PRIVATE ${INKCELL_WARNINGS})
 endfunction()
+
+# Scenes that move: header and class of each. A board plays those of its
+# INKCELL_DEMO_MOTIONS; by default all.
+set(INKCELL_MOTION_path path_scene.hpp PathScene)
+set(INKCELL_MOTION_clock clock_scene.hpp ClockScene)
+set(INKCELL_MOTION_particles particle_scene.hpp ParticleScene)
+set(INKCELL_MOTION_figure15 vortex_scene.hpp VortexScene)
+
+# inkcell_add_motions(<name> <board> <format> <scenes>)
+#
+# <name>_motion_<scene> for each scene that the board plays, on what
+# <name>_pattern draws on; their names in the variable <scenes>. Distances reach
+# farther than cells of text know them: the font is of outlines.
+function(inkcell_add_motions name board format scenes)
+  if(NOT TARGET inkcell_motion_font)
+    add_library(inkcell_motion_font INTERFACE)
+    inkcell_add_font(inkcell_motion_font NAME motion FONT ${INKCELL_DEMO_FONT}
+      MIN_PX 8 MAX_PX 96 CODING outline)
+  endif()
+  set(INKCELL_DEMO_MOTIONS path clock particles figure15)
+  include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
+  foreach(scene ${INKCELL_DEMO_MOTIONS})
+    list(GET INKCELL_MOTION_${scene} 0 header)
+    list(GET INKCELL_MOTION_${scene} 1 class)
+    add_library(${name}_motion_${scene} STATIC ${INKCELL_DEMO_DIR}/motion.cpp)
+    target_compile_definitions(${name}_motion_${scene} PRIVATE
+      INKCELL_MOTION_HEADER="${header}" INKCELL_MOTION_SCENE=${class})
+    target_link_libraries(${name}_motion_${scene}
+      PUBLIC ${name}_pattern
+      PRIVATE inkcell_scenes inkcell_motion_font)
+    target_compile_options(${name}_motion_${scene} PRIVATE ${INKCELL_WARNINGS})
+  endforeach()
+  set(${scenes} ${INKCELL_DEMO_MOTIONS} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,57 @@
+#include "motion.hpp"
+
+#include <fonts/motion.hpp>
+
+#include INKCELL_MOTION_HEADER
+#include "inkcell/font.hpp"
+#include "motion_paper.hpp"
+#include "show.hpp"
+
+namespace inkcell {
+namespace demo {
+namespace {
+
+using Scene = scenes::INKCELL_MOTION_SCENE;
+
+constexpr scenes::SceneNeeds kNeeds = Scene::needs(kWidth, kHeight);
+
+// Arrays have at least one element.
+constexpr size_t some(size_t count) noexcept {
+  return count == 0 ? 1 : count;
+}
+
+// Large glyphs are drawn faster with it; small displays have small RAM.
+constexpr size_t kLentBytes = kHeight < 100 ? 0 : 2560;
+
+Font font;
+int8_t grid[some(kNeeds.grid)];
+kinetic::Particle particles[some(kNeeds.particles)];
+kinetic::ParticleHome homes[some(kNeeds.homes)];
+alignas(4) uint8_t ram[some(kLentBytes)];
+
+Scene scene({&font,
+             Scene::kText,
+             kWidth,
+             kHeight,
+             {{grid, kNeeds.grid},
+              {particles, kNeeds.particles},
+              {homes, kNeeds.homes}},
+             {ram, kLentBytes}});
+
+}  // namespace
+
+Status open_motion() noexcept {
+  INKCELL_TRY(Font::open(fonts::motion, font));
+  return scene.open();
+}
+
+void show_motion(uint32_t frame) noexcept {
+  scene.set_frame(frame);
+  show(nullptr, [](void*, const Strip& strip) {
+    MotionPaper paper(strip);
+    scene.draw(paper.paper());
+  });
+}
+
+}  // namespace demo
+}  // namespace inkcell

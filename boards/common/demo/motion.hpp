@@ -1,0 +1,21 @@
+// A scene that moves, on the screen of a board or of the host that compares.
+//
+// The build says which: INKCELL_MOTION_HEADER and INKCELL_MOTION_SCENE, a class
+// of namespace scenes.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+namespace demo {
+
+/// Opens font and scene. Call it once.
+Status open_motion() noexcept;
+
+/// Steps to a frame, and shows all of it.
+void show_motion(uint32_t frame) noexcept;
+
+}  // namespace demo
+}  // namespace inkcell

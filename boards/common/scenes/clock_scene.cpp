@@ -1,0 +1,203 @@
+// Each minute begins with the change: the last digit first, others after it.
+#include "clock_scene.hpp"
+
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+
+namespace inkcell {
+namespace scenes {
+namespace {
+
+using namespace kinetic;
+
+constexpr uint32_t kBackground = 0x0b0f16;
+constexpr uint32_t kInk = 0xffd9a0;
+constexpr uint32_t kHotInk = 0xffffff;
+constexpr uint32_t kGlow = 0xa8501a;
+constexpr uint32_t kColonInk = 0xff8f3c;
+constexpr uint32_t kMinutesPerDay = 24 * 60;
+
+constexpr int32_t kChangeMs = 620;
+constexpr int32_t kStepMs = 110;  // from digit to digit
+constexpr Easing kChange = cubic_bezier(650, 0, 350, 1000);
+
+// The glow around digits of large screens.
+constexpr Filter kGlowFilter =
+    make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(1024),
+                 Fixed<uint16_t, 8>::from_int(2)});
+constexpr int32_t kGlowFromPx = 60;
+
+bool read_time(Text text, uint32_t& minute) noexcept {
+  const auto digit = [&](size_t i) {
+    return text.data[i] >= '0' && text.data[i] <= '9';
+  };
+  if (text.size != 5 || text.data[2] != ':' || !digit(0) || !digit(1) ||
+      !digit(3) || !digit(4)) {
+    return false;
+  }
+  const auto value = [&](size_t i) {
+    return static_cast<uint32_t>(text.data[i] - '0');
+  };
+  const uint32_t hour = value(0) * 10 + value(1);
+  minute = value(3) * 10 + value(4);
+  if (hour > 23 || minute > 59) {
+    return false;
+  }
+  minute += hour * 60;
+  return true;
+}
+
+}  // namespace
+
+Span<int8_t> ClockScene::part_of(Span<int8_t> grids,
+                                 int32_t digit) const noexcept {
+  const size_t bytes = morph_bytes(layout_.box);
+  const size_t first = bytes * static_cast<size_t>(digit);
+  return first + bytes <= grids.size ? Span<int8_t>(grids.data + first, bytes)
+                                     : Span<int8_t>();
+}
+
+ClockScene::ClockScene(const SceneSetting& setting) noexcept
+    : font_(*setting.font),
+      text_(setting.text),
+      width_(setting.width),
+      height_(setting.height),
+      layout_(layout_of(width_, height_)),
+      workspace_(setting.workspace),
+      digits_{
+          {font_, Q26_6::from_int(layout_.size_px), kFilterMotion, layout_.box,
+           part_of(setting.memory.grid, 0), setting.workspace},
+          {font_, Q26_6::from_int(layout_.size_px), kFilterMotion, layout_.box,
+           part_of(setting.memory.grid, 1), setting.workspace},
+          {font_, Q26_6::from_int(layout_.size_px), kFilterMotion, layout_.box,
+           part_of(setting.memory.grid, 2), setting.workspace},
+          {font_, Q26_6::from_int(layout_.size_px), kFilterMotion, layout_.box,
+           part_of(setting.memory.grid, 3), setting.workspace}} {}
+
+Status ClockScene::open() noexcept {
+  if (!read_time(text_, first_minute_)) {
+    return Status::bad_argument;
+  }
+  for (uint32_t i = 0; i < 10; ++i) {
+    digit_glyphs_[i] = font_.glyph_or_notdef('0' + i);
+  }
+  colon_ = font_.glyph_or_notdef(':');
+  for (int32_t i = 0; i < kDigits; ++i) {
+    const uint16_t glyph = digit_glyphs_[digit_of(first_minute_, i)];
+    INKCELL_TRY(digits_[i].set(glyph, glyph));
+  }
+  set_frame(0);
+  return Status::ok;
+}
+
+uint32_t ClockScene::digit_of(uint32_t minute, int32_t digit) const noexcept {
+  minute %= kMinutesPerDay;
+  switch (digit) {
+    case 0:
+      return minute / 600;
+    case 1:
+      return minute / 60 % 10;
+    case 2:
+      return minute / 10 % 6;
+    default:
+      return minute % 10;
+  }
+}
+
+void ClockScene::set_frame(uint32_t frame) noexcept {
+  frame_ = frame;
+  const uint32_t passed = frame / kFramesPerMinute;
+  const auto time_ms =
+      static_cast<int32_t>(frame % kFramesPerMinute) * 1000 / kFramesPerSecond;
+  const uint32_t now = first_minute_ + passed;
+  for (int32_t i = 0; i < kDigits; ++i) {
+    // The first minute has nothing to come from.
+    const uint32_t before = passed == 0 ? now : now + kMinutesPerDay - 1;
+    const uint16_t from = digit_glyphs_[digit_of(before, i)];
+    const uint16_t to = digit_glyphs_[digit_of(now, i)];
+    const int32_t begin = (kDigits - 1 - i) * kStepMs;
+    const Q16_16 progress =
+        ease(kChange, fraction(begin, begin + kChangeMs, time_ms));
+    GlyphMorph& digit = digits_[i];
+    const Q16_16 last = digit.progress();
+    const uint16_t shown = last.raw == 0 ? digit.from() : digit.to();
+    const bool was_still = last.raw == 0 || last.raw == 1 << 16;
+    if (digit.from() != from || digit.to() != to) {
+      // They fit: open() has tried it.
+      static_cast<void>(digit.set(from, to));
+    }
+    digit.step(from == to ? Q16_16::from_int(1) : progress, scratch_);
+    const bool is_still =
+        from == to || progress.raw == 0 || progress.raw == 1 << 16;
+    const uint16_t shows = from == to || progress.raw != 0 ? to : from;
+    has_changed_[i] = !(was_still && is_still && shown == shows);
+  }
+}
+
+Rect ClockScene::box_of(int32_t digit) const noexcept {
+  const int32_t x = layout_.left + digit * layout_.digit_px +
+                    (digit >= 2 ? layout_.colon_px : 0);
+  return {x, layout_.top, x + layout_.box.width,
+          layout_.top + layout_.box.height};
+}
+
+void ClockScene::draw_colon(const Paper& paper) const noexcept {
+  TextStyle style;
+  const Q26_6 size = Q26_6::from_int(layout_.size_px);
+  if (TextStyle::make(size, kFilterMotion, style) != Status::ok) {
+    return;
+  }
+  const int32_t advance_q6 = static_cast<int32_t>(
+      int64_t{font_.advance(colon_)} * size.raw / font_.units_per_em());
+  const int32_t left_q6 = (layout_.left + 2 * layout_.digit_px) * 64;
+  const int32_t x_q6 = left_q6 + (layout_.colon_px * 64 - advance_q6) / 2;
+  // A little above the baseline: in the middle of digits.
+  const int32_t y = layout_.top + layout_.box.baseline - layout_.size_px / 11;
+  draw_glyph(font_, colon_, style, {Q26_6::from_raw(x_q6), Q26_6::from_int(y)},
+             paper.with(kColonInk), workspace_);
+}
+
+void ClockScene::draw(const Paper& paper) noexcept {
+  paper.fill(kBackground);
+  draw_colon(paper);
+  for (int32_t i = 0; i < kDigits; ++i) {
+    const Rect box = box_of(i);
+    // Hot half-way.
+    const int32_t part = digits_[i].progress().raw;
+    const int32_t heat =
+        static_cast<int32_t>(int64_t{part} * (65536 - part) >> 22);  // to 256
+    if (heat > 0 && layout_.size_px >= kGlowFromPx) {
+      digits_[i].draw(box.x0, box.y0, kGlowFilter,
+                      paper.with(mix_rgb(kBackground, kGlow, heat)));
+    }
+    digits_[i].draw(box.x0, box.y0, paper.with(mix_rgb(kInk, kHotInk, heat)));
+  }
+}
+
+void ClockScene::add_changes(DirtyRects& dirty) const noexcept {
+  for (int32_t i = 0; i < kDigits; ++i) {
+    if (has_changed_[i]) {
+      dirty.add(box_of(i), {0, 0, width_, height_});
+    }
+  }
+}
+
+uint32_t ClockScene::next_due() const noexcept {
+  constexpr int32_t kEndMs = kChangeMs + (kDigits - 1) * kStepMs;
+  constexpr uint32_t kEndFrame = kEndMs * kFramesPerSecond / 1000 + 1;
+  const uint32_t in_minute = frame_ % kFramesPerMinute;
+  const bool rests = frame_ < kFramesPerMinute || in_minute >= kEndFrame;
+  return frame_ + (rests ? kFramesPerMinute - in_minute : 1);
+}
+
+void ClockScene::tell_state(const StateSink& sink) const noexcept {
+  for (const GlyphMorph& digit : digits_) {
+    sink.tell(digit.from());
+    sink.tell(digit.to());
+    sink.tell(digit.progress().raw);
+    sink.tell(digit.cutoff().raw);
+  }
+}
+
+}  // namespace scenes
+}  // namespace inkcell

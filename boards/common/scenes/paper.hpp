@@ -1,0 +1,93 @@
+// What scenes draw on: a strip in any pixel format, with any ink.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/particle_homes.hpp"
+#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/strip.hpp"
+#include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// Frames of a second of every scene.
+inline constexpr int32_t kFramesPerSecond = 30;
+
+/// Frames of the time that a scene takes until it begins anew.
+inline constexpr uint32_t kLoopFrames = 300;
+
+/// A strip of a display. Formats without colour take the ink's lightness.
+struct Paper {
+  Rect window;  // on the screen [px]
+  void* context = nullptr;
+  /// A sink over the window for ink of a colour, 0xRRGGBB; until the next call.
+  const Sink& (*ink)(void* context, uint32_t rgb) = nullptr;
+
+  const Sink& with(uint32_t rgb) const noexcept { return ink(context, rgb); }
+
+  void fill(uint32_t rgb) const noexcept {
+    const Sink& sink = with(rgb);
+    for (int32_t y = window.y0; y < window.y1; ++y) {
+      sink.solid(sink.context, window.x0, y, window.x1 - window.x0);
+    }
+  }
+};
+
+/// Takes the numbers that frames depend on, to compare machines of any byte
+/// order.
+struct StateSink {
+  void* context = nullptr;
+  void (*add)(void* context, int32_t value) = nullptr;
+
+  void tell(int32_t value) const noexcept { add(context, value); }
+};
+
+/// RAM that a scene needs on a screen of some size.
+struct SceneNeeds {
+  size_t grid = 0;  // samples of distances
+  size_t particles = 0;
+  size_t homes = 0;
+};
+
+/// That RAM. It must outlive the scene.
+struct SceneMemory {
+  Span<int8_t> grid;
+  Span<kinetic::Particle> particles;
+  Span<kinetic::ParticleHome> homes;
+};
+
+/// What a scene is made for. The font and the text must outlive it.
+struct SceneSetting {
+  const Font* font = nullptr;
+  Text text;
+  int32_t width = 0;  // of the screen [px]
+  int32_t height = 0;
+  SceneMemory memory;  // at least needs() of width and height
+  /// Makes large glyphs faster, and the stack smaller by 1.1 KB.
+  Workspace workspace = {};
+};
+
+/// A colour between two. [part of 256]
+constexpr uint32_t mix_rgb(uint32_t a, uint32_t b, int32_t part_q8) noexcept {
+  uint32_t result = 0;
+  for (uint32_t shift = 0; shift < 24; shift += 8) {
+    const auto from = static_cast<int32_t>(a >> shift & 255);
+    const auto to = static_cast<int32_t>(b >> shift & 255);
+    const int32_t value = from + (to - from) * part_q8 / 256;
+    result |= static_cast<uint32_t>(value) << shift;
+  }
+  return result;
+}
+
+/// Time of a frame within a loop. [ms]
+constexpr int32_t time_of(uint32_t frame) noexcept {
+  return static_cast<int32_t>(frame % kLoopFrames) * 1000 / kFramesPerSecond;
+}
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,337 @@
+// Five seconds a word: it stands, bursts, falls; the other one gathers.
+#include "particle_scene.hpp"
+
+#include "inkcell/kinetic/dots.hpp"
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/fade.hpp"
+#include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/text_style.hpp"
+
+namespace inkcell {
+namespace scenes {
+namespace {
+
+using namespace kinetic;
+
+constexpr uint32_t kBackground = 0x0a0d18;
+constexpr uint32_t kInk = 0xf4f1e8;
+constexpr uint32_t kRing = 0x1d3a6e;
+constexpr uint32_t kSlow = 0xe8b04a;
+constexpr uint32_t kFast = 0xff4f6d;
+constexpr uint32_t kFly = 0x58d5ff;
+
+// Frames of a word's time.
+constexpr uint32_t kWordFrames = kLoopFrames / 2;
+constexpr uint32_t kBurst = 45;   // it falls apart
+constexpr uint32_t kGather = 78;  // its pieces look for the other word
+constexpr uint32_t kMeet = 128;   // the plain word comes up
+constexpr uint32_t kSeed = 20;
+
+constexpr int32_t kFlyRadiusQ6 = 84;
+
+// No dot is larger.
+constexpr Q26_6 kMostRadius = Q26_6::from_int(2);
+
+// Whether a dot may reach into rows of a window.
+bool is_near(const Particle& p, const Rect& window) noexcept {
+  constexpr int32_t kReach = 3;  // [px]
+  const int32_t y = p.y.raw >> 16;
+  return y >= window.y0 - kReach && y < window.y1 + kReach;
+}
+
+int32_t magnitude(int32_t value) noexcept {
+  return value < 0 ? -value : value;
+}
+
+// How much of the plain word is to be seen. [of 255]
+int32_t word_opacity(uint32_t phase) noexcept {
+  const auto at = static_cast<int32_t>(phase);
+  if (phase < kGather) {
+    return 255 - lerp(0, 255, fraction(kBurst, kBurst + 5, at));
+  }
+  return lerp(0, 255, fraction(kMeet, kWordFrames - 4, at));
+}
+
+}  // namespace
+
+ParticleScene::ParticleScene(const SceneSetting& setting) noexcept
+    : font_(*setting.font),
+      text_(setting.text),
+      width_(setting.width),
+      height_(setting.height),
+      grid_(setting.memory.grid,
+            DistanceGrid::samples_of(width_, scale_for(width_)),
+            DistanceGrid::samples_of(height_, scale_for(width_)),
+            scale_for(width_)),
+      workspace_(setting.workspace) {
+  const Span<Particle> all = setting.memory.particles;
+  const size_t homes = setting.memory.homes.size;
+  if (homes <= all.size) {
+    homes_ = setting.memory.homes;
+    pieces_ = {all.data, homes};
+    flies_ = {all.data + homes, all.size - homes};
+  }
+}
+
+Text ParticleScene::word(int32_t index) const noexcept {
+  size_t space = 0;
+  while (space < text_.size && text_.data[space] != ' ') {
+    ++space;
+  }
+  if (index == 0) {
+    return {text_.data, space};
+  }
+  const size_t second = space < text_.size ? space + 1 : space;
+  return {text_.data + second, text_.size - second};
+}
+
+// Takes the distances of a word, in the middle of the screen.
+bool ParticleScene::show_word(int32_t index) noexcept {
+  const TextMeasure ink = measure(font_, word(index));
+  const auto px_q6 = [&](int32_t units) {
+    return static_cast<int32_t>(int64_t{units} * size_.raw /
+                                font_.units_per_em());
+  };
+  origin_ = {Q26_6::from_raw(width_ * 32 - px_q6(ink.x_min + ink.x_max) / 2),
+             Q26_6::from_raw(height_ * 32 + px_q6(ink.y_min + ink.y_max) / 2)};
+  grid_.clear();
+  TextCursor cursor(font_, word(index));
+  PositionedGlyph glyph;
+  bool is_painted = true;
+  while (cursor.next(glyph)) {
+    const Point at = {Q26_6::from_raw(origin_.x.raw + px_q6(glyph.x)),
+                      origin_.y};
+    is_painted = is_painted && grid_.paint(font_, glyph.glyph, size_, at,
+                                           workspace_) == Status::ok;
+  }
+  word_ = index;
+  // The word and its rings: as far as the grid knows distances.
+  word_box_ = {};
+  const int32_t scale = grid_.scale_log2();
+  for (int32_t y = 0; y < grid_.height(); ++y) {
+    for (int32_t x = 0; x < grid_.width(); ++x) {
+      if (grid_.at(x, y) != DistanceGrid::kOutside) {
+        word_box_ = bounding_box(word_box_, {x - 1, y - 1, x + 2, y + 2});
+      }
+    }
+  }
+  const auto px = [&](int32_t samples) { return samples * (1 << scale); };
+  word_box_ = {px(word_box_.x0), px(word_box_.y0), px(word_box_.x1),
+               px(word_box_.y1)};
+  return is_painted;
+}
+
+Status ParticleScene::open() noexcept {
+  if (grid_.width() == 0 || pieces_.size == 0) {
+    return Status::buffer_small;
+  }
+  // The longer word takes 5/6 of the width, or all 3/5 of the height.
+  int32_t longest = 1;
+  for (int32_t i = 0; i < 2; ++i) {
+    const int32_t advance = measure(font_, word(i)).advance;
+    longest = advance > longest ? advance : longest;
+  }
+  const auto by_width = static_cast<int32_t>(int64_t{width_} * 64 * 5 / 6 *
+                                             font_.units_per_em() / longest);
+  const int32_t by_height = height_ * 64 * 3 / 5;
+  size_.raw = by_width < by_height ? by_width : by_height;
+  for (int32_t i = 1; i >= 0; --i) {
+    if (!show_word(i) || !spread_homes(grid_, 0, 0, kSeed, homes_)) {
+      return Status::bad_argument;
+    }
+  }
+  restart();
+  return Status::ok;
+}
+
+void ParticleScene::restart() noexcept {
+  frame_ = 0;
+  random_ = RandomNumbers(kSeed);
+  // Both words had their turn in open().
+  static_cast<void>(show_word(0));
+  static_cast<void>(spread_homes(grid_, 0, 0, kSeed, homes_));
+  for (size_t i = 0; i < pieces_.size; ++i) {
+    pieces_[i] = {};
+    pieces_[i].x.raw = homes_[i].x_q4 * 4096;
+    pieces_[i].y.raw = homes_[i].y_q4 * 4096;
+  }
+  for (Particle& fly : flies_) {
+    fly = {};
+    if (!find_edge(grid_, 0, 0, random_, fly)) {
+      fly.x = Q16_16::from_int(width_ / 2);
+    }
+  }
+}
+
+// Away from the middle of the word and up, each piece a little otherwise.
+void ParticleScene::burst() noexcept {
+  for (Particle& p : pieces_) {
+    const int32_t from_middle = (p.x.raw >> 16) - width_ / 2;
+    const int32_t right = from_middle * 3072 / width_ +
+                          static_cast<int32_t>(random_.below(2400)) - 1200;
+    const int32_t up = 900 + static_cast<int32_t>(random_.below(3600));
+    p.x_speed_q10 = static_cast<int16_t>(right * height_ / 240);
+    p.y_speed_q10 = static_cast<int16_t>(-up * height_ / 240);
+  }
+}
+
+void ParticleScene::step() noexcept {
+  ++frame_;
+  const uint32_t phase = frame_ % kWordFrames;
+  const auto index = static_cast<int32_t>(frame_ / kWordFrames % 2);
+  if (phase == kBurst) {
+    burst();
+  }
+  if (phase == kGather) {
+    static_cast<void>(show_word(1 - index));
+    static_cast<void>(spread_homes(grid_, 0, 0, kSeed, homes_));
+  }
+  ParticleRules rules;
+  rules.walls = {1, 1, width_ - 1, height_ - 1};
+  if (phase > kBurst && phase < kGather) {
+    rules.gravity_q10 = static_cast<int16_t>(230 * height_ / 240);
+    rules.bounce_q8 = 140;
+    rules.kept_q16 = 65000;
+    kinetic::step(pieces_, rules, grid_, 0, 0);
+  } else if (phase >= kGather || phase <= kBurst) {
+    // From left to right, one after the other; late ones still fall.
+    const uint32_t begun = phase <= kBurst ? kWordFrames : phase - kGather;
+    const size_t called =
+        begun >= 26 ? pieces_.size : pieces_.size * size_t{begun + 1} / 26;
+    const Span<Particle> early(pieces_.data, called);
+    const Span<Particle> late(pieces_.data + called, pieces_.size - called);
+    rules.kept_q16 = 52000;
+    kinetic::pull_home(early, homes_, Q16_16::from_raw(2600),
+                       Q26_6::from_int(4));
+    kinetic::step(early, rules, grid_, 0, 0);
+    rules.gravity_q10 = static_cast<int16_t>(230 * height_ / 240);
+    rules.bounce_q8 = 140;
+    rules.kept_q16 = 65000;
+    kinetic::step(late, rules, grid_, 0, 0);
+  }
+  // The others go round the letters, and never through them.
+  ParticleRules flight;
+  flight.walls = rules.walls;
+  flight.attraction_q10 = 70;
+  flight.orbit_q10 = 60;
+  flight.kept_q16 = 62500;
+  flight.bounce_q8 = 180;
+  flight.side = ParticleSide::outside;
+  flight.radius = Q26_6::from_raw(height_ < 120 ? 48 : 2 * kFlyRadiusQ6);
+  if (phase >= kGather && phase < kMeet) {
+    // To the new word, each to a place of its own.
+    const size_t stride = pieces_.size / (flies_.size + 1) + 1;
+    for (size_t i = 0; i < flies_.size; ++i) {
+      kinetic::pull_home({flies_.data + i, 1},
+                         {homes_.data + i * stride % homes_.size, 1},
+                         Q16_16::from_raw(1800), Q26_6::from_int(2));
+    }
+  }
+  kinetic::step(flies_, flight, grid_, 0, 0);
+}
+
+// Around all that is drawn.
+Rect ParticleScene::drawn_box() const noexcept {
+  Rect box = word_box_;
+  const Span<const Particle> both[] = {pieces_, flies_};
+  for (const Span<const Particle>& particles : both) {
+    for (const Particle& p : particles) {
+      box = bounding_box(box, dot_box(p.x, p.y, kMostRadius));
+    }
+  }
+  return box;
+}
+
+void ParticleScene::set_frame(uint32_t frame) noexcept {
+  before_ = now_;
+  if (frame < frame_) {
+    restart();
+  }
+  while (frame_ < frame) {
+    step();
+  }
+  now_ = drawn_box();
+}
+
+// Offset surfaces run outwards while the word comes up, and fade.
+void ParticleScene::draw_rings(const Paper& paper) const noexcept {
+  const uint32_t phase = frame_ % kWordFrames;
+  const auto since = static_cast<int32_t>(
+      phase >= kMeet ? phase - kMeet : phase + kWordFrames - kMeet);
+  constexpr int32_t kFrames = 40;
+  if (since >= kFrames) {
+    return;
+  }
+  const int32_t reach_q6 = 3 * 64 << grid_.scale_log2();
+  const Q16_16 gone = ease(kEaseOut, fraction(0, kFrames, since));
+  const int32_t offset_q6 = lerp(0, reach_q6, gone);
+  const int32_t fading = 256 - lerp(0, 256, gone);
+  const int32_t wide_q6 = 64 + reach_q6 / 8;
+  draw_offset(grid_, Q26_6::from_raw(offset_q6), 0, 0, kFilterMotion,
+              paper.with(mix_rgb(kBackground, kRing, fading)));
+  draw_offset(grid_, Q26_6::from_raw(offset_q6 - wide_q6), 0, 0, kFilterMotion,
+              paper.with(kBackground));
+}
+
+void ParticleScene::draw_word(const Paper& paper) const noexcept {
+  const int32_t opacity = word_opacity(frame_ % kWordFrames);
+  TextStyle style;
+  if (opacity == 0 ||
+      TextStyle::make(size_, kFilterMotion, style) != Status::ok) {
+    return;
+  }
+  // It cools down while it comes up.
+  const Sink& ink = paper.with(mix_rgb(kSlow, kInk, opacity));
+  const Fade fade = {&ink, static_cast<uint8_t>(opacity)};
+  draw_text(font_, word(word_), style, origin_, make_sink(fade), workspace_);
+}
+
+void ParticleScene::draw_particles(const Paper& paper) const noexcept {
+  const int32_t hidden = word_opacity(frame_ % kWordFrames);
+  const bool is_small = height_ < 120;
+  const int32_t piece_q6 = (is_small ? 52 : 84) - hidden * 16 / 255;
+  const Q26_6 radius = Q26_6::from_raw(piece_q6);
+  for (size_t i = 0; i < pieces_.size && hidden < 255; ++i) {
+    const Particle& p = pieces_[i];
+    if (!is_near(p, paper.window)) {
+      continue;
+    }
+    const int32_t speed = magnitude(p.x_speed_q10) + magnitude(p.y_speed_q10);
+    const int32_t heat = speed >> 4 < 256 ? speed >> 4 : 256;
+    const uint32_t glow = mix_rgb(kSlow, kFast, heat);
+    draw_dot(p.x, p.y, radius, paper.with(mix_rgb(glow, kInk, hidden)));
+  }
+  const Q26_6 fly_radius = Q26_6::from_raw(is_small ? 48 : kFlyRadiusQ6);
+  for (const Particle& fly : flies_) {
+    if (is_near(fly, paper.window)) {
+      draw_dot(fly.x, fly.y, fly_radius, paper.with(kFly));
+    }
+  }
+}
+
+void ParticleScene::draw(const Paper& paper) noexcept {
+  paper.fill(kBackground);
+  draw_rings(paper);
+  draw_word(paper);
+  draw_particles(paper);
+}
+
+void ParticleScene::add_changes(DirtyRects& dirty) const noexcept {
+  dirty.add(bounding_box(before_, now_), {0, 0, width_, height_});
+}
+
+void ParticleScene::tell_state(const StateSink& sink) const noexcept {
+  const Span<const Particle> both[] = {pieces_, flies_};
+  for (const Span<const Particle>& particles : both) {
+    for (const Particle& p : particles) {
+      sink.tell(p.x.raw);
+      sink.tell(p.y.raw);
+      sink.tell(p.x_speed_q10);
+      sink.tell(p.y_speed_q10);
+    }
+  }
+}
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,86 @@
+// Scene `particles`: a word bursts, its pieces fall, and come together as
+// another; some fly round the letters all the time.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/kinetic/particle_homes.hpp"
+#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/kinetic/pose_renderer.hpp"
+#include "inkcell/text.hpp"
+#include "paper.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// A simulation: a frame follows from the one before. set_frame() steps as
+/// often as it must, from the start if it goes back.
+class ParticleScene {
+ public:
+  /// Two words.
+  static constexpr const char* kText = "Ink cell";
+
+  /// Pixels a sample along each side.
+  static constexpr int32_t scale_for(int32_t width) noexcept {
+    return width > 200 ? 2 : width > 100 ? 1 : 0;
+  }
+  static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
+    using kinetic::DistanceGrid;
+    const int32_t scale = scale_for(width);
+    const auto grid =
+        static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
+                            DistanceGrid::samples_of(height, scale));
+    const auto area = static_cast<size_t>(width * height);
+    const size_t pieces = area > 520 * 64 ? 520 : area / 64;
+    return {grid, pieces + pieces / 10, pieces};
+  }
+
+  explicit ParticleScene(const SceneSetting& setting) noexcept;
+  ParticleScene(const ParticleScene&) = delete;
+  ParticleScene& operator=(const ParticleScene&) = delete;
+
+  /// bad_argument: the text is not two words with ink. buffer_small: the
+  /// memory.
+  Status open() noexcept;
+  void set_frame(uint32_t frame) noexcept;
+  void draw(const Paper& paper) noexcept;
+  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  uint32_t next_due() const noexcept { return frame_ + 1; }
+  void tell_state(const StateSink& sink) const noexcept;
+
+ private:
+  void restart() noexcept;
+  void step() noexcept;
+  void burst() noexcept;
+  bool show_word(int32_t word) noexcept;
+  Text word(int32_t index) const noexcept;
+  Rect drawn_box() const noexcept;
+  void draw_rings(const Paper& paper) const noexcept;
+  void draw_word(const Paper& paper) const noexcept;
+  void draw_particles(const Paper& paper) const noexcept;
+
+  const Font& font_;
+  Text text_;
+  int32_t width_;
+  int32_t height_;
+  Q26_6 size_;
+  kinetic::DistanceGrid grid_;
+  Workspace workspace_;
+  Point origin_;  // of the word
+  Rect word_box_;
+  Span<kinetic::ParticleHome> homes_;
+  Span<kinetic::Particle> pieces_;  // one for each home
+  Span<kinetic::Particle> flies_;
+  kinetic::RandomNumbers random_;
+  uint32_t frame_ = 0;
+  Rect before_;  // what the last two frames drew on
+  Rect now_;
+  int32_t word_ = -1;  // whose distances are in the grid
+};
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,209 @@
+// Ten seconds: letters come in, the wave swings, weight runs along the line,
+// letters leave, and the screen rests.
+#include "path_scene.hpp"
+
+#include "inkcell/kinetic/spring.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+
+namespace inkcell {
+namespace scenes {
+namespace {
+
+using namespace kinetic;
+
+constexpr uint32_t kBackground = 0x0d1524;
+constexpr uint32_t kFirstInk = 0xffc24b;
+constexpr uint32_t kMiddleInk = 0xff5c7a;
+constexpr uint32_t kLastInk = 0x7a8cff;
+
+constexpr Stagger kArrival = {70, StaggerOrder::forward, 0};
+constexpr Stagger kDeparture = {45, StaggerOrder::from_centre, 0};
+constexpr int32_t kArrivesMs = 250;
+constexpr int32_t kSwingsMs = 1200;  // the wave begins to swing
+constexpr int32_t kWeightMs = 4200;
+constexpr int32_t kLeavesMs = 8200;
+constexpr int32_t kLeavingMs = 700;
+constexpr int32_t kWavePeriodMs = 2600;
+constexpr Spring kLanding = {420, 90};
+
+int32_t scaled(int32_t value, Q16_16 part) noexcept {
+  return lerp(0, value, part);
+}
+
+// A size at which the run takes 7/8 of the width, or 1/4 of the height.
+Q26_6 size_for(const Font& font, Text text, int32_t width, int32_t height) {
+  const int32_t units = measure(font, text).advance;
+  const int32_t by_width =
+      units <= 0 ? height * 64
+                 : static_cast<int32_t>(int64_t{width} * 56 *
+                                        font.units_per_em() / units);
+  const int32_t by_height = height * 64 / 4;
+  const int32_t size = by_width < by_height ? by_width : by_height;
+  return Q26_6::from_raw(size < kMinSize.raw ? kMinSize.raw : size);
+}
+
+}  // namespace
+
+PathScene::PathScene(const SceneSetting& setting) noexcept
+    : font_(*setting.font),
+      text_(setting.text),
+      width_(setting.width),
+      height_(setting.height),
+      renderer_(font_,
+                size_for(font_, text_, width_, height_),
+                kFilterMotion,
+                setting.workspace),
+      path_(points_) {
+  on_path_.size = size_for(font_, text_, width_, height_);
+  on_path_.overflow = PathOverflow::extend;
+}
+
+Status PathScene::open() noexcept {
+  INKCELL_TRY(lay_out(font_, text_, Align::centre, glyphs_, run_));
+  set_frame(0);
+  return Status::ok;
+}
+
+// Two cubics from edge to edge. They are flat at first, and swing up and down
+// in opposite phase.
+void PathScene::make_wave(int32_t time_ms) noexcept {
+  const int32_t since = time_ms - kSwingsMs;
+  const Q16_16 grown =
+      ease(kEaseInOut, fraction(kSwingsMs, kSwingsMs + 1500, time_ms));
+  const Q16_16 calmed =
+      ease(kEaseInOut, fraction(kLeavesMs - 1200, kLeavesMs, time_ms));
+  const int32_t swing_q6 =
+      scaled(height_ * 64 * 5 / 16, Q16_16::from_raw(grown.raw - calmed.raw));
+  const auto phase = static_cast<uint16_t>(int64_t{since < 0 ? 0 : since} *
+                                           65536 / kWavePeriodMs);
+  const auto lift = [&](int32_t ahead) {
+    const Angle angle = Angle::from_raw(
+        static_cast<uint16_t>(phase + static_cast<uint32_t>(ahead)));
+    return swing_q6 * sine(angle).raw / 16384;
+  };
+  const int32_t w = width_ * 64;
+  const int32_t middle = height_ * 64 * 9 / 16;
+  const auto at = [](int32_t x_q6, int32_t y_q6) {
+    return Point{Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
+  };
+  const int32_t left = lift(0);
+  const int32_t right = lift(0x3000);
+  const int32_t tilt = (right - left) / 2;
+  path_.clear();
+  // The buffer is made for both.
+  static_cast<void>(path_.move_to(at(0, middle)));
+  static_cast<void>(path_.cubic_to(at(w / 6, middle - left),
+                                   at(w / 3, middle - left - tilt / 2),
+                                   at(w / 2, middle + tilt / 3), kPieces));
+  static_cast<void>(path_.cubic_to(at(w * 2 / 3, middle + left + tilt),
+                                   at(w * 5 / 6, middle + right), at(w, middle),
+                                   kPieces));
+}
+
+Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
+  const uint32_t count = unit_count(run_, Unit::glyph);
+  const auto i = static_cast<uint32_t>(index);
+  const int32_t arrives = kArrivesMs + delay_of(kArrival, i, count);
+  const int32_t leaves = kLeavesMs + delay_of(kDeparture, i, count);
+  Pose pose;
+  if (time_ms < leaves) {
+    // In from above, turning, with a spring's swing.
+    const Q16_16 there = spring_at(kLanding, time_ms - arrives);
+    const Q16_16 away = Q16_16::from_raw((1 << 16) - there.raw);
+    pose.offset.y.raw = -scaled(height_ * 64 * 3 / 8, away);
+    pose.angle.raw = static_cast<uint16_t>(scaled(9000, away));
+    const int32_t scale = 1229 + scaled(4096 - 1229, there);
+    pose.scale_x.raw = static_cast<int16_t>(scale);
+    pose.scale_y.raw = static_cast<int16_t>(scale);
+    pose.opacity = static_cast<uint8_t>(
+        scaled(255, fraction(arrives, arrives + 120, time_ms)));
+    // A wave of weight runs along the line.
+    const int32_t pulse = kWeightMs + static_cast<int32_t>(i) * 90;
+    const Q16_16 up = fraction(pulse, pulse + 260, time_ms);
+    const Q16_16 down = fraction(pulse + 260, pulse + 700, time_ms);
+    const int32_t bold = ease(kEaseOut, up).raw - ease(kEaseInOut, down).raw;
+    const int32_t most_q10 = on_path_.size.raw * 16 / 24;
+    pose.weight.raw =
+        static_cast<int16_t>(scaled(most_q10, Q16_16::from_raw(bold)));
+    pose.offset.y.raw -= scaled(on_path_.size.raw / 7, Q16_16::from_raw(bold));
+    return pose;
+  }
+  // Out through the floor: back a little first, then down, leaning.
+  const Q16_16 gone =
+      ease(kAnticipate, fraction(leaves, leaves + kLeavingMs, time_ms));
+  pose.offset.y.raw = scaled(height_ * 64 * 5 / 8, gone);
+  pose.angle.raw = static_cast<uint16_t>(
+      (index & 1) != 0 ? scaled(7000, gone) : -scaled(7000, gone));
+  pose.opacity = static_cast<uint8_t>(
+      255 - scaled(255, fraction(leaves + kLeavingMs * 3 / 4,
+                                 leaves + kLeavingMs, time_ms)));
+  return pose;
+}
+
+void PathScene::set_frame(uint32_t frame) noexcept {
+  frame_ = frame;
+  const int32_t time_ms = time_of(frame);
+  make_wave(time_ms);
+  on_path_.start.raw = path_.length().raw / 2;
+  for (size_t i = 0; i < run_.glyphs.size; ++i) {
+    before_[i] = posed_[i];
+    posed_[i] = place(font_, run_, i, path_, on_path_, pose_of(i, time_ms));
+    if (posed_[i].pose.opacity == 0) {
+      // All that cannot be seen is alike.
+      posed_[i] = {};
+      posed_[i].pose.opacity = 0;
+    }
+  }
+}
+
+void PathScene::draw(const Paper& paper) noexcept {
+  paper.fill(kBackground);
+  const auto last = static_cast<int32_t>(run_.glyphs.size) - 1;
+  for (size_t i = 0; i < run_.glyphs.size; ++i) {
+    const int32_t part = last <= 0 ? 0 : static_cast<int32_t>(i) * 512 / last;
+    const uint32_t ink = part < 256 ? mix_rgb(kFirstInk, kMiddleInk, part)
+                                    : mix_rgb(kMiddleInk, kLastInk, part - 256);
+    renderer_.draw({posed_ + i, 1}, paper.with(ink));
+  }
+}
+
+void PathScene::add_changes(DirtyRects& dirty) const noexcept {
+  renderer_.add_changes({before_, run_.glyphs.size}, {posed_, run_.glyphs.size},
+                        {0, 0, width_, height_}, dirty);
+}
+
+// Until when the picture stays. [ms of the loop]
+int32_t PathScene::quiet_until(int32_t time_ms) const noexcept {
+  const auto count = static_cast<uint32_t>(run_.glyphs.size);
+  const int32_t end = kLeavesMs + kLeavingMs + longest_delay(kDeparture, count);
+  if (time_ms < kArrivesMs) {
+    return kArrivesMs;
+  }
+  return time_ms > end ? time_of(kLoopFrames - 1) + kArrivesMs : time_ms;
+}
+
+uint32_t PathScene::next_due() const noexcept {
+  const int32_t now = time_of(frame_);
+  const int32_t wait = quiet_until(now) - now;
+  const auto frames = static_cast<uint32_t>(wait * kFramesPerSecond / 1000);
+  return frame_ + (frames > 1 ? frames : 1);
+}
+
+void PathScene::tell_state(const StateSink& sink) const noexcept {
+  for (size_t i = 0; i < run_.glyphs.size; ++i) {
+    const PosedGlyph& glyph = posed_[i];
+    sink.tell(glyph.glyph);
+    sink.tell(glyph.at.x.raw);
+    sink.tell(glyph.at.y.raw);
+    sink.tell(glyph.pose.offset.x.raw);
+    sink.tell(glyph.pose.offset.y.raw);
+    sink.tell(glyph.pose.angle.raw);
+    sink.tell(glyph.pose.scale_x.raw);
+    sink.tell(glyph.pose.scale_y.raw);
+    sink.tell(glyph.pose.weight.raw);
+    sink.tell(glyph.pose.opacity);
+  }
+}
+
+}  // namespace scenes
+}  // namespace inkcell

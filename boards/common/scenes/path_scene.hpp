@@ -1,0 +1,63 @@
+// Scene `path`: letters fly onto a wave, ride on it, and leave.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/kinetic/path.hpp"
+#include "inkcell/kinetic/pose_renderer.hpp"
+#include "inkcell/kinetic/run.hpp"
+#include "inkcell/text.hpp"
+#include "paper.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// A frame depends on its number only.
+class PathScene {
+ public:
+  static constexpr size_t kMaxGlyphs = 24;
+  static constexpr const char* kText = "moving type";
+
+  static constexpr SceneNeeds needs(int32_t, int32_t) noexcept { return {}; }
+
+  explicit PathScene(const SceneSetting& setting) noexcept;
+  PathScene(const PathScene&) = delete;
+  PathScene& operator=(const PathScene&) = delete;
+
+  /// buffer_small: the text has more than kMaxGlyphs glyphs.
+  Status open() noexcept;
+  void set_frame(uint32_t frame) noexcept;
+  void draw(const Paper& paper) noexcept;
+
+  /// Where the frame differs from the one that was set before.
+  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  /// The first frame from now on that looks different.
+  uint32_t next_due() const noexcept;
+  void tell_state(const StateSink& sink) const noexcept;
+
+ private:
+  static constexpr int32_t kPieces = 16;  // of each half of the wave
+
+  void make_wave(int32_t time_ms) noexcept;
+  kinetic::Pose pose_of(size_t index, int32_t time_ms) const noexcept;
+  int32_t quiet_until(int32_t time_ms) const noexcept;
+
+  const Font& font_;
+  Text text_;
+  int32_t width_;
+  int32_t height_;
+  kinetic::PathPlace on_path_;
+  kinetic::PoseRenderer renderer_;
+  kinetic::RunGlyph glyphs_[kMaxGlyphs];
+  kinetic::Run run_;
+  kinetic::PathPoint points_[2 * kPieces + 1];
+  kinetic::Path path_;
+  kinetic::PosedGlyph posed_[kMaxGlyphs];
+  kinetic::PosedGlyph before_[kMaxGlyphs];
+  uint32_t frame_ = 0;
+};
+
+}  // namespace scenes
+}  // namespace inkcell

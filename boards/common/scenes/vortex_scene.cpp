@@ -1,0 +1,256 @@
+// The letter rests, is wound, unwound, and heals.
+#include "vortex_scene.hpp"
+
+#include "inkcell/kinetic/advect.hpp"
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/redistance.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+
+namespace inkcell {
+namespace scenes {
+namespace {
+
+using namespace kinetic;
+
+constexpr uint32_t kBackground = 0x0c1018;
+constexpr uint32_t kRing = 0x1a3854;
+constexpr uint32_t kBody = 0xf2e6cf;
+constexpr uint32_t kLine = 0x8a4b32;
+constexpr uint32_t kCore = 0xd9763f;
+
+// Frames of a loop: the vortex blows one way, then the other.
+constexpr uint32_t kBegins = 20;
+constexpr uint32_t kTurns = 143;
+constexpr uint32_t kEnds = 2 * kTurns - kBegins;
+constexpr uint32_t kSwell = 20;  // until it blows with full strength
+constexpr uint32_t kRedistanceEach = 8;
+// Then what winding cost comes back, a part of it in each frame.
+constexpr uint32_t kHealed = kEnds + 22;
+constexpr int32_t kHealsQ8 = 48;
+
+// How hard it blows, symmetric in time, so that what is wound unwinds. [Q16]
+Q16_16 strength_at(uint32_t phase) noexcept {
+  if (phase < kBegins || phase >= kEnds) {
+    return {};
+  }
+  const bool is_back = phase >= kTurns;
+  const uint32_t since = is_back ? kEnds - 1 - phase : phase - kBegins;
+  const uint32_t half = kTurns - kBegins;
+  const uint32_t to_end = half - 1 - since;
+  const uint32_t near = since < to_end ? since : to_end;
+  const int32_t blow =
+      ease(kEaseInOut, fraction(0, kSwell, static_cast<int32_t>(near))).raw;
+  return Q16_16::from_raw(is_back ? -blow : blow);
+}
+
+}  // namespace
+
+VortexScene::VortexScene(const SceneSetting& setting) noexcept
+    : font_(*setting.font),
+      text_(setting.text),
+      width_(setting.width),
+      height_(setting.height),
+      workspace_(setting.workspace) {
+  const int32_t scale = scale_for(width_);
+  const int32_t columns = DistanceGrid::samples_of(width_, scale);
+  const int32_t rows = DistanceGrid::samples_of(height_, scale);
+  const size_t half = setting.memory.grid.size / 2;
+  int8_t* first = setting.memory.grid.data;
+  grid_ = DistanceGrid({first, half}, columns, rows, scale);
+  next_ = DistanceGrid({first + half, half}, columns, rows, scale);
+}
+
+bool VortexScene::paint(DistanceGrid& grid) noexcept {
+  grid.clear();
+  // 5/8 of the height, in the middle; no wider than 3/4 of the width.
+  const TextMeasure ink = measure(font_, text_);
+  const int32_t ink_width = ink.x_max - ink.x_min;
+  const int32_t ink_height = ink.y_max - ink.y_min;
+  if (ink_width <= 0 || ink_height <= 0) {
+    return false;
+  }
+  const int64_t em_q6 = int64_t{font_.units_per_em()} * 64;
+  const int64_t by_height = em_q6 * height_ * 5 / 8 / ink_height;
+  const int64_t by_width = em_q6 * width_ * 3 / 4 / ink_width;
+  const int64_t size_q6 = by_height < by_width ? by_height : by_width;
+  const Q26_6 size = Q26_6::from_raw(
+      static_cast<int32_t>(size_q6 > kMaxSize.raw ? kMaxSize.raw : size_q6));
+  const auto px_q6 = [&](int32_t units) {
+    return static_cast<int32_t>(int64_t{units} * size.raw /
+                                font_.units_per_em());
+  };
+  const int32_t x_q6 = width_ * 32 - px_q6(ink.x_min + ink.x_max) / 2;
+  const int32_t y_q6 = height_ * 32 + px_q6(ink.y_min + ink.y_max) / 2;
+  TextCursor cursor(font_, text_);
+  PositionedGlyph glyph;
+  while (cursor.next(glyph)) {
+    const Point at = {Q26_6::from_raw(x_q6 + px_q6(glyph.x)),
+                      Q26_6::from_raw(y_q6)};
+    if (grid.paint(font_, glyph.glyph, size, at, workspace_) != Status::ok) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool VortexScene::restart() noexcept {
+  frame_ = 0;
+  cutoff_ = {};
+  const bool is_painted = paint(grid_);
+  area_ = grid_.area();
+  return is_painted;
+}
+
+// Moves the edge to where the shape has the letter's area: by a sample at most,
+// so that every layer stays where the grid knows distances.
+void VortexScene::keep_area() noexcept {
+  constexpr int32_t kMost = 1 << 13;
+  const int32_t cutoff = cutoff_for(grid_, area_, scratch_).raw;
+  cutoff_.raw = cutoff < -kMost ? -kMost : cutoff > kMost ? kMost : cutoff;
+  has_changed_ = true;
+}
+
+// Towards the letter, whose distances are painted first.
+void VortexScene::heal(bool is_first) noexcept {
+  if (is_first) {
+    static_cast<void>(paint(next_));
+  }
+  GridBlend to_letter;
+  to_letter.part_q8 = kHealsQ8;
+  to_letter.depth_a = 255;  // nothing grows thin: edges only move
+  to_letter.depth_b = 255;
+  static_cast<void>(blend(grid_, next_, to_letter, grid_, scratch_));
+  keep_area();
+}
+
+Status VortexScene::open() noexcept {
+  if (grid_.width() == 0 || next_.width() == 0) {
+    return Status::buffer_small;
+  }
+  if (!restart()) {
+    return Status::bad_argument;
+  }
+  now_ = inked_box();
+  return Status::ok;
+}
+
+void VortexScene::step() noexcept {
+  ++frame_;
+  const uint32_t phase = frame_ % kLoopFrames;
+  if (phase == 0) {
+    // What unwinding lost comes back.
+    const uint32_t frame = frame_;
+    static_cast<void>(restart());
+    frame_ = frame;
+    has_changed_ = true;
+    return;
+  }
+  if (phase >= kEnds && phase < kHealed) {
+    heal(phase == kEnds);
+    return;
+  }
+  const Q16_16 blow = strength_at(phase);
+  if (blow.raw == 0) {
+    return;
+  }
+  Vortex vortex;
+  vortex.x.raw = grid_.width() << 15;
+  vortex.y.raw = grid_.height() << 15;
+  // At the core's edge a turn takes about 5 s, and nothing moves by more than
+  // a sample a step, which is faster.
+  vortex.core = grid_.height() / 5;
+  vortex.strength = lerp(0, vortex.core * vortex.core * 20, blow);
+  Flow flow;
+  flow.vortices = {&vortex, 1};
+  advect(grid_, flow, next_);
+  if (phase % kRedistanceEach == 0) {
+    redistance(next_, grid_);
+  } else {
+    const DistanceGrid swap = grid_;
+    grid_ = next_;
+    next_ = swap;
+  }
+  keep_area();
+}
+
+// The part of the screen where the grid knows distances.
+Rect VortexScene::inked_box() const noexcept {
+  Rect box;
+  for (int32_t y = 0; y < grid_.height(); ++y) {
+    const int8_t* row = grid_.row(y);
+    int32_t first = 0;
+    int32_t last = grid_.width() - 1;
+    while (first <= last && row[first] == DistanceGrid::kOutside) {
+      ++first;
+    }
+    while (last >= first && row[last] == DistanceGrid::kOutside) {
+      --last;
+    }
+    if (first <= last) {
+      box = bounding_box(box, {first - 1, y - 1, last + 2, y + 2});
+    }
+  }
+  const int32_t side = 1 << grid_.scale_log2();
+  return {box.x0 * side, box.y0 * side, box.x1 * side, box.y1 * side};
+}
+
+void VortexScene::set_frame(uint32_t frame) noexcept {
+  before_ = now_;
+  has_changed_ = false;
+  if (frame < frame_) {
+    static_cast<void>(restart());
+    has_changed_ = true;
+  }
+  while (frame_ < frame) {
+    step();
+  }
+  if (has_changed_) {
+    now_ = inked_box();
+  }
+}
+
+// A ring outside, the body, a line inside along the edge, the core: all by
+// distance.
+void VortexScene::draw(const Paper& paper) noexcept {
+  struct Layer {
+    int32_t offset_q6;  // [px] of screens of 240 rows
+    uint32_t ink;
+  };
+  constexpr Layer kLayers[] = {
+      {5 * 64, kRing}, {0, kBody}, {-2 * 64 - 16, kLine}, {-4 * 64, kCore}};
+  paper.fill(kBackground);
+  for (const Layer& layer : kLayers) {
+    const int32_t offset_q6 = layer.offset_q6 * height_ / 240;
+    GridLook look;
+    look.cutoff.raw = cutoff_.raw - (offset_q6 * 128 >> grid_.scale_log2());
+    draw_grid(grid_, look, 0, 0, kFilterMotion, paper.with(layer.ink));
+  }
+}
+
+void VortexScene::add_changes(DirtyRects& dirty) const noexcept {
+  if (has_changed_) {
+    dirty.add(bounding_box(before_, now_), {0, 0, width_, height_});
+  }
+}
+
+uint32_t VortexScene::next_due() const noexcept {
+  const uint32_t phase = frame_ % kLoopFrames;
+  if (phase + 1 < kBegins) {
+    return frame_ + kBegins - phase;
+  }
+  return frame_ + (phase + 1 < kHealed ? 1 : kLoopFrames - phase);
+}
+
+void VortexScene::tell_state(const StateSink& sink) const noexcept {
+  sink.tell(cutoff_.raw);
+  for (int32_t y = 0; y < grid_.height(); ++y) {
+    const int8_t* row = grid_.row(y);
+    for (int32_t x = 0; x < grid_.width(); ++x) {
+      sink.tell(row[x]);
+    }
+  }
+}
+
+}  // namespace scenes
+}  // namespace inkcell

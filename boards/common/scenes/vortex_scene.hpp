@@ -1,0 +1,73 @@
+// Scene `figure15`: a vortex winds a letter up, and unwinds it.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/kinetic/grid_blend.hpp"
+#include "inkcell/text.hpp"
+#include "paper.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// Figure 15 of Perry and Frisken: level sets, and lines drawn by distance. A
+/// simulation: set_frame() steps as often as it must, from the start if it goes
+/// back.
+class VortexScene {
+ public:
+  static constexpr const char* kText = "S";
+
+  /// Pixels a sample along each side.
+  static constexpr int32_t scale_for(int32_t width) noexcept {
+    return width > 200 ? 1 : 0;
+  }
+  static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
+    using kinetic::DistanceGrid;
+    const int32_t scale = scale_for(width);
+    const auto grid =
+        static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
+                            DistanceGrid::samples_of(height, scale));
+    return {2 * grid, 0, 0};
+  }
+
+  explicit VortexScene(const SceneSetting& setting) noexcept;
+  VortexScene(const VortexScene&) = delete;
+  VortexScene& operator=(const VortexScene&) = delete;
+
+  /// bad_argument: the text has no ink. buffer_small: the memory.
+  Status open() noexcept;
+  void set_frame(uint32_t frame) noexcept;
+  void draw(const Paper& paper) noexcept;
+  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  uint32_t next_due() const noexcept;
+  void tell_state(const StateSink& sink) const noexcept;
+
+ private:
+  bool restart() noexcept;
+  bool paint(kinetic::DistanceGrid& grid) noexcept;
+  void keep_area() noexcept;
+  void heal(bool is_first) noexcept;
+  void step() noexcept;
+  Rect inked_box() const noexcept;
+
+  const Font& font_;
+  Text text_;
+  int32_t width_;
+  int32_t height_;
+  kinetic::DistanceGrid grid_;
+  kinetic::DistanceGrid next_;
+  Workspace workspace_;
+  kinetic::GridHistogram scratch_;
+  Fixed<int32_t, 13> cutoff_;
+  int32_t area_ = 0;
+  uint32_t frame_ = 0;
+  Rect before_;  // what the last two frames drew on
+  Rect now_;
+  bool has_changed_ = true;
+};
+
+}  // namespace scenes
+}  // namespace inkcell
