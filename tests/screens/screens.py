@@ -139,7 +139,8 @@ def screendump(monitor_path, path):
 
 def shoot(screen, picture, frame, folder):
     """Runs the firmware in QEMU; returns its screen and its console output."""
-    name = "demo" if picture == "scene" else "pattern"
+    name = {"scene": "demo", "pattern": "pattern"}.get(
+        picture, f"motion_{picture}")
     firmware = pathlib.Path(
         screen["build"],
         f"boards/common/demo/{name}_{screen['format']}.elf")
@@ -164,15 +165,19 @@ def shoot(screen, picture, frame, folder):
 
 def render(screen, picture, frame, folder):
     path = f"{folder}/expected.ppm"
-    frames = [str(frame)] if picture == "scene" else []
-    subprocess.run([screen["host"], picture, *frames, path], check=True)
+    if picture in screen["motion_hosts"]:
+        command = [screen["motion_hosts"][picture], str(frame)]
+    else:
+        frames = [str(frame)] if picture == "scene" else []
+        command = [screen["host"], picture, *frames]
+    subprocess.run([*command, path], check=True)
     return Picture(path)
 
 
 def check(screen, picture, frame, save):
     """Compares one picture; returns whether it is right."""
     name = f"{screen['board']}_{screen['format']}_{picture}"
-    if picture == "scene":
+    if picture != "pattern":
         name += f"_{frame}"
     with tempfile.TemporaryDirectory(prefix="inkcell") as folder:
         try:
@@ -195,7 +200,8 @@ def main():
                         help="screens.json in the build folder")
     parser.add_argument("--board", help="only this one")
     parser.add_argument("--format", help="only displays of this format")
-    parser.add_argument("--picture", choices=["scene", "pattern"])
+    parser.add_argument("--picture",
+                        help="scene, pattern, or a scene that moves")
     parser.add_argument("--frame", type=int, action="append",
                         help="of the scene; may be repeated [0]")
     parser.add_argument("--save", type=pathlib.Path, metavar="DIR",
@@ -218,8 +224,13 @@ def main():
     if options.save:
         options.save.mkdir(parents=True, exist_ok=True)
 
-    pictures = [("scene", frame) for frame in options.frame or [0]]
+    motions = list(screens[0]["motion_hosts"])
+    pictures = [(picture, frame) for picture in ["scene", *motions]
+                for frame in options.frame or [0]]
     pictures.append(("pattern", 0))
+    if options.picture not in (None, *(name for name, _ in pictures)):
+        parser.error(f"--picture {options.picture}: there are scene, pattern, "
+                     + ", ".join(motions))
     results = [check(screen, picture, frame, options.save)
                for screen in screens for picture, frame in pictures
                if options.picture in (None, picture)]

@@ -1,0 +1,177 @@
+// Scenes have one SHA-256 of states and frames, on every machine: played, and
+// sought to, and in strips of any height.
+#include "check.hpp"
+#include "clock_scene.hpp"
+#include "expected_motion.hpp"
+#include "fonts.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+#include "paper.hpp"
+#include "particle_scene.hpp"
+#include "path_scene.hpp"
+#include "sha256.hpp"
+#include "vortex_scene.hpp"
+
+namespace {
+
+using namespace inkcell;
+using golden::Sha256;
+
+constexpr int32_t kWidth = 80;
+constexpr int32_t kHeight = 40;
+constexpr int32_t kRows = 4;
+constexpr uint32_t kFrames = scenes::kLoopFrames;
+
+constexpr size_t most(size_t a, size_t b) {
+  return a > b ? a : b;
+}
+constexpr scenes::SceneNeeds kClock =
+    scenes::ClockScene::needs(kWidth, kHeight);
+constexpr scenes::SceneNeeds kParticles =
+    scenes::ParticleScene::needs(kWidth, kHeight);
+
+constexpr scenes::SceneNeeds kVortex =
+    scenes::VortexScene::needs(kWidth, kHeight);
+
+// Two whole screens of samples, beside all others, are too much for 16 KB.
+#ifdef INKCELL_SMALL_RAM
+int8_t grid[most(kClock.grid, kParticles.grid)];
+#else
+int8_t grid[most(kVortex.grid, most(kClock.grid, kParticles.grid))];
+#endif
+kinetic::Particle particles[kParticles.particles];
+kinetic::ParticleHome homes[kParticles.homes];
+alignas(4) uint8_t buffer[kWidth * kRows * 4];
+
+Font& golden_font() {
+  static Font font;
+  CHECK_OK(Font::open(golden::font_bytes(golden::FontId::dejavu_sans_outline),
+                      font));
+  return font;
+}
+
+scenes::SceneSetting setting_of(Text text) {
+  return {&golden_font(), text, kWidth, kHeight, {grid, particles, homes}};
+}
+
+// A strip and its ink.
+struct Sheet {
+  port::Xrgb8888Target target;
+  Sink sink;
+
+  scenes::Paper paper(int32_t y, int32_t rows) {
+    const size_t bytes = static_cast<size_t>(kWidth * rows) * 4;
+    target.strip = {{buffer, bytes}, 0, y, kWidth, rows, kWidth * 4};
+    CHECK_OK(port::make_sink(target, sink));
+    return {target.strip.rect(), this,
+            [](void* context, uint32_t rgb) -> const Sink& {
+              Sheet& sheet = *static_cast<Sheet*>(context);
+              sheet.target.colour = 0xff000000 | rgb;
+              return sheet.sink;
+            }};
+  }
+};
+
+template <typename Scene>
+void add_frame(Scene& scene, int32_t rows, Sha256& sha) {
+  const scenes::StateSink state = {
+      &sha, [](void* context, int32_t value) {
+        const auto bits = static_cast<uint32_t>(value);
+        const uint8_t bytes[] = {
+            static_cast<uint8_t>(bits), static_cast<uint8_t>(bits >> 8),
+            static_cast<uint8_t>(bits >> 16), static_cast<uint8_t>(bits >> 24)};
+        static_cast<Sha256*>(context)->add(bytes);
+      }};
+  scene.tell_state(state);
+  Sheet sheet;
+  for (int32_t y = 0; y < kHeight; y += rows) {
+    scene.draw(sheet.paper(y, rows));
+    sha.add(sheet.target.strip.pixels);
+  }
+}
+
+bool equal(const char* a, const char* b) {
+  while (*a != '\0' && *a == *b) {
+    ++a;
+    ++b;
+  }
+  return *a == *b;
+}
+
+template <typename Scene>
+void check_played(const char* name, Scene& scene, const char* expected) {
+  CHECK_OK(scene.open());
+  Sha256 sha;
+  for (uint32_t i = 0; i < kFrames; ++i) {
+    scene.set_frame(i);
+    add_frame(scene, kRows, sha);
+  }
+  char hex[65];
+  sha.finish().to_hex(hex);
+  check::write(hex);
+  check::write("  ");
+  check::write(name);
+  check::write("\n");
+  CHECK(equal(hex, expected));
+}
+
+// Some frames on the way, and the same ones in another order, from a scene that
+// has been elsewhere, in other strips.
+template <typename Scene>
+void check_sought(Scene& scene) {
+  const uint32_t kSome[] = {60, 170, 90, 25};
+  char first[4][65];
+  CHECK_OK(scene.open());
+  uint32_t frame = 0;
+  const uint32_t kAscending[] = {kSome[3], kSome[0], kSome[2], kSome[1]};
+  for (const uint32_t target : kAscending) {
+    while (frame <= target) {
+      scene.set_frame(frame++);
+    }
+    Sha256 sha;
+    add_frame(scene, kRows, sha);
+    for (int i = 0; i < 4; ++i) {
+      if (kSome[i] == target) {
+        sha.finish().to_hex(first[i]);
+        break;
+      }
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    scene.set_frame(kSome[i]);
+    Sha256 sha;
+    add_frame(scene, 1, sha);
+    char hex[65];
+    sha.finish().to_hex(hex);
+    CHECK(equal(hex, first[i]));
+  }
+}
+
+}  // namespace
+
+TEST(path_has_one_hash) {
+  static scenes::PathScene scene(setting_of("Inkcel Inkcel"));
+  check_played("path", scene, golden::kPathHash);
+  check_sought(scene);
+}
+
+TEST(clock_has_one_hash) {
+  // The font has two digits; others are .notdef.
+  static scenes::ClockScene scene(setting_of("22:39"));
+  check_played("clock", scene, golden::kClockHash);
+  check_sought(scene);
+}
+
+#ifndef INKCELL_SMALL_RAM
+TEST(figure15_has_one_hash) {
+  static scenes::VortexScene scene(setting_of("e"));
+  check_played("figure15", scene, golden::kFigure15Hash);
+  check_sought(scene);
+}
+#endif
+
+TEST(particles_have_one_hash) {
+  static scenes::ParticleScene scene(setting_of("Ink cel"));
+  check_played("particles", scene, golden::kParticlesHash);
+  check_sought(scene);
+}
