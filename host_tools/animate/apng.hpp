@@ -1,0 +1,45 @@
+// Animated PNG files: pictures that follow each other for ever.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "image.hpp"
+
+namespace inkcell::tools {
+
+/// Writes frames as they come (PNG third edition, chunks acTL, fcTL, fdAT).
+/// After the first each is the rectangle that changed. The same frames make the
+/// same bytes, given the same zlib.
+class ApngWriter {
+ public:
+  /// Frames are of three channels and this size; each is shown for
+  /// 1 / `frames_per_second` s. Throws std::runtime_error, also below, if the
+  /// file cannot be written.
+  ApngWriter(const std::filesystem::path& file,
+             int width,
+             int height,
+             uint32_t frame_count,
+             int frames_per_second);
+
+  void add(const Image& frame);
+
+  /// Throws also if there were not frame_count frames.
+  void finish();
+
+ private:
+  void write_chunk(const char (&kind)[5], const std::vector<uint8_t>& data);
+  void check() const;
+
+  std::filesystem::path file_;
+  std::ofstream out_;
+  Image before_;
+  uint32_t frame_count_;
+  uint16_t frames_per_second_;
+  uint32_t frames_ = 0;
+  uint32_t sequence_ = 0;
+};
+
+}  // namespace inkcell::tools

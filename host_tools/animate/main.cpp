@@ -1,0 +1,304 @@
+// inkcell-animate: plays a scene of the boards into an animated picture.
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include <nettle/sha2.h>
+
+#include "apng.hpp"
+#include "app/progress.hpp"
+#include "convert.hpp"
+#include "files.hpp"
+#include "gif.hpp"
+#include "paper.hpp"
+#include "player.hpp"
+#include "program.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+constexpr const char* kDefaultFont =
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+
+struct Arguments {
+  gen::GenerateRequest request;
+  std::string scene;
+  std::string font = kDefaultFont;
+  std::optional<std::string> text;
+  std::string size = "320x240";
+  uint32_t frames = scenes::kLoopFrames;
+  uint32_t from = 0;
+  std::string format = "apng";
+  std::string out;
+  std::string stats;
+  int rows = 16;
+  int zoom = 1;
+};
+
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+
+Size read_size(const std::string& text) {
+  Size size;
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &end) !=
+          2 ||
+      static_cast<size_t>(end) != text.size() || size.width < 16 ||
+      size.height < 8 || size.width > 2048 || size.height > 2048) {
+    throw std::runtime_error(
+        "--size " + text +
+        ": say WIDTHxHEIGHT in px, from 16x8 to 2048x2048, such as 320x240");
+  }
+  return size;
+}
+
+const SceneKind& find_scene(const std::string& name) {
+  for (const SceneKind& kind : scene_kinds()) {
+    if (kind.name == name) {
+      return kind;
+    }
+  }
+  std::string known;
+  for (const SceneKind& kind : scene_kinds()) {
+    known += " " + std::string(kind.name);
+  }
+  throw std::runtime_error(name + ": no such scene; there are" + known);
+}
+
+class Sha256 {
+ public:
+  Sha256() { sha256_init(&context_); }
+  void add(const std::vector<uint8_t>& bytes) {
+    sha256_update(&context_, bytes.size(), bytes.data());
+  }
+  std::string finish() {
+    std::array<uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&context_, digest.size(), digest.data());
+    std::ostringstream text;
+    for (const uint8_t byte : digest) {
+      text << std::hex << std::setw(2) << std::setfill('0') << int{byte};
+    }
+    return text.str();
+  }
+
+ private:
+  sha256_ctx context_;
+};
+
+// What is told about the frames that were played.
+struct Tally {
+  Sha256 all;
+  Sha256 states;
+  Sha256 pictures;
+  uint64_t dirty_pixels = 0;
+  uint64_t changed_pixels = 0;
+  uint64_t missed_pixels = 0;  // changed, and in no dirty rectangle
+  uint32_t still_frames = 0;   // without a dirty rectangle
+  uint32_t missed_frames = 0;  // changed before they were due
+};
+
+// How a frame differs from the one before, and whether the scene knew.
+void compare(const Image& before,
+             const Image& frame,
+             Span<const Rect> dirty,
+             bool is_due,
+             Tally& tally) {
+  uint64_t changed = 0;
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) {
+      if (std::memcmp(before.at(x, y), frame.at(x, y), 3) == 0) {
+        continue;
+      }
+      ++changed;
+      bool is_known = false;
+      for (const Rect& r : dirty) {
+        is_known = is_known || (x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1);
+      }
+      tally.missed_pixels += is_known ? 0 : 1;
+    }
+  }
+  for (const Rect& r : dirty) {
+    tally.dirty_pixels +=
+        static_cast<uint64_t>(r.x1 - r.x0) * static_cast<uint64_t>(r.y1 - r.y0);
+  }
+  tally.changed_pixels += changed;
+  tally.still_frames += dirty.size == 0 ? 1 : 0;
+  tally.missed_frames += changed != 0 && !is_due ? 1 : 0;
+}
+
+// Where frames go: a function for each, and one for the end.
+struct Output {
+  std::function<void(const Image& frame, uint32_t number)> add;
+  std::function<void()> finish = [] {};
+};
+
+Output open_output(const Arguments& arguments, Size size) {
+  size = {size.width * arguments.zoom, size.height * arguments.zoom};
+  if (arguments.format == "frames") {
+    const std::filesystem::path folder = arguments.out;
+    std::filesystem::create_directories(folder);
+    return {[folder](const Image& frame, uint32_t number) {
+      std::ostringstream name;
+      name << std::setw(5) << std::setfill('0') << number << ".png";
+      write_image(folder / name.str(), frame);
+    }};
+  }
+  check_folder_of(arguments.out);
+  if (arguments.format == "gif") {
+    auto gif = std::make_shared<GifWriter>(
+        arguments.out, size.width, size.height, scenes::kFramesPerSecond);
+    return {[gif](const Image& frame, uint32_t) { gif->add(frame); },
+            [gif] { gif->finish(); }};
+  }
+  auto apng =
+      std::make_shared<ApngWriter>(arguments.out, size.width, size.height,
+                                   arguments.frames, scenes::kFramesPerSecond);
+  return {[apng](const Image& frame, uint32_t) { apng->add(frame); },
+          [apng] { apng->finish(); }};
+}
+
+void write_stats(const Arguments& arguments,
+                 const Player& player,
+                 Size size,
+                 Tally& tally) {
+  const auto mean = [&](uint64_t sum) {
+    return static_cast<double>(sum) / arguments.frames;
+  };
+  const nlohmann::ordered_json json = {
+      {"scene", arguments.scene},
+      {"width", size.width},
+      {"height", size.height},
+      {"from", arguments.from},
+      {"frames", arguments.frames},
+      {"sha256", tally.all.finish()},
+      {"sha256_state", tally.states.finish()},
+      {"sha256_frames", tally.pictures.finish()},
+      {"state_bytes", player.state_bytes()},
+      {"dirty_pixels_mean", mean(tally.dirty_pixels)},
+      {"changed_pixels_mean", mean(tally.changed_pixels)},
+      {"missed_pixels", tally.missed_pixels},
+      {"still_frames", tally.still_frames},
+      {"missed_frames", tally.missed_frames},
+  };
+  std::ofstream out(arguments.stats);
+  out << json.dump(2) << '\n';
+  if (!out.flush()) {
+    throw std::runtime_error(arguments.stats + ": cannot be written");
+  }
+}
+
+void play(const Arguments& arguments, Player& player, Size size) {
+  player.open();
+  const Output output = open_output(arguments, size);
+  Image before(size.width, size.height, 3);
+  Image frame = before;
+  Tally tally;
+  gen::Progress progress(false);
+  uint32_t due = 0;
+  for (uint32_t i = 0; i < arguments.frames; ++i) {
+    const uint32_t number = arguments.from + i;
+    player.set_frame(number);
+    player.draw(frame, arguments.rows);
+    std::array<Rect, 8> room;
+    kinetic::DirtyRects dirty({room.data(), room.size()});
+    player.add_changes(dirty);
+    if (i != 0) {
+      compare(before, frame, dirty.rects(), number >= due, tally);
+    }
+    due = player.next_due();
+    const std::vector<uint8_t> state = player.state();
+    tally.all.add(state);
+    tally.all.add(frame.pixels);
+    tally.states.add(state);
+    tally.pictures.add(frame.pixels);
+    output.add(arguments.zoom == 1 ? frame : enlarge(frame, arguments.zoom),
+               number);
+    before = frame;
+    progress.update(i + 1, arguments.frames);
+  }
+  progress.finish();
+  output.finish();
+  if (!arguments.stats.empty()) {
+    write_stats(arguments, player, size, tally);
+  }
+}
+
+void run(Arguments& arguments, const CLI::App& app) {
+  const SceneKind& kind = find_scene(arguments.scene);
+  const Size size = read_size(arguments.size);
+  check_apart({arguments.out, arguments.stats}, {arguments.font});
+  if (!arguments.stats.empty()) {
+    check_folder_of(arguments.stats);
+  }
+  const std::string text = arguments.text.value_or(std::string(kind.text));
+  if (app.count("--chars") == 0) {
+    arguments.request.symbols += "0123456789:";
+  }
+  const RomFile rom = load_font_file(
+      arguments.font, conversion_of(app, arguments.request), text);
+  const std::unique_ptr<Player> player =
+      kind.make(rom.font(), text, size.width, size.height);
+  play(arguments, *player, size);
+}
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  std::string scenes = "One of:";
+  for (const SceneKind& kind : scene_kinds()) {
+    scenes += "\n" + std::string(kind.name) + ": " + std::string(kind.what);
+  }
+  app.add_option("scene", arguments.scene, scenes)->required();
+  app.add_option("--out", arguments.out,
+                 "The animated picture; with --format frames a folder")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--font", arguments.font,
+                 "ROM font, or TTF or OTF to convert in memory")
+      ->type_name("FILE")
+      ->capture_default_str();
+  app.add_option("--text", arguments.text,
+                 "What the scene shows: a line, a time HH:MM, or two words");
+  app.add_option("--size", arguments.size, "Of the screen [px]")
+      ->type_name("WxH")
+      ->capture_default_str();
+  app.add_option("--frames", arguments.frames, "How many, 30 a second")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--from", arguments.from, "The first frame")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  app.add_option("--format", arguments.format, "apng, gif or frames (PNG)")
+      ->check(CLI::IsMember({"apng", "gif", "frames"}))
+      ->capture_default_str();
+  app.add_option("--rows", arguments.rows,
+                 "Rows of a strip; the frames are the same for every number")
+      ->check(CLI::Range(1, 2048))
+      ->capture_default_str();
+  app.add_option("--zoom", arguments.zoom, "Draw each pixel N x N")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  app.add_option("--stats", arguments.stats,
+                 "What was played: hashes, RAM, pixels that changed")
+      ->type_name("FILE.json");
+  add_conversion_options(app, arguments.request);
+}
+
+}  // namespace
+}  // namespace inkcell::tools
+
+int main(int argc, char** argv) {
+  CLI::App app("Plays type that moves, drawn by Inkcell's device code.");
+  inkcell::tools::Arguments arguments;
+  inkcell::tools::add_arguments(app, arguments);
+  return inkcell::tools::run_program(app, argc, argv, [&] {
+    inkcell::tools::run(arguments, app);
+    return 0;
+  });
+}

@@ -1,0 +1,144 @@
+#include "player.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "clock_scene.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+#include "paper.hpp"
+#include "particle_scene.hpp"
+#include "path_scene.hpp"
+#include "rom_file.hpp"
+#include "vortex_scene.hpp"
+
+namespace inkcell::tools {
+namespace {
+
+// A strip of 32-bit pixels, and its ink.
+class Sheet {
+ public:
+  Sheet(int width, int rows)
+      : pixels_(static_cast<size_t>(width) * static_cast<size_t>(rows) * 4) {
+    target_.strip.pixels = {pixels_.data(), pixels_.size()};
+    target_.strip.width = width;
+    target_.strip.stride = width * 4;
+  }
+
+  scenes::Paper at(int y, int rows) {
+    target_.strip.y0 = y;
+    target_.strip.height = rows;
+    if (port::make_sink(target_, sink_) != Status::ok) {
+      throw std::runtime_error("a side of the picture is beyond 32767 px");
+    }
+    return {target_.strip.rect(), this,
+            [](void* context, uint32_t rgb) -> const Sink& {
+              Sheet& sheet = *static_cast<Sheet*>(context);
+              sheet.target_.colour = 0xff000000 | rgb;
+              return sheet.sink_;
+            }};
+  }
+
+  void copy_to(Image& image) const {
+    const Rect rect = target_.strip.rect();
+    const uint8_t* from = pixels_.data();
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      for (int x = rect.x0; x < rect.x1; ++x, from += 4) {
+        uint8_t* to = image.at(x, y);
+        to[0] = from[2];
+        to[1] = from[1];
+        to[2] = from[0];
+      }
+    }
+  }
+
+ private:
+  std::vector<uint8_t> pixels_;
+  port::Xrgb8888Target target_;
+  Sink sink_;
+};
+
+template <typename Scene>
+class ScenePlayer : public Player {
+ public:
+  ScenePlayer(const Font& font, std::string_view text, int width, int height)
+      : grid_(Scene::needs(width, height).grid),
+        particles_(Scene::needs(width, height).particles),
+        homes_(Scene::needs(width, height).homes),
+        scene_({&font,
+                {text.data(), text.size()},
+                width,
+                height,
+                {{grid_.data(), grid_.size()},
+                 {particles_.data(), particles_.size()},
+                 {homes_.data(), homes_.size()}}}) {}
+
+  void open() override {
+    const Status status = scene_.open();
+    if (status != Status::ok) {
+      throw std::runtime_error("the scene cannot show this text: " +
+                               std::string(status_name(status)));
+    }
+  }
+  void set_frame(uint32_t frame) override { scene_.set_frame(frame); }
+
+  void draw(Image& image, int rows) override {
+    Sheet sheet(image.width, rows);
+    for (int y = 0; y < image.height; y += rows) {
+      scene_.draw(sheet.at(y, std::min(rows, image.height - y)));
+      sheet.copy_to(image);
+    }
+  }
+  void add_changes(kinetic::DirtyRects& dirty) const override {
+    scene_.add_changes(dirty);
+  }
+  uint32_t next_due() const override { return scene_.next_due(); }
+
+  std::vector<uint8_t> state() const override {
+    std::vector<uint8_t> bytes;
+    scene_.tell_state({&bytes, [](void* context, int32_t value) {
+                         auto& out =
+                             *static_cast<std::vector<uint8_t>*>(context);
+                         for (uint32_t shift = 0; shift < 32; shift += 8) {
+                           out.push_back(static_cast<uint8_t>(
+                               static_cast<uint32_t>(value) >> shift));
+                         }
+                       }});
+    return bytes;
+  }
+  size_t state_bytes() const override {
+    return sizeof(Scene) + grid_.size() +
+           particles_.size() * sizeof particles_[0] +
+           homes_.size() * sizeof homes_[0];
+  }
+
+ private:
+  std::vector<int8_t> grid_;
+  std::vector<kinetic::Particle> particles_;
+  std::vector<kinetic::ParticleHome> homes_;
+  Scene scene_;
+};
+
+template <typename Scene>
+SceneKind kind_of(std::string_view name, std::string_view what) {
+  return {name, what, Scene::kText,
+          [](const Font& font, std::string_view text, int width,
+             int height) -> std::unique_ptr<Player> {
+            return std::make_unique<ScenePlayer<Scene>>(font, text, width,
+                                                        height);
+          }};
+}
+
+}  // namespace
+
+const std::vector<SceneKind>& scene_kinds() {
+  static const std::vector<SceneKind> kinds = {
+      kind_of<scenes::PathScene>("path", "letters on a wave"),
+      kind_of<scenes::ClockScene>("clock", "digits that become others"),
+      kind_of<scenes::ParticleScene>("particles",
+                                     "a word bursts and becomes another"),
+      kind_of<scenes::VortexScene>("figure15", "a vortex winds a letter up"),
+  };
+  return kinds;
+}
+
+}  // namespace inkcell::tools

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""Plays scenes with inkcell-animate, and looks at what it writes.
+
+Usage: check_animate.py --animate PROGRAM --fontgen PROGRAM
+"""
+import argparse
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+SCENES = ("path", "clock", "particles", "figure15")
+PROGRAMS = {}
+
+
+def run(program, *arguments, code=0):
+    done = subprocess.run([PROGRAMS[program], *map(str, arguments)],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, check=False)
+    if done.returncode != code:
+        raise AssertionError(f"{program} {arguments}: {done.returncode}, not "
+                             f"{code}\n{done.stdout}")
+    return done.stdout
+
+
+def chunks(png):
+    """Kind and data of each chunk; their checksums must fit."""
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    at = 8
+    while at < len(png):
+        size, = struct.unpack(">I", png[at:at + 4])
+        kind, data = png[at + 4:at + 8], png[at + 8:at + 8 + size]
+        checksum, = struct.unpack(">I", png[at + 8 + size:at + 12 + size])
+        assert checksum == zlib.crc32(kind + data)
+        yield kind, data
+        at += 12 + size
+
+
+def unfilter(data, width, height):
+    """Rows of a picture of three channels."""
+    raw, stride, before, rows = zlib.decompress(data), width * 3, None, []
+    for y in range(height):
+        kind = raw[y * (stride + 1)]
+        row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        up = before or bytes(stride)
+        for i in range(stride):
+            left = row[i - 3] if i >= 3 else 0
+            corner = up[i - 3] if i >= 3 else 0
+            guess = left + up[i] - corner
+            nearest = min((left, up[i], corner), key=lambda v: abs(guess - v))
+            row[i] = (row[i] + (0, left, up[i], (left + up[i]) // 2,
+                                nearest)[kind]) & 255
+        rows.append(bytes(row))
+        before = row
+    return rows
+
+
+def frames_of(apng):
+    """Every frame of an animated PNG as the bytes of its pixels."""
+    canvas, frames, part = None, [], None
+    for kind, data in chunks(apng):
+        if kind == b"IHDR":
+            width, height = struct.unpack(">II", data[:8])
+            canvas = [bytearray(width * 3) for _ in range(height)]
+        elif kind == b"acTL":
+            count, = struct.unpack(">I", data[:4])
+        elif kind == b"fcTL":
+            part = struct.unpack(">IIII", data[4:20])
+        elif kind in (b"IDAT", b"fdAT"):
+            w, h, x, y = part
+            pixels = unfilter(data if kind == b"IDAT" else data[4:], w, h)
+            for i, row in enumerate(pixels):
+                canvas[y + i][3 * x:3 * (x + w)] = row
+            frames.append(b"".join(canvas))
+    assert len(frames) == count
+    return frames
+
+
+class Animate(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.font = pathlib.Path(cls.folder.name) / "font.bin"
+        run("fontgen", "--font", SANS, "--quiet", "--out", cls.font)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def play(self, scene, name, *options, size="128x64", frames=20):
+        """What was written, and its stats."""
+        out = pathlib.Path(self.folder.name) / name
+        stats = out.with_suffix(".json")
+        run("animate", scene, "--font", self.font, "--size", size, "--frames",
+            frames, "--out", out, "--stats", stats, *options)
+        return out, json.loads(stats.read_text())
+
+    def test_same_bytes_every_time(self):
+        for scene in SCENES:
+            for kind in ("apng", "gif"):
+                first, _ = self.play(scene, "first.png", "--format", kind)
+                second, _ = self.play(scene, "second.png", "--format", kind)
+                self.assertEqual(first.read_bytes(), second.read_bytes())
+                gif = first.read_bytes()[:6] == b"GIF89a"
+                self.assertEqual(gif, kind == "gif")
+
+    def test_formats_hold_the_same_frames(self):
+        for scene in SCENES:
+            apng, _ = self.play(scene, "a.png", frames=12)
+            folder, _ = self.play(scene, "frames", "--format", "frames",
+                                  frames=12)
+            files = sorted(folder.glob("*.png"))
+            self.assertEqual(len(files), 12)
+            frames = frames_of(apng.read_bytes())
+            for file, frame in zip(files, frames):
+                data = b"".join(data for kind, data in
+                                chunks(file.read_bytes()) if kind == b"IDAT")
+                self.assertEqual(b"".join(unfilter(data, 128, 64)), frame)
+
+    def test_seek_is_play(self):
+        for scene in SCENES:
+            played, _ = self.play(scene, "p", "--format", "frames", frames=62)
+            sought, _ = self.play(scene, "s", "--format", "frames", "--from",
+                                  50, frames=12)
+            for file in sought.glob("*.png"):
+                self.assertEqual(file.read_bytes(),
+                                 (played / file.name).read_bytes(), file.name)
+
+    def test_strips_make_no_difference(self):
+        for scene in SCENES:
+            hashes = {self.play(scene, "r.png", "--from", 40, "--rows", rows)
+                      [1]["sha256"] for rows in (1, 7, 16, 64)}
+            self.assertEqual(len(hashes), 1)
+
+    def test_what_changes_is_known_and_due(self):
+        for scene in SCENES:
+            for size, frames in (("320x240", 120), ("128x64", 300),
+                                 ("96x16", 300)):
+                _, stats = self.play(scene, "d.png", size=size, frames=frames)
+                self.assertEqual(stats["missed_pixels"], 0, (scene, size))
+                self.assertEqual(stats["missed_frames"], 0, (scene, size))
+                self.assertGreater(stats["changed_pixels_mean"], 0)
+        # What rests costs nothing.
+        _, stats = self.play("clock", "d.png", frames=300)
+        self.assertGreater(stats["still_frames"], 100)
+
+    def test_mistakes_are_explained(self):
+        out = pathlib.Path(self.folder.name) / "x.png"
+        for arguments, words in (
+                (("nothing", "--out", out), "no such scene"),
+                (("path", "--out", out, "--size", "320"), "WIDTHxHEIGHT"),
+                (("path", "--out", out, "--size", "9x9"), "16x8"),
+                (("clock", "--out", out, "--text", "25:00"), "bad_argument"),
+                (("particles", "--out", out, "--text", "one"), "bad_argument"),
+                (("path", "--out", out, "--format", "mp4"), "mp4")):
+            message = run("animate", *arguments, "--font", self.font, code=1)
+            self.assertIn(words, message)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for program in ("animate", "fontgen"):
+        parser.add_argument("--" + program, required=True)
+    PROGRAMS.update(vars(parser.parse_args()))
+    unittest.main(argv=sys.argv[:1], verbosity=1)
+
+
+main()
