@@ -71,6 +71,7 @@ WHAT = {
     "modes": "every way that glyphs can look, at 12 and 24 px",
     "cache": "glyphs that a cache holds, and bitmaps of 4 bits",
     "field": "fields generated from outlines",
+    "kinetic": "type that moves: morphs, particles, scenes",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
 }
@@ -266,6 +267,18 @@ def build_firmware(cpu, opt, sources, targets, without, build):
         f"-DINKCELL_BENCH_STB={sources.get('stb', '')}")
     run("cmake", "--build", folder, "--target", *targets)
     return folder
+
+
+def kept_modules(linker_map, library):
+    """Bytes of code that the linker kept of each object of a library."""
+    kept = {}
+    text = linker_map.read_text()
+    text = text[text.index("Linker script and memory map"):]
+    for size, module in re.findall(
+            r"^ \.(?:text|s?rodata)\S*\s+0x[0-9a-f]+\s+0x([0-9a-f]+) "
+            rf"\S*lib{library}\.a\((\w+)", text, re.MULTILINE):
+        kept[module] = kept.get(module, 0) + int(size, 16)
+    return kept
 
 
 def kept_bytes(linker_map):
@@ -496,6 +509,38 @@ def measure_fields(firmware, font):
                "code": kept.get(("inkcell_core", "code"), 0)}
 
 
+def measure_kinetic(firmware, font):
+    """What type that moves takes, and its code by module."""
+    name = firmware.fonts.files[font, "inkcell", "outline"]
+    about = {"cpu": firmware.cpu, "opt": firmware.opt, "font": font.stem}
+    for what, numbers in firmware.run("kinetic", name):
+        if what == "morph":
+            px, scale, mean, most, take, stack, ram = numbers
+            yield {"figure": "morph", **about, "px": px, "scale_log2": scale,
+                   "instructions_mean": mean, "instructions_max": most,
+                   "instructions_set": take, "stack": stack, "ram": ram}
+        elif what == "particles":
+            count, step, pull = numbers
+            yield {"figure": "particles", **about, "particles": count,
+                   "instructions_step": step, "instructions_pull": pull}
+        elif what == "level_set":
+            side, flow, sweep, stack = numbers
+            yield {"figure": "level_set", **about, "side": side,
+                   "advect": flow / 10, "redistance": sweep / 10,
+                   "stack": stack}
+        elif what == "dot":
+            yield {"figure": "dot", **about, "instructions_mean": numbers[0]}
+        else:
+            width, height, mean, most, whole, stack, ram = numbers
+            yield {"figure": "scene", **about, "scene": what, "width": width,
+                   "height": height, "instructions_mean": mean,
+                   "instructions_max": most, "instructions_whole": whole,
+                   "stack": stack, "ram": ram}
+    modules = kept_modules(firmware.folder / "kinetic.map", "inkcell_kinetic")
+    yield {"figure": "kinetic_code", **about, **modules,
+           "total": sum(modules.values())}
+
+
 def measure_others(firmware, arguments, upright, pictures):
     """All figures of Inkcell that are not a table."""
     for coding in STYLED:
@@ -507,6 +552,10 @@ def measure_others(firmware, arguments, upright, pictures):
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
                 yield from measure_fields(firmware, font)
+    if "kinetic" in arguments.what:
+        for font in arguments.font:
+            if (font, "inkcell", "outline") in firmware.fonts.files:
+                yield from measure_kinetic(firmware, font)
     if "bound" in arguments.what and "edges" in arguments.coding:
         for _, numbers in firmware.run("bound", DEPTH, *arguments.px):
             px, pixels, instructions, stack = numbers
@@ -544,7 +593,7 @@ def targets_of(arguments):
     """The programs that measure what is asked for."""
     targets = {CODINGS[coding][0] for coding in arguments.coding}
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
-    targets |= ({"bound", "cache", "field", "modes", "rgb565"} &
+    targets |= ({"bound", "cache", "field", "kinetic", "modes", "rgb565"} &
                 set(arguments.what))
     if "turned" in arguments.what and "edges" in arguments.coding:
         targets.add("turned")

@@ -1,0 +1,335 @@
+// Animates, and counts.
+//
+//   FIRMWARE FONT
+//
+// FONT has digits and letters. Prints instructions (mean, most), the stack of
+// the deepest call, and RAM beside strips and 2,560 bytes that are lent:
+//
+//   morph PX SCALE MEAN MOST SET STACK RAM    digits 0 to 9, a frame in strips
+//                                             of 16 rows; SET: the most that
+//                                             the distances of a digit take
+//   particles COUNT MEAN PULL                 a step; and the way home
+//   dot MEAN                                  of 1.3 px
+//   level_set SIDE ADVECT REDISTANCE STACK    a sample, in 1/10
+//   path, clock, particle_text, figure15 WIDTH HEIGHT MEAN MOST WHOLE STACK RAM
+//       a frame of RGB565 in strips of 16 rows: what changed (mean, most), or
+//       all of the screen (mean)
+#include "board.hpp"
+#include "clock_scene.hpp"
+#include "console.hpp"
+#include "counter.hpp"
+#include "inkcell/kinetic/advect.hpp"
+#include "inkcell/kinetic/dots.hpp"
+#include "inkcell/kinetic/morph.hpp"
+#include "inkcell/kinetic/particle_homes.hpp"
+#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/kinetic/redistance.hpp"
+#include "inkcell/port/a8.hpp"
+#include "inkcell/port/rgb565.hpp"
+#include "particle_scene.hpp"
+#include "path_scene.hpp"
+#include "rom_file.hpp"
+#include "stack.hpp"
+#include "vortex_scene.hpp"
+
+namespace {
+
+using namespace inkcell;
+using bench::open_font;
+using bench::print_number;
+
+constexpr int32_t kMostWidth = 320;
+constexpr int32_t kMostHeight = 240;
+constexpr int32_t kRows = 16;
+
+alignas(4) uint8_t font_bytes[1 << 17];
+alignas(4) uint8_t pixels[kMostWidth * kRows * 2];
+int8_t grid[40000];
+kinetic::Particle particles[600];
+kinetic::ParticleHome homes[600];
+alignas(4) uint8_t ram[2560];
+const Workspace lent(ram, sizeof ram);
+kinetic::GridHistogram scratch;
+Rect dirty_room[8];
+Font font;
+
+struct Total {
+  uint32_t sum = 0;
+  uint32_t most = 0;
+  uint32_t count = 0;
+
+  void add(uint32_t value) {
+    sum += value;
+    most = value > most ? value : most;
+    ++count;
+  }
+  uint32_t mean() const { return count == 0 ? 0 : (sum + count / 2) / count; }
+};
+
+template <typename Work>
+void count(const Work& work, Total& instructions, uint32_t& stack) {
+  const auto used = static_cast<uint32_t>(board::count_stack(work));
+  stack = used > stack ? used : stack;
+  instructions.add(board::count_instructions(work));
+}
+
+bool measure_morph(int32_t px, int32_t scale_log2) {
+  kinetic::MorphBox box;
+  box.width = px * 70 / 100;
+  box.height = px * 88 / 100;
+  box.baseline = px * 81 / 100;
+  box.scale_log2 = scale_log2;
+  kinetic::GlyphMorph morph(font, Q26_6::from_int(px), kFilterMotion, box, grid,
+                            lent);
+  Total frames;
+  Total sets;
+  uint32_t stack = 0;
+  Status status = Status::ok;
+  for (uint32_t digit = 0; digit < 10; ++digit) {
+    const uint16_t from = font.glyph_or_notdef('0' + digit);
+    const uint16_t to = font.glyph_or_notdef('0' + (digit + 1) % 10);
+    // The first knows neither.
+    Total first;
+    count([&] { status = morph.set(from, to); }, digit == 0 ? first : sets,
+          stack);
+    if (status != Status::ok) {
+      return false;
+    }
+    for (int32_t part = 1; part < 16; ++part) {
+      count(
+          [&] {
+            morph.step(Q16_16::from_raw(part << 12), scratch);
+            for (int32_t y = 0; y < box.height; y += kRows) {
+              port::A8Target target = {
+                  {pixels, 0, y, box.width, kRows, box.width}};
+              Sink sink;
+              if (port::make_sink(target, sink) == Status::ok) {
+                morph.draw(0, 0, sink);
+              }
+            }
+          },
+          frames, stack);
+    }
+  }
+  board::print("morph");
+  print_number(static_cast<uint32_t>(px));
+  print_number(static_cast<uint32_t>(scale_log2));
+  print_number(frames.mean());
+  print_number(frames.most);
+  print_number(sets.most);
+  print_number(stack);
+  print_number(sizeof morph + sizeof scratch + kinetic::morph_bytes(box));
+  board::print("\n");
+  return true;
+}
+
+// They fly inside walls and bounce off a letter of 96 px.
+bool measure_particles() {
+  constexpr uint32_t kCount = 400;
+  constexpr int32_t kSide = 96;
+  kinetic::DistanceGrid field(grid, kSide, kSide, 0);
+  field.clear();
+  if (field.paint(font, font.glyph_or_notdef('e'), Q26_6::from_int(kSide),
+                  {Q26_6::from_int(18), Q26_6::from_int(74)},
+                  lent) != Status::ok ||
+      !kinetic::spread_homes(field, 0, 0, 1, {homes, kCount})) {
+    return false;
+  }
+  kinetic::RandomNumbers random(1);
+  for (kinetic::Particle& p : particles) {
+    if (!kinetic::find_edge(field, 0, 0, random, p)) {
+      return false;
+    }
+    p.x_speed_q10 = static_cast<int16_t>(random.below(4096) - 2048);
+    p.y_speed_q10 = static_cast<int16_t>(random.below(4096) - 2048);
+  }
+  kinetic::ParticleRules rules;
+  rules.walls = {0, 0, kSide, kSide};
+  rules.gravity_q10 = 40;
+  rules.attraction_q10 = 40;
+  rules.bounce_q8 = 230;
+  rules.side = kinetic::ParticleSide::outside;
+  Total steps;
+  Total pulls;
+  Total dots;
+  uint32_t stack = 0;
+  for (int32_t i = 0; i < 60; ++i) {
+    count(
+        [&] {
+          kinetic::step({particles, kCount}, rules, field, 0, 0);
+        },
+        steps, stack);
+  }
+  for (int32_t i = 0; i < 10; ++i) {
+    count(
+        [&] {
+          kinetic::pull_home({particles, kCount}, {homes, kCount},
+                             Q16_16::from_raw(1000), Q26_6::from_int(2));
+        },
+        pulls, stack);
+  }
+  port::A8Target target = {{pixels, 0, 0, kSide, kSide, kSide}};
+  target.strip.pixels.size = sizeof pixels;
+  Sink sink;
+  if (port::make_sink(target, sink) != Status::ok) {
+    return false;
+  }
+  for (size_t i = 0; i < 100; ++i) {
+    count(
+        [&] {
+          kinetic::draw_dot(particles[i].x, particles[i].y, Q26_6::from_raw(83),
+                            sink);
+        },
+        dots, stack);
+  }
+  board::print("particles");
+  print_number(kCount);
+  print_number((steps.mean() + kCount / 2) / kCount);
+  print_number((pulls.mean() + kCount / 2) / kCount);
+  board::print("\ndot");
+  print_number(dots.mean());
+  board::print("\n");
+  return true;
+}
+
+// A letter of 96 px in a vortex.
+bool measure_level_set() {
+  constexpr int32_t kSide = 96;
+  constexpr uint32_t kSamples = kSide * kSide;
+  kinetic::DistanceGrid field(grid, kSide, kSide, 0);
+  kinetic::DistanceGrid next({grid + kSamples, kSamples}, kSide, kSide, 0);
+  field.clear();
+  if (field.paint(font, font.glyph_or_notdef('e'), Q26_6::from_int(kSide),
+                  {Q26_6::from_int(18), Q26_6::from_int(74)},
+                  lent) != Status::ok) {
+    return false;
+  }
+  kinetic::Vortex vortex;
+  vortex.x = vortex.y = Q16_16::from_int(kSide / 2);
+  vortex.strength = 5120;
+  vortex.core = 10;
+  kinetic::Flow flow;
+  flow.vortices = {&vortex, 1};
+  Total flows;
+  Total sweeps;
+  uint32_t stack = 0;
+  for (int32_t i = 0; i < 8; ++i) {
+    count([&] { kinetic::advect(field, flow, next); }, flows, stack);
+    count([&] { kinetic::redistance(next, field); }, sweeps, stack);
+  }
+  // [1/10 of an instruction a sample]
+  board::print("level_set");
+  print_number(kSide);
+  print_number((flows.mean() * 10 + kSamples / 2) / kSamples);
+  print_number((sweeps.mean() * 10 + kSamples / 2) / kSamples);
+  print_number(stack);
+  board::print("\n");
+  return true;
+}
+
+// A strip of RGB565 and its ink.
+struct Sheet {
+  port::Rgb565Target target;
+  Sink sink;
+
+  scenes::Paper paper(const Rect& part) {
+    const int32_t width = part.x1 - part.x0;
+    const int32_t height = part.y1 - part.y0;
+    target.strip = {pixels, part.x0, part.y0, width, height, width * 2};
+    // Strips are as large as the pixels at most.
+    static_cast<void>(port::make_sink(target, sink));
+    return {part, this, [](void* context, uint32_t rgb) -> const Sink& {
+              Sheet& sheet = *static_cast<Sheet*>(context);
+              sheet.target.colour = port::rgb565(
+                  static_cast<uint8_t>(rgb >> 16),
+                  static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb));
+              return sheet.sink;
+            }};
+  }
+};
+
+template <typename Scene>
+void draw(Scene& scene, const Rect& part) {
+  Sheet sheet;
+  for (int32_t y = part.y0; y < part.y1; y += kRows) {
+    const int32_t end = y + kRows < part.y1 ? y + kRows : part.y1;
+    scene.draw(sheet.paper({part.x0, y, part.x1, end}));
+  }
+}
+
+template <typename Scene, int32_t width, int32_t height>
+bool measure_scene(const char* name) {
+  constexpr uint32_t kEach = 7;  // frames are counted
+  constexpr scenes::SceneNeeds needs = Scene::needs(width, height);
+  static_assert(needs.grid <= sizeof grid &&
+                    needs.particles <= sizeof particles / sizeof *particles &&
+                    needs.homes <= sizeof homes / sizeof *homes,
+                "there is room");
+  static Scene scene(
+      {&font,
+       Scene::kText,
+       width,
+       height,
+       {{grid, needs.grid}, {particles, needs.particles}, {homes, needs.homes}},
+       lent});
+  if (scene.open() != Status::ok) {
+    return false;
+  }
+  Total changed;
+  Total whole;
+  uint32_t stack = 0;
+  const Rect screen = {0, 0, width, height};
+  for (uint32_t i = 1; i < scenes::kLoopFrames; ++i) {
+    if (i % kEach != 0) {
+      scene.set_frame(i);
+      continue;
+    }
+    // Stepped twice, and drawn: what the first counts is the second's stack.
+    changed.add(board::count_instructions([&] {
+      scene.set_frame(i);
+      kinetic::DirtyRects dirty(dirty_room);
+      scene.add_changes(dirty);
+      for (const Rect& part : dirty.rects()) {
+        draw(scene, part);
+      }
+    }));
+    count([&] { draw(scene, screen); }, whole, stack);
+  }
+  board::print(name);
+  print_number(static_cast<uint32_t>(width));
+  print_number(static_cast<uint32_t>(height));
+  print_number(changed.mean());
+  print_number(changed.most);
+  print_number(whole.mean());
+  print_number(stack);
+  print_number(sizeof(Scene) + needs.grid +
+               needs.particles * sizeof *particles +
+               needs.homes * sizeof *homes);
+  board::print("\n");
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2 || !open_font(argv[1], font_bytes, font)) {
+    board::print("usage: FONT\n");
+    return 1;
+  }
+  const bool is_measured =
+      measure_morph(48, 0) && measure_morph(96, 0) && measure_morph(96, 1) &&
+      measure_particles() && measure_level_set() &&
+      measure_scene<scenes::VortexScene, 320, 240>("figure15") &&
+      measure_scene<scenes::VortexScene, 128, 64>("figure15") &&
+      measure_scene<scenes::PathScene, 320, 240>("path") &&
+      measure_scene<scenes::ClockScene, 320, 240>("clock") &&
+      measure_scene<scenes::ClockScene, 128, 64>("clock") &&
+      measure_scene<scenes::ClockScene, 96, 16>("clock") &&
+      measure_scene<scenes::ParticleScene, 320, 240>("particle_text") &&
+      measure_scene<scenes::ParticleScene, 128, 64>("particle_text");
+  if (!is_measured) {
+    board::print("a scene does not open, or the RAM is too small\n");
+    return 1;
+  }
+  return 0;
+}
