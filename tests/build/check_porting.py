@@ -1,5 +1,5 @@
-"""Checks docs/PORTING.md: its code is code of the project, its paths exist.
-So is the code of docs/LAYOUT.md.
+"""Checks docs/PORTING.md, LAYOUT.md and ANIMATING.md: their code is code of the
+project, and the paths of the first exist.
 
 Usage: check_porting.py
 """
@@ -27,9 +27,10 @@ def main():
     problems = []
 
     blocks = re.findall(r"^```\w+\n(.*?)^```", text, re.M | re.S)
-    layout = (ROOT / "docs/LAYOUT.md").read_text()
-    blocks += re.findall(r"^```\w+\n(.*?)^```", layout, re.M | re.S)
-    if len(blocks) < 4:
+    for name in ("LAYOUT", "ANIMATING"):
+        more = (ROOT / f"docs/{name}.md").read_text()
+        blocks += re.findall(r"^```(?:cpp|cmake)\n(.*?)^```", more, re.M | re.S)
+    if len(blocks) < 8:
         problems.append("the code blocks were not found")
     for block in blocks:
         if not any(squeeze(block) in source for source in sources):

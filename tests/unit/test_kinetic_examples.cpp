@@ -1,0 +1,171 @@
+// The code of docs/ANIMATING.md, which build.porting looks for here.
+#include "check.hpp"
+#include "inkcell/kinetic/advect.hpp"
+#include "inkcell/kinetic/dots.hpp"
+#include "inkcell/kinetic/grid_blend.hpp"
+#include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/morph.hpp"
+#include "inkcell/kinetic/particle_homes.hpp"
+#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/kinetic/path.hpp"
+#include "inkcell/kinetic/pose_renderer.hpp"
+#include "inkcell/kinetic/redistance.hpp"
+#include "inkcell/kinetic/run.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+#include "outline_record.hpp"
+
+namespace {
+
+using namespace inkcell;
+using namespace inkcell::kinetic;
+
+constexpr int32_t kSide = 48;
+
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+int32_t ink = 0;  // of what was drawn last
+
+const Font& sample_font() {
+  static Font sample;
+  if (sample.glyph_count() == 0) {
+    const size_t bytes = outline_record::build_sample_font(font_bytes);
+    CHECK_OK(Font::open({font_bytes, bytes}, sample));
+  }
+  return sample;
+}
+
+Sink counting_sink() {
+  ink = 0;
+  Sink sink;
+  sink.window = {0, 0, kSide, kSide};
+  sink.coverage = [](void*, int32_t, int32_t, const uint8_t* coverage,
+                     int32_t count) {
+    for (int32_t i = 0; i < count; ++i) {
+      ink += coverage[i];
+    }
+  };
+  sink.solid = [](void*, int32_t, int32_t, int32_t count) {
+    ink += 255 * count;
+  };
+  return sink;
+}
+
+const Font& font = sample_font();
+constexpr Q26_6 size = Q26_6::from_int(16);
+constexpr Point from = {Q26_6::from_int(4), Q26_6::from_int(30)};
+constexpr Point to = {Q26_6::from_int(44), Q26_6::from_int(30)};
+
+Status draw_poses(int32_t now_ms, const Sink& sink) {
+  constexpr PoseKey keys[] = {{0, {}, kOvershoot}, {500, {}, kLinear}};
+  const RunPlace where = {from, size, {}, 250};
+  RunGlyph glyphs[16];
+  PosedGlyph posed[16];
+  Run run;
+  INKCELL_TRY(lay_out(font, "ABCD", Align::left, glyphs, run));
+  PoseRenderer renderer(font, size);
+  for (size_t i = 0; i < run.glyphs.size; ++i) {
+    const int32_t delay =
+        delay_of({40, StaggerOrder::from_centre, 0}, i, run.glyphs.size);
+    posed[i] = place(font, run, i, where, pose_at(keys, now_ms - delay));
+  }
+  renderer.draw({posed, run.glyphs.size}, sink);  // for each strip
+  constexpr Point control1 = {Q26_6::from_int(14), Q26_6::from_int(10)};
+  constexpr Point control2 = {Q26_6::from_int(34), Q26_6::from_int(50)};
+  PathPoint points[40];
+  Path path(points);
+  INKCELL_TRY(path.move_to(from));
+  INKCELL_TRY(path.cubic_to(control1, control2, to, 32));
+  PathPlace along;
+  along.size = size;
+  for (size_t i = 0; i < run.glyphs.size; ++i) {
+    posed[i] = place(font, run, i, path, along, Pose());
+  }
+  renderer.draw({posed, run.glyphs.size}, sink);
+  return Status::ok;
+}
+
+Status draw_morph(int32_t now_ms, const Sink& sink) {
+  constexpr MorphBox box = {24, 24, 20, 0};
+  const int32_t x = 4;
+  const int32_t y = 4;
+  int8_t grids[morph_bytes(box)];
+  GridHistogram scratch;
+  GlyphMorph digit(font, size, kFilterMotion, box, grids);
+  INKCELL_TRY(digit.set(font.glyph_or_notdef('A'), font.glyph_or_notdef('C')));
+  digit.step(ease(kEaseInOut, fraction(0, 600, now_ms)), scratch);
+  digit.draw(x, y, sink);  // for each strip
+  return Status::ok;
+}
+
+Status draw_particles(const Sink& sink) {
+  constexpr int32_t seed = 1;
+  int8_t samples[24 * 24];
+  Particle particles[20];
+  ParticleHome homes[20];
+  const uint16_t glyph = 1;
+  const Q26_6 radius = Q26_6::from_int(1);
+  const Q26_6 offset = Q26_6::from_int(2);
+  const Q26_6 most = Q26_6::from_int(1);
+  const Q16_16 stiffness = Q16_16::from_raw(2000);
+  DistanceGrid grid(samples, 24, 24, 1);  // 2 px a sample
+  grid.clear();
+  INKCELL_TRY(grid.paint(font, glyph, size, from));
+  spread_homes(grid, 0, 0, seed, homes);  // inside the glyph
+  ParticleRules rules;
+  rules.walls = {0, 0, 48, 48};
+  rules.gravity_q10 = 200;
+  pull_home(particles, homes, stiffness, most);  // a step
+  step(particles, rules, grid, 0, 0);
+  draw_offset(grid, offset, 0, 0, kFilterMotion, sink);
+  for (const Particle& p : particles) {
+    draw_dot(p.x, p.y, radius, sink);
+  }
+  return Status::ok;
+}
+
+Status draw_level_set(const Sink& sink) {
+  int8_t samples[2][48 * 48];
+  DistanceGrid grid(samples[0], 48, 48, 0);
+  DistanceGrid next(samples[1], 48, 48, 0);
+  GridHistogram scratch;
+  grid.clear();
+  INKCELL_TRY(grid.paint(font, 1, Q26_6::from_int(32), from));
+  const int32_t area = grid.area();
+  Vortex vortex;
+  vortex.x = vortex.y = Q16_16::from_int(24);  // [samples]
+  vortex.core = 6;
+  vortex.strength = 700;
+  Flow flow;
+  flow.vortices = {&vortex, 1};
+  advect(grid, flow, next);  // a step
+  redistance(next, grid);    // every 8th step or so
+  GridLook look;
+  look.cutoff = cutoff_for(grid, area, scratch);  // keeps the area
+  draw_grid(grid, look, 0, 0, kFilterMotion, sink);
+  return Status::ok;
+}
+
+}  // namespace
+
+TEST(poses_and_paths_draw) {
+  const Sink sink = counting_sink();
+  CHECK_OK(draw_poses(300, sink));
+  CHECK(ink > 255 * 100);
+}
+
+TEST(morphs_draw) {
+  const Sink sink = counting_sink();
+  CHECK_OK(draw_morph(300, sink));
+  CHECK(ink > 255 * 20);
+}
+
+TEST(particles_draw) {
+  const Sink sink = counting_sink();
+  CHECK_OK(draw_particles(sink));
+  CHECK(ink > 255 * 50);
+}
+
+TEST(level_sets_draw) {
+  const Sink sink = counting_sink();
+  CHECK_OK(draw_level_set(sink));
+  CHECK(ink > 255 * 100);
+}
