@@ -29,7 +29,7 @@ def main():
     blocks = re.findall(r"^```\w+\n(.*?)^```", text, re.M | re.S)
     for name in ("LAYOUT", "ANIMATING"):
         more = (ROOT / f"docs/{name}.md").read_text()
-        blocks += re.findall(r"^```(?:cpp|cmake)\n(.*?)^```", more, re.M | re.S)
+        blocks += re.findall(r"^```cpp\n(.*?)^```", more, re.M | re.S)
     if len(blocks) < 8:
         problems.append("the code blocks were not found")
     for block in blocks:

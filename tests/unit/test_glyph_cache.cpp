@@ -349,6 +349,28 @@ TEST(styles_are_told_apart_by_value) {
   CHECK_EQ(cache.stats().hits, 2u);
 }
 
+TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
+  const Font fonts[] = {outline_font(), sample_font()};
+  const TextStyle styles[] = {style_of(20), style_of(14)};
+  const Face face = {&fonts[0], &styles[0]};
+  const Face fallback[] = {{&fonts[1], &styles[1]}};
+  PositionedGlyph run[2];
+  run[0].glyph = 1;
+  run[1].glyph = 2;
+  run[1].x = 512;
+  run[1].face = 1;
+  GlyphCache cache = cache_of(4096, exact(2));
+  for (int32_t round = 0; round < 2; ++round) {
+    clear(cached, 1);
+    clear(plain, 1);
+    cache.draw(face, fallback, run, px(6, 20), cached.sink());
+    draw(face, fallback, run, px(6, 20), plain.sink());
+    CHECK_EQ(worst_difference(), 0);
+  }
+  CHECK_EQ(cache.stats().misses, 2u);
+  CHECK_EQ(cache.stats().hits, 2u);
+}
+
 TEST(sub_pixels_are_kept_by_channel) {
   const Font font = outline_font();
   const LcdOptions lcd;

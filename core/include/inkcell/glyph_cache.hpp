@@ -82,6 +82,14 @@ class GlyphCache {
             const Sink& sink,
             Workspace workspace = {}) noexcept;
 
+  /// The same with glyphs of other faces. Each takes a slot of its own.
+  void draw(const Face& face,
+            Span<const Face> fallback,
+            Span<const PositionedGlyph> glyphs,
+            Point origin,
+            const Sink& sink,
+            Workspace workspace = {}) noexcept;
+
   void draw_text(const Font& font,
                  Text text,
                  const TextStyle& style,

@@ -16,6 +16,7 @@ using detail::most_row_bytes;
 using detail::Packing;
 using detail::place_near;
 using detail::Placed;
+using detail::run_origin;
 using detail::UnitScale;
 
 namespace {
@@ -250,18 +251,18 @@ void draw_placed(const Call& call,
   draw_kept(call, *held, place);
 }
 
-// Draws the glyphs that `next` gives.
+// Draws the glyphs that `next` gives, which `run` places.
 template <typename Next>
-void draw_run(Call&& call, Point origin, Next next) noexcept {
+void draw_run(Call&& call, const Face& run, Point origin, Next next) noexcept {
   if (call.store != nullptr) {
     call.open();
   }
-  const UnitScale scale(call.font, call.style);
-  origin = detail::run_origin(call.style, origin);
+  const UnitScale scale(*run.font, *run.style);
+  origin = run_origin(*run.style, origin);
   PositionedGlyph at;
   Placed placed;
   while (next(at)) {
-    if (place_near(scale, call.style, origin, at, placed)) {
+    if (place_near(scale, *run.style, origin, at, placed)) {
       draw_placed(call, at.glyph, placed);
     }
   }
@@ -296,15 +297,32 @@ void GlyphCache::draw(const Font& font,
                       Point origin,
                       const Sink& sink,
                       Workspace workspace) noexcept {
-  const PositionedGlyph* glyph = glyphs.begin();
-  draw_run(Call{store_, font, style, sink, workspace}, origin,
-           [&](PositionedGlyph& out) noexcept {
-             const bool is_glyph = glyph != glyphs.end();
-             if (is_glyph) {
-               out = *glyph++;
-             }
-             return is_glyph;
-           });
+  draw(Face{&font, &style}, {}, glyphs, origin, sink, workspace);
+}
+
+void GlyphCache::draw(const Face& face,
+                      Span<const Face> fallback,
+                      Span<const PositionedGlyph> glyphs,
+                      Point origin,
+                      const Sink& sink,
+                      Workspace workspace) noexcept {
+  // Face by face, so that each looks for its slot once.
+  for (uint32_t i = 0; i <= fallback.size; ++i) {
+    const Face& own = i == 0 ? face : fallback[i - 1];
+    const PositionedGlyph* at = glyphs.begin();
+    const auto next = [&](PositionedGlyph& out) noexcept {
+      while (at != glyphs.end() && at->face != i) {
+        ++at;
+      }
+      const bool is_glyph = at != glyphs.end();
+      if (is_glyph) {
+        out = *at++;
+      }
+      return is_glyph;
+    };
+    draw_run(Call{store_, *own.font, *own.style, sink, workspace}, face, origin,
+             next);
+  }
 }
 
 void GlyphCache::draw_text(const Font& font,
@@ -315,7 +333,7 @@ void GlyphCache::draw_text(const Font& font,
                            Workspace workspace) noexcept {
   TextCursor cursor(font, text, style);
   draw_run(
-      Call{store_, font, style, sink, workspace}, origin,
+      Call{store_, font, style, sink, workspace}, Face{&font, &style}, origin,
       [&cursor](PositionedGlyph& out) noexcept { return cursor.next(out); });
 }
 
