@@ -24,6 +24,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import against
 import peers
 import report
 
@@ -123,6 +124,9 @@ def parse_arguments():
         help="of stb_truetype.h (default: Debian's, downloaded)")
     add("--without", default="", metavar="LIST",
         help=f"leave out of Inkcell: of {', '.join(PARTS)}")
+    add("--against", metavar="REV",
+        help="measure Inkcell of another commit, too, with the same fonts, and "
+        "print what differs instead of the results")
     add("--write-docs", action="store_true",
         help="measure everything on all cores and write docs/BENCHMARKS.md")
     arguments = parser.parse_args()
@@ -142,6 +146,10 @@ def parse_arguments():
         parser.error("--write-docs measures all of Inkcell")
     if arguments.write_docs and set(arguments.engines) != set(LIBRARIES):
         parser.error("--write-docs compares all engines")
+    if arguments.against:
+        if arguments.write_docs:
+            parser.error("--against writes no document")
+        arguments.engines = ["inkcell"]
     arguments.px = arguments.px.split(",")
     if not all(px.isdigit() and 4 <= int(px) <= 160 for px in arguments.px):
         parser.error("--px takes whole numbers from 4 to 160")
@@ -572,6 +580,18 @@ def measure_others(firmware, arguments, upright, pictures):
                "libraries": kept[0].get(("gcc", "code"), 0)}
 
 
+def options_again(arguments):
+    """What the other commit's bench is asked for."""
+    options = []
+    for option in ("cpu", "opt", "coding", "what", "px", "without"):
+        values = getattr(arguments, option)
+        if values:
+            options += ["--" + option, ",".join(values)]
+    for font in arguments.font:
+        options += ["--font", str(font)]
+    return [*options, "--engines", "inkcell"]
+
+
 def measure(firmware, arguments, pictures):
     """The results and the other figures of one build, told as they come."""
     glyphs, more = [], []
@@ -584,8 +604,9 @@ def measure(firmware, arguments, pictures):
     if "inkcell" in arguments.engines:
         more = list(measure_others(firmware, arguments, upright, pictures))
         report.print_others(more)
-    for line in glyphs + more:
-        print(json.dumps(line), flush=True)
+    if not arguments.against:
+        for line in glyphs + more:
+            print(json.dumps(line), flush=True)
     return glyphs, more
 
 
@@ -644,6 +665,12 @@ def main():
             results += glyphs
             others += more
     check_bounds(results, others)
+    if arguments.against:
+        against.compare(
+            against.measure(ROOT, arguments.against, build,
+                            options_again(arguments),
+                            find_fontgen(arguments, build)),
+            results + others)
     smallest = None
     if arguments.write_docs:
         smallest = measure_smallest(arguments, fonts, pictures, build)
