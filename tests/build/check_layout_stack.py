@@ -2,7 +2,7 @@
 
 Follows calls from the functions that a program calls. Drawing and the fitting
 of glyphs are left out: they have limits of their own. Calls through pointers
-are those of layout to Bidi.
+go to Bidi, as CALLS_BIDI says.
 
 Usage: check_layout_stack.py WORK_FOLDER
 """
@@ -15,8 +15,8 @@ import sys
 from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT, WARNINGS,
                         finish, require, run)
 
-# Bytes of the deepest chain, of which the font's kerning takes 200.
-LIMIT = 896
+# Bytes of the deepest chain, of which the font's kerning takes 170.
+LIMIT = 512
 LEVELS = ["-Os", "-O2"]
 ROOMS = ["base", "font", "layout", "text", "place"]
 
@@ -25,21 +25,39 @@ ENTRIES = ["LineBreaker::next", "next_line", "shorten", "lay_out",
            "TextBox::measure", "TextBox::hit", "TextBox::caret",
            "ScrollingLabel::make"]
 
-# What calls through pointers, and a part of the name of what it reaches.
-INDIRECT = {
-    "prepare": "Bidi&, Text, size_t, BaseDirection",
-    "cursor": "Bidi&, Text, size_t, BaseDirection",
-    "put": "uint32_t",
-    "begin_text": "const Bidi&, size_t, size_t)",
-    "next_in_text": "const Bidi&, size_t, size_t, BidiRun&)",
+# Members of BidiOrder, in the order of its initializer, and who calls them,
+# perhaps in a function that the compiler has put into it.
+BIDI_ORDER = ["prepare", "level", "first_run", "next_run", "mirrored"]
+CALLS_BIDI = {
+    "prepare": ["prepare"],
+    "find_next_line": ["prepare"],
+    "next_line": ["prepare"],
+    "next": ["prepare"],
+    "shorten": ["prepare"],
+    "lay_out": ["prepare"],
+    "make": ["prepare"],
+    "draw": ["prepare"],
+    "hit": ["prepare"],
+    "caret": ["prepare"],
+    "level": ["level"],
+    "find_end": ["level"],
+    "cut_front": ["level"],
+    "cut_back": ["level"],
+    "width_of": ["level"],
+    "begin_text": ["first_run"],
+    "begin_character": ["next_run"],
+    "look_up": ["mirrored"],
 }
+# Who asks a fitter for advances.
+CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "Pen"]
 
 # Where drawing begins.
-DRAWING = re.compile(r"^(void )?inkcell::draw\(")
+DRAWING = re.compile(r"^inkcell::draw\(")
 
-NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"\\]+)[^"]*?'
-                  r'(?:\\n(\d+) bytes \((\w+)\)[^"]*)?"')
+NODE = re.compile(r'node: { title: "([^"]+)" label: "[^"]*?'
+                  r'\\n(\d+) bytes \((\w+)\)[^"]*"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
+LAMBDA = re.compile(r"kBidiOrderMUl.*E(\d?)_4_FUN")
 
 
 def compile_all(level, folder):
@@ -59,41 +77,64 @@ def compile_all(level, folder):
 
 def read_graph(folder):
     """Names and stack of functions, and what they call, by symbol."""
-    names, stack, calls = {}, {}, {}
+    stack, calls = {}, {}
     for path in folder.glob("*.ci"):
         text = path.read_text()
-        for symbol, label, size, _ in NODE.findall(text):
-            if size:
-                names[symbol] = label
-                stack[symbol] = int(size)
+        for symbol, size, _ in NODE.findall(text):
+            stack[symbol] = int(size)
         for source, target in EDGE.findall(text):
             calls.setdefault(source, set()).add(target)
+    symbols = list(stack)
+    filt = run([COMPILERS["Cortex-M0"][1] + "c++filt",
+                *[symbol.rpartition(":")[2] for symbol in symbols]])
+    names = dict(zip(symbols, filt.stdout.splitlines()))
     return names, stack, calls
 
 
-def deepest(entry, names, stack, calls):
-    """Bytes of the deepest chain of calls, and its symbols."""
-    def reached(symbol):
-        targets = calls.get(symbol, set())
-        part = INDIRECT.get(short(names[symbol]).split("::")[-1])
-        if "__indirect_call" in targets and part:
-            found = {s for s, name in names.items()
-                     if "<lambda" in name and part in name}
-            targets = targets | found
+def bidi_functions(names):
+    """Symbols of what BidiOrder points to, by its members."""
+    found = {}
+    for symbol in names:
+        match = LAMBDA.search(symbol)
+        if match:
+            index = int(match[1]) + 1 if match[1] else 0
+            found[BIDI_ORDER[index]] = symbol
+    return found
+
+
+class Chains:
+    """Deepest chains of calls."""
+
+    def __init__(self, names, stack, calls):
+        self.names, self.stack, self.calls = names, stack, calls
+        self.bidi = bidi_functions(names)
+        self.unknown = set()
+
+    def reached(self, symbol):
+        targets = set(self.calls.get(symbol, set()))
+        if "__indirect_call" in targets:
+            name = short(self.names[symbol])
+            members = CALLS_BIDI.get(name, [])
+            if not members and name not in CALLS_FITTER:
+                self.unknown.add(name)
+            targets |= {self.bidi[member] for member in members}
         return [target for target in targets
-                if target in stack and not DRAWING.match(names[target])]
+                if target in self.stack
+                and not DRAWING.match(self.names[target])]
 
     @functools.lru_cache(maxsize=None)
-    def below(symbol):
-        depth, chain = max([below(target) for target in reached(symbol)],
+    def below(self, symbol):
+        """Bytes of the deepest chain from a function on, and its symbols."""
+        depth, chain = max([self.below(target)
+                            for target in self.reached(symbol)],
                            default=(0, ()))
-        return depth + stack[symbol], (symbol, *chain)
-
-    return below(entry)
+        return depth + self.stack[symbol], (symbol, *chain)
 
 
 def short(name):
-    return re.sub(r"\(.*", "", name).split(" ")[-1].replace("inkcell::", "")
+    """The last part of a function's name."""
+    name = name.replace("(anonymous namespace)", "")
+    return re.sub(r"\(.*", "", name).split("::")[-1]
 
 
 def check_level(level, work):
@@ -101,18 +142,23 @@ def check_level(level, work):
     folder.mkdir(parents=True)
     problems = compile_all(level, folder)
     names, stack, calls = read_graph(folder)
+    chains = Chains(names, stack, calls)
+    if len(chains.bidi) != len(BIDI_ORDER):
+        problems.append(f"{level}: found {sorted(chains.bidi)} of BidiOrder")
     for entry in ENTRIES:
         found = [symbol for symbol, name in names.items()
-                 if re.search(rf"(^| )inkcell::{entry}\(", name)]
+                 if name.startswith(f"inkcell::{entry}(")]
         if not found:
             problems.append(f"{entry}: there is no such function")
         for symbol in found:
-            depth, chain = deepest(symbol, names, stack, calls)
+            depth, chain = chains.below(symbol)
             path = " > ".join(f"{short(names[s])} {stack[s]}" for s in chain)
             print(f"{level} {depth:4} B: {path}")
             if depth > LIMIT:
                 problems.append(f"{level} {entry}: {depth} bytes of stack, "
                                 f"{LIMIT} are allowed")
+    problems += [f"{level} {name}: calls through a pointer; say where to"
+                 for name in sorted(chains.unknown)]
     return problems
 
 

@@ -263,8 +263,9 @@ size_t first_letter(Text text, const TextLine& line) {
 }
 
 void check_cells(const Trial& trial, const TextLine& line) {
-  detail::LineCursor cursor(trial.box.options, trial.view(), line,
-                            trial.room());
+  const Text text = trial.view();
+  detail::LineCursor cursor(trial.box.options, text, line);
+  cursor.align(trial.room());
   detail::Cell cell;
   std::set<uint32_t> seen;
   while (cursor.next(cell)) {

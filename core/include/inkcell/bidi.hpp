@@ -41,10 +41,18 @@ class Bidi {
   /// `text` and ends with its first paragraph separator (rules P2 to L1, the
   /// latter as if it were one line). Time grows with its length, at worst, of
   /// brackets in brackets, with the square of that.
-  void resolve(Text text, size_t begin, BaseDirection direction) noexcept;
+  void resolve(const Text& text,
+               size_t begin,
+               BaseDirection direction) noexcept;
 
   /// The same unless that paragraph was resolved last.
-  void prepare(Text text, size_t begin, BaseDirection direction) noexcept;
+  void prepare(const Text& text,
+               size_t begin,
+               BaseDirection direction) noexcept {
+    if (text_ != text.data || begin_ != begin || direction_ != direction) {
+      resolve(text, begin, direction);
+    }
+  }
   /// Call it when text was changed in place.
   void forget() noexcept { text_ = nullptr; }
 
@@ -57,8 +65,8 @@ class Bidi {
   uint8_t level(size_t offset) const noexcept;
 
   /// The run that stands at the left end of the line [begin, end), and the one
-  /// to the right of `run` (rule L2); false if there is none. The line must not
-  /// be empty, and lie in the paragraph.
+  /// to the right of `run` (rule L2); false if there is none, `run` is then of
+  /// no use. The line must not be empty, and lie in the paragraph.
   BidiRun first_run(size_t begin, size_t end) const noexcept;
   bool next_run(size_t begin, size_t end, BidiRun& run) const noexcept;
 

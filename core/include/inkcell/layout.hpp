@@ -29,10 +29,14 @@ enum class Ellipsis : uint8_t {
   middle,  // of text that does not wrap; at the end of other text
 };
 
+struct LayoutOptions;
+
 namespace detail {
 /// What layout calls for mixed text. Linked with LayoutOptions::set_bidi().
 struct BidiOrder {
-  void (*prepare)(Bidi& bidi, Text text, size_t begin, BaseDirection direction);
+  uint8_t (*prepare)(const LayoutOptions& options,
+                     const Text& text,
+                     size_t begin);  // the level of the paragraph there
   uint8_t (*level)(const Bidi& bidi, size_t offset);
   BidiRun (*first_run)(const Bidi& bidi, size_t begin, size_t end);
   bool (*next_run)(const Bidi& bidi, size_t begin, size_t end, BidiRun& run);

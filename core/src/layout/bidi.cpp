@@ -16,7 +16,8 @@ bool ends_paragraph(uint32_t code_point) noexcept {
 
 // The bytes of the paragraph that `text` begins with, and whether it may hold
 // anything but text from left to right.
-size_t paragraph_size(Text text, bool& is_mixed) noexcept {
+__attribute__((noinline)) size_t paragraph_size(Text text,
+                                                bool& is_mixed) noexcept {
   Text rest = text;
   is_mixed = false;
   while (rest.size != 0) {
@@ -36,7 +37,9 @@ size_t paragraph_size(Text text, bool& is_mixed) noexcept {
 
 }  // namespace
 
-void Bidi::resolve(Text text, size_t begin, BaseDirection direction) noexcept {
+void Bidi::resolve(const Text& text,
+                   size_t begin,
+                   BaseDirection direction) noexcept {
   constexpr size_t kMostCells = 65535;
   const char* const paragraph = text.data + begin;
   bool is_mixed = false;
@@ -59,12 +62,6 @@ void Bidi::resolve(Text text, size_t begin, BaseDirection direction) noexcept {
     base_level_ = levels.base_level();
   }
   levels.resolve(base_level_);
-}
-
-void Bidi::prepare(Text text, size_t begin, BaseDirection direction) noexcept {
-  if (text_ != text.data || begin_ != begin || direction_ != direction) {
-    resolve(text, begin, direction);
-  }
 }
 
 uint8_t Bidi::level(size_t offset) const noexcept {
@@ -112,48 +109,48 @@ class LineLevels {
     }
   }
 
-  // The leftmost run within what has at least the level of `part`, and begins
-  // (or ends, if that is odd) where `part` does.
-  BidiRun leftmost(BidiRun part) const noexcept {
+  // Narrows a part that has at least its level, and begins (or ends, if that is
+  // odd) as the levels do, to its leftmost run.
+  void to_leftmost(BidiRun& part) const noexcept {
     for (;;) {
       // The character at the left end.
       const size_t at = part.is_right_to_left() ? before(part.end) : part.begin;
-      const uint8_t found = level(at);
-      if (found == part.level) {
-        return run_at(at);
+      const bool is_run = level(at) == part.level;
+      part.begin = at;
+      part.end = after(at);
+      if (is_run) {
+        widen_run(part);
+        return;
       }
-      part = {at, after(at), static_cast<uint8_t>(part.level + 1)};
+      ++part.level;
       widen(part);
     }
   }
 
-  // Of exactly one level.
-  BidiRun run_at(size_t at) const noexcept {
-    BidiRun run = {at, after(at), level(at)};
+  // Over exactly its level.
+  void widen_run(BidiRun& run) const noexcept {
     while (run.begin > begin_ && level(before(run.begin)) == run.level) {
       run.begin = before(run.begin);
     }
     while (run.end < end_ && level(run.end) == run.level) {
       run.end = after(run.end);
     }
-    return run;
   }
-
-  BidiRun first() const noexcept { return leftmost({begin_, end_, 0}); }
 
   // Rule L2 as a tree: what has at least level k is read rightwards if k is
   // even, leftwards if it is odd, with the parts of higher levels in between.
-  bool next(BidiRun& run) const noexcept {
-    BidiRun part = run;
+  bool next(BidiRun& part) const noexcept {
     for (;;) {
       if (!part.is_right_to_left() && part.end < end_ &&
           level(part.end) >= part.level) {
-        part = {part.end, after(part.end), part.level};
+        part.begin = part.end;
+        part.end = after(part.end);
         break;
       }
       if (part.is_right_to_left() && part.begin > begin_ &&
           level(before(part.begin)) >= part.level) {
-        part = {before(part.begin), part.begin, part.level};
+        part.end = part.begin;
+        part.begin = before(part.begin);
         break;
       }
       if (part.level == 0) {
@@ -162,7 +159,7 @@ class LineLevels {
       widen(part);
       --part.level;
     }
-    run = leftmost(part);
+    to_leftmost(part);
     return true;
   }
 
@@ -182,7 +179,9 @@ class LineLevels {
 }  // namespace
 
 BidiRun Bidi::first_run(size_t begin, size_t end) const noexcept {
-  return LineLevels(*this, {cells_.data, count_}, begin, end).first();
+  BidiRun run = {begin, end, 0};
+  LineLevels(*this, {cells_.data, count_}, begin, end).to_leftmost(run);
+  return run;
 }
 
 bool Bidi::next_run(size_t begin, size_t end, BidiRun& run) const noexcept {
@@ -192,8 +191,9 @@ bool Bidi::next_run(size_t begin, size_t end, BidiRun& run) const noexcept {
 namespace detail {
 
 const BidiOrder kBidiOrder = {
-    [](Bidi& bidi, Text text, size_t begin, BaseDirection direction) {
-      bidi.prepare(text, begin, direction);
+    [](const LayoutOptions& options, const Text& text, size_t begin) {
+      options.bidi()->prepare(text, begin, options.direction);
+      return options.bidi()->base_level();
     },
     [](const Bidi& bidi, size_t offset) { return bidi.level(offset); },
     [](const Bidi& bidi, size_t begin, size_t end) {

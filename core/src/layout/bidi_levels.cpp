@@ -160,7 +160,8 @@ uint32_t BidiLevels::previous_kept(uint32_t at) const noexcept {
 // The partner of what opens an isolate (BD9).
 uint32_t BidiLevels::end_of_isolate(uint32_t at) const noexcept {
   uint32_t depth = 0;
-  for (at = next(at); at < count_; at = next(at)) {
+  // Other bytes than the first of a character have neither flag.
+  while (++at < count_) {
     if (has(at, BidiCell::kOpensIsolate)) {
       ++depth;
     } else if (has(at, BidiCell::kClosesIsolate)) {

@@ -1,5 +1,6 @@
 #include "inkcell/label.hpp"
 
+#include "layout/next_line.hpp"
 #include "layout/pen.hpp"
 
 namespace inkcell {
@@ -29,17 +30,12 @@ Status ScrollingLabel::make(const LayoutOptions& options,
   if (text.size > kMaxLineBytes) {
     return Status::bad_argument;
   }
-  LayoutOptions one_line = options;
-  one_line.align = Align::left;
-  one_line.wraps = false;
-  one_line.ellipsis = Ellipsis::none;
   TextLine line;
-  static_cast<void>(next_line(one_line, text, Q26_6{}, line));
+  static_cast<void>(detail::begin_line(options, text, line));
+  line.base_level = detail::prepare(options, text, line);
+  detail::find_end(options, text, Q26_6::from_raw(INT32_MAX), line);
   Span<const PositionedGlyph> glyphs;
-  INKCELL_TRY(
-      lay_out(one_line, text, line,
-              to_px(*options.face.font, *options.face.style, line.width), room,
-              glyphs));
+  INKCELL_TRY(detail::lay_out_in(options, text, line, nullptr, room, glyphs));
   out.face_ = options.face;
   out.fallback_ = options.fallback;
   out.glyphs_ = glyphs;

@@ -1,4 +1,3 @@
-// Over 400 lines: lines are found and shortened by the same walk.
 #include "inkcell/layout.hpp"
 
 #include "layout/line_cursor.hpp"
@@ -24,120 +23,91 @@ bool hangs(uint32_t code_point, LineClass line_class) noexcept {
           detail::shown_as(code_point) == detail::Shown::space);
 }
 
-// What a line shows up to a place.
-struct Place {
-  uint32_t end = 0;   // of what shows something
-  int32_t width = 0;  // [units of the pen]
-  uint16_t gaps = 0;
-  bool has_hyphen = false;
-};
-
-// Goes along a text until there is no more room.
+// Goes along a text until there is no more room. The line itself keeps the best
+// place for its end that was seen so far, its width in units of the pen.
 class LineFinder {
  public:
   LineFinder(const LayoutOptions& options,
-             Text text,
-             const TextLine& line,
-             int32_t room) noexcept
-      : walk_(options, text, line),
-        begin_(line.begin),
-        room_(room),
-        cluster_begin_(line.begin) {
-    here_.end = begin_;
+             const Text& text,
+             int32_t room,
+             TextLine& line) noexcept
+      : walk_(options, text, line), line_(line), room_(room), end_(line.begin) {
+    line_.next = line.begin;
   }
 
-  void find(TextLine& line) noexcept;
+  void find() noexcept;
 
  private:
-  bool take(TextLine& line) noexcept;
-  bool take_visible(uint32_t code_point,
-                    const Cell& cell,
-                    TextLine& line) noexcept;
-  void end_line(const Place& place, uint32_t next, TextLine& line) noexcept;
+  bool take() noexcept;
+  bool take_visible(uint32_t code_point, const Cell& cell) noexcept;
   void keep_place(uint32_t at) noexcept;
-  bool is_full(const Cell& cell) const noexcept;
-  void end_paragraph(uint32_t code_point, TextLine& line) noexcept;
+  void end_at(uint32_t next) noexcept;
+  void end_paragraph(uint32_t code_point) noexcept;
 
   LineWalk walk_;
   LineState state_;
-  uint32_t begin_;
+  TextLine& line_;
   int32_t room_;
-  uint32_t cluster_begin_;
-  Place here_;            // up to the character that was read last
-  Place best_;            // where a line may end,
-  uint32_t next_ = 0;     // and what follows it then; 0: there is none yet
-  Place before_cluster_;  // a character and its marks
-  bool is_after_hyphen_ = false;
+  // What the line shows up to the character that was read last.
+  uint32_t end_;
+  int32_t width_ = 0;
+  uint16_t gaps_ = 0;
   uint16_t pending_gaps_ = 0;  // that count if something follows them
+  bool is_after_hyphen_ = false;
+  bool has_place_ = false;  // where a line may end
 };
 
+void LineFinder::end_at(uint32_t next) noexcept {
+  line_.next = next;
+  line_.length = static_cast<uint16_t>(end_ - line_.begin);
+  line_.gaps = gaps_;
+  line_.width = width_;
+  line_.has_hyphen = false;
+}
+
+// A line may end before `at`.
 void LineFinder::keep_place(uint32_t at) noexcept {
-  int32_t width = here_.width;
-  if (is_after_hyphen_) {
-    width += walk_.pen().hyphen().width;
-    if (width > room_) {
-      return;
-    }
+  const int32_t hyphen = is_after_hyphen_ ? walk_.pen().hyphen().width : 0;
+  if (is_after_hyphen_ && width_ + hyphen > room_) {
+    return;
   }
-  best_ = here_;
-  best_.width = width;
-  best_.has_hyphen = is_after_hyphen_;
-  next_ = at;
+  end_at(at);
+  line_.width += hyphen;
+  line_.has_hyphen = is_after_hyphen_;
+  has_place_ = true;
 }
 
-// A line holds a character with its marks, even if there is no room.
-bool LineFinder::is_full(const Cell& cell) const noexcept {
-  return cell.end - begin_ > kMaxLineBytes ||
-         (cluster_begin_ != begin_ && cell.x_end > room_);
-}
-
-void LineFinder::end_line(const Place& place,
-                          uint32_t next,
-                          TextLine& line) noexcept {
-  line.next = next;
-  line.length = static_cast<uint16_t>(place.end - begin_);
-  line.gaps = place.gaps;
-  line.has_hyphen = place.has_hyphen;
-  line.width = walk_.pen().to_units(place.width);
-}
-
-void LineFinder::end_paragraph(uint32_t code_point, TextLine& line) noexcept {
+void LineFinder::end_paragraph(uint32_t code_point) noexcept {
   if (code_point == '\r' && !walk_.at_end() && walk_.rest().data[0] == '\n') {
-    Cell cell;
-    static_cast<void>(walk_.take(cell));
+    walk_.skip_byte();
   }
-  end_line(here_, walk_.offset(), line);
-  line.ends_paragraph = true;
+  end_at(walk_.offset());
+  line_.ends_paragraph = true;
 }
 
-// False: the line is full.
-bool LineFinder::take_visible(uint32_t code_point,
-                              const Cell& cell,
-                              TextLine& line) noexcept {
-  if (!cell.is_mark || cell.begin != here_.end) {
-    cluster_begin_ = cell.begin;
-    before_cluster_ = here_;
+// False: the line is full. It holds a character with its marks, even if there
+// is no room, but never more than kMaxLineBytes.
+bool LineFinder::take_visible(uint32_t code_point, const Cell& cell) noexcept {
+  const bool is_long = cell.end - line_.begin > kMaxLineBytes;
+  if (!has_place_ && (!cell.is_mark || cell.begin != end_ ||
+                      (is_long && line_.next == line_.begin))) {
+    end_at(cell.begin);
   }
-  if (is_full(cell)) {
-    if (next_ != 0) {
-      end_line(best_, next_, line);
-    } else {
-      end_line(before_cluster_, cluster_begin_, line);
-    }
+  if (is_long || (line_.next != line_.begin && cell.x_end > room_)) {
     return false;
   }
-  here_.gaps = static_cast<uint16_t>(here_.gaps + pending_gaps_);
+  gaps_ = static_cast<uint16_t>(gaps_ + pending_gaps_);
   pending_gaps_ = detail::is_gap(code_point) ? 1 : 0;
-  here_.end = cell.end;
-  here_.width = cell.x_end;
+  end_ = cell.end;
+  width_ = cell.x_end;
   return true;
 }
 
 // One character; false: the line is at its end.
-bool LineFinder::take(TextLine& line) noexcept {
+bool LineFinder::take() noexcept {
   if (walk_.at_end()) {
-    end_paragraph(0, line);
-    line.is_last = true;
+    end_paragraph(0);
+    line_.is_last = true;
     return false;
   }
   Cell cell;
@@ -145,57 +115,41 @@ bool LineFinder::take(TextLine& line) noexcept {
   const LineClass line_class = detail::line_class(code_point);
   const Break place = state_.step(line_class, walk_.rest());
   if (detail::ends_line(line_class)) {
-    end_paragraph(code_point, line);
+    end_paragraph(code_point);
     return false;
   }
-  if (place == Break::allowed && here_.end != begin_) {
+  if (place == Break::allowed && end_ != line_.begin) {
     keep_place(cell.begin);
   }
   is_after_hyphen_ =
-      code_point == 0xad && cell.begin == here_.end && walk_.pen().has_begun();
+      code_point == 0xad && cell.begin == end_ && walk_.pen().has_begun();
   walk_.put(code_point, cell);
   // What has no width goes with spaces before it.
   const bool is_behind_spaces =
-      !cell.has_ink && cell.x_end == cell.x && cell.begin != here_.end;
+      !cell.has_ink && cell.x_end == cell.x && cell.begin != end_;
   if (is_behind_spaces || hangs(code_point, line_class)) {
     pending_gaps_ = static_cast<uint16_t>(pending_gaps_ +
                                           (detail::is_gap(code_point) ? 1 : 0));
     return true;
   }
-  return take_visible(code_point, cell, line);
+  return take_visible(code_point, cell);
 }
 
-void LineFinder::find(TextLine& line) noexcept {
-  while (take(line)) {
+void LineFinder::find() noexcept {
+  while (take()) {
   }
+  line_.width = walk_.pen().to_units(line_.width);
+}
+
+__attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
+                                          Q26_6 width) noexcept {
+  return Pen(options, Pen::logical).from_px(width);
 }
 
 // Functions that are not inline leave their stack to those that follow.
 __attribute__((noinline)) int32_t ellipsis_width(
     const LayoutOptions& options) noexcept {
   return Pen(options, Pen::logical).ellipsis().width;
-}
-
-__attribute__((noinline)) bool is_wider(const LayoutOptions& options,
-                                        int32_t units,
-                                        int32_t room) noexcept {
-  return Pen(options, Pen::logical).from_units(units) > room;
-}
-
-__attribute__((noinline)) void find_line(const LayoutOptions& options,
-                                         Text text,
-                                         int32_t room,
-                                         TextLine& line) noexcept {
-  LineFinder(options, text, line, room).find(line);
-}
-
-// Prepares the order of the paragraph.
-void prepare(const LayoutOptions& options, Text text, TextLine& line) noexcept {
-  if (options.order() != nullptr) {
-    options.order()->prepare(*options.bidi(), text, line.paragraph,
-                             options.direction);
-    line.base_level = options.bidi()->base_level();
-  }
 }
 
 // Whether a line's end is that of what Bidi takes for a paragraph: a vertical
@@ -208,23 +162,30 @@ bool ends_bidi_paragraph(Text text, uint32_t next) noexcept {
   return last != 0x0b && last != 0x0c && !is_line_separator;
 }
 
-// The front of a line that is shortened.
-struct Front {
-  uint32_t end;
-  int32_t width;     // [units of the pen]
-  bool has_spacing;  // between its end and what follows
+// What is left of a line on both sides of an ellipsis.
+struct Cut {
+  struct Front {
+    uint32_t end;
+    int32_t width;
+    bool has_spacing;  // between it and what follows
+  };
+  int32_t room;  // [units of the pen]
+  Front front;
+  uint32_t back_begin;
+  int32_t back_width = 0;
 };
 
-// How far a line reaches in `room`, without spaces at its end. Characters keep
-// their marks.
-__attribute__((noinline)) Front front_of(const LayoutOptions& options,
-                                         Text text,
+// How far a line reaches in the room, without spaces at its end. Characters
+// keep their marks.
+__attribute__((noinline)) void cut_front(const LayoutOptions& options,
+                                         const Text& text,
                                          const TextLine& line,
-                                         int32_t room) noexcept {
+                                         int32_t room,
+                                         Cut::Front& front) noexcept {
   LineWalk walk(options, text, line);
   Cell cell;
-  Front whole = {line.begin, 0, false};
-  Front front = whole;
+  front = {line.begin, 0, false};
+  Cut::Front whole = front;
   while (walk.next(line.end(), cell) && cell.x_end <= room) {
     if (!cell.is_mark) {
       whole = front;
@@ -233,43 +194,47 @@ __attribute__((noinline)) Front front_of(const LayoutOptions& options,
       front = {cell.end, cell.x_end, walk.pen().has_begun()};
     }
   }
-  return !cell.is_mark || cell.x_end <= room ? front : whole;
+  if (cell.is_mark && cell.x_end > room) {
+    front = whole;
+  }
 }
 
-// In the order of the text, without signs; and where what follows the last tab
-// begins.
+// The line's width in the order of the text, without signs. `back_begin` is
+// then what the back may begin with at the earliest: the front's end, and
+// behind tabs, which would have another width.
 __attribute__((noinline)) int32_t width_of(const LayoutOptions& options,
-                                           Text text,
+                                           const Text& text,
                                            const TextLine& line,
-                                           uint32_t& after_tabs) noexcept {
+                                           Cut& cut) noexcept {
   LineWalk walk(options, text, line);
   Cell cell;
-  after_tabs = line.begin;
+  cut.back_begin = cut.front.end;
   while (walk.next(line.end(), cell)) {
-    after_tabs = text.data[cell.begin] == '\t' ? cell.end : after_tabs;
+    if (text.data[cell.begin] == '\t' && cell.end > cut.back_begin) {
+      cut.back_begin = cell.end;
+    }
   }
   return walk.pen().at();
 }
 
-// Where the back of a line begins that needs no more than `room`, at `from` or
-// behind that; then `room` is what it needs. `total` is the line's width.
-__attribute__((noinline)) uint32_t back_begin(const LayoutOptions& options,
-                                              Text text,
-                                              const TextLine& line,
-                                              uint32_t from,
-                                              int32_t total,
-                                              int32_t& room) noexcept {
-  Cell cell;
+// The longest back that leaves room for the front. `width` is the line's.
+__attribute__((noinline)) void cut_back(const LayoutOptions& options,
+                                        const Text& text,
+                                        const TextLine& line,
+                                        int32_t width,
+                                        Cut& cut) noexcept {
   LineWalk walk(options, text, line);
+  Cell cell;
   while (walk.next(line.end(), cell)) {
-    const int32_t width = total - cell.x + walk.pen().spacing();
-    if (cell.begin >= from && cell.has_ink && !cell.is_mark && width <= room) {
-      room = width;
-      return cell.begin;
+    const int32_t back = width - cell.x + walk.pen().spacing();
+    if (cell.begin >= cut.back_begin && cell.has_ink && !cell.is_mark &&
+        back <= cut.room - cut.front.width) {
+      cut.back_begin = cell.begin;
+      cut.back_width = back;
+      return;
     }
   }
-  room = 0;
-  return line.end();
+  cut.back_begin = line.end();
 }
 
 __attribute__((noinline)) int32_t spacing_of(
@@ -285,14 +250,9 @@ __attribute__((noinline)) int32_t to_units(const LayoutOptions& options,
 
 }  // namespace
 
-int32_t detail::room_of(const LayoutOptions& options, Q26_6 width) noexcept {
-  return Pen(options, Pen::logical).from_px(width);
-}
-
-bool detail::find_next_line(const LayoutOptions& options,
-                            Text text,
-                            int32_t room,
-                            TextLine& line) noexcept {
+bool detail::begin_line(const LayoutOptions& options,
+                        const Text& text,
+                        TextLine& line) noexcept {
   if (line.is_found && line.is_last) {
     return false;
   }
@@ -308,67 +268,77 @@ bool detail::find_next_line(const LayoutOptions& options,
   line.is_found = true;
   line.begin = begin;
   line.paragraph = paragraph;
-  prepare(options, text, line);
-  find_line(options, text, options.wraps ? room : INT32_MAX, line);
   return true;
+}
+
+void detail::find_end(const LayoutOptions& options,
+                      const Text& text,
+                      Q26_6 width,
+                      TextLine& line) noexcept {
+  LineFinder(options, text, options.wraps ? room_of(options, width) : INT32_MAX,
+             line)
+      .find();
+}
+
+bool detail::is_too_wide(const LayoutOptions& options,
+                         Q26_6 width,
+                         const TextLine& line) noexcept {
+  const Pen pen(options, Pen::logical);
+  return !options.wraps && options.ellipsis != Ellipsis::none &&
+         pen.from_units(line.width) > pen.from_px(width);
 }
 
 bool next_line(const LayoutOptions& options,
                Text text,
                Q26_6 width,
                TextLine& line) noexcept {
-  const int32_t room = detail::room_of(options, width);
-  if (!detail::find_next_line(options, text, room, line)) {
-    return false;
+  return detail::find_next_line(options, text, width, line);
+}
+
+void detail::shorten_line(const LayoutOptions& options,
+                          const Text& text,
+                          Q26_6 width,
+                          TextLine& line) noexcept {
+  Cut cut;
+  int32_t sign = ellipsis_width(options);
+  cut.room = room_of(options, width) - sign;
+  const bool is_middle =
+      options.ellipsis == Ellipsis::middle && !options.wraps && cut.room > 0;
+  cut_front(options, text, line, is_middle ? cut.room / 2 : cut.room,
+            cut.front);
+  cut.back_begin = line.end();
+  if (is_middle) {
+    cut_back(options, text, line, width_of(options, text, line, cut), cut);
   }
-  if (!options.wraps && options.ellipsis != Ellipsis::none &&
-      is_wider(options, line.width, room)) {
-    shorten(options, text, width, line);
+  line.has_hyphen = false;
+  line.has_ellipsis = true;
+  line.skip_at = static_cast<uint16_t>(cut.front.end - line.begin);
+  line.skip_length = static_cast<uint16_t>(cut.back_begin - cut.front.end);
+  if (!cut.front.has_spacing && line.base_level % 2 != 0) {
+    // The front is to the right of the sign, and not spaced from it.
+    sign -= spacing_of(options);
   }
-  return true;
+  line.width = to_units(options, cut.front.width + sign + cut.back_width);
 }
 
 void shorten(const LayoutOptions& options,
              Text text,
              Q26_6 width,
              TextLine& line) noexcept {
-  prepare(options, text, line);
-  int32_t sign = ellipsis_width(options);
-  const int32_t room = detail::room_of(options, width) - sign;
-  const bool is_middle =
-      options.ellipsis == Ellipsis::middle && !options.wraps && room > 0;
-  const Front front =
-      front_of(options, text, line, is_middle ? room / 2 : room);
-  uint32_t back = line.end();
-  int32_t back_width = 0;
-  if (is_middle) {
-    // Behind tabs, which would have another width.
-    uint32_t from = 0;
-    const int32_t total = width_of(options, text, line, from);
-    from = front.end > from ? front.end : from;
-    back_width = room - front.width;
-    back = back_begin(options, text, line, from, total, back_width);
-  }
-  line.has_hyphen = false;
-  line.has_ellipsis = true;
-  line.skip_at = static_cast<uint16_t>(front.end - line.begin);
-  line.skip_length = static_cast<uint16_t>(back - front.end);
-  if (!front.has_spacing && line.base_level % 2 != 0) {
-    // The front is to the right of the sign, and not spaced from it.
-    sign -= spacing_of(options);
-  }
-  line.width = to_units(options, front.width + sign + back_width);
+  line.base_level = detail::prepare(options, text, line);
+  detail::shorten_line(options, text, width, line);
 }
 
-Status lay_out(const LayoutOptions& options,
-               Text text,
-               const TextLine& line,
-               Q26_6 width,
-               Span<PositionedGlyph> out,
-               Span<const PositionedGlyph>& glyphs) noexcept {
-  TextLine prepared = line;
-  prepare(options, text, prepared);
-  LineCursor cursor(options, text, prepared, width);
+Status detail::lay_out_in(const LayoutOptions& options,
+                          const Text& text,
+                          const TextLine& line,
+                          const Q26_6* width,
+                          Span<PositionedGlyph> out,
+                          Span<const PositionedGlyph>& glyphs) noexcept {
+  LineCursor cursor(options, text, line);
+  if (width != nullptr) {
+    cursor.align(*width);
+  }
   Cell cell;
   size_t count = 0;
   while (cursor.next(cell)) {
@@ -382,6 +352,16 @@ Status lay_out(const LayoutOptions& options,
   }
   glyphs = {out.data, count};
   return Status::ok;
+}
+
+Status lay_out(const LayoutOptions& options,
+               Text text,
+               const TextLine& line,
+               Q26_6 width,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
+  static_cast<void>(detail::prepare(options, text, line));
+  return detail::lay_out_in(options, text, line, &width, out, glyphs);
 }
 
 Q26_6 line_height(const LayoutOptions& options) noexcept {

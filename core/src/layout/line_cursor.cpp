@@ -26,30 +26,33 @@ uint32_t code_point_at(const Text& text, uint32_t at) noexcept {
 }  // namespace
 
 LineCursor::LineCursor(const LayoutOptions& options,
-                       Text text,
-                       const TextLine& line,
-                       Q26_6 width) noexcept
-    : options_(options), text_(text), line_(line), pen_(options, Pen::visual) {
-  const int32_t room = pen_.from_px(width) - pen_.from_units(line.width);
-  const bool is_rtl = line.base_level % 2 != 0;
-  Align align = options.align;
-  if (align == Align::justify && room > 0 && line.gaps != 0 &&
-      !line.ends_paragraph && !line.has_ellipsis) {
-    const uint32_t gaps = line.gaps;
+                       const Text& text,
+                       const TextLine& line) noexcept
+    : text_(text), line_(line), pen_(options, Pen::visual) {
+  right_ = pen_.from_units(line.width);
+  pen_.set_base_level(line.base_level);
+}
+
+void LineCursor::align(Q26_6 width) noexcept {
+  const int32_t room = pen_.from_px(width) - right_;
+  const bool is_rtl = line_.base_level % 2 != 0;
+  const Align align = pen_.options().align;
+  if (align == Align::justify && room > 0 && line_.gaps != 0 &&
+      !line_.ends_paragraph && !line_.has_ellipsis) {
+    const uint32_t gaps = line_.gaps;
     gap_ = static_cast<int32_t>(static_cast<uint32_t>(room) / gaps);
-    wide_gaps_ = static_cast<uint32_t>(room) % gaps;
-  } else if (align == Align::center) {
+    wide_gaps_ = static_cast<uint16_t>(static_cast<uint32_t>(room) % gaps);
+    right_ += room;
+    return;
+  }
+  if (align == Align::center) {
     left_ = room / 2;
   } else if (align == Align::right || (is_rtl && align != Align::left)) {
     left_ = room;
   }
-  right_ = left_ + pen_.from_units(line.width);
-  if (gap_ != 0 || wide_gaps_ != 0) {
-    right_ += room;
-  }
+  right_ += left_;
   pen_.move(left_);
   pen_.set_origin(left_);
-  pen_.set_base_level(line.base_level);
 }
 
 // In the order of the screen: the other way round where the paragraph begins at
@@ -85,7 +88,7 @@ bool LineCursor::begin_part() noexcept {
 }
 
 void LineCursor::begin_sign(const Pen::Sign& sign, uint32_t at) noexcept {
-  sign_ = sign;
+  sign_ = sign.code_point;
   added_ = static_cast<uint8_t>(sign.count);
   at_ = at;
   pen_.begin_sign();
@@ -99,8 +102,9 @@ void LineCursor::begin_text(uint32_t begin, uint32_t end) noexcept {
     return;
   }
   run_ = {begin, end, 0};
-  if (options_.order() != nullptr) {
-    run_ = options_.order()->first_run(*options_.bidi(), begin, end);
+  const LayoutOptions& options = pen_.options();
+  if (options.order() != nullptr) {
+    run_ = options.order()->first_run(*options.bidi(), begin, end);
   }
   begin_run();
 }
@@ -114,25 +118,30 @@ void LineCursor::begin_run() noexcept {
   rest_end_ = is_rtl ? end : begin;
 }
 
-// The character at at_.
-void LineCursor::put(Cell& cell) noexcept {
-  Text rest(text_.data + at_, text_.size - at_);
-  const uint32_t code_point = next_code_point(rest);
-  cell.begin = at_;
-  cell.end = static_cast<uint32_t>(text_.size - rest.size);
-  cell.is_added = false;
-  pen_.put(code_point, run_.level, cell);
-  stretch(code_point, cell);
-  at_ = cell.end;
-}
-
-void LineCursor::put_sign(Cell& cell) noexcept {
-  --added_;
+// The bytes of the character at at_, or of a sign.
+uint32_t LineCursor::take(Cell& cell) noexcept {
   cell.begin = at_;
   cell.end = at_;
-  pen_.put(sign_.code_point, 0, cell);
-  cell.is_added = true;
-  pen_.begin_sign();
+  cell.is_added = !is_in_text_;
+  if (cell.is_added) {
+    --added_;
+    return sign_;
+  }
+  Text rest(text_.data + at_, text_.size - at_);
+  const uint32_t code_point = next_code_point(rest);
+  at_ = static_cast<uint32_t>(text_.size - rest.size);
+  cell.end = at_;
+  return code_point;
+}
+
+void LineCursor::put(Cell& cell) noexcept {
+  const uint32_t code_point = take(cell);
+  pen_.put(code_point, cell.is_added ? uint8_t{0} : run_.level, cell);
+  if (cell.is_added) {
+    pen_.begin_sign();
+  } else {
+    stretch(code_point, cell);
+  }
 }
 
 // Gaps of justified text: after spaces and ideographs, but for the last
@@ -141,7 +150,7 @@ void LineCursor::stretch(uint32_t code_point, Cell& cell) noexcept {
   if ((gap_ != 0 || wide_gaps_ != 0) && cell.end != line_.end() &&
       is_gap(code_point)) {
     const int32_t wide = wide_gaps_ != 0 ? 1 : 0;
-    wide_gaps_ -= wide_gaps_ != 0 ? 1 : 0;
+    wide_gaps_ = static_cast<uint16_t>(wide_gaps_ - wide);
     pen_.move(gap_ + wide);
     pen_.set_origin(pen_.origin() + gap_ + wide);
     cell.x_end = pen_.at();
@@ -163,37 +172,32 @@ bool LineCursor::begin_cluster() noexcept {
   return true;
 }
 
-// False: the part is at its end.
-bool LineCursor::next_in_text(Cell& cell) noexcept {
+// Goes to the next character; false: the part is at its end.
+bool LineCursor::begin_character() noexcept {
+  const LayoutOptions& options = pen_.options();
   while (at_ >= cluster_end_) {
     if (begin_cluster()) {
       break;
     }
-    if (options_.order() == nullptr ||
-        !options_.order()->next_run(*options_.bidi(), part_begin_, part_end_,
-                                    run_)) {
+    if (options.order() == nullptr ||
+        !options.order()->next_run(*options.bidi(), part_begin_, part_end_,
+                                   run_)) {
       is_in_text_ = false;
       return false;
     }
     begin_run();
   }
-  put(cell);
   return true;
 }
 
-bool LineCursor::next(Cell& cell) noexcept {
-  for (;;) {
-    if (is_in_text_ && next_in_text(cell)) {
-      return true;
-    }
-    if (added_ != 0) {
-      put_sign(cell);
-      return true;
-    }
+// Goes to the next character or sign; false: the line is at its end.
+bool LineCursor::advance() noexcept {
+  while (!(is_in_text_ && begin_character()) && added_ == 0) {
     if (!begin_part()) {
       return false;
     }
   }
+  return true;
 }
 
 }  // namespace detail

@@ -11,15 +11,24 @@ namespace detail {
 
 class LineCursor {
  public:
-  // A line that next_line() found. Its paragraph has been prepared.
+  // A line that next_line() found. Its paragraph has been prepared. Text and
+  // line must outlive it.
   LineCursor(const LayoutOptions& options,
-             Text text,
-             const TextLine& line,
-             Q26_6 width) noexcept;
+             const Text& text,
+             const TextLine& line) noexcept;
+
+  // Before next(): aligns the line in a room. Else it begins at its left end.
+  void align(Q26_6 width) noexcept;
 
   // The next character; false at the right end. Positions count from the left
   // end of the lines' room: they are aligned.
-  bool next(Cell& cell) noexcept;
+  bool next(Cell& cell) noexcept {
+    if (!advance()) {
+      return false;
+    }
+    put(cell);
+    return true;
+  }
 
   const Pen& pen() const noexcept { return pen_; }
   // Where the line begins and where it ends. [units of the pen]
@@ -30,27 +39,27 @@ class LineCursor {
   // What a line is made of, in the order of the text.
   enum Part : uint8_t { front, ellipsis, back, hyphen, none };
 
+  bool advance() noexcept;
   bool begin_part() noexcept;
   void begin_sign(const Pen::Sign& sign, uint32_t at) noexcept;
   void begin_text(uint32_t begin, uint32_t end) noexcept;
   void begin_run() noexcept;
-  bool next_in_text(Cell& cell) noexcept;
+  bool begin_character() noexcept;
   bool begin_cluster() noexcept;
   void put(Cell& cell) noexcept;
-  void put_sign(Cell& cell) noexcept;
+  uint32_t take(Cell& cell) noexcept;
   void stretch(uint32_t code_point, Cell& cell) noexcept;
 
-  const LayoutOptions& options_;
-  Text text_;
+  const Text& text_;
   const TextLine& line_;
   Pen pen_;
   int32_t left_ = 0;
   int32_t right_ = 0;
   int32_t gap_ = 0;         // what justified text gains at each gap,
-  uint32_t wide_gaps_ = 0;  // and how many of them gain one more
+  uint16_t wide_gaps_ = 0;  // and how many of them gain one more
   uint8_t steps_ = 0;       // parts that have begun
   uint8_t added_ = 0;       // signs that are left of an ellipsis or a hyphen
-  Pen::Sign sign_ = {};
+  uint32_t sign_ = 0;       // its code point
   // The text of a part, its run, and what is left of a cluster of that. Runs to
   // the right are one cluster; of others [run_.begin, rest_end_) is left.
   uint32_t part_begin_ = 0;

@@ -135,38 +135,39 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
   return glyph;
 }
 
-// Of another face, in units of the first.
-int32_t Pen::foreign_advance(const Glyph& glyph) const noexcept {
-  const Face& own = face(glyph.face);
-  const Advances advances(*own.font, whole_style(own));
-  const int64_t length = advances.advance(glyph.id);
+// An advance of another face in units of the first.
+int32_t Pen::own_units(const Face& other, int32_t length) const noexcept {
   const int64_t em_q6 = options_.face.font->units_per_em() * int64_t{64};
-  const int64_t own_em_q6 = own.font->units_per_em() * int64_t{64};
   const int64_t size_q6 = options_.face.style->size().raw;
-  if (advances.is_whole()) {
+  if (other.style->has_whole_advances()) {
     return advances_.is_whole()
-               ? static_cast<int32_t>(length)
+               ? length
                : clamp_i64(divide(length * em_q6, size_q6), kMaxUnits);
   }
-  const int64_t scaled = length * own.style->size().raw;
+  const int64_t other_em_q6 = other.font->units_per_em() * int64_t{64};
+  const int64_t scaled = int64_t{length} * other.style->size().raw;
   return advances_.is_whole()
-             ? clamp_i64(divide(scaled, own_em_q6), kMaxPx)
-             : clamp_i64(divide(scaled * em_q6, own_em_q6 * size_q6),
+             ? clamp_i64(divide(scaled, other_em_q6), kMaxPx)
+             : clamp_i64(divide(scaled * em_q6, other_em_q6 * size_q6),
                          kMaxUnits);
 }
 
 int32_t Pen::advance(const Glyph& glyph) const noexcept {
-  return glyph.face == 0 ? advances_.advance(glyph.id) : foreign_advance(glyph);
+  const Face& own = face(glyph.face);
+  const int32_t length =
+      Advances(*own.font, whole_style(own)).advance(glyph.id);
+  return glyph.face == 0 ? length : own_units(own, length);
 }
 
 // Glyphs of other faces are not kerned. A pair is in the order of the screen.
-int32_t Pen::kerning(const Glyph& glyph, uint8_t level) const noexcept {
-  if (!previous_.is_found || previous_.face != 0 || glyph.face != 0) {
+int32_t Pen::kerning(const Cell& cell) const noexcept {
+  if (!cell.is_kerned || !previous_.is_found || previous_.face != 0 ||
+      cell.face != 0) {
     return 0;
   }
-  return level % 2 == 0 || is_visual_
-             ? advances_.kerning(previous_.id, glyph.id)
-             : advances_.kerning(glyph.id, previous_.id);
+  return cell.level % 2 == 0 || is_visual_
+             ? advances_.kerning(previous_.id, cell.glyph)
+             : advances_.kerning(cell.glyph, previous_.id);
 }
 
 int32_t Pen::digit_width() noexcept {
@@ -189,10 +190,11 @@ int32_t Pen::tab_step() const noexcept {
   return space.is_found ? clamp_to(8 * advance(space), kMaxPx) : em();
 }
 
-int32_t Pen::next_tab() const noexcept {
+// `step` is that of stops behind the last one of the options.
+int32_t Pen::next_tab(int32_t step) const noexcept {
   const int32_t limit = advances_.limit();
   if (!has_stops_) {
-    return clamp_to(at_ + tab_step(), limit);
+    return clamp_to(at_ + step, limit);
   }
   const int32_t from = at_ - origin_;
   for (const Q26_6 stop : options_.tab_stops) {
@@ -201,7 +203,6 @@ int32_t Pen::next_tab() const noexcept {
       return clamp_to(origin_ + to, limit);
     }
   }
-  const int32_t step = tab_step();
   if (step <= 0) {
     return at_;
   }
@@ -209,24 +210,32 @@ int32_t Pen::next_tab() const noexcept {
   return clamp_to(origin_ + steps * step, limit);
 }
 
-// Widths are the same in both orders: marks neither take part in kerning nor in
-// spacing, and nothing reaches over a tab.
-void Pen::put(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
-  cell.level = level;
-  cell.is_mark = is_mark(code_point);
+void Pen::begin_cell(uint8_t level, Cell& cell) noexcept {
   if (level != previous_level_) {
     previous_ = {};  // another run
     previous_level_ = level;
   }
-  if (code_point == '\t') {
-    cell.has_ink = false;
-    cell.x = at_;
-    at_ = next_tab();
-    cell.x_end = at_;
-    previous_ = {};
-    has_begun_ = false;
-    return;
-  }
+  cell.level = level;
+  cell.x_glyph = 0;
+}
+
+void Pen::look_up_tab(uint8_t level, Cell& cell) noexcept {
+  begin_cell(level, cell);
+  cell.is_mark = false;
+  cell.has_ink = false;
+  cell.is_base = false;
+  cell.is_kerned = false;
+  cell.x_end = next_tab(tab_step()) - at_;
+  previous_ = {};
+  has_begun_ = false;
+}
+
+// Finds the glyph and its advance, which `x_end` then holds; `x_glyph` counts
+// from `x`. Widths are the same in both orders: marks neither take part in
+// kerning nor in spacing, and nothing reaches over a tab.
+void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
+  begin_cell(level, cell);
+  cell.is_mark = is_mark(code_point);
   if (level % 2 != 0 && options_.order() != nullptr) {
     code_point = options_.order()->mirrored(code_point);
   }
@@ -238,23 +247,25 @@ void Pen::put(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
   cell.has_ink = glyph.is_found && shown == Shown::glyph;
   const bool is_tabular =
       options_.tabular_digits && code_point - '0' < 10 && glyph.is_found;
-  const bool is_base = !cell.is_mark && (glyph.is_found || advance != 0);
-  if (is_base) {
-    move((has_begun_ ? spacing_ : 0) +
-         (is_tabular ? 0 : kerning(glyph, level)));
+  cell.is_base = !cell.is_mark && (glyph.is_found || advance != 0);
+  cell.is_kerned = cell.is_base && glyph.is_found && !is_tabular;
+  cell.x_end = advance;
+  if (is_tabular) {
+    cell.x_end = digit_width();
+    cell.x_glyph = (cell.x_end - advance) / 2;
+  }
+}
+
+void Pen::place(int32_t kerning, Cell& cell) noexcept {
+  if (cell.is_base) {
+    move((has_begun_ ? spacing_ : 0) + kerning);
     has_begun_ = true;
+    previous_ = {cell.glyph, cell.face, cell.is_kerned};
   }
   cell.x = at_;
-  cell.x_glyph = at_;
-  if (is_tabular) {
-    cell.x_glyph += (digit_width() - advance) / 2;
-    advance = digit_width();
-  }
-  move(advance);
+  cell.x_glyph += at_;
+  move(cell.x_end);
   cell.x_end = at_;
-  if (is_base) {
-    previous_ = is_tabular ? Glyph{} : glyph;
-  }
 }
 
 Pen::Sign Pen::sign(uint32_t code_point,

@@ -31,9 +31,11 @@ struct Cell {
   uint16_t glyph = 0;
   uint8_t face = 0;
   uint8_t level = 0;
-  bool has_ink = false;   // `glyph` is to be drawn
-  bool is_mark = false;   // of the character before it
-  bool is_added = false;  // an ellipsis or a hyphen
+  bool has_ink = false;    // `glyph` is to be drawn
+  bool is_mark = false;    // of the character before it
+  bool is_added = false;   // an ellipsis or a hyphen
+  bool is_base = false;    // spaced from the one before it,
+  bool is_kerned = false;  // and kerned
 };
 
 class Pen {
@@ -52,6 +54,7 @@ class Pen {
   // A sum of the pen's that is kept in font units.
   int32_t from_units(int32_t units) const noexcept;
 
+  const LayoutOptions& options() const noexcept { return options_; }
   int32_t at() const noexcept { return at_; }
   // Between two characters.
   int32_t spacing() const noexcept { return spacing_; }
@@ -73,8 +76,18 @@ class Pen {
     has_begun_ = has_begun_ || has_stops_;
   }
 
-  // Fills in `cell` but for its bytes.
-  void put(uint32_t code_point, uint8_t level, Cell& cell) noexcept;
+  // Fills in `cell` but for its bytes. Inline, and in steps: the font's tables
+  // are read from the caller's frame, on the deepest stack of layout.
+  __attribute__((always_inline)) void put(uint32_t code_point,
+                                          uint8_t level,
+                                          Cell& cell) noexcept {
+    if (code_point == '\t') {
+      look_up_tab(level, cell);
+    } else {
+      look_up(code_point, level, cell);
+    }
+    place(kerning(cell), cell);
+  }
 
   // What is put for an ellipsis (three points where no face has one) and a
   // hyphen, none of them kerned, and its width. Spacing comes before each.
@@ -101,11 +114,15 @@ class Pen {
                    Shown shown,
                    int32_t& advance) const noexcept;
   int32_t advance(const Glyph& glyph) const noexcept;
-  int32_t foreign_advance(const Glyph& glyph) const noexcept;
-  int32_t kerning(const Glyph& glyph, uint8_t level) const noexcept;
+  int32_t own_units(const Face& other, int32_t length) const noexcept;
+  void look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept;
+  int32_t kerning(const Cell& cell) const noexcept;
+  void place(int32_t kerning, Cell& cell) noexcept;
   int32_t digit_width() noexcept;
   int32_t tab_step() const noexcept;
-  int32_t next_tab() const noexcept;
+  int32_t next_tab(int32_t step) const noexcept;
+  void look_up_tab(uint8_t level, Cell& cell) noexcept;
+  void begin_cell(uint8_t level, Cell& cell) noexcept;
   int32_t em() const noexcept;
   Sign sign(uint32_t code_point, uint32_t other, uint32_t count) const noexcept;
 

@@ -38,88 +38,75 @@ size_t most_lines(const TextBox& box) noexcept {
 }
 
 // The lines of a box, one after the other: those that are given, or found anew.
+// What it is made from must outlive it.
 class BoxLines {
  public:
-  BoxLines(const TextBox& box, Text text, Span<const TextLine> given) noexcept
+  BoxLines(const TextBox& box,
+           const Text& text,
+           const Span<const TextLine>& given) noexcept
       : box_(box), text_(text), given_(given) {
     if (box.options.bidi() != nullptr) {
       box.options.bidi()->forget();
     }
-    most_ = most_lines(box);
+    most_ = is_given() ? given.size : most_lines(box);
   }
 
+  const TextBox& box() const noexcept { return box_; }
   const TextLine& line() const noexcept { return line_; }
   // Whether next() would find none.
-  bool is_last() const noexcept {
-    return given_.data != nullptr ? count_ == given_.size
-                                  : line_.is_last || count_ == most_;
-  }
+  bool is_last() const noexcept { return line_.is_last || count_ == most_; }
 
-  bool next() noexcept {
-    if (given_.data != nullptr) {
-      if (count_ == given_.size) {
-        return false;
-      }
-      line_ = given_[count_++];
-      return true;
-    }
-    if (count_ == most_ ||
-        !next_line(box_.options, text_, width_of(box_), line_)) {
-      return false;
-    }
-    ++count_;
-    if (count_ == most_ && !line_.is_last) {
-      shorten(box_.options, text_, width_of(box_), line_);
-    }
-    return true;
-  }
+  bool next() noexcept;
 
-  // Prepares the line's paragraph.
+  // Where the first line begins, from the top of the screen. [px, Q6] Only
+  // before next() was called.
+  int32_t top() noexcept;
+
+  // Of a line that is prepared.
+  void prepare() const noexcept {
+    static_cast<void>(detail::prepare(box_.options, text_, line_));
+  }
   LineCursor cursor() const noexcept {
-    const LayoutOptions& options = box_.options;
-    if (options.order() != nullptr) {
-      options.order()->prepare(*options.bidi(), text_, line_.paragraph,
-                               options.direction);
-    }
-    return LineCursor(options, text_, line_, width_of(box_));
+    LineCursor cursor(box_.options, text_, line_);
+    cursor.align(width_of(box_));
+    return cursor;
   }
 
  private:
+  bool is_given() const noexcept { return given_.data != nullptr; }
+
   const TextBox& box_;
-  Text text_;
-  Span<const TextLine> given_;
+  const Text& text_;
+  const Span<const TextLine>& given_;
   TextLine line_;
   size_t count_ = 0;
-  size_t most_ = SIZE_MAX;
+  size_t most_;
 };
 
-__attribute__((noinline)) size_t count_lines(
-    const TextBox& box, Text text, Span<const TextLine> given) noexcept {
-  if (given.data != nullptr) {
-    return given.size;
+__attribute__((noinline)) bool BoxLines::next() noexcept {
+  if (count_ == most_) {
+    return false;
   }
-  const size_t most = most_lines(box);
-  const int32_t room = detail::room_of(box.options, width_of(box));
-  TextLine line;
-  size_t count = 0;
-  while (count != most &&
-         detail::find_next_line(box.options, text, room, line)) {
-    ++count;
+  if (is_given()) {
+    line_ = given_[count_++];
+    return true;
   }
-  return count;
+  if (!detail::find_next_line(box_.options, text_, width_of(box_), line_)) {
+    return false;
+  }
+  ++count_;
+  if (count_ == most_ && !line_.is_last) {
+    detail::shorten_line(box_.options, text_, width_of(box_), line_);
+  }
+  return true;
 }
 
-// Where the first line begins, from the top of the screen. [px, Q6]
+// Where the first of so many lines begins.
 __attribute__((noinline)) int32_t top_of(const TextBox& box,
-                                         Text text,
-                                         Span<const TextLine> given) noexcept {
+                                         size_t count) noexcept {
   const int32_t top = box.rect.y0 * 64;
-  if (box.vertical == VerticalAlign::top) {
-    return top;
-  }
   const int32_t height = line_step(box);
-  const auto count = static_cast<int64_t>(count_lines(box, text, given));
-  const int64_t lines = count * height;
+  const int64_t lines = static_cast<int64_t>(count) * height;
   int32_t room =
       height_of(box) - (lines < kFar ? static_cast<int32_t>(lines) : kFar);
   if (box.vertical == VerticalAlign::bottom) {
@@ -137,20 +124,43 @@ __attribute__((noinline)) int32_t top_of(const TextBox& box,
   return top + ((room / 2) & ~63);
 }
 
-__attribute__((noinline)) void draw_line(const TextBox& box,
-                                         const BoxLines& lines,
-                                         Point origin,
+__attribute__((noinline)) int32_t BoxLines::top() noexcept {
+  if (box_.vertical == VerticalAlign::top) {
+    return box_.rect.y0 * 64;
+  }
+  if (!is_given()) {
+    while (next()) {
+    }
+    line_ = {};
+  }
+  const size_t count = is_given() ? given_.size : count_;
+  count_ = 0;
+  return top_of(box_, count);
+}
+
+__attribute__((noinline)) void draw_cell(const TextBox& box,
+                                         const PositionedGlyph& glyph,
+                                         int32_t y_q6,
                                          const Sink& sink,
                                          Workspace workspace) noexcept {
-  const LayoutOptions& options = box.options;
+  Sink clipped = sink;
+  clipped.window = intersect(sink.window, box.rect);
+  const Point origin = {Q26_6::from_int(box.rect.x0), Q26_6::from_raw(y_q6)};
+  inkcell::draw(box.options.face, box.options.fallback, {&glyph, 1}, origin,
+                clipped, workspace);
+}
+
+__attribute__((noinline)) void draw_line(const BoxLines& lines,
+                                         int32_t y_q6,
+                                         const Sink& sink,
+                                         const Workspace& workspace) noexcept {
   LineCursor cursor = lines.cursor();
   Cell cell;
   while (cursor.next(cell)) {
     if (cell.has_ink) {
-      const PositionedGlyph glyph =
-          detail::positioned(cursor.pen(), lines.line(), cell);
-      inkcell::draw(options.face, options.fallback, {&glyph, 1}, origin, sink,
-                    workspace);
+      draw_cell(lines.box(),
+                detail::positioned(cursor.pen(), lines.line(), cell), y_q6,
+                sink, workspace);
     }
   }
 }
@@ -160,22 +170,23 @@ __attribute__((noinline)) void draw_line(const TextBox& box,
 class Carets {
  public:
   explicit Carets(const BoxLines& lines) noexcept
-      : cursor_(lines.cursor()), line_(lines.line()) {}
+      : lines_(lines), cursor_(lines.cursor()) {}
 
   // On the screen. [px]
-  int32_t x_q6(const TextBox& box, int32_t x) const noexcept {
-    return box.rect.x0 * 64 + cursor_.pen().to_px(x).raw;
+  int32_t x_q6(int32_t x) const noexcept {
+    return lines_.box().rect.x0 * 64 + cursor_.pen().to_px(x).raw;
   }
 
   bool next(uint32_t& offset, int32_t& x) noexcept {
+    const TextLine& line = lines_.line();
     Cell cell;
     while (cursor_.next(cell)) {
       const bool is_rtl = cell.level % 2 != 0;
-      if (cell.end == line_.end() && (!cell.is_added || line_.length == 0)) {
+      if (cell.end == line.end() && (!cell.is_added || line.length == 0)) {
         end_x_ = is_rtl ? cell.x : cell.x_end;
         has_end_ = true;
       }
-      if (cell.is_mark || (cell.is_added && cell.begin == line_.end())) {
+      if (cell.is_mark || (cell.is_added && cell.begin == line.end())) {
         continue;
       }
       offset = cell.begin;
@@ -186,15 +197,15 @@ class Carets {
       return false;
     }
     is_done_ = true;
-    offset = line_.end();
-    const bool is_rtl = line_.base_level % 2 != 0;
+    offset = line.end();
+    const bool is_rtl = line.base_level % 2 != 0;
     x = has_end_ ? end_x_ : (is_rtl ? cursor_.left() : cursor_.right());
     return true;
   }
 
  private:
+  const BoxLines& lines_;
   LineCursor cursor_;
-  const TextLine& line_;
   int32_t end_x_ = 0;
   bool has_end_ = false;
   bool is_done_ = false;
@@ -230,40 +241,24 @@ __attribute__((noinline)) int32_t ink_reach(const TextBox& box) noexcept {
   return detail::clamp_to(reach.raw + line_step(box), kFar);
 }
 
-// Lines from `top` on that meet the window. [px, Q6]
-__attribute__((noinline)) void draw_lines(const TextBox& box,
-                                          Text text,
-                                          int32_t top,
-                                          const Sink& sink,
-                                          Workspace workspace,
-                                          Span<const TextLine> given) noexcept {
-  const int32_t height = line_step(box);
-  Point origin = {Q26_6::from_int(box.rect.x0), baseline(box.options)};
-  origin.y.raw += top;
-  const int32_t reach = ink_reach(box);
-  BoxLines lines(box, text, given);
-  while (lines.next()) {
-    if (origin.y.raw - reach > sink.window.y1 * 64) {
-      break;
-    }
-    if (origin.y.raw + reach >= sink.window.y0 * 64) {
-      draw_line(box, lines, origin, sink, workspace);
-    }
-    origin.y.raw += height;
-  }
-}
-
 }  // namespace
 
 void TextBox::draw(Text text,
                    const Sink& sink,
                    Workspace workspace,
                    Span<const TextLine> lines) const noexcept {
-  Sink clipped = sink;
-  clipped.window = intersect(sink.window, rect);
-  if (!is_empty(clipped.window)) {
-    draw_lines(*this, text, top_of(*this, text, lines), clipped, workspace,
-               lines);
+  if (is_empty(intersect(sink.window, rect))) {
+    return;
+  }
+  BoxLines found(*this, text, lines);
+  int32_t y_q6 = found.top() + baseline(options).raw;
+  const int32_t reach = ink_reach(*this);
+  while (found.next() && y_q6 - reach <= sink.window.y1 * 64) {
+    if (y_q6 + reach >= sink.window.y0 * 64) {
+      found.prepare();
+      draw_line(found, y_q6, sink, workspace);
+    }
+    y_q6 += line_step(*this);
   }
 }
 
@@ -286,8 +281,7 @@ TextSize TextBox::measure(Text text,
 namespace {
 
 // The place of the caret nearest to a column.
-__attribute__((noinline)) TextPlace nearest_place(const TextBox& box,
-                                                  const BoxLines& lines,
+__attribute__((noinline)) TextPlace nearest_place(const BoxLines& lines,
                                                   int32_t x) noexcept {
   const int32_t x_q6 = detail::clamp_to(x, kFar >> 6) * 64 + 32;
   const TextLine& line = lines.line();
@@ -297,7 +291,7 @@ __attribute__((noinline)) TextPlace nearest_place(const TextBox& box,
   int32_t caret_x = 0;
   int32_t least = INT32_MAX;
   while (carets.next(offset, caret_x)) {
-    const int32_t way = carets.x_q6(box, caret_x) - x_q6;
+    const int32_t way = carets.x_q6(caret_x) - x_q6;
     // Of two that are as near, the one to the left.
     const int32_t rank = way < 0 ? -2 * way : 2 * way + 1;
     if (rank < least) {
@@ -311,8 +305,7 @@ __attribute__((noinline)) TextPlace nearest_place(const TextBox& box,
 
 // The column of the last caret that is not behind a place; of the leftmost one
 // if all are.
-__attribute__((noinline)) int32_t caret_column(const TextBox& box,
-                                               const BoxLines& lines,
+__attribute__((noinline)) int32_t caret_column(const BoxLines& lines,
                                                size_t place) noexcept {
   Carets carets(lines);
   uint32_t offset = 0;
@@ -323,7 +316,7 @@ __attribute__((noinline)) int32_t caret_column(const TextBox& box,
     const int64_t rank = offset <= place ? int64_t{offset} : -1;
     if (rank > nearest) {
       nearest = rank;
-      column = carets.x_q6(box, x) >> 6;
+      column = carets.x_q6(x) >> 6;
     }
   }
   return column;
@@ -335,21 +328,25 @@ TextPlace TextBox::hit(Text text,
                        int32_t x,
                        int32_t y,
                        Span<const TextLine> lines) const noexcept {
-  int32_t bottom = top_of(*this, text, lines);
   BoxLines found(*this, text, lines);
+  int32_t bottom = found.top();
   bool is_found = false;
   while (!is_found && found.next()) {
     bottom = detail::clamp_to(bottom + line_step(*this), kFar);
     is_found = y < bottom >> 6 || found.is_last();
   }
-  return is_found ? nearest_place(*this, found, x) : TextPlace{};
+  if (!is_found) {
+    return {};
+  }
+  found.prepare();
+  return nearest_place(found, x);
 }
 
 Rect TextBox::caret(Text text,
                     TextPlace place,
                     Span<const TextLine> lines) const noexcept {
-  int32_t top = top_of(*this, text, lines);
   BoxLines found(*this, text, lines);
+  int32_t top = found.top();
   bool is_found = false;
   while (!is_found && found.next()) {
     const TextLine& line = found.line();
@@ -361,7 +358,8 @@ Rect TextBox::caret(Text text,
   if (!is_found) {
     return {};
   }
-  const int32_t column = caret_column(*this, found, place.offset);
+  found.prepare();
+  const int32_t column = caret_column(found, place.offset);
   return {column, top >> 6, column + 1, (top + line_step(*this)) >> 6};
 }
 

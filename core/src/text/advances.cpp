@@ -19,11 +19,7 @@ int32_t Advances::advance(uint16_t glyph) const noexcept {
                     : font_.advance(glyph);
 }
 
-int32_t Advances::kerning(uint16_t left, uint16_t right) const noexcept {
-  const int32_t units = font_.kerning(left, right);
-  if (!is_whole() || units == 0) {
-    return units;
-  }
+int32_t Advances::to_whole_px(int32_t units) const noexcept {
   return product(units, style_->size().raw) / (font_.units_per_em() * 64);
 }
 

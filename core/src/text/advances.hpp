@@ -34,13 +34,19 @@ class Advances {
   int32_t limit() const noexcept { return is_whole() ? kMaxPx : kMaxUnits; }
 
   int32_t advance(uint16_t glyph) const noexcept;
-  // Whole pixels are rounded towards 0.
-  int32_t kerning(uint16_t left, uint16_t right) const noexcept;
+  // Whole pixels are rounded towards 0. Inline: one frame less on the deepest
+  // stack of layout.
+  int32_t kerning(uint16_t left, uint16_t right) const noexcept {
+    const int32_t units = font_.kerning(left, right);
+    return is_whole() && units != 0 ? to_whole_px(units) : units;
+  }
 
   // A sum of them in font units, to the nearest. At most limit() in magnitude.
   int32_t to_units(int32_t sum) const noexcept;
 
  private:
+  int32_t to_whole_px(int32_t units) const noexcept;
+
   const Font& font_;
   const TextStyle* style_;
 };
