@@ -282,6 +282,35 @@ TEST(carets_and_hits_agree) {
   CHECK_EQ(box.caret(word, {2, false}).x0, 3);
 }
 
+// A stands in the first face, the Hebrew letter in the second one, that is half
+// as large; a letter that no face has becomes .notdef of the first.
+TEST(faces_fall_back) {
+  alignas(4) static uint8_t sample_rom[font_builder::kSampleFontBytes];
+  const size_t size = font_builder::build_sample_font(sample_rom);
+  Font sample;
+  CHECK_OK(Font::open({sample_rom, size}, sample));
+  const Setting setting;
+  TextStyle small;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(5), kFilterText, small));
+  const Face fallback[] = {{&setting.font, &small}};
+  LayoutOptions options(sample, setting.style);
+  options.fallback = fallback;
+  const Text text = "A\xd7\x90Z";
+  TextLine line;
+  CHECK(next_line(options, text, Q26_6::from_int(100), line));
+  PositionedGlyph room[8];
+  Span<const PositionedGlyph> glyphs;
+  CHECK_OK(lay_out(options, text, line, Q26_6::from_int(100), room, glyphs));
+  CHECK_EQ(glyphs.size, 3);
+  CHECK_EQ(glyphs[0].face, 0);
+  CHECK_EQ(glyphs[1].face, 1);
+  CHECK_EQ(glyphs[1].offset, 1);
+  CHECK_EQ(glyphs[2].face, 0);
+  CHECK_EQ(glyphs[2].glyph, 0);
+  CHECK_EQ(glyphs[2].offset, 3);
+  CHECK_EQ(glyphs[2].x - glyphs[1].x, 750 / 2);
+}
+
 TEST(labels_scroll) {
   const Setting setting;
   const LayoutOptions options(setting.font, setting.style);

@@ -224,6 +224,44 @@ TEST(absent_code_points_become_notdef) {
   CHECK_EQ(run[2].x, 1200);
 }
 
+// A, what shows nothing, B: kerned as if they stood side by side; glyphs know
+// where their text begins.
+TEST(blanks_never_become_notdef) {
+  const Font font = sample();
+  const Text nothing[] = {"A\nB",
+                          "A\rB",
+                          "A\x7f"
+                          "B",
+                          "A\xc2\xad"
+                          "B",
+                          "A\xe2\x80\x8b"
+                          "B",
+                          "A\xe2\x80\xa8"
+                          "B",
+                          "A\xef\xb8\x8f"
+                          "B",
+                          "A\xef\xbb\xbf"
+                          "B"};
+  PositionedGlyph buffer[3];
+  Span<const PositionedGlyph> run;
+  for (const Text& text : nothing) {
+    CHECK_OK(layout(font, text, buffer, run));
+    CHECK_EQ(run.size, 2);
+    CHECK_EQ(run[1].glyph, 3);
+    CHECK_EQ(run[1].x, 650);
+    CHECK_EQ(run[1].offset, text.size - 1);
+  }
+  const Text spaces[] = {"A\tB",
+                         "A\xc2\xa0"
+                         "B"};
+  for (const Text& text : spaces) {
+    CHECK_OK(layout(font, text, buffer, run));
+    CHECK_EQ(run.size, 3);
+    CHECK_EQ(run[1].glyph, 1);
+    CHECK_EQ(run[2].x, 750 + 300);
+  }
+}
+
 TEST(notdef_kerns_like_any_glyph) {
   const Font font = sample();
   CHECK_EQ(font.kerning(0, 3), 0);

@@ -174,8 +174,7 @@ int32_t Pen::digit_width() noexcept {
   if (digit_width_ < 0) {
     digit_width_ = 0;
     for (uint32_t digit = '0'; digit <= '9'; ++digit) {
-      const Glyph glyph = find(digit);
-      const int32_t width = glyph.is_found ? advance(glyph) : 0;
+      const int32_t width = advance(find(digit));  // perhaps of .notdef
       digit_width_ = width > digit_width_ ? width : digit_width_;
     }
   }

@@ -1,5 +1,8 @@
 // Calls the README's functions and looks whether they drew their line of text.
 #include <stdio.h>
+#include <string.h>
+#include <fonts/dejavu_sans.hpp>
+#include <inkcell/filter.hpp>
 #include <inkcell/font.hpp>
 #include <inkcell/port/pixel.hpp>
 #include <inkcell/port/rgb565.hpp>
@@ -8,6 +11,10 @@
 #include <inkcell/text.hpp>
 
 inkcell::Status hello(const inkcell::Strip& strip);
+inkcell::Status page(const inkcell::Font& font,
+                     const inkcell::TextStyle& style,
+                     inkcell::Q26_6 scroll,
+                     const inkcell::Sink& sink);
 
 // Nobody calls it, so that nothing of what it calls is linked.
 inkcell::Status uncalled(const inkcell::Font& font) {
@@ -17,7 +24,7 @@ inkcell::Status uncalled(const inkcell::Font& font) {
 namespace {
 
 constexpr int32_t kWidth = 160;
-constexpr int32_t kHeight = 40;
+constexpr int32_t kHeight = 96;
 constexpr auto kFormat = inkcell::port::PixelFormat::rgb565;
 
 // A screen in RAM, black.
@@ -33,9 +40,55 @@ struct Screen {
   }
 };
 
+// Groups of rows with ink in the paragraph's box: its lines.
+int lines_of(const Screen& screen) {
+  int lines = 0;
+  bool was_inked = false;
+  for (int32_t y = 0; y < 64; ++y) {
+    bool inked = false;
+    for (int32_t i = 0; i < 2 * kWidth; ++i) {
+      inked = inked || screen.bytes[y * screen.strip.stride + i] != 0;
+    }
+    lines += inked && !was_inked ? 1 : 0;
+    was_inked = inked;
+  }
+  return lines;
+}
+
+inkcell::Status draw_page(int32_t scroll, Screen& screen) {
+  inkcell::Font font;
+  INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans, font));
+  inkcell::TextStyle style;
+  INKCELL_TRY(inkcell::TextStyle::make(inkcell::Q26_6::from_int(20),
+                                       inkcell::kFilterText, style));
+  inkcell::port::Rgb565Target target = {screen.strip};
+  inkcell::Sink sink;
+  INKCELL_TRY(inkcell::port::make_sink(target, sink));
+  return page(font, style, inkcell::Q26_6::from_int(scroll), sink);
+}
+
+// The paragraph has lines and stands still; the label below it moves.
+bool page_works() {
+  static Screen first;
+  static Screen second;
+  if (draw_page(0, first) != inkcell::Status::ok ||
+      draw_page(7, second) != inkcell::Status::ok) {
+    return false;
+  }
+  const auto split = static_cast<size_t>(64 * first.strip.stride);
+  return lines_of(first) == 2 &&
+         memcmp(first.bytes, second.bytes, split) == 0 &&
+         memcmp(first.bytes + split, second.bytes + split,
+                sizeof(first.bytes) - split) != 0;
+}
+
 }  // namespace
 
 int main() {
+  if (!page_works()) {
+    puts("the README's page is not as it should be");
+    return 1;
+  }
   Screen screen;
   if (hello(screen.strip) != inkcell::Status::ok) {
     puts("the README's program fails");
