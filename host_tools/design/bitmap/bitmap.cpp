@@ -12,8 +12,17 @@
 namespace inkcell::design {
 namespace {
 
-// 16 em at 4096 px/em.
+// 4 em by 4 em at 4096 px/em, of any shape.
 constexpr int kMostSide = 65536;
+constexpr size_t kMostPixels = size_t{1} << 28;
+
+void check_size(size_t width, size_t height, const std::string& name) {
+  if (height != 0 && width > kMostPixels / height) {
+    throw Error(name + ": has " + std::to_string(width) + " x " +
+                std::to_string(height) + " pixels; the most is " +
+                std::to_string(kMostPixels));
+  }
+}
 
 Bitmap read_png(const std::vector<uint8_t>& bytes, const std::string& name) {
   png_image image;
@@ -22,6 +31,7 @@ Bitmap read_png(const std::vector<uint8_t>& bytes, const std::string& name) {
   Bitmap bitmap;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) !=
       0) {
+    check_size(image.width, image.height, name);
     image.format = PNG_FORMAT_GRAY;
     bitmap.width = static_cast<int>(image.width);
     bitmap.height = static_cast<int>(image.height);
@@ -57,6 +67,8 @@ class NetpbmReader {
       refuse();
     }
     ++at_;  // one white space
+    check_size(static_cast<size_t>(bitmap.width),
+               static_cast<size_t>(bitmap.height), name_);
     const size_t count =
         static_cast<size_t>(bitmap.width) * static_cast<size_t>(bitmap.height);
     const size_t row = (static_cast<size_t>(bitmap.width) + 7) / 8;

@@ -1,6 +1,7 @@
 #include "model/commands.hpp"
 
 #include "model/command_table.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -43,7 +44,11 @@ Change change_of(const Project& project, const Value& command) {
     }
     arguments.refuse("is not known; there are " + names);
   }
-  return found->second(project, arguments);
+  try {
+    return found->second(project, arguments);
+  } catch (const gen::GeometryError& error) {
+    arguments.refuse(error.what());
+  }
 }
 
 std::vector<std::string> command_names() {

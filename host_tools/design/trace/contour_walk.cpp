@@ -15,6 +15,9 @@ namespace {
 constexpr double kReach = 0.9;
 constexpr double kSlack_u = 2;
 
+// Squares of a terrain, 8 em by 8 em: five bytes are kept of each.
+constexpr double kMostSquares = 8192.0 * 8192.0;
+
 // Loops of fewer points, about 2 u across, are errors of the field.
 constexpr size_t kLeastPoints = 8;
 
@@ -232,6 +235,12 @@ std::vector<Loop> walk_contours(
     return Point{distance({x + kStep_u, y}) - distance({x - kStep_u, y}),
                  distance({x, y + kStep_u}) - distance({x, y - kStep_u})};
   };
+  if (!((box.x1 - box.x0) * (box.y1 - box.y0) <= kMostSquares)) {
+    throw gen::GeometryError(
+        gen::GeometryError::Kind::too_large,
+        "an edge is followed within 8 em by 8 em; make the glyph, or the "
+        "radius of its blend, smaller");
+  }
   const auto tiles = [](double low, double high) {
     return static_cast<int>(std::ceil((high - low) / (1 << kTileLog2))) + 1;
   };

@@ -18,7 +18,8 @@ namespace inkcell::design {
 std::vector<Loop> walk_contours(const GlyphField& field);
 
 /// The same for any distance, positive inside, that changes by at most 1 u per
-/// u, within a box. [u] The contour must not leave the box.
+/// u, within a box. [u] The contour must not leave the box. Throws
+/// gen::GeometryError if the box is larger than 8 em by 8 em.
 std::vector<Loop> walk_contours(
     const std::function<double(const Point&)>& distance, const gen::Box& box);
 
