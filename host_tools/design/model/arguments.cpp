@@ -3,6 +3,73 @@
 #include <cmath>
 
 namespace inkcell::design {
+namespace {
+
+bool is_finite(const Value& value) {
+  return value.is_number() && std::isfinite(value.get<double>());
+}
+
+// [x, y], or a number that stands for both.
+bool read_pair(const Value& value, bool may_be_one, double& x, double& y) {
+  if (may_be_one && is_finite(value)) {
+    x = y = value.get<double>();
+    return true;
+  }
+  if (!value.is_array() || value.size() != 2 || !is_finite(value[0]) ||
+      !is_finite(value[1])) {
+    return false;
+  }
+  x = value[0].get<double>();
+  y = value[1].get<double>();
+  return true;
+}
+
+// Quarter turns are exact.
+Matrix turned(double degrees) {
+  const double quarters = std::fmod(degrees / 90, 4);
+  double c = std::cos(degrees * M_PI / 180);
+  double s = std::sin(degrees * M_PI / 180);
+  if (quarters == std::floor(quarters)) {
+    c = std::round(c);
+    s = std::round(s);
+  }
+  Matrix m;
+  m.xx = m.yy = c;
+  m.xy = s;
+  m.yx = -s;
+  return m;
+}
+
+// False if a part is unknown or wrong.
+bool read_parts(const Value& parts, Matrix& m) {
+  double x = 1;
+  double y = 1;
+  for (const auto& [key, part] : parts.items()) {
+    const bool is_known = key == "reflect" ? part == "x" || part == "y"
+                          : key == "turn"  ? is_finite(part)
+                          : key == "scale"
+                              ? read_pair(part, true, x, y)
+                              : key == "move" && read_pair(part, false, x, y);
+    if (!is_known) {
+      return false;
+    }
+  }
+  if (parts.contains("scale")) {
+    read_pair(parts["scale"], true, m.xx, m.yy);
+  }
+  if (parts.contains("reflect")) {
+    (parts["reflect"] == "x" ? m.xx : m.yy) *= -1;
+  }
+  if (parts.contains("turn")) {
+    m = product(turned(parts["turn"].get<double>()), m);
+  }
+  if (parts.contains("move")) {
+    read_pair(parts["move"], false, m.dx, m.dy);
+  }
+  return true;
+}
+
+}  // namespace
 
 Arguments::Arguments(const Value& command) : command_(command) {
   if (!command.is_object() || !command.contains("do") ||
@@ -93,16 +160,18 @@ Matrix Arguments::matrix(const char* key) const {
   if (!has(key)) {
     return m;
   }
-  const Value& found = array(key);
+  const Value& found = value(key);
   double* const members[] = {&m.xx, &m.xy, &m.yx, &m.yy, &m.dx, &m.dy};
-  bool ok = found.size() == 6;
+  bool ok = found.is_array() && found.size() == 6;
   for (size_t i = 0; ok && i < 6; ++i) {
-    ok = found[i].is_number() && std::isfinite(found[i].get<double>());
+    ok = is_finite(found[i]);
     *members[i] = ok ? found[i].get<double>() : 0;
   }
-  if (!ok) {
+  if (!ok && !(found.is_object() && read_parts(found, m))) {
     refuse(std::string("\"") + key +
-           "\" is six numbers: xx, xy, yx, yy, dx, dy");
+           "\" is six numbers, xx, xy, yx, yy, dx, dy, or a dictionary such "
+           "as {\"reflect\": \"x\", \"scale\": 0.5, \"turn\": 90, "
+           "\"move\": [100, 0]}");
   }
   return m;
 }

@@ -30,7 +30,10 @@ class Arguments {
   size_t place(const char* key, size_t count) const;
   const Value& array(const char* key) const;
   const Value& value(const char* key) const;
-  /// Six numbers, xx xy yx yy dx dy; the identity if it is not there.
+  /// Six numbers, xx xy yx yy dx dy, or a dictionary of what is done in this
+  /// order: "reflect" ("x": left and right change places, or "y"), "scale" (a
+  /// number, or one for x and one for y), "turn" (degrees, counter-clockwise),
+  /// "move" ([dx, dy]). The identity if it is not there.
   Matrix matrix(const char* key) const;
 
   /// Throws Error "command 'move_points': <text>".

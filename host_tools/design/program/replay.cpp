@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::string journal;
+  std::vector<std::string> commands;
   std::string project;
   std::string out;
 };
@@ -30,8 +31,24 @@ fs::path project_of(const Arguments& arguments,
   return {};
 }
 
+// Those of the file, then those of the command line.
+std::vector<Value> records_of(const Arguments& arguments) {
+  std::vector<Value> records;
+  if (!arguments.journal.empty()) {
+    records = read_script(arguments.journal);
+  }
+  for (const std::string& command : arguments.commands) {
+    try {
+      records.push_back(Value::parse(command));
+    } catch (const Value::exception& error) {
+      throw Error("--do '" + command + "': " + error.what());
+    }
+  }
+  return records;
+}
+
 void replay(const Arguments& arguments) {
-  const std::vector<Value> records = read_script(arguments.journal);
+  const std::vector<Value> records = records_of(arguments);
   const fs::path folder = project_of(arguments, records);
   UfoFiles files;
   if (!folder.empty()) {
@@ -43,9 +60,9 @@ void replay(const Arguments& arguments) {
     try {
       player.play(record);
     } catch (const Error& error) {
-      throw Error(arguments.journal + ": record " + std::to_string(done + 1) +
-                  " of " + std::to_string(records.size()) + ": " +
-                  error.what());
+      throw Error((arguments.journal.empty() ? "" : arguments.journal + ": ") +
+                  "record " + std::to_string(done + 1) + " of " +
+                  std::to_string(records.size()) + ": " + error.what());
     }
     ++done;
   }
@@ -67,8 +84,12 @@ void add_replay(CLI::App& app, Work& work) {
   command
       ->add_option("journal", arguments->journal,
                    "A journal, or a script: a command in JSON on each line")
-      ->required()
       ->type_name("FILE");
+  command
+      ->add_option("--do", arguments->commands,
+                   "A command in JSON, after those of the file; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("COMMAND");
   command
       ->add_option("--project", arguments->project,
                    "Begin with this project [the journal's; a script begins "
