@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "fit/curve_fitter.hpp"
+#include "model/error.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -180,6 +181,20 @@ std::vector<Point> smooth(const std::vector<Point>& loop, int steps) {
 
 }  // namespace
 
+MasterPlace place_between(const Point& origin, const Point& em) {
+  MasterPlace place;
+  place.px_per_em = length(em - origin);
+  if (!(place.px_per_em >= 16)) {
+    throw Error("the origin of a master and the point an em to its right are " +
+                std::to_string(place.px_per_em) +
+                " px apart; the least is 16 px");
+  }
+  place.origin_x = origin.x;
+  place.origin_y = origin.y;
+  place.slope = std::atan2(em.y - origin.y, em.x - origin.x);
+  return place;
+}
+
 double pixel_tolerance(const Bitmap& bitmap, const MasterPlace& place) {
   const double px = 1024 / place.px_per_em;
   return std::max(0.1, (bitmap.is_bilevel() ? 0.4 : 0.15) * px);
@@ -190,6 +205,12 @@ std::vector<Loop> walk_edges(const Bitmap& bitmap,
   const bool is_bilevel = bitmap.is_bilevel();
   const double scale = 1024 / options.place.px_per_em;
   const size_t stride = is_bilevel ? 4 : 1;
+  const double c = std::cos(options.place.slope);
+  const double s = std::sin(options.place.slope);
+  // From y down to y up, the baseline level.
+  const auto upright = [c, s](const Point& p) {
+    return Point{c * p.x + s * p.y, s * p.x - c * p.y};
+  };
   std::vector<Loop> loops;
   for (std::vector<Point>& steps : EdgeWalker(bitmap, is_bilevel).run()) {
     if (steps.size() < 8 || std::fabs(area(steps)) < options.least_area_px) {
@@ -204,9 +225,9 @@ std::vector<Loop> walk_edges(const Bitmap& bitmap,
       const Point& p = smoothed[i];
       const Point t =
           smoothed[(i + reach) % count] - smoothed[(i + count - reach) % count];
-      loop.points.push_back({scale * (p.x - options.place.origin_x),
-                             scale * (options.place.origin_y - p.y)});
-      loop.tangents.push_back(unit({t.x, -t.y}));
+      loop.points.push_back(scale * upright({p.x - options.place.origin_x,
+                                             p.y - options.place.origin_y}));
+      loop.tangents.push_back(unit(upright(t)));
     }
     loops.push_back(std::move(loop));
   }

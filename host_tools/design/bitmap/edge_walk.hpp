@@ -15,7 +15,13 @@ struct MasterPlace {
   /// The glyph's origin from the upper left corner of the bitmap. [px]
   double origin_x = 0;
   double origin_y = 0;
+  /// What the baseline falls towards the right. [radians]
+  double slope = 0;
 };
+
+/// Where a master lies whose origin and the point of the baseline an em to its
+/// right are known. [px] Throws Error if they are less than 16 px apart.
+MasterPlace place_between(const Point& origin, const Point& em);
 
 struct MasterOptions {
   MasterPlace place;

@@ -1,7 +1,5 @@
 // Commands on what outlines are made of: strokes and trees of shapes. The
 // source goes to the glyph's lib, and its outline into the contours.
-#include <cmath>
-
 #include "component/csg.hpp"
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
@@ -20,21 +18,9 @@ constexpr double kRadians = 0.017453292519943295;
 constexpr double kFit_u = 0.12;
 constexpr double kPathFit_u = 0.5;
 
-// Coordinates are rounded to this. [font units]
-constexpr double kGrid = 1.0 / 64;
-
 std::vector<PointContour> fitted(
-    const std::vector<std::vector<Point>>& polygons, double scale) {
-  std::vector<PointContour> contours;
-  for (const gen::Contour& contour : fit_polygons(polygons, kFit_u).contours) {
-    PointContour points = from_segments(contour, scale);
-    for (GlyphPoint& point : points.points) {
-      point.x = std::round(point.x / kGrid) * kGrid;
-      point.y = std::round(point.y / kGrid) * kGrid;
-    }
-    contours.push_back(std::move(points));
-  }
-  return contours;
+    const Project& project, const std::vector<std::vector<Point>>& polygons) {
+  return contours_of(project, fit_polygons(polygons, kFit_u));
 }
 
 StrokePoint point_of(const Value& value,
@@ -82,7 +68,7 @@ Change set_strokes(const Project& project, const Arguments& arguments) {
   }
   const gen::Shape shape(outline_of_polygons(polygons));
   return edited(project, arguments, [&](Glyph& glyph) {
-    glyph.contours = fitted(polygons_of(shape), scale);
+    glyph.contours = fitted(project, polygons_of(shape));
     glyph.lib[kStrokesKey] = arguments.value("strokes");
     glyph.lib.erase(kTreeKey);
   });
@@ -92,8 +78,7 @@ Change set_tree(const Project& project, const Arguments& arguments) {
   const gen::Shape shape = shape_of_tree(project, layer_of(project, arguments),
                                          arguments.value("tree"));
   return edited(project, arguments, [&](Glyph& glyph) {
-    glyph.contours =
-        fitted(polygons_of(shape), kUnitsOfU / project.units_per_em());
+    glyph.contours = fitted(project, polygons_of(shape));
     glyph.lib[kTreeKey] = arguments.value("tree");
     glyph.lib.erase(kStrokesKey);
   });

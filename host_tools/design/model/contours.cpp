@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kUnitsOfU = 1024;
 
+// Coordinates of outlines that were computed are rounded to this. [font units]
+constexpr double kGrid = 1.0 / 64;
+
 // References to references: what fonts have, and plenty more.
 constexpr int kMostDepth = 16;
 
@@ -288,6 +291,21 @@ PointContour from_segments(const gen::Contour& contour, double scale) {
                           type, joins_smoothly(segment, next), "", ""});
   }
   return out;
+}
+
+std::vector<PointContour> contours_of(const Project& project,
+                                      const gen::Outline& outline) {
+  std::vector<PointContour> contours;
+  for (const gen::Contour& contour : outline.contours) {
+    PointContour points =
+        from_segments(contour, kUnitsOfU / project.units_per_em());
+    for (GlyphPoint& point : points.points) {
+      point.x = std::round(point.x / kGrid) * kGrid;
+      point.y = std::round(point.y / kGrid) * kGrid;
+    }
+    contours.push_back(std::move(points));
+  }
+  return contours;
 }
 
 bool reaches(const Project& project,

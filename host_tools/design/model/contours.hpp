@@ -34,6 +34,10 @@ gen::Contour to_segments(const PointContour& contour, double scale);
 /// less than a degree.
 PointContour from_segments(const gen::Contour& contour, double scale);
 
+/// All contours of an outline [u] in font units, rounded to 1/64 of one.
+std::vector<PointContour> contours_of(const Project& project,
+                                      const gen::Outline& outline);
+
 /// Whether `from` is `target` or has it as a component, at any depth.
 bool reaches(const Project& project,
              size_t layer,

@@ -12,6 +12,7 @@ using Work = std::function<void()>;
 
 void add_export(CLI::App& app, Work& work);
 void add_import(CLI::App& app, Work& work);
+void add_import_svg(CLI::App& app, Work& work);
 void add_replay(CLI::App& app, Work& work);
 void add_roundtrip(CLI::App& app, Work& work);
 void add_stroke(CLI::App& app, Work& work);

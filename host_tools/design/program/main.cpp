@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   Work work;
   add_export(app, work);
   add_import(app, work);
+  add_import_svg(app, work);
   add_replay(app, work);
   add_roundtrip(app, work);
   add_stroke(app, work);

@@ -2,9 +2,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/output.hpp"
-#include "export/svg.hpp"
 #include "program/commands.hpp"
+#include "program/destination.hpp"
 #include "shape/shape.hpp"
 #include "stroke/stroke.hpp"
 #include "trace/field_outline.hpp"
@@ -15,13 +14,13 @@ namespace {
 struct Arguments {
   std::string path;
   std::string nib = "ellipse:80,80,0";
-  std::string out;
+  Destination destination;
   double path_tolerance = 0.5;
   double fit = 0.12;
 };
 
 void run(const Arguments& arguments) {
-  gen::check_writable(arguments.out);
+  check(arguments.destination);
   std::vector<std::vector<Point>> polygons;
   for (const Stroke& stroke :
        read_strokes(arguments.path, parse_nib(arguments.nib))) {
@@ -33,12 +32,11 @@ void run(const Arguments& arguments) {
   const gen::Outline curves = fit_polygons(polygons, arguments.fit);
   const EdgeError error = edge_error(gen::Shape(outline_of_polygons(polygons)),
                                      gen::Shape(curves), 1);
-  gen::OutputFile file(arguments.out);
-  file.write(svg_document(curves, arguments.nib + " along " + arguments.path));
-  file.commit();
+  const std::string written = write(curves, arguments.destination,
+                                    arguments.nib + " along " + arguments.path);
   std::printf(
       "%s: %zu contours, %zu segments, %.3f u from what the nib covers\n",
-      arguments.out.c_str(), curves.contours.size(), segment_count(curves),
+      written.c_str(), curves.contours.size(), segment_count(curves),
       error.worst);
 }
 
@@ -47,7 +45,7 @@ void run(const Arguments& arguments) {
 void add_stroke(CLI::App& app, Work& work) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "stroke", "Draw a path with a pen, and write its outline as SVG");
+      "stroke", "Draw a path with a pen: its outline as SVG or as a glyph");
   command
       ->add_option("--path", arguments->path,
                    "Points, x y [width [height [angle]]] on each line, in "
@@ -59,9 +57,7 @@ void add_stroke(CLI::App& app, Work& work) {
                    "ellipse:WIDTH,HEIGHT,ANGLE or rectangle:WIDTH,HEIGHT,ANGLE")
       ->capture_default_str()
       ->type_name("NIB");
-  command->add_option("--out", arguments->out, "The picture")
-      ->required()
-      ->type_name("GLYPH.svg");
+  add_destination(*command, arguments->destination);
   command
       ->add_option("--path-tolerance", arguments->path_tolerance,
                    "Bound on the distance of the path from its points "

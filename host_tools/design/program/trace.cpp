@@ -6,20 +6,22 @@
 
 #include "app/output.hpp"
 #include "bitmap/edge_walk.hpp"
-#include "export/svg.hpp"
 #include "fit/curve_fitter.hpp"
 #include "model/error.hpp"
 #include "program/commands.hpp"
+#include "program/destination.hpp"
 
 namespace inkcell::design {
 namespace {
 
 struct Arguments {
   std::string master;
-  std::string out;
+  Destination destination;
   std::string report;
   MasterOptions options;
   std::vector<double> origin;
+  std::vector<double> em;
+  int threshold = 0;  // 0: found if is_scan, else greys stay
   bool is_scan = false;
   bool no_extremes = false;
 };
@@ -29,22 +31,36 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
       .count();
 }
 
+MasterPlace place_of(const Arguments& arguments, const Bitmap& bitmap) {
+  if (!arguments.em.empty()) {
+    return place_between({arguments.em[0], arguments.em[1]},
+                         {arguments.em[2], arguments.em[3]});
+  }
+  if (arguments.options.place.px_per_em == 0) {
+    throw Error("say with --px-per-em or with --em how large the master is");
+  }
+  MasterPlace place = arguments.options.place;
+  place.origin_y = bitmap.height;
+  if (!arguments.origin.empty()) {
+    place.origin_x = arguments.origin[0];
+    place.origin_y = arguments.origin[1];
+  }
+  return place;
+}
+
 void run(Arguments& arguments) {
-  gen::check_writable(arguments.out);
+  check(arguments.destination);
   if (!arguments.report.empty()) {
     gen::check_writable(arguments.report);
   }
   const auto begin = std::chrono::steady_clock::now();
   Bitmap bitmap = read_bitmap(arguments.master);
-  if (arguments.is_scan) {
-    make_bilevel(bitmap, otsu_threshold(bitmap));
+  if (arguments.threshold != 0 || arguments.is_scan) {
+    make_bilevel(bitmap, arguments.threshold != 0 ? arguments.threshold
+                                                  : otsu_threshold(bitmap));
   }
   MasterOptions& options = arguments.options;
-  options.place.origin_y = bitmap.height;
-  if (!arguments.origin.empty()) {
-    options.place.origin_x = arguments.origin[0];
-    options.place.origin_y = arguments.origin[1];
-  }
+  options.place = place_of(arguments, bitmap);
   options.extremes = !arguments.no_extremes;
   const gen::Outline curves = outline_of(bitmap, options);
   if (curves.contours.empty()) {
@@ -52,11 +68,10 @@ void run(Arguments& arguments) {
                 ": holds no ink; dark pixels are ink, and specks below "
                 "--least-area are dropped");
   }
-  gen::OutputFile file(arguments.out);
-  file.write(svg_document(curves, arguments.master));
-  file.commit();
+  const std::string written =
+      write(curves, arguments.destination, arguments.master);
   const double seconds = seconds_since(begin);
-  std::printf("%s: %zu contours, %zu segments, %.2f s\n", arguments.out.c_str(),
+  std::printf("%s: %zu contours, %zu segments, %.2f s\n", written.c_str(),
               curves.contours.size(), segment_count(curves), seconds);
   if (!arguments.report.empty()) {
     const nlohmann::json report = {
@@ -87,21 +102,31 @@ void add_trace(CLI::App& app, Work& work) {
                    "PNG, PBM or PGM; dark is ink")
       ->required()
       ->type_name("BITMAP");
+  arguments->options.place.px_per_em = 0;
+  CLI::Option* px_per_em =
+      command
+          ->add_option("--px-per-em", arguments->options.place.px_per_em,
+                       "Pixels that an em is wide")
+          ->check(CLI::Range(16.0, 65536.0));
+  CLI::Option* origin =
+      command
+          ->add_option(
+              "--origin", arguments->origin,
+              "The glyph's origin, from the upper left corner [px]; the "
+              "lower left corner if left out")
+          ->expected(2)
+          ->delimiter(',')
+          ->type_name("X,Y");
   command
-      ->add_option("--px-per-em", arguments->options.place.px_per_em,
-                   "Pixels that an em is wide")
-      ->required()
-      ->check(CLI::Range(16.0, 65536.0));
-  command
-      ->add_option("--origin", arguments->origin,
-                   "The glyph's origin, from the upper left corner [px]; the "
-                   "lower left corner if left out")
-      ->expected(2)
+      ->add_option("--em", arguments->em,
+                   "Instead of both: the origin, and the point of the baseline "
+                   "an em to its right [px]; a slanting scan is turned")
+      ->expected(4)
       ->delimiter(',')
-      ->type_name("X,Y");
-  command->add_option("--out", arguments->out, "The picture")
-      ->required()
-      ->type_name("GLYPH.svg");
+      ->excludes(px_per_em)
+      ->excludes(origin)
+      ->type_name("X0,Y0,X1,Y1");
+  add_destination(*command, arguments->destination);
   command
       ->add_option("--fit", arguments->options.tolerance_u,
                    "Bound on the distance of curves from the edge [1/1024 em; "
@@ -112,8 +137,14 @@ void add_trace(CLI::App& app, Work& work) {
                    "Specks and holes below this are dropped [px^2]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  command->add_flag("--scan", arguments->is_scan,
-                    "A scan: divide its greys into ink and paper (Otsu)");
+  CLI::Option* scan =
+      command->add_flag("--scan", arguments->is_scan,
+                        "A scan: divide its greys into ink and paper (Otsu)");
+  command
+      ->add_option("--threshold", arguments->threshold,
+                   "Ink is what is at least so dark, 1..255")
+      ->check(CLI::Range(1, 255))
+      ->excludes(scan);
   command->add_flag("--no-extremes", arguments->no_extremes,
                     "Do not insist on points at extremes");
   command->add_option("--report", arguments->report, "Write the report as JSON")
