@@ -41,7 +41,8 @@ def bad(program, message, *arguments):
 
 def check_help(design):
     text = good(design, "--help")
-    for name in ("export", "import", "replay", "roundtrip", "stroke", "trace"):
+    for name in ("export", "import", "import-svg", "replay", "roundtrip",
+                 "stroke", "trace"):
         expect(name in text, f"--help does not name {name}")
         expect("--" in good(design, name, "--help"), f"{name} --help")
 
@@ -100,6 +101,7 @@ def check_pictures(design, folder):
          "--out", folder / "s.svg")
     bad(design, "nib 'round'", "stroke", "--path", path, "--nib", "round",
         "--out", folder / "s.svg")
+    (folder / "round.path").write_text("300 300\n")
     path.write_text("100\n")
     bad(design, "s.path:1: a point of a path", "stroke", "--path", path,
         "--out", folder / "s.svg")
@@ -112,9 +114,42 @@ def check_pictures(design, folder):
          folder / "t.svg", "--report", report)
     data = json.loads(report.read_text())
     expect(data["contours"] == 1 and data["segments"] >= 4, f"trace: {data}")
+    check_glyphs(design, folder, master)
     master.write_text("P2 2 2 255\n255 255 255 255\n")
     bad(design, "holds no ink", "trace", "--master", master, "--px-per-em",
         1024, "--out", folder / "t.svg")
+
+
+def check_glyphs(design, folder, master):
+    """Pictures that become glyphs, and glyphs that are combined."""
+    project = folder / "G.ufo"
+    good(design, "replay", "--do", '{"do": "add_glyph", "glyph": "empty"}',
+         "--out", project)
+    glyph = ("--project", project, "--glyph")
+    good(design, "trace", "--master", master, "--em", "0,99,90,99",
+         "--threshold", 100, *glyph, "bar")
+    good(design, "trace", "--master", master, "--px-per-em", 90,
+         "--scan", *glyph, "bar")
+    good(design, "import-svg", "--drawing", folder / "s.svg", *glyph, "stroke")
+    good(design, "stroke", "--path", folder / "round.path", *glyph, "dot")
+    good(design, "replay", "--project", project, "--do",
+         '{"do": "add_glyph", "glyph": "both"}', "--do",
+         '{"do": "set_tree", "glyph": "both", "tree": {"op": "blend",'
+         ' "radius": 60, "parts": [{"glyph": "bar"}, {"glyph": "dot",'
+         ' "matrix": {"reflect": "x", "turn": 90, "move": [300, 500]}}]}}',
+         "--do", '{"do": "add_component", "glyph": "empty", "base": "bar",'
+         ' "matrix": {"reflect": "y"}}')
+    for name in ("bar", "stroke", "dot", "both", "empty"):
+        picture = folder / "glyph.svg"
+        good(design, "export", *glyph, name, "--out", picture)
+        expect("C" in picture.read_text() or "L" in picture.read_text(),
+               f"{name} has no outline")
+    bad(design, "--out which picture", "import-svg", "--drawing",
+        folder / "s.svg")
+    bad(design, "or with --em", "trace", "--master", master, *glyph, "bar")
+    bad(design, "record 1 of 1: a tree of shapes", "replay", "--project",
+        project, "--do", '{"do": "set_tree", "glyph": "bar", "tree": 3}')
+    bad(design, "--do '{'", "replay", "--project", project, "--do", "{")
 
 
 def main():

@@ -92,6 +92,33 @@ TEST(Master, SaltDoesNoHarm) {
   EXPECT_EQ(outline.contours.size(), 2u);
 }
 
+// A bar on a baseline that falls by 0.1 is level between two points of it.
+TEST(Master, ASlantingScanIsTurnedUpright) {
+  constexpr double kEm_px = 160;
+  const double c = std::cos(0.1);
+  const double s = std::sin(0.1);
+  Bitmap bitmap;
+  bitmap.width = bitmap.height = kSide;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double along = c * (x + 0.5 - 40) + s * (y + 0.5 - 140);
+      const double above = s * (x + 0.5 - 40) - c * (y + 0.5 - 140);
+      bitmap.ink.push_back(
+          along > 10 && along < 90 && above > 10 && above < 60 ? 255 : 0);
+    }
+  }
+  MasterOptions options;
+  options.place = place_between({40, 140}, {40 + kEm_px * c, 140 + kEm_px * s});
+  const gen::Shape shape(outline_of(bitmap, options));
+  const double px = 1024 / kEm_px;
+  EXPECT_NEAR(shape.box().x0, 10 * px, px / 2);
+  EXPECT_NEAR(shape.box().y0, 10 * px, px / 2);
+  EXPECT_NEAR(shape.box().x1, 90 * px, px / 2);
+  EXPECT_NEAR(shape.box().y1, 60 * px, px / 2);
+  EXPECT_NEAR(shape.distance(50 * px, 35 * px), 25 * px, px / 2);
+  EXPECT_THROW(place_between({4, 4}, {8, 4}), Error);
+}
+
 TEST(Bitmap, ReadsWhatNetpbmAndPngSay) {
   const TemporaryFolder folder;
   const auto read = [&folder](const char* name, const std::string& text) {
@@ -110,6 +137,7 @@ TEST(Bitmap, ReadsWhatNetpbmAndPngSay) {
   EXPECT_EQ(read_bitmap(folder.path() / "d.png").ink, (Ink{0, 127, 255}));
   EXPECT_THROW(read("e.pbm", std::string("P4 30 20\n\xa0", 10)), Error);
   EXPECT_THROW(read("f.txt", "no bitmap at all"), Error);
+  EXPECT_THROW(read("g.pbm", "P1 65536 65536\n1"), Error);
 }
 
 TEST(Bitmap, OtsuDividesInkAndPaper) {

@@ -6,6 +6,7 @@
 
 #include "component/csg.hpp"
 #include "journal/session.hpp"
+#include "model/arguments.hpp"
 #include "model/commands.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
@@ -149,6 +150,39 @@ TEST_F(Csg, ErrorsSayWhatIsAllowed) {
   EXPECT_EQ(refusal(R"({"op": "blend", "parts": []})"),
             "a blend has a \"radius\" above 0, in font units");
   EXPECT_NE(refusal(R"({"glyph": "none"})"), "");
+}
+
+// What is kept of the walk grows with its box.
+TEST_F(Csg, ABlendOfAnyRadiusIsRefusedOrFitsIntoMemory) {
+  const Value command = Value::parse(R"({"do": "set_tree", "glyph": "out",
+      "tree": {"op": "blend", "radius": 1e9, "parts":
+               [{"glyph": "box"}, {"glyph": "disc"}]}})");
+  try {
+    run(command);
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "command 'set_tree', glyph 'out': an edge is followed within 8 "
+              "em by 8 em; make the glyph, or the radius of its blend, "
+              "smaller");
+  }
+}
+
+TEST_F(Csg, PartsAreReflectedScaledTurnedAndMoved) {
+  const auto placed = [this](const char* matrix) {
+    const Value command = {{"do", "x"}, {"matrix", Value::parse(matrix)}};
+    return Arguments(command).matrix("matrix");
+  };
+  const Matrix reflected = placed(R"({"reflect": "x", "move": [10, 20]})");
+  EXPECT_EQ(reflected.map(3, 4).x, 7);
+  EXPECT_EQ(reflected.map(3, 4).y, 24);
+  const Matrix turned = placed(R"({"scale": [2, 3], "turn": 90})");
+  EXPECT_EQ(turned.map(1, 0).x, 0);
+  EXPECT_EQ(turned.map(1, 0).y, 2);
+  EXPECT_EQ(turned.map(0, 1).x, -3);
+  EXPECT_EQ(placed(R"({"turn": -270, "reflect": "y"})").map(0, 1).x, 1);
+  EXPECT_THROW(placed(R"({"mirror": "x"})"), Error);
+  EXPECT_THROW(placed(R"({"turn": "left"})"), Error);
 }
 
 }  // namespace
