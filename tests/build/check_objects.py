@@ -23,8 +23,8 @@ STACK_LIMITS = (256, 384)
 HOST_STACK_LIMITS = (384, 512)
 
 # The first two hold the pixels of a band or a block; the loops of the third are
-# inlined for speed; the last one holds the maps of a glyph that is fitted.
-WIDE = ("draw_slanted", "draw_cells", "take_thirds", "open_with_maps")
+# inlined for speed.
+WIDE = ("draw_slanted", "draw_cells", "take_thirds")
 
 # This one holds a glyph of outlines where the caller lends no RAM.
 WITHOUT_RAM = "draw_on_stack"

@@ -80,10 +80,12 @@ bool open_outline(const Opening& opening, const OutlineJob& job) noexcept {
 
 // Not inline: most glyphs do not need its part of the stack.
 __attribute__((noinline)) static bool open_with_maps(
-    OutlineGlyph& opened, OutlinePlan& plan, const OutlineJob& job) noexcept {
+    Opening& opening, const OutlineJob& job) noexcept {
   GlyphWarp fitted;
-  const GlyphWarp* warp;
-  return open_outline({opened, plan, warp, &fitted}, job);
+  opening.fitted = &fitted;
+  const bool is_shown = open_outline(opening, job);
+  opening.fitted = nullptr;
+  return is_shown;
 }
 
 Rect outline_box(const Font& font,
@@ -94,10 +96,10 @@ Rect outline_box(const Font& font,
   OutlineGlyph opened;
   OutlinePlan plan;
   const GlyphWarp* warp;
+  Opening opening = {opened, plan, warp, nullptr};
   const OutlineJob job = {font, record, style, placed, glyph};
-  const bool is_shown = style.is_fitted()
-                            ? open_with_maps(opened, plan, job)
-                            : open_outline({opened, plan, warp, nullptr}, job);
+  const bool is_shown = style.is_fitted() ? open_with_maps(opening, job)
+                                          : open_outline(opening, job);
   return is_shown ? opened.box() : Rect{};
 }
 
