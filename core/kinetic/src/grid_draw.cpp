@@ -63,14 +63,6 @@ struct Block {
   uint8_t coverage[1 << DistanceGrid::kMaxScaleLog2][kBlock];
 };
 
-void fill_cell(Block& block, int32_t column, int32_t side) noexcept {
-  for (int32_t row = 0; row < side; ++row) {
-    for (int32_t i = 0; i < side; ++i) {
-      block.coverage[row][column + i] = 255;
-    }
-  }
-}
-
 // The samples around a cell. [1/32 of a sample]
 struct Corners {
   int32_t top_left;
@@ -78,6 +70,24 @@ struct Corners {
   int32_t bottom_left;
   int32_t bottom_right;
 };
+
+// A cell of 2 x 2 px: their weights are 9, 3, 3 and 1 of 16.
+void paint_square(const CellPaint& paint,
+                  const Corners& at,
+                  Block& block,
+                  int32_t column) noexcept {
+  const auto px = [&](int32_t near, int32_t far) {
+    return paint.filter.coverage(((3 * near + far) * 16 + paint.off_q13) >> 2);
+  };
+  const int32_t top[] = {3 * at.top_left + at.bottom_left,
+                         3 * at.top_right + at.bottom_right};
+  block.coverage[0][column] = px(top[0], top[1]);
+  block.coverage[0][column + 1] = px(top[1], top[0]);
+  const int32_t bottom[] = {at.top_left + 3 * at.bottom_left,
+                            at.top_right + 3 * at.bottom_right};
+  block.coverage[1][column] = px(bottom[0], bottom[1]);
+  block.coverage[1][column + 1] = px(bottom[1], bottom[0]);
+}
 
 // Bilinear, in steps of half a pixel. Where a sample is a pixel, its centre is
 // that of the sample at the upper left.
@@ -98,9 +108,6 @@ void paint_cell(const CellPaint& paint,
   const int32_t to_px = 11 - paint.scale_log2;
   const int32_t side = 1 << paint.scale_log2;
   const int32_t first = side > 1 ? 1 : 0;
-  const Filter& filter = paint.filter;
-  const int32_t low = filter.outside_q10;
-  const int32_t high = filter.inside_q10;
   for (int32_t row = 0; row < side; ++row) {
     const int32_t down = 2 * row + first;
     const int32_t left = at.top_left * 256 + (left_step * 256 * down >> shift);
@@ -111,10 +118,7 @@ void paint_cell(const CellPaint& paint,
     const int32_t field_step = (step >> paint.scale_log2) * gain;
     uint8_t* to = block.coverage[row] + column;
     for (int32_t i = 0; i < side; ++i, field += field_step) {
-      const int32_t px_q10 = field >> to_px;
-      to[i] = px_q10 <= low    ? uint8_t{0}
-              : px_q10 >= high ? uint8_t{255}
-                               : filter.ramp(px_q10);
+      to[i] = paint.filter.coverage(field >> to_px);
     }
   }
 }
@@ -138,23 +142,36 @@ void emit_row(const Sink& sink,
   }
 }
 
-void emit_block(const Sink& sink,
-                const Block& block,
-                const Rect& pixels,
-                bool is_full) noexcept {
-  const Rect shown = intersect(pixels, sink.window);
-  if (is_empty(shown)) {
-    return;
-  }
-  for (int32_t y = shown.y0; y < shown.y1; ++y) {
-    if (is_full) {
-      sink.solid(sink.context, shown.x0, y, shown.x1 - shown.x0);
-    } else {
-      emit_row(sink, block.coverage[y - pixels.y0], pixels.x0, y,
-               pixels.x1 - pixels.x0);
+// A row of cells on the screen.
+struct CellRow {
+  const Sink& sink;
+  int32_t x;  // of cell 0 [px]
+  int32_t y;
+  int32_t side;  // of a cell [px]
+
+  // Passes on the first `cells` cells of a block, from cell `first` on.
+  void emit(const Block& block, int32_t first, int32_t cells) const noexcept {
+    for (int32_t row = 0; row < side; ++row) {
+      if (y + row >= sink.window.y0 && y + row < sink.window.y1) {
+        emit_row(sink, block.coverage[row], x + first * side, y + row,
+                 cells * side);
+      }
     }
   }
-}
+
+  // Fills the cells from `first` to `end`.
+  void fill(int32_t first, int32_t end) const noexcept {
+    const Rect shown =
+        intersect({x + first * side, y, x + end * side, y + side}, sink.window);
+    for (int32_t row = shown.y0; row < shown.y1 && !is_empty(shown); ++row) {
+      sink.solid(sink.context, shown.x0, row, shown.x1 - shown.x0);
+    }
+  }
+};
+
+// What a column of two samples tells of the cells beside it: a cell is blank or
+// full if both of its columns are.
+enum : uint8_t { kMixed = 0, kBlank = 1, kFull = 2 };
 
 // Two rows of samples above each other; null beyond the grid.
 struct RowPair {
@@ -162,121 +179,107 @@ struct RowPair {
   const int8_t* bottom;
   int32_t width;
 
-  static constexpr int32_t kOutside = DistanceGrid::kOutside;
+  int32_t top_at(int32_t x) const noexcept { return at(top, x); }
+  int32_t bottom_at(int32_t x) const noexcept { return at(bottom, x); }
 
-  int32_t top_at(int32_t x) const noexcept {
-    return top != nullptr && x >= 0 && x < width ? top[x] : kOutside;
+  uint32_t kind_of(int32_t x, const CellPaint& paint) const noexcept {
+    const int32_t a = top_at(x);
+    const int32_t b = bottom_at(x);
+    return a <= paint.blank && b <= paint.blank ? kBlank
+           : a >= paint.full && b >= paint.full ? kFull
+                                                : kMixed;
   }
-  int32_t bottom_at(int32_t x) const noexcept {
-    return bottom != nullptr && x >= 0 && x < width ? bottom[x] : kOutside;
+
+  // The first column from `x` on, or `end`, that is not of this kind.
+  int32_t end_of(int32_t x,
+                 int32_t end,
+                 uint32_t kind,
+                 const CellPaint& paint) const noexcept {
+    if (top != nullptr && bottom != nullptr) {
+      const int32_t last = min(end, width);
+      if (kind == kBlank) {
+        while (x < last && top[x] <= paint.blank && bottom[x] <= paint.blank) {
+          ++x;
+        }
+      } else {
+        while (x < last && top[x] >= paint.full && bottom[x] >= paint.full) {
+          ++x;
+        }
+      }
+      if (x < last) {
+        return x;
+      }
+    }
+    while (x < end && kind_of(x, paint) == kind) {
+      ++x;
+    }
+    return x;
+  }
+
+ private:
+  int32_t at(const int8_t* row, int32_t x) const noexcept {
+    return row != nullptr && x >= 0 && x < width ? row[x]
+                                                 : DistanceGrid::kOutside;
   }
 };
 
-// Whether samples of a row, from `first` to `end`, are all at most `level`, or
-// all at least. They end early: most blocks are of one kind from the start.
-bool are_at_most(const int8_t* row,
-                 int32_t first,
-                 int32_t end,
-                 int32_t level) noexcept {
-  for (const int8_t* at = row + first; at != row + end; ++at) {
-    if (*at > level) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool are_at_least(const int8_t* row,
-                  int32_t first,
-                  int32_t end,
-                  int32_t level) noexcept {
-  for (const int8_t* at = row + first; at != row + end; ++at) {
-    if (*at < level) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// The same of both rows, from `first` to `end`, and beyond the grid.
-bool is_blank(const RowPair& rows,
-              int32_t first,
-              int32_t end,
-              int32_t level) noexcept {
-  const int32_t low = first < 0 ? 0 : first;
-  const int32_t high = end > rows.width ? rows.width : end;
-  const bool has_beyond = rows.top == nullptr || rows.bottom == nullptr ||
-                          low != first || high != end;
-  return (!has_beyond || RowPair::kOutside <= level) &&
-         (rows.top == nullptr || are_at_most(rows.top, low, high, level)) &&
-         (rows.bottom == nullptr || are_at_most(rows.bottom, low, high, level));
-}
-
-bool is_full(const RowPair& rows,
-             int32_t first,
-             int32_t end,
-             int32_t level) noexcept {
-  const bool has_beyond = rows.top == nullptr || rows.bottom == nullptr ||
-                          first < 0 || end > rows.width;
-  return !has_beyond && are_at_least(rows.top, first, end, level) &&
-         are_at_least(rows.bottom, first, end, level);
-}
-
-__attribute__((noinline)) void paint_block(const RowPair& rows,
-                                           const CellPaint& paint,
-                                           int32_t first,
-                                           int32_t cells,
-                                           Block& block) noexcept {
-  const int32_t side = 1 << paint.scale_log2;
-  __builtin_memset(block.coverage, 0,
-                   sizeof block.coverage[0] * static_cast<size_t>(side));
+// Paints cells from `first` on until one is blank or full, at most as many as a
+// block holds. Returns how many.
+__attribute__((noinline)) int32_t paint_block(const RowPair& rows,
+                                              const CellPaint& paint,
+                                              int32_t first,
+                                              int32_t end,
+                                              Block& block) noexcept {
+  const int32_t most = min(end - first, kBlock >> paint.scale_log2);
   Corners at;
   at.top_right = rows.top_at(first - 1);
   at.bottom_right = rows.bottom_at(first - 1);
-  for (int32_t i = 0; i < cells; ++i) {
+  int32_t cells = 0;
+  while (cells < most) {
     at.top_left = at.top_right;
     at.bottom_left = at.bottom_right;
-    at.top_right = rows.top_at(first + i);
-    at.bottom_right = rows.bottom_at(first + i);
-    if (at.top_left <= paint.blank && at.top_right <= paint.blank &&
-        at.bottom_left <= paint.blank && at.bottom_right <= paint.blank) {
-      continue;
+    at.top_right = rows.top_at(first + cells);
+    at.bottom_right = rows.bottom_at(first + cells);
+    if ((at.top_left <= paint.blank && at.top_right <= paint.blank &&
+         at.bottom_left <= paint.blank && at.bottom_right <= paint.blank) ||
+        (at.top_left >= paint.full && at.top_right >= paint.full &&
+         at.bottom_left >= paint.full && at.bottom_right >= paint.full)) {
+      break;
     }
-    if (at.top_left >= paint.full && at.top_right >= paint.full &&
-        at.bottom_left >= paint.full && at.bottom_right >= paint.full) {
-      fill_cell(block, i * side, side);
+    const int32_t column = cells << paint.scale_log2;
+    if (paint.scale_log2 == 1 && paint.slope_q8 == 0) {
+      paint_square(paint, at, block, column);
     } else {
-      paint_cell(paint, at, block, i * side);
+      paint_cell(paint, at, block, column);
     }
+    ++cells;
   }
+  return cells;
 }
 
-// A row of cells, block by block. Its upper left pixel is at (x, y). A frame of
-// its own: what it holds is not there while rows are sought.
+// The cells of a row from `first` to `end`, in runs that are blank, full or
+// neither. A frame of its own: what it holds is not there while rows are
+// sought.
 __attribute__((noinline)) void draw_cells(const RowPair& rows,
                                           const CellPaint& paint,
-                                          int32_t x,
-                                          int32_t y,
-                                          const Sink& sink) noexcept {
-  const int32_t side = 1 << paint.scale_log2;
-  const int32_t most_cells = kBlock >> paint.scale_log2;
-  for (int32_t first = 0; first <= rows.width; first += most_cells) {
-    const int32_t left = rows.width + 1 - first;
-    const int32_t cells = left < most_cells ? left : most_cells;
-    const Rect pixels = {x + first * side, y, x + (first + cells) * side,
-                         y + side};
-    if (is_empty(intersect(pixels, sink.window))) {
-      continue;
+                                          const CellRow& row,
+                                          int32_t first,
+                                          int32_t end) noexcept {
+  for (int32_t cell = first; cell < end;) {
+    const uint32_t kind = rows.kind_of(cell - 1, paint);
+    if (kind != kMixed) {
+      const int32_t begin = cell;
+      cell = rows.end_of(cell, end, kind, paint);
+      if (kind == kFull && cell != begin) {
+        row.fill(begin, cell);
+      }
     }
-    if (is_blank(rows, first - 1, first + cells, paint.blank)) {
-      continue;
+    if (cell < end) {
+      Block block;
+      const int32_t cells = paint_block(rows, paint, cell, end, block);
+      row.emit(block, cell, cells);
+      cell += cells;
     }
-    Block block;
-    const bool full = is_full(rows, first - 1, first + cells, paint.full);
-    if (!full) {
-      paint_block(rows, paint, first, cells, block);
-    }
-    emit_block(sink, block, pixels, full);
   }
 }
 
@@ -297,6 +300,10 @@ void draw_grid(const DistanceGrid& grid,
   // The first cells begin half a sample before the grid; where a sample is a
   // pixel, a whole one.
   const int32_t before = (side + 1) / 2;
+  const int32_t left = x - before;
+  const int32_t first = max(0, (sink.window.x0 - left) >> paint.scale_log2);
+  const int32_t end = min(
+      grid.width() + 1, (sink.window.x1 - left + side - 1) >> paint.scale_log2);
   for (int32_t row = 0; row <= grid.height(); ++row) {
     const int32_t top = y + row * side - before;
     if (top >= sink.window.y1 || top + side <= sink.window.y0) {
@@ -305,7 +312,7 @@ void draw_grid(const DistanceGrid& grid,
     const RowPair rows = {row > 0 ? grid.row(row - 1) : nullptr,
                           row < grid.height() ? grid.row(row) : nullptr,
                           grid.width()};
-    draw_cells(rows, paint, x - before, top, sink);
+    draw_cells(rows, paint, {sink, left, top, side}, first, end);
   }
 }
 
