@@ -34,6 +34,7 @@ struct Arguments {
   std::string size = "320x240";
   uint32_t frames = scenes::kLoopFrames;
   uint32_t from = 0;
+  int every = 1;
   std::string format = "apng";
   std::string out;
   std::string stats;
@@ -142,6 +143,7 @@ struct Output {
 
 Output open_output(const Arguments& arguments, Size size) {
   size = {size.width * arguments.zoom, size.height * arguments.zoom};
+  const int frames_per_second = scenes::kFramesPerSecond / arguments.every;
   if (arguments.format == "frames") {
     const std::filesystem::path folder = arguments.out;
     std::filesystem::create_directories(folder);
@@ -153,14 +155,14 @@ Output open_output(const Arguments& arguments, Size size) {
   }
   check_folder_of(arguments.out);
   if (arguments.format == "gif") {
-    auto gif = std::make_shared<GifWriter>(
-        arguments.out, size.width, size.height, scenes::kFramesPerSecond);
+    auto gif = std::make_shared<GifWriter>(arguments.out, size.width,
+                                           size.height, frames_per_second);
     return {[gif](const Image& frame, uint32_t) { gif->add(frame); },
             [gif] { gif->finish(); }};
   }
   auto apng =
       std::make_shared<ApngWriter>(arguments.out, size.width, size.height,
-                                   arguments.frames, scenes::kFramesPerSecond);
+                                   arguments.frames, frames_per_second);
   return {[apng](const Image& frame, uint32_t) { apng->add(frame); },
           [apng] { apng->finish(); }};
 }
@@ -204,7 +206,8 @@ void play(const Arguments& arguments, Player& player, Size size) {
   gen::Progress progress(false);
   uint32_t due = 0;
   for (uint32_t i = 0; i < arguments.frames; ++i) {
-    const uint32_t number = arguments.from + i;
+    const uint32_t number =
+        arguments.from + i * static_cast<uint32_t>(arguments.every);
     player.set_frame(number);
     player.draw(frame, arguments.rows);
     std::array<Rect, 8> room;
@@ -273,6 +276,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--from", arguments.from, "The first frame")
       ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  app.add_option("--every", arguments.every,
+                 "Take one frame of N, for smaller files")
+      ->check(CLI::IsMember({1, 2, 3, 5, 6, 10, 15, 30}))
+      ->type_name("N")
       ->capture_default_str();
   app.add_option("--format", arguments.format, "apng, gif or frames (PNG)")
       ->check(CLI::IsMember({"apng", "gif", "frames"}))

@@ -131,6 +131,15 @@ class Animate(unittest.TestCase):
                 self.assertEqual(file.read_bytes(),
                                  (played / file.name).read_bytes(), file.name)
 
+    def test_every_takes_one_frame_of_n(self):
+        all_of, _ = self.play("clock", "p", "--format", "frames", frames=13)
+        some, _ = self.play("clock", "e.png", "--every", 6, frames=3)
+        frames = frames_of(some.read_bytes())
+        for i, frame in enumerate(frames):
+            data = b"".join(data for kind, data in chunks(
+                (all_of / f"{6 * i:05d}.png").read_bytes()) if kind == b"IDAT")
+            self.assertEqual(b"".join(unfilter(data, 128, 64)), frame)
+
     def test_strips_make_no_difference(self):
         for scene in SCENES:
             hashes = {self.play(scene, "r.png", "--from", 40, "--rows", rows)
