@@ -107,18 +107,10 @@ bool ParticleScene::show_word(int32_t index) noexcept {
   }
   word_ = index;
   // The word and its rings: as far as the grid knows distances.
-  word_box_ = {};
-  const int32_t scale = grid_.scale_log2();
-  for (int32_t y = 0; y < grid_.height(); ++y) {
-    for (int32_t x = 0; x < grid_.width(); ++x) {
-      if (grid_.at(x, y) != DistanceGrid::kOutside) {
-        word_box_ = bounding_box(word_box_, {x - 1, y - 1, x + 2, y + 2});
-      }
-    }
-  }
-  const auto px = [&](int32_t samples) { return samples * (1 << scale); };
-  word_box_ = {px(word_box_.x0), px(word_box_.y0), px(word_box_.x1),
-               px(word_box_.y1)};
+  const Rect known = grid_.known_box();
+  const int32_t side = 1 << grid_.scale_log2();
+  word_box_ = {(known.x0 - 1) * side, (known.y0 - 1) * side,
+               (known.x1 + 1) * side, (known.y1 + 1) * side};
   return is_painted;
 }
 

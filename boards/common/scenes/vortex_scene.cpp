@@ -176,23 +176,10 @@ void VortexScene::step() noexcept {
 
 // The part of the screen where the grid knows distances.
 Rect VortexScene::inked_box() const noexcept {
-  Rect box;
-  for (int32_t y = 0; y < grid_.height(); ++y) {
-    const int8_t* row = grid_.row(y);
-    int32_t first = 0;
-    int32_t last = grid_.width() - 1;
-    while (first <= last && row[first] == DistanceGrid::kOutside) {
-      ++first;
-    }
-    while (last >= first && row[last] == DistanceGrid::kOutside) {
-      --last;
-    }
-    if (first <= last) {
-      box = bounding_box(box, {first - 1, y - 1, last + 2, y + 2});
-    }
-  }
+  const Rect box = grid_.known_box();
   const int32_t side = 1 << grid_.scale_log2();
-  return {box.x0 * side, box.y0 * side, box.x1 * side, box.y1 * side};
+  return {(box.x0 - 1) * side, (box.y0 - 1) * side, (box.x1 + 1) * side,
+          (box.y1 + 1) * side};
 }
 
 void VortexScene::set_frame(uint32_t frame) noexcept {

@@ -3,6 +3,7 @@
 // Rounding decides: what is cut and not rounded is a wind that never stops.
 #include "inkcell/kinetic/advect.hpp"
 
+#include "known_span.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -193,15 +194,25 @@ void advect(const DistanceGrid& grid,
   // What moves less than a sample, and is far from edges with all neighbours,
   // stays far.
   const bool is_slow = fastest_q8(flow) < 256;
+  const KnownSpan all = {0, grid.width()};
+  KnownSpan known_above = all;
+  KnownSpan known = known_span(grid.row(0), grid.width());
   for (int32_t y = 0; y < grid.height(); ++y) {
     int8_t* to = out.row(y);
     const int8_t* at = grid.row(y);
     const bool is_border = y == 0 || y + 1 == grid.height();
     const int8_t* above = is_border ? at : at - grid.width();
     const int8_t* below = is_border ? at : at + grid.width();
+    const KnownSpan known_below =
+        is_border ? all : known_span(below, grid.width());
+    KnownSpan span = united(known, united(known_above, known_below));
+    span = is_slow && !is_border ? grown(span, 1, grid.width()) : all;
+    known_above = known;
+    known = known_below;
+    clear_around(span, to, grid.width());
     int32_t before = 0;  // sides of the columns before this one, and of it
     int32_t here = 0;
-    for (int32_t x = 0; x < grid.width(); ++x) {
+    for (int32_t x = span.first; x < span.end; ++x) {
       const int32_t after =
           is_slow && !is_border && x + 1 < grid.width()
               ? far_side(above + x + 1, at + x + 1, below + x + 1)

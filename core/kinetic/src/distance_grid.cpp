@@ -2,8 +2,10 @@
 #include "inkcell/kinetic/distance_grid.hpp"
 
 #include "inkcell/effects.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/text_style.hpp"
+#include "known_span.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -69,6 +71,17 @@ int32_t DistanceGrid::area() const noexcept {
     sum += covered < 0 ? 0 : covered > 64 ? 64 : covered;
   }
   return sum;
+}
+
+Rect DistanceGrid::known_box() const noexcept {
+  Rect box;
+  for (int32_t y = 0; y < height_; ++y) {
+    const KnownSpan known = known_span(row(y), width_);
+    if (known.first < known.end) {
+      box = bounding_box(box, {known.first, y, known.end, y + 1});
+    }
+  }
+  return box;
 }
 
 void DistanceGrid::clear() noexcept {

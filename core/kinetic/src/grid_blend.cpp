@@ -1,6 +1,7 @@
 // One pass over the samples, one over their histogram.
 #include "inkcell/kinetic/grid_blend.hpp"
 
+#include "known_span.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -94,9 +95,13 @@ Fixed<int32_t, 13> cutoff_for(const DistanceGrid& grid,
                               int32_t area,
                               GridHistogram& scratch) noexcept {
   clear(scratch);
-  const int8_t* samples = grid.row(0);
-  for (int32_t i = 0; i < grid.width() * grid.height(); ++i) {
-    count_in(samples[i], scratch);
+  // Others are kOutside, which lies beyond every ramp.
+  for (int32_t y = 0; y < grid.height(); ++y) {
+    const int8_t* row = grid.row(y);
+    const KnownSpan known = known_span(row, grid.width());
+    for (int32_t x = known.first; x < known.end; ++x) {
+      count_in(row[x], scratch);
+    }
   }
   // From 1/64 of a sample to 1/16, Q8; at most 2^26.
   const auto wanted = static_cast<uint32_t>(area < 0 ? 0 : area) * 64;

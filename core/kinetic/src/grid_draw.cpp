@@ -8,6 +8,7 @@
 // bilinear. Only cells near an edge take more than that.
 #include "inkcell/kinetic/grid_draw.hpp"
 
+#include "known_span.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -312,7 +313,19 @@ void draw_grid(const DistanceGrid& grid,
     const RowPair rows = {row > 0 ? grid.row(row - 1) : nullptr,
                           row < grid.height() ? grid.row(row) : nullptr,
                           grid.width()};
-    draw_cells(rows, paint, {sink, left, top, side}, first, end);
+    KnownSpan cells = {first, end};
+    if (DistanceGrid::kOutside <= paint.blank) {
+      // Cells outside of what both rows know are blank.
+      KnownSpan known = {grid.width(), 0};
+      const int8_t* const both[] = {rows.top, rows.bottom};
+      for (const int8_t* samples : both) {
+        known = samples == nullptr
+                    ? known
+                    : united(known, known_span(samples, grid.width()));
+      }
+      cells = {max(first, known.first), min(end, known.end + 1)};
+    }
+    draw_cells(rows, paint, {sink, left, top, side}, cells.first, cells.end);
   }
 }
 

@@ -1,6 +1,7 @@
 // Fast sweeping: distances spread from the edge in four orders.
 #include "inkcell/kinetic/redistance.hpp"
 
+#include "known_span.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -77,11 +78,25 @@ int32_t slope(int32_t value, int32_t before, int32_t after) noexcept {
   return (after < before ? before - after : after - before) >> 1;
 }
 
+// What a row and its neighbours know, with `by` more samples on both sides.
+KnownSpan span_around(const DistanceGrid& grid,
+                      int32_t y,
+                      int32_t by) noexcept {
+  KnownSpan span = {grid.width(), 0};
+  const int32_t last = min(y + 1, grid.height() - 1);
+  for (int32_t row = max(y - 1, 0); row <= last; ++row) {
+    span = united(span, known_span(grid.row(row), grid.width()));
+  }
+  return grown(span, by, grid.width());
+}
+
 // Next to the edge a value over its slope, which is within 3 %; all others are
 // far for now.
 void mark(const DistanceGrid& from, DistanceGrid& to) noexcept {
   for (int32_t y = 0; y < from.height(); ++y) {
-    for (int32_t x = 0; x < from.width(); ++x) {
+    const KnownSpan span = span_around(from, y, 1);
+    clear_around(span, to.row(y), to.width());
+    for (int32_t x = span.first; x < span.end; ++x) {
       const int32_t value = from.row(y)[x];
       int32_t distance = kMost;
       if (is_edge(from, x, y)) {
@@ -145,8 +160,12 @@ void redistance(const DistanceGrid& from, DistanceGrid& grid) noexcept {
     const int32_t step = (order & 1) != 0 ? -1 : 1;
     for (int32_t i = 1; i < height - 1; ++i) {
       const int32_t y = (order & 2) != 0 ? height - 1 - i : i;
-      int8_t* at = grid.row(y) + (step > 0 ? 1 : width - 2);
-      for (int32_t k = 1; k < width - 1; ++k, at += step) {
+      // Distances are known 4 samples far: no others change.
+      const KnownSpan span = span_around(grid, y, 5);
+      const int32_t first = max(span.first, 1);
+      const int32_t end = min(span.end, width - 1);
+      int8_t* at = grid.row(y) + (step > 0 ? first : end - 1);
+      for (int32_t x = first; x < end; ++x, at += step) {
         spread_to(at, width);
       }
     }

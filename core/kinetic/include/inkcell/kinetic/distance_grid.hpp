@@ -74,6 +74,10 @@ class DistanceGrid {
   /// [1/64 of a square]
   int32_t area() const noexcept;
 
+  /// The smallest box around all samples that are not kOutside. [samples] Empty
+  /// if there are none.
+  Rect known_box() const noexcept;
+
   /// Nothing is inside.
   void clear() noexcept;
 
