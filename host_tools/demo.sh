@@ -43,7 +43,7 @@ for coding in outline edges samples; do
   "$fontgen" --font "$font" --coding $coding --out "$out/$coding.bin" \
     --report "$out/$coding.json" >>"$out/sizes.txt"
   "$tools/inkcell-accuracy" --font "$out/$coding.bin" --truth "$font" \
-    --json "$out/${coding}_accuracy.json" --no-check >>"$out/accuracy.txt"
+    --report "$out/${coding}_accuracy.json" --no-check >>"$out/accuracy.txt"
 done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
@@ -51,15 +51,15 @@ python3 host_tools/size_table.py "$out" outline edges samples |
   tee "$out/table.txt"
 
 echo "Drawing on this machine"
-"$tools/inkcell-specimen" "$out/outline.bin" --sizes "$out/sizes.png" \
-  --body "$out/body.png" --turned "$out/turned.png" \
-  --moved "$out/moved.png" --filters "$out/filters.png" \
-  --effects "$out/effects.png" --lcd "$out/lcd.png" \
-  --levels "$out/levels.png" --maps "$out/maps.png" \
-  --fitting "$out/fitting.png"
-"$tools/inkcell-specimen" "$out/edges.bin" --contrast "$out/contrast.png" \
-  --motion "$out/motion.png"
-"$tools/inkcell-specimen" "$out/digits.bin" --digits "$out/digits.png"
+"$tools/inkcell-specimen" "$out/outline.bin" --draw-sizes "$out/sizes.png" \
+  --draw-body "$out/body.png" --draw-turned "$out/turned.png" \
+  --draw-moved "$out/moved.png" --draw-filters "$out/filters.png" \
+  --draw-effects "$out/effects.png" --draw-lcd "$out/lcd.png" \
+  --draw-levels "$out/levels.png" --draw-maps "$out/maps.png" \
+  --draw-fitting "$out/fitting.png"
+"$tools/inkcell-specimen" "$out/edges.bin" --draw-contrast "$out/contrast.png" \
+  --draw-motion "$out/motion.png"
+"$tools/inkcell-specimen" "$out/digits.bin" --draw-digits "$out/digits.png"
 for coding in samples edges; do
   "$tools/inkcell-inspect" "$out/$coding.bin" --cells "$out/cells_$coding.png" \
     >>"$out/sizes.txt"

@@ -12,20 +12,20 @@ cd "$(dirname "$0")/.."
 fonts=/usr/share/fonts/truetype
 mkdir -p docs/img
 "$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
-  --sizes docs/img/sizes.png --filters docs/img/filters.png \
-  --lcd docs/img/lcd.png --levels docs/img/levels.png \
-  --maps docs/img/maps.png --effects docs/img/effects.png
+  --draw-sizes docs/img/sizes.png --draw-filters docs/img/filters.png \
+  --draw-lcd docs/img/lcd.png --draw-levels docs/img/levels.png \
+  --draw-maps docs/img/maps.png --draw-effects docs/img/effects.png
 "$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" --coding edges \
-  --motion docs/img/motion.png
+  --draw-motion docs/img/motion.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --compare-body docs/img/compare_body.png \
-  --compare-display docs/img/compare_display.png --star docs/img/star.png
+  --draw-compare-body docs/img/compare_body.png \
+  --draw-compare-display docs/img/compare_display.png --draw-star docs/img/star.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --fitting docs/img/fitting.png
+  --draw-fitting docs/img/fitting.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --coding edges --contrast docs/img/contrast.png
+  --coding edges --draw-contrast docs/img/contrast.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Italic.ttf" \
-  --compare-body docs/img/compare_italic.png
+  --draw-compare-body docs/img/compare_italic.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --glyph a --side 600 --coding edges --cells docs/img/cells.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \

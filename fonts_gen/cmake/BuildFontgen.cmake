@@ -38,10 +38,17 @@ if(NOT "${before}" STREQUAL "${configured}")
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   file(WRITE "${FOLDER}/configured" "${configured}")
 endif()
+# The first time takes a while, and shows how far it is; later there is seldom
+# anything to do.
+set(quiet OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(NOT EXISTS "${FOLDER}/inkcell-fontgen${CMAKE_HOST_EXECUTABLE_SUFFIX}")
+  set(quiet)
+  set(output "see above")
+endif()
 execute_process(
   COMMAND "${CMAKE_COMMAND}" --build "${FOLDER}" --config Release
     --target inkcell-fontgen
-  OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+  ${quiet} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "inkcell-fontgen cannot be built:\n${output}")
 endif()

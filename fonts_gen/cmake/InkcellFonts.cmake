@@ -3,11 +3,11 @@
 #   inkcell_add_font(<target> FONT <file>
 #     [NAME <identifier>]      default: the file's name
 #     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
-#     [SYMBOLS <string>] [TEXT <utf-8 file>...]
+#     [SYMBOLS <string>] [TEXT_FILE <utf-8 file>...]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
 #     [CODING outline|edges|samples] [HINTS on|off]
-#     [PREDICATE size|fixed] [EFFORT <0..9>])
+#     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT])
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
@@ -22,6 +22,8 @@
 # The generator runs on the build host. Which one is used:
 # - INKCELL_FONTGEN, if set: the path of the program;
 # - else the one of this build, or the one that was installed with this file;
+# - else, in another project, an installed one of the same version, if the
+#   machine's PATH has one;
 # - else, when cross compiling or when inkcell is part of another project, one
 #   that is built from the sources with the machine's own compiler, into
 #   INKCELL_FONTGEN_DIR. Several build trees may share that folder; another
@@ -43,6 +45,12 @@ function(_inkcell_build_fontgen program)
   if(TARGET inkcell_fontgen_native)
     return()
   endif()
+  if(NOT EXISTS "${built}")
+    message(STATUS
+      "inkcell: the first build makes inkcell-fontgen for this machine in "
+      "${folder}: about two minutes of one core, once. Build trees that set "
+      "INKCELL_FONTGEN_DIR share it; an installed one is taken instead.")
+  endif()
   cmake_path(SET source NORMALIZE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
   add_custom_target(inkcell_fontgen_native
     COMMAND ${CMAKE_COMMAND}
@@ -53,8 +61,32 @@ function(_inkcell_build_fontgen program)
       "-DCXX=${INKCELL_HOST_CXX}"
       -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/BuildFontgen.cmake"
     BYPRODUCTS "${built}"
-    COMMENT "Building inkcell-fontgen for this machine"
-    VERBATIM)
+    COMMENT "Building inkcell-fontgen for this machine, unless it is up to date"
+    USES_TERMINAL VERBATIM)
+endfunction()
+
+# Sets `program` to an installed generator of the version of these sources, or to
+# nothing. The project itself takes none: its sources may be ahead of its version.
+function(_inkcell_same_fontgen program)
+  set(${program} "" PARENT_SCOPE)
+  if(inkcell_IS_TOP_LEVEL)
+    return()
+  endif()
+  file(STRINGS
+    "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../core/include/inkcell/version.hpp"
+    version REGEX "kLibraryVersion")
+  list(TRANSFORM version REPLACE "[^0-9]*8_t [^0-9]*([0-9]+);.*" "\\1")
+  list(JOIN version "." version)
+  find_program(_inkcell_fontgen_in_path inkcell-fontgen
+    NO_CMAKE_FIND_ROOT_PATH NO_CACHE)
+  if(_inkcell_fontgen_in_path)
+    execute_process(COMMAND "${_inkcell_fontgen_in_path}" --version
+      OUTPUT_VARIABLE said ERROR_QUIET)
+    if("${said}" MATCHES "^inkcell-fontgen ${version},")
+      message(STATUS "inkcell: fonts are made by ${_inkcell_fontgen_in_path}")
+      set(${program} "${_inkcell_fontgen_in_path}" PARENT_SCOPE)
+    endif()
+  endif()
 endfunction()
 
 # Sets `program` to the generator and `depends` to what must be built first.
@@ -71,6 +103,12 @@ function(_inkcell_find_fontgen program depends)
     return()
   endif()
   if(EXISTS "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src/app/main.cpp")
+    _inkcell_same_fontgen(same)
+    if(same)
+      set(${program} "${same}" PARENT_SCOPE)
+      set(${depends} "${same}" PARENT_SCOPE)
+      return()
+    endif()
     _inkcell_build_fontgen(built)
     set(${program} "${built}" PARENT_SCOPE)
     set(${depends} inkcell_fontgen_native "${built}" PARENT_SCOPE)
@@ -113,8 +151,9 @@ function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
     PREDICATE EFFORT)
-  set(several CHARS TEXT AXIS)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "${single}" "${several}")
+  set(several CHARS TEXT_FILE AXIS)
+  cmake_parse_arguments(
+    PARSE_ARGV 1 arg "BEST_EFFORT" "${single}" "${several}")
   if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR
       "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
@@ -166,6 +205,9 @@ function(inkcell_add_font target)
       list(APPEND options "${option}=${arg_${word}}")
     endif()
   endforeach()
+  if(arg_BEST_EFFORT)
+    list(APPEND options --best-effort)
+  endif()
   foreach(word CHARS AXIS)
     string(TOLOWER "--${word}" option)
     foreach(value IN LISTS arg_${word})
@@ -173,9 +215,9 @@ function(inkcell_add_font target)
     endforeach()
   endforeach()
   set(texts)
-  foreach(value IN LISTS arg_TEXT)
+  foreach(value IN LISTS arg_TEXT_FILE)
     cmake_path(ABSOLUTE_PATH value NORMALIZE)
-    list(APPEND options "--text=${value}")
+    list(APPEND options "--text-file=${value}")
     list(APPEND texts "${value}")
   endforeach()
 
@@ -186,7 +228,7 @@ function(inkcell_add_font target)
     # By way of a file: no list and no shell takes a ; or a \ for its own.
     set(symbols "${header}.symbols")
     _inkcell_write_if_different("${symbols}" "${arg_SYMBOLS}")
-    list(APPEND options "--text=${symbols}")
+    list(APPEND options "--text-file=${symbols}")
     list(APPEND texts "${symbols}")
   endif()
 

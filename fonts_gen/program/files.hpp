@@ -1,9 +1,12 @@
 // The files that a program reads and writes: which of them are the same.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -49,6 +52,41 @@ inline bool is_same_file(const std::filesystem::path& a,
            whole.filename();
   };
   return place(a) == place(b);
+}
+
+/// Throws std::runtime_error if `target` lies where the system keeps its fonts,
+/// or would replace a font file. A name made of the source's, X.bin of X.ttf,
+/// leads there by mistake.
+inline void refuse_among_fonts(const std::filesystem::path& target) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path whole = follow_links(target);
+  const fs::path folder = fs::weakly_canonical(folder_of(whole), error);
+  for (const char* of_fonts :
+       {"/usr/share/fonts", "/usr/local/share/fonts", "/Library/Fonts",
+        "/System/Library/Fonts", "C:\\Windows\\Fonts"}) {
+    const fs::path root(of_fonts);
+    const auto [left, at] =
+        std::mismatch(root.begin(), root.end(), folder.begin(), folder.end());
+    if (left == root.end()) {
+      throw std::runtime_error(target.string() +
+                               ": would lie among the fonts of the system; "
+                               "name a file in a folder of yours");
+    }
+  }
+  char magic[4] = {};
+  std::ifstream in(whole, std::ios::binary);
+  in.read(magic, sizeof magic);
+  const std::string_view found(magic, static_cast<size_t>(in.gcount()));
+  for (const std::string_view font :
+       {std::string_view("\0\1\0\0", 4), std::string_view("OTTO"),
+        std::string_view("true"), std::string_view("ttcf")}) {
+    if (found == font) {
+      throw std::runtime_error(target.string() +
+                               ": is a font file, which would be replaced; "
+                               "name another file");
+    }
+  }
 }
 
 /// Throws std::runtime_error if one of `targets` is the same file as another or

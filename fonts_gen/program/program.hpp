@@ -59,12 +59,17 @@ class Words {
   std::vector<const char*> pointers_;
 };
 
+/// Exit codes of all programs: 0, it is done; 1, it could not be done, and
+/// standard error says why; 2, it is done, and the font that was judged misses
+/// a limit.
+inline constexpr int kFailed = 1;
+inline constexpr int kMissed = 2;
+
 /// Adds --version, parses the arguments and calls `work`. Returns what main()
-/// shall: the result of `work`, or `failed` if the arguments are wrong or it
+/// shall: the result of `work`, or kFailed if the arguments are wrong or it
 /// threw, with a message on standard error.
 template <typename Work>
-int run_program(
-    CLI::App& app, int argc, char** argv, const Work& work, int failed = 1) {
+int run_program(CLI::App& app, int argc, char** argv, const Work& work) {
   app.set_version_flag(
       "--version",
       version_of(std::filesystem::path(argv[0]).filename().string()));
@@ -82,7 +87,7 @@ int run_program(
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
   }
-  return failed;
+  return kFailed;
 }
 
 }  // namespace inkcell::tools

@@ -32,12 +32,12 @@ struct Arguments {
   std::vector<std::string> filters = {"text"};
   int phases = kMaxPhases;
   double angle = 0;
-  std::string glyphs;
+  std::string symbols;
   bool no_check = false;
   double mean_limit = std::numeric_limits<double>::infinity();
   size_t byte_limit = std::numeric_limits<size_t>::max();
-  unsigned jobs = 0;
-  std::string json;
+  unsigned threads = 0;
+  std::string report;
   std::string picture;
   size_t worst = 8;
 };
@@ -45,10 +45,10 @@ struct Arguments {
 void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--font", arguments.font, "ROM font")
       ->required()
-      ->type_name("FILE.bin");
+      ->type_name("FILE");
   app.add_option("--truth", arguments.truth, "The font file it was made of")
       ->required()
-      ->type_name("FILE.ttf");
+      ->type_name("FILE");
   app.add_option("--face", arguments.face, "Face number in a TTC or OTC file")
       ->capture_default_str();
   app.add_option("--axis", arguments.axes,
@@ -70,21 +70,22 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--angle", arguments.angle,
                  "Direction of the baseline, counter-clockwise [degrees]");
-  app.add_option("--glyph", arguments.glyphs,
+  app.add_option("--symbols", arguments.symbols,
                  "Compare these characters only [all of the font]")
-      ->type_name("CHARS");
+      ->type_name("STRING");
   app.add_flag("--no-check", arguments.no_check,
                "Exit with 0 even if a limit is missed: the font's tolerance "
                "at whole sizes of its range with the filter text, and those "
                "that follow");
   app.add_option("--mean-limit", arguments.mean_limit,
-                 "Exit with 1 if the mean is larger there [1/255; none]")
+                 "Exit with 2 if the mean is larger there [1/255; none]")
       ->check(CLI::Range(0.0, 255.0));
   app.add_option("--byte-limit", arguments.byte_limit,
-                 "Exit with 1 if the font is larger [bytes; none]");
-  app.add_option("--jobs", arguments.jobs, "Threads [all cores]")
-      ->check(CLI::Range(0, 1024));
-  app.add_option("--json", arguments.json, "Write the table as JSON")
+                 "Exit with 2 if the font is larger [bytes; none]");
+  app.add_option("--threads", arguments.threads, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("INT");
+  app.add_option("--report", arguments.report, "Write the table as JSON")
       ->type_name("FILE");
   app.add_option("--picture", arguments.picture,
                  "Draw the worst glyphs: drawn, exact, difference")
@@ -133,13 +134,13 @@ ErrorTable compare_all(const Font& font,
                        const Arguments& arguments) {
   ErrorTable table;
   table.request = make_request(arguments);
-  table.characters = choose_characters(font, arguments.glyphs);
+  table.characters = choose_characters(font, arguments.symbols);
   const size_t count = table.characters.size();
   table.errors.resize(count);
   ProgressBar bar;
   std::mutex guard;
   size_t done = 0;
-  parallel_for(count, arguments.jobs, [&](size_t i) {
+  parallel_for(count, arguments.threads, [&](size_t i) {
     const Mapping& character = table.characters[i];
     const TrueGlyph glyph = truth.glyph(character.code_point);
     table.errors[i] = compare_glyph(
@@ -153,7 +154,7 @@ ErrorTable compare_all(const Font& font,
 void write_json(const Arguments& arguments,
                 const Font& font,
                 const ErrorTable& table) {
-  std::ofstream out(arguments.json);
+  std::ofstream out(arguments.report);
   const nlohmann::json whole = {{"font", arguments.font},
                                 {"font_bytes", font.rom().size},
                                 {"coding", coding_name(font)},
@@ -165,7 +166,7 @@ void write_json(const Arguments& arguments,
   out << whole.dump(2) << '\n';
   out.close();
   if (!out) {
-    throw std::runtime_error(arguments.json + ": cannot be written");
+    throw std::runtime_error(arguments.report + ": cannot be written");
   }
 }
 
@@ -220,12 +221,12 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
 
 // Comparing takes minutes: what would fail after it shall do so before.
 void check_outputs(const Arguments& arguments) {
-  check_folder_of(arguments.json);
+  check_apart({arguments.report, arguments.picture},
+              {arguments.font, arguments.truth});
+  check_folder_of(arguments.report);
   if (!arguments.picture.empty()) {
     check_image_file(arguments.picture, 3);  // in colour
   }
-  check_apart({arguments.json, arguments.picture},
-              {arguments.font, arguments.truth});
 }
 
 int run(const Arguments& arguments) {
@@ -238,7 +239,7 @@ int run(const Arguments& arguments) {
   std::printf("%zu characters, %d phases; the font has %zu bytes, coding %s\n",
               table.characters.size(), arguments.phases, font.rom().size,
               std::string(coding_name(font)).c_str());
-  if (!arguments.json.empty()) {
+  if (!arguments.report.empty()) {
     write_json(arguments, font, table);
   }
   if (!arguments.picture.empty()) {
@@ -249,7 +250,7 @@ int run(const Arguments& arguments) {
     std::printf("the font has more than %zu bytes\n", arguments.byte_limit);
     within = false;
   }
-  return within || arguments.no_check ? 0 : 1;
+  return within || arguments.no_check ? 0 : kMissed;
 }
 
 }  // namespace
@@ -260,10 +261,9 @@ int main(int argc, char** argv) {
       "Errors of pixels drawn by the device's core, in 1/255, against the "
       "exact distance field.\nworst: over all pixels; mean: over the glyph's "
       "box and 1.5 px around it, then over the glyphs;\nlargest mean: of a "
-      "single glyph, which is named.\nExits with 1 if a limit is missed, with "
-      "2 if nothing can be compared.");
+      "single glyph, which is named.\nExits with 2 if a limit is missed.");
   inkcell::tools::Arguments arguments;
   inkcell::tools::add_arguments(app, arguments);
   return inkcell::tools::run_program(
-      app, argc, argv, [&] { return inkcell::tools::run(arguments); }, 2);
+      app, argc, argv, [&] { return inkcell::tools::run(arguments); });
 }

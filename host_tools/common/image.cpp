@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "files.hpp"
+
 namespace inkcell::tools {
 namespace {
 
@@ -80,6 +82,9 @@ void check_folder_of(const std::filesystem::path& file) {
   std::error_code error;
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
     refuse(file, "there is no folder " + folder.string());
+  }
+  if (!file.empty()) {
+    refuse_among_fonts(file);
   }
 }
 

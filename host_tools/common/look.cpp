@@ -70,7 +70,20 @@ void add_words(CLI::App& app,
   app.add_option(option, target, help)
       ->check(CLI::IsMember(words).description(""))
       ->type_name(CLI::detail::join(words, "|"))
-      ->capture_default_str();
+      ->default_str(target);
+}
+
+// Text is drawn as a program draws it that asks for nothing; jobs as suits
+// their kind.
+LookOptions fill_in(LookOptions options, Use use) {
+  const bool is_text = use == Use::text;
+  if (options.hint.empty()) {
+    options.hint = is_text ? "none" : "auto";
+  }
+  if (options.samples.empty()) {
+    options.samples = is_text ? "one" : "auto";
+  }
+  return options;
 }
 
 // Whether glyphs have ink, but none of them cells of samples.
@@ -95,21 +108,21 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   app.add_option("--filter", options.filter,
                  "text, motion, paper_display or paper_body, of distance, not "
                  "with --levels 2; area, exact, for --coding outline [text; "
-                 "motion for jobs of kind anim]");
+                 "motion for jobs of kind anim]")
+      ->type_name("NAME");
   add_words(app, "--hint", options.hint, {"none", "vertical", "both", "auto"},
             "Fit upright text of outlines to the pixel grid: none; vertical, "
             "heights; both, stems and advances too; auto, both below 12 px "
             "and with --levels 2 and 4, but in --jobs, and else vertical; "
-            "nothing of jobs of kind anim");
+            "nothing of jobs of kind anim [none; auto with --jobs]");
   add_words(
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
-      "Distances a pixel: one; supersampling, up to 13 where one is not "
-      "accurate "
+      "Distances a pixel: one; adaptive, up to 13 where one is not accurate "
       "enough; paper, as the paper has it; splats, cells of samples smaller "
       "than a pixel once each; all but one for --coding edges and samples; "
-      "auto, one, but of cells supersampling below 10 px and for jobs of kind "
-      "anim");
+      "auto, one, but of cells adaptive below 10 px and for jobs of kind "
+      "anim [one; auto with --jobs]");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
                  "of kind anim, 1.3 for paper and splats]")
@@ -147,8 +160,7 @@ void add_look_options(CLI::App& app, LookOptions& options) {
 void check_radius(const LookOptions& options, bool is_used) {
   if (options.radius > 0 && !is_used) {
     throw std::runtime_error(
-        "--radius is for several samples a pixel: --samples supersampling, "
-        "paper or "
+        "--radius is for several samples a pixel: --samples adaptive, paper or "
         "splats");
   }
 }
@@ -164,16 +176,17 @@ void check_hint(const LookOptions& options,
   }
 }
 
-Look::Look(const LookOptions& options,
+Look::Look(const LookOptions& asked,
            const Font& font,
            double px,
            double angle,
            Use use)
     : edges_(make_outline(
-          with_weight(filter_for(options.filter, use), to_q10(options.weight)),
-          to_q10(options.outline),
-          place_of(options.place))),
+          with_weight(filter_for(asked.filter, use), to_q10(asked.weight)),
+          to_q10(asked.outline),
+          place_of(asked.place))),
       style_(make_style(px, angle, edges_.outer)) {
+  const LookOptions options = fill_in(asked, use);
   require_reach(options, font);
   if (options.filter == kArea) {
     require_area(options, font);
@@ -183,7 +196,7 @@ Look::Look(const LookOptions& options,
   }
   if (check_effect(font, style_) != Status::ok) {
     throw std::runtime_error(
-        "--motion, --rules and --samples supersampling, paper and splats need "
+        "--motion, --rules and --samples adaptive, paper and splats need "
         "distances at any point, and this font has outlines: make it by "
         "inkcell-fontgen --coding edges");
   }

@@ -25,8 +25,8 @@ enum class Use { text, still, moving };
 /// What a person may ask for; empty: what suits the use.
 struct LookOptions {
   std::string filter;
-  std::string hint = "auto";
-  std::string samples = "auto";
+  std::string hint;
+  std::string samples;
   std::string rules = "none";
   std::string motion;  // "x,y" [px]
   double radius = 0;   // of adaptive sampling [px]; 0: what suits it

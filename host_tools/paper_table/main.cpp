@@ -31,8 +31,8 @@ constexpr const char* kTimesMetrics =
 struct Arguments {
   std::string font = kTimesMetrics;
   std::string chars = std::string(gen::kDefaultChars);
-  unsigned jobs = 0;
-  std::string json;
+  unsigned threads = 0;
+  std::string report;
 };
 
 // What "accurate" may mean; the paper compares the two ADFs under conditions
@@ -118,9 +118,9 @@ std::vector<GlyphRow> measure_all(const Arguments& arguments) {
   gen::add_ranges(arguments.chars, request.characters);
   gen::Warnings warnings;
   const gen::SourceFont font =
-      gen::load_font(request, static_cast<int>(arguments.jobs), warnings);
+      gen::load_font(request, static_cast<int>(arguments.threads), warnings);
   std::vector<GlyphRow> rows(font.glyphs.size() - 1);  // without .notdef
-  parallel_for(rows.size(), arguments.jobs,
+  parallel_for(rows.size(), arguments.threads,
                [&](size_t i) { rows[i] = measure(font.glyphs[i + 1]); });
   return rows;
 }
@@ -206,17 +206,17 @@ void print_paper() {
 }
 
 void write_json(const Arguments& arguments, const nlohmann::json& json) {
-  std::ofstream out(arguments.json);
+  std::ofstream out(arguments.report);
   out << json.dump(2) << '\n';
   out.close();
   if (!out) {
-    throw std::runtime_error(arguments.json + ": cannot be written");
+    throw std::runtime_error(arguments.report + ": cannot be written");
   }
 }
 
 void run(const Arguments& arguments) {
-  check_folder_of(arguments.json);
-  check_apart({arguments.json}, {arguments.font});
+  check_apart({arguments.report}, {arguments.font});
+  check_folder_of(arguments.report);
   const std::vector<GlyphRow> rows = measure_all(arguments);
   Counts mean;
   std::vector<uint8_t> leaves;
@@ -246,7 +246,7 @@ void run(const Arguments& arguments) {
   const size_t zlib = compressed_bytes(leaves);
   print_typeface(leaves, zlib);
   print_paper();
-  if (!arguments.json.empty()) {
+  if (!arguments.report.empty()) {
     write_json(arguments, {{"font", arguments.font},
                            {"mean", to_json(mean)},
                            {"typeface_bytes", leaves.size()},
@@ -263,12 +263,17 @@ int main(int argc, char** argv) {
       "Measures the claims of the paper's section 3 on a font with the metrics "
       "of Times.");
   inkcell::tools::Arguments arguments;
-  app.add_option("--font", arguments.font, "Font file")->capture_default_str();
-  app.add_option("--chars", arguments.chars, "Characters to average over")
+  app.add_option("--font", arguments.font, "Font file")
+      ->type_name("FILE")
       ->capture_default_str();
-  app.add_option("--jobs", arguments.jobs, "Threads [all cores]")
-      ->check(CLI::Range(0, 1024));
-  app.add_option("--json", arguments.json, "Write all glyphs as JSON");
+  app.add_option("--chars", arguments.chars, "Characters to average over")
+      ->type_name("LIST")
+      ->capture_default_str();
+  app.add_option("--threads", arguments.threads, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("INT");
+  app.add_option("--report", arguments.report, "Write all glyphs as JSON")
+      ->type_name("FILE");
   return inkcell::tools::run_program(app, argc, argv, [&] {
     inkcell::tools::run(arguments);
     return 0;

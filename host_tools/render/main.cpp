@@ -42,7 +42,7 @@ struct Arguments {
   int zoom = 1;
   int rows = kStripRows;
   bool inverted = false;
-  bool unkerned = false;
+  std::string kerning;  // on, off, or empty
   bool stats = false;
 };
 
@@ -72,9 +72,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "[1/64 px], angle [degrees] and kind [static, or anim] may be "
                  "left out")
       ->type_name("FILE.jsonl");
-  app.add_option("--out", arguments.out,
-                 "The picture: 255 is full ink; PPM, not PGM, with --lcd")
-      ->type_name("FILE.png|FILE.pgm|FILE.ppm");
+  app.add_option(
+         "--out", arguments.out,
+         "The picture, .png or .pgm: 255 is full ink; with --lcd .png or "
+         ".ppm")
+      ->type_name("FILE");
   add_look_options(app, arguments.look);
   add_placement(app, arguments);
   app.add_option("--wrap", arguments.wrap,
@@ -82,8 +84,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(1, 32767));
   app.add_option("--align", arguments.align, "Of lines within --wrap")
       ->check(CLI::IsMember({"start", "left", "center", "right", "justify"}));
-  app.add_flag("--no-kerning", arguments.unkerned,
-               "Advances only, as --jobs always does; without --wrap");
+  app.add_option("--kerning", arguments.kerning,
+                 "Whether pairs of glyphs are kerned [on; off with --jobs];\n"
+                 "--wrap always does")
+      ->check(CLI::IsMember({"on", "off"}).description(""))
+      ->type_name("on|off");
   app.add_flag("--invert", arguments.inverted, "Black on white");
   app.add_option("--zoom", arguments.zoom, "Draw each pixel N x N")
       ->check(CLI::Range(1, 64));
@@ -222,9 +227,10 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
   const TextStyle& style = look.style();
-  const std::vector<Line> lines = lay_out_lines(
-      font, arguments.text, arguments.unkerned ? Kerning::none : Kerning::font,
-      style, wrapping_of(arguments));
+  const std::vector<Line> lines =
+      lay_out_lines(font, arguments.text,
+                    arguments.kerning == "off" ? Kerning::none : Kerning::font,
+                    style, wrapping_of(arguments));
   const Placement placement =
       place(arguments, ink_box(font, lines, style), look);
   if (std::max(placement.width, placement.height) * arguments.zoom > kMaxSide) {
@@ -266,7 +272,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
     }
     const std::vector<RenderJob> jobs = read_jobs(arguments.jobs);
     const SampleTotal total =
-        render_jobs(jobs, conversion, arguments.look, arguments.inverted);
+        render_jobs(jobs, conversion, arguments.look,
+                    arguments.kerning == "on" ? Kerning::font : Kerning::none,
+                    arguments.inverted);
     if (arguments.stats) {
       std::printf("pictures         %zu\n", jobs.size());
       print_samples(total);

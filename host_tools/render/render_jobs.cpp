@@ -289,10 +289,11 @@ void check_outputs(const std::filesystem::path& file,
 SampleTotal render(const RenderJob& job,
                    const Font& font,
                    const LookOptions& options,
+                   Kerning kerning,
                    bool inverted) {
   const Look look(options, font, job.size, job.angle, job.use);
   Image image(job.w, job.h, look.channels());
-  draw_lines(font, {lay_out(font, job.text, Kerning::none, look.style())},
+  draw_lines(font, {lay_out(font, job.text, kerning, look.style())},
              look.style(),
              make_point(job.ox + job.dx / 64, job.oy + job.dy / 64), image);
   SampleTotal total;
@@ -372,6 +373,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file) {
 SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
                         const Conversion& conversion,
                         const LookOptions& look,
+                        Kerning kerning,
                         bool inverted) {
   const bool all_turned =
       std::all_of(jobs.begin(), jobs.end(), [](const RenderJob& job) {
@@ -408,7 +410,8 @@ SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
   std::vector<SampleTotal> costs(jobs.size());
   parallel_for(jobs.size(), 0, [&](size_t i) {
     costs[i] = at_place(jobs[i].place, [&] {
-      return render(jobs[i], fonts.at(jobs[i].font).font(), look, inverted);
+      return render(jobs[i], fonts.at(jobs[i].font).font(), look, kerning,
+                    inverted);
     });
   });
   SampleTotal total;

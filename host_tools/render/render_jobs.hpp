@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "canvas.hpp"
 #include "convert.hpp"
 #include "image.hpp"
 #include "look.hpp"
 
 namespace inkcell::tools {
 
-/// One picture: `text` without kerning on a canvas of `w` x `h` px, its origin
+/// One picture: `text` on a canvas of `w` x `h` px, its origin
 /// (left end of the baseline) at (ox + dx / 64, oy + dy / 64) px, y down.
 struct RenderJob {
   std::string font;
@@ -54,6 +55,7 @@ std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
                         const Conversion& conversion,
                         const LookOptions& look,
+                        Kerning kerning,
                         bool inverted);
 
 }  // namespace inkcell::tools

@@ -41,34 +41,36 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("FONT", arguments.font,
                  "ROM font, or TTF or OTF to convert in memory")
       ->required();
-  const auto picture = [&app](const char* option, std::string& file,
+  const auto picture = [&app](const char* name, std::string& file,
                               const char* help) {
-    app.add_option(option, file, help)->type_name(kPicture)->group(kPictures);
+    app.add_option(std::string("--draw-") + name, file, help)
+        ->type_name(kPicture)
+        ->group(kPictures);
   };
-  picture("--sizes", arguments.sizes, "One line at ten sizes");
-  app.add_option("--width", arguments.width, "Of that picture [px]")
+  picture("sizes", arguments.sizes, "One line at ten sizes");
+  app.add_option("--width", arguments.width, "Of the picture of sizes [px]")
       ->check(CLI::Range(300, 4096))
       ->capture_default_str()
       ->group(kPictures);
-  picture("--body", arguments.body, "Paragraphs at 11, 13 and 16 px");
-  picture("--digits", arguments.digits, "A clock, 160 px high");
-  picture("--turned", arguments.turned, "A word in many directions");
-  picture("--moved", arguments.moved, "A line moved by 1/8 px from row to row");
-  picture("--filters", arguments.filters, "Filters, weights, gamma");
-  picture("--lcd", arguments.lcd, "Sub-pixels");
-  picture("--effects", arguments.effects,
+  picture("body", arguments.body, "Paragraphs at 11, 13 and 16 px");
+  picture("digits", arguments.digits, "A clock, 160 px high");
+  picture("turned", arguments.turned, "A word in many directions");
+  picture("moved", arguments.moved, "A line moved by 1/8 px from row to row");
+  picture("filters", arguments.filters, "Filters, weights, gamma");
+  picture("lcd", arguments.lcd, "Sub-pixels");
+  picture("effects", arguments.effects,
           "Outlines, shadows, glows: with --band-px 2 --min-px 12");
-  picture("--fitting", arguments.fitting, "Grid fitting, in grey and in 1 bit");
-  picture("--contrast", arguments.contrast,
+  picture("fitting", arguments.fitting, "Grid fitting, in grey and in 1 bit");
+  picture("contrast", arguments.contrast,
           "Darker edges and thin strokes; for --coding edges and samples");
-  picture("--maps", arguments.maps, "Leaning, narrow, mirrored, turned");
-  picture("--motion", arguments.motion, "Motion blur");
-  picture("--levels", arguments.levels, "Displays of 1 and 2 bits");
-  picture("--compare-body", arguments.compare_body,
+  picture("maps", arguments.maps, "Leaning, narrow, mirrored, turned");
+  picture("motion", arguments.motion, "Motion blur");
+  picture("levels", arguments.levels, "Displays of 1 and 2 bits");
+  picture("compare-body", arguments.compare_body,
           "Text of 8 to 16 px beside that of others; FONT is a TTF or OTF");
-  picture("--compare-display", arguments.compare_display,
+  picture("compare-display", arguments.compare_display,
           "The same with letters of 40 px");
-  picture("--star", arguments.star, "A pattern finer than pixels");
+  picture("star", arguments.star, "A pattern finer than pixels");
   add_conversion_options(app, arguments.request);
 }
 

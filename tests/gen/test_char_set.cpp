@@ -19,6 +19,9 @@ TEST(CharSet, ReadsEveryNotation) {
   EXPECT_EQ(ranges("U+41,u+0042"), (CharSet{0x41, 0x42}));
   EXPECT_EQ(ranges("65-67"), (CharSet{65, 66, 67}));
   EXPECT_EQ(ranges("A-C,x"), (CharSet{'A', 'B', 'C', 'x'}));
+  EXPECT_EQ(ranges("0-9").size(), 10u);
+  EXPECT_EQ(ranges("0-3,7,-"), (CharSet{'-', '0', '1', '2', '3', '7'}));
+  EXPECT_EQ(ranges("0-A").size(), 18u);
   EXPECT_EQ(ranges("\xc3\xa4, 0xB0"), (CharSet{0xe4, 0xb0}));
   EXPECT_EQ(ranges("0x2C-U+2E"), (CharSet{0x2c, 0x2d, 0x2e}));
   EXPECT_EQ(ranges(kDefaultChars).size(), 95u);
@@ -33,7 +36,7 @@ TEST(CharSet, LeavesSurrogatesOut) {
 TEST(CharSet, RefusesWhatItCannotRead) {
   for (const char* list :
        {"", ",", "0x41,", "0x", "0xZZ", "AB", "0x41-", "0x42-0x41", "0x110000",
-        "99999999999", "0-9", "10", "\xff", "0x41-0x42-0x43"}) {
+        "99999999999", "9-0", "0-90", "10-9", "10", "\xff", "0x41-0x42-0x43"}) {
     EXPECT_THROW(ranges(list), Error) << list;
   }
 }
@@ -71,8 +74,8 @@ TEST(CharSet, ReadsFiles) {
     add_text_file(folder.path(), set);
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(error.what(),
-              folder.path().string() + ": is a folder; give --text a file");
+    EXPECT_EQ(error.what(), folder.path().string() +
+                                ": is a folder; give --text-file a file");
   }
 }
 

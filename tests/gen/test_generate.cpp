@@ -49,10 +49,10 @@ TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
   request.chars = {"A-C,a"};
   for (const Target& options : kCodings) {
     request.target = options;
-    request.jobs = 1;
+    request.threads = 1;
     const std::vector<uint8_t> one = generate(request).bytes;
     for (const int jobs : {3, 8}) {
-      request.jobs = jobs;
+      request.threads = jobs;
       EXPECT_EQ(generate(request).bytes, one) << jobs;
     }
   }
@@ -193,7 +193,7 @@ TEST(Generate, RefusesWrongRequests) {
   EXPECT_EQ(range(4, 4, 255), "no error");
   for (const std::string& text : {range(3, 64, 16), range(8, 1025, 16),
                                   range(20, 19, 16), range(8.5, 20, 16)}) {
-    EXPECT_NE(text.find("--min-px"), std::string::npos) << text;
+    EXPECT_NE(text.find("-px "), std::string::npos) << text;
   }
   EXPECT_NE(range(8, 64, 0).find("--tolerance"), std::string::npos);
   EXPECT_NE(range(8, 64, 256).find("--tolerance"), std::string::npos);
@@ -320,9 +320,17 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   request.font = folder.write("plain.ttf", Sfnt::plain());
   request.symbols = ".";
   request.target.coding = Coding::samples;
-  request.target.max_px = 1024;
+  request.target.max_px = 128;
   request.target.tolerance = 1;
+  request.target.effort = 0;
+  const std::string refused = refusal(request);
+  EXPECT_NE(refused.find("U+002E '.' "), std::string::npos) << refused;
+  EXPECT_NE(refused.find("with --best-effort"), std::string::npos) << refused;
+  request.best_effort = true;
   const RomFont rom = generate(request);
+  Font font;
+  ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font), Status::ok);
+  EXPECT_EQ(font.range().tolerance, std::ceil(rom.report.worst_error));
   bool missed = false;
   for (const GlyphReport& glyph : rom.report.glyphs) {
     missed |= !glyph.within_tolerance;

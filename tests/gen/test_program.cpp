@@ -70,9 +70,9 @@ TEST_F(Program, IsQuietWhenTold) {
 }
 
 TEST_F(Program, GivesTheSameBytesEveryTime) {
-  for (const char* jobs : {"1", "2", "4"}) {
-    ASSERT_EQ(run(folder_, std::string("--font plain.ttf --quiet --jobs ") +
-                               jobs + " --out " + jobs + ".bin")
+  for (const char* threads : {"1", "2", "4"}) {
+    ASSERT_EQ(run(folder_, std::string("--font plain.ttf --quiet --threads ") +
+                               threads + " --out " + threads + ".bin")
                   .code,
               0);
   }
@@ -169,7 +169,7 @@ TEST_F(Program, RefusesWrongOptions) {
         "--font plain.ttf --out plain.ttf",
         "--font plain.ttf --out a.bin --report ./a.bin",
         "--font plain.ttf --out a.bin --depfile plain.ttf",
-        "--font plain.ttf --out a.bin --text .",
+        "--font plain.ttf --out a.bin --text-file .",
         "--font plain.ttf --out a.bin --name new",
         "--font none.ttf --out a.bin",
         "--font plain.ttf --out a.bin --tolerance 0",
@@ -186,7 +186,7 @@ TEST_F(Program, RefusesWrongOptions) {
         "--font plain.ttf --out a.bin --axis wght=600",
         "--font plain.ttf --out a.bin --chars 0x4E00",
         "--font plain.ttf --out a.bin --chars 0xZZ",
-        "--font plain.ttf --out a.bin --text none.txt",
+        "--font plain.ttf --out a.bin --text-file none.txt",
         "--font plain.ttf --out a.bin --report x/a.json",
         "--font plain.ttf --out a.bin --nonsense"}) {
     const Outcome result = run(folder_, options);
@@ -205,6 +205,40 @@ TEST_F(Program, SaysWhatWouldDo) {
   EXPECT_NE(run(folder_, "--font plain.ttf --out a.bin --format svg")
                 .err.find("use 'bin', 'hpp' or 'c'"),
             std::string::npos);
+}
+
+TEST_F(Program, NamesSizesThatItRefuses) {
+  const struct {
+    const char* options;
+    const char* said;
+  } cases[] = {{"--min-px 30 --max-px 20", "--min-px 30 is above --max-px 20"},
+               {"--min-px 70", "--min-px 70 is above --max-px 64"},
+               {"--min-px 12.5",
+                "--min-px 12.5: sizes are whole numbers within 4..1024"},
+               {"--max-px 2000", "--max-px 2000: sizes are whole numbers"}};
+  for (const auto& wrong : cases) {
+    const Outcome result = run(
+        folder_, std::string("--font plain.ttf --out a.bin ") + wrong.options);
+    EXPECT_EQ(result.code, 1) << wrong.options;
+    EXPECT_NE(result.err.find(wrong.said), std::string::npos) << result.err;
+  }
+  EXPECT_NE(run(folder_, "--help").out.find("--min-px INT=8"),
+            std::string::npos);
+}
+
+TEST_F(Program, MissesTheToleranceOnlyWhereItMay) {
+  const std::string font =
+      "--font plain.ttf --symbols . --coding samples --max-px 128 --effort 0 "
+      "--tolerance 1 --quiet --out a.bin ";
+  const Outcome refused = run(folder_, font);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("with --best-effort"), std::string::npos)
+      << refused.err;
+  EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
+  const Outcome made = run(folder_, font + "--best-effort");
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(made.err.find("warning: plain.ttf: "), 0u) << made.err;
+  EXPECT_EQ(folder_.names(), (Names{"a.bin", "plain.ttf"}));
 }
 
 TEST_F(Program, WritesToNoStream) {
@@ -243,11 +277,12 @@ TEST_F(Program, GoesOnWithoutMissingCharacters) {
 
 TEST_F(Program, WritesDependencies) {
   folder_.write("t.txt", std::vector<uint8_t>{'H'});
-  ASSERT_EQ(run(folder_,
-                "--font plain.ttf --text t.txt --out 'a b.hpp' --format hpp "
-                "--depfile a.d --quiet")
-                .code,
-            0);
+  ASSERT_EQ(
+      run(folder_,
+          "--font plain.ttf --text-file t.txt --out 'a b.hpp' --format hpp "
+          "--depfile a.d --quiet")
+          .code,
+      0);
   const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.d");
   const std::string folder = folder_.path().string();
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()),

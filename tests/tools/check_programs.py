@@ -178,7 +178,7 @@ class Tools(unittest.TestCase):
                                *arguments, font=self.fonts["outline"])
 
         plain = draw("--hint", "none")
-        fitted = draw()
+        fitted = draw("--hint", "auto")
         self.assertEqual(fitted.row_ink(5), 0)
         self.assertGreater(fitted.row_ink(6), 1.2 * plain.row_ink(6))
         self.assertLess(fitted.row_ink(7), 0.7 * plain.row_ink(7))
@@ -187,10 +187,9 @@ class Tools(unittest.TestCase):
         self.assertNotEqual(both.pixels, fitted.pixels)
         self.assertEqual(both.row_ink(5), 0)
         # What is turned is not fitted.
-        turned = draw("--angle", 1)
-        for hint in ("none", "auto"):
-            self.assertEqual(draw("--angle", 1, "--hint", hint).pixels,
-                             turned.pixels)
+        self.assertEqual(draw().pixels, plain.pixels)
+        self.assertEqual(draw("--angle", 1, "--hint", "auto").pixels,
+                         draw("--angle", 1).pixels)
         self.assertEqual(draw("--angle", 360, "--hint", "both").pixels,
                          both.pixels)
 
@@ -202,7 +201,7 @@ class Tools(unittest.TestCase):
 
         for px, levels, hint in ((11, 256, "both"), (12, 256, "vertical"),
                                  (14, 2, "both"), (14, 4, "both")):
-            auto = draw(px, "--levels", levels)
+            auto = draw(px, "--levels", levels, "--hint", "auto")
             self.assertEqual(auto, draw(px, "--levels", levels, "--hint",
                                         hint))
         self.assertNotEqual(draw(11, "--hint", "both"),
@@ -301,7 +300,7 @@ class Tools(unittest.TestCase):
 
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
-        plain = self.render("--text", "AVAV", "--px", 32, "--no-kerning")
+        plain = self.render("--text", "AVAV", "--px", 32, "--kerning", "off")
         self.assertLess(kerned.width, plain.width - 2)
 
     def test_shift_by_a_pixel_moves_by_a_pixel(self):
@@ -356,7 +355,7 @@ class Tools(unittest.TestCase):
                   "adaptive", "--radius", 0.75)
         for i, job in enumerate(jobs[:3]):
             single = self.render(
-                "--text", job["text"], "--px", job["size"], "--no-kerning",
+                "--text", job["text"], "--px", job["size"], "--kerning", "off",
                 *moving,
                 "--ox", 10, "--oy", 40, "--dx", job["dx"], "--dy", 5, "--width",
                 70, "--height", 60, "--angle", job["angle"])
@@ -407,7 +406,7 @@ class Tools(unittest.TestCase):
                                         2, "--samples", "adaptive")),
                 ("exclude each other", ("--font", self.font, *text, "--levels",
                                         2, "--lcd", "rgb")),
-                ("--samples supersampling", ("--font", self.font, *text, "--radius",
+                ("--samples adaptive", ("--font", self.font, *text, "--radius",
                                         1)),
                 ("-0.5 to 0.5", ("--font", self.font, *text, "--levels", 2,
                                  "--weight", 0.6)),
@@ -450,7 +449,7 @@ class Tools(unittest.TestCase):
         still.write_text(json.dumps({
             "font": str(self.font), "text": "a", "size": 12, "w": 9, "h": 9,
             "out": str(self.path / "still.pgm")}))
-        self.assertIn("--samples supersampling", run("render", "--jobs", still,
+        self.assertIn("--samples adaptive", run("render", "--jobs", still,
                                                 "--radius", 1, code=1))
         for option in ("--font", "--text", "--px", "--out", "--dx", "--dy",
                        "--angle", "--width", "--height", "--ox", "--oy",
@@ -673,10 +672,10 @@ class Tools(unittest.TestCase):
                 (1, ("render", "--font", font, "--text", "a", "--px", 9,
                      "--out", font)),
                 (1, ("inspect", font, "--cells", link)),
-                (1, ("specimen", link, "--body", font)),
-                (1, ("paper-table", "--font", truth, "--json", truth)),
-                (2, (*accuracy, "--json", truth)),
-                (2, (*accuracy, "--picture", link))):
+                (1, ("specimen", link, "--draw-body", font)),
+                (1, ("paper-table", "--font", truth, "--report", truth)),
+                (1, (*accuracy, "--report", truth)),
+                (1, (*accuracy, "--picture", link))):
             self.assertIn("is read, too; name another file",
                           run(*arguments, code=failed))
         self.assertEqual(font.read_bytes(), self.font.read_bytes())
@@ -684,8 +683,8 @@ class Tools(unittest.TestCase):
         out = self.path / "twice.png"
         for failed, arguments in (
                 (1, ("inspect", font, "--cells", out, "--sheet", out)),
-                (1, ("specimen", font, "--sizes", out, "--body", out)),
-                (2, (*accuracy, "--json", out, "--picture", out))):
+                (1, ("specimen", font, "--draw-sizes", out, "--draw-body", out)),
+                (1, (*accuracy, "--report", out, "--picture", out))):
             self.assertIn("would be written twice",
                           run(*arguments, code=failed))
         self.assertFalse(out.exists())
@@ -700,8 +699,8 @@ class Tools(unittest.TestCase):
             for failed, arguments in (
                     (1, ("render", "--font", damaged, "--text", "a", "--px", 9,
                          "--out", out)),
-                    (1, ("specimen", damaged, "--body", out)),
-                    (2, ("accuracy", "--font", damaged, "--truth", SANS))):
+                    (1, ("specimen", damaged, "--draw-body", out)),
+                    (1, ("accuracy", "--font", damaged, "--truth", SANS))):
                 self.assertIn("damaged.bin: it is damaged; regenerate it",
                               run(*arguments, code=failed), coding)
             self.assertFalse(out.exists())
@@ -722,19 +721,68 @@ class Tools(unittest.TestCase):
                 ("render", "--jobs", job, "--hints", "off"),
                 ("inspect", self.font, "--coding", "samples"),
                 ("inspect", self.font, "--effort", 5),
-                ("specimen", self.font, "--sizes", out, "--band-px", 1)]:
+                ("specimen", self.font, "--draw-sizes", out, "--band-px", 1)]:
             printed = run(program, *arguments, code=1)
             self.assertIn(f"{self.font}: is a ROM font, which "
                           f"{arguments[-2]} cannot change", printed)
         self.assertFalse(out.exists())
 
+    def test_options_mean_one_thing(self):
+        # An option of several programs takes the same kind of value in all.
+        values = {}
+        for program in PROGRAMS:
+            for option, value in re.findall(
+                    r"^  (?:-\w,)?(--[\w-]+)(?: ([^\s=:]+))?",
+                    run(program, "--help"), re.M):
+                value = value if value and value[0].isupper() else (
+                    value if "|" in value else "")
+                values.setdefault(option, {}).setdefault(
+                    value, []).append(program)
+        shared = [option for option, kinds in values.items()
+                  if sum(map(len, kinds.values())) > 1]
+        self.assertGreater(len(shared), 15)
+        self.assertEqual([], [f"{option}: {values[option]}"
+                              for option in shared if len(values[option]) > 1])
+
+    def test_nothing_is_written_among_fonts_of_the_system(self):
+        fonts = pathlib.Path(SANS).parent
+        mine = self.path / "mine.ttf"
+        mine.write_bytes(pathlib.Path(SERIF).read_bytes())
+        names = [("x.png", "would lie among the fonts of the system"),
+                 ("mine.ttf", "is a font file, which would be replaced")]
+        for out, said in [(fonts / names[0][0], names[0][1]),
+                          (mine, names[1][1])]:
+            self.assertIn(said, run(
+                "fontgen", "--font", SANS, "--out", out, code=1))
+        out = fonts / "x.png"
+        for arguments in (
+                ("render", "--font", self.font, "--text", "a", "--px", 9,
+                 "--out", out),
+                ("inspect", self.font, "--sheet", out),
+                ("specimen", self.font, "--draw-body", out),
+                ("accuracy", "--font", self.font, "--truth", SANS,
+                 "--picture", out)):
+            self.assertIn(names[0][1], run(*arguments, code=1))
+        self.assertFalse(out.exists())
+        self.assertEqual(mine.read_bytes(), pathlib.Path(SERIF).read_bytes())
+
+    def test_jobs_can_kern(self):
+        listed = self.path / "kerned.jsonl"
+        out = self.path / "kerned.pgm"
+        box = {"text": "AVAV", "size": 32, "w": 120, "h": 50, "ox": 4, "oy": 40}
+        listed.write_text(json.dumps(
+            {"font": str(self.font), "out": str(out), **box}))
+        for options, kerning in [((), "off"), (("--kerning", "on"), "on")]:
+            run("render", "--jobs", listed, *options)
+            self.assertEqual(Pgm(out).pixels, self.render(
+                "--text", "AVAV", "--px", 32, "--width", 120, "--height", 50,
+                "--ox", 4, "--oy", 40, "--kerning", kerning).pixels)
+
     def test_wrong_arguments_fail_alike(self):
         for program in PROGRAMS:
-            # 1 is what inkcell-accuracy says of a font that misses its limits.
-            code = 2 if program == "accuracy" else 1
             for said, arguments in [("--nope is not expected", ("--nope", 1)),
                                     ("-j is not expected", ("-j",))]:
-                printed = run(program, *arguments, code=code)
+                printed = run(program, *arguments, code=1)
                 self.assertRegex(printed, r"^error: .*; see --help\n$")
                 self.assertIn(said, printed)
             self.assertRegex(
@@ -871,7 +919,7 @@ class Tools(unittest.TestCase):
                 "--angle", 30)
         wrong = ("--font", self.font, "--truth", SERIF, "--sizes", "24")
         self.assertIn("24 px: beyond the font's tolerance of 16/255",
-                      run("accuracy", *wrong, code=1))
+                      run("accuracy", *wrong, code=2))
         run("accuracy", *wrong, "--no-check")
         # Nothing is promised to other filters and sizes.
         run("accuracy", *wrong, "--filter", "motion")
@@ -881,7 +929,7 @@ class Tools(unittest.TestCase):
         table, picture = self.path / "table.json", self.path / "worst.png"
         printed = run(
             "accuracy", "--font", self.font, "--truth", SANS, "--sizes",
-            "10-12,15.5", "--filter", "all", "--glyph", "To", "--json", table,
+            "10-12,15.5", "--filter", "all", "--symbols", "To", "--report", table,
             "--picture", picture, "--worst", 1)
         size = self.font.stat().st_size
         self.assertIn(f"the font has {size} bytes", printed)
@@ -908,23 +956,23 @@ class Tools(unittest.TestCase):
         self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
         self.assertIn("beyond", run(
             "accuracy", "--font", self.font, "--truth", SANS, "--mean-limit",
-            0.01, "--sizes", 12, code=1))
+            0.01, "--sizes", 12, code=2))
         limit = ("--font", self.font, "--truth", SANS, "--sizes", 12,
                  "--byte-limit")
         run("accuracy", *limit, size)
         self.assertIn(f"more than {size - 1} bytes",
-                      run("accuracy", *limit, size - 1, code=1))
-        for said, arguments in [("no glyph for 'Z'", ("--glyph", "Z")),
-                                ("no folder", ("--json", "/nowhere/a.json")),
-                                ("name a file", ("--json", "-")),
+                      run("accuracy", *limit, size - 1, code=2))
+        for said, arguments in [("no glyph for 'Z'", ("--symbols", "Z")),
+                                ("no folder", ("--report", "/nowhere/a.json")),
+                                ("name a file", ("--report", "-")),
                                 ("no folder", ("--picture", "/nowhere/a.png")),
                                 (".png or .ppm", ("--picture", "a.jpg")),
-                                ("--jobs", ("--jobs", 100000)),
+                                ("--threads", ("--threads", 100000)),
                                 ("--mean-limit", ("--mean-limit", -1)),
                                 ("is no size", ("--sizes", "8-")),
                                 ("is unknown", ("--filter", "x"))]:
             self.assertIn(said, run("accuracy", "--font", self.font, "--truth",
-                                    SANS, *arguments, code=2))
+                                    SANS, *arguments, code=1))
 
     def test_render_warns_of_what_looks_wrong(self):
         out = self.path / "warned.png"
@@ -945,14 +993,14 @@ class Tools(unittest.TestCase):
         self.assertIn("no picture", run("specimen", self.font, "--width", 500,
                                         code=1))
         self.assertIn("a TTF or OTF", run("specimen", self.font,
-                                          "--compare-body", out, code=1))
+                                          "--draw-compare-body", out, code=1))
         self.assertFalse(out.exists())
 
     def test_specimen_draws(self):
         pictures = {}
         for coding, options in CODINGS.items():
             out = self.path / f"{coding}.png"
-            run("specimen", SANS, "--sizes", out, "--max-px", 16, "--symbols",
+            run("specimen", SANS, "--draw-sizes", out, "--max-px", 16, "--symbols",
                 "Onefotvrysizikcl,", *options)
             pictures[coding] = out.read_bytes()
             self.assertEqual(pictures[coding][:4], b"\x89PNG")
@@ -964,7 +1012,7 @@ class Tools(unittest.TestCase):
         own = {"edges": ["contrast", "motion"], "outline": ["fitting"]}
         for coding, others in own.items():
             pictures = [self.path / f"{name}.png" for name in of_all + others]
-            options = [x for out in pictures for x in (f"--{out.stem}", out)]
+            options = [x for out in pictures for x in (f"--draw-{out.stem}", out)]
             run("specimen", SANS, "--max-px", 16, *CODINGS[coding], *options)
             for out in pictures:
                 self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
@@ -975,27 +1023,27 @@ class Tools(unittest.TestCase):
                 ("outline", "contrast", "distances at any point"),
                 ("edges", "fitting", "points of outlines")):
             self.assertIn(said, run("specimen", self.fonts[coding],
-                                    f"--{name}", out, code=1))
+                                    f"--draw-{name}", out, code=1))
             self.assertFalse(out.exists())
-        run("specimen", SANS, "--max-px", 16, "--effects",
+        run("specimen", SANS, "--max-px", 16, "--draw-effects",
             self.path / "effects.png")
         out = self.path / "effects.png"
         self.assertIn("--band-px", run(
-            "specimen", self.font, "--effects", out, code=1))
+            "specimen", self.font, "--draw-effects", out, code=1))
         run("specimen", SANS, "--symbols", "Efcts", *CODINGS["edges"],
-            "--band-px", 2, "--min-px", 12, "--max-px", 32, "--effects", out)
+            "--band-px", 2, "--min-px", 12, "--max-px", 32, "--draw-effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
 
     def test_paper_table_refuses(self):
         for said, out in [("no folder /nowhere", "/nowhere/a.json"),
                           ("-: cannot be written: it is not standard output "
                            "here; name a file", "-")]:
-            self.assertIn(said, run("paper-table", "--chars", "a", "--json",
+            self.assertIn(said, run("paper-table", "--chars", "a", "--report",
                                     out, code=1))
 
     def test_paper_table_counts_in_the_paper_s_range(self):
         out = self.path / "table.json"
-        run("paper-table", "--chars", "a,D", "--json", out)
+        run("paper-table", "--chars", "a,D", "--report", out)
         glyphs = json.loads(out.read_text())["glyphs"]
         for name in "aD":
             counts = glyphs[name]

@@ -29,7 +29,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--font", request.font, "Font file: TTF, OTF, TTC, OTC")
       ->required()
       ->type_name("FILE");
-  app.add_option("--text", request.text_files,
+  app.add_option("--text-file", request.text_files,
                  "Take the characters of a UTF-8 text file; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -63,8 +63,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--depfile", arguments.depfile,
                  "Write the files that were read as a Makefile rule")
       ->type_name("FILE");
-  app.add_option("--jobs", request.jobs, "Threads [all cores]")
-      ->check(CLI::Range(0, 1024));
+  app.add_option("--threads", request.threads, "Threads [all cores]")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("INT");
   app.add_flag("--quiet", arguments.quiet, "No report, no progress");
 }
 

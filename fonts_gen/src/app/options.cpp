@@ -77,7 +77,7 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
       ->type_name("TAG=VALUE")
       ->allow_extra_args(false);
   app.add_option("--chars", request.chars,
-                 "Characters: 0x20-0x7E,U+B0,176,A-Z; repeatable "
+                 "Characters: 0x20-0x7E,U+B0,176,A-Z,0-9; repeatable "
                  "[0x20-0x7E if no character is asked for]")
       ->type_name("LIST")
       ->allow_extra_args(false);
@@ -94,9 +94,11 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
 
 void add_quality(CLI::App& app, GenerateRequest& request) {
   Target& target = request.target;
-  app.add_option("--min-px", target.min_px, "Smallest size [px/em]")
+  app.add_option("--min-px", target.min_px, "Smallest size [whole px/em]")
+      ->type_name("INT")
       ->capture_default_str();
-  app.add_option("--max-px", target.max_px, "Largest size [px/em]")
+  app.add_option("--max-px", target.max_px, "Largest size [whole px/em]")
+      ->type_name("INT")
       ->capture_default_str();
   app.add_option("--band-px", target.band_px,
                  "How far from the edge distances are good, at --min-px: for "
@@ -109,6 +111,9 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
          "Largest error of a pixel at any of these sizes")
       ->type_name("N/255")
       ->default_str("16/255");
+  app.add_flag("--best-effort", request.best_effort,
+               "Make the font even if glyphs miss the tolerance: a warning "
+               "names them");
   add_choice<Coding>(
       app, "--coding", target.coding,
       {{"outline", Coding::outline},

@@ -11,10 +11,9 @@ namespace inkcell::gen {
 /// Reads a tolerance, "16/255" or "16". Throws CLI::ValidationError.
 double parse_tolerance(const std::string& text);
 
-/// Adds --face, --axis, --chars, --symbols, --min-px, --max-px, --tolerance,
-/// --coding, --predicate and --effort, which fill in `request`; it
-/// must live until `app` has parsed. The font file, text files and threads are
-/// left to the program: inkcell-render gives --text and --jobs other meanings.
+/// Adds the options that say what to generate, from --face to --effort, which
+/// fill in `request`; it must live until `app` has parsed. The font file, text
+/// files and threads are left to the program.
 void add_generator_options(CLI::App& app, GenerateRequest& request);
 
 }  // namespace inkcell::gen

@@ -209,6 +209,7 @@ void check_writable(const std::filesystem::path& target) {
     throw Error(target.string() + ": there is no folder " + folder.string() +
                 "; make it first");
   }
+  tools::refuse_among_fonts(target);
   if (access(folder.c_str(), W_OK) != 0) {
     throw Error(target.string() + ": the folder " + folder.string() +
                 " cannot be written to; check its permissions");

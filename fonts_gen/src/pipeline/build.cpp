@@ -173,7 +173,7 @@ RomContent build_content(SourceFont& font,
     done = [&](size_t finished) { request.progress(finished, count); };
   }
   parallel_for(
-      count, request.jobs,
+      count, request.threads,
       [&](size_t i) {
         Built built = build_glyph(font, font.glyphs[i], request.target);
         content.glyphs[i] = std::move(built.glyph);
@@ -194,8 +194,8 @@ RomContent build_content(SourceFont& font,
     }
   }
   if (request.hints && request.target.coding == Coding::outline) {
-    content.hints = find_hints(content, request.jobs);
-    drop_harmful_hints(content, request.jobs);
+    content.hints = find_hints(content, request.threads);
+    drop_harmful_hints(content, request.threads);
   }
   return content;
 }

@@ -10,7 +10,7 @@
 
 namespace inkcell::gen {
 
-/// Builds every glyph of `font`, on request.jobs threads. `errors` gets what
+/// Builds every glyph of `font`, on request.threads threads. `errors` gets what
 /// the device draws of each. Glyphs that nothing needs are dropped from `font`,
 /// and its kerning is moved to the result. Throws Error.
 RomContent build_content(SourceFont& font,

@@ -125,8 +125,9 @@ FontReport make_report(const SourceFont& font,
   return report;
 }
 
-// Outlines keep the tolerance, or there is no font; of cells people are told.
-void tell_of_errors(const FontReport& report, Warnings& warnings) {
+void tell_of_errors(const FontReport& report,
+                    bool best_effort,
+                    Warnings& warnings) {
   std::vector<const GlyphReport*> missed;
   for (const GlyphReport& glyph : report.glyphs) {
     if (!glyph.within_tolerance) {
@@ -152,8 +153,8 @@ void tell_of_errors(const FontReport& report, Warnings& warnings) {
   text += missed.size() > kListedGlyphs ? ", ..." : "";
   text += fixed ? "; this is expected of the paper's predicate at corners"
                 : "; lower --max-px or raise --tolerance";
-  if (report.options.coding == Coding::outline) {
-    throw Error(text);
+  if (!fixed && !best_effort) {
+    throw Error(text + ", or take it as it is with --best-effort");
   }
   warnings.push_back({Warning::Kind::tolerance_missed, text});
 }

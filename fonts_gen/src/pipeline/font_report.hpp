@@ -75,8 +75,10 @@ FontReport make_report(const SourceFont& font,
                        const RomContent& content,
                        const std::vector<LoopResult>& errors);
 
-/// Adds a warning if glyphs miss the tolerance. Throws Error if they are
-/// outlines.
-void tell_of_errors(const FontReport& report, Warnings& warnings);
+/// Tells of glyphs that miss the tolerance: throws Error, or adds a warning
+/// with best effort and of the fixed predicate, which corners miss.
+void tell_of_errors(const FontReport& report,
+                    bool best_effort,
+                    Warnings& warnings);
 
 }  // namespace inkcell::gen

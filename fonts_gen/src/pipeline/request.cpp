@@ -1,6 +1,7 @@
 #include "pipeline/request.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "base/error.hpp"
 
@@ -15,16 +16,30 @@ bool is_whole_within(double value, double least, double most) {
   return value >= least && value <= most && value == std::floor(value);
 }
 
+// A number as people write it.
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+void check_size(const char* option, double px) {
+  if (!is_whole_within(px, kLeastPx, kMostPx)) {
+    throw Error(std::string(option) + " " + shown(px) +
+                ": sizes are whole numbers within 4..1024 px/em");
+  }
+}
+
 }  // namespace
 
 void check_request(const GenerateRequest& request) {
   const Target& target = request.target;
-  if (!is_whole_within(target.min_px, kLeastPx, kMostPx) ||
-      !is_whole_within(target.max_px, kLeastPx, kMostPx) ||
-      target.min_px > target.max_px) {
-    throw Error(
-        "--min-px and --max-px are whole numbers within 4..1024, the first "
-        "not above the second");
+  check_size("--min-px", target.min_px);
+  check_size("--max-px", target.max_px);
+  if (target.min_px > target.max_px) {
+    throw Error("--min-px " + shown(target.min_px) + " is above --max-px " +
+                shown(target.max_px) +
+                "; give both, the smaller size as --min-px");
   }
   if (!is_whole_within(target.tolerance, 1, 255)) {
     throw Error("--tolerance is a whole number within 1..255, such as 16/255");
@@ -67,7 +82,7 @@ CharSet characters_of(const GenerateRequest& request) {
   if (characters.empty()) {
     throw Error(
         "no characters asked for: the texts hold nothing printable; check "
-        "--text and --symbols");
+        "--text-file and --symbols");
   }
   return characters;
 }

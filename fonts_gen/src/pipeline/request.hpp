@@ -28,8 +28,11 @@ struct GenerateRequest {
   GenerateRequest() { target.coding = Coding::outline; }
   /// Whether an outline font says what grid fitting needs.
   bool hints = true;
+  /// Whether glyphs may miss the tolerance, with a warning. If not, generate()
+  /// throws for the first font that does.
+  bool best_effort = false;
   /// Threads; 0: all cores. The bytes do not depend on it.
-  int jobs = 0;
+  int threads = 0;
   /// Called now and then on the calling thread with glyphs done and their
   /// number.
   std::function<void(size_t done, size_t count)> progress;

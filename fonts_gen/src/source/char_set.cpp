@@ -67,11 +67,19 @@ std::optional<char32_t> parse_number(std::string_view digits, int base) {
   return digits.empty() ? std::nullopt : std::optional<char32_t>(value);
 }
 
-// One end of a range.
+bool is_digit(std::string_view text) {
+  return text.size() == 1 && text[0] >= '0' && text[0] <= '9';
+}
+
+// One end of a range. One digit is a character, as one letter is: code points
+// below 10 are control characters, which no font needs.
 std::optional<char32_t> parse_end(std::string_view text) {
   const std::string_view prefix = text.substr(0, 2);
   if (prefix == "0x" || prefix == "0X" || prefix == "U+" || prefix == "u+") {
     return parse_number(text.substr(2), 16);
+  }
+  if (is_digit(text)) {
+    return static_cast<char32_t>(text[0]);
   }
   if (const auto number = parse_number(text, 10)) {
     return number;
@@ -89,21 +97,29 @@ std::optional<char32_t> parse_end(std::string_view text) {
 
 void add_item(std::string_view item, CharSet& out) {
   const size_t dash = item.find('-', 1);
-  const auto first = parse_end(item.substr(0, dash));
-  const auto last =
-      dash == std::string_view::npos ? first : parse_end(item.substr(dash + 1));
+  const std::string_view begin = item.substr(0, dash);
+  const std::string_view end =
+      dash == std::string_view::npos ? begin : item.substr(dash + 1);
+  const auto first = parse_end(begin);
+  const auto last = parse_end(end);
   if (!first || !last) {
     refuse_item(item,
                 "is not a code point or a range; write 0x41, U+41, 65 or "
                 "0x41-0x5A, or name characters with --symbols");
+  }
+  if (is_digit(begin) != is_digit(end) &&
+      (parse_number(begin, 10) && parse_number(end, 10))) {
+    refuse_item(item,
+                "mixes a digit with a code point; write 0-9 for digits, or "
+                "code points as 0x30-0x41");
   }
   if (*first > *last) {
     refuse_item(item, "runs backwards; write the smaller code point first");
   }
   if (*first < 0x20) {
     refuse_item(item,
-                "begins with a control character; for the digits 0 to 9 write "
-                "0x30-0x39 or --symbols 0123456789");
+                "begins with a control character; printable ones begin at "
+                "0x20");
   }
   if (is_surrogate(*first) && is_surrogate(*last)) {
     refuse_item(item, "holds nothing but surrogates");
@@ -156,12 +172,12 @@ void add_text(std::string_view text, const std::string& source, CharSet& out) {
 void add_text_file(const std::filesystem::path& file, CharSet& out) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw Error(file.string() + ": is a folder; give --text a file");
+    throw Error(file.string() + ": is a folder; give --text-file a file");
   }
   std::ifstream in(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(in), {});
   if (!in.is_open() || in.bad()) {
-    throw Error(file.string() + ": cannot be read; check the --text file");
+    throw Error(file.string() + ": cannot be read; check the --text-file");
   }
   add_text(text, file.string(), out);
 }

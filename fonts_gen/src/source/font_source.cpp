@@ -294,7 +294,7 @@ void choose_glyphs(const FontFile& file,
   if (known.empty()) {
     file.refuse("holds none of the " + std::to_string(characters.size()) +
                 (characters.size() == 1 ? " character" : " characters") +
-                " asked for; check --chars, --text and --symbols");
+                " asked for; check --chars, --text-file and --symbols");
   }
   if (font.glyphs.size() > kMostGlyphs) {
     file.refuse(std::to_string(font.glyphs.size()) +
