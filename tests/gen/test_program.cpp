@@ -226,6 +226,35 @@ TEST_F(Program, NamesSizesThatItRefuses) {
             std::string::npos);
 }
 
+TEST_F(Program, FindsTheFinestFontThatFits) {
+  // Refitting needs curves: a few letters of a real face.
+  const std::string font =
+      "--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --symbols SCo "
+      "--hints off --min-px 12 --max-px 24 --out a.bin --report a.json ";
+  const auto made = [&](const std::string& options) {
+    const Outcome result = run(folder_, font + options);
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto report =
+        nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+    return std::pair<int, int>(report.at("tolerance"),
+                               report.at("bytes").at("total"));
+  };
+  const int budget = made("--tolerance 16 --quiet").second;
+  const auto [tolerance, bytes] =
+      made("--quiet --budget " + std::to_string(budget));
+  EXPECT_LE(tolerance, 16);
+  EXPECT_LE(bytes, budget);
+  const Outcome refused = run(folder_, font + "--budget 100");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("tolerance 64/255: "), std::string::npos);
+  EXPECT_NE(refused.err.find("Most bytes: U+"), std::string::npos)
+      << refused.err;
+  for (const char* wrong :
+       {"0", "x", "5G", "24KB", "-1", "9999999M", "24K --tolerance 16"}) {
+    EXPECT_EQ(run(folder_, font + "--budget " + wrong).code, 1) << wrong;
+  }
+}
+
 TEST_F(Program, MissesTheToleranceOnlyWhereItMay) {
   const std::string font =
       "--font plain.ttf --symbols . --coding samples --max-px 128 --effort 0 "

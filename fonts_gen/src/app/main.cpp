@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "app/budget.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
@@ -21,6 +22,7 @@ struct Arguments {
   std::string out;
   std::string report;
   std::string depfile;
+  size_t budget = 0;  // [bytes]; 0: none
   bool quiet = false;
 };
 
@@ -55,6 +57,15 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--name", arguments.name,
                  "Identifier in hpp and c [from the font file]")
       ->type_name("ID");
+  app.add_option_function<std::string>(
+         "--budget",
+         [&arguments](const std::string& text) {
+           arguments.budget = parse_bytes(text);
+         },
+         "Largest font: take the finest tolerance, of 1/255 to 64/255, that "
+         "fits into so many bytes")
+      ->type_name("24K")
+      ->excludes("--tolerance");
   app.add_option("--out", arguments.out, "The file to write")
       ->required()
       ->type_name("FILE");
@@ -158,6 +169,34 @@ void measure_band(const GenerateRequest& request, FontReport& report) {
   }
 }
 
+// The font that was asked for, with a bar while it is made, or a line for each
+// trial.
+RomFont make_font(Arguments& arguments) {
+  if (arguments.budget != 0) {
+    return generate_within(arguments.request, arguments.budget,
+                           [&](const std::string& line) {
+                             if (!arguments.quiet) {
+                               std::fprintf(stderr, "%s\n", line.c_str());
+                             }
+                           });
+  }
+  Progress progress(arguments.quiet);
+  arguments.request.progress = [&](size_t done, size_t count) {
+    progress.update(done, count);
+  };
+  try {
+    RomFont font = generate(arguments.request);
+    if (!arguments.quiet || !arguments.report.empty()) {
+      measure_band(arguments.request, font.report);
+    }
+    progress.finish();
+    return font;
+  } catch (...) {
+    progress.finish();
+    throw;
+  }
+}
+
 void run(Arguments& arguments) {
   if (arguments.name.empty()) {
     arguments.name = identifier_of(arguments.request.font);
@@ -165,21 +204,7 @@ void run(Arguments& arguments) {
   check_identifier(arguments.name);
   const OutputFormat format = format_of(arguments);
   check_files(arguments);
-  Progress progress(arguments.quiet);
-  arguments.request.progress = [&](size_t done, size_t count) {
-    progress.update(done, count);
-  };
-  RomFont font;
-  try {
-    font = generate(arguments.request);
-    if (!arguments.quiet || !arguments.report.empty()) {
-      measure_band(arguments.request, font.report);
-    }
-  } catch (...) {
-    progress.finish();
-    throw;
-  }
-  progress.finish();
+  const RomFont font = make_font(arguments);
   for (const Warning& warning : font.warnings) {
     std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
   }
