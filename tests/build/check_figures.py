@@ -75,9 +75,37 @@ def measured(bench):
 
     def outline(row):
         return bench.number("The three codings", row, "outline")
+
+    def os_glyph(engine):
+        return [bench.number("Instructions", f"Cortex-M3, {engine}", f"{px} px",
+                             title="DejaVuSans, -Os:") for px in (12, 24, 48)]
+
+    def rom(engine):
+        return bench.number("Fonts and RAM", engine, "DejaVuSans")
+
+    # FreeType's code, and what it needs of the C library.
+    names, *lines = bench.table("Code")
+    row = next(line for line in lines if line[0] == "Cortex-M3, -Os")
+    freetype = sum(map(int, row[names.index("FreeType")].split(" + ")))
+    inkcell = bench.number("The smallest builds", "Cortex-M3", "glyphs",
+                           title="Outlines only")
     stacks = [outline("stack without lent RAM, Cortex-M3, bytes") / 1000,
               outline("stack, Cortex-M3, bytes") / 1000]
     return [
+        ("README.md", r"\| Inkcell, outlines, filter `text` \| (\d+) \| (\d+), any "
+         r"size, kerning, hints \| (\d+); (\d+); (\d+) \| (\d+) \+ 0 \+ (\d+) "
+         r"\| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+         [inkcell, rom("outline"), *3 * [inkcell + rom("outline")],
+          bench.number("Stack", "Cortex-M3, -Os", "outline"),
+          bench.number("Fonts and RAM", "outline", "workspace"),
+          *os_glyph("outline")]),
+        ("README.md", r"\| FreeType 2.12.1, unhinted \| (\d+) \| (\d+), any size "
+         r"\| (\d+); (\d+); (\d+) \| (\d+) \+ (\d+) \+ 0 "
+         r"\| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+         [freetype, rom("FreeType"), *3 * [freetype + rom("FreeType")],
+          bench.number("Stack", "Cortex-M3, -Os", "FreeType"),
+          bench.number("Fonts and RAM", "FreeType", "heap"),
+          *os_glyph("FreeType")]),
         ("README.md", r"([\d.]+) KB of stack, or ([\d.]+) KB of stack and "
          r"([\d.]+) KB that you lend",
          stacks + [outline("RAM lent, bytes") / 1024]),
