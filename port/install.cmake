@@ -1,28 +1,33 @@
-# What `cmake --install` leaves, so that find_package(inkcell) finds it.
+# What `cmake --install` leaves: sources of what runs on the device, programs for
+# this machine, the licence. find_package(Inkcell) compiles the sources as part of
+# the project that asks, with its compiler and flags: one installation serves this
+# machine and every cross compiler.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-set(package ${CMAKE_INSTALL_LIBDIR}/cmake/inkcell)
-install(TARGETS inkcell_core inkcell_kinetic inkcell_port_pixel inkcell_port_display
-  EXPORT inkcell)
-install(EXPORT inkcell NAMESPACE inkcell:: FILE inkcellTargets.cmake
-  DESTINATION ${package})
-foreach(folder core core/kinetic port/pixel port/display)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/include/
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.hpp")
+set(package ${CMAKE_INSTALL_DATADIR}/cmake/inkcell)
+set(sources ${CMAKE_INSTALL_DATADIR}/inkcell)
+foreach(folder core port/pixel port/display port/make)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
+    DESTINATION ${sources}/${folder}
+    FILES_MATCHING
+      PATTERN "*.hpp" PATTERN "*.cpp" PATTERN "CMakeLists.txt" PATTERN "*.mk")
 endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/port/CMakeLists.txt
+  DESTINATION ${sources}/port)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${sources})
 
-configure_package_config_file(
-  ${CMAKE_CURRENT_LIST_DIR}/inkcellConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/inkcellConfig.cmake
-  INSTALL_DESTINATION ${package}
-  PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(
-  ${PROJECT_BINARY_DIR}/inkcellConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion)
+  ${PROJECT_BINARY_DIR}/inkcell-config-version.cmake
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES
-  ${PROJECT_BINARY_DIR}/inkcellConfig.cmake
-  ${PROJECT_BINARY_DIR}/inkcellConfigVersion.cmake
+  ${PROJECT_BINARY_DIR}/inkcell-config-version.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/inkcell-config.cmake
   ${PROJECT_SOURCE_DIR}/fonts_gen/cmake/InkcellFonts.cmake
   DESTINATION ${package})
+
+if(INKCELL_HOST)
+  install(TARGETS
+    inkcell-render inkcell-inspect inkcell-accuracy inkcell-specimen
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()

@@ -153,8 +153,8 @@ Wrapping wrapping_of(const Arguments& arguments) {
   if (!arguments.wrap.has_value()) {
     return wrapping;
   }
-  if (arguments.unkerned) {
-    throw std::runtime_error("--no-kerning and --wrap exclude each other");
+  if (arguments.kerning == "off") {
+    throw std::runtime_error("--kerning off and --wrap exclude each other");
   }
   wrapping.width =
       Q26_6::from_raw(static_cast<int32_t>(std::lround(*arguments.wrap * 64)));

@@ -1,7 +1,7 @@
 """Makes a project of the README's code, builds it and runs it.
 
 Once as the README has it, with add_subdirectory(inkcell); once as its comment
-says, with find_package(inkcell) after an installation. Compiled and linked as
+says, with find_package(Inkcell) after an installation. Compiled and linked as
 docs/PORTING.md says, by the C compiler, the program has what it calls and
 nothing else.
 
@@ -45,9 +45,9 @@ def write_project(mode, project):
     if not SUBDIRECTORY.search(cmake):
         sys.exit("README.md: no add_subdirectory(inkcell)")
     if mode == "installed":
-        package = re.search(r"find_package\(inkcell.*?\)", cmake)
+        package = re.search(r"find_package\(Inkcell.*?\)", cmake)
         if not package:
-            sys.exit("README.md: no find_package(inkcell ...)")
+            sys.exit("README.md: no find_package(Inkcell ...)")
         cmake = SUBDIRECTORY.sub(package.group(0), cmake)
     else:
         (project / "inkcell").symlink_to(ROOT)
@@ -73,6 +73,28 @@ def check_linked(program, library):
             [f"{name} is linked" for name in NOT_CALLED if name in names] +
             [f"{name} is nowhere: the test looks for nothing"
              for name in NOT_CALLED if name not in all_names])
+
+
+def check_render(work, build):
+    """Problems of inkcell-render, which draws by default what the program draws:
+    white on black, 5 bits of red and 6 of green in place of 8 of grey."""
+    picture, screen = work / "hello.pgm", work / "screen"
+    text = re.search(r'draw_text\(font, "(.*?)"', blocks("cpp")).group(1)
+    result = run([build / "host_tools/inkcell-render", "--font", FONT, "--text",
+                  text, "--px", 24, "--width", 160, "--height", 40, "--ox", 4,
+                  "--oy", 28, "--out", picture])
+    if result.returncode != 0 or run([work / "build/app", screen]).returncode:
+        return [f"inkcell-render: {result.stdout}"]
+    grey = picture.read_bytes().split(b"\n", 3)[3]
+    pixels = screen.read_bytes()
+    worst = 0
+    for i, value in enumerate(grey):
+        word = pixels[2 * i] | pixels[2 * i + 1] << 8
+        worst = max(worst, abs((word >> 11) * 255 / 31 - value),
+                    abs((word >> 5 & 63) * 255 / 63 - value))
+    # The sink blends in 32 steps of coverage; a fitted glyph differs by 100.
+    return [] if worst <= 255 / 31 + 1 else [
+        f"inkcell-render draws {worst:.0f}/255 else than the README's program"]
 
 
 def main():
@@ -102,8 +124,10 @@ def main():
             words = " ".join(str(word) for word in command)
             finish(0, [f"{words}\n{result.stdout}"])
     print(result.stdout, end="")
-    finish(len(commands) + 1, check_linked(
-        work / "build/app", build / "core/libinkcell_core.a"))
+    problems = check_linked(work / "build/app",
+                            build / "core/libinkcell_core.a")
+    problems += check_render(work, build)
+    finish(len(commands) + 2, problems)
 
 
 main()

@@ -84,7 +84,8 @@ bool page_works() {
 
 }  // namespace
 
-int main() {
+// Writes the screen's bytes to the file that is named, if there is one.
+int main(int argc, char** argv) {
   if (!page_works()) {
     puts("the README's page is not as it should be");
     return 1;
@@ -93,6 +94,15 @@ int main() {
   if (hello(screen.strip) != inkcell::Status::ok) {
     puts("the README's program fails");
     return 1;
+  }
+  if (argc > 1) {
+    FILE* out = fopen(argv[1], "wb");
+    if (out == nullptr ||
+        fwrite(screen.bytes, sizeof screen.bytes, 1, out) != 1 ||
+        fclose(out) != 0) {
+      puts("the screen cannot be written");
+      return 1;
+    }
   }
   // Twelve characters of 24 px: some 12 x 60 px of stems, on a few rows only.
   int white = 0;

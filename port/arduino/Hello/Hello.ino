@@ -1,0 +1,47 @@
+// Draws a line of text into RAM, as RGB565, and prints how many pixels have ink.
+// Send `pixels` to your display in place of counting.
+#include <Inkcell.h>
+
+#include "digits.h"  // made by inkcell-fontgen: digits, a colon, a blank
+
+constexpr int32_t kWidth = 120;
+constexpr int32_t kHeight = 32;
+alignas(2) static uint8_t pixels[2 * kWidth * kHeight];
+
+inkcell::Status draw_clock(const char* text) {
+  inkcell::Font font;
+  INKCELL_TRY(inkcell::Font::open(fonts::digits, font));
+  inkcell::TextStyle style;
+  INKCELL_TRY(inkcell::TextStyle::make(inkcell::Q26_6::from_int(24),
+                                       inkcell::kFilterText, style));
+  inkcell::Strip strip;
+  strip.pixels = pixels;
+  strip.width = kWidth;
+  strip.height = kHeight;
+  strip.stride = 2 * kWidth;
+  inkcell::port::Rgb565Target target = {strip};
+  inkcell::Sink sink;
+  INKCELL_TRY(inkcell::port::make_sink(target, sink));
+  inkcell::draw_text(font, text, style,
+                     {inkcell::Q26_6::from_int(4),
+                      inkcell::Q26_6::from_int(25)},
+                     sink);
+  return inkcell::Status::ok;
+}
+
+void setup() {
+  Serial.begin(115200);
+}
+
+void loop() {
+  if (draw_clock("12:34") != inkcell::Status::ok) {
+    Serial.println("the font cannot be drawn");
+    return;
+  }
+  int inked = 0;
+  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+    inked += pixels[2 * i] != 0 || pixels[2 * i + 1] != 0;
+  }
+  Serial.println(inked);
+  delay(1000);
+}

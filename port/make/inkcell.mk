@@ -1,0 +1,27 @@
+# Inkcell in a Makefile. Set INKCELL to its folder and include this file; then
+# compile $(INKCELL_SOURCES) with $(INKCELL_FLAGS), your sources with
+# $(INKCELL_INCLUDES), and link with -Wl,--gc-sections:
+#
+#   INKCELL := inkcell
+#   include $(INKCELL)/port/make/inkcell.mk
+#   $(eval $(call inkcell_font,dejavu_sans,DejaVuSans.ttf,--chars=0x20-0x7E))
+#
+# The font is $(INKCELL_FONTS)/fonts/dejavu_sans.hpp; name it as a prerequisite of
+# the objects that include it.
+INKCELL_FONTGEN ?= inkcell-fontgen
+INKCELL_FONTS ?= build/inkcell_fonts
+
+INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
+  $(INKCELL)/port/pixel/src/*.cpp $(INKCELL)/port/display/src/*.cpp)
+INKCELL_INCLUDES := -I$(INKCELL)/core/include -I$(INKCELL)/port/pixel/include \
+  -I$(INKCELL)/port/display/include -I$(INKCELL_FONTS)
+INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
+  -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
+  -ffunction-sections -fdata-sections
+
+# $(call inkcell_font,<name>,<font file>,<more arguments of inkcell-fontgen>)
+define inkcell_font
+$(INKCELL_FONTS)/fonts/$(1).hpp: $(2)
+	mkdir -p $$(@D)
+	$(INKCELL_FONTGEN) --font=$(2) --name=$(1) $(3) --quiet --out=$$@
+endef

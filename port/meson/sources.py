@@ -1,0 +1,7 @@
+"""Prints the sources of what runs on the device, one a line."""
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+for folder in ("core/src", "port/pixel/src", "port/display/src"):
+    for path in sorted((ROOT / folder).rglob("*.cpp")):
+        print(path)

@@ -1,0 +1,35 @@
+"""Makes the fonts of a PlatformIO project: each line of custom_inkcell_fonts in
+its environment is the arguments of one call of inkcell-fontgen, without --out.
+
+    custom_inkcell_fonts =
+        --font=fonts/DejaVuSans.ttf --name=dejavu_sans --chars=0x20-0x7E
+
+The sources include <fonts/dejavu_sans.hpp>. The program is found in PATH, or is
+named by custom_inkcell_fontgen.
+"""
+import pathlib
+import re
+import shlex
+import subprocess
+
+Import("env")  # of the library, from PlatformIO
+
+fontgen = env.GetProjectOption("custom_inkcell_fontgen", "inkcell-fontgen")
+include = pathlib.Path(env.subst("$BUILD_DIR")) / "inkcell_fonts"
+(include / "fonts").mkdir(parents=True, exist_ok=True)
+for line in env.GetProjectOption("custom_inkcell_fonts", "").splitlines():
+    arguments = shlex.split(line)
+    if not arguments:
+        continue
+    name = re.search(r"--name[= ](\w+)", line)
+    if name is None:
+        raise SystemExit(f"custom_inkcell_fonts: --name is missing in: {line}")
+    header = include / "fonts" / f"{name.group(1)}.hpp"
+    recipe = header.with_suffix(".txt")
+    if header.exists() and recipe.exists() and recipe.read_text() == line:
+        continue
+    print(f"Making fonts/{header.name}", flush=True)
+    subprocess.run([fontgen, *arguments, "--quiet", f"--out={header}"],
+                   check=True, cwd=env.subst("$PROJECT_DIR"))
+    recipe.write_text(line)
+env.Append(CPPPATH=[str(include)])

@@ -1,0 +1,90 @@
+"""Checks the packages: manifests name the project's version, licence and every
+source; a clean project builds with each, and has the same code.
+
+A project for Cortex-M0 at -Os, in a folder of its own, draws the README's line of
+text. It gets Inkcell as a subdirectory, by FetchContent, by find_package() after
+an installation, as a list of files, by Make, by Meson and as an Arduino library.
+ESP-IDF and Zephyr are played by a few functions of CMake; what SCons would run for
+PlatformIO, by a few lines of Python.
+
+Usage: check_packages.py WORK_FOLDER BUILD_FOLDER FONTGEN
+"""
+import json
+import pathlib
+import re
+import shutil
+import sys
+
+from packages import (arduino, cmake_projects, esp_idf, file_list, make, meson,
+                      platformio, zephyr)
+from toolchains import ROOT, finish, require
+
+# What the routes may differ by: Meson links as C++, with functions of another
+# library.
+SPREAD = 256  # [bytes]
+
+
+def check_manifests():
+    """Problems of what the manifests say of version and licence."""
+    version = re.search(r"project\(inkcell VERSION ([\d.]+)",
+                        (ROOT / "CMakeLists.txt").read_text()).group(1)
+    if not (ROOT / "LICENSE").read_text().startswith("MIT License\n"):
+        return ["LICENSE is not the MIT License"]
+    lines = {
+        "idf_component.yml": [f'version: "{version}"', "license: MIT"],
+        "library.json": [f'"version": "{version}"', '"license": "MIT"'],
+        "meson.build": [f"version: '{version}'", "license: 'MIT'"],
+        "port/arduino/library.properties": [f"version={version}"],
+    }
+    return [f"{file} does not say {line}"
+            for file, wanted in lines.items() for line in wanted
+            if line not in (ROOT / file).read_text()]
+
+
+def listed_in_cmake():
+    """Sources that the CMake targets have: all others are compared with them."""
+    return sorted(
+        str(path.parent / name)
+        for path in [ROOT / "core/CMakeLists.txt",
+                     ROOT / "port/pixel/CMakeLists.txt",
+                     ROOT / "port/display/CMakeLists.txt"]
+        for name in re.findall(r"src/[\w/]+\.cpp", path.read_text()))
+
+
+def main():
+    work, build, fontgen = (pathlib.Path(word).resolve()
+                            for word in sys.argv[1:])
+    require(["arm-none-eabi-g++", "cmake", "ninja", "make", "meson"])
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    problems = check_manifests()
+    sources = listed_in_cmake()
+    present = sorted(map(str, [*ROOT.glob("core/src/**/*.cpp"),
+                               *ROOT.glob("port/*/src/*.cpp")]))
+    if sources != present:
+        problems.append(f"CMake lacks {set(present) - set(sources)} or has too "
+                        f"much: {set(sources) - set(present)}")
+    passed = 2
+    for package in (esp_idf, zephyr, platformio):
+        found = sorted(package.sources(work / package.__name__, fontgen))
+        passed += 1
+        if found != sources:
+            lacks = sorted(set(sources) - set(found))
+            more = sorted(set(found) - set(sources))
+            problems.append(f"{package.__name__}: lacks {len(lacks)} sources, "
+                            f"{lacks[:3]}; has others, {more[:3]}")
+    sizes = {}
+    for package in (cmake_projects, file_list, make, meson, arduino):
+        for name, size in package.build(work, build, fontgen).items():
+            sizes[name] = size
+            passed += 1
+    for name, size in sizes.items():
+        print(f"{name:14} {size} bytes of code and constants, font included")
+    # Sketches have a program of their own.
+    same = [size for name, size in sizes.items() if name != "arduino"]
+    if max(same) - min(same) > SPREAD:
+        problems.append(f"sizes differ: {json.dumps(sizes)}")
+    finish(passed, problems)
+
+
+main()

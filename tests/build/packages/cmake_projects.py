@@ -1,0 +1,68 @@
+"""CMake: a subdirectory, FetchContent, find_package() after an installation."""
+import json
+import re
+
+from packages.consumer import (COMPILE, DEFINE, FONT, LINK, call, size_of,
+                               write_sources)
+from toolchains import ROOT
+
+TOOLCHAIN = """set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+"""
+PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(user LANGUAGES C CXX)
+{get}
+add_executable(app main.cpp readme.cpp)
+set_target_properties(app PROPERTIES LINKER_LANGUAGE C)
+target_link_libraries(app PRIVATE inkcell::core inkcell::port_pixel)
+inkcell_add_font(app FONT {font} NAME dejavu_sans CHARS 0x20-0x7E)
+"""
+FETCH = """include(FetchContent)
+FetchContent_Declare(inkcell SOURCE_DIR {root})
+FetchContent_MakeAvailable(inkcell)"""
+FORCED = re.compile(r"-O[^s ]|-Werror|-W[a-z]")
+
+
+def check_flags(folder):
+    """Ends the test if a source is compiled with flags that nobody chose."""
+    for entry in json.loads((folder / "compile_commands.json").read_text()):
+        if "-Os" not in entry["command"] or FORCED.search(entry["command"]):
+            raise SystemExit(f"flags of the user do not hold: {entry}\n"
+                             "0 passed, 1 failed")
+
+
+def build(work, host_build, fontgen):
+    """Sizes of the three programs, by route."""
+    prefix = work / "prefix"
+    call("cmake", "--install", host_build, "--prefix", prefix)
+    for name in ("bin/inkcell-fontgen", "bin/inkcell-render",
+                 "share/inkcell/LICENSE"):
+        if not (prefix / name).exists():
+            raise SystemExit(f"{name} is not installed\n0 passed, 1 failed")
+    toolchain = work / "toolchain.cmake"
+    toolchain.write_text(TOOLCHAIN)
+    installed = [f"-DCMAKE_PREFIX_PATH={prefix}"]
+    built = [f"-DINKCELL_FONTGEN={fontgen}"]
+    routes = {
+        "subdirectory": (f"add_subdirectory({ROOT} inkcell)", built),
+        "FetchContent": (FETCH.format(root=ROOT), built),
+        "find_package": ("find_package(Inkcell 0.1 REQUIRED)", installed),
+    }
+    sizes = {}
+    for name, (get, options) in routes.items():
+        folder = work / name
+        write_sources(folder)
+        (folder / "CMakeLists.txt").write_text(
+            PROJECT.format(get=get, font=FONT))
+        call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
+             f"-DCMAKE_TOOLCHAIN_FILE={toolchain}",
+             "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+             f"-DCMAKE_CXX_FLAGS={' '.join(COMPILE)}",
+             f"-DCMAKE_EXE_LINKER_FLAGS={' '.join(LINK)}", *DEFINE, *options)
+        call("cmake", "--build", folder / "build", "--target", "app")
+        check_flags(folder / "build")
+        sizes[name] = size_of(folder / "build/app")
+    return sizes

@@ -1,0 +1,32 @@
+"""ESP-IDF: its component function, played by CMake, says what it was given."""
+from packages.consumer import call
+from toolchains import ROOT
+
+PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(user LANGUAGES CXX)
+set(ESP_PLATFORM 1)
+function(idf_component_register)
+  cmake_parse_arguments(arg "" "" "SRCS;INCLUDE_DIRS;PRIV_INCLUDE_DIRS" ${ARGN})
+  foreach(folder IN LISTS arg_INCLUDE_DIRS arg_PRIV_INCLUDE_DIRS)
+    if(NOT IS_DIRECTORY ${folder})
+      message(FATAL_ERROR "no folder ${folder}")
+    endif()
+  endforeach()
+  list(JOIN arg_SRCS "\\n" lines)
+  file(WRITE ${CMAKE_BINARY_DIR}/sources "${lines}")
+  add_library(component OBJECT ${arg_SRCS})
+  set(COMPONENT_LIB component PARENT_SCOPE)
+endfunction()
+add_subdirectory(@ROOT@ inkcell)
+if(NOT COMMAND inkcell_add_font)
+  message(FATAL_ERROR "no inkcell_add_font()")
+endif()
+"""
+
+
+def sources(folder, _):
+    folder.mkdir()
+    (folder / "CMakeLists.txt").write_text(
+        PROJECT.replace("@ROOT@", str(ROOT)))
+    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build")
+    return (folder / "build/sources").read_text().splitlines()

@@ -1,0 +1,31 @@
+"""Make: port/make/inkcell.mk in a Makefile."""
+from packages.consumer import (COMPILE, DEFINE, FONT, FONT_OPTIONS, LINK, call,
+                               size_of, write_sources)
+from toolchains import ROOT
+
+MAKEFILE = """INKCELL := {root}
+INKCELL_FONTGEN := {fontgen}
+include $(INKCELL)/port/make/inkcell.mk
+
+SOURCES := main.cpp readme.cpp $(INKCELL_SOURCES)
+OBJECTS := $(patsubst %.cpp,build/%.o,$(notdir $(SOURCES)))
+vpath %.cpp $(sort $(dir $(SOURCES)))
+
+app: $(OBJECTS)
+	arm-none-eabi-gcc {link} $^ -o $@
+build/%.o: %.cpp
+	mkdir -p $(@D)
+	arm-none-eabi-g++ {compile} $(INKCELL_FLAGS) -c $< -o $@
+$(eval $(call inkcell_font,dejavu_sans,{font},{options}))
+build/readme.o: $(INKCELL_FONTS)/fonts/dejavu_sans.hpp
+"""
+
+
+def build(work, _, fontgen):
+    folder = work / "make"
+    write_sources(folder)
+    (folder / "Makefile").write_text(MAKEFILE.format(
+        root=ROOT, fontgen=fontgen, font=FONT, link=" ".join(LINK),
+        compile=" ".join(COMPILE + DEFINE), options=" ".join(FONT_OPTIONS)))
+    call("make", "-C", folder, "-j2", "-s")
+    return {"make": size_of(folder / "app")}

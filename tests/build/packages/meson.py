@@ -1,0 +1,48 @@
+"""Meson: Inkcell below subprojects/, and a cross file."""
+from packages.consumer import (COMPILE, DEFINE, FONT, FONT_OPTIONS, LINK, call,
+                               size_of, write_sources)
+from toolchains import ROOT
+
+PROJECT = """project('user', 'cpp', default_options: ['cpp_std=c++17',
+  'optimization=s', 'b_pie=false', 'cpp_rtti=false', 'cpp_eh=none'])
+inkcell = subproject('inkcell').get_variable('inkcell_dep')
+fontgen = find_program('{fontgen}', native: true)
+font = custom_target(input: '{font}', output: 'dejavu_sans.hpp',
+  command: [fontgen, '--font=@INPUT@', '--name=dejavu_sans', {options},
+            '--quiet', '--out=@OUTPUT@'])
+executable('app', 'main.cpp', 'readme.cpp', font, dependencies: inkcell)
+"""
+CROSS = """[binaries]
+cpp = 'arm-none-eabi-g++'
+ar = 'arm-none-eabi-ar'
+[host_machine]
+system = 'none'
+cpu_family = 'arm'
+cpu = 'cortex-m0'
+endian = 'little'
+[built-in options]
+cpp_args = {compile}
+cpp_link_args = {link}
+"""
+
+
+def build(work, _, fontgen):
+    folder = work / "meson"
+    write_sources(folder)
+    # Meson makes no folders for outputs.
+    readme = folder / "readme.cpp"
+    readme.write_text(readme.read_text().replace("<fonts/dejavu_sans.hpp>",
+                                                 "<dejavu_sans.hpp>"))
+    (folder / "subprojects").mkdir()
+    (folder / "subprojects/inkcell").symlink_to(ROOT)
+    (folder / "meson.build").write_text(PROJECT.format(
+        fontgen=fontgen, font=FONT,
+        options=", ".join(f"'{word}'" for word in FONT_OPTIONS)))
+    # newlib-nano is what the C compiler's link takes elsewhere, too; the C++
+    # library, which Debian lacks, is left out.
+    (folder / "cross.ini").write_text(CROSS.format(
+        compile=COMPILE + DEFINE, link=[*LINK, "-nodefaultlibs", "-lc", "-lgcc"]))
+    call("meson", "setup", "--cross-file", folder / "cross.ini",
+         folder / "build", folder)
+    call("meson", "compile", "-C", folder / "build")
+    return {"meson": size_of(folder / "build/app")}
