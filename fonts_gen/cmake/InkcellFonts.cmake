@@ -7,7 +7,8 @@
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
 #     [CODING outline|edges|samples] [HINTS on|off]
-#     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT])
+#     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
+#     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>])
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
@@ -150,7 +151,7 @@ endfunction()
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
-    PREDICATE EFFORT)
+    PREDICATE EFFORT BUDGET PREVIEW)
   set(several CHARS TEXT_FILE AXIS)
   cmake_parse_arguments(
     PARSE_ARGV 1 arg "BEST_EFFORT" "${single}" "${several}")
@@ -197,7 +198,8 @@ function(inkcell_add_font target)
 
   set(options)
   foreach(word
-      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS PREDICATE EFFORT)
+      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS PREDICATE EFFORT
+      BUDGET)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")
@@ -205,6 +207,12 @@ function(inkcell_add_font target)
       list(APPEND options "${option}=${arg_${word}}")
     endif()
   endforeach()
+  set(preview)
+  if(DEFINED arg_PREVIEW)
+    cmake_path(ABSOLUTE_PATH arg_PREVIEW BASE_DIRECTORY
+      "${CMAKE_CURRENT_BINARY_DIR}" NORMALIZE OUTPUT_VARIABLE preview)
+    list(APPEND options "--preview=${preview}")
+  endif()
   if(arg_BEST_EFFORT)
     list(APPEND options --best-effort)
   endif()
@@ -235,6 +243,7 @@ function(inkcell_add_font target)
   _inkcell_find_fontgen(program depends)
   add_custom_command(
     OUTPUT "${header}"
+    BYPRODUCTS ${preview}
     COMMAND "${program}" "--font=${font}" ${options} --quiet
       --format=hpp "--name=${arg_NAME}" "--out=${header}"
       "--depfile=${header}.d"

@@ -31,6 +31,9 @@ CASES = [
     (f'app {THERE} SYMBOLS "${{unset}}"', "the value after SYMBOLS is empty"),
     (f"app {THERE} SYMBOLS ${{unset}}", "not understood: SYMBOLS"),
     (f'app {THERE} SYMBOLS ";"', ""),
+    (f"app {THERE} PREVIEW a.png BUDGET 24K", ""),
+    (f"app {THERE} BEST_EFFORT", ""),
+    (f"app {THERE} TEXT words.txt", "not understood: TEXT"),
 ]
 # Sources of a generator: these say who had them configured, and by what.
 FAKE_GENERATOR = """cmake_minimum_required(VERSION 3.25)

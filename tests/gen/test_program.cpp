@@ -1,5 +1,6 @@
 // inkcell-fontgen as it is called: options, exit codes, files left behind.
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -224,6 +225,42 @@ TEST_F(Program, NamesSizesThatItRefuses) {
   }
   EXPECT_NE(run(folder_, "--help").out.find("--min-px INT=8"),
             std::string::npos);
+}
+
+TEST_F(Program, DrawsAPreview) {
+  const Outcome result =
+      run(folder_,
+          "--font plain.ttf --symbols .H --quiet --out a.bin --preview "
+          "a.png");
+  ASSERT_EQ(result.code, 0) << result.err;
+  const std::vector<uint8_t> png = read_file(folder_.path() / "a.png");
+  png_image picture{};
+  picture.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_memory(&picture, png.data(), png.size()),
+            0);
+  picture.format = PNG_FORMAT_GRAY;
+  std::vector<uint8_t> pixels(PNG_IMAGE_SIZE(picture));
+  ASSERT_NE(png_image_finish_read(&picture, nullptr, pixels.data(), 0, nullptr),
+            0);
+  // .notdef, the point and H in a row, each with two numbers below.
+  EXPECT_EQ(picture.width, 3u * 80);
+  for (uint32_t glyph = 0; glyph < 3; ++glyph) {
+    const auto is_drawn = [&](uint32_t top, uint32_t bottom, uint8_t ink) {
+      for (uint32_t y = top; y < bottom; ++y) {
+        for (uint32_t x = 80 * glyph; x < 80 * (glyph + 1); ++x) {
+          if (pixels[y * picture.width + x] == ink) {
+            return true;
+          }
+        }
+      }
+      return false;
+    };
+    EXPECT_TRUE(is_drawn(0, 74, 0)) << glyph;
+    EXPECT_TRUE(is_drawn(76, 86, 96)) << glyph;
+    EXPECT_TRUE(is_drawn(89, 99, 96)) << glyph;
+  }
+  EXPECT_EQ(run(folder_, "--font plain.ttf --out b.bin --preview b.bin").code,
+            1);
 }
 
 TEST_F(Program, FindsTheFinestFontThatFits) {

@@ -22,6 +22,7 @@ struct Arguments {
   std::string out;
   std::string report;
   std::string depfile;
+  std::string preview;
   size_t budget = 0;  // [bytes]; 0: none
   bool quiet = false;
 };
@@ -71,6 +72,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option("--report", arguments.report, "Write the report as JSON")
       ->type_name("FILE");
+  app.add_option("--preview", arguments.preview,
+                 "Draw every glyph, and below it the bytes it takes and its "
+                 "worst error in 1/255")
+      ->type_name("FILE.png");
   app.add_option("--depfile", arguments.depfile,
                  "Write the files that were read as a Makefile rule")
       ->type_name("FILE");
@@ -135,6 +140,11 @@ void write_files(const Arguments& arguments,
   if (!arguments.depfile.empty()) {
     depfile.emplace(arguments.depfile).write(dependencies(arguments));
   }
+  std::optional<OutputFile> preview;
+  if (!arguments.preview.empty()) {
+    preview.emplace(arguments.preview).write(encode_png(draw_preview(font)));
+    preview->commit();
+  }
   if (report) {
     report->commit();
   }
@@ -147,7 +157,7 @@ void write_files(const Arguments& arguments,
 // Refuses before work begins what would fail or do harm after it.
 void check_files(const Arguments& arguments) {
   const std::vector<std::filesystem::path> targets = {
-      arguments.out, arguments.report, arguments.depfile};
+      arguments.out, arguments.report, arguments.depfile, arguments.preview};
   for (const std::filesystem::path& file : targets) {
     if (!file.empty()) {
       check_writable(file);

@@ -1,5 +1,6 @@
 #include "app/output.hpp"
 
+#include <png.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -260,6 +261,28 @@ std::string encode(const RomFont& font,
       break;
   }
   return {font.bytes.begin(), font.bytes.end()};
+}
+
+std::string encode_png(const Preview& preview) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(preview.width);
+  header.height = static_cast<png_uint_32>(preview.height);
+  header.format = PNG_FORMAT_GRAY;
+  png_alloc_size_t size = 0;
+  std::string png;
+  // The first call says how much room the second one needs.
+  for (int pass = 0; pass < 2; ++pass) {
+    png.resize(size);
+    if (png_image_write_to_memory(&header, pass == 0 ? nullptr : png.data(),
+                                  &size, 0, preview.pixels.data(), 0,
+                                  nullptr) == 0) {
+      throw Error(std::string("the preview cannot be encoded: ") +
+                  header.message);
+    }
+  }
+  png.resize(size);
+  return png;
 }
 
 void check_identifier(const std::string& name) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/generate.hpp"
+#include "pipeline/preview.hpp"
 
 namespace inkcell::gen {
 
@@ -45,6 +46,9 @@ enum class OutputFormat { bin, hpp, c };
 std::string encode(const RomFont& font,
                    OutputFormat format,
                    const std::string& name);
+
+/// A preview as the content of a PNG file. Throws Error.
+std::string encode_png(const Preview& preview);
 
 /// Throws Error unless `name` is an identifier that C and C++ accept: no
 /// keyword of either.
