@@ -84,6 +84,10 @@ def main():
     same = [size for name, size in sizes.items() if name != "arduino"]
     if max(same) - min(same) > SPREAD:
         problems.append(f"sizes differ: {json.dumps(sizes)}")
+    said = re.search(r"takes ([\d.]+) KB of code and constants",
+                     (ROOT / "docs/PORTING.md").read_text())
+    if abs(float(said.group(1)) * 1000 - sizes["subdirectory"]) > 500:
+        problems.append(f"docs/PORTING.md: {said.group(0)}")
     finish(passed, problems)
 
 
