@@ -14,7 +14,8 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 # Folders below the project's, and where their content goes below src/.
-FOLDERS = {"core/include": ".", "core/src": ".", "port/pixel/include": ".",
+FOLDERS = {"core/include": ".", "core/src": ".", "core/kinetic/include": ".",
+           "core/kinetic/src": "kinetic", "port/pixel/include": ".",
            "port/display/include": ".", "port/pixel/src": "pixel",
            "port/display/src": "display"}
 

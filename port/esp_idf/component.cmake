@@ -2,12 +2,14 @@
 get_filename_component(root ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 file(GLOB_RECURSE sources
   ${root}/core/src/*.cpp
+  ${root}/core/kinetic/src/*.cpp
   ${root}/port/pixel/src/*.cpp
   ${root}/port/display/src/*.cpp)
 idf_component_register(
   SRCS ${sources}
   INCLUDE_DIRS
     ${root}/core/include
+    ${root}/core/kinetic/include
     ${root}/port/pixel/include
     ${root}/port/display/include
   PRIV_INCLUDE_DIRS ${root}/core/src)

@@ -12,8 +12,10 @@ INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
+  $(INKCELL)/core/kinetic/src/*.cpp \
   $(INKCELL)/port/pixel/src/*.cpp $(INKCELL)/port/display/src/*.cpp)
-INKCELL_INCLUDES := -I$(INKCELL)/core/include -I$(INKCELL)/port/pixel/include \
+INKCELL_INCLUDES := -I$(INKCELL)/core/include \
+  -I$(INKCELL)/core/kinetic/include -I$(INKCELL)/port/pixel/include \
   -I$(INKCELL)/port/display/include -I$(INKCELL_FONTS)
 INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
   -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \

@@ -2,6 +2,7 @@
 import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-for folder in ("core/src", "port/pixel/src", "port/display/src"):
+for folder in ("core/src", "core/kinetic/src", "port/pixel/src",
+               "port/display/src"):
     for path in sorted((ROOT / folder).rglob("*.cpp")):
         print(path)

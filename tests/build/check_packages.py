@@ -46,6 +46,7 @@ def listed_in_cmake():
     return sorted(
         str(path.parent / name)
         for path in [ROOT / "core/CMakeLists.txt",
+                     ROOT / "core/kinetic/CMakeLists.txt",
                      ROOT / "port/pixel/CMakeLists.txt",
                      ROOT / "port/display/CMakeLists.txt"]
         for name in re.findall(r"src/[\w/]+\.cpp", path.read_text()))
@@ -60,6 +61,7 @@ def main():
     problems = check_manifests()
     sources = listed_in_cmake()
     present = sorted(map(str, [*ROOT.glob("core/src/**/*.cpp"),
+                               *ROOT.glob("core/kinetic/src/*.cpp"),
                                *ROOT.glob("port/*/src/*.cpp")]))
     if sources != present:
         problems.append(f"CMake lacks {set(present) - set(sources)} or has too "
