@@ -128,7 +128,7 @@ void run(Arguments& arguments) {
   std::vector<GlyphResult> results(font.glyphs.size());
   gen::Progress progress(arguments.quiet);
   gen::parallel_for(
-      results.size(), arguments.request.jobs,
+      results.size(), arguments.request.threads,
       [&](size_t i) {
         try {
           results[i] = round_trip(font.glyphs[i], arguments);
@@ -220,7 +220,9 @@ void add_roundtrip(CLI::App& app, Work& work) {
                     "Do not insist on points at extremes");
   command->add_option("--report", arguments->report, "Write the report as JSON")
       ->type_name("FILE");
-  command->add_option("--jobs", arguments->request.jobs, "Threads [all cores]")
+  command
+      ->add_option("--threads", arguments->request.threads,
+                   "Threads [all cores]")
       ->check(CLI::Range(0, 1024));
   command->add_flag("--quiet", arguments->quiet, "The sum only, no progress");
   command->callback(
