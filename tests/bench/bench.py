@@ -48,8 +48,7 @@ CPUS = {
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
 # What a build may leave out: docs/PORTING.md.
-PARTS = ("outlines", "edge_cells", "sample_cells", "object_order",
-         "fast_rows")
+PARTS = ("outlines", "edge_cells", "sample_cells", "fast_cells")
 # Coding, as the generator names it: firmware, and the ways that stand beside
 # the other engines.
 CODINGS = {
@@ -79,7 +78,7 @@ WHAT = {
 # Without these it is smallest, for one coding; what the document says of that.
 SMALLEST = {
     "outline": ["edge_cells", "sample_cells"],
-    "edges": ["outlines", "sample_cells", "object_order", "fast_rows"],
+    "edges": ["outlines", "sample_cells", "fast_cells"],
 }
 SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
 # What programs keep of the library: kept.cpp.

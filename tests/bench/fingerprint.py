@@ -23,8 +23,7 @@ BUILDS = {
     "m3": ("Cortex-M3", ["-O2"]),
     "smallest": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=0",
                                "-DINKCELL_OUTLINES=0",
-                               "-DINKCELL_OBJECT_ORDER=0",
-                               "-DINKCELL_FAST_ROWS=0"]),
+                               "-DINKCELL_FAST_CELLS=0"]),
     "outlines": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=0",
                                "-DINKCELL_EDGE_CELLS=0"]),
 }

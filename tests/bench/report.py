@@ -363,9 +363,8 @@ def sized_table(figures, name, title, cell):
 SMALLEST_TEXT = {
     "outline": "Outlines only: `INKCELL_EDGE_CELLS` and `INKCELL_SAMPLE_CELLS` "
     "off (PORTING.md), -Os.",
-    "edges": "Edges only: `INKCELL_OUTLINES`, `INKCELL_SAMPLE_CELLS`, "
-    "`INKCELL_OBJECT_ORDER` and\n`INKCELL_FAST_ROWS` off, -Os. Pictures are "
-    "the same.",
+    "edges": "Edges only: `INKCELL_OUTLINES`, `INKCELL_SAMPLE_CELLS` and "
+    "`INKCELL_FAST_CELLS` off, -Os.",
 }
 
 

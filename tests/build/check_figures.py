@@ -13,13 +13,11 @@ from toolchains import ROOT, finish
 # words around the constant.
 CONSTANTS = [
     ("docs/DESIGN.md", r"in bands of (\d+) rows and",
-     "core/src/raster/leaf_band.hpp", r"kRows = (\d+)"),
+     "core/src/raster/cell_band.hpp", r"kTileRows = kFastCells \? (\d+)"),
     ("docs/DESIGN.md", r"in bands of 8 rows and (\d+) columns",
-     "core/src/raster/leaf_band.hpp", r"kColumns = (\d+)"),
+     "core/src/raster/cell_band.hpp", r"kTileColumns = (\d+)"),
     ("docs/DESIGN.md", r"height in the band make (\d+) px",
-     "core/src/raster/field_band.cpp", r"kMinReduced = (\d+)"),
-    ("docs/DESIGN.md", r"and in object order from (\d+) px on",
-     "core/src/raster/render.cpp", r"kCellsFrom = Q26_6::from_int\((\d+)\)"),
+     "core/src/raster/upright_tile.cpp", r"kMinPruned = (\d+)"),
     ("docs/DESIGN.md", r"From (\d+) px on fitting of grey text fades",
      "core/include/inkcell/fit.hpp", r"kFades = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"of grey text fades, to nothing at (\d+) px",
@@ -130,8 +128,6 @@ def measured(bench):
          r"and ([\d.]+)",
          [glyph(engine, px, "Cortex-M0") for engine in ("outline", "FreeType")
           for px in (12, 48)]),
-        ("docs/DESIGN.md", r"a line of text into RGB565 takes ([\d]+) bytes",
-         [1000 * least("stack, a line", "Edges only")]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M0 at -Os",
          [least("glyphs")]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of outlines, ([\d.]+) KB of edges, "

@@ -24,14 +24,12 @@ UNSUPPORTED = "7"
 OPTIONS = {
     "INKCELL_OUTLINES": (set(), ["paint_distances(", "OutlineReader::"]),
     "INKCELL_SAMPLE_CELLS": ({"record of samples", "font of samples"},
-                             ["draw_samples", "samples_distance",
-                              "draw_turned_samples", "Block::visit_tile"]),
+                             ["find_samples", "samples_distance",
+                              "paint_samples", "Block::visit_tile"]),
     "INKCELL_EDGE_CELLS": ({"record of fields", "font of edges"},
-                            ["LeafBand::", "FieldLeaves::",
-                             "draw_slanted("]),
-    "INKCELL_OBJECT_ORDER": (set(), ["draw_samples_by_cells", "LeafBand::",
-                                     "draw_fields", "draw_slanted("]),
-    "INKCELL_FAST_ROWS": (set(), ["FieldBand::coverage_of_point"]),
+                            ["find_in_heap", "CellBand::prune_box",
+                             "Csg::rounded"]),
+    "INKCELL_FAST_CELLS": (set(), ["CellBand::prune_box", "RowValues<"]),
 }
 
 

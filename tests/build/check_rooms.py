@@ -26,7 +26,7 @@ CORE = {
     "outlines": "font place",
     "rows": "sink outlines place",
     "distance": "cells place",
-    "raster": "sink cells place distance",
+    "raster": "cells place distance",
     "effects": "sink cells place rows distance raster",
     "fit": "",
     "text": "place outlines rows raster",
@@ -61,30 +61,10 @@ GENERATOR = {
     "app": "source target pipeline",
 }
 
-# Includes of core that climb. All of them wait for cells to be drawn through
-# one map from pixels to glyphs: raster/field_draw.hpp then leaves its positions
-# to `place`, and what evaluates fields no longer sees what draws them. There is
-# to be none.
-CLIMBING = {
-    ("core/src/place/position.hpp", "raster/field_draw.hpp"):
-        "FieldPosition, the rounding of px and u",
-    ("core/src/distance/field_leaves.hpp", "raster/field_draw.hpp"):
-        "FieldPosition, the scale of a style",
-    ("core/src/distance/point_terms.hpp", "raster/field_draw.hpp"):
-        "FieldPosition",
-    ("core/src/distance/point_walk.hpp", "raster/field_draw.hpp"):
-        "FieldPosition, the distance of cells at a point",
-    ("core/src/distance/row_terms.hpp", "raster/field_draw.hpp"):
-        "FieldPosition",
-}
-
-# Sources of core that implement a header of another name, for the same reason,
-# and those that are one of two halves of a public header: linked apart, or one
-# for cells and one for outlines.
+# Sources of core that are one of two halves of a public header: linked apart, or
+# one for cells and one for outlines.
 OF_OTHER_HEADERS = {
-    "core/src/raster/field_reduce.cpp": "raster/leaf_band.hpp",
-    "core/src/raster/field_stretched.cpp": "raster/field_turned.hpp",
-    "core/src/effects/lcd_rows.cpp": "effects/lcd_stripes.hpp",
+    "core/src/raster/slanted_tile.cpp": "inkcell/text_style.hpp",
     "core/src/effects/crisp_mixer.cpp": "inkcell/crisp.hpp",
     "core/src/effects/lcd_mixer.cpp": "inkcell/lcd.hpp",
     "core/src/effects/outline_mixers.cpp": "inkcell/effects.hpp",
@@ -94,14 +74,6 @@ OF_OTHER_HEADERS = {
 # The most lines of a file of core that gives no reason for more.
 MAX_LINES = 400
 REASON = "// Over 400 lines: "
-
-# Longer files without a reason, and why they may wait: they are being
-# rewritten. There is to be none.
-LONG = {
-    "core/src/cells/field_cell.hpp": "one evaluator of primitives",
-    "core/src/effects/lcd_rows.cpp": "rows of sub-pixel distances",
-    "core/src/raster/field_slanted.cpp": "one traversal for bands",
-}
 
 # Lines of code that two passages of core must share to count as a pair, and the
 # most pairs.
@@ -136,7 +108,6 @@ class House:
         self.may_use = may_use
         self.always = always
         self.used = collections.Counter()
-        self.climbed = set()
 
     def files(self):
         return sorted([*(ROOT / self.source).glob("**/*.hpp"),
@@ -174,8 +145,6 @@ class House:
                 other = room_of(header)
                 if other in allowed:
                     self.used[room, other] += room != other
-                elif (name, header) in CLIMBING:
-                    self.climbed.add((name, header))
                 else:
                     problems.append(f"{name}: {room} may not use {header}")
         return problems
@@ -254,10 +223,10 @@ def check_lengths(files):
     for name, text in files.items():
         head = text[:text.find("#include")]
         count = text.count("\n")
-        if count > MAX_LINES and REASON not in head and name not in LONG:
+        if count > MAX_LINES and REASON not in head:
             problems.append(f"{name}: {count} lines, and no line that begins "
                             f"with {REASON!r}")
-        if count <= MAX_LINES and (REASON in head or name in LONG):
+        if count <= MAX_LINES and REASON in head:
             problems.append(f"{name}: {count} lines need no reason")
     return problems
 
@@ -306,8 +275,6 @@ def main():
     for house in houses:
         problems += house.check()
         house.print_table()
-    problems += [f"{name}: {header} climbs no longer"
-                 for name, header in CLIMBING.keys() - houses[0].climbed]
     finish(sum(len(house.files()) for house in houses), problems)
 
 

@@ -220,7 +220,8 @@ class Tools(unittest.TestCase):
             for place in ("inner", "centred", "outer")}
         # What lies inside, outside, and on both sides of the edge.
         pairs = list(zip(plain.pixels, outlines["inner"].pixels))
-        self.assertTrue(all(line <= whole for whole, line in pairs))
+        # Bands have distances in 1/127 px, or coarser.
+        self.assertTrue(all(line <= whole + 2 for whole, line in pairs))
         self.assertGreater(outlines["outer"].ink(), outlines["inner"].ink())
         self.assertEqual(self.render(*box, "--outline", 1).pixels,
                          outlines["centred"].pixels)

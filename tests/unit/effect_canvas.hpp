@@ -12,21 +12,23 @@ inline constexpr int32_t kSide = 40;
 inline uint8_t picture[kSide * kSide];
 inline uint8_t whole[kSide * kSide];
 
-// Keeps what is drawn; fails if pixels leave the window or go backwards.
+// Keeps what is drawn; fails if pixels leave the window or come twice.
 struct Canvas {
   Rect window;
-  Rect shown;  // the part that may be drawn to
-  int32_t last_y = INT32_MIN;
-  int32_t last_end = INT32_MIN;
+  Rect shown;                        // the part that may be drawn to
+  uint8_t drawn[kSide * kSide / 8];  // a bit a pixel
 
   explicit Canvas(const Rect& all) : window(all), shown(all) {
     for (uint8_t& pixel : picture) {
       pixel = 0;
     }
+    show(all);
   }
   void show(const Rect& part) {
     shown = part;
-    last_y = INT32_MIN;
+    for (uint8_t& eight : drawn) {
+      eight = 0;
+    }
   }
   Sink sink() { return {shown, this, coverage, solid}; }
 
@@ -34,12 +36,12 @@ struct Canvas {
     const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
                       x >= shown.x0 && count <= shown.x1 - x;
     CHECK(fits && "pixels inside the window");
-    CHECK((y > last_y || (y == last_y && x >= last_end)) && "in order");
-    last_y = y;
-    last_end = x + count;
     for (int32_t i = 0; fits && i < count; ++i) {
-      picture[(y - window.y0) * kSide + x - window.x0 + i] =
-          values != nullptr ? values[i] : 255;
+      const int32_t at = (y - window.y0) * kSide + x - window.x0 + i;
+      const int32_t bit = 1 << at % 8;
+      CHECK((drawn[at / 8] & bit) == 0 && "no pixel twice");
+      drawn[at / 8] = static_cast<uint8_t>(drawn[at / 8] | bit);
+      picture[at] = values != nullptr ? values[i] : 255;
     }
   }
   static void coverage(void* context,

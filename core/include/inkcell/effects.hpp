@@ -76,18 +76,19 @@ constexpr Outline make_outline(const Filter& edge,
 }
 
 namespace detail {
-void paint_outline(const GlyphField& field,
-                   const TextStyle& style,
-                   const void* options,
-                   const FinePoint& origin,
-                   const Sink& sink);
+// Of any mixer, from the distances of cells.
+void paint_mixed_cells(const GlyphField& field,
+                       const TextStyle& style,
+                       const void* options,
+                       const FinePoint& origin,
+                       const Sink& sink);
 extern const OutlineMixer kOutlineMixer;
 }  // namespace detail
 
 /// Draws what the style's filter covers and `inner`, which is Outline::inner,
 /// does not. The filter must outlive the style.
 constexpr Effect outline_effect(const Filter& inner) noexcept {
-  return {detail::paint_outline, &detail::kOutlineMixer, &inner, 0};
+  return {detail::paint_mixed_cells, &detail::kOutlineMixer, &inner, 0};
 }
 Effect outline_effect(const Filter&&) = delete;
 
@@ -99,11 +100,6 @@ struct OutlineAndFill {
 };
 
 namespace detail {
-void paint_outline_and_fill(const GlyphField& field,
-                            const TextStyle& style,
-                            const void* options,
-                            const FinePoint& origin,
-                            const Sink& sink);
 extern const OutlineMixer kOutlineAndFillMixer;
 }  // namespace detail
 
@@ -113,8 +109,7 @@ extern const OutlineMixer kOutlineAndFillMixer;
 /// outline's sink, then the same to the fill's. The options must outlive the
 /// style.
 constexpr Effect outline_and_fill_effect(const OutlineAndFill& both) noexcept {
-  return {detail::paint_outline_and_fill, &detail::kOutlineAndFillMixer, &both,
-          0};
+  return {detail::paint_mixed_cells, &detail::kOutlineAndFillMixer, &both, 0};
 }
 Effect outline_and_fill_effect(const OutlineAndFill&&) = delete;
 

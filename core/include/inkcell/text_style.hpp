@@ -17,7 +17,6 @@ struct FinePoint;
 struct GlyphField;
 struct GlyphMetrics;
 struct GlyphWarp;
-struct Rect;
 struct Sink;
 
 /// Grid fitting (fit.hpp has one). `options` is what TextStyle::set_fitter was
@@ -47,11 +46,11 @@ using CellEffect = void (*)(const GlyphField& field,
                             const Sink& sink);
 
 namespace detail {
+struct CellRaster;
 struct OutlineFitter;
 struct OutlineMap;
 struct OutlineMixer;
 struct OutlinePainter;
-struct Placed;
 
 // Filters of outlines; linked with the TextStyle::make that names them.
 extern const OutlinePainter kPaintPixelRamp;      // Filter::is_linear_pixel()
@@ -71,17 +70,6 @@ __attribute__((always_inline)) inline const OutlinePainter& painter_of(
              : kPaintWideDistances;
 }
 
-// What only glyphs that are not upright need.
-struct Slant {
-  CellEffect paint;  // without options
-  // The box on the screen around a part of the glyph. [u -> px]
-  Rect (*box)(const Rect& limits, const TextStyle& style, const Placed& placed);
-  // A place in px along and across the glyph's axes. [Q10]
-  FinePoint (*place)(const TextStyle& style,
-                     const FinePoint& origin,
-                     int64_t along_q10,
-                     int64_t across_q10);
-};
 // Grid fitting of outlines.
 extern const OutlineFitter kOutlineFitter;
 
@@ -90,13 +78,9 @@ extern const OutlineFitter kOutlineFitter;
 using OutlineMapper = bool (*)(const TextStyle& style, OutlineMap& map);
 bool map_slanted(const TextStyle& style, OutlineMap& map);
 
-extern const Slant kTurned;     // where all edges are stretched alike
-extern const Slant kStretched;  // and where they are not
-
-void draw_painted(const GlyphField& field,
-                  const TextStyle& style,
-                  const Placed& placed,
-                  const Sink& sink);
+// What glyphs of cells need that are not upright.
+extern const CellRaster kTurnedCells;     // where all edges are stretched alike
+extern const CellRaster kStretchedCells;  // and where they are not
 }  // namespace detail
 
 /// Draws glyphs in another way than one sample a pixel. Made by functions
@@ -218,14 +202,7 @@ class TextStyle {
   /// each pixel, the fastest. The effect's options must outlive the style. The
   /// linker drops the effects that a program does not name. Of glyphs of cells
   /// effects take turned styles, but none that is made of a matrix.
-  void set_effect(const Effect& effect) noexcept {
-    effect_ = effect;
-    if constexpr (detail::kHasCells) {
-      if (drawer_ == nullptr) {
-        drawer_ = detail::draw_painted;
-      }
-    }
-  }
+  void set_effect(const Effect& effect) noexcept { effect_ = effect; }
   const Effect& effect() const noexcept { return effect_; }
 
   /// Px to the em; of a matrix the greatest stretch.
@@ -247,21 +224,11 @@ class TextStyle {
     return outline_mapper_;
   }
 
-  /// What draws glyphs, where that is more than to fill rows of them. Null, the
-  /// default: it is not. Linked with what asks for more.
-  using Drawer = void (*)(const GlyphField& field,
-                          const TextStyle& style,
-                          const detail::Placed& placed,
-                          const Sink& sink);
-  Drawer drawer() const noexcept { return drawer_; }
-
-  /// What draws glyphs that are not upright; null if they are. Linked with the
-  /// make() that needs it.
-  CellEffect slanted() const noexcept {
-    return is_upright() ? nullptr : slant_->paint;
+  /// What draws glyphs of cells that are not upright, which they must be.
+  /// Linked with the make() that needs it.
+  const detail::CellRaster& slanted_cells() const noexcept {
+    return *slanted_cells_;
   }
-  /// The same and all else that they need. They must not be upright.
-  const detail::Slant& slant() const noexcept { return *slant_; }
 
   /// Whether edges of different directions are stretched differently, and the
   /// least stretch over the greatest.
@@ -355,12 +322,9 @@ class TextStyle {
       outline_painter_ = &painter;
     }
   }
-  void set_slant(const detail::Slant& slant) noexcept {
+  void set_slanted(const detail::CellRaster& cells) noexcept {
     is_slanted_ = true;
-    if constexpr (detail::kHasCells) {
-      slant_ = &slant;
-      drawer_ = detail::draw_painted;
-    }
+    slanted_cells_ = &cells;
     if constexpr (detail::kHasOutlines) {
       outline_mapper_ = detail::map_slanted;
     }
@@ -379,11 +343,10 @@ class TextStyle {
   Axes axes_;
   const Filter* filter_ = &kFilterText;
   const detail::OutlinePainter* outline_painter_ = nullptr;
-  Drawer drawer_ = nullptr;
   // Only upright text is fitted.
   union {
     const Fitter* fitter_ = nullptr;
-    const detail::Slant* slant_;
+    const detail::CellRaster* slanted_cells_;
   };
   union {
     const detail::OutlineFitter* outline_fitter_ = nullptr;

@@ -1,7 +1,7 @@
 #include "cells/record.hpp"
 
 #include "base/bytes.hpp"
-#include "cells/cell_access.hpp"
+#include "cells/leaf_reader.hpp"
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell {
@@ -82,6 +82,13 @@ __attribute__((noinline)) Status detail::read_record(
     bytes += format::samples::kBytes * field.cell_count;
   }
   return record.size < bytes + reference_bytes ? Status::corrupt : Status::ok;
+}
+
+Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
+  GlyphField field;
+  INKCELL_TRY(detail::read_record(record, field));
+  out = field;
+  return Status::ok;
 }
 
 }  // namespace inkcell

@@ -1,15 +1,15 @@
 #include "inkcell/crisp.hpp"
 
-#include "distance/point_walk.hpp"
-#include "place/painted_box.hpp"
-#include "sink/span_writer.hpp"
+#include "distance/sampler.hpp"
+#include "raster/draw_cells.hpp"
+#include "sink/row_writer.hpp"
 
 namespace inkcell {
 namespace {
 
-using detail::FieldPosition;
-using detail::PointWalk;
-using detail::SpanWriter;
+using detail::CellSampler;
+using detail::GlyphPoint;
+using detail::RowWriter;
 
 // Of two neighbours with a stroke between them, the nearer one's distance.
 constexpr int32_t kFarthestQ10 = -(1 << 9);  // [px]
@@ -28,22 +28,21 @@ class Neighbourhood {
         origin_(origin),
         threshold_q10_(threshold_q10) {}
 
-  FieldPosition position(int32_t x,
-                         int32_t y,
-                         int32_t right_q10,
-                         int32_t down_q10) const noexcept {
-    return detail::sample_position(style_, origin_, x, y,
-                                   {right_q10, -down_q10});
+  GlyphPoint position(int32_t x,
+                      int32_t y,
+                      int32_t right_q10,
+                      int32_t down_q10) const noexcept {
+    return walk_.point(origin_, x, y, {right_q10, -down_q10});
   }
 
-  FieldPosition next(const FieldPosition& at) const noexcept {
-    return detail::moved(at, detail::pixel_step(style_));
+  GlyphPoint next(const GlyphPoint& at) const noexcept {
+    return detail::moved(at, detail::offset_of(style_, {1 << 10, 0}));
   }
   uint8_t covered(int32_t value_q10) const noexcept {
     return style_.filter().coverage(value_q10 + threshold_q10_);
   }
 
-  int32_t value_at(const FieldPosition& at) noexcept {
+  int32_t value_at(const GlyphPoint& at) noexcept {
     return walk_.distance_q10(at) - threshold_q10_;
   }
 
@@ -86,7 +85,7 @@ class Neighbourhood {
     return false;
   }
 
-  PointWalk walk_;
+  CellSampler walk_;
   const TextStyle& style_;
   const FinePoint& origin_;
   int32_t threshold_q10_;
@@ -103,9 +102,9 @@ __attribute__((noinline)) void draw_rows(Neighbourhood& glyph,
                                          const Sink& sink) noexcept {
   const bool has_greys = crisp.levels > 2;
   const uint8_t bridge = has_greys ? 170 : 255;
-  SpanWriter writer(sink, box.y0);
+  RowWriter writer(sink, box.y0);
   for (int32_t y = box.y0; y < box.y1; ++y) {
-    FieldPosition at = glyph.position(box.x0, y, 0, 0);
+    GlyphPoint at = glyph.position(box.x0, y, 0, 0);
     for (int32_t x = box.x0; x < box.x1; ++x) {
       const int32_t value_q10 = glyph.value_at(at);
       uint8_t coverage = value_q10 >= 0 ? 255 : 0;
@@ -138,9 +137,7 @@ void detail::paint_crisp(const GlyphField& field,
   Neighbourhood glyph(field, style, origin, threshold);
   // Beyond the ramp of the filter, by what the threshold and bridges reach.
   draw_rows(glyph, crisp,
-            detail::painted_box(field, style, origin, sink.window,
-                                kMostReachQ10, kMostReachQ10),
-            sink);
+            detail::visible_pixels(field, style, origin, sink.window), sink);
 }
 
 }  // namespace inkcell

@@ -1,11 +1,11 @@
 // Outlines for displays of 1 and 2 bits.
 #include "base/math.hpp"
+#include "base/words.hpp"
 #include "inkcell/crisp.hpp"
 #include "rows/crossings.hpp"
 #include "rows/outline_draw.hpp"
 #include "rows/outline_mixer.hpp"
 #include "sink/emit.hpp"
-#include "base/words.hpp"
 
 namespace inkcell {
 namespace detail {

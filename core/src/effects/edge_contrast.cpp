@@ -1,20 +1,20 @@
 #include "inkcell/edge_contrast.hpp"
 
 #include "base/math.hpp"
-#include "distance/point_walk.hpp"
-#include "inkcell/render.hpp"
-#include "sink/span_writer.hpp"
+#include "distance/sampler.hpp"
+#include "raster/draw_cells.hpp"
+#include "sink/row_writer.hpp"
 
 namespace inkcell {
 namespace {
 
-using detail::FieldPosition;
+using detail::CellSampler;
+using detail::GlyphPoint;
 using detail::max;
 using detail::moved;
 using detail::moved_back;
-using detail::PointWalk;
+using detail::RowWriter;
 using detail::ScreenGradient;
-using detail::SpanWriter;
 
 // Where a pixel's neighbours are asked for their gradients: close enough to
 // lie in cells that are not saturated. [px, Q10]
@@ -31,9 +31,9 @@ constexpr int32_t kThinHigh = 768;
 
 // Where a row's first pixel lies, and its neighbours above and below.
 struct Rows {
-  FieldPosition centre;
-  FieldPosition above;
-  FieldPosition below;
+  GlyphPoint centre;
+  GlyphPoint above;
+  GlyphPoint below;
 };
 
 // By how much the gradients on both sides of a pixel oppose each other: 0
@@ -53,16 +53,16 @@ int32_t convergence(const ScreenGradient& low,
 struct Painting {
   const TextStyle& style;
   const EdgeContrast& options;
-  PointWalk walk;
-  FieldPosition aside;  // kAway to the right
+  CellSampler sampler;
+  GlyphPoint aside;  // kAway to the right
 };
 
 __attribute__((noinline)) int32_t thinness_q14(
     Painting& painting,
-    const FieldPosition& centre,
-    const FieldPosition& above,
-    const FieldPosition& below) noexcept {
-  PointWalk& walk = painting.walk;
+    const GlyphPoint& centre,
+    const GlyphPoint& above,
+    const GlyphPoint& below) noexcept {
+  CellSampler& walk = painting.sampler;
   const ScreenGradient left = walk.gradient(moved_back(centre, painting.aside));
   const ScreenGradient right = walk.gradient(moved(centre, painting.aside));
   const int32_t across =
@@ -81,15 +81,16 @@ int32_t changed(int32_t coverage, int32_t share_q22) noexcept {
   return result > 255 ? 255 : result;
 }
 
-__attribute__((noinline)) uint8_t coverage_at(
-    Painting& painting, const Rows& rows, const FieldPosition& way) noexcept {
-  const FieldPosition at = moved(rows.centre, way);
-  const int32_t distance_q10 = painting.walk.distance_q10(at);
+__attribute__((noinline)) uint8_t coverage_at(Painting& painting,
+                                              const Rows& rows,
+                                              const GlyphPoint& way) noexcept {
+  const GlyphPoint at = moved(rows.centre, way);
+  const int32_t distance_q10 = painting.sampler.distance_q10(at);
   int32_t coverage = painting.style.filter().coverage(distance_q10);
   if (coverage == 0 || coverage == 255) {
     return static_cast<uint8_t>(coverage);
   }
-  const ScreenGradient g = painting.walk.gradient(at);
+  const ScreenGradient g = painting.sampler.gradient(at);
   int32_t side_q14 = max(g.right_q14, g.up_q14) - max(-g.right_q14, -g.up_q14);
   side_q14 = side_q14 > kOneQ14 ? kOneQ14 : max(side_q14, -kOneQ14);
   coverage = changed(coverage, side_q14 * painting.options.edge);
@@ -106,19 +107,18 @@ __attribute__((noinline)) void draw_row(Painting& painting,
                                         const Rect& box,
                                         int32_t y,
                                         const Sink& sink) noexcept {
-  const TextStyle& style = painting.style;
   const auto position = [&](int32_t up_q10) noexcept {
-    return detail::sample_position(style, origin, box.x0, y, {0, up_q10});
+    return painting.sampler.point(origin, box.x0, y, {0, up_q10});
   };
   const Rows rows = {position(0), position(kAway), position(-kAway)};
-  SpanWriter writer(sink, y);
-  const FieldPosition step = detail::pixel_step(style);
-  FieldPosition way = {0, 0, 0, 0};
+  RowWriter writer(sink, y);
+  const GlyphPoint step = detail::offset_of(painting.style, {1 << 10, 0});
+  GlyphPoint way = {0, 0, 0, 0};
   for (int32_t x = box.x0; x < box.x1; ++x) {
     writer.put(x, coverage_at(painting, rows, way));
     way = moved(way, step);
   }
-  writer.flush();
+  writer.next_row();
 }
 
 }  // namespace
@@ -128,10 +128,10 @@ void detail::paint_edge_contrast(const GlyphField& field,
                                  const void* options,
                                  const FinePoint& origin,
                                  const Sink& sink) {
-  const Rect box = detail::painted_box(field, style, origin, sink);
+  const Rect box = detail::visible_pixels(field, style, origin, sink.window);
   Painting painting = {style, *static_cast<const EdgeContrast*>(options),
-                       PointWalk(field, style, detail::kNoReach),
-                       detail::scaled(style.right(), kAway)};
+                       CellSampler(field, style, detail::kNoReach),
+                       detail::offset_of(style, {kAway, 0})};
   for (int32_t y = box.y0; y < box.y1; ++y) {
     draw_row(painting, origin, box, y, sink);
   }

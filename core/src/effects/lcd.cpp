@@ -1,182 +1,336 @@
+// Sub-pixels of cells: a distance for each stripe of a pixel, and from how it
+// changes between them how steep their ramp is.
 #include "inkcell/lcd.hpp"
 
-#include "cells/cell_access.hpp"
 #include "effects/lcd_stripes.hpp"
-#include "place/painted_box.hpp"
+#include "effects/mixed_cells.hpp"
+#include "raster/paint_leaf.hpp"
 
 namespace inkcell {
+namespace detail {
 namespace {
 
-using detail::FieldPosition;
-using detail::is_vertical;
-using detail::kFlattest;
-using detail::kThird;
-using detail::LcdRows;
-using detail::PointWalk;
-using detail::RgbSpans;
+// How much steeper than the filter the ramp of a stripe is, by 1/32 of the
+// gradient's component across the stripes: a stripe is a third of a pixel wide
+// and a pixel long, and a straight edge of normal (n, m) covers it over a
+// distance of n / 3 + m. [Q8]
+constexpr uint16_t kSteepness[33] = {
+    256, 253, 251, 249, 248, 246, 245, 244, 243, 243, 243,
+    243, 243, 244, 245, 246, 248, 250, 252, 255, 259, 263,
+    268, 274, 281, 289, 300, 313, 330, 353, 388, 448, 768};
 
-// What stripes cover, each for itself.
-class Stripes {
+// How far the flattest ramp of all reaches beyond the filter's, and from a
+// stripe to the next. [px, Q8]
+constexpr int32_t kFlattest = 16;
+constexpr int32_t kThird = 86;
+
+// Of a pixel's stripes. [px]
+struct Distances {
+  int32_t before_q10;
+  int32_t middle_q10;
+  int32_t behind_q10;
+};
+
+// From distances at a pixel's stripes to their coverages.
+class StripeRamp {
  public:
-  Stripes(const GlyphField& field,
-          const TextStyle& style,
-          const LcdOptions& lcd) noexcept
-      : filter_(style.filter()),
-        walk_(field,
-              style,
-              detail::reach_of(style.filter()) + (kFlattest << 12)) {
-    // Where the middle one is this far beyond the ramp, all are.
-    const int32_t way = is_vertical(lcd.order) ? kWay : kWay / 2;
-    empty_q10_ = filter_.outside_q10 - way;
-    full_q10_ = filter_.inside_q10 + way;
-  }
+  explicit StripeRamp(const Filter& filter) noexcept
+      : centre_q10_((filter.outside_q10 + filter.inside_q10) >> 1),
+        first_q10_(centre_q10_ - filter.outside_q10 - 1),
+        steps_(static_cast<uint32_t>(filter.inside_q10 - filter.outside_q10) -
+               1),
+        scale_(filter.scale),
+        table_(filter.table) {}
 
-  // Of kCount stripes, 3 or 5, around `middle`; `ways` lead to them from there.
-  template <uint32_t kCount>
-  __attribute__((noinline)) void take(const FieldPosition& middle,
-                                      const FieldPosition* ways,
-                                      uint8_t* out) noexcept {
-    constexpr uint32_t kMiddle = kCount / 2;
-    const int32_t middle_q10 = walk_.distance_q10(middle);
-    if (middle_q10 >= full_q10_ || middle_q10 <= empty_q10_) {
-      for (uint32_t i = 0; i < kCount; ++i) {
-        out[i] = middle_q10 >= full_q10_ ? 255 : 0;
-      }
-      return;
-    }
-    int32_t d[kCount];
-    for (uint32_t i = 0; i < kCount; ++i) {
-      d[i] = i == kMiddle ? middle_q10
-                          : walk_.near_q10(detail::moved(middle, ways[i]));
-    }
-    detail::cover_stripes<kCount>(filter_, d, out);
+  // `out`: a pixel that is 0. [px]
+  __attribute__((always_inline)) void cover(const Distances& distances,
+                                            uint8_t* out) const noexcept {
+    const int32_t before = distances.before_q10 - centre_q10_;
+    const int32_t middle = distances.middle_q10 - centre_q10_;
+    const int32_t behind = distances.behind_q10 - centre_q10_;
+    const int32_t change = max(abs(middle - before), abs(behind - middle));
+    const int32_t steepness = kSteepness[min((3 * change + 16) >> 5, 32)];
+    out[0] = coverage(before * steepness);
+    out[1] = coverage(middle * steepness);
+    out[2] = coverage(behind * steepness);
+  }
+  // Whether all of a pixel is so far from the edge as its middle says.
+  bool is_far(int32_t middle_q10) const noexcept {
+    constexpr uint32_t kMore = 4 * (kFlattest + kThird);
+    return static_cast<uint32_t>(middle_q10 - centre_q10_ + first_q10_) +
+               kMore >=
+           steps_ + 2 * kMore;
   }
 
  private:
-  // More than two stripes. [px, Q10]
-  static constexpr int32_t kWay = 3 << 8;
+  // Filter::coverage of what is so far from the centre. [px, Q18]
+  __attribute__((always_inline)) uint8_t coverage(
+      int32_t way_q18) const noexcept {
+    const auto step = static_cast<uint32_t>(first_q10_ + (way_q18 >> 8));
+    if (step < steps_) {
+      return table_[static_cast<uint8_t>((step + 1) * scale_ >> 14)];
+    }
+    return static_cast<uint8_t>(~(wrapped(step) >> 31));
+  }
 
-  const Filter& filter_;
-  PointWalk walk_;
-  int32_t empty_q10_;
-  int32_t full_q10_;
+  int32_t centre_q10_;
+  int32_t first_q10_;  // from the centre to the ramp's first step
+  uint32_t steps_;     // of the ramp
+  uint32_t scale_;
+  const uint8_t* table_;
 };
 
-// From the middle of a pixel to its stripes, and to those beside it.
-struct Ways {
-  FieldPosition way[5];
-
-  __attribute__((noinline))
-  Ways(const LcdRows& rows, bool is_down) noexcept {
-    const int32_t y = rows.box.y0;
-    const FieldPosition middle = rows.at(rows.box.x0, y, 0, 0);
-    for (int32_t i = 0; i < 5; ++i) {
-      const int32_t third = (i - 2) * kThird;
-      const FieldPosition at = is_down ? rows.at(rows.box.x0, y, 0, -third)
-                                       : rows.at(rows.box.x0, y, third, 0);
-      way[i] = {at.x_q16 - middle.x_q16, at.y_q16 - middle.y_q16,
-                at.x_q20 - middle.x_q20, at.y_q20 - middle.y_q20};
+// kCount primitives of a leaf at a pixel's stripes: in the middle, and along
+// their tangents, beyond the cell if need be. What rounding a vertex changes in
+// the middle it changes in all of them.
+template <uint32_t kCount>
+class PrimitiveStripes : public Cursor {
+ public:
+  PrimitiveStripes(const CellBand& band,
+                   TileLeaf& leaf,
+                   const GlyphPoint& first) noexcept
+      : Cursor(band.map(), first),
+        band_(band),
+        leaf_(leaf),
+        sign_(kCount == 1 ? 0 : leaf.sign) {
+    const GlyphPoint& next = band.stripes()->next;
+    const PixelPlace way = {q8_of(next.x_q20), q8_of(next.y_q20)};
+    for (uint32_t i = 0; i < kCount; ++i) {
+      Part& part = parts_[i];
+      part.arc = ArcValue(leaf.parts[i], band.scale(), 0);
+      const LineValue& plane = part.arc.plane;
+      part.step_q22 = wrapped(times(plane.nx_q14, way.x_q8) +
+                              times(plane.ny_q14, way.y_q8));
+      part.along_q14 = wrapped(times(plane.nx_q14, way.y_q8) -
+                               times(plane.ny_q14, way.x_q8)) >>
+                       8;
     }
   }
-};
 
-// A row of pixels whose stripes stand side by side. Only three a pixel are new:
-//
-//   | . . 0 | 1 2 3 | 4 5 6 |     1 2 3 are those of pixel x
-//
-__attribute__((noinline)) void draw_across(const LcdRows& rows,
-                                           const Ways& ways,
-                                           int32_t y,
-                                           Stripes& stripes,
-                                           RgbSpans& spans) noexcept {
-  const FieldPosition step = detail::pixel_step(rows.style);
-  const FieldPosition* const three = ways.way + 1;
-  FieldPosition at = rows.at(rows.box.x0 - 1, y, 0, 0);
-  uint8_t covered[7];
-  stripes.take<3>(at, three, covered + 1);
-  at = detail::moved(at, step);
-  stripes.take<3>(at, three, covered + 4);
-  for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
-    for (int32_t i = 0; i < 4; ++i) {
-      covered[i] = covered[i + 3];
+  // The distance in the middle. [px]
+  int32_t middle_q10() noexcept {
+    const PixelPlace at = place();
+    for (uint32_t i = 0; i < kCount; ++i) {
+      const ArcValue& arc = parts_[i].arc;
+      uint32_t value_q22 = arc.plane.plane_q22(at);
+      slopes_q15_[i] = 0;
+      if (arc.bend != 0) {
+        const uint32_t along_q8 = arc.along_q8(at);
+        const int32_t slope = arc.slope_q15(along_q8, band_.bend_shift());
+        slopes_q15_[i] = slope;
+        value_q22 +=
+            static_cast<uint32_t>(wrapped(times(slope, along_q8)) >> 1);
+      }
+      values_[i] = with_sign(wrapped(value_q22), sign_);
     }
-    at = detail::moved(at, step);
-    stripes.take<3>(at, three, covered + 4);
-    spans.put(x, covered);
+    const int32_t middle_q22 = combine<kCount>(
+        band_, leaf_, sign_,
+        [&](uint32_t i) __attribute__((always_inline)) { return values_[i]; },
+        [&]() __attribute__((always_inline)) { return at; });
+    if (kCount != 1) {
+      rounding_q22_ = middle_q22 - with_sign(least(values_), sign_);
+    }
+    return middle_q22 >> 12;
   }
-}
-
-// The same for stripes that lie on each other.
-__attribute__((noinline)) void draw_down(const LcdRows& rows,
-                                         const Ways& ways,
-                                         int32_t y,
-                                         Stripes& stripes,
-                                         RgbSpans& spans) noexcept {
-  const FieldPosition step = detail::pixel_step(rows.style);
-  FieldPosition at = rows.at(rows.box.x0, y, 0, 0);
-  uint8_t covered[5];
-  for (int32_t x = rows.box.x0; x < rows.box.x1; ++x) {
-    stripes.take<5>(at, ways.way, covered);
-    spans.put(x, covered);
-    at = detail::moved(at, step);
+  // The same of the stripes beside it.
+  __attribute__((always_inline)) void beside(
+      Distances& distances) const noexcept {
+    int32_t before[kCount];
+    int32_t behind[kCount];
+    for (uint32_t i = 0; i < kCount; ++i) {
+      const Part& part = parts_[i];
+      const auto slope_q15 = static_cast<uint32_t>(slopes_q15_[i]);
+      const int32_t step_q22 = with_sign(
+          part.step_q22 + (wrapped(times(part.along_q14, slope_q15)) >> 6),
+          sign_);
+      before[i] = values_[i] - step_q22;
+      behind[i] = values_[i] + step_q22;
+    }
+    distances.before_q10 =
+        (with_sign(least(before), sign_) + rounding_q22_) >> 12;
+    distances.behind_q10 =
+        (with_sign(least(behind), sign_) + rounding_q22_) >> 12;
   }
-}
 
-__attribute__((noinline)) void draw_rows(const LcdRows& rows,
-                                         const Ways& ways,
-                                         const LcdOptions& lcd,
-                                         Stripes& stripes,
-                                         const Sink& sink) noexcept {
-  RgbSpans spans(sink, lcd, rows.box.y0);
-  for (int32_t y = rows.box.y0; y < rows.box.y1; ++y) {
-    if (!is_vertical(lcd.order)) {
-      draw_across(rows, ways, y, stripes, spans);
+ private:
+  struct Part {
+    ArcValue arc;
+    int32_t step_q22;  // from stripe to stripe, and of w
+    int32_t along_q14;
+  };
+
+  // With the leaf's sign; no vertex is rounded.
+  __attribute__((always_inline)) int32_t least(
+      const int32_t* values) const noexcept {
+    if constexpr (kCount == 1) {
+      return values[0];
+    } else if constexpr (kCount == 2) {
+      return min(values[0], values[1]);
     } else {
-      draw_down(rows, ways, y, stripes, spans);
+      return min(values[0], leaf_.is_nested ? max(values[1], values[2])
+                                            : min(values[1], values[2]));
     }
-    spans.next_row();
+  }
+
+  const CellBand& band_;
+  TileLeaf& leaf_;
+  int32_t sign_;
+  int32_t rounding_q22_ = 0;
+  int32_t slopes_q15_[kCount];  // k w
+  int32_t values_[kCount];
+  Part parts_[kCount];
+};
+
+// Any leaf: of samples, or where edges are stretched differently.
+class AnyStripes : public PointCursor {
+ public:
+  AnyStripes(const CellBand& band,
+             TileLeaf& leaf,
+             const GlyphPoint& first) noexcept
+      : PointCursor(band.map(), leaf, first), band_(band), leaf_(leaf) {}
+
+  int32_t middle_q10() const noexcept { return distance_q10(at); }
+
+  void beside(Distances& distances) const noexcept {
+    const GlyphPoint& next = band_.stripes()->next;
+    distances.before_q10 =
+        distance_q10({at.x_q16 - next.x_q16, at.y_q16 - next.y_q16,
+                      at.x_q20 - next.x_q20, at.y_q20 - next.y_q20});
+    distances.behind_q10 =
+        distance_q10({at.x_q16 + next.x_q16, at.y_q16 + next.y_q16,
+                      at.x_q20 + next.x_q20, at.y_q20 + next.y_q20});
+  }
+
+ private:
+  int32_t distance_q10(const GlyphPoint& place) const noexcept {
+    const Stretching* const stretching = band_.stretching();
+    if (leaf_.has_primitives()) {
+      return stretching->value(band_, leaf_, place.place()) >> 12;
+    }
+    // Samples tell nothing of what is beyond their cell.
+    constexpr int32_t kFarQ10 = 1 << 16;
+    Leaf leaf;
+    leaf.saturate(false);
+    if (is_in_grid(map.field, place)) {
+      find_leaf(map.field, place.x_q16 >> 16, place.y_q16 >> 16, leaf);
+    }
+    if (leaf.count == 0) {
+      return leaf.is_inside ? kFarQ10 : -kFarQ10;
+    }
+    const uint32_t in_cell = (1u << (leaf.size_log2 + 16)) - 1;
+    const uint32_t x_q16 = place.x_q16 & in_cell;
+    const uint32_t y_q16 = place.y_q16 & in_cell;
+    return stretching != nullptr
+               ? stretching->samples_value(band_, leaf, x_q16, y_q16) >> 12
+               : map.style.to_px_q10(samples_distance_q10(
+                     leaf.parts[0], leaf.size_log2, x_q16, y_q16));
+  }
+
+  const CellBand& band_;
+  TileLeaf& leaf_;
+};
+
+template <typename Values>
+__attribute__((noinline)) void paint_leaf(const CellBand& band,
+                                          TileLeaf& leaf,
+                                          const GlyphPoint& first) noexcept {
+  const StripeRamp ramp(band.map().style.filter());
+  Values values(band, leaf, first);
+  uint8_t* out = leaf.line;
+  const TileSpan* span = leaf.spans;
+  int32_t count = span == nullptr ? leaf.width : span->end - span->begin;
+  for (int32_t rows = leaf.height;;) {
+    for (uint8_t* const end = out + 3 * count; out != end; out += 3) {
+      Distances distances;
+      distances.middle_q10 = values.middle_q10();
+      if (!ramp.is_far(distances.middle_q10)) {
+        values.beside(distances);
+        ramp.cover(distances, out);
+      } else if (distances.middle_q10 > 0) {
+        out[0] = out[1] = out[2] = 255;
+      }
+      values.advance(1);
+    }
+    if (--rows == 0) {
+      return;
+    }
+    int32_t back = -count;
+    if (span != nullptr) {
+      back = span[1].begin - span->end;
+      ++span;
+      count = span->end - span->begin;
+    }
+    values.next_row(leaf, back);
+    out += 3 * (kTileColumns + back);
   }
 }
 
-__attribute__((noinline)) void draw_stripes(const LcdRows& rows,
-                                            const LcdOptions& lcd,
-                                            Stripes& stripes,
-                                            const Sink& sink) noexcept {
-  const Ways ways(rows, is_vertical(lcd.order));
-  draw_rows(rows, ways, lcd, stripes, sink);
+void fill_leaf(const TileLeaf& leaf) noexcept {
+  for (int32_t row = 0; row < leaf.height; ++row) {
+    const TileSpan* const span = leaf.spans;
+    const int32_t shift = span == nullptr ? 0 : span[row].begin - span->begin;
+    const int32_t count =
+        span == nullptr ? leaf.width : span[row].end - span[row].begin;
+    CellBand::fill_inside(leaf.line + 3 * (row * kTileColumns + shift),
+                          3 * count);
+  }
 }
 
-// Point by point: of samples, or turned.
-__attribute__((noinline)) void draw_points(const GlyphField& field,
-                                           const LcdRows& rows,
-                                           const LcdOptions& lcd,
-                                           const Sink& sink) noexcept {
-  Stripes stripes(field, rows.style, lcd);
-  draw_stripes(rows, lcd, stripes, sink);
+void paint_stripes(const CellBand& band,
+                   TileLeaf& leaf,
+                   const GlyphPoint& at) noexcept {
+  if (leaf.count == 0) {
+    fill_leaf(leaf);
+  } else if (band.stretching() != nullptr || !leaf.has_primitives()) {
+    paint_leaf<AnyStripes>(band, leaf, at);
+  } else if (leaf.count == 1) {
+    paint_leaf<PrimitiveStripes<1>>(band, leaf, at);
+  } else if (leaf.count == 2) {
+    paint_leaf<PrimitiveStripes<2>>(band, leaf, at);
+  } else {
+    paint_leaf<PrimitiveStripes<3>>(band, leaf, at);
+  }
+}
+
+void mix_lcd_cells(const PaintedBand& painted) {
+  const int32_t stride = painted.band.stride;
+  const auto& lcd =
+      *static_cast<const LcdOptions*>(painted.style->effect().options);
+  if (is_vertical(lcd.order)) {
+    mix_stripes(painted, {2 - stride, 1, stride, 3, stride});
+  } else {
+    mix_stripes(painted, {-1, 1, 3, 3, stride});
+  }
 }
 
 }  // namespace
 
-void detail::paint_lcd(const GlyphField& field,
-                       const TextStyle& style,
-                       const void* options,
-                       const FinePoint& origin,
-                       const Sink& sink) {
-  const LcdOptions& lcd = *static_cast<const LcdOptions*>(options);
-  const int32_t across_q10 = is_vertical(lcd.order) ? 0 : 2 * kThird;
-  constexpr int32_t kFar = 1 << 30;
-  const Rect all =
-      detail::painted_box(field, style, origin, {-kFar, -kFar, kFar, kFar},
-                          across_q10, 2 * kThird - across_q10);
-  const LcdRows lcd_rows = {style, origin, all, intersect(all, sink.window)};
-  if (is_empty(lcd_rows.box)) {
-    return;  // positions far away do not fit
-  }
-  if (style.is_upright() && detail::has_fields(field)) {
-    detail::draw_stripe_rows(field, lcd_rows, lcd, sink);
+void paint_lcd(const GlyphField& field,
+               const TextStyle& style,
+               const void* options,
+               const FinePoint& origin,
+               const Sink& sink) {
+  const auto& lcd = *static_cast<const LcdOptions*>(options);
+  OutlinePlan plan;
+  plan.widen(style.filter());
+  plan.outside_q8 += kFlattest + kThird;
+  plan.inside_q8 += kFlattest + kThird;
+  // A channel takes a stripe of each pixel beside it.
+  const auto third = [](const GlyphStep& step) noexcept {
+    return GlyphStep{step.x_q16 / 3, step.y_q16 / 3, step.x_q20 / 3,
+                     step.y_q20 / 3};
+  };
+  Stripes stripes = {{}, paint_stripes, CellBand::cover_stripes};
+  if (is_vertical(lcd.order)) {
+    plan.margin_y = 1;
+    stripes.next.advance(third(style.up()), UINT32_MAX);
   } else {
-    draw_points(field, lcd_rows, lcd, sink);
+    plan.margin_x = 1;
+    stripes.next.advance(third(style.right()));
   }
+  plan.shown_q8 = plan.outside_q8;
+  mix_cells(field, style, origin, sink, plan, &stripes, mix_lcd_cells);
 }
 
+}  // namespace detail
 }  // namespace inkcell

@@ -40,38 +40,29 @@ void map_stripes(const Band& band, const Filter& filter) noexcept {
   }
 }
 
-// Pixels of a row. A pixel's stripes are `stripe` bytes apart, and pixels
-// `pixel` bytes:
+// Pixels of a row:
 //
 //   | . . 0 | 1 2 3 | 4 . . |     red is the mean of 0, 1 and 2
 //
 class StripeRow {
  public:
-  StripeRow(const uint8_t* first, int32_t stripe, int32_t pixel) noexcept
-      : at_(first - stripe), stripe_(stripe), pixel_(pixel) {}
+  StripeRow(const uint8_t* first, const StripeSteps& steps) noexcept
+      : at_(first), steps_(steps) {}
 
-  // The sums of three channels, 0 to 765.
-  void next(int32_t& first, int32_t& second, int32_t& third) noexcept {
-    const uint8_t* at = at_;
-    at_ += pixel_;
-    first = *at;
-    at += stripe_;
-    second = *at;
-    at += stripe_;
-    third = *at;
-    first += second + third;
-    second += third;
-    at += stripe_;
-    second += *at;
-    third += *at;
-    at += stripe_;
-    third += *at;
+  // The sums of a pixel's channels, 0 to 765.
+  void add(int32_t& first, int32_t& second, int32_t& third) const noexcept {
+    const int32_t own = at_[0];
+    const int32_t middle = at_[steps_.stripe];
+    const int32_t last = at_[2 * steps_.stripe];
+    first = at_[steps_.before] + own + middle;
+    second = own + middle + last;
+    third = middle + last + at_[steps_.behind];
   }
+  void advance() noexcept { at_ += steps_.pixel; }
 
  private:
   const uint8_t* at_;
-  int32_t stripe_;
-  int32_t pixel_;
+  const StripeSteps& steps_;
 };
 
 // Up to kMaxSpan pixels, as long as they are of one kind: none, all, or what
@@ -89,18 +80,17 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
   int32_t done = 0;
   int32_t all_sum = -1;
   for (; done != count; ++done) {
-    StripeRow next = row;
     int32_t a;
     int32_t b;
     int32_t c;
-    next.next(a, b, c);
+    row.add(a, b, c);
     const int32_t sum = a + b + c;
     const int32_t kind = sum == 0 || sum == 3 * kFull ? sum : 1;
     if (all_sum >= 0 && kind != all_sum) {
       break;
     }
     all_sum = kind;
-    row = next;
+    row.advance();
     if (kind == 1) {
       out[0] = third(is_red_first ? a : c);
       out[1] = third(b);
@@ -117,25 +107,32 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
 }
 
 void mix_lcd(const PaintedBand& painted) noexcept {
-  const Band& band = painted.band;
   const Filter& filter = painted.style->filter();
-  cover_areas(band, filter);
+  cover_areas(painted.band, filter);
   if (!filter.is_linear) {
-    map_stripes(band, filter);
+    map_stripes(painted.band, filter);
   }
-  const bool is_down = is_vertical(lcd_of(*painted.style).order);
+  const int32_t stride = painted.band.stride;
+  if (is_vertical(lcd_of(*painted.style).order)) {
+    mix_stripes(painted, {-stride, stride, 3 * stride, 1, 3 * stride});
+  } else {
+    mix_stripes(painted, {-1, 1, 3, 3, stride});
+  }
+}
+
+}  // namespace
+
+void mix_stripes(const PaintedBand& painted,
+                 const StripeSteps& steps) noexcept {
   const Rect& pixels = painted.pixels;
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    const int32_t row = (y - pixels.y0) * (is_down ? 3 : 1) + painted.row;
-    StripeRow stripes(band.row(row) + painted.column, is_down ? band.stride : 1,
-                      is_down ? 1 : 3);
+  const uint8_t* at = painted.band.row(painted.row) + painted.column;
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y, at += steps.row) {
+    StripeRow stripes(at, steps);
     for (int32_t x = pixels.x0; x != pixels.x1;) {
       x += mix_span(painted, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
     }
   }
 }
-
-}  // namespace
 
 const OutlineMixer kLcdMixer = {&kPaintAreas, plan_lcd, mix_lcd};
 

@@ -1,17 +1,19 @@
 #include "inkcell/motion_blur.hpp"
 
 #include "base/math.hpp"
-#include "distance/point_walk.hpp"
-#include "sink/span_writer.hpp"
+#include "distance/sampler.hpp"
+#include "raster/draw_cells.hpp"
+#include "sink/row_writer.hpp"
 
 namespace inkcell {
 namespace {
 
 using detail::abs;
-using detail::FieldPosition;
+using detail::CellSampler;
+using detail::GlyphPoint;
 using detail::moved;
-using detail::PointWalk;
-using detail::SpanWriter;
+using detail::offset_of;
+using detail::RowWriter;
 
 // A distance as a place in the filter's table, which goes on to both sides.
 // [entries, Q8]
@@ -49,15 +51,15 @@ int32_t mean_coverage(const MotionBlur& blur,
 // What the pixels of a glyph have in common.
 struct Shot {
   const MotionBlur& blur;
-  PointWalk walk;
-  FieldPosition step;
+  CellSampler sampler;
+  GlyphPoint step;
   int32_t low_q10;
   int32_t high_q10;
 
   // Beyond the ramp by a step's length nothing shows: what saturated cells say
   // must not count for more.
-  int32_t place_at(const FieldPosition& at) noexcept {
-    int32_t distance_q10 = walk.distance_q10(at);
+  int32_t place_at(const GlyphPoint& at) noexcept {
+    int32_t distance_q10 = sampler.distance_q10(at);
     distance_q10 = distance_q10 < low_q10 ? low_q10 : distance_q10;
     distance_q10 = distance_q10 > high_q10 ? high_q10 : distance_q10;
     return place_q8(blur.filter, distance_q10);
@@ -65,7 +67,7 @@ struct Shot {
 };
 
 __attribute__((noinline)) uint8_t coverage_at(Shot& shot,
-                                              FieldPosition at) noexcept {
+                                              GlyphPoint at) noexcept {
   const int32_t steps = shot.blur.steps;
   int32_t before = shot.place_at(at);
   int32_t sum = 0;
@@ -85,29 +87,16 @@ __attribute__((noinline)) void draw_row(Shot& shot,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   const MotionBlur& blur = shot.blur;
-  FieldPosition at = detail::sample_position(
-      style, origin, box.x0, y,
+  GlyphPoint at = shot.sampler.point(
+      origin, box.x0, y,
       {-blur.right_q10 * blur.steps / 2, -blur.up_q10 * blur.steps / 2});
-  const FieldPosition step = detail::pixel_step(style);
-  SpanWriter writer(sink, y);
+  const GlyphPoint step = offset_of(style, {1 << 10, 0});
+  RowWriter writer(sink, y);
   for (int32_t x = box.x0; x < box.x1; ++x) {
     writer.put(x, coverage_at(shot, at));
     at = moved(at, step);
   }
-  writer.flush();
-}
-
-FieldPosition step_of(const TextStyle& style, const MotionBlur& blur) noexcept {
-  const GlyphStep& right = style.right();
-  const GlyphStep& up = style.up();
-  const auto sum = [&blur](int32_t along, int32_t across) noexcept {
-    return static_cast<int32_t>(
-        (int64_t{along} * blur.right_q10 + int64_t{across} * blur.up_q10) >>
-        10);
-  };
-  return {sum(right.x_q16, up.x_q16), sum(right.y_q16, up.y_q16),
-          static_cast<uint32_t>(sum(right.x_q20, up.x_q20)),
-          static_cast<uint32_t>(sum(right.y_q20, up.y_q20))};
+  writer.next_row();
 }
 
 }  // namespace
@@ -147,9 +136,10 @@ void detail::paint_motion_blur(const GlyphField& field,
                                const FinePoint& origin,
                                const Sink& sink) {
   const auto& blur = *static_cast<const MotionBlur*>(options);
-  const Rect box = detail::painted_box(field, style, origin, sink);
-  Shot shot = {blur, PointWalk(field, style, detail::kNoReach),
-               step_of(style, blur), blur.filter.outside_q10 - blur.length_q10,
+  const Rect box = detail::visible_pixels(field, style, origin, sink.window);
+  Shot shot = {blur, CellSampler(field, style, detail::kNoReach),
+               offset_of(style, {blur.right_q10, blur.up_q10}),
+               blur.filter.outside_q10 - blur.length_q10,
                blur.filter.inside_q10 + blur.length_q10};
   for (int32_t y = box.y0; y < box.y1; ++y) {
     draw_row(shot, style, origin, box, y, sink);

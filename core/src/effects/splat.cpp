@@ -10,18 +10,18 @@
 #include "inkcell/splat.hpp"
 
 #include "base/math.hpp"
-#include "cells/cell_access.hpp"
-#include "place/painted_box.hpp"
-#include "raster/plain.hpp"
-#include "sink/span_writer.hpp"
+#include "cells/leaf_reader.hpp"
+#include "distance/sampler.hpp"
+#include "raster/draw_cells.hpp"
+#include "sink/row_writer.hpp"
 
 namespace inkcell {
 namespace {
 
 using detail::max;
 using detail::min;
+using detail::RowWriter;
 using detail::SamplesTree;
-using detail::SpanWriter;
 
 constexpr uint32_t kCoverageBits = 20;
 constexpr uint32_t kAll = 2048;
@@ -192,11 +192,10 @@ void Block::add(const Place& centre,
 uint32_t Block::coverage_at(uint32_t x,
                             uint32_t y,
                             uint32_t log2) const noexcept {
-  const GlyphField& field = tree_.field;
-  const auto half_q16 = static_cast<int32_t>(1u << (log2 + 15));
-  return style_.coverage(detail::samples_distance_q10(
-      field, (field.x0_u + static_cast<int32_t>(x)) * (1 << 16) + half_q16,
-      (field.y0_u + static_cast<int32_t>(y)) * (1 << 16) + half_q16));
+  const uint32_t half_q16 = 1u << (log2 + 15);
+  detail::CellSampler sampler(tree_.field);
+  return style_.coverage(
+      sampler.distance_q10({(x << 16) + half_q16, (y << 16) + half_q16, 0, 0}));
 }
 
 // Visits a square. True: its children are to be visited.
@@ -326,7 +325,7 @@ void Block::add_solid(void* context, int32_t x, int32_t y, int32_t count) {
 
 __attribute__((noinline)) void Block::draw(const Sink& sink) const noexcept {
   constexpr uint32_t kMask = (1u << kCoverageBits) - 1;
-  SpanWriter writer(sink, pixels_.y0);
+  RowWriter writer(sink, pixels_.y0);
   const uint32_t* sum = splats_.sums.data;
   for (int32_t y = pixels_.y0; y < pixels_.y1; ++y) {
     for (int32_t x = pixels_.x0; x < pixels_.x1; ++x) {
@@ -366,12 +365,15 @@ void detail::paint_splats(const GlyphField& field,
                           const FinePoint& origin,
                           const Sink& sink) {
   const auto& splats = *static_cast<const Splats*>(options);
-  if (detail::has_fields(field)) {
-    detail::draw_plain(field, style, origin, sink);
+  detail::Placed placed;
+  if (!placed.set_near(origin)) {
     return;
   }
-  const Rect all = detail::painted_box(field, style, origin, sink.window,
-                                       splats.radius_q10, splats.radius_q10);
+  if (detail::has_fields(field)) {
+    detail::draw_plain(field, style, placed, sink);
+    return;
+  }
+  const Rect all = detail::visible_pixels(field, style, origin, sink.window);
   if (is_empty(all)) {
     return;
   }
@@ -385,7 +387,7 @@ void detail::paint_splats(const GlyphField& field,
     for (int32_t x = all.x0; x < all.x1; x += columns) {
       block.start(origin, intersect(all, {x, y, x + columns, y + height}));
       block.splat();
-      detail::draw_plain(field, style, origin, block.own_sink());
+      detail::draw_plain(field, style, placed, block.own_sink());
       block.draw(sink);
     }
   }

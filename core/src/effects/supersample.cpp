@@ -8,20 +8,21 @@
 #include "inkcell/supersample.hpp"
 
 #include "base/math.hpp"
-#include "distance/point_walk.hpp"
-#include "inkcell/render.hpp"
-#include "sink/span_writer.hpp"
+#include "distance/sampler.hpp"
+#include "raster/coverage_ramp.hpp"
+#include "raster/draw_cells.hpp"
+#include "sink/row_writer.hpp"
 
 namespace inkcell {
 namespace {
 
 using detail::abs;
-using detail::FieldPosition;
+using detail::CellSampler;
+using detail::GlyphPoint;
 using detail::moved;
 using detail::moved_back;
-using detail::PointWalk;
-using detail::scaled;
-using detail::SpanWriter;
+using detail::offset_of;
+using detail::RowWriter;
 using detail::Surroundings;
 
 constexpr int32_t kHalfRootQ15 = 23170;
@@ -54,10 +55,10 @@ enum Height : uint8_t {
 
 // Samples of all pixels of a row, as they lie around the first one.
 struct SampleRows {
-  FieldPosition heights[kHeights];
-  FieldPosition outer;  // to the right
-  FieldPosition diagonal;
-  FieldPosition inner;
+  GlyphPoint heights[kHeights];
+  GlyphPoint outer;  // to the right
+  GlyphPoint diagonal;
+  GlyphPoint inner;
 };
 
 // Supersampling::edge between its entries, which lie farther apart than those
@@ -84,7 +85,7 @@ int32_t edge_coverage(const Filter& edge, int32_t distance_q10) noexcept {
 struct Sampling {
   const TextStyle& style;
   const Supersampling& options;
-  PointWalk walk;
+  CellSampler walk;
   Surroundings around;
   uint32_t more_samples;
 
@@ -92,11 +93,11 @@ struct Sampling {
            const TextStyle& the_style,
            const Supersampling& the_options) noexcept;
 
-  int32_t distance_q10(const FieldPosition& at) noexcept {
+  int32_t distance_q10(const GlyphPoint& at) noexcept {
     ++more_samples;
     return walk.distance_q10(at);
   }
-  int32_t coverage(const FieldPosition& at) noexcept {
+  int32_t coverage(const GlyphPoint& at) noexcept {
     return style.filter().coverage(distance_q10(at));
   }
 };
@@ -109,14 +110,18 @@ Sampling::Sampling(const GlyphField& field,
       // Farther away vertices need not be round.
       walk(field,
            the_style,
-           detail::reach_of(the_style.filter()) +
+           reach_of(detail::CoverageRamp(the_style.filter())) +
                (the_options.radius_q10 << 12)),
       around{part_of(the_options.radius_q10, 2), 0, 0},
       more_samples(0) {
-  const FieldPosition right = scaled(the_style.right(), around.radius_q10);
-  const FieldPosition up = scaled(the_style.up(), around.radius_q10);
-  around.x_q16 = abs(right.x_q16) + abs(up.x_q16);
-  around.y_q16 = abs(right.y_q16) + abs(up.y_q16);
+  const GlyphPoint right = offset_of(the_style, {around.radius_q10, 0});
+  const GlyphPoint up = offset_of(the_style, {0, around.radius_q10});
+  const auto sum = [](uint32_t a, uint32_t b) noexcept {
+    return static_cast<uint32_t>(abs(static_cast<int32_t>(a)) +
+                                 abs(static_cast<int32_t>(b)));
+  };
+  around.x_q16 = sum(right.x_q16, up.x_q16);
+  around.y_q16 = sum(right.y_q16, up.y_q16);
 }
 
 // Of values on the two circles.
@@ -129,9 +134,9 @@ struct Sums {
 struct Pixel {
   Sampling& sampling;
   const SampleRows& rows;
-  const FieldPosition& way;  // from the row's first pixel
+  const GlyphPoint& way;  // from the row's first pixel
 
-  FieldPosition at(Height height) const noexcept {
+  GlyphPoint at(Height height) const noexcept {
     return moved(rows.heights[height], way);
   }
 
@@ -140,7 +145,7 @@ struct Pixel {
 
   // On the axes: right, up, left and down.
   void cross(int32_t* out_q10) const noexcept {
-    const FieldPosition centre = at(kCentre);
+    const GlyphPoint centre = at(kCentre);
     out_q10[0] = sampling.distance_q10(moved(centre, rows.outer));
     out_q10[1] = sampling.distance_q10(at(kOuterUp));
     out_q10[2] = sampling.distance_q10(moved_back(centre, rows.outer));
@@ -155,8 +160,8 @@ struct Pixel {
       // From the lower right one to the lower left one.
       const bool is_up = corner == 1 || corner == 2;
       const bool is_right = corner < 2;
-      const FieldPosition outer = at(is_up ? kDiagonalUp : kDiagonalDown);
-      const FieldPosition inner = at(is_up ? kInnerUp : kInnerDown);
+      const GlyphPoint outer = at(is_up ? kDiagonalUp : kDiagonalDown);
+      const GlyphPoint inner = at(is_up ? kInnerUp : kInnerDown);
       sums.outer += value(is_right ? moved(outer, rows.diagonal)
                                    : moved_back(outer, rows.diagonal));
       sums.inner += value(is_right ? moved(inner, rows.inner)
@@ -200,7 +205,7 @@ __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
   if (bend <= kPlane) {
     return edge;
   }
-  const auto coverage = [&sampling](const FieldPosition& at) noexcept {
+  const auto coverage = [&sampling](const GlyphPoint& at) noexcept {
     return sampling.coverage(at);
   };
   Sums sums = pixel.diagonals(coverage);
@@ -219,7 +224,7 @@ __attribute__((noinline)) int32_t even_coverage(const Pixel& pixel,
 
 int32_t even_sample(const Pixel& pixel) noexcept {
   Sampling& sampling = pixel.sampling;
-  const FieldPosition at = pixel.at(kCentre);
+  const GlyphPoint at = pixel.at(kCentre);
   const int32_t centre_q10 = sampling.walk.distance_q10(at);
   const Filter& edge = sampling.options.edge;
   const bool is_far =
@@ -267,7 +272,7 @@ __attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
         int64_t{centre} * options.centre_q16 + int64_t{outer} * weight_q16;
     return filter.coverage(static_cast<int32_t>(mean / sum));
   }
-  const auto distance = [&](const FieldPosition& at) noexcept {
+  const auto distance = [&](const GlyphPoint& at) noexcept {
     return clamped(sampling.distance_q10(at));
   };
   const Sums sums = pixel.diagonals(distance);
@@ -279,24 +284,22 @@ __attribute__((noinline)) int32_t paper_sample(const Pixel& pixel) noexcept {
 
 // Not inline: what it needs of the stack is free again when pixels are drawn.
 __attribute__((noinline)) void set_up_rows(SampleRows& rows,
-                                           const TextStyle& style,
+                                           const Sampling& sampling,
                                            const FinePoint& origin,
                                            int32_t x,
-                                           int32_t y,
-                                           int32_t radius_q10) noexcept {
-  const int32_t outer = part_of(radius_q10, 2);
-  const int32_t ways[] = {outer, diagonal(outer),
-                          diagonal(part_of(radius_q10, 1))};
-  rows.heights[kCentre] = detail::sample_position(style, origin, x, y, {0, 0});
-  for (int32_t i = 0; i < 3; ++i) {
-    rows.heights[kOuterUp + 2 * i] =
-        detail::sample_position(style, origin, x, y, {0, ways[i]});
-    rows.heights[kOuterDown + 2 * i] =
-        detail::sample_position(style, origin, x, y, {0, -ways[i]});
+                                           int32_t y) noexcept {
+  const TextStyle& style = sampling.style;
+  const CellSampler& walk = sampling.walk;
+  const int32_t outer = part_of(sampling.options.radius_q10, 2);
+  const int32_t corner = diagonal(outer);
+  const int32_t inner = diagonal(part_of(sampling.options.radius_q10, 1));
+  const int32_t up[] = {0, outer, -outer, corner, -corner, inner, -inner};
+  for (uint32_t i = 0; i < kHeights; ++i) {
+    rows.heights[i] = walk.point(origin, x, y, {0, up[i]});
   }
-  rows.outer = scaled(style.right(), ways[0]);
-  rows.diagonal = scaled(style.right(), ways[1]);
-  rows.inner = scaled(style.right(), ways[2]);
+  rows.outer = offset_of(style, {outer, 0});
+  rows.diagonal = offset_of(style, {corner, 0});
+  rows.inner = offset_of(style, {inner, 0});
 }
 
 // The pixels of a row whose samples are set up.
@@ -304,17 +307,17 @@ __attribute__((noinline)) void draw_pixels(Sampling& sampling,
                                            const SampleRows& rows,
                                            int32_t x,
                                            int32_t end,
-                                           SpanWriter& writer) noexcept {
-  const FieldPosition step = detail::pixel_step(sampling.style);
+                                           RowWriter& writer) noexcept {
+  const GlyphPoint step = offset_of(sampling.style, {1 << 10, 0});
   const bool is_even = sampling.options.rule == SampleRule::even;
-  FieldPosition way = {0, 0, 0, 0};
+  GlyphPoint way = {0, 0, 0, 0};
   const Pixel pixel = {sampling, rows, way};
   for (; x < end; ++x) {
     writer.put(x, static_cast<uint8_t>(is_even ? even_sample(pixel)
                                                : paper_sample(pixel)));
     way = moved(way, step);
   }
-  writer.flush();
+  writer.next_row();
 }
 
 // Not inline, like all that draws a row: no function needs much of the stack.
@@ -324,9 +327,8 @@ __attribute__((noinline)) void draw_row(Sampling& sampling,
                                         int32_t y,
                                         const Sink& sink) noexcept {
   SampleRows rows;
-  set_up_rows(rows, sampling.style, origin, box.x0, y,
-              sampling.options.radius_q10);
-  SpanWriter writer(sink, y);
+  set_up_rows(rows, sampling, origin, box.x0, y);
+  RowWriter writer(sink, y);
   draw_pixels(sampling, rows, box.x0, box.x1, writer);
 }
 
@@ -385,7 +387,7 @@ void detail::paint_supersampled(const GlyphField& field,
                                 const FinePoint& origin,
                                 const Sink& sink) {
   const auto& supersampling = *static_cast<const Supersampling*>(options);
-  const Rect box = detail::painted_box(field, style, origin, sink);
+  const Rect box = detail::visible_pixels(field, style, origin, sink.window);
   Sampling sampling(field, style, supersampling);
   for (int32_t y = box.y0; y < box.y1; ++y) {
     draw_row(sampling, origin, box, y, sink);

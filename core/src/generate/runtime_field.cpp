@@ -20,7 +20,7 @@
 
 #include "base/bytes.hpp"
 #include "base/math.hpp"
-#include "cells/cell_access.hpp"
+#include "cells/leaf_reader.hpp"
 #include "cells/record.hpp"
 #include "generate/polyline.hpp"
 #include "inkcell/format/rom.hpp"

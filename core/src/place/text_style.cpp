@@ -126,7 +126,7 @@ Status TextStyle::make_turned(Q26_6 size,
     out.axes_ = {direction.cosine, direction.sine,
                  Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
                  direction.cosine};
-    out.set_slant(detail::kTurned);
+    out.set_slanted(detail::kTurnedCells);
   }
   return Status::ok;
 }
@@ -173,13 +173,13 @@ Status TextStyle::make_mapped(const Matrix& matrix,
   // What stretches all edges within 1/1000 alike is as good as a turn.
   const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
   constexpr int64_t kOneQ15 = 1 << 15;
-  out.set_slant(detail::kTurned);
+  out.set_slanted(detail::kTurnedCells);
   if (lesser * 2048 > turn_q17 + mirror_q17) {
     // Below one, so that the style is known as stretched.
     const int64_t gain_q15 = (least_q17 << 4) / size_q6;
     out.least_gain_q15_ =
         static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);
-    out.set_slant(detail::kStretched);
+    out.set_slanted(detail::kStretchedCells);
   }
   return Status::ok;
 }

@@ -2,7 +2,7 @@
 
 #include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
-#include "raster/field_draw.hpp"
+#include "raster/draw_cells.hpp"
 #include "rows/outline_draw.hpp"
 #include "rows/outline_open.hpp"
 #include "text/find_glyph.hpp"
@@ -297,12 +297,7 @@ Rect glyph_box(const Font& font,
   if constexpr (detail::kHasCells) {
     GlyphField field;
     if (detail::read_field(font, glyph, field) == Status::ok) {
-      const Rect plain = detail::box_of(field, style, placed);
-      const int32_t reach =
-          style.effect().cells == nullptr ? 0 : style.effect().reach_px;
-      return is_empty(plain) ? Rect{}
-                             : Rect{plain.x0 - reach, plain.y0 - reach,
-                                    plain.x1 + reach, plain.y1 + reach};
+      return field_box(field, style, placed.origin());
     }
   }
   return {};

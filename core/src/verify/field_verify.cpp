@@ -1,7 +1,7 @@
 #include "verify/field_verify.hpp"
 
-#include "cells/cell_access.hpp"
-#include "cells/field_cell.hpp"
+#include "base/bytes.hpp"
+#include "cells/leaf_reader.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -29,19 +29,9 @@ bool normal_fits(const uint8_t* at) noexcept {
   return square >= kShortest * kShortest && square <= kLongest * kLongest;
 }
 
-bool normals_fit(const GlyphField& field, const Cell& cell) noexcept {
-  for (uint32_t i = 0; i < cell.field_count; ++i) {
-    if (!normal_fits(field.cells + 2 * LinkedHeap::offset(cell.fields[i]))) {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Of a narrow record.
 bool normals_fit(const GlyphField& field) noexcept {
   for (uint32_t i = 0; i < field_count(field); ++i) {
-    if (!normal_fits(field.cells + 2 * LinkedHeap::offset(unit_of(field, i)))) {
+    if (!normal_fits(record_of(primitive_of(field, i)))) {
       return false;
     }
   }
@@ -73,16 +63,19 @@ Target target_of(const GlyphField& field,
     return Target::saturated;
   }
   if (field.kind == GlyphField::Kind::linked_fields) {
-    const LinkedHeap heap(field);
-    if (heap.is_node(reference)) {
-      node = LinkedHeap::offset(reference);
+    const Heap heap(field);
+    if (heap.is_node(reference, node)) {
       return Target::node;
     }
-    Cell cell;
-    cell.field_count = static_cast<uint8_t>(
-        read_linked_leaf(field, reference, cell.fields, cell.op));
-    return cell.is_saturated() || !normals_fit(field, cell) ? Target::nothing
-                                                            : Target::leaf;
+    PrimitiveRef parts[3];
+    Csg op;
+    const uint32_t count = heap.read(reference, parts, op);
+    for (uint32_t i = 0; i < count; ++i) {
+      if (!normal_fits(record_of(parts[i]))) {
+        return Target::nothing;
+      }
+    }
+    return count == 0 ? Target::nothing : Target::leaf;
   }
   node = reference - glyph::kFirstNode;
   if (node < field.node_count) {

@@ -1,0 +1,24 @@
+// Numbers modulo 2^32.
+#pragma once
+
+#include <stdint.h>
+
+namespace inkcell {
+namespace detail {
+
+// Products and sums that may wrap.
+inline uint32_t times(int32_t a, uint32_t b) noexcept {
+  return static_cast<uint32_t>(a) * b;
+}
+inline int32_t wrapped(uint32_t value) noexcept {
+  return static_cast<int32_t>(value);
+}
+
+// -value if `sign` is -1, value if it is 0; may wrap.
+inline int32_t with_sign(int32_t value, int32_t sign) noexcept {
+  return wrapped(static_cast<uint32_t>(value ^ sign) -
+                 static_cast<uint32_t>(sign));
+}
+
+}  // namespace detail
+}  // namespace inkcell

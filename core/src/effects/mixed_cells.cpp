@@ -1,0 +1,156 @@
+#include "effects/mixed_cells.hpp"
+
+#include <stddef.h>
+
+#include "base/words.hpp"
+#include "place/cell_raster.hpp"
+#include "raster/upright_tile.hpp"
+#include "rows/outline_draw.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+struct Steps {
+  uint8_t entries[256];
+
+  constexpr Steps() noexcept : entries() {
+    for (int32_t i = 0; i < 256; ++i) {
+      entries[i] = static_cast<uint8_t>(i);
+    }
+  }
+};
+constexpr Steps kSteps;
+
+CoverageRamp ramp_of(int32_t reach_q8) noexcept {
+  const int32_t half_q10 = reach_q8 * 4 * 128 / 127;
+  return {-half_q10, half_q10,
+          (256u << 14) / static_cast<uint32_t>(2 * half_q10), kSteps.entries};
+}
+
+Rect widened(const Rect& pixels, const OutlinePlan& plan) noexcept {
+  return {pixels.x0 - plan.margin_x, pixels.y0 - plan.margin_y,
+          pixels.x1 + plan.margin_x, pixels.y1 + plan.margin_y};
+}
+
+// Fills the pixels that may show, given where the first row of a tile begins.
+__attribute__((always_inline)) inline void fill_tile(const CellRaster& raster,
+                                                     const CellMap& map,
+                                                     const CellBand& band,
+                                                     const Rect& pixels,
+                                                     uint8_t* lines,
+                                                     int32_t bytes) noexcept {
+  const Rect shown = intersect(pixels, map.samples);
+  if (is_empty(shown)) {
+    return;
+  }
+  GlyphPoint at = map.first;
+  at.advance(map.right, static_cast<uint32_t>(shown.x0 - map.samples.x0));
+  at.advance(map.up, static_cast<uint32_t>(map.samples.y0 - shown.y0));
+  lines +=
+      bytes * ((shown.y0 - pixels.y0) * kTileColumns + shown.x0 - pixels.x0);
+  if (raster.may_show(map, shown.x0, shown.y0, at)) {
+    const Stripes* const stripes = band.stripes();
+    const CoverTile cover = stripes != nullptr && map.style.is_upright()
+                                ? stripes->cover_upright
+                                : raster.cover;
+    cover(band, at, shown.x1 - shown.x0, shown.y1 - shown.y0, lines);
+  }
+}
+
+// Tile by tile, `kBytes` bytes a pixel. Rows around pixels serve two tiles: no
+// mixer changes them.
+template <size_t kBytes>
+__attribute__((noinline)) void mix_tiles(const CellRaster& raster,
+                                         const CellMap& map,
+                                         const OutlinePlan& plan,
+                                         const Stripes* stripes,
+                                         MixCells mix,
+                                         PaintedBand& painted) noexcept {
+  constexpr auto kCount = static_cast<int32_t>(kBytes);
+  const CellBand band(raster, map, ramp_of(painted.band.reach_q8), stripes);
+  const Rect all = intersect(widened(map.samples, plan), painted.sink->window);
+  Tile tiles[kBytes];
+  uint8_t* const bytes = tiles[0].row(0);
+  painted.band.bytes = bytes;
+  painted.band.stride = kCount * kTileColumns;
+  Rect& part = painted.pixels;
+  for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
+    // A pixel begins a word if its x is a multiple of 4.
+    const int32_t lead = (part.x0 - plan.margin_x) & 3;
+    part.x1 = min(part.x0 + kTileColumns - lead - 2 * plan.margin_x, all.x1);
+    painted.column = kCount * (lead + plan.margin_x);
+    int32_t kept = 0;  // rows, of the tile above
+    for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
+      part.y1 = min(part.y0 + kTileRows - 2 * plan.margin_y, all.y1);
+      Rect pixels = widened(part, plan);
+      painted.band.rows = pixels.y1 - pixels.y0;
+      painted.band.last_column = kCount * (lead + pixels.x1 - pixels.x0) - 1;
+      pixels.y0 += kept;
+      uint8_t* const rows = painted.band.row(kept);
+      clear_pixels(rows, (kTileRows - kept) * painted.band.stride);
+      fill_tile(raster, map, band, pixels, rows + kCount * lead, kCount);
+      mix(painted);
+      kept = 2 * plan.margin_y;
+      __builtin_memcpy(bytes, painted.band.row(kTileRows - kept),
+                       static_cast<size_t>(kept * painted.band.stride));
+    }
+  }
+}
+
+}  // namespace
+
+void mix_cells(const GlyphField& field,
+               const TextStyle& style,
+               const FinePoint& origin,
+               const Sink& sink,
+               const OutlinePlan& plan,
+               const Stripes* stripes,
+               MixCells mix) noexcept {
+  Placed placed;
+  if (!placed.set_near(origin)) {
+    return;
+  }
+  const CellRaster& raster = raster_of(style);
+  const uint32_t shown_u = (static_cast<uint32_t>(plan.shown_q8) << 8) /
+                               static_cast<uint32_t>(style.size().raw) +
+                           1;
+  // A third of a pixel, if it has stripes.
+  const auto beyond_u =
+      stripes == nullptr
+          ? int32_t{0}
+          : static_cast<int32_t>((22u << 10) /
+                                 static_cast<uint32_t>(style.size().raw)) +
+                1;
+  CellMap map(field, style, placed, static_cast<int32_t>(shown_u << 10),
+              beyond_u);
+  if (!raster.clip(map, widened(sink.window, plan))) {
+    return;
+  }
+  PaintedBand painted = {};
+  painted.band.reach_q8 = max(plan.outside_q8, plan.inside_q8);
+  painted.row = plan.margin_y;
+  painted.style = &style;
+  painted.sink = &sink;
+  if (stripes == nullptr) {
+    mix_tiles<1>(raster, map, plan, stripes, mix, painted);
+  } else {
+    mix_tiles<3>(raster, map, plan, stripes, mix, painted);
+  }
+}
+
+void toggle_rows(const Band& band) noexcept {
+  for (int32_t row = 0; row != band.rows; ++row) {
+    uint8_t* at = band.row(row);
+    uint32_t before = 0;
+    for (uint8_t* const end = at + band.last_column + 1; at != end; ++at) {
+      const uint32_t inside = *at >> 7;
+      const uint32_t nearness = ((*at ^ (0u - inside)) << 1) & 254;
+      *at = static_cast<uint8_t>(nearness | (inside ^ before));
+      before = inside;
+    }
+  }
+}
+
+}  // namespace detail
+}  // namespace inkcell
