@@ -74,6 +74,25 @@ TEST_F(Commands, NameWhatIsWrongAndWhatIsAllowed) {
       "0..0");
 }
 
+TEST_F(Commands, CarryOutABatchAsOneStep) {
+  const Project before = project_;
+  const Change change = change_of(project_, Value::parse(R"({"do": "batch",
+      "commands": [{"do": "set_advance", "glyph": "a", "width": 1},
+                   {"do": "add_glyph", "glyph": "b", "width": 2},
+                   {"do": "set_advance", "glyph": "a", "width": 3}]})"));
+  EXPECT_EQ(change.glyphs.size(), 2u);
+  project_.apply(change);
+  EXPECT_EQ(project_.glyph("a")->width, 3);
+  EXPECT_EQ(project_.glyph("b")->width, 2);
+  project_.revert(change);
+  EXPECT_EQ(project_.find("b"), nullptr);
+  EXPECT_EQ(project_.glyph("a"), before.glyph("a"));
+  EXPECT_NE(refusal_of(R"({"do": "batch", "commands": [
+      {"do": "set_advance", "glyph": "a", "width": 9}, {"do": "none"}]})"),
+            "");
+  EXPECT_EQ(project_.glyph("a"), before.glyph("a"));
+}
+
 TEST_F(Commands, RefuseAGlyphThatContainsItself) {
   run(R"({"do": "add_glyph", "glyph": "b"})");
   run(R"({"do": "add_component", "glyph": "b", "base": "a"})");

@@ -13,6 +13,7 @@ using CommandFunction = Change (*)(const Project& project,
                                    const Arguments& arguments);
 using CommandTable = std::map<std::string, CommandFunction>;
 
+void add_batch_command(CommandTable& table);
 void add_glyph_commands(CommandTable& table);
 void add_part_commands(CommandTable& table);
 void add_point_commands(CommandTable& table);

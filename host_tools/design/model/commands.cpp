@@ -9,6 +9,7 @@ namespace {
 const CommandTable& command_table() {
   static const CommandTable table = [] {
     CommandTable all;
+    add_batch_command(all);
     add_glyph_commands(all);
     add_part_commands(all);
     add_point_commands(all);

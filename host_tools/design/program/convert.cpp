@@ -1,18 +1,16 @@
 // inkcell-design export and import: projects as fonts, fonts as projects.
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 
 #include "app/options.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
+#include "export/rom.hpp"
 #include "export/svg.hpp"
 #include "export/ttf.hpp"
 #include "import/font_import.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
-#include "pipeline/generate.hpp"
 #include "program/commands.hpp"
 #include "ufo/ufo.hpp"
 
@@ -41,43 +39,12 @@ void say_warnings(const gen::Warnings& warnings) {
   }
 }
 
-// A file that is gone in the end.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const char* ending)
-      : path_(fs::temp_directory_path() /
-              ("inkcell-design-" + std::to_string(::getpid()) + ending)) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-// The generator reads fonts; all characters unless some were asked for.
 void export_rom(const Project& project, Arguments& arguments) {
-  const TemporaryFile ttf(".ttf");
-  write_bytes(ttf.path(), write_ttf(project));
-  gen::GenerateRequest& request = arguments.request;
-  request.font = ttf.path();
-  if (request.chars.empty() && request.symbols.empty()) {
-    for (const auto& [name, glyph] : project.front().glyphs) {
-      for (const char32_t c : glyph->unicodes) {
-        request.chars.push_back(std::to_string(static_cast<uint32_t>(c)));
-      }
-    }
-  }
   gen::Progress progress(false);
-  request.progress = [&progress](size_t done, size_t count) {
+  arguments.request.progress = [&progress](size_t done, size_t count) {
     progress.update(done, count);
   };
-  const gen::RomFont font = gen::generate(request);
+  const gen::RomFont font = make_rom(project, arguments.request);
   progress.finish();
   say_warnings(font.warnings);
   write_bytes(arguments.out, font.bytes);

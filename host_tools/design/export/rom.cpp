@@ -1,0 +1,60 @@
+#include "export/rom.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "app/output.hpp"
+#include "export/ttf.hpp"
+
+namespace inkcell::design {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file that is gone in the end.
+class TemporaryFile {
+ public:
+  TemporaryFile() {
+    static std::atomic<unsigned> number{0};
+    path_ = fs::temp_directory_path() /
+            ("inkcell-design-" + std::to_string(::getpid()) + "-" +
+             std::to_string(number++) + ".ttf");
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+gen::RomFont make_rom(const Project& project, gen::GenerateRequest request) {
+  const TemporaryFile file;
+  const std::vector<uint8_t> ttf = write_ttf(project);
+  gen::OutputFile out(file.path());
+  out.write({reinterpret_cast<const char*>(ttf.data()), ttf.size()});
+  out.commit();
+  request.font = file.path();
+  if (request.chars.empty() && request.symbols.empty() &&
+      request.text_files.empty()) {
+    for (const auto& [name, glyph] : project.front().glyphs) {
+      for (const char32_t c : glyph->unicodes) {
+        request.chars.push_back(std::to_string(static_cast<uint32_t>(c)));
+      }
+    }
+  }
+  return gen::generate(request);
+}
+
+}  // namespace inkcell::design

@@ -1,0 +1,14 @@
+// Projects as Inkcell fonts.
+#pragma once
+
+#include "model/project.hpp"
+#include "pipeline/generate.hpp"
+
+namespace inkcell::design {
+
+/// The font that the generator makes of the project as TrueType (ttf.hpp), with
+/// the options of `request`, whose font is not used. All characters of the
+/// project, unless the request names some. Throws Error or gen::Error.
+gen::RomFont make_rom(const Project& project, gen::GenerateRequest request);
+
+}  // namespace inkcell::design

@@ -1,0 +1,47 @@
+// Several commands as one step.
+#include "model/command_table.hpp"
+#include "model/commands.hpp"
+
+namespace inkcell::design {
+namespace {
+
+// Adds what `next` changes after `sum` was applied.
+void append(const Change& next, Change& sum) {
+  for (const GlyphChange& glyph : next.glyphs) {
+    bool is_new = true;
+    for (GlyphChange& known : sum.glyphs) {
+      if (known.layer == glyph.layer && known.name == glyph.name) {
+        known.after = glyph.after;
+        is_new = false;
+      }
+    }
+    if (is_new) {
+      sum.glyphs.push_back(glyph);
+    }
+  }
+  if (next.font_after != nullptr) {
+    if (sum.font_before == nullptr) {
+      sum.font_before = next.font_before;
+    }
+    sum.font_after = next.font_after;
+  }
+}
+
+Change batch(const Project& project, const Arguments& arguments) {
+  Project state = project;
+  Change sum;
+  for (const Value& command : arguments.array("commands")) {
+    const Change change = change_of(state, command);
+    state.apply(change);
+    append(change, sum);
+  }
+  return sum;
+}
+
+}  // namespace
+
+void add_batch_command(CommandTable& table) {
+  table["batch"] = batch;
+}
+
+}  // namespace inkcell::design
