@@ -5,6 +5,7 @@
 #include FT_OUTLINE_H
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "model/contours.hpp"
@@ -46,6 +47,27 @@ PointContour contour_of(const FT_Outline& outline, int first, int last) {
     contour.points.push_back(point);
   }
   return contour;
+}
+
+// TrueType does not say which points are smooth: those that a straight line of
+// handles passes through, to within a degree.
+void mark_smooth(PointContour& contour) {
+  constexpr double kLeastCosine = 0.99985;
+  std::vector<GlyphPoint>& points = contour.points;
+  for (size_t i = 0; i < points.size(); ++i) {
+    GlyphPoint& point = points[i];
+    const GlyphPoint& a = points[(i + points.size() - 1) % points.size()];
+    const GlyphPoint& b = points[(i + 1) % points.size()];
+    if (!point.on_curve() || (a.on_curve() && b.on_curve())) {
+      continue;
+    }
+    const double ax = point.x - a.x;
+    const double ay = point.y - a.y;
+    const double bx = b.x - point.x;
+    const double by = b.y - point.y;
+    const double product = std::hypot(ax, ay) * std::hypot(bx, by);
+    point.smooth = product > 0 && ax * bx + ay * by >= kLeastCosine * product;
+  }
 }
 
 std::string printable(const std::string& name) {
@@ -123,6 +145,7 @@ class FontImporter {
       const int last = outline.contours[i];
       if (last > first) {
         glyph.contours.push_back(contour_of(outline, first, last));
+        mark_smooth(glyph.contours.back());
       }
       first = last + 1;
     }
