@@ -1,0 +1,173 @@
+#include "editor/actions.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "editor/edits.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr double kZoomStep = 1.25;
+
+void run_unless_null(Editor& editor, Value command) {
+  if (!command.is_null()) {
+    editor.run(std::move(command));
+  }
+}
+
+void nudge(Editor& editor, double dx, double dy) {
+  if (editor.component) {
+    const Matrix& m = editor.glyph()->components[*editor.component].matrix;
+    editor.run({{"do", "set_component"},
+                {"component", *editor.component},
+                {"matrix", {m.xx, m.xy, m.yx, m.yy, m.dx + dx, m.dy + dy}}});
+    return;
+  }
+  run_unless_null(editor,
+                  move_selection(*editor.glyph(), editor.selection, dx, dy));
+}
+
+void delete_selection(Editor& editor) {
+  if (editor.component) {
+    editor.run({{"do", "delete_component"}, {"component", *editor.component}});
+    return;
+  }
+  const Selection selection = editor.selection;
+  editor.selection.clear();
+  run_unless_null(editor, delete_points(*editor.glyph(), selection));
+}
+
+void select_all(Editor& editor) {
+  const GlyphPointer glyph = editor.glyph();
+  for (size_t c = 0; c < glyph->contours.size(); ++c) {
+    for (size_t p = 0; p < glyph->contours[c].points.size(); ++p) {
+      editor.selection.insert({c, p});
+    }
+  }
+}
+
+void escape(Editor& editor) {
+  editor.tool().cancel(editor);
+  editor.selection.clear();
+  editor.component.reset();
+}
+
+void reverse_selected(Editor& editor) {
+  std::vector<Value> commands;
+  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
+    const auto first = editor.selection.lower_bound({c, 0});
+    if (first != editor.selection.end() && first->contour == c) {
+      commands.push_back({{"do", "reverse_contour"}, {"contour", c}});
+    }
+  }
+  if (!commands.empty()) {
+    editor.selection.clear();
+    editor.run(batch(std::move(commands)));
+  }
+}
+
+void zoom(Editor& editor, double factor) {
+  View& view = editor.view;
+  view.zoom(factor, {view.width / 2, view.height / 2});
+}
+
+std::vector<Action> make_list() {
+  std::vector<Action> list = {
+      {"Save", "ctrl+s", [](Editor& e) { e.save(); }},
+      {"Undo", "ctrl+z", [](Editor& e) { e.undo(); }},
+      {"Redo", "ctrl+y ctrl+shift+z", [](Editor& e) { e.redo(); }},
+      {"Delete", "delete backspace", delete_selection},
+      {"Select all", "ctrl+a", select_all},
+      {"Select none", "escape", escape},
+      {"Smooth or corner", "s",
+       [](Editor& e) {
+         if (e.selection.size() == 1) {
+           run_unless_null(e, toggle_smooth(*e.glyph(), *e.selection.begin()));
+         }
+       }},
+      {"Reverse contours", "", reverse_selected},
+      {"Round to whole units", "",
+       [](Editor& e) {
+         e.run({{"do", "round_points"}});
+       }},
+      {"Decompose", "",
+       [](Editor& e) {
+         e.run({{"do", "decompose"}});
+       }},
+      {"Next glyph", "pagedown", [](Editor& e) { e.step(1); }},
+      {"Previous glyph", "pageup", [](Editor& e) { e.step(-1); }},
+      {"Fit glyph", "0 ctrl+0", [](Editor& e) { e.fit_view(); }},
+      {"Zoom in", "= +", [](Editor& e) { zoom(e, kZoomStep); }},
+      {"Zoom out", "-", [](Editor& e) { zoom(e, 1 / kZoomStep); }},
+      {"Dark display", "d",
+       [](Editor& e) { e.preview.dark = !e.preview.dark; }},
+      {"Cells", "c",
+       [](Editor& e) {
+         Cells& cells = e.preview.cells;
+         cells = cells == Cells::off     ? Cells::edges
+                 : cells == Cells::edges ? Cells::samples
+                                         : Cells::off;
+       }},
+  };
+  for (const ToolInfo& tool : tool_list()) {
+    const ToolKind kind = tool.kind;
+    list.push_back(
+        {tool.name, tool.key, [kind](Editor& e) { e.set_tool(kind); }});
+  }
+  struct Step {
+    const char* keys[3];
+    double x;
+    double y;
+  };
+  static constexpr Step kSteps[] = {
+      {{"left", "shift+left", "ctrl+left"}, -1, 0},
+      {{"right", "shift+right", "ctrl+right"}, 1, 0},
+      {{"up", "shift+up", "ctrl+up"}, 0, 1},
+      {{"down", "shift+down", "ctrl+down"}, 0, -1},
+  };
+  for (const Step& step : kSteps) {
+    double size = 1;
+    for (const char* key : step.keys) {
+      const double dx = size * step.x;
+      const double dy = size * step.y;
+      list.push_back({"Nudge", key, [dx, dy](Editor& e) { nudge(e, dx, dy); }});
+      size *= 10;
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+const std::vector<Action>& action_list() {
+  static const std::vector<Action> list = make_list();
+  return list;
+}
+
+const Action& action(const std::string& name) {
+  for (const Action& action : action_list()) {
+    if (action.name == name) {
+      return action;
+    }
+  }
+  throw std::logic_error("no action is called " + name);
+}
+
+bool press_key(Editor& editor, const std::string& key) {
+  if (editor.glyph() == nullptr) {
+    return false;
+  }
+  for (const Action& action : action_list()) {
+    std::istringstream keys(action.keys);
+    for (std::string one; keys >> one;) {
+      if (one == key) {
+        action.run(editor);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace inkcell::design::editor

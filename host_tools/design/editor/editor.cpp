@@ -1,0 +1,284 @@
+#include "editor/editor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/output.hpp"
+#include "export/rom.hpp"
+#include "export/ttf.hpp"
+#include "import/font_import.hpp"
+#include "model/commands.hpp"
+#include "model/error.hpp"
+#include "rom_file.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLeastScale = 0.02;  // [px per font unit]
+constexpr double kMostScale = 64;
+constexpr double kFitPart = 0.86;  // of the canvas that the em's lines take
+
+void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
+  gen::OutputFile file(path);
+  file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  file.commit();
+}
+
+bool needs_glyph(const Value& command) {
+  const std::string name = command.value("do", "");
+  return name != "batch" && !command.contains("glyph") &&
+         name.find("info") == std::string::npos &&
+         name.find("kerning") == std::string::npos &&
+         name.find("group") == std::string::npos;
+}
+
+// Puts the name of the glyph into a command and those that it holds.
+void fill_glyph(const std::string& glyph, Value& command) {
+  if (needs_glyph(command)) {
+    command["glyph"] = glyph;
+  }
+  if (command.contains("commands")) {
+    for (Value& part : command["commands"]) {
+      fill_glyph(glyph, part);
+    }
+  }
+}
+
+void import_project(const fs::path& font,
+                    const fs::path& folder,
+                    const std::vector<std::string>& chars) {
+  if (fs::exists(folder)) {
+    throw Error(folder.string() +
+                ": exists; open it, or name another project for " +
+                font.string());
+  }
+  gen::CharSet characters;
+  for (const std::string& list : chars) {
+    gen::add_ranges(list, characters);
+  }
+  gen::Warnings warnings;
+  const Project project = import_font(font, characters, warnings);
+  UfoFiles files;
+  write_ufo(project, folder, files);
+}
+
+}  // namespace
+
+void View::zoom(double factor, Point at) {
+  const Point fixed = to_font(at);
+  scale = std::clamp(scale * factor, kLeastScale, kMostScale);
+  const Point moved = to_font(at);
+  x += fixed.x - moved.x;
+  y += fixed.y - moved.y;
+}
+
+std::string NibSettings::text() const {
+  char buffer[96];
+  std::snprintf(buffer, sizeof buffer, "%s:%g,%g,%g",
+                is_rectangle ? "rectangle" : "ellipse", width, height, angle);
+  return buffer;
+}
+
+Editor::Editor() : tool_(make_tool(tool_kind_)) {}
+
+Editor::~Editor() = default;
+
+void Editor::open(const fs::path& file,
+                  fs::path project,
+                  const std::vector<std::string>& chars) {
+  fs::path given = file;
+  if (!given.has_filename()) {  // P.ufo/
+    given = given.parent_path();
+  }
+  if (given.extension() == ".ufo") {
+    begin(given);
+    return;
+  }
+  if (project.empty()) {
+    project = given.filename().replace_extension(".ufo");
+  }
+  import_project(given, project, chars);
+  begin(project);
+}
+
+void Editor::begin(const fs::path& folder) {
+  session_ = std::make_unique<Session>(folder);
+  proposal_ = nullptr;
+  proposed_ = nullptr;
+  glyph_.clear();
+  const size_t recovered = session_->recovery().commands;
+  message = recovered == 0 ? "Opened " + folder.filename().string()
+                           : "Recovered " + std::to_string(recovered) +
+                                 " changes that were not saved";
+  const std::vector<std::string> order = glyph_order(project());
+  for (const std::string& name : order) {
+    if (!project().glyph(name)->contours.empty() && name != ".notdef") {
+      show(name);
+      return;
+    }
+  }
+  if (!order.empty()) {
+    show(order.front());
+  }
+}
+
+void Editor::save() {
+  session_->save();
+  message = "Saved " + session_->files().folder.filename().string();
+}
+
+void Editor::export_to(const fs::path& file) const {
+  const std::string ending = file.extension().string();
+  if (ending == ".ufo") {
+    UfoFiles files = session_->files();
+    write_ufo(project(), file, files);
+  } else if (ending == ".ttf") {
+    write_bytes(file, write_ttf(project()));
+  } else if (ending == ".bin") {
+    write_bytes(file, make_rom(project(), {}).bytes);
+  } else {
+    throw Error(file.string() +
+                ": its ending says what to write: .ttf, .bin or .ufo");
+  }
+}
+
+void Editor::show(const std::string& glyph) {
+  std::string name = glyph;
+  if (project().find(name) == nullptr) {
+    const std::vector<char32_t> text = tools::from_utf8(glyph);
+    name.clear();
+    for (const auto& [candidate, pointer] : project().front().glyphs) {
+      const std::vector<char32_t>& codes = pointer->unicodes;
+      if (text.size() == 1 &&
+          std::find(codes.begin(), codes.end(), text[0]) != codes.end()) {
+        name = candidate;
+      }
+    }
+    if (name.empty()) {
+      throw Error("glyph '" + glyph + "': the project has none of this name");
+    }
+  }
+  tool_->cancel(*this);
+  glyph_ = name;
+  selection.clear();
+  component.reset();
+  fit_view();
+}
+
+void Editor::step(int by) {
+  const std::vector<std::string> order = glyph_order(project());
+  const auto at = std::find(order.begin(), order.end(), glyph_);
+  const auto place = (at - order.begin()) + by;
+  if (at != order.end() && place >= 0 &&
+      place < static_cast<std::ptrdiff_t>(order.size())) {
+    show(order[static_cast<size_t>(place)]);
+  }
+}
+
+GlyphPointer Editor::glyph() const {
+  if (proposed_ != nullptr) {
+    return proposed_;
+  }
+  return is_open() ? project().find(glyph_) : nullptr;
+}
+
+Project Editor::shown_project() const {
+  Project shown = project();
+  if (proposed_ != nullptr) {
+    shown.front().glyphs[glyph_] = proposed_;
+  }
+  return shown;
+}
+
+void Editor::run(Value command) {
+  fill_glyph(glyph_, command);
+  session_->run(command);
+  drop_lost_selection();
+}
+
+void Editor::propose(Value command) {
+  proposed_ = nullptr;
+  proposal_ = std::move(command);
+  if (proposal_.is_null()) {
+    return;
+  }
+  fill_glyph(glyph_, proposal_);
+  for (const GlyphChange& change : change_of(project(), proposal_).glyphs) {
+    if (change.layer == 0 && change.name == glyph_) {
+      proposed_ = change.after;
+    }
+  }
+}
+
+void Editor::commit() {
+  if (!proposal_.is_null()) {
+    const Value command = std::move(proposal_);
+    propose(nullptr);
+    run(command);
+  }
+}
+
+bool Editor::undo() {
+  tool_->cancel(*this);
+  const bool done = session_->undo();
+  drop_lost_selection();
+  return done;
+}
+
+bool Editor::redo() {
+  tool_->cancel(*this);
+  const bool done = session_->redo();
+  drop_lost_selection();
+  return done;
+}
+
+// Of points and glyphs that a change has taken away.
+void Editor::drop_lost_selection() {
+  const GlyphPointer now = project().find(glyph_);
+  if (now == nullptr) {
+    selection.clear();
+    component.reset();
+    return;
+  }
+  for (auto id = selection.begin(); id != selection.end();) {
+    const bool lost = id->contour >= now->contours.size() ||
+                      id->point >= now->contours[id->contour].points.size();
+    id = lost ? selection.erase(id) : std::next(id);
+  }
+  if (component && *component >= now->components.size()) {
+    component.reset();
+  }
+}
+
+void Editor::set_tool(ToolKind kind) {
+  if (is_open()) {
+    tool_->cancel(*this);
+  }
+  tool_kind_ = kind;
+  tool_ = make_tool(kind);
+}
+
+void Editor::fit_view() {
+  const GlyphPointer shown = glyph();
+  if (shown == nullptr) {
+    return;
+  }
+  const Value& info = project().font->info;
+  const double em = project().units_per_em();
+  const double top = info.value("ascender", 0.8 * em);
+  const double bottom = info.value("descender", -0.2 * em);
+  view.x = shown->width / 2;
+  view.y = (top + bottom) / 2;
+  view.scale =
+      kFitPart * std::min(view.height / std::max(top - bottom, 1.0),
+                          view.width / std::max(shown->width, 0.6 * em));
+}
+
+PreviewJob Editor::preview_job() const {
+  return make_job(shown_project(), glyph_, preview);
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,290 @@
+#include "editor/edits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace inkcell::design::editor {
+namespace {
+
+// A quarter of a circle as a cubic, 4/3 (sqrt(2) - 1).
+constexpr double kKappa = 0.5522847498;
+
+// A point before or behind another one; none beyond the ends of an open
+// contour.
+std::optional<size_t> neighbour(const PointContour& contour,
+                                size_t point,
+                                bool behind) {
+  const size_t count = contour.points.size();
+  if (contour.open() && point == (behind ? count - 1 : 0)) {
+    return std::nullopt;
+  }
+  return (point + (behind ? 1 : count - 1)) % count;
+}
+
+// Whether an off-curve point belongs to a cubic.
+bool is_cubic_handle(const PointContour& contour, size_t point) {
+  if (contour.points[point].on_curve()) {
+    return false;
+  }
+  size_t at = point;
+  for (size_t i = 0; i < contour.points.size(); ++i) {
+    at = (at + 1) % contour.points.size();
+    if (contour.points[at].on_curve()) {
+      return contour.points[at].type == PointType::curve;
+    }
+  }
+  return false;
+}
+
+// The handles next to a point on the curve.
+std::vector<size_t> handles_of(const PointContour& contour, size_t point) {
+  std::vector<size_t> handles;
+  for (const bool behind : {false, true}) {
+    const auto next = neighbour(contour, point, behind);
+    if (next && is_cubic_handle(contour, *next)) {
+      handles.push_back(*next);
+    }
+  }
+  return handles;
+}
+
+Value set_point(PointId id, double x, double y) {
+  return {{"do", "set_point"},
+          {"contour", id.contour},
+          {"point", id.point},
+          {"x", std::round(x)},
+          {"y", std::round(y)}};
+}
+
+// Puts the handle `id` opposite to a handle at `other`, as far from its point
+// as it is.
+Value turn_handle(const PointContour& contour,
+                  PointId id,
+                  const GlyphPoint& centre,
+                  Point other) {
+  const GlyphPoint& handle = contour.points[id.point];
+  const double length = std::hypot(handle.x - centre.x, handle.y - centre.y);
+  const double dx = centre.x - other.x;
+  const double dy = centre.y - other.y;
+  const double size = std::hypot(dx, dy);
+  if (size == 0) {
+    return nullptr;
+  }
+  return set_point(id, centre.x + length * dx / size,
+                   centre.y + length * dy / size);
+}
+
+// The handle on the other side of the smooth point that the handle `id` belongs
+// to, turned as the handle moves.
+Value turn_opposite(const Glyph& glyph, PointId id, double dx, double dy) {
+  const PointContour& contour = glyph.contours[id.contour];
+  if (!is_cubic_handle(contour, id.point)) {
+    return nullptr;
+  }
+  for (const bool behind : {false, true}) {
+    const auto centre = neighbour(contour, id.point, behind);
+    if (!centre || !contour.points[*centre].smooth) {
+      continue;
+    }
+    const auto other = neighbour(contour, *centre, behind);
+    if (other && is_cubic_handle(contour, *other)) {
+      const GlyphPoint& moved = contour.points[id.point];
+      return turn_handle(contour, {id.contour, *other}, contour.points[*centre],
+                         {moved.x + dx, moved.y + dy});
+    }
+  }
+  return nullptr;
+}
+
+size_t on_curve_count(const PointContour& contour) {
+  return static_cast<size_t>(
+      std::count_if(contour.points.begin(), contour.points.end(),
+                    [](const GlyphPoint& p) { return p.on_curve(); }));
+}
+
+// Off-curve neighbours first: the rest is a contour after each step.
+void delete_point(size_t contour_index,
+                  PointContour& contour,
+                  size_t point,
+                  std::vector<Value>& commands) {
+  std::vector<size_t> gone = {point};
+  if (contour.points[point].on_curve()) {
+    const std::vector<size_t> handles = handles_of(contour, point);
+    if (handles.size() == 2) {
+      gone.insert(gone.begin(), handles.begin(), handles.end());
+    }
+  }
+  for (size_t i = 0; i < gone.size(); ++i) {
+    commands.push_back({{"do", "delete_point"},
+                        {"contour", contour_index},
+                        {"point", gone[i]}});
+    contour.points.erase(contour.points.begin() +
+                         static_cast<std::ptrdiff_t>(gone[i]));
+    for (size_t k = i + 1; k < gone.size(); ++k) {
+      gone[k] -= gone[k] > gone[i] ? size_t{1} : size_t{0};
+    }
+  }
+}
+
+}  // namespace
+
+Value batch(std::vector<Value> commands) {
+  if (commands.size() == 1) {
+    return commands.front();
+  }
+  return {{"do", "batch"}, {"commands", std::move(commands)}};
+}
+
+Value move_selection(const Glyph& glyph,
+                     const Selection& selection,
+                     double dx,
+                     double dy) {
+  Selection moving = selection;
+  for (const PointId id : selection) {
+    const PointContour& contour = glyph.contours[id.contour];
+    if (contour.points[id.point].on_curve()) {
+      for (const size_t handle : handles_of(contour, id.point)) {
+        moving.insert({id.contour, handle});
+      }
+    }
+  }
+  if (moving.empty()) {
+    return nullptr;
+  }
+  Value points = Value::array();
+  for (const PointId id : moving) {
+    points.push_back({id.contour, id.point});
+  }
+  std::vector<Value> commands = {
+      {{"do", "move_points"}, {"points", points}, {"dx", dx}, {"dy", dy}}};
+  if (moving.size() == 1) {
+    Value turn = turn_opposite(glyph, *moving.begin(), dx, dy);
+    if (!turn.is_null()) {
+      commands.push_back(std::move(turn));
+    }
+  }
+  return batch(std::move(commands));
+}
+
+Value delete_points(const Glyph& glyph, const Selection& selection) {
+  std::vector<Value> commands;
+  for (size_t c = glyph.contours.size(); c-- > 0;) {
+    std::vector<size_t> points;
+    size_t on_curve = 0;
+    for (const PointId id : selection) {
+      if (id.contour == c) {
+        points.push_back(id.point);
+        on_curve += glyph.contours[c].points[id.point].on_curve() ? 1u : 0u;
+      }
+    }
+    if (points.empty()) {
+      continue;
+    }
+    if (on_curve_count(glyph.contours[c]) < on_curve + 2) {
+      commands.push_back({{"do", "delete_contour"}, {"contour", c}});
+      continue;
+    }
+    // Handles go with their points; those that are selected alone follow.
+    PointContour contour = glyph.contours[c];
+    std::stable_sort(points.begin(), points.end(), [&](size_t a, size_t b) {
+      return contour.points[a].on_curve() > contour.points[b].on_curve();
+    });
+    for (size_t i = 0; i < points.size(); ++i) {
+      const GlyphPoint gone = glyph.contours[c].points[points[i]];
+      const auto found =
+          std::find(contour.points.begin(), contour.points.end(), gone);
+      if (found != contour.points.end()) {
+        delete_point(c, contour,
+                     static_cast<size_t>(found - contour.points.begin()),
+                     commands);
+      }
+    }
+  }
+  return commands.empty() ? Value() : batch(std::move(commands));
+}
+
+Value toggle_smooth(const Glyph& glyph, PointId id) {
+  const PointContour& contour = glyph.contours[id.contour];
+  const GlyphPoint& point = contour.points[id.point];
+  if (!point.on_curve()) {
+    return nullptr;
+  }
+  std::vector<Value> commands = {{{"do", "set_point"},
+                                  {"contour", id.contour},
+                                  {"point", id.point},
+                                  {"smooth", !point.smooth}}};
+  const std::vector<size_t> handles = handles_of(contour, id.point);
+  if (!point.smooth && handles.size() == 2) {
+    const GlyphPoint& kept = contour.points[handles[0]];
+    Value turn =
+        turn_handle(contour, {id.contour, handles[1]}, point, {kept.x, kept.y});
+    if (!turn.is_null()) {
+      commands.push_back(std::move(turn));
+    }
+  }
+  return batch(std::move(commands));
+}
+
+Value replace_contours(const Glyph& glyph,
+                       const std::vector<PointContour>& contours) {
+  std::vector<Value> commands;
+  for (size_t i = glyph.contours.size(); i-- > 0;) {
+    if (std::find(contours.begin(), contours.end(), glyph.contours[i]) ==
+        contours.end()) {
+      commands.push_back({{"do", "delete_contour"}, {"contour", i}});
+    }
+  }
+  for (const PointContour& contour : contours) {
+    if (std::find(glyph.contours.begin(), glyph.contours.end(), contour) ==
+        glyph.contours.end()) {
+      commands.push_back(add_contour(contour));
+    }
+  }
+  return commands.empty() ? Value() : batch(std::move(commands));
+}
+
+Value add_contour(const PointContour& contour) {
+  return {{"do", "add_contour"}, {"points", contour_value(contour)}};
+}
+
+PointContour rectangle(Point a, Point b) {
+  const double x0 = std::min(a.x, b.x);
+  const double x1 = std::max(a.x, b.x);
+  const double y0 = std::min(a.y, b.y);
+  const double y1 = std::max(a.y, b.y);
+  PointContour contour;
+  for (const Point p : {Point{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}) {
+    GlyphPoint point;
+    point.x = p.x;
+    point.y = p.y;
+    contour.points.push_back(point);
+  }
+  return contour;
+}
+
+PointContour ellipse(Point a, Point b) {
+  const Point centre = {(a.x + b.x) / 2, (a.y + b.y) / 2};
+  const double rx = std::abs(a.x - b.x) / 2;
+  const double ry = std::abs(a.y - b.y) / 2;
+  PointContour contour;
+  const auto add = [&](double x, double y, PointType type) {
+    GlyphPoint point;
+    point.x = std::round(centre.x + rx * x);
+    point.y = std::round(centre.y + ry * y);
+    point.type = type;
+    point.smooth = type == PointType::curve;
+    contour.points.push_back(point);
+  };
+  Point at = {1, 0};
+  for (int i = 0; i < 4; ++i) {
+    const Point next = {-at.y, at.x};
+    add(at.x, at.y, PointType::curve);
+    add(at.x + kKappa * next.x, at.y + kKappa * next.y, PointType::offcurve);
+    add(next.x + kKappa * at.x, next.y + kKappa * at.y, PointType::offcurve);
+    at = next;
+  }
+  return contour;
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,135 @@
+#include "editor/preview.hpp"
+
+#include <chrono>
+#include <set>
+
+#include "export/rom.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/format/cell.hpp"
+#include "model/contours.hpp"
+#include "model/error.hpp"
+#include "rom_file.hpp"
+#include "trace/field_outline.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr double kUnitsOfU = 1024;
+
+// Stands for a glyph that no character maps to.
+constexpr char32_t kPrivate = 0xF8FF;
+
+// Adds a glyph and what it is made of.
+void take(const Project& from, const std::string& name, Project& to) {
+  const GlyphPointer glyph = from.find(name);
+  if (glyph == nullptr || !to.front().glyphs.emplace(name, glyph).second) {
+    return;
+  }
+  for (const ComponentUse& use : glyph->components) {
+    take(from, use.base, to);
+  }
+}
+
+void add_cells(const PreviewJob& job, Preview& preview) {
+  const GlyphPointer glyph = job.project.glyph(job.glyph);
+  const gen::Shape shape(outline_of(job.project, *glyph));
+  if (shape.empty()) {
+    return;
+  }
+  gen::Target target;
+  target.coding = job.settings.cells == Cells::edges ? gen::Coding::edges
+                                                     : gen::Coding::samples;
+  const ShapeField made(shape, target);
+  const GlyphField& field = made.field();
+  preview.cell_bytes = made.bytes();
+  const double scale = job.project.units_per_em() / kUnitsOfU;
+  for (int32_t y = field.y0_u; y < field.y1_u(); ++y) {
+    for (int32_t x = field.x0_u; x < field.x1_u();) {
+      const Cell cell = locate(field, x, y);
+      const int32_t side = 1 << cell.size_log2;
+      if (cell.y0_u == y) {
+        preview.cells.push_back({scale * cell.x0_u, scale * y, scale * side,
+                                 cell.field_count, cell.is_saturated()});
+      }
+      x = cell.x0_u + side;
+    }
+  }
+}
+
+void add_facts(const gen::FontReport& report,
+               const std::string& key,
+               Preview& preview) {
+  for (const gen::GlyphReport& glyph : report.glyphs) {
+    if (glyph.key == key) {
+      preview.glyph_bytes = glyph.bytes;
+      preview.glyph_points = glyph.points;
+      preview.worst_error = glyph.worst_error;
+      preview.worst_px = glyph.worst_px;
+    }
+  }
+}
+
+}  // namespace
+
+PreviewJob make_job(const Project& project,
+                    const std::string& glyph,
+                    const PreviewSettings& settings) {
+  PreviewJob job;
+  job.glyph = glyph;
+  job.settings = settings;
+  job.project.font = project.font;
+  take(project, ".notdef", job.project);
+  take(project, glyph, job.project);
+  std::set<char32_t> wanted;
+  for (const char32_t c : tools::from_utf8(settings.text)) {
+    wanted.insert(c);
+  }
+  for (const auto& [name, candidate] : project.front().glyphs) {
+    for (const char32_t c : candidate->unicodes) {
+      if (wanted.count(c) != 0) {
+        take(project, name, job.project);
+      }
+    }
+  }
+  const GlyphPointer shown = project.glyph(glyph);
+  if (!shown->unicodes.empty()) {
+    job.character = shown->unicodes.front();
+    return job;
+  }
+  Glyph mapped = *shown;
+  mapped.unicodes = {kPrivate};
+  job.character = kPrivate;
+  job.project.front().glyphs[glyph] =
+      std::make_shared<const Glyph>(std::move(mapped));
+  return job;
+}
+
+Preview draw_preview(const PreviewJob& job) {
+  Preview preview;
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    const gen::RomFont font = make_rom(job.project, {});
+    const PreviewSettings& settings = job.settings;
+    const std::string text = tools::to_utf8(job.character);
+    add_facts(font.report, text, preview);
+    preview.rom = font.bytes;
+    preview.glyph = draw_on_display(preview.rom, text, settings.glyph_px,
+                                    settings.display, settings.dark);
+    for (const double px : settings.text_px) {
+      preview.lines.push_back(
+          {px, draw_on_display(preview.rom, settings.text, px, settings.display,
+                               settings.dark)});
+    }
+    if (settings.cells != Cells::off) {
+      add_cells(job, preview);
+    }
+  } catch (const std::exception& error) {
+    preview.error = error.what();
+  }
+  const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - begin;
+  preview.seconds = time.count();
+  return preview;
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,88 @@
+// What the device will draw: the generator in memory, the device's library, and
+// the sinks of the displays.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image.hpp"
+#include "model/project.hpp"
+#include "target/target.hpp"
+
+namespace inkcell::design::editor {
+
+enum class Display { mono, grey2, grey4, rgb565, lcd };
+
+/// How a display is named in scripts, and shown.
+struct DisplayInfo {
+  Display display;
+  const char* name;
+  const char* label;
+  const char* hint;
+};
+const std::vector<DisplayInfo>& display_list();
+
+enum class Cells { off, edges, samples };
+
+struct PreviewSettings {
+  Display display = Display::grey4;
+  bool dark = true;
+  double glyph_px = 24;                        // [px/em]
+  std::vector<double> text_px = {12, 16, 24};  // [px/em]
+  std::string text = "Hamburg 012";
+  Cells cells = Cells::off;
+};
+
+struct PreviewJob {
+  Project project;  // the glyphs that are needed, and no others
+  std::string glyph;
+  char32_t character = 0;  // of the glyph in `project`
+  PreviewSettings settings;
+};
+
+/// A leaf of the quadtree. [font units]
+struct CellBox {
+  double x0 = 0;
+  double y0 = 0;
+  double side = 0;
+  int fields = 0;  // 0: saturated, or samples
+  bool is_saturated = false;
+};
+
+struct TextPicture {
+  double px = 0;
+  tools::Image image;
+};
+
+struct Preview {
+  std::string error;  // why there is nothing else
+  std::vector<uint8_t> rom;
+  size_t glyph_bytes = 0;
+  size_t glyph_points = 0;
+  double worst_error = 0;  // of the glyph's pixels [1/255]
+  int worst_px = 0;
+  double seconds = 0;
+  tools::Image glyph;
+  std::vector<TextPicture> lines;
+  std::vector<CellBox> cells;
+  size_t cell_bytes = 0;  // of the glyph's record with these cells
+};
+
+/// A job for `glyph` and the text of `settings`. Throws Error.
+PreviewJob make_job(const Project& project,
+                    const std::string& glyph,
+                    const PreviewSettings& settings);
+
+/// Does the work. What goes wrong is said in `error`.
+Preview draw_preview(const PreviewJob& job);
+
+/// Draws a line of text as a display shows it: colours as they reach the eye,
+/// 3 channels. Throws std::runtime_error.
+tools::Image draw_on_display(const std::vector<uint8_t>& rom,
+                             const std::string& text,
+                             double px,
+                             Display display,
+                             bool dark);
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,325 @@
+#include "editor/script.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "app/output.hpp"
+#include "editor/actions.hpp"
+#include "model/error.hpp"
+#include "stroke/nib.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct Line {
+  Editor& editor;
+  Words words;       // behind the command
+  std::string rest;  // the same as one text
+  const Screenshot& screenshot;
+};
+
+using Handler = void (*)(const Line&);
+
+double number(const Line& line, size_t i) {
+  try {
+    return std::stod(line.words.at(i));
+  } catch (const std::exception&) {
+    throw Error("argument " + std::to_string(i + 1) + " must be a number");
+  }
+}
+
+const std::string& word(const Line& line, size_t i) {
+  if (i >= line.words.size()) {
+    throw Error("argument " + std::to_string(i + 1) + " is missing");
+  }
+  return line.words[i];
+}
+
+// Points are counted through all contours.
+PointId point_of(const Line& line, size_t i) {
+  const double value = number(line, i);
+  auto left = static_cast<size_t>(std::max(value, 0.0));
+  const GlyphPointer glyph = line.editor.glyph();
+  for (size_t c = 0; c < glyph->contours.size(); ++c) {
+    const size_t count = glyph->contours[c].points.size();
+    if (left < count) {
+      return {c, left};
+    }
+    left -= count;
+  }
+  throw Error("point " + line.words[i] + ": glyph '" +
+              line.editor.glyph_name() + "' has fewer");
+}
+
+Pointer pointer(const Line& line, size_t first) {
+  Pointer pointer;
+  pointer.at = {number(line, first), number(line, first + 1)};
+  pointer.shift = std::find(line.words.begin(), line.words.end(), "shift") !=
+                  line.words.end();
+  pointer.twice = std::find(line.words.begin(), line.words.end(), "twice") !=
+                  line.words.end();
+  return pointer;
+}
+
+void open(const Line& line) {
+  const bool has_project = line.words.size() > 1 && line.words[1] != "-";
+  line.editor.open(word(line, 0), has_project ? line.words[1] : "",
+                   line.words.size() > 2
+                       ? Words(line.words.begin() + 2, line.words.end())
+                       : Words());
+}
+
+void select(const Line& line) {
+  line.editor.selection.clear();
+  for (size_t i = 0; i < line.words.size(); ++i) {
+    line.editor.selection.insert(point_of(line, i));
+  }
+}
+
+void drag(const Line& line) {
+  const PointId id = point_of(line, 0);
+  const GlyphPoint point =
+      line.editor.glyph()->contours[id.contour].points[id.point];
+  Pointer at = pointer(line, 1);
+  const Point to = {point.x + at.at.x, point.y + at.at.y};
+  line.editor.set_tool(ToolKind::select);
+  at.at = {point.x, point.y};
+  line.editor.tool().press(line.editor, at);
+  at.at = to;
+  line.editor.tool().drag(line.editor, at);
+  line.editor.tool().release(line.editor, at);
+}
+
+void set_tool(const Line& line) {
+  for (const ToolInfo& tool : tool_list()) {
+    if (word(line, 0) == tool.name) {
+      line.editor.set_tool(tool.kind);
+      return;
+    }
+  }
+  throw Error("tool '" + line.words[0] + "' is not known");
+}
+
+void set_preview(const Line& line) {
+  PreviewSettings& settings = line.editor.preview;
+  settings.glyph_px = number(line, 0);
+  settings.text_px = {settings.glyph_px};
+  bool is_known = false;
+  for (const DisplayInfo& display : display_list()) {
+    if (word(line, 1) == display.name) {
+      settings.display = display.display;
+      is_known = true;
+    }
+  }
+  if (!is_known) {
+    throw Error("display '" + line.words[1] + "' is not known");
+  }
+  settings.dark = line.words.size() > 2 && line.words[2] == "dark";
+}
+
+void set_cells(const Line& line) {
+  static const std::map<std::string, Cells> kinds = {
+      {"off", Cells::off},
+      {"edges", Cells::edges},
+      {"samples", Cells::samples}};
+  const auto found = kinds.find(word(line, 0));
+  if (found == kinds.end()) {
+    throw Error("cells are off, edges or samples");
+  }
+  line.editor.preview.cells = found->second;
+}
+
+void set_nib(const Line& line) {
+  const Nib nib = parse_nib(word(line, 0));
+  constexpr double kDegrees = 57.29577951308232;
+  line.editor.nib = {nib.kind == Nib::Kind::rectangle, nib.width, nib.height,
+                     kDegrees * nib.angle};
+}
+
+Preview preview_of(const Line& line) {
+  Preview preview = draw_preview(line.editor.preview_job());
+  if (!preview.error.empty()) {
+    throw Error(preview.error);
+  }
+  return preview;
+}
+
+void save_preview(const Line& line) {
+  const Preview preview = preview_of(line);
+  const std::filesystem::path file = word(line, 0);
+  if (file.extension() == ".bin") {
+    gen::OutputFile out(file);
+    out.write({reinterpret_cast<const char*>(preview.rom.data()),
+               preview.rom.size()});
+    out.commit();
+  } else {
+    tools::write_image(file, preview.lines.at(0).image);
+  }
+}
+
+void save(const Line& line) {
+  if (line.words.empty()) {
+    line.editor.save();
+  } else {
+    line.editor.export_to(line.words[0]);
+  }
+}
+
+void print(const Line& line) {
+  const Editor& editor = line.editor;
+  const GlyphPointer glyph = editor.glyph();
+  Value contours = Value::array();
+  for (const PointContour& contour : glyph->contours) {
+    contours.push_back(contour_value(contour));
+  }
+  const Preview preview = preview_of(line);
+  const Value report = {{"glyph", glyph->name},
+                        {"width", glyph->width},
+                        {"contours", contours},
+                        {"components", glyph->components.size()},
+                        {"selected", editor.selection.size()},
+                        {"bytes", preview.glyph_bytes},
+                        {"points", preview.glyph_points},
+                        {"worst_error", preview.worst_error},
+                        {"cells", preview.cells.size()},
+                        {"message", editor.message}};
+  std::printf("%s\n", report.dump().c_str());
+}
+
+struct Command {
+  ScriptCommand text;
+  Handler handler;
+  bool needs_glyph;
+};
+
+const std::vector<Command>& command_list() {
+  static const std::vector<Command> list = {
+      {{"open", "FONT [PROJECT|-] [CHARS]...", "open a UFO, TTF or OTF"},
+       open,
+       false},
+      {{"glyph", "NAME", "show a glyph, by its name or character"},
+       [](const Line& l) { l.editor.show(word(l, 0)); },
+       true},
+      {{"select", "POINT...", "select points, counted through all contours"},
+       select,
+       true},
+      {{"drag", "POINT DX DY [shift]", "drag a point"}, drag, true},
+      {{"key", "KEY", "press a key: ctrl+z, shift+left, delete, v"},
+       [](const Line& l) {
+         if (!press_key(l.editor, word(l, 0))) {
+           throw Error("key '" + l.words[0] + "' does nothing");
+         }
+       },
+       true},
+      {{"tool", "NAME", "choose a tool, as the window names it"},
+       set_tool,
+       true},
+      {{"press", "X Y [shift] [twice]", "press the pointer, in font units"},
+       [](const Line& l) { l.editor.tool().press(l.editor, pointer(l, 0)); },
+       true},
+      {{"move", "X Y [shift]", "move the pressed pointer"},
+       [](const Line& l) { l.editor.tool().drag(l.editor, pointer(l, 0)); },
+       true},
+      {{"release", "X Y", "release the pointer"},
+       [](const Line& l) { l.editor.tool().release(l.editor, pointer(l, 0)); },
+       true},
+      {{"nib", "ellipse:W,H,ANGLE", "choose the nib of the Stroke tool"},
+       set_nib,
+       true},
+      {{"do", "COMMAND", "carry out a command of the design library"},
+       [](const Line& l) {
+         const Value command = Value::parse(l.rest, nullptr, false);
+         if (!command.is_object()) {
+           throw Error("a command is a JSON object");
+         }
+         l.editor.run(command);
+       },
+       true},
+      {{"preview", "PX DISPLAY [light|dark]", "choose the preview"},
+       set_preview,
+       true},
+      {{"text", "TEXT", "choose the preview's text"},
+       [](const Line& l) { l.editor.preview.text = l.rest; },
+       true},
+      {{"cells", "off|edges|samples", "show the cells of the quadtree"},
+       set_cells,
+       true},
+      {{"save_preview", "FILE.png|FILE.bin",
+        "write the text as the display shows it, or its font"},
+       save_preview,
+       true},
+      {{"print", "", "print the glyph and its figures as JSON"}, print, true},
+      {{"screenshot", "FILE.png", "write a picture of the window"},
+       [](const Line& l) { l.screenshot(l.editor, word(l, 0)); },
+       true},
+      {{"save", "[COPY.ufo]", "save the project, or a copy of it"}, save, true},
+      {{"export", "FILE.ttf|FILE.bin|FILE.ufo", "write the font"},
+       [](const Line& l) { l.editor.export_to(word(l, 0)); },
+       true},
+  };
+  return list;
+}
+
+}  // namespace
+
+const std::vector<ScriptCommand>& script_commands() {
+  static const std::vector<ScriptCommand> list = [] {
+    std::vector<ScriptCommand> all;
+    for (const Command& command : command_list()) {
+      all.push_back(command.text);
+    }
+    return all;
+  }();
+  return list;
+}
+
+void run_script_line(Editor& editor,
+                     const std::string& text,
+                     const Screenshot& screenshot) {
+  std::istringstream in(text);
+  std::string name;
+  if (!(in >> name) || name[0] == '#') {
+    return;
+  }
+  Line line{editor, {}, {}, screenshot};
+  std::getline(in >> std::ws, line.rest);
+  std::istringstream rest(line.rest);
+  for (std::string word; rest >> word;) {
+    line.words.push_back(word);
+  }
+  for (const Command& command : command_list()) {
+    if (name == command.text.name) {
+      if (command.needs_glyph && editor.glyph() == nullptr) {
+        throw Error("no glyph is shown; open a font first");
+      }
+      command.handler(line);
+      return;
+    }
+  }
+  throw Error("command '" + name + "' is not known; see --help");
+}
+
+void run_script(Editor& editor,
+                const std::filesystem::path& file,
+                const Screenshot& screenshot) {
+  std::ifstream in(file);
+  if (!in) {
+    throw Error(file.string() + ": cannot be read");
+  }
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    try {
+      run_script_line(editor, line, screenshot);
+    } catch (const std::exception& error) {
+      throw Error(file.string() + ":" + std::to_string(number) + ": " +
+                  error.what());
+    }
+  }
+}
+
+}  // namespace inkcell::design::editor

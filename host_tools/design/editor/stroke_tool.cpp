@@ -1,0 +1,88 @@
+// Strokes of a nib, drawn freehand.
+#include <cmath>
+
+#include "editor/edits.hpp"
+#include "editor/tool.hpp"
+#include "model/commands.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr const char* kStrokesKey = "org.inkcell.strokes";
+
+class StrokeTool : public Tool {
+ public:
+  void press(Editor&, const Pointer& pointer) override {
+    path_ = {{std::round(pointer.at.x), std::round(pointer.at.y)}};
+  }
+
+  void drag(Editor& editor, const Pointer& pointer) override {
+    if (path_.empty()) {
+      return;
+    }
+    const Point at = {std::round(pointer.at.x), std::round(pointer.at.y)};
+    if (std::hypot(at.x - path_.back().x, at.y - path_.back().y) >=
+        pointer.reach) {
+      path_.push_back(at);
+      editor.propose(command(editor));
+    }
+  }
+
+  void release(Editor& editor, const Pointer&) override {
+    path_.clear();
+    editor.commit();
+  }
+
+  void cancel(Editor& editor) override {
+    path_.clear();
+    editor.propose(nullptr);
+  }
+
+  Marks marks(const Editor&) const override {
+    Marks marks;
+    for (size_t i = 1; i < path_.size(); ++i) {
+      marks.lines.push_back({path_[i - 1], path_[i]});
+    }
+    return marks;
+  }
+
+ private:
+  // A glyph that is made of strokes, or has no contours, gets one more. Into
+  // others the outline of the stroke is put, since strokes replace contours.
+  Value command(const Editor& editor) const {
+    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+    Value points = Value::array();
+    for (const Point p : path_) {
+      points.push_back({p.x, p.y});
+    }
+    const Value stroke = {{"nib", editor.nib.text()}, {"points", points}};
+    Value strokes = glyph->lib.value(kStrokesKey, Value::array());
+    const bool keeps_strokes = !strokes.empty() || glyph->contours.empty();
+    if (!keeps_strokes) {
+      strokes = Value::array();
+    }
+    strokes.push_back(stroke);
+    const Value command = {{"do", "set_strokes"},
+                           {"glyph", editor.glyph_name()},
+                           {"strokes", strokes}};
+    if (keeps_strokes) {
+      return command;
+    }
+    std::vector<Value> commands;
+    const Change change = change_of(editor.project(), command);
+    for (const PointContour& contour : change.glyphs[0].after->contours) {
+      commands.push_back(add_contour(contour));
+    }
+    return batch(std::move(commands));
+  }
+
+  std::vector<Point> path_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_stroke_tool() {
+  return std::make_unique<StrokeTool>();
+}
+
+}  // namespace inkcell::design::editor

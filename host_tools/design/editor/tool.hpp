@@ -1,0 +1,74 @@
+// What the pointer does on the canvas.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shape/outline.hpp"
+
+namespace inkcell::design::editor {
+
+using gen::Point;
+
+class Editor;
+
+enum class ToolKind {
+  select,
+  pen,
+  knife,
+  rectangle,
+  ellipse,
+  stroke,
+  measure,
+};
+
+/// How a tool is named, and told to the person.
+struct ToolInfo {
+  ToolKind kind;
+  const char* name;
+  const char* key;
+  const char* hint;
+};
+const std::vector<ToolInfo>& tool_list();
+
+struct Pointer {
+  Point at;          // [font units]
+  double reach = 6;  // how far from it things are hit [font units]
+  bool shift = false;
+  bool twice = false;  // the second press of a double click
+};
+
+/// What a tool draws over the canvas. [font units]
+struct Marks {
+  std::vector<std::pair<Point, Point>> lines;
+  std::optional<std::pair<Point, Point>> box;
+  std::vector<Point> dots;
+  std::vector<std::pair<Point, std::string>> labels;
+};
+
+class Tool {
+ public:
+  virtual ~Tool() = default;
+
+  virtual void press(Editor& editor, const Pointer& pointer) = 0;
+  virtual void drag(Editor& editor, const Pointer& pointer) = 0;
+  virtual void release(Editor& editor, const Pointer& pointer) = 0;
+  /// Ends what is under way.
+  virtual void cancel(Editor& editor) = 0;
+  virtual Marks marks(const Editor& editor) const = 0;
+};
+
+std::unique_ptr<Tool> make_tool(ToolKind kind);
+
+// Of the files that implement tools.
+std::unique_ptr<Tool> make_select_tool();
+std::unique_ptr<Tool> make_pen_tool();
+std::unique_ptr<Tool> make_knife_tool();
+std::unique_ptr<Tool> make_measure_tool();
+std::unique_ptr<Tool> make_shape_tool(ToolKind kind);
+std::unique_ptr<Tool> make_stroke_tool();
+
+}  // namespace inkcell::design::editor

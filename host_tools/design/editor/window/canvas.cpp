@@ -1,0 +1,123 @@
+// One glyph, and the pointer on it.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/window/outline_layer.hpp"
+#include "editor/window/panels.hpp"
+#include "editor/window/theme.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr double kReach = 7;  // [px]
+constexpr double kWheelStep = 1.15;
+
+// Beginning at this scale the grid of whole units is shown. [px per unit]
+constexpr double kGridScale = 8;
+
+void draw_grid(const View& view, ImVec2 origin) {
+  if (view.scale < kGridScale) {
+    return;
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Point low = view.to_font({0, view.height});
+  const Point high = view.to_font({view.width, 0});
+  const auto at = [&](double x, double y) {
+    const Point p = view.to_canvas({x, y});
+    return ImVec2(origin.x + static_cast<float>(p.x),
+                  origin.y + static_cast<float>(p.y));
+  };
+  for (double x = std::ceil(low.x); x <= high.x; ++x) {
+    list.AddLine(at(x, low.y), at(x, high.y), colour::kFill);
+  }
+  for (double y = std::ceil(low.y); y <= high.y; ++y) {
+    list.AddLine(at(low.x, y), at(high.x, y), colour::kFill);
+  }
+}
+
+Pointer pointer_at(const Editor& editor, ImVec2 origin) {
+  const ImGuiIO& io = ImGui::GetIO();
+  Pointer pointer;
+  pointer.at =
+      editor.view.to_font({io.MousePos.x - origin.x, io.MousePos.y - origin.y});
+  pointer.reach = px(static_cast<float>(kReach)) / editor.view.scale;
+  pointer.shift = io.KeyShift;
+  pointer.twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  return pointer;
+}
+
+bool pans() {
+  return ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
+         SDL_GetKeyboardState(nullptr)[SDL_SCANCODE_SPACE] != 0;
+}
+
+void take_pointer(Editor& editor, ImVec2 origin) {
+  const ImGuiIO& io = ImGui::GetIO();
+  View& view = editor.view;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
+    view.zoom(std::pow(kWheelStep, io.MouseWheel),
+              {io.MousePos.x - origin.x, io.MousePos.y - origin.y});
+  }
+  const bool is_held = ImGui::IsItemActive();
+  if (is_held && pans()) {
+    view.x -= io.MouseDelta.x / view.scale;
+    view.y += io.MouseDelta.y / view.scale;
+    return;
+  }
+  const Pointer pointer = pointer_at(editor, origin);
+  attempt(editor, [&] {
+    if (ImGui::IsItemActivated()) {
+      editor.tool().press(editor, pointer);
+    } else if (is_held && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+      editor.tool().drag(editor, pointer);
+    } else if (ImGui::IsItemDeactivated()) {
+      editor.tool().release(editor, pointer);
+    }
+  });
+}
+
+void draw_heading(const Editor& editor, ImVec2 origin) {
+  const GlyphPointer glyph = editor.glyph();
+  char text[160];
+  std::snprintf(text, sizeof text, "%s    advance %g    %.0f %%",
+                glyph->name.c_str(), glyph->width, 100 * editor.view.scale);
+  ImGui::GetWindowDrawList()->AddText({origin.x + px(12), origin.y + px(9)},
+                                      colour::kInk, text);
+}
+
+}  // namespace
+
+void draw_canvas(Panels& panels) {
+  Editor& editor = panels.editor;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      origin, {origin.x + size.x, origin.y + size.y}, colour::kPaper);
+  const bool is_resized =
+      editor.view.width != size.x || editor.view.height != size.y;
+  editor.view.width = size.x;
+  editor.view.height = size.y;
+  if (editor.glyph() == nullptr) {
+    return;
+  }
+  if (is_resized) {
+    editor.fit_view();
+  }
+  ImGui::InvisibleButton(
+      "canvas", size,
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  take_pointer(editor, origin);
+  draw_grid(editor.view, origin);
+  const OutlineLayer layer(panels, origin);
+  layer.draw_fill();
+  layer.draw_background();
+  layer.draw_zones();
+  layer.draw_components();
+  layer.draw_cells();
+  layer.draw_contours();
+  layer.draw_points();
+  layer.draw_marks();
+  draw_heading(editor, origin);
+}
+
+}  // namespace inkcell::design::editor

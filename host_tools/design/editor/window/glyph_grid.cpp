@@ -1,0 +1,101 @@
+// All glyphs of the font.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/thumbnail.hpp"
+#include "editor/window/panels.hpp"
+#include "editor/window/theme.hpp"
+#include "rom_file.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr float kCell = 46;
+constexpr float kLabel = 15;
+constexpr float kGap = 3;
+
+// What stands below a glyph: its character, or the start of its name.
+std::string label_of(const Glyph& glyph) {
+  if (!glyph.unicodes.empty() && glyph.unicodes[0] > U' ' &&
+      glyph.unicodes[0] < 0x2000) {
+    return tools::to_utf8(glyph.unicodes[0]);
+  }
+  return glyph.name.substr(0, 6);
+}
+
+void draw_cell(Panels& panels, const std::string& name) {
+  Editor& editor = panels.editor;
+  const GlyphPointer glyph = editor.project().find(name);
+  if (glyph == nullptr) {
+    return;
+  }
+  const float side = px(kCell);
+  const float label = px(kLabel);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton(name.c_str(), {side, side + label})) {
+    attempt(editor, [&] { editor.show(name); });
+  }
+  const bool is_shown = name == editor.glyph_name();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end = {at.x + side, at.y + side + label};
+  list.AddRectFilled(at, end, colour::kPaper, px(3));
+  if (is_shown || ImGui::IsItemHovered()) {
+    list.AddRect(at, end, is_shown ? colour::kTool : colour::kZone, px(3), 0,
+                 is_shown ? 2.0f : 1.0f);
+  }
+  ImTextureID texture = panels.textures.find(glyph.get());
+  if (texture == nullptr && ImGui::IsItemVisible()) {
+    texture = panels.textures.of(
+        glyph, glyph.get(),
+        thumbnail(editor.project(), *glyph, static_cast<int>(side)));
+  }
+  if (texture != nullptr) {
+    list.AddImage(texture, at, {at.x + side, at.y + side});
+  }
+  const std::string text = label_of(*glyph);
+  ImGui::PushFont(small_font());
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  list.PushClipRect(at, end, true);
+  list.AddText({std::round(at.x + (side - width) / 2), at.y + side - px(2)},
+               colour::kFaint, text.c_str());
+  list.PopClipRect();
+  ImGui::PopFont();
+  tooltip(name.c_str());
+}
+
+}  // namespace
+
+void draw_glyph_grid(Panels& panels) {
+  Editor& editor = panels.editor;
+  if (!editor.is_open()) {
+    ImGui::TextDisabled("No font is open");
+    return;
+  }
+  const std::vector<std::string> order = glyph_order(editor.project());
+  ImGui::Text("%zu glyphs", order.size());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
+  ImGui::BeginChild("grid");
+  const float pitch = px(kCell) + px(kGap);
+  const int columns = std::max(
+      1,
+      static_cast<int>((ImGui::GetContentRegionAvail().x + px(kGap)) / pitch));
+  const int count = static_cast<int>(order.size());
+  ImGuiListClipper clipper;
+  clipper.Begin((count + columns - 1) / columns,
+                px(kCell) + px(kLabel) + px(kGap));
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      for (int i = row * columns; i < std::min(count, (row + 1) * columns);
+           ++i) {
+        if (i > row * columns) {
+          ImGui::SameLine();
+        }
+        draw_cell(panels, order[static_cast<size_t>(i)]);
+      }
+    }
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,112 @@
+// Numbers of what is selected, and the nib.
+#include <cmath>
+
+#include "editor/edits.hpp"
+#include "editor/window/panels.hpp"
+#include "editor/window/theme.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr float kField = 96;
+
+// A number that is changed when the person leaves the field.
+bool number(const char* label, double& value) {
+  ImGui::SetNextItemWidth(px(kField));
+  ImGui::InputDouble(label, &value, 0, 0, "%.6g");
+  return ImGui::IsItemDeactivatedAfterEdit();
+}
+
+void draw_advance(Editor& editor) {
+  double width = editor.glyph()->width;
+  if (number("Advance", width)) {
+    attempt(editor, [&] {
+      editor.run({{"do", "set_advance"}, {"width", width}});
+    });
+  }
+}
+
+void draw_point(Editor& editor, PointId id) {
+  const GlyphPoint point =
+      editor.glyph()->contours[id.contour].points[id.point];
+  double x = point.x;
+  double y = point.y;
+  bool is_changed = number("x", x);
+  ImGui::SameLine(0, px(18));
+  is_changed |= number("y", y);
+  if (is_changed) {
+    attempt(editor, [&] {
+      editor.run(move_selection(*editor.glyph(), {id}, std::round(x - point.x),
+                                std::round(y - point.y)));
+    });
+  }
+  bool smooth = point.smooth;
+  if (point.on_curve() && ImGui::Checkbox("Smooth", &smooth)) {
+    attempt(editor, [&] { editor.run(toggle_smooth(*editor.glyph(), id)); });
+  }
+  tooltip("Handles on both sides stay in one line", "S");
+}
+
+void draw_selection(Editor& editor) {
+  if (editor.component) {
+    const ComponentUse& use = editor.glyph()->components[*editor.component];
+    ImGui::Text("Component %s", use.base.c_str());
+    ImGui::TextDisabled("Moved by %g, %g", use.matrix.dx, use.matrix.dy);
+  } else if (editor.selection.empty()) {
+    ImGui::TextDisabled("No point is selected");
+  } else if (editor.selection.size() == 1) {
+    draw_point(editor, *editor.selection.begin());
+  } else {
+    ImGui::Text("%zu points are selected", editor.selection.size());
+    ImGui::TextDisabled("Arrows move them by 1, Shift 10, Ctrl 100");
+  }
+}
+
+void draw_nib(NibSettings& nib) {
+  int kind = nib.is_rectangle ? 1 : 0;
+  ImGui::RadioButton("Ellipse", &kind, 0);
+  ImGui::SameLine(0, px(18));
+  ImGui::RadioButton("Rectangle##nib", &kind, 1);
+  nib.is_rectangle = kind == 1;
+  number("Width", nib.width);
+  ImGui::SameLine(0, px(18));
+  number("Height", nib.height);
+  number("Angle", nib.angle);
+}
+
+void draw_components(Editor& editor) {
+  const GlyphPointer glyph = editor.glyph();
+  for (size_t i = 0; i < glyph->components.size(); ++i) {
+    const std::string label =
+        glyph->components[i].base + "##" + std::to_string(i);
+    if (ImGui::Selectable(label.c_str(), editor.component == i)) {
+      editor.component = i;
+      editor.selection.clear();
+    }
+  }
+}
+
+}  // namespace
+
+void draw_inspector(Panels& panels) {
+  Editor& editor = panels.editor;
+  if (editor.glyph() == nullptr) {
+    return;
+  }
+  ImGui::TextDisabled("Glyph");
+  draw_advance(editor);
+  if (!editor.glyph()->components.empty()) {
+    ImGui::TextDisabled("Components");
+    draw_components(editor);
+  }
+  ImGui::Separator();
+  ImGui::TextDisabled("Selection");
+  draw_selection(editor);
+  if (editor.tool_kind() == ToolKind::stroke) {
+    ImGui::Separator();
+    ImGui::TextDisabled("Nib");
+    draw_nib(editor.nib);
+  }
+}
+
+}  // namespace inkcell::design::editor

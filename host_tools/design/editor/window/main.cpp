@@ -1,0 +1,171 @@
+// inkcell-editor: a window in which type is designed.
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <sstream>
+
+#include "editor/actions.hpp"
+#include "editor/preview_worker.hpp"
+#include "editor/script.hpp"
+#include "editor/window/panels.hpp"
+#include "editor/window/screen.hpp"
+#include "program.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr int kPictureWidth = 1440;
+constexpr int kPictureHeight = 900;
+constexpr int kFrameWait = 16;    // while something moves [ms]
+constexpr int kIdleWait = 250;    // [ms]
+constexpr int kSettleFrames = 3;  // until sizes of widgets are known
+
+struct Arguments {
+  std::string file;
+  std::string project;
+  std::vector<std::string> chars;
+  std::string script;
+  std::string screenshot;
+  float scale = 1;
+};
+
+// What a preview was made of; another one needs another preview.
+struct PreviewKey {
+  GlyphPointer glyph;
+  FontDataPointer font;
+  std::string settings;
+
+  bool operator==(const PreviewKey& other) const {
+    return glyph == other.glyph && font == other.font &&
+           settings == other.settings;
+  }
+};
+
+PreviewKey key_of(const Editor& editor) {
+  std::ostringstream text;
+  const PreviewSettings& s = editor.preview;
+  text << static_cast<int>(s.display) << s.dark << static_cast<int>(s.cells)
+       << ' ' << s.glyph_px << ' ' << s.text;
+  return {editor.glyph(), editor.project().font, text.str()};
+}
+
+void take_window_key(Panels& panels, const std::string& key) {
+  if (key == "ctrl+q") {
+    panels.wants_quit = true;
+  } else if (key == "ctrl+o") {
+    panels.dialog = "Open";
+    panels.dialog_path.clear();
+  } else if (key == "ctrl+e" && panels.editor.is_open()) {
+    panels.dialog = "Export";
+    panels.dialog_path = "Font.ttf";
+  } else if (panels.dialog.empty()) {
+    attempt(panels.editor, [&] { press_key(panels.editor, key); });
+  }
+}
+
+void run_window(const Arguments& arguments) {
+  Editor editor;
+  if (!arguments.file.empty()) {
+    editor.open(arguments.file, arguments.project, arguments.chars);
+  }
+  Screen screen("Inkcell");
+  PreviewWorker worker;
+  Panels panels(editor, screen.textures());
+  std::optional<PreviewKey> asked;
+  while (!panels.wants_quit) {
+    const bool is_open = screen.take_input(
+        panels.preview_is_busy ? kFrameWait : kIdleWait,
+        [&](const std::string& key) { take_window_key(panels, key); });
+    panels.wants_quit |= !is_open;
+    if (editor.glyph() != nullptr) {
+      const PreviewKey key = key_of(editor);
+      if (!asked || !(*asked == key)) {
+        attempt(editor, [&] { worker.request(editor.preview_job()); });
+        asked = key;
+      }
+    }
+    panels.preview_is_busy = worker.is_busy();
+    panels.preview = worker.latest();
+    screen.draw_frame([&] { draw_window(panels); });
+  }
+}
+
+// The window as it looks when all that is shown has been drawn.
+void write_screenshot(Editor& editor,
+                      float scale,
+                      const std::filesystem::path& file) {
+  const auto side = [scale](int pixels) {
+    return static_cast<int>(static_cast<float>(pixels) * scale);
+  };
+  Screen screen(side(kPictureWidth), side(kPictureHeight), scale);
+  Panels panels(editor, screen.textures());
+  if (editor.glyph() != nullptr) {
+    panels.preview =
+        std::make_shared<const Preview>(draw_preview(editor.preview_job()));
+  }
+  for (int i = 0; i < kSettleFrames; ++i) {
+    screen.draw_frame([&] { draw_window(panels); });
+  }
+  screen.write_picture(file);
+}
+
+void run(const Arguments& arguments) {
+  if (arguments.script.empty()) {
+    run_window(arguments);
+    return;
+  }
+  const auto screenshot = [&arguments](Editor& editor,
+                                       const std::filesystem::path& file) {
+    write_screenshot(editor, arguments.scale, file);
+  };
+  Editor editor;
+  if (!arguments.file.empty()) {
+    editor.open(arguments.file, arguments.project, arguments.chars);
+  }
+  run_script(editor, arguments.script, screenshot);
+  if (!arguments.screenshot.empty()) {
+    screenshot(editor, arguments.screenshot);
+  }
+}
+
+void add_arguments(CLI::App& app, Arguments& arguments) {
+  app.add_option("font", arguments.file,
+                 "A project (UFO), or a TTF or OTF to make one of");
+  app.add_option("--project", arguments.project,
+                 "The project that is made of a font [its name, in the current "
+                 "folder]")
+      ->type_name("P.ufo");
+  app.add_option("--chars", arguments.chars,
+                 "Characters to take of a font: 0x20-0x7E,A-Z; repeatable "
+                 "[all]")
+      ->type_name("LIST")
+      ->allow_extra_args(false);
+  app.add_option("--script", arguments.script,
+                 "Carry out the lines of a file instead of opening a window")
+      ->type_name("FILE");
+  app.add_option("--screenshot", arguments.screenshot,
+                 "Write a picture of the window at the end of the script")
+      ->type_name("FILE.png");
+  app.add_option("--scale", arguments.scale, "Of the picture's widgets")
+      ->check(CLI::Range(1.0, 4.0));
+  std::string help = "Lines of a script:\n";
+  for (const ScriptCommand& command : script_commands()) {
+    help += std::string("  ") + command.name + " " + command.arguments + ": " +
+            command.task + "\n";
+  }
+  app.footer(help);
+}
+
+}  // namespace
+}  // namespace inkcell::design::editor
+
+int main(int argc, char** argv) {
+  using namespace inkcell::design::editor;
+  CLI::App app(
+      "Designs type in a window whose preview is what the device will draw.");
+  Arguments arguments;
+  add_arguments(app, arguments);
+  return inkcell::tools::run_program(app, argc, argv, [&arguments] {
+    run(arguments);
+    return 0;
+  });
+}

@@ -1,0 +1,88 @@
+// The menu bar.
+#include "editor/actions.hpp"
+#include "editor/window/panels.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+// "Ctrl+Z" for the first of "ctrl+z ctrl+y".
+std::string shown_keys(const char* keys) {
+  std::string text(keys);
+  text = text.substr(0, text.find(' '));
+  bool is_first = true;
+  for (char& c : text) {
+    if (is_first && c >= 'a' && c <= 'z') {
+      c = static_cast<char>(c - 'a' + 'A');
+    }
+    is_first = c == '+';
+  }
+  return text;
+}
+
+void item(Panels& panels, const char* name, bool is_chosen = false) {
+  const Action& known = action(name);
+  if (ImGui::MenuItem(name, shown_keys(known.keys).c_str(), is_chosen,
+                      panels.editor.glyph() != nullptr)) {
+    attempt(panels.editor, [&] { known.run(panels.editor); });
+  }
+}
+
+void dialog_item(Panels& panels,
+                 const char* name,
+                 const char* keys,
+                 const char* path,
+                 bool is_possible) {
+  if (ImGui::MenuItem(name, keys, false, is_possible)) {
+    panels.dialog = name;
+    panels.dialog_path = path;
+  }
+}
+
+}  // namespace
+
+void draw_menu(Panels& panels) {
+  if (!ImGui::BeginMainMenuBar()) {
+    return;
+  }
+  const bool is_open = panels.editor.is_open();
+  if (ImGui::BeginMenu("File")) {
+    dialog_item(panels, "Open", "Ctrl+O", "", true);
+    item(panels, "Save");
+    dialog_item(panels, "Export", "Ctrl+E", "Font.ttf", is_open);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Quit", "Ctrl+Q")) {
+      panels.wants_quit = true;
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Edit")) {
+    for (const char* name :
+         {"Undo", "Redo", "Delete", "Select all", "Select none"}) {
+      item(panels, name);
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Glyph")) {
+    for (const char* name :
+         {"Smooth or corner", "Reverse contours", "Round to whole units",
+          "Decompose", "Next glyph", "Previous glyph"}) {
+      item(panels, name);
+    }
+    ImGui::Separator();
+    dialog_item(panels, "Add component", "", "", is_open);
+    dialog_item(panels, "Background picture", "", "", is_open);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("View")) {
+    for (const char* name : {"Fit glyph", "Zoom in", "Zoom out"}) {
+      item(panels, name);
+    }
+    ImGui::Separator();
+    item(panels, "Cells", panels.editor.preview.cells != Cells::off);
+    item(panels, "Dark display", panels.editor.preview.dark);
+    ImGui::EndMenu();
+  }
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,271 @@
+#include "editor/window/outline_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bitmap/bitmap.hpp"
+#include "editor/segments.hpp"
+#include "editor/window/theme.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr double kUnitsOfU = 1024;
+constexpr const char* kBackgroundKey = "org.inkcell.background";
+
+float to_float(double value) {
+  return static_cast<float>(value);
+}
+
+}  // namespace
+
+OutlineLayer::OutlineLayer(Panels& panels, ImVec2 origin)
+    : panels_(panels),
+      origin_(origin),
+      view_(panels.editor.view),
+      glyph_(panels.editor.glyph()),
+      list_(*ImGui::GetWindowDrawList()) {}
+
+ImVec2 OutlineLayer::map(double x, double y) const {
+  const Point p = view_.to_canvas({x, y});
+  return {origin_.x + to_float(p.x), origin_.y + to_float(p.y)};
+}
+
+void OutlineLayer::draw_zones() const {
+  const Value& info = panels_.editor.project().font->info;
+  struct Zone {
+    const char* label;
+    const char* key;
+    double otherwise;
+  };
+  const double em = panels_.editor.project().units_per_em();
+  const Zone zones[] = {{"ascender", "ascender", 0.8 * em},
+                        {"cap height", "capHeight", 0},
+                        {"x-height", "xHeight", 0},
+                        {"baseline", "", 0},
+                        {"descender", "descender", -0.2 * em}};
+  const float right = origin_.x + to_float(view_.width);
+  for (const Zone& zone : zones) {
+    const bool is_baseline = *zone.key == '\0';
+    const double y = is_baseline ? 0 : info.value(zone.key, zone.otherwise);
+    if (y == 0 && !is_baseline) {
+      continue;
+    }
+    const float at = std::round(map(0, y).y);
+    list_.AddRectFilled({origin_.x, at}, {right, at + 1},
+                        is_baseline ? colour::kFaint : colour::kZone);
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %g", zone.label, y);
+    list_.AddText({origin_.x + px(8), at - ImGui::GetFontSize() - px(1)},
+                  colour::kFaint, text);
+  }
+  for (const double x : {0.0, glyph_->width}) {
+    const float at = std::round(map(x, 0).x);
+    list_.AddRectFilled({at, origin_.y},
+                        {at + 1, origin_.y + to_float(view_.height)},
+                        colour::kZone);
+  }
+  for (const Guideline& line : glyph_->guidelines) {
+    const double angle = line.angle.value_or(line.x && !line.y ? 90 : 0);
+    const double turn = angle * 0.017453292519943295;
+    const double reach = 10 * em;
+    const double x = line.x.value_or(0);
+    const double y = line.y.value_or(0);
+    list_.AddLine(map(x - reach * std::cos(turn), y - reach * std::sin(turn)),
+                  map(x + reach * std::cos(turn), y + reach * std::sin(turn)),
+                  colour::kGuide);
+  }
+}
+
+void OutlineLayer::draw_background() const {
+  const auto found = glyph_->lib.find(kBackgroundKey);
+  if (found == glyph_->lib.end()) {
+    return;
+  }
+  const Value& data = *found;
+  const std::string file = data.value("file", "");
+  auto& kept = panels_.background;
+  if (kept == nullptr || panels_.background_file != file) {
+    panels_.background_file = file;
+    kept = std::make_shared<tools::Image>();
+    attempt(panels_.editor, [&] {
+      const Bitmap bitmap = read_bitmap(file);
+      *kept = tools::Image(bitmap.width, bitmap.height);
+      std::transform(bitmap.ink.begin(), bitmap.ink.end(), kept->pixels.begin(),
+                     [](uint8_t ink) { return static_cast<uint8_t>(ink / 3); });
+    });
+  }
+  const ImTextureID texture = panels_.textures.of(kept, kept.get(), *kept);
+  if (texture != nullptr) {
+    const double x = data.value("x", 0.0);
+    const double y = data.value("y", 0.0);
+    const double height = data.value("height", 1000.0);
+    list_.AddImage(texture, map(x, y + height),
+                   map(x + height * kept->width / kept->height, y));
+  }
+}
+
+// Row by row, as the union of all contours.
+void OutlineLayer::fill(const gen::Shape& shape,
+                        double scale,
+                        ImU32 colour) const {
+  const double top =
+      std::max(0.0, view_.to_canvas({0, shape.box().y1 / scale}).y);
+  const double bottom =
+      std::min(view_.height, view_.to_canvas({0, shape.box().y0 / scale}).y);
+  std::vector<double> places;
+  for (double row = std::floor(top); row < bottom; ++row) {
+    const double y = view_.to_font({0, row + 0.5}).y;
+    shape.crossings(scale * y, places);
+    for (size_t i = 0; i + 1 < places.size(); i += 2) {
+      const float at = origin_.y + to_float(row);
+      list_.AddRectFilled({map(places[i] / scale, 0).x, at},
+                          {map(places[i + 1] / scale, 0).x, at + 1}, colour);
+    }
+  }
+}
+
+void OutlineLayer::draw_fill() const {
+  if (panels_.filled != glyph_) {
+    panels_.filled = glyph_;
+    panels_.shape.reset();
+    attempt(panels_.editor, [this] {
+      Glyph own = *glyph_;
+      own.components.clear();
+      panels_.shape = std::make_shared<const gen::Shape>(
+          outline_of(panels_.editor.project(), own));
+    });
+  }
+  if (panels_.shape != nullptr && !panels_.shape->empty()) {
+    fill(*panels_.shape, kUnitsOfU / panels_.editor.project().units_per_em(),
+         colour::kFill);
+  }
+}
+
+void OutlineLayer::draw_components() const {
+  const Project& project = panels_.editor.project();
+  for (size_t i = 0; i < glyph_->components.size(); ++i) {
+    Glyph part;
+    append_component(project, 0, glyph_->components[i], part.contours);
+    const gen::Shape shape(outline_of(project, part));
+    if (!shape.empty()) {
+      fill(shape, kUnitsOfU / project.units_per_em(), colour::kComponent);
+    }
+    for (const PointContour& contour : part.contours) {
+      outline(contour, panels_.editor.component == i ? colour::kSelected
+                                                     : colour::kHandle);
+    }
+  }
+}
+
+void OutlineLayer::draw_cells() const {
+  if (panels_.editor.preview.cells == Cells::off ||
+      panels_.preview == nullptr) {
+    return;
+  }
+  static constexpr ImU32 kColours[] = {
+      IM_COL32(70, 80, 96, 150), IM_COL32(36, 140, 84, 170),
+      IM_COL32(30, 110, 214, 170), IM_COL32(196, 64, 52, 170)};
+  for (const CellBox& cell : panels_.preview->cells) {
+    const ImU32 colour =
+        cell.is_saturated ? IM_COL32(120, 130, 144, 60) : kColours[cell.fields];
+    list_.AddRect(map(cell.x0, cell.y0 + cell.side),
+                  map(cell.x0 + cell.side, cell.y0), colour);
+  }
+}
+
+void OutlineLayer::outline(const PointContour& contour, ImU32 colour) const {
+  const float width = px(1.4f);
+  for (const gen::Segment& s : segments_of(contour)) {
+    const auto at = [&](int i) { return map(s.p[i].x, s.p[i].y); };
+    if (s.kind == gen::Segment::Kind::line) {
+      list_.AddLine(at(0), at(1), colour, width);
+    } else if (s.kind == gen::Segment::Kind::quadratic) {
+      list_.AddBezierQuadratic(at(0), at(1), at(2), colour, width);
+    } else {
+      list_.AddBezierCubic(at(0), at(1), at(2), at(3), colour, width);
+    }
+  }
+}
+
+void OutlineLayer::draw_contours() const {
+  for (const PointContour& contour : glyph_->contours) {
+    outline(contour, colour::kInk);
+  }
+}
+
+// Lines from handles to what they belong to.
+void OutlineLayer::handles(const PointContour& contour) const {
+  const std::vector<GlyphPoint>& points = contour.points;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const GlyphPoint& a = points[i];
+    const GlyphPoint& b = points[(i + 1) % points.size()];
+    const bool is_closing = i + 1 == points.size();
+    if (a.on_curve() != b.on_curve() && !(is_closing && contour.open())) {
+      list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kHandle);
+    }
+  }
+}
+
+void OutlineLayer::draw_points() const {
+  const Selection& selection = panels_.editor.selection;
+  const float half = px(3.5f);
+  for (size_t c = 0; c < glyph_->contours.size(); ++c) {
+    handles(glyph_->contours[c]);
+    const std::vector<GlyphPoint>& points = glyph_->contours[c].points;
+    for (size_t i = 0; i < points.size(); ++i) {
+      const GlyphPoint& point = points[i];
+      const ImVec2 at = map(point.x, point.y);
+      const bool is_selected = selection.count({c, i}) != 0;
+      const ImU32 colour = is_selected         ? colour::kSelected
+                           : !point.on_curve() ? colour::kHandle
+                           : point.smooth      ? colour::kSmooth
+                                               : colour::kCorner;
+      if (!point.on_curve()) {
+        list_.AddCircleFilled(at, half, is_selected ? colour : colour::kPaper);
+        list_.AddCircle(at, half, colour, 0, px(1.3f));
+      } else if (point.smooth) {
+        list_.AddCircleFilled(at, half + px(0.8f), colour);
+      } else {
+        list_.AddRectFilled({at.x - half, at.y - half},
+                            {at.x + half, at.y + half}, colour);
+      }
+    }
+  }
+  for (const Anchor& anchor : glyph_->anchors) {
+    const ImVec2 at = map(anchor.x, anchor.y);
+    list_.AddNgonFilled(at, half + px(1), colour::kTool, 4);
+    list_.AddText({at.x + px(7), at.y - px(8)}, colour::kTool,
+                  anchor.name.c_str());
+  }
+}
+
+void OutlineLayer::draw_marks() const {
+  const Marks marks = panels_.editor.tool().marks(panels_.editor);
+  for (const auto& [a, b] : marks.lines) {
+    list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kTool, px(1.4f));
+  }
+  if (marks.box) {
+    const ImVec2 a = map(marks.box->first.x, marks.box->first.y);
+    const ImVec2 b = map(marks.box->second.x, marks.box->second.y);
+    const ImVec2 low = {std::min(a.x, b.x), std::min(a.y, b.y)};
+    const ImVec2 high = {std::max(a.x, b.x), std::max(a.y, b.y)};
+    list_.AddRectFilled(low, high, IM_COL32(30, 110, 214, 28));
+    list_.AddRect(low, high, colour::kTool);
+  }
+  for (const Point dot : marks.dots) {
+    list_.AddCircleFilled(map(dot.x, dot.y), px(3.2f), colour::kTool);
+  }
+  for (const auto& [at, text] : marks.labels) {
+    const ImVec2 place = map(at.x, at.y);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 low = {std::round(place.x + px(8)), std::round(place.y)};
+    list_.AddRectFilled({low.x - px(4), low.y - px(2)},
+                        {low.x + size.x + px(4), low.y + size.y + px(2)},
+                        colour::kPaper, px(3));
+    list_.AddText(low, colour::kTool, text.c_str());
+  }
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,37 @@
+// A glyph on the canvas: fill, outline, points, cells, what tools draw.
+#pragma once
+
+#include <imgui.h>
+
+#include "editor/window/panels.hpp"
+
+namespace inkcell::design::editor {
+
+/// Draws into the canvas whose upper left corner is `origin`.
+class OutlineLayer {
+ public:
+  OutlineLayer(Panels& panels, ImVec2 origin);
+
+  void draw_zones() const;
+  void draw_background() const;
+  void draw_fill() const;
+  void draw_components() const;
+  void draw_cells() const;
+  void draw_contours() const;
+  void draw_points() const;
+  void draw_marks() const;
+
+ private:
+  ImVec2 map(double x, double y) const;
+  void fill(const gen::Shape& shape, double scale, ImU32 colour) const;
+  void outline(const PointContour& contour, ImU32 colour) const;
+  void handles(const PointContour& contour) const;
+
+  Panels& panels_;
+  ImVec2 origin_;
+  const View& view_;
+  GlyphPointer glyph_;
+  ImDrawList& list_;
+};
+
+}  // namespace inkcell::design::editor

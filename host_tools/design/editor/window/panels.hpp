@@ -1,0 +1,60 @@
+// The parts of the window. Each draws itself and calls the editor.
+#pragma once
+
+#include <imgui.h>
+
+#include <memory>
+#include <string>
+
+#include "editor/editor.hpp"
+#include "editor/preview.hpp"
+#include "editor/window/textures.hpp"
+#include "shape/shape.hpp"
+
+namespace inkcell::design::editor {
+
+/// What panels share beside the editor.
+struct Panels {
+  Panels(Editor& shown, Textures& kept) : editor(shown), textures(kept) {}
+
+  Editor& editor;
+  Textures& textures;
+  std::shared_ptr<const Preview> preview;  // the latest, may be null
+  bool preview_is_busy = false;
+  bool wants_quit = false;
+  std::string dialog;  // the one that is open: its name; "" if none is
+  std::string dialog_path;
+  // What the canvas fills: the shape of a glyph without components.
+  GlyphPointer filled;
+  std::shared_ptr<const gen::Shape> shape;
+  // The picture behind it.
+  std::string background_file;
+  std::shared_ptr<tools::Image> background;
+};
+
+/// Runs `work`; what it throws becomes the editor's message.
+template <typename Work>
+void attempt(Editor& editor, const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    editor.message = error.what();
+  }
+}
+
+/// A text that appears over the last widget when the pointer rests on it.
+void tooltip(const char* text, const char* keys = "");
+
+/// All of the window.
+void draw_window(Panels& panels);
+
+void draw_menu(Panels& panels);
+void draw_toolbar(Panels& panels);
+void draw_glyph_grid(Panels& panels);
+void draw_canvas(Panels& panels);
+void draw_preview_panel(Panels& panels);
+void draw_inspector(Panels& panels);
+void draw_status(Panels& panels);
+void draw_dialogs(Panels& panels);
+
+}  // namespace inkcell::design::editor

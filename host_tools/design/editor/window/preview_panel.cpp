@@ -1,0 +1,165 @@
+// What the device will draw.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/window/panels.hpp"
+#include "editor/window/theme.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr float kGlyphHeight = 176;  // of the enlarged glyph's frame
+constexpr int kMostEnlarged = 16;
+
+// A button that stays pressed.
+bool choice(const char* label, bool is_chosen, const char* hint) {
+  if (is_chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, colour::kTool);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colour::kTool);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kPaper);
+  }
+  const bool is_pressed = ImGui::Button(label);
+  if (is_chosen) {
+    ImGui::PopStyleColor(3);
+  }
+  tooltip(hint);
+  return is_pressed;
+}
+
+void draw_choices(PreviewSettings& settings) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(7)));
+  for (const DisplayInfo& display : display_list()) {
+    if (display.display != display_list().front().display) {
+      ImGui::SameLine();
+    }
+    if (choice(display.label, display.display == settings.display,
+               display.hint)) {
+      settings.display = display.display;
+    }
+  }
+  ImGui::SameLine(0, px(14));
+  if (choice("Dark", settings.dark, "Light text on a dark display. Key: D")) {
+    settings.dark = !settings.dark;
+  }
+  ImGui::PopStyleVar();
+}
+
+void picture(Panels& panels,
+             const tools::Image& image,
+             ImVec2 at,
+             int enlarged) {
+  const ImTextureID texture = panels.textures.of(panels.preview, &image, image);
+  if (texture != nullptr) {
+    const auto side = [enlarged](int pixels) {
+      return static_cast<float>(pixels * enlarged);
+    };
+    ImGui::GetWindowDrawList()->AddImage(
+        texture, at, {at.x + side(image.width), at.y + side(image.height)});
+  }
+}
+
+// The frame of a picture in the colour of the display; its upper left corner.
+ImVec2 frame(const PreviewSettings& settings, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 end = {at.x + width, at.y + height};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, end,
+                     settings.dark ? IM_COL32(0, 0, 0, 255) : colour::kPaper);
+  list.AddRect(at, end, colour::kRule);
+  ImGui::Dummy({width, height});
+  return at;
+}
+
+void draw_glyph(Panels& panels, const Preview& preview) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const ImVec2 at = frame(panels.editor.preview, px(kGlyphHeight));
+  const tools::Image& image = preview.glyph;
+  if (image.width == 0) {
+    return;
+  }
+  const auto fits = [](float side, int pixels) {
+    return static_cast<int>(side) / pixels;
+  };
+  const int enlarged = std::clamp(
+      std::min(fits(px(kGlyphHeight), image.height), fits(width, image.width)),
+      1, kMostEnlarged);
+  const auto centred = [enlarged](float side, int pixels) {
+    return std::round((side - static_cast<float>(pixels * enlarged)) / 2);
+  };
+  picture(panels, image,
+          {at.x + centred(width, image.width),
+           at.y + centred(px(kGlyphHeight), image.height)},
+          enlarged);
+}
+
+void draw_lines(Panels& panels, const Preview& preview) {
+  for (const TextPicture& line : preview.lines) {
+    ImGui::TextDisabled("%g px", line.px);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const int enlarged =
+        static_cast<float>(2 * line.image.width) + px(8) <= width ? 2 : 1;
+    const float inset = px(4);
+    const ImVec2 at =
+        frame(panels.editor.preview,
+              static_cast<float>(line.image.height * enlarged) + 2 * inset);
+    ImGui::PushClipRect(at, {at.x + width, at.y + 1000}, true);
+    picture(panels, line.image, {at.x + inset, at.y + inset}, enlarged);
+    ImGui::PopClipRect();
+  }
+}
+
+void draw_facts(const Preview& preview, Cells cells) {
+  ImGui::Text("%zu bytes, %zu points", preview.glyph_bytes,
+              preview.glyph_points);
+  tooltip("The glyph's record in an Inkcell font of outlines");
+  ImGui::SameLine(0, px(16));
+  ImGui::Text("worst pixel %.0f/255 at %d px", preview.worst_error,
+              preview.worst_px);
+  tooltip(
+      "The largest difference from exact coverage, of all sizes from 8 to 64 "
+      "px and 8 positions between pixels");
+  if (cells != Cells::off) {
+    ImGui::TextDisabled("%s: %zu cells, %zu bytes",
+                        cells == Cells::edges ? "edges" : "samples",
+                        preview.cells.size(), preview.cell_bytes);
+  }
+}
+
+}  // namespace
+
+void draw_preview_panel(Panels& panels) {
+  Editor& editor = panels.editor;
+  PreviewSettings& settings = editor.preview;
+  draw_choices(settings);
+  ImGui::SetNextItemWidth(px(130));
+  auto size = static_cast<float>(settings.glyph_px);
+  if (ImGui::DragFloat("##size", &size, 0.25f, 8, 64, "Glyph at %.0f px",
+                       ImGuiSliderFlags_AlwaysClamp)) {
+    settings.glyph_px = std::round(size);
+  }
+  tooltip("Drag to the sides to change the size");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputText("##text", &settings.text);
+  tooltip("The text of the lines below");
+  if (panels.preview == nullptr) {
+    ImGui::TextDisabled(panels.preview_is_busy ? "Drawing..." : "");
+    return;
+  }
+  const Preview& preview = *panels.preview;
+  if (!preview.error.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::kCorner);
+    ImGui::TextWrapped("%s", preview.error.c_str());
+    ImGui::PopStyleColor();
+    return;
+  }
+  draw_glyph(panels, preview);
+  draw_facts(preview, settings.cells);
+  draw_lines(panels, preview);
+}
+
+}  // namespace inkcell::design::editor

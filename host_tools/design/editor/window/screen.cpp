@@ -1,0 +1,198 @@
+#include "editor/window/screen.hpp"
+
+#include <backends/imgui_impl_sdl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "editor/window/theme.hpp"
+#include "image.hpp"
+#include "model/error.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr int kWidth = 1440;
+constexpr int kHeight = 900;
+constexpr float kNormalDpi = 96;
+constexpr float kFrameSeconds = 1.0f / 60;
+
+[[noreturn]] void refuse(const char* what) {
+  throw Error(std::string(what) + ": " + SDL_GetError());
+}
+
+// A key as press_key() takes it.
+std::string key_name(const SDL_Keysym& key) {
+  std::string name = SDL_GetKeyName(key.sym);
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  std::string before;
+  if ((key.mod & (KMOD_CTRL | KMOD_GUI)) != 0) {
+    before += "ctrl+";
+  }
+  if ((key.mod & KMOD_SHIFT) != 0) {
+    before += "shift+";
+  }
+  return before + name;
+}
+
+}  // namespace
+
+Screen::Screen(const std::string& title) {
+  if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+    refuse("no display");
+  }
+  float dpi = kNormalDpi;
+  if (SDL_GetDisplayDPI(0, nullptr, &dpi, nullptr) != 0) {
+    dpi = kNormalDpi;
+  }
+  const float scale =
+      std::clamp(std::round(4 * dpi / kNormalDpi) / 4, 1.0f, 4.0f);
+  const auto side = [scale](int value) {
+    return static_cast<int>(static_cast<float>(value) * scale);
+  };
+  window_ =
+      SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED,
+                       SDL_WINDOWPOS_CENTERED, side(kWidth), side(kHeight),
+                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
+  if (window_ == nullptr) {
+    refuse("no window");
+  }
+  renderer_ = SDL_CreateRenderer(window_, -1, SDL_RENDERER_PRESENTVSYNC);
+  if (renderer_ == nullptr) {
+    refuse("no renderer");
+  }
+  begin_imgui(scale);
+  ImGui_ImplSDL2_InitForSDLRenderer(window_);
+}
+
+Screen::Screen(int width, int height, float scale) {
+  surface_ = SDL_CreateRGBSurfaceWithFormat(0, width, height, 32,
+                                            SDL_PIXELFORMAT_RGBA32);
+  renderer_ =
+      surface_ == nullptr ? nullptr : SDL_CreateSoftwareRenderer(surface_);
+  if (renderer_ == nullptr) {
+    refuse("no picture");
+  }
+  begin_imgui(scale);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+}
+
+void Screen::begin_imgui(float scale) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigInputTextCursorBlink = window_ != nullptr;
+  apply_theme(scale);
+  add_fonts(scale);
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  font_ = SDL_CreateTexture(renderer_, SDL_PIXELFORMAT_RGBA32,
+                            SDL_TEXTUREACCESS_STATIC, width, height);
+  if (font_ == nullptr) {
+    refuse("no font");
+  }
+  SDL_UpdateTexture(font_, nullptr, pixels, 4 * width);
+  SDL_SetTextureBlendMode(font_, SDL_BLENDMODE_BLEND);
+  io.Fonts->SetTexID(font_);
+  textures_ = std::make_unique<Textures>(renderer_);
+}
+
+Screen::~Screen() {
+  textures_.reset();
+  if (window_ != nullptr) {
+    ImGui_ImplSDL2_Shutdown();
+  }
+  ImGui::DestroyContext();
+  SDL_DestroyTexture(font_);
+  SDL_DestroyRenderer(renderer_);
+  SDL_FreeSurface(surface_);
+  if (window_ != nullptr) {
+    SDL_DestroyWindow(window_);
+    SDL_Quit();
+  }
+}
+
+bool Screen::take_input(int wait_ms,
+                        const std::function<void(const std::string&)>& on_key) {
+  SDL_Event event;
+  if (SDL_WaitEventTimeout(&event, wait_ms) == 0) {
+    return true;
+  }
+  do {
+    ImGui_ImplSDL2_ProcessEvent(&event);
+    if (event.type == SDL_QUIT) {
+      return false;
+    }
+    if (event.type == SDL_KEYDOWN && !ImGui::GetIO().WantTextInput) {
+      on_key(key_name(event.key.keysym));
+    }
+  } while (SDL_PollEvent(&event) != 0);
+  return true;
+}
+
+void Screen::draw_frame(const std::function<void()>& panels) {
+  if (window_ != nullptr) {
+    ImGui_ImplSDL2_NewFrame();
+  } else {
+    ImGui::GetIO().DeltaTime = kFrameSeconds;
+  }
+  ImGui::NewFrame();
+  panels();
+  ImGui::Render();
+  render();
+  textures_->end_frame();
+}
+
+void Screen::render() {
+  const ImDrawData& data = *ImGui::GetDrawData();
+  SDL_RenderSetScale(renderer_, data.FramebufferScale.x,
+                     data.FramebufferScale.y);
+  SDL_SetRenderDrawColor(renderer_, 247, 248, 250, 255);
+  SDL_RenderClear(renderer_);
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    const ImDrawList& list = *data.CmdLists[i];
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      const ImVec4& clip = command.ClipRect;
+      const SDL_Rect rect = {static_cast<int>(clip.x), static_cast<int>(clip.y),
+                             static_cast<int>(clip.z - clip.x),
+                             static_cast<int>(clip.w - clip.y)};
+      if (rect.w <= 0 || rect.h <= 0) {
+        continue;
+      }
+      SDL_RenderSetClipRect(renderer_, &rect);
+      const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+      SDL_RenderGeometryRaw(
+          renderer_, static_cast<SDL_Texture*>(command.GetTexID()),
+          &vertices->pos.x, sizeof(ImDrawVert),
+          reinterpret_cast<const SDL_Color*>(&vertices->col),
+          sizeof(ImDrawVert), &vertices->uv.x, sizeof(ImDrawVert),
+          list.VtxBuffer.Size - static_cast<int>(command.VtxOffset),
+          list.IdxBuffer.Data + command.IdxOffset,
+          static_cast<int>(command.ElemCount), sizeof(ImDrawIdx));
+    }
+  }
+  SDL_RenderSetClipRect(renderer_, nullptr);
+  SDL_RenderPresent(renderer_);
+}
+
+void Screen::write_picture(const std::filesystem::path& file) {
+  int width = 0;
+  int height = 0;
+  SDL_GetRendererOutputSize(renderer_, &width, &height);
+  tools::Image image(width, height, 3);
+  if (SDL_RenderReadPixels(renderer_, nullptr, SDL_PIXELFORMAT_RGB24,
+                           image.pixels.data(), 3 * width) != 0) {
+    refuse("no picture");
+  }
+  tools::write_image(file, image);
+}
+
+}  // namespace inkcell::design::editor

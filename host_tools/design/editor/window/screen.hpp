@@ -1,0 +1,50 @@
+// ImGui on SDL: a window, or a picture in memory that is the same every time.
+#pragma once
+
+#include <SDL.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "editor/window/textures.hpp"
+
+namespace inkcell::design::editor {
+
+class Screen {
+ public:
+  /// A window. Throws Error.
+  explicit Screen(const std::string& title);
+  /// A picture of `width` x `height` px at `scale`, without a display server.
+  Screen(int width, int height, float scale);
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  Textures& textures() { return *textures_; }
+
+  /// Waits for input up to `wait_ms` and hands it to ImGui; `on_key` gets keys
+  /// as press_key() takes them, unless a text field has them. False if the
+  /// person closes the window.
+  bool take_input(int wait_ms,
+                  const std::function<void(const std::string&)>& on_key);
+
+  /// Draws one frame, whose widgets `panels` submits.
+  void draw_frame(const std::function<void()>& panels);
+
+  /// Writes the last frame. Throws Error.
+  void write_picture(const std::filesystem::path& file);
+
+ private:
+  void begin_imgui(float scale);
+  void render();
+
+  SDL_Window* window_ = nullptr;
+  SDL_Surface* surface_ = nullptr;
+  SDL_Renderer* renderer_ = nullptr;
+  SDL_Texture* font_ = nullptr;
+  std::unique_ptr<Textures> textures_;
+};
+
+}  // namespace inkcell::design::editor

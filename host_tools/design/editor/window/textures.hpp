@@ -1,0 +1,43 @@
+// Pictures on the screen, kept as long as they are shown.
+#pragma once
+
+#include <SDL.h>
+#include <imgui.h>
+
+#include <map>
+#include <memory>
+
+#include "image.hpp"
+
+namespace inkcell::design::editor {
+
+class Textures {
+ public:
+  explicit Textures(SDL_Renderer* renderer) : renderer_(renderer) {}
+
+  /// The texture of a picture with 3 channels, or with 1, which is the alpha of
+  /// ink. `owner` keeps what `key` points to alive, so that no other picture
+  /// gets its address. Null for an empty picture.
+  ImTextureID of(const std::shared_ptr<const void>& owner,
+                 const void* key,
+                 const tools::Image& image);
+  /// The one that of() made for `key`, if any.
+  ImTextureID find(const void* key) const;
+  /// Drops those that were not asked for since the last call but one.
+  void end_frame();
+
+ private:
+  struct Release {
+    void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+  };
+  struct Entry {
+    std::unique_ptr<SDL_Texture, Release> texture;
+    std::shared_ptr<const void> owner;
+    mutable int age = 0;  // frames since it was asked for
+  };
+
+  SDL_Renderer* renderer_;
+  std::map<const void*, Entry> entries_;
+};
+
+}  // namespace inkcell::design::editor
