@@ -1,0 +1,189 @@
+"""Checks inkcell-editor as scripts drive it, and its pictures.
+
+Usage: check_editor.py INKCELL_EDITOR INKCELL_RENDER
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+PROBLEMS = []
+
+
+def expect(condition, what):
+    if not condition:
+        PROBLEMS.append(what)
+
+
+class Editor:
+    """Runs scripts in a folder, without a display."""
+
+    def __init__(self, program, folder):
+        self.program = program
+        self.folder = folder
+
+    def run(self, *lines):
+        """What the script printed, as a list of reports."""
+        result = self.start(*lines)
+        if result.returncode != 0:
+            sys.exit(f"{lines}: {result.stderr.strip()}")
+        return [json.loads(line) for line in result.stdout.splitlines()]
+
+    def start(self, *lines):
+        script = self.folder / "script.txt"
+        script.write_text("\n".join(lines) + "\n")
+        return subprocess.run([self.program, "--script", script], text=True,
+                              cwd=self.folder, capture_output=True,
+                              check=False)
+
+
+def points_of(report):
+    return [point for contour in report["contours"] for point in contour]
+
+
+def check_edits(editor):
+    """A dragged point, undo and redo, and what survives a program's end."""
+    before, moved, undone, redone = editor.run(
+        f"open {FONT} P.ufo A,a,H,O", "glyph a", "print", "drag 3 10 0",
+        "print", "key ctrl+z", "print", "key ctrl+y", "print")
+    old, new = points_of(before)[3], points_of(moved)[3]
+    expect([new[0] - old[0], new[1] - old[1]] == [10, 0],
+           f"drag: {old} became {new}")
+    expect(undone["contours"] == before["contours"], "undo")
+    expect(redone["contours"] == moved["contours"], "redo")
+    expect(0 < moved["bytes"] < 200 and moved["points"] > 8,
+           f"figures: {moved['bytes']} bytes, {moved['points']} points")
+    # Nothing was saved: the journal has it.
+    opened, = editor.run("open P.ufo", "print")
+    expect("Recovered 3 changes" in opened["message"], opened["message"])
+    editor.run("open P.ufo", "save", "export F.ttf", "save Q.ufo")
+    # FreeType reads the exported font.
+    font, = editor.run("open F.ttf R.ufo", "glyph a", "print")
+    places = [point[:2] for point in points_of(font)]
+    expect(new[:2] in places and old[:2] not in places,
+           "the exported outline holds the new point")
+    expect((editor.folder / "Q.ufo/glyphs").is_dir(), "a copy is written")
+
+
+def check_points(editor):
+    """Keys on the selection."""
+    before, nudged, shorter = editor.run(
+        "open P.ufo", "glyph A", "print", "select 0 1", "key shift+up", "print",
+        "select 0", "key delete", "print")
+    old, new = points_of(before), points_of(nudged)
+    expect([p[1] for p in new[:2]] == [p[1] + 10 for p in old[:2]]
+           and new[2:] == old[2:], "nudge")
+    expect(len(points_of(shorter)) == len(old) - 1, "delete")
+    drawn, = editor.run("open P.ufo", "glyph O", "key ctrl+a", "key delete",
+                        "tool Pen", "press 0 0", "release 0 0",
+                        "press 400 0", "release 400 0",
+                        "press 400 400", "move 300 500", "release 300 500",
+                        "press 0 0", "release 0 0", "print")
+    contour, = drawn["contours"]
+    expect([point[2] for point in contour].count("curve") == 2 and
+           contour[0][2] == "curve", f"pen: {contour}")
+
+
+def check_tools(editor):
+    knife, ring = editor.run(
+        "open P.ufo", "glyph O", "key ctrl+a", "key delete", "tool Rectangle",
+        "press 100 0", "move 500 300", "release 500 300", "tool Ellipse",
+        "press 600 0", "move 900 300 shift", "release 900 300", "tool Knife",
+        "press 50 150", "move 1000 150", "release 1000 150", "print",
+        "key ctrl+a", "key delete", "nib ellipse:60,20,30", "tool Stroke",
+        "press 100 100", "move 300 500", "move 500 100", "release 500 100",
+        "print")
+    expect(len(knife["contours"]) == 4, f"knife: {knife['contours']}")
+    height = {point[1] for contour in knife["contours"] for point in contour}
+    expect({0, 150, 300} <= height, f"knife: {height}")
+    expect(len(ring["contours"]) == 1 and ring["bytes"] > 0, "stroke")
+    # A cut through both contours of a ring leaves two parts.
+    halves, = editor.run("open P.ufo", "key ctrl+z", "glyph O", "key ctrl+a",
+                         "key delete", "tool Ellipse", "press 0 0",
+                         "move 800 800", "release 800 800", "press 200 200",
+                         "move 600 600", "release 600 600", "select 12",
+                         "do {\"do\": \"reverse_contour\", \"contour\": 1}",
+                         "tool Knife", "press -50 401", "move 900 401",
+                         "release 900 401", "print")
+    expect(len(halves["contours"]) == 2, f"ring: {halves['contours']}")
+    parts, = editor.run("open P.ufo", "glyph A",
+                        'do {"do": "add_component", "base": "H"}', "print")
+    expect(parts["components"] == 1, "component")
+
+
+def check_preview(editor, render):
+    """The pixels of the preview are those of inkcell-render."""
+    for px, display, options in ((12, "mono", ("--levels", "2")),
+                                 (20, "mono", ("--levels", "2")),
+                                 (16, "lcd", ("--lcd", "rgb"))):
+        editor.run("open P.ufo", "glyph a", "text Haa",
+                   f"preview {px} {display} dark", "save_preview p.ppm",
+                   "save_preview p.bin")
+        subprocess.run([render, "--font", "p.bin", "--text", "Haa", "--px",
+                        str(px), *options, "--out", "r.ppm" if display == "lcd"
+                        else "r.pgm"], cwd=editor.folder, check=True,
+                       capture_output=True)
+        ours = pixels(editor.folder / "p.ppm")
+        theirs = pixels(editor.folder / ("r.ppm" if display == "lcd" else
+                                         "r.pgm"))
+        expect(ours == theirs and any(ours[1]), f"{px} px {display}: the "
+               "preview differs from inkcell-render")
+    edges, = editor.run("open P.ufo", "glyph a", "cells edges", "print")
+    expect(edges["cells"] > 20, "cells")
+
+
+def pixels(file):
+    """Size and bytes of a PGM or PPM; three bytes a pixel."""
+    data = file.read_bytes()
+    magic, width, height = data[:20].split()[:3]
+    size = (int(width), int(height))
+    data = data[-size[0] * size[1] * (3 if magic == b"P6" else 1):]
+    if magic == b"P5":
+        data = bytes(value for value in data for _ in range(3))
+    return size, data
+
+
+def check_screenshots(editor):
+    lines = ("open P.ufo", "glyph a", "screenshot a.ppm")
+    editor.run(*lines)
+    first = (editor.folder / "a.ppm").read_bytes()
+    editor.run(*lines)
+    expect(first == (editor.folder / "a.ppm").read_bytes(),
+           "two screenshots of one state differ")
+    editor.run("open P.ufo", "glyph a", "select 3", "screenshot b.ppm")
+    expect(first != (editor.folder / "b.ppm").read_bytes(),
+           "a selected point is not seen")
+    size, colours = pixels(editor.folder / "a.ppm")
+    expect(size == (1440, 900) and len(set(colours[::3])) > 50, "screenshot")
+
+
+def check_errors(editor):
+    for line, message in (("glyph a", "open a font first"),
+                          ("frob", "'frob' is not known"),
+                          ("open missing.ufo", "missing.ufo")):
+        result = editor.start(line)
+        expect(result.returncode != 0 and message in result.stderr,
+               f"{line}: said {result.stderr!r}")
+    result = editor.start(f"open {FONT} P.ufo")
+    expect("exists" in result.stderr, "a project is not overwritten")
+
+
+def main():
+    program, render = (str(pathlib.Path(name).resolve())
+                       for name in sys.argv[1:])
+    with tempfile.TemporaryDirectory() as name:
+        editor = Editor(program, pathlib.Path(name))
+        check_edits(editor)
+        check_points(editor)
+        check_tools(editor)
+        check_preview(editor, render)
+        check_screenshots(editor)
+        check_errors(editor)
+    for problem in PROBLEMS:
+        print(problem)
+    sys.exit(1 if PROBLEMS else 0)
+
+
+main()
