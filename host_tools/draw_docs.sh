@@ -36,4 +36,14 @@ mkdir -p docs/img
   --out docs/img/clock.png
 "$tools/inkcell-animate" figure15 --size 128x80 --from 20 --every 6 \
   --frames 22 --out docs/img/figure15.png
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cat >"$folder/editor.txt" <<END
+open $fonts/dejavu/DejaVuSans.ttf $folder/Mine.ufo 0x20-0x7E
+glyph a
+text Hamburg 012
+select 3
+screenshot docs/img/editor.png
+END
+"$tools/design/editor/inkcell-editor" --script "$folder/editor.txt"
 ls -l docs/img
