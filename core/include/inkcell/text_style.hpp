@@ -170,6 +170,18 @@ class TextStyle {
     return Status::ok;
   }
 
+  /// make() without set_outline_painter(), for filters that come with theirs.
+  static Status make_upright(Q26_6 size,
+                             const Filter& filter,
+                             TextStyle& out) noexcept;
+  static Status make_turned(Q26_6 size,
+                            const Filter& filter,
+                            Direction direction,
+                            TextStyle& out) noexcept;
+  static Status make_mapped(const Matrix& matrix,
+                            const Filter& filter,
+                            TextStyle& out) noexcept;
+
   /// A filter made in the argument would be gone before the style is used.
   static Status make(Q26_6, const Filter&&, Direction, TextStyle&) = delete;
   static Status make(Q26_6, const Filter&&, TextStyle&) = delete;
@@ -213,6 +225,11 @@ class TextStyle {
   /// What paints glyphs of outlines; null before make().
   const detail::OutlinePainter* outline_painter() const noexcept {
     return outline_painter_;
+  }
+  void set_outline_painter(const detail::OutlinePainter& painter) noexcept {
+    if constexpr (detail::kHasOutlines) {
+      outline_painter_ = &painter;
+    }
   }
 
   /// Functions that fit glyphs of outlines, or map those that are not upright.
@@ -284,8 +301,7 @@ class TextStyle {
     return distance_u_q10 >= opaque_u_q10_;
   }
 
-  /// The greatest distance that has no coverage, and the least that has full
-  /// coverage. [u, Q10]
+  /// The greatest distance without coverage, the least with all of it. [u, Q10]
   int32_t transparent_u_q10() const noexcept { return transparent_u_q10_; }
   int32_t opaque_u_q10() const noexcept { return opaque_u_q10_; }
 
@@ -306,22 +322,7 @@ class TextStyle {
 
  private:
   struct Stretch;
-  static Status make_upright(Q26_6 size,
-                             const Filter& filter,
-                             TextStyle& out) noexcept;
-  static Status make_turned(Q26_6 size,
-                            const Filter& filter,
-                            Direction direction,
-                            TextStyle& out) noexcept;
-  static Status make_mapped(const Matrix& matrix,
-                            const Filter& filter,
-                            TextStyle& out) noexcept;
   Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
-  void set_outline_painter(const detail::OutlinePainter& painter) noexcept {
-    if constexpr (detail::kHasOutlines) {
-      outline_painter_ = &painter;
-    }
-  }
   void set_slanted(const detail::CellRaster& cells) noexcept {
     is_slanted_ = true;
     slanted_cells_ = &cells;
@@ -356,8 +357,7 @@ class TextStyle {
   Effect effect_;
 };
 
-/// Whether two styles draw alike: equal sizes and directions, and the same
-/// filter, fitter and effect, by address.
+/// Equal sizes and directions; the same filter, fitter and effect, by address.
 bool is_same(const TextStyle& a, const TextStyle& b) noexcept;
 
 }  // namespace inkcell
