@@ -40,6 +40,10 @@ inline bool is_in_grid(const GlyphField& field, const GlyphPoint& at) noexcept {
          at.y_q16 >> 16 < uint32_t{field.tiles_y} << field.tile_log2;
 }
 
+inline bool is_grid_empty(const GlyphField& field) noexcept {
+  return field.tiles_x == 0 || field.tiles_y == 0;
+}
+
 // The nearest place in a grid that is not empty. [u]
 inline uint32_t in_grid(uint32_t place_q16,
                         uint32_t tiles,
@@ -72,7 +76,7 @@ bool find_point(const GlyphField& field,
 // picture depends on where a row, a strip or a window begins.
 struct CellMap {
   // Nothing shows that is farther from the ink than `reach_u_q10`. [u]
-  // Samples up to `its_beyond_u` from the grid may show, too.
+  // Samples up to `its_beyond_u` from a grid that is not empty may show, too.
   CellMap(const GlyphField& glyph,
           const TextStyle& its_style,
           const Placed& placed,
@@ -85,7 +89,7 @@ struct CellMap {
         x_q10(placed.x_q10),
         y_q10(placed.y_q10),
         reach_u_q10(its_reach_u_q10),
-        beyond_u(its_beyond_u) {}
+        beyond_u(is_grid_empty(glyph) ? 0 : its_beyond_u) {}
 
   bool find(int32_t x, int32_t y, GlyphPoint& out) const noexcept {
     return find_point(field, right, up, {x_q10, y_q10}, x, y, out);
