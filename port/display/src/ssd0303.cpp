@@ -2,21 +2,19 @@
 #include "inkcell/port/ssd0303.hpp"
 
 #include "bounds.hpp"
+#include "send_pages.hpp"
 
 namespace inkcell {
 namespace port {
 namespace {
 
 enum Command : uint8_t {
-  kSetColumnLow = 0x00,   // | low nibble of the column
-  kSetColumnHigh = 0x10,  // | high nibble of the column
-  kSetStartLine = 0x40,   // | line
+  kSetStartLine = 0x40,  // | line
   kSegmentsNormal = 0xa0,
   kNormalDisplay = 0xa4,
   kNotInverse = 0xa6,
   kDisplayOff = 0xae,
   kDisplayOn = 0xaf,
-  kSetPage = 0xb0,  // | page
   kScanNormal = 0xc0,
 };
 
@@ -40,18 +38,7 @@ Status write(const Ssd0303& display, const Strip& strip) noexcept {
   }
   INKCELL_TRY(check_on_screen(strip, PixelFormat::mono_pages, display.width,
                               display.height));
-  const int32_t column = display.first_column + strip.x0;
-  const uint8_t* page = strip.pixels.data;
-  for (int32_t y = 0; y < strip.height; y += 8, page += strip.stride) {
-    const uint8_t address[] = {
-        static_cast<uint8_t>(kSetPage | ((strip.y0 + y) / 8)),
-        static_cast<uint8_t>(kSetColumnLow | (column & 15)),
-        static_cast<uint8_t>(kSetColumnHigh | (column >> 4)),
-    };
-    display.bus.command(display.bus.context, address, sizeof address);
-    display.bus.data(display.bus.context, page,
-                     static_cast<size_t>(strip.width));
-  }
+  send_pages(display.bus, display.first_column, strip);
   return Status::ok;
 }
 

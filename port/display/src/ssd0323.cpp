@@ -2,6 +2,7 @@
 #include "inkcell/port/ssd0323.hpp"
 
 #include "bounds.hpp"
+#include "send_pixels.hpp"
 
 namespace inkcell {
 namespace port {
@@ -56,11 +57,7 @@ Status write(const Ssd0323& display, const Strip& strip) noexcept {
       static_cast<uint8_t>(strip.y0 + strip.height - 1),
   };
   display.bus.command(display.bus.context, window, sizeof window);
-  const uint8_t* row = strip.pixels.data;
-  for (int32_t y = 0; y < strip.height; ++y, row += strip.stride) {
-    display.bus.data(display.bus.context, row,
-                     static_cast<size_t>(strip.width / 2));
-  }
+  send_pixels(display.bus, strip, PixelFormat::grey4);
   return Status::ok;
 }
 
