@@ -1,0 +1,35 @@
+// Displays behind I2C: a DisplayBus made from one function of the board.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/port/display_bus.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// A controller that takes a control byte before commands and pixels: SSD1306,
+/// SH1106 and their relatives. The board's function writes one transfer, start
+/// condition and address to stop condition.
+struct I2cDisplay {
+  /// Passed back as the first argument of `write`.
+  void* context = nullptr;
+  /// Sends `count` bytes, at most kI2cTransfer, to the 7-bit `address`; blocks
+  /// until they are sent, or copies them.
+  void (*write)(void* context,
+                uint8_t address,
+                const uint8_t* bytes,
+                size_t count) = nullptr;
+  uint8_t address = 0x3c;  // or 0x3d, by pin SA0
+};
+
+/// The longest transfer: a control byte and 31 others, for drivers with buffers
+/// of 32 bytes. [bytes]
+inline constexpr size_t kI2cTransfer = 32;
+
+/// `display` must outlive the bus.
+DisplayBus make_bus(I2cDisplay& display) noexcept;
+
+}  // namespace port
+}  // namespace inkcell
