@@ -1,0 +1,32 @@
+// Sitronix ST7789: colour displays of up to 240 x 320 pixels.
+#pragma once
+
+#include "inkcell/port/dcs_panel.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/strip.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// See dcs_panel.hpp. Panels of 240 x 240 begin at (0, 0), those of 135 x 240
+/// at (52, 40) or (53, 40).
+struct St7789 {
+  DcsPanel panel;
+};
+
+/// Resets the controller, sends DcsPanel::setup, sets what write() relies on,
+/// and switches the panel on. Takes a quarter of a second.
+///
+/// bad_argument: the panel is empty or leaves the controller's memory, `setup`
+/// ends within a command, or the bus has no `wait_ms`. Nothing is sent then.
+Status init(const St7789& display) noexcept;
+
+/// Sends a strip to its place on the screen, in one window.
+///
+/// bad_argument: the panel is empty or leaves the controller's memory, the
+/// strip does not lie on the screen, or its stride is shorter than a row.
+/// buffer_small: its pixels are fewer than its rows need. Nothing is sent then.
+Status write(const St7789& display, const Strip& strip) noexcept;
+
+}  // namespace port
+}  // namespace inkcell

@@ -1,0 +1,23 @@
+// Commands of controllers that take parameters as data.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/display_bus.hpp"
+#include "inkcell/span.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// Sends a command's byte, then its parameters, if there are any, as data.
+inline void send_command(const DisplayBus& bus,
+                         uint8_t command,
+                         Span<const uint8_t> parameters = {}) noexcept {
+  bus.command(bus.context, &command, 1);
+  if (parameters.size != 0) {
+    bus.data(bus.context, parameters.data, parameters.size);
+  }
+}
+
+}  // namespace port
+}  // namespace inkcell
