@@ -1,0 +1,31 @@
+// The buffer of U8g2: a target in the memory that getBufferPtr() returns.
+//
+// For U8g2's layout of pages, which SSD1306, SH1106 and most displays have; the
+// few whose bytes lie along the row take MonoRowsTarget.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/mono_pages.hpp"
+#include "inkcell/port/picture.hpp"
+
+namespace inkcell {
+namespace port {
+
+/// Draws 1, or 0 with MonoPagesTarget::level 0. `buffer` has tiles of 8 x 8 px:
+/// getBufferTileWidth() by getBufferTileHeight(). `first_tile_row` is 0 for a
+/// full buffer, and getBufferCurrTileRow() within nextPage(). `buffer` must
+/// outlive the target.
+constexpr MonoPagesTarget u8g2_buffer(uint8_t* buffer,
+                                      int32_t tile_width,
+                                      int32_t tile_height,
+                                      int32_t first_tile_row = 0) noexcept {
+  MonoPagesTarget target;
+  target.strip = whole_picture(buffer, PixelFormat::mono_pages, 8 * tile_width,
+                               8 * tile_height);
+  target.strip.y0 = 8 * first_tile_row;
+  return target;
+}
+
+}  // namespace port
+}  // namespace inkcell
