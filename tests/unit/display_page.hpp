@@ -1,0 +1,100 @@
+// Text drawn at once, and strip by strip through a display driver.
+#pragma once
+
+#include "check.hpp"
+#include "inkcell/filter.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/port/pixel.hpp"
+#include "inkcell/strip.hpp"
+#include "inkcell/text.hpp"
+#include "outline_record.hpp"
+
+namespace display_page {
+
+using namespace inkcell;
+
+inline constexpr size_t kMaxBytes = 2 * 240 * 320;  // of the largest picture
+
+/// The same words in each picture: a large line that leaves the screen on three
+/// sides, and a small one. `Target` is one of port/pixel, whose strip is set.
+template <typename Target>
+void draw_words(Target target) {
+  static uint8_t rom[outline_record::kSampleFontBytes];
+  static const Font font = [] {
+    Font opened;
+    const size_t size = outline_record::build_sample_font(rom);
+    CHECK_OK(Font::open({rom, size}, opened));
+    return opened;
+  }();
+  TextStyle large, small;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(61), kFilterArea, large));
+  CHECK_OK(TextStyle::make(Q26_6::from_int(13), kFilterArea, small));
+  Sink sink;
+  CHECK_OK(make_sink(target, sink));
+  draw_text(font, "DEFACED", large, {Q26_6::from_int(-9), Q26_6::from_int(37)},
+            sink);
+  draw_text(font, "BEAD FACE", small, {Q26_6::from_int(3), Q26_6::from_int(50)},
+            sink);
+  draw_text(font, "FADE", large, {Q26_6::from_int(30), Q26_6::from_int(150)},
+            sink);
+}
+
+/// Clears a strip to `background` and draws the words.
+template <typename Target>
+void draw_page(Target target, uint8_t background) {
+  for (uint8_t& byte : target.strip.pixels) {
+    byte = background;
+  }
+  draw_words(target);
+}
+
+/// The whole picture in memory of its own, as the core draws it.
+template <typename Target>
+Strip reference(Target target,
+                port::PixelFormat format,
+                int32_t width,
+                int32_t height,
+                uint8_t background) {
+  static uint8_t pixels[kMaxBytes];
+  const size_t bytes = port::strip_bytes(format, width, height);
+  CHECK(bytes <= kMaxBytes);
+  target.strip = {{pixels, bytes}, 0,      0,
+                  width,           height, port::stride_bytes(format, width)};
+  draw_page(target, background);
+  int64_t drawn = 0;
+  for (const uint8_t byte : target.strip.pixels) {
+    drawn += byte != background ? 1 : 0;
+  }
+  CHECK(drawn > 100 && "there is text");
+  return target.strip;
+}
+
+/// Draws the page strip by strip, each with `rows` rows and `gap` bytes behind
+/// each, and has `write(strip)` send it.
+template <typename Target, typename Write>
+void show_page(const Target& target,
+               port::PixelFormat format,
+               const Rect& part,
+               int32_t rows,
+               int32_t gap,
+               uint8_t background,
+               const Write& write) {
+  static uint8_t pixels[kMaxBytes];
+  Target piece = target;
+  Strip& strip = piece.strip;
+  strip.x0 = part.x0;
+  strip.width = part.x1 - part.x0;
+  strip.stride = port::stride_bytes(format, strip.width) + gap;
+  for (strip.y0 = part.y0; strip.y0 < part.y1; strip.y0 += rows) {
+    const int32_t left = part.y1 - strip.y0;
+    strip.height = left < rows ? left : rows;
+    const int32_t per_stride = port::rows_per_stride(format);
+    strip.pixels = {pixels, static_cast<size_t>(strip.stride) *
+                                static_cast<size_t>(strip.height / per_stride)};
+    CHECK(strip.pixels.size <= kMaxBytes);
+    draw_page(piece, background);
+    CHECK_OK(write(strip));
+  }
+}
+
+}  // namespace display_page

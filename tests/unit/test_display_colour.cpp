@@ -1,0 +1,225 @@
+// ST7735, ST7789, ILI9341 and GC9A01 against a model of MIPI DCS commands.
+#include "check.hpp"
+#include "dcs_model.hpp"
+#include "display_page.hpp"
+#include "inkcell/port/gc9a01.hpp"
+#include "inkcell/port/ili9341.hpp"
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/port/st7735.hpp"
+#include "inkcell/port/st7789.hpp"
+
+namespace {
+
+using namespace dcs_model;
+
+// Draws the page through a driver and compares the panel with the core's
+// picture.
+template <typename Display>
+void check_page(DcsModel& model,
+                const Display& display,
+                int32_t rows,
+                int32_t gap) {
+  const DcsPanel& panel = display.panel;
+  const Rect all = {0, 0, screen_width(panel), screen_height(panel)};
+  CHECK_OK(init(display));
+  CHECK(model.on && model.normal);
+  CHECK_EQ(model.inverted, panel.inverted);
+  CHECK_EQ(model.pixel_format & 7, 5);
+  CHECK_EQ((model.access & 0x08) != 0, panel.blue_first);
+  CHECK_EQ(model.resets, 1);
+  const Rgb565Target target = make_target();
+  display_page::show_page(
+      target, kFormat, all, rows, gap, 0x10,
+      [&display](const Strip& strip) { return write(display, strip); });
+  const Strip picture =
+      display_page::reference(target, kFormat, all.x1, all.y1, 0x10);
+  check_shown(model, panel, picture, kAll);
+}
+
+constexpr Rotation kRotations[] = {Rotation::none, Rotation::quarter,
+                                   Rotation::half, Rotation::three_quarters};
+
+constexpr bool kBoth[] = {false, true};
+
+TEST(st7735_shows_text_at_offsets) {
+  for (const Rotation rotation : kRotations) {
+    for (const bool mirrored : kBoth) {
+      DcsModel model(132, 162);
+      St7735 display;
+      display.panel.bus = model.bus();
+      display.panel.width = 80;
+      display.panel.height = 160;
+      display.panel.first_column = 24;
+      display.panel.first_row = 1;
+      display.panel.rotation = rotation;
+      display.panel.mirror_columns = mirrored;
+      display.panel.blue_first = mirrored;
+      display.panel.inverted = true;
+      check_page(model, display, 40, 2);
+    }
+  }
+}
+
+TEST(st7735_has_a_small_memory_by_pins) {
+  DcsModel model(128, 160);
+  St7735 display;
+  display.panel.bus = model.bus();
+  display.panel.width = 128;
+  display.panel.height = 160;
+  display.panel.rotation = Rotation::half;
+  display.gm_011 = true;
+  check_page(model, display, 160, 0);
+}
+
+TEST(st7789_shows_text_at_offsets) {
+  for (const Rotation rotation : kRotations) {
+    DcsModel model(240, 320);
+    St7789 display;
+    display.panel.bus = model.bus();
+    display.panel.width = 135;
+    display.panel.height = 240;
+    display.panel.first_column = 52;
+    display.panel.first_row = 40;
+    display.panel.rotation = rotation;
+    check_page(model, display, 64, 0);
+  }
+}
+
+TEST(ili9341_shows_text_mirrored) {
+  for (const Rotation rotation : kRotations) {
+    for (const bool mirrored : kBoth) {
+      DcsModel model(240, 320);
+      Ili9341 display;
+      display.panel.bus = model.bus();
+      display.panel.width = 240;
+      display.panel.height = 320;
+      display.panel.rotation = rotation;
+      display.panel.mirror_columns = true;
+      display.panel.mirror_rows = mirrored;
+      check_page(model, display, 100, 0);
+    }
+  }
+}
+
+// Strips are one window each: any height gives the same picture.
+TEST(strips_of_any_height_show_the_same) {
+  constexpr int32_t kHeights[] = {1, 7, 160};
+  for (const int32_t rows : kHeights) {
+    DcsModel model(132, 162);
+    St7735 display;
+    display.panel.bus = model.bus();
+    display.panel.width = 128;
+    display.panel.height = 160;
+    display.panel.first_column = 2;
+    display.panel.first_row = 1;
+    check_page(model, display, rows, 0);
+  }
+}
+
+TEST(windows_have_their_own_place) {
+  for (const Rotation rotation : kRotations) {
+    DcsModel model(240, 320);
+    St7789 display;
+    display.panel.bus = model.bus();
+    display.panel.width = 240;
+    display.panel.height = 240;
+    display.panel.rotation = rotation;
+    CHECK_OK(init(display));
+    const Rect part = {31, 57, 140, 190};
+    const Rgb565Target target = make_target();
+    display_page::show_page(
+        target, kFormat, part, 30, 0, 0,
+        [&display](const Strip& strip) { return write(display, strip); });
+    const Strip picture = display_page::reference(target, kFormat, 240, 240, 0);
+    check_shown(model, display.panel, picture, [&part](int32_t x, int32_t y) {
+      return x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1;
+    });
+  }
+}
+
+TEST(setup_is_sent_before_the_controller_wakes) {
+  constexpr uint8_t kSetup[] = {0xb1, 2, 0x00, 0x18, 0xfe, 0, 0xf2, 1, 0x00};
+  constexpr uint8_t kSent[] = {0xb1, 0x00, 0x18, 0xfe, 0xf2, 0x00};
+  DcsModel model(240, 320);
+  Ili9341 display;
+  display.panel.bus = model.bus();
+  display.panel.width = 240;
+  display.panel.height = 320;
+  display.panel.setup = kSetup;
+  CHECK_OK(init(display));
+  CHECK_EQ(model.setup_bytes, sizeof kSent);
+  for (size_t i = 0; i < sizeof kSent; ++i) {
+    CHECK_EQ(model.setup[i], kSent[i]);
+  }
+  // Nothing of a list that ends within a command.
+  model.transfers = model.resets = 0;
+  constexpr size_t kCut[] = {1, 2, 3, 5, 8};
+  for (const size_t size : kCut) {
+    display.panel.setup = {kSetup, size};
+    CHECK_EQ(init(display), Status::bad_argument);
+  }
+  CHECK_EQ(model.transfers + model.resets, 0);
+}
+
+template <typename Display>
+void check_refused(DcsModel& model, const DcsPanel& panel) {
+  Display display;
+  display.panel = panel;
+  uint8_t pixels[64] = {};
+  model.transfers = model.resets = 0;
+  CHECK_EQ(init(display), Status::bad_argument);
+  CHECK_EQ(write(display, {pixels, 0, 0, 4, 4, 8}), Status::bad_argument);
+  CHECK_EQ(model.transfers + model.resets, 0);
+}
+
+DcsPanel make_panel(DcsModel& model,
+                    uint16_t width,
+                    uint16_t height,
+                    uint16_t column = 0,
+                    uint16_t row = 0) {
+  DcsPanel panel;
+  panel.bus = model.bus();
+  panel.width = width;
+  panel.height = height;
+  panel.first_column = column;
+  panel.first_row = row;
+  return panel;
+}
+
+TEST(panels_outside_the_memory_are_refused) {
+  DcsModel model(240, 320);
+  check_refused<St7735>(model, make_panel(model, 133, 160));
+  check_refused<St7735>(model, make_panel(model, 128, 160, 5));
+  check_refused<St7735>(model, make_panel(model, 128, 160, 0, 3));
+  check_refused<St7789>(model, make_panel(model, 241, 320));
+  check_refused<St7789>(model, make_panel(model, 240, 240, 0, 81));
+  check_refused<Ili9341>(model, make_panel(model, 0, 320));
+  check_refused<Ili9341>(model, make_panel(model, 240, 0));
+  check_refused<Ili9341>(model, make_panel(model, 65535, 65535, 65535, 65535));
+  check_refused<Gc9a01>(model, make_panel(model, 240, 241));
+  Gc9a01 display;
+  display.panel = make_panel(model, 240, 240);
+  display.panel.bus.wait_ms = nullptr;
+  CHECK_EQ(init(display), Status::bad_argument);
+  CHECK_EQ(model.transfers, 0);
+}
+
+TEST(strips_outside_the_screen_are_refused) {
+  DcsModel model(240, 320);
+  St7789 display;
+  display.panel = make_panel(model, 100, 40);
+  display.panel.rotation = Rotation::quarter;
+  uint8_t pixels[128] = {};
+  const Strip wrong[] = {{pixels, 37, 0, 4, 4, 8}, {pixels, 0, 97, 4, 4, 8},
+                         {pixels, -1, 0, 4, 4, 8}, {pixels, 0, -1, 4, 4, 8},
+                         {pixels, 0, 0, 0, 4, 8},  {pixels, 0, 0, 4, 0, 8},
+                         {pixels, 0, 0, 4, 4, 7},  {pixels, 0, 0, -4, 4, 8}};
+  for (const Strip& strip : wrong) {
+    CHECK_EQ(write(display, strip), Status::bad_argument);
+  }
+  CHECK_EQ(write(display, {{pixels, 31}, 0, 0, 4, 4, 8}), Status::buffer_small);
+  CHECK_EQ(model.transfers, 0);
+  CHECK_OK(write(display, {{pixels, 32}, 36, 96, 4, 4, 8}));
+}
+
+}  // namespace
