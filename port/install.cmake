@@ -7,11 +7,12 @@ include(GNUInstallDirs)
 
 set(package ${CMAKE_INSTALL_DATADIR}/cmake/inkcell)
 set(sources ${CMAKE_INSTALL_DATADIR}/inkcell)
-foreach(folder core port/pixel port/display port/make)
+foreach(folder core port/pixel port/display port/c port/make)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
     DESTINATION ${sources}/${folder}
     FILES_MATCHING
-      PATTERN "*.hpp" PATTERN "*.cpp" PATTERN "CMakeLists.txt" PATTERN "*.mk")
+      PATTERN "*.hpp" PATTERN "*.cpp" PATTERN "*.h" PATTERN "*.c"
+      PATTERN "CMakeLists.txt" PATTERN "*.mk")
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/port/CMakeLists.txt
   DESTINATION ${sources}/port)

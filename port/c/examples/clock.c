@@ -1,0 +1,75 @@
+// A clock, strip by strip in RGB565. All strips but those that show a digit for
+// the first time take it from the cache.
+#include "examples.h"
+
+typedef struct screen_t {
+  inkcell_font_t font;
+  inkcell_style_t style;
+  inkcell_glyph_cache_t cache;
+  const char* text;
+  void (*send)(void* display, const inkcell_strip_t* strip);
+  void* display;
+} screen_t;
+
+static void draw_strip(void* context, const inkcell_strip_t* strip) {
+  screen_t* screen = context;
+  for (size_t i = 0; i < strip->size; ++i) {
+    strip->pixels[i] = 0;
+  }
+  inkcell_rgb565_target_t target = {.strip = *strip,
+                                    .colour = INKCELL_RGB565_OF(255, 200, 0),
+                                    .order = INKCELL_LOW_FIRST};
+  inkcell_sink_t sink;
+  if (inkcell_rgb565_sink(&target, &sink) == INKCELL_OK) {
+    inkcell_glyph_cache_draw_text(&screen->cache, &screen->font, screen->text,
+                                  INKCELL_TERMINATED, &screen->style,
+                                  INKCELL_Q6(4), INKCELL_Q6(32), &sink, NULL);
+  }
+}
+
+static void send_strip(void* context, const inkcell_strip_t* strip) {
+  const screen_t* screen = context;
+  screen->send(screen->display, strip);
+}
+
+inkcell_status_t draw_clock(const void* rom,
+                            size_t rom_size,
+                            const char* text,
+                            void (*send)(void* display,
+                                         const inkcell_strip_t* strip),
+                            void* display,
+                            inkcell_glyph_cache_stats_t* stats) {
+  static uint64_t ram[256];  // of the cache
+  static uint8_t
+      buffer[INKCELL_STRIP_BYTES(INKCELL_RGB565, CLOCK_WIDTH, CLOCK_ROWS)];
+  screen_t screen;
+  screen.text = text;
+  screen.send = send;
+  screen.display = display;
+  inkcell_status_t status = inkcell_font_open(rom, rom_size, &screen.font);
+  if (status == INKCELL_OK) {
+    status =
+        inkcell_style_make(INKCELL_Q6(30), &inkcell_filter_area, &screen.style);
+  }
+  if (status == INKCELL_OK) {
+    status = inkcell_glyph_cache_make(ram, sizeof ram, NULL, &screen.cache);
+  }
+  if (status != INKCELL_OK) {
+    return status;
+  }
+
+  const inkcell_strip_loop_t loop = {
+      .buffer = buffer,
+      .size = sizeof buffer,
+      .width = CLOCK_WIDTH,
+      .height = CLOCK_HEIGHT,
+      .rows = CLOCK_ROWS,
+      .stride = INKCELL_STRIDE_BYTES(INKCELL_RGB565, CLOCK_WIDTH),
+      .rows_per_stride = INKCELL_ROWS_PER_STRIDE(INKCELL_RGB565),
+      .context = &screen,
+      .draw = draw_strip,
+      .flush = send_strip};
+  status = inkcell_run_strips(&loop);
+  inkcell_glyph_cache_stats(&screen.cache, stats);
+  return status;
+}

@@ -1,0 +1,148 @@
+// Effects: glyphs drawn in another way than one sample a pixel.
+//
+// As in the C++ headers that are named. A style has one effect; its options,
+// which the caller owns, must outlive the style. The linker drops the effects
+// that a program does not name. Shadows and glows are filters: filter.h.
+#pragma once
+
+#include "inkcell/c/filter.h"
+#include "inkcell/c/sink.h"
+#include "inkcell/c/style.h"
+#include "inkcell/c/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Outlines: inkcell/effects.hpp.
+
+/// On which side of the edge an outline lies.
+enum {
+  INKCELL_OUTLINE_INNER = 0,
+  INKCELL_OUTLINE_CENTRED = 1,
+  INKCELL_OUTLINE_OUTER = 2
+};
+
+/// The tables of an outline's two edges, 528 bytes. Opaque.
+typedef struct INKCELL_SHARED inkcell_outline_t {
+  inkcell_filter_table_t outer;
+  inkcell_filter_table_t inner;
+} inkcell_outline_t;
+
+/// An outline `width_q10` px wide, 0 to 4 px, along the edge that `edge` draws.
+/// Make a style with `outer`, the filter of its outer edge, then set the
+/// effect. `place` is one of the above.
+void inkcell_outline_make(const inkcell_filter_t* edge,
+                          int16_t width_q10,
+                          uint8_t place,
+                          inkcell_outline_t* outline,
+                          inkcell_filter_t* outer);
+
+/// Draws the outline alone.
+void inkcell_style_set_outline(inkcell_style_t* style,
+                               const inkcell_outline_t* outline);
+
+/// Options of the effect that draws outline and fill at once.
+typedef struct INKCELL_SHARED inkcell_outline_and_fill_t {
+  const void* inner;  // set with the effect
+  /// Over the same strip as the sink that the outline goes to, of another
+  /// colour. Set it anew for each strip.
+  const inkcell_sink_t* fill;
+} inkcell_outline_and_fill_t;
+
+void inkcell_style_set_outline_and_fill(inkcell_style_t* style,
+                                        const inkcell_outline_t* outline,
+                                        inkcell_outline_and_fill_t* both);
+
+// Sub-pixels: inkcell/lcd.hpp. Draw into a sink of inkcell_..._lcd_sink().
+
+/// How stripes lie in a pixel: from left to right, or from top to bottom.
+enum {
+  INKCELL_SUB_PIXELS_RGB = 0,
+  INKCELL_SUB_PIXELS_BGR = 1,
+  INKCELL_SUB_PIXELS_RGB_VERTICAL = 2,
+  INKCELL_SUB_PIXELS_BGR_VERTICAL = 3
+};
+
+typedef struct INKCELL_SHARED inkcell_lcd_options_t {
+  uint8_t order;   // one of the above
+  uint8_t colour;  // how much of the differences is kept: 0 none, 255 all
+} inkcell_lcd_options_t;
+
+void inkcell_style_set_lcd(inkcell_style_t* style,
+                           const inkcell_lcd_options_t* options);
+
+// 1 and 2 bits without broken strokes: inkcell/crisp.hpp.
+
+typedef struct INKCELL_SHARED inkcell_crisp_options_t {
+  uint8_t levels;         // of the display: 2 or 4
+  int16_t threshold_q10;  // distance from which on a pixel is drawn, +-1/2 px
+} inkcell_crisp_options_t;
+
+void inkcell_style_set_crisp(inkcell_style_t* style,
+                             const inkcell_crisp_options_t* options);
+
+// For glyphs of cells only; those of outlines are drawn as without.
+
+/// Contrast at small sizes: inkcell/edge_contrast.hpp. [1/256]
+typedef struct INKCELL_SHARED inkcell_edge_contrast_t {
+  uint8_t edge;  // 90 is a good value
+  uint8_t thin;  // 96 is
+} inkcell_edge_contrast_t;
+
+void inkcell_style_set_edge_contrast(inkcell_style_t* style,
+                                     const inkcell_edge_contrast_t* options);
+
+/// Several samples a pixel: inkcell/supersample.hpp. Opaque, 288 bytes.
+typedef struct INKCELL_SHARED inkcell_supersampling_t {
+  uint32_t numbers[68];
+  const void* words[2];
+} inkcell_supersampling_t;
+
+/// `filter` is that of the style. `radius_q10` is clamped to 0.25..1.5 px; 870
+/// is for text that stands still, 768 for type that moves. `is_paper`: the
+/// paper's rule decides how many samples are taken.
+void inkcell_supersampling_make(const inkcell_filter_t* filter,
+                                int16_t radius_q10,
+                                bool is_paper,
+                                inkcell_supersampling_t* out);
+
+void inkcell_style_set_supersampling(inkcell_style_t* style,
+                                     const inkcell_supersampling_t* options);
+
+/// Coverage along a vector: inkcell/motion_blur.hpp. Opaque, 796 bytes. Not to
+/// be used after an error.
+typedef struct INKCELL_SHARED inkcell_motion_blur_t {
+  uint32_t numbers[199];
+} inkcell_motion_blur_t;
+
+/// For a glyph that moves by so many px, y down, while it is seen.
+/// BAD_ARGUMENT: more than 32 px along an axis.
+inkcell_status_t inkcell_motion_blur_make(const inkcell_filter_t* filter,
+                                          int32_t way_x_q6,
+                                          int32_t way_y_q6,
+                                          inkcell_motion_blur_t* out);
+
+void inkcell_style_set_motion_blur(inkcell_style_t* style,
+                                   const inkcell_motion_blur_t* options);
+
+/// Cells smaller than a pixel, each once: inkcell/splat.hpp. Opaque. Not to be
+/// used after an error.
+typedef struct INKCELL_SHARED inkcell_splats_t {
+  const void* words[3];
+} inkcell_splats_t;
+
+/// `sums`, at least 64, are in use while a glyph is drawn: one for each pixel
+/// of the largest glyph in a strip is best. `radius_q10`: 768 to 1536, the
+/// paper's is 1331. BUFFER_SMALL, BAD_ARGUMENT.
+inkcell_status_t inkcell_splats_make(uint32_t* sums,
+                                     size_t count,
+                                     int16_t radius_q10,
+                                     inkcell_splats_t* out);
+
+void inkcell_style_set_splats(inkcell_style_t* style,
+                              const inkcell_splats_t* options);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,138 @@
+// Text in a rectangle, and a line that scrolls, as in inkcell/text_box.hpp and
+// inkcell/label.hpp. Upright text only: the style must not be turned.
+//
+// Functions of boxes find the lines of the text anew. Where a screen is drawn
+// in many strips, find them once with inkcell_text_box_lay_out(), and hand them
+// to the others as `lines` and `line_count`: lines of the same text, layout and
+// width. Else `lines` is null.
+#pragma once
+
+#include "inkcell/c/layout.h"
+#include "inkcell/c/sink.h"
+#include "inkcell/c/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  INKCELL_VERTICAL_TOP = 0,
+  INKCELL_VERTICAL_MIDDLE = 1,   // of the lines
+  INKCELL_VERTICAL_OPTICAL = 2,  // of capitals
+  INKCELL_VERTICAL_BOTTOM = 3
+};
+
+/// inkcell_text_box_init() fills it in; then change what shall be different.
+typedef struct INKCELL_SHARED inkcell_text_box_t {
+  inkcell_layout_t layout;
+  /// On the screen, within +-32767 px; what is outside it is cut off.
+  inkcell_rect_t rect;
+  uint8_t vertical;
+} inkcell_text_box_t;
+
+/// A place between characters.
+typedef struct INKCELL_SHARED inkcell_text_place_t {
+  size_t offset;     // in the text [bytes]
+  bool is_line_end;  // of the two carets where a line wraps: the first
+} inkcell_text_place_t;
+
+/// What a text takes of a box.
+typedef struct INKCELL_SHARED inkcell_text_size_t {
+  int32_t width_q6;   // of the longest line [px]
+  int32_t height_q6;  // of all lines [px]
+  size_t lines;
+} inkcell_text_size_t;
+
+/// A box at the top and the start of `rect`.
+void inkcell_text_box_init(inkcell_text_box_t* box,
+                           const inkcell_font_t* font,
+                           const inkcell_style_t* style,
+                           const inkcell_rect_t* rect);
+
+/// Finds the lines that are drawn, with an ellipsis no more than there is room
+/// for. BUFFER_SMALL: there are more than `capacity`; `count` is then 0.
+inkcell_status_t inkcell_text_box_lay_out(const inkcell_text_box_t* box,
+                                          const char* text,
+                                          size_t size,
+                                          inkcell_line_t* out,
+                                          size_t capacity,
+                                          size_t* count);
+
+/// Draws the lines that meet the sink's window. `ram` may be null.
+void inkcell_text_box_draw(const inkcell_text_box_t* box,
+                           const char* text,
+                           size_t size,
+                           const inkcell_sink_t* sink,
+                           const inkcell_workspace_t* ram,
+                           const inkcell_line_t* lines,
+                           size_t line_count);
+
+void inkcell_text_box_measure(const inkcell_text_box_t* box,
+                              const char* text,
+                              size_t size,
+                              const inkcell_line_t* lines,
+                              size_t line_count,
+                              inkcell_text_size_t* out);
+
+/// The caret nearest to the middle of a pixel: in the line at its height, or
+/// the first or last one.
+void inkcell_text_box_hit(const inkcell_text_box_t* box,
+                          const char* text,
+                          size_t size,
+                          int32_t x,
+                          int32_t y,
+                          const inkcell_line_t* lines,
+                          size_t line_count,
+                          inkcell_text_place_t* out);
+
+/// The caret at a place: a column as high as the line.
+void inkcell_text_box_caret(const inkcell_text_box_t* box,
+                            const char* text,
+                            size_t size,
+                            const inkcell_text_place_t* place,
+                            const inkcell_line_t* lines,
+                            size_t line_count,
+                            inkcell_rect_t* out);
+
+/// One line of text in a window, drawn at any scroll. Opaque.
+typedef struct INKCELL_SHARED inkcell_label_t {
+  const void* words[7];
+  uint32_t numbers[6];
+} inkcell_label_t;
+
+/// Lays out the first line of a text, in the middle of the height of `window`,
+/// into `room`, which must outlive the label, as must the faces of `layout`,
+/// but not the text. A glyph for each byte always suffices.
+///
+/// BUFFER_SMALL: more than `capacity` glyphs. BAD_ARGUMENT: the text is longer
+/// than 65,535 bytes.
+inkcell_status_t inkcell_label_make(const inkcell_layout_t* layout,
+                                    const char* text,
+                                    size_t size,
+                                    const inkcell_rect_t* window,
+                                    inkcell_positioned_glyph_t* room,
+                                    size_t capacity,
+                                    inkcell_label_t* out);
+
+/// The width of the line. [px, Q6]
+int32_t inkcell_label_width(const inkcell_label_t* label);
+
+/// Whether the line is wider than the window.
+bool inkcell_label_needs_scrolling(const inkcell_label_t* label);
+
+/// Draws the line moved to the left by `scroll_q6` px. `ram` may be null.
+void inkcell_label_draw(const inkcell_label_t* label,
+                        int32_t scroll_q6,
+                        const inkcell_sink_t* sink,
+                        const inkcell_workspace_t* ram);
+
+/// The same for a line that follows itself without end, `gap_q6` px behind.
+void inkcell_label_draw_endless(const inkcell_label_t* label,
+                                int32_t scroll_q6,
+                                int32_t gap_q6,
+                                const inkcell_sink_t* sink,
+                                const inkcell_workspace_t* ram);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,29 @@
+// Cells smaller than a pixel: of effects.h.
+#include "inkcell/c/effects.h"
+#include "inkcell/splat.hpp"
+#include "mirror.hpp"
+
+using namespace inkcell;
+using c::cpp;
+
+namespace inkcell {
+namespace c {
+template <>
+struct CppOf<inkcell_splats_t> {
+  using Type = Splats;
+};
+}  // namespace c
+}  // namespace inkcell
+
+inkcell_status_t inkcell_splats_make(uint32_t* sums,
+                                     size_t count,
+                                     int16_t radius_q10,
+                                     inkcell_splats_t* out) {
+  return c::code(
+      make_splats({sums, count}, Q6_10::from_raw(radius_q10), *cpp(out)));
+}
+
+void inkcell_style_set_splats(inkcell_style_t* style,
+                              const inkcell_splats_t* options) {
+  cpp(style)->set_effect(splat_effect(*cpp(options)));
+}
