@@ -43,7 +43,7 @@ ALLOWED = re.compile(
 WRITABLE = re.compile(r"\.(data|bss|tdata|tbss|sdata|sbss|init_array|ctors)\b")
 
 INCLUDE = re.compile(r"^\s*#\s*include\s*([<\"][^>\"]+[>\"])", re.M)
-LIBRARY_INCLUDE = re.compile(r"<(stdint|stddef)\.h>|\"inkcell/[a-z0-9_/]+\.hpp\"")
+LIBRARY_INCLUDE = re.compile(r"<(stdint|stddef)\.h>|\"inkcell/[a-z0-9_/]+\.h(pp)?\"")
 
 
 def check_includes(source):

@@ -17,6 +17,10 @@ WARNINGS = [
     "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
     "-Wshadow", "-Wold-style-cast", "-Wundef", "-Werror",
 ]
+C_WARNINGS = [
+    "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion",
+    "-Wsign-conversion", "-Wshadow", "-Wundef", "-Wstrict-prototypes", "-Werror",
+]
 INCLUDES = ["-I" + str(path) for path in
             [ROOT / "core/include", ROOT / "core/src",
              ROOT / "core/kinetic/include",
@@ -34,6 +38,13 @@ COMPILERS = {
 }
 
 
+def c_compiler(machine):
+    """The compiler of a machine for C, with its flags."""
+    command, _ = COMPILERS[machine]
+    return [command[0].replace("clang++", "clang").replace("g++", "gcc"),
+            *command[1:]]
+
+
 def device_sources():
     """Sources of everything that runs on a device: core, kinetic and port."""
     return sorted([*ROOT.glob("core/src/**/*.cpp"),
@@ -47,6 +58,12 @@ def device_headers():
              *sorted(ROOT.glob("port/*/include"))]
     return sorted(str(path.relative_to(root))
                   for root in roots for path in root.glob("**/*.hpp"))
+
+
+def c_headers():
+    """Public headers of the C interface, likewise."""
+    root = ROOT / "port/c/include"
+    return sorted(str(path.relative_to(root)) for path in root.glob("**/*.h"))
 
 
 def require(programs):

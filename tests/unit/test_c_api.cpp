@@ -1,0 +1,159 @@
+// The interface for C: its examples against the same pictures through C++, and
+// what it answers where it fails.
+#include "check.hpp"
+#include "examples.h"
+#include "fonts.hpp"
+#include "inkcell/glyph_cache.hpp"
+#include "inkcell/port/grey8.hpp"
+#include "inkcell/port/mono_pages.hpp"
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/text_box.hpp"
+
+using namespace inkcell;
+
+namespace {
+
+constexpr char kText[] = "Inkcel 42";
+constexpr char kLongText[] =
+    "Inkcel 42 Inkcel 42 Inkcell neck nickel 42 Inkcell 24 Inkcell 4 Ink";
+
+Span<const uint8_t> rom() {
+  return golden::font_bytes(golden::FontId::dejavu_sans_outline);
+}
+
+Font open() {
+  Font font;
+  CHECK_OK(Font::open(rom(), font));
+  return font;
+}
+
+// How many bytes differ, and that the pictures are not empty.
+template <size_t kSize>
+size_t differences(const uint8_t (&a)[kSize], const uint8_t (&b)[kSize]) {
+  size_t count = 0;
+  size_t drawn = 0;
+  for (size_t i = 0; i < kSize; ++i) {
+    count += a[i] != b[i] ? 1 : 0;
+    drawn += a[i] != 0 ? 1 : 0;
+  }
+  CHECK(drawn > 20);
+  return count;
+}
+
+}  // namespace
+
+TEST(label_is_that_of_cpp) {
+  static uint8_t by_c[LABEL_WIDTH * LABEL_HEIGHT / 8];
+  static uint8_t by_cpp[sizeof by_c];
+  CHECK_EQ(draw_label(rom().data, rom().size, kText, by_c), INKCELL_OK);
+
+  const Font font = open();
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(12), kFilterText, style));
+  port::MonoPagesTarget target;
+  target.strip = {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH};
+  Sink sink;
+  CHECK_OK(port::make_sink(target, sink));
+  const int32_t width =
+      to_px(font, style, measure(font, kText, style).advance).raw;
+  draw_text(
+      font, kText, style,
+      {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), Q26_6::from_int(12)},
+      sink);
+  CHECK_EQ(differences(by_c, by_cpp), 0);
+}
+
+TEST(clock_is_that_of_cpp) {
+  static uint8_t by_c[CLOCK_WIDTH * CLOCK_HEIGHT * 2];
+  static uint8_t by_cpp[sizeof by_c];
+  const auto send = [](void* display, const inkcell_strip_t* strip) {
+    __builtin_memcpy(static_cast<uint8_t*>(display) + strip->y0 * strip->stride,
+                     strip->pixels,
+                     static_cast<size_t>(strip->height * strip->stride));
+  };
+  inkcell_glyph_cache_stats_t stats;
+  CHECK_EQ(draw_clock(rom().data, rom().size, "42 24", send, by_c, &stats),
+           INKCELL_OK);
+  CHECK(stats.hits > stats.misses);
+  CHECK_EQ(stats.capacity, 2048);
+
+  // All at once, but at the places within a pixel that a cache has.
+  const Font font = open();
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(30), kFilterArea, style));
+  port::Rgb565Target target;
+  target.strip = {by_cpp, 0, 0, CLOCK_WIDTH, CLOCK_HEIGHT, CLOCK_WIDTH * 2};
+  target.colour = port::rgb565(255, 200, 0);
+  Sink sink;
+  CHECK_OK(port::make_sink(target, sink));
+  alignas(8) static uint8_t ram[2048];
+  GlyphCache cache;
+  CHECK_OK(GlyphCache::make(ram, {}, cache));
+  cache.draw_text(font, "42 24", style,
+                  {Q26_6::from_int(4), Q26_6::from_int(32)}, sink);
+  CHECK_EQ(differences(by_c, by_cpp), 0);
+  CHECK_EQ(stats.misses, cache.stats().misses);
+  CHECK_EQ(stats.glyphs, cache.stats().glyphs);
+}
+
+TEST(paragraph_is_that_of_cpp) {
+  static uint8_t by_c[PARAGRAPH_WIDTH * PARAGRAPH_HEIGHT];
+  static uint8_t by_cpp[sizeof by_c];
+  CHECK_EQ(draw_paragraph(rom().data, rom().size, kLongText, by_c), INKCELL_OK);
+
+  const Font font = open();
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(14), kFilterText, style));
+  port::Grey8Target target;
+  target.strip = {by_cpp,         0, 0, PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT,
+                  PARAGRAPH_WIDTH};
+  Sink sink;
+  CHECK_OK(port::make_sink(target, sink));
+  TextBox box(font, style, {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4},
+              Align::center);
+  box.options.ellipsis = Ellipsis::end;
+  box.vertical = VerticalAlign::middle;
+  box.draw(kLongText, sink);
+  CHECK_EQ(differences(by_c, by_cpp), 0);
+}
+
+TEST(own_sink_gets_what_cpp_gives) {
+  static uint8_t by_c[PLOT_WIDTH * PLOT_HEIGHT];
+  static uint8_t by_cpp[sizeof by_c];
+  CHECK_EQ(draw_plot(rom().data, rom().size, kText, by_c), INKCELL_OK);
+
+  const Font font = open();
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kFilterText,
+                           {Fixed<int32_t, 30>::from_raw(1053110176),
+                            Fixed<int32_t, 30>::from_raw(209476638)},
+                           style));
+  Sink sink;
+  sink.window = {0, 0, PLOT_WIDTH, PLOT_HEIGHT};
+  sink.context = by_cpp;
+  sink.coverage = [](void* context, int32_t x, int32_t y,
+                     const uint8_t* coverage, int32_t count) {
+    uint8_t* pixel = static_cast<uint8_t*>(context) + y * PLOT_WIDTH + x;
+    for (int32_t i = 0; i < count; ++i) {
+      pixel[i] = coverage[i] > pixel[i] ? coverage[i] : pixel[i];
+    }
+  };
+  sink.solid = [](void* context, int32_t x, int32_t y, int32_t count) {
+    __builtin_memset(static_cast<uint8_t*>(context) + y * PLOT_WIDTH + x, 255,
+                     static_cast<size_t>(count));
+  };
+  draw_text(font, kText, style,
+            {Q26_6::from_int(2), Q26_6::from_raw(20 * 64 + 32)}, sink);
+  CHECK_EQ(differences(by_c, by_cpp), 0);
+}
+
+TEST(broken_fonts_are_refused) {
+  alignas(4) static const uint8_t kBad[64] = {1, 2, 3};
+  static uint8_t pages[LABEL_WIDTH * LABEL_HEIGHT / 8];
+  CHECK_EQ(draw_label(kBad, sizeof kBad, kText, pages), INKCELL_BAD_MAGIC);
+  CHECK_EQ(draw_label(rom().data, rom().size - 4, kText, pages),
+           INKCELL_CORRUPT);
+  CHECK_EQ(draw_label(rom().data + 1, rom().size - 1, kText, pages),
+           INKCELL_MISALIGNED);
+  CHECK_EQ(pages[0], 0);
+}
