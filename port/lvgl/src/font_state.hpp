@@ -1,0 +1,62 @@
+// What an inkcell_lv_font_t holds beside LVGL's font.
+#pragma once
+
+#include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
+#include "inkcell/glyph_cache.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+#include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
+#include "inkcell/workspace.hpp"
+
+namespace inkcell {
+namespace port {
+
+struct FontState;
+
+/// Room for the target of one sink.
+union LcdTarget {
+  Rgb565Target rgb565;
+  Rgb888Target rgb888;
+  Xrgb8888Target xrgb8888;
+
+  constexpr LcdTarget() noexcept : rgb565() {}
+};
+
+/// What functions that a program may leave out are called by.
+using DrawGlyph = void (*)(const FontState& state,
+                           uint16_t glyph,
+                           Point origin,
+                           const Sink& sink);
+using MakeLcdSink = bool (*)(const lv_layer_t& layer,
+                             lv_color_t colour,
+                             LcdTarget& target,
+                             Sink& sink);
+
+struct FontState {
+  Font font;
+  TextStyle style;
+  Workspace workspace;
+  GlyphCache* cache = nullptr;
+  DrawGlyph draw = nullptr;
+  MakeLcdSink make_lcd_sink = nullptr;  // null: grey
+  LcdOptions lcd;
+  bool is_direct = false;
+};
+
+static_assert(sizeof(FontState) <= sizeof(inkcell_lv_font_t::state),
+              "enlarge inkcell_lv_font_t");
+
+inline FontState& state_of(inkcell_lv_font_t& font) noexcept {
+  return *reinterpret_cast<FontState*>(font.state);
+}
+
+/// The state of LVGL's font; null if that is not one of ours.
+const FontState* state_of(const lv_font_t* font) noexcept;
+
+}  // namespace port
+}  // namespace inkcell

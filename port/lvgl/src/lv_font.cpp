@@ -1,0 +1,148 @@
+// LVGL's font: its metrics, its glyphs, and these as A8 bitmaps.
+#include "inkcell/fixed.hpp"
+#include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/port/a8.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/text.hpp"
+
+#include "font_state.hpp"
+
+namespace inkcell {
+namespace port {
+namespace {
+
+void draw_plain(const FontState& state,
+                uint16_t glyph,
+                Point origin,
+                const Sink& sink) {
+  draw_glyph(state.font, glyph, state.style, origin, sink, state.workspace);
+}
+
+// [px] Between whole pixels and after kerning, to the nearest.
+int32_t advance_px(const FontState& state,
+                   uint16_t glyph,
+                   uint32_t next_letter) noexcept {
+  uint16_t next = 0;
+  const int32_t kerning =
+      next_letter != 0 && state.font.glyph_of(next_letter, next) == Status::ok
+          ? state.font.kerning(glyph, next)
+          : 0;
+  const TextStyle& style = state.style;
+  if (style.has_whole_advances()) {
+    return style.fitter()->advance_px(state.font, glyph,
+                                      style.fitter_options()) +
+           to_px(state.font, style, kerning).raw / 64;
+  }
+  const int32_t units = state.font.advance(glyph) + kerning;
+  return (to_px(state.font, style, units).raw + 32) >> 6;
+}
+
+uint16_t to_uint16(int32_t px) noexcept {
+  return static_cast<uint16_t>(px < 0 ? 0 : (px > 65535 ? 65535 : px));
+}
+
+bool get_glyph_dsc(const lv_font_t* lv_font,
+                   lv_font_glyph_dsc_t* out,
+                   uint32_t letter,
+                   uint32_t next_letter) noexcept {
+  const FontState& state = *state_of(lv_font);
+  uint16_t glyph = 0;
+  if (state.font.glyph_of(letter, glyph) != Status::ok) {
+    return false;
+  }
+  out->adv_w = to_uint16(advance_px(state, glyph, next_letter));
+  Rect box = glyph_box(state.font, glyph, state.style, {});
+  if (is_empty(box)) {
+    box = {};
+  }
+  out->box_w = to_uint16(box.x1 - box.x0);
+  out->box_h = to_uint16(box.y1 - box.y0);
+  out->ofs_x = static_cast<int16_t>(box.x0);
+  out->ofs_y = static_cast<int16_t>(-box.y1);
+  out->stride = 0;
+  out->format =
+      state.is_direct ? LV_FONT_GLYPH_FORMAT_CUSTOM : LV_FONT_GLYPH_FORMAT_A8;
+  out->is_placeholder = false;
+  out->gid.index = glyph;
+  return true;
+}
+
+// The A8 bitmap of a glyph in LVGL's buffer; null if that is too small.
+const void* get_glyph_bitmap(lv_font_glyph_dsc_t* glyph,
+                             lv_draw_buf_t* buffer) noexcept {
+  const FontState& state = *state_of(glyph->resolved_font);
+  if (buffer == nullptr) {
+    return nullptr;
+  }
+  A8Target target;
+  Strip& strip = target.strip;
+  strip.pixels = {buffer->data, buffer->data_size};
+  strip.x0 = glyph->ofs_x;
+  strip.y0 = -glyph->ofs_y - glyph->box_h;
+  strip.width = glyph->box_w;
+  strip.height = glyph->box_h;
+  strip.stride = static_cast<int32_t>(buffer->header.stride);
+  Sink sink;
+  if (make_sink(target, sink) != Status::ok) {
+    return nullptr;
+  }
+  lv_memzero(buffer->data, static_cast<size_t>(strip.stride) * glyph->box_h);
+  state.draw(state, static_cast<uint16_t>(glyph->gid.index), {}, sink);
+  lv_draw_buf_flush_cache(buffer, nullptr);
+  return buffer;
+}
+
+// Font units to px, rounded up.
+int32_t ceil_px(const FontState& state, int32_t units) noexcept {
+  return (to_px(state.font, state.style, units).raw + 63) >> 6;
+}
+
+int8_t underline_px(int32_t px_q6) noexcept {
+  const int32_t px = (px_q6 + 32) >> 6;
+  return static_cast<int8_t>(px < 1 ? 1 : (px > 127 ? 127 : px));
+}
+
+void set_metrics(const FontState& state, lv_font_t& out) noexcept {
+  const FontMetrics metrics = state.font.metrics();
+  const int32_t above = ceil_px(state, metrics.ascender);
+  const int32_t gap = ceil_px(state, metrics.line_gap);
+  out.base_line = ceil_px(state, -metrics.descender);
+  out.line_height = above + out.base_line + gap;
+  const int32_t em_q6 = state.style.size().raw;
+  out.underline_thickness = underline_px(em_q6 / 20);
+  out.underline_position = static_cast<int8_t>(-underline_px(em_q6 / 10));
+}
+
+}  // namespace
+
+const FontState* state_of(const lv_font_t* font) noexcept {
+  return font != nullptr && font->get_glyph_dsc == get_glyph_dsc
+             ? static_cast<const FontState*>(font->dsc)
+             : nullptr;
+}
+
+}  // namespace port
+}  // namespace inkcell
+
+lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
+                                 const void* rom,
+                                 size_t rom_bytes,
+                                 int32_t size_q6) {
+  using namespace inkcell;
+  port::FontState state;
+  if (Font::open({static_cast<const uint8_t*>(rom), rom_bytes}, state.font) !=
+          Status::ok ||
+      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, state.style) !=
+          Status::ok) {
+    return LV_RESULT_INVALID;
+  }
+  state.draw = port::draw_plain;
+  lv_font_t lv = {};
+  lv.get_glyph_dsc = port::get_glyph_dsc;
+  lv.get_glyph_bitmap = port::get_glyph_bitmap;
+  lv.dsc = font->state;
+  port::set_metrics(state, lv);
+  font->lv = lv;
+  port::state_of(*font) = state;
+  return LV_RESULT_OK;
+}

@@ -1,0 +1,148 @@
+// What a font may be given. Each function links what it needs, and a program
+// has those that it calls.
+#include "inkcell/filter.hpp"
+#include "inkcell/fit.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/port/lcd.hpp"
+#include "inkcell/status.hpp"
+#include "inkcell/text.hpp"
+
+#include "font_state.hpp"
+
+namespace inkcell {
+namespace port {
+namespace {
+
+static_assert(sizeof(Fit) <= sizeof(inkcell_lv_fit_t), "enlarge it");
+static_assert(sizeof(Filter) <= sizeof(inkcell_lv_weight_t), "enlarge it");
+static_assert(sizeof(GlyphCache) <= sizeof(inkcell_lv_cache_t), "enlarge it");
+
+lv_result_t set_fit(inkcell_lv_font_t& font,
+                    inkcell_lv_fit_t& room,
+                    const Fitter& fitter,
+                    bool is_across) noexcept {
+  FontState& state = state_of(font);
+  FitOptions options;
+  options.across = is_across;
+  auto& fit = *reinterpret_cast<Fit*>(room.state);
+  if (Fit::make(state.font, state.style, options, fit) != Status::ok) {
+    return LV_RESULT_INVALID;
+  }
+  state.style.set_fitter(&fitter, &fit);
+  return LV_RESULT_OK;
+}
+
+void draw_cached(const FontState& state,
+                 uint16_t glyph,
+                 Point origin,
+                 const Sink& sink) {
+  PositionedGlyph run;
+  run.glyph = glyph;
+  state.cache->draw(state.font, {&run, 1}, state.style, origin, sink,
+                    state.workspace);
+}
+
+bool make_lcd(const lv_layer_t& layer,
+              lv_color_t colour,
+              LcdTarget& target,
+              Sink& sink) {
+  Strip strip;
+  strip.pixels = {layer.draw_buf->data, layer.draw_buf->data_size};
+  strip.x0 = layer.buf_area.x1;
+  strip.y0 = layer.buf_area.y1;
+  strip.width = lv_area_get_width(&layer.buf_area);
+  strip.height = lv_area_get_height(&layer.buf_area);
+  strip.stride = static_cast<int32_t>(layer.draw_buf->header.stride);
+  const uint32_t rgb =
+      uint32_t{colour.red} << 16 | uint32_t{colour.green} << 8 | colour.blue;
+  switch (layer.color_format) {
+    case LV_COLOR_FORMAT_RGB565:
+      target.rgb565 = {strip, rgb565(colour.red, colour.green, colour.blue),
+                       ByteOrder::low_first};
+      return make_lcd_sink(target.rgb565, sink) == Status::ok;
+    case LV_COLOR_FORMAT_RGB888:
+      target.rgb888 = {strip, rgb, ChannelOrder::blue_first};
+      return make_lcd_sink(target.rgb888, sink) == Status::ok;
+    case LV_COLOR_FORMAT_XRGB8888:
+      target.xrgb8888 = {strip, 0xff000000u | rgb};
+      return make_lcd_sink(target.xrgb8888, sink) == Status::ok;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+}  // namespace port
+}  // namespace inkcell
+
+using namespace inkcell;
+
+void inkcell_lv_font_set_subpixels(inkcell_lv_font_t* font,
+                                   inkcell_lv_subpixels_t order) {
+  port::FontState& state = port::state_of(*font);
+  static_assert(static_cast<int>(SubPixels::bgr_vertical) ==
+                    INKCELL_LV_SUBPIXELS_BGR_VERTICAL,
+                "the same order");
+  state.lcd.order = static_cast<SubPixels>(order);
+  state.style.set_effect(lcd_effect(state.lcd));
+  state.make_lcd_sink = port::make_lcd;
+}
+
+lv_result_t inkcell_lv_font_fit_heights(inkcell_lv_font_t* font,
+                                        inkcell_lv_fit_t* fit) {
+  return port::set_fit(*font, *fit, kFitHeights, false);
+}
+
+lv_result_t inkcell_lv_font_fit_grid(inkcell_lv_font_t* font,
+                                     inkcell_lv_fit_t* fit) {
+  return port::set_fit(*font, *fit, kGridFit, true);
+}
+
+void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
+                                inkcell_lv_weight_t* weight,
+                                int32_t weight_q6) {
+  constexpr int32_t kLimit = 4 << 6;  // with_weight() clamps to less
+  const int32_t limited =
+      weight_q6 < -kLimit ? -kLimit : (weight_q6 > kLimit ? kLimit : weight_q6);
+  auto& filter = *reinterpret_cast<Filter*>(weight->state);
+  filter = with_weight(kFilterText,
+                       Q6_10::from_raw(static_cast<int16_t>(limited * 16)));
+  TextStyle& style = port::state_of(*font).style;
+  TextStyle weighted;
+  if (TextStyle::make(style.size(), filter, weighted) != Status::ok) {
+    return;  // never: the style has had this size
+  }
+  if (style.is_fitted()) {
+    weighted.set_fitter(style.fitter(), style.fitter_options());
+  }
+  weighted.set_effect(style.effect());
+  style = weighted;
+}
+
+void inkcell_lv_font_set_workspace(inkcell_lv_font_t* font,
+                                   void* ram,
+                                   size_t bytes) {
+  port::state_of(*font).workspace = {static_cast<uint8_t*>(ram), bytes};
+}
+
+lv_result_t inkcell_lv_cache_init(inkcell_lv_cache_t* cache,
+                                  void* ram,
+                                  size_t bytes,
+                                  uint32_t fonts) {
+  GlyphCacheOptions options;
+  options.phases = 1;  // LVGL places glyphs at whole pixels
+  options.styles = static_cast<uint8_t>(fonts > 255 ? 255 : fonts);
+  auto& out = *reinterpret_cast<GlyphCache*>(cache->state);
+  return GlyphCache::make({static_cast<uint8_t*>(ram), bytes}, options, out) ==
+                 Status::ok
+             ? LV_RESULT_OK
+             : LV_RESULT_INVALID;
+}
+
+void inkcell_lv_font_set_cache(inkcell_lv_font_t* font,
+                               inkcell_lv_cache_t* cache) {
+  port::FontState& state = port::state_of(*font);
+  state.cache = reinterpret_cast<GlyphCache*>(cache->state);
+  state.draw = port::draw_cached;
+}
