@@ -1,0 +1,316 @@
+// The adapter in the real LVGL: metrics, pictures, fallbacks, RAM.
+#include <stdint.h>
+#include <string.h>
+
+#include <vector>
+
+#include "check.hpp"
+#include "fonts/lv_sans.hpp"
+#include "inkcell/fit.hpp"
+#include "inkcell/font.hpp"
+#include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
+#include "lvgl.h"
+#include "porting.h"
+#include "screen.hpp"
+
+namespace {
+
+using inkcell::Q26_6;
+
+constexpr int32_t kWidth = 240;
+constexpr int32_t kHeight = 96;
+
+const lv_color_format_t kFormats[] = {
+    LV_COLOR_FORMAT_RGB565, LV_COLOR_FORMAT_RGB888, LV_COLOR_FORMAT_XRGB8888,
+    LV_COLOR_FORMAT_ARGB8888, LV_COLOR_FORMAT_L8};
+
+bool make_font(inkcell_lv_font_t& font, int32_t size_q6) {
+  return inkcell_lv_font_init(&font, fonts::lv_sans, sizeof fonts::lv_sans,
+                              size_q6) == LV_RESULT_OK;
+}
+
+using Picture = std::vector<uint8_t>;
+
+// One label on a screen of its own.
+Picture draw(inkcell_lv_font_t& font,
+             bool is_direct,
+             lv_color_format_t format,
+             int32_t rows,
+             Look look) {
+  Screen screen(kWidth, kHeight, format, rows);
+  if (is_direct) {
+    inkcell_lv_font_set_direct(&font);
+  }
+  look.font = &font.lv;
+  screen.add(look);
+  return screen.draw();
+}
+
+size_t count_other(const Picture& a, const Picture& b) {
+  size_t count = a.size() == b.size() ? 0 : 1;
+  for (size_t i = 0; i < a.size() && i < b.size(); ++i) {
+    count += a[i] != b[i];
+  }
+  return count;
+}
+
+Look text(const char* text) {
+  Look look;
+  look.text = text;
+  look.x = 7;
+  look.y = 9;
+  return look;
+}
+
+const char* const kText = "AVATAR 0.9 gj\nTo, fi \xc3\xa4";
+
+}  // namespace
+
+TEST(font_is_of_its_size) {
+  inkcell_lv_font_t font;
+  CHECK(make_font(font, 20 * 64));
+  CHECK_EQ(font.lv.base_line, 5);     // 483 of 2048 units below: 4.7 px
+  CHECK_EQ(font.lv.line_height, 24);  // 1901 above: 18.6 px
+  CHECK_EQ(font.lv.underline_thickness, 1);
+  CHECK_EQ(font.lv.underline_position, -2);
+  CHECK(make_font(font, 100 * 64));
+  CHECK_EQ(font.lv.underline_thickness, 5);
+  CHECK_EQ(font.lv.underline_position, -10);
+}
+
+TEST(wrong_fonts_are_refused) {
+  inkcell_lv_font_t font;
+  memset(&font, 0x55, sizeof font);
+  const inkcell_lv_font_t before = font;
+  static const uint32_t kNothing[64] = {};
+  CHECK_EQ(inkcell_lv_font_init(&font, kNothing, sizeof kNothing, 16 * 64),
+           LV_RESULT_INVALID);
+  CHECK(!make_font(font, 3 * 64));
+  CHECK(!make_font(font, 1025 * 64));
+  CHECK_EQ(memcmp(&font, &before, sizeof font), 0);
+}
+
+TEST(advances_are_kerned_and_rounded) {
+  inkcell::Font plain;
+  CHECK_OK(inkcell::Font::open({fonts::lv_sans, sizeof fonts::lv_sans}, plain));
+  for (const int32_t size_q6 : {14 * 64, 14 * 64 + 32, 61 * 64}) {
+    inkcell_lv_font_t font;
+    CHECK(make_font(font, size_q6));
+    inkcell::TextStyle style;
+    CHECK_OK(inkcell::TextStyle::make(Q26_6::from_raw(size_q6),
+                                      inkcell::kFilterText, style));
+    const uint16_t a = plain.glyph_or_notdef('A');
+    const uint16_t v = plain.glyph_or_notdef('V');
+    const int32_t units = plain.advance(a) + plain.kerning(a, v);
+    CHECK(plain.kerning(a, v) < 0);
+    CHECK_EQ(lv_font_get_glyph_width(&font.lv, 'A', 'V'),
+             (to_px(plain, style, units).raw + 32) / 64);
+    lv_font_set_kerning(&font.lv, LV_FONT_KERNING_NONE);
+    CHECK_EQ(lv_font_get_glyph_width(&font.lv, 'A', 'V'),
+             (to_px(plain, style, plain.advance(a)).raw + 32) / 64);
+  }
+}
+
+TEST(fitted_advances_are_the_fits) {
+  inkcell_lv_font_t font;
+  inkcell_lv_fit_t fit;
+  CHECK(make_font(font, 10 * 64));
+  CHECK_EQ(inkcell_lv_font_fit_grid(&font, &fit), LV_RESULT_OK);
+  inkcell::Font plain;
+  CHECK_OK(inkcell::Font::open({fonts::lv_sans, sizeof fonts::lv_sans}, plain));
+  inkcell::TextStyle style;
+  CHECK_OK(inkcell::TextStyle::make(Q26_6::from_int(10), inkcell::kFilterText,
+                                    style));
+  inkcell::FitOptions options;
+  options.across = true;
+  inkcell::Fit expected;
+  CHECK_OK(inkcell::Fit::make(plain, style, options, expected));
+  for (const char letter : {'m', 'i', 'W', ' '}) {
+    CHECK_EQ(lv_font_get_glyph_width(&font.lv, static_cast<uint8_t>(letter), 0),
+             expected.advance_px(
+                 plain, plain.glyph_or_notdef(static_cast<uint8_t>(letter))));
+  }
+}
+
+// LVGL blends a glyph's whole A8 bitmap, the draw unit what lies in the strip.
+TEST(direct_pictures_are_those_of_bitmaps) {
+  for (const lv_color_format_t format : kFormats) {
+    for (const int32_t size_q6 : {13 * 64 + 32, 28 * 64, 90 * 64}) {
+      Look look = text(kText);
+      for (const lv_opa_t opacity : {LV_OPA_COVER, LV_OPA_40}) {
+        look.opacity = opacity;
+        inkcell_lv_font_t font;
+        CHECK(make_font(font, size_q6));
+        const Picture bitmaps = draw(font, false, format, kHeight, look);
+        CHECK(count_other(bitmaps,
+                          draw(font, false, format, kHeight, text(""))) > 500);
+        CHECK_EQ(count_other(bitmaps, draw(font, true, format, kHeight, look)),
+                 0);
+        CHECK_EQ(count_other(bitmaps, draw(font, true, format, 7, look)), 0);
+      }
+    }
+  }
+}
+
+TEST(options_draw_alike_in_both_ways) {
+  const Look look = text(kText);
+  const auto plain = [&look] {
+    inkcell_lv_font_t font;
+    CHECK(make_font(font, 20 * 64));
+    return draw(font, false, LV_COLOR_FORMAT_L8, kHeight, look);
+  }();
+  const auto compare = [&look, &plain](inkcell_lv_font_t& font) {
+    const Picture bitmaps =
+        draw(font, false, LV_COLOR_FORMAT_L8, kHeight, look);
+    CHECK(count_other(plain, bitmaps) > 100);
+    CHECK_EQ(
+        count_other(bitmaps, draw(font, true, LV_COLOR_FORMAT_L8, 11, look)),
+        0);
+    return bitmaps;
+  };
+  const auto ink = [](const Picture& picture) {
+    int64_t sum = 0;
+    for (const uint8_t level : picture) {
+      sum += 255 - level;
+    }
+    return sum;
+  };
+  inkcell_lv_font_t font;
+  inkcell_lv_fit_t fit;
+  CHECK(make_font(font, 20 * 64));
+  CHECK_EQ(inkcell_lv_font_fit_heights(&font, &fit), LV_RESULT_OK);
+  compare(font);
+  CHECK(make_font(font, 20 * 64));
+  CHECK_EQ(inkcell_lv_font_fit_grid(&font, &fit), LV_RESULT_OK);
+  compare(font);
+  inkcell_lv_weight_t weight;
+  CHECK(make_font(font, 20 * 64));
+  inkcell_lv_font_set_weight(&font, &weight, 24);
+  CHECK(ink(compare(font)) > ink(plain));
+  CHECK(make_font(font, 20 * 64));
+  inkcell_lv_font_set_weight(&font, &weight, -16);
+  CHECK(ink(compare(font)) < ink(plain));
+}
+
+TEST(weight_keeps_what_was_set) {
+  inkcell_lv_fit_t fit;
+  inkcell_lv_weight_t weight;
+  inkcell_lv_font_t first;
+  inkcell_lv_font_t last;
+  CHECK(make_font(first, 12 * 64));
+  CHECK(make_font(last, 12 * 64));
+  inkcell_lv_font_set_weight(&first, &weight, 20);
+  CHECK_EQ(inkcell_lv_font_fit_grid(&first, &fit), LV_RESULT_OK);
+  CHECK_EQ(inkcell_lv_font_fit_grid(&last, &fit), LV_RESULT_OK);
+  inkcell_lv_font_set_weight(&last, &weight, 20);
+  const Look look = text(kText);
+  CHECK_EQ(count_other(draw(first, false, LV_COLOR_FORMAT_L8, 20, look),
+                       draw(last, false, LV_COLOR_FORMAT_L8, 20, look)),
+           0);
+}
+
+TEST(lent_ram_changes_no_picture) {
+  alignas(8) static uint8_t ram[8192];
+  alignas(8) static uint8_t rows[2560];
+  const Look look = text(kText);
+  for (const bool is_direct : {false, true}) {
+    inkcell_lv_font_t font;
+    CHECK(make_font(font, 30 * 64));
+    const Picture expected =
+        draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, look);
+    inkcell_lv_font_set_workspace(&font, rows, sizeof rows);
+    CHECK_EQ(count_other(expected,
+                         draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, look)),
+             0);
+    inkcell_lv_cache_t cache;
+    CHECK_EQ(inkcell_lv_cache_init(&cache, ram, sizeof ram, 1), LV_RESULT_OK);
+    inkcell_lv_font_set_cache(&font, &cache);
+    const Picture cached = draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, look);
+    int32_t worst = 0;
+    for (size_t i = 0; i < cached.size(); ++i) {
+      const int32_t off = int32_t{cached[i]} - expected[i];
+      worst = off > worst ? off : (-off > worst ? -off : worst);
+    }
+    CHECK(worst <= 8);
+  }
+  inkcell_lv_cache_t cache;
+  CHECK_EQ(inkcell_lv_cache_init(&cache, ram, sizeof ram, 17),
+           LV_RESULT_INVALID);
+  CHECK_EQ(inkcell_lv_cache_init(&cache, ram, 511, 1), LV_RESULT_INVALID);
+}
+
+TEST(fallbacks_are_drawn) {
+  inkcell_lv_font_t font;
+  const Look missing = text("1 " LV_SYMBOL_OK " 2");
+  for (const bool is_direct : {false, true}) {
+    CHECK(make_font(font, 14 * 64));
+    const Picture placeholder =
+        draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, missing);
+    font.lv.fallback = &lv_font_montserrat_14;
+    const Picture found =
+        draw(font, is_direct, LV_COLOR_FORMAT_L8, 16, missing);
+    CHECK(count_other(placeholder, found) > 20);
+    font.lv.fallback = nullptr;
+    CHECK(make_font(font, 14 * 64));
+    font.lv.fallback = &lv_font_montserrat_14;
+    CHECK_EQ(count_other(found, draw(font, !is_direct, LV_COLOR_FORMAT_L8, 16,
+                                     missing)),
+             0);
+  }
+}
+
+TEST(sub_pixels_are_drawn_on_opaque_colour) {
+  Look look = text("mill");
+  look.colour = 0x000000;
+  look.background = 0xffffff;
+  for (const lv_color_format_t format :
+       {LV_COLOR_FORMAT_RGB888, LV_COLOR_FORMAT_XRGB8888}) {
+    const size_t step = lv_color_format_get_size(format);
+    const auto count_coloured = [step](const Picture& picture) {
+      size_t count = 0;
+      for (size_t i = 0; i < picture.size(); i += step) {
+        count += picture[i] != picture[i + 2];
+      }
+      return count;
+    };
+    inkcell_lv_font_t font;
+    CHECK(make_font(font, 16 * 64));
+    inkcell_lv_font_set_subpixels(&font, INKCELL_LV_SUBPIXELS_RGB);
+    const Picture rgb = draw(font, true, format, 10, look);
+    CHECK(count_coloured(rgb) > 50);
+    inkcell_lv_font_set_subpixels(&font, INKCELL_LV_SUBPIXELS_BGR);
+    const Picture bgr = draw(font, true, format, kHeight, look);
+    size_t mirrored = 0;
+    for (size_t i = 0; i < rgb.size(); i += step) {
+      mirrored += rgb[i] != bgr[i + 2] || rgb[i + 2] != bgr[i];
+    }
+    CHECK_EQ(mirrored, 0);
+    look.opacity = LV_OPA_50;
+    CHECK_EQ(count_coloured(draw(font, true, format, 10, look)), 0);
+    look.opacity = LV_OPA_COVER;
+  }
+}
+
+// A rotated label is a layer of its own, with alpha.
+TEST(layers_are_drawn_into) {
+  Look look = text("Rot");
+  look.rotation = 200;
+  look.y = 2;
+  inkcell_lv_font_t font;
+  CHECK(make_font(font, 40 * 64));
+  const Picture bitmaps = draw(font, false, LV_COLOR_FORMAT_RGB565, 20, look);
+  CHECK(count_other(bitmaps, draw(font, false, LV_COLOR_FORMAT_RGB565, 20,
+                                  text(""))) > 500);
+  CHECK_EQ(
+      count_other(bitmaps, draw(font, true, LV_COLOR_FORMAT_RGB565, 20, look)),
+      0);
+}
+
+TEST(example_of_porting_draws) {
+  Screen screen(kWidth, kHeight, LV_COLOR_FORMAT_L8, 12);
+  const Picture blank = screen.draw();
+  CHECK(porting_example(fonts::lv_sans, sizeof fonts::lv_sans));
+  CHECK(count_other(blank, screen.draw()) > 1500);
+}
