@@ -22,7 +22,8 @@ def main():
     sources = [
         squeeze(path.read_text()) for folder in SOURCES
         for path in sorted((ROOT / folder).rglob("*"))
-        if path.suffix in (".hpp", ".cpp", ".c") or path.name == "CMakeLists.txt"
+        if (path.suffix in (".hpp", ".cpp", ".c")
+            or path.name == "CMakeLists.txt")
     ]
     problems = []
 
