@@ -65,27 +65,51 @@ struct Brush {
   }
 };
 
+// The part of a glyph that a task draws, and where its origin is.
+struct Part {
+  const FontState& state;
+  const lv_draw_glyph_dsc_t& glyph;
+  Rect window;
+
+  void draw(Sink& sink) const noexcept {
+    sink.window = window;
+    const lv_area_t& box = *glyph.letter_coords;
+    const Point origin = {Q26_6::from_int(box.x1 - glyph.g->ofs_x),
+                          Q26_6::from_int(box.y2 + 1 + glyph.g->ofs_y)};
+    state.draw(state, static_cast<uint16_t>(glyph.g->gid.index), origin, sink);
+  }
+};
+
+// Not inline: most fonts do not need its part of the stack.
+__attribute__((noinline)) bool draw_lcd(const lv_layer_t& layer,
+                                        const Part& part) {
+  LcdTarget target;
+  Sink sink;
+  if (!part.state.make_lcd_sink(layer, part.glyph.color, target, sink)) {
+    return false;
+  }
+  part.draw(sink);
+  return true;
+}
+
 void draw_ours(lv_draw_task_t* task, const lv_draw_glyph_dsc_t& glyph) {
   const FontState* state = state_of(glyph.g->resolved_font);
-  const lv_area_t& box = *glyph.letter_coords;
-  lv_area_t clip;
-  if (state == nullptr ||
-      !lv_area_intersect(&clip, &task->clip_area,
-                         &task->target_layer->buf_area) ||
-      !lv_area_intersect(&clip, &clip, &box)) {
+  const lv_layer_t& layer = *task->target_layer;
+  if (state == nullptr) {
+    return;
+  }
+  const Rect window =
+      intersect(rect_of(*glyph.letter_coords),
+                intersect(rect_of(task->clip_area), rect_of(layer.buf_area)));
+  const Part part = {*state, glyph, window};
+  if (is_empty(window) ||
+      (glyph.opa >= LV_OPA_MAX && state->make_lcd_sink != nullptr &&
+       draw_lcd(layer, part))) {
     return;
   }
   Brush brush = {task, glyph.color, glyph.opa};
-  LcdTarget target;
-  Sink sink;
-  if (glyph.opa < LV_OPA_MAX || state->make_lcd_sink == nullptr ||
-      !state->make_lcd_sink(*task->target_layer, glyph.color, target, sink)) {
-    sink = {{}, &brush, Brush::coverage, Brush::solid, Brush::block};
-  }
-  sink.window = rect_of(clip);
-  const Point origin = {Q26_6::from_int(box.x1 - glyph.g->ofs_x),
-                        Q26_6::from_int(box.y2 + 1 + glyph.g->ofs_y)};
-  state->draw(*state, static_cast<uint16_t>(glyph.g->gid.index), origin, sink);
+  Sink sink = {{}, &brush, Brush::coverage, Brush::solid, Brush::block};
+  part.draw(sink);
 }
 
 // A glyph of a fallback that is a bitmap, in LVGL's buffer for it.
