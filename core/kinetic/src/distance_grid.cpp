@@ -115,13 +115,13 @@ Status DistanceGrid::paint(const Font& font,
 }
 
 GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept {
-  // In samples from the centre of the first. [Q16]
-  const int32_t column_q16 = (x.raw >> grid.scale_log2()) - (1 << 15);
-  const int32_t row_q16 = (y.raw >> grid.scale_log2()) - (1 << 15);
-  const int32_t column = column_q16 >> 16;
-  const int32_t row = row_q16 >> 16;
-  const int32_t right = (column_q16 >> 8) & 255;
-  const int32_t down = (row_q16 >> 8) & 255;
+  // In samples from the centre of the first. [Q15] Any place fits.
+  const int32_t column_q15 = (x.raw >> (grid.scale_log2() + 1)) - (1 << 14);
+  const int32_t row_q15 = (y.raw >> (grid.scale_log2() + 1)) - (1 << 14);
+  const int32_t column = column_q15 >> 15;
+  const int32_t row = row_q15 >> 15;
+  const int32_t right = (column_q15 >> 7) & 255;
+  const int32_t down = (row_q15 >> 7) & 255;
   int32_t corners[4];
   if (column >= 0 && row >= 0 && column + 1 < grid.width() &&
       row + 1 < grid.height()) {
