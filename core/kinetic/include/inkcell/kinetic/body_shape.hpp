@@ -1,0 +1,75 @@
+// What a rigid glyph is: its distances, points on its edge, mass and inertia.
+//
+//   int8_t samples[40 * 48];
+//   BodyPoint points[64];
+//   DistanceGrid grid(samples, 40, 48, 0);
+//   INKCELL_TRY(grid.paint(font, glyph, size, origin));
+//   BodyShape shape;
+//   INKCELL_TRY(shape.make(grid, points));
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/fixed.hpp"
+#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
+
+namespace inkcell {
+namespace kinetic {
+
+/// A point on the edge of a shape, from its centre of mass. [1/32 px, y down]
+struct BodyPoint {
+  int16_t x_q5 = 0;
+  int16_t y_q5 = 0;
+};
+
+/// Made once, from what any renderer painted; any number of bodies share it.
+/// Refers to the samples and points, which must outlive it.
+class BodyShape {
+ public:
+  /// The side of a grid in px is at most this: points are within 16 bits.
+  static constexpr int32_t kMostSidePx = 512;
+
+  /// Takes the shape of a grid, with points spread over its edges: corners
+  /// first, then as close together as they fit `room`, at least 1.5 sides of a
+  /// sample. A grid of a sample a pixel holds corners to 0.3 px; points 2 px
+  /// apart are good.
+  ///
+  /// bad_argument: nothing is inside, or a side is longer than kMostSidePx.
+  /// buffer_small: `room` holds fewer than 8 points. The shape is then as
+  /// before.
+  Status make(const DistanceGrid& grid, Span<BodyPoint> room) noexcept;
+
+  const DistanceGrid& grid() const noexcept { return grid_; }
+  Span<const BodyPoint> points() const noexcept { return points_; }
+  /// The centre of mass. [px from the grid's upper left corner]
+  Q16_16 centre_x() const noexcept { return centre_x_; }
+  Q16_16 centre_y() const noexcept { return centre_y_; }
+  /// The mass: what is inside, at least 1. [px^2]
+  int32_t area() const noexcept { return area_; }
+  /// The square of the radius of gyration: the moment of inertia over the mass.
+  /// [px^2, Q8] At least 1/4.
+  int32_t gyration_q8() const noexcept { return gyration_q8_; }
+  /// No point is farther from the centre of mass. [px]
+  int32_t radius() const noexcept { return radius_; }
+
+ private:
+  bool weigh() noexcept;
+  size_t spread(int32_t spacing_q5, Span<BodyPoint> room) const noexcept;
+  bool find_edge_point(int32_t column,
+                       int32_t row,
+                       BodyPoint& out,
+                       bool& is_corner) const noexcept;
+
+  DistanceGrid grid_;
+  Span<const BodyPoint> points_;
+  Q16_16 centre_x_;
+  Q16_16 centre_y_;
+  int32_t area_ = 1;
+  int32_t gyration_q8_ = 256;
+  int32_t radius_ = 0;
+};
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,324 @@
+// Sequential impulses (Guendelman et al. 2003; Catto 2005): speeds first, then
+// places, so that energy does not grow.
+#include "inkcell/kinetic/bodies.hpp"
+
+#include "body_contacts.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kMostPieces = 60;
+constexpr int32_t kRounds = 8;  // of impulses over all contacts
+constexpr int32_t kMostSpeedQ16 = kMostBodySpeed << 16;
+// Slower than this above gravity, a contact does not bounce. [px a step, Q16]
+constexpr int32_t kBouncesQ16 = 1 << 13;
+constexpr int32_t kMostPlaceQ16 = 8191 << 16;
+
+// How a body takes a push. [Q30 / px^2, Q20 / px^2]
+struct Ease {
+  int32_t for_way;   // 1 / mass
+  int32_t for_turn;  // 1 / gyration
+};
+
+Ease ease_of(const Body& body) noexcept {
+  if (body.is_fixed || body.is_asleep()) {
+    return {0, 0};
+  }
+  return {(1 << 30) / body.shape->area(),
+          static_cast<int32_t>(
+              (1u << 28) / static_cast<uint32_t>(body.shape->gyration_q8()))};
+}
+
+void limit(Body& body) noexcept {
+  body.x.raw = clamp(body.x.raw, -kMostPlaceQ16, kMostPlaceQ16);
+  body.y.raw = clamp(body.y.raw, -kMostPlaceQ16, kMostPlaceQ16);
+  // Each part at most a third: their sum is the bound of any point's speed.
+  const int32_t most = kMostSpeedQ16 / 2;
+  body.x_speed.raw = clamp(body.x_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
+  body.y_speed.raw = clamp(body.y_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
+  const int32_t spin = (most << 4) / max(body.shape->radius(), 1);
+  body.spin_q20 = clamp(body.spin_q20, -spin, spin);
+}
+
+// Adds a push of a body along (nx, ny), whose arm is given. [px a step px^2]
+void push(Body& body,
+          const Ease& ease,
+          int64_t pushed_q16,
+          int32_t nx,
+          int32_t ny,
+          int32_t arm) noexcept {
+  if (ease.for_way == 0) {
+    return;
+  }
+  // Below 2^22 px a step, Q16: a push is no greater than what turns speeds.
+  const int32_t gain = clamp_i64((pushed_q16 * ease.for_way + (1 << 29)) >> 30,
+                                 -(1 << 22), 1 << 22);
+  body.x_speed.raw += scaled(int64_t{gain} * nx, 14);
+  body.y_speed.raw += scaled(int64_t{gain} * ny, 14);
+  body.spin_q20 +=
+      clamp_i64(((int64_t{gain} * arm >> 4) * ease.for_turn + (1 << 19)) >> 20,
+                -(1 << 28), 1 << 28);
+  limit(body);
+}
+
+// One over what a push changes the speed at a contact by. [px^2, Q8]
+int32_t mass_at(const Ease& a,
+                int32_t a_arm,
+                const Ease& b,
+                int32_t b_arm) noexcept {
+  const auto ease_at = [](const Ease& ease, int32_t arm) {
+    const int64_t turn = (int64_t{arm} * arm >> 16) * ease.for_turn;
+    const int64_t both = (1 << 20) + clamp_i64(turn, 0, 1 << 30);
+    return (both * ease.for_way) >> 20;
+  };
+  const int64_t sum = ease_at(a, a_arm) + ease_at(b, b_arm);
+  if (sum == 0) {
+    return 0;
+  }
+  return clamp_i64((int64_t{1} << 38) / sum, 1, 1 << 28);
+}
+
+// The solver of a piece of a step.
+struct Solver {
+  Span<Body> bodies;
+  const BodyRules& rules;
+  Span<BodyContact> contacts;
+
+  Body* second_of(const BodyContact& contact) const noexcept {
+    return contact.second == BodyContact::kWall ? nullptr
+                                                : &bodies[contact.second];
+  }
+  // How fast both move apart along (nx, ny). [px a step, Q16]
+  int32_t speed_along(const BodyContact& contact,
+                      int32_t nx,
+                      int32_t ny,
+                      int32_t first_arm,
+                      int32_t second_arm) const noexcept;
+  void push_both(const BodyContact& contact,
+                 int64_t pushed,
+                 bool is_tangent) const noexcept;
+  int32_t normal_speed(const BodyContact& c) const noexcept {
+    return speed_along(c, c.nx, c.ny, c.first_normal, c.second_normal);
+  }
+  void prepare(BodyContact& contact) const noexcept;
+  void spring(const BodyContact& contact, int32_t part_q16) const noexcept;
+  void solve(BodyContact& contact) const noexcept;
+  void separate(const BodyContact& contact) const noexcept;
+};
+
+int32_t Solver::speed_along(const BodyContact& contact,
+                            int32_t nx,
+                            int32_t ny,
+                            int32_t first_arm,
+                            int32_t second_arm) const noexcept {
+  const Body& a = bodies[contact.first];
+  int64_t x = a.x_speed.raw;
+  int64_t y = a.y_speed.raw;
+  int64_t spun = int64_t{a.spin_q20} * first_arm;
+  if (const Body* b = second_of(contact)) {
+    x -= b->x_speed.raw;
+    y -= b->y_speed.raw;
+    spun -= int64_t{b->spin_q20} * second_arm;
+  }
+  return scaled(x * nx + y * ny, 14) + scaled(spun, 12);
+}
+
+void Solver::push_both(const BodyContact& contact,
+                       int64_t pushed,
+                       bool is_tangent) const noexcept {
+  const int32_t nx = is_tangent ? -contact.ny : contact.nx;
+  const int32_t ny = is_tangent ? contact.nx : contact.ny;
+  Body& a = bodies[contact.first];
+  push(a, ease_of(a), pushed, nx, ny,
+       is_tangent ? contact.first_tangent : contact.first_normal);
+  if (Body* b = second_of(contact)) {
+    push(*b, ease_of(*b), -pushed, nx, ny,
+         is_tangent ? contact.second_tangent : contact.second_normal);
+  }
+}
+
+void Solver::prepare(BodyContact& contact) const noexcept {
+  const Ease a = ease_of(bodies[contact.first]);
+  Ease b = {0, 0};
+  if (const Body* second = second_of(contact)) {
+    b = ease_of(*second);
+  }
+  contact.normal_mass =
+      mass_at(a, contact.first_normal, b, contact.second_normal);
+  contact.tangent_mass =
+      mass_at(a, contact.first_tangent, b, contact.second_tangent);
+  contact.pushed = 0;
+  contact.rubbed = 0;
+  const int32_t closing = -normal_speed(contact);
+  const int32_t bounces = kBouncesQ16 + 2 * abs(rules.gravity.raw);
+  contact.leaves_q16 =
+      closing > bounces ? closing * clamp(rules.bounce_q8, 0, 256) / 256 : 0;
+}
+
+// A soft contact: by the depth, less by the speed. Four share a mass.
+void Solver::spring(const BodyContact& contact,
+                    int32_t part_q16) const noexcept {
+  if (contact.soft_q10 <= 0) {
+    return;
+  }
+  const int32_t gain =
+      scaled(int64_t{contact.soft_q10} * rules.stiffness_q16, 10) -
+      scaled(int64_t{normal_speed(contact)} * rules.damping_q16, 16);
+  const int32_t part = scaled(int64_t{gain} * part_q16, 17);
+  if (part > 0) {
+    push_both(contact, int64_t{part} * contact.normal_mass >> 8, false);
+  }
+}
+
+void Solver::solve(BodyContact& contact) const noexcept {
+  if (contact.gap_q10 >= kTouchQ10) {
+    return;  // soft only
+  }
+  const int64_t wanted = contact.leaves_q16 - int64_t{normal_speed(contact)};
+  const int64_t pushed = contact.pushed + (wanted * contact.normal_mass >> 8);
+  const int64_t kept = pushed > 0 ? pushed : 0;
+  push_both(contact, kept - contact.pushed, false);
+  contact.pushed = kept;
+  const int32_t slips =
+      speed_along(contact, -contact.ny, contact.nx, contact.first_tangent,
+                  contact.second_tangent);
+  const int64_t most = (kept * rules.friction_q8) >> 8;
+  const int64_t rubbed =
+      contact.rubbed - (int64_t{slips} * contact.tangent_mass >> 8);
+  const int64_t held = rubbed > most ? most : rubbed < -most ? -most : rubbed;
+  push_both(contact, held - contact.rubbed, true);
+  contact.rubbed = held;
+}
+
+// Moves what is too deep apart, by a part of the depth.
+void Solver::separate(const BodyContact& contact) const noexcept {
+  if (contact.gap_q10 >= 0) {
+    return;
+  }
+  const int32_t way_q16 = min(-contact.gap_q10, 512) * 64 / 4;
+  const int64_t pushed = int64_t{way_q16} * contact.normal_mass >> 8;
+  const auto move = [&](Body& body, int64_t by) {
+    const Ease ease = ease_of(body);
+    const int32_t way =
+        clamp_i64((by * ease.for_way + (1 << 29)) >> 30, -way_q16, way_q16);
+    body.x.raw += scaled(int64_t{way} * contact.nx, 14);
+    body.y.raw += scaled(int64_t{way} * contact.ny, 14);
+  };
+  move(bodies[contact.first], pushed);
+  if (Body* b = second_of(contact)) {
+    move(*b, -pushed);
+  }
+}
+
+// [Q16 of a step] How long no body goes farther than half of what is clear.
+int32_t piece_of(Span<const Body> bodies, int32_t left_q16) noexcept {
+  int32_t piece = left_q16;
+  for (const Body& body : bodies) {
+    if (body.shape == nullptr || body.is_fixed || body.is_asleep()) {
+      continue;
+    }
+    const int32_t speed = max(speed_of(body), 1);
+    const int32_t way_q16 = body.clear_q10 * 32;
+    if (int64_t{speed} * piece > int64_t{way_q16} << 16) {
+      piece = static_cast<int32_t>((int64_t{way_q16} << 16) / speed);
+    }
+  }
+  return max(piece, 1);
+}
+
+void advance(Body& body, int32_t piece_q16) noexcept {
+  body.x.raw += scaled(int64_t{body.x_speed.raw} * piece_q16, 16);
+  body.y.raw += scaled(int64_t{body.y_speed.raw} * piece_q16, 16);
+  // 1 / (2 pi) of a turn a radian: 10430 / 2^16. [Q20 -> Q32]
+  const int64_t turned = int64_t{body.spin_q20} * piece_q16 >> 16;
+  body.turn_q32 += static_cast<uint32_t>(turned * 10430 >> 4);
+  limit(body);
+}
+
+bool takes_part(const Body& body) noexcept {
+  return body.shape != nullptr && !body.is_fixed && !body.is_asleep();
+}
+
+}  // namespace
+
+void step(Span<Body> all,
+          const BodyRules& asked,
+          Span<BodyContact> room) noexcept {
+  const Span<Body> bodies(all.data,
+                          all.size < kMostBodies ? all.size : kMostBodies);
+  BodyRules rules = asked;
+  rules.walls = intersect(asked.walls, {-8191, -8191, 8191, 8191});
+  rules.gravity.raw = clamp(asked.gravity.raw, -(1 << 17), 1 << 17);
+  rules.overlap.raw = static_cast<int16_t>(clamp(asked.overlap.raw, 0, 4096));
+  if (is_empty(rules.walls)) {
+    return;
+  }
+  const int32_t still_q16 = 3000 + 2 * abs(rules.gravity.raw);
+  for (Body& body : bodies) {
+    if (body.shape == nullptr) {
+      continue;
+    }
+    limit(body);
+    if (!takes_part(body)) {
+      body.x_speed = body.y_speed = {};
+      body.spin_q20 = 0;
+    } else {
+      body.y_speed.raw += rules.gravity.raw;
+    }
+  }
+  int32_t left_q16 = 1 << 16;
+  for (int32_t piece = 0; piece < kMostPieces && left_q16 > 0; ++piece) {
+    const size_t count = find_contacts(bodies, rules, still_q16, room);
+    const Solver solver = {bodies, rules, {room.data, count}};
+    for (BodyContact& contact : solver.contacts) {
+      solver.prepare(contact);
+    }
+    for (int32_t round = 0; round < kRounds; ++round) {
+      for (BodyContact& contact : solver.contacts) {
+        solver.solve(contact);
+      }
+    }
+    const int32_t part_q16 = piece_of(bodies, left_q16);
+    left_q16 -= part_q16;
+    for (const BodyContact& contact : solver.contacts) {
+      solver.spring(contact, part_q16);
+      solver.separate(contact);
+    }
+    for (Body& body : bodies) {
+      if (takes_part(body)) {
+        advance(body, part_q16);
+      }
+    }
+  }
+  for (Body& body : bodies) {
+    if (takes_part(body)) {
+      const bool is_slow = is_still(body, still_q16);
+      body.still_steps =
+          is_slow ? static_cast<uint8_t>(body.still_steps + 1) : uint8_t{0};
+    }
+  }
+}
+
+bool are_asleep(Span<const Body> bodies) noexcept {
+  for (const Body& body : bodies) {
+    if (takes_part(body)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Rect box_of(const Body& body) noexcept {
+  if (body.shape == nullptr) {
+    return {};
+  }
+  const int32_t x = body.x.raw >> 16;
+  const int32_t y = body.y.raw >> 16;
+  const int32_t radius = body.shape->radius() + 2;
+  return {x - radius, y - radius, x + radius + 1, y + radius + 1};
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,347 @@
+// Broad phase: circles. Narrow phase: points of one in the distances of the
+// other, both ways. Of all points that touch four are kept: the outermost to
+// both sides, and the deepest of each side that faces.
+#include "body_contacts.hpp"
+
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kOneQ14 = 1 << 14;
+
+// A place that touches, from the first body's centre. [px, Q8] The normal is
+// not of unit length yet. [Q13]
+struct Touch {
+  int32_t id;  // below 0: there is none
+  int32_t distance_q10;
+  int32_t x;
+  int32_t y;
+  int32_t nx;
+  int32_t ny;
+  int32_t along;  // the order of those that are kept
+};
+
+class Touches {
+ public:
+  Touches() noexcept {
+    for (Touch& touch : kept_) {
+      touch.id = -1;
+    }
+  }
+
+  void add(const Touch& touch, bool faces) noexcept {
+    keep(0, touch, touch.along < kept_[0].along);
+    keep(1, touch, touch.along > kept_[1].along);
+    Touch& deep = kept_[faces ? 2 : 3];
+    if (deep.id < 0 || touch.distance_q10 > deep.distance_q10) {
+      deep = touch;
+    }
+  }
+
+  // Whether this one is there, and not the same as one before.
+  bool is_own(size_t index) const noexcept {
+    bool is = kept_[index].id >= 0;
+    for (size_t i = 0; i < index; ++i) {
+      is = is && kept_[i].id != kept_[index].id;
+    }
+    return is;
+  }
+  const Touch& operator[](size_t index) const noexcept { return kept_[index]; }
+
+ private:
+  void keep(size_t index, const Touch& touch, bool is_farther) noexcept {
+    if (kept_[index].id < 0 || is_farther) {
+      kept_[index] = touch;
+    }
+  }
+
+  Touch kept_[kContactsOfPair];
+};
+
+// (x, y) turned, y down; the sum of products of Q14 in 32 bits.
+int32_t turned_x(const Turn& turn, int32_t x, int32_t y) noexcept {
+  return turn.cosine * x + turn.sine * y;
+}
+int32_t turned_y(const Turn& turn, int32_t x, int32_t y) noexcept {
+  return turn.cosine * y - turn.sine * x;
+}
+
+// Whether a force moves it.
+bool can_move(const Body& body) noexcept {
+  return !body.is_fixed && !body.is_asleep();
+}
+
+// What all are looked up with.
+struct Finder {
+  Span<Body> bodies;
+  Span<BodyContact> contacts;
+  Rect walls;
+  int32_t overlap_q10;
+  int32_t still_q16;
+  size_t count;
+
+  bool touches_at(int32_t distance_q10) const noexcept {
+    return distance_q10 > min(overlap_q10 - kTouchQ10, 0);
+  }
+  void note(Body& body, int32_t distance_q10) const noexcept;
+  void emit(size_t first,
+            size_t second,
+            const Touches& touches,
+            int32_t x_between,
+            int32_t y_between) noexcept;
+  void find_pair(size_t first, size_t second) noexcept;
+  void find_wall(size_t index, int32_t wall) noexcept;
+};
+
+// The distance inside of what is nearest.
+void Finder::note(Body& body, int32_t distance_q10) const noexcept {
+  const int32_t gap_q10 = overlap_q10 - distance_q10;
+  // Those that touch slide in pieces of 3/8 px.
+  const int32_t clear = gap_q10 < kTouchQ10 ? 768 : gap_q10;
+  body.clear_q10 = min(body.clear_q10, clear);
+  body.squeeze.raw =
+      static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
+}
+
+// (x_between, y_between): from the second's centre to the first's. [px, Q8]
+void Finder::emit(size_t first,
+                  size_t second,
+                  const Touches& touches,
+                  int32_t x_between,
+                  int32_t y_between) noexcept {
+  for (size_t i = 0; i < kContactsOfPair && count < contacts.size; ++i) {
+    if (!touches.is_own(i)) {
+      continue;
+    }
+    const Touch& touch = touches[i];
+    BodyContact& contact = contacts[count++];
+    contact.first = static_cast<uint8_t>(first);
+    contact.second = static_cast<uint8_t>(second);
+    contact.gap_q10 = overlap_q10 - touch.distance_q10;
+    contact.soft_q10 = clamp(touch.distance_q10, 0, overlap_q10);
+    int32_t nx = touch.nx;
+    int32_t ny = touch.ny;
+    auto length = static_cast<int32_t>(length_of(nx, ny));
+    if (length < (1 << 13) / 8) {
+      // No slope: from centre to centre.
+      nx = x_between / 8;
+      ny = y_between / 8;
+      length = static_cast<int32_t>(length_of(nx, ny));
+    }
+    contact.nx = length == 0 ? 0 : nx * kOneQ14 / length;
+    contact.ny = length == 0 ? -kOneQ14 : ny * kOneQ14 / length;
+    // The arm of a force along n is r_y n_x - r_x n_y: turns are
+    // counter-clockwise, y is down.
+    const auto arm = [](int32_t x, int32_t y, int32_t n_x, int32_t n_y) {
+      return scaled(int64_t{y} * n_x - int64_t{x} * n_y, 14);
+    };
+    const int32_t x = touch.x;
+    const int32_t y = touch.y;
+    contact.first_normal = arm(x, y, contact.nx, contact.ny);
+    contact.first_tangent = arm(x, y, -contact.ny, contact.nx);
+    contact.second_normal =
+        arm(x + x_between, y + y_between, contact.nx, contact.ny);
+    contact.second_tangent =
+        arm(x + x_between, y + y_between, -contact.ny, contact.nx);
+  }
+}
+
+// Points of `from` in the distances of `into`: one way of the narrow phase.
+struct Look {
+  const Finder& finder;
+  const Body& from;
+  const Body& into;
+  int32_t x_between;  // from the second's centre to the first's [px, Q8]
+  int32_t y_between;
+  bool is_first;  // `from` is the first body of the pair
+
+  // Returns the greatest distance inside of `into`, at least `least`. [px, Q10]
+  int32_t find(int32_t least, Touches& touches) const noexcept;
+  void add(int32_t id,
+           const BodyPoint& point,
+           const GridPoint& here,
+           Touches& touches) const noexcept;
+};
+
+void Look::add(int32_t id,
+               const BodyPoint& point,
+               const GridPoint& here,
+               Touches& touches) const noexcept {
+  const Turn turn = turn_of(from.angle());
+  Touch touch;
+  touch.id = id;
+  touch.distance_q10 = here.distance_q10;
+  touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
+  touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
+  if (!is_first) {
+    touch.x -= x_between;
+    touch.y -= y_between;
+  }
+  const Turn of_field = turn_of(into.angle());
+  const int32_t sign = is_first ? -1 : 1;
+  touch.nx =
+      sign * (turned_x(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
+  touch.ny =
+      sign * (turned_y(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
+  // Across the line between the centres.
+  touch.along =
+      (touch.x >> 4) * (y_between >> 4) - (touch.y >> 4) * (x_between >> 4);
+  const bool faces =
+      (touch.nx >> 2) * (x_between >> 4) + (touch.ny >> 2) * (y_between >> 4) >=
+      0;
+  touches.add(touch, faces);
+}
+
+int32_t Look::find(int32_t least, Touches& touches) const noexcept {
+  const BodyShape& shape = *into.shape;
+  const DistanceGrid& grid = shape.grid();
+  const Turn of_into = turn_of(into.angle());
+  const Turn back = {of_into.cosine, -of_into.sine};
+  const Turn both = turn_of(Angle::from_raw(
+      static_cast<uint16_t>(from.angle().raw - into.angle().raw)));
+  // Between centres, below 1100 px. [Q5]
+  const int32_t dx = is_first ? x_between >> 3 : -x_between >> 3;
+  const int32_t dy = is_first ? y_between >> 3 : -y_between >> 3;
+  // In `into`, from its grid's corner. [px, Q16]
+  const int32_t x0 = (turned_x(back, dx, dy) >> 3) + shape.centre_x().raw;
+  const int32_t y0 = (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw;
+  const int32_t x_end = grid.width_px() << 16;
+  const int32_t y_end = grid.height_px() << 16;
+  int32_t most = least;
+  int32_t id = is_first ? 0 : 1 << 16;
+  for (const BodyPoint& point : from.shape->points()) {
+    ++id;
+    const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
+    const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
+    // Beyond the grid: at least so far outside.
+    const int32_t out = max(max(-x, x - x_end), max(-y, y - y_end));
+    if (out > 0) {
+      most = max(most, -(out >> 6));
+      continue;
+    }
+    const GridPoint here =
+        probe(grid, Q16_16::from_raw(x), Q16_16::from_raw(y));
+    most = max(most, here.distance_q10);
+    if (finder.touches_at(here.distance_q10)) {
+      add(id, point, here, touches);
+    }
+  }
+  return most;
+}
+
+// Broad phase: the greater of both ways between the centres is not longer than
+// the way. Sleepers wake if something fast touches them.
+void Finder::find_pair(size_t first, size_t second) noexcept {
+  Body& a = bodies[first];
+  Body& b = bodies[second];
+  if (!can_move(a) && !can_move(b)) {
+    return;
+  }
+  // Places are within 2^13 px: 32 bits hold the difference.
+  const int32_t x_between = (a.x.raw - b.x.raw) >> 8;
+  const int32_t y_between = (a.y.raw - b.y.raw) >> 8;
+  const int32_t radii = a.shape->radius() + b.shape->radius();
+  const int32_t apart_q10 =
+      (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
+  if (apart_q10 >= 4 << 10) {
+    note(a, -min(apart_q10, kFarQ10));
+    note(b, -min(apart_q10, kFarQ10));
+    return;
+  }
+  Touches touches;
+  const Look one_way = {*this, a, b, x_between, y_between, true};
+  const Look other_way = {*this, b, a, x_between, y_between, false};
+  int32_t most = one_way.find(-(4 << 10), touches);
+  most = other_way.find(most, touches);
+  note(a, most);
+  note(b, most);
+  if (touches[0].id < 0) {
+    return;
+  }
+  if (a.is_asleep() && !a.is_fixed && !is_still(b, 2 * still_q16)) {
+    a.still_steps = 0;
+  }
+  if (b.is_asleep() && !b.is_fixed && !is_still(a, 2 * still_q16)) {
+    b.still_steps = 0;
+  }
+  emit(first, second, touches, x_between, y_between);
+}
+
+// Walls: left, top, right, bottom.
+void Finder::find_wall(size_t index, int32_t wall) noexcept {
+  Body& body = bodies[index];
+  const bool is_across = wall % 2 == 0;  // it bounds x
+  const int32_t sign = wall < 2 ? -1 : 1;
+  const int32_t bounds[] = {walls.x0, walls.y0, walls.x1, walls.y1};
+  // How far the centre is beyond the wall. [px, Q10]
+  const int32_t centre = sign * (((is_across ? body.x.raw : body.y.raw) >> 6) -
+                                 bounds[wall] * 1024);
+  const int32_t nearest = centre + (body.shape->radius() << 10);
+  if (nearest <= -(4 << 10)) {
+    note(body, max(nearest, -kFarQ10));
+    return;
+  }
+  const Turn turn = turn_of(body.angle());
+  Touches touches;
+  int32_t most = -(4 << 10);
+  int32_t id = 0;
+  for (const BodyPoint& point : body.shape->points()) {
+    Touch touch;
+    touch.id = ++id;
+    touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
+    touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
+    touch.distance_q10 = centre + sign * (is_across ? touch.x : touch.y) * 4;
+    most = max(most, touch.distance_q10);
+    if (touches_at(touch.distance_q10)) {
+      touch.nx = is_across ? -sign * (1 << 13) : 0;
+      touch.ny = is_across ? 0 : -sign * (1 << 13);
+      touch.along = is_across ? touch.y : touch.x;
+      touches.add(touch, true);
+    }
+  }
+  note(body, most);
+  emit(index, BodyContact::kWall, touches, 0, 0);
+}
+
+}  // namespace
+
+bool is_still(const Body& body, int32_t speed_q16) noexcept {
+  return speed_of(body) <= speed_q16;
+}
+
+int32_t speed_of(const Body& body) noexcept {
+  const int64_t spun = int64_t{abs(body.spin_q20)} * body.shape->radius() >> 4;
+  return abs(body.x_speed.raw) + abs(body.y_speed.raw) +
+         clamp_i64(spun, 0, 1 << 28);
+}
+
+size_t find_contacts(Span<Body> bodies,
+                     const BodyRules& rules,
+                     int32_t still_q16,
+                     Span<BodyContact> contacts) noexcept {
+  Finder finder = {bodies,    contacts, rules.walls, rules.overlap.raw,
+                   still_q16, 0};
+  for (Body& body : bodies) {
+    body.clear_q10 = kFarQ10;
+    body.squeeze.raw = 0;
+  }
+  for (size_t i = 0; i < bodies.size; ++i) {
+    if (bodies[i].shape == nullptr) {
+      continue;
+    }
+    for (int32_t wall = 0; wall < 4 && can_move(bodies[i]); ++wall) {
+      finder.find_wall(i, wall);
+    }
+    for (size_t k = 0; k < i; ++k) {
+      if (bodies[k].shape != nullptr) {
+        finder.find_pair(i, k);
+      }
+    }
+  }
+  return finder.count;
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,167 @@
+// Sums over samples, and Newton's steps to the edge.
+#include "inkcell/kinetic/body_shape.hpp"
+
+#include "inkcell/kinetic/numbers.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr size_t kLeastPoints = 8;
+
+// How much of its square a sample covers. [1/64]
+int32_t weight_of(int8_t sample) noexcept {
+  return clamp(2 * sample + 33, 0, 64);
+}
+
+}  // namespace
+
+// Coordinates are twice those of samples, so that their centres are integers.
+bool BodyShape::weigh() noexcept {
+  int64_t sum = 0;
+  int64_t x_sum = 0;
+  int64_t y_sum = 0;
+  for (int32_t y = 0; y < grid_.height(); ++y) {
+    const int8_t* row = grid_.row(y);
+    for (int32_t x = 0; x < grid_.width(); ++x) {
+      const int32_t weight = weight_of(row[x]);
+      sum += weight;
+      x_sum += int64_t{weight} * (2 * x + 1);
+      y_sum += int64_t{weight} * (2 * y + 1);
+    }
+  }
+  if (sum == 0) {
+    return false;
+  }
+  const int32_t scale = grid_.scale_log2();
+  // [1/16]
+  const auto x_middle = static_cast<int32_t>((x_sum * 16 + sum / 2) / sum);
+  const auto y_middle = static_cast<int32_t>((y_sum * 16 + sum / 2) / sum);
+  centre_x_.raw = x_middle * (1 << (11 + scale));
+  centre_y_.raw = y_middle * (1 << (11 + scale));
+  int64_t squares = 0;
+  for (int32_t y = 0; y < grid_.height(); ++y) {
+    const int8_t* row = grid_.row(y);
+    const int32_t down = (2 * y + 1) * 16 - y_middle;
+    for (int32_t x = 0; x < grid_.width(); ++x) {
+      const int32_t right = (2 * x + 1) * 16 - x_middle;
+      squares += weight_of(row[x]) * (int64_t{right} * right + down * down);
+    }
+  }
+  // Each square of a sample has a sixth of its side squared of its own. [Q10]
+  const auto gyration = static_cast<int32_t>(squares / sum) + 1024 / 6;
+  gyration_q8_ = max((gyration << (2 * scale)) >> 2, 64);
+  area_ = max(1, static_cast<int32_t>((sum << (2 * scale)) >> 6));
+  return true;
+}
+
+// From the middle of four samples to the edge between them.
+bool BodyShape::find_edge_point(int32_t column,
+                                int32_t row,
+                                BodyPoint& out,
+                                bool& is_corner) const noexcept {
+  const int32_t inside = (grid_.at(column, row) >= 0 ? 1 : 0) +
+                         (grid_.at(column + 1, row) >= 0 ? 1 : 0) +
+                         (grid_.at(column, row + 1) >= 0 ? 1 : 0) +
+                         (grid_.at(column + 1, row + 1) >= 0 ? 1 : 0);
+  if (inside == 0 || inside == 4) {
+    return false;
+  }
+  const int32_t scale = grid_.scale_log2();
+  Q16_16 x = Q16_16::from_raw((column + 1) << (16 + scale));
+  Q16_16 y = Q16_16::from_raw((row + 1) << (16 + scale));
+  GridPoint here = probe(grid_, x, y);
+  for (int32_t i = 0; i < 4; ++i) {
+    // Slopes are below 8, distances here below 8 px: 32 bits hold the products
+    // of Q7 and Q13, and half a step more than once is enough.
+    x.raw -= (here.distance_q10 >> 3) * here.x_slope_q13 / 16;
+    y.raw -= (here.distance_q10 >> 3) * here.y_slope_q13 / 16;
+    here = probe(grid_, x, y);
+  }
+  if (abs(here.distance_q10) > 128 << scale) {
+    return false;
+  }
+  // Where edges are straight, 1.5 sides farther in is as much deeper.
+  const int32_t in = 3 << scale;
+  const GridPoint deep =
+      probe(grid_, Q16_16::from_raw(x.raw + here.x_slope_q13 * 4 * in),
+            Q16_16::from_raw(y.raw + here.y_slope_q13 * 4 * in));
+  is_corner = deep.distance_q10 < 1330 << scale;
+  const int32_t limit = INT16_MAX;
+  out.x_q5 = static_cast<int16_t>(
+      clamp((x.raw - centre_x_.raw + 1024) >> 11, -limit, limit));
+  out.y_q5 = static_cast<int16_t>(
+      clamp((y.raw - centre_y_.raw + 1024) >> 11, -limit, limit));
+  return true;
+}
+
+// Points that are at least so far apart; one more than `room` holds if they do
+// not fit.
+size_t BodyShape::spread(int32_t spacing_q5,
+                         Span<BodyPoint> room) const noexcept {
+  size_t count = 0;
+  for (int32_t pass = 0; pass < 2; ++pass) {
+    for (int32_t row = -1; row < grid_.height(); ++row) {
+      for (int32_t column = -1; column < grid_.width(); ++column) {
+        BodyPoint point;
+        bool is_corner = false;
+        if (!find_edge_point(column, row, point, is_corner) ||
+            is_corner != (pass == 0)) {
+          continue;
+        }
+        bool is_free = true;
+        for (size_t i = 0; i < count && is_free; ++i) {
+          const int32_t x = abs(room[i].x_q5 - point.x_q5);
+          const int32_t y = abs(room[i].y_q5 - point.y_q5);
+          is_free = x >= spacing_q5 || y >= spacing_q5 ||
+                    x * x + y * y >= spacing_q5 * spacing_q5;
+        }
+        if (!is_free) {
+          continue;
+        }
+        if (count == room.size) {
+          return room.size + 1;
+        }
+        room[count++] = point;
+      }
+    }
+  }
+  return count;
+}
+
+Status BodyShape::make(const DistanceGrid& grid,
+                       Span<BodyPoint> room) noexcept {
+  if (room.size < kLeastPoints) {
+    return Status::buffer_small;
+  }
+  if (grid.width_px() > kMostSidePx || grid.height_px() > kMostSidePx) {
+    return Status::bad_argument;
+  }
+  BodyShape made;
+  made.grid_ = grid;
+  if (!made.weigh()) {
+    return Status::bad_argument;
+  }
+  // 8 points fit if they are as far apart as the grid is wide.
+  constexpr int32_t kMostSpacingQ5 = kMostSidePx << 5;
+  int32_t spacing_q5 = 48 << grid.scale_log2();
+  size_t count = made.spread(spacing_q5, room);
+  while (count > room.size && spacing_q5 < kMostSpacingQ5) {
+    spacing_q5 += spacing_q5 >> 2;
+    count = made.spread(spacing_q5, room);
+  }
+  if (count == 0 || count > room.size) {
+    return Status::bad_argument;
+  }
+  made.points_ = {room.data, count};
+  for (const BodyPoint& point : made.points_) {
+    const auto length = static_cast<int32_t>(length_of(point.x_q5, point.y_q5));
+    made.radius_ = max(made.radius_, (length >> 5) + 1);
+  }
+  *this = made;
+  return Status::ok;
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
