@@ -9,7 +9,7 @@
 #include "exercise.hpp"
 #include "font_builder.hpp"
 #include "front_ends.hpp"
-#include "inkcell/version.hpp"
+#include "repair_font.hpp"
 
 namespace {
 
@@ -18,29 +18,6 @@ using font_builder::get_u16;
 using font_builder::get_u32;
 
 constexpr size_t kChoiceBytes = 64;
-
-void repair(Span<uint8_t> font) {
-  namespace header = format::header;
-  if (font.size < header::kBytes) {
-    return;
-  }
-  uint8_t* at = font.data;
-  font_builder::put_u32(at + header::kMagic, format::kMagic);
-  at[header::kFormatMajor] = kFormatMajor;
-  at[header::kFormatMinor] = kFormatMinor;
-  at[header::kCoding] &= static_cast<uint8_t>(format::Coding::edges);
-  const auto size = static_cast<uint32_t>(font.size);
-  const uint32_t room = (size - header::kBytes) / format::section::kBytes;
-  const uint32_t sections = std::min(
-      std::min(get_u16(at + header::kSectionCount), room), uint32_t{32});
-  font_builder::put_u16(at + header::kSectionCount, sections);
-  font_builder::put_u16(at + header::kHeaderBytes,
-                        header::kBytes + sections * format::section::kBytes);
-  if (get_u32(at + header::kTotalBytes) > size) {
-    font_builder::put_u32(at + header::kTotalBytes, size);
-  }
-  font_builder::repair_checksums(font);
-}
 
 TextStyle style_of(const uint8_t* choice) {
   static constexpr int32_t kOne = 1 << 30;
@@ -84,7 +61,7 @@ void run(const uint8_t* data, size_t size) {
   std::copy(data, choice, block.get());
   const Span<uint8_t> rom(block.get(), font_bytes);
   if (choice[0] % 2 == 0) {
-    repair(rom);
+    repair_font(rom);
   }
   if (!hostile::exercise(rom).opened) {
     return;

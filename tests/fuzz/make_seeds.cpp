@@ -1,6 +1,7 @@
 // Writes the seeds of the corpora: fonts as small as they can be, and outlines.
 //
 //   fuzz_make_seeds tests/fuzz/corpus tests/fuzz/corpus_outline
+//     tests/fuzz/corpus_kinetic
 #include <stdio.h>
 
 #include <string>
@@ -10,6 +11,7 @@
 #include "grid_record.hpp"
 #include "outline_input.hpp"
 #include "outline_record.hpp"
+#include "random.hpp"
 
 namespace {
 
@@ -154,11 +156,31 @@ Record one_cell(bool divided) {
   return record;
 }
 
+// Choices that look random, then a font. Numbers are shifted by their first
+// byte: `near` makes most of them small, so that things meet.
+bool write_kinetic_seed(const std::string& path, uint32_t number, bool near) {
+  constexpr size_t kChoices = 2500;
+  std::vector<uint8_t> seed(2 + kChoices);
+  put_u16(seed.data(), kChoices);
+  Random random(number);
+  for (size_t i = 2; i < seed.size(); ++i) {
+    const uint32_t value = random.next() >> 24;
+    seed[i] = static_cast<uint8_t>(near ? value % 32 : value);
+  }
+  seed[2] = 0;
+  std::vector<uint8_t> font(outline_record::kSampleFontBytes);
+  font.resize(outline_record::build_sample_font({font.data(), font.size()}));
+  seed.insert(seed.end(), font.begin(), font.end());
+  return write_file(path, seed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    fprintf(stderr, "usage: fuzz_make_seeds FOLDER FOLDER_OF_OUTLINES\n");
+  if (argc != 4) {
+    fprintf(stderr,
+            "usage: fuzz_make_seeds FOLDER FOLDER_OF_OUTLINES "
+            "FOLDER_OF_MOTION\n");
     return 2;
   }
   const std::string folder = std::string(argv[1]) + "/";
@@ -189,5 +211,10 @@ int main(int argc, char** argv) {
   spec.hints = hints.write();
   written &= write_seed(folder + "hints.seed", spec);
   written &= write_all_outline_seeds(std::string(argv[2]) + "/");
+  const std::string moving = std::string(argv[3]) + "/";
+  written &= write_kinetic_seed(moving + "far.seed", 1, false);
+  written &= write_kinetic_seed(moving + "far_again.seed", 2, false);
+  written &= write_kinetic_seed(moving + "near.seed", 3, true);
+  written &= write_kinetic_seed(moving + "near_again.seed", 4, true);
   return written ? 0 : 1;
 }

@@ -1,14 +1,14 @@
 #!/bin/sh
-# Runs the fuzzers of fonts and of outlines for a while, on all cores, each for
-# half of the time:
+# Runs the fuzzers of fonts, of outlines and of type that moves for a while, on
+# all cores, each for a third of the time:
 #
 #   sh tests/fuzz/run.sh [SECONDS [FOLDER]]      (30 build/fuzz)
 #
-# New inputs gather in FOLDER/corpus and FOLDER/corpus_outline, in a folder for
-# each core, and are the start of the next run. A crash ends it with an exit
-# code; its input is FOLDER/crash-*. Put that into tests/fuzz/corpus, or
-# corpus_outline, with the fix: CTest runs all of them (fuzz.corpus,
-# fuzz.corpus_outline).
+# New inputs gather in FOLDER/corpus, FOLDER/corpus_outline and
+# FOLDER/corpus_kinetic, in a folder for each core, and are the start of the next
+# run. A crash ends it with an exit code; its input is FOLDER/crash-*. Put that
+# into the folder of the same name in tests/fuzz, with the fix: CTest runs all
+# of them (fuzz.corpus, fuzz.corpus_outline, fuzz.corpus_kinetic).
 set -eu
 seconds=${1:-30}
 folder=${2:-build/fuzz}
@@ -33,7 +33,7 @@ run() {
   shift 3
   clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined \
     -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 \
-    -Icore/include -Icore/src -Itests/unit -Itests/hostile \
+    -Icore/include -Icore/src -Icore/kinetic/include -Itests/unit -Itests/hostile \
     "tests/fuzz/$target.cpp" tests/hostile/exercise.cpp \
     tests/unit/font_builder.cpp "$@" core/src/*/*.cpp \
     -o "$folder/$target"
@@ -45,7 +45,7 @@ run() {
     mkdir -p "$folder/$corpus/$job"
     # shellcheck disable=SC2086  # options are meant to be split
     "$folder/$target" $common -artifact_prefix="$folder/" \
-      -max_total_time="$((seconds / 2))" -print_final_stats=1 \
+      -max_total_time="$((seconds / 3))" -print_final_stats=1 \
       "$folder/$corpus/$job" "tests/fuzz/$corpus" \
       >"$folder/$target-$job.log" 2>&1 &
     pids="$pids $!"
@@ -66,4 +66,5 @@ run() {
 failed=0
 run fuzz_font corpus 4096
 run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
+run fuzz_kinetic corpus_kinetic 6000 core/kinetic/src/*.cpp
 exit $failed
