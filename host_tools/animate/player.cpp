@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "body_scene.hpp"
 #include "clock_scene.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "paper.hpp"
@@ -136,6 +137,7 @@ const std::vector<SceneKind>& scene_kinds() {
       kind_of<scenes::ClockScene>("clock", "digits that become others"),
       kind_of<scenes::ParticleScene>("particles",
                                      "a word bursts and becomes another"),
+      kind_of<scenes::BodyScene>("figure13", "soft letters fall in a heap"),
       kind_of<scenes::VortexScene>("figure15", "a vortex winds a letter up"),
   };
   return kinds;

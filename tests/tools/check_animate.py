@@ -14,7 +14,7 @@ import unittest
 import zlib
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-SCENES = ("path", "clock", "particles", "figure15")
+SCENES = ("path", "clock", "particles", "figure13", "figure15")
 PROGRAMS = {}
 
 

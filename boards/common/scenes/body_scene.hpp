@@ -1,0 +1,82 @@
+// Scene `figure13`: letters fall, bounce, deform each other, and come to rest.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/bodies.hpp"
+#include "inkcell/kinetic/body_shape.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/text.hpp"
+#include "paper.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// Figure 13 of Perry and Frisken: soft bodies. A simulation: set_frame() steps
+/// as often as it must, from the start if it goes back.
+class BodyScene {
+ public:
+  static constexpr const char* kText = "Inkcell";
+  static constexpr int32_t kMostLetters = 8;
+
+  /// [px to the em]
+  static constexpr int32_t size_for(int32_t height) noexcept {
+    return height < 120 ? height * 2 / 5 : height * 3 / 10;
+  }
+  static constexpr SceneNeeds needs(int32_t, int32_t height) noexcept {
+    const int32_t side = size_for(height) * 5 / 8 + 2 * kMargin;
+    return {static_cast<size_t>(kMostLetters * side * side), 0, 0};
+  }
+
+  explicit BodyScene(const SceneSetting& setting) noexcept;
+  BodyScene(const BodyScene&) = delete;
+  BodyScene& operator=(const BodyScene&) = delete;
+
+  /// bad_argument: the text has no ink. buffer_small: the memory. Of a text
+  /// that is longer the first kMostLetters letters fall.
+  Status open() noexcept;
+  void set_frame(uint32_t frame) noexcept;
+  void draw(const Paper& paper) noexcept;
+  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  uint32_t next_due() const noexcept;
+  void tell_state(const StateSink& sink) const noexcept;
+
+  /// For tests: the letters on the screen, and what works on them.
+  Span<const kinetic::Body> bodies() const noexcept {
+    return {bodies_, static_cast<size_t>(count_)};
+  }
+  kinetic::BodyRules rules() const noexcept;
+
+ private:
+  static constexpr int32_t kMargin = 4;  // of distances around a letter [px]
+  static constexpr size_t kPoints = 72;
+  // Of letters that touch each other 2 times each, and walls.
+  static constexpr size_t kContacts = 4 * 20;
+
+  Status add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept;
+  void restart() noexcept;
+  void let_fall(int32_t index) noexcept;
+  void step() noexcept;
+
+  const Font& font_;
+  Text text_;
+  int32_t width_;
+  int32_t height_;
+  Span<int8_t> memory_;
+  Workspace workspace_;
+  kinetic::BodyShape shapes_[kMostLetters];
+  kinetic::BodyPoint points_[kMostLetters][kPoints];
+  uint16_t glyphs_[kMostLetters] = {};  // of the shapes
+  uint8_t shape_of_[kMostLetters] = {};
+  int32_t shape_count_ = 0;
+  int32_t count_ = 0;
+  kinetic::Body bodies_[kMostLetters];
+  kinetic::BodyContact contacts_[kContacts];
+  Rect before_[kMostLetters];  // where letters were
+  bool has_moved_[kMostLetters] = {};
+  uint32_t frame_ = 0;
+};
+
+}  // namespace scenes
+}  // namespace inkcell
