@@ -16,6 +16,10 @@ constexpr int32_t kMostSpeedQ16 = kMostBodySpeed << 16;
 constexpr int32_t kBouncesQ16 = 1 << 13;
 constexpr int32_t kMostPlaceQ16 = 8191 << 16;
 
+bool takes_part(const Body& body) noexcept {
+  return body.shape != nullptr && !body.is_fixed && !body.is_asleep();
+}
+
 // How a body takes a push. [Q30 / px^2, Q20 / px^2]
 struct Ease {
   int32_t for_way;   // 1 / mass
@@ -23,7 +27,7 @@ struct Ease {
 };
 
 Ease ease_of(const Body& body) noexcept {
-  if (body.is_fixed || body.is_asleep()) {
+  if (!takes_part(body)) {
     return {0, 0};
   }
   return {(1 << 30) / body.shape->area(),
@@ -34,11 +38,11 @@ Ease ease_of(const Body& body) noexcept {
 void limit(Body& body) noexcept {
   body.x.raw = clamp(body.x.raw, -kMostPlaceQ16, kMostPlaceQ16);
   body.y.raw = clamp(body.y.raw, -kMostPlaceQ16, kMostPlaceQ16);
-  // Each part at most a third: their sum is the bound of any point's speed.
-  const int32_t most = kMostSpeedQ16 / 2;
+  const int32_t most = kMostSpeedQ16 / 2;  // by turning
   body.x_speed.raw = clamp(body.x_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
   body.y_speed.raw = clamp(body.y_speed.raw, -kMostSpeedQ16, kMostSpeedQ16);
-  const int32_t spin = (most << 4) / max(body.shape->radius(), 1);
+  const int32_t radius = body.shape == nullptr ? 1 : body.shape->radius();
+  const int32_t spin = (most << 4) / max(radius, 1);
   body.spin_q20 = clamp(body.spin_q20, -spin, spin);
 }
 
@@ -197,7 +201,7 @@ void Solver::separate(const BodyContact& contact) const noexcept {
   if (contact.gap_q10 >= 0) {
     return;
   }
-  const int32_t way_q16 = min(-contact.gap_q10, 512) * 64 / 4;
+  const int32_t way_q16 = min(-contact.gap_q10, 512) * 64 / 2;
   const int64_t pushed = int64_t{way_q16} * contact.normal_mass >> 8;
   const auto move = [&](Body& body, int64_t by) {
     const Ease ease = ease_of(body);
@@ -212,11 +216,74 @@ void Solver::separate(const BodyContact& contact) const noexcept {
   }
 }
 
+// The energy of motion, and that of the change since the piece began. [mass
+// px^2 / step^2, Q24, twice]
+struct Energy {
+  int64_t motion;
+  int64_t change;
+};
+
+Energy energy_of(Span<const Body> bodies) noexcept {
+  Energy sum = {0, 0};
+  for (const Body& body : bodies) {
+    if (!takes_part(body)) {
+      continue;
+    }
+    const BodyShape& shape = *body.shape;
+    // Speeds are below 2^17, areas 2^18, squares of spins 2^34 / radius^2.
+    const auto add = [&](int64_t x, int64_t y, int64_t spin, int64_t& to) {
+      const int64_t turns = (spin * spin >> 8) * shape.gyration_q8() >> 8;
+      to += ((x * x + y * y + turns) >> 4) * shape.area();
+    };
+    add(body.x_speed.raw >> 4, body.y_speed.raw >> 4, body.spin_q20 >> 4,
+        sum.motion);
+    add((body.x_speed.raw - body.x_speed_before) >> 4,
+        (body.y_speed.raw - body.y_speed_before) >> 4,
+        (body.spin_q20 - body.spin_before) >> 4, sum.change);
+  }
+  return sum;
+}
+
+// Impulses over all contacts. Bounces of several contacts at once may give more
+// than came in: all pushes are then made less by one factor, with which the
+// energy is what it was (E + t b + t^2 a with t = -b / a).
+void solve_all(const Solver& solver) noexcept {
+  if (solver.contacts.size == 0) {
+    return;
+  }
+  for (Body& body : solver.bodies) {
+    body.x_speed_before = body.x_speed.raw;
+    body.y_speed_before = body.y_speed.raw;
+    body.spin_before = body.spin_q20;
+  }
+  const int64_t before = energy_of(solver.bodies).motion;
+  for (int32_t round = 0; round < kRounds; ++round) {
+    for (BodyContact& contact : solver.contacts) {
+      solver.solve(contact);
+    }
+  }
+  const Energy after = energy_of(solver.bodies);
+  if (after.motion <= before || after.change == 0) {
+    return;
+  }
+  const int64_t lost = after.change - (after.motion - before);  // -b
+  const int64_t unit = after.change < 1024 ? 1 : after.change >> 10;
+  const int32_t part_q10 = clamp_i64(lost / unit, 0, 1024);
+  const auto less = [&](int32_t from, int32_t to) {
+    return from + scaled(int64_t{to - from} * part_q10, 10);
+  };
+  for (Body& body : solver.bodies) {
+    body.x_speed.raw = less(body.x_speed_before, body.x_speed.raw);
+    body.y_speed.raw = less(body.y_speed_before, body.y_speed.raw);
+    body.spin_q20 = less(body.spin_before, body.spin_q20);
+  }
+}
+
 // [Q16 of a step] How long no body goes farther than half of what is clear.
 int32_t piece_of(Span<const Body> bodies, int32_t left_q16) noexcept {
   int32_t piece = left_q16;
   for (const Body& body : bodies) {
-    if (body.shape == nullptr || body.is_fixed || body.is_asleep()) {
+    if (!takes_part(body)) {
       continue;
     }
     const int32_t speed = max(speed_of(body), 1);
@@ -237,10 +304,6 @@ void advance(Body& body, int32_t piece_q16) noexcept {
   limit(body);
 }
 
-bool takes_part(const Body& body) noexcept {
-  return body.shape != nullptr && !body.is_fixed && !body.is_asleep();
-}
-
 }  // namespace
 
 void step(Span<Body> all,
@@ -252,6 +315,9 @@ void step(Span<Body> all,
   rules.walls = intersect(asked.walls, {-8191, -8191, 8191, 8191});
   rules.gravity.raw = clamp(asked.gravity.raw, -(1 << 17), 1 << 17);
   rules.overlap.raw = static_cast<int16_t>(clamp(asked.overlap.raw, 0, 4096));
+  for (Body& body : bodies) {
+    limit(body);
+  }
   if (is_empty(rules.walls)) {
     return;
   }
@@ -260,7 +326,6 @@ void step(Span<Body> all,
     if (body.shape == nullptr) {
       continue;
     }
-    limit(body);
     if (!takes_part(body)) {
       body.x_speed = body.y_speed = {};
       body.spin_q20 = 0;
@@ -275,11 +340,7 @@ void step(Span<Body> all,
     for (BodyContact& contact : solver.contacts) {
       solver.prepare(contact);
     }
-    for (int32_t round = 0; round < kRounds; ++round) {
-      for (BodyContact& contact : solver.contacts) {
-        solver.solve(contact);
-      }
-    }
+    solve_all(solver);
     const int32_t part_q16 = piece_of(bodies, left_q16);
     left_q16 -= part_q16;
     for (const BodyContact& contact : solver.contacts) {

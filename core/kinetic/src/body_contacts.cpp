@@ -98,8 +98,8 @@ struct Finder {
 // The distance inside of what is nearest.
 void Finder::note(Body& body, int32_t distance_q10) const noexcept {
   const int32_t gap_q10 = overlap_q10 - distance_q10;
-  // Those that touch slide in pieces of 3/8 px.
-  const int32_t clear = gap_q10 < kTouchQ10 ? 768 : gap_q10;
+  // Those that touch slide in pieces of 1/4 px.
+  const int32_t clear = gap_q10 < kTouchQ10 ? 512 : gap_q10;
   body.clear_q10 = min(body.clear_q10, clear);
   body.squeeze.raw =
       static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
@@ -321,8 +321,9 @@ size_t find_contacts(Span<Body> bodies,
                      const BodyRules& rules,
                      int32_t still_q16,
                      Span<BodyContact> contacts) noexcept {
-  Finder finder = {bodies,    contacts, rules.walls, rules.overlap.raw,
-                   still_q16, 0};
+  Finder finder = {bodies,      contacts,
+                   rules.walls, rules.overlap.raw - kSkinQ10,
+                   still_q16,   0};
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
     body.squeeze.raw = 0;

@@ -13,6 +13,10 @@ namespace kinetic {
 /// Bodies that are nearer than this touch. [px, Q10]
 inline constexpr int32_t kTouchQ10 = 256;
 
+/// Rigid bodies keep this far apart: grids round corners off by as much.
+/// [px, Q10]
+inline constexpr int32_t kSkinQ10 = 160;
+
 /// What is farther than any way of a piece. [px, Q10]
 inline constexpr int32_t kFarQ10 = 64 << 10;
 

@@ -102,6 +102,8 @@ size_t BodyShape::spread(int32_t spacing_q5,
                          Span<BodyPoint> room) const noexcept {
   size_t count = 0;
   for (int32_t pass = 0; pass < 2; ++pass) {
+    // Closer at corners, so that one is on the tip.
+    const int32_t apart_q5 = pass == 0 ? spacing_q5 / 4 : spacing_q5;
     for (int32_t row = -1; row < grid_.height(); ++row) {
       for (int32_t column = -1; column < grid_.width(); ++column) {
         BodyPoint point;
@@ -114,8 +116,8 @@ size_t BodyShape::spread(int32_t spacing_q5,
         for (size_t i = 0; i < count && is_free; ++i) {
           const int32_t x = abs(room[i].x_q5 - point.x_q5);
           const int32_t y = abs(room[i].y_q5 - point.y_q5);
-          is_free = x >= spacing_q5 || y >= spacing_q5 ||
-                    x * x + y * y >= spacing_q5 * spacing_q5;
+          is_free = x >= apart_q5 || y >= apart_q5 ||
+                    x * x + y * y >= apart_q5 * apart_q5;
         }
         if (!is_free) {
           continue;

@@ -37,8 +37,12 @@ struct Body {
   uint8_t still_steps = 0;  // kStepsToSleep: it sleeps until it is hit
   /// The deepest overlap with another body or a wall at the last step. [px]
   Q6_10 squeeze;
-  /// How far it may go at once: of use to step() alone. [px, Q10]
+  // Of use to step() alone: how far it may go at once [px], and its speeds
+  // before contacts were solved.
   int32_t clear_q10 = 0;
+  int32_t x_speed_before = 0;
+  int32_t y_speed_before = 0;
+  int32_t spin_before = 0;
 
   static constexpr uint8_t kStepsToSleep = 60;
 
