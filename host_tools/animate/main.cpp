@@ -1,5 +1,6 @@
 // inkcell-animate: plays a scene of the boards into an animated picture.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -7,6 +8,7 @@
 #include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include <nettle/sha2.h>
@@ -101,9 +103,10 @@ struct Tally {
   Sha256 pictures;
   uint64_t dirty_pixels = 0;
   uint64_t changed_pixels = 0;
-  uint64_t missed_pixels = 0;  // changed, and in no dirty rectangle
-  uint32_t still_frames = 0;   // without a dirty rectangle
-  uint32_t missed_frames = 0;  // changed before they were due
+  uint64_t missed_pixels = 0;         // changed, and in no dirty rectangle
+  uint32_t still_frames = 0;          // without a dirty rectangle
+  uint32_t missed_frames = 0;         // changed before they were due
+  std::optional<double> penetration;  // the deepest of all frames [px]
 };
 
 // How a frame differs from the one before, and whether the scene knew.
@@ -174,7 +177,7 @@ void write_stats(const Arguments& arguments,
   const auto mean = [&](uint64_t sum) {
     return static_cast<double>(sum) / arguments.frames;
   };
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"scene", arguments.scene},
       {"width", size.width},
       {"height", size.height},
@@ -190,6 +193,9 @@ void write_stats(const Arguments& arguments,
       {"still_frames", tally.still_frames},
       {"missed_frames", tally.missed_frames},
   };
+  if (tally.penetration) {
+    json["worst_penetration_px"] = *tally.penetration;
+  }
   std::ofstream out(arguments.stats);
   out << json.dump(2) << '\n';
   if (!out.flush()) {
@@ -218,6 +224,9 @@ void play(const Arguments& arguments, Player& player, Size size) {
     }
     due = player.next_due();
     const std::vector<uint8_t> state = player.state();
+    if (const std::optional<double> depth = player.penetration()) {
+      tally.penetration = std::max(tally.penetration.value_or(0), *depth);
+    }
     tally.all.add(state);
     tally.all.add(frame.pixels);
     tally.states.add(state);

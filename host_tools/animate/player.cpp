@@ -1,7 +1,9 @@
 #include "player.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "body_scene.hpp"
 #include "clock_scene.hpp"
@@ -58,6 +60,43 @@ class Sheet {
   Sink sink_;
 };
 
+// The distance of a pixel's centre inside of a body. [px]
+double depth_in(const kinetic::Body& body, int x, int y) {
+  constexpr double kOne = 65536;
+  constexpr double kTurn = 2 * 3.14159265358979 / 65536;
+  const kinetic::BodyShape& shape = *body.shape;
+  const double angle = body.angle().raw * kTurn;
+  const double dx = x + 0.5 - body.x.raw / kOne;
+  const double dy = y + 0.5 - body.y.raw / kOne;
+  const double right = dx * std::cos(angle) - dy * std::sin(angle);
+  const double down = dy * std::cos(angle) + dx * std::sin(angle);
+  const auto raw = [&](double px, Q16_16 centre) {
+    return Q16_16::from_raw(static_cast<int32_t>(px * kOne) + centre.raw);
+  };
+  return kinetic::probe(shape.grid(), raw(right, shape.centre_x()),
+                        raw(down, shape.centre_y()))
+             .distance_q10 /
+         1024.0;
+}
+
+// Where two edges pass each other by d, the middle is d / 2 inside of both.
+double penetration_of(Span<const kinetic::Body> bodies) {
+  double most = 0;
+  for (size_t i = 0; i < bodies.size; ++i) {
+    for (size_t k = 0; k < i; ++k) {
+      const Rect box =
+          intersect(kinetic::box_of(bodies[i]), kinetic::box_of(bodies[k]));
+      for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+          most = std::max(most, 2 * std::min(depth_in(bodies[i], x, y),
+                                             depth_in(bodies[k], x, y)));
+        }
+      }
+    }
+  }
+  return most;
+}
+
 template <typename Scene>
 class ScenePlayer : public Player {
  public:
@@ -110,6 +149,14 @@ class ScenePlayer : public Player {
     return sizeof(Scene) + grid_.size() +
            particles_.size() * sizeof particles_[0] +
            homes_.size() * sizeof homes_[0];
+  }
+
+  std::optional<double> penetration() const override {
+    if constexpr (std::is_same_v<Scene, scenes::BodyScene>) {
+      return penetration_of(scene_.bodies());
+    } else {
+      return std::nullopt;
+    }
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ class Player {
   virtual std::vector<uint8_t> state() const = 0;
   /// RAM of the scene and its grids, without strips. [bytes]
   virtual size_t state_bytes() const = 0;
+  /// How deep bodies are in each other, pixel by pixel, as if they were rigid;
+  /// none if the scene has no bodies. [px]
+  virtual std::optional<double> penetration() const = 0;
 };
 
 struct SceneKind {

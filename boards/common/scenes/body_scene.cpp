@@ -169,6 +169,18 @@ void BodyScene::set_frame(uint32_t frame) noexcept {
                     now.turn_q32 != then[i].turn_q32 ||
                     now.squeeze.raw != then[i].squeeze.raw;
   }
+  // What touches a letter that moved is deformed by it.
+  bool is_near[kMostLetters] = {};
+  for (int32_t i = 0; i < count_; ++i) {
+    for (int32_t k = 0; k < count_; ++k) {
+      const Rect moved = bounding_box(before_[k], box_of(bodies_[k]));
+      is_near[i] = is_near[i] ||
+                   (has_moved_[k] && !is_empty(intersect(before_[i], moved)));
+    }
+  }
+  for (int32_t i = 0; i < count_; ++i) {
+    has_moved_[i] = has_moved_[i] || is_near[i];
+  }
 }
 
 void BodyScene::draw(const Paper& paper) noexcept {
