@@ -1,5 +1,6 @@
 // Scenes have one SHA-256 of states and frames, on every machine: played, and
 // sought to, and in strips of any height.
+#include "body_scene.hpp"
 #include "check.hpp"
 #include "clock_scene.hpp"
 #include "expected_motion.hpp"
@@ -30,6 +31,8 @@ constexpr scenes::SceneNeeds kClock =
 constexpr scenes::SceneNeeds kParticles =
     scenes::ParticleScene::needs(kWidth, kHeight);
 
+constexpr scenes::SceneNeeds kBodies =
+    scenes::BodyScene::needs(kWidth, kHeight);
 constexpr scenes::SceneNeeds kVortex =
     scenes::VortexScene::needs(kWidth, kHeight);
 
@@ -37,7 +40,8 @@ constexpr scenes::SceneNeeds kVortex =
 #ifdef INKCELL_SMALL_RAM
 int8_t grid[most(kClock.grid, kParticles.grid)];
 #else
-int8_t grid[most(kVortex.grid, most(kClock.grid, kParticles.grid))];
+int8_t grid[most(most(kBodies.grid, kVortex.grid),
+                 most(kClock.grid, kParticles.grid))];
 #endif
 kinetic::Particle particles[kParticles.particles];
 kinetic::ParticleHome homes[kParticles.homes];
@@ -163,6 +167,12 @@ TEST(clock_has_one_hash) {
 }
 
 #ifndef INKCELL_SMALL_RAM
+TEST(figure13_has_one_hash) {
+  static scenes::BodyScene scene(setting_of("Inkcel"));
+  check_played("figure13", scene, golden::kFigure13Hash);
+  check_sought(scene);
+}
+
 TEST(figure15_has_one_hash) {
   static scenes::VortexScene scene(setting_of("e"));
   check_played("figure15", scene, golden::kFigure15Hash);
