@@ -1,6 +1,8 @@
 // The code of docs/ANIMATING.md, which build.porting looks for here.
 #include "check.hpp"
 #include "inkcell/kinetic/advect.hpp"
+#include "inkcell/kinetic/bodies.hpp"
+#include "inkcell/kinetic/body_draw.hpp"
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
@@ -122,6 +124,31 @@ Status draw_particles(const Sink& sink) {
   return Status::ok;
 }
 
+Status draw_bodies(const Sink& sink) {
+  static int8_t samples[48 * 48];
+  const uint16_t glyph = 1;
+  BodyPoint points[48];
+  DistanceGrid grid(samples, 48, 48, 0);  // a sample a pixel
+  grid.clear();
+  INKCELL_TRY(grid.paint(font, glyph, size, from));
+  BodyShape shape;  // mass, inertia, points on edges
+  INKCELL_TRY(shape.make(grid, points));
+  Body bodies[2];
+  bodies[0].shape = bodies[1].shape = &shape;
+  bodies[0].x = bodies[1].x = Q16_16::from_int(24);
+  bodies[0].y = Q16_16::from_int(20);
+  bodies[1].y = Q16_16::from_int(60);
+  BodyContact contacts[16];
+  BodyRules rules;
+  rules.walls = {0, 0, 80, 120};
+  rules.gravity = Q16_16::from_raw(2300);  // 500 px/s^2 at 120 steps a second
+  step(bodies, rules, contacts);
+  for (size_t i = 0; i < 2; ++i) {
+    draw_body(bodies, i, rules, kFilterMotion, sink);  // for each strip
+  }
+  return Status::ok;
+}
+
 Status draw_level_set(const Sink& sink) {
   int8_t samples[2][48 * 48];
   DistanceGrid grid(samples[0], 48, 48, 0);
@@ -161,6 +188,12 @@ TEST(morphs_draw) {
 TEST(particles_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_particles(sink));
+  CHECK(ink > 255 * 50);
+}
+
+TEST(bodies_draw) {
+  const Sink sink = counting_sink();
+  CHECK_OK(draw_bodies(sink));
   CHECK(ink > 255 * 50);
 }
 

@@ -11,10 +11,12 @@
 //   particles COUNT MEAN PULL                 a step; and the way home
 //   dot MEAN                                  of 1.3 px
 //   level_set SIDE ADVECT REDISTANCE STACK    a sample, in 1/10
-//   path, clock, particle_text, figure15 WIDTH HEIGHT MEAN MOST WHOLE STACK RAM
+//   path, clock, particle_text, figure13, figure15
+//       WIDTH HEIGHT MEAN MOST WHOLE STACK RAM
 //       a frame of RGB565 in strips of 16 rows: what changed (mean, most), or
 //       all of the screen (mean)
 #include "board.hpp"
+#include "body_scene.hpp"
 #include "clock_scene.hpp"
 #include "console.hpp"
 #include "counter.hpp"
@@ -319,6 +321,8 @@ int main(int argc, char** argv) {
   const bool is_measured =
       measure_morph(48, 0) && measure_morph(96, 0) && measure_morph(96, 1) &&
       measure_particles() && measure_level_set() &&
+      measure_scene<scenes::BodyScene, 320, 240>("figure13") &&
+      measure_scene<scenes::BodyScene, 128, 64>("figure13") &&
       measure_scene<scenes::VortexScene, 320, 240>("figure15") &&
       measure_scene<scenes::VortexScene, 128, 64>("figure15") &&
       measure_scene<scenes::PathScene, 320, 240>("path") &&
