@@ -2,7 +2,7 @@
 // places, so that energy does not grow.
 #include "inkcell/kinetic/bodies.hpp"
 
-#include "body_contacts.hpp"
+#include "inkcell/kinetic/body_contacts.hpp"
 #include "limits.hpp"
 
 namespace inkcell {

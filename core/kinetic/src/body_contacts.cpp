@@ -1,7 +1,7 @@
 // Broad phase: circles. Narrow phase: points of one in the distances of the
 // other, both ways. Of all points that touch four are kept: the outermost to
 // both sides, and the deepest of each side that faces.
-#include "body_contacts.hpp"
+#include "inkcell/kinetic/body_contacts.hpp"
 
 #include "limits.hpp"
 

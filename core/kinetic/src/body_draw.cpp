@@ -1,7 +1,7 @@
 // Rows of pixels on a line through the grid of a body, and of its neighbours.
 #include "inkcell/kinetic/body_draw.hpp"
 
-#include "body_contacts.hpp"
+#include "inkcell/kinetic/body_contacts.hpp"
 #include "limits.hpp"
 
 namespace inkcell {

@@ -1,4 +1,4 @@
-// Where bodies touch, and how far they are apart.
+// Where bodies touch, and how far they are apart: what step() of bodies uses.
 #pragma once
 
 #include <stddef.h>
