@@ -17,7 +17,8 @@ ROOT = HERE.parents[1]
 FOLDERS = {"core/include": ".", "core/src": ".", "core/kinetic/include": ".",
            "core/kinetic/src": "kinetic", "port/pixel/include": ".",
            "port/display/include": ".", "port/pixel/src": "pixel",
-           "port/display/src": "display"}
+           "port/display/src": "display",
+           "port/c/include": ".", "port/c/src": "c"}
 
 
 def main():

@@ -4,7 +4,8 @@ file(GLOB_RECURSE sources
   ${root}/core/src/*.cpp
   ${root}/core/kinetic/src/*.cpp
   ${root}/port/pixel/src/*.cpp
-  ${root}/port/display/src/*.cpp)
+  ${root}/port/display/src/*.cpp
+  ${root}/port/c/src/*.cpp)
 idf_component_register(
   SRCS ${sources}
   INCLUDE_DIRS
@@ -12,6 +13,7 @@ idf_component_register(
     ${root}/core/kinetic/include
     ${root}/port/pixel/include
     ${root}/port/display/include
+    ${root}/port/c/include
   PRIV_INCLUDE_DIRS ${root}/core/src)
 target_compile_features(${COMPONENT_LIB} PUBLIC cxx_std_17)
 target_compile_options(${COMPONENT_LIB} PRIVATE -ffunction-sections -fdata-sections)

@@ -1,6 +1,7 @@
-# Inkcell in a Makefile. Set INKCELL to its folder and include this file; then
-# compile $(INKCELL_SOURCES) with $(INKCELL_FLAGS), your sources with
-# $(INKCELL_INCLUDES), and link with -Wl,--gc-sections:
+# Inkcell in a Makefile. Set INKCELL to its folder and include this file. Link
+# $(INKCELL_OBJECTS), which $(CXX) makes with your $(CXXFLAGS), with
+# -Wl,--gc-sections; compile your sources with $(INKCELL_INCLUDES). Objects keep
+# the folders of their sources, some of which have the same name.
 #
 #   INKCELL := inkcell
 #   include $(INKCELL)/port/make/inkcell.mk
@@ -10,16 +11,24 @@
 # the objects that include it.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
+INKCELL_BUILD ?= build/inkcell
 
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(INKCELL)/core/kinetic/src/*.cpp \
-  $(INKCELL)/port/pixel/src/*.cpp $(INKCELL)/port/display/src/*.cpp)
+  $(INKCELL)/port/pixel/src/*.cpp $(INKCELL)/port/display/src/*.cpp \
+  $(INKCELL)/port/c/src/*.cpp)
 INKCELL_INCLUDES := -I$(INKCELL)/core/include \
   -I$(INKCELL)/core/kinetic/include -I$(INKCELL)/port/pixel/include \
-  -I$(INKCELL)/port/display/include -I$(INKCELL_FONTS)
+  -I$(INKCELL)/port/display/include -I$(INKCELL)/port/c/include \
+  -I$(INKCELL_FONTS)
 INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
   -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
   -ffunction-sections -fdata-sections
+
+INKCELL_OBJECTS := $(patsubst $(INKCELL)/%.cpp,$(INKCELL_BUILD)/%.o,$(INKCELL_SOURCES))
+$(INKCELL_BUILD)/%.o: $(INKCELL)/%.cpp
+	mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(INKCELL_FLAGS) -c $< -o $@
 
 # $(call inkcell_font,<name>,<font file>,<more arguments of inkcell-fontgen>)
 define inkcell_font

@@ -5,17 +5,15 @@ from toolchains import ROOT
 
 MAKEFILE = """INKCELL := {root}
 INKCELL_FONTGEN := {fontgen}
+CXX := arm-none-eabi-g++
+CXXFLAGS := {compile}
 include $(INKCELL)/port/make/inkcell.mk
 
-SOURCES := main.cpp readme.cpp $(INKCELL_SOURCES)
-OBJECTS := $(patsubst %.cpp,build/%.o,$(notdir $(SOURCES)))
-vpath %.cpp $(sort $(dir $(SOURCES)))
-
-app: $(OBJECTS)
+app: build/main.o build/readme.o $(INKCELL_OBJECTS)
 	arm-none-eabi-gcc {link} $^ -o $@
 build/%.o: %.cpp
 	mkdir -p $(@D)
-	arm-none-eabi-g++ {compile} $(INKCELL_FLAGS) -c $< -o $@
+	$(CXX) $(CXXFLAGS) $(INKCELL_FLAGS) -c $< -o $@
 $(eval $(call inkcell_font,dejavu_sans,{font},{options}))
 build/readme.o: $(INKCELL_FONTS)/fonts/dejavu_sans.hpp
 """
