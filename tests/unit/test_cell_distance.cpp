@@ -91,7 +91,8 @@ void run(int32_t rounds, const Round& round) {
   check::write("grey pixels: ");
   check::write_number(grey);
   check::write("\n");
-  CHECK(grey > rounds / 4);
+  // Many windows lie beside the ink, or in it.
+  CHECK(grey > rounds / 8);
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ TEST(primitives_are_those_of_the_reference) {
 // Of any bytes.
 TEST(samples_are_those_of_the_reference) {
   static font_builder::Record record;
-  run(INKCELL_BOARD_FIRMWARE ? 30 : 3000, [](Random& random) {
+  run(INKCELL_BOARD_FIRMWARE ? 120 : 3000, [](Random& random) {
     make_any(record, random);
     GlyphField field;
     CHECK(record.size() <= sizeof(bytes));
