@@ -46,10 +46,12 @@ def c_compiler(machine):
 
 
 def device_sources():
-    """Sources of everything that runs on a device: core, kinetic and port."""
+    """Sources of everything that runs on a device: core, kinetic and port, but
+    for what needs the headers of LVGL."""
     return sorted([*ROOT.glob("core/src/**/*.cpp"),
                    *ROOT.glob("core/kinetic/src/*.cpp"),
-                   *ROOT.glob("port/*/src/*.cpp")])
+                   *(path for path in ROOT.glob("port/*/src/*.cpp")
+                     if path.parts[-3] != "lvgl")])
 
 
 def device_headers():

@@ -89,7 +89,7 @@ Status draw_morph(int32_t now_ms, const Sink& sink) {
   constexpr MorphBox box = {24, 24, 20, 0};
   const int32_t x = 4;
   const int32_t y = 4;
-  int8_t grids[morph_bytes(box)];
+  static int8_t grids[morph_bytes(box)];
   GridHistogram scratch;
   GlyphMorph digit(font, size, kFilterMotion, box, grids);
   INKCELL_TRY(digit.set(font.glyph_or_notdef('A'), font.glyph_or_notdef('C')));
@@ -150,7 +150,7 @@ Status draw_bodies(const Sink& sink) {
 }
 
 Status draw_level_set(const Sink& sink) {
-  int8_t samples[2][48 * 48];
+  static int8_t samples[2][48 * 48];
   DistanceGrid grid(samples[0], 48, 48, 0);
   DistanceGrid next(samples[1], 48, 48, 0);
   GridHistogram scratch;
