@@ -116,7 +116,7 @@ void BodyScene::let_fall(int32_t index) noexcept {
   body.x = Q16_16::from_int(width_ / 4 + width_ * along / 2048);
   body.y = Q16_16::from_int(-body.shape->radius());
   body.turn_q32 = random << 7;
-  body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) << 10;
+  body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 1024;
   body.x_speed.raw = (512 - along) * 60 * width_ / 320;
 }
 
@@ -142,7 +142,7 @@ void BodyScene::step() noexcept {
       const uint32_t random = hash(3, static_cast<uint32_t>(i));
       const auto more = static_cast<int32_t>(random & 1023);
       body.y_speed.raw = -(5 << 16) * height_ / 240 - more * 128;
-      body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) << 11;
+      body.spin_q20 = (static_cast<int32_t>(random >> 16 & 127) - 64) * 2048;
     }
   }
   for (int32_t i = 0; i < kStepsPerFrame; ++i) {

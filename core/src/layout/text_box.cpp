@@ -216,7 +216,8 @@ class Carets {
 Status TextBox::lay_out(Text text,
                         Span<TextLine> out,
                         Span<const TextLine>& lines) const noexcept {
-  BoxLines found(*this, text, {});
+  const Span<const TextLine> none;
+  BoxLines found(*this, text, none);
   size_t count = 0;
   while (found.next()) {
     if (count == out.size) {
