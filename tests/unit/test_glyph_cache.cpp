@@ -371,6 +371,22 @@ TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
   CHECK_EQ(cache.stats().hits, 2u);
 }
 
+TEST(faces_without_a_glyph_take_no_slot) {
+  const Font fonts[] = {outline_font(), sample_font()};
+  const TextStyle styles[] = {style_of(20), style_of(14)};
+  const Face fallback[] = {{&fonts[1], &styles[1]}};
+  PositionedGlyph run[1];
+  run[0].glyph = 1;
+  GlyphCache cache = cache_of(2048, exact());
+  clear(cached, 1);
+  for (int32_t round = 0; round < 3; ++round) {
+    cache.draw({&fonts[0], &styles[0]}, fallback, run, px(6, 20),
+               cached.sink());
+  }
+  CHECK_EQ(cache.stats().hits, 2u);
+  CHECK_EQ(cache.stats().evictions, 0u);
+}
+
 TEST(sub_pixels_are_kept_by_channel) {
   const Font font = outline_font();
   const LcdOptions lcd;

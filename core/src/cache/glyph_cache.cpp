@@ -251,21 +251,25 @@ void draw_placed(const Call& call,
   draw_kept(call, *held, place);
 }
 
-// Draws the glyphs that `next` gives, which `run` places.
+// Draws the glyphs that `next` gives, which `run` places. A call that draws
+// none takes no slot from other styles.
 template <typename Next>
 void draw_run(Call&& call, const Face& run, Point origin, Next next) noexcept {
+  PositionedGlyph at;
+  if (!next(at)) {
+    return;
+  }
   if (call.store != nullptr) {
     call.open();
   }
   const UnitScale scale(*run.font, *run.style);
   origin = run_origin(*run.style, origin);
-  PositionedGlyph at;
   Placed placed;
-  while (next(at)) {
+  do {
     if (place_near(scale, *run.style, origin, at, placed)) {
       draw_placed(call, at.glyph, placed);
     }
-  }
+  } while (next(at));
 }
 
 }  // namespace
