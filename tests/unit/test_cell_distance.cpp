@@ -92,7 +92,7 @@ void run(int32_t rounds, const Round& round) {
   check::write_number(grey);
   check::write("\n");
   // Many windows lie beside the ink, or in it.
-  CHECK(grey > rounds / 8);
+  CHECK(grey > rounds / 4);
 }
 
 }  // namespace
