@@ -13,8 +13,6 @@ using detail::RowWriter;
 
 // Of two neighbours with a stroke between them, the nearer one's distance.
 constexpr int32_t kFarthestQ10 = -(1 << 9);  // [px]
-// No pixel that is drawn is farther from the ink.
-constexpr int32_t kMostReachQ10 = 1 << 10;
 
 // The glyph around a pixel: distances from the threshold.
 class Neighbourhood {

@@ -210,7 +210,7 @@ int32_t Polyline::distance(int32_t x,
                            int32_t y,
                            uint32_t count) const noexcept {
   uint32_t least = UINT32_MAX;
-  int32_t best = -UINT16_MAX;           // the height over the nearest edge
+  int32_t best = -int32_t{UINT16_MAX};  // the height over the nearest edge
   const Vertex* nearest_end = nullptr;  // where that is its end
   for (uint32_t i = 0; i < count; ++i) {
     const Vertex* const begin = &vertex(edges_[i]);

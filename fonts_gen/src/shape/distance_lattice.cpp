@@ -53,7 +53,6 @@ DistanceLattice::DistanceLattice(
       x0_u_(x0_u),
       y0_u_(y0_u),
       width_u_(width_u),
-      height_u_(height_u),
       blocks_x_(width_u / kBlock_u + 1) {
   blocks_.resize(static_cast<size_t>(blocks_x_) *
                  static_cast<size_t>(height_u / kBlock_u + 1));

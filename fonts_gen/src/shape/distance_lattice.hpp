@@ -73,7 +73,6 @@ class DistanceLattice {
   int x0_u_;
   int y0_u_;
   int width_u_;
-  int height_u_;
   int blocks_x_;
   std::vector<Block> blocks_;
   std::vector<TruthSample> samples_;
