@@ -23,7 +23,23 @@ command -v clang++ >/dev/null || {
   echo "tests/fuzz/run.sh: clang++ is missing: apt-get install clang" >&2
   exit 1
 }
-mkdir -p "$folder"
+rm -rf "$folder/objects"
+mkdir -p "$folder/objects"
+flags="-std=c++17 -O1 -g -fsanitize=address,undefined
+  -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 -Icore/include -Icore/src
+  -Icore/kinetic/include -Itests/unit -Itests/hostile"
+
+# Objects of the sources given, side by side.
+# shellcheck disable=SC2016,SC2086  # $2 is that of sh, flags are to be split
+compile() {
+  printf '%s\n' "$@" | xargs -P "$(nproc)" -I '{}' sh -c '
+    source=$1 folder=$2
+    shift 2
+    exec clang++ "$@" -fsanitize=fuzzer-no-link -c "$source" \
+      -o "$folder/objects/$(echo "$source" | tr / -).o"' \
+    sh '{}' "$folder" $flags
+}
+compile core/src/*/*.cpp tests/hostile/exercise.cpp tests/unit/font_builder.cpp
 
 # Fuzzer, folder of its corpus, longest input, more sources.
 run() {
@@ -31,12 +47,9 @@ run() {
   corpus=$2
   longest=$3
   shift 3
-  clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined \
-    -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 \
-    -Icore/include -Icore/src -Icore/kinetic/include -Itests/unit -Itests/hostile \
-    "tests/fuzz/$target.cpp" tests/hostile/exercise.cpp \
-    tests/unit/font_builder.cpp "$@" core/src/*/*.cpp \
-    -o "$folder/$target"
+  # shellcheck disable=SC2086  # flags are meant to be split
+  clang++ $flags -fsanitize=fuzzer "tests/fuzz/$target.cpp" "$@" \
+    "$folder"/objects/*.o -o "$folder/$target"
   # A unit that needs more than 5 s is as bad as a crash.
   common="-max_len=$longest -timeout=5 -rss_limit_mb=1024"
   pids=
@@ -66,5 +79,6 @@ run() {
 failed=0
 run fuzz_font corpus 4096
 run fuzz_outline corpus_outline 1024 tests/hostile/outline_pictures.cpp
-run fuzz_kinetic corpus_kinetic 6000 core/kinetic/src/*.cpp
+compile core/kinetic/src/*.cpp
+run fuzz_kinetic corpus_kinetic 6000
 exit $failed
