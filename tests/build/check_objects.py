@@ -91,28 +91,33 @@ def check_stack(usage, limits):
 
 def check_sections(prefix, objects):
     """Writable sections that are not empty, and bytes of code of each file."""
-    problems, code = [], {}
-    for path in objects:
-        code[path.stem] = 0
-        listing = run([prefix + "size", "-A", path]).stdout
-        for name, size in re.findall(r"^(\.\S+)\s+(\d+)", listing, re.M):
-            if WRITABLE.match(name) and int(size) > 0:
-                problems.append(f"{path.stem}: {size} B in {name}")
-            if name.startswith((".text", ".rodata")):
-                code[path.stem] += int(size)
+    problems, code = [], {path.stem: 0 for path in objects}
+    stem = None
+    for line in run([prefix + "size", "-A", *objects]).stdout.splitlines():
+        if line.endswith(" :"):
+            stem = pathlib.Path(line[:-2].rstrip()).stem
+            continue
+        section = re.match(r"(\.\S+)\s+(\d+)", line)
+        if not section:
+            continue
+        name, size = section[1], int(section[2])
+        if WRITABLE.match(name) and size > 0:
+            problems.append(f"{stem}: {size} B in {name}")
+        if name.startswith((".text", ".rodata")):
+            code[stem] += size
     return problems, code
 
 
 def check_symbols(prefix, objects):
     """Symbols that nobody defines and that are not allowed."""
     defined, wanted = set(), {}
-    for path in objects:
-        for line in run([prefix + "nm", path]).stdout.splitlines():
-            kind, name = line.split()[-2:]
-            if kind == "U":
-                wanted.setdefault(name, path.stem)
-            else:
-                defined.add(name)
+    for line in run([prefix + "nm", "-A", *objects]).stdout.splitlines():
+        path, _, symbol = line.rpartition(":")
+        kind, name = symbol.split()[-2:]
+        if kind == "U":
+            wanted.setdefault(name, pathlib.Path(path).stem)
+        else:
+            defined.add(name)
     return [f"{where}: needs {name}" for name, where in sorted(wanted.items())
             if name not in defined and not ALLOWED.fullmatch(name)]
 
