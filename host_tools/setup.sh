@@ -20,7 +20,7 @@ inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
 inkcell_packages_reading="python3 python3-freetype tesseract-ocr
   tesseract-ocr-eng"
 
-inkcell_packages_tests="$inkcell_packages_demo git clang make meson
+inkcell_packages_tests="$inkcell_packages_demo git clang ccache make meson
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk
   unicode-data
   $inkcell_packages_reading"

@@ -17,6 +17,10 @@ root=$PWD
 . host_tools/setup.sh
 inkcell_setup tests
 
+# Three boards have one core, and most objects are those of the last run.
+export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
+
 logs=$root/build/tests
 mkdir -p "$logs"
 jobs=$(nproc)
