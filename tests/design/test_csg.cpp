@@ -169,7 +169,7 @@ TEST_F(Csg, ABlendOfAnyRadiusIsRefusedOrFitsIntoMemory) {
 }
 
 TEST_F(Csg, PartsAreReflectedScaledTurnedAndMoved) {
-  const auto placed = [this](const char* matrix) {
+  const auto placed = [](const char* matrix) {
     const Value command = {{"do", "x"}, {"matrix", Value::parse(matrix)}};
     return Arguments(command).matrix("matrix");
   };

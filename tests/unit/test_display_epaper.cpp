@@ -153,7 +153,8 @@ struct EpaperModel {
         row = shift == 0 ? byte : row | byte << 8;
         break;
       default:
-        CHECK(!"a command with parameters");
+        const bool is_command_with_parameters = false;
+        CHECK(is_command_with_parameters);
     }
   }
 };

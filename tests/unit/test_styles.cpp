@@ -123,8 +123,6 @@ GlyphField any_field(Random& random) {
   return open();
 }
 
-constexpr int32_t kOne = 1 << 30;
-
 TextStyle style_of(int32_t size_q6, const Filter& filter, bool turned = false) {
   Direction turn;
   if (turned) {

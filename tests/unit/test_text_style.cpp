@@ -30,7 +30,7 @@ constexpr int32_t kOne = 1 << 30;
 }  // namespace
 
 TEST(default_style) {
-  const TextStyle style;
+  const TextStyle style{};
   CHECK_EQ(style.size().raw, 16 * 64);
   CHECK(style.is_upright());
   CHECK_EQ(style.step_along_q16(), 64 << 16);
@@ -163,7 +163,7 @@ TEST(cutoffs_are_those_of_the_filter) {
       CHECK(px_q10(opaque - 1) < filter->inside_q10);
     }
   }
-  const TextStyle style;
+  const TextStyle style{};
   CHECK(style.is_transparent(-32705) && !style.is_transparent(-32704));
   CHECK(style.is_opaque(32768) && !style.is_opaque(32767));
 }
