@@ -31,7 +31,8 @@ class Touches {
     }
   }
 
-  void add(const Touch& touch, bool faces) noexcept {
+  // Not inline: the frames of its callers would hold parts of all touches.
+  __attribute__((noinline)) void add(const Touch& touch, bool faces) noexcept {
     keep(0, touch, touch.along < kept_[0].along);
     keep(1, touch, touch.along > kept_[1].along);
     Touch& deep = kept_[faces ? 2 : 3];
@@ -91,8 +92,10 @@ struct Finder {
             const Touches& touches,
             int32_t x_between,
             int32_t y_between) noexcept;
-  void find_pair(size_t first, size_t second) noexcept;
-  void find_wall(size_t index, int32_t wall) noexcept;
+  // A frame each: both hold touches.
+  __attribute__((noinline)) void find_pair(size_t first,
+                                           size_t second) noexcept;
+  __attribute__((noinline)) void find_wall(size_t index, int32_t wall) noexcept;
 };
 
 // The distance inside of what is nearest.

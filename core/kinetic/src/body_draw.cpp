@@ -19,17 +19,18 @@ struct Place {
   int32_t y;
 };
 
-// A body as rows see it: steps to the right and down the screen. [px, Q16]
+// A body as rows see it, small: a frame holds seven.
 struct View {
   const DistanceGrid* grid;
-  Place origin;  // of pixel (0, 0) of the body's box
-  Place right;
-  Place down;
-  int32_t squeeze_q10;
+  Place origin;  // of pixel (0, 0) of the box that is drawn
+  int16_t cosine_q14;
+  int16_t sine_q14;
+  int16_t squeeze_q10;
 
+  // A pixel to the right is (c, s) in the grid, one down (-s, c).
   Place at(int32_t x, int32_t y) const noexcept {
-    return {origin.x + right.x * x + down.x * y,
-            origin.y + right.y * x + down.y * y};
+    return {origin.x + (cosine_q14 * x - sine_q14 * y) * 4,
+            origin.y + (sine_q14 * x + cosine_q14 * y) * 4};
   }
   // Inside it; beyond the grid at least so far outside. [px, Q10]
   int32_t distance(const Place& place) const noexcept {
@@ -46,14 +47,17 @@ struct View {
 };
 
 // (x, y): the upper left corner of the box that is drawn, in px on the screen.
-View view_of(const Body& body, int32_t x, int32_t y) noexcept {
+// Not inline: products of 64 bits take registers that frames would keep.
+__attribute__((noinline)) void look_at(const Body& body,
+                                       int32_t x,
+                                       int32_t y,
+                                       View& view) noexcept {
   const BodyShape& shape = *body.shape;
   const Turn turn = turn_of(body.angle());
   // Back by the body's turn: (x c - y s, y c + x s).
-  View view;
   view.grid = &shape.grid();
-  view.right = {turn.cosine * 4, turn.sine * 4};
-  view.down = {-turn.sine * 4, turn.cosine * 4};
+  view.cosine_q14 = static_cast<int16_t>(turn.cosine);
+  view.sine_q14 = static_cast<int16_t>(turn.sine);
   const int64_t dx = int64_t{x} * 65536 + 32768 - body.x.raw;
   const int64_t dy = int64_t{y} * 65536 + 32768 - body.y.raw;
   view.origin.x =
@@ -61,7 +65,6 @@ View view_of(const Body& body, int32_t x, int32_t y) noexcept {
   view.origin.y =
       shape.centre_y().raw + scaled(dy * turn.cosine + dx * turn.sine, 14);
   view.squeeze_q10 = body.squeeze.raw;
-  return view;
 }
 
 // Gathers coverage of neighbouring pixels, and passes it on.
@@ -116,7 +119,7 @@ struct Painter {
   View own;
   View others[kMostNeighbours];
   size_t count;
-  Rect walls;
+  const Rect& walls;
   const Filter& filter;
 
   // [px, Q10] From the nearest wall.
@@ -130,11 +133,27 @@ struct Painter {
                    int32_t column,
                    int32_t line,
                    int32_t wall) const noexcept;
-  // A frame of its own.
+  // Frames of their own.
+  __attribute__((noinline)) void add_neighbour(const Body& body,
+                                               const Rect& whole,
+                                               const Rect& box) noexcept;
   __attribute__((noinline)) void draw_row(const Rect& box,
                                           int32_t y,
                                           const Sink& sink) const noexcept;
 };
+
+bool have_common(const Rect& a, const Rect& b) noexcept {
+  return !is_empty(intersect(a, b));
+}
+
+// If its box and the whole one of the body that is drawn have pixels in common.
+void Painter::add_neighbour(const Body& body,
+                            const Rect& whole,
+                            const Rect& box) noexcept {
+  if (have_common(whole, box_of(body))) {
+    look_at(body, box.x0, box.y0, others[count++]);
+  }
+}
 
 // (column, line): in the box.
 int32_t Painter::deformed(int32_t distance,
@@ -187,10 +206,6 @@ void Painter::draw_row(const Rect& box,
   run.flush();
 }
 
-bool have_common(const Rect& a, const Rect& b) noexcept {
-  return !is_empty(intersect(a, b));
-}
-
 }  // namespace
 
 void draw_body(Span<const Body> bodies,
@@ -207,12 +222,13 @@ void draw_body(Span<const Body> bodies,
   if (is_empty(box) || !have_common(box, sink.window)) {
     return;
   }
-  Painter painter = {view_of(body, box.x0, box.y0), {}, 0, rules.walls, filter};
+  Painter painter = {{}, {}, 0, rules.walls, filter};
+  look_at(body, box.x0, box.y0, painter.own);
   for (size_t i = 0; i < bodies.size && painter.count < kMostNeighbours; ++i) {
     const Body& other = bodies[i];
     if (i != index && other.shape != nullptr && other.squeeze.raw > 0 &&
-        body.squeeze.raw > 0 && have_common(whole, box_of(other))) {
-      painter.others[painter.count++] = view_of(other, box.x0, box.y0);
+        body.squeeze.raw > 0) {
+      painter.add_neighbour(other, whole, box);
     }
   }
   const int32_t first = max(box.y0, sink.window.y0);
