@@ -38,16 +38,17 @@ int32_t stride_of(int32_t width) noexcept {
   return (width + 4) & ~3;
 }
 
-// A glyph in RAM: where it stands, its points, and room for bands of rows.
-struct __attribute__((may_alias)) Prepared {
-  PaintedBand at;  // the band at hand
-  OutlinePlan plan;
-  const GlyphWarp* warp;  // null if the glyph is not fitted
-  ScreenPoint* points;    // room for all of them, or for some
+// Points, and room for bands of rows behind them.
+struct PreparedPoints {
+  PaintedBand at;       // the band at hand
+  ScreenPoint* points;  // room for all of them, or for some
   ScreenPoint* points_end;
   int32_t band_bytes;  // behind the points
   bool has_all;        // points
-  OutlineGlyph glyph;
+};
+
+// A glyph in RAM.
+struct __attribute__((may_alias)) Prepared : PreparedPoints, OpenGlyph {
   OutlineCursor cursor;
 };
 
@@ -56,13 +57,13 @@ struct __attribute__((may_alias)) Prepared {
 constexpr size_t kLeastBytes = sizeof(Prepared) + sizeof(GlyphWarp) +
                                kPortion * sizeof(ScreenPoint) + kLeastBand;
 
-ScreenPoint* read_points(Prepared& prepared,
-                         ScreenPoint* points,
-                         int32_t room) noexcept {
+// Not inline: most bands have all points, and fewer registers then.
+__attribute__((noinline)) ScreenPoint* read_points(Prepared& prepared,
+                                                   ScreenPoint* points,
+                                                   int32_t room) noexcept {
   ScreenPoint* const end = prepared.glyph.read(points, room);
   if (prepared.warp != nullptr) {
-    prepared.at.style->outline_fitter().apply(*prepared.warp, prepared.glyph,
-                                              prepared.plan, points, end);
+    prepared.at.style->outline_fitter().apply(prepared, points, end);
   }
   return end;
 }
@@ -187,9 +188,8 @@ void draw_prepared(Prepared& prepared, const Sink& sink) noexcept {
 // The maps lie behind the glyph.
 bool open(Prepared& prepared, const OutlineJob& job) noexcept {
   prepared.at.style = &job.style;
-  return open_outline({prepared.glyph, prepared.plan, prepared.warp,
-                       reinterpret_cast<GlyphWarp*>(&prepared + 1)},
-                      job);
+  prepared.warp = reinterpret_cast<GlyphWarp*>(&prepared + 1);
+  return open_outline(prepared, job);
 }
 
 void draw_in(Prepared& prepared,

@@ -34,57 +34,66 @@ bool plan_for(const TextStyle& style, OutlinePlan& plan) noexcept {
   return true;
 }
 
-bool open_at(const Opening& opening,
-             const OutlineJob& job,
-             const GlyphMetrics& metrics,
-             const Placed& placed) noexcept {
-  const OutlinePlan& plan = opening.plan;
-  return opening.glyph.open(
+__attribute__((always_inline)) inline bool open_at(
+    OpenGlyph& opened,
+    const OutlineJob& job,
+    const GlyphMetrics& metrics,
+    const Placed& placed) noexcept {
+  const OutlinePlan& plan = opened.plan;
+  return opened.glyph.open(
       job.font, metrics, job.record, job.style, placed,
       {plan.painter->origin_q8, plan.shown_q8, plan.columns, plan.rows},
-      opening.warp);
+      opened.warp);
 }
 
-bool open_fitted(const Opening& opening,
-                 const OutlineJob& job,
-                 const GlyphMetrics& metrics) noexcept {
-  GlyphWarp& warp = *opening.fitted;
+// Not inline: its arguments are off the stack while the maps are made.
+__attribute__((noinline)) bool open_with_maps(OpenGlyph& opened,
+                                              const OutlineJob& job,
+                                              const GlyphMetrics& metrics,
+                                              const Placed& placed) noexcept {
+  return open_at(opened, job, metrics, placed);
+}
+
+bool open_fitted(OpenGlyph& opened, const OutlineJob& job) noexcept {
+  GlyphMetrics metrics;
+  if (job.font.glyph_metrics(job.glyph, metrics) != Status::ok) {
+    return false;
+  }
+  GlyphWarp& warp = *opened.warp;
   FinePoint origin = job.placed.origin();
   job.style.fitter()->fit(job.glyph, metrics, job.style.fitter_options(),
                           origin, warp);
-  if ((warp.x.count | warp.y.count) != 0) {
-    opening.warp = &warp;
+  if ((warp.x.count | warp.y.count) == 0) {
+    opened.warp = nullptr;
   }
   Placed placed;
-  return placed.set(origin) && open_at(opening, job, metrics, placed);
+  return placed.set(origin) && open_with_maps(opened, job, metrics, placed);
 }
 
 }  // namespace
 
 const OutlineFitter kOutlineFitter = {open_fitted, warp_points};
 
-bool open_outline(const Opening& opening, const OutlineJob& job) noexcept {
-  opening.warp = nullptr;
-  if (!plan_for(job.style, opening.plan)) {
-    return false;
-  }
-  GlyphMetrics metrics;
-  if (job.font.glyph_metrics(job.glyph, metrics) != Status::ok) {
+bool open_outline(OpenGlyph& opened, const OutlineJob& job) noexcept {
+  if (!plan_for(job.style, opened.plan)) {
     return false;
   }
   if (job.style.is_fitted()) {
-    return job.style.outline_fitter().open(opening, job, metrics);
+    return job.style.outline_fitter().open(opened, job);
   }
-  return open_at(opening, job, metrics, job.placed);
+  opened.warp = nullptr;
+  GlyphMetrics metrics;
+  return job.font.glyph_metrics(job.glyph, metrics) == Status::ok &&
+         open_at(opened, job, metrics, job.placed);
 }
 
 // Not inline: most glyphs do not need its part of the stack.
-__attribute__((noinline)) static bool open_with_maps(
-    Opening& opening, const OutlineJob& job) noexcept {
-  GlyphWarp fitted;
-  opening.fitted = &fitted;
-  const bool is_shown = open_outline(opening, job);
-  opening.fitted = nullptr;
+__attribute__((noinline)) static bool open_for_box(
+    OpenGlyph& opened, const OutlineJob& job) noexcept {
+  GlyphWarp room;
+  opened.warp = &room;
+  const bool is_shown = open_outline(opened, job);
+  opened.warp = nullptr;
   return is_shown;
 }
 
@@ -93,14 +102,11 @@ Rect outline_box(const Font& font,
                  Span<const uint8_t> record,
                  const TextStyle& style,
                  const Placed& placed) noexcept {
-  OutlineGlyph opened;
-  OutlinePlan plan;
-  const GlyphWarp* warp;
-  Opening opening = {opened, plan, warp, nullptr};
+  OpenGlyph opened;
   const OutlineJob job = {font, record, style, placed, glyph};
-  const bool is_shown = style.is_fitted() ? open_with_maps(opening, job)
-                                          : open_outline(opening, job);
-  return is_shown ? opened.box() : Rect{};
+  const bool is_shown =
+      style.is_fitted() ? open_for_box(opened, job) : open_outline(opened, job);
+  return is_shown ? opened.glyph.box() : Rect{};
 }
 
 }  // namespace detail

@@ -23,28 +23,26 @@ struct OutlineJob {
   uint16_t glyph;
 };
 
-struct Opening {
-  OutlineGlyph& glyph;
-  OutlinePlan& plan;
-  const GlyphWarp*& warp;  // null, or `fitted`
-  GlyphWarp* fitted;       // room for the maps of a glyph
+// A glyph that is open.
+struct OpenGlyph {
+  OutlinePlan plan;
+  // Before it is opened room for its maps; null then if it is not fitted.
+  GlyphWarp* warp;
+  OutlineGlyph glyph;
 };
 
 // How glyphs are moved to the grid of pixels.
 struct OutlineFitter {
-  bool (*open)(const Opening& opening,
-               const OutlineJob& job,
-               const GlyphMetrics& metrics) noexcept;
-  // Moves points of a glyph.
-  void (*apply)(const GlyphWarp& warp,
-                const OutlineGlyph& glyph,
-                const OutlinePlan& plan,
+  // open_outline() of a glyph whose plan is made.
+  bool (*open)(OpenGlyph& opened, const OutlineJob& job) noexcept;
+  // Moves points of the glyph.
+  void (*apply)(const OpenGlyph& opened,
                 ScreenPoint* points,
                 const ScreenPoint* end) noexcept;
 };
 
 // False if there is nothing to draw, or the style was not made.
-bool open_outline(const Opening& opening, const OutlineJob& job) noexcept;
+bool open_outline(OpenGlyph& opened, const OutlineJob& job) noexcept;
 
 // The pixels that draw_outline() may touch.
 Rect outline_box(const Font& font,

@@ -37,13 +37,12 @@ class AxisWarp {
 
 }  // namespace
 
-void warp_points(const GlyphWarp& warp,
-                 const OutlineGlyph& glyph,
-                 const OutlinePlan& plan,
+void warp_points(const OpenGlyph& opened,
                  ScreenPoint* points,
                  const ScreenPoint* end) noexcept {
-  AxisWarp x(warp.x, glyph.origin_x_q8(), plan.columns);
-  AxisWarp y(warp.y, glyph.origin_y_q8(), plan.rows);
+  const OutlineGlyph& glyph = opened.glyph;
+  AxisWarp x(opened.warp->x, glyph.origin_x_q8(), opened.plan.columns);
+  AxisWarp y(opened.warp->y, glyph.origin_y_q8(), opened.plan.rows);
   for (; points != end; ++points) {
     *points = ScreenPoint::at(x.to(points->x_q8, 1), y.to(points->y_q8(), -1),
                               points->kind());

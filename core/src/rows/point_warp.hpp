@@ -3,18 +3,14 @@
 
 #include <stdint.h>
 
-#include "inkcell/glyph_warp.hpp"
-#include "outlines/outline_glyph.hpp"
 #include "outlines/screen_point.hpp"
-#include "rows/outline_mixer.hpp"
+#include "rows/outline_open.hpp"
 
 namespace inkcell {
 namespace detail {
 
-// Moves points of a glyph, whose samples are those of `plan`.
-void warp_points(const GlyphWarp& warp,
-                 const OutlineGlyph& glyph,
-                 const OutlinePlan& plan,
+// Moves points of a glyph that is fitted.
+void warp_points(const OpenGlyph& opened,
                  ScreenPoint* points,
                  const ScreenPoint* end) noexcept;
 
