@@ -17,18 +17,16 @@ from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT, WARNINGS,
 MACHINES = ["Cortex-M0", "Cortex-M3", "RV32", "host"]
 LEVELS = ["-Os", "-O2"]
 
-# Bytes of stack that one function may use by itself, that those in WIDE may,
-# and those in WIDEST: on a device, and where registers and pointers are twice
-# as wide.
-STACK_LIMITS = (256, 384, 800)
-HOST_STACK_LIMITS = (384, 512, 912)
+# Bytes of stack that one function may use by itself, and that those in WIDE
+# may: on a device, and where registers and pointers are twice as wide.
+STACK_LIMITS = (256, 384)
+HOST_STACK_LIMITS = (384, 512)
 
-# The first ones hold what a leaf needs and loops that are inlined for speed,
-# `step` the state of a solver.
-WIDE = ("paint_leaf", "paint_supersampled", "cover_slanted", "draw_cells", "step")
-# The first two hold a tile of 24 x 8 pixels, mix_tiles() three bytes for each;
-# the others the corners and boxes of bodies.
-WIDEST = ("mix_tiles", "draw_plain", "find_contacts", "draw_body")
+# The first four hold a tile of pixels, or the map, the ramp and the band of a
+# glyph of cells; the next three what a leaf needs and loops that are inlined
+# for speed, `step` the state of a solver.
+WIDE = ("draw_tiles", "mix_tiles", "mix_cells", "draw_cells", "paint_leaf",
+        "paint_supersampled", "cover_slanted", "step")
 
 # This one holds a glyph of outlines where the caller lends no RAM.
 WITHOUT_RAM = "draw_on_stack"
@@ -78,9 +76,7 @@ def check_stack(usage, limits):
         where, size, kind = line.split("\t")
         name = where.split(":", 3)[-1]
         function = re.search(r"([\w=!]+)\(", name)[1]
-        limit = limits[2 * (function in WIDEST) + (function in WIDE)]
-        if function == WITHOUT_RAM:
-            limit = RAM_LIMIT
+        limit = RAM_LIMIT if function == WITHOUT_RAM else limits[function in WIDE]
         if function != WITHOUT_RAM:
             most = max(most, int(size))
         # "dynamic,bounded": arguments are pushed, the size counts them.

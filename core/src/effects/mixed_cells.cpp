@@ -34,12 +34,12 @@ Rect widened(const Rect& pixels, const OutlinePlan& plan) noexcept {
 }
 
 // Fills the pixels that may show, given where the first row of a tile begins.
-__attribute__((always_inline)) inline void fill_tile(const CellRaster& raster,
-                                                     const CellMap& map,
-                                                     const CellBand& band,
-                                                     const Rect& pixels,
-                                                     uint8_t* lines,
-                                                     int32_t bytes) noexcept {
+// Not inline: its frame is off the stack when a tile is mixed.
+__attribute__((noinline)) void fill_tile(const CellRaster& raster,
+                                         const CellBand& band,
+                                         const Rect& pixels,
+                                         uint8_t* lines) noexcept {
+  const CellMap& map = band.map();
   const Rect shown = intersect(pixels, map.samples);
   if (is_empty(shown)) {
     return;
@@ -47,10 +47,10 @@ __attribute__((always_inline)) inline void fill_tile(const CellRaster& raster,
   GlyphPoint at = map.first;
   at.advance(map.right, static_cast<uint32_t>(shown.x0 - map.samples.x0));
   at.advance(map.up, static_cast<uint32_t>(map.samples.y0 - shown.y0));
-  lines +=
-      bytes * ((shown.y0 - pixels.y0) * kTileColumns + shown.x0 - pixels.x0);
+  const Stripes* const stripes = band.stripes();
+  lines += (stripes == nullptr ? 1 : 3) *
+           ((shown.y0 - pixels.y0) * kTileColumns + shown.x0 - pixels.x0);
   if (raster.may_show(map, shown.x0, shown.y0, at)) {
-    const Stripes* const stripes = band.stripes();
     const CoverTile cover = stripes != nullptr && map.style.is_upright()
                                 ? stripes->cover_upright
                                 : raster.cover;
@@ -58,41 +58,40 @@ __attribute__((always_inline)) inline void fill_tile(const CellRaster& raster,
   }
 }
 
-// Tile by tile, `kBytes` bytes a pixel. Rows around pixels serve two tiles: no
+// Tile by tile, `kCount` bytes a pixel. Rows around pixels serve two tiles: no
 // mixer changes them.
-template <size_t kBytes>
+template <int32_t kCount>
 __attribute__((noinline)) void mix_tiles(const CellRaster& raster,
-                                         const CellMap& map,
+                                         const CellBand& band,
                                          const OutlinePlan& plan,
-                                         const Stripes* stripes,
                                          MixCells mix,
                                          PaintedBand& painted) noexcept {
-  constexpr auto kCount = static_cast<int32_t>(kBytes);
-  const CellBand band(raster, map, ramp_of(painted.band.reach_q8), stripes);
-  const Rect all = intersect(widened(map.samples, plan), painted.sink->window);
-  Tile tiles[kBytes];
-  uint8_t* const bytes = tiles[0].row(0);
+  constexpr int32_t kRows = kCount == 1 ? kTileRows : 4;
+  const Rect all =
+      intersect(widened(band.map().samples, plan), painted.sink->window);
+  uint32_t words[size_t{kRows * kCount * kTileColumns} / 4];
+  auto* const bytes = reinterpret_cast<uint8_t*>(words);
   painted.band.bytes = bytes;
   painted.band.stride = kCount * kTileColumns;
   Rect& part = painted.pixels;
   for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
-    // A pixel begins a word if its x is a multiple of 4.
-    const int32_t lead = (part.x0 - plan.margin_x) & 3;
+    // A pixel of one byte begins a word if its x is a multiple of 4.
+    const int32_t lead = kCount == 1 ? (part.x0 - plan.margin_x) & 3 : 0;
     part.x1 = min(part.x0 + kTileColumns - lead - 2 * plan.margin_x, all.x1);
     painted.column = kCount * (lead + plan.margin_x);
     int32_t kept = 0;  // rows, of the tile above
     for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
-      part.y1 = min(part.y0 + kTileRows - 2 * plan.margin_y, all.y1);
+      part.y1 = min(part.y0 + kRows - 2 * plan.margin_y, all.y1);
       Rect pixels = widened(part, plan);
       painted.band.rows = pixels.y1 - pixels.y0;
       painted.band.last_column = kCount * (lead + pixels.x1 - pixels.x0) - 1;
       pixels.y0 += kept;
       uint8_t* const rows = painted.band.row(kept);
-      clear_pixels(rows, (kTileRows - kept) * painted.band.stride);
-      fill_tile(raster, map, band, pixels, rows + kCount * lead, kCount);
+      clear_pixels(rows, (kRows - kept) * painted.band.stride);
+      fill_tile(raster, band, pixels, rows + kCount * lead);
       mix(painted);
       kept = 2 * plan.margin_y;
-      __builtin_memcpy(bytes, painted.band.row(kTileRows - kept),
+      __builtin_memcpy(bytes, painted.band.row(kRows - kept),
                        static_cast<size_t>(kept * painted.band.stride));
     }
   }
@@ -132,10 +131,11 @@ void mix_cells(const GlyphField& field,
   painted.row = plan.margin_y;
   painted.style = &style;
   painted.sink = &sink;
+  const CellBand band(raster, map, ramp_of(painted.band.reach_q8), stripes);
   if (stripes == nullptr) {
-    mix_tiles<1>(raster, map, plan, stripes, mix, painted);
+    mix_tiles<1>(raster, band, plan, mix, painted);
   } else {
-    mix_tiles<3>(raster, map, plan, stripes, mix, painted);
+    mix_tiles<3>(raster, band, plan, mix, painted);
   }
 }
 

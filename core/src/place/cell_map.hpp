@@ -101,8 +101,8 @@ struct CellMap {
 
   const GlyphField& field;
   const TextStyle& style;
-  GlyphStep right;  // from a sample to the next one
-  GlyphStep up;
+  const GlyphStep& right;  // from a sample to the next one
+  const GlyphStep& up;
   int32_t x_q10;  // the origin [samples, y down]
   int32_t y_q10;
   int32_t reach_u_q10;

@@ -22,10 +22,11 @@ int32_t reach_u_q10(const TextStyle& style) noexcept {
   return style.effect().cells != nullptr ? max(reach, 0) : reach;
 }
 
-void draw_tiles(const CellRaster& raster,
-                CellMap& map,
-                const CellBand& band,
-                const Sink& sink) noexcept {
+// Not inline: a frame for the tile.
+__attribute__((noinline)) void draw_tiles(const CellRaster& raster,
+                                          CellMap& map,
+                                          const CellBand& band,
+                                          const Sink& sink) noexcept {
   const Rect& box = map.samples;
   GlyphPoint& at = map.first;
   int32_t rows;
@@ -63,8 +64,8 @@ void draw_plain(const GlyphField& field,
   const CellRaster& raster = raster_of(style);
   CellMap map(field, style, placed, reach_u_q10(style));
   if (raster.clip(map, sink.window)) {
-    draw_tiles(raster, map, CellBand(raster, map, CoverageRamp(style.filter())),
-               sink);
+    const CellBand band(raster, map, CoverageRamp(style.filter()));
+    draw_tiles(raster, map, band, sink);
   }
 }
 
