@@ -12,6 +12,18 @@ import sys
 MEASURES = ("instructions_mean", "instructions_max", "instructions", "stack",
             "code", "workspace", "ram", "glyphs", "area", "text", "matrix",
             "all_formats", "libraries", "heap", "static_ram", "font_bytes")
+# How much more a commit may cost before its body must say so: a share of what it
+# was, and bytes.
+LIMITS = {"instructions": (0.05, 0), "code": (0, 256), "stack": (0, 32),
+          "memory": (0, 0)}
+# The limits' names of measures.
+LIMITED = {"instructions_mean": "instructions",
+           "instructions_max": "instructions", "instructions": "instructions",
+           "stack": "stack", "workspace": "memory", "ram": "memory",
+           "heap": "memory", "static_ram": "memory"}
+LIMITED.update(dict.fromkeys(
+    ("code", "glyphs", "area", "text", "matrix", "all_formats", "libraries"),
+    "code"))
 # Those that follow from others.
 LEFT_OUT = ("over_plain", "over_upright", "over_bitmap", "per_pixel")
 
@@ -42,13 +54,18 @@ def export(root, revision, folder):
 
 
 def measure(root, revision, build, options, fontgen):
-    """The lines that the other commit's bench prints."""
+    """The lines that the other commit's bench prints.
+
+    `fontgen` is None where all fonts are made already.
+    """
     source = export(root, revision, build / "against")
     # Fonts are made anew where the generator changed.
-    key = hashlib.sha256(fontgen.read_bytes()).hexdigest()[:12]
+    key = "fonts"
+    if fontgen:
+        key = hashlib.sha256(fontgen.read_bytes()).hexdigest()[:12]
+        options = [*options, "--fontgen", str(fontgen)]
     command = [sys.executable, "-B", str(source / "tests/bench/bench.py"),
-               *options, "--fontgen", str(fontgen),
-               "--build", str(source.parent / f"build-{key}")]
+               *options, "--build", str(source.parent / f"build-{key}")]
     say(f"measuring {revision}")
     done = subprocess.run(command, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, check=False)
@@ -68,10 +85,16 @@ def keyed(lines):
         for line in lines}
 
 
+def is_over(measure_name, was, value):
+    """Whether a measure grew by more than a commit may leave unsaid."""
+    limit = LIMITS.get(LIMITED.get(measure_name))
+    return limit is not None and value > was * (1 + limit[0]) + limit[1]
+
+
 def compare(before, after):
-    """Prints what differs; returns how many measures do."""
+    """Prints what differs; returns the names of limits that are exceeded."""
     old, new = keyed(before), keyed(after)
-    differing = 0
+    exceeded = set()
     changes = {}
     for key, measures in new.items():
         name = " ".join(str(value) for _, value in key)
@@ -82,9 +105,12 @@ def compare(before, after):
             changes.setdefault(measure_name, []).append(
                 value / was if was else 1)
             if was != value:
-                differing += 1
-                share = f"{100 * (value / was - 1):+.1f} %" if was else ""
-                print(f"{name}: {measure_name} {was} -> {value} {share}")
+                share = f" {100 * (value / was - 1):+.1f} %" if was else ""
+                over = is_over(measure_name, was, value)
+                if over:
+                    exceeded.add(LIMITED[measure_name])
+                print(f"{name}: {measure_name} {was} -> {value}{share}"
+                      f"{' OVER ITS LIMIT' if over else ''}")
     for measure_name, ratios in changes.items():
         ratios.sort()
         print(f"{measure_name}: {len(ratios)} compared, median "
@@ -96,4 +122,27 @@ def compare(before, after):
         print(f"{alone} results are in one of the two only")
     if not changes:
         sys.exit("bench: nothing could be compared")
-    return differing
+    return exceeded
+
+
+def check_limits(root, revision, exceeded):
+    """Fails where the commits since `revision` do not name what costs more."""
+    bodies = subprocess.run(
+        ["git", "-C", str(root), "log", "--format=%B", f"{revision}..HEAD"],
+        stdout=subprocess.PIPE, text=True, check=True).stdout
+    named = {name.strip() for line in bodies.splitlines()
+             if line.startswith("Costs:") for name in line[6:].split(",")}
+    unknown = named - LIMITS.keys()
+    if unknown:
+        sys.exit(f"bench: a commit has the line `Costs: {min(unknown)}`; "
+                 f"there is {', '.join(LIMITS)}")
+    unsaid = sorted(exceeded - named)
+    if unsaid:
+        limits = ", ".join(
+            f"{name} +{100 * share:.0f} %" if share else f"{name} +{size} bytes"
+            for name, (share, size) in LIMITS.items())
+        sys.exit(f"bench: costs more than {revision}: {', '.join(unsaid)} "
+                 f"(limits: {limits}). Make it cheaper, or say why in the "
+                 f"commit's body and end it with `Costs: {', '.join(unsaid)}`")
+    print(f"bench: within the limits, or named: {', '.join(sorted(named))}"
+          if named else "bench: within the limits")

@@ -126,6 +126,9 @@ def parse_arguments():
     add("--against", metavar="REV",
         help="measure Inkcell of another commit, too, with the same fonts, and "
         "print what differs instead of the results")
+    add("--limits", action="store_true",
+        help="with --against: fail where a cost grows beyond its limit and no "
+        "line `Costs: ...` in a commit's body names it")
     add("--write-docs", action="store_true",
         help="measure everything on all cores and write docs/BENCHMARKS.md")
     arguments = parser.parse_args()
@@ -145,6 +148,8 @@ def parse_arguments():
         parser.error("--write-docs measures all of Inkcell")
     if arguments.write_docs and set(arguments.engines) != set(LIBRARIES):
         parser.error("--write-docs compares all engines")
+    if arguments.limits and not arguments.against:
+        parser.error("--limits needs --against")
     if arguments.against:
         if arguments.write_docs:
             parser.error("--against writes no document")
@@ -665,11 +670,14 @@ def main():
             others += more
     check_bounds(results, others)
     if arguments.against:
-        against.compare(
-            against.measure(ROOT, arguments.against, build,
-                            options_again(arguments),
-                            find_fontgen(arguments, build)),
-            results + others)
+        made = all(is_rom_font(font) for font in arguments.font)
+        before = against.measure(ROOT, arguments.against, build,
+                                 options_again(arguments),
+                                 None if made
+                                 else find_fontgen(arguments, build))
+        exceeded = against.compare(before, results + others)
+        if arguments.limits:
+            against.check_limits(ROOT, arguments.against, exceeded)
     smallest = None
     if arguments.write_docs:
         smallest = measure_smallest(arguments, fonts, pictures, build)
