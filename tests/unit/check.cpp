@@ -9,7 +9,8 @@ Test* first_test = nullptr;
 Test* last_test = nullptr;
 Test* running = nullptr;
 bool running_failed = false;
-int failures_printed = 0;  // of the running test
+int failures_printed = 0;    // of the running test
+int32_t running_round = -1;  // none
 
 // A check in a loop over all inputs may fail a million times.
 constexpr int kMaxPrinted = 10;
@@ -24,6 +25,28 @@ const char* base_name(const char* path) {
   return base;
 }
 
+// Whether `wanted`, "test/number", names this test; its number.
+bool names_test(const char* wanted, const char* test, int32_t& number) {
+  while (*test != '\0' && *wanted == *test) {
+    ++wanted;
+    ++test;
+  }
+  if (*test != '\0' || *wanted != '/') {
+    return false;
+  }
+  number = 0;
+  for (++wanted; *wanted >= '0' && *wanted <= '9'; ++wanted) {
+    number = number * 10 + (*wanted - '0');
+  }
+  return *wanted == '\0';
+}
+
+bool is_wanted(const Test& test) {
+  int32_t number;
+  return wanted_round() == nullptr ||
+         names_test(wanted_round(), test.name, number);
+}
+
 bool begin_failure(const char* file, int line, const char* what) {
   running_failed = true;
   if (failures_printed == kMaxPrinted) {
@@ -35,6 +58,10 @@ bool begin_failure(const char* file, int line, const char* what) {
   write_number(line);
   write(": ");
   write(running->name);
+  if (running_round >= 0) {
+    write("/");
+    write_number(running_round);
+  }
   write(": ");
   write(what);
   return true;
@@ -56,8 +83,12 @@ int run_all() {
   int passed = 0;
   int failures = 0;
   for (running = first_test; running != nullptr; running = running->next) {
+    if (!is_wanted(*running)) {
+      continue;
+    }
     running_failed = false;
     failures_printed = 0;
+    running_round = -1;
     running->body();
     ++(running_failed ? failures : passed);
   }
@@ -66,7 +97,8 @@ int run_all() {
   write_number(failures);
   write(" failed\n");
   if (passed + failures == 0) {
-    return 255;  // constructors did not run, or the file is empty
+    // Constructors did not run, the file is empty, or no test has this round.
+    return 255;
   }
   return failures > 255 ? 255 : failures;
 }
@@ -90,6 +122,30 @@ void fail_values(
 
 bool failed() {
   return running_failed;
+}
+
+bool begin_round(int32_t number) {
+  int32_t wanted;
+  if (wanted_round() != nullptr &&
+      (!names_test(wanted_round(), running->name, wanted) ||
+       number != wanted)) {
+    return false;
+  }
+  if (!running_failed) {
+    running_round = number;
+  }
+  return true;
+}
+
+void end_rounds() {
+  if (running_failed && running_round >= 0) {
+    write("the round alone: INKCELL_ROUND=");
+    write(running->name);
+    write("/");
+    write_number(running_round);
+    write("\n");
+  }
+  running_round = -1;
 }
 
 void write(const char* text) {

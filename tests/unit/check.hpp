@@ -44,6 +44,15 @@ void write_number(int64_t value);
 /// report.
 bool failed();
 
+/// For Rounds: failures from here on are of this round of the running test.
+/// False where another round was asked for: it shall not run.
+bool begin_round(int32_t number);
+void end_rounds();
+
+/// The one round that shall run, "test/number"; null: all. Host: the
+/// environment variable INKCELL_ROUND.
+const char* wanted_round();
+
 }  // namespace check
 
 #define TEST(test_name)                                                      \

@@ -5,6 +5,7 @@
 #  include "board.hpp"
 #else
 #  include <stdio.h>
+#  include <stdlib.h>
 #endif
 
 namespace check {
@@ -14,6 +15,14 @@ void write(const char* text, size_t size) {
   inkcell::board::console_write(text, size);
 #else
   fwrite(text, 1, size, stdout);
+#endif
+}
+
+const char* wanted_round() {
+#if INKCELL_BOARD_FIRMWARE
+  return nullptr;
+#else
+  return getenv("INKCELL_ROUND");
 #endif
 }
 

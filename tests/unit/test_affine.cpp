@@ -5,6 +5,7 @@
 #include "inkcell/format/cell.hpp"
 #include "inkcell/render.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -184,8 +185,8 @@ TEST(the_upright_matrix_is_upright) {
 // Steps and axes are each other's inverses, and the size is the greatest
 // stretch.
 TEST(steps_undo_the_matrix) {
-  Random random(71);
-  for (int round = 0; round < 2000; ++round) {
+  for (Rounds rounds(71, 2000); rounds.next();) {
+    Random& random = rounds.random;
     const double most = random.between(4 * 64, 1024 * 64) / 64.0;
     const double least = 4 + (most - 4) * random.between(0, 1000) / 1000;
     const Map map = any_map(random, most, least);
@@ -370,10 +371,11 @@ int32_t thousandths(double value) {
 
 // Distances on the screen against real numbers.
 TEST(distances_are_those_of_the_screen) {
-  Random random(72);
   Errors errors;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 40 : 4000;
-  for (int round = 0; round < rounds; ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 40 : 4000;
+  for (Rounds rounds(72, round_count); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     make_record(random);
     const GlyphField field = open();
     const double most = random.between(5 * 64, 200 * 64) / 64.0;
@@ -400,7 +402,7 @@ TEST(distances_are_those_of_the_screen) {
   check::write("\n");
   CHECK(errors.plain <= 1.0 / 64);
   CHECK(errors.bent <= 1.0 / 32);
-  CHECK(errors.compared > rounds);
+  CHECK(errors.compared > round_count);
 }
 
 namespace {
@@ -442,11 +444,11 @@ double distance_from_curve(const FieldRecord::Field& f,
 
 // Where a bent edge runs about as its normal says, its values are distances.
 TEST(bent_edges_are_where_their_curves_are) {
-  Random random(73);
   double worst = 0;
   int compared = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 20 : 2000;
-  for (int round = 0; round < rounds; ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 20 : 2000;
+  for (Rounds rounds(73, round_count); rounds.next();) {
+    Random& random = rounds.random;
     record = FieldRecord();
     record.arc_count = 1;
     record.line_count = 0;
@@ -484,7 +486,7 @@ TEST(bent_edges_are_where_their_curves_are) {
   check::write_number(compared);
   check::write("\n");
   CHECK(worst <= 1.0 / 32);
-  CHECK(compared > rounds);
+  CHECK(compared > round_count);
 }
 
 #endif

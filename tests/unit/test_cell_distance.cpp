@@ -1,6 +1,4 @@
-// Cells, drawn and asked for, against the plain reference. Each round has
-// random numbers of its own: one that fails prints its number, and kOnly runs
-// it alone.
+// Cells, drawn and asked for, against the plain reference.
 #include "any_record.hpp"
 #include "check.hpp"
 #include "field_record.hpp"
@@ -8,12 +6,12 @@
 #include "inkcell/render.hpp"
 #include "picture.hpp"
 #include "reference/cell_distance.hpp"
+#include "rounds.hpp"
 
 namespace {
 
 using namespace inkcell;
 
-constexpr int32_t kOnly = -1;
 constexpr int32_t kSide = 24;
 
 alignas(4) uint8_t bytes[2048];
@@ -71,28 +69,15 @@ int check_window(const GlyphField& field, Random& random) {
   return grey;
 }
 
-// Calls `round` with random numbers of its own and of each round.
+// Calls `round` with the random numbers of each.
 template <typename Round>
-void run(int32_t rounds, const Round& round) {
+void run(int32_t count, const Round& round) {
   int grey = 0;
-  for (int32_t id = kOnly < 0 ? 0 : kOnly; id < rounds; ++id) {
-    Random random(0x9e3779b9u * static_cast<uint32_t>(id + 1));
-    grey += round(random);
-    if (check::failed()) {
-      check::write("round ");
-      check::write_number(id);
-      check::write("\n");
-      return;
-    }
-    if (kOnly >= 0) {
-      return;
-    }
+  for (Rounds rounds(1, count); rounds.next();) {
+    grey += round(rounds.random);
   }
-  check::write("grey pixels: ");
-  check::write_number(grey);
-  check::write("\n");
   // Many windows lie beside the ink, or in it.
-  CHECK(grey > rounds / 4);
+  CHECK(grey > count / 4);
 }
 
 }  // namespace

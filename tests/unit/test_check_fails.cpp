@@ -1,6 +1,7 @@
 // Every test here must fail: CTest expects exactly that many failures.
 #include "check.hpp"
 #include "picture.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -36,3 +37,9 @@ TEST(picture) {
 }
 
 }  // namespace
+
+TEST(a_round_fails) {
+  for (Rounds rounds(1, 9); rounds.next();) {
+    CHECK(rounds.number != 4);
+  }
+}

@@ -7,6 +7,7 @@
 #include "effect_glyph.hpp"
 #include "font_builder.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -78,8 +79,9 @@ TEST(only_thin_strokes_are_darker) {
 
 TEST(windows_do_not_change_perceptual_pictures) {
   const EdgeContrast edge_contrast;
-  Random random(81);
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
+  for (Rounds rounds(81, INKCELL_BOARD_FIRMWARE ? 3 : 16); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     TextStyle style =
         style_of(random.between(8 * 64, 40 * 64), (round & 1) != 0);
     style.set_effect(edge_contrast_effect(edge_contrast));

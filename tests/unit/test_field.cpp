@@ -6,6 +6,7 @@
 #include "font_builder.hpp"
 #include "inkcell/format/cell.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -268,8 +269,8 @@ TEST(locates_down_to_one_unit) {
 }
 
 TEST(locates_in_any_bytes) {
-  Random random(5);
-  for (int round = 0; round < 200; ++round) {
+  for (Rounds rounds(5, 200); rounds.next();) {
+    Random& random = rounds.random;
     Record record;
     record.tile_log2 = static_cast<uint8_t>(random.below(7));
     record.tiles_x = static_cast<uint8_t>(1 + random.below(3));
@@ -330,8 +331,9 @@ TEST(distance_at_the_nine_samples_is_exact) {
 }
 
 TEST(a_row_is_the_same_as_its_points_and_keeps_its_bounds) {
-  Random random(11);
-  for (int i = 0; i < 300; ++i) {
+  for (Rounds rounds(11, 300); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t i = rounds.number;
     const auto size_log2 = static_cast<uint8_t>(random.below(12));
     make_cell(random, (i & 1) != 0);
     const int32_t y = make_position(random, size_log2);
@@ -356,9 +358,10 @@ TEST(gradient_is_minus_equations_2_and_3) {
   record.reference_count = 1;
   record.references[0] = glyph::kCellFlag;
   record.cell_count = 1;
-  Random random(21);
   double worst = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (Rounds rounds(21, 6000); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t i = rounds.number;
     const int size_log2 = static_cast<int>(random.below(12));
     make_cell(random, (i & 7) == 0);
     for (uint32_t j = 0; j < samples::kBytes; ++j) {

@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "field_record.hpp"
 #include "inkcell/render.hpp"
+#include "rounds.hpp"
 
 #if INKCELL_EDGE_CELLS
 
@@ -279,14 +280,15 @@ TEST(distances_of_a_corner_are_rounded) {
 // The bounds that field.hpp states, at points of 1/256 u, where nothing but
 // the arithmetic errs.
 TEST(distances_follow_their_equations) {
-  Random random(3);
   double plain_worst = 0;
   double bent_worst = 0;
   double round_worst = 0;
   double gradient_worst = 0;
   uint32_t rounded = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 200 : 4000;
-  for (int round = 0; round < rounds; ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 200 : 4000;
+  for (Rounds rounds(3, round_count); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     record = FieldRecord();
     record.linked = (round & 1) != 0;
     record.x0_u = static_cast<int16_t>(random.between(-300, 300));

@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "field_record.hpp"
 #include "inkcell/render.hpp"
+#include "rounds.hpp"
 
 #if INKCELL_EDGE_CELLS
 
@@ -189,10 +190,11 @@ int check_windows(const GlyphField& field,
 }  // namespace
 
 TEST(fields_equal_the_plain_chain) {
-  Random random(101);
   int grey = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
+  for (Rounds rounds(101, round_count); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     make_record(random);
     const GlyphField field = open();
     const TextStyle style =
@@ -201,7 +203,7 @@ TEST(fields_equal_the_plain_chain) {
                  *kFilters[random.below(3)]);
     grey += check_windows(field, style, random);
   }
-  CHECK(grey > rounds);
+  CHECK(grey > round_count);
 }
 
 namespace {
@@ -259,10 +261,10 @@ void make_far_lines(Random& random) {
 // Sizes of which a px is a whole number of units, and centres that lie on them:
 // borders of cells and of the grid are met exactly.
 TEST(borders_that_are_met_exactly_equal_the_plain_chain) {
-  Random random(17);
   int grey = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 40 : 4000;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 40 : 4000;
+  for (Rounds rounds(17, round_count); rounds.next();) {
+    Random& random = rounds.random;
     make_record(random);
     const GlyphField field = open();
     const TextStyle style =
@@ -274,17 +276,17 @@ TEST(borders_that_are_met_exactly_equal_the_plain_chain) {
       grey += check_plain_chain(field, style, origin, window_in(random, box));
     }
   }
-  CHECK(grey > rounds);
+  CHECK(grey > round_count);
 }
 
 }  // namespace
 
 // A px there is many px of the style's size, and fields matter far away.
 TEST(strongly_stretched_fields_equal_the_plain_chain) {
-  Random random(47);
   int grey = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 2000;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 60 : 2000;
+  for (Rounds rounds(47, round_count); rounds.next();) {
+    Random& random = rounds.random;
     make_far_lines(random);
     const TextStyle style =
         stretched_style(random.between(1000 << 16, (1023 << 16) + 60000),
@@ -294,7 +296,7 @@ TEST(strongly_stretched_fields_equal_the_plain_chain) {
       grey += check_windows(field, style, random);
     }
   }
-  CHECK(grey > rounds / 8);
+  CHECK(grey > round_count / 8);
 }
 
 // Positions in the glyph are kept modulo 2^16 u. Around a grid that is strongly
@@ -339,10 +341,11 @@ constexpr Filter kFilterOutside =
 
 // Roundings of the greater of two fields reach farther than such a ramp.
 TEST(ramps_beside_the_edge_equal_the_plain_chain) {
-  Random random(46);
   int grey = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
+  for (Rounds rounds(46, round_count); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     record = FieldRecord();
     record.linked = (round & 2) != 0;
     record.tile_log2 = 6;
@@ -361,14 +364,14 @@ TEST(ramps_beside_the_edge_equal_the_plain_chain) {
                  random.below(2) == 0 ? kFilterInside : kFilterOutside);
     grey += check_windows(field, style, random);
   }
-  CHECK(grey > rounds);
+  CHECK(grey > round_count);
 }
 
 // Numbers without sense make a picture without sense, in the window.
 TEST(any_fields_stay_in_the_window) {
-  Random random(42);
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 60 : 20000;
+  for (Rounds rounds(42, round_count); rounds.next();) {
+    Random& random = rounds.random;
     make_record(random);
     for (FieldRecord::Field& f : record.fields) {
       const uint32_t mild = random.below(3);
@@ -399,9 +402,10 @@ TEST(any_fields_stay_in_the_window) {
 
 TEST(windows_do_not_change_fields) {
   static uint8_t whole[kSide * kSide];
-  Random random(43);
   const Rect all = {-3, -2, -3 + kSide, -2 + kSide};
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 2 : 40); ++round) {
+  for (Rounds rounds(43, INKCELL_BOARD_FIRMWARE ? 2 : 40); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     make_record(random);
     const GlyphField field = open();
     const TextStyle style =
@@ -434,10 +438,10 @@ TEST(windows_do_not_change_fields) {
 // more.
 TEST(nothing_is_drawn_far_from_the_ink) {
   static uint8_t whole[kSide * kSide];
-  Random random(45);
   int cut = 0;
   int kept = 0;
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 10 : 300); ++round) {
+  for (Rounds rounds(45, INKCELL_BOARD_FIRMWARE ? 10 : 300); rounds.next();) {
+    Random& random = rounds.random;
     make_record(random);
     GlyphField field = open();
     const Filter& filter = *kFilters[random.below(3)];
@@ -490,11 +494,11 @@ TEST(nothing_is_drawn_far_from_the_ink) {
 // Distances in px against real numbers, at the pixel's centre, for sizes and
 // origins that bring it to 1/256 px exactly.
 TEST(pixels_follow_their_equations) {
-  Random random(44);
   double worst = 0;
   int compared = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 60 : 2000;
-  for (int round = 0; round < rounds; ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 60 : 2000;
+  for (Rounds rounds(44, round_count); rounds.next();) {
+    Random& random = rounds.random;
     make_record(random);
     record.node_count = 0;
     record.tiles_x = 1;
@@ -543,7 +547,7 @@ TEST(pixels_follow_their_equations) {
   check::write_number(compared);
   check::write("\n");
   CHECK(worst <= 1.0 / 80);
-  CHECK(compared > rounds / 2);
+  CHECK(compared > round_count / 2);
 }
 
 #endif

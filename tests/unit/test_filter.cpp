@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 #if !INKCELL_BOARD_FIRMWARE
 #  include <math.h>
@@ -104,8 +105,8 @@ TEST(run_time_tables_equal_compiled_ones) {
 }
 
 TEST(any_filter_rises) {
-  Random random(3);
-  for (int i = 0; i < 25; ++i) {
+  for (Rounds rounds(3, 25); rounds.next();) {
+    Random& random = rounds.random;
     const int32_t outside = random.between(-4096, 4096 - 128);
     check_shape(
         make_filter(spec(outside, random.between(outside + 128, 4096),

@@ -7,6 +7,7 @@
 #include "inkcell/text.hpp"
 #include "picture.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -358,9 +359,9 @@ TEST(fitted_glyphs_look_sharp) {
 // Maps ascend, advances are whole and not negative, and whatever is drawn stays
 // in the window, for any bytes at any size.
 TEST(any_hints_are_safe) {
-  Random random(23);
   static uint8_t bytes[120];
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 30 : 1500); ++round) {
+  for (Rounds rounds(23, INKCELL_BOARD_FIRMWARE ? 30 : 1500); rounds.next();) {
+    Random& random = rounds.random;
     for (uint8_t& byte : bytes) {
       byte = static_cast<uint8_t>(random.below(256));
     }

@@ -7,6 +7,7 @@
 #include "inkcell/lcd.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -432,8 +433,8 @@ TEST(clear_forgets_everything) {
 // Small caches, in which almost every glyph makes others leave.
 TEST(random_calls_draw_as_without_a_cache) {
   const Font fonts[] = {sample_font(), outline_font()};
-  Random random(20261123);
-  for (int32_t round = 0; round < 12; ++round) {
+  for (Rounds rounds(20261123, 12); rounds.next();) {
+    Random& random = rounds.random;
     GlyphCacheOptions options =
         exact(static_cast<uint8_t>(random.between(1, 3)));
     options.bits = random.below(2) == 0 ? 4 : 8;

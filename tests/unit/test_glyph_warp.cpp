@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 using namespace inkcell;
 
@@ -41,8 +42,8 @@ TEST(knots_ascend) {
 }
 
 TEST(maps_are_monotone_from_wherever_they_begin) {
-  Random random(5);
-  for (int round = 0; round < 200; ++round) {
+  for (Rounds rounds(5, 200); rounds.next();) {
+    Random& random = rounds.random;
     AxisMap map = {};
     map.clear();
     for (int i = 0; i < 40; ++i) {

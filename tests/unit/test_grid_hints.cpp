@@ -3,6 +3,7 @@
 #include "grid_record.hpp"
 #include "inkcell/grid_hints.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -124,9 +125,9 @@ TEST(verify_finds_what_does_not_ascend_or_exist) {
 }
 
 TEST(any_bytes_are_safe) {
-  Random random(17);
   static uint8_t bytes[96];
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 40 : 2000); ++round) {
+  for (Rounds rounds(17, INKCELL_BOARD_FIRMWARE ? 40 : 2000); rounds.next();) {
+    Random& random = rounds.random;
     for (uint8_t& byte : bytes) {
       byte = static_cast<uint8_t>(random.below(256));
     }

@@ -6,6 +6,7 @@
 #include "inkcell/kinetic/body_draw.hpp"
 #include "inkcell/kinetic/numbers.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 /// How many shots are fired: on boards few (CMakeLists.txt).
 #ifndef INKCELL_SHOTS
@@ -214,11 +215,12 @@ TEST(a_heap_comes_to_rest_without_overlaps) {
 
 TEST(nothing_is_shot_through_a_thin_board) {
   static Board board;
-  Random random(77);
   BodyRules rules;
   rules.walls = {0, 0, 160, 40};
   rules.bounce_q8 = 200;
-  for (int32_t shot = 0; shot < INKCELL_SHOTS; ++shot) {
+  for (Rounds rounds(77, INKCELL_SHOTS); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t shot = rounds.number;
     bodies[0] = Body();
     bodies[0].shape = &board.shape;
     bodies[0].is_fixed = true;

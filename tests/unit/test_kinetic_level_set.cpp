@@ -7,6 +7,7 @@
 #include "inkcell/kinetic/redistance.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -198,9 +199,9 @@ TEST(distances_are_made_anew) {
 }
 
 TEST(hostile_flows_do_no_harm) {
-  Random random(41);
-  const auto raw = [&] { return static_cast<int32_t>(random.next()); };
-  for (int round = 0; round < 60; ++round) {
+  for (Rounds rounds(41, 60); rounds.next();) {
+    Random& random = rounds.random;
+    const auto raw = [&] { return static_cast<int32_t>(random.next()); };
     for (int32_t i = 0; i < 900; ++i) {
       first[i] = random.byte();
     }

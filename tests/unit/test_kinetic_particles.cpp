@@ -6,6 +6,7 @@
 #include "inkcell/kinetic/particles.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -298,8 +299,8 @@ TEST(dots_are_as_large_as_told) {
 }
 
 TEST(hostile_particles_do_no_harm) {
-  Random random(36);
-  for (int round = 0; round < 200; ++round) {
+  for (Rounds rounds(36, 200); rounds.next();) {
+    Random& random = rounds.random;
     for (int8_t& sample : samples) {
       sample = random.byte();
     }

@@ -7,6 +7,7 @@
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -264,8 +265,8 @@ TEST(flips_never_blink) {
 
 TEST(strips_make_no_difference) {
   const Font& font = sample_font();
-  Random random(11);
-  for (int round = 0; round < 12; ++round) {
+  for (Rounds rounds(11, 12); rounds.next();) {
+    Random& random = rounds.random;
     PoseRenderer renderer(font, Q26_6::from_int(20));
     for (uint16_t i = 0; i < 5; ++i) {
       posed[i] = {};
@@ -291,9 +292,9 @@ TEST(strips_make_no_difference) {
 
 TEST(boxes_hold_what_is_drawn) {
   const Font& font = sample_font();
-  Random random(12);
   int32_t seen = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (Rounds rounds(12, 60); rounds.next();) {
+    Random& random = rounds.random;
     PoseRenderer renderer(font, Q26_6::from_int(20));
     posed[0] = {};
     posed[0].glyph = static_cast<uint16_t>(1 + random.below(6));
@@ -315,8 +316,8 @@ TEST(boxes_hold_what_is_drawn) {
 
 TEST(changes_are_all_in_dirty_rectangles) {
   const Font& font = sample_font();
-  Random random(13);
-  for (int round = 0; round < 30; ++round) {
+  for (Rounds rounds(13, 30); rounds.next();) {
+    Random& random = rounds.random;
     PoseRenderer renderer(font, Q26_6::from_int(16));
     for (uint16_t i = 0; i < 6; ++i) {
       posed[i] = {};
@@ -494,9 +495,9 @@ TEST(glyphs_that_slide_turn_without_a_jerk) {
 
 TEST(hostile_poses_and_paths_do_no_harm) {
   const Font& font = sample_font();
-  Random random(14);
-  const auto raw = [&] { return static_cast<int32_t>(random.next()); };
-  for (int round = 0; round < 300; ++round) {
+  for (Rounds rounds(14, 300); rounds.next();) {
+    Random& random = rounds.random;
+    const auto raw = [&] { return static_cast<int32_t>(random.next()); };
     PoseRenderer renderer(font, Q26_6::from_raw(random.between(-99, 70000)));
     PosedGlyph glyph;
     glyph.glyph = static_cast<uint16_t>(random.below(9));

@@ -6,6 +6,7 @@
 #include "inkcell/kinetic/spring.hpp"
 #include "inkcell/kinetic/timeline.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -172,8 +173,8 @@ TEST(easings_have_no_jumps) {
 }
 
 TEST(any_easing_is_bounded) {
-  Random random(3);
-  for (int i = 0; i < 20000; ++i) {
+  for (Rounds rounds(3, 20000); rounds.next();) {
+    Random& random = rounds.random;
     Easing easing;
     easing.kind = static_cast<Easing::Kind>(random.below(6));
     easing.steps = static_cast<uint8_t>(random.next());
@@ -261,8 +262,8 @@ TEST(repeats_and_directions) {
 }
 
 TEST(any_timing_is_bounded) {
-  Random random(5);
-  for (int i = 0; i < 5000; ++i) {
+  for (Rounds rounds(5, 5000); rounds.next();) {
+    Random& random = rounds.random;
     Timing timing;
     timing.delay_ms = static_cast<int32_t>(random.next());
     timing.duration_ms = static_cast<int32_t>(random.next());

@@ -8,6 +8,7 @@
 #include "font_builder.hpp"
 #include "picture.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -81,8 +82,9 @@ TEST(no_way_is_no_blur) {
 }
 
 TEST(windows_do_not_change_blurred_pictures) {
-  Random random(71);
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 16); ++round) {
+  for (Rounds rounds(71, INKCELL_BOARD_FIRMWARE ? 3 : 16); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     MotionBlur blur;
     CHECK_OK(make_motion_blur(
         kFilterText,

@@ -4,6 +4,7 @@
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -161,9 +162,9 @@ constexpr int32_t kStars = INKCELL_BOARD_FIRMWARE ? 3 : 400;
 }  // namespace
 
 TEST(areas_are_exact) {
-  Random random(9);
   int32_t worst = 0;
-  for (int32_t star = 0; star < kStars; ++star) {
+  for (Rounds rounds(9, kStars); rounds.next();) {
+    Random& random = rounds.random;
     make_star(random);
     draw(kFilterArea, random);
     for (int32_t y = 0; y < kSide; ++y) {
@@ -180,9 +181,9 @@ TEST(areas_are_exact) {
 }
 
 TEST(distances_are_those_of_the_nearest_edge) {
-  Random random(10);
   int32_t worst = 0;
-  for (int32_t star = 0; star < kStars; ++star) {
+  for (Rounds rounds(10, kStars); rounds.next();) {
+    Random& random = rounds.random;
     make_star(random);
     draw(kFilterText, random);
     for (int32_t y = 0; y < kSide; ++y) {

@@ -3,6 +3,7 @@
 #include "inkcell/port/dither.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -88,9 +89,10 @@ int32_t bayer(int32_t x, int32_t y) {
 
 template <typename Target>
 void check_grey(Target target, uint8_t level, int32_t bits) {
-  Random random(17);
   target.level = level;
-  for (int round = 0; round < 300 && !check::failed(); ++round) {
+  for (Rounds rounds(17, 300); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     target.order = round % 2 == 0 ? BitOrder::high_left : BitOrder::low_left;
     fill(random);
     Sink sink;
@@ -119,8 +121,9 @@ void check_grey(Target target, uint8_t level, int32_t bits) {
 
 template <typename Target, typename Bit>
 void check_mono(Target target, const Bit& bit) {
-  Random random(18);
-  for (int round = 0; round < 300 && !check::failed(); ++round) {
+  for (Rounds rounds(18, 300); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     target.level = static_cast<uint8_t>(round & 1);
     target.threshold = static_cast<uint8_t>(round % 3 == 0 ? 100 : 128);
     fill(random);
@@ -165,8 +168,9 @@ constexpr int kBlueFirst[3] = {2, 1, 0};
 }  // namespace
 
 TEST(bytes_blend_each_channel_for_itself) {
-  Random random(15);
-  for (int round = 0; round < 300 && !check::failed(); ++round) {
+  for (Rounds rounds(15, 300); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     fill(random);
     const bool red_first = round % 2 == 0;
     Rgb888Target target{
@@ -180,8 +184,8 @@ TEST(bytes_blend_each_channel_for_itself) {
 }
 
 TEST(words_blend_each_channel_for_itself) {
-  Random random(16);
-  for (int round = 0; round < 300 && !check::failed(); ++round) {
+  for (Rounds rounds(16, 300); rounds.next();) {
+    Random& random = rounds.random;
     fill(random);
     Xrgb8888Target target{strip_of(PixelFormat::xrgb8888), kColour};
     Sink sink;
@@ -191,8 +195,9 @@ TEST(words_blend_each_channel_for_itself) {
 }
 
 TEST(rgb565_blends_each_channel_for_itself) {
-  Random random(14);
-  for (int round = 0; round < 300 && !check::failed(); ++round) {
+  for (Rounds rounds(14, 300); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     fill(random);
     const uint16_t colour = rgb565(0x40, 0xc2, 0xfe);
     const int low = round % 2;

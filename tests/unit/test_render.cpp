@@ -7,6 +7,7 @@
 #include "font_builder.hpp"
 #include "picture.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -190,8 +191,9 @@ TEST(fused_drawing_equals_the_plain_chain) {
 }
 
 TEST(any_cells_equal_the_plain_chain) {
-  Random random(2);
-  for (int round = 0; round < 120 && !check::failed(); ++round) {
+  for (Rounds rounds(2, 120); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     make_any(record, random);
     record.write(bytes);
     GlyphField field;

@@ -8,6 +8,7 @@
 #include "outline_truth.hpp"
 #include "picture.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -243,10 +244,10 @@ TEST(wrong_arguments_are_refused) {
 // Whatever the bytes are, nothing behind the buffer is touched, and what comes
 // of it is safe to read.
 TEST(any_bytes_are_safe) {
-  Random random(3);
   const Font font = open_font();
   constexpr uint32_t kHeader = 64;
-  for (int32_t round = 0; round < 300 && !check::failed(); ++round) {
+  for (Rounds rounds(3, 300); rounds.next();) {
+    Random& random = rounds.random;
     const size_t size = outline_record::build_sample_font(rom);
     for (uint32_t i = 1 + random.below(12); i != 0; --i) {
       const uint32_t at = random.below(static_cast<uint32_t>(size) - kHeader);

@@ -5,6 +5,7 @@
 #include "field_record.hpp"
 #include "font_builder.hpp"
 #include "inkcell/render.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -103,11 +104,12 @@ int check_points(const GlyphField& field,
 }  // namespace
 
 TEST(points_of_samples_are_what_each_is_alone) {
-  Random random(51);
   int edge = 0;
   const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
                                         font_builder::bar};
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 12 : 300); ++round) {
+  for (Rounds rounds(51, INKCELL_BOARD_FIRMWARE ? 12 : 300); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     const GlyphField field = field_of_samples(shapes[round % 3]);
     const TextStyle style =
         style_of(random.between(4 * 64, 200 * 64), random.below(4));
@@ -146,23 +148,23 @@ TEST(gradients_turn_with_the_glyph) {
 #if INKCELL_EDGE_CELLS
 
 TEST(points_of_fields_are_what_each_is_alone) {
-  Random random(52);
   int edge = 0;
-  const int rounds = INKCELL_BOARD_FIRMWARE ? 30 : 1500;
-  for (int round = 0; round < rounds && !check::failed(); ++round) {
+  const int round_count = INKCELL_BOARD_FIRMWARE ? 30 : 1500;
+  for (Rounds rounds(52, round_count); rounds.next();) {
+    Random& random = rounds.random;
     const GlyphField field = field_of_fields(random);
     const TextStyle style =
         style_of(random.between(4 * 64, 200 * 64), random.below(4));
     edge += check_points(field, style, random);
   }
-  CHECK(edge > rounds);
+  CHECK(edge > round_count);
 }
 
 // Where a px is a u, gradients are those of gradient_at.
 TEST(gradients_of_fields_are_those_of_the_glyph) {
-  Random random(53);
   const TextStyle style = style_of(1024 * 64, 0);
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 10 : 300); ++round) {
+  for (Rounds rounds(53, INKCELL_BOARD_FIRMWARE ? 10 : 300); rounds.next();) {
+    Random& random = rounds.random;
     const GlyphField field = field_of_fields(random);
     CellSampler walk(field, style, detail::kNoReach);
     for (int i = 0; i < 20; ++i) {

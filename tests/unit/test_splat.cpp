@@ -9,6 +9,7 @@
 #include "font_builder.hpp"
 #include "inkcell/format/cell.hpp"
 #include "random.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -203,9 +204,10 @@ TEST(windows_and_sums_do_not_change_the_picture) {
 }
 
 TEST(any_cells_are_drawn_in_the_window) {
-  Random random(7);
   font_builder::Record& record = effect::glyph_record;
-  for (int round = 0; round < 60 && !check::failed(); ++round) {
+  for (Rounds rounds(7, 60); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     make_any(record, random);
     GlyphField field;
     CHECK(record.size() <= sizeof(effect::glyph_bytes));

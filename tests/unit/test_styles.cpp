@@ -5,6 +5,7 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/lcd.hpp"
+#include "rounds.hpp"
 
 #if INKCELL_EDGE_CELLS
 
@@ -208,8 +209,9 @@ void check_windows(const GlyphField& field,
 }  // namespace
 
 TEST(windows_change_no_style) {
-  Random random(51);
-  for (int round = 0; round < kRounds / 2 && !check::failed(); ++round) {
+  for (Rounds rounds(51, kRounds / 2); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     GlyphField field = any_field(random);
     const auto side = [&random](int32_t least_u) {
       return static_cast<int16_t>(random.between(least_u, least_u + 200));
@@ -272,11 +274,12 @@ double stripe_coverage(const GlyphField& field,
 }
 
 TEST(channels_are_means_of_three_stripes) {
-  Random random(52);
   int32_t coloured = 0;
   int32_t compared = 0;
   int32_t far = 0;
-  for (int round = 0; round < kRounds && !check::failed(); ++round) {
+  for (Rounds rounds(52, kRounds); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     const GlyphField field = any_field(random);
     TextStyle style =
         style_of(random.between(8 * 64, 48 * 64), kFilterText, round % 3 == 0);
@@ -350,8 +353,9 @@ TEST(greater_of_a_field_and_itself_is_that_field) {
 }
 
 TEST(less_colour_leaves_the_mean) {
-  Random random(53);
-  for (int round = 0; round < kRounds / 4; ++round) {
+  for (Rounds rounds(53, kRounds / 4); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     const GlyphField field = any_field(random);
     TextStyle style = style_of(random.between(8 * 64, 48 * 64), kFilterText);
     LcdOptions lcd;
@@ -430,9 +434,10 @@ bool is_near(int32_t found, int32_t expected) {
 }
 
 TEST(outlines_are_what_lies_between_two_filters) {
-  Random random(54);
   int32_t grey = 0;
-  for (int round = 0; round < kRounds && !check::failed(); ++round) {
+  for (Rounds rounds(54, kRounds); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     const GlyphField field = any_field(random);
     const Outline outline = make_outline(
         kFilterPaperBody,
@@ -472,10 +477,10 @@ TEST(outlines_are_what_lies_between_two_filters) {
 
 // Nothing that the ink's box lets show is left out, and all that is farther is.
 TEST(painters_stay_close_to_the_ink) {
-  Random random(55);
   int32_t kept = 0;
   int32_t left_out = 0;
-  for (int round = 0; round < kRounds; ++round) {
+  for (Rounds rounds(55, kRounds); rounds.next();) {
+    Random& random = rounds.random;
     GlyphField field = any_field(random);
     const int32_t size_q6 = random.between(8 * 64, 48 * 64);
     TextStyle style = style_of(size_q6, kOutline.outer);

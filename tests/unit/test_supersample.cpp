@@ -6,6 +6,7 @@
 #include "effect_canvas.hpp"
 #include "field_record.hpp"
 #include "font_builder.hpp"
+#include "rounds.hpp"
 
 namespace {
 
@@ -126,8 +127,8 @@ TEST(straight_edges_take_one_sample) {
   uint32_t more = 0;
   Supersampling supersampling = make_supersampling(kFilterText);
   supersampling.more_samples = &more;
-  Random random(61);
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 40); ++round) {
+  for (Rounds rounds(61, INKCELL_BOARD_FIRMWARE ? 3 : 40); rounds.next();) {
+    Random& random = rounds.random;
     record = FieldRecord();
     record.tile_log2 = 11;
     record.x0_u = -1000;
@@ -148,11 +149,12 @@ TEST(straight_edges_take_one_sample) {
 
 TEST(small_shapes_take_thirteen) {
   const Supersampling supersampling = make_supersampling(kFilterText);
-  Random random(62);
   int differ = 0;
   const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
                                         font_builder::bar};
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 3 : 60); ++round) {
+  for (Rounds rounds(62, INKCELL_BOARD_FIRMWARE ? 3 : 60); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     const GlyphField field = field_of_samples(shapes[round % 3]);
     const TextStyle style = style_of(random.between(4 * 64, 24 * 64),
                                      random.below(3), supersampling);
@@ -167,8 +169,9 @@ TEST(windows_do_not_change_pictures) {
   const Supersampling styles[] = {
       make_supersampling(kFilterText),
       make_supersampling(kFilterText, kPaperRadius, SampleRule::paper)};
-  Random random(63);
-  for (int round = 0; round < (INKCELL_BOARD_FIRMWARE ? 4 : 24); ++round) {
+  for (Rounds rounds(63, INKCELL_BOARD_FIRMWARE ? 4 : 24); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
     const TextStyle style = style_of(random.between(8 * 64, 40 * 64),
                                      random.below(3), styles[round & 1]);
     const FinePoint origin(random.between(0, 9999),
