@@ -1,8 +1,8 @@
 // Text for displays of 1 and 2 bits, whose thin strokes stay connected.
 //
 // A pixel is drawn if its centre lies inside the threshold. Where a stroke
-// passes between the centres of two neighbours and draws neither, the one that
-// is nearer to it is drawn as well.
+// passes between two neighbouring centres and neither is drawn, the nearer one
+// is drawn as well.
 #pragma once
 
 #include <stdint.h>

@@ -3,9 +3,9 @@
 //   style.set_effect(edge_contrast_effect(edge_contrast));
 //
 // Left and lower edges become darker and right and upper ones lighter (Perry
-// and Frisken, figure 11), by as much as a pixel is between empty and full, so
-// that no stroke moves or changes its weight; and strokes so thin that the
-// edges on both sides meet in a pixel become darker (figure 12).
+// and Frisken, figure 11), most at half coverage, so that no stroke moves or
+// changes its weight; and strokes so thin that the edges on both sides meet in
+// a pixel become darker (figure 12).
 #pragma once
 
 #include <stdint.h>
@@ -30,8 +30,8 @@ void paint_edge_contrast(const GlyphField& field,
                          const Sink& sink);
 }  // namespace detail
 
-/// A pixel on an edge takes five gradients, others what they take in plain
-/// drawing. Cells only; glyphs of outlines are drawn as without it. The options
+/// A pixel on an edge costs five gradients, any other pixel what plain drawing
+/// costs. Cells only; glyphs of outlines are drawn as without it. The options
 /// must outlive the style.
 constexpr Effect edge_contrast_effect(
     const EdgeContrast& edge_contrast) noexcept {

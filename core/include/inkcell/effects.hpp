@@ -3,8 +3,8 @@
 // Filters make weight (with_weight), shadow_filter and glow_filter. With fonts
 // of cells they cost no more than plain text. With fonts of outlines a weight
 // costs two to three times as much, a glow of 4 px four to five. Draw a shadow
-// first, with its own style and colour, at an origin moved as far as it shall
-// fall, by any 1/64 px; then the text. Outlines are painters:
+// first, with its own style and colour, at the text's origin plus the shadow's
+// offset (any 1/64 px); then draw the text. An outline is an effect:
 //
 //   const Outline outline = make_outline(kFilterText, width, place);
 //   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
@@ -30,7 +30,8 @@
 namespace inkcell {
 
 /// beyond_band: at `size`, one of the filter's cutoffs is farther from the edge
-/// than the font's distances are good. Those of outlines are good everywhere.
+/// than the font's distances are good. Distances of outlines are good
+/// everywhere.
 Status check_reach(const FontRange& range,
                    Q26_6 size,
                    const Filter& filter) noexcept;
@@ -44,7 +45,8 @@ constexpr Filter shadow_filter(Q6_10 reach_px) noexcept {
   return make_filter(spec);
 }
 
-/// Full from the edge inwards, and less and less up to `reach_px` outside.
+/// Full coverage inside. Outside, coverage falls to 0 at `reach_px` from the
+/// edge.
 constexpr Filter glow_filter(Q6_10 reach_px) noexcept {
   FilterSpec spec;
   spec.outside_px.raw = static_cast<int16_t>(-reach_px.raw);
@@ -103,11 +105,11 @@ namespace detail {
 extern const OutlineMixer kOutlineAndFillMixer;
 }  // namespace detail
 
-/// Draws outline and fill at once, from one distance a pixel. The outline goes
-/// on below the fill's edge, so that nothing shows between them. Draws where
-/// the windows of both sinks are; of each row up to kMaxSpan pixels go to the
-/// outline's sink, then the same to the fill's. The options must outlive the
-/// style.
+/// Draws outline and fill at once, from one distance a pixel. The outline
+/// extends below the fill's edge, so that no gap shows between them. Draws in
+/// the intersection of both sinks' windows: up to kMaxSpan pixels of a row go
+/// to the outline's sink, then the same pixels to the fill's. The options must
+/// outlive the style.
 constexpr Effect outline_and_fill_effect(const OutlineAndFill& both) noexcept {
   return {detail::paint_mixed_cells, &detail::kOutlineAndFillMixer, &both, 0};
 }

@@ -7,7 +7,7 @@
 
 namespace inkcell {
 
-/// How coverage rises from cutoff to cutoff, 0 to 1 over the way r from 0 to 1.
+/// How coverage rises between the cutoffs: from 0 to 1 as r goes from 0 to 1.
 enum class FilterProfile : uint8_t {
   linear,    // r: what a straight edge covers of a pixel, at +-0.5 px
   gaussian,  // a Gaussian's integral, 2.5 sigma to each side
@@ -17,11 +17,11 @@ enum class FilterProfile : uint8_t {
 /// Which of text and background is the lighter.
 enum class Polarity : uint8_t { light_on_dark, dark_on_light };
 
-/// What a filter does (the paper, section 4.2.2 and figure 4): coverage is 0
-/// at `outside_px` and below, 255 at `inside_px` and above, and between them
-/// the profile raised to `exponent`. Both cutoffs within +-4 px, inside
-/// above outside by at least 1/8 px; exponent 1/4 to 4. How far a font's
-/// distances are good is said by its band: see check_reach in effects.hpp.
+/// What a filter does (the paper, section 4.2.2 and figure 4): coverage is 0 at
+/// `outside_px` and below, 255 at `inside_px` and above, and between them the
+/// profile raised to `exponent`. Both cutoffs within +-4 px, inside above
+/// outside by at least 1/8 px; exponent 1/4 to 4. A font's distances are good
+/// within its band: see check_reach in effects.hpp.
 ///
 /// Sinks blend the numbers that displays take, which are light to the power of
 /// 1 / gamma. With the display's `gamma`, 1 (off) to 4, white text on black or
@@ -65,8 +65,8 @@ struct Filter {
     return is_linear && outside_q10 == -512 && inside_q10 == 512;
   }
 
-  /// The same between the cutoffs: outside_q10 < distance_q10 < inside_q10. No
-  /// numbers lead out of the table.
+  /// coverage() for outside_q10 < distance_q10 < inside_q10. Other distances
+  /// have no meaning, but never read outside the table.
   constexpr uint8_t ramp(int32_t distance_q10) const noexcept {
     const uint32_t step = static_cast<uint32_t>(distance_q10 - outside_q10);
     return table[static_cast<uint8_t>((step * scale) >> 14)];
@@ -198,9 +198,9 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
 }
 
 /// The same filter with the edges of the text moved outwards by `weight_px`,
-/// inwards if it is negative: strokes gain twice that. Cutoffs stay within
-/// +-4 px, and so may the weight fall short. Glyphs of cells
-/// are as fast to draw with it.
+/// inwards if it is negative: strokes gain twice that. Cutoffs are clamped to
+/// +-4 px, so the full weight may not be reached. Glyphs of cells are as fast
+/// to draw with it.
 constexpr Filter with_weight(const Filter& filter, Q6_10 weight_px) noexcept {
   constexpr int32_t kLimit = 4 << 10;
   const int32_t weight = detail::limited(

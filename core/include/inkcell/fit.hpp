@@ -10,8 +10,8 @@
 // free rows between them. With FitOptions::across stems are whole pixels wide,
 // and so are advances: lay out and measure with the style then.
 //
-// Points of outlines are moved before they are painted, which costs about as
-// much as to decode them. Glyphs of cells stay as designed.
+// Fitting moves the points of outlines before painting. That costs about as
+// much as decoding them. Glyphs of cells stay as designed.
 #pragma once
 
 #include <stdint.h>
@@ -40,7 +40,7 @@ struct FitOptions {
   /// The display's levels: 0, many; 2 or 4. With 2 all strokes are whole
   /// pixels, and serifs are left out below 12 px.
   uint8_t levels = 0;
-  /// How much of the way to the grid glyphs go: 0 none, kAll all of it. For
+  /// How far points move towards the grid: 0 not at all, kAll all the way. For
   /// text that begins to move or comes to rest.
   uint16_t strength_q8 = kAll;
 };

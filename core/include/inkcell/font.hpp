@@ -93,7 +93,7 @@ class Font {
   /// 8 for a font of 128.
   Status glyph_of(uint32_t code_point, uint16_t& glyph) const noexcept;
 
-  /// The same for drawing: .notdef for what the font lacks.
+  /// The same for drawing: .notdef where the font has no glyph.
   uint16_t glyph_or_notdef(uint32_t code_point) const noexcept {
     uint16_t glyph = 0;
     static_cast<void>(glyph_of(code_point, glyph));
@@ -111,9 +111,9 @@ class Font {
   /// is a power of 2; all of the plane if there is no such glyph.
   InkBox ink_box(uint16_t glyph) const noexcept;
 
-  /// What to add to the advance of `left` when `right` follows, in font units;
-  /// 0 when the font says nothing about the pair. Three binary searches, about
-  /// 16 steps for ASCII.
+  /// The kerning of a pair: add it to the advance of `left` if `right` follows.
+  /// 0 if the font has none for the pair. [font units] Three binary searches,
+  /// about 16 steps for ASCII.
   int32_t kerning(uint16_t left, uint16_t right) const noexcept;
 
   /// The distance field of a glyph; empty for a glyph without ink.

@@ -29,7 +29,7 @@ class GlyphStore;
 }
 
 struct GlyphCacheOptions {
-  /// Of a coverage: 4 (off by at most 8/255) or 8 (exact).
+  /// Bits of a stored coverage: 4 (errors up to 8/255) or 8 (exact).
   uint8_t bits = 4;
   /// Places within a pixel at which glyphs are kept, across and down: a power
   /// of 2 from 1 to 64. Glyphs are drawn at the nearest of these.
@@ -50,8 +50,8 @@ struct GlyphCacheStats {
   uint32_t capacity = 0;   // bytes that it was lent
 };
 
-/// Draws runs as draw() and draw_text() do, but each glyph only once. Of the
-/// same calls every cache makes the same picture, whatever it holds.
+/// Draws runs as draw() and draw_text() do, but each glyph only once. The same
+/// calls make the same picture with every cache, whatever it holds.
 ///
 /// Styles are compared by value; the filter, fitter and effect that they name,
 /// and fonts, by address. Call clear() before one of these changes. For one

@@ -5,10 +5,10 @@
 
 namespace inkcell {
 
-/// A monotone piecewise-linear map of one coordinate, from where points of an
-/// upright glyph lie at the style's size to where they go, both from the
-/// glyph's origin; x to the right, y up. [px] Beyond the outer knots points
-/// shift as the knots do. No knots: the identity.
+/// A monotone piecewise-linear map of one coordinate, from the position of an
+/// upright glyph's point at the style's size to its fitted position, both
+/// relative to the glyph's origin; x to the right, y up. [px] Beyond the outer
+/// knots points shift as the knots do. No knots: the identity.
 ///
 /// Trivial, so that it can lie in RAM that is lent as bytes.
 struct __attribute__((may_alias)) AxisMap {
@@ -32,8 +32,9 @@ struct __attribute__((may_alias)) AxisMap {
   /// not lie above the one before, or if a number passes +-kReachQ8.
   bool add(int32_t from_q8, int32_t to_q8) noexcept;
 
-  /// Where a point goes. `knot` is a number below `count`, of any knot: near
-  /// the point's it saves time; it becomes the point's. There must be knots.
+  /// The fitted position of a point. `knot` is the index of any knot, below
+  /// `count`: one near the point saves time. It becomes the index of the
+  /// point's knot. There must be at least one knot.
   int32_t map(int32_t at_q8, int32_t& knot) const noexcept {
     int32_t i = knot;
     while (i + 1 < count && at_q8 >= knots[i + 1].from_q8) {

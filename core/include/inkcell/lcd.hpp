@@ -3,11 +3,12 @@
 //   style.set_effect(lcd_effect(lcd));
 //   port::make_lcd_sink(target, sink);
 //
-// Each stripe has a coverage of its own, that of a third of a pixel, made of
-// the distance at its middle or, of outlines, exact; each channel is the mean
-// of its stripe and the two beside it. So an edge has three times as many
-// places to be, and every stroke, however thin, gives the same to red, green
-// and blue: grey stays grey from a little way off.
+// Each stripe is a third of a pixel wide and has its own coverage: glyphs of
+// cells take it from the distance at the stripe's centre, glyphs of outlines
+// exactly. Each channel is the mean of its stripe and the two beside it. Edges
+// have three times the resolution across the stripes. Every stroke, however
+// thin, adds the same to red, green and blue, so that it looks grey from a
+// distance.
 #pragma once
 
 #include <stdint.h>
@@ -24,8 +25,9 @@ enum class SubPixels : uint8_t { rgb, bgr, rgb_vertical, bgr_vertical };
 /// Options of lcd_effect.
 struct LcdOptions {
   SubPixels order = SubPixels::rgb;
-  /// How much of the coverages' differences is kept, 255 for all: less takes
-  /// colour off thin strokes, and some sharpness. 0 is grey.
+  /// How much of the difference between the channels is kept: 255 all of it, 0
+  /// none (grey). Lower values take colour off thin strokes, and some
+  /// sharpness.
   uint8_t colour = 255;
 };
 

@@ -1,13 +1,13 @@
-// Type that moves while the shutter is open: coverage along a vector.
+// Motion blur: coverage averaged along the path of a moving glyph.
 //
 //   MotionBlur blur;
 //   INKCELL_TRY(make_motion_blur(filter, {x, y}, blur));
 //   style.set_effect(motion_blur_effect(blur));
 //
-// The way is cut into steps of at most a pixel, and distances are taken where
-// they meet. Within a step the distance changes evenly, so that the filter's
-// ramp is integrated in closed form: two look-ups and a division a step. A
-// pixel near ink costs one distance more than there are steps.
+// The path is divided into steps of at most one pixel, and a distance is
+// sampled at the ends of each step. Within a step the distance is taken as
+// linear, so the filter's ramp integrates in closed form: two table look-ups
+// and one division a step. A pixel near the ink costs `steps` + 1 distances.
 #pragma once
 
 #include <stdint.h>
@@ -22,7 +22,7 @@ namespace inkcell {
 /// Options of motion_blur_effect: built once a vector, shared.
 struct MotionBlur {
   Filter filter;
-  /// What the entries of the filter's table before this one sum up to.
+  /// sums[i] is the sum of the filter's table entries below i.
   uint16_t sums[Filter::kEntries + 1] = {};
   int32_t right_q10 = 0;  // the way of a step [px]
   int32_t up_q10 = 0;
@@ -31,8 +31,9 @@ struct MotionBlur {
   uint8_t reach_px = 1;  // beyond plain drawing
 };
 
-/// For a glyph that moves by `way` while it is seen, half of it before and half
-/// after its origin. bad_argument: the way is longer than 32 px along an axis.
+/// The blur of a glyph that moves by `way` during the exposure, from half of it
+/// before the glyph's origin to half of it after. bad_argument: `way` exceeds
+/// 32 px along an axis.
 Status make_motion_blur(const Filter& filter,
                         Point way,
                         MotionBlur& out) noexcept;

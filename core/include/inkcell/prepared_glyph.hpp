@@ -25,9 +25,9 @@ class PreparedGlyph {
   /// Draws nothing.
   constexpr PreparedGlyph() noexcept = default;
 
-  /// Places a glyph with its origin at `origin`. Of the workspace 8 bytes are
-  /// taken for each point, the rest for rows: 2.5 KB hold every glyph of a
-  /// Latin face and 16 rows of 96 px. The same picture as draw_glyph's.
+  /// Places a glyph with its origin at `origin`. The workspace gives 8 bytes to
+  /// each point and the rest to rows: 2.5 KB hold every glyph of a Latin face
+  /// and 16 rows of 96 px. The picture is that of draw_glyph.
   ///
   /// buffer_small: the workspace has less than 860 bytes, or 928 where pointers
   /// have 64 bits. no_glyph: there is no glyph of this id. unsupported: it is
@@ -39,11 +39,11 @@ class PreparedGlyph {
                      Workspace workspace,
                      PreparedGlyph& out) noexcept;
 
-  /// The pixels that it may touch; empty if it has no ink.
+  /// The pixels that the glyph may touch; empty if it has no ink.
   Rect box() const noexcept;
 
-  /// Draws what lies in the sink's window. Not by two tasks at once: they would
-  /// share the workspace.
+  /// Draws the part that lies in the sink's window. For one task at a time,
+  /// because tasks would share the workspace.
   void draw(const Sink& sink) const noexcept;
 
  private:

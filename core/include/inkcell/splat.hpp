@@ -1,18 +1,19 @@
-// Cells that are smaller than a pixel, each once: splatting.
+// Splatting: each cell that is smaller than a pixel is sampled once.
 //
 //   uint32_t sums[64 * 16];
 //   Splats splats;
 //   INKCELL_TRY(make_splats({sums, 64 * 16}, kSplatRadius, splats));
 //   style.set_effect(splat_effect(splats));
 //
-// Perry and Frisken, section 4.4, for fonts of samples. Cells that are no wider
-// than the filter's radius are visited once, and are a sample each, at the
-// centre (four, at the centres of the quarters, above half the radius). A
+// Perry and Frisken, section 4.4, for fonts of samples. Cells up to the
+// filter's radius wide are visited once. Each is one sample at its centre, or
+// four at the centres of its quarters if it is wider than half the radius. A
 // sample adds a weight, the filter at its distance times the cell's area, and
-// weight times coverage to the sums of all pixels within the radius. What is
-// left of a pixel's filter, where cells are wider, has the coverage of plain
-// drawing; a pixel shows the quotient. For patterns that are finer than pixels:
-// there it is calmer than supersample.hpp, softer, and cheaper.
+// weight times coverage to the sums of all pixels within the radius. Where
+// cells are wider, the rest of a pixel's filter takes the coverage of plain
+// drawing. A pixel shows the quotient of its two sums. Use it for patterns
+// finer than pixels: there it is calmer, softer and cheaper than
+// supersample.hpp.
 #pragma once
 
 #include <stddef.h>
@@ -40,7 +41,7 @@ inline constexpr Q6_10 kSplatRadius = Q6_10::from_raw(1331);
 inline constexpr Q6_10 kMinSplatRadius = Q6_10::from_raw(768);
 inline constexpr Q6_10 kMaxSplatRadius = Q6_10::from_raw(1536);
 
-/// The least buffer.
+/// The fewest sums that make_splats accepts.
 inline constexpr size_t kMinSplatSums = 64;
 
 /// With a sum for each pixel of the largest glyph in a strip, 2 px more on each

@@ -1,11 +1,12 @@
-// Several samples to a pixel where one does not tell enough.
+// Supersampling: several samples a pixel where one is not accurate enough.
 //
 //   Supersampling supersampling = make_supersampling(filter);
 //   style.set_effect(supersample_effect(supersampling));
 //
-// Up to 13 distances are taken on concentric circles around a pixel's centre
-// (Perry and Frisken, section 4.3), where strokes, gaps and corners are too
-// small for one. For type that moves, for patterns, and for the smallest text.
+// Up to 13 distances on concentric circles around a pixel's centre (Perry and
+// Frisken, section 4.3) are sampled where strokes, gaps and corners are too
+// small for one. Use it for type that moves, for patterns, and for the smallest
+// text.
 #pragma once
 
 #include <stdint.h>
@@ -37,7 +38,8 @@ struct Supersampling {
   uint16_t outer_q16 = 0;
   /// What 13 samples make of a straight edge.
   Filter edge;
-  /// If not null, goes up by the samples that are taken beyond one a pixel.
+  /// If not null, counts the samples beyond one a pixel. Tasks that share it
+  /// race.
   uint32_t* more_samples = nullptr;
 };
 

@@ -106,8 +106,8 @@ inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
 /// outlive it, unchanged.
 class TextStyle {
  public:
-  /// 16 px/em, upright, filter `text`. Glyphs of outlines are drawn only after
-  /// make(), which names what paints them: a program links no other.
+  /// 16 px/em, upright, filter `text`. Draws glyphs of cells only: make()
+  /// selects the painter of outlines, so that a program links no other painter.
   constexpr TextStyle() noexcept = default;
 
   /// An upright style of `size` px to the em. bad_argument: the size is outside
@@ -131,11 +131,11 @@ class TextStyle {
     return Status::ok;
   }
 
-  /// A style that maps glyphs by `matrix`. bad_argument: its stretch, in the
-  /// direction where that is least or in that where it is greatest, is outside
-  /// kMinSize..kMaxSize. Distances are what they are on the screen, so that
-  /// edges are as sharp in all directions; a font is good where both stretches
-  /// lie in its range.
+  /// A style that maps glyphs by `matrix`. bad_argument: the least or the
+  /// greatest stretch of the matrix, over all directions, is outside [kMinSize,
+  /// kMaxSize]. Distances are measured on the screen, so edges are equally
+  /// sharp in all directions. Pictures keep the font's tolerance if both
+  /// stretches lie in its range of sizes.
   ///
   /// Costs as much as turned text; about twice that where the two stretches
   /// differ.
@@ -187,9 +187,9 @@ class TextStyle {
   static Status make(Q26_6, const Filter&&, TextStyle&) = delete;
   static Status make(const Matrix&, const Filter&&, TextStyle&) = delete;
 
-  /// Fits glyphs of outlines of upright text to the grid of pixels. Fitter and
-  /// options must outlive the style. Null, the default: glyphs stay as
-  /// designed.
+  /// Fits glyphs of outlines to the grid of pixels, if the style is upright;
+  /// other styles ignore it. Fitter and options must outlive the style. Null,
+  /// the default: glyphs stay as designed.
   void set_fitter(const Fitter* fitter, const void* options) noexcept {
     if (is_upright()) {
       fitter_ = fitter;
@@ -210,10 +210,11 @@ class TextStyle {
     return is_fitted() && fitter_->has_advances(fitter_options_);
   }
 
-  /// What draws the glyphs: `{}`, the default, is one sample at the centre of
-  /// each pixel, the fastest. The effect's options must outlive the style. The
-  /// linker drops the effects that a program does not name. Of glyphs of cells
-  /// effects take turned styles, but none that is made of a matrix.
+  /// Sets the effect that draws the glyphs. `{}`, the default, takes one sample
+  /// at the centre of each pixel and is the fastest. The effect's options must
+  /// outlive the style. The linker drops the effects that a program does not
+  /// name. Some pairs of font, style and effect are drawn without the effect:
+  /// check_effect() refuses them.
   void set_effect(const Effect& effect) noexcept { effect_ = effect; }
   const Effect& effect() const noexcept { return effect_; }
 
@@ -222,7 +223,7 @@ class TextStyle {
   const Filter& filter() const noexcept { return *filter_; }
   bool is_upright() const noexcept { return !is_slanted_; }
 
-  /// What paints glyphs of outlines; null before make().
+  /// The painter of glyphs of outlines; null before make().
   const detail::OutlinePainter* outline_painter() const noexcept {
     return outline_painter_;
   }
@@ -232,8 +233,8 @@ class TextStyle {
     }
   }
 
-  /// Functions that fit glyphs of outlines, or map those that are not upright.
-  /// Linked with set_fitter() and with the make() that needs them.
+  /// The functions that fit glyphs of outlines (a fitted style), or map them (a
+  /// style that is not upright). set_fitter() and make() link them.
   const detail::OutlineFitter& outline_fitter() const noexcept {
     return *outline_fitter_;
   }
@@ -241,8 +242,8 @@ class TextStyle {
     return outline_mapper_;
   }
 
-  /// What draws glyphs of cells that are not upright, which they must be.
-  /// Linked with the make() that needs it.
+  /// The painter of glyphs of cells, for styles that are not upright. make()
+  /// links it.
   const detail::CellRaster& slanted_cells() const noexcept {
     return *slanted_cells_;
   }
@@ -252,9 +253,9 @@ class TextStyle {
   bool is_stretched() const noexcept { return least_gain_q15_ != 1 << 15; }
   int32_t least_gain_q15() const noexcept { return least_gain_q15_; }
 
-  /// Where a px along the axes of the glyph leads on the screen: to the right
-  /// and up. The first two are the direction of the baseline, of unit length
-  /// unless the style comes from a matrix.
+  /// The glyph's axes on the screen, as vectors to the right and up. (x_right,
+  /// x_up) is the direction of the baseline. Both have unit length unless the
+  /// style comes from a matrix. [Q30]
   struct Axes {
     Fixed<int32_t, 30> x_right = Fixed<int32_t, 30>::from_raw(1 << 30);
     Fixed<int32_t, 30> x_up;
@@ -264,14 +265,14 @@ class TextStyle {
   const Axes& axes() const noexcept { return axes_; }
   Direction direction() const noexcept { return {axes_.x_right, axes_.x_up}; }
 
-  /// The other way round: where one px to the right leads in the glyph, and one
-  /// px up.
+  /// The inverse: the step in the glyph for one pixel to the right on the
+  /// screen, and for one pixel up.
   const GlyphStep& right() const noexcept { return right_; }
   const GlyphStep& up() const noexcept { return up_; }
 
-  /// Of styles without a matrix the step to the right is {along, -across}, the
-  /// step up {across, along}. [u per px, Q16] Upright: along is 1024 / size,
-  /// across is 0.
+  /// Without a matrix the step to the right is {along, -across} and the step up
+  /// is {across, along}; upright styles have along = 1024 / size and across =
+  /// 0. [u per px, Q16]
   int32_t step_along_q16() const noexcept { return right_.x_q16; }
   int32_t step_across_q16() const noexcept { return up_.x_q16; }
 
@@ -283,7 +284,7 @@ class TextStyle {
   int32_t bend_q14() const noexcept { return bend_q14_; }
   int32_t bend_shift() const noexcept { return bend_shift_; }
 
-  /// A distance in u as one in px, clamped to +-32 px. [Q10 -> Q10]
+  /// Converts a distance from u to px; clamps it to [-32, 32] px. [Q10 -> Q10]
   int32_t to_px_q10(int32_t distance_u_q10) const noexcept {
     // The clamp keeps the product below 2^31 at every size.
     const int32_t limit = limit_u_q10_;
@@ -292,8 +293,8 @@ class TextStyle {
     return (distance_u_q10 * size_q6_) >> 16;
   }
 
-  /// Whether every distance up to this one has coverage 0, and whether every
-  /// one from it on has 255; of stretched styles in any direction. [u, Q10]
+  /// Whether all distances up to this one have coverage 0, and whether all from
+  /// this one on have 255. For stretched styles: in every direction. [u, Q10]
   bool is_transparent(int32_t distance_u_q10) const noexcept {
     return distance_u_q10 <= transparent_u_q10_;
   }
@@ -301,12 +302,12 @@ class TextStyle {
     return distance_u_q10 >= opaque_u_q10_;
   }
 
-  /// The greatest distance without coverage, the least with all of it. [u, Q10]
+  /// The greatest distance with coverage 0, and the least with 255. [u, Q10]
   int32_t transparent_u_q10() const noexcept { return transparent_u_q10_; }
   int32_t opaque_u_q10() const noexcept { return opaque_u_q10_; }
 
-  /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)),
-  /// with the two common cases first. Not of stretched styles. [u, Q10]
+  /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)), with
+  /// the two common cases first. Not for stretched styles. [u, Q10]
   uint8_t coverage(int32_t distance_u_q10) const noexcept {
     if (is_transparent(distance_u_q10)) {
       return 0;
