@@ -20,6 +20,10 @@ Outcome exercise(inkcell::Span<const uint8_t> rom);
 /// The same of a font that is open, whatever became of its bytes meanwhile.
 void use(const inkcell::Font& font);
 
+/// From here on bytes of fonts may differ from load to load: pictures need no
+/// longer agree, nor show a pixel only once. All else must hold.
+void expect_changing_bytes();
+
 /// Draws a glyph in small windows about (0, 0), whole and in strips, and asks
 /// for distances.
 void draw_checked(const inkcell::Font& font,

@@ -1,0 +1,40 @@
+// Memory that reads differently each time, like flash that is being written.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "inkcell/span.hpp"
+
+namespace hostile {
+
+/// A copy of `content` between two pages that nobody may touch. Between start()
+/// and stop() every load of it traps: one in `one_in` finds other bytes there,
+/// for this load only. So no value that was read and checked can be had again
+/// by reading it again, whether the source or the compiler does so.
+///
+/// x86-64 Linux; one object at a time, one thread.
+class ChangingBytes {
+ public:
+  /// The copy ends at the upper page, or begins behind the lower one.
+  ChangingBytes(inkcell::Span<const uint8_t> content, bool is_at_end);
+  ~ChangingBytes();
+  ChangingBytes(const ChangingBytes&) = delete;
+  ChangingBytes& operator=(const ChangingBytes&) = delete;
+
+  inkcell::Span<const uint8_t> bytes() const { return bytes_; }
+  void start(uint32_t seed, uint32_t one_in);
+  void stop();
+
+  /// Loads that trapped, and those of them that found other bytes.
+  static int64_t load_count();
+  static int64_t change_count();
+
+ private:
+  uint8_t* pages_;  // guard, content, guard
+  size_t page_;
+  size_t inner_size_;
+  inkcell::Span<const uint8_t> bytes_;
+};
+
+}  // namespace hostile

@@ -1,0 +1,121 @@
+#include "good_fonts.hpp"
+
+#include "exercise.hpp"
+#include "field_record.hpp"
+#include "font_builder.hpp"
+#include "grid_record.hpp"
+#include "outline_record.hpp"
+#include "random.hpp"
+
+namespace hostile {
+namespace {
+
+using namespace inkcell;
+
+// Half as large as the shapes of font_builder, so that glyphs are small.
+int32_t small_disc(int32_t x_u, int32_t y_u) {
+  return font_builder::disc(2 * x_u, 2 * y_u) / 2;
+}
+int32_t small_ring(int32_t x_u, int32_t y_u) {
+  return font_builder::ring(2 * x_u, 2 * y_u) / 2;
+}
+
+// .notdef, space, A (disc), B (ring); kerning in classes of one byte, or of
+// two if `wide`.
+Bytes build_font(bool wide) {
+  static font_builder::Record records[2];
+  font_builder::Record* record = records;
+  for (const font_builder::Shape shape : {small_disc, small_ring}) {
+    record->reset();
+    record->tile_log2 = 7;
+    record->x0_u = -64;
+    record->y0_u = -64;
+    record->fill(shape);
+    ++record;
+  }
+  const font_builder::CmapEntry cmap[] = {
+      {' ', 0, 1}, {'A', 1, 2}, {0x1f600, 0, 3}};
+  const font_builder::GlyphSpec glyphs[] = {
+      {600, {40, 40, 330, 330}, nullptr, records},
+      {300, {}, nullptr, nullptr},
+      {400, {40, 40, 330, 330}, nullptr, records},
+      {350, {60, 60, 310, 310}, nullptr, records + 1}};
+  const uint16_t classes[] = {0, 0, 1, 2};
+  const std::vector<int16_t> values(wide ? 512 : 4, -40);
+  font_builder::FontSpec spec;
+  spec.cmap = cmap;
+  spec.glyphs = glyphs;
+  spec.kerning.left_classes = 2;
+  spec.kerning.right_classes = wide ? 256 : 2;
+  spec.kerning.left = classes;
+  spec.kerning.right = classes;
+  spec.kerning.values = {values.data(), values.size()};
+  spec.name = "Hostile";
+  GridRecord hints;
+  hints.make_usual(4);
+  spec.hints = hints.write();
+  Bytes font(8192);
+  font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
+  require(!font.empty(), "the font fits its buffer");
+  return font;
+}
+
+// .notdef and A: glyphs of fields, and no kerning.
+Bytes build_fields_font(bool linked) {
+  static FieldRecord records[2];
+  static uint8_t bytes[2][512];
+  Random random(7);
+  font_builder::GlyphSpec glyphs[2];
+  for (int i = 0; i < 2; ++i) {
+    FieldRecord& record = records[i];
+    do {
+      record = FieldRecord();
+      record.linked = linked;
+      record.tile_log2 = 7;
+      record.tiles_x = 2;
+      record.tiles_y = 2;
+      record.x0_u = -32;
+      record.y0_u = -32;
+      record.make(random, 64);
+    } while (record.size() < 120 || record.size() > 200 ||
+             record.node_count == 0 || record.arc_count == 0 ||
+             record.pair_count == 0 || record.triple_count == 0);
+    record.write(bytes[i]);
+    glyphs[i] = {
+        600, {-30, -30, 220, 220}, nullptr, nullptr, {bytes[i], record.size()}};
+  }
+  const font_builder::CmapEntry cmap[] = {{'A', 0, 1}};
+  font_builder::FontSpec spec;
+  spec.cmap = cmap;
+  spec.glyphs = glyphs;
+  spec.name = "Hostile";
+  GridRecord hints;
+  hints.make_usual(2);
+  spec.hints = hints.write();
+  Bytes font(8192);
+  font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
+  require(!font.empty(), "the font fits its buffer");
+  return font;
+}
+
+// Those of outline_record.hpp: outlines, a composite, and no hints.
+Bytes build_outline_font() {
+  Bytes font(outline_record::kSampleFontBytes);
+  font.resize(outline_record::build_sample_font({font.data(), font.size()}));
+  require(!font.empty(), "the font fits its buffer");
+  return font;
+}
+
+}  // namespace
+
+Bytes good_font(const std::string& kind) {
+  if (kind == "1" || kind == "2") {
+    return build_font(kind == "2");
+  }
+  if (kind == "narrow" || kind == "linked") {
+    return build_fields_font(kind == "linked");
+  }
+  return kind == "outline" ? build_outline_font() : Bytes();
+}
+
+}  // namespace hostile

@@ -1,0 +1,18 @@
+// Small fonts without a fault, to be broken.
+#pragma once
+
+#include <stdint.h>
+
+#include <string>
+#include <vector>
+
+namespace hostile {
+
+using Bytes = std::vector<uint8_t>;
+
+/// `kind`: "1" or "2", cells of samples with kerning classes of one byte or of
+/// two; "narrow" or "linked", cells of primitives; "outline". Empty if there is
+/// no such kind.
+Bytes good_font(const std::string& kind);
+
+}  // namespace hostile
