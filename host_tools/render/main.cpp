@@ -131,7 +131,7 @@ Extent place(double low,
   }
   Extent extent;
   extent.origin = start + shift;
-  extent.side = side.value_or(static_cast<int>(std::max(end, 1.0)));
+  extent.side = side.has_value() ? *side : static_cast<int>(std::max(end, 1.0));
   return extent;
 }
 
