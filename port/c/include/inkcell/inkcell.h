@@ -23,6 +23,7 @@
 #include "inkcell/c/font.h"
 #include "inkcell/c/layout.h"
 #include "inkcell/c/pixel.h"
+#include "inkcell/c/shaped_run.h"
 #include "inkcell/c/sink.h"
 #include "inkcell/c/style.h"
 #include "inkcell/c/text_box.h"

@@ -1,8 +1,8 @@
 // Fonts in ROM, as in inkcell/font.hpp: opened in constant time, safe with any
 // bytes.
 //
-// `inkcell-fontgen --format c` writes a font as a C source, whose array and
-// size are:
+// `inkcell-fontgen --format c` writes a font as a C source, and with --header
+// what declares its array and its size:
 //
 //   extern const uint8_t dejavu_sans[];
 //   extern const uint32_t dejavu_sans_size;
