@@ -9,8 +9,9 @@
 # prints the line that would, and ends the script that called it.
 
 inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
-  libfreetype-dev libharfbuzz-dev libpolyclipping-dev libcli11-dev
-  nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev libgif-dev nettle-dev
+  libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev
+  libcli11-dev nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev
+  libgif-dev nettle-dev
   libsdl2-dev libimgui-dev
   gcc-arm-none-eabi libnewlib-arm-none-eabi
   gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
@@ -22,6 +23,7 @@ inkcell_packages_reading="python3 python3-freetype tesseract-ocr
 
 inkcell_packages_tests="$inkcell_packages_demo git clang ccache make meson
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk
+  fonts-lohit-deva fonts-tlwg-loma-ttf
   unicode-data
   $inkcell_packages_reading"
 

@@ -4,13 +4,19 @@
 #     [NAME <identifier>]      default: the file's name
 #     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
 #     [SYMBOLS <string>] [TEXT_FILE <utf-8 file>...]
+#     [STRINGS_FROM <C or C++ file, or src/**/*.c>...]
+#     [STRINGS <file of strings>...] [STRICT]
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
 #     [CODING outline|edges|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
-#     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>])
+#     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
+#     [LANGUAGE CXX|C])
 #
-# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>.
+# The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>, and
+# strings as fonts::<NAME>_strings::<string>; with LANGUAGE C they find <NAME>,
+# <NAME>_size and <NAME>_strings_<string> in <fonts/NAME.h>. A source that is new
+# below a pattern of STRINGS_FROM counts when the font is made next.
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 # CODING says what glyphs are made of:
 #   outline   points of lines and curves, about 6 KB for 95 characters; default
@@ -151,10 +157,10 @@ endfunction()
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
-    PREDICATE EFFORT BUDGET PREVIEW)
-  set(several CHARS TEXT_FILE AXIS)
+    PREDICATE EFFORT BUDGET PREVIEW LANGUAGE)
+  set(several CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS)
   cmake_parse_arguments(
-    PARSE_ARGV 1 arg "BEST_EFFORT" "${single}" "${several}")
+    PARSE_ARGV 1 arg "BEST_EFFORT;STRICT" "${single}" "${several}")
   if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR
       "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
@@ -181,6 +187,7 @@ function(inkcell_add_font target)
   _inkcell_check_choice(CODING "${arg_CODING}" outline edges samples)
   _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
+  _inkcell_check_choice(LANGUAGE "${arg_LANGUAGE}" CXX C)
   if("${arg_PREDICATE}" STREQUAL "fixed" AND
       NOT "${arg_CODING}" STREQUAL "samples")
     message(FATAL_ERROR
@@ -216,6 +223,9 @@ function(inkcell_add_font target)
   if(arg_BEST_EFFORT)
     list(APPEND options --best-effort)
   endif()
+  if(arg_STRICT)
+    list(APPEND options --strict)
+  endif()
   foreach(word CHARS AXIS)
     string(TOLOWER "--${word}" option)
     foreach(value IN LISTS arg_${word})
@@ -223,14 +233,33 @@ function(inkcell_add_font target)
     endforeach()
   endforeach()
   set(texts)
-  foreach(value IN LISTS arg_TEXT_FILE)
+  foreach(word TEXT_FILE STRINGS)
+    string(TOLOWER "--${word}" option)
+    string(REPLACE "_" "-" option "${option}")
+    foreach(value IN LISTS arg_${word})
+      cmake_path(ABSOLUTE_PATH value NORMALIZE)
+      list(APPEND options "${option}=${value}")
+      list(APPEND texts "${value}")
+    endforeach()
+  endforeach()
+  # The generator finds the files of a pattern, and names them in the depfile.
+  foreach(value IN LISTS arg_STRINGS_FROM)
     cmake_path(ABSOLUTE_PATH value NORMALIZE)
-    list(APPEND options "--text-file=${value}")
-    list(APPEND texts "${value}")
+    list(APPEND options "--strings-from=${value}")
   endforeach()
 
   set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
-  set(header "${include}/fonts/${arg_NAME}.hpp")
+  if("${arg_LANGUAGE}" STREQUAL "C")
+    set(header "${include}/fonts/${arg_NAME}.h")
+    set(made "${include}/fonts/${arg_NAME}.c")
+    set(outputs "${made}" "${header}")
+    set(form --format=c "--header=${header}")
+  else()
+    set(header "${include}/fonts/${arg_NAME}.hpp")
+    set(made "${header}")
+    set(outputs "${made}")
+    set(form --format=hpp)
+  endif()
   file(MAKE_DIRECTORY "${include}/fonts")
   if(DEFINED arg_SYMBOLS)
     # By way of a file: no list and no shell takes a ; or a \ for its own.
@@ -242,14 +271,13 @@ function(inkcell_add_font target)
 
   _inkcell_find_fontgen(program depends)
   add_custom_command(
-    OUTPUT "${header}"
+    OUTPUT ${outputs}
     BYPRODUCTS ${preview}
     COMMAND "${program}" "--font=${font}" ${options} --quiet
-      --format=hpp "--name=${arg_NAME}" "--out=${header}"
-      "--depfile=${header}.d"
+      ${form} "--name=${arg_NAME}" "--out=${made}" "--depfile=${made}.d"
     DEPENDS "${font}" ${texts} ${depends}
-    DEPFILE "${header}.d"
-    COMMENT "Making fonts/${arg_NAME}.hpp"
+    DEPFILE "${made}.d"
+    COMMENT "Making the font ${arg_NAME}"
     VERBATIM)
 
   set(scope PRIVATE)
@@ -257,6 +285,6 @@ function(inkcell_add_font target)
   if(type STREQUAL "INTERFACE_LIBRARY")
     set(scope INTERFACE)
   endif()
-  target_sources(${target} ${scope} "${header}")
+  target_sources(${target} ${scope} ${outputs})
   target_include_directories(${target} ${scope} "${include}")
 endfunction()

@@ -34,6 +34,10 @@ CASES = [
     (f"app {THERE} PREVIEW a.png BUDGET 24K", ""),
     (f"app {THERE} BEST_EFFORT", ""),
     (f"app {THERE} TEXT words.txt", "not understood: TEXT"),
+    (f"app {THERE} STRINGS ui.txt STRINGS_FROM src/**/*.c STRICT", ""),
+    (f"app {THERE} STRINGS", "not understood: STRINGS"),
+    (f"app {THERE} LANGUAGE C STRINGS ui.txt", ""),
+    (f"app {THERE} LANGUAGE Rust", "LANGUAGE is CXX or C, not Rust"),
 ]
 # Sources of a generator: these say who had them configured, and by what.
 FAKE_GENERATOR = """cmake_minimum_required(VERSION 3.25)

@@ -1,5 +1,5 @@
-"""Checks docs/PORTING.md, LAYOUT.md and ANIMATING.md: their code is code of the
-project, and the paths of the first exist.
+"""Checks docs/PORTING.md, LAYOUT.md, STRINGS.md and ANIMATING.md: their code is code
+of the project, and the paths of the first exist.
 
 Usage: check_porting.py
 """
@@ -28,9 +28,9 @@ def main():
     problems = []
 
     blocks = re.findall(r"^```\w+\n(.*?)^```", text, re.M | re.S)
-    for name in ("LAYOUT", "ANIMATING"):
+    for name in ("LAYOUT", "STRINGS", "ANIMATING"):
         more = (ROOT / f"docs/{name}.md").read_text()
-        blocks += re.findall(r"^```cpp\n(.*?)^```", more, re.M | re.S)
+        blocks += re.findall(r"^```c(?:pp)?\n(.*?)^```", more, re.M | re.S)
     if len(blocks) < 8:
         problems.append("the code blocks were not found")
     for block in blocks:

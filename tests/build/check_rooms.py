@@ -50,6 +50,7 @@ GENERATOR = {
     "base": "",
     "shape": "",
     "source": "shape",
+    "texts": "source",
     "target": "shape",
     "samples": "shape target",
     "edges": "shape target",
@@ -57,7 +58,8 @@ GENERATOR = {
     "hints": "shape",
     "rom": "shape source target samples edges outlines hints",
     "judge": "shape source target samples edges outlines hints rom",
-    "pipeline": "shape source target samples edges outlines hints rom judge",
+    "pipeline": "shape source texts target samples edges outlines hints rom "
+                "judge",
     "app": "source target pipeline",
 }
 

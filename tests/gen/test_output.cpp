@@ -1,6 +1,7 @@
 // Files that appear whole or not at all, and the source forms of a font.
 #include <gtest/gtest.h>
 
+#include "app/encode.hpp"
 #include "app/output.hpp"
 
 #include <sys/stat.h>

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/budget.hpp"
+#include "app/encode.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
@@ -20,6 +21,7 @@ struct Arguments {
   std::optional<OutputFormat> format;
   std::string name;
   std::string out;
+  std::string header;
   std::string report;
   std::string depfile;
   std::string preview;
@@ -36,6 +38,20 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Take the characters of a UTF-8 text file; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
+  app.add_option(
+         "--strings-from", request.strings_from,
+         "Take the characters of string literals in C and C++ sources: "
+         "files or patterns such as 'src/**/*.c', in quotes; repeatable")
+      ->type_name("PATTERN");
+  app.add_option(
+         "--strings", request.string_files,
+         "Shape the strings of a UTF-8 file, lines of name = text, into "
+         "runs of glyphs beside the font; repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_flag("--strict", request.strict,
+               "Fail if the font lacks a character: the error says which file "
+               "and line ask for it");
   add_generator_options(app, request);
   app.add_option_function<std::string>(
          "--format",
@@ -70,6 +86,10 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--out", arguments.out, "The file to write")
       ->required()
       ->type_name("FILE");
+  app.add_option("--header", arguments.header,
+                 "With --format c, write a header that declares the font and "
+                 "its strings")
+      ->type_name("FILE.h");
   app.add_option("--report", arguments.report, "Write the report as JSON")
       ->type_name("FILE");
   app.add_option("--preview", arguments.preview,
@@ -113,13 +133,23 @@ std::string escape(const std::string& path) {
   return out;
 }
 
+// All files of text that are read.
+std::vector<std::filesystem::path> texts_of(const GenerateRequest& request) {
+  std::vector<std::filesystem::path> files = sources_of(request);
+  files.insert(files.end(), request.text_files.begin(),
+               request.text_files.end());
+  files.insert(files.end(), request.string_files.begin(),
+               request.string_files.end());
+  return files;
+}
+
 std::string dependencies(const Arguments& arguments) {
   std::string rule = escape(arguments.out) + ":";
   const auto add = [&](const std::filesystem::path& file) {
     rule += " " + escape(std::filesystem::absolute(file).string());
   };
   add(arguments.request.font);
-  for (const std::filesystem::path& file : arguments.request.text_files) {
+  for (const std::filesystem::path& file : texts_of(arguments.request)) {
     add(file);
   }
   return rule + "\n";
@@ -132,6 +162,11 @@ void write_files(const Arguments& arguments,
                  OutputFormat format) {
   OutputFile out(arguments.out);
   out.write(encode(font, format, arguments.name));
+  std::optional<OutputFile> header;
+  if (!arguments.header.empty()) {
+    header.emplace(arguments.header)
+        .write(encode_c_header(font, arguments.name));
+  }
   std::optional<OutputFile> report;
   if (!arguments.report.empty()) {
     report.emplace(arguments.report).write(report_as_json(font.report));
@@ -145,6 +180,9 @@ void write_files(const Arguments& arguments,
     preview.emplace(arguments.preview).write(encode_png(draw_preview(font)));
     preview->commit();
   }
+  if (header) {
+    header->commit();
+  }
   if (report) {
     report->commit();
   }
@@ -154,16 +192,29 @@ void write_files(const Arguments& arguments,
   out.commit();
 }
 
+// Refuses forms that cannot say what was asked for.
+void check_form(const Arguments& arguments, OutputFormat format) {
+  if (!arguments.header.empty() && format != OutputFormat::c) {
+    throw Error("--header is for --format c; --format hpp is a header");
+  }
+  if (!arguments.request.string_files.empty() && format == OutputFormat::bin) {
+    throw Error(
+        "--strings: --format bin has no place for runs of glyphs; use hpp or "
+        "c");
+  }
+}
+
 // Refuses before work begins what would fail or do harm after it.
 void check_files(const Arguments& arguments) {
   const std::vector<std::filesystem::path> targets = {
-      arguments.out, arguments.report, arguments.depfile, arguments.preview};
+      arguments.out, arguments.header, arguments.report, arguments.depfile,
+      arguments.preview};
   for (const std::filesystem::path& file : targets) {
     if (!file.empty()) {
       check_writable(file);
     }
   }
-  std::vector<std::filesystem::path> inputs = arguments.request.text_files;
+  std::vector<std::filesystem::path> inputs = texts_of(arguments.request);
   inputs.push_back(arguments.request.font);
   tools::check_apart(targets, inputs);
 }
@@ -213,6 +264,7 @@ void run(Arguments& arguments) {
   }
   check_identifier(arguments.name);
   const OutputFormat format = format_of(arguments);
+  check_form(arguments, format);
   check_files(arguments);
   const RomFont font = make_font(arguments);
   for (const Warning& warning : font.warnings) {

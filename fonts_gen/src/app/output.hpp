@@ -1,13 +1,10 @@
-// Files that appear whole or not at all, and the forms that a font takes there.
+// Files that appear whole or not at all, previews in them, and names.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "pipeline/generate.hpp"
 #include "pipeline/preview.hpp"
 
 namespace inkcell::gen {
@@ -38,14 +35,6 @@ class OutputFile {
 /// that is there replaced: before work begins. Folders, devices and pipes are
 /// refused, and -, which many take for standard output.
 void check_writable(const std::filesystem::path& target);
-
-enum class OutputFormat { bin, hpp, c };
-
-/// The content of a font file in the given form. `name` is the identifier of
-/// the array in hpp and c; the array of hpp is fonts::<name>.
-std::string encode(const RomFont& font,
-                   OutputFormat format,
-                   const std::string& name);
 
 /// A preview as the content of a PNG file. Throws Error.
 std::string encode_png(const Preview& preview);

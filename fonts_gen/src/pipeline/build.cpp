@@ -140,7 +140,8 @@ void drop_unused_components(SourceFont& font,
                             RomContent& content,
                             std::vector<LoopResult>& errors) {
   const std::vector<size_t> kept = used_glyphs(content, [&](size_t glyph) {
-    return glyph == 0 || !font.glyphs[glyph].code_points.empty();
+    const SourceGlyph& source = font.glyphs[glyph];
+    return glyph == 0 || !source.code_points.empty() || source.is_of_line;
   });
   const auto keep = [&kept](auto& list) {
     for (size_t i = 0; i < kept.size(); ++i) {

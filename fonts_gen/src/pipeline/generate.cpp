@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "judge/closed_loop.hpp"
 #include "judge/rom_check.hpp"
 #include "pipeline/build.hpp"
+#include "pipeline/missing.hpp"
 #include "rom/rom_font.hpp"
 #include "source/font_source.hpp"
 
@@ -23,6 +25,54 @@ double promised_tolerance(const Target& asked,
   return std::min(tolerance, 255.0);
 }
 
+std::vector<LineText> lines_of(const std::vector<NamedString>& strings) {
+  std::vector<LineText> lines;
+  for (const NamedString& string : strings) {
+    lines.push_back(string.line);
+  }
+  return lines;
+}
+
+// A distance in the form that a run keeps.
+int16_t step(int units, const NamedString& string) {
+  if (units < INT16_MIN || units > INT16_MAX) {
+    throw Error(string.file + ":" + std::to_string(string.line_number) +
+                ": two glyphs of '" + string.name + "' are " +
+                std::to_string(units) +
+                " font units apart, at most 32767 are possible; shorten the "
+                "blank between them");
+  }
+  return static_cast<int16_t>(units);
+}
+
+// The strings with the glyph ids of the finished font.
+std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
+                                      const SourceFont& font) {
+  std::map<uint32_t, uint16_t> place_of;
+  for (size_t i = 0; i < font.glyphs.size(); ++i) {
+    place_of.emplace(font.glyphs[i].source, static_cast<uint16_t>(i));
+  }
+  std::vector<RomString> out;
+  for (size_t i = 0; i < strings.size(); ++i) {
+    const ShapedLine& line = font.lines[i];
+    RomString string;
+    string.name = strings[i].name;
+    for (const char32_t c : strings[i].line.text) {
+      string.text += to_utf8(c);
+    }
+    string.advance = line.advance;
+    int x = 0;
+    for (const LineGlyph& glyph : line.glyphs) {
+      string.glyphs.push_back({place_of.at(glyph.source),
+                               step(glyph.x - x, strings[i]),
+                               step(glyph.y, strings[i])});
+      x = glyph.x;
+    }
+    out.push_back(std::move(string));
+  }
+  return out;
+}
+
 }  // namespace
 
 RomFont generate(const GenerateRequest& request) {
@@ -34,8 +84,13 @@ RomFont generate(const GenerateRequest& request) {
   wanted.face = request.face;
   wanted.axes = request.axes;
   wanted.characters = characters_of(request);
+  const std::vector<NamedString> strings = strings_of(request);
+  wanted.lines = lines_of(strings);
   wanted.with_components = request.target.coding == Coding::outline;
   SourceFont font = load_font(wanted, request.threads, rom.warnings);
+  if (request.strict && !font.missing.empty()) {
+    refuse_missing(request, font.file_name, font.missing);
+  }
   std::vector<LoopResult> errors;
   RomContent content = build_content(font, request, errors);
   // A font promises what it holds.
@@ -43,6 +98,7 @@ RomFont generate(const GenerateRequest& request) {
   PartBytes parts;
   rom.bytes = write_rom_font(content, parts);
   check_rom_font(rom.bytes, content);
+  rom.strings = shaped_strings(strings, font);
   content.options.tolerance = request.target.tolerance;
   rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;

@@ -2,17 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "inkcell/shaped_run.hpp"
 #include "pipeline/font_report.hpp"
 #include "pipeline/request.hpp"
 
 namespace inkcell::gen {
 
+/// A string that was shaped, with the glyphs of its font.
+struct RomString {
+  std::string name;
+  std::string text;  // UTF-8, in logical order
+  std::vector<ShapedGlyph> glyphs;
+  int advance = 0;  // [font units]
+};
+
 /// A finished font.
 struct RomFont {
   std::vector<uint8_t> bytes;
+  std::vector<RomString> strings;
   FontReport report;
   Warnings warnings;
 };

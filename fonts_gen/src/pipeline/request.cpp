@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "base/error.hpp"
+#include "texts/c_literals.hpp"
+#include "texts/file_pattern.hpp"
 
 namespace inkcell::gen {
 
@@ -73,18 +76,47 @@ CharSet characters_of(const GenerateRequest& request) {
   for (const std::filesystem::path& file : request.text_files) {
     add_text_file(file, characters);
   }
+  for (const std::filesystem::path& file : sources_of(request)) {
+    const std::string source = read_text_file(file, "--strings-from");
+    for (const LocatedCharacter& found :
+         literal_characters(source, file.string())) {
+      characters.insert(found.value);
+    }
+  }
   add_text(request.symbols, "--symbols", characters);
   const bool asked = !request.chars.empty() || !request.text_files.empty() ||
-                     !request.symbols.empty();
+                     !request.strings_from.empty() ||
+                     !request.symbols.empty() || !request.string_files.empty();
   if (!asked) {
     add_ranges(kDefaultChars, characters);
   }
-  if (characters.empty()) {
+  if (characters.empty() && request.string_files.empty()) {
     throw Error(
         "no characters asked for: the texts hold nothing printable; check "
-        "--text-file and --symbols");
+        "--text-file, --strings-from and --symbols");
   }
   return characters;
+}
+
+std::vector<std::filesystem::path> sources_of(const GenerateRequest& request) {
+  std::set<std::filesystem::path> sources;
+  for (const std::string& pattern : request.strings_from) {
+    const auto found = matching_files(pattern, "--strings-from");
+    sources.insert(found.begin(), found.end());
+  }
+  return {sources.begin(), sources.end()};
+}
+
+std::vector<NamedString> strings_of(const GenerateRequest& request) {
+  std::vector<NamedString> strings;
+  for (const std::filesystem::path& file : request.string_files) {
+    add_string_file(file, strings);
+  }
+  if (strings.empty() && !request.string_files.empty()) {
+    throw Error(request.string_files.front().string() +
+                ": holds no strings; write lines of name = text");
+  }
+  return strings;
 }
 
 }  // namespace inkcell::gen

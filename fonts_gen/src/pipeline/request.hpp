@@ -10,6 +10,7 @@
 #include "source/char_set.hpp"
 #include "source/font_file.hpp"
 #include "target/target.hpp"
+#include "texts/string_file.hpp"
 
 namespace inkcell::gen {
 
@@ -18,10 +19,17 @@ struct GenerateRequest {
   std::filesystem::path font;
   int face = 0;
   std::vector<AxisSetting> axes;
-  /// Characters: the union of all three; printable ASCII if all are empty.
+  /// Characters: the union of all four; printable ASCII if they are empty and
+  /// there are no strings.
   std::vector<std::string> chars;  // lists as add_ranges reads them
   std::vector<std::filesystem::path> text_files;
-  std::string symbols;  // UTF-8
+  std::vector<std::string> strings_from;  // patterns of C and C++ sources
+  std::string symbols;                    // UTF-8
+  /// Files of strings that are shaped, as add_string_file reads them.
+  std::vector<std::filesystem::path> string_files;
+  /// Whether generate() throws for characters that the font lacks; otherwise
+  /// it warns.
+  bool strict = false;
   /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
   /// a whole number within 1..255.
   Target target;
@@ -41,7 +49,14 @@ struct GenerateRequest {
 /// Throws Error unless the numbers of `request` lie within their limits.
 void check_request(const GenerateRequest& request);
 
-/// All characters that `request` asks for. Throws Error if there are none.
+/// All characters that `request` asks for, without those of strings that are
+/// shaped. Throws Error if there are neither.
 CharSet characters_of(const GenerateRequest& request);
+
+/// The sources that strings_from names, each once. Throws Error.
+std::vector<std::filesystem::path> sources_of(const GenerateRequest& request);
+
+/// The strings that are shaped. Throws Error.
+std::vector<NamedString> strings_of(const GenerateRequest& request);
 
 }  // namespace inkcell::gen

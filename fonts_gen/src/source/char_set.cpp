@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <optional>
 
 #include "base/error.hpp"
 
@@ -19,34 +18,6 @@ constexpr bool is_surrogate(char32_t c) {
 
 constexpr bool is_control(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0);
-}
-
-// Takes one character off the front of `text`; nothing if it is not UTF-8.
-std::optional<char32_t> take_utf8(std::string_view& text) {
-  const auto lead = static_cast<uint8_t>(text[0]);
-  const size_t length = lead < 0x80             ? 1
-                        : (lead & 0xe0) == 0xc0 ? 2
-                        : (lead & 0xf0) == 0xe0 ? 3
-                        : (lead & 0xf8) == 0xf0 ? 4
-                                                : 0;
-  if (length == 0 || length > text.size()) {
-    return std::nullopt;
-  }
-  char32_t c = length == 1 ? lead : lead & (0x7fu >> length);
-  for (size_t i = 1; i < length; ++i) {
-    const auto next = static_cast<uint8_t>(text[i]);
-    if ((next & 0xc0) != 0x80) {
-      return std::nullopt;
-    }
-    c = c << 6 | (next & 0x3fu);
-  }
-  // The least code point that needs so many bytes.
-  constexpr char32_t kLeast[5] = {0, 0, 0x80, 0x800, 0x10000};
-  if (c < kLeast[length] || c > kLastCodePoint || is_surrogate(c)) {
-    return std::nullopt;
-  }
-  text.remove_prefix(length);
-  return c;
 }
 
 std::optional<char32_t> parse_number(std::string_view digits, int base) {
@@ -154,6 +125,37 @@ void add_ranges(std::string_view list, CharSet& out) {
   }
 }
 
+std::optional<char32_t> take_utf8(std::string_view& text) {
+  const auto lead = static_cast<uint8_t>(text[0]);
+  const size_t length = lead < 0x80             ? 1
+                        : (lead & 0xe0) == 0xc0 ? 2
+                        : (lead & 0xf0) == 0xe0 ? 3
+                        : (lead & 0xf8) == 0xf0 ? 4
+                                                : 0;
+  if (length == 0 || length > text.size()) {
+    return std::nullopt;
+  }
+  char32_t c = length == 1 ? lead : lead & (0x7fu >> length);
+  for (size_t i = 1; i < length; ++i) {
+    const auto next = static_cast<uint8_t>(text[i]);
+    if ((next & 0xc0) != 0x80) {
+      return std::nullopt;
+    }
+    c = c << 6 | (next & 0x3fu);
+  }
+  // The least code point that needs so many bytes.
+  constexpr char32_t kLeast[5] = {0, 0, 0x80, 0x800, 0x10000};
+  if (c < kLeast[length] || c > kLastCodePoint || is_surrogate(c)) {
+    return std::nullopt;
+  }
+  text.remove_prefix(length);
+  return c;
+}
+
+bool is_shown(char32_t c) {
+  return !is_control(c) && c != 0xfeff;
+}
+
 void add_text(std::string_view text, const std::string& source, CharSet& out) {
   const size_t size = text.size();
   while (!text.empty()) {
@@ -163,23 +165,28 @@ void add_text(std::string_view text, const std::string& source, CharSet& out) {
       throw Error(source + ": byte " + std::to_string(offset) +
                   " is not UTF-8; save the text as UTF-8");
     }
-    if (!is_control(*c) && *c != 0xfeff) {
+    if (is_shown(*c)) {
       out.insert(*c);
     }
   }
 }
 
-void add_text_file(const std::filesystem::path& file, CharSet& out) {
+std::string read_text_file(const std::filesystem::path& file,
+                           const std::string& option) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw Error(file.string() + ": is a folder; give --text-file a file");
+    throw Error(file.string() + ": is a folder; give " + option + " a file");
   }
   std::ifstream in(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  std::string text(std::istreambuf_iterator<char>(in), {});
   if (!in.is_open() || in.bad()) {
-    throw Error(file.string() + ": cannot be read; check the --text-file");
+    throw Error(file.string() + ": cannot be read; check the " + option);
   }
-  add_text(text, file.string(), out);
+  return text;
+}
+
+void add_text_file(const std::filesystem::path& file, CharSet& out) {
+  add_text(read_text_file(file, "--text-file"), file.string(), out);
 }
 
 std::string to_utf8(char32_t c) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -25,6 +26,18 @@ void add_text(std::string_view text, const std::string& source, CharSet& out);
 
 /// add_text of a whole file. Throws Error.
 void add_text_file(const std::filesystem::path& file, CharSet& out);
+
+/// The bytes of a file. Throws Error; `option` names what asked for it.
+std::string read_text_file(const std::filesystem::path& file,
+                           const std::string& option);
+
+/// Takes one character off the front of `text`, which must not be empty;
+/// nothing if it is not UTF-8.
+std::optional<char32_t> take_utf8(std::string_view& text);
+
+/// Whether a character belongs into a font: no control character, no byte order
+/// mark.
+bool is_shown(char32_t code_point);
 
 /// UTF-8 of one code point.
 std::string to_utf8(char32_t code_point);

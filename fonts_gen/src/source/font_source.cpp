@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace inkcell::gen {
 namespace {
@@ -272,12 +273,14 @@ void warn_of_embedding(const FontFile& font, Warnings& warnings) {
   }
 }
 
-// Finds the glyphs of all characters; what is missing goes to font.missing.
-void choose_glyphs(const FontFile& file,
-                   const CharSet& characters,
-                   SourceFont& font) {
-  font.glyphs.emplace_back();  // .notdef
-  std::map<uint32_t, size_t> known;
+// Places of glyphs in a font, by their ids in the file.
+using KnownGlyphs = std::map<uint32_t, size_t>;
+
+// Adds the glyphs of all characters; what is missing goes to font.missing.
+void add_characters(const FontFile& file,
+                    const CharSet& characters,
+                    KnownGlyphs& known,
+                    SourceFont& font) {
   for (const char32_t c : characters) {
     const uint32_t source = file.glyph_of(c);
     if (source == 0) {
@@ -291,22 +294,89 @@ void choose_glyphs(const FontFile& file,
     }
     font.glyphs[found->second].code_points.push_back(c);
   }
-  if (known.empty()) {
-    file.refuse("holds none of the " + std::to_string(characters.size()) +
-                (characters.size() == 1 ? " character" : " characters") +
-                " asked for; check --chars, --text-file and --symbols");
+}
+
+// The characters of lines whose own glyphs lines show.
+CharSet characters_of_lines(const FontFile& file,
+                            const std::vector<LineText>& lines,
+                            const std::set<uint32_t>& shown) {
+  CharSet characters;
+  for (const LineText& line : lines) {
+    for (const char32_t c : line.text) {
+      const uint32_t glyph = file.glyph_of(c);
+      if (glyph != 0 && shown.count(glyph) != 0) {
+        characters.insert(c);
+      }
+    }
+  }
+  return characters;
+}
+
+// Shapes the lines, and adds the glyphs that they show. One that is what its
+// character looks like alone gets its code point, too: hints are found by them.
+void add_lines(const FontFile& file,
+               const std::vector<LineText>& lines,
+               KnownGlyphs& known,
+               SourceFont& font) {
+  std::set<uint32_t> shown;
+  std::set<char32_t> missing(font.missing.begin(), font.missing.end());
+  for (const LineText& line : lines) {
+    font.lines.push_back(shape_line(file, line));
+    for (const LineGlyph& glyph : font.lines.back().glyphs) {
+      if (glyph.source != 0) {
+        shown.insert(glyph.source);
+      }
+    }
+    missing.insert(font.lines.back().missing.begin(),
+                   font.lines.back().missing.end());
+  }
+  font.missing.assign(missing.begin(), missing.end());
+  CharSet characters = characters_of_lines(file, lines, shown);
+  for (const SourceGlyph& glyph : font.glyphs) {
+    for (const char32_t c : glyph.code_points) {
+      characters.erase(c);
+    }
+  }
+  add_characters(file, characters, known, font);
+  for (const uint32_t source : shown) {
+    const auto [found, is_new] = known.emplace(source, font.glyphs.size());
+    if (is_new) {
+      font.glyphs.emplace_back();
+      font.glyphs.back().source = source;
+    }
+    font.glyphs[found->second].is_of_line = true;
+  }
+}
+
+// Finds all glyphs but components; the number of those that characters asked
+// for, with .notdef.
+size_t choose_glyphs(const FontFile& file,
+                     const FontRequest& request,
+                     SourceFont& font) {
+  font.glyphs.emplace_back();  // .notdef
+  KnownGlyphs known;
+  add_characters(file, request.characters, known, font);
+  const size_t asked = font.glyphs.size();
+  add_lines(file, request.lines, known, font);
+  if (known.empty() && !font.missing.empty()) {
+    file.refuse("holds none of the " + std::to_string(font.missing.size()) +
+                (font.missing.size() == 1 ? " character" : " characters") +
+                " asked for; check --chars, --symbols and the files of text");
   }
   if (font.glyphs.size() > kMostGlyphs) {
     file.refuse(std::to_string(font.glyphs.size()) +
                 " glyphs asked for, a font holds at most 65535; ask for less "
                 "with --chars");
   }
+  return asked;
 }
 
-std::vector<KerningGlyph> kerning_glyphs(const SourceFont& font) {
+// The first glyphs of a font for the purpose of kerning.
+std::vector<KerningGlyph> kerning_glyphs(const SourceFont& font, size_t count) {
   hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
   std::vector<KerningGlyph> glyphs;
-  for (const SourceGlyph& glyph : font.glyphs) {
+  for (size_t i = 0; i < count; ++i) {
+    const SourceGlyph& glyph = font.glyphs[i];
     hb_script_t script = HB_SCRIPT_COMMON;
     if (!glyph.code_points.empty()) {
       script = hb_unicode_script(unicode, glyph.code_points.front());
@@ -325,7 +395,9 @@ std::string SourceGlyph::name() const {
   if (!code_points.empty()) {
     return describe(code_points.front());
   }
-  return source == 0 ? ".notdef" : "component " + std::to_string(source);
+  return source == 0
+             ? ".notdef"
+             : (is_of_line ? "glyph " : "component ") + std::to_string(source);
 }
 
 std::string SourceGlyph::remedy(const std::string& repair) const {
@@ -359,7 +431,7 @@ SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   SourceFont font;
   font.file_name = file.file_name();
   font.name = file.full_name();
-  choose_glyphs(file, request.characters, font);
+  const size_t asked = choose_glyphs(file, request, font);
   warn_of_embedding(file, warnings);
   warn_of_missing(file, font.missing, warnings);
   font.metrics = read_metrics(file, warnings);
@@ -370,7 +442,9 @@ SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
     read_glyph(file, glyph, warnings);
   }
   warn_of_pictures(file, font, warnings);
-  font.kerning = read_kerning(file, kerning_glyphs(font), jobs);
+  font.kerning = read_kerning(file, kerning_glyphs(font, asked), jobs);
+  font.kerning.left_class.resize(font.glyphs.size());
+  font.kerning.right_class.resize(font.glyphs.size());
   return font;
 }
 

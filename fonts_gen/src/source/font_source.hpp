@@ -12,6 +12,7 @@
 #include "source/components.hpp"
 #include "source/font_file.hpp"
 #include "source/kerning.hpp"
+#include "source/line_shaper.hpp"
 
 namespace inkcell::gen {
 
@@ -21,6 +22,8 @@ struct FontRequest {
   int face = 0;
   std::vector<AxisSetting> axes;
   CharSet characters;
+  /// Lines that are shaped; may be empty, as `characters` may then.
+  std::vector<LineText> lines;
   /// Also the glyphs that others are made of, such as accents: at the end of
   /// the list, without code points.
   bool with_components = false;
@@ -39,7 +42,8 @@ struct SourceMetrics {
 /// One glyph of the font to be.
 struct SourceGlyph {
   uint32_t source = 0;                // id in the font file
-  std::vector<char32_t> code_points;  // none: .notdef, or only a component
+  std::vector<char32_t> code_points;  // none: .notdef, or as stated below
+  bool is_of_line = false;            // a shaped line has it; else a component
   Outline outline;                    // [u]
   int advance = 0;                    // [font units]
 
@@ -55,13 +59,17 @@ struct SourceFont {
   std::string file_name;
   std::string name;  // family and style
   SourceMetrics metrics;
-  /// .notdef, then in the order of their smallest code points. Code points that
-  /// share a glyph in the file share it here.
+  /// .notdef, then in the order of their smallest code points; then those of
+  /// lines alone in the same order, the ones without code points last. Code
+  /// points that share a glyph in the file share it here.
   std::vector<SourceGlyph> glyphs;
   /// What each glyph is made of; with components only.
   std::vector<OutlineReferences> components;
+  /// Between the glyphs of characters: lines are kerned already.
   KerningMatrix kerning;
-  /// Characters that the font does not have.
+  /// The request's lines.
+  std::vector<ShapedLine> lines;
+  /// Characters that the font does not have, in ascending order.
   std::vector<char32_t> missing;
 };
 

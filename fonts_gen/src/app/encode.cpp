@@ -1,0 +1,197 @@
+#include "app/encode.hpp"
+
+#include <cstdint>
+#include <vector>
+
+#include "inkcell/version.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+// The elements of an array, in lines of at most 80 columns.
+class ElementWriter {
+ public:
+  explicit ElementWriter(std::string& out) : out_(out) {}
+  ~ElementWriter() { out_ += '\n'; }
+  ElementWriter(const ElementWriter&) = delete;
+  ElementWriter& operator=(const ElementWriter&) = delete;
+
+  void put(const std::string& element) {
+    constexpr size_t kColumns = 80;
+    if (column_ + element.size() + 1 > kColumns) {
+      out_ += '\n';
+      column_ = 0;
+    }
+    out_ += element + ",";
+    column_ += element.size() + 1;
+  }
+
+ private:
+  std::string& out_;
+  size_t column_ = 0;
+};
+
+void append_bytes(std::string& out, const std::vector<uint8_t>& bytes) {
+  out.reserve(out.size() + 4 * bytes.size());
+  ElementWriter elements(out);
+  for (const uint8_t byte : bytes) {
+    elements.put(std::to_string(byte));
+  }
+}
+
+void append_glyphs(std::string& out, const std::vector<ShapedGlyph>& glyphs) {
+  ElementWriter elements(out);
+  for (const ShapedGlyph& at : glyphs) {
+    elements.put("{" + std::to_string(at.glyph) + "," + std::to_string(at.x) +
+                 "," + std::to_string(at.y) + "}");
+  }
+}
+
+// Text from outside for a comment: nothing in it may end that, or turn the
+// direction of what follows.
+std::string for_comment(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    const bool printable = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+    safe += printable && c != '\\' && c != '/' && c != '?' ? c : '_';
+  }
+  for (const char32_t c :
+       U"\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066"
+       U"\u2067\u2068\u2069\u2028\u2029\u061c") {
+    const std::string bytes = to_utf8(c);
+    size_t at = c == 0 ? std::string::npos : safe.find(bytes);
+    for (; at != std::string::npos; at = safe.find(bytes)) {
+      safe.replace(at, bytes.size(), "_");
+    }
+  }
+  return safe;
+}
+
+// What the font is, for the first lines of a source file.
+std::string provenance(const RomFont& font) {
+  const FontReport& report = font.report;
+  std::string text = report.name + " (" + report.file_name + "), " +
+                     std::to_string(report.characters) + " characters, ";
+  text += std::to_string(static_cast<int>(report.options.min_px)) + " to " +
+          std::to_string(static_cast<int>(report.options.max_px)) + " px";
+  return for_comment(text);
+}
+
+// The arrays of glyphs apart from the runs: a run that no program names is not
+// linked, and no name of a string is taken.
+std::string hpp_strings(const RomFont& font, const std::string& name) {
+  std::string out = "\nnamespace " + name + "_glyphs {\n\n";
+  for (const RomString& string : font.strings) {
+    if (!string.glyphs.empty()) {
+      out += "inline constexpr inkcell::ShapedGlyph " + string.name + "[" +
+             std::to_string(string.glyphs.size()) + "] = {\n";
+      append_glyphs(out, string.glyphs);
+      out += "};\n";
+    }
+  }
+  out += "\n}  // namespace " + name + "_glyphs\n\nnamespace " + name +
+         "_strings {\n\n";
+  for (const RomString& string : font.strings) {
+    out += "// " + for_comment(string.text) + "\n";
+    out += "inline constexpr inkcell::ShapedRun " + string.name + " = {\n    " +
+           (string.glyphs.empty() ? "{}" : name + "_glyphs::" + string.name) +
+           ", " + std::to_string(string.advance) + "};\n";
+  }
+  return out + "\n}  // namespace " + name + "_strings\n";
+}
+
+std::string encode_hpp(const RomFont& font, const std::string& name) {
+  std::string out = "// " + provenance(font) +
+                    ".\n// Made by inkcell-fontgen: do not edit.\n"
+                    "#pragma once\n\n#include <stdint.h>\n\n";
+  out += font.strings.empty() ? "" : "#include \"inkcell/shaped_run.hpp\"\n";
+  out += "#include \"inkcell/version.hpp\"\n\n";
+  out += "static_assert(inkcell::reads_format(" + std::to_string(kFormatMajor) +
+         ", " + std::to_string(kFormatMinor) +
+         "),\n              \"regenerate with inkcell-fontgen\");\n\n";
+  out += "namespace fonts {\n\nalignas(4) inline constexpr uint8_t " + name +
+         "[" + std::to_string(font.bytes.size()) + "] = {\n";
+  append_bytes(out, font.bytes);
+  out += "};\n";
+  out += font.strings.empty() ? "" : hpp_strings(font, name);
+  out += "\n}  // namespace fonts\n";
+  return out;
+}
+
+// What begins both files of C: what the font is, and what they include behind
+// the lines `guard`.
+std::string c_head(const RomFont& font, const std::string& guard) {
+  std::string out = "/* " + provenance(font) +
+                    ".\n * Made by inkcell-fontgen for font format " +
+                    std::to_string(kFormatMajor) + "." +
+                    std::to_string(kFormatMinor) + ": do not edit. */\n";
+  return out + guard + "#include <stdint.h>\n" +
+         (font.strings.empty() ? ""
+                               : "\n#include \"inkcell/c/shaped_run.h\"\n") +
+         "\n";
+}
+
+std::string c_declarations(const RomFont& font, const std::string& name) {
+  std::string out = "extern const uint8_t " + name + "[" +
+                    std::to_string(font.bytes.size()) + "];\n";
+  out += "extern const uint32_t " + name + "_size;\n";
+  for (const RomString& string : font.strings) {
+    out += "extern const inkcell_shaped_run_t " + name + "_strings_" +
+           string.name + "; /* " + for_comment(string.text) + " */\n";
+  }
+  return out;
+}
+
+std::string c_strings(const RomFont& font, const std::string& name) {
+  std::string out;
+  for (const RomString& string : font.strings) {
+    const std::string run = name + "_strings_" + string.name;
+    const std::string glyphs = name + "_glyphs_" + string.name;
+    if (!string.glyphs.empty()) {
+      out += "\nstatic const inkcell_shaped_glyph_t " + glyphs + "[] = {\n";
+      append_glyphs(out, string.glyphs);
+      out += "};";
+    }
+    out += "\nconst inkcell_shaped_run_t " + run + " = {\n    " +
+           (string.glyphs.empty() ? "0" : glyphs) + ", " +
+           std::to_string(string.glyphs.size()) + ", " +
+           std::to_string(string.advance) + "};\n";
+  }
+  return out;
+}
+
+std::string encode_c(const RomFont& font, const std::string& name) {
+  const std::string size = std::to_string(font.bytes.size());
+  std::string out = c_head(font, "") + c_declarations(font, name);
+  out +=
+      "\n#if defined(__GNUC__)\n__attribute__((aligned(4)))\n#else\n"
+      "_Alignas(4)\n#endif\n";
+  out += "const uint8_t " + name + "[" + size + "] = {\n";
+  append_bytes(out, font.bytes);
+  out += "};\n\nconst uint32_t " + name + "_size = " + size + ";\n";
+  return out + c_strings(font, name);
+}
+
+}  // namespace
+
+std::string encode(const RomFont& font,
+                   OutputFormat format,
+                   const std::string& name) {
+  switch (format) {
+    case OutputFormat::hpp:
+      return encode_hpp(font, name);
+    case OutputFormat::c:
+      return encode_c(font, name);
+    case OutputFormat::bin:
+      break;
+  }
+  return {font.bytes.begin(), font.bytes.end()};
+}
+
+std::string encode_c_header(const RomFont& font, const std::string& name) {
+  return c_head(font, "#pragma once\n\n") +
+         "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n" +
+         c_declarations(font, name) + "\n#ifdef __cplusplus\n}\n#endif\n";
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,23 @@
+// The forms that a font takes in a file.
+#pragma once
+
+#include <string>
+
+#include "pipeline/generate.hpp"
+
+namespace inkcell::gen {
+
+enum class OutputFormat { bin, hpp, c };
+
+/// The content of a font file in the given form. `name` is the identifier of
+/// the array in hpp and c; the array of hpp is fonts::<name>. A string is
+/// fonts::<name>_strings::<string> in hpp, <name>_strings_<string> in c; bin
+/// has no strings.
+std::string encode(const RomFont& font,
+                   OutputFormat format,
+                   const std::string& name);
+
+/// The header for the form c. It declares the array, its size and the strings.
+std::string encode_c_header(const RomFont& font, const std::string& name);
+
+}  // namespace inkcell::gen

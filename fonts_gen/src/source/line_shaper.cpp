@@ -1,0 +1,159 @@
+#include "source/line_shaper.hpp"
+
+#include <fribidi.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <set>
+
+namespace inkcell::gen {
+namespace {
+
+// Characters of one direction and one script, which HarfBuzz takes at once.
+struct Run {
+  size_t begin = 0;
+  size_t end = 0;
+  bool is_right_to_left = false;
+  hb_script_t script = HB_SCRIPT_COMMON;
+};
+
+// Levels of UAX #9, and where each place of the line comes from.
+struct Order {
+  std::vector<FriBidiLevel> levels;
+  std::vector<FriBidiStrIndex> logical;  // of each place from left to right
+};
+
+Order find_order(const FontFile& font, const LineText& line) {
+  const std::vector<FriBidiChar> text(line.text.begin(), line.text.end());
+  const auto count = static_cast<FriBidiStrIndex>(text.size());
+  std::vector<FriBidiCharType> types(text.size());
+  std::vector<FriBidiBracketType> brackets(text.size());
+  fribidi_get_bidi_types(text.data(), count, types.data());
+  fribidi_get_bracket_types(text.data(), count, types.data(), brackets.data());
+  FriBidiParType base =
+      line.direction == LineDirection::left_to_right   ? FRIBIDI_PAR_LTR
+      : line.direction == LineDirection::right_to_left ? FRIBIDI_PAR_RTL
+                                                       : FRIBIDI_PAR_ON;
+  Order order;
+  order.levels.resize(text.size());
+  order.logical.resize(text.size());
+  std::iota(order.logical.begin(), order.logical.end(), 0);
+  // A result of 0 says that there was not enough memory.
+  const bool done =
+      fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count,
+                                          &base, order.levels.data()) != 0 &&
+      fribidi_reorder_line(0, types.data(), count, 0, base, order.levels.data(),
+                           nullptr, order.logical.data()) != 0;
+  if (!done) {
+    font.refuse("a string cannot be ordered: FriBidi has no memory left");
+  }
+  return order;
+}
+
+// The script of each character. Those of none, such as spaces and marks, take
+// that of the character before, at the beginning that of the first letter.
+std::vector<hb_script_t> find_scripts(const std::u32string& text) {
+  hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
+  std::vector<hb_script_t> scripts;
+  hb_script_t last = HB_SCRIPT_COMMON;
+  for (const char32_t c : text) {
+    const hb_script_t script = hb_unicode_script(unicode, c);
+    const bool has_own = script != HB_SCRIPT_COMMON &&
+                         script != HB_SCRIPT_INHERITED &&
+                         script != HB_SCRIPT_UNKNOWN;
+    if (has_own && last == HB_SCRIPT_COMMON) {
+      std::fill(scripts.begin(), scripts.end(), script);
+    }
+    last = has_own ? script : last;
+    scripts.push_back(last);
+  }
+  return scripts;
+}
+
+// The runs of a line from left to right.
+std::vector<Run> find_runs(const FontFile& font, const LineText& line) {
+  const Order order = find_order(font, line);
+  const std::vector<hb_script_t> scripts = find_scripts(line.text);
+  std::vector<Run> logical;
+  std::vector<size_t> run_of;
+  for (size_t i = 0; i < line.text.size(); ++i) {
+    const bool goes_on = i != 0 && order.levels[i] == order.levels[i - 1] &&
+                         scripts[i] == scripts[i - 1];
+    if (!goes_on) {
+      logical.push_back({i, i, order.levels[i] % 2 != 0, scripts[i]});
+    }
+    logical.back().end = i + 1;
+    run_of.push_back(logical.size() - 1);
+  }
+  // The characters of a run stay together.
+  std::vector<Run> visual;
+  for (size_t i = 0; i < order.logical.size(); ++i) {
+    const size_t run = run_of[static_cast<size_t>(order.logical[i])];
+    if (i == 0 || run != run_of[static_cast<size_t>(order.logical[i - 1])]) {
+      visual.push_back(logical[run]);
+    }
+  }
+  return visual;
+}
+
+struct DestroyBuffer {
+  void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
+};
+
+bool has_ink(const FontFile& font, uint32_t glyph) {
+  hb_glyph_extents_t box = {};
+  return hb_font_get_glyph_extents(font.hb(), glyph, &box) == 0 ||
+         (box.width != 0 && box.height != 0);
+}
+
+void shape_run(const FontFile& font,
+               const LineText& line,
+               const Run& run,
+               ShapedLine& out,
+               std::set<char32_t>& missing) {
+  const std::unique_ptr<hb_buffer_t, DestroyBuffer> owner(hb_buffer_create());
+  hb_buffer_t* buffer = owner.get();
+  // With what stands before and behind it: letters join there.
+  std::vector<uint32_t> text(line.text.begin(), line.text.end());
+  hb_buffer_add_utf32(buffer, text.data(), static_cast<int>(text.size()),
+                      static_cast<unsigned>(run.begin),
+                      static_cast<int>(run.end - run.begin));
+  hb_buffer_set_direction(
+      buffer, run.is_right_to_left ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
+  hb_buffer_set_script(buffer, run.script);
+  hb_buffer_set_language(
+      buffer, hb_language_from_string(
+                  line.language.empty() ? "und" : line.language.c_str(), -1));
+  hb_buffer_set_flags(buffer, HB_BUFFER_FLAG_REMOVE_DEFAULT_IGNORABLES);
+  hb_shape(font.hb(), buffer, nullptr, 0);
+  unsigned count = 0;
+  const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
+  const hb_glyph_position_t* places =
+      hb_buffer_get_glyph_positions(buffer, &count);
+  for (unsigned i = 0; i < count; ++i) {
+    const uint32_t glyph = infos[i].codepoint;
+    if (glyph == 0) {
+      missing.insert(line.text[infos[i].cluster]);
+    }
+    if (has_ink(font, glyph)) {
+      out.glyphs.push_back(
+          {glyph, out.advance + places[i].x_offset, places[i].y_offset});
+    }
+    out.advance += places[i].x_advance;
+  }
+}
+
+}  // namespace
+
+ShapedLine shape_line(const FontFile& font, const LineText& line) {
+  ShapedLine out;
+  std::set<char32_t> missing;
+  for (const Run& run : find_runs(font, line)) {
+    shape_run(font, line, run, out, missing);
+  }
+  out.missing.assign(missing.begin(), missing.end());
+  return out;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,19 @@
+// A line of text that shall be shaped.
+#pragma once
+
+#include <string>
+
+namespace inkcell::gen {
+
+/// Which way a line runs: as its first letter that has a direction, or as
+/// stated.
+enum class LineDirection { from_text, left_to_right, right_to_left };
+
+/// A line in logical order, without control characters.
+struct LineText {
+  std::u32string text;
+  std::string language;  // BCP 47, such as "ar" or "zh-Hant"; may be empty
+  LineDirection direction = LineDirection::from_text;
+};
+
+}  // namespace inkcell::gen

@@ -1,0 +1,99 @@
+#include "texts/file_pattern.hpp"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+
+#include "base/error.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_wildcard(const std::string& part) {
+  return part.find_first_of("*?[") != std::string::npos;
+}
+
+class Search {
+ public:
+  explicit Search(const fs::path& pattern) {
+    for (const fs::path& part : pattern.relative_path()) {
+      parts_.push_back(part.string());
+    }
+    visit(pattern.root_path(), 0);
+  }
+
+  std::vector<fs::path> found() const { return {found_.begin(), found_.end()}; }
+
+ private:
+  // What matches the parts from number `part` on below `folder`, which is empty
+  // for the folder that the program runs in.
+  void visit(const fs::path& folder, size_t part) {
+    if (part == parts_.size()) {
+      std::error_code error;
+      if (fs::is_regular_file(folder, error)) {
+        found_.insert(folder.lexically_normal());
+      }
+      return;
+    }
+    const std::string& name = parts_[part];
+    if (name == "**") {
+      visit(folder, part + 1);
+      for (const fs::path& entry : entries(folder)) {
+        // A link to a folder may lead back to here.
+        const bool is_folder =
+            fs::is_directory(fs::symlink_status(folder / entry));
+        if (is_folder && entry.string()[0] != '.') {
+          visit(folder / entry, part);
+        }
+      }
+    } else if (has_wildcard(name)) {
+      for (const fs::path& entry : entries(folder)) {
+        if (fnmatch(name.c_str(), entry.c_str(), FNM_PERIOD) == 0) {
+          visit(folder / entry, part + 1);
+        }
+      }
+    } else {
+      visit(folder / name, part + 1);
+    }
+  }
+
+  // The names in a folder; none if it is not one.
+  std::vector<fs::path> entries(const fs::path& folder) const {
+    const fs::path place = folder.empty() ? fs::path(".") : folder;
+    std::error_code error;
+    std::vector<fs::path> names;
+    if (!fs::is_directory(place, error)) {
+      return names;
+    }
+    fs::directory_iterator entry(place, error);
+    if (error) {
+      throw Error(place.string() + ": cannot be read: " + error.message());
+    }
+    for (; entry != fs::directory_iterator(); entry.increment(error)) {
+      names.push_back(entry->path().filename());
+    }
+    return names;
+  }
+
+  std::vector<std::string> parts_;
+  std::set<fs::path> found_;
+};
+
+}  // namespace
+
+std::vector<fs::path> matching_files(const std::string& pattern,
+                                     const std::string& option) {
+  const std::vector<fs::path> found = Search(pattern).found();
+  if (found.empty()) {
+    throw Error(option + ": no file matches '" + pattern +
+                "'; check the path from this folder, and write ** for any "
+                "folders, in quotes, as in 'src/**/*.c'");
+  }
+  return found;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,191 @@
+#include "texts/string_file.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/identifier.hpp"
+#include "source/char_set.hpp"
+#include "texts/c_escape.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const size_t begin = text.find_first_not_of(kBlanks);
+  return begin == std::string_view::npos
+             ? std::string_view()
+             : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+// Subtags of 1 to 8 letters and digits; the first one has letters only.
+bool is_language(std::string_view tag) {
+  size_t length = 0;
+  bool is_first = true;
+  for (const char c : tag) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool digit = c >= '0' && c <= '9' && !is_first;
+    if (c == '-' && length != 0) {
+      length = 0;
+      is_first = false;
+    } else if ((letter || digit) && length < 8) {
+      ++length;
+    } else {
+      return false;
+    }
+  }
+  return length != 0;
+}
+
+// One line of a file.
+class LineParser {
+ public:
+  LineParser(const std::string& file, int number) {
+    string_.file = file;
+    string_.line_number = number;
+  }
+
+  NamedString parse(std::string_view line) {
+    const size_t equals = line.find('=');
+    if (equals == std::string_view::npos) {
+      refuse("there is no '='; write name = text, or # before a comment");
+    }
+    parse_name(trimmed(line.substr(0, equals)));
+    parse_text(trimmed(line.substr(equals + 1)));
+    return std::move(string_);
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(string_.file + ":" + std::to_string(string_.line_number) +
+                ": " + what);
+  }
+
+ private:
+  void parse_name(std::string_view head) {
+    const size_t bracket = head.find('[');
+    if (bracket != std::string_view::npos) {
+      if (head.back() != ']') {
+        refuse("there is no ']' before the '='");
+      }
+      parse_attributes(head.substr(bracket + 1, head.size() - bracket - 2));
+    }
+    string_.name = trimmed(head.substr(0, bracket));
+    if (!has_letters_of_identifier(string_.name)) {
+      refuse("'" + string_.name +
+             "' is not an identifier; use letters, digits and _");
+    }
+    if (is_keyword(string_.name)) {
+      refuse("'" + string_.name +
+             "' belongs to C or C++; use another name, such as text_" +
+             string_.name);
+    }
+  }
+
+  void parse_attributes(std::string_view list) {
+    while (true) {
+      const size_t comma = list.find(',');
+      const std::string_view word = trimmed(list.substr(0, comma));
+      if (word == "ltr" || word == "rtl") {
+        string_.line.direction = word == "ltr" ? LineDirection::left_to_right
+                                               : LineDirection::right_to_left;
+      } else if (is_language(word)) {
+        string_.line.language = word;
+      } else {
+        refuse("'" + std::string(word) +
+               "' is no language, such as ar or zh-Hant, nor ltr or rtl");
+      }
+      if (comma == std::string_view::npos) {
+        return;
+      }
+      list.remove_prefix(comma + 1);
+    }
+  }
+
+  void parse_text(std::string_view text) {
+    if (text.empty()) {
+      refuse("'" + string_.name + "' has no text; write \"\" for an empty one");
+    }
+    const std::string bytes =
+        text[0] == '"' ? unquoted(text) : std::string(text);
+    std::string_view rest = bytes;
+    while (!rest.empty()) {
+      const auto c = take_utf8(rest);
+      if (!c) {
+        refuse("the text is not UTF-8; save the file as UTF-8");
+      }
+      if (!is_shown(*c)) {
+        refuse("'" + string_.name + "' holds " + describe(*c) +
+               ", a control character; a string is one line without tabs");
+      }
+      string_.line.text += *c;
+    }
+  }
+
+  std::string unquoted(std::string_view text) const {
+    std::string out;
+    text.remove_prefix(1);
+    while (!text.empty() && text[0] != '"') {
+      const char c = text[0];
+      text.remove_prefix(1);
+      if (c != '\\') {
+        out += c;
+        continue;
+      }
+      const auto escape = take_escape(text);
+      if (!escape) {
+        refuse(
+            "a backslash is followed by no escape sequence of C; write "
+            "\\\\ for a backslash");
+      }
+      out += escape->is_unit ? std::string(1, static_cast<char>(escape->value))
+                             : to_utf8(escape->value);
+    }
+    if (text != "\"") {
+      refuse(text.empty() ? "there is no quotation mark at the end"
+                          : "something follows the last quotation mark; write "
+                            "\\\" for one that is shown");
+    }
+    return out;
+  }
+
+  NamedString string_;
+};
+
+void check_new(const NamedString& string,
+               const std::vector<NamedString>& others) {
+  for (const NamedString& other : others) {
+    if (other.name == string.name) {
+      throw Error(string.file + ":" + std::to_string(string.line_number) +
+                  ": '" + string.name + "' is defined in " + other.file + ":" +
+                  std::to_string(other.line_number) + ", too; rename one");
+    }
+  }
+}
+
+}  // namespace
+
+void add_string_file(const std::filesystem::path& file,
+                     std::vector<NamedString>& out) {
+  const std::string content = read_text_file(file, "--strings");
+  std::string_view rest = content;
+  if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    rest.remove_prefix(kByteOrderMark.size());
+  }
+  for (int number = 1; !rest.empty(); ++number) {
+    const size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (line.empty() || line[0] == '#') {
+      continue;
+    }
+    NamedString string = LineParser(file.string(), number).parse(line);
+    check_new(string, out);
+    out.push_back(std::move(string));
+  }
+}
+
+}  // namespace inkcell::gen
