@@ -1,0 +1,173 @@
+// inkcell-fontgen with strings and sources: what it makes and what it refuses.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "program_run.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr char kSans[] =
+    "--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ";
+
+class ProgramTexts : public testing::Test {
+ protected:
+  ProgramTexts() { folder_.write("plain.ttf", Sfnt::plain()); }
+
+  void write(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder_.path() / name).parent_path());
+    folder_.write(name, std::vector<uint8_t>(text.begin(), text.end()));
+  }
+  std::string text_of(const std::string& name) const {
+    const std::vector<uint8_t> bytes = read_file(folder_.path() / name);
+    return {bytes.begin(), bytes.end()};
+  }
+  nlohmann::json report() const {
+    return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+  }
+  // Refused with this text; nothing is left behind.
+  void check_refused(const std::string& arguments, const std::string& said) {
+    const Names before = folder_.names();
+    const Outcome result = run(folder_, arguments);
+    EXPECT_EQ(result.code, 1) << arguments;
+    EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("error: "), 0u) << result.err;
+    EXPECT_EQ(folder_.names(), before) << arguments;
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(ProgramTexts, TakesCharactersOfSources) {
+  write("src/a.c", "f(\"H\"); // .\n");
+  write("src/sub/b.cpp", "g(u8\"\\x2e\", 'x');");
+  write("src/sub/c.txt", "\"no\"");
+  const std::string out = "--font plain.ttf --out a.bin --report a.json ";
+  ASSERT_EQ(run(folder_, out + "--strings-from 'src/**/*.c*' --strict --quiet "
+                               "--depfile a.d")
+                .code,
+            0);
+  EXPECT_EQ(report().at("characters"), 2);
+  const std::string folder = folder_.path().string();
+  EXPECT_EQ(text_of("a.d"), "a.bin: " + folder + "/plain.ttf " + folder +
+                                "/src/a.c " + folder + "/src/sub/b.cpp\n");
+  // A shell that expands a pattern gives several files.
+  ASSERT_EQ(
+      run(folder_, out + "--strings-from src/a.c src/sub/b.cpp --quiet").code,
+      0);
+  EXPECT_EQ(report().at("characters"), 2);
+  ASSERT_EQ(run(folder_, out + "--strings-from src/a.c --quiet").code, 0);
+  EXPECT_EQ(report().at("characters"), 1);
+}
+
+TEST_F(ProgramTexts, TakesTheGlyphsOfStringsAlone) {
+  write("ui.txt", "fi = fi\nlam_alef [ar] = \u0644\u0627\n");
+  ASSERT_EQ(run(folder_, kSans + std::string("--strings ui.txt --name ui "
+                                             "--out a.hpp --report a.json "
+                                             "--strict --quiet"))
+                .code,
+            0);
+  // .notdef and two ligatures, which have no character in the text.
+  EXPECT_EQ(report().at("glyphs"), 3);
+  EXPECT_EQ(report().at("characters"), 0);
+  EXPECT_EQ(report().at("bytes").at("kerning"), 0);
+  const std::string text = text_of("a.hpp");
+  EXPECT_NE(text.find("namespace ui_strings {"), std::string::npos);
+  EXPECT_NE(text.find("ShapedGlyph fi[1] = {"), std::string::npos);
+  EXPECT_NE(text.find("ShapedRun lam_alef = {\n    ui_glyphs::lam_alef, "),
+            std::string::npos);
+}
+
+TEST_F(ProgramTexts, KeepsCodePointsOfPlainGlyphs) {
+  write("ui.txt", "a = AV\nb = V fi\n");
+  const std::string out = "--strings ui.txt --out a.c --report a.json --quiet ";
+  ASSERT_EQ(run(folder_, kSans + out).code, 0);
+  EXPECT_EQ(report().at("characters"), 2);
+  EXPECT_EQ(report().at("glyphs"), 4);
+  EXPECT_EQ(report().at("bytes").at("kerning"), 0);
+  // Characters that are asked for kern, those of strings alone do not.
+  ASSERT_EQ(run(folder_, kSans + out + "--symbols AV").code, 0);
+  EXPECT_EQ(report().at("characters"), 2);
+  EXPECT_NE(report().at("bytes").at("kerning"), 0);
+}
+
+TEST_F(ProgramTexts, IsTheSameEveryTime) {
+  write("ui.txt", "a = Office\nb [ar] = \u0633\u0644\u0627\u0645\n");
+  for (const char* threads : {"1", "4"}) {
+    ASSERT_EQ(run(folder_, kSans +
+                               std::string("--strings ui.txt --quiet "
+                                           "--name ui --threads ") +
+                               threads + " --out " + threads + ".hpp")
+                  .code,
+              0);
+  }
+  EXPECT_EQ(text_of("1.hpp"), text_of("4.hpp"));
+}
+
+TEST_F(ProgramTexts, WarnsOrFailsForMissingCharacters) {
+  write("ui.txt", "# one\na = H\nb = H\u4e2d\n");
+  write("m.c", "f(\"H\");\nf(\"H\"\n  \"\u4e00\");\n");
+  write("t.txt", "H.\n\u4e03");
+  const struct {
+    const char* options;
+    const char* place;
+  } cases[] = {
+      {"--strings ui.txt --format hpp", "  ui.txt:3: U+4E2D '\u4e2d'\n"},
+      {"--strings-from m.c", "  m.c:3: U+4E00 '\u4e00'\n"},
+      {"--text-file t.txt", "  t.txt:2: U+4E03 '\u4e03'\n"},
+      {"--symbols H\u4e09", "  --symbols: U+4E09 '\u4e09'\n"},
+      {"--chars 0x48,0x4e5d", "  --chars: U+4E5D '\u4e5d'\n"}};
+  for (const auto& wrong : cases) {
+    const std::string options =
+        std::string("--font plain.ttf --out a --quiet ") + wrong.options;
+    check_refused(options + " --strict",
+                  "plain.ttf: 1 character is not in the font:\n" +
+                      std::string(wrong.place) + "use a font that has them");
+    const Outcome result = run(folder_, options);
+    EXPECT_EQ(result.code, 0) << options;
+    EXPECT_EQ(result.err.find("warning: plain.ttf: 1 character is not in"), 0u)
+        << result.err;
+    std::filesystem::remove(folder_.path() / "a");
+  }
+  check_refused("--font plain.ttf --out a --strict", "  ...\nuse a font");
+}
+
+TEST_F(ProgramTexts, RefusesWhatCannotBe) {
+  write("ui.txt", "a = H\n");
+  write("empty.txt", "# nothing\n");
+  write("wrong.txt", "a = H\nb\n");
+  write("far.txt", "a = H" + std::string(200, ' ') + "H\n");
+  write("lost.txt", "a = \u4e2d\n");
+  write("latin.c", "f(\"\xfc\");");
+  write("number.c", "int a;");
+  const std::string out = "--font plain.ttf --out a.hpp ";
+  check_refused(out + "--strings none.txt",
+                "none.txt: cannot be read; check the --strings");
+  check_refused(out + "--strings .", "is a folder; give --strings a file");
+  check_refused(out + "--strings empty.txt", "empty.txt: holds no strings");
+  check_refused(out + "--strings wrong.txt", "wrong.txt:2: there is no '='");
+  check_refused(out + "--strings ui.txt --strings ui.txt",
+                "ui.txt:1: 'a' is defined in ui.txt:1, too");
+  check_refused(out + "--strings far.txt", "far.txt:1: two glyphs of 'a' are ");
+  check_refused(out + "--strings lost.txt", "holds none of the 1 character");
+  check_refused("--font plain.ttf --out a.bin --strings ui.txt",
+                "--format bin has no place for runs");
+  check_refused(out + "--strings-from '*.rs'", "no file matches '*.rs'");
+  check_refused(out + "--strings-from latin.c",
+                "latin.c:1: the string is not UTF-8");
+  check_refused(out + "--strings-from number.c", "no characters asked for");
+  check_refused(out + "--header a.h", "--header is for --format c");
+  check_refused("--font plain.ttf --out a.c --header ./a.c",
+                "would be written twice");
+  check_refused("--font plain.ttf --out a.c --header ui.txt --strings ui.txt",
+                "is read, too");
+  check_refused("--font plain.ttf --out latin.c --strings-from latin.c",
+                "is read, too");
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test

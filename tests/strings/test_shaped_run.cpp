@@ -1,0 +1,278 @@
+// Shaped runs: what is drawn, measured and laid out, and any numbers in them.
+#include "inkcell/shaped_run.hpp"
+
+#include <fonts/ui.hpp>
+
+#include "check.hpp"
+#include "draw_greeting.h"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kWidth = 320;
+constexpr int32_t kHeight = 48;
+
+// Glyphs may overlap: the larger coverage stays.
+class Page {
+ public:
+  Sink sink() {
+    Sink sink;
+    sink.window = {0, 0, kWidth, kHeight};
+    sink.context = this;
+    sink.coverage = [](void* page, int32_t x, int32_t y,
+                       const uint8_t* coverage, int32_t count) {
+      for (int32_t i = 0; i < count; ++i) {
+        static_cast<Page*>(page)->put(x + i, y, coverage[i]);
+      }
+    };
+    sink.solid = [](void* page, int32_t x, int32_t y, int32_t count) {
+      for (int32_t i = 0; i < count; ++i) {
+        static_cast<Page*>(page)->put(x + i, y, 255);
+      }
+    };
+    return sink;
+  }
+
+  bool is_drawn(int32_t x, int32_t y) const { return pixels_[y][x] != 0; }
+  bool operator==(const Page& other) const {
+    return __builtin_memcmp(pixels_, other.pixels_, sizeof pixels_) == 0;
+  }
+  size_t drawn() const {
+    size_t count = 0;
+    for (int32_t y = 0; y < kHeight; ++y) {
+      for (int32_t x = 0; x < kWidth; ++x) {
+        count += is_drawn(x, y) ? 1u : 0u;
+      }
+    }
+    return count;
+  }
+
+ private:
+  void put(int32_t x, int32_t y, uint8_t coverage) {
+    CHECK(x >= 0 && x < kWidth && y >= 0 && y < kHeight);
+    uint8_t& pixel = pixels_[y][x];
+    pixel = coverage > pixel ? coverage : pixel;
+  }
+
+  uint8_t pixels_[kHeight][kWidth] = {};
+};
+
+const ShapedRun* const kRuns[] = {
+    &fonts::ui_strings::title, &fonts::ui_strings::greeting,
+    &fonts::ui_strings::mixed, &fonts::ui_strings::price};
+
+Font open() {
+  Font font;
+  CHECK_OK(Font::open(fonts::ui, font));
+  return font;
+}
+
+TextStyle style_of(int32_t px) {
+  TextStyle style;
+  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+  return style;
+}
+
+constexpr Point kOrigin = {Q26_6::from_int(4), Q26_6::from_int(28)};
+
+// What docs/STRINGS.md shows.
+
+// Centred in `width` px.
+void draw_title(const Font& font,
+                const TextStyle& style,
+                int32_t width,
+                int32_t baseline,
+                const Sink& sink) {
+  const ShapedRun& title = fonts::ui_strings::title;
+  const Q26_6 wide = to_px(font, style, title.advance);
+  const int32_t left = (64 * width - wide.raw) / 2;
+  draw(font, title, style, {Q26_6::from_raw(left), Q26_6::from_int(baseline)},
+       sink);
+}
+
+}  // namespace
+
+// With 2048 units to the em and 32 px, a unit is 1/64 px: glyphs that are drawn
+// one by one at such places lie where the run has them.
+TEST(run_is_its_glyphs_one_by_one) {
+  const Font font = open();
+  CHECK_EQ(font.units_per_em(), 2048);
+  const TextStyle style = style_of(32);
+  for (const ShapedRun* run : kRuns) {
+    static Page by_run;
+    static Page one_by_one;
+    by_run = Page();
+    one_by_one = Page();
+    draw(font, *run, style, kOrigin, by_run.sink());
+    int32_t x = 0;
+    for (const ShapedGlyph& glyph : run->glyphs) {
+      x += glyph.x;
+      draw_glyph(font, glyph.glyph, style,
+                 {Q26_6::from_raw(kOrigin.x.raw + x),
+                  Q26_6::from_raw(kOrigin.y.raw - glyph.y)},
+                 one_by_one.sink());
+    }
+    CHECK(by_run.drawn() > 100);
+    CHECK(by_run == one_by_one);
+  }
+}
+
+TEST(run_is_what_its_layout_draws) {
+  const Font font = open();
+  for (int32_t px = 9; px <= 40; px += 5) {
+    const TextStyle style = style_of(px);
+    for (const ShapedRun* run : kRuns) {
+      static Page by_run;
+      static Page by_layout;
+      by_run = Page();
+      by_layout = Page();
+      draw(font, *run, style, kOrigin, by_run.sink());
+      PositionedGlyph room[32];
+      Span<const PositionedGlyph> glyphs;
+      CHECK_OK(layout(*run, room, glyphs));
+      CHECK_EQ(glyphs.size, run->glyphs.size);
+      draw(font, glyphs, style, kOrigin, by_layout.sink());
+      CHECK(by_run == by_layout);
+    }
+  }
+}
+
+TEST(layout_needs_room_for_all_glyphs) {
+  const ShapedRun& run = fonts::ui_strings::title;
+  PositionedGlyph room[32];
+  Span<const PositionedGlyph> glyphs;
+  CHECK_EQ(layout(run, {room, run.glyphs.size - 1}, glyphs),
+           Status::buffer_small);
+  CHECK_EQ(glyphs.size, 0);
+  CHECK_OK(layout(run, {room, run.glyphs.size}, glyphs));
+  CHECK_EQ(glyphs.size, run.glyphs.size);
+}
+
+// The ink lies in the box of measure(), to a pixel for the filter's ramp.
+TEST(measure_has_the_ink) {
+  const Font font = open();
+  const TextStyle style = style_of(32);
+  for (const ShapedRun* run : kRuns) {
+    const TextMeasure box = measure(font, *run);
+    CHECK_EQ(box.advance, run->advance);
+    CHECK(box.x_max > box.x_min && box.y_max > box.y_min);
+    static Page page;
+    page = Page();
+    draw(font, *run, style, kOrigin, page.sink());
+    int32_t left = kWidth;
+    int32_t right = 0;
+    int32_t top = kHeight;
+    int32_t bottom = 0;
+    for (int32_t y = 0; y < kHeight; ++y) {
+      for (int32_t x = 0; x < kWidth; ++x) {
+        if (page.is_drawn(x, y)) {
+          left = x < left ? x : left;
+          right = x + 1 > right ? x + 1 : right;
+          top = y < top ? y : top;
+          bottom = y + 1 > bottom ? y + 1 : bottom;
+        }
+      }
+    }
+    const auto near = [](int32_t px, int32_t units) {
+      const int32_t apart = 64 * px - units;
+      return apart >= -128 && apart <= 128;
+    };
+    CHECK(near(left - 4, box.x_min));
+    CHECK(near(right - 4, box.x_max));
+    CHECK(near(28 - top, box.y_max));
+    CHECK(near(28 - bottom, box.y_min));
+  }
+}
+
+TEST(blanks_have_an_advance_and_no_glyphs) {
+  const ShapedRun& blank = fonts::ui_strings::blank;
+  CHECK_EQ(blank.glyphs.size, 0);
+  CHECK(blank.advance > 0);
+  const TextMeasure box = measure(open(), blank);
+  CHECK_EQ(box.advance, blank.advance);
+  CHECK_EQ(box.x_max, 0);
+  CHECK_EQ(box.y_min, 0);
+}
+
+TEST(title_is_centred) {
+  const Font font = open();
+  static Page page;
+  draw_title(font, style_of(24), kWidth, 30, page.sink());
+  int32_t left = 0;
+  while (left < kWidth && page.drawn() != 0 && !page.is_drawn(left, 24)) {
+    ++left;
+  }
+  int32_t right = kWidth;
+  while (right > 0 && !page.is_drawn(right - 1, 24)) {
+    --right;
+  }
+  CHECK(left > 0 && left < right);
+  const int32_t off = left - (kWidth - right);
+  CHECK(off >= -4 && off <= 4);
+}
+
+// Runs of another font, and any numbers: nothing is read outside the font.
+TEST(any_numbers_are_safe) {
+  const Font font = open();
+  ShapedGlyph glyphs[600];
+  for (int32_t i = 0; i < 600; ++i) {
+    glyphs[i].glyph = static_cast<uint16_t>(i * 109);
+    glyphs[i].x = static_cast<int16_t>(i < 20 ? i - 7 : 32767);
+    glyphs[i].y = static_cast<int16_t>(i * 77 - 23000);
+  }
+  const ShapedRun run = {glyphs, INT32_MIN};
+  static Page page;
+  draw(font, run, style_of(12), kOrigin, page.sink());
+  static PositionedGlyph room[600];
+  Span<const PositionedGlyph> placed;
+  CHECK_OK(layout(run, room, placed));
+  CHECK_EQ(placed[599].x, 1 << 24);
+  CHECK(measure(font, run).x_max <= (1 << 24) + 65536);
+  // A font without glyphs has none of them.
+  static Page empty;
+  draw(Font(), run, style_of(12), kOrigin, empty.sink());
+  CHECK_EQ(empty.drawn(), 0);
+}
+
+// The font has the characters of this file's literals, not only glyphs of runs.
+TEST(literals_have_their_characters) {
+  const Font font = open();
+  for (Text text =
+           "Z\u00df"
+           "\xc2\xb5";
+       text.size != 0;) {
+    uint16_t glyph = 0;
+    CHECK_OK(font.glyph_of(next_code_point(text), glyph));
+  }
+  uint16_t glyph = 0;
+  CHECK_EQ(font.glyph_of('Q', glyph), Status::no_glyph);
+}
+
+TEST(c_draws_the_same) {
+  inkcell_font_t font_c;
+  CHECK_EQ(open_greeting_font(&font_c), INKCELL_OK);
+  const Font font = open();
+  const TextStyle style = style_of(20);
+  static Page by_c;
+  static Page by_cpp;
+  const Sink to_c = by_c.sink();
+  draw_greeting(&font_c, reinterpret_cast<const inkcell_style_t*>(&style),
+                reinterpret_cast<const inkcell_sink_t*>(&to_c));
+  draw(font, fonts::ui_strings::greeting, style, kOrigin, by_cpp.sink());
+  CHECK(by_c.drawn() > 100);
+  CHECK(by_c == by_cpp);
+
+  inkcell_positioned_glyph_t room[32];
+  size_t count = 1;
+  inkcell_text_measure_t box;
+  CHECK_EQ(measure_greeting(&font_c, room, 3, &count, &box),
+           INKCELL_BUFFER_SMALL);
+  CHECK_EQ(count, 0);
+  CHECK_EQ(measure_greeting(&font_c, room, 32, &count, &box), INKCELL_OK);
+  CHECK_EQ(count, fonts::ui_strings::greeting.glyphs.size);
+  const TextMeasure expected = measure(font, fonts::ui_strings::greeting);
+  CHECK_EQ(box.advance, expected.advance);
+  CHECK_EQ(box.x_min, expected.x_min);
+  CHECK_EQ(box.y_max, expected.y_max);
+}
