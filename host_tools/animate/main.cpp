@@ -103,10 +103,10 @@ struct Tally {
   Sha256 pictures;
   uint64_t dirty_pixels = 0;
   uint64_t changed_pixels = 0;
-  uint64_t missed_pixels = 0;         // changed, and in no dirty rectangle
-  uint32_t still_frames = 0;          // without a dirty rectangle
-  uint32_t missed_frames = 0;         // changed before they were due
-  std::optional<double> penetration;  // the deepest of all frames [px]
+  uint64_t missed_pixels = 0;              // changed, and in no dirty rectangle
+  uint32_t still_frames = 0;               // without a dirty rectangle
+  uint32_t missed_frames = 0;              // changed before they were due
+  std::optional<Penetration> penetration;  // the deepest of all frames
 };
 
 // How a frame differs from the one before, and whether the scene knew.
@@ -194,7 +194,8 @@ void write_stats(const Arguments& arguments,
       {"missed_frames", tally.missed_frames},
   };
   if (tally.penetration) {
-    json["worst_penetration_px"] = *tally.penetration;
+    json["worst_penetration_px"] = tally.penetration->drawn;
+    json["worst_rigid_penetration_px"] = tally.penetration->rigid;
   }
   std::ofstream out(arguments.stats);
   out << json.dump(2) << '\n';
@@ -224,8 +225,10 @@ void play(const Arguments& arguments, Player& player, Size size) {
     }
     due = player.next_due();
     const std::vector<uint8_t> state = player.state();
-    if (const std::optional<double> depth = player.penetration()) {
-      tally.penetration = std::max(tally.penetration.value_or(0), *depth);
+    if (const std::optional<Penetration> now = player.penetration()) {
+      const Penetration most = tally.penetration.value_or(Penetration{});
+      tally.penetration = {std::max(most.drawn, now->drawn),
+                           std::max(most.rigid, now->rigid)};
     }
     tally.all.add(state);
     tally.all.add(frame.pixels);

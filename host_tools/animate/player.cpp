@@ -1,12 +1,12 @@
 #include "player.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 
 #include "body_scene.hpp"
 #include "clock_scene.hpp"
+#include "inkcell/kinetic/body_draw.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "paper.hpp"
 #include "particle_scene.hpp"
@@ -60,41 +60,63 @@ class Sheet {
   Sink sink_;
 };
 
-// The distance of a pixel's centre inside of a body. [px]
-double depth_in(const kinetic::Body& body, int x, int y) {
-  constexpr double kOne = 65536;
-  constexpr double kTurn = 2 * 3.14159265358979 / 65536;
-  const kinetic::BodyShape& shape = *body.shape;
-  const double angle = body.angle().raw * kTurn;
-  const double dx = x + 0.5 - body.x.raw / kOne;
-  const double dy = y + 0.5 - body.y.raw / kOne;
-  const double right = dx * std::cos(angle) - dy * std::sin(angle);
-  const double down = dy * std::cos(angle) + dx * std::sin(angle);
-  const auto raw = [&](double px, Q16_16 centre) {
-    return Q16_16::from_raw(static_cast<int32_t>(px * kOne) + centre.raw);
-  };
-  return kinetic::probe(shape.grid(), raw(right, shape.centre_x()),
-                        raw(down, shape.centre_y()))
-             .distance_q10 /
-         1024.0;
-}
+// Distances inside of a body, pixel by pixel in its box, as it is drawn: a
+// filter of +-4 px makes coverage of them.
+struct DrawnDistances {
+  Rect box;
+  std::vector<uint8_t> coverage;
+
+  DrawnDistances(Span<const kinetic::Body> bodies,
+                 size_t index,
+                 const kinetic::BodyRules& rules)
+      : box(intersect(kinetic::box_of(bodies[index]), rules.walls)) {
+    if (bodies[index].shape == nullptr || is_empty(box)) {
+      box = {};
+      return;
+    }
+    coverage.resize(static_cast<size_t>(box.x1 - box.x0) *
+                    static_cast<size_t>(box.y1 - box.y0));
+    Sink sink;
+    sink.window = box;
+    sink.context = this;
+    sink.coverage = [](void* context, int32_t x, int32_t y,
+                       const uint8_t* values, int32_t count) {
+      std::copy_n(values, count,
+                  static_cast<DrawnDistances*>(context)->at(x, y));
+    };
+    sink.solid = [](void* context, int32_t x, int32_t y, int32_t count) {
+      std::fill_n(static_cast<DrawnDistances*>(context)->at(x, y), count,
+                  uint8_t{255});
+    };
+    kinetic::draw_body(bodies, index, rules, kinetic::kFilterDistance, sink);
+  }
+  uint8_t* at(int x, int y) {
+    return &coverage[static_cast<size_t>(y - box.y0) *
+                         static_cast<size_t>(box.x1 - box.x0) +
+                     static_cast<size_t>(x - box.x0)];
+  }
+};
 
 // Where two edges pass each other by d, the middle is d / 2 inside of both.
-double penetration_of(Span<const kinetic::Body> bodies) {
-  double most = 0;
+double penetration_of(Span<const kinetic::Body> bodies,
+                      const kinetic::BodyRules& rules) {
+  std::vector<DrawnDistances> drawn;
   for (size_t i = 0; i < bodies.size; ++i) {
+    drawn.emplace_back(bodies, i, rules);
+  }
+  int most = 128;
+  for (size_t i = 0; i < drawn.size(); ++i) {
     for (size_t k = 0; k < i; ++k) {
-      const Rect box =
-          intersect(kinetic::box_of(bodies[i]), kinetic::box_of(bodies[k]));
+      const Rect box = intersect(drawn[i].box, drawn[k].box);
       for (int y = box.y0; y < box.y1; ++y) {
         for (int x = box.x0; x < box.x1; ++x) {
-          most = std::max(most, 2 * std::min(depth_in(bodies[i], x, y),
-                                             depth_in(bodies[k], x, y)));
+          most = std::max<int>(
+              most, std::min(*drawn[i].at(x, y), *drawn[k].at(x, y)));
         }
       }
     }
   }
-  return most;
+  return 2 * (most - 128) / 32.0;
 }
 
 template <typename Scene>
@@ -151,9 +173,18 @@ class ScenePlayer : public Player {
            homes_.size() * sizeof homes_[0];
   }
 
-  std::optional<double> penetration() const override {
+  std::optional<Penetration> penetration() const override {
     if constexpr (std::is_same_v<Scene, scenes::BodyScene>) {
-      return penetration_of(scene_.bodies());
+      kinetic::BodyRules rules = scene_.rules();
+      const double drawn = penetration_of(scene_.bodies(), rules);
+      std::vector<kinetic::Body> rigid(scene_.bodies().begin(),
+                                       scene_.bodies().end());
+      rules.overlap = {};
+      for (kinetic::Body& body : rigid) {
+        body.squeeze = {};
+      }
+      return Penetration{drawn,
+                         penetration_of({rigid.data(), rigid.size()}, rules)};
     } else {
       return std::nullopt;
     }

@@ -15,6 +15,12 @@
 
 namespace inkcell::tools {
 
+/// How deep the edges of two shapes are in each other. [px]
+struct Penetration {
+  double drawn = 0;  // after deformation
+  double rigid = 0;  // as if nothing deformed
+};
+
 /// A scene of any kind. The font and the text must outlive it.
 class Player {
  public:
@@ -31,9 +37,9 @@ class Player {
   virtual std::vector<uint8_t> state() const = 0;
   /// RAM of the scene and its grids, without strips. [bytes]
   virtual size_t state_bytes() const = 0;
-  /// How deep bodies are in each other, pixel by pixel, as if they were rigid;
-  /// none if the scene has no bodies. [px]
-  virtual std::optional<double> penetration() const = 0;
+  /// How deep bodies are in each other, pixel by pixel; none if the scene has
+  /// no bodies.
+  virtual std::optional<Penetration> penetration() const = 0;
 };
 
 struct SceneKind {

@@ -8,10 +8,10 @@ inline constexpr const char* kPathHash =
 inline constexpr const char* kClockHash =
     "1d7dfd90e786cb57aec6d94dc2f4b9e3a8ac91723f46fb37f6921b223b5b068d";
 inline constexpr const char* kParticlesHash =
-    "c7c789729318afdf8b5fe9eaee6493f1cd57c7712b45e9bf15c51686347a6bc8";
+    "a574f3b0698d64aaf12f672165ccf1599edac14ab7a2ecf1ad2576c4f5fa6d17";
 inline constexpr const char* kFigure13Hash =
-    "84dae1a3e2bfab3bd446354530a7e46cc2004aadb67061ed8d6e9d1d2ff27bb7";
+    "2a54606cc773cdba40bb72663c243cb2b46929f8d898b8aad054dba951024104";
 inline constexpr const char* kFigure15Hash =
-    "0b6a1d83da8e603d6008e9bbcfff4e51e734181d73f39dbfecef4ab2c7e3d2ed";
+    "91f3ef443db1307d60fefbf5bde818bf28f52b1ceae9f0fe93f3781e90b16f4c";
 
 }  // namespace golden

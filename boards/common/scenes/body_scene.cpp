@@ -36,21 +36,26 @@ Status BodyScene::add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept {
   const Q26_6 size = Q26_6::from_int(size_for(height_));
   GlyphMetrics metrics;
   INKCELL_TRY(font_.glyph_metrics(glyph, metrics));
-  const auto px = [&](int32_t units) {
-    return units * (size.raw >> 6) / font_.units_per_em();
+  const int32_t scale = scale_for(height_);
+  const int32_t side = 1 << scale;
+  // In samples, towards the lesser number.
+  const auto samples = [&](int32_t units) {
+    const int32_t px = units * (size.raw >> 6) / font_.units_per_em();
+    return px >> scale;
   };
-  const int32_t left = px(metrics.x_min) - kMargin;
-  const int32_t top = -px(metrics.y_max) - kMargin;
-  const int32_t width = px(metrics.x_max) + kMargin + 1 - left;
-  const int32_t height = -px(metrics.y_min) + kMargin + 1 - top;
-  DistanceGrid grid(memory, width, height, 0);
+  const int32_t left = samples(metrics.x_min) - kMarginSamples;
+  const int32_t top = samples(-metrics.y_max) - kMarginSamples;
+  const int32_t width = samples(metrics.x_max) + kMarginSamples + 1 - left;
+  const int32_t height = samples(-metrics.y_min) + kMarginSamples + 1 - top;
+  DistanceGrid grid(memory, width, height, scale);
   if (grid.width() == 0) {
     return Status::buffer_small;
   }
   grid.clear();
-  INKCELL_TRY(grid.paint(font_, glyph, size,
-                         {Q26_6::from_int(-left), Q26_6::from_int(-top)},
-                         workspace_));
+  INKCELL_TRY(
+      grid.paint(font_, glyph, size,
+                 {Q26_6::from_int(-left * side), Q26_6::from_int(-top * side)},
+                 workspace_));
   INKCELL_TRY(shapes_[shape_count_].make(grid, points_[shape_count_]));
   glyphs_[shape_count_++] = glyph;
   const auto taken = static_cast<size_t>(width * height);
@@ -102,6 +107,7 @@ BodyRules BodyScene::rules() const noexcept {
   rules.overlap.raw = static_cast<int16_t>(3072 * height_ / 240);
   rules.stiffness_q16 = 12000;
   rules.damping_q16 = 7000;
+  rules.pieces = 4;
   return rules;
 }
 
@@ -148,13 +154,17 @@ void BodyScene::step() noexcept {
   for (int32_t i = 0; i < kStepsPerFrame; ++i) {
     kinetic::step({bodies_, static_cast<size_t>(count_)}, rules(), contacts_);
   }
+  // What has left the screen below is gone.
+  for (Body& body : bodies_) {
+    if (box_of(body).y0 > height_) {
+      body = Body();
+    }
+  }
 }
 
 void BodyScene::set_frame(uint32_t frame) noexcept {
-  Body then[kMostLetters];
   for (int32_t i = 0; i < count_; ++i) {
-    then[i] = bodies_[i];
-    before_[i] = box_of(bodies_[i]);
+    before_[i] = bodies_[i];
   }
   if (frame < frame_) {
     restart();
@@ -162,25 +172,30 @@ void BodyScene::set_frame(uint32_t frame) noexcept {
   while (frame_ < frame) {
     step();
   }
-  for (int32_t i = 0; i < count_; ++i) {
-    const Body& now = bodies_[i];
-    has_moved_[i] = now.shape != then[i].shape || now.x.raw != then[i].x.raw ||
-                    now.y.raw != then[i].y.raw ||
-                    now.turn_q32 != then[i].turn_q32 ||
-                    now.squeeze.raw != then[i].squeeze.raw;
-  }
   // What touches a letter that moved is deformed by it.
-  bool is_near[kMostLetters] = {};
   for (int32_t i = 0; i < count_; ++i) {
+    has_moved_[i] = false;
     for (int32_t k = 0; k < count_; ++k) {
-      const Rect moved = bounding_box(before_[k], box_of(bodies_[k]));
-      is_near[i] = is_near[i] ||
-                   (has_moved_[k] && !is_empty(intersect(before_[i], moved)));
+      const Rect moved = swept_box(k);
+      has_moved_[i] =
+          has_moved_[i] ||
+          (has_changed(k) &&
+           (k == i || !is_empty(intersect(box_of(bodies_[i]), moved))));
     }
   }
-  for (int32_t i = 0; i < count_; ++i) {
-    has_moved_[i] = has_moved_[i] || is_near[i];
-  }
+}
+
+bool BodyScene::has_changed(int32_t index) const noexcept {
+  const Body& now = bodies_[index];
+  const Body& then = before_[index];
+  return now.shape != then.shape || now.x.raw != then.x.raw ||
+         now.y.raw != then.y.raw || now.turn_q32 != then.turn_q32 ||
+         now.squeeze.raw != then.squeeze.raw;
+}
+
+// Where a letter is and was.
+Rect BodyScene::swept_box(int32_t index) const noexcept {
+  return bounding_box(box_of(before_[index]), box_of(bodies_[index]));
 }
 
 void BodyScene::draw(const Paper& paper) noexcept {
@@ -197,7 +212,7 @@ void BodyScene::add_changes(DirtyRects& dirty) const noexcept {
   const Rect screen = {0, 0, width_, height_};
   for (int32_t i = 0; i < count_; ++i) {
     if (has_moved_[i]) {
-      dirty.add(bounding_box(before_[i], box_of(bodies_[i])), screen);
+      dirty.add(swept_box(i), screen);
     }
   }
 }

@@ -17,15 +17,23 @@ namespace scenes {
 /// as often as it must, from the start if it goes back.
 class BodyScene {
  public:
-  static constexpr const char* kText = "Inkcell";
+  static constexpr const char* kText = "soft type";
   static constexpr int32_t kMostLetters = 8;
 
   /// [px to the em]
   static constexpr int32_t size_for(int32_t height) noexcept {
-    return height < 120 ? height * 2 / 5 : height * 3 / 10;
+    return height < 32    ? height * 5 / 8
+           : height < 120 ? height * 2 / 5
+                          : height / 4;
+  }
+  /// Pixels a sample along each side.
+  static constexpr int32_t scale_for(int32_t height) noexcept {
+    return height < 120 ? 0 : 1;
   }
   static constexpr SceneNeeds needs(int32_t, int32_t height) noexcept {
-    const int32_t side = size_for(height) * 5 / 8 + 2 * kMargin;
+    const int32_t scale = scale_for(height);
+    const int32_t side =
+        (size_for(height) * 5 / 8 >> scale) + 2 * kMarginSamples + 2;
     return {static_cast<size_t>(kMostLetters * side * side), 0, 0};
   }
 
@@ -49,15 +57,18 @@ class BodyScene {
   kinetic::BodyRules rules() const noexcept;
 
  private:
-  static constexpr int32_t kMargin = 4;  // of distances around a letter [px]
+  // Of distances around a letter: as far as a grid knows them.
+  static constexpr int32_t kMarginSamples = 4;
   static constexpr size_t kPoints = 72;
   // Of letters that touch each other 2 times each, and walls.
-  static constexpr size_t kContacts = 4 * 20;
+  static constexpr size_t kContacts = kinetic::kContactsOfPair * 20;
 
   Status add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept;
   void restart() noexcept;
   void let_fall(int32_t index) noexcept;
   void step() noexcept;
+  bool has_changed(int32_t index) const noexcept;
+  Rect swept_box(int32_t index) const noexcept;
 
   const Font& font_;
   Text text_;
@@ -73,7 +84,7 @@ class BodyScene {
   int32_t count_ = 0;
   kinetic::Body bodies_[kMostLetters];
   kinetic::BodyContact contacts_[kContacts];
-  Rect before_[kMostLetters];  // where letters were
+  kinetic::Body before_[kMostLetters];  // as they were drawn before
   bool has_moved_[kMostLetters] = {};
   uint32_t frame_ = 0;
 };

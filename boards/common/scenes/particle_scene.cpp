@@ -26,6 +26,7 @@ constexpr uint32_t kWordFrames = kLoopFrames / 2;
 constexpr uint32_t kBurst = 45;   // it falls apart
 constexpr uint32_t kGather = 78;  // its pieces look for the other word
 constexpr uint32_t kMeet = 128;   // the plain word comes up
+constexpr uint32_t kRings = 146;  // it is there, and no dots are drawn
 constexpr uint32_t kSeed = 20;
 
 constexpr int32_t kFlyRadiusQ6 = 84;
@@ -50,7 +51,7 @@ int32_t word_opacity(uint32_t phase) noexcept {
   if (phase < kGather) {
     return 255 - lerp(0, 255, fraction(kBurst, kBurst + 5, at));
   }
-  return lerp(0, 255, fraction(kMeet, kWordFrames - 4, at));
+  return lerp(0, 255, fraction(kMeet, kRings, at));
 }
 
 }  // namespace
@@ -246,11 +247,11 @@ void ParticleScene::set_frame(uint32_t frame) noexcept {
   now_ = drawn_box();
 }
 
-// Offset surfaces run outwards while the word comes up, and fade.
+// Offset surfaces run outwards when the word has come up, and fade.
 void ParticleScene::draw_rings(const Paper& paper) const noexcept {
   const uint32_t phase = frame_ % kWordFrames;
   const auto since = static_cast<int32_t>(
-      phase >= kMeet ? phase - kMeet : phase + kWordFrames - kMeet);
+      phase >= kRings ? phase - kRings : phase + kWordFrames - kRings);
   constexpr int32_t kFrames = 40;
   if (since >= kFrames) {
     return;

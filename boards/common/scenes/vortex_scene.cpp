@@ -24,7 +24,8 @@ constexpr uint32_t kBegins = 20;
 constexpr uint32_t kTurns = 143;
 constexpr uint32_t kEnds = 2 * kTurns - kBegins;
 constexpr uint32_t kSwell = 20;  // until it blows with full strength
-constexpr uint32_t kRedistanceEach = 8;
+// Each second frame a part of the rows is made distances again.
+constexpr int32_t kRedistanceParts = 12;
 // Then what winding cost comes back, a part of it in each frame.
 constexpr uint32_t kHealed = kEnds + 22;
 constexpr int32_t kHealsQ8 = 48;
@@ -164,14 +165,19 @@ void VortexScene::step() noexcept {
   Flow flow;
   flow.vortices = {&vortex, 1};
   advect(grid_, flow, next_);
-  if (phase % kRedistanceEach == 0) {
-    redistance(next_, grid_);
+  // By turns, so that no frame has to do both.
+  if (phase % 2 == 0) {
+    const auto part = static_cast<int32_t>(phase / 2) % kRedistanceParts;
+    const int32_t rows = grid_.height();
+    redistance(next_, grid_, rows * part / kRedistanceParts,
+               rows * (part + 1) / kRedistanceParts);
+    has_changed_ = true;
   } else {
     const DistanceGrid swap = grid_;
     grid_ = next_;
     next_ = swap;
+    keep_area();
   }
-  keep_area();
 }
 
 // The part of the screen where the grid knows distances.

@@ -9,7 +9,6 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kMostPieces = 60;
 constexpr int32_t kRounds = 8;  // of impulses over all contacts
 constexpr int32_t kMostSpeedQ16 = kMostBodySpeed << 16;
 // Slower than this above gravity, a contact does not bounce. [px a step, Q16]
@@ -279,17 +278,25 @@ void solve_all(const Solver& solver) noexcept {
   }
 }
 
-// [Q16 of a step] How long no body goes farther than half of what is clear.
-int32_t piece_of(Span<const Body> bodies, int32_t left_q16) noexcept {
+// [Q16 of a step] How long no body goes farther than what is clear, and no two
+// that touch go farther against each other.
+int32_t piece_of(const Solver& solver, int32_t left_q16) noexcept {
   int32_t piece = left_q16;
-  for (const Body& body : bodies) {
-    if (!takes_part(body)) {
-      continue;
+  const auto limit_by = [&](int32_t clear_q10, int32_t speed) {
+    const int64_t way = int64_t{clear_q10} << 22;
+    if (int64_t{speed} * piece > way) {
+      piece = static_cast<int32_t>(way / speed);
     }
-    const int32_t speed = max(speed_of(body), 1);
-    const int32_t way_q16 = body.clear_q10 * 32;
-    if (int64_t{speed} * piece > int64_t{way_q16} << 16) {
-      piece = static_cast<int32_t>((int64_t{way_q16} << 16) / speed);
+  };
+  for (const Body& body : solver.bodies) {
+    if (takes_part(body)) {
+      limit_by(body.clear_q10, speed_of(body));
+    }
+  }
+  for (const BodyContact& contact : solver.contacts) {
+    if (const Body* second = solver.second_of(contact)) {
+      limit_by(max(contact.gap_q10, slide_q10(solver.rules)),
+               speed_between(solver.bodies[contact.first], *second));
     }
   }
   return max(piece, 1);
@@ -314,7 +321,7 @@ void step(Span<Body> all,
   BodyRules rules = asked;
   rules.walls = intersect(asked.walls, {-8191, -8191, 8191, 8191});
   rules.gravity.raw = clamp(asked.gravity.raw, -(1 << 17), 1 << 17);
-  rules.overlap.raw = static_cast<int16_t>(clamp(asked.overlap.raw, 0, 4096));
+  rules.overlap.raw = static_cast<int16_t>(clamp(asked.overlap.raw, 0, 8192));
   for (Body& body : bodies) {
     limit(body);
   }
@@ -334,14 +341,15 @@ void step(Span<Body> all,
     }
   }
   int32_t left_q16 = 1 << 16;
-  for (int32_t piece = 0; piece < kMostPieces && left_q16 > 0; ++piece) {
+  const int32_t most = clamp(rules.pieces, 1, BodyRules::kMostPieces);
+  for (int32_t piece = 0; piece < most && left_q16 > 0; ++piece) {
     const size_t count = find_contacts(bodies, rules, still_q16, room);
     const Solver solver = {bodies, rules, {room.data, count}};
     for (BodyContact& contact : solver.contacts) {
       solver.prepare(contact);
     }
     solve_all(solver);
-    const int32_t part_q16 = piece_of(bodies, left_q16);
+    const int32_t part_q16 = piece_of(solver, left_q16);
     left_q16 -= part_q16;
     for (const BodyContact& contact : solver.contacts) {
       solver.spring(contact, part_q16);
@@ -355,9 +363,9 @@ void step(Span<Body> all,
   }
   for (Body& body : bodies) {
     if (takes_part(body)) {
-      const bool is_slow = is_still(body, still_q16);
+      const bool is_still = speed_of(body) <= still_q16;
       body.still_steps =
-          is_slow ? static_cast<uint8_t>(body.still_steps + 1) : uint8_t{0};
+          is_still ? static_cast<uint8_t>(body.still_steps + 1) : uint8_t{0};
     }
   }
 }

@@ -78,15 +78,21 @@ bool can_move(const Body& body) noexcept {
 struct Finder {
   Span<Body> bodies;
   Span<BodyContact> contacts;
-  Rect walls;
-  int32_t overlap_q10;
+  const BodyRules& rules;
   int32_t still_q16;
+  int32_t overlap_q10;  // of those that are looked at
   size_t count;
 
   bool touches_at(int32_t distance_q10) const noexcept {
     return distance_q10 > min(overlap_q10 - kTouchQ10, 0);
   }
-  void note(Body& body, int32_t distance_q10) const noexcept;
+  int32_t overlap_of(const Body& body) const noexcept {
+    return min(rules.overlap.raw, body.shape->depth_q10() / 2) - kSkinQ10;
+  }
+  void note(Body& body, int32_t distance_q10, int32_t part_q8) const noexcept;
+  void note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept;
+  void squeeze(Body& body, int32_t distance_q10) const noexcept;
+  void wake(Body& body, const Body& by) const noexcept;
   void emit(size_t first,
             size_t second,
             const Touches& touches,
@@ -98,14 +104,34 @@ struct Finder {
   __attribute__((noinline)) void find_wall(size_t index, int32_t wall) noexcept;
 };
 
-// The distance inside of what is nearest.
-void Finder::note(Body& body, int32_t distance_q10) const noexcept {
-  const int32_t gap_q10 = overlap_q10 - distance_q10;
-  // Those that touch slide in pieces of 1/4 px.
-  const int32_t clear = gap_q10 < kTouchQ10 ? 512 : gap_q10;
-  body.clear_q10 = min(body.clear_q10, clear);
+// The distance inside of what is nearest, and the part of the way to there that
+// is the body's own.
+void Finder::note(Body& body,
+                  int32_t distance_q10,
+                  int32_t part_q8) const noexcept {
+  const int32_t gap_q10 = min(overlap_q10 - distance_q10, kFarQ10);
+  body.clear_q10 =
+      min(body.clear_q10, max(gap_q10, slide_q10(rules)) * part_q8 >> 8);
+}
+
+// Two share the way by how fast they are; a push may make the slow one fast.
+void Finder::note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept {
+  const int32_t both = a.most_speed_q16 + b.most_speed_q16 + 1;
+  const int32_t part = 32 + a.most_speed_q16 / ((both >> 8) + 1) * 3 / 4;
+  note(a, distance_q10, b.is_fixed ? 256 : part);
+  note(b, distance_q10, a.is_fixed ? 256 : 256 - part);
+}
+
+void Finder::squeeze(Body& body, int32_t distance_q10) const noexcept {
   body.squeeze.raw =
       static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
+}
+
+// A sleeper wakes if something fast touches it.
+void Finder::wake(Body& body, const Body& by) const noexcept {
+  if (body.is_asleep() && by.most_speed_q16 > 2 * still_q16) {
+    body.still_steps = 0;
+  }
 }
 
 // (x_between, y_between): from the second's centre to the first's. [px, Q8]
@@ -160,7 +186,8 @@ struct Look {
   int32_t y_between;
   bool is_first;  // `from` is the first body of the pair
 
-  // Returns the greatest distance inside of `into`, at least `least`. [px, Q10]
+  // Returns the greatest distance inside of `into`, at least `least`; touches
+  // are added if it is not far outside. [px, Q10]
   int32_t find(int32_t least, Touches& touches) const noexcept;
   void add(int32_t id,
            const BodyPoint& point,
@@ -212,16 +239,23 @@ int32_t Look::find(int32_t least, Touches& touches) const noexcept {
   const int32_t y0 = (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw;
   const int32_t x_end = grid.width_px() << 16;
   const int32_t y_end = grid.height_px() << 16;
+  // Beyond the grid: at least so far outside. [px, Q10]
+  const auto beyond = [&](int32_t x, int32_t y) {
+    return max(max(-x, x - x_end), max(-y, y - y_end)) >> 6;
+  };
+  const int32_t apart = beyond(x0, y0) - (from.shape->radius() << 10);
+  if (apart >= 0) {
+    return -apart - shape.margin_q10();
+  }
   int32_t most = least;
   int32_t id = is_first ? 0 : 1 << 16;
   for (const BodyPoint& point : from.shape->points()) {
     ++id;
     const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
     const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
-    // Beyond the grid: at least so far outside.
-    const int32_t out = max(max(-x, x - x_end), max(-y, y - y_end));
-    if (out > 0) {
-      most = max(most, -(out >> 6));
+    const int32_t out = beyond(x, y);
+    if (out >= 0) {
+      most = max(most, -out - shape.margin_q10());
       continue;
     }
     const GridPoint here =
@@ -235,7 +269,7 @@ int32_t Look::find(int32_t least, Touches& touches) const noexcept {
 }
 
 // Broad phase: the greater of both ways between the centres is not longer than
-// the way. Sleepers wake if something fast touches them.
+// the way.
 void Finder::find_pair(size_t first, size_t second) noexcept {
   Body& a = bodies[first];
   Body& b = bodies[second];
@@ -248,26 +282,28 @@ void Finder::find_pair(size_t first, size_t second) noexcept {
   const int32_t radii = a.shape->radius() + b.shape->radius();
   const int32_t apart_q10 =
       (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
+  overlap_q10 = min(overlap_of(a), overlap_of(b));
   if (apart_q10 >= 4 << 10) {
-    note(a, -min(apart_q10, kFarQ10));
-    note(b, -min(apart_q10, kFarQ10));
+    note_pair(a, b, -apart_q10);
     return;
   }
   Touches touches;
   const Look one_way = {*this, a, b, x_between, y_between, true};
   const Look other_way = {*this, b, a, x_between, y_between, false};
-  int32_t most = one_way.find(-(4 << 10), touches);
-  most = other_way.find(most, touches);
-  note(a, most);
-  note(b, most);
+  int32_t most = one_way.find(-kFarQ10, touches);
+  if (most > -(4 << 10)) {
+    most = other_way.find(most, touches);
+  }
   if (touches[0].id < 0) {
+    note_pair(a, b, most);
     return;
   }
-  if (a.is_asleep() && !a.is_fixed && !is_still(b, 2 * still_q16)) {
-    a.still_steps = 0;
-  }
-  if (b.is_asleep() && !b.is_fixed && !is_still(a, 2 * still_q16)) {
-    b.still_steps = 0;
+  squeeze(a, most);
+  squeeze(b, most);
+  wake(a, b);
+  wake(b, a);
+  if (contacts.size - count < kContactsOfPair) {
+    note_pair(a, b, most);  // none may tell how far they are apart
   }
   emit(first, second, touches, x_between, y_between);
 }
@@ -277,59 +313,72 @@ void Finder::find_wall(size_t index, int32_t wall) noexcept {
   Body& body = bodies[index];
   const bool is_across = wall % 2 == 0;  // it bounds x
   const int32_t sign = wall < 2 ? -1 : 1;
+  const Rect& walls = rules.walls;
   const int32_t bounds[] = {walls.x0, walls.y0, walls.x1, walls.y1};
   // How far the centre is beyond the wall. [px, Q10]
   const int32_t centre = sign * (((is_across ? body.x.raw : body.y.raw) >> 6) -
                                  bounds[wall] * 1024);
   const int32_t nearest = centre + (body.shape->radius() << 10);
+  overlap_q10 = overlap_of(body);
   if (nearest <= -(4 << 10)) {
-    note(body, max(nearest, -kFarQ10));
+    note(body, nearest, 256);
     return;
   }
   const Turn turn = turn_of(body.angle());
   Touches touches;
-  int32_t most = -(4 << 10);
+  int32_t most = -kFarQ10;
   int32_t id = 0;
   for (const BodyPoint& point : body.shape->points()) {
+    ++id;
+    const int32_t off = (is_across ? turned_x(turn, point.x_q5, point.y_q5)
+                                   : turned_y(turn, point.x_q5, point.y_q5)) >>
+                        11;
+    const int32_t distance = centre + sign * off * 4;
+    most = max(most, distance);
+    if (!touches_at(distance)) {
+      continue;
+    }
     Touch touch;
-    touch.id = ++id;
+    touch.id = id;
+    touch.distance_q10 = distance;
     touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
     touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
-    touch.distance_q10 = centre + sign * (is_across ? touch.x : touch.y) * 4;
-    most = max(most, touch.distance_q10);
-    if (touches_at(touch.distance_q10)) {
-      touch.nx = is_across ? -sign * (1 << 13) : 0;
-      touch.ny = is_across ? 0 : -sign * (1 << 13);
-      touch.along = is_across ? touch.y : touch.x;
-      touches.add(touch, true);
-    }
+    touch.nx = is_across ? -sign * (1 << 13) : 0;
+    touch.ny = is_across ? 0 : -sign * (1 << 13);
+    touch.along = is_across ? touch.y : touch.x;
+    touches.add(touch, true);
   }
-  note(body, most);
+  note(body, most, 256);
+  squeeze(body, most);
   emit(index, BodyContact::kWall, touches, 0, 0);
+}
+
+// By turning. [px a step, Q16]
+int32_t edge_speed(const Body& body) noexcept {
+  const int64_t spun = int64_t{abs(body.spin_q20)} * body.shape->radius() >> 4;
+  return clamp_i64(spun, 0, 1 << 28);
 }
 
 }  // namespace
 
-bool is_still(const Body& body, int32_t speed_q16) noexcept {
-  return speed_of(body) <= speed_q16;
+int32_t speed_of(const Body& body) noexcept {
+  return abs(body.x_speed.raw) + abs(body.y_speed.raw) + edge_speed(body);
 }
 
-int32_t speed_of(const Body& body) noexcept {
-  const int64_t spun = int64_t{abs(body.spin_q20)} * body.shape->radius() >> 4;
-  return abs(body.x_speed.raw) + abs(body.y_speed.raw) +
-         clamp_i64(spun, 0, 1 << 28);
+int32_t speed_between(const Body& a, const Body& b) noexcept {
+  return abs(a.x_speed.raw - b.x_speed.raw) +
+         abs(a.y_speed.raw - b.y_speed.raw) + edge_speed(a) + edge_speed(b);
 }
 
 size_t find_contacts(Span<Body> bodies,
                      const BodyRules& rules,
                      int32_t still_q16,
                      Span<BodyContact> contacts) noexcept {
-  Finder finder = {bodies,      contacts,
-                   rules.walls, rules.overlap.raw - kSkinQ10,
-                   still_q16,   0};
+  Finder finder = {bodies, contacts, rules, still_q16, 0, 0};
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
     body.squeeze.raw = 0;
+    body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
   }
   for (size_t i = 0; i < bodies.size; ++i) {
     if (bodies[i].shape == nullptr) {

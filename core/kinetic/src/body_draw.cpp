@@ -9,62 +9,79 @@ namespace kinetic {
 namespace {
 
 constexpr size_t kMostNeighbours = 6;
-constexpr int32_t kRingQ10 = 6 << 10;   // around an overlap [px]
-constexpr int32_t kBulgeQ10 = 1 << 10;  // at most [px]
+constexpr int32_t kRingQ10 = 6 << 10;  // around an overlap [px]
+constexpr int32_t kBulgeQ10 = kRingQ10 / 4;
 constexpr int32_t kRun = 32;
 
-// The place of a pixel's centre in the grid of a body. [px, Q16]
+// The place of a pixel's centre in the grid of a body, from the centre of the
+// first sample. [px, Q16]
 struct Place {
   int32_t x;
   int32_t y;
 };
 
-// A body as rows see it, small: a frame holds seven.
+// A body as rows see it.
 struct View {
-  const DistanceGrid* grid;
+  const BodyShape* shape;
   Place origin;  // of pixel (0, 0) of the box that is drawn
-  int16_t cosine_q14;
-  int16_t sine_q14;
-  int16_t squeeze_q10;
+  // A step to the right is (cosine, sine), a step down (-sine, cosine). [Q16]
+  int32_t cosine;
+  int32_t sine;
+  int32_t squeeze_q10;
 
-  // A pixel to the right is (c, s) in the grid, one down (-s, c).
-  Place at(int32_t x, int32_t y) const noexcept {
-    return {origin.x + (cosine_q14 * x - sine_q14 * y) * 4,
-            origin.y + (sine_q14 * x + cosine_q14 * y) * 4};
-  }
-  // Inside it; beyond the grid at least so far outside. [px, Q10]
-  int32_t distance(const Place& place) const noexcept {
-    const int32_t x_end = grid->width_px() << 16;
-    const int32_t y_end = grid->height_px() << 16;
-    const int32_t out =
-        max(max(-place.x, place.x - x_end), max(-place.y, place.y - y_end));
-    if (out > 4 << 16) {
-      return -(out >> 6);
+  // How far inside of it a pixel is; beyond the grid at least so far outside.
+  // [px, Q10] As probe(), without slopes.
+  int32_t distance(int32_t x, int32_t y) const noexcept {
+    const DistanceGrid& grid = shape->grid();
+    const int32_t scale = grid.scale_log2();
+    // From the centre of the first sample to that of the last. [Q16 px]
+    const int32_t right = origin.x + cosine * x - sine * y;
+    const int32_t down = origin.y + sine * x + cosine * y;
+    const int32_t side = 1 << (16 + scale);
+    const int32_t out = max(max(-right, right - (grid.width() - 1) * side),
+                            max(-down, down - (grid.height() - 1) * side));
+    if (out >= 0) {
+      return -(out >> 6) - shape->margin_q10();
     }
-    return probe(*grid, Q16_16::from_raw(place.x), Q16_16::from_raw(place.y))
-        .distance_q10;
+    const int8_t* top =
+        grid.row(down >> (16 + scale)) + (right >> (16 + scale));
+    const int8_t* bottom = top + grid.width();
+    const int32_t x_part = (right >> (8 + scale)) & 255;
+    const int32_t y_part = (down >> (8 + scale)) & 255;
+    const int32_t above = top[0] * 256 + (top[1] - top[0]) * x_part;
+    const int32_t below = bottom[0] * 256 + (bottom[1] - bottom[0]) * x_part;
+    // A sample stands for the middle of its quantum. [Q13 of a sample]
+    const int32_t sum = above + ((below - above) * y_part >> 8) + 128;
+    return sum * (1 << scale) >> 3;
+  }
+  // It swells so far from an overlap: as far as grids know distances. [px, Q10]
+  int32_t ring_q10() const noexcept {
+    return min(4032 << shape->grid().scale_log2(), kRingQ10);
+  }
+  // By how much it swells at most: less than would let rings meet.
+  int32_t bulge_q10() const noexcept {
+    return min(squeeze_q10, ring_q10() >> 2);
   }
 };
 
 // (x, y): the upper left corner of the box that is drawn, in px on the screen.
-// Not inline: products of 64 bits take registers that frames would keep.
-__attribute__((noinline)) void look_at(const Body& body,
-                                       int32_t x,
-                                       int32_t y,
-                                       View& view) noexcept {
+View view_of(const Body& body, int32_t x, int32_t y) noexcept {
   const BodyShape& shape = *body.shape;
   const Turn turn = turn_of(body.angle());
   // Back by the body's turn: (x c - y s, y c + x s).
-  view.grid = &shape.grid();
-  view.cosine_q14 = static_cast<int16_t>(turn.cosine);
-  view.sine_q14 = static_cast<int16_t>(turn.sine);
   const int64_t dx = int64_t{x} * 65536 + 32768 - body.x.raw;
   const int64_t dy = int64_t{y} * 65536 + 32768 - body.y.raw;
-  view.origin.x =
-      shape.centre_x().raw + scaled(dx * turn.cosine - dy * turn.sine, 14);
-  view.origin.y =
-      shape.centre_y().raw + scaled(dy * turn.cosine + dx * turn.sine, 14);
+  View view;
+  view.shape = &shape;
+  view.cosine = turn.cosine * 4;
+  view.sine = turn.sine * 4;
+  const int32_t half = 1 << (15 + shape.grid().scale_log2());
+  view.origin.x = shape.centre_x().raw - half +
+                  scaled(dx * turn.cosine - dy * turn.sine, 14);
+  view.origin.y = shape.centre_y().raw - half +
+                  scaled(dy * turn.cosine + dx * turn.sine, 14);
   view.squeeze_q10 = body.squeeze.raw;
+  return view;
 }
 
 // Gathers coverage of neighbouring pixels, and passes it on.
@@ -105,12 +122,12 @@ class Run {
   uint8_t coverage_[kRun];
 };
 
-// A hill of height 1 over 0 to kRingQ10, flat at both ends. [Q10 -> Q10]
-int32_t hill(int32_t way_q10) noexcept {
-  if (way_q10 <= 0 || way_q10 >= kRingQ10) {
+// A hill of height 1 over 0 to `ring`, flat at both ends. [Q10 -> Q10]
+int32_t hill(int32_t way_q10, int32_t ring_q10) noexcept {
+  if (way_q10 <= 0 || way_q10 >= ring_q10) {
     return 0;
   }
-  const int32_t part = way_q10 / (kRingQ10 >> 10);
+  const int32_t part = way_q10 * 1024 / ring_q10;
   const int32_t slope = part * (1024 - part) >> 8;  // up to 1024
   return slope * slope >> 10;
 }
@@ -119,7 +136,7 @@ struct Painter {
   View own;
   View others[kMostNeighbours];
   size_t count;
-  const Rect& walls;
+  Rect walls;
   const Filter& filter;
 
   // [px, Q10] From the nearest wall.
@@ -129,50 +146,41 @@ struct Painter {
                1024 +
            512;
   }
-  int32_t deformed(int32_t distance,
-                   int32_t column,
-                   int32_t line,
-                   int32_t wall) const noexcept;
-  // Frames of their own.
-  __attribute__((noinline)) void add_neighbour(const Body& body,
-                                               const Rect& whole,
-                                               const Rect& box) noexcept;
+  int32_t cut_of(int32_t distance,
+                 int32_t column,
+                 int32_t line,
+                 int32_t (&next)[kMostNeighbours],
+                 int32_t& bulge) const noexcept;
+  // A frame of its own.
   __attribute__((noinline)) void draw_row(const Rect& box,
                                           int32_t y,
                                           const Sink& sink) const noexcept;
 };
 
-bool have_common(const Rect& a, const Rect& b) noexcept {
-  return !is_empty(intersect(a, b));
-}
-
-// If its box and the whole one of the body that is drawn have pixels in common.
-void Painter::add_neighbour(const Body& body,
-                            const Rect& whole,
-                            const Rect& box) noexcept {
-  if (have_common(whole, box_of(body))) {
-    look_at(body, box.x0, box.y0, others[count++]);
-  }
-}
-
-// (column, line): in the box.
-int32_t Painter::deformed(int32_t distance,
-                          int32_t column,
-                          int32_t line,
-                          int32_t wall) const noexcept {
-  int32_t result = distance;
-  int32_t bulge = 0;
-  const auto swell = [&](int32_t squeeze, int32_t way) {
-    bulge = max(bulge, min(squeeze / 2, kBulgeQ10) * hill(way) >> 10);
-  };
+// How far a pixel is from what others take of the body. [px, Q10]
+// (column, line): in the box. next[i]: left of this column neighbour i is too
+// far off to matter; a pixel to the right is by a pixel nearer, at most.
+int32_t Painter::cut_of(int32_t distance,
+                        int32_t column,
+                        int32_t line,
+                        int32_t (&next)[kMostNeighbours],
+                        int32_t& bulge) const noexcept {
+  int32_t cut = INT32_MAX;
   for (size_t i = 0; i < count; ++i) {
     const View& other = others[i];
-    const int32_t depth = other.distance(other.at(column, line));
-    result -= max(depth, 0);
-    swell(min(own.squeeze_q10, other.squeeze_q10), -depth);
+    const int32_t ring = other.ring_q10();
+    int32_t depth = -ring;
+    if (column >= next[i]) {
+      depth = other.distance(column, line);
+      const int32_t far = -depth - ring;
+      next[i] = far < 0 ? column : column + 1 + (far >> 10);
+      const int32_t most = min(own.bulge_q10(), other.bulge_q10());
+      bulge = max(bulge, hill(-depth, ring) * most >> 10);
+    }
+    // What is nearer to the other's middle than to its own is the other's.
+    cut = min(cut, (distance - max(depth, -ring)) >> 1);
   }
-  swell(own.squeeze_q10, wall);
-  return min(result + bulge, wall);
+  return cut;
 }
 
 void Painter::draw_row(const Rect& box,
@@ -181,29 +189,36 @@ void Painter::draw_row(const Rect& box,
   const int32_t line = y - box.y0;
   const int32_t width = box.x1 - box.x0;
   // Farther out nothing is covered, whatever swells; farther in all is.
-  const int32_t blank = min(filter.outside_q10, 0) - kBulgeQ10 - 512;
-  const int32_t full = max(filter.inside_q10, 0) + 512;
+  const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
+  const int32_t full = max(filter.inside_q10, 0) + 64;
+  int32_t next[kMostNeighbours] = {};
   Run run(sink, y);
   for (int32_t column = 0; column < width;) {
-    const int32_t distance = own.distance(own.at(column, line));
-    const int32_t x = box.x0 + column;
+    const int32_t distance = own.distance(column, line);
     if (distance < blank) {
       column += 1 + ((blank - distance) >> 10);
       continue;
     }
+    const int32_t x = box.x0 + column;
     const int32_t wall = from_wall(x, y);
-    if (count == 0 && distance > full && wall > full) {
-      // A pixel to the right is by a pixel less deep, at most.
-      const int32_t deep = min(distance, wall) - full;
+    int32_t bulge = hill(wall, own.ring_q10()) * own.bulge_q10() >> 10;
+    const int32_t cut = min(wall, cut_of(distance, column, line, next, bulge));
+    // A pixel to the right is by a pixel less deep, at most.
+    const int32_t deep = min(distance, cut) - full;
+    if (deep > 0) {
       const int32_t end = min(column + 1 + (deep >> 10), width);
       run.fill(x, box.x0 + end);
       column = end;
-      continue;
+    } else {
+      run.add(x, filter.coverage(min(distance + bulge, cut)));
+      ++column;
     }
-    run.add(x, filter.coverage(deformed(distance, column, line, wall)));
-    ++column;
   }
   run.flush();
+}
+
+bool have_common(const Rect& a, const Rect& b) noexcept {
+  return !is_empty(intersect(a, b));
 }
 
 }  // namespace
@@ -218,17 +233,18 @@ void draw_body(Span<const Body> bodies,
     return;
   }
   const Rect whole = box_of(body);
-  const Rect box = intersect(whole, rules.walls);
+  const Rect walls = intersect(rules.walls, {-8191, -8191, 8191, 8191});
+  const Rect box = intersect(whole, walls);
   if (is_empty(box) || !have_common(box, sink.window)) {
     return;
   }
-  Painter painter = {{}, {}, 0, rules.walls, filter};
-  look_at(body, box.x0, box.y0, painter.own);
-  for (size_t i = 0; i < bodies.size && painter.count < kMostNeighbours; ++i) {
+  Painter painter = {view_of(body, box.x0, box.y0), {}, 0, walls, filter};
+  const size_t most = rules.overlap.raw > 0 ? kMostNeighbours : 0;
+  for (size_t i = 0; i < bodies.size && painter.count < most; ++i) {
     const Body& other = bodies[i];
-    if (i != index && other.shape != nullptr && other.squeeze.raw > 0 &&
-        body.squeeze.raw > 0) {
-      painter.add_neighbour(other, whole, box);
+    if (i != index && other.shape != nullptr &&
+        have_common(whole, box_of(other))) {
+      painter.others[painter.count++] = view_of(other, box.x0, box.y0);
     }
   }
   const int32_t first = max(box.y0, sink.window.y0);

@@ -56,6 +56,22 @@ bool BodyShape::weigh() noexcept {
   return true;
 }
 
+void BodyShape::measure() noexcept {
+  const int32_t right = grid_.width() - 1;
+  const int32_t bottom = grid_.height() - 1;
+  int32_t most = DistanceGrid::kOutside;
+  for (int32_t y = 0; y <= bottom; ++y) {
+    most = max(most, max(grid_.at(0, y), grid_.at(right, y)));
+  }
+  for (int32_t x = 0; x <= right; ++x) {
+    most = max(most, max(grid_.at(x, 0), grid_.at(x, bottom)));
+  }
+  // The sides are half a sample farther out.
+  const int32_t unit = 32 << grid_.scale_log2();
+  margin_q10_ = max(-most - 1, 0) * unit;
+  depth_q10_ = grid_.depth() * unit;
+}
+
 // From the middle of four samples to the edge between them.
 bool BodyShape::find_edge_point(int32_t column,
                                 int32_t row,
@@ -145,6 +161,7 @@ Status BodyShape::make(const DistanceGrid& grid,
   if (!made.weigh()) {
     return Status::bad_argument;
   }
+  made.measure();
   // 8 points fit if they are as far apart as the grid is wide.
   constexpr int32_t kMostSpacingQ5 = kMostSidePx << 5;
   int32_t spacing_q5 = 48 << grid.scale_log2();

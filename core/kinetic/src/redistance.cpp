@@ -90,10 +90,23 @@ KnownSpan span_around(const DistanceGrid& grid,
   return grown(span, by, grid.width());
 }
 
+// Rows from `first` up to `end`.
+struct Rows {
+  int32_t first;
+  int32_t end;
+};
+
 // Next to the edge a value over its slope, which is within 3 %; all others are
-// far for now.
-void mark(const DistanceGrid& from, DistanceGrid& to) noexcept {
+// far for now. Other rows are copied.
+void mark(const DistanceGrid& from,
+          const Rows& rows,
+          DistanceGrid& to) noexcept {
   for (int32_t y = 0; y < from.height(); ++y) {
+    if (y < rows.first || y >= rows.end) {
+      __builtin_memcpy(to.row(y), from.row(y),
+                       static_cast<size_t>(from.width()));
+      continue;
+    }
     const KnownSpan span = span_around(from, y, 1);
     clear_around(span, to.row(y), to.width());
     for (int32_t x = span.first; x < span.end; ++x) {
@@ -147,19 +160,25 @@ void spread_to(int8_t* at, int32_t stride) noexcept {
 
 }  // namespace
 
-void redistance(const DistanceGrid& from, DistanceGrid& grid) noexcept {
+void redistance(const DistanceGrid& from,
+                DistanceGrid& grid,
+                int32_t first_row,
+                int32_t end_row) noexcept {
   if (from.width() != grid.width() || from.height() != grid.height() ||
       from.width() == 0) {
     return;
   }
-  mark(from, grid);
+  const Rows rows = {max(first_row, 0), min(end_row, grid.height())};
+  mark(from, rows, grid);
   // The outermost samples keep what mark() gave them.
   const int32_t width = grid.width();
   const int32_t height = grid.height();
   for (int32_t order = 0; order < 4; ++order) {
     const int32_t step = (order & 1) != 0 ? -1 : 1;
-    for (int32_t i = 1; i < height - 1; ++i) {
-      const int32_t y = (order & 2) != 0 ? height - 1 - i : i;
+    const int32_t top = max(rows.first, 1);
+    const int32_t bottom = min(rows.end, height - 1);
+    for (int32_t i = top; i < bottom; ++i) {
+      const int32_t y = (order & 2) != 0 ? top + bottom - 1 - i : i;
       // Distances are known 4 samples far: no others change.
       const KnownSpan span = span_around(grid, y, 5);
       const int32_t first = max(span.first, 1);

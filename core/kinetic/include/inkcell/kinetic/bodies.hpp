@@ -4,9 +4,8 @@
 //   for each strip:  for each body:  draw_body(...);  // body_draw.hpp
 //
 // The points of one body are looked up in the distances of the other
-// (Guendelman et al. 2003). A step is divided: a body moves at most half of the
-// way to the next one (conservative advancement), so nothing is passed at any
-// speed.
+// (Guendelman et al. 2003). A step is divided: two bodies move at most the way
+// between them (conservative advancement), so nothing is passed at any speed.
 #pragma once
 
 #include <stdint.h>
@@ -37,9 +36,10 @@ struct Body {
   uint8_t still_steps = 0;  // kStepsToSleep: it sleeps until it is hit
   /// The deepest overlap with another body or a wall at the last step. [px]
   Q6_10 squeeze;
-  // Of use to step() alone: how far it may go at once [px], and its speeds
-  // before contacts were solved.
+  // Of use to step() alone: how far it may go at once [px], how fast its points
+  // are at most [px a step], and its speeds before contacts were solved.
   int32_t clear_q10 = 0;
+  int32_t most_speed_q16 = 0;
   int32_t x_speed_before = 0;
   int32_t y_speed_before = 0;
   int32_t spin_before = 0;
@@ -58,11 +58,17 @@ struct BodyRules {
   Q16_16 gravity;              // down [px a step, gained in a step]
   uint16_t bounce_q8 = 100;    // of the speed across a contact: 256 is elastic
   uint16_t friction_q8 = 100;  // of the force across a contact
-  /// Soft bodies: how far edges may pass each other, 0 to 4 px; farther than
-  /// that they are rigid. Up to there a spring pushes them apart.
+  /// Soft bodies: how far edges may pass each other, 0 to 8 px, and no farther
+  /// than half of their depth; beyond that they are rigid. Up to there a spring
+  /// pushes them apart.
   Q6_10 overlap;
   uint16_t stiffness_q16 = 1000;  // [px a step, gained in a step, a px]
   uint16_t damping_q16 = 4000;    // of the speed across, lost in a step
+  /// Pieces of a step at most, 1 to kMostPieces: the bound of what it costs.
+  /// What is left of the time then is lost, never a collision.
+  uint8_t pieces = 60;
+
+  static constexpr int32_t kMostPieces = 60;
 };
 
 /// Where two bodies touch: what step() works with, 64 bytes. The content has no
@@ -98,8 +104,7 @@ inline constexpr size_t kMostBodies = 64;
 
 /// Moves bodies by a step: gravity, contacts, speeds, places, in this order.
 /// Contacts that do not fit are left out: of n letters in a heap 3 n pairs
-/// touch at most. About 60 pieces of a step at most; what is left of the time
-/// then is lost, never a collision.
+/// touch at most.
 void step(Span<Body> bodies,
           const BodyRules& rules,
           Span<BodyContact> contacts) noexcept;

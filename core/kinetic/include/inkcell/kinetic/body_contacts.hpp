@@ -13,6 +13,12 @@ namespace kinetic {
 /// Bodies that are nearer than this touch. [px, Q10]
 inline constexpr int32_t kTouchQ10 = 256;
 
+/// Bodies that touch slide this far before they are looked at again; soft ones
+/// farther. [px, Q10]
+inline int32_t slide_q10(const BodyRules& rules) noexcept {
+  return 512 + rules.overlap.raw / 4;
+}
+
 /// Rigid bodies keep this far apart: grids round corners off by as much.
 /// [px, Q10]
 inline constexpr int32_t kSkinQ10 = 160;
@@ -37,10 +43,14 @@ inline Turn turn_of(Angle angle) noexcept {
 
 /// No point of a body moves faster. [px a step, Q16]
 int32_t speed_of(const Body& body) noexcept;
-bool is_still(const Body& body, int32_t speed_q16) noexcept;
 
-/// Finds contacts and wakes who is hit. Sets clear_q10 and squeeze of each
-/// body, and all of a contact but what solving needs. Returns their number.
+/// No two points of both move faster against each other. [px a step, Q16]
+int32_t speed_between(const Body& a, const Body& b) noexcept;
+
+/// Finds contacts and wakes who is hit. Sets squeeze, most_speed_q16 and
+/// clear_q10 of each body: how far it may go before it meets what it does not
+/// touch, and walls. Sets all of a contact but what solving needs. Returns
+/// their number.
 size_t find_contacts(Span<Body> bodies,
                      const BodyRules& rules,
                      int32_t still_q16,

@@ -12,10 +12,11 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Draws body `index`. Where bodies overlap, each loses the other's depth: both
-/// end at the line where they are equally deep (Cani 1998; the paper, figure
-/// 13). Around the overlap they bulge, by their squeeze and at most by 1 px.
-/// What is beyond the walls is cut off. At most 6 neighbours are looked at.
+/// Draws body `index`. With an overlap in `rules` bodies deform each other
+/// (Cani 1998; the paper, figure 13): where two share a place, the one that is
+/// deeper has it, so both end at one line and never overlap. Around it they
+/// bulge, by their squeeze and at most by 2 px. What is beyond the walls is cut
+/// off. At most 6 neighbours are looked at.
 ///
 /// A body costs about 70 instructions for each pixel near its edge, and as many
 /// more for each neighbour; runs inside cost little. The picture does not

@@ -53,9 +53,15 @@ class BodyShape {
   int32_t gyration_q8() const noexcept { return gyration_q8_; }
   /// No point is farther from the centre of mass. [px]
   int32_t radius() const noexcept { return radius_; }
+  /// How deep the innermost sample is inside. [px, Q10]
+  int32_t depth_q10() const noexcept { return depth_q10_; }
+  /// The shape is at least this far from the grid's sides: distances beyond
+  /// the grid begin here. [px, Q10]
+  int32_t margin_q10() const noexcept { return margin_q10_; }
 
  private:
   bool weigh() noexcept;
+  void measure() noexcept;
   size_t spread(int32_t spacing_q5, Span<BodyPoint> room) const noexcept;
   bool find_edge_point(int32_t column,
                        int32_t row,
@@ -69,6 +75,8 @@ class BodyShape {
   int32_t area_ = 1;
   int32_t gyration_q8_ = 256;
   int32_t radius_ = 0;
+  int32_t depth_q10_ = 0;
+  int32_t margin_q10_ = 0;
 };
 
 }  // namespace kinetic
