@@ -14,6 +14,7 @@
 #include "front_ends.hpp"
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/bodies.hpp"
+#include "inkcell/kinetic/body_draw.hpp"
 #include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/fade.hpp"
@@ -27,6 +28,7 @@
 #include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/spring.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "kinetic_input.hpp"
 #include "repair_font.hpp"
 
 namespace {
@@ -34,94 +36,14 @@ namespace {
 using namespace inkcell;
 using namespace inkcell::kinetic;
 using hostile::require;
+using kinetic_input::Canvas;
+using kinetic_input::Choices;
+using kinetic_input::easing_of;
+using kinetic_input::kSide;
+using kinetic_input::kWindow;
+using kinetic_input::pose_of;
 
-constexpr int32_t kSide = 24;  // of grids and windows
 constexpr int32_t kOne = 1 << 16;
-constexpr Rect kWindow = {-3, -2, kSide, kSide};
-
-// Numbers from the input.
-class Choices {
- public:
-  explicit Choices(Span<const uint8_t> bytes) : bytes_(bytes) {}
-
-  uint8_t byte() { return at_ < bytes_.size ? bytes_[at_++] : uint8_t{0}; }
-  uint16_t u16() {
-    const uint8_t low = byte();
-    return static_cast<uint16_t>(low | byte() << 8);
-  }
-  // Of any magnitude: the first byte says how far it is shifted.
-  int32_t number() {
-    const uint32_t shift = byte() % 32u;
-    const uint32_t low = u16();
-    const uint32_t value = low | static_cast<uint32_t>(u16()) << 16;
-    return static_cast<int32_t>(value) >> shift;
-  }
-  int16_t i16() { return static_cast<int16_t>(u16()); }
-  Q26_6 q6() { return Q26_6::from_raw(number()); }
-  Q16_16 q16() { return Q16_16::from_raw(number()); }
-  Point point() {
-    const Q26_6 x = q6();
-    return {x, q6()};
-  }
-  Rect rect() {
-    const int32_t x0 = number();
-    const int32_t y0 = number();
-    const int32_t x1 = number();
-    return {x0, y0, x1, number()};
-  }
-
- private:
-  Span<const uint8_t> bytes_;
-  size_t at_ = 0;
-};
-
-// A sink that knows its window.
-struct Canvas {
-  Rect window = kWindow;
-
-  void check(int32_t x, int32_t y, int32_t count) const {
-    require(count >= 1 && x >= window.x0 && x <= window.x1 - count &&
-                y >= window.y0 && y < window.y1,
-            "pixels are in the window");
-  }
-  Sink sink() {
-    Sink sink;
-    sink.window = window;
-    sink.context = this;
-    sink.coverage = [](void* context, int32_t x, int32_t y, const uint8_t*,
-                       int32_t count) {
-      require(count <= kMaxSpan, "spans are short");
-      static_cast<const Canvas*>(context)->check(x, y, count);
-    };
-    sink.solid = [](void* context, int32_t x, int32_t y, int32_t count) {
-      static_cast<const Canvas*>(context)->check(x, y, count);
-    };
-    return sink;
-  }
-};
-
-Easing easing_of(Choices& choices) {
-  Easing easing;
-  easing.kind = static_cast<Easing::Kind>(choices.byte());
-  easing.steps = choices.byte();
-  easing.x1_q14 = choices.i16();
-  easing.y1_q14 = choices.i16();
-  easing.x2_q14 = choices.i16();
-  easing.y2_q14 = choices.i16();
-  return easing;
-}
-
-Pose pose_of(Choices& choices) {
-  Pose pose;
-  pose.offset = choices.point();
-  pose.angle.raw = choices.u16();
-  pose.scale_x.raw = choices.i16();
-  pose.scale_y.raw = choices.i16();
-  pose.slant.raw = choices.i16();
-  pose.weight.raw = choices.i16();
-  pose.opacity = choices.byte();
-  return pose;
-}
 
 bool is_fraction(Q16_16 value) {
   return value.raw >= 0 && value.raw <= kOne;
@@ -381,6 +303,9 @@ void use_bodies(Choices& choices) {
   Canvas canvas;
   for (int i = 0; i < 3; ++i) {
     step(bodies, rules, {room, count});
+    for (size_t k = 0; k < 4; ++k) {
+      draw_body(bodies, k, rules, kFilterMotion, canvas.sink());
+    }
     for (const Body& body : bodies) {
       require(!is_made || is_empty(rules.walls) ||
                   (body.x.raw >= -8191 * kOne && body.x.raw <= 8191 * kOne),
