@@ -24,9 +24,9 @@ HOST_STACK_LIMITS = (384, 512)
 
 # The first four hold a tile of pixels, or the map, the ramp and the band of a
 # glyph of cells; the next three what a leaf needs and loops that are inlined
-# for speed, `step` the state of a solver.
+# for speed, `step` the state of a solver, draw_body() seven views of bodies.
 WIDE = ("draw_tiles", "mix_tiles", "mix_cells", "draw_cells", "paint_leaf",
-        "paint_supersampled", "cover_slanted", "step")
+        "paint_supersampled", "cover_slanted", "step", "draw_body")
 
 # This one holds a glyph of outlines where the caller lends no RAM.
 WITHOUT_RAM = "draw_on_stack"

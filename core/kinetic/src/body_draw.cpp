@@ -20,14 +20,14 @@ struct Place {
   int32_t y;
 };
 
-// A body as rows see it.
+// A body as rows see it, small: a frame holds seven.
 struct View {
   const BodyShape* shape;
   Place origin;  // of pixel (0, 0) of the box that is drawn
-  // A step to the right is (cosine, sine), a step down (-sine, cosine). [Q16]
-  int32_t cosine;
-  int32_t sine;
-  int32_t squeeze_q10;
+  // A step to the right is (cosine, sine), a step down (-sine, cosine).
+  int16_t cosine_q14;
+  int16_t sine_q14;
+  int16_t squeeze_q10;
 
   // How far inside of it a pixel is; beyond the grid at least so far outside.
   // [px, Q10] As probe(), without slopes.
@@ -35,8 +35,8 @@ struct View {
     const DistanceGrid& grid = shape->grid();
     const int32_t scale = grid.scale_log2();
     // From the centre of the first sample to that of the last. [Q16 px]
-    const int32_t right = origin.x + cosine * x - sine * y;
-    const int32_t down = origin.y + sine * x + cosine * y;
+    const int32_t right = origin.x + (cosine_q14 * x - sine_q14 * y) * 4;
+    const int32_t down = origin.y + (sine_q14 * x + cosine_q14 * y) * 4;
     const int32_t side = 1 << (16 + scale);
     const int32_t out = max(max(-right, right - (grid.width() - 1) * side),
                             max(-down, down - (grid.height() - 1) * side));
@@ -65,23 +65,25 @@ struct View {
 };
 
 // (x, y): the upper left corner of the box that is drawn, in px on the screen.
-View view_of(const Body& body, int32_t x, int32_t y) noexcept {
+__attribute__((noinline)) void look_at(const Body& body,
+                                       int32_t x,
+                                       int32_t y,
+                                       View& view) noexcept {
   const BodyShape& shape = *body.shape;
   const Turn turn = turn_of(body.angle());
   // Back by the body's turn: (x c - y s, y c + x s).
   const int64_t dx = int64_t{x} * 65536 + 32768 - body.x.raw;
   const int64_t dy = int64_t{y} * 65536 + 32768 - body.y.raw;
-  View view;
   view.shape = &shape;
-  view.cosine = turn.cosine * 4;
-  view.sine = turn.sine * 4;
+  view.cosine_q14 = static_cast<int16_t>(turn.cosine);
+  view.sine_q14 = static_cast<int16_t>(turn.sine);
   const int32_t half = 1 << (15 + shape.grid().scale_log2());
   view.origin.x = shape.centre_x().raw - half +
                   scaled(dx * turn.cosine - dy * turn.sine, 14);
   view.origin.y = shape.centre_y().raw - half +
                   scaled(dy * turn.cosine + dx * turn.sine, 14);
-  view.squeeze_q10 = body.squeeze.raw;
-  return view;
+  view.squeeze_q10 =
+      static_cast<int16_t>(min(max(body.squeeze.raw, -kBulgeQ10), kBulgeQ10));
 }
 
 // Gathers coverage of neighbouring pixels, and passes it on.
@@ -151,11 +153,27 @@ struct Painter {
                  int32_t line,
                  int32_t (&next)[kMostNeighbours],
                  int32_t& bulge) const noexcept;
-  // A frame of its own.
+  // Frames of their own.
+  __attribute__((noinline)) void add_neighbour(const Body& body,
+                                               const Rect& whole,
+                                               const Rect& box) noexcept;
   __attribute__((noinline)) void draw_row(const Rect& box,
                                           int32_t y,
                                           const Sink& sink) const noexcept;
 };
+
+bool have_common(const Rect& a, const Rect& b) noexcept {
+  return !is_empty(intersect(a, b));
+}
+
+// If its box and the whole one of the body that is drawn have pixels in common.
+void Painter::add_neighbour(const Body& body,
+                            const Rect& whole,
+                            const Rect& box) noexcept {
+  if (have_common(whole, box_of(body))) {
+    look_at(body, box.x0, box.y0, others[count++]);
+  }
+}
 
 // How far a pixel is from what others take of the body. [px, Q10]
 // (column, line): in the box. next[i]: left of this column neighbour i is too
@@ -217,10 +235,6 @@ void Painter::draw_row(const Rect& box,
   run.flush();
 }
 
-bool have_common(const Rect& a, const Rect& b) noexcept {
-  return !is_empty(intersect(a, b));
-}
-
 }  // namespace
 
 void draw_body(Span<const Body> bodies,
@@ -238,13 +252,13 @@ void draw_body(Span<const Body> bodies,
   if (is_empty(box) || !have_common(box, sink.window)) {
     return;
   }
-  Painter painter = {view_of(body, box.x0, box.y0), {}, 0, walls, filter};
+  Painter painter = {{}, {}, 0, walls, filter};
+  look_at(body, box.x0, box.y0, painter.own);
   const size_t most = rules.overlap.raw > 0 ? kMostNeighbours : 0;
   for (size_t i = 0; i < bodies.size && painter.count < most; ++i) {
     const Body& other = bodies[i];
-    if (i != index && other.shape != nullptr &&
-        have_common(whole, box_of(other))) {
-      painter.others[painter.count++] = view_of(other, box.x0, box.y0);
+    if (i != index && other.shape != nullptr) {
+      painter.add_neighbour(other, whole, box);
     }
   }
   const int32_t first = max(box.y0, sink.window.y0);
