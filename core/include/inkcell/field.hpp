@@ -75,6 +75,7 @@ struct GlyphField {
   uint16_t pair_count = 0;
   uint16_t triple_count = 0;
   uint16_t heap_units = 0;  // of 2 bytes, where fields are linked
+  uint16_t band_u = 0;      // distances are good up to here; 0: not known
   /// Nothing is drawn farther from here than the filter reaches.
   InkBox ink;
 
@@ -116,5 +117,21 @@ struct Gradient {
 /// unit vector, the normal of the field that decides or the direction of a
 /// vertex.
 Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
+
+/// What simulations ask for at a point.
+struct FieldPoint {
+  Q22_10 distance;    // [u] positive inside
+  Gradient gradient;  // inwards, y up
+  /// The point lies beyond the band, in a saturated cell or beyond the grid: the
+  /// edge is at least so far away. Outside, the gradient then leads to the box
+  /// of the ink; inside it is 0.
+  bool is_bound = false;
+};
+
+/// Distance and gradient at a point by one descent of the tree: what
+/// distance_at() and gradient_at() tell there, the gradient of samples to 1/256
+/// of its unit. Beyond GlyphField::band_u, where those may be wrong: the lower
+/// bound of the distance that the band and GlyphField::ink give, at most 1024 u.
+FieldPoint point_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
 
 }  // namespace inkcell

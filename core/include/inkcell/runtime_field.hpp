@@ -26,6 +26,7 @@ namespace inkcell {
 /// How good a generated field is, and where.
 struct FieldLimits {
   static constexpr int32_t kMaxBand = 256;
+  static constexpr int32_t kMaxFar = 480;
   static constexpr Q22_10 kMinTolerance = Q22_10::from_raw(64);
   static constexpr Q22_10 kMaxTolerance = Q22_10::from_int(64);
 
@@ -36,6 +37,11 @@ struct FieldLimits {
   /// Distances are good up to here on both sides of the edge; beyond, a query
   /// may answer kSaturatedDistanceQ10 with the right sign. 1..kMaxBand u.
   int32_t band_u = 32;
+  /// Distances are good in all of the em box as well, 0..1024 u across and
+  /// -256..768 u up, and around the ink: beyond the band within the tolerance
+  /// and 1/64 of the distance, up to kMaxFar u. Farther away point_at() bounds
+  /// the distance by the box of the ink. For simulations.
+  bool fills_em = false;
 
   /// For text of `min_px` to `max_px` px/em, 4..1024, whose filter reaches
   /// `reach` px from the edge at most, 0..4: errors of `tolerance` / 255 of a
@@ -80,6 +86,19 @@ Status generate_field(const Font& font,
                       const FieldLimits& limits,
                       Span<uint8_t> buffer,
                       GlyphField& out) noexcept;
+
+/// The field of a glyph of any coding, for point_at(). Of outlines it is
+/// generated in `buffer`; cells are a view of the font, and need none.
+///
+/// Errors: those of generate_field() and GlyphField::open(). beyond_band: cells
+/// do not know all that the limits ask for: a font of outlines does, and of
+/// cells one that was generated with a larger --band-px. The tolerance of cells
+/// is the font's.
+Status open_field(const Font& font,
+                  uint16_t glyph,
+                  const FieldLimits& limits,
+                  Span<uint8_t> buffer,
+                  GlyphField& out) noexcept;
 
 /// The bytes of a generated field: what follows in its buffer is free.
 size_t record_bytes(const GlyphField& field) noexcept;

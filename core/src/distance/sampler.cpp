@@ -138,6 +138,24 @@ Gradient CellSampler::glyph_gradient(const GlyphPoint& at) noexcept {
   return csg_.gradient(leaf_, values);
 }
 
+FieldPoint CellSampler::glyph_point(const GlyphPoint& at) noexcept {
+  seek(at);
+  if (leaf_.count == 0) {
+    return {};
+  }
+  if (!leaf_.has_primitives()) {
+    return samples_point(leaf_.parts[0], leaf_.size_log2, at.x_q16 & mask(),
+                         at.y_q16 & mask());
+  }
+  leaf_.place = at.place();
+  int32_t values[3];
+  evaluate(leaf_.place, values);
+  FieldPoint point;
+  point.distance.raw = csg_.combine(leaf_, values, leaf_.place) >> 12;
+  point.gradient = csg_.gradient(leaf_, values);
+  return point;
+}
+
 ScreenGradient CellSampler::gradient(const GlyphPoint& at) noexcept {
   const Gradient gradient = glyph_gradient(at);
   if (style_->is_upright()) {

@@ -83,8 +83,14 @@ class CellSampler {
   Gradient glyph_gradient(const GlyphPoint& at) noexcept;
   ScreenGradient gradient(const GlyphPoint& at) noexcept;
 
+  // Distance and gradient in the glyph, of a px of 1 u, by one descent.
+  FieldPoint glyph_point(const GlyphPoint& at) noexcept;
+
   // Whether the last point lay in a cell that is saturated, or in none.
   bool is_saturated() const noexcept { return leaf_.count == 0; }
+  bool is_saturated_inside() const noexcept {
+    return leaf_.count == 0 && leaf_.is_inside;
+  }
 
   // The width of that cell: 1 u beyond the grid. [log2, u]
   uint32_t cell_log2() const noexcept { return leaf_.size_log2; }

@@ -55,4 +55,22 @@ Gradient detail::samples_gradient(const uint8_t* samples,
   return gradient;
 }
 
+FieldPoint detail::samples_point(const uint8_t* samples,
+                                 uint32_t size_log2,
+                                 uint32_t x_q16,
+                                 uint32_t y_q16) noexcept {
+  const auto tx = static_cast<int32_t>(x_q16 >> (size_log2 + 2));
+  const auto ty = static_cast<int32_t>(y_q16 >> (size_log2 + 2));
+  SamplesRow row;
+  set_up_row(row, samples, static_cast<uint8_t>(size_log2),
+             static_cast<int32_t>(y_q16));
+  FieldPoint point;
+  point.distance.raw = row.distance_q10(static_cast<int32_t>(x_q16));
+  point.gradient.x.raw =
+      clamp_i16(2 * (row.b_q6 + ((2 * row.c_q6 * tx) >> 14)));
+  point.gradient.y.raw = clamp_i16(
+      2 * weigh_q6(samples, lagrange_q14(tx), lagrange_slope_q14(ty)));
+  return point;
+}
+
 }  // namespace inkcell

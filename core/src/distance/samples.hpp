@@ -71,6 +71,11 @@ Gradient samples_gradient(const uint8_t* samples,
                           uint32_t size_log2,
                           uint32_t x_q16,
                           uint32_t y_q16) noexcept;
+// Both. The slope along x is that of the row's parabola.
+FieldPoint samples_point(const uint8_t* samples,
+                         uint32_t size_log2,
+                         uint32_t x_q16,
+                         uint32_t y_q16) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

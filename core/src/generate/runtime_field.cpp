@@ -50,6 +50,12 @@ constexpr int32_t kMaxFraction = 6;
 constexpr int32_t kCoordinateBits = 16;
 constexpr int32_t kGridLimit = 15000;
 
+// The em box. [u]
+constexpr Rect kEmBox = {0, -768, 1024, 256};  // y down
+
+// Of a distance beyond the band: the part by which it may differ.
+constexpr int32_t kFarPartLog2 = 6;
+
 // Of the edges' coordinates and of distances.
 constexpr int32_t kRounded = 2;
 
@@ -92,15 +98,22 @@ struct Grid {
   int32_t tiles_y;
   int32_t fraction;  // of coordinates
 
-  bool set(const Rect& box, int32_t band_u) noexcept {
-    x0_u = box.x0 - band_u;
-    y0_u = -box.y1 - band_u;
-    const int32_t width = box.x1 - box.x0 + 2 * band_u;
-    const int32_t height = box.y1 - box.y0 + 2 * band_u;
-    if (box.x0 >= box.x1 || box.y0 >= box.y1 || box.x0 < -kGridLimit ||
-        box.y0 < -kGridLimit || box.x1 > kGridLimit || box.y1 > kGridLimit) {
+  bool set(const Rect& ink, const FieldLimits& limits) noexcept {
+    const int32_t band_u = limits.band_u;
+    if (ink.x0 >= ink.x1 || ink.y0 >= ink.y1 || ink.x0 < -kGridLimit ||
+        ink.y0 < -kGridLimit || ink.x1 > kGridLimit || ink.y1 > kGridLimit) {
       return false;
     }
+    Rect box = {ink.x0 - band_u, ink.y0 - band_u, ink.x1 + band_u,
+                ink.y1 + band_u};
+    if (limits.fills_em) {
+      box = {min(box.x0, kEmBox.x0), min(box.y0, kEmBox.y0),
+             max(box.x1, kEmBox.x1), max(box.y1, kEmBox.y1)};
+    }
+    x0_u = box.x0;
+    y0_u = -box.y1;
+    const int32_t width = box.x1 - box.x0;
+    const int32_t height = box.y1 - box.y0;
     const int32_t most = max(width, height);
     tile_log2 = kMinTileLog2;
     while (tile_log2 < kMaxTileLog2 && 1 << tile_log2 < most) {
@@ -151,6 +164,10 @@ class Builder {
     return static_cast<size_t>(cells_ - nodes_) >= bytes;
   }
   int32_t to_steps(int32_t u) const noexcept { return u << grid_.fraction; }
+  // Farther from the edge squares are saturated.
+  int32_t reach_u() const noexcept {
+    return limits_.fills_em ? FieldLimits::kMaxFar : limits_.band_u;
+  }
 
   Grid grid_ = {};
   const FieldLimits& limits_;
@@ -184,7 +201,7 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
   if (!open_outline(font, glyph, record, outline)) {
     return Status::unsupported;
   }
-  if (!grid_.set(outline.box(), limits_.band_u)) {
+  if (!grid_.set(outline.box(), limits_)) {
     return Status::corrupt;
   }
   return share_out(outline, buffer) ? Status::ok : Status::buffer_small;
@@ -255,7 +272,7 @@ void Builder::make_cell(Level& level,
 bool Builder::is_good(Level& level,
                       int32_t log2,
                       const uint8_t* cell) const noexcept {
-  const int32_t band_q10 = limits_.band_u * 1024 + (1024 << log2 >> 2);
+  const int32_t band_q10 = reach_u() * 1024 + (1024 << log2 >> 2);
   const auto clamped = [band_q10](int32_t distance_q10) noexcept {
     return min(max(distance_q10, -band_q10), band_q10);
   };
@@ -270,7 +287,9 @@ bool Builder::is_good(Level& level,
       const int32_t truth = 16 * distance_q6(level, log2, column, row);
       const int32_t error =
           clamped(line.distance_q10(place_q16(column))) - clamped(truth);
-      if (abs(error) > limits_.tolerance.raw) {
+      const int32_t far = abs(truth) >> kFarPartLog2;
+      const bool is_far = abs(truth) > limits_.band_u * 1024;
+      if (abs(error) > limits_.tolerance.raw + (is_far ? far : 0)) {
         return false;
       }
     }
@@ -310,7 +329,7 @@ uint32_t Builder::settle(Level& level, int32_t log2) noexcept {
           ? outline_.distance(x, y, level.edges)
           : distance_q6(level, log2, 2, 2) >> (kMaxFraction - grid_.fraction);
   const int32_t radius = (half * 182 >> 7) + kRounded;
-  if (abs(centre) - radius > to_steps(limits_.band_u)) {
+  if (abs(centre) - radius > to_steps(reach_u())) {
     return centre > 0 ? glyphs::kInside : glyphs::kOutside;
   }
   // No point of the square is farther from the edge than the centre is, and the
@@ -455,7 +474,32 @@ Status generate_field(const Font& font,
     }
     INKCELL_TRY(detail::read_record(builder.record(), field));
     field.ink = font.ink_box(glyph);
+    field.band_u = static_cast<uint16_t>(limits.fills_em ? FieldLimits::kMaxFar
+                                                         : limits.band_u);
   }
+  out = field;
+  return Status::ok;
+}
+
+Status open_field(const Font& font,
+                  uint16_t glyph,
+                  const FieldLimits& limits,
+                  Span<uint8_t> buffer,
+                  GlyphField& out) noexcept {
+  const Span<const uint8_t> record = font.record(glyph);
+  if (record.size == 0 || detail::is_outline(record)) {
+    return generate_field(font, glyph, limits, buffer, out);
+  }
+  if (!are_valid(limits)) {
+    return Status::bad_argument;
+  }
+  if (limits.fills_em || font.range().band_u < limits.band_u) {
+    return Status::beyond_band;
+  }
+  GlyphField field;
+  INKCELL_TRY(GlyphField::open(record, field));
+  field.ink = font.ink_box(glyph);
+  field.band_u = font.range().band_u;
   out = field;
   return Status::ok;
 }
