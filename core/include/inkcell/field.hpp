@@ -122,16 +122,17 @@ Gradient gradient_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
 struct FieldPoint {
   Q22_10 distance;    // [u] positive inside
   Gradient gradient;  // inwards, y up
-  /// The point lies beyond the band, in a saturated cell or beyond the grid: the
-  /// edge is at least so far away. Outside, the gradient then leads to the box
-  /// of the ink; inside it is 0.
+  /// The point lies beyond the band, in a saturated cell or beyond the grid:
+  /// the edge is at least so far away. Outside, the gradient then leads to the
+  /// box of the ink; inside it is 0.
   bool is_bound = false;
 };
 
 /// Distance and gradient at a point by one descent of the tree: what
 /// distance_at() and gradient_at() tell there, the gradient of samples to 1/256
 /// of its unit. Beyond GlyphField::band_u, where those may be wrong: the lower
-/// bound of the distance that the band and GlyphField::ink give, at most 1024 u.
+/// bound of the distance that the band and GlyphField::ink give, at most
+/// 1024 u.
 FieldPoint point_at(const GlyphField& field, Q16_16 x, Q16_16 y) noexcept;
 
 }  // namespace inkcell
