@@ -1,0 +1,208 @@
+// A fold over the parts, pixel by pixel.
+#include "inkcell/kinetic/combine.hpp"
+
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "limits.hpp"
+#include "pixel_run.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kOneQ13 = 1 << 13;
+constexpr int32_t kFarQ10 = -(32 << 10);
+constexpr int32_t kMostPlace = 8191;  // [px]
+
+// Where coverage rises. [px, Q10]
+struct Ramp {
+  int32_t low;
+  int32_t high;
+};
+
+GridPoint negated(const GridPoint& a) noexcept {
+  return {-a.distance_q10, -a.x_slope_q13, -a.y_slope_q13};
+}
+
+// The cosine of the angle between gradients. [Q13]
+int32_t cosine_q13(const GridPoint& a, const GridPoint& b) noexcept {
+  // Slopes are below 8 in Q13: products of Q22 fit.
+  const int32_t dot = (a.x_slope_q13 >> 2) * (b.x_slope_q13 >> 2) +
+                      (a.y_slope_q13 >> 2) * (b.y_slope_q13 >> 2);
+  return clamp(dot >> 9, -kOneQ13, kOneQ13);
+}
+
+// a and b on the ramp from 0 to `width`: what half-planes cover together.
+int32_t covered_by_both(int32_t a,
+                        int32_t b,
+                        int32_t width,
+                        int32_t cosine) noexcept {
+  const int32_t across = a + b - a * b / width;
+  const int32_t other = cosine < 0 ? min(a + b, width) : max(a, b);
+  return across + ((other - across) * abs(cosine) >> 13);
+}
+
+GridPoint united(const GridPoint& a,
+                 const GridPoint& b,
+                 const Ramp& ramp) noexcept {
+  GridPoint result = a.distance_q10 >= b.distance_q10 ? a : b;
+  const int32_t least = min(a.distance_q10, b.distance_q10);
+  if (least > ramp.low && result.distance_q10 < ramp.high) {
+    result.distance_q10 =
+        ramp.low + covered_by_both(a.distance_q10 - ramp.low,
+                                   b.distance_q10 - ramp.low,
+                                   ramp.high - ramp.low, cosine_q13(a, b));
+  }
+  return result;
+}
+
+// max(a, b) + h^2 / 4k, h = max(k - |a - b|, 0), over the length of its
+// gradient.
+GridPoint blended(const GridPoint& a,
+                  const GridPoint& b,
+                  int32_t reach_q10,
+                  const Ramp& ramp) noexcept {
+  const int32_t apart = a.distance_q10 - b.distance_q10;
+  const int32_t near = reach_q10 - abs(apart);
+  if (near <= 0) {
+    return united(a, b, ramp);
+  }
+  // The part of b. [Q10]
+  const int32_t part = 512 - apart * 512 / reach_q10;
+  const auto mixed = [part](int32_t of_a, int32_t of_b) {
+    return of_a + ((of_b - of_a) * part >> 10);
+  };
+  GridPoint result;
+  result.distance_q10 =
+      max(a.distance_q10, b.distance_q10) + near * (near >> 2) / reach_q10;
+  result.x_slope_q13 = mixed(a.x_slope_q13, b.x_slope_q13);
+  result.y_slope_q13 = mixed(a.y_slope_q13, b.y_slope_q13);
+  // Where gradients face each other there is none, nor an edge.
+  const int32_t length =
+      clamp(rough_length(abs(result.x_slope_q13), abs(result.y_slope_q13)),
+            kOneQ13 / 2, kOneQ13);
+  const int32_t most = 2 * max(ramp.high, -ramp.low);
+  if (abs(result.distance_q10) < most) {
+    result.distance_q10 = result.distance_q10 * kOneQ13 / length;
+    result.x_slope_q13 = result.x_slope_q13 * (kOneQ13 >> 3) / (length >> 3);
+    result.y_slope_q13 = result.y_slope_q13 * (kOneQ13 >> 3) / (length >> 3);
+  }
+  return result;
+}
+
+// A part that is clamped, 4 sides away, must not change what is drawn at an
+// edge of another.
+int32_t reach_q10(const GridPart& part) noexcept {
+  const int32_t most = part.grid == nullptr ? 0 : 3 << part.grid->scale_log2();
+  return clamp(part.reach.raw, 64, most * 64) * 16;
+}
+
+GridPoint combined(const GridPoint& a,
+                   const GridPoint& b,
+                   const GridPart& part,
+                   const Ramp& ramp) noexcept {
+  const Ramp turned = {-ramp.high, -ramp.low};
+  switch (part.how) {
+    case Combine::intersect:
+      return negated(united(negated(a), negated(b), turned));
+    case Combine::subtract:
+      return negated(united(negated(a), b, turned));
+    case Combine::blend:
+      return blended(a, b, reach_q10(part), ramp);
+    case Combine::unite:
+      break;
+  }
+  return united(a, b, ramp);
+}
+
+// Beyond the grid by more than it knows: as far outside as that.
+GridPoint at_part(const GridPart& part, int32_t x_q16, int32_t y_q16) noexcept {
+  if (part.grid == nullptr || part.grid->width() == 0) {
+    return {kFarQ10, 0, 0};
+  }
+  constexpr int32_t kMost = kMostPlace << 16;
+  return probe(
+      *part.grid,
+      Q16_16::from_raw(clamp_i64(int64_t{x_q16} - part.x.raw, -kMost, kMost)),
+      Q16_16::from_raw(clamp_i64(int64_t{y_q16} - part.y.raw, -kMost, kMost)));
+}
+
+Ramp ramp_of(const Filter& filter) noexcept {
+  return {filter.outside_q10, max(filter.inside_q10, filter.outside_q10 + 1)};
+}
+
+GridPoint fold(Span<const GridPart> parts,
+               int32_t x_q16,
+               int32_t y_q16,
+               const Ramp& ramp) noexcept {
+  GridPoint result = {kFarQ10, 0, 0};
+  for (size_t i = 0; i < parts.size; ++i) {
+    const GridPoint next = at_part(parts[i], x_q16, y_q16);
+    result = i == 0 ? next : combined(result, next, parts[i], ramp);
+  }
+  return result;
+}
+
+Rect box_of(const GridPart& part, int32_t around) noexcept {
+  if (part.grid == nullptr || part.grid->width() == 0) {
+    return {};
+  }
+  const int32_t x = clamp(part.x.raw >> 16, -kMostPlace, kMostPlace);
+  const int32_t y = clamp(part.y.raw >> 16, -kMostPlace, kMostPlace);
+  return {x - around, y - around, x + part.grid->width_px() + around + 1,
+          y + part.grid->height_px() + around + 1};
+}
+
+__attribute__((noinline)) void draw_row(Span<const GridPart> parts,
+                                        const Filter& filter,
+                                        const Rect& box,
+                                        int32_t y,
+                                        const Sink& sink) noexcept {
+  const Ramp ramp = ramp_of(filter);
+  PixelRun run(sink, y);
+  for (int32_t x = box.x0; x < box.x1; ++x) {
+    const GridPoint at =
+        fold(parts, x * 65536 + 32768, y * 65536 + 32768, ramp);
+    run.add(x, filter.coverage(at.distance_q10));
+  }
+  run.flush();
+}
+
+}  // namespace
+
+GridPoint combined_at(Span<const GridPart> parts,
+                      Q16_16 x,
+                      Q16_16 y,
+                      const Filter& filter) noexcept {
+  return fold(parts, x.raw, y.raw, ramp_of(filter));
+}
+
+Rect combined_box(Span<const GridPart> parts, const Filter& filter) noexcept {
+  Rect box;
+  for (size_t i = 0; i < parts.size; ++i) {
+    const GridPart& part = parts[i];
+    const bool is_added =
+        i == 0 || part.how == Combine::unite || part.how == Combine::blend;
+    const int32_t fillet =
+        part.how == Combine::blend ? reach_q10(part) >> 12 : 0;
+    const int32_t reach = (max(-filter.outside_q10, 0) >> 10) + 1 + fillet;
+    const Rect own = box_of(part, reach);
+    if (is_added) {
+      box = bounding_box(box, own);
+    } else if (part.how == Combine::intersect) {
+      box = intersect(box, own);
+    }
+  }
+  return box;
+}
+
+void draw_combined(Span<const GridPart> parts,
+                   const Filter& filter,
+                   const Sink& sink) noexcept {
+  const Rect box = intersect(combined_box(parts, filter), sink.window);
+  for (int32_t y = box.y0; y < box.y1 && !is_empty(box); ++y) {
+    draw_row(parts, filter, box, y, sink);
+  }
+}
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,46 @@
+// Pixels of a row, one after the other, on their way to a sink.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/strip.hpp"
+#include "limits.hpp"
+
+namespace inkcell {
+namespace kinetic {
+
+// Gathers coverage of neighbouring pixels of the window, and passes it on.
+class PixelRun {
+ public:
+  PixelRun(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
+
+  // `x` lies in the window.
+  void add(int32_t x, uint32_t coverage) noexcept {
+    if (coverage == 0) {
+      return;
+    }
+    if (count_ == kMost || x != first_ + count_) {
+      flush();
+      first_ = x;
+    }
+    coverage_[count_++] = static_cast<uint8_t>(coverage);
+  }
+  void flush() noexcept {
+    if (count_ != 0) {
+      sink_.coverage(sink_.context, first_, y_, coverage_, count_);
+      count_ = 0;
+    }
+  }
+
+ private:
+  static constexpr int32_t kMost = 32;
+
+  const Sink& sink_;
+  int32_t y_;
+  int32_t first_ = 0;
+  int32_t count_ = 0;
+  uint8_t coverage_[kMost];
+};
+
+}  // namespace kinetic
+}  // namespace inkcell

@@ -1,0 +1,235 @@
+// A row of pixels: distance and gradient, then light, then lines.
+//
+// Lines are periods of a phase of 32 bits that wraps: 0 is the middle of one.
+#include "inkcell/kinetic/print_draw.hpp"
+
+#include "known_span.hpp"
+#include "limits.hpp"
+#include "pixel_run.hpp"
+
+namespace inkcell {
+namespace kinetic {
+namespace {
+
+constexpr int32_t kFull = 255;
+
+// Half of the root of n / 16. [Q16]
+struct Roots {
+  uint16_t of[17];
+};
+
+constexpr Roots make_roots() noexcept {
+  Roots roots = {};
+  for (uint32_t n = 0; n < 17; ++n) {
+    uint32_t root = 0;
+    while ((root + 1) * (root + 1) <= n << 26) {
+      ++root;
+    }
+    roots.of[n] = static_cast<uint16_t>(root);
+  }
+  return roots;
+}
+
+constexpr Roots kRoots = make_roots();
+
+// Half of the root of such a part of 256, on chords. [Q16]
+int32_t half_root_q16(int32_t part_q8) noexcept {
+  const uint16_t* const from = kRoots.of + (part_q8 >> 4);
+  return from[0] + ((from[1] - from[0]) * (part_q8 & 15) >> 4);
+}
+
+// So many px of a phase. [2^-32 periods]
+struct Wave {
+  uint32_t right;  // a pixel to the right
+  uint32_t down;
+
+  uint32_t at(int32_t x, int32_t y) const noexcept {
+    return right * static_cast<uint32_t>(x) + down * static_cast<uint32_t>(y);
+  }
+};
+
+struct Printer {
+  PrintStyle style;
+  int32_t pitch_q10;  // [px]
+  int32_t slope_q10;
+  int32_t to_steep;   // [1/1024 px -> Q24]
+  uint32_t to_phase;  // [1/1024 px -> 2^-32 periods]
+  int32_t light_x_q14;
+  int32_t light_y_q14;  // y down
+  int32_t tone;
+  int32_t contrast;
+  Wave along;   // across the lines
+  Wave across;  // across other lines, which cross them
+  uint32_t start;
+
+  explicit Printer(const PrintLook& look) noexcept;
+  uint32_t ink(const GridPoint& at, int32_t x, int32_t y) const noexcept;
+
+ private:
+  // Of the slope's dome: 1 at the edge, 0 where it ends.
+  int32_t steep_q8(int32_t distance_q10) const noexcept {
+    return 256 - (clamp(distance_q10, 0, slope_q10) * to_steep >> 16);
+  }
+  int32_t shade(const GridPoint& at) const noexcept;
+  int32_t line(uint32_t phase, int32_t width_q8) const noexcept;
+  int32_t dot(uint32_t phase, uint32_t other, int32_t dark) const noexcept;
+};
+
+Wave wave_of(Angle angle, uint32_t to_phase) noexcept {
+  // Lines along the angle: their phase grows at right angles to it.
+  const auto step = [to_phase](int32_t part_q14) {
+    const int64_t px = int64_t{to_phase} * 1024;
+    return static_cast<uint32_t>(px * part_q14 >> 14);
+  };
+  return {step(sine(angle).raw), step(cosine(angle).raw)};
+}
+
+Printer::Printer(const PrintLook& look) noexcept
+    : style(look.style),
+      pitch_q10(clamp(look.pitch.raw, 2 << 6, 64 << 6) * 16),
+      slope_q10(clamp(look.slope.raw, 1 << 6, 32 << 6) * 16),
+      to_steep((256 << 16) / slope_q10),
+      to_phase(UINT32_MAX / static_cast<uint32_t>(pitch_q10)),
+      light_x_q14(cosine(look.light).raw),
+      light_y_q14(-sine(look.light).raw),
+      tone(look.tone),
+      contrast(look.contrast),
+      along(wave_of(look.screen, to_phase)),
+      across(wave_of(Angle::from_raw(static_cast<uint16_t>(
+                         look.screen.raw +
+                         (style == PrintStyle::halftone ? 0x4000 : 0x3000))),
+                     to_phase)),
+      start(to_phase * 16 * static_cast<uint32_t>(look.shift.raw)) {}
+
+// How dark it is: a dome whose slope falls from 1 at the edge to 0.
+int32_t Printer::shade(const GridPoint& at) const noexcept {
+  if (at.distance_q10 >= slope_q10) {
+    return tone;
+  }
+  // Inwards is up: what faces the light has a gradient away from it.
+  const int32_t facing = (clamp(at.x_slope_q13, -8192, 8192) * light_x_q14 +
+                          clamp(at.y_slope_q13, -8192, 8192) * light_y_q14) >>
+                         13;
+  const int32_t change =
+      (facing * contrast >> 14) * steep_q8(at.distance_q10) >> 8;
+  return clamp(tone + change, 0, kFull);
+}
+
+// Coverage of a line whose width is such a part of the pitch. [of 255]
+int32_t Printer::line(uint32_t phase, int32_t width_q8) const noexcept {
+  const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
+  const int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
+  const int32_t half_q10 = pitch_q10 * width_q8 >> 9;
+  return clamp((half_q10 - px_q10 + 512) >> 2, 0, kFull);
+}
+
+// Coverage of a dot that grows until it joins the next ones at half tone.
+int32_t Printer::dot(uint32_t phase,
+                     uint32_t other,
+                     int32_t dark) const noexcept {
+  // The sum of two distances from the middle, in half pitches. [Q16]
+  const int32_t away = abs(static_cast<int32_t>(phase) >> 16) +
+                       abs(static_cast<int32_t>(other) >> 16);
+  const int32_t reach = dark <= 127 ? half_root_q16(2 * dark)
+                                    : 65536 - half_root_q16(2 * (kFull - dark));
+  // Across the dot's side: by the root of 2 slower.
+  const int32_t px_q10 = ((reach - away) >> 6) * (pitch_q10 >> 4) * 181 >> 14;
+  return clamp((px_q10 + 512) >> 2, 0, kFull);
+}
+
+uint32_t Printer::ink(const GridPoint& at,
+                      int32_t x,
+                      int32_t y) const noexcept {
+  const int32_t dark = shade(at);
+  const int32_t depth_q10 = at.distance_q10;
+  int32_t result = dark;
+  switch (style) {
+    case PrintStyle::rings:
+      result = line(to_phase * static_cast<uint32_t>(depth_q10) - start, dark);
+      break;
+    case PrintStyle::engraving: {
+      // Lines bend as the height does: a parabola up to the flat part.
+      const int32_t left = slope_q10 - clamp(depth_q10, 0, slope_q10);
+      const int32_t height_q10 =
+          (slope_q10 - (left * steep_q8(depth_q10) >> 8)) * 3 >> 2;
+      const uint32_t bent = to_phase * static_cast<uint32_t>(height_q10);
+      result = line(along.at(x, y) + bent - start, dark);
+      break;
+    }
+    case PrintStyle::hatching: {
+      const int32_t first =
+          line(along.at(x, y) - start, min(dark, 127) * 5 >> 3);
+      const int32_t second =
+          dark > 127 ? line(across.at(x, y) + start, (dark - 127) * 7 >> 3) : 0;
+      result = max(first, second);
+      break;
+    }
+    case PrintStyle::halftone:
+      result = dot(along.at(x, y) - start, across.at(x, y), dark);
+      break;
+    case PrintStyle::relief:
+      break;
+  }
+  return static_cast<uint32_t>(result);
+}
+
+// The pixels of a row between two rows of samples that know distances. [px]
+KnownSpan shown_span(const DistanceGrid& grid, int32_t line) noexcept {
+  const int32_t scale = grid.scale_log2();
+  const int32_t above = (2 * line + 1 - (1 << scale)) >> (scale + 1);
+  KnownSpan known = {grid.width(), 0};
+  for (int32_t row = above; row <= above + 1; ++row) {
+    if (row >= 0 && row < grid.height()) {
+      known = united(known, known_span(grid.row(row), grid.width()));
+    }
+  }
+  known = grown(known, 1, grid.width());
+  return {known.first << scale, known.end << scale};
+}
+
+__attribute__((noinline)) void print_row(const DistanceGrid& grid,
+                                         const Printer& printer,
+                                         const Filter& filter,
+                                         const Rect& part,
+                                         const Rect& box,
+                                         int32_t y,
+                                         const Sink& sink) noexcept {
+  const int32_t line = y - box.y0;
+  const KnownSpan shown = shown_span(grid, line);
+  const int32_t first = max(shown.first, part.x0 - box.x0);
+  const int32_t end = min(shown.end, part.x1 - box.x0);
+  PixelRun run(sink, y);
+  for (int32_t column = first; column < end; ++column) {
+    const GridPoint at = probe(grid, Q16_16::from_raw(column * 65536 + 32768),
+                               Q16_16::from_raw(line * 65536 + 32768));
+    const uint32_t body = filter.coverage(at.distance_q10);
+    if (body != 0) {
+      const uint32_t covered = body * printer.ink(at, column, line) + 127;
+      run.add(box.x0 + column, (covered + (covered >> 8)) >> 8);
+    }
+  }
+  run.flush();
+}
+
+}  // namespace
+
+void draw_print(const DistanceGrid& grid,
+                const PrintLook& look,
+                int32_t x,
+                int32_t y,
+                const Filter& filter,
+                const Sink& sink) noexcept {
+  constexpr int32_t kFar = 8191;
+  if (grid.width() == 0 || x > kFar || x < -kFar || y > kFar || y < -kFar) {
+    return;
+  }
+  const Printer printer(look);
+  const Rect box = {x, y, x + grid.width_px(), y + grid.height_px()};
+  const Rect part = intersect(box, sink.window);
+  for (int32_t row = part.y0; row < part.y1 && !is_empty(part); ++row) {
+    print_row(grid, printer, filter, part, box, row, sink);
+  }
+}
+
+}  // namespace kinetic
+}  // namespace inkcell
