@@ -8,9 +8,11 @@
 #include "clock_scene.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
 #include "inkcell/port/xrgb8888.hpp"
+#include "offset_scene.hpp"
 #include "paper.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
+#include "print_scene.hpp"
 #include "rom_file.hpp"
 #include "vortex_scene.hpp"
 
@@ -216,7 +218,10 @@ const std::vector<SceneKind>& scene_kinds() {
       kind_of<scenes::ParticleScene>("particles",
                                      "a word bursts and becomes another"),
       kind_of<scenes::BodyScene>("figure13", "soft letters fall in a heap"),
+      kind_of<scenes::OffsetScene>("figure14",
+                                   "surfaces swell and throw particles off"),
       kind_of<scenes::VortexScene>("figure15", "a vortex winds a letter up"),
+      kind_of<scenes::PrintScene>("print", "light goes round five prints"),
   };
   return kinds;
 }

@@ -11,7 +11,11 @@ inline constexpr const char* kParticlesHash =
     "a574f3b0698d64aaf12f672165ccf1599edac14ab7a2ecf1ad2576c4f5fa6d17";
 inline constexpr const char* kFigure13Hash =
     "2a54606cc773cdba40bb72663c243cb2b46929f8d898b8aad054dba951024104";
+inline constexpr const char* kFigure14Hash =
+    "21c5eb55fa5cbfd1cf13bfd25ce8905158269d4aad80873bbe9f0c9ef0eac61f";
 inline constexpr const char* kFigure15Hash =
     "91f3ef443db1307d60fefbf5bde818bf28f52b1ceae9f0fe93f3781e90b16f4c";
+inline constexpr const char* kPrintHash =
+    "463b8f81f909adead4a4a390cb996758e6cf339c834bcd58e00faf166b0162c4";
 
 }  // namespace golden

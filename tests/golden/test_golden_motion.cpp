@@ -7,9 +7,11 @@
 #include "fonts.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/xrgb8888.hpp"
+#include "offset_scene.hpp"
 #include "paper.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
+#include "print_scene.hpp"
 #include "sha256.hpp"
 #include "vortex_scene.hpp"
 
@@ -33,16 +35,21 @@ constexpr scenes::SceneNeeds kParticles =
 
 constexpr scenes::SceneNeeds kBodies =
     scenes::BodyScene::needs(kWidth, kHeight);
+constexpr scenes::SceneNeeds kOffsets =
+    scenes::OffsetScene::needs(kWidth, kHeight);
+constexpr scenes::SceneNeeds kPrint =
+    scenes::PrintScene::needs(kWidth, kHeight);
 constexpr scenes::SceneNeeds kVortex =
     scenes::VortexScene::needs(kWidth, kHeight);
 
 // Two whole screens of samples, beside all others, are too much for 16 KB.
 #ifdef INKCELL_SMALL_RAM
-int8_t grid[most(kClock.grid, kParticles.grid)];
+int8_t grid[most(most(kClock.grid, kParticles.grid), kPrint.grid)];
 #else
-int8_t grid[most(most(kBodies.grid, kVortex.grid),
-                 most(kClock.grid, kParticles.grid))];
+int8_t grid[most(most(most(kBodies.grid, kVortex.grid), kOffsets.grid),
+                 most(most(kClock.grid, kParticles.grid), kPrint.grid))];
 #endif
+static_assert(kOffsets.particles <= kParticles.particles, "there is room");
 kinetic::Particle particles[kParticles.particles];
 kinetic::ParticleHome homes[kParticles.homes];
 alignas(4) uint8_t buffer[kWidth * kRows * 4];
@@ -173,12 +180,24 @@ TEST(figure13_has_one_hash) {
   check_sought(scene);
 }
 
+TEST(figure14_has_one_hash) {
+  static scenes::OffsetScene scene(setting_of("Ink"));
+  check_played("figure14", scene, golden::kFigure14Hash);
+  check_sought(scene);
+}
+
 TEST(figure15_has_one_hash) {
   static scenes::VortexScene scene(setting_of("e"));
   check_played("figure15", scene, golden::kFigure15Hash);
   check_sought(scene);
 }
 #endif
+
+TEST(print_has_one_hash) {
+  static scenes::PrintScene scene(setting_of("Ie"));
+  check_played("print", scene, golden::kPrintHash);
+  check_sought(scene);
+}
 
 TEST(particles_have_one_hash) {
   static scenes::ParticleScene scene(setting_of("Ink cel"));

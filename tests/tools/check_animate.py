@@ -14,7 +14,8 @@ import unittest
 import zlib
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-SCENES = ("path", "clock", "particles", "figure13", "figure15")
+SCENES = ("path", "clock", "particles", "figure13", "figure14", "figure15",
+          "print")
 PROGRAMS = {}
 
 

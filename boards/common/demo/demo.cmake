@@ -71,7 +71,9 @@ endfunction()
 set(INKCELL_MOTION_path path_scene.hpp PathScene)
 set(INKCELL_MOTION_clock clock_scene.hpp ClockScene)
 set(INKCELL_MOTION_particles particle_scene.hpp ParticleScene)
+set(INKCELL_MOTION_figure14 offset_scene.hpp OffsetScene)
 set(INKCELL_MOTION_figure15 vortex_scene.hpp VortexScene)
+set(INKCELL_MOTION_print print_scene.hpp PrintScene)
 
 # inkcell_add_motions(<name> <board> <format> <scenes>)
 #

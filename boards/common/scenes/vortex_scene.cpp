@@ -6,6 +6,7 @@
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "paint_text.hpp"
 
 namespace inkcell {
 namespace scenes {
@@ -62,37 +63,11 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
   next_ = DistanceGrid({first + half, half}, columns, rows, scale);
 }
 
+// 5/8 of the height, in the middle; no wider than 3/4 of the width.
 bool VortexScene::paint(DistanceGrid& grid) noexcept {
-  grid.clear();
-  // 5/8 of the height, in the middle; no wider than 3/4 of the width.
-  const TextMeasure ink = measure(font_, text_);
-  const int32_t ink_width = ink.x_max - ink.x_min;
-  const int32_t ink_height = ink.y_max - ink.y_min;
-  if (ink_width <= 0 || ink_height <= 0) {
-    return false;
-  }
-  const int64_t em_q6 = int64_t{font_.units_per_em()} * 64;
-  const int64_t by_height = em_q6 * height_ * 5 / 8 / ink_height;
-  const int64_t by_width = em_q6 * width_ * 3 / 4 / ink_width;
-  const int64_t size_q6 = by_height < by_width ? by_height : by_width;
-  const Q26_6 size = Q26_6::from_raw(
-      static_cast<int32_t>(size_q6 > kMaxSize.raw ? kMaxSize.raw : size_q6));
-  const auto px_q6 = [&](int32_t units) {
-    return static_cast<int32_t>(int64_t{units} * size.raw /
-                                font_.units_per_em());
-  };
-  const int32_t x_q6 = width_ * 32 - px_q6(ink.x_min + ink.x_max) / 2;
-  const int32_t y_q6 = height_ * 32 + px_q6(ink.y_min + ink.y_max) / 2;
-  TextCursor cursor(font_, text_);
-  PositionedGlyph glyph;
-  while (cursor.next(glyph)) {
-    const Point at = {Q26_6::from_raw(x_q6 + px_q6(glyph.x)),
-                      Q26_6::from_raw(y_q6)};
-    if (grid.paint(font_, glyph.glyph, size, at, workspace_) != Status::ok) {
-      return false;
-    }
-  }
-  return true;
+  TextPlace place;
+  return find_place(font_, text_, width_, height_, 192, 160, place) &&
+         paint_text(font_, text_, place, workspace_, grid);
 }
 
 bool VortexScene::restart() noexcept {
@@ -132,7 +107,7 @@ Status VortexScene::open() noexcept {
   if (!restart()) {
     return Status::bad_argument;
   }
-  now_ = inked_box();
+  now_ = known_pixels(grid_);
   return Status::ok;
 }
 
@@ -180,14 +155,6 @@ void VortexScene::step() noexcept {
   }
 }
 
-// The part of the screen where the grid knows distances.
-Rect VortexScene::inked_box() const noexcept {
-  const Rect box = grid_.known_box();
-  const int32_t side = 1 << grid_.scale_log2();
-  return {(box.x0 - 1) * side, (box.y0 - 1) * side, (box.x1 + 1) * side,
-          (box.y1 + 1) * side};
-}
-
 void VortexScene::set_frame(uint32_t frame) noexcept {
   before_ = now_;
   has_changed_ = false;
@@ -199,7 +166,7 @@ void VortexScene::set_frame(uint32_t frame) noexcept {
     step();
   }
   if (has_changed_) {
-    now_ = inked_box();
+    now_ = known_pixels(grid_);
   }
 }
 

@@ -51,7 +51,6 @@ class VortexScene {
   void keep_area() noexcept;
   void heal(bool is_first) noexcept;
   void step() noexcept;
-  Rect inked_box() const noexcept;
 
   const Font& font_;
   Text text_;

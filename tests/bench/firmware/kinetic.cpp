@@ -11,7 +11,7 @@
 //   particles COUNT MEAN PULL                 a step; and the way home
 //   dot MEAN                                  of 1.3 px
 //   level_set SIDE ADVECT REDISTANCE STACK    a sample, in 1/10
-//   path, clock, particle_text, figure13, figure15
+//   path, clock, particle_text, figure13, figure14, figure15, print
 //       WIDTH HEIGHT MEAN MOST WHOLE STACK RAM
 //       a frame of RGB565 in strips of 16 rows: what changed (mean, most), or
 //       all of the screen (mean)
@@ -28,8 +28,10 @@
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/rgb565.hpp"
+#include "offset_scene.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
+#include "print_scene.hpp"
 #include "rom_file.hpp"
 #include "stack.hpp"
 #include "vortex_scene.hpp"
@@ -323,6 +325,10 @@ int main(int argc, char** argv) {
       measure_particles() && measure_level_set() &&
       measure_scene<scenes::BodyScene, 320, 240>("figure13") &&
       measure_scene<scenes::BodyScene, 128, 64>("figure13") &&
+      measure_scene<scenes::OffsetScene, 320, 240>("figure14") &&
+      measure_scene<scenes::OffsetScene, 128, 64>("figure14") &&
+      measure_scene<scenes::PrintScene, 320, 240>("print") &&
+      measure_scene<scenes::PrintScene, 128, 64>("print") &&
       measure_scene<scenes::VortexScene, 320, 240>("figure15") &&
       measure_scene<scenes::VortexScene, 128, 64>("figure15") &&
       measure_scene<scenes::PathScene, 320, 240>("path") &&

@@ -1,0 +1,224 @@
+// Two breaths of five seconds: surfaces swell and throw particles off, shrink,
+// and particles gather on them.
+#include "offset_scene.hpp"
+
+#include "inkcell/kinetic/dots.hpp"
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/numbers.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/text_style.hpp"
+
+namespace inkcell {
+namespace scenes {
+namespace {
+
+using namespace kinetic;
+
+constexpr uint32_t kBackground = 0x090a12;
+constexpr uint32_t kBody = 0xfff0d8;
+constexpr uint32_t kSlow = 0x62d8ff;
+constexpr uint32_t kFast = 0xffffff;
+// From the outermost on.
+constexpr uint32_t kBands[] = {0x1b1640, 0x3a1c68, 0x78207a, 0xc8385c,
+                               0xf58a3c};
+constexpr int32_t kBandCount = sizeof kBands / sizeof *kBands;
+
+// Frames of a breath.
+constexpr uint32_t kBreath = kLoopFrames / 2;
+constexpr uint32_t kSwells = 84;
+constexpr uint32_t kSwollen = 98;
+constexpr uint32_t kShrunk = 150;
+constexpr uint32_t kSeed = 14;
+
+constexpr Q26_6 kMostRadius = Q26_6::from_int(2);
+
+int32_t magnitude(int32_t value) noexcept {
+  return value < 0 ? -value : value;
+}
+
+bool is_near(const Particle& p, const Rect& window) noexcept {
+  constexpr int32_t kReach = 3;  // [px]
+  const int32_t y = p.y.raw >> 16;
+  return y >= window.y0 - kReach && y < window.y1 + kReach;
+}
+
+int16_t speed(int32_t value) noexcept {
+  return static_cast<int16_t>(value < -kMostSpeedQ10  ? -kMostSpeedQ10
+                              : value > kMostSpeedQ10 ? kMostSpeedQ10
+                                                      : value);
+}
+
+}  // namespace
+
+OffsetScene::OffsetScene(const SceneSetting& setting) noexcept
+    : font_(*setting.font),
+      text_(setting.text),
+      width_(setting.width),
+      height_(setting.height),
+      workspace_(setting.workspace),
+      particles_(setting.memory.particles) {
+  const int32_t scale = scale_for(width_);
+  const auto grid_at = [&](size_t first, int32_t scale_log2) {
+    const Span<int8_t> all = setting.memory.grid;
+    return first > all.size
+               ? DistanceGrid()
+               : DistanceGrid({all.data + first, all.size - first},
+                              DistanceGrid::samples_of(width_, scale_log2),
+                              DistanceGrid::samples_of(height_, scale_log2),
+                              scale_log2);
+  };
+  grid_ = grid_at(0, scale);
+  far_grid_ = grid_at(grid_bytes(width_, height_, scale), scale + 1);
+}
+
+Status OffsetScene::open() noexcept {
+  if (grid_.width() == 0 || far_grid_.width() == 0 || particles_.size == 0) {
+    return Status::buffer_small;
+  }
+  if (!find_place(font_, text_, width_, height_, 205, 140, place_) ||
+      !paint_text(font_, text_, place_, workspace_, grid_) ||
+      !paint_text(font_, text_, place_, workspace_, far_grid_)) {
+    return Status::bad_argument;
+  }
+  restart();
+  now_ = drawn_box();
+  return Status::ok;
+}
+
+void OffsetScene::restart() noexcept {
+  frame_ = 0;
+  RandomNumbers random(kSeed);
+  for (Particle& p : particles_) {
+    p = {};
+    p.x.raw =
+        static_cast<int32_t>(random.below(static_cast<uint32_t>(width_) << 16));
+    p.y.raw = static_cast<int32_t>(
+        random.below(static_cast<uint32_t>(height_) << 16));
+  }
+}
+
+// How far the outermost surface is from the letters. [px, Q6]
+int32_t OffsetScene::offset_q6() const noexcept {
+  const auto at = static_cast<int32_t>(frame_ % kBreath);
+  const int32_t most = 3 * 64 << far_grid_.scale_log2();
+  const int32_t least = most / 5;
+  const Q16_16 grown =
+      ease(kEaseOut, fraction(static_cast<int32_t>(kSwells),
+                              static_cast<int32_t>(kSwollen), at));
+  const Q16_16 shrunk =
+      ease(kEaseInOut, fraction(static_cast<int32_t>(kSwollen),
+                                static_cast<int32_t>(kShrunk), at));
+  // It trembles while it is small.
+  const int32_t calm = (1 << 16) - grown.raw;
+  const auto beat = Angle::from_raw(static_cast<uint16_t>(at * 2185));
+  const int32_t trembles =
+      lerp(0, sine(beat).raw * least / 16384 / 2, Q16_16::from_raw(calm));
+  return least + trembles +
+         lerp(0, most - least, Q16_16::from_raw(grown.raw - shrunk.raw));
+}
+
+// The fine grid where it knows so far outside.
+const DistanceGrid& OffsetScene::grid_for(int32_t offset_q6) const noexcept {
+  return offset_q6 < 3 * 64 << grid_.scale_log2() ? grid_ : far_grid_;
+}
+
+// Where the fine grid knows no slope, the far one does; and farther out the
+// middle of the screen is as good.
+void OffsetScene::pull_from_afar(int32_t strength_q10) noexcept {
+  const int32_t known_q10 = -((15 << 8) << grid_.scale_log2());
+  for (Particle& p : particles_) {
+    const GridPoint near = probe(grid_, p.x, p.y);
+    if (near.distance_q10 > known_q10) {
+      continue;
+    }
+    const GridPoint far = probe(far_grid_, p.x, p.y);
+    int32_t x = far.x_slope_q13;
+    int32_t y = far.y_slope_q13;
+    if (magnitude(x) + magnitude(y) < 1024) {
+      x = (width_ * 32768 - p.x.raw) / width_ / 4;
+      y = (height_ * 32768 - p.y.raw) / height_ / 4;
+    }
+    p.x_speed_q10 = speed(p.x_speed_q10 + strength_q10 * x / 8192);
+    p.y_speed_q10 = speed(p.y_speed_q10 + strength_q10 * y / 8192);
+  }
+}
+
+void OffsetScene::step() noexcept {
+  ++frame_;
+  const uint32_t phase = frame_ % kBreath;
+  const bool is_thrown = phase >= kSwells && phase < kSwollen - 4;
+  // What is a pixel on a large screen.
+  const auto px = [this](int32_t q10) { return q10 * (height_ + 60) / 300; };
+  ParticleRules rules;
+  rules.walls = {1, 1, width_ - 1, height_ - 1};
+  rules.side = ParticleSide::outside;
+  rules.radius = Q26_6::from_raw(offset_q6() + 64);
+  rules.bounce_q8 = 150;
+  rules.kept_q16 = 62500;
+  rules.attraction_q10 = static_cast<int16_t>(px(is_thrown ? -900 : 110));
+  rules.orbit_q10 = static_cast<int16_t>(px(is_thrown ? 0 : 75));
+  if (!is_thrown) {
+    pull_from_afar(px(phase < kSwells ? 90 : 20));
+  }
+  kinetic::step(particles_, rules, grid_for(rules.radius.raw), 0, 0);
+}
+
+Rect OffsetScene::drawn_box() const noexcept {
+  Rect box = known_pixels(far_grid_);
+  for (const Particle& p : particles_) {
+    box = bounding_box(box, dot_box(p.x, p.y, kMostRadius));
+  }
+  return box;
+}
+
+void OffsetScene::set_frame(uint32_t frame) noexcept {
+  before_ = now_;
+  if (frame < frame_) {
+    restart();
+  }
+  while (frame_ < frame) {
+    step();
+  }
+  now_ = drawn_box();
+}
+
+void OffsetScene::draw(const Paper& paper) noexcept {
+  paper.fill(kBackground);
+  const int32_t most_q6 = offset_q6();
+  for (int32_t i = 0; i < kBandCount; ++i) {
+    const int32_t offset = most_q6 * (kBandCount - i) / kBandCount;
+    draw_offset(grid_for(offset), Q26_6::from_raw(offset), 0, 0, kFilterMotion,
+                paper.with(kBands[i]));
+  }
+  TextStyle style;
+  if (TextStyle::make(place_.size, kFilterMotion, style) == Status::ok) {
+    draw_text(font_, text_, style, place_.origin, paper.with(kBody),
+              workspace_);
+  }
+  const Q26_6 radius = Q26_6::from_raw(height_ < 120 ? 46 : 80);
+  for (const Particle& p : particles_) {
+    if (is_near(p, paper.window)) {
+      const int32_t fast =
+          (magnitude(p.x_speed_q10) + magnitude(p.y_speed_q10)) >> 4;
+      draw_dot(p.x, p.y, radius,
+               paper.with(mix_rgb(kSlow, kFast, fast < 256 ? fast : 256)));
+    }
+  }
+}
+
+void OffsetScene::add_changes(DirtyRects& dirty) const noexcept {
+  dirty.add(bounding_box(before_, now_), {0, 0, width_, height_});
+}
+
+void OffsetScene::tell_state(const StateSink& sink) const noexcept {
+  for (const Particle& p : particles_) {
+    sink.tell(p.x.raw);
+    sink.tell(p.y.raw);
+    sink.tell(p.x_speed_q10);
+    sink.tell(p.y_speed_q10);
+  }
+}
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,80 @@
+// Scene `figure14`: offset surfaces of letters push particles away, and draw
+// them near.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/kinetic/particles.hpp"
+#include "inkcell/text.hpp"
+#include "paint_text.hpp"
+#include "paper.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// Figure 14 of Perry and Frisken: attraction, repulsion and collision by one
+/// field, and offset surfaces that join and part. A simulation: set_frame()
+/// steps as often as it must, from the start if it goes back.
+class OffsetScene {
+ public:
+  static constexpr const char* kText = "Ink";
+
+  /// Pixels a sample along each side; of a second grid, which knows distances
+  /// twice as far, twice as many.
+  static constexpr int32_t scale_for(int32_t width) noexcept {
+    return width > 200 ? 2 : width > 100 ? 1 : 0;
+  }
+  static constexpr size_t grid_bytes(int32_t width,
+                                     int32_t height,
+                                     int32_t scale) noexcept {
+    using kinetic::DistanceGrid;
+    return static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
+                               DistanceGrid::samples_of(height, scale));
+  }
+  static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
+    const int32_t scale = scale_for(width);
+    const auto area = static_cast<size_t>(width * height);
+    return {
+        grid_bytes(width, height, scale) + grid_bytes(width, height, scale + 1),
+        area > 400 * 80 ? 400 : area / 80, 0};
+  }
+
+  explicit OffsetScene(const SceneSetting& setting) noexcept;
+  OffsetScene(const OffsetScene&) = delete;
+  OffsetScene& operator=(const OffsetScene&) = delete;
+
+  /// bad_argument: the text has no ink. buffer_small: the memory.
+  Status open() noexcept;
+  void set_frame(uint32_t frame) noexcept;
+  void draw(const Paper& paper) noexcept;
+  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  uint32_t next_due() const noexcept { return frame_ + 1; }
+  void tell_state(const StateSink& sink) const noexcept;
+
+ private:
+  void restart() noexcept;
+  void step() noexcept;
+  void pull_from_afar(int32_t strength_q10) noexcept;
+  int32_t offset_q6() const noexcept;
+  const kinetic::DistanceGrid& grid_for(int32_t offset_q6) const noexcept;
+  Rect drawn_box() const noexcept;
+
+  const Font& font_;
+  Text text_;
+  int32_t width_;
+  int32_t height_;
+  kinetic::DistanceGrid grid_;
+  kinetic::DistanceGrid far_grid_;
+  Workspace workspace_;
+  TextPlace place_;
+  Span<kinetic::Particle> particles_;
+  uint32_t frame_ = 0;
+  Rect before_;  // what the last two frames drew on
+  Rect now_;
+};
+
+}  // namespace scenes
+}  // namespace inkcell

@@ -1,0 +1,42 @@
+// Distances of a text in the middle of a screen.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/text.hpp"
+#include "inkcell/workspace.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// A text in the middle of a screen of width x height px: its ink is at most
+/// such parts of both. Found by find_place().
+struct TextPlace {
+  Q26_6 size;
+  Point origin;
+};
+
+/// [parts of 256] False: the text has no ink.
+bool find_place(const Font& font,
+                Text text,
+                int32_t width,
+                int32_t height,
+                int32_t width_part_q8,
+                int32_t height_part_q8,
+                TextPlace& out) noexcept;
+
+/// Clears the grid, whose upper left corner is the screen's, and paints the
+/// text. False: a glyph cannot be painted.
+bool paint_text(const Font& font,
+                Text text,
+                const TextPlace& place,
+                Workspace workspace,
+                kinetic::DistanceGrid& grid) noexcept;
+
+/// The part of the screen where the grid knows distances.
+Rect known_pixels(const kinetic::DistanceGrid& grid) noexcept;
+
+}  // namespace scenes
+}  // namespace inkcell

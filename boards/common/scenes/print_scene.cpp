@@ -1,0 +1,122 @@
+// Two seconds a style. Ink is light on dark paper: what is in the light takes
+// more of it.
+#include "print_scene.hpp"
+
+#include "inkcell/kinetic/easing.hpp"
+#include "inkcell/kinetic/grid_draw.hpp"
+#include "inkcell/kinetic/timeline.hpp"
+#include "paint_text.hpp"
+
+namespace inkcell {
+namespace scenes {
+namespace {
+
+using namespace kinetic;
+
+constexpr uint32_t kBackground = 0x10131c;
+constexpr uint32_t kParts = 5;
+constexpr uint32_t kPartFrames = kLoopFrames / kParts;
+constexpr uint32_t kWipeFrames = 16;  // at the end of a part
+
+struct Part {
+  PrintStyle style;
+  uint32_t body;  // under the print
+  uint32_t ink;
+  int32_t screen;  // of lines [degrees]
+  int32_t pitch;   // [1/16 of the pitch of relief]
+};
+
+constexpr Part kAll[kParts] = {
+    {PrintStyle::relief, 0x2b1a12, 0xffd9a0, 0, 16},
+    {PrintStyle::engraving, 0x0f2a24, 0xa6f0d0, 20, 16},
+    {PrintStyle::rings, 0x2a1a3c, 0xff8fb8, 0, 14},
+    {PrintStyle::hatching, 0x1c2233, 0xf2f0e6, 50, 18},
+    {PrintStyle::halftone, 0x33180f, 0xff9a52, 30, 20}};
+
+}  // namespace
+
+PrintScene::PrintScene(const SceneSetting& setting) noexcept
+    : font_(*setting.font),
+      text_(setting.text),
+      width_(setting.width),
+      height_(setting.height),
+      grid_(setting.memory.grid,
+            DistanceGrid::samples_of(width_, scale_for(width_)),
+            DistanceGrid::samples_of(height_, scale_for(width_)),
+            scale_for(width_)),
+      workspace_(setting.workspace) {}
+
+Status PrintScene::open() noexcept {
+  if (grid_.width() == 0) {
+    return Status::buffer_small;
+  }
+  TextPlace place;
+  if (!find_place(font_, text_, width_, height_, 230, 205, place) ||
+      !paint_text(font_, text_, place, workspace_, grid_)) {
+    return Status::bad_argument;
+  }
+  box_ = known_pixels(grid_);
+  return Status::ok;
+}
+
+PrintLook PrintScene::look_of(uint32_t part) const noexcept {
+  const Part& of = kAll[part];
+  PrintLook look;
+  look.style = of.style;
+  // Once round in a part, from the upper left; the ink lies in the light.
+  const uint32_t turn = frame_ % kPartFrames * 65536 / kPartFrames;
+  look.light =
+      Angle::from_raw(static_cast<uint16_t>(degrees(135 + 180).raw - turn));
+  look.screen = degrees(of.screen);
+  const int32_t pitch = height_ * 64 / 48 * of.pitch / 16;
+  look.pitch = Q26_6::from_raw(pitch < 160 ? 160 : pitch);
+  look.slope = Q26_6::from_raw(height_ * 64 / 27);
+  if (of.style == PrintStyle::rings) {
+    look.shift.raw = static_cast<int32_t>(frame_ % kLoopFrames) * 8;
+  }
+  look.tone = of.style == PrintStyle::relief ? 90 : 100;
+  look.contrast = of.style == PrintStyle::relief ? 160 : 130;
+  return look;
+}
+
+void PrintScene::draw_part(const Paper& paper,
+                           uint32_t part,
+                           const Rect& window) const noexcept {
+  Sink body = paper.with(kAll[part].body);
+  body.window = intersect(body.window, window);
+  if (is_empty(body.window)) {
+    return;
+  }
+  draw_grid(grid_, {}, 0, 0, kFilterMotion, body);
+  Sink ink = paper.with(kAll[part].ink);
+  ink.window = body.window;
+  draw_print(grid_, look_of(part), 0, 0, kFilterMotion, ink);
+}
+
+void PrintScene::draw(const Paper& paper) noexcept {
+  paper.fill(kBackground);
+  const uint32_t part = frame_ / kPartFrames % kParts;
+  const auto since = static_cast<int32_t>(frame_ % kPartFrames);
+  const auto begins = static_cast<int32_t>(kPartFrames - kWipeFrames);
+  const Q16_16 wiped =
+      ease(kEaseInOut, fraction(begins, begins + kWipeFrames, since));
+  const int32_t border = lerp(box_.x0, box_.x1, wiped);
+  draw_part(paper, (part + 1) % kParts, {box_.x0, 0, border, height_});
+  draw_part(paper, part, {border, 0, box_.x1, height_});
+}
+
+void PrintScene::add_changes(DirtyRects& dirty) const noexcept {
+  dirty.add(box_, {0, 0, width_, height_});
+}
+
+void PrintScene::tell_state(const StateSink& sink) const noexcept {
+  for (int32_t y = 0; y < grid_.height(); ++y) {
+    const int8_t* row = grid_.row(y);
+    for (int32_t x = 0; x < grid_.width(); ++x) {
+      sink.tell(row[x]);
+    }
+  }
+}
+
+}  // namespace scenes
+}  // namespace inkcell

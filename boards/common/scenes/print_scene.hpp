@@ -1,0 +1,63 @@
+// Scene `print`: light goes round a word that is printed in five ways.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/font.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/kinetic/distance_grid.hpp"
+#include "inkcell/kinetic/print_draw.hpp"
+#include "inkcell/text.hpp"
+#include "paper.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// Relief, engraving, rings, hatching, halftone: each is wiped over the one
+/// before. A function of time: any frame may be asked for.
+class PrintScene {
+ public:
+  static constexpr const char* kText = "Ag";
+
+  /// Pixels a sample along each side.
+  static constexpr int32_t scale_for(int32_t width) noexcept {
+    return width > 200 ? 1 : 0;
+  }
+  static constexpr SceneNeeds needs(int32_t width, int32_t height) noexcept {
+    using kinetic::DistanceGrid;
+    const int32_t scale = scale_for(width);
+    return {static_cast<size_t>(DistanceGrid::samples_of(width, scale) *
+                                DistanceGrid::samples_of(height, scale)),
+            0, 0};
+  }
+
+  explicit PrintScene(const SceneSetting& setting) noexcept;
+  PrintScene(const PrintScene&) = delete;
+  PrintScene& operator=(const PrintScene&) = delete;
+
+  /// bad_argument: the text has no ink. buffer_small: the memory.
+  Status open() noexcept;
+  void set_frame(uint32_t frame) noexcept { frame_ = frame; }
+  void draw(const Paper& paper) noexcept;
+  void add_changes(kinetic::DirtyRects& dirty) const noexcept;
+  uint32_t next_due() const noexcept { return frame_ + 1; }
+  void tell_state(const StateSink& sink) const noexcept;
+
+ private:
+  kinetic::PrintLook look_of(uint32_t part) const noexcept;
+  void draw_part(const Paper& paper,
+                 uint32_t part,
+                 const Rect& window) const noexcept;
+
+  const Font& font_;
+  Text text_;
+  int32_t width_;
+  int32_t height_;
+  kinetic::DistanceGrid grid_;
+  Workspace workspace_;
+  Rect box_;
+  uint32_t frame_ = 0;
+};
+
+}  // namespace scenes
+}  // namespace inkcell
