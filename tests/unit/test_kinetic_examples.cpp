@@ -3,6 +3,8 @@
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/bodies.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
+#include "inkcell/kinetic/combine.hpp"
+#include "inkcell/kinetic/dirty_rects.hpp"
 #include "inkcell/kinetic/dots.hpp"
 #include "inkcell/kinetic/grid_blend.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
@@ -11,9 +13,11 @@
 #include "inkcell/kinetic/particles.hpp"
 #include "inkcell/kinetic/path.hpp"
 #include "inkcell/kinetic/pose_renderer.hpp"
+#include "inkcell/kinetic/print_draw.hpp"
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/timeline.hpp"
+#include "inkcell/runtime_field.hpp"
 #include "outline_record.hpp"
 
 namespace {
@@ -149,6 +153,53 @@ Status draw_bodies(const Sink& sink) {
   return Status::ok;
 }
 
+Status ask_field(uint16_t glyph, Q16_16 x, Q16_16 y, FieldPoint& out) {
+  alignas(4) static uint8_t ram[16384];
+  FieldLimits limits;
+  limits.fills_em = true;
+  GlyphField field;
+  INKCELL_TRY(open_field(font, glyph, limits, ram, field));
+  const FieldPoint at = point_at(field, x, y);  // u, y up
+  out = at;
+  return Status::ok;
+}
+
+Status draw_parts_and_print(const Sink& sink) {
+  static int8_t samples[kSide * kSide];
+  const Q16_16 x0;
+  const Q16_16 y0;
+  const Q16_16 x1 = Q16_16::from_int(7);
+  const Q16_16 y1 = Q16_16::from_int(3);
+  const Q16_16 x2 = Q16_16::from_int(12);
+  const Q16_16 y2 = Q16_16::from_int(-9);
+  const int32_t x = 0;
+  const int32_t y = 0;
+  const Rect screen = {0, 0, kSide, kSide};
+  Rect room[2];
+  DirtyRects dirty(room);
+  DistanceGrid grid(samples, kSide, kSide, 0);
+  grid.clear();
+  INKCELL_TRY(grid.paint(font, 1, Q26_6::from_int(32), from));
+  const DistanceGrid& stem = grid;
+  const DistanceGrid& bowl = grid;
+  const DistanceGrid& hole = grid;
+  const GridPart parts[] = {{&stem, x0, y0},
+                            {&bowl, x1, y1, Combine::blend, Q26_6::from_int(3)},
+                            {&hole, x2, y2, Combine::subtract}};
+  draw_combined(parts, kFilterMotion, sink);  // for each strip
+  dirty.add(combined_box(parts, kFilterMotion), screen);
+  CHECK_EQ(dirty.rects().size, 1u);
+  CHECK(ink > 0);
+  ink = 0;
+  PrintLook look;
+  look.style = PrintStyle::engraving;  // rings, hatching, halftone, relief
+  look.light = degrees(135);
+  look.pitch = Q26_6::from_int(5);
+  look.slope = Q26_6::from_int(8);                    // how wide the edge is
+  draw_print(grid, look, x, y, kFilterMotion, sink);  // for each strip
+  return Status::ok;
+}
+
 Status draw_level_set(const Sink& sink) {
   static int8_t samples[2][48 * 48];
   DistanceGrid grid(samples[0], 48, 48, 0);
@@ -189,6 +240,21 @@ TEST(particles_draw) {
   const Sink sink = counting_sink();
   CHECK_OK(draw_particles(sink));
   CHECK(ink > 255 * 50);
+}
+
+TEST(fields_answer) {
+  // Left of the disc about (384, 384).
+  FieldPoint at;
+  CHECK_OK(ask_field(1, Q16_16::from_int(20), Q16_16::from_int(384), at));
+  CHECK(!at.is_bound);
+  CHECK(at.distance.raw < -40 * 1024);
+  CHECK(at.gradient.x.raw > 16000);
+}
+
+TEST(parts_and_prints_draw) {
+  const Sink sink = counting_sink();
+  CHECK_OK(draw_parts_and_print(sink));
+  CHECK(ink > 0);
 }
 
 TEST(bodies_draw) {
