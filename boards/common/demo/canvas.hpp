@@ -1,7 +1,9 @@
 // What the demo draws on: a strip in the display's format, and four inks.
 //
 // The build says size and format: INKCELL_DISPLAY_WIDTH, INKCELL_DISPLAY_HEIGHT
-// [px], INKCELL_DEMO_FORMAT (an enumerator of port::PixelFormat).
+// [px], INKCELL_DEMO_FORMAT (an enumerator of port::PixelFormat); and
+// INKCELL_DEMO_NAME, the namespace of the demo, so that one program can hold
+// the demos of several displays.
 #pragma once
 
 #include <stdint.h>
@@ -15,6 +17,7 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 
 inline constexpr int32_t kWidth = INKCELL_DISPLAY_WIDTH;
 inline constexpr int32_t kHeight = INKCELL_DISPLAY_HEIGHT;
@@ -104,5 +107,6 @@ class Canvas {
   Sink sink_;
 };
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

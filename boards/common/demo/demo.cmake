@@ -26,15 +26,16 @@ function(inkcell_add_demo_font board)
     set(max_px ${INKCELL_DEMO_CLOCK_PX})
   endif()
   add_library(${board}_demo_font INTERFACE)
-  inkcell_add_font(${board}_demo_font NAME demo FONT ${INKCELL_DEMO_FONT}
-    MIN_PX 8 MAX_PX ${max_px} CODING ${INKCELL_DEMO_CODING})
+  inkcell_add_font(${board}_demo_font NAME ${board}_demo
+    FONT ${INKCELL_DEMO_FONT} MIN_PX 8 MAX_PX ${max_px} CODING ${INKCELL_DEMO_CODING})
 endfunction()
 
 # inkcell_add_demo(<name> <board> <format> [<rows>])
 #
 # <name>_pattern: the test picture. <name>_scene: the scene with its font. Both
 # for the display of a board, in one of its formats, drawn in strips of so many
-# rows; by default as the board draws them.
+# rows; by default as the board draws them. What they define is in a namespace of
+# that name: a program may link the demos of several displays.
 function(inkcell_add_demo name board format)
   include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
   set(rows ${INKCELL_DEMO_ROWS})
@@ -48,6 +49,7 @@ function(inkcell_add_demo name board format)
   target_compile_definitions(${name}_pattern PUBLIC
     INKCELL_DISPLAY_WIDTH=${INKCELL_DISPLAY_WIDTH}
     INKCELL_DISPLAY_HEIGHT=${INKCELL_DISPLAY_HEIGHT}
+    INKCELL_DEMO_NAME=${name}
     INKCELL_DEMO_FORMAT=${format}
     INKCELL_DEMO_ROWS=${rows})
   target_include_directories(${name}_pattern PUBLIC
@@ -60,10 +62,23 @@ function(inkcell_add_demo name board format)
   target_compile_definitions(${name}_scene PUBLIC
     INKCELL_DEMO_CLOCK_PX=${INKCELL_DEMO_CLOCK_PX}
     INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX})
+  target_compile_definitions(${name}_scene PRIVATE
+    INKCELL_DEMO_FONT_NAME=${board}_demo
+    INKCELL_DEMO_FONT_HEADER=<fonts/${board}_demo.hpp>)
   target_link_libraries(${name}_scene
     PUBLIC ${name}_pattern
     PRIVATE ${board}_demo_font)
   target_compile_options(${name}_scene PRIVATE ${INKCELL_WARNINGS})
+endfunction()
+
+# inkcell_motion_font: the font of scenes that move, on every board. Distances
+# reach farther than cells of text know them: it is of outlines.
+function(inkcell_add_motion_font)
+  if(NOT TARGET inkcell_motion_font)
+    add_library(inkcell_motion_font INTERFACE)
+    inkcell_add_font(inkcell_motion_font NAME motion FONT ${INKCELL_DEMO_FONT}
+      MIN_PX 8 MAX_PX 96 CODING outline)
+  endif()
 endfunction()
 
 # Scenes that move: header and class of each. A board plays those of its
@@ -78,14 +93,9 @@ set(INKCELL_MOTION_print print_scene.hpp PrintScene)
 # inkcell_add_motions(<name> <board> <format> <scenes>)
 #
 # <name>_motion_<scene> for each scene that the board plays, on what
-# <name>_pattern draws on; their names in the variable <scenes>. Distances reach
-# farther than cells of text know them: the font is of outlines.
+# <name>_pattern draws on; their names in the variable <scenes>.
 function(inkcell_add_motions name board format scenes)
-  if(NOT TARGET inkcell_motion_font)
-    add_library(inkcell_motion_font INTERFACE)
-    inkcell_add_font(inkcell_motion_font NAME motion FONT ${INKCELL_DEMO_FONT}
-      MIN_PX 8 MAX_PX 96 CODING outline)
-  endif()
+  inkcell_add_motion_font()
   set(INKCELL_DEMO_MOTIONS path clock particles figure15)
   include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
   foreach(scene ${INKCELL_DEMO_MOTIONS})

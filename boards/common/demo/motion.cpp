@@ -9,6 +9,7 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 namespace {
 
 using Scene = scenes::INKCELL_MOTION_SCENE;
@@ -53,5 +54,6 @@ void show_motion(uint32_t frame) noexcept {
   });
 }
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

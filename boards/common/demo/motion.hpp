@@ -10,6 +10,7 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 
 /// Opens font and scene. Call it once.
 Status open_motion() noexcept;
@@ -17,5 +18,6 @@ Status open_motion() noexcept;
 /// Steps to a frame, and shows all of it.
 void show_motion(uint32_t frame) noexcept;
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

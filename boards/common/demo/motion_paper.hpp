@@ -4,40 +4,12 @@
 #include <stdint.h>
 
 #include "canvas.hpp"
+#include "ink.hpp"
 #include "paper.hpp"
 
 namespace inkcell {
 namespace demo {
-namespace detail {
-
-// The ink that a format has for a colour.
-
-inline void set_ink(port::Rgb565Target& target, uint32_t rgb) noexcept {
-  target.colour =
-      port::rgb565(static_cast<uint8_t>(rgb >> 16),
-                   static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb));
-}
-
-inline void set_ink(port::Xrgb8888Target& target, uint32_t rgb) noexcept {
-  target.colour = 0xff000000 | rgb;
-}
-
-// 0 to 255, by the weights of red, green and blue in light (ITU-R BT.601).
-inline uint32_t lightness(uint32_t rgb) noexcept {
-  return ((rgb >> 16 & 255) * 77 + (rgb >> 8 & 255) * 150 + (rgb & 255) * 29) >>
-         8;
-}
-
-inline void set_ink(port::Grey4Target& target, uint32_t rgb) noexcept {
-  target.level = static_cast<uint8_t>(lightness(rgb) >> 4);
-}
-
-inline void set_ink(port::MonoPagesTarget& target, uint32_t rgb) noexcept {
-  target.level = lightness(rgb) >= 96 ? 1 : 0;
-}
-
-}  // namespace detail
-
+inline namespace INKCELL_DEMO_NAME {
 /// A strip to draw a scene on.
 class MotionPaper {
  public:
@@ -52,7 +24,7 @@ class MotionPaper {
   scenes::Paper paper() noexcept {
     return {sink_.window, this, [](void* context, uint32_t rgb) -> const Sink& {
               MotionPaper& self = *static_cast<MotionPaper*>(context);
-              detail::set_ink(self.target_, rgb);
+              scenes::set_ink(self.target_, rgb);
               return self.sink_;
             }};
   }
@@ -62,5 +34,6 @@ class MotionPaper {
   Sink sink_;
 };
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

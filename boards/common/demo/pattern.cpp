@@ -7,6 +7,7 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 namespace {
 
 constexpr Rect kWindow = {24, 8, 64, 16};
@@ -48,5 +49,6 @@ void show_pattern() noexcept {
   board::display_write(window);
 }
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

@@ -3,10 +3,12 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 
 /// Shows the picture, then sends the window with inverted coverage as a strip
 /// of its own, whose left edge is not that of the screen.
 void show_pattern() noexcept;
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

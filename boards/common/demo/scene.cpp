@@ -1,10 +1,11 @@
 // Where everything stands on a screen of any size, and how it moves.
 #include "scene.hpp"
 
-#include <fonts/demo.hpp>
+#include INKCELL_DEMO_FONT_HEADER
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 namespace {
 
 constexpr Text kMoving = kHeight < 32 ? Text("type from distance fields")
@@ -93,7 +94,7 @@ Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
 }
 
 Status Scene::open() noexcept {
-  INKCELL_TRY(Font::open(fonts::demo, font_));
+  INKCELL_TRY(Font::open(fonts::INKCELL_DEMO_FONT_NAME, font_));
   INKCELL_TRY(make_look(kClockQ6, true, clock_look_));
   INKCELL_TRY(make_look(kTextQ6, true, text_look_));
   INKCELL_TRY(make_look(kTextQ6, false, moving_look_));
@@ -167,5 +168,6 @@ int32_t Scene::missing_characters() const noexcept {
   return missing;
 }
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

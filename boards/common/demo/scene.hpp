@@ -17,6 +17,7 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 
 /// Laid out once a frame, drawn strip by strip.
 class Scene {
@@ -78,5 +79,6 @@ class Scene {
   alignas(4) uint8_t ram_[kLentBytes == 0 ? 4 : kLentBytes];
 };
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

@@ -6,6 +6,7 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 namespace {
 
 constexpr int32_t kRows = INKCELL_DEMO_ROWS;
@@ -28,5 +29,6 @@ void show(void* context, void (*draw)(void*, const Strip&)) noexcept {
   static_cast<void>(run_strips(loop));  // the buffer is made for it
 }
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

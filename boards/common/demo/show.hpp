@@ -5,10 +5,12 @@
 
 namespace inkcell {
 namespace demo {
+inline namespace INKCELL_DEMO_NAME {
 
 /// Calls `draw` for every strip of the screen, of INKCELL_DEMO_ROWS rows each,
 /// and passes the strip on to board::display_write().
 void show(void* context, void (*draw)(void* context, const Strip&)) noexcept;
 
+}  // namespace INKCELL_DEMO_NAME
 }  // namespace demo
 }  // namespace inkcell

@@ -1,0 +1,59 @@
+// The ink that a pixel format has for a colour.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/port/grey2.hpp"
+#include "inkcell/port/grey4.hpp"
+#include "inkcell/port/grey8.hpp"
+#include "inkcell/port/mono_pages.hpp"
+#include "inkcell/port/mono_rows.hpp"
+#include "inkcell/port/rgb565.hpp"
+#include "inkcell/port/rgb888.hpp"
+#include "inkcell/port/xrgb8888.hpp"
+
+namespace inkcell {
+namespace scenes {
+
+/// 0 to 255, by the weights of red, green and blue in light (ITU-R BT.601).
+constexpr uint8_t lightness(uint32_t rgb) noexcept {
+  return static_cast<uint8_t>(
+      ((rgb >> 16 & 255) * 77 + (rgb >> 8 & 255) * 150 + (rgb & 255) * 29) >>
+      8);
+}
+
+/// Whether a colour is ink where a pixel has one bit.
+constexpr bool is_light(uint32_t rgb) noexcept {
+  return lightness(rgb) >= 96;
+}
+
+/// Draws with the colour 0xRRGGBB from now on.
+inline void set_ink(port::MonoRowsTarget& target, uint32_t rgb) noexcept {
+  target.level = is_light(rgb) ? 1 : 0;
+}
+inline void set_ink(port::MonoPagesTarget& target, uint32_t rgb) noexcept {
+  target.level = is_light(rgb) ? 1 : 0;
+}
+inline void set_ink(port::Grey2Target& target, uint32_t rgb) noexcept {
+  target.level = static_cast<uint8_t>(lightness(rgb) >> 6);
+}
+inline void set_ink(port::Grey4Target& target, uint32_t rgb) noexcept {
+  target.level = static_cast<uint8_t>(lightness(rgb) >> 4);
+}
+inline void set_ink(port::Grey8Target& target, uint32_t rgb) noexcept {
+  target.level = lightness(rgb);
+}
+inline void set_ink(port::Rgb565Target& target, uint32_t rgb) noexcept {
+  target.colour =
+      port::rgb565(static_cast<uint8_t>(rgb >> 16),
+                   static_cast<uint8_t>(rgb >> 8), static_cast<uint8_t>(rgb));
+}
+inline void set_ink(port::Rgb888Target& target, uint32_t rgb) noexcept {
+  target.colour = rgb;
+}
+inline void set_ink(port::Xrgb8888Target& target, uint32_t rgb) noexcept {
+  target.colour = 0xff000000 | rgb;
+}
+
+}  // namespace scenes
+}  // namespace inkcell
