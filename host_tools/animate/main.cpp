@@ -16,6 +16,7 @@
 #include "apng.hpp"
 #include "app/progress.hpp"
 #include "convert.hpp"
+#include "display.hpp"
 #include "files.hpp"
 #include "gif.hpp"
 #include "paper.hpp"
@@ -207,8 +208,8 @@ void write_stats(const Arguments& arguments,
 void play(const Arguments& arguments, Player& player, Size size) {
   player.open();
   const Output output = open_output(arguments, size);
-  Image before(size.width, size.height, 3);
-  Image frame = before;
+  DisplayMemory memory(Display::xrgb8888, size.width, size.height);
+  Image before;
   Tally tally;
   gen::Progress progress(false);
   uint32_t due = 0;
@@ -216,7 +217,11 @@ void play(const Arguments& arguments, Player& player, Size size) {
     const uint32_t number =
         arguments.from + i * static_cast<uint32_t>(arguments.every);
     player.set_frame(number);
-    player.draw(frame, arguments.rows);
+    memory.show(arguments.rows, [&player](const Strip& strip) {
+      DisplayPaper paper(Display::xrgb8888, strip);
+      player.draw(paper.paper());
+    });
+    Image frame = memory.picture();
     std::array<Rect, 8> room;
     kinetic::DirtyRects dirty({room.data(), room.size()});
     player.add_changes(dirty);
@@ -236,7 +241,7 @@ void play(const Arguments& arguments, Player& player, Size size) {
     tally.pictures.add(frame.pixels);
     output.add(arguments.zoom == 1 ? frame : enlarge(frame, arguments.zoom),
                number);
-    before = frame;
+    before = std::move(frame);
     progress.update(i + 1, arguments.frames);
   }
   progress.finish();

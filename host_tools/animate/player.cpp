@@ -7,9 +7,7 @@
 #include "body_scene.hpp"
 #include "clock_scene.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
-#include "inkcell/port/xrgb8888.hpp"
 #include "offset_scene.hpp"
-#include "paper.hpp"
 #include "particle_scene.hpp"
 #include "path_scene.hpp"
 #include "print_scene.hpp"
@@ -18,49 +16,6 @@
 
 namespace inkcell::tools {
 namespace {
-
-// A strip of 32-bit pixels, and its ink.
-class Sheet {
- public:
-  Sheet(int width, int rows)
-      : pixels_(static_cast<size_t>(width) * static_cast<size_t>(rows) * 4) {
-    target_.strip.pixels = {pixels_.data(), pixels_.size()};
-    target_.strip.width = width;
-    target_.strip.stride = width * 4;
-  }
-
-  scenes::Paper at(int y, int rows) {
-    target_.strip.y0 = y;
-    target_.strip.height = rows;
-    if (port::make_sink(target_, sink_) != Status::ok) {
-      throw std::runtime_error("a side of the picture is beyond 32767 px");
-    }
-    return {target_.strip.rect(), this,
-            [](void* context, uint32_t rgb) -> const Sink& {
-              Sheet& sheet = *static_cast<Sheet*>(context);
-              sheet.target_.colour = 0xff000000 | rgb;
-              return sheet.sink_;
-            }};
-  }
-
-  void copy_to(Image& image) const {
-    const Rect rect = target_.strip.rect();
-    const uint8_t* from = pixels_.data();
-    for (int y = rect.y0; y < rect.y1; ++y) {
-      for (int x = rect.x0; x < rect.x1; ++x, from += 4) {
-        uint8_t* to = image.at(x, y);
-        to[0] = from[2];
-        to[1] = from[1];
-        to[2] = from[0];
-      }
-    }
-  }
-
- private:
-  std::vector<uint8_t> pixels_;
-  port::Xrgb8888Target target_;
-  Sink sink_;
-};
 
 // Distances inside of a body, pixel by pixel in its box, as it is drawn: a
 // filter of +-4 px makes coverage of them.
@@ -145,13 +100,7 @@ class ScenePlayer : public Player {
   }
   void set_frame(uint32_t frame) override { scene_.set_frame(frame); }
 
-  void draw(Image& image, int rows) override {
-    Sheet sheet(image.width, rows);
-    for (int y = 0; y < image.height; y += rows) {
-      scene_.draw(sheet.at(y, std::min(rows, image.height - y)));
-      sheet.copy_to(image);
-    }
-  }
+  void draw(const scenes::Paper& paper) override { scene_.draw(paper); }
   void add_changes(kinetic::DirtyRects& dirty) const override {
     scene_.add_changes(dirty);
   }

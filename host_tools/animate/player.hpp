@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "image.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/kinetic/dirty_rects.hpp"
+#include "paper.hpp"
 
 namespace inkcell::tools {
 
@@ -29,8 +29,8 @@ class Player {
   /// Throws std::runtime_error if the font or the text does not suit the scene.
   virtual void open() = 0;
   virtual void set_frame(uint32_t frame) = 0;
-  /// Draws the frame in strips of so many rows.
-  virtual void draw(Image& image, int rows) = 0;
+  /// Draws what the frame has on a strip.
+  virtual void draw(const scenes::Paper& paper) = 0;
   virtual void add_changes(kinetic::DirtyRects& dirty) const = 0;
   virtual uint32_t next_due() const = 0;
   /// What the frame depends on: numbers in little-endian order.

@@ -43,72 +43,6 @@ Direction direction_of(double degrees) {
   return direction;
 }
 
-// A sink that counts what passes through it.
-class CountingSink {
- public:
-  CountingSink(const Sink& target, DrawStats& stats)
-      : target_(target), stats_(stats) {}
-
-  Sink sink() {
-    Sink result = target_;
-    result.context = this;
-    result.coverage = [](void* context, int32_t x, int32_t y,
-                         const uint8_t* coverage, int32_t count) noexcept {
-      static_cast<CountingSink*>(context)->coverage(x, y, coverage, count);
-    };
-    if (target_.coverage_rgb != nullptr) {
-      result.coverage_rgb = [](void* context, int32_t x, int32_t y,
-                               const uint8_t* coverage,
-                               int32_t count) noexcept {
-        static_cast<CountingSink*>(context)->coverage_rgb(x, y, coverage,
-                                                          count);
-      };
-    }
-    if (target_.block != nullptr) {
-      result.block = [](void* context, const CoverageBlock& block) noexcept {
-        static_cast<CountingSink*>(context)->block(block);
-      };
-    }
-    result.solid = [](void* context, int32_t x, int32_t y,
-                      int32_t count) noexcept {
-      static_cast<CountingSink*>(context)->solid(x, y, count);
-    };
-    return result;
-  }
-
- private:
-  void add_span(int32_t count) {
-    ++stats_.coverage_spans;
-    stats_.coverage_pixels += count;
-  }
-  void coverage(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
-    add_span(count);
-    target_.coverage(target_.context, x, y, values, count);
-  }
-  void coverage_rgb(int32_t x,
-                    int32_t y,
-                    const uint8_t* values,
-                    int32_t count) {
-    add_span(count);
-    target_.coverage_rgb(target_.context, x, y, values, count);
-  }
-  void block(const CoverageBlock& block) {
-    const Rect& pixels = block.pixels;
-    stats_.coverage_blocks += 1;
-    stats_.coverage_pixels +=
-        int64_t{pixels.x1 - pixels.x0} * (pixels.y1 - pixels.y0);
-    target_.block(target_.context, block);
-  }
-  void solid(int32_t x, int32_t y, int32_t count) {
-    ++stats_.solid_runs;
-    stats_.solid_pixels += count;
-    target_.solid(target_.context, x, y, count);
-  }
-
-  Sink target_;
-  DrawStats& stats_;
-};
-
 // What the strip loop needs to know.
 struct Scene {
   const Font& font;
@@ -118,32 +52,6 @@ struct Scene {
   Image& image;
   DrawStats* stats;
 };
-
-// Where lines begin if the first begins at `origin`.
-std::vector<Point> origins_of(const std::vector<Line>& lines,
-                              const Font& font,
-                              const TextStyle& style,
-                              Point origin) {
-  const double em = style.size().raw / 64.0;
-  const Direction direction = style.direction();
-  std::vector<Point> origins;
-  for (const Line& line : lines) {
-    const double up = em * line.y / font.units_per_em();
-    const Point shift = make_point(-up * from_q30(direction.sine),
-                                   -up * from_q30(direction.cosine));
-    origins.push_back({Q26_6::from_raw(origin.x.raw + shift.x.raw),
-                       Q26_6::from_raw(origin.y.raw + shift.y.raw)});
-  }
-  return origins;
-}
-
-void draw_all(const Scene& scene, const Sink& sink) {
-  for (size_t i = 0; i < scene.lines.size(); ++i) {
-    const std::vector<PositionedGlyph>& glyphs = scene.lines[i].glyphs;
-    draw(scene.font, {glyphs.data(), glyphs.size()}, scene.style,
-         scene.origins[i], sink);
-  }
-}
 
 void draw_strip(void* context, const Strip& strip) {
   const Scene& scene = *static_cast<const Scene*>(context);
@@ -159,12 +67,13 @@ void draw_strip(void* context, const Strip& strip) {
     return;  // cannot be: draw_lines checked the size
   }
   if (scene.stats == nullptr) {
-    draw_all(scene, sink);
+    draw_lines(scene.font, scene.lines, scene.origins, scene.style, sink);
     return;
   }
   ++scene.stats->strips;
   CountingSink counting(sink, *scene.stats);
-  draw_all(scene, counting.sink());
+  draw_lines(scene.font, scene.lines, scene.origins, scene.style,
+             counting.sink());
 }
 
 // Lays the strip over the picture as sinks lay coverage over coverage.
@@ -308,6 +217,34 @@ InkBox ink_box(const Font& font,
   return box;
 }
 
+std::vector<Point> line_origins(const Font& font,
+                                const std::vector<Line>& lines,
+                                const TextStyle& style,
+                                Point origin) {
+  const double em = style.size().raw / 64.0;
+  const Direction direction = style.direction();
+  std::vector<Point> origins;
+  for (const Line& line : lines) {
+    const double up = em * line.y / font.units_per_em();
+    const Point shift = make_point(-up * from_q30(direction.sine),
+                                   -up * from_q30(direction.cosine));
+    origins.push_back({Q26_6::from_raw(origin.x.raw + shift.x.raw),
+                       Q26_6::from_raw(origin.y.raw + shift.y.raw)});
+  }
+  return origins;
+}
+
+void draw_lines(const Font& font,
+                const std::vector<Line>& lines,
+                const std::vector<Point>& origins,
+                const TextStyle& style,
+                const Sink& sink) {
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const std::vector<PositionedGlyph>& glyphs = lines[i].glyphs;
+    draw(font, {glyphs.data(), glyphs.size()}, style, origins[i], sink);
+  }
+}
+
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const TextStyle& style,
@@ -318,7 +255,7 @@ void draw_lines(const Font& font,
   if (image.width > kMaxSide || image.height > kMaxSide) {
     throw std::runtime_error("pictures are at most 32767 px wide and high");
   }
-  const std::vector<Point> origins = origins_of(lines, font, style, origin);
+  const std::vector<Point> origins = line_origins(font, lines, style, origin);
   Scene scene{font, lines, origins, style, image, stats};
   const int32_t stride = image.width * image.channels;
   std::vector<uint8_t> buffer(static_cast<size_t>(stride) *

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "counting_sink.hpp"
 #include "image.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/layout.hpp"
@@ -64,24 +65,28 @@ InkBox ink_box(const Font& font,
                const std::vector<Line>& lines,
                const TextStyle& style);
 
-/// What drawing cost.
-struct DrawStats {
-  int64_t strips = 0;
-  int64_t coverage_spans = 0;
-  int64_t coverage_blocks = 0;  // of several rows
-  int64_t coverage_pixels = 0;  // given one by one, and so computed
-  int64_t solid_runs = 0;
-  int64_t solid_pixels = 0;  // filled, not computed
-};
-
 /// Rows of a strip, unless somebody wants to show that it does not matter.
 inline constexpr int32_t kStripRows = 32;
 
+/// Where lines begin, to the nearest 1/64 px, if the first begins at `origin`
+/// and the others where the style's direction leads. Throws std::runtime_error
+/// if one lies too far from the first.
+std::vector<Point> line_origins(const Font& font,
+                                const std::vector<Line>& lines,
+                                const TextStyle& style,
+                                Point origin);
+
+/// Draws lines from their origins.
+void draw_lines(const Font& font,
+                const std::vector<Line>& lines,
+                const std::vector<Point>& origins,
+                const TextStyle& style,
+                const Sink& sink);
+
 /// Draws lines over the picture (255: full ink, of each sub-pixel if it has
-/// three channels) in strips of `rows` rows, the first line's origin at
-/// `origin`, the others where the style's direction leads, to the nearest 1/64
-/// px. Adds to `stats` if given. Throws std::runtime_error if a side of the
-/// picture is not within 1..32767 px, or a line lies too far from the first.
+/// three channels) in strips of `rows` rows, from line_origins(). Adds to
+/// `stats` if given. Throws std::runtime_error if a side of the picture is not
+/// within 1..32767 px.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const TextStyle& style,

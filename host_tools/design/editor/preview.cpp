@@ -3,9 +3,9 @@
 #include <chrono>
 #include <set>
 
+#include "cells.hpp"
 #include "export/rom.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format/cell.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
 #include "rom_file.hpp"
@@ -43,16 +43,10 @@ void add_cells(const PreviewJob& job, Preview& preview) {
   const GlyphField& field = made.field();
   preview.cell_bytes = made.bytes();
   const double scale = job.project.units_per_em() / kUnitsOfU;
-  for (int32_t y = field.y0_u; y < field.y1_u(); ++y) {
-    for (int32_t x = field.x0_u; x < field.x1_u();) {
-      const Cell cell = locate(field, x, y);
-      const int32_t side = 1 << cell.size_log2;
-      if (cell.y0_u == y) {
-        preview.cells.push_back({scale * cell.x0_u, scale * y, scale * side,
-                                 cell.field_count, cell.is_saturated()});
-      }
-      x = cell.x0_u + side;
-    }
+  for (const tools::LeafCell& cell : tools::leaf_cells(field)) {
+    preview.cells.push_back({scale * cell.x_u, scale * cell.y_u,
+                             scale * cell.side_u, cell.fields,
+                             cell.is_saturated});
   }
 }
 

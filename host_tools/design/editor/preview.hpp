@@ -6,22 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "display.hpp"
 #include "image.hpp"
 #include "model/project.hpp"
 #include "target/target.hpp"
 
 namespace inkcell::design::editor {
 
-enum class Display { mono, grey2, grey4, rgb565, lcd };
+using tools::Display;
 
-/// How a display is named in scripts, and shown.
-struct DisplayInfo {
-  Display display;
-  const char* name;
-  const char* label;
-  const char* hint;
-};
-const std::vector<DisplayInfo>& display_list();
+/// Those that a person may choose.
+const std::vector<Display>& preview_displays();
 
 enum class Cells { off, edges, samples };
 

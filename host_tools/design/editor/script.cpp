@@ -109,16 +109,7 @@ void set_preview(const Line& line) {
   PreviewSettings& settings = line.editor.preview;
   settings.glyph_px = number(line, 0);
   settings.text_px = {settings.glyph_px};
-  bool is_known = false;
-  for (const DisplayInfo& display : display_list()) {
-    if (word(line, 1) == display.name) {
-      settings.display = display.display;
-      is_known = true;
-    }
-  }
-  if (!is_known) {
-    throw Error("display '" + line.words[1] + "' is not known");
-  }
+  settings.display = tools::display_of(word(line, 1));
   settings.dark = line.words.size() > 2 && line.words[2] == "dark";
 }
 

@@ -4,7 +4,6 @@
 
 #include "editor/window/outline_layer.hpp"
 #include "editor/window/panels.hpp"
-#include "editor/window/theme.hpp"
 
 namespace inkcell::design::editor {
 namespace {

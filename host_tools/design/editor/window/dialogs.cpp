@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "editor/window/panels.hpp"
-#include "editor/window/theme.hpp"
 
 namespace inkcell::design::editor {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "editor/thumbnail.hpp"
 #include "editor/window/panels.hpp"
-#include "editor/window/theme.hpp"
 #include "rom_file.hpp"
 
 namespace inkcell::design::editor {
@@ -53,7 +52,7 @@ void draw_cell(Panels& panels, const std::string& name) {
     list.AddImage(texture, at, {at.x + side, at.y + side});
   }
   const std::string text = label_of(*glyph);
-  ImGui::PushFont(small_font());
+  ImGui::PushFont(tools::small_font());
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   list.PushClipRect(at, end, true);
   list.AddText({std::round(at.x + (side - width) / 2), at.y + side - px(2)},

@@ -3,7 +3,6 @@
 
 #include "editor/edits.hpp"
 #include "editor/window/panels.hpp"
-#include "editor/window/theme.hpp"
 
 namespace inkcell::design::editor {
 namespace {

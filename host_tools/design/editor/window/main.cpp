@@ -7,8 +7,8 @@
 #include "editor/preview_worker.hpp"
 #include "editor/script.hpp"
 #include "editor/window/panels.hpp"
-#include "editor/window/screen.hpp"
 #include "program.hpp"
+#include "window/screen.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -67,7 +67,7 @@ void run_window(const Arguments& arguments) {
   if (!arguments.file.empty()) {
     editor.open(arguments.file, arguments.project, arguments.chars);
   }
-  Screen screen("Inkcell");
+  tools::Screen screen("Inkcell");
   PreviewWorker worker;
   Panels panels(editor, screen.textures());
   std::optional<PreviewKey> asked;
@@ -96,7 +96,7 @@ void write_screenshot(Editor& editor,
   const auto side = [scale](int pixels) {
     return static_cast<int>(static_cast<float>(pixels) * scale);
   };
-  Screen screen(side(kPictureWidth), side(kPictureHeight), scale);
+  tools::Screen screen(side(kPictureWidth), side(kPictureHeight), scale);
   Panels panels(editor, screen.textures());
   if (editor.glyph() != nullptr) {
     panels.preview =

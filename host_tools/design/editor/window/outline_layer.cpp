@@ -5,7 +5,6 @@
 
 #include "bitmap/bitmap.hpp"
 #include "editor/segments.hpp"
-#include "editor/window/theme.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::design::editor {

@@ -1,7 +1,5 @@
 #include "editor/window/panels.hpp"
 
-#include "editor/window/theme.hpp"
-
 namespace inkcell::design::editor {
 namespace {
 
@@ -11,44 +9,7 @@ constexpr float kSideWidth = 372;
 constexpr float kStatusHeight = 30;
 constexpr float kInspectorHeight = 292;
 
-constexpr ImGuiWindowFlags kFixed =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings;
-
-struct Area {
-  ImVec2 at;
-  ImVec2 size;
-};
-
-void panel(const char* name,
-           const Area& area,
-           void (*draw)(Panels&),
-           Panels& panels,
-           ImGuiWindowFlags flags = 0) {
-  ImGui::SetNextWindowPos(area.at);
-  ImGui::SetNextWindowSize(area.size);
-  if (ImGui::Begin(name, nullptr, kFixed | flags)) {
-    draw(panels);
-  }
-  ImGui::End();
-}
-
 }  // namespace
-
-void tooltip(const char* text, const char* keys) {
-  if (!ImGui::IsItemHovered()) {
-    return;
-  }
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(px(280));
-  ImGui::TextUnformatted(text);
-  ImGui::PopTextWrapPos();
-  if (*keys != '\0') {
-    ImGui::TextDisabled("%s", keys);
-  }
-  ImGui::EndTooltip();
-}
 
 void draw_window(Panels& panels) {
   draw_menu(panels);
@@ -60,21 +21,25 @@ void draw_window(Panels& panels) {
   const float tools = px(kToolbarWidth);
   const float grid = px(kGridWidth);
   const float inspector = px(kInspectorHeight);
-  panel("Tools", {{0, top}, {tools, middle}}, draw_toolbar, panels,
-        ImGuiWindowFlags_NoScrollbar);
-  panel("Glyphs", {{tools, top}, {grid, middle}}, draw_glyph_grid, panels,
-        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  panel(
+      "Tools", {0, top}, {tools, middle}, [&] { draw_toolbar(panels); },
+      ImGuiWindowFlags_NoScrollbar);
+  panel(
+      "Glyphs", {tools, top}, {grid, middle}, [&] { draw_glyph_grid(panels); },
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  panel("Canvas", {{tools + grid, top}, {all.x - tools - grid - side, middle}},
-        draw_canvas, panels,
-        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  panel(
+      "Canvas", {tools + grid, top}, {all.x - tools - grid - side, middle},
+      [&] { draw_canvas(panels); },
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  panel("Preview", {{all.x - side, top}, {side, middle - inspector}},
-        draw_preview_panel, panels);
-  panel("Inspector", {{all.x - side, bottom - inspector}, {side, inspector}},
-        draw_inspector, panels);
-  panel("Status", {{0, bottom}, {all.x, px(kStatusHeight)}}, draw_status,
-        panels, ImGuiWindowFlags_NoScrollbar);
+  panel("Preview", {all.x - side, top}, {side, middle - inspector},
+        [&] { draw_preview_panel(panels); });
+  panel("Inspector", {all.x - side, bottom - inspector}, {side, inspector},
+        [&] { draw_inspector(panels); });
+  panel(
+      "Status", {0, bottom}, {all.x, px(kStatusHeight)},
+      [&] { draw_status(panels); }, ImGuiWindowFlags_NoScrollbar);
   draw_dialogs(panels);
 }
 

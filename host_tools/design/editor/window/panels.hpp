@@ -8,10 +8,19 @@
 
 #include "editor/editor.hpp"
 #include "editor/preview.hpp"
-#include "editor/window/textures.hpp"
 #include "shape/shape.hpp"
+#include "window/textures.hpp"
+#include "window/theme.hpp"
+#include "window/widgets.hpp"
 
 namespace inkcell::design::editor {
+
+namespace colour = tools::colour;
+using tools::choice;
+using tools::panel;
+using tools::px;
+using tools::Textures;
+using tools::tooltip;
 
 /// What panels share beside the editor.
 struct Panels {
@@ -41,9 +50,6 @@ void attempt(Editor& editor, const Work& work) {
     editor.message = error.what();
   }
 }
-
-/// A text that appears over the last widget when the pointer rests on it.
-void tooltip(const char* text, const char* keys = "");
 
 /// All of the window.
 void draw_window(Panels& panels);

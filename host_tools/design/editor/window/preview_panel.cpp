@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "editor/window/panels.hpp"
-#include "editor/window/theme.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -14,30 +13,15 @@ namespace {
 constexpr float kGlyphHeight = 176;  // of the enlarged glyph's frame
 constexpr int kMostEnlarged = 16;
 
-// A button that stays pressed.
-bool choice(const char* label, bool is_chosen, const char* hint) {
-  if (is_chosen) {
-    ImGui::PushStyleColor(ImGuiCol_Button, colour::kTool);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colour::kTool);
-    ImGui::PushStyleColor(ImGuiCol_Text, colour::kPaper);
-  }
-  const bool is_pressed = ImGui::Button(label);
-  if (is_chosen) {
-    ImGui::PopStyleColor(3);
-  }
-  tooltip(hint);
-  return is_pressed;
-}
-
 void draw_choices(PreviewSettings& settings) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(4), px(7)));
-  for (const DisplayInfo& display : display_list()) {
-    if (display.display != display_list().front().display) {
+  for (const Display display : preview_displays()) {
+    if (display != preview_displays().front()) {
       ImGui::SameLine();
     }
-    if (choice(display.label, display.display == settings.display,
-               display.hint)) {
-      settings.display = display.display;
+    const tools::DisplayInfo& info = tools::display_info(display);
+    if (choice(info.label, display == settings.display, info.hint)) {
+      settings.display = display;
     }
   }
   ImGui::SameLine(0, px(14));

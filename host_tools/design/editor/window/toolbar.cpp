@@ -1,7 +1,6 @@
 // The strip of tools.
 #include "editor/window/icons.hpp"
 #include "editor/window/panels.hpp"
-#include "editor/window/theme.hpp"
 
 namespace inkcell::design::editor {
 namespace {

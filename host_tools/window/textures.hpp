@@ -9,7 +9,7 @@
 
 #include "image.hpp"
 
-namespace inkcell::design::editor {
+namespace inkcell::tools {
 
 class Textures {
  public:
@@ -20,7 +20,7 @@ class Textures {
   /// gets its address. Null for an empty picture.
   ImTextureID of(const std::shared_ptr<const void>& owner,
                  const void* key,
-                 const tools::Image& image);
+                 const Image& image);
   /// The one that of() made for `key`, if any.
   ImTextureID find(const void* key) const;
   /// Drops those that were not asked for since the last call but one.
@@ -40,4 +40,4 @@ class Textures {
   std::map<const void*, Entry> entries_;
 };
 
-}  // namespace inkcell::design::editor
+}  // namespace inkcell::tools

@@ -1,15 +1,15 @@
-#include "editor/window/textures.hpp"
+#include "window/textures.hpp"
 
 #include <vector>
 
-namespace inkcell::design::editor {
+namespace inkcell::tools {
 namespace {
 
 constexpr int kMostAge = 120;  // [frames]
 
 constexpr uint8_t kInkLevel = 40;
 
-std::vector<uint8_t> to_rgba(const tools::Image& image) {
+std::vector<uint8_t> to_rgba(const Image& image) {
   std::vector<uint8_t> rgba;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -28,7 +28,7 @@ std::vector<uint8_t> to_rgba(const tools::Image& image) {
 
 ImTextureID Textures::of(const std::shared_ptr<const void>& owner,
                          const void* key,
-                         const tools::Image& image) {
+                         const Image& image) {
   if (ImTextureID known = find(key)) {
     return known;
   }
@@ -67,4 +67,4 @@ void Textures::end_frame() {
   }
 }
 
-}  // namespace inkcell::design::editor
+}  // namespace inkcell::tools

@@ -1,11 +1,11 @@
-#include "editor/window/theme.hpp"
+#include "window/theme.hpp"
 
 #include <imgui_freetype.h>
 
 #include <cmath>
 #include <filesystem>
 
-namespace inkcell::design::editor {
+namespace inkcell::tools {
 namespace {
 
 constexpr float kFontSize = 15;  // [px]
@@ -108,4 +108,4 @@ void apply_theme(float scale) {
   colours[ImGuiCol_ScrollbarGrab] = grey(0.82f);
 }
 
-}  // namespace inkcell::design::editor
+}  // namespace inkcell::tools

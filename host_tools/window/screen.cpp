@@ -1,4 +1,4 @@
-#include "editor/window/screen.hpp"
+#include "window/screen.hpp"
 
 #include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
-#include "editor/window/theme.hpp"
 #include "image.hpp"
-#include "model/error.hpp"
+#include "window/theme.hpp"
 
-namespace inkcell::design::editor {
+namespace inkcell::tools {
 namespace {
 
 constexpr int kWidth = 1440;
@@ -20,10 +20,10 @@ constexpr float kNormalDpi = 96;
 constexpr float kFrameSeconds = 1.0f / 60;
 
 [[noreturn]] void refuse(const char* what) {
-  throw Error(std::string(what) + ": " + SDL_GetError());
+  throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
 }
 
-// A key as press_key() takes it.
+// Such as ctrl+shift+z.
 std::string key_name(const SDL_Keysym& key) {
   std::string name = SDL_GetKeyName(key.sym);
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
@@ -187,12 +187,12 @@ void Screen::write_picture(const std::filesystem::path& file) {
   int width = 0;
   int height = 0;
   SDL_GetRendererOutputSize(renderer_, &width, &height);
-  tools::Image image(width, height, 3);
+  Image image(width, height, 3);
   if (SDL_RenderReadPixels(renderer_, nullptr, SDL_PIXELFORMAT_RGB24,
                            image.pixels.data(), 3 * width) != 0) {
     refuse("no picture");
   }
-  tools::write_image(file, image);
+  write_image(file, image);
 }
 
-}  // namespace inkcell::design::editor
+}  // namespace inkcell::tools

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-namespace inkcell::design::editor {
+namespace inkcell::tools {
 
 namespace colour {
 inline constexpr ImU32 kPaper = IM_COL32(255, 255, 255, 255);
@@ -33,4 +33,4 @@ ImFont* small_font();
 /// px of the screen for px at scale 1.
 float px(float value);
 
-}  // namespace inkcell::design::editor
+}  // namespace inkcell::tools

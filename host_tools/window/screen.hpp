@@ -8,13 +8,13 @@
 #include <memory>
 #include <string>
 
-#include "editor/window/textures.hpp"
+#include "window/textures.hpp"
 
-namespace inkcell::design::editor {
+namespace inkcell::tools {
 
 class Screen {
  public:
-  /// A window. Throws Error.
+  /// A window. Throws std::runtime_error.
   explicit Screen(const std::string& title);
   /// A picture of `width` x `height` px at `scale`, without a display server.
   Screen(int width, int height, float scale);
@@ -25,15 +25,15 @@ class Screen {
   Textures& textures() { return *textures_; }
 
   /// Waits for input up to `wait_ms` and hands it to ImGui; `on_key` gets keys
-  /// as press_key() takes them, unless a text field has them. False if the
-  /// person closes the window.
+  /// named as SDL does, such as ctrl+shift+z, unless a text field has them.
+  /// False if the person closes the window.
   bool take_input(int wait_ms,
                   const std::function<void(const std::string&)>& on_key);
 
   /// Draws one frame, whose widgets `panels` submits.
   void draw_frame(const std::function<void()>& panels);
 
-  /// Writes the last frame. Throws Error.
+  /// Writes the last frame. Throws std::runtime_error.
   void write_picture(const std::filesystem::path& file);
 
  private:
@@ -47,4 +47,4 @@ class Screen {
   std::unique_ptr<Textures> textures_;
 };
 
-}  // namespace inkcell::design::editor
+}  // namespace inkcell::tools
