@@ -46,4 +46,6 @@ select 3
 screenshot docs/img/editor.png
 END
 "$tools/design/editor/inkcell-editor" --script "$folder/editor.txt"
+"$tools/simulator/inkcell-simulator" --display grey4 --size 128x64 --px 40 \
+  --text Rag --hint vertical --overlay on --screenshot docs/img/simulator.png
 ls -l docs/img

@@ -1,0 +1,123 @@
+#include "simulator.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace inkcell::tools {
+namespace {
+
+constexpr const char* kDigits = "0123456789:";
+
+// Whether a font was asked for all characters of a text; a face may lack some.
+bool was_asked(const Font& font,
+               const std::string& asked,
+               const std::string& text) {
+  const std::vector<char32_t> known = from_utf8(asked);
+  const std::vector<char32_t> wanted = from_utf8(text);
+  return std::all_of(wanted.begin(), wanted.end(), [&](char32_t c) {
+    uint16_t glyph = 0;
+    return font.glyph_of(c, glyph) == Status::ok ||
+           std::find(known.begin(), known.end(), c) != known.end();
+  });
+}
+
+// Whether the same stage plays both.
+bool plays_same(Settings a, const Settings& b) {
+  a.frame = b.frame;
+  a.rows = b.rows;
+  return draws_same(a, b);
+}
+
+}  // namespace
+
+const Font& Simulator::font_for(const std::string& coding,
+                                const std::string& text) {
+  const auto known = fonts_.find(coding);
+  if (known == fonts_.end()) {
+    return fonts_.emplace(coding, Made{make_font_(coding, text), text})
+        .first->second.rom.font();
+  }
+  Made& made = known->second;
+  if (!was_asked(made.rom.font(), made.text, text)) {
+    made = Made{make_font_(coding, made.text + text), made.text + text};
+  }
+  return made.rom.font();
+}
+
+void Simulator::open_stage() {
+  font_ = nullptr;
+  if (settings.scene == kDemoScene) {
+    stage_ = make_demo_stage(find_board(settings.board));
+    return;
+  }
+  if (settings.scene == kTextScene) {
+    font_ = &font_for(settings.coding, settings.text);
+    stage_ = make_text_stage(settings, *font_);
+    return;
+  }
+  const std::vector<SceneKind>& kinds = scene_kinds();
+  const SceneKind& kind = *std::find_if(
+      kinds.begin(), kinds.end(),
+      [&](const SceneKind& scene) { return scene.name == settings.scene; });
+  if (settings.board.empty()) {
+    font_ = &font_for("outline", settings.text + kDigits);
+  } else if (!board_font_) {
+    Font font;
+    if (Font::open(board_motion_font(), font) != Status::ok) {
+      throw std::runtime_error("the boards' font cannot be opened");
+    }
+    board_font_ = font;
+  }
+  stage_ = make_player_stage(settings, kind,
+                             font_ == nullptr ? *board_font_ : *font_);
+}
+
+void Simulator::draw() {
+  const bool is_same =
+      is_tried_ && stage_ != nullptr && plays_same(tried_, settings);
+  tried_ = settings;
+  is_tried_ = true;
+  if (!is_same) {
+    stage_.reset();
+    open_stage();
+  }
+  DisplayMemory memory(settings.display, settings.width, settings.height);
+  DrawStats stats;
+  stage_->set_frame(settings.frame);
+  const int rows = memory.whole_rows(settings.rows);
+  const auto begin = std::chrono::steady_clock::now();
+  memory.show(rows, [&](const Strip& strip) {
+    ++stats.strips;
+    stage_->draw(strip, stats);
+  });
+  const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - begin;
+  const auto frame = std::make_shared<Frame>(memory);
+  frame->overlay = stage_->overlay();
+  frame->stats = stats;
+  frame->milliseconds = 1000 * time.count();
+  frame->strip_bytes = memory.strip_bytes(rows);
+  frame->state_bytes = stage_->state_bytes();
+  frame->font_bytes = font_ == nullptr ? 0 : font_->rom().size;
+  if (stage_->origin() != nullptr) {
+    frame->origin = *stage_->origin();
+  }
+  frame_ = frame;
+}
+
+void Simulator::update() {
+  if (!is_tried_ || !draws_same(tried_, settings)) {
+    problem_.clear();
+    try {
+      draw();
+    } catch (const std::exception& error) {
+      problem_ = error.what();
+    }
+  }
+  if (!problem_.empty()) {
+    throw std::runtime_error(problem_);
+  }
+}
+
+}  // namespace inkcell::tools

@@ -1,0 +1,71 @@
+// The simulator without its window: settings in, frames out.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "display.hpp"
+#include "overlay.hpp"
+#include "rom_file.hpp"
+#include "settings.hpp"
+#include "stage.hpp"
+
+namespace inkcell::tools {
+
+/// A frame that was drawn, and what drawing took.
+struct Frame {
+  explicit Frame(const DisplayMemory& shown)
+      : memory(shown), picture(shown.picture()) {}
+
+  DisplayMemory memory;
+  Image picture;  // colours as they reach the eye
+  Overlay overlay;
+  DrawStats stats;          // of text and scenes, none of a board's demo
+  double milliseconds = 0;  // on this machine
+  size_t strip_bytes = 0;
+  size_t state_bytes = 0;
+  size_t font_bytes = 0;        // 0: a board's own
+  std::optional<Point> origin;  // of text
+};
+
+class Simulator {
+ public:
+  /// Makes the font in a coding, with the characters of a text. May throw.
+  using FontMaker = std::function<RomFile(const std::string& coding,
+                                          const std::string& text)>;
+
+  explicit Simulator(FontMaker make_font) : make_font_(std::move(make_font)) {}
+
+  Settings settings;
+
+  /// Draws what the settings say, unless it was drawn already. Throws
+  /// std::runtime_error if they cannot be drawn; the last frame stays.
+  void update();
+
+  /// The last one; null before the first.
+  std::shared_ptr<const Frame> frame() const { return frame_; }
+
+ private:
+  const Font& font_for(const std::string& coding, const std::string& text);
+  void open_stage();
+  void draw();
+
+  FontMaker make_font_;
+  struct Made {
+    RomFile rom;
+    std::string text;  // whose characters it was made for
+  };
+  std::map<std::string, Made> fonts_;  // by coding
+  std::optional<Font> board_font_;
+  const Font* font_ = nullptr;  // of the stage; null: a board's own
+  Settings tried_;
+  bool is_tried_ = false;
+  std::string problem_;  // of what was tried
+  std::unique_ptr<Stage> stage_;
+  std::shared_ptr<const Frame> frame_;
+};
+
+}  // namespace inkcell::tools

@@ -1,0 +1,47 @@
+// The parts of the window. Each draws itself and changes the settings.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "simulator.hpp"
+#include "window/textures.hpp"
+#include "window/theme.hpp"
+#include "window/widgets.hpp"
+
+namespace inkcell::tools {
+
+/// What panels share beside the simulator.
+struct Panels {
+  Panels(Simulator& shown, Textures& kept) : simulator(shown), textures(kept) {}
+
+  Simulator& simulator;
+  Textures& textures;
+  bool has_fixed_coding = false;  // the font was made before
+  std::string problem;            // why the last settings draw nothing
+  bool is_playing = false;
+  float frames_due = 0;  // part of a frame that passed since the last one
+  bool wants_quit = false;
+  ImVec2 pan = {0, 0};  // of the display from the middle of its panel [px]
+  int zoom = 1;         // as it is shown
+  std::string pointed;  // the pixel under the pointer
+};
+
+/// All of the window.
+void draw_window(Panels& panels);
+
+void draw_controls(Panels& panels);
+void draw_display_view(Panels& panels);
+void draw_player_bar(Panels& panels);
+void draw_status(Panels& panels);
+
+/// A key by SDL's name.
+void take_key(Panels& panels, const std::string& key);
+
+/// Whether frames of the scene differ.
+bool is_moving(const Settings& settings);
+/// Frames until the scene begins anew.
+int loop_frames(const Settings& settings);
+
+}  // namespace inkcell::tools
