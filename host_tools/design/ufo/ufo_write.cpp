@@ -142,12 +142,18 @@ class Writer {
               std::strerror(errno));
 }
 
-void flush_to_disk(const fs::path& path) {
-  const int handle = ::open(path.c_str(), O_RDONLY);
-  if (handle < 0 || ::fsync(handle) != 0) {
+// `flush` is fsync() of a folder's names, or syncfs() of all that was written
+// to its file system: one wait instead of one for each file.
+void flush_to_disk(const fs::path& path, int (*flush)(int)) {
+  const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) {
     fail(path, "flushed to the disk");
   }
+  const int result = flush(handle);
   ::close(handle);
+  if (result != 0) {
+    fail(path, "flushed to the disk");
+  }
 }
 
 void write_file(const fs::path& file, const std::string& text) {
@@ -166,7 +172,7 @@ void write_file(const fs::path& file, const std::string& text) {
     }
     done += static_cast<size_t>(count);
   }
-  if (::fsync(handle) != 0 || ::close(handle) != 0) {
+  if (::close(handle) != 0) {
     fail(file, "written");
   }
 }
@@ -181,7 +187,8 @@ void swap_in(const fs::path& fresh, const fs::path& folder) {
   } else {
     fail(folder, "replaced");
   }
-  flush_to_disk(folder.parent_path().empty() ? "." : folder.parent_path());
+  flush_to_disk(folder.parent_path().empty() ? "." : folder.parent_path(),
+                ::fsync);
 }
 
 }  // namespace
@@ -225,6 +232,7 @@ void write_ufo(const Project& project,
       fs::copy_file(files.folder / file, fresh / file,
                     fs::copy_options::overwrite_existing);
     }
+    flush_to_disk(fresh, ::syncfs);
     swap_in(fresh, folder);
   } catch (const fs::filesystem_error& error) {
     throw Error(folder.string() +
