@@ -1,6 +1,7 @@
 // Corners of loops: where they are, and points instead of what is rounded.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fit/loop.hpp"
 
@@ -12,7 +13,13 @@ constexpr double kSide_u = 10;
 
 // Where the sides of a corner meet farther than this from the edge, it is a
 // blunt tip. [u]
-constexpr double kBlunt_u = 1;
+constexpr double kBlunt_u = 0.5;
+
+// Tips narrower than this are sharp. [u]
+constexpr double kSharp_u = 0.6;
+
+// Between places where the end of a tip is looked for. [u]
+constexpr double kTipStep_u = 0.25;
 
 // A corner lies within this many times its reach of the contour's point.
 constexpr double kMostExtension = 2.5;
@@ -63,6 +70,12 @@ struct Corner {
   double way = 0;
   Point at;
   double reach = 0;  // points this near give way to it
+};
+
+// Both sides of a corner, continued; the way is 0 at the corner.
+struct Sides {
+  Parabola before;
+  Parabola after;
 };
 
 class CornerFinder {
@@ -197,8 +210,7 @@ class CornerFinder {
     return point(i - 1) + f * (point(i) - point(i - 1));
   }
 
-  // Where the sides of corner k meet.
-  Point meeting(size_t k) const {
+  Sides sides(size_t k) const {
     const double s = chosen_[k];
     double before = way_.back();
     double after = way_.back();
@@ -208,8 +220,22 @@ class CornerFinder {
           std::fmod(s - chosen_[(k + n - 1) % n] + way_.back(), way_.back());
       after = std::fmod(chosen_[(k + 1) % n] - s + way_.back(), way_.back());
     }
-    const Parabola a = side(s, -1, std::max(before - options_.reach, 0.5));
-    const Parabola b = side(s, 1, std::max(after - options_.reach, 0.5));
+    return {side(s, -1, std::max(before - options_.reach, 0.5)),
+            side(s, 1, std::max(after - options_.reach, 0.5))};
+  }
+
+  // How far from the contour's point a corner may be. Cells and pixels cut more
+  // off a sharp one: as 1 / sin of half its angle.
+  double extension(const Point& in, const Point& out) const {
+    const double sine = std::cos(turn(in, out) / 2);
+    return kMostExtension * options_.reach /
+           std::max(sine, options_.distance ? 0.25 : 0.6);
+  }
+
+  // Where the sides of the corner at `s` meet.
+  Point meeting(double s, const Sides& sides) const {
+    const Parabola& a = sides.before;
+    const Parabola& b = sides.after;
     double sa = 0;
     double sb = 0;
     for (int round = 0; round < 8; ++round) {
@@ -225,22 +251,53 @@ class CornerFinder {
     }
     const Point found = 0.5 * (a.at(sa) + b.at(sb));
     const Point traced = at(s);
-    // Cells and pixels cut more off a sharp corner: as 1 / sin of half of it.
-    const double sine = std::cos(turn(a.slope(sa), b.slope(sb)) / 2);
-    const double most = kMostExtension * options_.reach /
-                        std::max(sine, options_.distance ? 0.25 : 0.6);
+    const double most = extension(a.slope(sa), b.slope(sb));
     const bool is_near = std::fabs(sa) < most && std::fabs(sb) < most &&
                          length(found - traced) < most;
     return is_near ? found : traced;
+  }
+
+  // The tip of a corner whose sides are nearly parallel: their meeting is off
+  // by many times what they are off, and squares of 1 u do not see the tip.
+  // Beyond it, on the line that halves the angle, the distance is that from the
+  // tip. None if the sides are too far from each other there.
+  std::optional<Point> sharp_tip(double s, const Sides& sides) const {
+    const Point in = unit(sides.before.slope(0));
+    const Point out = unit(sides.after.slope(0));
+    const Point way = unit(in - out);
+    const double sign = cross(in, out) > 0 ? 1 : -1;  // ink in the tip, or none
+    const Point from = at(s);
+    const double most = extension(in, out);
+    double beyond = -1;  // of the tip, from `from`
+    for (double k = 0; k < most && beyond < 0; k += kTipStep_u) {
+      const double d = sign * options_.distance(from + k * way);
+      beyond = d < -kTipStep_u ? k + d : beyond;
+    }
+    if (beyond < 0) {
+      return std::nullopt;
+    }
+    const auto there = [&](const Parabola& side) {
+      const double speed = dot(side.slope(0), way);
+      return side.at(
+          speed == 0 ? 0 : (beyond - dot(side.c[0] - from, way)) / speed);
+    };
+    const double width = length(there(sides.before) - there(sides.after));
+    return width < kSharp_u ? std::optional<Point>(from + beyond * way)
+                            : std::nullopt;
   }
 
   // A corner, or the two ends of a blunt tip.
   std::vector<Corner> corners() const {
     std::vector<Corner> result;
     for (size_t k = 0; k < chosen_.size(); ++k) {
-      const Corner corner = {chosen_[k], meeting(k), options_.reach};
-      if (!options_.distance ||
-          std::fabs(options_.distance(corner.at)) < kBlunt_u) {
+      const Sides both = sides(k);
+      Corner corner = {chosen_[k], meeting(chosen_[k], both), options_.reach};
+      const bool is_blunt = options_.distance &&
+                            std::fabs(options_.distance(corner.at)) > kBlunt_u;
+      const std::optional<Point> tip =
+          is_blunt ? sharp_tip(chosen_[k], both) : corner.at;
+      if (tip) {
+        corner.at = *tip;
         result.push_back(corner);
         continue;
       }

@@ -15,7 +15,11 @@ namespace {
 // squares, samples lose it within their smallest cells.
 constexpr double kFieldReach_u = 1.5;
 constexpr double kSampleReach_u = 2.5;
-constexpr double kCornerTurn = 0.2;
+
+// Least turn of a corner: pieces of fields meet under small angles where the
+// outline is smooth. [radians]
+constexpr double kFieldTurn = 0.28;
+constexpr double kSampleTurn = 0.2;
 
 Q16_16 to_q16(double value) {
   return Q16_16::from_raw(static_cast<int32_t>(std::lround(value * 65536)));
@@ -49,9 +53,9 @@ gen::Outline outline_of(const GlyphField& field,
   };
   std::vector<Loop> loops = walk_contours(field);
   CornerOptions corners;
-  corners.reach =
-      field.kind == GlyphField::Kind::samples ? kSampleReach_u : kFieldReach_u;
-  corners.turn = kCornerTurn;
+  const bool is_sampled = field.kind == GlyphField::Kind::samples;
+  corners.reach = is_sampled ? kSampleReach_u : kFieldReach_u;
+  corners.turn = is_sampled ? kSampleTurn : kFieldTurn;
   corners.distance = distance;
   for (Loop& loop : loops) {
     find_corners(corners, loop);

@@ -13,7 +13,7 @@
 namespace inkcell::design {
 
 struct FieldOutlineOptions {
-  double tolerance_u = 0.8;  // of the curves from the field's edge
+  double tolerance_u = 0.3;  // of the curves from the field's edge
   bool extremes = true;
 };
 
