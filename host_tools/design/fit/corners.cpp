@@ -15,6 +15,10 @@ constexpr double kSide_u = 10;
 // blunt tip. [u]
 constexpr double kBlunt_u = 0.5;
 
+// Between the sides of a tip of less than 45 degrees distances are small far
+// from the tip, too: they do not say where it is.
+constexpr double kAcuteCosine = -0.7;
+
 // Tips narrower than this are sharp. [u]
 constexpr double kSharp_u = 0.6;
 
@@ -294,10 +298,13 @@ class CornerFinder {
       Corner corner = {chosen_[k], meeting(chosen_[k], both), options_.reach};
       const bool is_blunt = options_.distance &&
                             std::fabs(options_.distance(corner.at)) > kBlunt_u;
+      const bool is_acute =
+          options_.distance && dot(unit(both.before.slope(0)),
+                                   unit(both.after.slope(0))) < kAcuteCosine;
       const std::optional<Point> tip =
-          is_blunt ? sharp_tip(chosen_[k], both) : corner.at;
-      if (tip) {
-        corner.at = *tip;
+          is_blunt || is_acute ? sharp_tip(chosen_[k], both) : std::nullopt;
+      if (tip || !is_blunt) {
+        corner.at = tip.value_or(corner.at);
         result.push_back(corner);
         continue;
       }
