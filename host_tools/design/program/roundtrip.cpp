@@ -171,7 +171,7 @@ void run(Arguments& arguments) {
 
 void add_options(CLI::App& command, Arguments& arguments) {
   gen::GenerateRequest& request = arguments.request;
-  request.target.coding = gen::Coding::edges;
+  request.target.coding = gen::Coding::samples;
   request.target.tolerance = 4;
   command
       .add_option("--chars", request.chars,
@@ -184,7 +184,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
       {"edges", gen::Coding::edges}, {"samples", gen::Coding::samples}};
   command
       .add_option("--coding", request.target.coding,
-                  "Cells of the field: edges or samples [edges]")
+                  "Cells of the field: edges or samples [samples]")
       ->transform(CLI::CheckedTransformer(codings).description(""))
       ->type_name("edges|samples");
   command
