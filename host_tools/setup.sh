@@ -12,7 +12,7 @@ inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev
   libcli11-dev nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev
   libgif-dev nettle-dev
-  libsdl2-dev libimgui-dev
+  libsdl2-dev libimgui-dev liblua5.4-dev
   gcc-arm-none-eabi libnewlib-arm-none-eabi
   gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
   qemu-system-arm qemu-system-misc

@@ -15,6 +15,7 @@ void add_import(CLI::App& app, Work& work);
 void add_import_svg(CLI::App& app, Work& work);
 void add_replay(CLI::App& app, Work& work);
 void add_roundtrip(CLI::App& app, Work& work);
+void add_script(CLI::App& app, Work& work);
 void add_stroke(CLI::App& app, Work& work);
 void add_trace(CLI::App& app, Work& work);
 

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   add_import_svg(app, work);
   add_replay(app, work);
   add_roundtrip(app, work);
+  add_script(app, work);
   add_stroke(app, work);
   add_trace(app, work);
   return inkcell::tools::run_program(app, argc, argv, [&work] {

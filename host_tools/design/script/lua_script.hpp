@@ -1,0 +1,39 @@
+// Programmable type: scripts in Lua that carry out commands.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "journal/session.hpp"
+
+namespace inkcell::design {
+
+struct ScriptOptions {
+  /// Values of the script's parameters, by name.
+  std::map<std::string, double> settings;
+  /// Instructions of Lua's machine before the script is ended.
+  size_t most_steps = 100'000'000;
+  /// Memory of the script. [bytes]
+  size_t most_bytes = size_t{256} << 20;
+  /// Gives the script Lua's io, os and require: the files and programs of this
+  /// machine. Without it a script reaches its project only.
+  bool is_trusted = false;
+};
+
+/// Runs a script. Every command of model/commands.hpp is a function of its
+/// name, which takes the arguments as a table; script/pens.lua holds pens and
+/// curves. `play` is called with each command and changes `project`, which
+/// glyph() and glyphs() read. The same script with the same settings does the
+/// same.
+///
+/// Throws Error that names the script and the line, for whatever fails in it,
+/// and for settings that the script does not have.
+void run_script(const std::filesystem::path& file,
+                const ScriptOptions& options,
+                const std::function<const Project&()>& project,
+                const std::function<void(const Value& command)>& play);
+
+}  // namespace inkcell::design
