@@ -10,7 +10,7 @@ inline constexpr const char* kClockHash =
 inline constexpr const char* kParticlesHash =
     "a574f3b0698d64aaf12f672165ccf1599edac14ab7a2ecf1ad2576c4f5fa6d17";
 inline constexpr const char* kFigure13Hash =
-    "2a54606cc773cdba40bb72663c243cb2b46929f8d898b8aad054dba951024104";
+    "43ac71af53c7543ea27d46933853ccc575d939927e517c01bdf6edba57c53aed";
 inline constexpr const char* kFigure14Hash =
     "21c5eb55fa5cbfd1cf13bfd25ce8905158269d4aad80873bbe9f0c9ef0eac61f";
 inline constexpr const char* kFigure15Hash =

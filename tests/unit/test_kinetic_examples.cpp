@@ -215,7 +215,7 @@ Status draw_level_set(const Sink& sink) {
   Flow flow;
   flow.vortices = {&vortex, 1};
   advect(grid, flow, next);  // a step
-  redistance(next, grid);    // every 8th step or so
+  redistance(next, grid);    // every 8th step or so, or some rows in each
   GridLook look;
   look.cutoff = cutoff_for(grid, area, scratch);  // keeps the area
   draw_grid(grid, look, 0, 0, kFilterMotion, sink);

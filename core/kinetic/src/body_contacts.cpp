@@ -377,7 +377,10 @@ size_t find_contacts(Span<Body> bodies,
   Finder finder = {bodies, contacts, rules, still_q16, 0, 0};
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
-    body.squeeze.raw = 0;
+    // Nobody looks at two that sleep: they stay as they were.
+    if (!body.is_asleep()) {
+      body.squeeze.raw = 0;
+    }
     body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
   }
   for (size_t i = 0; i < bodies.size; ++i) {

@@ -45,8 +45,8 @@ struct GridPart {
 
 /// Distance and gradient of the shape at (x, y) on the screen, made a distance
 /// again where coverage by `filter` depends on it: between its cutoffs. Far
-/// from all parts, or without any, it is far outside. About 150 instructions for
-/// each part (M4, -O2).
+/// from all parts, or without any, it is far outside. About 150 instructions
+/// for each part (M4, -O2).
 GridPoint combined_at(Span<const GridPart> parts,
                       Q16_16 x,
                       Q16_16 y,
