@@ -104,8 +104,7 @@ struct Finder {
   __attribute__((noinline)) void find_wall(size_t index, int32_t wall) noexcept;
 };
 
-// The distance inside of what is nearest, and the part of the way to there that
-// is the body's own.
+// The distance inside of the nearest, and the body's own part of the way there.
 void Finder::note(Body& body,
                   int32_t distance_q10,
                   int32_t part_q8) const noexcept {
@@ -378,9 +377,7 @@ size_t find_contacts(Span<Body> bodies,
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
     // Nobody looks at two that sleep: they stay as they were.
-    if (!body.is_asleep()) {
-      body.squeeze.raw = 0;
-    }
+    body.squeeze = body.is_asleep() ? body.squeeze : Q6_10();
     body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
   }
   for (size_t i = 0; i < bodies.size; ++i) {
