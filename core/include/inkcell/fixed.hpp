@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
+
 namespace inkcell {
 
 /// A signed fixed-point number with `kFraction` fractional bits, stored in
@@ -22,8 +24,11 @@ struct Fixed {
     result.raw = value;
     return result;
   }
-  /// `value` must fit the integer part.
+  /// `value` must fit the integer part: [-2^(m-1), 2^(m-1)) in Qm.n.
   static constexpr Fixed from_int(Raw value) noexcept {
+    INKCELL_ASSERT(
+        from_raw(static_cast<Raw>(value * (int64_t{1} << kFraction))).floor() ==
+        value);
     return from_raw(static_cast<Raw>(value * (Raw{1} << kFraction)));
   }
   /// Rounds towards minus infinity.

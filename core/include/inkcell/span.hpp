@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
+
 namespace inkcell {
 
 /// A pointer and a count. Owns nothing: the memory must outlive the view.
@@ -21,7 +23,11 @@ struct Span {
   /// A view of mutable elements serves as a view of constant ones.
   constexpr operator Span<const T>() const noexcept { return {data, size}; }
 
-  constexpr T& operator[](size_t i) const noexcept { return data[i]; }
+  /// i < size.
+  constexpr T& operator[](size_t i) const noexcept {
+    INKCELL_ASSERT(i < size);
+    return data[i];
+  }
   constexpr T* begin() const noexcept { return data; }
   constexpr T* end() const noexcept { return data + size; }
 };

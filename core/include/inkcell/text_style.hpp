@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
@@ -236,15 +237,18 @@ class TextStyle {
   /// The functions that fit glyphs of outlines (a fitted style), or map them (a
   /// style that is not upright). set_fitter() and make() link them.
   const detail::OutlineFitter& outline_fitter() const noexcept {
+    INKCELL_ASSERT(is_fitted());
     return *outline_fitter_;
   }
   detail::OutlineMapper outline_mapper() const noexcept {
+    INKCELL_ASSERT(!is_upright());
     return outline_mapper_;
   }
 
   /// The painter of glyphs of cells, for styles that are not upright. make()
   /// links it.
   const detail::CellRaster& slanted_cells() const noexcept {
+    INKCELL_ASSERT(!is_upright());
     return *slanted_cells_;
   }
 
@@ -309,6 +313,7 @@ class TextStyle {
   /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)), with
   /// the two common cases first. Not for stretched styles. [u, Q10]
   uint8_t coverage(int32_t distance_u_q10) const noexcept {
+    INKCELL_ASSERT(!is_stretched());
     if (is_transparent(distance_u_q10)) {
       return 0;
     }

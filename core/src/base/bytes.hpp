@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
+
 namespace inkcell {
 namespace detail {
 
@@ -13,6 +15,7 @@ namespace detail {
 // late how short they are.
 __attribute__((always_inline)) inline uint16_t load_u16(
     const uint8_t* at) noexcept {
+  INKCELL_ASSERT(reinterpret_cast<uintptr_t>(at) % 2 == 0);
   const auto* p = static_cast<const uint8_t*>(__builtin_assume_aligned(at, 2));
   return static_cast<uint16_t>(p[0] | p[1] << 8);
 }
@@ -24,6 +27,7 @@ __attribute__((always_inline)) inline int16_t load_i16(
 
 __attribute__((always_inline)) inline uint32_t load_u32(
     const uint8_t* at) noexcept {
+  INKCELL_ASSERT(reinterpret_cast<uintptr_t>(at) % 4 == 0);
   const auto* p = static_cast<const uint8_t*>(__builtin_assume_aligned(at, 4));
   return static_cast<uint32_t>(p[0]) | static_cast<uint32_t>(p[1]) << 8 |
          static_cast<uint32_t>(p[2]) << 16 | static_cast<uint32_t>(p[3]) << 24;

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
+
 namespace inkcell {
 namespace detail {
 
@@ -15,6 +17,7 @@ inline int32_t max(int32_t a, int32_t b) noexcept {
 
 // Not of INT32_MIN.
 inline int32_t abs(int32_t value) noexcept {
+  INKCELL_ASSERT(value != INT32_MIN);
   return value < 0 ? -value : value;
 }
 

@@ -3,10 +3,13 @@
 
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
+
 namespace inkcell {
 namespace detail {
 
 inline uint32_t load_pixels(const uint8_t* at) noexcept {
+  INKCELL_ASSERT(reinterpret_cast<uintptr_t>(at) % 4 == 0);
   uint32_t word;
   __builtin_memcpy(&word, __builtin_assume_aligned(at, 4), 4);
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
@@ -16,6 +19,7 @@ inline uint32_t load_pixels(const uint8_t* at) noexcept {
 }
 
 inline void store_pixels(uint8_t* at, uint32_t word) noexcept {
+  INKCELL_ASSERT(reinterpret_cast<uintptr_t>(at) % 4 == 0);
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
   word = __builtin_bswap32(word);
 #endif
@@ -24,6 +28,7 @@ inline void store_pixels(uint8_t* at, uint32_t word) noexcept {
 
 // `bytes` is a multiple of 4.
 inline void clear_pixels(uint8_t* at, int32_t bytes) noexcept {
+  INKCELL_ASSERT(bytes >= 0 && bytes % 4 == 0);
   for (; bytes >= 32; bytes -= 32) {
     store_pixels(at, 0);
     store_pixels(at + 4, 0);

@@ -2,6 +2,7 @@
 
 #include "base/math.hpp"
 #include "base/words.hpp"
+#include "inkcell/assert.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -22,6 +23,10 @@ void emit_row(const Sink& sink,
               int32_t y,
               const uint8_t* coverage,
               int32_t count) noexcept {
+  INKCELL_ASSERT(sink.coverage != nullptr && sink.solid != nullptr);
+  INKCELL_ASSERT(y >= sink.window.y0 && y < sink.window.y1);
+  INKCELL_ASSERT(x >= sink.window.x0 && count >= 0 &&
+                 count <= sink.window.x1 - x);
   const int32_t end = x + count;
   int32_t next = min((x | 3) + 1, end);
   uint32_t pixels = next_pixels(coverage, next - x);
@@ -50,6 +55,9 @@ void emit(const Sink& sink,
           const Rect& pixels,
           const uint8_t* coverage,
           int32_t stride) noexcept {
+  INKCELL_ASSERT(pixels.x0 >= sink.window.x0 && pixels.x1 <= sink.window.x1 &&
+                 pixels.y0 >= sink.window.y0 && pixels.y1 <= sink.window.y1);
+  INKCELL_ASSERT(stride % 4 == 0 && stride >= pixels.x1 - pixels.x0);
   if (sink.block != nullptr) {
     sink.block(sink.context, {pixels, coverage, stride});
     return;

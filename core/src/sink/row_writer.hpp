@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/assert.hpp"
 #include "inkcell/strip.hpp"
 #include "sink/emit.hpp"
 
@@ -18,6 +19,7 @@ class RowWriter {
     if (count_ == 0) {
       x_ = x;
     }
+    INKCELL_ASSERT(x == x_ + count_ && count_ < kMaxSpan);
     // Words as emit_row() takes them.
     reinterpret_cast<uint8_t*>(words_)[(x_ & 3) + count_++] = coverage;
     if (count_ == kMaxSpan) {

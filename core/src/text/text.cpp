@@ -1,5 +1,6 @@
 #include "inkcell/text.hpp"
 
+#include "inkcell/assert.hpp"
 #include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
 #include "raster/draw_cells.hpp"
@@ -81,6 +82,7 @@ __attribute__((always_inline)) inline void draw_placed(
 }  // namespace
 
 uint32_t next_code_point(Text& text) noexcept {
+  INKCELL_ASSERT(text.size != 0);
   const uint32_t first = byte_at(text, 0);
   if (first < 0x80) {
     take(text, 1);
@@ -248,6 +250,7 @@ void draw(const Face& face,
           Point origin,
           const Sink& sink,
           Workspace workspace) noexcept {
+  INKCELL_ASSERT(face.font != nullptr && face.style != nullptr);
   const UnitScale scale(*face.font, *face.style);
   origin = run_origin(*face.style, origin);
   for (const PositionedGlyph& at : glyphs) {
@@ -255,6 +258,7 @@ void draw(const Face& face,
       continue;
     }
     const Face& own = at.face == 0 ? face : fallback[at.face - 1u];
+    INKCELL_ASSERT(own.font != nullptr && own.style != nullptr);
     Placed placed;
     if (place_near(scale, *face.style, origin, at, placed)) {
       draw_placed(*own.font, at.glyph, *own.style, placed, sink, workspace);
