@@ -9,6 +9,9 @@ import sys
 import tempfile
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
+SAMPLE = (pathlib.Path(__file__).resolve().parents[2] /
+          "host_tools/design/samples/pen_face.lua")
 PROBLEMS = []
 
 
@@ -42,17 +45,25 @@ def bad(program, message, *arguments):
 def check_help(design):
     text = good(design, "--help")
     for name in ("export", "import", "import-svg", "replay", "roundtrip",
-                 "stroke", "trace"):
+                 "script", "stroke", "trace"):
         expect(name in text, f"--help does not name {name}")
         expect("--" in good(design, name, "--help"), f"{name} --help")
 
 
 def check_roundtrip(design, folder):
     report = folder / "r.json"
-    good(design, "roundtrip", "--font", FONT, "--symbols", "eB", "--coding",
-         "samples", "--tolerance", "4/255", "--report", report)
+    good(design, "roundtrip", "--font", FONT, "--symbols", "eB", "--report",
+         report)
     data = json.loads(report.read_text())
     expect(len(data["glyphs"]) == 2, "roundtrip: two glyphs")
+    expect(0 < data["second_round_u"] <= 0.5,
+           f"roundtrip: a second round moves {data['second_round_u']} u")
+    # The tip of a wedge of 15 degrees, which is narrower than the walk's squares.
+    good(design, "roundtrip", "--font", SERIF, "--symbols", "3", "--report",
+         report)
+    three = json.loads(report.read_text())
+    expect(three["worst_u"] <= 0.5 and three["second_round_u"] <= 0.5,
+           f"roundtrip: the tip of 3 is off by {three['worst_u']} u")
     for name, glyph in data["glyphs"].items():
         expect(0 < glyph["worst_u"] <= 1.5 and 0 < glyph["rms_u"] <= 0.5,
                f"roundtrip: {name} is off by {glyph['worst_u']} u")
@@ -92,6 +103,63 @@ def check_projects(design, folder):
     script.write_text('{"do": "set_advance", "glyph": "Z", "width": 1}\n')
     bad(design, "record 1 of 1: command 'set_advance', glyph 'Z'", "replay",
         script, "--project", project)
+
+
+def check_scripts(design, folder):
+    """Programs in Lua: parameters, curves, limits, and errors with lines."""
+    thin, bold, again = (folder / name for name in
+                         ("Thin.ufo", "Bold.ufo", "Again.ufo"))
+    commands = folder / "commands.jsonl"
+    good(design, "script", SAMPLE, "--out", thin, "--set", "weight=40",
+         "--commands", commands)
+    good(design, "script", SAMPLE, "--out", bold, "--set", "weight=150")
+    good(design, "replay", commands, "--out", again)
+    files = sorted(path.relative_to(thin) for path in thin.rglob("*.*"))
+    expect(len(files) > 8 and all((again / name).read_bytes() ==
+                                  (thin / name).read_bytes()
+                                  for name in files),
+           "script: its commands do not make the same project")
+    expect((bold / "glyphs/n.glif").read_bytes() !=
+           (thin / "glyphs/n.glif").read_bytes(), "script: --set does nothing")
+    good(design, "export", "--project", bold, "--out", folder / "bold.ttf")
+    script = folder / "s.lua"
+
+    def fails(message, text, *options):
+        script.write_text(text)
+        bad(design, message, "script", script, "--out", folder / "N.ufo",
+            *options)
+        expect(not (folder / "N.ufo").exists(),
+               f"{message}: a script that fails leaves a project")
+
+    fails("s.lua:2: ", "local a = 1\nlocal b = = 2\n")
+    fails("s.lua:2: attempt to", "local a = nil\nlocal b = a.x\n")
+    fails("s.lua:3: command 'set_advance', glyph 'q'", "\n\n"
+          "set_advance{glyph = 'q', width = 1}\n")
+    fails("s.lua:2: curve: knot 2 is not", "\ncurve{{0, 0}, {1}}\n")
+    fails("s.lua:1: parameter 'w' is 9", "param('w', 1, 0, 2)", "--set", "w=9")
+    fails("no such parameter; it has w", "param('w', 1)", "--set", "v=9")
+    fails("steps", "while true do pcall(function() while true do end end) end",
+          "--steps", "100000")
+    fails("memory", "local t = 'x' while true do t = t .. t end")
+    for name in ("io", "os", "require", "load", "dofile", "debug"):
+        fails("nil value", f"local f = {name}.x or {name}()\n")
+    # A circle of four knots: handles of 0.5523 radii, Hobby's figure.
+    good_script = """
+local path = curve{{100, 0}, {0, 100}, {-100, 0}, {0, -100}, closed = true}
+local function near(a, b) return math.abs(a - b) < 0.01 end
+assert(#path == 4 and near(path[1][4], 55.228) and near(path[1][5], 55.228))
+local given = curve{{0, 0, dir = 90}, {100, 100, dir = 0}}[1]
+assert(near(given[3], 0) and near(given[6], 100) and near(given[4], 55.228))
+local straight = curve{{0, 0}, {100, 0}, {250, 0}}
+assert(near(straight[1][4], 0) and near(straight[2][5], 200))
+local round = superellipse(0, 0, 100, 100)
+for _, p in ipairs(round) do assert(near(p[1] ^ 2 + p[2] ^ 2, 10000)) end
+add_glyph{glyph = "o", width = 200}
+set_contours{glyph = "o", contours = {contour(path)}}
+assert(#glyph("o").contours[1] == 12 and glyphs()[1] == "o")
+"""
+    script.write_text(good_script)
+    good(design, "script", script, "--out", folder / "N.ufo")
 
 
 def check_pictures(design, folder):
@@ -159,6 +227,7 @@ def main():
         check_help(design)
         check_roundtrip(design, folder)
         check_projects(design, folder)
+        check_scripts(design, folder)
         check_pictures(design, folder)
     for problem in PROBLEMS:
         print(problem)

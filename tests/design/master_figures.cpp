@@ -3,21 +3,29 @@
 //
 // Usage: inkcell_master_figures FONT.ttf SYMBOLS PX_PER_EM bilevel|grey
 //          [WORST_U RMS_U]
+//        inkcell_master_figures FONT.ttf SYMBOLS PX_PER_EM potrace
+//
+// The second prints a table: potrace beside our curves for the same masters of
+// ink and none, at several tolerances each.
 //
 // Errors in u: of the transform at pixels within 32 u of the edge, of the
 // curves at their edge, both beyond 3 u from corners. Fails if the curves are
 // worse than the limits, or no truer than the transform.
+#include <stdlib.h>
 #include <time.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bitmap/distance_transform.hpp"
 #include "bitmap/edge_walk.hpp"
+#include "import/svg_import.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/unite.hpp"
 #include "shape/shape.hpp"
@@ -193,12 +201,107 @@ void measure(const gen::SourceGlyph& glyph,
   }
 }
 
+// What one tracer makes of all masters.
+struct Tracer {
+  bool is_potrace = false;
+  double tolerance = 0;  // potrace's -O, or ours in u
+  Errors off_corners;
+  Errors all;
+  size_t segments = 0;
+};
+
+void write_pbm(const Bitmap& bitmap, const std::filesystem::path& file) {
+  std::ofstream out(file, std::ios::binary);
+  out << "P4\n" << bitmap.width << " " << bitmap.height << "\n";
+  for (int y = 0; y < bitmap.height; ++y) {
+    for (int x = 0; x < bitmap.width; x += 8) {
+      int byte = 0;
+      for (int i = 0; i < 8; ++i) {
+        byte = byte << 1 | (bitmap.at(x + i, y) != 0 ? 1 : 0);
+      }
+      out.put(static_cast<char>(byte));
+    }
+  }
+}
+
+// potrace writes hundredths of a pixel.
+gen::Outline by_potrace(const std::filesystem::path& folder,
+                        double tolerance,
+                        const MasterPlace& place) {
+  const std::string command = "potrace --svg --unit 100 --opttolerance " +
+                              std::to_string(tolerance) + " --output '" +
+                              (folder / "m.svg").string() + "' '" +
+                              (folder / "m.pbm").string() + "'";
+  if (std::system(command.c_str()) != 0) {
+    std::fprintf(stderr,
+                 "potrace failed; on Debian: apt-get install potrace\n");
+    std::exit(2);
+  }
+  DrawingPlace drawing;
+  drawing.px_per_em = place.px_per_em;
+  drawing.origin = {place.origin_x, place.origin_y};
+  return read_svg(folder / "m.svg", drawing);
+}
+
+void trace(const gen::SourceGlyph& glyph,
+           double px_per_em,
+           const std::filesystem::path& folder,
+           std::vector<Tracer>& tracers) {
+  const gen::Shape truth(glyph.outline);
+  const std::vector<Point> corners = corners_of(glyph.outline);
+  MasterOptions options;
+  const Bitmap bitmap = draw(truth, px_per_em, false, options.place);
+  write_pbm(bitmap, folder / "m.pbm");
+  for (Tracer& tracer : tracers) {
+    options.tolerance_u = tracer.tolerance;
+    const gen::Outline curves =
+        tracer.is_potrace ? by_potrace(folder, tracer.tolerance, options.place)
+                          : outline_of(bitmap, options);
+    tracer.segments += segment_count(curves);
+    const gen::Shape traced(curves);
+    compare_edges(traced, truth, corners, tracer.off_corners, tracer.all);
+    compare_edges(truth, traced, corners, tracer.off_corners, tracer.all);
+  }
+}
+
+int compare_tracers(const gen::SourceFont& font, double px_per_em) {
+  std::vector<Tracer> tracers;
+  for (const double tolerance : {0.2, 0.5, 1.0, 2.0}) {
+    tracers.push_back({true, tolerance, {}, {}, 0});
+  }
+  for (const double tolerance : {0.1, 0.2, 0.4, 0.8}) {
+    tracers.push_back({false, tolerance, {}, {}, 0});
+  }
+  std::string name =
+      (std::filesystem::temp_directory_path() / "inkcell.XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) {
+    std::perror(name.c_str());
+    return 2;
+  }
+  for (size_t i = 1; i < font.glyphs.size(); ++i) {
+    trace(font.glyphs[i], px_per_em, name, tracers);
+  }
+  std::filesystem::remove_all(name);
+  std::printf("%g px/em      worst u  at corners  RMS u   segments\n",
+              px_per_em);
+  for (const Tracer& tracer : tracers) {
+    std::printf("%s %-5g %8.3f %10.3f %8.4f %8zu\n",
+                tracer.is_potrace ? "potrace -O" : "ours --fit",
+                tracer.tolerance, tracer.off_corners.worst, tracer.all.worst,
+                tracer.off_corners.rms(), tracer.segments);
+  }
+  return 0;
+}
+
 int run(char** arguments, bool has_limits) {
   gen::FontRequest request;
   request.file = arguments[1];
   gen::add_text(arguments[2], "SYMBOLS", request.characters);
   gen::Warnings warnings;
   gen::SourceFont font = gen::load_font(request, 1, warnings);
+  if (std::string(arguments[4]) == "potrace") {
+    return compare_tracers(font, std::atof(arguments[3]));
+  }
   const double px_per_em = std::atof(arguments[3]);
   const bool is_grey = std::string(arguments[4]) == "grey";
   Row row;
@@ -228,7 +331,7 @@ int main(int argc, char** argv) {
   if (argc != 5 && argc != 7) {
     std::fprintf(stderr,
                  "usage: inkcell_master_figures FONT.ttf SYMBOLS PX_PER_EM "
-                 "bilevel|grey [WORST_U RMS_U]\n");
+                 "bilevel|grey|potrace [WORST_U RMS_U]\n");
     return 2;
   }
   return inkcell::design::test::run(argv, argc == 7);

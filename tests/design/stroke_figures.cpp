@@ -154,6 +154,7 @@ Result check(size_t seed) {
   }
   result.is_broken = outer != 1;
   const gen::Shape shape(outline_of_polygons(polygons));
+  const PathTruth truth_of_path(path);
   const auto note = [&](double error) {
     result.worst_u = std::max(result.worst_u, error);
   };
@@ -163,7 +164,7 @@ Result check(size_t seed) {
     const gen::Edge& edge = edges[static_cast<size_t>(
         random.below(static_cast<int>(edges.size())))];
     const Point p = edge.a + random.within(0, 1) * (edge.b - edge.a);
-    note(std::fabs(distance_to_path(path, p)));
+    note(std::fabs(truth_of_path.distance(p)));
   }
   // All that a nib covers is covered.
   for (int i = 0; i < kPlaces; ++i) {
@@ -178,7 +179,7 @@ Result check(size_t seed) {
     const Point p = {random.within(shape.box().x0, shape.box().x1),
                      random.within(shape.box().y0, shape.box().y1)};
     const double made = shape.distance(p.x, p.y);
-    const double truth = distance_to_path(path, p);
+    const double truth = truth_of_path.distance(p);
     if (std::fabs(made) > kLimit_u) {
       result.is_broken = result.is_broken || (made > 0) != (truth > -1e-6);
     }

@@ -50,6 +50,14 @@ double distance_to_ellipse(double a, double b, const Point& p) {
   return is_inside ? d : -d;
 }
 
+// No less than distance_to_nib(): the distance to the circle around the nib.
+double bound_of_distance(const NibPlace& place, const Point& point) {
+  return std::hypot(std::max(place.nib.width, kLeastNib_u),
+                    std::max(place.nib.height, kLeastNib_u)) /
+             2 -
+         length(point - place.at);
+}
+
 // The greatest value around a sample, by thirds.
 template <typename Value>
 double top_near(const Value& value, int sample) {
@@ -81,18 +89,37 @@ double distance_to_nib(const NibPlace& place, const Point& point) {
              : distance_to_rectangle(a, b, turned);
 }
 
-double distance_to_path(const NibPath& path, const Point& point) {
-  double best = -HUGE_VAL;
+PathTruth::PathTruth(const NibPath& path) : path_(path) {
   for (size_t piece = 0; piece < path.pieces.size(); ++piece) {
-    const auto value = [&](double t) {
-      return distance_to_nib(place_on(path, piece, t), point);
-    };
-    std::vector<double> samples;
+    std::vector<NibPlace> places;
     for (int i = 0; i <= kSteps; ++i) {
-      samples.push_back(value(static_cast<double>(i) / kSteps));
+      places.push_back(place_on(path, piece, static_cast<double>(i) / kSteps));
     }
-    const double most = *std::max_element(samples.begin(), samples.end());
+    places_.push_back(std::move(places));
+  }
+}
+
+// A place whose bound is far below the best is no top, whatever it is exactly.
+double PathTruth::distance(const Point& point) const {
+  double best = -HUGE_VAL;
+  for (size_t piece = 0; piece < places_.size(); ++piece) {
+    std::vector<double> samples;
+    for (const NibPlace& place : places_[piece]) {
+      samples.push_back(bound_of_distance(place, point));
+    }
+    const auto nearest = std::max_element(samples.begin(), samples.end());
+    const size_t first = static_cast<size_t>(nearest - samples.begin());
+    double most = distance_to_nib(places_[piece][first], point);
+    for (size_t k = 0; k < samples.size(); ++k) {
+      if (samples[k] > most - kPromising_u) {
+        samples[k] = distance_to_nib(places_[piece][k], point);
+        most = std::max(most, samples[k]);
+      }
+    }
     best = std::max(best, most);
+    const auto value = [&](double t) {
+      return distance_to_nib(place_on(path_, piece, t), point);
+    };
     for (int i = 0; i <= kSteps; ++i) {
       const size_t k = static_cast<size_t>(i);
       const bool is_top = (i == 0 || samples[k - 1] <= samples[k]) &&

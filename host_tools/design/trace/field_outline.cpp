@@ -18,7 +18,7 @@ constexpr double kSampleReach_u = 2.5;
 
 // Least turn of a corner: pieces of fields meet under small angles where the
 // outline is smooth. [radians]
-constexpr double kFieldTurn = 0.28;
+constexpr double kFieldTurn = 0.24;
 constexpr double kSampleTurn = 0.2;
 
 Q16_16 to_q16(double value) {
