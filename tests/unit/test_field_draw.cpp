@@ -440,7 +440,7 @@ TEST(nothing_is_drawn_far_from_the_ink) {
   static uint8_t whole[kSide * kSide];
   int cut = 0;
   int kept = 0;
-  for (Rounds rounds(45, INKCELL_BOARD_FIRMWARE ? 10 : 300); rounds.next();) {
+  for (Rounds rounds(45, INKCELL_BOARD_FIRMWARE ? 40 : 300); rounds.next();) {
     Random& random = rounds.random;
     make_record(random);
     GlyphField field = open();

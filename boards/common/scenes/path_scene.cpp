@@ -49,17 +49,15 @@ PathScene::PathScene(const SceneSetting& setting) noexcept
       text_(setting.text),
       width_(setting.width),
       height_(setting.height),
-      renderer_(font_,
-                size_for(font_, text_, width_, height_),
-                kFilterMotion,
-                setting.workspace),
+      renderer_(font_, kMinSize, kFilterMotion, setting.workspace),
       path_(points_) {
-  on_path_.size = size_for(font_, text_, width_, height_);
   on_path_.overflow = PathOverflow::extend;
 }
 
 Status PathScene::open() noexcept {
   INKCELL_TRY(lay_out(font_, text_, Align::centre, glyphs_, run_));
+  on_path_.size = size_for(font_, text_, width_, height_);
+  renderer_.set_size(on_path_.size);
   set_frame(0);
   return Status::ok;
 }

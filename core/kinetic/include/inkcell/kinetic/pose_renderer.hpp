@@ -37,6 +37,10 @@ class PoseRenderer {
   PoseRenderer(const PoseRenderer&) = delete;
   PoseRenderer& operator=(const PoseRenderer&) = delete;
 
+  /// Of what is drawn from now on: px to the em at scale 1, as in the
+  /// constructor.
+  void set_size(Q26_6 size) noexcept { size_ = size; }
+
   /// Draws glyphs in their order. Positions are to 1/64 px. Cannot fail: a
   /// glyph of opacity 0, or larger than 1024 px or smaller than 4 px to the em,
   /// is left out; one that is narrower than 4 px to the em is drawn that wide,
