@@ -42,8 +42,9 @@ FieldPoint bound_at(const GlyphField& field,
   if (!is_inside) {
     const int32_t right = way_q5(x.raw, field.ink.x0_u, field.ink.x1_u);
     const int32_t up = way_q5(y.raw, field.ink.y0_u, field.ink.y1_u);
-    const auto away = static_cast<int32_t>(
-        detail::root(static_cast<uint32_t>(right * right + up * up)));
+    // 2^30 each, and twice that together.
+    const auto away = static_cast<int32_t>(detail::root(
+        static_cast<uint32_t>(right * right) + static_cast<uint32_t>(up * up)));
     if (away > 0) {
       point.gradient.x.raw = static_cast<int16_t>(right * (1 << 14) / away);
       point.gradient.y.raw = static_cast<int16_t>(up * (1 << 14) / away);
