@@ -1,5 +1,6 @@
 #include "shape/distance_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace inkcell {
@@ -18,12 +19,15 @@ DistanceMap::DistanceMap(const Shape& shape, double margin_u) {
   const size_t blocks_y = blocks(y0_u_, box.y1);
   tiles_x_ = blocks_x * kBlockTiles;
   tiles_y_ = blocks_y * kBlockTiles;
+  const double width_u =
+      static_cast<double>(std::max(blocks_x, blocks_y)) * kBlock_u;
+  const Neighbourhood whole(shape, {x0_u_, y0_u_, width_u});
   blocks_.reserve(blocks_x * blocks_y);
   for (size_t y = 0; y < blocks_y; ++y) {
     for (size_t x = 0; x < blocks_x; ++x) {
-      blocks_.emplace_back(
-          shape, Square{x0_u_ + static_cast<double>(x) * kBlock_u,
-                        y0_u_ + static_cast<double>(y) * kBlock_u, kBlock_u});
+      blocks_.push_back(
+          whole.part({x0_u_ + static_cast<double>(x) * kBlock_u,
+                      y0_u_ + static_cast<double>(y) * kBlock_u, kBlock_u}));
     }
   }
   // Half the diagonal, rounded up.

@@ -56,27 +56,20 @@ bool meets(const Square& square, double ax, double ay, double dx, double dy) {
 
 }  // namespace
 
+double Neighbourhood::Line::squared_distance(double x, double y) const {
+  return squared_to_segment(x - ax, y - ay, dx, dy, inverse);
+}
+
 Neighbourhood::Neighbourhood(const Shape& shape, const Square& square) {
-  shape_ = &shape;
-  square_ = square;
   Neighbourhood all;
   all.shape_ = &shape;
-  all.square_ = square;
+  all.lines_.reserve(shape.edges().size());
   for (const Edge& edge : shape.edges()) {
     const double dx = edge.b.x - edge.a.x;
     const double dy = edge.b.y - edge.a.y;
-    all.add(edge.a.x, edge.a.y, dx, dy, 1 / (dx * dx + dy * dy));
+    all.lines_.push_back({edge.a.x, edge.a.y, dx, dy, 1 / (dx * dx + dy * dy)});
   }
   *this = all.part(square);
-}
-
-void Neighbourhood::add(
-    double ax, double ay, double dx, double dy, double inverse) {
-  ax_.push_back(ax);
-  ay_.push_back(ay);
-  dx_.push_back(dx);
-  dy_.push_back(dy);
-  inverse_.push_back(inverse);
 }
 
 // With r half the diagonal, c the centre and m the distance from c to the
@@ -89,18 +82,20 @@ Neighbourhood Neighbourhood::part(const Square& part) const {
   std::vector<double> squares(edge_count());
   double least = kInfinity;
   for (size_t i = 0; i < edge_count(); ++i) {
-    squares[i] = squared_to_segment(cx - ax_[i], cy - ay_[i], dx_[i], dy_[i],
-                                    inverse_[i]);
+    squares[i] = lines_[i].squared_distance(cx, cy);
     least = std::min(least, squares[i]);
   }
   const double reach =
       std::sqrt(least) + part.size * std::sqrt(2.0) + kRounding_u;
+  const auto matters = [&](double square) { return square <= reach * reach; };
   Neighbourhood result;
   result.shape_ = shape_;
   result.square_ = part;
+  result.lines_.reserve(static_cast<size_t>(
+      std::count_if(squares.begin(), squares.end(), matters)));
   for (size_t i = 0; i < edge_count(); ++i) {
-    if (squares[i] <= reach * reach) {
-      result.add(ax_[i], ay_[i], dx_[i], dy_[i], inverse_[i]);
+    if (matters(squares[i])) {
+      result.lines_.push_back(lines_[i]);
     }
   }
   return result;
@@ -108,9 +103,8 @@ Neighbourhood Neighbourhood::part(const Square& part) const {
 
 double Neighbourhood::distance(double x, double y) const {
   double best = kInfinity;
-  for (size_t i = 0; i < edge_count(); ++i) {
-    best = std::min(best, squared_to_segment(x - ax_[i], y - ay_[i], dx_[i],
-                                             dy_[i], inverse_[i]));
+  for (const Line& line : lines_) {
+    best = std::min(best, line.squared_distance(x, y));
   }
   const double size = std::sqrt(best);
   return shape_->inside(x, y) ? size : -size;
@@ -131,14 +125,9 @@ void Neighbourhood::distances(
       px[i] = x + static_cast<double>(first + i) * step;
       best[i] = kInfinity;
     }
-    for (size_t e = 0; e < edge_count(); ++e) {
-      const double ax = ax_[e];
-      const double py = y - ay_[e];
-      const double dx = dx_[e];
-      const double dy = dy_[e];
-      const double inverse = inverse_[e];
+    for (const Line line : lines_) {
       for (size_t i = 0; i < n; ++i) {
-        const double d2 = squared_to_segment(px[i] - ax, py, dx, dy, inverse);
+        const double d2 = line.squared_distance(px[i], y);
         best[i] = d2 < best[i] ? d2 : best[i];
       }
     }
@@ -154,18 +143,17 @@ void Neighbourhood::distances(
 
 double Neighbourhood::clearance() const {
   double best = kInfinity;
-  for (size_t i = 0; i < edge_count(); ++i) {
-    if (meets(square_, ax_[i], ay_[i], dx_[i], dy_[i])) {
+  for (const Line& line : lines_) {
+    if (meets(square_, line.ax, line.ay, line.dx, line.dy)) {
       return 0;
     }
     best = std::min(
-        {best, squared_to_square(square_, ax_[i], ay_[i]),
-         squared_to_square(square_, ax_[i] + dx_[i], ay_[i] + dy_[i])});
+        {best, squared_to_square(square_, line.ax, line.ay),
+         squared_to_square(square_, line.ax + line.dx, line.ay + line.dy)});
     for (int corner = 0; corner < 4; ++corner) {
-      const double x = square_.x + (corner & 1) * square_.size;
-      const double y = square_.y + (corner >> 1) * square_.size;
-      best = std::min(best, squared_to_segment(x - ax_[i], y - ay_[i], dx_[i],
-                                               dy_[i], inverse_[i]));
+      best = std::min(best, line.squared_distance(
+                                square_.x + (corner & 1) * square_.size,
+                                square_.y + (corner >> 1) * square_.size));
     }
   }
   return std::sqrt(best);

@@ -28,7 +28,7 @@ class Neighbourhood {
   Neighbourhood part(const Square& part) const;
 
   const Square& square() const { return square_; }
-  size_t edge_count() const { return ax_.size(); }
+  size_t edge_count() const { return lines_.size(); }
 
   /// The same as Shape::distance for any (x, y) in square().
   double distance(double x, double y) const;
@@ -44,12 +44,19 @@ class Neighbourhood {
  private:
   Neighbourhood() = default;
 
-  void add(double ax, double ay, double dx, double dy, double inverse);
+  // An edge is a + t d, t = 0..1; inverse = 1 / |d|^2.
+  struct Line {
+    double ax = 0;
+    double ay = 0;
+    double dx = 0;
+    double dy = 0;
+    double inverse = 0;
+    double squared_distance(double x, double y) const;
+  };
 
   const Shape* shape_ = nullptr;
   Square square_;
-  // An edge is a + t d, t = 0..1; inverse = 1 / |d|^2.
-  std::vector<double> ax_, ay_, dx_, dy_, inverse_;
+  std::vector<Line> lines_;
 };
 
 }  // namespace inkcell::gen
