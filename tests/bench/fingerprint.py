@@ -14,8 +14,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "build"))
-from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES,  # noqa: E402
-                        ROOT, in_parallel, run)
+from toolchains import (COMPILERS, ROOT, compile_object,  # noqa: E402
+                        in_parallel, run)
 
 DOCUMENT = ROOT / "docs/BENCHMARKS.md"
 COMMAND = "sh tests/bench/run.sh --write-docs"
@@ -47,9 +47,8 @@ def objects_hash():
     """SHA-256 over all objects."""
     def compile_source(build, source, target):
         machine, flags = BUILDS[build]
-        command = [*COMPILERS[machine][0], *DEVICE_FLAGS, *INCLUDES, *flags,
-                   "-DNDEBUG", "-c", source.relative_to(ROOT), "-o", target]
-        done = run(command, cwd=ROOT)
+        done = compile_object(machine, [*flags, "-DNDEBUG"],
+                              source.relative_to(ROOT), target, cwd=ROOT)
         if done.returncode != 0:
             sys.exit(done.stdout)
         return target.read_bytes()

@@ -12,8 +12,8 @@ import re
 import shutil
 import sys
 
-from toolchains import (C_WARNINGS, COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
-                        c_compiler, finish, in_parallel, require, run)
+from toolchains import (C_WARNINGS, COMPILERS, INCLUDES, ROOT, c_compiler,
+                        compile_object, finish, in_parallel, require, run)
 
 HEADERS = ROOT / "port/c/include/inkcell/c"
 EXAMPLES = ROOT / "port/c/examples"
@@ -125,9 +125,7 @@ def link(example, work, build):
 
 def compile_layer(source, folder):
     target = folder / (source.stem + ".o")
-    result = run([*COMPILERS["Cortex-M0"][0], *DEVICE_FLAGS, *INCLUDES, "-Os",
-                  "-c", source, "-o", target])
-    return target, result
+    return target, compile_object("Cortex-M0", ["-Os"], source, target)
 
 
 def calls_of(example, folder):

@@ -11,7 +11,7 @@ import re
 import shutil
 import sys
 
-from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT, WARNINGS,
+from toolchains import (COMPILERS, ROOT, WARNINGS, compile_object,
                         device_sources, finish, in_parallel, require, run)
 
 MACHINES = ["Cortex-M0", "Cortex-M3", "RV32", "host"]
@@ -62,11 +62,10 @@ def check_includes(source):
 
 def compile_source(machine, level, source, folder):
     """Object file of a source, and what the compiler said."""
-    compiler, _ = COMPILERS[machine]
     room = source.relative_to(ROOT).parts[:-2]
     target = folder / ("-".join(room) + "-" + source.stem + ".o")
-    return target, run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES, level,
-                        "-fstack-usage", "-c", source, "-o", target])
+    return target, compile_object(
+        machine, [*WARNINGS, level, "-fstack-usage"], source, target)
 
 
 def check_stack(usage, limits):

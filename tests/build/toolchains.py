@@ -38,6 +38,10 @@ COMPILERS = {
 }
 
 
+# What CMake, too, is told to call compilers by: a cache of objects, or nothing.
+LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "").split()
+
+
 def c_compiler(machine):
     """The compiler of a machine for C, with its flags."""
     command, _ = COMPILERS[machine]
@@ -81,6 +85,13 @@ def run(command, **options):
     return subprocess.run([str(word) for word in command], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           **options)
+
+
+def compile_object(machine, flags, source, target, **options):
+    """Compiles a source of a device. A launcher may hold back files beside
+    the object, but for what -fstack-usage writes."""
+    return run([*LAUNCHER, *COMPILERS[machine][0], *DEVICE_FLAGS, *INCLUDES,
+                *flags, "-c", source, "-o", target], **options)
 
 
 def in_parallel(function, arguments):

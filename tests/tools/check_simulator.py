@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Compares what inkcell-simulator shows with what other programs draw.
 
-Usage: check_simulator.py --simulator PROGRAM --render PROGRAM --animate PROGRAM
-         [--screens screens.json]
+Usage: check_simulator.py --fontgen PROGRAM --simulator PROGRAM
+         --render PROGRAM --animate PROGRAM [--screens screens.json]
 
 With --screens: the boards' scenes against those that the tests of screens draw;
 without: everything else.
@@ -65,18 +65,22 @@ def memory_of(picture, kind):
 
 
 class Case(unittest.TestCase):
+    ROM_FONT = None  # SANS, converted once for all
+
     def setUp(self):
         # pylint: disable-next=consider-using-with
         self.temporary = tempfile.TemporaryDirectory()
         self.addCleanup(self.temporary.cleanup)
         self.folder = pathlib.Path(self.temporary.name)
 
-    def script(self, *lines, font=SANS, code=0):
+    def script(self, *lines, font=(), code=0):
+        """`font`: a file and options, if not the font that is converted."""
         file = self.folder / "script.txt"
         file.write_text("\n".join(lines) + "\n")
-        return run("simulator", "--font", font, "--script", file, code=code)
+        return run("simulator", "--font", *(font or [self.ROM_FONT]),
+                   "--script", file, code=code)
 
-    def saved(self, *lines, name="shown.ppm", font=SANS):
+    def saved(self, *lines, name="shown.ppm", font=()):
         """What the display shows, and what the script prints."""
         file = self.folder / name
         done = self.script(*lines, f"save {file}", "print", font=font)
@@ -94,7 +98,7 @@ class Text(Case):
             *(f"{name} {value}" for name, value in settings.items()))
         drawn = self.folder / ("drawn.ppm" if display == "lcd" else "drawn.pgm")
         x, y = report["origin"]
-        run("render", "--font", SANS, "--text", "Hamburg 012\nScale",
+        run("render", "--font", self.ROM_FONT, "--text", "Hamburg 012\nScale",
             "--width", WIDTH, "--height", HEIGHT, f"--ox={x}", f"--oy={y}",
             "--wrap", WIDTH - 4, "--align", "center", "--out", drawn,
             *options,
@@ -146,7 +150,7 @@ class Scenes(Case):
                 40, "--frames", 1, "--format", "frames", "--out", frames)
             shown = self.folder / "shown.png"
             self.script(f"scene {scene}", "display xrgb8888", "size 96x64",
-                        "frame 40", f"save {shown}", font=BOLD)
+                        "frame 40", f"save {shown}", font=[BOLD])
             self.assertEqual(shown.read_bytes(),
                              (frames / "00040.png").read_bytes(), scene)
 
@@ -167,9 +171,9 @@ class Scenes(Case):
 
 
 class Window(Case):
-    def screenshot(self, *lines):
+    def screenshot(self, *lines, font=()):
         file = self.folder / "window.ppm"
-        self.script(*lines, f"screenshot {file}")
+        self.script(*lines, f"screenshot {file}", font=font)
         return read_pnm(file)
 
     def test_display(self):
@@ -189,9 +193,11 @@ class Window(Case):
             self.assertEqual(row, expected, f"row {y}")
 
     def test_overlay(self):
+        letters = SANS, "--symbols", "Og"
+
         def pixels(*lines):
             """All but the last rows, which tell how long a frame took."""
-            width, height, shown = self.screenshot(*lines)
+            width, height, shown = self.screenshot(*lines, font=letters)
             return shown[:width * (height - STATUS)]
 
         plain = pixels("text Og", "px 40", "grid off")
@@ -200,7 +206,7 @@ class Window(Case):
         for coding, what in (("outline", "points"), ("edges", "leaves"),
                              ("samples", "leaves")):
             lines = f"coding {coding}", "text Og", "px 40", "grid off"
-            _, report = self.saved(*lines)
+            _, report = self.saved(*lines, font=letters)
             self.assertGreater(report[what], 20, coding)
             self.assertEqual(report[{"points": "leaves",
                                      "leaves": "points"}[what]], 0)
@@ -277,7 +283,7 @@ class Boards(Case):
 
 def main():
     parser = argparse.ArgumentParser()
-    for program in ("simulator", "render", "animate"):
+    for program in ("fontgen", "simulator", "render", "animate"):
         parser.add_argument(f"--{program}", required=True)
     parser.add_argument("--screens")
     arguments = vars(parser.parse_args())
@@ -287,7 +293,10 @@ def main():
     suite = unittest.TestSuite(
         unittest.defaultTestLoader.loadTestsFromTestCase(case)
         for case in cases)
-    result = unittest.TextTestRunner().run(suite)
+    with tempfile.TemporaryDirectory() as folder:
+        Case.ROM_FONT = pathlib.Path(folder) / "sans.bin"
+        run("fontgen", "--font", SANS, "--quiet", "--out", Case.ROM_FONT)
+        result = unittest.TextTestRunner().run(suite)
     sys.exit(not result.wasSuccessful())
 
 
