@@ -49,7 +49,8 @@ PUBLIC = {
 GENERATOR = {
     "base": "",
     "shape": "",
-    "source": "shape",
+    "svg": "shape",
+    "source": "shape svg",
     "texts": "source",
     "target": "shape",
     "samples": "shape target",

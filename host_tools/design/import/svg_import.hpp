@@ -14,12 +14,8 @@ struct DrawingPlace {
   Point origin;             // the glyph's, in user units, y down
 };
 
-/// The filled paths of an SVG file in u, y up, with the transforms of paths and
-/// groups. What is filled stays so, by the winding number, filled on the left;
-/// contours that are filled by fill-rule evenodd must not cross each other.
-///
-/// Throws Error that names the file: for elements that are drawn and are no
-/// path, for path data that is wrong, and if there is no filled path.
+/// What an SVG file draws in one colour, in u, y up, by gen::SvgDrawing: filled
+/// by the winding number, ink on the left. Throws Error that names the file.
 gen::Outline read_svg(const std::filesystem::path& file,
                       const DrawingPlace& place);
 

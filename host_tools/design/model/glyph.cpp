@@ -15,10 +15,6 @@ auto fields(const PointContour& c) {
   return std::tie(c.points, c.identifier);
 }
 
-auto fields(const Matrix& m) {
-  return std::tie(m.xx, m.xy, m.yx, m.yy, m.dx, m.dy);
-}
-
 auto fields(const ComponentUse& c) {
   return std::tie(c.base, c.matrix, c.identifier);
 }
@@ -45,27 +41,11 @@ constexpr const char* kTypeNames[] = {"move", "line", "curve", "qcurve",
 
 }  // namespace
 
-Matrix product(const Matrix& outer, const Matrix& inner) {
-  Matrix m;
-  m.xx = outer.xx * inner.xx + outer.yx * inner.xy;
-  m.xy = outer.xy * inner.xx + outer.yy * inner.xy;
-  m.yx = outer.xx * inner.yx + outer.yx * inner.yy;
-  m.yy = outer.xy * inner.yx + outer.yy * inner.yy;
-  const gen::Point origin = outer.map(inner.dx, inner.dy);
-  m.dx = origin.x;
-  m.dy = origin.y;
-  return m;
-}
-
 bool operator==(const GlyphPoint& a, const GlyphPoint& b) {
   return fields(a) == fields(b);
 }
 
 bool operator==(const PointContour& a, const PointContour& b) {
-  return fields(a) == fields(b);
-}
-
-bool operator==(const Matrix& a, const Matrix& b) {
   return fields(a) == fields(b);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/value.hpp"
+#include "shape/affine.hpp"
 #include "shape/outline.hpp"
 
 namespace inkcell::design {
@@ -38,23 +39,7 @@ struct PointContour {
   }
 };
 
-/// x' = xx x + yx y + dx, y' = xy x + yy y + dy.
-struct Matrix {
-  double xx = 1;
-  double xy = 0;
-  double yx = 0;
-  double yy = 1;
-  double dx = 0;
-  double dy = 0;
-
-  gen::Point map(double x, double y) const {
-    return {xx * x + yx * y + dx, xy * x + yy * y + dy};
-  }
-  double determinant() const { return xx * yy - xy * yx; }
-};
-
-/// First `inner`, then `outer`.
-Matrix product(const Matrix& outer, const Matrix& inner);
+using Matrix = gen::Affine;
 
 /// A reference to another glyph of the same layer.
 struct ComponentUse {
@@ -103,7 +88,6 @@ struct Glyph {
 
 bool operator==(const GlyphPoint& a, const GlyphPoint& b);
 bool operator==(const PointContour& a, const PointContour& b);
-bool operator==(const Matrix& a, const Matrix& b);
 bool operator==(const ComponentUse& a, const ComponentUse& b);
 bool operator==(const Anchor& a, const Anchor& b);
 bool operator==(const Guideline& a, const Guideline& b);

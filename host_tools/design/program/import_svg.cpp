@@ -34,7 +34,7 @@ void run(Arguments& arguments) {
 void add_import_svg(CLI::App& app, Work& work) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "import-svg", "Make the filled paths of an SVG file a glyph");
+      "import-svg", "Make a drawing of one colour, an SVG file, a glyph");
   command->add_option("--drawing", arguments->drawing, "The SVG file")
       ->required()
       ->type_name("FILE.svg");

@@ -1,4 +1,4 @@
-#include "import/svg_path.hpp"
+#include "svg/path_data.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,19 +6,24 @@
 #include <cmath>
 #include <string>
 
-#include "fit/vectors.hpp"
-#include "model/error.hpp"
+#include "base/error.hpp"
+#include "shape/points.hpp"
 
-namespace inkcell::design {
+namespace inkcell::gen {
 namespace {
 
 constexpr double kMostArc = M_PI / 4 + 1e-9;
+
+// Angle from a to b, -pi..pi.
+double turn(const Point& a, const Point& b) {
+  return std::atan2(cross(a, b), dot(a, b));
+}
 
 class PathReader {
  public:
   explicit PathReader(std::string_view data) : data_(data) {}
 
-  gen::Outline run() {
+  SvgPath run() {
     for (skip(); at_ < data_.size(); skip()) {
       const char letter = data_[at_];
       if (std::isalpha(static_cast<unsigned char>(letter)) == 0) {
@@ -34,8 +39,8 @@ class PathReader {
         skip();
       } while (command_ != 'Z' && command_ != 'z' && begins_number());
     }
-    close();
-    return std::move(outline_);
+    end(false);
+    return std::move(path_);
   }
 
  private:
@@ -94,7 +99,7 @@ class PathReader {
     before_ = kind;
     switch (kind) {
       case 'M':
-        close();
+        end(false);
         current_ = start_ = pair();
         // Further pairs are lines.
         command_ = is_relative() ? 'l' : 'L';
@@ -124,7 +129,10 @@ class PathReader {
         arc();
         break;
       case 'Z':
-        close();
+        if (subpath_.segments.empty()) {
+          line(start_);  // "M1 2Z": a dot, where caps are round
+        }
+        end(true);
         break;
       default:
         --at_;
@@ -134,37 +142,35 @@ class PathReader {
 
   Point mirrored() const { return 2.0 * current_ - handle_; }
 
-  void add(gen::Segment::Kind kind,
+  void add(Segment::Kind kind,
            const Point& p1,
            const Point& p2 = {},
            const Point& p3 = {}) {
-    gen::Segment segment;
+    Segment segment;
     segment.kind = kind;
     segment.p[0] = current_;
     segment.p[1] = p1;
     segment.p[2] = p2;
     segment.p[3] = p3;
-    contour_.segments.push_back(segment);
+    subpath_.segments.push_back(segment);
   }
 
   void line(const Point& to) {
-    if (!same(to, current_)) {
-      add(gen::Segment::Kind::line, to);
-    }
+    add(Segment::Kind::line, to);
     current_ = to;
   }
 
   void cubic_from(const Point& first) {
     const Point second = pair();
     const Point to = pair();
-    add(gen::Segment::Kind::cubic, first, second, to);
+    add(Segment::Kind::cubic, first, second, to);
     handle_ = second;
     current_ = to;
   }
 
   void quadratic_over(const Point& handle) {
     const Point to = pair();
-    add(gen::Segment::Kind::quadratic, handle, to);
+    add(Segment::Kind::quadratic, handle, to);
     handle_ = handle;
     current_ = to;
   }
@@ -177,7 +183,7 @@ class PathReader {
     const bool is_large = flag();
     const bool is_positive = flag();
     const Point to = pair();
-    if (rx == 0 || ry == 0 || same(to, current_)) {
+    if (rx == 0 || ry == 0 || to == current_) {
       line(to);
       return;
     }
@@ -218,19 +224,20 @@ class PathReader {
       const Point q0 = {std::cos(t0), std::sin(t0)};
       const Point q1 = {std::cos(t1), std::sin(t1)};
       const Point end = i + 1 == pieces ? to : place(q1);
-      add(gen::Segment::Kind::cubic, place(q0 + k * Point{-q0.y, q0.x}),
+      add(Segment::Kind::cubic, place(q0 + k * Point{-q0.y, q0.x}),
           place(q1 - k * Point{-q1.y, q1.x}), end);
       current_ = end;
     }
   }
 
-  void close() {
-    if (!contour_.segments.empty()) {
-      line(start_);
-      outline_.contours.push_back(std::move(contour_));
-      contour_ = {};
+  // Ends the subpath. What comes next without M begins where it began.
+  void end(bool is_closed) {
+    if (!subpath_.segments.empty()) {
+      subpath_.is_closed = is_closed;
+      path_.push_back(std::move(subpath_));
+      subpath_ = {};
     }
-    current_ = start_;
+    current_ = is_closed ? start_ : current_;
   }
 
   std::string_view data_;
@@ -240,14 +247,41 @@ class PathReader {
   Point current_;
   Point start_;
   Point handle_;  // of the last curve
-  gen::Contour contour_;
-  gen::Outline outline_;
+  Subpath subpath_;
+  SvgPath path_;
 };
 
 }  // namespace
 
-gen::Outline parse_svg_path(std::string_view data) {
+SvgPath parse_path_data(std::string_view data) {
   return PathReader(data).run();
 }
 
-}  // namespace inkcell::design
+Outline contours_of(const SvgPath& path) {
+  Outline outline;
+  for (const Subpath& subpath : path) {
+    Contour contour;
+    const Point first = subpath.segments.front().p[0];
+    Point pen = first;
+    const auto add = [&](const Segment& segment, int degree) {
+      bool moves = false;
+      for (int i = 1; i <= degree; ++i) {
+        moves |= !(segment.p[i] == segment.p[0]);
+      }
+      if (moves) {
+        contour.segments.push_back(segment);
+        pen = segment.p[degree];
+      }
+    };
+    for (const Segment& segment : subpath.segments) {
+      add(segment, static_cast<int>(segment.kind) + 1);
+    }
+    add({Segment::Kind::line, {pen, first}}, 1);
+    if (!contour.segments.empty()) {
+      outline.contours.push_back(std::move(contour));
+    }
+  }
+  return outline;
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,207 @@
+#include "svg/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+
+#include "shape/flatten.hpp"
+#include "shape/points.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+// As in Shape: below 2^30 Clipper needs no products of 128 bits.
+constexpr double kClipperUnits_per_u = 65536;
+static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
+              "outlines must stay in Clipper's fast range");
+
+// Areas that differ by less are equal. [u^2]
+constexpr double kSameArea = 0.05;
+
+// Contours with less area are slivers, from rounding. [u^2]
+constexpr double kSliver = 0.01;
+
+// How far beside a contour the winding is looked at. [u]
+constexpr double kAside_u = 1.0 / 1024;
+
+ClipperLib::Path to_clipper(const Corners& polygon) {
+  ClipperLib::Path path;
+  for (const Point& p : polygon) {
+    if (!(std::fabs(p.x) <= kCoordinateLimit &&
+          std::fabs(p.y) <= kCoordinateLimit)) {
+      throw GeometryError(GeometryError::Kind::bad_coordinates,
+                          "a stroke reaches too far from the origin");
+    }
+    path.emplace_back(std::llround(p.x * kClipperUnits_per_u),
+                      std::llround(p.y * kClipperUnits_per_u));
+  }
+  return path;
+}
+
+ClipperLib::Paths to_clipper(const Outline& outline) {
+  ClipperLib::Paths paths;
+  for (const Contour& contour : outline.contours) {
+    paths.push_back(to_clipper(flatten(contour)));
+  }
+  return paths;
+}
+
+ClipperLib::Paths combine(ClipperLib::ClipType type,
+                          const ClipperLib::Paths& a,
+                          ClipperLib::PolyFillType rule,
+                          const ClipperLib::Paths& b = {}) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(a, ClipperLib::ptSubject, true);
+  clipper.AddPaths(b, ClipperLib::ptClip, true);
+  ClipperLib::Paths result;
+  clipper.Execute(type, result, rule, ClipperLib::pftNonZero);
+  return result;
+}
+
+ClipperLib::Paths unite(const ClipperLib::Paths& paths,
+                        ClipperLib::PolyFillType rule) {
+  return combine(ClipperLib::ctUnion, paths, rule);
+}
+
+// [u^2]
+double area_of(const ClipperLib::Paths& paths) {
+  double sum = 0;
+  for (const ClipperLib::Path& path : paths) {
+    sum += ClipperLib::Area(path);
+  }
+  return std::fabs(sum) / (kClipperUnits_per_u * kClipperUnits_per_u);
+}
+
+// Whether some area has a winding number of this kind.
+bool has(ClipperLib::PolyFillType kind, const ClipperLib::Paths& paths) {
+  return area_of(unite(paths, kind)) > kSameArea;
+}
+
+Outline outline_of(const ClipperLib::Paths& paths) {
+  Outline outline;
+  for (const ClipperLib::Path& path : paths) {
+    if (area_of({path}) < kSliver) {
+      continue;
+    }
+    Contour contour;
+    for (size_t i = 0; i < path.size(); ++i) {
+      const auto point = [&](const ClipperLib::IntPoint& p) {
+        return Point{static_cast<double>(p.X) / kClipperUnits_per_u,
+                     static_cast<double>(p.Y) / kClipperUnits_per_u};
+      };
+      contour.segments.push_back(
+          {Segment::Kind::line,
+           {point(path[i]), point(path[(i + 1) % path.size()])}});
+    }
+    outline.contours.push_back(std::move(contour));
+  }
+  return outline;
+}
+
+void reverse(Contour& contour) {
+  std::reverse(contour.segments.begin(), contour.segments.end());
+  for (Segment& segment : contour.segments) {
+    std::reverse(segment.p, segment.p + static_cast<int>(segment.kind) + 2);
+  }
+}
+
+int winding(const std::vector<Corners>& polygons, const Point& at) {
+  int sum = 0;
+  for (const Corners& polygon : polygons) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Point& a = polygon[i];
+      const Point& b = polygon[(i + 1) % polygon.size()];
+      if ((a.y <= at.y) != (b.y <= at.y) &&
+          a.x + (at.y - a.y) * (b.x - a.x) / (b.y - a.y) > at.x) {
+        sum += b.y > a.y ? 1 : -1;
+      }
+    }
+  }
+  return sum;
+}
+
+bool is_filled(int winding, FillRule rule) {
+  return rule == FillRule::evenodd ? winding % 2 != 0 : winding != 0;
+}
+
+// Turns each contour so that its ink is on the left, and drops those that have
+// ink on both sides or none, by what is beside their longest chords: exact for
+// contours that do not cross.
+Outline directed(const Outline& contours, FillRule rule) {
+  std::vector<Corners> polygons;
+  for (const Contour& contour : contours.contours) {
+    polygons.push_back(flatten(contour));
+  }
+  Outline result;
+  for (size_t i = 0; i < polygons.size(); ++i) {
+    const Corners& polygon = polygons[i];
+    Point a;
+    Point b;
+    for (size_t k = 0; k < polygon.size(); ++k) {
+      const Point& next = polygon[(k + 1) % polygon.size()];
+      if (length(next - polygon[k]) > length(b - a)) {
+        a = polygon[k];
+        b = next;
+      }
+    }
+    const Point along = direction(b - a);
+    const Point aside = kAside_u * Point{-along.y, along.x};
+    const Point on = middle(a, b);
+    const bool is_left = is_filled(winding(polygons, on + aside), rule);
+    const bool is_right = is_filled(winding(polygons, on - aside), rule);
+    if (is_left != is_right) {
+      result.contours.push_back(contours.contours[i]);
+      if (is_right) {
+        reverse(result.contours.back());
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Outline filled_area(const Outline& contours, FillRule rule) {
+  const ClipperLib::Paths paths = to_clipper(contours);
+  if (rule == FillRule::nonzero && !has(ClipperLib::pftNegative, paths)) {
+    return contours;
+  }
+  if (rule == FillRule::nonzero && !has(ClipperLib::pftPositive, paths)) {
+    Outline turned = contours;
+    std::for_each(turned.contours.begin(), turned.contours.end(), reverse);
+    return turned;
+  }
+  const ClipperLib::Paths wanted =
+      unite(paths, rule == FillRule::nonzero ? ClipperLib::pftNonZero
+                                             : ClipperLib::pftEvenOdd);
+  Outline result = directed(contours, rule);
+  const ClipperLib::Paths got = to_clipper(result);
+  const double difference =
+      area_of(combine(ClipperLib::ctXor, got, ClipperLib::pftNonZero, wanted));
+  const bool is_same =
+      difference <= kSameArea && !has(ClipperLib::pftNegative, got);
+  return is_same ? result : outline_of(wanted);
+}
+
+Outline united_area(const std::vector<Corners>& polygons) {
+  ClipperLib::Paths paths;
+  for (const Corners& polygon : polygons) {
+    paths.push_back(to_clipper(polygon));
+    if (!ClipperLib::Orientation(paths.back())) {
+      std::reverse(paths.back().begin(), paths.back().end());
+    }
+  }
+  return outline_of(unite(paths, ClipperLib::pftNonZero));
+}
+
+bool fill_alike(const Outline& a, const Outline& b, double slack) {
+  const ClipperLib::Paths difference = combine(
+      ClipperLib::ctXor, to_clipper(a), ClipperLib::pftNonZero, to_clipper(b));
+  ClipperLib::ClipperOffset inset;
+  inset.AddPaths(difference, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+  ClipperLib::Paths rest;
+  inset.Execute(rest, -slack * kClipperUnits_per_u);
+  return rest.empty();
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,25 @@
+// The outline of a stroke, in curves.
+#pragma once
+
+#include <optional>
+
+#include "shape/outline.hpp"
+#include "svg/path_data.hpp"
+#include "svg/style.hpp"
+
+namespace inkcell::gen {
+
+/// Contours that fill the stroke of `subpath` under the rule nonzero, in its
+/// units: the path moved by half a pen to each side, with joins and caps.
+/// Curves are cubics within `bound` of the exact border; round joins and caps
+/// are arcs within 1/200000 of half the pen. Contours overlap themselves at the
+/// inner sides of joins.
+///
+/// Contours are wrong where the path turns tighter than half the pen: compare
+/// them with stroke_pieces(). Nothing where a curve has a cusp, and for a
+/// subpath without length unless its caps are round.
+std::optional<Outline> stroke_outline(const Subpath& subpath,
+                                      const PenStyle& pen,
+                                      double bound);
+
+}  // namespace inkcell::gen

@@ -1,0 +1,51 @@
+// What attributes and style properties say of how an element is painted.
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+namespace inkcell::gen {
+
+enum class FillRule { nonzero, evenodd };
+enum class LineJoin { miter, round, bevel };
+enum class LineCap { butt, round, square };
+
+/// How a pen draws, in the units of the element.
+struct PenStyle {
+  double width = 1;
+  LineJoin join = LineJoin::miter;
+  double miter_limit = 4;
+  LineCap cap = LineCap::butt;
+};
+
+/// The properties that elements inherit.
+struct PaintStyle {
+  std::string color = "#000000";
+  /// A colour as "#rrggbb" or as the file writes it; "none".
+  std::string fill = "#000000";
+  std::string stroke = "none";
+  FillRule rule = FillRule::nonzero;
+  PenStyle pen;
+  bool is_shown = true;
+};
+
+/// An attribute, or the property of the same name in `style`, which counts for
+/// more; "" without one. Blanks around it are left out.
+std::string property_of(const pugi::xml_node& node, const char* name);
+
+/// The number of an attribute or property in user units: "2", "2px", "1e1";
+/// `otherwise` without one. Throws Error for percent and other units.
+double number_of(const pugi::xml_node& node,
+                 const char* name,
+                 double otherwise);
+
+/// The numbers of a list, such as `points` and `viewBox`. Throws Error.
+std::vector<double> numbers_of(const pugi::xml_node& node, const char* name);
+
+/// What holds for `node` in an element with the style `parent`. Throws Error
+/// for gradients, patterns, part transparency, dashes, clip paths, masks,
+/// filters and markers: it says what to do instead.
+PaintStyle style_of(const pugi::xml_node& node, const PaintStyle& parent);
+
+}  // namespace inkcell::gen

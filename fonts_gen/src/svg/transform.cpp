@@ -1,0 +1,104 @@
+#include "svg/transform.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+constexpr double kRadians = M_PI / 180;
+constexpr std::string_view kSeparators = " \t\r\n,";
+
+// The numbers between brackets; none if one of them is none.
+struct Numbers {
+  std::array<double, 6> value = {};
+  size_t count = 0;
+};
+
+std::optional<Numbers> parse_numbers(std::string_view text) {
+  Numbers numbers;
+  while (true) {
+    text.remove_prefix(
+        std::min(text.find_first_not_of(kSeparators), text.size()));
+    if (text.empty()) {
+      return numbers;
+    }
+    text.remove_prefix(text[0] == '+' ? 1 : 0);
+    double value = 0;
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || !std::isfinite(value) ||
+        numbers.count == numbers.value.size()) {
+      return std::nullopt;
+    }
+    numbers.value[numbers.count++] = value;
+    text.remove_prefix(static_cast<size_t>(end - text.data()));
+  }
+}
+
+std::optional<Affine> one_transform(std::string_view name,
+                                    const Numbers& numbers) {
+  const auto& v = numbers.value;
+  const size_t count = numbers.count;
+  if (name == "matrix" && count == 6) {
+    return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
+  }
+  if (name == "translate" && (count == 1 || count == 2)) {
+    return Affine{1, 0, 0, 1, v[0], v[1]};
+  }
+  if (name == "scale" && (count == 1 || count == 2)) {
+    return Affine{v[0], 0, 0, count == 1 ? v[0] : v[1], 0, 0};
+  }
+  if (name == "rotate" && (count == 1 || count == 3)) {
+    const double c = std::cos(v[0] * kRadians);
+    const double s = std::sin(v[0] * kRadians);
+    return Affine{
+        c, s, -s, c, v[1] - c * v[1] + s * v[2], v[2] - s * v[1] - c * v[2]};
+  }
+  if (name == "skewX" && count == 1) {
+    return Affine{1, 0, std::tan(v[0] * kRadians), 1, 0, 0};
+  }
+  if (name == "skewY" && count == 1) {
+    return Affine{1, std::tan(v[0] * kRadians), 0, 1, 0, 0};
+  }
+  return std::nullopt;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const size_t begin = text.find_first_not_of(kSeparators);
+  if (begin == std::string_view::npos) {
+    return "";
+  }
+  return text.substr(begin, text.find_last_not_of(kSeparators) + 1 - begin);
+}
+
+}  // namespace
+
+Affine parse_transform(std::string_view text) {
+  const std::string whole(text);
+  Affine result;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const size_t open = text.find('(');
+    const size_t close = text.find(')');
+    std::optional<Affine> next;
+    if (open < close && close != std::string_view::npos) {
+      const auto numbers =
+          parse_numbers(text.substr(open + 1, close - open - 1));
+      next = numbers ? one_transform(trimmed(text.substr(0, open)), *numbers)
+                     : std::nullopt;
+    }
+    if (!next) {
+      throw Error("transform '" + whole + "' is not one of SVG 1.1");
+    }
+    result = product(result, *next);
+    text.remove_prefix(close + 1);
+  }
+  return result;
+}
+
+}  // namespace inkcell::gen
