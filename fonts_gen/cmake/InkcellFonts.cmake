@@ -1,6 +1,6 @@
 # inkcell_add_font(): fonts as headers, made while the project is built.
 #
-#   inkcell_add_font(<target> FONT <file>
+#   inkcell_add_font(<target> [FONT <file>]
 #     [NAME <identifier>]      default: the file's name
 #     [CHARS <list>...]        0x20-0x7E,U+B0,A-Z; default 0x20-0x7E
 #     [SYMBOLS <string>] [TEXT_FILE <utf-8 file>...]
@@ -11,7 +11,12 @@
 #     [CODING outline|edges|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
+#     [MERGE <file>[=<list>]...]    more faces, in order of priority
+#     [SVG <file>=<code point>...] [SVG_DIR <folder>...]    icons
+#     [SVG_HEIGHT em|cap|<em>] [SVG_BASELINE middle|bottom|<em>]
 #     [LANGUAGE CXX|C])
+#
+# FONT may be left out where there are icons; NAME is needed then.
 #
 # The target's sources then find the array fonts::<NAME> in <fonts/NAME.hpp>, and
 # strings as fonts::<NAME>_strings::<string>; with LANGUAGE C they find <NAME>,
@@ -154,11 +159,37 @@ function(_inkcell_check_choice word value)
   endif()
 endfunction()
 
+# Appends the options for more faces and for icons to the list that `to_options`
+# names, and the files that they name to that of `to_inputs`.
+function(_inkcell_face_options to_options to_inputs merge svg folders)
+  set(words "${${to_options}}")
+  set(files "${${to_inputs}}")
+  foreach(option IN ITEMS merge svg)
+    foreach(value IN LISTS ${option})
+      # What is behind the last "=" is no part of the file's name.
+      string(REGEX MATCH "=[^=]*$" suffix "${value}")
+      string(REGEX REPLACE "=[^=]*$" "" file "${value}")
+      cmake_path(ABSOLUTE_PATH file NORMALIZE)
+      list(APPEND words "--${option}=${file}${suffix}")
+      list(APPEND files "${file}")
+    endforeach()
+  endforeach()
+  foreach(folder IN LISTS folders)
+    cmake_path(ABSOLUTE_PATH folder NORMALIZE)
+    list(APPEND words "--svg-dir=${folder}")
+    file(GLOB found CONFIGURE_DEPENDS "${folder}/*.svg" "${folder}/codepoints")
+    list(APPEND files ${found})
+  endforeach()
+  set(${to_options} "${words}" PARENT_SCOPE)
+  set(${to_inputs} "${files}" PARENT_SCOPE)
+endfunction()
+
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
-    PREDICATE EFFORT BUDGET PREVIEW LANGUAGE)
-  set(several CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS)
+    PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SVG_HEIGHT SVG_BASELINE)
+  set(several
+    CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MERGE SVG SVG_DIR)
   cmake_parse_arguments(
     PARSE_ARGV 1 arg "BEST_EFFORT;STRICT" "${single}" "${several}")
   if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
@@ -180,8 +211,13 @@ function(inkcell_add_font target)
     endif()
     set(before "${ARGV${index}}")
   endforeach()
-  if(NOT DEFINED arg_FONT)
-    message(FATAL_ERROR "inkcell_add_font: there is no FONT <file>")
+  if(NOT DEFINED arg_FONT AND NOT DEFINED arg_SVG AND NOT DEFINED arg_SVG_DIR)
+    message(FATAL_ERROR
+      "inkcell_add_font: there is no FONT <file>, and no SVG or SVG_DIR")
+  endif()
+  if(NOT DEFINED arg_FONT AND NOT DEFINED arg_NAME)
+    message(FATAL_ERROR
+      "inkcell_add_font: icons without FONT need a NAME <identifier>")
   endif()
 
   _inkcell_check_choice(CODING "${arg_CODING}" outline edges samples)
@@ -194,9 +230,15 @@ function(inkcell_add_font target)
       "inkcell_add_font: PREDICATE fixed is for CODING samples")
   endif()
 
-  cmake_path(ABSOLUTE_PATH arg_FONT NORMALIZE OUTPUT_VARIABLE font)
-  if(NOT EXISTS "${font}")
-    message(FATAL_ERROR "inkcell_add_font: there is no font file ${font}")
+  set(inputs)
+  set(font)
+  if(DEFINED arg_FONT)
+    cmake_path(ABSOLUTE_PATH arg_FONT NORMALIZE OUTPUT_VARIABLE file)
+    if(NOT EXISTS "${file}")
+      message(FATAL_ERROR "inkcell_add_font: there is no font file ${file}")
+    endif()
+    list(APPEND inputs "${file}")
+    set(font "--font=${file}")
   endif()
   if(NOT DEFINED arg_NAME)
     cmake_path(GET font STEM LAST_ONLY arg_NAME)
@@ -206,7 +248,7 @@ function(inkcell_add_font target)
   set(options)
   foreach(word
       MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS PREDICATE EFFORT
-      BUDGET)
+      BUDGET SVG_HEIGHT SVG_BASELINE)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")
@@ -232,14 +274,13 @@ function(inkcell_add_font target)
       list(APPEND options "${option}=${value}")
     endforeach()
   endforeach()
-  set(texts)
   foreach(word TEXT_FILE STRINGS)
     string(TOLOWER "--${word}" option)
     string(REPLACE "_" "-" option "${option}")
     foreach(value IN LISTS arg_${word})
       cmake_path(ABSOLUTE_PATH value NORMALIZE)
       list(APPEND options "${option}=${value}")
-      list(APPEND texts "${value}")
+      list(APPEND inputs "${value}")
     endforeach()
   endforeach()
   # The generator finds the files of a pattern, and names them in the depfile.
@@ -247,6 +288,8 @@ function(inkcell_add_font target)
     cmake_path(ABSOLUTE_PATH value NORMALIZE)
     list(APPEND options "--strings-from=${value}")
   endforeach()
+  _inkcell_face_options(
+    options inputs "${arg_MERGE}" "${arg_SVG}" "${arg_SVG_DIR}")
 
   set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
   if("${arg_LANGUAGE}" STREQUAL "C")
@@ -266,16 +309,16 @@ function(inkcell_add_font target)
     set(symbols "${header}.symbols")
     _inkcell_write_if_different("${symbols}" "${arg_SYMBOLS}")
     list(APPEND options "--text-file=${symbols}")
-    list(APPEND texts "${symbols}")
+    list(APPEND inputs "${symbols}")
   endif()
 
   _inkcell_find_fontgen(program depends)
   add_custom_command(
     OUTPUT ${outputs}
     BYPRODUCTS ${preview}
-    COMMAND "${program}" "--font=${font}" ${options} --quiet
+    COMMAND "${program}" ${font} ${options} --quiet
       ${form} "--name=${arg_NAME}" "--out=${made}" "--depfile=${made}.d"
-    DEPENDS "${font}" ${texts} ${depends}
+    DEPENDS ${inputs} ${depends}
     DEPFILE "${made}.d"
     COMMENT "Making the font ${arg_NAME}"
     VERBATIM)

@@ -38,6 +38,10 @@ CASES = [
     (f"app {THERE} STRINGS", "not understood: STRINGS"),
     (f"app {THERE} LANGUAGE C STRINGS ui.txt", ""),
     (f"app {THERE} LANGUAGE Rust", "LANGUAGE is CXX or C, not Rust"),
+    (f"app {THERE} MERGE icons.ttf more.ttf=0xF000-0xF8FF", ""),
+    (f"app {THERE} SVG a.svg=0xE000 SVG_DIR . SVG_HEIGHT cap", ""),
+    ("app NAME ui SVG a.svg=0xE000 SVG_BASELINE bottom", ""),
+    ("app SVG_DIR icons", "icons without FONT need a NAME"),
 ]
 # Sources of a generator: these say who had them configured, and by what.
 FAKE_GENERATOR = """cmake_minimum_required(VERSION 3.25)

@@ -1,6 +1,7 @@
 #include "app/encode.hpp"
 
 #include <cstdint>
+#include <cstdio>
 #include <vector>
 
 #include "inkcell/version.hpp"
@@ -100,6 +101,34 @@ std::string hpp_strings(const RomFont& font, const std::string& name) {
   return out + "\n}  // namespace " + name + "_strings\n";
 }
 
+// The UTF-8 of a code point as a string literal.
+std::string literal(char32_t code_point) {
+  std::string text;
+  for (const char c : to_utf8(code_point)) {
+    char code[8];
+    std::snprintf(code, sizeof code, "\\x%02X", static_cast<uint8_t>(c));
+    text += code;
+  }
+  return '"' + text + '"';
+}
+
+// What an icon is: U+E001, wifi.svg.
+std::string origin(const IconFile& icon) {
+  char code[16];
+  std::snprintf(code, sizeof code, "U+%04X",
+                static_cast<unsigned>(icon.code_point));
+  return std::string(code) + ", " + for_comment(icon.file.filename().string());
+}
+
+std::string hpp_icons(const RomFont& font, const std::string& name) {
+  std::string out = "\n// Icons, as UTF-8.\nnamespace " + name + "_icons {\n";
+  for (const IconFile& icon : font.report.icons) {
+    out += "inline constexpr char k" + icon.name +
+           "[] = " + literal(icon.code_point) + ";  // " + origin(icon) + "\n";
+  }
+  return out + "}  // namespace " + name + "_icons\n";
+}
+
 std::string encode_hpp(const RomFont& font, const std::string& name) {
   std::string out = "// " + provenance(font) +
                     ".\n// Made by inkcell-fontgen: do not edit.\n"
@@ -114,6 +143,7 @@ std::string encode_hpp(const RomFont& font, const std::string& name) {
   append_bytes(out, font.bytes);
   out += "};\n";
   out += font.strings.empty() ? "" : hpp_strings(font, name);
+  out += font.report.icons.empty() ? "" : hpp_icons(font, name);
   out += "\n}  // namespace fonts\n";
   return out;
 }
@@ -138,6 +168,10 @@ std::string c_declarations(const RomFont& font, const std::string& name) {
   for (const RomString& string : font.strings) {
     out += "extern const inkcell_shaped_run_t " + name + "_strings_" +
            string.name + "; /* " + for_comment(string.text) + " */\n";
+  }
+  for (const IconFile& icon : font.report.icons) {
+    out += "#define " + name + "_icons_" + icon.name + " " +
+           literal(icon.code_point) + " /* " + origin(icon) + " */\n";
   }
   return out;
 }

@@ -11,8 +11,9 @@ enum class OutputFormat { bin, hpp, c };
 
 /// The content of a font file in the given form. `name` is the identifier of
 /// the array in hpp and c; the array of hpp is fonts::<name>. A string is
-/// fonts::<name>_strings::<string> in hpp, <name>_strings_<string> in c; bin
-/// has no strings.
+/// fonts::<name>_strings::<string> in hpp, <name>_strings_<string> in c; an
+/// icon's UTF-8 is fonts::<name>_icons::k<Icon> and <name>_icons_<Icon>. bin
+/// has neither.
 std::string encode(const RomFont& font,
                    OutputFormat format,
                    const std::string& name);

@@ -5,6 +5,7 @@
 
 #include "app/budget.hpp"
 #include "app/encode.hpp"
+#include "app/face_options.hpp"
 #include "app/options.hpp"
 #include "app/output.hpp"
 #include "app/progress.hpp"
@@ -31,8 +32,8 @@ struct Arguments {
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   GenerateRequest& request = arguments.request;
-  app.add_option("--font", request.font, "Font file: TTF, OTF, TTC, OTC")
-      ->required()
+  app.add_option("--font", request.font,
+                 "Font file: TTF, OTF, TTC, OTC; needed unless there are icons")
       ->type_name("FILE");
   app.add_option("--text-file", request.text_files,
                  "Take the characters of a UTF-8 text file; repeatable")
@@ -53,6 +54,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                "Fail if the font lacks a character: the error says which file "
                "and line ask for it");
   add_generator_options(app, request);
+  add_face_options(app, request);
   app.add_option_function<std::string>(
          "--format",
          [&arguments](const std::string& value) {
@@ -133,24 +135,10 @@ std::string escape(const std::string& path) {
   return out;
 }
 
-// All files of text that are read.
-std::vector<std::filesystem::path> texts_of(const GenerateRequest& request) {
-  std::vector<std::filesystem::path> files = sources_of(request);
-  files.insert(files.end(), request.text_files.begin(),
-               request.text_files.end());
-  files.insert(files.end(), request.string_files.begin(),
-               request.string_files.end());
-  return files;
-}
-
 std::string dependencies(const Arguments& arguments) {
   std::string rule = escape(arguments.out) + ":";
-  const auto add = [&](const std::filesystem::path& file) {
+  for (const std::filesystem::path& file : inputs_of(arguments.request)) {
     rule += " " + escape(std::filesystem::absolute(file).string());
-  };
-  add(arguments.request.font);
-  for (const std::filesystem::path& file : texts_of(arguments.request)) {
-    add(file);
   }
   return rule + "\n";
 }
@@ -214,9 +202,7 @@ void check_files(const Arguments& arguments) {
       check_writable(file);
     }
   }
-  std::vector<std::filesystem::path> inputs = texts_of(arguments.request);
-  inputs.push_back(arguments.request.font);
-  tools::check_apart(targets, inputs);
+  tools::check_apart(targets, inputs_of(arguments.request));
 }
 
 // The bytes that a wide band takes: those that the font has without it.
@@ -260,7 +246,8 @@ RomFont make_font(Arguments& arguments) {
 
 void run(Arguments& arguments) {
   if (arguments.name.empty()) {
-    arguments.name = identifier_of(arguments.request.font);
+    const std::filesystem::path& font = arguments.request.font;
+    arguments.name = identifier_of(font.empty() ? "icons" : font);
   }
   check_identifier(arguments.name);
   const OutputFormat format = format_of(arguments);

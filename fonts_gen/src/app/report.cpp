@@ -129,6 +129,11 @@ std::string report_for_people(const FontReport& report) {
                          static_cast<long long>(*report.band_bytes))
                 : "\n";
   }
+  for (const IconFile& icon : report.icons) {
+    text += format("  %-16sU+%04X k", "icon",
+                   static_cast<unsigned>(icon.code_point)) +
+            icon.name + ", " + icon.file.filename().string() + "\n";
+  }
   const auto part = [&](const char* name, size_t size) {
     text += format(
         "  %-16s%9zu bytes  %5.1f %%\n", name, size,
@@ -168,6 +173,13 @@ std::string report_as_json(const FontReport& report) {
   json["glyphs"] = report.glyphs.size();
   json["characters"] = report.characters;
   json["missing"] = report.missing.size();
+  if (!report.icons.empty()) {
+    Json icons = Json::object();
+    for (const IconFile& icon : report.icons) {
+      icons[icon.name] = static_cast<uint32_t>(icon.code_point);
+    }
+    json["icons"] = std::move(icons);
+  }
   json["coding"] = coding_name(options);
   json["predicate"] = fixed ? "fixed" : "size";
   json["min_px"] = static_cast<int>(options.min_px);

@@ -36,6 +36,7 @@ struct Warning {
     tolerance_missed,    // a glyph is worse than asked for
     measure,             // a metric had to be guessed or clamped
     no_outline,          // a glyph is a bitmap or in colour only: no ink
+    unused_face,         // a merged face gives no character
   };
   Kind kind;
   std::string text;

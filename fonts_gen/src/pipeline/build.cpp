@@ -104,7 +104,7 @@ Built build_glyph(const SourceFont& font,
                   const SourceGlyph& glyph,
                   const Target& options) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(font.file_name + ": " + glyph.name() + ": " + why);
+    throw Error(glyph.file_name + ": " + glyph.name() + ": " + why);
   };
   Built built;
   try {
@@ -124,7 +124,7 @@ Built build_glyph(const SourceFont& font,
     const bool fixed = options.predicate == Predicate::fixed;
     if (complex && !fixed) {
       throw TooComplex(
-          font.file_name + ": " + glyph.name() + ": " + error.what(),
+          glyph.file_name + ": " + glyph.name() + ": " + error.what(),
           glyph.remedy("lower --max-px, raise --tolerance"));
     }
     refuse(

@@ -91,6 +91,7 @@ FontReport make_report(const SourceFont& font,
   report.name = font.name;
   report.options = content.options;
   report.missing = font.missing;
+  report.icons = font.icons;
   report.characters = content.glyph_of.size();
   report.left_classes = content.kerning.left_classes;
   report.right_classes = content.kerning.right_classes;

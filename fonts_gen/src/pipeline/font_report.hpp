@@ -48,6 +48,7 @@ struct FontReport {
   PartBytes bytes;
   std::vector<GlyphReport> glyphs;
   std::vector<char32_t> missing;
+  std::vector<IconFile> icons;
   size_t characters = 0;
   int left_classes = 0;
   int right_classes = 0;

@@ -10,7 +10,8 @@
 #include "pipeline/build.hpp"
 #include "pipeline/missing.hpp"
 #include "rom/rom_font.hpp"
-#include "source/font_source.hpp"
+#include "source/faces.hpp"
+#include "source/icons.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -50,7 +51,9 @@ std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
                                       const SourceFont& font) {
   std::map<uint32_t, uint16_t> place_of;
   for (size_t i = 0; i < font.glyphs.size(); ++i) {
-    place_of.emplace(font.glyphs[i].source, static_cast<uint16_t>(i));
+    if (!font.glyphs[i].is_merged) {
+      place_of.emplace(font.glyphs[i].source, static_cast<uint16_t>(i));
+    }
   }
   std::vector<RomString> out;
   for (size_t i = 0; i < strings.size(); ++i) {
@@ -73,21 +76,43 @@ std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
   return out;
 }
 
+SourceFont load_source(const GenerateRequest& request,
+                       const std::vector<NamedString>& strings,
+                       Warnings& warnings) {
+  const std::vector<IconFile> icons =
+      find_icons(request.svg_files, request.svg_folders);
+  SourceFont font;
+  if (request.font.empty()) {
+    font = font_for_icons();
+  } else {
+    FontRequest first;
+    first.file = request.font;
+    first.face = request.face;
+    first.axes = request.axes;
+    first.characters = characters_of(request);
+    first.lines = lines_of(strings);
+    first.with_components = request.target.coding == Coding::outline;
+    std::vector<MergedFace> more;
+    for (const std::string& face : request.merge) {
+      more.push_back(parse_merged_face(face));
+    }
+    font = load_faces(first, more, request.threads, warnings);
+  }
+  if (!icons.empty()) {
+    add_icons(icons, request.icon_place, font);
+    renew_missing_warning(font, warnings);
+  }
+  return font;
+}
+
 }  // namespace
 
 RomFont generate(const GenerateRequest& request) {
   const auto begin = std::chrono::steady_clock::now();
   check_request(request);
   RomFont rom;
-  FontRequest wanted;
-  wanted.file = request.font;
-  wanted.face = request.face;
-  wanted.axes = request.axes;
-  wanted.characters = characters_of(request);
   const std::vector<NamedString> strings = strings_of(request);
-  wanted.lines = lines_of(strings);
-  wanted.with_components = request.target.coding == Coding::outline;
-  SourceFont font = load_font(wanted, request.threads, rom.warnings);
+  SourceFont font = load_source(request, strings, rom.warnings);
   if (request.strict && !font.missing.empty()) {
     refuse_missing(request, font.file_name, font.missing);
   }

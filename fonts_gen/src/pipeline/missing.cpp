@@ -59,7 +59,9 @@ std::string place_of(const GenerateRequest& request,
   if (place.empty()) {
     const bool is_symbol =
         request.symbols.find(to_utf8(c)) != std::string::npos;
-    place = is_symbol ? "--symbols: " : "--chars: ";
+    place = is_symbol               ? "--symbols: "
+            : request.merge.empty() ? "--chars: "
+                                    : "--chars or --merge: ";
   }
   return place;
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "source/faces.hpp"
 #include "texts/c_literals.hpp"
 #include "texts/file_pattern.hpp"
 
@@ -36,6 +37,20 @@ void check_size(const char* option, double px) {
 }  // namespace
 
 void check_request(const GenerateRequest& request) {
+  const bool has_icons =
+      !request.svg_files.empty() || !request.svg_folders.empty();
+  if (request.font.empty() && !has_icons) {
+    throw Error(
+        "there is no font; give a font file with --font, or icons with "
+        "--svg or --svg-dir");
+  }
+  if (request.font.empty() &&
+      !(request.merge.empty() && request.chars.empty() &&
+        request.text_files.empty() && request.symbols.empty() &&
+        request.strings_from.empty() && request.string_files.empty())) {
+    throw Error(
+        "--merge, characters and strings need a font file; add --font FILE");
+  }
   const Target& target = request.target;
   check_size("--min-px", target.min_px);
   check_size("--max-px", target.max_px);
@@ -66,6 +81,31 @@ void check_request(const GenerateRequest& request) {
         "--predicate fixed is the paper's, for its cells; use --coding "
         "samples");
   }
+}
+
+std::vector<std::filesystem::path> inputs_of(const GenerateRequest& request) {
+  std::vector<std::filesystem::path> files;
+  if (!request.font.empty()) {
+    files.push_back(request.font);
+  }
+  files.insert(files.end(), request.text_files.begin(),
+               request.text_files.end());
+  files.insert(files.end(), request.string_files.begin(),
+               request.string_files.end());
+  for (const std::filesystem::path& source : sources_of(request)) {
+    files.push_back(source);
+  }
+  for (const std::string& face : request.merge) {
+    files.push_back(parse_merged_face(face).file);
+  }
+  for (const IconFile& icon :
+       find_icons(request.svg_files, request.svg_folders)) {
+    files.push_back(icon.file);
+  }
+  for (const std::filesystem::path& list : icon_lists(request.svg_folders)) {
+    files.push_back(list);
+  }
+  return files;
 }
 
 CharSet characters_of(const GenerateRequest& request) {

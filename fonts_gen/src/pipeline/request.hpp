@@ -9,6 +9,7 @@
 
 #include "source/char_set.hpp"
 #include "source/font_file.hpp"
+#include "source/icons.hpp"
 #include "target/target.hpp"
 #include "texts/string_file.hpp"
 
@@ -16,7 +17,7 @@ namespace inkcell::gen {
 
 /// What to generate. The defaults are those of the command line.
 struct GenerateRequest {
-  std::filesystem::path font;
+  std::filesystem::path font;  // empty: icons alone
   int face = 0;
   std::vector<AxisSetting> axes;
   /// Characters: the union of all four; printable ASCII if they are empty and
@@ -30,6 +31,11 @@ struct GenerateRequest {
   /// Whether generate() throws for characters that the font lacks; otherwise
   /// it warns.
   bool strict = false;
+  /// More faces, as parse_merged_face reads them, in order of priority.
+  std::vector<std::string> merge;
+  std::vector<std::string> svg_files;  // "wifi.svg=0xE001"
+  std::vector<std::filesystem::path> svg_folders;
+  IconPlace icon_place;
   /// Sizes are whole numbers within 4..1024 px/em, min <= max; the tolerance is
   /// a whole number within 1..255.
   Target target;
@@ -49,8 +55,8 @@ struct GenerateRequest {
 /// Throws Error unless the numbers of `request` lie within their limits.
 void check_request(const GenerateRequest& request);
 
-/// All characters that `request` asks for, without those of strings that are
-/// shaped. Throws Error if there are neither.
+/// All characters that `request` asks its font files for, without those of
+/// strings that are shaped. Throws Error if there are neither.
 CharSet characters_of(const GenerateRequest& request);
 
 /// The sources that strings_from names, each once. Throws Error.
@@ -58,5 +64,8 @@ std::vector<std::filesystem::path> sources_of(const GenerateRequest& request);
 
 /// The strings that are shaped. Throws Error.
 std::vector<NamedString> strings_of(const GenerateRequest& request);
+
+/// The files that generate() reads. Throws Error.
+std::vector<std::filesystem::path> inputs_of(const GenerateRequest& request);
 
 }  // namespace inkcell::gen

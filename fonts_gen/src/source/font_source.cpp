@@ -19,9 +19,6 @@ constexpr double kUnitsOfU = 1024;
 // lost. [bits]
 constexpr int kWalkShift = 6;
 
-// The glyph count of the format is 16 bits wide.
-constexpr size_t kMostGlyphs = 65535;
-
 // Missing characters that a warning lists.
 constexpr size_t kListedCharacters = 10;
 
@@ -179,25 +176,6 @@ SourceMetrics read_metrics(const FontFile& font, Warnings& warnings) {
     m.cap_height = clamp(top_of(font, U'H', warnings));
   }
   return m;
-}
-
-void warn_of_missing(const FontFile& font,
-                     const std::vector<char32_t>& missing,
-                     Warnings& warnings) {
-  if (missing.empty()) {
-    return;
-  }
-  std::string text =
-      font.file_name() + ": " + std::to_string(missing.size()) +
-      (missing.size() == 1 ? " character is" : " characters are") +
-      " not in the font: ";
-  for (size_t i = 0; i < std::min(missing.size(), kListedCharacters); ++i) {
-    text += (i == 0 ? "" : ", ") + describe(missing[i]);
-  }
-  if (missing.size() > kListedCharacters) {
-    text += ", ...";
-  }
-  warnings.push_back({Warning::Kind::missing_characters, text});
 }
 
 // Whether the font has a picture of the glyph that is no plain outline.
@@ -426,6 +404,38 @@ void add_components(const FontFile& file, SourceFont& font) {
 
 }  // namespace
 
+CharSet missing_in_lines(const SourceFont& font) {
+  CharSet missing;
+  for (const ShapedLine& line : font.lines) {
+    missing.insert(line.missing.begin(), line.missing.end());
+  }
+  return missing;
+}
+
+void renew_missing_warning(const SourceFont& font, Warnings& warnings) {
+  warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
+                                [](const Warning& warning) {
+                                  return warning.kind ==
+                                         Warning::Kind::missing_characters;
+                                }),
+                 warnings.end());
+  if (font.missing.empty()) {
+    return;
+  }
+  std::string text =
+      font.file_name + ": " + std::to_string(font.missing.size()) +
+      (font.missing.size() == 1 ? " character is" : " characters are") +
+      " not in the font: ";
+  for (size_t i = 0; i < std::min(font.missing.size(), kListedCharacters);
+       ++i) {
+    text += (i == 0 ? "" : ", ") + describe(font.missing[i]);
+  }
+  if (font.missing.size() > kListedCharacters) {
+    text += ", ...";
+  }
+  warnings.push_back({Warning::Kind::missing_characters, text});
+}
+
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   const FontFile file(request.file, request.face, request.axes);
   SourceFont font;
@@ -433,12 +443,13 @@ SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   font.name = file.full_name();
   const size_t asked = choose_glyphs(file, request, font);
   warn_of_embedding(file, warnings);
-  warn_of_missing(file, font.missing, warnings);
+  renew_missing_warning(font, warnings);
   font.metrics = read_metrics(file, warnings);
   if (request.with_components) {
     add_components(file, font);
   }
   for (SourceGlyph& glyph : font.glyphs) {
+    glyph.file_name = font.file_name;
     read_glyph(file, glyph, warnings);
   }
   warn_of_pictures(file, font, warnings);
@@ -446,6 +457,17 @@ SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
   font.kerning.left_class.resize(font.glyphs.size());
   font.kerning.right_class.resize(font.glyphs.size());
   return font;
+}
+
+CharSet characters_in(const FontRequest& request) {
+  const FontFile file(request.file, request.face, request.axes);
+  CharSet found;
+  for (const char32_t c : request.characters) {
+    if (file.glyph_of(c) != 0) {
+      found.insert(c);
+    }
+  }
+  return found;
 }
 
 }  // namespace inkcell::gen

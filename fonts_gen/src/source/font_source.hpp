@@ -11,10 +11,14 @@
 #include "source/char_set.hpp"
 #include "source/components.hpp"
 #include "source/font_file.hpp"
+#include "source/icon_files.hpp"
 #include "source/kerning.hpp"
 #include "source/line_shaper.hpp"
 
 namespace inkcell::gen {
+
+/// The glyph count of the format is 16 bits wide.
+inline constexpr size_t kMostGlyphs = 65535;
 
 /// Which face of which file, and which of its characters.
 struct FontRequest {
@@ -41,9 +45,11 @@ struct SourceMetrics {
 
 /// One glyph of the font to be.
 struct SourceGlyph {
+  std::string file_name;              // of the file it is from
   uint32_t source = 0;                // id in the font file
   std::vector<char32_t> code_points;  // none: .notdef, or as stated below
   bool is_of_line = false;            // a shaped line has it; else a component
+  bool is_merged = false;             // of another file than the lines
   Outline outline;                    // [u]
   int advance = 0;                    // [font units]
 
@@ -60,8 +66,9 @@ struct SourceFont {
   std::string name;  // family and style
   SourceMetrics metrics;
   /// .notdef, then in the order of their smallest code points; then those of
-  /// lines alone in the same order, the ones without code points last. Code
-  /// points that share a glyph in the file share it here.
+  /// lines alone in the same order, the ones without code points last. With
+  /// other faces or icons all code points are in one order. Code points that
+  /// share a glyph in the file share it here.
   std::vector<SourceGlyph> glyphs;
   /// What each glyph is made of; with components only.
   std::vector<OutlineReferences> components;
@@ -71,10 +78,21 @@ struct SourceFont {
   std::vector<ShapedLine> lines;
   /// Characters that the font does not have, in ascending order.
   std::vector<char32_t> missing;
+  std::vector<IconFile> icons;
 };
 
 /// Reads all that `request` asks for. Kerning is looked up on `jobs` threads
 /// (0: all cores). Throws Error.
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings);
+
+/// Those of request.characters that its file has. Throws Error.
+CharSet characters_in(const FontRequest& request);
+
+/// The characters that the font's lines show as .notdef.
+CharSet missing_in_lines(const SourceFont& font);
+
+/// Takes the warnings of missing characters away; adds one that lists those of
+/// `font`, if there are any.
+void renew_missing_warning(const SourceFont& font, Warnings& warnings);
 
 }  // namespace inkcell::gen

@@ -1,0 +1,212 @@
+#include "source/faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+CharSet without(const CharSet& all, const CharSet& taken) {
+  CharSet rest;
+  std::set_difference(all.begin(), all.end(), taken.begin(), taken.end(),
+                      std::inserter(rest, rest.end()));
+  return rest;
+}
+
+void add_characters_of(const SourceFont& font, CharSet& out) {
+  for (const SourceGlyph& glyph : font.glyphs) {
+    out.insert(glyph.code_points.begin(), glyph.code_points.end());
+  }
+}
+
+// Font units of a face in those of another.
+int scaled(int value, int from_units, int to_units) {
+  return static_cast<int>(
+      std::lround(static_cast<double>(value) * to_units / from_units));
+}
+
+// The classes of `part` after those of `matrix`, whose glyphs stand before its;
+// pairs of one and the other do not kern.
+void append_kerning(const KerningMatrix& part,
+                    int part_units,
+                    int units,
+                    KerningMatrix& matrix) {
+  const auto append = [](const std::vector<uint16_t>& classes, int offset,
+                         std::vector<uint16_t>& out) {
+    for (size_t i = 1; i < classes.size(); ++i) {
+      out.push_back(classes[i] == 0
+                        ? uint16_t{0}
+                        : static_cast<uint16_t>(classes[i] + offset));
+    }
+  };
+  append(part.left_class, matrix.left_classes, matrix.left_class);
+  append(part.right_class, matrix.right_classes, matrix.right_class);
+  const auto left = static_cast<size_t>(matrix.left_classes);
+  const auto right = static_cast<size_t>(matrix.right_classes);
+  const auto part_left = static_cast<size_t>(part.left_classes);
+  const auto part_right = static_cast<size_t>(part.right_classes);
+  std::vector<int16_t> values((left + part_left) * (right + part_right));
+  for (size_t row = 0; row < left; ++row) {
+    for (size_t column = 0; column < right; ++column) {
+      values[row * (right + part_right) + column] =
+          matrix.values[row * right + column];
+    }
+  }
+  for (size_t row = 0; row < part_left; ++row) {
+    for (size_t column = 0; column < part_right; ++column) {
+      values[(left + row) * (right + part_right) + right + column] =
+          static_cast<int16_t>(std::clamp(
+              scaled(part.values[row * part_right + column], part_units, units),
+              -32768, 32767));
+    }
+  }
+  matrix.values = std::move(values);
+  matrix.left_classes += part.left_classes;
+  matrix.right_classes += part.right_classes;
+}
+
+// References of a glyph of `part`, for a font in which its glyph 1 is number
+// `first`; none if they are to .notdef, which is not taken.
+OutlineReferences moved(const OutlineReferences& references, size_t first) {
+  OutlineReferences result;
+  for (OutlineReference reference : references) {
+    if (reference.glyph == 0) {
+      return {};
+    }
+    reference.glyph += first - 1;
+    result.push_back(reference);
+  }
+  return result;
+}
+
+template <typename Item>
+void permute(const std::vector<size_t>& order, std::vector<Item>& items) {
+  std::vector<Item> result;
+  for (const size_t i : order) {
+    result.push_back(std::move(items[i]));
+  }
+  items = std::move(result);
+}
+
+}  // namespace
+
+MergedFace parse_merged_face(const std::string& text) {
+  std::error_code error;
+  const size_t equals = text.rfind('=');
+  MergedFace face;
+  if (equals == std::string::npos || std::filesystem::exists(text, error)) {
+    face.file = text;
+    return face;
+  }
+  face.file = text.substr(0, equals);
+  try {
+    add_ranges(text.substr(equals + 1), face.characters);
+  } catch (const Error& why) {
+    throw Error("--merge '" + text + "': " + why.what());
+  }
+  return face;
+}
+
+void sort_glyphs(SourceFont& font) {
+  std::vector<size_t> order(font.glyphs.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  const auto rank = [&font](size_t i) {
+    const std::vector<char32_t>& codes = font.glyphs[i].code_points;
+    return i == 0          ? char32_t{0}
+           : codes.empty() ? char32_t{0xffffffff}
+                           : codes.front();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return rank(a) < rank(b); });
+  std::vector<size_t> place(order.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+  }
+  font.components.resize(font.glyphs.size());
+  for (OutlineReferences& references : font.components) {
+    for (OutlineReference& reference : references) {
+      reference.glyph = place[reference.glyph];
+    }
+  }
+  permute(order, font.glyphs);
+  permute(order, font.components);
+  permute(order, font.kerning.left_class);
+  permute(order, font.kerning.right_class);
+}
+
+void merge_font(SourceFont part, SourceFont& font) {
+  const int units = font.metrics.units_per_em;
+  const int part_units = part.metrics.units_per_em;
+  const size_t first = font.glyphs.size();
+  if (first + part.glyphs.size() - 1 > kMostGlyphs) {
+    throw Error(part.file_name + ": with it the font has more than " +
+                std::to_string(kMostGlyphs) +
+                " glyphs; ask for fewer characters");
+  }
+  font.components.resize(first);
+  part.components.resize(part.glyphs.size());
+  for (size_t i = 1; i < part.glyphs.size(); ++i) {
+    SourceGlyph& glyph = part.glyphs[i];
+    glyph.is_merged = true;
+    glyph.advance =
+        std::clamp(scaled(glyph.advance, part_units, units), 0, 65535);
+    font.glyphs.push_back(std::move(glyph));
+    // Offsets of components are whole font units: in others they do not fit.
+    font.components.push_back(part_units == units
+                                  ? moved(part.components[i], first)
+                                  : OutlineReferences());
+  }
+  append_kerning(part.kerning, part_units, units, font.kerning);
+  font.file_name += ", " + part.file_name;
+  sort_glyphs(font);
+}
+
+SourceFont load_faces(const FontRequest& first,
+                      const std::vector<MergedFace>& more,
+                      int jobs,
+                      Warnings& warnings) {
+  if (more.empty()) {
+    return load_font(first, jobs, warnings);
+  }
+  SourceFont font = load_font(first, jobs, warnings);
+  CharSet asked = first.characters;
+  CharSet given;
+  add_characters_of(font, given);
+  for (const MergedFace& face : more) {
+    asked.insert(face.characters.begin(), face.characters.end());
+    FontRequest request;
+    request.file = face.file;
+    request.with_components = first.with_components;
+    request.characters =
+        without(face.characters.empty() ? asked : face.characters, given);
+    // Also refuses what is no font.
+    const CharSet there = characters_in(request);
+    if (face.characters.empty()) {
+      request.characters = there;
+    }
+    if (request.characters.empty()) {
+      warnings.push_back(
+          {Warning::Kind::unused_face,
+           face.file.filename().string() +
+               ": is not used: it has no character that is asked for "
+               "and that the faces before it lack"});
+      continue;
+    }
+    SourceFont part = load_font(request, jobs, warnings);
+    add_characters_of(part, given);
+    merge_font(std::move(part), font);
+  }
+  CharSet missing = missing_in_lines(font);
+  missing.merge(without(asked, given));
+  font.missing.assign(missing.begin(), missing.end());
+  renew_missing_warning(font, warnings);
+  return font;
+}
+
+}  // namespace inkcell::gen

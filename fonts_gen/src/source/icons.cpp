@@ -1,0 +1,141 @@
+#include "source/icons.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "base/error.hpp"
+#include "source/faces.hpp"
+#include "svg/svg_drawing.hpp"
+
+namespace inkcell::gen {
+namespace {
+
+constexpr double kUnitsOfU = 1024;
+constexpr int kUnitsPerEm = 1024;
+constexpr double kCapHeight_em = 0.7;
+constexpr int kMostAdvance = 65535;
+
+std::optional<double> number(const std::string& text,
+                             double least,
+                             double most) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && at == end && value >= least && value <= most
+             ? std::optional<double>(value)
+             : std::nullopt;
+}
+
+int units(double em) {
+  return static_cast<int>(std::lround(em * kUnitsPerEm));
+}
+
+SourceGlyph make_glyph(const IconFile& icon,
+                       const IconPlace& place,
+                       const SourceMetrics& metrics) {
+  const SvgDrawing drawing(icon.file);
+  const std::optional<ViewBox> box = drawing.view_box();
+  if (!box) {
+    throw Error(icon.file.string() +
+                ": <svg> has neither a viewBox nor width and height, so that "
+                "its size is not known; add a viewBox");
+  }
+  const double u_per_unit = kUnitsOfU / metrics.units_per_em;
+  const double cap_u = metrics.cap_height * u_per_unit;
+  const double height_u =
+      place.is_cap_high ? cap_u : place.height_em * kUnitsOfU;
+  if (!(height_u > 0)) {
+    throw Error(icon.file.string() +
+                ": the font does not say how high its capitals are; give "
+                "--svg-height a number of em");
+  }
+  const double scale = height_u / box->height;
+  const double bottom_u =
+      place.is_centred ? (cap_u - height_u) / 2 : place.bottom_em * kUnitsOfU;
+  SourceGlyph glyph;
+  glyph.code_points = {icon.code_point};
+  glyph.file_name = icon.file.filename().string();
+  glyph.outline = drawing.outline({scale, 0, 0, -scale, -scale * box->x,
+                                   bottom_u + height_u + scale * box->y});
+  const double advance = scale * box->width / u_per_unit;
+  if (!(advance <= kMostAdvance)) {
+    throw Error(icon.file.string() +
+                ": its viewBox is too wide for its height; check it");
+  }
+  glyph.advance = static_cast<int>(std::lround(advance));
+  return glyph;
+}
+
+}  // namespace
+
+void parse_icon_height(const std::string& text, IconPlace& place) {
+  const auto em = text == "em" ? 1.0 : number(text, 0.01, 10);
+  place.is_cap_high = text == "cap";
+  if (!place.is_cap_high && !em) {
+    throw Error("--svg-height: '" + text +
+                "' is not em, cap or a number of em within 0.01..10, such as "
+                "1.2");
+  }
+  place.height_em = em.value_or(1);
+}
+
+void parse_icon_baseline(const std::string& text, IconPlace& place) {
+  const auto em = text == "bottom" ? 0.0 : number(text, -10, 10);
+  place.is_centred = text == "middle";
+  if (!place.is_centred && !em) {
+    throw Error("--svg-baseline: '" + text +
+                "' is not middle, bottom or a number of em within -10..10, "
+                "such as -0.125");
+  }
+  place.bottom_em = em.value_or(0);
+}
+
+SourceFont font_for_icons() {
+  SourceFont font;
+  font.name = "icons";
+  font.metrics.units_per_em = kUnitsPerEm;
+  font.metrics.cap_height = units(kCapHeight_em);
+  font.metrics.ascender = units((kCapHeight_em + 1) / 2);
+  font.metrics.descender = font.metrics.ascender - kUnitsPerEm;
+  font.glyphs.emplace_back();  // .notdef
+  font.kerning.left_class = {0};
+  font.kerning.right_class = {0};
+  return font;
+}
+
+void add_icons(const std::vector<IconFile>& icons,
+               const IconPlace& place,
+               SourceFont& font) {
+  std::map<char32_t, std::string> taken;
+  for (const SourceGlyph& glyph : font.glyphs) {
+    for (const char32_t c : glyph.code_points) {
+      taken.emplace(c, glyph.file_name);
+    }
+  }
+  CharSet missing(font.missing.begin(), font.missing.end());
+  for (const IconFile& icon : icons) {
+    const auto found = taken.find(icon.code_point);
+    if (found != taken.end()) {
+      throw Error(icon.file.string() + ": " + describe(icon.code_point) +
+                  " is a character of " + found->second +
+                  " already; choose another code point, or ask for fewer "
+                  "characters with --chars");
+    }
+    font.glyphs.push_back(make_glyph(icon, place, font.metrics));
+    missing.erase(icon.code_point);
+  }
+  missing.merge(missing_in_lines(font));
+  font.missing.assign(missing.begin(), missing.end());
+  font.icons.insert(font.icons.end(), icons.begin(), icons.end());
+  font.file_name += (font.file_name.empty() ? "" : ", ") +
+                    std::to_string(icons.size()) +
+                    (icons.size() == 1 ? " icon" : " icons");
+  font.components.resize(font.glyphs.size());
+  font.kerning.left_class.resize(font.glyphs.size());
+  font.kerning.right_class.resize(font.glyphs.size());
+  sort_glyphs(font);
+}
+
+}  // namespace inkcell::gen

@@ -1,0 +1,354 @@
+// Icons: which files, which code points, where they lie; several faces in one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/encode.hpp"
+#include "inkcell/font.hpp"
+#include "pipeline/generate.hpp"
+#include "sfnt_builder.hpp"
+#include "shape/shape.hpp"
+#include "source/faces.hpp"
+#include "source/icons.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+// A square of the whole viewBox, which is 20 wide and 10 high.
+constexpr const char* kBox =
+    "<svg viewBox='10 5 20 10'><path d='M10 5h20v10h-20z'/></svg>";
+
+class Icons : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name,
+                              const std::string& text = kBox) const {
+    return folder_.write(name, {text.begin(), text.end()});
+  }
+  std::string file(const std::string& icon) const {
+    return (folder_.path() / icon).string();
+  }
+
+  TestFolder folder_;
+};
+
+template <typename Function>
+std::string refusal(Function function) {
+  try {
+    function();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+using Pairs = std::vector<std::pair<char32_t, std::string>>;
+
+Pairs pairs_of(const std::vector<IconFile>& icons) {
+  Pairs pairs;
+  for (const IconFile& icon : icons) {
+    pairs.emplace_back(icon.code_point, icon.name);
+  }
+  return pairs;
+}
+
+TEST_F(Icons, FolderGivesCodePointsByNameOrFromE000) {
+  for (const char* name :
+       {"wifi-off.svg", "0xE002-home 2.svg", "U+E000.svg", "uE123_a.svg",
+        "1f600.svg", "feed.svg", "ufeed.svg", "beef-1.svg", "x.txt"}) {
+    write(name);
+  }
+  EXPECT_EQ(pairs_of(find_icons({}, {folder_.path()})),
+            (Pairs{{0xe000, "UE000"},
+                   {0xe001, "Beef1"},
+                   {0xe002, "Home2"},
+                   {0xe003, "Feed"},
+                   {0xe004, "Ufeed"},
+                   {0xe005, "WifiOff"},
+                   {0xe123, "A"},
+                   {0x1f600, "U1F600"}}));
+}
+
+TEST_F(Icons, ListOfAFolderChooses) {
+  for (const char* name : {"a.svg", "b.svg", "c.svg"}) {
+    write(name);
+  }
+  write("codepoints", "# chosen\nc e010\n\nb E00F # last\n");
+  EXPECT_EQ(pairs_of(find_icons({file("a.svg=U+41")}, {folder_.path()})),
+            (Pairs{{0x41, "A"}, {0xe00f, "B"}, {0xe010, "C"}}));
+  EXPECT_EQ(icon_lists({folder_.path()}).size(), 1u);
+}
+
+TEST_F(Icons, WrongFilesAndCodePointsAreExplained) {
+  write("a.svg");
+  write("b.svg");
+  const auto text = [&](const std::vector<std::string>& files) {
+    return refusal([&] { find_icons(files, {}); });
+  };
+  for (const char* wrong :
+       {"a.svg", "=0xE000", "a.svg=", "a.svg=x1", "a.svg=0x41-0x42"}) {
+    EXPECT_NE(text({wrong}).find("is not FILE=CODE"), std::string::npos);
+  }
+  EXPECT_NE(text({"a.svg=0xE000", "b.svg=0xE000"}).find("that of a.svg"),
+            std::string::npos);
+  EXPECT_NE(text({"a.svg=0xE000", "x/a.svg=0xE001"}).find("would be kA"),
+            std::string::npos);
+  EXPECT_NE(text({"a.svg=0x9F"}).find("no printable code point"),
+            std::string::npos);
+  const auto folder = [&](const std::filesystem::path& path) {
+    return refusal([&] { find_icons({}, {path}); });
+  };
+  EXPECT_NE(folder("none").find("is no folder"), std::string::npos);
+  EXPECT_NE(folder(TestFolder().path()).find("holds no file *.svg"),
+            std::string::npos);
+  write("codepoints", "a e000\nb\n");
+  EXPECT_NE(folder(folder_.path()).find("codepoints:2: 'b'"),
+            std::string::npos);
+}
+
+struct Placed {
+  Box box;  // [u]
+  int advance;
+};
+
+TEST_F(Icons, LieBesideLettersAsAsked) {
+  write("box.svg");
+  const auto placed = [&](const char* height, const char* baseline) {
+    IconPlace place;
+    parse_icon_height(height, place);
+    parse_icon_baseline(baseline, place);
+    SourceFont font = font_for_icons();
+    add_icons(find_icons({file("box.svg=0xE000")}, {}), place, font);
+    return Placed{Shape(font.glyphs[1].outline).box(), font.glyphs[1].advance};
+  };
+  // Capitals are 0.7 em high: 717 u.
+  const Placed middle = placed("em", "middle");
+  EXPECT_NEAR(middle.box.y0, 358.5 - 512, 0.01);
+  EXPECT_NEAR(middle.box.y1, 358.5 + 512, 0.01);
+  EXPECT_NEAR(middle.box.x0, 0, 0.01);
+  EXPECT_NEAR(middle.box.x1, 2048, 0.01);
+  EXPECT_EQ(middle.advance, 2048);
+  const Placed cap = placed("cap", "middle");
+  EXPECT_NEAR(cap.box.y0, 0, 0.01);
+  EXPECT_NEAR(cap.box.y1, 717, 0.01);
+  EXPECT_EQ(cap.advance, 1434);
+  const Placed low = placed("1.5", "-0.25");
+  EXPECT_NEAR(low.box.y0, -256, 0.01);
+  EXPECT_NEAR(low.box.y1, 1280, 0.01);
+  EXPECT_NEAR(placed("1", "bottom").box.y0, 0, 0.01);
+  IconPlace place;
+  EXPECT_NE(refusal([&] { parse_icon_height("large", place); }), "no error");
+  EXPECT_NE(refusal([&] { parse_icon_baseline("top", place); }), "no error");
+}
+
+TEST_F(Icons, NeedASizeAndAFreeCodePoint) {
+  write("none.svg", "<svg><path d='M0 0h9v9z'/></svg>");
+  write("bad.svg", "<svg viewBox='0 0 9 0'/>");
+  write("size.svg", "<svg width='9px' height='9'><path d='M0 0h9v9z'/></svg>");
+  write("torn.svg", "<svg>\n<path");
+  write("page.svg", "<html/>");
+  const auto text = [&](const std::string& icon) {
+    return refusal([&] {
+      GenerateRequest request;
+      request.font = folder_.write("plain.ttf", Sfnt::plain());
+      request.symbols = "H";
+      request.svg_files = {file(icon)};
+      generate(request);
+    });
+  };
+  EXPECT_NE(text("none.svg=0xE000").find("add a viewBox"), std::string::npos);
+  EXPECT_NE(text("bad.svg=0xE000").find("a viewBox is four"),
+            std::string::npos);
+  EXPECT_NE(text("torn.svg=0xE000").find("torn.svg: line 2: is no sound XML"),
+            std::string::npos);
+  EXPECT_NE(text("page.svg=0xE000").find("page.svg: has no element <svg>"),
+            std::string::npos);
+  EXPECT_NE(text("gone.svg=0xE000").find("no such file"), std::string::npos);
+  EXPECT_NE(text("size.svg=0x48").find("a character of plain.ttf already"),
+            std::string::npos);
+  EXPECT_EQ(text("size.svg=0xE000"), "no error");
+}
+
+TEST_F(Icons, HaveConstantsInSource) {
+  write("wifi-off.svg");
+  GenerateRequest request;
+  request.svg_files = {file("wifi-off.svg=0xE001")};
+  request.target.max_px = 16;
+  const RomFont font = generate(request);
+  const std::string hpp = encode(font, OutputFormat::hpp, "ui");
+  EXPECT_NE(hpp.find("namespace ui_icons {\ninline constexpr char kWifiOff[] = "
+                     "\"\\xEE\\x80\\x81\";  // U+E001, wifi-off.svg\n"),
+            std::string::npos)
+      << hpp;
+  const std::string macro =
+      "#define ui_icons_WifiOff \"\\xEE\\x80\\x81\" /* U+E001, wifi-off.svg "
+      "*/\n";
+  EXPECT_NE(encode(font, OutputFormat::c, "ui").find(macro), std::string::npos);
+  EXPECT_NE(encode_c_header(font, "ui").find(macro), std::string::npos);
+}
+
+// Faces.
+
+Sfnt face_of(int units, std::vector<SfntGlyph> glyphs) {
+  Sfnt font;
+  font.units_per_em = units;
+  font.glyphs = {{0, 600, {rectangle(50, 0, 550, 700)}}};
+  font.glyphs.insert(font.glyphs.end(), glyphs.begin(), glyphs.end());
+  return font;
+}
+
+class Faces : public Icons {
+ protected:
+  Faces() {
+    Sfnt text = face_of(1000, {{U'A', 500, {rectangle(0, 0, 400, 700)}},
+                               {U'C', 510, {rectangle(0, 0, 410, 710)}}});
+    text.kern_pairs = {{{1, 2}, -50}};
+    Sfnt more = face_of(2000, {{U'A', 700, {rectangle(0, 0, 600, 600)}},
+                               {U'B', 1000, {rectangle(0, 0, 900, 1200)}},
+                               {U'D', 1200, {rectangle(0, 0, 1100, 1400)}}});
+    more.kern_pairs = {{{2, 3}, -100}};
+    folder_.write("text.ttf", text);
+    folder_.write("more.ttf", more);
+  }
+
+  SourceFont load(const std::string& characters,
+                  const std::vector<std::string>& merge) {
+    FontRequest first;
+    first.file = folder_.path() / "text.ttf";
+    add_ranges(characters, first.characters);
+    std::vector<MergedFace> more;
+    for (const std::string& face : merge) {
+      more.push_back(parse_merged_face(file(face)));
+    }
+    warnings_.clear();
+    return load_faces(first, more, 1, warnings_);
+  }
+
+  Warnings warnings_;
+};
+
+int advance_of(const SourceFont& font, char32_t c) {
+  for (const SourceGlyph& glyph : font.glyphs) {
+    if (glyph.code_points == std::vector<char32_t>{c}) {
+      return glyph.advance;
+    }
+  }
+  return -1;
+}
+
+TEST_F(Faces, FirstFaceThatHasACharacterGivesIt) {
+  const SourceFont font = load("A-D,0x20AC", {"more.ttf"});
+  ASSERT_EQ(font.glyphs.size(), 5u);
+  EXPECT_EQ(advance_of(font, U'A'), 500);
+  EXPECT_EQ(advance_of(font, U'B'), 500);  // 1000 of 2000
+  EXPECT_EQ(advance_of(font, U'C'), 510);
+  EXPECT_EQ(advance_of(font, U'D'), 600);
+  EXPECT_EQ(font.metrics.units_per_em, 1000);
+  EXPECT_EQ(font.missing, std::vector<char32_t>{0x20ac});
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(warnings_[0].text.substr(0, 18), "text.ttf, more.ttf");
+  // In the order of code points, and kerned within a face.
+  EXPECT_EQ(font.glyphs[2].code_points.front(), U'B');
+  EXPECT_EQ(font.kerning.value(1, 3), -50);
+  EXPECT_EQ(font.kerning.value(2, 4), -50);
+  EXPECT_EQ(font.kerning.value(1, 4), 0);
+  EXPECT_EQ(font.kerning.value(2, 3), 0);
+  const Box box = Shape(font.glyphs[2].outline).box();
+  EXPECT_NEAR(box.x1, 0.45 * 1024, 0.01);
+  EXPECT_NEAR(box.y1, 0.6 * 1024, 0.01);
+}
+
+TEST_F(Faces, ListSaysWhatAFaceIsAskedFor) {
+  const SourceFont font = load("C", {"more.ttf=A,D"});
+  ASSERT_EQ(font.glyphs.size(), 4u);
+  EXPECT_EQ(advance_of(font, U'A'), 350);  // not asked of the first face
+  EXPECT_EQ(advance_of(font, U'D'), 600);
+  EXPECT_TRUE(warnings_.empty());
+}
+
+TEST_F(Faces, UnusedFaceIsTold) {
+  load("A,C", {"more.ttf"});
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(warnings_[0].kind, Warning::Kind::unused_face);
+}
+
+TEST_F(Faces, WrongListIsExplained) {
+  EXPECT_NE(refusal([&] { load("A", {"more.ttf=D-B"}); }).find("backwards"),
+            std::string::npos);
+  for (const char* face : {"none.ttf", "none.ttf=A", "none.ttf=B"}) {
+    EXPECT_NE(refusal([&] { load("A", {face}); }).find("no such file"),
+              std::string::npos)
+        << face;
+  }
+}
+
+// Glyph 2 of text.ttf is C, that of more.ttf is B.
+TEST_F(Faces, StringsHaveGlyphsOfTheFirstFace) {
+  GenerateRequest request;
+  request.target.max_px = 16;
+  request.font = folder_.path() / "text.ttf";
+  request.symbols = "B\uE001";
+  request.merge = {file("more.ttf")};
+  request.svg_files = {write("icon.svg").string() + "=0xE001"};
+  request.string_files = {write("ui.txt", "both = CA\n")};
+  request.strict = true;
+  const RomFont font = generate(request);
+  EXPECT_TRUE(font.warnings.empty());
+  Font reader;
+  ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),
+            Status::ok);
+  ASSERT_EQ(font.strings.size(), 1u);
+  ASSERT_EQ(font.strings[0].glyphs.size(), 2u);
+  EXPECT_EQ(font.strings[0].glyphs[0].glyph, reader.glyph_or_notdef(U'C'));
+  EXPECT_EQ(font.strings[0].glyphs[1].glyph, reader.glyph_or_notdef(U'A'));
+  EXPECT_NE(reader.glyph_or_notdef(0xe001), 0);
+}
+
+TEST_F(Faces, StringsLackWhatOnlyAnotherFaceHas) {
+  GenerateRequest request;
+  request.target.max_px = 16;
+  request.font = folder_.path() / "text.ttf";
+  request.symbols = "AB";
+  request.merge = {file("more.ttf")};
+  request.string_files = {write("ui.txt", "one = B\n")};
+  EXPECT_EQ(generate(request).report.missing, std::vector<char32_t>{U'B'});
+  request.strict = true;
+  EXPECT_NE(refusal([&] { generate(request); }).find("ui.txt:1: "),
+            std::string::npos);
+}
+
+// Records of a merged font are those of each face's own font.
+TEST_F(Faces, MergedGlyphsAreThoseOfTheirOwnFonts) {
+  for (const Coding coding :
+       {Coding::outline, Coding::edges, Coding::samples}) {
+    GenerateRequest request;
+    request.target.coding = coding;
+    request.target.max_px = 16;
+    request.hints = false;
+    request.font = folder_.path() / "text.ttf";
+    request.symbols = "AC";
+    const RomFont text = generate(request);
+    request.font = folder_.path() / "more.ttf";
+    request.symbols = "BD";
+    const RomFont more = generate(request);
+    request.font = folder_.path() / "text.ttf";
+    request.symbols = "ABCD";
+    request.merge = {file("more.ttf")};
+    const RomFont merged = generate(request);
+    const auto report = [](const RomFont& font, const char* name) {
+      const auto& glyphs = font.report.glyphs;
+      return *std::find_if(glyphs.begin(), glyphs.end(),
+                           [&](const auto& g) { return g.key == name; });
+    };
+    for (const char* name : {"A", "B", "C", "D"}) {
+      const bool is_first = *name == 'A' || *name == 'C';
+      const GlyphReport own = report(is_first ? text : more, name);
+      const GlyphReport got = report(merged, name);
+      EXPECT_EQ(got.points, own.points) << name;
+      EXPECT_EQ(got.cells, own.cells) << name;
+      EXPECT_LE(got.worst_error, request.target.tolerance) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test
