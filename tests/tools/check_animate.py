@@ -11,7 +11,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import zlib
+
+from png import chunks, unfilter
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SCENES = ("path", "clock", "particles", "figure13", "figure14", "figure15",
@@ -29,38 +30,6 @@ def run(program, *arguments, code=0):
     return done.stdout
 
 
-def chunks(png):
-    """Kind and data of each chunk; their checksums must fit."""
-    assert png[:8] == b"\x89PNG\r\n\x1a\n"
-    at = 8
-    while at < len(png):
-        size, = struct.unpack(">I", png[at:at + 4])
-        kind, data = png[at + 4:at + 8], png[at + 8:at + 8 + size]
-        checksum, = struct.unpack(">I", png[at + 8 + size:at + 12 + size])
-        assert checksum == zlib.crc32(kind + data)
-        yield kind, data
-        at += 12 + size
-
-
-def unfilter(data, width, height):
-    """Rows of a picture of three channels."""
-    raw, stride, before, rows = zlib.decompress(data), width * 3, None, []
-    for y in range(height):
-        kind = raw[y * (stride + 1)]
-        row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        up = before or bytes(stride)
-        for i in range(stride):
-            left = row[i - 3] if i >= 3 else 0
-            corner = up[i - 3] if i >= 3 else 0
-            guess = left + up[i] - corner
-            nearest = min((left, up[i], corner), key=lambda v: abs(guess - v))
-            row[i] = (row[i] + (0, left, up[i], (left + up[i]) // 2,
-                                nearest)[kind]) & 255
-        rows.append(bytes(row))
-        before = row
-    return rows
-
-
 def frames_of(apng):
     """Every frame of an animated PNG as the bytes of its pixels."""
     canvas, frames, part = None, [], None
@@ -74,7 +43,7 @@ def frames_of(apng):
             part = struct.unpack(">IIII", data[4:20])
         elif kind in (b"IDAT", b"fdAT"):
             w, h, x, y = part
-            pixels = unfilter(data if kind == b"IDAT" else data[4:], w, h)
+            pixels = unfilter(data if kind == b"IDAT" else data[4:], w, h, 3)
             for i, row in enumerate(pixels):
                 canvas[y + i][3 * x:3 * (x + w)] = row
             frames.append(b"".join(canvas))
@@ -121,7 +90,7 @@ class Animate(unittest.TestCase):
             for file, frame in zip(files, frames):
                 data = b"".join(data for kind, data in
                                 chunks(file.read_bytes()) if kind == b"IDAT")
-                self.assertEqual(b"".join(unfilter(data, 128, 64)), frame)
+                self.assertEqual(b"".join(unfilter(data, 128, 64, 3)), frame)
 
     def test_seek_is_play(self):
         for scene in SCENES:
@@ -139,7 +108,7 @@ class Animate(unittest.TestCase):
         for i, frame in enumerate(frames):
             data = b"".join(data for kind, data in chunks(
                 (all_of / f"{6 * i:05d}.png").read_bytes()) if kind == b"IDAT")
-            self.assertEqual(b"".join(unfilter(data, 128, 64)), frame)
+            self.assertEqual(b"".join(unfilter(data, 128, 64, 3)), frame)
 
     def test_strips_make_no_difference(self):
         for scene in SCENES:
