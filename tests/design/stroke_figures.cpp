@@ -1,9 +1,10 @@
 // Random strokes against brute force: how true sweep() is, and how fast.
 //
-// Usage: inkcell_stroke_figures COUNT
+// Usage: inkcell_stroke_figures COUNT [FIRST]
 //
-// Prints the worst distance and the strokes with open or missing contours;
-// fails above 0.25 u, or if there is one.
+// Tries COUNT strokes from number FIRST on, 0 if left out. Prints the worst
+// distance and the strokes with open or missing contours; fails above 0.25 u,
+// or if there is one.
 #include <time.h>
 
 #include <algorithm>
@@ -187,9 +188,9 @@ Result check(size_t seed) {
   return result;
 }
 
-int run(size_t count) {
+int run(size_t count, size_t first) {
   std::vector<Result> results(count);
-  gen::parallel_for(count, 0, [&](size_t i) { results[i] = check(i); });
+  gen::parallel_for(count, 0, [&](size_t i) { results[i] = check(first + i); });
   double worst = 0;
   double time = 0;
   std::vector<double> times;
@@ -201,7 +202,7 @@ int run(size_t count) {
     times.push_back(result.milliseconds);
     if (result.is_broken || result.worst_u > kLimit_u) {
       broken += result.is_broken ? 1 : 0;
-      std::printf("stroke %zu: %s, %.3f u\n", i,
+      std::printf("stroke %zu: %s, %.3f u\n", first + i,
                   result.is_broken ? "open or missing contour" : "closed",
                   result.worst_u);
     }
@@ -219,10 +220,12 @@ int run(size_t count) {
 }  // namespace inkcell::design::test
 
 int main(int argc, char** argv) {
-  const size_t count = argc == 2 ? std::strtoul(argv[1], nullptr, 10) : 0;
+  const size_t count =
+      argc == 2 || argc == 3 ? std::strtoul(argv[1], nullptr, 10) : 0;
+  const size_t first = argc == 3 ? std::strtoul(argv[2], nullptr, 10) : 0;
   if (count == 0) {
-    std::fprintf(stderr, "usage: inkcell_stroke_figures COUNT\n");
+    std::fprintf(stderr, "usage: inkcell_stroke_figures COUNT [FIRST]\n");
     return 2;
   }
-  return inkcell::design::test::run(count);
+  return inkcell::design::test::run(count, first);
 }
