@@ -200,21 +200,35 @@ double mix(double a, double b, double t) {
   return a + t * (b - a);
 }
 
-// How far the lines that stand still go within a step. [u]
-double shift_of_lines(const NibPlace& a,
-                      const NibPlace& middle,
-                      const NibPlace& b) {
-  const StillLines first = still_lines(a, middle);
-  const StillLines second = still_lines(middle, b);
+// How far the lines that stand still go between t0 and t1, on the nib. [u]
+// They cross a nib that turns slowly on its fast way within a small part of a
+// step, maybe near one of its ends. So the lines of both ends count, which are
+// those of very short steps, and the lines of both halves.
+double shift_of_lines(const NibPath& path, size_t piece, double t0, double t1) {
+  constexpr double kShort = 1.0 / 1024;
+  const NibPlace a = place_on(path, piece, t0);
+  const NibPlace middle = place_on(path, piece, mix(t0, t1, 0.5));
+  const NibPlace b = place_on(path, piece, t1);
+  const std::array<StillLines, 4> lines = {
+      still_lines(a, place_on(path, piece, mix(t0, t1, kShort))),
+      still_lines(a, middle), still_lines(middle, b),
+      still_lines(place_on(path, piece, mix(t0, t1, 1 - kShort)), b)};
   const double width = std::max(half(a.nib.width), half(b.nib.width));
   const double height = std::max(half(a.nib.height), half(b.nib.height));
-  const auto shift = [](double from, double to) {
-    return std::fabs(std::clamp(to, -1.0, 1.0) - std::clamp(from, -1.0, 1.0));
+  const auto shift = [&](std::array<double, 2> StillLines::*axis, size_t i) {
+    double low = 1;
+    double high = -1;
+    for (const StillLines& line : lines) {
+      const double at = std::clamp((line.*axis)[i], -1.0, 1.0);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    return high - low;
   };
   double most = 0;
   for (size_t i = 0; i < 2; ++i) {
-    most = std::max({most, width * shift(first.x[i], second.x[i]),
-                     height * shift(first.y[i], second.y[i])});
+    most = std::max({most, width * shift(&StillLines::x, i),
+                     height * shift(&StillLines::y, i)});
   }
   return most;
 }
@@ -266,10 +280,13 @@ bool is_near(const NibPath& path, size_t piece, double t0, double t1) {
     error += excess_of_ellipses(a.nib, b.nib);
   }
   const double turned = std::fabs(b.nib.angle - a.nib.angle);
-  const NibPlace middle = place_on(path, piece, mix(t0, t1, 0.5));
-  return error < kSweepBound_u / 2 &&
-         (turned == 0 ||
-          turned * shift_of_lines(a, middle, b) < kSweepBound_u / 4);
+  if (error >= kSweepBound_u / 2) {
+    return false;
+  }
+  // A side tilts by turned / 2 against its mean, about a line that is moved by
+  // up to the shift: the hull is too large by half of the product.
+  return turned == 0 ||
+         turned / 2 * shift_of_lines(path, piece, t0, t1) < kSweepBound_u / 4;
 }
 
 void add_between(const NibPath& path,
