@@ -47,8 +47,8 @@ for coding in outline edges samples; do
 done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
-python3 host_tools/size_table.py "$out" outline edges samples |
-  tee "$out/table.txt"
+python3 host_tools/size_table.py "$out" outline edges samples >"$out/table.txt"
+cat "$out/table.txt"
 
 echo "Drawing on this machine"
 "$tools/inkcell-specimen" "$out/outline.bin" --draw-sizes "$out/sizes.png" \

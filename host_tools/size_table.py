@@ -25,9 +25,9 @@ def column(folder, name):
         "bytes a glyph": round(size["glyphs"] / made["glyphs"]),
         "points": made["point_count"],
         "cells": made["cell_count"],
-        "with one, two, three fields": ", ".join(
+        "with one, two, three primitives": ", ".join(
             str(kinds[kind]) for kind in ("single", "pair", "triple")),
-        "distinct fields": made["field_count"],
+        "distinct primitives": made["primitive_count"],
         "worst pixel, 1/255": f"{total['max']:.1f}",
         "mean, 1/255": f"{total['mean']:.2f}",
     }

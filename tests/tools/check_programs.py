@@ -13,6 +13,7 @@ import unittest
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
+TOOLS = pathlib.Path(__file__).resolve().parents[2] / "host_tools"
 PROGRAMS = {}
 
 # Every coding, and the options that choose it.
@@ -913,6 +914,21 @@ class Tools(unittest.TestCase):
         self.assertIn("4 to 1024 px", run("inspect", self.font, "--sheet",
                                           self.path / "no.png", "--px", 1e9,
                                           code=1))
+
+    def test_size_table_reads_the_reports(self):
+        """The table that the demo prints has a column for each coding."""
+        for coding, options in CODINGS.items():
+            font = self.path / "made.bin"
+            run("fontgen", "--font", SANS, "--symbols", "A", "--max-px", "32",
+                *options, "--quiet", "--out", font, "--report",
+                self.path / f"{coding}.json")
+            run("accuracy", "--font", font, "--truth", SANS, "--sizes", "12",
+                "--report", self.path / f"{coding}_accuracy.json")
+        table = subprocess.run(
+            [sys.executable, TOOLS / "size_table.py", self.path, *CODINGS],
+            stdout=subprocess.PIPE, text=True, check=True).stdout
+        self.assertRegex(table, r"^ +outline +edges +samples\n")
+        self.assertRegex(table, r"\ndistinct primitives +0 +[1-9]\d* +0\n")
 
     def test_accuracy_finds_the_wrong_truth(self):
         for font in self.fonts.values():
