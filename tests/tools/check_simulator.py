@@ -16,7 +16,6 @@ import tempfile
 import unittest
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-BOLD = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf"
 PROGRAMS = {}
 WIDTH, HEIGHT = 128, 64
 # The window of a screenshot, and its panels.
@@ -146,11 +145,11 @@ class Scenes(Case):
     def test_frames(self):
         for scene in ("path", "clock", "particles", "figure13", "figure15"):
             frames = self.folder / scene
-            run("animate", scene, "--font", BOLD, "--size", "96x64", "--from",
+            run("animate", scene, "--font", self.ROM_FONT, "--size", "96x64", "--from",
                 40, "--frames", 1, "--format", "frames", "--out", frames)
             shown = self.folder / "shown.png"
             self.script(f"scene {scene}", "display xrgb8888", "size 96x64",
-                        "frame 40", f"save {shown}", font=[BOLD])
+                        "frame 40", f"save {shown}")
             self.assertEqual(shown.read_bytes(),
                              (frames / "00040.png").read_bytes(), scene)
 
