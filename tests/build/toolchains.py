@@ -88,8 +88,8 @@ def run(command, **options):
 
 
 def compile_object(machine, flags, source, target, **options):
-    """Compiles a source of a device. A launcher may hold back files beside
-    the object, but for what -fstack-usage writes."""
+    """Compiles a source of a device. With a launcher, no files are written but
+    the object and what -fstack-usage asks for."""
     return run([*LAUNCHER, *COMPILERS[machine][0], *DEVICE_FLAGS, *INCLUDES,
                 *flags, "-c", source, "-o", target], **options)
 

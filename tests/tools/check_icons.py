@@ -4,15 +4,14 @@
 import argparse
 import json
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
 from png import read_png
+from programs import PROGRAMS, run
 
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
-PROGRAMS = {}
 
 # The font's own tolerance, and 1/255 for the samples that stand for an area.
 LIMIT = 16 + 1
@@ -60,17 +59,6 @@ ICONS = {
         <g display="none"><text>no</text></g>
         <path d="M2 14L8 3l6 11z" fill="#000"/></svg>""",
 }
-
-
-def run(program, *arguments, code=0):
-    """Runs a program; returns what it printed, its errors last."""
-    done = subprocess.run(
-        [PROGRAMS[program], *map(str, arguments)], stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True)
-    if done.returncode != code:
-        raise AssertionError(f"{program} {arguments}: {done.returncode}, not "
-                             f"{code}\n{done.stdout}{done.stderr}")
-    return done.stdout + done.stderr
 
 
 def opacity_rows(path):

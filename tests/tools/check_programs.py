@@ -11,26 +11,16 @@ import sys
 import tempfile
 import unittest
 
+from programs import PROGRAMS, run
+
 SANS = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "host_tools"
-PROGRAMS = {}
 
 # Every coding, and the options that choose it.
 CODINGS = {"outline": (), "edges": ("--coding", "edges"),
            "samples": ("--coding", "samples")}
 CELLS = ("edges", "samples")
-
-
-def run(program, *arguments, code=0):
-    """Runs a program; returns what it printed, its errors last."""
-    done = subprocess.run(
-        [PROGRAMS[program], *map(str, arguments)], stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True)
-    if done.returncode != code:
-        raise AssertionError(f"{program} {arguments}: {done.returncode}, not "
-                             f"{code}\n{done.stdout}{done.stderr}")
-    return done.stdout + done.stderr
 
 
 class Pgm:

@@ -112,7 +112,7 @@ std::string literal(char32_t code_point) {
   return '"' + text + '"';
 }
 
-// What an icon is: U+E001, wifi.svg.
+// A comment for the constant of an icon: "U+E001, wifi.svg".
 std::string origin(const IconFile& icon) {
   char code[16];
   std::snprintf(code, sizeof code, "U+%04X",

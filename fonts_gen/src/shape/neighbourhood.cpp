@@ -16,16 +16,6 @@ constexpr size_t kChunk = 32;
 // What doubles may lose at coordinates up to kCoordinateLimit. [u]
 constexpr double kRounding_u = 1e-7;
 
-double squared_to_segment(
-    double px, double py, double dx, double dy, double inverse) {
-  double t = (px * dx + py * dy) * inverse;
-  t = t < 0 ? 0 : t;
-  t = t > 1 ? 1 : t;
-  const double x = px - t * dx;
-  const double y = py - t * dy;
-  return x * x + y * y;
-}
-
 double squared_to_square(const Square& square, double x, double y) {
   const double dx = std::max({square.x - x, x - square.x - square.size, 0.0});
   const double dy = std::max({square.y - y, y - square.y - square.size, 0.0});
@@ -57,7 +47,14 @@ bool meets(const Square& square, double ax, double ay, double dx, double dy) {
 }  // namespace
 
 double Neighbourhood::Line::squared_distance(double x, double y) const {
-  return squared_to_segment(x - ax, y - ay, dx, dy, inverse);
+  const double px = x - ax;
+  const double py = y - ay;
+  double t = (px * dx + py * dy) * inverse;
+  t = t < 0 ? 0 : t;
+  t = t > 1 ? 1 : t;
+  const double ex = px - t * dx;
+  const double ey = py - t * dy;
+  return ex * ex + ey * ey;
 }
 
 Neighbourhood::Neighbourhood(const Shape& shape, const Square& square) {

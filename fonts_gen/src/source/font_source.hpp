@@ -45,11 +45,11 @@ struct SourceMetrics {
 
 /// One glyph of the font to be.
 struct SourceGlyph {
-  std::string file_name;              // of the file it is from
+  std::string file_name;              // the font or drawing it comes from
   uint32_t source = 0;                // id in the font file
   std::vector<char32_t> code_points;  // none: .notdef, or as stated below
   bool is_of_line = false;            // a shaped line has it; else a component
-  bool is_merged = false;             // of another file than the lines
+  bool is_merged = false;             // its file is not the one with the lines
   Outline outline;                    // [u]
   int advance = 0;                    // [font units]
 

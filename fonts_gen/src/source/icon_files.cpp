@@ -15,7 +15,7 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr char32_t kFirstFree = 0xe000;  // of the private use area
+constexpr char32_t kFirstFree = 0xe000;  // the private use area begins here
 constexpr const char* kList = "codepoints";
 
 bool is_of(char c, int (*kind)(int)) {

@@ -37,8 +37,8 @@ class PoseRenderer {
   PoseRenderer(const PoseRenderer&) = delete;
   PoseRenderer& operator=(const PoseRenderer&) = delete;
 
-  /// Of what is drawn from now on: px to the em at scale 1, as in the
-  /// constructor.
+  /// Sets the size at scale 1, in px to the em, of all glyphs that are drawn
+  /// after this call. The same range as in the constructor.
   void set_size(Q26_6 size) noexcept { size_ = size; }
 
   /// Draws glyphs in their order. Positions are to 1/64 px. Cannot fail: a
