@@ -220,7 +220,7 @@ class Faces : public Icons {
       more.push_back(parse_merged_face(file(face)));
     }
     warnings_.clear();
-    return load_faces(first, more, 1, warnings_);
+    return load_faces(first, more, {}, 1, warnings_);
   }
 
   Warnings warnings_;
@@ -282,7 +282,7 @@ TEST_F(Faces, WrongListIsExplained) {
 }
 
 // Glyph 2 of text.ttf is C, that of more.ttf is B.
-TEST_F(Faces, StringsHaveGlyphsOfTheFirstFace) {
+TEST_F(Faces, StringsPreferGlyphsOfTheFirstFace) {
   GenerateRequest request;
   request.target.max_px = 16;
   request.font = folder_.path() / "text.ttf";
@@ -303,14 +303,41 @@ TEST_F(Faces, StringsHaveGlyphsOfTheFirstFace) {
   EXPECT_NE(reader.glyph_or_notdef(0xe001), 0);
 }
 
-TEST_F(Faces, StringsLackWhatOnlyAnotherFaceHas) {
+// B, which text.ttf lacks, is 1000 of 2000 units wide, 500 of its 1000. A list
+// says what a face is asked for beside strings.
+TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
   GenerateRequest request;
   request.target.max_px = 16;
   request.font = folder_.path() / "text.ttf";
-  request.symbols = "AB";
+  request.symbols = "A";
+  request.merge = {file("more.ttf") + "=D"};
+  request.string_files = {write("ui.txt", "three = ABA\n")};
+  request.strict = true;
+  const RomFont font = generate(request);
+  Font reader;
+  ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),
+            Status::ok);
+  const auto& glyphs = font.strings[0].glyphs;
+  ASSERT_EQ(glyphs.size(), 3u);
+  const uint16_t a = reader.glyph_or_notdef(U'A');
+  const uint16_t b = reader.glyph_or_notdef(U'B');
+  EXPECT_NE(b, 0);
+  EXPECT_NE(reader.glyph_or_notdef(U'D'), 0);
+  EXPECT_EQ(glyphs[0].glyph, a);
+  EXPECT_EQ(glyphs[1].glyph, b);
+  EXPECT_EQ(glyphs[1].x, reader.advance(a));
+  EXPECT_EQ(glyphs[2].glyph, a);
+  EXPECT_EQ(glyphs[2].x, 500);
+  EXPECT_EQ(font.strings[0].advance, 2 * reader.advance(a) + 500);
+}
+
+TEST_F(Faces, StringsTellWhatNoFaceHas) {
+  GenerateRequest request;
+  request.target.max_px = 16;
+  request.font = folder_.path() / "text.ttf";
   request.merge = {file("more.ttf")};
-  request.string_files = {write("ui.txt", "one = B\n")};
-  EXPECT_EQ(generate(request).report.missing, std::vector<char32_t>{U'B'});
+  request.string_files = {write("ui.txt", "one = BZ\n")};
+  EXPECT_EQ(generate(request).report.missing, std::vector<char32_t>{U'Z'});
   request.strict = true;
   EXPECT_NE(refusal([&] { generate(request); }).find("ui.txt:1: "),
             std::string::npos);

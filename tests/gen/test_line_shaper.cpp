@@ -61,7 +61,7 @@ ShapedLine by_harfbuzz(const FontFile& font, const std::u32string& text) {
   ShapedLine out;
   for (unsigned i = 0; i < count; ++i) {
     if (has_ink(font, infos[i].codepoint)) {
-      out.glyphs.push_back({infos[i].codepoint,
+      out.glyphs.push_back({0, infos[i].codepoint,
                             out.advance + places[i].x_offset,
                             places[i].y_offset});
     }
@@ -72,7 +72,7 @@ ShapedLine by_harfbuzz(const FontFile& font, const std::u32string& text) {
 
 void check_like_harfbuzz(const char* file, const std::u32string& text) {
   const FontFile font = open(file);
-  const ShapedLine shaped = shape_line(font, line(text));
+  const ShapedLine shaped = shape_line({&font}, line(text));
   const ShapedLine expected = by_harfbuzz(font, text);
   EXPECT_TRUE(shaped.missing.empty());
   EXPECT_EQ(shaped.advance, expected.advance);
@@ -96,31 +96,32 @@ TEST(LineShaper, IsHarfBuzzForOneScript) {
 
 TEST(LineShaper, JoinsLatinLigatures) {
   const FontFile font = open(kSans);
-  EXPECT_EQ(names_of(font, shape_line(font, line(U"fi"))), (Names{"fi"}));
+  EXPECT_EQ(names_of(font, shape_line({&font}, line(U"fi"))), (Names{"fi"}));
 }
 
 TEST(LineShaper, JoinsArabicLetters) {
   const FontFile font = open(kSans);
   // Lam and alef are one glyph. Meem stands alone: an alef joins nothing
   // behind.
-  EXPECT_EQ(names_of(font, shape_line(font, line(U"لا"))), (Names{"uniFEFB"}));
-  EXPECT_EQ(names_of(font, shape_line(font, line(U"سلام"))),
+  EXPECT_EQ(names_of(font, shape_line({&font}, line(U"لا"))),
+            (Names{"uniFEFB"}));
+  EXPECT_EQ(names_of(font, shape_line({&font}, line(U"سلام"))),
             (Names{"uni0645", "uniFEFC", "uniFEB3"}));
 }
 
 TEST(LineShaper, OrdersIndicSyllables) {
   const FontFile font = open(kDevanagari);
-  const ShapedLine ki = shape_line(font, line(U"कि"));
+  const ShapedLine ki = shape_line({&font}, line(U"कि"));
   // The vowel sign i stands before the letter that it follows in the text.
   ASSERT_EQ(ki.glyphs.size(), 2u);
   EXPECT_EQ(ki.glyphs[1].source, font.glyph_of(U'क'));
   // Ka, virama and ssa are one glyph.
-  EXPECT_EQ(shape_line(font, line(U"क्ष")).glyphs.size(), 1u);
+  EXPECT_EQ(shape_line({&font}, line(U"क्ष")).glyphs.size(), 1u);
 }
 
 TEST(LineShaper, PlacesThaiMarks) {
   const FontFile font = open(kThai);
-  const ShapedLine shaped = shape_line(font, line(U"ที่"));
+  const ShapedLine shaped = shape_line({&font}, line(U"ที่"));
   ASSERT_EQ(shaped.glyphs.size(), 3u);
   // Both marks stand over the letter and take no room of their own.
   EXPECT_LE(shaped.glyphs[1].x, shaped.advance);
@@ -133,7 +134,7 @@ TEST(LineShaper, OrdersMixedLines) {
   const FontFile font = open(kSans);
   const auto ids = [&](const LineText& text) {
     std::vector<uint32_t> out;
-    for (const LineGlyph& glyph : shape_line(font, text).glyphs) {
+    for (const LineGlyph& glyph : shape_line({&font}, text).glyphs) {
       out.push_back(glyph.source);
     }
     return out;
@@ -161,16 +162,58 @@ TEST(LineShaper, OrdersMixedLines) {
 // all: marks that part words do not part forms.
 TEST(LineShaper, ShowsNothingForControlsOfDirection) {
   const FontFile font = open(kSans);
-  const ShapedLine plain = shape_line(font, line(U"ab"));
-  const ShapedLine marked = shape_line(font, line(U"\u200ea\u200db\u00ad"));
+  const ShapedLine plain = shape_line({&font}, line(U"ab"));
+  const ShapedLine marked = shape_line({&font}, line(U"\u200ea\u200db\u00ad"));
   EXPECT_EQ(names_of(font, marked), names_of(font, plain));
   EXPECT_EQ(marked.advance, plain.advance);
   EXPECT_TRUE(marked.missing.empty());
 }
 
+// Thai stands in Loma alone; digits, blanks and Latin in both.
+TEST(LineShaper, TakesRunsFromSeveralFaces) {
+  const FontFile sans = open(kSans);
+  const FontFile thai = open(kThai);
+  const ShapedLine mixed =
+      shape_line({&sans, &thai}, line(U"fi \u0e17\u0e35\u0e48 12"));
+  ASSERT_EQ(mixed.glyphs.size(), 6u);
+  EXPECT_TRUE(mixed.missing.empty());
+  const std::vector<size_t> faces = {0, 1, 1, 1, 0, 0};
+  for (size_t i = 0; i < faces.size(); ++i) {
+    EXPECT_EQ(mixed.glyphs[i].face, faces[i]) << i;
+  }
+  // Each run is what its face makes of it alone. Both have 2048 units per em.
+  const ShapedLine head = shape_line({&sans}, line(U"fi "));
+  const ShapedLine body = shape_line({&thai}, line(U"\u0e17\u0e35\u0e48"));
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(mixed.glyphs[1 + i].source, body.glyphs[i].source) << i;
+    EXPECT_EQ(mixed.glyphs[1 + i].x, head.advance + body.glyphs[i].x);
+    EXPECT_EQ(mixed.glyphs[1 + i].y, body.glyphs[i].y) << i;
+  }
+  EXPECT_EQ(mixed.advance, head.advance + body.advance +
+                               shape_line({&sans}, line(U" 12")).advance);
+}
+
+// Loma has x, but no U+0302.
+TEST(LineShaper, KeepsMarksInTheFaceOfTheirLetter) {
+  const FontFile sans = open(kSans);
+  const FontFile thai = open(kThai);
+  const ShapedLine shaped =
+      shape_line({&thai, &sans}, line(U"xx\u0302x\u200d"));
+  ASSERT_EQ(shaped.glyphs.size(), 4u);
+  const std::vector<size_t> faces = {0, 1, 1, 0};
+  for (size_t i = 0; i < faces.size(); ++i) {
+    EXPECT_EQ(shaped.glyphs[i].face, faces[i]) << i;
+  }
+  EXPECT_TRUE(shaped.missing.empty());
+  // The letter stays where its mark is nowhere.
+  const ShapedLine other = shape_line({&thai, &sans}, line(U"x\U0001e8d0"));
+  EXPECT_EQ(other.glyphs.front().face, 0u);
+  EXPECT_EQ(other.missing, (std::vector<char32_t>{0x1e8d0}));
+}
+
 TEST(LineShaper, TellsWhatIsMissing) {
   const FontFile font = open(kSans);
-  const ShapedLine shaped = shape_line(font, line(U"a\u4e2d\u4e00\u4e2db"));
+  const ShapedLine shaped = shape_line({&font}, line(U"a\u4e2d\u4e00\u4e2db"));
   EXPECT_EQ(shaped.missing, (std::vector<char32_t>{0x4e00, 0x4e2d}));
   EXPECT_EQ(names_of(font, shaped),
             (Names{"a", ".notdef", ".notdef", ".notdef", "b"}));
@@ -178,9 +221,9 @@ TEST(LineShaper, TellsWhatIsMissing) {
 
 TEST(LineShaper, TakesEmptyLinesAndBlanks) {
   const FontFile font = open(kSans);
-  EXPECT_TRUE(shape_line(font, line(U"")).glyphs.empty());
-  EXPECT_EQ(shape_line(font, line(U"")).advance, 0);
-  const ShapedLine blank = shape_line(font, line(U"  "));
+  EXPECT_TRUE(shape_line({&font}, line(U"")).glyphs.empty());
+  EXPECT_EQ(shape_line({&font}, line(U"")).advance, 0);
+  const ShapedLine blank = shape_line({&font}, line(U"  "));
   EXPECT_TRUE(blank.glyphs.empty());
   EXPECT_EQ(blank.advance,
             2 * hb_font_get_glyph_h_advance(font.hb(), font.glyph_of(U' ')));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "judge/closed_loop.hpp"
 #include "judge/rom_check.hpp"
@@ -49,11 +50,10 @@ int16_t step(int units, const NamedString& string) {
 // The strings with the glyph ids of the finished font.
 std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
                                       const SourceFont& font) {
-  std::map<uint32_t, uint16_t> place_of;
+  std::map<std::pair<size_t, uint32_t>, uint16_t> place_of;
   for (size_t i = 0; i < font.glyphs.size(); ++i) {
-    if (!font.glyphs[i].is_merged) {
-      place_of.emplace(font.glyphs[i].source, static_cast<uint16_t>(i));
-    }
+    place_of.emplace(std::pair(font.glyphs[i].face, font.glyphs[i].source),
+                     static_cast<uint16_t>(i));
   }
   std::vector<RomString> out;
   for (size_t i = 0; i < strings.size(); ++i) {
@@ -66,7 +66,7 @@ std::vector<RomString> shaped_strings(const std::vector<NamedString>& strings,
     string.advance = line.advance;
     int x = 0;
     for (const LineGlyph& glyph : line.glyphs) {
-      string.glyphs.push_back({place_of.at(glyph.source),
+      string.glyphs.push_back({place_of.at({glyph.face, glyph.source}),
                                step(glyph.x - x, strings[i]),
                                step(glyph.y, strings[i])});
       x = glyph.x;
@@ -90,13 +90,13 @@ SourceFont load_source(const GenerateRequest& request,
     first.face = request.face;
     first.axes = request.axes;
     first.characters = characters_of(request);
-    first.lines = lines_of(strings);
     first.with_components = request.target.coding == Coding::outline;
     std::vector<MergedFace> more;
     for (const std::string& face : request.merge) {
       more.push_back(parse_merged_face(face));
     }
-    font = load_faces(first, more, request.threads, warnings);
+    font =
+        load_faces(first, more, lines_of(strings), request.threads, warnings);
   }
   if (!icons.empty()) {
     add_icons(icons, request.icon_place, font);

@@ -23,12 +23,6 @@ void add_characters_of(const SourceFont& font, CharSet& out) {
   }
 }
 
-// Font units of a face in those of another.
-int scaled(int value, int from_units, int to_units) {
-  return static_cast<int>(
-      std::lround(static_cast<double>(value) * to_units / from_units));
-}
-
 // The classes of `part` after those of `matrix`, whose glyphs stand before its;
 // pairs of one and the other do not kern.
 void append_kerning(const KerningMatrix& part,
@@ -59,9 +53,10 @@ void append_kerning(const KerningMatrix& part,
   for (size_t row = 0; row < part_left; ++row) {
     for (size_t column = 0; column < part_right; ++column) {
       values[(left + row) * (right + part_right) + right + column] =
-          static_cast<int16_t>(std::clamp(
-              scaled(part.values[row * part_right + column], part_units, units),
-              -32768, 32767));
+          static_cast<int16_t>(
+              std::clamp(scaled_units(part.values[row * part_right + column],
+                                      part_units, units),
+                         -32768, 32767));
     }
   }
   matrix.values = std::move(values);
@@ -81,6 +76,67 @@ OutlineReferences moved(const OutlineReferences& references, size_t first) {
     result.push_back(reference);
   }
   return result;
+}
+
+CharSet characters_in(const FontFile& file, const CharSet& characters) {
+  CharSet found;
+  for (const char32_t c : characters) {
+    if (file.glyph_of(c) != 0) {
+      found.insert(c);
+    }
+  }
+  return found;
+}
+
+std::vector<ShapedLine> shape_lines(const std::vector<FontFile>& files,
+                                    const std::vector<LineText>& lines) {
+  std::vector<const FontFile*> faces;
+  for (const FontFile& file : files) {
+    faces.push_back(&file);
+  }
+  std::vector<ShapedLine> shaped;
+  for (const LineText& line : lines) {
+    shaped.push_back(shape_line(faces, line));
+  }
+  return shaped;
+}
+
+// What the lines show of each face. A character is that of the first face that
+// has it.
+std::vector<LineShare> share_lines(const std::vector<FontFile>& files,
+                                   const std::vector<LineText>& lines,
+                                   const std::vector<ShapedLine>& shaped) {
+  std::vector<LineShare> shares(files.size());
+  for (const ShapedLine& line : shaped) {
+    for (const LineGlyph& glyph : line.glyphs) {
+      if (glyph.source != 0) {
+        shares[glyph.face].glyphs.insert(glyph.source);
+      }
+    }
+  }
+  for (const LineText& line : lines) {
+    for (const char32_t c : line.text) {
+      const auto found = std::find_if(
+          files.begin(), files.end(),
+          [&](const FontFile& file) { return file.glyph_of(c) != 0; });
+      if (found == files.end()) {
+        continue;
+      }
+      LineShare& share =
+          shares[static_cast<size_t>(std::distance(files.begin(), found))];
+      if (share.glyphs.count(found->glyph_of(c)) != 0) {
+        share.characters.insert(c);
+      }
+    }
+  }
+  return shares;
+}
+
+void warn_of_unused(const FontFile& file, Warnings& warnings) {
+  warnings.push_back({Warning::Kind::unused_face,
+                      file.file_name() +
+                          ": is not used: it has no character that is asked "
+                          "for and that the faces before it lack"});
 }
 
 template <typename Item>
@@ -153,9 +209,8 @@ void merge_font(SourceFont part, SourceFont& font) {
   part.components.resize(part.glyphs.size());
   for (size_t i = 1; i < part.glyphs.size(); ++i) {
     SourceGlyph& glyph = part.glyphs[i];
-    glyph.is_merged = true;
     glyph.advance =
-        std::clamp(scaled(glyph.advance, part_units, units), 0, 65535);
+        std::clamp(scaled_units(glyph.advance, part_units, units), 0, 65535);
     font.glyphs.push_back(std::move(glyph));
     // Offsets of components are whole font units: in others they do not fit.
     font.components.push_back(part_units == units
@@ -169,42 +224,52 @@ void merge_font(SourceFont part, SourceFont& font) {
 
 SourceFont load_faces(const FontRequest& first,
                       const std::vector<MergedFace>& more,
+                      const std::vector<LineText>& lines,
                       int jobs,
                       Warnings& warnings) {
-  if (more.empty()) {
-    return load_font(first, jobs, warnings);
+  std::vector<FontFile> files;
+  files.reserve(1 + more.size());
+  files.emplace_back(first.file, first.face, first.axes);
+  for (const MergedFace& face : more) {
+    files.emplace_back(face.file, 0, std::vector<AxisSetting>());
   }
-  SourceFont font = load_font(first, jobs, warnings);
+  const std::vector<ShapedLine> shaped = shape_lines(files, lines);
+  const std::vector<LineShare> shares = share_lines(files, lines, shaped);
+
+  FontRequest request = first;
+  request.lines = shares.front();
+  SourceFont font = load_font(files.front(), request, jobs, warnings);
   CharSet asked = first.characters;
   CharSet given;
   add_characters_of(font, given);
-  for (const MergedFace& face : more) {
-    asked.insert(face.characters.begin(), face.characters.end());
-    FontRequest request;
-    request.file = face.file;
-    request.with_components = first.with_components;
-    request.characters =
-        without(face.characters.empty() ? asked : face.characters, given);
-    // Also refuses what is no font.
-    const CharSet there = characters_in(request);
-    if (face.characters.empty()) {
-      request.characters = there;
+  for (size_t i = 0; i < more.size(); ++i) {
+    const FontFile& file = files[i + 1];
+    const CharSet& list = more[i].characters;
+    asked.insert(list.begin(), list.end());
+    request.file = more[i].file;
+    request.lines = shares[i + 1];
+    request.characters = without(list.empty() ? asked : list, given);
+    if (list.empty()) {
+      request.characters = characters_in(file, request.characters);
     }
-    if (request.characters.empty()) {
-      warnings.push_back(
-          {Warning::Kind::unused_face,
-           face.file.filename().string() +
-               ": is not used: it has no character that is asked for "
-               "and that the faces before it lack"});
+    if (request.characters.empty() && request.lines.glyphs.empty()) {
+      warn_of_unused(file, warnings);
       continue;
     }
-    SourceFont part = load_font(request, jobs, warnings);
+    SourceFont part = load_font(file, request, jobs, warnings);
+    for (SourceGlyph& glyph : part.glyphs) {
+      glyph.face = i + 1;
+    }
     add_characters_of(part, given);
     merge_font(std::move(part), font);
   }
+  font.lines = shaped;
   CharSet missing = missing_in_lines(font);
   missing.merge(without(asked, given));
   font.missing.assign(missing.begin(), missing.end());
+  if (font.glyphs.size() == 1 && !missing.empty()) {
+    refuse_all(files.front(), missing.size());
+  }
   renew_missing_warning(font, warnings);
   return font;
 }

@@ -22,9 +22,11 @@ MergedFace parse_merged_face(const std::string& text);
 /// Reads `first`, and then the faces of `more` in their order. A character
 /// comes from the first face that is asked for it and has it. Lines, metrics,
 /// the name and .notdef are those of `first`, other faces are scaled by their
-/// units per em; characters of different faces do not kern. Throws Error.
+/// units per em; characters of different faces do not kern. `lines` are shaped
+/// by all faces, whatever characters these are asked for. Throws Error.
 SourceFont load_faces(const FontRequest& first,
                       const std::vector<MergedFace>& more,
+                      const std::vector<LineText>& lines,
                       int jobs,
                       Warnings& warnings);
 

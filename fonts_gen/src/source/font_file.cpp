@@ -106,6 +106,11 @@ AxisSetting parse_axis(const std::string& text) {
   return {axis, parsed};
 }
 
+int scaled_units(int value, int from_units_per_em, int to_units_per_em) {
+  return static_cast<int>(std::lround(static_cast<double>(value) *
+                                      to_units_per_em / from_units_per_em));
+}
+
 FontFile::FontFile(const std::filesystem::path& file,
                    int face,
                    const std::vector<AxisSetting>& axes)

@@ -22,6 +22,9 @@ struct AxisSetting {
 /// Reads "wght=600". Throws Error.
 AxisSetting parse_axis(const std::string& text);
 
+/// Font units of one face in those of another, to the nearest.
+int scaled_units(int value, int from_units_per_em, int to_units_per_em);
+
 /// One face of a TTF, OTF, TTC or OTC file at one instance. All lengths that
 /// FreeType and HarfBuzz give for it are in font units.
 class FontFile {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,14 +21,21 @@ namespace inkcell::gen {
 /// The glyph count of the format is 16 bits wide.
 inline constexpr size_t kMostGlyphs = 65535;
 
+/// What shaped lines show of one face.
+struct LineShare {
+  std::set<uint32_t> glyphs;  // ids in the file, without .notdef
+  /// Characters whose own glyphs are among them.
+  CharSet characters;
+};
+
 /// Which face of which file, and which of its characters.
 struct FontRequest {
   std::filesystem::path file;
   int face = 0;
   std::vector<AxisSetting> axes;
   CharSet characters;
-  /// Lines that are shaped; may be empty, as `characters` may then.
-  std::vector<LineText> lines;
+  /// May be empty, as `characters` may then.
+  LineShare lines;
   /// Also the glyphs that others are made of, such as accents: at the end of
   /// the list, without code points.
   bool with_components = false;
@@ -49,7 +57,7 @@ struct SourceGlyph {
   uint32_t source = 0;                // id in the font file
   std::vector<char32_t> code_points;  // none: .notdef, or as stated below
   bool is_of_line = false;            // a shaped line has it; else a component
-  bool is_merged = false;             // its file is not the one with the lines
+  size_t face = 0;                    // number of its file
   Outline outline;                    // [u]
   int advance = 0;                    // [font units]
 
@@ -74,7 +82,7 @@ struct SourceFont {
   std::vector<OutlineReferences> components;
   /// Between the glyphs of characters: lines are kerned already.
   KerningMatrix kerning;
-  /// The request's lines.
+  /// Lines in glyphs of all faces.
   std::vector<ShapedLine> lines;
   /// Characters that the font does not have, in ascending order.
   std::vector<char32_t> missing;
@@ -85,8 +93,14 @@ struct SourceFont {
 /// (0: all cores). Throws Error.
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings);
 
-/// Those of request.characters that its file has. Throws Error.
-CharSet characters_in(const FontRequest& request);
+/// The same of a file that is open, which is that of `request`.
+SourceFont load_font(const FontFile& file,
+                     const FontRequest& request,
+                     int jobs,
+                     Warnings& warnings);
+
+/// Throws the Error of a file that has none of the characters asked for.
+[[noreturn]] void refuse_all(const FontFile& file, size_t characters);
 
 /// The characters that the font's lines show as .notdef.
 CharSet missing_in_lines(const SourceFont& font);

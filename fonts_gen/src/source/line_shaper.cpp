@@ -6,16 +6,22 @@
 #include <memory>
 #include <numeric>
 #include <set>
+#include <string_view>
+
+#include "base/error.hpp"
 
 namespace inkcell::gen {
 namespace {
 
-// Characters of one direction and one script, which HarfBuzz takes at once.
+using Faces = std::vector<const FontFile*>;
+
+// Characters of one direction, script and face, which HarfBuzz takes at once.
 struct Run {
   size_t begin = 0;
   size_t end = 0;
   bool is_right_to_left = false;
   hb_script_t script = HB_SCRIPT_COMMON;
+  size_t face = 0;
 };
 
 // Levels of UAX #9, and where each place of the line comes from.
@@ -24,7 +30,7 @@ struct Order {
   std::vector<FriBidiStrIndex> logical;  // of each place from left to right
 };
 
-Order find_order(const FontFile& font, const LineText& line) {
+Order find_order(const LineText& line) {
   const std::vector<FriBidiChar> text(line.text.begin(), line.text.end());
   const auto count = static_cast<FriBidiStrIndex>(text.size());
   std::vector<FriBidiCharType> types(text.size());
@@ -46,7 +52,7 @@ Order find_order(const FontFile& font, const LineText& line) {
       fribidi_reorder_line(0, types.data(), count, 0, base, order.levels.data(),
                            nullptr, order.logical.data()) != 0;
   if (!done) {
-    font.refuse("a string cannot be ordered: FriBidi has no memory left");
+    throw Error("a string cannot be ordered: FriBidi has no memory left");
   }
   return order;
 }
@@ -71,17 +77,70 @@ std::vector<hb_script_t> find_scripts(const std::u32string& text) {
   return scripts;
 }
 
+// Whether a character belongs to the letter before it: a mark, a joiner, a
+// variation selector.
+bool is_of_cluster(char32_t c) {
+  switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), c)) {
+    case HB_UNICODE_GENERAL_CATEGORY_FORMAT:
+    case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
+    case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
+    case HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_format(char32_t c) {
+  return hb_unicode_general_category(hb_unicode_funcs_get_default(), c) ==
+         HB_UNICODE_GENERAL_CATEGORY_FORMAT;
+}
+
+// The first face that has all of a letter and its marks, or the letter; or 0.
+size_t face_of(const Faces& faces, std::u32string_view cluster) {
+  for (size_t i = 0; i < faces.size(); ++i) {
+    if (std::all_of(cluster.begin(), cluster.end(), [&](char32_t c) {
+          return is_format(c) || faces[i]->glyph_of(c) != 0;
+        })) {
+      return i;
+    }
+  }
+  for (size_t i = 0; i < faces.size(); ++i) {
+    if (faces[i]->glyph_of(cluster.front()) != 0) {
+      return i;
+    }
+  }
+  return 0;
+}
+
+// The face of each character.
+std::vector<size_t> find_faces(const Faces& faces, std::u32string_view text) {
+  std::vector<size_t> result;
+  while (result.size() < text.size()) {
+    const size_t begin = result.size();
+    size_t end = begin + 1;
+    while (end < text.size() && is_of_cluster(text[end])) {
+      ++end;
+    }
+    result.resize(end, face_of(faces, text.substr(begin, end - begin)));
+  }
+  return result;
+}
+
 // The runs of a line from left to right.
-std::vector<Run> find_runs(const FontFile& font, const LineText& line) {
-  const Order order = find_order(font, line);
+std::vector<Run> find_runs(const Faces& faces, const LineText& line) {
+  const Order order = find_order(line);
   const std::vector<hb_script_t> scripts = find_scripts(line.text);
+  const std::vector<size_t> face_at = find_faces(faces, line.text);
   std::vector<Run> logical;
   std::vector<size_t> run_of;
   for (size_t i = 0; i < line.text.size(); ++i) {
     const bool goes_on = i != 0 && order.levels[i] == order.levels[i - 1] &&
-                         scripts[i] == scripts[i - 1];
+                         scripts[i] == scripts[i - 1] &&
+                         face_at[i] == face_at[i - 1];
     if (!goes_on) {
-      logical.push_back({i, i, order.levels[i] % 2 != 0, scripts[i]});
+      logical.push_back(
+          {i, i, order.levels[i] % 2 != 0, scripts[i], face_at[i]});
     }
     logical.back().end = i + 1;
     run_of.push_back(logical.size() - 1);
@@ -107,11 +166,13 @@ bool has_ink(const FontFile& font, uint32_t glyph) {
          (box.width != 0 && box.height != 0);
 }
 
-void shape_run(const FontFile& font,
+// Appends a run to the line.
+void shape_run(const Faces& faces,
                const LineText& line,
                const Run& run,
                ShapedLine& out,
                std::set<char32_t>& missing) {
+  const FontFile& font = *faces[run.face];
   const std::unique_ptr<hb_buffer_t, DestroyBuffer> owner(hb_buffer_create());
   hb_buffer_t* buffer = owner.get();
   // With what stands before and behind it: letters join there.
@@ -131,26 +192,33 @@ void shape_run(const FontFile& font,
   const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
   const hb_glyph_position_t* places =
       hb_buffer_get_glyph_positions(buffer, &count);
+  const auto scaled = [&](int units) {
+    return scaled_units(units, font.units_per_em(),
+                        faces.front()->units_per_em());
+  };
+  int advance = 0;
   for (unsigned i = 0; i < count; ++i) {
     const uint32_t glyph = infos[i].codepoint;
     if (glyph == 0) {
       missing.insert(line.text[infos[i].cluster]);
     }
     if (has_ink(font, glyph)) {
-      out.glyphs.push_back(
-          {glyph, out.advance + places[i].x_offset, places[i].y_offset});
+      out.glyphs.push_back({glyph == 0 ? 0 : run.face, glyph,
+                            out.advance + scaled(advance + places[i].x_offset),
+                            scaled(places[i].y_offset)});
     }
-    out.advance += places[i].x_advance;
+    advance += places[i].x_advance;
   }
+  out.advance += scaled(advance);
 }
 
 }  // namespace
 
-ShapedLine shape_line(const FontFile& font, const LineText& line) {
+ShapedLine shape_line(const Faces& faces, const LineText& line) {
   ShapedLine out;
   std::set<char32_t> missing;
-  for (const Run& run : find_runs(font, line)) {
-    shape_run(font, line, run, out, missing);
+  for (const Run& run : find_runs(faces, line)) {
+    shape_run(faces, line, run, out, missing);
   }
   out.missing.assign(missing.begin(), missing.end());
   return out;

@@ -1,4 +1,5 @@
-// Lines of text as glyphs: ordered by FriBidi, shaped by HarfBuzz.
+// Lines of text as glyphs of one face or several: ordered by FriBidi, shaped
+// by HarfBuzz.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +10,11 @@
 
 namespace inkcell::gen {
 
-/// A glyph of a line. Font units, y up, from the line's origin.
+/// A glyph of a line. Font units of the first face, y up, from the line's
+/// origin.
 struct LineGlyph {
-  uint32_t source = 0;  // id in the font file
+  size_t face = 0;      // 0 for .notdef
+  uint32_t source = 0;  // id in the file of the face
   int x = 0;
   int y = 0;
 };
@@ -19,14 +22,19 @@ struct LineGlyph {
 /// A shaped line.
 struct ShapedLine {
   std::vector<LineGlyph> glyphs;  // left to right, only those with ink
-  int advance = 0;                // [font units]
-  /// Characters that the font lacks, in ascending order: .notdef stands there.
+  int advance = 0;                // [font units of the first face]
+  /// Characters that all faces lack, in ascending order: .notdef stands there.
   std::vector<char32_t> missing;
 };
 
-/// Shapes a line with the font's default features: ligatures, joined letters,
-/// syllables, marks and kerning. Directions and order are those of UAX #9.
-/// Characters that show nothing have no glyph. Throws Error if FriBidi fails.
-ShapedLine shape_line(const FontFile& font, const LineText& line);
+/// Shapes a line with the default features of its faces: ligatures, joined
+/// letters, syllables, marks and kerning. Directions and order are those of
+/// UAX #9. A letter with its marks comes from the first face that has all of
+/// them, or else from the first that has the letter. Characters that show
+/// nothing have no glyph.
+///
+/// There is at least one face. Throws Error if FriBidi fails.
+ShapedLine shape_line(const std::vector<const FontFile*>& faces,
+                      const LineText& line);
 
 }  // namespace inkcell::gen

@@ -1,0 +1,17 @@
+// Outlines and measures of a font file.
+#pragma once
+
+#include "base/error.hpp"
+#include "source/font_file.hpp"
+#include "source/font_source.hpp"
+
+namespace inkcell::gen {
+
+/// Fills in outline and advance of glyph.source. Throws Error if it cannot be
+/// read; warns of an advance that is out of range.
+void read_glyph(const FontFile& font, SourceGlyph& glyph, Warnings& warnings);
+
+/// Heights that the font does not state are those of x and H.
+SourceMetrics read_metrics(const FontFile& font, Warnings& warnings);
+
+}  // namespace inkcell::gen
