@@ -14,10 +14,12 @@ inkcell_status_t open_greeting_font(inkcell_font_t* out) {
 }
 
 inkcell_status_t measure_greeting(const inkcell_font_t* font,
+                                  const inkcell_style_t* style,
                                   inkcell_positioned_glyph_t* out,
                                   size_t capacity,
                                   size_t* count,
                                   inkcell_text_measure_t* measure) {
-  inkcell_measure_shaped(font, &ui_c_strings_greeting, measure);
-  return inkcell_lay_out_shaped(&ui_c_strings_greeting, out, capacity, count);
+  inkcell_measure_shaped(font, &ui_c_strings_greeting, style, measure);
+  return inkcell_lay_out_shaped(font, &ui_c_strings_greeting, style, out,
+                                capacity, count);
 }

@@ -5,6 +5,7 @@
 
 #include "check.hpp"
 #include "draw_greeting.h"
+#include "inkcell/fit.hpp"
 
 namespace {
 
@@ -60,7 +61,8 @@ class Page {
 
 const ShapedRun* const kRuns[] = {
     &fonts::ui_strings::title, &fonts::ui_strings::greeting,
-    &fonts::ui_strings::mixed, &fonts::ui_strings::price};
+    &fonts::ui_strings::mixed, &fonts::ui_strings::price,
+    &fonts::ui_strings::plain, &fonts::ui_strings::marks};
 
 Font open() {
   Font font;
@@ -74,6 +76,19 @@ TextStyle style_of(int32_t px) {
   return style;
 }
 
+// Fitted to the grid, advances too.
+struct FittedStyle {
+  FittedStyle(const Font& font, int32_t px) : style(style_of(px)) {
+    FitOptions options;
+    options.across = true;
+    CHECK_OK(Fit::make(font, style, options, fit));
+    style.set_fitter(&kGridFit, &fit);
+  }
+
+  TextStyle style;
+  Fit fit;
+};
+
 constexpr Point kOrigin = {Q26_6::from_int(4), Q26_6::from_int(28)};
 
 // What docs/STRINGS.md shows.
@@ -85,7 +100,7 @@ void draw_title(const Font& font,
                 int32_t baseline,
                 const Sink& sink) {
   const ShapedRun& title = fonts::ui_strings::title;
-  const Q26_6 wide = to_px(font, style, title.advance);
+  const Q26_6 wide = to_px(font, style, measure(font, title, style).advance);
   const int32_t left = (64 * width - wide.raw) / 2;
   draw(font, title, style, {Q26_6::from_raw(left), Q26_6::from_int(baseline)},
        sink);
@@ -185,6 +200,76 @@ TEST(measure_has_the_ink) {
   }
 }
 
+// Without ligatures, marks and blanks a run is a line of text.
+TEST(fitted_letters_stand_as_those_of_text) {
+  const Font font = open();
+  for (int32_t px = 8; px <= 20; ++px) {
+    const FittedStyle fitted(font, px);
+    const ShapedRun& run = fonts::ui_strings::plain;
+    PositionedGlyph room[32];
+    Span<const PositionedGlyph> glyphs;
+    CHECK_OK(layout(font, run, fitted.style, room, glyphs));
+    TextCursor cursor(font, "Settings:12:34", fitted.style);
+    PositionedGlyph letter;
+    size_t count = 0;
+    while (cursor.next(letter) && count < glyphs.size) {
+      CHECK_EQ(glyphs[count].glyph, letter.glyph);
+      CHECK_EQ(glyphs[count].x, letter.x);
+      ++count;
+    }
+    CHECK_EQ(count, glyphs.size);
+    CHECK_EQ(measure(font, run, fitted.style).advance, cursor.advance());
+  }
+}
+
+// Letters of all runs lie on whole pixels, and marks as near to their letter as
+// designed, to half a pixel.
+TEST(fitted_glyphs_stand_on_whole_pixels) {
+  const Font font = open();
+  for (int32_t px = 8; px <= 20; ++px) {
+    const FittedStyle fitted(font, px);
+    for (const ShapedRun* run : kRuns) {
+      PositionedGlyph room[32];
+      Span<const PositionedGlyph> glyphs;
+      CHECK_OK(layout(font, *run, fitted.style, room, glyphs));
+      PositionedGlyph designed[32];
+      Span<const PositionedGlyph> as_designed;
+      CHECK_OK(layout(*run, designed, as_designed));
+      for (size_t i = 0; i < glyphs.size; ++i) {
+        const int32_t x_q6 = to_px(font, fitted.style, glyphs[i].x).raw;
+        const int32_t off_q6 = ((x_q6 + 32) & 63) - 32;
+        CHECK(off_q6 >= -1 && off_q6 <= 1);
+        CHECK_EQ(glyphs[i].y, as_designed[i].y);
+        if (i != 0 && as_designed[i].y != 0) {
+          const int32_t wide_q6 =
+              to_px(font, fitted.style, glyphs[i].x - glyphs[i - 1].x).raw;
+          const int32_t designed_q6 =
+              to_px(font, fitted.style, as_designed[i].x - as_designed[i - 1].x)
+                  .raw;
+          CHECK(wide_q6 - designed_q6 <= 34 && designed_q6 - wide_q6 <= 34);
+        }
+      }
+    }
+  }
+}
+
+TEST(styles_that_are_not_fitted_keep_the_design) {
+  const Font font = open();
+  const TextStyle style = style_of(11);
+  for (const ShapedRun* run : kRuns) {
+    PositionedGlyph by_style[32];
+    PositionedGlyph designed[32];
+    Span<const PositionedGlyph> glyphs;
+    Span<const PositionedGlyph> as_designed;
+    CHECK_OK(layout(font, *run, style, by_style, glyphs));
+    CHECK_OK(layout(*run, designed, as_designed));
+    for (size_t i = 0; i < glyphs.size; ++i) {
+      CHECK_EQ(glyphs[i].x, as_designed[i].x);
+    }
+    CHECK_EQ(measure(font, *run, style).advance, run->advance);
+  }
+}
+
 TEST(blanks_have_an_advance_and_no_glyphs) {
   const ShapedRun& blank = fonts::ui_strings::blank;
   CHECK_EQ(blank.glyphs.size, 0);
@@ -229,6 +314,9 @@ TEST(any_numbers_are_safe) {
   CHECK_OK(layout(run, room, placed));
   CHECK_EQ(placed[599].x, 1 << 24);
   CHECK(measure(font, run).x_max <= (1 << 24) + 65536);
+  const FittedStyle fitted(font, 40);
+  draw(font, run, fitted.style, kOrigin, page.sink());
+  CHECK(measure(font, run, fitted.style).x_max <= (1 << 24) + 65536);
   // A font without glyphs has none of them.
   static Page empty;
   draw(Font(), run, style_of(12), kOrigin, empty.sink());
@@ -266,13 +354,25 @@ TEST(c_draws_the_same) {
   inkcell_positioned_glyph_t room[32];
   size_t count = 1;
   inkcell_text_measure_t box;
-  CHECK_EQ(measure_greeting(&font_c, room, 3, &count, &box),
+  CHECK_EQ(measure_greeting(&font_c, nullptr, room, 3, &count, &box),
            INKCELL_BUFFER_SMALL);
   CHECK_EQ(count, 0);
-  CHECK_EQ(measure_greeting(&font_c, room, 32, &count, &box), INKCELL_OK);
+  CHECK_EQ(measure_greeting(&font_c, nullptr, room, 32, &count, &box),
+           INKCELL_OK);
   CHECK_EQ(count, fonts::ui_strings::greeting.glyphs.size);
   const TextMeasure expected = measure(font, fonts::ui_strings::greeting);
   CHECK_EQ(box.advance, expected.advance);
   CHECK_EQ(box.x_min, expected.x_min);
   CHECK_EQ(box.y_max, expected.y_max);
+
+  const FittedStyle fitted(font, 10);
+  const void* same = &font_c;
+  const FittedStyle fitted_c(*static_cast<const Font*>(same), 10);
+  CHECK_EQ(
+      measure_greeting(
+          &font_c, reinterpret_cast<const inkcell_style_t*>(&fitted_c.style),
+          room, 32, &count, &box),
+      INKCELL_OK);
+  CHECK_EQ(box.advance,
+           measure(font, fonts::ui_strings::greeting, fitted.style).advance);
 }

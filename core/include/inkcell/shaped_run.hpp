@@ -41,12 +41,28 @@ Status layout(const ShapedRun& run,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept;
 
+/// The same with the advances that glyphs have when the style draws them. If
+/// those are whole pixels, so are the places of glyphs, in font units to the
+/// nearest: gaps are rounded to the nearest, kerning towards 0. A glyph that
+/// begins before the middle of the advance of the letter to its left is a mark
+/// and keeps its place on the letter, to the nearest pixel.
+Status layout(const Font& font,
+              const ShapedRun& run,
+              const TextStyle& style,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept;
+
 /// Width and ink of a run in font units, y up, from its origin.
 TextMeasure measure(const Font& font, const ShapedRun& run) noexcept;
 
+/// The same with the advances of a style. The ink is that of glyphs as they are
+/// designed.
+TextMeasure measure(const Font& font,
+                    const ShapedRun& run,
+                    const TextStyle& style) noexcept;
+
 /// Draws a run with the left end of its baseline at `origin`, along the style's
-/// direction. Takes no buffer; clips, and cannot fail. Glyphs keep the places
-/// of the design, also with a style that is fitted across.
+/// direction and with its advances. Takes no buffer; clips, and cannot fail.
 void draw(const Font& font,
           const ShapedRun& run,
           const TextStyle& style,

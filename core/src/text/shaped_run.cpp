@@ -1,25 +1,97 @@
 #include "inkcell/shaped_run.hpp"
 
 #include "text/advances.hpp"
+#include "text/text_place.hpp"
 
 namespace inkcell {
 namespace {
 
-// Moves `at` from one glyph of a run to the next.
-void move_on(const ShapedGlyph& next, PositionedGlyph& at) noexcept {
-  at.x = detail::clamp_to(at.x + next.x, detail::kMaxUnits);
-  at.y = next.y;
-  at.glyph = next.glyph;
-}
+using detail::Advances;
+using detail::clamp_to;
+using detail::kMaxUnits;
+
+// Walks a run from the left. `font` and the style must outlive it.
+class RunCursor {
+ public:
+  // As designed.
+  RunCursor() noexcept = default;
+  // With the advances of a style.
+  RunCursor(const Font& font, const TextStyle& style) noexcept {
+    if (style.has_whole_advances()) {
+      font_ = &font;
+      style_ = &style;
+    }
+  }
+
+  // From one glyph of the run to the next.
+  void next(const ShapedGlyph& glyph, PositionedGlyph& at) noexcept {
+    x_ = clamp_to(x_ + glyph.x, kMaxUnits);
+    at.x = style_ == nullptr ? x_ : whole_x(glyph.glyph);
+    at.y = glyph.y;
+    at.glyph = glyph.glyph;
+  }
+
+  // The width of a run of `units`, behind its last glyph.
+  int32_t advance(int32_t units) const noexcept {
+    if (style_ == nullptr) {
+      return units;
+    }
+    return Advances(*font_, style_).to_units(next_letter_px(units));
+  }
+
+ private:
+  // Where a glyph at x_ stands, which may be a mark on the letter before it.
+  int32_t whole_x(uint16_t glyph) noexcept {
+    const Advances advances(*font_, style_);
+    const int32_t gap = x_ - letter_x_;
+    if (has_letter_ && 2 * gap < font_->advance(letter_)) {
+      return advances.to_units(
+          clamp_to(letter_px_ + to_px(gap, kHalf_q10), detail::kMaxPx));
+    }
+    letter_px_ = next_letter_px(x_);
+    letter_x_ = x_;
+    letter_ = glyph;
+    has_letter_ = true;
+    return advances.to_units(letter_px_);
+  }
+
+  // Where a letter at `x` stands.
+  int32_t next_letter_px(int32_t x) const noexcept {
+    int32_t px = letter_px_;
+    int32_t gap = clamp_to(x, kMaxUnits) - letter_x_;
+    if (has_letter_) {
+      px += Advances(*font_, style_).advance(letter_);
+      gap -= font_->advance(letter_);
+    }
+    px += to_px(gap, gap < 0 ? kWhole_q10 : kHalf_q10);
+    return clamp_to(px, detail::kMaxPx);
+  }
+
+  // Whole pixels below, after something was added.
+  int32_t to_px(int32_t units, int32_t more_q10) const noexcept {
+    const int64_t px_q10 = detail::UnitScale(*font_, *style_).to_px_q10(units);
+    return static_cast<int32_t>((px_q10 + more_q10) >> 10);
+  }
+
+  static constexpr int32_t kHalf_q10 = 512;
+  static constexpr int32_t kWhole_q10 = 1023;
+
+  const Font* font_ = nullptr;
+  const TextStyle* style_ = nullptr;  // null: as designed
+  int32_t x_ = 0;                     // of the glyph, as designed
+  int32_t letter_x_ = 0;              // of the last one that is no mark
+  int32_t letter_px_ = 0;
+  uint16_t letter_ = 0;
+  bool has_letter_ = false;
+};
 
 void widen(int32_t low, int32_t high, int32_t& min, int32_t& max) noexcept {
   min = low < min ? low : min;
   max = high > max ? high : max;
 }
 
-}  // namespace
-
-Status layout(const ShapedRun& run,
+Status layout(RunCursor cursor,
+              const ShapedRun& run,
               Span<PositionedGlyph> out,
               Span<const PositionedGlyph>& glyphs) noexcept {
   if (out.size < run.glyphs.size) {
@@ -27,18 +99,20 @@ Status layout(const ShapedRun& run,
   }
   PositionedGlyph at;
   for (size_t i = 0; i < run.glyphs.size; ++i) {
-    move_on(run.glyphs[i], at);
+    cursor.next(run.glyphs[i], at);
     out[i] = at;
   }
   glyphs = {out.data, run.glyphs.size};
   return Status::ok;
 }
 
-TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {
-  TextMeasure sum = {run.advance, INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+TextMeasure measure(const Font& font,
+                    RunCursor cursor,
+                    const ShapedRun& run) noexcept {
+  TextMeasure sum = {0, INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
   PositionedGlyph at;
   for (const ShapedGlyph& next : run.glyphs) {
-    move_on(next, at);
+    cursor.next(next, at);
     GlyphMetrics glyph;
     if (font.glyph_metrics(at.glyph, glyph) == Status::ok &&
         glyph.x_max > glyph.x_min) {
@@ -46,7 +120,37 @@ TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {
       widen(at.y + glyph.y_min, at.y + glyph.y_max, sum.y_min, sum.y_max);
     }
   }
-  return sum.x_max < sum.x_min ? TextMeasure{run.advance, 0, 0, 0, 0} : sum;
+  if (sum.x_max < sum.x_min) {
+    sum = {};
+  }
+  sum.advance = cursor.advance(run.advance);
+  return sum;
+}
+
+}  // namespace
+
+Status layout(const ShapedRun& run,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  return layout(RunCursor(), run, out, glyphs);
+}
+
+Status layout(const Font& font,
+              const ShapedRun& run,
+              const TextStyle& style,
+              Span<PositionedGlyph> out,
+              Span<const PositionedGlyph>& glyphs) noexcept {
+  return layout(RunCursor(font, style), run, out, glyphs);
+}
+
+TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {
+  return measure(font, RunCursor(), run);
+}
+
+TextMeasure measure(const Font& font,
+                    const ShapedRun& run,
+                    const TextStyle& style) noexcept {
+  return measure(font, RunCursor(font, style), run);
 }
 
 void draw(const Font& font,
@@ -55,9 +159,10 @@ void draw(const Font& font,
           Point origin,
           const Sink& sink,
           Workspace workspace) noexcept {
+  RunCursor cursor(font, style);
   PositionedGlyph at;
   for (const ShapedGlyph& next : run.glyphs) {
-    move_on(next, at);
+    cursor.next(next, at);
     draw(font, {&at, 1}, style, origin, sink, workspace);
   }
 }

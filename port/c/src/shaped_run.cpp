@@ -34,20 +34,27 @@ INKCELL_SAME_PLACE(inkcell_shaped_run_t, glyphs, glyphs.data);
 INKCELL_SAME_PLACE(inkcell_shaped_run_t, count, glyphs.size);
 INKCELL_SAME_PLACE(inkcell_shaped_run_t, advance, advance);
 
-inkcell_status_t inkcell_lay_out_shaped(const inkcell_shaped_run_t* run,
+inkcell_status_t inkcell_lay_out_shaped(const inkcell_font_t* font,
+                                        const inkcell_shaped_run_t* run,
+                                        const inkcell_style_t* style,
                                         inkcell_positioned_glyph_t* out,
                                         size_t capacity,
                                         size_t* count) {
   Span<const PositionedGlyph> glyphs;
-  const Status status = layout(*cpp(run), {cpp(out), capacity}, glyphs);
+  const Span<PositionedGlyph> room = {cpp(out), capacity};
+  const Status status = style == nullptr ? layout(*cpp(run), room, glyphs)
+                                         : layout(*cpp(font), *cpp(run),
+                                                  *cpp(style), room, glyphs);
   *count = glyphs.size;
   return code(status);
 }
 
 void inkcell_measure_shaped(const inkcell_font_t* font,
                             const inkcell_shaped_run_t* run,
+                            const inkcell_style_t* style,
                             inkcell_text_measure_t* out) {
-  *cpp(out) = measure(*cpp(font), *cpp(run));
+  *cpp(out) = style == nullptr ? measure(*cpp(font), *cpp(run))
+                               : measure(*cpp(font), *cpp(run), *cpp(style));
 }
 
 void inkcell_draw_shaped(const inkcell_font_t* font,

@@ -25,25 +25,29 @@ typedef struct INKCELL_SHARED inkcell_shaped_glyph_t {
 typedef struct INKCELL_SHARED inkcell_shaped_run_t {
   const inkcell_shaped_glyph_t* glyphs;  // may be null where count is 0
   size_t count;
-  int32_t advance;  // [font units]; inkcell_to_px() gives px
+  int32_t advance;  // as designed [font units]; inkcell_to_px() gives px
 } inkcell_shaped_run_t;
 
 /// Positions of all glyphs of a run, into `out`, which has room for `capacity`.
-/// `count` glyphs are there.
+/// `count` glyphs are there. With `style`, which may be null: with its
+/// advances.
 ///
 /// BUFFER_SMALL: the run has more than `capacity`; `count` is then 0.
-inkcell_status_t inkcell_lay_out_shaped(const inkcell_shaped_run_t* run,
+inkcell_status_t inkcell_lay_out_shaped(const inkcell_font_t* font,
+                                        const inkcell_shaped_run_t* run,
+                                        const inkcell_style_t* style,
                                         inkcell_positioned_glyph_t* out,
                                         size_t capacity,
                                         size_t* count);
 
-/// Width and ink of a run.
+/// Width and ink of a run, of a style or, if that is null, as designed.
 void inkcell_measure_shaped(const inkcell_font_t* font,
                             const inkcell_shaped_run_t* run,
+                            const inkcell_style_t* style,
                             inkcell_text_measure_t* out);
 
-/// Draws a run with the left end of its baseline at (x_q6, y_q6). `ram` may be
-/// null.
+/// Draws a run with the left end of its baseline at (x_q6, y_q6) and with the
+/// advances of the style. `ram` may be null.
 void inkcell_draw_shaped(const inkcell_font_t* font,
                          const inkcell_shaped_run_t* run,
                          const inkcell_style_t* style,
