@@ -347,6 +347,23 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   EXPECT_TRUE(missed);
 }
 
+// On the grid that 1024 px/em ask for, a step of 1900 units has 16 bits.
+TEST(Generate, GridHasRoomForWideGlyphs) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.units_per_em = 2048;
+  source.glyphs[3].advance = 2048;
+  source.glyphs[3].contours = {rectangle(0, 0, 40, 1400),
+                               rectangle(1900, 0, 1940, 1400)};
+  GenerateRequest request;
+  request.font = folder.write("wide.ttf", source);
+  request.symbols = "H";
+  request.target.min_px = 1000;
+  request.target.max_px = 1024;
+  const RomFont rom = generate(request);
+  EXPECT_LE(rom.report.worst_error, request.target.tolerance);
+}
+
 TEST(Generate, TellsOfProgress) {
   GenerateRequest request = dejavu();
   request.chars = {"A-F"};

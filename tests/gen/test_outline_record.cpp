@@ -183,6 +183,7 @@ std::string refusal(const MinimalOutline& outline) {
   try {
     outline_steps(outline, {0, 0});
   } catch (const GeometryError& error) {
+    EXPECT_EQ(error.kind(), GeometryError::Kind::too_complex);
     return error.what();
   }
   return "no error";

@@ -11,6 +11,7 @@
 #include "inkcell/text.hpp"
 #include "outlines/curves.hpp"
 #include "outlines/outline_code.hpp"
+#include "outlines/outline_steps.hpp"
 #include "outlines/unite.hpp"
 #include "rom/outline_font.hpp"
 #include "rom/rom_font.hpp"
@@ -35,6 +36,11 @@ constexpr double kShare = 32.0 / 16.0;
 // A grid this much coarser than the tolerance still serves: its points are
 // rounded by half of a unit.
 constexpr double kCoarsest = 1.1;
+
+// From a contour to the next, and from the corner of the box to the first; the
+// box may be wider than the outline by a unit at each side. [grid units]
+constexpr double kLongestStep =
+    (1 << (kMostStepBits - 1)) - (1 << (1 - format::outline::kMinGridShift));
 
 // Places for which more care is asked a round.
 constexpr size_t kMostPlaces = 8;
@@ -191,15 +197,18 @@ MinimalOutline outline_of_chords(const Outline& united,
 
 }  // namespace
 
-RefitOptions refit_options(const Target& options, int units_per_em) {
+RefitOptions refit_options(const Target& options,
+                           int units_per_em,
+                           double largest_u) {
   RefitOptions refit;
   refit.units_per_em = units_per_em;
   refit.tolerance_u = kShare * options.tolerance / options.max_px;
   const double unit_u = 1024.0 / units_per_em;
   refit.grid_shift = format::outline::kMinGridShift;
   while (refit.grid_shift < format::outline::kMaxGridShift &&
-         std::ldexp(unit_u, refit.grid_shift + 1) <=
-             kCoarsest * refit.tolerance_u) {
+         (std::ldexp(unit_u, refit.grid_shift + 1) <=
+              kCoarsest * refit.tolerance_u ||
+          largest_u > std::ldexp(unit_u, refit.grid_shift) * kLongestStep)) {
     ++refit.grid_shift;
   }
   return refit;

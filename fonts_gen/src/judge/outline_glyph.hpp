@@ -12,8 +12,11 @@
 namespace inkcell::gen {
 
 /// How all glyphs of a font are refitted: the coarsest grid that keeps the
-/// tolerance at the largest size, and how far outlines may stray.
-RefitOptions refit_options(const Target& options, int units_per_em);
+/// tolerance at the largest size, or that has room for glyphs as wide or high
+/// as `largest_u` if that is coarser, and how far outlines may stray.
+RefitOptions refit_options(const Target& options,
+                           int units_per_em,
+                           double largest_u);
 
 struct RefittedGlyph {
   MinimalOutline outline;

@@ -83,7 +83,7 @@ void check_coordinates(const MinimalContour& contour) {
     if (std::abs(point.x) > kMostCoordinate ||
         std::abs(point.y) > kMostCoordinate) {
       throw GeometryError(
-          GeometryError::Kind::too_large,
+          GeometryError::Kind::too_complex,
           "the point " + std::to_string(point.x) + ", " +
               std::to_string(point.y) + " of the outline is farther than " +
               std::to_string(kMostCoordinate) + " grid units from the origin");
@@ -123,7 +123,7 @@ std::vector<OutlineStep> outline_steps(const MinimalOutline& outline,
     const GridPoint& first = contour.points.front();
     if (!fits(first.x - at.x, first.y - at.y)) {
       throw GeometryError(
-          GeometryError::Kind::too_large,
+          GeometryError::Kind::too_complex,
           "a contour begins " + std::to_string(first.x - at.x) + ", " +
               std::to_string(first.y - at.y) +
               " grid units from the point before it; -16384..16383 fit");

@@ -37,9 +37,9 @@ GridPosition record_start(int x_min, int y_min, int grid_shift);
 /// and curves with steps of more than 15 bits are halved until all fit; points
 /// that this adds are rounded to the grid.
 ///
-/// Throws GeometryError: too_large if a coordinate passes +-2^19 or a contour
-/// begins more than 15 bits from the point before it, too_complex if the
-/// outline has more points than the format counts.
+/// Throws GeometryError::too_complex if a coordinate passes +-2^19, a contour
+/// begins more than 15 bits from the point before it, or the outline has more
+/// points than the format counts: with a coarser grid it may fit.
 std::vector<OutlineStep> outline_steps(const MinimalOutline& outline,
                                        GridPosition start);
 

@@ -90,18 +90,40 @@ void build_cells(const Shape& shape, const Target& options, Built& built) {
 
 void build_outline(const Outline& source,
                    const Shape& shape,
-                   int units_per_em,
+                   const RefitOptions& refit,
                    const Target& options,
                    Built& built) {
-  RefittedGlyph glyph =
-      refit_glyph(source, shape, built.glyph.metrics,
-                  refit_options(options, units_per_em), loop_options(options));
+  RefittedGlyph glyph = refit_glyph(source, shape, built.glyph.metrics, refit,
+                                    loop_options(options));
   built.glyph.outline = std::move(glyph.outline);
   built.errors = std::move(glyph.errors);
 }
 
+// The width of the widest glyph or the height of the highest one. [u]
+double largest_side(const SourceFont& font) {
+  double largest = 0;
+  for (const SourceGlyph& glyph : font.glyphs) {
+    Point low = {HUGE_VAL, HUGE_VAL};
+    Point high = {-HUGE_VAL, -HUGE_VAL};
+    for (const Contour& contour : glyph.outline.contours) {
+      for (const Segment& segment : contour.segments) {
+        const size_t last = 1 + static_cast<size_t>(segment.kind);
+        for (size_t i = 0; i <= last; ++i) {
+          low = {std::min(low.x, segment.p[i].x),
+                 std::min(low.y, segment.p[i].y)};
+          high = {std::max(high.x, segment.p[i].x),
+                  std::max(high.y, segment.p[i].y)};
+        }
+      }
+    }
+    largest = std::max({largest, high.x - low.x, high.y - low.y});
+  }
+  return largest;
+}
+
 Built build_glyph(const SourceFont& font,
                   const SourceGlyph& glyph,
+                  const RefitOptions& refit,
                   const Target& options) {
   const auto refuse = [&](const std::string& why) {
     throw Error(glyph.file_name + ": " + glyph.name() + ": " + why);
@@ -113,8 +135,7 @@ Built build_glyph(const SourceFont& font,
       built.glyph.metrics =
           box_in_font_units(shape.box(), font.metrics.units_per_em);
       if (options.coding == Coding::outline) {
-        build_outline(glyph.outline, shape, font.metrics.units_per_em, options,
-                      built);
+        build_outline(glyph.outline, shape, refit, options, built);
       } else {
         build_cells(shape, options, built);
       }
@@ -169,6 +190,8 @@ RomContent build_content(SourceFont& font,
   const size_t count = font.glyphs.size();
   content.glyphs.resize(count);
   errors.resize(count);
+  const RefitOptions refit = refit_options(
+      request.target, font.metrics.units_per_em, largest_side(font));
   std::function<void(size_t)> done;
   if (request.progress) {
     done = [&](size_t finished) { request.progress(finished, count); };
@@ -176,14 +199,13 @@ RomContent build_content(SourceFont& font,
   parallel_for(
       count, request.threads,
       [&](size_t i) {
-        Built built = build_glyph(font, font.glyphs[i], request.target);
+        Built built = build_glyph(font, font.glyphs[i], refit, request.target);
         content.glyphs[i] = std::move(built.glyph);
         errors[i] = std::move(built.errors);
       },
       done);
   if (request.target.coding == Coding::outline) {
-    content.outlines.grid_shift =
-        refit_options(request.target, font.metrics.units_per_em).grid_shift;
+    content.outlines.grid_shift = refit.grid_shift;
     encode_outlines(content);
     find_references(font.components, content);
     drop_unused_components(font, content, errors);
