@@ -17,11 +17,17 @@ namespace {
 constexpr const char* kConversion =
     "Options for a TTF or OTF, which is converted";
 
+// Progress goes to the caller, or to standard error.
 gen::RomFont generate(gen::GenerateRequest request, bool may_halve) {
+  const auto tell = std::move(request.progress);
   while (true) {
     gen::Progress progress(false);
-    request.progress = [&progress](size_t done, size_t count) {
-      progress.update(done, count);
+    request.progress = [&](size_t done, size_t count) {
+      if (tell) {
+        tell(done, count);
+      } else {
+        progress.update(done, count);
+      }
     };
     try {
       gen::RomFont font = gen::generate(request);

@@ -31,7 +31,8 @@ Conversion conversion_of(const CLI::App& app,
 /// to convert it under; any other font file is converted by the generator, with
 /// the characters of `text` (UTF-8) besides those that the request names. If it
 /// may, it tries again with half the largest size, down to the smallest, and
-/// says so. Warnings go to standard error.
+/// says so. Warnings go to standard error, and progress, unless the request has
+/// a function for it.
 ///
 /// Throws std::runtime_error, also for a damaged ROM font that is not to be
 /// shown.

@@ -94,14 +94,22 @@ void set_text(Settings& settings, const std::string& value) {
 }
 
 std::string known_scenes() {
-  std::string names = std::string(kTextScene) + " " + kDemoScene;
-  for (const SceneKind& kind : scene_kinds()) {
-    names += " " + std::string(kind.name);
+  std::string names;
+  for (const std::string& name : scene_names()) {
+    names += (names.empty() ? "" : " ") + name;
   }
   return names;
 }
 
 }  // namespace
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names = {kTextScene, kDemoScene};
+  for (const SceneKind& kind : scene_kinds()) {
+    names.emplace_back(kind.name);
+  }
+  return names;
+}
 
 bool draws_same(const Settings& a, const Settings& b) {
   const auto all = [](const Settings& s) {

@@ -23,7 +23,7 @@ struct Settings {
 
   std::string text = "Hamburgefonts 0123456789";
   std::string coding = "outline";
-  double px = 20;  // [px/em]
+  double px = 14;  // [px/em]
   std::string filter = "text";
   std::string hint = "none";
   double weight = 0;   // [px]
@@ -39,6 +39,9 @@ struct Settings {
 
 /// Whether both draw the same pixels.
 bool draws_same(const Settings& a, const Settings& b);
+
+/// All there are, in the order of their keys.
+std::vector<std::string> scene_names();
 
 /// Chooses a scene, its text, and a board if the scene needs one. Throws
 /// std::runtime_error.

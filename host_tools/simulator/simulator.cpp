@@ -31,37 +31,49 @@ bool plays_same(Settings a, const Settings& b) {
 
 }  // namespace
 
-const Font& Simulator::font_for(const std::string& coding,
-                                const std::string& text) {
-  const auto known = fonts_.find(coding);
-  if (known == fonts_.end()) {
-    return fonts_.emplace(coding, Made{make_font_(coding, text), text})
-        .first->second.rom.font();
+// Null: it is not there yet.
+const Font* Simulator::font_for(const FontWish& wish) {
+  const auto known = fonts_.find(wish.coding);
+  FontWish wanted = wish;
+  if (known != fonts_.end()) {
+    const Made& made = known->second;
+    if (was_asked(made.rom.font(), made.text, wish.text)) {
+      return &made.rom.font();
+    }
+    wanted.text = made.text + wish.text;
   }
-  Made& made = known->second;
-  if (!was_asked(made.rom.font(), made.text, text)) {
-    made = Made{make_font_(coding, made.text + text), made.text + text};
+  std::optional<RomFile> rom = make_font_(wanted);
+  if (!rom) {
+    return nullptr;
   }
-  return made.rom.font();
+  return &fonts_
+              .insert_or_assign(wish.coding, Made{std::move(*rom), wanted.text})
+              .first->second.rom.font();
 }
 
-void Simulator::open_stage() {
+// False: its font is not there yet.
+bool Simulator::open_stage() {
   font_ = nullptr;
   if (settings.scene == kDemoScene) {
     stage_ = make_demo_stage(find_board(settings.board));
-    return;
+    return true;
   }
   if (settings.scene == kTextScene) {
-    font_ = &font_for(settings.coding, settings.text);
-    stage_ = make_text_stage(settings, *font_);
-    return;
+    font_ = font_for({settings.coding, settings.text});
+    if (font_ != nullptr) {
+      stage_ = make_text_stage(settings, *font_);
+    }
+    return font_ != nullptr;
   }
   const std::vector<SceneKind>& kinds = scene_kinds();
   const SceneKind& kind = *std::find_if(
       kinds.begin(), kinds.end(),
       [&](const SceneKind& scene) { return scene.name == settings.scene; });
   if (settings.board.empty()) {
-    font_ = &font_for("outline", settings.text + kDigits);
+    font_ = font_for({"outline", settings.text + kDigits});
+    if (font_ == nullptr) {
+      return false;
+    }
   } else if (!board_font_) {
     Font font;
     if (Font::open(board_motion_font(), font) != Status::ok) {
@@ -71,6 +83,7 @@ void Simulator::open_stage() {
   }
   stage_ = make_player_stage(settings, kind,
                              font_ == nullptr ? *board_font_ : *font_);
+  return true;
 }
 
 void Simulator::draw() {
@@ -80,7 +93,10 @@ void Simulator::draw() {
   is_tried_ = true;
   if (!is_same) {
     stage_.reset();
-    open_stage();
+    is_tried_ = open_stage();
+    if (!is_tried_) {
+      return;
+    }
   }
   DisplayMemory memory(settings.display, settings.width, settings.height);
   DrawStats stats;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "display.hpp"
+#include "font_worker.hpp"
 #include "overlay.hpp"
 #include "rom_file.hpp"
 #include "settings.hpp"
@@ -33,24 +34,25 @@ struct Frame {
 
 class Simulator {
  public:
-  /// Makes the font in a coding, with the characters of a text. May throw.
-  using FontMaker = std::function<RomFile(const std::string& coding,
-                                          const std::string& text)>;
+  /// Makes a font; none if it is not there yet and shall be asked for again.
+  /// May throw.
+  using FontMaker = std::function<std::optional<RomFile>(const FontWish& wish)>;
 
   explicit Simulator(FontMaker make_font) : make_font_(std::move(make_font)) {}
 
   Settings settings;
 
-  /// Draws what the settings say, unless it was drawn already. Throws
-  /// std::runtime_error if they cannot be drawn; the last frame stays.
+  /// Draws what the settings say, unless it was drawn already. While their font
+  /// is being made, and if they cannot be drawn, the last frame stays; the
+  /// latter throws std::runtime_error.
   void update();
 
   /// The last one; null before the first.
   std::shared_ptr<const Frame> frame() const { return frame_; }
 
  private:
-  const Font& font_for(const std::string& coding, const std::string& text);
-  void open_stage();
+  const Font* font_for(const FontWish& wish);
+  bool open_stage();
   void draw();
 
   FontMaker make_font_;

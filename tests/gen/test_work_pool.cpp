@@ -3,7 +3,9 @@
 
 #include "base/work_pool.hpp"
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace inkcell::gen::test {
 namespace {
@@ -34,6 +36,23 @@ TEST(WorkPool, ThrowsTheFirstFailure) {
         EXPECT_STREQ(error.what(), "20");
       }
     }
+  }
+}
+
+TEST(WorkPool, EndsWhenProgressThrows) {
+  for (const int jobs : {1, 3}) {
+    std::atomic<int> rounds{0};
+    EXPECT_THROW(
+        parallel_for(
+            1000, jobs,
+            [&](size_t) {
+              ++rounds;
+              std::this_thread::sleep_for(std::chrono::milliseconds(4));
+            },
+            [](size_t) { throw std::runtime_error("enough"); }),
+        std::runtime_error);
+    EXPECT_GT(rounds, 0);
+    EXPECT_LT(rounds, 1000);
   }
 }
 

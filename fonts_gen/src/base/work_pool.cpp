@@ -40,6 +40,20 @@ struct Loop {
     ++finished;
   }
 
+  // Tells of the rounds that are finished. An exception ends the loop.
+  void tell(const std::function<void(size_t)>& done) {
+    if (!done || stopped) {
+      return;
+    }
+    try {
+      done(finished);
+    } catch (...) {
+      failure = std::current_exception();
+      failed_round = 0;
+      stopped = true;
+    }
+  }
+
   // Rounds are handed out in ascending order, so that everything below a
   // failed round has been started: the first failure does not depend on luck.
   void run_rounds() {
@@ -61,8 +75,8 @@ void run_here(Loop& loop, const std::function<void(size_t)>& done) {
   for (size_t i = 0; i < loop.count && !loop.stopped; ++i) {
     loop.run_round(i);
     const auto now = std::chrono::steady_clock::now();
-    if (done && now - last >= kReportEvery) {
-      done(i + 1);
+    if (now - last >= kReportEvery) {
+      loop.tell(done);
       last = now;
     }
   }
@@ -80,9 +94,7 @@ void run_threads(Loop& loop,
     std::unique_lock<std::mutex> lock(loop.mutex);
     while (!loop.changed.wait_for(lock, kReportEvery,
                                   [&loop] { return loop.running == 0; })) {
-      if (done) {
-        done(loop.finished);
-      }
+      loop.tell(done);
     }
   }
   for (std::thread& thread : pool) {

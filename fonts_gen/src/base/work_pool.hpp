@@ -23,7 +23,8 @@ inline int thread_count(int jobs) {
 /// Calls work(i) once for every i below `count`, on up to `jobs` threads, in
 /// any order. If calls throw, no new ones start, and the exception of the
 /// smallest i that threw is thrown on. `done`, if set, is called on the calling
-/// thread only, now and then, with the number of finished rounds.
+/// thread only, now and then, with the number of finished rounds. If it throws,
+/// no new rounds start, and its exception is thrown on.
 ///
 /// With one thread the rounds run on the calling thread.
 void parallel_for(size_t count,

@@ -18,6 +18,7 @@ struct Named {
   const char* hint;
 };
 
+// In the order of scene_names().
 constexpr Named kScenes[] = {
     {"text", "Text", "Your text, as inkcell-render draws it. Key: 1"},
     {"demo", "Demo", "The demo of a board: clock, text, a moving line. Key: 2"},
@@ -25,7 +26,9 @@ constexpr Named kScenes[] = {
     {"clock", "Clock", "Digits that become others. Key: 4"},
     {"particles", "Particles", "A word bursts and becomes another. Key: 5"},
     {"figure13", "Bodies", "Soft letters fall in a heap. Key: 6"},
-    {"figure15", "Vortex", "A vortex winds a letter up. Key: 7"},
+    {"figure14", "Offsets", "Surfaces swell and throw particles off. Key: 7"},
+    {"figure15", "Vortex", "A vortex winds a letter up. Key: 8"},
+    {"print", "Prints", "Light goes round five prints. Key: 9"},
 };
 constexpr Named kFilters[] = {
     {"text", "text", "Half a pixel on both sides: the default"},

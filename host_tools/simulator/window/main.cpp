@@ -39,23 +39,22 @@ std::string common_characters() {
   return all;
 }
 
-Simulator::FontMaker font_maker(const Arguments& arguments,
-                                const Conversion& conversion,
-                                const std::string& more_characters) {
-  return [&arguments, conversion, more_characters](const std::string& coding,
-                                                   const std::string& text) {
-    Conversion asked = conversion;
-    asked.request.target.coding = coding == "outline" ? gen::Coding::outline
-                                  : coding == "edges" ? gen::Coding::edges
-                                                      : gen::Coding::samples;
-    RomFile rom = load_font_file(arguments.font, asked, text + more_characters);
-    if (coding_name(rom.font()) != coding) {
-      throw std::runtime_error(arguments.font + ": is a ROM font of " +
-                               std::string(coding_name(rom.font())) +
-                               ", and this scene needs one of " + coding);
-    }
-    return rom;
-  };
+RomFile make_font(const std::string& file,
+                  Conversion conversion,
+                  const FontWish& wish,
+                  const FontWorker::Progress& progress) {
+  conversion.request.target.coding =
+      wish.coding == "outline" ? gen::Coding::outline
+      : wish.coding == "edges" ? gen::Coding::edges
+                               : gen::Coding::samples;
+  conversion.request.progress = progress;
+  RomFile rom = load_font_file(file, conversion, wish.text);
+  if (coding_name(rom.font()) != wish.coding) {
+    throw std::runtime_error(file + ": is a ROM font of " +
+                             std::string(coding_name(rom.font())) +
+                             ", and this scene needs one of " + wish.coding);
+  }
+  return rom;
 }
 
 void apply_settings(const Arguments& arguments, Settings& settings) {
@@ -82,9 +81,12 @@ void attempt(Panels& panels) {
   }
 }
 
-void run_window(Simulator& simulator, bool has_fixed_coding) {
+void run_window(Simulator& simulator,
+                const FontWorker& worker,
+                bool has_fixed_coding) {
   Screen screen("Inkcell simulator");
   Panels panels(simulator, screen.textures());
+  panels.worker = &worker;
   panels.has_fixed_coding = has_fixed_coding;
   panels.is_playing = is_moving(simulator.settings);
   while (!panels.wants_quit) {
@@ -120,8 +122,15 @@ void run(const Arguments& arguments, const CLI::App& app) {
   const bool has_window = arguments.script.empty() &&
                           arguments.screenshot.empty() &&
                           arguments.save.empty();
-  Simulator simulator(font_maker(
-      arguments, conversion, has_window ? common_characters() : std::string()));
+  FontWorker worker([&](const FontWish& wish,
+                        const FontWorker::Progress& progress) {
+    return make_font(arguments.font, conversion,
+                     {wish.coding, wish.text + common_characters()}, progress);
+  });
+  Simulator simulator([&](const FontWish& wish) {
+    return has_window ? worker.take(wish)
+                      : make_font(arguments.font, conversion, wish, {});
+  });
   const bool is_rom = is_rom_font(read_file(arguments.font));
   const gen::Coding coding = arguments.request.target.coding;
   simulator.settings.coding = coding == gen::Coding::outline ? "outline"
@@ -132,7 +141,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
   }
   apply_settings(arguments, simulator.settings);
   if (has_window) {
-    run_window(simulator, is_rom);
+    run_window(simulator, worker, is_rom);
     return;
   }
   const auto screenshot = [&](Simulator& shown,

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "font_worker.hpp"
 #include "simulator.hpp"
 #include "window/textures.hpp"
 #include "window/theme.hpp"
@@ -18,8 +19,9 @@ struct Panels {
 
   Simulator& simulator;
   Textures& textures;
-  bool has_fixed_coding = false;  // the font was made before
-  std::string problem;            // why the last settings draw nothing
+  const FontWorker* worker = nullptr;  // of a window; null: none
+  bool has_fixed_coding = false;       // the font was made before
+  std::string problem;                 // why the last settings draw nothing
   bool is_playing = false;
   float frames_due = 0;  // part of a frame that passed since the last one
   bool wants_quit = false;

@@ -14,9 +14,6 @@ constexpr float kStatusHeight = 30;
 constexpr int kDemoFrames = 480;  // a minute of its clock
 constexpr int kMostZoom = 64;
 
-constexpr const char* kSceneKeys[] = {
-    "text", "demo", "path", "clock", "particles", "figure13", "figure15"};
-
 // Advances by the time that has passed since the last frame of the window.
 void play(Panels& panels) {
   Settings& settings = panels.simulator.settings;
@@ -30,6 +27,27 @@ void play(Panels& panels) {
 void step(Settings& settings, int frames) {
   const auto frame = static_cast<int>(settings.frame) + frames;
   settings.frame = static_cast<uint32_t>(std::max(frame, 0));
+}
+
+// A bar while a font is being made.
+bool draw_work(const Panels& panels) {
+  const auto work =
+      panels.worker == nullptr ? std::nullopt : panels.worker->work();
+  if (!work) {
+    return false;
+  }
+  const float part = work->count == 0 ? 0
+                                      : static_cast<float>(work->done) /
+                                            static_cast<float>(work->count);
+  ImGui::Text("Making a font of %s", work->coding.c_str());
+  ImGui::SameLine(0, px(18));
+  const std::string glyphs = std::to_string(work->done) + " of " +
+                             std::to_string(work->count) + " glyphs";
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour::kGuide);
+  ImGui::ProgressBar(part, ImVec2(px(260), 0),
+                     work->count == 0 ? "" : glyphs.c_str());
+  ImGui::PopStyleColor();
+  return true;
 }
 
 }  // namespace
@@ -63,9 +81,13 @@ void take_key(Panels& panels, const std::string& key) {
   } else if (key == "-" || key == "=" || key == "+" || key == "shift+=") {
     settings.zoom =
         std::clamp(panels.zoom + (key == "-" ? -1 : 1), 1, kMostZoom);
-  } else if (key.size() == 1 && key[0] >= '1' && key[0] <= '7') {
-    choose_scene(settings, kSceneKeys[key[0] - '1']);
-    panels.is_playing = is_moving(settings);
+  } else if (key.size() == 1 && key[0] >= '1' && key[0] <= '9') {
+    const std::vector<std::string> scenes = scene_names();
+    const auto number = static_cast<size_t>(key[0] - '1');
+    if (number < scenes.size()) {
+      choose_scene(settings, scenes[number]);
+      panels.is_playing = is_moving(settings);
+    }
   }
 }
 
@@ -101,6 +123,9 @@ void draw_player_bar(Panels& panels) {
 
 void draw_status(Panels& panels) {
   ImGui::SetCursorPosY(px(6));
+  if (draw_work(panels)) {
+    return;
+  }
   const Settings& settings = panels.simulator.settings;
   if (!panels.problem.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour::kCorner);

@@ -1,0 +1,67 @@
+// Fonts made beside the window's thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "rom_file.hpp"
+
+namespace inkcell::tools {
+
+/// Which font: its coding, and a text whose characters it has.
+struct FontWish {
+  std::string coding;
+  std::string text;
+
+  bool operator==(const FontWish& other) const {
+    return coding == other.coding && text == other.text;
+  }
+};
+
+/// Makes one font at a time.
+class FontWorker {
+ public:
+  /// Called with glyphs done and their number; throws to end the work.
+  using Progress = std::function<void(size_t done, size_t count)>;
+  /// Runs on a thread of its own. May throw.
+  using Maker = std::function<RomFile(const FontWish& wish, const Progress&)>;
+
+  explicit FontWorker(Maker make) : make_(std::move(make)) {}
+  /// Ends the work under way.
+  ~FontWorker();
+  FontWorker(const FontWorker&) = delete;
+  FontWorker& operator=(const FontWorker&) = delete;
+
+  /// The font, once it is made; none before. The first call begins; another
+  /// wish than that of the call before ends its work. Throws what the maker
+  /// threw.
+  std::optional<RomFile> take(const FontWish& wish);
+
+  struct Work {
+    std::string coding;
+    size_t done = 0;   // glyphs
+    size_t count = 0;  // 0: not known yet
+  };
+  /// What is under way.
+  std::optional<Work> work() const;
+
+ private:
+  struct Job {
+    FontWish wish;
+    std::atomic<bool> is_dropped{false};
+    std::atomic<size_t> done{0};
+    std::atomic<size_t> count{0};
+    std::future<RomFile> result;
+  };
+
+  void begin(const FontWish& wish);
+
+  Maker make_;
+  std::unique_ptr<Job> job_;
+};
+
+}  // namespace inkcell::tools
