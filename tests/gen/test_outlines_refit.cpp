@@ -93,20 +93,25 @@ void expect_well_formed(const MinimalOutline& outline) {
   }
 }
 
+MinimalOutline refitted(const Outline& outline, const RefitOptions& options) {
+  ChainMemo memo;
+  return minimal_outline(outline, options, memo);
+}
+
 Outline shape_of(std::vector<Contour> contours) {
   return {std::move(contours)};
 }
 
 TEST(Refit, ARectangleIsItsFourCorners) {
   // Points on its edges go, the closing edge is left out.
-  const MinimalOutline result = minimal_outline(shape_of({polygon({{10, 20},
-                                                                   {50, 20},
-                                                                   {110, 20},
-                                                                   {110, 80},
-                                                                   {60, 80},
-                                                                   {10, 80},
-                                                                   {10, 40}})}),
-                                                options(1024, 0, 0.5));
+  const MinimalOutline result = refitted(shape_of({polygon({{10, 20},
+                                                            {50, 20},
+                                                            {110, 20},
+                                                            {110, 80},
+                                                            {60, 80},
+                                                            {10, 80},
+                                                            {10, 40}})}),
+                                         options(1024, 0, 0.5));
   ASSERT_EQ(result.contours.size(), 1u);
   EXPECT_EQ(result.contours[0].points.size(), 4u);
   for (const GridPoint& p : result.contours[0].points) {
@@ -116,18 +121,17 @@ TEST(Refit, ARectangleIsItsFourCorners) {
 }
 
 TEST(Refit, NothingBecomesNothing) {
+  EXPECT_TRUE(refitted(shape_of({}), options(1024, 0, 0.5)).contours.empty());
   EXPECT_TRUE(
-      minimal_outline(shape_of({}), options(1024, 0, 0.5)).contours.empty());
-  EXPECT_TRUE(minimal_outline(shape_of({polygon({{0, 0}, {9, 9}})}),
-                              options(1024, 0, 0.5))
-                  .contours.empty());
+      refitted(shape_of({polygon({{0, 0}, {9, 9}})}), options(1024, 0, 0.5))
+          .contours.empty());
 }
 
 // Its control points are off the curve and the joints half-way between them.
 TEST(Refit, ACircleOfCubicsBecomesEightQuadratics) {
   const Outline source = shape_of({circle(300, 300, 250)});
   const RefitOptions how = options(2048, 0, 0.5);
-  const MinimalOutline result = minimal_outline(source, how);
+  const MinimalOutline result = refitted(source, how);
   ASSERT_EQ(result.contours.size(), 1u);
   EXPECT_LE(result.contours[0].points.size(), 11u);
   EXPECT_LE(stray(source, result, how), 0.5);
@@ -143,12 +147,12 @@ TEST(Refit, ACircleOfCubicsBecomesEightQuadratics) {
 TEST(Refit, ADotLessThanTheGridVanishes) {
   const Outline source =
       shape_of({rectangle(0, 0, 100, 100), rectangle(200, 0, 200.1, 0.1)});
-  const MinimalOutline result = minimal_outline(source, options(1024, 2, 2));
+  const MinimalOutline result = refitted(source, options(1024, 2, 2));
   EXPECT_EQ(result.contours.size(), 1u);
 }
 
 TEST(Refit, HolesKeepTheirDirection) {
-  const MinimalOutline result = minimal_outline(
+  const MinimalOutline result = refitted(
       shape_of({rectangle(0, 0, 300, 300), rectangle(200, 100, 100, 200)}),
       options(1024, 0, 0.5));
   ASSERT_EQ(result.contours.size(), 2u);
@@ -175,7 +179,7 @@ TEST(Refit, ChordsBecomeCurvesAgain) {
     chords.segments.push_back(segment);
   }
   const RefitOptions how = options(2048, 0, 0.5);
-  const MinimalOutline result = minimal_outline(shape_of({chords}), how);
+  const MinimalOutline result = refitted(shape_of({chords}), how);
   EXPECT_LE(point_count(result), 13u);
   EXPECT_LE(stray(shape_of({circle(300, 300, 250)}), result, how), 0.51);
 }
@@ -207,7 +211,7 @@ TEST(Refit, GlyphsOfFontsStayWithinTheTolerance) {
     for (size_t i = 0; i < glyphs.size(); ++i) {
       SCOPED_TRACE(std::string(face.file) + " " +
                    std::to_string(face.code_points[i]));
-      const MinimalOutline result = minimal_outline(glyphs[i], face.how);
+      const MinimalOutline result = refitted(glyphs[i], face.how);
       expect_well_formed(result);
       EXPECT_LE(stray(glyphs[i], result, face.how),
                 face.how.tolerance_u * 1.02);
@@ -222,9 +226,41 @@ TEST(Refit, TheSameInputGivesTheSamePoints) {
   for (const Face& face : faces()) {
     const Outline glyph =
         load_outlines(face.file, face.index, {face.code_points[0]})[0];
-    EXPECT_TRUE(equal(minimal_outline(glyph, face.how),
-                      minimal_outline(glyph, face.how)));
+    EXPECT_TRUE(equal(refitted(glyph, face.how), refitted(glyph, face.how)));
   }
+}
+
+// Rounds of more care with one memo are those without it.
+TEST(Refit, AMemoChangesNoPoint) {
+  for (const Face& face : faces()) {
+    const Outline glyph =
+        load_outlines(face.file, face.index, {face.code_points[1]})[0];
+    ChainMemo memo;
+    RefitOptions how = face.how;
+    for (int round = 0; round < 4; ++round) {
+      EXPECT_TRUE(
+          equal(minimal_outline(glyph, how, memo), refitted(glyph, how)));
+      const Segment& somewhere =
+          glyph.contours[0].segments[static_cast<size_t>(round)];
+      (round % 2 == 0 ? how.careful_u : how.exact_u).push_back(somewhere.p[0]);
+    }
+    how.tolerance_u *= 0.6;
+    EXPECT_TRUE(equal(minimal_outline(glyph, how, memo), refitted(glyph, how)));
+  }
+}
+
+TEST(Fingerprint, TellsWordsAndOrderApart) {
+  const auto print = [](std::initializer_list<double> numbers) {
+    Fingerprint result;
+    for (const double number : numbers) {
+      result.add(number);
+    }
+    return result;
+  };
+  EXPECT_TRUE(print({1, 2}) == print({1, 2}));
+  EXPECT_FALSE(print({1, 2}) == print({2, 1}));
+  EXPECT_FALSE(print({1, 2}) == print({1, 2, 0}));
+  EXPECT_FALSE(print({0}) == print({}));
 }
 
 // A refit of a refit may save a point more, but strays no farther.
@@ -232,9 +268,9 @@ TEST(Refit, ARefitOfARefitTakesNoMorePoints) {
   const RefitOptions how = options(2048, 0, 0.5);
   for (const Outline& glyph :
        load_outlines(kLiberationSerif, 0, {'g', 'R', '&'})) {
-    const MinimalOutline once = minimal_outline(glyph, how);
+    const MinimalOutline once = refitted(glyph, how);
     const Outline again = expand(once, 2048, 0);
-    const MinimalOutline twice = minimal_outline(again, how);
+    const MinimalOutline twice = refitted(again, how);
     EXPECT_LE(point_count(twice), point_count(once));
     EXPECT_LE(stray(again, twice, how), 0.51);
   }
@@ -243,12 +279,12 @@ TEST(Refit, ARefitOfARefitTakesNoMorePoints) {
 TEST(Refit, CarefulPlacesStrayLessAndHaveCorners) {
   const Outline glyph = load_outlines(kLiberationSerif, 0, {'S'})[0];
   RefitOptions how = options(2048, 0, 2);
-  const MinimalOutline plain = minimal_outline(glyph, how);
+  const MinimalOutline plain = refitted(glyph, how);
   const Shape source(glyph);
   for (const Edge& edge : source.edges()) {
     how.careful_u.push_back(edge.a);
   }
-  const MinimalOutline careful = minimal_outline(glyph, how);
+  const MinimalOutline careful = refitted(glyph, how);
   EXPECT_GT(stray(glyph, plain, how), 1);
   EXPECT_LE(stray(glyph, careful, how), 0.51);
   EXPECT_GT(point_count(careful), point_count(plain));
@@ -269,7 +305,7 @@ TEST(Refit, CarefulPlacesStrayLessAndHaveCorners) {
   EXPECT_TRUE(no_curve_goes_on(careful));
   // All of the source's own points, and those in the middle of its curves.
   how.exact_u.swap(how.careful_u);
-  const MinimalOutline exact = minimal_outline(glyph, how);
+  const MinimalOutline exact = refitted(glyph, how);
   EXPECT_TRUE(no_curve_goes_on(exact));
   EXPECT_GT(point_count(exact), point_count(careful));
   EXPECT_LE(stray(glyph, exact, how), 0.51);
@@ -278,12 +314,12 @@ TEST(Refit, CarefulPlacesStrayLessAndHaveCorners) {
 TEST(Refit, CareIsLocal) {
   const Outline glyph = load_outlines(kLiberationSerif, 0, {'S'})[0];
   RefitOptions how = options(2048, 0, 0.5);
-  const size_t plain = point_count(minimal_outline(glyph, how));
+  const size_t plain = point_count(refitted(glyph, how));
   how.careful_u.push_back(Shape(glyph).edges()[0].a);
-  const size_t careful = point_count(minimal_outline(glyph, how));
+  const size_t careful = point_count(refitted(glyph, how));
   EXPECT_LE(careful, plain + 10);
   how.careful_u = {{5000, 5000}};
-  EXPECT_EQ(point_count(minimal_outline(glyph, how)), plain);
+  EXPECT_EQ(point_count(refitted(glyph, how)), plain);
 }
 
 }  // namespace

@@ -147,20 +147,21 @@ void compare_row(const Setting& setting,
                  const Canvas& canvas,
                  const Rect& pixels,
                  int y,
-                 DistanceMap& map,
+                 LoopTruth& truth,
                  Gathering& gathering) {
   const double half_px_u = setting.u_per_px() / 2;
   const double y_u = setting.y_u(y);
   double sum = 0;
   for (int x = pixels.x0; x < pixels.x1; ++x) {
     const double x_u = setting.x_u(x);
-    const DistanceMap::Bounds& bounds = map.bounds(x_u, y_u);
+    const DistanceMap::Bounds& bounds = truth.map.bounds(x_u, y_u);
     double error = canvas.at(x, y);
     if (bounds.low >= half_px_u) {
       error = 255 - error;
     } else if (bounds.high > -half_px_u) {
-      const double distance_px = map.distance(x_u, y_u) / setting.u_per_px();
-      error = std::fabs(error - coverage(distance_px));
+      error = std::fabs(error - truth.next([&] {
+        return coverage(truth.map.distance(x_u, y_u) / setting.u_per_px());
+      }));
     }
     if (error > 0) {
       sum += error;
@@ -187,16 +188,16 @@ void expect_nothing(const Setting& setting,
 void compare(const Setting& setting,
              const Canvas& canvas,
              const Rect& inked,
-             DistanceMap* map,
+             LoopTruth* truth,
              Gathering& gathering) {
   const Rect& area = canvas.area();
   for (int y = area.y0; y < area.y1; ++y) {
-    if (map == nullptr || y < inked.y0 || y >= inked.y1) {
+    if (truth == nullptr || y < inked.y0 || y >= inked.y1) {
       expect_nothing(setting, canvas, area.x0, area.x1, y, gathering);
       continue;
     }
     expect_nothing(setting, canvas, area.x0, inked.x0, y, gathering);
-    compare_row(setting, canvas, inked, y, *map, gathering);
+    compare_row(setting, canvas, inked, y, *truth, gathering);
     expect_nothing(setting, canvas, inked.x1, area.x1, y, gathering);
   }
 }
@@ -215,7 +216,7 @@ std::vector<int> loop_sizes(int min_px, int max_px) {
 ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
     : shape_(shape), options_(options) {
   if (!shape.empty()) {
-    map_.emplace(shape, kMargin_px * 1024 / options.min_px);
+    truth_.emplace(shape, kMargin_px * 1024 / options.min_px);
   }
 }
 
@@ -231,6 +232,9 @@ LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
 
 LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
   Gathering gathering(options_);
+  if (truth_) {
+    truth_->rewind();
+  }
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
     TextStyle style;
     if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) !=
@@ -242,10 +246,10 @@ LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
       const Setting setting{px, kPhases[static_cast<size_t>(i)]};
       const inkcell::Point origin = {Q26_6::from_raw(setting.phase.x),
                                      Q26_6::from_raw(setting.phase.y)};
-      const Rect inked = map_ ? setting.pixels_of(shape_.box()) : Rect();
+      const Rect inked = truth_ ? setting.pixels_of(shape_.box()) : Rect();
       Canvas canvas(join(inked, glyph.box(style, origin)));
       glyph.draw(style, origin, canvas.sink());
-      compare(setting, canvas, inked, map_ ? &*map_ : nullptr, gathering);
+      compare(setting, canvas, inked, truth_ ? &*truth_ : nullptr, gathering);
     }
     gathering.end();
   }

@@ -67,6 +67,36 @@ struct LoopGlyph {
 /// 1/64, and `max_px`. Ascending.
 std::vector<int> loop_sizes(int min_px, int max_px);
 
+/// The picture that a glyph should be. Each drawing is compared in the same
+/// order, so that the coverage of pixels near the border is worked out once.
+struct LoopTruth {
+  LoopTruth(const Shape& shape, double reach_u) : map(shape, reach_u) {}
+
+  void rewind() { at_ = 0; }
+
+  /// The coverage of the next pixel near the border. [1/255]
+  template <typename Compute>
+  double next(const Compute& compute) {
+    const size_t at = at_++;
+    if (at < known_.size()) {
+      return known_[at];
+    }
+    const double coverage = compute();
+    if (at < kMostKnown) {
+      known_.push_back(coverage);
+    }
+    return coverage;
+  }
+
+  DistanceMap map;
+
+ private:
+  static constexpr size_t kMostKnown = size_t{1} << 21;
+
+  std::vector<double> known_;
+  size_t at_ = 0;
+};
+
 /// Draws a glyph with the device's own renderer, filter `text`, and compares
 /// each pixel with the coverage that the exact distance to the shape gives:
 /// 255 clamp(0.5 + distance in px), not rounded. A pixel that the device draws
@@ -86,7 +116,7 @@ class ClosedLoop {
  private:
   const Shape& shape_;
   LoopOptions options_;
-  std::optional<DistanceMap> map_;  // none if the shape is empty
+  std::optional<LoopTruth> truth_;  // none if the shape is empty
 };
 
 }  // namespace gen

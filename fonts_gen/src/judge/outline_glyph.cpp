@@ -23,8 +23,8 @@ namespace {
 // Attempts with one tolerance, each with more care than the one before.
 constexpr int kRounds = 4;
 
-// Shares of the tolerance that are tried one after the other.
-constexpr double kShares[] = {1, 0.6, 0.35, 0.2};
+// Shares of the tolerance. Curves are tried with both of a pair before chords.
+constexpr double kShares[][2] = {{1, 0.6}, {0.35, 0.2}};
 
 // Other positions than those of the loop may look a little worse. [1/255]
 constexpr double kReserve = 0.5;
@@ -100,12 +100,36 @@ bool is_near(const std::vector<Point>& places, const Point& place) {
   });
 }
 
+// The point of the border that is nearest to the centre of a pixel.
+Point border_at(const Shape& shape, const LoopMiss& miss) {
+  constexpr double kStep_u = 1.0 / 64;
+  const double x = miss.x_u;
+  const double y = miss.y_u;
+  const Point uphill = direction(
+      {shape.distance(x + kStep_u, y) - shape.distance(x - kStep_u, y),
+       shape.distance(x, y + kStep_u) - shape.distance(x, y - kStep_u)});
+  return Point{x, y} - shape.distance(x, y) * uphill;
+}
+
+void add_places(const Shape& shape,
+                const std::vector<LoopMiss>& misses,
+                std::vector<Point>& places) {
+  for (const LoopMiss& miss : misses) {
+    const Point place = border_at(shape, miss);
+    if (!is_near(places, place)) {
+      places.push_back(place);
+    }
+  }
+}
+
 // Asks for more care where pixels miss. False if all that can be asked was.
-bool take_care(const std::vector<LoopMiss>& misses, RefitOptions& options) {
+bool take_care(const Shape& shape,
+               const std::vector<LoopMiss>& misses,
+               RefitOptions& options) {
   std::vector<Point> careful;
   std::vector<Point> exact;
   for (const LoopMiss& miss : misses) {
-    const Point place = {miss.x_u, miss.y_u};
+    const Point place = border_at(shape, miss);
     if (!is_near(options.careful_u, place)) {
       if (careful.size() < kMostPlaces && !is_near(careful, place)) {
         careful.push_back(place);
@@ -172,7 +196,8 @@ bool passes(const Segment& segment, const std::vector<Point>& places) {
 MinimalOutline outline_of_chords(const Outline& united,
                                  const std::vector<Point>* places,
                                  double share,
-                                 RefitOptions options) {
+                                 RefitOptions options,
+                                 ChainMemo& memo) {
   Outline chords;
   for (const Contour& contour : united.contours) {
     Contour polygon;
@@ -192,8 +217,95 @@ MinimalOutline outline_of_chords(const Outline& united,
     }
     chords.contours.push_back(polygon);
   }
-  return minimal_outline(chords, options);
+  return minimal_outline(chords, options, memo);
 }
+
+// Options, and the pixels that miss with them.
+struct Attempt {
+  RefitOptions options;
+  std::vector<LoopMiss> misses;
+};
+
+// Draws outlines of a glyph and keeps the best.
+class Trials {
+ public:
+  Trials(const Shape& shape,
+         const GlyphMetrics& metrics,
+         const RefitOptions& options,
+         const LoopOptions& loop_options)
+      : shape_(shape),
+        metrics_(metrics),
+        options_(options),
+        loop_(shape, strict(loop_options)) {}
+
+  RefittedGlyph best() { return std::move(*best_); }
+
+  // Curves, with more care from round to round. Whether no pixel misses.
+  bool try_curves(const Outline& source, Attempt& attempt) {
+    bool may_improve = true;
+    for (int round = 0; round < kRounds && may_improve; ++round) {
+      attempt.misses = draw(minimal_outline(source, attempt.options, memo_));
+      if (attempt.misses.empty()) {
+        return true;
+      }
+      may_improve = take_care(shape_, attempt.misses, attempt.options);
+    }
+    return false;
+  }
+
+  // Chords where pixels miss, in more places from round to round.
+  bool try_chords(const Outline& united, Attempt& attempt) {
+    std::vector<Point> places;
+    for (int round = 0; round < kRounds; ++round) {
+      add_places(shape_, attempt.misses, places);
+      attempt.misses = draw(outline_of_chords(united, &places, kChordShare,
+                                              attempt.options, memo_));
+      if (attempt.misses.empty()) {
+        return true;
+      }
+      take_care(shape_, attempt.misses, attempt.options);
+    }
+    return false;
+  }
+
+  // Chords everywhere.
+  void try_polygons(const Outline& united) {
+    for (const double share : kPolygonShares) {
+      if (draw(outline_of_chords(united, nullptr, share, options_, memo_))
+              .empty()) {
+        return;
+      }
+    }
+  }
+
+ private:
+  static LoopOptions strict(LoopOptions options) {
+    options.tolerance -= kReserve;
+    return options;
+  }
+
+  // Returns the pixels that miss.
+  std::vector<LoopMiss> draw(MinimalOutline outline) {
+    RefittedGlyph glyph;
+    glyph.outline = std::move(outline);
+    if (!glyph.outline.contours.empty()) {
+      OneGlyphFont font(glyph.outline, metrics_, options_);
+      glyph.errors = loop_.draw_and_compare(font.loop_glyph());
+    }
+    std::vector<LoopMiss> misses = glyph.errors.misses;
+    if (!best_ || misses.empty() || glyph.errors.worst < best_->errors.worst) {
+      best_ = std::move(glyph);
+    }
+    return misses;
+  }
+
+  const Shape& shape_;
+  const GlyphMetrics& metrics_;
+  const RefitOptions& options_;
+  ClosedLoop loop_;
+  ChainMemo memo_;
+  std::optional<RefittedGlyph> best_;
+};
 
 }  // namespace
 
@@ -219,64 +331,26 @@ RefittedGlyph refit_glyph(const Outline& source,
                           const GlyphMetrics& metrics,
                           const RefitOptions& options,
                           const LoopOptions& loop_options) {
-  LoopOptions strict = loop_options;
-  strict.tolerance -= kReserve;
-  ClosedLoop loop(shape, strict);
-  std::optional<RefittedGlyph> best;
-  // Draws an outline and keeps the best; returns what misses.
-  const auto try_out = [&](MinimalOutline outline) {
-    RefittedGlyph glyph;
-    glyph.outline = std::move(outline);
-    if (!glyph.outline.contours.empty()) {
-      OneGlyphFont font(glyph.outline, metrics, options);
-      glyph.errors = loop.draw_and_compare(font.loop_glyph());
-    }
-    std::vector<LoopMiss> misses = glyph.errors.misses;
-    if (!best || misses.empty() || glyph.errors.worst < best->errors.worst) {
-      best = std::move(glyph);
-    }
-    return misses;
-  };
-  std::vector<RefitOptions> attempts;
-  for (const double share : kShares) {
-    RefitOptions attempt = options;
-    attempt.tolerance_u *= share;
-    bool may_improve = true;
-    for (int round = 0; round < kRounds && may_improve; ++round) {
-      const std::vector<LoopMiss> misses =
-          try_out(minimal_outline(source, attempt));
-      if (misses.empty()) {
-        return std::move(*best);
-      }
-      may_improve = take_care(misses, attempt);
-    }
-    attempts.push_back(std::move(attempt));
-  }
-  // What is left are turns so tight that only chords draw them truly.
+  Trials trials(shape, metrics, options, loop_options);
   const Outline united = unite(source);
-  for (RefitOptions& attempt : attempts) {
-    std::vector<Point> places;
-    for (int round = 0; round < kRounds; ++round) {
-      const std::vector<LoopMiss> misses =
-          try_out(outline_of_chords(united, &places, kChordShare, attempt));
-      if (misses.empty()) {
-        return std::move(*best);
+  for (const auto& shares : kShares) {
+    std::vector<Attempt> attempts;
+    for (const double share : shares) {
+      attempts.push_back({options, {}});
+      attempts.back().options.tolerance_u *= share;
+      if (trials.try_curves(source, attempts.back())) {
+        return trials.best();
       }
-      take_care(misses, attempt);
-      for (const LoopMiss& miss : misses) {
-        const Point place = {miss.x_u, miss.y_u};
-        if (!is_near(places, place)) {
-          places.push_back(place);
-        }
+    }
+    // What is left are turns so tight that only chords draw them truly.
+    for (Attempt& attempt : attempts) {
+      if (trials.try_chords(united, attempt)) {
+        return trials.best();
       }
     }
   }
-  for (const double share : kPolygonShares) {
-    if (try_out(outline_of_chords(united, nullptr, share, options)).empty()) {
-      break;
-    }
-  }
-  return std::move(*best);
+  trials.try_polygons(united);
+  return trials.best();
 }
 
 }  // namespace inkcell::gen

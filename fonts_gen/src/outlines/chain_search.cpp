@@ -53,6 +53,48 @@ void extent(const Segment& q, double Point::*c, double& low, double& high) {
 
 }  // namespace
 
+ChainSearch::ChainSearch(const Trace& trace,
+                         const RefitScale& scale,
+                         ChainMemo& memo)
+    : trace_(trace), scale_(scale), memo_(memo) {
+  for (size_t i = 0; i < trace.stretches.size(); ++i) {
+    const Node& at = trace.nodes[i];
+    const Stretch& stretch = trace.stretches[i];
+    Fingerprint print;
+    print.add(at.on_grid);
+    print.add(at.before);
+    print.add(at.after);
+    print.add(uint64_t{at.extreme_x} << 1 | uint64_t{at.extreme_y});
+    print.add(static_cast<uint64_t>(stretch.kind));
+    print.add(static_cast<uint64_t>(stretch.care));
+    print.add(stretch.control);
+    const Span samples = span(i, i + 1);
+    print.add(uint64_t{samples.count});
+    for (size_t k = 0; k < samples.count; ++k) {
+      print.add(samples.first[k]);
+    }
+    stretches_.push_back(print);
+  }
+}
+
+// All that search() looks at.
+Fingerprint ChainSearch::fingerprint(size_t first,
+                                     size_t last,
+                                     size_t controls) const {
+  Fingerprint print;
+  print.add(scale_.tolerance);
+  print.add(scale_.careful_tolerance);
+  print.add(scale_.chord_bound);
+  print.add(scale_.extreme_tolerance);
+  print.add(uint64_t{controls});
+  for (size_t i = first; i < last; ++i) {
+    print.add(stretches_[i]);
+  }
+  print.add(node(last).on_grid);
+  print.add(node(last).before);
+  return print;
+}
+
 Care ChainSearch::care(size_t first, size_t last) const {
   Care most = Care::none;
   for (size_t i = first; i < last; ++i) {
@@ -131,6 +173,22 @@ bool ChainSearch::find(size_t first,
                        size_t last,
                        size_t controls,
                        Chain& chain) const {
+  const Fingerprint print = fingerprint(first, last, controls);
+  if (const std::optional<Chain>* known = memo_.find(print)) {
+    if (*known) {
+      chain = **known;
+    }
+    return known->has_value();
+  }
+  const bool found = search(first, last, controls, chain);
+  memo_.add(print, found ? std::optional<Chain>(chain) : std::nullopt);
+  return found;
+}
+
+bool ChainSearch::search(size_t first,
+                         size_t last,
+                         size_t controls,
+                         Chain& chain) const {
   chain.from = node(first).on_grid;
   chain.to = node(last).on_grid;
   chain.controls.assign(controls, Point{});

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
+#include "outlines/chain_memo.hpp"
 #include "outlines/curve_fit.hpp"
 #include "outlines/trace.hpp"
 
@@ -13,9 +15,8 @@ namespace gen {
 /// nodes.size() is the first one again.
 class ChainSearch {
  public:
-  /// Refers to both arguments.
-  ChainSearch(const Trace& trace, const RefitScale& scale)
-      : trace_(trace), scale_(scale) {}
+  /// Refers to all arguments.
+  ChainSearch(const Trace& trace, const RefitScale& scale, ChainMemo& memo);
 
   const Node& node(size_t i) const {
     return trace_.nodes[i == trace_.nodes.size() ? 0 : i];
@@ -24,7 +25,8 @@ class ChainSearch {
   /// The most care that a stretch in between asks for.
   Care care(size_t first, size_t last) const;
 
-  /// A chain of `controls` quadratics, or a line, that is acceptable.
+  /// A chain of `controls` quadratics, or a line, that is acceptable. What was
+  /// found before for a span that is the same is in the memo.
   bool find(size_t first, size_t last, size_t controls, Chain& chain) const;
 
   /// Moves controls that are nearly good until the chain is acceptable.
@@ -44,8 +46,13 @@ class ChainSearch {
   bool keeps_extremes(size_t first, size_t last, const Chain& chain) const;
   FixedControls fix(size_t first, size_t last, const Chain& chain) const;
 
+  bool search(size_t first, size_t last, size_t controls, Chain& chain) const;
+  Fingerprint fingerprint(size_t first, size_t last, size_t controls) const;
+
   const Trace& trace_;
   const RefitScale& scale_;
+  ChainMemo& memo_;
+  std::vector<Fingerprint> stretches_;  // each with the node where it begins
 };
 
 }  // namespace gen

@@ -126,9 +126,10 @@ double twice_area(const Contour& contour) {
 
 MinimalContour refit(const Contour& contour,
                      const RefitOptions& options,
-                     const RefitScale& scale) {
+                     const RefitScale& scale,
+                     ChainMemo& memo) {
   const Trace source = trace(contour, options, scale);
-  const ChainSearch search(source, scale);
+  const ChainSearch search(source, scale, memo);
   std::vector<PathStep> path = cheapest_path(source, search);
   drop_joints(search, path);
   MinimalContour result{points_of(search, path)};
@@ -138,7 +139,9 @@ MinimalContour refit(const Contour& contour,
   return result;
 }
 
-MinimalOutline refit(const Outline& united, const RefitOptions& options) {
+MinimalOutline refit(const Outline& united,
+                     const RefitOptions& options,
+                     ChainMemo& memo) {
   const RefitScale scale(options);
   MinimalOutline result;
   double x = std::numeric_limits<double>::infinity();
@@ -148,7 +151,7 @@ MinimalOutline refit(const Outline& united, const RefitOptions& options) {
       x = std::min(x, scale.grid_per_u * segment.p[0].x);
       y = std::min(y, scale.grid_per_u * segment.p[0].y);
     }
-    MinimalContour minimal = refit(contour, options, scale);
+    MinimalContour minimal = refit(contour, options, scale, memo);
     if (!minimal.points.empty()) {
       result.contours.push_back(std::move(minimal));
     }
@@ -227,14 +230,15 @@ class Judge {
 }  // namespace
 
 MinimalOutline minimal_outline(const Outline& outline,
-                               const RefitOptions& options) {
+                               const RefitOptions& options,
+                               ChainMemo& memo) {
   Outline united = unite(outline);
   const Judge judge(united, options);
   RefitOptions wary = options;
   MinimalOutline best;
   double least = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kRounds && !judge.empty(); ++round) {
-    MinimalOutline result = refit(united, wary);
+    MinimalOutline result = refit(united, wary, memo);
     std::vector<Point>& places = round == 0 ? wary.careful_u : wary.exact_u;
     const size_t before = places.size();
     const double fault = judge.fault(result, places);

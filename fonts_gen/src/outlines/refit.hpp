@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "outlines/chain_memo.hpp"
 #include "outlines/minimal_outline.hpp"
 #include "shape/outline.hpp"
 
@@ -37,9 +38,11 @@ inline constexpr double kCareRadius_u = 24;
 /// more care where it strays or where contours overlap. What is narrower than
 /// the grid may stray all the same. 95 glyphs take 1 to 2 s on one core.
 ///
-/// Throws GeometryError.
+/// `memo` keeps what several calls share for one glyph; the result does not
+/// depend on it. Throws GeometryError.
 MinimalOutline minimal_outline(const Outline& outline,
-                               const RefitOptions& options);
+                               const RefitOptions& options,
+                               ChainMemo& memo);
 
 }  // namespace gen
 }  // namespace inkcell
