@@ -30,7 +30,7 @@ CORE = {
     "effects": "sink cells place rows distance raster",
     "fit": "",
     "text": "place outlines rows raster",
-    "cache": "text place",
+    "cache": "sink text place",
     "layout": "text",
     "generate": "cells outlines",
     "verify": "cells font outlines",

@@ -69,6 +69,7 @@ constexpr int32_t kHeight = 26;
 struct Canvas {
   Rect window = {0, 0, kWidth, kHeight};
   int32_t channels = 1;
+  bool takes_blocks = false;
   uint8_t pixels[kWidth * kHeight] = {};
 
   void put(int32_t x, int32_t y, const uint8_t* values, int32_t count) {
@@ -98,8 +99,22 @@ struct Canvas {
   static void solid(void* context, int32_t x, int32_t y, int32_t count) {
     static_cast<Canvas*>(context)->put(x, y, nullptr, count);
   }
+  static void block(void* context, const CoverageBlock& block) {
+    const Rect& pixels = block.pixels;
+    CHECK_EQ(block.stride % 4, 0);
+    CHECK_EQ((reinterpret_cast<uintptr_t>(block.coverage) -
+              static_cast<uintptr_t>(pixels.x0)) %
+                 4,
+             0u);
+    for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+      static_cast<Canvas*>(context)->put(
+          pixels.x0, y, block.coverage + (y - pixels.y0) * block.stride,
+          pixels.x1 - pixels.x0);
+    }
+  }
   Sink sink() {
     Sink sink = {window, this, coverage, solid};
+    sink.block = takes_blocks ? block : nullptr;
     sink.coverage_rgb = channels == 3 ? coverage : nullptr;
     return sink;
   }
@@ -275,6 +290,7 @@ TEST(strips_and_windows_do_not_matter) {
   for (int32_t rows = 1; rows < 9; ++rows) {
     GlyphCache cache = cache_of(2048, exact());
     clear(cached, 1);
+    cached.takes_blocks = rows % 2 == 0;
     for (int32_t y = 0; y < kHeight; y += rows) {
       const int32_t end = y + rows < kHeight ? y + rows : kHeight;
       const int32_t middle = 5 * rows;
@@ -448,6 +464,7 @@ TEST(random_calls_draw_as_without_a_cache) {
                             Q26_6::from_raw(random.between(0, 2048))};
       const auto glyph = static_cast<uint16_t>(random.below(6));
       const int32_t limit = options.bits == 4 ? 8 : 0;
+      cached.takes_blocks = random.below(2) == 0;
       CHECK(compare(cache, font, glyph, style, origin) <= limit);
       CHECK(cache.stats().bytes <= cache.stats().capacity);
     }

@@ -1,8 +1,8 @@
 // A cache of drawn glyphs, in RAM that the caller lends.
 //
 // Labels, lists and clocks draw the same few glyphs again and again. A glyph
-// that the cache holds is drawn without its outline, at 12 to 16 px in less
-// than a third of the time.
+// that the cache holds is drawn without its outline, at 12 to 16 px in a
+// quarter of the time.
 //
 //   alignas(8) static uint8_t ram[2048];  // ten digits of 32 px
 //   GlyphCache cache;

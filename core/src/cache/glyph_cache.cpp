@@ -2,6 +2,7 @@
 
 #include "base/math.hpp"
 #include "cache/glyph_store.hpp"
+#include "cache/playback.hpp"
 #include "cache/recording.hpp"
 #include "text/text_place.hpp"
 
@@ -9,7 +10,7 @@ namespace inkcell {
 
 using detail::CachedGlyph;
 using detail::GlyphStore;
-using detail::kMostRowBytes;
+using detail::kMostRowValues;
 using detail::max;
 using detail::min;
 using detail::most_row_bytes;
@@ -138,7 +139,7 @@ __attribute__((noinline)) const CachedGlyph* record(const Call& call,
   const int32_t width = box.x1 - box.x0;
   const int32_t rows = box.y1 - box.y0;
   const int32_t stride = width * call.packing.channels;
-  if (stride > kMostRowBytes || rows > kMostRows ||
+  if (stride > kMostRowValues || rows > kMostRows ||
       box.x0 != static_cast<int16_t>(box.x0) ||
       box.y0 != static_cast<int16_t>(box.y0)) {
     return nullptr;
@@ -204,11 +205,8 @@ void draw_kept(const Call& call,
                const Place& place) noexcept {
   const int32_t x = place.x + glyph.x0;
   const int32_t y = place.y + glyph.y0;
-  const Rect box = {x, y, x + glyph.width, y + glyph.rows};
-  if (!is_empty(intersect(box, call.sink.window))) {
-    detail::replay(call.store->begin_of(glyph), call.store->end_of(glyph),
-                   call.packing, x, y, call.sink);
-  }
+  detail::replay(call.store->begin_of(glyph), call.packing,
+                 {x, y, x + glyph.width, y + glyph.rows}, call.sink);
 }
 
 // Draws a glyph that is not held, and keeps it if it is not too large.
