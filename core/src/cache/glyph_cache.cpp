@@ -29,7 +29,7 @@ constexpr size_t kMostBytes = 65535;
 constexpr int32_t kMostRows = 255;
 
 // Rows that are drawn at once, if there is room for them.
-constexpr int32_t kRowsAtOnce = 8;
+constexpr int32_t kRowsAtOnce = 32;
 
 // One call of draw().
 struct Call {
@@ -209,10 +209,10 @@ void draw_kept(const Call& call,
                  {x, y, x + glyph.width, y + glyph.rows}, call.sink);
 }
 
-// Draws a glyph that is not held, and keeps it if it is not too large.
-__attribute__((noinline)) void draw_new(const Call& call,
-                                        uint32_t key,
-                                        const Place& place) noexcept {
+// Draws a glyph that is not held into an entry; null: it is too large for one
+// and was drawn, or it does not show.
+__attribute__((noinline)) const CachedGlyph* draw_new(
+    const Call& call, uint32_t key, const Place& place) noexcept {
   const auto glyph = static_cast<uint16_t>(key);
   if (call.store != nullptr) {
     const Point origin = place.origin(0, 0);
@@ -220,17 +220,17 @@ __attribute__((noinline)) void draw_new(const Call& call,
     const Rect shown = {box.x0 + place.x, box.y0 + place.y, box.x1 + place.x,
                         box.y1 + place.y};
     if (is_empty(box) || is_empty(intersect(shown, call.sink.window))) {
-      return;
+      return nullptr;
     }
     const CachedGlyph* const kept = record(call, key, origin, box);
     call.store->count_drawn(kept != nullptr);
     if (kept != nullptr) {
-      draw_kept(call, *kept, place);
-      return;
+      return kept;
     }
   }
   draw_glyph(call.font, glyph, call.style, place.origin(place.x, place.y),
              call.sink, call.workspace);
+  return nullptr;
 }
 
 void draw_placed(const Call& call,
@@ -239,13 +239,16 @@ void draw_placed(const Call& call,
   const Place place(placed, call.shift);
   const uint32_t key =
       call.slot << 28 | place.y_phase << 22 | place.x_phase << 16 | glyph;
-  const CachedGlyph* const held =
+  const CachedGlyph* held =
       call.store == nullptr ? nullptr : call.store->find(key);
-  if (held == nullptr) {
-    draw_new(call, key, place);
-    return;
+  if (held != nullptr) {
+    call.store->count_hit();
+  } else {
+    held = draw_new(call, key, place);
+    if (held == nullptr) {
+      return;
+    }
   }
-  call.store->count_hit();
   draw_kept(call, *held, place);
 }
 

@@ -30,6 +30,9 @@ class UnitScale {
   // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
   // nearest, so that whole pixels are met exactly.
   int64_t to_px_q10(int32_t units) const noexcept {
+    if (units == 0) {
+      return 0;  // most glyphs stand on the baseline
+    }
     return (clamp_to(units, kMaxUnits) * scale_ + (1 << 19)) >> 20;
   }
 
