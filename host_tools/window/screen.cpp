@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "image.hpp"
@@ -39,6 +40,12 @@ std::string key_name(const SDL_Keysym& key) {
   return before + name;
 }
 
+// ImGui sees states, once a frame: two changes in one frame would be lost.
+bool needs_frame(const SDL_Event& event) {
+  return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP ||
+         event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP;
+}
+
 }  // namespace
 
 Screen::Screen(const std::string& title) {
@@ -70,8 +77,9 @@ Screen::Screen(const std::string& title) {
 }
 
 Screen::Screen(int width, int height, float scale) {
+  // The format of windows, for which SDL rounds blends in another way.
   surface_ = SDL_CreateRGBSurfaceWithFormat(0, width, height, 32,
-                                            SDL_PIXELFORMAT_RGBA32);
+                                            SDL_PIXELFORMAT_RGB888);
   renderer_ =
       surface_ == nullptr ? nullptr : SDL_CreateSoftwareRenderer(surface_);
   if (renderer_ == nullptr) {
@@ -128,19 +136,46 @@ bool Screen::take_input(int wait_ms,
   }
   do {
     ImGui_ImplSDL2_ProcessEvent(&event);
+    follow_pointer(event);
     if (event.type == SDL_QUIT) {
       return false;
     }
     if (event.type == SDL_KEYDOWN && !ImGui::GetIO().WantTextInput) {
       on_key(key_name(event.key.keysym));
     }
-  } while (SDL_PollEvent(&event) != 0);
+  } while (!needs_frame(event) && SDL_PollEvent(&event) != 0);
   return true;
+}
+
+void Screen::follow_pointer(const SDL_Event& event) {
+  const auto place = [this](int x, int y) {
+    pointer_ = {static_cast<float>(x), static_cast<float>(y)};
+  };
+  if (event.type == SDL_MOUSEMOTION) {
+    place(event.motion.x, event.motion.y);
+  } else if (event.type == SDL_MOUSEBUTTONDOWN ||
+             event.type == SDL_MOUSEBUTTONUP) {
+    place(event.button.x, event.button.y);
+    const int button = event.button.button == SDL_BUTTON_LEFT     ? 0
+                       : event.button.button == SDL_BUTTON_RIGHT  ? 1
+                       : event.button.button == SDL_BUTTON_MIDDLE ? 2
+                                                                  : -1;
+    if (button >= 0) {
+      is_down_[button] = event.type == SDL_MOUSEBUTTONDOWN;
+    }
+  } else if (event.type == SDL_WINDOWEVENT &&
+             event.window.event == SDL_WINDOWEVENT_LEAVE &&
+             std::count(std::begin(is_down_), std::end(is_down_), true) == 0) {
+    pointer_ = {-FLT_MAX, -FLT_MAX};
+  }
 }
 
 void Screen::draw_frame(const std::function<void()>& panels) {
   if (window_ != nullptr) {
     ImGui_ImplSDL2_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = pointer_;
+    std::copy(std::begin(is_down_), std::end(is_down_), io.MouseDown);
   } else {
     ImGui::GetIO().DeltaTime = kFrameSeconds;
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <SDL.h>
+#include <imgui.h>
 
+#include <cfloat>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -26,7 +28,9 @@ class Screen {
 
   /// Waits for input up to `wait_ms` and hands it to ImGui; `on_key` gets keys
   /// named as SDL does, such as ctrl+shift+z, unless a text field has them.
-  /// False if the person closes the window.
+  /// Takes one press or release of a key or button at a time, so that each
+  /// gets a frame however slow frames are. False if the person closes the
+  /// window.
   bool take_input(int wait_ms,
                   const std::function<void(const std::string&)>& on_key);
 
@@ -38,6 +42,7 @@ class Screen {
 
  private:
   void begin_imgui(float scale);
+  void follow_pointer(const SDL_Event& event);
   void render();
 
   SDL_Window* window_ = nullptr;
@@ -45,6 +50,9 @@ class Screen {
   SDL_Renderer* renderer_ = nullptr;
   SDL_Texture* font_ = nullptr;
   std::unique_ptr<Textures> textures_;
+  // The pointer as of the last event that was taken, not as it is now.
+  ImVec2 pointer_ = {-FLT_MAX, -FLT_MAX};
+  bool is_down_[3] = {};  // as ImGui counts buttons
 };
 
 }  // namespace inkcell::tools

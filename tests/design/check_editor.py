@@ -119,8 +119,8 @@ def check_preview(editor, render):
                                  (20, "mono", ("--levels", "2")),
                                  (16, "lcd", ("--lcd", "rgb"))):
         editor.run("open P.ufo", "glyph a", "text Haa",
-                   f"preview {px} {display} dark", "save_preview p.ppm",
-                   "save_preview p.bin")
+                   f"preview {px} {display} dark", f"sizes {px}",
+                   "save_preview p.ppm", "save_preview p.bin")
         subprocess.run([render, "--font", "p.bin", "--text", "Haa", "--px",
                         str(px), *options, "--out", "r.ppm" if display == "lcd"
                         else "r.pgm"], cwd=editor.folder, check=True,

@@ -59,6 +59,7 @@ PointId point_of(const Line& line, size_t i) {
 Pointer pointer(const Line& line, size_t first) {
   Pointer pointer;
   pointer.at = {number(line, first), number(line, first + 1)};
+  pointer.reach = kReach / line.editor.view.scale;
   pointer.shift = std::find(line.words.begin(), line.words.end(), "shift") !=
                   line.words.end();
   pointer.twice = std::find(line.words.begin(), line.words.end(), "twice") !=
@@ -108,9 +109,19 @@ void set_tool(const Line& line) {
 void set_preview(const Line& line) {
   PreviewSettings& settings = line.editor.preview;
   settings.glyph_px = number(line, 0);
-  settings.text_px = {settings.glyph_px};
   settings.display = tools::display_of(word(line, 1));
   settings.dark = line.words.size() > 2 && line.words[2] == "dark";
+}
+
+void set_sizes(const Line& line) {
+  std::vector<double>& sizes = line.editor.preview.text_px;
+  sizes.clear();
+  for (size_t i = 0; i < line.words.size(); ++i) {
+    sizes.push_back(number(line, i));
+  }
+  if (sizes.empty()) {
+    throw Error("sizes are numbers of px/em");
+  }
 }
 
 void set_cells(const Line& line) {
@@ -161,6 +172,14 @@ void save(const Line& line) {
   }
 }
 
+Value view_value(const View& view) {
+  return {{"x", view.x},
+          {"y", view.y},
+          {"scale", view.scale},
+          {"width", view.width},
+          {"height", view.height}};
+}
+
 void print(const Line& line) {
   const Editor& editor = line.editor;
   const GlyphPointer glyph = editor.glyph();
@@ -174,6 +193,7 @@ void print(const Line& line) {
                         {"contours", contours},
                         {"components", glyph->components.size()},
                         {"selected", editor.selection.size()},
+                        {"view", view_value(editor.view)},
                         {"bytes", preview.glyph_bytes},
                         {"points", preview.glyph_points},
                         {"worst_error", preview.worst_error},
@@ -231,8 +251,12 @@ const std::vector<Command>& command_list() {
          l.editor.run(command);
        },
        true},
-      {{"preview", "PX DISPLAY [light|dark]", "choose the preview"},
+      {{"preview", "PX DISPLAY [light|dark]",
+        "choose the size of the glyph's preview, and the display"},
        set_preview,
+       true},
+      {{"sizes", "PX...", "choose the sizes of the preview's text"},
+       set_sizes,
        true},
       {{"text", "TEXT", "choose the preview's text"},
        [](const Line& l) { l.editor.preview.text = l.rest; },
@@ -241,7 +265,8 @@ const std::vector<Command>& command_list() {
        set_cells,
        true},
       {{"save_preview", "FILE.png|FILE.bin",
-        "write the text as the display shows it, or its font"},
+        "write the text as the display shows it, in the first of its sizes, or "
+        "its font"},
        save_preview,
        true},
       {{"print", "", "print the glyph and its figures as JSON"}, print, true},

@@ -34,9 +34,12 @@ struct ToolInfo {
 };
 const std::vector<ToolInfo>& tool_list();
 
+/// How far from the pointer things are hit. [px at scale 1]
+inline constexpr double kReach = 7;
+
 struct Pointer {
   Point at;          // [font units]
-  double reach = 6;  // how far from it things are hit [font units]
+  double reach = 0;  // kReach at the scale of the view [font units]
   bool shift = false;
   bool twice = false;  // the second press of a double click
 };

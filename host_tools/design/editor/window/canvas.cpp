@@ -8,7 +8,6 @@
 namespace inkcell::design::editor {
 namespace {
 
-constexpr double kReach = 7;  // [px]
 constexpr double kWheelStep = 1.15;
 
 // Beginning at this scale the grid of whole units is shown. [px per unit]
@@ -64,12 +63,15 @@ void take_pointer(Editor& editor, ImVec2 origin) {
     return;
   }
   const Pointer pointer = pointer_at(editor, origin);
+  const bool is_moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
+  const bool is_released = ImGui::IsItemDeactivated();
   attempt(editor, [&] {
     if (ImGui::IsItemActivated()) {
       editor.tool().press(editor, pointer);
-    } else if (is_held && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    } else if (is_moved && (is_held || is_released)) {
       editor.tool().drag(editor, pointer);
-    } else if (ImGui::IsItemDeactivated()) {
+    }
+    if (is_released) {
       editor.tool().release(editor, pointer);
     }
   });

@@ -104,7 +104,8 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
   }
   ImGui::SetNextItemWidth(px(520));
   const bool is_entered = ImGui::InputText(
-      "##path", &panels.dialog_path, ImGuiInputTextFlags_EnterReturnsTrue);
+      "##path", &panels.dialog_path,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (!dialog.endings.empty()) {
     draw_files(dialog, panels.dialog_path);
   }
@@ -115,7 +116,8 @@ void draw_dialog(Panels& panels, const Dialog& dialog) {
     ImGui::CloseCurrentPopup();
   }
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {px(110), 0})) {
+  if (ImGui::Button("Cancel", {px(110), 0}) ||
+      ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
     panels.dialog.clear();
     ImGui::CloseCurrentPopup();
   }

@@ -1,0 +1,206 @@
+"""Works in inkcell-editor's window with a pointer and keys, in Xvfb, and
+compares each picture, byte for byte, with that of a script doing the same.
+
+Usage: check_window.py INKCELL_EDITOR
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from xvfb import Display, wait
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+CHARS = "A,a,H,O"
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+WIDTH, HEIGHT = 1440, 900
+CANVAS = 284, 23          # upper left corner, at scale 1
+REST = 600, 850           # a place of the canvas where nothing is [px]
+MONO = 1100, 44           # the button of the display of 1 bit [px]
+SIZE = 1140, 74           # the field of the glyph's size [px]
+SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
+
+
+def run_script(folder, *lines):
+    """What the lines print."""
+    script = pathlib.Path(folder) / "script.txt"
+    script.write_text("\n".join(lines) + "\n")
+    done = subprocess.run([PROGRAM, "--script", script], cwd=folder, text=True,
+                          capture_output=True, check=False)
+    if done.returncode != 0:
+        raise AssertionError(f"{lines}: {done.stderr}")
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def picture(path):
+    """The pixels of a PPM of the window's size."""
+    return path.read_bytes()[-3 * WIDTH * HEIGHT:]
+
+
+def canvas_place(report, point):
+    """The pixel next to a point, and the point where this pixel is."""
+    view = report["view"]
+    scale, half = view["scale"], (view["width"] / 2, view["height"] / 2)
+    x = round(CANVAS[0] + half[0] + (point[0] - view["x"]) * scale)
+    y = round(CANVAS[1] + half[1] - (point[1] - view["y"]) * scale)
+    return (x, y), (view["x"] + (x - CANVAS[0] - half[0]) / scale,
+                    view["y"] - (y - CANVAS[1] - half[1]) / scale)
+
+
+class Session:
+    """The same steps by a script and by events."""
+
+    def __init__(self, font):
+        self.opening = [f"open {FONT} P.ufo {CHARS}", "screenshot 0.ppm"]
+        self.steps = []  # name, lines of the script, events
+        self.font = font
+
+    def add(self, name, lines, *events):
+        self.steps.append((name, lines, events))
+
+    def drag(self, name, report, places):
+        """Presses at the first place, moves to the others, releases."""
+        places = [canvas_place(report, place) for place in places]
+        (x, y), at = places[0]
+        self.add(f"{name}: press", [f"press {at[0]!r} {at[1]!r}"],
+                 ("mousemove", x, y), ("mousedown", 1))
+        for i, ((x, y), at) in enumerate(places[1:]):
+            self.add(f"{name}: move {i}", [f"move {at[0]!r} {at[1]!r}"],
+                     ("mousemove", x, y))
+        self.add(f"{name}: release", [f"release {at[0]!r} {at[1]!r}"],
+                 ("mouseup", 1))
+
+    def key(self, name, key, line):
+        self.add(name, [f"key {line}"], ("key", key))
+
+    def run_script(self, folder):
+        lines = list(self.opening)
+        for i, (_, more, _) in enumerate(self.steps):
+            lines += more + [f"screenshot {i + 1}.ppm"]
+        return run_script(folder, *lines, *self.font)
+
+
+class Window:
+    def __init__(self, display, folder, *arguments):
+        self.display = display
+        self.process = subprocess.Popen([PROGRAM, *arguments], cwd=folder,
+                                        env=display.environment)
+        display.send("mousemove", *REST)
+        display.focus("Inkcell")
+
+    def wait_for(self, expected, name):
+        """Until the screen is this picture."""
+        try:
+            wait(lambda: self.display.pixels() == expected, name)
+        except AssertionError as error:
+            raise AssertionError(f"{error}: {self.difference(expected)}"
+                                 ) from None
+
+    def difference(self, expected):
+        seen = self.display.pixels()
+        wrong = [i // 3 for i in range(0, len(expected), 3)
+                 if seen[i:i + 3] != expected[i:i + 3]]
+        columns = [i % WIDTH for i in wrong]
+        return (f"{len(wrong)} pixels differ, in columns {min(columns)} to "
+                f"{max(columns)}, rows {wrong[0] // WIDTH} to "
+                f"{wrong[-1] // WIDTH}")
+
+    def export(self, folder, name):
+        """Types a name over the one that the dialog proposes."""
+        self.display.send("key", "ctrl+e")
+        wait(lambda: SELECTED_TEXT in self.display.pixels(),
+             "the name that Export proposes is not selected")
+        self.display.send("type", name)
+        self.display.send("key", "Return")
+        wait((folder / name).exists, f"{name} is not there")
+
+
+class WindowTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        root = pathlib.Path(temporary.name)
+        self.scripted, self.live, screen = (root / name for name in
+                                            ("scripted", "live", "screen"))
+        for folder in (self.scripted, self.live, screen):
+            folder.mkdir()
+        self.display = Display(screen, WIDTH, HEIGHT, 96)
+        self.addCleanup(self.display.close)
+
+    def start(self, *arguments):
+        window = Window(self.display, self.live, *arguments)
+        self.addCleanup(window.process.wait)
+        self.addCleanup(window.process.kill)
+        return window
+
+    def reports(self):
+        """The glyphs a and O as the window shows them first."""
+        with tempfile.TemporaryDirectory() as folder:
+            return run_script(folder, f"open {FONT} P.ufo {CHARS}",
+                              "screenshot 0.ppm", "glyph a", "print",
+                              "glyph O", "print")
+
+    def test_font_is_edited_saved_and_exported(self):
+        letter, empty = self.reports()
+        steps = Session(["export Mine.ttf", "export Mine.bin"])
+        for glyph in "HOa":
+            steps.key(f"glyph {glyph}", "Next", "pagedown")
+        x, y = letter["contours"][0][3][:2]
+        steps.drag("point", letter, [(x, y), (x - 20, y + 10), (x - 60, y)])
+        steps.key("undo", "ctrl+z", "ctrl+z")
+        steps.key("redo", "ctrl+y", "ctrl+y")
+        steps.add("1 bit, 12 px", ["preview 12 mono dark"],
+                  ("mousemove", *MONO), ("click", 1), ("mousemove", *SIZE),
+                  ("click", "--repeat", 2, "--delay", 60, 1), ("type", "12"),
+                  ("key", "Return"), ("mousemove", *REST))
+        steps.key("glyph O", "Prior", "pageup")
+        steps.key("all points", "ctrl+a", "ctrl+a")
+        steps.key("no points", "Delete", "delete")
+        steps.key("stroke tool", "b", "b")
+        steps.drag("stroke", empty, [(300, 100), (500, 700), (800, 900),
+                                     (1100, 300)])
+        steps.key("save", "ctrl+s", "ctrl+s")
+        steps.run_script(self.scripted)
+        window = self.start(FONT, "--project", "P.ufo", "--chars", CHARS)
+        window.wait_for(picture(self.scripted / "0.ppm"), "opened")
+        for i, (name, _, events) in enumerate(steps.steps):
+            for event in events:
+                self.display.send(*event)
+            window.wait_for(picture(self.scripted / f"{i + 1}.ppm"), name)
+        for name in ("Mine.ttf", "Mine.bin"):
+            window.export(self.live, name)
+            self.assertEqual((self.live / name).read_bytes(),
+                             (self.scripted / name).read_bytes(), name)
+        self.display.send("key", "ctrl+q")
+        self.assertEqual(window.process.wait(timeout=20), 0)
+
+    def test_killed_window_loses_nothing(self):
+        letter, _ = self.reports()
+        run_script(self.live, f"open {FONT} P.ufo {CHARS}", "glyph a", "save")
+        window = self.start("P.ufo")
+        for _ in "HOa":
+            self.display.send("key", "Next")
+        journal = self.live / "P.ufo.journal"
+        size = wait(lambda: journal.exists() and journal.stat().st_size,
+                    "there is no journal")
+        (x, y), _ = canvas_place(letter, letter["contours"][0][3])
+        for step in range(3):
+            self.display.send("mousemove", x + 12 * step, y, "mousedown", 1,
+                              "mousemove", x + 12 * (step + 1), y, "mouseup", 1)
+            size = wait(lambda: journal.stat().st_size > size and
+                        journal.stat().st_size, "a drag is not in the journal")
+        # A fourth drag is under way.
+        self.display.send("mousemove", x + 36, y, "mousedown", 1,
+                          "mousemove", x + 90, y)
+        window.process.kill()
+        window.process.wait()
+        report, = run_script(self.live, "open P.ufo", "glyph a", "print")
+        self.assertIn("Recovered 3 changes", report["message"])
+        moved = report["contours"][0][3][0] - letter["contours"][0][3][0]
+        self.assertEqual(moved, 3 * round(12 / letter["view"]["scale"]))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
