@@ -113,6 +113,60 @@ def check_tools(editor):
     expect(parts["components"] == 1, "component")
 
 
+def check_clipboard(editor):
+    """Copies within a glyph and between glyphs."""
+    before, twice, pasted, gone = editor.run(
+        "open P.ufo", "glyph H", "print", "select 0", "key ctrl+a",
+        "key ctrl+d", "print", "key ctrl+z", "key ctrl+a", "key ctrl+x",
+        "glyph a", "key ctrl+v", "print", "glyph H", "print")
+    old, new = before["contours"][0], twice["contours"][1]
+    expect([(b[0] - a[0], b[1] - a[1]) for a, b in zip(old, new)] ==
+           [(41, -41)] * len(old), f"duplicate: {old} became {new}")
+    expect(twice["selected"] == len(old), "the duplicate is not selected")
+    expect(pasted["contours"][-1] == old and not gone["contours"],
+           f"paste: {pasted['contours'][-1]}, left {gone['contours']}")
+    part, = editor.run("open P.ufo", "key ctrl+z", "glyph a", "key ctrl+z",
+                       "select 3 6", "key ctrl+c", "key ctrl+v", "print",
+                       "key ctrl+z")
+    contour = part["contours"][-1]
+    expect([point[2] for point in contour] == ["move", "offcurve",
+                                                 "offcurve", "qcurve"],
+           f"a part of a contour: {contour}")
+
+
+def check_levels(editor):
+    """Guides, snapping, alignment, lines that become curves."""
+    free, level, guided, moved, aligned, curved = editor.run(
+        "open P.ufo", "glyph H", "key ctrl+a", "key delete", "tool Rectangle",
+        "press 100 0", "move 400 500", "release 400 500", "tool Rectangle",
+        "press 600 3", "move 900 700", "release 900 700", "tool Select",
+        "press 400 500", "move 497 703 free", "release 497 703", "print",
+        "press 497 703", "move 400 703", "release 400 703", "print",
+        'do {"do": "add_guideline", "x": 450}', "press 400 700", "move 447 650",
+        "release 447 650", "print", "press 450 -300", "move 350 -300",
+        "release 350 -300", "print", "select 4 5 6 7", "select 0 4",
+        "key ctrl+shift+a", "print", "press 250 2 alt", "release 250 2",
+        "print")
+    point = points_of(free)[2]
+    expect(point[:2] == [497, 703], f"without snapping: {point}")
+    point = points_of(level)[2]
+    expect(point[:2] == [400, 700], f"level with a neighbour: {point}")
+    point = points_of(guided)[2]
+    expect(point[:2] == [450, 650], f"on a guide: {point}")
+    expect(moved["guides"] == [{"x": 350}], f"guides: {moved['guides']}")
+    expect({points_of(aligned)[i][1] for i in (0, 4)} == {2},
+           f"aligned: {points_of(aligned)}")
+    kinds = [point[2] for point in curved["contours"][0]]
+    expect(kinds.count("curve") == 1 and kinds.count("offcurve") == 2,
+           f"a line becomes a curve: {curved['contours'][0]}")
+
+
+def check_latency(editor):
+    times, = editor.run("open P.ufo", "glyph a", "sizes 12 48", "latency 3")
+    expect(all(0 < times[what]["median_ms"] <= times[what]["worst_ms"]
+               for what in ("drag", "device", "stroke")), f"latency: {times}")
+
+
 def check_preview(editor, render):
     """The pixels of the preview are those of inkcell-render."""
     for px, display, options in ((12, "mono", ("--levels", "2")),
@@ -178,6 +232,9 @@ def main():
         check_edits(editor)
         check_points(editor)
         check_tools(editor)
+        check_clipboard(editor)
+        check_levels(editor)
+        check_latency(editor)
         check_preview(editor, render)
         check_screenshots(editor)
         check_errors(editor)

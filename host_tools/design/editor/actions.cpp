@@ -1,14 +1,17 @@
 #include "editor/actions.hpp"
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "editor/clipboard.hpp"
 #include "editor/edits.hpp"
 
 namespace inkcell::design::editor {
 namespace {
 
 constexpr double kZoomStep = 1.25;
+constexpr double kDuplicateStep = 0.02;  // [em]
 
 void run_unless_null(Editor& editor, Value command) {
   if (!command.is_null()) {
@@ -29,6 +32,11 @@ void nudge(Editor& editor, double dx, double dy) {
 }
 
 void delete_selection(Editor& editor) {
+  if (editor.guide) {
+    editor.run({{"do", "delete_guideline"}, {"guideline", *editor.guide}});
+    editor.guide.reset();
+    return;
+  }
   if (editor.component) {
     editor.run({{"do", "delete_component"}, {"component", *editor.component}});
     return;
@@ -39,18 +47,53 @@ void delete_selection(Editor& editor) {
 }
 
 void select_all(Editor& editor) {
-  const GlyphPointer glyph = editor.glyph();
-  for (size_t c = 0; c < glyph->contours.size(); ++c) {
-    for (size_t p = 0; p < glyph->contours[c].points.size(); ++p) {
-      editor.selection.insert({c, p});
-    }
+  for (size_t c = 0; c < editor.glyph()->contours.size(); ++c) {
+    editor.select_contour(c);
   }
 }
 
 void escape(Editor& editor) {
   editor.tool().cancel(editor);
-  editor.selection.clear();
-  editor.component.reset();
+  editor.select_nothing();
+}
+
+// False if there is nothing to copy.
+bool copy(Editor& editor) {
+  const std::string text = copy_of(editor);
+  if (text.empty()) {
+    return false;
+  }
+  editor.clipboard.write(text);
+  return true;
+}
+
+void cut(Editor& editor) {
+  const bool is_selected = editor.component || !editor.selection.empty();
+  if (is_selected && copy(editor)) {
+    delete_selection(editor);
+  }
+}
+
+void duplicate(Editor& editor) {
+  const std::string text = copy_of(editor);
+  if (!text.empty()) {
+    const double step =
+        std::round(kDuplicateStep * editor.project().units_per_em());
+    paste(editor, text, step, -step);
+  }
+}
+
+// Through the first selected point, or the middle of the view.
+void add_guide(Editor& editor, bool is_upright) {
+  Point at = {editor.view.x, editor.view.y};
+  if (!editor.selection.empty()) {
+    const PointId id = *editor.selection.begin();
+    const GlyphPoint& point =
+        editor.glyph()->contours[id.contour].points[id.point];
+    at = {point.x, point.y};
+  }
+  editor.run({{"do", "add_guideline"},
+              {is_upright ? "x" : "y", std::round(is_upright ? at.x : at.y)}});
 }
 
 void reverse_selected(Editor& editor) {
@@ -77,6 +120,11 @@ std::vector<Action> make_list() {
       {"Save", "ctrl+s", [](Editor& e) { e.save(); }},
       {"Undo", "ctrl+z", [](Editor& e) { e.undo(); }},
       {"Redo", "ctrl+y ctrl+shift+z", [](Editor& e) { e.redo(); }},
+      {"Cut", "ctrl+x", cut},
+      {"Copy", "ctrl+c", [](Editor& e) { copy(e); }},
+      {"Paste", "ctrl+v",
+       [](Editor& e) { paste(e, e.clipboard.read(), 0, 0); }},
+      {"Duplicate", "ctrl+d", duplicate},
       {"Delete", "delete backspace", delete_selection},
       {"Select all", "ctrl+a", select_all},
       {"Select none", "escape", escape},
@@ -86,6 +134,12 @@ std::vector<Action> make_list() {
            run_unless_null(e, toggle_smooth(*e.glyph(), *e.selection.begin()));
          }
        }},
+      {"Align points", "ctrl+shift+a",
+       [](Editor& e) {
+         run_unless_null(e, align_points(*e.glyph(), e.selection));
+       }},
+      {"Horizontal guide", "g", [](Editor& e) { add_guide(e, false); }},
+      {"Vertical guide", "shift+g", [](Editor& e) { add_guide(e, true); }},
       {"Reverse contours", "", reverse_selected},
       {"Round to whole units", "",
        [](Editor& e) {
@@ -102,6 +156,8 @@ std::vector<Action> make_list() {
       {"Zoom out", "-", [](Editor& e) { zoom(e, 1 / kZoomStep); }},
       {"Dark display", "d",
        [](Editor& e) { e.preview.dark = !e.preview.dark; }},
+      {"Other layers", "shift+l",
+       [](Editor& e) { e.shows_layers = !e.shows_layers; }},
       {"Cells", "c",
        [](Editor& e) {
          Cells& cells = e.preview.cells;

@@ -32,7 +32,8 @@ tools::Image draw_on_display(const std::vector<uint8_t>& rom,
                              const std::string& text,
                              double px,
                              Display display,
-                             bool dark) {
+                             bool dark,
+                             const GlyphPainter& paint) {
   const tools::RomFile file(rom, "preview");
   const Font& font = file.font();
   tools::LookOptions options;
@@ -51,8 +52,14 @@ tools::Image draw_on_display(const std::vector<uint8_t>& rom,
     paper.fill(dark ? kBlack : kWhite);
     const Sink& sink = paper.with(dark ? kWhite : kBlack);
     for (const tools::Line& line : lines) {
-      draw(font, {line.glyphs.data(), line.glyphs.size()}, look.style(), origin,
-           sink);
+      if (!paint) {
+        draw(font, {line.glyphs.data(), line.glyphs.size()}, look.style(),
+             origin, sink);
+        continue;
+      }
+      for (const PositionedGlyph& glyph : line.glyphs) {
+        paint(glyph, look.style(), origin, sink);
+      }
     }
   });
   return memory.picture();

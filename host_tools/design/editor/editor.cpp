@@ -82,7 +82,11 @@ std::string NibSettings::text() const {
   return buffer;
 }
 
-Editor::Editor() : tool_(make_tool(tool_kind_)) {}
+Editor::Editor() : tool_(make_tool(tool_kind_)) {
+  const auto kept = std::make_shared<std::string>();
+  clipboard.read = [kept] { return *kept; };
+  clipboard.write = [kept](const std::string& text) { *kept = text; };
+}
 
 Editor::~Editor() = default;
 
@@ -163,8 +167,7 @@ void Editor::show(const std::string& glyph) {
   }
   tool_->cancel(*this);
   glyph_ = name;
-  selection.clear();
-  component.reset();
+  select_nothing();
   fit_view();
 }
 
@@ -239,8 +242,7 @@ bool Editor::redo() {
 void Editor::drop_lost_selection() {
   const GlyphPointer now = project().find(glyph_);
   if (now == nullptr) {
-    selection.clear();
-    component.reset();
+    select_nothing();
     return;
   }
   for (auto id = selection.begin(); id != selection.end();) {
@@ -250,6 +252,22 @@ void Editor::drop_lost_selection() {
   }
   if (component && *component >= now->components.size()) {
     component.reset();
+  }
+  if (guide && *guide >= now->guidelines.size()) {
+    guide.reset();
+  }
+}
+
+void Editor::select_nothing() {
+  selection.clear();
+  component.reset();
+  guide.reset();
+}
+
+void Editor::select_contour(size_t contour) {
+  const size_t count = glyph()->contours[contour].points.size();
+  for (size_t point = 0; point < count; ++point) {
+    selection.insert({contour, point});
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -54,6 +55,12 @@ struct NibSettings {
   std::string text() const;
 };
 
+/// Where copies go: of the program alone unless a window sets it.
+struct Clipboard {
+  std::function<std::string()> read;
+  std::function<void(const std::string&)> write;
+};
+
 class Editor {
  public:
   Editor();
@@ -73,6 +80,10 @@ class Editor {
   /// Only if is_open().
   const Session& session() const { return *session_; }
   const Project& project() const { return session_->project(); }
+
+  void select_nothing();
+  /// Selects all points of a contour, besides those that are.
+  void select_contour(size_t contour);
 
   /// Shows a glyph by its name or its character. Throws Error.
   void show(const std::string& glyph);
@@ -105,9 +116,12 @@ class Editor {
 
   Selection selection;
   std::optional<size_t> component;  // the selected one
+  std::optional<size_t> guide;      // likewise
+  Clipboard clipboard;
   View view;
   NibSettings nib;
   PreviewSettings preview;
+  bool shows_layers = true;  // those beside the default one, behind it
   std::string message;
 
  private:

@@ -204,6 +204,64 @@ Value delete_points(const Glyph& glyph, const Selection& selection) {
   return commands.empty() ? Value() : batch(std::move(commands));
 }
 
+Value align_points(const Glyph& glyph, const Selection& selection) {
+  Selection points;
+  for (const PointId id : selection) {
+    if (glyph.contours[id.contour].points[id.point].on_curve()) {
+      points.insert(id);
+    }
+  }
+  if (points.size() < 2) {
+    return nullptr;
+  }
+  Point low = {INFINITY, INFINITY};
+  Point high = {-INFINITY, -INFINITY};
+  Point sum;
+  for (const PointId id : points) {
+    const GlyphPoint& p = glyph.contours[id.contour].points[id.point];
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    sum = {sum.x + p.x, sum.y + p.y};
+  }
+  const bool is_upright = high.x - low.x < high.y - low.y;
+  const auto count = static_cast<double>(points.size());
+  const double mean = std::round((is_upright ? sum.x : sum.y) / count);
+  std::vector<Value> commands;
+  for (const PointId id : points) {
+    const GlyphPoint& p = glyph.contours[id.contour].points[id.point];
+    const double dx = is_upright ? mean - p.x : 0;
+    const double dy = is_upright ? 0 : mean - p.y;
+    if (dx != 0 || dy != 0) {
+      commands.push_back(move_selection(glyph, {id}, dx, dy));
+    }
+  }
+  return commands.empty() ? Value() : batch(std::move(commands));
+}
+
+Value curve_line(const Glyph& glyph, PointId id) {
+  const PointContour& contour = glyph.contours[id.contour];
+  const GlyphPoint& to = contour.points[id.point];
+  const auto before = neighbour(contour, id.point, false);
+  if (to.type != PointType::line || !before) {
+    return nullptr;
+  }
+  const GlyphPoint& from = contour.points[*before];
+  const auto handle = [&](double part) -> Value {
+    return {std::round(from.x + part * (to.x - from.x)),
+            std::round(from.y + part * (to.y - from.y)), "offcurve"};
+  };
+  // Handles of the first point stand at the end.
+  const size_t at = id.point == 0 ? contour.points.size() : id.point;
+  return batch({{{"do", "set_point"},
+                 {"contour", id.contour},
+                 {"point", id.point},
+                 {"type", "curve"}},
+                {{"do", "insert_points"},
+                 {"contour", id.contour},
+                 {"at", at},
+                 {"points", {handle(1.0 / 3), handle(2.0 / 3)}}}});
+}
+
 Value toggle_smooth(const Glyph& glyph, PointId id) {
   const PointContour& contour = glyph.contours[id.contour];
   const GlyphPoint& point = contour.points[id.point];

@@ -22,6 +22,14 @@ Value move_selection(const Glyph& glyph,
 /// stands for two; contours with less than two points on the curve go.
 Value delete_points(const Glyph& glyph, const Selection& selection);
 
+/// Gives the selected points one height or one abscissa, their mean, whichever
+/// they are nearer to. Handles go along. Null for less than two points.
+Value align_points(const Glyph& glyph, const Selection& selection);
+
+/// The line that ends at the point `id` becomes a cubic of the same shape. Null
+/// if no line ends there.
+Value curve_line(const Glyph& glyph, PointId id);
+
 /// A point of a curve becomes smooth, its handles in one line; or a corner.
 Value toggle_smooth(const Glyph& glyph, PointId id);
 

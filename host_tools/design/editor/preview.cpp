@@ -100,6 +100,7 @@ PreviewJob make_job(const Project& project,
 
 Preview draw_preview(const PreviewJob& job) {
   Preview preview;
+  preview.glyph_name = job.glyph;
   const auto begin = std::chrono::steady_clock::now();
   try {
     const gen::RomFont font = make_rom(job.project, {});

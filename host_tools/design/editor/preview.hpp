@@ -2,12 +2,15 @@
 // the sinks of the displays.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "display.hpp"
 #include "image.hpp"
+#include "inkcell/text.hpp"
+#include "inkcell/text_style.hpp"
 #include "model/project.hpp"
 #include "target/target.hpp"
 
@@ -52,6 +55,8 @@ struct TextPicture {
 
 struct Preview {
   std::string error;  // why there is nothing else
+  std::string glyph_name;
+  bool is_exact = false;  // pictures only: exact_preview.hpp
   std::vector<uint8_t> rom;
   size_t glyph_bytes = 0;
   size_t glyph_points = 0;
@@ -72,12 +77,19 @@ PreviewJob make_job(const Project& project,
 /// Does the work. What goes wrong is said in `error`.
 Preview draw_preview(const PreviewJob& job);
 
+/// Draws one glyph of a line that begins at `origin`.
+using GlyphPainter = std::function<void(const PositionedGlyph& glyph,
+                                        const TextStyle& style,
+                                        inkcell::Point origin,
+                                        const Sink& sink)>;
+
 /// Draws a line of text as a display shows it: colours as they reach the eye,
-/// 3 channels. Throws std::runtime_error.
+/// 3 channels. `paint`, if given, draws the glyphs. Throws std::runtime_error.
 tools::Image draw_on_display(const std::vector<uint8_t>& rom,
                              const std::string& text,
                              double px,
                              Display display,
-                             bool dark);
+                             bool dark,
+                             const GlyphPainter& paint = {});
 
 }  // namespace inkcell::design::editor

@@ -8,11 +8,15 @@
 
 #include "app/output.hpp"
 #include "editor/actions.hpp"
+#include "editor/latency.hpp"
+#include "editor/report.hpp"
 #include "model/error.hpp"
 #include "stroke/nib.hpp"
 
 namespace inkcell::design::editor {
 namespace {
+
+constexpr int kMostRuns = 1000;
 
 using Words = std::vector<std::string>;
 
@@ -60,10 +64,14 @@ Pointer pointer(const Line& line, size_t first) {
   Pointer pointer;
   pointer.at = {number(line, first), number(line, first + 1)};
   pointer.reach = kReach / line.editor.view.scale;
-  pointer.shift = std::find(line.words.begin(), line.words.end(), "shift") !=
-                  line.words.end();
-  pointer.twice = std::find(line.words.begin(), line.words.end(), "twice") !=
-                  line.words.end();
+  const auto has = [&line](const char* word) {
+    return std::find(line.words.begin(), line.words.end(), word) !=
+           line.words.end();
+  };
+  pointer.shift = has("shift");
+  pointer.alt = has("alt");
+  pointer.free = has("free");
+  pointer.twice = has("twice");
   return pointer;
 }
 
@@ -90,6 +98,7 @@ void drag(const Line& line) {
   const Point to = {point.x + at.at.x, point.y + at.at.y};
   line.editor.set_tool(ToolKind::select);
   at.at = {point.x, point.y};
+  at.free = true;
   line.editor.tool().press(line.editor, at);
   at.at = to;
   line.editor.tool().drag(line.editor, at);
@@ -172,33 +181,25 @@ void save(const Line& line) {
   }
 }
 
-Value view_value(const View& view) {
-  return {{"x", view.x},
-          {"y", view.y},
-          {"scale", view.scale},
-          {"width", view.width},
-          {"height", view.height}};
+void print(const Line& line) {
+  std::printf("%s\n", report_of(line.editor, preview_of(line)).dump().c_str());
 }
 
-void print(const Line& line) {
-  const Editor& editor = line.editor;
-  const GlyphPointer glyph = editor.glyph();
-  Value contours = Value::array();
-  for (const PointContour& contour : glyph->contours) {
-    contours.push_back(contour_value(contour));
+void try_line(const Line& line) {
+  try {
+    run_script_line(line.editor, line.rest, line.screenshot);
+  } catch (const std::exception& error) {
+    line.editor.message = error.what();
   }
-  const Preview preview = preview_of(line);
-  const Value report = {{"glyph", glyph->name},
-                        {"width", glyph->width},
-                        {"contours", contours},
-                        {"components", glyph->components.size()},
-                        {"selected", editor.selection.size()},
-                        {"view", view_value(editor.view)},
-                        {"bytes", preview.glyph_bytes},
-                        {"points", preview.glyph_points},
-                        {"worst_error", preview.worst_error},
-                        {"cells", preview.cells.size()},
-                        {"message", editor.message}};
+}
+
+void print_latencies(const Line& line) {
+  const double runs = number(line, 0);
+  if (!(runs >= 1 && runs <= kMostRuns)) {
+    throw Error("runs are 1 to " + std::to_string(kMostRuns));
+  }
+  const Value report =
+      report_of(measure_latencies(line.editor, static_cast<int>(runs)));
   std::printf("%s\n", report.dump().c_str());
 }
 
@@ -219,7 +220,9 @@ const std::vector<Command>& command_list() {
       {{"select", "POINT...", "select points, counted through all contours"},
        select,
        true},
-      {{"drag", "POINT DX DY [shift]", "drag a point"}, drag, true},
+      {{"drag", "POINT DX DY [shift]", "drag a point, which does not snap"},
+       drag,
+       true},
       {{"key", "KEY", "press a key: ctrl+z, shift+left, delete, v"},
        [](const Line& l) {
          if (!press_key(l.editor, word(l, 0))) {
@@ -230,10 +233,11 @@ const std::vector<Command>& command_list() {
       {{"tool", "NAME", "choose a tool, as the window names it"},
        set_tool,
        true},
-      {{"press", "X Y [shift] [twice]", "press the pointer, in font units"},
+      {{"press", "X Y [shift] [alt] [twice]",
+        "press the pointer, in font units"},
        [](const Line& l) { l.editor.tool().press(l.editor, pointer(l, 0)); },
        true},
-      {{"move", "X Y [shift]", "move the pressed pointer"},
+      {{"move", "X Y [shift] [free]", "move the pressed pointer"},
        [](const Line& l) { l.editor.tool().drag(l.editor, pointer(l, 0)); },
        true},
       {{"release", "X Y", "release the pointer"},
@@ -242,6 +246,9 @@ const std::vector<Command>& command_list() {
       {{"nib", "ellipse:W,H,ANGLE", "choose the nib of the Stroke tool"},
        set_nib,
        true},
+      {{"try", "LINE", "carry out a line; what is wrong becomes the message"},
+       try_line,
+       false},
       {{"do", "COMMAND", "carry out a command of the design library"},
        [](const Line& l) {
          const Value command = Value::parse(l.rest, nullptr, false);
@@ -270,6 +277,10 @@ const std::vector<Command>& command_list() {
        save_preview,
        true},
       {{"print", "", "print the glyph and its figures as JSON"}, print, true},
+      {{"latency", "RUNS",
+        "print how long a drag, the device's preview and a stroke take"},
+       print_latencies,
+       true},
       {{"screenshot", "FILE.png", "write a picture of the window"},
        [](const Line& l) { l.screenshot(l.editor, word(l, 0)); },
        true},

@@ -12,6 +12,9 @@ namespace {
 constexpr int kSteps = 48;
 constexpr int kHalvings = 40;
 
+// Of a line that should be level, at most. [1 degree]
+constexpr double kNearlyLevel = 0.0175;
+
 size_t last_of(const gen::Segment& segment) {
   switch (segment.kind) {
     case gen::Segment::Kind::line:
@@ -120,6 +123,13 @@ std::vector<gen::Segment> segments_of(const PointContour& contour) {
     segments.pop_back();
   }
   return segments;
+}
+
+bool is_nearly_level(Point a, Point b) {
+  const double dx = std::abs(b.x - a.x);
+  const double dy = std::abs(b.y - a.y);
+  const double off = std::min(dx, dy);
+  return off > 0 && off < kNearlyLevel * std::max(dx, dy);
 }
 
 Point point_at(const gen::Segment& segment, double t) {

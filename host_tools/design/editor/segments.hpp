@@ -14,6 +14,9 @@ using gen::Point;
 /// The curves of a contour, in font units. Those of an open one are not closed.
 std::vector<gen::Segment> segments_of(const PointContour& contour);
 
+/// Whether a line is almost, but not quite, horizontal or vertical.
+bool is_nearly_level(Point a, Point b);
+
 Point point_at(const gen::Segment& segment, double t);
 
 /// Both parts of `segment`, divided at `t`.

@@ -1,13 +1,18 @@
 // Selecting and dragging of points, edges and components.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "editor/edits.hpp"
 #include "editor/segments.hpp"
+#include "editor/snapping.hpp"
 #include "editor/tool.hpp"
 
 namespace inkcell::design::editor {
 namespace {
+
+// Of the pointer's reach within which points snap.
+constexpr double kSnapPart = 0.6;
 
 double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -30,6 +35,23 @@ std::optional<PointId> point_near(const Glyph& glyph, const Pointer& pointer) {
     }
   }
   return best;
+}
+
+// The point that a line ends at.
+std::optional<PointId> end_of_line(const Glyph& glyph, const OnCurve& place) {
+  const PointContour& contour = glyph.contours[place.contour];
+  const gen::Segment segment = segments_of(contour)[place.segment];
+  const size_t count = contour.points.size();
+  for (size_t p = 0; p < count; ++p) {
+    const GlyphPoint& to = contour.points[p];
+    const GlyphPoint& from = contour.points[(p + count - 1) % count];
+    if (to.type == PointType::line && to.x == segment.p[1].x &&
+        to.y == segment.p[1].y && from.x == segment.p[0].x &&
+        from.y == segment.p[0].y) {
+      return PointId{place.contour, p};
+    }
+  }
+  return std::nullopt;
 }
 
 // Points of the contour at the ends and handles of a segment.
@@ -65,22 +87,49 @@ std::optional<size_t> component_at(const Editor& editor, Point at) {
   return std::nullopt;
 }
 
+std::optional<size_t> guide_near(const Glyph& glyph, const Pointer& pointer) {
+  for (size_t i = 0; i < glyph.guidelines.size(); ++i) {
+    const gen::Segment line = line_of(glyph.guidelines[i]);
+    const double dx = line.p[1].x - line.p[0].x;
+    const double dy = line.p[1].y - line.p[0].y;
+    if (std::abs(dx * (pointer.at.y - line.p[0].y) -
+                 dy * (pointer.at.x - line.p[0].x)) <
+        pointer.reach * std::hypot(dx, dy)) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string place_text(double x, double y) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%g, %g", x, y);
+  return text;
+}
+
 class SelectTool : public Tool {
  public:
   void press(Editor& editor, const Pointer& pointer) override {
     start_ = pointer.at;
+    levels_.clear();
+    label_.reset();
     state_ = State::points;
     const GlyphPointer glyph = editor.glyph();
     if (const auto hit = point_near(*glyph, pointer)) {
       press_point(editor, pointer, *hit);
       return;
     }
+    editor.guide.reset();
     editor.component = component_at(editor, pointer.at);
     if (const auto edge = nearest_on_curve(*glyph, pointer.at, pointer.reach)) {
-      editor.selection = points_of(*glyph, *edge);
+      press_edge(editor, pointer, *edge);
     } else if (editor.component) {
       editor.selection.clear();
       state_ = State::component;
+    } else if (const auto guide = guide_near(*glyph, pointer)) {
+      editor.selection.clear();
+      editor.guide = guide;
+      state_ = State::guide;
     } else {
       if (!pointer.shift) {
         editor.selection.clear();
@@ -94,16 +143,23 @@ class SelectTool : public Tool {
   void drag(Editor& editor, const Pointer& pointer) override {
     double dx = std::round(pointer.at.x - start_.x);
     double dy = std::round(pointer.at.y - start_.y);
+    const bool is_flat = std::abs(dx) >= std::abs(dy);
     if (pointer.shift) {
-      (std::abs(dx) < std::abs(dy) ? dx : dy) = 0;
+      (is_flat ? dy : dx) = 0;
     }
-    const bool moves = dx != 0 || dy != 0;
+    levels_.clear();
+    label_.reset();
     if (state_ == State::points) {
-      const GlyphPointer glyph = editor.project().find(editor.glyph_name());
-      editor.propose(moves ? move_selection(*glyph, editor.selection, dx, dy)
-                           : Value());
+      drag_points(editor, pointer, {dx, dy}, is_flat);
     } else if (state_ == State::component) {
+      const bool moves = dx != 0 || dy != 0;
       editor.propose(moves ? move_component(editor, dx, dy) : Value());
+    } else if (state_ == State::guide) {
+      const Guideline& line =
+          editor.project().find(editor.glyph_name())->guidelines[*editor.guide];
+      label_ = {pointer.at,
+                place_text(line.x.value_or(0) + dx, line.y.value_or(0) + dy)};
+      editor.propose(move_guide(editor, dx, dy));
     } else if (state_ == State::box) {
       end_ = pointer.at;
       select_box(editor);
@@ -111,12 +167,12 @@ class SelectTool : public Tool {
   }
 
   void release(Editor& editor, const Pointer&) override {
-    state_ = State::idle;
+    stop();
     editor.commit();
   }
 
   void cancel(Editor& editor) override {
-    state_ = State::idle;
+    stop();
     editor.propose(nullptr);
   }
 
@@ -125,14 +181,26 @@ class SelectTool : public Tool {
     if (state_ == State::box) {
       marks.box = {start_, end_};
     }
+    marks.levels = levels_;
+    if (label_) {
+      marks.labels.push_back(*label_);
+    }
     return marks;
   }
 
  private:
-  enum class State { idle, points, component, box };
+  enum class State { idle, points, component, guide, box };
+
+  void stop() {
+    state_ = State::idle;
+    levels_.clear();
+    label_.reset();
+  }
 
   void press_point(Editor& editor, const Pointer& pointer, PointId hit) {
     editor.component.reset();
+    editor.guide.reset();
+    grabbed_ = hit;
     if (pointer.twice) {
       const Value command = toggle_smooth(*editor.glyph(), hit);
       if (!command.is_null()) {
@@ -147,6 +215,75 @@ class SelectTool : public Tool {
       }
       editor.selection.insert(hit);
     }
+  }
+
+  // Alt makes a line a curve; a double click selects the whole contour.
+  void press_edge(Editor& editor, const Pointer& pointer, const OnCurve& edge) {
+    const GlyphPointer glyph = editor.glyph();
+    const auto end = end_of_line(*glyph, edge);
+    if (pointer.alt && end) {
+      editor.selection.clear();
+      editor.run(curve_line(*glyph, *end));
+      state_ = State::idle;
+      return;
+    }
+    if (pointer.twice) {
+      editor.select_contour(edge.contour);
+    } else {
+      editor.selection = points_of(*glyph, edge);
+    }
+    // The selected point on the curve next to the pointer is what snaps.
+    double nearest = INFINITY;
+    for (const PointId id : editor.selection) {
+      const GlyphPoint& p = glyph->contours[id.contour].points[id.point];
+      const double d = distance(pointer.at, {p.x, p.y});
+      if (p.on_curve() && d < nearest) {
+        nearest = d;
+        grabbed_ = id;
+      }
+    }
+  }
+
+  void drag_points(Editor& editor,
+                   const Pointer& pointer,
+                   Point move,
+                   bool is_flat) {
+    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+    if (editor.selection.count(grabbed_) == 0) {
+      return;  // it was taken out of the selection
+    }
+    const GlyphPoint& point =
+        glyph->contours[grabbed_.contour].points[grabbed_.point];
+    const Point from = {point.x, point.y};
+    const bool moves = move.x != 0 || move.y != 0;
+    if (moves && !pointer.free) {
+      const Snap snapped =
+          snap(editor, editor.selection, from, move, kSnapPart * pointer.reach,
+               pointer.shift && !is_flat, pointer.shift && is_flat);
+      move = {snapped.dx, snapped.dy};
+      levels_ = snapped.lines;
+    }
+    const Point to = {from.x + move.x, from.y + move.y};
+    label_ = {to, place_text(to.x, to.y)};
+    editor.propose(
+        moves ? move_selection(*glyph, editor.selection, move.x, move.y)
+              : Value());
+  }
+
+  static Value move_guide(const Editor& editor, double dx, double dy) {
+    const GlyphPointer glyph = editor.project().find(editor.glyph_name());
+    const Guideline& line = glyph->guidelines[*editor.guide];
+    Value command = {{"do", "set_guideline"}, {"guideline", *editor.guide}};
+    if (line.x) {
+      command["x"] = *line.x + dx;
+    }
+    if (line.y) {
+      command["y"] = *line.y + dy;
+    }
+    if (line.angle) {
+      command["angle"] = *line.angle;
+    }
+    return command;
   }
 
   static Value move_component(const Editor& editor, double dx, double dy) {
@@ -177,6 +314,9 @@ class SelectTool : public Tool {
   Point start_;
   Point end_;
   Selection kept_;
+  PointId grabbed_;  // the point under the pointer
+  std::vector<std::pair<Point, Point>> levels_;
+  std::optional<std::pair<Point, std::string>> label_;
 };
 
 }  // namespace

@@ -5,8 +5,8 @@ namespace inkcell::design::editor {
 const std::vector<ToolInfo>& tool_list() {
   static const std::vector<ToolInfo> list = {
       {ToolKind::select, "Select", "v",
-       "Select and drag points; Shift keeps to an axis, a double click makes a "
-       "point smooth"},
+       "Drag points and edges; Shift keeps to an axis, Ctrl does not snap; "
+       "Alt makes a line a curve"},
       {ToolKind::pen, "Pen", "p",
        "Click for corners, drag for curves, click the first point to close; "
        "click on an edge to add a point"},

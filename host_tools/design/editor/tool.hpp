@@ -41,12 +41,15 @@ struct Pointer {
   Point at;          // [font units]
   double reach = 0;  // kReach at the scale of the view [font units]
   bool shift = false;
+  bool alt = false;
+  bool free = false;   // does not snap
   bool twice = false;  // the second press of a double click
 };
 
 /// What a tool draws over the canvas. [font units]
 struct Marks {
   std::vector<std::pair<Point, Point>> lines;
+  std::vector<std::pair<Point, Point>> levels;  // what a point lies level with
   std::optional<std::pair<Point, Point>> box;
   std::vector<Point> dots;
   std::vector<std::pair<Point, std::string>> labels;

@@ -105,8 +105,11 @@ Change delete_anchor(const Project& project, const Arguments& arguments) {
   });
 }
 
-Change add_guideline(const Project& project, const Arguments& arguments) {
-  Guideline line;
+// Puts a guideline to "x", "y" and "angle".
+void place_guideline(const Arguments& arguments, Guideline& line) {
+  line.x.reset();
+  line.y.reset();
+  line.angle.reset();
   if (arguments.has("x")) {
     line.x = arguments.number("x");
   }
@@ -116,9 +119,21 @@ Change add_guideline(const Project& project, const Arguments& arguments) {
   if (line.x && line.y) {
     line.angle = arguments.number("angle", 0);
   }
+}
+
+Change add_guideline(const Project& project, const Arguments& arguments) {
+  Guideline line;
+  place_guideline(arguments, line);
   line.name = arguments.text("name", "");
   return edited(project, arguments,
                 [&](Glyph& glyph) { glyph.guidelines.push_back(line); });
+}
+
+Change set_guideline(const Project& project, const Arguments& arguments) {
+  return edited(project, arguments, [&](Glyph& glyph) {
+    place_guideline(arguments, glyph.guidelines[arguments.index(
+                                   "guideline", glyph.guidelines.size())]);
+  });
 }
 
 Change delete_guideline(const Project& project, const Arguments& arguments) {
@@ -143,6 +158,7 @@ void add_part_commands(CommandTable& table) {
   table["reverse_contour"] = reverse_contour;
   table["set_component"] = set_component;
   table["set_contours"] = set_contours;
+  table["set_guideline"] = set_guideline;
 }
 
 }  // namespace inkcell::design

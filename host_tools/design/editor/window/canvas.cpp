@@ -40,6 +40,8 @@ Pointer pointer_at(const Editor& editor, ImVec2 origin) {
       editor.view.to_font({io.MousePos.x - origin.x, io.MousePos.y - origin.y});
   pointer.reach = px(static_cast<float>(kReach)) / editor.view.scale;
   pointer.shift = io.KeyShift;
+  pointer.alt = io.KeyAlt;
+  pointer.free = io.KeyCtrl;
   pointer.twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   return pointer;
 }
@@ -113,6 +115,8 @@ void draw_canvas(Panels& panels) {
   layer.draw_fill();
   layer.draw_background();
   layer.draw_zones();
+  layer.draw_guides();
+  layer.draw_layers();
   layer.draw_components();
   layer.draw_cells();
   layer.draw_contours();

@@ -1,6 +1,7 @@
 // Numbers of what is selected, and the nib.
 #include <cmath>
 
+#include "editor/actions.hpp"
 #include "editor/edits.hpp"
 #include "editor/window/panels.hpp"
 
@@ -46,11 +47,31 @@ void draw_point(Editor& editor, PointId id) {
   tooltip("Handles on both sides stay in one line", "S");
 }
 
+void draw_guide(Editor& editor, size_t index) {
+  const Guideline line = editor.glyph()->guidelines[index];
+  Value command = {{"do", "set_guideline"}, {"guideline", index}};
+  bool is_changed = false;
+  const auto edit = [&](const char* label, std::optional<double> value) {
+    if (value) {
+      is_changed |= number(label, *value);
+      command[label] = *value;
+    }
+  };
+  edit("x", line.x);
+  edit("y", line.y);
+  edit("angle", line.angle);
+  if (is_changed) {
+    attempt(editor, [&] { editor.run(command); });
+  }
+}
+
 void draw_selection(Editor& editor) {
   if (editor.component) {
     const ComponentUse& use = editor.glyph()->components[*editor.component];
     ImGui::Text("Component %s", use.base.c_str());
     ImGui::TextDisabled("Moved by %g, %g", use.matrix.dx, use.matrix.dy);
+  } else if (editor.guide) {
+    draw_guide(editor, *editor.guide);
   } else if (editor.selection.empty()) {
     ImGui::TextDisabled("No point is selected");
   } else if (editor.selection.size() == 1) {
@@ -58,6 +79,10 @@ void draw_selection(Editor& editor) {
   } else {
     ImGui::Text("%zu points are selected", editor.selection.size());
     ImGui::TextDisabled("Arrows move them by 1, Shift 10, Ctrl 100");
+    if (ImGui::Button("Align")) {
+      attempt(editor, [&] { action("Align points").run(editor); });
+    }
+    tooltip("Gives them one height, or one x", "Ctrl+Shift+A");
   }
 }
 

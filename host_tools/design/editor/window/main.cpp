@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "editor/actions.hpp"
+#include "editor/exact_preview.hpp"
 #include "editor/preview_worker.hpp"
 #include "editor/script.hpp"
 #include "editor/window/panels.hpp"
@@ -27,6 +28,16 @@ struct Arguments {
   std::string screenshot;
   float scale = 1;
 };
+
+// That of all programs.
+Clipboard screen_clipboard() {
+  return {[] {
+            const std::unique_ptr<char, void (*)(void*)> text(
+                SDL_GetClipboardText(), SDL_free);
+            return std::string(text == nullptr ? "" : text.get());
+          },
+          [](const std::string& text) { SDL_SetClipboardText(text.c_str()); }};
+}
 
 // What a preview was made of; another one needs another preview.
 struct PreviewKey {
@@ -62,15 +73,26 @@ void take_window_key(Panels& panels, const std::string& key) {
   }
 }
 
+// Asks for the device's preview; the exact one, if it can be drawn at once.
+std::shared_ptr<const Preview> ask_for_preview(const Editor& editor,
+                                               PreviewWorker& worker) {
+  const PreviewJob job = editor.preview_job();
+  const std::shared_ptr<const Preview> last = worker.latest();
+  worker.request(job);
+  return last == nullptr ? nullptr : draw_exact_preview(*last, job);
+}
+
 void run_window(const Arguments& arguments) {
   Editor editor;
   if (!arguments.file.empty()) {
     editor.open(arguments.file, arguments.project, arguments.chars);
   }
   tools::Screen screen("Inkcell");
+  editor.clipboard = screen_clipboard();
   PreviewWorker worker;
   Panels panels(editor, screen.textures());
   std::optional<PreviewKey> asked;
+  std::shared_ptr<const Preview> exact;  // until the worker is done
   while (!panels.wants_quit) {
     const bool is_open = screen.take_input(
         panels.preview_is_busy ? kFrameWait : kIdleWait,
@@ -79,12 +101,13 @@ void run_window(const Arguments& arguments) {
     if (editor.glyph() != nullptr) {
       const PreviewKey key = key_of(editor);
       if (!asked || !(*asked == key)) {
-        attempt(editor, [&] { worker.request(editor.preview_job()); });
+        attempt(editor, [&] { exact = ask_for_preview(editor, worker); });
         asked = key;
       }
     }
     panels.preview_is_busy = worker.is_busy();
-    panels.preview = worker.latest();
+    panels.preview =
+        panels.preview_is_busy && exact != nullptr ? exact : worker.latest();
     screen.draw_frame([&] { draw_window(panels); });
   }
 }

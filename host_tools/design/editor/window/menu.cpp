@@ -19,7 +19,12 @@ std::string shown_keys(const char* keys) {
   return text;
 }
 
+// An action, or a line between two of them.
 void item(Panels& panels, const char* name, bool is_chosen = false) {
+  if (*name == '\0') {
+    ImGui::Separator();
+    return;
+  }
   const Action& known = action(name);
   if (ImGui::MenuItem(name, shown_keys(known.keys).c_str(), is_chosen,
                       panels.editor.glyph() != nullptr)) {
@@ -57,7 +62,8 @@ void draw_menu(Panels& panels) {
   }
   if (ImGui::BeginMenu("Edit")) {
     for (const char* name :
-         {"Undo", "Redo", "Delete", "Select all", "Select none"}) {
+         {"Undo", "Redo", "", "Cut", "Copy", "Paste", "Duplicate", "Delete", "",
+          "Select all", "Select none", "Align points"}) {
       item(panels, name);
     }
     ImGui::EndMenu();
@@ -77,6 +83,10 @@ void draw_menu(Panels& panels) {
     for (const char* name : {"Fit glyph", "Zoom in", "Zoom out"}) {
       item(panels, name);
     }
+    ImGui::Separator();
+    item(panels, "Horizontal guide");
+    item(panels, "Vertical guide");
+    item(panels, "Other layers", panels.editor.shows_layers);
     ImGui::Separator();
     item(panels, "Cells", panels.editor.preview.cells != Cells::off);
     item(panels, "Dark display", panels.editor.preview.dark);

@@ -5,6 +5,7 @@
 
 #include "bitmap/bitmap.hpp"
 #include "editor/segments.hpp"
+#include "editor/snapping.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::design::editor {
@@ -32,30 +33,13 @@ ImVec2 OutlineLayer::map(double x, double y) const {
 }
 
 void OutlineLayer::draw_zones() const {
-  const Value& info = panels_.editor.project().font->info;
-  struct Zone {
-    const char* label;
-    const char* key;
-    double otherwise;
-  };
-  const double em = panels_.editor.project().units_per_em();
-  const Zone zones[] = {{"ascender", "ascender", 0.8 * em},
-                        {"cap height", "capHeight", 0},
-                        {"x-height", "xHeight", 0},
-                        {"baseline", "", 0},
-                        {"descender", "descender", -0.2 * em}};
   const float right = origin_.x + to_float(view_.width);
-  for (const Zone& zone : zones) {
-    const bool is_baseline = *zone.key == '\0';
-    const double y = is_baseline ? 0 : info.value(zone.key, zone.otherwise);
-    if (y == 0 && !is_baseline) {
-      continue;
-    }
-    const float at = std::round(map(0, y).y);
+  for (const Zone& zone : zones_of(panels_.editor.project())) {
+    const float at = std::round(map(0, zone.y).y);
     list_.AddRectFilled({origin_.x, at}, {right, at + 1},
-                        is_baseline ? colour::kFaint : colour::kZone);
+                        zone.y == 0 ? colour::kFaint : colour::kZone);
     char text[64];
-    std::snprintf(text, sizeof text, "%s %g", zone.label, y);
+    std::snprintf(text, sizeof text, "%s %g", zone.label, zone.y);
     list_.AddText({origin_.x + px(8), at - ImGui::GetFontSize() - px(1)},
                   colour::kFaint, text);
   }
@@ -65,15 +49,38 @@ void OutlineLayer::draw_zones() const {
                         {at + 1, origin_.y + to_float(view_.height)},
                         colour::kZone);
   }
-  for (const Guideline& line : glyph_->guidelines) {
-    const double angle = line.angle.value_or(line.x && !line.y ? 90 : 0);
-    const double turn = angle * 0.017453292519943295;
-    const double reach = 10 * em;
-    const double x = line.x.value_or(0);
-    const double y = line.y.value_or(0);
-    list_.AddLine(map(x - reach * std::cos(turn), y - reach * std::sin(turn)),
-                  map(x + reach * std::cos(turn), y + reach * std::sin(turn)),
-                  colour::kGuide);
+}
+
+void OutlineLayer::draw_guides() const {
+  const double reach = (view_.width + view_.height) / view_.scale;
+  for (size_t i = 0; i < glyph_->guidelines.size(); ++i) {
+    const gen::Segment line = line_of(glyph_->guidelines[i]);
+    const double dx = line.p[1].x - line.p[0].x;
+    const double dy = line.p[1].y - line.p[0].y;
+    // The part next to the middle of the view.
+    const double middle =
+        dx * (view_.x - line.p[0].x) + dy * (view_.y - line.p[0].y);
+    const Point at = {line.p[0].x + middle * dx, line.p[0].y + middle * dy};
+    list_.AddLine(
+        map(at.x - reach * dx, at.y - reach * dy),
+        map(at.x + reach * dx, at.y + reach * dy),
+        panels_.editor.guide == i ? colour::kSelected : colour::kGuide);
+  }
+}
+
+void OutlineLayer::draw_layers() const {
+  const Project& project = panels_.editor.project();
+  if (!panels_.editor.shows_layers) {
+    return;
+  }
+  for (size_t i = 1; i < project.layers.size(); ++i) {
+    const GlyphPointer behind = project.find(glyph_->name, i);
+    if (behind == nullptr) {
+      continue;
+    }
+    for (const PointContour& contour : behind->contours) {
+      outline(contour, colour::kLayer);
+    }
   }
 }
 
@@ -146,7 +153,12 @@ void OutlineLayer::draw_components() const {
   const Project& project = panels_.editor.project();
   for (size_t i = 0; i < glyph_->components.size(); ++i) {
     Glyph part;
-    append_component(project, 0, glyph_->components[i], part.contours);
+    try {
+      append_component(project, 0, glyph_->components[i], part.contours);
+    } catch (const std::exception& error) {
+      panels_.editor.message = error.what();
+      continue;
+    }
     const gen::Shape shape(outline_of(project, part));
     if (!shape.empty()) {
       fill(shape, kUnitsOfU / project.units_per_em(), colour::kComponent);
@@ -191,6 +203,14 @@ void OutlineLayer::outline(const PointContour& contour, ImU32 colour) const {
 void OutlineLayer::draw_contours() const {
   for (const PointContour& contour : glyph_->contours) {
     outline(contour, colour::kInk);
+    for (const gen::Segment& segment : segments_of(contour)) {
+      if (segment.kind == gen::Segment::Kind::line &&
+          is_nearly_level(segment.p[0], segment.p[1])) {
+        list_.AddLine(map(segment.p[0].x, segment.p[0].y),
+                      map(segment.p[1].x, segment.p[1].y), colour::kWarning,
+                      px(3));
+      }
+    }
   }
 }
 
@@ -244,6 +264,10 @@ void OutlineLayer::draw_marks() const {
   const Marks marks = panels_.editor.tool().marks(panels_.editor);
   for (const auto& [a, b] : marks.lines) {
     list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kTool, px(1.4f));
+  }
+  for (const auto& [a, b] : marks.levels) {
+    list_.AddLine(map(a.x, a.y), map(b.x, b.y), colour::kSelected);
+    list_.AddCircle(map(a.x, a.y), px(5), colour::kSelected);
   }
   if (marks.box) {
     const ImVec2 a = map(marks.box->first.x, marks.box->first.y);

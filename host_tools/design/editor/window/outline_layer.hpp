@@ -13,6 +13,8 @@ class OutlineLayer {
   OutlineLayer(Panels& panels, ImVec2 origin);
 
   void draw_zones() const;
+  void draw_guides() const;
+  void draw_layers() const;
   void draw_background() const;
   void draw_fill() const;
   void draw_components() const;

@@ -28,7 +28,7 @@ struct Panels {
 
   Editor& editor;
   Textures& textures;
-  std::shared_ptr<const Preview> preview;  // the latest, may be null
+  std::shared_ptr<const Preview> preview;  // what is shown, may be null
   bool preview_is_busy = false;
   bool wants_quit = false;
   std::string dialog;  // the one that is open: its name; "" if none is

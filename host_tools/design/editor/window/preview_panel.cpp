@@ -97,6 +97,10 @@ void draw_lines(Panels& panels, const Preview& preview) {
 }
 
 void draw_facts(const Preview& preview, Cells cells) {
+  if (preview.is_exact) {
+    ImGui::TextDisabled("Exact distance; the device's pixels follow");
+    return;
+  }
   ImGui::Text("%zu bytes, %zu points", preview.glyph_bytes,
               preview.glyph_points);
   tooltip("The glyph's record in an Inkcell font of outlines");

@@ -1,0 +1,111 @@
+#include "editor/latency.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "editor/exact_preview.hpp"
+#include "model/contours.hpp"
+#include "model/error.hpp"
+#include "shape/shape.hpp"
+#include "trace/field_outline.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+constexpr double kUnitsOfU = 1024;
+constexpr double kFieldScale = 4;
+constexpr int kStrokePoints = 24;
+constexpr double kTurn = 6.283185307179586;
+
+template <typename Work>
+Latency time_of(int runs, const Work& work) {
+  std::vector<double> times;
+  for (int i = 0; i < runs; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    work(i);
+    const std::chrono::duration<double, std::milli> time =
+        std::chrono::steady_clock::now() - begin;
+    times.push_back(time.count());
+  }
+  std::sort(times.begin(), times.end());
+  return {times[times.size() / 2], times.back()};
+}
+
+// Distances around the ink, kFieldScale to a pixel at `px` px/em.
+std::vector<double> distances(const gen::Shape& shape, double px) {
+  const double step = kUnitsOfU / (kFieldScale * px);
+  const gen::Box& box = shape.box();
+  std::vector<double> all;
+  for (double y = box.y0 - step; y < box.y1 + step; y += step) {
+    for (double x = box.x0 - step; x < box.x1 + step; x += step) {
+      all.push_back(shape.distance(x, y));
+    }
+  }
+  return all;
+}
+
+// A point more, or less, of a wave as wide as the advance.
+Value stroke_command(const Editor& editor, int points) {
+  const double width = editor.glyph()->width;
+  Value path = Value::array();
+  for (int i = 0; i < points; ++i) {
+    const double part = static_cast<double>(i) / points;
+    path.push_back({std::round(width * part),
+                    std::round(width * std::sin(kTurn * part) / 2)});
+  }
+  const Value stroke = {{"nib", editor.nib.text()}, {"points", path}};
+  return {{"do", "set_strokes"}, {"strokes", Value::array({stroke})}};
+}
+
+Preview device_preview(const Editor& editor) {
+  Preview preview = draw_preview(editor.preview_job());
+  if (!preview.error.empty()) {
+    throw Error(preview.error);
+  }
+  return preview;
+}
+
+}  // namespace
+
+Latencies measure_latencies(Editor& editor, int runs) {
+  if (editor.glyph()->contours.empty()) {
+    throw Error("glyph '" + editor.glyph_name() + "' has no points to drag");
+  }
+  const Preview first = device_preview(editor);
+  const auto drag = [&editor](int step) {
+    editor.propose(
+        {{"do", "move_points"},
+         {"points", Value::array({Value::array({size_t{0}, size_t{0}})})},
+         {"dx", step + 1},
+         {"dy", 0}});
+  };
+  const auto shape = [&editor] {
+    return gen::Shape(outline_of(editor.shown_project(), *editor.glyph()));
+  };
+  const std::vector<double>& sizes = editor.preview.text_px;
+  const double px = sizes.empty()
+                        ? editor.preview.glyph_px
+                        : *std::max_element(sizes.begin(), sizes.end());
+  Latencies result;
+  result.drag = time_of(runs, [&](int i) {
+    drag(i);
+    draw_exact_preview(first, editor.preview_job());
+    distances(shape(), px);
+  });
+  result.device = time_of(runs, [&](int i) {
+    drag(i);
+    device_preview(editor);
+  });
+  result.stroke = time_of(runs, [&](int i) {
+    editor.propose(stroke_command(editor, kStrokePoints + i));
+    gen::Target samples;
+    samples.coding = gen::Coding::samples;
+    const ShapeField field(shape(), samples);
+    draw_exact_preview(first, editor.preview_job());
+  });
+  editor.propose(nullptr);
+  return result;
+}
+
+}  // namespace inkcell::design::editor

@@ -1,0 +1,65 @@
+#include "editor/report.hpp"
+
+#include "model/contours.hpp"
+
+namespace inkcell::design::editor {
+namespace {
+
+Value view_value(const View& view) {
+  return {{"x", view.x},
+          {"y", view.y},
+          {"scale", view.scale},
+          {"width", view.width},
+          {"height", view.height}};
+}
+
+Value guides_value(const Glyph& glyph) {
+  Value guides = Value::array();
+  for (const Guideline& line : glyph.guidelines) {
+    Value guide = Value::object();
+    const auto add = [&guide](const char* key, std::optional<double> value) {
+      if (value) {
+        guide[key] = *value;
+      }
+    };
+    add("x", line.x);
+    add("y", line.y);
+    add("angle", line.angle);
+    guides.push_back(guide);
+  }
+  return guides;
+}
+
+Value latency_value(const Latency& latency) {
+  return {{"median_ms", latency.median}, {"worst_ms", latency.worst}};
+}
+
+}  // namespace
+
+Value report_of(const Editor& editor, const Preview& preview) {
+  const GlyphPointer glyph = editor.glyph();
+  Value contours = Value::array();
+  for (const PointContour& contour : glyph->contours) {
+    contours.push_back(contour_value(contour));
+  }
+  return {{"glyph", glyph->name},
+          {"width", glyph->width},
+          {"contours", contours},
+          {"components", glyph->components.size()},
+          {"guides", guides_value(*glyph)},
+          {"selected", editor.selection.size()},
+          {"view", view_value(editor.view)},
+          {"bytes", preview.glyph_bytes},
+          {"points", preview.glyph_points},
+          {"worst_error", preview.worst_error},
+          {"cells", preview.cells.size()},
+          {"message", editor.message}};
+}
+
+Value report_of(const Latencies& latencies) {
+  return {{"drag", latency_value(latencies.drag)},
+          {"device", latency_value(latencies.device)},
+          {"stroke", latency_value(latencies.stroke)}};
+}
+
+}  // namespace inkcell::design::editor

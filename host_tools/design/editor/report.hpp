@@ -1,0 +1,13 @@
+// What scripts print.
+#pragma once
+
+#include "editor/editor.hpp"
+#include "editor/latency.hpp"
+
+namespace inkcell::design::editor {
+
+/// The glyph that is shown, the view, and figures of its preview.
+Value report_of(const Editor& editor, const Preview& preview);
+Value report_of(const Latencies& latencies);
+
+}  // namespace inkcell::design::editor
