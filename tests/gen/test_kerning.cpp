@@ -5,6 +5,7 @@
 
 #include <hb-ot.h>
 
+#include <algorithm>
 #include <random>
 
 #include "sfnt_builder.hpp"
@@ -44,15 +45,19 @@ int kerning_of_text(hb_font_t* font, char32_t left, char32_t right) {
   return kerning;
 }
 
-SourceFont load(const std::filesystem::path& file, std::string_view chars) {
+SourceFont load(const std::filesystem::path& file,
+                std::string_view chars,
+                bool with_components = false) {
   FontRequest request;
   request.file = file;
+  request.with_components = with_components;
   add_ranges(chars, request.characters);
   Warnings ignored;
   return load_font(request, 2, ignored);
 }
 
-// Differences to HarfBuzz over all pairs; `kerned` counts the pairs that kern.
+// Differences to HarfBuzz over all pairs of characters; `kerned` counts the
+// pairs that kern. Glyphs without a character are components.
 int differences(const std::filesystem::path& file,
                 const SourceFont& font,
                 int& kerned) {
@@ -61,6 +66,10 @@ int differences(const std::filesystem::path& file,
   kerned = 0;
   for (size_t l = 1; l < font.glyphs.size(); ++l) {
     for (size_t r = 1; r < font.glyphs.size(); ++r) {
+      if (font.glyphs[l].code_points.empty() ||
+          font.glyphs[r].code_points.empty()) {
+        continue;
+      }
       const char32_t left = font.glyphs[l].code_points[0];
       const char32_t right = font.glyphs[r].code_points[0];
       const int expected = kerning_of_text(opened.hb(), left, right);
@@ -91,6 +100,19 @@ TEST(Kerning, EqualsHarfBuzzAcrossScripts) {
   int kerned = 0;
   EXPECT_EQ(differences(kFonts[0], font, kerned), 0);
   EXPECT_GT(kerned, 20);
+}
+
+TEST(Kerning, EqualsHarfBuzzBesideComponents) {
+  for (const char* file : kFonts) {
+    const SourceFont font = load(file, "0x41,0x56,0xC0-0xE5", true);
+    const auto components = std::count_if(
+        font.glyphs.begin() + 1, font.glyphs.end(),
+        [](const SourceGlyph& glyph) { return glyph.code_points.empty(); });
+    EXPECT_GT(components, 0) << file;
+    int kerned = 0;
+    EXPECT_EQ(differences(file, font, kerned), 0) << file;
+    EXPECT_GT(kerned, 0) << file;
+  }
 }
 
 TEST(Kerning, ReadsTheKernTable) {
