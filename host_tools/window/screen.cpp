@@ -40,6 +40,15 @@ std::string key_name(const SDL_Keysym& key) {
   return before + name;
 }
 
+// 1 to 4, in quarters.
+float display_scale() {
+  float dpi = kNormalDpi;
+  if (SDL_GetDisplayDPI(0, nullptr, &dpi, nullptr) != 0) {
+    dpi = kNormalDpi;
+  }
+  return std::clamp(std::round(4 * dpi / kNormalDpi) / 4, 1.0f, 4.0f);
+}
+
 // ImGui sees states, once a frame: two changes in one frame would be lost.
 bool needs_frame(const SDL_Event& event) {
   return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP ||
@@ -48,16 +57,13 @@ bool needs_frame(const SDL_Event& event) {
 
 }  // namespace
 
-Screen::Screen(const std::string& title) {
+Screen::Screen(const std::string& title, float scale) {
   if (SDL_Init(SDL_INIT_VIDEO) != 0) {
     refuse("no display");
   }
-  float dpi = kNormalDpi;
-  if (SDL_GetDisplayDPI(0, nullptr, &dpi, nullptr) != 0) {
-    dpi = kNormalDpi;
+  if (scale == 0) {
+    scale = display_scale();
   }
-  const float scale =
-      std::clamp(std::round(4 * dpi / kNormalDpi) / 4, 1.0f, 4.0f);
   const auto side = [scale](int value) {
     return static_cast<int>(static_cast<float>(value) * scale);
   };

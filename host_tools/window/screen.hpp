@@ -16,8 +16,9 @@ namespace inkcell::tools {
 
 class Screen {
  public:
-  /// A window. Throws std::runtime_error.
-  explicit Screen(const std::string& title);
+  /// A window with widgets at `scale`; 0: that of the display, as far as SDL
+  /// knows it. Throws std::runtime_error.
+  explicit Screen(const std::string& title, float scale = 0);
   /// A picture of `width` x `height` px at `scale`, without a display server.
   Screen(int width, int height, float scale);
   ~Screen();

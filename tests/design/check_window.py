@@ -23,20 +23,21 @@ SIZE = 1140, 74           # the field of the glyph's size [px]
 SELECTED_TEXT = bytes((173, 203, 239))  # behind selected text
 
 
-def run_script(folder, *lines):
+def run_script(folder, *lines, scale=1):
     """What the lines print."""
     script = pathlib.Path(folder) / "script.txt"
     script.write_text("\n".join(lines) + "\n")
-    done = subprocess.run([PROGRAM, "--script", script], cwd=folder, text=True,
-                          capture_output=True, check=False)
+    done = subprocess.run([PROGRAM, "--script", script, "--scale", str(scale)],
+                          cwd=folder, text=True, capture_output=True,
+                          check=False)
     if done.returncode != 0:
         raise AssertionError(f"{lines}: {done.stderr}")
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
 def picture(path):
-    """The pixels of a PPM of the window's size."""
-    return path.read_bytes()[-3 * WIDTH * HEIGHT:]
+    """The pixels of a PPM."""
+    return path.read_bytes().split(b"\n", 3)[3]
 
 
 def canvas_place(report, point):
@@ -102,10 +103,11 @@ class Window:
         seen = self.display.pixels()
         wrong = [i // 3 for i in range(0, len(expected), 3)
                  if seen[i:i + 3] != expected[i:i + 3]]
-        columns = [i % WIDTH for i in wrong]
+        width = self.display.width
+        columns = [i % width for i in wrong]
         return (f"{len(wrong)} pixels differ, in columns {min(columns)} to "
-                f"{max(columns)}, rows {wrong[0] // WIDTH} to "
-                f"{wrong[-1] // WIDTH}")
+                f"{max(columns)}, rows {wrong[0] // width} to "
+                f"{wrong[-1] // width}")
 
     def export(self, folder, name):
         """Types a name over the one that the dialog proposes."""
@@ -122,14 +124,14 @@ class WindowTest(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         root = pathlib.Path(temporary.name)
-        self.scripted, self.live, screen = (root / name for name in
-                                            ("scripted", "live", "screen"))
-        for folder in (self.scripted, self.live, screen):
+        self.scripted, self.live, self.screen = (
+            root / name for name in ("scripted", "live", "screen"))
+        for folder in (self.scripted, self.live, self.screen):
             folder.mkdir()
-        self.display = Display(screen, WIDTH, HEIGHT, 96)
-        self.addCleanup(self.display.close)
 
-    def start(self, *arguments):
+    def start(self, *arguments, scale=1):
+        self.display = Display(self.screen, scale * WIDTH, scale * HEIGHT)
+        self.addCleanup(self.display.close)
         window = Window(self.display, self.live, *arguments)
         self.addCleanup(window.process.wait)
         self.addCleanup(window.process.kill)
@@ -210,6 +212,13 @@ class WindowTest(unittest.TestCase):
         self.assertIn("Recovered 3 changes", report["message"])
         self.assertEqual(report["contours"], expected["contours"])
         self.assertNotEqual(report["contours"], letter["contours"])
+
+    def test_widgets_are_scaled(self):
+        run_script(self.scripted, f"open {FONT} P.ufo {CHARS}",
+                   "screenshot 2.ppm", scale=2)
+        window = self.start(FONT, "--project", "P.ufo", "--chars", CHARS,
+                            "--scale", "2", scale=2)
+        window.wait_for(picture(self.scripted / "2.ppm"), "at scale 2")
 
 
 if __name__ == "__main__":

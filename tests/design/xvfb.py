@@ -22,13 +22,14 @@ def wait(condition, what):
 class Display:
     """Xvfb; its screen is read from the file that it keeps it in."""
 
-    def __init__(self, folder, width, height, dpi):
+    def __init__(self, folder, width, height):
+        self.width = width
         self.file = pathlib.Path(folder) / "Xvfb_screen0"
         number, name = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(name), "-fbdir", str(folder),
-             "-screen", "0", f"{width}x{height}x24", "-dpi", str(dpi),
-             "-nocursor", "-nolisten", "tcp"],
+             "-screen", "0", f"{width}x{height}x24", "-nocursor",
+             "-nolisten", "tcp"],
             pass_fds=(name,), stderr=subprocess.DEVNULL)
         os.close(name)
         with os.fdopen(number) as pipe:

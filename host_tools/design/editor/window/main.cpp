@@ -26,7 +26,7 @@ struct Arguments {
   std::vector<std::string> chars;
   std::string script;
   std::string screenshot;
-  float scale = 1;
+  float scale = 0;
 };
 
 // That of all programs.
@@ -87,7 +87,7 @@ void run_window(const Arguments& arguments) {
   if (!arguments.file.empty()) {
     editor.open(arguments.file, arguments.project, arguments.chars);
   }
-  tools::Screen screen("Inkcell");
+  tools::Screen screen("Inkcell", arguments.scale);
   editor.clipboard = screen_clipboard();
   PreviewWorker worker;
   Panels panels(editor, screen.textures());
@@ -138,7 +138,7 @@ void run(const Arguments& arguments) {
   }
   const auto screenshot = [&arguments](Editor& editor,
                                        const std::filesystem::path& file) {
-    write_screenshot(editor, arguments.scale, file);
+    write_screenshot(editor, arguments.scale == 0 ? 1 : arguments.scale, file);
   };
   Editor editor;
   if (!arguments.file.empty()) {
@@ -168,7 +168,8 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--screenshot", arguments.screenshot,
                  "Write a picture of the window at the end of the script")
       ->type_name("FILE.png");
-  app.add_option("--scale", arguments.scale, "Of the picture's widgets")
+  app.add_option("--scale", arguments.scale,
+                 "Of the window's widgets [that of the display; 1 in scripts]")
       ->check(CLI::Range(1.0, 4.0));
   std::string help = "Lines of a script:\n";
   for (const ScriptCommand& command : script_commands()) {

@@ -84,9 +84,10 @@ void draw_lines(Panels& panels, const Preview& preview) {
   for (const TextPicture& line : preview.lines) {
     ImGui::TextDisabled("%g px", line.px);
     const float width = ImGui::GetContentRegionAvail().x;
-    const int enlarged =
-        static_cast<float>(2 * line.image.width) + px(8) <= width ? 2 : 1;
     const float inset = px(4);
+    const int fits =
+        static_cast<int>(width - 2 * inset) / std::max(line.image.width, 1);
+    const int enlarged = std::clamp(fits, 1, static_cast<int>(px(2)));
     const ImVec2 at =
         frame(panels.editor.preview,
               static_cast<float>(line.image.height * enlarged) + 2 * inset);
