@@ -25,6 +25,7 @@ import sys
 from pathlib import Path
 
 import against
+import lvgl
 import peers
 import report
 
@@ -74,6 +75,7 @@ WHAT = {
     "kinetic": "type that moves: morphs, particles, scenes",
     "bound": "the dearest glyph of an em that bytes can describe",
     "code": "bytes that programs keep of the library",
+    "lvgl": "labels and glyphs in LVGL, on m3",
 }
 # Without these it is smallest, for one coding; what the document says of that.
 SMALLEST = {
@@ -121,6 +123,10 @@ def parse_arguments():
         help="sources of FreeType (default: Debian's, downloaded)")
     add("--stb", metavar="FOLDER",
         help="of stb_truetype.h (default: Debian's, downloaded)")
+    add("--lvgl", metavar="FOLDER",
+        help="LVGL's sources (default: INKCELL_LVGL_DIR)")
+    add("--lv-font-conv", metavar="FILE",
+        help="LVGL's converter of fonts (default: in the path)")
     add("--without", default="", metavar="LIST",
         help=f"leave out of Inkcell: of {', '.join(PARTS)}")
     add("--against", metavar="REV",
@@ -165,7 +171,24 @@ def parse_arguments():
     if all(is_rom_font(font) for font in arguments.font):
         # Nobody else reads them.
         arguments.engines = ["inkcell"]
+    prepare_lvgl(parser, arguments)
     return arguments
+
+
+def prepare_lvgl(parser, arguments):
+    """Leaves LVGL out where it is not there, or cannot be measured."""
+    arguments.lvgl = lvgl.find(arguments)
+    if "lvgl" not in arguments.what:
+        return
+    if arguments.write_docs and arguments.lvgl is None:
+        parser.error(f"--write-docs measures LVGL, too: {lvgl.HELP}")
+    possible = (arguments.lvgl and not is_rom_font(arguments.font[0]) and
+                "outline" in arguments.coding and not arguments.against and
+                set(lvgl.CPUS) & set(arguments.cpu))
+    if not possible:
+        arguments.what.remove("lvgl")
+        say("skipped: LVGL, which takes a TTF, outlines and --cpu m3; "
+            f"{lvgl.HELP}")
 
 
 def is_rom_font(font):
@@ -270,13 +293,19 @@ class Fonts:
 def build_firmware(cpu, opt, sources, targets, without, build):
     folder = build / f"{cpu}-{opt}"
     say(f"building {cpu} -{opt}")
+    if cpu in lvgl.CPUS and "lvgl" in sources:
+        targets = [*targets, *lvgl.targets()]
+    else:
+        sources = {**sources, "lvgl": "", "lv_fonts": ""}
     run("cmake", "-S", HERE / "firmware", "-B", folder, "-G", "Ninja",
         f"-DCMAKE_TOOLCHAIN_FILE={CPUS[cpu][0]}",
         f"-DCMAKE_BUILD_TYPE={BUILD_TYPES[opt]}",
         *(f"-DINKCELL_{part.upper()}={'OFF' if part in without else 'ON'}"
           for part in PARTS),
         f"-DINKCELL_BENCH_FREETYPE={sources.get('freetype', '')}",
-        f"-DINKCELL_BENCH_STB={sources.get('stb', '')}")
+        f"-DINKCELL_BENCH_STB={sources.get('stb', '')}",
+        f"-DINKCELL_BENCH_LVGL={sources['lvgl']}",
+        f"-DINKCELL_BENCH_LV_FONTS={sources['lv_fonts']}")
     run("cmake", "--build", folder, "--target", *targets)
     return folder
 
@@ -574,6 +603,12 @@ def measure_others(firmware, arguments, upright, pictures):
             yield {"figure": "bound", "cpu": firmware.cpu,
                    "opt": firmware.opt, "px": px, "stack": stack,
                    "per_pixel": round(instructions / pixels)}
+    if "lvgl" in arguments.what and firmware.cpu in lvgl.CPUS:
+        font = arguments.font[0]
+        yield from lvgl.measure(firmware, font,
+                                firmware.fonts.files[font, "inkcell",
+                                                     "outline"],
+                                kept_bytes, kept_modules)
     if "code" in arguments.what:
         kept = [kept_bytes(firmware.folder / f"kept_{level}.map")
                 for level in range(len(KEPT))]
@@ -627,16 +662,19 @@ def targets_of(arguments):
     return sorted(targets)
 
 
-def measure_smallest(arguments, fonts, pictures, build):
+def measure_smallest(arguments, lvgl_sources, fonts, pictures, build):
     """Results and figures of the smallest build of each core, by coding."""
     measured = {}
     for coding, without in SMALLEST.items():
+        in_lvgl = coding == "outline"
         some = argparse.Namespace(**{**vars(arguments), "engines": ["inkcell"],
                                      "coding": [coding],
-                                     "what": SMALLEST_WHAT})
+                                     "what": SMALLEST_WHAT +
+                                     ["lvgl"] * in_lvgl})
         results, others = [], []
         for cpu in SMALL_CODE_CPUS:
-            firmware = Firmware(cpu, "Os", {}, targets_of(some),
+            firmware = Firmware(cpu, "Os", lvgl_sources if in_lvgl else {},
+                                targets_of(some),
                                 fonts.of(coding), without,
                                 build / f"smallest-{coding}")
             glyphs, more = measure(firmware, some, pictures)
@@ -656,6 +694,10 @@ def main():
     build.mkdir(parents=True, exist_ok=True)
     os.environ.pop("INKCELL_QEMU_WINDOW", None)  # it would run in real time
     sources = peers.find_sources(arguments, build)
+    if "lvgl" in arguments.what:
+        sources["lvgl"], converter = arguments.lvgl
+        sources["lv_fonts"] = lvgl.make_fonts(converter, arguments.font[0],
+                                              build / "lv_fonts", run)
     fonts = Fonts(arguments, build)
     results, others, pictures = [], [], {}
     for opt in arguments.opt:
@@ -680,10 +722,14 @@ def main():
             against.check_limits(ROOT, arguments.against, exceeded)
     smallest = None
     if arguments.write_docs:
-        smallest = measure_smallest(arguments, fonts, pictures, build)
+        lvgl_sources = {name: sources[name] for name in ("lvgl", "lv_fonts")}
+        smallest = measure_smallest(arguments, lvgl_sources, fonts, pictures,
+                                    build)
     check_pictures(pictures)
     if arguments.write_docs:
-        report.write_document(results, others, smallest, sources)
+        report.write_document(results, others, smallest, sources,
+                              lvgl.document(others, smallest["outline"][1],
+                                            *arguments.lvgl))
 
 
 if __name__ == "__main__":

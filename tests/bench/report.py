@@ -67,8 +67,9 @@ ENGINES = {"freetype": "FreeType", "stb": "stb_truetype"}
 HEAD = """\
 # Benchmarks
 
-What one glyph costs, beside FreeType and stb_truetype. Written by
-`{command}`; not by hand. It describes this core:
+What one glyph costs, beside FreeType and stb_truetype, and in LVGL. Written by
+`{command}`; not by hand. LVGL's sources and its converter of
+fonts must be there for it: `--help` says where. It describes this core:
 
 {lines}
 
@@ -474,8 +475,8 @@ def other_tables(figures):
                          "call of solid"], rows)
 
 
-def write_document(results, figures, smallest, sources):
-    """docs/BENCHMARKS.md from all results."""
+def write_document(results, figures, smallest, sources, lvgl):
+    """docs/BENCHMARKS.md from all results; `lvgl`: its last chapter."""
     qemu = subprocess.run(["qemu-system-arm", "--version"], check=True,
                           stdout=subprocess.PIPE, text=True).stdout
     qemu = qemu.splitlines()[0].replace("emulator version ", "").split(" (")[0]
@@ -488,6 +489,6 @@ def write_document(results, figures, smallest, sources):
                       stack_table(results) + memory_table(results) +
                       code_table(results, figures) +
                       smallest_tables(smallest) + mode_table(figures) +
-                      bound_table(figures) + other_tables(figures)])
+                      bound_table(figures) + other_tables(figures) + lvgl])
     fingerprint.DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
     say(f"wrote {fingerprint.DOCUMENT}")

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int32_t kSize = 512;  // [px/em]
 constexpr size_t kA8 = 94320;   // 262 x 360 px
-// Frames are larger with 64 bits: Cortex-M3 takes 1,568 bytes, and the font
-// 292.
+// Frames are larger with 64 bits than those of Cortex-M3, which tests/bench
+// measures.
 constexpr size_t kMostStack = 2048;
 constexpr size_t kStack = 1 << 20;
 constexpr uint8_t kPattern = 0xa5;
