@@ -105,6 +105,20 @@ def check_projects(design, folder):
         script, "--project", project)
 
 
+def check_components(design, folder):
+    """A letter with an accent is a reference, or contours if asked for."""
+    for option, components in ((), 2), (("--decompose",), 0):
+        project = folder / f"Accents{components}.ufo"
+        good(design, "import", "--font", FONT, "--chars", "0xC9", *option,
+             "--out", project)
+        glif, = project.glob("glyphs/E_acute.glif")
+        expect(glif.read_text().count("<component ") == components,
+               f"import {' '.join(option)}: Eacute has not {components} "
+               "components")
+        good(design, "export", "--project", project, "--out",
+             folder / f"accents{components}.ttf")
+
+
 def check_scripts(design, folder):
     """Programs in Lua: parameters, curves, limits, and errors with lines."""
     thin, bold, again = (folder / name for name in
@@ -227,6 +241,7 @@ def main():
         check_help(design)
         check_roundtrip(design, folder)
         check_projects(design, folder)
+        check_components(design, folder)
         check_scripts(design, folder)
         check_pictures(design, folder)
     for problem in PROBLEMS:

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "export/rom.hpp"
 #include "export/tables.hpp"
 #include "export/ttf.hpp"
 #include "folders.hpp"
@@ -16,10 +17,13 @@
 namespace inkcell::design::test {
 namespace {
 
+constexpr const char* kCharacters = "0x20-0x7E,0xA0-0x17F,0x1D400-0x1D402";
+
 gen::SourceFont load(const std::filesystem::path& file) {
   gen::FontRequest request;
   request.file = file;
-  gen::add_ranges("0x20-0x7E,0xC0-0xFF,0x1D400-0x1D402", request.characters);
+  gen::add_ranges(kCharacters, request.characters);
+  request.with_components = true;
   gen::Warnings warnings;
   return gen::load_font(request, 1, warnings);
 }
@@ -61,6 +65,17 @@ void expect_same(const gen::Outline& a, const gen::Outline& b) {
   }
 }
 
+void expect_same(const gen::OutlineReferences& a,
+                 const gen::OutlineReferences& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].glyph, b[i].glyph);
+    EXPECT_EQ(a[i].dx, b[i].dx);
+    EXPECT_EQ(a[i].dy, b[i].dy);
+    EXPECT_EQ(a[i].matrix_q14, b[i].matrix_q14);
+  }
+}
+
 class Face : public testing::TestWithParam<const char*> {};
 
 TEST_P(Face, OpenedAndExportedIsTheSame) {
@@ -68,7 +83,7 @@ TEST_P(Face, OpenedAndExportedIsTheSame) {
       std::string("/usr/share/fonts/truetype/") + GetParam();
   const gen::SourceFont before = load(source);
   gen::CharSet characters;
-  gen::add_ranges("0x20-0x7E,0xC0-0xFF,0x1D400-0x1D402", characters);
+  gen::add_ranges(kCharacters, characters);
   gen::Warnings warnings;
   const TemporaryFolder folder;
   const gen::SourceFont after =
@@ -81,11 +96,14 @@ TEST_P(Face, OpenedAndExportedIsTheSame) {
   EXPECT_EQ(after.metrics.cap_height, before.metrics.cap_height);
   ASSERT_EQ(after.glyphs.size(), before.glyphs.size());
   size_t kerned = 0;
+  size_t composites = 0;
   for (size_t i = 0; i < before.glyphs.size(); ++i) {
     SCOPED_TRACE(before.glyphs[i].name());
     EXPECT_EQ(after.glyphs[i].code_points, before.glyphs[i].code_points);
     EXPECT_EQ(after.glyphs[i].advance, before.glyphs[i].advance);
     expect_same(after.glyphs[i].outline, before.glyphs[i].outline);
+    expect_same(after.components[i], before.components[i]);
+    composites += after.components[i].empty() ? 0u : 1u;
     for (size_t k = 0; k < before.glyphs.size(); ++k) {
       const int value = before.kerning.empty() ? 0 : before.kerning.value(i, k);
       EXPECT_EQ(after.kerning.empty() ? 0 : after.kerning.value(i, k), value);
@@ -93,6 +111,7 @@ TEST_P(Face, OpenedAndExportedIsTheSame) {
     }
   }
   EXPECT_EQ(kerned != 0, !before.kerning.empty());
+  EXPECT_GT(composites, 100u);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -137,6 +156,119 @@ TEST(Ttf, NamesTheGlyphThatDoesNotFit) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()).rfind("glyph 'huge': ", 0), 0u);
+  }
+}
+
+// Glyphs that are made of others, as FreeType draws them.
+class Components : public testing::Test {
+ protected:
+  Components() {
+    add("d", R"([[[100,0],[400,0],[400,700],[100,700]],
+                 [[200,100],[200,500],[300,500],[300,100]]])");
+    add("flag", "[[[450,100],[700,120],[650,300]]]");
+    add("space", "[]");
+  }
+
+  void add(const std::string& name,
+           const char* contours,
+           const std::vector<ComponentUse>& components = {}) {
+    Glyph glyph;
+    glyph.name = name;
+    glyph.width = 600;
+    glyph.unicodes = {U'A' + static_cast<char32_t>(count_++)};
+    for (const Value& contour : Value::parse(contours)) {
+      glyph.contours.push_back(parse_contour(contour));
+    }
+    glyph.components = components;
+    project_.front().glyphs[name] = std::make_shared<const Glyph>(glyph);
+  }
+
+  static ComponentUse use(const char* base, const Matrix& matrix) {
+    return {base, matrix, ""};
+  }
+
+  // The number of components in the file; -1 if FreeType draws another shape.
+  int components_of(const std::string& name) {
+    const GlyphPointer glyph = project_.glyph(name);
+    const TemporaryFolder folder;
+    const gen::SourceFont font = load(written(folder, project_));
+    const gen::Shape truth(outline_of(project_, *glyph));
+    for (size_t i = 0; i < font.glyphs.size(); ++i) {
+      if (font.glyphs[i].code_points ==
+          std::vector<char32_t>(glyph->unicodes)) {
+        const gen::Shape drawn(font.glyphs[i].outline);
+        return are_near(truth, drawn)
+                   ? static_cast<int>(font.components[i].size())
+                   : -1;
+      }
+    }
+    return -1;
+  }
+
+  // Within a font unit and a half, on the border of either: components round
+  // the points of others, and FreeType those of the components.
+  static bool are_near(const gen::Shape& a, const gen::Shape& b) {
+    constexpr double kBound_u = 1.6;
+    const auto lies_on = [](const gen::Shape& shape, const gen::Shape& other) {
+      for (const gen::Edge& edge : shape.edges()) {
+        const double x = (edge.a.x + edge.b.x) / 2;
+        const double y = (edge.a.y + edge.b.y) / 2;
+        if (std::fabs(other.distance(x, y)) > kBound_u) {
+          return false;
+        }
+      }
+      return true;
+    };
+    return !a.empty() && lies_on(a, b) && lies_on(b, a);
+  }
+
+  Project project_;
+  int count_ = 0;
+};
+
+TEST_F(Components, StayReferences) {
+  add("moved", "[]",
+      {use("d", {}), use("space", {}), use("flag", {1, 0, 0, 1, 30.4, -900})});
+  EXPECT_EQ(components_of("moved"), 2);
+  add("scaled", "[]", {use("d", {0.7, 0, 0, 1.3, 0, 0})});
+  EXPECT_EQ(components_of("scaled"), 1);
+  add("turned", "[]", {use("d", {0.6, 0.8, -0.8, 0.6, 10, 20})});
+  EXPECT_EQ(components_of("turned"), 1);
+  add("reflected", "[]", {use("d", {-1, 0, 0, 1, 0, 0}), use("flag", {})});
+  EXPECT_EQ(components_of("reflected"), 2);
+  add("nested", "[]",
+      {use("moved", {0.5, 0, 0, -0.5, 0, 0}), use("d", {1, 0, 0, 1, 400, 0})});
+  EXPECT_EQ(components_of("nested"), 2);
+  add("overlapping", "[]", {use("d", {}), use("flag", {1, 0, 0, 1, -100, 0})});
+  EXPECT_EQ(components_of("overlapping"), 2);
+}
+
+TEST_F(Components, BecomeContoursWhereNoRecordStatesThem) {
+  add("mixed", "[[[500,0],[600,0],[600,50]]]", {use("d", {})});
+  EXPECT_EQ(components_of("mixed"), 0);
+  add("large", "[]", {use("d", {2, 0, 0, 1, 0, 0})});
+  EXPECT_EQ(components_of("large"), 0);
+  add("wide", "[[[0,0],[8000,0],[8000,8000]]]");
+  add("inexact", "[]", {use("wide", {0.70003, 0, 0, 0.70003, 0, 0})});
+  EXPECT_EQ(components_of("inexact"), 0);
+  add("crossing", "[]", {use("d", {}), use("flag", {-1, 0, 0, 1, 600, 0})});
+  EXPECT_EQ(components_of("crossing"), 0);
+}
+
+TEST_F(Components, AreReferencesInAnInkcellFont) {
+  add("moved", "[]", {use("d", {}), use("flag", {1, 0, 0, 1, 30, -900})});
+  EXPECT_EQ(make_rom(project_, {}).report.composites, 1u);
+  add("meeting", "[]", {use("d", {}), use("flag", {1, 0, 0, 1, -100, 0})});
+  EXPECT_EQ(make_rom(project_, {}).report.composites, 1u);
+}
+
+TEST_F(Components, NameWhatIsWrong) {
+  add("loop", "[]", {use("loop", {})});
+  try {
+    write_ttf(project_);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("glyph 'loop': ", 0), 0u);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "source/composites.hpp"
 
+#include FT_OUTLINE_H
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -15,7 +17,7 @@ namespace {
 // Fonts nest composites two or three deep; this is against cycles.
 constexpr int kMostDepth = 8;
 
-// The file rounds the points of transformed components. [font units]
+// Points of components of components are rounded at each level. [font units]
 constexpr int kRounding = 1;
 
 using Points = std::vector<std::array<int, 2>>;
@@ -156,12 +158,11 @@ class Composites {
   Points transformed(const Component& component) const {
     Points points = points_of(component.glyph);
     const auto& m = component.matrix_q14;
+    const FT_Matrix matrix = {m[0] * 4, m[1] * 4, m[2] * 4, m[3] * 4};
     for (auto& p : points) {
-      const auto row = [&p](int a, int b) {
-        return static_cast<int>(
-            (int64_t{a} * p[0] + int64_t{b} * p[1] + (1 << 13)) >> 14);
-      };
-      p = {row(m[0], m[1]), row(m[2], m[3])};
+      FT_Vector vector = {p[0], p[1]};
+      FT_Vector_Transform(&vector, &matrix);  // the rounding of the whole
+      p = {static_cast<int>(vector.x), static_cast<int>(vector.y)};
     }
     return points;
   }

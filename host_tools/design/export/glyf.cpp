@@ -103,24 +103,31 @@ std::vector<GlyfContour> glyf_contours(
   return result;
 }
 
-BigEndian glyf_record(const std::vector<GlyfContour>& contours) {
-  BigEndian record;
-  if (contours.empty()) {
-    return record;
-  }
-  int x0 = 32767, y0 = 32767, x1 = -32768, y1 = -32768;
+GlyfBox box_of(const std::vector<GlyfContour>& contours) {
+  GlyfBox box = {32767, 32767, -32768, -32768};
   for (const GlyfContour& contour : contours) {
     for (const GlyfPoint& p : contour) {
-      x0 = std::min(x0, p.x);
-      y0 = std::min(y0, p.y);
-      x1 = std::max(x1, p.x);
-      y1 = std::max(y1, p.y);
+      box = {std::min(box.x0, p.x), std::min(box.y0, p.y),
+             std::max(box.x1, p.x), std::max(box.y1, p.y)};
     }
   }
-  record.i16(static_cast<int>(contours.size()));
-  for (const int value : {x0, y0, x1, y1}) {
-    record.i16(value);
+  return box.x0 <= box.x1 ? box : GlyfBox();
+}
+
+BigEndian glyf_header(int contours, const GlyfBox& box) {
+  BigEndian header;
+  for (const int value : {contours, box.x0, box.y0, box.x1, box.y1}) {
+    header.i16(value);
   }
+  return header;
+}
+
+BigEndian glyf_record(const std::vector<GlyfContour>& contours) {
+  if (contours.empty()) {
+    return {};
+  }
+  BigEndian record =
+      glyf_header(static_cast<int>(contours.size()), box_of(contours));
   unsigned last = 0;
   for (const GlyfContour& contour : contours) {
     last += static_cast<unsigned>(contour.size());

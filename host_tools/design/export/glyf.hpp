@@ -17,6 +17,17 @@ struct GlyfPoint {
 
 using GlyfContour = std::vector<GlyfPoint>;
 
+/// Both ends inclusive. [font units]
+struct GlyfBox {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// All zero without points.
+GlyfBox box_of(const std::vector<GlyfContour>& contours);
+
 /// How far quadratic curves may be from the cubics that they stand for.
 /// [font units]
 inline constexpr double kQuadraticBound = 0.3;
@@ -29,7 +40,10 @@ inline constexpr double kQuadraticBound = 0.3;
 std::vector<GlyfContour> glyf_contours(
     const std::vector<PointContour>& contours);
 
-/// The record of the glyph, empty for one without contours.
+/// What every record begins with; -1 contours: it holds components.
+BigEndian glyf_header(int contours, const GlyfBox& box);
+
+/// The record of a glyph without components; empty without contours.
 BigEndian glyf_record(const std::vector<GlyfContour>& contours);
 
 }  // namespace inkcell::design

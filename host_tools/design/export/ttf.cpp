@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "export/glyf.hpp"
+#include "export/glyf_components.hpp"
 #include "export/sfnt.hpp"
 #include "export/tables.hpp"
-#include "model/contours.hpp"
 #include "model/error.hpp"
 #include "rom_file.hpp"
 
@@ -20,19 +19,8 @@ struct ExportGlyph {
   std::string name;
   std::vector<char32_t> unicodes;
   int advance = 0;
-  std::vector<GlyfContour> contours;
-
-  int extreme(int GlyfPoint::*axis, int sign) const {
-    int result = 0;
-    bool any = false;
-    for (const GlyfContour& contour : contours) {
-      for (const GlyfPoint& p : contour) {
-        result = any ? std::max(result, sign * (p.*axis)) : sign * (p.*axis);
-        any = true;
-      }
-    }
-    return sign * result;
-  }
+  GlyfGlyph outline;
+  GlyfBox box;
 };
 
 class TtfWriter {
@@ -95,24 +83,27 @@ class TtfWriter {
     glyph.unicodes = source.unicodes;
     glyph.advance =
         static_cast<int>(std::lround(std::clamp(source.width, 0.0, 65535.0)));
-    std::vector<PointContour> contours = source.contours;
     try {
-      for (const ComponentUse& use : source.components) {
-        append_component(project_, 0, use, contours);
-      }
-      glyph.contours = glyf_contours(contours);
+      glyph.outline = glyf_glyph(project_, source);
     } catch (const Error& error) {
       throw Error("glyph '" + source.name + "': " + error.what());
     }
+    glyph.box = box_of(glyph.outline.contours);
     glyphs_.push_back(std::move(glyph));
   }
 
   void add_outlines() {
+    std::map<std::string, unsigned> ids;
+    for (size_t i = 0; i < glyphs_.size(); ++i) {
+      ids[glyphs_[i].name] = static_cast<unsigned>(i);
+    }
     BigEndian glyf;
     BigEndian loca;
     for (const ExportGlyph& glyph : glyphs_) {
       loca.u32(static_cast<uint32_t>(glyf.size()));
-      glyf.append(glyf_record(glyph.contours));
+      glyf.append(glyph.outline.components.empty()
+                      ? glyf_record(glyph.outline.contours)
+                      : composite_record(glyph.outline, ids));
       glyf.align(4);
     }
     loca.u32(static_cast<uint32_t>(glyf.size()));
@@ -123,17 +114,17 @@ class TtfWriter {
     tables_["loca"] = std::move(loca);
   }
 
-  int least(int GlyfPoint::*axis) const {
+  int least(int GlyfBox::*side) const {
     int result = 0;
     for (const ExportGlyph& glyph : glyphs_) {
-      result = std::min(result, glyph.extreme(axis, -1));
+      result = std::min(result, glyph.box.*side);
     }
     return result;
   }
-  int most(int GlyfPoint::*axis) const {
+  int most(int GlyfBox::*side) const {
     int result = 0;
     for (const ExportGlyph& glyph : glyphs_) {
-      result = std::max(result, glyph.extreme(axis, 1));
+      result = std::max(result, glyph.box.*side);
     }
     return result;
   }
@@ -148,10 +139,10 @@ class TtfWriter {
     table.u16(static_cast<unsigned>(em()));
     table.u64(kDate);
     table.u64(kDate);
-    table.i16(least(&GlyfPoint::x));
-    table.i16(least(&GlyfPoint::y));
-    table.i16(most(&GlyfPoint::x));
-    table.i16(most(&GlyfPoint::y));
+    table.i16(least(&GlyfBox::x0));
+    table.i16(least(&GlyfBox::y0));
+    table.i16(most(&GlyfBox::x1));
+    table.i16(most(&GlyfBox::y1));
     table.u16(0);  // style
     table.u16(6);  // least size
     table.i16(2);
@@ -172,12 +163,10 @@ class TtfWriter {
     int widest = 0, left = 32767, right = 32767, extent = 0;
     for (const ExportGlyph& glyph : glyphs_) {
       widest = std::max(widest, glyph.advance);
-      if (!glyph.contours.empty()) {
-        const int x0 = glyph.extreme(&GlyfPoint::x, -1);
-        const int x1 = glyph.extreme(&GlyfPoint::x, 1);
-        left = std::min(left, x0);
-        right = std::min(right, glyph.advance - x1);
-        extent = std::max(extent, x1);
+      if (!glyph.outline.contours.empty()) {
+        left = std::min(left, glyph.box.x0);
+        right = std::min(right, glyph.advance - glyph.box.x1);
+        extent = std::max(extent, glyph.box.x1);
       }
     }
     BigEndian table;
@@ -201,32 +190,40 @@ class TtfWriter {
     BigEndian table;
     for (const ExportGlyph& glyph : glyphs_) {
       table.u16(static_cast<unsigned>(glyph.advance));
-      table.i16(glyph.contours.empty() ? 0 : glyph.extreme(&GlyfPoint::x, -1));
+      table.i16(glyph.box.x0);
     }
     return table;
   }
 
   BigEndian maxp() const {
-    size_t points = 0, contours = 0;
+    size_t points[2] = {}, contours[2] = {};  // simple glyphs, composites
+    size_t components = 0;
+    int depth = 0;
     for (const ExportGlyph& glyph : glyphs_) {
+      const GlyfGlyph& outline = glyph.outline;
       size_t count = 0;
-      for (const GlyfContour& contour : glyph.contours) {
+      for (const GlyfContour& contour : outline.contours) {
         count += contour.size();
       }
-      points = std::max(points, count);
-      contours = std::max(contours, glyph.contours.size());
+      const size_t kind = outline.components.empty() ? 0 : 1;
+      points[kind] = std::max(points[kind], count);
+      contours[kind] = std::max(contours[kind], outline.contours.size());
+      components = std::max(components, outline.components.size());
+      depth = std::max(depth, outline.depth);
     }
     BigEndian table;
     table.u32(0x00010000);
     table.u16(static_cast<unsigned>(glyphs_.size()));
-    table.u16(static_cast<unsigned>(points));
-    table.u16(static_cast<unsigned>(contours));
-    table.u16(0);
-    table.u16(0);
+    for (size_t kind = 0; kind < 2; ++kind) {
+      table.u16(static_cast<unsigned>(points[kind]));
+      table.u16(static_cast<unsigned>(contours[kind]));
+    }
     table.u16(2);  // zones
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 6; ++i) {
       table.u16(0);
     }
+    table.u16(static_cast<unsigned>(components));
+    table.u16(static_cast<unsigned>(depth));
     return table;
   }
 
@@ -262,9 +259,9 @@ class TtfWriter {
     table.i16(info("openTypeOS2TypoDescender", descender()));
     table.i16(info("openTypeOS2TypoLineGap", line_gap()));
     table.u16(static_cast<unsigned>(
-        std::max(info("openTypeOS2WinAscent", most(&GlyfPoint::y)), 0)));
+        std::max(info("openTypeOS2WinAscent", most(&GlyfBox::y1)), 0)));
     table.u16(static_cast<unsigned>(
-        std::max(info("openTypeOS2WinDescent", -least(&GlyfPoint::y)), 0)));
+        std::max(info("openTypeOS2WinDescent", -least(&GlyfBox::y0)), 0)));
     table.u32(1);  // code page of Latin 1
     table.u32(0);
     table.i16(info("xHeight", 0));

@@ -70,6 +70,46 @@ void mark_smooth(PointContour& contour) {
   }
 }
 
+// Without contours of a single point, which enclose nothing.
+std::vector<PointContour> contours_of(const FT_Outline& outline) {
+  std::vector<PointContour> contours;
+  int first = 0;
+  for (int i = 0; i < outline.n_contours; ++i) {
+    const int last = outline.contours[i];
+    if (last > first) {
+      contours.push_back(contour_of(outline, first, last));
+      mark_smooth(contours.back());
+    }
+    first = last + 1;
+  }
+  return contours;
+}
+
+bool are_same(const FT_Outline& outline, const std::vector<FT_Vector>& points) {
+  return std::equal(points.begin(), points.end(), outline.points,
+                    outline.points + outline.n_points,
+                    [](const FT_Vector& a, const FT_Vector& b) {
+                      return a.x == b.x && a.y == b.y;
+                    });
+}
+
+bool boxes_meet(const FT_BBox& a, const FT_BBox& b) {
+  return a.xMin <= b.xMax && b.xMin <= a.xMax && a.yMin <= b.yMax &&
+         b.yMin <= a.yMax;
+}
+
+Matrix matrix_of(const gen::OutlineReference& reference) {
+  const auto entry = [&reference](size_t i) {
+    return std::ldexp(reference.matrix_q14[i], -14);
+  };
+  return {entry(0),
+          entry(2),
+          entry(1),
+          entry(3),
+          static_cast<double>(reference.dx),
+          static_cast<double>(reference.dy)};
+}
+
 std::string printable(const std::string& name) {
   const bool ok = !name.empty() && name.size() <= kLongestName &&
                   std::all_of(name.begin(), name.end(),
@@ -82,16 +122,20 @@ class FontImporter {
   FontImporter(const std::filesystem::path& path, gen::Warnings& warnings)
       : file_(path, 0, {}), path_(path), warnings_(warnings) {}
 
-  Project run(gen::CharSet characters) {
+  Project run(gen::CharSet characters, Composites composites) {
     if (characters.empty()) {
       characters = all_characters();
     }
     gen::FontRequest request;
     request.file = path_;
     request.characters = characters;
+    request.with_components = composites == Composites::keep;
     source_ = gen::load_font(request, 1, warnings_);
     for (const gen::SourceGlyph& glyph : source_.glyphs) {
-      add(glyph);
+      names_.push_back(name_of(glyph));
+    }
+    for (size_t i = 0; i < source_.glyphs.size(); ++i) {
+      add(i);
     }
     FontData font;
     fill_info(font);
@@ -130,29 +174,60 @@ class FontImporter {
     return name;
   }
 
-  void add(const gen::SourceGlyph& source) {
+  const FT_Outline& outline_of(const gen::SourceGlyph& glyph) const {
+    if (FT_Load_Glyph(file_.ft(), glyph.source,
+                      FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) {
+      file_.refuse(glyph.name() + " cannot be read");
+    }
+    return file_.ft()->glyph->outline;
+  }
+
+  void add(size_t i) {
+    const gen::SourceGlyph& source = source_.glyphs[i];
     Glyph glyph;
-    glyph.name = name_of(source);
+    glyph.name = names_[i];
     glyph.unicodes = source.code_points;
     glyph.width = source.advance;
-    if (FT_Load_Glyph(file_.ft(), source.source,
-                      FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) {
-      file_.refuse(source.name() + " cannot be read");
-    }
-    const FT_Outline& outline = file_.ft()->glyph->outline;
-    int first = 0;
-    for (int i = 0; i < outline.n_contours; ++i) {
-      const int last = outline.contours[i];
-      if (last > first) {
-        glyph.contours.push_back(contour_of(outline, first, last));
-        mark_smooth(glyph.contours.back());
+    if (is_made_of_components(i)) {
+      for (const gen::OutlineReference& reference : source_.components[i]) {
+        glyph.components.push_back(
+            {names_[reference.glyph], matrix_of(reference), ""});
       }
-      first = last + 1;
+    } else {
+      glyph.contours = contours_of(outline_of(source));
     }
-    names_.push_back(glyph.name);
-    std::string name = glyph.name;
-    project_.front().glyphs[name] =
+    project_.front().glyphs[names_[i]] =
         std::make_shared<const Glyph>(std::move(glyph));
+  }
+
+  // Whether components have exactly the points of the glyph, and none of them
+  // is reflected close to another one: their contours would cancel.
+  bool is_made_of_components(size_t glyph) const {
+    if (source_.components.empty() || source_.components[glyph].empty()) {
+      return false;
+    }
+    std::vector<FT_Vector> points;
+    std::vector<FT_BBox> boxes;
+    bool is_reflected = false;
+    bool any_overlap = false;
+    for (const gen::OutlineReference& use : source_.components[glyph]) {
+      const auto& m = use.matrix_q14;
+      FT_Matrix matrix = {m[0] * 4, m[1] * 4, m[2] * 4, m[3] * 4};
+      FT_Outline outline = outline_of(source_.glyphs[use.glyph]);
+      FT_Outline_Transform(&outline, &matrix);
+      FT_Outline_Translate(&outline, use.dx, use.dy);
+      FT_BBox box;
+      FT_Outline_Get_CBox(&outline, &box);
+      any_overlap |= std::any_of(
+          boxes.begin(), boxes.end(),
+          [&box](const FT_BBox& other) { return boxes_meet(box, other); });
+      boxes.push_back(box);
+      is_reflected |= matrix_of(use).determinant() < 0;
+      points.insert(points.end(), outline.points,
+                    outline.points + outline.n_points);
+    }
+    return !(is_reflected && any_overlap) &&
+           are_same(outline_of(source_.glyphs[glyph]), points);
   }
 
   void fill_info(FontData& font) const {
@@ -226,8 +301,9 @@ class FontImporter {
 
 Project import_font(const std::filesystem::path& file,
                     const gen::CharSet& characters,
-                    gen::Warnings& warnings) {
-  return FontImporter(file, warnings).run(characters);
+                    gen::Warnings& warnings,
+                    Composites composites) {
+  return FontImporter(file, warnings).run(characters, composites);
 }
 
 }  // namespace inkcell::design

@@ -24,6 +24,7 @@ struct Arguments {
   std::string out;
   std::string glyph;
   std::string font;
+  bool decompose = false;
   gen::GenerateRequest request;
 };
 
@@ -88,7 +89,9 @@ void run_import(const Arguments& arguments) {
     gen::add_ranges(list, characters);
   }
   gen::Warnings warnings;
-  const Project project = import_font(arguments.font, characters, warnings);
+  const Project project = import_font(
+      arguments.font, characters, warnings,
+      arguments.decompose ? Composites::decompose : Composites::keep);
   say_warnings(warnings);
   UfoFiles files;
   write_ufo(project, arguments.out, files);
@@ -129,6 +132,8 @@ void add_import(CLI::App& app, Work& work) {
                    "Characters: 0x20-0x7E,U+B0,A-Z; repeatable [all]")
       ->type_name("LIST")
       ->allow_extra_args(false);
+  command->add_flag("--decompose", arguments->decompose,
+                    "Contours in the place of components");
   command->add_option("--out", arguments->out, "The project, a new folder")
       ->required()
       ->type_name("P.ufo");

@@ -1,0 +1,51 @@
+// Composite glyphs of TrueType: other glyphs, transformed and moved.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "export/glyf.hpp"
+#include "model/project.hpp"
+
+namespace inkcell::design {
+
+/// A component as a record states it: x' = xx x + yx y + dx,
+/// y' = xy x + yy y + dy.
+struct GlyfComponent {
+  std::string base;
+  std::array<int, 4> matrix_q14 = {};  // xx xy yx yy
+  int dx = 0;                          // [font units]
+  int dy = 0;
+  bool overlaps = false;  // its box and that of another component meet
+};
+
+/// A glyph as the table states it.
+struct GlyfGlyph {
+  /// All, those of components in place, rounded as FreeType rounds them.
+  std::vector<GlyfContour> contours;
+  /// None: the record holds the contours.
+  std::vector<GlyfComponent> components;
+  /// Levels of components; 0: none.
+  int depth = 0;
+  /// A component is reflected, so that its contours are filled on the other
+  /// side.
+  bool is_reflected = false;
+};
+
+/// The glyph as a composite, if a record can say it: no contours of its own;
+/// matrices within [-2, 2) whose rounding to Q2.14 moves no point by more than
+/// 1/8 unit; and no reflected component near another one, whose opposite
+/// contours would cancel. Else with contours. Components without ink are left
+/// out.
+///
+/// Throws Error for a component that does not exist or contains itself, and
+/// if a coordinate is beyond +-16383.
+GlyfGlyph glyf_glyph(const Project& project, const Glyph& glyph);
+
+/// The record of a glyph with components. `ids` has their numbers by name.
+BigEndian composite_record(const GlyfGlyph& glyph,
+                           const std::map<std::string, unsigned>& ids);
+
+}  // namespace inkcell::design
