@@ -812,6 +812,13 @@ class Tools(unittest.TestCase):
         self.assertEqual(seen["verify"], "ok")
         self.assertEqual(seen["points"], generated["point_count"])
         self.assertEqual(seen["composites"], generated["composite_count"])
+        self.assertEqual(generated["composite_bytes"],
+                         sum(generated["bytes_per_glyph"][glyph["name"]]
+                             for glyph in seen["glyphs"]
+                             if glyph["components"]))
+        self.assertLess(0, generated["composite_bytes"])
+        self.assertLess(generated["composite_bytes"],
+                        generated["composite_simple_bytes"])
         self.assertEqual(sum(word["uses"] for word in seen["code"]),
                          seen["points"] + sum(
                              glyph["contours"] for glyph in seen["glyphs"]

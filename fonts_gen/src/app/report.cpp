@@ -62,8 +62,12 @@ const char* coding_name(const Target& options) {
 }
 
 std::string outlines_line(const FontReport& report) {
-  return format("  %-16s%zu, %zu glyphs refer to others\n", "points",
-                report.points, report.composites);
+  return format("  %-16s%zu\n", "points", report.points) +
+         format(
+             "  %-16s%zu glyphs refer to others in %zu bytes; as outlines "
+             "%zu\n",
+             "composites", report.composites, report.composite_bytes,
+             report.simple_bytes);
 }
 
 std::string cells_line(const FontReport& report) {
@@ -196,6 +200,8 @@ std::string report_as_json(const FontReport& report) {
                    {"glyphs", bytes.glyphs},   {"name", bytes.name}};
   json["point_count"] = report.points;
   json["composite_count"] = report.composites;
+  json["composite_bytes"] = report.composite_bytes;
+  json["composite_simple_bytes"] = report.simple_bytes;
   json["leaf_list_bytes"] = report.leaf_list_bytes();
   json["cell_count"] = report.cells;
   json["node_count"] = report.nodes;

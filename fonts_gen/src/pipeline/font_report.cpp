@@ -106,7 +106,11 @@ FontReport make_report(const SourceFont& font,
     report.nodes += glyph.nodes;
     report.fields += glyph.fields;
     report.points += built.references.empty() ? glyph.points : 0;
-    report.composites += built.references.empty() ? 0u : 1u;
+    if (!built.references.empty()) {
+      ++report.composites;
+      report.composite_bytes += built.outline_record.size();
+      report.simple_bytes += built.simple_bytes;
+    }
     report.worst_error = std::max(report.worst_error, glyph.worst_error);
     if (built.has_ink()) {
       report.mean_error += glyph.mean_error;

@@ -56,8 +56,10 @@ struct FontReport {
   size_t nodes = 0;
   CellCounts kinds;
   size_t fields = 0;
-  size_t points = 0;      // of all records of outlines
-  size_t composites = 0;  // glyphs that refer to others
+  size_t points = 0;           // of all records of outlines
+  size_t composites = 0;       // glyphs that refer to others
+  size_t composite_bytes = 0;  // their records
+  size_t simple_bytes = 0;     // records of their outlines instead
   /// size_aware: as drawn, of all glyphs together; the mean of a size is that
   /// of the glyphs' means.
   std::vector<SizeError> sizes;

@@ -96,6 +96,8 @@ void find_references(const std::vector<OutlineReferences>& source,
       find_composites(candidates, content.outlines.grid_shift);
   for (size_t i = 0; i < found.size(); ++i) {
     content.glyphs[i].references = std::move(found[i]);
+    content.glyphs[i].simple_bytes =
+        content.glyphs[i].references.empty() ? 0 : candidates[i].simple_bytes;
   }
 }
 

@@ -25,6 +25,7 @@ struct RomGlyph {
   MinimalOutline outline;               // without contours: none
   OutlineReferences references;         // what a record refers to instead
   std::vector<uint8_t> outline_record;  // encode_outlines() makes it
+  size_t simple_bytes = 0;  // of the record that the references replace
   GlyphMetrics metrics;
 
   bool has_ink() const {
