@@ -108,10 +108,11 @@ for board in $built_boards; do
 done
 
 # What is built is the same: only what runs is of interest here, and not the
-# tests that make whole fonts to judge them, or play whole scenes, which takes
-# minutes each: the same code runs in smaller ones.
+# tests that make whole fonts to judge them, play whole scenes, or measure time,
+# which takes minutes each: the same code runs in smaller ones.
+slow='build|fonts|screens|seams|tools\.(accuracy|animate)|design\.(figures|window)'
 build host-sanitize --preset host-sanitize &&
-  run_tests host-sanitize -E '^(build|fonts|screens|seams|tools\.(accuracy|animate))'
+  run_tests host-sanitize -E "^($slow)"
 
 build big-endian -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_TOOLCHAIN_FILE="$root/tests/big_endian.cmake" &&
