@@ -92,6 +92,26 @@ def measured(bench):
     row = next(line for line in lines
                if line[0] == "Cortex-M3, -O2, DejaVuSans, outline")
     cached = int(row[names.index("12 px")].split(", ")[2]) / 1000
+    # LVGL's font of a size, and what its glyphs take.
+    def lvgl(px, column):
+        return bench.number("In LVGL", f"lv_font_conv, compressed, {px} px",
+                            column, title="Glyphs by themselves")
+
+    lvgl_fonts = [lvgl(px, "font") for px in (12, 24, 48)]
+
+    def label(name, column):
+        return bench.number("In LVGL", name, column, title="A label of")
+
+    def digit(name, column):
+        return bench.number("In LVGL", f"Inkcell, {name}, -O2", column,
+                            title="A digit of") / 1000
+
+    def held_over_lvgl(px):
+        names, *lines = bench.table("In LVGL", "Glyphs: metrics")
+        first = [line[0] for line in lines].index(
+            "lv_font_conv, compressed, -Os")
+        return float(lines[first + 1][names.index(f"{px} px")])
+
     stacks = [outline("stack without lent RAM, Cortex-M3, bytes") / 1000,
               outline("stack, Cortex-M3, bytes") / 1000]
     return [
@@ -109,6 +129,26 @@ def measured(bench):
           bench.number("Stack", "Cortex-M3, -Os", "FreeType"),
           bench.number("Fonts and RAM", "FreeType", "heap"),
           *os_glyph("FreeType")]),
+        ("README.md", r"\| LVGL 9.5.0, 4-bit bitmaps, compressed, light "
+         r"autohint \| (\d+) \| (\d+) at 12 px, (\d+) at 24, (\d+) at 48 "
+         r"\| (\d+) at 12 px; (\d+); none \| (\d+) \+ (\d+) \+ 0 "
+         r"\| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+         [lvgl(12, "code"), *lvgl_fonts, lvgl(12, "code") + lvgl_fonts[0],
+          lvgl(12, "code") + sum(lvgl_fonts), lvgl(48, "stack"),
+          lvgl(48, "heap"),
+          *(lvgl(px, "thousand instructions") for px in (12, 24, 48))]),
+        ("README.md", r"takes ([\d.]+) times LVGL's instructions at 12 px and "
+         r"([\d.]+) times at 24",
+         [held_over_lvgl(12), held_over_lvgl(24)]),
+        ("docs/PORTING.md", r"a digit of 512 px/em then takes ([\d.]+) KB of "
+         r"stack and no heap; as a bitmap, (\d+) KB of heap",
+         [digit("direct", "stack"), digit("as bitmaps", "heap")]),
+        ("docs/PORTING.md", r"of 14 px takes (\d+) thousand instructions from "
+         r"the second drawing on, and (\d+) without a cache; with bitmaps of "
+         r"lv_font_conv (\d+), compressed, and (\d+), raw",
+         [label(f"{name}, -O2", "14 px, later") for name in
+          ("Inkcell, direct and cached", "Inkcell, direct",
+           "lv_font_conv, compressed", "lv_font_conv, raw")]),
         ("README.md", r"([\d.]+) KB of stack, or ([\d.]+) KB of stack and "
          r"([\d.]+) KB that you lend",
          stacks + [outline("RAM lent, bytes") / 1024]),
