@@ -64,6 +64,12 @@ def check_roundtrip(design, folder):
     three = json.loads(report.read_text())
     expect(three["worst_u"] <= 0.5 and three["second_round_u"] <= 0.5,
            f"roundtrip: the tip of 3 is off by {three['worst_u']} u")
+    # The end of a tip 1.5 u wide.
+    good(design, "roundtrip", "--font", SERIF.replace("Regular", "Italic"),
+         "--symbols", "{", "--report", report)
+    tip = json.loads(report.read_text())
+    expect(tip["second_round_u"] <= 0.4,
+           f"roundtrip: {{ moves by {tip['second_round_u']} u")
     for name, glyph in data["glyphs"].items():
         expect(0 < glyph["worst_u"] <= 1.5 and 0 < glyph["rms_u"] <= 0.5,
                f"roundtrip: {name} is off by {glyph['worst_u']} u")

@@ -1,5 +1,6 @@
 // Corners of loops: where they are, and points instead of what is rounded.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -290,6 +291,33 @@ class CornerFinder {
                             : std::nullopt;
   }
 
+  // The two ends of a tip: where its sides meet the line along its end; points
+  // of the contour if those are too far from the edge.
+  std::array<Corner, 2> blunt_ends(double s, const Sides& sides) const {
+    const double middle = part_of_turn(s, 0.5);
+    const double step = options_.reach / 8;
+    const Point along = unit(at(middle + step) - at(middle - step));
+    const auto end = [&](double part, const Parabola& side) {
+      const double way = part_of_turn(s, part);
+      Corner corner = {way, at(way), options_.reach / 4};
+      double t = 0;
+      for (int round = 0; round < 8; ++round) {
+        const double speed = cross(along, side.slope(t));
+        if (std::fabs(speed) < 0.05) {
+          return corner;
+        }
+        t -= cross(along, side.at(t) - at(middle)) / speed;
+      }
+      const Point found = side.at(t);
+      if (std::fabs(t) < options_.reach &&
+          std::fabs(options_.distance(found)) <= kBlunt_u) {
+        corner.at = found;
+      }
+      return corner;
+    };
+    return {end(0.25, sides.before), end(0.75, sides.after)};
+  }
+
   // A corner, or the two ends of a blunt tip.
   std::vector<Corner> corners() const {
     std::vector<Corner> result;
@@ -308,9 +336,8 @@ class CornerFinder {
         result.push_back(corner);
         continue;
       }
-      for (const double part : {0.25, 0.75}) {
-        const double s = part_of_turn(chosen_[k], part);
-        result.push_back({s, at(s), options_.reach / 4});
+      for (const Corner& end : blunt_ends(chosen_[k], both)) {
+        result.push_back(end);
       }
     }
     std::sort(result.begin(), result.end(),
