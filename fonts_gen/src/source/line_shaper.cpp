@@ -77,10 +77,18 @@ std::vector<hb_script_t> find_scripts(const std::u32string& text) {
   return scripts;
 }
 
-// Whether a character belongs to the letter before it: a mark, a joiner, a
-// variation selector.
+hb_unicode_general_category_t category_of(char32_t c) {
+  return hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
+}
+
+// Joiners and other controls, which show nothing.
+bool is_format(char32_t c) {
+  return category_of(c) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
+}
+
+// Whether a character belongs to the letter before it.
 bool is_of_cluster(char32_t c) {
-  switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), c)) {
+  switch (category_of(c)) {
     case HB_UNICODE_GENERAL_CATEGORY_FORMAT:
     case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
     case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
@@ -89,11 +97,6 @@ bool is_of_cluster(char32_t c) {
     default:
       return false;
   }
-}
-
-bool is_format(char32_t c) {
-  return hb_unicode_general_category(hb_unicode_funcs_get_default(), c) ==
-         HB_UNICODE_GENERAL_CATEGORY_FORMAT;
 }
 
 // The first face that has all of a letter and its marks, or the letter; or 0.
