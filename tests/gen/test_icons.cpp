@@ -331,6 +331,35 @@ TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
   EXPECT_EQ(font.strings[0].advance, 2 * reader.advance(a) + 500);
 }
 
+// The viewBox is twice as wide as high: 2000 units, where .notdef has 600.
+TEST_F(Faces, StringsHaveIcons) {
+  GenerateRequest request;
+  request.target.max_px = 16;
+  request.font = folder_.path() / "text.ttf";
+  request.svg_files = {write("icon.svg").string() + "=0xE001"};
+  request.string_files = {write("ui.txt", "one = ACA\n")};
+  request.strict = true;
+  const RomFont font = generate(request);
+  EXPECT_TRUE(font.warnings.empty());
+  Font reader;
+  ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),
+            Status::ok);
+  const uint16_t a = reader.glyph_or_notdef(U'A');
+  const uint16_t c = reader.glyph_or_notdef(U'C');
+  const uint16_t icon = reader.glyph_or_notdef(0xe001);
+  EXPECT_NE(icon, 0);
+  EXPECT_EQ(reader.advance(icon), 2000);
+  const uint16_t ids[] = {a, icon, c, icon, a};
+  const int steps[] = {0, 500, 2000, 510, 2000};
+  const auto& glyphs = font.strings[0].glyphs;
+  ASSERT_EQ(glyphs.size(), 5u);
+  for (size_t i = 0; i < glyphs.size(); ++i) {
+    EXPECT_EQ(glyphs[i].glyph, ids[i]) << i;
+    EXPECT_EQ(glyphs[i].x, steps[i]) << i;
+  }
+  EXPECT_EQ(font.strings[0].advance, 500 + 2000 + 510 + 2000 + 500);
+}
+
 TEST_F(Faces, StringsTellWhatNoFaceHas) {
   GenerateRequest request;
   request.target.max_px = 16;

@@ -12,7 +12,6 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr double kUnitsOfU = 1024;
 constexpr int kUnitsPerEm = 1024;
 constexpr double kCapHeight_em = 0.7;
 constexpr int kMostAdvance = 65535;
@@ -42,10 +41,9 @@ SourceGlyph make_glyph(const IconFile& icon,
                 ": <svg> has neither a viewBox nor width and height, so that "
                 "its size is not known; add a viewBox");
   }
-  const double u_per_unit = kUnitsOfU / metrics.units_per_em;
+  const double u_per_unit = kUPerEm / metrics.units_per_em;
   const double cap_u = metrics.cap_height * u_per_unit;
-  const double height_u =
-      place.is_cap_high ? cap_u : place.height_em * kUnitsOfU;
+  const double height_u = place.is_cap_high ? cap_u : place.height_em * kUPerEm;
   if (!(height_u > 0)) {
     throw Error(icon.file.string() +
                 ": the font does not say how high its capitals are; give "
@@ -53,8 +51,10 @@ SourceGlyph make_glyph(const IconFile& icon,
   }
   const double scale = height_u / box->height;
   const double bottom_u =
-      place.is_centred ? (cap_u - height_u) / 2 : place.bottom_em * kUnitsOfU;
+      place.is_centred ? (cap_u - height_u) / 2 : place.bottom_em * kUPerEm;
   SourceGlyph glyph;
+  glyph.face = kIconFace;
+  glyph.source = icon.code_point;
   glyph.code_points = {icon.code_point};
   glyph.file_name = icon.file.filename().string();
   glyph.outline = drawing.outline({scale, 0, 0, -scale, -scale * box->x,
@@ -125,8 +125,10 @@ void add_icons(const std::vector<IconFile>& icons,
     }
     font.glyphs.push_back(make_glyph(icon, place, font.metrics));
     missing.erase(icon.code_point);
+    for (ShapedLine& line : font.lines) {
+      place_icon(icon.code_point, font.glyphs.back().advance, line);
+    }
   }
-  missing.merge(missing_in_lines(font));
   font.missing.assign(missing.begin(), missing.end());
   font.icons.insert(font.icons.end(), icons.begin(), icons.end());
   font.file_name += (font.file_name.empty() ? "" : ", ") +

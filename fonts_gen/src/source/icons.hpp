@@ -30,8 +30,8 @@ void parse_icon_baseline(const std::string& text, IconPlace& place);
 /// are 0.7 em high, and a line is 1 em high around their middle.
 SourceFont font_for_icons();
 
-/// Adds icons as glyphs to `font`; an icon is as wide as its viewBox. Their
-/// code points are missing no longer, but in lines. Throws Error, also for a
+/// Adds icons as glyphs to `font` and to its lines; an icon is as wide as its
+/// viewBox. Their code points are missing no longer. Throws Error, also for a
 /// code point that the font has already.
 void add_icons(const std::vector<IconFile>& icons,
                const IconPlace& place,

@@ -202,13 +202,14 @@ void shape_run(const Faces& faces,
   int advance = 0;
   for (unsigned i = 0; i < count; ++i) {
     const uint32_t glyph = infos[i].codepoint;
+    const int x = out.advance + scaled(advance + places[i].x_offset);
+    const int y = scaled(places[i].y_offset);
     if (glyph == 0) {
-      missing.insert(line.text[infos[i].cluster]);
-    }
-    if (has_ink(font, glyph)) {
-      out.glyphs.push_back({glyph == 0 ? 0 : run.face, glyph,
-                            out.advance + scaled(advance + places[i].x_offset),
-                            scaled(places[i].y_offset)});
+      const char32_t lacking = line.text[infos[i].cluster];
+      missing.insert(lacking);
+      out.glyphs.push_back({0, 0, x, y, lacking, scaled(places[i].x_advance)});
+    } else if (has_ink(font, glyph)) {
+      out.glyphs.push_back({run.face, glyph, x, y});
     }
     advance += places[i].x_advance;
   }
@@ -225,6 +226,21 @@ ShapedLine shape_line(const Faces& faces, const LineText& line) {
   }
   out.missing.assign(missing.begin(), missing.end());
   return out;
+}
+
+void place_icon(char32_t code_point, int advance, ShapedLine& line) {
+  int moved = 0;
+  for (LineGlyph& glyph : line.glyphs) {
+    glyph.x += moved;
+    if (glyph.lacking == code_point) {
+      moved += advance - glyph.advance;
+      glyph = {kIconFace, code_point, glyph.x, glyph.y};
+    }
+  }
+  line.advance += moved;
+  line.missing.erase(
+      std::remove(line.missing.begin(), line.missing.end(), code_point),
+      line.missing.end());
 }
 
 }  // namespace inkcell::gen

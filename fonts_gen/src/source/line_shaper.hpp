@@ -10,6 +10,9 @@
 
 namespace inkcell::gen {
 
+/// The face of icons, whose ids are their code points.
+inline constexpr size_t kIconFace = SIZE_MAX;
+
 /// A glyph of a line. Font units of the first face, y up, from the line's
 /// origin.
 struct LineGlyph {
@@ -17,11 +20,14 @@ struct LineGlyph {
   uint32_t source = 0;  // id in the file of the face
   int x = 0;
   int y = 0;
+  /// Of .notdef: what it stands for, and its advance.
+  char32_t lacking = 0;
+  int advance = 0;
 };
 
 /// A shaped line.
 struct ShapedLine {
-  std::vector<LineGlyph> glyphs;  // left to right, only those with ink
+  std::vector<LineGlyph> glyphs;  // left to right: .notdef, and all with ink
   int advance = 0;                // [font units of the first face]
   /// Characters that all faces lack, in ascending order: .notdef stands there.
   std::vector<char32_t> missing;
@@ -36,5 +42,9 @@ struct ShapedLine {
 /// There is at least one face. Throws Error if FriBidi fails.
 ShapedLine shape_line(const std::vector<const FontFile*>& faces,
                       const LineText& line);
+
+/// Puts an icon of this advance [font units of the first face] in the places
+/// where `code_point` was missing; what stands to the right of one moves.
+void place_icon(char32_t code_point, int advance, ShapedLine& line);
 
 }  // namespace inkcell::gen
