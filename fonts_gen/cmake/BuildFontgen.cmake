@@ -4,9 +4,10 @@
 #         [-DMAKE_PROGRAM=<path>] [-DCXX=<compiler>] -P BuildFontgen.cmake
 #
 # Nothing of a cross build may reach it: its toolchain file, compilers and flags
-# can come through the environment.
+# can come through the environment. So can the limit of its jobs: make would take
+# one core, because only its own calls of make share theirs.
 foreach(name CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS CMAKE_TOOLCHAIN_FILE
-        CMAKE_GENERATOR CPATH CPLUS_INCLUDE_PATH)
+        CMAKE_GENERATOR CPATH CPLUS_INCLUDE_PATH MAKEFLAGS MFLAGS)
   unset(ENV{${name}})
 endforeach()
 
@@ -45,9 +46,10 @@ if(NOT EXISTS "${FOLDER}/inkcell-fontgen${CMAKE_HOST_EXECUTABLE_SUFFIX}")
   set(quiet)
   set(output "see above")
 endif()
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 execute_process(
   COMMAND "${CMAKE_COMMAND}" --build "${FOLDER}" --config Release
-    --target inkcell-fontgen
+    --target inkcell-fontgen --parallel ${cores}
   ${quiet} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "inkcell-fontgen cannot be built:\n${output}")

@@ -60,7 +60,7 @@ function(_inkcell_build_fontgen program)
   if(NOT EXISTS "${built}")
     message(STATUS
       "inkcell: the first build makes inkcell-fontgen for this machine in "
-      "${folder}: about two minutes of one core, once. Build trees that set "
+      "${folder}: about a minute on two cores, once. Build trees that set "
       "INKCELL_FONTGEN_DIR share it; an installed one is taken instead.")
   endif()
   cmake_path(SET source NORMALIZE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")

@@ -42,7 +42,7 @@ struct Subject {
 void expect_consistent(const DistanceLattice& truth) {
   const std::vector<Edge>& edges = truth.shape().edges();
   size_t sum = 0;
-  for (const Chain& chain : truth.chains()) {
+  for (const BorderChain& chain : truth.chains()) {
     EXPECT_GE(chain.edge_count, 1u);
     EXPECT_LT(chain.first_edge, edges.size());
     sum += chain.edge_count;
@@ -187,9 +187,10 @@ TEST(DistanceLattice, CornerSamplesLieInTheConeOfTheCorner) {
       ASSERT_NEAR(std::hypot(dx, dy), std::fabs(sample.distance_u), 1e-4);
       EXPECT_TRUE(sample.chain == corner.before ||
                   sample.chain == corner.after);
-      const Chain& before =
+      const BorderChain& before =
           s.truth.chains()[static_cast<size_t>(corner.before)];
-      const Chain& after = s.truth.chains()[static_cast<size_t>(corner.after)];
+      const BorderChain& after =
+          s.truth.chains()[static_cast<size_t>(corner.after)];
       const Edge& out = edges[after.first_edge];
       EXPECT_LE(dx * (out.b.x - out.a.x) + dy * (out.b.y - out.a.y), 1e-6);
       // 'k' is all straight: a chain is an edge.

@@ -43,7 +43,7 @@ TEST(FieldFit, LinesAreExact) {
       return d0 + std::cos(angle) * x + std::sin(angle) * y;
     });
     for (const bool curved : {false, true}) {
-      Fit fit;
+      PrimitiveFit fit;
       ASSERT_TRUE(fit_field(points, curved, fit));
       EXPECT_NEAR(fit.d0, d0, 1e-6);
       EXPECT_LE(angle_between(fit.angle, angle), 1e-8);
@@ -58,7 +58,7 @@ TEST(FieldFit, AxisDirectionsAreExact) {
     const std::vector<FitPoint> points = lattice(16, [&](double x, double y) {
       return 3 + std::cos(angle) * x + std::sin(angle) * y;
     });
-    Fit fit;
+    PrimitiveFit fit;
     ASSERT_TRUE(fit_field(points, true, fit));
     EXPECT_LE(angle_between(fit.angle, angle), 1e-8);
     EXPECT_NEAR(fit.d0, 3, 1e-8);
@@ -78,7 +78,7 @@ TEST(FieldFit, SecondOrderFieldsAreExact) {
       const double v = nx * y - ny * x;
       return d0 + nx * x + ny * y + 0.5 * k * v * v;
     });
-    Fit fit;
+    PrimitiveFit fit;
     ASSERT_TRUE(fit_field(points, true, fit));
     EXPECT_NEAR(fit.d0, d0, 1e-4);
     EXPECT_LE(angle_between(fit.angle, angle), 1e-5);
@@ -100,7 +100,7 @@ TEST(FieldFit, CirclesAreMetToSecondOrder) {
       return ink * (radius - std::hypot(x + rho * std::cos(way),
                                         y + rho * std::sin(way)));
     });
-    Fit fit;
+    PrimitiveFit fit;
     ASSERT_TRUE(fit_field(points, true, fit));
     EXPECT_NEAR(fit.k, -ink / rho, 0.1 / rho) << radius;
     // The term of third order, half across.
@@ -112,7 +112,7 @@ TEST(FieldFit, CirclesAreMetToSecondOrder) {
 TEST(FieldFit, StraightFitsStayStraight) {
   const std::vector<FitPoint> points = lattice(
       20, [](double x, double y) { return 200 - std::hypot(x - 200, y); });
-  Fit fit;
+  PrimitiveFit fit;
   ASSERT_TRUE(fit_field(points, false, fit));
   EXPECT_NEAR(fit.k, 0, 1e-12);
   EXPECT_LE(angle_between(fit.angle, 0), 0.02);
@@ -122,7 +122,7 @@ TEST(FieldFit, FixedAngleIsKept) {
   const std::vector<FitPoint> points =
       lattice(20, [](double x, double y) { return 5 + x * 0.8 + y * 0.6; });
   for (const bool curved : {false, true}) {
-    Fit fit;
+    PrimitiveFit fit;
     fit.angle = std::atan2(0.6, 0.8) + 0.01;
     fit.k = 0.5;
     fit_at_angle(points, curved, fit);
@@ -141,13 +141,13 @@ TEST(FieldFit, ErrorsGoWhereThereIsLeeway) {
     p.low = p.d - way;
     p.high = p.d + way;
   }
-  Fit fit;
+  PrimitiveFit fit;
   ASSERT_TRUE(fit_field(points, false, fit));
   EXPECT_NEAR(fit.d0, 0, 0.1);
 }
 
 TEST(FieldFit, RefusesTooFewPoints) {
-  Fit fit;
+  PrimitiveFit fit;
   fit.d0 = 77;
   std::vector<FitPoint> points;
   for (int i = 0; i < 3; ++i) {
@@ -160,7 +160,7 @@ TEST(FieldFit, RefusesTooFewPoints) {
 }
 
 TEST(FieldFit, RefusesWhatIsNoField) {
-  Fit fit;
+  PrimitiveFit fit;
   fit.d0 = 77;
   // Flat; on a ridge.
   EXPECT_FALSE(
@@ -180,7 +180,7 @@ TEST(FieldFit, DegenerateInputGivesFiniteNumbers) {
         const double d = along ? i : 0;
         points.push_back({along ? i : 0.0, along ? 0.0 : i, d, d - 1, d + 1});
       }
-      Fit fit;
+      PrimitiveFit fit;
       if (fit_field(points, curved, fit)) {
         EXPECT_TRUE(std::isfinite(fit.d0 + fit.angle + fit.k));
       }
@@ -188,7 +188,7 @@ TEST(FieldFit, DegenerateInputGivesFiniteNumbers) {
       EXPECT_TRUE(std::isfinite(fit.d0 + fit.angle + fit.k));
     }
   }
-  Fit fit;
+  PrimitiveFit fit;
   fit_field(std::vector<FitPoint>(9, {1, 2, 3, 2, 4}), true, fit);
   EXPECT_TRUE(std::isfinite(fit.d0 + fit.angle + fit.k));
   fit_at_angle({}, true, fit);

@@ -6,97 +6,98 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-using Class = LineClass;
-
 // A set of classes that have rows. Bit i: class i.
 constexpr uint32_t set() noexcept {
   return 0;
 }
 template <typename... Rest>
-constexpr uint32_t set(Class first, Rest... rest) noexcept {
+constexpr uint32_t set(LineClass first, Rest... rest) noexcept {
   return uint32_t{1} << static_cast<uint8_t>(first) | set(rest...);
 }
-constexpr bool has(uint32_t classes, Class c) noexcept {
+constexpr bool has(uint32_t classes, LineClass c) noexcept {
   return is_pair_class(c) && (classes >> static_cast<uint8_t>(c) & 1) != 0;
 }
 
-constexpr uint32_t kLetters = set(Class::al, Class::hl);
-constexpr uint32_t kOpening = set(Class::op, Class::opw);
-constexpr uint32_t kClosing = set(Class::cl, Class::cp);
-constexpr uint32_t kAffixes = set(Class::pr, Class::po);
-constexpr uint32_t kPictures = set(Class::id, Class::eb, Class::em);
-constexpr uint32_t kJamo =
-    set(Class::jl, Class::jv, Class::jt, Class::h2, Class::h3);
+constexpr uint32_t kLetters = set(LineClass::al, LineClass::hl);
+constexpr uint32_t kOpening = set(LineClass::op, LineClass::opw);
+constexpr uint32_t kClosing = set(LineClass::cl, LineClass::cp);
+constexpr uint32_t kAffixes = set(LineClass::pr, LineClass::po);
+constexpr uint32_t kPictures = set(LineClass::id, LineClass::eb, LineClass::em);
+constexpr uint32_t kJamo = set(
+    LineClass::jl, LineClass::jv, LineClass::jt, LineClass::h2, LineClass::h3);
 // Never at the beginning of a line, even after spaces: LB11, LB13.
 constexpr uint32_t kTrailing =
-    kClosing | set(Class::ex, Class::is, Class::sy, Class::wj);
+    kClosing | set(LineClass::ex, LineClass::is, LineClass::sy, LineClass::wj);
 
 // The classes that stay on the line of a class `before` which they follow, by
 // the rules that look at two characters. LB12, LB12a and LB15 need no more than
 // is said here; LB25 and LB30a have states of their own.
-constexpr uint32_t stays_after(Class before) noexcept {
+constexpr uint32_t stays_after(LineClass before) noexcept {
   constexpr uint32_t kAll = (uint32_t{1} << kPairClasses) - 1;
-  if (has(set(Class::wj, Class::gl) | kOpening | set(Class::qu), before)) {
+  if (has(set(LineClass::wj, LineClass::gl) | kOpening | set(LineClass::qu),
+          before)) {
     return kAll;  // LB11, LB12, LB14, LB19
   }
-  uint32_t after = kTrailing | set(Class::qu);  // LB13, LB19
-  if (!has(set(Class::ba, Class::hy), before)) {
-    after |= set(Class::gl);  // LB12a
+  uint32_t after = kTrailing | set(LineClass::qu);  // LB13, LB19
+  if (!has(set(LineClass::ba, LineClass::hy), before)) {
+    after |= set(LineClass::gl);  // LB12a
   }
   if (has(kClosing, before)) {
-    after |= set(Class::ns);  // LB16
+    after |= set(LineClass::ns);  // LB16
   }
-  if (before == Class::b2) {
-    after |= set(Class::b2);  // LB17
+  if (before == LineClass::b2) {
+    after |= set(LineClass::b2);  // LB17
   }
-  if (before == Class::cb) {
+  if (before == LineClass::cb) {
     return after;  // LB20
   }
-  after |= set(Class::ba, Class::hy, Class::ns, Class::in);  // LB21, LB22
-  if (before == Class::bb) {
-    after |= kAll & ~set(Class::cb);  // LB21
+  after |= set(LineClass::ba, LineClass::hy, LineClass::ns,
+               LineClass::in);  // LB21, LB22
+  if (before == LineClass::bb) {
+    after |= kAll & ~set(LineClass::cb);  // LB21
   }
-  if (before == Class::sy) {
-    after |= set(Class::hl);  // LB21b
+  if (before == LineClass::sy) {
+    after |= set(LineClass::hl);  // LB21b
   }
   if (has(kLetters, before)) {
-    after |= set(Class::nu) | kAffixes | kLetters;  // LB23, LB24, LB28
+    after |= set(LineClass::nu) | kAffixes | kLetters;  // LB23, LB24, LB28
   }
-  if (before == Class::nu) {
+  if (before == LineClass::nu) {
     after |= kLetters;  // LB23
   }
-  if (before == Class::pr) {
+  if (before == LineClass::pr) {
     after |= kPictures | kJamo;  // LB23a, LB27
   }
   if (has(kPictures | kJamo, before)) {
-    after |= set(Class::po);  // LB23a, LB27
+    after |= set(LineClass::po);  // LB23a, LB27
   }
   if (has(kAffixes, before)) {
-    after |= kLetters | set(Class::nu);  // LB24, LB25
+    after |= kLetters | set(LineClass::nu);  // LB24, LB25
   }
-  if (before == Class::hy) {
-    after |= set(Class::nu);  // LB25
+  if (before == LineClass::hy) {
+    after |= set(LineClass::nu);  // LB25
   }
-  if (before == Class::jl) {
-    after |= set(Class::jl, Class::jv, Class::h2, Class::h3);  // LB26
+  if (before == LineClass::jl) {
+    after |= set(LineClass::jl, LineClass::jv, LineClass::h2,
+                 LineClass::h3);  // LB26
   }
-  if (has(set(Class::jv, Class::h2), before)) {
-    after |= set(Class::jv, Class::jt);
+  if (has(set(LineClass::jv, LineClass::h2), before)) {
+    after |= set(LineClass::jv, LineClass::jt);
   }
-  if (has(set(Class::jt, Class::h3), before)) {
-    after |= set(Class::jt);
+  if (has(set(LineClass::jt, LineClass::h3), before)) {
+    after |= set(LineClass::jt);
   }
-  if (before == Class::is) {
+  if (before == LineClass::is) {
     after |= kLetters;  // LB29
   }
-  if (has(kLetters | set(Class::nu), before)) {
-    after |= set(Class::op);  // LB30
+  if (has(kLetters | set(LineClass::nu), before)) {
+    after |= set(LineClass::op);  // LB30
   }
-  if (before == Class::cp) {
-    after |= kLetters | set(Class::nu);  // LB30
+  if (before == LineClass::cp) {
+    after |= kLetters | set(LineClass::nu);  // LB30
   }
-  if (before == Class::eb) {
-    after |= set(Class::em);  // LB30b
+  if (before == LineClass::eb) {
+    after |= set(LineClass::em);  // LB30b
   }
   return after;
 }
@@ -106,7 +107,7 @@ struct PairTable {
 
   constexpr PairTable() noexcept {
     for (uint8_t i = 0; i < kPairClasses; ++i) {
-      rows[i] = stays_after(static_cast<Class>(i));
+      rows[i] = stays_after(static_cast<LineClass>(i));
     }
   }
 };
@@ -116,9 +117,9 @@ constexpr PairTable kPairs;
 // Whether a digit follows, after marks.
 bool begins_with_digit(Text text) noexcept {
   while (text.size != 0) {
-    const Class next = line_class(next_code_point(text));
+    const LineClass next = line_class(next_code_point(text));
     if (!is_mark(next)) {
-      return next == Class::nu;
+      return next == LineClass::nu;
     }
   }
   return false;
@@ -127,27 +128,29 @@ bool begins_with_digit(Text text) noexcept {
 }  // namespace
 
 Break LineState::decide_after_spaces(LineClass after) const noexcept {
-  const bool stays = has(kTrailing, after) || has(kOpening, before_) ||  // LB14
-                     (before_ == Class::qu && has(kOpening, after)) ||   // LB15
-                     (has(kClosing, before_) && after == Class::ns) ||   // LB16
-                     (before_ == Class::b2 && after == Class::b2);       // LB17
-  return stays ? Break::none : Break::allowed;                           // LB18
+  const bool stays =
+      has(kTrailing, after) || has(kOpening, before_) ||     // LB14
+      (before_ == LineClass::qu && has(kOpening, after)) ||  // LB15
+      (has(kClosing, before_) && after == LineClass::ns) ||  // LB16
+      (before_ == LineClass::b2 && after == LineClass::b2);  // LB17
+  return stays ? Break::none : Break::allowed;               // LB18
 }
 
 // The rules in their order. `before_` has a row unless a line ends with it, or
 // spaces begin the text, or it is a zero width space.
 Break LineState::decide(LineClass after, const Text& rest) const noexcept {
-  if (before_ == Class::none && !is_spaced_) {
+  if (before_ == LineClass::none && !is_spaced_) {
     return Break::none;  // LB2
   }
   if (ends_line(before_)) {
-    return before_ == Class::cr && after == Class::lf ? Break::none
-                                                      : Break::mandatory;
+    return before_ == LineClass::cr && after == LineClass::lf
+               ? Break::none
+               : Break::mandatory;
   }
-  if (ends_line(after) || after == Class::sp || after == Class::zw) {
+  if (ends_line(after) || after == LineClass::sp || after == LineClass::zw) {
     return Break::none;  // LB6, LB7
   }
-  if (before_ == Class::zw) {
+  if (before_ == LineClass::zw) {
     return Break::allowed;  // LB8
   }
   if (is_joined_) {
@@ -157,7 +160,7 @@ Break LineState::decide(LineClass after, const Text& rest) const noexcept {
     if (!is_spaced_) {
       return Break::none;  // LB9
     }
-    after = Class::al;  // LB10
+    after = LineClass::al;  // LB10
   }
   if (is_spaced_) {
     return decide_after_spaces(after);
@@ -167,21 +170,22 @@ Break LineState::decide(LineClass after, const Text& rest) const noexcept {
   }
   const bool is_in_number =
       (number_ == digits &&
-       has(set(Class::nu, Class::sy, Class::is) | kClosing | kAffixes,
+       has(set(LineClass::nu, LineClass::sy, LineClass::is) | kClosing |
+               kAffixes,
            after)) ||
       (number_ == closed && has(kAffixes, after)) ||
-      (has(kAffixes, before_) && has(kOpening | set(Class::hy), after) &&
+      (has(kAffixes, before_) && has(kOpening | set(LineClass::hy), after) &&
        begins_with_digit(rest));  // LB25
-  const bool is_after_hyphen = is_hebrew_hyphen_ && after != Class::cb;
-  const bool is_flag =
-      is_odd_flag_ && before_ == Class::ri && after == Class::ri;  // LB30a
+  const bool is_after_hyphen = is_hebrew_hyphen_ && after != LineClass::cb;
+  const bool is_flag = is_odd_flag_ && before_ == LineClass::ri &&
+                       after == LineClass::ri;  // LB30a
   return is_in_number || is_after_hyphen || is_flag ? Break::none
                                                     : Break::allowed;
 }
 
 void LineState::go_past(LineClass after) noexcept {
-  is_joined_ = after == Class::zwj;
-  if (after == Class::sp && !ends_line(before_)) {
+  is_joined_ = after == LineClass::zwj;
+  if (after == LineClass::sp && !ends_line(before_)) {
     is_spaced_ = true;
     number_ = none;
     return;
@@ -190,23 +194,24 @@ void LineState::go_past(LineClass after) noexcept {
     if (is_pair_class(before_) && !is_spaced_) {
       return;  // LB9
     }
-    after = Class::al;  // LB10
+    after = LineClass::al;  // LB10
   }
   const bool follows = !is_spaced_;
-  if (after == Class::nu) {
+  if (after == LineClass::nu) {
     number_ = digits;
   } else if (number_ == digits && has(kClosing, after)) {
     number_ = closed;
   } else if (!(number_ == digits &&
-               (after == Class::sy || after == Class::is))) {
+               (after == LineClass::sy || after == LineClass::is))) {
     number_ = none;
   }
-  is_hebrew_hyphen_ = follows && before_ == Class::hl &&
-                      (after == Class::hy || after == Class::ba);  // LB21a
-  is_odd_flag_ =
-      after == Class::ri && !(follows && before_ == Class::ri && is_odd_flag_);
-  is_spaced_ = after == Class::sp;
-  before_ = after == Class::sp ? Class::none : after;
+  is_hebrew_hyphen_ =
+      follows && before_ == LineClass::hl &&
+      (after == LineClass::hy || after == LineClass::ba);  // LB21a
+  is_odd_flag_ = after == LineClass::ri &&
+                 !(follows && before_ == LineClass::ri && is_odd_flag_);
+  is_spaced_ = after == LineClass::sp;
+  before_ = after == LineClass::sp ? LineClass::none : after;
 }
 
 Break LineState::step(LineClass after, const Text& rest) noexcept {

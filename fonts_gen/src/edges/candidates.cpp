@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "edges/code.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Candidates that are tried in a cell, at least and for each step of effort.
 constexpr size_t kReused = 7;
@@ -336,7 +335,7 @@ void CandidateSource::add_tangent(const Corner& corner,
                                   std::vector<PrimitiveCode>& out) {
   const Edge& edge = source_.truth().shape().edges()[edge_number];
   const int half = 1 << square.size_log2 >> 1;
-  Fit fit;
+  PrimitiveFit fit;
   // The filled side is on the left of an edge.
   fit.angle = std::atan2(edge.b.x - edge.a.x, -(edge.b.y - edge.a.y));
   fit.d0 = std::cos(fit.angle) * (square.x_u + half - corner.at.x) +
@@ -385,14 +384,14 @@ void CandidateSource::fit_window(int chain,
                              std::min<double>(high, 1e4)});
     }
   }
-  Fit fit;
+  PrimitiveFit fit;
   if (fit_field(fit_points_, true, fit)) {
     add_codes(fit, square, out);
   }
 }
 
 // Quantises a fit in all ways that may do.
-void CandidateSource::add_codes(const Fit& fit,
+void CandidateSource::add_codes(const PrimitiveFit& fit,
                                 const Square& square,
                                 std::vector<PrimitiveCode>& out) {
   const double turn = fit.angle / (2 * kPi);
@@ -412,14 +411,14 @@ void CandidateSource::add_codes(const Fit& fit,
 
 // With the angle given, the rest is fitted again; with the bend quantised, the
 // distance is put into the middle of what passes.
-void CandidateSource::add_code(const Fit& fit,
+void CandidateSource::add_code(const PrimitiveFit& fit,
                                PrimitiveKind kind,
                                int angle,
                                double turn,
                                const Square& square,
                                std::vector<PrimitiveCode>& out) {
   const int log2 = square.size_log2;
-  Fit fixed = fit;
+  PrimitiveFit fixed = fit;
   fixed.angle = turn * 2 * kPi;
   fit_at_angle(fit_points_, is_bent(kind), fixed);
   PrimitiveCode code;

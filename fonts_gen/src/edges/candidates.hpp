@@ -21,11 +21,11 @@ namespace gen {
 struct Candidate {
   PrimitiveNumbers field;
   bool is_new = false;
-  int rank = 0;      // reused: place in the list
-  uint16_t id = 0;   // reused: number of the field
+  int rank = 0;        // reused: place in the list
+  uint16_t id = 0;     // reused: number of the field
   PrimitiveCode code;  // new
-  double bits = 0;   // new: of all but its kind
-  double bonus = 0;  // new: what later cells may save by it [bits]
+  double bits = 0;     // new: of all but its kind
+  double bonus = 0;    // new: what later cells may save by it [bits]
 
   // At the cell's points:
   bool is_arc = false;
@@ -102,10 +102,10 @@ class CandidateSource {
                    uint32_t edge_number,
                    const Square& square,
                    std::vector<PrimitiveCode>& out);
-  void add_codes(const Fit& fit,
+  void add_codes(const PrimitiveFit& fit,
                  const Square& square,
                  std::vector<PrimitiveCode>& out);
-  void add_code(const Fit& fit,
+  void add_code(const PrimitiveFit& fit,
                 PrimitiveKind kind,
                 int angle,
                 double turn,

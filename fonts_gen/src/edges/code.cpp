@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "shape/points.hpp"
+
 namespace inkcell {
 namespace gen {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Steps in e0, that of the angle so far from the anchor. Coarser ones make more
 // cells and little less bytes; of finer ones that of the distance pays best.

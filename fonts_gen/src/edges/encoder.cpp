@@ -9,13 +9,13 @@
 #include "edges/code.hpp"
 #include "edges/refine.hpp"
 #include "inkcell/format/rom.hpp"
+#include "shape/points.hpp"
 #include "target/metric.hpp"
 
 namespace inkcell {
 namespace gen {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // What a saturated square says, beyond every band. [u]
 constexpr float kSaturated_u = 1024;
 

@@ -50,7 +50,7 @@ double leeway(const FitPoint& p) {
 bool refine(const std::vector<FitPoint>& points,
             bool curved,
             bool fixed,
-            Fit& fit) {
+            PrimitiveFit& fit) {
   const size_t count = points.size();
   static thread_local std::vector<double> weights;
   static thread_local std::vector<double> errors;
@@ -101,7 +101,9 @@ bool refine(const std::vector<FitPoint>& points,
 
 }  // namespace
 
-bool fit_field(const std::vector<FitPoint>& points, bool curved, Fit& out) {
+bool fit_field(const std::vector<FitPoint>& points,
+               bool curved,
+               PrimitiveFit& out) {
   if (points.size() < 3) {
     return false;
   }
@@ -124,7 +126,7 @@ bool fit_field(const std::vector<FitPoint>& points, bool curved, Fit& out) {
   if (!solve(m, r) || std::hypot(r[1], r[2]) < 0.2) {
     return false;
   }
-  Fit fit;
+  PrimitiveFit fit;
   fit.d0 = r[0];
   fit.angle = std::atan2(r[2], r[1]);
   if (!refine(points, curved, false, fit)) {
@@ -134,8 +136,10 @@ bool fit_field(const std::vector<FitPoint>& points, bool curved, Fit& out) {
   return true;
 }
 
-void fit_at_angle(const std::vector<FitPoint>& points, bool curved, Fit& fit) {
-  Fit refined = fit;
+void fit_at_angle(const std::vector<FitPoint>& points,
+                  bool curved,
+                  PrimitiveFit& fit) {
+  PrimitiveFit refined = fit;
   refined.k = curved ? fit.k : 0;
   if (refine(points, curved, true, refined)) {
     refined.angle = fit.angle;

@@ -16,7 +16,7 @@ struct FitPoint {
 };
 
 /// d0 + n.q + k/2 (t.q)^2, n = (cos angle, sin angle).
-struct Fit {
+struct PrimitiveFit {
   double d0 = 0;
   double angle = 0;  // [radian]
   double k = 0;
@@ -25,10 +25,14 @@ struct Fit {
 /// The field that comes nearest to `points`, in the sense of the largest
 /// error in units of each point's leeway: Gauss-Newton with Lawson's weights.
 /// False if there are too few points or they do not look like a field.
-bool fit_field(const std::vector<FitPoint>& points, bool curved, Fit& out);
+bool fit_field(const std::vector<FitPoint>& points,
+               bool curved,
+               PrimitiveFit& out);
 
 /// The same with the angle given.
-void fit_at_angle(const std::vector<FitPoint>& points, bool curved, Fit& fit);
+void fit_at_angle(const std::vector<FitPoint>& points,
+                  bool curved,
+                  PrimitiveFit& fit);
 
 }  // namespace gen
 }  // namespace inkcell

@@ -10,13 +10,13 @@
 
 #include "edges/code.hpp"
 #include "edges/leaf.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
 namespace {
 
 constexpr double kFails = std::numeric_limits<double>::infinity();
-constexpr double kPi = 3.14159265358979323846;
 
 // Times that all fields are moved, each while the others rest.
 constexpr int kSweeps = 2;

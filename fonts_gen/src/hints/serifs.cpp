@@ -7,7 +7,7 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr double kThickest = 65;        // [u]
+constexpr double kThickestSerif = 65;   // [u]
 constexpr double kWidest = 500;         // with its wings [u]
 constexpr double kLongestWing = 165;    // [u]
 constexpr double kLongestSide = 110;    // of a wing on one side only [u]
@@ -128,7 +128,7 @@ std::optional<double> foot_height(const StrokeEdge& edge,
 }  // namespace
 
 bool is_serif(const Stroke& bar, const Border& border) {
-  if (bar.width() >= kThickest || bar.is_round ||
+  if (bar.width() >= kThickestSerif || bar.is_round ||
       bar.kind == Stroke::Kind::spine) {
     return false;
   }

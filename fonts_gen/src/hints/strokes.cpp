@@ -8,7 +8,7 @@ namespace {
 
 // Widths of strokes. [u]
 constexpr double kThinnest = 5;
-constexpr double kThickest = 165;
+constexpr double kThickestStroke = 165;
 
 // Edges face each other along this length [u], or this share of the shorter
 // one: inner edges of serifs are split by their stems, those of bends are
@@ -47,7 +47,7 @@ std::vector<Pair> find_pairs(const std::vector<StrokeEdge>& edges) {
     for (size_t j = 0; j < edges.size(); ++j) {
       const double width = edges[j].position - edges[i].position;
       if (!edges[i].ink_beyond || edges[j].ink_beyond || width <= kThinnest ||
-          width > kThickest) {
+          width > kThickestStroke) {
         continue;
       }
       const double facing = overlap(edges[i].pieces, edges[j].pieces);

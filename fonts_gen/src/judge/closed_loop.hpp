@@ -17,6 +17,10 @@ namespace gen {
 /// Sub-pixel positions that the loop knows.
 inline constexpr int kLoopPhases = 8;
 
+/// Positions between those may look a little worse: so much of the tolerance is
+/// kept back. [1/255]
+inline constexpr double kPositionReserve = 0.5;
+
 struct LoopOptions {
   /// Sizes. [px/em] Whole numbers, kMinSize..kMaxSize, min <= max.
   int min_px = 8;

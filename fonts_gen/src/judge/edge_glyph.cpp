@@ -10,16 +10,13 @@ namespace {
 // Encodings at most, before what is left is reported.
 constexpr int kMostRounds = 8;
 
-// Other positions than those of the loop may look a little worse. [1/255]
-constexpr double kReserve = 0.5;
-
 }  // namespace
 
 EdgeGlyph build_edges(const Shape& shape,
                       const Target& options,
                       const LoopOptions& loop_options) {
   LoopOptions strict = loop_options;
-  strict.tolerance -= kReserve;
+  strict.tolerance -= kPositionReserve;
   ClosedLoop loop(shape, strict);
   EdgeEncoder encoder(shape, options);
   EdgeGlyph best;

@@ -26,9 +26,6 @@ constexpr int kRounds = 4;
 // Shares of the tolerance. Curves are tried with both of a pair before chords.
 constexpr double kShares[][2] = {{1, 0.6}, {0.35, 0.2}};
 
-// Other positions than those of the loop may look a little worse. [1/255]
-constexpr double kReserve = 0.5;
-
 // At 64 px and a tolerance of 16/255 this is half a u: about half of the
 // tolerance. The rest is the painter's.
 constexpr double kShare = 32.0 / 16.0;
@@ -280,7 +277,7 @@ class Trials {
 
  private:
   static LoopOptions strict(LoopOptions options) {
-    options.tolerance -= kReserve;
+    options.tolerance -= kPositionReserve;
     return options;
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "outlines/point_bits.hpp"
 #include "shape/points.hpp"
@@ -10,8 +9,6 @@
 namespace inkcell {
 namespace gen {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr size_t kMostControls = 4;
 constexpr size_t kMostStretches = 20;

@@ -68,7 +68,7 @@ ChainSearch::ChainSearch(const Trace& trace,
     print.add(static_cast<uint64_t>(stretch.kind));
     print.add(static_cast<uint64_t>(stretch.care));
     print.add(stretch.control);
-    const Span samples = span(i, i + 1);
+    const SampleSpan samples = span(i, i + 1);
     print.add(uint64_t{samples.count});
     for (size_t k = 0; k < samples.count; ++k) {
       print.add(samples.first[k]);
@@ -108,7 +108,7 @@ double ChainSearch::tolerance(size_t first, size_t last) const {
                                          : scale_.careful_tolerance;
 }
 
-Span ChainSearch::span(size_t first, size_t last) const {
+SampleSpan ChainSearch::span(size_t first, size_t last) const {
   const size_t from = trace_.nodes[first].at;
   const size_t to = last == trace_.nodes.size() ? trace_.samples.size() - 1
                                                 : trace_.nodes[last].at;
@@ -139,7 +139,7 @@ FixedControls ChainSearch::fix(size_t first,
     (x ? fixed.x : fixed.y)[i] = true;
     (x ? fixed.at[i].x : fixed.at[i].y) = value;
   };
-  const Span whole = span(first, last);
+  const SampleSpan whole = span(first, last);
   if (n > 1) {
     for (size_t m = first + 1; m < last; ++m) {
       const Node& at = trace_.nodes[m];
@@ -216,7 +216,7 @@ bool ChainSearch::search(size_t first,
 
 bool ChainSearch::improve(size_t first, size_t last, Chain& chain) const {
   const double wanted = tolerance(first, last);
-  const Span source = span(first, last);
+  const SampleSpan source = span(first, last);
   double best =
       deviation(source, chain, kWorthMoving * wanted, scale_.chord_bound);
   if (best > kWorthMoving * wanted) {
@@ -305,7 +305,7 @@ Chain ChainSearch::nearest(size_t stretch) const {
     return line;
   }
   curve.controls[0] = rounded(curve.controls[0]);
-  const Span samples = span(stretch, stretch + 1);
+  const SampleSpan samples = span(stretch, stretch + 1);
   return deviation(samples, curve, kAny, scale_.chord_bound) <
                  deviation(samples, line, kAny, scale_.chord_bound)
              ? curve

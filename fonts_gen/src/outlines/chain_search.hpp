@@ -41,7 +41,7 @@ class ChainSearch {
 
  private:
   double tolerance(size_t first, size_t last) const;
-  Span span(size_t first, size_t last) const;
+  SampleSpan span(size_t first, size_t last) const;
   bool own_controls(size_t first, size_t last, Chain& chain) const;
   bool keeps_extremes(size_t first, size_t last, const Chain& chain) const;
   FixedControls fix(size_t first, size_t last, const Chain& chain) const;

@@ -10,7 +10,8 @@
 #include <tuple>
 #include <utility>
 
-#include "shape/outline.hpp"
+#include "shape/points.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -26,15 +27,8 @@ constexpr double kLeastGap = 2;
 constexpr int kMostTries = 20000;
 constexpr size_t kMostComponents = 8;
 
-struct Box {
-  double x0 = std::numeric_limits<double>::infinity();
-  double y0 = std::numeric_limits<double>::infinity();
-  double x1 = -std::numeric_limits<double>::infinity();
-  double y1 = -std::numeric_limits<double>::infinity();
-};
-
 Box box_of(const std::vector<Polyline>& lines) {
-  Box box;
+  Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
   for (const Polyline& line : lines) {
     for (const Point& p : line) {
       box = {std::min(box.x0, p.x), std::min(box.y0, p.y),
@@ -47,10 +41,6 @@ Box box_of(const std::vector<Polyline>& lines) {
 bool far_apart(const Box& a, const Box& b) {
   return a.x0 > b.x1 + kLeastGap || b.x0 > a.x1 + kLeastGap ||
          a.y0 > b.y1 + kLeastGap || b.y0 > a.y1 + kLeastGap;
-}
-
-Point middle(const Point& a, const Point& b) {
-  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
 void add_curve(Polyline& line, Point a, Point c, Point b) {

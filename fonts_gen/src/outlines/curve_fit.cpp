@@ -88,7 +88,7 @@ double stray(const Point* points,
 }
 
 // Points at equal distances along the samples, without the ends.
-std::vector<Point> spread(const Span& source, size_t count) {
+std::vector<Point> spread(const SampleSpan& source, size_t count) {
   std::vector<double> along(source.count, 0);
   for (size_t i = 1; i < source.count; ++i) {
     along[i] = along[i - 1] + length(source.first[i] - source.first[i - 1]);
@@ -304,7 +304,7 @@ Segment Chain::quadratic(size_t i) const {
   return segment;
 }
 
-double deviation(const Span& source,
+double deviation(const SampleSpan& source,
                  const Chain& chain,
                  double limit,
                  double bound) {
@@ -321,7 +321,7 @@ double deviation(const Span& source,
       stray(source.first, source.count, polygon.data(), polygon.size(), most)));
 }
 
-bool fit_controls(const Span& source,
+bool fit_controls(const SampleSpan& source,
                   const FixedControls& fixed,
                   double limit,
                   Chain& chain) {

@@ -21,7 +21,7 @@ struct Chain {
 };
 
 /// Samples that follow each other along the source.
-struct Span {
+struct SampleSpan {
   const Point* first;
   size_t count;  // 2 or more
 };
@@ -29,7 +29,7 @@ struct Span {
 /// The larger of the distances of the samples from the chain and of the chain
 /// from the samples' polygon, both taken in order along the curve. Curves are
 /// chords within `bound`. Stops above `limit`, with anything above it.
-double deviation(const Span& source,
+double deviation(const SampleSpan& source,
                  const Chain& chain,
                  double limit,
                  double bound);
@@ -50,7 +50,7 @@ inline constexpr size_t kMostFitControls = 6;
 /// Sets the controls of `chain` so that the largest distance from `source` is
 /// as small as a few rounds make it. False if it does not look as if it could
 /// become `limit`.
-bool fit_controls(const Span& source,
+bool fit_controls(const SampleSpan& source,
                   const FixedControls& fixed,
                   double limit,
                   Chain& chain);

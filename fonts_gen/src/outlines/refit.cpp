@@ -23,7 +23,7 @@ namespace {
 // stray by more than this, and those places are refitted with more care.
 // [tolerances]
 constexpr double kMostStray = 1.1;
-constexpr int kRounds = 4;
+constexpr int kRefitRounds = 4;
 // Contours that overlap by less fill the same pixels. [u]
 constexpr double kOverlap_u = 0.05;
 constexpr int kOverlapSamples = 8;
@@ -237,12 +237,12 @@ MinimalOutline minimal_outline(const Outline& outline,
   RefitOptions wary = options;
   MinimalOutline best;
   double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRounds && !judge.empty(); ++round) {
+  for (int round = 0; round < kRefitRounds && !judge.empty(); ++round) {
     MinimalOutline result = refit(united, wary, memo);
     std::vector<Point>& places = round == 0 ? wary.careful_u : wary.exact_u;
     const size_t before = places.size();
     const double fault = judge.fault(result, places);
-    if (round + 2 == kRounds) {
+    if (round + 2 == kRefitRounds) {
       // Nearer than the grid can show: what touches is united.
       united = unite(expand(result, options.units_per_em, options.grid_shift));
     }

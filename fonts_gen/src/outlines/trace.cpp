@@ -34,7 +34,7 @@ constexpr int kChordsOfCubic = 16;
 // Coordinates that differ by less are equal. [grid units]
 constexpr double kLevel = 0.01;
 
-struct Part {
+struct ContourPart {
   Segment curve;
   bool goes_on = false;  // from the part before, as a chord of one curve
 };
@@ -46,13 +46,13 @@ Segment scaled(Segment segment, double scale) {
   return segment;
 }
 
-double chord_of(const Part& part) {
+double chord_of(const ContourPart& part) {
   return length(end_of(part.curve) - part.curve.p[0]);
 }
 
 // Parts of the contour between joints and turning points.
-std::vector<Part> parts_of(const Contour& contour, double scale) {
-  std::vector<Part> parts;
+std::vector<ContourPart> parts_of(const Contour& contour, double scale) {
+  std::vector<ContourPart> parts;
   for (const Segment& segment : contour.segments) {
     const Segment curve = scaled(segment, scale);
     double t0 = 0;
@@ -69,13 +69,13 @@ std::vector<Part> parts_of(const Contour& contour, double scale) {
   return parts;
 }
 
-double turn_cos(const Part& a, const Part& b) {
+double turn_cos(const ContourPart& a, const ContourPart& b) {
   return dot(direction_at_end(a.curve), direction_at_start(b.curve));
 }
 
 // The joint at which the contour turns most comes first. Short chords of one
 // curve are marked.
-void arrange(std::vector<Part>& parts, double chord) {
+void arrange(std::vector<ContourPart>& parts, double chord) {
   const size_t n = parts.size();
   size_t sharpest = 0;
   double least = 2;
@@ -89,7 +89,7 @@ void arrange(std::vector<Part>& parts, double chord) {
   std::rotate(parts.begin(), parts.begin() + static_cast<ptrdiff_t>(sharpest),
               parts.end());
   for (size_t i = 1; i < n; ++i) {
-    const Part& before = parts[i - 1];
+    const ContourPart& before = parts[i - 1];
     parts[i].goes_on = before.curve.kind == Segment::Kind::line &&
                        parts[i].curve.kind == Segment::Kind::line &&
                        chord_of(before) < chord && chord_of(parts[i]) < chord &&
@@ -103,7 +103,7 @@ class Tracer {
       : options_(options), scale_(scale) {}
 
   Trace run(const Contour& contour) {
-    std::vector<Part> parts = parts_of(contour, scale_.grid_per_u);
+    std::vector<ContourPart> parts = parts_of(contour, scale_.grid_per_u);
     arrange(parts, kChord_u * scale_.grid_per_u);
     trace_.samples.push_back(parts[0].curve.p[0]);
     const size_t n = parts.size();
@@ -122,7 +122,7 @@ class Tracer {
   }
 
  private:
-  void add_node(const Part& before, const Part& after) {
+  void add_node(const ContourPart& before, const ContourPart& after) {
     Node node;
     node.before = direction_at_end(before.curve);
     node.after = direction_at_start(after.curve);
@@ -179,7 +179,9 @@ class Tracer {
 
   // What the parts `i` to `next` - 1, chords of one curve or a single part, are
   // in the trace.
-  void add_stretch(const std::vector<Part>& parts, size_t i, size_t next) {
+  void add_stretch(const std::vector<ContourPart>& parts,
+                   size_t i,
+                   size_t next) {
     const Segment& curve = parts[i].curve;
     if (next > i + 1 || curve.kind == Segment::Kind::cubic) {
       std::vector<Point> samples{curve.p[0]};
@@ -228,7 +230,7 @@ class Tracer {
               size_t first,
               size_t last,
               bool whole) {
-    const Span span{samples.data() + first, last - first + 1};
+    const SampleSpan span{samples.data() + first, last - first + 1};
     Chain chain{samples[first], {Point{}}, samples[last]};
     const double limit = kDivideAt * scale_.tolerance;
     const Care care = care_of(samples, first, last);

@@ -8,7 +8,7 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-constexpr int kPoints = Lattice::kSteps + 1;
+constexpr int kPointsAcross = Lattice::kSteps + 1;
 
 // How far the true distance may lie above or below what the corners of a patch
 // promise, in patch widths times the missing gradient; see may_exceed().
@@ -96,7 +96,7 @@ void Lattice::fill_row(const Neighbourhood& truth, int j, int stride) {
   const int step = half_known ? 2 * stride : stride;
   const size_t count = static_cast<size_t>((kSteps - first) / step + 1);
   const double width = static_cast<double>(cell_.size_u()) / kSteps;
-  double row[kPoints];
+  double row[kPointsAcross];
   truth.distances(cell_.x_u + first * width, cell_.y_u + j * width,
                   step * width, count, row);
   for (size_t k = 0; k < count; ++k) {
@@ -106,7 +106,7 @@ void Lattice::fill_row(const Neighbourhood& truth, int j, int stride) {
 
 void Lattice::fill(const Neighbourhood& truth) {
   for (int stride = 8; stride >= 1; stride /= 2) {
-    for (int j = 0; j < kPoints; j += stride) {
+    for (int j = 0; j < kPointsAcross; j += stride) {
       fill_row(truth, j, stride);
     }
   }
@@ -128,7 +128,8 @@ struct CellTest::Job {
   const Neighbourhood& truth;
   bool stop;  // at the first error beyond the limit
   Verdict verdict;
-  std::array<double, kPoints * kPoints> reads;  // the cell's distances [u]
+  std::array<double, kPointsAcross * kPointsAcross>
+      reads;  // the cell's distances [u]
   double sum = 0;
   int count = 0;
 
@@ -185,17 +186,17 @@ Verdict CellTest::test(const SampleCell& cell,
 bool CellTest::test_stride(Job& job, int stride) const {
   const int log2 = job.lattice.cell().size_log2;
   const double width = static_cast<double>(1 << log2) / Lattice::kSteps;
-  for (int j = 0; j < kPoints; j += stride) {
+  for (int j = 0; j < kPointsAcross; j += stride) {
     job.lattice.fill_row(job.truth, j, stride);
     const bool half_done = stride < 8 && j % (2 * stride) == 0;
     SamplesRow row;
     row.set_up(job.cell.data(), static_cast<uint8_t>(log2),
                position_q16(j * width, log2));
-    for (int i = half_done ? stride : 0; i < kPoints;
+    for (int i = half_done ? stride : 0; i < kPointsAcross;
          i += half_done ? 2 * stride : stride) {
       const double read = to_u(row.distance_q10(position_q16(i * width, log2)));
       const double error = metric_.error(job.lattice(i, j), read);
-      job.reads[static_cast<size_t>(j * kPoints + i)] = read;
+      job.reads[static_cast<size_t>(j * kPointsAcross + i)] = read;
       job.sum += error;
       ++job.count;
       if (!job.take(error, limit_)) {
@@ -220,7 +221,7 @@ bool CellTest::test_between(Job& job) const {
         const int ki = i + (k & 1) * stride;
         const int kj = j + (k >> 1) * stride;
         patch.d[k] = job.lattice(ki, kj);
-        patch.read[k] = job.reads[static_cast<size_t>(kj * kPoints + ki)];
+        patch.read[k] = job.reads[static_cast<size_t>(kj * kPointsAcross + ki)];
       }
       if (!test_patch(job, patch)) {
         return false;

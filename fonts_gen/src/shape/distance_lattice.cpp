@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
@@ -20,18 +21,6 @@ constexpr int kBlock_u = 16;
 
 double length(double x, double y) {
   return std::sqrt(x * x + y * y);
-}
-
-double squared_distance(const Edge& edge, double x, double y) {
-  const double dx = edge.b.x - edge.a.x;
-  const double dy = edge.b.y - edge.a.y;
-  const double px = x - edge.a.x;
-  const double py = y - edge.a.y;
-  const double t =
-      std::clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-  const double rx = px - t * dx;
-  const double ry = py - t * dy;
-  return rx * rx + ry * ry;
 }
 
 bool is_corner(const Edge& in, const Edge& out) {
@@ -128,9 +117,10 @@ const DistanceLattice::Block& DistanceLattice::block_of(int x_u, int y_u) {
     const double cy = y0_u_ + (by + 0.5) * kBlock_u;
     const std::vector<Edge>& edges = shape_.edges();
     std::vector<double> squares(edges.size());
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (size_t i = 0; i < edges.size(); ++i) {
-      squares[i] = squared_distance(edges[i], cx, cy);
+      squares[i] =
+          squared_distance_to_segment({cx, cy}, edges[i].a, edges[i].b);
       least = std::min(least, squares[i]);
     }
     const double reach = std::sqrt(least) + kBlock_u * 1.4143 + 1e-6;
@@ -150,7 +140,7 @@ const DistanceLattice::Block& DistanceLattice::block_of(int x_u, int y_u) {
 TruthSample DistanceLattice::measure(const Block& block,
                                      double x,
                                      double y) const {
-  double best = std::numeric_limits<double>::infinity();
+  double best = kInfinity;
   double best_t = 0;
   uint32_t nearest = 0;
   for (const NearEdge& edge : block.edges) {

@@ -12,7 +12,7 @@ namespace inkcell {
 namespace gen {
 
 /// A maximal stretch of the border without corners.
-struct Chain {
+struct BorderChain {
   uint32_t first_edge = 0;
   uint32_t edge_count = 0;
 };
@@ -48,7 +48,7 @@ class DistanceLattice {
   /// Any point.
   TruthSample at_point(double x_u, double y_u);
 
-  const std::vector<Chain>& chains() const { return chains_; }
+  const std::vector<BorderChain>& chains() const { return chains_; }
   const std::vector<Corner>& corners() const { return corners_; }
   const Shape& shape() const { return shape_; }
 
@@ -77,7 +77,7 @@ class DistanceLattice {
   std::vector<Block> blocks_;
   std::vector<TruthSample> samples_;
   std::vector<bool> known_;
-  std::vector<Chain> chains_;
+  std::vector<BorderChain> chains_;
   std::vector<Corner> corners_;
   std::vector<int16_t> chain_of_;       // of each edge
   std::vector<int16_t> corner_before_;  // at the start of each edge, or -1

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Points of a row that are worked on together.
 constexpr size_t kChunk = 32;

@@ -8,6 +8,9 @@
 namespace inkcell {
 namespace gen {
 
+/// An em has so many u, the unit of all outlines.
+inline constexpr double kUPerEm = 1024;
+
 /// A position in u (1/1024 em), y up, origin on the baseline.
 struct Point {
   double x = 0;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "shape/outline.hpp"
 
 namespace inkcell {
 namespace gen {
+
+inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline Point operator+(const Point& a, const Point& b) {
   return {a.x + b.x, a.y + b.y};

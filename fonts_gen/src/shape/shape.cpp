@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <polyclipping/clipper.hpp>
 
 #include "shape/flatten.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell {
 namespace gen {
@@ -16,8 +16,6 @@ namespace {
 constexpr double kClipperUnits_per_u = 65536;
 static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
               "outlines must stay in Clipper's fast range");
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr uint32_t kEdgesPerLeaf = 6;
 
@@ -88,15 +86,6 @@ double squared(double x, double y) {
 double squared_distance(const Box& box, double x, double y) {
   return squared(std::max({box.x0 - x, x - box.x1, 0.0}),
                  std::max({box.y0 - y, y - box.y1, 0.0}));
-}
-
-double squared_distance(const Edge& edge, double x, double y) {
-  const double dx = edge.b.x - edge.a.x;
-  const double dy = edge.b.y - edge.a.y;
-  const double px = x - edge.a.x;
-  const double py = y - edge.a.y;
-  const double t = std::clamp((px * dx + py * dy) / squared(dx, dy), 0.0, 1.0);
-  return squared(px - t * dx, py - t * dy);
 }
 
 // Half open, so that a line through a corner meets one of the two edges there
@@ -181,7 +170,9 @@ double Shape::distance(double x, double y) const {
     }
     if (branch.count <= kEdgesPerLeaf) {
       for (uint32_t i = 0; i < branch.count; ++i) {
-        best = std::min(best, squared_distance(edges_[branch.first + i], x, y));
+        best = std::min(best, squared_distance_to_segment(
+                                  {x, y}, edges_[branch.first + i].a,
+                                  edges_[branch.first + i].b));
       }
       continue;
     }

@@ -8,8 +8,6 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr double kUnitsOfU = 1024;
-
 // FreeType finds the implied points of quadratic curves by halving sums of
 // whole numbers; coordinates walk shifted by this much, so that nothing is
 // lost. [bits]
@@ -19,7 +17,7 @@ constexpr int kWalkShift = 6;
 class OutlineBuilder {
  public:
   explicit OutlineBuilder(int units_per_em)
-      : scale_(kUnitsOfU / (units_per_em << kWalkShift)) {}
+      : scale_(kUPerEm / (units_per_em << kWalkShift)) {}
 
   Outline build(FT_Outline& source) {
     FT_Outline_Funcs functions = {};

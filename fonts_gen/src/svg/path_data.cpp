@@ -8,11 +8,10 @@
 
 #include "base/error.hpp"
 #include "shape/points.hpp"
+#include "svg/arc.hpp"
 
 namespace inkcell::gen {
 namespace {
-
-constexpr double kMostArc = M_PI / 4 + 1e-9;
 
 // Angle from a to b, -pi..pi.
 double turn(const Point& a, const Point& b) {
@@ -179,7 +178,7 @@ class PathReader {
   void arc() {
     double rx = std::fabs(number());
     double ry = std::fabs(number());
-    const double slope = number() * M_PI / 180;
+    const double slope = number() * kPi / 180;
     const bool is_large = flag();
     const bool is_positive = flag();
     const Point to = pair();
@@ -204,9 +203,9 @@ class PathReader {
     const Point b = {-p.x / rx - centre.x, -p.y / ry - centre.y};
     double way = turn(a, b);
     if (is_positive && way < 0) {
-      way += 2 * M_PI;
+      way += 2 * kPi;
     } else if (!is_positive && way > 0) {
-      way -= 2 * M_PI;
+      way -= 2 * kPi;
     }
     const double begin = std::atan2(a.y, a.x);
     const Point middle = 0.5 * (current_ + to);
@@ -215,9 +214,8 @@ class PathReader {
       const double y = ry * (q.y + centre.y);
       return middle + Point{c * x - s * y, s * x + c * y};
     };
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(std::fabs(way) / kMostArc)));
-    const double k = 4.0 / 3 * std::tan(way / pieces / 4);
+    const int pieces = arc_pieces(way);
+    const double k = arc_handle(way / pieces);
     for (int i = 0; i < pieces; ++i) {
       const double t0 = begin + way * i / pieces;
       const double t1 = begin + way * (i + 1) / pieces;

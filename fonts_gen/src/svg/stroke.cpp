@@ -131,7 +131,7 @@ class Pen {
   void cap(const Point& at, const Point& out) {
     const Point n = half_ * normal(out);
     if (style_.cap == LineCap::round) {
-      pie(at, at - n, at + n, M_PI);
+      pie(at, at - n, at + n, kPi);
     } else if (style_.cap == LineCap::square) {
       const Point far = at + half_ * out;
       pieces_.push_back({at, at - n, far - n, far + n, at + n});

@@ -7,6 +7,7 @@
 
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
+#include "svg/arc.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -18,7 +19,6 @@ constexpr int kSamples = 8;
 // Distance in t from an end whose handle has no length: the tangent there is
 // that of a point nearby.
 constexpr double kNearEnd = 1e-4;
-constexpr double kMostArc = M_PI / 4 + 1e-9;
 
 // A line or a cubic of the path. It has an extent.
 struct Piece {
@@ -170,7 +170,7 @@ class OutlinePen {
   }
 
   void spot(const Point& at) {
-    arc(at, {half_, 0}, 2 * M_PI);
+    arc(at, {half_, 0}, 2 * kPi);
     end_contour();
   }
 
@@ -235,9 +235,8 @@ class OutlinePen {
 
   // From `centre` + `from` by `angle` around `centre`.
   void arc(const Point& centre, const Point& from, double angle) {
-    const int count =
-        std::max(1, static_cast<int>(std::ceil(std::fabs(angle) / kMostArc)));
-    const double k = 4.0 / 3 * std::tan(angle / count / 4);
+    const int count = arc_pieces(angle);
+    const double k = arc_handle(angle / count);
     Point a = from;
     for (int i = 1; i <= count; ++i) {
       const double c = std::cos(angle * i / count);
@@ -276,7 +275,7 @@ class OutlinePen {
     const Point& at = end_of(last.curve);
     const Point out = half_ * last.along_at_end;
     if (style_.cap == LineCap::round) {
-      arc(at, right_of(out), M_PI);
+      arc(at, right_of(out), kPi);
     } else if (style_.cap == LineCap::square) {
       line_to(at + right_of(out) + out);
       line_to(at - right_of(out) + out);

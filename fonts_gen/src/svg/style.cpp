@@ -9,19 +9,12 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "svg/trimmed.hpp"
 
 namespace inkcell::gen {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
-
-std::string trimmed(std::string_view text) {
-  const size_t begin = text.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos
-             ? ""
-             : std::string(text.substr(
-                   begin, text.find_last_not_of(kBlanks) + 1 - begin));
-}
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
@@ -52,8 +45,8 @@ std::string declaration_of(const pugi::xml_node& node, std::string_view name) {
     style.remove_prefix(std::min(item.size() + 1, style.size()));
     const size_t colon = item.find(':');
     if (colon != std::string_view::npos &&
-        trimmed(item.substr(0, colon)) == name) {
-      found = trimmed(item.substr(colon + 1));
+        trimmed(item.substr(0, colon), kBlanks) == name) {
+      found = trimmed(item.substr(colon + 1), kBlanks);
     }
   }
   return found;
@@ -164,7 +157,9 @@ PenStyle pen_of(const pugi::xml_node& node, const PenStyle& parent) {
 
 std::string property_of(const pugi::xml_node& node, const char* name) {
   const std::string declared = declaration_of(node, name);
-  return declared.empty() ? trimmed(node.attribute(name).value()) : declared;
+  return declared.empty()
+             ? std::string(trimmed(node.attribute(name).value(), kBlanks))
+             : declared;
 }
 
 double number_of(const pugi::xml_node& node,

@@ -7,11 +7,13 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "shape/points.hpp"
+#include "svg/trimmed.hpp"
 
 namespace inkcell::gen {
 namespace {
 
-constexpr double kRadians = M_PI / 180;
+constexpr double kRadians = kPi / 180;
 constexpr std::string_view kSeparators = " \t\r\n,";
 
 // The numbers between brackets; none if one of them is none.
@@ -69,27 +71,21 @@ std::optional<Affine> one_transform(std::string_view name,
   return std::nullopt;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const size_t begin = text.find_first_not_of(kSeparators);
-  if (begin == std::string_view::npos) {
-    return "";
-  }
-  return text.substr(begin, text.find_last_not_of(kSeparators) + 1 - begin);
-}
-
 }  // namespace
 
 Affine parse_transform(std::string_view text) {
   const std::string whole(text);
   Affine result;
-  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+  for (text = trimmed(text, kSeparators); !text.empty();
+       text = trimmed(text, kSeparators)) {
     const size_t open = text.find('(');
     const size_t close = text.find(')');
     std::optional<Affine> next;
     if (open < close && close != std::string_view::npos) {
       const auto numbers =
           parse_numbers(text.substr(open + 1, close - open - 1));
-      next = numbers ? one_transform(trimmed(text.substr(0, open)), *numbers)
+      next = numbers ? one_transform(trimmed(text.substr(0, open), kSeparators),
+                                     *numbers)
                      : std::nullopt;
     }
     if (!next) {

@@ -1,0 +1,19 @@
+// Text of an attribute without what separates its parts.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace inkcell::gen {
+
+/// `text` without the characters of `blanks` at its ends. It is a part of
+/// `text`, which must outlive it.
+inline std::string_view trimmed(std::string_view text,
+                                std::string_view blanks) {
+  const size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string_view::npos
+             ? text.substr(0, 0)
+             : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+}  // namespace inkcell::gen
