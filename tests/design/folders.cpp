@@ -91,6 +91,7 @@ constexpr const char* kGlyphAcute = R"(<?xml version="1.0" encoding="UTF-8"?>
 <glyph name="aacute" format="2">
   <advance width="512"/>
   <outline>
+    <!-- narrow -->
     <component base="o"/>
     <component base="A" xScale="-0.5" yOffset="300"/>
   </outline>

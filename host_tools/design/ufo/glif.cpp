@@ -78,7 +78,7 @@ void read_outline(const pugi::xml_node& node, Glyph& glyph) {
     } else if (tag == "component") {
       glyph.components.push_back({text_of(item, "base"), read_matrix(item),
                                   text_of(item, "identifier")});
-    } else {
+    } else if (!tag.empty()) {
       throw Error("<" + tag + "> is no part of an outline");
     }
   }
