@@ -24,7 +24,7 @@ inkcell_packages_reading="python3 python3-freetype tesseract-ocr
 inkcell_packages_tests="$inkcell_packages_demo git clang ccache make meson
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk
   fonts-lohit-deva fonts-tlwg-loma-ttf librsvg2-bin
-  unicode-data xvfb xdotool
+  unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 
 # The packages of "$@" that are not installed.
