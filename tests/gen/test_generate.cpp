@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
+#include "inkcell/font.hpp"
+#include "samples/record.hpp"
+#include "samples/symmetry.hpp"
 #include "sfnt_builder.hpp"
 #include "shape/outline.hpp"
 #include "source/char_set.hpp"
@@ -179,6 +182,56 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
     EXPECT_EQ(table.find("three fields") != std::string::npos, fields);
     EXPECT_EQ(table.find("of samples"), std::string::npos);
   }
+}
+
+// A sampled field as its generator had it.
+SampleTree tree_of(const GlyphField& field) {
+  SampleTree tree;
+  tree.tile_log2 = field.tile_log2;
+  tree.x0_u = field.x0_u;
+  tree.y0_u = field.y0_u;
+  tree.tiles_x = field.tiles_x;
+  tree.tiles_y = field.tiles_y;
+  const size_t references =
+      static_cast<size_t>(field.tiles_x * field.tiles_y + 4 * field.node_count);
+  for (size_t i = 0; i < references; ++i) {
+    const uint8_t* bytes = field.references + 2 * i;
+    tree.references.push_back(static_cast<uint16_t>(bytes[0] | bytes[1] << 8));
+  }
+  tree.cells.resize(field.cell_count);
+  const uint8_t* from = field.cells;
+  for (SampleCell& cell : tree.cells) {
+    std::copy_n(from, cell.size(), cell.begin());
+    from += cell.size();
+  }
+  return tree;
+}
+
+// Of a pair of brackets one is the reflection of the other, in the file and in
+// the field, bit by bit.
+TEST(Generate, ReflectedComponentsHaveReflectedFields) {
+  constexpr uint32_t kLeft = 0x2E1C;
+  constexpr uint32_t kRight = 0x2E1D;
+  constexpr int kStep_u = 421;  // 842 of 2048 units
+  GenerateRequest request = dejavu();
+  request.font =
+      "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf";
+  request.chars = {"0x2E1C-0x2E1D,0xC9"};
+  request.target.coding = Coding::samples;
+  const RomFont rom = generate(request);
+  EXPECT_EQ(rom.report.glyphs.size(), 4u);  // no acute of its own
+  Font font;
+  ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font), Status::ok);
+  GlyphField fields[2];
+  for (const uint32_t character : {kLeft, kRight}) {
+    uint16_t glyph = 0;
+    ASSERT_EQ(font.glyph_of(character, glyph), Status::ok);
+    ASSERT_EQ(font.field(glyph, fields[character - kLeft]), Status::ok);
+  }
+  EXPECT_GT(fields[0].cell_count, 10);
+  EXPECT_EQ(
+      samples_record(tree_of(fields[1])),
+      samples_record(permuted(tree_of(fields[0]), {-1, 0, 0, 1}, kStep_u, 0)));
 }
 
 TEST(Generate, RefusesWrongRequests) {

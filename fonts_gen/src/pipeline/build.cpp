@@ -8,6 +8,7 @@
 #include "judge/edge_glyph.hpp"
 #include "judge/hint_trial.hpp"
 #include "judge/outline_glyph.hpp"
+#include "pipeline/field_images.hpp"
 #include "pipeline/font_hints.hpp"
 #include "rom/outline_font.hpp"
 #include "rom/rom_font.hpp"
@@ -48,11 +49,7 @@ LoopOptions loop_options(const Target& options) {
   return loop;
 }
 
-void build_samples(const Shape& shape, const Target& options, Built& built) {
-  Target of_samples = options;
-  of_samples.coding = Coding::samples;
-  built.glyph.fields = EdgeTree();
-  built.glyph.samples = build_sample_tree(shape, of_samples);
+void judge_samples(const Shape& shape, const Target& options, Built& built) {
   if (options.predicate == Predicate::fixed) {
     return;
   }
@@ -64,10 +61,26 @@ void build_samples(const Shape& shape, const Target& options, Built& built) {
   }
 }
 
+void build_samples(const Shape& shape, const Target& options, Built& built) {
+  Target of_samples = options;
+  of_samples.coding = Coding::samples;
+  built.glyph.fields = EdgeTree();
+  built.glyph.samples = build_sample_tree(shape, of_samples);
+  judge_samples(shape, options, built);
+}
+
 // Cells of primitives, or of samples where fields cannot hold the tolerance.
 void build_cells(const Shape& shape, const Target& options, Built& built) {
   if (options.coding == Coding::samples) {
-    build_samples(shape, options, built);
+    // An image's samples are there already. The device rounds to one side, so
+    // that they may miss a limit that the component holds.
+    const bool is_image = built.glyph.samples.tiles_x != 0;
+    if (is_image) {
+      judge_samples(shape, options, built);
+    }
+    if (!is_image || built.errors.worst > options.tolerance) {
+      build_samples(shape, options, built);
+    }
     return;
   }
   EdgeGlyph glyph;
@@ -121,14 +134,17 @@ double largest_side(const SourceFont& font) {
   return largest;
 }
 
+// `image`: the samples of the glyph if they are known, else empty.
 Built build_glyph(const SourceFont& font,
                   const SourceGlyph& glyph,
                   const RefitOptions& refit,
-                  const Target& options) {
+                  const Target& options,
+                  const SampleTree& image) {
   const auto refuse = [&](const std::string& why) {
     throw Error(glyph.file_name + ": " + glyph.name() + ": " + why);
   };
   Built built;
+  built.glyph.samples = image;
   try {
     const Shape shape(glyph.outline);
     if (!shape.empty()) {
@@ -156,14 +172,63 @@ Built build_glyph(const SourceFont& font,
   return built;
 }
 
+// Empty if the image leaves the grid: its outline is refused by name then.
+SampleTree samples_of(const FieldImage& image, const RomContent& content) {
+  try {
+    return permuted(content.glyphs[image.of].samples, image.symmetry,
+                    image.dx_u, image.dy_u);
+  } catch (const GeometryError&) {
+    return {};
+  }
+}
+
+// Every glyph of `content`, and its errors. In fonts of samples images come
+// after what they are images of, and glyphs that nobody sees are left out.
+void build_glyphs(const SourceFont& font,
+                  const GenerateRequest& request,
+                  const RefitOptions& refit,
+                  RomContent& content,
+                  std::vector<LoopResult>& errors) {
+  const bool is_sampled = request.target.coding == Coding::samples;
+  const std::vector<FieldImage> images =
+      is_sampled ? find_field_images(font) : std::vector<FieldImage>();
+  std::vector<size_t> others;
+  for (size_t i = 0, image = 0; i < font.glyphs.size(); ++i) {
+    if (image < images.size() && images[image].glyph == i) {
+      ++image;
+    } else if (!is_sampled || font.is_shown(i)) {
+      others.push_back(i);
+    }
+  }
+  const auto build = [&](size_t i, const SampleTree& image) {
+    Built built =
+        build_glyph(font, font.glyphs[i], refit, request.target, image);
+    content.glyphs[i] = std::move(built.glyph);
+    errors[i] = std::move(built.errors);
+  };
+  const auto done_after = [&](size_t before) {
+    return request.progress ? [&, before](size_t finished) {
+      request.progress(before + finished, others.size() + images.size());
+    } : std::function<void(size_t)>();
+  };
+  parallel_for(
+      others.size(), request.threads,
+      [&](size_t i) { build(others[i], SampleTree()); }, done_after(0));
+  parallel_for(
+      images.size(), request.threads,
+      [&](size_t i) {
+        const FieldImage& image = images[i];
+        build(image.glyph, samples_of(image, content));
+      },
+      done_after(others.size()));
+}
+
 // Leaves out the last glyphs, from which no other one is made.
 void drop_unused_components(SourceFont& font,
                             RomContent& content,
                             std::vector<LoopResult>& errors) {
-  const std::vector<size_t> kept = used_glyphs(content, [&](size_t glyph) {
-    const SourceGlyph& source = font.glyphs[glyph];
-    return glyph == 0 || !source.code_points.empty() || source.is_of_line;
-  });
+  const std::vector<size_t> kept =
+      used_glyphs(content, [&](size_t glyph) { return font.is_shown(glyph); });
   const auto keep = [&kept](auto& list) {
     for (size_t i = 0; i < kept.size(); ++i) {
       if (kept[i] != i) {
@@ -192,18 +257,10 @@ RomContent build_content(SourceFont& font,
   errors.resize(count);
   const RefitOptions refit = refit_options(
       request.target, font.metrics.units_per_em, largest_side(font));
-  std::function<void(size_t)> done;
-  if (request.progress) {
-    done = [&](size_t finished) { request.progress(finished, count); };
+  build_glyphs(font, request, refit, content, errors);
+  if (request.target.coding == Coding::samples) {
+    drop_unused_components(font, content, errors);
   }
-  parallel_for(
-      count, request.threads,
-      [&](size_t i) {
-        Built built = build_glyph(font, font.glyphs[i], refit, request.target);
-        content.glyphs[i] = std::move(built.glyph);
-        errors[i] = std::move(built.errors);
-      },
-      done);
   if (request.target.coding == Coding::outline) {
     content.outlines.grid_shift = refit.grid_shift;
     encode_outlines(content);

@@ -90,7 +90,7 @@ SourceFont load_source(const GenerateRequest& request,
     first.face = request.face;
     first.axes = request.axes;
     first.characters = characters_of(request);
-    first.with_components = request.target.coding == Coding::outline;
+    first.with_components = request.target.coding != Coding::edges;
     std::vector<MergedFace> more;
     for (const std::string& face : request.merge) {
       more.push_back(parse_merged_face(face));

@@ -87,6 +87,12 @@ struct SourceFont {
   /// Characters that the font does not have, in ascending order.
   std::vector<char32_t> missing;
   std::vector<IconFile> icons;
+
+  /// Whether a text may show a glyph, which is no mere component then.
+  bool is_shown(size_t glyph) const {
+    return glyph == 0 || !glyphs[glyph].code_points.empty() ||
+           glyphs[glyph].is_of_line;
+  }
 };
 
 /// Reads all that `request` asks for. Kerning is looked up on `jobs` threads
