@@ -144,14 +144,14 @@ class CodeSearch {
   uint64_t cost(const Symbols& symbols,
                 int code_bits,
                 std::vector<int>* best_lengths) const {
-    constexpr int kRounds = 3;
+    constexpr int kSolveRounds = 3;
     if (symbols.size() + 1 > size_t{1} << code_bits) {
       return kImpossible;
     }
     uint64_t best = kImpossible;
     std::vector<int> lengths(symbols.size() + 1, code_bits);
     std::vector<uint64_t> counts;
-    for (int round = 0; round <= kRounds; ++round) {
+    for (int round = 0; round <= kSolveRounds; ++round) {
       uint64_t bits = 0;
       if (!distribute(symbols, lengths, counts, bits)) {
         return kImpossible;

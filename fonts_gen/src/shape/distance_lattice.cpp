@@ -17,7 +17,7 @@ constexpr double kCornerSine = 0.26;
 constexpr size_t kMostEdges = 32767;
 
 // Edges are looked up by squares of this size. [u]
-constexpr int kBlock_u = 16;
+constexpr int kSquare_u = 16;
 
 double length(double x, double y) {
   return std::sqrt(x * x + y * y);
@@ -42,9 +42,9 @@ DistanceLattice::DistanceLattice(
       x0_u_(x0_u),
       y0_u_(y0_u),
       width_u_(width_u),
-      blocks_x_(width_u / kBlock_u + 1) {
+      blocks_x_(width_u / kSquare_u + 1) {
   blocks_.resize(static_cast<size_t>(blocks_x_) *
-                 static_cast<size_t>(height_u / kBlock_u + 1));
+                 static_cast<size_t>(height_u / kSquare_u + 1));
   const size_t points =
       static_cast<size_t>(width_u + 1) * static_cast<size_t>(height_u + 1);
   samples_.resize(points);
@@ -108,13 +108,13 @@ void DistanceLattice::find_chains() {
 // As Neighbourhood::part: an edge farther from the centre than the nearest one
 // and a whole diagonal is nowhere in the square the nearest.
 const DistanceLattice::Block& DistanceLattice::block_of(int x_u, int y_u) {
-  const int bx = (x_u - x0_u_) / kBlock_u;
-  const int by = (y_u - y0_u_) / kBlock_u;
+  const int bx = (x_u - x0_u_) / kSquare_u;
+  const int by = (y_u - y0_u_) / kSquare_u;
   Block& block = blocks_[static_cast<size_t>(by * blocks_x_ + bx)];
   if (!block.ready) {
     block.ready = true;
-    const double cx = x0_u_ + (bx + 0.5) * kBlock_u;
-    const double cy = y0_u_ + (by + 0.5) * kBlock_u;
+    const double cx = x0_u_ + (bx + 0.5) * kSquare_u;
+    const double cy = y0_u_ + (by + 0.5) * kSquare_u;
     const std::vector<Edge>& edges = shape_.edges();
     std::vector<double> squares(edges.size());
     double least = kInfinity;
@@ -123,7 +123,7 @@ const DistanceLattice::Block& DistanceLattice::block_of(int x_u, int y_u) {
           squared_distance_to_segment({cx, cy}, edges[i].a, edges[i].b);
       least = std::min(least, squares[i]);
     }
-    const double reach = std::sqrt(least) + kBlock_u * 1.4143 + 1e-6;
+    const double reach = std::sqrt(least) + kSquare_u * 1.4143 + 1e-6;
     for (size_t i = 0; i < edges.size(); ++i) {
       if (squares[i] <= reach * reach) {
         const double dx = edges[i].b.x - edges[i].a.x;
