@@ -151,9 +151,12 @@ def other_rows():
     ]
 
 
-def tested_rows():
-    """Rows that tests of their own hold to, which print no figure."""
+def full_rows():
+    """Rows without --quick; most are of tests that print no figure."""
     return [
+        Row("unions of 2 to 6 parts while drawing, worst pixel", 32, 16, "/255",
+            lambda b: numbers(r"worst pixel ([\d.]+) of 255", b.output(
+                "inkcell_union_figures", "60"))[0]),
         Row("CSG true beyond 1/64 u from the edge", 1, 1, "",
             lambda b: b.passes("csg", "Csg.RandomTreesHaveTheirPointsOn"
                                "TheRightSide"), True),
@@ -216,7 +219,7 @@ def main():
     rows = roundtrip_rows()
     if not arguments.fonts:
         rows += other_rows()
-        rows += [] if arguments.quick else tested_rows()
+        rows += [] if arguments.quick else full_rows()
     print_faces(bench)
     sys.exit(1 if print_table(rows, bench) else 0)
 
