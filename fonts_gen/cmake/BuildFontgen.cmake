@@ -35,7 +35,7 @@ if(NOT "${before}" STREQUAL "${configured}")
   endif()
   execute_process(
     COMMAND "${CMAKE_COMMAND}" --fresh -S "${SOURCE}" -B "${FOLDER}" ${options}
-      -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG"
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   file(WRITE "${FOLDER}/configured" "${configured}")
 endif()

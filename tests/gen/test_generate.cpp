@@ -8,6 +8,7 @@
 
 #include "app/report.hpp"
 #include "inkcell/font.hpp"
+#include "pipeline/field_images.hpp"
 #include "samples/record.hpp"
 #include "samples/symmetry.hpp"
 #include "sfnt_builder.hpp"
@@ -207,8 +208,8 @@ SampleTree tree_of(const GlyphField& field) {
   return tree;
 }
 
-// Of a pair of brackets one is the reflection of the other, in the file and in
-// the field, bit by bit.
+// Of two brackets the file says that the right one is the left one reflected:
+// their fields are the same, bit by bit.
 TEST(Generate, ReflectedComponentsHaveReflectedFields) {
   constexpr uint32_t kLeft = 0x2E1C;
   constexpr uint32_t kRight = 0x2E1D;
@@ -232,6 +233,26 @@ TEST(Generate, ReflectedComponentsHaveReflectedFields) {
   EXPECT_EQ(
       samples_record(tree_of(fields[1])),
       samples_record(permuted(tree_of(fields[0]), {-1, 0, 0, 1}, kStep_u, 0)));
+}
+
+// Images are made side by side: none may wait for another one.
+TEST(Generate, ImagesOfImagesAreNoImages) {
+  SourceFont font;
+  font.metrics.units_per_em = 1024;
+  font.glyphs.resize(4);
+  font.components.resize(4);
+  for (size_t i = 1; i < 4; ++i) {
+    font.glyphs[i].code_points = {static_cast<char32_t>(U'a' + i)};
+  }
+  OutlineReference reference;
+  for (size_t i = 2; i < 4; ++i) {
+    reference.glyph = i - 1;
+    font.components[i] = {reference};
+  }
+  const std::vector<FieldImage> images = find_field_images(font);
+  ASSERT_EQ(images.size(), 1u);
+  EXPECT_EQ(images[0].glyph, 2u);
+  EXPECT_EQ(images[0].of, 1u);
 }
 
 TEST(Generate, RefusesWrongRequests) {

@@ -223,6 +223,18 @@ class Faces : public Icons {
     return load_faces(first, more, {}, 1, warnings_);
   }
 
+  // The first face, an icon at U+E001 and a file with this string, of which
+  // nothing may be missing.
+  GenerateRequest with_icon(const std::string& line) const {
+    GenerateRequest request;
+    request.target.max_px = 16;
+    request.font = folder_.path() / "text.ttf";
+    request.svg_files = {write("icon.svg").string() + "=0xE001"};
+    request.string_files = {write("ui.txt", line)};
+    request.strict = true;
+    return request;
+  }
+
   Warnings warnings_;
 };
 
@@ -283,14 +295,9 @@ TEST_F(Faces, WrongListIsExplained) {
 
 // Glyph 2 of text.ttf is C, that of more.ttf is B.
 TEST_F(Faces, StringsPreferGlyphsOfTheFirstFace) {
-  GenerateRequest request;
-  request.target.max_px = 16;
-  request.font = folder_.path() / "text.ttf";
+  GenerateRequest request = with_icon("both = CA\n");
   request.symbols = "B\uE001";
   request.merge = {file("more.ttf")};
-  request.svg_files = {write("icon.svg").string() + "=0xE001"};
-  request.string_files = {write("ui.txt", "both = CA\n")};
-  request.strict = true;
   const RomFont font = generate(request);
   EXPECT_TRUE(font.warnings.empty());
   Font reader;
@@ -333,13 +340,7 @@ TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
 
 // The viewBox is twice as wide as high: 2000 units, where .notdef has 600.
 TEST_F(Faces, StringsHaveIcons) {
-  GenerateRequest request;
-  request.target.max_px = 16;
-  request.font = folder_.path() / "text.ttf";
-  request.svg_files = {write("icon.svg").string() + "=0xE001"};
-  request.string_files = {write("ui.txt", "one = ACA\n")};
-  request.strict = true;
-  const RomFont font = generate(request);
+  const RomFont font = generate(with_icon("one = ACA\n"));
   EXPECT_TRUE(font.warnings.empty());
   Font reader;
   ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),

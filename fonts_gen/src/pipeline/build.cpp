@@ -72,8 +72,8 @@ void build_samples(const Shape& shape, const Target& options, Built& built) {
 // Cells of primitives, or of samples where fields cannot hold the tolerance.
 void build_cells(const Shape& shape, const Target& options, Built& built) {
   if (options.coding == Coding::samples) {
-    // An image's samples are there already. The device rounds to one side, so
-    // that they may miss a limit that the component holds.
+    // An image's samples are there already. The device always rounds to the
+    // same side, so an image may miss a limit that its component holds.
     const bool is_image = built.glyph.samples.tiles_x != 0;
     if (is_image) {
       judge_samples(shape, options, built);

@@ -1,6 +1,5 @@
 #include "pipeline/field_images.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -47,7 +46,8 @@ std::vector<FieldImage> find_field_images(const SourceFont& font) {
   std::vector<FieldImage> images;
   for (size_t i = 0; i < font.components.size(); ++i) {
     const std::optional<FieldImage> image = image_of(font, i);
-    if (image && font.is_shown(i) && font.is_shown(image->of)) {
+    if (image && font.is_shown(i) && font.is_shown(image->of) &&
+        !image_of(font, image->of)) {
       images.push_back(*image);
     }
   }

@@ -13,14 +13,15 @@ namespace inkcell::gen {
 /// neither, and moved by whole u.
 struct FieldImage {
   size_t glyph = 0;  // number in the font
-  size_t of = 0;     // the component, which has no components
+  size_t of = 0;     // the component, which is no image itself
   Symmetry symmetry;
   int dx_u = 0;
   int dy_u = 0;
 };
 
-/// All of them in `font`, in ascending order. Components of images are glyphs
-/// that a text may show: others would be sampled for their images only.
+/// Those of `font`, in ascending order. Images of images are left out, so that
+/// all images can be made at once; so are images of components that no text
+/// shows, which would be sampled for their images alone.
 std::vector<FieldImage> find_field_images(const SourceFont& font);
 
 }  // namespace inkcell::gen

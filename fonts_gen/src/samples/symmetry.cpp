@@ -57,8 +57,8 @@ class Permutation {
     return (p.y > 0 ? 2u : 0u) + (p.x > 0 ? 1u : 0u);
   }
 
-  // Of sample k of nine, row by row from below, the byte in the cell. The
-  // centre, k = 4, stands apart.
+  // The byte of a cell for sample k of nine, counted row by row from below. The
+  // centre, k = 4, has bytes of its own.
   static size_t byte_of(int k) {
     return format::samples::kOffsets + static_cast<size_t>(k < 4 ? k : k - 1);
   }

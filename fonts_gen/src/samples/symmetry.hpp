@@ -15,10 +15,10 @@ struct Symmetry {
   int yy = 1;
 };
 
-/// The field of the shape that `symmetry` and then a step of (dx_u, dy_u) make
-/// of the shape of `tree`: the same cells at other places, each with the same
-/// nine distances in another order. Exact; four quarter turns about a point
-/// give the same tree again.
+/// The field of `tree`, mapped by `symmetry` and then moved by (dx_u, dy_u).
+/// [u] Its cells are at other places, and the nine distances of each are in
+/// another order. Nothing is rounded: four quarter turns about a point give the
+/// same tree again.
 ///
 /// Throws GeometryError::too_large if the grid leaves the format's range.
 SampleTree permuted(const SampleTree& tree,

@@ -20,7 +20,7 @@ struct LineGlyph {
   uint32_t source = 0;  // id in the file of the face
   int x = 0;
   int y = 0;
-  /// Of .notdef: what it stands for, and its advance.
+  /// Only for .notdef: the character that is missing, and the advance.
   char32_t lacking = 0;
   int advance = 0;
 };

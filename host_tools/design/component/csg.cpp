@@ -8,6 +8,7 @@
 #include "model/arguments.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
+#include "shape/outline.hpp"
 #include "stroke/stroke.hpp"
 #include "trace/contour_walk.hpp"
 
@@ -15,7 +16,6 @@ namespace inkcell::design {
 namespace {
 
 constexpr double kClipperUnits_per_u = 65536;
-constexpr double kUnitsOfU = 1024;
 constexpr int kMostDepth = 16;
 
 ClipperLib::Paths paths_of(const gen::Shape& shape) {
@@ -113,7 +113,7 @@ gen::Shape shape_of_operator(const Project& project,
                 "difference or blend");
   }
   const double radius =
-      node.value("radius", 0.0) * kUnitsOfU / project.units_per_em();
+      node.value("radius", 0.0) * gen::kUPerEm / project.units_per_em();
   if (found->second == Combination::blend && !(radius > 0)) {
     throw Error("a blend has a \"radius\" above 0, in font units");
   }

@@ -3,6 +3,7 @@
 #include "component/csg.hpp"
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
+#include "shape/outline.hpp"
 #include "stroke/stroke.hpp"
 
 namespace inkcell::design {
@@ -11,7 +12,6 @@ namespace {
 constexpr const char* kStrokesKey = "org.inkcell.strokes";
 constexpr const char* kTreeKey = "org.inkcell.tree";
 
-constexpr double kUnitsOfU = 1024;
 constexpr double kRadians = 0.017453292519943295;
 
 // Of curves from the exact border, and of a stroke's path from its points. [u]
@@ -47,7 +47,7 @@ StrokePoint point_of(const Value& value,
 }
 
 Change set_strokes(const Project& project, const Arguments& arguments) {
-  const double scale = kUnitsOfU / project.units_per_em();
+  const double scale = gen::kUPerEm / project.units_per_em();
   std::vector<std::vector<Point>> polygons;
   for (const Value& value : arguments.array("strokes")) {
     if (!value.is_object() || !value.contains("nib") ||

@@ -13,7 +13,6 @@
 namespace inkcell::design::editor {
 namespace {
 
-constexpr double kUnitsOfU = 1024;
 constexpr double kQ10 = 1024;
 constexpr double kQ6 = 64;
 constexpr double kFarPx = 16;  // farther pixels are all ink or none
@@ -22,7 +21,7 @@ constexpr double kFarPx = 16;  // farther pixels are all ink or none
 class ExactGlyph {
  public:
   ExactGlyph(const gen::Shape& shape, double px, const Sink& sink)
-      : shape_(shape), px_per_u_(px / kUnitsOfU), sink_(sink) {}
+      : shape_(shape), px_per_u_(px / gen::kUPerEm), sink_(sink) {}
 
   // With the glyph's origin at (x, y). [px, y down]
   void draw(double x, double y) const {

@@ -13,7 +13,6 @@
 namespace inkcell::design::editor {
 namespace {
 
-constexpr double kUnitsOfU = 1024;
 constexpr double kFieldScale = 4;
 constexpr int kStrokePoints = 24;
 constexpr double kTurn = 6.283185307179586;
@@ -34,7 +33,7 @@ Latency time_of(int runs, const Work& work) {
 
 // Distances around the ink, kFieldScale to a pixel at `px` px/em.
 std::vector<double> distances(const gen::Shape& shape, double px) {
-  const double step = kUnitsOfU / (kFieldScale * px);
+  const double step = gen::kUPerEm / (kFieldScale * px);
   const gen::Box& box = shape.box();
   std::vector<double> all;
   for (double y = box.y0 - step; y < box.y1 + step; y += step) {

@@ -9,12 +9,11 @@
 #include "model/contours.hpp"
 #include "model/error.hpp"
 #include "rom_file.hpp"
+#include "shape/outline.hpp"
 #include "trace/field_outline.hpp"
 
 namespace inkcell::design::editor {
 namespace {
-
-constexpr double kUnitsOfU = 1024;
 
 // Stands for a glyph that no character maps to.
 constexpr char32_t kPrivate = 0xF8FF;
@@ -42,7 +41,7 @@ void add_cells(const PreviewJob& job, Preview& preview) {
   const ShapeField made(shape, target);
   const GlyphField& field = made.field();
   preview.cell_bytes = made.bytes();
-  const double scale = job.project.units_per_em() / kUnitsOfU;
+  const double scale = job.project.units_per_em() / gen::kUPerEm;
   for (const tools::LeafCell& cell : tools::leaf_cells(field)) {
     preview.cells.push_back({scale * cell.x_u, scale * cell.y_u,
                              scale * cell.side_u, cell.fields,

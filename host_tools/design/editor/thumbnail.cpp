@@ -10,7 +10,6 @@
 namespace inkcell::design::editor {
 namespace {
 
-constexpr double kUnitsOfU = 1024;
 constexpr double kEmPart = 0.62;
 constexpr double kBaseline = 0.72;  // of the side, from the top
 
@@ -23,8 +22,8 @@ tools::Image thumbnail(const Project& project, const Glyph& glyph, int side) {
       return {};
     }
     tools::Image image(side, side);
-    const double px_per_u = kEmPart * side / kUnitsOfU;
-    const double width_u = glyph.width * kUnitsOfU / project.units_per_em();
+    const double px_per_u = kEmPart * side / gen::kUPerEm;
+    const double width_u = glyph.width * gen::kUPerEm / project.units_per_em();
     const double left = (side - width_u * px_per_u) / 2;
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {

@@ -2,18 +2,14 @@
 
 #include "base/error.hpp"
 #include "model/error.hpp"
+#include "shape/outline.hpp"
 #include "svg/svg_drawing.hpp"
 
 namespace inkcell::design {
-namespace {
-
-constexpr double kUnitsOfU = 1024;
-
-}  // namespace
 
 gen::Outline read_svg(const std::filesystem::path& file,
                       const DrawingPlace& place) {
-  const double scale = kUnitsOfU / place.px_per_em;
+  const double scale = gen::kUPerEm / place.px_per_em;
   try {
     return gen::SvgDrawing(file).outline(
         {scale, 0, 0, -scale, -scale * place.origin.x, scale * place.origin.y});

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "model/error.hpp"
+#include "shape/outline.hpp"
 
 namespace inkcell::design {
 namespace {
-
-constexpr double kUnitsOfU = 1024;
 
 // Coordinates of outlines that were computed are rounded to this. [font units]
 constexpr double kGrid = 1.0 / 64;
@@ -298,7 +297,7 @@ std::vector<PointContour> contours_of(const Project& project,
   std::vector<PointContour> contours;
   for (const gen::Contour& contour : outline.contours) {
     PointContour points =
-        from_segments(contour, kUnitsOfU / project.units_per_em());
+        from_segments(contour, gen::kUPerEm / project.units_per_em());
     for (GlyphPoint& point : points.points) {
       point.x = std::round(point.x / kGrid) * kGrid;
       point.y = std::round(point.y / kGrid) * kGrid;
@@ -332,7 +331,7 @@ gen::Outline outline_of(const Project& project,
   gen::Outline outline;
   for (const PointContour& contour : contours) {
     gen::Contour curves =
-        to_segments(contour, kUnitsOfU / project.units_per_em());
+        to_segments(contour, gen::kUPerEm / project.units_per_em());
     if (!curves.segments.empty()) {
       outline.contours.push_back(std::move(curves));
     }

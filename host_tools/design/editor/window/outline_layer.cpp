@@ -11,7 +11,6 @@
 namespace inkcell::design::editor {
 namespace {
 
-constexpr double kUnitsOfU = 1024;
 constexpr const char* kBackgroundKey = "org.inkcell.background";
 
 float to_float(double value) {
@@ -144,7 +143,7 @@ void OutlineLayer::draw_fill() const {
     });
   }
   if (panels_.shape != nullptr && !panels_.shape->empty()) {
-    fill(*panels_.shape, kUnitsOfU / panels_.editor.project().units_per_em(),
+    fill(*panels_.shape, gen::kUPerEm / panels_.editor.project().units_per_em(),
          colour::kFill);
   }
 }
@@ -161,7 +160,7 @@ void OutlineLayer::draw_components() const {
     }
     const gen::Shape shape(outline_of(project, part));
     if (!shape.empty()) {
-      fill(shape, kUnitsOfU / project.units_per_em(), colour::kComponent);
+      fill(shape, gen::kUPerEm / project.units_per_em(), colour::kComponent);
     }
     for (const PointContour& contour : part.contours) {
       outline(contour, panels_.editor.component == i ? colour::kSelected
