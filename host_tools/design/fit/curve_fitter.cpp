@@ -17,7 +17,8 @@ constexpr double kLineCost = 0.75;
 constexpr double kCurveCost = 1;
 constexpr double kErrorCost = 0.3;
 
-// Pieces that fail in a row before longer ones are not tried.
+// Pieces that fail in a row before longer ones are not tried. Those that would
+// be of no use do not count.
 constexpr int kMostFailures = 3;
 
 // A line may meet a smooth knot under this angle. [radians]
@@ -74,9 +75,10 @@ class PieceFitter {
     return s;
   }
 
+  // Up to the first point beyond the tolerance.
   double line_error(const Stretch& s) const {
     double worst = 0;
-    for (size_t i = 1; i + 1 < s.count; ++i) {
+    for (size_t i = 1; i + 1 < s.count && worst <= options_.tolerance; ++i) {
       worst = std::max(worst, distance_to_piece(s.points[i], s.points[0],
                                                 s.points[s.count - 1]));
     }
@@ -116,10 +118,20 @@ class PieceFitter {
     return {fitted.segment, cost_of(error, kCurveCost)};
   }
 
-  Candidate candidate(size_t i, size_t j) const {
+  // The cost of a piece from knot i to knot j if it could make the way to j
+  // cheaper; nothing if even the best piece could not.
+  std::optional<double> useful_cost(size_t i, size_t j) const {
+    const double room = best_[j] - best_[i];
+    if (kLineCost >= room) {
+      return std::nullopt;
+    }
     const Stretch s = stretch(i, j);
-    const Candidate straight = line(s);
-    return straight.cost < kInfinity ? straight : curve(s);
+    const double straight = line(s).cost;
+    if (straight < kInfinity) {
+      return straight;
+    }
+    return kCurveCost < room ? std::optional<double>(curve(s).cost)
+                             : std::nullopt;
   }
 
   // Two knots beside each other are always joined, if need be beyond the
@@ -136,9 +148,12 @@ class PieceFitter {
     for (size_t i = 0; i + 1 < count; ++i) {
       int failures = 0;
       for (size_t j = i + 1; j < count && failures < kMostFailures; ++j) {
-        double cost = candidate(i, j).cost;
-        failures = cost < kInfinity ? 0 : failures + 1;
-        cost = std::min(cost, last_resort(i, j));
+        const std::optional<double> fitted = useful_cost(i, j);
+        if (fitted) {
+          failures = *fitted < kInfinity ? 0 : failures + 1;
+        }
+        const double cost =
+            std::min(fitted.value_or(kInfinity), last_resort(i, j));
         if (best_[i] + cost < best_[j]) {
           best_[j] = best_[i] + cost;
           from_[j] = i;
