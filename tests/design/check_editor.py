@@ -111,6 +111,12 @@ def check_tools(editor):
     parts, = editor.run("open P.ufo", "glyph A",
                         'do {"do": "add_component", "base": "H"}', "print")
     expect(parts["components"] == 1, "component")
+    # A guide that is added during a drag stays.
+    guided, = editor.run("open P.ufo", "glyph O", "key ctrl+a",
+                         "key delete", "tool Rectangle", "press 100 0",
+                         "move 500 300", "key g", "release 500 300", "print")
+    expect(len(guided["contours"]) == 1 and len(guided["guides"]) == 1,
+           f"a guide during a drag: {guided}")
 
 
 def check_clipboard(editor):

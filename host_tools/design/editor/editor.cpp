@@ -110,8 +110,7 @@ void Editor::open(const fs::path& file,
 
 void Editor::begin(const fs::path& folder) {
   session_ = std::make_unique<Session>(folder);
-  proposal_ = nullptr;
-  proposed_ = nullptr;
+  propose(nullptr);
   glyph_.clear();
   const size_t recovered = session_->recovery().commands;
   message = recovered == 0 ? "Opened " + folder.filename().string()
@@ -199,17 +198,20 @@ Project Editor::shown_project() const {
 void Editor::run(Value command) {
   fill_glyph(glyph_, command);
   session_->run(command);
+  change_.reset();
   drop_lost_selection();
 }
 
 void Editor::propose(Value command) {
   proposed_ = nullptr;
+  change_.reset();
   proposal_ = std::move(command);
   if (proposal_.is_null()) {
     return;
   }
   fill_glyph(glyph_, proposal_);
-  for (const GlyphChange& change : change_of(project(), proposal_).glyphs) {
+  change_ = change_of(project(), proposal_);
+  for (const GlyphChange& change : change_->glyphs) {
     if (change.layer == 0 && change.name == glyph_) {
       proposed_ = change.after;
     }
@@ -217,11 +219,18 @@ void Editor::propose(Value command) {
 }
 
 void Editor::commit() {
-  if (!proposal_.is_null()) {
-    const Value command = std::move(proposal_);
-    propose(nullptr);
-    run(command);
+  if (proposal_.is_null()) {
+    return;
   }
+  const Value command = std::move(proposal_);
+  std::optional<Change> change = std::move(change_);
+  propose(nullptr);
+  if (!change) {
+    run(command);
+    return;
+  }
+  session_->run(command, std::move(*change));
+  drop_lost_selection();
 }
 
 bool Editor::undo() {

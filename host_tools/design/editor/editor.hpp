@@ -131,6 +131,7 @@ class Editor {
   std::unique_ptr<Session> session_;
   std::string glyph_;
   Value proposal_;
+  std::optional<Change> change_;  // of proposal_; none: the project changed
   GlyphPointer proposed_;
   ToolKind tool_kind_ = ToolKind::select;
   std::unique_ptr<Tool> tool_;

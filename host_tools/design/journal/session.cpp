@@ -77,10 +77,13 @@ void Session::recover(const std::string& digest) {
   records_ = recovery_.commands;
 }
 
+// Tried first: the journal holds nothing that cannot be done.
 void Session::run(const Value& command) {
+  run(command, change_of(player_->project(), command));
+}
+
+void Session::run(const Value& command, Change change) {
   const size_t position = player_->history().position();
-  // Tried first: the journal holds nothing that cannot be done.
-  Change change = change_of(player_->project(), command);
   journal_->append(command);
   player_->take(std::move(change));
   ++records_;

@@ -81,6 +81,8 @@ class Session {
 
   /// Carries out a command; it is in the journal before it is in project().
   void run(const Value& command);
+  /// The same if change_of(project(), command) is known.
+  void run(const Value& command, Change change);
   bool undo();
   bool redo();
 
