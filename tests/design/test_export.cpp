@@ -9,8 +9,10 @@
 #include "export/ttf.hpp"
 #include "folders.hpp"
 #include "import/font_import.hpp"
+#include "model/commands.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
+#include "pipeline/built_glyphs.hpp"
 #include "shape/shape.hpp"
 #include "source/font_source.hpp"
 
@@ -282,6 +284,68 @@ TEST(Kerning, PairsOfGlyphsComeBeforeGroups) {
   EXPECT_EQ(lookup.value("B", "V"), 7);
   EXPECT_EQ(lookup.value("B", "W"), -20);
   EXPECT_EQ(lookup.value("V", "A"), 0);
+}
+
+// A font with built glyphs of the one before, beside the same font without.
+class Rebuilt : public testing::Test {
+ protected:
+  Rebuilt() {
+    gen::CharSet characters;
+    gen::add_ranges("A-F,0xC1", characters);
+    gen::Warnings warnings;
+    project_ = import_font("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                           characters, warnings);
+  }
+
+  void change(const Value& command) {
+    project_.apply(change_of(project_, command));
+  }
+
+  // Outlines that were not built again.
+  size_t reused() {
+    gen::GenerateRequest request = request_;
+    const gen::RomFont whole = make_rom(project_, request);
+    request.built_glyphs = &glyphs_;
+    const gen::RomFont font = make_rom(project_, request);
+    EXPECT_EQ(font.bytes, whole.bytes);
+    EXPECT_EQ(font.report.glyphs.size(), whole.report.glyphs.size());
+    for (size_t i = 0; i < whole.report.glyphs.size(); ++i) {
+      EXPECT_EQ(font.report.glyphs[i].worst_error,
+                whole.report.glyphs[i].worst_error);
+      EXPECT_EQ(font.report.glyphs[i].worst_px,
+                whole.report.glyphs[i].worst_px);
+    }
+    return glyphs_.reused();
+  }
+
+  Project project_;
+  gen::GenerateRequest request_;
+  gen::BuiltGlyphs glyphs_;
+};
+
+TEST_F(Rebuilt, OnlyChangedOutlinesAreBuilt) {
+  EXPECT_EQ(reused(), 0u);
+  const size_t all = 9;  // .notdef, A to F, Aacute and the acute accent
+  EXPECT_EQ(reused(), all);
+  change({{"do", "move_points"},
+          {"glyph", "B"},
+          {"points", Value::parse("[[0, 0]]")},
+          {"dx", 13},
+          {"dy", 5}});
+  EXPECT_EQ(reused(), all - 1);
+  change({{"do", "set_advance"}, {"glyph", "C"}, {"width", 1500}});
+  EXPECT_EQ(reused(), all);
+  change({{"do", "transform"}, {"glyph", "A"}, {"matrix", {{"scale", 0.9}}}});
+  EXPECT_EQ(reused(), all - 2);  // A and Aacute
+}
+
+TEST_F(Rebuilt, OtherConditionsBuildAllAnew) {
+  EXPECT_EQ(reused(), 0u);
+  request_.target.tolerance = 12;
+  EXPECT_EQ(reused(), 0u);
+  // A glyph that needs a coarser grid for all.
+  change({{"do", "transform"}, {"glyph", "F"}, {"matrix", {{"scale", 7}}}});
+  EXPECT_EQ(reused(), 0u);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "judge/edge_glyph.hpp"
 #include "judge/hint_trial.hpp"
 #include "judge/outline_glyph.hpp"
+#include "pipeline/built_glyphs.hpp"
 #include "pipeline/field_images.hpp"
 #include "pipeline/font_hints.hpp"
 #include "rom/outline_font.hpp"
@@ -35,12 +36,6 @@ GlyphMetrics box_in_font_units(const Box& box, int units_per_em) {
   return m;
 }
 
-// One glyph, and how it looks.
-struct Built {
-  RomGlyph glyph;
-  LoopResult errors;  // size_aware
-};
-
 LoopOptions loop_options(const Target& options) {
   LoopOptions loop;
   loop.min_px = static_cast<int>(options.min_px);
@@ -49,7 +44,9 @@ LoopOptions loop_options(const Target& options) {
   return loop;
 }
 
-void judge_samples(const Shape& shape, const Target& options, Built& built) {
+void judge_samples(const Shape& shape,
+                   const Target& options,
+                   BuiltGlyph& built) {
   if (options.predicate == Predicate::fixed) {
     return;
   }
@@ -61,7 +58,9 @@ void judge_samples(const Shape& shape, const Target& options, Built& built) {
   }
 }
 
-void build_samples(const Shape& shape, const Target& options, Built& built) {
+void build_samples(const Shape& shape,
+                   const Target& options,
+                   BuiltGlyph& built) {
   Target of_samples = options;
   of_samples.coding = Coding::samples;
   built.glyph.fields = EdgeTree();
@@ -70,7 +69,7 @@ void build_samples(const Shape& shape, const Target& options, Built& built) {
 }
 
 // Cells of primitives, or of samples where fields cannot hold the tolerance.
-void build_cells(const Shape& shape, const Target& options, Built& built) {
+void build_cells(const Shape& shape, const Target& options, BuiltGlyph& built) {
   if (options.coding == Coding::samples) {
     // An image's samples are there already. The device always rounds to the
     // same side, so an image may miss a limit that its component holds.
@@ -105,7 +104,7 @@ void build_outline(const Outline& source,
                    const Shape& shape,
                    const RefitOptions& refit,
                    const Target& options,
-                   Built& built) {
+                   BuiltGlyph& built) {
   RefittedGlyph glyph = refit_glyph(source, shape, built.glyph.metrics, refit,
                                     loop_options(options));
   built.glyph.outline = std::move(glyph.outline);
@@ -135,15 +134,15 @@ double largest_side(const SourceFont& font) {
 }
 
 // `image`: the samples of the glyph if they are known, else empty.
-Built build_glyph(const SourceFont& font,
-                  const SourceGlyph& glyph,
-                  const RefitOptions& refit,
-                  const Target& options,
-                  const SampleTree& image) {
+BuiltGlyph build_glyph(const SourceFont& font,
+                       const SourceGlyph& glyph,
+                       const RefitOptions& refit,
+                       const Target& options,
+                       const SampleTree& image) {
   const auto refuse = [&](const std::string& why) {
     throw Error(glyph.file_name + ": " + glyph.name() + ": " + why);
   };
-  Built built;
+  BuiltGlyph built;
   built.glyph.samples = image;
   try {
     const Shape shape(glyph.outline);
@@ -168,7 +167,6 @@ Built build_glyph(const SourceFont& font,
         std::string(error.what()) + "; " +
         glyph.remedy(complex ? "use --predicate size" : "repair the outline"));
   }
-  built.glyph.metrics.advance = glyph.advance;
   return built;
 }
 
@@ -189,6 +187,8 @@ void build_glyphs(const SourceFont& font,
                   const RefitOptions& refit,
                   RomContent& content,
                   std::vector<LoopResult>& errors) {
+  content.glyphs.resize(font.glyphs.size());
+  errors.resize(font.glyphs.size());
   const bool is_sampled = request.target.coding == Coding::samples;
   const std::vector<FieldImage> images =
       is_sampled ? find_field_images(font) : std::vector<FieldImage>();
@@ -200,9 +200,20 @@ void build_glyphs(const SourceFont& font,
       others.push_back(i);
     }
   }
+  // An image depends on more than its outline.
+  BuiltGlyphs* const earlier = is_sampled ? nullptr : request.built_glyphs;
+  if (earlier != nullptr) {
+    earlier->begin(request.target, refit);
+  }
   const auto build = [&](size_t i, const SampleTree& image) {
-    Built built =
-        build_glyph(font, font.glyphs[i], refit, request.target, image);
+    const SourceGlyph& source = font.glyphs[i];
+    const BuiltGlyph* known =
+        earlier == nullptr ? nullptr : earlier->find(source.outline);
+    BuiltGlyph built =
+        known != nullptr
+            ? *known
+            : build_glyph(font, source, refit, request.target, image);
+    built.glyph.metrics.advance = source.advance;
     content.glyphs[i] = std::move(built.glyph);
     errors[i] = std::move(built.errors);
   };
@@ -221,6 +232,9 @@ void build_glyphs(const SourceFont& font,
         build(image.glyph, samples_of(image, content));
       },
       done_after(others.size()));
+  if (earlier != nullptr) {
+    earlier->keep(font.glyphs, content.glyphs, errors);
+  }
 }
 
 // Leaves out the last glyphs, from which no other one is made.
@@ -252,9 +266,6 @@ RomContent build_content(SourceFont& font,
   content.metrics = font.metrics;
   content.options = request.target;
   content.kerning = std::move(font.kerning);
-  const size_t count = font.glyphs.size();
-  content.glyphs.resize(count);
-  errors.resize(count);
   const RefitOptions refit = refit_options(
       request.target, font.metrics.units_per_em, largest_side(font));
   build_glyphs(font, request, refit, content, errors);

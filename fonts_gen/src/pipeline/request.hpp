@@ -15,6 +15,8 @@
 
 namespace inkcell::gen {
 
+class BuiltGlyphs;
+
 /// What to generate. The defaults are those of the command line.
 struct GenerateRequest {
   std::filesystem::path font;  // empty: icons alone
@@ -47,6 +49,9 @@ struct GenerateRequest {
   bool best_effort = false;
   /// Threads; 0: all cores. The bytes do not depend on it.
   int threads = 0;
+  /// Glyphs of an earlier font, which need not be built again; not owned, null:
+  /// none. The bytes do not depend on it.
+  BuiltGlyphs* built_glyphs = nullptr;
   /// Called now and then on the calling thread with glyphs done and their
   /// number.
   std::function<void(size_t done, size_t count)> progress;
