@@ -57,8 +57,8 @@ Value stroke_command(const Editor& editor, int points) {
   return {{"do", "set_strokes"}, {"strokes", Value::array({stroke})}};
 }
 
-Preview device_preview(const Editor& editor) {
-  Preview preview = draw_preview(editor.preview_job());
+Preview device_preview(const Editor& editor, gen::BuiltGlyphs& glyphs) {
+  Preview preview = draw_preview(editor.preview_job(), &glyphs);
   if (!preview.error.empty()) {
     throw Error(preview.error);
   }
@@ -71,7 +71,8 @@ Latencies measure_latencies(Editor& editor, int runs) {
   if (editor.glyph()->contours.empty()) {
     throw Error("glyph '" + editor.glyph_name() + "' has no points to drag");
   }
-  const Preview first = device_preview(editor);
+  gen::BuiltGlyphs glyphs;  // as the window's worker has one
+  const Preview first = device_preview(editor, glyphs);
   const auto drag = [&editor](int step) {
     editor.propose(
         {{"do", "move_points"},
@@ -94,7 +95,7 @@ Latencies measure_latencies(Editor& editor, int runs) {
   });
   result.device = time_of(runs, [&](int i) {
     drag(i);
-    device_preview(editor);
+    device_preview(editor, glyphs);
   });
   result.stroke = time_of(runs, [&](int i) {
     editor.propose(stroke_command(editor, kStrokePoints + i));

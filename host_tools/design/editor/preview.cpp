@@ -97,12 +97,14 @@ PreviewJob make_job(const Project& project,
   return job;
 }
 
-Preview draw_preview(const PreviewJob& job) {
+Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs) {
   Preview preview;
   preview.glyph_name = job.glyph;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    const gen::RomFont font = make_rom(job.project, {});
+    gen::GenerateRequest request;
+    request.built_glyphs = glyphs;
+    const gen::RomFont font = make_rom(job.project, request);
     const PreviewSettings& settings = job.settings;
     const std::string text = tools::to_utf8(job.character);
     add_facts(font.report, text, preview);

@@ -12,6 +12,7 @@
 #include "inkcell/text.hpp"
 #include "inkcell/text_style.hpp"
 #include "model/project.hpp"
+#include "pipeline/built_glyphs.hpp"
 #include "target/target.hpp"
 
 namespace inkcell::design::editor {
@@ -74,8 +75,9 @@ PreviewJob make_job(const Project& project,
                     const std::string& glyph,
                     const PreviewSettings& settings);
 
-/// Does the work. What goes wrong is said in `error`.
-Preview draw_preview(const PreviewJob& job);
+/// Does the work. What goes wrong is said in `error`. `glyphs`, if given, are
+/// those of the preview before, which are not built again; then of this one.
+Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs = nullptr);
 
 /// Draws one glyph of a line that begins at `origin`.
 using GlyphPainter = std::function<void(const PositionedGlyph& glyph,

@@ -32,6 +32,7 @@ bool PreviewWorker::is_busy() const {
 }
 
 void PreviewWorker::work() {
+  gen::BuiltGlyphs glyphs;
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return ending_ || next_.has_value(); });
@@ -42,7 +43,7 @@ void PreviewWorker::work() {
     next_.reset();
     working_ = true;
     lock.unlock();
-    auto preview = std::make_shared<const Preview>(draw_preview(job));
+    auto preview = std::make_shared<const Preview>(draw_preview(job, &glyphs));
     lock.lock();
     latest_ = std::move(preview);
     working_ = false;
