@@ -190,6 +190,19 @@ TEST_F(Journal, RefusesAProjectThatAnotherProgramChanged) {
   EXPECT_THROW(Session(path_, JournalFile::Flush::never), Error);
 }
 
+// Between two sessions without a command to recover.
+TEST_F(Journal, OpensAProjectThatAnotherProgramChanged) {
+  {
+    Session session(path_, JournalFile::Flush::never);
+    session.run({{"do", "set_advance"}, {"glyph", "o"}, {"width", 900}});
+    session.save();
+  }
+  write_text(path_ / "features.fea", "# changed\n");
+  const Session session(path_, JournalFile::Flush::never);
+  EXPECT_EQ(session.project().font->features, "# changed\n");
+  EXPECT_EQ(session.recovery().commands, 0u);
+}
+
 TEST_F(Journal, ScriptsAreLinesOfJson) {
   const std::filesystem::path file = folder_.path() / "script.jsonl";
   write_text(file,

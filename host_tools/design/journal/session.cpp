@@ -52,7 +52,7 @@ void Session::begin_journal() {
 void Session::recover(const std::string& digest) {
   const JournalRecords found = read_journal(journal_path_);
   recovery_.lost_bytes = found.lost_bytes;
-  if (found.records.empty()) {  // cut within its first record
+  if (found.records.size() <= 1) {  // no command to carry out
     begin_journal();
     return;
   }
