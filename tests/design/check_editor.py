@@ -4,11 +4,15 @@ Usage: check_editor.py INKCELL_EDITOR INKCELL_RENDER
 """
 import json
 import pathlib
+import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+PLIST = '<plist version="1.0">{}</plist>'
 PROBLEMS = []
 
 
@@ -219,6 +223,68 @@ def check_screenshots(editor):
     expect(size == (1440, 900) and len(set(colours[::3])) > 50, "screenshot")
 
 
+def png(width, height, rows):
+    """The bytes of a PNG of greys."""
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data +
+                struct.pack(">I", zlib.crc32(kind + data)))
+    head = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    data = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) +
+            chunk(b"IDAT", data) + chunk(b"IEND", b""))
+
+
+def check_picture(editor):
+    """A picture behind a glyph: shown, saved as it was, taken away."""
+    picture = png(64, 64, [[0 if (x // 8 + y // 8) % 2 else 255
+                            for x in range(64)] for y in range(64)])
+    (editor.folder / "board.png").write_bytes(picture)
+    kept = editor.folder / "P.ufo/images/board.png"
+    shown, undone, again = editor.run(
+        "open P.ufo", "glyph a", "screenshot without.ppm",
+        "background board.png", "print", "screenshot with.ppm", "key ctrl+z",
+        "print", "screenshot undone.ppm", "key ctrl+y", "print", "save")
+    expect([r["picture"] for r in (shown, undone, again)] ==
+           ["board.png", "", "board.png"], "a picture, undone and redone")
+    names = ("without.ppm", "with.ppm", "undone.ppm")
+    shots = [(editor.folder / name).read_bytes() for name in names]
+    expect(shots[0] != shots[1] and shots[0] == shots[2], "a picture is seen")
+    expect(kept.read_bytes() == picture, "the project keeps the picture")
+    glif = next((editor.folder / "P.ufo/glyphs").glob("a.glif")).read_text()
+    expect('<image fileName="board.png" xScale="32" yScale="32"' in glif,
+           f"the picture is as high as the em: {glif[:400]}")
+    editor.run("open P.ufo", "glyph a", 'do {"do": "set_image"}', "save")
+    expect(not kept.exists(), "a picture that no glyph names is taken away")
+    for line, message in (("background none.png", "none.png: No such file"),
+                          ("background script.txt", "is no sound PNG"),
+                          ('do {"do": "set_image", "file": "none.png"}',
+                           "images/none.png is missing")):
+        result = editor.start("open P.ufo", "glyph a", line)
+        expect(result.returncode == 1 and message in result.stderr,
+               f"{line}: said {result.stderr!r}")
+
+
+def check_layers(editor):
+    """The outline of another layer lies behind the glyph."""
+    folder = editor.folder / "P.ufo/glyphs.sketch"
+    editor.run("open P.ufo", "glyph H", "screenshot alone.ppm", "save")
+    folder.mkdir()
+    shutil.copy(editor.folder / "P.ufo/glyphs/O_.glif", folder / "H_.glif")
+    (folder / "contents.plist").write_text(PLIST.format(
+        "<dict><key>H</key><string>H_.glif</string></dict>"))
+    (editor.folder / "P.ufo/layercontents.plist").write_text(PLIST.format(
+        "<array><array><string>public.default</string><string>glyphs</string>"
+        "</array><array><string>sketch</string><string>glyphs.sketch</string>"
+        "</array></array>"))
+    editor.run("open P.ufo", "glyph H", "screenshot layer.ppm", "key shift+l",
+               "screenshot hidden.ppm", "save")
+    alone, layer, hidden = ((editor.folder / name).read_bytes() for name in
+                            ("alone.ppm", "layer.ppm", "hidden.ppm"))
+    expect(alone != layer, "another layer is not seen")
+    expect(alone == hidden, "another layer cannot be hidden")
+    expect((folder / "H_.glif").exists(), "another layer is lost")
+
+
 def check_errors(editor):
     for line, message in (("glyph a", "open a font first"),
                           ("frob", "'frob' is not known"),
@@ -243,6 +309,8 @@ def main():
         check_latency(editor)
         check_preview(editor, render)
         check_screenshots(editor)
+        check_picture(editor)
+        check_layers(editor)
         check_errors(editor)
     for problem in PROBLEMS:
         print(problem)

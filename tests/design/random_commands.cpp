@@ -101,7 +101,7 @@ Value RandomCommands::on_glyph(const std::string& name, const Glyph& glyph) {
     command["do"] = what;
     return command;
   };
-  switch (below(12)) {
+  switch (below(13)) {
     case 0:
       command["width"] = coordinate();
       return make("set_advance");
@@ -145,6 +145,13 @@ Value RandomCommands::on_glyph(const std::string& name, const Glyph& glyph) {
     case 9:
       command["unicodes"] = {static_cast<unsigned>(below(9999))};
       return make("set_unicodes");
+    case 10:
+      if (below(3) != 0) {
+        const std::string number = std::to_string(below(3));
+        command["file"] = "p" + number + ".png";
+        command["data"] = "iVBORw0KGgo" + number;  // a PNG's first bytes
+      }
+      return make("set_image");
     default:
       return on_contour(command, glyph);
   }

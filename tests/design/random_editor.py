@@ -16,6 +16,9 @@ FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 LINES = 200       # of a script
 SHOTS = 2         # pictures of the window among them, on average
 CHARS = "A,a,H,O,0xE9"
+# A PNG of two pixels, black and grey.
+PICTURE = ("iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAAAAADRSSBWAAAAC0lEQVR4nGNg"
+           "OAEAAMsAyWnIw2wAAAAASUVORK5CYII=")
 KEYS = ("escape delete s ctrl+a ctrl+x ctrl+c ctrl+v ctrl+d ctrl+z ctrl+y "
         "ctrl+s ctrl+shift+a g shift+g pagedown pageup 0 = - d c shift+l left "
         "shift+up ctrl+right v p e r o b l").split()
@@ -30,7 +33,10 @@ COMMANDS = (
     {"do": "add_anchor", "name": "top", "x": 300, "y": 1200},
     {"do": "add_guideline", "x": 10, "y": 20, "angle": 30},
     {"do": "set_guideline", "guideline": 0, "y": 500},
-    {"do": "transform", "matrix": {"turn": 90}})
+    {"do": "transform", "matrix": {"turn": 90}},
+    {"do": "set_image"}, {"do": "set_image", "file": "p.png"},
+    {"do": "set_image", "file": "p.png", "data": PICTURE,
+     "matrix": {"scale": [900, -500], "turn": 30, "move": [100, 200]}})
 
 
 class Script:

@@ -153,5 +153,52 @@ TEST_F(Commands, KeepTheCurveWhenItIsReversed) {
   }
 }
 
+// The bytes are those of a PNG's beginning, and one more.
+TEST_F(Commands, PutAPictureBehindAGlyph) {
+  run(R"({"do": "set_image", "glyph": "a", "file": "a.png",
+          "data": "iVBORw0KGgoB", "matrix": {"scale": 2, "move": [10, -20]}})");
+  const std::optional<GlyphImage> image = project_.glyph("a")->image;
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->file, "a.png");
+  EXPECT_EQ(image->matrix.yy, 2);
+  EXPECT_EQ(image->matrix.dy, -20);
+  const std::vector<uint8_t> bytes = {0x89, 'P',  'N',  'G', 0x0d,
+                                      0x0a, 0x1a, 0x0a, 1};
+  EXPECT_EQ(*project_.font->images.at("a.png"), bytes);
+  // The bytes are there already.
+  run(R"({"do": "set_image", "glyph": "a", "file": "a.png"})");
+  EXPECT_EQ(project_.glyph("a")->image->matrix.dy, 0);
+  run(R"({"do": "set_image", "glyph": "a"})");
+  EXPECT_FALSE(project_.glyph("a")->image);
+  EXPECT_TRUE(project_.font->images.empty());
+}
+
+TEST_F(Commands, SayWhatIsWrongWithAPicture) {
+  const auto refusal = [this](const std::string& arguments) {
+    return refusal_of(R"({"do": "set_image", "glyph": "a", )" + arguments +
+                      "}");
+  };
+  const std::string begin = "command 'set_image', glyph 'a': ";
+  EXPECT_EQ(refusal(R"("file": "b.png")"),
+            begin +
+                "images/b.png is missing; give its bytes in Base64 as "
+                "\"data\"");
+  for (const char* name : {"b.jpg", "../b.png", ".png", ".b.png", ""}) {
+    EXPECT_EQ(refusal(std::string(R"("file": ")") + name + "\"")
+                  .rfind(begin + "\"file\" is '" + name + "'; ", 0),
+              0u)
+        << name;
+  }
+  EXPECT_EQ(refusal(R"("file": "b.png", "data": "R0lGODlh")"),
+            begin + "\"data\" is no PNG in Base64");
+  run(R"({"do": "add_glyph", "glyph": "b"})");
+  run(R"({"do": "set_image", "glyph": "b", "file": "b.png",
+          "data": "iVBORw0KGgoB"})");
+  EXPECT_EQ(refusal(R"("file": "b.png", "data": "iVBORw0KGgoC")"),
+            begin +
+                "images/b.png is another picture already; choose another "
+                "name");
+}
+
 }  // namespace
 }  // namespace inkcell::design::test

@@ -7,6 +7,7 @@
 #include "journal/session.hpp"
 #include "model/error.hpp"
 #include "random_commands.hpp"
+#include "ufo/glif.hpp"
 #include "ufo/ufo.hpp"
 
 namespace inkcell::design::test {
@@ -95,6 +96,24 @@ TEST_F(Journal, UndoesAcrossASave) {
   Session session(path_, JournalFile::Flush::never);
   EXPECT_EQ(session.project().glyph("o")->width, 512);
   EXPECT_EQ(session.project().glyph("A")->width, 700);
+}
+
+// A picture that a save took from the disk is there again.
+TEST_F(Journal, UndoBringsAPictureBack) {
+  const auto before = contents_of(path_);
+  {
+    Session session(path_, JournalFile::Flush::never);
+    session.run({{"do", "set_image"}, {"glyph", "A"}});
+    session.save();
+    EXPECT_EQ(contents_of(path_).count("images/A.png"), 0u);
+    EXPECT_TRUE(session.undo());
+  }  // a crash
+  Session session(path_, JournalFile::Flush::never);
+  session.save();
+  session.close();
+  EXPECT_EQ(contents_of(path_)["images/A.png"], before.at("images/A.png"));
+  EXPECT_EQ(*read_ufo(path_).project.glyph("A"),
+            parse_glif(before.at("glyphs/A_.glif"), "A_.glif"));
 }
 
 TEST_F(Journal, CutAtAnyByteRecoversTheWholeRecordsBefore) {

@@ -62,6 +62,34 @@ TEST_F(Ufo, GoesToAnotherFolderWithAllFiles) {
   EXPECT_EQ(contents_of(path_), before);
 }
 
+TEST_F(Ufo, PicturesStayWhileAGlyphNamesThem) {
+  write_text(path_ / "images/other.png", "of no glyph");
+  const auto before = contents_of(path_);
+  UfoFiles files = read_ufo(path_);
+  Project project = files.project;
+  const auto play = [&project](const Value& command) {
+    project.apply(change_of(project, command));
+  };
+  play({{"do", "set_image"}, {"glyph", "o"}, {"file", "A.png"}});
+  play({{"do", "set_image"}, {"glyph", "A"}});
+  write_ufo(project, path_, files);
+  EXPECT_EQ(contents_of(path_)["images/A.png"], before.at("images/A.png"));
+  play({{"do", "decompose"}, {"glyph", "aacute"}});
+  play({{"do", "delete_glyph"}, {"glyph", "o"}});
+  write_ufo(project, path_, files);
+  EXPECT_EQ(contents_of(path_).count("images/A.png"), 0u);
+  EXPECT_EQ(contents_of(path_)["images/other.png"], "of no glyph");
+}
+
+TEST_F(Ufo, APictureThatIsMissingIsNoError) {
+  std::filesystem::remove(path_ / "images/A.png");
+  const auto before = contents_of(path_);
+  UfoFiles files = read_ufo(path_);
+  EXPECT_TRUE(files.project.font->images.empty());
+  write_ufo(files.project, path_, files);
+  EXPECT_EQ(contents_of(path_), before);
+}
+
 TEST_F(Ufo, ErrorsNameTheFile) {
   const auto refusal = [this] {
     try {

@@ -24,31 +24,6 @@ void check_size(size_t width, size_t height, const std::string& name) {
   }
 }
 
-Bitmap read_png(const std::vector<uint8_t>& bytes, const std::string& name) {
-  png_image image;
-  std::memset(&image, 0, sizeof image);
-  image.version = PNG_IMAGE_VERSION;
-  Bitmap bitmap;
-  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) !=
-      0) {
-    check_size(image.width, image.height, name);
-    image.format = PNG_FORMAT_GRAY;
-    bitmap.width = static_cast<int>(image.width);
-    bitmap.height = static_cast<int>(image.height);
-    bitmap.ink.resize(PNG_IMAGE_SIZE(image));
-    // Transparent pixels become white paper.
-    const png_color white = {255, 255, 255};
-    png_image_finish_read(&image, &white, bitmap.ink.data(), 0, nullptr);
-  }
-  if (image.warning_or_error >= 2) {
-    throw Error(name + ": is no sound PNG: " + image.message);
-  }
-  for (uint8_t& pixel : bitmap.ink) {
-    pixel = static_cast<uint8_t>(255 - pixel);
-  }
-  return bitmap;
-}
-
 // PBM and PGM: P1, P2, P4 and P5.
 class NetpbmReader {
  public:
@@ -154,6 +129,31 @@ bool Bitmap::is_bilevel() const {
                      [](uint8_t v) { return v == 0 || v == 255; });
 }
 
+Bitmap parse_png(const std::vector<uint8_t>& bytes, const std::string& name) {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  Bitmap bitmap;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) !=
+      0) {
+    check_size(image.width, image.height, name);
+    image.format = PNG_FORMAT_GRAY;
+    bitmap.width = static_cast<int>(image.width);
+    bitmap.height = static_cast<int>(image.height);
+    bitmap.ink.resize(PNG_IMAGE_SIZE(image));
+    // Transparent pixels become white paper.
+    const png_color white = {255, 255, 255};
+    png_image_finish_read(&image, &white, bitmap.ink.data(), 0, nullptr);
+  }
+  if (image.warning_or_error >= 2) {
+    throw Error(name + ": is no sound PNG: " + image.message);
+  }
+  for (uint8_t& pixel : bitmap.ink) {
+    pixel = static_cast<uint8_t>(255 - pixel);
+  }
+  return bitmap;
+}
+
 Bitmap read_bitmap(const std::filesystem::path& file) {
   const std::vector<uint8_t> bytes = tools::read_file(file);
   const bool is_netpbm = bytes.size() > 8 && bytes[0] == 'P' &&
@@ -163,7 +163,7 @@ Bitmap read_bitmap(const std::filesystem::path& file) {
     return NetpbmReader(bytes, file.string()).read();
   }
   if (bytes.size() > 8 && bytes[0] == 0x89 && bytes[1] == 'P') {
-    return read_png(bytes, file.string());
+    return parse_png(bytes, file.string());
   }
   throw Error(file.string() + ": is neither PNG nor PBM nor PGM");
 }

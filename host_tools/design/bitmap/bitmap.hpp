@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace inkcell::design {
@@ -22,6 +23,9 @@ struct Bitmap {
   /// Whether every pixel is all ink or none.
   bool is_bilevel() const;
 };
+
+/// A PNG of these bytes, as read_bitmap() reads it; `name` is for messages.
+Bitmap parse_png(const std::vector<uint8_t>& bytes, const std::string& name);
 
 /// Reads PNG, PBM or PGM; dark pixels are ink, transparent ones are none.
 /// Throws Error that names the file.

@@ -149,6 +149,12 @@ std::vector<Action> make_list() {
        [](Editor& e) {
          e.run({{"do", "decompose"}});
        }},
+      {"Remove picture", "",
+       [](Editor& e) {
+         if (e.glyph()->image) {
+           e.run({{"do", "set_image"}});
+         }
+       }},
       {"Next glyph", "pagedown", [](Editor& e) { e.step(1); }},
       {"Previous glyph", "pageup", [](Editor& e) { e.step(-1); }},
       {"Fit glyph", "0 ctrl+0", [](Editor& e) { e.fit_view(); }},

@@ -47,6 +47,7 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"contours", contours},
           {"components", glyph->components.size()},
           {"guides", guides_value(*glyph)},
+          {"picture", glyph->image ? glyph->image->file : ""},
           {"selected", editor.selection.size()},
           {"view", view_value(editor.view)},
           {"bytes", preview.glyph_bytes},

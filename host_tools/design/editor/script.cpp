@@ -10,6 +10,7 @@
 #include "editor/actions.hpp"
 #include "editor/latency.hpp"
 #include "editor/report.hpp"
+#include "import/image_import.hpp"
 #include "model/error.hpp"
 #include "stroke/nib.hpp"
 
@@ -256,6 +257,11 @@ const std::vector<Command>& command_list() {
            throw Error("a command is a JSON object");
          }
          l.editor.run(command);
+       },
+       true},
+      {{"background", "FILE.png", "put a picture behind the glyph"},
+       [](const Line& l) {
+         l.editor.run(image_command(l.editor.project(), word(l, 0)));
        },
        true},
       {{"preview", "PX DISPLAY [light|dark]",

@@ -1,5 +1,6 @@
 // Records carried out, and steps taken back.
 #include "journal/session.hpp"
+#include "model/base64.hpp"
 #include "model/commands.hpp"
 #include "model/error.hpp"
 #include "ufo/glif.hpp"
@@ -7,8 +8,26 @@
 namespace inkcell::design {
 namespace {
 
+Value images_value(const Images& images) {
+  Value value = Value::object();
+  for (const auto& [name, bytes] : images) {
+    value[name] = encode_base64(*bytes);
+  }
+  return value;
+}
+
+Images parse_images(const Value& value) {
+  Images images;
+  for (const auto& [name, text] : value.items()) {
+    images[name] = std::make_shared<const std::vector<uint8_t>>(
+        decode_base64(text.get<std::string>()));
+  }
+  return images;
+}
+
 Value font_value(const FontData& font) {
-  return {{"info", font.info},
+  return {{"images", images_value(font.images)},
+          {"info", font.info},
           {"groups", font.groups},
           {"kerning", font.kerning},
           {"lib", font.lib},
@@ -85,7 +104,8 @@ void Player::restore(const Value& record) {
     const Value& data = record["font"];
     change.font_after = std::make_shared<const FontData>(
         FontData{data.at("info"), data.at("groups"), data.at("kerning"),
-                 data.at("lib"), data.at("features").get<std::string>()});
+                 data.at("lib"), data.at("features").get<std::string>(),
+                 parse_images(data.at("images"))});
   }
   project_.apply(change);
 }

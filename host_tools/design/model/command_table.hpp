@@ -15,6 +15,7 @@ using CommandTable = std::map<std::string, CommandFunction>;
 
 void add_batch_command(CommandTable& table);
 void add_glyph_commands(CommandTable& table);
+void add_image_commands(CommandTable& table);
 void add_part_commands(CommandTable& table);
 void add_point_commands(CommandTable& table);
 void add_font_commands(CommandTable& table);
@@ -22,6 +23,10 @@ void add_source_commands(CommandTable& table);
 
 /// The layer that "layer" names, the default one if it is left out.
 size_t layer_of(const Project& project, const Arguments& arguments);
+
+/// Takes the pictures away that no glyph names after `change`, which changes
+/// glyphs only.
+void drop_unnamed_images(const Project& project, Change& change);
 
 /// The change that `edit` makes of a copy of the glyph that "glyph" names.
 template <typename Edit>

@@ -11,6 +11,7 @@ const CommandTable& command_table() {
     CommandTable all;
     add_batch_command(all);
     add_glyph_commands(all);
+    add_image_commands(all);
     add_part_commands(all);
     add_point_commands(all);
     add_font_commands(all);

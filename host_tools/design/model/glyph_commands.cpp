@@ -50,6 +50,7 @@ Change delete_glyph(const Project& project, const Arguments& arguments) {
     }
   }
   change.glyphs[0].after = nullptr;
+  drop_unnamed_images(project, change);
   return change;
 }
 

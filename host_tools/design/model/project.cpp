@@ -1,6 +1,6 @@
 #include "model/project.hpp"
 
-#include <set>
+#include <algorithm>
 #include <tuple>
 
 #include "model/error.hpp"
@@ -28,7 +28,11 @@ void put(Project& project,
 }  // namespace
 
 bool operator==(const FontData& a, const FontData& b) {
-  return fields(a) == fields(b);
+  return fields(a) == fields(b) &&
+         std::equal(a.images.begin(), a.images.end(), b.images.begin(),
+                    b.images.end(), [](const auto& x, const auto& y) {
+                      return x.first == y.first && *x.second == *y.second;
+                    });
 }
 
 Project::Project() : font(std::make_shared<FontData>()) {
@@ -75,6 +79,18 @@ void Project::revert(const Change& change) {
   if (change.font_before != nullptr) {
     font = change.font_before;
   }
+}
+
+std::set<std::string> image_names(const Project& project) {
+  std::set<std::string> names;
+  for (const Layer& layer : project.layers) {
+    for (const auto& [name, glyph] : layer.glyphs) {
+      if (glyph->image) {
+        names.insert(glyph->image->file);
+      }
+    }
+  }
+  return names;
 }
 
 std::vector<std::string> glyph_order(const Project& project) {

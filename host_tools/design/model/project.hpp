@@ -2,9 +2,11 @@
 // each.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,13 +17,20 @@ namespace inkcell::design {
 
 using GlyphPointer = std::shared_ptr<const Glyph>;
 
-/// All of a font but its glyphs: fontinfo, groups, kerning and lib of UFO 3.
+/// The pictures behind glyphs by their names, which are files of the folder
+/// images in UFO 3. Bytes are a PNG's and never change.
+using ImageBytes = std::shared_ptr<const std::vector<uint8_t>>;
+using Images = std::map<std::string, ImageBytes>;
+
+/// All of a font but its glyphs: fontinfo, groups, kerning and lib of UFO 3,
+/// and the pictures that its glyphs name.
 struct FontData {
   Value info = Value::object();
   Value groups = Value::object();
   Value kerning = Value::object();
   Value lib = Value::object();
   std::string features;
+  Images images;
 };
 
 bool operator==(const FontData& a, const FontData& b);
@@ -73,6 +82,9 @@ class Project {
   void apply(const Change& change);
   void revert(const Change& change);
 };
+
+/// The pictures that glyphs name, in all layers.
+std::set<std::string> image_names(const Project& project);
 
 /// Names of the default layer's glyphs in the order of lib's
 /// public.glyphOrder; glyphs that it does not list follow by name.

@@ -15,7 +15,8 @@ struct UfoFiles {
   std::filesystem::path folder;
   /// The bytes of every file of the format, by its path within the folder.
   std::map<std::string, std::string> texts;
-  /// Everything else: data, images, notes of other programs.
+  /// Everything else: data, pictures that no glyph names, notes of other
+  /// programs.
   std::vector<std::string> foreign;
   /// As read.
   Project project;

@@ -31,8 +31,9 @@ class Reader {
     font.kerning = dictionary("kerning.plist");
     font.lib = dictionary("lib.plist");
     load("features.fea", font.features);
-    files_.project.font = std::make_shared<const FontData>(std::move(font));
     read_layers();
+    read_images(font.images);
+    files_.project.font = std::make_shared<const FontData>(std::move(font));
     find_foreign();
     return std::move(files_);
   }
@@ -132,6 +133,17 @@ class Reader {
       files_.glyph_files[folder][glyph] = file.get<std::string>();
     }
     return layer;
+  }
+
+  // A picture that is missing does not matter before it is shown.
+  void read_images(Images& images) {
+    for (const std::string& name : image_names(files_.project)) {
+      std::string text;
+      if (name.find('/') == std::string::npos && load("images/" + name, text)) {
+        images[name] = std::make_shared<const std::vector<uint8_t>>(
+            text.begin(), text.end());
+      }
+    }
   }
 
   void find_foreign() {

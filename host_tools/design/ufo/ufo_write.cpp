@@ -48,6 +48,9 @@ class Writer {
     for (const Layer& layer : project_.layers) {
       put_layer(layer);
     }
+    for (const auto& [name, bytes] : now.images) {
+      texts_["images/" + name].assign(bytes->begin(), bytes->end());
+    }
     return std::move(texts_);
   }
 
@@ -219,6 +222,12 @@ void write_ufo(const Project& project,
                const fs::path& folder,
                UfoFiles& files) {
   const Texts texts = ufo_texts(project, files);
+  std::vector<std::string> foreign;
+  for (const std::string& file : files.foreign) {
+    if (texts.count(file) == 0) {  // else a picture of this name was put there
+      foreign.push_back(file);
+    }
+  }
   fs::path fresh = folder;
   fresh += ".saving";
   try {
@@ -227,7 +236,7 @@ void write_ufo(const Project& project,
       fs::create_directories((fresh / file).parent_path());
       write_file(fresh / file, text);
     }
-    for (const std::string& file : files.foreign) {
+    for (const std::string& file : foreign) {
       fs::create_directories((fresh / file).parent_path());
       fs::copy_file(files.folder / file, fresh / file,
                     fs::copy_options::overwrite_existing);
@@ -238,7 +247,6 @@ void write_ufo(const Project& project,
     throw Error(folder.string() +
                 ": cannot be saved: " + error.code().message());
   }
-  std::vector<std::string> foreign = files.foreign;
   files.texts = texts;
   files.folder = folder;
   files.foreign = std::move(foreign);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/window/panels.hpp"
+#include "import/image_import.hpp"
 
 namespace inkcell::design::editor {
 namespace {
@@ -44,17 +45,11 @@ const std::vector<Dialog>& dialog_list() {
          editor.run({{"do", "add_component"}, {"base", value}});
        }},
       {"Background picture",
-       "A picture (PNG, PGM, PBM) behind the outline",
+       "A picture (PNG) behind the outline; the project keeps a copy",
        "Show",
-       {".png", ".pgm", ".pbm"},
+       {".png"},
        [](Editor& editor, const std::string& value) {
-         editor.run({{"do", "set_glyph_lib"},
-                     {"key", "org.inkcell.background"},
-                     {"value",
-                      {{"file", fs::absolute(value).string()},
-                       {"x", 0},
-                       {"y", 0},
-                       {"height", editor.project().units_per_em()}}}});
+         editor.run(image_command(editor.project(), value));
        }},
   };
   return list;

@@ -110,6 +110,34 @@ void draw_components(Editor& editor) {
   }
 }
 
+// Its lower left corner, and font units per pixel.
+void draw_picture(Editor& editor) {
+  const GlyphImage image = *editor.glyph()->image;
+  Matrix m = image.matrix;
+  const double before = std::hypot(m.xx, m.xy);
+  double scale = before;
+  ImGui::TextDisabled("Picture %s", image.file.c_str());
+  bool is_changed = number("x##picture", m.dx);
+  ImGui::SameLine(0, px(18));
+  is_changed |= number("y##picture", m.dy);
+  is_changed |= number("Scale", scale);
+  tooltip("Font units that a pixel is wide");
+  if (!is_changed) {
+    return;
+  }
+  if (scale > 0 && before > 0) {
+    for (double* entry : {&m.xx, &m.xy, &m.yx, &m.yy}) {
+      *entry *= scale / before;
+    }
+  }
+  attempt(editor, [&] {
+    editor.run({{"do", "set_image"},
+                {"file", image.file},
+                {"matrix", {m.xx, m.xy, m.yx, m.yy, m.dx, m.dy}},
+                {"color", image.color}});
+  });
+}
+
 }  // namespace
 
 void draw_inspector(Panels& panels) {
@@ -122,6 +150,9 @@ void draw_inspector(Panels& panels) {
   if (!editor.glyph()->components.empty()) {
     ImGui::TextDisabled("Components");
     draw_components(editor);
+  }
+  if (editor.glyph()->image) {
+    draw_picture(editor);
   }
   ImGui::Separator();
   ImGui::TextDisabled("Selection");

@@ -77,6 +77,7 @@ void draw_menu(Panels& panels) {
     ImGui::Separator();
     dialog_item(panels, "Add component", "", "", is_open);
     dialog_item(panels, "Background picture", "", "", is_open);
+    item(panels, "Remove picture");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("View")) {

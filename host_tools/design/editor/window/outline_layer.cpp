@@ -6,12 +6,11 @@
 #include "bitmap/bitmap.hpp"
 #include "editor/segments.hpp"
 #include "editor/snapping.hpp"
+#include "model/error.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::design::editor {
 namespace {
-
-constexpr const char* kBackgroundKey = "org.inkcell.background";
 
 float to_float(double value) {
   return static_cast<float>(value);
@@ -83,32 +82,48 @@ void OutlineLayer::draw_layers() const {
   }
 }
 
+// The picture, once decoded; null if there is none or it cannot be shown.
+std::shared_ptr<const tools::Image> OutlineLayer::background() const {
+  const std::string& file = glyph_->image->file;
+  const Images& images = panels_.editor.project().font->images;
+  const auto found = images.find(file);
+  const ImageBytes bytes = found == images.end() ? nullptr : found->second;
+  BackgroundPicture& kept = panels_.background;
+  if (kept.file == file && kept.bytes == bytes) {
+    return kept.image;
+  }
+  kept = {file, bytes, nullptr};
+  attempt(panels_.editor, [&] {
+    if (bytes == nullptr) {
+      throw Error("images/" + file + " of glyph '" + glyph_->name +
+                  "' is missing");
+    }
+    const Bitmap bitmap = parse_png(*bytes, "images/" + file);
+    auto image = std::make_shared<tools::Image>(bitmap.width, bitmap.height);
+    std::transform(bitmap.ink.begin(), bitmap.ink.end(), image->pixels.begin(),
+                   [](uint8_t ink) { return static_cast<uint8_t>(ink / 3); });
+    kept.image = std::move(image);
+  });
+  return kept.image;
+}
+
+// A pixel is a font unit before the matrix, the lower left corner the origin.
 void OutlineLayer::draw_background() const {
-  const auto found = glyph_->lib.find(kBackgroundKey);
-  if (found == glyph_->lib.end()) {
+  const auto image = glyph_->image ? background() : nullptr;
+  if (image == nullptr) {
     return;
   }
-  const Value& data = *found;
-  const std::string file = data.value("file", "");
-  auto& kept = panels_.background;
-  if (kept == nullptr || panels_.background_file != file) {
-    panels_.background_file = file;
-    kept = std::make_shared<tools::Image>();
-    attempt(panels_.editor, [&] {
-      const Bitmap bitmap = read_bitmap(file);
-      *kept = tools::Image(bitmap.width, bitmap.height);
-      std::transform(bitmap.ink.begin(), bitmap.ink.end(), kept->pixels.begin(),
-                     [](uint8_t ink) { return static_cast<uint8_t>(ink / 3); });
-    });
+  const ImTextureID texture = panels_.textures.of(image, image.get(), *image);
+  if (texture == nullptr) {
+    return;
   }
-  const ImTextureID texture = panels_.textures.of(kept, kept.get(), *kept);
-  if (texture != nullptr) {
-    const double x = data.value("x", 0.0);
-    const double y = data.value("y", 0.0);
-    const double height = data.value("height", 1000.0);
-    list_.AddImage(texture, map(x, y + height),
-                   map(x + height * kept->width / kept->height, y));
-  }
+  const auto corner = [&](int x, int y) {
+    const Point at = glyph_->image->matrix.map(x, y);
+    return map(at.x, at.y);
+  };
+  list_.AddImageQuad(texture, corner(0, image->height),
+                     corner(image->width, image->height),
+                     corner(image->width, 0), corner(0, 0));
 }
 
 // Row by row, as the union of all contours.

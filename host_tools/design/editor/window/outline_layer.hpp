@@ -25,6 +25,7 @@ class OutlineLayer {
 
  private:
   ImVec2 map(double x, double y) const;
+  std::shared_ptr<const tools::Image> background() const;
   void fill(const gen::Shape& shape, double scale, ImU32 colour) const;
   void outline(const PointContour& contour, ImU32 colour) const;
   void handles(const PointContour& contour) const;

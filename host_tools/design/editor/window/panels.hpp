@@ -22,6 +22,13 @@ using tools::px;
 using tools::Textures;
 using tools::tooltip;
 
+/// The picture behind a glyph, decoded once.
+struct BackgroundPicture {
+  std::string file;
+  ImageBytes bytes;
+  std::shared_ptr<const tools::Image> image;  // null: it cannot be shown
+};
+
 /// What panels share beside the editor.
 struct Panels {
   Panels(Editor& shown, Textures& kept) : editor(shown), textures(kept) {}
@@ -36,9 +43,7 @@ struct Panels {
   // What the canvas fills: the shape of a glyph without components.
   GlyphPointer filled;
   std::shared_ptr<const gen::Shape> shape;
-  // The picture behind it.
-  std::string background_file;
-  std::shared_ptr<tools::Image> background;
+  BackgroundPicture background;
 };
 
 /// Runs `work`; what it throws becomes the editor's message.
