@@ -12,7 +12,6 @@
 // curves at their edge, both beyond 3 u from corners. Fails if the curves are
 // worse than the limits, or no truer than the transform.
 #include <stdlib.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +30,7 @@
 #include "shape/shape.hpp"
 #include "source/font_source.hpp"
 #include "trace/field_outline.hpp"
+#include "work_time.hpp"
 
 namespace inkcell::design::test {
 namespace {
@@ -40,13 +40,6 @@ constexpr double kCorner_u = 3;
 constexpr double kCornerTurn = 0.17;  // [radians]
 constexpr int kGreyRows = 16;
 constexpr double kMargin_u = 16;
-
-double work_done() {
-  timespec time = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) +
-         static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 struct Errors {
   double worst = 0;
@@ -174,12 +167,13 @@ void measure(const gen::SourceGlyph& glyph,
   const std::vector<Point> corners = corners_of(glyph.outline);
   MasterOptions options;
   const Bitmap bitmap = draw(truth, px_per_em, is_grey, options.place);
-  double begin = work_done();
+  double begin = tools::work_done_ms();
   const std::vector<float> distances = signed_distances(bitmap);
-  row.transform_s = std::max(row.transform_s, work_done() - begin);
-  begin = work_done();
+  row.transform_s =
+      std::max(row.transform_s, (tools::work_done_ms() - begin) / 1e3);
+  begin = tools::work_done_ms();
   const gen::Outline curves = outline_of(bitmap, options);
-  row.curves_s = std::max(row.curves_s, work_done() - begin);
+  row.curves_s = std::max(row.curves_s, (tools::work_done_ms() - begin) / 1e3);
   row.segments += segment_count(curves);
   const gen::Shape traced(curves);
   compare_edges(traced, truth, corners, row.curves, row.with_corners);

@@ -5,8 +5,6 @@
 // Tries COUNT strokes from number FIRST on, 0 if left out. Prints the worst
 // distance and the strokes with open or missing contours; fails above 0.25 u,
 // or if there is one.
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +18,7 @@
 #include "stroke/stroke.hpp"
 #include "stroke/sweep.hpp"
 #include "stroke_oracle.hpp"
+#include "work_time.hpp"
 
 namespace inkcell::design::test {
 namespace {
@@ -33,13 +32,6 @@ struct Result {
   bool is_broken = false;
   double milliseconds = 0;
 };
-
-double work_done() {
-  timespec time = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 +
-         static_cast<double>(time.tv_nsec) * 1e-6;
-}
 
 class RandomStroke {
  public:
@@ -145,9 +137,9 @@ Result check(size_t seed) {
   RandomStroke random(seed);
   const NibPath path = random.path();
   Result result;
-  const double begin = work_done();
+  const double begin = tools::work_done_ms();
   const std::vector<std::vector<Point>> polygons = sweep(places_on(path));
-  result.milliseconds = work_done() - begin;
+  result.milliseconds = tools::work_done_ms() - begin;
   // What a nib covers hangs together: one outer contour, with holes.
   int outer = 0;
   for (const std::vector<Point>& polygon : polygons) {

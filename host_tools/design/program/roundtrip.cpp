@@ -1,6 +1,4 @@
 // inkcell-design roundtrip: outline to field to curves, and how true they are.
-#include <time.h>
-
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +12,7 @@
 #include "source/font_source.hpp"
 #include "trace/corner_census.hpp"
 #include "trace/field_outline.hpp"
+#include "work_time.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -36,14 +35,6 @@ struct GlyphResult {
   double milliseconds = 0;  // field to curves
 };
 
-// What this thread has worked for, whatever else the machine does. [ms]
-double work_done() {
-  timespec time = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 +
-         static_cast<double>(time.tv_nsec) * 1e-6;
-}
-
 constexpr double kStep_u = 1;  // between places where edges are compared
 
 GlyphResult round_trip(const gen::SourceGlyph& glyph,
@@ -55,9 +46,9 @@ GlyphResult round_trip(const gen::SourceGlyph& glyph,
     return result;
   }
   const ShapeField first(source, arguments.request.target);
-  const double begin = work_done();
+  const double begin = tools::work_done_ms();
   const gen::Outline curves = outline_of(first.field(), arguments.fit);
-  result.milliseconds = work_done() - begin;
+  result.milliseconds = tools::work_done_ms() - begin;
   const gen::Shape traced(curves);
   result.error = edge_error(source, traced, kStep_u);
   result.segments = segment_count(curves);

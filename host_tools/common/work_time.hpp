@@ -1,0 +1,16 @@
+// Time that a thread has worked, whatever else the machine does.
+#pragma once
+
+#include <time.h>
+
+namespace inkcell::tools {
+
+/// What the calling thread has worked for since it began. [ms]
+inline double work_done_ms() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 +
+         static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+}  // namespace inkcell::tools
