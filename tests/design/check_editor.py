@@ -285,6 +285,21 @@ def check_layers(editor):
     expect((folder / "H_.glif").exists(), "another layer is lost")
 
 
+def check_messages(editor):
+    """What went wrong is said in red until the next change."""
+    failed, after = editor.run(
+        "open P.ufo", "glyph H", "screenshot said.ppm",
+        'try do {"do": "delete_contour", "contour": 9}', "print",
+        "screenshot problem.ppm", "key g", "print", "key ctrl+z")
+    expect("allowed are" in failed["message"] and after["message"] == "",
+           f"messages: {failed['message']!r}, {after['message']!r}")
+    red = bytes((196, 64, 52))
+    status = slice(-1440 * 3 * 25, None)  # the lowest 25 rows
+    said, problem = ((editor.folder / name).read_bytes()[status]
+                     for name in ("said.ppm", "problem.ppm"))
+    expect(red in problem and red not in said, "a problem is not red")
+
+
 def check_errors(editor):
     for line, message in (("glyph a", "open a font first"),
                           ("frob", "'frob' is not known"),
@@ -311,6 +326,7 @@ def main():
         check_screenshots(editor)
         check_picture(editor)
         check_layers(editor)
+        check_messages(editor)
         check_errors(editor)
     for problem in PROBLEMS:
         print(problem)

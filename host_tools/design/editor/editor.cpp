@@ -113,9 +113,9 @@ void Editor::begin(const fs::path& folder) {
   propose(nullptr);
   glyph_.clear();
   const size_t recovered = session_->recovery().commands;
-  message = recovered == 0 ? "Opened " + folder.filename().string()
-                           : "Recovered " + std::to_string(recovered) +
-                                 " changes that were not saved";
+  message = {recovered == 0 ? "Opened " + folder.filename().string()
+                            : "Recovered " + std::to_string(recovered) +
+                                  " changes that were not saved"};
   const std::vector<std::string> order = glyph_order(project());
   for (const std::string& name : order) {
     if (!project().glyph(name)->contours.empty() && name != ".notdef") {
@@ -130,7 +130,7 @@ void Editor::begin(const fs::path& folder) {
 
 void Editor::save() {
   session_->save();
-  message = "Saved " + session_->files().folder.filename().string();
+  message = {"Saved " + session_->files().folder.filename().string()};
 }
 
 void Editor::export_to(const fs::path& file) const {
@@ -199,7 +199,7 @@ void Editor::run(Value command) {
   fill_glyph(glyph_, command);
   session_->run(command);
   change_.reset();
-  drop_lost_selection();
+  take_change();
 }
 
 void Editor::propose(Value command) {
@@ -230,21 +230,29 @@ void Editor::commit() {
     return;
   }
   session_->run(command, std::move(*change));
-  drop_lost_selection();
+  take_change();
 }
 
 bool Editor::undo() {
   tool_->cancel(*this);
   const bool done = session_->undo();
-  drop_lost_selection();
+  take_change();
   return done;
 }
 
 bool Editor::redo() {
   tool_->cancel(*this);
   const bool done = session_->redo();
-  drop_lost_selection();
+  take_change();
   return done;
+}
+
+// After a command, undo or redo.
+void Editor::take_change() {
+  if (message.is_problem) {
+    message = {};
+  }
+  drop_lost_selection();
 }
 
 // Of points and glyphs that a change has taken away.

@@ -55,6 +55,12 @@ struct NibSettings {
   std::string text() const;
 };
 
+/// What the editor tells the person.
+struct Message {
+  std::string text;
+  bool is_problem = false;  // until the next change
+};
+
 /// Where copies go: of the program alone unless a window sets it.
 struct Clipboard {
   std::function<std::string()> read;
@@ -122,10 +128,11 @@ class Editor {
   NibSettings nib;
   PreviewSettings preview;
   bool shows_layers = true;  // those beside the default one, behind it
-  std::string message;
+  Message message;
 
  private:
   void begin(const std::filesystem::path& folder);
+  void take_change();
   void drop_lost_selection();
 
   std::unique_ptr<Session> session_;

@@ -94,7 +94,7 @@ class KnifeTool : public LineTool {
     const Value command =
         replace_contours(*glyph, cut(glyph->contours, a_, b_));
     if (command.is_null()) {
-      editor.message = "The cut must begin and end outside the ink";
+      editor.message = {"The cut must begin and end outside the ink", true};
     } else {
       editor.selection.clear();
       editor.run(command);

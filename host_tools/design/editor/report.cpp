@@ -54,7 +54,7 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"points", preview.glyph_points},
           {"worst_error", preview.worst_error},
           {"cells", preview.cells.size()},
-          {"message", editor.message}};
+          {"message", editor.message.text}};
 }
 
 Value report_of(const Latencies& latencies) {

@@ -190,7 +190,7 @@ void try_line(const Line& line) {
   try {
     run_script_line(line.editor, line.rest, line.screenshot);
   } catch (const std::exception& error) {
-    line.editor.message = error.what();
+    line.editor.message = {error.what(), true};
   }
 }
 

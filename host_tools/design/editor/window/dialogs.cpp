@@ -35,7 +35,7 @@ const std::vector<Dialog>& dialog_list() {
        {".ttf", ".bin", ".ufo"},
        [](Editor& editor, const std::string& value) {
          editor.export_to(value);
-         editor.message = "Wrote " + value;
+         editor.message = {"Wrote " + value};
        }},
       {"Add component",
        "The name of the glyph to put into this one",

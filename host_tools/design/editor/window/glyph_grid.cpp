@@ -12,6 +12,7 @@ namespace {
 constexpr float kCell = 46;
 constexpr float kLabel = 15;
 constexpr float kGap = 3;
+constexpr size_t kLetters = 7;  // ".notdef"
 
 // What stands below a glyph: its character, or the start of its name.
 std::string label_of(const Glyph& glyph) {
@@ -19,7 +20,7 @@ std::string label_of(const Glyph& glyph) {
       glyph.unicodes[0] < 0x2000) {
     return tools::to_utf8(glyph.unicodes[0]);
   }
-  return glyph.name.substr(0, 6);
+  return glyph.name.substr(0, kLetters);
 }
 
 void draw_cell(Panels& panels, const std::string& name) {
@@ -62,6 +63,24 @@ void draw_cell(Panels& panels, const std::string& name) {
   tooltip(name.c_str());
 }
 
+// Scrolls to the shown glyph when another one is shown.
+void follow(Panels& panels,
+            const std::vector<std::string>& order,
+            int columns,
+            float row_height) {
+  const std::string& shown = panels.editor.glyph_name();
+  if (panels.followed == shown) {
+    return;
+  }
+  panels.followed = shown;
+  const auto at = std::find(order.begin(), order.end(), shown) - order.begin();
+  const float top = static_cast<float>(at / columns) * row_height;
+  const float room = ImGui::GetWindowHeight() - row_height;
+  if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + room) {
+    ImGui::SetScrollY(top - room / 2);
+  }
+}
+
 }  // namespace
 
 void draw_glyph_grid(Panels& panels) {
@@ -79,9 +98,10 @@ void draw_glyph_grid(Panels& panels) {
       1,
       static_cast<int>((ImGui::GetContentRegionAvail().x + px(kGap)) / pitch));
   const int count = static_cast<int>(order.size());
+  const float row_height = px(kCell) + px(kLabel) + px(kGap);
+  follow(panels, order, columns, row_height);
   ImGuiListClipper clipper;
-  clipper.Begin((count + columns - 1) / columns,
-                px(kCell) + px(kLabel) + px(kGap));
+  clipper.Begin((count + columns - 1) / columns, row_height);
   while (clipper.Step()) {
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
       for (int i = row * columns; i < std::min(count, (row + 1) * columns);

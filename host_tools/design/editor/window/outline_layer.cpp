@@ -170,7 +170,7 @@ void OutlineLayer::draw_components() const {
     try {
       append_component(project, 0, glyph_->components[i], part.contours);
     } catch (const std::exception& error) {
-      panels_.editor.message = error.what();
+      panels_.editor.message = {error.what(), true};
       continue;
     }
     const gen::Shape shape(outline_of(project, part));

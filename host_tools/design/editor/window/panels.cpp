@@ -9,6 +9,17 @@ constexpr float kSideWidth = 372;
 constexpr float kStatusHeight = 30;
 constexpr float kInspectorHeight = 292;
 
+void draw_message(const Message& message) {
+  if (!message.is_problem) {
+    ImGui::TextDisabled("%s", message.text.c_str());
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, colour::kCorner);
+  ImGui::TextUnformatted(message.text.c_str());
+  ImGui::PopStyleColor();
+  tooltip(message.text.c_str());
+}
+
 }  // namespace
 
 void draw_window(Panels& panels) {
@@ -47,22 +58,25 @@ void draw_status(Panels& panels) {
   const Editor& editor = panels.editor;
   ImGui::SetCursorPosY(px(6));
   if (editor.glyph() == nullptr) {
-    ImGui::TextDisabled("%s", editor.message.empty()
-                                  ? "Open a TTF, OTF or UFO: Ctrl+O"
-                                  : editor.message.c_str());
+    draw_message(editor.message.text.empty()
+                     ? Message{"Open a TTF, OTF or UFO: Ctrl+O"}
+                     : editor.message);
     return;
   }
   ImGui::TextUnformatted(editor.session().has_changes() ? "Changed" : "Saved");
   tooltip("Every change is in the project's journal at once");
   ImGui::SameLine(0, px(18));
-  ImGui::TextDisabled("%s", editor.message.c_str());
+  draw_message(editor.message);
   const char* hint = "";
   for (const ToolInfo& tool : tool_list()) {
     hint = tool.kind == editor.tool_kind() ? tool.hint : hint;
   }
-  const float width = ImGui::CalcTextSize(hint).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - px(14));
-  ImGui::TextDisabled("%s", hint);
+  const float at =
+      ImGui::GetWindowWidth() - ImGui::CalcTextSize(hint).x - px(14);
+  if (ImGui::GetItemRectMax().x + px(18) < at) {  // the message comes first
+    ImGui::SameLine(at);
+    ImGui::TextDisabled("%s", hint);
+  }
 }
 
 }  // namespace inkcell::design::editor

@@ -40,6 +40,7 @@ struct Panels {
   bool wants_quit = false;
   std::string dialog;  // the one that is open: its name; "" if none is
   std::string dialog_path;
+  std::string followed;  // the glyph that the grid has scrolled to
   // What the canvas fills: the shape of a glyph without components.
   GlyphPointer filled;
   std::shared_ptr<const gen::Shape> shape;
@@ -52,7 +53,7 @@ void attempt(Editor& editor, const Work& work) {
   try {
     work();
   } catch (const std::exception& error) {
-    editor.message = error.what();
+    editor.message = {error.what(), true};
   }
 }
 
