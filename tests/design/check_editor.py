@@ -115,12 +115,21 @@ def check_tools(editor):
     parts, = editor.run("open P.ufo", "glyph A",
                         'do {"do": "add_component", "base": "H"}', "print")
     expect(parts["components"] == 1, "component")
-    # A guide that is added during a drag stays.
+    # A command ends a drag.
     guided, = editor.run("open P.ufo", "glyph O", "key ctrl+a",
                          "key delete", "tool Rectangle", "press 100 0",
                          "move 500 300", "key g", "release 500 300", "print")
-    expect(len(guided["contours"]) == 1 and len(guided["guides"]) == 1,
+    expect(not guided["contours"] and len(guided["guides"]) == 1,
            f"a guide during a drag: {guided}")
+    gone, = editor.run("open P.ufo", 'do {"do": "add_glyph", "glyph": "x"}',
+                       "glyph x", "tool Pen", "press 0 0", "release 0 0",
+                       "press 90 0", 'do {"do": "delete_contour", '
+                       '"contour": 0}', "move 300 300", "release 300 300",
+                       "tool Rectangle", "press 0 0", "move 90 90",
+                       'try do {"do": "delete_glyph"}', "try key ctrl+v",
+                       "try release 90 90", "glyph a", "try glyph x", "print")
+    expect(gone["glyph"] == "a" and "'x'" in gone["message"],
+           f"a glyph that goes during a drag: {gone['message']}")
 
 
 def check_clipboard(editor):
@@ -269,7 +278,7 @@ def check_layers(editor):
     folder = editor.folder / "P.ufo/glyphs.sketch"
     editor.run("open P.ufo", "glyph H", "screenshot alone.ppm", "save")
     folder.mkdir()
-    shutil.copy(editor.folder / "P.ufo/glyphs/O_.glif", folder / "H_.glif")
+    shutil.copy(editor.folder / "P.ufo/glyphs/A_.glif", folder / "H_.glif")
     (folder / "contents.plist").write_text(PLIST.format(
         "<dict><key>H</key><string>H_.glif</string></dict>"))
     (editor.folder / "P.ufo/layercontents.plist").write_text(PLIST.format(

@@ -149,6 +149,9 @@ void Editor::export_to(const fs::path& file) const {
 }
 
 void Editor::show(const std::string& glyph) {
+  if (!is_open()) {
+    throw Error("glyph '" + glyph + "': open a font first");
+  }
   std::string name = glyph;
   if (project().find(name) == nullptr) {
     const std::vector<char32_t> text = tools::from_utf8(glyph);
@@ -181,55 +184,49 @@ void Editor::step(int by) {
 }
 
 GlyphPointer Editor::glyph() const {
-  if (proposed_ != nullptr) {
-    return proposed_;
+  if (proposal_ && proposal_->glyph != nullptr) {
+    return proposal_->glyph;
   }
   return is_open() ? project().find(glyph_) : nullptr;
 }
 
 Project Editor::shown_project() const {
   Project shown = project();
-  if (proposed_ != nullptr) {
-    shown.front().glyphs[glyph_] = proposed_;
+  if (proposal_ && proposal_->glyph != nullptr) {
+    shown.front().glyphs[glyph_] = proposal_->glyph;
   }
   return shown;
 }
 
 void Editor::run(Value command) {
   fill_glyph(glyph_, command);
+  tool_->interrupt(*this);
   session_->run(command);
-  change_.reset();
   take_change();
 }
 
 void Editor::propose(Value command) {
-  proposed_ = nullptr;
-  change_.reset();
-  proposal_ = std::move(command);
-  if (proposal_.is_null()) {
+  proposal_.reset();
+  if (command.is_null()) {
     return;
   }
-  fill_glyph(glyph_, proposal_);
-  change_ = change_of(project(), proposal_);
-  for (const GlyphChange& change : change_->glyphs) {
+  fill_glyph(glyph_, command);
+  Proposal proposal = {command, change_of(project(), command), nullptr};
+  for (const GlyphChange& change : proposal.change.glyphs) {
     if (change.layer == 0 && change.name == glyph_) {
-      proposed_ = change.after;
+      proposal.glyph = change.after;
     }
   }
+  proposal_ = std::move(proposal);
 }
 
 void Editor::commit() {
-  if (proposal_.is_null()) {
+  if (!proposal_) {
     return;
   }
-  const Value command = std::move(proposal_);
-  std::optional<Change> change = std::move(change_);
-  propose(nullptr);
-  if (!change) {
-    run(command);
-    return;
-  }
-  session_->run(command, std::move(*change));
+  Proposal proposal = std::move(*proposal_);
+  proposal_.reset();
+  session_->run(proposal.command, std::move(proposal.change));
   take_change();
 }
 

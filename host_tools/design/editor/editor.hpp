@@ -101,7 +101,8 @@ class Editor {
   /// The project with that change, for previews.
   Project shown_project() const;
 
-  /// Carries out a command; "glyph" is filled in. Throws Error.
+  /// Carries out a command; "glyph" is filled in. It ends a press of the
+  /// pointer. Throws Error.
   void run(Value command);
   /// A change that is under way, shown but not carried out; null ends it.
   void propose(Value command);
@@ -131,15 +132,20 @@ class Editor {
   Message message;
 
  private:
+  // A change that is shown, of the project as it is.
+  struct Proposal {
+    Value command;
+    Change change;
+    GlyphPointer glyph;  // the shown one; null: it does not change
+  };
+
   void begin(const std::filesystem::path& folder);
   void take_change();
   void drop_lost_selection();
 
   std::unique_ptr<Session> session_;
   std::string glyph_;
-  Value proposal_;
-  std::optional<Change> change_;  // of proposal_; none: the project changed
-  GlyphPointer proposed_;
+  std::optional<Proposal> proposal_;
   ToolKind tool_kind_ = ToolKind::select;
   std::unique_ptr<Tool> tool_;
 };

@@ -56,8 +56,11 @@ class LineTool : public Tool {
     }
   }
   void cancel(Editor& editor) override {
-    is_pressed_ = false;
+    interrupt(editor);
     a_ = b_;
+  }
+  void interrupt(Editor& editor) override {
+    is_pressed_ = false;
     editor.propose(nullptr);
   }
 

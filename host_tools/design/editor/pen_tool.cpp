@@ -83,6 +83,11 @@ class PenTool : public Tool {
     editor.propose(nullptr);
   }
 
+  void interrupt(Editor& editor) override {
+    is_pressed_ = false;
+    editor.propose(nullptr);
+  }
+
   Marks marks(const Editor& editor) const override {
     Marks marks;
     const GlyphPointer glyph = editor.glyph();

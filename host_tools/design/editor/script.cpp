@@ -217,7 +217,7 @@ const std::vector<Command>& command_list() {
        false},
       {{"glyph", "NAME", "show a glyph, by its name or character"},
        [](const Line& l) { l.editor.show(word(l, 0)); },
-       true},
+       false},
       {{"select", "POINT...", "select points, counted through all contours"},
        select,
        true},

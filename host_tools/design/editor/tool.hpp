@@ -64,6 +64,9 @@ class Tool {
   virtual void release(Editor& editor, const Pointer& pointer) = 0;
   /// Ends what is under way.
   virtual void cancel(Editor& editor) = 0;
+  /// Ends a press of the pointer, since the glyph changes: nothing that it
+  /// pointed at holds any more.
+  virtual void interrupt(Editor& editor) { cancel(editor); }
   virtual Marks marks(const Editor& editor) const = 0;
 };
 
