@@ -199,6 +199,17 @@ TEST(a_glyph_in_its_plain_pose_is_a_plain_glyph) {
   }
 }
 
+TEST(pivots_of_any_size_and_height_fit) {
+  constexpr int16_t kHighest = 32767;
+  CHECK_EQ(pivot_height_px(Q26_6::from_int(32), 250).raw, 8 << 16);
+  CHECK_EQ(pivot_height_px(Q26_6::from_int(32), -250).raw, -(8 << 16));
+  CHECK_EQ(pivot_height_px(kMaxSize, kHighest).raw, 32767 << 16);
+  CHECK_EQ(pivot_height_px(kMaxSize, -kHighest - 1).raw, -(32767 << 16));
+  CHECK_EQ(pivot_height_px(Q26_6::from_raw(INT32_MAX), kHighest).raw,
+           32767 << 16);
+  CHECK_EQ(pivot_height_px(Q26_6::from_raw(INT32_MIN), kHighest).raw, 0);
+}
+
 TEST(glyphs_turn_about_their_pivot) {
   // The disc about (384, 384) u of 32 px/em: 12 px, 12 px.
   const Font& font = sample_font();

@@ -102,7 +102,9 @@ uint32_t unit_of(const Run& run, Unit unit, size_t index) noexcept {
 }
 
 Q16_16 pivot_height_px(Q26_6 size, int16_t height) noexcept {
-  return Q16_16::from_raw(clamped_size(size) * height / 1000 * (1 << 10));
+  constexpr int32_t kLimit = 32767 << 6;
+  const int32_t px_q6 = clamped_size(size) * height / 1000;
+  return Q16_16::from_raw(clamp(px_q6, -kLimit, kLimit) * (1 << 10));
 }
 
 Q16_16 to_px_q16(const Font& font, Q26_6 size, int32_t units) noexcept {

@@ -74,7 +74,7 @@ PosedGlyph place(const Font& font,
                  const Pose& pose) noexcept;
 
 /// The height of a pivot above the baseline. [1/1000 of the size -> px] The
-/// size is clamped to 0..kMaxSize.
+/// size is clamped to 0..kMaxSize, the result to +-32767 px.
 Q16_16 pivot_height_px(Q26_6 size, int16_t height) noexcept;
 
 /// Font units at a size, to the nearest 1/65536 px. Clamped to +-32767 px; the
