@@ -12,7 +12,7 @@ namespace gen {
 namespace test {
 namespace {
 
-struct Sink {
+struct OutlineSink {
   Outline outline;
   double u_per_unit = 1;
   Point pen;
@@ -33,8 +33,8 @@ struct Sink {
   }
 };
 
-Sink& sink(void* user) {
-  return *static_cast<Sink*>(user);
+OutlineSink& sink(void* user) {
+  return *static_cast<OutlineSink*>(user);
 }
 
 int move_to(const FT_Vector* to, void* user) {
@@ -83,7 +83,7 @@ std::vector<Outline> load_outlines(const std::string& file,
         0) {
       throw std::runtime_error("no glyph in " + file);
     }
-    Sink into;
+    OutlineSink into;
     into.u_per_unit = 1024.0 / face->units_per_EM;
     const FT_Outline_Funcs functions = {move_to,  line_to, conic_to,
                                         cubic_to, 0,       0};

@@ -30,6 +30,10 @@ std::vector<Outline> load_outlines(const std::string& file,
 /// 0x21..0x7E: what has ink in ASCII.
 std::vector<uint32_t> ascii();
 
+inline Outline outline(std::vector<Contour> contours) {
+  return {std::move(contours)};
+}
+
 /// A closed polygon.
 Contour polygon(const std::vector<Point>& corners);
 

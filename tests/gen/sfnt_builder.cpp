@@ -374,16 +374,16 @@ Bytes build_at(const Sfnt& font, size_t base) {
 
 }  // namespace
 
-Polygon rectangle(int x0, int y0, int x1, int y1) {
+Polygon sfnt_rectangle(int x0, int y0, int x1, int y1) {
   return {{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}};
 }
 
 Sfnt Sfnt::plain() {
   Sfnt font;
-  font.glyphs = {{0, 600, {rectangle(50, 0, 550, 700)}},
+  font.glyphs = {{0, 600, {sfnt_rectangle(50, 0, 550, 700)}},
                  {U' ', 250, {}},
-                 {U'.', 300, {rectangle(100, 0, 200, 100)}},
-                 {U'H', 800, {rectangle(100, 0, 700, 700)}}};
+                 {U'.', 300, {sfnt_rectangle(100, 0, 200, 100)}},
+                 {U'H', 800, {sfnt_rectangle(100, 0, 700, 700)}}};
   return font;
 }
 

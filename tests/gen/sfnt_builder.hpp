@@ -14,7 +14,7 @@ namespace inkcell::gen::test {
 using Polygon = std::vector<std::pair<int, int>>;
 
 /// A rectangle, clockwise as TrueType wants outer contours.
-Polygon rectangle(int x0, int y0, int x1, int y1);
+Polygon sfnt_rectangle(int x0, int y0, int x1, int y1);
 
 /// A part of a composite glyph.
 struct SfntComponent {

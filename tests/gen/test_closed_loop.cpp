@@ -20,12 +20,6 @@ namespace {
 
 constexpr int kTile_u = 16;
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 // A glyph record of cells of nine samples, 16 u wide, saturated 112 u away from
 // the edge.
 class Field {

@@ -8,13 +8,12 @@
 #include <set>
 #include <utility>
 
+#include "outline_reader.hpp"
 #include "sfnt_builder.hpp"
 #include "source/composites.hpp"
 
 namespace inkcell::gen::test {
 namespace {
-
-constexpr PointKind kCorner = PointKind::corner;
 
 MinimalContour square(int x, int y, int size) {
   return {{{x, y, kCorner},
@@ -187,8 +186,8 @@ TEST(Composites, CyclesOfTheSourceAreBroken) {
 Sfnt accented_font() {
   Sfnt font;
   font.glyphs.resize(5);
-  font.glyphs[1] = {U'a', 500, {rectangle(0, 0, 400, 400)}, {}};
-  font.glyphs[2] = {U'b', 500, {rectangle(0, 500, 80, 560)}, {}};
+  font.glyphs[1] = {U'a', 500, {sfnt_rectangle(0, 0, 400, 400)}, {}};
+  font.glyphs[2] = {U'b', 500, {sfnt_rectangle(0, 500, 80, 560)}, {}};
   font.glyphs[3] = {U'c', 500, {}, {{1, 0, 0, {}}, {2, 100, 30, {}}}};
   font.glyphs[4] = {
       U'd', 500, {}, {{3, 5, 0, {}}, {2, 700, 0, {0, 16384, -16384, 0}}}};

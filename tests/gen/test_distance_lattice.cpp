@@ -14,12 +14,6 @@ namespace gen {
 namespace test {
 namespace {
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 // Its shape, and the truth in its box and 100 u around.
 struct Subject {
   explicit Subject(const Outline& source)

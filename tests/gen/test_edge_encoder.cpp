@@ -17,12 +17,6 @@ namespace gen {
 namespace test {
 namespace {
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 // The rules that all users of trees depend on: order of the squares, fields in
 // the order in which they are met, reused ones among the last 16.
 class Rules {

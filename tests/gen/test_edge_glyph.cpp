@@ -18,12 +18,6 @@ namespace gen {
 namespace test {
 namespace {
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 EdgeGlyph build(const Shape& shape, int min_px, int max_px, double tolerance) {
   Target options;
   options.coding = Coding::edges;

@@ -14,12 +14,6 @@ namespace gen {
 namespace test {
 namespace {
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 Target fields(double min_px, double max_px, double tolerance) {
   Target options;
   options.coding = Coding::edges;

@@ -1,6 +1,7 @@
 // Loading: characters, faces, axes, metrics, outlines, and all that is refused.
 #include <gtest/gtest.h>
 
+#include "glyph_outlines.hpp"
 #include "sfnt_builder.hpp"
 #include "source/font_source.hpp"
 
@@ -37,12 +38,6 @@ bool contains(const std::string& text, const std::string& part) {
 #define EXPECT_CONTAINS(text, part) \
   EXPECT_TRUE(contains(text, part)) \
       << "'" << (text) << "' lacks '" << (part) << "'"
-
-constexpr const char* kDejaVu =
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-
-constexpr const char* kLiberation =
-    "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf";
 
 TEST(FontSource, ReadsGlyphsInOrderOfCodePoints) {
   const TestFolder folder;
@@ -91,7 +86,7 @@ TEST(FontSource, ReadsQuadraticAndCubicCurves) {
     }
     return found;
   };
-  EXPECT_EQ(kinds(kDejaVu, 0).count(Segment::Kind::quadratic), 1u);
+  EXPECT_EQ(kinds(kDejaVuSans, 0).count(Segment::Kind::quadratic), 1u);
   EXPECT_EQ(kinds("/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc", 2)
                 .count(Segment::Kind::cubic),
             1u);
@@ -99,7 +94,7 @@ TEST(FontSource, ReadsQuadraticAndCubicCurves) {
 
 TEST(FontSource, SharesGlyphsOfSeveralCharacters) {
   // Liberation draws the soft hyphen with the hyphen's glyph.
-  const SourceFont font = load(request_of(kLiberation, "0x2D,0xAD,0x2E"));
+  const SourceFont font = load(request_of(kLiberationSerif, "0x2D,0xAD,0x2E"));
   ASSERT_EQ(font.glyphs.size(), 3u);
   EXPECT_EQ(font.glyphs[1].code_points, (std::vector<char32_t>{0x2d, 0xad}));
 }
@@ -134,7 +129,7 @@ TEST(FontSource, MeasuresHeightsThatTheFontDoesNotState) {
   Sfnt source = Sfnt::plain();
   source.x_height = 0;
   source.cap_height = 0;
-  source.glyphs.push_back({U'x', 500, {rectangle(0, 0, 400, 512)}});
+  source.glyphs.push_back({U'x', 500, {sfnt_rectangle(0, 0, 400, 512)}});
   const SourceMetrics m =
       load(request_of(folder.write("a.ttf", source))).metrics;
   EXPECT_EQ(m.x_height, 512);
@@ -236,7 +231,7 @@ TEST(FontSource, RefusesEveryTruncation) {
 
 TEST(FontSource, RefusesTruncatedRealFonts) {
   const TestFolder folder;
-  const std::vector<uint8_t> whole = read_file(kDejaVu);
+  const std::vector<uint8_t> whole = read_file(kDejaVuSans);
   for (const size_t percent : {1u, 10u, 50u, 90u, 99u}) {
     const auto size = static_cast<ptrdiff_t>(whole.size() * percent / 100);
     const FontRequest request = request_of(

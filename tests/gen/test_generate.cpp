@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
+#include "glyph_outlines.hpp"
 #include "inkcell/font.hpp"
 #include "pipeline/field_images.hpp"
 #include "samples/record.hpp"
@@ -18,12 +19,9 @@
 namespace inkcell::gen::test {
 namespace {
 
-constexpr const char* kDejaVu =
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-
 GenerateRequest dejavu() {
   GenerateRequest request;
-  request.font = kDejaVu;
+  request.font = kDejaVuSans;
   request.target.min_px = 12;
   request.target.max_px = 16;
   return request;
@@ -296,7 +294,7 @@ TEST(Generate, TakesSamplesWhereFieldsDoNotReach) {
   const TestFolder folder;
   Sfnt source = Sfnt::plain();
   source.units_per_em = 1024;
-  source.glyphs[3].contours = {rectangle(0, 0, 2500, 60)};
+  source.glyphs[3].contours = {sfnt_rectangle(0, 0, 2500, 60)};
   GenerateRequest request;
   request.font = folder.write("wide.ttf", source);
   request.symbols = ".H";
@@ -324,7 +322,9 @@ TEST(Generate, DrawsOddOutlines) {
   source.glyphs.push_back({U'3', 500, {{{0, 0}, {400, 0}, {200, 0}}}});
   source.glyphs.push_back({U'4', 500, {{{7, 7}}}});
   source.glyphs.push_back(
-      {U'5', 500, {rectangle(0, 0, 300, 300), rectangle(100, 100, 400, 400)}});
+      {U'5',
+       500,
+       {sfnt_rectangle(0, 0, 300, 300), sfnt_rectangle(100, 100, 400, 400)}});
   GenerateRequest request;
   request.font = folder.write("odd.ttf", source);
   request.target.coding = Coding::edges;
@@ -375,8 +375,8 @@ TEST(Generate, HoldsOutlinesUpToTheLimit) {
   request.target.min_px = 4;
   request.target.max_px = 4;
   for (const int far : {limit, limit - 1, limit - 77, limit - 255}) {
-    source.glyphs[3].contours = {rectangle(far - 9, far - 9, far, far),
-                                 rectangle(-far, -far, 9 - far, 9 - far)};
+    source.glyphs[3].contours = {sfnt_rectangle(far - 9, far - 9, far, far),
+                                 sfnt_rectangle(-far, -far, 9 - far, 9 - far)};
     request.font = folder.write("wide.ttf", source);
     request.target.coding = far % 2 == 0 ? Coding::samples : Coding::edges;
     EXPECT_EQ(refusal(request), "no error") << far;
@@ -427,8 +427,8 @@ TEST(Generate, GridHasRoomForWideGlyphs) {
   Sfnt source = Sfnt::plain();
   source.units_per_em = 2048;
   source.glyphs[3].advance = 2048;
-  source.glyphs[3].contours = {rectangle(0, 0, 40, 1400),
-                               rectangle(1900, 0, 1940, 1400)};
+  source.glyphs[3].contours = {sfnt_rectangle(0, 0, 40, 1400),
+                               sfnt_rectangle(1900, 0, 1940, 1400)};
   GenerateRequest request;
   request.font = folder.write("wide.ttf", source);
   request.symbols = "H";

@@ -11,6 +11,7 @@
 #include "hints/grid_section.hpp"
 #include "inkcell/format/rom.hpp"
 #include "judge/hint_trial.hpp"
+#include "outline_reader.hpp"
 #include "outlines/unite.hpp"
 #include "pipeline/generate.hpp"
 #include "rom/outline_font.hpp"
@@ -353,7 +354,6 @@ TEST(Hints, PartsTouchAtCornersCountersDoNot) {
 // A frame of 600 x 420 u around a counter of 400 x 220 u, in a font with a zone
 // near the counter's bottom.
 RomContent framed(const GlyphHints& hints) {
-  constexpr PointKind kCorner = PointKind::corner;
   RomContent content;
   content.name = "frame";
   content.options.coding = Coding::outline;

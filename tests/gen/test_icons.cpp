@@ -191,7 +191,7 @@ TEST_F(Icons, HaveConstantsInSource) {
 Sfnt face_of(int units, std::vector<SfntGlyph> glyphs) {
   Sfnt font;
   font.units_per_em = units;
-  font.glyphs = {{0, 600, {rectangle(50, 0, 550, 700)}}};
+  font.glyphs = {{0, 600, {sfnt_rectangle(50, 0, 550, 700)}}};
   font.glyphs.insert(font.glyphs.end(), glyphs.begin(), glyphs.end());
   return font;
 }
@@ -199,12 +199,13 @@ Sfnt face_of(int units, std::vector<SfntGlyph> glyphs) {
 class Faces : public Icons {
  protected:
   Faces() {
-    Sfnt text = face_of(1000, {{U'A', 500, {rectangle(0, 0, 400, 700)}},
-                               {U'C', 510, {rectangle(0, 0, 410, 710)}}});
+    Sfnt text = face_of(1000, {{U'A', 500, {sfnt_rectangle(0, 0, 400, 700)}},
+                               {U'C', 510, {sfnt_rectangle(0, 0, 410, 710)}}});
     text.kern_pairs = {{{1, 2}, -50}};
-    Sfnt more = face_of(2000, {{U'A', 700, {rectangle(0, 0, 600, 600)}},
-                               {U'B', 1000, {rectangle(0, 0, 900, 1200)}},
-                               {U'D', 1200, {rectangle(0, 0, 1100, 1400)}}});
+    Sfnt more =
+        face_of(2000, {{U'A', 700, {sfnt_rectangle(0, 0, 600, 600)}},
+                       {U'B', 1000, {sfnt_rectangle(0, 0, 900, 1200)}},
+                       {U'D', 1200, {sfnt_rectangle(0, 0, 1100, 1400)}}});
     more.kern_pairs = {{{2, 3}, -100}};
     folder_.write("text.ttf", text);
     folder_.write("more.ttf", more);

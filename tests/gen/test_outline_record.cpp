@@ -19,7 +19,6 @@ namespace {
 
 constexpr PointKind kOff = PointKind::off_curve;
 constexpr PointKind kSmooth = PointKind::smooth;
-constexpr PointKind kCorner = PointKind::corner;
 
 bool same(const GridPoint& a, const GridPoint& b) {
   return a.x == b.x && a.y == b.y && a.kind == b.kind;

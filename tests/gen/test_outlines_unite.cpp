@@ -15,10 +15,6 @@ namespace gen {
 namespace test {
 namespace {
 
-Outline outline(std::vector<Contour> contours) {
-  return {std::move(contours)};
-}
-
 double area(const Contour& contour) {
   double twice = 0;
   for (const Segment& segment : contour.segments) {
@@ -210,18 +206,19 @@ TEST(Unite, CurvesThatRunAlongEachOtherAreUnitedAsChords) {
 }
 
 TEST(Unite, GlyphsOfFonts) {
-  struct Face {
+  struct Glyphs {
     const char* file;
     int index;
     std::vector<uint32_t> code_points;
   };
-  const std::vector<Face> faces = {{kDejaVuSans, 0, ascii()},
-                                   {kLiberationSerif, 0, ascii()},
-                                   {kRoboto, 0, ascii()},
-                                   // Letters of more than one overlapping part.
-                                   {kDejaVuSans, 0, {0xc5, 0xc7, 0x1fe}},
-                                   {kNotoSansCjk, 2, {0x9f8d, 0x6c38, 0x9b31}}};
-  for (const Face& face : faces) {
+  const std::vector<Glyphs> faces = {
+      {kDejaVuSans, 0, ascii()},
+      {kLiberationSerif, 0, ascii()},
+      {kRoboto, 0, ascii()},
+      // Letters of more than one overlapping part.
+      {kDejaVuSans, 0, {0xc5, 0xc7, 0x1fe}},
+      {kNotoSansCjk, 2, {0x9f8d, 0x6c38, 0x9b31}}};
+  for (const Glyphs& face : faces) {
     const std::vector<Outline> glyphs =
         load_outlines(face.file, face.index, face.code_points);
     for (size_t i = 0; i < glyphs.size(); ++i) {

@@ -9,12 +9,6 @@ namespace gen {
 namespace test {
 namespace {
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 Target fixed() {
   Target options;
   options.predicate = Predicate::fixed;

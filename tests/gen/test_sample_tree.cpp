@@ -62,12 +62,6 @@ double intensity(double distance_px) {
   return 255 * std::clamp(distance_px + 0.5, 0.0, 1.0);
 }
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 // Largest error of pixels at random positions and sizes.
 double worst_pixel(const Shape& shape,
                    const Record& record,

@@ -122,12 +122,6 @@ struct Case {
   Outline outline;
 };
 
-Outline outline(std::vector<Contour> contours) {
-  Outline result;
-  result.contours = std::move(contours);
-  return result;
-}
-
 std::vector<Point> star(double radius) {
   std::vector<Point> points;
   for (int i = 0; i < 5; ++i) {

@@ -29,7 +29,7 @@ Shape shape_of(const std::string& elements) {
   return Shape(outline_of(elements));
 }
 
-std::string refusal(const std::string& elements) {
+std::string element_refusal(const std::string& elements) {
   try {
     shape_of(elements);
   } catch (const Error& error) {
@@ -344,8 +344,9 @@ TEST(Svg, RefusalsNameLineElementAndRemedy) {
       {"<defs><path d='M0 0H9V9Z'/></defs>",
        "draws nothing; fill or stroke a path of it"}};
   for (const auto& wrong : cases) {
-    EXPECT_NE(refusal(wrong.elements).find(wrong.text), std::string::npos)
-        << wrong.elements << ": " << refusal(wrong.elements);
+    EXPECT_NE(element_refusal(wrong.elements).find(wrong.text),
+              std::string::npos)
+        << wrong.elements << ": " << element_refusal(wrong.elements);
   }
 }
 

@@ -44,8 +44,8 @@ tools::Image draw_on_display(const std::vector<uint8_t>& rom,
   const tools::InkBox ink = tools::ink_box(font, lines, look.style());
   tools::DisplayMemory memory(display, side_of(ink.x0, ink.x1),
                               side_of(ink.y0, ink.y1));
-  const Point origin = tools::make_point(kMargin - std::floor(ink.x0),
-                                         kMargin - std::floor(ink.y0));
+  const inkcell::Point origin = tools::make_point(kMargin - std::floor(ink.x0),
+                                                  kMargin - std::floor(ink.y0));
   memory.show(memory.height(), [&](const Strip& strip) {
     tools::DisplayPaper strip_paper(display, strip);
     const scenes::Paper paper = strip_paper.paper();

@@ -6,11 +6,10 @@
 #include "editor/edits.hpp"
 #include "editor/segments.hpp"
 #include "editor/tool.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::design::editor {
 namespace {
-
-constexpr double kDegrees = 57.29577951308232;
 
 // The end of a line from `a`: at `b`, or along the nearer axis.
 Point constrained(Point a, Point b, bool to_axis) {
@@ -95,7 +94,7 @@ class KnifeTool : public LineTool {
   void finish(Editor& editor) override {
     const GlyphPointer glyph = editor.glyph();
     const Value command =
-        replace_contours(*glyph, cut(glyph->contours, a_, b_));
+        replace_contours(*glyph, cut_contours(glyph->contours, a_, b_));
     if (command.is_null()) {
       editor.message = {"The cut must begin and end outside the ink", true};
     } else {
@@ -125,7 +124,7 @@ class MeasureTool : public LineTool {
     }
     char angle[48];
     std::snprintf(angle, sizeof angle, "  %.1f\xc2\xb0",
-                  kDegrees * std::atan2(b_.y - a_.y, b_.x - a_.x));
+                  180 / gen::kPi * std::atan2(b_.y - a_.y, b_.x - a_.x));
     marks.labels.push_back({b_, length_text(a_, b_) + angle});
     return marks;
   }

@@ -12,6 +12,7 @@
 #include "editor/report.hpp"
 #include "import/image_import.hpp"
 #include "model/error.hpp"
+#include "shape/points.hpp"
 #include "stroke/nib.hpp"
 
 namespace inkcell::design::editor {
@@ -148,9 +149,8 @@ void set_cells(const Line& line) {
 
 void set_nib(const Line& line) {
   const Nib nib = parse_nib(word(line, 0));
-  constexpr double kDegrees = 57.29577951308232;
   line.editor.nib = {nib.kind == Nib::Kind::rectangle, nib.width, nib.height,
-                     kDegrees * nib.angle};
+                     180 / gen::kPi * nib.angle};
 }
 
 Preview preview_of(const Line& line) {

@@ -223,9 +223,8 @@ PointContour with_point(const PointContour& contour, const OnCurve& place) {
 // The line joins each cut with the one on the other side of the ink between
 // them: a contour that arrives at a cut goes on along the line, and continues
 // at the other one.
-std::vector<PointContour> cut(const std::vector<PointContour>& contours,
-                              Point a,
-                              Point b) {
+std::vector<PointContour> cut_contours(
+    const std::vector<PointContour>& contours, Point a, Point b) {
   std::vector<PointContour> closed;
   std::vector<PointContour> result;
   for (const PointContour& contour : contours) {

@@ -47,8 +47,7 @@ PointContour with_point(const PointContour& contour, const OnCurve& place);
 
 /// What the straight cut from `a` to `b` makes of closed contours; rounded.
 /// `contours` if the line passes through nothing.
-std::vector<PointContour> cut(const std::vector<PointContour>& contours,
-                              Point a,
-                              Point b);
+std::vector<PointContour> cut_contours(
+    const std::vector<PointContour>& contours, Point a, Point b);
 
 }  // namespace inkcell::design::editor

@@ -200,10 +200,14 @@ void look_into_leaves(
 
 }  // namespace
 
+double distance_u(const GlyphField& field, const Point& p) {
+  return distance_at(field, to_q16(p.x), to_q16(p.y)).raw / 1024.0;
+}
+
 std::vector<Loop> walk_contours(const GlyphField& field) {
   Terrain terrain;
   terrain.distance = [&field](double x, double y) {
-    return distance_at(field, to_q16(x), to_q16(y)).raw / 1024.0;
+    return distance_u(field, {x, y});
   };
   terrain.gradient = [&field](double x, double y) {
     const Gradient g = gradient_at(field, to_q16(x), to_q16(y));

@@ -10,6 +10,9 @@
 
 namespace inkcell::design {
 
+/// The distance of `field` at a place. [u]
+double distance_u(const GlyphField& field, const Point& p);
+
 /// Follows the edge of `field` through the leaves of its quadtree (Perry and
 /// Frisken, section 5): leaves that the edge crosses are found by their
 /// distances, and within them the edge is followed from one square of 1 u to

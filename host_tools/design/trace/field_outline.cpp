@@ -21,10 +21,6 @@ constexpr double kSampleReach_u = 2.5;
 constexpr double kFieldTurn = 0.24;
 constexpr double kSampleTurn = 0.2;
 
-Q16_16 to_q16(double value) {
-  return Q16_16::from_raw(static_cast<int32_t>(std::lround(value * 65536)));
-}
-
 void add_distances(const gen::Shape& from,
                    const gen::Shape& to,
                    double step_u,
@@ -49,7 +45,7 @@ void add_distances(const gen::Shape& from,
 gen::Outline outline_of(const GlyphField& field,
                         const FieldOutlineOptions& options) {
   const auto distance = [&field](const Point& p) {
-    return distance_at(field, to_q16(p.x), to_q16(p.y)).raw / 1024.0;
+    return distance_u(field, p);
   };
   std::vector<Loop> loops = walk_contours(field);
   CornerOptions corners;
