@@ -4,6 +4,8 @@ Usage: check_design.py INKCELL_DESIGN
 """
 import json
 import pathlib
+import plistlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -109,6 +111,23 @@ def check_projects(design, folder):
     script.write_text('{"do": "set_advance", "glyph": "Z", "width": 1}\n')
     bad(design, "record 1 of 1: command 'set_advance', glyph 'Z'", "replay",
         script, "--project", project)
+
+
+def check_names(design, folder):
+    """Glyphs of a file without names are named by their characters."""
+    font = bytearray(pathlib.Path(FONT).read_bytes())
+    entry = font.index(b"post", 12)  # of the table directory
+    post, = struct.unpack_from(">I", font, entry + 8)
+    struct.pack_into(">I", font, post, 0x30000)
+    unnamed = folder / "unnamed.ttf"
+    unnamed.write_bytes(font)
+    project = folder / "Unnamed.ufo"
+    good(design, "import", "--font", unnamed, "--chars", "A,a,0x31,0x1D538",
+         "--out", project)
+    names = set(plistlib.loads(
+        (project / "glyphs/contents.plist").read_bytes()))
+    expect(names == {".notdef", "A", "a", "uni0031", "u1D538"},
+           f"import: glyphs without names are named {sorted(names)}")
 
 
 def check_components(design, folder):
@@ -247,6 +266,7 @@ def main():
         check_help(design)
         check_roundtrip(design, folder)
         check_projects(design, folder)
+        check_names(design, folder)
         check_components(design, folder)
         check_scripts(design, folder)
         check_pictures(design, folder)

@@ -117,6 +117,21 @@ std::string printable(const std::string& name) {
   return ok ? name : "";
 }
 
+// As in the Adobe Glyph List for New Fonts: letters of ASCII are their own
+// names, other characters "uni" or "u" and their code point.
+std::string name_of_character(const gen::SourceGlyph& glyph) {
+  if (glyph.code_points.empty()) {
+    return "";
+  }
+  const auto c = static_cast<uint32_t>(glyph.code_points.front());
+  if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) {
+    return std::string(1, static_cast<char>(c));
+  }
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, c > 0xFFFF ? "u%05X" : "uni%04X", c);
+  return buffer;
+}
+
 class FontImporter {
  public:
   FontImporter(const std::filesystem::path& path, gen::Warnings& warnings)
@@ -157,21 +172,28 @@ class FontImporter {
   }
 
   std::string name_of(const gen::SourceGlyph& glyph) {
-    char buffer[256] = "";
-    std::string name;
-    if (glyph.source == 0) {
-      name = ".notdef";
-    } else if (FT_HAS_GLYPH_NAMES(file_.ft()) &&
-               FT_Get_Glyph_Name(file_.ft(), glyph.source, buffer,
-                                 sizeof buffer) == 0) {
-      name = printable(buffer);
+    std::string name = name_in_file(glyph);
+    if (name.empty()) {
+      name = name_of_character(glyph);
     }
     if (name.empty() || !used_.insert(name).second) {
+      char buffer[32];
       std::snprintf(buffer, sizeof buffer, "glyph%05u", glyph.source);
       name = buffer;
       used_.insert(name);
     }
     return name;
+  }
+
+  std::string name_in_file(const gen::SourceGlyph& glyph) const {
+    if (glyph.source == 0) {
+      return ".notdef";
+    }
+    char buffer[256] = "";
+    const bool is_there =
+        FT_HAS_GLYPH_NAMES(file_.ft()) &&
+        FT_Get_Glyph_Name(file_.ft(), glyph.source, buffer, sizeof buffer) == 0;
+    return is_there ? printable(buffer) : "";
   }
 
   const FT_Outline& outline_of(const gen::SourceGlyph& glyph) const {
