@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -54,9 +55,25 @@ inline bool is_same_file(const std::filesystem::path& a,
   return place(a) == place(b);
 }
 
+/// Ends the version in the names of a TTF that inkcell-design exports.
+inline constexpr std::string_view kExportMark = "; inkcell-design";
+
+/// Whether a font file is an export of inkcell-design, by its mark in UTF-16.
+inline bool is_export(const std::filesystem::path& font) {
+  std::string mark;
+  for (const char c : kExportMark) {
+    mark += '\0';
+    mark += c;
+  }
+  std::ifstream in(font, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)),
+                          std::istreambuf_iterator<char>());
+  return bytes.find(mark) != std::string::npos;
+}
+
 /// Throws std::runtime_error if `target` lies where the system keeps its fonts,
-/// or would replace a font file. A name made of the source's, X.bin of X.ttf,
-/// leads there by mistake.
+/// or would replace a font file that is no export. A name made of the source's,
+/// X.bin of X.ttf, leads there by mistake.
 inline void refuse_among_fonts(const std::filesystem::path& target) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -81,7 +98,7 @@ inline void refuse_among_fonts(const std::filesystem::path& target) {
   for (const std::string_view font :
        {std::string_view("\0\1\0\0", 4), std::string_view("OTTO"),
         std::string_view("true"), std::string_view("ttcf")}) {
-    if (found == font) {
+    if (found == font && !is_export(whole)) {
       throw std::runtime_error(target.string() +
                                ": is a font file, which would be replaced; "
                                "name another file");

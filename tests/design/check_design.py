@@ -97,6 +97,11 @@ def check_projects(design, folder):
     good(design, "replay", script, "--project", project)
     for name in ("f.ttf", "f.bin", "Q.ufo"):
         good(design, "export", "--project", project, "--out", folder / name)
+    good(design, "export", "--project", project, "--out", folder / "f.ttf")
+    foreign = folder / "foreign.ttf"
+    foreign.write_bytes(pathlib.Path(FONT).read_bytes())
+    bad(design, "is a font file, which would be replaced", "export",
+        "--project", project, "--out", foreign)
     # The generator has read it back with the device's reader.
     expect((folder / "f.bin").stat().st_size > 300, "export: f.bin is small")
     expect((folder / "f.ttf").read_bytes()[:4] == b"\0\1\0\0", "export: TTF")

@@ -6,6 +6,7 @@
 #include "export/glyf_components.hpp"
 #include "export/sfnt.hpp"
 #include "export/tables.hpp"
+#include "files.hpp"
 #include "model/error.hpp"
 #include "rom_file.hpp"
 
@@ -304,7 +305,7 @@ class TtfWriter {
         {2, style},
         {3, script + ";" + text("versionMajor", "1")},
         {4, family + " " + style},
-        {5, "Version 1.000"},
+        {5, "Version 1.000" + std::string(tools::kExportMark)},
         {6, script}};
     BigEndian records;
     BigEndian strings;
