@@ -163,7 +163,8 @@ void run(const Arguments& arguments, const CLI::App& app) {
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--font", arguments.font,
-                 "ROM font, or TTF or OTF to convert in memory")
+                 "ROM font, or TTF or OTF to convert in memory; on a board for "
+                 "the scene text alone: others have the firmware's font")
       ->type_name("FILE")
       ->capture_default_str();
   std::string help = "Lines of a script:\n";
