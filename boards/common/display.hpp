@@ -1,8 +1,7 @@
 // The display of a board that has one.
 //
-// board.cmake says its size and pixel format; they arrive as the macros
-// INKCELL_DISPLAY_WIDTH, INKCELL_DISPLAY_HEIGHT [px] and INKCELL_DISPLAY_FORMAT
-// (an enumerator of port::PixelFormat).
+// board.cmake says its size and its formats. The size arrives as the macros
+// INKCELL_DISPLAY_WIDTH and INKCELL_DISPLAY_HEIGHT [px].
 #pragma once
 
 #include <stdint.h>
