@@ -92,6 +92,14 @@ class Bench:
         return numbers(r"curves ([\d.]+) u worst .*\), ([\d.]+) RMS, .* "
                        r"segments, ([\d.]+) s", text)
 
+    @functools.lru_cache(maxsize=None)
+    def scans(self, px_per_em):
+        """Curves of a scan: worst and RMS [u], glyphs with a speck or without
+        a contour."""
+        text = self.output("inkcell_scan_figures", SANS, TEN, str(px_per_em))
+        return numbers(r"curves ([\d.]+) u worst .*\), ([\d.]+) RMS, .* "
+                       r"segments, (\d+) glyphs", text)
+
     def passes(self, name, test):
         """Whether a test passes; one that does not exist does not."""
         text = self.output(f"inkcell_test_design_{name}",
@@ -148,6 +156,14 @@ def other_rows():
             lambda b: b.masters(1024, "grey")[0]),
         Row("master 1024 px/em, 8 bits, RMS", 0.08, 0.05, "u",
             lambda b: b.masters(1024, "grey")[1]),
+        Row("scan 200 px/em, RMS", 0.5, 0.25, "u",
+            lambda b: b.scans(200)[1]),
+        Row("scan 1200 px/em, worst", 1, 0.5, "u",
+            lambda b: b.scans(1200)[0]),
+        Row("scan 1200 px/em, RMS", 0.15, 0.1, "u",
+            lambda b: b.scans(1200)[1]),
+        Row("scans with a speck or without a contour", 0, 0, "",
+            lambda b: b.scans(200)[2] + b.scans(1200)[2]),
     ]
 
 

@@ -7,6 +7,7 @@
 #include "bitmap/bitmap.hpp"
 #include "bitmap/distance_transform.hpp"
 #include "bitmap/edge_walk.hpp"
+#include "bitmap/scan.hpp"
 #include "folders.hpp"
 #include "image.hpp"
 #include "model/error.hpp"
@@ -155,6 +156,64 @@ TEST(Bitmap, OtsuDividesInkAndPaper) {
   EXPECT_TRUE(bitmap.is_bilevel());
   EXPECT_EQ(bitmap.ink[69], 0);
   EXPECT_EQ(bitmap.ink[70], 255);
+}
+
+// Upright bars on paper, in light that falls from left to right.
+Bitmap uneven_scan(int width, int height, double fall) {
+  Bitmap bitmap;
+  bitmap.width = width;
+  bitmap.height = height;
+  for (int i = 0; i < width * height; ++i) {
+    const int x = i % width;
+    const double light = 1 - fall * x / width;
+    const bool is_ink = x % 40 >= 30;
+    bitmap.ink.push_back(static_cast<uint8_t>(
+        255 - static_cast<int>(light * (is_ink ? 100 : 230))));
+  }
+  return bitmap;
+}
+
+TEST(Bitmap, LevelsTheLightOfAScan) {
+  Bitmap bitmap = uneven_scan(400, 60, 0.7);
+  // Paper on the right is darker than ink on the left: no threshold divides
+  // them.
+  ASSERT_GT(bitmap.at(389, 30), bitmap.at(35, 30));
+  level_light(bitmap);
+  for (int x = 0; x < bitmap.width; ++x) {
+    const bool is_ink = x % 40 >= 30;
+    EXPECT_NEAR(bitmap.at(x, 30), is_ink ? 144 : 0, 8) << x;
+  }
+}
+
+TEST(Bitmap, ScansWithoutPaperStayAsTheyAre) {
+  for (const int side : {1, 2, 9}) {
+    Bitmap bitmap = uneven_scan(side, side, 0.6);
+    const std::vector<uint8_t> ink = bitmap.ink;
+    level_light(bitmap);
+    EXPECT_EQ(bitmap.ink, ink);
+  }
+  Bitmap black = uneven_scan(40, 40, 0);
+  std::fill(black.ink.begin(), black.ink.end(), uint8_t{255});
+  level_light(black);
+  EXPECT_EQ(black.ink, std::vector<uint8_t>(1600, 255));
+}
+
+TEST(Bitmap, SmallScansAreEnlargedWithTheirPlace) {
+  Bitmap bitmap = uneven_scan(80, 20, 0);
+  MasterOptions options;
+  options.place.px_per_em = 300;
+  options.place.origin_x = 10;
+  options.place.origin_y = 20;
+  divide_scan(bitmap, options);
+  EXPECT_TRUE(bitmap.is_bilevel());
+  EXPECT_EQ(bitmap.width, 320);
+  EXPECT_EQ(bitmap.height, 80);
+  EXPECT_EQ(options.place.px_per_em, 1200);
+  EXPECT_EQ(options.place.origin_x, 40);
+  EXPECT_EQ(options.place.origin_y, 80);
+  EXPECT_EQ(options.least_area_px, MasterOptions().least_area_px * 16);
+  EXPECT_EQ(bitmap.at(4 * 30 - 3, 40), 0);
+  EXPECT_EQ(bitmap.at(4 * 30 + 3, 40), 255);
 }
 
 }  // namespace

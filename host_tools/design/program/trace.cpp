@@ -6,6 +6,7 @@
 
 #include "app/output.hpp"
 #include "bitmap/edge_walk.hpp"
+#include "bitmap/scan.hpp"
 #include "fit/curve_fitter.hpp"
 #include "model/error.hpp"
 #include "program/commands.hpp"
@@ -55,13 +56,15 @@ void run(Arguments& arguments) {
   }
   const auto begin = std::chrono::steady_clock::now();
   Bitmap bitmap = read_bitmap(arguments.master);
-  if (arguments.threshold != 0 || arguments.is_scan) {
-    make_bilevel(bitmap, arguments.threshold != 0 ? arguments.threshold
-                                                  : otsu_threshold(bitmap));
-  }
   MasterOptions& options = arguments.options;
   options.place = place_of(arguments, bitmap);
   options.extremes = !arguments.no_extremes;
+  const double px_per_em = options.place.px_per_em;
+  if (arguments.threshold != 0) {
+    make_bilevel(bitmap, arguments.threshold);
+  } else if (arguments.is_scan) {
+    divide_scan(bitmap, options);
+  }
   const gen::Outline curves = outline_of(bitmap, options);
   if (curves.contours.empty()) {
     throw Error(arguments.master +
@@ -76,7 +79,7 @@ void run(Arguments& arguments) {
   if (!arguments.report.empty()) {
     const nlohmann::json report = {
         {"master", arguments.master},
-        {"px_per_em", options.place.px_per_em},
+        {"px_per_em", px_per_em},
         {"bilevel", bitmap.is_bilevel()},
         {"contours", curves.contours.size()},
         {"segments", segment_count(curves)},
@@ -139,7 +142,8 @@ void add_trace(CLI::App& app, Work& work) {
       ->capture_default_str();
   CLI::Option* scan =
       command->add_flag("--scan", arguments->is_scan,
-                        "A scan: divide its greys into ink and paper (Otsu)");
+                        "A scan: level its light, and divide its greys into "
+                        "ink and paper (Otsu)");
   command
       ->add_option("--threshold", arguments->threshold,
                    "Ink is what is at least so dark, 1..255")
