@@ -31,6 +31,7 @@ FACES = (
     FONTS / "liberation/LiberationSerif-Italic.ttf",
 )
 TEN = "aegSB8RKQ&"
+ROM_TOLERANCE = 38  # offset in the header of a font (docs/FORMAT.md)
 
 
 class Row(NamedTuple):
@@ -100,6 +101,31 @@ class Bench:
         return numbers(r"curves ([\d.]+) u worst .*\), ([\d.]+) RMS, .* "
                        r"segments, (\d+) glyphs", text)
 
+    @functools.lru_cache(maxsize=None)
+    def hanzi(self, count, *settings):
+        """A font of glyphs that hanzi.lua makes: bytes a glyph, and the worst
+        pixel [1/255], or the tolerance if that is kept."""
+        with tempfile.TemporaryDirectory() as name:
+            project = pathlib.Path(name) / "Hanzi.ufo"
+            rom = pathlib.Path(name) / "hanzi.bin"
+            script = [self.design, "script",
+                      pathlib.Path(__file__).with_name("hanzi.lua"),
+                      "--out", project, "--set", f"count={count}"]
+            for setting in settings:
+                script += ["--set", setting]
+            for command in (script, [self.design, "export", "--project",
+                                     project, "--out", rom, "--best-effort"]):
+                subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+            data = rom.read_bytes()
+            return len(data) / count, data[ROM_TOLERANCE]
+
+    def rectangular_hanzi(self):
+        return self.hanzi(20 if self.is_quick else 500, "rectangle=1",
+                          "angle=0")
+
+    def elliptic_hanzi(self):
+        return self.hanzi(100)
+
     def passes(self, name, test):
         """Whether a test passes; one that does not exist does not."""
         text = self.output(f"inkcell_test_design_{name}",
@@ -164,12 +190,20 @@ def other_rows():
             lambda b: b.scans(1200)[1]),
         Row("scans with a speck or without a contour", 0, 0, "",
             lambda b: b.scans(200)[2] + b.scans(1200)[2]),
+        Row("hanzi of strokes, rectangular nib, a glyph", 200, 120, "bytes",
+            lambda b: b.rectangular_hanzi()[0]),
+        Row("hanzi of strokes, rectangular nib, worst pixel", 16, 16, "/255",
+            lambda b: b.rectangular_hanzi()[1]),
     ]
 
 
 def full_rows():
     """Rows without --quick; most are of tests that print no figure."""
     return [
+        Row("hanzi of strokes, elliptic nib, a glyph", 200, 120, "bytes",
+            lambda b: b.elliptic_hanzi()[0]),
+        Row("hanzi of strokes, elliptic nib, worst pixel", 16, 16, "/255",
+            lambda b: b.elliptic_hanzi()[1]),
         Row("unions of 2 to 6 parts while drawing, worst pixel", 32, 16, "/255",
             lambda b: numbers(r"worst pixel ([\d.]+) of 255", b.output(
                 "inkcell_union_figures", "60"))[0]),
