@@ -7,6 +7,7 @@ go to Bidi, as CALLS_BIDI says.
 Usage: check_layout_stack.py WORK_FOLDER
 """
 import functools
+import os
 import pathlib
 import re
 import shutil
@@ -64,12 +65,15 @@ def compile_all(level, folder):
     """Call graphs of the sources; what compilers said goes to `problems`."""
     compiler, _ = COMPILERS["Cortex-M0"]
     problems = []
+    # A compiler cache does not keep call graphs.
+    environment = {**os.environ, "CCACHE_DISABLE": "1"}
     sources = [path for room in ROOMS
                for path in sorted((ROOT / "core/src" / room).glob("*.cpp"))]
     for source in sources:
         target = folder / (source.stem + ".o")
         result = run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES, level,
-                      "-fcallgraph-info=su", "-c", source, "-o", target])
+                      "-fcallgraph-info=su", "-c", source, "-o", target],
+                     env=environment)
         if result.returncode != 0:
             problems.append(result.stdout)
     return problems
