@@ -1,32 +1,20 @@
-// Arithmetic of points.
+// More arithmetic of points than shape/points.hpp has.
 #pragma once
 
 #include <cmath>
 
-#include "shape/outline.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::design {
 
+using gen::cross;
+using gen::dot;
+using gen::length;
 using gen::Point;
+using gen::operator+;
+using gen::operator-;
+using gen::operator*;
 
-inline Point operator+(const Point& a, const Point& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-inline Point operator-(const Point& a, const Point& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-inline Point operator*(double k, const Point& a) {
-  return {k * a.x, k * a.y};
-}
-inline double dot(const Point& a, const Point& b) {
-  return a.x * b.x + a.y * b.y;
-}
-inline double cross(const Point& a, const Point& b) {
-  return a.x * b.y - a.y * b.x;
-}
-inline double length(const Point& a) {
-  return std::sqrt(a.x * a.x + a.y * a.y);
-}
 /// Zero stays zero.
 inline Point unit(const Point& a) {
   const double l = length(a);
@@ -43,11 +31,7 @@ inline double turn(const Point& a, const Point& b) {
 inline double distance_to_piece(const Point& p,
                                 const Point& a,
                                 const Point& b) {
-  const Point d = b - a;
-  const double squared = dot(d, d);
-  double t = squared == 0 ? 0 : dot(p - a, d) / squared;
-  t = t < 0 ? 0 : t > 1 ? 1 : t;
-  return length(p - a - t * d);
+  return std::sqrt(gen::squared_distance_to_segment(p, a, b));
 }
 
 }  // namespace inkcell::design
