@@ -30,8 +30,10 @@ rm -rf "$out"/*
 
 echo "Building the generator and the tools (build/demo-host)"
 cmake -S . -B "$host" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DINKCELL_DEMO_FONT="$font" >"$out/build.log" 2>&1 &&
-  ninja -C "$host" inkcell-fontgen host_tools/all >>"$out/build.log" 2>&1 || {
+  -DINKCELL_DEMO_FONT="$font" -DINKCELL_JOIN_FOLDERS=ON \
+  >"$out/build.log" 2>&1 &&
+  ninja -C "$host" inkcell-fontgen inkcell-accuracy inkcell-animate \
+    inkcell-inspect inkcell-render inkcell-specimen >>"$out/build.log" 2>&1 || {
   tail -n 30 "$out/build.log"
   exit 1
 }
