@@ -5,7 +5,7 @@
 
 namespace inkcell::tools {
 
-/// What the calling thread has worked for since it began. [ms]
+/// Processor time of the calling thread since it began. [ms]
 inline double work_done_ms() {
   timespec time = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

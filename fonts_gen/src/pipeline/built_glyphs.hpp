@@ -24,8 +24,8 @@ struct BuiltGlyph {
 /// fonts at a time. Fonts of samples are built whole.
 class BuiltGlyphs {
  public:
-  /// Begins a font: all that its glyphs depend on beside their outlines. Glyphs
-  /// of a font that was built otherwise are dropped.
+  /// Begins a font of this target and refit, on which its glyphs depend beside
+  /// their outlines. Drops what was built for others.
   void begin(const Target& target, const RefitOptions& refit);
 
   /// The glyph of this outline, valid until keep(); null: it must be built.

@@ -12,9 +12,10 @@ namespace inkcell::design {
 void level_light(Bitmap& scan);
 
 /// Levels the light and divides into ink and paper by otsu_threshold(). A scan
-/// of less than 1024 px/em is enlarged before, by a whole number of up to 8:
+/// of less than 1024 px/em is first enlarged by a whole number of up to 8:
 /// interpolated greys tell where the edge is between its pixels. The place and
-/// the least area in `options` become those of the result.
+/// the least area in `options` become those of the result; a tolerance of 0
+/// becomes that of the scan's own pixels.
 void divide_scan(Bitmap& scan, MasterOptions& options);
 
 }  // namespace inkcell::design

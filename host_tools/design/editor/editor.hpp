@@ -55,7 +55,7 @@ struct NibSettings {
   std::string text() const;
 };
 
-/// What the editor tells the person.
+/// A line for the user, below the canvas.
 struct Message {
   std::string text;
   bool is_problem = false;  // until the next change

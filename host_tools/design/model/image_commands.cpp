@@ -53,7 +53,7 @@ Images with_data(const Project& project,
   return images;
 }
 
-// What `images` has of those that glyphs name after `change`.
+// Those of `images` that a glyph still names after `change`.
 void keep_named(const Project& project, const Images& images, Change& change) {
   Project after = project;
   after.apply(change);

@@ -9,7 +9,6 @@
 namespace inkcell::design {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kLeastCorners = 16;
 constexpr int kMostCorners = 512;
 constexpr double kLargestNib_u = 4096;
@@ -50,7 +49,7 @@ Nib parse_nib(const std::string& text) {
   nib.kind = kind == "ellipse" ? Nib::Kind::ellipse : Nib::Kind::rectangle;
   nib.width = numbers[0];
   nib.height = numbers.size() > 1 ? numbers[1] : numbers[0];
-  nib.angle = numbers.size() > 2 ? numbers[2] * kPi / 180 : 0;
+  nib.angle = numbers.size() > 2 ? numbers[2] * gen::kPi / 180 : 0;
   if (!(nib.width >= 0 && nib.width <= kLargestNib_u && nib.height >= 0 &&
         nib.height <= kLargestNib_u && std::isfinite(nib.angle))) {
     refuse();
@@ -65,7 +64,7 @@ int corner_count(const Nib& nib, double bound) {
   const double radius = std::max({nib.width, nib.height, kLeastNib_u}) / 2;
   // A chord over the angle a leaves the circle by r (1 - cos(a / 2)).
   const double half = std::acos(std::max(0.0, 1 - bound / radius));
-  const int count = static_cast<int>(std::ceil(kPi / half / 4)) * 4;
+  const int count = static_cast<int>(std::ceil(gen::kPi / half / 4)) * 4;
   return std::clamp(count, kLeastCorners, kMostCorners);
 }
 
@@ -81,7 +80,7 @@ std::vector<Point> nib_polygon(const Nib& nib, int corners) {
     return polygon;
   }
   for (int i = 0; i < corners; ++i) {
-    const double t = 2 * kPi * i / corners;
+    const double t = 2 * gen::kPi * i / corners;
     polygon.push_back(a * std::cos(t) * along + b * std::sin(t) * across);
   }
   return polygon;
