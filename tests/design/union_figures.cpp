@@ -8,8 +8,8 @@
 // distance to the exact union or that against the union's area, whichever is
 // less: at corners these two differ by more than 100 of 255 themselves. Prints
 // the worst pixel and the share of edge pixels beyond 32 of 255, also by the
-// maximum of the distances. Exits with 1 if the share is above 1/200, or if the
-// maxima do better.
+// maximum of the distances. Exits with 1 if the share is above 1/1000, or if
+// the maxima do better.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,7 +34,7 @@ constexpr int kMargin_px = 4;
 constexpr int kMostSide_px = 64 + 2 * kMargin_px;
 constexpr int kFine = 16;     // points of a pixel's side for its area
 constexpr double kMost = 32;  // [1/255]
-constexpr double kMostShare = 0.005;
+constexpr double kMostShare = 0.001;
 
 using Random = std::mt19937;
 

@@ -23,12 +23,21 @@ GridPoint negated(const GridPoint& a) noexcept {
   return {-a.distance_q10, -a.x_slope_q13, -a.y_slope_q13};
 }
 
-// The cosine of the angle between gradients. [Q13]
-int32_t cosine_q13(const GridPoint& a, const GridPoint& b) noexcept {
+// What two gradients say of the edges that they belong to.
+struct Gradients {
+  int32_t cosine_q13;   // of the angle between them
+  int32_t lengths_q13;  // their product, up to 1: less between two edges
+};
+
+Gradients compared(const GridPoint& a, const GridPoint& b) noexcept {
   // Slopes are below 8 in Q13: products of Q22 fit.
   const int32_t dot = (a.x_slope_q13 >> 2) * (b.x_slope_q13 >> 2) +
                       (a.y_slope_q13 >> 2) * (b.y_slope_q13 >> 2);
-  return clamp(dot >> 9, -kOneQ13, kOneQ13);
+  const int32_t lengths =
+      (rough_length(abs(a.x_slope_q13), abs(a.y_slope_q13)) >> 2) *
+      (rough_length(abs(b.x_slope_q13), abs(b.y_slope_q13)) >> 2);
+  const int32_t cosine = dot / max(lengths >> 13, 1);
+  return {clamp(cosine, -kOneQ13, kOneQ13), min(lengths >> 9, kOneQ13)};
 }
 
 // a and b on the ramp from 0 to `width`: what half-planes cover together.
@@ -47,10 +56,15 @@ GridPoint united(const GridPoint& a,
   GridPoint result = a.distance_q10 >= b.distance_q10 ? a : b;
   const int32_t least = min(a.distance_q10, b.distance_q10);
   if (least > ramp.low && result.distance_q10 < ramp.high) {
-    result.distance_q10 =
+    const Gradients gradients = compared(a, b);
+    const int32_t both =
         ramp.low + covered_by_both(a.distance_q10 - ramp.low,
                                    b.distance_q10 - ramp.low,
-                                   ramp.high - ramp.low, cosine_q13(a, b));
+                                   ramp.high - ramp.low, gradients.cosine_q13);
+    // Half of what the farther part adds is doubtful where a part is so thin
+    // that its gradient is short.
+    const int32_t trust_q14 = kOneQ13 + gradients.lengths_q13;
+    result.distance_q10 += (both - result.distance_q10) * trust_q14 >> 14;
   }
   return result;
 }
@@ -115,31 +129,72 @@ GridPoint combined(const GridPoint& a,
 }
 
 // Beyond the grid by more than it knows: as far outside as that.
-GridPoint at_part(const GridPart& part, int32_t x_q16, int32_t y_q16) noexcept {
+GridPoint at_part(const GridPart& part, int64_t x_q16, int64_t y_q16) noexcept {
   if (part.grid == nullptr || part.grid->width() == 0) {
     return {kFarQ10, 0, 0};
   }
   constexpr int32_t kMost = kMostPlace << 16;
-  return probe(
-      *part.grid,
-      Q16_16::from_raw(clamp_i64(int64_t{x_q16} - part.x.raw, -kMost, kMost)),
-      Q16_16::from_raw(clamp_i64(int64_t{y_q16} - part.y.raw, -kMost, kMost)));
+  return probe(*part.grid,
+               Q16_16::from_raw(clamp_i64(x_q16 - part.x.raw, -kMost, kMost)),
+               Q16_16::from_raw(clamp_i64(y_q16 - part.y.raw, -kMost, kMost)));
+}
+
+bool is_edge(const GridPoint& point, const Ramp& ramp) noexcept {
+  return point.distance_q10 > ramp.low && point.distance_q10 < ramp.high;
+}
+
+// Its slopes are those of half a sample before it to half a sample behind it:
+// probe() knows those of one square, which may lie beside the place.
+GridPoint centred(const GridPart& part,
+                  const GridPoint& point,
+                  int64_t x_q16,
+                  int64_t y_q16) noexcept {
+  if (part.grid == nullptr) {
+    return point;
+  }
+  const int32_t scale_log2 = part.grid->scale_log2();
+  const int32_t half = 32768 << scale_log2;
+  const auto slope = [&](int64_t dx, int64_t dy) {
+    const int32_t rise = at_part(part, x_q16 + dx, y_q16 + dy).distance_q10 -
+                         at_part(part, x_q16 - dx, y_q16 - dy).distance_q10;
+    return rise * 8 >> scale_log2;
+  };
+  return {point.distance_q10, slope(half, 0), slope(0, half)};
 }
 
 Ramp ramp_of(const Filter& filter) noexcept {
   return {filter.outside_q10, max(filter.inside_q10, filter.outside_q10 + 1)};
 }
 
+// `edges` counts the parts whose edge is here.
+GridPoint fold(Span<const GridPart> parts,
+               int32_t x_q16,
+               int32_t y_q16,
+               const Ramp& ramp,
+               bool is_centred,
+               size_t& edges) noexcept {
+  GridPoint result = {kFarQ10, 0, 0};
+  for (size_t i = 0; i < parts.size; ++i) {
+    GridPoint next = at_part(parts[i], x_q16, y_q16);
+    if (is_edge(next, ramp)) {
+      ++edges;
+      if (is_centred) {
+        next = centred(parts[i], next, x_q16, y_q16);
+      }
+    }
+    result = i == 0 ? next : combined(result, next, parts[i], ramp);
+  }
+  return result;
+}
+
+// Slopes count where edges meet: only there they are worth the probes.
 GridPoint fold(Span<const GridPart> parts,
                int32_t x_q16,
                int32_t y_q16,
                const Ramp& ramp) noexcept {
-  GridPoint result = {kFarQ10, 0, 0};
-  for (size_t i = 0; i < parts.size; ++i) {
-    const GridPoint next = at_part(parts[i], x_q16, y_q16);
-    result = i == 0 ? next : combined(result, next, parts[i], ramp);
-  }
-  return result;
+  size_t edges = 0;
+  const GridPoint result = fold(parts, x_q16, y_q16, ramp, false, edges);
+  return edges < 2 ? result : fold(parts, x_q16, y_q16, ramp, true, edges);
 }
 
 Rect box_of(const GridPart& part, int32_t around) noexcept {
