@@ -11,8 +11,6 @@
 // Errors in u: of the transform at pixels within 32 u of the edge, of the
 // curves at their edge, both beyond 3 u from corners. Fails if the curves are
 // worse than the limits, or no truer than the transform.
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +22,7 @@
 
 #include "bitmap/distance_transform.hpp"
 #include "bitmap/edge_walk.hpp"
+#include "folders.hpp"
 #include "import/svg_import.hpp"
 #include "master_oracle.hpp"
 #include "shape/shape.hpp"
@@ -152,16 +151,10 @@ int compare_tracers(const gen::SourceFont& font, double px_per_em) {
   for (const double tolerance : {0.1, 0.2, 0.4, 0.8}) {
     tracers.push_back({false, tolerance, {}, {}, 0});
   }
-  std::string name =
-      (std::filesystem::temp_directory_path() / "inkcell.XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    std::perror(name.c_str());
-    return 2;
-  }
+  const TemporaryFolder folder;
   for (size_t i = 1; i < font.glyphs.size(); ++i) {
-    trace(font.glyphs[i], px_per_em, name, tracers);
+    trace(font.glyphs[i], px_per_em, folder.path(), tracers);
   }
-  std::filesystem::remove_all(name);
   std::printf("%g px/em      worst u  at corners  RMS u   segments\n",
               px_per_em);
   for (const Tracer& tracer : tracers) {

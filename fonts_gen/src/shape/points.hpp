@@ -10,6 +10,7 @@ namespace inkcell {
 namespace gen {
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kDegree = kPi / 180;  // [radians]
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline Point operator+(const Point& a, const Point& b) {

@@ -178,7 +178,7 @@ class PathReader {
   void arc() {
     double rx = std::fabs(number());
     double ry = std::fabs(number());
-    const double slope = number() * kPi / 180;
+    const double slope = number() * kDegree;
     const bool is_large = flag();
     const bool is_positive = flag();
     const Point to = pair();

@@ -13,7 +13,6 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr double kRadians = kPi / 180;
 constexpr std::string_view kSeparators = " \t\r\n,";
 
 // The numbers between brackets; none if one of them is none.
@@ -57,16 +56,16 @@ std::optional<Affine> one_transform(std::string_view name,
     return Affine{v[0], 0, 0, count == 1 ? v[0] : v[1], 0, 0};
   }
   if (name == "rotate" && (count == 1 || count == 3)) {
-    const double c = std::cos(v[0] * kRadians);
-    const double s = std::sin(v[0] * kRadians);
+    const double c = std::cos(v[0] * kDegree);
+    const double s = std::sin(v[0] * kDegree);
     return Affine{
         c, s, -s, c, v[1] - c * v[1] + s * v[2], v[2] - s * v[1] - c * v[2]};
   }
   if (name == "skewX" && count == 1) {
-    return Affine{1, 0, std::tan(v[0] * kRadians), 1, 0, 0};
+    return Affine{1, 0, std::tan(v[0] * kDegree), 1, 0, 0};
   }
   if (name == "skewY" && count == 1) {
-    return Affine{1, std::tan(v[0] * kRadians), 0, 1, 0, 0};
+    return Affine{1, std::tan(v[0] * kDegree), 0, 1, 0, 0};
   }
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
 #include "shape/outline.hpp"
+#include "shape/points.hpp"
 #include "stroke/stroke.hpp"
 
 namespace inkcell::design {
@@ -11,8 +12,6 @@ namespace {
 
 constexpr const char* kStrokesKey = "org.inkcell.strokes";
 constexpr const char* kTreeKey = "org.inkcell.tree";
-
-constexpr double kRadians = 0.017453292519943295;
 
 // Of curves from the exact border, and of a stroke's path from its points. [u]
 constexpr double kFit_u = 0.12;
@@ -42,7 +41,7 @@ StrokePoint point_of(const Value& value,
   };
   point.width = change(2, scale);
   point.height = change(3, scale);
-  point.angle = change(4, kRadians);
+  point.angle = change(4, gen::kDegree);
   return point;
 }
 

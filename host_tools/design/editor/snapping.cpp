@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "shape/points.hpp"
+
 namespace inkcell::design::editor {
 namespace {
-
-constexpr double kRadians = 0.017453292519943295;
 
 // The nearest of many coordinates, and a point that has it.
 struct Nearest {
@@ -72,7 +72,7 @@ std::vector<Zone> zones_of(const Project& project) {
 
 gen::Segment line_of(const Guideline& guide) {
   const double turn =
-      kRadians * guide.angle.value_or(guide.x && !guide.y ? 90 : 0);
+      gen::kDegree * guide.angle.value_or(guide.x && !guide.y ? 90 : 0);
   gen::Segment line;
   line.p[0] = {guide.x.value_or(0), guide.y.value_or(0)};
   line.p[1] = {line.p[0].x + std::cos(turn), line.p[0].y + std::sin(turn)};

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "shape/points.hpp"
+
 namespace inkcell::design {
 namespace {
 
@@ -27,8 +29,8 @@ bool read_pair(const Value& value, bool may_be_one, double& x, double& y) {
 // Quarter turns are exact.
 Matrix turned(double degrees) {
   const double quarters = std::fmod(degrees / 90, 4);
-  double c = std::cos(degrees * M_PI / 180);
-  double s = std::sin(degrees * M_PI / 180);
+  double c = std::cos(degrees * gen::kDegree);
+  double s = std::sin(degrees * gen::kDegree);
   if (quarters == std::floor(quarters)) {
     c = std::round(c);
     s = std::round(s);

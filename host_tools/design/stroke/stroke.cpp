@@ -7,14 +7,13 @@
 
 #include "model/error.hpp"
 #include "shape/flatten.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::design {
 namespace {
 
-constexpr double kRadians = 0.017453292519943295;
-
 // Where a path turns by more, it has a corner.
-constexpr double kPathCorner = 60 * kRadians;
+constexpr double kPathCorner = 60 * gen::kDegree;
 
 // Polygons turn by less so near to each other where they stand for a curve.
 constexpr double kPolygonCorner = 0.2;
@@ -52,7 +51,7 @@ StrokePoint parse_point(const std::vector<std::string>& words,
   point.height = change(3);
   point.angle = change(4);
   if (point.angle) {
-    *point.angle *= kRadians;
+    *point.angle *= gen::kDegree;
   }
   return point;
 }

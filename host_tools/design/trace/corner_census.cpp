@@ -10,9 +10,8 @@
 namespace inkcell::design {
 namespace {
 
-constexpr double kRadians = 0.017453292519943295;
-constexpr double kCorner = 20 * kRadians;
-constexpr double kSlightCorner = 10 * kRadians;
+constexpr double kCorner = 20 * gen::kDegree;
+constexpr double kSlightCorner = 10 * gen::kDegree;
 constexpr double kNear_u = 2;
 
 struct Corner {
