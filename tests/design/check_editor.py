@@ -203,8 +203,11 @@ def check_preview(editor, render):
                                          "r.pgm"))
         expect(ours == theirs and any(ours[1]), f"{px} px {display}: the "
                "preview differs from inkcell-render")
-    edges, = editor.run("open P.ufo", "glyph a", "cells edges", "print")
-    expect(edges["cells"] > 20, "cells")
+    edges, lacking = editor.run("open P.ufo", "glyph a", "text Haa",
+                                "cells edges", "print", "text Ha\u017fx",
+                                "print")
+    expect(edges["cells"] > 20 and edges["missing"] == "", "cells")
+    expect(lacking["missing"] == "x\u017f", f"missing: {lacking['missing']}")
 
 
 def pixels(file):

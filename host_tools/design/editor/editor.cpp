@@ -115,7 +115,9 @@ void Editor::begin(const fs::path& folder) {
   const size_t recovered = session_->recovery().commands;
   message = {recovered == 0 ? "Opened " + folder.filename().string()
                             : "Recovered " + std::to_string(recovered) +
-                                  " changes that were not saved"};
+                                  (recovered == 1 ? " change that was"
+                                                  : " changes that were") +
+                                  " not saved"};
   const std::vector<std::string> order = glyph_order(project());
   for (const std::string& name : order) {
     if (!project().glyph(name)->contours.empty() && name != ".notdef") {

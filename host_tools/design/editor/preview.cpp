@@ -74,6 +74,7 @@ PreviewJob make_job(const Project& project,
   take(project, ".notdef", job.project);
   take(project, glyph, job.project);
   std::set<char32_t> wanted;
+  std::set<char32_t> found;
   for (const char32_t c : tools::from_utf8(settings.text)) {
     wanted.insert(c);
   }
@@ -81,8 +82,12 @@ PreviewJob make_job(const Project& project,
     for (const char32_t c : candidate->unicodes) {
       if (wanted.count(c) != 0) {
         take(project, name, job.project);
+        found.insert(c);
       }
     }
+  }
+  for (const char32_t c : wanted) {
+    job.missing += found.count(c) == 0 ? tools::to_utf8(c) : "";
   }
   const GlyphPointer shown = project.glyph(glyph);
   if (!shown->unicodes.empty()) {
@@ -100,6 +105,7 @@ PreviewJob make_job(const Project& project,
 Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs) {
   Preview preview;
   preview.glyph_name = job.glyph;
+  preview.missing = job.missing;
   const auto begin = std::chrono::steady_clock::now();
   try {
     gen::GenerateRequest request;

@@ -37,6 +37,7 @@ struct PreviewJob {
   Project project;  // the glyphs that are needed, and no others
   std::string glyph;
   char32_t character = 0;  // of the glyph in `project`
+  std::string missing;     // characters of the text that the font lacks
   PreviewSettings settings;
 };
 
@@ -66,6 +67,7 @@ struct Preview {
   double seconds = 0;
   tools::Image glyph;
   std::vector<TextPicture> lines;
+  std::string missing;  // characters of the text that the font lacks
   std::vector<CellBox> cells;
   size_t cell_bytes = 0;  // of the glyph's record with these cells
 };

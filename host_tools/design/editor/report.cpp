@@ -52,6 +52,7 @@ Value report_of(const Editor& editor, const Preview& preview) {
           {"view", view_value(editor.view)},
           {"bytes", preview.glyph_bytes},
           {"points", preview.glyph_points},
+          {"missing", preview.missing},
           {"worst_error", preview.worst_error},
           {"cells", preview.cells.size()},
           {"message", editor.message.text}};

@@ -90,7 +90,7 @@ void draw_glyph_grid(Panels& panels) {
     return;
   }
   const std::vector<std::string> order = glyph_order(editor.project());
-  ImGui::Text("%zu glyphs", order.size());
+  ImGui::Text(order.size() == 1 ? "%zu glyph" : "%zu glyphs", order.size());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(px(kGap), px(kGap)));
   ImGui::BeginChild("grid");
   const float pitch = px(kCell) + px(kGap);

@@ -148,6 +148,9 @@ void draw_preview_panel(Panels& panels) {
   }
   draw_glyph(panels, preview);
   draw_facts(preview, settings.cells);
+  if (!preview.missing.empty()) {
+    ImGui::TextDisabled("Not in the font: %s", preview.missing.c_str());
+  }
   draw_lines(panels, preview);
 }
 
