@@ -78,12 +78,13 @@ done
 missed=
 for board in lm3s6965evb lm3s811evb versatilepb riscv_virt; do
   echo "Running the demo on $board"
-  for format in $(sed -n 's/.*set(INKCELL_DISPLAY_FORMATS \(.*\)).*/\1/p' \
-    "boards/$board/board.cmake"); do
-    ninja -C "$host" "scene_host_${board}_$format" >>"$out/build.log" 2>&1 ||
-      true
-  done
-  if ! python3 tests/screens/screens.py "$host/tests/screens/screens.json" \
+  formats=$(sed -n 's/.*set(INKCELL_DISPLAY_FORMATS \(.*\)).*/\1/p' \
+    "boards/$board/board.cmake")
+  if ! ninja -C "$host" $(printf "scene_host_${board}_%s " $formats) \
+    >"$out/$board.log" 2>&1; then
+    missed="$missed $board"
+    tail -n 20 "$out/$board.log"
+  elif ! python3 tests/screens/screens.py "$host/tests/screens/screens.json" \
     --board "$board" --picture scene --save "$out" >"$out/$board.log" 2>&1; then
     missed="$missed $board"
     tail -n 5 "$out/$board.log"

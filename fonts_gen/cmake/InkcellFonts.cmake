@@ -322,6 +322,9 @@ function(inkcell_add_font target)
     DEPFILE "${made}.d"
     COMMENT "Making the font ${arg_NAME}"
     VERBATIM)
+  # Targets of other directories that link `target` wait for the font, too.
+  add_custom_target(${target}_${arg_NAME}_files DEPENDS ${outputs})
+  add_dependencies(${target} ${target}_${arg_NAME}_files)
 
   set(scope PRIVATE)
   get_target_property(type ${target} TYPE)

@@ -1,5 +1,5 @@
-"""Checks what inkcell_add_font() says to arguments that it does not take, and
-whose generator BuildFontgen.cmake builds.
+"""Checks what inkcell_add_font() says to arguments that it does not take, who
+waits for its fonts, and whose generator BuildFontgen.cmake builds.
 
 Usage: check_add_font.py
 """
@@ -49,6 +49,22 @@ project(fake LANGUAGES NONE)
 file(APPEND ${CMAKE_BINARY_DIR}/log "${CMAKE_SOURCE_DIR}:${CMAKE_CXX_COMPILER}\\n")
 add_custom_target(inkcell-fontgen)
 """
+# A generator that makes empty headers, and a project that uses one.
+FAKE_FONTGEN = """#!/bin/sh
+for word; do
+  case $word in
+    --out=*) out=${word#*=}; : >"$out" ;;
+    --depfile=*) echo "$out:" >"${word#*=}" ;;
+  esac
+done
+"""
+FONT_PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(fonts LANGUAGES CXX)
+include(${FONTS}/InkcellFonts.cmake)
+add_library(app INTERFACE)
+inkcell_add_font(app FONT CMakeLists.txt NAME ui)
+add_subdirectory(program)
+"""
 
 
 def check_font(folder, arguments, said, package=CMAKE):
@@ -68,6 +84,28 @@ def check_font(folder, arguments, said, package=CMAKE):
     else:
         good = result.returncode == 0
     return [] if good else [f"{arguments}: {result.stdout}"]
+
+
+def check_order(folder):
+    """Problems of a program in another directory than the font that it links."""
+    (folder / "program").mkdir()
+    generator = folder / "generator.sh"
+    generator.write_text(FAKE_FONTGEN)
+    generator.chmod(0o755)
+    (folder / "CMakeLists.txt").write_text(FONT_PROJECT)
+    (folder / "program/CMakeLists.txt").write_text(
+        "add_executable(program main.cpp)\n"
+        "target_link_libraries(program PRIVATE app)\n")
+    (folder / "program/main.cpp").write_text(
+        "#include <fonts/ui.hpp>\nint main() { return 0; }\n")
+    build = folder / "ordered"
+    for command in (["cmake", "-G", "Ninja", "-S", folder, "-B", build,
+                     f"-DFONTS={CMAKE}", f"-DINKCELL_FONTGEN={generator}"],
+                    ["cmake", "--build", build, "--target", "program"]):
+        result = run(command)
+        if result.returncode != 0:
+            return [f"a program alone: {result.stdout}"]
+    return []
 
 
 def check_generator(folder):
@@ -103,7 +141,8 @@ def main():
                                "there is no inkcell-fontgen; set "
                                "INKCELL_FONTGEN", package)
         problems += check_generator(folder)
-    finish(len(CASES) + 2 - len(problems), problems)
+        problems += check_order(folder)
+    finish(len(CASES) + 3 - len(problems), problems)
 
 
 main()
