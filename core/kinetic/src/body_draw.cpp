@@ -87,9 +87,9 @@ __attribute__((noinline)) void look_at(const Body& body,
 }
 
 // Gathers coverage of neighbouring pixels, and passes it on.
-class Run {
+class CoverageRun {
  public:
-  Run(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
+  CoverageRun(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
 
   void add(int32_t x, uint8_t coverage) noexcept {
     if (x < sink_.window.x0 || x >= sink_.window.x1 || coverage == 0) {
@@ -210,7 +210,7 @@ void Painter::draw_row(const Rect& box,
   const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
   const int32_t full = max(filter.inside_q10, 0) + 64;
   int32_t next[kMostNeighbours] = {};
-  Run run(sink, y);
+  CoverageRun run(sink, y);
   for (int32_t column = 0; column < width;) {
     const int32_t distance = own.distance(column, line);
     if (distance < blank) {

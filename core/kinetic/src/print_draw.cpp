@@ -11,15 +11,15 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kFull = 255;
+constexpr int32_t kBlack = 255;
 
 // Half of the root of n / 16. [Q16]
-struct Roots {
+struct HalfRoots {
   uint16_t of[17];
 };
 
-constexpr Roots make_roots() noexcept {
-  Roots roots = {};
+constexpr HalfRoots make_half_roots() noexcept {
+  HalfRoots roots = {};
   for (uint32_t n = 0; n < 17; ++n) {
     uint32_t root = 0;
     while ((root + 1) * (root + 1) <= n << 26) {
@@ -30,11 +30,11 @@ constexpr Roots make_roots() noexcept {
   return roots;
 }
 
-constexpr Roots kRoots = make_roots();
+constexpr HalfRoots kHalfRoots = make_half_roots();
 
 // Half of the root of such a part of 256, on chords. [Q16]
 int32_t half_root_q16(int32_t part_q8) noexcept {
-  const uint16_t* const from = kRoots.of + (part_q8 >> 4);
+  const uint16_t* const from = kHalfRoots.of + (part_q8 >> 4);
   return from[0] + ((from[1] - from[0]) * (part_q8 & 15) >> 4);
 }
 
@@ -112,7 +112,7 @@ int32_t Printer::shade(const GridPoint& at) const noexcept {
                          13;
   const int32_t change =
       (facing * contrast >> 14) * steep_q8(at.distance_q10) >> 8;
-  return clamp(tone + change, 0, kFull);
+  return clamp(tone + change, 0, kBlack);
 }
 
 // Coverage of a line whose width is such a part of the pitch. [of 255]
@@ -120,7 +120,7 @@ int32_t Printer::line(uint32_t phase, int32_t width_q8) const noexcept {
   const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
   const int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
   const int32_t half_q10 = pitch_q10 * width_q8 >> 9;
-  return clamp((half_q10 - px_q10 + 512) >> 2, 0, kFull);
+  return clamp((half_q10 - px_q10 + 512) >> 2, 0, kBlack);
 }
 
 // Coverage of a dot that grows until it joins the next ones at half tone.
@@ -130,11 +130,12 @@ int32_t Printer::dot(uint32_t phase,
   // The sum of two distances from the middle, in half pitches. [Q16]
   const int32_t away = abs(static_cast<int32_t>(phase) >> 16) +
                        abs(static_cast<int32_t>(other) >> 16);
-  const int32_t reach = dark <= 127 ? half_root_q16(2 * dark)
-                                    : 65536 - half_root_q16(2 * (kFull - dark));
+  const int32_t reach = dark <= 127
+                            ? half_root_q16(2 * dark)
+                            : 65536 - half_root_q16(2 * (kBlack - dark));
   // Across the dot's side: by the root of 2 slower.
   const int32_t px_q10 = ((reach - away) >> 6) * (pitch_q10 >> 4) * 181 >> 14;
-  return clamp((px_q10 + 512) >> 2, 0, kFull);
+  return clamp((px_q10 + 512) >> 2, 0, kBlack);
 }
 
 uint32_t Printer::ink(const GridPoint& at,

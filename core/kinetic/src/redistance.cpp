@@ -9,7 +9,7 @@ namespace kinetic {
 namespace {
 
 constexpr int32_t kSide = 32;  // of a sample, in units of its value
-constexpr int32_t kMost = 127;
+constexpr int32_t kDeepest = 127;
 
 // sqrt(2 h^2 - d^2) for differences d from 0 to h, to the nearest.
 struct Roots {
@@ -111,7 +111,7 @@ void mark(const DistanceGrid& from,
     clear_around(span, to.row(y), to.width());
     for (int32_t x = span.first; x < span.end; ++x) {
       const int32_t value = from.row(y)[x];
-      int32_t distance = kMost;
+      int32_t distance = kDeepest;
       if (is_edge(from, x, y)) {
         const int32_t across =
             slope(value, nearest(from, x - 1, y), nearest(from, x + 1, y));
@@ -121,7 +121,7 @@ void mark(const DistanceGrid& from,
         // There is an edge, so that it is at least 1. A depth is half a quantum
         // less than the distance.
         const int32_t found = (2 * depth(value) + 1) * (kSide / 2) / length;
-        distance = found < kMost ? found : kMost;
+        distance = found < kDeepest ? found : kDeepest;
       }
       to.row(y)[x] = with_side(distance, value >= 0);
     }
