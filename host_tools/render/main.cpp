@@ -20,7 +20,6 @@ namespace {
 // --dx, --dy, so that the same text in all phases makes pictures of one size.
 constexpr int kMargin = 2;
 constexpr double kShiftInMargin = 1;  // [px]
-constexpr double kMaxSide = 32767;    // of a picture [px]
 
 struct Arguments {
   gen::GenerateRequest request;

@@ -53,7 +53,6 @@ bool read_number(const Json& value, RenderJob& job) {
 
 template <int RenderJob::*kMember>
 bool read_side(const Json& value, RenderJob& job) {
-  constexpr double kMaxSide = 32767;
   const double side = value.is_number() ? value.get<double>() : 0;
   if (side < 1 || side > kMaxSide || side != std::floor(side)) {
     return false;

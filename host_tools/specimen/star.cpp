@@ -26,8 +26,8 @@ constexpr int kSide = 128;  // [px], an em
 constexpr int kWedges = 36;
 constexpr int kMiddle = 42;  // px that are enlarged
 constexpr int kZoom = 3;
-constexpr int kGap = 8;
-constexpr int kLabelHeight = 14;
+constexpr int kSpace = 8;
+constexpr int kCaptionHeight = 14;
 constexpr double kUnits = 1024.0 / kSide;  // to a px
 constexpr double kPi = 3.14159265358979323846;
 
@@ -203,17 +203,18 @@ Image draw_star(const Font& font) {
       {"Inkcell, splats", device.draw(splat_effect(splats))}};
   // Two rows of columns, of which each is a picture and its middle.
   constexpr int kColumns = 4;
-  constexpr int kColumn = kSide + kGap;
-  constexpr int kRow = kLabelHeight + kSide + kZoom * kMiddle + 3 * kGap;
-  Image sheet = colour_image(kGap + kColumns * kColumn, 2 * kRow, 0xffffff);
+  constexpr int kColumn = kSide + kSpace;
+  constexpr int kRow = kCaptionHeight + kSide + kZoom * kMiddle + 3 * kSpace;
+  Image sheet = colour_image(kSpace + kColumns * kColumn, 2 * kRow, 0xffffff);
   const TextStyle style = make_style(10, 0, kFilterText);
   int column = 0;
-  int y = kGap;
+  int y = kSpace;
   for (const Entry& entry : entries) {
-    const int x = kGap + column * kColumn;
+    const int x = kSpace + column * kColumn;
     write_text(font, entry.label, style, x, y + 10, 0x404040, sheet);
-    paste(entry.image, x, y + kLabelHeight, sheet);
-    paste(middle_of(entry.image), x, y + kGap + kLabelHeight + kSide, sheet);
+    paste(entry.image, x, y + kCaptionHeight, sheet);
+    paste(middle_of(entry.image), x, y + kSpace + kCaptionHeight + kSide,
+          sheet);
     column = (column + 1) % kColumns;
     y += column == 0 ? kRow : 0;
   }

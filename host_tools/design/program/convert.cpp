@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ConvertArguments {
   std::string project;
   std::string out;
   std::string glyph;
@@ -40,7 +40,7 @@ void say_warnings(const gen::Warnings& warnings) {
   }
 }
 
-void export_rom(const Project& project, Arguments& arguments) {
+void export_rom(const Project& project, ConvertArguments& arguments) {
   gen::Progress progress(false);
   arguments.request.progress = [&progress](size_t done, size_t count) {
     progress.update(done, count);
@@ -51,7 +51,7 @@ void export_rom(const Project& project, Arguments& arguments) {
   write_bytes(arguments.out, font.bytes);
 }
 
-void run_export(Arguments& arguments) {
+void run_export(ConvertArguments& arguments) {
   UfoFiles files = read_ufo(arguments.project);
   const Project& project = files.project;
   const std::string ending = fs::path(arguments.out).extension().string();
@@ -80,7 +80,7 @@ void run_export(Arguments& arguments) {
               static_cast<uintmax_t>(fs::file_size(arguments.out)));
 }
 
-void run_import(const Arguments& arguments) {
+void run_import(const ConvertArguments& arguments) {
   if (fs::exists(arguments.out)) {
     throw Error(arguments.out + ": exists; name another folder, or remove it");
   }
@@ -102,7 +102,7 @@ void run_import(const Arguments& arguments) {
 }  // namespace
 
 void add_export(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
       "export", "Write a project as a font, or a glyph of it as a picture");
   command->add_option("--project", arguments->project, "The project")
@@ -121,7 +121,7 @@ void add_export(CLI::App& app, Work& work) {
 }
 
 void add_import(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       app.add_subcommand("import", "Make a project of a font file");
   command->add_option("--font", arguments->font, "TTF or OTF")

@@ -10,14 +10,14 @@
 namespace inkcell::design {
 namespace {
 
-struct Arguments {
+struct ImportSvgArguments {
   std::string drawing;
   DrawingPlace place;
   std::vector<double> origin;
   Destination destination;
 };
 
-void run(Arguments& arguments) {
+void run(ImportSvgArguments& arguments) {
   check(arguments.destination);
   if (!arguments.origin.empty()) {
     arguments.place.origin = {arguments.origin[0], arguments.origin[1]};
@@ -32,7 +32,7 @@ void run(Arguments& arguments) {
 }  // namespace
 
 void add_import_svg(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ImportSvgArguments>();
   CLI::App* command = app.add_subcommand(
       "import-svg", "Make a drawing of one colour, an SVG file, a glyph");
   command->add_option("--drawing", arguments->drawing, "The SVG file")

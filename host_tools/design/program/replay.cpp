@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ReplayArguments {
   std::string journal;
   std::vector<std::string> commands;
   std::string project;
@@ -19,7 +19,7 @@ struct Arguments {
 };
 
 // The project that the journal was written for lies beside it.
-fs::path project_of(const Arguments& arguments,
+fs::path project_of(const ReplayArguments& arguments,
                     const std::vector<Value>& records) {
   if (!arguments.project.empty()) {
     return arguments.project;
@@ -32,7 +32,7 @@ fs::path project_of(const Arguments& arguments,
 }
 
 // Those of the file, then those of the command line.
-std::vector<Value> records_of(const Arguments& arguments) {
+std::vector<Value> records_of(const ReplayArguments& arguments) {
   std::vector<Value> records;
   if (!arguments.journal.empty()) {
     records = read_script(arguments.journal);
@@ -47,7 +47,7 @@ std::vector<Value> records_of(const Arguments& arguments) {
   return records;
 }
 
-void replay(const Arguments& arguments) {
+void replay(const ReplayArguments& arguments) {
   const std::vector<Value> records = records_of(arguments);
   const fs::path folder = project_of(arguments, records);
   UfoFiles files;
@@ -78,7 +78,7 @@ void replay(const Arguments& arguments) {
 }  // namespace
 
 void add_replay(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand(
       "replay", "Carry out the commands of a journal or of a script");
   command

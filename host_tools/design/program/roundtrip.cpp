@@ -17,7 +17,7 @@
 namespace inkcell::design {
 namespace {
 
-struct Arguments {
+struct RoundtripArguments {
   gen::GenerateRequest request;
   FieldOutlineOptions fit;
   std::string report;
@@ -38,7 +38,7 @@ struct GlyphResult {
 constexpr double kStep_u = 1;  // between places where edges are compared
 
 GlyphResult round_trip(const gen::SourceGlyph& glyph,
-                       const Arguments& arguments) {
+                       const RoundtripArguments& arguments) {
   GlyphResult result;
   result.name = glyph.name();
   const gen::Shape source(glyph.outline);
@@ -97,7 +97,7 @@ void print(const char* name, const GlyphResult& r) {
               r.field.worst);
 }
 
-void run(Arguments& arguments) {
+void run(RoundtripArguments& arguments) {
   arguments.fit.extremes = !arguments.no_extremes;
   if (!arguments.report.empty()) {
     gen::check_writable(arguments.report);
@@ -160,7 +160,7 @@ void run(Arguments& arguments) {
   }
 }
 
-void add_options(CLI::App& command, Arguments& arguments) {
+void add_options(CLI::App& command, RoundtripArguments& arguments) {
   gen::GenerateRequest& request = arguments.request;
   request.target.coding = gen::Coding::samples;
   request.target.tolerance = 4;
@@ -192,7 +192,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void add_roundtrip(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RoundtripArguments>();
   CLI::App* command = app.add_subcommand(
       "roundtrip",
       "Turn the glyphs of a font into fields and these back into curves; "

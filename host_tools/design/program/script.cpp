@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ScriptArguments {
   std::string script;
   std::vector<std::string> settings;
   std::string project;
@@ -39,7 +39,7 @@ void add_setting(const std::string& text, ScriptOptions& options) {
   throw Error("--set '" + text + "': write NAME=NUMBER, such as weight=80");
 }
 
-void run(Arguments& arguments) {
+void run(ScriptArguments& arguments) {
   for (const std::string& text : arguments.settings) {
     add_setting(text, arguments.options);
   }
@@ -79,7 +79,7 @@ void run(Arguments& arguments) {
 }  // namespace
 
 void add_script(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ScriptArguments>();
   CLI::App* command = app.add_subcommand(
       "script", "Make glyphs by a program in Lua, with pens and parameters");
   command->add_option("script", arguments->script, "The program")

@@ -11,7 +11,7 @@
 namespace inkcell::design {
 namespace {
 
-struct Arguments {
+struct StrokeArguments {
   std::string path;
   std::string nib = "ellipse:80,80,0";
   Destination destination;
@@ -19,7 +19,7 @@ struct Arguments {
   double fit = 0.12;
 };
 
-void run(const Arguments& arguments) {
+void run(const StrokeArguments& arguments) {
   check(arguments.destination);
   std::vector<std::vector<Point>> polygons;
   for (const Stroke& stroke :
@@ -43,7 +43,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_stroke(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StrokeArguments>();
   CLI::App* command = app.add_subcommand(
       "stroke", "Draw a path with a pen: its outline as SVG or as a glyph");
   command

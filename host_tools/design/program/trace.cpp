@@ -15,7 +15,7 @@
 namespace inkcell::design {
 namespace {
 
-struct Arguments {
+struct TraceArguments {
   std::string master;
   Destination destination;
   std::string report;
@@ -32,7 +32,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
       .count();
 }
 
-MasterPlace place_of(const Arguments& arguments, const Bitmap& bitmap) {
+MasterPlace place_of(const TraceArguments& arguments, const Bitmap& bitmap) {
   if (!arguments.em.empty()) {
     return place_between({arguments.em[0], arguments.em[1]},
                          {arguments.em[2], arguments.em[3]});
@@ -49,7 +49,7 @@ MasterPlace place_of(const Arguments& arguments, const Bitmap& bitmap) {
   return place;
 }
 
-void run(Arguments& arguments) {
+void run(TraceArguments& arguments) {
   check(arguments.destination);
   if (!arguments.report.empty()) {
     gen::check_writable(arguments.report);
@@ -96,7 +96,7 @@ void run(Arguments& arguments) {
 }  // namespace
 
 void add_trace(CLI::App& app, Work& work) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TraceArguments>();
   CLI::App* command = app.add_subcommand(
       "trace",
       "Turn a bitmap master, of ink and none or of greys, into curves");

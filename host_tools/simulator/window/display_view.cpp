@@ -15,7 +15,6 @@ constexpr ImU32 kPointed = IM_COL32(244, 132, 20, 255);
 constexpr float kBezelWidth = 10;
 constexpr float kRoom = 26;  // around the display that fills the panel
 constexpr int kGridZoom = 4;
-constexpr int kMostZoom = 64;
 
 // Leaves by the number of their primitives; 0: samples.
 constexpr ImU32 kLeaves[] = {

@@ -13,6 +13,8 @@
 
 namespace inkcell::tools {
 
+constexpr int kMostZoom = 64;
+
 /// What panels share beside the simulator.
 struct Panels {
   Panels(Simulator& shown, Textures& kept) : simulator(shown), textures(kept) {}

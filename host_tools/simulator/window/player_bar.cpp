@@ -12,7 +12,6 @@ constexpr float kSideWidth = 352;
 constexpr float kBarHeight = 46;
 constexpr float kStatusHeight = 30;
 constexpr int kDemoFrames = 480;  // a minute of its clock
-constexpr int kMostZoom = 64;
 
 // Advances by the time that has passed since the last frame of the window.
 void play(Panels& panels) {
