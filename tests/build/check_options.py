@@ -53,7 +53,7 @@ def build(option, work):
     for command in (
             ["cmake", "-G", "Ninja", "-S", ROOT / "tests/build/options",
              "-B", folder, f"-DINKCELL={ROOT}", f"-D{option}=OFF",
-             "-DCMAKE_BUILD_TYPE=MinSizeRel",
+             "-DCMAKE_BUILD_TYPE=MinSizeRel", "-DINKCELL_JOIN_FOLDERS=ON",
              "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror"],
             ["cmake", "--build", folder, "--target", "probe"]):
         result = run(command)
