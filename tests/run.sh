@@ -93,12 +93,14 @@ for toolchain in boards/*/toolchain.cmake; do
   boards="$boards $(basename "$(dirname "$toolchain")")"
 done
 
-# Joined folders compile sooner; with each source alone, packages are tested.
+# Joined folders compile sooner; with each source alone, packages are tested, and
+# objects measured.
 build host --preset host -DINKCELL_JOIN_FOLDERS=ON && host_built=yes
 built_boards=
 for board in $boards; do
   # As a user would, without a generator at hand; but one serves all boards.
-  build "$board" --preset "$board" "-DINKCELL_FONTGEN_DIR=$root/build/fontgen" &&
+  build "$board" --preset "$board" -DINKCELL_JOIN_FOLDERS=ON \
+    "-DINKCELL_FONTGEN_DIR=$root/build/fontgen" &&
     built_boards="$built_boards $board"
 done
 
