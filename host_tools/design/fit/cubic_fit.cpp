@@ -10,14 +10,17 @@ namespace {
 // Points that least squares looks at.
 constexpr size_t kMostPoints = 32;
 
-constexpr int kRounds = 20;
-constexpr int kIdleRounds = 3;
+constexpr int kRounds = 40;
+constexpr int kIdleRounds = 5;
 
 // Keeps handles where they are if no point tells about them.
 constexpr double kDamping = 1e-6;
 
-// A curve this many times beyond the limit after three rounds stays beyond it.
-constexpr double kHopeless = 4;
+// A curve this many times beyond the limit after five rounds stays beyond it.
+constexpr double kHopeless = 10;
+
+// A step that makes handles unusable is halved, but not below this share.
+constexpr double kLeastStep = 0.05;
 
 // Points whose distances from the curve are measured in the end.
 constexpr size_t kMostMeasured = 64;
@@ -153,9 +156,13 @@ class CubicFit {
       return;
     }
     double x[4];
-    for (int r = 0; r < unknowns_; ++r) {
-      x[r] = handle_[r] + step[r];
-    }
+    double share = 1;
+    do {
+      for (int r = 0; r < unknowns_; ++r) {
+        x[r] = handle_[r] + share * step[r];
+      }
+      share /= 2;
+    } while (!usable(x) && share > kLeastStep);
     if (usable(x)) {
       set_handles(x);
     }
@@ -198,23 +205,34 @@ class CubicFit {
     return true;
   }
 
-  // Handles point forwards and are no longer than the curve.
+  // Handles point forwards and are no longer than the curve: others fit as
+  // well, and overshoot the ends.
   bool usable(const double (&x)[4]) const {
     int i = 0;
-    for (const bool is_free : {!stretch_.begin, !stretch_.end}) {
-      if (is_free) {
-        if (std::hypot(x[i], x[i + 1]) > length_) {
-          return false;
-        }
-        i += 2;
-      } else {
+    for (const bool is_second : {false, true}) {
+      if (is_second ? stretch_.end : stretch_.begin) {
         if (x[i] < 0.02 * length_ || x[i] > length_) {
           return false;
         }
         i += 1;
+        continue;
       }
+      const Point handle = {x[i], x[i + 1]};
+      if (length(handle) > length_ || dot(handle, forwards(is_second)) < 0) {
+        return false;
+      }
+      i += 2;
     }
     return true;
+  }
+
+  // Where the points go from an end.
+  Point forwards(bool is_second) const {
+    if (points_.empty()) {
+      return is_second ? cubic_.p[0] - cubic_.p[3] : cubic_.p[3] - cubic_.p[0];
+    }
+    return is_second ? points_.back() - cubic_.p[3]
+                     : points_.front() - cubic_.p[0];
   }
 
   void thirds() {

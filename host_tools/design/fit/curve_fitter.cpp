@@ -19,10 +19,10 @@ constexpr double kErrorCost = 0.3;
 
 // Pieces that fail in a row before longer ones are not tried. Those that would
 // be of no use do not count.
-constexpr int kMostFailures = 3;
+constexpr int kMostFailures = 8;
 
 // A line may meet a smooth knot under this angle. [radians]
-constexpr double kMostKink = 0.06;
+constexpr double kMostKink = 0.01;
 
 // A curve that misses the tolerance is halved up to this often, down to so many
 // points.
