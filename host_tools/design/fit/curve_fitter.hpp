@@ -14,7 +14,7 @@ struct FitOptions {
   /// result farther from the loop's edge, except where the loop itself is
   /// rougher. [u]
   double tolerance = 0.5;
-  /// Points at all extremes, as type designers set them.
+  /// Points at all extremes but the flattest, as type designers set them.
   bool extremes = true;
   /// Distance of a point from the edge, if something knows it better than the
   /// points do: the error of curves is taken from it. [u]

@@ -14,14 +14,32 @@ constexpr double kStepLength_u = 60;
 // Straight parts are at least this long. [u]
 constexpr double kLeastLine_u = 12;
 
+// Curves may begin this far within a straight part. [u]
+constexpr double kMostBack_u = 22;
+
 // Straight parts turn by less than this. [radians]
 constexpr double kMostBend = 0.02;
 
-// Tangents are those of a parabola through the points this far around. [u]
-constexpr double kTangentReach_u = 7;
+// Tangents are those of a parabola through the points this far around, or less
+// where the contour turns by more than this. [u, radians]
+constexpr double kTangentReach_u = 12;
+constexpr double kTangentTurn = 0.4;
+
+// Extremes that stand out by less need no point of their own. [u]
+constexpr double kLeastExtreme_u = 8;
+
+// An extreme lies this near to the points that are level. [u]
+constexpr double kExtremeReach_u = 7;
 
 // A level part longer than this has no extreme but its ends. [u]
 constexpr double kMostPlateau_u = 40;
+
+// Part of the points that lie on a line.
+struct Straight {
+  size_t first = 0;
+  size_t last = 0;
+  Point direction;
+};
 
 class KnotFinder {
  public:
@@ -41,7 +59,11 @@ class KnotFinder {
     places_.insert(count_ - 1);
     std::vector<Knot> knots;
     for (const size_t at : places_) {
-      knots.push_back({at, tangent_at(at), false});
+      const auto on = std::find_if(
+          straights_.begin(), straights_.end(),
+          [at](const Straight& s) { return s.first <= at && at <= s.last; });
+      knots.push_back(
+          {at, on == straights_.end() ? tangent_at(at) : on->direction, false});
     }
     if (options_.extremes) {
       add_extremes(true, knots);
@@ -105,32 +127,46 @@ class KnotFinder {
         turn(p(i + 2 * off) - p(i + off), p(j - off) - p(j - 2 * off)));
   }
 
+  size_t index(double s) const {
+    return static_cast<size_t>(std::lower_bound(way_.begin(), way_.end(), s) -
+                               way_.begin());
+  }
+
   void add_lines() {
     for (size_t i = 0; i + 1 < count_;) {
       const size_t j = line_from(i);
       if (way_[j] - way_[i] >= kLeastLine_u && turn_within(i, j) < kMostBend) {
-        places_.insert(i);
-        places_.insert(j);
-        // A curve that follows is level with the line a little before.
-        const double back = way_[j] - 3;
-        const auto before = std::lower_bound(way_.begin(), way_.end(), back);
-        places_.insert(static_cast<size_t>(before - way_.begin()));
+        const size_t off = (j - i) / 4;
+        straights_.push_back({i, j, unit(p(j - off) - p(i + off))});
+        // Curves beside it are level with the line a little within.
+        for (double back = 0;
+             back < (way_[j] - way_[i]) / 3 && back < kMostBack_u;
+             back = 2 * back + 3) {
+          places_.insert(index(way_[i] + back));
+          places_.insert(index(way_[j] - back));
+        }
       }
       i += std::max<size_t>(1, (j - i) / 3);
     }
   }
 
+  // What the contour turns by within `reach` of a point. [radians]
+  double turn_around(size_t at, double reach) const {
+    const size_t last = std::min(index(way_[at] + reach), count_ - 1);
+    return std::fabs(
+        turn(piece_.tangents[index(way_[at] - reach)], piece_.tangents[last]));
+  }
+
   // Least squares over the way: p = a + b s + c s^2, the tangent is b.
   Point tangent_at(size_t at) const {
     double reach = kTangentReach_u;
-    const auto index = [&](double s) {
-      return static_cast<size_t>(std::lower_bound(way_.begin(), way_.end(), s) -
-                                 way_.begin());
-    };
     if (!piece_.is_closed) {
       // One-sided tangents are of no use: less reach near the ends.
       const double room = std::min(way_[at], way_.back() - way_[at]);
       reach = std::max(std::min(reach, room), 2.0);
+    }
+    while (reach > 2 && turn_around(at, reach) > kTangentTurn) {
+      reach *= 0.7;
     }
     const size_t first = index(way_[at] - reach);
     const size_t last = std::min(index(way_[at] + reach), count_ - 1);
@@ -173,9 +209,8 @@ class KnotFinder {
 
   double value(size_t i, bool in_x) const { return in_x ? p(i).x : p(i).y; }
 
-  // Extremes that stand out by the tolerance.
+  // Extremes that stand out on both sides.
   void add_extremes(bool in_x, std::vector<Knot>& knots) const {
-    const double least = std::min(options_.tolerance, 0.5);
     size_t low = 0;
     size_t high = 0;
     int direction = 0;  // 1: rising since `low`
@@ -188,13 +223,13 @@ class KnotFinder {
       if (v < value(low, in_x)) {
         low = i;
       }
-      if (direction >= 0 && v < value(high, in_x) - least) {
+      if (direction >= 0 && v < value(high, in_x) - kLeastExtreme_u) {
         if (direction > 0) {
           emit(high);
         }
         direction = -1;
         low = i;
-      } else if (direction <= 0 && v > value(low, in_x) + least) {
+      } else if (direction <= 0 && v > value(low, in_x) + kLeastExtreme_u) {
         if (direction < 0) {
           emit(low);
         }
@@ -213,16 +248,12 @@ class KnotFinder {
   // Where the tangent is level or upright, near the points from `first` to
   // `last`; their middle if it nowhere is.
   size_t turning_point(size_t first, size_t last, bool in_x) const {
-    const auto index = [this](double s) {
-      return static_cast<size_t>(std::lower_bound(way_.begin(), way_.end(), s) -
-                                 way_.begin());
-    };
     const auto slope = [&](size_t i) {
       const Point t = tangent_at(i);
       return in_x ? t.x : t.y;
     };
-    size_t low = std::max<size_t>(index(way_[first] - kTangentReach_u), 1);
-    size_t high = std::min(index(way_[last] + kTangentReach_u), count_ - 2);
+    size_t low = std::max<size_t>(index(way_[first] - kExtremeReach_u), 1);
+    size_t high = std::min(index(way_[last] + kExtremeReach_u), count_ - 2);
     const bool rises = slope(low) < slope(high);
     if (low >= high || slope(low) * slope(high) > 0) {
       return index((way_[first] + way_[last]) / 2);
@@ -249,15 +280,15 @@ class KnotFinder {
     if (way_[last] - way_[first] > kMostPlateau_u) {
       return;
     }
-    const size_t index = turning_point(first, last, in_x);
-    if (index == 0 || index + 1 >= count_) {
+    const size_t turns = turning_point(first, last, in_x);
+    if (turns == 0 || turns + 1 >= count_) {
       return;
     }
-    const Point t = tangent_at(index);
+    const Point t = tangent_at(turns);
     const Point level_tangent =
         in_x ? Point{0, t.y < 0 ? -1.0 : 1.0} : Point{t.x < 0 ? -1.0 : 1.0, 0};
     if (dot(t, level_tangent) > 0.95) {
-      knots.push_back({index, level_tangent, true});
+      knots.push_back({turns, level_tangent, true});
     }
   }
 
@@ -287,6 +318,7 @@ class KnotFinder {
   size_t count_;
   std::vector<double> way_;
   std::set<size_t> places_;
+  std::vector<Straight> straights_;
 };
 
 }  // namespace

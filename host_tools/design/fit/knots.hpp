@@ -23,7 +23,8 @@ struct SmoothPiece {
 
 struct KnotOptions {
   double tolerance = 0.5;  // [u]
-  /// Whether extremes in x and y get a point, with a level or upright tangent.
+  /// Whether extremes in x and y that stand out by some units get a point, with
+  /// a level or upright tangent.
   bool extremes = true;
 };
 
