@@ -111,6 +111,72 @@ TEST(FindCorners, ACircleHasNone) {
   EXPECT_TRUE(loop.corners.empty());
 }
 
+// The corner of two sides at a right angle, replaced by an arc of this radius
+// or cut by a line; its tip is the origin, its sides go left and down.
+struct Tip {
+  double radius = 0;
+  Point cut;  // what the line takes of both sides
+
+  double distance(const Point& p) const {
+    if (radius > 0 && p.x > -radius && p.y > -radius) {
+      return radius - length(p - Point{-radius, -radius});
+    }
+    const double straight = std::min(-p.x, -p.y);
+    return length(cut) == 0
+               ? straight
+               : std::min(straight,
+                          -(cut.y * p.x + cut.x * p.y + cut.x * cut.y) /
+                              length(cut));
+  }
+};
+
+// A square with one such tip, as fields show it: points on the edge.
+Loop square_with(const Tip& tip) {
+  std::vector<Point> polygon = {{-200, 0}, {-200, -200}, {0, -200}};
+  const auto add = [&](double x, double y) { polygon.push_back({x, y}); };
+  if (tip.radius > 0) {
+    for (int i = 0; i <= 40; ++i) {
+      const double a = kPi / 2 * i / 40;
+      add(tip.radius * (std::cos(a) - 1), tip.radius * (std::sin(a) - 1));
+    }
+  } else if (length(tip.cut) > 0) {
+    add(0, -tip.cut.y);
+    add(-tip.cut.x, 0);
+  } else {
+    add(0, 0);
+  }
+  return sample_polygon(polygon, 0.5);
+}
+
+size_t corners_near_tip(const Tip& tip) {
+  Loop loop = square_with(tip);
+  CornerOptions options;
+  options.reach = 2.5;
+  options.distance = [&tip](const Point& p) { return tip.distance(p); };
+  find_corners(options, loop);
+  size_t count = 0;
+  for (const size_t corner : loop.corners) {
+    count += length(loop.points[corner]) < 20 ? 1u : 0u;
+  }
+  return count;
+}
+
+TEST(FindCorners, AnArcOfFourUnitsIsNone) {
+  Tip tip;
+  tip.radius = 4;
+  EXPECT_EQ(corners_near_tip(tip), 0u);
+}
+
+TEST(FindCorners, ATipThatIsCutHasTwo) {
+  Tip tip;
+  tip.cut = {2.4, 3.2};  // 4 wide
+  EXPECT_EQ(corners_near_tip(tip), 2u);
+}
+
+TEST(FindCorners, ASharpTipIsOne) {
+  EXPECT_EQ(corners_near_tip(Tip()), 1u);
+}
+
 TEST(SegmentCount, CountsTheLineThatCloses) {
   gen::Contour contour;
   for (int i = 0; i < 3; ++i) {

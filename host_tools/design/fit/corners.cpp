@@ -5,12 +5,16 @@
 #include <optional>
 
 #include "fit/loop.hpp"
+#include "fit/parabola.hpp"
 
 namespace inkcell::design {
 namespace {
 
 // What is looked at on each side of a corner, beyond its reach. [u]
 constexpr double kSide_u = 10;
+
+// Nearly parallel sides must be known better to say where they meet. [u]
+constexpr double kAcuteSide_u = 20;
 
 // Where the sides of a corner meet farther than this from the edge, it is a
 // blunt tip. [u]
@@ -26,50 +30,25 @@ constexpr double kSharp_u = 0.6;
 // Between places where the end of a tip is looked for. [u]
 constexpr double kTipStep_u = 0.25;
 
+// The field at the meeting of an arc's tangents is at least this share of what
+// the arc says.
+constexpr double kArcShare = 0.6;
+
+// Both halves of an arc turn alike, up to this ratio.
+constexpr double kMostUneven = 3;
+
+// What distances are wrong by near a tip. [u]
+constexpr double kFieldNoise_u = 0.1;
+
+// Corners whose sides meet under less are smooth to the field. [radians]
+constexpr double kLeastTurn = 0.3;
+
+// Cells spread half the turn of a corner over less of the way than this, in
+// reaches. A long arc spreads it over one.
+constexpr double kBendWay = 0.76;
+
 // A corner lies within this many times its reach of the contour's point.
 constexpr double kMostExtension = 2.5;
-
-// x and y as polynomials of second degree of the way along the contour.
-struct Parabola {
-  Point c[3];
-
-  Point at(double s) const { return c[0] + s * (c[1] + s * c[2]); }
-  Point slope(double s) const { return c[1] + 2 * s * c[2]; }
-};
-
-// Least squares through (s, p); a line if there are too few points.
-Parabola fit(const std::vector<double>& s, const std::vector<Point>& p) {
-  const int degree = s.size() >= 6 ? 2 : 1;
-  double m[3][5] = {};
-  for (size_t i = 0; i < s.size(); ++i) {
-    double powers[3] = {1, s[i], s[i] * s[i]};
-    for (int r = 0; r <= degree; ++r) {
-      for (int c = 0; c <= degree; ++c) {
-        m[r][c] += powers[r] * powers[c];
-      }
-      m[r][3] += powers[r] * p[i].x;
-      m[r][4] += powers[r] * p[i].y;
-    }
-  }
-  for (int k = 0; k <= degree; ++k) {  // positive definite: no pivoting
-    for (int r = 0; r <= degree; ++r) {
-      if (r == k || m[k][k] == 0) {
-        continue;
-      }
-      const double f = m[r][k] / m[k][k];
-      for (double *to = m[r], *from = m[k]; to != m[r] + 5; ++to, ++from) {
-        *to -= f * *from;
-      }
-    }
-  }
-  Parabola result;
-  for (int k = 0; k <= degree; ++k) {
-    if (m[k][k] != 0) {
-      result.c[k] = {m[k][3] / m[k][k], m[k][4] / m[k][k]};
-    }
-  }
-  return result;
-}
 
 struct Corner {
   double way = 0;
@@ -192,9 +171,9 @@ class CornerFinder {
 
   // The side of the corner at `s` in `direction`, 1 or -1, up to `room` away;
   // s = 0 at the corner.
-  Parabola side(double s, double direction, double room) const {
+  Parabola side(double s, double direction, double room, double extent) const {
     const double near = std::min(options_.reach, room / 2);
-    const double far = std::min(std::max(options_.reach + kSide_u, near), room);
+    const double far = std::min(std::max(options_.reach + extent, near), room);
     std::vector<double> ways;
     std::vector<Point> points;
     const int steps = std::max(3, static_cast<int>((far - near) / 0.7));
@@ -203,7 +182,7 @@ class CornerFinder {
       ways.push_back(d);
       points.push_back(at(s + d));
     }
-    return fit(ways, points);
+    return fit_parabola(ways, points);
   }
 
   Point at(double s) const {
@@ -215,7 +194,7 @@ class CornerFinder {
     return point(i - 1) + f * (point(i) - point(i - 1));
   }
 
-  Sides sides(size_t k) const {
+  Sides sides(size_t k, double extent) const {
     const double s = chosen_[k];
     double before = way_.back();
     double after = way_.back();
@@ -225,8 +204,8 @@ class CornerFinder {
           std::fmod(s - chosen_[(k + n - 1) % n] + way_.back(), way_.back());
       after = std::fmod(chosen_[(k + 1) % n] - s + way_.back(), way_.back());
     }
-    return {side(s, -1, std::max(before - options_.reach, 0.5)),
-            side(s, 1, std::max(after - options_.reach, 0.5))};
+    return {side(s, -1, std::max(before - options_.reach, 0.5), extent),
+            side(s, 1, std::max(after - options_.reach, 0.5), extent)};
   }
 
   // How far from the contour's point a corner may be. Cells and pixels cut more
@@ -292,45 +271,116 @@ class CornerFinder {
   }
 
   // The two ends of a tip: where its sides meet the line along its end; points
-  // of the contour if those are too far from the edge.
-  std::array<Corner, 2> blunt_ends(double s, const Sides& sides) const {
+  // of the contour if those are too far from the edge. Nothing if an arc
+  // explains the distances there better, which is no corner.
+  std::vector<Corner> blunt_ends(double s, const Sides& sides) const {
     const double middle = part_of_turn(s, 0.5);
     const double step = options_.reach / 8;
     const Point along = unit(at(middle + step) - at(middle - step));
-    const auto end = [&](double part, const Parabola& side) {
-      const double way = part_of_turn(s, part);
+    const std::array<Point, 2> slopes = {sides.before.slope(0),
+                                         sides.after.slope(0)};
+    std::array<std::optional<Point>, 2> met;
+    std::vector<Corner> ends;
+    for (size_t i = 0; i < 2; ++i) {
+      const double way = part_of_turn(s, i == 0 ? 0.25 : 0.75);
+      const Parabola& side = i == 0 ? sides.before : sides.after;
       Corner corner = {way, at(way), options_.reach / 4};
-      double t = 0;
-      for (int round = 0; round < 8; ++round) {
-        const double speed = cross(along, side.slope(t));
-        if (std::fabs(speed) < 0.05) {
-          return corner;
-        }
-        t -= cross(along, side.at(t) - at(middle)) / speed;
+      const std::optional<double> t = crossing(side, at(middle), along);
+      if (t) {
+        met[i] = side.at(*t);
+        const bool is_near = std::fabs(*t) < options_.reach &&
+                             std::fabs(options_.distance(*met[i])) <= kBlunt_u;
+        corner.at = is_near ? *met[i] : corner.at;
       }
-      const Point found = side.at(t);
-      if (std::fabs(t) < options_.reach &&
-          std::fabs(options_.distance(found)) <= kBlunt_u) {
-        corner.at = found;
+      ends.push_back(corner);
+    }
+    if (met[0] && met[1] && is_arc({*met[0], *met[1]}, along, slopes)) {
+      ends.clear();
+    }
+    return ends;
+  }
+
+  // Where a side meets the line through `on` along `along`.
+  static std::optional<double> crossing(const Parabola& side,
+                                        const Point& on,
+                                        const Point& along) {
+    double t = 0;
+    for (int round = 0; round < 8; ++round) {
+      const double speed = cross(along, side.slope(t));
+      if (std::fabs(speed) < 0.05) {
+        return std::nullopt;
       }
-      return corner;
+      t -= cross(along, side.at(t) - on) / speed;
+    }
+    return t;
+  }
+
+  // Whether the edge is an arc that touches both sides and the line between
+  // their meetings `met`: it stays within these by r (1 / cos(turn / 2) - 1),
+  // where a blunt tip has its corners.
+  bool is_arc(const std::array<Point, 2>& met,
+              const Point& along,
+              const std::array<Point, 2>& slopes) const {
+    const double in = turn(slopes[0], along) / 2;
+    const double out = turn(along, slopes[1]) / 2;
+    const double tangents = std::tan(in) + std::tan(out);  // signed
+    const bool is_even = in / out > 1 / kMostUneven && in / out < kMostUneven;
+    if (!is_even || dot(met[1] - met[0], along) <= 0) {
+      return false;
+    }
+    const double radius = length(met[1] - met[0]) / tangents;
+    const auto fits = [&](const Point& p, double half) {
+      return std::fabs(radius) * (1 / std::cos(half) - 1) < kFieldNoise_u ||
+             stays_inside(p, radius, half);
     };
-    return {end(0.25, sides.before), end(0.75, sides.after)};
+    return fits(met[0], in) && fits(met[1], out);
+  }
+
+  // Whether the contour bends smoothly where a corner at `met` was supposed: it
+  // turns along its way, and stays inside of the meeting as an arc does.
+  bool is_bend(double s, const Point& met, const Sides& sides) const {
+    double way = part_of_turn(s, 0.75) - part_of_turn(s, 0.25);
+    way += way < 0 ? way_.back() : 0;
+    if (way < kBendWay * options_.reach) {
+      return false;
+    }
+    const double turned = turn(sides.before.slope(0), sides.after.slope(0));
+    return std::fabs(turned) < kLeastTurn ||
+           stays_inside(met, 2 * way / turned, turned / 2);
+  }
+
+  // Whether the edge stays inside of `met`, where two tangents of an arc meet,
+  // as that arc does. Both numbers are negative where the contour turns right.
+  bool stays_inside(const Point& met, double radius, double half_turn) const {
+    const double expected = radius * (1 / std::cos(half_turn) - 1);
+    return -options_.distance(met) / expected > kArcShare;
   }
 
   // A corner, or the two ends of a blunt tip.
   std::vector<Corner> corners() const {
     std::vector<Corner> result;
     for (size_t k = 0; k < chosen_.size(); ++k) {
-      const Sides both = sides(k);
-      Corner corner = {chosen_[k], meeting(chosen_[k], both), options_.reach};
-      const bool is_blunt = options_.distance &&
-                            std::fabs(options_.distance(corner.at)) > kBlunt_u;
+      Sides both = sides(k, kSide_u);
       const bool is_acute =
           options_.distance && dot(unit(both.before.slope(0)),
                                    unit(both.after.slope(0))) < kAcuteCosine;
-      const std::optional<Point> tip =
-          is_blunt || is_acute ? sharp_tip(chosen_[k], both) : std::nullopt;
+      std::optional<Point> tip;
+      if (is_acute) {
+        tip = sharp_tip(chosen_[k], both);
+        both = sides(k, kAcuteSide_u);
+        const std::optional<Point> better = sharp_tip(chosen_[k], both);
+        tip = better ? better : tip;
+      }
+      Corner corner = {chosen_[k], meeting(chosen_[k], both), options_.reach};
+      const bool is_blunt = options_.distance &&
+                            std::fabs(options_.distance(corner.at)) > kBlunt_u;
+      if (is_blunt && !is_acute) {
+        tip = sharp_tip(chosen_[k], both);
+      }
+      if (!tip && !is_blunt && options_.distance &&
+          is_bend(chosen_[k], corner.at, both)) {
+        continue;
+      }
       if (tip || !is_blunt) {
         corner.at = tip.value_or(corner.at);
         result.push_back(corner);
