@@ -5,6 +5,7 @@
 
 #include "model/error.hpp"
 #include "shape/outline.hpp"
+#include "shape/points.hpp"
 
 namespace inkcell::design {
 namespace {
@@ -20,10 +21,6 @@ constexpr double kSmoothCosine = 0.99985;
 
 gen::Point scaled(const GlyphPoint& p, double scale) {
   return {p.x * scale, p.y * scale};
-}
-
-gen::Point middle(const gen::Point& a, const gen::Point& b) {
-  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
 void add_segment(gen::Contour& out, std::initializer_list<gen::Point> points) {
