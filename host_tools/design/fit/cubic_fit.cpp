@@ -22,6 +22,10 @@ constexpr double kHopeless = 10;
 // A step that makes handles unusable is halved, but not below this share.
 constexpr double kLeastStep = 0.05;
 
+// A curve this many times beyond the limit misses it, whatever lies between the
+// points that were looked at.
+constexpr double kMissed = 1.5;
+
 // Points whose distances from the curve are measured in the end.
 constexpr size_t kMostMeasured = 64;
 
@@ -31,22 +35,14 @@ class CubicFit {
       : stretch_(stretch), limit_(limit) {
     const size_t step =
         std::max<size_t>(1, (stretch.count + kMostPoints - 1) / kMostPoints);
-    double way = 0;
     const size_t last = stretch.count - 1;
-    Point before = stretch.points[0];
-    for (size_t i = 1; i < last; ++i) {
-      way += length(stretch.points[i] - before);
-      before = stretch.points[i];
-      if (i % step == 0) {
-        points_.push_back(before);
-        t_.push_back(way);
-      }
+    length_ = stretch.ways[last] - stretch.ways[0];
+    points_.reserve(kMostPoints);
+    t_.reserve(kMostPoints);
+    for (size_t i = step; i < last; i += step) {
+      points_.push_back(stretch.points[i]);
+      t_.push_back((stretch.ways[i] - stretch.ways[0]) / length_);
     }
-    way += length(stretch.points[last] - before);
-    for (double& t : t_) {
-      t /= way;
-    }
-    length_ = way;
     cubic_.kind = gen::Segment::Kind::cubic;
     cubic_.p[0] = stretch.points[0];
     cubic_.p[3] = stretch.points[last];
@@ -73,7 +69,11 @@ class CubicFit {
     cubic_ = best;
     FittedCubic result;
     result.segment = cubic_;
-    measure(result);
+    if (error > kMissed * limit_) {
+      result.worst = error;
+    } else {
+      measure(result);
+    }
     return result;
   }
 
@@ -114,12 +114,13 @@ class CubicFit {
       const Point rest = points_[i] - (w0 * p0 + (1 - w0) * p3);
       for (int r = 0; r < unknowns_; ++r) {
         const Point row = weight(r, t) * basis_[r];
-        for (int c = 0; c < unknowns_; ++c) {
+        for (int c = r; c < unknowns_; ++c) {
           m[r][c] += weight(c, t) * dot(row, basis_[c]);
         }
         m[r][4] += dot(row, rest);
       }
     }
+    mirror(m);
     double x[4] = {};
     if (eliminate(m, unknowns_, x) && usable(x)) {
       set_handles(x);
@@ -142,12 +143,13 @@ class CubicFit {
         row[r] = weight(r, t) * dot(basis_[r], normal);
       }
       for (int r = 0; r < unknowns_; ++r) {
-        for (int c = 0; c < unknowns_; ++c) {
+        for (int c = r; c < unknowns_; ++c) {
           m[r][c] += row[r] * row[c];
         }
         m[r][4] += row[r] * off;
       }
     }
+    mirror(m);
     for (int r = 0; r < unknowns_; ++r) {
       m[r][r] += kDamping * static_cast<double>(points_.size());
     }
@@ -165,6 +167,15 @@ class CubicFit {
     } while (!usable(x) && share > kLeastStep);
     if (usable(x)) {
       set_handles(x);
+    }
+  }
+
+  // The other half of a symmetric matrix.
+  static void mirror(double (&m)[4][5]) {
+    for (int r = 1; r < 4; ++r) {
+      for (int c = 0; c < r; ++c) {
+        m[r][c] = m[c][r];
+      }
     }
   }
 
@@ -260,9 +271,10 @@ class CubicFit {
         t = std::clamp(t - dot(off, d1) / down, least, 1.0);
       }
       least = t;
-      worst = std::max(worst, length(cubic_at(cubic_, t) - points_[i]));
+      const Point left = cubic_at(cubic_, t) - points_[i];
+      worst = std::max(worst, dot(left, left));
     }
-    return worst;
+    return std::sqrt(worst);
   }
 
   Point bend(double t) const {
@@ -283,15 +295,15 @@ class CubicFit {
     for (size_t i = 1; i + 1 < stretch_.count; i += step) {
       const Point& p = stretch_.points[i];
       double best = distance_to_piece(p, chord[at], chord[at + 1]);
-      for (int next = at + 1; next < kChords && next < at + 8; ++next) {
+      for (int next = at + 1; next < kChords; ++next) {
         const double d = distance_to_piece(p, chord[next], chord[next + 1]);
-        if (d < best) {
-          best = d;
-          at = next;
+        if (d > best) {
+          break;
         }
+        best = d;
+        at = next;
       }
       result.worst = std::max(result.worst, best);
-      result.sum += best * best;
     }
   }
 

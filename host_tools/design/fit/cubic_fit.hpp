@@ -12,6 +12,7 @@ namespace inkcell::design {
 /// What a curve is fitted to.
 struct Stretch {
   const Point* points = nullptr;  // the curve's ends are the first and the last
+  const double* ways = nullptr;   // to each point, from any before: ways_along
   size_t count = 0;               // 2 or more
   /// Direction of the curve at its ends, unit vectors; none: free.
   std::optional<Point> begin;
@@ -21,7 +22,6 @@ struct Stretch {
 struct FittedCubic {
   gen::Segment segment;
   double worst = 0;  // largest distance of the points from the curve
-  double sum = 0;    // of the squares of the distances
 };
 
 /// Schneider 1990: least squares for the handles, parameters moved by Newton's

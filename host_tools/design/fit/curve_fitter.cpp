@@ -41,7 +41,9 @@ struct Candidate {
 class PieceFitter {
  public:
   PieceFitter(SmoothPiece piece, const FitOptions& options)
-      : piece_(std::move(piece)), options_(options) {
+      : piece_(std::move(piece)),
+        options_(options),
+        ways_(ways_along(piece_.points)) {
     KnotOptions knot_options;
     knot_options.tolerance = options.tolerance;
     knot_options.extremes = options.extremes;
@@ -69,6 +71,7 @@ class PieceFitter {
   Stretch stretch(size_t i, size_t j) const {
     Stretch s;
     s.points = piece_.points.data() + knots_[i].at;
+    s.ways = ways_.data() + knots_[i].at;
     s.count = knots_[j].at - knots_[i].at + 1;
     s.begin = tangent(i);
     s.end = tangent(j);
@@ -221,6 +224,7 @@ class PieceFitter {
     first.end = unit(s.points[middle + near] - s.points[middle - near]);
     Stretch second = s;
     second.points += middle;
+    second.ways += middle;
     second.count -= middle;
     second.begin = first.end;
     append_curves(first, divisions - 1, segments);
@@ -229,6 +233,7 @@ class PieceFitter {
 
   SmoothPiece piece_;
   const FitOptions& options_;
+  std::vector<double> ways_;  // to each point
   std::vector<Knot> knots_;
   std::vector<double> best_;  // cost up to each knot
   std::vector<size_t> from_;

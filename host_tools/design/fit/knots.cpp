@@ -44,13 +44,10 @@ struct Straight {
 class KnotFinder {
  public:
   KnotFinder(const SmoothPiece& piece, const KnotOptions& options)
-      : piece_(piece), options_(options), count_(piece.points.size()) {
-    way_.push_back(0);
-    for (size_t i = 1; i < count_; ++i) {
-      way_.push_back(way_.back() +
-                     length(piece.points[i] - piece.points[i - 1]));
-    }
-  }
+      : piece_(piece),
+        options_(options),
+        count_(piece.points.size()),
+        way_(ways_along(piece.points)) {}
 
   std::vector<Knot> run() {
     add_steps();

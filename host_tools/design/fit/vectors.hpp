@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "shape/points.hpp"
 
@@ -32,6 +33,14 @@ inline double distance_to_piece(const Point& p,
                                 const Point& a,
                                 const Point& b) {
   return std::sqrt(gen::squared_distance_to_segment(p, a, b));
+}
+/// The length of the polygon from the first point to each.
+inline std::vector<double> ways_along(const std::vector<Point>& points) {
+  std::vector<double> ways(points.size());
+  for (size_t i = 1; i < points.size(); ++i) {
+    ways[i] = ways[i - 1] + length(points[i] - points[i - 1]);
+  }
+  return ways;
 }
 
 }  // namespace inkcell::design
