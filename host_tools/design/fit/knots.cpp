@@ -12,7 +12,7 @@ constexpr double kStepTurn = 0.16;  // [radians]
 constexpr double kStepLength_u = 60;
 
 // Straight parts are at least this long. [u]
-constexpr double kLeastLine_u = 12;
+constexpr double kLeastLine_u = 36;
 
 // Curves may begin this far within a straight part. [u]
 constexpr double kMostBack_u = 22;
