@@ -6,26 +6,26 @@ endif()
 option(INKCELL_JOIN_FOLDERS
   "Compile the sources of a folder as one, in half of the time" ${default})
 
-# inkcell_join_folders(<target> [<source>...]): does so with the sources of a
-# target if INKCELL_JOIN_FOLDERS is on; but not with those named, here and in
-# targets that follow.
+# inkcell_join_folders(<target> [<folder>/<source>...]): does so with the sources
+# of a target if INKCELL_JOIN_FOLDERS is on; but not with those whose path ends so,
+# here and in targets that follow.
 function(inkcell_join_folders target)
   if(NOT INKCELL_JOIN_FOLDERS)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
-  foreach(source ${ARGN})
-    set_property(GLOBAL APPEND PROPERTY inkcell_alone ${folder}/${source})
-  endforeach()
+  set_property(GLOBAL APPEND PROPERTY inkcell_alone ${ARGN})
   get_property(alone GLOBAL PROPERTY inkcell_alone)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source ${sources})
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE)
-    if(source IN_LIST alone)
+    cmake_path(GET source PARENT_PATH group)
+    cmake_path(GET source FILENAME name)
+    cmake_path(GET group FILENAME folder_name)
+    if("${folder_name}/${name}" IN_LIST alone)
       continue()
     endif()
-    cmake_path(GET source PARENT_PATH group)
     cmake_path(RELATIVE_PATH group BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
     string(MAKE_C_IDENTIFIER "${group}" group)
     set_property(SOURCE ${source} TARGET_DIRECTORY ${target}
