@@ -12,7 +12,7 @@
 
 namespace inkcell::tools {
 
-constexpr double kMaxSide = 32767;  // of a picture [px]
+inline constexpr double kMaxSide = 32767;  // of a picture [px]
 
 /// One picture: `text` on a canvas of `w` x `h` px, its origin
 /// (left end of the baseline) at (ox + dx / 64, oy + dy / 64) px, y down.

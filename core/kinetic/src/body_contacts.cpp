@@ -9,8 +9,6 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kUnitQ14 = 1 << 14;
-
 // A place that touches, from the first body's centre. [px, Q8] The normal is
 // not of unit length yet. [Q13]
 struct Touch {
@@ -158,8 +156,8 @@ void Finder::emit(size_t first,
       ny = y_between / 8;
       length = static_cast<int32_t>(length_of(nx, ny));
     }
-    contact.nx = length == 0 ? 0 : nx * kUnitQ14 / length;
-    contact.ny = length == 0 ? -kUnitQ14 : ny * kUnitQ14 / length;
+    contact.nx = length == 0 ? 0 : nx * kOneQ14 / length;
+    contact.ny = length == 0 ? -kOneQ14 : ny * kOneQ14 / length;
     // The arm of a force along n is r_y n_x - r_x n_y: turns are
     // counter-clockwise, y is down.
     const auto arm = [](int32_t x, int32_t y, int32_t n_x, int32_t n_y) {

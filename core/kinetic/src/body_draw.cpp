@@ -3,6 +3,7 @@
 
 #include "inkcell/kinetic/body_contacts.hpp"
 #include "limits.hpp"
+#include "pixel_run.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -11,7 +12,6 @@ namespace {
 constexpr size_t kMostNeighbours = 6;
 constexpr int32_t kRingQ10 = 6 << 10;  // around an overlap [px]
 constexpr int32_t kBulgeQ10 = kRingQ10 / 4;
-constexpr int32_t kRun = 32;
 
 // The place of a pixel's centre in the grid of a body, from the centre of the
 // first sample. [px, Q16]
@@ -85,44 +85,6 @@ __attribute__((noinline)) void look_at(const Body& body,
   view.squeeze_q10 =
       static_cast<int16_t>(min(max(body.squeeze.raw, -kBulgeQ10), kBulgeQ10));
 }
-
-// Gathers coverage of neighbouring pixels, and passes it on.
-class CoverageRun {
- public:
-  CoverageRun(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
-
-  void add(int32_t x, uint8_t coverage) noexcept {
-    if (x < sink_.window.x0 || x >= sink_.window.x1 || coverage == 0) {
-      return;
-    }
-    if (count_ == kRun || x != first_ + count_) {
-      flush();
-      first_ = x;
-    }
-    coverage_[count_++] = coverage;
-  }
-  void fill(int32_t x, int32_t end) noexcept {
-    flush();
-    x = max(x, sink_.window.x0);
-    end = min(end, sink_.window.x1);
-    if (x < end) {
-      sink_.solid(sink_.context, x, y_, end - x);
-    }
-  }
-  void flush() noexcept {
-    if (count_ != 0) {
-      sink_.coverage(sink_.context, first_, y_, coverage_, count_);
-      count_ = 0;
-    }
-  }
-
- private:
-  const Sink& sink_;
-  int32_t y_;
-  int32_t first_ = 0;
-  int32_t count_ = 0;
-  uint8_t coverage_[kRun];
-};
 
 // A hill of height 1 over 0 to `ring`, flat at both ends. [Q10 -> Q10]
 int32_t hill(int32_t way_q10, int32_t ring_q10) noexcept {
@@ -210,7 +172,7 @@ void Painter::draw_row(const Rect& box,
   const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
   const int32_t full = max(filter.inside_q10, 0) + 64;
   int32_t next[kMostNeighbours] = {};
-  CoverageRun run(sink, y);
+  PixelRun run(sink, y);
   for (int32_t column = 0; column < width;) {
     const int32_t distance = own.distance(column, line);
     if (distance < blank) {
@@ -228,7 +190,9 @@ void Painter::draw_row(const Rect& box,
       run.fill(x, box.x0 + end);
       column = end;
     } else {
-      run.add(x, filter.coverage(min(distance + bulge, cut)));
+      if (x >= sink.window.x0 && x < sink.window.x1) {
+        run.add(x, filter.coverage(min(distance + bulge, cut)));
+      }
       ++column;
     }
   }

@@ -9,7 +9,6 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kOneQ13 = 1 << 13;
 constexpr int32_t kFarQ10 = -(32 << 10);
 constexpr int32_t kMostPlace = 8191;  // [px]
 
@@ -23,7 +22,7 @@ GridPoint negated(const GridPoint& a) noexcept {
   return {-a.distance_q10, -a.x_slope_q13, -a.y_slope_q13};
 }
 
-// What two gradients say of the edges that they belong to.
+// The angle between two gradients, and how long they are.
 struct Gradients {
   int32_t cosine_q13;   // of the angle between them
   int32_t lengths_q13;  // their product, up to 1: less between two edges
@@ -61,8 +60,8 @@ GridPoint united(const GridPoint& a,
         ramp.low + covered_by_both(a.distance_q10 - ramp.low,
                                    b.distance_q10 - ramp.low,
                                    ramp.high - ramp.low, gradients.cosine_q13);
-    // Half of what the farther part adds is doubtful where a part is so thin
-    // that its gradient is short.
+    // The gradient of a thin part is short: the farther part then adds less,
+    // down to a half.
     const int32_t trust_q14 = kOneQ13 + gradients.lengths_q13;
     result.distance_q10 += (both - result.distance_q10) * trust_q14 >> 14;
   }

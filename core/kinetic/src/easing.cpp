@@ -1,11 +1,11 @@
 // Bezier curves by bisection, a bounce of parabolas, and jumps.
 #include "inkcell/kinetic/easing.hpp"
 
+#include "limits.hpp"
+
 namespace inkcell {
 namespace kinetic {
 namespace {
-
-constexpr int32_t kOneQ14 = 1 << 14;
 
 // One coordinate of a Bezier curve from 0 to 1: ((a s + b) s + c) s.
 struct Cubic {

@@ -1,4 +1,5 @@
-// Minimum, maximum, absolute value, numbers held in a range, rough lengths.
+// Minimum, maximum, absolute value, 1 as a fraction, numbers held in a range,
+// rough lengths.
 #pragma once
 
 #include <stdint.h>
@@ -11,6 +12,9 @@ namespace kinetic {
 using detail::abs;
 using detail::max;
 using detail::min;
+
+constexpr int32_t kOneQ13 = 1 << 13;
+constexpr int32_t kOneQ14 = 1 << 14;
 
 inline int32_t clamp(int32_t value, int32_t low, int32_t high) noexcept {
   return value < low ? low : value > high ? high : value;

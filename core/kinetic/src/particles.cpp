@@ -8,8 +8,6 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-constexpr int32_t kUnitQ13 = 1 << 13;
-
 int16_t speed(int32_t value) noexcept {
   return static_cast<int16_t>(clamp(value, -kMostSpeedQ10, kMostSpeedQ10));
 }
@@ -25,26 +23,26 @@ Normal normal_of(const GridPoint& point, const Particle& particle) noexcept {
   int32_t x = point.x_slope_q13;
   int32_t y = point.y_slope_q13;
   uint32_t length = length_of(x, y);
-  if (length < kUnitQ13 / 8) {
+  if (length < kOneQ13 / 8) {
     x = particle.x_speed_q10;
     y = particle.y_speed_q10;
     length = length_of(x, y);
   }
   if (length == 0) {
-    return {0, -kUnitQ13};
+    return {0, -kOneQ13};
   }
   const auto divisor = static_cast<int32_t>(length);
-  return {x * kUnitQ13 / divisor, y * kUnitQ13 / divisor};
+  return {x * kOneQ13 / divisor, y * kOneQ13 / divisor};
 }
 
 void apply_field(const ParticleRules& rules,
                  const GridPoint& point,
                  Particle& p) noexcept {
   // Each product is below 2^31: slopes are at most 255 / 32.
-  const int32_t x = rules.attraction_q10 * point.x_slope_q13 / kUnitQ13 -
-                    rules.orbit_q10 * point.y_slope_q13 / kUnitQ13;
-  const int32_t y = rules.attraction_q10 * point.y_slope_q13 / kUnitQ13 +
-                    rules.orbit_q10 * point.x_slope_q13 / kUnitQ13;
+  const int32_t x = rules.attraction_q10 * point.x_slope_q13 / kOneQ13 -
+                    rules.orbit_q10 * point.y_slope_q13 / kOneQ13;
+  const int32_t y = rules.attraction_q10 * point.y_slope_q13 / kOneQ13 +
+                    rules.orbit_q10 * point.x_slope_q13 / kOneQ13;
   p.x_speed_q10 = speed(p.x_speed_q10 + x);
   p.y_speed_q10 = speed(p.y_speed_q10 + y);
 }
@@ -59,14 +57,14 @@ void bounce(const ParticleRules& rules,
   const Normal n = normal_of(point, p);
   const int32_t nx = n.x * inwards;
   const int32_t ny = n.y * inwards;
-  p.x.raw -= depth_q10 * nx / (kUnitQ13 >> 6);
-  p.y.raw -= depth_q10 * ny / (kUnitQ13 >> 6);
-  const int32_t towards = (p.x_speed_q10 * nx + p.y_speed_q10 * ny) / kUnitQ13;
+  p.x.raw -= depth_q10 * nx / (kOneQ13 >> 6);
+  p.y.raw -= depth_q10 * ny / (kOneQ13 >> 6);
+  const int32_t towards = (p.x_speed_q10 * nx + p.y_speed_q10 * ny) / kOneQ13;
   if (towards > 0) {
     const int32_t change =
         towards * (256 + clamp(rules.bounce_q8, 0, 256)) / 256;
-    p.x_speed_q10 = speed(p.x_speed_q10 - change * nx / kUnitQ13);
-    p.y_speed_q10 = speed(p.y_speed_q10 - change * ny / kUnitQ13);
+    p.x_speed_q10 = speed(p.x_speed_q10 - change * nx / kOneQ13);
+    p.y_speed_q10 = speed(p.y_speed_q10 - change * ny / kOneQ13);
   }
 }
 

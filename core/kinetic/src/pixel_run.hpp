@@ -25,6 +25,15 @@ class PixelRun {
     }
     coverage_[count_++] = static_cast<uint8_t>(coverage);
   }
+  // All of [x, end) that lies in the window is covered.
+  void fill(int32_t x, int32_t end) noexcept {
+    flush();
+    x = max(x, sink_.window.x0);
+    end = min(end, sink_.window.x1);
+    if (x < end) {
+      sink_.solid(sink_.context, x, y_, end - x);
+    }
+  }
   void flush() noexcept {
     if (count_ != 0) {
       sink_.coverage(sink_.context, first_, y_, coverage_, count_);

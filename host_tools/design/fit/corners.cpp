@@ -37,7 +37,7 @@ constexpr double kArcShare = 0.6;
 // Both halves of an arc turn alike, up to this ratio.
 constexpr double kMostUneven = 3;
 
-// What distances are wrong by near a tip. [u]
+// The error of distances near a tip. [u]
 constexpr double kFieldNoise_u = 0.1;
 
 // Corners whose sides meet under less are smooth to the field. [radians]
@@ -270,9 +270,9 @@ class CornerFinder {
                             : std::nullopt;
   }
 
-  // The two ends of a tip: where its sides meet the line along its end; points
-  // of the contour if those are too far from the edge. Nothing if an arc
-  // explains the distances there better, which is no corner.
+  // The two ends of a tip: where its sides meet the line along its end, or
+  // points of the contour if the meetings are too far from the edge. None if an
+  // arc explains the distances there better.
   std::vector<Corner> blunt_ends(double s, const Sides& sides) const {
     const double middle = part_of_turn(s, 0.5);
     const double step = options_.reach / 8;

@@ -147,7 +147,7 @@ class KnotFinder {
     }
   }
 
-  // What the contour turns by within `reach` of a point. [radians]
+  // The turn of the contour within `reach` of a point. [radians]
   double turn_around(size_t at, double reach) const {
     const size_t last = std::min(index(way_[at] + reach), count_ - 1);
     return std::fabs(
