@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "canvas.hpp"
 
@@ -20,33 +21,56 @@ constexpr int kWindowMargin = 4;
 // Farther than any filter reaches. [px]
 constexpr double kReach = 1;
 
-// Where within a pixel the glyph's origin lies. [1/64 px]
-constexpr std::array<std::array<int, 2>, kMaxPhases> kPhases = {{{0, 0},
-                                                                 {32, 16},
-                                                                 {16, 48},
-                                                                 {48, 32},
-                                                                 {8, 24},
-                                                                 {40, 8},
-                                                                 {24, 56},
-                                                                 {56, 40}}};
+constexpr std::array<Offset, kMaxPhases> kPhases = {{{0, 0},
+                                                     {32, 16},
+                                                     {16, 48},
+                                                     {48, 32},
+                                                     {8, 24},
+                                                     {40, 8},
+                                                     {24, 56},
+                                                     {56, 40}}};
 
-// A glyph at one size, angle and phase on a canvas of its own.
+// The generator draws at multiples of 1/8 px. Random offsets are others.
+bool may_be_judged(const Offset& offset) {
+  return offset.x % 8 == 0 && offset.y % 8 == 0;
+}
+
+// Where a glyph is drawn at a size.
+std::vector<Offset> offsets_of(const ComparisonRequest& request,
+                               char32_t code_point,
+                               double px) {
+  if (request.positions == 0) {
+    return {kPhases.begin(), kPhases.begin() + request.phases};
+  }
+  std::seed_seq seeds = {request.seed, static_cast<uint32_t>(code_point),
+                         static_cast<uint32_t>(std::lround(px * 64))};
+  std::mt19937 random(seeds);
+  std::vector<Offset> offsets;
+  while (offsets.size() < static_cast<size_t>(request.positions)) {
+    const auto bits = random();
+    const Offset offset = {static_cast<int>(bits & 63),
+                           static_cast<int>(bits >> 6 & 63)};
+    if (!may_be_judged(offset)) {
+      offsets.push_back(offset);
+    }
+  }
+  return offsets;
+}
+
+// A glyph at one size, angle and offset on a canvas of its own.
 struct Setting {
   double px = 0;
   double cosine = 1;
   double sine = 0;
-  int phase = 0;
+  Offset offset;
   InkBox box;  // of the ink, relative to the origin [px, y down]
   int x0 = 0;  // of the canvas, relative to the origin's pixel
   int y0 = 0;
   int width = 0;
   int height = 0;
 
-  double phase_x() const { return kPhases[phase_index()][0] / 64.0; }
-  double phase_y() const { return kPhases[phase_index()][1] / 64.0; }
-
- private:
-  size_t phase_index() const { return static_cast<size_t>(phase); }
+  double offset_x() const { return offset.x / 64.0; }
+  double offset_y() const { return offset.y / 64.0; }
 };
 
 InkBox turned_box(const TrueGlyph& truth, const Setting& setting) {
@@ -68,12 +92,12 @@ InkBox turned_box(const TrueGlyph& truth, const Setting& setting) {
 Setting make_setting(const TrueGlyph& truth,
                      double px,
                      double angle,
-                     int phase) {
+                     const Offset& offset) {
   Setting setting;
   setting.px = px;
   setting.cosine = std::cos(angle * kPi / 180);
   setting.sine = std::sin(angle * kPi / 180);
-  setting.phase = phase;
+  setting.offset = offset;
   if (!truth.empty()) {
     setting.box = turned_box(truth, setting);
   }
@@ -89,8 +113,8 @@ Setting make_setting(const TrueGlyph& truth,
 
 // A pixel's centre relative to the glyph's origin. [px, y down]
 Vector centre(const Setting& setting, int x, int y) {
-  return {x + setting.x0 + 0.5 - setting.phase_x(),
-          y + setting.y0 + 0.5 - setting.phase_y()};
+  return {x + setting.x0 + 0.5 - setting.offset_x(),
+          y + setting.y0 + 0.5 - setting.offset_y()};
 }
 
 bool in_box(const InkBox& box, Vector p) {
@@ -126,8 +150,8 @@ Image draw(const Font& font,
   Line line;
   line.glyphs.push_back({0, 0, glyph});
   draw_lines(font, {line}, style,
-             make_point(setting.phase_x() - setting.x0,
-                        setting.phase_y() - setting.y0),
+             make_point(setting.offset_x() - setting.x0,
+                        setting.offset_y() - setting.y0),
              image);
   return image;
 }
@@ -142,7 +166,7 @@ void compare(const Image& drawn,
   size_t i = 0;
   for (int y = 0; y < setting.height; ++y) {
     for (int x = 0; x < setting.width; ++x) {
-      const ErrorPlace place = {code_point,      setting.phase,
+      const ErrorPlace place = {code_point,      setting.offset,
                                 x + setting.x0,  y + setting.y0,
                                 *drawn.at(x, y), filter.coverage(distances[i])};
       errors.add(place, inked && in_box(setting.box, centre(setting, x, y)));
@@ -188,9 +212,10 @@ std::vector<GlyphErrors> compare_glyph(const Subject& subject,
                                   request.filters.size());
   for (size_t s = 0; s < request.sizes.size(); ++s) {
     TrueTiles tiles = tiles_for(truth, request.sizes[s]);
-    for (int phase = 0; phase < request.phases; ++phase) {
+    for (const Offset& offset :
+         offsets_of(request, subject.code_point, request.sizes[s])) {
       const Setting setting =
-          make_setting(truth, request.sizes[s], request.angle, phase);
+          make_setting(truth, request.sizes[s], request.angle, offset);
       const std::vector<double> distances = true_distances(tiles, setting);
       for (size_t f = 0; f < request.filters.size(); ++f) {
         const ExactFilter& filter = request.filters[f];
@@ -209,8 +234,8 @@ Picture draw_picture(const Subject& subject,
                      const ExactFilter& filter,
                      double px,
                      double angle,
-                     int phase) {
-  const Setting setting = make_setting(subject.truth, px, angle, phase);
+                     Offset offset) {
+  const Setting setting = make_setting(subject.truth, px, angle, offset);
   const TextStyle style = make_style(px, angle, *filter.device->filter);
   Picture picture;
   picture.x0 = setting.x0;

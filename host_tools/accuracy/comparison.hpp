@@ -28,13 +28,18 @@ struct ExactFilter {
 ExactFilter exact_filter(std::string_view name);
 
 inline constexpr int kMaxPhases = 8;
+inline constexpr int kMaxPositions = 4096;
 
 /// What to compare.
 struct ComparisonRequest {
   std::vector<double> sizes;  // [px/em]
   std::vector<ExactFilter> filters;
-  int phases = kMaxPhases;  // sub-pixel positions, 1..kMaxPhases
-  double angle = 0;         // [degrees], counter-clockwise
+  int phases = kMaxPhases;  // fixed sub-pixel positions, 1..kMaxPhases
+  // Above 0: instead of those so many random ones, other ones for each glyph
+  // and size, which the seed tells.
+  int positions = 0;
+  uint32_t seed = 1;
+  double angle = 0;  // [degrees], counter-clockwise
 };
 
 /// A glyph, as the device shall know it and as it is.
@@ -49,7 +54,7 @@ struct Subject {
 std::vector<GlyphErrors> compare_glyph(const Subject& subject,
                                        const ComparisonRequest& request);
 
-/// The pixels of one glyph at one size, angle and phase.
+/// The pixels of one glyph at one size, angle and offset.
 struct Picture {
   int x0 = 0;  // of the first pixel, relative to the glyph's origin, y down
   int y0 = 0;
@@ -61,6 +66,6 @@ Picture draw_picture(const Subject& subject,
                      const ExactFilter& filter,
                      double px,
                      double angle,
-                     int phase);
+                     Offset offset);
 
 }  // namespace inkcell::tools

@@ -6,10 +6,16 @@
 
 namespace inkcell::tools {
 
+/// Where within a pixel a glyph's origin lies. [1/64 px]
+struct Offset {
+  int x = 0;
+  int y = 0;
+};
+
 /// Where an error was found.
 struct ErrorPlace {
   char32_t code_point = 0;
-  int phase = 0;
+  Offset offset;
   int x = 0;  // of the pixel, relative to the glyph's origin, y down
   int y = 0;
   int drawn = 0;     // [1/255]
@@ -18,7 +24,7 @@ struct ErrorPlace {
   double error() const;
 };
 
-/// Errors of one glyph at one size, all phases together.
+/// Errors of one glyph at one size, all offsets together.
 class GlyphErrors {
  public:
   /// A pixel that should be `place.exact` and is `place.drawn`. `in_box`: it

@@ -31,6 +31,8 @@ struct Arguments {
   std::vector<std::string> sizes = {"12", "16", "24", "32", "48", "64"};
   std::vector<std::string> filters = {"text"};
   int phases = kMaxPhases;
+  int positions = 0;
+  uint32_t seed = 1;
   double angle = 0;
   std::string symbols;
   bool no_check = false;
@@ -65,8 +67,18 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->delimiter(',')
       ->type_name("NAME")
       ->default_str("text");
-  app.add_option("--phases", arguments.phases, "Sub-pixel positions")
+  app.add_option("--phases", arguments.phases, "Fixed sub-pixel positions")
       ->check(CLI::Range(1, kMaxPhases))
+      ->capture_default_str();
+  app.add_option("--positions", arguments.positions,
+                 "Instead of those so many random sub-pixel positions [1/64 "
+                 "px], other ones for each glyph and size, and none that the "
+                 "generator tries")
+      ->check(CLI::Range(1, kMaxPositions))
+      ->excludes("--phases");
+  app.add_option("--seed", arguments.seed, "Which random positions")
+      ->type_name("INT")
+      ->needs("--positions")
       ->capture_default_str();
   app.add_option("--angle", arguments.angle,
                  "Direction of the baseline, counter-clockwise [degrees]");
@@ -108,8 +120,15 @@ ComparisonRequest make_request(const Arguments& arguments) {
     }
   }
   request.phases = arguments.phases;
+  request.positions = arguments.positions;
+  request.seed = arguments.seed;
   request.angle = arguments.angle;
   return request;
+}
+
+// At each size.
+int positions_of(const Arguments& arguments) {
+  return arguments.positions != 0 ? arguments.positions : arguments.phases;
 }
 
 std::vector<Mapping> choose_characters(const Font& font,
@@ -160,7 +179,7 @@ void write_json(const Arguments& arguments,
                                 {"coding", coding_name(font)},
                                 {"truth", arguments.truth},
                                 {"characters", table.characters.size()},
-                                {"phases", arguments.phases},
+                                {"positions", positions_of(arguments)},
                                 {"angle", arguments.angle},
                                 {"rows", table_as_json(table)}};
   out << whole.dump(2) << '\n';
@@ -182,7 +201,7 @@ void write_picture(const Arguments& arguments,
     exhibits.push_back(
         {draw_picture({font, character.glyph, character.code_point, glyph},
                       table.request.filters[worst.filter], px, arguments.angle,
-                      worst.place.phase),
+                      worst.place.offset),
          table.request.filters[worst.filter].device->name, px, worst.place});
   }
   write_image(arguments.picture, draw_exhibits(font, exhibits));
@@ -236,9 +255,11 @@ int run(const Arguments& arguments) {
   const TrueFont truth(arguments.truth, arguments.face, arguments.axes);
   const ErrorTable table = compare_all(font, truth, arguments);
   print_table(table);
-  std::printf("%zu characters, %d phases; the font has %zu bytes, coding %s\n",
-              table.characters.size(), arguments.phases, font.rom().size,
-              std::string(coding_name(font)).c_str());
+  std::printf(
+      "%zu characters, %d positions a size; the font has %zu bytes, coding "
+      "%s\n",
+      table.characters.size(), positions_of(arguments), font.rom().size,
+      std::string(coding_name(font)).c_str());
   if (!arguments.report.empty()) {
     write_json(arguments, font, table);
   }

@@ -16,9 +16,9 @@ void print_row(const std::string& px,
               to_utf8(errors.worst_mean_character()).c_str());
   const ErrorPlace& at = errors.worst_place();
   if (errors.worst() > 0) {
-    std::printf("%s at (%d, %d), phase %d: %d for %.1f",
-                to_utf8(at.code_point).c_str(), at.x, at.y, at.phase, at.drawn,
-                at.exact);
+    std::printf("%s at (%d, %d), offset (%d, %d) / 64: %d for %.1f",
+                to_utf8(at.code_point).c_str(), at.x, at.y, at.offset.x,
+                at.offset.y, at.drawn, at.exact);
   }
   std::printf(" |\n");
 }
@@ -38,7 +38,7 @@ nlohmann::json as_json(const ExactFilter& filter, const ErrorSummary& errors) {
           {"max_mean_char", to_utf8(errors.worst_mean_character())},
           {"worst",
            {{"char", to_utf8(at.code_point)},
-            {"phase", at.phase},
+            {"offset", {at.offset.x, at.offset.y}},
             {"x", at.x},
             {"y", at.y},
             {"drawn", at.drawn},

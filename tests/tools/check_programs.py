@@ -988,6 +988,28 @@ class Tools(unittest.TestCase):
             self.assertIn(said, run("accuracy", "--font", self.font, "--truth",
                                     SANS, *arguments, code=1))
 
+    def test_accuracy_draws_at_random_positions(self):
+        """Positions that the generator does not try, and the same again."""
+        table = self.path / "table.json"
+        options = ("accuracy", "--font", self.font, "--truth", SANS,
+                   "--symbols", "To", "--sizes", "11,12,24", "--report", table)
+        worst = {}
+        for seed in ("1", "1 again", "2"):
+            self.assertIn("2 characters, 3 positions a size", run(
+                *options, "--positions", 3, "--seed", seed[0]))
+            listed = json.loads(table.read_text())
+            self.assertEqual(listed["positions"], 3)
+            worst[seed] = [row["worst"] for row in listed["rows"]]
+            for place in worst[seed]:
+                x, y = place["offset"]
+                self.assertTrue(0 <= x < 64 and 0 <= y < 64, place)
+                self.assertTrue(x % 8 or y % 8, place)
+        self.assertEqual(worst["1"], worst["1 again"])
+        self.assertNotEqual(worst["1"], worst["2"])
+        for arguments in (("--positions", 0), ("--positions", 4097),
+                          ("--positions", 3, "--phases", 3), ("--seed", 2)):
+            run(*options, *arguments, code=1)
+
     def test_render_warns_of_what_looks_wrong(self):
         out = self.path / "warned.png"
         for said, text, px in [("U+6F22", "a\u6f22\n", 12),
