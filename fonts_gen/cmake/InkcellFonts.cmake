@@ -28,6 +28,9 @@
 #   edges     a quadtree of cells of edges: the field at any point, in place
 #   samples   a quadtree of cells of nine distances, as the paper has it
 #
+# A glyph that misses TOLERANCE is an error, unless BEST_EFFORT is there. One that
+# misses the default, 16, is drawn as well as possible, with a warning.
+#
 # A NAME must be unique in a program and its libraries: the linker merges two
 # arrays of one name silently.
 #

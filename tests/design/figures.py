@@ -114,7 +114,7 @@ class Bench:
             for setting in settings:
                 script += ["--set", setting]
             for command in (script, [self.design, "export", "--project",
-                                     project, "--out", rom, "--best-effort"]):
+                                     project, "--out", rom]):
                 subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
             data = rom.read_bytes()
             return len(data) / count, data[ROM_TOLERANCE]

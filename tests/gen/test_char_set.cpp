@@ -86,6 +86,8 @@ TEST(CharSet, WritesUtf8) {
   EXPECT_EQ(to_utf8(0x1f600), "\xf0\x9f\x98\x80");
   EXPECT_EQ(describe(0x41), "U+0041 'A'");
   EXPECT_EQ(describe(0x0a), "U+000A");
+  EXPECT_EQ(describe(0xe001), "U+E001");
+  EXPECT_EQ(describe(0xf0001), "U+F0001");
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "pipeline/generate.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
@@ -397,28 +399,45 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   request.target.max_px = 128;
   request.target.tolerance = 1;
   request.target.effort = 0;
-  const std::string refused = refusal(request);
-  EXPECT_NE(refused.find("U+002E '.' "), std::string::npos) << refused;
-  EXPECT_NE(refused.find("with --best-effort"), std::string::npos) << refused;
-  request.best_effort = true;
   const RomFont rom = generate(request);
   Font font;
   ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font), Status::ok);
   EXPECT_EQ(font.range().tolerance, std::ceil(rom.report.worst_error));
-  bool missed = false;
-  for (const GlyphReport& glyph : rom.report.glyphs) {
-    missed |= !glyph.within_tolerance;
-  }
-  bool warned = false;
-  for (const Warning& warning : rom.warnings) {
-    if (warning.kind == Warning::Kind::tolerance_missed) {
-      warned = true;
-      EXPECT_NE(warning.text.find("U+002E '.' "), std::string::npos);
-      EXPECT_NE(warning.text.find("lower --max-px"), std::string::npos);
-    }
-  }
-  EXPECT_EQ(warned, missed);
-  EXPECT_TRUE(missed);
+  const auto dot =
+      std::find_if(rom.report.glyphs.begin(), rom.report.glyphs.end(),
+                   [](const GlyphReport& glyph) { return glyph.key == "."; });
+  ASSERT_NE(dot, rom.report.glyphs.end());
+  ASSERT_FALSE(dot->within_tolerance);
+  char figures[64];
+  std::snprintf(figures, sizeof figures, "U+002E '.' %.1f/255 at %d px",
+                dot->worst_error, dot->worst_px);
+  ASSERT_EQ(rom.warnings.size(), 1u);
+  EXPECT_EQ(rom.warnings[0].kind, Warning::Kind::tolerance_missed);
+  EXPECT_NE(rom.warnings[0].text.find(figures), std::string::npos)
+      << rom.warnings[0].text;
+  std::snprintf(figures, sizeof figures, ". %.1f at %d px", dot->worst_error,
+                dot->worst_px);
+  EXPECT_NE(report_for_people(rom.report).find(figures), std::string::npos);
+  const auto missed =
+      nlohmann::json::parse(report_as_json(rom.report)).at("missed");
+  const auto in_list =
+      std::find_if(missed.begin(), missed.end(),
+                   [](const auto& miss) { return miss.at("glyph") == "."; });
+  ASSERT_NE(in_list, missed.end());
+  EXPECT_EQ(in_list->at("file"), "plain.ttf");
+  EXPECT_EQ(in_list->at("px"), dot->worst_px);
+  EXPECT_NEAR(in_list->at("error").get<double>(), dot->worst_error, 0.001);
+  // As a limit it is an error, whose remedy helps.
+  request.tolerance_is_limit = true;
+  const std::string refused = refusal(request);
+  const std::string remedy =
+      "give --tolerance " +
+      std::to_string(static_cast<int>(std::ceil(rom.report.worst_error))) +
+      "/255";
+  EXPECT_NE(refused.find("U+002E '.' "), std::string::npos) << refused;
+  EXPECT_NE(refused.find(remedy), std::string::npos) << refused;
+  request.target.tolerance = std::ceil(rom.report.worst_error);
+  EXPECT_EQ(refusal(request), "no error");
 }
 
 // On the grid that 1024 px/em ask for, a step of 1900 units has 16 bits.

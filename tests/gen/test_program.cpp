@@ -266,19 +266,53 @@ TEST_F(Program, FindsTheFinestFontThatFits) {
   }
 }
 
-TEST_F(Program, MissesTheToleranceOnlyWhereItMay) {
+// Samples of corners at these sizes miss 16/255, and more so 1/255.
+constexpr const char* kCoarse =
+    "--coding samples --effort 0 --min-px 1000 --max-px 1024 --quiet --out "
+    "a.bin ";
+
+TEST_F(Program, HoldsAToleranceThatIsWritten) {
   const std::string font =
-      "--font plain.ttf --symbols . --coding samples --max-px 128 --effort 0 "
-      "--tolerance 1 --quiet --out a.bin ";
-  const Outcome refused = run(folder_, font);
-  EXPECT_EQ(refused.code, 1);
-  EXPECT_NE(refused.err.find("with --best-effort"), std::string::npos)
-      << refused.err;
-  EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
-  const Outcome made = run(folder_, font + "--best-effort");
+      std::string("--font plain.ttf --symbols . ") + kCoarse + "--tolerance ";
+  for (const char* tolerance : {"1", "16"}) {
+    const Outcome refused = run(folder_, font + tolerance);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_NE(refused.err.find("or allow misses with --best-effort"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(folder_.names(), (Names{"plain.ttf"}));
+  }
+  const Outcome made = run(folder_, font + "16 --best-effort");
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_EQ(made.err.find("warning: plain.ttf: "), 0u) << made.err;
-  EXPECT_EQ(folder_.names(), (Names{"a.bin", "plain.ttf"}));
+}
+
+TEST_F(Program, AimsAtTheDefaultTolerance) {
+  const std::string font = std::string("--font plain.ttf --symbols . ") +
+                           kCoarse + "--report a.json ";
+  for (const char* options : {"", "--best-effort", "--budget 64K"}) {
+    const Outcome made = run(folder_, font + options);
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.err.find("warning: plain.ttf: "), 0u) << made.err;
+    EXPECT_NE(made.err.find("drawn as well as possible"), std::string::npos);
+    const auto report =
+        nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+    EXPECT_EQ(report.at("tolerance"), 16) << options;
+    EXPECT_FALSE(report.at("missed").empty());
+  }
+}
+
+TEST_F(Program, NoIconFailsAFolder) {
+  for (const char* icon : {"M4 4h16v16h-16z", "M12 1L22 12 12 23 3 12z"}) {
+    const std::string svg =
+        std::string("<svg viewBox='0 0 24 24'><path d='") + icon + "'/></svg>";
+    folder_.write(icon[1] == '4' ? "a.svg" : "b.svg",
+                  std::vector<uint8_t>(svg.begin(), svg.end()));
+  }
+  const Outcome made = run(folder_, std::string("--svg-dir . ") + kCoarse);
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.err.find("warning: 2 icons: "), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("b.svg U+E001 "), std::string::npos) << made.err;
 }
 
 TEST_F(Program, WritesToNoStream) {

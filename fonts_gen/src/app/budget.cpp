@@ -58,6 +58,7 @@ RomFont generate_within(GenerateRequest request,
          "/255: " + what);
   };
   request.target.tolerance = kCoarsest;
+  request.tolerance_is_limit = false;
   RomFont best = generate(request);
   told(kCoarsest, bytes_of(best.bytes.size()));
   if (best.bytes.size() > budget) {
@@ -71,6 +72,7 @@ RomFont generate_within(GenerateRequest request,
   for (int beyond = kFinest - 1; fits - beyond > 1;) {
     const int middle = (fits + beyond) / 2;
     request.target.tolerance = middle;
+    request.tolerance_is_limit = middle < Target().tolerance;
     std::optional<RomFont> font;
     try {
       font = generate(request);

@@ -15,7 +15,8 @@ size_t parse_bytes(const std::string& text);
 
 /// Generates fonts with tolerances of kFinest to kCoarsest, by bisection, and
 /// returns the finest that has at most `budget` bytes. The tolerance of
-/// `request` is not used. A finer tolerance that cannot be held does not fit.
+/// `request` is not used. Glyphs may miss the default tolerance and coarser
+/// ones; a finer one that a glyph misses does not fit.
 /// Calls `tell` with a line for each trial.
 ///
 /// Throws what generate() throws for the coarsest, and Error if even that is

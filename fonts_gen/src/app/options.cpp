@@ -105,15 +105,19 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
                  "outlines, shadows, glows [what filters need]");
   app.add_option_function<std::string>(
          "--tolerance",
-         [&target](const std::string& text) {
-           target.tolerance = parse_tolerance(text);
+         [&request](const std::string& text) {
+           request.target.tolerance = parse_tolerance(text);
+           request.tolerance_is_limit = true;
          },
-         "Largest error of a pixel at any of these sizes")
+         "Largest error of a pixel at any of these sizes: a glyph that misses "
+         "it is an error; one that misses the default is drawn as well as "
+         "possible, and a warning names it")
       ->type_name("N/255")
       ->default_str("16/255");
-  app.add_flag("--best-effort", request.best_effort,
-               "Make the font even if glyphs miss the tolerance: a warning "
-               "names them");
+  // Options are evaluated in the order in which they are added.
+  app.add_flag_callback(
+      "--best-effort", [&request] { request.tolerance_is_limit = false; },
+      "With --tolerance: a glyph that misses it is no error either");
   add_choice<Coding>(
       app, "--coding", target.coding,
       {{"outline", Coding::outline},

@@ -28,12 +28,23 @@ const char* error_unit(const FontReport& report) {
   return report.options.predicate == Predicate::fixed ? "1/1024 em" : "1/255";
 }
 
-// One line of the worst glyphs by the measure `of`.
-template <typename Measure>
+// A glyph by its character, or by its number if that shows nothing.
+std::string shown(const GlyphReport& glyph) {
+  const bool is_visible = glyph.name.find('\'') != std::string::npos;
+  return is_visible ? glyph.key : glyph.name;
+}
+
+// The size of the worst pixel: " at 17 px"; nothing if there is none.
+std::string at_size(const GlyphReport& glyph) {
+  return glyph.worst_px == 0 ? "" : format(" at %d px", glyph.worst_px);
+}
+
+// One line of the worst glyphs by the measure `of`, which `show` writes.
+template <typename Measure, typename Show>
 std::string worst_line(const FontReport& report,
                        const char* title,
-                       const char* pattern,
-                       Measure of) {
+                       Measure of,
+                       Show show) {
   std::vector<const GlyphReport*> order;
   for (const GlyphReport& glyph : report.glyphs) {
     order.push_back(&glyph);
@@ -44,9 +55,7 @@ std::string worst_line(const FontReport& report,
                    });
   std::string line = format("  %-16s", title);
   for (size_t i = 0; i < std::min(kWorst, order.size()); ++i) {
-    char value[32];
-    std::snprintf(value, sizeof value, pattern, of(*order[i]));
-    line += (i == 0 ? "" : ", ") + order[i]->key + " " + value;
+    line += (i == 0 ? "" : ", ") + shown(*order[i]) + " " + show(*order[i]);
   }
   return line + "\n";
 }
@@ -158,11 +167,14 @@ std::string report_for_people(const FontReport& report) {
   text += format("  %-16s%.1f worst, %.2f mean, in %s\n", "error",
                  report.worst_error, report.mean_error, error_unit(report));
   text += sizes_lines(report);
-  text += worst_line(report, "most bytes", "%.0f", [](const GlyphReport& g) {
-    return static_cast<double>(g.bytes);
-  });
-  text += worst_line(report, "worst error", "%.1f",
-                     [](const GlyphReport& g) { return g.worst_error; });
+  text += worst_line(
+      report, "most bytes", [](const GlyphReport& g) { return g.bytes; },
+      [](const GlyphReport& g) { return std::to_string(g.bytes); });
+  text += worst_line(
+      report, "worst error", [](const GlyphReport& g) { return g.worst_error; },
+      [](const GlyphReport& g) {
+        return format("%.1f", g.worst_error) + at_size(g);
+      });
   return text + format("  %-16s%.2f s\n", "time", report.seconds);
 }
 
@@ -214,16 +226,24 @@ std::string report_as_json(const FontReport& report) {
   Json points = Json::object();
   Json glyph_bytes = Json::object();
   Json glyph_error = Json::object();
+  Json missed = Json::array();
   for (const GlyphReport& glyph : report.glyphs) {
     per_glyph[glyph.key] = glyph.cells;
     points[glyph.key] = glyph.points;
     glyph_bytes[glyph.key] = glyph.bytes;
     glyph_error[glyph.key] = rounded(glyph.worst_error);
+    if (!glyph.within_tolerance) {
+      missed.push_back({{"glyph", glyph.key},
+                        {"file", glyph.file_name},
+                        {"px", glyph.worst_px},
+                        {"error", rounded(glyph.worst_error)}});
+    }
   }
   json["cells_per_glyph"] = std::move(per_glyph);
   json["points_per_glyph"] = std::move(points);
   json["bytes_per_glyph"] = std::move(glyph_bytes);
   json["error_per_glyph"] = std::move(glyph_error);
+  json["missed"] = std::move(missed);
   json["error"] = {{"max", rounded(report.worst_error)},
                    {"mean", rounded(report.mean_error)},
                    {"unit", error_unit(report)}};

@@ -1,6 +1,7 @@
 #include "pipeline/font_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace inkcell::gen {
@@ -26,6 +27,7 @@ GlyphReport report_glyph(const SourceGlyph& source,
                          const Target& options) {
   GlyphReport glyph;
   glyph.name = source.name();
+  glyph.file_name = source.file_name;
   glyph.key = source.code_points.empty() ? source.name()
                                          : to_utf8(source.code_points.front());
   glyph.cells = built.samples.cells.size();
@@ -81,6 +83,21 @@ std::vector<SizeError> sum_of_sizes(const std::vector<LoopResult>& glyphs) {
   return sum;
 }
 
+std::string shown_255(double value) {
+  return std::to_string(static_cast<int>(value)) + "/255";
+}
+
+// A glyph that misses the tolerance, with the file if the font has several.
+std::string described(const GlyphReport& glyph, const FontReport& report) {
+  const bool fixed = report.options.predicate == Predicate::fixed;
+  char error[64];
+  std::snprintf(error, sizeof error, fixed ? " %.1f/1024 em" : " %.1f/255 at ",
+                glyph.worst_error);
+  return (glyph.file_name == report.file_name ? "" : glyph.file_name + " ") +
+         glyph.name + error +
+         (fixed ? "" : std::to_string(glyph.worst_px) + " px");
+}
+
 }  // namespace
 
 FontReport make_report(const SourceFont& font,
@@ -131,7 +148,7 @@ FontReport make_report(const SourceFont& font,
 }
 
 void tell_of_errors(const FontReport& report,
-                    bool best_effort,
+                    bool tolerance_is_limit,
                     Warnings& warnings) {
   std::vector<const GlyphReport*> missed;
   for (const GlyphReport& glyph : report.glyphs) {
@@ -146,20 +163,24 @@ void tell_of_errors(const FontReport& report,
     return a->worst_error > b->worst_error;
   });
   const bool fixed = report.options.predicate == Predicate::fixed;
-  const char* unit = fixed ? "/1024 em" : "/255";
+  const std::string tolerance =
+      fixed ? "1/1024 em" : shown_255(report.options.tolerance);
   std::string text = report.file_name + ": " + std::to_string(missed.size()) +
                      (missed.size() == 1 ? " glyph misses" : " glyphs miss") +
-                     " the tolerance: ";
+                     " the tolerance of " + tolerance + ": ";
   for (size_t i = 0; i < std::min(missed.size(), kListedGlyphs); ++i) {
-    char error[32];
-    std::snprintf(error, sizeof error, " %.1f", missed[i]->worst_error);
-    text += (i == 0 ? "" : ", ") + missed[i]->name + error + unit;
+    text += (i == 0 ? "" : ", ") + described(*missed[i], report);
   }
   text += missed.size() > kListedGlyphs ? ", ..." : "";
-  text += fixed ? "; this is expected of the paper's predicate at corners"
-                : "; lower --max-px or raise --tolerance";
-  if (!fixed && !best_effort) {
-    throw Error(text + ", or take it as it is with --best-effort");
+  if (fixed) {
+    text += "; this is expected of the paper's predicate at corners";
+  } else if (tolerance_is_limit) {
+    throw Error(text + "; give --tolerance " +
+                shown_255(std::ceil(missed.front()->worst_error)) +
+                ", or allow misses with --best-effort");
+  } else {
+    text += missed.size() == 1 ? "; it is" : "; they are";
+    text += " drawn as well as possible";
   }
   warnings.push_back({Warning::Kind::tolerance_missed, text});
 }

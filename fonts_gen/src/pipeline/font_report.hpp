@@ -17,9 +17,10 @@ namespace inkcell::gen {
 
 /// What became of one glyph.
 struct GlyphReport {
-  std::string name;  // U+0041 'A'
-  std::string key;   // its smallest character in UTF-8, or .notdef
-  size_t cells = 0;  // that are not saturated
+  std::string name;       // U+0041 'A'
+  std::string file_name;  // the font or drawing it comes from
+  std::string key;        // its smallest character in UTF-8, or .notdef
+  size_t cells = 0;       // that are not saturated
   size_t nodes = 0;
   size_t fields = 0;  // distinct ones, of cells of primitives
   size_t points = 0;  // of outlines; on and off curve, implied ones not counted
@@ -78,10 +79,10 @@ FontReport make_report(const SourceFont& font,
                        const RomContent& content,
                        const std::vector<LoopResult>& errors);
 
-/// Tells of glyphs that miss the tolerance: throws Error, or adds a warning
-/// with best effort and of the fixed predicate, which corners miss.
+/// Names the glyphs that miss the tolerance: throws Error if that is a limit,
+/// else adds a warning. The fixed predicate, which corners miss, only warns.
 void tell_of_errors(const FontReport& report,
-                    bool best_effort,
+                    bool tolerance_is_limit,
                     Warnings& warnings);
 
 }  // namespace inkcell::gen

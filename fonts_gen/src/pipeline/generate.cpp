@@ -127,7 +127,7 @@ RomFont generate(const GenerateRequest& request) {
   content.options.tolerance = request.target.tolerance;
   rom.report = make_report(font, content, errors);
   rom.report.bytes = parts;
-  tell_of_errors(rom.report, request.best_effort, rom.warnings);
+  tell_of_errors(rom.report, request.tolerance_is_limit, rom.warnings);
   rom.report.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
           .count();

@@ -44,9 +44,9 @@ struct GenerateRequest {
   GenerateRequest() { target.coding = Coding::outline; }
   /// Whether an outline font says what grid fitting needs.
   bool hints = true;
-  /// Whether glyphs may miss the tolerance, with a warning. If not, generate()
-  /// throws for the first font that does.
-  bool best_effort = false;
+  /// Whether generate() throws if a glyph misses the tolerance. If not, the
+  /// glyph gets its best outline, and a warning names it.
+  bool tolerance_is_limit = false;
   /// Threads; 0: all cores. The bytes do not depend on it.
   int threads = 0;
   /// Glyphs of an earlier font, which need not be built again; not owned, null:

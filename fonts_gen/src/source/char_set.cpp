@@ -20,6 +20,10 @@ constexpr bool is_control(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0);
 }
 
+constexpr bool is_private(char32_t c) {
+  return (c >= 0xe000 && c <= 0xf8ff) || c >= 0xf0000;
+}
+
 std::optional<char32_t> parse_number(std::string_view digits, int base) {
   char32_t value = 0;
   for (const char c : digits) {
@@ -208,7 +212,9 @@ std::string to_utf8(char32_t c) {
 std::string describe(char32_t c) {
   char code[16];
   std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(c));
-  return is_control(c) ? code : std::string(code) + " '" + to_utf8(c) + "'";
+  return is_control(c) || is_private(c)
+             ? code
+             : std::string(code) + " '" + to_utf8(c) + "'";
 }
 
 }  // namespace inkcell::gen
