@@ -71,6 +71,28 @@ TEST_F(Program, TakesEveryOption) {
   EXPECT_EQ(report.at("characters"), 3);
 }
 
+TEST_F(Program, EffortIsForCells) {
+  const auto report = [&](const std::string& options) {
+    const Outcome made =
+        run(folder_,
+            "--font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --symbols "
+            "a8 --max-px 24 --quiet --out a.bin --report a.json " +
+                options);
+    EXPECT_EQ(made.code, 0) << made.err;
+    return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+  };
+  EXPECT_FALSE(report("--effort 9").contains("effort"));
+  for (const std::string coding : {"edges", "samples"}) {
+    const auto little = report("--coding " + coding + " --effort 0");
+    const auto much = report("--coding " + coding + " --effort 9");
+    EXPECT_EQ(much.at("effort"), 9);
+    EXPECT_GT(little.at("bytes").at("total"), much.at("bytes").at("total"))
+        << coding;
+  }
+  const std::string help = run(folder_, "--help").out;
+  EXPECT_NE(help.find("(edges, samples) How hard"), std::string::npos);
+}
+
 TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
   const std::string font =
       "--font plain.ttf --symbols H --coding edges --min-px 12 --out a.bin "

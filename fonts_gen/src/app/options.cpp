@@ -135,7 +135,8 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       app, "--hints", request.hints, {{"on", true}, {"off", false}},
       "What grid fitting of outlines needs: zones, bars, stems and more");
   app.add_option("--effort", target.effort,
-                 "How hard to try for fewer bytes; more takes longer")
+                 "(edges, samples) How hard to try for fewer bytes; outlines "
+                 "have no use for it")
       ->check(CLI::Range(0, 9).description(""))
       ->type_name("0..9")
       ->capture_default_str();

@@ -205,7 +205,9 @@ std::string report_as_json(const FontReport& report) {
   if (report.band_bytes) {
     json["band_bytes"] = *report.band_bytes;
   }
-  json["effort"] = options.effort;
+  if (options.coding != Coding::outline) {
+    json["effort"] = options.effort;
+  }
   json["bytes"] = {{"total", bytes.total()},   {"header", bytes.header},
                    {"cmap", bytes.cmap},       {"metrics", bytes.metrics},
                    {"kerning", bytes.kerning}, {"hints", bytes.hints},

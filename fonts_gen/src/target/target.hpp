@@ -25,8 +25,8 @@ struct Target {
   /// shadows and glows. 0: what filters need, see band_u.
   double band_px = 0;
   /// How hard to try to serve a large cell before it is divided, 0..9. Used by
-  /// size_aware. edges: how many fields are tried. samples, 0: its nine samples
-  /// or nothing; else they are fitted in up to 2 * effort rounds.
+  /// cells with size_aware. edges: how many fields are tried. samples, 0: its
+  /// nine samples or nothing; else they are fitted in up to 2 * effort rounds.
   int effort = 5;
 };
 
