@@ -97,7 +97,8 @@ inline void refuse_among_fonts(const std::filesystem::path& target) {
   const std::string_view found(magic, static_cast<size_t>(in.gcount()));
   for (const std::string_view font :
        {std::string_view("\0\1\0\0", 4), std::string_view("OTTO"),
-        std::string_view("true"), std::string_view("ttcf")}) {
+        std::string_view("true"), std::string_view("ttcf"),
+        std::string_view("wOFF"), std::string_view("wOF2")}) {
     if (found == font && !is_export(whole)) {
       throw std::runtime_error(target.string() +
                                ": is a font file, which would be replaced; "

@@ -29,7 +29,7 @@ struct Arguments {
 void add_arguments(CLI::App& app, Arguments& arguments) {
   add_conversion_options(app, arguments.request);
   app.add_option("FILE", arguments.file,
-                 "ROM font, or TTF or OTF to convert in memory")
+                 "ROM font, or TTF, OTF, WOFF or WOFF2 to convert in memory")
       ->required();
   app.add_option("--glyph", arguments.glyph,
                  "Look at one glyph: a character, or #17 for an id")

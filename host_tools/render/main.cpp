@@ -60,7 +60,7 @@ void add_placement(CLI::App& app, Arguments& arguments) {
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--font", arguments.font,
-                 "ROM font, or TTF or OTF to convert in memory")
+                 "ROM font, or TTF, OTF, WOFF or WOFF2 to convert in memory")
       ->type_name("FILE");
   app.add_option("--text", arguments.text,
                  "What to draw; a line feed begins a new line");

@@ -1,9 +1,13 @@
 // Loading: characters, faces, axes, metrics, outlines, and all that is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "glyph_outlines.hpp"
 #include "sfnt_builder.hpp"
 #include "source/font_source.hpp"
+#include "web_fonts.hpp"
 
 namespace inkcell::gen::test {
 namespace {
@@ -111,13 +115,18 @@ TEST(FontSource, ReadsMetrics) {
   EXPECT_EQ(m.cap_height, 700);
 }
 
+// Where a table of a small font begins.
+size_t table_in(const std::vector<uint8_t>& file, std::string_view name) {
+  const auto found =
+      std::search(file.begin(), file.end(), name.begin(), name.end());
+  const size_t entry = static_cast<size_t>(found - file.begin());
+  return file.at(entry + 10) * 256u + file.at(entry + 11);
+}
+
 TEST(FontSource, PrefersTypographicMetricsWhereTheFontSaysSo) {
   const TestFolder folder;
-  Sfnt source = Sfnt::plain();
-  std::vector<uint8_t> file = source.build();
-  // fsSelection is at 62 of OS/2, the first table of the directory.
-  const size_t os2 = file[12 + 8 + 2] * 256u + file[12 + 8 + 3];
-  file[os2 + 63] |= 0x80;
+  std::vector<uint8_t> file = Sfnt::plain().build();
+  file[table_in(file, "OS/2") + 63] |= 0x80;  // fsSelection
   const SourceMetrics m = load(request_of(folder.write("a.ttf", file))).metrics;
   EXPECT_EQ(m.ascender, 750);
   EXPECT_EQ(m.descender, -150);
@@ -200,12 +209,57 @@ TEST(FontSource, RefusesWhatIsNoFont) {
   EXPECT_CONTAINS(refused({}), "a.ttf: is not a font: only 0 bytes");
   const std::string text = "This is a text and not a font at all.";
   EXPECT_CONTAINS(refused({text.begin(), text.end()}), "is not a font; TTF");
-  std::vector<uint8_t> woff = Sfnt::plain().build();
-  woff[0] = 'w';
-  woff[1] = 'O';
-  woff[2] = 'F';
-  woff[3] = 'F';
-  EXPECT_CONTAINS(refused(woff), "compressed web font; convert");
+}
+
+using Pack = std::vector<uint8_t> (*)(const std::vector<uint8_t>&);
+constexpr Pack kPacks[] = {pack_woff, pack_woff2};
+
+// Outlines come from FreeType; metrics, kerning and instances from HarfBuzz.
+TEST(FontSource, ReadsWebFonts) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.kern_pairs = {{{2, 3}, -70}};
+  source.wght_shift = 100;
+  const std::vector<uint8_t> plain = source.build();
+  FontRequest request = request_of(folder.write("a.ttf", plain), ".,H");
+  request.axes = {parse_axis("wght=900")};
+  const SourceFont expected = load(request);
+  ASSERT_EQ(expected.kerning.value(1, 2), -70);
+  ASSERT_EQ(expected.glyphs[2].advance, 900);
+  for (const Pack pack : kPacks) {
+    request.file = folder.write("a.woff", pack(plain));
+    const SourceFont font = load(request);
+    ASSERT_EQ(font.glyphs.size(), 3u);
+    EXPECT_EQ(font.metrics.ascender, 800);
+    EXPECT_EQ(font.kerning.value(1, 2), -70);
+    EXPECT_EQ(font.glyphs[2].advance, 900);
+    const auto corner = [](const SourceFont& of) {
+      return of.glyphs[2].outline.contours.at(0).segments.at(0).p[0].x;
+    };
+    EXPECT_EQ(corner(font), corner(expected));
+    request.face = 1;
+    EXPECT_CONTAINS(refusal(request), "a.woff: has no face 1; give --face 0");
+    request.face = 0;
+  }
+}
+
+TEST(FontSource, RefusesDamagedWebFonts) {
+  const TestFolder folder;
+  const std::vector<uint8_t> plain = Sfnt::plain().build();
+  const auto refused = [&](const std::vector<uint8_t>& bytes) {
+    return refusal(request_of(folder.write("a.woff", bytes)));
+  };
+  for (const Pack pack : kPacks) {
+    const std::vector<uint8_t> whole = pack(plain);
+    const std::string tool =
+        pack == pack_woff ? "woff2sfnt" : "woff2_decompress";
+    for (size_t size = 12; size < whole.size(); size += 5) {
+      const std::string message = refused(
+          {whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)});
+      EXPECT_CONTAINS(message, "a.woff: FreeType cannot unpack this WOFF");
+      EXPECT_CONTAINS(message, "get it anew, or unpack it with " + tool);
+    }
+  }
 }
 
 TEST(FontSource, RefusesEveryTruncation) {

@@ -742,8 +742,10 @@ class Tools(unittest.TestCase):
         mine.write_bytes(pathlib.Path(SERIF).read_bytes())
         names = [("x.png", "would lie among the fonts of the system"),
                  ("mine.ttf", "is a font file, which would be replaced")]
+        web = self.path / "mine.woff2"
+        web.write_bytes(b"wOF2 and so on")
         for out, said in [(fonts / names[0][0], names[0][1]),
-                          (mine, names[1][1])]:
+                          (mine, names[1][1]), (web, names[1][1])]:
             self.assertIn(said, run(
                 "fontgen", "--font", SANS, "--out", out, code=1))
         out = fonts / "x.png"

@@ -32,8 +32,10 @@ struct Arguments {
 
 void add_arguments(CLI::App& app, Arguments& arguments) {
   GenerateRequest& request = arguments.request;
-  app.add_option("--font", request.font,
-                 "Font file: TTF, OTF, TTC, OTC; needed unless there are icons")
+  app.add_option(
+         "--font", request.font,
+         "Font file: TTF, OTF, TTC, OTC, WOFF, WOFF2; needed unless there are "
+         "icons")
       ->type_name("FILE");
   app.add_option("--text-file", request.text_files,
                  "Take the characters of a UTF-8 text file; repeatable")

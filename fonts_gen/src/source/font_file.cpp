@@ -116,6 +116,10 @@ FontFile::FontFile(const std::filesystem::path& file,
                    const std::vector<AxisSetting>& axes)
     : file_name_(file.filename().string()) {
   read_bytes(file);
+  if (is_web_font()) {
+    unpack(face);
+    face = 0;
+  }
   check_tables(face);
   open_face(face);
   check_face();
@@ -143,6 +147,29 @@ void FontFile::read_bytes(const std::filesystem::path& file) {
   }
 }
 
+bool FontFile::is_web_font() const {
+  const uint32_t magic = bytes_.size() < 4 ? 0 : big_endian_32(bytes_.data());
+  return magic == tag("wOFF") || magic == tag("wOF2");
+}
+
+// Replaces a WOFF or WOFF2 file by the font that it holds, for HarfBuzz and for
+// the same checks as other fonts have: FreeType keeps it in memory.
+void FontFile::unpack(int face) {
+  open_face(face);
+  FT_ULong size = 0;
+  std::vector<uint8_t> font;
+  FT_Error error = FT_Load_Sfnt_Table(ft(), 0, 0, nullptr, &size);
+  if (error == 0) {
+    font.resize(size);
+    error = FT_Load_Sfnt_Table(ft(), 0, 0, font.data(), &size);
+  }
+  if (error != 0) {
+    refuse_damaged(error);
+  }
+  face_.reset();
+  bytes_ = std::move(font);
+}
+
 // Where the table directory of the face begins. A face that the collection does
 // not have is left to open_face.
 size_t FontFile::find_directory(int face) const {
@@ -150,9 +177,6 @@ size_t FontFile::find_directory(int face) const {
     refuse("is not a font: only " + std::to_string(bytes_.size()) + " bytes");
   }
   const uint32_t magic = big_endian_32(bytes_.data());
-  if (magic == tag("wOFF") || magic == tag("wOF2")) {
-    refuse("is a compressed web font; convert it to TTF or OTF first");
-  }
   if (magic == tag("ttcf")) {
     const uint32_t faces = big_endian_32(bytes_.data() + 8);
     const size_t index = face >= 0 && static_cast<uint32_t>(face) < faces
@@ -164,7 +188,8 @@ size_t FontFile::find_directory(int face) const {
     return big_endian_32(bytes_.data() + 12 + 4 * index);
   }
   if (magic != 0x00010000 && magic != tag("OTTO") && magic != tag("true")) {
-    refuse("is not a font; TTF, OTF, TTC and OTC files can be read");
+    refuse(
+        "is not a font; TTF, OTF, TTC, OTC, WOFF and WOFF2 files can be read");
   }
   return 0;
 }
@@ -241,8 +266,23 @@ void FontFile::open_face(int face) {
              (faces > 1 ? " to " + std::to_string(faces - 1) : ""));
     }
   }
-  refuse("is not a usable font (FreeType error " + std::to_string(error) +
-         "); it may be damaged");
+  refuse_damaged(error);
+}
+
+void FontFile::refuse_damaged(int error) const {
+  const std::string number = "(FreeType error " + std::to_string(error) + ")";
+  if (!is_web_font()) {
+    refuse("is not a usable font " + number +
+           "; it may be damaged: get it anew");
+  }
+  const bool is_first = bytes_[3] == 'F';
+  refuse("FreeType cannot unpack this " +
+         std::string(is_first ? "WOFF" : "WOFF2") + " file " + number +
+         ": it is damaged, truncated or without outlines, or FreeType was "
+         "built without " +
+         (is_first ? "zlib" : "Brotli") + "; get it anew, or unpack it with " +
+         (is_first ? "woff2sfnt (Debian package woff-tools)"
+                   : "woff2_decompress (Debian package woff2)"));
 }
 
 void FontFile::check_face() const {

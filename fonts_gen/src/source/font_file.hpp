@@ -25,8 +25,8 @@ AxisSetting parse_axis(const std::string& text);
 /// Font units of one face in those of another, to the nearest.
 int scaled_units(int value, int from_units_per_em, int to_units_per_em);
 
-/// One face of a TTF, OTF, TTC or OTC file at one instance. All lengths that
-/// FreeType and HarfBuzz give for it are in font units.
+/// One face of a TTF, OTF, TTC, OTC, WOFF or WOFF2 file at one instance. All
+/// lengths that FreeType and HarfBuzz give for it are in font units.
 class FontFile {
  public:
   /// Opens face number `face` with the given axes; the axes that are not named
@@ -66,6 +66,10 @@ class FontFile {
   using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
   void read_bytes(const std::filesystem::path& file);
+  bool is_web_font() const;
+  void unpack(int face);
+  /// Throws the Error of a file that FreeType does not open.
+  [[noreturn]] void refuse_damaged(int error) const;
   size_t find_directory(int face) const;
   void check_tables(int face) const;
   /// One entry of the table directory.
