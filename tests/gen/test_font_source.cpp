@@ -133,6 +133,36 @@ TEST(FontSource, PrefersTypographicMetricsWhereTheFontSaysSo) {
   EXPECT_EQ(m.line_gap, 0);
 }
 
+// As FreeType: OS/2's typographic heights, else those for Windows.
+TEST(FontSource, TakesLinesFromOs2WhereHheaIsEmpty) {
+  const TestFolder folder;
+  std::vector<uint8_t> file = Sfnt::plain().build();
+  const auto clear = [&](const char* table, size_t at, size_t count) {
+    const auto begin =
+        file.begin() + static_cast<ptrdiff_t>(table_in(file, table) + at);
+    std::fill(begin, begin + static_cast<ptrdiff_t>(count), uint8_t{0});
+  };
+  Warnings warnings;
+  const auto lines = [&] {
+    warnings.clear();
+    const SourceMetrics m =
+        load_font(request_of(folder.write("a.ttf", file), "H"), 1, warnings)
+            .metrics;
+    return std::vector<int>{m.ascender, m.descender, m.line_gap};
+  };
+  clear("hhea", 4, 4);  // the line gap stays, and counts no longer
+  EXPECT_EQ(lines(), (std::vector<int>{750, -150, 0}));
+  EXPECT_TRUE(warnings.empty());
+  clear("OS/2", 68, 4);
+  EXPECT_EQ(lines(), (std::vector<int>{800, -200, 0}));
+  EXPECT_TRUE(warnings.empty());
+  clear("OS/2", 74, 4);
+  EXPECT_EQ(lines(), (std::vector<int>{2000, -2000, 0}));  // as head says
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].kind, Warning::Kind::measure);
+  EXPECT_CONTAINS(warnings[0].text, "a.ttf: states no height of a line");
+}
+
 TEST(FontSource, MeasuresHeightsThatTheFontDoesNotState) {
   const TestFolder folder;
   Sfnt source = Sfnt::plain();

@@ -159,6 +159,25 @@ SourceMetrics read_metrics(const FontFile& font, Warnings& warnings) {
   m.descender = clamp(
       measure(HB_OT_METRICS_TAG_HORIZONTAL_DESCENDER, font.ft()->descender));
   m.line_gap = clamp(measure(HB_OT_METRICS_TAG_HORIZONTAL_LINE_GAP, 0));
+  // HarfBuzz takes the zeros of an empty hhea; FreeType then takes the
+  // typographic heights of OS/2, or else those for Windows.
+  if (m.ascender == 0 && m.descender == 0) {
+    m.ascender = clamp(font.ft()->ascender);
+    m.descender = clamp(font.ft()->descender);
+    m.line_gap = clamp(font.ft()->height - (m.ascender - m.descender));
+  }
+  if (m.ascender == 0 && m.descender == 0) {
+    m.ascender = clamp(static_cast<int>(font.ft()->bbox.yMax));
+    m.descender = clamp(static_cast<int>(font.ft()->bbox.yMin));
+    m.line_gap = 0;
+    warnings.push_back(
+        {Warning::Kind::measure,
+         font.file_name() +
+             ": states no height of a line, in hhea or OS/2: the extent of "
+             "its glyphs is used, ascender " +
+             std::to_string(m.ascender) + ", descender " +
+             std::to_string(m.descender)});
+  }
   m.x_height = clamp(measure(HB_OT_METRICS_TAG_X_HEIGHT, 0));
   m.cap_height = clamp(measure(HB_OT_METRICS_TAG_CAP_HEIGHT, 0));
   // Old OS/2 tables do not have these two, and some fonts leave them zero.
