@@ -29,6 +29,12 @@ inline std::string problem_of(const CLI::App& app,
   return unknown.empty() ? error.what() : unknown.front() + " is not expected";
 }
 
+/// Makes an option of a list take one value each time it is written, and its
+/// help say so: what follows the value may be an argument of the program.
+inline CLI::Option* take_one(CLI::Option* option) {
+  return option->expected(1)->take_all()->allow_extra_args(false);
+}
+
 /// Arguments with `--option=` as `--option` and an empty one behind it, which
 /// CLI11 would look for in the next argument.
 class Words {

@@ -53,11 +53,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option("--face", arguments.face, "Face number in a TTC or OTC file")
       ->capture_default_str();
-  app.add_option("--axis", arguments.axes,
-                 "Axis of a variable font, as it was generated, such as "
-                 "wght=600; repeatable")
-      ->type_name("TAG=VALUE")
-      ->allow_extra_args(false);
+  take_one(
+      app.add_option("--axis", arguments.axes,
+                     "Axis of a variable font, as it was generated, such as "
+                     "wght=600; repeatable"))
+      ->type_name("TAG=VALUE");
   app.add_option("--sizes", arguments.sizes,
                  "Sizes and ranges of whole sizes, such as 8-64,80 [px/em]")
       ->delimiter(',')

@@ -71,6 +71,38 @@ TEST_F(Program, TakesEveryOption) {
   EXPECT_EQ(report.at("characters"), 3);
 }
 
+TEST_F(Program, ListsTakeWhatTheirHelpShows) {
+  constexpr std::string_view kIcon =
+      "<svg viewBox='0 0 24 24'><path d='M4 4h16v16h-16z'/></svg>";
+  for (const char* name : {"a.svg", "b.svg"}) {
+    folder_.write(name, std::vector<uint8_t>(kIcon.begin(), kIcon.end()));
+  }
+  folder_.write("b.ttf", Sfnt::plain());
+  folder_.write("c.ttf", Sfnt::plain());
+  const struct {
+    const char* options;
+    size_t icons;
+  } cases[] = {
+      {"--svg a.svg=0xE001 b.svg=0xE002", 2},
+      {"--svg a.svg=0xE001 --svg b.svg=0xE002", 2},
+      {"--svg-dir . --font plain.ttf --merge b.ttf c.ttf --symbols H", 2},
+      {"--font plain.ttf --chars 0x2E --chars U+48", 0}};
+  for (const auto& list : cases) {
+    const Outcome made = run(folder_, std::string(list.options) +
+                                          " --quiet --out a.bin "
+                                          "--report a.json");
+    ASSERT_EQ(made.code, 0) << list.options << ": " << made.err;
+    const auto report =
+        nlohmann::json::parse(read_file(folder_.path() / "a.json"));
+    EXPECT_EQ(report.value("icons", nlohmann::json::object()).size(),
+              list.icons)
+        << list.options;
+  }
+  const std::string help = run(folder_, "--help").out;
+  EXPECT_NE(help.find("--svg FILE=CODE ..."), std::string::npos);
+  EXPECT_NE(help.find("--chars LIST  "), std::string::npos) << help;
+}
+
 TEST_F(Program, EffortIsForCells) {
   const auto report = [&](const std::string& options) {
     const Outcome made =

@@ -36,18 +36,15 @@ void add_face_options(CLI::App& app, GenerateRequest& request) {
                  "Another face: it gives the characters of LIST, or all that "
                  "are still missing; the first face that has one gives it; "
                  "repeatable")
-      ->type_name("FILE[=LIST]")
-      ->allow_extra_args(false);
+      ->type_name("FILE[=LIST]");
   app.add_option("--svg", request.svg_files,
                  "An icon as a glyph, such as wifi.svg=0xE001; repeatable")
-      ->type_name("FILE=CODE")
-      ->allow_extra_args(false);
+      ->type_name("FILE=CODE");
   app.add_option("--svg-dir", request.svg_folders,
                  "All icons of a folder: code points by its file 'codepoints', "
                  "by names such as 0xE001-wifi.svg, or from U+E000 on; "
                  "repeatable")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+      ->type_name("DIR");
   add_place(app, "--svg-height", request.icon_place, parse_icon_height,
             "em|cap|NUMBER", "em",
             "Height of an icon's viewBox: an em, that of capitals, or a number "

@@ -39,8 +39,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("FILE");
   app.add_option("--text-file", request.text_files,
                  "Take the characters of a UTF-8 text file; repeatable")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+      ->type_name("FILE");
   app.add_option(
          "--strings-from", request.strings_from,
          "Take the characters of string literals in C and C++ sources: "
@@ -50,8 +49,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
          "--strings", request.string_files,
          "Shape the strings of a UTF-8 file, lines of name = text, into "
          "runs of glyphs beside the font; repeatable")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+      ->type_name("FILE");
   app.add_flag("--strict", request.strict,
                "Fail if the font lacks a character: the error says which file "
                "and line ask for it");

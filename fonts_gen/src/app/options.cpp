@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "program.hpp"
 
 namespace inkcell::gen {
+
+using tools::take_one;
 
 double parse_tolerance(const std::string& text) {
   std::string digits = text;
@@ -62,25 +65,23 @@ void add_choice(CLI::App& app,
 void add_selection(CLI::App& app, GenerateRequest& request) {
   app.add_option("--face", request.face, "Face number in a TTC or OTC file")
       ->capture_default_str();
-  app.add_option_function<std::vector<std::string>>(
-         "--axis",
-         [&request](const std::vector<std::string>& settings) {
-           for (const std::string& text : settings) {
-             try {
-               request.axes.push_back(parse_axis(text));
-             } catch (const Error& error) {
-               throw CLI::ValidationError(error.what());
-             }
-           }
-         },
-         "Axis of a variable font, such as wght=600; repeatable")
-      ->type_name("TAG=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--chars", request.chars,
-                 "Characters: 0x20-0x7E,U+B0,176,A-Z,0-9; repeatable "
-                 "[0x20-0x7E if no character is asked for]")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  take_one(app.add_option_function<std::vector<std::string>>(
+               "--axis",
+               [&request](const std::vector<std::string>& settings) {
+                 for (const std::string& text : settings) {
+                   try {
+                     request.axes.push_back(parse_axis(text));
+                   } catch (const Error& error) {
+                     throw CLI::ValidationError(error.what());
+                   }
+                 }
+               },
+               "Axis of a variable font, such as wght=600; repeatable"))
+      ->type_name("TAG=VALUE");
+  take_one(app.add_option("--chars", request.chars,
+                          "Characters: 0x20-0x7E,U+B0,176,A-Z,0-9; repeatable "
+                          "[0x20-0x7E if no character is asked for]"))
+      ->type_name("LIST");
   app.add_option("--symbols", request.symbols, "Characters, as themselves")
       ->check(CLI::Validator(
           [](const std::string& text) {

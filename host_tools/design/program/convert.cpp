@@ -11,6 +11,7 @@
 #include "import/font_import.hpp"
 #include "model/contours.hpp"
 #include "model/error.hpp"
+#include "program.hpp"
 #include "program/commands.hpp"
 #include "ufo/ufo.hpp"
 
@@ -127,11 +128,10 @@ void add_import(CLI::App& app, Work& work) {
   command->add_option("--font", arguments->font, "TTF or OTF")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option("--chars", arguments->request.chars,
-                   "Characters: 0x20-0x7E,U+B0,A-Z; repeatable [all]")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  tools::take_one(
+      command->add_option("--chars", arguments->request.chars,
+                          "Characters: 0x20-0x7E,U+B0,A-Z; repeatable [all]"))
+      ->type_name("LIST");
   command->add_flag("--decompose", arguments->decompose,
                     "Contours in the place of components");
   command->add_option("--out", arguments->out, "The project, a new folder")

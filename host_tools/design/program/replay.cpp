@@ -4,6 +4,7 @@
 
 #include "journal/session.hpp"
 #include "model/error.hpp"
+#include "program.hpp"
 #include "program/commands.hpp"
 
 namespace inkcell::design {
@@ -85,10 +86,9 @@ void add_replay(CLI::App& app, Work& work) {
       ->add_option("journal", arguments->journal,
                    "A journal, or a script: a command in JSON on each line")
       ->type_name("FILE");
-  command
-      ->add_option("--do", arguments->commands,
-                   "A command in JSON, after those of the file; repeatable")
-      ->allow_extra_args(false)
+  tools::take_one(command->add_option(
+                      "--do", arguments->commands,
+                      "A command in JSON, after those of the file; repeatable"))
       ->type_name("COMMAND");
   command
       ->add_option("--project", arguments->project,

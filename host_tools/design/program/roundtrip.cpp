@@ -8,6 +8,7 @@
 #include "app/progress.hpp"
 #include "base/work_pool.hpp"
 #include "model/error.hpp"
+#include "program.hpp"
 #include "program/commands.hpp"
 #include "source/font_source.hpp"
 #include "trace/corner_census.hpp"
@@ -164,11 +165,10 @@ void add_options(CLI::App& command, RoundtripArguments& arguments) {
   gen::GenerateRequest& request = arguments.request;
   request.target.coding = gen::Coding::samples;
   request.target.tolerance = 4;
-  command
-      .add_option("--chars", request.chars,
-                  "Characters: 0x20-0x7E,U+B0,A-Z; repeatable [0x20-0x7E]")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  tools::take_one(command.add_option(
+                      "--chars", request.chars,
+                      "Characters: 0x20-0x7E,U+B0,A-Z; repeatable [0x20-0x7E]"))
+      ->type_name("LIST");
   command.add_option("--symbols", request.symbols, "Characters, as themselves")
       ->type_name("STRING");
   const std::map<std::string, gen::Coding> codings = {

@@ -4,6 +4,7 @@
 
 #include "app/output.hpp"
 #include "model/error.hpp"
+#include "program.hpp"
 #include "program/commands.hpp"
 #include "script/lua_script.hpp"
 
@@ -85,10 +86,8 @@ void add_script(CLI::App& app, Work& work) {
   command->add_option("script", arguments->script, "The program")
       ->required()
       ->type_name("FILE.lua");
-  command
-      ->add_option("--set", arguments->settings,
-                   "A parameter of the program; repeatable")
-      ->allow_extra_args(false)
+  tools::take_one(command->add_option("--set", arguments->settings,
+                                      "A parameter of the program; repeatable"))
       ->type_name("NAME=NUMBER");
   command
       ->add_option("--project", arguments->project,

@@ -157,11 +157,11 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "The project that is made of a font [its name, in the current "
                  "folder]")
       ->type_name("P.ufo");
-  app.add_option("--chars", arguments.chars,
-                 "Characters to take of a font: 0x20-0x7E,A-Z; repeatable "
-                 "[all]")
-      ->type_name("LIST")
-      ->allow_extra_args(false);
+  tools::take_one(
+      app.add_option("--chars", arguments.chars,
+                     "Characters to take of a font: 0x20-0x7E,A-Z; repeatable "
+                     "[all]"))
+      ->type_name("LIST");
   app.add_option("--script", arguments.script,
                  "Carry out the lines of a file instead of opening a window")
       ->type_name("FILE");
