@@ -211,7 +211,7 @@ void play(const Arguments& arguments, Player& player, Size size) {
   DisplayMemory memory(Display::xrgb8888, size.width, size.height);
   Image before;
   Tally tally;
-  gen::Progress progress(false);
+  gen::Progress progress(false, "frames");
   uint32_t due = 0;
   for (uint32_t i = 0; i < arguments.frames; ++i) {
     const uint32_t number =
@@ -244,7 +244,6 @@ void play(const Arguments& arguments, Player& player, Size size) {
     before = std::move(frame);
     progress.update(i + 1, arguments.frames);
   }
-  progress.finish();
   output.finish();
   if (!arguments.stats.empty()) {
     write_stats(arguments, player, size, tally);

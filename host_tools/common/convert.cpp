@@ -21,20 +21,17 @@ constexpr const char* kConversion =
 gen::RomFont generate(gen::GenerateRequest request, bool may_halve) {
   const auto tell = std::move(request.progress);
   while (true) {
-    gen::Progress progress(false);
-    request.progress = [&](size_t done, size_t count) {
-      if (tell) {
-        tell(done, count);
-      } else {
-        progress.update(done, count);
-      }
-    };
     try {
-      gen::RomFont font = gen::generate(request);
-      progress.finish();
-      return font;
+      gen::Progress progress(false);
+      request.progress = [&](size_t done, size_t count) {
+        if (tell) {
+          tell(done, count);
+        } else {
+          progress.update(done, count);
+        }
+      };
+      return gen::generate(request);
     } catch (const gen::TooComplex& error) {
-      progress.finish();
       const double half = std::floor(request.target.max_px / 2);
       if (!may_halve || half < request.target.min_px) {
         throw;

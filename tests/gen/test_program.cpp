@@ -25,7 +25,7 @@ TEST_F(Program, WritesFontAndReport) {
   const Outcome result =
       run(folder_, "--font plain.ttf --symbols .H --out a.bin --report a.json");
   EXPECT_EQ(result.code, 0) << result.err;
-  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("total"), std::string::npos);
   EXPECT_EQ(folder_.names(), (Names{"a.bin", "a.json", "plain.ttf"}));
   const std::vector<uint8_t> bytes = read_file(folder_.path() / "a.bin");
@@ -42,6 +42,32 @@ TEST_F(Program, IsQuietWhenTold) {
       run(folder_, "--font plain.ttf --symbols H --out a.bin --quiet");
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(Program, TellsHowFarItIsFromTheBeginning) {
+  const Outcome piped =
+      run(folder_, "--font plain.ttf --symbols .H --out a.bin");
+  EXPECT_EQ(piped.code, 0);
+  EXPECT_EQ(piped.err.find("  0 %: 0 of 3 glyphs\n"), 0u) << piped.err;
+  const Outcome budget =
+      run(folder_, "--font plain.ttf --symbols .H --budget 64K --out a.bin");
+  EXPECT_EQ(budget.err.find("  0 %: 0 of 3 glyphs\ntolerance 64/255: "), 0u)
+      << budget.err;
+  // script gives the program a terminal.
+  const TestFolder logs;
+  const std::string log = (logs.path() / "log").string();
+  const std::string command =
+      "cd '" + folder_.path().string() +
+      "' && script -qec '" INKCELL_FONTGEN
+      " --font plain.ttf --symbols .H --out a.bin' /dev/null >'" +
+      log + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::vector<uint8_t> bytes = read_file(log);
+  const std::string shown(bytes.begin(), bytes.end());
+  EXPECT_EQ(shown.find("\r[" + std::string(40, '.') + "] 0/3 glyphs \033[K"),
+            0u)
+      << shown;
+  EXPECT_NE(shown.find("\r\033[K"), std::string::npos) << shown;
 }
 
 TEST_F(Program, GivesTheSameBytesEveryTime) {

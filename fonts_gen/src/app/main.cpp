@@ -216,32 +216,33 @@ void measure_band(const GenerateRequest& request, FontReport& report) {
   }
 }
 
-// The font that was asked for, with a bar while it is made, or a line for each
-// trial.
-RomFont make_font(Arguments& arguments) {
+// The finest font that fits, with a line for each trial, or the font that was
+// asked for.
+RomFont make_font(const Arguments& arguments,
+                  std::optional<Progress>& progress) {
   if (arguments.budget != 0) {
     return generate_within(arguments.request, arguments.budget,
                            [&](const std::string& line) {
                              if (!arguments.quiet) {
+                               progress.emplace(false);
                                std::fprintf(stderr, "%s\n", line.c_str());
                              }
                            });
   }
-  Progress progress(arguments.quiet);
-  arguments.request.progress = [&](size_t done, size_t count) {
-    progress.update(done, count);
-  };
-  try {
-    RomFont font = generate(arguments.request);
-    if (!arguments.quiet || !arguments.report.empty()) {
-      measure_band(arguments.request, font.report);
-    }
-    progress.finish();
-    return font;
-  } catch (...) {
-    progress.finish();
-    throw;
+  RomFont font = generate(arguments.request);
+  if (!arguments.quiet || !arguments.report.empty()) {
+    measure_band(arguments.request, font.report);
   }
+  return font;
+}
+
+// The same, with a bar while it is made.
+RomFont make_font(Arguments& arguments) {
+  std::optional<Progress> progress(arguments.quiet);
+  arguments.request.progress = [&](size_t done, size_t count) {
+    progress->update(done, count);
+  };
+  return make_font(arguments, progress);
 }
 
 void run(Arguments& arguments) {

@@ -8,19 +8,25 @@
 namespace inkcell::gen {
 namespace {
 
-constexpr std::chrono::seconds kSilence{2};
-constexpr size_t kBarWidth = 40;  // [columns]
+constexpr std::chrono::seconds kSilence{1};  // between two lines
+constexpr size_t kBarWidth = 40;             // [columns]
 
 }  // namespace
 
-Progress::Progress(bool quiet)
+Progress::Progress(bool quiet, const char* what)
     : quiet_(quiet),
+      what_(what),
       terminal_(isatty(STDERR_FILENO) != 0),
-      begin_(std::chrono::steady_clock::now()) {}
+      begin_(Clock::now()) {}
+
+Progress::~Progress() {
+  if (bar_shown_) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
 
 void Progress::update(size_t done, size_t count) {
-  if (quiet_ || count == 0 ||
-      std::chrono::steady_clock::now() - begin_ < kSilence) {
+  if (quiet_ || count == 0) {
     return;
   }
   if (terminal_) {
@@ -30,34 +36,37 @@ void Progress::update(size_t done, size_t count) {
   }
 }
 
+// ", 12 s left", as soon as there is something to tell it by.
+std::string Progress::time_left(size_t done, size_t count) const {
+  if (done == 0 || done == count) {
+    return "";
+  }
+  const std::chrono::duration<double> spent = Clock::now() - begin_;
+  char text[32];
+  std::snprintf(text, sizeof text, ", %.0f s left",
+                spent.count() * static_cast<double>(count - done) /
+                    static_cast<double>(done));
+  return text;
+}
+
 void Progress::draw_bar(size_t done, size_t count) {
-  const std::chrono::duration<double> spent =
-      std::chrono::steady_clock::now() - begin_;
   const size_t filled = kBarWidth * done / count;
   const std::string bar =
       std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-  const double left = done == 0
-                          ? 0
-                          : spent.count() * static_cast<double>(count - done) /
-                                static_cast<double>(done);
-  std::fprintf(stderr, "\r[%s] %zu/%zu glyphs, %.0f s left \033[K", bar.c_str(),
-               done, count, left);
+  std::fprintf(stderr, "\r[%s] %zu/%zu %s%s \033[K", bar.c_str(), done, count,
+               what_, time_left(done, count).c_str());
   std::fflush(stderr);
   bar_shown_ = true;
 }
 
 void Progress::print_tenth(size_t done, size_t count) {
   const size_t tenth = 10 * done / count;
-  if (tenth > tenth_) {
+  const Clock::time_point now = Clock::now();
+  if (!tenth_ || (tenth > *tenth_ && now - printed_ >= kSilence)) {
     tenth_ = tenth;
-    std::fprintf(stderr, "%3zu %%: %zu of %zu glyphs\n", 10 * tenth, done,
-                 count);
-  }
-}
-
-void Progress::finish() {
-  if (bar_shown_) {
-    std::fputs("\r\033[K", stderr);
+    printed_ = now;
+    std::fprintf(stderr, "%3zu %%: %zu of %zu %s%s\n", 10 * tenth, done, count,
+                 what_, time_left(done, count).c_str());
   }
 }
 

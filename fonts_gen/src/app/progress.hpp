@@ -1,30 +1,41 @@
-// Progress of work that takes longer than two seconds, on standard error.
+// How far work is, and the time left, on standard error.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace inkcell::gen {
 
-/// Draws a bar on a terminal; elsewhere prints a line for each tenth.
+/// Draws a bar on a terminal. Elsewhere prints a line at once, and one for each
+/// tenth, but none within a second of the last one.
 class Progress {
  public:
-  explicit Progress(bool quiet);
+  /// `what` is made, in the plural.
+  explicit Progress(bool quiet, const char* what = "glyphs");
+  /// Takes the bar away.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   /// `done` of `count` glyphs are finished.
   void update(size_t done, size_t count);
-  /// Takes the bar away. No more updates follow.
-  void finish();
 
  private:
   void draw_bar(size_t done, size_t count);
   void print_tenth(size_t done, size_t count);
+  std::string time_left(size_t done, size_t count) const;
+
+  using Clock = std::chrono::steady_clock;
 
   bool quiet_;
+  const char* what_;
   bool terminal_;
   bool bar_shown_ = false;
-  size_t tenth_ = 0;  // last one printed
-  std::chrono::steady_clock::time_point begin_;
+  std::optional<size_t> tenth_;  // last one printed
+  Clock::time_point printed_;    // when it was
+  Clock::time_point begin_;
 };
 
 }  // namespace inkcell::gen

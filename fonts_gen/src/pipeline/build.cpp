@@ -209,10 +209,9 @@ void build_glyphs(const SourceFont& font,
     const SourceGlyph& source = font.glyphs[i];
     const BuiltGlyph* known =
         earlier == nullptr ? nullptr : earlier->find(source.outline);
-    BuiltGlyph built =
-        known != nullptr
-            ? *known
-            : build_glyph(font, source, refit, request.target, image);
+    BuiltGlyph built = known != nullptr ? *known
+                                        : build_glyph(font, source, refit,
+                                                      request.target, image);
     built.glyph.metrics.advance = source.advance;
     content.glyphs[i] = std::move(built.glyph);
     errors[i] = std::move(built.errors);
@@ -222,6 +221,9 @@ void build_glyphs(const SourceFont& font,
       request.progress(before + finished, others.size() + images.size());
     } : std::function<void(size_t)>();
   };
+  if (request.progress) {
+    request.progress(0, others.size() + images.size());
+  }
   parallel_for(
       others.size(), request.threads,
       [&](size_t i) { build(others[i], SampleTree()); }, done_after(0));

@@ -52,8 +52,8 @@ struct GenerateRequest {
   /// Glyphs of an earlier font, which need not be built again; not owned, null:
   /// none. The bytes do not depend on it.
   BuiltGlyphs* built_glyphs = nullptr;
-  /// Called now and then on the calling thread with glyphs done and their
-  /// number.
+  /// Called at once, with 0, and now and then on the calling thread with glyphs
+  /// done and their number.
   std::function<void(size_t done, size_t count)> progress;
 };
 

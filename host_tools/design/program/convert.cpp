@@ -1,6 +1,7 @@
 // inkcell-design export and import: projects as fonts, fonts as projects.
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "app/options.hpp"
 #include "app/output.hpp"
@@ -42,12 +43,12 @@ void say_warnings(const gen::Warnings& warnings) {
 }
 
 void export_rom(const Project& project, ConvertArguments& arguments) {
-  gen::Progress progress(false);
+  std::optional<gen::Progress> progress(false);
   arguments.request.progress = [&progress](size_t done, size_t count) {
-    progress.update(done, count);
+    progress->update(done, count);
   };
   const gen::RomFont font = make_rom(project, arguments.request);
-  progress.finish();
+  progress.reset();
   say_warnings(font.warnings);
   write_bytes(arguments.out, font.bytes);
 }

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/options.hpp"
 #include "app/output.hpp"
@@ -118,7 +119,7 @@ void run(RoundtripArguments& arguments) {
   gen::SourceFont font = gen::load_font(wanted, 1, warnings);
   font.glyphs.erase(font.glyphs.begin());  // .notdef
   std::vector<GlyphResult> results(font.glyphs.size());
-  gen::Progress progress(arguments.quiet);
+  std::optional<gen::Progress> progress(arguments.quiet);
   gen::parallel_for(
       results.size(), arguments.request.threads,
       [&](size_t i) {
@@ -129,8 +130,8 @@ void run(RoundtripArguments& arguments) {
                       error.what() + "; leave the character out");
         }
       },
-      [&](size_t done) { progress.update(done, results.size()); });
-  progress.finish();
+      [&](size_t done) { progress->update(done, results.size()); });
+  progress.reset();
   GlyphResult all;
   for (const GlyphResult& r : results) {
     all.error.add(r.error);
