@@ -129,6 +129,27 @@ TEST_F(Program, ListsTakeWhatTheirHelpShows) {
   EXPECT_NE(help.find("--chars LIST  "), std::string::npos) << help;
 }
 
+TEST_F(Program, NamesTheFaceThatItTakes) {
+  folder_.write("two.ttc", build_collection({Sfnt::plain(), Sfnt::plain()}));
+  const std::string rest = " --symbols H --quiet --out a.bin";
+  const std::string said = "warning: two.ttc: holds 2 faces; number 0, ";
+  const Outcome first = run(folder_, "--font two.ttc" + rest);
+  EXPECT_EQ(first.code, 0);
+  EXPECT_EQ(first.err.find(said), 0u) << first.err;
+  EXPECT_NE(first.err.find(
+                "is taken; --face, which is for --font, takes another one: 1 "),
+            std::string::npos);
+  EXPECT_EQ(run(folder_, "--font two.ttc --face 0" + rest).err, "");
+  EXPECT_EQ(run(folder_, "--font two.ttc --face 1" + rest).err, "");
+  EXPECT_EQ(run(folder_, "--font plain.ttf" + rest).err, "");
+  // A merged file has no choice.
+  EXPECT_EQ(run(folder_,
+                "--font two.ttc --face 1 --chars 0x2E --merge "
+                "two.ttc=0x48 --quiet --out a.bin")
+                .err.find(said),
+            0u);
+}
+
 TEST_F(Program, EffortIsForCells) {
   const auto report = [&](const std::string& options) {
     const Outcome made =

@@ -64,7 +64,8 @@ void add_choice(CLI::App& app,
 
 void add_selection(CLI::App& app, GenerateRequest& request) {
   app.add_option("--face", request.face, "Face number in a TTC or OTC file")
-      ->capture_default_str();
+      ->type_name("INT")
+      ->default_str("0");
   take_one(app.add_option_function<std::vector<std::string>>(
                "--axis",
                [&request](const std::vector<std::string>& settings) {

@@ -37,6 +37,7 @@ struct Warning {
     measure,             // a metric had to be guessed or clamped
     no_outline,          // a glyph is a bitmap or in colour only: no ink
     unused_face,         // a merged face gives no character
+    face_taken,          // the first of several, since none was chosen
   };
   Kind kind;
   std::string text;

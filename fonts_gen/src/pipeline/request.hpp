@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ class BuiltGlyphs;
 /// What to generate. The defaults are those of the command line.
 struct GenerateRequest {
   std::filesystem::path font;  // empty: icons alone
-  int face = 0;
+  std::optional<int> face;     // none: the first
   std::vector<AxisSetting> axes;
   /// Characters: the union of all four; printable ASCII if they are empty and
   /// there are no strings.

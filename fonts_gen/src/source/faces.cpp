@@ -229,7 +229,7 @@ SourceFont load_faces(const FontRequest& first,
                       Warnings& warnings) {
   std::vector<FontFile> files;
   files.reserve(1 + more.size());
-  files.emplace_back(first.file, first.face, first.axes);
+  files.emplace_back(first.file, first.face.value_or(0), first.axes);
   for (const MergedFace& face : more) {
     files.emplace_back(face.file, 0, std::vector<AxisSetting>());
   }
@@ -247,6 +247,7 @@ SourceFont load_faces(const FontRequest& first,
     const CharSet& list = more[i].characters;
     asked.insert(list.begin(), list.end());
     request.file = more[i].file;
+    request.face.reset();
     request.lines = shares[i + 1];
     request.characters = without(list.empty() ? asked : list, given);
     if (list.empty()) {

@@ -321,14 +321,34 @@ uint32_t FontFile::glyph_of(char32_t code_point) const {
   return glyph;
 }
 
-std::string FontFile::full_name() const {
-  const char* family = ft()->family_name;
-  const char* style = ft()->style_name;
+std::string FontFile::name_of(FT_Face face) const {
+  const char* family = face->family_name;
+  const char* style = face->style_name;
   std::string name = family == nullptr ? file_name_ : family;
   if (style != nullptr) {
     name += std::string(" ") + style;
   }
   return name;
+}
+
+std::string FontFile::full_name() const {
+  return name_of(ft());
+}
+
+std::vector<std::string> FontFile::face_names() const {
+  std::vector<std::string> names;
+  for (FT_Long i = 0; i < ft()->num_faces; ++i) {
+    FT_Face face = nullptr;
+    if (FT_New_Memory_Face(library_.get(), bytes_.data(),
+                           static_cast<FT_Long>(bytes_.size()), i,
+                           &face) != 0) {
+      names.emplace_back("damaged");
+      continue;
+    }
+    names.push_back(name_of(face));
+    FT_Done_Face(face);
+  }
+  return names;
 }
 
 void FontFile::set_axes(const std::vector<AxisSetting>& settings) {

@@ -51,6 +51,8 @@ class FontFile {
   const std::string& file_name() const { return file_name_; }
   /// Family and style, such as "DejaVu Sans Book".
   std::string full_name() const;
+  /// The same of each face in the file.
+  std::vector<std::string> face_names() const;
 
   /// Throws Error "<file>: <text>".
   [[noreturn]] void refuse(const std::string& text) const;
@@ -65,6 +67,7 @@ class FontFile {
   template <typename Handle>
   using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
+  std::string name_of(FT_Face face) const;
   void read_bytes(const std::filesystem::path& file);
   bool is_web_font() const;
   void unpack(int face);

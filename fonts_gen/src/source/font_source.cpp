@@ -15,6 +15,9 @@ namespace {
 // Missing characters that a warning lists.
 constexpr size_t kListedCharacters = 10;
 
+// Faces of a file, likewise.
+constexpr size_t kListedFaces = 20;
+
 // Whether the font has a picture of the glyph that is no plain outline.
 bool has_picture(const FontFile& font, uint32_t glyph) {
   hb_blob_t* png = hb_ot_color_glyph_reference_png(font.hb(), glyph);
@@ -86,6 +89,23 @@ void warn_of_embedding(const FontFile& font, Warnings& warnings) {
                             ", " + meaning +
                             ". Check the font's licence before you ship it"});
   }
+}
+
+// Of a file of several faces the first one was taken, unasked.
+void warn_of_faces(const FontFile& file, Warnings& warnings) {
+  const std::vector<std::string> names = file.face_names();
+  if (names.size() < 2) {
+    return;
+  }
+  std::string text =
+      file.file_name() + ": holds " + std::to_string(names.size()) +
+      " faces; number 0, " + names[0] +
+      ", is taken; --face, which is for --font, takes another one:";
+  for (size_t i = 1; i < std::min(names.size(), kListedFaces); ++i) {
+    text += (i == 1 ? " " : ", ") + std::to_string(i) + " " + names[i];
+  }
+  text += names.size() > kListedFaces ? ", ..." : "";
+  warnings.push_back({Warning::Kind::face_taken, text});
 }
 
 // Places of glyphs in a font, by their ids in the file.
@@ -249,8 +269,9 @@ void renew_missing_warning(const SourceFont& font, Warnings& warnings) {
 }
 
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
-  return load_font(FontFile(request.file, request.face, request.axes), request,
-                   jobs, warnings);
+  return load_font(
+      FontFile(request.file, request.face.value_or(0), request.axes), request,
+      jobs, warnings);
 }
 
 SourceFont load_font(const FontFile& file,
@@ -260,6 +281,9 @@ SourceFont load_font(const FontFile& file,
   SourceFont font;
   font.file_name = file.file_name();
   font.name = file.full_name();
+  if (!request.face) {
+    warn_of_faces(file, warnings);
+  }
   const size_t asked = choose_glyphs(file, request, font);
   warn_of_embedding(file, warnings);
   renew_missing_warning(font, warnings);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct LineShare {
 /// Which face of which file, and which of its characters.
 struct FontRequest {
   std::filesystem::path file;
-  int face = 0;
+  std::optional<int> face;  // none: the first; a warning names it if need be
   std::vector<AxisSetting> axes;
   CharSet characters;
   /// May be empty, as `characters` may then.
