@@ -9,6 +9,7 @@
 
 #include "app/options.hpp"
 #include "app/progress.hpp"
+#include "inkcell/text.hpp"
 #include "source/char_set.hpp"
 
 namespace inkcell::tools {
@@ -53,7 +54,7 @@ void warn_of_missing(const RomFile& rom,
   std::set<char32_t> missing;
   for (const char32_t c : from_utf8(text)) {
     uint16_t glyph = 0;
-    if (c != U'\n' && rom.font().glyph_of(c, glyph) != Status::ok) {
+    if (needs_glyph(c) && rom.font().glyph_of(c, glyph) != Status::ok) {
       missing.insert(c);
     }
   }

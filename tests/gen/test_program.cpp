@@ -450,6 +450,22 @@ TEST_F(Program, GoesOnWithoutMissingCharacters) {
       << result.err;
 }
 
+TEST_F(Program, MissesNoCharacterThatShowsNothing) {
+  // A tab, a soft hyphen, a zero width space, an em space.
+  const std::string text = "H\t.\xc2\xad\xe2\x80\x8b\xe2\x80\x83\n";
+  folder_.write("a.txt", std::vector<uint8_t>(text.begin(), text.end()));
+  folder_.write("b.ttf", Sfnt::plain());
+  for (const char* merged : {"", "--merge b.ttf "}) {
+    const Outcome result =
+        run(folder_, std::string("--font plain.ttf --text-file a.txt --strict "
+                                 "--quiet --out a.bin ") +
+                         merged);
+    EXPECT_EQ(result.code, 0) << merged;
+    EXPECT_EQ(result.err.find("not in the font"), std::string::npos)
+        << result.err;
+  }
+}
+
 TEST_F(Program, WritesDependencies) {
   folder_.write("t.txt", std::vector<uint8_t>{'H'});
   ASSERT_EQ(

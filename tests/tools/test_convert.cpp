@@ -42,6 +42,23 @@ Sfnt zone_plate() {
   return font;
 }
 
+TEST(Convert, WarnsOfWhatShowsAsNotdef) {
+  const TestFolder folder;
+  gen::GenerateRequest request;
+  request.font = folder.write("plain.ttf", Sfnt::plain());
+  request.symbols = "H";
+  const auto rom = folder.write("plain.bin", gen::generate(request).bytes);
+  const auto warning = [&](const std::string& text) {
+    testing::internal::CaptureStderr();
+    load_font_file(rom, Conversion(), text);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(warning("H\tH\xc2\xad\n"), "");
+  EXPECT_EQ(warning("H.\t\n"),
+            "warning: plain.bin: not in the font, and drawn as .notdef: U+002E "
+            "'.'\n");
+}
+
 TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());

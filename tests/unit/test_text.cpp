@@ -133,6 +133,19 @@ bool same(const Ink& a, const Ink& b) {
 
 }  // namespace
 
+TEST(what_shows_nothing_needs_no_glyph) {
+  constexpr uint32_t kNothing[] = {0x9,    0xa,    0x20,   0xa0,   0xad,
+                                   0x200b, 0x2003, 0xfe0f, 0xe0020};
+  for (const uint32_t c : kNothing) {
+    CHECK(!needs_glyph(c));
+  }
+  constexpr uint32_t kShown[] = {0x21, 0x41,   0x7e,   0xac,
+                                 0xae, 0x2010, 0xe000, 0x1f600};
+  for (const uint32_t c : kShown) {
+    CHECK(needs_glyph(c));
+  }
+}
+
 TEST(reads_well_formed_text) {
   check_reads("Az", {'A', 'z', kEnd});
   check_reads("\x7f\xc2\x80", {0x7f, 0x80, kEnd});

@@ -39,6 +39,11 @@ struct Text {
 /// Takes the first code point off `text`, which must not be empty.
 uint32_t next_code_point(Text& text) noexcept;
 
+/// Whether text shows .notdef where a font lacks a code point. Controls, zero
+/// width characters and soft hyphens show nothing; spaces and tabs need none of
+/// their own beside U+0020.
+bool needs_glyph(uint32_t code_point) noexcept;
+
 /// A glyph of a run. Font units, y up, from the run's origin on the baseline.
 struct PositionedGlyph {
   int32_t x = 0;

@@ -106,6 +106,10 @@ uint32_t next_code_point(Text& text) noexcept {
   return whole ? code_point : kReplacement;
 }
 
+bool needs_glyph(uint32_t code_point) noexcept {
+  return detail::shown_as(code_point) == detail::Shown::glyph;
+}
+
 TextCursor::TextCursor(const Font& font,
                        Text text,
                        const TextStyle& style) noexcept

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/error.hpp"
+#include "inkcell/text.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -158,6 +159,10 @@ std::optional<char32_t> take_utf8(std::string_view& text) {
 
 bool is_shown(char32_t c) {
   return !is_control(c) && c != 0xfeff;
+}
+
+bool is_missed(char32_t c) {
+  return c == U' ' || needs_glyph(c);
 }
 
 void add_text(std::string_view text, const std::string& source, CharSet& out) {

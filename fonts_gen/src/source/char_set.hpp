@@ -39,6 +39,10 @@ std::optional<char32_t> take_utf8(std::string_view& text);
 /// mark.
 bool is_shown(char32_t code_point);
 
+/// Whether text has a gap or a box where the font lacks a character: the space,
+/// and all that show something.
+bool is_missed(char32_t code_point);
+
 /// UTF-8 of one code point.
 std::string to_utf8(char32_t code_point);
 

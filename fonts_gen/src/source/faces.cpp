@@ -266,7 +266,11 @@ SourceFont load_faces(const FontRequest& first,
   }
   font.lines = shaped;
   CharSet missing = missing_in_lines(font);
-  missing.merge(without(asked, given));
+  for (const char32_t c : without(asked, given)) {
+    if (is_missed(c)) {
+      missing.insert(c);
+    }
+  }
   font.missing.assign(missing.begin(), missing.end());
   if (font.glyphs.size() == 1 && !missing.empty()) {
     refuse_all(files.front(), missing.size());

@@ -119,7 +119,9 @@ void add_characters(const FontFile& file,
   for (const char32_t c : characters) {
     const uint32_t source = file.glyph_of(c);
     if (source == 0) {
-      font.missing.push_back(c);
+      if (is_missed(c)) {
+        font.missing.push_back(c);
+      }
       continue;
     }
     const auto [found, is_new] = known.emplace(source, font.glyphs.size());
