@@ -58,13 +58,13 @@ def make_fonts(build, part):
 
 
 def write_hashes(build):
-    run = subprocess.run([build / "tests/golden/unit_golden"],
+    run = subprocess.run([build / "tests/unit/unit_tests", "golden"],
                          capture_output=True, text=True, check=False)
     hashes = re.findall(r"^([0-9a-f]{64})  (.*)$", run.stdout, re.MULTILINE)
     pages = [digits for digits, name in hashes if name != "sheet"]
     sheet = [digits for digits, name in hashes if name == "sheet"]
     if len(sheet) != 1 or not pages:
-        sys.exit("regenerate.py: unit_golden printed no hashes")
+        sys.exit("regenerate.py: unit_tests printed no hashes")
     lines = "".join(f'    "{digits}",\n' for digits in pages)
     (HERE / "expected.hpp").write_text(
         "// The hashes of the test sheet: written by regenerate.py.\n"
@@ -111,7 +111,7 @@ def main():
     if not arguments or arguments[1:2] not in ([], ["--fonts"]):
         sys.exit(__doc__)
     build = Path(arguments[0])
-    targets = ["unit_golden", "golden_write_sheet"]
+    targets = ["unit_tests", "golden_write_sheet"]
     if arguments[1:]:
         subprocess.run(["cmake", "--build", build, "--target",
                         "inkcell-fontgen"], check=True)
@@ -121,7 +121,7 @@ def main():
     write_hashes(build)
     write_pictures(build)
     # The test holds the hashes.
-    subprocess.run(["cmake", "--build", build, "--target", "unit_golden"],
+    subprocess.run(["cmake", "--build", build, "--target", "unit_tests"],
                    check=True)
 
 

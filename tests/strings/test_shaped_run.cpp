@@ -1,7 +1,7 @@
 // Shaped runs: what is drawn, measured and laid out, and any numbers in them.
 #include "inkcell/shaped_run.hpp"
 
-#include <fonts/ui.hpp>
+#include <fonts/labels.hpp>
 
 #include "check.hpp"
 #include "draw_greeting.h"
@@ -60,13 +60,13 @@ class Page {
 };
 
 const ShapedRun* const kRuns[] = {
-    &fonts::ui_strings::title, &fonts::ui_strings::greeting,
-    &fonts::ui_strings::mixed, &fonts::ui_strings::price,
-    &fonts::ui_strings::plain, &fonts::ui_strings::marks};
+    &fonts::labels_strings::title, &fonts::labels_strings::greeting,
+    &fonts::labels_strings::mixed, &fonts::labels_strings::price,
+    &fonts::labels_strings::plain, &fonts::labels_strings::marks};
 
 Font open() {
   Font font;
-  CHECK_OK(Font::open(fonts::ui, font));
+  CHECK_OK(Font::open(fonts::labels, font));
   return font;
 }
 
@@ -99,7 +99,7 @@ void draw_title(const Font& font,
                 int32_t width,
                 int32_t baseline,
                 const Sink& sink) {
-  const ShapedRun& title = fonts::ui_strings::title;
+  const ShapedRun& title = fonts::labels_strings::title;
   const Q26_6 wide = to_px(font, style, measure(font, title, style).advance);
   const int32_t left = (64 * width - wide.raw) / 2;
   draw(font, title, style, {Q26_6::from_raw(left), Q26_6::from_int(baseline)},
@@ -154,7 +154,7 @@ TEST(run_is_what_its_layout_draws) {
 }
 
 TEST(layout_needs_room_for_all_glyphs) {
-  const ShapedRun& run = fonts::ui_strings::title;
+  const ShapedRun& run = fonts::labels_strings::title;
   PositionedGlyph room[32];
   Span<const PositionedGlyph> glyphs;
   CHECK_EQ(layout(run, {room, run.glyphs.size - 1}, glyphs),
@@ -205,7 +205,7 @@ TEST(fitted_letters_stand_as_those_of_text) {
   const Font font = open();
   for (int32_t px = 8; px <= 20; ++px) {
     const FittedStyle fitted(font, px);
-    const ShapedRun& run = fonts::ui_strings::plain;
+    const ShapedRun& run = fonts::labels_strings::plain;
     PositionedGlyph room[32];
     Span<const PositionedGlyph> glyphs;
     CHECK_OK(layout(font, run, fitted.style, room, glyphs));
@@ -271,7 +271,7 @@ TEST(styles_that_are_not_fitted_keep_the_design) {
 }
 
 TEST(blanks_have_an_advance_and_no_glyphs) {
-  const ShapedRun& blank = fonts::ui_strings::blank;
+  const ShapedRun& blank = fonts::labels_strings::blank;
   CHECK_EQ(blank.glyphs.size, 0);
   CHECK(blank.advance > 0);
   const TextMeasure box = measure(open(), blank);
@@ -347,7 +347,7 @@ TEST(c_draws_the_same) {
   const Sink to_c = by_c.sink();
   draw_greeting(&font_c, reinterpret_cast<const inkcell_style_t*>(&style),
                 reinterpret_cast<const inkcell_sink_t*>(&to_c));
-  draw(font, fonts::ui_strings::greeting, style, kOrigin, by_cpp.sink());
+  draw(font, fonts::labels_strings::greeting, style, kOrigin, by_cpp.sink());
   CHECK(by_c.drawn() > 100);
   CHECK(by_c == by_cpp);
 
@@ -359,8 +359,8 @@ TEST(c_draws_the_same) {
   CHECK_EQ(count, 0);
   CHECK_EQ(measure_greeting(&font_c, nullptr, room, 32, &count, &box),
            INKCELL_OK);
-  CHECK_EQ(count, fonts::ui_strings::greeting.glyphs.size);
-  const TextMeasure expected = measure(font, fonts::ui_strings::greeting);
+  CHECK_EQ(count, fonts::labels_strings::greeting.glyphs.size);
+  const TextMeasure expected = measure(font, fonts::labels_strings::greeting);
   CHECK_EQ(box.advance, expected.advance);
   CHECK_EQ(box.x_min, expected.x_min);
   CHECK_EQ(box.y_max, expected.y_max);
@@ -373,6 +373,7 @@ TEST(c_draws_the_same) {
           &font_c, reinterpret_cast<const inkcell_style_t*>(&fitted_c.style),
           room, 32, &count, &box),
       INKCELL_OK);
-  CHECK_EQ(box.advance,
-           measure(font, fonts::ui_strings::greeting, fitted.style).advance);
+  CHECK_EQ(
+      box.advance,
+      measure(font, fonts::labels_strings::greeting, fitted.style).advance);
 }

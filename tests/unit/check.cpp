@@ -1,13 +1,17 @@
 // The list of tests, and what is printed about them.
 #include "check.hpp"
 
+// Where the section begins and ends, by the linker.
+extern "C" {
+extern const check::Test __start_inkcell_tests[];
+extern const check::Test __stop_inkcell_tests[];
+}
+
 namespace check {
 
 namespace {
 
-Test* first_test = nullptr;
-Test* last_test = nullptr;
-Test* running = nullptr;
+const Test* running = nullptr;
 bool running_failed = false;
 int failures_printed = 0;    // of the running test
 int32_t running_round = -1;  // none
@@ -23,6 +27,19 @@ const char* base_name(const char* path) {
     }
   }
   return base;
+}
+
+// Whether `text` is `begin` and then `end`.
+bool is_same(const char* text, const char* begin, const char* end) {
+  while (*begin != '\0' && *text == *begin) {
+    ++text;
+    ++begin;
+  }
+  while (*begin == '\0' && *end != '\0' && *text == *end) {
+    ++text;
+    ++end;
+  }
+  return *begin == '\0' && *end == '\0' && *text == '\0';
 }
 
 // Whether `wanted`, "test/number", names this test; its number.
@@ -41,10 +58,42 @@ bool names_test(const char* wanted, const char* test, int32_t& number) {
   return *wanted == '\0';
 }
 
-bool is_wanted(const Test& test) {
+// Whether `name` is that of a test or of its file.
+bool is_name(const char* name, const Test& test) {
+  return is_same(name, test.name, "") ||
+         is_same(base_name(test.file) + sizeof("test_") - 1, name, ".cpp");
+}
+
+bool is_wanted(const Test& test, int name_count, const char* const* names) {
   int32_t number;
-  return wanted_round() == nullptr ||
-         names_test(wanted_round(), test.name, number);
+  if (wanted_round() != nullptr &&
+      !names_test(wanted_round(), test.name, number)) {
+    return false;
+  }
+  for (int i = 0; i < name_count; ++i) {
+    if (is_name(names[i], test)) {
+      return true;
+    }
+  }
+  return name_count == 0;
+}
+
+// The number of names that are those of no test; says so.
+int unknown_names(int name_count, const char* const* names) {
+  int unknown = 0;
+  for (int i = 0; i < name_count; ++i) {
+    const Test* test = __start_inkcell_tests;
+    while (test != __stop_inkcell_tests && !is_name(names[i], *test)) {
+      ++test;
+    }
+    if (test == __stop_inkcell_tests) {
+      write("no test and no file test_<name>.cpp is called ");
+      write(names[i]);
+      write("\n");
+      ++unknown;
+    }
+  }
+  return unknown;
 }
 
 bool begin_failure(const char* file, int line, const char* what) {
@@ -69,21 +118,13 @@ bool begin_failure(const char* file, int line, const char* what) {
 
 }  // namespace
 
-Test::Test(const char* test_name, Body test_body)
-    : name(test_name), body(test_body) {
-  if (last_test == nullptr) {
-    first_test = this;
-  } else {
-    last_test->next = this;
-  }
-  last_test = this;
-}
-
-int run_all() {
+int run(int name_count, const char* const* names) {
+  const int unknown = unknown_names(name_count, names);
   int passed = 0;
   int failures = 0;
-  for (running = first_test; running != nullptr; running = running->next) {
-    if (!is_wanted(*running)) {
+  for (running = __start_inkcell_tests; running != __stop_inkcell_tests;
+       ++running) {
+    if (!is_wanted(*running, name_count, names)) {
       continue;
     }
     running_failed = false;
@@ -96,8 +137,7 @@ int run_all() {
   write(" passed, ");
   write_number(failures);
   write(" failed\n");
-  if (passed + failures == 0) {
-    // Constructors did not run, the file is empty, or no test has this round.
+  if (unknown != 0 || passed + failures == 0) {
     return 255;
   }
   return failures > 255 ? 255 : failures;

@@ -5,8 +5,8 @@
 //     CHECK_EQ(divide_by_255(128), 1u);
 //   }
 //
-// A failed check is reported and the test goes on. Each file of tests becomes a
-// program; check_main.cpp runs all its tests in the order of the file.
+// A failed check is reported and the test goes on. A program has the tests of
+// many files; check_main.cpp runs all, or those that its arguments name.
 #pragma once
 
 #include <stddef.h>
@@ -14,21 +14,19 @@
 
 namespace check {
 
-/// A test of this program. Lives in static memory; linked in by constructors.
-class Test {
- public:
-  using Body = void (*)();
-
-  Test(const char* name, Body body);
-
+/// A test of this program, one of those in the section inkcell_tests: the list
+/// takes no RAM, and no code before main().
+struct Test {
   const char* name;
-  Body body;
-  Test* next = nullptr;
+  const char* file;
+  void (*body)();
 };
 
-/// Runs all tests, prints the names of those that fail and a closing line.
-/// Returns the number of failed tests, at most 255; 255 if there are none.
-int run_all();
+/// Runs the tests that one of `names` names: its own, or its file's, which is
+/// field for tests/unit/test_field.cpp. All if there are none. Prints what
+/// fails and a closing line. Returns the number of failed tests, at most 255;
+/// 255 if a name is that of no test, or no test ran.
+int run(int name_count, const char* const* names);
 
 /// Notes that a check of the running test failed.
 void fail(const char* file, int line, const char* what);
@@ -55,9 +53,11 @@ const char* wanted_round();
 
 }  // namespace check
 
-#define TEST(test_name)                                                      \
-  static void test_##test_name();                                            \
-  static ::check::Test registered_##test_name(#test_name, test_##test_name); \
+#define TEST(test_name)                                                  \
+  static void test_##test_name();                                        \
+  __attribute__((section("inkcell_tests"), used,                         \
+                 aligned(sizeof(void*)))) static const ::check::Test     \
+      registered_##test_name = {#test_name, __FILE__, test_##test_name}; \
   static void test_##test_name()
 
 #define CHECK(condition)                             \

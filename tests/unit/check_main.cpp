@@ -28,6 +28,6 @@ const char* wanted_round() {
 
 }  // namespace check
 
-int main(int, char**) {
-  return check::run_all();
+int main(int argc, char** argv) {
+  return check::run(argc - 1, argv + 1);
 }

@@ -8,7 +8,7 @@
 //
 // A failure names its round and how to run it again:
 //
-//   INKCELL_ROUND=pictures_agree/17 build/host/tests/unit/unit_field_draw
+//   INKCELL_ROUND=pictures_agree/17 build/host/tests/unit/unit_tests field_draw
 //
 // runs this test and this round only. What a test adds up over its rounds may
 // then be too little. Boards have no environment; they name the round, too.

@@ -168,6 +168,7 @@ TEST(shapes_weigh_what_they_are) {
 }
 
 TEST(a_heap_comes_to_rest_without_overlaps) {
+  make_models();
   BodyRules rules;
   rules.walls = kRoom;
   rules.gravity.raw = 2300;  // 500 px/s^2 at 120 steps/s
@@ -214,6 +215,7 @@ TEST(a_heap_comes_to_rest_without_overlaps) {
 }
 
 TEST(nothing_is_shot_through_a_thin_board) {
+  make_models();
   static Board board;
   BodyRules rules;
   rules.walls = {0, 0, 160, 40};
@@ -242,6 +244,7 @@ TEST(nothing_is_shot_through_a_thin_board) {
 }
 
 TEST(energy_does_not_grow) {
+  make_models();
   const uint16_t kBounces[] = {256, 128};
   for (const uint16_t bounce : kBounces) {
     BodyRules rules;
@@ -270,6 +273,7 @@ TEST(energy_does_not_grow) {
 }
 
 TEST(soft_bodies_meet_at_one_line) {
+  make_models();
   BodyRules rules;
   rules.walls = {0, 0, 64, 64};
   rules.overlap.raw = 3 << 10;
