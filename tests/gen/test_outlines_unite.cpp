@@ -197,12 +197,47 @@ TEST(Unite, RefusesCoordinatesThatAreNone) {
 
 // The two curves run along each other for a part of their length, where they
 // meet in no countable points.
-TEST(Unite, CurvesThatRunAlongEachOtherAreUnitedAsChords) {
+TEST(Unite, CurvesThatRunAlongEachOtherStayCurves) {
   Contour a = circle(0, 0, 100);
   Contour b = circle(0, 0, 100);
   b.segments[0] = part_of(b.segments[0], 0, 0.5);
   b.segments.resize(1);
   expect_union(outline({a, b}));
+  EXPECT_EQ(segment_count(unite(outline({a, b}))), 4u);
+}
+
+// A curve that comes back along itself, nearer than crossings are exact.
+TEST(Unite, CurvesBesideAHairlineStayCurves) {
+  for (const double width : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    SCOPED_TRACE(width);
+    Contour drop = circle(0, 0, 100);
+    const Point a = end_of(drop.segments[0]);
+    Segment out;
+    out.p[0] = a;
+    out.p[1] = {a.x + 7, a.y + 90};
+    Segment back = out;
+    back.p[0] = out.p[1];
+    back.p[1] = {a.x - width, a.y};
+    drop.segments.insert(drop.segments.begin() + 1, {out, back});
+    drop.segments[3].p[0] = back.p[1];
+    expect_union(outline({drop}));
+    EXPECT_LE(segment_count(unite(outline({drop}))), 6u);
+  }
+}
+
+// What is left of a counter that a variable font turned inside out.
+TEST(Unite, SliversAreDropped) {
+  const Contour square = rectangle(0, 0, 300, 300);
+  const auto count = [&](double width, double height) {
+    return unite(outline(
+                     {square, rectangle(100 + width, 100, 100, 100 + height)}))
+        .contours.size();
+  };
+  EXPECT_EQ(count(0.06, 12), 1u);
+  EXPECT_EQ(count(12, 0.06), 1u);
+  // Long or wide ones are not: thin strokes, and dots.
+  EXPECT_EQ(count(0.06, 120), 2u);
+  EXPECT_EQ(count(0.3, 1), 2u);
 }
 
 TEST(Unite, GlyphsOfFonts) {

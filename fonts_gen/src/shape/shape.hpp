@@ -33,7 +33,8 @@ struct Edge {
 /// query it.
 class Shape {
  public:
-  /// Degenerate contours fill nothing and are dropped.
+  /// Degenerate contours fill nothing and are dropped, and so are islands and
+  /// holes of less than 4 u^2 whose mean width is less than 1/8 u.
   ///
   /// Throws GeometryError::bad_coordinates.
   explicit Shape(const Outline& outline);
