@@ -27,6 +27,9 @@
 #   outline   points of lines and curves, about 6 KB for 95 characters; default
 #   edges     a quadtree of cells of edges: the field at any point, in place
 #   samples   a quadtree of cells of nine distances, as the paper has it
+# The library draws outlines; edges or samples make it draw those as well, in all
+# programs of the build. Fonts that no inkcell_add_font() makes, and fields
+# that are generated on the device, need INKCELL_EDGE_CELLS or INKCELL_SAMPLE_CELLS.
 #
 # A glyph that misses TOLERANCE is an error, unless BEST_EFFORT is there. One that
 # misses the default, 16, is drawn as well as possible, with a warning.
@@ -187,6 +190,24 @@ function(_inkcell_face_options to_options to_inputs merge svg folders)
   set(${to_inputs} "${files}" PARENT_SCOPE)
 endfunction()
 
+# Has the library draw what fonts of a coding are made of. In a font of edges,
+# glyphs that edges cannot hold are of samples.
+function(_inkcell_draw_coding coding)
+  get_property(library GLOBAL PROPERTY inkcell_library)
+  if(NOT library OR NOT coding MATCHES "edges|samples")
+    return()
+  endif()
+  set(scope PUBLIC)
+  get_target_property(type ${library} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(scope INTERFACE)
+  endif()
+  target_compile_definitions(${library} ${scope} INKCELL_SAMPLE_CELLS=1)
+  if(coding STREQUAL "edges")
+    target_compile_definitions(${library} ${scope} INKCELL_EDGE_CELLS=1)
+  endif()
+endfunction()
+
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
@@ -336,4 +357,5 @@ function(inkcell_add_font target)
   endif()
   target_sources(${target} ${scope} ${outputs})
   target_include_directories(${target} ${scope} "${include}")
+  _inkcell_draw_coding("${arg_CODING}")
 endfunction()

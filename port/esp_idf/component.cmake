@@ -16,6 +16,7 @@ idf_component_register(
     ${root}/port/c/include
   PRIV_INCLUDE_DIRS ${root}/core/src)
 target_compile_features(${COMPONENT_LIB} PUBLIC cxx_std_17)
+set_property(GLOBAL PROPERTY inkcell_library ${COMPONENT_LIB})
 target_compile_options(${COMPONENT_LIB} PRIVATE -ffunction-sections -fdata-sections)
 
 # After idf_component_register() of a component that has REQUIRES inkcell:

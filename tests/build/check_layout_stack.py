@@ -13,8 +13,8 @@ import re
 import shutil
 import sys
 
-from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT, WARNINGS,
-                        finish, require, run)
+from toolchains import (ALL_CODINGS, COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
+                        WARNINGS, finish, require, run)
 
 # Bytes of the deepest chain, of which the font's kerning takes 170.
 LIMIT = 512
@@ -71,8 +71,9 @@ def compile_all(level, folder):
                for path in sorted((ROOT / "core/src" / room).glob("*.cpp"))]
     for source in sources:
         target = folder / (source.stem + ".o")
-        result = run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES, level,
-                      "-fcallgraph-info=su", "-c", source, "-o", target],
+        result = run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES,
+                      *ALL_CODINGS, level, "-fcallgraph-info=su", "-c", source,
+                      "-o", target],
                      env=environment)
         if result.returncode != 0:
             problems.append(result.stdout)

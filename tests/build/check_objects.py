@@ -11,8 +11,9 @@ import re
 import shutil
 import sys
 
-from toolchains import (COMPILERS, ROOT, WARNINGS, compile_object,
-                        device_sources, finish, in_parallel, require, run)
+from toolchains import (ALL_CODINGS, COMPILERS, ROOT, WARNINGS,
+                        compile_object, device_sources, finish, in_parallel,
+                        require, run)
 
 MACHINES = ["Cortex-M0", "Cortex-M3", "RV32", "host"]
 LEVELS = ["-Os", "-O2"]
@@ -65,7 +66,8 @@ def compile_source(machine, level, source, folder):
     room = source.relative_to(ROOT).parts[:-2]
     target = folder / ("-".join(room) + "-" + source.stem + ".o")
     return target, compile_object(
-        machine, [*WARNINGS, level, "-fstack-usage"], source, target)
+        machine, [*WARNINGS, *ALL_CODINGS, level, "-fstack-usage"], source,
+        target)
 
 
 def check_stack(usage, limits):

@@ -1,10 +1,11 @@
-"""Builds the library without each part that an option leaves out, and draws.
+"""Builds the library as options and fonts ask for it, and draws.
 
-What is left must look as it does with all parts; fonts and records that need
+What a build has must look as it does with all parts; fonts and records that need
 what is missing must be answered with `unsupported`, and no code of it may be
-linked. Glyphs look the same in either order.
+linked. Glyphs look the same in either order. By default a build has outlines;
+a font of inkcell_add_font() brings what its coding needs.
 
-Usage: check_options.py WORK_FOLDER FULL_PROBE
+Usage: check_options.py WORK_FOLDER FULL_PROBE FONTGEN
 """
 import pathlib
 import shutil
@@ -13,23 +14,34 @@ import sys
 from toolchains import INCLUDES, ROOT, finish, run
 
 FONTS = [ROOT / "tests/golden/fonts" / f"dejavu_sans{kind}.bin"
-         for kind in ("_samples", "")]
-# What the probe says, line by line.
+         for kind in ("_samples", "", "_outline")]
+# What the probe says, line by line: of its own font only where it has one.
 LINES = ["record of samples", "record of fields", "font of samples",
-         "font of edges"]
+         "fields of samples", "font of edges", "fields of edges",
+         "font of outlines", "fields of outlines", "font of its own",
+         "fields of its own"]
 UNSUPPORTED = "7"
 
-# Option: what is missing without it, and names of functions that only that
+# What is missing without each part, and names of functions that only that
 # needs.
-OPTIONS = {
-    "INKCELL_OUTLINES": (set(), ["paint_distances(", "OutlineReader::"]),
-    "INKCELL_SAMPLE_CELLS": ({"record of samples", "font of samples"},
-                             ["find_samples", "samples_distance",
-                              "paint_samples", "Block::visit_tile"]),
-    "INKCELL_EDGE_CELLS": ({"record of fields", "font of edges"},
-                            ["find_in_heap", "CellBand::prune_box",
-                             "Csg::rounded"]),
-    "INKCELL_FAST_CELLS": (set(), ["CellBand::prune_box", "RowValues<"]),
+OUTLINES = ({"font of outlines"}, ["paint_distances(", "OutlineReader::"])
+SAMPLES = ({"record of samples", "font of samples", "fields of outlines"},
+           ["find_samples", "samples_distance", "paint_samples",
+            "Block::visit_tile"])
+EDGES = ({"record of fields", "font of edges"},
+         ["find_in_heap", "CellBand::prune_box", "Csg::rounded"])
+CELLS = (set(), ["CellBand::", "draw_tiles"])
+FAST_CELLS = (set(), ["CellBand::prune_box", "RowValues<"])
+
+# Builds: what CMake is told, and what they leave out.
+BUILDS = {
+    "by default": ([], [SAMPLES, EDGES, CELLS]),
+    "without outlines": (["INKCELL_OUTLINES=OFF", "INKCELL_EDGE_CELLS=ON",
+                          "INKCELL_SAMPLE_CELLS=ON"], [OUTLINES]),
+    "with edges": (["INKCELL_EDGE_CELLS=ON"], [SAMPLES]),
+    "with a font of samples": (["CODING=samples"], [EDGES]),
+    "with a font of edges": (["CODING=edges", "INKCELL_FAST_CELLS=OFF"],
+                             [FAST_CELLS]),
 }
 
 
@@ -42,46 +54,61 @@ def answers(probe):
     """Status and result of each line that a probe prints."""
     result = run([probe, *FONTS])
     lines = [line.split() for line in result.stdout.splitlines()]
-    if result.returncode != 0 or len(lines) != len(LINES):
+    if result.returncode != 0 or len(lines) not in (len(LINES), len(LINES) - 2):
         finish(0, [f"{probe}: {result.stdout}"])
     return dict(zip(LINES, lines))
 
 
-def build(option, work):
-    """The probe without what an option stands for."""
-    folder = work / option
+def build(name, fontgen, work):
+    """The probe of a build."""
+    folder = work / name.replace(" ", "_")
     for command in (
             ["cmake", "-G", "Ninja", "-S", ROOT / "tests/build/options",
-             "-B", folder, f"-DINKCELL={ROOT}", f"-D{option}=OFF",
+             "-B", folder, f"-DINKCELL={ROOT}", f"-DINKCELL_FONTGEN={fontgen}",
+             *(f"-D{option}" for option in BUILDS[name][0]),
              "-DCMAKE_BUILD_TYPE=MinSizeRel", "-DINKCELL_JOIN_FOLDERS=ON",
              "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror"],
             ["cmake", "--build", folder, "--target", "probe"]):
         result = run(command)
         if result.returncode != 0:
-            finish(0, [f"{option}=OFF: {result.stdout}"])
+            finish(0, [f"{name}: {result.stdout}"])
     return folder / "probe"
 
 
-def check_option(option, full, full_names, work):
-    """What is wrong without an option."""
-    missing, functions = OPTIONS[option]
-    probe = build(option, work)
+def check_build(name, full, full_names, fontgen, work):
+    """What is wrong with a build."""
+    parts = BUILDS[name][1]
+    missing = set().union(*(lines for lines, _ in parts))
+    functions = [function for _, names in parts for function in names]
+    probe = build(name, fontgen, work)
     names, problems = linked(probe), []
     for function in functions:
         if function not in full_names:
             problems.append(f"{function} is nowhere: the test looks for nothing")
         if function in names:
-            problems.append(f"{option}=OFF: {function} is linked")
-    for line, answer in answers(probe).items():
-        if line in missing and answer[0] != UNSUPPORTED:
-            problems.append(f"{option}=OFF: {line}: status {answer[0]}")
-        if line not in missing and answer != full[line]:
-            problems.append(f"{option}=OFF: {line}: {answer}, not {full[line]}")
+            problems.append(f"{name}: {function} is linked")
+    found = answers(probe)
+    if ("font of its own" in found) != any("CODING" in option
+                                           for option in BUILDS[name][0]):
+        problems.append(f"{name}: has fonts {list(found)}")
+    for line, answer in found.items():
+        if line in missing:
+            good = answer[0] == UNSUPPORTED
+        elif line == "font of its own":
+            good = answer[0] == "0" and answer[2] == "1"
+        elif line.startswith("fields") and (line == "fields of its own" or
+                                            line.replace("fields", "font")
+                                            in missing):
+            good = True  # of a font that is not open, or that is new
+        else:
+            good = answer == full[line]
+        if not good:
+            problems.append(f"{name}: {line}: {answer}, {full.get(line)}")
     return problems
 
 
 def check_refused(work):
-    """Nothing is left without all codings; tests need all of them."""
+    """Nothing is left without all codings; tests need outlines."""
     problems = []
     source = work / "none.cpp"
     source.write_text('#include "inkcell/field.hpp"\n')
@@ -90,28 +117,27 @@ def check_refused(work):
                   "-fsyntax-only", source])
     if "one coding must be left" not in result.stdout:
         problems.append(f"no coding compiles: {result.stdout}")
-    for option in ("INKCELL_SAMPLE_CELLS", "INKCELL_OUTLINES"):
-        result = run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", work / "tests",
-                      f"-D{option}=OFF"])
-        if result.returncode == 0 or option not in result.stdout:
-            problems.append(f"tests without {option} configure: "
-                            f"{result.stdout}")
-        shutil.rmtree(work / "tests")
+    result = run(["cmake", "-G", "Ninja", "-S", ROOT, "-B", work / "tests",
+                  "-DINKCELL_OUTLINES=OFF"])
+    if result.returncode == 0 or "INKCELL_OUTLINES" not in result.stdout:
+        problems.append(f"tests without outlines configure: {result.stdout}")
     return problems
 
 
 def main():
-    work, probe = map(pathlib.Path, sys.argv[1:])
+    work, probe, fontgen = map(pathlib.Path, sys.argv[1:])
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     full = answers(probe)
-    problems = [f"{line}: status {answer[0]}"
-                for line, answer in full.items() if answer[0] != "0"]
+    problems = [f"{line}: {answer}" for line, answer in full.items()
+                if not line.startswith("fields") and answer[0] != "0"]
+    if full["fields of outlines"] != ["0", "0", UNSUPPORTED]:
+        problems.append(f"fields of outlines: {full['fields of outlines']}")
     names = linked(probe)
-    for option in OPTIONS:
-        problems += check_option(option, full, names, work)
+    for name in BUILDS:
+        problems += check_build(name, full, names, fontgen, work)
     problems += check_refused(work)
-    finish(len(OPTIONS) * len(LINES), problems)
+    finish(len(BUILDS) * len(LINES), problems)
 
 
 main()

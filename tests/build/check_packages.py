@@ -1,5 +1,6 @@
 """Checks the packages: manifests name the project's version, licence and every
-source; a clean project builds with each, and has the same code.
+source; a clean project builds with each, and has the same code, none of it of
+cells.
 
 A project for Cortex-M0 at -Os, in a folder of its own, draws the README's line of
 text. It gets Inkcell as a subdirectory, by FetchContent, by find_package() after
@@ -22,6 +23,8 @@ from toolchains import ROOT, finish, require
 # What the routes may differ by: Meson links as C++, with functions of another
 # library.
 SPREAD = 256  # [bytes]
+# The most .text that the README's program may have on Cortex-M0.
+MOST_CODE = 13600
 
 
 def check_manifests():
@@ -51,6 +54,22 @@ def listed_in_cmake():
                      ROOT / "port/display/CMakeLists.txt",
                      ROOT / "port/c/CMakeLists.txt"]
         for name in re.findall(r"src/[\w/]+\.cpp", path.read_text()))
+
+
+def check_code(code, size):
+    """Problems of what the README says of its program: bytes of .text on two
+    cores, and with constants and font."""
+    said = re.search(r"program as built by default: ([\d.]+) KB of `.text` on "
+                     r"Cortex-M0 at -Os, ([\d.]+) on Cortex-M3,.*; ([\d.]+) KB "
+                     r"on Cortex-M0 with tables and the font",
+                     (ROOT / "README.md").read_text())
+    problems = [f"README.md: its program has {found} bytes, not {said} KB"
+                for said, found in zip(said.groups(), (*code, size))
+                if abs(float(said) * 1000 - found) > 100]
+    if code[0] > MOST_CODE:
+        problems.append(f"the README's program has {code[0]} bytes of .text on "
+                        f"Cortex-M0; {MOST_CODE} are allowed")
+    return problems
 
 
 def main():
@@ -83,6 +102,11 @@ def main():
         for name, size in package.build(work, build, fontgen).items():
             sizes[name] = size
             passed += 1
+    code = cmake_projects.readme_code(work, fontgen)
+    problems += check_code(code, sizes["subdirectory"])
+    passed += 1
+    print(f"README's program: {code[0]} bytes of .text on Cortex-M0, {code[1]} "
+          "on Cortex-M3")
     for name, size in sizes.items():
         print(f"{name:14} {size} bytes of code and constants, font included")
     # Sketches have a program of their own.

@@ -13,6 +13,8 @@ DEVICE_FLAGS = [
     "-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
     "-fno-threadsafe-statics", "-ffunction-sections", "-fdata-sections",
 ]
+# Builds have outlines by default.
+ALL_CODINGS = ["-DINKCELL_EDGE_CELLS=1", "-DINKCELL_SAMPLE_CELLS=1"]
 WARNINGS = [
     "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
     "-Wshadow", "-Wold-style-cast", "-Wundef", "-Werror",

@@ -25,6 +25,7 @@ ROOT = HERE.parents[1]
 UNIT = ROOT / "tests/unit"
 COMPILER = [*filter(None, [os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")]),
             "g++", "-std=c++17", "-O1", "-DINKCELL_ASSERTIONS=1",
+            "-DINKCELL_EDGE_CELLS=1", "-DINKCELL_SAMPLE_CELLS=1",
             "-DINKCELL_BOARD_FIRMWARE=0", f"-I{ROOT}/core/include",
             f"-I{ROOT}/core/src", f"-I{UNIT}", "-Wall", "-Wextra", "-Werror"]
 # Of each source the unit tests that should notice, the quickest first.

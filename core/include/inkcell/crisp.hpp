@@ -42,7 +42,8 @@ extern const OutlineMixer kCrispMixer;
 /// and the straight line between them crosses the outline. With thresholds
 /// above 0 strokes narrower than twice the threshold may break.
 constexpr Effect crisp_effect(const CrispOptions& crisp) noexcept {
-  return {detail::paint_crisp, &detail::kCrispMixer, &crisp, 1};
+  return {detail::cell_effect(detail::paint_crisp), &detail::kCrispMixer,
+          &crisp, 1};
 }
 Effect crisp_effect(const CrispOptions&&) = delete;
 

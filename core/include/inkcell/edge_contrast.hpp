@@ -35,7 +35,8 @@ void paint_edge_contrast(const GlyphField& field,
 /// must outlive the style.
 constexpr Effect edge_contrast_effect(
     const EdgeContrast& edge_contrast) noexcept {
-  return {detail::paint_edge_contrast, nullptr, &edge_contrast, 1};
+  return {detail::cell_effect(detail::paint_edge_contrast), nullptr,
+          &edge_contrast, 1};
 }
 Effect edge_contrast_effect(const EdgeContrast&&) = delete;
 

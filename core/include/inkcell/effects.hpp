@@ -90,7 +90,8 @@ extern const OutlineMixer kOutlineMixer;
 /// Draws what the style's filter covers and `inner`, which is Outline::inner,
 /// does not. The filter must outlive the style.
 constexpr Effect outline_effect(const Filter& inner) noexcept {
-  return {detail::paint_mixed_cells, &detail::kOutlineMixer, &inner, 0};
+  return {detail::cell_effect(detail::paint_mixed_cells),
+          &detail::kOutlineMixer, &inner, 0};
 }
 Effect outline_effect(const Filter&&) = delete;
 
@@ -111,7 +112,8 @@ extern const OutlineMixer kOutlineAndFillMixer;
 /// to the outline's sink, then the same pixels to the fill's. The options must
 /// outlive the style.
 constexpr Effect outline_and_fill_effect(const OutlineAndFill& both) noexcept {
-  return {detail::paint_mixed_cells, &detail::kOutlineAndFillMixer, &both, 0};
+  return {detail::cell_effect(detail::paint_mixed_cells),
+          &detail::kOutlineAndFillMixer, &both, 0};
 }
 Effect outline_and_fill_effect(const OutlineAndFill&&) = delete;
 

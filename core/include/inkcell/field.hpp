@@ -14,18 +14,18 @@
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
-/// 0 leaves cells of primitives out of the library: glyphs made of them are
-/// unsupported.
+/// 1 draws cells of primitives; 0, the default, leaves them out of the library:
+/// fonts and glyphs made of them are unsupported.
 #ifndef INKCELL_EDGE_CELLS
-#  define INKCELL_EDGE_CELLS 1
+#  define INKCELL_EDGE_CELLS 0
 #endif
 
-/// 0 leaves out cells of samples, likewise.
+/// Cells of samples, likewise.
 #ifndef INKCELL_SAMPLE_CELLS
-#  define INKCELL_SAMPLE_CELLS 1
+#  define INKCELL_SAMPLE_CELLS 0
 #endif
 
-/// 0 leaves out outlines, likewise.
+/// 0 leaves out outlines, which are drawn by default.
 #ifndef INKCELL_OUTLINES
 #  define INKCELL_OUTLINES 1
 #endif

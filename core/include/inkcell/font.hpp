@@ -72,7 +72,8 @@ class Font {
   /// longer than the font.
   ///
   /// bad_magic, bad_version, misaligned, corrupt (header, directory or table
-  /// sizes), unsupported (a coding or section that this build cannot read).
+  /// sizes), unsupported (a section or coding that this build cannot read:
+  /// fonts of edges need INKCELL_EDGE_CELLS, of samples INKCELL_SAMPLE_CELLS).
   /// `out` is untouched unless the result is ok.
   static Status open(Span<const uint8_t> rom, Font& out) noexcept;
 

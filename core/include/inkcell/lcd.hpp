@@ -47,7 +47,7 @@ extern const OutlineMixer kLcdMixer;
 /// filter's table: gamma, contrast and exponent count, weights and the width of
 /// the ramp do not.
 constexpr Effect lcd_effect(const LcdOptions& lcd) noexcept {
-  return {detail::paint_lcd, &detail::kLcdMixer, &lcd, 1};
+  return {detail::cell_effect(detail::paint_lcd), &detail::kLcdMixer, &lcd, 1};
 }
 Effect lcd_effect(const LcdOptions&&) = delete;
 

@@ -49,7 +49,8 @@ void paint_motion_blur(const GlyphField& field,
 /// Cells only; glyphs of outlines are drawn as without it. The options must
 /// outlive the style.
 constexpr Effect motion_blur_effect(const MotionBlur& blur) noexcept {
-  return {detail::paint_motion_blur, nullptr, &blur, blur.reach_px};
+  return {detail::cell_effect(detail::paint_motion_blur), nullptr, &blur,
+          blur.reach_px};
 }
 Effect motion_blur_effect(const MotionBlur&&) = delete;
 

@@ -77,7 +77,7 @@ struct FieldLimits {
 /// glyph.
 ///
 /// no_glyph: there is no glyph of this id. unsupported: the glyph is no
-/// outline, or the build has none or no cells of samples. bad_argument: the
+/// outline, or the build has none or no INKCELL_SAMPLE_CELLS. bad_argument: the
 /// limits. misaligned: the buffer. buffer_small: outline, field and 720 bytes
 /// do not fit. corrupt: the box of the glyph is empty or leaves +-15000 u.
 /// `out` is untouched unless the result is ok.

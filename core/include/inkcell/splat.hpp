@@ -63,7 +63,7 @@ void paint_splats(const GlyphField& field,
 /// Glyphs of fields take one sample a pixel; glyphs of outlines are drawn as
 /// without it. The options must outlive the style.
 constexpr Effect splat_effect(const Splats& splats) noexcept {
-  return {detail::paint_splats, nullptr, &splats, 2};
+  return {detail::cell_effect(detail::paint_splats), nullptr, &splats, 2};
 }
 Effect splat_effect(const Splats&&) = delete;
 

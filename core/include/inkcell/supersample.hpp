@@ -68,7 +68,8 @@ void paint_supersampled(const GlyphField& field,
 /// outlive the style.
 constexpr Effect supersample_effect(
     const Supersampling& supersampling) noexcept {
-  return {detail::paint_supersampled, nullptr, &supersampling, 1};
+  return {detail::cell_effect(detail::paint_supersampled), nullptr,
+          &supersampling, 1};
 }
 Effect supersample_effect(const Supersampling&&) = delete;
 

@@ -47,6 +47,18 @@ using CellEffect = void (*)(const GlyphField& field,
                             const Sink& sink);
 
 namespace detail {
+inline void paint_nothing(const GlyphField&,
+                          const TextStyle&,
+                          const void*,
+                          const FinePoint&,
+                          const Sink&) {}
+
+/// `painter`, unless the build has no cells: then nobody can open a field, and
+/// an effect keeps no painter of cells in the program.
+constexpr CellEffect cell_effect(CellEffect painter) noexcept {
+  return kHasCells ? painter : paint_nothing;
+}
+
 struct CellRaster;
 struct OutlineFitter;
 struct OutlineMap;

@@ -1,5 +1,7 @@
-// Says what a build of the library can draw: for each font that is named, and
-// for a record of either kind of cells, a status and what drawing made of it.
+// Says what a build of the library can draw: for a record of either kind of
+// cells, and for each font that is named, a status and what drawing made of it;
+// of a font that INKCELL_OWN_FONT has inkcell_add_font() make, likewise; and
+// the status of what else needs cells.
 #include <stdint.h>
 #include <stdio.h>
 
@@ -7,8 +9,14 @@
 
 #include "inkcell/format/cell.hpp"
 #include "inkcell/port/a8.hpp"
+#include "inkcell/runtime_field.hpp"
 #include "inkcell/splat.hpp"
+#include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
+
+#ifdef INKCELL_OWN_FONT
+#  include <fonts/own.hpp>
+#endif
 
 namespace {
 
@@ -54,17 +62,9 @@ bool draw(const Font& font, Sink& sink) {
   return true;
 }
 
-bool show(const char* path) {
-  FILE* file = fopen(path, "rb");
-  if (file == nullptr) {
-    return false;
-  }
-  std::vector<uint32_t> words(1 << 14);
-  const size_t size = fread(words.data(), 1, words.size() * 4, file);
-  fclose(file);
+bool show(Span<const uint8_t> rom) {
   Font font;
-  const Status status =
-      Font::open({reinterpret_cast<const uint8_t*>(words.data()), size}, font);
+  const Status status = Font::open(rom, font);
   std::vector<uint8_t> pixels(kSide * kSide);
   port::A8Target target;
   target.strip.pixels = {pixels.data(), pixels.size()};
@@ -75,8 +75,38 @@ bool show(const char* path) {
   if (make_sink(target, sink) != Status::ok || !draw(font, sink)) {
     return false;
   }
-  printf("%d %08x\n", static_cast<int>(status), hash_of(pixels));
+  size_t inked = 0;
+  for (const uint8_t pixel : pixels) {
+    inked += pixel != 0 ? 1 : 0;
+  }
+  printf("%d %08x %d\n", static_cast<int>(status), hash_of(pixels),
+         inked > 100 ? 1 : 0);
+  // What takes a field at any point.
+  const uint16_t glyph = font.glyph_or_notdef('A');
+  alignas(4) static uint8_t ram[32768];
+  GlyphField field;
+  TextStyle style;
+  if (TextStyle::make(Q26_6::from_int(12), kFilterText, style) != Status::ok) {
+    return false;
+  }
+  const Supersampling samples = make_supersampling(kFilterText);
+  style.set_effect(supersample_effect(samples));
+  printf("%d %d %d\n",
+         static_cast<int>(generate_field(font, glyph, {}, ram, field)),
+         static_cast<int>(open_field(font, glyph, {}, ram, field)),
+         static_cast<int>(check_effect(font, style)));
   return true;
+}
+
+bool show_file(const char* path) {
+  FILE* file = fopen(path, "rb");
+  if (file == nullptr) {
+    return false;
+  }
+  std::vector<uint32_t> words(1 << 14);
+  const size_t size = fread(words.data(), 1, words.size() * 4, file);
+  fclose(file);
+  return show({reinterpret_cast<const uint8_t*>(words.data()), size});
 }
 
 }  // namespace
@@ -91,13 +121,20 @@ int main(int argc, char** argv) {
   for (const Span<const uint8_t>& record : records) {
     GlyphField field;
     const Status status = GlyphField::open(record, field);
-    const bool inside = status == Status::ok && locate(field, 9, 9).inside;
+    // A program that asks a field keeps what answers.
+    const bool inside =
+        detail::kHasCells && status == Status::ok && locate(field, 9, 9).inside;
     printf("%d %d\n", static_cast<int>(status), inside ? 1 : 0);
   }
   for (int i = 1; i < argc; ++i) {
-    if (!show(argv[i])) {
+    if (!show_file(argv[i])) {
       return 1;
     }
   }
+#ifdef INKCELL_OWN_FONT
+  if (!show(fonts::own)) {
+    return 1;
+  }
+#endif
   return 0;
 }

@@ -2,7 +2,7 @@
 import json
 import re
 
-from packages.consumer import (COMPILE, DEFINE, FONT, LINK, call, size_of,
+from packages.consumer import (COMPILE, FONT, LINK, call, code_of, size_of,
                                write_sources)
 from toolchains import ROOT
 
@@ -68,7 +68,7 @@ def build(work, host_build, fontgen):
              f"-DCMAKE_TOOLCHAIN_FILE={toolchain}",
              "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
              f"-DCMAKE_CXX_FLAGS={' '.join(COMPILE)}",
-             f"-DCMAKE_EXE_LINKER_FLAGS={' '.join(LINK)}", *DEFINE, *options)
+             f"-DCMAKE_EXE_LINKER_FLAGS={' '.join(LINK)}", *options)
         check_flags(folder / "build")
         commands[name] = commands_of(folder)
         if commands[name] in list(commands.values())[:-1]:
@@ -76,3 +76,18 @@ def build(work, host_build, fontgen):
         call("cmake", "--build", folder / "build", "--target", "app")
         sizes[name] = size_of(folder / "build/app")
     return sizes
+
+
+def readme_code(work, fontgen):
+    """Bytes of .text of the README's program as CMake builds it by default, on
+    Cortex-M0, which build() has built, and on Cortex-M3."""
+    folder, m3 = work / "subdirectory", work / "cortex-m3"
+    options = {name: " ".join(flags).replace("cortex-m0", "cortex-m3")
+               for name, flags in (("CXX_FLAGS", COMPILE),
+                                   ("EXE_LINKER_FLAGS", LINK))}
+    call("cmake", "-G", "Ninja", "-S", folder, "-B", m3,
+         f"-DCMAKE_TOOLCHAIN_FILE={work / 'toolchain.cmake'}",
+         f"-DINKCELL_FONTGEN={fontgen}",
+         *(f"-DCMAKE_{name}={flags}" for name, flags in options.items()))
+    call("cmake", "--build", m3, "--target", "app")
+    return code_of(folder / "build/app"), code_of(m3 / "app")

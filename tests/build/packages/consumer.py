@@ -10,9 +10,9 @@ FONT = pathlib.Path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 CPU = ["-mcpu=cortex-m0", "-mthumb"]
 COMPILE = [*CPU, "-Os", "-ffunction-sections", "-fdata-sections",
            "-fno-exceptions", "-fno-rtti"]
-# One coding, as in the README: the others are left out.
-OPTIONS = {"INKCELL_EDGE_CELLS": 0, "INKCELL_SAMPLE_CELLS": 0}
-DEFINE = [f"-D{name}={value}" for name, value in OPTIONS.items()]
+# What only cells need: no program has it unless it asks for them.
+CELLS = ("find_samples", "find_in_heap", "samples_distance", "CellBand",
+         "draw_tiles")
 # No start-up code of a board, no C library but its memset() and memcpy().
 LINK = [*CPU, "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]
 MAIN = """#include <inkcell/status.hpp>
@@ -59,7 +59,30 @@ def make_font(fontgen, folder):
          "--quiet", f"--out={folder / 'fonts/dejavu_sans.hpp'}")
 
 
+def check_defined(system, lines):
+    """Ends the test unless fonts of outlines, then of samples, then of edges turn
+    on what they need: `lines` has the library's definitions after each."""
+    found = [sorted({*re.findall(r"(INKCELL_(?:EDGE|SAMPLE)_CELLS)=1", line)})
+             for line in lines]
+    samples = ["INKCELL_SAMPLE_CELLS"]
+    if found != [[], samples, ["INKCELL_EDGE_CELLS", *samples]]:
+        sys.exit(f"{system}: fonts turn on {found}\n0 passed, 1 failed")
+
+
 def size_of(program):
-    """Bytes of code, constants and initialised data of a linked program."""
+    """Bytes of code, constants and initialised data of a linked program, which
+    must not have code of cells."""
+    names = call("arm-none-eabi-nm", "-C", program)
+    for name in CELLS:
+        if name in names:
+            sys.exit(f"{program}: {name} is linked by default\n"
+                     "0 passed, 1 failed")
     text, data = call("arm-none-eabi-size", program).splitlines()[1].split()[:2]
     return int(text) + int(data)
+
+
+def code_of(program):
+    """Bytes of the sections .text of a linked program."""
+    return int(re.search(r"^\.text\s+(\d+)",
+                         call("arm-none-eabi-size", "-A", program),
+                         re.M).group(1))

@@ -1,5 +1,5 @@
 """ESP-IDF: its component function, played by CMake, says what it was given."""
-from packages.consumer import call
+from packages.consumer import FONT, call, check_defined
 from toolchains import ROOT
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
@@ -18,15 +18,21 @@ function(idf_component_register)
   set(COMPONENT_LIB component PARENT_SCOPE)
 endfunction()
 add_subdirectory(@ROOT@ inkcell)
-if(NOT COMMAND inkcell_add_font)
-  message(FATAL_ERROR "no inkcell_add_font()")
-endif()
+add_library(main INTERFACE)
+foreach(coding outline samples edges)
+  inkcell_add_font(main FONT @FONT@ NAME ${coding} CODING ${coding})
+  get_target_property(defined component INTERFACE_COMPILE_DEFINITIONS)
+  file(APPEND ${CMAKE_BINARY_DIR}/definitions "${defined}\n")
+endforeach()
 """
 
 
-def sources(folder, _):
+def sources(folder, fontgen):
     folder.mkdir()
     (folder / "CMakeLists.txt").write_text(
-        PROJECT.replace("@ROOT@", str(ROOT)))
-    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build")
+        PROJECT.replace("@ROOT@", str(ROOT)).replace("@FONT@", str(FONT)))
+    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
+         f"-DINKCELL_FONTGEN={fontgen}")
+    check_defined("ESP-IDF",
+                  (folder / "build/definitions").read_text().splitlines())
     return (folder / "build/sources").read_text().splitlines()

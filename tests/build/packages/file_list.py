@@ -1,5 +1,5 @@
 """No build system: the compiler and the folders that docs/PORTING.md names."""
-from packages.consumer import (COMPILE, DEFINE, LINK, call, make_font, size_of,
+from packages.consumer import (COMPILE, LINK, call, make_font, size_of,
                                write_sources)
 from toolchains import DEVICE_FLAGS, ROOT, in_parallel
 
@@ -9,8 +9,8 @@ def compile_all(folder, sources, options):
     folder.mkdir(parents=True, exist_ok=True)
     objects = [folder / f"{i}.o" for i in range(len(sources))]
     in_parallel(call, [
-        ("arm-none-eabi-g++", *COMPILE, *DEFINE, *options, "-x", "c++", "-c", source,
-         "-o", out) for source, out in zip(sources, objects)])
+        ("arm-none-eabi-g++", *COMPILE, *options, "-x", "c++", "-c", source, "-o",
+         out) for source, out in zip(sources, objects)])
     return objects
 
 

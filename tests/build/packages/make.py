@@ -1,5 +1,5 @@
 """Make: port/make/inkcell.mk in a Makefile."""
-from packages.consumer import (COMPILE, DEFINE, FONT, FONT_OPTIONS, LINK, call,
+from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LINK, call,
                                size_of, write_sources)
 from toolchains import ROOT
 
@@ -24,6 +24,6 @@ def build(work, _, fontgen):
     write_sources(folder)
     (folder / "Makefile").write_text(MAKEFILE.format(
         root=ROOT, fontgen=fontgen, font=FONT, link=" ".join(LINK),
-        compile=" ".join(COMPILE + DEFINE), options=" ".join(FONT_OPTIONS)))
+        compile=" ".join(COMPILE), options=" ".join(FONT_OPTIONS)))
     call("make", "-C", folder, "-j2", "-s")
     return {"make": size_of(folder / "app")}

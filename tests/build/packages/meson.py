@@ -1,5 +1,5 @@
 """Meson: Inkcell below subprojects/, and a cross file."""
-from packages.consumer import (COMPILE, DEFINE, FONT, FONT_OPTIONS, LINK, call,
+from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LINK, call,
                                size_of, write_sources)
 from toolchains import ROOT
 
@@ -41,7 +41,7 @@ def build(work, _, fontgen):
     # newlib-nano is what the C compiler's link takes elsewhere, too; the C++
     # library, which Debian lacks, is left out.
     (folder / "cross.ini").write_text(CROSS.format(
-        compile=COMPILE + DEFINE, link=[*LINK, "-nodefaultlibs", "-lc", "-lgcc"]))
+        compile=COMPILE, link=[*LINK, "-nodefaultlibs", "-lc", "-lgcc"]))
     call("meson", "setup", "--cross-file", folder / "cross.ini",
          folder / "build", folder)
     call("meson", "compile", "-C", folder / "build")

@@ -1,13 +1,16 @@
 """Zephyr: module.yml leads to CMake and Kconfig; its functions are played."""
 import re
 
-from packages.consumer import call
+from packages.consumer import FONT, call, check_defined
 from toolchains import ROOT
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(user LANGUAGES CXX)
 set(CONFIG_INKCELL y)
 set(CONFIG_INKCELL_OUTLINES y)
+foreach(option IN LISTS MORE)
+  set(CONFIG_${option} y)
+endforeach()
 macro(zephyr_library_named name)
   add_library(${name} OBJECT)
 endmacro()
@@ -26,31 +29,53 @@ endfunction()
 function(zephyr_include_directories)
   zephyr_library_include_directories(${ARGN})
 endfunction()
+add_library(zephyr_interface INTERFACE)
 function(zephyr_compile_definitions)
-  file(APPEND ${CMAKE_BINARY_DIR}/definitions "${ARGN}\\n")
+  target_compile_definitions(zephyr_interface INTERFACE ${ARGN})
 endfunction()
 add_subdirectory(@FOLDER@ inkcell)
-if(NOT COMMAND inkcell_add_font)
-  message(FATAL_ERROR "no inkcell_add_font()")
+function(write_definitions file)
+  get_target_property(defined zephyr_interface INTERFACE_COMPILE_DEFINITIONS)
+  file(APPEND ${CMAKE_BINARY_DIR}/${file} "${defined}\\n")
+endfunction()
+write_definitions(options)
+if(NOT MORE)
+  add_library(app INTERFACE)
+  foreach(coding outline samples edges)
+    inkcell_add_font(app FONT @FONT@ NAME ${coding} CODING ${coding})
+    write_definitions(definitions)
+  endforeach()
 endif()
 """
 
 
-def sources(folder, _):
+def configure(folder, more, fontgen):
+    """The options of core that reach the compiler, with more of Kconfig's."""
+    build = folder / ("more" if more else "build")
+    call("cmake", "-G", "Ninja", "-S", folder, "-B", build,
+         f"-DMORE={';'.join(more)}", f"-DINKCELL_FONTGEN={fontgen}")
+    return sorted((build / "options").read_text().strip().split(";"))
+
+
+def sources(folder, fontgen):
     module = (ROOT / "zephyr/module.yml").read_text()
     cmake = ROOT / re.search(r"^  cmake: (\S+)$", module, re.M).group(1)
     kconfig = ROOT / re.search(r"^  kconfig: (\S+)$", module, re.M).group(1)
     folder.mkdir()
     (folder / "CMakeLists.txt").write_text(
-        PROJECT.replace("@FOLDER@", str(cmake)))
-    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build")
+        PROJECT.replace("@FOLDER@", str(cmake)).replace("@FONT@", str(FONT)))
     # Each option of core has a symbol, and reaches the compiler.
     options = re.findall(r"^option\((INKCELL_\w+)",
                          (ROOT / "core/CMakeLists.txt").read_text(), re.M)
     symbols = re.findall(r"^config (INKCELL_\w+)", kconfig.read_text(), re.M)
-    defined = (folder / "build/definitions").read_text().split()
-    wanted = [f"{name}={int(name == 'INKCELL_OUTLINES')}" for name in options]
+    defined = [configure(folder, more, fontgen) for more in ([], options)]
+    # Cells have no definition by default, so that fonts can turn them on.
+    wanted = [["INKCELL_ASSERTIONS=0", "INKCELL_FAST_CELLS=0",
+               "INKCELL_OUTLINES=1"],
+              sorted(f"{name}=1" for name in options)]
     if symbols != options or defined != wanted:
         raise SystemExit(f"Zephyr: {symbols} and {defined}, not {options}\n"
                          "0 passed, 1 failed")
+    check_defined("Zephyr",
+                  (folder / "build/definitions").read_text().splitlines())
     return (folder / "build/sources").read_text().splitlines()
