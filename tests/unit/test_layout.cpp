@@ -146,6 +146,56 @@ TEST(soft_hyphens_show_where_lines_end) {
   CHECK(!line.has_hyphen);
 }
 
+// The same in boxes as in draw_text(), and nothing for signs that no face has.
+TEST(fonts_may_lack_what_layout_adds) {
+  static const font_builder::CmapEntry kCmap[] = {{'A', 0, 1}};
+  static const font_builder::GlyphSpec kGlyphs[] = {
+      {600, {195, 0, 430, 625}, font_builder::bar, nullptr},
+      {750, {82, 82, 668, 668}, font_builder::disc, nullptr}};
+  font_builder::FontSpec spec;
+  spec.cmap = {kCmap, 1};
+  spec.glyphs = {kGlyphs, 2};
+  Setting setting;
+  const size_t size = font_builder::build_font(spec, rom);
+  CHECK_OK(Font::open({rom, size}, setting.font));
+  LayoutOptions options(setting.font, setting.style);
+  PositionedGlyph room[8];
+  Span<const PositionedGlyph> glyphs;
+  TextLine line;
+  const Text text = "A A\xcc\x87\xd6\xb0\xcc\x81 A";
+  CHECK(next_line(options, text, Q26_6::from_int(99), line));
+  CHECK_OK(lay_out(options, text, line, Q26_6::from_int(99), room, glyphs));
+  CHECK_EQ(glyphs.size, 3);
+  CHECK_EQ(line.width, 3 * 750 + 2 * 250);
+  CHECK_EQ(line.width, measure(setting.font, text).advance);
+
+  const Text hyphenated =
+      "AA\xc2\xad"
+      "AA";
+  line = {};
+  CHECK(next_line(options, hyphenated, Q26_6::from_int(16), line));
+  CHECK_EQ(line.next, 4);
+  CHECK_EQ(line.width, 2 * 750);
+  CHECK_OK(
+      lay_out(options, hyphenated, line, Q26_6::from_int(16), room, glyphs));
+  CHECK_EQ(glyphs.size, 2);
+
+  options.wraps = false;
+  const Ellipsis places[] = {Ellipsis::end, Ellipsis::middle};
+  for (const Ellipsis place : places) {
+    options.ellipsis = place;
+    line = {};
+    CHECK(next_line(options, "AAAAA", Q26_6::from_int(24), line));
+    shorten(options, "AAAAA", Q26_6::from_int(24), line);
+    CHECK_OK(
+        lay_out(options, "AAAAA", line, Q26_6::from_int(24), room, glyphs));
+    CHECK_EQ(glyphs.size, 3);
+    for (const PositionedGlyph& glyph : glyphs) {
+      CHECK_EQ(glyph.glyph, 1);
+    }
+  }
+}
+
 TEST(tabs_stop) {
   const Setting setting;
   LayoutOptions options(setting.font, setting.style);

@@ -275,6 +275,71 @@ TEST(blanks_never_become_notdef) {
   }
 }
 
+namespace {
+
+// A font of A and B alone.
+Font letters_only() {
+  static constexpr font_builder::CmapEntry kCmap[] = {{'A', 1, 1}};
+  static constexpr font_builder::GlyphSpec kGlyphs[] = {
+      {600, {195, 0, 430, 625}, font_builder::bar, nullptr},
+      {750, {82, 82, 668, 668}, font_builder::disc, nullptr},
+      {700, {121, 121, 629, 629}, font_builder::ring, nullptr}};
+  font_builder::FontSpec spec;
+  spec.cmap = {kCmap, 1};
+  spec.glyphs = {kGlyphs, 3};
+  Font font;
+  const size_t size = font_builder::build_font(spec, rom);
+  CHECK_OK(Font::open({rom, size}, font));
+  return font;
+}
+
+}  // namespace
+
+TEST(a_font_without_a_space_has_spaces) {
+  const Font font = letters_only();
+  const Text texts[] = {"A B", "A\tB",
+                        "A\xc2\xa0"
+                        "B",
+                        "A\xe2\x80\x89"
+                        "B"};
+  PositionedGlyph buffer[3];
+  Span<const PositionedGlyph> run;
+  for (const Text& text : texts) {
+    CHECK_OK(layout(font, text, buffer, run));
+    CHECK_EQ(run.size, 2);
+    CHECK_EQ(run[1].glyph, 2);
+    CHECK_EQ(run[1].x, 750 + 250);  // a quarter of the em
+    CHECK_EQ(measure(font, text).advance, 750 + 250 + 700);
+  }
+  CHECK_EQ(measure(font, " ").advance, 250);
+}
+
+TEST(marks_never_become_notdef) {
+  const Font font = letters_only();
+  const uint32_t marks[] = {0x300,  0x307,  0x336,  0x338,  0x36f,  0x489,
+                            0x591,  0x5bd,  0x5bf,  0x5c7,  0x64b,  0x670,
+                            0x6ed,  0xe31,  0xe47,  0x1ab0, 0x1dff, 0x20dd,
+                            0x20e3, 0x2dff, 0x302d, 0x3099, 0xfe20, 0xfe2f};
+  PositionedGlyph buffer[3];
+  Span<const PositionedGlyph> run;
+  for (const uint32_t mark : marks) {
+    char text[8] = {'A'};
+    const size_t size = 1 + encode(mark, text + 1);
+    text[size] = 'B';
+    CHECK_OK(layout(font, {text, size + 1}, buffer, run));
+    CHECK_EQ(run.size, 2);
+    CHECK_EQ(run[1].x, 750);
+  }
+  // Punctuation between them, and letters beside them, are no marks.
+  const uint32_t others[] = {0x2ff, 0x370, 0x5be, 0x5c0, 0x5d0, 0x6dd, 0xe32};
+  for (const uint32_t other : others) {
+    char text[4] = {};
+    CHECK_OK(layout(font, {text, encode(other, text)}, buffer, run));
+    CHECK_EQ(run.size, 1);
+    CHECK_EQ(run[0].glyph, 0);
+  }
+}
+
 TEST(notdef_kerns_like_any_glyph) {
   const Font font = sample();
   CHECK_EQ(font.kerning(0, 3), 0);

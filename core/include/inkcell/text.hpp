@@ -82,7 +82,8 @@ class TextCursor {
 
   /// The next glyph, kerned against the one before; false at the end. A code
   /// point that the font lacks gives .notdef, unless it shows nothing: tabs and
-  /// other spaces are then as wide as a space; controls, line ends, soft
+  /// other spaces are then as wide as a space, which without a glyph is a
+  /// quarter of an em; combining marks take no room; controls, line ends, soft
   /// hyphens, zero width characters and variation selectors never give a glyph.
   bool next(PositionedGlyph& out) noexcept;
 

@@ -90,11 +90,6 @@ int32_t Pen::from_units(int32_t units) const noexcept {
                    kMaxPx);
 }
 
-int32_t Pen::em() const noexcept {
-  return advances_.is_whole() ? (options_.face.style->size().raw + 32) >> 6
-                              : options_.face.font->units_per_em();
-}
-
 Pen::Glyph Pen::find(uint32_t code_point) const noexcept {
   Glyph found;
   uint32_t faces = static_cast<uint32_t>(options_.fallback.size);
@@ -122,13 +117,17 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
   if (shown == Shown::space && !glyph.is_found) {
     const uint32_t halves = halves_of_em(code_point);
     if (halves != 0) {
-      advance_out = em() * static_cast<int32_t>(halves) / 2;
+      advance_out = advances_.em() * static_cast<int32_t>(halves) / 2;
       return {};
     }
     glyph = find(' ');
     if (!glyph.is_found) {
+      advance_out = advances_.space();
       return {};
     }
+  }
+  if (shown == Shown::mark && !glyph.is_found) {
+    return {};
   }
   glyph.is_found = true;
   advance_out = advance(glyph);
@@ -186,7 +185,8 @@ int32_t Pen::tab_step() const noexcept {
     return from_px(options_.tab_width);
   }
   const Glyph space = find(' ');
-  return space.is_found ? clamp_to(8 * advance(space), kMaxPx) : em();
+  return clamp_to(8 * (space.is_found ? advance(space) : advances_.space()),
+                  kMaxPx);
 }
 
 // `step` is that of stops behind the last one of the options.
@@ -243,7 +243,7 @@ void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
   const Glyph glyph = find_shown(code_point, shown, advance);
   cell.glyph = glyph.id;
   cell.face = glyph.face;
-  cell.has_ink = glyph.is_found && shown == Shown::glyph;
+  cell.has_ink = glyph.is_found && shown != Shown::space;
   const bool is_tabular =
       options_.tabular_digits && code_point - '0' < 10 && glyph.is_found;
   cell.is_base = !cell.is_mark && (glyph.is_found || advance != 0);
@@ -274,7 +274,7 @@ Pen::Sign Pen::sign(uint32_t code_point,
   Sign found = {code_point, 1, 0};
   if (!glyph.is_found) {
     glyph = find(other);
-    found = {other, count, 0};
+    found = {other, glyph.is_found ? count : 0, 0};
   }
   const auto signs = static_cast<int32_t>(found.count);
   found.width = signs * (spacing_ + advance(glyph));

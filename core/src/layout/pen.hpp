@@ -90,7 +90,8 @@ class Pen {
   }
 
   // What is put for an ellipsis (three points where no face has one) and a
-  // hyphen, none of them kerned, and its width. Spacing comes before each.
+  // hyphen, none of them kerned, and its width; no sign where no face has any.
+  // Spacing comes before each.
   struct Sign {
     uint32_t code_point;
     uint32_t count;
@@ -123,7 +124,6 @@ class Pen {
   int32_t next_tab(int32_t step) const noexcept;
   void look_up_tab(uint8_t level, Cell& cell) noexcept;
   void begin_cell(uint8_t level, Cell& cell) noexcept;
-  int32_t em() const noexcept;
   Sign sign(uint32_t code_point, uint32_t other, uint32_t count) const noexcept;
 
   const LayoutOptions& options_;
