@@ -6,6 +6,7 @@
 #     [SYMBOLS <string>] [TEXT_FILE <utf-8 file>...]
 #     [STRINGS_FROM <C or C++ file, or src/**/*.c>...]
 #     [STRINGS <file of strings>...] [STRICT]
+#     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [AXIS <tag=value>...]
 #     [CODING outline|edges|samples] [HINTS on|off]
@@ -215,7 +216,7 @@ function(inkcell_add_font target)
   set(several
     CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MERGE SVG SVG_DIR)
   cmake_parse_arguments(
-    PARSE_ARGV 1 arg "BEST_EFFORT;STRICT" "${single}" "${several}")
+    PARSE_ARGV 1 arg "BEST_EFFORT;STRICT;NO_LAYOUT_GLYPHS" "${single}" "${several}")
   if(DEFINED arg_UNPARSED_ARGUMENTS OR DEFINED arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR
       "inkcell_add_font(<target> FONT <file> ...): see InkcellFonts.cmake; "
@@ -291,6 +292,9 @@ function(inkcell_add_font target)
   endif()
   if(arg_STRICT)
     list(APPEND options --strict)
+  endif()
+  if(arg_NO_LAYOUT_GLYPHS)
+    list(APPEND options --no-layout-glyphs)
   endif()
   foreach(word CHARS AXIS)
     string(TOLOWER "--${word}" option)

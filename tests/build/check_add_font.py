@@ -34,7 +34,8 @@ CASES = [
     (f"app {THERE} PREVIEW a.png BUDGET 24K", ""),
     (f"app {THERE} BEST_EFFORT", ""),
     (f"app {THERE} TEXT words.txt", "not understood: TEXT"),
-    (f"app {THERE} STRINGS ui.txt STRINGS_FROM src/**/*.c STRICT", ""),
+    (f"app {THERE} STRINGS ui.txt STRINGS_FROM src/**/*.c STRICT "
+     "NO_LAYOUT_GLYPHS", ""),
     (f"app {THERE} STRINGS", "not understood: STRINGS"),
     (f"app {THERE} LANGUAGE C STRINGS ui.txt", ""),
     (f"app {THERE} LANGUAGE Rust", "LANGUAGE is CXX or C, not Rust"),

@@ -115,8 +115,71 @@ TEST(Generate, TakesTheUnionOfAllCharacters) {
   request.symbols = "Cx";
   request.text_files = {folder.write("t.txt", std::vector<uint8_t>{'y', '\n'})};
   const FontReport report = generate(request).report;
-  EXPECT_EQ(report.characters, 6u);
-  EXPECT_EQ(report.glyphs.size(), 7u);
+  EXPECT_EQ(report.characters, 6u + 3u);  // and a space, '-', '.'
+  EXPECT_EQ(report.glyphs.size(), 7u + 3u);
+}
+
+// What layout may put into text: a space always, signs for letters and digits,
+// one of each, and only if the face has them.
+TEST(Generate, AddsWhatLayoutPutsIntoText) {
+  const auto added = [](const std::string& chars, bool signs) {
+    GenerateRequest request = dejavu();
+    request.chars = {chars};
+    request.layout_glyphs = signs;
+    request.strict = true;
+    const RomFont rom = generate(request);
+    Font font;
+    EXPECT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font),
+              Status::ok);
+    std::u32string found;
+    size_t bytes = 0;
+    for (const char32_t c : rom.report.added) {
+      uint16_t glyph = 0;
+      EXPECT_EQ(font.glyph_of(c, glyph), Status::ok);
+      EXPECT_GT(font.advance(glyph), 0);
+      bytes += rom.report.glyphs[glyph].bytes;
+      found += c;
+    }
+    EXPECT_EQ(rom.report.added_bytes, bytes);
+    EXPECT_EQ(rom.report.characters, rom.report.glyphs.size() - 1);
+    return found;
+  };
+  EXPECT_EQ(added("0-9,:", true), U" -.");
+  EXPECT_EQ(added("0-9,:", false), U" ");
+  EXPECT_EQ(added("0x20,0-1,U+2026,U+2010", true), U"");
+  EXPECT_EQ(added("0-1,.", true), U" -");
+  EXPECT_EQ(added("U+2600", true), U" ");  // an icon
+  EXPECT_EQ(added("0x20-0x7E", true), U"");
+}
+
+TEST(Generate, AddsNothingThatTheFaceLacks) {
+  const TestFolder folder;
+  GenerateRequest request;
+  request.font = folder.write("plain.ttf", Sfnt::plain());
+  request.symbols = "H";
+  request.strict = true;
+  request.target.max_px = 16;
+  const RomFont rom = generate(request);
+  EXPECT_TRUE(rom.warnings.empty());
+  EXPECT_EQ(rom.report.added, (std::vector<char32_t>{U' ', U'.'}));
+  const auto json = nlohmann::json::parse(report_as_json(rom.report));
+  EXPECT_EQ(json.at("added").at("characters"), " .");
+  EXPECT_NE(report_for_people(rom.report).find("for layout"),
+            std::string::npos);
+}
+
+TEST(Generate, AddsSignsOfTheFirstFaceThatHasThem) {
+  const TestFolder folder;
+  GenerateRequest request = dejavu();
+  request.font = folder.write("plain.ttf", Sfnt::plain());
+  request.symbols = "H";
+  request.merge = {std::string(kDejaVuSans) + "=U+B0"};
+  const FontReport report = generate(request).report;
+  EXPECT_EQ(report.added, (std::vector<char32_t>{U' ', U'-', U'.'}));
+  for (const GlyphReport& glyph : report.glyphs) {
+    const bool is_of_second = glyph.key == "-" || glyph.key == "\u00b0";
+    EXPECT_EQ(glyph.file_name != "plain.ttf", is_of_second) << glyph.key;
+  }
 }
 
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
@@ -129,7 +192,7 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
     const auto json = nlohmann::json::parse(report_as_json(rom.report));
     const bool fields = options.coding == Coding::edges;
     EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
-    EXPECT_EQ(json.at("glyphs"), 10);
+    EXPECT_EQ(json.at("glyphs"), 10 + 2);  // and '-', '.'
     EXPECT_EQ(json.at("coding"), fields ? "edges" : "samples");
     EXPECT_EQ(json.at("min_px"), 12);
     EXPECT_EQ(json.at("max_px"), 16);
@@ -145,7 +208,7 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
     for (const auto& item : json.at("cells_per_glyph")) {
       cells += item.get<size_t>();
     }
-    EXPECT_EQ(json.at("cells_per_glyph").size(), 10u);
+    EXPECT_EQ(json.at("cells_per_glyph").size(), 12u);
     EXPECT_EQ(json.at("cells_per_glyph").at(" "), 0);
     EXPECT_GT(json.at("cells_per_glyph").at("a").get<int>(), 10);
     EXPECT_GT(json.at("bytes_per_glyph").at("a").get<int>(), 50);
@@ -218,9 +281,10 @@ TEST(Generate, ReflectedComponentsHaveReflectedFields) {
   request.font =
       "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf";
   request.chars = {"0x2E1C-0x2E1D,0xC9"};
+  request.layout_glyphs = false;
   request.target.coding = Coding::samples;
   const RomFont rom = generate(request);
-  EXPECT_EQ(rom.report.glyphs.size(), 4u);  // no acute of its own
+  EXPECT_EQ(rom.report.glyphs.size(), 5u);  // no acute of its own
   Font font;
   ASSERT_EQ(Font::open({rom.bytes.data(), rom.bytes.size()}, font), Status::ok);
   GlyphField fields[2];
@@ -305,8 +369,9 @@ TEST(Generate, TakesSamplesWhereFieldsDoNotReach) {
   const FontReport report = generate(request).report;
   for (const GlyphReport& glyph : report.glyphs) {
     EXPECT_TRUE(glyph.within_tolerance) << glyph.key;
-    EXPECT_EQ(glyph.fields > 0, glyph.key != "H") << glyph.key;
-    EXPECT_GT(glyph.cells, 0u) << glyph.key;
+    const bool is_space = glyph.key == " ";
+    EXPECT_EQ(glyph.fields > 0, glyph.key != "H" && !is_space) << glyph.key;
+    EXPECT_EQ(glyph.cells > 0, !is_space) << glyph.key;
   }
   EXPECT_GT(report.kinds.samples, 0u);
   EXPECT_GT(report.kinds.single, 0u);
@@ -462,14 +527,14 @@ TEST(Generate, TellsOfProgress) {
   request.chars = {"A-F"};
   std::vector<size_t> told;
   request.progress = [&](size_t done, size_t count) {
-    EXPECT_EQ(count, 7u);
+    EXPECT_EQ(count, 7u + 3u);
     told.push_back(done);
   };
   generate(request);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.front(), 0u);
-  EXPECT_EQ(told.back(), 7u);
+  EXPECT_EQ(told.back(), 7u + 3u);
 }
 
 TEST(Generate, FollowsThePaperWithTheFixedPredicate) {

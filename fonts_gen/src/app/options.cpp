@@ -92,6 +92,10 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
           },
           ""))
       ->type_name("STRING");
+  app.add_flag_callback(
+      "--no-layout-glyphs", [&request] { request.layout_glyphs = false; },
+      "Leave out '.' and '-', which layout needs for an ellipsis and for soft "
+      "hyphens, and which text gets otherwise");
 }
 
 void add_quality(CLI::App& app, GenerateRequest& request) {

@@ -142,6 +142,13 @@ std::string report_for_people(const FontReport& report) {
                          static_cast<long long>(*report.band_bytes))
                 : "\n";
   }
+  if (!report.added.empty()) {
+    text += format("  %-16s", "for layout");
+    for (const char32_t c : report.added) {
+      text += describe(c) + ", ";
+    }
+    text += format("%zu bytes of glyphs\n", report.added_bytes);
+  }
   for (const IconFile& icon : report.icons) {
     text += format("  %-16sU+%04X k", "icon",
                    static_cast<unsigned>(icon.code_point)) +
@@ -189,6 +196,13 @@ std::string report_as_json(const FontReport& report) {
   json["glyphs"] = report.glyphs.size();
   json["characters"] = report.characters;
   json["missing"] = report.missing.size();
+  if (!report.added.empty()) {
+    std::string added;
+    for (const char32_t c : report.added) {
+      added += to_utf8(c);
+    }
+    json["added"] = {{"characters", added}, {"bytes", report.added_bytes}};
+  }
   if (!report.icons.empty()) {
     Json icons = Json::object();
     for (const IconFile& icon : report.icons) {

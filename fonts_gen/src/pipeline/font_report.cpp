@@ -59,6 +59,13 @@ GlyphReport report_glyph(const SourceGlyph& source,
   return glyph;
 }
 
+// Whether the glyph is there for nothing but what was added.
+bool has_only(const std::vector<char32_t>& code_points, const CharSet& added) {
+  return !code_points.empty() &&
+         std::all_of(code_points.begin(), code_points.end(),
+                     [&added](char32_t c) { return added.count(c) != 0; });
+}
+
 // The errors of all glyphs, size by size.
 std::vector<SizeError> sum_of_sizes(const std::vector<LoopResult>& glyphs) {
   std::vector<SizeError> sum;
@@ -108,6 +115,7 @@ FontReport make_report(const SourceFont& font,
   report.name = font.name;
   report.options = content.options;
   report.missing = font.missing;
+  report.added.assign(font.added.begin(), font.added.end());
   report.icons = font.icons;
   report.characters = content.glyph_of.size();
   report.left_classes = content.kerning.left_classes;
@@ -119,6 +127,9 @@ FontReport make_report(const SourceFont& font,
     GlyphReport glyph =
         report_glyph(font.glyphs[i], built, errors[i], content.options);
     count_cells(built, report.kinds);
+    if (has_only(font.glyphs[i].code_points, font.added)) {
+      report.added_bytes += glyph.bytes;
+    }
     report.cells += glyph.cells;
     report.nodes += glyph.nodes;
     report.fields += glyph.fields;

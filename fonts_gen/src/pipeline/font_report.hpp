@@ -49,6 +49,8 @@ struct FontReport {
   PartBytes bytes;
   std::vector<GlyphReport> glyphs;
   std::vector<char32_t> missing;
+  std::vector<char32_t> added;  // that layout may need
+  size_t added_bytes = 0;       // of their records
   std::vector<IconFile> icons;
   size_t characters = 0;
   int left_classes = 0;

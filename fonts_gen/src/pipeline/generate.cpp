@@ -90,6 +90,8 @@ SourceFont load_source(const GenerateRequest& request,
     first.face = request.face;
     first.axes = request.axes;
     first.characters = characters_of(request);
+    first.additions =
+        request.layout_glyphs ? Additions::signs : Additions::space;
     first.with_components = request.target.coding != Coding::edges;
     std::vector<MergedFace> more;
     for (const std::string& face : request.merge) {

@@ -29,6 +29,9 @@ struct GenerateRequest {
   std::vector<std::filesystem::path> text_files;
   std::vector<std::string> strings_from;  // patterns of C and C++ sources
   std::string symbols;                    // UTF-8
+  /// Whether text gets what layout may add: an ellipsis, a hyphen. The space is
+  /// always there if the face has one.
+  bool layout_glyphs = true;
   /// Files of strings that are shaped, as add_string_file reads them.
   std::vector<std::filesystem::path> string_files;
   /// Whether generate() throws for characters that the font lacks; otherwise

@@ -1,7 +1,10 @@
 #include "source/faces.hpp"
 
+#include <hb.h>
+
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <utility>
 
@@ -86,6 +89,57 @@ CharSet characters_in(const FontFile& file, const CharSet& characters) {
     }
   }
   return found;
+}
+
+bool is_letter_or_digit(char32_t c) {
+  switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), c)) {
+    case HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_MODIFIER_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_TITLECASE_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_DECIMAL_NUMBER:
+    case HB_UNICODE_GENERAL_CATEGORY_LETTER_NUMBER:
+    case HB_UNICODE_GENERAL_CATEGORY_OTHER_NUMBER:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// What layout needs beside `asked`, of what the files have.
+CharSet additions_to(const CharSet& asked,
+                     Additions additions,
+                     const std::vector<FontFile>& files) {
+  CharSet added;
+  const auto is_in_files = [&files](char32_t c) {
+    return std::any_of(files.begin(), files.end(), [c](const FontFile& file) {
+      return file.glyph_of(c) != 0;
+    });
+  };
+  if (additions == Additions::none ||
+      std::none_of(asked.begin(), asked.end(), is_in_files)) {
+    return added;
+  }
+  // The first of `signs` that a file has, unless one is there already.
+  const auto add_one_of = [&](std::initializer_list<char32_t> signs) {
+    if (std::any_of(signs.begin(), signs.end(), [&](char32_t c) {
+          return asked.count(c) != 0 && is_in_files(c);
+        })) {
+      return;
+    }
+    const auto found = std::find_if(signs.begin(), signs.end(), is_in_files);
+    if (found != signs.end()) {
+      added.insert(*found);
+    }
+  };
+  add_one_of({U' '});
+  if (additions == Additions::signs &&
+      std::any_of(asked.begin(), asked.end(), is_letter_or_digit)) {
+    add_one_of({U'.', U'\u2026'});
+    add_one_of({U'-', U'\u2010'});
+  }
+  return added;
 }
 
 std::vector<ShapedLine> shape_lines(const std::vector<FontFile>& files,
@@ -236,8 +290,15 @@ SourceFont load_faces(const FontRequest& first,
   const std::vector<ShapedLine> shaped = shape_lines(files, lines);
   const std::vector<LineShare> shares = share_lines(files, lines, shaped);
 
+  CharSet all = first.characters;
+  for (const MergedFace& face : more) {
+    all.insert(face.characters.begin(), face.characters.end());
+  }
+  const CharSet added = additions_to(all, first.additions, files);
+
   FontRequest request = first;
   request.lines = shares.front();
+  request.characters.merge(characters_in(files.front(), added));
   SourceFont font = load_font(files.front(), request, jobs, warnings);
   CharSet asked = first.characters;
   CharSet given;
@@ -253,6 +314,7 @@ SourceFont load_faces(const FontRequest& first,
     if (list.empty()) {
       request.characters = characters_in(file, request.characters);
     }
+    request.characters.merge(characters_in(file, without(added, given)));
     if (request.characters.empty() && request.lines.glyphs.empty()) {
       warn_of_unused(file, warnings);
       continue;
@@ -265,6 +327,7 @@ SourceFont load_faces(const FontRequest& first,
     merge_font(std::move(part), font);
   }
   font.lines = shaped;
+  font.added = added;
   CharSet missing = missing_in_lines(font);
   for (const char32_t c : without(asked, given)) {
     if (is_missed(c)) {

@@ -23,7 +23,9 @@ MergedFace parse_merged_face(const std::string& text);
 /// comes from the first face that is asked for it and has it. Lines, metrics,
 /// the name and .notdef are those of `first`, other faces are scaled by their
 /// units per em; characters of different faces do not kern. `lines` are shaped
-/// by all faces, whatever characters these are asked for. Throws Error.
+/// by all faces, whatever characters these are asked for. Of an ellipsis, the
+/// point is added, or U+2026 if no face has one; of hyphens '-' or U+2010; both
+/// only to letters and digits. What no face has is not missing. Throws Error.
 SourceFont load_faces(const FontRequest& first,
                       const std::vector<MergedFace>& more,
                       const std::vector<LineText>& lines,

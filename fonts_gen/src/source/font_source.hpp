@@ -29,6 +29,13 @@ struct LineShare {
   CharSet characters;
 };
 
+/// Characters that nobody asks for, but that layout puts into text.
+enum class Additions : uint8_t {
+  none,
+  space,  // the space, which costs an advance and no outline
+  signs,  // also those of an ellipsis and a hyphen, for text
+};
+
 /// Which face of which file, and which of its characters.
 struct FontRequest {
   std::filesystem::path file;
@@ -37,6 +44,8 @@ struct FontRequest {
   CharSet characters;
   /// May be empty, as `characters` may then.
   LineShare lines;
+  /// For load_faces().
+  Additions additions = Additions::none;
   /// Also the glyphs that others are made of, such as accents: at the end of
   /// the list, without code points.
   bool with_components = false;
@@ -87,6 +96,8 @@ struct SourceFont {
   std::vector<ShapedLine> lines;
   /// Characters that the font does not have, in ascending order.
   std::vector<char32_t> missing;
+  /// What FontRequest::additions brought.
+  CharSet added;
   std::vector<IconFile> icons;
 
   /// Whether a text may show a glyph, which is no mere component then.
