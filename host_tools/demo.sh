@@ -29,11 +29,8 @@ mkdir -p "$out"
 rm -rf "$out"/*
 
 echo "Building the generator and the tools (build/demo-host)"
-cmake -S . -B "$host" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DINKCELL_DEMO_FONT="$font" -DINKCELL_JOIN_FOLDERS=ON \
-  >"$out/build.log" 2>&1 &&
-  ninja -C "$host" inkcell-fontgen inkcell-accuracy inkcell-animate \
-    inkcell-inspect inkcell-render inkcell-specimen >>"$out/build.log" 2>&1 || {
+cmake --preset demo-host -DINKCELL_DEMO_FONT="$font" >"$out/build.log" 2>&1 &&
+  ninja -C "$host" inkcell_demo >>"$out/build.log" 2>&1 || {
   tail -n 30 "$out/build.log"
   exit 1
 }
@@ -78,13 +75,11 @@ done
 missed=
 for board in lm3s6965evb lm3s811evb versatilepb riscv_virt; do
   echo "Running the demo on $board"
-  formats=$(sed -n 's/.*set(INKCELL_DISPLAY_FORMATS \(.*\)).*/\1/p' \
-    "boards/$board/board.cmake")
-  if ! ninja -C "$host" $(printf "scene_host_${board}_%s " $formats) \
-    >"$out/$board.log" 2>&1; then
+  if ! ninja -C "$host" "scene_hosts_$board" >"$out/$board.log" 2>&1; then
     missed="$missed $board"
     tail -n 20 "$out/$board.log"
-  elif ! python3 tests/screens/screens.py "$host/tests/screens/screens.json" \
+  elif ! python3 host_tools/screens/screens.py \
+    "$host/host_tools/screens/screens.json" \
     --board "$board" --picture scene --save "$out" >"$out/$board.log" 2>&1; then
     missed="$missed $board"
     tail -n 5 "$out/$board.log"

@@ -2,6 +2,7 @@
 #
 #   . host_tools/setup.sh
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
+#   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
 #   inkcell_setup tests    # these, and what the tests need on top
 #   inkcell_setup reading  # what reads and judges small text
 #
@@ -11,20 +12,22 @@
 inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev
   libcli11-dev nlohmann-json3-dev libpugixml-dev libpng-dev zlib1g-dev
-  libgif-dev nettle-dev
-  libsdl2-dev libimgui-dev liblua5.4-dev
-  gcc-arm-none-eabi libnewlib-arm-none-eabi
-  gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
-  qemu-system-arm qemu-system-misc
-  libgtest-dev fonts-dejavu-core fonts-liberation fonts-roboto-unhinted"
+  libgif-dev nettle-dev liblua5.4-dev
+  gcc-arm-none-eabi gcc-riscv64-unknown-elf
+  qemu-system-arm qemu-system-misc fonts-dejavu-core"
+
+inkcell_packages_windows="$inkcell_packages_demo libsdl2-dev libimgui-dev
+  fonts-roboto-unhinted"
 
 inkcell_packages_reading="python3 python3-freetype tesseract-ocr
   tesseract-ocr-eng"
 
-inkcell_packages_tests="$inkcell_packages_demo git clang ccache make meson
-  libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-noto-cjk
-  fonts-lohit-deva fonts-tlwg-loma-ttf librsvg2-bin
-  unicode-data xvfb xdotool fontmake
+inkcell_packages_tests="$inkcell_packages_windows
+  git clang ccache make meson libgtest-dev
+  libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
+  libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-liberation
+  fonts-noto-cjk fonts-lohit-deva fonts-tlwg-loma-ttf
+  librsvg2-bin unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 
 # The packages of "$@" that are not installed.
@@ -37,11 +40,13 @@ inkcell_missing() {
 
 inkcell_setup() {
   case $1 in
-    demo) inkcell_missing=$(inkcell_missing $inkcell_packages_demo) ;;
-    tests) inkcell_missing=$(inkcell_missing $inkcell_packages_tests) ;;
-    reading) inkcell_missing=$(inkcell_missing $inkcell_packages_reading) ;;
-    *) echo "inkcell_setup demo|tests|reading" >&2; exit 2 ;;
+    demo) inkcell_wanted=$inkcell_packages_demo ;;
+    windows) inkcell_wanted=$inkcell_packages_windows ;;
+    tests) inkcell_wanted=$inkcell_packages_tests ;;
+    reading) inkcell_wanted=$inkcell_packages_reading ;;
+    *) echo "inkcell_setup demo|windows|tests|reading" >&2; exit 2 ;;
   esac
+  inkcell_missing=$(inkcell_missing $inkcell_wanted)
   [ -n "$inkcell_missing" ] || return 0
   if [ "$(id -u)" = 0 ]; then
     inkcell_root=

@@ -5,6 +5,9 @@ set(INKCELL_DEMO_FONT /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf CACHE
   FILEPATH "TTF or OTF that the demo's font is made from")
 set(INKCELL_DEMO_DIR ${CMAKE_CURRENT_LIST_DIR})
 
+# The boards that have a display.
+set(INKCELL_DISPLAY_BOARDS lm3s6965evb lm3s811evb versatilepb riscv_virt)
+
 # inkcell_add_demo_font(<board>)
 #
 # <board>_demo_font: one font for the clock and the text, printable ASCII for 8 to

@@ -5,7 +5,7 @@ Builds the firmware of each board, starts it, waits until it says READY, takes a
 screendump and compares every pixel with that of scene_host. The exit code is
 the number of pictures that differ.
 
-    screens.py <host build>/tests/screens/screens.json [--save DIR]
+    screens.py <host build>/host_tools/screens/screens.json [--save DIR]
 """
 
 import argparse
@@ -83,18 +83,28 @@ def compare(shown, expected):
     return f"{count} points equal, {len(colours)} colours"
 
 
-def build(screen):
-    """Configures and builds the demos of a board with this machine's fonts."""
+def firmware(screen, picture):
+    """The name of the program that shows a picture on a board."""
+    name = {"scene": "demo", "pattern": "pattern"}.get(
+        picture, f"motion_{picture}")
+    return f"{name}_{screen['format']}"
+
+
+def build(screen, programs):
+    """Configures a board's build and builds some programs of it, with this
+    machine's fonts.
+    """
     source = pathlib.Path(screen["source"])
     toolchain = source / "boards" / screen["board"] / "toolchain.cmake"
     subprocess.run(
         ["cmake", "-S", source, "-B", screen["build"], "-G", "Ninja",
          f"-DCMAKE_TOOLCHAIN_FILE={toolchain}", "-DCMAKE_BUILD_TYPE=Release",
-         "-DINKCELL_TESTS=OFF", f"-DINKCELL_FONTGEN={screen['fontgen']}",
+         "-DINKCELL_TESTS=OFF", "-DINKCELL_JOIN_FOLDERS=ON",
+         f"-DINKCELL_FONTGEN={screen['fontgen']}",
          f"-DINKCELL_DEMO_FONT={screen['font']}"],
         check=True, stdout=subprocess.DEVNULL)
     subprocess.run(
-        ["cmake", "--build", screen["build"], "--target", "inkcell_demos"],
+        ["cmake", "--build", screen["build"], "--target", *programs],
         check=True, stdout=subprocess.DEVNULL)
 
 
@@ -139,16 +149,14 @@ def screendump(monitor_path, path):
 
 def shoot(screen, picture, frame, folder):
     """Runs the firmware in QEMU; returns its screen and its console output."""
-    name = {"scene": "demo", "pattern": "pattern"}.get(
-        picture, f"motion_{picture}")
-    firmware = pathlib.Path(
+    program = pathlib.Path(
         screen["build"],
-        f"boards/common/demo/{name}_{screen['format']}.elf")
+        f"boards/common/demo/{firmware(screen, picture)}.elf")
     monitor = f"{folder}/monitor"
     flags = f"-qmp unix:{monitor},server=on,wait=off {screen['flags']}"
     runner = pathlib.Path(screen["source"], "boards/common/qemu_run.sh")
     with subprocess.Popen(
-            [runner, screen["board"], firmware, f"frame={frame}"],
+            [runner, screen["board"], program, f"frame={frame}"],
             env={**os.environ, "INKCELL_QEMU_FLAGS": flags},
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT) as process:
@@ -216,24 +224,28 @@ def main():
                and options.format in (None, screen["format"])]
     if not screens:
         parser.error("there is no such display")
+    wanted = [(screen, picture) for screen in screens
+              for picture in ["scene", *screen["motion_hosts"], "pattern"]
+              if options.picture in (None, picture)]
+    if not wanted:
+        parser.error(f"--picture {options.picture}: there are scene, pattern, "
+                     + ", ".join(sorted({scene for screen in screens
+                                         for scene in screen["motion_hosts"]})))
     if not options.no_build:
-        for folder in {screen["build"] for screen in screens}:
-            build(next(s for s in screens if s["build"] == folder))
+        builds = {}
+        for screen, picture in wanted:
+            builds.setdefault(screen["build"], (screen, []))[1].append(
+                firmware(screen, picture))
+        for screen, programs in builds.values():
+            build(screen, programs)
     if options.build_only:
         return 0
     if options.save:
         options.save.mkdir(parents=True, exist_ok=True)
-
-    motions = list(screens[0]["motion_hosts"])
-    pictures = [(picture, frame) for picture in ["scene", *motions]
-                for frame in options.frame or [0]]
-    pictures.append(("pattern", 0))
-    if options.picture not in (None, *(name for name, _ in pictures)):
-        parser.error(f"--picture {options.picture}: there are scene, pattern, "
-                     + ", ".join(motions))
     results = [check(screen, picture, frame, options.save)
-               for screen in screens for picture, frame in pictures
-               if options.picture in (None, picture)]
+               for screen, picture in wanted
+               for frame in (options.frame or [0] if picture != "pattern"
+                             else [0])]
     print(f"{results.count(True)} passed, {results.count(False)} failed")
     return min(results.count(False), 255)
 
