@@ -7,7 +7,8 @@
 #   inkcell_setup reading  # what reads and judges small text
 #
 # Installs what is missing as root or through sudo. Where neither is allowed it
-# prints the line that would, and ends the script that called it.
+# prints the line that would, and ends the script that called it. The test
+# build.debian_packages fails where a list lacks a package.
 
 inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev
@@ -26,7 +27,7 @@ inkcell_packages_tests="$inkcell_packages_windows
   git clang ccache make meson libgtest-dev
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-liberation
-  fonts-noto-cjk fonts-lohit-deva fonts-tlwg-loma-ttf
+  fonts-dejavu-extra fonts-noto-cjk fonts-lohit-deva fonts-tlwg-loma-ttf
   librsvg2-bin unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 
