@@ -5,6 +5,7 @@
 #   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
 #   inkcell_setup tests    # these, and what the tests need on top
 #   inkcell_setup reading  # what reads and judges small text
+#   inkcell_setup bare     # what makes the machine of tests/bare.sh
 #
 # Installs what is missing as root or through sudo. Where neither is allowed it
 # prints the line that would, and ends the script that called it. The test
@@ -31,6 +32,8 @@ inkcell_packages_tests="$inkcell_packages_windows
   librsvg2-bin unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 
+inkcell_packages_bare="git debootstrap debian-archive-keyring"
+
 # The packages of "$@" that are not installed.
 inkcell_missing() {
   for package in "$@"; do
@@ -45,7 +48,8 @@ inkcell_setup() {
     windows) inkcell_wanted=$inkcell_packages_windows ;;
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
-    *) echo "inkcell_setup demo|windows|tests|reading" >&2; exit 2 ;;
+    bare) inkcell_wanted=$inkcell_packages_bare ;;
+    *) echo "inkcell_setup demo|windows|tests|reading|bare" >&2; exit 2 ;;
   esac
   inkcell_missing=$(inkcell_missing $inkcell_wanted)
   [ -n "$inkcell_missing" ] || return 0
