@@ -59,12 +59,13 @@ inkcell_setup() {
     inkcell_root=sudo
   else
     echo "Please install what is missing, and start this again:" >&2
+    echo "  apt-get update" >&2
     echo "  apt-get install --no-install-recommends$inkcell_missing" >&2
     exit 1
   fi
   echo "Installing$inkcell_missing"
   if ! { $inkcell_root apt-get -qq update &&
-    DEBIAN_FRONTEND=noninteractive $inkcell_root apt-get -qq install -y \
+    $inkcell_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y \
       --no-install-recommends $inkcell_missing >/dev/null; }; then
     echo "apt-get could not install:$inkcell_missing" >&2
     exit 1
