@@ -25,9 +25,10 @@ logs=$root/build/tests
 mkdir -p "$logs"
 jobs=$(nproc)
 started=$(date +%s)
-passed=0
-failed=0
-skipped=0
+counts=$logs/counts  # a line a step: passed, failed, skipped
+: >"$counts"
+# Steps run side by side, and do not hear the key that ends this script.
+trap 'trap - INT; kill 0; exit 130' INT
 
 # step <name> <command>...: runs it, says how it went, and counts it. A command
 # that exits with 77 could not be run here: its last line says why.
@@ -37,55 +38,74 @@ step() {
   begun=$(date +%s)
   "$@" >"$logs/$name.log" 2>&1
   case $? in
-    0) verdict=ok passed=$((passed + 1)) ;;
-    77) verdict=skipped skipped=$((skipped + 1)) ;;
-    *) verdict=FAILED failed=$((failed + 1)) ;;
+    0) verdict=ok count='1 0 0' ;;
+    77) verdict=skipped count='0 0 1' ;;
+    *) verdict=FAILED count='0 1 0' ;;
   esac
-  printf '%-8s%-28s%4d s\n' "$verdict" "$name" $(($(date +%s) - begun))
-  if [ $verdict = skipped ]; then
-    tail -n 1 "$logs/$name.log" | sed 's/^/    /'
-  fi
-  if [ $verdict = FAILED ]; then
-    tail -n 40 "$logs/$name.log" | sed 's/^/    /'
-    return 1
-  fi
+  echo "$count" >>"$counts"
+  # At once, so that steps side by side do not mix their lines.
+  printf '%s\n' "$(
+    printf '%-8s%-28s%4d s\n' $verdict "$name" $(($(date +%s) - begun))
+    case $verdict in
+      skipped) tail -n 1 "$logs/$name.log" | sed 's/^/    /' ;;
+      FAILED) tail -n 40 "$logs/$name.log" | sed 's/^/    /' ;;
+    esac
+  )"
+  [ $verdict != FAILED ]
 }
 
-# run_tests <folder> <ctest option>...: a step that counts each test instead.
+# run_tests <folder> <ctest option>...: a step that counts each test instead. A
+# test that needs more than a few seconds has a limit of its own
+# (inkcell_test_seconds).
 run_tests() {
   name=test-$1
   folder=build/$1
   shift
   begun=$(date +%s)
-  ctest --test-dir "$folder" -j "$jobs" --timeout 300 --no-tests=error \
+  ctest --test-dir "$folder" -j "$jobs" --timeout 60 --no-tests=error \
     --output-on-failure "$@" >"$logs/$name.log" 2>&1
   result=$?
-  counts=$(sed -n 's/.*, \([0-9]*\) tests* failed out of \([0-9]*\)$/\1 \2/p' \
+  of=$(sed -n 's/.*, \([0-9]*\) tests* failed out of \([0-9]*\)$/\1 \2/p' \
     "$logs/$name.log")
-  bad=${counts% *}
-  all=${counts#* }
-  if [ -z "$counts" ] || { [ $result != 0 ] && [ "$bad" = 0 ]; }; then
+  bad=${of% *}
+  all=${of#* }
+  if [ -z "$of" ] || { [ $result != 0 ] && [ "$bad" = 0 ]; }; then
     bad=1
     all=1
   fi
-  passed=$((passed + all - bad))
-  failed=$((failed + bad))
+  echo "$((all - bad)) $bad 0" >>"$counts"
   verdict=ok
   [ "$bad" = 0 ] || verdict=FAILED
-  printf '%-8s%-28s%4d s  %d of %d tests\n' $verdict "$name" \
-    $(($(date +%s) - begun)) $((all - bad)) "$all"
-  if [ $verdict = FAILED ]; then
-    grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start ' "$logs/$name.log" |
-      tail -n 80 | sed 's/^/    /'
-  fi
+  printf '%s\n' "$(
+    printf '%-8s%-28s%4d s  %d of %d tests\n' $verdict "$name" \
+      $(($(date +%s) - begun)) $((all - bad)) "$all"
+    if [ $verdict = FAILED ]; then
+      grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed |^ *Start ' "$logs/$name.log" |
+        tail -n 80 | sed 's/^/    /'
+    fi
+  )"
 }
 
 # build <folder> <cmake option>...: configures and compiles build/<folder>.
 build() {
   folder=$1
   shift
+  rm -f "$logs/built-$folder"
   step "configure-$folder" cmake -S . -B "build/$folder" -G Ninja "$@" &&
-    step "build-$folder" cmake --build "build/$folder" -j "$jobs"
+    step "build-$folder" cmake --build "build/$folder" -j "$jobs" &&
+    : >"$logs/built-$folder"
+}
+
+# built <folder>: whether build() came to its end.
+built() {
+  [ -e "$logs/built-$1" ]
+}
+
+# await <process>: until a part in the background ends. One that was killed has
+# not counted its step.
+await() {
+  wait "$1"
+  [ $? -lt 128 ] || echo '0 1 0' >>"$counts"
 }
 
 boards=
@@ -93,21 +113,32 @@ for toolchain in boards/*/toolchain.cmake; do
   boards="$boards $(basename "$(dirname "$toolchain")")"
 done
 
+# Two at a time: while one links, or waits for its last test, the other has work
+# for all cores.
+
 # Joined folders compile sooner; with each source alone, packages are tested, and
 # objects measured.
-build host --preset host -DINKCELL_JOIN_FOLDERS=ON && host_built=yes
-built_boards=
+build host --preset host -DINKCELL_JOIN_FOLDERS=ON \
+  "-DINKCELL_BOARD_BUILDS=$root/build" &
+host=$!
 for board in $boards; do
   # As a user would, without a generator at hand; but one serves all boards.
   build "$board" --preset "$board" -DINKCELL_JOIN_FOLDERS=ON \
-    "-DINKCELL_FONTGEN_DIR=$root/build/fontgen" &&
-    built_boards="$built_boards $board"
+    "-DINKCELL_FONTGEN_DIR=$root/build/fontgen"
 done
+await $host
 
 # The host's tests include those that look at the screens of the boards.
-[ -n "${host_built-}" ] && run_tests host
-for board in $built_boards; do
-  run_tests "$board"
+host_tests() {
+  built host && run_tests host
+  step fuzz sh tests/fuzz/run.sh 30
+  step bench-parent sh tests/bench/parent.sh
+}
+host_tests &
+host=$!
+
+for board in $boards; do
+  built "$board" && run_tests "$board"
 done
 
 # What is built is the same: only what runs is of interest here, and not the
@@ -117,15 +148,17 @@ done
 slow='build|fonts|screens|seams|tools\.(accuracy|animate)|design\.(figures|window)'
 fontgen=-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen
 build host-sanitize --preset host-sanitize "$fontgen" &&
-  run_tests host-sanitize -E "^($slow)"
+  run_tests host-sanitize --timeout 300 -E "^($slow)"
 
 build big-endian -DCMAKE_BUILD_TYPE=Release "$fontgen" \
   -DCMAKE_TOOLCHAIN_FILE="$root/tests/big_endian.cmake" &&
-  run_tests big-endian
+  run_tests big-endian --timeout 300
+await $host
 
-step fuzz sh tests/fuzz/run.sh 30
-step bench-parent sh tests/bench/parent.sh
-
+passed=0 failed=0 skipped=0
+while read -r good bad left; do
+  passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + left))
+done <"$counts"
 printf '\n%d s; logs in build/tests\n' $(($(date +%s) - started))
 [ $skipped = 0 ] || printf '%d skipped, ' $skipped
 printf '%d passed, %d failed\n' $passed $failed

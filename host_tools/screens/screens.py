@@ -91,18 +91,20 @@ def firmware(screen, picture):
 
 
 def build(screen, programs):
-    """Configures a board's build and builds some programs of it, with this
+    """Builds some programs of a board; configures a tree of its own, with this
     machine's fonts.
     """
     source = pathlib.Path(screen["source"])
     toolchain = source / "boards" / screen["board"] / "toolchain.cmake"
-    subprocess.run(
-        ["cmake", "-S", source, "-B", screen["build"], "-G", "Ninja",
-         f"-DCMAKE_TOOLCHAIN_FILE={toolchain}", "-DCMAKE_BUILD_TYPE=Release",
-         "-DINKCELL_TESTS=OFF", "-DINKCELL_JOIN_FOLDERS=ON",
-         f"-DINKCELL_FONTGEN={screen['fontgen']}",
-         f"-DINKCELL_DEMO_FONT={screen['font']}"],
-        check=True, stdout=subprocess.DEVNULL)
+    if screen["is_own"]:
+        subprocess.run(
+            ["cmake", "-S", source, "-B", screen["build"], "-G", "Ninja",
+             f"-DCMAKE_TOOLCHAIN_FILE={toolchain}",
+             "-DCMAKE_BUILD_TYPE=Release", "-DINKCELL_TESTS=OFF",
+             "-DINKCELL_JOIN_FOLDERS=ON",
+             f"-DINKCELL_FONTGEN={screen['fontgen']}",
+             f"-DINKCELL_DEMO_FONT={screen['font']}"],
+            check=True, stdout=subprocess.DEVNULL)
     subprocess.run(
         ["cmake", "--build", screen["build"], "--target", *programs],
         check=True, stdout=subprocess.DEVNULL)
