@@ -8,7 +8,7 @@
 #     [STRINGS <file of strings>...] [STRICT]
 #     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
-#     [FACE <n>] [AXIS <tag=value>...]
+#     [FACE <n>] [INSTANCE <name>] [AXIS <tag=value>...]    of a variable font
 #     [CODING outline|edges|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
@@ -211,8 +211,8 @@ endfunction()
 
 function(inkcell_add_font target)
   set(single
-    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS
-    PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SVG_HEIGHT SVG_BASELINE)
+    FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING
+    HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SVG_HEIGHT SVG_BASELINE)
   set(several
     CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MERGE SVG SVG_DIR)
   cmake_parse_arguments(
@@ -272,8 +272,8 @@ function(inkcell_add_font target)
 
   set(options)
   foreach(word
-      MIN_PX MAX_PX TOLERANCE BAND_PX FACE CODING HINTS PREDICATE EFFORT
-      BUDGET SVG_HEIGHT SVG_BASELINE)
+      MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING HINTS PREDICATE
+      EFFORT BUDGET SVG_HEIGHT SVG_BASELINE)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")

@@ -113,7 +113,7 @@ RomFile load_font_file(const std::filesystem::path& file,
   request.symbols += text;
   gen::RomFont font = generate(std::move(request), conversion.may_halve);
   for (const gen::Warning& warning : font.warnings) {
-    std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
+    std::fprintf(stderr, "%s\n", warning.message().c_str());
   }
   return RomFile(std::move(font.bytes), file.string());
 }

@@ -225,22 +225,28 @@ Bytes kern_table(const Sfnt& font) {
   return table.bytes;
 }
 
-Bytes fvar_table() {
-  return Table()
-      .u32(0x10000)
+constexpr int kFirstInstanceName = 256;
+
+Bytes fvar_table(const Sfnt& font) {
+  Table table;
+  table.u32(0x10000)
       .u16(16)
       .u16(2)
       .u16(1)
       .u16(20)
-      .u16(0)
+      .u16(static_cast<int>(font.instances.size()))
       .u16(8)
       .tag("wght")
       .u32(100u << 16)
       .u32(400u << 16)
       .u32(900u << 16)
       .u16(0)
-      .u16(256)
-      .bytes;
+      .u16(1);
+  int name = kFirstInstanceName;
+  for (const auto& [text, wght] : font.instances) {
+    table.u16(name++).u16(0).u32(static_cast<uint32_t>(wght) << 16);
+  }
+  return table.bytes;
 }
 
 // One tuple with its peak at the end of the axis: all points and the second
@@ -303,20 +309,22 @@ Bytes gvar_table(const Sfnt& font) {
   return table.bytes;
 }
 
-Bytes name_table() {
-  const std::string family = "Test";
-  return Table()
-      .u16(0)
-      .u16(1)
-      .u16(18)
-      .u16(1)
-      .u16(0)
-      .u16(0)
-      .u16(1)
-      .u16(static_cast<int>(family.size()))
-      .u16(0)
-      .tag(family)
-      .bytes;
+Bytes name_table(const Sfnt& font) {
+  std::vector<std::pair<int, std::string>> names = {{1, "Test"}};
+  for (const auto& instance : font.instances) {
+    names.emplace_back(kFirstInstanceName + static_cast<int>(names.size()) - 1,
+                       instance.first);
+  }
+  const int count = static_cast<int>(names.size());
+  Table table;
+  table.u16(0).u16(count).u16(6 + 12 * count);
+  Table texts;
+  for (const auto& [id, text] : names) {
+    table.u16(1).u16(0).u16(0).u16(id).u16(static_cast<int>(text.size()));
+    table.u16(static_cast<int>(texts.bytes.size()));
+    texts.tag(text);
+  }
+  return table.add(texts.bytes).bytes;
 }
 
 std::map<std::string, Bytes> make_tables(const Sfnt& font) {
@@ -326,7 +334,7 @@ std::map<std::string, Bytes> make_tables(const Sfnt& font) {
   tables["maxp"] = maxp_table(font);
   tables["OS/2"] = os2_table(font);
   tables["cmap"] = cmap_table(font);
-  tables["name"] = name_table();
+  tables["name"] = name_table(font);
   tables["post"] = Table().u32(0x30000).zeros(28).bytes;
   std::vector<Bytes> outlines;
   Table metrics;
@@ -343,7 +351,7 @@ std::map<std::string, Bytes> make_tables(const Sfnt& font) {
     tables["kern"] = kern_table(font);
   }
   if (font.wght_shift != 0) {
-    tables["fvar"] = fvar_table();
+    tables["fvar"] = fvar_table(font);
     tables["gvar"] = gvar_table(font);
   }
   for (const auto& [name, bytes] : font.tables) {

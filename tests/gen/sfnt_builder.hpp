@@ -48,6 +48,8 @@ struct Sfnt {
   /// If not 0: a variable font with the axis wght 100..900, default 400, that
   /// moves each point by this in x, and the advance too, at 900.
   int wght_shift = 0;
+  /// Its named instances, and their wght.
+  std::vector<std::pair<std::string, int>> instances;
   /// The character map is one of symbols, not of Unicode.
   bool is_symbol = false;
   /// Replaces tables; an empty one is left out.

@@ -185,7 +185,7 @@ TEST(FontSource, OpensTheFaceOfACollection) {
   request.face = 1;
   EXPECT_EQ(load(request).glyphs[1].advance, 901);
   request.face = 2;
-  EXPECT_CONTAINS(refusal(request), "has no face 2; give --face 0 to 1");
+  EXPECT_CONTAINS(refusal(request), "has no face 2; choose 0 to 1");
   request.face = -1;
   EXPECT_CONTAINS(refusal(request), "has no face -1");
 }
@@ -207,6 +207,40 @@ TEST(FontSource, SetsTheAxesOfAVariableFont) {
   EXPECT_EQ(left_and_advance(), std::make_pair(150.0, 850));
 }
 
+TEST(FontSource, TakesInstancesByName) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.wght_shift = 100;
+  source.instances = {{"Thin", 100}, {"Regular", 400}, {"Extra Black", 900}};
+  FontRequest request = request_of(folder.write("a.ttf", source), "H");
+  const auto made = [&] {
+    const SourceFont font = load(request);
+    return std::make_tuple(font.glyphs[1].advance, font.name,
+                           font.faces.at(0).variation.place());
+  };
+  EXPECT_EQ(made(), std::make_tuple(800, std::string("Test"),
+                                    "wght 400 of 100..900 (Regular)"));
+  request.instance = "extra-black";
+  EXPECT_EQ(made(), std::make_tuple(900, std::string("Test, Extra Black"),
+                                    "wght 900 of 100..900 (Extra Black)"));
+  // Axes move away from it.
+  request.axes = {parse_axis("wght=650")};
+  EXPECT_EQ(made(), std::make_tuple(850, std::string("Test, wght 650"),
+                                    "wght 650 of 100..900"));
+  request.instance = "Bold";
+  EXPECT_CONTAINS(
+      refusal(request),
+      "a.ttf: has no instance 'Bold', but Thin, Regular, Extra "
+      "Black; choose one, or set axes: wght 100..900 (default 400)");
+  source.instances.clear();
+  request.file = folder.write("b.ttf", source);
+  EXPECT_CONTAINS(refusal(request), "b.ttf: has no named instances");
+  source.wght_shift = 0;
+  request.axes.clear();
+  request.file = folder.write("fixed.ttf", source);
+  EXPECT_CONTAINS(refusal(request), "fixed.ttf: is not a variable font");
+}
+
 TEST(FontSource, RefusesWrongAxes) {
   const TestFolder folder;
   Sfnt source = Sfnt::plain();
@@ -217,7 +251,7 @@ TEST(FontSource, RefusesWrongAxes) {
   request.file = folder.write("a.ttf", source);
   request.axes = {parse_axis("wght=901")};
   EXPECT_CONTAINS(refusal(request),
-                  "--axis wght=901 is out of range; the axes are wght "
+                  "a.ttf: wght=901 is out of range; the axes are wght "
                   "100..900 (default 400)");
   request.axes = {parse_axis("wdth=75")};
   EXPECT_CONTAINS(refusal(request),
@@ -268,7 +302,7 @@ TEST(FontSource, ReadsWebFonts) {
     };
     EXPECT_EQ(corner(font), corner(expected));
     request.face = 1;
-    EXPECT_CONTAINS(refusal(request), "a.woff: has no face 1; give --face 0");
+    EXPECT_CONTAINS(refusal(request), "a.woff: has no face 1; choose 0");
     request.face = 0;
   }
 }

@@ -218,6 +218,38 @@ TEST_F(Program, MakesEveryKindOfFont) {
   }
 }
 
+TEST_F(Program, SaysWhichInstanceOfAVariableFontItMakes) {
+  Sfnt source = Sfnt::plain();
+  source.wght_shift = 100;
+  source.instances = {{"Regular", 400}, {"Bold", 700}};
+  folder_.write("a.ttf", source);
+  const std::string font =
+      "--font a.ttf --symbols H --out a.bin --report a.json ";
+  const Outcome usual = run(folder_, font + "--quiet");
+  EXPECT_EQ(usual.code, 0);
+  EXPECT_EQ(usual.err,
+            "note: a.ttf: is a variable font, taken at its default, wght 400 "
+            "of 100..900 (Regular); choose with --instance NAME or --axis "
+            "TAG=VALUE, instances: Regular, Bold\n");
+  for (const char* chosen :
+       {"--instance Regular", "--instance Bold", "--axis wght=700"}) {
+    const Outcome result = run(folder_, font + "--quiet " + chosen);
+    EXPECT_EQ(result.code, 0) << chosen;
+    EXPECT_EQ(result.err, "") << chosen;
+  }
+  const auto face = nlohmann::json::parse(read_file(folder_.path() / "a.json"))
+                        .at("faces")
+                        .at(0);
+  EXPECT_EQ(face.at("file"), "a.ttf");
+  EXPECT_EQ(face.at("instance"), "Bold");
+  EXPECT_EQ(face.at("axes").at("wght"),
+            nlohmann::json::parse("{\"min\": 100, \"default\": 400, "
+                                  "\"max\": 900, \"value\": 700}"));
+  EXPECT_NE(run(folder_, font + "--instance bold")
+                .out.find("instance        a.ttf: wght 700 of 100..900 (Bold)"),
+            std::string::npos);
+}
+
 TEST_F(Program, RefusesOptionsThatDoNotGoTogether) {
   const struct {
     const char* options;

@@ -6,6 +6,7 @@
 
 #include "convert.hpp"
 #include "sfnt_builder.hpp"
+#include "web_fonts.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -57,6 +58,30 @@ TEST(Convert, WarnsOfWhatShowsAsNotdef) {
   EXPECT_EQ(warning("H.\t\n"),
             "warning: plain.bin: not in the font, and drawn as .notdef: U+002E "
             "'.'\n");
+}
+
+// A WOFF2 of a variable font, at an instance: H is 100 units wider at wght 900.
+TEST(Convert, TakesWebFontsAndInstances) {
+  const TestFolder folder;
+  Sfnt source = Sfnt::plain();
+  source.wght_shift = 100;
+  source.instances = {{"Regular", 400}, {"Black", 900}};
+  const auto file =
+      folder.write("plain.woff2", gen::test::pack_woff2(source.build()));
+  for (const char* instance : {"", "Black"}) {
+    Conversion conversion;
+    conversion.request.instance = instance;
+    testing::internal::CaptureStderr();
+    const RomFile rom = load_font_file(file, conversion, "H");
+    const std::string said = testing::internal::GetCapturedStderr();
+    const bool is_usual = *instance == '\0';
+    EXPECT_EQ(
+        said.find("note: plain.woff2: is a variable font") != std::string::npos,
+        is_usual)
+        << said;
+    EXPECT_EQ(rom.font().advance(rom.font().glyph_or_notdef(U'H')),
+              is_usual ? 800 : 900);
+  }
 }
 
 TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {

@@ -256,7 +256,7 @@ void run(Arguments& arguments) {
   check_files(arguments);
   const RomFont font = make_font(arguments);
   for (const Warning& warning : font.warnings) {
-    std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
+    std::fprintf(stderr, "%s\n", warning.message().c_str());
   }
   write_files(arguments, font, format);
   if (!arguments.quiet) {

@@ -66,6 +66,10 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
   app.add_option("--face", request.face, "Face number in a TTC or OTC file")
       ->type_name("INT")
       ->default_str("0");
+  app.add_option("--instance", request.instance,
+                 "Named instance of a variable font, such as Bold [the default "
+                 "of the file]")
+      ->type_name("NAME");
   take_one(app.add_option_function<std::vector<std::string>>(
                "--axis",
                [&request](const std::vector<std::string>& settings) {
@@ -73,11 +77,12 @@ void add_selection(CLI::App& app, GenerateRequest& request) {
                    try {
                      request.axes.push_back(parse_axis(text));
                    } catch (const Error& error) {
-                     throw CLI::ValidationError(error.what());
+                     throw CLI::ValidationError("--axis", error.what());
                    }
                  }
                },
-               "Axis of a variable font, such as wght=600; repeatable"))
+               "Axis of a variable font, such as wght=600: it moves away from "
+               "the instance; repeatable"))
       ->type_name("TAG=VALUE");
   take_one(app.add_option("--chars", request.chars,
                           "Characters: 0x20-0x7E,U+B0,176,A-Z,0-9; repeatable "

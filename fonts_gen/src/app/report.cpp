@@ -118,6 +118,21 @@ std::string sizes_lines(const FontReport& report) {
   return px + "\n" + worst + "\n" + mean + "\n";
 }
 
+nlohmann::ordered_json face_as_json(const SourceFace& face) {
+  nlohmann::ordered_json json;
+  json["file"] = face.file_name;
+  if (!face.variation.axes.empty()) {
+    json["instance"] = face.variation.instance();
+    for (const FontAxis& axis : face.variation.axes) {
+      json["axes"][axis.tag] = {{"min", axis.least},
+                                {"default", axis.usual},
+                                {"max", axis.most},
+                                {"value", axis.value}};
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string report_for_people(const FontReport& report) {
@@ -148,6 +163,12 @@ std::string report_for_people(const FontReport& report) {
       text += describe(c) + ", ";
     }
     text += format("%zu bytes of glyphs\n", report.added_bytes);
+  }
+  for (const SourceFace& face : report.faces) {
+    if (!face.variation.axes.empty()) {
+      text += format("  %-16s", "instance") + face.file_name + ": " +
+              face.variation.place() + "\n";
+    }
   }
   for (const IconFile& icon : report.icons) {
     text += format("  %-16sU+%04X k", "icon",
@@ -202,6 +223,9 @@ std::string report_as_json(const FontReport& report) {
       added += to_utf8(c);
     }
     json["added"] = {{"characters", added}, {"bytes", report.added_bytes}};
+  }
+  for (const SourceFace& face : report.faces) {
+    json["faces"].push_back(face_as_json(face));
   }
   if (!report.icons.empty()) {
     Json icons = Json::object();

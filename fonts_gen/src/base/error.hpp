@@ -38,9 +38,16 @@ struct Warning {
     no_outline,          // a glyph is a bitmap or in colour only: no ink
     unused_face,         // a merged face gives no character
     face_taken,          // the first of several, since none was chosen
+    default_instance,    // of a variable font: nobody chose another
   };
   Kind kind;
   std::string text;
+
+  /// As programs print it: "warning: <text>", or "note: <text>" of a choice
+  /// that was made for the person.
+  std::string message() const {
+    return (kind == Kind::default_instance ? "note: " : "warning: ") + text;
+  }
 };
 
 using Warnings = std::vector<Warning>;

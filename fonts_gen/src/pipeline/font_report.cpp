@@ -117,6 +117,7 @@ FontReport make_report(const SourceFont& font,
   report.missing = font.missing;
   report.added.assign(font.added.begin(), font.added.end());
   report.icons = font.icons;
+  report.faces = font.faces;
   report.characters = content.glyph_of.size();
   report.left_classes = content.kerning.left_classes;
   report.right_classes = content.kerning.right_classes;

@@ -52,6 +52,7 @@ struct FontReport {
   std::vector<char32_t> added;  // that layout may need
   size_t added_bytes = 0;       // of their records
   std::vector<IconFile> icons;
+  std::vector<SourceFace> faces;
   size_t characters = 0;
   int left_classes = 0;
   int right_classes = 0;

@@ -88,6 +88,7 @@ SourceFont load_source(const GenerateRequest& request,
     FontRequest first;
     first.file = request.font;
     first.face = request.face;
+    first.instance = request.instance;
     first.axes = request.axes;
     first.characters = characters_of(request);
     first.additions =

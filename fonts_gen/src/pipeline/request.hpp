@@ -22,6 +22,7 @@ class BuiltGlyphs;
 struct GenerateRequest {
   std::filesystem::path font;  // empty: icons alone
   std::optional<int> face;     // none: the first
+  std::string instance;        // of a variable font, by its name
   std::vector<AxisSetting> axes;
   /// Characters: the union of all four; printable ASCII if they are empty and
   /// there are no strings.

@@ -193,6 +193,23 @@ void warn_of_unused(const FontFile& file, Warnings& warnings) {
                           "for and that the faces before it lack"});
 }
 
+// "Thin (wght 100 of 100..900)" was nobody's choice.
+void tell_of_default(const FontFile& file,
+                     bool is_chosen,
+                     const std::string& remedy,
+                     Warnings& warnings) {
+  const Variation& variation = file.variation();
+  if (variation.axes.empty() || is_chosen) {
+    return;
+  }
+  const std::string names = variation.instance_names();
+  warnings.push_back({Warning::Kind::default_instance,
+                      file.file_name() +
+                          ": is a variable font, taken at its default, " +
+                          variation.place() + "; choose with " + remedy +
+                          (names.empty() ? "" : ", instances: " + names)});
+}
+
 template <typename Item>
 void permute(const std::vector<size_t>& order, std::vector<Item>& items) {
   std::vector<Item> result;
@@ -273,6 +290,7 @@ void merge_font(SourceFont part, SourceFont& font) {
   }
   append_kerning(part.kerning, part_units, units, font.kerning);
   font.file_name += ", " + part.file_name;
+  font.faces.insert(font.faces.end(), part.faces.begin(), part.faces.end());
   sort_glyphs(font);
 }
 
@@ -283,7 +301,8 @@ SourceFont load_faces(const FontRequest& first,
                       Warnings& warnings) {
   std::vector<FontFile> files;
   files.reserve(1 + more.size());
-  files.emplace_back(first.file, first.face.value_or(0), first.axes);
+  files.emplace_back(first.file, first.face.value_or(0), first.axes,
+                     first.instance);
   for (const MergedFace& face : more) {
     files.emplace_back(face.file, 0, std::vector<AxisSetting>());
   }
@@ -300,6 +319,8 @@ SourceFont load_faces(const FontRequest& first,
   request.lines = shares.front();
   request.characters.merge(characters_in(files.front(), added));
   SourceFont font = load_font(files.front(), request, jobs, warnings);
+  tell_of_default(files.front(), !first.axes.empty() || !first.instance.empty(),
+                  "--instance NAME or --axis TAG=VALUE", warnings);
   CharSet asked = first.characters;
   CharSet given;
   add_characters_of(font, given);

@@ -4,10 +4,8 @@
 #include FT_TRUETYPE_TABLES_H
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "base/error.hpp"
 
@@ -37,74 +35,11 @@ std::string tag_text(uint32_t value) {
   return text;
 }
 
-// Shortest decimal form, as a person would write it.
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-double from_16_16(FT_Fixed value) {
-  return static_cast<double>(value) / 65536;
-}
-
 FT_Fixed to_16_16(double value) {
   return static_cast<FT_Fixed>(std::lround(value * 65536));
 }
 
-// FT_Get_MM_Var with its release. Empty for a font without axes.
-class Axes {
- public:
-  explicit Axes(FT_Face face) : library_(face->glyph->library) {
-    if (FT_Get_MM_Var(face, &axes_) != 0) {
-      axes_ = nullptr;
-    }
-  }
-  ~Axes() {
-    if (axes_ != nullptr) {
-      FT_Done_MM_Var(library_, axes_);
-    }
-  }
-  Axes(const Axes&) = delete;
-  Axes& operator=(const Axes&) = delete;
-
-  size_t size() const { return axes_ == nullptr ? 0 : axes_->num_axis; }
-  const FT_Var_Axis& operator[](size_t i) const { return axes_->axis[i]; }
-
-  /// "wght 200..900 (default 400), wdth 62.5..100 (default 100)"
-  std::string describe() const {
-    std::string text;
-    for (size_t i = 0; i < size(); ++i) {
-      const FT_Var_Axis& axis = (*this)[i];
-      text += (i == 0 ? "" : ", ") + tag_text(static_cast<uint32_t>(axis.tag)) +
-              " " + number(from_16_16(axis.minimum)) + ".." +
-              number(from_16_16(axis.maximum)) + " (default " +
-              number(from_16_16(axis.def)) + ")";
-    }
-    return text;
-  }
-
- private:
-  FT_Library library_;
-  FT_MM_Var* axes_ = nullptr;
-};
-
 }  // namespace
-
-AxisSetting parse_axis(const std::string& text) {
-  const size_t equals = text.find('=');
-  const std::string value =
-      equals == std::string::npos ? "" : text.substr(equals + 1);
-  char* end = nullptr;
-  const double parsed = std::strtod(value.c_str(), &end);
-  if (equals == 0 || equals > 4 || value.empty() || *end != '\0' ||
-      !(std::abs(parsed) <= 32767)) {
-    throw Error("--axis: '" + text + "' is not TAG=VALUE, such as wght=600");
-  }
-  std::string axis = text.substr(0, equals);
-  axis.resize(4, ' ');
-  return {axis, parsed};
-}
 
 int scaled_units(int value, int from_units_per_em, int to_units_per_em) {
   return static_cast<int>(std::lround(static_cast<double>(value) *
@@ -113,7 +48,8 @@ int scaled_units(int value, int from_units_per_em, int to_units_per_em) {
 
 FontFile::FontFile(const std::filesystem::path& file,
                    int face,
-                   const std::vector<AxisSetting>& axes)
+                   const std::vector<AxisSetting>& axes,
+                   const std::string& instance)
     : file_name_(file.filename().string()) {
   read_bytes(file);
   if (is_web_font()) {
@@ -124,8 +60,8 @@ FontFile::FontFile(const std::filesystem::path& file,
   open_face(face);
   check_face();
   select_character_map();
-  set_axes(axes);
-  open_harfbuzz(face, axes);
+  open_harfbuzz(face);
+  vary(instance, axes);
 }
 
 void FontFile::refuse(const std::string& text) const {
@@ -262,7 +198,7 @@ void FontFile::open_face(int face) {
     const FT_Long faces = count_only->num_faces;
     FT_Done_Face(count_only);
     if (face < 0 || face >= faces) {
-      refuse("has no face " + std::to_string(face) + "; give --face 0" +
+      refuse("has no face " + std::to_string(face) + "; choose 0" +
              (faces > 1 ? " to " + std::to_string(faces - 1) : ""));
     }
   }
@@ -321,18 +257,22 @@ uint32_t FontFile::glyph_of(char32_t code_point) const {
   return glyph;
 }
 
+std::string FontFile::family_of(FT_Face face) const {
+  return face->family_name == nullptr ? file_name_ : face->family_name;
+}
+
 std::string FontFile::name_of(FT_Face face) const {
-  const char* family = face->family_name;
   const char* style = face->style_name;
-  std::string name = family == nullptr ? file_name_ : family;
-  if (style != nullptr) {
-    name += std::string(" ") + style;
-  }
-  return name;
+  return family_of(face) + (style == nullptr ? "" : std::string(" ") + style);
 }
 
 std::string FontFile::full_name() const {
-  return name_of(ft());
+  if (variation_.is_default()) {
+    return name_of(ft());
+  }
+  const std::string instance = variation_.instance();
+  return family_of(ft()) + ", " +
+         (instance.empty() ? variation_.values() : instance);
 }
 
 std::vector<std::string> FontFile::face_names() const {
@@ -351,46 +291,7 @@ std::vector<std::string> FontFile::face_names() const {
   return names;
 }
 
-void FontFile::set_axes(const std::vector<AxisSetting>& settings) {
-  if (settings.empty()) {
-    return;
-  }
-  const Axes axes(ft());
-  if (axes.size() == 0) {
-    refuse("is not a variable font: leave out --axis");
-  }
-  std::vector<FT_Fixed> coordinates;
-  for (size_t i = 0; i < axes.size(); ++i) {
-    coordinates.push_back(axes[i].def);
-  }
-  for (const AxisSetting& setting : settings) {
-    bool known = false;
-    for (size_t i = 0; i < axes.size(); ++i) {
-      if (tag_text(static_cast<uint32_t>(axes[i].tag)) != setting.tag) {
-        continue;
-      }
-      known = true;
-      coordinates[i] = to_16_16(setting.value);
-      if (coordinates[i] < axes[i].minimum ||
-          coordinates[i] > axes[i].maximum) {
-        refuse("--axis " + setting.tag + "=" + number(setting.value) +
-               " is out of range; the axes are " + axes.describe());
-      }
-    }
-    if (!known) {
-      refuse("has no axis '" + setting.tag + "'; the axes are " +
-             axes.describe());
-    }
-  }
-  if (FT_Set_Var_Design_Coordinates(ft(),
-                                    static_cast<FT_UInt>(coordinates.size()),
-                                    coordinates.data()) != 0) {
-    refuse("does not take these --axis values; the axes are " +
-           axes.describe());
-  }
-}
-
-void FontFile::open_harfbuzz(int face, const std::vector<AxisSetting>& axes) {
+void FontFile::open_harfbuzz(int face) {
   hb_blob_t* blob = hb_blob_create(reinterpret_cast<const char*>(bytes_.data()),
                                    static_cast<unsigned>(bytes_.size()),
                                    HB_MEMORY_MODE_READONLY, nullptr, nullptr);
@@ -398,10 +299,31 @@ void FontFile::open_harfbuzz(int face, const std::vector<AxisSetting>& axes) {
   hb_blob_destroy(blob);
   hb_font_.reset(hb_font_create(hb_face_.get()));
   hb_font_set_scale(hb_font_.get(), units_per_em(), units_per_em());
+}
+
+void FontFile::vary(const std::string& instance,
+                    const std::vector<AxisSetting>& settings) {
+  variation_ = read_variation(hb_face());
+  try {
+    set_variation(instance, settings, variation_);
+  } catch (const Error& error) {
+    refuse(error.what());
+  }
+  if (variation_.is_default()) {
+    return;
+  }
+  std::vector<FT_Fixed> coordinates;
   std::vector<hb_variation_t> variations;
-  for (const AxisSetting& axis : axes) {
+  for (const FontAxis& axis : variation_.axes) {
+    coordinates.push_back(to_16_16(axis.value));
     variations.push_back({hb_tag_from_string(axis.tag.data(), 4),
                           static_cast<float>(axis.value)});
+  }
+  if (FT_Set_Var_Design_Coordinates(ft(),
+                                    static_cast<FT_UInt>(coordinates.size()),
+                                    coordinates.data()) != 0) {
+    refuse("does not take these values of its axes; they are " +
+           variation_.ranges());
   }
   hb_font_set_variations(hb_font_.get(), variations.data(),
                          static_cast<unsigned>(variations.size()));

@@ -11,16 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "source/variation.hpp"
+
 namespace inkcell::gen {
-
-/// A setting of a variable font, such as wght=600.
-struct AxisSetting {
-  std::string tag;  // four characters
-  double value = 0;
-};
-
-/// Reads "wght=600". Throws Error.
-AxisSetting parse_axis(const std::string& text);
 
 /// Font units of one face in those of another, to the nearest.
 int scaled_units(int value, int from_units_per_em, int to_units_per_em);
@@ -29,13 +22,15 @@ int scaled_units(int value, int from_units_per_em, int to_units_per_em);
 /// lengths that FreeType and HarfBuzz give for it are in font units.
 class FontFile {
  public:
-  /// Opens face number `face` with the given axes; the axes that are not named
-  /// keep their defaults. Throws Error for everything that cannot give
-  /// outlines: not a font, truncated, bitmaps only, unitsPerEm outside
-  /// 16..16384, no glyphs, unknown face or axis.
+  /// Opens face number `face` at the instance of a name, if it is not empty,
+  /// and with the given axes; the axes that neither names keep their defaults.
+  /// Throws Error for everything that cannot give outlines: not a font,
+  /// truncated, bitmaps only, unitsPerEm outside 16..16384, no glyphs, unknown
+  /// face, instance or axis.
   FontFile(const std::filesystem::path& file,
            int face,
-           const std::vector<AxisSetting>& axes);
+           const std::vector<AxisSetting>& axes,
+           const std::string& instance = {});
 
   FT_Face ft() const { return face_.get(); }
   hb_face_t* hb_face() const { return hb_face_.get(); }
@@ -49,7 +44,10 @@ class FontFile {
 
   /// The file's name, without folders, as messages and reports show it.
   const std::string& file_name() const { return file_name_; }
-  /// Family and style, such as "DejaVu Sans Book".
+  /// The axes, and where they are.
+  const Variation& variation() const { return variation_; }
+  /// Family and style, such as "DejaVu Sans Book"; instances of variable fonts
+  /// are "Roboto Flex, Bold" or "Roboto Flex, wght 650".
   std::string full_name() const;
   /// The same of each face in the file.
   std::vector<std::string> face_names() const;
@@ -67,6 +65,7 @@ class FontFile {
   template <typename Handle>
   using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
+  std::string family_of(FT_Face face) const;
   std::string name_of(FT_Face face) const;
   void read_bytes(const std::filesystem::path& file);
   bool is_web_font() const;
@@ -80,10 +79,12 @@ class FontFile {
   void open_face(int face);
   void check_face() const;
   void select_character_map();
-  void set_axes(const std::vector<AxisSetting>& axes);
-  void open_harfbuzz(int face, const std::vector<AxisSetting>& axes);
+  void open_harfbuzz(int face);
+  void vary(const std::string& instance,
+            const std::vector<AxisSetting>& settings);
 
   std::string file_name_;
+  Variation variation_;
   std::vector<uint8_t> bytes_;  // outlives the handles below
   Owner<FT_Library> library_;
   Owner<FT_Face> face_;

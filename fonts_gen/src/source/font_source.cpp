@@ -271,9 +271,9 @@ void renew_missing_warning(const SourceFont& font, Warnings& warnings) {
 }
 
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings) {
-  return load_font(
-      FontFile(request.file, request.face.value_or(0), request.axes), request,
-      jobs, warnings);
+  return load_font(FontFile(request.file, request.face.value_or(0),
+                            request.axes, request.instance),
+                   request, jobs, warnings);
 }
 
 SourceFont load_font(const FontFile& file,
@@ -286,6 +286,7 @@ SourceFont load_font(const FontFile& file,
   if (!request.face) {
     warn_of_faces(file, warnings);
   }
+  font.faces = {{font.file_name, file.variation()}};
   const size_t asked = choose_glyphs(file, request, font);
   warn_of_embedding(file, warnings);
   renew_missing_warning(font, warnings);

@@ -40,6 +40,7 @@ enum class Additions : uint8_t {
 struct FontRequest {
   std::filesystem::path file;
   std::optional<int> face;  // none: the first; a warning names it if need be
+  std::string instance;  // by its name; may be empty
   std::vector<AxisSetting> axes;
   CharSet characters;
   /// May be empty, as `characters` may then.
@@ -78,6 +79,12 @@ struct SourceGlyph {
   std::string remedy(const std::string& repair) const;
 };
 
+/// A face that gives glyphs.
+struct SourceFace {
+  std::string file_name;
+  Variation variation;
+};
+
 /// Everything about a font that is not yet a field.
 struct SourceFont {
   std::string file_name;
@@ -99,6 +106,7 @@ struct SourceFont {
   /// What FontRequest::additions brought.
   CharSet added;
   std::vector<IconFile> icons;
+  std::vector<SourceFace> faces;  // in order of priority
 
   /// Whether a text may show a glyph, which is no mere component then.
   bool is_shown(size_t glyph) const {

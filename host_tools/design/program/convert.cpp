@@ -38,7 +38,7 @@ void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
 
 void say_warnings(const gen::Warnings& warnings) {
   for (const gen::Warning& warning : warnings) {
-    std::fprintf(stderr, "warning: %s\n", warning.text.c_str());
+    std::fprintf(stderr, "%s\n", warning.message().c_str());
   }
 }
 
