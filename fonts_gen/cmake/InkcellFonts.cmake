@@ -12,7 +12,8 @@
 #     [CODING outline|edges|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
-#     [MERGE <file>[=<list>]...]    more faces, in order of priority
+#     [MERGE <file>[:<setting>,...][=<list>]...]    more faces, in order of
+#                              priority: icons.ttf:FILL=1,height=cap=0xE88A
 #     [SVG <file>=<code point>...] [SVG_DIR <folder>...]    icons
 #     [SVG_HEIGHT em|cap|<em>] [SVG_BASELINE middle|bottom|<em>]
 #     [LANGUAGE CXX|C])
@@ -173,9 +174,16 @@ function(_inkcell_face_options to_options to_inputs merge svg folders)
   set(files "${${to_inputs}}")
   foreach(option IN ITEMS merge svg)
     foreach(value IN LISTS ${option})
-      # What is behind the last "=" is no part of the file's name.
+      # What is behind the last "=" is no part of the file's name, and a face may
+      # have settings before that, as parse_merged_face() reads them.
       string(REGEX MATCH "=[^=]*$" suffix "${value}")
       string(REGEX REPLACE "=[^=]*$" "" file "${value}")
+      cmake_path(ABSOLUTE_PATH file NORMALIZE OUTPUT_VARIABLE there)
+      if(option STREQUAL "merge" AND NOT EXISTS "${there}" AND
+          value MATCHES "^([^:]*(:[/\\][^:]*)?)(:[^=:,/\\]+=.*)$")
+        set(file "${CMAKE_MATCH_1}")
+        set(suffix "${CMAKE_MATCH_3}")
+      endif()
       cmake_path(ABSOLUTE_PATH file NORMALIZE)
       list(APPEND words "--${option}=${file}${suffix}")
       list(APPEND files "${file}")

@@ -51,11 +51,11 @@ project(fake LANGUAGES NONE)
 file(APPEND ${CMAKE_BINARY_DIR}/log "${CMAKE_SOURCE_DIR}:${CMAKE_CXX_COMPILER}\\n")
 add_custom_target(inkcell-fontgen)
 """
-# A generator that makes empty headers, and a project that uses one.
+# A generator that writes its arguments into headers, and a project that uses it.
 FAKE_FONTGEN = """#!/bin/sh
 for word; do
   case $word in
-    --out=*) out=${word#*=}; : >"$out" ;;
+    --out=*) out=${word#*=}; printf '// %s\\n' "$@" >"$out" ;;
     --depfile=*) echo "$out:" >"${word#*=}" ;;
   esac
 done
@@ -64,7 +64,9 @@ FONT_PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(fonts LANGUAGES CXX)
 include(${FONTS}/InkcellFonts.cmake)
 add_library(app INTERFACE)
-inkcell_add_font(app FONT CMakeLists.txt NAME ui)
+inkcell_add_font(app FONT CMakeLists.txt NAME ui INSTANCE "Semi Bold"
+  MERGE icons.ttf icons.ttf=A "icons.ttf:FILL=1,instance=Semi Bold=0xE000"
+    icons.ttf:height=cap)
 add_subdirectory(program)
 """
 
@@ -98,6 +100,7 @@ def check_order(folder):
     (folder / "program/CMakeLists.txt").write_text(
         "add_executable(program main.cpp)\n"
         "target_link_libraries(program PRIVATE app)\n")
+    (folder / "icons.ttf").write_text("")
     (folder / "program/main.cpp").write_text(
         "#include <fonts/ui.hpp>\nint main() { return 0; }\n")
     build = folder / "ordered"
@@ -107,7 +110,13 @@ def check_order(folder):
         result = run(command)
         if result.returncode != 0:
             return [f"a program alone: {result.stdout}"]
-    return []
+    header = (build / "inkcell_fonts/app/fonts/ui.hpp").read_text().splitlines()
+    return [f"no argument {word}" for word in
+            ["--instance=Semi Bold", f"--merge={folder}/icons.ttf",
+             f"--merge={folder}/icons.ttf=A",
+             f"--merge={folder}/icons.ttf:FILL=1,instance=Semi Bold=0xE000",
+             f"--merge={folder}/icons.ttf:height=cap"]
+            if f"// {word}" not in header]
 
 
 def check_generator(folder):

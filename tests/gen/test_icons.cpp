@@ -284,6 +284,183 @@ TEST_F(Faces, UnusedFaceIsTold) {
   EXPECT_EQ(warnings_[0].kind, Warning::Kind::unused_face);
 }
 
+Box box_of(const SourceFont& font, char32_t c) {
+  for (const SourceGlyph& glyph : font.glyphs) {
+    if (glyph.code_points == std::vector<char32_t>{c}) {
+      return Shape(glyph.outline).box();
+    }
+  }
+  return {};
+}
+
+// A face whose glyphs fill its em square, around the middle of its line.
+Sfnt square_face(int units, int descender, const std::u32string& characters) {
+  Sfnt font = face_of(units, {});
+  font.ascender = units + descender;
+  font.descender = descender;
+  for (const char32_t c : characters) {
+    font.glyphs.push_back(
+        {c, units, {sfnt_rectangle(0, descender, units, units + descender)}});
+  }
+  return font;
+}
+
+// Capitals of text.ttf are 0.7 em high. Material Symbols, Bootstrap Icons and
+// Codicons stand on the baseline, MDI and Font Awesome 1/8 em below.
+TEST_F(Faces, IconsStandInTheMiddleOfCapitals) {
+  for (const int descender : {0, -64, -128}) {
+    folder_.write("icons.ttf", square_face(512, descender, U"\ue000\u2605"));
+    const SourceFont font = load("A", {"icons.ttf=0xE000,0x2605"});
+    for (const char32_t c : {char32_t{0xe000}, char32_t{0x2605}}) {
+      EXPECT_NEAR(box_of(font, c).y0, 0.35 * 1024 - 512, 0.01);
+      EXPECT_NEAR(box_of(font, c).y1, 0.35 * 1024 + 512, 0.01);
+      EXPECT_EQ(advance_of(font, c), 1000);
+    }
+    EXPECT_NEAR(font.faces.at(1).shift_em, 0.35 - (0.5 + descender / 512.0),
+                1e-9);
+  }
+  EXPECT_NEAR(box_of(load("A", {"more.ttf=B"}), U'B').y0, 0, 0.01);
+}
+
+TEST_F(Faces, OnlyIconsLeaveTheirBaseline) {
+  const struct {
+    std::u32string has;
+    const char* taken;
+    bool are_icons;
+  } cases[] = {{U"\ue000", "0xE000", true},
+               {U"\U000f02dc", "0xF02DC", true},
+               {U"\u2605", "0x2605", true},
+               {U"\u2605\ue000", "0x2605,0xE000", true},
+               {U"A\ue000", "0xE000", true},  // of a patched face
+               {U"a\u2605\ue000", "0x2605,0xE000", true},
+               {U"A\u2605", "0x2605", false},  // an arrow of a text face
+               {U"a\u20ac", "0x20AC", false},
+               {U"\u0e01", "0xE01", false},  // letters of another script
+               {U"\u0301\ue000", "0x301,0xE000", false},
+               {U"7\ue000", "0x37,0xE000", false}};
+  for (const auto& at : cases) {
+    folder_.write("face.ttf", square_face(500, 0, at.has));
+    const SourceFont font = load("C", {std::string("face.ttf=") + at.taken});
+    EXPECT_EQ(font.faces.at(1).shift_em != 0, at.are_icons) << at.taken;
+  }
+  // Without capitals there is no middle of them.
+  Sfnt none = square_face(1000, 0, U"\ue001");
+  none.cap_height = 0;
+  folder_.write("text.ttf", none);
+  folder_.write("face.ttf", square_face(500, 0, U"\ue000"));
+  EXPECT_EQ(load("0xE001", {"face.ttf=0xE000"}).faces.at(1).shift_em, 0);
+  EXPECT_NE(refusal([&] {
+              load("0xE001", {"face.ttf:height=cap=0xE000"});
+            }).find("how high its capitals are"),
+            std::string::npos);
+}
+
+TEST_F(Faces, StandAndScaleAsAsked) {
+  folder_.write("icons.ttf", square_face(512, -64, U"\ue000"));
+  const auto box = [&](const std::string& settings) {
+    return box_of(load("A", {"icons.ttf:" + settings + "=0xE000"}), 0xe000);
+  };
+  EXPECT_NEAR(box("height=cap").y0, 0, 0.01);
+  EXPECT_NEAR(box("height=cap").y1, 0.7 * 1024, 0.01);
+  EXPECT_NEAR(box("baseline=bottom").y0, 0, 0.01);
+  EXPECT_NEAR(box("height=1.5,baseline=-0.25").y0, -256, 0.01);
+  EXPECT_NEAR(box("height=1.5,baseline=-0.25").y1, 1280, 0.01);
+  EXPECT_NEAR(box("baseline=own").y0, -128, 0.01);
+  EXPECT_NEAR(box("height=2,baseline=own").y0, -256, 0.01);
+  // Text: advances and kerning are scaled, the baseline stays.
+  const SourceFont text = load("A-D", {"more.ttf:height=0.5"});
+  EXPECT_NEAR(box_of(text, U'B').y0, 0, 0.01);
+  EXPECT_NEAR(box_of(text, U'B').y1, 0.3 * 1024, 0.01);
+  EXPECT_EQ(advance_of(text, U'B'), 250);
+  EXPECT_EQ(text.kerning.value(2, 4), -25);
+  EXPECT_EQ(text.kerning.value(1, 3), -50);
+}
+
+// Steps of a string are those of the scaled face.
+TEST_F(Faces, StringsAreScaled) {
+  GenerateRequest request;
+  request.target.max_px = 16;
+  request.font = folder_.path() / "text.ttf";
+  request.symbols = "A";
+  request.merge = {file("more.ttf") + ":height=0.5"};
+  request.string_files = {write("ui.txt", "three = ABA\n")};
+  request.strict = true;
+  const RomFont font = generate(request);
+  const auto& glyphs = font.strings.at(0).glyphs;
+  ASSERT_EQ(glyphs.size(), 3u);
+  EXPECT_EQ(glyphs[1].x, 500);
+  EXPECT_EQ(glyphs[2].x, 250);
+  EXPECT_EQ(font.strings[0].advance, 1250);
+}
+
+TEST_F(Faces, HaveFacesInstancesAndAxes) {
+  Sfnt source = face_of(1000, {{U'B', 500, {sfnt_rectangle(0, 0, 400, 700)}}});
+  source.wght_shift = 100;
+  source.instances = {{"Regular", 400}, {"Extra Black", 900}};
+  folder_.write("b.ttf", source);
+  Sfnt second = source;
+  second.glyphs[1].advance = 600;
+  folder_.write("b.ttc", build_collection({source, second}));
+  const auto advance = [&](const std::string& face) {
+    return advance_of(load("A,B", {face}), U'B');
+  };
+  EXPECT_EQ(advance("b.ttf:wght=650"), 550);
+  EXPECT_TRUE(warnings_.empty());
+  EXPECT_EQ(advance("b.ttf:instance=extra black=B"), 600);
+  EXPECT_EQ(advance("b.ttf:instance=Extra Black,wght=650=B"), 550);
+  EXPECT_EQ(advance("b.ttc:face=1,wght=400"), 600);
+  EXPECT_TRUE(warnings_.empty());
+  const SourceFont font = load("A,B", {"b.ttf"});
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_EQ(warnings_[0].kind, Warning::Kind::default_instance);
+  EXPECT_EQ(warnings_[0].text,
+            "b.ttf: is a variable font, taken at its default, wght 400 of "
+            "100..900 (Regular); choose with --merge FILE:instance=NAME or "
+            "FILE:TAG=VALUE, instances: Regular, Extra Black");
+  EXPECT_EQ(font.faces.at(1).variation.instance(), "Regular");
+}
+
+TEST_F(Faces, SettingsAreReadAfterTheName) {
+  const auto file_of = [&](const std::string& text) {
+    return parse_merged_face(text).file.string();
+  };
+  EXPECT_EQ(file_of("x.ttf"), "x.ttf");
+  EXPECT_EQ(file_of("x.ttf=A"), "x.ttf");
+  EXPECT_EQ(file_of("x.ttf:wght=400"), "x.ttf");
+  EXPECT_EQ(file_of("x.ttf:wght=400,FILL=1=A,0x3D"), "x.ttf");
+  EXPECT_EQ(file_of("C:\\fonts\\x.ttf=A"), "C:\\fonts\\x.ttf");
+  EXPECT_EQ(file_of("C:\\x.ttf:wght=400=A"), "C:\\x.ttf");
+  // Files that are there are not taken apart.
+  for (const char* name : {"x=y.ttf", "x:y=z.ttf"}) {
+    const std::string there = write(name).string();
+    EXPECT_EQ(file_of(there), there);
+    EXPECT_EQ(file_of(there + "=A"), there);
+  }
+  const MergedFace face = parse_merged_face("x.ttf:wght=400,FILL=1=A,0x3D");
+  ASSERT_EQ(face.axes.size(), 2u);
+  EXPECT_EQ(face.axes[1].tag, "FILL");
+  EXPECT_EQ(face.axes[1].value, 1);
+  EXPECT_EQ(face.characters, (CharSet{U'=', U'A'}));
+  const struct {
+    const char* text;
+    const char* said;
+  } wrong[] = {
+      {"x.ttf:weight=400", "'weight' is no setting; they are TAG=VALUE of"},
+      {"x.ttf:wght=bold", "'wght=bold' is not TAG=VALUE"},
+      {"x.ttf:wght=400,bold=A", "'bold=A' is not TAG=VALUE"},
+      {"x.ttf:wght=400,FILL", "'FILL' has no value; settings are"},
+      {"x.ttf:instance=", "'instance' has no value"},
+      {"x.ttf:face=-1", "face is a number from 0 on"},
+      {"x.ttf:height=large", "'large' is not em, cap or a number of em"},
+      {"x.ttf:baseline=top=A", "'top' is not middle, bottom or a number of"}};
+  for (const auto& at : wrong) {
+    const std::string said = refusal([&] { parse_merged_face(at.text); });
+    EXPECT_EQ(said.find(std::string("--merge '") + at.text + "': "), 0u)
+        << said;
+    EXPECT_NE(said.find(at.said), std::string::npos) << said;
+  }
+}
+
 TEST_F(Faces, WrongListIsExplained) {
   EXPECT_NE(refusal([&] { load("A", {"more.ttf=D-B"}); }).find("backwards"),
             std::string::npos);

@@ -137,17 +137,16 @@ TEST_F(Program, NamesTheFaceThatItTakes) {
   EXPECT_EQ(first.code, 0);
   EXPECT_EQ(first.err.find(said), 0u) << first.err;
   EXPECT_NE(first.err.find(
-                "is taken; --face, which is for --font, takes another one: 1 "),
+                "is taken; --face, or face=N behind a file of --merge, takes "
+                "another one: 1 "),
             std::string::npos);
   EXPECT_EQ(run(folder_, "--font two.ttc --face 0" + rest).err, "");
   EXPECT_EQ(run(folder_, "--font two.ttc --face 1" + rest).err, "");
   EXPECT_EQ(run(folder_, "--font plain.ttf" + rest).err, "");
-  // A merged file has no choice.
-  EXPECT_EQ(run(folder_,
-                "--font two.ttc --face 1 --chars 0x2E --merge "
-                "two.ttc=0x48 --quiet --out a.bin")
-                .err.find(said),
-            0u);
+  const std::string merging =
+      "--font two.ttc --face 1 --chars 0x2E --quiet --out a.bin --merge ";
+  EXPECT_EQ(run(folder_, merging + "two.ttc=0x48").err.find(said), 0u);
+  EXPECT_EQ(run(folder_, merging + "two.ttc:face=0=0x48").err, "");
 }
 
 TEST_F(Program, EffortIsForCells) {

@@ -17,11 +17,11 @@ void add_place(CLI::App& app,
                const std::string& help) {
   app.add_option_function<std::string>(
          option,
-         [&place, parse](const std::string& text) {
+         [option, &place, parse](const std::string& text) {
            try {
              parse(text, place);
            } catch (const Error& error) {
-             throw CLI::ValidationError(error.what());
+             throw CLI::ValidationError(option, error.what());
            }
          },
          help)
@@ -35,8 +35,13 @@ void add_face_options(CLI::App& app, GenerateRequest& request) {
   app.add_option("--merge", request.merge,
                  "Another face: it gives the characters of LIST, or all that "
                  "are still missing; the first face that has one gives it; "
-                 "repeatable")
-      ->type_name("FILE[=LIST]");
+                 "repeatable. SETTING is instance=NAME, TAG=VALUE of an axis, "
+                 "face=N, height=em|cap|NUMBER or "
+                 "baseline=own|middle|bottom|NUMBER. Text stands on its own "
+                 "baseline; icons in the middle of capitals: a face is one of "
+                 "icons if no letter, mark or digit is taken from it, and "
+                 "either a private use character is or it lacks Latin letters")
+      ->type_name("FILE[:SETTING,...][=LIST]");
   app.add_option("--svg", request.svg_files,
                  "An icon as a glyph, such as wifi.svg=0xE001; repeatable")
       ->type_name("FILE=CODE");

@@ -130,6 +130,8 @@ nlohmann::ordered_json face_as_json(const SourceFace& face) {
                                 {"value", axis.value}};
     }
   }
+  json["scale"] = rounded(face.scale);
+  json["shift_em"] = rounded(face.shift_em);
   return json;
 }
 
@@ -168,6 +170,11 @@ std::string report_for_people(const FontReport& report) {
     if (!face.variation.axes.empty()) {
       text += format("  %-16s", "instance") + face.file_name + ": " +
               face.variation.place() + "\n";
+    }
+    if (face.scale != 1 || face.shift_em != 0) {
+      text += format("  %-16s", "placed") + face.file_name +
+              format(": scaled by %.3f, moved by %+.3f em\n", face.scale,
+                     face.shift_em);
     }
   }
   for (const IconFile& icon : report.icons) {

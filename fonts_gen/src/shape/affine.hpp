@@ -38,4 +38,15 @@ inline Affine product(const Affine& outer, const Affine& inner) {
   return m;
 }
 
+/// Maps all points of an outline.
+inline void map(const Affine& m, Outline& outline) {
+  for (Contour& contour : outline.contours) {
+    for (Segment& segment : contour.segments) {
+      for (Point& p : segment.p) {
+        p = m.map(p.x, p.y);
+      }
+    }
+  }
+}
+
 }  // namespace inkcell::gen

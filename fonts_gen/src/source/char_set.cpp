@@ -21,10 +21,6 @@ constexpr bool is_control(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0);
 }
 
-constexpr bool is_private(char32_t c) {
-  return (c >= 0xe000 && c <= 0xf8ff) || c >= 0xf0000;
-}
-
 std::optional<char32_t> parse_number(std::string_view digits, int base) {
   char32_t value = 0;
   for (const char c : digits) {

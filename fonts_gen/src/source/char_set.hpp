@@ -43,6 +43,11 @@ bool is_shown(char32_t code_point);
 /// and all that show something.
 bool is_missed(char32_t code_point);
 
+/// Whether a code point is for private use, as those of icons are.
+constexpr bool is_private(char32_t c) {
+  return (c >= 0xe000 && c <= 0xf8ff) || c >= 0xf0000;
+}
+
 /// UTF-8 of one code point.
 std::string to_utf8(char32_t code_point);
 

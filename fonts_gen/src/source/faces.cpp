@@ -6,9 +6,12 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "base/error.hpp"
+#include "shape/affine.hpp"
+#include "source/glyph_reader.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -29,8 +32,7 @@ void add_characters_of(const SourceFont& font, CharSet& out) {
 // The classes of `part` after those of `matrix`, whose glyphs stand before its;
 // pairs of one and the other do not kern.
 void append_kerning(const KerningMatrix& part,
-                    int part_units,
-                    int units,
+                    const UnitScale& scale,
                     KerningMatrix& matrix) {
   const auto append = [](const std::vector<uint16_t>& classes, int offset,
                          std::vector<uint16_t>& out) {
@@ -56,10 +58,8 @@ void append_kerning(const KerningMatrix& part,
   for (size_t row = 0; row < part_left; ++row) {
     for (size_t column = 0; column < part_right; ++column) {
       values[(left + row) * (right + part_right) + right + column] =
-          static_cast<int16_t>(
-              std::clamp(scaled_units(part.values[row * part_right + column],
-                                      part_units, units),
-                         -32768, 32767));
+          static_cast<int16_t>(std::clamp(
+              scale(part.values[row * part_right + column]), -32768, 32767));
     }
   }
   matrix.values = std::move(values);
@@ -91,13 +91,16 @@ CharSet characters_in(const FontFile& file, const CharSet& characters) {
   return found;
 }
 
-bool is_letter_or_digit(char32_t c) {
+bool is_letter_mark_or_digit(char32_t c) {
   switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), c)) {
     case HB_UNICODE_GENERAL_CATEGORY_LOWERCASE_LETTER:
     case HB_UNICODE_GENERAL_CATEGORY_MODIFIER_LETTER:
     case HB_UNICODE_GENERAL_CATEGORY_OTHER_LETTER:
     case HB_UNICODE_GENERAL_CATEGORY_TITLECASE_LETTER:
     case HB_UNICODE_GENERAL_CATEGORY_UPPERCASE_LETTER:
+    case HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK:
+    case HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK:
+    case HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK:
     case HB_UNICODE_GENERAL_CATEGORY_DECIMAL_NUMBER:
     case HB_UNICODE_GENERAL_CATEGORY_LETTER_NUMBER:
     case HB_UNICODE_GENERAL_CATEGORY_OTHER_NUMBER:
@@ -135,18 +138,63 @@ CharSet additions_to(const CharSet& asked,
   };
   add_one_of({U' '});
   if (additions == Additions::signs &&
-      std::any_of(asked.begin(), asked.end(), is_letter_or_digit)) {
+      std::any_of(asked.begin(), asked.end(), is_letter_mark_or_digit)) {
     add_one_of({U'.', U'\u2026'});
     add_one_of({U'-', U'\u2010'});
   }
   return added;
 }
 
+// Whether a face gives icons. Glyphs of lines without a character are forms of
+// letters.
+bool gives_icons(const FontFile& file, const FontRequest& request) {
+  CharSet taken = characters_in(file, request.characters);
+  taken.insert(request.lines.characters.begin(),
+               request.lines.characters.end());
+  std::set<uint32_t> nameless = request.lines.glyphs;
+  for (const char32_t c : taken) {
+    nameless.erase(file.glyph_of(c));
+  }
+  const bool has_latin = file.glyph_of(U'A') != 0 || file.glyph_of(U'a') != 0;
+  return !taken.empty() && nameless.empty() &&
+         std::none_of(taken.begin(), taken.end(), is_letter_mark_or_digit) &&
+         (!has_latin || std::any_of(taken.begin(), taken.end(), is_private));
+}
+
+// The place of a face's em square beside the letters of the font. [u]
+IconBox box_of(const MergedFace& face, const SourceMetrics& letters) {
+  try {
+    return icon_box(face.place, letters);
+  } catch (const Error& error) {
+    throw Error("--merge '" + face.file.string() + "': " + error.what());
+  }
+}
+
+// How far a face stands above its own baseline. Its em square lies around the
+// middle of its line: in 12 sets of icons (Material Symbols, Font Awesome, MDI,
+// Bootstrap, Remix, Phosphor, ...) the median drawing's middle is within 0.001
+// em of that, whatever their baselines.
+double shift_em(const MergedFace& face,
+                bool is_icons,
+                const SourceMetrics& own,
+                const SourceMetrics& letters) {
+  const bool is_placed = face.baseline == MergedFace::Baseline::placed ||
+                         (face.baseline == MergedFace::Baseline::by_kind &&
+                          is_icons && letters.cap_height > 0);
+  if (!is_placed) {
+    return 0;
+  }
+  const IconBox box = box_of(face, letters);
+  const double middle = (own.ascender + own.descender) / 2.0 / own.units_per_em;
+  return (box.bottom - box.height * (middle - 0.5)) / kUPerEm;
+}
+
 std::vector<ShapedLine> shape_lines(const std::vector<FontFile>& files,
+                                    const std::vector<double>& scales,
                                     const std::vector<LineText>& lines) {
-  std::vector<const FontFile*> faces;
-  for (const FontFile& file : files) {
-    faces.push_back(&file);
+  std::vector<ShapingFace> faces;
+  for (size_t i = 0; i < files.size(); ++i) {
+    faces.emplace_back(&files[i], scales[i]);
   }
   std::vector<ShapedLine> shaped;
   for (const LineText& line : lines) {
@@ -221,23 +269,6 @@ void permute(const std::vector<size_t>& order, std::vector<Item>& items) {
 
 }  // namespace
 
-MergedFace parse_merged_face(const std::string& text) {
-  std::error_code error;
-  const size_t equals = text.rfind('=');
-  MergedFace face;
-  if (equals == std::string::npos || std::filesystem::exists(text, error)) {
-    face.file = text;
-    return face;
-  }
-  face.file = text.substr(0, equals);
-  try {
-    add_ranges(text.substr(equals + 1), face.characters);
-  } catch (const Error& why) {
-    throw Error("--merge '" + text + "': " + why.what());
-  }
-  return face;
-}
-
 void sort_glyphs(SourceFont& font) {
   std::vector<size_t> order(font.glyphs.size());
   for (size_t i = 0; i < order.size(); ++i) {
@@ -268,8 +299,10 @@ void sort_glyphs(SourceFont& font) {
 }
 
 void merge_font(SourceFont part, SourceFont& font) {
-  const int units = font.metrics.units_per_em;
-  const int part_units = part.metrics.units_per_em;
+  const SourceFace& face = part.faces.front();
+  const UnitScale scale(part.metrics.units_per_em, font.metrics.units_per_em,
+                        face.scale);
+  const bool is_moved = face.scale != 1 || face.shift_em != 0;
   const size_t first = font.glyphs.size();
   if (first + part.glyphs.size() - 1 > kMostGlyphs) {
     throw Error(part.file_name + ": with it the font has more than " +
@@ -280,15 +313,18 @@ void merge_font(SourceFont part, SourceFont& font) {
   part.components.resize(part.glyphs.size());
   for (size_t i = 1; i < part.glyphs.size(); ++i) {
     SourceGlyph& glyph = part.glyphs[i];
-    glyph.advance =
-        std::clamp(scaled_units(glyph.advance, part_units, units), 0, 65535);
+    glyph.advance = std::clamp(scale(glyph.advance), 0, 65535);
+    if (is_moved) {
+      map({face.scale, 0, 0, face.scale, 0, face.shift_em * kUPerEm},
+          glyph.outline);
+    }
     font.glyphs.push_back(std::move(glyph));
     // Offsets of components are whole font units: in others they do not fit.
-    font.components.push_back(part_units == units
+    font.components.push_back(scale.is_one() && !is_moved
                                   ? moved(part.components[i], first)
                                   : OutlineReferences());
   }
-  append_kerning(part.kerning, part_units, units, font.kerning);
+  append_kerning(part.kerning, scale, font.kerning);
   font.file_name += ", " + part.file_name;
   font.faces.insert(font.faces.end(), part.faces.begin(), part.faces.end());
   sort_glyphs(font);
@@ -303,10 +339,15 @@ SourceFont load_faces(const FontRequest& first,
   files.reserve(1 + more.size());
   files.emplace_back(first.file, first.face.value_or(0), first.axes,
                      first.instance);
+  Warnings ignored;  // load_font gives them
+  const SourceMetrics letters = read_metrics(files.front(), ignored);
+  std::vector<double> scales = {1};
   for (const MergedFace& face : more) {
-    files.emplace_back(face.file, 0, std::vector<AxisSetting>());
+    files.emplace_back(face.file, face.face.value_or(0), face.axes,
+                       face.instance);
+    scales.push_back(box_of(face, letters).height / kUPerEm);
   }
-  const std::vector<ShapedLine> shaped = shape_lines(files, lines);
+  const std::vector<ShapedLine> shaped = shape_lines(files, scales, lines);
   const std::vector<LineShare> shares = share_lines(files, lines, shaped);
 
   CharSet all = first.characters;
@@ -329,7 +370,7 @@ SourceFont load_faces(const FontRequest& first,
     const CharSet& list = more[i].characters;
     asked.insert(list.begin(), list.end());
     request.file = more[i].file;
-    request.face.reset();
+    request.face = more[i].face;
     request.lines = shares[i + 1];
     request.characters = without(list.empty() ? asked : list, given);
     if (list.empty()) {
@@ -340,7 +381,13 @@ SourceFont load_faces(const FontRequest& first,
       warn_of_unused(file, warnings);
       continue;
     }
+    const bool is_icons = gives_icons(file, request);
     SourceFont part = load_font(file, request, jobs, warnings);
+    part.faces.front().scale = scales[i + 1];
+    part.faces.front().shift_em =
+        shift_em(more[i], is_icons, part.metrics, letters);
+    tell_of_default(file, !more[i].axes.empty() || !more[i].instance.empty(),
+                    "--merge FILE:instance=NAME or FILE:TAG=VALUE", warnings);
     for (SourceGlyph& glyph : part.glyphs) {
       glyph.face = i + 1;
     }

@@ -41,9 +41,8 @@ FT_Fixed to_16_16(double value) {
 
 }  // namespace
 
-int scaled_units(int value, int from_units_per_em, int to_units_per_em) {
-  return static_cast<int>(std::lround(static_cast<double>(value) *
-                                      to_units_per_em / from_units_per_em));
+int UnitScale::operator()(int units) const {
+  return static_cast<int>(std::lround(units * to_ / from_));
 }
 
 FontFile::FontFile(const std::filesystem::path& file,

@@ -16,7 +16,19 @@
 namespace inkcell::gen {
 
 /// Font units of one face in those of another, to the nearest.
-int scaled_units(int value, int from_units_per_em, int to_units_per_em);
+class UnitScale {
+ public:
+  /// An em of the first face is `scale` em of the second.
+  UnitScale(int from_units_per_em, int to_units_per_em, double scale)
+      : from_(from_units_per_em), to_(scale * to_units_per_em) {}
+
+  int operator()(int units) const;
+  bool is_one() const { return from_ == to_; }
+
+ private:
+  double from_;
+  double to_;
+};
 
 /// One face of a TTF, OTF, TTC, OTC, WOFF or WOFF2 file at one instance. All
 /// lengths that FreeType and HarfBuzz give for it are in font units.

@@ -100,7 +100,8 @@ void warn_of_faces(const FontFile& file, Warnings& warnings) {
   std::string text =
       file.file_name() + ": holds " + std::to_string(names.size()) +
       " faces; number 0, " + names[0] +
-      ", is taken; --face, which is for --font, takes another one:";
+      ", is taken; --face, or face=N behind a file of --merge, takes "
+      "another one:";
   for (size_t i = 1; i < std::min(names.size(), kListedFaces); ++i) {
     text += (i == 1 ? " " : ", ") + std::to_string(i) + " " + names[i];
   }

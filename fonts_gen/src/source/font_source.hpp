@@ -40,7 +40,7 @@ enum class Additions : uint8_t {
 struct FontRequest {
   std::filesystem::path file;
   std::optional<int> face;  // none: the first; a warning names it if need be
-  std::string instance;  // by its name; may be empty
+  std::string instance;     // by its name; may be empty
   std::vector<AxisSetting> axes;
   CharSet characters;
   /// May be empty, as `characters` may then.
@@ -83,6 +83,8 @@ struct SourceGlyph {
 struct SourceFace {
   std::string file_name;
   Variation variation;
+  double scale = 1;     // its em, in em of the font
+  double shift_em = 0;  // how far above its own baseline it stands
 };
 
 /// Everything about a font that is not yet a field.

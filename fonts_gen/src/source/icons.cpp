@@ -1,6 +1,5 @@
 #include "source/icons.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -16,17 +15,6 @@ constexpr int kUnitsPerEm = 1024;
 constexpr double kCapHeight_em = 0.7;
 constexpr int kMostAdvance = 65535;
 
-std::optional<double> number(const std::string& text,
-                             double least,
-                             double most) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && at == end && value >= least && value <= most
-             ? std::optional<double>(value)
-             : std::nullopt;
-}
-
 int units(double em) {
   return static_cast<int>(std::lround(em * kUnitsPerEm));
 }
@@ -41,25 +29,17 @@ SourceGlyph make_glyph(const IconFile& icon,
                 ": <svg> has neither a viewBox nor width and height, so that "
                 "its size is not known; add a viewBox");
   }
-  const double u_per_unit = kUPerEm / metrics.units_per_em;
-  const double cap_u = metrics.cap_height * u_per_unit;
-  const double height_u = place.is_cap_high ? cap_u : place.height_em * kUPerEm;
-  if (!(height_u > 0)) {
-    throw Error(icon.file.string() +
-                ": the font does not say how high its capitals are; give "
-                "--svg-height a number of em");
-  }
-  const double scale = height_u / box->height;
-  const double bottom_u =
-      place.is_centred ? (cap_u - height_u) / 2 : place.bottom_em * kUPerEm;
+  const IconBox placed = icon_box(place, metrics);
+  const double scale = placed.height / box->height;
   SourceGlyph glyph;
   glyph.face = kIconFace;
   glyph.source = icon.code_point;
   glyph.code_points = {icon.code_point};
   glyph.file_name = icon.file.filename().string();
-  glyph.outline = drawing.outline({scale, 0, 0, -scale, -scale * box->x,
-                                   bottom_u + height_u + scale * box->y});
-  const double advance = scale * box->width / u_per_unit;
+  glyph.outline =
+      drawing.outline({scale, 0, 0, -scale, -scale * box->x,
+                       placed.bottom + placed.height + scale * box->y});
+  const double advance = scale * box->width * metrics.units_per_em / kUPerEm;
   if (!(advance <= kMostAdvance)) {
     throw Error(icon.file.string() +
                 ": its viewBox is too wide for its height; check it");
@@ -69,28 +49,6 @@ SourceGlyph make_glyph(const IconFile& icon,
 }
 
 }  // namespace
-
-void parse_icon_height(const std::string& text, IconPlace& place) {
-  const auto em = text == "em" ? 1.0 : number(text, 0.01, 10);
-  place.is_cap_high = text == "cap";
-  if (!place.is_cap_high && !em) {
-    throw Error("--svg-height: '" + text +
-                "' is not em, cap or a number of em within 0.01..10, such as "
-                "1.2");
-  }
-  place.height_em = em.value_or(1);
-}
-
-void parse_icon_baseline(const std::string& text, IconPlace& place) {
-  const auto em = text == "bottom" ? 0.0 : number(text, -10, 10);
-  place.is_centred = text == "middle";
-  if (!place.is_centred && !em) {
-    throw Error("--svg-baseline: '" + text +
-                "' is not middle, bottom or a number of em within -10..10, "
-                "such as -0.125");
-  }
-  place.bottom_em = em.value_or(0);
-}
 
 SourceFont font_for_icons() {
   SourceFont font;

@@ -13,7 +13,7 @@
 namespace inkcell::gen {
 namespace {
 
-using Faces = std::vector<const FontFile*>;
+using Faces = std::vector<ShapingFace>;
 
 // Characters of one direction, script and face, which HarfBuzz takes at once.
 struct Run {
@@ -103,13 +103,13 @@ bool is_of_cluster(char32_t c) {
 size_t face_of(const Faces& faces, std::u32string_view cluster) {
   for (size_t i = 0; i < faces.size(); ++i) {
     if (std::all_of(cluster.begin(), cluster.end(), [&](char32_t c) {
-          return is_format(c) || faces[i]->glyph_of(c) != 0;
+          return is_format(c) || faces[i].file->glyph_of(c) != 0;
         })) {
       return i;
     }
   }
   for (size_t i = 0; i < faces.size(); ++i) {
-    if (faces[i]->glyph_of(cluster.front()) != 0) {
+    if (faces[i].file->glyph_of(cluster.front()) != 0) {
       return i;
     }
   }
@@ -175,7 +175,7 @@ void shape_run(const Faces& faces,
                const Run& run,
                ShapedLine& out,
                std::set<char32_t>& missing) {
-  const FontFile& font = *faces[run.face];
+  const FontFile& font = *faces[run.face].file;
   const std::unique_ptr<hb_buffer_t, DestroyBuffer> owner(hb_buffer_create());
   hb_buffer_t* buffer = owner.get();
   // With what stands before and behind it: letters join there.
@@ -195,10 +195,9 @@ void shape_run(const Faces& faces,
   const hb_glyph_info_t* infos = hb_buffer_get_glyph_infos(buffer, &count);
   const hb_glyph_position_t* places =
       hb_buffer_get_glyph_positions(buffer, &count);
-  const auto scaled = [&](int units) {
-    return scaled_units(units, font.units_per_em(),
-                        faces.front()->units_per_em());
-  };
+  const UnitScale scaled(font.units_per_em(),
+                         faces.front().file->units_per_em(),
+                         faces[run.face].scale);
   int advance = 0;
   for (unsigned i = 0; i < count; ++i) {
     const uint32_t glyph = infos[i].codepoint;

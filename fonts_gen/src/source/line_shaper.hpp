@@ -33,6 +33,14 @@ struct ShapedLine {
   std::vector<char32_t> missing;
 };
 
+/// A face, whose em is so many em of the first one.
+struct ShapingFace {
+  ShapingFace(const FontFile* from, double em = 1) : file(from), scale(em) {}
+
+  const FontFile* file;
+  double scale;
+};
+
 /// Shapes a line with the default features of its faces: ligatures, joined
 /// letters, syllables, marks and kerning. Directions and order are those of
 /// UAX #9. A letter with its marks comes from the first face that has all of
@@ -40,7 +48,7 @@ struct ShapedLine {
 /// nothing have no glyph.
 ///
 /// There is at least one face. Throws Error if FriBidi fails.
-ShapedLine shape_line(const std::vector<const FontFile*>& faces,
+ShapedLine shape_line(const std::vector<ShapingFace>& faces,
                       const LineText& line);
 
 /// Puts an icon of this advance [font units of the first face] in the places

@@ -67,16 +67,6 @@ bool draws_nothing(std::string_view name) {
   throw Error(std::string("is not supported; ") + remedy);
 }
 
-void map(const Affine& m, Outline& outline) {
-  for (Contour& contour : outline.contours) {
-    for (Segment& segment : contour.segments) {
-      for (Point& p : segment.p) {
-        p = m.map(p.x, p.y);
-      }
-    }
-  }
-}
-
 void append(const Outline& part, Outline& outline) {
   outline.contours.insert(outline.contours.end(), part.contours.begin(),
                           part.contours.end());
