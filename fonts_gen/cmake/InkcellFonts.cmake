@@ -16,7 +16,7 @@
 #                              priority: icons.ttf:FILL=1,height=cap=0xE88A
 #     [SVG <file>=<code point>...] [SVG_DIR <folder>...]    icons
 #     [SVG_HEIGHT em|cap|<em>] [SVG_BASELINE middle|bottom|<em>]
-#     [LANGUAGE CXX|C])
+#     [LANGUAGE CXX|C] [SECTION <section of the array>])
 #
 # FONT may be left out where there are icons; NAME is needed then.
 #
@@ -220,7 +220,8 @@ endfunction()
 function(inkcell_add_font target)
   set(single
     FONT NAME SYMBOLS MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING
-    HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SVG_HEIGHT SVG_BASELINE)
+    HINTS PREDICATE EFFORT BUDGET PREVIEW LANGUAGE SECTION SVG_HEIGHT
+    SVG_BASELINE)
   set(several
     CHARS TEXT_FILE STRINGS_FROM STRINGS AXIS MERGE SVG SVG_DIR)
   cmake_parse_arguments(
@@ -281,7 +282,7 @@ function(inkcell_add_font target)
   set(options)
   foreach(word
       MIN_PX MAX_PX TOLERANCE BAND_PX FACE INSTANCE CODING HINTS PREDICATE
-      EFFORT BUDGET SVG_HEIGHT SVG_BASELINE)
+      EFFORT BUDGET SECTION SVG_HEIGHT SVG_BASELINE)
     if(DEFINED arg_${word})
       string(TOLOWER "--${word}" option)
       string(REPLACE "_" "-" option "${option}")
@@ -326,6 +327,20 @@ function(inkcell_add_font target)
   endforeach()
   _inkcell_face_options(
     options inputs "${arg_MERGE}" "${arg_SVG}" "${arg_SVG_DIR}")
+
+  # GCC puts inline arrays of one section into the group of the first: a source
+  # that has one font alone then loses those of others.
+  if(DEFINED arg_SECTION AND NOT "${arg_LANGUAGE}" STREQUAL "C")
+    get_target_property(other ${target} "INKCELL_SECTION_${arg_SECTION}")
+    if(other AND NOT other STREQUAL arg_NAME)
+      message(FATAL_ERROR
+        "inkcell_add_font: SECTION ${arg_SECTION} is that of ${other}; in C++ "
+        "give each font its own, such as ${arg_SECTION}.${arg_NAME}, or use "
+        "LANGUAGE C")
+    endif()
+    set_target_properties(${target} PROPERTIES
+      "INKCELL_SECTION_${arg_SECTION}" "${arg_NAME}")
+  endif()
 
   set(include "${CMAKE_CURRENT_BINARY_DIR}/inkcell_fonts/${target}")
   if("${arg_LANGUAGE}" STREQUAL "C")

@@ -39,6 +39,10 @@ CASES = [
      "NO_LAYOUT_GLYPHS", ""),
     (f"app {THERE} STRINGS", "not understood: STRINGS"),
     (f"app {THERE} LANGUAGE C STRINGS ui.txt", ""),
+    (f"app {THERE} SECTION .fonts.a)\ninkcell_add_font(app {THERE} NAME b "
+     "SECTION .fonts.a", "SECTION .fonts.a is that of CMakeLists; in C++"),
+    (f"app {THERE} SECTION .fonts LANGUAGE C)\ninkcell_add_font(app {THERE} "
+     "NAME b SECTION .fonts LANGUAGE C", ""),
     (f"app {THERE} LANGUAGE Rust", "LANGUAGE is CXX or C, not Rust"),
     (f"app {THERE} MERGE icons.ttf more.ttf=0xF000-0xF8FF", ""),
     (f"app {THERE} SVG a.svg=0xE000 SVG_DIR . SVG_HEIGHT cap", ""),
@@ -65,7 +69,7 @@ project(fonts LANGUAGES CXX)
 include(${FONTS}/InkcellFonts.cmake)
 add_library(app INTERFACE)
 inkcell_add_font(app FONT CMakeLists.txt NAME ui INSTANCE "Semi Bold"
-  MERGE icons.ttf icons.ttf=A "icons.ttf:FILL=1,instance=Semi Bold=0xE000"
+  SECTION .ext_flash.ui MERGE icons.ttf icons.ttf=A "icons.ttf:FILL=1,instance=Semi Bold=0xE000"
     icons.ttf:height=cap)
 add_subdirectory(program)
 """
@@ -112,7 +116,8 @@ def check_order(folder):
             return [f"a program alone: {result.stdout}"]
     header = (build / "inkcell_fonts/app/fonts/ui.hpp").read_text().splitlines()
     return [f"no argument {word}" for word in
-            ["--instance=Semi Bold", f"--merge={folder}/icons.ttf",
+            ["--instance=Semi Bold", "--section=.ext_flash.ui",
+             f"--merge={folder}/icons.ttf",
              f"--merge={folder}/icons.ttf=A",
              f"--merge={folder}/icons.ttf:FILL=1,instance=Semi Bold=0xE000",
              f"--merge={folder}/icons.ttf:height=cap"]

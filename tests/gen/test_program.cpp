@@ -539,42 +539,5 @@ TEST_F(Program, AsksWhichLanguageASourceIsIn) {
   }
 }
 
-// The compilers of the house take what is generated.
-TEST_F(Program, WritesSourcesThatCompile) {
-  ASSERT_EQ(run(folder_,
-                "--font plain.ttf --symbols H --format hpp --name plain "
-                "--out plain.hpp --quiet")
-                .code,
-            0);
-  ASSERT_EQ(run(folder_,
-                "--font plain.ttf --symbols H --format c --name plain_c "
-                "--out plain.c --quiet")
-                .code,
-            0);
-  const std::string program =
-      "#include \"plain.hpp\"\n#include \"inkcell/font.hpp\"\n"
-      "#include <string.h>\n"
-      "extern \"C\" const uint8_t plain_c[];\n"
-      "extern \"C\" const uint32_t plain_c_size;\n"
-      "static_assert(alignof(decltype(fonts::plain)) <= 4, \"\");\n"
-      "int main() {\n"
-      "  inkcell::Font font;\n"
-      "  if (inkcell::Font::open(fonts::plain, font) != inkcell::Status::ok) "
-      "return 1;\n"
-      "  if (sizeof fonts::plain != plain_c_size) return 2;\n"
-      "  return memcmp(fonts::plain, plain_c, plain_c_size) == 0 ? 0 : 3;\n"
-      "}\n";
-  folder_.write("main.cpp",
-                std::vector<uint8_t>(program.begin(), program.end()));
-  const std::string command =
-      "cd '" + folder_.path().string() +
-      "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c plain.c && "
-      "c++ " INKCELL_CXX_FLAGS
-      " -std=c++17 -Wall -Wextra -Werror -I" INKCELL_SOURCE_DIR
-      "/core/include main.cpp plain.o " INKCELL_CORE_LIBRARY
-      " -o main && ./main";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-}
-
 }  // namespace
 }  // namespace inkcell::gen::test

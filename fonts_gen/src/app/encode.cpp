@@ -129,7 +129,9 @@ std::string hpp_icons(const RomFont& font, const std::string& name) {
   return out + "}  // namespace " + name + "_icons\n";
 }
 
-std::string encode_hpp(const RomFont& font, const std::string& name) {
+std::string encode_hpp(const RomFont& font,
+                       const std::string& name,
+                       const std::string& section) {
   std::string out = "// " + provenance(font) +
                     ".\n// Made by inkcell-fontgen: do not edit.\n"
                     "#pragma once\n\n#include <stdint.h>\n\n";
@@ -138,8 +140,11 @@ std::string encode_hpp(const RomFont& font, const std::string& name) {
   out += "static_assert(inkcell::reads_format(" + std::to_string(kFormatMajor) +
          ", " + std::to_string(kFormatMinor) +
          "),\n              \"regenerate with inkcell-fontgen\");\n\n";
-  out += "namespace fonts {\n\nalignas(4) inline constexpr uint8_t " + name +
-         "[" + std::to_string(font.bytes.size()) + "] = {\n";
+  out += "namespace fonts {\n\n";
+  out +=
+      section.empty() ? "" : "__attribute__((section(\"" + section + "\")))\n";
+  out += "alignas(4) inline constexpr uint8_t " + name + "[" +
+         std::to_string(font.bytes.size()) + "] = {\n";
   append_bytes(out, font.bytes);
   out += "};\n";
   out += font.strings.empty() ? "" : hpp_strings(font, name);
@@ -194,12 +199,17 @@ std::string c_strings(const RomFont& font, const std::string& name) {
   return out;
 }
 
-std::string encode_c(const RomFont& font, const std::string& name) {
+std::string encode_c(const RomFont& font,
+                     const std::string& name,
+                     const std::string& section) {
   const std::string size = std::to_string(font.bytes.size());
   std::string out = c_head(font, "") + c_declarations(font, name);
-  out +=
-      "\n#if defined(__GNUC__)\n__attribute__((aligned(4)))\n#else\n"
-      "_Alignas(4)\n#endif\n";
+  out += "\n#if defined(__GNUC__)\n__attribute__((aligned(4)" +
+         (section.empty() ? "" : ", section(\"" + section + "\")") + "))\n";
+  out += section.empty()
+             ? "#else\n_Alignas(4)\n#endif\n"
+             : "#else\n#error \"sections need GCC, Clang or armclang; "
+               "make the font without --section\"\n#endif\n";
   out += "const uint8_t " + name + "[" + size + "] = {\n";
   append_bytes(out, font.bytes);
   out += "};\n\nconst uint32_t " + name + "_size = " + size + ";\n";
@@ -210,12 +220,13 @@ std::string encode_c(const RomFont& font, const std::string& name) {
 
 std::string encode(const RomFont& font,
                    OutputFormat format,
-                   const std::string& name) {
+                   const std::string& name,
+                   const std::string& section) {
   switch (format) {
     case OutputFormat::hpp:
-      return encode_hpp(font, name);
+      return encode_hpp(font, name, section);
     case OutputFormat::c:
-      return encode_c(font, name);
+      return encode_c(font, name, section);
     case OutputFormat::bin:
       break;
   }

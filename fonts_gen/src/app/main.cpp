@@ -21,6 +21,7 @@ struct Arguments {
   GenerateRequest request;
   std::optional<OutputFormat> format;
   std::string name;
+  std::string section;
   std::string out;
   std::string header;
   std::string report;
@@ -76,6 +77,15 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_option("--name", arguments.name,
                  "Identifier in hpp and c [from the font file]")
       ->type_name("ID");
+  app.add_option_function<std::string>(
+         "--section",
+         [&arguments](const std::string& name) {
+           check_section(name);
+           arguments.section = name;
+         },
+         "Section of the array in hpp and c, such as .ext_flash; in hpp each "
+         "font needs one of its own")
+      ->type_name("NAME");
   app.add_option_function<std::string>(
          "--budget",
          [&arguments](const std::string& text) {
@@ -149,7 +159,7 @@ void write_files(const Arguments& arguments,
                  const RomFont& font,
                  OutputFormat format) {
   OutputFile out(arguments.out);
-  out.write(encode(font, format, arguments.name));
+  out.write(encode(font, format, arguments.name, arguments.section));
   std::optional<OutputFile> header;
   if (!arguments.header.empty()) {
     header.emplace(arguments.header)
@@ -184,6 +194,9 @@ void write_files(const Arguments& arguments,
 void check_form(const Arguments& arguments, OutputFormat format) {
   if (!arguments.header.empty() && format != OutputFormat::c) {
     throw Error("--header is for --format c; --format hpp is a header");
+  }
+  if (!arguments.section.empty() && format == OutputFormat::bin) {
+    throw Error("--section: --format bin has no array; use hpp or c");
   }
   if (!arguments.request.string_files.empty() && format == OutputFormat::bin) {
     throw Error(

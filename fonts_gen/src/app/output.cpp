@@ -3,6 +3,8 @@
 #include <png.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 
 #include "base/error.hpp"
@@ -102,6 +104,18 @@ void check_identifier(const std::string& name) {
   if (is_keyword(name)) {
     throw Error("--name: '" + name +
                 "' belongs to C or C++; use another, such as font_" + name);
+  }
+}
+
+void check_section(const std::string& name) {
+  const bool is_good = std::all_of(name.begin(), name.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("._$-,").find(c) != std::string_view::npos;
+  });
+  if (!is_good || name.empty()) {
+    throw Error("--section: '" + name +
+                "' is no section; use letters, digits and . _ $ - , such as "
+                ".ext_flash");
   }
 }
 

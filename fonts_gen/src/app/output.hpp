@@ -43,6 +43,9 @@ std::string encode_png(const Preview& preview);
 /// keyword of either.
 void check_identifier(const std::string& name);
 
+/// Throws Error unless `name` can be the section of an array.
+void check_section(const std::string& name);
+
 /// An identifier made of a font file's name: DejaVuSans-Bold.ttf gives
 /// DejaVuSans_Bold, new.ttf gives font_new.
 std::string identifier_of(const std::filesystem::path& font);

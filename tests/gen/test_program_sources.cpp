@@ -1,0 +1,112 @@
+// Sources that inkcell-fontgen writes: they compile, and lie where they shall.
+#include <gtest/gtest.h>
+
+#include "program_run.hpp"
+
+namespace inkcell::gen::test {
+namespace {
+
+class ProgramSources : public testing::Test {
+ protected:
+  ProgramSources() { folder_.write("plain.ttf", Sfnt::plain()); }
+
+  TestFolder folder_;
+};
+
+// Two headers and two sources of C in one program, each array where it shall
+// be.
+TEST_F(ProgramSources, PutsArraysIntoSections) {
+  for (const char* options :
+       {"--format hpp --name a --section .ext_flash.a --out a.hpp",
+        "--format hpp --name b --section .ext_flash.b --out b.hpp",
+        "--format c --name c --section .ext_flash --out c.c",
+        "--format c --name d --section .ext_flash --out d.c"}) {
+    ASSERT_EQ(
+        run(folder_,
+            std::string("--font plain.ttf --symbols H --quiet ") + options)
+            .code,
+        0)
+        << options;
+  }
+  const auto write = [&](const char* name, const std::string& text) {
+    folder_.write(name, std::vector<uint8_t>(text.begin(), text.end()));
+  };
+  write("one.cpp",
+        "#include \"a.hpp\"\nconst uint8_t* one() { return fonts::a; }\n");
+  write("main.cpp",
+        "#include \"a.hpp\"\n#include \"b.hpp\"\n#include <string.h>\n"
+        "extern \"C\" const uint8_t c[], d[];\n"
+        "const uint8_t* one();\n"
+        "int main() {\n"
+        "  const size_t size = sizeof fonts::a;\n"
+        "  return one() == fonts::a && !memcmp(fonts::a, fonts::b, size) &&\n"
+        "         !memcmp(c, d, size) && !memcmp(c, fonts::b, size) ? 0 : 1;\n"
+        "}\n");
+  const std::string command =
+      "cd '" + folder_.path().string() +
+      "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c c.c d.c && "
+      "c++ " INKCELL_CXX_FLAGS
+      " -std=c++17 -Wall -Wextra -Wpedantic -Werror -I" INKCELL_SOURCE_DIR
+      "/core/include -c one.cpp main.cpp && "
+      "c++ " INKCELL_CXX_FLAGS
+      " one.o main.o c.o d.o -o main && ./main && "
+      "objdump -h main >sections";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto text = [&](const char* name) {
+    const std::vector<uint8_t> bytes = read_file(folder_.path() / name);
+    return std::string(bytes.begin(), bytes.end());
+  };
+  for (const char* section :
+       {".ext_flash.a ", ".ext_flash.b ", ".ext_flash "}) {
+    EXPECT_NE(text("sections").find(section), std::string::npos) << section;
+  }
+  EXPECT_EQ(run(folder_, "--font plain.ttf --out a.bin --section .x").err,
+            "error: --section: --format bin has no array; use hpp or c\n");
+  for (const char* wrong : {"'a b'", "'a\"'", "'a\\b'", "''"}) {
+    EXPECT_EQ(run(folder_,
+                  std::string("--font plain.ttf --out x.c --section ") + wrong)
+                  .code,
+              1)
+        << wrong;
+  }
+}
+
+// The compilers of the house take what is generated.
+TEST_F(ProgramSources, WritesSourcesThatCompile) {
+  ASSERT_EQ(run(folder_,
+                "--font plain.ttf --symbols H --format hpp --name plain "
+                "--out plain.hpp --quiet")
+                .code,
+            0);
+  ASSERT_EQ(run(folder_,
+                "--font plain.ttf --symbols H --format c --name plain_c "
+                "--out plain.c --quiet")
+                .code,
+            0);
+  const std::string program =
+      "#include \"plain.hpp\"\n#include \"inkcell/font.hpp\"\n"
+      "#include <string.h>\n"
+      "extern \"C\" const uint8_t plain_c[];\n"
+      "extern \"C\" const uint32_t plain_c_size;\n"
+      "static_assert(alignof(decltype(fonts::plain)) <= 4, \"\");\n"
+      "int main() {\n"
+      "  inkcell::Font font;\n"
+      "  if (inkcell::Font::open(fonts::plain, font) != inkcell::Status::ok) "
+      "return 1;\n"
+      "  if (sizeof fonts::plain != plain_c_size) return 2;\n"
+      "  return memcmp(fonts::plain, plain_c, plain_c_size) == 0 ? 0 : 3;\n"
+      "}\n";
+  folder_.write("main.cpp",
+                std::vector<uint8_t>(program.begin(), program.end()));
+  const std::string command =
+      "cd '" + folder_.path().string() +
+      "' && cc -std=c11 -Wall -Wextra -Wpedantic -Werror -c plain.c && "
+      "c++ " INKCELL_CXX_FLAGS
+      " -std=c++17 -Wall -Wextra -Werror -I" INKCELL_SOURCE_DIR
+      "/core/include main.cpp plain.o " INKCELL_CORE_LIBRARY
+      " -o main && ./main";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace inkcell::gen::test
