@@ -5,6 +5,7 @@
 
 #include "app/encode.hpp"
 #include "inkcell/font.hpp"
+#include "outlines/unite.hpp"
 #include "pipeline/generate.hpp"
 #include "sfnt_builder.hpp"
 #include "shape/shape.hpp"
@@ -166,6 +167,45 @@ TEST_F(Icons, NeedASizeAndAFreeCodePoint) {
   EXPECT_NE(text("size.svg=0x48").find("a character of plain.ttf already"),
             std::string::npos);
   EXPECT_EQ(text("size.svg=0xE000"), "no error");
+}
+
+// Where round ends and joins lie on each other, a union of chords has hundreds
+// of segments.
+TEST_F(Icons, StrokesThatMeetStayCurves) {
+  const char* drawings[] = {
+      // back to the start, in decimals
+      "M3.634 15.634l1.732-1l1 1.732l-1.732 1l-1-1.732",
+      // a stroke that ends where curves pass, drawn 1/1000 beside it
+      "M16.007 7.54a5.965 5.965 0 0 0-4.008-1.54a6 6 0 0 0-5.992 6c0 3.314 "
+      "2.682 6 5.992 6a5.965 5.965 0 0 0 4-1.536M12 20v-2",
+      // three ends in a point, and a piece of 1/1000
+      "M16.023 9.348h4.992v-.001M2.985 19.644v-4.992m0 0h4.992m-4.993 0 3.181 "
+      "3.183",
+      // the end of a stroke on the middle of another
+      "M5 4h14M12.3 4v9"};
+  for (const char* drawing : drawings) {
+    write("a.svg", std::string("<svg viewBox='0 0 24 24' fill='none' "
+                               "stroke='#000' stroke-width='2' "
+                               "stroke-linecap='round' "
+                               "stroke-linejoin='round'><path d='") +
+                       drawing + "'/></svg>");
+    SourceFont font = font_for_icons();
+    add_icons(find_icons({file("a.svg=0xE000")}, {}), IconPlace(), font);
+    const Outline& outline = font.glyphs[1].outline;
+    size_t segments = 0;
+    size_t curves = 0;
+    for (const Contour& contour : unite(outline).contours) {
+      for (const Segment& segment : contour.segments) {
+        ++segments;
+        curves += segment.kind == Segment::Kind::line ? 0 : 1;
+      }
+    }
+    EXPECT_GT(curves, 0u) << drawing;
+    EXPECT_LT(segments, 100u) << drawing;
+    GenerateRequest request;
+    request.svg_files = {file("a.svg=0xE000")};
+    EXPECT_LE(generate(request).report.worst_error, 16) << drawing;
+  }
 }
 
 TEST_F(Icons, HaveConstantsInSource) {
