@@ -6,6 +6,7 @@
 #   inkcell_setup tests    # these, and what the tests need on top
 #   inkcell_setup reading  # what reads and judges small text
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
+#   inkcell_setup packages NAME...
 #
 # Installs what is missing as root or through sudo. Where neither is allowed it
 # prints the line that would, and ends the script that called it. The test
@@ -49,7 +50,11 @@ inkcell_setup() {
     tests) inkcell_wanted=$inkcell_packages_tests ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
-    *) echo "inkcell_setup demo|windows|tests|reading|bare" >&2; exit 2 ;;
+    packages) shift; inkcell_wanted=$* ;;
+    *)
+      echo "inkcell_setup demo|windows|tests|reading|bare|packages NAME..." >&2
+      exit 2
+      ;;
   esac
   inkcell_missing=$(inkcell_missing $inkcell_wanted)
   [ -n "$inkcell_missing" ] || return 0

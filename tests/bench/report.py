@@ -1,4 +1,5 @@
 """What the bench measured, as tables and as docs/BENCHMARKS.md."""
+import re
 import subprocess
 import sys
 
@@ -475,6 +476,16 @@ def other_tables(figures):
                          "call of solid"], rows)
 
 
+def faces_chapter():
+    """The chapter that tests/fonts/corpus.sh writes, as it is."""
+    if not fingerprint.DOCUMENT.exists():
+        return ""
+    found = re.search(r"^## Faces\n.*?\n(?=## |\Z)",
+                      fingerprint.DOCUMENT.read_text(encoding="utf-8"),
+                      re.DOTALL | re.MULTILINE)
+    return found.group() if found else ""
+
+
 def write_document(results, figures, smallest, sources, lvgl):
     """docs/BENCHMARKS.md from all results; `lvgl`: its last chapter."""
     qemu = subprocess.run(["qemu-system-arm", "--version"], check=True,
@@ -489,6 +500,6 @@ def write_document(results, figures, smallest, sources, lvgl):
                       stack_table(results) + memory_table(results) +
                       code_table(results, figures) +
                       smallest_tables(smallest) + mode_table(figures) +
-                      bound_table(figures) + other_tables(figures) + lvgl])
+                      bound_table(figures) + other_tables(figures) + faces_chapter() + lvgl])
     fingerprint.DOCUMENT.write_text(text.rstrip() + "\n", encoding="utf-8")
     say(f"wrote {fingerprint.DOCUMENT}")
