@@ -8,6 +8,8 @@
 #include "glyph_outlines.hpp"
 #include "outlines/expand.hpp"
 #include "outlines/refit.hpp"
+#include "outlines/unite.hpp"
+#include "shape/points.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell {
@@ -93,9 +95,16 @@ void expect_well_formed(const MinimalOutline& outline) {
   }
 }
 
+MinimalOutline refitted(const Outline& outline,
+                        const RefitOptions& options,
+                        RefitMemo& memo) {
+  const Shape shape(outline);
+  return minimal_outline(unite(outline, shape), shape, options, memo);
+}
+
 MinimalOutline refitted(const Outline& outline, const RefitOptions& options) {
-  ChainMemo memo;
-  return minimal_outline(outline, options, memo);
+  RefitMemo memo;
+  return refitted(outline, options, memo);
 }
 
 Outline shape_of(std::vector<Contour> contours) {
@@ -235,17 +244,16 @@ TEST(Refit, AMemoChangesNoPoint) {
   for (const Face& face : faces()) {
     const Outline glyph =
         load_outlines(face.file, face.index, {face.code_points[1]})[0];
-    ChainMemo memo;
+    RefitMemo memo;
     RefitOptions how = face.how;
     for (int round = 0; round < 4; ++round) {
-      EXPECT_TRUE(
-          equal(minimal_outline(glyph, how, memo), refitted(glyph, how)));
+      EXPECT_TRUE(equal(refitted(glyph, how, memo), refitted(glyph, how)));
       const Segment& somewhere =
           glyph.contours[0].segments[static_cast<size_t>(round)];
       (round % 2 == 0 ? how.careful_u : how.exact_u).push_back(somewhere.p[0]);
     }
     how.tolerance_u *= 0.6;
-    EXPECT_TRUE(equal(minimal_outline(glyph, how, memo), refitted(glyph, how)));
+    EXPECT_TRUE(equal(refitted(glyph, how, memo), refitted(glyph, how)));
   }
 }
 
@@ -309,6 +317,20 @@ TEST(Refit, CarefulPlacesStrayLessAndHaveCorners) {
   EXPECT_TRUE(no_curve_goes_on(exact));
   EXPECT_GT(point_count(exact), point_count(careful));
   EXPECT_LE(stray(glyph, exact, how), 0.51);
+}
+
+// Chords of a curve, each too short to be taken for a part of it.
+TEST(Refit, ShortChordsStayWhereTheSourceIsKept) {
+  std::vector<Point> corners;
+  for (int i = 0; i < 60; ++i) {
+    const double angle = i * kPi / 30;
+    corners.push_back({500 + 50 * std::cos(angle), 500 + 50 * std::sin(angle)});
+  }
+  const Outline source = shape_of({polygon(corners)});
+  RefitOptions how = options(2048, 0, 0.5);
+  EXPECT_LT(point_count(refitted(source, how)), 30u);
+  how.exact_u = corners;
+  EXPECT_EQ(point_count(refitted(source, how)), 60u);
 }
 
 TEST(Refit, CareIsLocal) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -15,16 +15,38 @@
 #include "outlines/unite.hpp"
 #include "rom/outline_font.hpp"
 #include "rom/rom_font.hpp"
+#include "shape/flatten.hpp"
 #include "shape/points.hpp"
 
 namespace inkcell::gen {
 namespace {
 
-// Attempts with one tolerance, each with more care than the one before.
-constexpr int kRounds = 4;
+// Outlines that are tried: of curves with one tolerance, and with chords.
+constexpr int kCurveTrials = 4;
+constexpr int kChordTrials = 10;
 
-// Shares of the tolerance. Curves are tried with both of a pair before chords.
-constexpr double kShares[][2] = {{1, 0.6}, {0.35, 0.2}};
+// Where few pixels miss, curves within this share of the tolerance may take
+// fewer points than chords do.
+constexpr double kFinerShare = 0.6;
+constexpr size_t kFewMisses = 12;
+
+// Where chords miss too, other points of the grid may not.
+constexpr double kLastShares[] = {0.35, 0.2, 0.8};
+constexpr int kLastTrials = 6;
+static_assert(2 * kCurveTrials + kChordTrials +
+                  static_cast<int>(std::size(kLastShares)) * kLastTrials ==
+              kMostTrials);
+
+// Chords stand for the curves at places that miss with the source's own points
+// too: how far they stray, in shares of the tolerance of the refit.
+// The later ones only round the corners to other places.
+constexpr double kChordShares[] = {0.6, 0.3, 0.15, 0.45, 0.2};
+
+// What a place asks for, from level to level: kCareful, kExact, then chords.
+constexpr size_t kCareful = 0;
+constexpr size_t kExact = 1;
+constexpr size_t kCurveLevels = 2;
+constexpr size_t kLevels = kCurveLevels + std::size(kChordShares);
 
 // At 64 px and a tolerance of 16/255 this is half a u: about half of the
 // tolerance. The rest is the painter's.
@@ -39,7 +61,7 @@ constexpr double kCoarsest = 1.1;
 constexpr double kLongestStep =
     (1 << (kMostStepBits - 1)) - (1 << (1 - format::outline::kMinGridShift));
 
-// Places for which more care is asked a round.
+// Places of one level that are added after a trial.
 constexpr size_t kMostPlaces = 8;
 
 // RAM for any glyph at any size. [bytes]
@@ -59,7 +81,7 @@ class OneGlyphFont {
     content.glyphs.resize(2);
     content.glyphs[1].outline = outline;
     content.glyphs[1].metrics = metrics;
-    encode_outlines(content);
+    encode_outlines_widely(content);
     PartBytes parts;
     bytes_ = write_rom_font(content, parts);
     if (Font::open({bytes_.data(), bytes_.size()}, font_) != Status::ok) {
@@ -108,45 +130,6 @@ Point border_at(const Shape& shape, const LoopMiss& miss) {
   return Point{x, y} - shape.distance(x, y) * uphill;
 }
 
-void add_places(const Shape& shape,
-                const std::vector<LoopMiss>& misses,
-                std::vector<Point>& places) {
-  for (const LoopMiss& miss : misses) {
-    const Point place = border_at(shape, miss);
-    if (!is_near(places, place)) {
-      places.push_back(place);
-    }
-  }
-}
-
-// Asks for more care where pixels miss. False if all that can be asked was.
-bool take_care(const Shape& shape,
-               const std::vector<LoopMiss>& misses,
-               RefitOptions& options) {
-  std::vector<Point> careful;
-  std::vector<Point> exact;
-  for (const LoopMiss& miss : misses) {
-    const Point place = border_at(shape, miss);
-    if (!is_near(options.careful_u, place)) {
-      if (careful.size() < kMostPlaces && !is_near(careful, place)) {
-        careful.push_back(place);
-      }
-    } else if (!is_near(options.exact_u, place) && !is_near(exact, place) &&
-               exact.size() < kMostPlaces) {
-      exact.push_back(place);
-    }
-  }
-  options.careful_u.insert(options.careful_u.end(), careful.begin(),
-                           careful.end());
-  options.exact_u.insert(options.exact_u.end(), exact.begin(), exact.end());
-  return !careful.empty() || !exact.empty();
-}
-
-// Chords that stand for curves stray no farther, in shares of the tolerance of
-// the refit: what is tried for places that miss, and for the whole outline.
-constexpr double kChordShare = 0.6;
-constexpr double kPolygonShares[] = {0.6, 0.8, 1, 0.5, 0.7, 0.9, 1.2, 0.4};
-
 // Points along a segment but its first, so that chords stray by `bound` at
 // most: second differences fall with the square of the number of chords.
 void add_chords(const Segment& segment, double bound, Contour& polygon) {
@@ -171,108 +154,150 @@ void add_chords(const Segment& segment, double bound, Contour& polygon) {
   }
 }
 
-// Whether a segment passes within the reach of one of the places.
-bool passes(const Segment& segment, const std::vector<Point>& places) {
-  constexpr int kSteps = 16;
-  for (int i = 0; i <= kSteps; ++i) {
-    const Point at =
-        i == 0 ? segment.p[0]
-               : end_of(part_of(segment, 0, static_cast<double>(i) / kSteps));
-    if (std::any_of(places.begin(), places.end(), [&](const Point& place) {
-          return length(at - place) < kCareRadius_u;
-        })) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// The outline with chords, whose corners are kept, for the curves that pass the
-// places, or for all of them if that is null: what the device draws most
-// exactly, at the price of more points.
-MinimalOutline outline_of_chords(const Outline& united,
-                                 const std::vector<Point>* places,
-                                 double share,
-                                 RefitOptions options,
-                                 ChainMemo& memo) {
-  Outline chords;
-  for (const Contour& contour : united.contours) {
-    Contour polygon;
-    for (const Segment& segment : contour.segments) {
-      if (places != nullptr && !passes(segment, *places)) {
-        polygon.segments.push_back(segment);
-        continue;
+// Where the refit takes more care, because pixels missed there.
+class Places {
+ public:
+  // Asks for more care where pixels miss, the worst ones first. False if all
+  // that can be asked was, up to `levels`.
+  bool add(const Shape& shape,
+           const std::vector<LoopMiss>& misses,
+           size_t levels) {
+    std::vector<Point> added[kLevels];
+    bool any = false;
+    for (const LoopMiss& miss : misses) {
+      const Point place = border_at(shape, miss);
+      size_t level = 0;
+      while (level < levels && is_near(levels_[level], place)) {
+        ++level;
       }
-      const size_t first = polygon.segments.size();
-      add_chords(segment, share * options.tolerance_u, polygon);
-      for (size_t i = first; i < polygon.segments.size(); ++i) {
-        const Point at = polygon.segments[i].p[0];
-        if (!is_near(options.exact_u, at)) {
-          options.exact_u.push_back(at);
-        }
+      if (level < levels && !is_near(added[level], place) &&
+          added[level].size() < kMostPlaces) {
+        added[level].push_back(place);
+        any = true;
       }
     }
-    chords.contours.push_back(polygon);
+    for (size_t level = 0; level < kLevels; ++level) {
+      levels_[level].insert(levels_[level].end(), added[level].begin(),
+                            added[level].end());
+    }
+    return any;
   }
-  return minimal_outline(chords, options, memo);
-}
 
-// Options, and the pixels that miss with them.
+  RefitOptions options(RefitOptions options) const {
+    options.careful_u = levels_[kCareful];
+    for (size_t level = kExact; level < kLevels; ++level) {
+      options.exact_u.insert(options.exact_u.end(), levels_[level].begin(),
+                             levels_[level].end());
+    }
+    return options;
+  }
+
+  // The outline with chords for the parts of curves in reach of places that
+  // ask for them: what the device draws most exactly, at the price of points.
+  Outline with_chords(const Outline& united, double tolerance_u) const {
+    Outline result;
+    for (const Contour& contour : united.contours) {
+      result.contours.emplace_back();
+      for (const Segment& segment : contour.segments) {
+        add_segment(segment, tolerance_u, result.contours.back());
+      }
+    }
+    return result;
+  }
+
+ private:
+  // The highest level that a point of the border asks for.
+  size_t level_at(const Point& point) const {
+    for (size_t level = kLevels; level-- > kExact + 1;) {
+      if (std::any_of(
+              levels_[level].begin(), levels_[level].end(),
+              [&](const Point& p) { return length(p - point) < kChords_u; })) {
+        return level;
+      }
+    }
+    return kExact;
+  }
+
+  void add_segment(const Segment& segment,
+                   double tolerance_u,
+                   Contour& contour) const {
+    if (segment.kind == Segment::Kind::line) {
+      contour.segments.push_back(segment);
+      return;
+    }
+    double size = 0;
+    for (int i = 0; i < degree_of(segment); ++i) {
+      size += length(segment.p[i + 1] - segment.p[i]);
+    }
+    const int steps = static_cast<int>(std::ceil(size / kStep_u)) + 1;
+    const auto at = [&](int i) { return static_cast<double>(i) / steps; };
+    const auto level_of = [&](int step) {
+      return level_at(point_on(segment, (at(step) + at(step + 1)) / 2));
+    };
+    for (int first = 0; first < steps;) {
+      const size_t level = level_of(first);
+      int last = first + 1;
+      while (last < steps && level_of(last) == level) {
+        ++last;
+      }
+      const Segment part = part_of(segment, at(first), at(last));
+      if (level == kExact) {
+        contour.segments.push_back(part);
+      } else {
+        add_chords(part, kChordShares[level - kExact - 1] * tolerance_u,
+                   contour);
+      }
+      first = last;
+    }
+  }
+
+  // Reach of a place for chords, and steps in which curves are looked at.
+  // Their corners are in the reach of the same place in RefitOptions.
+  static constexpr double kStep_u = 4;
+  static constexpr double kChords_u = kCareRadius_u - kStep_u;
+
+  std::vector<Point> levels_[kLevels];
+};
+
+// Options, the places that ask for more care, and the pixels that miss.
 struct Attempt {
   RefitOptions options;
-  std::vector<LoopMiss> misses;
+  Places places;
+  LoopResult errors;
 };
 
 // Draws outlines of a glyph and keeps the best.
 class Trials {
  public:
-  Trials(const Shape& shape,
+  Trials(const Outline& source,
+         const Shape& shape,
          const GlyphMetrics& metrics,
-         const RefitOptions& options,
          const LoopOptions& loop_options)
-      : shape_(shape),
+      : united_(unite(source, shape)),
+        shape_(shape),
         metrics_(metrics),
-        options_(options),
-        loop_(shape, strict(loop_options)) {}
-
-  RefittedGlyph best() { return std::move(*best_); }
-
-  // Curves, with more care from round to round. Whether no pixel misses.
-  bool try_curves(const Outline& source, Attempt& attempt) {
-    bool may_improve = true;
-    for (int round = 0; round < kRounds && may_improve; ++round) {
-      attempt.misses = draw(minimal_outline(source, attempt.options, memo_));
-      if (attempt.misses.empty()) {
-        return true;
-      }
-      may_improve = take_care(shape_, attempt.misses, attempt.options);
-    }
-    return false;
+        loop_(shape, strict(loop_options)) {
+    best_.errors.worst = kInfinity;
   }
 
-  // Chords where pixels miss, in more places from round to round.
-  bool try_chords(const Outline& united, Attempt& attempt) {
-    std::vector<Point> places;
-    for (int round = 0; round < kRounds; ++round) {
-      add_places(shape_, attempt.misses, places);
-      attempt.misses = draw(outline_of_chords(united, &places, kChordShare,
-                                              attempt.options, memo_));
-      if (attempt.misses.empty()) {
-        return true;
-      }
-      take_care(shape_, attempt.misses, attempt.options);
-    }
-    return false;
+  RefittedGlyph best() {
+    best_.trials = trials_;
+    return std::move(best_);
   }
 
-  // Chords everywhere.
-  void try_polygons(const Outline& united) {
-    for (const double share : kPolygonShares) {
-      if (draw(outline_of_chords(united, nullptr, share, options_, memo_))
-              .empty()) {
-        return;
+  // Tries outlines with more and more care. True if no pixel misses.
+  bool run(size_t levels, int most_trials, Attempt& attempt) {
+    for (int trial = 0; trial < most_trials; ++trial) {
+      if (!attempt.errors.sizes.empty() &&
+          !attempt.places.add(shape_, attempt.errors.misses, levels)) {
+        return false;
+      }
+      draw(attempt);
+      if (attempt.errors.misses.empty()) {
+        return true;
       }
     }
+    return false;
   }
 
  private:
@@ -281,27 +306,31 @@ class Trials {
     return options;
   }
 
-  // Returns the pixels that miss.
-  std::vector<LoopMiss> draw(MinimalOutline outline) {
+  void draw(Attempt& attempt) {
+    ++trials_;
+    const RefitOptions options = attempt.places.options(attempt.options);
     RefittedGlyph glyph;
-    glyph.outline = std::move(outline);
+    glyph.outline = minimal_outline(
+        attempt.places.with_chords(united_, options.tolerance_u), shape_,
+        options, memo_);
     if (!glyph.outline.contours.empty()) {
-      OneGlyphFont font(glyph.outline, metrics_, options_);
+      OneGlyphFont font(glyph.outline, metrics_, options);
       glyph.errors = loop_.draw_and_compare(font.loop_glyph());
     }
-    std::vector<LoopMiss> misses = glyph.errors.misses;
-    if (!best_ || misses.empty() || glyph.errors.worst < best_->errors.worst) {
+    attempt.errors = glyph.errors;
+    if (glyph.errors.misses.empty() ||
+        glyph.errors.worst < best_.errors.worst) {
       best_ = std::move(glyph);
     }
-    return misses;
   }
 
+  Outline united_;
   const Shape& shape_;
   const GlyphMetrics& metrics_;
-  const RefitOptions& options_;
   ClosedLoop loop_;
-  ChainMemo memo_;
-  std::optional<RefittedGlyph> best_;
+  RefitMemo memo_;
+  RefittedGlyph best_;
+  int trials_ = 0;
 };
 
 }  // namespace
@@ -328,25 +357,29 @@ RefittedGlyph refit_glyph(const Outline& source,
                           const GlyphMetrics& metrics,
                           const RefitOptions& options,
                           const LoopOptions& loop_options) {
-  Trials trials(shape, metrics, options, loop_options);
-  const Outline united = unite(source);
-  for (const auto& shares : kShares) {
-    std::vector<Attempt> attempts;
-    for (const double share : shares) {
-      attempts.push_back({options, {}});
-      attempts.back().options.tolerance_u *= share;
-      if (trials.try_curves(source, attempts.back())) {
-        return trials.best();
-      }
-    }
-    // What is left are turns so tight that only chords draw them truly.
-    for (Attempt& attempt : attempts) {
-      if (trials.try_chords(united, attempt)) {
-        return trials.best();
-      }
+  Trials trials(source, shape, metrics, loop_options);
+  Attempt attempt{options, {}, {}};
+  if (trials.run(kCurveLevels, kCurveTrials, attempt)) {
+    return trials.best();
+  }
+  if (attempt.errors.miss_count <= kFewMisses) {
+    Attempt finer{options, {}, {}};
+    finer.options.tolerance_u *= kFinerShare;
+    if (trials.run(kCurveLevels, kCurveTrials, finer)) {
+      return trials.best();
     }
   }
-  trials.try_polygons(united);
+  // What is left are turns so tight that only chords draw them truly.
+  if (trials.run(kLevels, kChordTrials, attempt)) {
+    return trials.best();
+  }
+  for (const double share : kLastShares) {
+    Attempt last{options, {}, {}};
+    last.options.tolerance_u *= share;
+    if (trials.run(kLevels, kLastTrials, last)) {
+      break;
+    }
+  }
   return trials.best();
 }
 

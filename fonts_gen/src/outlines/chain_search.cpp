@@ -55,7 +55,7 @@ void extent(const Segment& q, double Point::*c, double& low, double& high) {
 
 ChainSearch::ChainSearch(const Trace& trace,
                          const RefitScale& scale,
-                         ChainMemo& memo)
+                         RefitMemo& memo)
     : trace_(trace), scale_(scale), memo_(memo) {
   for (size_t i = 0; i < trace.stretches.size(); ++i) {
     const Node& at = trace.nodes[i];
@@ -174,14 +174,14 @@ bool ChainSearch::find(size_t first,
                        size_t controls,
                        Chain& chain) const {
   const Fingerprint print = fingerprint(first, last, controls);
-  if (const std::optional<Chain>* known = memo_.find(print)) {
+  if (const std::optional<Chain>* known = memo_.chains.find(print)) {
     if (*known) {
       chain = **known;
     }
     return known->has_value();
   }
   const bool found = search(first, last, controls, chain);
-  memo_.add(print, found ? std::optional<Chain>(chain) : std::nullopt);
+  memo_.chains.add(print, found ? std::optional<Chain>(chain) : std::nullopt);
   return found;
 }
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "outlines/chain_memo.hpp"
 #include "outlines/curve_fit.hpp"
+#include "outlines/refit_memo.hpp"
 #include "outlines/trace.hpp"
 
 namespace inkcell {
@@ -16,7 +16,7 @@ namespace gen {
 class ChainSearch {
  public:
   /// Refers to all arguments.
-  ChainSearch(const Trace& trace, const RefitScale& scale, ChainMemo& memo);
+  ChainSearch(const Trace& trace, const RefitScale& scale, RefitMemo& memo);
 
   const Node& node(size_t i) const {
     return trace_.nodes[i == trace_.nodes.size() ? 0 : i];
@@ -51,7 +51,7 @@ class ChainSearch {
 
   const Trace& trace_;
   const RefitScale& scale_;
-  ChainMemo& memo_;
+  RefitMemo& memo_;
   std::vector<Fingerprint> stretches_;  // each with the node where it begins
 };
 

@@ -448,6 +448,17 @@ OutlineCode make_outline_code(const StepCounts& counts) {
   return CodeSearch(counts).run();
 }
 
+OutlineCode widest_outline_code() {
+  constexpr int kWordBits = 2;
+  std::vector<CodeSymbol> symbols;
+  for (const WordKind kind :
+       {WordKind::off_curve, WordKind::smooth, WordKind::corner}) {
+    symbols.push_back({kind, kMostStepBits, kMostStepBits});
+  }
+  symbols.push_back({WordKind::end, 0, 0});
+  return {kLeastCodeBits, symbols, std::vector<int>(symbols.size(), kWordBits)};
+}
+
 uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code) {
   uint64_t bits =
       counts.ends() * static_cast<uint64_t>(code.words().front().length + 1);

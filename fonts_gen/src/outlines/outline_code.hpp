@@ -85,6 +85,10 @@ class OutlineCode {
 /// one. The same counts give the same code on every machine.
 OutlineCode make_outline_code(const StepCounts& counts);
 
+/// A code for any steps at all, made without a search: for trials, whose
+/// picture does not depend on the code.
+OutlineCode widest_outline_code();
+
 /// Bits of the streams that `counts` stands for, without the table.
 uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "outlines/chain_path.hpp"
 #include "outlines/contour_order.hpp"
@@ -127,7 +126,7 @@ double twice_area(const Contour& contour) {
 MinimalContour refit(const Contour& contour,
                      const RefitOptions& options,
                      const RefitScale& scale,
-                     ChainMemo& memo) {
+                     RefitMemo& memo) {
   const Trace source = trace(contour, options, scale);
   const ChainSearch search(source, scale, memo);
   std::vector<PathStep> path = cheapest_path(source, search);
@@ -139,19 +138,63 @@ MinimalContour refit(const Contour& contour,
   return result;
 }
 
+// All that the refit of a contour looks at: its segments, the options, and the
+// places in reach.
+Fingerprint fingerprint(const Contour& contour, const RefitOptions& options) {
+  Fingerprint print;
+  print.add(uint64_t{static_cast<unsigned>(options.units_per_em)});
+  print.add(static_cast<double>(options.grid_shift));
+  print.add(options.tolerance_u);
+  Box reach{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  for (const Segment& segment : contour.segments) {
+    print.add(static_cast<uint64_t>(segment.kind));
+    for (int i = 0; i <= degree_of(segment); ++i) {
+      const Point& p = segment.p[i];
+      print.add(p);
+      reach = {std::min(reach.x0, p.x - kCareRadius_u),
+               std::min(reach.y0, p.y - kCareRadius_u),
+               std::max(reach.x1, p.x + kCareRadius_u),
+               std::max(reach.y1, p.y + kCareRadius_u)};
+    }
+  }
+  for (const auto* places : {&options.careful_u, &options.exact_u}) {
+    print.add(uint64_t{places == &options.exact_u});
+    for (const Point& p : *places) {
+      if (p.x >= reach.x0 && p.x <= reach.x1 && p.y >= reach.y0 &&
+          p.y <= reach.y1) {
+        print.add(p);
+      }
+    }
+  }
+  return print;
+}
+
+MinimalContour refit_once(const Contour& contour,
+                          const RefitOptions& options,
+                          const RefitScale& scale,
+                          RefitMemo& memo) {
+  const Fingerprint print = fingerprint(contour, options);
+  if (const MinimalContour* known = memo.contours.find(print)) {
+    return *known;
+  }
+  MinimalContour result = refit(contour, options, scale, memo);
+  memo.contours.add(print, result);
+  return result;
+}
+
 MinimalOutline refit(const Outline& united,
                      const RefitOptions& options,
-                     ChainMemo& memo) {
+                     RefitMemo& memo) {
   const RefitScale scale(options);
   MinimalOutline result;
-  double x = std::numeric_limits<double>::infinity();
+  double x = kInfinity;
   double y = x;
   for (const Contour& contour : united.contours) {
     for (const Segment& segment : contour.segments) {
       x = std::min(x, scale.grid_per_u * segment.p[0].x);
       y = std::min(y, scale.grid_per_u * segment.p[0].y);
     }
-    MinimalContour minimal = refit(contour, options, scale, memo);
+    MinimalContour minimal = refit_once(contour, options, scale, memo);
     if (!minimal.points.empty()) {
       result.contours.push_back(std::move(minimal));
     }
@@ -166,10 +209,8 @@ MinimalOutline refit(const Outline& united,
 // Compares results with the source from outside.
 class Judge {
  public:
-  Judge(const Outline& united, const RefitOptions& options)
-      : options_(options), source_(united) {}
-
-  bool empty() const { return source_.empty(); }
+  Judge(const Shape& source, const RefitOptions& options)
+      : options_(options), source_(source) {}
 
   // How bad `result` is, 0 for the source itself. Adds to `places` where it
   // strays and where its contours overlap. [u]
@@ -224,27 +265,28 @@ class Judge {
   }
 
   const RefitOptions& options_;
-  Shape source_;
+  const Shape& source_;
 };
 
 }  // namespace
 
-MinimalOutline minimal_outline(const Outline& outline,
+MinimalOutline minimal_outline(const Outline& united,
+                               const Shape& shape,
                                const RefitOptions& options,
-                               ChainMemo& memo) {
-  Outline united = unite(outline);
-  const Judge judge(united, options);
+                               RefitMemo& memo) {
+  Outline source = united;
+  const Judge judge(shape, options);
   RefitOptions wary = options;
   MinimalOutline best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRefitRounds && !judge.empty(); ++round) {
-    MinimalOutline result = refit(united, wary, memo);
+  double least = kInfinity;
+  for (int round = 0; round < kRefitRounds && !shape.empty(); ++round) {
+    MinimalOutline result = refit(source, wary, memo);
     std::vector<Point>& places = round == 0 ? wary.careful_u : wary.exact_u;
     const size_t before = places.size();
     const double fault = judge.fault(result, places);
     if (round + 2 == kRefitRounds) {
       // Nearer than the grid can show: what touches is united.
-      united = unite(expand(result, options.units_per_em, options.grid_shift));
+      source = unite(expand(result, options.units_per_em, options.grid_shift));
     }
     if (fault < least) {
       least = fault;

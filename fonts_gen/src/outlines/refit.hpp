@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "outlines/chain_memo.hpp"
-#include "outlines/minimal_outline.hpp"
+#include "outlines/refit_memo.hpp"
 #include "shape/outline.hpp"
+#include "shape/shape.hpp"
 
 namespace inkcell {
 namespace gen {
@@ -30,19 +30,22 @@ struct RefitOptions {
 /// Reach of a place in RefitOptions. [u]
 inline constexpr double kCareRadius_u = 24;
 
-/// Unites the contours of `outline` and refits them: lines and quadratics that
-/// take the fewest bits, corners and extremes where they were. The same result
-/// on every machine. Empty for an outline that fills nothing.
+/// Refits the contours of `united`, which neither cross nor overlap (see
+/// unite()): lines and quadratics that take the fewest bits, corners and
+/// extremes where they were. The same result on every machine. Empty for an
+/// outline that fills nothing.
 ///
-/// The result is compared with the source in both directions, and refitted with
-/// more care where it strays or where contours overlap. What is narrower than
-/// the grid may stray all the same. 95 glyphs take 1 to 2 s on one core.
+/// The result is compared with `shape`, the area of `united`, in both
+/// directions, and refitted with more care where it strays or where contours
+/// overlap. What is narrower than the grid may stray all the same. 95 glyphs
+/// take 1 to 2 s on one core.
 ///
 /// `memo` keeps what several calls share for one glyph; the result does not
 /// depend on it. Throws GeometryError.
-MinimalOutline minimal_outline(const Outline& outline,
+MinimalOutline minimal_outline(const Outline& united,
+                               const Shape& shape,
                                const RefitOptions& options,
-                               ChainMemo& memo);
+                               RefitMemo& memo);
 
 }  // namespace gen
 }  // namespace inkcell

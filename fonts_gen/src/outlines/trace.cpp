@@ -109,7 +109,9 @@ class Tracer {
     const size_t n = parts.size();
     for (size_t i = 0; i < n;) {
       size_t next = i + 1;
-      while (next < n && parts[next].goes_on) {
+      while (next < n && parts[next].goes_on &&
+             care_near(parts[next].curve.p[0], parts[next].curve.p[0]) !=
+                 Care::exact) {
         ++next;
       }
       add_node(parts[(i + n - 1) % n], parts[i]);

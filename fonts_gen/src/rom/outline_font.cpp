@@ -29,9 +29,8 @@ Outline placed(Outline outline, const OutlineReference& at, double u) {
   return outline;
 }
 
-}  // namespace
-
-void encode_outlines(RomContent& content) {
+template <typename MakeCode>
+void encode(RomContent& content, const MakeCode& make_code) {
   OutlineCoding& coding = content.outlines;
   std::vector<std::vector<OutlineStep>> steps(content.glyphs.size());
   std::vector<int> points(content.glyphs.size());
@@ -46,7 +45,7 @@ void encode_outlines(RomContent& content) {
       points[i] = point_count(steps[i]);
     }
   }
-  const OutlineCode code = make_outline_code(counts);
+  const OutlineCode code = make_code(counts);
   coding.code_bits = code.code_bits();
   coding.table = code.table();
   coding.max_points = 0;
@@ -64,6 +63,16 @@ void encode_outlines(RomContent& content) {
     }
     coding.max_points = std::max(coding.max_points, sum);
   }
+}
+
+}  // namespace
+
+void encode_outlines(RomContent& content) {
+  encode(content, make_outline_code);
+}
+
+void encode_outlines_widely(RomContent& content) {
+  encode(content, [](const StepCounts&) { return widest_outline_code(); });
 }
 
 Outline decoded_outline(const RomContent& content, size_t glyph) {

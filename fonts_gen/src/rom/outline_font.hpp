@@ -14,6 +14,10 @@ namespace inkcell::gen {
 /// does not fit the format.
 void encode_outlines(RomContent& content);
 
+/// The same with a code that is made without a search, for trials: the device
+/// draws the same, from more bytes.
+void encode_outlines_widely(RomContent& content);
+
 /// The outline that the device decodes: that of the record, or those of the
 /// components of a composite. [u]
 Outline decoded_outline(const RomContent& content, size_t glyph);

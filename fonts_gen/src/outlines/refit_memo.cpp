@@ -1,7 +1,6 @@
-#include "outlines/chain_memo.hpp"
+#include "outlines/refit_memo.hpp"
 
 #include <cstring>
-#include <utility>
 
 namespace inkcell {
 namespace gen {
@@ -37,15 +36,6 @@ void Fingerprint::add(const Point& point) {
 void Fingerprint::add(const Fingerprint& other) {
   add(other.a_);
   add(other.b_);
-}
-
-const std::optional<Chain>* ChainMemo::find(const Fingerprint& search) const {
-  const auto found = results_.find(search);
-  return found == results_.end() ? nullptr : &found->second;
-}
-
-void ChainMemo::add(const Fingerprint& search, std::optional<Chain> result) {
-  results_.emplace(search, std::move(result));
 }
 
 }  // namespace gen
