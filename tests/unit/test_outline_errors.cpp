@@ -3,6 +3,7 @@
 #include "check.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
+#include "outline_truth.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -27,6 +28,8 @@ alignas(4) uint8_t rom[768];
 uint8_t picture[kSide][kSide];
 OutlinePoint points[kCorners];
 Place corners[kCorners];  // on the screen
+OutlinePoint rounded[3 * kCorners];
+outline_truth::Truth truth;
 
 void put(void* /*context*/,
          int32_t x,
@@ -56,29 +59,46 @@ void make_star(Random& random) {
   }
 }
 
+// [px, Q6]
+struct Setting {
+  int32_t size;
+  int32_t x;
+  int32_t y;
+};
+
 template <typename FilterKind>
-void draw(const FilterKind& filter, Random& random) {
-  const outline_record::OutlineSource glyphs[] = {{600},
-                                                  {600, {points, kCorners}}};
+void draw_outline(Span<const OutlinePoint> outline,
+                  const FilterKind& filter,
+                  const Setting& at) {
+  const outline_record::OutlineSource glyphs[] = {{600}, {600, outline}};
   const size_t size = outline_record::build_outline_font({glyphs, 2}, 0, 'A',
                                                          {rom, sizeof(rom)});
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
   TextStyle style;
-  const int32_t size_q6 = random.between(10 * 64, 24 * 64);
-  CHECK_OK(TextStyle::make(Q26_6::from_raw(size_q6), filter, style));
-  const int32_t x_q6 = random.between(0, 64);
-  const int32_t y_q6 = random.between(24 * 64, 25 * 64);
+  CHECK_OK(TextStyle::make(Q26_6::from_raw(at.size), filter, style));
   for (auto& row : picture) {
     for (uint8_t& pixel : row) {
       pixel = 0;
     }
   }
-  draw_glyph(font, 1, style, {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)},
+  draw_glyph(font, 1, style, {Q26_6::from_raw(at.x), Q26_6::from_raw(at.y)},
              {{0, 0, kSide, kSide}, nullptr, put, fill});
+}
+
+Setting random_setting(Random& random) {
+  const int32_t size = random.between(10 * 64, 24 * 64);
+  const int32_t x = random.between(0, 64);
+  return {size, x, random.between(24 * 64, 25 * 64)};
+}
+
+template <typename FilterKind>
+void draw(const FilterKind& filter, Random& random) {
+  const Setting at = random_setting(random);
+  draw_outline({points, kCorners}, filter, at);
   for (int32_t i = 0; i < kCorners; ++i) {
-    corners[i] = {(x_q6 + points[i].x * size_q6 / 1024.0) / 64,
-                  (y_q6 - points[i].y * size_q6 / 1024.0) / 64};
+    corners[i] = {(at.x + points[i].x * at.size / 1024.0) / 64,
+                  (at.y - points[i].y * at.size / 1024.0) / 64};
   }
 }
 
@@ -157,6 +177,46 @@ int32_t error_of(int32_t x, int32_t y, double coverage) {
   return static_cast<int32_t>((error < 0 ? -error : error) + 0.5);
 }
 
+// The worst pixel of an outline with curves.
+int32_t worst_of(Span<const OutlinePoint> outline, const Setting& at) {
+  draw_outline(outline, kFilterText, at);
+  truth.set(outline, at.size / 65536.0, at.x / 64.0, at.y / 64.0);
+  int32_t worst = 0;
+  for (int32_t y = 0; y < kSide; ++y) {
+    for (int32_t x = 0; x < kSide; ++x) {
+      const double distance = truth.distance(x + 0.5, y + 0.5);
+      const int32_t error = error_of(x, y, clamped(0.5 + distance, 0, 1));
+      worst = error > worst ? error : worst;
+    }
+  }
+  return worst;
+}
+
+// From a corner on the way to another one, `step` grid units along.
+OutlinePoint beside(const OutlinePoint& from,
+                    const OutlinePoint& to,
+                    int32_t step) {
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double share = step / root_of(dx * dx + dy * dy);
+  return {outline_record::smooth,
+          static_cast<int16_t>(from.x + static_cast<int32_t>(dx * share)),
+          static_cast<int16_t>(from.y + static_cast<int32_t>(dy * share))};
+}
+
+// A star whose corners are rounded off, some of them by less than a pixel.
+void round_corners(Random& random) {
+  for (int32_t i = 0; i < kCorners; ++i) {
+    OutlinePoint* const at = rounded + 3 * i;
+    at[0] = beside(points[i], points[(i + kCorners - 1) % kCorners],
+                   random.between(2, 90));
+    at[1] = {outline_record::off, points[i].x, points[i].y};
+    at[2] =
+        beside(points[i], points[(i + 1) % kCorners], random.between(2, 90));
+  }
+  rounded[0].kind = outline_record::start;
+}
+
 constexpr int32_t kStars = INKCELL_BOARD_FIRMWARE ? 3 : 400;
 
 }  // namespace
@@ -196,6 +256,47 @@ TEST(distances_are_those_of_the_nearest_edge) {
   }
   CHECK(worst <= kWorstDistance);
   check::write("worst distance: ");
+  check::write_number(worst);
+  check::write("/255\n");
+}
+
+TEST(rounded_corners_are_as_near_as_they_are) {
+  int32_t worst = 0;
+  for (Rounds rounds(11, kStars); rounds.next();) {
+    Random& random = rounds.random;
+    make_star(random);
+    round_corners(random);
+    const int32_t error =
+        worst_of({rounded, 3 * kCorners}, random_setting(random));
+    worst = error > worst ? error : worst;
+  }
+  CHECK(worst <= kWorstDistance);
+  check::write("worst of rounded corners: ");
+  check::write_number(worst);
+  check::write("/255\n");
+}
+
+// Two hairlines of a W: after a corner a curve of half a pixel ends in a line,
+// exactly on a row of pixels. At 4 px 256 units are one.
+TEST(hairlines_that_meet_on_a_row) {
+  constexpr OutlinePoint kHairlines[] = {
+      {outline_record::start, -75, 58},
+      {outline_record::corner, -62, 123},
+      {outline_record::off, -47, 46},
+      {outline_record::smooth, -25, 0},
+      {outline_record::corner, 1345, -3988},
+      {outline_record::corner, -1469, -3988},
+  };
+  int32_t worst = 0;
+  for (int32_t x = 0; x < 64; x += INKCELL_BOARD_FIRMWARE ? 16 : 1) {
+    for (int32_t y = 28; y <= 36; y += 4) {
+      const Setting at = {4 * 64, 10 * 64 + x, 4 * 64 + y};
+      const int32_t error = worst_of({kHairlines, 6}, at);
+      worst = error > worst ? error : worst;
+    }
+  }
+  CHECK(worst <= kWorstDistance);
+  check::write("worst of hairlines: ");
   check::write_number(worst);
   check::write("/255\n");
 }

@@ -17,7 +17,8 @@
 //
 // Curves are walked as cubics or parabolas along their axis: one reciprocal a
 // piece, a few additions a row. Only near the ends of an edge the foot of a
-// pixel may lie beyond it: there it is tested.
+// pixel may lie beyond it. Such rows are tips: what is beyond a smooth end is
+// as far away as the end; a corner has a vertex of its own.
 //
 // Over 400 lines: one painter, whose loops are inlined into each other.
 #include "rows/distance_painter.hpp"
@@ -30,25 +31,22 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// Slopes below this need no care at corners: 5/32. [Q16]
-constexpr int32_t kNearlyAxis = 5 << 11;
+// From this slope on, 3/8, the nearest point to a pixel beside an end may be
+// that end in rows up to kBeyondEnd beyond it, half a pixel times the sine of
+// the slope, or kWithinEnd before it, about half of that: feet in such rows lie
+// less far beyond the end. [Q16; px, Q8]
+constexpr int32_t kSlanted = 3 << 13;
+constexpr int32_t kBeyondEnd = 100;
+constexpr int32_t kWithinEnd = 56;
 
-// From this slope on an edge along the other axis may follow a smooth end
-// closely: 3/8. [Q16]
-constexpr int32_t kMayTurn = 3 << 13;
-
-// A smooth end goes on for that much of a pixel. [px, Q8]
-constexpr int32_t kBeyondEnd = 90;
-
-// How far feet may lie beyond an end, in 16ths of the distance: a corner has a
-// vertex of its own, so that this covers what rounding leaves; beyond a smooth
-// end another edge goes on.
-constexpr uint8_t kCornerSlack = 2;
-constexpr uint8_t kSmoothSlack = 4;
-constexpr uint8_t kSharpSlack = 5;
+// Shorter curves may turn by any angle: from 1/8 on, and in all of their rows.
+// [px, Q8; Q16]
+constexpr int32_t kShort = 64;
+constexpr int32_t kSlantedIfShort = 1 << 13;
 
 // Edges that bend more, with a radius of 1 px or less, are looked at closely in
-// each row: there feet lie where the edge has left its tangent. [Q16]
+// each row: there the nearest point lies where the edge has left its tangent.
+// [Q16]
 constexpr int32_t kSharp = 1 << 15;  // of half the bend
 
 // Curves that are shorter or longer along their axis are parabolas: short ones
@@ -66,21 +64,9 @@ __attribute__((noinline)) void paint_vertex(const Band& band,
       static_cast<uint32_t>(column) > static_cast<uint32_t>(band.last_column)) {
     return;
   }
-  int32_t longer = abs(x - column * 256);
-  int32_t shorter = abs(y - row * 256);
-  if (longer < shorter) {
-    const int32_t swapped = longer;
-    longer = shorter;
-    shorter = swapped;
-  }
-  // The length, doubled: max(a, 7/8 a + 1/2 b) within 3 %.
-  const int32_t slanted = (longer * 7 >> 2) + shorter;
-  const int32_t length = slanted > 2 * longer ? slanted & ~1 : 2 * longer;
-  approach(band.row(row) + column, 254 - length);
+  const int32_t length = doubled_length(x - column * 256, y - row * 256);
+  approach(band.row(row) + column, 254 - (length & ~1));
 }
-
-// Ends of an edge at corners.
-enum : uint32_t { kCornerBefore = 1, kCornerAfter = 2 };
 
 __attribute__((noinline)) void paint_vertical(const Band& band,
                                               int32_t x,
@@ -165,10 +151,11 @@ inline bool is_cubic(int32_t bend, int32_t d_along, int32_t dd_along) noexcept {
 
 // What e times the bend must not pass, times the length: of cubics, which stray
 // by up to 0.06 e^2 of the bend, 80/256 px over e, with e rounded up to 1/8,
-// 1/4 or 1/2. [px, Q8]
+// 1/4 or 1/2; of parabolas less where e is above 1/2, as their slope at an end
+// is far from the curve's. [px, Q8]
 inline uint32_t uneven_limit(int32_t d_along, uint32_t uneven) noexcept {
   const auto length = static_cast<uint32_t>(d_along);
-  return length * (!may_be_cubic(d_along) ? 220
+  return length * (!may_be_cubic(d_along) ? (2 * uneven > length ? 90 : 190)
                    : 8 * uneven <= length ? 640
                    : 4 * uneven <= length ? 320
                                           : 160);
@@ -216,7 +203,7 @@ inline int32_t make_cubic(Cubic& cubic,
   return less;
 }
 
-// Rows of an edge, where feet are tested, and where it crosses the first row.
+// Rows of an edge, which of them are tips, and where it crosses the first row.
 inline void set_rows(Edge& edge,
                      const Cubic& cubic,
                      uint32_t corners) noexcept {
@@ -225,31 +212,25 @@ inline void set_rows(Edge& edge,
   const int32_t after = abs(edge.slope_after);
   edge.first = (edge.from >> 8) + 1;
   edge.end = (to >> 8) + 1;
-  edge.first_slack = 0;
-  edge.last_slack = 0;
-  if (corners & kCornerBefore) {
-    if (before >= kNearlyAxis) {
-      edge.first = (edge.from + 128) >> 8;
-      edge.first_slack = kCornerSlack;
-    }
-  } else if (before > kMayTurn && (edge.from & 255) < kBeyondEnd) {
-    --edge.first;
-    edge.first_slack = kSmoothSlack;
+  uint32_t ends = corners;
+  const int32_t slanted = corners & kAllTips ? kSlantedIfShort : kSlanted;
+  if (before >= slanted &&
+      ((edge.from + kWithinEnd) & 255) < kWithinEnd + kBeyondEnd) {
+    edge.first = (edge.from + kWithinEnd) >> 8;
+    ends |= kFirstTip;
   }
-  if (corners & kCornerAfter) {
-    if (after >= kNearlyAxis) {
-      edge.end = ((to + 128) >> 8) + 1;
-      edge.last_slack = kCornerSlack;
-    }
-  } else if (after > kMayTurn && (to & 255) > 256 - kBeyondEnd) {
-    ++edge.end;
-    edge.last_slack = kSmoothSlack;
+  if (after >= slanted && ((to + kBeyondEnd) & 255) < kWithinEnd + kBeyondEnd) {
+    edge.end = ((to + kBeyondEnd) >> 8) + 1;
+    ends |= kLastTip;
   }
   const int32_t u = edge.first * 256 - edge.from;
   const int32_t jerk_part = cubic.half_jerk * u >> 8;
   edge.half_jerk = cubic.half_jerk;
   edge.half_bend = cubic.half_bend + jerk_part;
-  edge.slack = abs(edge.half_bend) > kSharp ? kSharpSlack : 0;
+  if (abs(edge.half_bend) > kSharp) {
+    ends |= kAllTips;
+  }
+  edge.ends = ends;
   edge.across =
       edge.across_before * 256 +
       ((cubic.slope + ((cubic.half_bend + (jerk_part * 85 >> 8)) * u >> 8)) *
@@ -304,6 +285,9 @@ __attribute__((noinline)) bool paint_edge(const Band& band,
     dd_across = d_across - 2 * ((is_steep ? control.x : control.y) - across);
     if (must_be_halved(d_along, d_across, dd_along, dd_across)) {
       return false;
+    }
+    if (d_along < kShort) {
+      corners |= kAllTips;
     }
   }
   if (__builtin_expect(static_cast<uint32_t>(d_along - 1) >= kLengthLimit - 1,

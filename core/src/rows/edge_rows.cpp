@@ -1,5 +1,5 @@
 // Pixels beside an edge, row by row or column by column; near its ends, and
-// where it bends sharply, each only if its foot lies on the edge.
+// where it bends sharply, each as far away as the nearest point.
 #include "rows/edge_rows.hpp"
 
 #include "base/math.hpp"
@@ -35,84 +35,100 @@ inline int32_t in_32nds(int32_t slope_q16) noexcept {
   return (slope_q16 + (1 << 10)) >> 11;
 }
 
+// How far an edge leaves its tangent on the way to a foot. [px, Q8; 1/508 px]
+inline int32_t sag_of(int32_t half_bend, int32_t foot, int32_t fall) noexcept {
+  return ((half_bend >> 7) * (foot * foot) >> 10) * fall >> 15;
+}
+
 // Where an edge crosses a row near one of its ends: beyond it, its tangent
 // there does.
 struct Crossing {
+  int32_t before;  // the row, from where the edge begins [px, Q8]
+  int32_t at;      // where the tangent touches, likewise
   int32_t across;
   int32_t slope;
-  int32_t half_bend;
 
   Crossing(const Edge& edge, int32_t row) noexcept
-      : across(edge.across), slope(edge.slope), half_bend(edge.half_bend) {
-    const int32_t before = edge.from - row * 256;
-    const int32_t after = -before - edge.length;
-    if (before > 0) {
+      : before(row * 256 - edge.from),
+        at(before),
+        across(edge.across),
+        slope(edge.slope) {
+    if (before < 0) {
+      at = 0;
       slope = edge.slope_before;
-      across = edge.across_before * 256 - (slope * before >> 8);
-      half_bend = 0;
-    } else if (after > 0) {
+      across = edge.across_before * 256 + (slope * before >> 8);
+    } else if (before > edge.length) {
+      at = edge.length;
       slope = edge.slope_after;
-      across = edge.across_after * 256 + (slope * after >> 8);
-      half_bend = 0;
+      across = edge.across_after * 256 + (slope * (before - at) >> 8);
     }
   }
 };
 
-// How far an edge leaves its tangent on the way to a foot. [px, Q8; 1/508 px]
-inline int32_t sag_of(int32_t half_bend, int32_t foot, int32_t fall) noexcept {
-  return half_bend == 0 ? 0
-                        : ((half_bend >> 7) * (foot * foot) >> 10) * fall >> 15;
+// The pixel beside a crossing, `across` [px, Q8]. The foot of its tangent lies
+// `foot` behind where the edge begins [px, Q8], `distance` away. [1/508 px]
+inline void paint_beside(uint8_t* pixel,
+                         const Edge& edge,
+                         const Crossing& crossing,
+                         int32_t across,
+                         int32_t foot,
+                         int32_t distance) noexcept {
+  if (static_cast<uint32_t>(foot) > static_cast<uint32_t>(edge.length)) {
+    const bool is_before = foot < 0;
+    if (edge.ends & (is_before ? kCornerBefore : kCornerAfter)) {
+      return;
+    }
+    distance =
+        is_before ? doubled_length(crossing.before, across - edge.across_before)
+                  : doubled_length(crossing.before - edge.length,
+                                   across - edge.across_after);
+  }
+  approach(pixel, 254 - (max(distance, 0) & ~1));
 }
 
 // The pair of pixels of a row near an end of the edge: `pixel` and the one
-// `stride` behind it, each if its foot lies on the edge.
+// `stride` behind it, as far from the edge as the nearest of its points is.
 __attribute__((noinline)) void paint_tip(uint8_t* pixel,
                                          int32_t stride,
                                          const Edge& edge,
-                                         const Crossing& crossing,
-                                         int32_t row,
-                                         int32_t slack) noexcept {
+                                         const Crossing& crossing) noexcept {
   const int32_t slope = min(abs(in_32nds(crossing.slope)), Slopes::kMost);
   const int32_t fall = kSlopes.cosines[Slopes::kMost + slope] * 2;
   const int32_t sine_cosine = kSlopes.sine_cosines[slope];
   const int32_t along = crossing.slope < 0 ? -sine_cosine : sine_cosine;
-  const int32_t before = row * 256 - edge.from;
-  const int32_t after = edge.length - before;
   const auto f = static_cast<uint32_t>(crossing.across & 0xffff);
-  // How far the foot of the first pixel lies behind the row. [px, Q8]
-  int32_t foot = static_cast<int32_t>(f) * along >> 16;
+  int32_t across = (crossing.across >> 16) * 256;
+  int32_t foot = crossing.before - (static_cast<int32_t>(f) * along >> 16);
   int32_t distance =
       static_cast<int32_t>(f * static_cast<uint32_t>(fall) >> 16);
   const int32_t other = fall - distance;
-  distance += sag_of(crossing.half_bend, foot, fall);
-  int32_t room = (distance * slack >> 4) + slack;
-  if (before + room >= foot && after + room >= -foot) {
-    approach(pixel, 254 - (max(distance, 0) & ~1));
+  const int32_t half_bend = edge.half_bend;
+  if (half_bend != 0) {
+    distance += sag_of(half_bend, foot - crossing.at, fall);
   }
-  foot -= along;
-  distance = other - sag_of(crossing.half_bend, foot, fall);
-  room = (distance * slack >> 4) + slack;
-  if (before + room >= foot && after + room >= -foot) {
-    approach(pixel + stride, 254 - (max(distance, 0) & ~1));
+  paint_beside(pixel, edge, crossing, across, foot, distance);
+  foot += along;
+  distance = other;
+  if (half_bend != 0) {
+    distance -= sag_of(half_bend, foot - crossing.at, fall);
   }
+  paint_beside(pixel + stride, edge, crossing, across + 256, foot, distance);
 }
 
 // A row near an end of a steep edge.
 __attribute__((noinline)) void paint_steep_tip(const Band& band,
                                                const Edge& edge,
-                                               int32_t row,
-                                               int32_t slack) noexcept {
+                                               int32_t row) noexcept {
   if (static_cast<uint32_t>(row) >= static_cast<uint32_t>(band.rows)) {
     return;
   }
   const Crossing crossing(edge, row);
   const int32_t column = crossing.across >> 16;
-  const int32_t before = row * 256 - edge.from;
-  const bool is_crossed = before > 0 && edge.length >= before;
+  const bool is_crossed = crossing.before > 0 && edge.length >= crossing.before;
   uint8_t* const bytes = band.row(row);
   if (static_cast<uint32_t>(column) <=
       static_cast<uint32_t>(band.last_column)) {
-    paint_tip(bytes + column, 1, edge, crossing, row, slack);
+    paint_tip(bytes + column, 1, edge, crossing);
     bytes[column + 1] ^= is_crossed ? 1 : 0;
   } else if (column < 0) {
     bytes[0] ^= is_crossed ? 1 : 0;
@@ -166,7 +182,7 @@ inline void paint_steep_rows(const Band& band,
     slope += half_bend;
     bytes += stride;
   } while (--count != 0);
-  if (edge.last_slack != 0) {
+  if (edge.ends & kLastTip) {
     edge.across = across;
     edge.slope = slope;
     edge.half_bend = half_bend;
@@ -178,11 +194,11 @@ inline void paint_steep_rows(const Band& band,
 void paint_steep(const Band& band, Edge& edge) noexcept {
   int32_t row = edge.first;
   int32_t last = edge.end;  // the row of the second tip
-  if (edge.last_slack != 0) {
+  if (edge.ends & kLastTip) {
     --last;
   }
-  if (edge.first_slack != 0) {
-    paint_steep_tip(band, edge, row, edge.first_slack);
+  if (edge.ends & kFirstTip) {
+    paint_steep_tip(band, edge, row);
     if (row == last) {
       return;
     }
@@ -197,17 +213,17 @@ void paint_steep(const Band& band, Edge& edge) noexcept {
     }
   }
   const int32_t end = min(last, band.rows);
-  if (row < end && edge.slack != 0) {
+  if (row < end && (edge.ends & kAllTips) != 0) {
     for (; row != end; ++row) {
-      paint_steep_tip(band, edge, row, edge.slack);
+      paint_steep_tip(band, edge, row);
       edge.step();
     }
   } else if (row < end) {
     paint_steep_rows(band, edge, row, end - row);
     row = end;
   }
-  if (edge.last_slack != 0 && row == last) {
-    paint_steep_tip(band, edge, row, edge.last_slack);
+  if ((edge.ends & kLastTip) != 0 && row == last) {
+    paint_steep_tip(band, edge, row);
   }
 }
 
@@ -234,20 +250,17 @@ void toggle_rows(const Band& band,
 __attribute__((noinline)) int32_t paint_flat_tip(const Band& band,
                                                  const Edge& edge,
                                                  int32_t column,
-                                                 int32_t slack,
                                                  int32_t above) noexcept {
   const Crossing crossing(edge, column);
   const int32_t row = crossing.across >> 16;
-  const int32_t before = column * 256 - edge.from;
-  if (row != above && before > 0 && edge.length >= before) {
+  if (row != above && crossing.before > 0 && edge.length >= crossing.before) {
     toggle_rows(band, column, above, row);
     above = row;
   }
   if (static_cast<uint32_t>(row + 1) <= static_cast<uint32_t>(band.rows) &&
       static_cast<uint32_t>(column) <=
           static_cast<uint32_t>(band.last_column)) {
-    paint_tip(band.row(row) + column, band.stride, edge, crossing, column,
-              slack);
+    paint_tip(band.row(row) + column, band.stride, edge, crossing);
   }
   return above;
 }
@@ -294,7 +307,7 @@ inline void paint_flat_columns(const Band& band,
     half_bend += half_jerk;
     slope += half_bend;
   } while (++column != end);
-  if (edge.last_slack != 0) {
+  if (edge.ends & kLastTip) {
     edge.across = across;
     edge.slope = slope;
     edge.half_bend = half_bend;
@@ -308,11 +321,11 @@ void paint_flat(const Band& band, Edge& edge) noexcept {
   int32_t above = edge.across_before >> 8;
   int32_t column = edge.first;
   int32_t last = edge.end;  // the column of the second tip
-  if (edge.last_slack != 0) {
+  if (edge.ends & kLastTip) {
     --last;
   }
-  if (edge.first_slack != 0) {
-    above = paint_flat_tip(band, edge, column, edge.first_slack, above);
+  if (edge.ends & kFirstTip) {
+    above = paint_flat_tip(band, edge, column, above);
     edge.step();
     ++column;
   }
@@ -324,17 +337,17 @@ void paint_flat(const Band& band, Edge& edge) noexcept {
     }
   }
   const int32_t end = min(last, band.last_column + 1);
-  if (column < end && edge.slack != 0) {
+  if (column < end && (edge.ends & kAllTips) != 0) {
     for (; column != end; ++column) {
-      above = paint_flat_tip(band, edge, column, edge.slack, above);
+      above = paint_flat_tip(band, edge, column, above);
       edge.step();
     }
   } else if (column < end) {
     paint_flat_columns(band, edge, column, end, above);
     column = end;
   }
-  if (edge.last_slack != 0 && column == last) {
-    above = paint_flat_tip(band, edge, column, edge.last_slack, above);
+  if ((edge.ends & kLastTip) != 0 && column == last) {
+    above = paint_flat_tip(band, edge, column, above);
   }
   // Rounding may leave the last crossing beside the end.
   const int32_t below = edge.across_after >> 8;

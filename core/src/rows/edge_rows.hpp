@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "base/math.hpp"
 #include "rows/band.hpp"
 
 namespace inkcell {
@@ -15,6 +16,31 @@ inline void approach(uint8_t* pixel, int32_t nearness) noexcept {
   }
 }
 
+// The length of a vector, doubled: max(a, 7/8 a + 1/2 b), within 3 %.
+inline int32_t doubled_length(int32_t x, int32_t y) noexcept {
+  int32_t longer = abs(x);
+  int32_t shorter = abs(y);
+  if (longer < shorter) {
+    const int32_t swapped = longer;
+    longer = shorter;
+    shorter = swapped;
+  }
+  const int32_t slanted = (longer * 7 >> 2) + shorter;
+  return slanted > 2 * longer ? slanted : 2 * longer;
+}
+
+// What Edge::ends has.
+enum : uint32_t {
+  // A corner, which has a vertex.
+  kCornerBefore = 1,
+  kCornerAfter = 2,
+  // Tips, where the nearest point may be an end: the first row, the last one,
+  // all rows.
+  kFirstTip = 4,
+  kLastTip = 8,
+  kAllTips = 16
+};
+
 // An edge along its longer axis: rows if it is steep, columns if it is flat.
 // All along the axis comes first. [px, Q8; across Q16]
 struct Edge {
@@ -26,11 +52,7 @@ struct Edge {
   int32_t slope;
   int32_t half_bend;  // what the slope gains in half a row
   int32_t half_jerk;  // what that gains in a row
-  // Whether feet are tested in the first row and in the last one, and in all
-  // between: their slack in 16ths, or 0.
-  uint8_t first_slack;
-  uint8_t last_slack;
-  uint8_t slack;
+  uint32_t ends;
   // Where it begins and ends: beyond that it goes on straight. [Q8; Q16]
   int32_t across_before;
   int32_t across_after;
