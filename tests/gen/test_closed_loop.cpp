@@ -287,6 +287,45 @@ TEST(ClosedLoop, GlyphWithoutInkHasNoErrorButInk) {
   EXPECT_EQ(loop.draw_and_compare(ink.view()).worst, 255);
 }
 
+// A pixel that is worst, by 20/255, at a position between those that the loop
+// draws, and better the farther the glyph's origin lies from there.
+TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
+  const Shape shape(load_outlines(kDejaVuSans, 0, {'o'}).front());
+  LoopOptions options;
+  options.min_px = options.max_px = 16;
+  options.tolerance = 15.5;
+  int drawn = 0;
+  const LoopGlyph glyph = {
+      [](const TextStyle&, inkcell::Point) { return Rect{}; },
+      [&](const TextStyle&, inkcell::Point origin, const Sink& sink) {
+        ++drawn;
+        const int away =
+            std::max(std::abs(origin.x.raw - 11), std::abs(origin.y.raw - 5));
+        const double error = std::max(0.0, 20 - 0.6 * away);
+        for (int y = sink.window.y0; y < sink.window.y1; ++y) {
+          for (int x = sink.window.x0; x < sink.window.x1; ++x) {
+            const double distance_px =
+                shape.distance((x + 0.5 - origin.x.raw / 64.0) * 64,
+                               (origin.y.raw / 64.0 - y - 0.5) * 64) /
+                64;
+            double ink = 255 * std::clamp(0.5 + distance_px, 0.0, 1.0);
+            if (x == 4 && y == -5) {
+              ink += ink < 128 ? error : -error;
+            }
+            const auto byte = static_cast<uint8_t>(std::lround(ink));
+            sink.coverage(sink.context, x, y, &byte, 1);
+          }
+        }
+      }};
+  const LoopResult found = ClosedLoop(shape, options).draw_and_compare(glyph);
+  EXPECT_NEAR(found.worst, 20, 1);
+  ASSERT_EQ(found.miss_count, 1u);
+  EXPECT_NEAR(found.misses[0].x_u, (4.5 - 11 / 64.0) * 64, 1e-9);
+  EXPECT_NEAR(found.misses[0].y_u, (5 / 64.0 + 4.5) * 64, 1e-9);
+  EXPECT_EQ(found.misses[0].px, 16);
+  EXPECT_LT(drawn, 8 + 3 * 3 * 9 + 1);
+}
+
 TEST(ClosedLoop, SizesAreAllThatMatter) {
   const std::vector<int> usual = loop_sizes(8, 64);
   ASSERT_EQ(usual.size(), 57u);

@@ -43,8 +43,8 @@ int phases_at(int px, int phases) {
 
 // One picture: where its pixels lie in the glyph.
 struct Setting {
-  int px;
-  Phase phase;
+  int px = 0;
+  Phase phase = {0, 0};
 
   double u_per_px() const { return 1024.0 / px; }
   double x_u(int x) const { return (x + 0.5 - phase.x / 64.0) * u_per_px(); }
@@ -83,6 +83,24 @@ bool is_worse(const LoopMiss& a, const LoopMiss& b) {
   return a.error > b.error;
 }
 
+// A pixel of a picture, and how wrong it is.
+struct WrongPixel {
+  Setting setting;
+  int x = 0;
+  int y = 0;
+  double error = 0;  // [1/255]
+};
+
+// Pixels this near to the tolerance, in shares of it, may miss it at other
+// positions: the worst one of each of the worst sizes is followed.
+constexpr double kFollowed = 0.75;
+constexpr size_t kMostFollowed = 8;
+
+// From a position to the next ones, coarse steps first, each so often at most.
+// [1/64 px]
+constexpr int kFollowSteps[] = {4, 2, 1};
+constexpr int kMostMoves = 3;
+
 // Gathers the errors of one size after another.
 class Gathering {
  public:
@@ -91,6 +109,7 @@ class Gathering {
   void begin(int px) {
     size_ = SizeError();
     size_.px = px;
+    worst_pixel_ = WrongPixel();
     sum_ = 0;
     pixels_ = 0;
   }
@@ -100,15 +119,48 @@ class Gathering {
     result_.worst = std::max(result_.worst, size_.worst);
     result_.worst_mean = std::max(result_.worst_mean, size_.mean);
     result_.sizes.push_back(size_);
+    if (worst_pixel_.error > kFollowed * options_.tolerance) {
+      wrong_.push_back(worst_pixel_);
+    }
   }
 
   // A pixel counts for the worst; add_mean() has it count for the mean.
-  void add(double error, double x_u, double y_u) {
-    size_.worst = std::max(size_.worst, error);
+  void add(const Setting& setting, int x, int y, double error) {
+    if (error > size_.worst) {
+      size_.worst = error;
+      worst_pixel_ = {setting, x, y, error};
+    }
     if (error > options_.tolerance) {
-      add_miss({x_u, y_u, size_.px, error});
+      add_miss({setting.x_u(x), setting.y_u(y), size_.px, error});
     }
   }
+
+  // Pixels to follow, the worst first.
+  std::vector<WrongPixel> followed() const {
+    std::vector<WrongPixel> pixels = wrong_;
+    std::stable_sort(pixels.begin(), pixels.end(),
+                     [](const WrongPixel& a, const WrongPixel& b) {
+                       return a.error > b.error;
+                     });
+    pixels.resize(std::min(pixels.size(), kMostFollowed));
+    return pixels;
+  }
+
+  // A pixel at a position that is tried besides.
+  void add_between(const WrongPixel& pixel) {
+    result_.worst = std::max(result_.worst, pixel.error);
+    for (SizeError& size : result_.sizes) {
+      if (size.px == pixel.setting.px) {
+        size.worst = std::max(size.worst, pixel.error);
+      }
+    }
+    if (pixel.error > options_.tolerance + kPositionReserve) {
+      add_miss({pixel.setting.x_u(pixel.x), pixel.setting.y_u(pixel.y),
+                pixel.setting.px, pixel.error});
+    }
+  }
+
+  bool has_misses() const { return result_.miss_count != 0; }
   void add_mean(double sum, int pixels) {
     sum_ += sum;
     pixels_ += pixels;
@@ -138,6 +190,8 @@ class Gathering {
   const LoopOptions& options_;
   LoopResult result_;
   SizeError size_;
+  WrongPixel worst_pixel_;         // of the size at hand
+  std::vector<WrongPixel> wrong_;  // of all sizes
   double sum_ = 0;
   double pixels_ = 0;
 };
@@ -165,7 +219,7 @@ void compare_row(const Setting& setting,
     }
     if (error > 0) {
       sum += error;
-      gathering.add(error, x_u, y_u);
+      gathering.add(setting, x, y, error);
     }
   }
   gathering.add_mean(sum, pixels.x1 - pixels.x0);
@@ -180,7 +234,7 @@ void expect_nothing(const Setting& setting,
                     Gathering& gathering) {
   for (int x = x0; x < x1; ++x) {
     if (canvas.at(x, y) != 0) {
-      gathering.add(canvas.at(x, y), setting.x_u(x), setting.y_u(y));
+      gathering.add(setting, x, y, canvas.at(x, y));
     }
   }
 }
@@ -202,6 +256,65 @@ void compare(const Setting& setting,
   }
 }
 
+// The worst of the nine pixels around one, at another position.
+WrongPixel worst_around(const LoopGlyph& glyph,
+                        const TextStyle& style,
+                        DistanceMap& map,
+                        const WrongPixel& middle,
+                        const Setting& setting) {
+  WrongPixel worst = {setting, middle.x, middle.y, 0};
+  Canvas canvas(Rect{middle.x - 1, middle.y - 1, middle.x + 2, middle.y + 2});
+  glyph.draw(
+      style,
+      {Q26_6::from_raw(setting.phase.x), Q26_6::from_raw(setting.phase.y)},
+      canvas.sink());
+  for (int y = middle.y - 1; y < middle.y + 2; ++y) {
+    for (int x = middle.x - 1; x < middle.x + 2; ++x) {
+      const double distance_px =
+          map.distance(setting.x_u(x), setting.y_u(y)) / setting.u_per_px();
+      const double error = std::fabs(canvas.at(x, y) - coverage(distance_px));
+      if (error > worst.error) {
+        worst = {setting, x, y, error};
+      }
+    }
+  }
+  return worst;
+}
+
+// Goes from position to position as long as the pixel gets worse.
+WrongPixel follow(const LoopGlyph& glyph,
+                  const TextStyle& style,
+                  DistanceMap& map,
+                  WrongPixel at) {
+  for (const int step : kFollowSteps) {
+    for (int move = 0; move < kMostMoves; ++move) {
+      WrongPixel next = at;
+      for (int i = 0; i < 9; ++i) {
+        Setting setting = at.setting;
+        setting.phase.x += (i % 3 - 1) * step;
+        setting.phase.y += (i / 3 - 1) * step;
+        const WrongPixel other = worst_around(glyph, style, map, at, setting);
+        if (other.error > next.error) {
+          next = other;
+        }
+      }
+      if (next.error <= at.error) {
+        break;
+      }
+      at = next;
+    }
+  }
+  return at;
+}
+
+TextStyle style_of(int px) {
+  TextStyle style;
+  if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
+    throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
+  }
+  return style;
+}
+
 }  // namespace
 
 std::vector<int> loop_sizes(int min_px, int max_px) {
@@ -221,26 +334,27 @@ ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
 }
 
 LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
-  return draw_and_compare(
+  return draw_sizes(
       {[&](const TextStyle& style, inkcell::Point origin) {
          return field_box(field, style, origin);
        },
        [&](const TextStyle& style, inkcell::Point origin, const Sink& sink) {
          draw_field(field, style, origin, sink);
-       }});
+       }},
+      false);
 }
 
 LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
+  return draw_sizes(glyph, true);
+}
+
+LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
   Gathering gathering(options_);
   if (truth_) {
     truth_->rewind();
   }
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
-    TextStyle style;
-    if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) !=
-        Status::ok) {
-      throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
-    }
+    const TextStyle style = style_of(px);
     gathering.begin(px);
     for (int i = 0; i < phases_at(px, options_.phases); ++i) {
       const Setting setting{px, kPhases[static_cast<size_t>(i)]};
@@ -252,6 +366,12 @@ LoopResult ClosedLoop::draw_and_compare(const LoopGlyph& glyph) {
       compare(setting, canvas, inked, truth_ ? &*truth_ : nullptr, gathering);
     }
     gathering.end();
+  }
+  if (truth_ && follows && !gathering.has_misses()) {
+    for (const WrongPixel& pixel : gathering.followed()) {
+      gathering.add_between(
+          follow(glyph, style_of(pixel.setting.px), truth_->map, pixel));
+    }
   }
   return gathering.finish();
 }

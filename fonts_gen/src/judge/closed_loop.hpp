@@ -113,11 +113,17 @@ class ClosedLoop {
  public:
   ClosedLoop(const Shape& shape, const LoopOptions& options);
 
-  /// The result depends on the shape, the options and `glyph` only.
+  /// The result depends on the shape, the options and `glyph` only. Where no
+  /// pixel of an outline misses, those that are near to the tolerance are
+  /// followed to other positions, in steps of 1/64 px, as long as they get
+  /// worse. There they may take up kPositionReserve, too. Fields of cells have
+  /// no such places.
   LoopResult draw_and_compare(const LoopGlyph& glyph);
   LoopResult draw_and_compare(const GlyphField& field);
 
  private:
+  LoopResult draw_sizes(const LoopGlyph& glyph, bool follows);
+
   const Shape& shape_;
   LoopOptions options_;
   std::optional<LoopTruth> truth_;  // none if the shape is empty
