@@ -4,7 +4,7 @@
 namespace golden {
 
 inline constexpr const char* kSheetHash =
-    "791e24f72a3ff4839f3a3e08c32a783ff0590097fcd3a9c409c338027307e494";
+    "81a31e48136088d75e62d130cf8536e6ccdad8e135511b2aa0082c61e7234e0d";
 inline constexpr const char* kPageHashes[] = {
     "153a8cdc0d2185f012c6f79e9d4e3d0b09d139e352643026fc4edb22a2ccd501",
     "d15a3f74433a404e65dc1095e219f4d89439f0ecd36623addc7854c87890c21e",
@@ -22,7 +22,7 @@ inline constexpr const char* kPageHashes[] = {
     "288960b9a790313f2e91a7b692e4b35efab3741de6e04622ced0730ab60bb24e",
     "c1a0fcfb9f4fcde18fdcd66c85244743b985a41b6f657f384446789ad7f0c8ee",
     "d6b2a41ef4cf1471d69511ac885260ecb6c6900dcea9b9d90d85602238903b8a",
-    "fd198aca1a3dd303ab95f635a1ed6dc281f4ca7e75aa22594bc2480cce10ed5f",
+    "6c6cd845c8ebe2a37e8818eb09b6c8fda60094d00f66c0ebef606df4a91fe908",
 };
 
 }  // namespace golden

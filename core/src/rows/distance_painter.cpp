@@ -39,15 +39,13 @@ constexpr int32_t kSlanted = 3 << 13;
 constexpr int32_t kBeyondEnd = 100;
 constexpr int32_t kWithinEnd = 56;
 
-// Shorter curves may turn by any angle: from 1/8 on, and in all of their rows.
-// [px, Q8; Q16]
-constexpr int32_t kShort = 64;
-constexpr int32_t kSlantedIfShort = 1 << 13;
-
-// Edges that bend more, with a radius of 1 px or less, are looked at closely in
-// each row: there the nearest point lies where the edge has left its tangent.
-// [Q16]
+// Edges that bend more, with a radius of 1 px or less, and shorter curves,
+// which may turn by any angle, are looked at closely in each row: there the
+// nearest point lies where the edge has left its tangent. Slopes at their ends
+// are rough: 1/8 counts. [Q16; px, Q8; Q16]
 constexpr int32_t kSharp = 1 << 15;  // of half the bend
+constexpr int32_t kShort = 64;
+constexpr int32_t kSlantedIfSharp = 1 << 13;
 
 // Curves that are shorter or longer along their axis are parabolas: short ones
 // need no more, and of long ones the jerk has too few bits. [px, Q8]
@@ -152,11 +150,13 @@ inline bool is_cubic(int32_t bend, int32_t d_along, int32_t dd_along) noexcept {
 // What e times the bend must not pass, times the length: of cubics, which stray
 // by up to 0.06 e^2 of the bend, 80/256 px over e, with e rounded up to 1/8,
 // 1/4 or 1/2; of parabolas less where e is above 1/2, as their slope at an end
-// is far from the curve's. [px, Q8]
+// is far from the curve's, and of those whose halves are cubics. [px, Q8]
 inline uint32_t uneven_limit(int32_t d_along, uint32_t uneven) noexcept {
   const auto length = static_cast<uint32_t>(d_along);
-  return length * (!may_be_cubic(d_along) ? (2 * uneven > length ? 90 : 190)
-                   : 8 * uneven <= length ? 640
+  if (!may_be_cubic(d_along)) {
+    return length * (2 * uneven > length || d_along >= kMostCubic ? 90 : 190);
+  }
+  return length * (8 * uneven <= length   ? 640
                    : 4 * uneven <= length ? 320
                                           : 160);
 }
@@ -213,7 +213,10 @@ inline void set_rows(Edge& edge,
   edge.first = (edge.from >> 8) + 1;
   edge.end = (to >> 8) + 1;
   uint32_t ends = corners;
-  const int32_t slanted = corners & kAllTips ? kSlantedIfShort : kSlanted;
+  if (abs(cubic.half_bend) > kSharp) {
+    ends |= kAllTips;
+  }
+  const int32_t slanted = ends & kAllTips ? kSlantedIfSharp : kSlanted;
   if (before >= slanted &&
       ((edge.from + kWithinEnd) & 255) < kWithinEnd + kBeyondEnd) {
     edge.first = (edge.from + kWithinEnd) >> 8;
@@ -227,9 +230,6 @@ inline void set_rows(Edge& edge,
   const int32_t jerk_part = cubic.half_jerk * u >> 8;
   edge.half_jerk = cubic.half_jerk;
   edge.half_bend = cubic.half_bend + jerk_part;
-  if (abs(edge.half_bend) > kSharp) {
-    ends |= kAllTips;
-  }
   edge.ends = ends;
   edge.across =
       edge.across_before * 256 +
