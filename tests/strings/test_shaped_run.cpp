@@ -91,7 +91,14 @@ struct FittedStyle {
 
 constexpr Point kOrigin = {Q26_6::from_int(4), Q26_6::from_int(28)};
 
-// What docs/STRINGS.md shows.
+}  // namespace
+
+// What docs/STRINGS.md shows, where the font is called ui.
+namespace fonts {
+namespace ui_strings = labels_strings;
+}  // namespace fonts
+
+namespace {
 
 // Centred in `width` px.
 void draw_title(const Font& font,
@@ -99,7 +106,7 @@ void draw_title(const Font& font,
                 int32_t width,
                 int32_t baseline,
                 const Sink& sink) {
-  const ShapedRun& title = fonts::labels_strings::title;
+  const ShapedRun& title = fonts::ui_strings::title;
   const Q26_6 wide = to_px(font, style, measure(font, title, style).advance);
   const int32_t left = (64 * width - wide.raw) / 2;
   draw(font, title, style, {Q26_6::from_raw(left), Q26_6::from_int(baseline)},

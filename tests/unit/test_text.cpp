@@ -295,25 +295,6 @@ Font letters_only() {
 
 }  // namespace
 
-TEST(a_font_without_a_space_has_spaces) {
-  const Font font = letters_only();
-  const Text texts[] = {"A B", "A\tB",
-                        "A\xc2\xa0"
-                        "B",
-                        "A\xe2\x80\x89"
-                        "B"};
-  PositionedGlyph buffer[3];
-  Span<const PositionedGlyph> run;
-  for (const Text& text : texts) {
-    CHECK_OK(layout(font, text, buffer, run));
-    CHECK_EQ(run.size, 2);
-    CHECK_EQ(run[1].glyph, 2);
-    CHECK_EQ(run[1].x, 750 + 250);  // a quarter of the em
-    CHECK_EQ(measure(font, text).advance, 750 + 250 + 700);
-  }
-  CHECK_EQ(measure(font, " ").advance, 250);
-}
-
 TEST(marks_never_become_notdef) {
   const Font font = letters_only();
   const uint32_t marks[] = {0x300,  0x307,  0x336,  0x338,  0x36f,  0x489,

@@ -82,9 +82,9 @@ class TextCursor {
 
   /// The next glyph, kerned against the one before; false at the end. A code
   /// point that the font lacks gives .notdef, unless it shows nothing: tabs and
-  /// other spaces are then as wide as a space, which without a glyph is a
-  /// quarter of an em; combining marks take no room; controls, line ends, soft
-  /// hyphens, zero width characters and variation selectors never give a glyph.
+  /// other spaces are then as wide as the font's space, and have no width if it
+  /// has none; combining marks take no room; controls, line ends, soft hyphens,
+  /// zero width characters and variation selectors never give a glyph.
   bool next(PositionedGlyph& out) noexcept;
 
   /// Where the next glyph would stand without kerning. [font units, at most

@@ -122,7 +122,6 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
     }
     glyph = find(' ');
     if (!glyph.is_found) {
-      advance_out = advances_.space();
       return {};
     }
   }
@@ -185,8 +184,8 @@ int32_t Pen::tab_step() const noexcept {
     return from_px(options_.tab_width);
   }
   const Glyph space = find(' ');
-  return clamp_to(8 * (space.is_found ? advance(space) : advances_.space()),
-                  kMaxPx);
+  return space.is_found ? clamp_to(8 * advance(space), kMaxPx)
+                        : advances_.em();
 }
 
 // `step` is that of stops behind the last one of the options.

@@ -44,9 +44,6 @@ class Advances {
   int32_t em() const noexcept {
     return is_whole() ? (style_->size().raw + 32) >> 6 : font_.units_per_em();
   }
-  // Of a font that has no space.
-  int32_t space() const noexcept { return em() >> 2; }
-
   // A sum of them in font units, to the nearest. At most limit() in magnitude.
   int32_t to_units(int32_t sum) const noexcept;
 

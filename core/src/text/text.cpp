@@ -127,17 +127,10 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
   while (text_.size != 0) {
     const size_t offset = size_ - text_.size;
     uint16_t glyph = 0;
-    const detail::Shown found =
-        detail::find_glyph(font_, next_code_point(text_), glyph);
-    const Advances advances(font_, style_);
-    if (found != detail::Shown::glyph) {
-      if (found == detail::Shown::space) {
-        advance_ =
-            detail::clamp_to(advance_ + advances.space(), advances.limit());
-        previous_ = -1;
-      }
+    if (!detail::find_glyph(font_, next_code_point(text_), glyph)) {
       continue;
     }
+    const Advances advances(font_, style_);
     const int32_t kerning =
         previous_ >= 0
             ? advances.kerning(static_cast<uint16_t>(previous_), glyph)
