@@ -98,7 +98,7 @@ class Tools(unittest.TestCase):
                     "none", font=font)
             said = run("render", "--font", font, "--text", "a", "--px", 12,
                        "--stats", "--out", self.path / "a.pgm")
-            self.assertIn(f"8 glyphs, coding {coding}\n", said)
+            self.assertIn(f"10 glyphs, coding {coding}\n", said)
         for angle, pair in itertools.product(
                 (0, 30), itertools.combinations(CODINGS, 2)):
             one, other = (pictures[coding, angle].pixels for coding in pair)

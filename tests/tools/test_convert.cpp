@@ -48,6 +48,7 @@ TEST(Convert, WarnsOfWhatShowsAsNotdef) {
   gen::GenerateRequest request;
   request.font = folder.write("plain.ttf", Sfnt::plain());
   request.symbols = "H";
+  request.layout_glyphs = false;
   const auto rom = folder.write("plain.bin", gen::generate(request).bytes);
   const auto warning = [&](const std::string& text) {
     testing::internal::CaptureStderr();

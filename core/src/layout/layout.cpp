@@ -147,9 +147,9 @@ __attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
 }
 
 // Functions that are not inline leave their stack to those that follow.
-__attribute__((noinline)) int32_t ellipsis_width(
+__attribute__((noinline)) Pen::Sign ellipsis_of(
     const LayoutOptions& options) noexcept {
-  return Pen(options, Pen::logical).ellipsis().width;
+  return Pen(options, Pen::logical).ellipsis();
 }
 
 // Whether a line's end is that of what Bidi takes for a paragraph: a vertical
@@ -300,7 +300,8 @@ void detail::shorten_line(const LayoutOptions& options,
                           Q26_6 width,
                           TextLine& line) noexcept {
   Cut cut;
-  int32_t sign = ellipsis_width(options);
+  const Pen::Sign ellipsis = ellipsis_of(options);
+  int32_t sign = ellipsis.width;
   cut.room = room_of(options, width) - sign;
   const bool is_middle =
       options.ellipsis == Ellipsis::middle && !options.wraps && cut.room > 0;
@@ -314,7 +315,8 @@ void detail::shorten_line(const LayoutOptions& options,
   line.has_ellipsis = true;
   line.skip_at = static_cast<uint16_t>(cut.front.end - line.begin);
   line.skip_length = static_cast<uint16_t>(cut.back_begin - cut.front.end);
-  if (!cut.front.has_spacing && line.base_level % 2 != 0) {
+  if (ellipsis.count != 0 && !cut.front.has_spacing &&
+      line.base_level % 2 != 0) {
     // The front is to the right of the sign, and not spaced from it.
     sign -= spacing_of(options);
   }
