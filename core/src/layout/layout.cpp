@@ -315,9 +315,10 @@ void detail::shorten_line(const LayoutOptions& options,
   line.has_ellipsis = true;
   line.skip_at = static_cast<uint16_t>(cut.front.end - line.begin);
   line.skip_length = static_cast<uint16_t>(cut.back_begin - cut.front.end);
-  if (ellipsis.count != 0 && !cut.front.has_spacing &&
-      line.base_level % 2 != 0) {
-    // The front is to the right of the sign, and not spaced from it.
+  if (line.base_level % 2 != 0 && !cut.front.has_spacing &&
+      (ellipsis.count != 0 || cut.back_begin != line.end())) {
+    // The front is to the right of the sign, and not spaced from it or, where
+    // no face has a sign, from the back.
     sign -= spacing_of(options);
   }
   line.width = to_units(options, cut.front.width + sign + cut.back_width);
