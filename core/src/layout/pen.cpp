@@ -90,6 +90,11 @@ int32_t Pen::from_units(int32_t units) const noexcept {
                    kMaxPx);
 }
 
+int32_t Pen::em() const noexcept {
+  return advances_.is_whole() ? (options_.face.style->size().raw + 32) >> 6
+                              : options_.face.font->units_per_em();
+}
+
 Pen::Glyph Pen::find(uint32_t code_point) const noexcept {
   Glyph found;
   uint32_t faces = static_cast<uint32_t>(options_.fallback.size);
@@ -117,7 +122,7 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
   if (shown == Shown::space && !glyph.is_found) {
     const uint32_t halves = halves_of_em(code_point);
     if (halves != 0) {
-      advance_out = advances_.em() * static_cast<int32_t>(halves) / 2;
+      advance_out = em() * static_cast<int32_t>(halves) / 2;
       return {};
     }
     glyph = find(' ');
@@ -184,8 +189,7 @@ int32_t Pen::tab_step() const noexcept {
     return from_px(options_.tab_width);
   }
   const Glyph space = find(' ');
-  return space.is_found ? clamp_to(8 * advance(space), kMaxPx)
-                        : advances_.em();
+  return space.is_found ? clamp_to(8 * advance(space), kMaxPx) : em();
 }
 
 // `step` is that of stops behind the last one of the options.

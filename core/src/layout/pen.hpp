@@ -124,6 +124,7 @@ class Pen {
   int32_t next_tab(int32_t step) const noexcept;
   void look_up_tab(uint8_t level, Cell& cell) noexcept;
   void begin_cell(uint8_t level, Cell& cell) noexcept;
+  int32_t em() const noexcept;
   Sign sign(uint32_t code_point, uint32_t other, uint32_t count) const noexcept;
 
   const LayoutOptions& options_;

@@ -31,10 +31,10 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// From this slope on, 3/8, the nearest point to a pixel beside an end may be
-// that end in rows up to kBeyondEnd beyond it, half a pixel times the sine of
-// the slope, or kWithinEnd before it, about half of that: feet in such rows lie
-// less far beyond the end. [Q16; px, Q8]
+// An edge of slope 3/8 or more has tips. A tip is a row near an end of the edge
+// where that end may be the nearest point to a pixel: a row at most kBeyondEnd
+// beyond the end, or at most kWithinEnd before it. The foot of a pixel lies up
+// to half a pixel times the sine of the slope away from its row. [Q16; px, Q8]
 constexpr int32_t kSlanted = 3 << 13;
 constexpr int32_t kBeyondEnd = 100;
 constexpr int32_t kWithinEnd = 56;

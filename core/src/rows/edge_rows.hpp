@@ -29,7 +29,7 @@ inline int32_t doubled_length(int32_t x, int32_t y) noexcept {
   return slanted > 2 * longer ? slanted : 2 * longer;
 }
 
-// What Edge::ends has.
+// Bits of Edge::ends.
 enum : uint32_t {
   // A corner, which has a vertex.
   kCornerBefore = 1,

@@ -41,9 +41,6 @@ class Advances {
     return is_whole() && units != 0 ? to_whole_px(units) : units;
   }
 
-  int32_t em() const noexcept {
-    return is_whole() ? (style_->size().raw + 32) >> 6 : font_.units_per_em();
-  }
   // A sum of them in font units, to the nearest. At most limit() in magnitude.
   int32_t to_units(int32_t sum) const noexcept;
 

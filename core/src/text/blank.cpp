@@ -12,8 +12,8 @@ struct Range {
         more_and_shown(
             static_cast<uint8_t>(more << 2 | static_cast<uint32_t>(shown))) {}
 
-  uint8_t low;  // of the first code point
-  uint8_t high;
+  uint8_t low;             // low byte of the first code point
+  uint8_t high;            // high byte
   uint8_t more_and_shown;  // code points after the first (at most 63), Shown
 };
 

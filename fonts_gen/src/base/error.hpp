@@ -38,13 +38,13 @@ struct Warning {
     no_outline,          // a glyph is a bitmap or in colour only: no ink
     unused_face,         // a merged face gives no character
     face_taken,          // the first of several, since none was chosen
-    default_instance,    // of a variable font: nobody chose another
+    default_instance,    // a variable font is converted at its defaults
   };
   Kind kind;
   std::string text;
 
-  /// As programs print it: "warning: <text>", or "note: <text>" of a choice
-  /// that was made for the person.
+  /// As programs print it: "warning: <text>", or "note: <text>" if the
+  /// generator chose a default.
   std::string message() const {
     return (kind == Kind::default_instance ? "note: " : "warning: ") + text;
   }

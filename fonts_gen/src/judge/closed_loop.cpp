@@ -190,7 +190,7 @@ class Gathering {
   const LoopOptions& options_;
   LoopResult result_;
   SizeError size_;
-  WrongPixel worst_pixel_;         // of the size at hand
+  WrongPixel worst_pixel_;         // of the current size
   std::vector<WrongPixel> wrong_;  // of all sizes
   double sum_ = 0;
   double pixels_ = 0;

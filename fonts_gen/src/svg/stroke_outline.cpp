@@ -7,6 +7,7 @@
 
 #include "shape/flatten.hpp"
 #include "shape/points.hpp"
+#include "svg/arc.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -141,20 +142,11 @@ class Border {
 
 class OutlinePen {
  public:
-  OutlinePen(const PenStyle& style,
-             double bound,
-             Circles& circles,
-             bool only_notes)
-      : style_(style),
-        half_(style.width / 2),
-        bound_(bound),
-        circles_(circles),
-        only_notes_(only_notes) {}
+  OutlinePen(const PenStyle& style, double bound)
+      : style_(style), half_(style.width / 2), bound_(bound) {}
 
   // False if a curve has a cusp.
-  bool draw(const std::vector<Piece>& pieces,
-            bool is_closed,
-            const CoveredEnds& covered) {
+  bool draw(const std::vector<Piece>& pieces, bool is_closed) {
     const std::vector<Piece> back = backwards(pieces);
     if (!side(pieces)) {
       return false;
@@ -163,7 +155,7 @@ class OutlinePen {
       join(pieces.back(), pieces.front());
       end_contour();
     } else {
-      cap(pieces.back(), covered.end);
+      cap(pieces.back());
     }
     if (!side(back)) {
       return false;
@@ -171,32 +163,24 @@ class OutlinePen {
     if (is_closed) {
       join(back.back(), back.front());
     } else {
-      cap(back.back(), covered.start);
+      cap(back.back());
     }
     end_contour();
     return true;
   }
 
   void spot(const Point& at) {
-    arc(at, {1, 0}, 2 * kPi);
+    arc(at, {half_, 0}, 2 * kPi);
     end_contour();
   }
 
   Outline take() { return std::move(outline_); }
 
  private:
-  // The handle goes with the point, so that the tangent stays.
-  static void begin_at(const Point& p, Segment& segment) {
-    if (degree(segment) > 1) {
-      segment.p[1] = segment.p[1] + (p - segment.p[0]);
-    }
-    segment.p[0] = p;
-  }
-
   // Adds a segment to the contour; it begins where the last one ended.
   void add(Segment segment) {
     if (!contour_.segments.empty()) {
-      begin_at(end_of(contour_.segments.back()), segment);
+      segment.p[0] = end_of(contour_.segments.back());
     }
     if (degree(segment) > 1 || !(segment.p[0] == segment.p[1])) {
       contour_.segments.push_back(segment);
@@ -206,16 +190,6 @@ class OutlinePen {
   void line_to(const Point& p) { add(line(p, p)); }
 
   void end_contour() {
-    if (contour_.segments.empty()) {
-      return;  // arcs are only noted
-    }
-    // As between segments, a gap that a smooth join leaves is closed.
-    Segment& first = contour_.segments.front();
-    const Point& last = end_of(contour_.segments.back());
-    const Point gap = last - first.p[0];
-    if (dot(gap, gap) <= 4 * bound_ * half_) {
-      begin_at(last, first);
-    }
     outline_.contours.push_back(std::exchange(contour_, {}));
   }
 
@@ -259,36 +233,19 @@ class OutlinePen {
            add_border(border, t, t1, halvings - 1);
   }
 
-  // Around `centre`, from the direction `from` by `angle`; a line in its place
-  // if it is covered. Arcs stay as they are: what comes before ends where they
-  // begin, and what follows begins where they end.
-  void arc(const Point& centre,
-           const Point& from,
-           double angle,
-           bool is_covered = false) {
-    const double begin = std::atan2(from.y, from.x);
-    if (only_notes_) {
-      circles_.note(centre, begin, angle);
-      return;
-    }
-    const std::vector<Segment> pieces = circles_.arc(centre, begin, angle);
-    if (pieces.empty()) {
-      return;
-    }
-    if (!contour_.segments.empty()) {
-      Segment& before = contour_.segments.back();
-      const int last = degree(before);
-      const Point way = pieces.front().p[0] - before.p[last];
-      before.p[last] = pieces.front().p[0];
-      if (last > 1) {
-        before.p[last - 1] = before.p[last - 1] + way;
-      }
-    }
-    if (is_covered) {
-      line_to(end_of(pieces.back()));
-    } else {
-      contour_.segments.insert(contour_.segments.end(), pieces.begin(),
-                               pieces.end());
+  // From `centre` + `from` by `angle` around `centre`.
+  void arc(const Point& centre, const Point& from, double angle) {
+    const int count = arc_pieces(angle);
+    const double k = arc_handle(angle / count);
+    Point a = from;
+    for (int i = 1; i <= count; ++i) {
+      const double c = std::cos(angle * i / count);
+      const double s = std::sin(angle * i / count);
+      const Point b = {c * from.x - s * from.y, s * from.x + c * from.y};
+      add({Segment::Kind::cubic,
+           {centre + a, centre + a - k * right_of(a),
+            centre + b + k * right_of(b), centre + b}});
+      a = b;
     }
   }
 
@@ -305,8 +262,7 @@ class OutlinePen {
     if (turn < 0) {
       line_to(at);
     } else if (style_.join == LineJoin::round) {
-      arc(at, right_of(in), turn);
-      return;
+      arc(at, half_ * right_of(in), turn);
     } else if (style_.join == LineJoin::miter &&
                cosine * style_.miter_limit >= 1) {
       const Point sum = half_ * (right_of(in) + right_of(out));
@@ -315,14 +271,12 @@ class OutlinePen {
     line_to(b);
   }
 
-  void cap(const Piece& last, bool is_covered) {
+  void cap(const Piece& last) {
     const Point& at = end_of(last.curve);
     const Point out = half_ * last.along_at_end;
     if (style_.cap == LineCap::round) {
-      arc(at, right_of(last.along_at_end), kPi, is_covered);
-      return;
-    }
-    if (style_.cap == LineCap::square) {
+      arc(at, right_of(out), kPi);
+    } else if (style_.cap == LineCap::square) {
       line_to(at + right_of(out) + out);
       line_to(at - right_of(out) + out);
     }
@@ -332,45 +286,27 @@ class OutlinePen {
   PenStyle style_;
   double half_;
   double bound_;
-  Circles& circles_;
-  bool only_notes_;
   Contour contour_;
   Outline outline_;
 };
-
-bool draw(const Subpath& subpath,
-          const PenStyle& style,
-          const CoveredEnds& covered,
-          OutlinePen& pen) {
-  const std::vector<Piece> pieces = pieces_of(subpath);
-  if (!pieces.empty()) {
-    return pen.draw(pieces, subpath.is_closed, covered);
-  }
-  if (style.cap != LineCap::round) {
-    return false;
-  }
-  pen.spot(subpath.segments.front().p[0]);
-  return true;
-}
 
 }  // namespace
 
 std::optional<Outline> stroke_outline(const Subpath& subpath,
                                       const PenStyle& style,
-                                      const CoveredEnds& covered,
-                                      double bound,
-                                      Circles& circles) {
-  OutlinePen pen(style, bound, circles, false);
-  return draw(subpath, style, covered, pen) ? std::optional<Outline>(pen.take())
-                                            : std::nullopt;
-}
-
-void note_arcs(const Subpath& subpath,
-               const PenStyle& style,
-               double bound,
-               Circles& circles) {
-  OutlinePen pen(style, bound, circles, true);
-  draw(subpath, style, CoveredEnds(), pen);
+                                      double bound) {
+  const std::vector<Piece> pieces = pieces_of(subpath);
+  OutlinePen pen(style, bound);
+  if (!pieces.empty()) {
+    if (!pen.draw(pieces, subpath.is_closed)) {
+      return std::nullopt;
+    }
+  } else if (style.cap == LineCap::round) {
+    pen.spot(subpath.segments.front().p[0]);
+  } else {
+    return std::nullopt;
+  }
+  return pen.take();
 }
 
 }  // namespace inkcell::gen

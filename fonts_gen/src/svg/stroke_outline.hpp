@@ -4,32 +4,22 @@
 #include <optional>
 
 #include "shape/outline.hpp"
-#include "svg/circles.hpp"
 #include "svg/path_data.hpp"
 #include "svg/style.hpp"
 
 namespace inkcell::gen {
 
-/// Contours that fill the stroke of path `number` of `circles` under the rule
-/// nonzero, in its units: the path moved by half a pen to each side, with joins
-/// and caps. Curves are cubics within `bound` of the exact border; round joins
-/// and caps are arcs of `circles`, within 1/200000 of half the pen; note_arcs()
-/// must have noted them, with those of all strokes of the drawing. Contours
-/// overlap themselves at the inner sides of joins.
+/// Contours that fill the stroke of `subpath` under the rule nonzero, in its
+/// units: the path moved by half a pen to each side, with joins and caps.
+/// Curves are cubics within `bound` of the exact border; round joins and caps
+/// are arcs within 1/200000 of half the pen. Contours overlap themselves at the
+/// inner sides of joins.
 ///
 /// Contours are wrong where the path turns tighter than half the pen: compare
 /// them with stroke_pieces(). Nothing where a curve has a cusp, and for a
 /// subpath without length unless its caps are round.
 std::optional<Outline> stroke_outline(const Subpath& subpath,
                                       const PenStyle& pen,
-                                      const CoveredEnds& covered,
-                                      double bound,
-                                      Circles& circles);
-
-/// Notes the arcs of the stroke of `subpath`, which is one of `circles`.
-void note_arcs(const Subpath& subpath,
-               const PenStyle& pen,
-               double bound,
-               Circles& circles);
+                                      double bound);
 
 }  // namespace inkcell::gen

@@ -1,11 +1,9 @@
 #include "svg/svg_drawing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -13,7 +11,6 @@
 
 #include "base/error.hpp"
 #include "svg/basic_shapes.hpp"
-#include "svg/circles.hpp"
 #include "svg/region.hpp"
 #include "svg/stroke.hpp"
 #include "svg/stroke_outline.hpp"
@@ -75,57 +72,30 @@ void append(const Outline& part, Outline& outline) {
                           part.contours.end());
 }
 
-// How `u` measures in the plane that `to_u` maps; the most of all directions.
-double length_before(const Affine& to_u, double u) {
-  return u / std::sqrt(to_u.xx * to_u.xx + to_u.xy * to_u.xy +
-                       to_u.yx * to_u.yx + to_u.yy * to_u.yy);
-}
-
-// The strokes of each pen and mapping.
-using Pens = std::map<std::array<double, 10>, Circles>;
-
-Circles& circles_of(const PenStyle& pen, const Affine& to_u, Pens& pens) {
-  return pens
-      .try_emplace({pen.width, static_cast<double>(pen.join), pen.miter_limit,
-                    static_cast<double>(pen.cap), to_u.xx, to_u.xy, to_u.yx,
-                    to_u.yy, to_u.dx, to_u.dy},
-                   pen, length_before(to_u, kStrokeBound_u),
-                   length_before(to_u, kSameJoint_u))
-      .first->second;
-}
-
 // The stroke of a path, mapped to u: curves where they are right, else chords.
 Outline stroked_area(const SvgPath& path,
                      const PenStyle& pen,
-                     const Affine& to_u,
-                     Circles& circles) {
-  const double bound = length_before(to_u, kStrokeBound_u);
-  const auto curves_of = [&](const Subpath& subpath, const CoveredEnds& ends) {
-    std::optional<Outline> curves =
-        stroke_outline(subpath, pen, ends, bound, circles);
-    if (curves) {
-      map(to_u, *curves);
-      *curves = filled_area(*curves, FillRule::nonzero);
-    }
-    return curves;
-  };
+                     const Affine& to_u) {
+  const double scale = std::sqrt(to_u.xx * to_u.xx + to_u.xy * to_u.xy +
+                                 to_u.yx * to_u.yx + to_u.yy * to_u.yy);
+  const double bound = kStrokeBound_u / scale;
   Outline area;
-  for (size_t i = 0; i < path.size(); ++i) {
-    const size_t number = circles.next();
-    const Subpath& subpath = circles.path(number);
+  for (const Subpath& subpath : path) {
     std::vector<Corners> pieces = stroke_pieces(subpath, pen, bound);
     for (Corners& piece : pieces) {
       for (Point& p : piece) {
         p = to_u.map(p.x, p.y);
       }
     }
-    const Outline chords = united_area(pieces);
-    // Caps are left out of curves that are right with them.
-    const std::optional<Outline> whole = curves_of(subpath, CoveredEnds());
-    const bool is_right =
-        whole && fill_alike(*whole, chords, 2 * kStrokeBound_u);
-    append(is_right ? *curves_of(subpath, circles.covered(number)) : chords,
-           area);
+    Outline part = united_area(pieces);
+    if (std::optional<Outline> curves = stroke_outline(subpath, pen, bound)) {
+      map(to_u, *curves);
+      Outline filled = filled_area(*curves, FillRule::nonzero);
+      if (fill_alike(filled, part, 2 * kStrokeBound_u)) {
+        part = std::move(filled);
+      }
+    }
+    append(part, area);
   }
   return area;
 }
@@ -136,10 +106,7 @@ class Reader {
 
   Outline run(const Affine& to_u) {
     refuse_style_sheets();
-    for (const bool only_notes : {true, false}) {
-      only_notes_ = only_notes;
-      read(root_, PaintStyle(), to_u, kMostDepth);
-    }
+    read(root_, PaintStyle(), to_u, kMostDepth);
     return std::move(outline_);
   }
 
@@ -192,31 +159,13 @@ class Reader {
     if (path.empty()) {
       return;
     }
-    if (only_notes_) {
-      note(path, style, to_u);
-      return;
-    }
     if (style.fill != "none") {
       Outline fill = contours_of(path);
       map(to_u, fill);
       add(filled_area(fill, style.rule), style.fill);
     }
     if (style.stroke != "none") {
-      add(stroked_area(path, style.pen, to_u,
-                       circles_of(style.pen, to_u, pens_)),
-          style.stroke);
-    }
-  }
-
-  // Notes the arcs of strokes.
-  void note(const SvgPath& path, const PaintStyle& style, const Affine& to_u) {
-    if (style.stroke == "none") {
-      return;
-    }
-    Circles& circles = circles_of(style.pen, to_u, pens_);
-    for (const Subpath& subpath : path) {
-      note_arcs(circles.add(subpath), style.pen,
-                length_before(to_u, kStrokeBound_u), circles);
+      add(stroked_area(path, style.pen, to_u), style.stroke);
     }
   }
 
@@ -238,8 +187,6 @@ class Reader {
   pugi::xml_node current_;
   std::string color_;
   Outline outline_;
-  Pens pens_;
-  bool only_notes_ = false;
 };
 
 }  // namespace

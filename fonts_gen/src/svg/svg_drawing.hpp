@@ -54,8 +54,4 @@ class SvgDrawing {
 /// 64 px/em.
 inline constexpr double kStrokeBound_u = 1.0 / 64;
 
-/// Ends and joints of strokes that are closer are one: programs that draw round
-/// them. [u] 1/300 px at 64 px/em.
-inline constexpr double kSameJoint_u = 1.0 / 20;
-
 }  // namespace inkcell::gen
