@@ -325,15 +325,19 @@ def demo_evidence(work, host):
                 work / "demo"], env={**own, "PATH": path}, cwd=ROOT)
     if done.returncode != 0:
         sys.exit(done.stdout)
-    boards = sorted(folder for folder in
-                    (host / "host_tools/screens").iterdir()
-                    if (folder / "CMakeCache.txt").exists())
-    targets = ["inkcell_demo", *(f"scene_hosts_{b.name}" for b in boards)]
+    screens = json.loads((host / "host_tools/screens/screens.json").read_text())
+    boards = {screen["board"]: pathlib.Path(screen["build"])
+              for screen in screens}
+    targets = ["inkcell_demo", *(f"scene_hosts_{board}" for board in boards)]
     found.add_cache(work / "demo")
     found.add_ninja(host, targets)
-    for board in boards:
-        found.add_cache(board)
-        found.add_ninja(board)
+    for board, folder in boards.items():
+        if not (folder / "CMakeCache.txt").exists():
+            sys.exit(f"{folder}: the firmware of {board} is not built; run the "
+                     f"test screens.{board}.build first")
+        found.add_cache(folder)
+        found.add_ninja(folder, [f"demo_{screen['format']}" for screen in
+                                 screens if screen["board"] == board])
     script = ROOT / "host_tools/demo.sh"
     scripts = [script, *scripts_from([script.read_text()], modules=False)]
     found.add_scripts(scripts)
