@@ -240,26 +240,6 @@ TEST(Unite, SliversAreDropped) {
   EXPECT_EQ(count(0.3, 1), 2u);
 }
 
-// A contour that comes back along itself, as where a curve ends a little
-// behind the corner that it should end in.
-TEST(Unite, ShortSpikesAndSlitsAreDropped) {
-  const auto count = [](double height, double width) {
-    return segment_count(unite(outline({polygon({{0, 0},
-                                                 {300, 0},
-                                                 {300, 100},
-                                                 {200, 100},
-                                                 {200, 100 + height},
-                                                 {200 - width, 100},
-                                                 {0, 100}})})));
-  };
-  EXPECT_EQ(count(2, 0.05), 6u);
-  EXPECT_EQ(count(-2, 0.05), 6u);
-  // Long ones are thin parts, wide ones are serifs.
-  EXPECT_EQ(count(20, 0.05), 7u);
-  EXPECT_EQ(count(-20, 0.05), 7u);
-  EXPECT_EQ(count(2, 0.5), 7u);
-}
-
 TEST(Unite, GlyphsOfFonts) {
   struct Glyphs {
     const char* file;

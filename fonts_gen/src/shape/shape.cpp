@@ -26,11 +26,6 @@ constexpr uint32_t kEdgesPerLeaf = 6;
 constexpr double kLeastArea = 4;  // [u^2]
 constexpr double kLeastWidth_u = 1.0 / 8;
 
-// Where a contour comes back along itself as near as that, it leaves a spike or
-// a slit. Shorter ones are accidents of the same kind. [u]
-constexpr double kLeastSpike_u = 4;
-constexpr double kSpike_cos = -0.95;
-
 // Height of the bands that hold the edges for a horizontal line. [u]
 constexpr double kRowHeight_u = 4;
 
@@ -90,38 +85,6 @@ bool is_sliver(const ClipperLib::Path& path) {
   return area < kLeastArea && 2 * area < kLeastWidth_u * border_u;
 }
 
-// Whether the corner `b` is the end of a spike or a slit, from which the
-// contour comes back: the shorter edge lies on the longer one.
-bool is_spike(const Point& a, const Point& b, const Point& c) {
-  const Point in = b - a;
-  const Point out = c - b;
-  const bool comes_back = dot(in, out) < kSpike_cos * length(in) * length(out);
-  if (!comes_back || std::min(length(in), length(out)) > kLeastSpike_u) {
-    return false;
-  }
-  const double aside = length(in) < length(out)
-                           ? squared_distance_to_segment(a, b, c)
-                           : squared_distance_to_segment(c, a, b);
-  return aside < kLeastWidth_u * kLeastWidth_u;
-}
-
-void drop_spikes(ClipperLib::Path& path) {
-  for (size_t i = 0, passed = 0; path.size() > 3 && passed < path.size();) {
-    const size_t n = path.size();
-    i %= n;
-    if (is_spike(from_clipper(path[(i + n - 1) % n]), from_clipper(path[i]),
-                 from_clipper(path[(i + 1) % n]))) {
-      path.erase(path.begin() + static_cast<ptrdiff_t>(i));
-      // The corner before it may end what is left of the spike.
-      i = (i + n - 2) % (n - 1);
-      passed = 0;
-    } else {
-      ++i;
-      ++passed;
-    }
-  }
-}
-
 Box box_of(const std::vector<Edge>& edges, size_t first, size_t count) {
   Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
   for (size_t i = first; i < first + count; ++i) {
@@ -158,11 +121,10 @@ double crossing(const Edge& edge, double y) {
 }  // namespace
 
 Shape::Shape(const Outline& outline) {
-  for (ClipperLib::Path& path : unite(outline)) {
+  for (const ClipperLib::Path& path : unite(outline)) {
     if (is_sliver(path)) {
       continue;
     }
-    drop_spikes(path);
     for (size_t i = 0; i < path.size(); ++i) {
       const ClipperLib::IntPoint& next = path[(i + 1) % path.size()];
       if (path[i] != next) {

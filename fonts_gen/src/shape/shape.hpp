@@ -34,8 +34,7 @@ struct Edge {
 class Shape {
  public:
   /// Degenerate contours fill nothing and are dropped, and so are islands and
-  /// holes of less than 4 u^2 whose mean width is less than 1/8 u, and spikes
-  /// and slits that are as narrow and shorter than 4 u.
+  /// holes of less than 4 u^2 whose mean width is less than 1/8 u.
   ///
   /// Throws GeometryError::bad_coordinates.
   explicit Shape(const Outline& outline);
