@@ -8,12 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "slivers.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -25,7 +28,7 @@ using Chord = TrueGlyph::Chord;
 constexpr int kShift = 6;
 
 // How far beside a piece the winding number is asked for. [u]
-constexpr double kBeside = 1e-4;
+constexpr double kBeside = 1e-7;
 
 // Width of a square of TrueTiles in limits.
 constexpr double kTileLimits = 2;
@@ -277,22 +280,36 @@ void TrueGlyph::split(size_t index) {
   }
 }
 
-// Drops the pieces with the same filling on both sides.
+// Drops the pieces with the same filling on both sides. The area lies to the
+// left of those that are kept.
 void TrueGlyph::keep_border() {
-  std::vector<Chord> border;
-  std::vector<Group> groups;
-  for (const Group& group : groups_) {
-    Group kept{border.size(), 0, {}, {}};
+  for (Group& group : groups_) {
+    size_t kept = group.begin;
     for (size_t i = group.begin; i < group.end; ++i) {
-      const Chord& piece = pieces_[i];
+      const Chord piece = pieces_[i];
       const Vector along = piece.b - piece.a;
       const double step = kBeside / length(along);
       const Vector side = {-along.y * step, along.x * step};
       const Vector middle = 0.5 * (piece.a + piece.b);
-      if ((winding(middle + side) != 0) != (winding(middle - side) != 0)) {
-        border.push_back(piece);
+      const bool left = winding(middle + side) != 0;
+      if (left != (winding(middle - side) != 0)) {
+        pieces_[kept++] = left ? piece : Chord{piece.b, piece.a};
       }
     }
+    group.end = kept;
+  }
+  drop_slivers();
+}
+
+// Keeps what is left of each group, and finds the boxes.
+void TrueGlyph::set_groups() {
+  std::vector<Chord> border;
+  std::vector<Group> groups;
+  for (const Group& group : groups_) {
+    Group kept{border.size(), 0, {}, {}};
+    border.insert(border.end(),
+                  pieces_.begin() + static_cast<std::ptrdiff_t>(group.begin),
+                  pieces_.begin() + static_cast<std::ptrdiff_t>(group.end));
     kept.end = border.size();
     if (kept.end > kept.begin) {
       kept.low = kept.high = border[kept.begin].a;
@@ -315,6 +332,23 @@ void TrueGlyph::keep_border() {
   }
 }
 
+void TrueGlyph::drop_slivers() {
+  set_groups();
+  const std::vector<bool> is_sliver = find_slivers(pieces_);
+  for (Group& group : groups_) {
+    size_t kept = group.begin;
+    for (size_t i = group.begin; i < group.end; ++i) {
+      if (is_sliver[i]) {
+        slivers_.push_back(pieces_[i]);
+      } else {
+        pieces_[kept++] = pieces_[i];
+      }
+    }
+    group.end = kept;
+  }
+  set_groups();
+}
+
 // Counts how often contours pass a ray to the right of `p`, upwards less
 // downwards.
 int TrueGlyph::winding(Vector p) const {
@@ -330,13 +364,22 @@ int TrueGlyph::winding(Vector p) const {
   return turns;
 }
 
+// Inside a sliver is what lies around it.
+bool TrueGlyph::is_filled(Vector p) const {
+  int turns = 0;
+  for (const Chord& sliver : slivers_) {
+    turns += passes(sliver, p);
+  }
+  return (winding(p) != 0) != (turns != 0);
+}
+
 double TrueGlyph::distance(Vector p, double limit) const {
   double best = limit * limit;
   for (const Chord& piece : pieces_) {
     best = std::min(best, squared_distance(p, piece));
   }
   const double distance = std::sqrt(best);
-  return winding(p) != 0 ? distance : -distance;
+  return is_filled(p) ? distance : -distance;
 }
 
 TrueTiles::TrueTiles(const TrueGlyph& glyph, double limit)
@@ -378,7 +421,11 @@ double TrueTiles::distance(Vector p) {
   for (const Chord& chord : tile.passing) {
     turns += passes(chord, p);
   }
-  return turns != 0 ? distance : -distance;
+  int sliver_turns = 0;
+  for (const Chord& sliver : tile.slivers) {
+    sliver_turns += passes(sliver, p);
+  }
+  return (turns != 0) != (sliver_turns != 0) ? distance : -distance;
 }
 
 void TrueTiles::look(Vector low, Tile& tile) const {
@@ -398,7 +445,7 @@ void TrueTiles::look(Vector low, Tile& tile) const {
     }
   }
   if (tile.near.empty()) {
-    tile.filled = glyph_.winding(low + Vector{size_ / 2, size_ / 2}) != 0;
+    tile.filled = glyph_.is_filled(low + Vector{size_ / 2, size_ / 2});
     return;
   }
   constexpr double kFar = 1e9;
@@ -407,6 +454,11 @@ void TrueTiles::look(Vector low, Tile& tile) const {
   for (const Chord& chord : glyph_.chords_) {
     if (boxes_meet(to_the_right, chord)) {
       tile.passing.push_back(chord);
+    }
+  }
+  for (const Chord& sliver : glyph_.slivers_) {
+    if (boxes_meet(to_the_right, sliver)) {
+      tile.slivers.push_back(sliver);
     }
   }
 }

@@ -3,7 +3,9 @@
 // The judge of the generator: it shares no source file with it. It loads the
 // outline with FreeType itself, cuts curves into chords in its own way, finds
 // the border of the filled area by asking for the winding number on both sides
-// of every piece, and measures to those pieces.
+// of every piece, and measures to those pieces. Islands and holes of next to no
+// width, which contours leave that cross by accident, are no part of the area
+// (docs/DESIGN.md).
 #pragma once
 
 #include <cstdint>
@@ -60,11 +62,15 @@ class TrueGlyph {
   void find_curves(const std::vector<size_t>& curve_ends);
   void split(size_t index);
   void keep_border();
+  void set_groups();
+  void drop_slivers();
+  bool is_filled(Vector p) const;
 
-  std::vector<Chord> chords_;  // all, for the winding number
-  std::vector<Group> curves_;  // of chords_
-  std::vector<Chord> pieces_;  // the border
-  std::vector<Group> groups_;  // of pieces_
+  std::vector<Chord> chords_;   // all, for the winding number
+  std::vector<Chord> slivers_;  // borders that do not count, likewise
+  std::vector<Group> curves_;   // of chords_
+  std::vector<Chord> pieces_;   // the border
+  std::vector<Group> groups_;   // of pieces_
   Vector low_;
   Vector high_;
 };
@@ -91,6 +97,7 @@ class TrueTiles {
     bool filled = false;  // if nothing is near
     std::vector<TrueGlyph::Chord> near;
     std::vector<TrueGlyph::Chord> passing;  // for the winding number
+    std::vector<TrueGlyph::Chord> slivers;
   };
 
   void look(Vector low, Tile& tile) const;

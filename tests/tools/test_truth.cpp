@@ -99,6 +99,40 @@ TEST(TrueGlyph, CrossedContourIsFilledOnBothSides) {
   EXPECT_NEAR(distance(glyph, 50, 80), -30 / std::sqrt(2.0), 1e-9);
 }
 
+// Two boxes beside each other, joined below and, if `is_closed`, above.
+TrueGlyph gap(double width, bool is_closed) {
+  Polygons boxes;
+  boxes.add_box(0, 0, 50, 40).add_box(50 + width, 0, 100, 40);
+  boxes.add_box(40, 0, 60, 10);
+  if (is_closed) {
+    boxes.add_box(40, 30, 60, 40);
+  }
+  return boxes.glyph();
+}
+
+TEST(TrueGlyph, HoleOfNextToNoWidthIsFilled) {
+  EXPECT_NEAR(distance(gap(0.02, true), 50.01, 20), 20, 0.02);
+  EXPECT_NEAR(distance(gap(0.02, true), 45, 20), 20, 1e-9);
+  // A hole that is wide enough, and a slit that leads outside.
+  EXPECT_NEAR(distance(gap(0.2, true), 50.1, 20), -0.1, 1e-9);
+  EXPECT_NEAR(distance(gap(0.02, false), 50.01, 20), -0.01, 1e-9);
+}
+
+TEST(TrueGlyph, IslandOfNextToNoWidthIsEmpty) {
+  // One at the corner of a box, and one that stands alone.
+  const TrueGlyph glyph = Polygons()
+                              .add_box(0, 0, 100, 40)
+                              .add({{100, 40}, {110, 40}, {110, 40.05}})
+                              .add_box(200, 0, 200.1, 20)
+                              .glyph();
+  EXPECT_NEAR(distance(glyph, 109.9, 40.02), -std::hypot(9.9, 0.02), 1e-9);
+  EXPECT_NEAR(distance(glyph, 200.05, 20), -100.05, 1e-9);
+  EXPECT_NEAR(distance(glyph, 90, 20), 10, 1e-9);
+  const TrueGlyph wide =
+      Polygons().add_box(0, 0, 100, 40).add_box(200, 0, 200.2, 20).glyph();
+  EXPECT_NEAR(distance(wide, 200.1, 10), 0.1, 1e-9);
+}
+
 TEST(TrueGlyph, LimitClamps) {
   const TrueGlyph glyph = Polygons().add_box(0, 0, 100, 100).glyph();
   EXPECT_EQ(glyph.distance({50, 50}, 8), 8);
