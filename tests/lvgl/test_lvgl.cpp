@@ -261,6 +261,24 @@ TEST(fallbacks_are_drawn) {
   }
 }
 
+// A soft hyphen, a joiner, a diacritic; and spaces of other widths.
+TEST(what_needs_no_glyph_is_no_box) {
+  inkcell_lv_font_t font;
+  CHECK(make_font(font, 14 * 64));
+  for (const uint32_t letter : {0xadu, 0x200du, 0x301u, 0xfe0fu}) {
+    CHECK_EQ(lv_font_get_glyph_width(&font.lv, letter, 0), 0);
+  }
+  for (const uint32_t letter : {0xa0u, 0x2009u, 0x3000u}) {
+    CHECK_EQ(lv_font_get_glyph_width(&font.lv, letter, 0),
+             lv_font_get_glyph_width(&font.lv, ' ', 0));
+  }
+  CHECK_EQ(
+      count_other(draw(font, false, LV_COLOR_FORMAT_L8, 16, text("e i")),
+                  draw(font, false, LV_COLOR_FORMAT_L8, 16,
+                       text("e\xcc\x81\xe2\x80\x89\xc2\xadi\xe2\x80\x8d"))),
+      0);
+}
+
 TEST(sub_pixels_are_drawn_on_opaque_colour) {
   Look look = text("mill");
   look.colour = 0x000000;

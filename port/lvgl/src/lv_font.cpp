@@ -18,6 +18,37 @@ void draw_plain(const FontState& state,
   draw_glyph(state.font, glyph, state.style, origin, sink, state.workspace);
 }
 
+// What text shows where the font lacks a character that needs no glyph: a space
+// of its own width, or nothing. [font units]
+int32_t blank_advance(const Font& font, uint32_t letter) noexcept {
+  const auto last = [](uint32_t bits) noexcept {
+    return static_cast<char>(0x80 | (bits & 0x3f));
+  };
+  const char utf8[] = {static_cast<char>(0xe0 | letter >> 12),
+                       last(letter >> 6), last(letter)};
+  const char two[] = {static_cast<char>(0xc0 | letter >> 6), last(letter)};
+  const char one[] = {static_cast<char>(letter)};
+  return measure(font, letter < 0x80      ? Text{one, 1}
+                       : letter < 0x800   ? Text{two, 2}
+                       : letter < 0x10000 ? Text{utf8, 3}
+                                          : Text{})
+      .advance;
+}
+
+// LVGL asks fallbacks for the character first, and shows this if they lack it
+// too.
+void set_blank(const FontState& state,
+               uint32_t letter,
+               lv_font_glyph_dsc_t& out) noexcept {
+  const int32_t units = blank_advance(state.font, letter);
+  out.adv_w = static_cast<uint16_t>(
+      (to_px(state.font, state.style, units).raw + 32) >> 6);
+  out.box_w = 0;
+  out.box_h = 0;
+  out.format = LV_FONT_GLYPH_FORMAT_NONE;
+  out.is_placeholder = true;
+}
+
 // [px] Between whole pixels and after kerning, to the nearest.
 int32_t advance_px(const FontState& state,
                    uint16_t glyph,
@@ -48,7 +79,11 @@ bool get_glyph_dsc(const lv_font_t* lv_font,
   const FontState& state = *state_of(lv_font);
   uint16_t glyph = 0;
   if (state.font.glyph_of(letter, glyph) != Status::ok) {
-    return false;
+    if (needs_glyph(letter)) {
+      return false;
+    }
+    set_blank(state, letter, *out);
+    return true;
   }
   out->adv_w = to_uint16(advance_px(state, glyph, next_letter));
   Rect box = glyph_box(state.font, glyph, state.style, {});
