@@ -38,7 +38,7 @@ tools=$host/host_tools
 fontgen=$host/fonts_gen/inkcell-fontgen
 
 echo "Making fonts of $(basename "$font"), and comparing with the exact distance"
-for coding in outline edges samples; do
+for coding in outline samples; do
   "$fontgen" --font "$font" --coding $coding --out "$out/$coding.bin" \
     --report "$out/$coding.json" >>"$out/sizes.txt"
   "$tools/inkcell-accuracy" --font "$out/$coding.bin" --truth "$font" \
@@ -46,7 +46,7 @@ for coding in outline edges samples; do
 done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
-python3 host_tools/size_table.py "$out" outline edges samples >"$out/table.txt"
+python3 host_tools/size_table.py "$out" outline samples >"$out/table.txt"
 cat "$out/table.txt"
 
 echo "Drawing on this machine"
@@ -56,13 +56,11 @@ echo "Drawing on this machine"
   --draw-effects "$out/effects.png" --draw-lcd "$out/lcd.png" \
   --draw-levels "$out/levels.png" --draw-maps "$out/maps.png" \
   --draw-fitting "$out/fitting.png"
-"$tools/inkcell-specimen" "$out/edges.bin" --draw-contrast "$out/contrast.png" \
+"$tools/inkcell-specimen" "$out/samples.bin" --draw-contrast "$out/contrast.png" \
   --draw-motion "$out/motion.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --draw-digits "$out/digits.png"
-for coding in samples edges; do
-  "$tools/inkcell-inspect" "$out/$coding.bin" --cells "$out/cells_$coding.png" \
-    >>"$out/sizes.txt"
-done
+"$tools/inkcell-inspect" "$out/samples.bin" --cells "$out/cells.png" \
+  >>"$out/sizes.txt"
 "$tools/inkcell-inspect" "$out/outline.bin" --points "$out/points.png" \
   --field "$out/field.png" >>"$out/sizes.txt"
 "$tools/inkcell-inspect" "$out/outline.bin" --sheet "$out/sheet.png" \
@@ -109,10 +107,9 @@ describe() {
   fi
 }
 describe outline.bin "95 characters for 8 to 64 px, outlines"
-describe edges.bin "the same, cells of up to three fields"
 describe samples.bin "the same, cells of nine distances"
 describe digits.bin "digits for 48 to 200 px"
-describe table.txt "the three side by side"
+describe table.txt "the two side by side"
 describe sizes.txt "bytes of their parts, points and cells of each glyph"
 describe accuracy.txt "errors of pixels against the exact distance"
 describe speed.txt "instructions for a frame of each board"
@@ -134,8 +131,7 @@ describe motion.png "motion blur"
 describe enlarged.png "pixels of 24 px type"
 describe points.png "the contours of a glyph and their points"
 describe field.png "the distance field of an outline near its edge"
-describe cells_samples.png "the distance field of a glyph and its cells"
-describe cells_edges.png "the same with fields: green one, blue two, red three"
+describe cells.png "the distance field of a glyph and its cells"
 describe sheet.png "all glyphs"
 for picture in "$out"/*_scene_*.png; do
   describe "$(basename "$picture")" "a screen, as the board showed it"

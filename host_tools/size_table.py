@@ -17,7 +17,7 @@ def column(folder, name):
     made = json.loads((folder / f"{name}.json").read_text())
     judged = json.loads((folder / f"{name}_accuracy.json").read_text())
     total = next(row for row in judged["rows"] if "px" not in row)
-    size, kinds = made["bytes"], made["cells_by_kind"]
+    size = made["bytes"]
     return {
         "": made["coding"],
         "font file, bytes": size["total"],
@@ -25,9 +25,6 @@ def column(folder, name):
         "bytes a glyph": round(size["glyphs"] / made["glyphs"]),
         "points": made["point_count"],
         "cells": made["cell_count"],
-        "with one, two, three primitives": ", ".join(
-            str(kinds[kind]) for kind in ("single", "pair", "triple")),
-        "distinct primitives": made["primitive_count"],
         "worst pixel, 1/255": f"{total['max']:.1f}",
         "mean, 1/255": f"{total['mean']:.2f}",
     }

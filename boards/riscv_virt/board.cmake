@@ -15,4 +15,3 @@ set(INKCELL_DEMO_TEXT_PX 18)
 # QEMU's options for a display of each format.
 set(INKCELL_DISPLAY_DEVICE_xrgb8888 "-device bochs-display,romfile=")
 set(INKCELL_DISPLAY_DEVICE_rgb565 "-device VGA,romfile=")
-set(INKCELL_DEMO_CODING edges)

@@ -9,7 +9,7 @@
 #     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [INSTANCE <name>] [AXIS <tag=value>...]    of a variable font
-#     [CODING outline|edges|samples] [HINTS on|off]
+#     [CODING outline|samples] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
 #     [MERGE <file>[:<setting>,...][=<list>]...]    more faces, in order of
@@ -27,11 +27,10 @@
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 # CODING says what glyphs are made of:
 #   outline   points of lines and curves, about 6 KB for 95 characters; default
-#   edges     a quadtree of cells of edges: the field at any point, in place
-#   samples   a quadtree of cells of nine distances, as the paper has it
-# The library draws outlines; edges or samples make it draw those as well, in all
-# programs of the build. Fonts that no inkcell_add_font() makes, and fields
-# that are generated on the device, need INKCELL_EDGE_CELLS or INKCELL_SAMPLE_CELLS.
+#   samples   a quadtree of cells of nine distances: the field at any point
+# The library draws outlines; samples make it draw those as well, in all programs
+# of the build. Fonts of samples that no inkcell_add_font() makes, and fields that
+# are generated on the device, need INKCELL_SAMPLE_CELLS.
 #
 # A glyph that misses TOLERANCE is an error, unless BEST_EFFORT is there. One that
 # misses the default, 16, is drawn as well as possible, with a warning.
@@ -199,11 +198,10 @@ function(_inkcell_face_options to_options to_inputs merge svg folders)
   set(${to_inputs} "${files}" PARENT_SCOPE)
 endfunction()
 
-# Has the library draw what fonts of a coding are made of. In a font of edges,
-# glyphs that edges cannot hold are of samples.
+# Has the library draw what fonts of a coding are made of.
 function(_inkcell_draw_coding coding)
   get_property(library GLOBAL PROPERTY inkcell_library)
-  if(NOT library OR NOT coding MATCHES "edges|samples")
+  if(NOT library OR NOT coding STREQUAL "samples")
     return()
   endif()
   set(scope PUBLIC)
@@ -212,9 +210,6 @@ function(_inkcell_draw_coding coding)
     set(scope INTERFACE)
   endif()
   target_compile_definitions(${library} ${scope} INKCELL_SAMPLE_CELLS=1)
-  if(coding STREQUAL "edges")
-    target_compile_definitions(${library} ${scope} INKCELL_EDGE_CELLS=1)
-  endif()
 endfunction()
 
 function(inkcell_add_font target)
@@ -254,7 +249,7 @@ function(inkcell_add_font target)
       "inkcell_add_font: icons without FONT need a NAME <identifier>")
   endif()
 
-  _inkcell_check_choice(CODING "${arg_CODING}" outline edges samples)
+  _inkcell_check_choice(CODING "${arg_CODING}" outline samples)
   _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
   _inkcell_check_choice(LANGUAGE "${arg_LANGUAGE}" CXX C)

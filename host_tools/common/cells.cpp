@@ -11,8 +11,7 @@ std::vector<LeafCell> leaf_cells(const GlyphField& field) {
       const Cell cell = locate(field, x, y);
       const int32_t side = 1 << cell.size_log2;
       if (cell.y0_u == y) {
-        leaves.push_back(
-            {cell.x0_u, y, side, cell.field_count, cell.is_saturated()});
+        leaves.push_back({cell.x0_u, y, side, cell.is_saturated()});
       }
       x = cell.x0_u + side;
     }

@@ -13,7 +13,6 @@ struct LeafCell {
   int32_t x_u = 0;
   int32_t y_u = 0;
   int32_t side_u = 0;
-  int fields = 0;  // 0: saturated, or samples
   bool is_saturated = false;
 };
 

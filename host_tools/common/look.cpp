@@ -86,22 +86,6 @@ LookOptions fill_in(LookOptions options, Use use) {
   return options;
 }
 
-// Whether glyphs have ink, but none of them cells of samples.
-bool lacks_samples(const Font& font) {
-  bool has_ink = false;
-  for (uint32_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
-    GlyphField field;
-    if (font.field(static_cast<uint16_t>(glyph), field) == Status::ok &&
-        field.references != nullptr) {
-      if (field.kind == GlyphField::Kind::samples) {
-        return false;
-      }
-      has_ink = true;
-    }
-  }
-  return has_ink;
-}
-
 }  // namespace
 
 void add_look_options(CLI::App& app, LookOptions& options) {
@@ -119,10 +103,10 @@ void add_look_options(CLI::App& app, LookOptions& options) {
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
       "Distances a pixel: one; adaptive, up to 13 where one is not accurate "
-      "enough; paper, as the paper has it; splats, cells of samples smaller "
-      "than a pixel once each; all but one for --coding edges and samples; "
-      "auto, one, but of cells adaptive below 10 px and for jobs of kind "
-      "anim [one; auto with --jobs]");
+      "enough; paper, as the paper has it; splats, cells smaller than a pixel "
+      "once each; all but one for --coding samples; auto, one, but of cells "
+      "adaptive below 10 px and for jobs of kind anim [one; auto with "
+      "--jobs]");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
                  "of kind anim, 1.3 for paper and splats]")
@@ -198,12 +182,7 @@ Look::Look(const LookOptions& asked,
     throw std::runtime_error(
         "--motion, --rules and --samples adaptive, paper and splats need "
         "distances at any point, and this font has outlines: make it by "
-        "inkcell-fontgen --coding edges");
-  }
-  if (style_.effect().options == &splats_ && lacks_samples(font)) {
-    throw std::runtime_error(
-        "--samples splats draws cells of samples, and this font has none: make "
-        "it by inkcell-fontgen --coding samples");
+        "inkcell-fontgen --coding samples");
   }
   set_hint(options, font, use);
 }

@@ -16,6 +16,9 @@
 namespace inkcell::tools {
 namespace {
 
+// Cells of lines and arcs, which versions before this one made.
+constexpr uint8_t kCodingOfEdges = 1;
+
 std::string remedy(Status status) {
   switch (status) {
     case Status::bad_magic:
@@ -63,13 +66,18 @@ std::string_view status_name(Status status) {
 std::string_view coding_name(const Font& font) {
   const auto coding =
       static_cast<format::Coding>(font.rom().data[format::header::kCoding]);
-  return coding == format::Coding::outline ? "outline"
-         : coding == format::Coding::edges ? "edges"
-                                           : "samples";
+  return coding == format::Coding::outline ? "outline" : "samples";
 }
 
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
     : bytes_(std::move(bytes)) {
+  if (is_rom_font(bytes_) && bytes_.size() >= format::header::kBytes &&
+      bytes_[format::header::kCoding] == kCodingOfEdges) {
+    throw std::runtime_error(
+        name +
+        ": it is a font of edges, which this version cannot read; make "
+        "it again by inkcell-fontgen --coding outline (unsupported)");
+  }
   const Status status = Font::open({bytes_.data(), bytes_.size()}, font_);
   if (status != Status::ok) {
     throw std::runtime_error(name + ": " + remedy(status) + " (" +

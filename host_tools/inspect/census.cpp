@@ -2,7 +2,6 @@
 #include "census.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "bytes.hpp"
 #include "inkcell/format/rom.hpp"
@@ -11,68 +10,12 @@
 namespace inkcell::tools {
 namespace {
 
-// The fields that a glyph's cells refer to: where they lie.
-using FieldUnits = std::set<uint16_t>;
-
-void count_cell(const Cell& cell, CellCensus& cells) {
-  if (cell.samples != nullptr) {
-    ++cells.samples;
-  } else if (cell.field_count == 1) {
-    ++cells.single;
-  } else if (cell.field_count == 2) {
-    ++cells.pairs;
-  } else {
-    ++cells.triples;
-  }
-}
-
-size_t references_of(const GlyphField& field, int nodes) {
-  return static_cast<size_t>(field.tiles_x) * field.tiles_y +
-         4 * static_cast<size_t>(nodes);
-}
-
-// Of the heap of linked fields.
-std::vector<RecordPart> heap_parts(const GlyphCensus& glyph,
-                                   const FieldUnits& units) {
-  namespace linked = format::linked;
-  const auto arcs = static_cast<size_t>(std::count_if(
-      units.begin(), units.end(),
-      [](uint16_t unit) { return (unit & linked::kArcField) != 0; }));
-  const size_t lines = units.size() - arcs;
-  const size_t references = 2 * references_of(glyph.field, glyph.nodes);
-  const size_t arc_bytes = 2 * linked::kArcUnits * arcs;
-  const size_t line_bytes = 2 * linked::kLineUnits * lines;
-  const size_t heap = size_t{2} * glyph.field.heap_units;
-  const size_t known = references + arc_bytes + line_bytes;
-  return {{"references", references},
-          {"arcs", arc_bytes},
-          {"lines", line_bytes},
-          {"pairs and triples", heap > known ? heap - known : 0}};
-}
-
-std::vector<RecordPart> parts_of(const GlyphCensus& glyph,
-                                 const FieldUnits& units) {
-  namespace edges = format::edges;
-  const GlyphField& field = glyph.field;
-  const size_t references = references_of(field, field.node_count);
-  switch (field.kind) {
-    case GlyphField::Kind::samples:
-      return {{"grid", format::glyph::kBytes},
-              {"references", 2 * references},
-              {"cells", format::samples::kBytes * field.cell_count}};
-    case GlyphField::Kind::narrow_fields:
-      return {{"grid", edges::kBytes},
-              {"references", references},
-              {"arcs", edges::kArcBytes * field.arc_count},
-              {"lines", edges::kLineBytes * field.line_count},
-              {"pairs", edges::kPairUnits * field.pair_count},
-              {"triples", edges::kTripleUnits * field.triple_count}};
-    case GlyphField::Kind::linked_fields:
-      break;
-  }
-  std::vector<RecordPart> parts = {{"grid", format::linked::kBytes}};
-  add_parts(heap_parts(glyph, units), parts);
-  return parts;
+std::vector<RecordPart> parts_of(const GlyphField& field) {
+  const size_t references = static_cast<size_t>(field.tiles_x) * field.tiles_y +
+                            4 * static_cast<size_t>(field.node_count);
+  return {{"grid", format::glyph::kBytes},
+          {"references", 2 * references},
+          {"cells", format::samples::kBytes * field.cell_count}};
 }
 
 GlyphCensus take_glyph(const Font& font, uint16_t id) {
@@ -88,24 +31,21 @@ GlyphCensus take_glyph(const Font& font, uint16_t id) {
     return census;
   }
   const GlyphField& field = census.field;
-  FieldUnits units;
   int leaves = 0;
   for_each_cell(field, [&](const Cell& cell) {
     ++leaves;
     census.depth = std::max(census.depth, field.tile_log2 - cell.size_log2);
-    units.insert(cell.fields, cell.fields + cell.field_count);
     if (cell.is_saturated()) {
       ++(cell.inside ? census.inside : census.outside);
       return;
     }
-    count_cell(cell, census.cells);
+    ++census.cells;
     ++census.by_size_log2[cell.size_log2];
   });
   // Every node puts four squares in the place of one.
   census.nodes = (leaves - field.tiles_x * field.tiles_y) / 3;
-  census.fields = static_cast<int>(units.size());
   if (record.size > 0) {
-    census.parts = parts_of(census, units);
+    census.parts = parts_of(field);
   }
   return census;
 }
@@ -166,13 +106,6 @@ void add_parts(const std::vector<RecordPart>& parts,
   }
 }
 
-void CellCensus::add(const CellCensus& other) {
-  samples += other.samples;
-  single += other.single;
-  pairs += other.pairs;
-  triples += other.triples;
-}
-
 std::string GlyphCensus::name() const {
   if (!code_points.empty()) {
     return to_utf8(code_points.front());
@@ -180,10 +113,10 @@ std::string GlyphCensus::name() const {
   return glyph == 0 ? ".notdef" : "#" + std::to_string(glyph);
 }
 
-CellCensus FontCensus::cells() const {
-  CellCensus sum;
+int64_t FontCensus::cells() const {
+  int64_t sum = 0;
   for (const GlyphCensus& glyph : glyphs) {
-    sum.add(glyph.cells);
+    sum += glyph.cells;
   }
   return sum;
 }
@@ -192,14 +125,6 @@ int64_t FontCensus::nodes() const {
   int64_t sum = 0;
   for (const GlyphCensus& glyph : glyphs) {
     sum += glyph.nodes;
-  }
-  return sum;
-}
-
-int64_t FontCensus::fields() const {
-  int64_t sum = 0;
-  for (const GlyphCensus& glyph : glyphs) {
-    sum += glyph.fields;
   }
   return sum;
 }

@@ -28,17 +28,6 @@ struct RecordPart {
 void add_parts(const std::vector<RecordPart>& parts,
                std::vector<RecordPart>& sum);
 
-/// Cells that are not saturated, by what they hold.
-struct CellCensus {
-  int64_t samples = 0;
-  int64_t single = 0;  // fields
-  int64_t pairs = 0;
-  int64_t triples = 0;
-
-  int64_t all() const { return samples + single + pairs + triples; }
-  void add(const CellCensus& other);
-};
-
 /// One glyph.
 struct GlyphCensus {
   uint16_t glyph = 0;
@@ -48,9 +37,8 @@ struct GlyphCensus {
   GlyphMetrics metrics;  // [font units]
   size_t bytes = 0;      // of the record
   std::vector<RecordPart> parts;
-  CellCensus cells;
+  int cells = 0;  // that are not saturated
   int nodes = 0;
-  int fields = 0;   // that cells refer to
   int outside = 0;  // saturated cells
   int inside = 0;
   int depth = 0;  // steps from a tile to its smallest cell
@@ -59,7 +47,7 @@ struct GlyphCensus {
 
   /// UTF-8 of its first character, ".notdef" or the id, such as "#17".
   std::string name() const;
-  bool has_ink() const { return cells.all() > 0 || outline.points() > 0; }
+  bool has_ink() const { return cells > 0 || outline.points() > 0; }
 };
 
 /// A section of the file.
@@ -93,9 +81,8 @@ struct FontCensus {
   double grid_units = 1;
   int max_points = 0;
 
-  CellCensus cells() const;
+  int64_t cells() const;
   int64_t nodes() const;
-  int64_t fields() const;
   std::vector<RecordPart> parts() const;  // of all records
   bool has_outlines() const { return !words.empty(); }
   // Of records that are no composites.

@@ -2,11 +2,9 @@
 #include "pictures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
-#include "bytes.hpp"
 #include "canvas.hpp"
 #include "census.hpp"
 #include "colours.hpp"
@@ -17,13 +15,9 @@
 namespace inkcell::tools {
 namespace {
 
-// Borders of saturated cells, and the others by the number of their fields; 0:
-// samples.
+// Borders of cells.
 constexpr Colour kSaturatedBorder = {196, 204, 214};
-constexpr std::array<Colour, 4> kBorders = {
-    {{40, 52, 72}, {38, 132, 72}, {70, 58, 190}, {196, 24, 96}}};
-// Where one field of a cell is zero.
-constexpr Colour kZeroLine = {112, 40, 120};
+constexpr Colour kBorder = {40, 52, 72};
 // What grid fitting knows.
 constexpr Colour kZone = {90, 96, 104};
 constexpr Colour kBar = {208, 0, 24};
@@ -69,46 +63,7 @@ Q16_16 to_q16(double u) {
   return Q16_16::from_raw(static_cast<int32_t>(std::floor(u * 65536)));
 }
 
-int read_i16(const uint8_t* at) {
-  return static_cast<int16_t>(read_u16(at));
-}
-
-// One field of a cell as docs/FORMAT.md states it, in real numbers. [u]
-double field_value(const GlyphField& field, uint16_t unit, Vector p) {
-  namespace edges = format::edges;
-  const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
-  const double nx = read_i16(at + edges::kNormalX) / 16384.0;
-  const double ny = read_i16(at + edges::kNormalY) / 16384.0;
-  const double plane =
-      nx * p.x + ny * p.y + read_i16(at + edges::kOffset) / 16.0;
-  if ((unit & format::linked::kArcField) == 0) {
-    return plane;
-  }
-  const double along =
-      nx * p.y - ny * p.x + read_i16(at + edges::kAlong) / 16.0;
-  return plane + read_i16(at + edges::kBend) / 524288.0 * along * along;
-}
-
-// How much of a pixel lies on the lines, 1 px wide, where one of several fields
-// is zero.
-double zero_line(const GlyphField& field,
-                 const Cell& cell,
-                 Vector p,
-                 double px_per_u) {
-  double strength = 0;
-  for (int i = 0; cell.field_count > 1 && i < cell.field_count; ++i) {
-    const double away_px =
-        std::fabs(field_value(field, cell.fields[i], p)) * px_per_u;
-    strength = std::max(strength, std::clamp(1 - away_px, 0.0, 1.0));
-  }
-  return 0.6 * strength;
-}
-
-enum class ZeroLines { hidden, shown };
-
-Image draw_cell_field(const View& view,
-                      const GlyphField& field,
-                      ZeroLines lines) {
+Image draw_cell_field(const View& view, const GlyphField& field) {
   Image image(view.width + 1, view.height + 1, 3, 255);
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
@@ -116,22 +71,11 @@ Image draw_cell_field(const View& view,
       const Q16_16 y_u = to_q16(view.y_u(y));
       const double distance = distance_at(field, x_u, y_u).raw / 1024.0;
       const Cell cell = locate(field, x_u.floor(), y_u.floor());
-      const double line =
-          lines == ZeroLines::hidden
-              ? 0
-              : zero_line(field, cell, {x_u.raw / 65536.0, y_u.raw / 65536.0},
-                          view.px_per_u);
       put(image, x, y,
-          mix(field_colour({distance, cell.is_saturated()}, view.px_per_u),
-              kZeroLine, line));
+          field_colour({distance, cell.is_saturated()}, view.px_per_u));
     }
   }
   return image;
-}
-
-// Where cells meet, the border of the one with more fields shows: drawn last.
-int rank(const Cell& cell) {
-  return cell.is_saturated() ? -1 : cell.field_count;
 }
 
 // The four sides of a cell over the picture without borders.
@@ -146,8 +90,7 @@ void draw_border(const View& view,
   const int bottom = view.row(cell.y0_u);
   // Small cells would become one dark mass.
   const double strength = std::clamp(0.10 * (right - left), 0.25, 0.62);
-  const Colour& colour =
-      cell.is_saturated() ? kSaturatedBorder : kBorders[cell.field_count];
+  const Colour& colour = cell.is_saturated() ? kSaturatedBorder : kBorder;
   const auto blend = [&](int x, int y) {
     put(image, x, y, mix(get(bare, x, y), colour, strength));
   };
@@ -161,15 +104,15 @@ void draw_border(const View& view,
   }
 }
 
+// Where a saturated cell meets another one, the border of that one shows.
 void draw_borders(const View& view, const GlyphField& field, Image& image) {
   const Image bare = image;
-  std::vector<Cell> cells;
-  for_each_cell(field, [&](const Cell& cell) { cells.push_back(cell); });
-  std::stable_sort(
-      cells.begin(), cells.end(),
-      [](const Cell& a, const Cell& b) { return rank(a) < rank(b); });
-  for (const Cell& cell : cells) {
-    draw_border(view, cell, bare, image);
+  for (const bool is_saturated : {true, false}) {
+    for_each_cell(field, [&](const Cell& cell) {
+      if (cell.is_saturated() == is_saturated) {
+        draw_border(view, cell, bare, image);
+      }
+    });
   }
 }
 
@@ -215,9 +158,8 @@ Image draw_outline_field(const View& view,
 }
 
 Image draw_field(const View& view, const Font& font, const GlyphCensus& glyph) {
-  return font.has_outlines()
-             ? draw_outline_field(view, font, glyph)
-             : draw_cell_field(view, glyph.field, ZeroLines::hidden);
+  return font.has_outlines() ? draw_outline_field(view, font, glyph)
+                             : draw_cell_field(view, glyph.field);
 }
 
 // Lines across the whole picture, `dash` px long with gaps in between; 0: in
@@ -416,10 +358,10 @@ Image draw_cells(const Font& font, const GlyphCensus& glyph, int side) {
   if (font.has_outlines()) {
     throw std::runtime_error(
         "--cells draws cells, and the font has outlines: use --points or "
-        "--field, or --coding edges or samples for a TTF or OTF");
+        "--field, or --coding samples for a TTF or OTF");
   }
   const View view = view_of(box_of(font, glyph), side);
-  Image image = draw_cell_field(view, glyph.field, ZeroLines::shown);
+  Image image = draw_cell_field(view, glyph.field);
   draw_borders(view, glyph.field, image);
   return image;
 }

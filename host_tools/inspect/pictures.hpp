@@ -13,9 +13,7 @@ namespace inkcell::tools {
 // is not one of the font's coding.
 
 /// The field of a glyph as the device reads it, its edge, and over it the
-/// borders of the cells (the paper's figure 2): green, blue and red around
-/// cells of one, two and three fields, dark around samples. In cells of several
-/// fields thin lines show where one of them is zero.
+/// borders of the cells (the paper's figure 2).
 Image draw_cells(const Font& font, const GlyphCensus& glyph, int side);
 
 /// The contours of an outline and its points: red squares are corners, green

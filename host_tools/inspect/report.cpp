@@ -64,18 +64,6 @@ void append_sections(std::string& out, const FontCensus& font) {
   }
 }
 
-// How many of each kind, and the fields that they share.
-void append_kinds(std::string& out, const CellCensus& cells, int64_t fields) {
-  append(out, "  of samples      %lld\n",
-         static_cast<long long>(cells.samples));
-  append(out,
-         "  of fields       %lld, %lld, %lld with one, two, three; "
-         "%lld distinct\n",
-         static_cast<long long>(cells.single),
-         static_cast<long long>(cells.pairs),
-         static_cast<long long>(cells.triples), static_cast<long long>(fields));
-}
-
 void append_parts(std::string& out,
                   const char* title,
                   const std::vector<RecordPart>& parts) {
@@ -87,20 +75,17 @@ void append_parts(std::string& out,
 
 void append_cells(std::string& out, const FontCensus& font) {
   append(out, "  cells           %lld, inner nodes %lld\n",
-         static_cast<long long>(font.cells().all()),
+         static_cast<long long>(font.cells()),
          static_cast<long long>(font.nodes()));
-  append_kinds(out, font.cells(), font.fields());
   append_parts(out, "records", font.parts());
   if (font.glyphs.size() > kListed) {
     return;
   }
-  append(out, "  cells per glyph .notdef %lld",
-         static_cast<long long>(font.glyphs.front().cells.all()));
+  append(out, "  cells per glyph .notdef %d", font.glyphs.front().cells);
   for (size_t i = 1; i < font.glyphs.size(); ++i) {
     const GlyphCensus& glyph = font.glyphs[i];
     out += i % kColumns == 1 ? "\n    " : "  ";
-    append(out, "%s %5lld", glyph.name().c_str(),
-           static_cast<long long>(glyph.cells.all()));
+    append(out, "%s %5d", glyph.name().c_str(), glyph.cells);
   }
   out += '\n';
 }
@@ -208,15 +193,13 @@ void append_cells_of(std::string& out, const GlyphCensus& glyph) {
          field.y0_u);
   append(out, "  tree            %d nodes, depth %d\n", glyph.nodes,
          glyph.depth);
-  append(out, "  cells           %lld, and saturated: %d outside, %d inside\n",
-         static_cast<long long>(glyph.cells.all()), glyph.outside,
-         glyph.inside);
+  append(out, "  cells           %d, and saturated: %d outside, %d inside\n",
+         glyph.cells, glyph.outside, glyph.inside);
   for (size_t i = glyph.by_size_log2.size(); i-- > 0;) {
     if (glyph.by_size_log2[i] > 0) {
       append(out, "    %4d u        %d\n", 1 << i, glyph.by_size_log2[i]);
     }
   }
-  append_kinds(out, glyph.cells, glyph.fields);
   append(out, "  record          %zu bytes\n", glyph.bytes);
   append_parts(out, "of these", glyph.parts);
 }
@@ -328,13 +311,6 @@ nlohmann::json hints_json(const GlyphHints& glyph) {
           {"across", across}};
 }
 
-nlohmann::json kinds_json(const CellCensus& cells) {
-  return {{"samples", cells.samples},
-          {"single", cells.single},
-          {"pair", cells.pairs},
-          {"triple", cells.triples}};
-}
-
 nlohmann::json parts_json(const std::vector<RecordPart>& parts) {
   nlohmann::json json = nlohmann::json::object();
   for (const RecordPart& part : parts) {
@@ -366,9 +342,7 @@ nlohmann::json glyph_json(const GlyphCensus& glyph, bool has_outlines) {
     return json;
   }
   json.update({{"record_bytes", parts_json(glyph.parts)},
-               {"cells", glyph.cells.all()},
-               {"cells_by_kind", kinds_json(glyph.cells)},
-               {"fields", glyph.fields},
+               {"cells", glyph.cells},
                {"nodes", glyph.nodes},
                {"saturated_outside", glyph.outside},
                {"saturated_inside", glyph.inside},
@@ -495,9 +469,7 @@ std::string json_report(const FontCensus& font, const GlyphCensus* glyph) {
                   {"code", words_json(font)}});
   } else {
     whole.update({{"record_bytes", parts_json(font.parts())},
-                  {"cells", font.cells().all()},
-                  {"cells_by_kind", kinds_json(font.cells())},
-                  {"fields", font.fields()},
+                  {"cells", font.cells()},
                   {"nodes", font.nodes()}});
   }
   return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +

@@ -98,7 +98,6 @@ void add_leaves(const GlyphField& field, const Map& map, Overlay& overlay) {
     overlay.leaves.push_back(
         {{map.from_u(cell.x_u, cell.y_u), map.from_u(x1, cell.y_u),
           map.from_u(x1, y1), map.from_u(cell.x_u, y1)},
-         cell.fields,
          cell.is_saturated});
   }
 }

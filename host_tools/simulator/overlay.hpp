@@ -25,7 +25,6 @@ struct Overlay {
   };
   struct Leaf {
     Place corners[4];
-    int fields = 0;  // 0: saturated, or samples
     bool is_saturated = false;
   };
 

@@ -22,7 +22,7 @@ COMMAND = "sh tests/bench/run.sh --write-docs"
 BUILDS = {
     "m0": ("Cortex-M0", ["-O2", *ALL_CODINGS]),
     "m3": ("Cortex-M3", ["-O2", *ALL_CODINGS]),
-    "smallest": ("Cortex-M0", ["-Os", "-DINKCELL_EDGE_CELLS=1",
+    "smallest": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=1",
                                "-DINKCELL_OUTLINES=0",
                                "-DINKCELL_FAST_CELLS=0"]),
     "outlines": ("Cortex-M0", ["-Os"]),

@@ -12,8 +12,8 @@ ROW = ("{:5}{:4}{:26}{:10}{:14}{:>4}{:>9}{:>9}{:>7}{:>7}{:>6}{:>7}{:>7}{:>8}"
 CORES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4": "Cortex-M4",
          "m4f": "Cortex-M4, FPU", "m7": "Cortex-M7", "m33": "Cortex-M33",
          "rv32": "RV32IMC"}
-ALL = ("outline", "edges")
-CELLS = ("edges",)
+ALL = ("outline", "samples")
+CELLS = ("samples",)
 OUTLINES = ("outline",)
 # Ways of firmware/inkcell_modes.cpp: what the document calls them, what each is
 # compared with, in the same pixel format, and the codings that have it. Shadows
@@ -53,15 +53,14 @@ MEMORY = {
 CACHE = ("cached", "bitmap")
 # What codings can do; measured figures stand above it.
 ABILITIES = [
-    ["any size, position and matrix; kerning", "yes", "yes", "yes"],
-    ["grid fitting", "yes", "no", "no"],
-    ["filters, weight, gamma, sub-pixels, outlines, 1 and 2 bits", "yes", "yes",
+    ["any size, position and matrix; kerning", "yes", "yes"],
+    ["grid fitting", "yes", "no"],
+    ["filters, weight, gamma, sub-pixels, outlines, 1 and 2 bits", "yes",
      "yes"],
-    ["exact area", "yes", "no", "no"],
-    ["shadow and glow", "to 4 px", "as far as `BAND_PX`", "as far as `BAND_PX`"],
-    ["the field at any point: queries, 13 samples, contrast rules, motion blur",
-     "no", "yes", "yes"],
-    ["splats", "no", "no", "yes"],
+    ["exact area", "yes", "no"],
+    ["shadow and glow", "to 4 px", "as far as `BAND_PX`"],
+    ["the field at any point: queries, 13 samples, contrast rules, motion blur, "
+     "splats", "no", "yes"],
 ]
 ENGINES = {"freetype": "FreeType", "stb": "stb_truetype"}
 
@@ -89,8 +88,8 @@ fonts must be there for it: `--help` says where. It describes this core:
   computes with its floating-point unit (FPU). The other engines are compiled as
   hosted C and have the compiler's C library (newlib, picolibc), because they
   are written for one. Cortex-M0 code runs on the board of the Cortex-M3.
-- *outline*, *edges*, *samples*: the same characters for 8 to 64 px, tolerance
-  16/255, with kerning and hints, in each coding.
+- *outline*, *samples*: the same characters for 8 to 64 px, tolerance 16/255, with
+  kerning and hints, in each coding.
 - FreeType {freetype}, as released: smooth rasterizer, TrueType and sfnt
   modules, no hinting, no bitmaps. stb_truetype {stb}, as it comes. Both read
   the same face with these 95 glyphs, without hinting and kerning. They have a
@@ -229,7 +228,7 @@ def stack_table(results):
 
 
 def codings_table(results, figures, smallest):
-    """The three codings side by side."""
+    """The codings side by side."""
     names = unique(r["coding"] for r in results if "coding" in r)
     first = results[0]["font"]
 
@@ -282,7 +281,7 @@ def codings_table(results, figures, smallest):
     rows.append(["code for glyphs, smallest build, Cortex-M0, bytes"] +
                 [kept.get(name, "") for name in names])
     rows += ABILITIES
-    return (f"## The three codings\n\n{first}, -O2, unless a row says "
+    return (f"## The codings\n\n{first}, -O2, unless a row says "
             "otherwise. All rows are taken from the tables that follow.\n\n" +
             table(["", *names], rows))
 
@@ -341,7 +340,7 @@ def bound_table(figures):
         cells = {f["px"]: f"{f['per_pixel']}, {f['stack']}" for f in some
                  if (f["cpu"], f["opt"]) == (cpu, opt)}
         rows.append([f"{CORES[cpu]}, -{opt}"] + [cells[px] for px in sizes])
-    return ("## Bounds\n\nUpright glyphs of edges, trees of depth 8: "
+    return ("## Bounds\n\nUpright glyphs of samples, trees of depth 8: "
             "instructions a pixel of the dearest glyph that bytes can\n"
             "describe, and bytes of stack.\n\n" +
             table([""] + [f"{px} px" for px in sizes], rows))
@@ -363,10 +362,9 @@ def sized_table(figures, name, title, cell):
 
 
 SMALLEST_TEXT = {
-    "outline": "Outlines only: `INKCELL_EDGE_CELLS` and `INKCELL_SAMPLE_CELLS` "
-    "off (PORTING.md), -Os.",
-    "edges": "Edges only: `INKCELL_OUTLINES`, `INKCELL_SAMPLE_CELLS` and "
-    "`INKCELL_FAST_CELLS` off, -Os.",
+    "outline": "Outlines only: `INKCELL_SAMPLE_CELLS` off (PORTING.md), -Os.",
+    "samples": "Samples only: `INKCELL_OUTLINES` and `INKCELL_FAST_CELLS` off, "
+    "-Os.",
 }
 
 

@@ -12,12 +12,6 @@ from toolchains import ROOT, finish
 # Constants that documents state: document, words around the figure, source,
 # words around the constant.
 CONSTANTS = [
-    ("docs/DESIGN.md", r"in bands of (\d+) rows and",
-     "core/src/raster/cell_band.hpp", r"kTileRows = kFastCells \? (\d+)"),
-    ("docs/DESIGN.md", r"in bands of 8 rows and (\d+) columns",
-     "core/src/raster/cell_band.hpp", r"kTileColumns = (\d+)"),
-    ("docs/DESIGN.md", r"height in the band make (\d+) px",
-     "core/src/raster/upright_tile.cpp", r"kMinPruned = (\d+)"),
     ("docs/DESIGN.md", r"From (\d+) px on fitting of grey text fades",
      "core/include/inkcell/fit.hpp", r"kFades = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"of grey text fades, to nothing at (\d+) px",
@@ -72,7 +66,7 @@ def measured(bench):
                             title=title) / 1000
 
     def outline(row):
-        return bench.number("The three codings", row, "outline")
+        return bench.number("The codings", row, "outline")
 
     def os_glyph(engine):
         return [bench.number("Instructions", f"Cortex-M3, {engine}", f"{px} px",
@@ -160,9 +154,11 @@ def measured(bench):
         ("docs/PORTING.md", r"distance takes ([\d.]+) KB, and ([\d.]+) of "
          r"libgcc; ([\d.]+) KB with lines",
          [least("glyphs"), least("libgcc"), least("all formats")]),
-        ("README.md", r"kerning and hints: ([\d.]+) KB; of edges ([\d.]+) KB, "
-         r"of samples (\d+) KB",
-         [font("outline"), font("edges"), font("samples")]),
+        ("README.md", r"kerning and hints: ([\d.]+) KB; of samples (\d+) KB",
+         [font("outline"), font("samples")]),
+        ("docs/DESIGN.md", r"\| outlines \| (\d+) \| (\d+) \|",
+         [rom("outline"), bench.number("Fonts and RAM", "outline",
+                                       "LiberationSerif-Regular")]),
         ("README.md", r"([\d.]+) thousand instructions a glyph at 12 px on "
          r"Cortex-M3, ([\d.]+) at 48 px",
          [glyph("outline", 12), glyph("outline", 48)]),
@@ -177,9 +173,8 @@ def measured(bench):
          [cached]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M0 at -Os",
          [least("glyphs")]),
-        ("docs/CHANGELOG.md", r"([\d.]+) KB of outlines, ([\d.]+) KB of edges, "
-         r"(\d+) KB of samples",
-         [font("outline"), font("edges"), font("samples")]),
+        ("docs/CHANGELOG.md", r"([\d.]+) KB of outlines, (\d+) KB of samples",
+         [font("outline"), font("samples")]),
     ]
 
 

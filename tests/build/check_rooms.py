@@ -54,13 +54,11 @@ GENERATOR = {
     "texts": "source",
     "target": "shape",
     "samples": "shape target",
-    "edges": "shape target",
     "outlines": "shape source",
     "hints": "shape",
-    "rom": "shape source target samples edges outlines hints",
-    "judge": "shape source target samples edges outlines hints rom",
-    "pipeline": "shape source texts target samples edges outlines hints rom "
-                "judge",
+    "rom": "shape source target samples outlines hints",
+    "judge": "shape source target samples outlines hints rom",
+    "pipeline": "shape source texts target samples outlines hints rom judge",
     "app": "source target pipeline",
 }
 

@@ -203,10 +203,10 @@ def check_preview(editor, render):
                                          "r.pgm"))
         expect(ours == theirs and any(ours[1]), f"{px} px {display}: the "
                "preview differs from inkcell-render")
-    edges, lacking = editor.run("open P.ufo", "glyph a", "text Haa",
-                                "cells edges", "print", "text Ha\u017fx",
+    cells, lacking = editor.run("open P.ufo", "glyph a", "text Haa",
+                                "cells on", "print", "text Ha\u017fx",
                                 "print")
-    expect(edges["cells"] > 20 and edges["missing"] == "", "cells")
+    expect(cells["cells"] > 20 and cells["missing"] == "", "cells")
     expect(lacking["missing"] == "x\u017f", f"missing: {lacking['missing']}")
 
 

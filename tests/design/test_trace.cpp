@@ -1,4 +1,4 @@
-// From fields back to curves, for both kinds of cells.
+// From fields back to curves.
 #include <gtest/gtest.h>
 
 #include "source/font_source.hpp"
@@ -22,22 +22,19 @@ gen::SourceFont letters(const char* symbols) {
   return font;
 }
 
-gen::Target options_for(gen::Coding coding) {
+gen::Target target() {
   gen::Target options;
-  options.coding = coding;
   options.tolerance = 4;
   return options;
 }
 
-class Trace : public testing::TestWithParam<gen::Coding> {};
-
-TEST_P(Trace, StaysNearTheSourceWithFewerSegments) {
+TEST(Trace, StaysNearTheSourceWithFewerSegments) {
   size_t segments = 0;
   size_t source_segments = 0;
   EdgeError all;
   for (const gen::SourceGlyph& glyph : letters("ag4&").glyphs) {
     const gen::Shape source(glyph.outline);
-    const ShapeField field(source, options_for(GetParam()));
+    const ShapeField field(source, target());
     const gen::Outline curves =
         outline_of(field.field(), FieldOutlineOptions());
     const EdgeError error = edge_error(source, gen::Shape(curves), 1);
@@ -54,10 +51,10 @@ TEST_P(Trace, StaysNearTheSourceWithFewerSegments) {
   EXPECT_LT(segments, source_segments);
 }
 
-TEST_P(Trace, EveryLoopIsClosedAndFilledOnTheLeft) {
+TEST(Trace, EveryLoopIsClosedAndFilledOnTheLeft) {
   const gen::SourceFont font = letters("B");
   const gen::Shape source(font.glyphs[0].outline);
-  const ShapeField field(source, options_for(GetParam()));
+  const ShapeField field(source, target());
   const std::vector<Loop> loops = walk_contours(field.field());
   ASSERT_EQ(loops.size(), 3u);
   int outer = 0;
@@ -74,15 +71,6 @@ TEST_P(Trace, EveryLoopIsClosedAndFilledOnTheLeft) {
   }
   EXPECT_EQ(outer, 1);
 }
-
-INSTANTIATE_TEST_SUITE_P(Codings,
-                         Trace,
-                         testing::Values(gen::Coding::samples,
-                                         gen::Coding::edges),
-                         [](const auto& param) {
-                           return param.param == gen::Coding::edges ? "edges"
-                                                                    : "samples";
-                         });
 
 }  // namespace
 }  // namespace inkcell::design::test

@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 from grid import grid_listing, read_grid
 from outlines import OutlineFont, read_code
-from squares import linked_squares, numbered_squares, require
+from squares import read_squares, require
 
 HEADER_BYTES = 64
+SAMPLES = 0
 OUTLINE = 2
 
 
@@ -61,7 +62,7 @@ def read_header(data):
     glyph_count, units_per_em = struct.unpack_from("<HH", data, 20)
     header = Header(glyph_count, units_per_em, data[39],
                     *struct.unpack_from("<bBH", data, 60))
-    require(5, header.coding <= OUTLINE)
+    require(5, header.coding in (SAMPLES, OUTLINE))
     require(7, glyph_count > 0 and 16 <= units_per_em <= 16384)
     sections = read_directory(data[:total_bytes], section_count)
     require(9, content_crc == zlib.crc32(data[header_bytes:total_bytes]))
@@ -180,15 +181,6 @@ def read_records(data, header):
     return records
 
 
-def read_squares(record):
-    if not record:
-        return []
-    require(12, len(record) >= 10)
-    if record[0] == 2 and record[1] & 0x80:
-        return linked_squares(record)
-    return numbered_squares(record)
-
-
 class Font:
     def __init__(self, data):
         header, sections = read_header(data)
@@ -202,7 +194,7 @@ class Font:
         metrics = read_metrics(sections[b"METR"], count)
         records = read_records(sections[b"GLYF"], header)
         if header.coding == OUTLINE:
-            require(16, -4 <= header.grid_shift <= 3)
+            require(15, -4 <= header.grid_shift <= 3)
             code = read_code(sections.get(b"CODE", b""), header.code_bits)
             outlines = OutlineFont(code, header.grid_shift, header.max_points,
                                    records, metrics)

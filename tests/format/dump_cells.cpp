@@ -37,30 +37,11 @@ void print_samples(const Cell& cell) {
   }
 }
 
-void print_field(const GlyphField& field, uint32_t unit) {
-  const uint8_t* at = field.cells + 2 * (unit & format::linked::kOffsetMask);
-  const bool is_arc = (unit & format::linked::kArcField) != 0;
-  const uint32_t units =
-      is_arc ? format::linked::kArcUnits : format::linked::kLineUnits;
-  for (uint32_t i = 0; i < units; ++i) {
-    std::printf("%s%d", i == 0 ? " (" : " ", i16_at(at + 2 * i));
-  }
-  std::printf(")");
-}
-
-void print_content(const GlyphField& field, const Cell& cell) {
-  static constexpr const char* kNames[] = {"min", "max", "min_max", "max_min"};
+void print_content(const Cell& cell) {
   if (cell.samples != nullptr) {
     print_samples(cell);
-  } else if (cell.field_count == 0) {
-    std::printf(cell.inside ? "inside" : "outside");
   } else {
-    std::printf("%s", cell.field_count == 1
-                          ? "single"
-                          : kNames[static_cast<int>(cell.op)]);
-    for (uint32_t i = 0; i < cell.field_count; ++i) {
-      print_field(field, cell.fields[i]);
-    }
+    std::printf(cell.inside ? "inside" : "outside");
   }
 }
 
@@ -80,7 +61,7 @@ void print_square(const GlyphField& field,
     return;
   }
   std::printf("%d %d %d ", cell.x0_u, cell.y0_u, size_u);
-  print_content(field, cell);
+  print_content(cell);
   if (distances && !cell.is_saturated()) {
     const Q16_16 x = Q16_16::from_raw(x_u * (1 << 16) + size_u * (1 << 15));
     const Q16_16 y = Q16_16::from_raw(y_u * (1 << 16) + size_u * (1 << 15));

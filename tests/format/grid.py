@@ -86,7 +86,7 @@ class RecordReader:
     def zone_edge(self):
         number = self.bits.u(3)
         is_round = bool(self.bits.u(1))
-        require(15, number < len(self.hints.zones))
+        require(14, number < len(self.hints.zones))
         zone = self.hints.zones[number]
         return Edge(number, is_round,
                     zone.flat + (zone.overshoot if is_round else 0))
@@ -135,22 +135,22 @@ def read_grid(data, glyph_count, bit_table):
     container's tables."""
     if not data:
         return None
-    require(15, len(data) >= 8)
+    require(14, len(data) >= 8)
     count, flags, stem, bar, x_zone, offset_bits, _ = struct.unpack_from(
         "<6BH", data)
-    require(15, count <= 8 and offset_bits <= 20)
-    require(15, x_zone == NO_ZONE or x_zone < count)
+    require(14, count <= 8 and offset_bits <= 20)
+    require(14, x_zone == NO_ZONE or x_zone < count)
     table_at = 8 + 4 * count
     records_at = table_at + (offset_bits * (glyph_count + 1) + 7) // 8
-    require(15, records_at <= len(data))
+    require(14, records_at <= len(data))
     zones = [Zone(flat, overshoot, bool(zone_flags & 1))
              for flat, overshoot, zone_flags in struct.iter_unpack(
                  "<hbB", data[8:table_at])]
     table = bit_table(data[table_at:records_at])
     ends = [table.get(i * offset_bits, offset_bits)
             for i in range(glyph_count + 1)]
-    require(15, ends == sorted(ends))
-    require(15, records_at + ends[-1] <= len(data))
+    require(14, ends == sorted(ends))
+    require(14, records_at + ends[-1] <= len(data))
     hints = GridHints(zones, flags, stem, bar, x_zone, [])
     for begin, end in zip(ends, ends[1:]):
         record = data[records_at + begin:records_at + end]

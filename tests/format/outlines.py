@@ -18,19 +18,19 @@ class CodeWord(NamedTuple):
 
 def read_code(data, code_bits):
     """The table of section CODE."""
-    require(16, 1 <= code_bits <= 7)
-    require(16, len(data) == 2 << code_bits)
+    require(15, 1 <= code_bits <= 7)
+    require(15, len(data) == 2 << code_bits)
     entries = [entry for entry, in struct.iter_unpack("<H", data)]
     words = [CodeWord(entry & 7, entry >> 3 & 3, entry >> 5 & 15,
                       entry >> 9 & 15) for entry in entries]
     for number, (entry, word) in enumerate(zip(entries, words)):
-        require(16, entry >> 13 == 0)
-        require(16, 1 <= word.length <= code_bits)
-        require(16, word.kind != END or word.x_bits == word.y_bits == 0)
+        require(15, entry >> 13 == 0)
+        require(15, 1 <= word.length <= code_bits)
+        require(15, word.kind != END or word.x_bits == word.y_bits == 0)
         # All entries that begin with the word are equal.
         count = 1 << (code_bits - word.length)
         first = number // count * count
-        require(16, entries[first:first + count] == [entry] * count)
+        require(15, entries[first:first + count] == [entry] * count)
     return words
 
 
@@ -86,7 +86,7 @@ def record_start(x_min, y_min, grid_shift):
 
 def read_outline(record, code, start, max_points):
     """The contours of a record: lists of points in grid units."""
-    require(17, is_outline(record))
+    require(16, is_outline(record))
     bits = Bits(record)
     bits.u(1)
     x, y = start
@@ -95,7 +95,7 @@ def read_outline(record, code, start, max_points):
     for _ in range(max_points):
         word = bits.word(code)
         if word.kind == END:
-            require(17, points)
+            require(16, points)
             contours.append(points)
             points = []
             if not bits.u(1):
@@ -103,9 +103,9 @@ def read_outline(record, code, start, max_points):
         else:
             x += bits.s(word.x_bits)
             y += bits.s(word.y_bits)
-            require(17, points or word.kind == CORNER)
+            require(16, points or word.kind == CORNER)
             points.append(Point(x, y, word.kind))
-    return require(17, False)
+    return require(16, False)
 
 
 def count_points(contours):
@@ -169,13 +169,13 @@ class OutlineFont(NamedTuple):
             return self.simple(number)
         contours = []
         for component in read_composite(record):
-            require(18, component.glyph < len(self.records))
-            require(18, is_outline(self.records[component.glyph]))
+            require(17, component.glyph < len(self.records))
+            require(17, is_outline(self.records[component.glyph]))
             xx, xy, yx, yy = component.matrix
-            require(18, xx * yy > xy * yx)
+            require(17, xx * yy > xy * yx)
             contours += [[component.place(point) for point in points]
                          for points in self.simple(component.glyph)]
-        require(18, count_points(contours) <= self.max_points)
+        require(17, count_points(contours) <= self.max_points)
         return contours
 
 

@@ -87,7 +87,7 @@ class Grid(unittest.TestCase):
             try:
                 list(grid_listing(read_grid(bytes(data), 3, BitTable)))
             except Refused as refused:
-                self.assertEqual(refused.args[0], 15)
+                self.assertEqual(refused.args[0], 14)
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ inline void repair_font(inkcell::Span<uint8_t> font) {
   font_builder::put_u32(at + header::kMagic, format::kMagic);
   at[header::kFormatMajor] = kFormatMajor;
   at[header::kFormatMinor] = kFormatMinor;
-  at[header::kCoding] &= static_cast<uint8_t>(format::Coding::edges);
+  at[header::kCoding] &= static_cast<uint8_t>(format::Coding::outline);
   const auto size = static_cast<uint32_t>(font.size);
   const uint32_t room = (size - header::kBytes) / format::section::kBytes;
   const uint32_t sections = std::min(

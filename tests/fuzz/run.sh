@@ -26,7 +26,7 @@ command -v clang++ >/dev/null || {
 rm -rf "$folder/objects"
 mkdir -p "$folder/objects"
 flags="-std=c++17 -O1 -g -fsanitize=address,undefined
-  -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1 -DINKCELL_EDGE_CELLS=1
+  -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1
   -DINKCELL_SAMPLE_CELLS=1 -Icore/include -Icore/src
   -Icore/kinetic/include -Itests/unit -Itests/hostile"
 

@@ -378,8 +378,7 @@ TEST_F(Faces, StringsTellWhatNoFaceHas) {
 
 // Records of a merged font are those of each face's own font.
 TEST_F(Faces, MergedGlyphsAreThoseOfTheirOwnFonts) {
-  for (const Coding coding :
-       {Coding::outline, Coding::edges, Coding::samples}) {
+  for (const Coding coding : {Coding::outline, Coding::samples}) {
     GenerateRequest request;
     request.target.coding = coding;
     request.target.max_px = 16;

@@ -45,7 +45,6 @@ Target options_of(Coding coding) {
 }
 
 const std::vector<Target> kCodings = {options_of(Coding::samples),
-                                      options_of(Coding::edges),
                                       options_of(Coding::outline)};
 
 TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
@@ -67,8 +66,8 @@ TEST(Generate, MakesOutlinesUnlessTold) {
   EXPECT_EQ(GenerateRequest().target.predicate, Predicate::size_aware);
 }
 
-// Each coding takes less than half of the one before.
-TEST(Generate, MakesSmallerFontsOfEdgesAndOutlines) {
+// Outlines take less than half of what samples take.
+TEST(Generate, MakesSmallerFontsOfOutlines) {
   size_t before = 1000000;
   for (const Target& options : kCodings) {
     GenerateRequest request = dejavu();
@@ -183,68 +182,55 @@ TEST(Generate, AddsSignsOfTheFirstFaceThatHasThem) {
 }
 
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
-  for (const Target& options :
-       {options_of(Coding::samples), options_of(Coding::edges)}) {
-    GenerateRequest request = dejavu();
-    request.symbols = "Hamburg 8";
-    request.target = options;
-    const RomFont rom = generate(request);
-    const auto json = nlohmann::json::parse(report_as_json(rom.report));
-    const bool fields = options.coding == Coding::edges;
-    EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
-    EXPECT_EQ(json.at("glyphs"), 10 + 2);  // and '-', '.'
-    EXPECT_EQ(json.at("coding"), fields ? "edges" : "samples");
-    EXPECT_EQ(json.at("min_px"), 12);
-    EXPECT_EQ(json.at("max_px"), 16);
-    EXPECT_EQ(json.at("tolerance"), 16);
-    size_t sum = 0;
-    for (const char* part :
-         {"header", "cmap", "metrics", "kerning", "hints", "glyphs", "name"}) {
-      sum += json.at("bytes").at(part).get<size_t>();
-    }
-    EXPECT_EQ(json.at("bytes").at("total"), rom.bytes.size());
-    EXPECT_EQ(sum, rom.bytes.size());
-    size_t cells = 0;
-    for (const auto& item : json.at("cells_per_glyph")) {
-      cells += item.get<size_t>();
-    }
-    EXPECT_EQ(json.at("cells_per_glyph").size(), 12u);
-    EXPECT_EQ(json.at("cells_per_glyph").at(" "), 0);
-    EXPECT_GT(json.at("cells_per_glyph").at("a").get<int>(), 10);
-    EXPECT_GT(json.at("bytes_per_glyph").at("a").get<int>(), 50);
-    EXPECT_EQ(json.at("bytes_per_glyph").at(" "), 0);
-    EXPECT_LE(json.at("error_per_glyph").at("a").get<double>(), 16);
-    EXPECT_EQ(json.at("cell_count"), cells);
-    EXPECT_EQ(json.at("leaf_list_bytes"), 15 * cells);
-    const auto& kinds = json.at("cells_by_kind");
-    EXPECT_EQ(kinds.at("samples"), fields ? 0 : cells);
-    EXPECT_EQ(kinds.at("single").get<size_t>() +
-                  kinds.at("pair").get<size_t>() +
-                  kinds.at("triple").get<size_t>(),
-              fields ? cells : 0);
-    EXPECT_EQ(json.at("primitive_count").get<size_t>() > 0, fields);
-    EXPECT_LE(json.at("error").at("max").get<double>(), 16);
-    EXPECT_GT(json.at("error").at("max").get<double>(), 1);
-    EXPECT_LE(json.at("error").at("mean").get<double>(), 3);
-    // Every size from 12 to 16; the worst of them is the worst of all.
-    const auto& sizes = json.at("error_by_size");
-    ASSERT_EQ(sizes.size(), 5u);
-    double worst = 0;
-    double mean = 0;
-    for (size_t i = 0; i < 5; ++i) {
-      EXPECT_EQ(sizes[i].at("px"), 12 + i);
-      worst = std::max(worst, sizes[i].at("worst").get<double>());
-      mean = std::max(mean, sizes[i].at("mean").get<double>());
-    }
-    EXPECT_EQ(json.at("error").at("max"), worst);
-    EXPECT_EQ(json.at("error").at("mean"), mean);
-    const std::string table = report_for_people(rom.report);
-    for (const char* word :
-         {"DejaVu Sans", "kerning", "total", "worst", "size, px", " s\n"}) {
-      EXPECT_NE(table.find(word), std::string::npos) << word;
-    }
-    EXPECT_EQ(table.find("three fields") != std::string::npos, fields);
-    EXPECT_EQ(table.find("of samples"), std::string::npos);
+  GenerateRequest request = dejavu();
+  request.symbols = "Hamburg 8";
+  request.target = options_of(Coding::samples);
+  const RomFont rom = generate(request);
+  const auto json = nlohmann::json::parse(report_as_json(rom.report));
+  EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
+  EXPECT_EQ(json.at("glyphs"), 10 + 2);  // and '-', '.'
+  EXPECT_EQ(json.at("coding"), "samples");
+  EXPECT_EQ(json.at("min_px"), 12);
+  EXPECT_EQ(json.at("max_px"), 16);
+  EXPECT_EQ(json.at("tolerance"), 16);
+  size_t sum = 0;
+  for (const char* part :
+       {"header", "cmap", "metrics", "kerning", "hints", "glyphs", "name"}) {
+    sum += json.at("bytes").at(part).get<size_t>();
+  }
+  EXPECT_EQ(json.at("bytes").at("total"), rom.bytes.size());
+  EXPECT_EQ(sum, rom.bytes.size());
+  size_t cells = 0;
+  for (const auto& item : json.at("cells_per_glyph")) {
+    cells += item.get<size_t>();
+  }
+  EXPECT_EQ(json.at("cells_per_glyph").size(), 12u);
+  EXPECT_EQ(json.at("cells_per_glyph").at(" "), 0);
+  EXPECT_GT(json.at("cells_per_glyph").at("a").get<int>(), 10);
+  EXPECT_GT(json.at("bytes_per_glyph").at("a").get<int>(), 50);
+  EXPECT_EQ(json.at("bytes_per_glyph").at(" "), 0);
+  EXPECT_LE(json.at("error_per_glyph").at("a").get<double>(), 16);
+  EXPECT_EQ(json.at("cell_count"), cells);
+  EXPECT_EQ(json.at("leaf_list_bytes"), 15 * cells);
+  EXPECT_LE(json.at("error").at("max").get<double>(), 16);
+  EXPECT_GT(json.at("error").at("max").get<double>(), 1);
+  EXPECT_LE(json.at("error").at("mean").get<double>(), 3);
+  // Every size from 12 to 16; the worst of them is the worst of all.
+  const auto& sizes = json.at("error_by_size");
+  ASSERT_EQ(sizes.size(), 5u);
+  double worst = 0;
+  double mean = 0;
+  for (size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(sizes[i].at("px"), 12 + i);
+    worst = std::max(worst, sizes[i].at("worst").get<double>());
+    mean = std::max(mean, sizes[i].at("mean").get<double>());
+  }
+  EXPECT_EQ(json.at("error").at("max"), worst);
+  EXPECT_EQ(json.at("error").at("mean"), mean);
+  const std::string table = report_for_people(rom.report);
+  for (const char* word :
+       {"DejaVu Sans", "kerning", "total", "worst", "size, px", " s\n"}) {
+    EXPECT_NE(table.find(word), std::string::npos) << word;
   }
 }
 
@@ -348,34 +334,10 @@ TEST(Generate, RefusesWrongRequests) {
 TEST(Generate, RefusesWhatDoesNotGoTogether) {
   GenerateRequest request = dejavu();
   request.symbols = "H";
-  request.target = options_of(Coding::edges);
+  request.target = options_of(Coding::outline);
   request.target.predicate = Predicate::fixed;
   EXPECT_EQ(refusal(request).find("--predicate fixed"), 0u);
   EXPECT_NE(refusal(request).find("--coding samples"), std::string::npos);
-}
-
-// Fields reach 1984 u from the origin. Beyond, a font has cells of samples, and
-// says so.
-TEST(Generate, TakesSamplesWhereFieldsDoNotReach) {
-  const TestFolder folder;
-  Sfnt source = Sfnt::plain();
-  source.units_per_em = 1024;
-  source.glyphs[3].contours = {sfnt_rectangle(0, 0, 2500, 60)};
-  GenerateRequest request;
-  request.font = folder.write("wide.ttf", source);
-  request.symbols = ".H";
-  request.target.coding = Coding::edges;
-  request.target.max_px = 24;
-  const FontReport report = generate(request).report;
-  for (const GlyphReport& glyph : report.glyphs) {
-    EXPECT_TRUE(glyph.within_tolerance) << glyph.key;
-    const bool is_space = glyph.key == " ";
-    EXPECT_EQ(glyph.fields > 0, glyph.key != "H" && !is_space) << glyph.key;
-    EXPECT_EQ(glyph.cells > 0, !is_space) << glyph.key;
-  }
-  EXPECT_GT(report.kinds.samples, 0u);
-  EXPECT_GT(report.kinds.single, 0u);
-  EXPECT_NE(report_for_people(report).find("of samples"), std::string::npos);
 }
 
 TEST(Generate, DrawsOddOutlines) {
@@ -394,7 +356,7 @@ TEST(Generate, DrawsOddOutlines) {
        {sfnt_rectangle(0, 0, 300, 300), sfnt_rectangle(100, 100, 400, 400)}});
   GenerateRequest request;
   request.font = folder.write("odd.ttf", source);
-  request.target.coding = Coding::edges;
+  request.target.coding = Coding::samples;
   request.target.max_px = 16;
   const RomFont rom = generate(request);
   const std::map<std::string, bool> has_ink = {
@@ -445,7 +407,7 @@ TEST(Generate, HoldsOutlinesUpToTheLimit) {
     source.glyphs[3].contours = {sfnt_rectangle(far - 9, far - 9, far, far),
                                  sfnt_rectangle(-far, -far, 9 - far, 9 - far)};
     request.font = folder.write("wide.ttf", source);
-    request.target.coding = far % 2 == 0 ? Coding::samples : Coding::edges;
+    request.target.coding = far % 2 == 0 ? Coding::samples : Coding::outline;
     EXPECT_EQ(refusal(request), "no error") << far;
   }
   request.target.coding = Coding::samples;

@@ -160,26 +160,23 @@ TEST_F(Program, EffortIsForCells) {
     return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
   };
   EXPECT_FALSE(report("--effort 9").contains("effort"));
-  for (const std::string coding : {"edges", "samples"}) {
-    const auto little = report("--coding " + coding + " --effort 0");
-    const auto much = report("--coding " + coding + " --effort 9");
-    EXPECT_EQ(much.at("effort"), 9);
-    EXPECT_GT(little.at("bytes").at("total"), much.at("bytes").at("total"))
-        << coding;
-  }
+  const auto little = report("--coding samples --effort 0");
+  const auto much = report("--coding samples --effort 9");
+  EXPECT_EQ(much.at("effort"), 9);
+  EXPECT_GT(little.at("bytes").at("total"), much.at("bytes").at("total"));
   const std::string help = run(folder_, "--help").out;
-  EXPECT_NE(help.find("(edges, samples) How hard"), std::string::npos);
+  EXPECT_NE(help.find("(samples) How hard"), std::string::npos);
 }
 
 TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
   const std::string font =
-      "--font plain.ttf --symbols H --coding edges --min-px 12 --out a.bin "
+      "--font plain.ttf --symbols H --coding samples --min-px 12 --out a.bin "
       "--report a.json ";
   const auto report = [&] {
     return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
   };
   ASSERT_EQ(run(folder_, font).code, 0);
-  EXPECT_EQ(report().at("band_u"), 512 / 12);
+  EXPECT_EQ(report().at("band_u"), 768 / 12);
   EXPECT_FALSE(report().contains("band_bytes"));
   const int usual = report().at("bytes").at("total");
   const Outcome wide = run(folder_, font + "--band-px 2");
@@ -203,7 +200,6 @@ TEST_F(Program, MakesEveryKindOfFont) {
     const char* coding;
   } kinds[] = {{"", "outline"},
                {"--coding outline", "outline"},
-               {"--coding edges", "edges"},
                {"--coding samples", "samples"},
                {"--coding samples --predicate fixed", "samples"}};
   for (const auto& kind : kinds) {
@@ -254,8 +250,8 @@ TEST_F(Program, RefusesOptionsThatDoNotGoTogether) {
     const char* options;
     const char* remedy;
   } cases[] = {{"--predicate fixed", "use --coding samples"},
-               {"--coding edges --predicate fixed", "use --coding samples"},
-               {"--coding bitmaps", "use 'outline', 'edges' or 'samples'"},
+               {"--coding edges", "use 'outline' or 'samples'"},
+               {"--coding bitmaps", "use 'outline' or 'samples'"},
                {"--predicate best", "use 'size' or 'fixed'"}};
   for (const auto& wrong : cases) {
     const Outcome result = run(

@@ -10,10 +10,8 @@
 #include <iterator>
 #include <random>
 
-#include "edge_trees.hpp"
-#include "edges/code.hpp"
-#include "edges/record.hpp"
 #include "inkcell/format/rom.hpp"
+#include "samples/record.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::gen::test {
@@ -174,26 +172,23 @@ TEST(RomFont, ClosedLoopAcceptsWhatWasWritten) {
 }
 
 TEST(RomFont, NoGlyphNeedsInk) {
-  for (const Coding coding : {Coding::samples, Coding::edges}) {
-    for (size_t count = 1; count < 20; ++count) {
-      RomContent content = smallest();
-      content.options.coding = coding;
-      content.glyphs.assign(count, RomGlyph());
-      content.glyph_of.clear();
-      for (size_t i = 0; i < count; ++i) {
-        content.glyphs[i].metrics.advance = static_cast<int>(300 + i);
-        content.glyph_of[static_cast<char32_t>(U' ' + i)] =
-            static_cast<uint16_t>(i);
-      }
-      const std::vector<uint8_t> bytes = write(content);
-      check_rom_font(bytes, content);
-      Font font;
-      ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
-      for (size_t i = 0; i < count; ++i) {
-        GlyphField field;
-        EXPECT_EQ(font.field(static_cast<uint16_t>(i), field), Status::ok);
-        EXPECT_EQ(field.tiles_x, 0);
-      }
+  for (size_t count = 1; count < 20; ++count) {
+    RomContent content = smallest();
+    content.glyphs.assign(count, RomGlyph());
+    content.glyph_of.clear();
+    for (size_t i = 0; i < count; ++i) {
+      content.glyphs[i].metrics.advance = static_cast<int>(300 + i);
+      content.glyph_of[static_cast<char32_t>(U' ' + i)] =
+          static_cast<uint16_t>(i);
+    }
+    const std::vector<uint8_t> bytes = write(content);
+    check_rom_font(bytes, content);
+    Font font;
+    ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
+    for (size_t i = 0; i < count; ++i) {
+      GlyphField field;
+      EXPECT_EQ(font.field(static_cast<uint16_t>(i), field), Status::ok);
+      EXPECT_EQ(field.tiles_x, 0);
     }
   }
 }
@@ -345,73 +340,26 @@ TEST(RomFont, LargeFontsCountInLargerUnits) {
   check_rom_font(rom, content);
 }
 
-// Every kind of glyph that a font of fields may have: one without ink, two of
-// fields, one of samples.
-RomContent of_fields() {
-  RomContent content = smallest();
-  content.options.coding = Coding::edges;
-  content.options.min_px = 8;
-  content.options.max_px = 64;
-  content.glyphs.resize(4);
-  std::mt19937 random(13);
-  TreeOptions options;
-  options.steps = steps_for(content.options);
-  options.tiles_x = 2;
-  options.tiles_y = 3;
-  for (const size_t glyph : {size_t{2}, size_t{3}}) {
-    content.glyphs[glyph].fields = random_tree(random, options);
-    content.glyphs[glyph].metrics = {700, 10, 0, 600, 500};
-  }
-  content.glyph_of[U'A'] = 2;
-  content.glyph_of[U'B'] = 3;
-  return content;
-}
-
-TEST(RomFont, FieldsAreReadBack) {
-  const RomContent content = of_fields();
-  const std::vector<uint8_t> bytes = write(content);
-  check_rom_font(bytes, content);
-  Font font;
-  ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
-  EXPECT_EQ(font.verify(), Status::ok);
-  EXPECT_EQ(bytes[format::header::kCoding], 1);
-  // The band of fields: half a pixel at 8 px/em.
-  EXPECT_EQ(font.range().band_u, 64);
-  size_t cells = 0;
-  for (const size_t glyph : {size_t{2}, size_t{3}}) {
-    size_t leaves = 0;
-    for (const TreeNode& node : content.glyphs[glyph].fields.nodes) {
-      leaves += node.kind == TreeNode::Kind::leaf ? 1u : 0u;
-    }
-    cells = std::max(cells, leaves);
-  }
-  EXPECT_EQ(bytes[format::header::kMaxCells] |
-                bytes[format::header::kMaxCells + 1] << 8,
-            static_cast<int>(cells));
-}
-
 TEST(RomFont, HeaderSaysNothingOfOutlinesWhereThereAreCells) {
-  for (const RomContent& content : {smallest(), of_fields()}) {
-    const std::vector<uint8_t> bytes = write(content);
-    EXPECT_EQ(bytes[format::header::kReserved0], 0);
-    EXPECT_EQ(bytes[format::header::kReserved1], 0);
-    EXPECT_EQ(bytes[format::header::kGridShift], 0);
-    EXPECT_EQ(bytes[format::header::kCodeBits], 0);
-    EXPECT_EQ(bytes[format::header::kMaxPoints], 0);
-    EXPECT_EQ(bytes[format::header::kMaxPoints + 1], 0);
-  }
+  const std::vector<uint8_t> bytes = write(larger());
+  EXPECT_EQ(bytes[format::header::kCoding], 0);
+  EXPECT_EQ(bytes[format::header::kMaxCells], 3);
+  EXPECT_EQ(bytes[format::header::kMaxNodes], 2);
+  EXPECT_EQ(bytes[format::header::kReserved0], 0);
+  EXPECT_EQ(bytes[format::header::kReserved1], 0);
+  EXPECT_EQ(bytes[format::header::kGridShift], 0);
+  EXPECT_EQ(bytes[format::header::kCodeBits], 0);
+  EXPECT_EQ(bytes[format::header::kMaxPoints], 0);
+  EXPECT_EQ(bytes[format::header::kMaxPoints + 1], 0);
 }
 
 TEST(RomFont, RecordsAreThoseOfTheCells) {
-  const RomContent content = of_fields();
+  const RomContent content = larger();
   EXPECT_EQ(glyph_record(content.glyphs[3]),
-            edge_record(content.glyphs[3].fields));
+            samples_record(content.glyphs[3].samples));
   EXPECT_TRUE(glyph_record(content.glyphs[0]).empty());
   EXPECT_TRUE(content.glyphs[3].has_ink());
   EXPECT_FALSE(content.glyphs[0].has_ink());
-  const RomGlyph dot = smallest().glyphs[1];
-  EXPECT_EQ(glyph_record(dot)[0], format::glyph::kTypeSamples);
-  EXPECT_TRUE(dot.has_ink());
 }
 
 // Each change of the source must be seen by the check of the unchanged bytes.
@@ -455,38 +403,6 @@ TEST(RomFont, ClosedLoopSeesEveryChangedByte) {
     bytes[i] ^= 0x10;
     EXPECT_THROW(check_rom_font(bytes, larger()), Error) << i;
   }
-}
-
-TEST(RomFont, ClosedLoopSeesDifferentFields) {
-  const std::vector<uint8_t> bytes = write(of_fields());
-  int seen = 0;
-  const auto refuses = [&](auto change) {
-    RomContent content = of_fields();
-    change(content);
-    EXPECT_THROW(check_rom_font(bytes, content), Error) << seen;
-    ++seen;
-  };
-  const auto first = [](RomContent& c, TreeNode::Kind kind) -> TreeNode& {
-    std::vector<TreeNode>& nodes = c.glyphs[3].fields.nodes;
-    return *std::find_if(nodes.begin(), nodes.end(), [&](const TreeNode& node) {
-      return node.kind == kind;
-    });
-  };
-  refuses([](RomContent& c) { std::swap(c.glyphs[2], c.glyphs[3]); });
-  refuses([](RomContent& c) { c.glyphs[3].fields = EdgeTree(); });
-  refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
-  refuses([](RomContent& c) {
-    c.glyphs[2].fields = EdgeTree();
-    c.glyphs[2].samples = larger().glyphs[3].samples;
-  });
-  refuses([&](RomContent& c) {
-    first(c, TreeNode::Kind::outside).kind = TreeNode::Kind::inside;
-  });
-  refuses([&](RomContent& c) {
-    const TreeNode& leaf = first(c, TreeNode::Kind::leaf);
-    c.glyphs[3].fields.fields[leaf.uses[0].field].c_q4 ^= 0x400;
-  });
-  EXPECT_EQ(seen, 6);
 }
 
 }  // namespace

@@ -19,15 +19,11 @@
   extern "C" const uint8_t golden_##name[]; \
   extern "C" const uint8_t golden_##name##_end[]
 
-GOLDEN_FONT(dejavu_sans);
 GOLDEN_FONT(dejavu_sans_samples);
-GOLDEN_FONT(dejavu_serif);
 GOLDEN_FONT(dejavu_sans_outline);
 GOLDEN_FONT(dejavu_serif_outline);
 GOLDEN_FONT(roboto_outline);
 GOLDEN_FONT(noto_sans_cjk_outline);
-GOLDEN_FONT(noto_sans_cjk);
-GOLDEN_FONT(roboto);
 
 namespace golden {
 
@@ -37,10 +33,6 @@ inkcell::Span<const uint8_t> font_bytes(FontId id) {
     const uint8_t* end;
   };
   static constexpr Ends kFonts[kFontCount] = {
-      {golden_dejavu_sans, golden_dejavu_sans_end},
-      {golden_dejavu_serif, golden_dejavu_serif_end},
-      {golden_roboto, golden_roboto_end},
-      {golden_noto_sans_cjk, golden_noto_sans_cjk_end},
       {golden_dejavu_sans_samples, golden_dejavu_sans_samples_end},
       {golden_dejavu_sans_outline, golden_dejavu_sans_outline_end},
       {golden_dejavu_serif_outline, golden_dejavu_serif_outline_end},

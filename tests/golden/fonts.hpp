@@ -6,17 +6,13 @@
 namespace golden {
 
 enum class FontId : uint8_t {
-  dejavu_sans,
-  dejavu_serif,
-  roboto,
-  noto_sans_cjk,
   dejavu_sans_samples,
   dejavu_sans_outline,
   dejavu_serif_outline,
   roboto_outline,
   noto_sans_cjk_outline,
 };
-inline constexpr int kFontCount = 9;
+inline constexpr int kFontCount = 5;
 
 inkcell::Span<const uint8_t> font_bytes(FontId id);
 

@@ -18,21 +18,16 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SYSTEM_FONTS = Path("/usr/share/fonts")
-# File, face, characters. Small, but with kerning, a character above U+FFFF, a
-# space, and a hanzi whose cells have too many numbers for bytes.
-SANS = ("DejaVuSans.ttf", 0, "Inkcel 42\U0001d538")
+# File, face, characters. Small, but with kerning, a character above U+FFFF and
+# a space.
 SERIF = ("DejaVuSerif.ttf", 0, "AVQuav& ")
 ROBOTO = ("Roboto-Regular.ttf", 0, "Roboty ")
 CJK = ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57\u8f5f")
 OUTLINE = ["--coding", "outline", "--tolerance", "32/255"]
 FONTS = {
-    "dejavu_sans": (SANS, ["--coding", "edges"]),
     "dejavu_sans_samples": (("DejaVuSans.ttf", 0, "Again"),
                             ["--coding", "samples", "--max-px", "24",
                              "--tolerance", "24/255"]),
-    "dejavu_serif": (SERIF, ["--coding", "edges"]),
-    "noto_sans_cjk": (CJK, ["--coding", "edges", "--max-px", "32"]),
-    "roboto": (ROBOTO, ["--coding", "edges"]),
     # With a composite: a letter and its accent.
     "dejavu_sans_outline": (
         ("DejaVuSans.ttf", 0, "Inkcel 42\u00e4\U0001d538"), OUTLINE),

@@ -86,8 +86,8 @@ bool draw_fitted(const Sink& sink) {
 
 bool draw_adaptive(const Sink& sink) {
   const Supersampling even = make_supersampling(kFilterMotion, kCalmRadius);
-  if (!draw_painted({FontId::dejavu_serif, "AVA Quav&", 10 * 64 + 11, 2 * 64,
-                     28 * 64 + 17},
+  if (!draw_painted({FontId::dejavu_sans_samples, "Againniag", 10 * 64 + 11,
+                     2 * 64, 28 * 64 + 17},
                     kFilterMotion, supersample_effect(even), nullptr, sink)) {
     return false;
   }
@@ -111,7 +111,7 @@ bool draw_splats(const Sink& sink) {
 bool draw_perceptual(const Sink& sink) {
   const EdgeContrast edge_contrast;
   return draw_painted(
-      {FontId::dejavu_sans, "Inkcell 24", 14 * 64, 3 * 64 + 9, 45 * 64},
+      {FontId::dejavu_sans_samples, "Againgain", 14 * 64, 3 * 64 + 9, 45 * 64},
       kFilterText, edge_contrast_effect(edge_contrast), nullptr, sink);
 }
 
@@ -119,42 +119,45 @@ bool draw_blurred(const Sink& sink) {
   MotionBlur blur;
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
   return make_motion_blur(kFilterText, way, blur) == Status::ok &&
-         draw_painted({FontId::roboto, "Root", 22 * 64, 95 * 64, 50 * 64},
-                      kFilterText, motion_blur_effect(blur), nullptr, sink);
+         draw_painted(
+             {FontId::dejavu_sans_samples, "Agin", 22 * 64, 95 * 64, 50 * 64},
+             kFilterText, motion_blur_effect(blur), nullptr, sink);
 }
 
 bool draw_outlined(const Sink& sink) {
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
-  if (!draw_painted({FontId::dejavu_serif, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
-                    outline.outer, outline_effect(outline.inner), nullptr,
-                    sink)) {
+  if (!draw_painted(
+          {FontId::dejavu_serif_outline, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
+          outline.outer, outline_effect(outline.inner), nullptr, sink)) {
     return false;
   }
   const OutlineAndFill both = {&outline.inner, &sink};
-  return draw_painted({FontId::dejavu_sans, "Inn", 28 * 64, 85 * 64, 80 * 64},
-                      outline.outer, outline_and_fill_effect(both), nullptr,
-                      sink);
+  return draw_painted(
+      {FontId::dejavu_sans_outline, "Inn", 28 * 64, 85 * 64, 80 * 64},
+      outline.outer, outline_and_fill_effect(both), nullptr, sink);
 }
 
 bool draw_weighted(const Sink& sink) {
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
   const Filter soft = shadow_filter(Q6_10::from_raw(1500));
-  return draw_plain({FontId::roboto, "Roboty", 16 * 64, 2 * 64, 98 * 64}, bold,
-                    nullptr, sink) &&
-         draw_plain({FontId::dejavu_sans, "Ink", 26 * 64, 90 * 64, 104 * 64},
-                    soft, nullptr, sink);
+  return draw_plain(
+             {FontId::roboto_outline, "Roboty", 16 * 64, 2 * 64, 98 * 64}, bold,
+             nullptr, sink) &&
+         draw_plain(
+             {FontId::dejavu_sans_outline, "Ink", 26 * 64, 90 * 64, 104 * 64},
+             soft, nullptr, sink);
 }
 
 bool draw_crisp(const Sink& sink) {
   const CrispOptions two = {2, Q6_10::from_raw(-100)};
   const CrispOptions four = {4, Q6_10()};
-  return draw_painted(
-             {FontId::dejavu_serif, "AV Qua", 11 * 64, 2 * 64 + 30, 118 * 64},
-             kFilterText, crisp_effect(two), nullptr, sink) &&
-         draw_painted(
-             {FontId::dejavu_sans, "Inkcell", 9 * 64, 80 * 64, 118 * 64},
-             kFilterText, crisp_effect(four), nullptr, sink);
+  return draw_painted({FontId::dejavu_serif_outline, "AV Qua", 11 * 64,
+                       2 * 64 + 30, 118 * 64},
+                      kFilterText, crisp_effect(two), nullptr, sink) &&
+         draw_painted({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 80 * 64,
+                       118 * 64},
+                      kFilterText, crisp_effect(four), nullptr, sink);
 }
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
@@ -163,13 +166,13 @@ bool draw_turned(const Sink& sink) {
   const auto px = [](int32_t q10) { return Q16_16::from_raw(q10 * 64); };
   if (TextStyle::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
                       style) != Status::ok ||
-      !draw_line({FontId::dejavu_sans, "Inkcell", 0, 2 * 64, 144 * 64}, style,
-                 nullptr, sink)) {
+      !draw_line({FontId::dejavu_sans_outline, "Inkcell", 0, 2 * 64, 144 * 64},
+                 style, nullptr, sink)) {
     return false;
   }
   if (TextStyle::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
                       style) != Status::ok ||
-      !draw_line({FontId::roboto, "Root", 0, 158 * 64, 140 * 64}, style,
+      !draw_line({FontId::roboto_outline, "Root", 0, 158 * 64, 140 * 64}, style,
                  nullptr, sink)) {
     return false;
   }
@@ -182,8 +185,9 @@ bool draw_turned(const Sink& sink) {
     return false;
   }
   style.set_effect(supersample_effect(even));
-  return draw_line({FontId::dejavu_serif, "Quav AVA", 0, 3 * 64, 160 * 64},
-                   style, nullptr, sink);
+  return draw_line(
+      {FontId::dejavu_sans_samples, "Againgain", 0, 3 * 64, 160 * 64}, style,
+      nullptr, sink);
 }
 
 // By area, upright and turned.
@@ -287,9 +291,9 @@ bool draw_sub_pixels(const Sink& sink) {
   for (const SubPixels order : kOrders) {
     const LcdOptions lcd = {order, static_cast<uint8_t>(y_q6 >> 5)};
     if (!draw_painted(
-            {FontId::dejavu_sans, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
+            {FontId::dejavu_sans_outline, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
             kFilterText, lcd_effect(lcd), nullptr, sink) ||
-        !draw_painted({FontId::roboto, "Roy", 30 * 64, 85 * 64, y_q6},
+        !draw_painted({FontId::roboto_outline, "Roy", 30 * 64, 85 * 64, y_q6},
                       kFilterText, lcd_effect(lcd), nullptr, sink)) {
       return false;
     }

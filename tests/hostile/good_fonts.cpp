@@ -1,11 +1,9 @@
 #include "good_fonts.hpp"
 
 #include "exercise.hpp"
-#include "field_record.hpp"
 #include "font_builder.hpp"
 #include "grid_record.hpp"
 #include "outline_record.hpp"
-#include "random.hpp"
 
 namespace hostile {
 namespace {
@@ -60,44 +58,6 @@ Bytes build_font(bool wide) {
   return font;
 }
 
-// .notdef and A: glyphs of fields, and no kerning.
-Bytes build_fields_font(bool linked) {
-  static FieldRecord records[2];
-  static uint8_t bytes[2][512];
-  Random random(7);
-  font_builder::GlyphSpec glyphs[2];
-  for (int i = 0; i < 2; ++i) {
-    FieldRecord& record = records[i];
-    do {
-      record = FieldRecord();
-      record.linked = linked;
-      record.tile_log2 = 7;
-      record.tiles_x = 2;
-      record.tiles_y = 2;
-      record.x0_u = -32;
-      record.y0_u = -32;
-      record.make(random, 64);
-    } while (record.size() < 120 || record.size() > 200 ||
-             record.node_count == 0 || record.arc_count == 0 ||
-             record.pair_count == 0 || record.triple_count == 0);
-    record.write(bytes[i]);
-    glyphs[i] = {
-        600, {-30, -30, 220, 220}, nullptr, nullptr, {bytes[i], record.size()}};
-  }
-  const font_builder::CmapEntry cmap[] = {{'A', 0, 1}};
-  font_builder::FontSpec spec;
-  spec.cmap = cmap;
-  spec.glyphs = glyphs;
-  spec.name = "Hostile";
-  GridRecord hints;
-  hints.make_usual(2);
-  spec.hints = hints.write();
-  Bytes font(8192);
-  font.resize(font_builder::build_font(spec, {font.data(), font.size()}));
-  require(!font.empty(), "the font fits its buffer");
-  return font;
-}
-
 // Those of outline_record.hpp: outlines, a composite, and no hints.
 Bytes build_outline_font() {
   Bytes font(outline_record::kSampleFontBytes);
@@ -111,9 +71,6 @@ Bytes build_outline_font() {
 Bytes good_font(const std::string& kind) {
   if (kind == "1" || kind == "2") {
     return build_font(kind == "2");
-  }
-  if (kind == "narrow" || kind == "linked") {
-    return build_fields_font(kind == "linked");
   }
   return kind == "outline" ? build_outline_font() : Bytes();
 }

@@ -11,8 +11,7 @@ namespace hostile {
 using Bytes = std::vector<uint8_t>;
 
 /// `kind`: "1" or "2", cells of samples with kerning classes of one byte or of
-/// two; "narrow" or "linked", cells of primitives; "outline". Empty if there is
-/// no such kind.
+/// two; "outline". Empty if there is no such kind.
 Bytes good_font(const std::string& kind);
 
 }  // namespace hostile

@@ -6,8 +6,6 @@
 //
 //   hostile_fonts 1       kerning classes of one byte, all damage
 //   hostile_fonts 2       kerning classes of two bytes
-//   hostile_fonts narrow  glyphs of fields, references of a byte
-//   hostile_fonts linked  glyphs of fields, heaps
 //   hostile_fonts outline glyphs of outlines
 #include <stdio.h>
 #include <time.h>
@@ -312,7 +310,7 @@ int main(int argc, char** argv) {
   const std::string kind = argc == 2 ? argv[1] : "";
   const Bytes good = hostile::good_font(kind);
   if (good.empty()) {
-    fprintf(stderr, "usage: hostile_fonts 1|2|narrow|linked|outline\n");
+    fprintf(stderr, "usage: hostile_fonts 1|2|outline\n");
     return 2;
   }
   const bool wide = kind == "2";

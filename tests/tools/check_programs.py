@@ -18,9 +18,7 @@ SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "host_tools"
 
 # Every coding, and the options that choose it.
-CODINGS = {"outline": (), "edges": ("--coding", "edges"),
-           "samples": ("--coding", "samples")}
-CELLS = ("edges", "samples")
+CODINGS = {"outline": (), "samples": ("--coding", "samples")}
 
 
 class Pgm:
@@ -62,7 +60,7 @@ class Tools(unittest.TestCase):
             cls.fonts[name] = cls.path / f"{name}.bin"
             run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px",
                 "32", *options, "--quiet", "--out", cls.fonts[name])
-        cls.font = cls.fonts["edges"]
+        cls.font = cls.fonts["samples"]
 
     @classmethod
     def tearDownClass(cls):
@@ -76,7 +74,7 @@ class Tools(unittest.TestCase):
     def test_converts_in_memory(self):
         rom = self.render("--text", "AVa.", "--px", 24)
         ttf = self.render("--text", "AVa.", "--px", 24, "--max-px", 32,
-                          *CODINGS["edges"], font=SANS)
+                          *CODINGS["samples"], font=SANS)
         self.assertEqual(rom.pixels, ttf.pixels)
         self.assertGreater(rom.ink(), 255 * 100)
 
@@ -99,9 +97,8 @@ class Tools(unittest.TestCase):
             said = run("render", "--font", font, "--text", "a", "--px", 12,
                        "--stats", "--out", self.path / "a.pgm")
             self.assertIn(f"10 glyphs, coding {coding}\n", said)
-        for angle, pair in itertools.product(
-                (0, 30), itertools.combinations(CODINGS, 2)):
-            one, other = (pictures[coding, angle].pixels for coding in pair)
+        for angle in (0, 30):
+            one, other = (pictures[coding, angle].pixels for coding in CODINGS)
             self.assertEqual(len(one), len(other))
             self.assertNotEqual(one, other)
             # Upright each is within 16/255 of the truth.
@@ -342,7 +339,7 @@ class Tools(unittest.TestCase):
         jobs.append(dict(jobs[0], font=SANS, out=str(self.path / "job3.pgm")))
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
-        run("render", "--jobs", listed, "--max-px", 32, *CODINGS["edges"])
+        run("render", "--jobs", listed, "--max-px", 32, *CODINGS["samples"])
         moving = ("--hint", "none", "--filter", "motion", "--samples",
                   "adaptive", "--radius", 0.75)
         for i, job in enumerate(jobs[:3]):
@@ -421,8 +418,9 @@ class Tools(unittest.TestCase):
                 *((f"--hint {hint} moves points of outlines",
                    ("--font", self.font, *text, "--hint", hint))
                   for hint in ("vertical", "both")),
-                ("make it by inkcell-fontgen --coding samples", (
-                    "--font", self.font, *text, "--samples", "splats")),
+                *(("make it by inkcell-fontgen --coding samples", (
+                    "--font", self.fonts["outline"], *text, "--samples", kind))
+                  for kind in ("adaptive", "splats")),
                 ("--outline-place is for --outline", (
                     "--font", self.font, *text, "--outline-place", "inner")),
                 ("no folder /nowhere", ("--font", self.font, *text[:-1],
@@ -700,6 +698,25 @@ class Tools(unittest.TestCase):
             self.assertIn("corrupt", seen)
             self.assertIn("it is damaged", seen)
 
+    def test_fonts_of_edges_are_refused(self):
+        """Coding 1, which only earlier versions made."""
+        old = self.path / "old.bin"
+        data = bytearray(self.font.read_bytes())
+        data[39] = 1
+        old.write_bytes(data)
+        out = self.path / "old.png"
+        for program, *arguments in (
+                ("render", "--font", old, "--text", "a", "--px", 9, "--out",
+                 out),
+                ("specimen", old, "--draw-body", out),
+                ("accuracy", "--font", old, "--truth", SANS),
+                ("inspect", old)):
+            self.assertIn("old.bin: it is a font of edges, which this version "
+                          "cannot read; make it again by inkcell-fontgen "
+                          "--coding outline (unsupported)",
+                          run(program, *arguments, code=1))
+        self.assertFalse(out.exists())
+
     def test_rom_fonts_take_no_conversion_options(self):
         out = self.path / "no.png"
         job = self.path / "rom.jsonl"
@@ -834,29 +851,22 @@ class Tools(unittest.TestCase):
         self.assertRegex(said, r"points +\d+ in 2 contours")
         self.assertRegex(run("inspect", rom), r"code table +\d+ words")
 
-    def test_inspect_counts_every_kind_of_cells(self):
+    def test_inspect_counts_cells(self):
         report = self.path / "report.json"
-        for coding in CELLS:
-            options = CODINGS[coding]
-            rom = self.path / "coding.bin"
-            run("fontgen", "--font", SERIF, "--symbols", "a%", *options,
-                "--quiet", "--out", rom, "--report", report)
-            generated = json.loads(report.read_text())
-            seen = json.loads(run("inspect", rom, "--json"))
-            self.assertEqual(seen["verify"], "ok")
-            self.assertEqual(seen["coding"], coding)
-            self.assertEqual(generated["coding"], coding)
-            self.assertEqual(seen["cells_by_kind"], generated["cells_by_kind"])
-            self.assertEqual(seen["cells"],
-                             sum(generated["cells_by_kind"].values()))
-            self.assertEqual(seen["nodes"], generated["node_count"])
-            self.assertEqual(seen["fields"] > 0, coding != "samples")
-            for glyph in seen["glyphs"]:
-                # All parts of a record, but for the byte that may fill it up.
-                parts = sum(glyph["record_bytes"].values())
-                self.assertIn(glyph["bytes"] - parts,
-                              (0, 1) if coding == "edges" else (0,), glyph)
-            self.assertRegex(run("inspect", rom), rf"coding +{coding}\n")
+        rom = self.path / "coding.bin"
+        run("fontgen", "--font", SERIF, "--symbols", "a%", *CODINGS["samples"],
+            "--quiet", "--out", rom, "--report", report)
+        generated = json.loads(report.read_text())
+        seen = json.loads(run("inspect", rom, "--json"))
+        self.assertEqual(seen["verify"], "ok")
+        self.assertEqual(seen["coding"], "samples")
+        self.assertEqual(generated["coding"], "samples")
+        self.assertEqual(seen["cells"], generated["cell_count"])
+        self.assertEqual(seen["nodes"], generated["node_count"])
+        for glyph in seen["glyphs"]:
+            self.assertEqual(glyph["bytes"],
+                             sum(glyph["record_bytes"].values()))
+        self.assertRegex(run("inspect", rom), r"coding +samples\n")
 
     def test_inspect_shows_hints(self):
         font = self.fonts["outline"]
@@ -928,8 +938,8 @@ class Tools(unittest.TestCase):
         table = subprocess.run(
             [sys.executable, TOOLS / "size_table.py", self.path, *CODINGS],
             stdout=subprocess.PIPE, text=True, check=True).stdout
-        self.assertRegex(table, r"^ +outline +edges +samples\n")
-        self.assertRegex(table, r"\ndistinct primitives +0 +[1-9]\d* +0\n")
+        self.assertRegex(table, r"^ +outline +samples\n")
+        self.assertRegex(table, r"\ncells +0 +[1-9]\d*\n")
 
     def test_accuracy_finds_the_wrong_truth(self):
         for font in self.fonts.values():
@@ -953,7 +963,7 @@ class Tools(unittest.TestCase):
         self.assertIn(f"the font has {size} bytes", printed)
         listed = json.loads(table.read_text())
         self.assertEqual(listed["font_bytes"], size)
-        self.assertEqual(listed["coding"], "edges")
+        self.assertEqual(listed["coding"], "samples")
         self.assertEqual(listed["characters"], 2)
         rows = listed["rows"]
         filters = ("text", "motion", "paper_display", "paper_body")
@@ -1049,7 +1059,7 @@ class Tools(unittest.TestCase):
     def test_specimen_draws_styles(self):
         of_all = ["filters", "lcd", "levels", "maps", "star", "compare-body",
                   "compare-display"]
-        own = {"edges": ["contrast", "motion"], "outline": ["fitting"]}
+        own = {"samples": ["contrast", "motion"], "outline": ["fitting"]}
         for coding, others in own.items():
             pictures = [self.path / f"{name}.png" for name in of_all + others]
             options = [x for out in pictures for x in (f"--draw-{out.stem}", out)]
@@ -1063,7 +1073,7 @@ class Tools(unittest.TestCase):
         for coding, name, said in (
                 ("outline", "motion", "the field at any point"),
                 ("outline", "contrast", "distances at any point"),
-                ("edges", "fitting", "points of outlines")):
+                ("samples", "fitting", "points of outlines")):
             self.assertIn(said, run("specimen", self.fonts[coding],
                                     f"--draw-{name}", out, code=1))
             self.assertFalse(out.exists())
@@ -1072,7 +1082,7 @@ class Tools(unittest.TestCase):
         out = self.path / "effects.png"
         self.assertIn("--band-px", run(
             "specimen", self.font, "--draw-effects", out, code=1))
-        run("specimen", SANS, "--symbols", "Efcts", *CODINGS["edges"],
+        run("specimen", SANS, "--symbols", "Efcts", *CODINGS["samples"],
             "--band-px", 2, "--min-px", 12, "--max-px", 32, "--draw-effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
 

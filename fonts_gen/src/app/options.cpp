@@ -131,12 +131,10 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       "With --tolerance: a glyph that misses it is no error either");
   add_choice<Coding>(
       app, "--coding", target.coding,
-      {{"outline", Coding::outline},
-       {"edges", Coding::edges},
-       {"samples", Coding::samples}},
-      "What glyphs are made of: 'outline', few points, for text; 'edges', a "
-      "quadtree of cells of up to three second-order distance functions, for "
-      "the field at any point; 'samples', cells of the paper's nine distances");
+      {{"outline", Coding::outline}, {"samples", Coding::samples}},
+      "What glyphs are made of: 'outline', few points, for text; 'samples', a "
+      "quadtree of cells of the paper's nine distances, for the field at any "
+      "point");
   add_choice<Predicate>(
       app, "--predicate", target.predicate,
       {{"size", Predicate::size_aware}, {"fixed", Predicate::fixed}},
@@ -146,8 +144,8 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       app, "--hints", request.hints, {{"on", true}, {"off", false}},
       "What grid fitting of outlines needs: zones, bars, stems and more");
   app.add_option("--effort", target.effort,
-                 "(edges, samples) How hard to try for fewer bytes; outlines "
-                 "have no use for it")
+                 "(samples) How hard to try for fewer bytes; outlines have no "
+                 "use for it")
       ->check(CLI::Range(0, 9).description(""))
       ->type_name("0..9")
       ->capture_default_str();

@@ -65,9 +65,7 @@ double rounded(double value) {
 }
 
 const char* coding_name(const Target& options) {
-  return options.coding == Coding::outline ? "outline"
-         : options.coding == Coding::edges ? "edges"
-                                           : "samples";
+  return options.coding == Coding::outline ? "outline" : "samples";
 }
 
 std::string outlines_line(const FontReport& report) {
@@ -80,21 +78,8 @@ std::string outlines_line(const FontReport& report) {
 }
 
 std::string cells_line(const FontReport& report) {
-  std::string text = format("  %-16s%zu, %zu inner nodes; ", "cells",
-                            report.cells, report.nodes);
-  if (report.options.coding == Coding::samples) {
-    return text +
-           format("as a leaf list %zu bytes\n", report.leaf_list_bytes());
-  }
-  const CellCounts& kinds = report.kinds;
-  text += format("of one, two, three fields: %zu, %zu, %zu\n", kinds.single,
-                 kinds.pairs, kinds.triples);
-  if (kinds.samples != 0) {
-    text += format("  %-16s%zu, where fields cannot hold the tolerance\n",
-                   "of samples", kinds.samples);
-  }
-  text += format("  %-16s%zu\n", "fields", report.fields);
-  return text;
+  return format("  %-16s%zu, %zu inner nodes; as a leaf list %zu bytes\n",
+                "cells", report.cells, report.nodes, report.leaf_list_bytes());
 }
 
 // The smallest, the largest, and some sizes between.
@@ -264,11 +249,6 @@ std::string report_as_json(const FontReport& report) {
   json["leaf_list_bytes"] = report.leaf_list_bytes();
   json["cell_count"] = report.cells;
   json["node_count"] = report.nodes;
-  json["primitive_count"] = report.fields;
-  json["cells_by_kind"] = {{"samples", report.kinds.samples},
-                           {"single", report.kinds.single},
-                           {"pair", report.kinds.pairs},
-                           {"triple", report.kinds.triples}};
   Json per_glyph = Json::object();
   Json points = Json::object();
   Json glyph_bytes = Json::object();

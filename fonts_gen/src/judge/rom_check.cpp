@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "edges/record.hpp"
 #include "hints/grid_section.hpp"
 #include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
@@ -201,39 +200,6 @@ class CellCheck {
   const GlyphField& field_;
 };
 
-// Whether `field` says what the record of `tree` does: every square has its
-// leaf, and every leaf says the same at its corners and its centre.
-bool equal_fields(const EdgeTree& tree, const GlyphField& field) {
-  const std::vector<uint8_t> bytes = edge_record(tree);
-  GlyphField expected;
-  if (GlyphField::open({bytes.data(), bytes.size()}, expected) != Status::ok ||
-      field.x0_u != expected.x0_u || field.y0_u != expected.y0_u ||
-      field.tiles_x != expected.tiles_x || field.tiles_y != expected.tiles_y) {
-    return false;
-  }
-  for (const TreeNode& node : tree.nodes) {
-    if (node.kind == TreeNode::Kind::split) {
-      continue;
-    }
-    const int last = (1 << node.size_log2) - 1;
-    for (const auto& [i, j] :
-         {std::pair(0, 0), std::pair(last, 0), std::pair(0, last),
-          std::pair(last, last), std::pair(last / 2, last / 2)}) {
-      const int x = node.x_u + i;
-      const int y = node.y_u + j;
-      const Cell cell = locate(field, x, y);
-      if (cell.x0_u != node.x_u || cell.y0_u != node.y_u ||
-          cell.size_log2 != node.size_log2 ||
-          distance_at(field, Q16_16::from_int(x), Q16_16::from_int(y)).raw !=
-              distance_at(expected, Q16_16::from_int(x), Q16_16::from_int(y))
-                  .raw) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 void check_cells(const Font& font, const RomContent& content) {
   for (size_t i = 0; i < content.glyphs.size(); ++i) {
     const RomGlyph& glyph = content.glyphs[i];
@@ -248,10 +214,7 @@ void check_cells(const Font& font, const RomContent& content) {
     }
     GlyphField field;
     const Status status = font.field(static_cast<uint16_t>(i), field);
-    const bool equal = glyph.fields.grid.tiles_x != 0
-                           ? equal_fields(glyph.fields, field)
-                           : CellCheck(glyph.samples, field).equal();
-    if (status != Status::ok || !equal) {
+    if (status != Status::ok || !CellCheck(glyph.samples, field).equal()) {
       differ(content, "the cells" + of_glyph(i));
     }
   }

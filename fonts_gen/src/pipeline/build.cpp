@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "base/work_pool.hpp"
-#include "judge/edge_glyph.hpp"
 #include "judge/hint_trial.hpp"
 #include "judge/outline_glyph.hpp"
 #include "pipeline/built_glyphs.hpp"
@@ -58,46 +57,19 @@ void judge_samples(const Shape& shape,
   }
 }
 
+// An image's samples are there already. The device always rounds to the same
+// side, so an image may miss a limit that its component holds.
 void build_samples(const Shape& shape,
                    const Target& options,
                    BuiltGlyph& built) {
-  Target of_samples = options;
-  of_samples.coding = Coding::samples;
-  built.glyph.fields = EdgeTree();
-  built.glyph.samples = build_sample_tree(shape, of_samples);
-  judge_samples(shape, options, built);
-}
-
-// Cells of primitives, or of samples where fields cannot hold the tolerance.
-void build_cells(const Shape& shape, const Target& options, BuiltGlyph& built) {
-  if (options.coding == Coding::samples) {
-    // An image's samples are there already. The device always rounds to the
-    // same side, so an image may miss a limit that its component holds.
-    const bool is_image = built.glyph.samples.tiles_x != 0;
-    if (is_image) {
-      judge_samples(shape, options, built);
-    }
-    if (!is_image || built.errors.worst > options.tolerance) {
-      build_samples(shape, options, built);
-    }
-    return;
+  const bool is_image = built.glyph.samples.tiles_x != 0;
+  if (is_image) {
+    judge_samples(shape, options, built);
   }
-  EdgeGlyph glyph;
-  try {
-    glyph = build_edges(shape, options, loop_options(options));
-  } catch (const GeometryError&) {
-    build_samples(shape, options, built);
-    return;
+  if (!is_image || built.errors.worst > options.tolerance) {
+    built.glyph.samples = build_sample_tree(shape, options);
+    judge_samples(shape, options, built);
   }
-  if (glyph.tree.failures != 0 || glyph.errors.worst > options.tolerance) {
-    build_samples(shape, options, built);
-    if (built.errors.worst < glyph.errors.worst) {
-      return;
-    }
-    built.glyph.samples = SampleTree();
-  }
-  built.glyph.fields = std::move(glyph.tree);
-  built.errors = std::move(glyph.errors);
 }
 
 void build_outline(const Outline& source,
@@ -152,7 +124,7 @@ BuiltGlyph build_glyph(const SourceFont& font,
       if (options.coding == Coding::outline) {
         build_outline(glyph.outline, shape, refit, options, built);
       } else {
-        build_cells(shape, options, built);
+        build_samples(shape, options, built);
       }
     }
   } catch (const GeometryError& error) {

@@ -11,16 +11,6 @@ namespace {
 // Glyphs named by a warning.
 constexpr size_t kListedGlyphs = 10;
 
-void count_cells(const RomGlyph& glyph, CellCounts& kinds) {
-  kinds.samples += glyph.samples.cells.size();
-  for (const TreeNode& node : glyph.fields.nodes) {
-    if (node.kind == TreeNode::Kind::leaf) {
-      const int count = primitive_count(node.join);
-      ++(count == 1 ? kinds.single : count == 2 ? kinds.pairs : kinds.triples);
-    }
-  }
-}
-
 GlyphReport report_glyph(const SourceGlyph& source,
                          const RomGlyph& built,
                          const LoopResult& errors,
@@ -32,11 +22,6 @@ GlyphReport report_glyph(const SourceGlyph& source,
                                          : to_utf8(source.code_points.front());
   glyph.cells = built.samples.cells.size();
   glyph.nodes = static_cast<size_t>(built.samples.node_count());
-  for (const TreeNode& node : built.fields.nodes) {
-    glyph.cells += node.kind == TreeNode::Kind::leaf ? 1 : 0;
-    glyph.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
-  }
-  glyph.fields = built.fields.fields.size();
   for (const MinimalContour& contour : built.outline.contours) {
     glyph.points += contour.points.size();
   }
@@ -127,13 +112,11 @@ FontReport make_report(const SourceFont& font,
     const RomGlyph& built = content.glyphs[i];
     GlyphReport glyph =
         report_glyph(font.glyphs[i], built, errors[i], content.options);
-    count_cells(built, report.kinds);
     if (has_only(font.glyphs[i].code_points, font.added)) {
       report.added_bytes += glyph.bytes;
     }
     report.cells += glyph.cells;
     report.nodes += glyph.nodes;
-    report.fields += glyph.fields;
     report.points += built.references.empty() ? glyph.points : 0;
     if (!built.references.empty()) {
       ++report.composites;

@@ -22,7 +22,6 @@ struct GlyphReport {
   std::string key;        // its smallest character in UTF-8, or .notdef
   size_t cells = 0;       // that are not saturated
   size_t nodes = 0;
-  size_t fields = 0;  // distinct ones, of cells of primitives
   size_t points = 0;  // of outlines; on and off curve, implied ones not counted
   size_t components = 0;  // that a composite record refers to; 0: simple
   size_t bytes = 0;       // of its record
@@ -32,14 +31,6 @@ struct GlyphReport {
   double mean_error = 0;
   int worst_px = 0;  // size_aware: the size of the worst pixel
   bool within_tolerance = true;
-};
-
-/// Cells that are not saturated, by what they hold.
-struct CellCounts {
-  size_t samples = 0;
-  size_t single = 0;  // fields
-  size_t pairs = 0;
-  size_t triples = 0;
 };
 
 struct FontReport {
@@ -58,8 +49,6 @@ struct FontReport {
   int right_classes = 0;
   size_t cells = 0;
   size_t nodes = 0;
-  CellCounts kinds;
-  size_t fields = 0;
   size_t points = 0;           // of all records of outlines
   size_t composites = 0;       // glyphs that refer to others
   size_t composite_bytes = 0;  // their records

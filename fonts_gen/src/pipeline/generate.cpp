@@ -93,7 +93,7 @@ SourceFont load_source(const GenerateRequest& request,
     first.characters = characters_of(request);
     first.additions =
         request.layout_glyphs ? Additions::signs : Additions::space;
-    first.with_components = request.target.coding != Coding::edges;
+    first.with_components = true;
     std::vector<MergedFace> more;
     for (const std::string& face : request.merge) {
       more.push_back(parse_merged_face(face));

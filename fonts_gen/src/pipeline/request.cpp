@@ -68,8 +68,8 @@ void check_request(const GenerateRequest& request) {
     if (target.predicate == Predicate::fixed || !(target.band_px > 0) ||
         band_u(target) < band_u(usual) || band_u(target) > kMostBand_u) {
       throw Error(
-          "--band-px is at least 0.5 with --coding edges, 0.75 with samples, "
-          "and at most 3/16 em at --min-px; the fixed predicate has its own");
+          "--band-px is at least 0.75, and at most 3/16 em at --min-px; the "
+          "fixed predicate has its own");
     }
   }
   if (target.effort < 0 || target.effort > 9) {

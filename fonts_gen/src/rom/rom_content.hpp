@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "edges/tree.hpp"
 #include "hints/glyph_hints.hpp"
 #include "inkcell/font.hpp"
 #include "outlines/minimal_outline.hpp"
@@ -18,10 +17,9 @@
 
 namespace inkcell::gen {
 
-/// One glyph as the device sees it: cells of one kind, an outline, or no ink.
+/// One glyph as the device sees it: cells, an outline, or no ink.
 struct RomGlyph {
   SampleTree samples;                   // without tiles: none
-  EdgeTree fields;                      // without tiles: none
   MinimalOutline outline;               // without contours: none
   OutlineReferences references;         // what a record refers to instead
   std::vector<uint8_t> outline_record;  // encode_outlines() makes it
@@ -29,8 +27,7 @@ struct RomGlyph {
   GlyphMetrics metrics;
 
   bool has_ink() const {
-    return samples.tiles_x != 0 || fields.grid.tiles_x != 0 ||
-           !outline.contours.empty();
+    return samples.tiles_x != 0 || !outline.contours.empty();
   }
 };
 

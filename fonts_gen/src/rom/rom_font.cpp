@@ -6,7 +6,6 @@
 
 #include "base/bit_table_writer.hpp"
 #include "base/byte_writer.hpp"
-#include "edges/record.hpp"
 #include "hints/grid_section.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
@@ -323,14 +322,6 @@ Extent extent_of(const RomGlyph& glyph) {
   extent.cells = glyph.samples.cells.size();
   extent.nodes = static_cast<size_t>(glyph.samples.node_count());
   extent.depth = static_cast<size_t>(glyph.samples.depth);
-  const EdgeTree& tree = glyph.fields;
-  for (const TreeNode& node : tree.nodes) {
-    extent.cells += node.kind == TreeNode::Kind::leaf ? 1 : 0;
-    extent.nodes += node.kind == TreeNode::Kind::split ? 1 : 0;
-    extent.depth =
-        std::max(extent.depth,
-                 static_cast<size_t>(tree.grid.tile_log2 - node.size_log2));
-  }
   return extent;
 }
 
@@ -406,13 +397,7 @@ std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   if (!glyph.outline_record.empty()) {
     return glyph.outline_record;
   }
-  if (glyph.samples.tiles_x != 0) {
-    return samples_record(glyph.samples);
-  }
-  if (glyph.fields.grid.tiles_x == 0) {
-    return {};
-  }
-  return edge_record(glyph.fields);
+  return glyph.samples.tiles_x == 0 ? Bytes() : samples_record(glyph.samples);
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,

@@ -11,7 +11,7 @@ double band_u(const Target& options) {
   if (options.band_px > 0) {
     return options.band_px * 1024 / options.min_px;
   }
-  return (options.coding == Coding::edges ? 512 : 768) / options.min_px;
+  return 768 / options.min_px;
 }
 
 }  // namespace inkcell::gen

@@ -25,8 +25,8 @@ struct Target {
   /// shadows and glows. 0: what filters need, see band_u.
   double band_px = 0;
   /// How hard to try to serve a large cell before it is divided, 0..9. Used by
-  /// cells with size_aware. edges: how many fields are tried. samples, 0: its
-  /// nine samples or nothing; else they are fitted in up to 2 * effort rounds.
+  /// cells with size_aware. 0: the cell's own nine samples or nothing; else
+  /// they are fitted in up to 2 * effort rounds.
   int effort = 5;
 };
 
@@ -34,9 +34,7 @@ struct Target {
 inline constexpr double kMostBand_u = 192;
 
 /// How far from the edge the field must be good, at the smallest size. [u]
-/// Where nothing is asked for, samples: 0.75 px, the widest filter of the
-/// presets. edges: 0.5 px, the `text` filter; beyond, they are good wherever a
-/// cell is not saturated.
+/// Where nothing is asked for: 0.75 px, the widest filter of the presets.
 double band_u(const Target& options);
 
 }  // namespace inkcell::gen

@@ -164,13 +164,7 @@ std::vector<Action> make_list() {
        [](Editor& e) { e.preview.dark = !e.preview.dark; }},
       {"Other layers", "shift+l",
        [](Editor& e) { e.shows_layers = !e.shows_layers; }},
-      {"Cells", "c",
-       [](Editor& e) {
-         Cells& cells = e.preview.cells;
-         cells = cells == Cells::off     ? Cells::edges
-                 : cells == Cells::edges ? Cells::samples
-                                         : Cells::off;
-       }},
+      {"Cells", "c", [](Editor& e) { e.preview.cells = !e.preview.cells; }},
   };
   for (const ToolInfo& tool : tool_list()) {
     const ToolKind kind = tool.kind;

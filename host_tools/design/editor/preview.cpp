@@ -36,16 +36,14 @@ void add_cells(const PreviewJob& job, Preview& preview) {
     return;
   }
   gen::Target target;
-  target.coding = job.settings.cells == Cells::edges ? gen::Coding::edges
-                                                     : gen::Coding::samples;
+  target.coding = gen::Coding::samples;
   const ShapeField made(shape, target);
   const GlyphField& field = made.field();
   preview.cell_bytes = made.bytes();
   const double scale = job.project.units_per_em() / gen::kUPerEm;
   for (const tools::LeafCell& cell : tools::leaf_cells(field)) {
     preview.cells.push_back({scale * cell.x_u, scale * cell.y_u,
-                             scale * cell.side_u, cell.fields,
-                             cell.is_saturated});
+                             scale * cell.side_u, cell.is_saturated});
   }
 }
 
@@ -122,7 +120,7 @@ Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs) {
           {px, draw_on_display(preview.rom, settings.text, px, settings.display,
                                settings.dark)});
     }
-    if (settings.cells != Cells::off) {
+    if (settings.cells) {
       add_cells(job, preview);
     }
   } catch (const std::exception& error) {

@@ -22,15 +22,13 @@ using tools::Display;
 /// Those that a person may choose.
 const std::vector<Display>& preview_displays();
 
-enum class Cells { off, edges, samples };
-
 struct PreviewSettings {
   Display display = Display::grey4;
   bool dark = true;
   double glyph_px = 24;                        // [px/em]
   std::vector<double> text_px = {12, 16, 24};  // [px/em]
   std::string text = "Hamburg 012";
-  Cells cells = Cells::off;
+  bool cells = false;  // of the glyph as a font of samples has it
 };
 
 struct PreviewJob {
@@ -46,7 +44,6 @@ struct CellBox {
   double x0 = 0;
   double y0 = 0;
   double side = 0;
-  int fields = 0;  // 0: saturated, or samples
   bool is_saturated = false;
 };
 
@@ -69,7 +66,7 @@ struct Preview {
   std::vector<TextPicture> lines;
   std::string missing;  // characters of the text that the font lacks
   std::vector<CellBox> cells;
-  size_t cell_bytes = 0;  // of the glyph's record with these cells
+  size_t cell_bytes = 0;  // of the glyph's record of cells
 };
 
 /// A job for `glyph` and the text of `settings`. Throws Error.

@@ -136,15 +136,11 @@ void set_sizes(const Line& line) {
 }
 
 void set_cells(const Line& line) {
-  static const std::map<std::string, Cells> kinds = {
-      {"off", Cells::off},
-      {"edges", Cells::edges},
-      {"samples", Cells::samples}};
-  const auto found = kinds.find(word(line, 0));
-  if (found == kinds.end()) {
-    throw Error("cells are off, edges or samples");
+  const std::string& state = word(line, 0);
+  if (state != "on" && state != "off") {
+    throw Error("cells are on or off, not '" + state + "'");
   }
-  line.editor.preview.cells = found->second;
+  line.editor.preview.cells = state == "on";
 }
 
 void set_nib(const Line& line) {
@@ -274,9 +270,7 @@ const std::vector<Command>& command_list() {
       {{"text", "TEXT", "choose the preview's text"},
        [](const Line& l) { l.editor.preview.text = l.rest; },
        true},
-      {{"cells", "off|edges|samples", "show the cells of the quadtree"},
-       set_cells,
-       true},
+      {{"cells", "on|off", "show the cells of the quadtree"}, set_cells, true},
       {{"save_preview", "FILE.png|FILE.bin",
         "write the text as the display shows it, in the first of its sizes, or "
         "its font"},

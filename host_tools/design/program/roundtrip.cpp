@@ -172,13 +172,6 @@ void add_options(CLI::App& command, RoundtripArguments& arguments) {
       ->type_name("LIST");
   command.add_option("--symbols", request.symbols, "Characters, as themselves")
       ->type_name("STRING");
-  const std::map<std::string, gen::Coding> codings = {
-      {"edges", gen::Coding::edges}, {"samples", gen::Coding::samples}};
-  command
-      .add_option("--coding", request.target.coding,
-                  "Cells of the field: edges or samples [samples]")
-      ->transform(CLI::CheckedTransformer(codings).description(""))
-      ->type_name("edges|samples");
   command
       .add_option_function<std::string>(
           "--tolerance",

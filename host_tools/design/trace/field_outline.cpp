@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "judge/edge_glyph.hpp"
 #include "model/error.hpp"
 #include "samples/record.hpp"
 #include "trace/contour_walk.hpp"
@@ -11,15 +10,11 @@
 namespace inkcell::design {
 namespace {
 
-// How far a corner is rounded by cells: fields keep it but for the walk's own
-// squares, samples lose it within their smallest cells.
-constexpr double kFieldReach_u = 1.5;
-constexpr double kSampleReach_u = 2.5;
+// How far a corner is rounded: samples lose it within their smallest cells.
+constexpr double kReach_u = 2.5;
 
-// Least turn of a corner: pieces of fields meet under small angles where the
-// outline is smooth. [radians]
-constexpr double kFieldTurn = 0.24;
-constexpr double kSampleTurn = 0.2;
+// Least turn of a corner. [radians]
+constexpr double kTurn = 0.2;
 
 void add_distances(const gen::Shape& from,
                    const gen::Shape& to,
@@ -49,9 +44,8 @@ gen::Outline outline_of(const GlyphField& field,
   };
   std::vector<Loop> loops = walk_contours(field);
   CornerOptions corners;
-  const bool is_sampled = field.kind == GlyphField::Kind::samples;
-  corners.reach = is_sampled ? kSampleReach_u : kFieldReach_u;
-  corners.turn = is_sampled ? kSampleTurn : kFieldTurn;
+  corners.reach = kReach_u;
+  corners.turn = kTurn;
   corners.distance = distance;
   for (Loop& loop : loops) {
     find_corners(corners, loop);
@@ -63,16 +57,8 @@ gen::Outline outline_of(const GlyphField& field,
   return fit_loops(loops, fit);
 }
 
-ShapeField::ShapeField(const gen::Shape& shape, const gen::Target& options) {
-  if (options.coding == gen::Coding::samples) {
-    record_ = gen::samples_record(gen::build_sample_tree(shape, options));
-  } else {
-    gen::LoopOptions loop;
-    loop.min_px = static_cast<int>(options.min_px);
-    loop.max_px = static_cast<int>(options.max_px);
-    loop.tolerance = options.tolerance;
-    record_ = gen::build_edges(shape, options, loop).record;
-  }
+ShapeField::ShapeField(const gen::Shape& shape, const gen::Target& options)
+    : record_(gen::samples_record(gen::build_sample_tree(shape, options))) {
   if (GlyphField::open({record_.data(), record_.size()}, field_) !=
       Status::ok) {
     throw Error("the field that was generated cannot be opened");

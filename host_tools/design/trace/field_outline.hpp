@@ -26,7 +26,7 @@ gen::Outline outline_of(const GlyphField& field,
 /// A field that the generator makes of a shape, with the record it lies in.
 class ShapeField {
  public:
-  /// `options` say what kind of cells, and how true. `shape` must not be empty.
+  /// `options` say how true, for which sizes. `shape` must not be empty.
   /// Throws gen::GeometryError.
   ShapeField(const gen::Shape& shape, const gen::Target& options);
 

@@ -45,7 +45,6 @@ constexpr Named kHints[] = {
 };
 constexpr Named kCodings[] = {
     {"outline", "Outline", "Lines and curves: smallest"},
-    {"edges", "Edges", "Cells of primitives; converting takes seconds"},
     {"samples", "Samples", "Cells of nine distances; converting takes seconds"},
 };
 

@@ -16,10 +16,7 @@ constexpr float kBezelWidth = 10;
 constexpr float kRoom = 26;  // around the display that fills the panel
 constexpr int kGridZoom = 4;
 
-// Leaves by the number of their primitives; 0: samples.
-constexpr ImU32 kLeaves[] = {
-    IM_COL32(72, 150, 235, 255), IM_COL32(60, 180, 96, 255),
-    IM_COL32(72, 150, 235, 255), IM_COL32(230, 84, 70, 255)};
+constexpr ImU32 kLeaf = IM_COL32(72, 150, 235, 255);
 constexpr ImU32 kSaturated = IM_COL32(140, 146, 156, 120);
 constexpr ImU32 kCurve = IM_COL32(244, 132, 20, 255);
 constexpr ImU32 kControl = IM_COL32(120, 160, 220, 200);
@@ -65,8 +62,7 @@ void draw_overlay(const View& view, const Overlay& overlay, ImDrawList& list) {
         const ImVec2 corners[] = {
             view.map(leaf.corners[0]), view.map(leaf.corners[1]),
             view.map(leaf.corners[2]), view.map(leaf.corners[3])};
-        list.AddPolyline(corners, 4,
-                         is_saturated ? kSaturated : kLeaves[leaf.fields],
+        list.AddPolyline(corners, 4, is_saturated ? kSaturated : kLeaf,
                          ImDrawFlags_Closed, 1);
       }
     }

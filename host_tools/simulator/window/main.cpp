@@ -44,9 +44,7 @@ RomFile make_font(const std::string& file,
                   const FontWish& wish,
                   const FontWorker::Progress& progress) {
   conversion.request.target.coding =
-      wish.coding == "outline" ? gen::Coding::outline
-      : wish.coding == "edges" ? gen::Coding::edges
-                               : gen::Coding::samples;
+      wish.coding == "outline" ? gen::Coding::outline : gen::Coding::samples;
   conversion.request.progress = progress;
   RomFile rom = load_font_file(file, conversion, wish.text);
   if (coding_name(rom.font()) != wish.coding) {
@@ -132,10 +130,9 @@ void run(const Arguments& arguments, const CLI::App& app) {
                       : make_font(arguments.font, conversion, wish, {});
   });
   const bool is_rom = is_rom_font(read_file(arguments.font));
-  const gen::Coding coding = arguments.request.target.coding;
-  simulator.settings.coding = coding == gen::Coding::outline ? "outline"
-                              : coding == gen::Coding::edges ? "edges"
-                                                             : "samples";
+  simulator.settings.coding =
+      arguments.request.target.coding == gen::Coding::outline ? "outline"
+                                                              : "samples";
   if (is_rom) {
     simulator.settings.coding = coding_name(load_rom(arguments.font).font());
   }

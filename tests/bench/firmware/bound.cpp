@@ -1,6 +1,6 @@
 // The dearest glyph of an em that bytes can describe: every pixel in a cell of
-// its own, found at the bottom of its tree, of three bent fields with a rounded
-// vertex. What any other glyph of as many pixels costs is less.
+// its own, found at the bottom of its tree, of nine samples. What any other
+// glyph of as many pixels costs is less.
 //
 //   FIRMWARE DEPTH PX...
 //
@@ -21,7 +21,7 @@ using namespace inkcell;
 constexpr uint32_t kEm = 1024;
 constexpr uint32_t kMinDepth = 5;
 constexpr uint32_t kMaxTiles = (kEm >> kMinDepth) * (kEm >> kMinDepth);
-alignas(4) uint8_t record[128 + kMaxTiles];
+alignas(4) uint8_t record[128 + 2 * kMaxTiles];
 GlyphField field;
 
 void put_u16(uint8_t*& at, int32_t value) {
@@ -29,47 +29,33 @@ void put_u16(uint8_t*& at, int32_t value) {
   *at++ = static_cast<uint8_t>(value >> 8);
 }
 
-// An arc without a direction: it is worth `tenths` of a px everywhere.
-void put_arc(uint8_t*& at, int32_t tenths, int32_t px) {
-  put_u16(at, 0);
-  put_u16(at, 0);
-  put_u16(at, tenths * 16 * static_cast<int32_t>(kEm) / (10 * px));
-  put_u16(at, 16);
-  put_u16(at, 1);
-}
-
-bool make_record(uint32_t depth, int32_t px) {
+bool make_record(uint32_t depth) {
   const uint32_t tiles = depth < 10 ? kEm >> depth : 1;
   uint8_t* at = record;
-  *at++ = 2;  // cells of primitives
+  *at++ = format::glyph::kTypeSamples;
   *at++ = static_cast<uint8_t>(depth);
   put_u16(at, 0);
   put_u16(at, 0);
   *at++ = static_cast<uint8_t>(tiles);
   *at++ = static_cast<uint8_t>(tiles);
   put_u16(at, static_cast<int32_t>(depth));
-  put_u16(at, 3);  // arcs
-  put_u16(at, 0);
-  put_u16(at, 0);
-  put_u16(at, 1);  // triples
-  put_arc(at, -3, px);
-  put_arc(at, 1, px);
-  put_arc(at, 1, px);
-  const uint8_t triple[] = {static_cast<uint8_t>(Csg::intersection_of_union), 0,
-                            1, 2};
-  for (const uint8_t byte : triple) {
-    *at++ = byte;
-  }
+  put_u16(at, 1);  // cells
   for (uint32_t i = 0; i < tiles * tiles; ++i) {
-    *at++ = format::glyph::kFirstNode;
+    put_u16(at, format::glyph::kFirstNode);
   }
-  // A node's children are the next node, those of the last the triple, which
-  // comes behind the three fields.
+  // A node's children are the next node, those of the last one the cell.
   for (uint32_t node = 1; node <= depth; ++node) {
-    const uint32_t child = node < depth ? node : depth + 3;
     for (int i = 0; i < 4; ++i) {
-      *at++ = static_cast<uint8_t>(format::glyph::kFirstNode + child);
+      put_u16(at, static_cast<int32_t>(node < depth
+                                           ? format::glyph::kFirstNode + node
+                                           : format::glyph::kCellFlag));
     }
+  }
+  // Slanted, and partly covered at any size.
+  put_u16(at, 0);
+  const int8_t offsets[] = {-64, -32, 0, -32, 32, 0, 32, 64};
+  for (const int8_t offset : offsets) {
+    *at++ = static_cast<uint8_t>(offset);
   }
   const auto size = static_cast<size_t>(at - record);
   if (GlyphField::open({record, size}, field) != Status::ok) {
@@ -81,7 +67,7 @@ bool make_record(uint32_t depth, int32_t px) {
 
 bool measure(uint32_t depth, int32_t px) {
   const Q26_6 size = Q26_6::from_int(px);
-  if (!make_record(depth, px) ||
+  if (!make_record(depth) ||
       TextStyle::make(size, kFilterText, bench::style) != Status::ok) {
     return false;
   }

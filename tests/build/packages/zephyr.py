@@ -41,7 +41,7 @@ endfunction()
 write_definitions(options)
 if(NOT MORE)
   add_library(app INTERFACE)
-  foreach(coding outline samples edges)
+  foreach(coding outline samples)
     inkcell_add_font(app FONT @FONT@ NAME ${coding} CODING ${coding})
     write_definitions(definitions)
   endforeach()
@@ -65,7 +65,7 @@ def sources(folder, fontgen):
     (folder / "CMakeLists.txt").write_text(
         PROJECT.replace("@FOLDER@", str(cmake)).replace("@FONT@", str(FONT)))
     # Each option of core has a symbol, and reaches the compiler.
-    options = re.findall(r"^option\((INKCELL_\w+)",
+    options = re.findall(r"^option\((INKCELL_(?!EDGE_)\w+)",
                          (ROOT / "core/CMakeLists.txt").read_text(), re.M)
     symbols = re.findall(r"^config (INKCELL_\w+)", kconfig.read_text(), re.M)
     defined = [configure(folder, more, fontgen) for more in ([], options)]

@@ -54,8 +54,8 @@ struct PreviewKey {
 PreviewKey key_of(const Editor& editor) {
   std::ostringstream text;
   const PreviewSettings& s = editor.preview;
-  text << static_cast<int>(s.display) << s.dark << static_cast<int>(s.cells)
-       << ' ' << s.glyph_px << ' ' << s.text;
+  text << static_cast<int>(s.display) << s.dark << s.cells << ' ' << s.glyph_px
+       << ' ' << s.text;
   return {editor.glyph(), editor.project().font, text.str()};
 }
 

@@ -89,7 +89,7 @@ void draw_menu(Panels& panels) {
     item(panels, "Vertical guide");
     item(panels, "Other layers", panels.editor.shows_layers);
     ImGui::Separator();
-    item(panels, "Cells", panels.editor.preview.cells != Cells::off);
+    item(panels, "Cells", panels.editor.preview.cells);
     item(panels, "Dark display", panels.editor.preview.dark);
     ImGui::EndMenu();
   }

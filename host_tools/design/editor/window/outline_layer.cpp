@@ -185,16 +185,12 @@ void OutlineLayer::draw_components() const {
 }
 
 void OutlineLayer::draw_cells() const {
-  if (panels_.editor.preview.cells == Cells::off ||
-      panels_.preview == nullptr) {
+  if (!panels_.editor.preview.cells || panels_.preview == nullptr) {
     return;
   }
-  static constexpr ImU32 kColours[] = {
-      IM_COL32(70, 80, 96, 150), IM_COL32(36, 140, 84, 170),
-      IM_COL32(30, 110, 214, 170), IM_COL32(196, 64, 52, 170)};
   for (const CellBox& cell : panels_.preview->cells) {
-    const ImU32 colour =
-        cell.is_saturated ? IM_COL32(120, 130, 144, 60) : kColours[cell.fields];
+    const ImU32 colour = cell.is_saturated ? IM_COL32(120, 130, 144, 60)
+                                           : IM_COL32(70, 80, 96, 150);
     list_.AddRect(map(cell.x0, cell.y0 + cell.side),
                   map(cell.x0 + cell.side, cell.y0), colour);
   }

@@ -97,7 +97,7 @@ void draw_lines(Panels& panels, const Preview& preview) {
   }
 }
 
-void draw_facts(const Preview& preview, Cells cells) {
+void draw_facts(const Preview& preview, bool cells) {
   if (preview.is_exact) {
     ImGui::TextDisabled("Exact distance; the device's pixels follow");
     return;
@@ -111,9 +111,8 @@ void draw_facts(const Preview& preview, Cells cells) {
   tooltip(
       "The largest difference from exact coverage, of all sizes from 8 to 64 "
       "px and 8 positions between pixels");
-  if (cells != Cells::off) {
-    ImGui::TextDisabled("%s: %zu cells, %zu bytes",
-                        cells == Cells::edges ? "edges" : "samples",
+  if (cells) {
+    ImGui::TextDisabled("As samples: %zu cells, %zu bytes",
                         preview.cells.size(), preview.cell_bytes);
   }
 }
