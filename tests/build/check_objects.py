@@ -25,13 +25,13 @@ HOST_STACK_LIMITS = (384, 512)
 
 # The first four hold a tile of pixels, or the map, the ramp and the band of a
 # glyph of cells; the next three what a leaf needs and loops that are inlined
-# for speed, `step` the state of a solver, draw_body() seven views of bodies.
+# for speed, `step` the state of a solver, draw_body() seven views of bodies,
+# band_box() a glyph of which only the box is wanted.
 WIDE = ("draw_tiles", "mix_tiles", "mix_cells", "draw_cells", "paint_leaf",
-        "paint_supersampled", "cover_slanted", "step", "draw_body")
+        "paint_supersampled", "cover_slanted", "step", "draw_body", "band_box")
 
-# This one holds a glyph of outlines where the caller lends no RAM.
-WITHOUT_RAM = "draw_on_stack"
-RAM_LIMIT = 976
+# These hold a glyph and its bands where the caller lends no RAM.
+WITHOUT_RAM = {"draw_on_stack": 744, "draw_fitted_on_stack": 976}
 
 # What a device's C library or compiler must bring: block moves, and integer
 # arithmetic that the core lacks.
@@ -77,8 +77,8 @@ def check_stack(usage, limits):
         where, size, kind = line.split("\t")
         name = where.split(":", 3)[-1]
         function = re.search(r"([\w=!]+)\(", name)[1]
-        limit = RAM_LIMIT if function == WITHOUT_RAM else limits[function in WIDE]
-        if function != WITHOUT_RAM:
+        limit = WITHOUT_RAM.get(function, limits[function in WIDE])
+        if function not in WITHOUT_RAM:
             most = max(most, int(size))
         # "dynamic,bounded": arguments are pushed, the size counts them.
         if int(size) > limit or kind == "dynamic":

@@ -119,7 +119,7 @@ constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
 TextStyle style_of(const Filter& filter, const Effect& effect = {}) {
   TextStyle style;
   CHECK_OK(TextStyle::make(Q26_6::from_int(kSizePx), filter, style));
-  if (effect.outlines != nullptr) {
+  if (effect.mixer != nullptr) {
     style.set_effect(effect);
   }
   return style;

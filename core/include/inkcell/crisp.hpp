@@ -31,7 +31,7 @@ void paint_crisp(const GlyphField& field,
                  const void* options,
                  const FinePoint& origin,
                  const Sink& sink);
-extern const OutlineMixer kCrispMixer;
+extern const Mixer kCrispMixer;
 }  // namespace detail
 
 /// Any sink will do: full coverage draws with every threshold. The options must

@@ -84,7 +84,7 @@ void paint_mixed_cells(const GlyphField& field,
                        const void* options,
                        const FinePoint& origin,
                        const Sink& sink);
-extern const OutlineMixer kOutlineMixer;
+extern const Mixer kOutlineMixer;
 }  // namespace detail
 
 /// Draws what the style's filter covers and `inner`, which is Outline::inner,
@@ -103,7 +103,7 @@ struct OutlineAndFill {
 };
 
 namespace detail {
-extern const OutlineMixer kOutlineAndFillMixer;
+extern const Mixer kOutlineAndFillMixer;
 }  // namespace detail
 
 /// Draws outline and fill at once, from one distance a pixel. The outline

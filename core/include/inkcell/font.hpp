@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "inkcell/coding.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
@@ -12,10 +13,16 @@ namespace inkcell {
 class Font;
 
 namespace detail {
-struct OutlineCoding;
+// What all outlines of a font share: sections CODE and GLYF.
+struct OutlineCoding {
+  const uint8_t* table = nullptr;  // 2^code_bits words, at an even address
+  uint8_t code_bits = 0;           // of prefixes; 0: there are no outlines
+  int8_t grid_shift = 0;           // grid units are 2^grid_shift font units
+  uint16_t max_points = 0;         // of a glyph; no reader goes on beyond
+};
 
 Status read_field(const Font& font, uint16_t glyph, GlyphField& field) noexcept;
-OutlineCoding outline_coding(const Font& font) noexcept;
+const OutlineCoding& outline_coding(const Font& font) noexcept;
 }  // namespace detail
 
 /// Measures of one glyph in font units (units_per_em to the em), y up, origin
@@ -75,7 +82,13 @@ class Font {
   /// sizes), unsupported (a section or coding that this build cannot read:
   /// fonts of edges need INKCELL_EDGE_CELLS, of samples INKCELL_SAMPLE_CELLS).
   /// `out` is untouched unless the result is ok.
-  static Status open(Span<const uint8_t> rom, Font& out) noexcept;
+  static Status open(Span<const uint8_t> rom, Font& out) noexcept {
+    return open(rom, kOutlineCoding, out);
+  }
+  /// The same of a font of another coding, which the caller names.
+  static Status open(Span<const uint8_t> rom,
+                     const Coding& coding,
+                     Font& out) noexcept;
 
   /// Reads the whole font: its checksum, every table and every reference.
   /// Never needed for safety; for a factory test or after an update. Time is
@@ -86,8 +99,10 @@ class Font {
   FontMetrics metrics() const noexcept;
   FontRange range() const noexcept;
   /// Whether glyphs are outlines, and not cells.
-  bool has_outlines() const noexcept { return code_bits_ != 0; }
+  bool has_outlines() const noexcept { return coding_.code_bits != 0; }
   uint16_t units_per_em() const noexcept { return units_per_em_; }
+  /// What paints glyphs; null before open().
+  const detail::Source* source() const noexcept { return source_; }
 
   /// The glyph of a code point. no_glyph: the font has none; `glyph` is then 0,
   /// which is .notdef. Binary search: two steps more for four times the ranges,
@@ -136,14 +151,14 @@ class Font {
   Span<const uint8_t> section(uint32_t tag) const noexcept;
 
  private:
-  friend detail::OutlineCoding detail::outline_coding(
+  friend const detail::OutlineCoding& detail::outline_coding(
       const Font& font) noexcept;
   friend Status detail::read_field(const Font& font,
                                    uint16_t glyph,
                                    GlyphField& field) noexcept;
 
   Status open_tables(uint32_t sections) noexcept;
-  bool open_code() noexcept;
+  bool open_code(const Span<const uint8_t>& code) noexcept;
 
   const Span<const uint8_t>& cmap_table() const noexcept { return tables_[0]; }
   const Span<const uint8_t>& metrics_table() const noexcept {
@@ -154,19 +169,21 @@ class Font {
     return tables_[3];
   }
 
-  const Span<const uint8_t>& code_table() const noexcept { return tables_[4]; }
-
-  static constexpr uint32_t kTables = 5;
+  static constexpr uint32_t kTables = 4;
 
   Span<const uint8_t> rom_;
   Span<const uint8_t> tables_[kTables];
+  const detail::Source* source_ = nullptr;
+  detail::OutlineCoding coding_;
   uint16_t glyph_count_ = 0;
   uint16_t units_per_em_ = 1000;
   uint16_t metrics_row_bits_ = 0;
-  uint16_t max_points_ = 0;  // of a glyph of outlines
-  uint8_t code_bits_ = 0;    // of prefixes in CODE; 0: there are no outlines
-  int8_t grid_shift_ = 0;
   int32_t u_per_unit_q14_ = 0;  // 0: the em is too small for boxes of ink
 };
+
+inline const detail::OutlineCoding& detail::outline_coding(
+    const Font& font) noexcept {
+  return font.coding_;
+}
 
 }  // namespace inkcell

@@ -37,7 +37,7 @@ void paint_lcd(const GlyphField& field,
                const void* options,
                const FinePoint& origin,
                const Sink& sink);
-extern const OutlineMixer kLcdMixer;
+extern const Mixer kLcdMixer;
 }  // namespace detail
 
 /// Draws sub-pixels. A sink without coverage_rgb is given the mean of the

@@ -47,7 +47,7 @@ class PreparedGlyph {
   void draw(const Sink& sink) const noexcept;
 
  private:
-  void* prepared_ = nullptr;  // in the workspace
+  void* job_ = nullptr;  // in the workspace
 };
 
 }  // namespace inkcell

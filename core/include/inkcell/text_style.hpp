@@ -60,20 +60,20 @@ constexpr CellEffect cell_effect(CellEffect painter) noexcept {
 }
 
 struct CellRaster;
+struct Mixer;
 struct OutlineFitter;
-struct OutlineMap;
-struct OutlineMixer;
-struct OutlinePainter;
+struct Painter;
+struct Slant;
 
-// Filters of outlines; linked with the TextStyle::make that names them.
-extern const OutlinePainter kPaintPixelRamp;      // Filter::is_linear_pixel()
-extern const OutlinePainter kPaintDistances;      // up to half a pixel
-extern const OutlinePainter kPaintWideDistances;  // any filter
-extern const OutlinePainter kPaintAreas;
+// What filters take; linked with the TextStyle::make that names them.
+extern const Painter kPaintPixelRamp;      // Filter::is_linear_pixel()
+extern const Painter kPaintDistances;      // up to half a pixel
+extern const Painter kPaintWideDistances;  // any filter
+extern const Painter kPaintAreas;
 
 // Inlined with make(), so that a filter that is known when the program is
 // compiled links one of the three.
-__attribute__((always_inline)) inline const OutlinePainter& painter_of(
+__attribute__((always_inline)) inline const Painter& painter_of(
     const Filter& filter) noexcept {
   if (filter.is_linear_pixel()) {
     return kPaintPixelRamp;
@@ -86,10 +86,8 @@ __attribute__((always_inline)) inline const OutlinePainter& painter_of(
 // Grid fitting of outlines.
 extern const OutlineFitter kOutlineFitter;
 
-// From the map of an upright style to that of a slanted one. Returns whether it
-// mirrors.
-using OutlineMapper = bool (*)(const TextStyle& style, OutlineMap& map);
-bool map_slanted(const TextStyle& style, OutlineMap& map);
+// What glyphs need that are not upright.
+extern const Slant kSlant;
 
 // What glyphs of cells need that are not upright.
 extern const CellRaster kTurnedCells;     // where all edges are stretched alike
@@ -103,7 +101,7 @@ struct Effect {
   CellEffect cells = nullptr;  // null: one sample a pixel
   /// Null: glyphs of outlines are drawn as without an effect; see
   /// check_effect().
-  const detail::OutlineMixer* outlines = nullptr;
+  const detail::Mixer* mixer = nullptr;
   const void* options = nullptr;
   /// How much farther than plain drawing it reaches on each side of a glyph, in
   /// pixels and in samples.
@@ -129,7 +127,7 @@ class TextStyle {
                                                     const Filter& filter,
                                                     TextStyle& out) noexcept {
     INKCELL_TRY(make_upright(size, filter, out));
-    out.set_outline_painter(detail::painter_of(filter));
+    out.set_painter(detail::painter_of(filter));
     return Status::ok;
   }
 
@@ -140,7 +138,7 @@ class TextStyle {
                                                     Direction direction,
                                                     TextStyle& out) noexcept {
     INKCELL_TRY(make_turned(size, filter, direction, out));
-    out.set_outline_painter(detail::painter_of(filter));
+    out.set_painter(detail::painter_of(filter));
     return Status::ok;
   }
 
@@ -156,7 +154,7 @@ class TextStyle {
                                                     const Filter& filter,
                                                     TextStyle& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, filter, out));
-    out.set_outline_painter(detail::painter_of(filter));
+    out.set_painter(detail::painter_of(filter));
     return Status::ok;
   }
 
@@ -164,7 +162,7 @@ class TextStyle {
   /// much of each pixel lies inside. Glyphs of cells take filter `text`.
   static Status make(Q26_6 size, AreaFilter, TextStyle& out) noexcept {
     INKCELL_TRY(make_upright(size, kFilterText, out));
-    out.set_outline_painter(detail::kPaintAreas);
+    out.set_painter(detail::kPaintAreas);
     return Status::ok;
   }
   static Status make(Q26_6 size,
@@ -172,18 +170,18 @@ class TextStyle {
                      Direction direction,
                      TextStyle& out) noexcept {
     INKCELL_TRY(make_turned(size, kFilterText, direction, out));
-    out.set_outline_painter(detail::kPaintAreas);
+    out.set_painter(detail::kPaintAreas);
     return Status::ok;
   }
   static Status make(const Matrix& matrix,
                      AreaFilter,
                      TextStyle& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, kFilterText, out));
-    out.set_outline_painter(detail::kPaintAreas);
+    out.set_painter(detail::kPaintAreas);
     return Status::ok;
   }
 
-  /// make() without set_outline_painter(), for filters that come with theirs.
+  /// make() without set_painter(), for filters that come with theirs.
   static Status make_upright(Q26_6 size,
                              const Filter& filter,
                              TextStyle& out) noexcept;
@@ -236,25 +234,23 @@ class TextStyle {
   const Filter& filter() const noexcept { return *filter_; }
   bool is_upright() const noexcept { return !is_slanted_; }
 
-  /// The painter of glyphs of outlines; null before make().
-  const detail::OutlinePainter* outline_painter() const noexcept {
-    return outline_painter_;
-  }
-  void set_outline_painter(const detail::OutlinePainter& painter) noexcept {
+  /// What the filter takes; null before make().
+  const detail::Painter* painter() const noexcept { return painter_; }
+  void set_painter(const detail::Painter& painter) noexcept {
     if constexpr (detail::kHasOutlines) {
-      outline_painter_ = &painter;
+      painter_ = &painter;
     }
   }
 
-  /// The functions that fit glyphs of outlines (a fitted style), or map them (a
-  /// style that is not upright). set_fitter() and make() link them.
+  /// The functions that fit glyphs of outlines (a fitted style), or slant them
+  /// (a style that is not upright). set_fitter() and make() link them.
   const detail::OutlineFitter& outline_fitter() const noexcept {
     INKCELL_ASSERT(is_fitted());
     return *outline_fitter_;
   }
-  detail::OutlineMapper outline_mapper() const noexcept {
+  const detail::Slant& slant() const noexcept {
     INKCELL_ASSERT(!is_upright());
-    return outline_mapper_;
+    return *slant_;
   }
 
   /// The painter of glyphs of cells, for styles that are not upright. make()
@@ -343,9 +339,9 @@ class TextStyle {
   Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
   void set_slanted(const detail::CellRaster& cells) noexcept {
     is_slanted_ = true;
-    slanted_cells_ = &cells;
-    if constexpr (detail::kHasOutlines) {
-      outline_mapper_ = detail::map_slanted;
+    slant_ = &detail::kSlant;
+    if constexpr (detail::kHasCells) {
+      slanted_cells_ = &cells;
     }
   }
 
@@ -361,7 +357,7 @@ class TextStyle {
   GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_ = &kFilterText;
-  const detail::OutlinePainter* outline_painter_ = nullptr;
+  const detail::Painter* painter_ = nullptr;
   // Only upright text is fitted.
   union {
     const Fitter* fitter_ = nullptr;
@@ -369,7 +365,7 @@ class TextStyle {
   };
   union {
     const detail::OutlineFitter* outline_fitter_ = nullptr;
-    detail::OutlineMapper outline_mapper_;
+    const detail::Slant* slant_;
   };
   const void* fitter_options_ = nullptr;
   Effect effect_;

@@ -45,7 +45,7 @@ struct Call {
   void open() noexcept {
     const Effect& effect = style.effect();
     if (sink.coverage_rgb != nullptr &&
-        (effect.cells != nullptr || effect.outlines != nullptr)) {
+        (effect.cells != nullptr || effect.mixer != nullptr)) {
       packing.channels = 3;
     }
     packing.bits = store->options().bits;

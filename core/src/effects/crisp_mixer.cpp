@@ -3,8 +3,7 @@
 #include "base/words.hpp"
 #include "inkcell/crisp.hpp"
 #include "rows/crossings.hpp"
-#include "rows/outline_draw.hpp"
-#include "rows/outline_mixer.hpp"
+#include "rows/mixer.hpp"
 #include "sink/emit.hpp"
 
 namespace inkcell {
@@ -26,7 +25,7 @@ int32_t threshold_of(const CrispOptions& crisp) noexcept {
   return min(max(crisp.threshold_px.raw, -512), 512);
 }
 
-void plan_crisp(const TextStyle& style, OutlinePlan& plan) noexcept {
+void plan_crisp(const TextStyle& style, BandPlan& plan) noexcept {
   const CrispOptions& crisp = crisp_of(style);
   // Thresholds, and the nearer of two pixels that a stroke passes between.
   constexpr int32_t kLeastReach = 128 + 16;
@@ -69,14 +68,14 @@ struct Line {
 
 class CrispRow {
  public:
-  CrispRow(const PaintedBand& painted) noexcept
-      : row_{1, painted.band.stride, kCrossedLeft},
-        column_{painted.band.stride, 1, kCrossedAbove},
-        filter_(painted.style->filter()),
-        step_q8_(static_cast<uint32_t>(painted.band.reach_q8) * 1024 / 254),
-        threshold_q10_(threshold_of(crisp_of(*painted.style))),
-        has_greys_(has_greys(crisp_of(*painted.style))),
-        is_fitted_(painted.style->is_fitted()) {}
+  CrispRow(const GlyphJob& job) noexcept
+      : row_{1, job.band.stride, kCrossedLeft},
+        column_{job.band.stride, 1, kCrossedAbove},
+        filter_(job.style->filter()),
+        step_q8_(static_cast<uint32_t>(job.band.reach_q8) * 1024 / 254),
+        threshold_q10_(threshold_of(crisp_of(*job.style))),
+        has_greys_(has_greys(crisp_of(*job.style))),
+        is_fitted_(job.style->is_fitted()) {}
 
   uint8_t coverage(const uint8_t* at) const noexcept {
     if ((*at & kNearnessMask) == 0) {
@@ -199,13 +198,13 @@ class CrispRow {
   bool is_fitted_;
 };
 
-void mix_crisp(const PaintedBand& painted) noexcept {
-  const Band& band = painted.band;
-  const Rect& pixels = painted.pixels;
+void mix_crisp(const GlyphJob& job) noexcept {
+  const Band& band = job.band;
+  const Rect& pixels = job.pixels;
   resolve(band);
-  const CrispRow row(painted);
+  const CrispRow row(job);
   for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    const uint8_t* at = band.row(y - pixels.y0 + painted.row) + painted.column;
+    const uint8_t* at = band.row(y - pixels.y0 + job.row) + job.column;
     for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
       alignas(4) uint8_t words[kMaxSpan + 4];
       uint8_t* const coverage = words + (x & 3);
@@ -213,16 +212,17 @@ void mix_crisp(const PaintedBand& painted) noexcept {
       for (int32_t i = 0; i != count; ++i) {
         coverage[i] = row.coverage(at++);
       }
-      emit_row(*painted.sink, x, y, coverage, count);
+      emit_row(*job.sink, x, y, coverage, count);
     }
   }
 }
 
-constexpr OutlinePainter kPaintCrossings = {paint_crossings, nullptr, 128, 0};
+constexpr Painter kPaintCrossings = {paint_crossings, nullptr,
+                                     BandKind::crossings, 0};
 
 }  // namespace
 
-const OutlineMixer kCrispMixer = {&kPaintCrossings, plan_crisp, mix_crisp};
+const Mixer kCrispMixer = {&kPaintCrossings, plan_crisp, mix_crisp};
 
 }  // namespace detail
 }  // namespace inkcell

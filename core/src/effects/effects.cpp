@@ -8,18 +8,18 @@ namespace detail {
 namespace {
 
 // The plan of a mixer that both codings share.
-OutlinePlan plan_of(const TextStyle& style) noexcept {
-  OutlinePlan plan;
+BandPlan plan_of(const TextStyle& style) noexcept {
+  BandPlan plan;
   const Filter& filter = style.filter();
   plan.widen(filter);
   plan.shown_q8 = max(-filter.outside_q10 >> 2, 0) + 1;
-  style.effect().outlines->plan(style, plan);
+  style.effect().mixer->plan(style, plan);
   return plan;
 }
 
-void mix_toggled(const PaintedBand& painted) {
-  toggle_rows(painted.band);
-  painted.style->effect().outlines->mix(painted);
+void mix_toggled(const GlyphJob& job) {
+  toggle_rows(job.band);
+  job.style->effect().mixer->mix(job);
 }
 
 }  // namespace

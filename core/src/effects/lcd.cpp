@@ -292,14 +292,14 @@ void paint_stripes(const CellBand& band,
   }
 }
 
-void mix_lcd_cells(const PaintedBand& painted) {
-  const int32_t stride = painted.band.stride;
+void mix_lcd_cells(const GlyphJob& job) {
+  const int32_t stride = job.band.stride;
   const auto& lcd =
-      *static_cast<const LcdOptions*>(painted.style->effect().options);
+      *static_cast<const LcdOptions*>(job.style->effect().options);
   if (is_vertical(lcd.order)) {
-    mix_stripes(painted, {2 - stride, 1, stride, 3, stride});
+    mix_stripes(job, {2 - stride, 1, stride, 3, stride});
   } else {
-    mix_stripes(painted, {-1, 1, 3, 3, stride});
+    mix_stripes(job, {-1, 1, 3, 3, stride});
   }
 }
 
@@ -311,7 +311,7 @@ void paint_lcd(const GlyphField& field,
                const FinePoint& origin,
                const Sink& sink) {
   const auto& lcd = *static_cast<const LcdOptions*>(options);
-  OutlinePlan plan;
+  BandPlan plan;
   plan.widen(style.filter());
   plan.outside_q8 += kFlattest + kThird;
   plan.inside_q8 += kFlattest + kThird;

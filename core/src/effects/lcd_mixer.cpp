@@ -4,8 +4,7 @@
 #include "effects/lcd_stripes.hpp"
 #include "inkcell/lcd.hpp"
 #include "rows/cover_areas.hpp"
-#include "rows/outline_draw.hpp"
-#include "rows/outline_mixer.hpp"
+#include "rows/mixer.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -15,7 +14,7 @@ const LcdOptions& lcd_of(const TextStyle& style) noexcept {
   return *static_cast<const LcdOptions*>(style.effect().options);
 }
 
-void plan_lcd(const TextStyle& style, OutlinePlan& plan) noexcept {
+void plan_lcd(const TextStyle& style, BandPlan& plan) noexcept {
   // A channel is the mean of a stripe and the two beside it.
   plan.shown_q8 += 86;
   if (is_vertical(lcd_of(style).order)) {
@@ -67,13 +66,13 @@ class StripeRow {
 
 // Up to kMaxSpan pixels, as long as they are of one kind: none, all, or what
 // lies between. Returns how many.
-__attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
+__attribute__((noinline)) int32_t mix_span(const GlyphJob& job,
                                            StripeRow& row,
                                            int32_t x,
                                            int32_t y,
                                            int32_t count) noexcept {
   constexpr int32_t kFull = 3 * 255;
-  const LcdOptions& lcd = lcd_of(*painted.style);
+  const LcdOptions& lcd = lcd_of(*job.style);
   const bool is_red_first = detail::is_red_first(lcd.order);
   uint8_t rgb[3 * kMaxSpan];
   uint8_t* out = rgb;
@@ -99,42 +98,41 @@ __attribute__((noinline)) int32_t mix_span(const PaintedBand& painted,
     }
   }
   if (all_sum == 3 * kFull) {
-    painted.sink->solid(painted.sink->context, x, y, done);
+    job.sink->solid(job.sink->context, x, y, done);
   } else if (all_sum == 1) {
-    hand_on(*painted.sink, lcd, x, y, rgb, done);
+    hand_on(*job.sink, lcd, x, y, rgb, done);
   }
   return done;
 }
 
-void mix_lcd(const PaintedBand& painted) noexcept {
-  const Filter& filter = painted.style->filter();
-  cover_areas(painted.band, filter);
+void mix_lcd(const GlyphJob& job) noexcept {
+  const Filter& filter = job.style->filter();
+  cover_areas(job.band, filter);
   if (!filter.is_linear) {
-    map_stripes(painted.band, filter);
+    map_stripes(job.band, filter);
   }
-  const int32_t stride = painted.band.stride;
-  if (is_vertical(lcd_of(*painted.style).order)) {
-    mix_stripes(painted, {-stride, stride, 3 * stride, 1, 3 * stride});
+  const int32_t stride = job.band.stride;
+  if (is_vertical(lcd_of(*job.style).order)) {
+    mix_stripes(job, {-stride, stride, 3 * stride, 1, 3 * stride});
   } else {
-    mix_stripes(painted, {-1, 1, 3, 3, stride});
+    mix_stripes(job, {-1, 1, 3, 3, stride});
   }
 }
 
 }  // namespace
 
-void mix_stripes(const PaintedBand& painted,
-                 const StripeSteps& steps) noexcept {
-  const Rect& pixels = painted.pixels;
-  const uint8_t* at = painted.band.row(painted.row) + painted.column;
+void mix_stripes(const GlyphJob& job, const StripeSteps& steps) noexcept {
+  const Rect& pixels = job.pixels;
+  const uint8_t* at = job.band.row(job.row) + job.column;
   for (int32_t y = pixels.y0; y != pixels.y1; ++y, at += steps.row) {
     StripeRow stripes(at, steps);
     for (int32_t x = pixels.x0; x != pixels.x1;) {
-      x += mix_span(painted, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
+      x += mix_span(job, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
     }
   }
 }
 
-const OutlineMixer kLcdMixer = {&kPaintAreas, plan_lcd, mix_lcd};
+const Mixer kLcdMixer = {&kPaintAreas, plan_lcd, mix_lcd};
 
 }  // namespace detail
 }  // namespace inkcell

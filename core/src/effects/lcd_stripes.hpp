@@ -53,7 +53,7 @@ __attribute__((noinline)) inline void hand_on(const Sink& sink,
   sink.coverage(sink.context, x, y, rgb, count);
 }
 
-struct PaintedBand;
+struct GlyphJob;
 
 // How stripes lie in a band. [bytes]
 struct StripeSteps {
@@ -65,8 +65,8 @@ struct StripeSteps {
 };
 
 // Makes channels of a band of stripes' coverages, each the mean of three, and
-// hands them on. The first pixel lies at painted.column and painted.row.
-void mix_stripes(const PaintedBand& painted, const StripeSteps& steps) noexcept;
+// hands them on. The first pixel lies at job.column and job.row.
+void mix_stripes(const GlyphJob& job, const StripeSteps& steps) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

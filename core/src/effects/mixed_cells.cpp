@@ -5,7 +5,6 @@
 #include "base/words.hpp"
 #include "place/cell_raster.hpp"
 #include "raster/upright_tile.hpp"
-#include "rows/outline_draw.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -28,7 +27,7 @@ CoverageRamp ramp_of(int32_t reach_q8) noexcept {
           (256u << 14) / static_cast<uint32_t>(2 * half_q10), kSteps.entries};
 }
 
-Rect widened(const Rect& pixels, const OutlinePlan& plan) noexcept {
+Rect widened(const Rect& pixels, const BandPlan& plan) noexcept {
   return {pixels.x0 - plan.margin_x, pixels.y0 - plan.margin_y,
           pixels.x1 + plan.margin_x, pixels.y1 + plan.margin_y};
 }
@@ -63,36 +62,36 @@ __attribute__((noinline)) void fill_tile(const CellRaster& raster,
 template <int32_t kCount>
 __attribute__((noinline)) void mix_tiles(const CellRaster& raster,
                                          const CellBand& band,
-                                         const OutlinePlan& plan,
+                                         const BandPlan& plan,
                                          MixCells mix,
-                                         PaintedBand& painted) noexcept {
+                                         GlyphJob& job) noexcept {
   constexpr int32_t kRows = kCount == 1 ? kTileRows : 4;
   const Rect all =
-      intersect(widened(band.map().samples, plan), painted.sink->window);
+      intersect(widened(band.map().samples, plan), job.sink->window);
   uint32_t words[size_t{kRows * kCount * kTileColumns} / 4];
   auto* const bytes = reinterpret_cast<uint8_t*>(words);
-  painted.band.bytes = bytes;
-  painted.band.stride = kCount * kTileColumns;
-  Rect& part = painted.pixels;
+  job.band.bytes = bytes;
+  job.band.stride = kCount * kTileColumns;
+  Rect& part = job.pixels;
   for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
     // A pixel of one byte begins a word if its x is a multiple of 4.
     const int32_t lead = kCount == 1 ? (part.x0 - plan.margin_x) & 3 : 0;
     part.x1 = min(part.x0 + kTileColumns - lead - 2 * plan.margin_x, all.x1);
-    painted.column = kCount * (lead + plan.margin_x);
+    job.column = static_cast<uint8_t>(kCount * (lead + plan.margin_x));
     int32_t kept = 0;  // rows, of the tile above
     for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
       part.y1 = min(part.y0 + kRows - 2 * plan.margin_y, all.y1);
       Rect pixels = widened(part, plan);
-      painted.band.rows = pixels.y1 - pixels.y0;
-      painted.band.last_column = kCount * (lead + pixels.x1 - pixels.x0) - 1;
+      job.band.rows = pixels.y1 - pixels.y0;
+      job.band.last_column = kCount * (lead + pixels.x1 - pixels.x0) - 1;
       pixels.y0 += kept;
-      uint8_t* const rows = painted.band.row(kept);
-      clear_pixels(rows, (kRows - kept) * painted.band.stride);
+      uint8_t* const rows = job.band.row(kept);
+      clear_pixels(rows, (kRows - kept) * job.band.stride);
       fill_tile(raster, band, pixels, rows + kCount * lead);
-      mix(painted);
+      mix(job);
       kept = 2 * plan.margin_y;
-      __builtin_memcpy(bytes, painted.band.row(kRows - kept),
-                       static_cast<size_t>(kept * painted.band.stride));
+      __builtin_memcpy(bytes, job.band.row(kRows - kept),
+                       static_cast<size_t>(kept * job.band.stride));
     }
   }
 }
@@ -103,7 +102,7 @@ void mix_cells(const GlyphField& field,
                const TextStyle& style,
                const FinePoint& origin,
                const Sink& sink,
-               const OutlinePlan& plan,
+               const BandPlan& plan,
                const Stripes* stripes,
                MixCells mix) noexcept {
   Placed placed;
@@ -126,16 +125,16 @@ void mix_cells(const GlyphField& field,
   if (!raster.clip(map, widened(sink.window, plan))) {
     return;
   }
-  PaintedBand painted = {};
-  painted.band.reach_q8 = max(plan.outside_q8, plan.inside_q8);
-  painted.row = plan.margin_y;
-  painted.style = &style;
-  painted.sink = &sink;
-  const CellBand band(raster, map, ramp_of(painted.band.reach_q8), stripes);
+  GlyphJob job = {};
+  job.band.reach_q8 = max(plan.outside_q8, plan.inside_q8);
+  job.row = plan.margin_y;
+  job.style = &style;
+  job.sink = &sink;
+  const CellBand band(raster, map, ramp_of(job.band.reach_q8), stripes);
   if (stripes == nullptr) {
-    mix_tiles<1>(raster, band, plan, mix, painted);
+    mix_tiles<1>(raster, band, plan, mix, job);
   } else {
-    mix_tiles<3>(raster, band, plan, mix, painted);
+    mix_tiles<3>(raster, band, plan, mix, job);
   }
 }
 

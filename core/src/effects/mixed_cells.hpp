@@ -7,12 +7,12 @@
 #include "inkcell/text_style.hpp"
 #include "place/cell_raster.hpp"
 #include "raster/cell_band.hpp"
-#include "rows/outline_mixer.hpp"
+#include "rows/mixer.hpp"
 
 namespace inkcell {
 namespace detail {
 
-using MixCells = void (*)(const PaintedBand& painted);
+using MixCells = void (*)(const GlyphJob& job);
 
 // Fills bands of signed distances and hands them to `mix`. A byte v stands for
 // (2 v - 255) / 254 of the reach, the greater one of the plan; 0 and 255 for
@@ -22,11 +22,11 @@ void mix_cells(const GlyphField& field,
                const TextStyle& style,
                const FinePoint& origin,
                const Sink& sink,
-               const OutlinePlan& plan,
+               const BandPlan& plan,
                const Stripes* stripes,
                MixCells mix) noexcept;
 
-// From these bytes to nearness and toggles, as outlines are painted.
+// From these bytes to nearness and toggles, as outlines are job.
 void toggle_rows(const Band& band) noexcept;
 
 }  // namespace detail

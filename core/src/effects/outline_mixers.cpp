@@ -3,8 +3,7 @@
 #include "base/words.hpp"
 #include "inkcell/effects.hpp"
 #include "rows/distance_row.hpp"
-#include "rows/outline_draw.hpp"
-#include "rows/outline_mixer.hpp"
+#include "rows/mixer.hpp"
 #include "sink/emit.hpp"
 
 namespace inkcell {
@@ -18,11 +17,11 @@ const OutlineAndFill& both_of(const TextStyle& style) noexcept {
   return *static_cast<const OutlineAndFill*>(style.effect().options);
 }
 
-void plan_outline(const TextStyle& style, OutlinePlan& plan) noexcept {
+void plan_outline(const TextStyle& style, BandPlan& plan) noexcept {
   plan.widen(inner_of(style));
 }
 
-void plan_both(const TextStyle& style, OutlinePlan& plan) noexcept {
+void plan_both(const TextStyle& style, BandPlan& plan) noexcept {
   const Filter& inner = *both_of(style).inner;
   plan.widen(inner);
   // Fills may lie outside of their outlines.
@@ -53,10 +52,10 @@ class StepRamp {
 
 // In place. Words without a byte lie beyond both ramps and stay 0: both filters
 // cover all there, or none.
-void mix_outline(const PaintedBand& painted) noexcept {
-  const Band& band = painted.band;
-  const StepRamp outer(painted.style->filter(), band.reach_q8);
-  const StepRamp inner(inner_of(*painted.style), band.reach_q8);
+void mix_outline(const GlyphJob& job) noexcept {
+  const Band& band = job.band;
+  const StepRamp outer(job.style->filter(), band.reach_q8);
+  const StepRamp inner(inner_of(*job.style), band.reach_q8);
   for (int32_t row = 0; row != band.rows; ++row) {
     DistanceRow distances(band, row);
     uint8_t* at = band.row(row);
@@ -77,16 +76,16 @@ void mix_outline(const PaintedBand& painted) noexcept {
       store_pixels(at, word);
     }
   }
-  emit(*painted.sink, painted.pixels, band.bytes + painted.column, band.stride);
+  emit(*job.sink, job.pixels, band.bytes + job.column, band.stride);
 }
 
 // Up to kMaxSpan pixels of a row, to both sinks.
-__attribute__((noinline)) void mix_span(const PaintedBand& painted,
+__attribute__((noinline)) void mix_span(const GlyphJob& job,
                                         DistanceRow& distances,
                                         int32_t x,
                                         int32_t y,
                                         int32_t count) noexcept {
-  const OutlineAndFill& both = both_of(*painted.style);
+  const OutlineAndFill& both = both_of(*job.style);
   // Words of pixels, as emit_row() takes them.
   alignas(4) uint8_t outline_words[kMaxSpan + 4];
   alignas(4) uint8_t fill_words[kMaxSpan + 4];
@@ -96,31 +95,28 @@ __attribute__((noinline)) void mix_span(const PaintedBand& painted,
     const int32_t d = distances.next();
     fill[i] = both.inner->coverage(d);
     // Where the fill is solid nothing of the outline is left to see.
-    outline[i] =
-        fill[i] == 255 ? uint8_t{0} : painted.style->filter().coverage(d);
+    outline[i] = fill[i] == 255 ? uint8_t{0} : job.style->filter().coverage(d);
   }
-  emit_row(*painted.sink, x, y, outline, count);
+  emit_row(*job.sink, x, y, outline, count);
   emit_row(*both.fill, x, y, fill, count);
 }
 
-void mix_both(const PaintedBand& painted) noexcept {
-  const Rect& all = painted.pixels;
-  const Rect shown = intersect(all, both_of(*painted.style).fill->window);
+void mix_both(const GlyphJob& job) noexcept {
+  const Rect& all = job.pixels;
+  const Rect shown = intersect(all, both_of(*job.style).fill->window);
   for (int32_t y = shown.y0; y < shown.y1; ++y) {
-    DistanceRow distances(painted.band, y - all.y0);
-    distances.skip(painted.column + shown.x0 - all.x0);
+    DistanceRow distances(job.band, y - all.y0);
+    distances.skip(job.column + shown.x0 - all.x0);
     for (int32_t x = shown.x0; x < shown.x1; x += kMaxSpan) {
-      mix_span(painted, distances, x, y, min(kMaxSpan, shown.x1 - x));
+      mix_span(job, distances, x, y, min(kMaxSpan, shown.x1 - x));
     }
   }
 }
 
 }  // namespace
 
-const OutlineMixer kOutlineMixer = {&kPaintWideDistances, plan_outline,
-                                    mix_outline};
-const OutlineMixer kOutlineAndFillMixer = {&kPaintWideDistances, plan_both,
-                                           mix_both};
+const Mixer kOutlineMixer = {&kPaintWideDistances, plan_outline, mix_outline};
+const Mixer kOutlineAndFillMixer = {&kPaintWideDistances, plan_both, mix_both};
 
 }  // namespace detail
 }  // namespace inkcell

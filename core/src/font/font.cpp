@@ -4,7 +4,6 @@
 #include "base/bytes.hpp"
 #include "base/crc.hpp"
 #include "cells/record.hpp"
-#include "font/outline_coding.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
 
@@ -21,7 +20,8 @@ using detail::load_u32;
 // More sections than any minor of this major will have.
 constexpr uint32_t kMaxSections = 32;
 
-// The sections that are known: first those that a font keeps, in its order.
+// The sections that are known: first those that a font keeps, in its order,
+// then CODE.
 constexpr uint32_t kKnownTags[] = {section::kCmap,   section::kMetrics,
                                    section::kGlyphs, section::kKerning,
                                    section::kCode,   section::kName};
@@ -34,14 +34,13 @@ struct Header {
   uint32_t total_bytes = 0;
 };
 
-bool is_readable(uint32_t coding) noexcept {
+// Cells, which no source paints yet.
+bool is_of_cells(uint32_t coding) noexcept {
   using format::Coding;
   return (INKCELL_SAMPLE_CELLS != 0 &&
           coding == static_cast<uint32_t>(Coding::samples)) ||
          (INKCELL_EDGE_CELLS != 0 &&
-          coding == static_cast<uint32_t>(Coding::edges)) ||
-         (INKCELL_OUTLINES != 0 &&
-          coding == static_cast<uint32_t>(Coding::outline));
+          coding == static_cast<uint32_t>(Coding::edges));
 }
 
 Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
@@ -72,9 +71,6 @@ Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
       crc, {at + header::kContentCrc, header_bytes - header::kContentCrc});
   if (crc != load_u32(at + header::kHeaderCrc)) {
     return Status::corrupt;
-  }
-  if (!is_readable(at[header::kCoding])) {
-    return Status::unsupported;
   }
   out = read;
   return Status::ok;
@@ -133,10 +129,17 @@ class MetricsRow {
 
 }  // namespace
 
-Status Font::open(Span<const uint8_t> rom, Font& out) noexcept {
+Status Font::open(Span<const uint8_t> rom,
+                  const Coding& coding,
+                  Font& out) noexcept {
   Header read;
   INKCELL_TRY(read_header(rom, read));
   Font font;
+  if (rom.data[header::kCoding] == coding.number) {
+    font.source_ = coding.source;
+  } else if (!is_of_cells(rom.data[header::kCoding])) {
+    return Status::unsupported;
+  }
   font.rom_ = {rom.data, read.total_bytes};
   INKCELL_TRY(font.open_tables(read.sections));
   out = font;
@@ -145,6 +148,7 @@ Status Font::open(Span<const uint8_t> rom, Font& out) noexcept {
 
 Status Font::open_tables(uint32_t sections) noexcept {
   const uint8_t* entry = rom_.data + header::kBytes;
+  Span<const uint8_t> code;
   for (; sections != 0; --sections, entry += section::kBytes) {
     Span<const uint8_t> bytes;
     if (!find_section(rom_, entry, bytes)) {
@@ -159,9 +163,10 @@ Status Font::open_tables(uint32_t sections) noexcept {
         (load_u32(entry + section::kOffset) & section::kMustUnderstand) != 0) {
       return Status::unsupported;
     }
-    // Of two with the same tag the first one counts.
-    if (known < kTables && tables_[known].data == nullptr) {
-      tables_[known] = bytes;
+    // If two have the same tag the first one counts.
+    Span<const uint8_t>& table = known < kTables ? tables_[known] : code;
+    if (known <= kTables && table.data == nullptr) {
+      table = bytes;
     }
   }
   glyph_count_ = load_u16(rom_.data + header::kGlyphCount);
@@ -184,11 +189,11 @@ Status Font::open_tables(uint32_t sections) noexcept {
                             (uint32_t{glyph_count_} + 1))) {
     return Status::corrupt;
   }
-  return open_code() ? Status::ok : Status::corrupt;
+  return open_code(code) ? Status::ok : Status::corrupt;
 }
 
 // What outlines are read with is kept: it was checked.
-bool Font::open_code() noexcept {
+bool Font::open_code(const Span<const uint8_t>& code) noexcept {
   namespace outline = format::outline;
   const uint8_t* at = rom_.data;
   if (at[header::kCoding] != static_cast<uint8_t>(format::Coding::outline)) {
@@ -197,20 +202,14 @@ bool Font::open_code() noexcept {
   const uint32_t code_bits = at[header::kCodeBits];
   const auto grid_shift = static_cast<int8_t>(at[header::kGridShift]);
   if (code_bits == 0 || code_bits > outline::kMaxCodeBits ||
-      code_table().size < size_t{2} << code_bits ||
+      code.size < size_t{2} << code_bits ||
       grid_shift < outline::kMinGridShift ||
       grid_shift > outline::kMaxGridShift) {
     return false;
   }
-  code_bits_ = static_cast<uint8_t>(code_bits);
-  grid_shift_ = grid_shift;
-  max_points_ = load_u16(at + header::kMaxPoints);
+  coding_ = {code.data, static_cast<uint8_t>(code_bits), grid_shift,
+             load_u16(at + header::kMaxPoints)};
   return true;
-}
-
-detail::OutlineCoding detail::outline_coding(const Font& font) noexcept {
-  return {font.code_table().data, font.code_bits_, font.grid_shift_,
-          font.max_points_};
 }
 
 Span<const uint8_t> Font::section(uint32_t tag) const noexcept {

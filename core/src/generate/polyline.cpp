@@ -159,12 +159,13 @@ void Polyline::Pen::end_contour() noexcept {
 }
 
 bool Polyline::read(OutlineGlyph& glyph,
+                    const Rect& box,
                     const Frame& frame,
                     Span<uint8_t>& ram) noexcept {
   top_ = reinterpret_cast<Vertex*>(ram.data + ram.size);
   const size_t room = ram.size / (sizeof(Vertex) + sizeof(EdgeNumber));
-  Pen pen = {frame, (frame.x0_u - glyph.x0()) * 256,
-             -(frame.y0_u + glyph.y0()) * 256, top_,
+  Pen pen = {frame, (frame.x0_u - first_column(box)) * 256,
+             -(frame.y0_u + box.y0) * 256, top_,
              static_cast<uint32_t>(room < kMaxVertices ? room : kMaxVertices)};
   Offset control = {};
   bool is_bent = false;

@@ -39,9 +39,11 @@ class Polyline {
     int32_t error_q8;  // largest distance of an edge from its curve [u]
   };
 
-  // Reads the outline into the end of `ram`, which begins and ends at multiples
-  // of 4, and shortens `ram` to what is left. False: it does not fit.
+  // Reads the outline, whose box is `box`, into the end of `ram`, which begins
+  // and ends at multiples of 4, and shortens `ram` to what is left. False: it
+  // does not fit.
   bool read(OutlineGlyph& glyph,
+            const Rect& box,
             const Frame& frame,
             Span<uint8_t>& ram) noexcept;
 

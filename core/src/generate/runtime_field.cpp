@@ -147,7 +147,9 @@ class Builder {
   }
 
  private:
-  bool share_out(OutlineGlyph& outline, Span<uint8_t> buffer) noexcept;
+  bool share_out(OutlineGlyph& outline,
+                 const Rect& box,
+                 Span<uint8_t> buffer) noexcept;
   bool grow_tile(uint8_t* slot) noexcept;
   uint32_t settle(Level& level, int32_t log2) noexcept;
   int32_t distance_q6(Level& level,
@@ -184,12 +186,13 @@ class Builder {
 __attribute__((noinline)) bool open_outline(const Font& font,
                                             uint16_t glyph,
                                             Span<const uint8_t> record,
-                                            OutlineGlyph& outline) noexcept {
+                                            OutlineGlyph& outline,
+                                            Rect& box) noexcept {
   constexpr detail::Placed kOrigin = {0, 0};
   GlyphMetrics metrics;
   return font.glyph_metrics(glyph, metrics) == Status::ok &&
          outline.open(font, metrics, record, Q26_6::from_int(1024), nullptr,
-                      kOrigin, {0, 128}, nullptr);
+                      kOrigin, {0, 128}, nullptr, box);
 }
 
 // Not inline: the reader's stack is free again when the tree grows.
@@ -198,21 +201,24 @@ __attribute__((noinline)) Status Builder::open(const Font& font,
                                                Span<const uint8_t> record,
                                                Span<uint8_t> buffer) noexcept {
   OutlineGlyph outline;
-  if (!open_outline(font, glyph, record, outline)) {
+  Rect box;
+  if (!open_outline(font, glyph, record, outline, box)) {
     return Status::unsupported;
   }
-  if (!grid_.set(outline.box(), limits_)) {
+  if (!grid_.set(box, limits_)) {
     return Status::corrupt;
   }
-  return share_out(outline, buffer) ? Status::ok : Status::buffer_small;
+  return share_out(outline, box, buffer) ? Status::ok : Status::buffer_small;
 }
 
-bool Builder::share_out(OutlineGlyph& outline, Span<uint8_t> buffer) noexcept {
+bool Builder::share_out(OutlineGlyph& outline,
+                        const Rect& box,
+                        Span<uint8_t> buffer) noexcept {
   const Polyline::Frame frame = {
       grid_.x0_u, grid_.y0_u, grid_.fraction,
       max(limits_.tolerance.raw >> 4, kMinChordError)};
   buffer.size &= ~size_t{3};
-  if (!outline_.read(outline, frame, buffer)) {
+  if (!outline_.read(outline, box, frame, buffer)) {
     return false;
   }
   const size_t levels = sizeof(Level) * static_cast<size_t>(grid_.tile_log2);

@@ -2,6 +2,7 @@
 
 #include "base/math.hpp"
 #include "inkcell/format/rom.hpp"
+#include "outlines/slant.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -30,11 +31,6 @@ int32_t scale_of(const Font& font,
   const uint32_t size = static_cast<uint32_t>(size_px.raw) << shift;
   const uint32_t em = font.units_per_em();
   return static_cast<int32_t>((size + em / 2) / em);
-}
-
-// A factor of at most 1 or so. [Q30]
-int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
-  return static_cast<int32_t>((int64_t{scale} * factor_q30 + (1 << 29)) >> 30);
 }
 
 // A row of a map times a column of a component's, which is in Q14 and 16 bits
@@ -66,22 +62,13 @@ int32_t warped(const AxisMap& map, int32_t at, int32_t sign) noexcept {
 
 }  // namespace
 
-bool map_slanted(const TextStyle& style, OutlineMap& map) {
-  const int32_t scale = map.x_right;
-  const TextStyle::Axes& axes = style.axes();
-  map = {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
-         times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
-  return (axes.x_right.raw >> 15) * int64_t{axes.y_up.raw >> 15} <
-         (axes.x_up.raw >> 15) * int64_t{axes.y_right.raw >> 15};
-}
-
 // Font units times px per grid unit. [px, Q18]
 int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
   const int32_t value = product(units, per_unit);
-  return coding_.grid_shift >= 0
-             ? value >> coding_.grid_shift
-             : static_cast<int32_t>(static_cast<uint32_t>(value)
-                                    << -coding_.grid_shift);
+  const int32_t shift = outline_coding(*font_).grid_shift;
+  return shift >= 0
+             ? value >> shift
+             : static_cast<int32_t>(static_cast<uint32_t>(value) << -shift);
 }
 
 // Along the screen's x or y: the pixels whose centres lie within the reach of
@@ -121,36 +108,34 @@ bool OutlineGlyph::open(const Font& font,
                         const TextStyle* slanted,
                         const Placed& placed,
                         const OutlineSampling& sampling,
-                        const GlyphWarp* warp) noexcept {
+                        const GlyphWarp* warp,
+                        Rect& box) noexcept {
   font_ = &font;
   x_min_ = metrics.x_min;
   y_min_ = metrics.y_min;
   record_ = record;
-  coding_ = outline_coding(font);
-  if (coding_.code_bits == 0) {
+  const OutlineCoding& coding = outline_coding(font);
+  if (coding.code_bits == 0) {
     return false;
   }
   is_composite_ = record_.data[0] == composite::kType;
-  const int32_t scale = scale_of(font, size, coding_);
+  const int32_t scale = scale_of(font, size, coding);
   map_ = {scale, 0, 0, -scale};
-  is_mirrored_ =
-      slanted != nullptr && slanted->outline_mapper()(*slanted, map_);
+  is_mirrored_ = slanted != nullptr && slanted->slant().map(*slanted, map_);
   const Axis x =
       axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
               sampling.reach_q8, warp == nullptr ? nullptr : &warp->x);
   const Axis y =
       axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
               sampling.reach_q8, warp == nullptr ? nullptr : &warp->y);
-  box_ = {x.low_px, y.low_px, x.high_px, y.high_px};
+  box = {x.low_px, y.low_px, x.high_px, y.high_px};
   // Half of a 256th, so that points are rounded to the nearest.
   const int32_t origin = 512 - sampling.origin_q8 * 1024;
-  const int32_t left_px = (box_.x0 - 1) & ~3;
-  x0_ = left_px * sampling.columns;
-  y0_ = box_.y0 * sampling.rows;
+  const int32_t left_px = first_column(box);
   x_q18_ =
       sum(origin, product(place_from(placed.x_q10, left_px), sampling.columns));
   y_q18_ =
-      sum(origin, product(place_from(placed.y_q10, box_.y0), sampling.rows));
+      sum(origin, product(place_from(placed.y_q10, box.y0), sampling.rows));
   map_.x_right = product(map_.x_right, sampling.columns);
   map_.y_right = product(map_.y_right, sampling.columns);
   map_.x_down = product(map_.x_down, sampling.rows);
@@ -164,23 +149,24 @@ void OutlineGlyph::begin_part(int32_t x_min,
                               Span<const uint8_t> record,
                               int32_t x_q18,
                               int32_t y_q18) noexcept {
-  const int32_t shift = coding_.grid_shift;
+  const int32_t shift = outline_coding(*font_).grid_shift;
   const int32_t x = shift >= 0 ? x_min >> shift : x_min * (1 << -shift);
   const int32_t y = shift >= 0 ? y_min >> shift : y_min * (1 << -shift);
   const OutlineMap& map = part_map_;
   reader_.begin(
-      record, coding_,
+      record, outline_coding(*font_),
       sum(x_q18, sum(product(x, map.x_right), product(y, map.y_right))),
       sum(y_q18, sum(product(x, map.x_down), product(y, map.y_down))));
 }
 
 void OutlineGlyph::rewind() noexcept {
-  is_done_ = false;
-  points_left_ = coding_.max_points;
+  points_left_ = outline_coding(*font_).max_points;
   part_map_ = map_;
   if (is_composite_) {
     components_ = ComponentReader(record_);
-    is_done_ = !next_component();
+    if (!next_component()) {
+      points_left_ = 0;
+    }
   } else {
     begin_part(x_min_, y_min_, record_, x_q18_, y_q18_);
   }
@@ -206,15 +192,17 @@ bool OutlineGlyph::next_component() noexcept {
 }
 
 ScreenPoint* OutlineGlyph::read(ScreenPoint* out, int32_t room) noexcept {
-  while (!is_done_ && room != 0) {
+  const OutlineCoding& coding = outline_coding(*font_);
+  while (!is_done() && room != 0) {
     ScreenPoint* const end =
-        reader_.read(coding_, part_map_, out, min(room, points_left_));
+        reader_.read(coding, part_map_, out, min(room, int32_t{points_left_}));
     const auto count = static_cast<int32_t>(end - out);
     room -= count;
-    points_left_ -= count;
+    points_left_ = static_cast<uint16_t>(points_left_ - count);
     out = end;
-    is_done_ = points_left_ == 0 ||
-               (reader_.is_done() && !(is_composite_ && next_component()));
+    if (reader_.is_done() && !(is_composite_ && next_component())) {
+      points_left_ = 0;
+    }
   }
   return out;
 }

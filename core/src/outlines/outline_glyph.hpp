@@ -37,8 +37,8 @@ inline bool is_outline(Span<const uint8_t> record) noexcept {
 class __attribute__((may_alias)) OutlineGlyph {
  public:
   // `record` is the glyph's; is_outline(record). `slanted` is null for
-  // upright glyphs; `warp` moves points, and may be null. False: the font is
-  // not one of outlines.
+  // upright glyphs; `warp` moves points, and may be null. `box`: the pixels
+  // that may show something. False: the font is not one of outlines.
   bool open(const Font& font,
             const GlyphMetrics& metrics,
             Span<const uint8_t> record,
@@ -46,7 +46,8 @@ class __attribute__((may_alias)) OutlineGlyph {
             const TextStyle* slanted,
             const Placed& placed,
             const OutlineSampling& sampling,
-            const GlyphWarp* warp) noexcept;
+            const GlyphWarp* warp,
+            Rect& box) noexcept;
 
   bool open(const Font& font,
             const GlyphMetrics& metrics,
@@ -54,17 +55,12 @@ class __attribute__((may_alias)) OutlineGlyph {
             const TextStyle& style,
             const Placed& placed,
             const OutlineSampling& sampling,
-            const GlyphWarp* warp) noexcept {
+            const GlyphWarp* warp,
+            Rect& box) noexcept {
     return open(font, metrics, record, style.size(),
-                style.is_upright() ? nullptr : &style, placed, sampling, warp);
+                style.is_upright() ? nullptr : &style, placed, sampling, warp,
+                box);
   }
-
-  // The pixels that may show something.
-  const Rect& box() const noexcept { return box_; }
-  // The column and the row of samples that points are relative to: a few before
-  // the box, and its first.
-  int32_t x0() const noexcept { return x0_; }
-  int32_t y0() const noexcept { return y0_; }
 
   // Where the glyph's origin is, as points have it. [samples, Q8]
   int32_t origin_x_q8() const noexcept { return x_q18_ >> 10; }
@@ -77,7 +73,7 @@ class __attribute__((may_alias)) OutlineGlyph {
   // Writes the next points, at most `room`; returns their end. With is_done()
   // there are no more.
   ScreenPoint* read(ScreenPoint* out, int32_t room) noexcept;
-  bool is_done() const noexcept { return is_done_; }
+  bool is_done() const noexcept { return points_left_ == 0; }
 
  private:
   struct Axis {
@@ -101,22 +97,17 @@ class __attribute__((may_alias)) OutlineGlyph {
 
   const Font* font_;
   Span<const uint8_t> record_;
-  OutlineCoding coding_;
   OutlineMap map_;       // of the glyph
   OutlineMap part_map_;  // of the component at hand
-  int32_t x_q18_;        // the glyph's origin from (x0(), box().y0) [px]
+  int32_t x_q18_;        // the glyph's origin as points have it [samples]
   int32_t y_q18_;
-  Rect box_;
-  int32_t x0_;
-  int32_t y0_;
   OutlineReader reader_;
   ComponentReader components_;  // of a composite that come yet
-  int32_t points_left_;         // that may come
+  uint16_t points_left_;        // that may come
   int16_t x_min_;               // of the glyph's box [font units]
   int16_t y_min_;
   bool is_composite_;
   bool is_mirrored_;
-  bool is_done_;
 };
 
 }  // namespace detail

@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "font/outline_coding.hpp"
+#include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
 #include "outlines/screen_point.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/geometry.hpp"
+
 namespace inkcell {
 namespace detail {
 
@@ -15,9 +17,15 @@ enum PointKind : uint8_t {
   kStart = 3  // a corner where a contour begins
 };
 
-// Relative to the upper left pixel of the rows and columns that are painted; y
-// down. A contour is a start and the points after it, the last one where it
-// started. Lies in RAM that is lent as bytes.
+// The column that points count from, given the box of their glyph. It is a
+// multiple of 4 and lies before the box; rows count from the box's first one.
+inline int32_t first_column(const Rect& box) noexcept {
+  return (box.x0 - 1) & ~3;
+}
+
+// Relative to first_column() and the first row of a glyph's box; y down. A
+// contour is a start and the points after it, the last one where it started.
+// Lies in RAM that is lent as bytes.
 struct __attribute__((may_alias)) ScreenPoint {
   int32_t x_q8;       // [px]
   int32_t y_q8_kind;  // [px], and below it two bits of kind

@@ -80,19 +80,6 @@ __attribute__((noinline)) Extent extent_of(Extent place_q10,
   return low < high ? Extent{low, high} : Extent{high, low};
 }
 
-// (a p + b q) / 2^30, for any a and b below 2^42, p and q below 2^31. Not
-// inline for its size.
-__attribute__((noinline)) int64_t turned(int64_t a,
-                                         int64_t p,
-                                         int64_t b,
-                                         int64_t q) noexcept {
-  // The products pass 64 bits, those of the halves do not.
-  constexpr int64_t kLow = (1 << 20) - 1;
-  const int64_t high = (a >> 20) * p + (b >> 20) * q;
-  const int64_t low = (a & kLow) * p + (b & kLow) * q;
-  return (high + (low >> 20)) >> 10;
-}
-
 // (right px to the right + up px up) of a step, modulo 2^54. Not inline:
 // products of 64 bits are large.
 __attribute__((noinline)) int64_t sum_of(int64_t right_q10,
@@ -224,17 +211,6 @@ bool clip_slanted(CellMap& map, const Rect& window) noexcept {
                 map.find(box.x1, box.y1, map.first);
   map.is_near = map.find(box.x0, box.y0, map.first) && map.is_near;
   return true;
-}
-
-FinePoint slanted_place(const TextStyle& style,
-                        const FinePoint& origin,
-                        int64_t along_q10,
-                        int64_t across_q10) {
-  const TextStyle::Axes& axes = style.axes();
-  return {origin.x_q10 +
-              turned(along_q10, axes.x_right.raw, across_q10, axes.y_right.raw),
-          origin.y_q10 -
-              turned(along_q10, axes.x_up.raw, across_q10, axes.y_up.raw)};
 }
 
 }  // namespace detail

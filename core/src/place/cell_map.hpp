@@ -124,11 +124,5 @@ bool clip_upright(CellMap& map, const Rect& window) noexcept;
 // Leaves of the window's samples those in the box around the limits.
 bool clip_slanted(CellMap& map, const Rect& window) noexcept;
 
-// A place along and across the axes of a glyph that is not upright. [px, Q10]
-FinePoint slanted_place(const TextStyle& style,
-                        const FinePoint& origin,
-                        int64_t along_q10,
-                        int64_t across_q10);
-
 }  // namespace detail
 }  // namespace inkcell

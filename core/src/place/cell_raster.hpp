@@ -32,11 +32,6 @@ struct CellRaster {
                GlyphPoint& out) noexcept;
   CoverTile cover;
   const Stretching* stretching;  // null: edges are stretched alike
-  // A place in px along and across the glyph's axes. [Q10]
-  FinePoint (*place)(const TextStyle& style,
-                     const FinePoint& origin,
-                     int64_t along_q10,
-                     int64_t across_q10);
 
   // Whether a tile may show something, given where its first sample lies. Tiles
   // of less than 2^13 u that begin farther away than 2^15 u lie in no grid, nor

@@ -188,10 +188,10 @@ bool is_same(const TextStyle& a, const TextStyle& b) noexcept {
   return a.size_q6_ == b.size_q6_ && a.axes_.x_right == b.axes_.x_right &&
          a.axes_.x_up == b.axes_.x_up && a.axes_.y_right == b.axes_.y_right &&
          a.axes_.y_up == b.axes_.y_up && a.filter_ == b.filter_ &&
-         a.outline_painter_ == b.outline_painter_ && a.fitter() == b.fitter() &&
+         a.painter_ == b.painter_ && a.fitter() == b.fitter() &&
          a.fitter_options_ == b.fitter_options_ &&
          a.effect_.cells == b.effect_.cells &&
-         a.effect_.outlines == b.effect_.outlines &&
+         a.effect_.mixer == b.effect_.mixer &&
          a.effect_.options == b.effect_.options;
 }
 

@@ -369,11 +369,9 @@ constexpr auto kCover = kHasCells ? CellBand::cover_slanted : nullptr;
 
 }  // namespace
 
-const CellRaster kTurnedCells = {clip_slanted, kFind, kCover, nullptr,
-                                 slanted_place};
+const CellRaster kTurnedCells = {clip_slanted, kFind, kCover, nullptr};
 const CellRaster kStretchedCells = {clip_slanted, kFind, kCover,
-                                    kHasCells ? &kStretching : nullptr,
-                                    slanted_place};
+                                    kHasCells ? &kStretching : nullptr};
 
 }  // namespace detail
 }  // namespace inkcell

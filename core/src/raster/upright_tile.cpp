@@ -277,6 +277,6 @@ bool CellBand::cover_stripes(const CellBand& band,
 }
 
 const CellRaster kUprightCells = {clip_upright, nullptr, CellBand::cover_pixels,
-                                  nullptr, nullptr};
+                                  nullptr};
 }  // namespace detail
 }  // namespace inkcell

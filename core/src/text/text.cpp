@@ -1,11 +1,9 @@
 #include "inkcell/text.hpp"
 
 #include "inkcell/assert.hpp"
-#include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
 #include "raster/draw_cells.hpp"
-#include "rows/outline_draw.hpp"
-#include "rows/outline_open.hpp"
+#include "rows/draw_bands.hpp"
 #include "text/find_glyph.hpp"
 #include "text/text_place.hpp"
 
@@ -63,13 +61,10 @@ __attribute__((always_inline)) inline void draw_placed(
     const TextStyle& style,
     const Placed& placed,
     const Sink& sink,
-    Workspace workspace) noexcept {
-  const Span<const uint8_t> record = font.record(glyph);
-  if constexpr (detail::kHasOutlines) {
-    if (detail::is_outline(record)) {
-      detail::draw_outline(font, glyph, record, style, placed, sink, workspace);
-      return;
-    }
+    const Workspace& workspace) noexcept {
+  if (font.source() != nullptr) {
+    detail::draw_bands(font, glyph, style, placed, sink, workspace);
+    return;
   }
   if constexpr (detail::kHasCells) {
     GlyphField field;
@@ -233,9 +228,9 @@ Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept {
 
 Status check_effect(const Font& font, const TextStyle& style) noexcept {
   const Effect& effect = style.effect();
-  const bool is_drawn = effect.cells == nullptr ||
-                        (font.has_outlines() ? effect.outlines != nullptr
-                                             : !style.is_stretched());
+  const bool is_drawn =
+      effect.cells == nullptr ||
+      (font.has_outlines() ? effect.mixer != nullptr : !style.is_stretched());
   return is_drawn ? Status::ok : Status::unsupported;
 }
 
@@ -296,11 +291,8 @@ Rect glyph_box(const Font& font,
   if (!placed.set(origin)) {
     return {};
   }
-  const Span<const uint8_t> record = font.record(glyph);
-  if constexpr (detail::kHasOutlines) {
-    if (detail::is_outline(record)) {
-      return detail::outline_box(font, glyph, record, style, placed);
-    }
+  if (font.source() != nullptr) {
+    return detail::band_box(font, glyph, style, placed);
   }
   if constexpr (detail::kHasCells) {
     GlyphField field;

@@ -6,7 +6,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/text_style.hpp"
-#include "place/cell_raster.hpp"
+#include "outlines/slant.hpp"
 #include "place/position.hpp"
 #include "text/advances.hpp"
 
@@ -49,7 +49,7 @@ inline FinePoint place(const UnitScale& scale,
   if (style.is_upright()) {
     return {origin.x_q10 + along, origin.y_q10 - across};
   }
-  return style.slanted_cells().place(style, origin, along, across);
+  return style.slant().place(style, origin, along, across);
 }
 
 // False: the glyph is too far away. Not inline: what it takes of the stack is

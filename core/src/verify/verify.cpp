@@ -197,7 +197,7 @@ Status Font::verify() const noexcept {
       !hints_fit(*this) || !offsets_fit(glyph_table(), glyph_count_)) {
     return Status::corrupt;
   }
-  const detail::OutlineCoding coding = detail::outline_coding(*this);
+  const detail::OutlineCoding& coding = detail::outline_coding(*this);
   const bool has_code = coding.code_bits != 0;
   if (has_code && !detail::code_fits(coding)) {
     return Status::corrupt;

@@ -10,9 +10,9 @@ namespace c {
 inline const Filter& table_of(const inkcell_filter_t* filter) noexcept {
   return *static_cast<const Filter*>(filter->words[0]);
 }
-inline const detail::OutlinePainter& painter_of(
+inline const detail::Painter& painter_of(
     const inkcell_filter_t* filter) noexcept {
-  return *static_cast<const detail::OutlinePainter*>(filter->words[1]);
+  return *static_cast<const detail::Painter*>(filter->words[1]);
 }
 
 }  // namespace c

@@ -16,7 +16,7 @@ inkcell_status_t finish(Status status,
                         const inkcell_filter_t* filter,
                         inkcell_style_t* out) noexcept {
   if (status == Status::ok) {
-    cpp(out)->set_outline_painter(c::painter_of(filter));
+    cpp(out)->set_painter(c::painter_of(filter));
   } else {
     *cpp(out) = TextStyle();
   }

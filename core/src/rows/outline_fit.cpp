@@ -1,4 +1,4 @@
-#include "rows/point_warp.hpp"
+#include "rows/outline_fit.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -35,19 +35,35 @@ class AxisWarp {
   int32_t knot_ = 0;
 };
 
-}  // namespace
+bool fit_outline(OutlineJob& job,
+                 uint16_t glyph,
+                 const GlyphMetrics& metrics,
+                 Placed& placed) noexcept {
+  auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
+  const TextStyle& style = *job.style;
+  FinePoint origin = placed.origin();
+  style.fitter()->fit(glyph, metrics, style.fitter_options(), origin, warp);
+  if ((warp.x.count | warp.y.count) != 0) {
+    job.warp = &warp;
+  }
+  return placed.set(origin);
+}
 
-void warp_points(const OpenGlyph& opened,
+void move_points(const OutlineJob& job,
                  ScreenPoint* points,
                  const ScreenPoint* end) noexcept {
-  const OutlineGlyph& glyph = opened.glyph;
-  AxisWarp x(opened.warp->x, glyph.origin_x_q8(), opened.plan.columns);
-  AxisWarp y(opened.warp->y, glyph.origin_y_q8(), opened.plan.rows);
+  const OutlineGlyph& outline = job.outline;
+  AxisWarp x(job.warp->x, outline.origin_x_q8(), job.plan.columns);
+  AxisWarp y(job.warp->y, outline.origin_y_q8(), job.plan.rows);
   for (; points != end; ++points) {
     *points = ScreenPoint::at(x.to(points->x_q8, 1), y.to(points->y_q8(), -1),
                               points->kind());
   }
 }
+
+}  // namespace
+
+const OutlineFitter kOutlineFitter = {fit_outline, move_points};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -1,0 +1,279 @@
+#include "rows/draw_bands.hpp"
+
+#include "base/math.hpp"
+#include "base/words.hpp"
+#include "inkcell/prepared_glyph.hpp"
+#include "rows/mixer.hpp"
+#include "rows/source.hpp"
+#include "sink/emit.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// More is not used: sizes stay below 2^31.
+constexpr size_t kMostBytes = 1 << 20;
+// Rows above and below a band, and a word before the first: see Band.
+constexpr int32_t kGuardRows = 2;
+constexpr int32_t kGuardBytes = 4;
+
+// Bands that are cut in columns have at least so many rows.
+constexpr int32_t kLeastRows = 4;
+
+// Rows of that many samples and the pixel after them. [bytes]
+int32_t stride_of(int32_t width) noexcept {
+  return (width + 4) & ~3;
+}
+
+// False: the style was not made.
+bool make_plan(const TextStyle& style, BandPlan& plan) noexcept {
+  // Room for roundings.
+  constexpr int32_t kMore = 4;
+  const Mixer* const mixer = style.effect().mixer;
+  plan = {};
+  plan.painter = mixer == nullptr || mixer->painter == nullptr ? style.painter()
+                                                               : mixer->painter;
+  if (plan.painter == nullptr) {
+    return false;
+  }
+  const int32_t reach_q8 = plan.painter->reach_q8;
+  if (reach_q8 != 0) {
+    plan.outside_q8 = reach_q8;
+    plan.shown_q8 = reach_q8 + kMore;
+  } else {
+    const Filter& filter = style.filter();
+    plan.widen(filter);
+    plan.shown_q8 = (max(-filter.outside_q10, 0) >> 2) + kMore;
+  }
+  if (mixer != nullptr) {
+    mixer->plan(style, plan);
+  }
+  return true;
+}
+
+// False: nothing shows.
+bool open(GlyphJob& job,
+          uint8_t* ram,
+          int32_t ram_bytes,
+          const Font& font,
+          uint16_t glyph,
+          const TextStyle& style,
+          const Placed& placed) noexcept {
+  job.source = font.source();
+  job.style = &style;
+  job.ram = ram;
+  job.ram_bytes = ram_bytes;
+  return make_plan(style, job.plan) &&
+         job.source->open(job, font, glyph, placed);
+}
+
+// The same of a job at the beginning of its RAM.
+bool open_in(const Workspace& ram,
+             const Font& font,
+             uint16_t glyph,
+             const TextStyle& style,
+             const Placed& placed) noexcept {
+  const int32_t job_bytes = font.source()->job_bytes;
+  return open(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
+              static_cast<int32_t>(ram.size) - job_bytes, font, glyph, style,
+              placed);
+}
+
+bool load(GlyphJob& job) noexcept {
+  const BandPlan& plan = job.plan;
+  Band& band = job.band;
+  band.outside_q8 = plan.outside_q8;
+  band.inside_q8 = plan.inside_q8;
+  band.reach_q8 = max(plan.outside_q8, plan.inside_q8);
+  if (plan.painter->reach_q8 == 0) {
+    band.fall_q14 = static_cast<int32_t>((254u << 14) /
+                                         static_cast<uint32_t>(band.reach_q8));
+  }
+  return job.source->load(job);
+}
+
+// The band of job.pixels.
+__attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
+  const BandPlan& plan = job.plan;
+  const Rect& pixels = job.pixels;
+  Band& band = job.band;
+  const int32_t column = plan.columns_before(pixels.x0);
+  const int32_t width = plan.width_of(column, pixels);
+  job.column = static_cast<uint8_t>(column);
+  job.row = plan.margin_y;
+  band.stride = stride_of(width);
+  band.rows = (pixels.y1 - pixels.y0) * plan.rows + 2 * plan.margin_y;
+  band.bytes = job.ram + kGuardBytes + band.stride;
+  band.last_column = width - 1;
+  band.x_q8 =
+      ((pixels.x0 - first_column(job.box)) * plan.columns - column) * 256;
+  band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
+  band.is_whole = pixels.y1 - pixels.y0 == job.box.y1 - job.box.y0;
+  clear_pixels(job.ram, kGuardBytes + (band.rows + kGuardRows) * band.stride);
+  job.source->fill(job);
+  const TextStyle& style = *job.style;
+  if (const Mixer* const mixer = style.effect().mixer) {
+    mixer->mix(job);
+    return;
+  }
+  plan.painter->cover(band, style.filter());
+  emit(*job.sink, pixels, band.bytes + column, band.stride);
+}
+
+// Cuts the box into bands.
+void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
+  const Rect all = intersect(job.box, sink.window);
+  if (is_empty(all)) {
+    return;
+  }
+  const BandPlan& plan = job.plan;
+  const int32_t bytes = job.ram_bytes - kGuardBytes;
+  const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
+  int32_t rows =
+      bytes / stride_of(plan.width_of(plan.columns_before(all.x0), all)) -
+      more_rows;
+  int32_t columns = all.x1 - all.x0;
+  const int32_t least =
+      min(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
+  if (rows < least * plan.rows) {
+    rows = least * plan.rows;
+    columns = (bytes / (rows + more_rows) & ~3) - 8 - 2 * plan.margin_x;
+    columns = plan.columns == 1 ? columns : columns / plan.columns;
+  }
+  rows = plan.rows == 1 ? rows : rows / plan.rows;
+  job.sink = &sink;
+  Rect& part = job.pixels;
+  for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
+    part.y1 = min(part.y0 + rows, all.y1);
+    for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
+      part.x1 = min(part.x0 + columns, all.x1);
+      draw_band(job);
+    }
+  }
+}
+
+__attribute__((noinline)) void draw_in(const Font& font,
+                                       uint16_t glyph,
+                                       const TextStyle& style,
+                                       const Placed& placed,
+                                       const Sink& sink,
+                                       const Workspace& ram) noexcept {
+  auto& job = *reinterpret_cast<GlyphJob*>(ram.data);
+  if (open_in(ram, font, glyph, style, placed) &&
+      !is_empty(intersect(job.box, sink.window)) && load(job)) {
+    draw_loaded(job, sink);
+  }
+}
+
+__attribute__((noinline)) void draw_on_stack(const Font& font,
+                                             uint16_t glyph,
+                                             const TextStyle& style,
+                                             const Placed& placed,
+                                             const Sink& sink) noexcept {
+  alignas(GlyphJob) uint8_t bytes[kLeastRam];
+  draw_in(font, glyph, style, placed, sink, {bytes, sizeof bytes});
+}
+
+__attribute__((noinline)) void draw_fitted_on_stack(const Font& font,
+                                                    uint16_t glyph,
+                                                    const TextStyle& style,
+                                                    const Placed& placed,
+                                                    const Sink& sink) noexcept {
+  alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
+  draw_in(font, glyph, style, placed, sink, {bytes, sizeof bytes});
+}
+
+// Not inline: most glyphs do not need its part of the stack.
+__attribute__((noinline)) bool open_fitted(GlyphJob& job,
+                                           const Font& font,
+                                           uint16_t glyph,
+                                           const TextStyle& style,
+                                           const Placed& placed) noexcept {
+  alignas(GlyphJob) uint8_t maps[kMaps];
+  return open(job, maps, sizeof maps, font, glyph, style, placed);
+}
+
+// The part of a workspace that begins where pointers may lie; none if that is
+// too small.
+Workspace aligned(const Workspace& workspace) noexcept {
+  const uintptr_t skipped = (0u - reinterpret_cast<uintptr_t>(workspace.data)) &
+                            (alignof(GlyphJob) - 1);
+  if (workspace.size < kLeastFittedRam + skipped) {
+    return {};
+  }
+  const size_t size = workspace.size - skipped;
+  return {workspace.data + skipped,
+          (size < kMostBytes ? size : kMostBytes) & ~size_t{3}};
+}
+
+}  // namespace
+
+void draw_bands(const Font& font,
+                uint16_t glyph,
+                const TextStyle& style,
+                const Placed& placed,
+                const Sink& sink,
+                const Workspace& workspace) noexcept {
+  const Workspace ram = aligned(workspace);
+  if (ram.size != 0) {
+    draw_in(font, glyph, style, placed, sink, ram);
+  } else if (style.is_fitted()) {
+    draw_fitted_on_stack(font, glyph, style, placed, sink);
+  } else {
+    draw_on_stack(font, glyph, style, placed, sink);
+  }
+}
+
+Rect band_box(const Font& font,
+              uint16_t glyph,
+              const TextStyle& style,
+              const Placed& placed) noexcept {
+  alignas(GlyphJob) uint8_t bytes[kMostJob];
+  auto& job = *reinterpret_cast<GlyphJob*>(bytes);
+  const bool shows = style.is_fitted()
+                         ? open_fitted(job, font, glyph, style, placed)
+                         : open(job, nullptr, 0, font, glyph, style, placed);
+  return shows ? job.box : Rect{};
+}
+
+}  // namespace detail
+
+Status PreparedGlyph::make(const Font& font,
+                           uint16_t glyph,
+                           const TextStyle& style,
+                           Point origin,
+                           Workspace workspace,
+                           PreparedGlyph& out) noexcept {
+  using namespace detail;
+  const Workspace ram = aligned(workspace);
+  if (ram.size == 0) {
+    return Status::buffer_small;
+  }
+  if (glyph >= font.glyph_count()) {
+    return Status::no_glyph;
+  }
+  if (font.source() == nullptr) {
+    return Status::unsupported;
+  }
+  PreparedGlyph made;
+  Placed placed;
+  auto* const job = reinterpret_cast<GlyphJob*>(ram.data);
+  if (placed.set(origin) && open_in(ram, font, glyph, style, placed) &&
+      load(*job)) {
+    made.job_ = job;
+  }
+  out = made;
+  return Status::ok;
+}
+
+Rect PreparedGlyph::box() const noexcept {
+  return job_ == nullptr ? Rect{} : static_cast<detail::GlyphJob*>(job_)->box;
+}
+
+void PreparedGlyph::draw(const Sink& sink) const noexcept {
+  if (job_ != nullptr) {
+    detail::draw_loaded(*static_cast<detail::GlyphJob*>(job_), sink);
+  }
+}
+
+}  // namespace inkcell

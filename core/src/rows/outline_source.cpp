@@ -1,0 +1,121 @@
+#include "rows/outline_source.hpp"
+
+#include "base/math.hpp"
+#include "inkcell/coding.hpp"
+#include "inkcell/format/rom.hpp"
+#include "rows/area_painter.hpp"
+#include "rows/cover_areas.hpp"
+#include "rows/cover_distances.hpp"
+#include "rows/distance_painter.hpp"
+#include "rows/outline_fit.hpp"
+#include "rows/wide_painter.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+// Points at a time of a glyph that has more than there is room for: few, as
+// each row that a band has less costs more than they do.
+constexpr int32_t kPortion = 16;
+
+static_assert(sizeof(OutlineJob) <= kMostJob);
+static_assert(kPortion * sizeof(ScreenPoint) <= kMostLoaded);
+static_assert(sizeof(GlyphWarp) % sizeof(uint32_t) == 0, "aligned");
+
+bool open_outline(GlyphJob& base,
+                  const Font& font,
+                  uint16_t glyph,
+                  const Placed& given) noexcept {
+  auto& job = static_cast<OutlineJob&>(base);
+  const Span<const uint8_t> record = font.record(glyph);
+  GlyphMetrics metrics;
+  if (!is_outline(record) || font.glyph_metrics(glyph, metrics) != Status::ok) {
+    return false;
+  }
+  const TextStyle& style = *job.style;
+  Placed placed = given;
+  job.warp = nullptr;
+  if (style.is_fitted() &&
+      !style.outline_fitter().fit(job, glyph, metrics, placed)) {
+    return false;
+  }
+  const BandPlan& plan = job.plan;
+  const int32_t origin_q8 = plan.painter->kind == BandKind::area ? 0 : 128;
+  return job.outline.open(font, metrics, record, style, placed,
+                          {origin_q8, plan.shown_q8, plan.columns, plan.rows},
+                          job.warp, job.box);
+}
+
+// Not inline: most bands have all points, and fewer registers then.
+__attribute__((noinline)) ScreenPoint* read_points(OutlineJob& job,
+                                                   int32_t room) noexcept {
+  ScreenPoint* const end = job.outline.read(job.points, room);
+  if (job.warp != nullptr) {
+    job.style->outline_fitter().move(job, job.points, end);
+  }
+  return end;
+}
+
+bool load_points(GlyphJob& base) noexcept {
+  auto& job = static_cast<OutlineJob&>(base);
+  uint8_t* begin = job.ram;
+  if (job.warp != nullptr) {
+    begin += sizeof(GlyphWarp);
+  }
+  uint8_t* const all_end = job.ram + job.ram_bytes;
+  const auto size = static_cast<int32_t>(all_end - begin);
+  // Half of it for points at most.
+  const int32_t room =
+      min(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
+  auto* const points = reinterpret_cast<ScreenPoint*>(begin);
+  job.points = points;
+  job.band.is_mirrored = job.outline.is_mirrored();
+  job.outline.rewind();
+  ScreenPoint* end = read_points(job, room);
+  const bool has_any = end != points;
+  job.has_all = job.outline.is_done();
+  if (!job.has_all) {
+    end = points + min(kPortion, room);
+  }
+  job.ram = reinterpret_cast<uint8_t*>(end);
+  job.ram_bytes = static_cast<int32_t>(all_end - job.ram);
+  return has_any;
+}
+
+// All points, or portions of those for which there is no room.
+void fill_band(GlyphJob& base) noexcept {
+  auto& job = static_cast<OutlineJob&>(base);
+  const auto paint = job.plan.painter->paint;
+  job.cursor.begin();
+  const auto* end = reinterpret_cast<const ScreenPoint*>(job.ram);
+  if (job.has_all) {
+    paint(job.band, job.cursor, job.points, end);
+    return;
+  }
+  const auto room = static_cast<int32_t>(end - job.points);
+  job.outline.rewind();
+  do {
+    end = read_points(job, room);
+    paint(job.band, job.cursor, job.points, end);
+  } while (!job.outline.is_done());
+}
+
+constexpr Source kOutlineSource = {open_outline, load_points, fill_band,
+                                   sizeof(OutlineJob)};
+
+}  // namespace
+
+const Painter kPaintPixelRamp = {paint_distances, cover_linear,
+                                 BandKind::distance, 128};
+const Painter kPaintDistances = {paint_distances, cover_filtered,
+                                 BandKind::distance, 128};
+const Painter kPaintWideDistances = {paint_wide_distances, cover_filtered,
+                                     BandKind::distance, 0};
+const Painter kPaintAreas = {paint_areas, cover_areas, BandKind::area, 128};
+
+}  // namespace detail
+
+const Coding kOutlineCoding = {static_cast<uint8_t>(format::Coding::outline),
+                               &detail::kOutlineSource};
+
+}  // namespace inkcell

@@ -1,0 +1,43 @@
+// What a filter or an effect takes: a kind of band.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/filter.hpp"
+#include "outlines/screen_point.hpp"
+#include "rows/band.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// What the bytes of a painted band are.
+enum class BandKind : uint8_t {
+  // Bits 1 to 7: nearness to the edge, 254 on the edge and 0 from the band's
+  // reach on. Bit 0: the edge passes between this sample and the one to the
+  // left. Samples lie at centres of pixels.
+  distance,
+  // As in crossings.hpp: distances with fewer bits.
+  crossings,
+  // Differences of coverage from a sample to the next one, modulo 256; 240 is a
+  // full sample. Samples are squares, or thirds of squares.
+  area,
+};
+
+// TextStyle::make() chooses one by the filter; a mixer names its own. Sources
+// other than outlines look at `kind` and `reach_q8` only.
+struct Painter {
+  // Paints points of outlines into a band.
+  void (*paint)(const Band& band,
+                OutlineCursor& cursor,
+                const ScreenPoint* points,
+                const ScreenPoint* end) noexcept;
+  // Painted rows to coverage, in place. Null: only a mixer can.
+  void (*cover)(const Band& band, const Filter& filter) noexcept;
+  BandKind kind;
+  // How far from the edge bytes differ from 0; 0: as far as the ramp of the
+  // filter, see BandPlan. [px, Q8]
+  uint8_t reach_q8;
+};
+
+}  // namespace detail
+}  // namespace inkcell
