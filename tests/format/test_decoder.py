@@ -166,7 +166,7 @@ class Refusal(unittest.TestCase):
         for font in FONTS:
             data = font.read_bytes()
             begin = struct.unpack_from("<H", data, 6)[0]
-            for _ in range(180):
+            for _ in range(300):
                 changed = bytearray(data)
                 changed[random_bytes.randrange(begin, len(data))] = (
                     random_bytes.randrange(256))
