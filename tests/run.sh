@@ -141,12 +141,12 @@ for board in $boards; do
   built "$board" && run_tests "$board"
 done
 
-# What is built is the same: only what runs is of interest here, and not the
-# tests that make whole fonts to judge them, play whole scenes, or measure time,
-# which takes minutes each: the same code runs in smaller ones. Nor that of a
-# firmware, which has no sanitizers. So the fonts that programs are built with
-# come from the generator without sanitizers.
-slow='build|fonts|screens|seams|bench\.m3|tools\.(accuracy|animate)|design\.(figures|window)'
+# Only what runs is of interest here, and not the tests that make whole fonts to
+# judge them, play whole scenes, or measure time, which takes minutes each: the
+# same code runs in smaller ones. Nor that of a firmware, which has no
+# sanitizers. So tests/CMakeLists.txt leaves folders out, and the fonts that
+# programs are built with come from the generator without sanitizers.
+slow='fonts|bench\.m3|tools\.(accuracy|animate)|design\.(figures|window)'
 fontgen=-DINKCELL_FONTGEN=$root/build/host/fonts_gen/inkcell-fontgen
 build host-sanitize --preset host-sanitize "$fontgen" &&
   run_tests host-sanitize --timeout 300 -E "^($slow)"
