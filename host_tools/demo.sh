@@ -38,7 +38,7 @@ tools=$host/host_tools
 fontgen=$host/fonts_gen/inkcell-fontgen
 
 echo "Making fonts of $(basename "$font"), and comparing with the exact distance"
-for coding in outline samples; do
+for coding in outline field; do
   "$fontgen" --font "$font" --coding $coding --out "$out/$coding.bin" \
     --report "$out/$coding.json" >>"$out/sizes.txt"
   "$tools/inkcell-accuracy" --font "$out/$coding.bin" --truth "$font" \
@@ -46,7 +46,7 @@ for coding in outline samples; do
 done
 "$fontgen" --font "$font" --symbols 0123456789: --min-px 48 --max-px 200 \
   --out "$out/digits.bin" >>"$out/sizes.txt"
-python3 host_tools/size_table.py "$out" outline samples >"$out/table.txt"
+python3 host_tools/size_table.py "$out" outline field >"$out/table.txt"
 cat "$out/table.txt"
 
 echo "Drawing on this machine"
@@ -56,10 +56,10 @@ echo "Drawing on this machine"
   --draw-effects "$out/effects.png" --draw-lcd "$out/lcd.png" \
   --draw-levels "$out/levels.png" --draw-maps "$out/maps.png" \
   --draw-fitting "$out/fitting.png"
-"$tools/inkcell-specimen" "$out/samples.bin" --draw-contrast "$out/contrast.png" \
+"$tools/inkcell-specimen" "$out/field.bin" --draw-contrast "$out/contrast.png" \
   --draw-motion "$out/motion.png"
 "$tools/inkcell-specimen" "$out/digits.bin" --draw-digits "$out/digits.png"
-"$tools/inkcell-inspect" "$out/samples.bin" --cells "$out/cells.png" \
+"$tools/inkcell-inspect" "$out/field.bin" --cells "$out/cells.png" \
   >>"$out/sizes.txt"
 "$tools/inkcell-inspect" "$out/outline.bin" --points "$out/points.png" \
   --field "$out/field.png" >>"$out/sizes.txt"
@@ -107,7 +107,7 @@ describe() {
   fi
 }
 describe outline.bin "95 characters for 8 to 64 px, outlines"
-describe samples.bin "the same, cells of nine distances"
+describe field.bin "the same, cells of nine distances"
 describe digits.bin "digits for 48 to 200 px"
 describe table.txt "the two side by side"
 describe sizes.txt "bytes of their parts, points and cells of each glyph"

@@ -15,7 +15,7 @@ mkdir -p docs/img
   --draw-sizes docs/img/sizes.png --draw-filters docs/img/filters.png \
   --draw-lcd docs/img/lcd.png --draw-levels docs/img/levels.png \
   --draw-maps docs/img/maps.png --draw-effects docs/img/effects.png
-"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" --coding samples \
+"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" --coding field \
   --draw-motion docs/img/motion.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --draw-compare-body docs/img/compare_body.png \
@@ -23,11 +23,11 @@ mkdir -p docs/img
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --draw-fitting docs/img/fitting.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --coding samples --draw-contrast docs/img/contrast.png
+  --coding field --draw-contrast docs/img/contrast.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Italic.ttf" \
   --draw-compare-body docs/img/compare_italic.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --glyph a --side 600 --coding samples --cells docs/img/cells.png >/dev/null
+  --glyph a --side 600 --coding field --cells docs/img/cells.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --glyph a --side 600 --points docs/img/points.png >/dev/null
 "$tools/inkcell-inspect" "$fonts/dejavu/DejaVuSans.ttf" \

@@ -9,7 +9,7 @@
 #     [NO_LAYOUT_GLYPHS]       without '.' and '-' for ellipses, soft hyphens
 #     [MIN_PX <n>] [MAX_PX <n>] [TOLERANCE <n>] [BAND_PX <n>]
 #     [FACE <n>] [INSTANCE <name>] [AXIS <tag=value>...]    of a variable font
-#     [CODING outline|samples] [HINTS on|off]
+#     [CODING outline|field] [HINTS on|off]
 #     [PREDICATE size|fixed] [EFFORT <0..9>] [BEST_EFFORT]
 #     [BUDGET <bytes, or 24K>] [PREVIEW <file.png>]
 #     [MERGE <file>[:<setting>,...][=<list>]...]    more faces, in order of
@@ -27,9 +27,9 @@
 # The arguments are those of inkcell-fontgen; see `inkcell-fontgen --help`.
 # CODING says what glyphs are made of:
 #   outline   points of lines and curves, about 6 KB for 95 characters; default
-#   samples   a quadtree of cells of nine distances: the field at any point
-# The library draws outlines; samples make it draw those as well, in all programs
-# of the build. Fonts of samples that no inkcell_add_font() makes, and fields that
+#   field     a quadtree of cells of nine distances: the field at any point
+# The library draws outlines; field makes it draw those as well, in all programs
+# of the build. Fonts of fields that no inkcell_add_font() makes, and fields that
 # are generated on the device, need INKCELL_SAMPLE_CELLS.
 #
 # A glyph that misses TOLERANCE is an error, unless BEST_EFFORT is there. One that
@@ -201,7 +201,7 @@ endfunction()
 # Has the library draw what fonts of a coding are made of.
 function(_inkcell_draw_coding coding)
   get_property(library GLOBAL PROPERTY inkcell_library)
-  if(NOT library OR NOT coding STREQUAL "samples")
+  if(NOT library OR NOT coding STREQUAL "field")
     return()
   endif()
   set(scope PUBLIC)
@@ -249,14 +249,14 @@ function(inkcell_add_font target)
       "inkcell_add_font: icons without FONT need a NAME <identifier>")
   endif()
 
-  _inkcell_check_choice(CODING "${arg_CODING}" outline samples)
+  _inkcell_check_choice(CODING "${arg_CODING}" outline field)
   _inkcell_check_choice(HINTS "${arg_HINTS}" on off)
   _inkcell_check_choice(PREDICATE "${arg_PREDICATE}" size fixed)
   _inkcell_check_choice(LANGUAGE "${arg_LANGUAGE}" CXX C)
   if("${arg_PREDICATE}" STREQUAL "fixed" AND
-      NOT "${arg_CODING}" STREQUAL "samples")
+      NOT "${arg_CODING}" STREQUAL "field")
     message(FATAL_ERROR
-      "inkcell_add_font: PREDICATE fixed is for CODING samples")
+      "inkcell_add_font: PREDICATE fixed is for CODING field")
   endif()
 
   set(inputs)

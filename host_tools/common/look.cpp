@@ -104,7 +104,7 @@ void add_look_options(CLI::App& app, LookOptions& options) {
       {"one", "adaptive", "paper", "splats", "auto"},
       "Distances a pixel: one; adaptive, up to 13 where one is not accurate "
       "enough; paper, as the paper has it; splats, cells smaller than a pixel "
-      "once each; all but one for --coding samples; auto, one, but of cells "
+      "once each; all but one for --coding field; auto, one, but of cells "
       "adaptive below 10 px and for jobs of kind anim [one; auto with "
       "--jobs]");
   app.add_option("--radius", options.radius,
@@ -182,7 +182,7 @@ Look::Look(const LookOptions& asked,
     throw std::runtime_error(
         "--motion, --rules and --samples adaptive, paper and splats need "
         "distances at any point, and this font has outlines: make it by "
-        "inkcell-fontgen --coding samples");
+        "inkcell-fontgen --coding field");
   }
   set_hint(options, font, use);
 }

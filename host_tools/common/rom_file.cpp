@@ -66,7 +66,7 @@ std::string_view status_name(Status status) {
 std::string_view coding_name(const Font& font) {
   const auto coding =
       static_cast<format::Coding>(font.rom().data[format::header::kCoding]);
-  return coding == format::Coding::outline ? "outline" : "samples";
+  return coding == format::Coding::outline ? "outline" : "field";
 }
 
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)

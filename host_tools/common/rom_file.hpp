@@ -16,7 +16,7 @@ namespace inkcell::tools {
 std::string_view status_name(Status status);
 
 /// What the font is made of, as the generator's --coding says it: "outline",
-/// or "samples".
+/// or "field".
 std::string_view coding_name(const Font& font);
 
 /// A font and the bytes that it reads.

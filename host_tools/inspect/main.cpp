@@ -36,7 +36,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
       ->type_name("CHAR");
   app.add_option("--cells", arguments.cells,
                  "Draw the glyph's field and cells [glyph a, or the first]; "
-                 "for --coding samples")
+                 "for --coding field")
       ->type_name("OUT.png");
   app.add_option("--points", arguments.points,
                  "Draw the glyph's contours and points: corners (squares), "

@@ -358,7 +358,7 @@ Image draw_cells(const Font& font, const GlyphCensus& glyph, int side) {
   if (font.has_outlines()) {
     throw std::runtime_error(
         "--cells draws cells, and the font has outlines: use --points or "
-        "--field, or --coding samples for a TTF or OTF");
+        "--field, or --coding field for a TTF or OTF");
   }
   const View view = view_of(box_of(font, glyph), side);
   Image image = draw_cell_field(view, glyph.field);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "samples/sample_tree.hpp"
+#include "field/sample_tree.hpp"
 
 namespace inkcell::tools {
 

@@ -7,14 +7,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "field/paper_counts.hpp"
+#include "field/sample_tree.hpp"
 #include "files.hpp"
 #include "image.hpp"
 #include "leaf_list.hpp"
 #include "parallel.hpp"
 #include "program.hpp"
 #include "rom_file.hpp"
-#include "samples/paper_counts.hpp"
-#include "samples/sample_tree.hpp"
 #include "shape/shape.hpp"
 #include "source/font_source.hpp"
 

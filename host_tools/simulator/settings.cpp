@@ -185,9 +185,9 @@ const std::vector<SettingInfo>& setting_list() {
          s.is_dark = word_in(value, {"dark", "light"}) == "dark";
        }},
       {"text", "TEXT", "what the scene shows; \\n begins a line", set_text},
-      {"coding", "NAME", "of the font: outline or samples",
+      {"coding", "NAME", "of the font: outline or field",
        [](Settings& s, const std::string& value) {
-         s.coding = word_in(value, {"outline", "samples"});
+         s.coding = word_in(value, {"outline", "field"});
        }},
       {"px", "SIZE", "of text [px/em]",
        [](Settings& s, const std::string& value) {

@@ -62,7 +62,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
           "Outlines, shadows, glows: with --band-px 2 --min-px 12");
   picture("fitting", arguments.fitting, "Grid fitting, in grey and in 1 bit");
   picture("contrast", arguments.contrast,
-          "Darker edges and thin strokes; for --coding samples");
+          "Darker edges and thin strokes; for --coding field");
   picture("maps", arguments.maps, "Leaning, narrow, mirrored, turned");
   picture("motion", arguments.motion, "Motion blur");
   picture("levels", arguments.levels, "Displays of 1 and 2 bits");

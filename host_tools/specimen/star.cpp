@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "canvas.hpp"
+#include "field/sample_tree.hpp"
 #include "inkcell/render.hpp"
 #include "inkcell/splat.hpp"
 #include "inkcell/supersample.hpp"
 #include "peers.hpp"
 #include "rom/rom_font.hpp"
-#include "samples/sample_tree.hpp"
 #include "shape/outline.hpp"
 #include "shape/shape.hpp"
 #include "sheet.hpp"
@@ -122,7 +122,7 @@ Image supersample(const gen::Shape& shape,
   return image;
 }
 
-// What the device draws, from cells of samples, as the paper's are.
+// What the device draws, from a field, as the paper's are.
 class DeviceStar {
  public:
   explicit DeviceStar(const gen::Shape& shape) {
@@ -130,7 +130,7 @@ class DeviceStar {
     options.min_px = kSide;
     options.max_px = kSide;
     gen::RomGlyph glyph;
-    glyph.samples = gen::build_sample_tree(shape, options);
+    glyph.field = gen::build_sample_tree(shape, options);
     record_ = gen::glyph_record(glyph);
     if (GlyphField::open({record_.data(), record_.size()}, field_) !=
         Status::ok) {

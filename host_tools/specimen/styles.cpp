@@ -257,7 +257,7 @@ Image draw_contrast(const Font& font) {
       if (check_effect(font, style) != Status::ok) {
         throw std::runtime_error(
             "--contrast needs distances at any point: make the font by "
-            "inkcell-fontgen --coding samples");
+            "inkcell-fontgen --coding field");
       }
       sample.write(style, kBlack, image);
     });
@@ -311,7 +311,7 @@ Image draw_motion(const Font& font) {
   if (font.has_outlines()) {
     throw std::runtime_error(
         "--motion needs the field at any point, and the font has outlines: use "
-        "--coding samples for a TTF or OTF");
+        "--coding field for a TTF or OTF");
   }
   constexpr double kPx = 24;
   const Sample sample = {font, "Sphinx 1958", kPx, 8, 26};

@@ -54,12 +54,12 @@ PARTS = ("outlines", "sample_cells", "fast_cells")
 # the other engines.
 CODINGS = {
     "outline": ("outline", ("upright", "area")),
-    "samples": ("cells", ("upright",)),
+    "field": ("cells", ("upright",)),
 }
 # Codings as ROM fonts number them; 1 was that of earlier versions.
-ROM_CODINGS = {0: "samples", 2: "outline"}
+ROM_CODINGS = {0: "field", 2: "outline"}
 # Codings that modes, runs of text and digits are measured with.
-STYLED = ("outline", "samples")
+STYLED = ("outline", "field")
 LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
@@ -79,7 +79,7 @@ WHAT = {
 # Without these it is smallest, for one coding; what the document says of that.
 SMALLEST = {
     "outline": ["sample_cells"],
-    "samples": ["outlines", "fast_cells"],
+    "field": ["outlines", "fast_cells"],
 }
 SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
 # What programs keep of the library: kept.cpp.
@@ -435,7 +435,7 @@ def check_bounds(results, figures):
               if f["figure"] == "bound"}
     for r in results:
         bound = bounds.get((r["cpu"], r["opt"], r["px"]))
-        if r.get("coding") != "samples" or bound is None:
+        if r.get("coding") != "field" or bound is None:
             continue
         if r["instructions_max"] > bound * (1.25 * r["px"]) ** 2:
             sys.exit(f"bench: {r['font']}, {r['px']} px: a glyph costs more "
@@ -596,7 +596,7 @@ def measure_others(firmware, arguments, upright, pictures):
         for font in arguments.font:
             if (font, "inkcell", "outline") in firmware.fonts.files:
                 yield from measure_kinetic(firmware, font)
-    if "bound" in arguments.what and "samples" in arguments.coding:
+    if "bound" in arguments.what and "field" in arguments.coding:
         for _, numbers in firmware.run("bound", DEPTH, *arguments.px):
             px, pixels, instructions, stack = numbers
             yield {"figure": "bound", "cpu": firmware.cpu,
@@ -654,7 +654,7 @@ def targets_of(arguments):
     targets |= {engine for engine in arguments.engines if engine != "inkcell"}
     targets |= ({"bound", "cache", "field", "kinetic", "modes", "rgb565"} &
                 set(arguments.what))
-    if "turned" in arguments.what and "samples" in arguments.coding:
+    if "turned" in arguments.what and "field" in arguments.coding:
         targets.add("turned")
     if "code" in arguments.what:
         targets |= {f"kept_{level}" for level in range(len(KEPT))}

@@ -30,6 +30,6 @@ if git diff --quiet "$base" -- $measured; then
 fi
 fonts=tests/golden/fonts
 exec sh tests/bench/run.sh --against "$base" --limits --cpu m3 --opt O2 \
-  --px 12,48 --coding outline,samples --what glyphs,code \
-  --font $fonts/dejavu_sans_outline.bin --font $fonts/dejavu_sans_samples.bin \
+  --px 12,48 --coding outline,field --what glyphs,code \
+  --font $fonts/dejavu_sans_outline.bin --font $fonts/dejavu_sans_field.bin \
   --build build/bench-parent

@@ -12,8 +12,8 @@ ROW = ("{:5}{:4}{:26}{:10}{:14}{:>4}{:>9}{:>9}{:>7}{:>7}{:>6}{:>7}{:>7}{:>8}"
 CORES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4": "Cortex-M4",
          "m4f": "Cortex-M4, FPU", "m7": "Cortex-M7", "m33": "Cortex-M33",
          "rv32": "RV32IMC"}
-ALL = ("outline", "samples")
-CELLS = ("samples",)
+ALL = ("outline", "field")
+CELLS = ("field",)
 OUTLINES = ("outline",)
 # Ways of firmware/inkcell_modes.cpp: what the document calls them, what each is
 # compared with, in the same pixel format, and the codings that have it. Shadows
@@ -88,7 +88,7 @@ fonts must be there for it: `--help` says where. It describes this core:
   computes with its floating-point unit (FPU). The other engines are compiled as
   hosted C and have the compiler's C library (newlib, picolibc), because they
   are written for one. Cortex-M0 code runs on the board of the Cortex-M3.
-- *outline*, *samples*: the same characters for 8 to 64 px, tolerance 16/255, with
+- *outline*, *field*: the same characters for 8 to 64 px, tolerance 16/255, with
   kerning and hints, in each coding.
 - FreeType {freetype}, as released: smooth rasterizer, TrueType and sfnt
   modules, no hinting, no bitmaps. stb_truetype {stb}, as it comes. Both read
@@ -340,7 +340,7 @@ def bound_table(figures):
         cells = {f["px"]: f"{f['per_pixel']}, {f['stack']}" for f in some
                  if (f["cpu"], f["opt"]) == (cpu, opt)}
         rows.append([f"{CORES[cpu]}, -{opt}"] + [cells[px] for px in sizes])
-    return ("## Bounds\n\nUpright glyphs of samples, trees of depth 8: "
+    return ("## Bounds\n\nUpright glyphs of fields, trees of depth 8: "
             "instructions a pixel of the dearest glyph that bytes can\n"
             "describe, and bytes of stack.\n\n" +
             table([""] + [f"{px} px" for px in sizes], rows))
@@ -363,7 +363,7 @@ def sized_table(figures, name, title, cell):
 
 SMALLEST_TEXT = {
     "outline": "Outlines only: `INKCELL_SAMPLE_CELLS` off (PORTING.md), -Os.",
-    "samples": "Samples only: `INKCELL_OUTLINES` and `INKCELL_FAST_CELLS` off, "
+    "field": "Fields only: `INKCELL_OUTLINES` and `INKCELL_FAST_CELLS` off, "
     "-Os.",
 }
 

@@ -14,17 +14,17 @@ FONT = "FONT font.ttf"
 THERE = "FONT CMakeLists.txt"  # a file that is there
 # Arguments, and what is said to them; to fonts that are good, nothing.
 CASES = [
-    (f"app {FONT} CODING Edges", "CODING is outline or samples, not Edges"),
+    (f"app {FONT} CODING Edges", "CODING is outline or field, not Edges"),
     (f"app {FONT} PREDICATE tight", "PREDICATE is size or fixed, not tight"),
-    (f"app {FONT} PREDICATE fixed", "PREDICATE fixed is for CODING samples"),
-    (f"app {FONT} CODING edges", "CODING is outline or samples, not edges"),
+    (f"app {FONT} PREDICATE fixed", "PREDICATE fixed is for CODING field"),
+    (f"app {FONT} CODING edges", "CODING is outline or field, not edges"),
     (f"app {FONT} CODING outline PREDICATE fixed",
-     "PREDICATE fixed is for CODING samples"),
+     "PREDICATE fixed is for CODING field"),
     (f"app {FONT} CODING", "not understood: CODING"),
     (f"app {FONT} COLOUR red", "not understood: COLOUR"),
     (f"app OFF {FONT}", "not understood: OFF"),
     (f"app {FONT} CODING outline", "there is no font file"),
-    (f"app {FONT} CODING samples PREDICATE fixed", "there is no font file"),
+    (f"app {FONT} CODING field PREDICATE fixed", "there is no font file"),
     (f"nope {THERE}", "there is no target nope; add it before its fonts"),
     ("app NAME ui", "there is no FONT <file>"),
     (f'app {THERE} NAME ""', "the value after NAME is empty"),

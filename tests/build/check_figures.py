@@ -154,8 +154,8 @@ def measured(bench):
         ("docs/PORTING.md", r"distance takes ([\d.]+) KB, and ([\d.]+) of "
          r"libgcc; ([\d.]+) KB with lines",
          [least("glyphs"), least("libgcc"), least("all formats")]),
-        ("README.md", r"kerning and hints: ([\d.]+) KB; of samples (\d+) KB",
-         [font("outline"), font("samples")]),
+        ("README.md", r"kerning and hints: ([\d.]+) KB; of a field (\d+) KB",
+         [font("outline"), font("field")]),
         ("docs/DESIGN.md", r"\| outlines \| (\d+) \| (\d+) \|",
          [rom("outline"), bench.number("Fonts and RAM", "outline",
                                        "LiberationSerif-Regular")]),
@@ -173,8 +173,8 @@ def measured(bench):
          [cached]),
         ("docs/CHANGELOG.md", r"([\d.]+) KB of code on Cortex-M0 at -Os",
          [least("glyphs")]),
-        ("docs/CHANGELOG.md", r"([\d.]+) KB of outlines, (\d+) KB of samples",
-         [font("outline"), font("samples")]),
+        ("docs/CHANGELOG.md", r"([\d.]+) KB of outlines, (\d+) KB as a field",
+         [font("outline"), font("field")]),
     ]
 
 

@@ -53,12 +53,12 @@ GENERATOR = {
     "source": "shape svg",
     "texts": "source",
     "target": "shape",
-    "samples": "shape target",
+    "field": "shape target",
     "outlines": "shape source",
     "hints": "shape",
-    "rom": "shape source target samples outlines hints",
-    "judge": "shape source target samples outlines hints rom",
-    "pipeline": "shape source texts target samples outlines hints rom judge",
+    "rom": "shape source target field outlines hints",
+    "judge": "shape source target field outlines hints rom",
+    "pipeline": "shape source texts target field outlines hints rom judge",
     "app": "source target pipeline",
 }
 

@@ -378,7 +378,7 @@ TEST_F(Faces, StringsTellWhatNoFaceHas) {
 
 // Records of a merged font are those of each face's own font.
 TEST_F(Faces, MergedGlyphsAreThoseOfTheirOwnFonts) {
-  for (const Coding coding : {Coding::outline, Coding::samples}) {
+  for (const Coding coding : {Coding::outline, Coding::field}) {
     GenerateRequest request;
     request.target.coding = coding;
     request.target.max_px = 16;

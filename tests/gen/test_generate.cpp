@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report.hpp"
+#include "field/record.hpp"
+#include "field/symmetry.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/font.hpp"
 #include "pipeline/field_images.hpp"
-#include "samples/record.hpp"
-#include "samples/symmetry.hpp"
 #include "sfnt_builder.hpp"
 #include "shape/outline.hpp"
 #include "source/char_set.hpp"
@@ -44,7 +44,7 @@ Target options_of(Coding coding) {
   return options;
 }
 
-const std::vector<Target> kCodings = {options_of(Coding::samples),
+const std::vector<Target> kCodings = {options_of(Coding::field),
                                       options_of(Coding::outline)};
 
 TEST(Generate, GivesTheSameBytesForAnyNumberOfThreads) {
@@ -66,7 +66,7 @@ TEST(Generate, MakesOutlinesUnlessTold) {
   EXPECT_EQ(GenerateRequest().target.predicate, Predicate::size_aware);
 }
 
-// Outlines take less than half of what samples take.
+// Outlines take less than half of what fields take.
 TEST(Generate, MakesSmallerFontsOfOutlines) {
   size_t before = 1000000;
   for (const Target& options : kCodings) {
@@ -184,12 +184,12 @@ TEST(Generate, AddsSignsOfTheFirstFaceThatHasThem) {
 TEST(Generate, ReportsEveryKeyOfTheDesign) {
   GenerateRequest request = dejavu();
   request.symbols = "Hamburg 8";
-  request.target = options_of(Coding::samples);
+  request.target = options_of(Coding::field);
   const RomFont rom = generate(request);
   const auto json = nlohmann::json::parse(report_as_json(rom.report));
   EXPECT_EQ(json.at("font"), "DejaVu Sans Book");
   EXPECT_EQ(json.at("glyphs"), 10 + 2);  // and '-', '.'
-  EXPECT_EQ(json.at("coding"), "samples");
+  EXPECT_EQ(json.at("coding"), "field");
   EXPECT_EQ(json.at("min_px"), 12);
   EXPECT_EQ(json.at("max_px"), 16);
   EXPECT_EQ(json.at("tolerance"), 16);
@@ -268,7 +268,7 @@ TEST(Generate, ReflectedComponentsHaveReflectedFields) {
       "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf";
   request.chars = {"0x2E1C-0x2E1D,0xC9"};
   request.layout_glyphs = false;
-  request.target.coding = Coding::samples;
+  request.target.coding = Coding::field;
   const RomFont rom = generate(request);
   EXPECT_EQ(rom.report.glyphs.size(), 5u);  // no acute of its own
   Font font;
@@ -281,8 +281,8 @@ TEST(Generate, ReflectedComponentsHaveReflectedFields) {
   }
   EXPECT_GT(fields[0].cell_count, 10);
   EXPECT_EQ(
-      samples_record(tree_of(fields[1])),
-      samples_record(permuted(tree_of(fields[0]), {-1, 0, 0, 1}, kStep_u, 0)));
+      field_record(tree_of(fields[1])),
+      field_record(permuted(tree_of(fields[0]), {-1, 0, 0, 1}, kStep_u, 0)));
 }
 
 // Images are made side by side: none may wait for another one.
@@ -337,7 +337,7 @@ TEST(Generate, RefusesWhatDoesNotGoTogether) {
   request.target = options_of(Coding::outline);
   request.target.predicate = Predicate::fixed;
   EXPECT_EQ(refusal(request).find("--predicate fixed"), 0u);
-  EXPECT_NE(refusal(request).find("--coding samples"), std::string::npos);
+  EXPECT_NE(refusal(request).find("--coding field"), std::string::npos);
 }
 
 TEST(Generate, DrawsOddOutlines) {
@@ -356,7 +356,7 @@ TEST(Generate, DrawsOddOutlines) {
        {sfnt_rectangle(0, 0, 300, 300), sfnt_rectangle(100, 100, 400, 400)}});
   GenerateRequest request;
   request.font = folder.write("odd.ttf", source);
-  request.target.coding = Coding::samples;
+  request.target.coding = Coding::field;
   request.target.max_px = 16;
   const RomFont rom = generate(request);
   const std::map<std::string, bool> has_ink = {
@@ -407,10 +407,10 @@ TEST(Generate, HoldsOutlinesUpToTheLimit) {
     source.glyphs[3].contours = {sfnt_rectangle(far - 9, far - 9, far, far),
                                  sfnt_rectangle(-far, -far, 9 - far, 9 - far)};
     request.font = folder.write("wide.ttf", source);
-    request.target.coding = far % 2 == 0 ? Coding::samples : Coding::outline;
+    request.target.coding = far % 2 == 0 ? Coding::field : Coding::outline;
     EXPECT_EQ(refusal(request), "no error") << far;
   }
-  request.target.coding = Coding::samples;
+  request.target.coding = Coding::field;
   request.target.predicate = Predicate::fixed;
   const std::string message = refusal(request);
   EXPECT_NE(message.find("beyond 15 em"), std::string::npos) << message;
@@ -422,7 +422,7 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   GenerateRequest request;
   request.font = folder.write("plain.ttf", Sfnt::plain());
   request.symbols = ".";
-  request.target.coding = Coding::samples;
+  request.target.coding = Coding::field;
   request.target.max_px = 128;
   request.target.tolerance = 1;
   request.target.effort = 0;
@@ -502,7 +502,7 @@ TEST(Generate, TellsOfProgress) {
 TEST(Generate, FollowsThePaperWithTheFixedPredicate) {
   GenerateRequest request = dejavu();
   request.symbols = "aD";
-  request.target.coding = Coding::samples;
+  request.target.coding = Coding::field;
   request.target.predicate = Predicate::fixed;
   const RomFont rom = generate(request);
   const auto json = nlohmann::json::parse(report_as_json(rom.report));

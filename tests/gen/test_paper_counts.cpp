@@ -1,8 +1,8 @@
 // Counts of the paper's quadtrees, where they can be worked out by hand.
 #include <gtest/gtest.h>
 
+#include "field/paper_counts.hpp"
 #include "glyph_outlines.hpp"
-#include "samples/paper_counts.hpp"
 
 namespace inkcell {
 namespace gen {

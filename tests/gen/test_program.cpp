@@ -86,7 +86,7 @@ TEST_F(Program, TakesEveryOption) {
   const Outcome result = run(
       folder_,
       "--font plain.ttf --face 0 --chars 0x2E --chars 'U+48,0x20' --min-px 10 "
-      "--max-px 20 --tolerance 12/255 --coding samples "
+      "--max-px 20 --tolerance 12/255 --coding field "
       "--predicate size --effort 3 --format c --name dot --out a.c --report "
       "a.json");
   EXPECT_EQ(result.code, 0) << result.err;
@@ -160,17 +160,17 @@ TEST_F(Program, EffortIsForCells) {
     return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
   };
   EXPECT_FALSE(report("--effort 9").contains("effort"));
-  const auto little = report("--coding samples --effort 0");
-  const auto much = report("--coding samples --effort 9");
+  const auto little = report("--coding field --effort 0");
+  const auto much = report("--coding field --effort 9");
   EXPECT_EQ(much.at("effort"), 9);
   EXPECT_GT(little.at("bytes").at("total"), much.at("bytes").at("total"));
   const std::string help = run(folder_, "--help").out;
-  EXPECT_NE(help.find("(samples) How hard"), std::string::npos);
+  EXPECT_NE(help.find("(field) How hard"), std::string::npos);
 }
 
 TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
   const std::string font =
-      "--font plain.ttf --symbols H --coding samples --min-px 12 --out a.bin "
+      "--font plain.ttf --symbols H --coding field --min-px 12 --out a.bin "
       "--report a.json ";
   const auto report = [&] {
     return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
@@ -189,8 +189,7 @@ TEST_F(Program, WidensTheBandAndSaysWhatItCosts) {
     EXPECT_EQ(run(folder_, font + "--band-px " + refused).code, 1) << refused;
   }
   EXPECT_EQ(
-      run(folder_, font + "--coding samples --predicate fixed --band-px 1")
-          .code,
+      run(folder_, font + "--coding field --predicate fixed --band-px 1").code,
       1);
 }
 
@@ -200,8 +199,8 @@ TEST_F(Program, MakesEveryKindOfFont) {
     const char* coding;
   } kinds[] = {{"", "outline"},
                {"--coding outline", "outline"},
-               {"--coding samples", "samples"},
-               {"--coding samples --predicate fixed", "samples"}};
+               {"--coding field", "field"},
+               {"--coding field --predicate fixed", "field"}};
   for (const auto& kind : kinds) {
     const Outcome result = run(
         folder_, std::string("--font plain.ttf --out a.bin --report a.json ") +
@@ -249,9 +248,9 @@ TEST_F(Program, RefusesOptionsThatDoNotGoTogether) {
   const struct {
     const char* options;
     const char* remedy;
-  } cases[] = {{"--predicate fixed", "use --coding samples"},
-               {"--coding edges", "use 'outline' or 'samples'"},
-               {"--coding bitmaps", "use 'outline' or 'samples'"},
+  } cases[] = {{"--predicate fixed", "use --coding field"},
+               {"--coding edges", "use 'outline' or 'field'"},
+               {"--coding bitmaps", "use 'outline' or 'field'"},
                {"--predicate best", "use 'size' or 'fixed'"}};
   for (const auto& wrong : cases) {
     const Outcome result = run(
@@ -396,7 +395,7 @@ TEST_F(Program, FindsTheFinestFontThatFits) {
 
 // Samples of corners at these sizes miss 16/255, and more so 1/255.
 constexpr const char* kCoarse =
-    "--coding samples --effort 0 --min-px 1000 --max-px 1024 --quiet --out "
+    "--coding field --effort 0 --min-px 1000 --max-px 1024 --quiet --out "
     "a.bin ";
 
 TEST_F(Program, HoldsAToleranceThatIsWritten) {

@@ -10,8 +10,8 @@
 #include <iterator>
 #include <random>
 
+#include "field/record.hpp"
 #include "inkcell/format/rom.hpp"
-#include "samples/record.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::gen::test {
@@ -29,13 +29,13 @@ RomContent smallest() {
   content.glyphs[0].metrics.advance = 500;
   RomGlyph& dot = content.glyphs[1];
   dot.metrics = {300, 100, 0, 108, 8};
-  dot.samples.tile_log2 = 4;
-  dot.samples.x0_u = 98;
-  dot.samples.y0_u = -4;
-  dot.samples.tiles_x = 1;
-  dot.samples.tiles_y = 1;
-  dot.samples.references = {format::glyph::kCellFlag};
-  dot.samples.cells = {
+  dot.field.tile_log2 = 4;
+  dot.field.x0_u = 98;
+  dot.field.y0_u = -4;
+  dot.field.tiles_x = 1;
+  dot.field.tiles_y = 1;
+  dot.field.references = {format::glyph::kCellFlag};
+  dot.field.cells = {
       SampleCell{0x00, 0x01, 0x9c, 0xc0, 0x9c, 0xc0, 0xc0, 0x9c, 0xc0, 0x9c}};
   content.glyph_of[U'.'] = 1;
   return content;
@@ -48,28 +48,28 @@ RomContent larger() {
   content.glyphs[2].metrics = {400, 0, 0, 0, 0};
   RomGlyph& tree = content.glyphs[3];
   tree.metrics = {1200, -20, -200, 1100, 800};
-  tree.samples.tile_log2 = 8;
-  tree.samples.x0_u = -100;
-  tree.samples.y0_u = -300;
-  tree.samples.tiles_x = 2;
-  tree.samples.tiles_y = 1;
-  tree.samples.depth = 2;
+  tree.field.tile_log2 = 8;
+  tree.field.x0_u = -100;
+  tree.field.y0_u = -300;
+  tree.field.tiles_x = 2;
+  tree.field.tiles_y = 1;
+  tree.field.depth = 2;
   const uint16_t cell = format::glyph::kCellFlag;
   const auto cell_number = [&](int n) {
     return static_cast<uint16_t>(cell + n);
   };
-  tree.samples.references = {2,
-                             0,  // tiles
-                             3,
-                             1,
-                             0,
-                             cell_number(2),  // node 0
-                             cell_number(0),
-                             cell_number(1),
-                             0,
-                             1};  // node 1
-  tree.samples.cells.resize(3);
-  tree.samples.cells[2][1] = 0x7f;
+  tree.field.references = {2,
+                           0,  // tiles
+                           3,
+                           1,
+                           0,
+                           cell_number(2),  // node 0
+                           cell_number(0),
+                           cell_number(1),
+                           0,
+                           1};  // node 1
+  tree.field.cells.resize(3);
+  tree.field.cells[2][1] = 0x7f;
   content.glyph_of[U'A'] = 2;
   content.glyph_of[U'B'] = 3;
   content.glyph_of[0x10ffff] = 3;
@@ -324,8 +324,7 @@ TEST(RomFont, TablesOfRealFacesAreExact) {
 // More than 2^25 units of 2 bytes.
 TEST(RomFont, LargeFontsCountInLargerUnits) {
   RomContent content = smallest();
-  content.glyphs[1].samples.cells.resize(32767,
-                                         content.glyphs[1].samples.cells[0]);
+  content.glyphs[1].field.cells.resize(32767, content.glyphs[1].field.cells[0]);
   content.glyphs.resize(206, content.glyphs[1]);
   PartBytes parts;
   const std::vector<uint8_t> rom = write_rom_font(content, parts);
@@ -356,7 +355,7 @@ TEST(RomFont, HeaderSaysNothingOfOutlinesWhereThereAreCells) {
 TEST(RomFont, RecordsAreThoseOfTheCells) {
   const RomContent content = larger();
   EXPECT_EQ(glyph_record(content.glyphs[3]),
-            samples_record(content.glyphs[3].samples));
+            field_record(content.glyphs[3].field));
   EXPECT_TRUE(glyph_record(content.glyphs[0]).empty());
   EXPECT_TRUE(content.glyphs[3].has_ink());
   EXPECT_FALSE(content.glyphs[0].has_ink());
@@ -388,11 +387,11 @@ TEST(RomFont, ClosedLoopSeesEveryDifference) {
   refuses([](RomContent& c) { c.kerning.values[0] = 1; });
   refuses([](RomContent& c) { c.kerning.left_class[0] = 1; });
   refuses([](RomContent& c) { c.kerning.right_class[0] = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].samples.x0_u = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].samples.references[1] = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].samples.references[4] = 1; });
-  refuses([](RomContent& c) { c.glyphs[3].samples.cells[2][9] = 1; });
-  refuses([](RomContent& c) { c.glyphs[1].samples.cells[0][0] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.x0_u = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.references[1] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.references[4] = 1; });
+  refuses([](RomContent& c) { c.glyphs[3].field.cells[2][9] = 1; });
+  refuses([](RomContent& c) { c.glyphs[1].field.cells[0][0] = 1; });
   EXPECT_EQ(seen, 21);
 }
 

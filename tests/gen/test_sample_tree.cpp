@@ -6,10 +6,10 @@
 #include <random>
 #include <thread>
 
+#include "field/sample_tree.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/format/cell.hpp"
-#include "samples/sample_tree.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "field/cell_test.hpp"
+#include "field/record.hpp"
+#include "field/symmetry.hpp"
 #include "glyph_outlines.hpp"
 #include "inkcell/format/cell.hpp"
-#include "samples/cell_test.hpp"
-#include "samples/record.hpp"
-#include "samples/symmetry.hpp"
 #include "shape/neighbourhood.hpp"
 
 namespace inkcell::gen::test {
@@ -159,8 +159,8 @@ TEST(Symmetry, RecordsAreThoseOfTheMappedOutline) {
   const SampleTree tree = build_sample_tree(Shape(outline), target);
   for (const Symmetry& symmetry : kAll) {
     const Shape other(mapped(outline, symmetry));
-    EXPECT_EQ(samples_record(permuted(tree, symmetry, 0, 0)),
-              samples_record(build_sample_tree(other, target)));
+    EXPECT_EQ(field_record(permuted(tree, symmetry, 0, 0)),
+              field_record(build_sample_tree(other, target)));
   }
 }
 
@@ -168,17 +168,17 @@ TEST(Symmetry, FourQuarterTurnsAreTheSameBytes) {
   for (const Outline& outline : shapes()) {
     for (const Target& target : targets()) {
       const SampleTree tree = build_sample_tree(Shape(outline), target);
-      const Bytes record = samples_record(tree);
+      const Bytes record = field_record(tree);
       SampleTree turned = tree;
       for (int quarter = 1; quarter <= 4; ++quarter) {
         turned = permuted(turned, kQuarter, 0, 0);
-        EXPECT_EQ(samples_record(turned) == record, quarter == 4);
+        EXPECT_EQ(field_record(turned) == record, quarter == 4);
       }
       for (const Symmetry& symmetry : {kAll[1], kAll[2], kAll[4], kAll[7]}) {
         const SampleTree once = permuted(tree, symmetry, 7, -30);
         const SampleTree back =
             permuted(permuted(once, kAll[0], -7, 30), symmetry, 0, 0);
-        EXPECT_EQ(samples_record(back), record);
+        EXPECT_EQ(field_record(back), record);
       }
     }
   }

@@ -19,7 +19,7 @@
   extern "C" const uint8_t golden_##name[]; \
   extern "C" const uint8_t golden_##name##_end[]
 
-GOLDEN_FONT(dejavu_sans_samples);
+GOLDEN_FONT(dejavu_sans_field);
 GOLDEN_FONT(dejavu_sans_outline);
 GOLDEN_FONT(dejavu_serif_outline);
 GOLDEN_FONT(roboto_outline);
@@ -33,7 +33,7 @@ inkcell::Span<const uint8_t> font_bytes(FontId id) {
     const uint8_t* end;
   };
   static constexpr Ends kFonts[kFontCount] = {
-      {golden_dejavu_sans_samples, golden_dejavu_sans_samples_end},
+      {golden_dejavu_sans_field, golden_dejavu_sans_field_end},
       {golden_dejavu_sans_outline, golden_dejavu_sans_outline_end},
       {golden_dejavu_serif_outline, golden_dejavu_serif_outline_end},
       {golden_roboto_outline, golden_roboto_outline_end},

@@ -6,7 +6,7 @@
 namespace golden {
 
 enum class FontId : uint8_t {
-  dejavu_sans_samples,
+  dejavu_sans_field,
   dejavu_sans_outline,
   dejavu_serif_outline,
   roboto_outline,

@@ -25,8 +25,8 @@ ROBOTO = ("Roboto-Regular.ttf", 0, "Roboty ")
 CJK = ("NotoSansCJK-Regular.ttc", 2, "\u6c38\u5b57\u8f5f")
 OUTLINE = ["--coding", "outline", "--tolerance", "32/255"]
 FONTS = {
-    "dejavu_sans_samples": (("DejaVuSans.ttf", 0, "Again"),
-                            ["--coding", "samples", "--max-px", "24",
+    "dejavu_sans_field": (("DejaVuSans.ttf", 0, "Again"),
+                            ["--coding", "field", "--max-px", "24",
                              "--tolerance", "24/255"]),
     # With a composite: a letter and its accent.
     "dejavu_sans_outline": (

@@ -47,7 +47,7 @@ constexpr Line kLines[] = {
      90 * 64 + 9, 100 * 64 + 40, &kFilterText, kOne, 0},
     {FontId::noto_sans_cjk_outline, "\xe8\xbd\x9f", 24 * 64 + 32, 51 * 64 + 20,
      173 * 64, &kFilterPaperBody, kOne, 0},
-    {FontId::dejavu_sans_samples, "Again", 17 * 64, 98 * 64 + 40, 24 * 64 + 11,
+    {FontId::dejavu_sans_field, "Again", 17 * 64, 98 * 64 + 40, 24 * 64 + 11,
      &kFilterText, kOne, 0},
     // Up and down the triangle of sides 3, 4 and 5.
     {FontId::dejavu_sans_outline, "Inkcell 24", 14 * 64, 6 * 64, 170 * 64,

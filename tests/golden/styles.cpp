@@ -86,7 +86,7 @@ bool draw_fitted(const Sink& sink) {
 
 bool draw_adaptive(const Sink& sink) {
   const Supersampling even = make_supersampling(kFilterMotion, kCalmRadius);
-  if (!draw_painted({FontId::dejavu_sans_samples, "Againniag", 10 * 64 + 11,
+  if (!draw_painted({FontId::dejavu_sans_field, "Againniag", 10 * 64 + 11,
                      2 * 64, 28 * 64 + 17},
                     kFilterMotion, supersample_effect(even), nullptr, sink)) {
     return false;
@@ -94,7 +94,7 @@ bool draw_adaptive(const Sink& sink) {
   const Supersampling paper =
       make_supersampling(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
-      {FontId::dejavu_sans_samples, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
+      {FontId::dejavu_sans_field, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
       kFilterPaperDisplay, supersample_effect(paper), nullptr, sink);
 }
 
@@ -103,7 +103,7 @@ bool draw_splats(const Sink& sink) {
   uint32_t sums[2 * kMinSplatSums];
   Splats splats;
   return make_splats(sums, kSplatRadius, splats) == Status::ok &&
-         draw_painted({FontId::dejavu_sans_samples, "Again", 13 * 64 + 7,
+         draw_painted({FontId::dejavu_sans_field, "Again", 13 * 64 + 7,
                        112 * 64 + 9, 169 * 64 + 30},
                       kFilterText, splat_effect(splats), nullptr, sink);
 }
@@ -111,7 +111,7 @@ bool draw_splats(const Sink& sink) {
 bool draw_perceptual(const Sink& sink) {
   const EdgeContrast edge_contrast;
   return draw_painted(
-      {FontId::dejavu_sans_samples, "Againgain", 14 * 64, 3 * 64 + 9, 45 * 64},
+      {FontId::dejavu_sans_field, "Againgain", 14 * 64, 3 * 64 + 9, 45 * 64},
       kFilterText, edge_contrast_effect(edge_contrast), nullptr, sink);
 }
 
@@ -120,7 +120,7 @@ bool draw_blurred(const Sink& sink) {
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
   return make_motion_blur(kFilterText, way, blur) == Status::ok &&
          draw_painted(
-             {FontId::dejavu_sans_samples, "Agin", 22 * 64, 95 * 64, 50 * 64},
+             {FontId::dejavu_sans_field, "Agin", 22 * 64, 95 * 64, 50 * 64},
              kFilterText, motion_blur_effect(blur), nullptr, sink);
 }
 
@@ -186,7 +186,7 @@ bool draw_turned(const Sink& sink) {
   }
   style.set_effect(supersample_effect(even));
   return draw_line(
-      {FontId::dejavu_sans_samples, "Againgain", 0, 3 * 64, 160 * 64}, style,
+      {FontId::dejavu_sans_field, "Againgain", 0, 3 * 64, 160 * 64}, style,
       nullptr, sink);
 }
 

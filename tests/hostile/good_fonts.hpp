@@ -10,7 +10,7 @@ namespace hostile {
 
 using Bytes = std::vector<uint8_t>;
 
-/// `kind`: "1" or "2", cells of samples with kerning classes of one byte or of
+/// `kind`: "1" or "2", cells with kerning classes of one byte or of
 /// two; "outline". Empty if there is no such kind.
 Bytes good_font(const std::string& kind);
 

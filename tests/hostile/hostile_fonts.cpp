@@ -314,7 +314,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const bool wide = kind == "2";
-  const bool has_samples = kind == "1" || wide;
+  const bool has_cells = kind == "1" || wide;
   printf("font of %zu bytes\n", good.size());
   const Outcome outcome = hostile::exercise({good.data(), good.size()});
   hostile::require(outcome.verified, "the font is good");
@@ -326,7 +326,7 @@ int main(int argc, char** argv) {
     change_content_bytes(good);
     change_at_random(good);
   }
-  if (has_samples && !wide) {
+  if (has_cells && !wide) {
     knot_trees(good);
     change_grids(good);
   }

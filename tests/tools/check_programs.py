@@ -18,7 +18,7 @@ SERIF = "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf"
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "host_tools"
 
 # Every coding, and the options that choose it.
-CODINGS = {"outline": (), "samples": ("--coding", "samples")}
+CODINGS = {"outline": (), "field": ("--coding", "field")}
 
 
 class Pgm:
@@ -60,7 +60,7 @@ class Tools(unittest.TestCase):
             cls.fonts[name] = cls.path / f"{name}.bin"
             run("fontgen", "--font", SANS, "--symbols", "AVToal.", "--max-px",
                 "32", *options, "--quiet", "--out", cls.fonts[name])
-        cls.font = cls.fonts["samples"]
+        cls.font = cls.fonts["field"]
 
     @classmethod
     def tearDownClass(cls):
@@ -74,7 +74,7 @@ class Tools(unittest.TestCase):
     def test_converts_in_memory(self):
         rom = self.render("--text", "AVa.", "--px", 24)
         ttf = self.render("--text", "AVa.", "--px", 24, "--max-px", 32,
-                          *CODINGS["samples"], font=SANS)
+                          *CODINGS["field"], font=SANS)
         self.assertEqual(rom.pixels, ttf.pixels)
         self.assertGreater(rom.ink(), 255 * 100)
 
@@ -339,7 +339,7 @@ class Tools(unittest.TestCase):
         jobs.append(dict(jobs[0], font=SANS, out=str(self.path / "job3.pgm")))
         listed = self.path / "jobs.jsonl"
         listed.write_text("\n".join(map(json.dumps, jobs)) + "\n\n")
-        run("render", "--jobs", listed, "--max-px", 32, *CODINGS["samples"])
+        run("render", "--jobs", listed, "--max-px", 32, *CODINGS["field"])
         moving = ("--hint", "none", "--filter", "motion", "--samples",
                   "adaptive", "--radius", 0.75)
         for i, job in enumerate(jobs[:3]):
@@ -418,7 +418,7 @@ class Tools(unittest.TestCase):
                 *((f"--hint {hint} moves points of outlines",
                    ("--font", self.font, *text, "--hint", hint))
                   for hint in ("vertical", "both")),
-                *(("make it by inkcell-fontgen --coding samples", (
+                *(("make it by inkcell-fontgen --coding field", (
                     "--font", self.fonts["outline"], *text, "--samples", kind))
                   for kind in ("adaptive", "splats")),
                 ("--outline-place is for --outline", (
@@ -728,7 +728,7 @@ class Tools(unittest.TestCase):
                 ("render", "--font", self.font, *draw, "--chars", "A-Z"),
                 ("render", "--font", self.font, *draw, "--max-px", 64),
                 ("render", "--jobs", job, "--hints", "off"),
-                ("inspect", self.font, "--coding", "samples"),
+                ("inspect", self.font, "--coding", "field"),
                 ("inspect", self.font, "--effort", 5),
                 ("specimen", self.font, "--draw-sizes", out, "--band-px", 1)]:
             printed = run(program, *arguments, code=1)
@@ -803,7 +803,7 @@ class Tools(unittest.TestCase):
 
     def test_inspect_counts_what_the_generator_counted(self):
         report = self.path / "report.json"
-        run("fontgen", "--font", SERIF, "--symbols", "aD", "--coding", "samples",
+        run("fontgen", "--font", SERIF, "--symbols", "aD", "--coding", "field",
             "--predicate", "fixed", "--quiet", "--out", self.path / "serif.bin", "--report",
             report)
         generated = json.loads(report.read_text())
@@ -854,19 +854,19 @@ class Tools(unittest.TestCase):
     def test_inspect_counts_cells(self):
         report = self.path / "report.json"
         rom = self.path / "coding.bin"
-        run("fontgen", "--font", SERIF, "--symbols", "a%", *CODINGS["samples"],
+        run("fontgen", "--font", SERIF, "--symbols", "a%", *CODINGS["field"],
             "--quiet", "--out", rom, "--report", report)
         generated = json.loads(report.read_text())
         seen = json.loads(run("inspect", rom, "--json"))
         self.assertEqual(seen["verify"], "ok")
-        self.assertEqual(seen["coding"], "samples")
-        self.assertEqual(generated["coding"], "samples")
+        self.assertEqual(seen["coding"], "field")
+        self.assertEqual(generated["coding"], "field")
         self.assertEqual(seen["cells"], generated["cell_count"])
         self.assertEqual(seen["nodes"], generated["node_count"])
         for glyph in seen["glyphs"]:
             self.assertEqual(glyph["bytes"],
                              sum(glyph["record_bytes"].values()))
-        self.assertRegex(run("inspect", rom), r"coding +samples\n")
+        self.assertRegex(run("inspect", rom), r"coding +field\n")
 
     def test_inspect_shows_hints(self):
         font = self.fonts["outline"]
@@ -893,7 +893,7 @@ class Tools(unittest.TestCase):
         bare = self.path / "bare.bin"
         run("fontgen", "--font", SANS, "--symbols", "T", "--hints", "off",
             "--quiet", "--out", bare)
-        for bare in (bare, self.fonts["samples"]):
+        for bare in (bare, self.fonts["field"]):
             self.assertRegex(run("inspect", bare), r"hints +none")
 
     def test_inspect_draws(self):
@@ -917,9 +917,9 @@ class Tools(unittest.TestCase):
         self.assertFalse(out.exists())
         # Progress of the conversion follows, from standard error.
         converted, _ = json.JSONDecoder().raw_decode(
-            run("inspect", SANS, "--symbols", "o", "--coding", "samples",
+            run("inspect", SANS, "--symbols", "o", "--coding", "field",
                 "--json"))
-        self.assertEqual(converted["coding"], "samples")
+        self.assertEqual(converted["coding"], "field")
         self.assertIn("no glyph", run("inspect", self.font, "--glyph", "Z",
                                       code=1))
         self.assertIn("4 to 1024 px", run("inspect", self.font, "--sheet",
@@ -938,7 +938,7 @@ class Tools(unittest.TestCase):
         table = subprocess.run(
             [sys.executable, TOOLS / "size_table.py", self.path, *CODINGS],
             stdout=subprocess.PIPE, text=True, check=True).stdout
-        self.assertRegex(table, r"^ +outline +samples\n")
+        self.assertRegex(table, r"^ +outline +field\n")
         self.assertRegex(table, r"\ncells +0 +[1-9]\d*\n")
 
     def test_accuracy_finds_the_wrong_truth(self):
@@ -963,7 +963,7 @@ class Tools(unittest.TestCase):
         self.assertIn(f"the font has {size} bytes", printed)
         listed = json.loads(table.read_text())
         self.assertEqual(listed["font_bytes"], size)
-        self.assertEqual(listed["coding"], "samples")
+        self.assertEqual(listed["coding"], "field")
         self.assertEqual(listed["characters"], 2)
         rows = listed["rows"]
         filters = ("text", "motion", "paper_display", "paper_body")
@@ -1059,7 +1059,7 @@ class Tools(unittest.TestCase):
     def test_specimen_draws_styles(self):
         of_all = ["filters", "lcd", "levels", "maps", "star", "compare-body",
                   "compare-display"]
-        own = {"samples": ["contrast", "motion"], "outline": ["fitting"]}
+        own = {"field": ["contrast", "motion"], "outline": ["fitting"]}
         for coding, others in own.items():
             pictures = [self.path / f"{name}.png" for name in of_all + others]
             options = [x for out in pictures for x in (f"--draw-{out.stem}", out)]
@@ -1073,7 +1073,7 @@ class Tools(unittest.TestCase):
         for coding, name, said in (
                 ("outline", "motion", "the field at any point"),
                 ("outline", "contrast", "distances at any point"),
-                ("samples", "fitting", "points of outlines")):
+                ("field", "fitting", "points of outlines")):
             self.assertIn(said, run("specimen", self.fonts[coding],
                                     f"--draw-{name}", out, code=1))
             self.assertFalse(out.exists())
@@ -1082,7 +1082,7 @@ class Tools(unittest.TestCase):
         out = self.path / "effects.png"
         self.assertIn("--band-px", run(
             "specimen", self.font, "--draw-effects", out, code=1))
-        run("specimen", SANS, "--symbols", "Efcts", *CODINGS["samples"],
+        run("specimen", SANS, "--symbols", "Efcts", *CODINGS["field"],
             "--band-px", 2, "--min-px", 12, "--max-px", 32, "--draw-effects", out)
         self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
 

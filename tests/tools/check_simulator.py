@@ -202,7 +202,7 @@ class Window(Case):
         plain = pixels("text Og", "px 40", "grid off")
         self.assertTrue(plain == pixels("text Og", "px 40", "grid off"))
         self.assertFalse(plain == pixels("text Og", "px 40"))
-        for coding, what in (("outline", "points"), ("samples", "leaves")):
+        for coding, what in (("outline", "points"), ("field", "leaves")):
             lines = f"coding {coding}", "text Og", "px 40", "grid off"
             _, report = self.saved(*lines, font=letters)
             self.assertGreater(report[what], 20, coding)

@@ -89,7 +89,7 @@ TEST(Convert, HalvesTheLargestSizeForTooComplexGlyphs) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   Conversion conversion;
-  conversion.request.target.coding = gen::Coding::samples;
+  conversion.request.target.coding = gen::Coding::field;
   conversion.request.target.effort = 0;  // for speed
   testing::internal::CaptureStderr();
   const RomFile rom = load_font_file(file, conversion, "ZH");
@@ -112,7 +112,7 @@ TEST(Convert, KeepsTheSizesThatWereAskedFor) {
   const TestFolder folder;
   const auto file = folder.write("plate.ttf", zone_plate());
   Conversion conversion;
-  conversion.request.target.coding = gen::Coding::samples;
+  conversion.request.target.coding = gen::Coding::field;
   conversion.request.target.effort = 0;  // for speed
   conversion.may_halve = false;
   EXPECT_THROW(load_font_file(file, conversion, "ZH"), gen::TooComplex);

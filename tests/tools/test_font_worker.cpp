@@ -47,7 +47,7 @@ std::optional<RomFile> take_in_time(FontWorker& worker, const FontWish& wish) {
 }
 
 const FontWish kOutline = {"outline", "ab"};
-const FontWish kSamples = {"samples", "ab"};
+const FontWish kField = {"field", "ab"};
 
 TEST(FontWorker, MakesWhileTheCallerGoesOn) {
   Gate gate;
@@ -80,7 +80,7 @@ TEST(FontWorker, DropsWhatNobodyAsksForAnyMore) {
         return any_font();
       });
   EXPECT_FALSE(worker.take(kOutline));
-  EXPECT_TRUE(take_in_time(worker, kSamples));
+  EXPECT_TRUE(take_in_time(worker, kField));
 }
 
 TEST(FontWorker, ThrowsWhatTheMakerThrew) {

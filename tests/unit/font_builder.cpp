@@ -201,7 +201,7 @@ void write_header(const FontSpec& spec, uint32_t sections, Writer& out) {
   out.u8(16);
   const OutlineSpec& outlines = spec.outlines;
   out.u8(static_cast<uint32_t>(outlines.code.size == 0
-                                   ? format::Coding::samples
+                                   ? format::Coding::field
                                    : format::Coding::outline));
   out.u8(0);
   out.u8(static_cast<uint32_t>(format::Predicate::size_aware));

@@ -38,7 +38,7 @@ struct Header {
 bool is_of_cells(uint32_t coding) noexcept {
   using format::Coding;
   return (INKCELL_SAMPLE_CELLS != 0 &&
-          coding == static_cast<uint32_t>(Coding::samples)) ||
+          coding == static_cast<uint32_t>(Coding::field)) ||
          (INKCELL_EDGE_CELLS != 0 &&
           coding == static_cast<uint32_t>(Coding::edges));
 }

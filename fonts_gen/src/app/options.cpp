@@ -131,20 +131,20 @@ void add_quality(CLI::App& app, GenerateRequest& request) {
       "With --tolerance: a glyph that misses it is no error either");
   add_choice<Coding>(
       app, "--coding", target.coding,
-      {{"outline", Coding::outline}, {"samples", Coding::samples}},
-      "What glyphs are made of: 'outline', few points, for text; 'samples', a "
+      {{"outline", Coding::outline}, {"field", Coding::field}},
+      "What glyphs are made of: 'outline', few points, for text; 'field', a "
       "quadtree of cells of the paper's nine distances, for the field at any "
       "point");
   add_choice<Predicate>(
       app, "--predicate", target.predicate,
       {{"size", Predicate::size_aware}, {"fixed", Predicate::fixed}},
       "What is good enough: 'size', the tolerance over the range of sizes; "
-      "'fixed', 1/1024 em near the edge, for --coding samples");
+      "'fixed', 1/1024 em near the edge, for --coding field");
   add_choice<bool>(
       app, "--hints", request.hints, {{"on", true}, {"off", false}},
       "What grid fitting of outlines needs: zones, bars, stems and more");
   app.add_option("--effort", target.effort,
-                 "(samples) How hard to try for fewer bytes; outlines have no "
+                 "(field) How hard to try for fewer bytes; outlines have no "
                  "use for it")
       ->check(CLI::Range(0, 9).description(""))
       ->type_name("0..9")

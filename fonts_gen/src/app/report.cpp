@@ -65,7 +65,7 @@ double rounded(double value) {
 }
 
 const char* coding_name(const Target& options) {
-  return options.coding == Coding::outline ? "outline" : "samples";
+  return options.coding == Coding::outline ? "outline" : "field";
 }
 
 std::string outlines_line(const FontReport& report) {

@@ -214,7 +214,7 @@ void check_cells(const Font& font, const RomContent& content) {
     }
     GlyphField field;
     const Status status = font.field(static_cast<uint16_t>(i), field);
-    if (status != Status::ok || !CellCheck(glyph.samples, field).equal()) {
+    if (status != Status::ok || !CellCheck(glyph.field, field).equal()) {
       differ(content, "the cells" + of_glyph(i));
     }
   }

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/work_pool.hpp"
+#include "field/sample_tree.hpp"
 #include "judge/hint_trial.hpp"
 #include "judge/outline_glyph.hpp"
 #include "pipeline/built_glyphs.hpp"
@@ -12,7 +13,6 @@
 #include "pipeline/font_hints.hpp"
 #include "rom/outline_font.hpp"
 #include "rom/rom_font.hpp"
-#include "samples/sample_tree.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::gen {
@@ -43,9 +43,7 @@ LoopOptions loop_options(const Target& options) {
   return loop;
 }
 
-void judge_samples(const Shape& shape,
-                   const Target& options,
-                   BuiltGlyph& built) {
+void judge_field(const Shape& shape, const Target& options, BuiltGlyph& built) {
   if (options.predicate == Predicate::fixed) {
     return;
   }
@@ -57,18 +55,16 @@ void judge_samples(const Shape& shape,
   }
 }
 
-// An image's samples are there already. The device always rounds to the same
+// An image's cells are there already. The device always rounds to the same
 // side, so an image may miss a limit that its component holds.
-void build_samples(const Shape& shape,
-                   const Target& options,
-                   BuiltGlyph& built) {
-  const bool is_image = built.glyph.samples.tiles_x != 0;
+void build_field(const Shape& shape, const Target& options, BuiltGlyph& built) {
+  const bool is_image = built.glyph.field.tiles_x != 0;
   if (is_image) {
-    judge_samples(shape, options, built);
+    judge_field(shape, options, built);
   }
   if (!is_image || built.errors.worst > options.tolerance) {
-    built.glyph.samples = build_sample_tree(shape, options);
-    judge_samples(shape, options, built);
+    built.glyph.field = build_sample_tree(shape, options);
+    judge_field(shape, options, built);
   }
 }
 
@@ -105,7 +101,7 @@ double largest_side(const SourceFont& font) {
   return largest;
 }
 
-// `image`: the samples of the glyph if they are known, else empty.
+// `image`: the cells of the glyph if they are known, else empty.
 BuiltGlyph build_glyph(const SourceFont& font,
                        const SourceGlyph& glyph,
                        const RefitOptions& refit,
@@ -115,7 +111,7 @@ BuiltGlyph build_glyph(const SourceFont& font,
     throw Error(glyph.file_name + ": " + glyph.name() + ": " + why);
   };
   BuiltGlyph built;
-  built.glyph.samples = image;
+  built.glyph.field = image;
   try {
     const Shape shape(glyph.outline);
     if (!shape.empty()) {
@@ -124,7 +120,7 @@ BuiltGlyph build_glyph(const SourceFont& font,
       if (options.coding == Coding::outline) {
         build_outline(glyph.outline, shape, refit, options, built);
       } else {
-        build_samples(shape, options, built);
+        build_field(shape, options, built);
       }
     }
   } catch (const GeometryError& error) {
@@ -143,16 +139,16 @@ BuiltGlyph build_glyph(const SourceFont& font,
 }
 
 // Empty if the image leaves the grid: its outline is refused by name then.
-SampleTree samples_of(const FieldImage& image, const RomContent& content) {
+SampleTree field_of(const FieldImage& image, const RomContent& content) {
   try {
-    return permuted(content.glyphs[image.of].samples, image.symmetry,
-                    image.dx_u, image.dy_u);
+    return permuted(content.glyphs[image.of].field, image.symmetry, image.dx_u,
+                    image.dy_u);
   } catch (const GeometryError&) {
     return {};
   }
 }
 
-// Every glyph of `content`, and its errors. In fonts of samples images come
+// Every glyph of `content`, and its errors. In fonts of fields images come
 // after what they are images of, and glyphs that nobody sees are left out.
 void build_glyphs(const SourceFont& font,
                   const GenerateRequest& request,
@@ -161,7 +157,7 @@ void build_glyphs(const SourceFont& font,
                   std::vector<LoopResult>& errors) {
   content.glyphs.resize(font.glyphs.size());
   errors.resize(font.glyphs.size());
-  const bool is_sampled = request.target.coding == Coding::samples;
+  const bool is_sampled = request.target.coding == Coding::field;
   const std::vector<FieldImage> images =
       is_sampled ? find_field_images(font) : std::vector<FieldImage>();
   std::vector<size_t> others;
@@ -203,7 +199,7 @@ void build_glyphs(const SourceFont& font,
       images.size(), request.threads,
       [&](size_t i) {
         const FieldImage& image = images[i];
-        build(image.glyph, samples_of(image, content));
+        build(image.glyph, field_of(image, content));
       },
       done_after(others.size()));
   if (earlier != nullptr) {
@@ -243,7 +239,7 @@ RomContent build_content(SourceFont& font,
   const RefitOptions refit = refit_options(
       request.target, font.metrics.units_per_em, largest_side(font));
   build_glyphs(font, request, refit, content, errors);
-  if (request.target.coding == Coding::samples) {
+  if (request.target.coding == Coding::field) {
     drop_unused_components(font, content, errors);
   }
   if (request.target.coding == Coding::outline) {

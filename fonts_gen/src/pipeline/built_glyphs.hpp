@@ -21,7 +21,7 @@ struct BuiltGlyph {
 
 /// The glyphs of the last font that was built with it, by their outlines. For
 /// programs that build a font again after each change of a glyph. Not for two
-/// fonts at a time. Fonts of samples are built whole.
+/// fonts at a time. Fonts of fields are built whole.
 class BuiltGlyphs {
  public:
   /// Begins a font of this target and refit, on which its glyphs depend beside

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "samples/symmetry.hpp"
+#include "field/symmetry.hpp"
 #include "source/font_source.hpp"
 
 namespace inkcell::gen {

@@ -20,17 +20,17 @@ GlyphReport report_glyph(const SourceGlyph& source,
   glyph.file_name = source.file_name;
   glyph.key = source.code_points.empty() ? source.name()
                                          : to_utf8(source.code_points.front());
-  glyph.cells = built.samples.cells.size();
-  glyph.nodes = static_cast<size_t>(built.samples.node_count());
+  glyph.cells = built.field.cells.size();
+  glyph.nodes = static_cast<size_t>(built.field.node_count());
   for (const MinimalContour& contour : built.outline.contours) {
     glyph.points += contour.points.size();
   }
   glyph.components = built.references.size();
   glyph.bytes = glyph_record(built).size();
   if (options.predicate == Predicate::fixed) {
-    glyph.worst_error = built.samples.worst_error;
-    glyph.mean_error = built.samples.mean_error;
-    glyph.within_tolerance = built.samples.within_tolerance;
+    glyph.worst_error = built.field.worst_error;
+    glyph.mean_error = built.field.mean_error;
+    glyph.within_tolerance = built.field.within_tolerance;
     return glyph;
   }
   glyph.worst_error = errors.worst;

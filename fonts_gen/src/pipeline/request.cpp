@@ -75,11 +75,10 @@ void check_request(const GenerateRequest& request) {
   if (target.effort < 0 || target.effort > 9) {
     throw Error("--effort is a whole number within 0..9");
   }
-  if (target.coding != Coding::samples &&
-      target.predicate == Predicate::fixed) {
+  if (target.coding != Coding::field && target.predicate == Predicate::fixed) {
     throw Error(
         "--predicate fixed is the paper's, for its cells; use --coding "
-        "samples");
+        "field");
   }
 }
 

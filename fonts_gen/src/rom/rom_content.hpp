@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "field/sample_tree.hpp"
 #include "hints/glyph_hints.hpp"
 #include "inkcell/font.hpp"
 #include "outlines/minimal_outline.hpp"
-#include "samples/sample_tree.hpp"
 #include "source/components.hpp"
 #include "source/font_source.hpp"
 #include "source/kerning.hpp"
@@ -19,7 +19,7 @@ namespace inkcell::gen {
 
 /// One glyph as the device sees it: cells, an outline, or no ink.
 struct RomGlyph {
-  SampleTree samples;                   // without tiles: none
+  SampleTree field;                     // without tiles: none
   MinimalOutline outline;               // without contours: none
   OutlineReferences references;         // what a record refers to instead
   std::vector<uint8_t> outline_record;  // encode_outlines() makes it
@@ -27,7 +27,7 @@ struct RomGlyph {
   GlyphMetrics metrics;
 
   bool has_ink() const {
-    return samples.tiles_x != 0 || !outline.contours.empty();
+    return field.tiles_x != 0 || !outline.contours.empty();
   }
 };
 

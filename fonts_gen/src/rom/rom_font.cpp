@@ -6,10 +6,10 @@
 
 #include "base/bit_table_writer.hpp"
 #include "base/byte_writer.hpp"
+#include "field/record.hpp"
 #include "hints/grid_section.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
-#include "samples/record.hpp"
 
 namespace inkcell::gen {
 namespace {
@@ -319,9 +319,9 @@ struct Extent {
 
 Extent extent_of(const RomGlyph& glyph) {
   Extent extent;
-  extent.cells = glyph.samples.cells.size();
-  extent.nodes = static_cast<size_t>(glyph.samples.node_count());
-  extent.depth = static_cast<size_t>(glyph.samples.depth);
+  extent.cells = glyph.field.cells.size();
+  extent.nodes = static_cast<size_t>(glyph.field.node_count());
+  extent.depth = static_cast<size_t>(glyph.field.depth);
   return extent;
 }
 
@@ -397,7 +397,7 @@ std::vector<uint8_t> glyph_record(const RomGlyph& glyph) {
   if (!glyph.outline_record.empty()) {
     return glyph.outline_record;
   }
-  return glyph.samples.tiles_x == 0 ? Bytes() : samples_record(glyph.samples);
+  return glyph.field.tiles_x == 0 ? Bytes() : field_record(glyph.field);
 }
 
 std::vector<uint8_t> write_rom_font(const RomContent& content,

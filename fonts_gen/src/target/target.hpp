@@ -14,7 +14,7 @@ using format::Predicate;
 using format::Coding;
 
 struct Target {
-  Coding coding = Coding::samples;
+  Coding coding = Coding::field;
   /// Sizes at which the glyph will be drawn. [px/em]
   double min_px = 8;
   double max_px = 64;

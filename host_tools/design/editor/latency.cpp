@@ -99,9 +99,9 @@ Latencies measure_latencies(Editor& editor, int runs) {
   });
   result.stroke = time_of(runs, [&](int i) {
     editor.propose(stroke_command(editor, kStrokePoints + i));
-    gen::Target samples;
-    samples.coding = gen::Coding::samples;
-    const ShapeField field(shape(), samples);
+    gen::Target target;
+    target.coding = gen::Coding::field;
+    const ShapeField field(shape(), target);
     draw_exact_preview(first, editor.preview_job());
   });
   editor.propose(nullptr);

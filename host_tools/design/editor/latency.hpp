@@ -14,7 +14,7 @@ struct Latency {
 struct Latencies {
   Latency drag;    // a moved point: change, exact pictures, distances
   Latency device;  // a change: all that the device draws, with its figures
-  Latency stroke;  // the end of a stroke: outline, field of samples, preview
+  Latency stroke;  // the end of a stroke: outline, field, preview
 };
 
 /// Drags the first point of the glyph that is shown, and draws strokes with the

@@ -36,7 +36,7 @@ void add_cells(const PreviewJob& job, Preview& preview) {
     return;
   }
   gen::Target target;
-  target.coding = gen::Coding::samples;
+  target.coding = gen::Coding::field;
   const ShapeField made(shape, target);
   const GlyphField& field = made.field();
   preview.cell_bytes = made.bytes();

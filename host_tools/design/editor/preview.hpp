@@ -28,7 +28,7 @@ struct PreviewSettings {
   double glyph_px = 24;                        // [px/em]
   std::vector<double> text_px = {12, 16, 24};  // [px/em]
   std::string text = "Hamburg 012";
-  bool cells = false;  // of the glyph as a font of samples has it
+  bool cells = false;  // of the glyph as a font of fields has it
 };
 
 struct PreviewJob {

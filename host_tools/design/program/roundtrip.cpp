@@ -164,7 +164,7 @@ void run(RoundtripArguments& arguments) {
 
 void add_options(CLI::App& command, RoundtripArguments& arguments) {
   gen::GenerateRequest& request = arguments.request;
-  request.target.coding = gen::Coding::samples;
+  request.target.coding = gen::Coding::field;
   request.target.tolerance = 4;
   tools::take_one(command.add_option(
                       "--chars", request.chars,

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/record.hpp"
 #include "model/error.hpp"
-#include "samples/record.hpp"
 #include "trace/contour_walk.hpp"
 
 namespace inkcell::design {
@@ -58,7 +58,7 @@ gen::Outline outline_of(const GlyphField& field,
 }
 
 ShapeField::ShapeField(const gen::Shape& shape, const gen::Target& options)
-    : record_(gen::samples_record(gen::build_sample_tree(shape, options))) {
+    : record_(gen::field_record(gen::build_sample_tree(shape, options))) {
   if (GlyphField::open({record_.data(), record_.size()}, field_) !=
       Status::ok) {
     throw Error("the field that was generated cannot be opened");

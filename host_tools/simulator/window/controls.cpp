@@ -45,7 +45,7 @@ constexpr Named kHints[] = {
 };
 constexpr Named kCodings[] = {
     {"outline", "Outline", "Lines and curves: smallest"},
-    {"samples", "Samples", "Cells of nine distances; converting takes seconds"},
+    {"field", "Field", "Cells of nine distances; converting takes seconds"},
 };
 
 struct Size {

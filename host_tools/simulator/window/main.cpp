@@ -44,7 +44,7 @@ RomFile make_font(const std::string& file,
                   const FontWish& wish,
                   const FontWorker::Progress& progress) {
   conversion.request.target.coding =
-      wish.coding == "outline" ? gen::Coding::outline : gen::Coding::samples;
+      wish.coding == "outline" ? gen::Coding::outline : gen::Coding::field;
   conversion.request.progress = progress;
   RomFile rom = load_font_file(file, conversion, wish.text);
   if (coding_name(rom.font()) != wish.coding) {
@@ -132,7 +132,7 @@ void run(const Arguments& arguments, const CLI::App& app) {
   const bool is_rom = is_rom_font(read_file(arguments.font));
   simulator.settings.coding =
       arguments.request.target.coding == gen::Coding::outline ? "outline"
-                                                              : "samples";
+                                                              : "field";
   if (is_rom) {
     simulator.settings.coding = coding_name(load_rom(arguments.font).font());
   }

@@ -1,4 +1,4 @@
-// Inkcell with a font of samples. Way: "upright"; or in a
+// Inkcell with a font of fields. Way: "upright"; or in a
 // program of its own (INKCELL_BENCH_TURNED) "turned", by 15 degrees, and
 // "leaning", by 1/5.
 #include "inkcell_strips.hpp"

@@ -59,7 +59,7 @@ def make_font(fontgen, folder):
 
 
 def check_defined(system, lines):
-    """Ends the test unless fonts of outlines, then of samples turn on what they
+    """Ends the test unless fonts of outlines, then of fields turn on what they
     need: `lines` has the library's definitions after each."""
     found = [sorted({*re.findall(r"(INKCELL_\w+_CELLS)=1", line)})
              for line in lines]

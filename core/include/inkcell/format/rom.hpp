@@ -62,8 +62,8 @@ inline constexpr uint32_t kBytes = 64;
 
 /// What a font's glyphs are made of.
 enum class Coding : uint8_t {
-  samples = 0,  // cells of nine samples
-  edges = 1,    // cells of primitives, of samples where fields do not fit
+  field = 0,    // cells of nine samples
+  edges = 1,    // cells of primitives; no generator makes them
   outline = 2,  // outlines
 };
 enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };

@@ -112,7 +112,7 @@ void draw_facts(const Preview& preview, bool cells) {
       "The largest difference from exact coverage, of all sizes from 8 to 64 "
       "px and 8 positions between pixels");
   if (cells) {
-    ImGui::TextDisabled("As samples: %zu cells, %zu bytes",
+    ImGui::TextDisabled("As a field: %zu cells, %zu bytes",
                         preview.cells.size(), preview.cell_bytes);
   }
 }

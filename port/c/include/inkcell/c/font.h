@@ -62,7 +62,7 @@ typedef struct INKCELL_SHARED inkcell_font_range_t {
 ///
 /// BAD_MAGIC, BAD_VERSION, MISALIGNED, CORRUPT (header, directory or table
 /// sizes), UNSUPPORTED (a section or coding that this build cannot read:
-/// those of samples need INKCELL_SAMPLE_CELLS).
+/// those of fields need INKCELL_SAMPLE_CELLS).
 inkcell_status_t inkcell_font_open(const void* rom,
                                    size_t size,
                                    inkcell_font_t* out);

@@ -1,6 +1,6 @@
-#include "samples/sample_tree.hpp"
+#include "field/sample_tree.hpp"
 
-#include "samples/forest.hpp"
+#include "field/forest.hpp"
 
 namespace inkcell {
 namespace gen {

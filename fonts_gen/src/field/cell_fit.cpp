@@ -1,4 +1,4 @@
-#include "samples/cell_fit.hpp"
+#include "field/cell_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "samples/sample_tree.hpp"
+#include "field/sample_tree.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell {

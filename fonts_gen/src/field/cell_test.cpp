@@ -1,4 +1,4 @@
-#include "samples/cell_test.hpp"
+#include "field/cell_test.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "samples/paper_counts.hpp"
+#include "field/paper_counts.hpp"
 
 #include <cmath>
 
-#include "samples/cell_test.hpp"
-#include "samples/forest.hpp"
+#include "field/cell_test.hpp"
+#include "field/forest.hpp"
 #include "target/metric.hpp"
 
 namespace inkcell {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "samples/cell_test.hpp"
+#include "field/cell_test.hpp"
 #include "shape/shape.hpp"
 #include "target/metric.hpp"
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "field/sample_tree.hpp"
 #include "inkcell/field.hpp"
 #include "inkcell/format/cell.hpp"
-#include "samples/sample_tree.hpp"
 #include "shape/shape.hpp"
 #include "target/grid.hpp"
 #include "target/metric.hpp"

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "samples/cell_test.hpp"
-#include "samples/sample_tree.hpp"
+#include "field/cell_test.hpp"
+#include "field/sample_tree.hpp"
 #include "shape/shape.hpp"
 #include "target/grid.hpp"
 #include "target/metric.hpp"

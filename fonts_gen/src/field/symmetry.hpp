@@ -1,7 +1,7 @@
 // Reflections and quarter turns of a sampled field, without loss.
 #pragma once
 
-#include "samples/sample_tree.hpp"
+#include "field/sample_tree.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -1,10 +1,10 @@
-#include "samples/record.hpp"
+#include "field/record.hpp"
 
 #include "inkcell/format/rom.hpp"
 
 namespace inkcell::gen {
 
-Bytes samples_record(const SampleTree& field) {
+Bytes field_record(const SampleTree& field) {
   Bytes out;
   put_u8(out, format::glyph::kTypeSamples);
   put_u8(out, static_cast<unsigned>(field.tile_log2));

@@ -1,4 +1,4 @@
-#include "samples/symmetry.hpp"
+#include "field/symmetry.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "samples/forest.hpp"
+#include "field/forest.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "field/cell_fit.hpp"
 #include "inkcell/field.hpp"
-#include "samples/cell_fit.hpp"
 
 namespace inkcell {
 namespace gen {
