@@ -154,7 +154,7 @@ def measured(bench):
         ("docs/PORTING.md", r"distance takes ([\d.]+) KB, and ([\d.]+) of "
          r"libgcc; ([\d.]+) KB with lines",
          [least("glyphs"), least("libgcc"), least("all formats")]),
-        ("README.md", r"kerning and hints: ([\d.]+) KB; of a field (\d+) KB",
+        ("README.md", r"kerning and hints: ([\d.]+) KB; as a field (\d+) KB",
          [font("outline"), font("field")]),
         ("docs/DESIGN.md", r"\| outlines \| (\d+) \| (\d+) \|",
          [rom("outline"), bench.number("Fonts and RAM", "outline",
