@@ -10,7 +10,7 @@
 #include "counting_sink.hpp"
 #include "image.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/layout.hpp"
+#include "inkcell/layout/layout.hpp"
 #include "inkcell/text.hpp"
 #include "inkcell/text_style.hpp"
 

@@ -13,11 +13,14 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+# Arduino compiles all that a library has; the linker drops what is not called.
+LIBRARIES = ("cache", "kinetic", "layout")
 # Folders below the project's, and where their content goes below src/.
-FOLDERS = {"core/include": ".", "core/src": ".", "core/kinetic/include": ".",
-           "core/kinetic/src": "kinetic", "port/pixel/include": ".",
-           "port/display/include": ".", "port/pixel/src": "pixel",
-           "port/display/src": "display",
+FOLDERS = {"core/include": ".", "core/src": ".",
+           **{f"core/{name}/include": "." for name in LIBRARIES},
+           **{f"core/{name}/src": name for name in LIBRARIES},
+           "port/pixel/include": ".", "port/display/include": ".",
+           "port/pixel/src": "pixel", "port/display/src": "display",
            "port/c/include": ".", "port/c/src": "c"}
 
 

@@ -9,18 +9,25 @@
 #
 # The font is $(INKCELL_FONTS)/fonts/dejavu_sans.hpp; name it as a prerequisite of
 # the objects that include it.
+#
+# INKCELL_LIBRARIES names what is compiled besides the core and the adapters of
+# pixel formats and displays: cache, kinetic, layout, c (which needs cache and
+# layout). Set it before the include.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
+INKCELL_LIBRARIES ?=
+ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
+  override INKCELL_LIBRARIES += cache layout
+endif
 INKCELL_BUILD ?= build/inkcell
 
+INKCELL_PARTS := $(INKCELL)/port/pixel $(INKCELL)/port/display \
+  $(addprefix $(INKCELL)/core/,$(filter cache kinetic layout,$(INKCELL_LIBRARIES))) \
+  $(addprefix $(INKCELL)/port/,$(filter c,$(INKCELL_LIBRARIES)))
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
-  $(INKCELL)/core/kinetic/src/*.cpp \
-  $(INKCELL)/port/pixel/src/*.cpp $(INKCELL)/port/display/src/*.cpp \
-  $(INKCELL)/port/c/src/*.cpp)
+  $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))
 INKCELL_INCLUDES := -I$(INKCELL)/core/include \
-  -I$(INKCELL)/core/kinetic/include -I$(INKCELL)/port/pixel/include \
-  -I$(INKCELL)/port/display/include -I$(INKCELL)/port/c/include \
-  -I$(INKCELL_FONTS)
+  $(patsubst %,-I%/include,$(INKCELL_PARTS)) -I$(INKCELL_FONTS)
 INKCELL_FLAGS := $(INKCELL_INCLUDES) -I$(INKCELL)/core/src -std=c++17 \
   -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics \
   -ffunction-sections -fdata-sections

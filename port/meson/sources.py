@@ -1,8 +1,8 @@
-"""Prints the sources of what runs on the device, one a line."""
+"""Prints the sources below src/ of the folders that are named, one a line."""
 import pathlib
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-for folder in ("core/src", "core/kinetic/src", "port/pixel/src",
-               "port/display/src", "port/c/src"):
-    for path in sorted((ROOT / folder).rglob("*.cpp")):
+for folder in sys.argv[1:]:
+    for path in sorted((ROOT / folder / "src").rglob("*.cpp")):
         print(path)

@@ -60,7 +60,7 @@ CODINGS = {
 ROM_CODINGS = {0: "field", 2: "outline"}
 # Codings that modes, runs of text and digits are measured with.
 STYLED = ("outline", "field")
-LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_port_pixel"),
+LIBRARIES = {"inkcell": ("inkcell_core", "inkcell_cache", "inkcell_port_pixel"),
              "freetype": ("bench_freetype",), "stb": ("bench_stb",)}
 WHAT = {
     "glyphs": "each engine, coding and size",

@@ -31,9 +31,8 @@ SINKS = ["a8", "rgb565", "run"]
 
 
 def measured_sources():
-    core = sorted(path for path in ROOT.glob("core/src/**/*.cpp")
-                  if path.parent.name != "layout")
-    return core + [ROOT / f"port/pixel/src/{name}.cpp" for name in SINKS]
+    core = [*ROOT.glob("core/src/**/*.cpp"), *ROOT.glob("core/cache/src/*.cpp")]
+    return sorted(core) + [ROOT / f"port/pixel/src/{name}.cpp" for name in SINKS]
 
 
 def compiler():
@@ -66,6 +65,7 @@ def sources_hash():
     """SHA-256 over sources and headers without comments and white space."""
     headers = sorted([*ROOT.glob("core/include/**/*.hpp"),
                       *ROOT.glob("core/src/**/*.hpp"),
+                      *ROOT.glob("core/cache/**/*.hpp"),
                       *ROOT.glob("port/pixel/**/*.hpp")])
     result = hashlib.sha256()
     for path in measured_sources() + headers:

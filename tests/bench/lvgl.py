@@ -33,8 +33,8 @@ DIGIT_SIZE = "512"
 # objects. [bytes]
 MOST_DIGIT_RAM = 2048
 # LVGL's own code is that of the library, Inkcell's what it adds.
-OWN_LIBRARIES = ("inkcell_core", "inkcell_port_pixel", "inkcell_port_lvgl",
-                 "gcc")
+OWN_LIBRARIES = ("inkcell_core", "inkcell_cache", "inkcell_port_pixel",
+                 "inkcell_port_lvgl", "gcc")
 HELP = ("LVGL's sources: --lvgl FOLDER or INKCELL_LVGL_DIR; lv_font_conv, a "
         "program of npm: --lv-font-conv FILE, or in the path")
 

@@ -19,7 +19,8 @@ from toolchains import (ALL_CODINGS, COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
 # Bytes of the deepest chain, of which the font's kerning takes 170.
 LIMIT = 512
 LEVELS = ["-Os", "-O2"]
-ROOMS = ["base", "font", "layout", "text", "place"]
+FOLDERS = ["core/src/base", "core/src/font", "core/src/text", "core/src/place",
+           "core/layout/src"]
 
 ENTRIES = ["LineBreaker::next", "next_line", "shorten", "lay_out",
            "Bidi::resolve", "TextBox::lay_out", "TextBox::draw",
@@ -67,8 +68,8 @@ def compile_all(level, folder):
     problems = []
     # A compiler cache does not keep call graphs.
     environment = {**os.environ, "CCACHE_DISABLE": "1"}
-    sources = [path for room in ROOMS
-               for path in sorted((ROOT / "core/src" / room).glob("*.cpp"))]
+    sources = [path for folder in FOLDERS
+               for path in sorted((ROOT / folder).glob("*.cpp"))]
     for source in sources:
         target = folder / (source.stem + ".o")
         result = run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES,

@@ -1,6 +1,6 @@
 """Checks the packages: manifests name the project's version, licence and every
-source; a clean project builds with each, and has the same code, none of it of
-cells.
+source; a clean project builds with each, compiles the libraries that it asks for
+and no other, and has the same code, none of it of cells.
 
 A project for Cortex-M0 at -Os, in a folder of its own, draws the README's line of
 text. It gets Inkcell as a subdirectory, by FetchContent, by find_package() after
@@ -18,7 +18,7 @@ import sys
 
 from packages import (arduino, cmake_projects, esp_idf, file_list, make, meson,
                       platformio, zephyr)
-from toolchains import ROOT, finish, require
+from toolchains import LIBRARIES, ROOT, finish, require
 
 # What the routes may differ by: Meson links as C++, with functions of another
 # library.
@@ -49,7 +49,8 @@ def listed_in_cmake():
     return sorted(
         str(path.parent / name)
         for path in [ROOT / "core/CMakeLists.txt",
-                     ROOT / "core/kinetic/CMakeLists.txt",
+                     *(ROOT / f"core/{name}/CMakeLists.txt"
+                       for name in LIBRARIES),
                      ROOT / "port/pixel/CMakeLists.txt",
                      ROOT / "port/display/CMakeLists.txt",
                      ROOT / "port/c/CMakeLists.txt"]
@@ -81,7 +82,8 @@ def main():
     problems = check_manifests()
     sources = listed_in_cmake()
     present = sorted(map(str, [*ROOT.glob("core/src/**/*.cpp"),
-                               *ROOT.glob("core/kinetic/src/*.cpp"),
+                               *(path for name in LIBRARIES for path in
+                                 ROOT.glob(f"core/{name}/src/*.cpp")),
                                *ROOT.glob("port/*/src/*.cpp")]))
     # Without LVGL its sources have no sense.
     present = [path for path in present if "/port/lvgl/" not in path]

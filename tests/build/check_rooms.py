@@ -1,6 +1,7 @@
 """Checks the rooms of core and fonts_gen: the folders of their sources.
 
-core/kinetic is one room over core. It may use core's public headers and KINETIC.
+Each library of core is one room over core/src. It may use core's public headers,
+its own, and the rooms of LIBRARIES.
 
 A room uses the rooms that the tables below name, which stand before it, and no
 others. It has a README of three lines, the first of which is its promise. A
@@ -30,14 +31,16 @@ CORE = {
     "effects": "sink cells place rows distance raster",
     "fit": "",
     "text": "place outlines rows raster",
-    "cache": "sink text place",
-    "layout": "text",
     "generate": "cells outlines",
     "verify": "cells font outlines",
 }
 
-# Rooms of core/src that core/kinetic may use.
-KINETIC = "base"
+# Folders of core that are libraries, and the rooms of core/src that each may use.
+LIBRARIES = {
+    "cache": "base sink text",
+    "kinetic": "base",
+    "layout": "text",
+}
 
 # Folders of public headers, likewise.
 PUBLIC = {
@@ -196,20 +199,34 @@ def check_public():
     return problems
 
 
-def check_kinetic():
-    """Includes of core/kinetic, and sources that are not their header's."""
-    problems = check_promise("core/kinetic")
-    public = {"inkcell", "inkcell/kinetic"}
-    for path in sorted((ROOT / "core/kinetic").glob("**/*.[hc]pp")):
+def check_library(library):
+    """Includes of a library of core, and sources that are not their header's."""
+    problems = check_promise(f"core/{library}")
+    public = {"inkcell", f"inkcell/{library}"}
+    for path in sorted((ROOT / "core" / library).glob("**/*.[hc]pp")):
         name = str(path.relative_to(ROOT))
-        headers = INCLUDE.findall(path.read_text())
+        text = path.read_text()
+        headers = INCLUDE.findall(text)
         allowed = public if "include" in path.parts else {
-            *public, *KINETIC.split()}
-        problems += [f"{name}: kinetic may not use {header}"
+            *public, *LIBRARIES[library].split()}
+        problems += [f"{name}: {library} may not use {header}"
                      for header in headers if room_of(header) not in allowed]
-        if path.suffix == ".cpp" and headers[:1] != [
-                f"inkcell/kinetic/{path.stem}.hpp"]:
+        own = {f"inkcell/{library}/{path.stem}.hpp", f"{path.stem}.hpp"}
+        first = re.search(r'^#include "([^"]+)"', text, re.M)
+        if path.suffix == ".cpp" and (first is None or
+                                      first.group(1) not in own):
             problems.append(f"{name}: its first include is not its own header")
+    return problems
+
+
+def check_libraries():
+    """Problems of all libraries, and folders of core without a line of the
+    table."""
+    folders = {path.name for path in (ROOT / "core").iterdir() if path.is_dir()}
+    problems = [f"core/{name}: not both a folder and a line of LIBRARIES"
+                for name in sorted(folders ^ {"include", "src", *LIBRARIES})]
+    for library in sorted(folders & set(LIBRARIES)):
+        problems += check_library(library)
     return problems
 
 
@@ -271,7 +288,7 @@ def main():
     files = core_files()
     houses = [House("core/src", CORE, ["base", *PUBLIC]),
               House("fonts_gen/src", GENERATOR, ["base", *PUBLIC])]
-    problems = (check_public() + check_kinetic() + check_lengths(files) +
+    problems = (check_public() + check_libraries() + check_lengths(files) +
                 check_pairs(files))
     for house in houses:
         problems += house.check()

@@ -1,4 +1,4 @@
-"""Checks that the tables of core/src/layout are what their script makes, that
+"""Checks that the tables of core/layout/src are what their script makes, that
 those of a part of Unicode take no more than 2 KB, and that the marks of
 core/src/text/blank.cpp are those of Unicode, each in the blocks that it names.
 
@@ -11,7 +11,7 @@ import unicodedata
 
 from toolchains import ROOT, finish, run
 
-LAYOUT = ROOT / "core/src/layout"
+LAYOUT = ROOT / "core/layout/src"
 MOST_BYTES = 2048
 
 # Tables, and bytes of what a part makes of its own besides: the pairs of
@@ -53,7 +53,7 @@ def main():
     for name, more in TABLES.items():
         text = (work / name).read_text()
         if text != (LAYOUT / name).read_text():
-            problems.append(f"core/src/layout/{name} is not what "
+            problems.append(f"core/layout/src/{name} is not what "
                             "host_tools/unicode/make_tables.py makes")
         size = int(re.search(r"^// (\d+) bytes", text, re.M).group(1)) + more
         if size > MOST_BYTES:

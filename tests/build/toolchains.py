@@ -8,6 +8,9 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
+# The folders of core that are libraries of their own.
+LIBRARIES = ("cache", "kinetic", "layout")
+
 # What the device library is compiled with: core/CMakeLists.txt.
 DEVICE_FLAGS = [
     "-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
@@ -25,7 +28,7 @@ C_WARNINGS = [
 ]
 INCLUDES = ["-I" + str(path) for path in
             [ROOT / "core/include", ROOT / "core/src",
-             ROOT / "core/kinetic/include",
+             *(ROOT / f"core/{name}/include" for name in LIBRARIES),
              *sorted(ROOT.glob("port/*/include"))]]
 
 # Name, compiler with its flags, prefix of the binary tools.
@@ -52,17 +55,19 @@ def c_compiler(machine):
 
 
 def device_sources():
-    """Sources of everything that runs on a device: core, kinetic and port, but
-    for what needs the headers of LVGL."""
+    """Sources of everything that runs on a device: core, its libraries and port,
+    but for what needs the headers of LVGL."""
     return sorted([*ROOT.glob("core/src/**/*.cpp"),
-                   *ROOT.glob("core/kinetic/src/*.cpp"),
+                   *(path for name in LIBRARIES
+                     for path in ROOT.glob(f"core/{name}/src/*.cpp")),
                    *(path for path in ROOT.glob("port/*/src/*.cpp")
                      if path.parts[-3] != "lvgl")])
 
 
 def device_headers():
     """Public headers, as a program includes them."""
-    roots = [ROOT / "core/include", ROOT / "core/kinetic/include",
+    roots = [ROOT / "core/include",
+             *(ROOT / f"core/{name}/include" for name in LIBRARIES),
              *sorted(ROOT.glob("port/*/include"))]
     return sorted(str(path.relative_to(root))
                   for root in roots for path in root.glob("**/*.hpp"))

@@ -1,7 +1,7 @@
 // What docs/PORTING.md says of the RAM of a cache, with a real face.
 #include <gtest/gtest.h>
 
-#include "inkcell/glyph_cache.hpp"
+#include "inkcell/cache/glyph_cache.hpp"
 
 #include "pipeline/generate.hpp"
 

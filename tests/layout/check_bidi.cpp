@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "inkcell/bidi.hpp"
+#include "inkcell/layout/bidi.hpp"
 #include "ucd.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "inkcell/line_break.hpp"
+#include "inkcell/layout/line_break.hpp"
 #include "ucd.hpp"
 
 namespace {

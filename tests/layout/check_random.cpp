@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "inkcell/fit.hpp"
-#include "inkcell/label.hpp"
+#include "inkcell/layout/label.hpp"
+#include "inkcell/layout/text_box.hpp"
 #include "inkcell/port/a8.hpp"
-#include "inkcell/text_box.hpp"
-#include "layout/line_cursor.hpp"
+#include "line_cursor.hpp"
 #include "random.hpp"
 #include "text/blank.hpp"
 #include "ucd.hpp"

@@ -27,7 +27,8 @@ COMPILER = [*filter(None, [os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")]),
             "g++", "-std=c++17", "-O1", "-DINKCELL_ASSERTIONS=1",
             "-DINKCELL_EDGE_CELLS=1", "-DINKCELL_SAMPLE_CELLS=1",
             "-DINKCELL_BOARD_FIRMWARE=0", f"-I{ROOT}/core/include",
-            f"-I{ROOT}/core/src", f"-I{UNIT}", "-Wall", "-Wextra", "-Werror"]
+            f"-I{ROOT}/core/src", f"-I{ROOT}/core/layout/include",
+            f"-I{UNIT}", "-Wall", "-Wextra", "-Werror"]
 # Of each source the unit tests that should notice, the quickest first.
 TESTS = {
     "core/src/base/bit_table.cpp": ("bit_table", "font"),
@@ -89,7 +90,8 @@ class Workshop:
     def __init__(self, folder, tests, jobs):
         self.folder = folder
         self.objects = {}
-        wanted = sorted((ROOT / "core/src").rglob("*.cpp"))
+        wanted = sorted([*(ROOT / "core/src").rglob("*.cpp"),
+                         *(ROOT / "core/layout/src").glob("*.cpp")])
         wanted += [UNIT / f"{name}.cpp"
                    for name in ("check", "check_main", "font_builder")]
         for test in tests:

@@ -3,11 +3,11 @@
 #include "check.hpp"
 #include "examples.h"
 #include "fonts.hpp"
-#include "inkcell/glyph_cache.hpp"
+#include "inkcell/cache/glyph_cache.hpp"
+#include "inkcell/layout/text_box.hpp"
 #include "inkcell/port/grey8.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/rgb565.hpp"
-#include "inkcell/text_box.hpp"
 
 using namespace inkcell;
 

@@ -1,8 +1,8 @@
 // Rows that a cache keeps come back as they were.
-#include "cache/playback.hpp"
-#include "cache/recording.hpp"
 #include "check.hpp"
+#include "playback.hpp"
 #include "random.hpp"
+#include "recording.hpp"
 #include "rounds.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // The cache of drawn glyphs: the same pictures, and which glyphs it keeps.
-#include "inkcell/glyph_cache.hpp"
+#include "inkcell/cache/glyph_cache.hpp"
 
 #include "check.hpp"
 #include "font_builder.hpp"

@@ -1,7 +1,7 @@
 // Layout: places where lines end, boxes, labels, carets, directions.
 #include "check.hpp"
-#include "inkcell/label.hpp"
-#include "inkcell/text_box.hpp"
+#include "inkcell/layout/label.hpp"
+#include "inkcell/layout/text_box.hpp"
 #include "layout_font.hpp"
 #include "picture.hpp"
 

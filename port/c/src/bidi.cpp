@@ -1,5 +1,5 @@
 // The order of mixed lines: of layout.h. Alone, for it links large tables.
-#include "inkcell/bidi.hpp"
+#include "inkcell/layout/bidi.hpp"
 
 #include "layouts.hpp"
 

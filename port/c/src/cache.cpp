@@ -1,7 +1,7 @@
 // Caches of drawn glyphs.
 #include "inkcell/c/cache.h"
 
-#include "inkcell/glyph_cache.hpp"
+#include "inkcell/cache/glyph_cache.hpp"
 #include "mirror.hpp"
 
 using namespace inkcell;

@@ -1,5 +1,5 @@
 // Lines that scroll: of text_box.h.
-#include "inkcell/label.hpp"
+#include "inkcell/layout/label.hpp"
 
 #include "inkcell/c/text_box.h"
 #include "layouts.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "inkcell/c/layout.h"
-#include "inkcell/layout.hpp"
+#include "inkcell/layout/layout.hpp"
 #include "mirror.hpp"
 
 namespace inkcell {

@@ -1,7 +1,7 @@
 // Text in a rectangle.
 #include "inkcell/c/text_box.h"
 
-#include "inkcell/text_box.hpp"
+#include "inkcell/layout/text_box.hpp"
 #include "layouts.hpp"
 
 using namespace inkcell;

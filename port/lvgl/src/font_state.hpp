@@ -1,9 +1,9 @@
 // What an inkcell_lv_font_t holds beside LVGL's font.
 #pragma once
 
+#include "inkcell/cache/glyph_cache.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
-#include "inkcell/glyph_cache.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/lvgl/inkcell_lvgl.h"
 #include "inkcell/port/rgb565.hpp"

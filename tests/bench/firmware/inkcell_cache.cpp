@@ -1,7 +1,7 @@
 // Glyphs of outlines that a cache holds, and what a bitmap font does for the
 // same picture: 4 bits a pixel, row after row without a gap. Both from the code
 // point to 8-bit coverage.
-#include "inkcell/glyph_cache.hpp"
+#include "inkcell/cache/glyph_cache.hpp"
 
 #include "inkcell_strips.hpp"
 

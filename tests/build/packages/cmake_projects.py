@@ -2,8 +2,8 @@
 import json
 import re
 
-from packages.consumer import (COMPILE, FONT, LINK, call, code_of, size_of,
-                               write_sources)
+from packages.consumer import (COMPILE, FONT, LINK, call, check_libraries,
+                               code_of, size_of, write_sources)
 from toolchains import ROOT
 
 TOOLCHAIN = """set(CMAKE_SYSTEM_NAME Generic)
@@ -17,7 +17,7 @@ project(user LANGUAGES C CXX)
 {get}
 add_executable(app main.cpp readme.cpp)
 set_target_properties(app PROPERTIES LINKER_LANGUAGE C)
-target_link_libraries(app PRIVATE inkcell::core inkcell::port_pixel)
+target_link_libraries(app PRIVATE inkcell::layout inkcell::port_pixel)
 inkcell_add_font(app FONT {font} NAME dejavu_sans CHARS 0x20-0x7E)
 """
 FETCH = """include(FetchContent)
@@ -74,6 +74,7 @@ def build(work, host_build, fontgen):
         if commands[name] in list(commands.values())[:-1]:
             continue  # what is compiled alike has the same size
         call("cmake", "--build", folder / "build", "--target", "app")
+        check_libraries(name, (folder / "build").rglob("*.o"), ["layout"])
         sizes[name] = size_of(folder / "build/app")
     return sizes
 

@@ -31,6 +31,10 @@ int main() {
 }
 """
 FONT_OPTIONS = ["--chars=0x20-0x7E"]
+# Parts that a project compiles if it asks for them, and their folders.
+LIBRARIES = {"cache": "core/cache", "kinetic": "core/kinetic",
+             "layout": "core/layout", "c": "port/c"}
+KCONFIG = ROOT / "port/libraries.kconfig"
 
 
 def call(*command, **options):
@@ -65,6 +69,29 @@ def check_defined(system, lines):
              for line in lines]
     if found != [[], ["INKCELL_SAMPLE_CELLS"]]:
         sys.exit(f"{system}: fonts turn on {found}\n0 passed, 1 failed")
+
+
+def check_libraries(system, paths, wanted):
+    """Ends the test unless sources or objects are of the libraries that a project
+    asks for, and of no other."""
+    paths = [path.as_posix() for path in map(pathlib.Path, paths)]
+    found = [name for name, folder in LIBRARIES.items()
+             if any(f"/{folder}/" in path for path in paths)]
+    if not paths or found != list(wanted):
+        sys.exit(f"{system}: libraries {found} are compiled of {len(paths)} "
+                 f"files, not {list(wanted)}\n0 passed, 1 failed")
+
+
+def library_symbols(kconfig):
+    """The symbols of the libraries, which a file of Kconfig must lead to."""
+    symbols = re.findall(r"^config (\w+)", KCONFIG.read_text(), re.M)
+    source = re.search(r'^rsource "(\S+)"$', kconfig.read_text(), re.M)
+    if (symbols != [f"INKCELL_{name.upper()}" for name in LIBRARIES] or
+            source is None or
+            (kconfig.parent / source.group(1)).resolve() != KCONFIG):
+        sys.exit(f"{kconfig} leads to {source}, with {symbols}\n"
+                 "0 passed, 1 failed")
+    return symbols
 
 
 def size_of(program):

@@ -1,17 +1,24 @@
 """ESP-IDF: its component function, played by CMake, says what it was given."""
-from packages.consumer import FONT, call, check_defined
+from packages.consumer import (FONT, call, check_defined, check_libraries,
+                               library_symbols)
 from toolchains import ROOT
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(user LANGUAGES CXX)
 set(ESP_PLATFORM 1)
+foreach(option IN LISTS MORE)
+  set(CONFIG_${option} y)
+endforeach()
 function(idf_component_register)
-  cmake_parse_arguments(arg "" "" "SRCS;INCLUDE_DIRS;PRIV_INCLUDE_DIRS" ${ARGN})
+  cmake_parse_arguments(arg "" "KCONFIG" "SRCS;INCLUDE_DIRS;PRIV_INCLUDE_DIRS" ${ARGN})
   foreach(folder IN LISTS arg_INCLUDE_DIRS arg_PRIV_INCLUDE_DIRS)
     if(NOT IS_DIRECTORY ${folder})
       message(FATAL_ERROR "no folder ${folder}")
     endif()
   endforeach()
+  if(NOT EXISTS ${arg_KCONFIG})
+    message(FATAL_ERROR "no file ${arg_KCONFIG}")
+  endif()
   list(JOIN arg_SRCS "\\n" lines)
   file(WRITE ${CMAKE_BINARY_DIR}/sources "${lines}")
   add_library(component OBJECT ${arg_SRCS})
@@ -31,8 +38,12 @@ def sources(folder, fontgen):
     folder.mkdir()
     (folder / "CMakeLists.txt").write_text(
         PROJECT.replace("@ROOT@", str(ROOT)).replace("@FONT@", str(FONT)))
-    call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build",
-         f"-DINKCELL_FONTGEN={fontgen}")
+    libraries = library_symbols(ROOT / "port/esp_idf/Kconfig")
+    for build, more in (("build", []), ("more", libraries)):
+        call("cmake", "-G", "Ninja", "-S", folder, "-B", folder / build,
+             f"-DMORE={';'.join(more)}", f"-DINKCELL_FONTGEN={fontgen}")
+    check_libraries("ESP-IDF",
+                    (folder / "build/sources").read_text().splitlines(), [])
     check_defined("ESP-IDF",
                   (folder / "build/definitions").read_text().splitlines())
-    return (folder / "build/sources").read_text().splitlines()
+    return (folder / "more/sources").read_text().splitlines()

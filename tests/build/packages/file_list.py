@@ -24,10 +24,12 @@ def build(work, _, fontgen):
     write_sources(folder)
     make_font(fontgen, folder)
     sources = [*ROOT.glob("core/src/*/*.cpp"),
+               *ROOT.glob("core/layout/src/*.cpp"),
                *ROOT.glob("port/pixel/src/*.cpp"),
                folder / "main.cpp", folder / "readme.cpp"]
     includes = [f"-I{path}" for path in
                 (ROOT / "core/include", ROOT / "core/src",
+                 ROOT / "core/layout/include",
                  ROOT / "port/pixel/include", folder)]
     objects = compile_all(folder / "objects", sources,
                           [*DEVICE_FLAGS, *includes])

@@ -1,10 +1,11 @@
 """Make: port/make/inkcell.mk in a Makefile."""
-from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LINK, call,
-                               size_of, write_sources)
+from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LIBRARIES, LINK,
+                               call, check_libraries, size_of, write_sources)
 from toolchains import ROOT
 
 MAKEFILE = """INKCELL := {root}
 INKCELL_FONTGEN := {fontgen}
+INKCELL_LIBRARIES := layout
 CXX := arm-none-eabi-g++
 CXXFLAGS := {compile}
 include $(INKCELL)/port/make/inkcell.mk
@@ -16,6 +17,8 @@ build/%.o: %.cpp
 	$(CXX) $(CXXFLAGS) $(INKCELL_FLAGS) -c $< -o $@
 $(eval $(call inkcell_font,dejavu_sans,{font},{options}))
 build/readme.o: $(INKCELL_FONTS)/fonts/dejavu_sans.hpp
+list:
+	echo $(INKCELL_SOURCES)
 """
 
 
@@ -26,4 +29,8 @@ def build(work, _, fontgen):
         root=ROOT, fontgen=fontgen, font=FONT, link=" ".join(LINK),
         compile=" ".join(COMPILE), options=" ".join(FONT_OPTIONS)))
     call("make", "-C", folder, "-j2", "-s")
+    check_libraries("Make", (folder / "build").rglob("*.o"), ["layout"])
+    listed = call("make", "-C", folder, "-s", "list",
+                  "INKCELL_LIBRARIES=c kinetic").split()
+    check_libraries("Make", listed, LIBRARIES)
     return {"make": size_of(folder / "app")}

@@ -1,11 +1,14 @@
 """Meson: Inkcell below subprojects/, and a cross file."""
-from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LINK, call,
-                               size_of, write_sources)
+import json
+
+from packages.consumer import (COMPILE, FONT, FONT_OPTIONS, LIBRARIES, LINK,
+                               call, check_libraries, size_of, write_sources)
 from toolchains import ROOT
 
 PROJECT = """project('user', 'cpp', default_options: ['cpp_std=c++17',
   'optimization=s', 'b_pie=false', 'cpp_rtti=false', 'cpp_eh=none'])
-inkcell = subproject('inkcell').get_variable('inkcell_dep')
+inkcell = subproject('inkcell',
+  default_options: 'libraries=layout').get_variable('inkcell_dep')
 fontgen = find_program('{fontgen}', native: true)
 font = custom_target(input: '{font}', output: 'dejavu_sans.hpp',
   command: [fontgen, '--font=@INPUT@', '--name=dejavu_sans', {options},
@@ -24,6 +27,12 @@ endian = 'little'
 cpp_args = {compile}
 cpp_link_args = {link}
 """
+
+
+def sources_of(build):
+    """What a build compiles."""
+    commands = json.loads((build / "compile_commands.json").read_text())
+    return [entry["file"] for entry in commands]
 
 
 def build(work, _, fontgen):
@@ -45,4 +54,8 @@ def build(work, _, fontgen):
     call("meson", "setup", "--cross-file", folder / "cross.ini",
          folder / "build", folder)
     call("meson", "compile", "-C", folder / "build")
+    check_libraries("Meson", sources_of(folder / "build"), ["layout"])
+    call("meson", "setup", "--cross-file", folder / "cross.ini",
+         "-Dinkcell:libraries=c,kinetic", folder / "all", folder)
+    check_libraries("Meson", sources_of(folder / "all"), LIBRARIES)
     return {"meson": size_of(folder / "build/app")}

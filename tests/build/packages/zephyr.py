@@ -1,7 +1,8 @@
 """Zephyr: module.yml leads to CMake and Kconfig; its functions are played."""
 import re
 
-from packages.consumer import FONT, call, check_defined
+from packages.consumer import (FONT, call, check_defined, check_libraries,
+                               library_symbols)
 from toolchains import ROOT
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
@@ -68,7 +69,9 @@ def sources(folder, fontgen):
     options = re.findall(r"^option\((INKCELL_(?!EDGE_)\w+)",
                          (ROOT / "core/CMakeLists.txt").read_text(), re.M)
     symbols = re.findall(r"^config (INKCELL_\w+)", kconfig.read_text(), re.M)
-    defined = [configure(folder, more, fontgen) for more in ([], options)]
+    libraries = library_symbols(kconfig)
+    defined = [configure(folder, more, fontgen)
+               for more in ([], options + libraries)]
     # Cells have no definition by default, so that fonts can turn them on.
     wanted = [["INKCELL_ASSERTIONS=0", "INKCELL_FAST_CELLS=0",
                "INKCELL_OUTLINES=1"],
@@ -78,4 +81,6 @@ def sources(folder, fontgen):
                          "0 passed, 1 failed")
     check_defined("Zephyr",
                   (folder / "build/definitions").read_text().splitlines())
-    return (folder / "build/sources").read_text().splitlines()
+    check_libraries("Zephyr",
+                    (folder / "build/sources").read_text().splitlines(), [])
+    return (folder / "more/sources").read_text().splitlines()

@@ -1,4 +1,4 @@
-// A cache of drawn glyphs, as in inkcell/glyph_cache.hpp.
+// A cache of drawn glyphs, as in inkcell/cache/glyph_cache.hpp.
 //
 //   static uint64_t ram[256];  // ten digits of 32 px
 //   inkcell_glyph_cache_t cache;

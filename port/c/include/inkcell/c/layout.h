@@ -1,5 +1,5 @@
-// How text is set, and its lines, as in inkcell/layout.hpp. text_box.h draws
-// whole boxes; lines are for layouts of your own.
+// How text is set, and its lines, as in inkcell/layout/layout.hpp. text_box.h
+// draws whole boxes; lines are for layouts of your own.
 #pragma once
 
 #include "inkcell/c/draw.h"

@@ -1,5 +1,6 @@
-// Text in a rectangle, and a line that scrolls, as in inkcell/text_box.hpp and
-// inkcell/label.hpp. Upright text only: the style must not be turned.
+// Text in a rectangle, and a line that scrolls, as in text_box.hpp and
+// label.hpp of inkcell/layout/. Upright text only: the style must not be
+// turned.
 //
 // Functions of boxes find the lines of the text anew. Where a screen is drawn
 // in many strips, find them once with inkcell_text_box_lay_out(), and hand them

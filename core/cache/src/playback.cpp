@@ -1,0 +1,265 @@
+#include "playback.hpp"
+
+#include "base/math.hpp"
+#include "base/words.hpp"
+#include "sink/emit.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+inline uint32_t load_word(const uint8_t* at) noexcept {
+  return at[0] | uint32_t{at[1]} << 8 | uint32_t{at[2]} << 16 |
+         uint32_t{at[3]} << 24;
+}
+
+// Values of 4 bits, each in both halves of its byte. `packed`: the pairs in
+// bytes 0 and 2.
+inline uint32_t spread(uint32_t packed) noexcept {
+  const uint32_t halves = (packed | packed << 4) & kLowHalves;
+  return halves | halves << 4;
+}
+
+// A pair of a kind, whose values are at `at` if it is mixed.
+uint32_t read_pair(uint32_t kind, uint32_t bits, const uint8_t*& at) noexcept {
+  if (kind != kMixed) {
+    return kind == kSolid ? 0xffff : 0;
+  }
+  const uint32_t low = *at++;
+  return bits == 4 ? spread(low) & 0xffff : low | uint32_t{*at++} << 8;
+}
+
+// The same of two pairs of 2 bits.
+__attribute__((noinline)) uint32_t read_pairs(uint32_t both,
+                                              uint32_t bits,
+                                              const uint8_t*& at) noexcept {
+  const uint32_t first = read_pair(both & 3, bits, at);
+  return first | read_pair(both >> 2 & 3, bits, at) << 16;
+}
+
+// Reads the codes of a group.
+struct Codes {
+  uint32_t left;  // of a byte, and a 1 above them
+
+  explicit Codes(uint32_t first_byte) noexcept : left(first_byte >> 4 | 16) {}
+
+  // The next one; `at` passes a byte of further ones.
+  uint32_t next(const uint8_t*& at) noexcept {
+    if (left == 1) {
+      left = *at++ | 256u;
+    }
+    const uint32_t code = left & 15;
+    left >>= 4;
+    return code;
+  }
+};
+
+// Behind a group of rows of `eights` eights.
+const uint8_t* behind(const uint8_t* at,
+                      int32_t eights,
+                      uint32_t bits) noexcept {
+  Codes codes(*at++);
+  for (; eights != 0; --eights) {
+    uint32_t mixed = kKinds[codes.next(at)] >> 1 & 0x55u;
+    mixed = (mixed & 0x33) + (mixed >> 2 & 0x33);
+    at += ((mixed & 15) + (mixed >> 4)) * (bits >> 2);
+  }
+  return at;
+}
+
+// A four whose pairs are alike.
+inline uint32_t read_four(uint32_t kind,
+                          uint32_t bits,
+                          const uint8_t*& at) noexcept {
+  if (kind != kMixed) {
+    return 0u - kind;
+  }
+  if (bits == 8) {
+    at += 4;
+    return load_word(at - 4);
+  }
+  at += 2;
+  return spread(at[-2] | uint32_t{at[-1]} << 16);
+}
+
+inline void copy_row(const uint8_t* from, uint8_t* to, int32_t bytes) noexcept {
+  for (; bytes != 0; bytes -= 4) {
+    store_pixels(to, load_pixels(from));
+    from += 4;
+    to += 4;
+  }
+}
+
+// How the rows of a glyph are kept, and how they lie in a block of coverage.
+struct Layout {
+  uint8_t bits;  // of a value
+  uint8_t channels;
+  int32_t eights;
+  int32_t before;  // bytes before a row: words begin where x is a multiple of 4
+  int32_t stride;  // [bytes]
+
+  Layout(Packing packing, const Rect& box) noexcept
+      : bits(packing.bits),
+        channels(packing.channels),
+        eights(eights_of(box.x1 - box.x0, packing)),
+        before(packing.channels == 1 ? box.x0 & 3 : 0),
+        stride((before + (box.x1 - box.x0) * packing.channels + 3) & ~3) {}
+};
+
+// Writes the row of the group at `at` to `to`, a multiple of 4, and up to two
+// words behind it. Returns what follows the group.
+template <bool kIsWide>
+inline const uint8_t* write_row(const uint8_t* at,
+                                const Layout& layout,
+                                uint8_t* to) noexcept {
+  Codes codes(*at++);
+  const uint32_t bits = layout.bits;
+  const uint32_t shift = static_cast<uint32_t>(layout.before) * 8;
+  const uint32_t back = 31 - shift;
+  uint32_t carried = 0;
+  int32_t left = layout.eights;
+  do {
+    const uint32_t code = codes.next(at);
+    uint32_t first;
+    uint32_t second;
+    if (code == kAllMixed && bits == 4) {
+      const uint32_t packed = load_word(at);
+      first = packed & kLowHalves;
+      first |= first << 4;
+      second = packed & ~kLowHalves;
+      second |= second >> 4;
+      at += 4;
+    } else if (!kIsWide || !is_by_pairs(code)) {
+      first = read_four(code & 3, bits, at);
+      second = read_four(code >> 2, bits, at);
+    } else {
+      const uint8_t* pairs = at;
+      first = read_pairs(kKinds[code], bits, pairs);
+      second = read_pairs(kKinds[code] >> 4, bits, pairs);
+      at = pairs;
+    }
+    store_pixels(to, carried | first << shift);
+    store_pixels(to + 4, first >> 1 >> back | second << shift);
+    carried = second >> 1 >> back;
+    to += 8;
+  } while (--left != 0);
+  store_pixels(to, carried);
+  return at;
+}
+
+// Rows of a glyph, from the top down.
+struct Rows {
+  const uint8_t* at;    // the next group
+  int32_t passed = 0;   // rows of it
+  int32_t repeats = 0;  // of the last row
+  const uint8_t* last = nullptr;
+
+  // Passes rows, before any are written.
+  void skip(const Layout& layout, int32_t rows) noexcept {
+    while (rows >= rows_of(at)) {
+      rows -= rows_of(at);
+      at = behind(at, layout.eights, layout.bits);
+    }
+    passed = rows;
+  }
+};
+
+// Writes rows from `to` up to `end`, multiples of 4; and up to two words behind
+// that. The last row that was written before must still be there.
+template <bool kIsWide>
+__attribute__((noinline)) void write_rows(Rows& rows,
+                                          const Layout& given,
+                                          uint8_t* to,
+                                          uint8_t* end) noexcept {
+  const Layout layout = given;
+  const uint8_t* at = rows.at;
+  const uint8_t* last = rows.last;
+  int32_t repeats = rows.repeats - rows.passed;
+  for (; to != end; to += layout.stride) {
+    if (repeats > 0) {
+      copy_row(last, to, layout.stride);
+      --repeats;
+    } else {
+      repeats += rows_of(at) - 1;
+      at = write_row<kIsWide>(at, layout, to);
+    }
+    last = to;
+  }
+  rows = {at, 0, repeats, last};
+}
+
+// Calls the sink with rows of sub-pixels.
+void draw_channels(const Sink& sink,
+                   const Rect& pixels,
+                   const uint8_t* row,
+                   int32_t stride) noexcept {
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    const uint8_t* at = row;
+    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
+      sink.coverage_rgb(sink.context, x, y, at, min(kMaxSpan, pixels.x1 - x));
+      at += kMaxSpan * 3;
+    }
+    row += stride;
+  }
+}
+
+// A glyph that is drawn.
+struct Job {
+  const Sink& sink;
+  Layout layout;
+  Rows rows;
+  Rect shown;     // what is not drawn yet
+  int32_t first;  // of the bytes of a row that are shown
+
+  void draw() noexcept;
+  void draw_rows(uint8_t* bytes, int32_t count) noexcept;
+};
+
+// Not inline, as the next one: so that no frame is large.
+__attribute__((noinline)) void Job::draw_rows(uint8_t* bytes,
+                                              int32_t count) noexcept {
+  const int32_t end = shown.y1;
+  shown.y1 = shown.y0 + count;
+  const auto write =
+      is_wide(layout.eights) ? write_rows<true> : write_rows<false>;
+  write(rows, layout, bytes, bytes + count * layout.stride);
+  if (layout.channels == 1) {
+    emit(sink, shown, bytes + first, layout.stride);
+  } else {
+    draw_channels(sink, shown, bytes + first, layout.stride);
+  }
+  shown.y0 = shown.y1;
+  shown.y1 = end;
+}
+
+// As many rows at once as there is room for.
+__attribute__((noinline)) void Job::draw() noexcept {
+  constexpr int32_t kBytes = kMostRowValues + 4;
+  alignas(4) uint8_t bytes[kBytes + 8];  // two words behind the rows
+  for (int32_t left = shown.y1 - shown.y0; left != 0;) {
+    const int32_t count =
+        left * layout.stride <= kBytes ? left : kBytes / layout.stride;
+    draw_rows(bytes, count);
+    left -= count;
+  }
+}
+
+}  // namespace
+
+void replay(const uint8_t* at,
+            Packing packing,
+            const Rect& box,
+            const Sink& sink) noexcept {
+  const Rect shown = intersect(box, sink.window);
+  if (is_empty(shown)) {
+    return;
+  }
+  const Layout layout(packing, box);
+  Job job = {sink, layout, Rows{at}, shown,
+             layout.before + (shown.x0 - box.x0) * packing.channels};
+  job.rows.skip(layout, shown.y0 - box.y0);
+  job.draw();
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,392 @@
+#include "inkcell/layout/layout.hpp"
+
+#include "line_cursor.hpp"
+#include "line_walk.hpp"
+#include "next_line.hpp"
+
+namespace inkcell {
+
+using detail::Break;
+using detail::Cell;
+using detail::LineClass;
+using detail::LineCursor;
+using detail::LineState;
+using detail::LineWalk;
+using detail::Pen;
+
+namespace {
+
+// Spaces that do not count where a line ends.
+bool hangs(uint32_t code_point, LineClass line_class) noexcept {
+  return code_point == ' ' ||
+         (code_point != '\t' && line_class == LineClass::ba &&
+          detail::shown_as(code_point) == detail::Shown::space);
+}
+
+// Goes along a text until there is no more room. The line itself keeps the best
+// place for its end that was seen so far, its width in units of the pen.
+class LineFinder {
+ public:
+  LineFinder(const LayoutOptions& options,
+             const Text& text,
+             int32_t room,
+             TextLine& line) noexcept
+      : walk_(options, text, line), line_(line), room_(room), end_(line.begin) {
+    line_.next = line.begin;
+  }
+
+  void find() noexcept;
+
+ private:
+  bool take() noexcept;
+  bool take_visible(uint32_t code_point, const Cell& cell) noexcept;
+  void keep_place(uint32_t at) noexcept;
+  void end_at(uint32_t next) noexcept;
+  void end_paragraph(uint32_t code_point) noexcept;
+
+  LineWalk walk_;
+  LineState state_;
+  TextLine& line_;
+  int32_t room_;
+  // What the line shows up to the character that was read last.
+  uint32_t end_;
+  int32_t width_ = 0;
+  uint16_t gaps_ = 0;
+  uint16_t pending_gaps_ = 0;  // that count if something follows them
+  bool is_after_hyphen_ = false;
+  bool has_place_ = false;  // where a line may end
+};
+
+void LineFinder::end_at(uint32_t next) noexcept {
+  line_.next = next;
+  line_.length = static_cast<uint16_t>(end_ - line_.begin);
+  line_.gaps = gaps_;
+  line_.width = width_;
+  line_.has_hyphen = false;
+}
+
+// A line may end before `at`.
+void LineFinder::keep_place(uint32_t at) noexcept {
+  const int32_t hyphen = is_after_hyphen_ ? walk_.pen().hyphen().width : 0;
+  if (is_after_hyphen_ && width_ + hyphen > room_) {
+    return;
+  }
+  end_at(at);
+  line_.width += hyphen;
+  line_.has_hyphen = is_after_hyphen_;
+  has_place_ = true;
+}
+
+void LineFinder::end_paragraph(uint32_t code_point) noexcept {
+  if (code_point == '\r' && !walk_.at_end() && walk_.rest().data[0] == '\n') {
+    walk_.skip_byte();
+  }
+  end_at(walk_.offset());
+  line_.ends_paragraph = true;
+}
+
+// False: the line is full. It holds a character with its marks, even if there
+// is no room, but never more than kMaxLineBytes.
+bool LineFinder::take_visible(uint32_t code_point, const Cell& cell) noexcept {
+  const bool is_long = cell.end - line_.begin > kMaxLineBytes;
+  if (!has_place_ && (!cell.is_mark || cell.begin != end_ ||
+                      (is_long && line_.next == line_.begin))) {
+    end_at(cell.begin);
+  }
+  if (is_long || (line_.next != line_.begin && cell.x_end > room_)) {
+    return false;
+  }
+  gaps_ = static_cast<uint16_t>(gaps_ + pending_gaps_);
+  pending_gaps_ = detail::is_gap(code_point) ? 1 : 0;
+  end_ = cell.end;
+  width_ = cell.x_end;
+  return true;
+}
+
+// One character; false: the line is at its end.
+bool LineFinder::take() noexcept {
+  if (walk_.at_end()) {
+    end_paragraph(0);
+    line_.is_last = true;
+    return false;
+  }
+  Cell cell;
+  const uint32_t code_point = walk_.take(cell);
+  const LineClass line_class = detail::line_class(code_point);
+  const Break place = state_.step(line_class, walk_.rest());
+  if (detail::ends_line(line_class)) {
+    end_paragraph(code_point);
+    return false;
+  }
+  if (place == Break::allowed && end_ != line_.begin) {
+    keep_place(cell.begin);
+  }
+  is_after_hyphen_ =
+      code_point == 0xad && cell.begin == end_ && walk_.pen().has_begun();
+  walk_.put(code_point, cell);
+  // What has no width goes with spaces before it.
+  const bool is_behind_spaces =
+      !cell.has_ink && cell.x_end == cell.x && cell.begin != end_;
+  if (is_behind_spaces || hangs(code_point, line_class)) {
+    pending_gaps_ = static_cast<uint16_t>(pending_gaps_ +
+                                          (detail::is_gap(code_point) ? 1 : 0));
+    return true;
+  }
+  return take_visible(code_point, cell);
+}
+
+void LineFinder::find() noexcept {
+  while (take()) {
+  }
+  line_.width = walk_.pen().to_units(line_.width);
+}
+
+__attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
+                                          Q26_6 width) noexcept {
+  return Pen(options, Pen::logical).from_px(width);
+}
+
+// Functions that are not inline leave their stack to those that follow.
+__attribute__((noinline)) Pen::Sign ellipsis_of(
+    const LayoutOptions& options) noexcept {
+  return Pen(options, Pen::logical).ellipsis();
+}
+
+// Whether a line's end is that of what Bidi takes for a paragraph: a vertical
+// tab, a form feed or a line separator is none.
+bool ends_bidi_paragraph(Text text, uint32_t next) noexcept {
+  const auto last = static_cast<uint8_t>(text.data[next - 1]);
+  const bool is_line_separator =
+      last == 0xa8 && next >= 3 &&
+      static_cast<uint8_t>(text.data[next - 3]) == 0xe2;
+  return last != 0x0b && last != 0x0c && !is_line_separator;
+}
+
+// What is left of a line on both sides of an ellipsis.
+struct Cut {
+  struct Front {
+    uint32_t end;
+    int32_t width;
+    bool has_spacing;  // between it and what follows
+  };
+  int32_t room;  // [units of the pen]
+  Front front;
+  uint32_t back_begin;
+  int32_t back_width = 0;
+};
+
+// How far a line reaches in the room, without spaces at its end. Characters
+// keep their marks.
+__attribute__((noinline)) void cut_front(const LayoutOptions& options,
+                                         const Text& text,
+                                         const TextLine& line,
+                                         int32_t room,
+                                         Cut::Front& front) noexcept {
+  LineWalk walk(options, text, line);
+  Cell cell;
+  front = {line.begin, 0, false};
+  Cut::Front whole = front;
+  while (walk.next(line.end(), cell) && cell.x_end <= room) {
+    if (!cell.is_mark) {
+      whole = front;
+    }
+    if (cell.has_ink || (cell.is_mark && front.end == cell.begin)) {
+      front = {cell.end, cell.x_end, walk.pen().has_begun()};
+    }
+  }
+  if (cell.is_mark && cell.x_end > room) {
+    front = whole;
+  }
+}
+
+// The line's width in the order of the text, without signs. `back_begin` is
+// then what the back may begin with at the earliest: the front's end, and
+// behind tabs, which would have another width.
+__attribute__((noinline)) int32_t width_of(const LayoutOptions& options,
+                                           const Text& text,
+                                           const TextLine& line,
+                                           Cut& cut) noexcept {
+  LineWalk walk(options, text, line);
+  Cell cell;
+  cut.back_begin = cut.front.end;
+  while (walk.next(line.end(), cell)) {
+    if (text.data[cell.begin] == '\t' && cell.end > cut.back_begin) {
+      cut.back_begin = cell.end;
+    }
+  }
+  return walk.pen().at();
+}
+
+// The longest back that leaves room for the front. `width` is the line's.
+__attribute__((noinline)) void cut_back(const LayoutOptions& options,
+                                        const Text& text,
+                                        const TextLine& line,
+                                        int32_t width,
+                                        Cut& cut) noexcept {
+  LineWalk walk(options, text, line);
+  Cell cell;
+  while (walk.next(line.end(), cell)) {
+    const int32_t back = width - cell.x + walk.pen().spacing();
+    if (cell.begin >= cut.back_begin && cell.has_ink && !cell.is_mark &&
+        back <= cut.room - cut.front.width) {
+      cut.back_begin = cell.begin;
+      cut.back_width = back;
+      return;
+    }
+  }
+  cut.back_begin = line.end();
+}
+
+__attribute__((noinline)) int32_t spacing_of(
+    const LayoutOptions& options) noexcept {
+  return Pen(options, Pen::logical).spacing();
+}
+
+// A length of the pen's in font units.
+__attribute__((noinline)) int32_t to_units(const LayoutOptions& options,
+                                           int32_t length) noexcept {
+  return Pen(options, Pen::logical).to_units(length);
+}
+
+}  // namespace
+
+bool detail::begin_line(const LayoutOptions& options,
+                        const Text& text,
+                        TextLine& line) noexcept {
+  if (line.is_found && line.is_last) {
+    return false;
+  }
+  if (!line.is_found && options.bidi() != nullptr) {
+    options.bidi()->forget();
+  }
+  const uint32_t begin = line.next;
+  const uint32_t paragraph =
+      line.is_found && line.ends_paragraph && ends_bidi_paragraph(text, begin)
+          ? begin
+          : line.paragraph;
+  line = {};
+  line.is_found = true;
+  line.begin = begin;
+  line.paragraph = paragraph;
+  return true;
+}
+
+void detail::find_end(const LayoutOptions& options,
+                      const Text& text,
+                      Q26_6 width,
+                      TextLine& line) noexcept {
+  LineFinder(options, text, options.wraps ? room_of(options, width) : INT32_MAX,
+             line)
+      .find();
+}
+
+bool detail::is_too_wide(const LayoutOptions& options,
+                         Q26_6 width,
+                         const TextLine& line) noexcept {
+  const Pen pen(options, Pen::logical);
+  return !options.wraps && options.ellipsis != Ellipsis::none &&
+         pen.from_units(line.width) > pen.from_px(width);
+}
+
+bool next_line(const LayoutOptions& options,
+               Text text,
+               Q26_6 width,
+               TextLine& line) noexcept {
+  return detail::find_next_line(options, text, width, line);
+}
+
+void detail::shorten_line(const LayoutOptions& options,
+                          const Text& text,
+                          Q26_6 width,
+                          TextLine& line) noexcept {
+  Cut cut;
+  const Pen::Sign ellipsis = ellipsis_of(options);
+  int32_t sign = ellipsis.width;
+  cut.room = room_of(options, width) - sign;
+  const bool is_middle =
+      options.ellipsis == Ellipsis::middle && !options.wraps && cut.room > 0;
+  cut_front(options, text, line, is_middle ? cut.room / 2 : cut.room,
+            cut.front);
+  cut.back_begin = line.end();
+  if (is_middle) {
+    cut_back(options, text, line, width_of(options, text, line, cut), cut);
+  }
+  line.has_hyphen = false;
+  line.has_ellipsis = true;
+  line.skip_at = static_cast<uint16_t>(cut.front.end - line.begin);
+  line.skip_length = static_cast<uint16_t>(cut.back_begin - cut.front.end);
+  if (line.base_level % 2 != 0 && !cut.front.has_spacing &&
+      (ellipsis.count != 0 || cut.back_begin != line.end())) {
+    // The front is to the right of the sign, and not spaced from it or, where
+    // no face has a sign, from the back.
+    sign -= spacing_of(options);
+  }
+  line.width = to_units(options, cut.front.width + sign + cut.back_width);
+}
+
+void shorten(const LayoutOptions& options,
+             Text text,
+             Q26_6 width,
+             TextLine& line) noexcept {
+  line.base_level = detail::prepare(options, text, line);
+  detail::shorten_line(options, text, width, line);
+}
+
+Status detail::lay_out_in(const LayoutOptions& options,
+                          const Text& text,
+                          const TextLine& line,
+                          const Q26_6* width,
+                          Span<PositionedGlyph> out,
+                          Span<const PositionedGlyph>& glyphs) noexcept {
+  LineCursor cursor(options, text, line);
+  if (width != nullptr) {
+    cursor.align(*width);
+  }
+  Cell cell;
+  size_t count = 0;
+  while (cursor.next(cell)) {
+    if (!cell.has_ink) {
+      continue;
+    }
+    if (count == out.size) {
+      return Status::buffer_small;
+    }
+    out[count++] = detail::positioned(cursor.pen(), line, cell);
+  }
+  glyphs = {out.data, count};
+  return Status::ok;
+}
+
+Status lay_out(const LayoutOptions& options,
+               Text text,
+               const TextLine& line,
+               Q26_6 width,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
+  static_cast<void>(detail::prepare(options, text, line));
+  return detail::lay_out_in(options, text, line, &width, out, glyphs);
+}
+
+Q26_6 line_height(const LayoutOptions& options) noexcept {
+  if (options.line_height.raw != 0) {
+    return options.line_height;
+  }
+  const FontMetrics metrics = options.face.font->metrics();
+  const Q26_6 height =
+      to_px(*options.face.font, *options.face.style,
+            metrics.ascender - metrics.descender + metrics.line_gap);
+  return Q26_6::from_raw((height.raw + 63) & ~63);
+}
+
+Q26_6 baseline(const LayoutOptions& options) noexcept {
+  const FontMetrics metrics = options.face.font->metrics();
+  const Font& font = *options.face.font;
+  const TextStyle& style = *options.face.style;
+  const int32_t rise = to_px(font, style, metrics.ascender).raw;
+  const int32_t depth = -to_px(font, style, metrics.descender).raw;
+  const int32_t more = line_height(options).raw - rise - depth;
+  const int32_t at = rise + more / 2;
+  return Q26_6::from_raw(options.line_height.raw == 0 ? (at + 32) & ~63 : at);
+}
+
+}  // namespace inkcell

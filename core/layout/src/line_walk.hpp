@@ -1,0 +1,61 @@
+// Walks along a text in its own order, and measures it.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/layout/layout.hpp"
+#include "pen.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Cells from an offset on, as on a line that begins there. The text must
+// outlive it.
+class LineWalk {
+ public:
+  LineWalk(const LayoutOptions& options,
+           const Text& text,
+           const TextLine& line) noexcept
+      : pen_(options, Pen::logical), text_(text), at_(line.begin) {
+    pen_.set_base_level(line.base_level);
+  }
+
+  bool at_end() const noexcept { return at_ == text_.size; }
+  uint32_t offset() const noexcept { return at_; }
+  Text rest() const noexcept { return {text_.data + at_, text_.size - at_}; }
+  const Pen& pen() const noexcept { return pen_; }
+
+  void skip_byte() noexcept { ++at_; }
+
+  // Not at the end: takes the next code point, whose cell put() fills in.
+  uint32_t take(Cell& cell) noexcept;
+  // Inline, as Pen::put().
+  __attribute__((always_inline)) void put(uint32_t code_point,
+                                          Cell& cell) noexcept {
+    pen_.put(code_point, level(cell.begin), cell);
+  }
+
+  // Both, as long as cells begin before `end`.
+  __attribute__((always_inline)) bool next(uint32_t end, Cell& cell) noexcept {
+    if (at_end() || at_ >= end) {
+      return false;
+    }
+    const uint32_t code_point = take(cell);
+    put(code_point, cell);
+    return true;
+  }
+
+ private:
+  uint8_t level(uint32_t at) const noexcept {
+    const BidiOrder* const order = pen_.options().order();
+    return order == nullptr ? uint8_t{0}
+                            : order->level(*pen_.options().bidi(), at);
+  }
+
+  Pen pen_;
+  const Text& text_;
+  uint32_t at_;
+};
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,296 @@
+#include "pen.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+const TextStyle* whole_style(const Face& face) noexcept {
+  return face.style->has_whole_advances() ? face.style : nullptr;
+}
+
+// Rounded to the nearest; the divisor is positive.
+int64_t divide(int64_t dividend, int64_t divisor) noexcept {
+  const int64_t half = divisor / 2;
+  return (dividend < 0 ? dividend - half : dividend + half) / divisor;
+}
+
+int32_t clamp_i64(int64_t value, int32_t limit) noexcept {
+  if (value > limit) {
+    return limit;
+  }
+  return value < -limit ? -limit : static_cast<int32_t>(value);
+}
+
+// Spaces that are as wide as the em, or half of it, where a font lacks them.
+uint32_t halves_of_em(uint32_t code_point) noexcept {
+  switch (code_point) {
+    case 0x2000:
+    case 0x2002:
+      return 1;
+    case 0x2001:
+    case 0x2003:
+    case 0x3000:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+bool is_gap(uint32_t code_point) noexcept {
+  constexpr uint32_t kCjk = 0x2e80;
+  if (code_point < kCjk) {
+    return code_point == ' ' || code_point == 0xa0;
+  }
+  switch (line_class(code_point)) {
+    case LineClass::id:
+    case LineClass::ns:
+    case LineClass::cl:
+    case LineClass::ex:
+    case LineClass::h2:
+    case LineClass::h3:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Pen::Pen(const LayoutOptions& options, Order order) noexcept
+    : options_(options),
+      advances_(*options.face.font, whole_style(options.face)),
+      is_visual_(order == visual) {
+  const int32_t px_q6 = options.letter_spacing.raw;
+  if (px_q6 != 0) {
+    spacing_ = from_px(Q26_6::from_raw(px_q6 < 0 ? -px_q6 : px_q6));
+    spacing_ = px_q6 < 0 ? -spacing_ : spacing_;
+  }
+}
+
+int32_t Pen::from_px(Q26_6 px) const noexcept {
+  if (advances_.is_whole()) {
+    return clamp_to(px.raw >> 6, kMaxPx);
+  }
+  const int64_t units = int64_t{px.raw} * options_.face.font->units_per_em();
+  return clamp_i64(units / options_.face.style->size().raw, kMaxUnits);
+}
+
+Q26_6 Pen::to_px(int32_t length) const noexcept {
+  return advances_.is_whole() ? Q26_6::from_int(length)
+                              : inkcell::to_px(*options_.face.font,
+                                               *options_.face.style, length);
+}
+
+int32_t Pen::from_units(int32_t units) const noexcept {
+  if (!advances_.is_whole()) {
+    return units;
+  }
+  return clamp_i64(divide(int64_t{units} * options_.face.style->size().raw,
+                          options_.face.font->units_per_em() * int64_t{64}),
+                   kMaxPx);
+}
+
+int32_t Pen::em() const noexcept {
+  return advances_.is_whole() ? (options_.face.style->size().raw + 32) >> 6
+                              : options_.face.font->units_per_em();
+}
+
+Pen::Glyph Pen::find(uint32_t code_point) const noexcept {
+  Glyph found;
+  uint32_t faces = static_cast<uint32_t>(options_.fallback.size);
+  faces = (faces < 255 ? faces : 255) + 1;
+  for (uint32_t i = 0; i != faces; ++i) {
+    if (face(i).font->glyph_of(code_point, found.id) == Status::ok) {
+      found.face = static_cast<uint8_t>(i);
+      found.is_found = true;
+      break;
+    }
+  }
+  return found;
+}
+
+// The glyph to draw, .notdef where a character shows something that no face
+// has; not found: there is none, but perhaps an advance.
+Pen::Glyph Pen::find_shown(uint32_t code_point,
+                           Shown shown,
+                           int32_t& advance_out) const noexcept {
+  advance_out = 0;
+  if (shown == Shown::nothing) {
+    return {};
+  }
+  Glyph glyph = find(code_point);
+  if (shown == Shown::space && !glyph.is_found) {
+    const uint32_t halves = halves_of_em(code_point);
+    if (halves != 0) {
+      advance_out = em() * static_cast<int32_t>(halves) / 2;
+      return {};
+    }
+    glyph = find(' ');
+    if (!glyph.is_found) {
+      return {};
+    }
+  }
+  if (shown == Shown::mark && !glyph.is_found) {
+    return {};
+  }
+  glyph.is_found = true;
+  advance_out = advance(glyph);
+  return glyph;
+}
+
+// An advance of another face in units of the first.
+int32_t Pen::own_units(const Face& other, int32_t length) const noexcept {
+  const int64_t em_q6 = options_.face.font->units_per_em() * int64_t{64};
+  const int64_t size_q6 = options_.face.style->size().raw;
+  if (other.style->has_whole_advances()) {
+    return advances_.is_whole()
+               ? length
+               : clamp_i64(divide(length * em_q6, size_q6), kMaxUnits);
+  }
+  const int64_t other_em_q6 = other.font->units_per_em() * int64_t{64};
+  const int64_t scaled = int64_t{length} * other.style->size().raw;
+  return advances_.is_whole()
+             ? clamp_i64(divide(scaled, other_em_q6), kMaxPx)
+             : clamp_i64(divide(scaled * em_q6, other_em_q6 * size_q6),
+                         kMaxUnits);
+}
+
+int32_t Pen::advance(const Glyph& glyph) const noexcept {
+  const Face& own = face(glyph.face);
+  const int32_t length =
+      Advances(*own.font, whole_style(own)).advance(glyph.id);
+  return glyph.face == 0 ? length : own_units(own, length);
+}
+
+// Glyphs of other faces are not kerned. A pair is in the order of the screen.
+int32_t Pen::kerning(const Cell& cell) const noexcept {
+  if (!cell.is_kerned || !previous_.is_found || previous_.face != 0 ||
+      cell.face != 0) {
+    return 0;
+  }
+  return cell.level % 2 == 0 || is_visual_
+             ? advances_.kerning(previous_.id, cell.glyph)
+             : advances_.kerning(cell.glyph, previous_.id);
+}
+
+int32_t Pen::digit_width() noexcept {
+  if (digit_width_ < 0) {
+    digit_width_ = 0;
+    for (uint32_t digit = '0'; digit <= '9'; ++digit) {
+      const int32_t width = advance(find(digit));  // perhaps of .notdef
+      digit_width_ = width > digit_width_ ? width : digit_width_;
+    }
+  }
+  return digit_width_;
+}
+
+int32_t Pen::tab_step() const noexcept {
+  if (options_.tab_width.raw != 0) {
+    return from_px(options_.tab_width);
+  }
+  const Glyph space = find(' ');
+  return space.is_found ? clamp_to(8 * advance(space), kMaxPx) : em();
+}
+
+// `step` is that of stops behind the last one of the options.
+int32_t Pen::next_tab(int32_t step) const noexcept {
+  const int32_t limit = advances_.limit();
+  if (!has_stops_) {
+    return clamp_to(at_ + step, limit);
+  }
+  const int32_t from = at_ - origin_;
+  for (const Q26_6 stop : options_.tab_stops) {
+    const int32_t to = from_px(stop);
+    if (to > from) {
+      return clamp_to(origin_ + to, limit);
+    }
+  }
+  if (step <= 0) {
+    return at_;
+  }
+  const int32_t steps = from < 0 ? 0 : from / step + 1;
+  return clamp_to(origin_ + steps * step, limit);
+}
+
+void Pen::begin_cell(uint8_t level, Cell& cell) noexcept {
+  if (level != previous_level_) {
+    previous_ = {};  // another run
+    previous_level_ = level;
+  }
+  cell.level = level;
+  cell.x_glyph = 0;
+}
+
+void Pen::look_up_tab(uint8_t level, Cell& cell) noexcept {
+  begin_cell(level, cell);
+  cell.is_mark = false;
+  cell.has_ink = false;
+  cell.is_base = false;
+  cell.is_kerned = false;
+  cell.x_end = next_tab(tab_step()) - at_;
+  previous_ = {};
+  has_begun_ = false;
+}
+
+// Finds the glyph and its advance, which `x_end` then holds; `x_glyph` counts
+// from `x`. Widths are the same in both orders: marks neither take part in
+// kerning nor in spacing, and nothing reaches over a tab.
+void Pen::look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept {
+  begin_cell(level, cell);
+  cell.is_mark = is_mark(code_point);
+  if (level % 2 != 0 && options_.order() != nullptr) {
+    code_point = options_.order()->mirrored(code_point);
+  }
+  const Shown shown = shown_as(code_point);
+  int32_t advance = 0;
+  const Glyph glyph = find_shown(code_point, shown, advance);
+  cell.glyph = glyph.id;
+  cell.face = glyph.face;
+  cell.has_ink = glyph.is_found && shown != Shown::space;
+  const bool is_tabular =
+      options_.tabular_digits && code_point - '0' < 10 && glyph.is_found;
+  cell.is_base = !cell.is_mark && (glyph.is_found || advance != 0);
+  cell.is_kerned = cell.is_base && glyph.is_found && !is_tabular;
+  cell.x_end = advance;
+  if (is_tabular) {
+    cell.x_end = digit_width();
+    cell.x_glyph = (cell.x_end - advance) / 2;
+  }
+}
+
+void Pen::place(int32_t kerning, Cell& cell) noexcept {
+  if (cell.is_base) {
+    move((has_begun_ ? spacing_ : 0) + kerning);
+    has_begun_ = true;
+    previous_ = {cell.glyph, cell.face, cell.is_kerned};
+  }
+  cell.x = at_;
+  cell.x_glyph += at_;
+  move(cell.x_end);
+  cell.x_end = at_;
+}
+
+Pen::Sign Pen::sign(uint32_t code_point,
+                    uint32_t other,
+                    uint32_t count) const noexcept {
+  Glyph glyph = find(code_point);
+  Sign found = {code_point, 1, 0};
+  if (!glyph.is_found) {
+    glyph = find(other);
+    found = {other, glyph.is_found ? count : 0, 0};
+  }
+  const auto signs = static_cast<int32_t>(found.count);
+  found.width = signs * (spacing_ + advance(glyph));
+  return found;
+}
+
+Pen::Sign Pen::ellipsis() const noexcept {
+  return sign(0x2026, '.', 3);
+}
+
+Pen::Sign Pen::hyphen() const noexcept {
+  return sign(0x2010, '-', 1);
+}
+
+}  // namespace detail
+}  // namespace inkcell

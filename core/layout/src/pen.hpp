@@ -1,0 +1,144 @@
+// Places characters one after the other: faces, advances, kerning, tabs.
+#pragma once
+
+#include <stdint.h>
+
+#include "inkcell/layout/layout.hpp"
+#include "line_class.hpp"
+#include "text/advances.hpp"
+#include "text/blank.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Marks belong to the character before them, as far as carets and spacing go.
+inline bool is_mark(uint32_t code_point) noexcept {
+  return code_point >= 0x300 && is_mark(line_class(code_point));
+}
+
+// Justified text is stretched after spaces, and after characters between which
+// lines may end without them.
+bool is_gap(uint32_t code_point) noexcept;
+
+// A character on its line. Positions count from the line's left end, in the
+// pen's unit: whole pixels where the style has such advances, else font units.
+struct Cell {
+  uint32_t begin = 0;  // its bytes in the text
+  uint32_t end = 0;
+  int32_t x = 0;
+  int32_t x_end = 0;
+  int32_t x_glyph = 0;
+  uint16_t glyph = 0;
+  uint8_t face = 0;
+  uint8_t level = 0;
+  bool has_ink = false;    // `glyph` is to be drawn
+  bool is_mark = false;    // of the character before it
+  bool is_added = false;   // an ellipsis or a hyphen
+  bool is_base = false;    // spaced from the one before it,
+  bool is_kerned = false;  // and kerned
+};
+
+class Pen {
+ public:
+  // In the order of the text, or in that of the screen, from left to right.
+  enum Order : bool { logical, visual };
+
+  Pen(const LayoutOptions& options, Order order) noexcept;
+
+  // From a length in px, rounded down, and to one in font units.
+  int32_t from_px(Q26_6 px) const noexcept;
+  int32_t to_units(int32_t length) const noexcept {
+    return advances_.to_units(length);
+  }
+  Q26_6 to_px(int32_t length) const noexcept;
+  // A sum of the pen's that is kept in font units.
+  int32_t from_units(int32_t units) const noexcept;
+
+  const LayoutOptions& options() const noexcept { return options_; }
+  int32_t at() const noexcept { return at_; }
+  // Between two characters.
+  int32_t spacing() const noexcept { return spacing_; }
+  // Whether spacing comes before the next character.
+  bool has_begun() const noexcept { return has_begun_; }
+  void move(int32_t by) noexcept {
+    at_ = clamp_to(at_ + by, advances_.limit());
+  }
+  // Where tab stops count from, in paragraphs that begin at the left; in others
+  // tabs have one width, because what they follow stands to their right.
+  void set_origin(int32_t at) noexcept { origin_ = at; }
+  int32_t origin() const noexcept { return origin_; }
+  void set_base_level(uint8_t level) noexcept { has_stops_ = level % 2 == 0; }
+
+  // The next glyph is not kerned; where text stands to its left, as it does in
+  // paragraphs that begin there, it is spaced.
+  void begin_sign() noexcept {
+    previous_ = {};
+    has_begun_ = has_begun_ || has_stops_;
+  }
+
+  // Fills in `cell` but for its bytes. Inline, and in steps: the font's tables
+  // are read from the caller's frame, on the deepest stack of layout.
+  __attribute__((always_inline)) void put(uint32_t code_point,
+                                          uint8_t level,
+                                          Cell& cell) noexcept {
+    if (code_point == '\t') {
+      look_up_tab(level, cell);
+    } else {
+      look_up(code_point, level, cell);
+    }
+    place(kerning(cell), cell);
+  }
+
+  // What is put for an ellipsis (three points where no face has one) and a
+  // hyphen, none of them kerned, and its width; no sign where no face has any.
+  // Spacing comes before each.
+  struct Sign {
+    uint32_t code_point;
+    uint32_t count;
+    int32_t width;
+  };
+  Sign ellipsis() const noexcept;
+  Sign hyphen() const noexcept;
+
+ private:
+  struct Glyph {
+    uint16_t id = 0;
+    uint8_t face = 0;
+    bool is_found = false;
+  };
+
+  const Face& face(uint32_t index) const noexcept {
+    return index == 0 ? options_.face : options_.fallback[index - 1];
+  }
+  Glyph find(uint32_t code_point) const noexcept;
+  Glyph find_shown(uint32_t code_point,
+                   Shown shown,
+                   int32_t& advance) const noexcept;
+  int32_t advance(const Glyph& glyph) const noexcept;
+  int32_t own_units(const Face& other, int32_t length) const noexcept;
+  void look_up(uint32_t code_point, uint8_t level, Cell& cell) noexcept;
+  int32_t kerning(const Cell& cell) const noexcept;
+  void place(int32_t kerning, Cell& cell) noexcept;
+  int32_t digit_width() noexcept;
+  int32_t tab_step() const noexcept;
+  int32_t next_tab(int32_t step) const noexcept;
+  void look_up_tab(uint8_t level, Cell& cell) noexcept;
+  void begin_cell(uint8_t level, Cell& cell) noexcept;
+  int32_t em() const noexcept;
+  Sign sign(uint32_t code_point, uint32_t other, uint32_t count) const noexcept;
+
+  const LayoutOptions& options_;
+  Advances advances_;
+  int32_t at_ = 0;
+  int32_t origin_ = 0;
+  int32_t spacing_ = 0;
+  int32_t digit_width_ = -1;
+  Glyph previous_;
+  uint8_t previous_level_ = 0;
+  bool is_visual_;
+  bool has_stops_ = true;
+  bool has_begun_ = false;
+};
+
+}  // namespace detail
+}  // namespace inkcell
