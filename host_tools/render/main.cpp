@@ -82,7 +82,7 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
                  "Break lines where they would be wider [px]")
       ->check(CLI::Range(1, 32767));
   app.add_option("--align", arguments.align, "Of lines within --wrap")
-      ->check(CLI::IsMember({"start", "left", "center", "right", "justify"}));
+      ->check(CLI::IsMember({"start", "left", "centre", "right", "justify"}));
   app.add_option("--kerning", arguments.kerning,
                  "Whether pairs of glyphs are kerned [on; off with --jobs];\n"
                  "--wrap always does")
@@ -146,7 +146,7 @@ Placement place(const Arguments& arguments,
 }
 
 Wrapping wrapping_of(const Arguments& arguments) {
-  constexpr const char* kNames[] = {"start", "left", "center", "right",
+  constexpr const char* kNames[] = {"start", "left", "centre", "right",
                                     "justify"};
   Wrapping wrapping;
   if (!arguments.wrap.has_value()) {

@@ -36,7 +36,7 @@ class TextStage : public Stage {
         look_(look_of(settings), font, settings.px, settings.angle, Use::text) {
     Wrapping wrapping;
     wrapping.width = Q26_6::from_int(settings.width - 2 * kMargin);
-    wrapping.align = Align::center;
+    wrapping.align = Align::centre;
     lines_ = lay_out_lines(font, settings.text, Kerning::font, look_.style(),
                            wrapping);
     const InkBox ink = ink_box(font, lines_, look_.style());

@@ -231,7 +231,7 @@ void use_text(const Font& font,
   std::array<PositionedGlyph, 64> buffer;
   Span<const PositionedGlyph> run;
   require(text.size <= buffer.size() &&
-              layout(font, text, {buffer.data(), buffer.size()}, run) ==
+              lay_out(font, text, {buffer.data(), buffer.size()}, run) ==
                   Status::ok &&
               run.size <= text.size,
           "layout");

@@ -152,7 +152,7 @@ TEST(run_is_what_its_layout_draws) {
       draw(font, *run, style, kOrigin, by_run.sink());
       PositionedGlyph room[32];
       Span<const PositionedGlyph> glyphs;
-      CHECK_OK(layout(*run, room, glyphs));
+      CHECK_OK(lay_out(*run, room, glyphs));
       CHECK_EQ(glyphs.size, run->glyphs.size);
       draw(font, glyphs, style, kOrigin, by_layout.sink());
       CHECK(by_run == by_layout);
@@ -164,10 +164,10 @@ TEST(layout_needs_room_for_all_glyphs) {
   const ShapedRun& run = fonts::labels_strings::title;
   PositionedGlyph room[32];
   Span<const PositionedGlyph> glyphs;
-  CHECK_EQ(layout(run, {room, run.glyphs.size - 1}, glyphs),
+  CHECK_EQ(lay_out(run, {room, run.glyphs.size - 1}, glyphs),
            Status::buffer_small);
   CHECK_EQ(glyphs.size, 0);
-  CHECK_OK(layout(run, {room, run.glyphs.size}, glyphs));
+  CHECK_OK(lay_out(run, {room, run.glyphs.size}, glyphs));
   CHECK_EQ(glyphs.size, run.glyphs.size);
 }
 
@@ -215,7 +215,7 @@ TEST(fitted_letters_stand_as_those_of_text) {
     const ShapedRun& run = fonts::labels_strings::plain;
     PositionedGlyph room[32];
     Span<const PositionedGlyph> glyphs;
-    CHECK_OK(layout(font, run, fitted.style, room, glyphs));
+    CHECK_OK(lay_out(font, run, fitted.style, room, glyphs));
     TextCursor cursor(font, "Settings:12:34", fitted.style);
     PositionedGlyph letter;
     size_t count = 0;
@@ -238,10 +238,10 @@ TEST(fitted_glyphs_stand_on_whole_pixels) {
     for (const ShapedRun* run : kRuns) {
       PositionedGlyph room[32];
       Span<const PositionedGlyph> glyphs;
-      CHECK_OK(layout(font, *run, fitted.style, room, glyphs));
+      CHECK_OK(lay_out(font, *run, fitted.style, room, glyphs));
       PositionedGlyph designed[32];
       Span<const PositionedGlyph> as_designed;
-      CHECK_OK(layout(*run, designed, as_designed));
+      CHECK_OK(lay_out(*run, designed, as_designed));
       for (size_t i = 0; i < glyphs.size; ++i) {
         const int32_t x_q6 = to_px(font, fitted.style, glyphs[i].x).raw;
         const int32_t off_q6 = ((x_q6 + 32) & 63) - 32;
@@ -268,8 +268,8 @@ TEST(styles_that_are_not_fitted_keep_the_design) {
     PositionedGlyph designed[32];
     Span<const PositionedGlyph> glyphs;
     Span<const PositionedGlyph> as_designed;
-    CHECK_OK(layout(font, *run, style, by_style, glyphs));
-    CHECK_OK(layout(*run, designed, as_designed));
+    CHECK_OK(lay_out(font, *run, style, by_style, glyphs));
+    CHECK_OK(lay_out(*run, designed, as_designed));
     for (size_t i = 0; i < glyphs.size; ++i) {
       CHECK_EQ(glyphs[i].x, as_designed[i].x);
     }
@@ -318,7 +318,7 @@ TEST(any_numbers_are_safe) {
   draw(font, run, style_of(12), kOrigin, page.sink());
   static PositionedGlyph room[600];
   Span<const PositionedGlyph> placed;
-  CHECK_OK(layout(run, room, placed));
+  CHECK_OK(lay_out(run, room, placed));
   CHECK_EQ(placed[599].x, 1 << 24);
   CHECK(measure(font, run).x_max <= (1 << 24) + 65536);
   const FittedStyle fitted(font, 40);

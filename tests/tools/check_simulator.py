@@ -99,7 +99,7 @@ class Text(Case):
         x, y = report["origin"]
         run("render", "--font", self.ROM_FONT, "--text", "Hamburg 012\nScale",
             "--width", WIDTH, "--height", HEIGHT, f"--ox={x}", f"--oy={y}",
-            "--wrap", WIDTH - 4, "--align", "center", "--out", drawn,
+            "--wrap", WIDTH - 4, "--align", "centre", "--out", drawn,
             *options,
             *(f"--{name}={value}" for name, value in settings.items()))
         expected = read_pnm(drawn)

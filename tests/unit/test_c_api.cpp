@@ -110,7 +110,7 @@ TEST(paragraph_is_that_of_cpp) {
   Sink sink;
   CHECK_OK(port::make_sink(target, sink));
   TextBox box(font, style, {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4},
-              Align::center);
+              Align::centre);
   box.options.ellipsis = Ellipsis::end;
   box.vertical = VerticalAlign::middle;
   box.draw(kLongText, sink);

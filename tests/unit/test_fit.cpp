@@ -275,7 +275,7 @@ TEST(text_is_measured_as_it_is_drawn) {
            width_px * 64);
   static PositionedGlyph room[sizeof text];
   Span<const PositionedGlyph> glyphs;
-  CHECK_OK(layout(font, all, style, {room, sizeof text}, glyphs));
+  CHECK_OK(lay_out(font, all, style, {room, sizeof text}, glyphs));
   CHECK_EQ(glyphs.size, sizeof text);
   int32_t x_px = 0;
   TextCursor cursor(font, all, style);
@@ -295,7 +295,7 @@ TEST(text_is_measured_as_it_is_drawn) {
     whole = Picture<32, 9>();
     drawn = Picture<32, 9>();
     const Point rounded = {Q26_6::from_int(part < 32 ? 1 : 2), origin.y};
-    CHECK_OK(layout(font, "BAB", style, {room, 3}, glyphs));
+    CHECK_OK(lay_out(font, "BAB", style, {room, 3}, glyphs));
     for (const PositionedGlyph& glyph : glyphs) {
       draw(font, {&glyph, 1}, style, rounded, whole.sink());
       draw(font, {&glyph, 1}, style, origin, drawn.sink());

@@ -68,7 +68,7 @@ struct Screen {
 };
 
 Status make_screen(const Font& font, const TextStyle& style, Screen& out) {
-  out.box = TextBox(font, style, {4, 4, 124, 44}, Align::center);
+  out.box = TextBox(font, style, {4, 4, 124, 44}, Align::centre);
   return ScrollingLabel::make(out.box.options, "Now playing: a long title",
                               {0, 48, 128, 64}, out.glyphs, out.label);
 }
@@ -218,7 +218,7 @@ TEST(tabs_stop) {
 TEST(boxes_align) {
   const Setting setting;
   Picture<22, 22> picture;
-  setting.box({1, 0, 21, 22}, Align::center).draw("CC C", picture.sink());
+  setting.box({1, 0, 21, 22}, Align::centre).draw("CC C", picture.sink());
   CHECK_PICTURE(picture,
                 "......................\n"
                 "......................\n"

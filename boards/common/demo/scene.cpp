@@ -67,7 +67,7 @@ Status Scene::lay_out(const Font& font,
                       const TextStyle& style,
                       Text text,
                       Line& line) noexcept {
-  INKCELL_TRY(layout(font, text, style, line.glyphs, line.used));
+  INKCELL_TRY(inkcell::lay_out(font, text, style, line.glyphs, line.used));
   line.width_q6 = to_px(font, style, measure(font, text, style).advance).raw;
   return Status::ok;
 }

@@ -37,20 +37,20 @@ struct ShapedRun {
 /// Positions are clamped to +-2^24 font units.
 ///
 /// buffer_small: `out` has less than run.glyphs.size; `glyphs` is untouched.
-Status layout(const ShapedRun& run,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept;
+Status lay_out(const ShapedRun& run,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept;
 
 /// The same with the advances that glyphs have when the style draws them. If
 /// those are whole pixels, so are the places of glyphs, in font units to the
 /// nearest: gaps are rounded to the nearest, kerning towards 0. A glyph that
 /// begins before the middle of the advance of the letter to its left is a mark
 /// and keeps its place on the letter, to the nearest pixel.
-Status layout(const Font& font,
-              const ShapedRun& run,
-              const TextStyle& style,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept;
+Status lay_out(const Font& font,
+               const ShapedRun& run,
+               const TextStyle& style,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept;
 
 /// Width and ink of a run in font units, y up, from its origin.
 TextMeasure measure(const Font& font, const ShapedRun& run) noexcept;

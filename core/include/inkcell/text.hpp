@@ -105,17 +105,17 @@ class TextCursor {
 ///
 /// buffer_small: `out` was too short; bad_argument: the text is longer than
 /// kMaxLineBytes. `glyphs` is then untouched.
-Status layout(const Font& font,
-              Text text,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept;
+Status lay_out(const Font& font,
+               Text text,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept;
 
 /// The same with the advances of a style.
-Status layout(const Font& font,
-              Text text,
-              const TextStyle& style,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept;
+Status lay_out(const Font& font,
+               Text text,
+               const TextStyle& style,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept;
 
 /// Width and ink of a line in font units, y up, from its origin.
 struct TextMeasure {
@@ -165,7 +165,7 @@ void draw(const Face& face,
           Workspace workspace = {}) noexcept;
 
 /// Lays out and draws one line, with the advances of the style. For a screen
-/// drawn in many strips, `layout` once and `draw` for each is faster.
+/// drawn in many strips, `lay_out` once and `draw` for each is faster.
 void draw_text(const Font& font,
                Text text,
                const TextStyle& style,

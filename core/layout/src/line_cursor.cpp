@@ -45,7 +45,7 @@ void LineCursor::align(Q26_6 width) noexcept {
     right_ += room;
     return;
   }
-  if (align == Align::center) {
+  if (align == Align::centre) {
     left_ = room / 2;
   } else if (align == Align::right || (is_rtl && align != Align::left)) {
     left_ = room;

@@ -90,10 +90,10 @@ void widen(int32_t low, int32_t high, int32_t& min, int32_t& max) noexcept {
   max = high > max ? high : max;
 }
 
-Status layout(RunCursor cursor,
-              const ShapedRun& run,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept {
+Status lay_out(RunCursor cursor,
+               const ShapedRun& run,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
   if (out.size < run.glyphs.size) {
     return Status::buffer_small;
   }
@@ -129,18 +129,18 @@ TextMeasure measure(const Font& font,
 
 }  // namespace
 
-Status layout(const ShapedRun& run,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(RunCursor(), run, out, glyphs);
+Status lay_out(const ShapedRun& run,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
+  return lay_out(RunCursor(), run, out, glyphs);
 }
 
-Status layout(const Font& font,
-              const ShapedRun& run,
-              const TextStyle& style,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(RunCursor(font, style), run, out, glyphs);
+Status lay_out(const Font& font,
+               const ShapedRun& run,
+               const TextStyle& style,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
+  return lay_out(RunCursor(font, style), run, out, glyphs);
 }
 
 TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {

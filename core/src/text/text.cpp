@@ -148,10 +148,10 @@ bool TextCursor::next(PositionedGlyph& out) noexcept {
 
 namespace {
 
-Status layout(TextCursor cursor,
-              size_t bytes,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept {
+Status lay_out(TextCursor cursor,
+               size_t bytes,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
   if (bytes > kMaxLineBytes) {
     return Status::bad_argument;
   }
@@ -191,19 +191,19 @@ TextMeasure measure(const Font& font, TextCursor cursor) noexcept {
 
 }  // namespace
 
-Status layout(const Font& font,
-              Text text,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(TextCursor(font, text), text.size, out, glyphs);
+Status lay_out(const Font& font,
+               Text text,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
+  return lay_out(TextCursor(font, text), text.size, out, glyphs);
 }
 
-Status layout(const Font& font,
-              Text text,
-              const TextStyle& style,
-              Span<PositionedGlyph> out,
-              Span<const PositionedGlyph>& glyphs) noexcept {
-  return layout(TextCursor(font, text, style), text.size, out, glyphs);
+Status lay_out(const Font& font,
+               Text text,
+               const TextStyle& style,
+               Span<PositionedGlyph> out,
+               Span<const PositionedGlyph>& glyphs) noexcept {
+  return lay_out(TextCursor(font, text, style), text.size, out, glyphs);
 }
 
 TextMeasure measure(const Font& font, Text text) noexcept {

@@ -29,7 +29,7 @@ inkcell_status_t draw_paragraph(
   const inkcell_rect_t rect = {4, 4, PARAGRAPH_WIDTH - 4, PARAGRAPH_HEIGHT - 4};
   inkcell_text_box_t box;
   inkcell_text_box_init(&box, &font, &style, &rect);
-  box.layout.align = INKCELL_ALIGN_CENTER;
+  box.layout.align = INKCELL_ALIGN_CENTRE;
   box.layout.ellipsis = INKCELL_ELLIPSIS_END;
   box.vertical = INKCELL_VERTICAL_MIDDLE;
 

@@ -100,8 +100,8 @@ inkcell_status_t inkcell_lay_out(const inkcell_font_t* font,
   const Text line = text_of(text, size);
   Span<const PositionedGlyph> glyphs;
   const Status status =
-      style == nullptr ? layout(*cpp(font), line, room, glyphs)
-                       : layout(*cpp(font), line, *cpp(style), room, glyphs);
+      style == nullptr ? lay_out(*cpp(font), line, room, glyphs)
+                       : lay_out(*cpp(font), line, *cpp(style), room, glyphs);
   *count = glyphs.size;
   return code(status);
 }

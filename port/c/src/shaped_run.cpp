@@ -42,9 +42,9 @@ inkcell_status_t inkcell_lay_out_shaped(const inkcell_font_t* font,
                                         size_t* count) {
   Span<const PositionedGlyph> glyphs;
   const Span<PositionedGlyph> room = {cpp(out), capacity};
-  const Status status = style == nullptr ? layout(*cpp(run), room, glyphs)
-                                         : layout(*cpp(font), *cpp(run),
-                                                  *cpp(style), room, glyphs);
+  const Status status = style == nullptr ? lay_out(*cpp(run), room, glyphs)
+                                         : lay_out(*cpp(font), *cpp(run),
+                                                   *cpp(style), room, glyphs);
   *count = glyphs.size;
   return code(status);
 }

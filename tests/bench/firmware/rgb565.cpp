@@ -46,7 +46,7 @@ bool measure_run(const Font& font, int32_t px) {
   TextStyle style;
   Span<const PositionedGlyph> run;
   if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok ||
-      layout(font, "Hello, 12:34", glyphs, run) != Status::ok) {
+      lay_out(font, "Hello, 12:34", glyphs, run) != Status::ok) {
     return false;
   }
   uint32_t instructions = 0;

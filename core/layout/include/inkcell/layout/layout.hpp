@@ -17,7 +17,7 @@ namespace inkcell {
 enum class Align : uint8_t {
   start,  // left; right where the paragraph begins at the right
   left,
-  center,
+  centre,
   right,
   justify,  // both ends, but for the last line of a paragraph
 };

@@ -1,6 +1,6 @@
 // Text in a rectangle: wrapped, aligned, clipped; with carets and hit tests.
 //
-//   TextBox box(font, style, {8, 8, 232, 120}, Align::center);
+//   TextBox box(font, style, {8, 8, 232, 120}, Align::centre);
 //   box.draw("A paragraph that wraps.", sink);
 //
 // Upright text only: the style must not be turned.

@@ -12,7 +12,7 @@ extern "C" {
 enum {
   INKCELL_ALIGN_START = 0,  // left; right where text begins at the right
   INKCELL_ALIGN_LEFT = 1,
-  INKCELL_ALIGN_CENTER = 2,
+  INKCELL_ALIGN_CENTRE = 2,
   INKCELL_ALIGN_RIGHT = 3,
   INKCELL_ALIGN_JUSTIFY = 4  // but for the last line of a paragraph
 };
