@@ -70,8 +70,11 @@ GENERATOR = {
 OF_OTHER_HEADERS = {
     "core/src/raster/slanted_tile.cpp": "inkcell/text_style.hpp",
     "core/src/effects/crisp_mixer.cpp": "inkcell/crisp.hpp",
+    "core/src/effects/edge_contrast_mixer.cpp": "inkcell/edge_contrast.hpp",
     "core/src/effects/lcd_mixer.cpp": "inkcell/lcd.hpp",
+    "core/src/effects/motion_blur_mixer.cpp": "inkcell/motion_blur.hpp",
     "core/src/effects/outline_mixers.cpp": "inkcell/effects.hpp",
+    "core/src/effects/supersample_mixer.cpp": "inkcell/supersample.hpp",
     "core/src/verify/verify.cpp": "inkcell/font.hpp",
 }
 

@@ -1,13 +1,9 @@
 // Styles of outline fonts: weights, glows, outlines, crisp text, sub-pixels.
 #include "check.hpp"
 #include "inkcell/crisp.hpp"
-#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/lcd.hpp"
-#include "inkcell/motion_blur.hpp"
 #include "inkcell/prepared_glyph.hpp"
-#include "inkcell/splat.hpp"
-#include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
@@ -569,32 +565,4 @@ TEST(turned_and_leaning_glyphs_have_styles_too) {
                 ".....##..#####............\n"
                 "......#####...............\n"
                 "......##..................\n");
-}
-
-TEST(what_needs_distances_at_any_point_is_refused) {
-  const Font font = sample_font();
-  const EdgeContrast edge_contrast;
-  const LcdOptions lcd;
-  const CrispOptions crisp;
-  MotionBlur blur;
-  const Supersampling supersampling = make_supersampling(kFilterText);
-  const Splats splats;
-  TextStyle style = style_of(kFilterText);
-  CHECK_OK(check_effect(font, style));
-  draw(font, 5, style, other);
-  const Effect effects[] = {
-      edge_contrast_effect(edge_contrast), motion_blur_effect(blur),
-      supersample_effect(supersampling), splat_effect(splats)};
-  for (const Effect& effect : effects) {
-    style.set_effect(effect);
-    CHECK_EQ(check_effect(font, style), Status::unsupported);
-    // Drawn as without it.
-    draw(font, 5, style, canvas);
-    check_same();
-  }
-  const Effect others[] = {lcd_effect(lcd), crisp_effect(crisp), {}};
-  for (const Effect& effect : others) {
-    style.set_effect(effect);
-    CHECK_OK(check_effect(font, style));
-  }
 }

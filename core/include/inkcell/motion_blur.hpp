@@ -4,10 +4,17 @@
 //   INKCELL_TRY(make_motion_blur(filter, {x, y}, blur));
 //   style.set_effect(motion_blur_effect(blur));
 //
-// The path is divided into steps of at most one pixel, and a distance is
-// sampled at the ends of each step. Within a step the distance is taken as
-// linear, so the filter's ramp integrates in closed form: two table look-ups
-// and one division a step. A pixel near the ink costs `steps` + 1 distances.
+// The path is divided into steps of at most one pixel along an axis.
+//
+// Outlines: the mean of 2 `steps` + 1 plain pictures along the path, drawn by
+// the style's filter, whatever it is. Costs 6 times the instructions of plain
+// drawing for 3 px, up to 65 pictures for 32 px; and two more bytes of RAM a
+// pixel of a band, so that a glyph takes more bands.
+//
+// Cells: a distance at the ends of each step. Within a step the distance is
+// taken as linear, so the filter's ramp integrates in closed form: two table
+// look-ups and one division a step. A pixel near the ink costs `steps` + 1
+// distances.
 #pragma once
 
 #include <stdint.h>
@@ -21,7 +28,7 @@ namespace inkcell {
 
 /// Options of motion_blur_effect: built once a vector, shared.
 struct MotionBlur {
-  Filter filter;
+  Filter filter;  // of cells
   /// sums[i] is the sum of the filter's table entries below i.
   uint16_t sums[Filter::kEntries + 1] = {};
   int32_t right_q10 = 0;  // the way of a step [px]
@@ -44,13 +51,13 @@ void paint_motion_blur(const GlyphField& field,
                        const void* options,
                        const FinePoint& origin,
                        const Sink& sink);
+extern const Mixer kMotionBlurMixer;
 }  // namespace detail
 
-/// Cells only; glyphs of outlines are drawn as without it. The options must
-/// outlive the style.
+/// The options must outlive the style.
 constexpr Effect motion_blur_effect(const MotionBlur& blur) noexcept {
-  return {detail::cell_effect(detail::paint_motion_blur), nullptr, &blur,
-          blur.reach_px};
+  return {detail::cell_effect(detail::paint_motion_blur),
+          &detail::kMotionBlurMixer, &blur, blur.reach_px};
 }
 Effect motion_blur_effect(const MotionBlur&&) = delete;
 

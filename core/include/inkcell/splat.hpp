@@ -60,8 +60,8 @@ void paint_splats(const GlyphField& field,
                   const Sink& sink);
 }  // namespace detail
 
-/// Glyphs of fields take one sample a pixel; glyphs of outlines are drawn as
-/// without it. The options must outlive the style.
+/// Glyphs of fields take one sample a pixel. check_effect() refuses outlines,
+/// which have no cells. The options must outlive the style.
 constexpr Effect splat_effect(const Splats& splats) noexcept {
   return {detail::cell_effect(detail::paint_splats), nullptr, &splats, 2};
 }

@@ -1,12 +1,19 @@
-// Supersampling: several samples a pixel where one is not accurate enough.
+// Supersampling: several samples a pixel, for type that moves, for patterns,
+// and for the smallest text.
 //
 //   Supersampling supersampling = make_supersampling(filter);
 //   style.set_effect(supersample_effect(supersampling));
 //
-// Up to 13 distances on concentric circles around a pixel's centre (Perry and
-// Frisken, section 4.3) are sampled where strokes, gaps and corners are too
-// small for one. Use it for type that moves, for patterns, and for the smallest
-// text.
+// Outlines: the mean of five plain pictures, one in place and four moved to the
+// corners of a square. Whatever the style's filter is, it draws the pictures.
+// With AreaFilter ink varies by 0.3 % with the position at 12 px, with filter
+// `text` by 2 % (7 % without supersampling). Costs 4 to 5 times the
+// instructions of plain drawing, and two more bytes of RAM a pixel of a band,
+// so that a glyph takes more bands.
+//
+// Cells: up to 13 distances on concentric circles around a pixel's centre
+// (Perry and Frisken, section 4.3) where strokes, gaps and corners are too
+// small for one. Costs about 20 times the instructions.
 #pragma once
 
 #include <stdint.h>
@@ -19,12 +26,13 @@
 namespace inkcell {
 
 enum class SampleRule : uint8_t {
-  /// Where the distance is that of a straight edge, one sample is mapped to
-  /// what 13 would give; everywhere else coverages are averaged, and the two
-  /// blend: nothing pops when a glyph moves.
+  /// Coverages are averaged: nothing pops when a glyph moves. Where the
+  /// distance
+  /// of cells is that of a straight edge, one sample is mapped to what 13 would
+  /// give.
   even,
   /// The paper's: the size of the pixel's cell decides between 1, 5 and 13, and
-  /// distances are averaged. Its own fonts have cells of samples.
+  /// distances are averaged. Cells only: check_effect() refuses outlines.
   paper
 };
 
@@ -38,8 +46,8 @@ struct Supersampling {
   uint16_t outer_q16 = 0;
   /// What 13 samples make of a straight edge.
   Filter edge;
-  /// If not null, counts the samples beyond one a pixel. Tasks that share it
-  /// race.
+  /// If not null, counts the samples of cells beyond one a pixel. Tasks that
+  /// share it race.
   uint32_t* more_samples = nullptr;
 };
 
@@ -62,13 +70,15 @@ void paint_supersampled(const GlyphField& field,
                         const void* options,
                         const FinePoint& origin,
                         const Sink& sink);
+extern const Mixer kSupersampleMixer;
 }  // namespace detail
 
-/// Cells only; glyphs of outlines are drawn as without it. The options must
-/// outlive the style.
+/// The options must outlive the style.
 constexpr Effect supersample_effect(
     const Supersampling& supersampling) noexcept {
-  return {detail::cell_effect(detail::paint_supersampled), nullptr,
+  return {detail::cell_effect(detail::paint_supersampled),
+          supersampling.rule == SampleRule::paper ? nullptr
+                                                  : &detail::kSupersampleMixer,
           &supersampling, 1};
 }
 Effect supersample_effect(const Supersampling&&) = delete;

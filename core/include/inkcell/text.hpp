@@ -139,8 +139,8 @@ TextMeasure measure(const Font& font,
 Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept;
 
 /// unsupported: the style's effect does not draw glyphs of this font, and they
-/// look as without it. Outlines take no effect that needs distances at points
-/// of its own; cells take none with a style that stretches.
+/// look as without it. Outlines take neither splats nor the paper's rule of 13
+/// samples; cells take no effect with a style that stretches.
 Status check_effect(const Font& font, const TextStyle& style) noexcept;
 
 /// Draws laid-out glyphs with the run's origin (left end of its baseline) at

@@ -1,10 +1,10 @@
 // Outlines for displays of 1 and 2 bits.
 #include "base/math.hpp"
 #include "base/words.hpp"
+#include "effects/mixed_rows.hpp"
 #include "inkcell/crisp.hpp"
 #include "rows/crossings.hpp"
 #include "rows/mixer.hpp"
-#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -198,23 +198,11 @@ class CrispRow {
   bool is_fitted_;
 };
 
-void mix_crisp(const GlyphJob& job) noexcept {
-  const Band& band = job.band;
-  const Rect& pixels = job.pixels;
-  resolve(band);
+void mix_crisp(GlyphJob& job) noexcept {
+  resolve(job.band);
   const CrispRow row(job);
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    const uint8_t* at = band.row(y - pixels.y0 + job.row) + job.column;
-    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
-      alignas(4) uint8_t words[kMaxSpan + 4];
-      uint8_t* const coverage = words + (x & 3);
-      const int32_t count = min(kMaxSpan, pixels.x1 - x);
-      for (int32_t i = 0; i != count; ++i) {
-        coverage[i] = row.coverage(at++);
-      }
-      emit_row(*job.sink, x, y, coverage, count);
-    }
-  }
+  mix_rows(job,
+           [&row](const uint8_t* at) noexcept { return row.coverage(at); });
 }
 
 constexpr Painter kPaintCrossings = {paint_crossings, nullptr,

@@ -17,7 +17,7 @@ BandPlan plan_of(const TextStyle& style) noexcept {
   return plan;
 }
 
-void mix_toggled(const GlyphJob& job) {
+void mix_toggled(GlyphJob& job) {
   toggle_rows(job.band);
   job.style->effect().mixer->mix(job);
 }

@@ -292,7 +292,7 @@ void paint_stripes(const CellBand& band,
   }
 }
 
-void mix_lcd_cells(const GlyphJob& job) {
+void mix_lcd_cells(GlyphJob& job) {
   const int32_t stride = job.band.stride;
   const auto& lcd =
       *static_cast<const LcdOptions*>(job.style->effect().options);

@@ -105,7 +105,7 @@ __attribute__((noinline)) int32_t mix_span(const GlyphJob& job,
   return done;
 }
 
-void mix_lcd(const GlyphJob& job) noexcept {
+void mix_lcd(GlyphJob& job) noexcept {
   const Filter& filter = job.style->filter();
   cover_areas(job.band, filter);
   if (!filter.is_linear) {

@@ -12,7 +12,7 @@
 namespace inkcell {
 namespace detail {
 
-using MixCells = void (*)(const GlyphJob& job);
+using MixCells = void (*)(GlyphJob& job);
 
 // Fills bands of signed distances and hands them to `mix`. A byte v stands for
 // (2 v - 255) / 254 of the reach, the greater one of the plan; 0 and 255 for

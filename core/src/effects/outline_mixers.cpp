@@ -52,7 +52,7 @@ class StepRamp {
 
 // In place. Words without a byte lie beyond both ramps and stay 0: both filters
 // cover all there, or none.
-void mix_outline(const GlyphJob& job) noexcept {
+void mix_outline(GlyphJob& job) noexcept {
   const Band& band = job.band;
   const StepRamp outer(job.style->filter(), band.reach_q8);
   const StepRamp inner(inner_of(*job.style), band.reach_q8);
@@ -101,7 +101,7 @@ __attribute__((noinline)) void mix_span(const GlyphJob& job,
   emit_row(*both.fill, x, y, fill, count);
 }
 
-void mix_both(const GlyphJob& job) noexcept {
+void mix_both(GlyphJob& job) noexcept {
   const Rect& all = job.pixels;
   const Rect shown = intersect(all, both_of(*job.style).fill->window);
   for (int32_t y = shown.y0; y < shown.y1; ++y) {

@@ -122,12 +122,12 @@ bool OutlineGlyph::open(const Font& font,
   const int32_t scale = scale_of(font, size, coding);
   map_ = {scale, 0, 0, -scale};
   is_mirrored_ = slanted != nullptr && slanted->slant().map(*slanted, map_);
-  const Axis x =
-      axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
-              sampling.reach_q8, warp == nullptr ? nullptr : &warp->x);
-  const Axis y =
-      axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
-              sampling.reach_q8, warp == nullptr ? nullptr : &warp->y);
+  const Axis x = axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
+                         sampling.reach_q8 + sampling.moved_x_q8,
+                         warp == nullptr ? nullptr : &warp->x);
+  const Axis y = axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
+                         sampling.reach_q8 + sampling.moved_y_q8,
+                         warp == nullptr ? nullptr : &warp->y);
   box = {x.low_px, y.low_px, x.high_px, y.high_px};
   // Half of a 256th, so that points are rounded to the nearest.
   const int32_t origin = 512 - sampling.origin_q8 * 1024;

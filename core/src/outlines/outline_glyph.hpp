@@ -23,6 +23,9 @@ struct OutlineSampling {
   // Samples a pixel, to the right and down.
   int32_t columns = 1;
   int32_t rows = 1;
+  // How much farther they show to the sides, and up and down. [px]
+  int32_t moved_x_q8 = 0;
+  int32_t moved_y_q8 = 0;
 };
 
 // Whether a record, which may be empty, is one of outlines.

@@ -17,7 +17,8 @@ constexpr size_t kMostBytes = 1 << 20;
 constexpr int32_t kGuardRows = 2;
 constexpr int32_t kGuardBytes = 4;
 
-// Bands that are cut in columns have at least so many rows.
+// Bands that are cut in columns have at least so many rows; half of them where
+// a pixel takes several rows or a sample several bytes.
 constexpr int32_t kLeastRows = 4;
 
 // Rows of that many samples and the pixel after them. [bytes]
@@ -92,6 +93,12 @@ bool load(GlyphJob& job) noexcept {
   return job.source->load(job);
 }
 
+__attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
+  clear_pixels(job.ram,
+               kGuardBytes + (job.band.rows + kGuardRows) * job.band.stride);
+  job.source->fill(job);
+}
+
 // The band of job.pixels.
 __attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
   const BandPlan& plan = job.plan;
@@ -109,8 +116,7 @@ __attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
       ((pixels.x0 - first_column(job.box)) * plan.columns - column) * 256;
   band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
   band.is_whole = pixels.y1 - pixels.y0 == job.box.y1 - job.box.y0;
-  clear_pixels(job.ram, kGuardBytes + (band.rows + kGuardRows) * band.stride);
-  job.source->fill(job);
+  clear_and_fill(job);
   const TextStyle& style = *job.style;
   if (const Mixer* const mixer = style.effect().mixer) {
     mixer->mix(job);
@@ -129,15 +135,19 @@ void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
   const BandPlan& plan = job.plan;
   const int32_t bytes = job.ram_bytes - kGuardBytes;
   const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
+  const int32_t sample_bytes = plan.sample_bytes;
   int32_t rows =
       bytes / stride_of(plan.width_of(plan.columns_before(all.x0), all)) -
       more_rows;
+  rows = sample_bytes == 1 ? rows : rows / sample_bytes;
   int32_t columns = all.x1 - all.x0;
   const int32_t least =
-      min(all.y1 - all.y0, plan.rows == 1 ? kLeastRows : kLeastRows / 2);
+      min(all.y1 - all.y0,
+          plan.rows * sample_bytes == 1 ? kLeastRows : kLeastRows / 2);
   if (rows < least * plan.rows) {
     rows = least * plan.rows;
-    columns = (bytes / (rows + more_rows) & ~3) - 8 - 2 * plan.margin_x;
+    columns = (bytes / (rows * sample_bytes + more_rows) & ~3) - 8 -
+              2 * plan.margin_x;
     columns = plan.columns == 1 ? columns : columns / plan.columns;
   }
   rows = plan.rows == 1 ? rows : rows / plan.rows;
@@ -207,6 +217,12 @@ Workspace aligned(const Workspace& workspace) noexcept {
 }
 
 }  // namespace
+
+void repaint(GlyphJob& job, int32_t right_q8, int32_t down_q8) noexcept {
+  job.band.x_q8 -= right_q8;
+  job.band.y_q8 -= down_q8;
+  clear_and_fill(job);
+}
 
 void draw_bands(const Font& font,
                 uint16_t glyph,

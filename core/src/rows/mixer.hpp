@@ -13,8 +13,12 @@ struct Mixer {
   // Changes the plan that the style's filter asks for.
   void (*plan)(const TextStyle& style, BandPlan& plan) noexcept;
   // Draws job.pixels of the painted job.band into job.sink.
-  void (*mix)(const GlyphJob& job) noexcept;
+  void (*mix)(GlyphJob& job) noexcept;
 };
+
+// For mix(): paints the band anew, with the glyph moved by so much from where
+// it was painted last. [px]
+void repaint(GlyphJob& job, int32_t right_q8, int32_t down_q8) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

@@ -42,7 +42,8 @@ bool open_outline(GlyphJob& base,
   const BandPlan& plan = job.plan;
   const int32_t origin_q8 = plan.painter->kind == BandKind::area ? 0 : 128;
   return job.outline.open(font, metrics, record, style, placed,
-                          {origin_q8, plan.shown_q8, plan.columns, plan.rows},
+                          {origin_q8, plan.shown_q8, plan.columns, plan.rows,
+                           plan.moved_x_q8, plan.moved_y_q8},
                           job.warp, job.box);
 }
 

@@ -29,6 +29,12 @@ struct BandPlan {
   // Samples around the pixels that are drawn.
   uint8_t margin_x = 0;
   uint8_t margin_y = 0;
+  // RAM for a sample of a band and what the mixer keeps of it. [bytes]
+  uint8_t sample_bytes = 1;
+  // How far repaint() moves the glyph at most, to the sides and up and down.
+  // [px]
+  int16_t moved_x_q8 = 0;
+  int16_t moved_y_q8 = 0;
 
   // For the ramp of a filter.
   void widen(const Filter& filter) noexcept {
@@ -80,7 +86,8 @@ struct __attribute__((may_alias)) GlyphJob {
 //          `ram` (multiples of 4 bytes; kLeastBand must be left), and sets
 //          band.is_mirrored. False: nothing shows.
 //   fill   paints job.band, whose bytes are all 0, as plan.painter->kind says.
-//          Once for each band, in any order.
+//          Once or several times for each band, which a mixer may have moved by
+//          parts of a pixel, in any order.
 // A band's bytes must not depend on how a glyph is cut into bands. Members of a
 // source's own lie in a struct that derives from GlyphJob; it has no
 // constructor, and nobody sets it before open().
@@ -101,7 +108,7 @@ inline constexpr int32_t kLeastBand = 4 + 10 * 16;
 // The largest job of a source, what load() takes at most where there is little
 // RAM, and the maps. [bytes]
 inline constexpr int32_t kMostJob =
-    268 + 17 * static_cast<int32_t>(sizeof(void*));
+    276 + 17 * static_cast<int32_t>(sizeof(void*));
 inline constexpr int32_t kMostLoaded = 128;
 inline constexpr int32_t kMaps = sizeof(GlyphWarp);
 

@@ -81,7 +81,7 @@ bool show(Span<const uint8_t> rom) {
   }
   printf("%d %08x %d\n", static_cast<int>(status), hash_of(pixels),
          inked > 100 ? 1 : 0);
-  // What takes a field at any point.
+  // What takes a field.
   const uint16_t glyph = font.glyph_or_notdef('A');
   alignas(4) static uint8_t ram[32768];
   GlyphField field;
@@ -89,7 +89,8 @@ bool show(Span<const uint8_t> rom) {
   if (TextStyle::make(Q26_6::from_int(12), kFilterText, style) != Status::ok) {
     return false;
   }
-  const Supersampling samples = make_supersampling(kFilterText);
+  const Supersampling samples =
+      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper);
   style.set_effect(supersample_effect(samples));
   printf("%d %d %d\n",
          static_cast<int>(generate_field(font, glyph, {}, ram, field)),

@@ -82,8 +82,6 @@ typedef struct INKCELL_SHARED inkcell_crisp_options_t {
 void inkcell_style_set_crisp(inkcell_style_t* style,
                              const inkcell_crisp_options_t* options);
 
-// For glyphs of cells only; those of outlines are drawn as without.
-
 /// Contrast at small sizes: inkcell/edge_contrast.hpp. [1/256]
 typedef struct INKCELL_SHARED inkcell_edge_contrast_t {
   uint8_t edge;  // 90 is a good value
@@ -101,7 +99,8 @@ typedef struct INKCELL_SHARED inkcell_supersampling_t {
 
 /// `filter` is that of the style. `radius_q10` is clamped to 0.25..1.5 px; 870
 /// is for text that stands still, 768 for type that moves. `is_paper`: the
-/// paper's rule decides how many samples are taken.
+/// paper's rule decides how many samples of cells are taken;
+/// inkcell_style_check_effect() refuses outlines.
 void inkcell_supersampling_make(const inkcell_filter_t* filter,
                                 int16_t radius_q10,
                                 bool is_paper,
@@ -127,7 +126,7 @@ void inkcell_style_set_motion_blur(inkcell_style_t* style,
                                    const inkcell_motion_blur_t* options);
 
 /// Cells smaller than a pixel, each once: inkcell/splat.hpp. Opaque. Not to be
-/// used after an error.
+/// used after an error. inkcell_style_check_effect() refuses outlines.
 typedef struct INKCELL_SHARED inkcell_splats_t {
   const void* words[3];
 } inkcell_splats_t;

@@ -1,0 +1,34 @@
+// Mixers that make one coverage of a pixel and those around it.
+#pragma once
+
+#include <stdint.h>
+
+#include "base/math.hpp"
+#include "rows/mixer.hpp"
+#include "sink/emit.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// Hands the coverage of each pixel to the sink; `cover` makes it of the pixel's
+// byte in the band, which stays as it is.
+template <typename Cover>
+void mix_rows(const GlyphJob& job, const Cover& cover) noexcept {
+  const Rect& pixels = job.pixels;
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
+    const uint8_t* at = job.band.row(y - pixels.y0 + job.row) + job.column;
+    for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
+      // Words of pixels, as emit_row() takes them.
+      alignas(4) uint8_t words[kMaxSpan + 4];
+      uint8_t* const coverage = words + (x & 3);
+      const int32_t count = min(kMaxSpan, pixels.x1 - x);
+      for (int32_t i = 0; i != count; ++i) {
+        coverage[i] = cover(at++);
+      }
+      emit_row(*job.sink, x, y, coverage, count);
+    }
+  }
+}
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,521 @@
+// Every effect on outlines: the same picture however a glyph is cut and
+// whatever RAM is lent, never that of plain drawing; and what the newer ones
+// show.
+#include "check.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
+#include "inkcell/effects.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/prepared_glyph.hpp"
+#include "inkcell/splat.hpp"
+#include "inkcell/supersample.hpp"
+#include "inkcell/text.hpp"
+#include "outline_record.hpp"
+#include "picture.hpp"
+
+namespace {
+
+using namespace inkcell;
+
+constexpr int32_t kWidth = 28;
+constexpr int32_t kHeight = 26;
+constexpr Rect kAll = {0, 0, kWidth, kHeight};
+constexpr int32_t kFill = 3;  // after red, green and blue
+constexpr int32_t kChannels = 4;
+constexpr Point kOrigin = {Q26_6::from_raw(7 * 64 + 13),
+                           Q26_6::from_raw(19 * 64 + 40)};
+constexpr uint16_t kDisc = 1;
+constexpr uint16_t kBar = 2;
+constexpr uint16_t kFrame = 4;
+constexpr uint16_t kLeaf = 5;
+
+alignas(4) uint8_t font_bytes[outline_record::kSampleFontBytes];
+alignas(4) uint8_t ram[2560];
+
+Font sample_font() {
+  Font font;
+  const size_t size =
+      outline_record::build_sample_font({font_bytes, sizeof(font_bytes)});
+  CHECK_OK(Font::open({font_bytes, size}, font));
+  return font;
+}
+
+// Keeps what a sink and that of a fill are given.
+struct Canvas {
+  uint8_t pixels[kHeight * kWidth * kChannels];
+  Rect shown;
+
+  Sink sink(const Rect& part, bool takes_blocks) {
+    shown = part;
+    return {part,        this, coverage, solid, takes_blocks ? block : nullptr,
+            coverage_rgb};
+  }
+  Sink fill(const Rect& part) { return {part, this, cover_fill, solid_fill}; }
+
+  void put(int32_t x,
+           int32_t y,
+           int32_t channel,
+           const uint8_t* value,
+           int32_t count,
+           int32_t step) {
+    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
+                      x >= shown.x0 && count <= shown.x1 - x;
+    CHECK(fits && "pixels inside the window");
+    for (int32_t i = 0; fits && i < count; ++i) {
+      uint8_t& pixel = pixels[(y * kWidth + x + i) * kChannels + channel];
+      CHECK(pixel == 0 && "drawn once");
+      pixel = value[i * step];
+    }
+  }
+  static Canvas& of(void* context) { return *static_cast<Canvas*>(context); }
+  static void coverage(void* context,
+                       int32_t x,
+                       int32_t y,
+                       const uint8_t* values,
+                       int32_t count) {
+    CHECK(count <= kMaxSpan);
+    for (int32_t channel = 0; channel < kFill; ++channel) {
+      of(context).put(x, y, channel, values, count, 1);
+    }
+  }
+  static void coverage_rgb(void* context,
+                           int32_t x,
+                           int32_t y,
+                           const uint8_t* values,
+                           int32_t count) {
+    CHECK(count <= kMaxSpan);
+    for (int32_t channel = 0; channel < kFill; ++channel) {
+      of(context).put(x, y, channel, values + channel, count, kFill);
+    }
+  }
+  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
+    constexpr uint8_t kFull = 255;
+    for (int32_t channel = 0; channel < kFill; ++channel) {
+      of(context).put(x, y, channel, &kFull, count, 0);
+    }
+  }
+  static void block(void* context, const CoverageBlock& block) {
+    const Rect& all = block.pixels;
+    for (int32_t y = all.y0; y < all.y1; ++y) {
+      for (int32_t channel = 0; channel < kFill; ++channel) {
+        of(context).put(all.x0, y, channel,
+                        block.coverage + (y - all.y0) * block.stride,
+                        all.x1 - all.x0, 1);
+      }
+    }
+  }
+  static void cover_fill(void* context,
+                         int32_t x,
+                         int32_t y,
+                         const uint8_t* values,
+                         int32_t count) {
+    of(context).put(x, y, kFill, values, count, 1);
+  }
+  static void solid_fill(void* context, int32_t x, int32_t y, int32_t count) {
+    constexpr uint8_t kFull = 255;
+    of(context).put(x, y, kFill, &kFull, count, 0);
+  }
+  void clear() {
+    for (uint8_t& pixel : pixels) {
+      pixel = 0;
+    }
+  }
+};
+
+Canvas whole;
+Canvas canvas;
+
+// What effects point to.
+Outline edges;
+Sink fill_sink;
+OutlineAndFill both;
+LcdOptions lcd;
+LcdOptions lcd_vertical;
+CrispOptions crisp;
+CrispOptions crisp_levels;
+Supersampling supersampling;
+MotionBlur blur;
+EdgeContrast contrast;
+Splats splats;
+
+void make_options() {
+  edges = make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::inner);
+  both = {&edges.inner, &fill_sink};
+  lcd_vertical.order = SubPixels::bgr_vertical;
+  crisp_levels.levels = 4;
+  supersampling = make_supersampling(kFilterText);
+  CHECK_OK(make_motion_blur(
+      kFilterText, {Q26_6::from_raw(150), Q26_6::from_raw(-75)}, blur));
+}
+
+struct Row {
+  const char* name;
+  Effect effect;
+};
+
+enum StyleKind : int32_t { kUpright, kTurned, kArea, kStyles };
+
+TextStyle style_of(int32_t kind, int32_t px) {
+  const Q26_6 size = Q26_6::from_int(px);
+  TextStyle style;
+  if (kind == kTurned) {
+    Direction direction;
+    direction.cosine.raw = 858993459;
+    direction.sine.raw = 644245094;
+    CHECK_OK(TextStyle::make(size, kFilterText, direction, style));
+  } else if (kind == kArea) {
+    CHECK_OK(TextStyle::make(size, kFilterArea, style));
+  } else {
+    CHECK_OK(TextStyle::make(size, kFilterText, style));
+  }
+  return style;
+}
+
+// RAM and the sink's callbacks.
+struct Terms {
+  int32_t ram_bytes;
+  bool takes_blocks;
+  bool is_prepared;
+};
+
+void draw_part(const Font& font,
+               const TextStyle& style,
+               const Rect& part,
+               const Terms& terms) {
+  const Sink sink = canvas.sink(part, terms.takes_blocks);
+  const Workspace lent = {ram, static_cast<size_t>(terms.ram_bytes)};
+  fill_sink = canvas.fill(part);
+  if (terms.is_prepared) {
+    PreparedGlyph glyph;
+    CHECK_OK(PreparedGlyph::make(font, kLeaf, style, kOrigin, lent, glyph));
+    glyph.draw(sink);
+  } else {
+    draw_glyph(font, kLeaf, style, kOrigin, sink, lent);
+  }
+}
+
+void draw_parts(const Font& font,
+                const TextStyle& style,
+                int32_t columns,
+                int32_t rows,
+                const Terms& terms) {
+  canvas.clear();
+  for (int32_t y = 0; y < kHeight; y += rows) {
+    for (int32_t x = 0; x < kWidth; x += columns) {
+      draw_part(font, style, intersect(kAll, {x, y, x + columns, y + rows}),
+                terms);
+    }
+  }
+}
+
+int32_t differing() {
+  int32_t count = 0;
+  for (size_t i = 0; i < sizeof(whole.pixels); ++i) {
+    count += whole.pixels[i] != canvas.pixels[i] ? 1 : 0;
+  }
+  return count;
+}
+
+void check_row(const Font& font, const Row& row, int32_t kind) {
+  constexpr Terms kAmple = {2560, false, false};
+  constexpr Terms kTerms[] = {{0, false, false},
+                              {0, true, false},
+                              {1100, true, false},
+                              {2560, false, true},
+                              {2560, true, false}};
+  constexpr int32_t kCuts[][2] = {
+      {kWidth, kHeight}, {kWidth, 1}, {kWidth, 5}, {kWidth, 16}, {7, kHeight}};
+  TextStyle style = style_of(kind, 15);
+  draw_parts(font, style, kWidth, kHeight, kAmple);
+  whole = canvas;
+  style.set_effect(row.effect);
+  CHECK_OK(check_effect(font, style));
+  draw_parts(font, style, kWidth, kHeight, kAmple);
+  bool is_right = differing() > 20;
+  whole = canvas;
+  for (const auto& cut : kCuts) {
+    for (const Terms& terms : kTerms) {
+      draw_parts(font, style, cut[0], cut[1], terms);
+      is_right &= differing() == 0;
+    }
+  }
+  if (!is_right) {
+    check::fail(__FILE__, __LINE__, row.name);
+  }
+}
+
+// The mean of plain pictures at these places [1/64 px], by shares of 256, in
+// `whole`.
+struct Shift {
+  int32_t right_q6;
+  int32_t down_q6;
+  int32_t share;
+};
+template <size_t kCount>
+void draw_mean(const Font& font,
+               const TextStyle& style,
+               const Shift (&shifts)[kCount]) {
+  static uint16_t sums[kWidth * kHeight];
+  for (uint16_t& sum : sums) {
+    sum = 128;
+  }
+  for (const Shift& shift : shifts) {
+    canvas.clear();
+    draw_glyph(font, kLeaf, style,
+               {Q26_6::from_raw(kOrigin.x.raw + shift.right_q6),
+                Q26_6::from_raw(kOrigin.y.raw + shift.down_q6)},
+               canvas.sink(kAll, true), {ram, sizeof(ram)});
+    for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+      sums[i] = static_cast<uint16_t>(sums[i] + canvas.pixels[i * kChannels] *
+                                                    shift.share);
+    }
+  }
+  whole.clear();
+  for (int32_t i = 0; i < kWidth * kHeight * kFill; ++i) {
+    whole.pixels[i / kFill * kChannels + i % kFill] =
+        static_cast<uint8_t>(sums[i / kFill] >> 8);
+  }
+}
+
+// Changes of coverage to the left of a column and from there on.
+struct Change {
+  int32_t left;
+  int32_t right;
+};
+Change change_of(const Font& font,
+                 uint16_t glyph,
+                 int32_t px,
+                 int32_t column,
+                 const EdgeContrast& options) {
+  TextStyle style = style_of(kUpright, px);
+  Canvas* const canvases[] = {&whole, &canvas};
+  for (Canvas* each : canvases) {
+    each->clear();
+    draw_glyph(font, glyph, style, kOrigin, each->sink(kAll, true),
+               {ram, sizeof(ram)});
+    style.set_effect(edge_contrast_effect(options));
+  }
+  Change change = {0, 0};
+  for (int32_t i = 0; i < kWidth * kHeight; ++i) {
+    (i % kWidth < column ? change.left : change.right) +=
+        canvas.pixels[i * kChannels] - whole.pixels[i * kChannels];
+  }
+  return change;
+}
+
+Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect& effect) {
+  const Font font = sample_font();
+  TextStyle style = style_of(kArea, px);
+  style.set_effect(effect);
+  Picture<17, 15> picture;
+  draw_glyph(font, glyph, style,
+             {Q26_6::from_raw(2 * 64 + 20), Q26_6::from_raw(12 * 64 + 10)},
+             picture.sink(), {ram, sizeof(ram)});
+  return picture;
+}
+
+}  // namespace
+
+TEST(every_effect_draws_the_same_picture_in_parts) {
+  make_options();
+  const Font font = sample_font();
+  const Row rows[] = {{"outline", outline_effect(edges.inner)},
+                      {"outline and fill", outline_and_fill_effect(both)},
+                      {"sub-pixels", lcd_effect(lcd)},
+                      {"sub-pixels on each other", lcd_effect(lcd_vertical)},
+                      {"1 bit", crisp_effect(crisp)},
+                      {"2 bits", crisp_effect(crisp_levels)},
+                      {"supersampling", supersample_effect(supersampling)},
+                      {"motion blur", motion_blur_effect(blur)},
+                      {"edge contrast", edge_contrast_effect(contrast)}};
+  for (const Row& row : rows) {
+    for (int32_t kind = 0; kind < kStyles; ++kind) {
+      check_row(font, row, kind);
+    }
+  }
+}
+
+TEST(only_what_takes_cells_is_refused) {
+  const Font font = sample_font();
+  TextStyle style = style_of(kUpright, 15);
+  supersampling =
+      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper);
+  const Effect refused[] = {supersample_effect(supersampling),
+                            splat_effect(splats)};
+  for (const Effect& effect : refused) {
+    style.set_effect(effect);
+    CHECK_EQ(check_effect(font, style), Status::unsupported);
+  }
+  style.set_effect({});
+  CHECK_OK(check_effect(font, style));
+}
+
+TEST(supersampling_is_the_mean_of_five_pictures) {
+  const Font font = sample_font();
+  supersampling = make_supersampling(kFilterText, kPaperRadius);
+  for (int32_t kind = 0; kind < kStyles; ++kind) {
+    TextStyle style = style_of(kind, 15);
+    draw_mean(font, style,
+              {{0, 0, 48},
+               {-32, -32, 52},
+               {-32, 32, 52},
+               {32, -32, 52},
+               {32, 32, 52}});
+    style.set_effect(supersample_effect(supersampling));
+    draw_parts(font, style, kWidth, kHeight, {0, true, false});
+    CHECK_EQ(differing(), 0);
+  }
+}
+
+// A way of 2.625 px to the right and 1.3125 px up: seven pictures.
+TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
+  const Font font = sample_font();
+  CHECK_OK(make_motion_blur(
+      kFilterText, {Q26_6::from_raw(168), Q26_6::from_raw(-84)}, blur));
+  for (int32_t kind = 0; kind < kStyles; ++kind) {
+    TextStyle style = style_of(kind, 15);
+    draw_mean(font, style,
+              {{-72, 36, 36},
+               {-48, 24, 37},
+               {-24, 12, 36},
+               {0, 0, 37},
+               {24, -12, 36},
+               {48, -24, 37},
+               {72, -36, 37}});
+    style.set_effect(motion_blur_effect(blur));
+    draw_parts(font, style, kWidth, kHeight, {0, true, false});
+    CHECK_EQ(differing(), 0);
+  }
+}
+
+// 32 px to the left and down: blurred pictures keep their ink, and nothing is
+// cut off.
+TEST(the_longest_way_keeps_the_ink) {
+  const Font font = sample_font();
+  CHECK_OK(make_motion_blur(kFilterText,
+                            {Q26_6::from_int(-32), Q26_6::from_int(32)}, blur));
+  TextStyle style = style_of(kArea, 15);
+  struct Ink {
+    int32_t sum = 0;
+    static void coverage(
+        void* context, int32_t, int32_t, const uint8_t* values, int32_t count) {
+      for (int32_t i = 0; i < count; ++i) {
+        static_cast<Ink*>(context)->sum += values[i];
+      }
+    }
+    static void solid(void* context, int32_t, int32_t, int32_t count) {
+      static_cast<Ink*>(context)->sum += 255 * count;
+    }
+  };
+  Ink plain;
+  Ink blurred;
+  constexpr Rect kWide = {-40, -40, 80, 80};
+  draw_glyph(font, kDisc, style, kOrigin,
+             {kWide, &plain, Ink::coverage, Ink::solid});
+  style.set_effect(motion_blur_effect(blur));
+  const Rect box = glyph_box(font, kDisc, style, kOrigin);
+  draw_glyph(font, kDisc, style, kOrigin,
+             {kWide, &blurred, Ink::coverage, Ink::solid});
+  CHECK(plain.sum - blurred.sum < plain.sum / 20);
+  CHECK(blurred.sum - plain.sum < plain.sum / 20);
+  CHECK(box.x1 - box.x0 >= 9 + 32 && box.x1 - box.x0 <= 9 + 36);
+  CHECK(box.y1 - box.y0 >= 9 + 32 && box.y1 - box.y0 <= 9 + 36);
+}
+
+// A bar from 200 to 440 u: its left edge darker, its right one lighter.
+TEST(left_edges_of_outlines_are_darker_and_right_ones_lighter) {
+  const Change change = change_of(sample_font(), kBar, 20, 13, {90, 0});
+  CHECK(change.left > 100);
+  CHECK(change.right < -100);
+  const int32_t sum = change.left + change.right;
+  CHECK(sum < 60 && sum > -60);
+}
+
+// At 20 px the hairline of the frame is 0.2 px wide, its bars are 2 px.
+TEST(only_thin_strokes_of_outlines_are_darker) {
+  const Change change = change_of(sample_font(), kFrame, 20, 17, {0, 128});
+  CHECK_EQ(change.left, 0);
+  CHECK(change.right > 100);
+  // Nor are the tops of bowls, whose pixels have little ink on both sides.
+  const Change of_disc = change_of(sample_font(), kDisc, 20, 17, {0, 128});
+  CHECK_EQ(of_disc.left, 0);
+  CHECK_EQ(of_disc.right, 0);
+}
+
+TEST(supersampled_edges_are_soft) {
+  supersampling = make_supersampling(kFilterText);
+  CHECK_PICTURE(drawn(kBar, 14, supersample_effect(supersampling)),
+                ".................\n"
+                ".................\n"
+                ".................\n"
+                "....:+++:........\n"
+                "....:*#*+........\n"
+                "....:*#*+........\n"
+                "....:*#*+........\n"
+                "....:*#*+........\n"
+                "....:*#*+........\n"
+                "....:*#*+........\n"
+                "....:*#*+........\n"
+                "....:***:........\n"
+                "....:::::........\n"
+                ".................\n"
+                ".................\n");
+}
+
+TEST(moving_discs_leave_a_trail) {
+  CHECK_OK(make_motion_blur(kFilterText,
+                            {Q26_6::from_int(4), Q26_6::from_int(-2)}, blur));
+  CHECK_PICTURE(drawn(kDisc, 12, motion_blur_effect(blur)),
+                ".................\n"
+                ".................\n"
+                ".................\n"
+                "......:::::......\n"
+                "....:+++++::.....\n"
+                "..::*****++:.....\n"
+                ".::+**#**++::....\n"
+                ".::+**##**+::....\n"
+                ".::+**##**+:.....\n"
+                ".::++**#*+::.....\n"
+                ".:::++**+:.......\n"
+                "..::::::.........\n"
+                "....::...........\n"
+                ".................\n"
+                ".................\n");
+}
+
+TEST(lower_left_edges_are_darker) {
+  contrast = {255, 255};
+  CHECK_PICTURE(drawn(kFrame, 16, {}),
+                ".................\n"
+                "..............:..\n"
+                "..............:..\n"
+                ".............::..\n"
+                "...:::::::...:...\n"
+                "...*#####+...:...\n"
+                "...**+++#+..::...\n"
+                "...**..:#+..:....\n"
+                "...**..:#+.::....\n"
+                "...**+++#+.::....\n"
+                "...*#####+.:.....\n"
+                "...:::::::::.....\n"
+                "..........:......\n"
+                ".................\n"
+                ".................\n");
+  CHECK_PICTURE(drawn(kFrame, 16, edge_contrast_effect(contrast)),
+                ".................\n"
+                "..............:..\n"
+                "..............+..\n"
+                ".............::..\n"
+                "...:::::::...:...\n"
+                "...*#####:...+...\n"
+                "...*****#:..::...\n"
+                "...**..:#:..:....\n"
+                "...**..:#:.:+....\n"
+                "...**:::#:.::....\n"
+                "...*#####+.:.....\n"
+                "...:+++++:::.....\n"
+                "..........:......\n"
+                ".................\n"
+                ".................\n");
+}
