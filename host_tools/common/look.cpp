@@ -102,11 +102,11 @@ void add_look_options(CLI::App& app, LookOptions& options) {
   add_words(
       app, "--samples", options.samples,
       {"one", "adaptive", "paper", "splats", "auto"},
-      "Distances a pixel: one; adaptive, up to 13 where one is not accurate "
-      "enough; paper, as the paper has it; splats, cells smaller than a pixel "
-      "once each; all but one for --coding field; auto, one, but of cells "
-      "adaptive below 10 px and for jobs of kind anim [one; auto with "
-      "--jobs]");
+      "Samples a pixel: one; adaptive, five of outlines, up to 13 of cells "
+      "where one is not accurate enough; paper, as the paper has it; splats, "
+      "cells smaller than a pixel once each; both for --coding field; "
+      "auto, one, but of cells adaptive below 10 px and for jobs of kind "
+      "anim [one; auto with --jobs]");
   app.add_option("--radius", options.radius,
                  "Of the filter over several samples [px; 0.85, 0.75 for jobs "
                  "of kind anim, 1.3 for paper and splats]")
@@ -175,14 +175,13 @@ Look::Look(const LookOptions& asked,
   if (options.filter == kArea) {
     require_area(options, font);
     style_ = make_style(px, angle, kFilterArea);
-  } else {
-    set_effect(options, font, use);
   }
+  set_effect(options, font, use);
   if (check_effect(font, style_) != Status::ok) {
     throw std::runtime_error(
-        "--motion, --rules and --samples adaptive, paper and splats need "
-        "distances at any point, and this font has outlines: make it by "
-        "inkcell-fontgen --coding field");
+        "--samples paper and splats draw cells, and this font has outlines: "
+        "use --samples adaptive, or make it by inkcell-fontgen --coding "
+        "field");
   }
   set_hint(options, font, use);
 }
@@ -209,13 +208,10 @@ void Look::require_area(const LookOptions& options, const Font& font) {
         "inkcell-fontgen --coding outline");
   }
   if (options.weight != 0 || options.outline != 0 || options.levels != 256 ||
-      options.lcd != "none" || !options.motion.empty() ||
-      options.rules != "none" ||
-      (options.samples != "auto" && options.samples != "one")) {
+      options.lcd != "none") {
     throw std::runtime_error(
-        "--filter area is exact coverage; --weight, --outline, --levels, "
-        "--lcd, --motion, --rules and --samples take a filter of distance, "
-        "such as text");
+        "--filter area is exact coverage; --weight, --outline, --levels and "
+        "--lcd take a filter of distance, such as text");
   }
 }
 
@@ -278,6 +274,7 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
   supersampling_ = make_supersampling(
       style_.filter(), radius, is_paper ? SampleRule::paper : SampleRule::even);
   supersampling_.more_samples = &more_samples_;
+  counts_samples_ = !font.has_outlines();
   style_.set_effect(supersample_effect(supersampling_));
 }
 

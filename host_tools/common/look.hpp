@@ -69,13 +69,12 @@ class Look {
   /// Of the picture that the style draws into: 3 with sub-pixels, else 1.
   int channels() const { return style_.effect().options == &lcd_ ? 3 : 1; }
 
-  /// Whether the style takes as many distances as a pixel needs, and how many
-  /// it has taken beyond one a pixel.
-  bool is_supersampled() const {
-    return style_.effect().options == &supersampling_;
-  }
+  /// Whether the style takes as many distances of cells as a pixel needs, and
+  /// how many it has taken beyond one a pixel.
+  bool counts_samples() const { return counts_samples_; }
   bool uses_radius() const {
-    return is_supersampled() || style_.effect().options == &splats_;
+    return style_.effect().options == &supersampling_ ||
+           style_.effect().options == &splats_;
   }
   uint32_t more_samples() const { return more_samples_; }
 
@@ -106,6 +105,7 @@ class Look {
   MotionBlur blur_;
   LcdOptions lcd_;
   uint32_t more_samples_ = 0;
+  bool counts_samples_ = false;
 };
 
 }  // namespace inkcell::tools

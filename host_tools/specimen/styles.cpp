@@ -254,11 +254,6 @@ Image draw_contrast(const Font& font) {
     sheet.add(label, kWhite, [&](Image& image) {
       TextStyle style = make_style(kPx, 0, kFilterText);
       style.set_effect(edge_contrast_effect(edge_contrast));
-      if (check_effect(font, style) != Status::ok) {
-        throw std::runtime_error(
-            "--contrast needs distances at any point: make the font by "
-            "inkcell-fontgen --coding field");
-      }
       sample.write(style, kBlack, image);
     });
   };
@@ -308,11 +303,6 @@ Image draw_maps(const Font& font) {
 }
 
 Image draw_motion(const Font& font) {
-  if (font.has_outlines()) {
-    throw std::runtime_error(
-        "--motion needs the field at any point, and the font has outlines: use "
-        "--coding field for a TTF or OTF");
-  }
   constexpr double kPx = 24;
   const Sample sample = {font, "Sphinx 1958", kPx, 8, 26};
   Sheet sheet(font, {160, 36, 4, 4, 130});

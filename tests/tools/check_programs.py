@@ -283,9 +283,20 @@ class Tools(unittest.TestCase):
             "render", "--font", self.font, *draw, code=1))
         self.assertIn("take a filter of distance", run(
             "render", "--font", font, *draw, "--weight", 0.25, code=1))
-        self.assertIn("at any point", run(
-            "render", "--font", font, *draw[:-4], *draw[-2:], "--rules", "all",
-            code=1))
+        self.assertIn("use --samples adaptive", run(
+            "render", "--font", font, *draw, "--samples", "paper", code=1))
+
+    def test_effects_change_pictures(self):
+        for coding, font in self.fonts.items():
+            looks = [(), ("--samples", "adaptive"), ("--motion", "2,0"),
+                     ("--rules", "edges"), ("--rules", "thin")]
+            looks += [(*look, "--filter", "area") for look in looks
+                      if coding == "outline"]
+            pictures = {tuple(self.render(
+                "--text", "Va", "--px", 12, "--width", 30, "--height", 20,
+                "--ox", 5, "--oy", 15, *look, font=font).pixels)
+                for look in looks}
+            self.assertEqual(len(pictures), len(looks))
 
     def test_kerning_draws_closer(self):
         kerned = self.render("--text", "AVAV", "--px", 32)
@@ -420,7 +431,7 @@ class Tools(unittest.TestCase):
                   for hint in ("vertical", "both")),
                 *(("make it by inkcell-fontgen --coding field", (
                     "--font", self.fonts["outline"], *text, "--samples", kind))
-                  for kind in ("adaptive", "splats")),
+                  for kind in ("paper", "splats")),
                 ("--outline-place is for --outline", (
                     "--font", self.font, *text, "--outline-place", "inner")),
                 ("no folder /nowhere", ("--font", self.font, *text[:-1],
@@ -1058,8 +1069,8 @@ class Tools(unittest.TestCase):
 
     def test_specimen_draws_styles(self):
         of_all = ["filters", "lcd", "levels", "maps", "star", "compare-body",
-                  "compare-display"]
-        own = {"field": ["contrast", "motion"], "outline": ["fitting"]}
+                  "compare-display", "contrast", "motion"]
+        own = {"field": [], "outline": ["fitting"]}
         for coding, others in own.items():
             pictures = [self.path / f"{name}.png" for name in of_all + others]
             options = [x for out in pictures for x in (f"--draw-{out.stem}", out)]
@@ -1070,13 +1081,9 @@ class Tools(unittest.TestCase):
                 self.assertEqual(out.read_bytes()[:4], b"\x89PNG")
                 out.unlink()
         out = self.path / "no.png"
-        for coding, name, said in (
-                ("outline", "motion", "the field at any point"),
-                ("outline", "contrast", "distances at any point"),
-                ("field", "fitting", "points of outlines")):
-            self.assertIn(said, run("specimen", self.fonts[coding],
-                                    f"--draw-{name}", out, code=1))
-            self.assertFalse(out.exists())
+        self.assertIn("points of outlines", run(
+            "specimen", self.font, "--draw-fitting", out, code=1))
+        self.assertFalse(out.exists())
         run("specimen", SANS, "--symbols", "Efcts", "--max-px", 16,
             "--draw-effects", self.path / "effects.png")
         out = self.path / "effects.png"
