@@ -29,10 +29,11 @@ MODES = {
     "glow_4_px": ("glow, 4 px", "plain", OUTLINES),
     "crisp_1_bit": ("crisp, 1 bit", "plain", ALL),
     "crisp_2_bits": ("crisp, 2 bits", "plain", ALL),
-    "perceptual": ("darker edges and hairlines", "plain", CELLS),
-    "motion_blur_3_px": ("motion blur, 3 px", "plain", CELLS),
-    "adaptive_even": ("up to 13 samples, even rule", "plain", CELLS),
-    "adaptive_paper": ("up to 13 samples, the paper's rule", "plain", CELLS),
+    "perceptual": ("darker edges and hairlines", "plain", ALL),
+    "motion_blur_3_px": ("motion blur, 3 px", "plain", ALL),
+    "adaptive_even": ("supersampling, even rule", "plain", ALL),
+    "adaptive_area": ("supersampling of exact area", "plain", OUTLINES),
+    "adaptive_paper": ("supersampling, the paper's rule", "plain", CELLS),
     "plain_rgb888": ("plain, RGB888", "plain_rgb888", ALL),
     "lcd": ("sub-pixels, RGB888", "plain_rgb888", ALL),
     "lcd_vertical": ("sub-pixels on each other, RGB888", "plain_rgb888", ALL),
@@ -59,8 +60,9 @@ ABILITIES = [
      "yes"],
     ["exact area", "yes", "no"],
     ["shadow and glow", "to 4 px", "as far as `BAND_PX`"],
-    ["the field at any point: queries, 13 samples, contrast rules, motion blur, "
-     "splats", "no", "yes"],
+    ["supersampling, motion blur, darker edges and hairlines", "yes", "yes"],
+    ["the field at any point: queries, 13 samples by the paper's rule, splats",
+     "no", "yes"],
 ]
 ENGINES = {"freetype": "FreeType", "stb": "stb_truetype"}
 

@@ -133,6 +133,11 @@ constexpr Mode kModes[] = {
      [](TextStyle& style) {
        return set_adaptive(style, kSharpRadius, SampleRule::even);
      }},
+    {"adaptive_area",
+     [](TextStyle& style) {
+       return TextStyle::make(style.size(), kFilterArea, style) == Status::ok &&
+              set_adaptive(style, kSharpRadius, SampleRule::even);
+     }},
     {"adaptive_paper",
      [](TextStyle& style) {
        return set_adaptive(style, kPaperRadius, SampleRule::paper);
