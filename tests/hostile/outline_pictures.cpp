@@ -5,11 +5,14 @@
 
 #include "exercise.hpp"
 #include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
 #include "inkcell/prepared_glyph.hpp"
 #include "inkcell/runtime_field.hpp"
+#include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 
 namespace hostile {
@@ -204,6 +207,9 @@ struct Options {
   OutlineAndFill both = {};
   LcdOptions lcd = {};
   CrispOptions crisp = {};
+  Supersampling supersampling = {};
+  MotionBlur blur = {};
+  EdgeContrast contrast = {};
   Sink fill = {};
   Fit fit = {};
 };
@@ -223,14 +229,25 @@ void set_effect(uint8_t number, Options& options, TextStyle& style) {
     options.lcd = {kOrders[number - 3],
                    static_cast<uint8_t>(number == 5 ? 90 : 255)};
     style.set_effect(lcd_effect(options.lcd));
-  } else if (number >= 7) {
+  } else if (number == 7 || number == 8) {
     options.crisp = {static_cast<uint8_t>(number == 7 ? 2 : 4),
                      Q6_10::from_raw(number == 7 ? 120 : -250)};
     style.set_effect(crisp_effect(options.crisp));
+  } else if (number == 9) {
+    options.supersampling = make_supersampling(style.filter());
+    style.set_effect(supersample_effect(options.supersampling));
+  } else if (number == 10) {
+    const Point way = {Q26_6::from_raw(300), Q26_6::from_raw(-170)};
+    require(make_motion_blur(style.filter(), way, options.blur) == Status::ok,
+            "motion blur");
+    style.set_effect(motion_blur_effect(options.blur));
+  } else if (number == 11) {
+    options.contrast = {255, 255};
+    style.set_effect(edge_contrast_effect(options.contrast));
   }
 }
 
-static_assert(kEffectCount == 9, "all effects have numbers");
+static_assert(kEffectCount == 12, "all effects have numbers");
 
 }  // namespace
 

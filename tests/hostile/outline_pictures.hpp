@@ -10,7 +10,7 @@
 namespace hostile {
 
 /// The effects that take outlines, by number.
-inline constexpr uint32_t kEffectCount = 9;
+inline constexpr uint32_t kEffectCount = 12;
 
 /// Filters by number; the last one is exact coverage.
 inline constexpr uint32_t kFilterCount = 9;
