@@ -14,16 +14,13 @@ mkdir -p docs/img
 "$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" \
   --draw-sizes docs/img/sizes.png --draw-filters docs/img/filters.png \
   --draw-lcd docs/img/lcd.png --draw-levels docs/img/levels.png \
-  --draw-maps docs/img/maps.png --draw-effects docs/img/effects.png
-"$tools/inkcell-specimen" "$fonts/dejavu/DejaVuSans.ttf" --coding field \
+  --draw-maps docs/img/maps.png --draw-effects docs/img/effects.png \
   --draw-motion docs/img/motion.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
   --draw-compare-body docs/img/compare_body.png \
   --draw-compare-display docs/img/compare_display.png --draw-star docs/img/star.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --draw-fitting docs/img/fitting.png
-"$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Regular.ttf" \
-  --coding field --draw-contrast docs/img/contrast.png
+  --draw-fitting docs/img/fitting.png --draw-contrast docs/img/contrast.png
 "$tools/inkcell-specimen" "$fonts/liberation/LiberationSerif-Italic.ttf" \
   --draw-compare-body docs/img/compare_italic.png
 "$tools/inkcell-inspect" "$fonts/liberation/LiberationSerif-Regular.ttf" \
