@@ -300,3 +300,27 @@ TEST(hairlines_that_meet_on_a_row) {
   check::write_number(worst);
   check::write("/255\n");
 }
+
+// The point of a brace: a curve that turns back within half a pixel. At 4 px
+// 256 units are one.
+TEST(a_point_that_turns_within_a_pixel) {
+  constexpr OutlinePoint kPoint[] = {
+      {outline_record::start, -77, 499},
+      {outline_record::off, 36, -148},
+      {outline_record::corner, -422, -156},
+      {outline_record::corner, -1422, -156},
+      {outline_record::corner, -1422, 499},
+  };
+  int32_t worst = 0;
+  for (int32_t x = 0; x < 64; x += INKCELL_BOARD_FIRMWARE ? 16 : 2) {
+    for (int32_t y = 0; y < 64; y += INKCELL_BOARD_FIRMWARE ? 16 : 2) {
+      const Setting at = {4 * 64, 10 * 64 + x, 4 * 64 + y};
+      const int32_t error = worst_of({kPoint, 5}, at);
+      worst = error > worst ? error : worst;
+    }
+  }
+  CHECK(worst <= kWorstDistance);
+  check::write("worst of a point: ");
+  check::write_number(worst);
+  check::write("/255\n");
+}
