@@ -74,7 +74,7 @@ def build(work, host_build, fontgen):
         if commands[name] in list(commands.values())[:-1]:
             continue  # what is compiled alike has the same size
         call("cmake", "--build", folder / "build", "--target", "app")
-        check_libraries(name, (folder / "build").rglob("*.o"), ["layout"])
+        check_libraries(name, (folder / "build").rglob("*.o*"), ["layout"])
         sizes[name] = size_of(folder / "build/app")
     return sizes
 
