@@ -51,7 +51,8 @@ CALLS_BIDI = {
     "look_up": ["mirrored"],
 }
 # Who asks a fitter for advances.
-CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "Pen"]
+CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "Pen",
+                "RunCursor"]
 
 # Where drawing begins.
 DRAWING = re.compile(r"^inkcell::draw\(")
