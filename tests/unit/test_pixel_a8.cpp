@@ -72,3 +72,49 @@ TEST(spans_over_little_ink) {
     }
   }
 }
+
+// The ramp of filter `text` is the same pixel by pixel and by words.
+TEST(ramps_over_little_ink) {
+  Random random(2);
+  Sink sink;
+  port::A8Target target;
+  target.strip.pixels = {pixels + kMargin, kWidth};
+  target.strip.width = kWidth;
+  target.strip.height = 1;
+  target.strip.stride = kWidth;
+  CHECK_OK(make_sink(target, sink));
+  if (sink.ramp == nullptr) {
+    return;  // built for size: bands come as coverage
+  }
+  alignas(4) uint8_t painted[kWidth + 8];
+  for (int32_t round = 0; round < 2000; ++round) {
+    fill(random, random.below(2) * 16);
+    for (uint8_t& byte : painted) {
+      byte = static_cast<uint8_t>(random.below(3) == 0 ? random.below(256) : 0);
+    }
+    for (size_t i = 0; i < sizeof pixels; ++i) {
+      expected[i] = pixels[i];
+    }
+    const int32_t x0 = random.between(0, kWidth - 1);
+    const int32_t x1 = random.between(x0 + 1, kWidth);
+    // A pixel before the first one, from a multiple of 4 on.
+    const int32_t before = ((x0 - 1) & 3) + 1;
+    bool is_inside = false;
+    for (int32_t i = 0; i < before + x1 - x0; ++i) {
+      const uint32_t byte = painted[i];
+      is_inside ^= (byte & 1) != 0;
+      if (i >= before) {
+        uint8_t& pixel =
+            expected[kMargin + static_cast<size_t>(x0 + i - before)];
+        pixel = added(is_inside ? 255 - (byte >> 1) : byte >> 1, pixel);
+      }
+    }
+    CHECK(sink.ramp(sink.context, {{x0, 0, x1, 1}, painted, kWidth + 8}));
+    for (size_t i = 0; i < sizeof pixels; ++i) {
+      CHECK_EQ(pixels[i], expected[i]);
+    }
+  }
+  // Words of which a part lies outside of the strip.
+  target.strip.width = kWidth - 1;
+  CHECK(!sink.ramp(sink.context, {{36, 0, 39, 1}, painted, kWidth + 8}));
+}

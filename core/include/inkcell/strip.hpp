@@ -71,6 +71,12 @@ struct Sink {
                        int32_t y,
                        const uint8_t* coverage,
                        int32_t count) = nullptr;
+  /// For sinks of 8 bits a pixel: applies the ramp of filter `text` (ramp.hpp)
+  /// while it writes, which saves a pass over each block. `block.coverage` has
+  /// painted bytes instead, which begin a pixel before `block.pixels`, at a
+  /// multiple of 4. False, and nothing is drawn: the block comes as coverage.
+  /// Null: never called.
+  bool (*ramp)(void* context, const CoverageBlock& block) = nullptr;
 };
 
 /// How a screen is drawn strip by strip with a small buffer.

@@ -206,7 +206,7 @@ void mix_crisp(GlyphJob& job) noexcept {
 }
 
 constexpr Painter kPaintCrossings = {paint_crossings, nullptr,
-                                     BandKind::crossings, 0};
+                                     BandKind::crossings, false, 0};
 
 }  // namespace
 

@@ -55,11 +55,6 @@ int32_t place_from(int32_t at_q10, int32_t px) noexcept {
       (static_cast<uint32_t>(at_q10) - (static_cast<uint32_t>(px) << 10)) << 8);
 }
 
-// Where a map takes a place; `sign` is -1 where places count down. [px, Q18]
-int32_t warped(const AxisMap& map, int32_t at, int32_t sign) noexcept {
-  return product(map.map(product(at >> 10, sign)), sign * (1 << 10));
-}
-
 }  // namespace
 
 // Font units times px per grid unit. [px, Q18]
@@ -78,7 +73,8 @@ OutlineGlyph::Axis OutlineGlyph::axis_of(const GlyphMetrics& metrics,
                                          int32_t per_x,
                                          int32_t per_y,
                                          int32_t at_q10,
-                                         int32_t reach_q8,
+                                         const OutlineSampling& sampling,
+                                         int32_t moved_q8,
                                          const AxisMap* map) const noexcept {
   int32_t low = sum(scaled(metrics.x_min, per_x), scaled(metrics.y_min, per_y));
   int32_t high = low;
@@ -88,11 +84,9 @@ OutlineGlyph::Axis OutlineGlyph::axis_of(const GlyphMetrics& metrics,
     int32_t& end = side < 0 ? low : high;
     end = sum(end, side);
   }
-  int32_t reach = reach_q8 * 1024;
+  int32_t reach = (sampling.reach_q8 + moved_q8) * 1024;
   if (map != nullptr && map->count != 0) {
-    const int32_t sign = per_y < 0 ? -1 : 1;  // upright
-    low = warped(*map, low, sign);
-    high = warped(*map, high, sign);
+    sampling.warp_range(*map, per_y < 0 ? -1 : 1, low, high);
     reach += 1 << 11;  // roundings
   }
   // Of the place the whole px apart: it may be far away.
@@ -122,12 +116,12 @@ bool OutlineGlyph::open(const Font& font,
   const int32_t scale = scale_of(font, size, coding);
   map_ = {scale, 0, 0, -scale};
   is_mirrored_ = slanted != nullptr && slanted->slant().map(*slanted, map_);
-  const Axis x = axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10,
-                         sampling.reach_q8 + sampling.moved_x_q8,
-                         warp == nullptr ? nullptr : &warp->x);
-  const Axis y = axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10,
-                         sampling.reach_q8 + sampling.moved_y_q8,
-                         warp == nullptr ? nullptr : &warp->y);
+  const Axis x =
+      axis_of(metrics, map_.x_right, map_.y_right, placed.x_q10, sampling,
+              sampling.moved_x_q8, warp == nullptr ? nullptr : &warp->x);
+  const Axis y =
+      axis_of(metrics, map_.x_down, map_.y_down, placed.y_q10, sampling,
+              sampling.moved_y_q8, warp == nullptr ? nullptr : &warp->y);
   box = {x.low_px, y.low_px, x.high_px, y.high_px};
   // Half of a 256th, so that points are rounded to the nearest.
   const int32_t origin = 512 - sampling.origin_q8 * 1024;

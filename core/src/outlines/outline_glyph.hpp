@@ -26,6 +26,12 @@ struct OutlineSampling {
   // How much farther they show to the sides, and up and down. [px]
   int32_t moved_x_q8 = 0;
   int32_t moved_y_q8 = 0;
+  // Moves both ends of an upright glyph as grid fitting moves its points;
+  // `sign` is -1 where places count down. Fitted styles link it. [px, Q18]
+  void (*warp_range)(const AxisMap& map,
+                     int32_t sign,
+                     int32_t& low,
+                     int32_t& high) noexcept = nullptr;
 };
 
 // Whether a record, which may be empty, is one of outlines.
@@ -87,7 +93,8 @@ class __attribute__((may_alias)) OutlineGlyph {
                int32_t per_x,
                int32_t per_y,
                int32_t at_q10,
-               int32_t reach_q8,
+               const OutlineSampling& sampling,
+               int32_t moved_q8,
                const AxisMap* map) const noexcept;
   // Its map is in place.
   void begin_part(int32_t x_min,

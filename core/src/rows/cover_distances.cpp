@@ -1,26 +1,13 @@
 // Painted distances to coverage.
 #include "rows/cover_distances.hpp"
 #include "base/words.hpp"
+#include "inkcell/ramp.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
 
-// Four bytes of nearness and bits to coverage of a linear ramp of +-0.5 px.
-// `inside`: all ones if the pixel to the left is inside.
-//
-// t: bit 0 of each byte, of all bits up to it; the mask of what is inside is
-// 255 for each 1. Outside coverage is half the nearness, inside 255 less that.
-inline uint32_t linear_word(uint32_t bytes, uint32_t& inside) noexcept {
-  uint32_t t = bytes & 0x01010101;
-  t ^= t << 8;
-  t ^= t << 16;
-  const uint32_t mask = ((t << 8) - t) ^ inside;
-  inside = static_cast<uint32_t>(static_cast<int32_t>(mask) >> 31);
-  return (bytes >> 1 & 0x7f7f7f7f) ^ mask;
-}
-
-// The same with any filter.
+// Four bytes of nearness and bits to coverage of any filter.
 uint32_t filtered_word(uint32_t bytes,
                        uint32_t& inside,
                        const Filter& filter,
@@ -73,7 +60,7 @@ void cover_linear(const Band& band, const Filter&) noexcept {
       if (__builtin_expect(bytes == 0, 1)) {
         store_pixels(at, inside);
       } else {
-        store_pixels(at, linear_word(bytes, inside));
+        store_pixels(at, ramp_word(bytes, inside));
       }
       at += 4;
     } while (at != end);

@@ -122,6 +122,11 @@ __attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
     mixer->mix(job);
     return;
   }
+  const Sink& sink = *job.sink;
+  if (sink.ramp != nullptr && plan.painter->is_ramp &&
+      sink.ramp(sink.context, {pixels, band.bytes, band.stride})) {
+    return;
+  }
   plan.painter->cover(band, style.filter());
   emit(*job.sink, pixels, band.bytes + column, band.stride);
 }
@@ -136,21 +141,24 @@ void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
   const int32_t bytes = job.ram_bytes - kGuardBytes;
   const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
   const int32_t sample_bytes = plan.sample_bytes;
-  int32_t rows =
-      bytes / stride_of(plan.width_of(plan.columns_before(all.x0), all)) -
-      more_rows;
-  rows = sample_bytes == 1 ? rows : rows / sample_bytes;
+  const int32_t stride =
+      stride_of(plan.width_of(plan.columns_before(all.x0), all));
+  int32_t rows = all.y1 - all.y0;
   int32_t columns = all.x1 - all.x0;
-  const int32_t least =
-      min(all.y1 - all.y0,
-          plan.rows * sample_bytes == 1 ? kLeastRows : kLeastRows / 2);
-  if (rows < least * plan.rows) {
-    rows = least * plan.rows;
-    columns = (bytes / (rows * sample_bytes + more_rows) & ~3) - 8 -
-              2 * plan.margin_x;
-    columns = plan.columns == 1 ? columns : columns / plan.columns;
+  if ((rows * plan.rows * sample_bytes + more_rows) * stride > bytes) {
+    // Most glyphs need no division.
+    const int32_t least =
+        min(rows, plan.rows * sample_bytes == 1 ? kLeastRows : kLeastRows / 2);
+    rows = bytes / stride - more_rows;
+    rows = sample_bytes == 1 ? rows : rows / sample_bytes;
+    if (rows < least * plan.rows) {
+      rows = least * plan.rows;
+      columns = (bytes / (rows * sample_bytes + more_rows) & ~3) - 8 -
+                2 * plan.margin_x;
+      columns = plan.columns == 1 ? columns : columns / plan.columns;
+    }
+    rows = plan.rows == 1 ? rows : rows / plan.rows;
   }
-  rows = plan.rows == 1 ? rows : rows / plan.rows;
   job.sink = &sink;
   Rect& part = job.pixels;
   for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {

@@ -49,6 +49,23 @@ bool fit_outline(OutlineJob& job,
   return placed.set(origin);
 }
 
+// Points of hostile fonts lie anywhere: modulo 2^32.
+int32_t product(int32_t a, int32_t b) noexcept {
+  return static_cast<int32_t>(static_cast<uint32_t>(a) *
+                              static_cast<uint32_t>(b));
+}
+
+void move_range(const AxisMap& map,
+                int32_t sign,
+                int32_t& low_q18,
+                int32_t& high_q18) noexcept {
+  const auto moved = [&](int32_t at) noexcept {
+    return product(map.map(product(at >> 10, sign)), sign * (1 << 10));
+  };
+  low_q18 = moved(low_q18);
+  high_q18 = moved(high_q18);
+}
+
 void move_points(const OutlineJob& job,
                  ScreenPoint* points,
                  const ScreenPoint* end) noexcept {
@@ -63,7 +80,7 @@ void move_points(const OutlineJob& job,
 
 }  // namespace
 
-const OutlineFitter kOutlineFitter = {fit_outline, move_points};
+const OutlineFitter kOutlineFitter = {fit_outline, move_range, move_points};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -13,6 +13,11 @@ struct OutlineFitter {
               uint16_t glyph,
               const GlyphMetrics& metrics,
               Placed& placed) noexcept;
+  // OutlineSampling::warp_range.
+  void (*move_range)(const AxisMap& map,
+                     int32_t sign,
+                     int32_t& low_q18,
+                     int32_t& high_q18) noexcept;
   // Moves points of the glyph.
   void (*move)(const OutlineJob& job,
                ScreenPoint* points,

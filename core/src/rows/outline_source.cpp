@@ -34,16 +34,22 @@ bool open_outline(GlyphJob& base,
   }
   const TextStyle& style = *job.style;
   Placed placed = given;
-  job.warp = nullptr;
-  if (style.is_fitted() &&
-      !style.outline_fitter().fit(job, glyph, metrics, placed)) {
-    return false;
-  }
   const BandPlan& plan = job.plan;
-  const int32_t origin_q8 = plan.painter->kind == BandKind::area ? 0 : 128;
-  return job.outline.open(font, metrics, record, style, placed,
-                          {origin_q8, plan.shown_q8, plan.columns, plan.rows,
-                           plan.moved_x_q8, plan.moved_y_q8},
+  OutlineSampling sampling = {plan.painter->kind == BandKind::area ? 0 : 128,
+                              plan.shown_q8,
+                              plan.columns,
+                              plan.rows,
+                              plan.moved_x_q8,
+                              plan.moved_y_q8};
+  job.warp = nullptr;
+  if (style.is_fitted()) {
+    const OutlineFitter& fitter = style.outline_fitter();
+    if (!fitter.fit(job, glyph, metrics, placed)) {
+      return false;
+    }
+    sampling.warp_range = fitter.move_range;
+  }
+  return job.outline.open(font, metrics, record, style, placed, sampling,
                           job.warp, job.box);
 }
 
@@ -107,12 +113,13 @@ constexpr Source kOutlineSource = {open_outline, load_points, fill_band,
 }  // namespace
 
 const Painter kPaintPixelRamp = {paint_distances, cover_linear,
-                                 BandKind::distance, 128};
+                                 BandKind::distance, true, 128};
 const Painter kPaintDistances = {paint_distances, cover_filtered,
-                                 BandKind::distance, 128};
+                                 BandKind::distance, false, 128};
 const Painter kPaintWideDistances = {paint_wide_distances, cover_filtered,
-                                     BandKind::distance, 0};
-const Painter kPaintAreas = {paint_areas, cover_areas, BandKind::area, 128};
+                                     BandKind::distance, false, 0};
+const Painter kPaintAreas = {paint_areas, cover_areas, BandKind::area, false,
+                             128};
 
 }  // namespace detail
 

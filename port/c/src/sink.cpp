@@ -22,6 +22,7 @@ INKCELL_SAME_PLACE(inkcell_sink_t, coverage, coverage);
 INKCELL_SAME_PLACE(inkcell_sink_t, solid, solid);
 INKCELL_SAME_PLACE(inkcell_sink_t, block, block);
 INKCELL_SAME_PLACE(inkcell_sink_t, coverage_rgb, coverage_rgb);
+INKCELL_SAME_PLACE(inkcell_sink_t, ramp, ramp);
 
 namespace {
 

@@ -49,6 +49,7 @@ Status open_sink(const Strip& strip,
   out.coverage = kind.coverage;
   out.solid = kind.solid;
   out.block = nullptr;
+  out.ramp = nullptr;
   out.coverage_rgb = nullptr;
   return Status::ok;
 }

@@ -49,6 +49,8 @@ typedef struct INKCELL_SHARED inkcell_sink_t {
                        int32_t y,
                        const uint8_t* coverage,
                        int32_t count);
+  /// As `block`.
+  void (*ramp)(void);
 } inkcell_sink_t;
 
 /// How a screen is drawn strip by strip with a small buffer.
