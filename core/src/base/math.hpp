@@ -21,5 +21,14 @@ inline int32_t abs(int32_t value) noexcept {
   return value < 0 ? -value : value;
 }
 
+// The quotient, rounded towards 0. Unsigned: division of signed numbers is one
+// more routine on cores that have none.
+inline int32_t quotient(int32_t dividend, int32_t divisor) noexcept {
+  const auto over = static_cast<uint32_t>(divisor);
+  const auto from = static_cast<uint32_t>(dividend);
+  return dividend < 0 ? -static_cast<int32_t>((0u - from) / over)
+                      : static_cast<int32_t>(from / over);
+}
+
 }  // namespace detail
 }  // namespace inkcell

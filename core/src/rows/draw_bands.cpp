@@ -149,15 +149,15 @@ void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
     // Most glyphs need no division.
     const int32_t least =
         min(rows, plan.rows * sample_bytes == 1 ? kLeastRows : kLeastRows / 2);
-    rows = bytes / stride - more_rows;
-    rows = sample_bytes == 1 ? rows : rows / sample_bytes;
+    rows = quotient(bytes, stride) - more_rows;
+    rows = sample_bytes == 1 ? rows : quotient(max(rows, 0), sample_bytes);
     if (rows < least * plan.rows) {
       rows = least * plan.rows;
-      columns = (bytes / (rows * sample_bytes + more_rows) & ~3) - 8 -
+      columns = (quotient(bytes, rows * sample_bytes + more_rows) & ~3) - 8 -
                 2 * plan.margin_x;
-      columns = plan.columns == 1 ? columns : columns / plan.columns;
+      columns = plan.columns == 1 ? columns : quotient(columns, plan.columns);
     }
-    rows = plan.rows == 1 ? rows : rows / plan.rows;
+    rows = plan.rows == 1 ? rows : quotient(rows, plan.rows);
   }
   job.sink = &sink;
   Rect& part = job.pixels;

@@ -1,5 +1,7 @@
 #include "text/advances.hpp"
 
+#include "base/math.hpp"
+
 namespace inkcell {
 namespace detail {
 namespace {
@@ -20,7 +22,8 @@ int32_t Advances::advance(uint16_t glyph) const noexcept {
 }
 
 int32_t Advances::to_whole_px(int32_t units) const noexcept {
-  return product(units, style_->size().raw) / (font_.units_per_em() * 64);
+  return quotient(product(units, style_->size().raw),
+                  font_.units_per_em() * 64);
 }
 
 int32_t Advances::to_units(int32_t sum) const noexcept {
@@ -30,10 +33,10 @@ int32_t Advances::to_units(int32_t sum) const noexcept {
   const int32_t size_q6 = style_->size().raw;
   const int32_t em_q6 = font_.units_per_em() * 64;
   // Whole units of a pixel, and what is left.
-  const int32_t whole = em_q6 / size_q6;
+  const int32_t whole = quotient(em_q6, size_q6);
   const int32_t part = product(sum, em_q6 - whole * size_q6);
-  const int32_t half = part < 0 ? -size_q6 / 2 : size_q6 / 2;
-  return clamp_to(sum * whole + (part + half) / size_q6, kMaxUnits);
+  const int32_t half = part < 0 ? -(size_q6 >> 1) : size_q6 >> 1;
+  return clamp_to(sum * whole + quotient(part + half, size_q6), kMaxUnits);
 }
 
 }  // namespace detail
