@@ -28,9 +28,8 @@
 # CODING says what glyphs are made of:
 #   outline   points of lines and curves, about 6 KB for 95 characters; default
 #   field     a quadtree of cells of nine distances: the field at any point
-# The library draws outlines; field makes it draw those as well, in all programs
-# of the build. Fonts of fields that no inkcell_add_font() makes, and fields that
-# are generated on the device, need INKCELL_SAMPLE_CELLS.
+# A target with a font of fields is linked with inkcell::field and opens it with
+# Font::open(fonts::NAME, inkcell::kFieldCoding, font).
 #
 # A glyph that misses TOLERANCE is an error, unless BEST_EFFORT is there. One that
 # misses the default, 16, is drawn as well as possible, with a warning.
@@ -196,20 +195,6 @@ function(_inkcell_face_options to_options to_inputs merge svg folders)
   endforeach()
   set(${to_options} "${words}" PARENT_SCOPE)
   set(${to_inputs} "${files}" PARENT_SCOPE)
-endfunction()
-
-# Has the library draw what fonts of a coding are made of.
-function(_inkcell_draw_coding coding)
-  get_property(library GLOBAL PROPERTY inkcell_library)
-  if(NOT library OR NOT coding STREQUAL "field")
-    return()
-  endif()
-  set(scope PUBLIC)
-  get_target_property(type ${library} TYPE)
-  if(type STREQUAL "INTERFACE_LIBRARY")
-    set(scope INTERFACE)
-  endif()
-  target_compile_definitions(${library} ${scope} INKCELL_SAMPLE_CELLS=1)
 endfunction()
 
 function(inkcell_add_font target)
@@ -379,5 +364,12 @@ function(inkcell_add_font target)
   endif()
   target_sources(${target} ${scope} ${outputs})
   target_include_directories(${target} ${scope} "${include}")
-  _inkcell_draw_coding("${arg_CODING}")
+  if(arg_CODING MATCHES "^(samples|field)$" AND TARGET inkcell::field)
+    # Not target_link_libraries(), which refuses to mix its two signatures.
+    set(property LINK_LIBRARIES)
+    if(type STREQUAL "INTERFACE_LIBRARY")
+      set(property INTERFACE_LINK_LIBRARIES)
+    endif()
+    set_property(TARGET ${target} APPEND PROPERTY ${property} inkcell::field)
+  endif()
 endfunction()

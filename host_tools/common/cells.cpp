@@ -1,6 +1,6 @@
 #include "cells.hpp"
 
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
 
 namespace inkcell::tools {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "inkcell/field.hpp"
+#include "inkcell/field/glyph_field.hpp"
 
 namespace inkcell::tools {
 

@@ -271,11 +271,16 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
     style_.set_effect(splat_effect(splats_));
     return;
   }
-  supersampling_ = make_supersampling(
+  if (font.has_outlines() && !is_paper) {
+    supersampling_ = make_supersampling(radius);
+    style_.set_effect(supersample_effect(supersampling_));
+    return;
+  }
+  circle_samples_ = make_circle_samples(
       style_.filter(), radius, is_paper ? SampleRule::paper : SampleRule::even);
-  supersampling_.more_samples = &more_samples_;
-  counts_samples_ = !font.has_outlines();
-  style_.set_effect(supersample_effect(supersampling_));
+  circle_samples_.more_samples = &more_samples_;
+  style_.set_effect(circle_samples_effect(circle_samples_));
+  counts_samples_ = true;
 }
 
 void Look::set_levels(const LookOptions& options) {

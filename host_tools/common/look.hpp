@@ -8,11 +8,12 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/field/circle_samples.hpp"
+#include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/splat.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text_style.hpp"
 
@@ -99,6 +100,7 @@ class Look {
   Fit fit_;
   CrispOptions crisp_;
   Supersampling supersampling_;
+  CircleSamples circle_samples_;
   Splats splats_;
   std::vector<uint32_t> sums_;
   EdgeContrast edge_contrast_;

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "bytes.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/text.hpp"
 
@@ -78,7 +80,7 @@ RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
         ": it is a font of edges, which this version cannot read; make "
         "it again by inkcell-fontgen --coding outline (unsupported)");
   }
-  const Status status = Font::open({bytes_.data(), bytes_.size()}, font_);
+  const Status status = open_any_font({bytes_.data(), bytes_.size()}, font_);
   if (status != Status::ok) {
     throw std::runtime_error(name + ": " + remedy(status) + " (" +
                              std::string(status_name(status)) + ")");
@@ -107,7 +109,7 @@ bool is_rom_font(const std::vector<uint8_t>& bytes) {
 }
 
 void require_sound(const RomFile& rom, const std::filesystem::path& file) {
-  if (rom.font().verify() != Status::ok) {
+  if (verify_fields(rom.font()) != Status::ok) {
     throw std::runtime_error(
         file.string() +
         ": it is damaged; regenerate it (inkcell-inspect looks into it)");

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "bytes.hpp"
+#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
 #include "rom_file.hpp"
 
@@ -22,7 +24,7 @@ GlyphCensus take_glyph(const Font& font, uint16_t id) {
   GlyphCensus census;
   census.glyph = id;
   // What a broken font lacks stays empty.
-  static_cast<void>(font.field(id, census.field));
+  static_cast<void>(read_field(font, id, census.field));
   static_cast<void>(font.glyph_metrics(id, census.metrics));
   const Span<const uint8_t> record = font.record(id);
   census.bytes = record.size;
@@ -176,7 +178,7 @@ FontCensus take_census(const Font& font) {
   census.format_major = rom[format::header::kFormatMajor];
   census.format_minor = rom[format::header::kFormatMinor];
   census.coding_name = coding_name(font);
-  census.verified = font.verify();
+  census.verified = verify_fields(font);
   census.metrics = font.metrics();
   census.range = font.range();
   census.fixed_predicate = rom[format::header::kPredicate] ==

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "grid_hints.hpp"
+#include "inkcell/field/cell.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format/cell.hpp"
 #include "outline_points.hpp"
 
 namespace inkcell::tools {

@@ -8,7 +8,7 @@
 #include "canvas.hpp"
 #include "census.hpp"
 #include "colours.hpp"
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "outline_field.hpp"
 

@@ -309,7 +309,7 @@ SampleTotal render(const RenderJob& job,
 void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   constexpr int kNear = 3;
   total.uses_radius |= look.uses_radius();
-  if (look.style().effect().cells != nullptr && !look.counts_samples()) {
+  if (look.style().effect().mixer != nullptr && !look.counts_samples()) {
     return;
   }
   // Near in a row first, then near such a row: a square is a disc but for its

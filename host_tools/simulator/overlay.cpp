@@ -119,7 +119,7 @@ Overlay make_overlay(const Font& font,
       }
       GlyphField field;
       if (!font.has_outlines() &&
-          font.field(glyph.glyph, field) == Status::ok) {
+          read_field(font, glyph.glyph, field) == Status::ok) {
         add_leaves(field, map, overlay);
       }
     }

@@ -79,7 +79,7 @@ Image compare(const Font& font,
     add_ours("Inkcell, filter area", kFilterArea, plain);
     return sheet.finish();
   }
-  const Supersampling supersampling = make_supersampling(kFilterText);
+  const Supersampling supersampling = make_supersampling();
   add_ours("Inkcell, up to 13 samples a pixel", kFilterText,
            [&](TextStyle& style) {
              style.set_effect(supersample_effect(supersampling));

@@ -10,8 +10,9 @@
 
 #include "canvas.hpp"
 #include "field/sample_tree.hpp"
-#include "inkcell/render.hpp"
-#include "inkcell/splat.hpp"
+#include "inkcell/field/circle_samples.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/splat.hpp"
 #include "inkcell/supersample.hpp"
 #include "peers.hpp"
 #include "rom/rom_font.hpp"
@@ -176,9 +177,9 @@ Image draw_star(const Font& font) {
   const std::vector<Wedge> wedges = star();
   const gen::Shape shape = shape_of(wedges);
   const DeviceStar device(shape);
-  const Supersampling even = make_supersampling(kFilterText, kCalmRadius);
-  const Supersampling paper =
-      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper);
+  const CircleSamples even = make_circle_samples(kFilterText, kCalmRadius);
+  const CircleSamples paper =
+      make_circle_samples(kFilterText, kPaperRadius, SampleRule::paper);
   std::vector<uint32_t> sums(kSide * kSide);
   Splats splats;
   if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
@@ -198,8 +199,8 @@ Image draw_star(const Font& font) {
        in_colour(supersample(shape, 4, Jitter::whole, gaussian_weight))},
       {"FreeType", in_colour(cover(wedges))},
       {"Inkcell, one sample", device.draw({})},
-      {"Inkcell, up to 13, even", device.draw(supersample_effect(even))},
-      {"Inkcell, up to 13, paper", device.draw(supersample_effect(paper))},
+      {"Inkcell, up to 13, even", device.draw(circle_samples_effect(even))},
+      {"Inkcell, up to 13, paper", device.draw(circle_samples_effect(paper))},
       {"Inkcell, splats", device.draw(splat_effect(splats))}};
   // Two rows of columns, of which each is a picture and its middle.
   constexpr int kColumns = 4;

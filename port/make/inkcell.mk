@@ -11,18 +11,18 @@
 # the objects that include it.
 #
 # INKCELL_LIBRARIES names what is compiled besides the core and the adapters of
-# pixel formats and displays: cache, kinetic, layout, c (which needs cache and
-# layout). Set it before the include.
+# pixel formats and displays: cache, field, kinetic, layout, c (which needs
+# cache, field and layout). Set it before the include.
 INKCELL_FONTGEN ?= inkcell-fontgen
 INKCELL_FONTS ?= build/inkcell_fonts
 INKCELL_LIBRARIES ?=
 ifneq ($(filter c,$(INKCELL_LIBRARIES)),)
-  override INKCELL_LIBRARIES += cache layout
+  override INKCELL_LIBRARIES += cache field layout
 endif
 INKCELL_BUILD ?= build/inkcell
 
 INKCELL_PARTS := $(INKCELL)/port/pixel $(INKCELL)/port/display \
-  $(addprefix $(INKCELL)/core/,$(filter cache kinetic layout,$(INKCELL_LIBRARIES))) \
+  $(addprefix $(INKCELL)/core/,$(filter cache field kinetic layout,$(INKCELL_LIBRARIES))) \
   $(addprefix $(INKCELL)/port/,$(filter c,$(INKCELL_LIBRARIES)))
 INKCELL_SOURCES := $(wildcard $(INKCELL)/core/src/*/*.cpp \
   $(addsuffix /src/*.cpp,$(INKCELL_PARTS)))

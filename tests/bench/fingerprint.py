@@ -14,17 +14,14 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "build"))
-from toolchains import (ALL_CODINGS, COMPILERS, ROOT,  # noqa: E402
+from toolchains import (COMPILERS, ROOT,  # noqa: E402
                         compile_object, in_parallel, run)
 
 DOCUMENT = ROOT / "docs/BENCHMARKS.md"
 COMMAND = "sh tests/bench/run.sh --write-docs"
 BUILDS = {
-    "m0": ("Cortex-M0", ["-O2", *ALL_CODINGS]),
-    "m3": ("Cortex-M3", ["-O2", *ALL_CODINGS]),
-    "smallest": ("Cortex-M0", ["-Os", "-DINKCELL_SAMPLE_CELLS=1",
-                               "-DINKCELL_OUTLINES=0",
-                               "-DINKCELL_FAST_CELLS=0"]),
+    "m0": ("Cortex-M0", ["-O2"]),
+    "m3": ("Cortex-M3", ["-O2"]),
     "outlines": ("Cortex-M0", ["-Os"]),
 }
 SINKS = ["a8", "rgb565", "run"]

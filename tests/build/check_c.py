@@ -19,6 +19,7 @@ HEADERS = ROOT / "port/c/include/inkcell/c"
 EXAMPLES = ROOT / "port/c/examples"
 LIBRARIES = ["port/c/libinkcell_port_c.a", "port/pixel/libinkcell_port_pixel.a",
              "core/layout/libinkcell_layout.a", "core/cache/libinkcell_cache.a",
+             "core/field/libinkcell_field.a",
              "core/libinkcell_core.a"]
 
 # How each example is called, with a font that is none.

@@ -13,7 +13,7 @@ import re
 import shutil
 import sys
 
-from toolchains import (ALL_CODINGS, COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
+from toolchains import (COMPILERS, DEVICE_FLAGS, INCLUDES, ROOT,
                         WARNINGS, finish, require, run)
 
 # Bytes of the deepest chain, of which the font's kerning takes 170.
@@ -74,7 +74,7 @@ def compile_all(level, folder):
     for source in sources:
         target = folder / (source.stem + ".o")
         result = run([*compiler, *DEVICE_FLAGS, *WARNINGS, *INCLUDES,
-                      *ALL_CODINGS, level, "-fcallgraph-info=su", "-c", source,
+                      level, "-fcallgraph-info=su", "-c", source,
                       "-o", target],
                      env=environment)
         if result.returncode != 0:

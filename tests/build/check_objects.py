@@ -11,7 +11,7 @@ import re
 import shutil
 import sys
 
-from toolchains import (ALL_CODINGS, COMPILERS, ROOT, WARNINGS,
+from toolchains import (COMPILERS, ROOT, WARNINGS,
                         compile_object, device_sources, finish, in_parallel,
                         require, run)
 
@@ -23,12 +23,11 @@ LEVELS = ["-Os", "-O2"]
 STACK_LIMITS = (256, 384)
 HOST_STACK_LIMITS = (384, 512)
 
-# The first four hold a tile of pixels, or the map, the ramp and the band of a
-# glyph of cells; the next three what a leaf needs and loops that are inlined
-# for speed, `step` the state of a solver, draw_body() seven views of bodies,
-# band_box() a glyph of which only the box is wanted.
-WIDE = ("draw_tiles", "mix_tiles", "mix_cells", "draw_cells", "paint_leaf",
-        "paint_supersampled", "cover_slanted", "step", "draw_body", "band_box")
+# fill_rows() holds a row of a field and loops that are inlined for speed,
+# mix_samples() the places of 12 samples, `step` the state of a solver,
+# draw_body() seven views of bodies, band_box() a glyph of which only the box is
+# wanted.
+WIDE = ("fill_rows", "mix_samples", "step", "draw_body", "band_box")
 
 # These hold a glyph and its bands where the caller lends no RAM.
 WITHOUT_RAM = {"draw_on_stack": 744, "draw_fitted_on_stack": 976}
@@ -66,7 +65,7 @@ def compile_source(machine, level, source, folder):
     room = source.relative_to(ROOT).parts[:-2]
     target = folder / ("-".join(room) + "-" + source.stem + ".o")
     return target, compile_object(
-        machine, [*WARNINGS, *ALL_CODINGS, level, "-fstack-usage"], source,
+        machine, [*WARNINGS, level, "-fstack-usage"], source,
         target)
 
 

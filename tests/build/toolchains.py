@@ -9,15 +9,13 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # The folders of core that are libraries of their own.
-LIBRARIES = ("cache", "kinetic", "layout")
+LIBRARIES = ("cache", "field", "kinetic", "layout")
 
 # What the device library is compiled with: core/CMakeLists.txt.
 DEVICE_FLAGS = [
     "-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
     "-fno-threadsafe-statics", "-ffunction-sections", "-fdata-sections",
 ]
-# Builds have outlines by default.
-ALL_CODINGS = ["-DINKCELL_EDGE_CELLS=1", "-DINKCELL_SAMPLE_CELLS=1"]
 WARNINGS = [
     "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion",
     "-Wshadow", "-Wold-style-cast", "-Wundef", "-Werror",

@@ -13,9 +13,11 @@
 #include <iterator>
 #include <vector>
 
-#include "inkcell/field.hpp"
+#include "inkcell/field/cell.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/field/verify.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/grid_hints.hpp"
 
@@ -151,10 +153,10 @@ void print_hints(const Font& font) {
 
 int print_font(Span<const uint8_t> bytes, bool distances) {
   Font font;
-  if (Font::open(bytes, font) != Status::ok) {
+  if (open_any_font(bytes, font) != Status::ok) {
     return kRefused;
   }
-  if (font.verify() != Status::ok) {
+  if (verify_fields(font) != Status::ok) {
     return kRefused;
   }
   const Span<const char> name = font.name();
@@ -173,7 +175,7 @@ int print_font(Span<const uint8_t> bytes, bool distances) {
     std::printf("glyph %d %d %d %d %d %d\n", id, metrics.advance, metrics.x_min,
                 metrics.y_min, metrics.x_max, metrics.y_max);
     GlyphField field;
-    if (font.field(id, field) != Status::ok) {
+    if (read_field(font, id, field) != Status::ok) {
       return 1;
     }
     print_cells(field, distances);

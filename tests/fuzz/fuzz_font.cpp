@@ -9,6 +9,7 @@
 #include "exercise.hpp"
 #include "font_builder.hpp"
 #include "front_ends.hpp"
+#include "inkcell/field/draw.hpp"
 #include "repair_font.hpp"
 
 namespace {
@@ -67,7 +68,7 @@ void run(const uint8_t* data, size_t size) {
     return;
   }
   Font font;
-  const Status status = Font::open(rom, font);
+  const Status status = open_any_font(rom, font);
   hostile::require(status == Status::ok, "open twice");
   const TextStyle style = style_of(choice + 1);
   const Point origin = {place(choice + 4), place(choice + 9)};

@@ -27,7 +27,7 @@ rm -rf "$folder/objects"
 mkdir -p "$folder/objects"
 flags="-std=c++17 -O1 -g -fsanitize=address,undefined
   -fno-sanitize-recover=all -DINKCELL_LIBFUZZER=1
-  -DINKCELL_SAMPLE_CELLS=1 -Icore/include -Icore/src
+  -Icore/include -Icore/src -Icore/field/include
   -Icore/kinetic/include -Itests/unit -Itests/hostile"
 
 # Objects of the sources given, side by side.
@@ -40,7 +40,7 @@ compile() {
       -o "$folder/objects/$(echo "$source" | tr / -).o"' \
     sh '{}' "$folder" $flags
 }
-compile core/src/*/*.cpp tests/hostile/exercise.cpp tests/unit/font_builder.cpp
+compile core/src/*/*.cpp core/field/src/*.cpp tests/hostile/exercise.cpp tests/unit/font_builder.cpp
 
 # Fuzzer, folder of its corpus, longest input, more sources.
 run() {

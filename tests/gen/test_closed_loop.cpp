@@ -9,8 +9,8 @@
 #include <random>
 
 #include "glyph_outlines.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/format/rom.hpp"
-#include "inkcell/render.hpp"
 #include "shape/distance_map.hpp"
 
 namespace inkcell {

@@ -5,6 +5,7 @@
 
 #include "app/encode.hpp"
 #include "icon_folder.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
 #include "pipeline/generate.hpp"
 #include "shape/shape.hpp"
@@ -304,7 +305,7 @@ TEST_F(Faces, StringsPreferGlyphsOfTheFirstFace) {
   const RomFont font = generate(request);
   EXPECT_TRUE(font.warnings.empty());
   Font reader;
-  ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),
+  ASSERT_EQ(open_any_font({font.bytes.data(), font.bytes.size()}, reader),
             Status::ok);
   ASSERT_EQ(font.strings.size(), 1u);
   ASSERT_EQ(font.strings[0].glyphs.size(), 2u);
@@ -325,7 +326,7 @@ TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
   request.strict = true;
   const RomFont font = generate(request);
   Font reader;
-  ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),
+  ASSERT_EQ(open_any_font({font.bytes.data(), font.bytes.size()}, reader),
             Status::ok);
   const auto& glyphs = font.strings[0].glyphs;
   ASSERT_EQ(glyphs.size(), 3u);
@@ -346,7 +347,7 @@ TEST_F(Faces, StringsHaveIcons) {
   const RomFont font = generate(with_icon("one = ACA\n"));
   EXPECT_TRUE(font.warnings.empty());
   Font reader;
-  ASSERT_EQ(Font::open({font.bytes.data(), font.bytes.size()}, reader),
+  ASSERT_EQ(open_any_font({font.bytes.data(), font.bytes.size()}, reader),
             Status::ok);
   const uint16_t a = reader.glyph_or_notdef(U'A');
   const uint16_t c = reader.glyph_or_notdef(U'C');

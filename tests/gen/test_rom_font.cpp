@@ -11,6 +11,9 @@
 #include <random>
 
 #include "field/record.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/field/verify.hpp"
 #include "inkcell/format/rom.hpp"
 #include "shape/shape.hpp"
 
@@ -93,8 +96,8 @@ size_t padded(size_t size) {
 // What the device says about every glyph and pair.
 void expect_tables(const std::vector<uint8_t>& rom, const RomContent& content) {
   Font font;
-  ASSERT_EQ(Font::open({rom.data(), rom.size()}, font), Status::ok);
-  EXPECT_EQ(font.verify(), Status::ok);
+  ASSERT_EQ(open_any_font({rom.data(), rom.size()}, font), Status::ok);
+  EXPECT_EQ(verify_fields(font), Status::ok);
   int wrong = 0;
   const size_t count = content.glyphs.size();
   for (size_t left = 0; left < count; ++left) {
@@ -184,10 +187,10 @@ TEST(RomFont, NoGlyphNeedsInk) {
     const std::vector<uint8_t> bytes = write(content);
     check_rom_font(bytes, content);
     Font font;
-    ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
+    ASSERT_EQ(open_any_font({bytes.data(), bytes.size()}, font), Status::ok);
     for (size_t i = 0; i < count; ++i) {
       GlyphField field;
-      EXPECT_EQ(font.field(static_cast<uint16_t>(i), field), Status::ok);
+      EXPECT_EQ(read_field(font, static_cast<uint16_t>(i), field), Status::ok);
       EXPECT_EQ(field.tiles_x, 0);
     }
   }
@@ -330,7 +333,7 @@ TEST(RomFont, LargeFontsCountInLargerUnits) {
   const std::vector<uint8_t> rom = write_rom_font(content, parts);
   ASSERT_GT(rom.size(), size_t{1} << 26);
   Font font;
-  ASSERT_EQ(Font::open({rom.data(), rom.size()}, font), Status::ok);
+  ASSERT_EQ(open_any_font({rom.data(), rom.size()}, font), Status::ok);
   const Span<const uint8_t> glyphs = font.section(format::section::kGlyphs);
   EXPECT_EQ(glyphs[format::glyphs::kUnitLog2], 2);
   EXPECT_EQ(glyphs[format::glyphs::kOffsetBits], 25);

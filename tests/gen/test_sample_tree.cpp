@@ -8,8 +8,8 @@
 
 #include "field/sample_tree.hpp"
 #include "glyph_outlines.hpp"
-#include "inkcell/field.hpp"
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
+#include "inkcell/field/glyph_field.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -8,7 +8,7 @@
 #include "field/record.hpp"
 #include "field/symmetry.hpp"
 #include "glyph_outlines.hpp"
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
 #include "shape/neighbourhood.hpp"
 
 namespace inkcell::gen::test {

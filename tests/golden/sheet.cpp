@@ -1,5 +1,6 @@
 #include "sheet.hpp"
 
+#include "inkcell/field/draw.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/port/grey2.hpp"
 #include "inkcell/port/grey4.hpp"
@@ -58,7 +59,7 @@ constexpr Line kLines[] = {
 
 bool draw_line(const Line& line, const Sink& sink) {
   Font font;
-  if (Font::open(font_bytes(line.font), font) != Status::ok) {
+  if (open_any_font(font_bytes(line.font), font) != Status::ok) {
     return false;
   }
   Direction direction;

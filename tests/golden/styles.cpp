@@ -3,10 +3,12 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/field/circle_samples.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/splat.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 
@@ -34,7 +36,7 @@ bool draw_line(const Line& line,
                const Sink& sink) {
   Font font;
   Fit fit;
-  if (Font::open(font_bytes(line.font), font) != Status::ok) {
+  if (open_any_font(font_bytes(line.font), font) != Status::ok) {
     return false;
   }
   TextStyle own = style;
@@ -85,17 +87,18 @@ bool draw_fitted(const Sink& sink) {
 }
 
 bool draw_adaptive(const Sink& sink) {
-  const Supersampling even = make_supersampling(kFilterMotion, kCalmRadius);
+  const CircleSamples even = make_circle_samples(kFilterMotion, kCalmRadius);
   if (!draw_painted({FontId::dejavu_sans_field, "Againniag", 10 * 64 + 11,
                      2 * 64, 28 * 64 + 17},
-                    kFilterMotion, supersample_effect(even), nullptr, sink)) {
+                    kFilterMotion, circle_samples_effect(even), nullptr,
+                    sink)) {
     return false;
   }
-  const Supersampling paper =
-      make_supersampling(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
+  const CircleSamples paper = make_circle_samples(
+      kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_field, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
-      kFilterPaperDisplay, supersample_effect(paper), nullptr, sink);
+      kFilterPaperDisplay, circle_samples_effect(paper), nullptr, sink);
 }
 
 bool draw_splats(const Sink& sink) {
@@ -179,12 +182,12 @@ bool draw_turned(const Sink& sink) {
   Direction direction;
   direction.cosine.raw = 1065418748;
   direction.sine.raw = -133530580;
-  const Supersampling even = make_supersampling(kFilterText);
+  const CircleSamples even = make_circle_samples(kFilterText);
   if (TextStyle::make(Q26_6::from_int(15), kFilterText, direction, style) !=
       Status::ok) {
     return false;
   }
-  style.set_effect(supersample_effect(even));
+  style.set_effect(circle_samples_effect(even));
   return draw_line(
       {FontId::dejavu_sans_field, "Againgain", 0, 3 * 64, 160 * 64}, style,
       nullptr, sink);

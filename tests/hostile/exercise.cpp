@@ -8,6 +8,9 @@
 #include <cstring>
 #include <vector>
 
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/field/verify.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/format/rom.hpp"
 
@@ -212,7 +215,7 @@ void draw_checked(const Font& font,
         "the same picture in strips");
   }
   GlyphField field;
-  if (font.field(glyph, field) == Status::ok) {
+  if (read_field(font, glyph, field) == Status::ok) {
     std::array<Q6_10, kWidth> distances;
     distance_row(field, style, origin, -3, 5,
                  {distances.data(), distances.size()});
@@ -274,7 +277,7 @@ void use(const Font& font) {
 void use_verified(const Font& font) {
   for (uint16_t glyph = 0; glyph < font.glyph_count(); ++glyph) {
     GlyphField field;
-    const Status status = font.field(glyph, field);
+    const Status status = read_field(font, glyph, field);
     require(status == Status::ok ||
                 (status == Status::unsupported && is_of_outlines(font)),
             "verified glyphs open");
@@ -284,9 +287,9 @@ void use_verified(const Font& font) {
 Outcome exercise(Span<const uint8_t> rom) {
   Outcome outcome;
   Font font;
-  outcome.opened = Font::open(rom, font) == Status::ok;
+  outcome.opened = open_any_font(rom, font) == Status::ok;
   if (outcome.opened) {
-    outcome.verified = font.verify() == Status::ok;
+    outcome.verified = verify_fields(font) == Status::ok;
     if (outcome.verified) {
       use_verified(font);
     }

@@ -13,6 +13,7 @@
 #include "changing_bytes.hpp"
 #include "exercise.hpp"
 #include "good_fonts.hpp"
+#include "inkcell/field/draw.hpp"
 
 namespace {
 
@@ -66,11 +67,11 @@ void run(const char* kind, bool is_at_end, uint32_t one_in, int rounds) {
     // A font that opens while bytes change, else one that opened before.
     Font font;
     memory.start(static_cast<uint32_t>(round + 1), one_in);
-    const bool has_opened = Font::open(memory.bytes(), font) == Status::ok;
+    const bool has_opened = open_any_font(memory.bytes(), font) == Status::ok;
     opened += has_opened ? 1 : 0;
     if (!has_opened) {
       memory.stop();
-      hostile::require(Font::open(memory.bytes(), font) == Status::ok,
+      hostile::require(open_any_font(memory.bytes(), font) == Status::ok,
                        "the good font opens");
       memory.start(static_cast<uint32_t>(round + 1), one_in);
     }

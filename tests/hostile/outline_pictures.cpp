@@ -7,11 +7,11 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/field/generate.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/prepared_glyph.hpp"
-#include "inkcell/runtime_field.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 
@@ -234,7 +234,7 @@ void set_effect(uint8_t number, Options& options, TextStyle& style) {
                      Q6_10::from_raw(number == 7 ? 120 : -250)};
     style.set_effect(crisp_effect(options.crisp));
   } else if (number == 9) {
-    options.supersampling = make_supersampling(style.filter());
+    options.supersampling = make_supersampling();
     style.set_effect(supersample_effect(options.supersampling));
   } else if (number == 10) {
     const Point way = {Q26_6::from_raw(300), Q26_6::from_raw(-170)};

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "inkcell/font.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/text_style.hpp"
 

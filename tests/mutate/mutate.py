@@ -25,9 +25,9 @@ ROOT = HERE.parents[1]
 UNIT = ROOT / "tests/unit"
 COMPILER = [*filter(None, [os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")]),
             "g++", "-std=c++17", "-O1", "-DINKCELL_ASSERTIONS=1",
-            "-DINKCELL_EDGE_CELLS=1", "-DINKCELL_SAMPLE_CELLS=1",
             "-DINKCELL_BOARD_FIRMWARE=0", f"-I{ROOT}/core/include",
-            f"-I{ROOT}/core/src", f"-I{ROOT}/core/layout/include",
+            f"-I{ROOT}/core/src", f"-I{ROOT}/core/field/include",
+            f"-I{ROOT}/core/layout/include",
             f"-I{UNIT}", "-Wall", "-Wextra", "-Werror"]
 # Of each source the unit tests that should notice, the quickest first.
 TESTS = {
@@ -38,21 +38,17 @@ TESTS = {
     "core/src/font/grid_hints.cpp": ("grid_hints", "fit"),
     "core/src/place/text_style.cpp": ("text_style", "affine", "render"),
     "core/src/fit/fit.cpp": ("fit", "outline_draw"),
-    "core/src/cells/leaf_reader.cpp": ("field_cells", "field",
-                                       "cell_distance"),
-    "core/src/distance/csg.cpp": ("field_cells", "cell_distance",
-                                  "field_draw"),
-    "core/src/distance/vertex.cpp": ("field_cells", "cell_distance",
-                                     "field_draw"),
+    "core/field/src/cell_values.cpp": ("field", "field_point"),
+    "core/field/src/field_rows.cpp": ("render", "affine"),
+    "core/field/src/field_sampler.cpp": ("field", "field_point"),
     "core/src/outlines/outline_reader.cpp": ("outline_reader",
                                              "outline_draw"),
     "core/src/rows/crossings.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/cover_areas.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/cover_distances.cpp": ("outline_draw", "outline_styles"),
     "core/src/rows/edge_rows.cpp": ("outline_draw", "outline_errors"),
-    "core/src/effects/lcd_mixer.cpp": ("outline_styles", "styles"),
+    "core/src/effects/lcd_mixer.cpp": ("outline_styles", "lcd"),
 }
-EXTRA_SOURCES = {"cell_distance": [UNIT / "reference/cell_distance.cpp"]}
 # A test may take this many times what it takes for the source, and a second.
 PATIENCE = 10
 
@@ -91,11 +87,12 @@ class Workshop:
         self.folder = folder
         self.objects = {}
         wanted = sorted([*(ROOT / "core/src").rglob("*.cpp"),
+                         *(ROOT / "core/field/src").glob("*.cpp"),
                          *(ROOT / "core/layout/src").glob("*.cpp")])
         wanted += [UNIT / f"{name}.cpp"
                    for name in ("check", "check_main", "font_builder")]
         for test in tests:
-            wanted += [UNIT / f"test_{test}.cpp", *EXTRA_SOURCES.get(test, [])]
+            wanted += [UNIT / f"test_{test}.cpp"]
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             for done, _ in enumerate(pool.map(self.compile, wanted), 1):
                 if done % 10 == 0 or done == len(wanted):
@@ -126,7 +123,7 @@ class Workshop:
 
     def link(self, test, mutant, program):
         """The mutant's object comes before the library, so it is taken."""
-        parts = [UNIT / f"test_{test}.cpp", *EXTRA_SOURCES.get(test, [])]
+        parts = [UNIT / f"test_{test}.cpp"]
         parts += [UNIT / f"{name}.cpp"
                   for name in ("check", "check_main", "font_builder")]
         subprocess.run(

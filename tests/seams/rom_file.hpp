@@ -6,6 +6,7 @@
 #include <iterator>
 #include <vector>
 
+#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
 
 // Its bytes, at an address that fonts may have.
@@ -22,7 +23,7 @@ class RomFile {
 
   // False if it is no whole font. The file must outlive the font.
   bool open(inkcell::Font& font) const {
-    return inkcell::Font::open(
+    return inkcell::open_any_font(
                {reinterpret_cast<const uint8_t*>(words_.data()), size_},
                font) == inkcell::Status::ok &&
            font.verify() == inkcell::Status::ok;

@@ -15,8 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "inkcell/field/cell.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/format/cell.hpp"
 
 namespace {
 
@@ -203,7 +204,7 @@ int main(int argc, char** argv) {
   }
   const std::vector<uint8_t> bytes = read_file(argv[1]);
   Font font;
-  if (Font::open({bytes.data(), bytes.size()}, font) != Status::ok) {
+  if (open_any_font({bytes.data(), bytes.size()}, font) != Status::ok) {
     fprintf(stderr, "seams: %s is not a ROM font\n", argv[1]);
     return 2;
   }
@@ -214,7 +215,7 @@ int main(int argc, char** argv) {
       continue;  // no ink
     }
     GlyphField field;
-    if (font.field(id, field) != Status::ok) {
+    if (read_field(font, id, field) != Status::ok) {
       fprintf(stderr, "seams: glyph %d cannot be opened\n", id);
       return 1;
     }

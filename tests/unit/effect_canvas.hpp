@@ -2,7 +2,7 @@
 #pragma once
 
 #include "check.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/field/draw.hpp"
 
 namespace effect {
 

@@ -3,7 +3,7 @@
 
 #include "check.hpp"
 #include "font_builder.hpp"
-#include "inkcell/field.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "inkcell/text_style.hpp"
 
 namespace effect {

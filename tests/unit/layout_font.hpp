@@ -2,6 +2,7 @@
 #pragma once
 
 #include "font_builder.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
 
 namespace layout_font {
@@ -33,7 +34,7 @@ inline inkcell::Font open(inkcell::Span<uint8_t> rom) {
   spec.name = "layout";
   inkcell::Font font;
   const size_t size = font_builder::build_font(spec, rom);
-  CHECK_OK(inkcell::Font::open({rom.data, size}, font));
+  CHECK_OK(inkcell::open_any_font({rom.data, size}, font));
   return font;
 }
 

@@ -111,9 +111,9 @@ TEST(runs_have_faces) {
   CHECK(ends(draw_with(&font, nullptr)));
 }
 
-TEST(slanted_cells_are_of_slanted_styles) {
+TEST(slants_are_of_slanted_styles) {
   static TextStyle style;
-  const auto ask = [] { kept_address = &style.slanted_cells(); };
+  const auto ask = [] { kept_address = &style.slant(); };
   CHECK(ends(ask));
   Direction down;
   down.cosine.raw = 0;

@@ -2,7 +2,14 @@
 #include "inkcell/effects.hpp"
 
 #include "check.hpp"
+#include "effect_canvas.hpp"
 #include "effect_glyph.hpp"
+#include "inkcell/crisp.hpp"
+#include "inkcell/edge_contrast.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/lcd.hpp"
+#include "inkcell/motion_blur.hpp"
+#include "inkcell/supersample.hpp"
 #include "picture.hpp"
 
 using namespace inkcell;
@@ -82,4 +89,48 @@ TEST(filters_may_reach_to_the_end_of_the_band) {
   CHECK_OK(check_reach(range, size, shadow_filter(Q6_10::from_raw(2048))));
   CHECK_EQ(check_reach(range, size, shadow_filter(Q6_10::from_raw(2049))),
            Status::beyond_band);
+}
+
+// Upright and turned, whatever the window.
+TEST(every_effect_draws_fields) {
+  const LcdOptions lcd;
+  const LcdOptions lcd_vertical = {SubPixels::rgb_vertical, 255};
+  const CrispOptions crisp;
+  CrispOptions crisp_levels;
+  crisp_levels.levels = 4;
+  const Filter inner = with_weight(kFilterText, Q6_10::from_raw(-700));
+  const EdgeContrast contrast;
+  const Supersampling supersampling = make_supersampling();
+  MotionBlur blur;
+  CHECK_OK(make_motion_blur(
+      kFilterText, {Q26_6::from_raw(150), Q26_6::from_raw(-70)}, blur));
+  const Effect effects[] = {{},
+                            lcd_effect(lcd),
+                            lcd_effect(lcd_vertical),
+                            crisp_effect(crisp),
+                            crisp_effect(crisp_levels),
+                            outline_effect(inner),
+                            edge_contrast_effect(contrast),
+                            supersample_effect(supersampling),
+                            motion_blur_effect(blur)};
+  const GlyphField field = effect::field_of(font_builder::ring);
+  for (int32_t turn = 0; turn < 2; ++turn) {
+    TextStyle style = effect::style_of(23 * 64 + 5, turn != 0);
+    uint8_t plain[effect::kSide * effect::kSide];
+    for (const Effect& effect : effects) {
+      style.set_effect(effect);
+      const FinePoint origin(3 * 1024 + 77, (turn != 0 ? 5 : 28) * 1024 + 300);
+      effect::check_windows(field, style, origin);
+      CHECK(effect::ink() > 255 * 20);
+      int32_t same = 0;
+      for (int32_t i = 0; i < effect::kSide * effect::kSide; ++i) {
+        if (effect.mixer == nullptr) {
+          plain[i] = effect::picture[i];
+        }
+        same += plain[i] == effect::picture[i] ? 1 : 0;
+      }
+      CHECK((same == effect::kSide * effect::kSide) ==
+            (effect.mixer == nullptr));
+    }
+  }
 }

@@ -5,10 +5,11 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/field/circle_samples.hpp"
+#include "inkcell/field/splat.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/prepared_glyph.hpp"
-#include "inkcell/splat.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
@@ -144,7 +145,7 @@ void make_options() {
   both = {&edges.inner, &fill_sink};
   lcd_vertical.order = SubPixels::bgr_vertical;
   crisp_levels.levels = 4;
-  supersampling = make_supersampling(kFilterText);
+  supersampling = make_supersampling();
   CHECK_OK(make_motion_blur(
       kFilterText, {Q26_6::from_raw(150), Q26_6::from_raw(-75)}, blur));
 }
@@ -336,16 +337,16 @@ TEST(every_effect_draws_the_same_picture_in_parts) {
   }
 }
 
-TEST(only_what_takes_cells_is_refused) {
+TEST(only_what_takes_fields_is_refused) {
   const Font font = sample_font();
   TextStyle style = style_of(kUpright, 15);
-  supersampling =
-      make_supersampling(kFilterText, kPaperRadius, SampleRule::paper);
-  const Effect refused[] = {supersample_effect(supersampling),
+  const CircleSamples samples = make_circle_samples(kFilterText);
+  const Effect refused[] = {circle_samples_effect(samples),
                             splat_effect(splats)};
   for (const Effect& effect : refused) {
     style.set_effect(effect);
     CHECK_EQ(check_effect(font, style), Status::unsupported);
+    CHECK(is_empty(glyph_box(font, kDisc, style, kOrigin)));
   }
   style.set_effect({});
   CHECK_OK(check_effect(font, style));
@@ -353,7 +354,7 @@ TEST(only_what_takes_cells_is_refused) {
 
 TEST(supersampling_is_the_mean_of_five_pictures) {
   const Font font = sample_font();
-  supersampling = make_supersampling(kFilterText, kPaperRadius);
+  supersampling = make_supersampling(kPaperRadius);
   for (int32_t kind = 0; kind < kStyles; ++kind) {
     TextStyle style = style_of(kind, 15);
     draw_mean(font, style,
@@ -444,7 +445,7 @@ TEST(only_thin_strokes_of_outlines_are_darker) {
 }
 
 TEST(supersampled_edges_are_soft) {
-  supersampling = make_supersampling(kFilterText);
+  supersampling = make_supersampling();
   CHECK_PICTURE(drawn(kBar, 14, supersample_effect(supersampling)),
                 ".................\n"
                 ".................\n"

@@ -1,11 +1,11 @@
-// Distance and gradient by one question: of cells of both kinds, beyond them,
-// and everywhere in the em box against all edges of an outline.
+// Distance and gradient by one question: of cells, beyond them, and everywhere
+// in the em box against all edges of an outline.
 #include "any_record.hpp"
 #include "check.hpp"
-#include "field_record.hpp"
 #include "font_builder.hpp"
-#include "inkcell/field.hpp"
-#include "inkcell/runtime_field.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/generate.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
 #include "random.hpp"
@@ -26,7 +26,6 @@ constexpr size_t kRamBytes = 20480;
 alignas(4) uint8_t rom[outline_record::kSampleFontBytes];
 alignas(4) uint8_t ram[kRamBytes];
 outline_truth::Truth truth;
-FieldRecord edges;
 font_builder::Record samples;
 
 double magnitude(double value) {
@@ -35,7 +34,7 @@ double magnitude(double value) {
 
 Font open_outlines() {
   Font font;
-  CHECK_OK(Font::open({rom, outline_record::build_sample_font(rom)}, font));
+  CHECK_OK(open_any_font({rom, outline_record::build_sample_font(rom)}, font));
   return font;
 }
 
@@ -64,18 +63,9 @@ TEST(one_question_tells_what_two_do) {
   Random random(3);
   for (int32_t round = 0; round < 300 && !check::failed(); ++round) {
     GlyphField field;
-    if ((round & 1) != 0) {
-      edges = FieldRecord();
-      edges.linked = (round & 2) != 0;
-      edges.make(random, 100);
-      CHECK(edges.size() <= kRamBytes);
-      edges.write(ram);
-      CHECK_OK(GlyphField::open({ram, edges.size()}, field));
-    } else {
-      make_any(samples, random);
-      samples.write(ram);
-      CHECK_OK(GlyphField::open({ram, samples.size()}, field));
-    }
+    make_any(samples, random);
+    samples.write(ram);
+    CHECK_OK(GlyphField::open({ram, samples.size()}, field));
     for (int32_t i = 0; i < 20; ++i) {
       const int32_t x = random.between(field.x0_u - 9, field.x1_u() + 9);
       const int32_t y = random.between(field.y0_u - 9, field.y1_u() + 9);
@@ -184,7 +174,7 @@ TEST(fonts_that_know_too_little_are_refused) {
   font_builder::FontSpec spec;
   spec.glyphs = {glyphs, 1};
   Font font;
-  CHECK_OK(Font::open({bytes, font_builder::build_font(spec, bytes)}, font));
+  CHECK_OK(open_any_font({bytes, font_builder::build_font(spec, bytes)}, font));
   const int32_t band_u = font.range().band_u;
   GlyphField field;
   FieldLimits limits;

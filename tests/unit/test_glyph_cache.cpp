@@ -1,5 +1,6 @@
 // The cache of drawn glyphs: the same pictures, and which glyphs it keeps.
 #include "inkcell/cache/glyph_cache.hpp"
+#include "inkcell/field/draw.hpp"
 
 #include "check.hpp"
 #include "font_builder.hpp"
@@ -20,7 +21,7 @@ alignas(8) uint8_t ram[4096];
 Font sample_font() {
   Font font;
   const size_t size = font_builder::build_sample_font(rom);
-  CHECK_OK(Font::open({rom, size}, font));
+  CHECK_OK(open_any_font({rom, size}, font));
   return font;
 }
 
@@ -38,7 +39,7 @@ Font outline_font() {
   const size_t size = build_outline_font({glyphs, 4}, 0, 'A',
                                          {outline_rom, sizeof outline_rom}, {});
   Font font;
-  CHECK_OK(Font::open({outline_rom, size}, font));
+  CHECK_OK(open_any_font({outline_rom, size}, font));
   return font;
 }
 

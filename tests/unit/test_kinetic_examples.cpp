@@ -1,5 +1,6 @@
 // The code of docs/ANIMATING.md, which build.porting looks for here.
 #include "check.hpp"
+#include "inkcell/field/generate.hpp"
 #include "inkcell/kinetic/advect.hpp"
 #include "inkcell/kinetic/bodies.hpp"
 #include "inkcell/kinetic/body_draw.hpp"
@@ -17,7 +18,6 @@
 #include "inkcell/kinetic/redistance.hpp"
 #include "inkcell/kinetic/run.hpp"
 #include "inkcell/kinetic/timeline.hpp"
-#include "inkcell/runtime_field.hpp"
 #include "outline_record.hpp"
 
 namespace {

@@ -1,5 +1,6 @@
 // Layout: places where lines end, boxes, labels, carets, directions.
 #include "check.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/layout/label.hpp"
 #include "inkcell/layout/text_box.hpp"
 #include "layout_font.hpp"
@@ -157,7 +158,7 @@ TEST(fonts_may_lack_what_layout_adds) {
   spec.glyphs = {kGlyphs, 2};
   Setting setting;
   const size_t size = font_builder::build_font(spec, rom);
-  CHECK_OK(Font::open({rom, size}, setting.font));
+  CHECK_OK(open_any_font({rom, size}, setting.font));
   LayoutOptions options(setting.font, setting.style);
   PositionedGlyph room[8];
   Span<const PositionedGlyph> glyphs;
@@ -256,7 +257,7 @@ TEST(boxes_justify) {
                 ".:##:............+#*............:##:....\n"
                 ".:##:............+#*............:##:....\n"
                 ".:**:............+#*............:**:....\n"
-                "........................................\n"
+                ".................:......................\n"
                 "........................................\n"
                 "........................................\n"
                 "........................................\n"
@@ -338,7 +339,7 @@ TEST(faces_fall_back) {
   alignas(4) static uint8_t sample_rom[font_builder::kSampleFontBytes];
   const size_t size = font_builder::build_sample_font(sample_rom);
   Font sample;
-  CHECK_OK(Font::open({sample_rom, size}, sample));
+  CHECK_OK(open_any_font({sample_rom, size}, sample));
   const Setting setting;
   TextStyle small;
   CHECK_OK(TextStyle::make(Q26_6::from_int(5), kFilterText, small));

@@ -66,24 +66,3 @@ TEST(sub_pixels_lie_where_text_lies) {
     }
   }
 }
-
-// Around a grid sub-pixels show a third of a pixel more; around none they do
-// not, whatever the kind of its cells.
-TEST(glyphs_without_cells_show_nothing) {
-  const LcdOptions lcd;
-  constexpr GlyphField::Kind kKinds[] = {GlyphField::Kind::samples,
-                                         GlyphField::Kind::narrow_fields,
-                                         GlyphField::Kind::linked_fields};
-  constexpr int32_t kSizes[] = {4, 16, 40};
-  for (const GlyphField::Kind kind : kKinds) {
-    GlyphField field;
-    field.kind = kind;
-    for (const int32_t px : kSizes) {
-      TextStyle style;
-      CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
-      style.set_effect(lcd_effect(lcd));
-      draw(field, style, {(5 << 10) + 512, (20 << 10) + 512});
-      CHECK_EQ(ink(), 0);
-    }
-  }
-}

@@ -1,5 +1,6 @@
 // Font::verify of fonts of outlines: rules 16 to 18 of docs/FORMAT.md.
 #include "check.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
 #include "outline_record.hpp"
 
@@ -19,7 +20,7 @@ size_t rom_bytes = 0;
 Font sample() {
   Font font;
   rom_bytes = outline_record::build_sample_font(rom);
-  CHECK_OK(Font::open({rom, rom_bytes}, font));
+  CHECK_OK(open_any_font({rom, rom_bytes}, font));
   return font;
 }
 
@@ -34,7 +35,7 @@ uint8_t* record_of(const Font& font, uint16_t glyph) {
 Status verify_changed() {
   CHECK(repair_checksums({rom, rom_bytes}));
   Font font;
-  const Status status = Font::open({rom, rom_bytes}, font);
+  const Status status = open_any_font({rom, rom_bytes}, font);
   return status == Status::ok ? font.verify() : status;
 }
 

@@ -1,9 +1,9 @@
 // Fields made of outlines in RAM, against distances from all of their edges.
-#include "inkcell/runtime_field.hpp"
+#include "inkcell/field/generate.hpp"
 
 #include "check.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/filter.hpp"
-#include "inkcell/render.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
 #include "picture.hpp"
@@ -51,7 +51,7 @@ void set_truth(uint16_t glyph, double scale, double x, double y) {
 Font open_font() {
   const size_t size = outline_record::build_sample_font(rom);
   Font font;
-  CHECK_OK(Font::open({rom, size}, font));
+  CHECK_OK(open_any_font({rom, size}, font));
   return font;
 }
 
@@ -156,7 +156,7 @@ TEST(records_are_of_the_format) {
     spec.glyphs = {glyphs, 1};
     const size_t size = font_builder::build_font(spec, spare);
     Font made;
-    CHECK_OK(Font::open({spare, size}, made));
+    CHECK_OK(open_any_font({spare, size}, made));
     CHECK_OK(made.verify());
   }
 }

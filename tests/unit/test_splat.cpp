@@ -1,13 +1,13 @@
 // Splats: what they are the mean of, and that no picture depends on how it is
 // cut or on how many sums there are.
-#include "inkcell/splat.hpp"
+#include "inkcell/field/splat.hpp"
 
 #include "any_record.hpp"
 #include "check.hpp"
 #include "effect_canvas.hpp"
 #include "effect_glyph.hpp"
 #include "font_builder.hpp"
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -129,7 +129,7 @@ class Gathered {
                     Q16_16::from_raw(y_u * 65536 + size * 32768))
             .raw;
     weight_ += weight;
-    covered_ += weight * style_.coverage(distance);
+    covered_ += weight * style_.filter().coverage(style_.to_px_q10(distance));
   }
 
   const GlyphField& field_;

@@ -1,4 +1,6 @@
 // Text: UTF-8, layout, measures, and drawing runs.
+#include "inkcell/field/draw.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "inkcell/text.hpp"
 
 #include "check.hpp"
@@ -15,7 +17,7 @@ alignas(4) uint8_t rom[font_builder::kSampleFontBytes];
 Font sample() {
   Font font;
   const size_t size = font_builder::build_sample_font(rom);
-  CHECK_OK(Font::open({rom, size}, font));
+  CHECK_OK(open_any_font({rom, size}, font));
   return font;
 }
 
@@ -289,7 +291,7 @@ Font letters_only() {
   spec.glyphs = {kGlyphs, 3};
   Font font;
   const size_t size = font_builder::build_font(spec, rom);
-  CHECK_OK(Font::open({rom, size}, font));
+  CHECK_OK(open_any_font({rom, size}, font));
   return font;
 }
 
@@ -447,7 +449,7 @@ TEST(a_run_is_its_glyphs) {
   Ink single;
   for (const PositionedGlyph& glyph : run) {
     GlyphField field;
-    CHECK_OK(font.field(glyph.glyph, field));
+    CHECK_OK(read_field(font, glyph.glyph, field));
     // 20 px to 1000 units, in Q10: 20.48 to the unit.
     const FinePoint origin(3 * 1024 + (int64_t{glyph.x} * 2048 + 50) / 100,
                            40 * 1024);

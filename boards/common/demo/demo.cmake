@@ -99,8 +99,6 @@ set(INKCELL_MOTION_print print_scene.hpp PrintScene)
 # <name>_pattern draws on; their names in the variable <scenes>.
 function(inkcell_add_motions name board format scenes)
   inkcell_add_motion_font()
-  # Scenes generate fields.
-  target_compile_definitions(inkcell_core PUBLIC INKCELL_SAMPLE_CELLS=1)
   set(INKCELL_DEMO_MOTIONS path clock particles figure15)
   include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
   foreach(scene ${INKCELL_DEMO_MOTIONS})

@@ -43,9 +43,7 @@ struct Call {
   Packing packing = {8, 1};
 
   void open() noexcept {
-    const Effect& effect = style.effect();
-    if (sink.coverage_rgb != nullptr &&
-        (effect.cells != nullptr || effect.mixer != nullptr)) {
+    if (sink.coverage_rgb != nullptr && style.effect().mixer != nullptr) {
       packing.channels = 3;
     }
     packing.bits = store->options().bits;

@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text_style.hpp"
 
@@ -26,24 +26,18 @@ struct CrispOptions {
 };
 
 namespace detail {
-void paint_crisp(const GlyphField& field,
-                 const TextStyle& style,
-                 const void* options,
-                 const FinePoint& origin,
-                 const Sink& sink);
 extern const Mixer kCrispMixer;
 }  // namespace detail
 
 /// Any sink will do: full coverage draws with every threshold. The options must
 /// outlive the style.
 ///
-/// Glyphs of cells and of outlines may differ where strokes are narrower than a
-/// pixel: of outlines a stroke passes between two centres if both lie outside
-/// and the straight line between them crosses the outline. With thresholds
-/// above 0 strokes narrower than twice the threshold may break.
+/// A stroke passes between two centres if both lie outside and the straight
+/// line between them crosses the outline; in a field, if its middle lies
+/// inside. With thresholds above 0 strokes narrower than twice the threshold
+/// may break.
 constexpr Effect crisp_effect(const CrispOptions& crisp) noexcept {
-  return {detail::cell_effect(detail::paint_crisp), &detail::kCrispMixer,
-          &crisp, 1};
+  return {&detail::kCrispMixer, &crisp, 1};
 }
 Effect crisp_effect(const CrispOptions&&) = delete;
 

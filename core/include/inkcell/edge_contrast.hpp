@@ -29,19 +29,13 @@ struct EdgeContrast {
 };
 
 namespace detail {
-void paint_edge_contrast(const GlyphField& field,
-                         const TextStyle& style,
-                         const void* options,
-                         const FinePoint& origin,
-                         const Sink& sink);
 extern const Mixer kEdgeContrastMixer;
 }  // namespace detail
 
 /// The options must outlive the style.
 constexpr Effect edge_contrast_effect(
     const EdgeContrast& edge_contrast) noexcept {
-  return {detail::cell_effect(detail::paint_edge_contrast),
-          &detail::kEdgeContrastMixer, &edge_contrast, 1};
+  return {&detail::kEdgeContrastMixer, &edge_contrast, 1};
 }
 Effect edge_contrast_effect(const EdgeContrast&&) = delete;
 

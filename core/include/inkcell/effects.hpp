@@ -1,7 +1,7 @@
 // Outlines, shadows and glows, all from the distances of the same font.
 //
 // Filters make weight (with_weight), shadow_filter and glow_filter. With fonts
-// of cells they cost no more than plain text. With fonts of outlines a weight
+// of fields they cost no more than plain text. With fonts of outlines a weight
 // costs two to three times as much, a glow of 4 px four to five. Draw a shadow
 // first, with its own style and colour, at the text's origin plus the shadow's
 // offset (any 1/64 px); then draw the text. An outline is an effect:
@@ -12,7 +12,7 @@
 //   INKCELL_TRY(TextStyle::make(size, outline.outer, style));
 //   style.set_effect(outline_effect(outline.inner));
 //
-// Distances of cells end at the font's band (FontRange::band_u; --band-px of
+// Distances of fields end at the font's band (FontRange::band_u; --band-px of
 // inkcell-fontgen), and an effect that reaches beyond is cut off there. For
 // outlines the device makes distances as far as the filter reaches.
 #pragma once
@@ -22,7 +22,7 @@
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text_style.hpp"
@@ -78,20 +78,13 @@ constexpr Outline make_outline(const Filter& edge,
 }
 
 namespace detail {
-// Of any mixer, from the distances of cells.
-void paint_mixed_cells(const GlyphField& field,
-                       const TextStyle& style,
-                       const void* options,
-                       const FinePoint& origin,
-                       const Sink& sink);
 extern const Mixer kOutlineMixer;
 }  // namespace detail
 
 /// Draws what the style's filter covers and `inner`, which is Outline::inner,
 /// does not. The filter must outlive the style.
 constexpr Effect outline_effect(const Filter& inner) noexcept {
-  return {detail::cell_effect(detail::paint_mixed_cells),
-          &detail::kOutlineMixer, &inner, 0};
+  return {&detail::kOutlineMixer, &inner, 0};
 }
 Effect outline_effect(const Filter&&) = delete;
 
@@ -112,8 +105,7 @@ extern const Mixer kOutlineAndFillMixer;
 /// to the outline's sink, then the same pixels to the fill's. The options must
 /// outlive the style.
 constexpr Effect outline_and_fill_effect(const OutlineAndFill& both) noexcept {
-  return {detail::cell_effect(detail::paint_mixed_cells),
-          &detail::kOutlineAndFillMixer, &both, 0};
+  return {&detail::kOutlineAndFillMixer, &both, 0};
 }
 Effect outline_and_fill_effect(const OutlineAndFill&&) = delete;
 

@@ -199,7 +199,7 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
 
 /// The same filter with the edges of the text moved outwards by `weight_px`,
 /// inwards if it is negative: strokes gain twice that. Cutoffs are clamped to
-/// +-4 px, so the full weight may not be reached. Glyphs of cells are as fast
+/// +-4 px, so the full weight may not be reached. Glyphs of fields are as fast
 /// to draw with it.
 constexpr Filter with_weight(const Filter& filter, Q6_10 weight_px) noexcept {
   constexpr int32_t kLimit = 4 << 10;

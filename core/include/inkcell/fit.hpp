@@ -11,16 +11,16 @@
 // and so are advances: lay out and measure with the style then.
 //
 // Fitting moves the points of outlines before painting. That costs about as
-// much as decoding them. Glyphs of cells stay as designed.
+// much as decoding them. Glyphs of fields stay as designed.
 #pragma once
 
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/grid_hints.hpp"
-#include "inkcell/render.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/text_style.hpp"
 

@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "inkcell/coding.hpp"
-#include "inkcell/field.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 
@@ -21,7 +20,6 @@ struct OutlineCoding {
   uint16_t max_points = 0;         // of a glyph; no reader goes on beyond
 };
 
-Status read_field(const Font& font, uint16_t glyph, GlyphField& field) noexcept;
 const OutlineCoding& outline_coding(const Font& font) noexcept;
 }  // namespace detail
 
@@ -33,6 +31,16 @@ struct GlyphMetrics {
   int16_t y_min = 0;
   int16_t x_max = 0;
   int16_t y_max = 0;
+};
+
+/// The box of a glyph's ink. [u] By default all of the plane.
+struct InkBox {
+  static constexpr int16_t kFar = 16384;
+
+  int16_t x0_u = -kFar;
+  int16_t y0_u = -kFar;
+  int16_t x1_u = kFar;
+  int16_t y1_u = kFar;
 };
 
 /// Measures of the whole font in font units, y up: the descender is negative.
@@ -79,9 +87,10 @@ class Font {
   /// longer than the font.
   ///
   /// bad_magic, bad_version, misaligned, corrupt (header, directory or table
-  /// sizes), unsupported (a section or coding that this build cannot read:
-  /// fonts of edges need INKCELL_EDGE_CELLS, of samples INKCELL_SAMPLE_CELLS).
-  /// `out` is untouched unless the result is ok.
+  /// sizes), unsupported (a section that this version cannot read, or another
+  /// coding: fonts of fields need kFieldCoding of inkcell/field/draw.hpp, and
+  /// fonts of the former coding `edges` must be generated anew). `out` is
+  /// untouched unless the result is ok.
   static Status open(Span<const uint8_t> rom, Font& out) noexcept {
     return open(rom, kOutlineCoding, out);
   }
@@ -90,7 +99,8 @@ class Font {
                      const Coding& coding,
                      Font& out) noexcept;
 
-  /// Reads the whole font: its checksum, every table and every reference.
+  /// Reads the whole font: its checksum, every table and every outline; for
+  /// cells there is verify_fields() (inkcell/field/verify.hpp).
   /// Never needed for safety; for a factory test or after an update. Time is
   /// proportional to the font's size. corrupt: something does not fit.
   Status verify() const noexcept;
@@ -98,7 +108,7 @@ class Font {
   uint16_t glyph_count() const noexcept { return glyph_count_; }
   FontMetrics metrics() const noexcept;
   FontRange range() const noexcept;
-  /// Whether glyphs are outlines, and not cells.
+  /// Whether glyphs are outlines, and not fields.
   bool has_outlines() const noexcept { return coding_.code_bits != 0; }
   uint16_t units_per_em() const noexcept { return units_per_em_; }
   /// What paints glyphs; null before open().
@@ -132,11 +142,6 @@ class Font {
   /// about 16 steps for ASCII.
   int32_t kerning(uint16_t left, uint16_t right) const noexcept;
 
-  /// The distance field of a glyph; empty for a glyph without ink.
-  /// no_glyph: there is no glyph of this id. corrupt, unsupported: as
-  /// GlyphField::open. `out` is untouched unless the result is ok.
-  Status field(uint16_t glyph, GlyphField& out) const noexcept;
-
   /// The glyph's record as it lies in the font, for tools. Empty if the glyph
   /// has no ink, does not exist, or its offsets do not fit.
   Span<const uint8_t> record(uint16_t glyph) const noexcept;
@@ -153,9 +158,6 @@ class Font {
  private:
   friend const detail::OutlineCoding& detail::outline_coding(
       const Font& font) noexcept;
-  friend Status detail::read_field(const Font& font,
-                                   uint16_t glyph,
-                                   GlyphField& field) noexcept;
 
   Status open_tables(uint32_t sections) noexcept;
   bool open_code(const Span<const uint8_t>& code) noexcept;

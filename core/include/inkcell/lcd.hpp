@@ -3,17 +3,16 @@
 //   style.set_effect(lcd_effect(lcd));
 //   port::make_lcd_sink(target, sink);
 //
-// Each stripe is a third of a pixel wide and has its own coverage: glyphs of
-// cells take it from the distance at the stripe's centre, glyphs of outlines
-// exactly. Each channel is the mean of its stripe and the two beside it. Edges
-// have three times the resolution across the stripes. Every stroke, however
-// thin, adds the same to red, green and blue, so that it looks grey from a
-// distance.
+// Each stripe is a third of a pixel wide and has its own coverage: fields take
+// it from the distance at the stripe's centre, outlines exactly. Each channel
+// is the mean of its stripe and the two beside it. Edges have three times the
+// resolution across the stripes. Every stroke, however thin, adds the same to
+// red, green and blue, so that it looks grey from a distance.
 #pragma once
 
 #include <stdint.h>
 
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text_style.hpp"
 
@@ -32,22 +31,16 @@ struct LcdOptions {
 };
 
 namespace detail {
-void paint_lcd(const GlyphField& field,
-               const TextStyle& style,
-               const void* options,
-               const FinePoint& origin,
-               const Sink& sink);
 extern const Mixer kLcdMixer;
 }  // namespace detail
 
 /// Draws sub-pixels. A sink without coverage_rgb is given the mean of the
 /// three. The options must outlive the style.
 ///
-/// Glyphs of outlines take the exact coverage of each stripe, mapped by the
-/// filter's table: gamma, contrast and exponent count, weights and the width of
-/// the ramp do not.
+/// The coverage of each stripe is mapped by the filter's table: gamma, contrast
+/// and exponent count, weights and the width of the ramp do not.
 constexpr Effect lcd_effect(const LcdOptions& lcd) noexcept {
-  return {detail::cell_effect(detail::paint_lcd), &detail::kLcdMixer, &lcd, 1};
+  return {&detail::kLcdMixer, &lcd, 1};
 }
 Effect lcd_effect(const LcdOptions&&) = delete;
 

@@ -20,7 +20,7 @@
 #include <stdint.h>
 
 #include "inkcell/filter.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text_style.hpp"
 
@@ -46,18 +46,12 @@ Status make_motion_blur(const Filter& filter,
                         MotionBlur& out) noexcept;
 
 namespace detail {
-void paint_motion_blur(const GlyphField& field,
-                       const TextStyle& style,
-                       const void* options,
-                       const FinePoint& origin,
-                       const Sink& sink);
 extern const Mixer kMotionBlurMixer;
 }  // namespace detail
 
 /// The options must outlive the style.
 constexpr Effect motion_blur_effect(const MotionBlur& blur) noexcept {
-  return {detail::cell_effect(detail::paint_motion_blur),
-          &detail::kMotionBlurMixer, &blur, blur.reach_px};
+  return {&detail::kMotionBlurMixer, &blur, blur.reach_px};
 }
 Effect motion_blur_effect(const MotionBlur&&) = delete;
 

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text_style.hpp"
 #include "inkcell/workspace.hpp"

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/text_style.hpp"
@@ -138,9 +138,9 @@ TextMeasure measure(const Font& font,
 /// clamped to the range of Q26_6.
 Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept;
 
-/// unsupported: the style's effect does not draw glyphs of this font, and they
-/// look as without it. Outlines take neither splats nor the paper's rule of 13
-/// samples; cells take no effect with a style that stretches.
+/// unsupported: the style's effect does not draw glyphs of this font, and
+/// nothing shows. Outlines take neither splats nor circle samples; fields do,
+/// but not with a style that stretches.
 Status check_effect(const Font& font, const TextStyle& style) noexcept;
 
 /// Draws laid-out glyphs with the run's origin (left end of its baseline) at

@@ -4,7 +4,6 @@
 #include <stdint.h>
 
 #include "inkcell/assert.hpp"
-#include "inkcell/field.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/matrix.hpp"
@@ -15,7 +14,6 @@ namespace inkcell {
 class TextStyle;
 class Font;
 struct FinePoint;
-struct GlyphField;
 struct GlyphMetrics;
 struct GlyphWarp;
 struct Sink;
@@ -38,28 +36,7 @@ struct Fitter {
                         const void* options) noexcept;
 };
 
-/// Draws a glyph of cells in another way than one sample a pixel. Clips to the
-/// sink's window; cannot fail.
-using CellEffect = void (*)(const GlyphField& field,
-                            const TextStyle& style,
-                            const void* options,
-                            const FinePoint& origin,
-                            const Sink& sink);
-
 namespace detail {
-inline void paint_nothing(const GlyphField&,
-                          const TextStyle&,
-                          const void*,
-                          const FinePoint&,
-                          const Sink&) {}
-
-/// `painter`, unless the build has no cells: then nobody can open a field, and
-/// an effect keeps no painter of cells in the program.
-constexpr CellEffect cell_effect(CellEffect painter) noexcept {
-  return kHasCells ? painter : paint_nothing;
-}
-
-struct CellRaster;
 struct Mixer;
 struct OutlineFitter;
 struct Painter;
@@ -88,20 +65,13 @@ extern const OutlineFitter kOutlineFitter;
 
 // What glyphs need that are not upright.
 extern const Slant kSlant;
-
-// What glyphs of cells need that are not upright.
-extern const CellRaster kTurnedCells;     // where all edges are stretched alike
-extern const CellRaster kStretchedCells;  // and where they are not
 }  // namespace detail
 
 /// Draws glyphs in another way than one sample a pixel. Made by functions
 /// beside the options that they take: outline_effect(), lcd_effect() and
 /// others.
 struct Effect {
-  CellEffect cells = nullptr;  // null: one sample a pixel
-  /// Null: glyphs of outlines are drawn as without an effect; see
-  /// check_effect().
-  const detail::Mixer* mixer = nullptr;
+  const detail::Mixer* mixer = nullptr;  // null: one sample a pixel
   const void* options = nullptr;
   /// How much farther than plain drawing it reaches on each side of a glyph, in
   /// pixels and in samples.
@@ -117,8 +87,8 @@ inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
 /// outlive it, unchanged.
 class TextStyle {
  public:
-  /// 16 px/em, upright, filter `text`. Draws glyphs of cells only: make()
-  /// selects the painter of outlines, so that a program links no other painter.
+  /// 16 px/em, upright. Draws nothing: make() selects the painter, so that a
+  /// program links no other.
   constexpr TextStyle() noexcept = default;
 
   /// An upright style of `size` px to the em. bad_argument: the size is outside
@@ -159,7 +129,7 @@ class TextStyle {
   }
 
   /// Styles with which glyphs of outlines are drawn with exact coverage: how
-  /// much of each pixel lies inside. Glyphs of cells take filter `text`.
+  /// much of each pixel lies inside. Fields take the ramp of a straight edge.
   static Status make(Q26_6 size, AreaFilter, TextStyle& out) noexcept {
     INKCELL_TRY(make_upright(size, kFilterText, out));
     out.set_painter(detail::kPaintAreas);
@@ -204,9 +174,7 @@ class TextStyle {
   void set_fitter(const Fitter* fitter, const void* options) noexcept {
     if (is_upright()) {
       fitter_ = fitter;
-      if constexpr (detail::kHasOutlines) {
-        outline_fitter_ = &detail::kOutlineFitter;
-      }
+      outline_fitter_ = &detail::kOutlineFitter;
     }
     fitter_options_ = options;
   }
@@ -224,8 +192,7 @@ class TextStyle {
   /// Sets the effect that draws the glyphs. `{}`, the default, takes one sample
   /// at the centre of each pixel and is the fastest. The effect's options must
   /// outlive the style. The linker drops the effects that a program does not
-  /// name. Some pairs of font, style and effect are drawn without the effect:
-  /// check_effect() refuses them.
+  /// name. check_effect() refuses pairs of font and effect that draw nothing.
   void set_effect(const Effect& effect) noexcept { effect_ = effect; }
   const Effect& effect() const noexcept { return effect_; }
 
@@ -237,9 +204,7 @@ class TextStyle {
   /// What the filter takes; null before make().
   const detail::Painter* painter() const noexcept { return painter_; }
   void set_painter(const detail::Painter& painter) noexcept {
-    if constexpr (detail::kHasOutlines) {
-      painter_ = &painter;
-    }
+    painter_ = &painter;
   }
 
   /// The functions that fit glyphs of outlines (a fitted style), or slant them
@@ -251,13 +216,6 @@ class TextStyle {
   const detail::Slant& slant() const noexcept {
     INKCELL_ASSERT(!is_upright());
     return *slant_;
-  }
-
-  /// The painter of glyphs of cells, for styles that are not upright. make()
-  /// links it.
-  const detail::CellRaster& slanted_cells() const noexcept {
-    INKCELL_ASSERT(!is_upright());
-    return *slanted_cells_;
   }
 
   /// Whether edges of different directions are stretched differently, and the
@@ -288,14 +246,6 @@ class TextStyle {
   int32_t step_along_q16() const noexcept { return right_.x_q16; }
   int32_t step_across_q16() const noexcept { return up_.x_q16; }
 
-  /// The factor from curvature in 1/u to curvature in 1/px, which is 1024 /
-  /// size, without a division: bend_q14() 2^(15 - bend_shift()).
-  ///
-  /// bend_shift() = 5 + ceil(log2(size)), and bend_q14() = 2^(bend_shift() - 5)
-  /// / size, in [1, 2). [px/em; Q14]
-  int32_t bend_q14() const noexcept { return bend_q14_; }
-  int32_t bend_shift() const noexcept { return bend_shift_; }
-
   /// Converts a distance from u to px; clamps it to [-32, 32] px. [Q10 -> Q10]
   int32_t to_px_q10(int32_t distance_u_q10) const noexcept {
     // The clamp keeps the product below 2^31 at every size.
@@ -305,65 +255,27 @@ class TextStyle {
     return (distance_u_q10 * size_q6_) >> 16;
   }
 
-  /// Whether all distances up to this one have coverage 0, and whether all from
-  /// this one on have 255. For stretched styles: in every direction. [u, Q10]
-  bool is_transparent(int32_t distance_u_q10) const noexcept {
-    return distance_u_q10 <= transparent_u_q10_;
-  }
-  bool is_opaque(int32_t distance_u_q10) const noexcept {
-    return distance_u_q10 >= opaque_u_q10_;
-  }
-
-  /// The greatest distance with coverage 0, and the least with 255. [u, Q10]
-  int32_t transparent_u_q10() const noexcept { return transparent_u_q10_; }
-  int32_t opaque_u_q10() const noexcept { return opaque_u_q10_; }
-
-  /// Coverage at a distance: filter().coverage(to_px_q10(distance_u_q10)), with
-  /// the two common cases first. Not for stretched styles. [u, Q10]
-  uint8_t coverage(int32_t distance_u_q10) const noexcept {
-    INKCELL_ASSERT(!is_stretched());
-    if (is_transparent(distance_u_q10)) {
-      return 0;
-    }
-    if (is_opaque(distance_u_q10)) {
-      return 255;
-    }
-    // Within 4 px of the edge: no clamp is needed.
-    return filter_->ramp((distance_u_q10 * size_q6_) >> 16);
-  }
-
   friend bool is_same(const TextStyle& a, const TextStyle& b) noexcept;
 
  private:
   struct Stretch;
   Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
-  void set_slanted(const detail::CellRaster& cells) noexcept {
+  void set_slanted() noexcept {
     is_slanted_ = true;
     slant_ = &detail::kSlant;
-    if constexpr (detail::kHasCells) {
-      slanted_cells_ = &cells;
-    }
   }
 
   int32_t size_q6_ = 16 << 6;      // [px/em]
   int32_t limit_u_q10_ = 2097151;  // what 32 px are at this size
-  int32_t transparent_u_q10_ = -32705;
-  int32_t opaque_u_q10_ = 32768;
-  uint16_t bend_q14_ = 1 << 14;
   uint16_t least_gain_q15_ = 1 << 15;
-  uint8_t bend_shift_ = 9;
   bool is_slanted_ = false;
   GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
   GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_ = &kFilterText;
   const detail::Painter* painter_ = nullptr;
-  // Only upright text is fitted.
-  union {
-    const Fitter* fitter_ = nullptr;
-    const detail::CellRaster* slanted_cells_;
-  };
-  union {
+  const Fitter* fitter_ = nullptr;
+  union {  // only upright text is fitted
     const detail::OutlineFitter* outline_fitter_ = nullptr;
     const detail::Slant* slant_;
   };

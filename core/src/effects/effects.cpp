@@ -1,38 +1,8 @@
 #include "inkcell/effects.hpp"
 
 #include "base/math.hpp"
-#include "effects/mixed_cells.hpp"
 
 namespace inkcell {
-namespace detail {
-namespace {
-
-// The plan of a mixer that both codings share.
-BandPlan plan_of(const TextStyle& style) noexcept {
-  BandPlan plan;
-  const Filter& filter = style.filter();
-  plan.widen(filter);
-  plan.shown_q8 = max(-filter.outside_q10 >> 2, 0) + 1;
-  style.effect().mixer->plan(style, plan);
-  return plan;
-}
-
-void mix_toggled(GlyphJob& job) {
-  toggle_rows(job.band);
-  job.style->effect().mixer->mix(job);
-}
-
-}  // namespace
-
-void paint_mixed_cells(const GlyphField& field,
-                       const TextStyle& style,
-                       const void*,
-                       const FinePoint& origin,
-                       const Sink& sink) {
-  mix_cells(field, style, origin, sink, plan_of(style), nullptr, mix_toggled);
-}
-
-}  // namespace detail
 
 Status check_reach(const FontRange& range,
                    Q26_6 size,

@@ -1,7 +1,6 @@
 // Sub-pixels of outlines: exact coverage of each stripe.
 #include "base/math.hpp"
 #include "base/words.hpp"
-#include "effects/lcd_stripes.hpp"
 #include "inkcell/lcd.hpp"
 #include "rows/cover_areas.hpp"
 #include "rows/mixer.hpp"
@@ -9,6 +8,59 @@
 namespace inkcell {
 namespace detail {
 namespace {
+
+// The mean of three to within a level, without a division.
+uint8_t third(int32_t sum) noexcept {
+  return static_cast<uint8_t>((sum * 171 + 85) >> 9);
+}
+uint8_t mean(int32_t a, int32_t b, int32_t c) noexcept {
+  return third(a + b + c);
+}
+
+bool is_vertical(SubPixels order) noexcept {
+  return order == SubPixels::rgb_vertical || order == SubPixels::bgr_vertical;
+}
+
+bool is_red_first(SubPixels order) noexcept {
+  return order == SubPixels::rgb || order == SubPixels::rgb_vertical;
+}
+
+// Hands on pixels of three coverages, which may be changed.
+__attribute__((noinline)) void hand_on(const Sink& sink,
+                                       const LcdOptions& lcd,
+                                       int32_t x,
+                                       int32_t y,
+                                       uint8_t* rgb,
+                                       int32_t count) noexcept {
+  const bool is_grey = sink.coverage_rgb == nullptr;
+  if (is_grey || lcd.colour != 255) {
+    for (int32_t i = 0; i < count; ++i) {
+      uint8_t* const pixel = rgb + 3 * i;
+      const int32_t grey = mean(pixel[0], pixel[1], pixel[2]);
+      for (int32_t j = 0; j < 3; ++j) {
+        pixel[j] =
+            static_cast<uint8_t>(grey + (pixel[j] - grey) * lcd.colour / 255);
+      }
+    }
+  }
+  if (!is_grey) {
+    sink.coverage_rgb(sink.context, x, y, rgb, count);
+    return;
+  }
+  for (int32_t i = 0; i < count; ++i) {
+    rgb[i] = mean(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+  }
+  sink.coverage(sink.context, x, y, rgb, count);
+}
+
+// How stripes lie in a band. [bytes]
+struct StripeSteps {
+  int32_t before;  // from a pixel's first stripe to the one before it
+  int32_t stripe;  // to the next one
+  int32_t behind;  // to the first one that is not the pixel's
+  int32_t pixel;   // to the next pixel's
+  int32_t row;     // to that of the pixel below
+};
 
 const LcdOptions& lcd_of(const TextStyle& style) noexcept {
   return *static_cast<const LcdOptions*>(style.effect().options);
@@ -105,6 +157,19 @@ __attribute__((noinline)) int32_t mix_span(const GlyphJob& job,
   return done;
 }
 
+// Makes channels of a band of stripes' coverages, each the mean of three, and
+// hands them on.
+void mix_stripes(const GlyphJob& job, const StripeSteps& steps) noexcept {
+  const Rect& pixels = job.pixels;
+  const uint8_t* at = job.band.row(job.row) + job.column;
+  for (int32_t y = pixels.y0; y != pixels.y1; ++y, at += steps.row) {
+    StripeRow stripes(at, steps);
+    for (int32_t x = pixels.x0; x != pixels.x1;) {
+      x += mix_span(job, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
+    }
+  }
+}
+
 void mix_lcd(GlyphJob& job) noexcept {
   const Filter& filter = job.style->filter();
   cover_areas(job.band, filter);
@@ -120,17 +185,6 @@ void mix_lcd(GlyphJob& job) noexcept {
 }
 
 }  // namespace
-
-void mix_stripes(const GlyphJob& job, const StripeSteps& steps) noexcept {
-  const Rect& pixels = job.pixels;
-  const uint8_t* at = job.band.row(job.row) + job.column;
-  for (int32_t y = pixels.y0; y != pixels.y1; ++y, at += steps.row) {
-    StripeRow stripes(at, steps);
-    for (int32_t x = pixels.x0; x != pixels.x1;) {
-      x += mix_span(job, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
-    }
-  }
-}
 
 const Mixer kLcdMixer = {&kPaintAreas, plan_lcd, mix_lcd};
 

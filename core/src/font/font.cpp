@@ -3,7 +3,6 @@
 #include "base/bit_table.hpp"
 #include "base/bytes.hpp"
 #include "base/crc.hpp"
-#include "cells/record.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell/version.hpp"
 
@@ -33,15 +32,6 @@ struct Header {
   uint32_t sections = 0;
   uint32_t total_bytes = 0;
 };
-
-// Cells, which no source paints yet.
-bool is_of_cells(uint32_t coding) noexcept {
-  using format::Coding;
-  return (INKCELL_SAMPLE_CELLS != 0 &&
-          coding == static_cast<uint32_t>(Coding::field)) ||
-         (INKCELL_EDGE_CELLS != 0 &&
-          coding == static_cast<uint32_t>(Coding::edges));
-}
 
 Status read_header(Span<const uint8_t> rom, Header& out) noexcept {
   if (rom.size < header::kBytes) {
@@ -135,11 +125,10 @@ Status Font::open(Span<const uint8_t> rom,
   Header read;
   INKCELL_TRY(read_header(rom, read));
   Font font;
-  if (rom.data[header::kCoding] == coding.number) {
-    font.source_ = coding.source;
-  } else if (!is_of_cells(rom.data[header::kCoding])) {
+  if (rom.data[header::kCoding] != coding.number) {
     return Status::unsupported;
   }
+  font.source_ = coding.source;
   font.rom_ = {rom.data, read.total_bytes};
   INKCELL_TRY(font.open_tables(read.sections));
   out = font;
@@ -368,27 +357,6 @@ Span<const uint8_t> Font::record(uint16_t glyph) const noexcept {
     return {};
   }
   return {bytes.data + begin, end - begin};
-}
-
-Status detail::read_field(const Font& font,
-                          uint16_t glyph,
-                          GlyphField& field) noexcept {
-  if (glyph >= font.glyph_count_) {
-    return Status::no_glyph;
-  }
-  const Span<const uint8_t> bytes = font.record(glyph);
-  if (bytes.size != 0) {
-    INKCELL_TRY(read_record(bytes, field));
-    field.ink = font.ink_box(glyph);
-  }
-  return Status::ok;
-}
-
-Status Font::field(uint16_t glyph, GlyphField& out) const noexcept {
-  GlyphField field;
-  INKCELL_TRY(detail::read_field(*this, glyph, field));
-  out = field;
-  return Status::ok;
 }
 
 Span<const char> Font::name() const noexcept {

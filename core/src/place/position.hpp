@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "base/modular.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 
 namespace inkcell {
 namespace detail {

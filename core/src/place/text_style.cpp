@@ -4,14 +4,6 @@
 namespace inkcell {
 namespace {
 
-// The quotient rounded towards plus infinity. Unsigned: division of signed
-// numbers is one more routine on cores that have none.
-int32_t divide_up(int32_t dividend, uint32_t divisor) noexcept {
-  const auto size = static_cast<uint32_t>(dividend);
-  return dividend > 0 ? static_cast<int32_t>((size + divisor - 1) / divisor)
-                      : -static_cast<int32_t>((0u - size) / divisor);
-}
-
 // The length of a vector, rounded down; components below 2^30.
 int64_t length_of(int64_t x, int64_t y) noexcept {
   auto rest = static_cast<uint64_t>(x * x + y * y);
@@ -63,7 +55,6 @@ Status TextStyle::set_size(const Stretch& stretch,
     return Status::bad_argument;
   }
   const auto size_q6 = static_cast<uint32_t>(stretch.most_q6);
-  const auto least_q6 = static_cast<uint32_t>(stretch.least_q6);
   // Smaller than to assign a TextStyle: nearly all of it is 0 or follows here.
   __builtin_memset(static_cast<void*>(this), 0, sizeof *this);
   right_.x_q20 = 1 << 20;
@@ -73,22 +64,11 @@ Status TextStyle::set_size(const Stretch& stretch,
   least_gain_q15_ = 1 << 15;
   filter_ = &filter;
   size_q6_ = stretch.most_q6;
-  // Least products of distance and size that reach past the cutoffs: the
-  // smallest d with floor(d size / 2^16) > outside is transparent no more.
-  transparent_u_q10_ =
-      divide_up((filter.outside_q10 + 1) * (1 << 16), least_q6) - 1;
-  opaque_u_q10_ = divide_up(filter.inside_q10 * (1 << 16), least_q6);
   // All else takes 2^32 over the size. [Q32] Of a power of two that is one more
   // than what 32 bits make of it.
   uint32_t over_q32 = UINT32_MAX / size_q6;
   limit_u_q10_ = static_cast<int32_t>(over_q32 >> 1);
   over_q32 += (size_q6 & (size_q6 - 1)) == 0 ? 1 : 0;
-  uint32_t log2 = 2;
-  while (uint32_t{64} << log2 < size_q6) {
-    ++log2;
-  }
-  bend_shift_ = static_cast<uint8_t>(log2 + 5);
-  bend_q14_ = static_cast<uint16_t>(over_q32 >> (12 - log2));
   // u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
   right_.x_q16 = static_cast<int32_t>(over_q32);
   up_.y_q16 = right_.x_q16;
@@ -126,7 +106,7 @@ Status TextStyle::make_turned(Q26_6 size,
     out.axes_ = {direction.cosine, direction.sine,
                  Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
                  direction.cosine};
-    out.set_slanted(detail::kTurnedCells);
+    out.set_slanted();
   }
   return Status::ok;
 }
@@ -170,16 +150,15 @@ Status TextStyle::make_mapped(const Matrix& matrix,
       step_from(axes.y_up.raw, -axes.x_up.raw, determinant_q42, size_q6);
   out.up_ =
       step_from(-axes.y_right.raw, axes.x_right.raw, determinant_q42, size_q6);
+  out.set_slanted();
   // What stretches all edges within 1/1000 alike is as good as a turn.
   const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
   constexpr int64_t kOneQ15 = 1 << 15;
-  out.set_slanted(detail::kTurnedCells);
   if (lesser * 2048 > turn_q17 + mirror_q17) {
     // Below one, so that the style is known as stretched.
     const int64_t gain_q15 = (least_q17 << 4) / size_q6;
     out.least_gain_q15_ =
         static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);
-    out.set_slanted(detail::kStretchedCells);
   }
   return Status::ok;
 }
@@ -190,7 +169,6 @@ bool is_same(const TextStyle& a, const TextStyle& b) noexcept {
          a.axes_.y_up == b.axes_.y_up && a.filter_ == b.filter_ &&
          a.painter_ == b.painter_ && a.fitter() == b.fitter() &&
          a.fitter_options_ == b.fitter_options_ &&
-         a.effect_.cells == b.effect_.cells &&
          a.effect_.mixer == b.effect_.mixer &&
          a.effect_.options == b.effect_.options;
 }

@@ -26,11 +26,16 @@ int32_t stride_of(int32_t width) noexcept {
   return (width + 4) & ~3;
 }
 
-// False: the style was not made.
-bool make_plan(const TextStyle& style, BandPlan& plan) noexcept {
+// False: the style was not made, or its effect does not draw the source.
+bool make_plan(const Source& source,
+               const TextStyle& style,
+               BandPlan& plan) noexcept {
   // Room for roundings.
   constexpr int32_t kMore = 4;
   const Mixer* const mixer = style.effect().mixer;
+  if (mixer != nullptr && !can_mix(*mixer, source, style)) {
+    return false;
+  }
   plan = {};
   plan.painter = mixer == nullptr || mixer->painter == nullptr ? style.painter()
                                                                : mixer->painter;
@@ -56,28 +61,25 @@ bool make_plan(const TextStyle& style, BandPlan& plan) noexcept {
 bool open(GlyphJob& job,
           uint8_t* ram,
           int32_t ram_bytes,
-          const Font& font,
-          uint16_t glyph,
+          const GlyphRef& ref,
           const TextStyle& style,
           const Placed& placed) noexcept {
-  job.source = font.source();
+  job.source = ref.source;
   job.style = &style;
   job.ram = ram;
   job.ram_bytes = ram_bytes;
-  return make_plan(style, job.plan) &&
-         job.source->open(job, font, glyph, placed);
+  return make_plan(*ref.source, style, job.plan) &&
+         job.source->open(job, ref, placed);
 }
 
 // The same of a job at the beginning of its RAM.
 bool open_in(const Workspace& ram,
-             const Font& font,
-             uint16_t glyph,
+             const GlyphRef& ref,
              const TextStyle& style,
              const Placed& placed) noexcept {
-  const int32_t job_bytes = font.source()->job_bytes;
+  const int32_t job_bytes = ref.source->job_bytes;
   return open(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
-              static_cast<int32_t>(ram.size) - job_bytes, font, glyph, style,
-              placed);
+              static_cast<int32_t>(ram.size) - job_bytes, ref, style, placed);
 }
 
 bool load(GlyphJob& job) noexcept {
@@ -170,45 +172,41 @@ void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
   }
 }
 
-__attribute__((noinline)) void draw_in(const Font& font,
-                                       uint16_t glyph,
+__attribute__((noinline)) void draw_in(const GlyphRef& ref,
                                        const TextStyle& style,
                                        const Placed& placed,
                                        const Sink& sink,
                                        const Workspace& ram) noexcept {
   auto& job = *reinterpret_cast<GlyphJob*>(ram.data);
-  if (open_in(ram, font, glyph, style, placed) &&
+  if (open_in(ram, ref, style, placed) &&
       !is_empty(intersect(job.box, sink.window)) && load(job)) {
     draw_loaded(job, sink);
   }
 }
 
-__attribute__((noinline)) void draw_on_stack(const Font& font,
-                                             uint16_t glyph,
+__attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
                                              const TextStyle& style,
                                              const Placed& placed,
                                              const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastRam];
-  draw_in(font, glyph, style, placed, sink, {bytes, sizeof bytes});
+  draw_in(ref, style, placed, sink, {bytes, sizeof bytes});
 }
 
-__attribute__((noinline)) void draw_fitted_on_stack(const Font& font,
-                                                    uint16_t glyph,
+__attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
                                                     const TextStyle& style,
                                                     const Placed& placed,
                                                     const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
-  draw_in(font, glyph, style, placed, sink, {bytes, sizeof bytes});
+  draw_in(ref, style, placed, sink, {bytes, sizeof bytes});
 }
 
 // Not inline: most glyphs do not need its part of the stack.
 __attribute__((noinline)) bool open_fitted(GlyphJob& job,
-                                           const Font& font,
-                                           uint16_t glyph,
+                                           const GlyphRef& ref,
                                            const TextStyle& style,
                                            const Placed& placed) noexcept {
   alignas(GlyphJob) uint8_t maps[kMaps];
-  return open(job, maps, sizeof maps, font, glyph, style, placed);
+  return open(job, maps, sizeof maps, ref, style, placed);
 }
 
 // The part of a workspace that begins where pointers may lie; none if that is
@@ -232,31 +230,29 @@ void repaint(GlyphJob& job, int32_t right_q8, int32_t down_q8) noexcept {
   clear_and_fill(job);
 }
 
-void draw_bands(const Font& font,
-                uint16_t glyph,
+void draw_bands(const GlyphRef& ref,
                 const TextStyle& style,
                 const Placed& placed,
                 const Sink& sink,
                 const Workspace& workspace) noexcept {
   const Workspace ram = aligned(workspace);
   if (ram.size != 0) {
-    draw_in(font, glyph, style, placed, sink, ram);
+    draw_in(ref, style, placed, sink, ram);
   } else if (style.is_fitted()) {
-    draw_fitted_on_stack(font, glyph, style, placed, sink);
+    draw_fitted_on_stack(ref, style, placed, sink);
   } else {
-    draw_on_stack(font, glyph, style, placed, sink);
+    draw_on_stack(ref, style, placed, sink);
   }
 }
 
-Rect band_box(const Font& font,
-              uint16_t glyph,
+Rect band_box(const GlyphRef& ref,
               const TextStyle& style,
               const Placed& placed) noexcept {
   alignas(GlyphJob) uint8_t bytes[kMostJob];
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
   const bool shows = style.is_fitted()
-                         ? open_fitted(job, font, glyph, style, placed)
-                         : open(job, nullptr, 0, font, glyph, style, placed);
+                         ? open_fitted(job, ref, style, placed)
+                         : open(job, nullptr, 0, ref, style, placed);
   return shows ? job.box : Rect{};
 }
 
@@ -282,7 +278,8 @@ Status PreparedGlyph::make(const Font& font,
   PreparedGlyph made;
   Placed placed;
   auto* const job = reinterpret_cast<GlyphJob*>(ram.data);
-  if (placed.set(origin) && open_in(ram, font, glyph, style, placed) &&
+  if (placed.set(origin) &&
+      open_in(ram, {font.source(), &font, glyph}, style, placed) &&
       load(*job)) {
     made.job_ = job;
   }

@@ -14,7 +14,17 @@ struct Mixer {
   void (*plan)(const TextStyle& style, BandPlan& plan) noexcept;
   // Draws job.pixels of the painted job.band into job.sink.
   void (*mix)(GlyphJob& job) noexcept;
+  // Asks the field of the job: other sources, and styles that stretch edges
+  // differently, are not drawn (check_effect()).
+  bool needs_field = false;
 };
+
+// Whether a mixer draws glyphs of a source with a style.
+inline bool can_mix(const Mixer& mixer,
+                    const Source& source,
+                    const TextStyle& style) noexcept {
+  return !mixer.needs_field || (source.has_field && !style.is_stretched());
+}
 
 // For mix(): paints the band anew, with the glyph moved by so much from where
 // it was painted last. [px]

@@ -23,10 +23,11 @@ static_assert(kPortion * sizeof(ScreenPoint) <= kMostLoaded);
 static_assert(sizeof(GlyphWarp) % sizeof(uint32_t) == 0, "aligned");
 
 bool open_outline(GlyphJob& base,
-                  const Font& font,
-                  uint16_t glyph,
+                  const GlyphRef& ref,
                   const Placed& given) noexcept {
   auto& job = static_cast<OutlineJob&>(base);
+  const Font& font = *static_cast<const Font*>(ref.from);
+  const uint16_t glyph = ref.glyph;
   const Span<const uint8_t> record = font.record(glyph);
   GlyphMetrics metrics;
   if (!is_outline(record) || font.glyph_metrics(glyph, metrics) != Status::ok) {
@@ -108,7 +109,7 @@ void fill_band(GlyphJob& base) noexcept {
 }
 
 constexpr Source kOutlineSource = {open_outline, load_points, fill_band,
-                                   sizeof(OutlineJob)};
+                                   sizeof(OutlineJob), false};
 
 }  // namespace
 

@@ -55,6 +55,13 @@ struct BandPlan {
 
 struct Source;
 
+// A glyph to draw.
+struct GlyphRef {
+  const Source* source;
+  const void* from;  // the font, or what else the source draws
+  uint16_t glyph;
+};
+
 // A glyph on its way to pixels. Lies at the beginning of RAM that is lent as
 // bytes, or on the stack; a source's own part follows in the same RAM.
 struct __attribute__((may_alias)) GlyphJob {
@@ -93,12 +100,12 @@ struct __attribute__((may_alias)) GlyphJob {
 // constructor, and nobody sets it before open().
 struct Source {
   bool (*open)(GlyphJob& job,
-               const Font& font,
-               uint16_t glyph,
+               const GlyphRef& ref,
                const Placed& placed) noexcept;
   bool (*load)(GlyphJob& job) noexcept;
   void (*fill)(GlyphJob& job) noexcept;
   uint16_t job_bytes;  // size of the struct, kMostJob at most
+  bool has_field;      // jobs are FieldJobs (field_source.hpp)
 };
 
 // What a band of one column takes of RAM: a word before it, and of the widest

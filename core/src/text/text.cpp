@@ -2,8 +2,8 @@
 
 #include "inkcell/assert.hpp"
 #include "place/position.hpp"
-#include "raster/draw_cells.hpp"
 #include "rows/draw_bands.hpp"
+#include "rows/mixer.hpp"
 #include "text/find_glyph.hpp"
 #include "text/text_place.hpp"
 
@@ -63,14 +63,8 @@ __attribute__((always_inline)) inline void draw_placed(
     const Sink& sink,
     const Workspace& workspace) noexcept {
   if (font.source() != nullptr) {
-    detail::draw_bands(font, glyph, style, placed, sink, workspace);
-    return;
-  }
-  if constexpr (detail::kHasCells) {
-    GlyphField field;
-    if (detail::read_field(font, glyph, field) == Status::ok) {
-      detail::draw_near(field, style, placed, sink);
-    }
+    detail::draw_bands({font.source(), &font, glyph}, style, placed, sink,
+                       workspace);
   }
 }
 
@@ -227,11 +221,11 @@ Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept {
 }
 
 Status check_effect(const Font& font, const TextStyle& style) noexcept {
-  const Effect& effect = style.effect();
-  const bool is_drawn =
-      effect.cells == nullptr ||
-      (font.has_outlines() ? effect.mixer != nullptr : !style.is_stretched());
-  return is_drawn ? Status::ok : Status::unsupported;
+  const detail::Mixer* const mixer = style.effect().mixer;
+  return mixer == nullptr || font.source() == nullptr ||
+                 detail::can_mix(*mixer, *font.source(), style)
+             ? Status::ok
+             : Status::unsupported;
 }
 
 void draw(const Font& font,
@@ -291,16 +285,10 @@ Rect glyph_box(const Font& font,
   if (!placed.set(origin)) {
     return {};
   }
-  if (font.source() != nullptr) {
-    return detail::band_box(font, glyph, style, placed);
+  if (font.source() == nullptr) {
+    return {};
   }
-  if constexpr (detail::kHasCells) {
-    GlyphField field;
-    if (detail::read_field(font, glyph, field) == Status::ok) {
-      return field_box(field, style, placed.origin());
-    }
-  }
-  return {};
+  return detail::band_box({font.source(), &font, glyph}, style, placed);
 }
 
 void draw_glyph(const Font& font,

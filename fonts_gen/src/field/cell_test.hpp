@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "field/sample_tree.hpp"
-#include "inkcell/field.hpp"
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "shape/shape.hpp"
 #include "target/grid.hpp"
 #include "target/metric.hpp"

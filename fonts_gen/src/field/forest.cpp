@@ -5,7 +5,7 @@
 #include <set>
 
 #include "field/cell_fit.hpp"
-#include "inkcell/field.hpp"
+#include "inkcell/field/glyph_field.hpp"
 
 namespace inkcell {
 namespace gen {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "inkcell/render.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/text_style.hpp"
 #include "judge/canvas.hpp"
 

@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "inkcell/field.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/geometry.hpp"
+#include "inkcell/strip.hpp"
+#include "inkcell/text_style.hpp"
 #include "shape/distance_map.hpp"
 #include "shape/shape.hpp"
 

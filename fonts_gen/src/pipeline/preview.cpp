@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "inkcell/field/draw.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
@@ -72,7 +73,7 @@ Preview draw_preview(const RomFont& rom) {
   TextStyle style;
   const int px =
       static_cast<int>(std::min(kLargestPx, rom.report.options.max_px));
-  if (Font::open({rom.bytes.data(), rom.bytes.size()}, font) != Status::ok ||
+  if (open_any_font({rom.bytes.data(), rom.bytes.size()}, font) != Status::ok ||
       TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
     throw Error("the preview cannot be drawn: the device cannot read the font");
   }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
 
 namespace inkcell::design {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/loop.hpp"
-#include "inkcell/field.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "shape/shape.hpp"
 
 namespace inkcell::design {

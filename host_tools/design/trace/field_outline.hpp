@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/curve_fitter.hpp"
-#include "inkcell/field.hpp"
+#include "inkcell/field/glyph_field.hpp"
 #include "shape/outline.hpp"
 #include "shape/shape.hpp"
 #include "target/target.hpp"

@@ -1,6 +1,6 @@
 // Cells smaller than a pixel: of effects.h.
 #include "inkcell/c/effects.h"
-#include "inkcell/splat.hpp"
+#include "inkcell/field/splat.hpp"
 #include "mirror.hpp"
 
 using namespace inkcell;

@@ -9,7 +9,7 @@
 #include "board.hpp"
 #include "console.hpp"
 #include "counter.hpp"
-#include "inkcell/format/cell.hpp"
+#include "inkcell/field/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell_strips.hpp"
 #include "stack.hpp"

@@ -12,8 +12,8 @@
 #include "board.hpp"
 #include "console.hpp"
 #include "counter.hpp"
+#include "inkcell/field/generate.hpp"
 #include "inkcell/format/rom.hpp"
-#include "inkcell/runtime_field.hpp"
 #include "rom_file.hpp"
 #include "stack.hpp"
 

@@ -6,12 +6,12 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/field/circle_samples.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
-#include "inkcell/supersample.hpp"
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
@@ -23,6 +23,7 @@ Fit fit;
 LcdOptions lcd;
 Outline edges;
 OutlineAndFill outline_and_fill;
+CircleSamples circle_samples;
 Supersampling supersampling;
 EdgeContrast edge_contrast;
 MotionBlur blur;
@@ -59,8 +60,13 @@ bool set_lcd(TextStyle& style, SubPixels order) {
 }
 
 bool set_adaptive(TextStyle& style, Q6_10 radius, SampleRule rule) {
-  supersampling = make_supersampling(kFilterText, radius, rule);
-  style.set_effect(supersample_effect(supersampling));
+  if (bench::font.has_outlines() && rule == SampleRule::even) {
+    supersampling = make_supersampling(radius);
+    style.set_effect(supersample_effect(supersampling));
+    return true;
+  }
+  circle_samples = make_circle_samples(kFilterText, radius, rule);
+  style.set_effect(circle_samples_effect(circle_samples));
   return true;
 }
 

@@ -1,5 +1,6 @@
 // What the engines of Inkcell share.
 #include "inkcell_strips.hpp"
+#include "inkcell/field/draw.hpp"
 
 using namespace inkcell;
 
@@ -49,7 +50,7 @@ engine_answer bench::place_glyph(uint32_t code_point) {
   uint16_t glyph = 0;
   GlyphField field;
   if (font.glyph_of(code_point, glyph) != Status::ok ||
-      font.field(glyph, field) != Status::ok) {
+      read_field(font, glyph, field) != Status::ok) {
     return engine_lacks;
   }
   return place(glyph, field_box(field, style, {}));
@@ -64,7 +65,7 @@ bool bench::equal(const char* a, const char* b) {
 }
 
 bool engine_open(const uint8_t* bytes, size_t size) {
-  return Font::open({bytes, size}, bench::font) == Status::ok;
+  return open_any_font({bytes, size}, bench::font) == Status::ok;
 }
 
 uint32_t engine_ink() {

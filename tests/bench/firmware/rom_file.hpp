@@ -1,6 +1,7 @@
 // ROM fonts that the programs are given.
 #pragma once
 
+#include "inkcell/field/draw.hpp"
 #include "inkcell/font.hpp"
 #include "semihosting.hpp"
 
@@ -17,7 +18,7 @@ inline bool open_font(const char* name,
   const auto size = static_cast<size_t>(length);
   return length >= 0 && size <= bytes.size &&
          semihosting::read(file, bytes.data, size) &&
-         Font::open({bytes.data, size}, font) == Status::ok;
+         open_any_font({bytes.data, size}, font) == Status::ok;
 }
 
 }  // namespace bench

@@ -11,7 +11,7 @@ CPU = ["-mcpu=cortex-m0", "-mthumb"]
 COMPILE = [*CPU, "-Os", "-ffunction-sections", "-fdata-sections",
            "-fno-exceptions", "-fno-rtti"]
 # What only cells need: no program has it unless it asks for them.
-CELLS = ("find_samples", "samples_distance", "CellBand", "draw_tiles")
+FIELDS = ("FieldRows::", "read_field", "samples_distance")
 # No start-up code of a board, no C library but its memset() and memcpy().
 LINK = [*CPU, "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]
 MAIN = """#include <inkcell/status.hpp>
@@ -32,8 +32,8 @@ int main() {
 """
 FONT_OPTIONS = ["--chars=0x20-0x7E"]
 # Parts that a project compiles if it asks for them, and their folders.
-LIBRARIES = {"cache": "core/cache", "kinetic": "core/kinetic",
-             "layout": "core/layout", "c": "port/c"}
+LIBRARIES = {"cache": "core/cache", "field": "core/field",
+             "kinetic": "core/kinetic", "layout": "core/layout", "c": "port/c"}
 KCONFIG = ROOT / "port/libraries.kconfig"
 
 
@@ -62,15 +62,6 @@ def make_font(fontgen, folder):
          "--quiet", f"--out={folder / 'fonts/dejavu_sans.hpp'}")
 
 
-def check_defined(system, lines):
-    """Ends the test unless fonts of outlines, then of fields turn on what they
-    need: `lines` has the library's definitions after each."""
-    found = [sorted({*re.findall(r"(INKCELL_\w+_CELLS)=1", line)})
-             for line in lines]
-    if found != [[], ["INKCELL_SAMPLE_CELLS"]]:
-        sys.exit(f"{system}: fonts turn on {found}\n0 passed, 1 failed")
-
-
 def check_libraries(system, paths, wanted):
     """Ends the test unless sources or objects are of the libraries that a project
     asks for, and of no other."""
@@ -96,9 +87,9 @@ def library_symbols(kconfig):
 
 def size_of(program):
     """Bytes of code, constants and initialised data of a linked program, which
-    must not have code of cells."""
+    must not have code of fields."""
     names = call("arm-none-eabi-nm", "-C", program)
-    for name in CELLS:
+    for name in FIELDS:
         if name in names:
             sys.exit(f"{program}: {name} is linked by default\n"
                      "0 passed, 1 failed")

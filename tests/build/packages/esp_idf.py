@@ -1,6 +1,5 @@
 """ESP-IDF: its component function, played by CMake, says what it was given."""
-from packages.consumer import (FONT, call, check_defined, check_libraries,
-                               library_symbols)
+from packages.consumer import FONT, call, check_libraries, library_symbols
 from toolchains import ROOT
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
@@ -28,8 +27,6 @@ add_subdirectory(@ROOT@ inkcell)
 add_library(main INTERFACE)
 foreach(coding outline field)
   inkcell_add_font(main FONT @FONT@ NAME ${coding} CODING ${coding})
-  get_target_property(defined component INTERFACE_COMPILE_DEFINITIONS)
-  file(APPEND ${CMAKE_BINARY_DIR}/definitions "${defined}\n")
 endforeach()
 """
 
@@ -44,6 +41,4 @@ def sources(folder, fontgen):
              f"-DMORE={';'.join(more)}", f"-DINKCELL_FONTGEN={fontgen}")
     check_libraries("ESP-IDF",
                     (folder / "build/sources").read_text().splitlines(), [])
-    check_defined("ESP-IDF",
-                  (folder / "build/definitions").read_text().splitlines())
     return (folder / "more/sources").read_text().splitlines()

@@ -50,9 +50,6 @@ def sources(folder, fontgen):
         if not (ROOT / path).is_dir():
             raise SystemExit(f"library.json: no folder {path}\n"
                              "0 passed, 1 failed")
-    if any("CELLS" in flag for flag in build["flags"]):
-        raise SystemExit(f"library.json turns on cells: {build['flags']}\n"
-                         "0 passed, 1 failed")
     header = ROOT / build["includeDir"] / manifest["headers"]
     if not header.exists() or build["srcFilter"][0] != "-<*>":
         raise SystemExit(f"library.json: {header}, {build['srcFilter']}\n"

@@ -1,14 +1,12 @@
 """Zephyr: module.yml leads to CMake and Kconfig; its functions are played."""
 import re
 
-from packages.consumer import (FONT, call, check_defined, check_libraries,
-                               library_symbols)
+from packages.consumer import FONT, call, check_libraries, library_symbols
 from toolchains import ROOT
 
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(user LANGUAGES CXX)
 set(CONFIG_INKCELL y)
-set(CONFIG_INKCELL_OUTLINES y)
 foreach(option IN LISTS MORE)
   set(CONFIG_${option} y)
 endforeach()
@@ -35,16 +33,12 @@ function(zephyr_compile_definitions)
   target_compile_definitions(zephyr_interface INTERFACE ${ARGN})
 endfunction()
 add_subdirectory(@FOLDER@ inkcell)
-function(write_definitions file)
-  get_target_property(defined zephyr_interface INTERFACE_COMPILE_DEFINITIONS)
-  file(APPEND ${CMAKE_BINARY_DIR}/${file} "${defined}\\n")
-endfunction()
-write_definitions(options)
+get_target_property(defined zephyr_interface INTERFACE_COMPILE_DEFINITIONS)
+file(WRITE ${CMAKE_BINARY_DIR}/options "${defined}\\n")
 if(NOT MORE)
   add_library(app INTERFACE)
   foreach(coding outline field)
     inkcell_add_font(app FONT @FONT@ NAME ${coding} CODING ${coding})
-    write_definitions(definitions)
   endforeach()
 endif()
 """
@@ -66,21 +60,17 @@ def sources(folder, fontgen):
     (folder / "CMakeLists.txt").write_text(
         PROJECT.replace("@FOLDER@", str(cmake)).replace("@FONT@", str(FONT)))
     # Each option of core has a symbol, and reaches the compiler.
-    options = re.findall(r"^option\((INKCELL_(?!EDGE_)\w+)",
+    options = re.findall(r"^option\((INKCELL_\w+)",
                          (ROOT / "core/CMakeLists.txt").read_text(), re.M)
     symbols = re.findall(r"^config (INKCELL_\w+)", kconfig.read_text(), re.M)
     libraries = library_symbols(kconfig)
     defined = [configure(folder, more, fontgen)
                for more in ([], options + libraries)]
-    # Cells have no definition by default, so that fonts can turn them on.
-    wanted = [["INKCELL_ASSERTIONS=0", "INKCELL_FAST_CELLS=0",
-               "INKCELL_OUTLINES=1"],
+    wanted = [["INKCELL_ASSERTIONS=0"],
               sorted(f"{name}=1" for name in options)]
     if symbols != options or defined != wanted:
         raise SystemExit(f"Zephyr: {symbols} and {defined}, not {options}\n"
                          "0 passed, 1 failed")
-    check_defined("Zephyr",
-                  (folder / "build/definitions").read_text().splitlines())
     check_libraries("Zephyr",
                     (folder / "build/sources").read_text().splitlines(), [])
     return (folder / "more/sources").read_text().splitlines()

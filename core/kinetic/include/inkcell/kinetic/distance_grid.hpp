@@ -15,7 +15,7 @@
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
-#include "inkcell/render.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"

@@ -5,10 +5,10 @@
 
 #include "inkcell/fixed.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/pose.hpp"
 #include "inkcell/kinetic/run.hpp"
-#include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
 

@@ -4,9 +4,9 @@
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
+#include "inkcell/geometry.hpp"
 #include "inkcell/kinetic/easing.hpp"
 #include "inkcell/kinetic/numbers.hpp"
-#include "inkcell/render.hpp"
 #include "inkcell/span.hpp"
 
 namespace inkcell {

@@ -91,23 +91,30 @@ typedef struct INKCELL_SHARED inkcell_edge_contrast_t {
 void inkcell_style_set_edge_contrast(inkcell_style_t* style,
                                      const inkcell_edge_contrast_t* options);
 
-/// Several samples a pixel: inkcell/supersample.hpp. Opaque, 288 bytes.
+/// The mean of five pictures: inkcell/supersample.hpp.
 typedef struct INKCELL_SHARED inkcell_supersampling_t {
-  uint32_t numbers[68];
-  const void* words[2];
+  int16_t radius_q10;  // 256..1536 [px]; 870 for text that stands, 768 if not
 } inkcell_supersampling_t;
-
-/// `filter` is that of the style. `radius_q10` is clamped to 0.25..1.5 px; 870
-/// is for text that stands still, 768 for type that moves. `is_paper`: the
-/// paper's rule decides how many samples of cells are taken;
-/// inkcell_style_check_effect() refuses outlines.
-void inkcell_supersampling_make(const inkcell_filter_t* filter,
-                                int16_t radius_q10,
-                                bool is_paper,
-                                inkcell_supersampling_t* out);
 
 void inkcell_style_set_supersampling(inkcell_style_t* style,
                                      const inkcell_supersampling_t* options);
+
+/// Up to 13 samples a pixel of a field: inkcell/field/circle_samples.hpp.
+/// Opaque, 288 bytes. inkcell_style_check_effect() refuses outlines.
+typedef struct INKCELL_SHARED inkcell_circle_samples_t {
+  uint32_t numbers[68];
+  const void* words[2];
+} inkcell_circle_samples_t;
+
+/// `filter` is that of the style. `radius_q10` is clamped to 0.25..1.5 px.
+/// `is_paper`: the paper's rule decides how many samples are taken.
+void inkcell_circle_samples_make(const inkcell_filter_t* filter,
+                                 int16_t radius_q10,
+                                 bool is_paper,
+                                 inkcell_circle_samples_t* out);
+
+void inkcell_style_set_circle_samples(inkcell_style_t* style,
+                                      const inkcell_circle_samples_t* options);
 
 /// Coverage along a vector: inkcell/motion_blur.hpp. Opaque, 796 bytes. Not to
 /// be used after an error.
@@ -125,8 +132,8 @@ inkcell_status_t inkcell_motion_blur_make(const inkcell_filter_t* filter,
 void inkcell_style_set_motion_blur(inkcell_style_t* style,
                                    const inkcell_motion_blur_t* options);
 
-/// Cells smaller than a pixel, each once: inkcell/splat.hpp. Opaque. Not to be
-/// used after an error. inkcell_style_check_effect() refuses outlines.
+/// Cells smaller than a pixel, each once: inkcell/field/splat.hpp. Opaque. Not
+/// to be used after an error. inkcell_style_check_effect() refuses outlines.
 typedef struct INKCELL_SHARED inkcell_splats_t {
   const void* words[3];
 } inkcell_splats_t;

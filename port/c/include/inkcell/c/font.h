@@ -61,11 +61,16 @@ typedef struct INKCELL_SHARED inkcell_font_range_t {
 /// more than the font's.
 ///
 /// BAD_MAGIC, BAD_VERSION, MISALIGNED, CORRUPT (header, directory or table
-/// sizes), UNSUPPORTED (a section or coding that this build cannot read:
-/// those of fields need INKCELL_SAMPLE_CELLS).
+/// sizes), UNSUPPORTED (a section that this version cannot read, or another
+/// coding).
 inkcell_status_t inkcell_font_open(const void* rom,
                                    size_t size,
                                    inkcell_font_t* out);
+
+/// The same of a font of fields.
+inkcell_status_t inkcell_font_open_field(const void* rom,
+                                         size_t size,
+                                         inkcell_font_t* out);
 
 /// Reads the whole font: checksum, tables and references. Never needed for
 /// safety. Time is proportional to its size. CORRUPT: something does not fit.

@@ -9,10 +9,10 @@
 extern "C" {
 #endif
 
-/// Size, direction, filter, fitting and effect. Opaque. Empty, it draws no
-/// outlines.
+/// Size, direction, filter, fitting and effect. Opaque. Empty, it draws
+/// nothing.
 typedef struct INKCELL_SHARED inkcell_style_t {
-  uint32_t numbers[18];
+  uint32_t numbers[14];
   const void* words[9];
 } inkcell_style_t;
 
@@ -53,8 +53,8 @@ int32_t inkcell_style_size(const inkcell_style_t* style);
 /// Takes the effect of effects.h off: one sample a pixel, the default.
 void inkcell_style_clear_effect(inkcell_style_t* style);
 
-/// UNSUPPORTED: the style's effect does not draw glyphs of this font, which
-/// look as without it.
+/// UNSUPPORTED: the style's effect does not draw glyphs of this font, and
+/// nothing shows.
 inkcell_status_t inkcell_style_check_effect(const inkcell_style_t* style,
                                             const inkcell_font_t* font);
 

@@ -1,0 +1,66 @@
+// Distances and gradients at points that lie close to each other.
+#pragma once
+
+#include <stdint.h>
+
+#include "cell_values.hpp"
+#include "inkcell/field/glyph_field.hpp"
+#include "inkcell/matrix.hpp"
+#include "inkcell/span.hpp"
+#include "inkcell/status.hpp"
+#include "tree.hpp"
+
+namespace inkcell {
+namespace detail {
+
+// A place in a glyph, from the origin, y up. [u]
+struct FieldPlace {
+  int64_t x_q16;
+  int64_t y_q16;
+
+  void move(const GlyphStep& step, int32_t count) noexcept {
+    x_q16 += int64_t{step.x_q16} * count;
+    y_q16 += int64_t{step.y_q16} * count;
+  }
+};
+
+// GlyphField::open into a field that is empty.
+Status read_record(Span<const uint8_t> record, GlyphField& field) noexcept;
+
+// Keeps the leaf of the last point.
+class FieldSampler {
+ public:
+  explicit FieldSampler(const GlyphField& field) noexcept : tree_{field} {}
+
+  // The leaf of the last point; beyond the grid it is saturated outside, 1 u
+  // wide.
+  const FieldLeaf& leaf() const noexcept { return leaf_; }
+
+  // Whether the last point's leaf holds all that is so near to it. [u]
+  bool has_room(uint32_t reach_q16) const noexcept {
+    const auto has = [this, reach_q16](uint32_t place) noexcept {
+      return place >= reach_q16 && mask() - place >= reach_q16;
+    };
+    return is_found_ && has(x_in_leaf()) && has(y_in_leaf());
+  }
+
+  // [u] Positive inside.
+  int32_t distance_q10(const FieldPlace& at) noexcept;
+  Gradient gradient(const FieldPlace& at) noexcept;
+  FieldPoint point(const FieldPlace& at) noexcept;
+
+ private:
+  void seek(const FieldPlace& at) noexcept;
+  uint32_t x_in_leaf() const noexcept { return x_q16_ & mask(); }
+  uint32_t y_in_leaf() const noexcept { return y_q16_ & mask(); }
+  uint32_t mask() const noexcept { return (1u << (leaf_.size_log2 + 16)) - 1; }
+
+  FieldTree tree_;
+  FieldLeaf leaf_ = {nullptr, 0, false};
+  uint32_t x_q16_ = 0;  // from the grid's corner
+  uint32_t y_q16_ = 0;
+  bool is_found_ = false;  // the leaf lies in the grid
+};
+
+}  // namespace detail
+}  // namespace inkcell

@@ -1,0 +1,117 @@
+#include "field_source.hpp"
+
+#include "base/math.hpp"
+#include "inkcell/field/draw.hpp"
+#include "inkcell/format/rom.hpp"
+#include "rows/draw_bands.hpp"
+#include "screen_distance.hpp"
+
+namespace inkcell {
+namespace detail {
+namespace {
+
+static_assert(sizeof(FieldJob) <= kMostJob, "");
+
+bool open_field(FieldJob& job, const Placed& placed) noexcept {
+  const BandPlan& plan = job.plan;
+  job.placed = placed;
+  if (!job.rows.open(job.field, *job.style, placed,
+                     plan.shown_q8 + max(plan.moved_x_q8, plan.moved_y_q8),
+                     plan.columns, plan.rows)) {
+    return false;
+  }
+  job.box = job.rows.box(placed);
+  return !is_empty(job.box);
+}
+
+bool open_glyph(GlyphJob& base,
+                const GlyphRef& ref,
+                const Placed& placed) noexcept {
+  auto& job = static_cast<FieldJob&>(base);
+  return read_field(*static_cast<const Font*>(ref.from), ref.glyph,
+                    job.field) == Status::ok &&
+         open_field(job, placed);
+}
+
+bool open_single(GlyphJob& base,
+                 const GlyphRef& ref,
+                 const Placed& placed) noexcept {
+  auto& job = static_cast<FieldJob&>(base);
+  job.field = *static_cast<const GlyphField*>(ref.from);
+  return open_field(job, placed);
+}
+
+bool load_nothing(GlyphJob&) noexcept {
+  return true;
+}
+
+void fill_band(GlyphJob& base) noexcept {
+  const auto& job = static_cast<FieldJob&>(base);
+  job.rows.fill(job.band, job.plan.painter->kind, job.band_x_q8(),
+                job.band_y_q8());
+}
+
+constexpr Source kFieldSource = {open_glyph, load_nothing, fill_band,
+                                 sizeof(FieldJob), true};
+constexpr Source kSingleFieldSource = {open_single, load_nothing, fill_band,
+                                       sizeof(FieldJob), true};
+
+}  // namespace
+}  // namespace detail
+
+const Coding kFieldCoding = {static_cast<uint8_t>(format::Coding::field),
+                             &detail::kFieldSource};
+
+Status open_any_font(Span<const uint8_t> rom, Font& out) noexcept {
+  const Status status = Font::open(rom, out);
+  return status == Status::unsupported ? Font::open(rom, kFieldCoding, out)
+                                       : status;
+}
+
+void draw_field(const GlyphField& field,
+                const TextStyle& style,
+                FinePoint origin,
+                const Sink& sink,
+                Workspace workspace) noexcept {
+  detail::Placed placed;
+  if (placed.set(origin)) {
+    detail::draw_bands({&detail::kSingleFieldSource, &field, 0}, style, placed,
+                       sink, workspace);
+  }
+}
+
+Rect field_box(const GlyphField& field,
+               const TextStyle& style,
+               FinePoint origin) noexcept {
+  detail::Placed placed;
+  return placed.set(origin)
+             ? detail::band_box({&detail::kSingleFieldSource, &field, 0}, style,
+                                placed)
+             : Rect();
+}
+
+void distance_row(const GlyphField& field,
+                  const TextStyle& style,
+                  FinePoint origin,
+                  int32_t x,
+                  int32_t y,
+                  Span<Q6_10> out) noexcept {
+  detail::Placed placed;
+  const bool is_near = placed.set(origin);
+  detail::FieldRows rows;
+  static_cast<void>(rows.open(field, style, placed, 0, 1, 1));
+  detail::FieldSampler sampler(field);
+  for (Q6_10& distance : out) {
+    distance.raw = INT16_MIN;
+    if (is_near) {
+      distance.raw = static_cast<int16_t>(
+          detail::min(detail::screen_distance_q10(
+                          style, sampler,
+                          rows.place_of(int64_t{x} * 256, int64_t{y} * 256)),
+                      INT16_MAX));
+    }
+    ++x;
+  }
+}
+
+}  // namespace inkcell

@@ -1,0 +1,212 @@
+// Several samples to a pixel: what they are, where they matter, and that no
+// picture depends on how it is cut.
+#include "inkcell/field/circle_samples.hpp"
+
+#include "check.hpp"
+#include "effect_canvas.hpp"
+#include "font_builder.hpp"
+#include "rounds.hpp"
+
+namespace {
+
+using namespace inkcell;
+using effect::Canvas;
+using effect::check_windows;
+using effect::draw;
+using effect::ink;
+using effect::kAll;
+using effect::keep;
+using effect::kSide;
+using effect::magnitude;
+using effect::picture;
+using effect::whole;
+
+constexpr int32_t kOne = 1 << 30;
+constexpr int32_t kDirections[][2] = {
+    {kOne, 0}, {759250125, 759250125}, {858993459, -644245094}};
+
+alignas(4) uint8_t bytes[1536];
+font_builder::Record samples;  // too large for the stack of a small board
+
+GlyphField open() {
+  GlyphField field;
+  CHECK(samples.size() <= sizeof(bytes));
+  samples.write(bytes);
+  CHECK_OK(GlyphField::open({bytes, samples.size()}, field));
+  return field;
+}
+
+GlyphField field_of_samples(font_builder::Shape shape) {
+  samples.reset();
+  samples.fill(shape);
+  return open();
+}
+
+TextStyle style_of(int32_t size_q6,
+                   uint32_t turn,
+                   const CircleSamples& options) {
+  Direction direction;
+  direction.cosine.raw = kDirections[turn][0];
+  direction.sine.raw = kDirections[turn][1];
+  TextStyle style;
+  CHECK_OK(
+      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+  style.set_effect(circle_samples_effect(options));
+  return style;
+}
+
+// The mean coverage of 13 distances, each asked for alone.
+int32_t mean_of_13(const GlyphField& field,
+                   const TextStyle& style,
+                   FinePoint origin,
+                   int32_t x,
+                   int32_t y,
+                   double radius) {
+  const double root = 0.70710678;
+  const double inner = radius / 3 * root;
+  const double outer = radius * 2 / 3;
+  const double places[13][3] = {{0, 0, 1},
+                                {inner, inner, 0.79370},
+                                {inner, -inner, 0.79370},
+                                {-inner, inner, 0.79370},
+                                {-inner, -inner, 0.79370},
+                                {outer, 0, 0.39685},
+                                {-outer, 0, 0.39685},
+                                {0, outer, 0.39685},
+                                {0, -outer, 0.39685},
+                                {outer * root, outer * root, 0.39685},
+                                {outer * root, -outer * root, 0.39685},
+                                {-outer * root, outer * root, 0.39685},
+                                {-outer * root, -outer * root, 0.39685}};
+  double sum = 0;
+  double weights = 0;
+  for (const auto& place : places) {
+    Q6_10 distance;
+    distance_row(field, style,
+                 {origin.x_q10 - static_cast<int64_t>(place[0] * 1024),
+                  origin.y_q10 - static_cast<int64_t>(place[1] * 1024)},
+                 x, y, {&distance, 1});
+    sum += place[2] * style.filter().coverage(distance.raw);
+    weights += place[2];
+  }
+  return static_cast<int32_t>(sum / weights + 0.5);
+}
+
+// Every pixel of a random glyph against the mean of 13. Returns the number of
+// pixels that one sample would have shown differently.
+int check_means(const GlyphField& field,
+                const TextStyle& style,
+                FinePoint origin,
+                double radius,
+                int32_t tolerance) {
+  draw(field, style, origin);
+  int differ = 0;
+  for (int32_t y = kAll.y0; y < kAll.y1; y += 3) {
+    for (int32_t x = kAll.x0; x < kAll.x1; ++x) {
+      const int32_t found = picture[(y - kAll.y0) * kSide + x - kAll.x0];
+      const int32_t expected = mean_of_13(field, style, origin, x, y, radius);
+      CHECK(magnitude(found - expected) <= tolerance);
+      Q6_10 distance;
+      distance_row(field, style, origin, x, y, {&distance, 1});
+      const int32_t one = style.filter().coverage(distance.raw);
+      differ += magnitude(one - expected) > 12 ? 1 : 0;
+    }
+  }
+  return differ;
+}
+
+}  // namespace
+
+// A cell around the origin, where a straight edge passes; of slope 1.
+GlyphField plane(uint8_t tile_log2) {
+  samples.reset();
+  samples.tile_log2 = tile_log2;
+  samples.tiles_x = samples.tiles_y = 1;
+  samples.x0_u = samples.y0_u = static_cast<int16_t>(-(1 << tile_log2) / 2);
+  samples.reference_count = 1;
+  constexpr int8_t kPlane[8] = {-89, -51, -13, -38, 38, 13, 51, 89};
+  samples.references[0] = samples.add_raw_cell(0, kPlane);
+  return open();
+}
+
+// Where a field is a plane one sample says what 13 do, whatever its direction.
+TEST(straight_edges_take_five_samples) {
+  uint32_t more = 0;
+  CircleSamples options = make_circle_samples(kFilterText);
+  options.more_samples = &more;
+  const GlyphField field = plane(11);
+  for (Rounds rounds(61, INKCELL_BOARD_FIRMWARE ? 3 : 40); rounds.next();) {
+    Random& random = rounds.random;
+    const TextStyle style = style_of(40 * 64, random.below(3), options);
+    const FinePoint origin(16 * 1024 + random.between(0, 1023),
+                           16 * 1024 + random.between(0, 1023));
+    more = 0;
+    check_means(field, style, origin, 870 / 1024.0, 5);
+    CHECK(more > 0 && more % 4 == 0 && more < 4 * 4 * kSide);
+  }
+}
+
+TEST(small_shapes_take_thirteen) {
+  const CircleSamples options = make_circle_samples(kFilterText);
+  int differ = 0;
+  const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
+                                        font_builder::bar};
+  for (Rounds rounds(62, INKCELL_BOARD_FIRMWARE ? 3 : 60); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
+    const GlyphField field = field_of_samples(shapes[round % 3]);
+    const TextStyle style =
+        style_of(random.between(4 * 64, 24 * 64), random.below(3), options);
+    const FinePoint origin(8 * 1024 + random.between(0, 1023),
+                           24 * 1024 + random.between(0, 1023));
+    differ += check_means(field, style, origin, 870 / 1024.0, 12);
+  }
+  CHECK(differ > 3);
+}
+
+TEST(windows_do_not_change_pictures) {
+  const CircleSamples styles[] = {
+      make_circle_samples(kFilterText),
+      make_circle_samples(kFilterText, kPaperRadius, SampleRule::paper)};
+  for (Rounds rounds(63, INKCELL_BOARD_FIRMWARE ? 4 : 24); rounds.next();) {
+    Random& random = rounds.random;
+    const int32_t round = rounds.number;
+    const TextStyle style = style_of(random.between(8 * 64, 40 * 64),
+                                     random.below(3), styles[round & 1]);
+    const FinePoint origin(random.between(0, 9999),
+                           random.between(9999, 30000));
+    check_windows(field_of_samples(font_builder::ring), style, origin);
+  }
+}
+
+// 13 samples on small cells, five and one on larger ones, as the paper says.
+TEST(cells_decide_by_the_papers_rule) {
+  uint32_t more = 0;
+  CircleSamples options =
+      make_circle_samples(kFilterText, kPaperRadius, SampleRule::paper);
+  options.more_samples = &more;
+  // Cells of 64 u: 4, 1 and 0.5 px.
+  const int32_t sizes[] = {64 * 64, 16 * 64, 8 * 64};
+  const GlyphField field = plane(6);
+  const uint32_t expected[] = {0, 4, 12};
+  for (int i = 0; i < 3; ++i) {
+    const TextStyle style = style_of(sizes[i], 0, options);
+    more = 0;
+    Canvas canvas({0, 0, 1, 1});
+    draw_field(field, style, {512, 512}, canvas.sink());
+    CHECK_EQ(more, expected[i]);
+  }
+}
+
+TEST(radii_are_clamped) {
+  constexpr int16_t kLeast = 256;
+  constexpr int16_t kMost = 1536;
+  const int16_t radii[][2] = {{kLeast, kLeast},     {kMost, kMost},
+                              {kLeast - 1, kLeast}, {kMost + 1, kMost},
+                              {INT16_MIN, kLeast},  {INT16_MAX, kMost}};
+  for (const auto& radius : radii) {
+    CHECK_EQ(
+        make_circle_samples(kFilterText, Q6_10::from_raw(radius[0])).radius_q10,
+        radius[1]);
+  }
+}
