@@ -1,6 +1,6 @@
-// Looking back along a flow, and what was there.
+// Semi-Lagrangian advection.
 //
-// Rounding decides: what is cut and not rounded is a wind that never stops.
+// All steps round to nearest: truncation would add a constant drift.
 #include "inkcell/kinetic/advect.hpp"
 
 #include "known_span.hpp"
@@ -12,8 +12,8 @@ namespace {
 
 constexpr int32_t kMostStrength = 1 << 26;
 
-// Catmull and Rom's cubic through four samples, at a place between the second
-// and the third. [Q12] Their sum is 1.
+// Weights of the Catmull-Rom cubic through four samples, between the second and
+// the third. [Q12] Their sum is 1.
 struct Weights {
   int32_t of[4];
 
@@ -38,8 +38,8 @@ int32_t rounded(Q16_16 value) noexcept {
   return (value.raw >> 8) + ((value.raw >> 7) & 1);
 }
 
-// How far a sample looks back. [samples, Q8]
-struct Way {
+// From a sample to the place where it was a step ago. [samples, Q8]
+struct Offset {
   int32_t x;
   int32_t y;
 };
@@ -49,7 +49,10 @@ int32_t nearest(int32_t value) noexcept {
   return (value + 2048) >> 12;
 }
 
-void add_vortex(const Vortex& vortex, int32_t x_q8, int32_t y_q8, Way& way) {
+void add_vortex(const Vortex& vortex,
+                int32_t x_q8,
+                int32_t y_q8,
+                Offset& offset) {
   // At most 2^18 each.
   const int32_t right = x_q8 - clamp(vortex.x.raw >> 8, -(1 << 17), 1 << 17);
   const int32_t down = y_q8 - clamp(vortex.y.raw >> 8, -(1 << 17), 1 << 17);
@@ -59,33 +62,33 @@ void add_vortex(const Vortex& vortex, int32_t x_q8, int32_t y_q8, Way& way) {
   // [samples^2] At least 1.
   const int32_t square =
       ((right_q2 * right_q2 + down_q2 * down_q2) >> 4) + core * core;
-  // The turn of a step, at most 1/2. [Q12]
+  // The angle of a step, at most 1/2. [radians, Q12]
   const int32_t strength =
       clamp(vortex.strength, -kMostStrength, kMostStrength);
   const int32_t turn_q12 = clamp(strength * 16 / square, -2048, 2048);
-  // Along the circle, and as far inwards as the chord leaves it: looking back
-  // by the angle a from (x, y), y down, is (x cos a - y sin a, ...).
+  // Rotation back by the angle a, y down: (x cos a - y sin a, ...).
   const int32_t half_square_q12 = turn_q12 * turn_q12 >> 13;
   const int32_t near_right = clamp(right, -(1 << 16), 1 << 16);
   const int32_t near_down = clamp(down, -(1 << 16), 1 << 16);
-  way.x -= nearest(near_down * turn_q12 + near_right * half_square_q12);
-  way.y += nearest(near_right * turn_q12 - near_down * half_square_q12);
+  offset.x -= nearest(near_down * turn_q12 + near_right * half_square_q12);
+  offset.y += nearest(near_right * turn_q12 - near_down * half_square_q12);
 }
 
-Way look_back(const Flow& flow, int32_t x, int32_t y) noexcept {
+Offset look_back(const Flow& flow, int32_t x, int32_t y) noexcept {
   constexpr int32_t kFar = 16 << 8;
-  Way way = {-clamp(rounded(flow.x_drift), -kFar, kFar),
-             -clamp(rounded(flow.y_drift), -kFar, kFar)};
+  Offset offset = {-clamp(rounded(flow.x_drift), -kFar, kFar),
+                   -clamp(rounded(flow.y_drift), -kFar, kFar)};
   const size_t count = flow.vortices.size < Flow::kMaxVortices
                            ? flow.vortices.size
                            : Flow::kMaxVortices;
   for (size_t i = 0; i < count; ++i) {
-    add_vortex(flow.vortices[i], x * 256 + 128, y * 256 + 128, way);
+    add_vortex(flow.vortices[i], x * 256 + 128, y * 256 + 128, offset);
   }
-  return {clamp(way.x, -kFar, kFar), clamp(way.y, -kFar, kFar)};
+  return {clamp(offset.x, -kFar, kFar), clamp(offset.y, -kFar, kFar)};
 }
 
-// Four sums along rows to one across them. [Q12 -> 1/32 of a sample's side]
+// Combines four row sums by the cubic across them. [Q12 -> 1/32 of a sample's
+// side]
 int8_t cubic_across(const int32_t (&rows)[4], int32_t down) noexcept {
   // Below 2^20: in Q8, so that 32 bits hold the second product.
   const int32_t sum = Weights(down).sum((rows[0] + 8) >> 4, (rows[1] + 8) >> 4,
@@ -94,7 +97,7 @@ int8_t cubic_across(const int32_t (&rows)[4], int32_t down) noexcept {
       clamp((sum + (1 << 19)) >> 20, INT8_MIN, INT8_MAX));
 }
 
-// The field between sample (x, y) and the next, from the 16 around it.
+// The value between sample (x, y) and the next, from the 16 around it.
 int8_t cubic_at(const DistanceGrid& grid,
                 int32_t x,
                 int32_t y,
@@ -110,7 +113,7 @@ int8_t cubic_at(const DistanceGrid& grid,
   return cubic_across(rows, down);
 }
 
-// The same where all of them are in the grid.
+// The same where all 16 samples are in the grid.
 int8_t cubic_inside(const int8_t* at,
                     int32_t stride,
                     int32_t right,
@@ -125,13 +128,13 @@ int8_t cubic_inside(const int8_t* at,
   return cubic_across(rows, down);
 }
 
-// How far from edges samples need not be exact: on which side, or 0.
+// The side of a sample so far from edges that it need not be exact, or 0.
 int32_t far_side(int32_t value) noexcept {
   constexpr int32_t kFar = 120;
   return value >= kFar ? 1 : value <= -kFar ? -1 : 0;
 }
 
-// The same of three samples above each other; 0 also if they differ.
+// The same for three samples in a column; 0 also if they differ.
 int32_t far_side(const int8_t* above,
                  const int8_t* at,
                  const int8_t* below) noexcept {
@@ -141,13 +144,13 @@ int32_t far_side(const int8_t* above,
              : 0;
 }
 
-// Not less than what any sample moves along an axis. [samples, Q8]
+// An upper bound of the step along an axis. [samples, Q8]
 int32_t fastest_q8(const Flow& flow) noexcept {
   const int32_t x = abs(rounded(flow.x_drift));
   const int32_t y = abs(rounded(flow.y_drift));
   int32_t sum = max(x, y);
   for (size_t i = 0; i < flow.vortices.size && i < Flow::kMaxVortices; ++i) {
-    // Greatest where the radius is that of the core: strength / (2 core).
+    // The speed is greatest at the radius of the core: strength / (2 core).
     const Vortex& vortex = flow.vortices[i];
     const int32_t strength =
         abs(clamp(vortex.strength, -kMostStrength, kMostStrength));
@@ -156,14 +159,14 @@ int32_t fastest_q8(const Flow& flow) noexcept {
   return sum;
 }
 
-// A sample by what is at the place that it comes from.
+// The new value of a sample.
 int8_t moved(const DistanceGrid& grid,
              const Flow& flow,
              int32_t x,
              int32_t y) noexcept {
-  const Way way = look_back(flow, x, y);
-  const int32_t x_q8 = x * 256 + way.x;
-  const int32_t y_q8 = y * 256 + way.y;
+  const Offset offset = look_back(flow, x, y);
+  const int32_t x_q8 = x * 256 + offset.x;
+  const int32_t y_q8 = y * 256 + offset.y;
   const int32_t left = x_q8 >> 8;
   const int32_t top = y_q8 >> 8;
   const bool is_inside = left >= 1 && top >= 1 && left + 2 < grid.width() &&
@@ -191,8 +194,8 @@ void advect(const DistanceGrid& grid,
       grid.width() == 0) {
     return;
   }
-  // What moves less than a sample, and is far from edges with all neighbours,
-  // stays far.
+  // A sample that moves less than one sample and is far from edges, with all
+  // its neighbours, stays far.
   const bool is_slow = fastest_q8(flow) < 256;
   const KnownSpan all = {0, grid.width()};
   KnownSpan known_above = all;
@@ -210,7 +213,7 @@ void advect(const DistanceGrid& grid,
     known_above = known;
     known = known_below;
     clear_around(span, to, grid.width());
-    int32_t before = 0;  // sides of the columns before this one, and of it
+    int32_t before = 0;  // sides of the previous column, and of this one
     int32_t here = 0;
     for (int32_t x = span.first; x < span.end; ++x) {
       const int32_t after =

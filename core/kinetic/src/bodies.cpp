@@ -1,5 +1,5 @@
-// Sequential impulses (Guendelman et al. 2003; Catto 2005): speeds first, then
-// places, so that energy does not grow.
+// Sequential impulses (Guendelman et al. 2003; Catto 2005). Speeds are solved
+// before positions, so that energy does not grow.
 #include "inkcell/kinetic/bodies.hpp"
 
 #include "inkcell/kinetic/body_contacts.hpp"
@@ -11,7 +11,8 @@ namespace {
 
 constexpr int32_t kRounds = 8;  // of impulses over all contacts
 constexpr int32_t kMostSpeedQ16 = kMostBodySpeed << 16;
-// Slower than this above gravity, a contact does not bounce. [px a step, Q16]
+// Contacts that are slower than this plus the gravity of a step do not bounce.
+// [px a step, Q16]
 constexpr int32_t kBouncesQ16 = 1 << 13;
 constexpr int32_t kMostPlaceQ16 = 8191 << 16;
 
@@ -19,13 +20,13 @@ bool takes_part(const Body& body) noexcept {
   return body.shape != nullptr && !body.is_fixed && !body.is_asleep();
 }
 
-// How a body takes a push. [Q30 / px^2, Q20 / px^2]
-struct Ease {
-  int32_t for_way;   // 1 / mass
-  int32_t for_turn;  // 1 / gyration
+// Inverse mass and inertia. [Q30 / px^2, Q20 / px^2]
+struct InverseMass {
+  int32_t mass;     // 1 / mass
+  int32_t inertia;  // 1 / gyration
 };
 
-Ease ease_of(const Body& body) noexcept {
+InverseMass inverse_of(const Body& body) noexcept {
   if (!takes_part(body)) {
     return {0, 0};
   }
@@ -45,45 +46,45 @@ void limit(Body& body) noexcept {
   body.spin_q20 = clamp(body.spin_q20, -spin, spin);
 }
 
-// Adds a push of a body along (nx, ny), whose arm is given. [px a step px^2]
+// Applies an impulse along (nx, ny), with its arm. [px a step px^2]
 void push(Body& body,
-          const Ease& ease,
+          const InverseMass& inverse,
           int64_t pushed_q16,
           int32_t nx,
           int32_t ny,
           int32_t arm) noexcept {
-  if (ease.for_way == 0) {
+  if (inverse.mass == 0) {
     return;
   }
-  // Below 2^22 px a step, Q16: a push is no greater than what turns speeds.
-  const int32_t gain = clamp_i64((pushed_q16 * ease.for_way + (1 << 29)) >> 30,
+  // Below 2^22 px a step, Q16: an impulse is limited by the one for spins.
+  const int32_t gain = clamp_i64((pushed_q16 * inverse.mass + (1 << 29)) >> 30,
                                  -(1 << 22), 1 << 22);
   body.x_speed.raw += scaled(int64_t{gain} * nx, 14);
   body.y_speed.raw += scaled(int64_t{gain} * ny, 14);
-  body.spin_q20 +=
-      clamp_i64(((int64_t{gain} * arm >> 4) * ease.for_turn + (1 << 19)) >> 20,
-                -(1 << 28), 1 << 28);
+  body.spin_q20 += clamp_i64(
+      ((int64_t{gain} * arm >> 4) * inverse.inertia + (1 << 19)) >> 20,
+      -(1 << 28), 1 << 28);
   limit(body);
 }
 
-// One over what a push changes the speed at a contact by. [px^2, Q8]
-int32_t mass_at(const Ease& a,
+// The effective mass at a contact. [px^2, Q8]
+int32_t mass_at(const InverseMass& a,
                 int32_t a_arm,
-                const Ease& b,
+                const InverseMass& b,
                 int32_t b_arm) noexcept {
-  const auto ease_at = [](const Ease& ease, int32_t arm) {
-    const int64_t turn = (int64_t{arm} * arm >> 16) * ease.for_turn;
+  const auto inverse_at = [](const InverseMass& inverse, int32_t arm) {
+    const int64_t turn = (int64_t{arm} * arm >> 16) * inverse.inertia;
     const int64_t both = (1 << 20) + clamp_i64(turn, 0, 1 << 30);
-    return (both * ease.for_way) >> 20;
+    return (both * inverse.mass) >> 20;
   };
-  const int64_t sum = ease_at(a, a_arm) + ease_at(b, b_arm);
+  const int64_t sum = inverse_at(a, a_arm) + inverse_at(b, b_arm);
   if (sum == 0) {
     return 0;
   }
   return clamp_i64((int64_t{1} << 38) / sum, 1, 1 << 28);
 }
 
-// The solver of a piece of a step.
+// Solves one piece of a step.
 struct Solver {
   Span<Body> bodies;
   const BodyRules& rules;
@@ -93,7 +94,7 @@ struct Solver {
     return contact.second == BodyContact::kWall ? nullptr
                                                 : &bodies[contact.second];
   }
-  // How fast both move apart along (nx, ny). [px a step, Q16]
+  // The speed along (nx, ny) at which both move apart. [px a step, Q16]
   int32_t speed_along(const BodyContact& contact,
                       int32_t nx,
                       int32_t ny,
@@ -134,19 +135,19 @@ void Solver::push_both(const BodyContact& contact,
   const int32_t nx = is_tangent ? -contact.ny : contact.nx;
   const int32_t ny = is_tangent ? contact.nx : contact.ny;
   Body& a = bodies[contact.first];
-  push(a, ease_of(a), pushed, nx, ny,
+  push(a, inverse_of(a), pushed, nx, ny,
        is_tangent ? contact.first_tangent : contact.first_normal);
   if (Body* b = second_of(contact)) {
-    push(*b, ease_of(*b), -pushed, nx, ny,
+    push(*b, inverse_of(*b), -pushed, nx, ny,
          is_tangent ? contact.second_tangent : contact.second_normal);
   }
 }
 
 void Solver::prepare(BodyContact& contact) const noexcept {
-  const Ease a = ease_of(bodies[contact.first]);
-  Ease b = {0, 0};
+  const InverseMass a = inverse_of(bodies[contact.first]);
+  InverseMass b = {0, 0};
   if (const Body* second = second_of(contact)) {
-    b = ease_of(*second);
+    b = inverse_of(*second);
   }
   contact.normal_mass =
       mass_at(a, contact.first_normal, b, contact.second_normal);
@@ -160,7 +161,7 @@ void Solver::prepare(BodyContact& contact) const noexcept {
       closing > bounces ? closing * clamp(rules.bounce_q8, 0, 256) / 256 : 0;
 }
 
-// A soft contact: by the depth, less by the speed. Four share a mass.
+// A damped spring at a soft contact. Four contacts share a mass.
 void Solver::spring(const BodyContact& contact,
                     int32_t part_q16) const noexcept {
   if (contact.soft_q10 <= 0) {
@@ -195,19 +196,19 @@ void Solver::solve(BodyContact& contact) const noexcept {
   contact.rubbed = held;
 }
 
-// Moves what is too deep apart, by a part of the depth.
+// Moves rigid bodies that overlap apart, by half of the overlap.
 void Solver::separate(const BodyContact& contact) const noexcept {
   if (contact.gap_q10 >= 0) {
     return;
   }
-  const int32_t way_q16 = min(-contact.gap_q10, 512) * 64 / 2;
-  const int64_t pushed = int64_t{way_q16} * contact.normal_mass >> 8;
+  const int32_t step_q16 = min(-contact.gap_q10, 512) * 64 / 2;
+  const int64_t pushed = int64_t{step_q16} * contact.normal_mass >> 8;
   const auto move = [&](Body& body, int64_t by) {
-    const Ease ease = ease_of(body);
-    const int32_t way =
-        clamp_i64((by * ease.for_way + (1 << 29)) >> 30, -way_q16, way_q16);
-    body.x.raw += scaled(int64_t{way} * contact.nx, 14);
-    body.y.raw += scaled(int64_t{way} * contact.ny, 14);
+    const InverseMass inverse = inverse_of(body);
+    const int32_t step =
+        clamp_i64((by * inverse.mass + (1 << 29)) >> 30, -step_q16, step_q16);
+    body.x.raw += scaled(int64_t{step} * contact.nx, 14);
+    body.y.raw += scaled(int64_t{step} * contact.ny, 14);
   };
   move(bodies[contact.first], pushed);
   if (Body* b = second_of(contact)) {
@@ -215,8 +216,8 @@ void Solver::separate(const BodyContact& contact) const noexcept {
   }
 }
 
-// The energy of motion, and that of the change since the piece began. [mass
-// px^2 / step^2, Q24, twice]
+// The kinetic energy, and the part from the change of speeds in this piece.
+// [mass px^2 / step^2, Q24, twice]
 struct Energy {
   int64_t motion;
   int64_t change;
@@ -243,9 +244,9 @@ Energy energy_of(Span<const Body> bodies) noexcept {
   return sum;
 }
 
-// Impulses over all contacts. Bounces of several contacts at once may give more
-// than came in: all pushes are then made less by one factor, with which the
-// energy is what it was (E + t b + t^2 a with t = -b / a).
+// Impulses over all contacts. Bounces of several contacts at once may add
+// energy: all impulses are then scaled by the factor that restores it (E + t b
+// + t^2 a with t = -b / a).
 void solve_all(const Solver& solver) noexcept {
   if (solver.contacts.size == 0) {
     return;
@@ -278,14 +279,14 @@ void solve_all(const Solver& solver) noexcept {
   }
 }
 
-// [Q16 of a step] How long no body goes farther than what is clear, and no two
-// that touch go farther against each other.
+// The longest piece in which no body moves farther than clear_q10, and no two
+// that touch move farther than slide_q10() against each other. [step, Q16]
 int32_t piece_of(const Solver& solver, int32_t left_q16) noexcept {
   int32_t piece = left_q16;
   const auto limit_by = [&](int32_t clear_q10, int32_t speed) {
-    const int64_t way = int64_t{clear_q10} << 22;
-    if (int64_t{speed} * piece > way) {
-      piece = static_cast<int32_t>(way / speed);
+    const int64_t distance = int64_t{clear_q10} << 22;
+    if (int64_t{speed} * piece > distance) {
+      piece = static_cast<int32_t>(distance / speed);
     }
   };
   for (const Body& body : solver.bodies) {
@@ -305,7 +306,7 @@ int32_t piece_of(const Solver& solver, int32_t left_q16) noexcept {
 void advance(Body& body, int32_t piece_q16) noexcept {
   body.x.raw += scaled(int64_t{body.x_speed.raw} * piece_q16, 16);
   body.y.raw += scaled(int64_t{body.y_speed.raw} * piece_q16, 16);
-  // 1 / (2 pi) of a turn a radian: 10430 / 2^16. [Q20 -> Q32]
+  // A radian is 1 / (2 pi) turn: 10430 / 2^16. [Q20 -> Q32]
   const int64_t turned = int64_t{body.spin_q20} * piece_q16 >> 16;
   body.turn_q32 += static_cast<uint32_t>(turned * 10430 >> 4);
   limit(body);

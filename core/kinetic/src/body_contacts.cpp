@@ -1,6 +1,6 @@
-// Broad phase: circles. Narrow phase: points of one in the distances of the
-// other, both ways. Of all points that touch four are kept: the outermost to
-// both sides, and the deepest of each side that faces.
+// Broad phase: circles. Narrow phase: the points of each body in the distances
+// of the other. At most four contacts of a pair are kept: the outermost to both
+// sides, and the deepest of each side that faces.
 #include "inkcell/kinetic/body_contacts.hpp"
 
 #include "limits.hpp"
@@ -9,16 +9,16 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-// A place that touches, from the first body's centre. [px, Q8] The normal is
-// not of unit length yet. [Q13]
+// A contact, from the first body's centre. [px, Q8] The normal is not
+// normalised yet. [Q13]
 struct Touch {
-  int32_t id;  // below 0: there is none
+  int32_t id;  // below 0: unused
   int32_t distance_q10;
   int32_t x;
   int32_t y;
   int32_t nx;
   int32_t ny;
-  int32_t along;  // the order of those that are kept
+  int32_t along;  // position across the line between the centres
 };
 
 class Touches {
@@ -29,7 +29,7 @@ class Touches {
     }
   }
 
-  // Not inline: the frames of its callers would hold parts of all touches.
+  // Not inline, to keep the touches out of its callers' frames.
   __attribute__((noinline)) void add(const Touch& touch, bool faces) noexcept {
     keep(0, touch, touch.along < kept_[0].along);
     keep(1, touch, touch.along > kept_[1].along);
@@ -39,7 +39,7 @@ class Touches {
     }
   }
 
-  // Whether this one is there, and not the same as one before.
+  // Whether this entry is used, and not a copy of an earlier one.
   bool is_own(size_t index) const noexcept {
     bool is = kept_[index].id >= 0;
     for (size_t i = 0; i < index; ++i) {
@@ -59,7 +59,7 @@ class Touches {
   Touch kept_[kContactsOfPair];
 };
 
-// (x, y) turned, y down; the sum of products of Q14 in 32 bits.
+// (x, y), y down, rotated; the sum of products fits 32 bits in Q14.
 int32_t turned_x(const Turn& turn, int32_t x, int32_t y) noexcept {
   return turn.cosine * x + turn.sine * y;
 }
@@ -67,18 +67,18 @@ int32_t turned_y(const Turn& turn, int32_t x, int32_t y) noexcept {
   return turn.cosine * y - turn.sine * x;
 }
 
-// Whether a force moves it.
+// Whether a force moves the body.
 bool can_move(const Body& body) noexcept {
   return !body.is_fixed && !body.is_asleep();
 }
 
-// What all are looked up with.
+// The search for contacts of all bodies.
 struct Finder {
   Span<Body> bodies;
   Span<BodyContact> contacts;
   const BodyRules& rules;
   int32_t still_q16;
-  int32_t overlap_q10;  // of those that are looked at
+  int32_t overlap_q10;  // of the pair at hand
   size_t count;
 
   bool touches_at(int32_t distance_q10) const noexcept {
@@ -96,13 +96,14 @@ struct Finder {
             const Touches& touches,
             int32_t x_between,
             int32_t y_between) noexcept;
-  // A frame each: both hold touches.
+  // Separate frames, as both hold touches.
   __attribute__((noinline)) void find_pair(size_t first,
                                            size_t second) noexcept;
   __attribute__((noinline)) void find_wall(size_t index, int32_t wall) noexcept;
 };
 
-// The distance inside of the nearest, and the body's own part of the way there.
+// Limits clear_q10 of a body to its share of a gap, at least of slide_q10().
+// The distance is above 0 where it overlaps.
 void Finder::note(Body& body,
                   int32_t distance_q10,
                   int32_t part_q8) const noexcept {
@@ -111,7 +112,8 @@ void Finder::note(Body& body,
       min(body.clear_q10, max(gap_q10, slide_q10(rules)) * part_q8 >> 8);
 }
 
-// Two share the way by how fast they are; a push may make the slow one fast.
+// A pair shares its distance in proportion to the speeds, at least an eighth
+// each, as a push may make the slow one fast.
 void Finder::note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept {
   const int32_t both = a.most_speed_q16 + b.most_speed_q16 + 1;
   const int32_t part = 32 + a.most_speed_q16 / ((both >> 8) + 1) * 3 / 4;
@@ -124,7 +126,7 @@ void Finder::squeeze(Body& body, int32_t distance_q10) const noexcept {
       static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
 }
 
-// A sleeper wakes if something fast touches it.
+// A sleeper wakes if a fast body touches it.
 void Finder::wake(Body& body, const Body& by) const noexcept {
   if (body.is_asleep() && by.most_speed_q16 > 2 * still_q16) {
     body.still_steps = 0;
@@ -151,7 +153,7 @@ void Finder::emit(size_t first,
     int32_t ny = touch.ny;
     auto length = static_cast<int32_t>(length_of(nx, ny));
     if (length < (1 << 13) / 8) {
-      // No slope: from centre to centre.
+      // No gradient: use the line between the centres.
       nx = x_between / 8;
       ny = y_between / 8;
       length = static_cast<int32_t>(length_of(nx, ny));
@@ -174,7 +176,7 @@ void Finder::emit(size_t first,
   }
 }
 
-// Points of `from` in the distances of `into`: one way of the narrow phase.
+// Looks up the points of `from` in the distances of `into`.
 struct Look {
   const Finder& finder;
   const Body& from;
@@ -183,8 +185,8 @@ struct Look {
   int32_t y_between;
   bool is_first;  // `from` is the first body of the pair
 
-  // Returns the greatest distance inside of `into`, at least `least`; touches
-  // are added if it is not far outside. [px, Q10]
+  // Adds touches, and returns the greatest distance inside of `into`, at least
+  // `least`. [px, Q10]
   int32_t find(int32_t least, Touches& touches) const noexcept;
   void add(int32_t id,
            const BodyPoint& point,
@@ -236,7 +238,7 @@ int32_t Look::find(int32_t least, Touches& touches) const noexcept {
   const int32_t y0 = (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw;
   const int32_t x_end = grid.width_px() << 16;
   const int32_t y_end = grid.height_px() << 16;
-  // Beyond the grid: at least so far outside. [px, Q10]
+  // A lower bound of the distance to the grid, outside of it. [px, Q10]
   const auto beyond = [&](int32_t x, int32_t y) {
     return max(max(-x, x - x_end), max(-y, y - y_end)) >> 6;
   };
@@ -265,15 +267,15 @@ int32_t Look::find(int32_t least, Touches& touches) const noexcept {
   return most;
 }
 
-// Broad phase: the greater of both ways between the centres is not longer than
-// the way.
+// Broad phase: the greater of |dx| and |dy| is a lower bound of the distance
+// between the centres.
 void Finder::find_pair(size_t first, size_t second) noexcept {
   Body& a = bodies[first];
   Body& b = bodies[second];
   if (!can_move(a) && !can_move(b)) {
     return;
   }
-  // Places are within 2^13 px: 32 bits hold the difference.
+  // Positions are within 2^13 px: 32 bits hold the difference.
   const int32_t x_between = (a.x.raw - b.x.raw) >> 8;
   const int32_t y_between = (a.y.raw - b.y.raw) >> 8;
   const int32_t radii = a.shape->radius() + b.shape->radius();
@@ -285,11 +287,11 @@ void Finder::find_pair(size_t first, size_t second) noexcept {
     return;
   }
   Touches touches;
-  const Look one_way = {*this, a, b, x_between, y_between, true};
-  const Look other_way = {*this, b, a, x_between, y_between, false};
-  int32_t most = one_way.find(-kFarQ10, touches);
+  const Look points_of_a = {*this, a, b, x_between, y_between, true};
+  const Look points_of_b = {*this, b, a, x_between, y_between, false};
+  int32_t most = points_of_a.find(-kFarQ10, touches);
   if (most > -(4 << 10)) {
-    most = other_way.find(most, touches);
+    most = points_of_b.find(most, touches);
   }
   if (touches[0].id < 0) {
     note_pair(a, b, most);
@@ -300,7 +302,7 @@ void Finder::find_pair(size_t first, size_t second) noexcept {
   wake(a, b);
   wake(b, a);
   if (contacts.size - count < kContactsOfPair) {
-    note_pair(a, b, most);  // none may tell how far they are apart
+    note_pair(a, b, most);  // contacts may be missing: do not rely on them
   }
   emit(first, second, touches, x_between, y_between);
 }
@@ -308,11 +310,11 @@ void Finder::find_pair(size_t first, size_t second) noexcept {
 // Walls: left, top, right, bottom.
 void Finder::find_wall(size_t index, int32_t wall) noexcept {
   Body& body = bodies[index];
-  const bool is_across = wall % 2 == 0;  // it bounds x
+  const bool is_across = wall % 2 == 0;  // bounds x
   const int32_t sign = wall < 2 ? -1 : 1;
   const Rect& walls = rules.walls;
   const int32_t bounds[] = {walls.x0, walls.y0, walls.x1, walls.y1};
-  // How far the centre is beyond the wall. [px, Q10]
+  // The distance of the centre beyond the wall. [px, Q10]
   const int32_t centre = sign * (((is_across ? body.x.raw : body.y.raw) >> 6) -
                                  bounds[wall] * 1024);
   const int32_t nearest = centre + (body.shape->radius() << 10);
@@ -350,7 +352,7 @@ void Finder::find_wall(size_t index, int32_t wall) noexcept {
   emit(index, BodyContact::kWall, touches, 0, 0);
 }
 
-// By turning. [px a step, Q16]
+// The speed of the edge by spin. [px a step, Q16]
 int32_t edge_speed(const Body& body) noexcept {
   const int64_t spun = int64_t{abs(body.spin_q20)} * body.shape->radius() >> 4;
   return clamp_i64(spun, 0, 1 << 28);
@@ -374,7 +376,7 @@ size_t find_contacts(Span<Body> bodies,
   Finder finder = {bodies, contacts, rules, still_q16, 0, 0};
   for (Body& body : bodies) {
     body.clear_q10 = kFarQ10;
-    // Nobody looks at two that sleep: they stay as they were.
+    // Pairs of sleepers are not examined: keep their squeeze.
     body.squeeze = body.is_asleep() ? body.squeeze : Q6_10();
     body.most_speed_q16 = body.shape == nullptr ? 0 : speed_of(body);
   }

@@ -1,4 +1,5 @@
-// Rows of pixels on a line through the grid of a body, and of its neighbours.
+// Draws rows of pixels, each a line through the grids of a body and its
+// neighbours.
 #include "inkcell/kinetic/body_draw.hpp"
 
 #include "inkcell/kinetic/body_contacts.hpp"
@@ -13,24 +14,24 @@ constexpr size_t kMostNeighbours = 6;
 constexpr int32_t kRingQ10 = 6 << 10;  // around an overlap [px]
 constexpr int32_t kBulgeQ10 = kRingQ10 / 4;
 
-// The place of a pixel's centre in the grid of a body, from the centre of the
-// first sample. [px, Q16]
+// The centre of a pixel in a body's grid, from the centre of the first sample.
+// [px, Q16]
 struct Place {
   int32_t x;
   int32_t y;
 };
 
-// A body as rows see it, small: a frame holds seven.
+// The data of a body that rows need. Small: a frame holds seven.
 struct View {
   const BodyShape* shape;
-  Place origin;  // of pixel (0, 0) of the box that is drawn
+  Place origin;  // of pixel (0, 0) of the box
   // A step to the right is (cosine, sine), a step down (-sine, cosine).
   int16_t cosine_q14;
   int16_t sine_q14;
   int16_t squeeze_q10;
 
-  // How far inside of it a pixel is; beyond the grid at least so far outside.
-  // [px, Q10] As probe(), without slopes.
+  // The distance of a pixel; outside of the grid an upper bound. [px, Q10] As
+  // probe(), without slopes.
   int32_t distance(int32_t x, int32_t y) const noexcept {
     const DistanceGrid& grid = shape->grid();
     const int32_t scale = grid.scale_log2();
@@ -54,24 +55,24 @@ struct View {
     const int32_t sum = above + ((below - above) * y_part >> 8) + 128;
     return sum * (1 << scale) >> 3;
   }
-  // It swells so far from an overlap: as far as grids know distances. [px, Q10]
+  // The width of the bulge around an overlap: the range of the grid. [px, Q10]
   int32_t ring_q10() const noexcept {
     return min(4032 << shape->grid().scale_log2(), kRingQ10);
   }
-  // By how much it swells at most: less than would let rings meet.
+  // The greatest bulge, small enough that rings do not meet.
   int32_t bulge_q10() const noexcept {
     return min(squeeze_q10, ring_q10() >> 2);
   }
 };
 
-// (x, y): the upper left corner of the box that is drawn, in px on the screen.
+// (x, y): the upper left corner of the box, in px on the screen.
 __attribute__((noinline)) void look_at(const Body& body,
                                        int32_t x,
                                        int32_t y,
                                        View& view) noexcept {
   const BodyShape& shape = *body.shape;
   const Turn turn = turn_of(body.angle());
-  // Back by the body's turn: (x c - y s, y c + x s).
+  // Rotated back by the body's angle: (x c - y s, y c + x s).
   const int64_t dx = int64_t{x} * 65536 + 32768 - body.x.raw;
   const int64_t dy = int64_t{y} * 65536 + 32768 - body.y.raw;
   view.shape = &shape;
@@ -87,11 +88,11 @@ __attribute__((noinline)) void look_at(const Body& body,
 }
 
 // A hill of height 1 over 0 to `ring`, flat at both ends. [Q10 -> Q10]
-int32_t hill(int32_t way_q10, int32_t ring_q10) noexcept {
-  if (way_q10 <= 0 || way_q10 >= ring_q10) {
+int32_t hill(int32_t distance_q10, int32_t ring_q10) noexcept {
+  if (distance_q10 <= 0 || distance_q10 >= ring_q10) {
     return 0;
   }
-  const int32_t part = way_q10 * 1024 / ring_q10;
+  const int32_t part = distance_q10 * 1024 / ring_q10;
   const int32_t slope = part * (1024 - part) >> 8;  // up to 1024
   return slope * slope >> 10;
 }
@@ -103,7 +104,7 @@ struct Painter {
   Rect walls;
   const Filter& filter;
 
-  // [px, Q10] From the nearest wall.
+  // The distance from the nearest wall. [px, Q10]
   int32_t from_wall(int32_t x, int32_t y) const noexcept {
     return min(min(x - walls.x0, walls.x1 - 1 - x),
                min(y - walls.y0, walls.y1 - 1 - y)) *
@@ -115,7 +116,7 @@ struct Painter {
                  int32_t line,
                  int32_t (&next)[kMostNeighbours],
                  int32_t& bulge) const noexcept;
-  // Frames of their own.
+  // Not inline, to keep frames small.
   __attribute__((noinline)) void add_neighbour(const Body& body,
                                                const Rect& whole,
                                                const Rect& box) noexcept;
@@ -128,7 +129,7 @@ bool have_common(const Rect& a, const Rect& b) noexcept {
   return !is_empty(intersect(a, b));
 }
 
-// If its box and the whole one of the body that is drawn have pixels in common.
+// Adds a body whose box overlaps that of the body drawn.
 void Painter::add_neighbour(const Body& body,
                             const Rect& whole,
                             const Rect& box) noexcept {
@@ -137,9 +138,9 @@ void Painter::add_neighbour(const Body& body,
   }
 }
 
-// How far a pixel is from what others take of the body. [px, Q10]
-// (column, line): in the box. next[i]: left of this column neighbour i is too
-// far off to matter; a pixel to the right is by a pixel nearer, at most.
+// The distance of a pixel from the lines that cut the body. [px, Q10] (column,
+// line) is in the box. Neighbour i does not matter to the left of next[i]: a
+// step of one pixel changes a distance by at most 1 px.
 int32_t Painter::cut_of(int32_t distance,
                         int32_t column,
                         int32_t line,
@@ -157,7 +158,7 @@ int32_t Painter::cut_of(int32_t distance,
       const int32_t most = min(own.bulge_q10(), other.bulge_q10());
       bulge = max(bulge, hill(-depth, ring) * most >> 10);
     }
-    // What is nearer to the other's middle than to its own is the other's.
+    // The pixel belongs to the body in which it is deeper.
     cut = min(cut, (distance - max(depth, -ring)) >> 1);
   }
   return cut;
@@ -168,7 +169,7 @@ void Painter::draw_row(const Rect& box,
                        const Sink& sink) const noexcept {
   const int32_t line = y - box.y0;
   const int32_t width = box.x1 - box.x0;
-  // Farther out nothing is covered, whatever swells; farther in all is.
+  // Distances without coverage, even with a bulge, and with full coverage.
   const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
   const int32_t full = max(filter.inside_q10, 0) + 64;
   int32_t next[kMostNeighbours] = {};
@@ -183,7 +184,7 @@ void Painter::draw_row(const Rect& box,
     const int32_t wall = from_wall(x, y);
     int32_t bulge = hill(wall, own.ring_q10()) * own.bulge_q10() >> 10;
     const int32_t cut = min(wall, cut_of(distance, column, line, next, bulge));
-    // A pixel to the right is by a pixel less deep, at most.
+    // A step of one pixel lessens the depth by at most 1 px.
     const int32_t deep = min(distance, cut) - full;
     if (deep > 0) {
       const int32_t end = min(column + 1 + (deep >> 10), width);

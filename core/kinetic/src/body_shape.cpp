@@ -1,4 +1,4 @@
-// Sums over samples, and Newton's steps to the edge.
+// Sums over samples, and Newton's method to find the edge.
 #include "inkcell/kinetic/body_shape.hpp"
 
 #include "inkcell/kinetic/numbers.hpp"
@@ -10,14 +10,14 @@ namespace {
 
 constexpr size_t kLeastPoints = 8;
 
-// How much of its square a sample covers. [1/64]
+// The coverage of a sample's square. [1/64]
 int32_t weight_of(int8_t sample) noexcept {
   return clamp(2 * sample + 33, 0, 64);
 }
 
 }  // namespace
 
-// Coordinates are twice those of samples, so that their centres are integers.
+// Coordinates are doubled, so that sample centres are integers.
 bool BodyShape::weigh() noexcept {
   int64_t sum = 0;
   int64_t x_sum = 0;
@@ -49,7 +49,7 @@ bool BodyShape::weigh() noexcept {
       squares += weight_of(row[x]) * (int64_t{right} * right + down * down);
     }
   }
-  // Each square of a sample has a sixth of its side squared of its own. [Q10]
+  // A square has a sixth of its side squared of its own. [Q10]
   const auto gyration = static_cast<int32_t>(squares / sum) + 1024 / 6;
   gyration_q8_ = max((gyration << (2 * scale)) >> 2, 64);
   area_ = max(1, static_cast<int32_t>((sum << (2 * scale)) >> 6));
@@ -66,13 +66,13 @@ void BodyShape::measure() noexcept {
   for (int32_t x = 0; x <= right; ++x) {
     most = max(most, max(grid_.at(x, 0), grid_.at(x, bottom)));
   }
-  // The sides are half a sample farther out.
+  // The border is half a sample beyond the outermost centres.
   const int32_t unit = 32 << grid_.scale_log2();
   margin_q10_ = max(-most - 1, 0) * unit;
   depth_q10_ = grid_.depth() * unit;
 }
 
-// From the middle of four samples to the edge between them.
+// Finds the edge from the middle of four samples.
 bool BodyShape::find_edge_point(int32_t column,
                                 int32_t row,
                                 BodyPoint& out,
@@ -89,8 +89,8 @@ bool BodyShape::find_edge_point(int32_t column,
   Q16_16 y = Q16_16::from_raw((row + 1) << (16 + scale));
   GridPoint here = probe(grid_, x, y);
   for (int32_t i = 0; i < 4; ++i) {
-    // Slopes are below 8, distances here below 8 px: 32 bits hold the products
-    // of Q7 and Q13, and half a step more than once is enough.
+    // Slopes and distances here are below 8: 32 bits hold products of Q7 and
+    // Q13. One more half step is enough.
     x.raw -= (here.distance_q10 >> 3) * here.x_slope_q13 / 16;
     y.raw -= (here.distance_q10 >> 3) * here.y_slope_q13 / 16;
     here = probe(grid_, x, y);
@@ -98,7 +98,7 @@ bool BodyShape::find_edge_point(int32_t column,
   if (abs(here.distance_q10) > 128 << scale) {
     return false;
   }
-  // Where edges are straight, 1.5 sides farther in is as much deeper.
+  // At straight edges a point 1.5 sides farther in is as much deeper.
   const int32_t in = 3 << scale;
   const GridPoint deep =
       probe(grid_, Q16_16::from_raw(x.raw + here.x_slope_q13 * 4 * in),
@@ -112,13 +112,13 @@ bool BodyShape::find_edge_point(int32_t column,
   return true;
 }
 
-// Points that are at least so far apart; one more than `room` holds if they do
+// Points at least this far apart. Returns one more than `room` holds if they do
 // not fit.
 size_t BodyShape::spread(int32_t spacing_q5,
                          Span<BodyPoint> room) const noexcept {
   size_t count = 0;
   for (int32_t pass = 0; pass < 2; ++pass) {
-    // Closer at corners, so that one is on the tip.
+    // Closer at corners, so that a point is on the tip.
     const int32_t apart_q5 = pass == 0 ? spacing_q5 / 4 : spacing_q5;
     for (int32_t row = -1; row < grid_.height(); ++row) {
       for (int32_t column = -1; column < grid_.width(); ++column) {

@@ -1,4 +1,4 @@
-// A fold over the parts, pixel by pixel.
+// Folds the parts, pixel by pixel.
 #include "inkcell/kinetic/combine.hpp"
 
 #include "inkcell/kinetic/dirty_rects.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr int32_t kFarQ10 = -(32 << 10);
 constexpr int32_t kMostPlace = 8191;  // [px]
 
-// Where coverage rises. [px, Q10]
+// The distances at which coverage rises. [px, Q10]
 struct Ramp {
   int32_t low;
   int32_t high;
@@ -22,10 +22,10 @@ GridPoint negated(const GridPoint& a) noexcept {
   return {-a.distance_q10, -a.x_slope_q13, -a.y_slope_q13};
 }
 
-// The angle between two gradients, and how long they are.
+// The angle between two gradients, and their lengths.
 struct Gradients {
   int32_t cosine_q13;   // of the angle between them
-  int32_t lengths_q13;  // their product, up to 1: less between two edges
+  int32_t lengths_q13;  // their product, up to 1; less between two edges
 };
 
 Gradients compared(const GridPoint& a, const GridPoint& b) noexcept {
@@ -39,7 +39,7 @@ Gradients compared(const GridPoint& a, const GridPoint& b) noexcept {
   return {clamp(cosine, -kOneQ13, kOneQ13), min(lengths >> 9, kOneQ13)};
 }
 
-// a and b on the ramp from 0 to `width`: what half-planes cover together.
+// The coverage of two half-planes, with a and b on the ramp [0, width].
 int32_t covered_by_both(int32_t a,
                         int32_t b,
                         int32_t width,
@@ -60,15 +60,15 @@ GridPoint united(const GridPoint& a,
         ramp.low + covered_by_both(a.distance_q10 - ramp.low,
                                    b.distance_q10 - ramp.low,
                                    ramp.high - ramp.low, gradients.cosine_q13);
-    // The gradient of a thin part is short: the farther part then adds less,
-    // down to a half.
+    // A thin part has a short gradient: the farther part adds less, down to
+    // half.
     const int32_t trust_q14 = kOneQ13 + gradients.lengths_q13;
     result.distance_q10 += (both - result.distance_q10) * trust_q14 >> 14;
   }
   return result;
 }
 
-// max(a, b) + h^2 / 4k, h = max(k - |a - b|, 0), over the length of its
+// max(a, b) + h^2 / 4k with h = max(k - |a - b|, 0), over the length of the
 // gradient.
 GridPoint blended(const GridPoint& a,
                   const GridPoint& b,
@@ -79,7 +79,7 @@ GridPoint blended(const GridPoint& a,
   if (near <= 0) {
     return united(a, b, ramp);
   }
-  // The part of b. [Q10]
+  // The share of b. [Q10]
   const int32_t part = 512 - apart * 512 / reach_q10;
   const auto mixed = [part](int32_t of_a, int32_t of_b) {
     return of_a + ((of_b - of_a) * part >> 10);
@@ -89,7 +89,7 @@ GridPoint blended(const GridPoint& a,
       max(a.distance_q10, b.distance_q10) + near * (near >> 2) / reach_q10;
   result.x_slope_q13 = mixed(a.x_slope_q13, b.x_slope_q13);
   result.y_slope_q13 = mixed(a.y_slope_q13, b.y_slope_q13);
-  // Where gradients face each other there is none, nor an edge.
+  // Opposite gradients cancel: there is no edge.
   const int32_t length =
       clamp(rough_length(abs(result.x_slope_q13), abs(result.y_slope_q13)),
             kOneQ13 / 2, kOneQ13);
@@ -102,8 +102,8 @@ GridPoint blended(const GridPoint& a,
   return result;
 }
 
-// A part that is clamped, 4 sides away, must not change what is drawn at an
-// edge of another.
+// The range of a part's distances: clamped values, 4 sides away, must not
+// change the edge of another part.
 int32_t reach_q10(const GridPart& part) noexcept {
   const int32_t most = part.grid == nullptr ? 0 : 3 << part.grid->scale_log2();
   return clamp(part.reach.raw, 64, most * 64) * 16;
@@ -127,7 +127,7 @@ GridPoint combined(const GridPoint& a,
   return united(a, b, ramp);
 }
 
-// Beyond the grid by more than it knows: as far outside as that.
+// Distance and slope of a part at a place on the screen.
 GridPoint at_part(const GridPart& part, int64_t x_q16, int64_t y_q16) noexcept {
   if (part.grid == nullptr || part.grid->width() == 0) {
     return {kFarQ10, 0, 0};
@@ -142,8 +142,8 @@ bool is_edge(const GridPoint& point, const Ramp& ramp) noexcept {
   return point.distance_q10 > ramp.low && point.distance_q10 < ramp.high;
 }
 
-// Its slopes are those of half a sample before it to half a sample behind it:
-// probe() knows those of one square, which may lie beside the place.
+// Slopes by central differences over a sample: probe() has those of one square,
+// which may lie beside the place.
 GridPoint centred(const GridPart& part,
                   const GridPoint& point,
                   int64_t x_q16,
@@ -165,7 +165,7 @@ Ramp ramp_of(const Filter& filter) noexcept {
   return {filter.outside_q10, max(filter.inside_q10, filter.outside_q10 + 1)};
 }
 
-// `edges` counts the parts whose edge is here.
+// `edges` counts the parts that have an edge here.
 GridPoint fold(Span<const GridPart> parts,
                int32_t x_q16,
                int32_t y_q16,
@@ -186,7 +186,7 @@ GridPoint fold(Span<const GridPart> parts,
   return result;
 }
 
-// Slopes count where edges meet: only there they are worth the probes.
+// Exact slopes are needed only where edges meet; each costs five probes.
 GridPoint fold(Span<const GridPart> parts,
                int32_t x_q16,
                int32_t y_q16,

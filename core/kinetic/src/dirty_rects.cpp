@@ -9,8 +9,8 @@ int64_t area(const Rect& r) noexcept {
   return int64_t{r.x1 - r.x0} * (r.y1 - r.y0);
 }
 
-// The pixels that are in the box around both and in neither. Below 0 where they
-// overlap a lot.
+// Pixels of the bounding box that are in neither. Below 0 where they overlap a
+// lot.
 int64_t waste(const Rect& a, const Rect& b) noexcept {
   return area(bounding_box(a, b)) - area(a) - area(b);
 }

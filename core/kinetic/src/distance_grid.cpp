@@ -35,7 +35,8 @@ void unite_solid(void* context, int32_t x, int32_t y, int32_t count) {
 
 }  // namespace
 
-// Entry i of a linear table is i: distances of i - 128 to i - 127 of 1/32 px.
+// Entry i of the linear table is i: distances from i - 128 to i - 127 in 1/32
+// px.
 constexpr Filter kFilterDistance =
     make_filter({Q6_10::from_raw(-4096), Q6_10::from_raw(4096)});
 
@@ -66,7 +67,7 @@ int32_t DistanceGrid::depth() const noexcept {
 int32_t DistanceGrid::area() const noexcept {
   int32_t sum = 0;
   for (int32_t i = 0; i < width_ * height_; ++i) {
-    // A sample stands for the middle of its quantum.
+    // A sample stands for the middle of its step.
     const int32_t covered = 2 * samples_[i] + 33;
     sum += covered < 0 ? 0 : covered > 64 ? 64 : covered;
   }
@@ -115,7 +116,7 @@ Status DistanceGrid::paint(const Font& font,
 }
 
 GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept {
-  // In samples from the centre of the first. [Q15] Any place fits.
+  // From the centre of the first sample. [samples, Q15] Any place fits.
   const int32_t column_q15 = (x.raw >> (grid.scale_log2() + 1)) - (1 << 14);
   const int32_t row_q15 = (y.raw >> (grid.scale_log2() + 1)) - (1 << 14);
   const int32_t column = column_q15 >> 15;
@@ -142,7 +143,7 @@ GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept {
   const int32_t top = corners[0] * 256 + top_step * right;
   const int32_t bottom = corners[2] * 256 + bottom_step * right;
   GridPoint point;
-  // A sample stands for the middle of its quantum. [Q13 of a sample]
+  // A sample stands for the middle of its step. [Q13 of a sample]
   const int32_t distance = top + ((bottom - top) * down >> 8) + 128;
   point.distance_q10 = distance * (1 << grid.scale_log2()) >> 3;
   point.x_slope_q13 = top_step * 256 + (bottom_step - top_step) * down;

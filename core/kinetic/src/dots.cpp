@@ -33,17 +33,17 @@ void draw_dot(Q16_16 x, Q16_16 y, Q26_6 radius, const Sink& sink) noexcept {
   if (is_empty(box)) {
     return;
   }
-  // Coverage falls from full to none over a pixel about the edge: there the
-  // square of the distance d falls by 2 r, and with it nearly as evenly.
+  // Coverage falls from full to none over a pixel about the edge. There the
+  // square of the distance d falls by 2 r, nearly linearly:
   //     coverage = (r^2 + r - d^2) / (2 r), whose sum is pi r^2
-  // A smaller one is a dot of 1 px that is fainter: its ink does not depend on
-  // where it is between pixels.
+  // A smaller dot is drawn as one of 1 px, but fainter, so that its total
+  // coverage does not depend on its sub-pixel position.
   const int32_t asked_q6 = limited(radius);
   const int32_t r_q6 = max(asked_q6, 64);
   const int32_t outer_q12 = r_q6 * (r_q6 + 64);
   const int32_t most = asked_q6 < 64 ? 255 * asked_q6 * asked_q6 >> 12 : 255;
   const int32_t scale_q16 = (255 << 9) / r_q6;
-  // Of pixel centres, from the dot's. [px, Q6]
+  // Pixel centres relative to the dot's centre. [px, Q6]
   const int32_t first_q6 = box.x0 * 64 + 32 - (x.raw >> 10);
   int32_t down_q6 = box.y0 * 64 + 32 - (y.raw >> 10);
   for (int32_t row = box.y0; row < box.y1; ++row, down_q6 += 64) {

@@ -19,13 +19,13 @@ struct Cubic {
         c(3 * p1_q14) {}
 
   // 0 <= s <= 1. With control points in 0..1 no product reaches 2^31: a s + b
-  // lies between b and a + b, -6 to 3.
+  // is between b and a + b, -6 to 3.
   int32_t at_q14(int32_t s_q14) const noexcept {
     const int32_t inner = ((a * s_q14) >> 14) + b;
     return (((inner * s_q14 >> 14) + c) * s_q14) >> 14;
   }
 
-  // The same with control points in -2..2, and finer.
+  // The same with control points in -2..2, in Q16.
   int32_t at_q16(int32_t s_q14) const noexcept {
     const int64_t inner = int64_t{a} * s_q14 + int64_t{b} * kOneQ14;  // [Q28]
     const int64_t outer = (inner * s_q14 >> 14) + int64_t{c} * kOneQ14;
@@ -36,7 +36,7 @@ struct Cubic {
 Q16_16 ease_bezier(const Easing& easing, int32_t progress_q16) noexcept {
   const Cubic x(easing.x1_q14, easing.x2_q14);
   const Cubic y(easing.y1_q14, easing.y2_q14);
-  // The greatest s with x(s) <= progress: x never falls.
+  // The greatest s with x(s) <= progress; x is monotonic.
   const int32_t wanted_q14 = progress_q16 >> 2;
   int32_t s_q14 = 0;
   for (int32_t bit = kOneQ14 >> 1; bit != 0; bit >>= 1) {
@@ -47,8 +47,8 @@ Q16_16 ease_bezier(const Easing& easing, int32_t progress_q16) noexcept {
   return Q16_16::from_raw(y.at_q16(s_q14));
 }
 
-// Parabolas over 4/11 and three times less, tops at 1, 3/4 of the way back up
-// and so on: a ball that loses half its speed each time.
+// Parabolas: the first is half of one, each later bounce has half the width and
+// a quarter of the height of the one before: a ball that loses half its speed.
 Q16_16 ease_bounce(int32_t progress_q16) noexcept {
   struct Arc {
     int32_t end_q16;
@@ -64,9 +64,9 @@ Q16_16 ease_bounce(int32_t progress_q16) noexcept {
   while (progress_q16 >= arc->end_q16 && arc->end_q16 != kOne) {
     ++arc;
   }
-  // 121/16 times the square of the way from the middle, at most 4/11.
-  const int32_t way = progress_q16 - arc->middle_q16;
-  const int32_t square_q16 = ((way >> 1) * (way >> 1)) >> 14;
+  // 121/16 times the square of the distance from the middle, at most 4/11.
+  const int32_t offset = progress_q16 - arc->middle_q16;
+  const int32_t square_q16 = ((offset >> 1) * (offset >> 1)) >> 14;
   return Q16_16::from_raw(arc->height_q16 + square_q16 * 121 / 16);
 }
 

@@ -31,8 +31,8 @@ int32_t cutoff_of(const GridHistogram& histogram, uint32_t wanted) noexcept {
   const auto count = [&](int32_t bin) -> uint32_t {
     return bin >= 0 && bin < GridHistogram::kBins ? histogram.bins[bin] : 0;
   };
-  // From the inside outwards. A sample covers its square by a ramp of one
-  // sample: a step of a bin adds 1/16 of what lies on the ramp.
+  // From the inside outwards. The coverage of a sample is a ramp of one sample:
+  // each bin adds 1/16 of the samples on the ramp.
   uint32_t area = 0;
   uint32_t on_ramp = 0;
   int32_t edge = GridHistogram::kBins + kHalfSample;
@@ -47,7 +47,7 @@ int32_t cutoff_of(const GridHistogram& histogram, uint32_t wanted) noexcept {
   }
   const auto rest =
       on_ramp == 0 ? 0 : static_cast<int32_t>(((wanted - area) << 1) / on_ramp);
-  // Half a bin more: the ramp is counted from the lower ends of bins.
+  // Plus half a bin: the ramp is counted from the lower ends of bins.
   return edge * (1 << kBinLog2) - rest - (1 << 15) - (1 << (kBinLog2 - 1));
 }
 
@@ -63,7 +63,7 @@ Fixed<int32_t, 13> blend(const DistanceGrid& a,
   }
   clear(scratch);
   const int32_t part = clamp(how.part_q8, 0, 256);
-  // To the nearest quantum.
+  // Rounded to nearest.
   const int32_t off_a = 128 - clamp(how.depth_a, 0, 255) * part;
   const int32_t off_b = 128 - clamp(how.depth_b, 0, 255) * (256 - part);
   const int32_t count = a.width() * a.height();
@@ -95,7 +95,7 @@ Fixed<int32_t, 13> cutoff_for(const DistanceGrid& grid,
                               int32_t area,
                               GridHistogram& scratch) noexcept {
   clear(scratch);
-  // Others are kOutside, which lies beyond every ramp.
+  // Other samples are kOutside, beyond every ramp.
   for (int32_t y = 0; y < grid.height(); ++y) {
     const int8_t* row = grid.row(y);
     const KnownSpan known = known_span(row, grid.width());

@@ -1,11 +1,11 @@
-// The loop over the cells between samples, 2^scale_log2 px wide.
+// Draws the cells between samples, each 2^scale_log2 px wide.
 //
 //   tl ---- tr    samples; pixel centres lie at (k + 1/2) / 2^scale_log2
 //    |  px   |    between them
 //   bl ---- br
 //
-// A cell is blank or full if its four samples are: between them the field is
-// bilinear. Only cells near an edge take more than that.
+// A cell is bilinear, so it is blank or full if its four samples are. Only
+// cells near an edge are interpolated.
 #include "inkcell/kinetic/grid_draw.hpp"
 
 #include "known_span.hpp"
@@ -17,11 +17,11 @@ namespace {
 
 constexpr int32_t kMostGainQ8 = 2 << 8;
 constexpr int32_t kLeastGainQ8 = 192;
-// Px, at most kMaxSpan; cells of any side fill them.
+// [px] At most kMaxSpan; a multiple of every cell width.
 constexpr int32_t kBlock = 24;
 
-// One over the slope of a cell, whose sides differ by twice as much. [1/32 of a
-// sample a sample -> Q8]
+// One over the slope of a cell, from doubled differences of its sides. [1/32 of
+// a sample a sample -> Q8]
 int32_t gain_q8(int32_t x_twice, int32_t y_twice) noexcept {
   const int32_t length = rough_length(abs(x_twice), abs(y_twice));
   constexpr uint32_t kUnit = 64u << 8;
@@ -32,22 +32,21 @@ int32_t gain_q8(int32_t x_twice, int32_t y_twice) noexcept {
   return gain < kLeastGainQ8 ? kLeastGainQ8 : gain;
 }
 
-// What cells are drawn with.
+// Parameters for drawing cells.
 struct CellPaint {
   const Filter& filter;
   int32_t scale_log2;
-  int32_t off_q13;  // from a sample's middle to the edge: half a quantum less
-                    // the cutoff
+  int32_t off_q13;  // from a sample's middle to the edge, less half a step
   int32_t slope_q8;
-  int32_t blank;  // a sample up to here has no coverage, whatever the slope
-  int32_t full;   // and from here on full coverage
+  int32_t blank;  // samples <= blank have no coverage at any slope
+  int32_t full;   // samples >= full have full coverage
 
   CellPaint(const Filter& f, const GridLook& look, int32_t scale) noexcept
       : filter(f),
         scale_log2(scale),
         off_q13(128 - clamp(look.cutoff.raw, -(1 << 15), 1 << 15)),
         slope_q8(clamp(look.slope_q8, 0, 256)) {
-    // [px, Q10 -> 1/32 of a sample] By the gain that takes a field least far.
+    // [px, Q10 -> 1/32 of a sample] With the least or greatest gain.
     const auto level = [&](int32_t px_q10, bool is_least) {
       const int32_t gain = slope_q8 == 0 ? 256
                            : is_least    ? kLeastGainQ8
@@ -59,12 +58,12 @@ struct CellPaint {
   }
 };
 
-// The pixels of a part of a row of cells.
+// Pixels of a part of a row of cells.
 struct Block {
   uint8_t coverage[1 << DistanceGrid::kMaxScaleLog2][kBlock];
 };
 
-// The samples around a cell. [1/32 of a sample]
+// The four samples of a cell. [1/32 of a sample]
 struct Corners {
   int32_t top_left;
   int32_t top_right;
@@ -72,7 +71,7 @@ struct Corners {
   int32_t bottom_right;
 };
 
-// A cell of 2 x 2 px: their weights are 9, 3, 3 and 1 of 16.
+// A cell of 2 x 2 px: the weights are 9, 3, 3 and 1 of 16.
 void paint_square(const CellPaint& paint,
                   const Corners& at,
                   Block& block,
@@ -90,8 +89,8 @@ void paint_square(const CellPaint& paint,
   block.coverage[1][column + 1] = px(bottom[1], bottom[0]);
 }
 
-// Bilinear, in steps of half a pixel. Where a sample is a pixel, its centre is
-// that of the sample at the upper left.
+// Bilinear, in steps of half a pixel. With a sample a pixel, the centre is that
+// of the upper left sample.
 void paint_cell(const CellPaint& paint,
                 const Corners& at,
                 Block& block,
@@ -114,7 +113,7 @@ void paint_cell(const CellPaint& paint,
     const int32_t left = at.top_left * 256 + (left_step * 256 * down >> shift);
     const int32_t step =
         top_step * 256 + ((bottom_step - top_step) * 256 * down >> shift);
-    // [px, Q10] on the way from pixel to pixel, Q(10 + to_px).
+    // At the first pixel, and the step to the next. [px, Q(10 + to_px)]
     int32_t field = (left + (step * first >> shift) + paint.off_q13) * gain;
     const int32_t field_step = (step >> paint.scale_log2) * gain;
     uint8_t* to = block.coverage[row] + column;
@@ -124,7 +123,7 @@ void paint_cell(const CellPaint& paint,
   }
 }
 
-// Passes on the part of a row that has coverage and lies in the window.
+// Emits the part of a row that has coverage and is in the window.
 void emit_row(const Sink& sink,
               const uint8_t* coverage,
               int32_t x,
@@ -150,7 +149,7 @@ struct CellRow {
   int32_t y;
   int32_t side;  // of a cell [px]
 
-  // Passes on the first `cells` cells of a block, from cell `first` on.
+  // Emits the first `cells` cells of a block, from cell `first` on.
   void emit(const Block& block, int32_t first, int32_t cells) const noexcept {
     for (int32_t row = 0; row < side; ++row) {
       if (y + row >= sink.window.y0 && y + row < sink.window.y1) {
@@ -160,7 +159,7 @@ struct CellRow {
     }
   }
 
-  // Fills the cells from `first` to `end`.
+  // Fills the cells [first, end).
   void fill(int32_t first, int32_t end) const noexcept {
     const Rect shown =
         intersect({x + first * side, y, x + end * side, y + side}, sink.window);
@@ -170,11 +169,11 @@ struct CellRow {
   }
 };
 
-// What a column of two samples tells of the cells beside it: a cell is blank or
-// full if both of its columns are.
+// The kind of a column of two samples: a cell is blank or full if both of its
+// columns are.
 enum : uint8_t { kMixed = 0, kBlank = 1, kFull = 2 };
 
-// Two rows of samples above each other; null beyond the grid.
+// Two adjacent rows of samples; null outside of the grid.
 struct RowPair {
   const int8_t* top;
   const int8_t* bottom;
@@ -191,7 +190,7 @@ struct RowPair {
                                                 : kMixed;
   }
 
-  // The first column from `x` on, or `end`, that is not of this kind.
+  // The first column in [x, end) that is not of this kind, or `end`.
   int32_t end_of(int32_t x,
                  int32_t end,
                  uint32_t kind,
@@ -224,8 +223,8 @@ struct RowPair {
   }
 };
 
-// Paints cells from `first` on until one is blank or full, at most as many as a
-// block holds. Returns how many.
+// Paints cells from `first` on until one is blank or full, at most a block.
+// Returns how many.
 __attribute__((noinline)) int32_t paint_block(const RowPair& rows,
                                               const CellPaint& paint,
                                               int32_t first,
@@ -258,9 +257,9 @@ __attribute__((noinline)) int32_t paint_block(const RowPair& rows,
   return cells;
 }
 
-// The cells of a row from `first` to `end`, in runs that are blank, full or
-// neither. A frame of its own: what it holds is not there while rows are
-// sought.
+// Draws the cells [first, end) of a row, in runs that are blank, full or
+// neither. Not inline, to keep its frame off the stack during the search for
+// rows.
 __attribute__((noinline)) void draw_cells(const RowPair& rows,
                                           const CellPaint& paint,
                                           const CellRow& row,
@@ -292,14 +291,14 @@ void draw_grid(const DistanceGrid& grid,
                int32_t y,
                const Filter& filter,
                const Sink& sink) noexcept {
-  constexpr int32_t kFar = 32767;  // as far as windows go
+  constexpr int32_t kFar = 32767;  // the range of windows
   if (grid.width() == 0 || x > kFar || x < -kFar || y > kFar || y < -kFar) {
     return;
   }
   const CellPaint paint(filter, look, grid.scale_log2());
   const int32_t side = 1 << paint.scale_log2;
-  // The first cells begin half a sample before the grid; where a sample is a
-  // pixel, a whole one.
+  // The first cells begin half a sample before the grid; with a sample a pixel,
+  // a whole one.
   const int32_t before = (side + 1) / 2;
   const int32_t left = x - before;
   const int32_t first = max(0, (sink.window.x0 - left) >> paint.scale_log2);
@@ -315,7 +314,7 @@ void draw_grid(const DistanceGrid& grid,
                           grid.width()};
     KnownSpan cells = {first, end};
     if (DistanceGrid::kOutside <= paint.blank) {
-      // Cells outside of what both rows know are blank.
+      // Cells outside of the known samples of both rows are blank.
       KnownSpan known = {grid.width(), 0};
       const int8_t* const both[] = {rows.top, rows.bottom};
       for (const int8_t* samples : both) {

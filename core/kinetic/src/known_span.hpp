@@ -1,4 +1,4 @@
-// Where a row of a grid knows distances: the samples that are not kOutside.
+// The part of a row that has distances: samples that are not kOutside.
 #pragma once
 
 #include <stddef.h>
@@ -11,7 +11,7 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Samples from `first` up to `end`. Empty: first >= end.
+/// Samples [first, end). Empty if first >= end.
 struct KnownSpan {
   int32_t first;
   int32_t end;
@@ -22,13 +22,13 @@ inline KnownSpan united(const KnownSpan& a, const KnownSpan& b) noexcept {
   return {min(a.first, b.first), max(a.end, b.end)};
 }
 
-/// With `by` more samples on both sides, in a row of `width`. An empty one
-/// stays empty.
+/// The span with `by` more samples on both sides, in a row of `width`. An empty
+/// one stays empty.
 inline KnownSpan grown(const KnownSpan& a, int32_t by, int32_t width) noexcept {
   return {max(a.first - by, 0), a.end == 0 ? 0 : min(a.end + by, width)};
 }
 
-/// Makes what lies around a span of a row kOutside.
+/// Sets the samples of a row outside of a span to kOutside.
 inline void clear_around(const KnownSpan& span,
                          int8_t* row,
                          int32_t width) noexcept {
@@ -39,8 +39,8 @@ inline void clear_around(const KnownSpan& span,
                    static_cast<size_t>(width - end));
 }
 
-/// The span of a row of `width` samples; {width, 0} if none is known. Four
-/// samples at a time.
+/// The span of a row of `width` samples; {width, 0} if there is none. Reads
+/// four samples at a time.
 inline KnownSpan known_span(const int8_t* row, int32_t width) noexcept {
   constexpr uint32_t kFourOutside = 0x80808080;
   const auto word = [&](int32_t x) {

@@ -1,4 +1,4 @@
-// The grids of two glyphs, and which of them is known.
+// The grids of two glyphs and of their blend.
 #include "inkcell/kinetic/morph.hpp"
 
 #include "inkcell/kinetic/grid_draw.hpp"
@@ -95,7 +95,7 @@ void GlyphMorph::draw(int32_t x,
                       int32_t y,
                       const Filter& filter,
                       const Sink& sink) const noexcept {
-  constexpr int32_t kFar = 32767;  // as far as windows go
+  constexpr int32_t kFar = 32767;  // the range of windows
   if (x > kFar || x < -kFar || y > kFar || y < -kFar) {
     return;
   }
@@ -105,8 +105,8 @@ void GlyphMorph::draw(int32_t x,
     return;
   }
   if (blend_.part_q8 > 0 && blend_.part_q8 < 256) {
-    // At both ends the field is one of distances, whose slope is 1: also where
-    // samples around a corner tell of less. Half-way the slope is what it is.
+    // At both ends the slope of the distances is 1, even if samples around a
+    // corner suggest less. In the middle the actual slope is used.
     const int32_t part = blend_.part_q8;
     GridLook look;
     look.cutoff = cutoff_;

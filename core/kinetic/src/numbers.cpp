@@ -1,4 +1,4 @@
-// Polynomials for the functions that tables usually hold.
+// Trigonometry, roots and powers by polynomials, without tables.
 #include "inkcell/kinetic/numbers.hpp"
 
 #include "limits.hpp"

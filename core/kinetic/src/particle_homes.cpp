@@ -1,4 +1,4 @@
-// Where particles come from and where they belong.
+// Pulls particles home, spreads homes and finds edges.
 #include "inkcell/kinetic/particle_homes.hpp"
 
 #include "limits.hpp"
@@ -7,7 +7,7 @@ namespace inkcell {
 namespace kinetic {
 namespace {
 
-// Where the grid's corner may be: the screen is no larger. [px]
+// The grid's corner is clamped to the screen's range. [px]
 int32_t on_screen(int32_t at) noexcept {
   return clamp(at, -8192, 8191);
 }
@@ -29,9 +29,9 @@ void pull_home(Span<Particle> particles,
   const auto gain = [&](int16_t home_q4, Q16_16 at, int16_t speed) {
     // Within 256 px, so that 32 bits hold the product. [Q10]
     constexpr int32_t kFar = 256 << 10;
-    const int32_t way = home_q4 * 64 - (at.raw >> 6);
-    const int32_t pull = clamp(clamp(way, -kFar, kFar) * stiffness_q12 / 4096,
-                               -most_q10, most_q10);
+    const int32_t offset = home_q4 * 64 - (at.raw >> 6);
+    const int32_t pull = clamp(
+        clamp(offset, -kFar, kFar) * stiffness_q12 / 4096, -most_q10, most_q10);
     return static_cast<int16_t>(
         clamp(speed + pull, -kMostSpeedQ10, kMostSpeedQ10));
   };
@@ -56,8 +56,8 @@ bool spread_homes(const DistanceGrid& grid,
   if (inside == 0 || homes.size == 0) {
     return false;
   }
-  // Each sample inside brings `homes.size` parts; a home takes `inside` of
-  // them. Column by column, at a random place in the sample's square.
+  // Each sample inside adds homes.size to the count, each home subtracts
+  // `inside`. Column by column, at a random place in the sample's square.
   const auto count = static_cast<uint32_t>(homes.size);
   const int32_t scale = grid.scale_log2();
   uint32_t parts = inside / 2;
@@ -108,7 +108,7 @@ bool find_edge(const DistanceGrid& grid,
       if (here.x_slope_q13 == 0 && here.y_slope_q13 == 0) {
         break;
       }
-      // Newton's step with a slope of 1.
+      // A Newton step with slope 1.
       px.raw -= off * here.x_slope_q13 / 128;
       py.raw -= off * here.y_slope_q13 / 128;
     }

@@ -18,7 +18,7 @@ struct Normal {
   int32_t y;
 };
 
-// The gradient made a unit vector; against the speed where there is none.
+// The unit gradient; against the speed where there is none.
 Normal normal_of(const GridPoint& point, const Particle& particle) noexcept {
   int32_t x = point.x_slope_q13;
   int32_t y = point.y_slope_q13;
@@ -47,8 +47,8 @@ void apply_field(const ParticleRules& rules,
   p.y_speed_q10 = speed(p.y_speed_q10 + y);
 }
 
-// Puts a particle that is `depth` px on the wrong side of an edge back, and
-// turns its speed. `inwards` is 1 if the wrong side is the inside, else -1.
+// Moves a particle that is `depth` px on the wrong side of an edge back and
+// reflects its speed. `inwards` is 1 if the wrong side is the inside, else -1.
 void bounce(const ParticleRules& rules,
             const GridPoint& point,
             int32_t depth_q10,
@@ -85,7 +85,7 @@ void meet_wall(int32_t low,
   }
 }
 
-// Moves a particle along its speed in pieces that no edge can be passed in.
+// Moves a particle along its speed, in pieces too short to pass an edge.
 void move(const ParticleRules& rules,
           const DistanceGrid& grid,
           Q16_16 grid_x,
@@ -95,19 +95,19 @@ void move(const ParticleRules& rules,
   const int32_t inwards = rules.side == ParticleSide::outside ? 1 : -1;
   const int32_t radius_q10 = clamp(rules.radius.raw, 0, 512) * 16;
   int32_t left_q10 = 1 << 10;  // of the step
-  // Pieces are of at least a pixel, and steps of at most 16 on each axis.
+  // Pieces are at least a pixel, steps at most 16 px on each axis.
   for (int pieces = 0; pieces < 32 && left_q10 > 0; ++pieces) {
     const int32_t x_speed = abs(p.x_speed_q10);
     const int32_t y_speed = abs(p.y_speed_q10);
-    // Not shorter than the way. [px, Q10]
-    const int32_t way = (x_speed + y_speed) * left_q10 >> 10;
+    // An upper bound of the distance left. [px, Q10]
+    const int32_t distance = (x_speed + y_speed) * left_q10 >> 10;
     int32_t part_q10 = left_q10;
-    if (rules.side != ParticleSide::both && way > kPieceQ10) {
+    if (rules.side != ParticleSide::both && distance > kPieceQ10) {
       const GridPoint here = probe(grid, Q16_16::from_raw(p.x.raw - grid_x.raw),
                                    Q16_16::from_raw(p.y.raw - grid_y.raw));
       const int32_t clear = -here.distance_q10 * inwards - radius_q10;
       const int32_t piece = max(clear, kPieceQ10);
-      if (way > piece) {
+      if (distance > piece) {
         part_q10 =
             static_cast<int32_t>(static_cast<uint32_t>(piece << 10) /
                                  static_cast<uint32_t>(x_speed + y_speed));
@@ -144,7 +144,7 @@ void step(Span<Particle> particles,
     return;
   }
   for (Particle& p : particles) {
-    // Any bytes may be given: places that no sum can overflow.
+    // Clamps untrusted positions, so that no sum overflows.
     meet_wall(walls.x0, walls.x1, 0, p.x, p.x_speed_q10);
     meet_wall(walls.y0, walls.y1, 0, p.y, p.y_speed_q10);
     if (has_field) {

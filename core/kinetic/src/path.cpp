@@ -1,4 +1,4 @@
-// Polylines with their lengths, and glyphs along them.
+// Polylines by length, and glyphs along them.
 #include "inkcell/kinetic/path.hpp"
 
 #include "inkcell/kinetic/timeline.hpp"
@@ -15,7 +15,7 @@ int32_t to_q16(Q26_6 px) noexcept {
   return clamp_i64(int64_t{px.raw} * (1 << 10), -kMostQ16, kMostQ16);
 }
 
-// One coordinate of a cubic by de Casteljau's construction.
+// One coordinate of a cubic, by de Casteljau's algorithm.
 int32_t cubic_at(const int32_t (&points)[4], Q16_16 t) noexcept {
   const int32_t a = lerp(points[0], points[1], t);
   const int32_t b = lerp(points[1], points[2], t);
@@ -110,7 +110,7 @@ PathPoint Path::at(Q16_16 length) const noexcept {
     }
     return result;
   }
-  // The last point, but for the end, whose length is not beyond.
+  // The last point with a length <= `length`, but never the end.
   size_t low = 0;
   size_t high = count_ - 1;
   while (high - low > 1) {
@@ -136,7 +136,7 @@ PathPoint Path::at(Q16_16 length) const noexcept {
     result.y.raw = lerp(from.y.raw, to.y.raw, t);
     return result;
   }
-  // Components are no longer than the whole: the products stay below 2^63.
+  // A component is at most the length: products stay below 2^63.
   result.x.raw =
       clamp_i64(from.x.raw + (int64_t{to.x.raw} - from.x.raw) * part / whole,
                 -INT32_MAX, INT32_MAX);
@@ -175,7 +175,7 @@ PosedGlyph place(const Font& font,
     }
     return path.at(Q16_16::from_raw(clamp_i64(at, INT32_MIN, INT32_MAX)));
   };
-  // The chord under the glyph; of one without width that of a pixel.
+  // Half the length of the chord below the glyph; at least half a pixel.
   const int64_t reach = half > (1 << 15) ? half : 1 << 15;
   const PathPoint from = point_at(middle - reach);
   const PathPoint to = point_at(middle + reach);

@@ -1,4 +1,4 @@
-// Pixels of a row, one after the other, on their way to a sink.
+// Collects adjacent pixels of a row for a sink.
 #pragma once
 
 #include <stdint.h>
@@ -9,12 +9,12 @@
 namespace inkcell {
 namespace kinetic {
 
-// Gathers coverage of neighbouring pixels of the window, and passes it on.
+// Collects coverage of adjacent pixels of the window and emits it as runs.
 class PixelRun {
  public:
   PixelRun(const Sink& sink, int32_t y) noexcept : sink_(sink), y_(y) {}
 
-  // `x` lies in the window.
+  // `x` must be in the window.
   void add(int32_t x, uint32_t coverage) noexcept {
     if (coverage == 0) {
       return;
@@ -25,7 +25,7 @@ class PixelRun {
     }
     coverage_[count_++] = static_cast<uint8_t>(coverage);
   }
-  // All of [x, end) that lies in the window is covered.
+  // Full coverage for the part of [x, end) that is in the window.
   void fill(int32_t x, int32_t end) noexcept {
     flush();
     x = max(x, sink_.window.x0);

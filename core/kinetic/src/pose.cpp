@@ -1,4 +1,4 @@
-// Between poses, and poses on top of each other.
+// Blends and combines poses.
 #include "inkcell/kinetic/pose.hpp"
 
 #include "inkcell/kinetic/timeline.hpp"
@@ -43,8 +43,8 @@ Pose mix(const Pose& a, const Pose& b, Q16_16 progress) noexcept {
   Pose pose;
   pose.offset.x.raw = lerp(a.offset.x.raw, b.offset.x.raw, progress);
   pose.offset.y.raw = lerp(a.offset.y.raw, b.offset.y.raw, progress);
-  const auto way = static_cast<int16_t>(b.angle.raw - a.angle.raw);
-  const int32_t turn = way == INT16_MIN ? -way : way;
+  const auto difference = static_cast<int16_t>(b.angle.raw - a.angle.raw);
+  const int32_t turn = difference == INT16_MIN ? -difference : difference;
   pose.angle.raw = static_cast<uint16_t>(a.angle.raw + lerp(0, turn, progress));
   pose.scale_x.raw = mix_q(a.scale_x.raw, b.scale_x.raw, progress);
   pose.scale_y.raw = mix_q(a.scale_y.raw, b.scale_y.raw, progress);

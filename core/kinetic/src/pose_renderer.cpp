@@ -1,4 +1,4 @@
-// From a pose to a matrix, a style and a place.
+// Turns a pose into a matrix, a style and a position.
 #include "inkcell/kinetic/pose_renderer.hpp"
 
 #include "inkcell/kinetic/fade.hpp"
@@ -20,14 +20,14 @@ int32_t wide_enough(int32_t scale_q12, int32_t size_q6) noexcept {
 
 }  // namespace
 
-// Where the glyph's axes lead, as multiples of the size, and its origin.
+// The glyph's axes, as multiples of the size, and its origin.
 struct PoseRenderer::Map {
   int32_t x_right_q16;
   int32_t x_up_q16;
   int32_t y_right_q16;
   int32_t y_up_q16;
   Point origin;
-  Q26_6 size;  // where all is scaled alike; else 0
+  Q26_6 size;  // for uniform scales; else 0
 };
 
 bool PoseRenderer::map_of(const PosedGlyph& glyph, Map& out) const noexcept {
@@ -48,7 +48,7 @@ bool PoseRenderer::map_of(const PosedGlyph& glyph, Map& out) const noexcept {
   const int32_t slant = pose.slant.raw;
   out.x_right_q16 = (x_q12 * c) >> 10;
   out.x_up_q16 = (x_q12 * s) >> 10;
-  // At most 3 in Q14, times 8 in Q12.
+  // At most 3 in Q14 times 8 in Q12.
   out.y_right_q16 =
       static_cast<int32_t>(int64_t{y_q12} * ((slant * c >> 14) - s) >> 10);
   out.y_up_q16 =
@@ -79,21 +79,21 @@ Rect PoseRenderer::box_of(const PosedGlyph& glyph,
   if (ink.x1_u <= ink.x0_u || ink.y1_u <= ink.y0_u) {
     return {};
   }
-  // Sizes with their scale reach 2^10 px, what leans 3 times as much, and boxes
-  // 2^14 u. [px, Q4] A pixel below holds what is cut off.
+  // Scaled sizes are below 2^10 px, slanted ones 3 times that, boxes 2^14 u.
+  // [px, Q4] The floor is a pixel lower, for what is cut off.
   const auto px_q4 = [&](int32_t entry_q16) {
     return static_cast<int32_t>(int64_t{entry_q16} * size_.raw >> 18);
   };
   const int32_t axes_q4[] = {px_q4(map.x_right_q16), px_q4(map.y_right_q16),
                              px_q4(-map.x_up_q16), px_q4(-map.y_up_q16)};
-  // How far the filter reaches.
+  // The reach of the filter.
   const int32_t reach_q10 = glyph.pose.weight.raw - filter_.outside_q10;
   const int32_t reach_q4 = (reach_q10 > 0 ? reach_q10 >> 6 : 0) + 2 * 16;
   const int32_t origin_q4[] = {map.origin.x.raw >> 2, map.origin.y.raw >> 2};
   int32_t low[2];
   int32_t high[2];
   for (int side = 0; side < 2; ++side) {
-    // Each axis is at its least at one end of the box, and at its most at the
+    // Each axis has its minimum at one end of the box and its maximum at the
     // other.
     const int32_t x = axes_q4[2 * side];
     const int32_t y = axes_q4[2 * side + 1];
@@ -114,7 +114,7 @@ bool PoseRenderer::make_style(const PosedGlyph& glyph,
   const Pose& pose = glyph.pose;
   const Filter* filter = &filter_;
   if (pose.weight.raw != 0) {
-    // As with_weight() has it, without 264 bytes of stack.
+    // As with_weight(), without its 264 bytes of stack.
     constexpr int32_t kLimit = 4 << 10;
     const int32_t least = filter_.inside_q10 - kLimit;
     const int32_t most = filter_.outside_q10 + kLimit;
@@ -133,7 +133,7 @@ bool PoseRenderer::make_style(const PosedGlyph& glyph,
   }
   const auto px = [&](int32_t entry_q16) {
     const int64_t px_q16 = int64_t{entry_q16} * size_.raw >> 6;
-    // What passes 2^31 is beyond the largest size, which is refused.
+    // Values beyond 2^31 exceed the largest size, which is refused.
     return Q16_16::from_raw(clamp_i64(px_q16, INT32_MIN + 1, INT32_MAX));
   };
   const Matrix matrix = {px(map.x_right_q16), px(map.x_up_q16),
@@ -170,7 +170,7 @@ void PoseRenderer::add_changes(Span<const PosedGlyph> before,
     if (i < before.size && i < now.size && before[i] == now[i]) {
       continue;
     }
-    // What a glyph leaves and where it goes are one area as a rule.
+    // The old and the new box usually overlap: add them as one.
     const Rect left = i < before.size ? box(before[i]) : Rect();
     const Rect entered = i < now.size ? box(now[i]) : Rect();
     if (is_empty(intersect(left, entered))) {

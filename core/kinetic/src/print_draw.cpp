@@ -1,6 +1,7 @@
-// A row of pixels: distance and gradient, then light, then lines.
+// For each pixel of a row: distance and gradient, then light, then lines.
 //
-// Lines are periods of a phase of 32 bits that wraps: 0 is the middle of one.
+// Lines are periods of a phase of 32 bits that wraps: 0 is the middle of a
+// line.
 #include "inkcell/kinetic/print_draw.hpp"
 
 #include "known_span.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int32_t kBlack = 255;
 
-// Half of the root of n / 16. [Q16]
+// Half of sqrt(n / 16). [Q16]
 struct HalfRoots {
   uint16_t of[17];
 };
@@ -32,13 +33,13 @@ constexpr HalfRoots make_half_roots() noexcept {
 
 constexpr HalfRoots kHalfRoots = make_half_roots();
 
-// Half of the root of such a part of 256, on chords. [Q16]
+// Half of sqrt(part / 256), on chords. [Q16]
 int32_t half_root_q16(int32_t part_q8) noexcept {
   const uint16_t* const from = kHalfRoots.of + (part_q8 >> 4);
   return from[0] + ((from[1] - from[0]) * (part_q8 & 15) >> 4);
 }
 
-// So many px of a phase. [2^-32 periods]
+// Steps of a phase for each px. [2^-32 periods]
 struct Wave {
   uint32_t right;  // a pixel to the right
   uint32_t down;
@@ -58,15 +59,15 @@ struct Printer {
   int32_t light_y_q14;  // y down
   int32_t tone;
   int32_t contrast;
-  Wave along;   // across the lines
-  Wave across;  // across other lines, which cross them
+  Wave along;   // phase across the lines
+  Wave across;  // phase across the second set of lines
   uint32_t start;
 
   explicit Printer(const PrintLook& look) noexcept;
   uint32_t ink(const GridPoint& at, int32_t x, int32_t y) const noexcept;
 
  private:
-  // Of the slope's dome: 1 at the edge, 0 where it ends.
+  // The steepness of the dome: 1 at the edge, 0 at the end of the slope.
   int32_t steep_q8(int32_t distance_q10) const noexcept {
     return 256 - (clamp(distance_q10, 0, slope_q10) * to_steep >> 16);
   }
@@ -76,7 +77,7 @@ struct Printer {
 };
 
 Wave wave_of(Angle angle, uint32_t to_phase) noexcept {
-  // Lines along the angle: their phase grows at right angles to it.
+  // The phase of lines grows at right angles to them.
   const auto step = [to_phase](int32_t part_q14) {
     const int64_t px = int64_t{to_phase} * 1024;
     return static_cast<uint32_t>(px * part_q14 >> 14);
@@ -101,12 +102,13 @@ Printer::Printer(const PrintLook& look) noexcept
                      to_phase)),
       start(to_phase * 16 * static_cast<uint32_t>(look.shift.raw)) {}
 
-// How dark it is: a dome whose slope falls from 1 at the edge to 0.
+// How dark a place is, on a dome whose slope falls from 1 at the edge to 0.
 int32_t Printer::shade(const GridPoint& at) const noexcept {
   if (at.distance_q10 >= slope_q10) {
     return tone;
   }
-  // Inwards is up: what faces the light has a gradient away from it.
+  // The height grows inwards: the gradient of a lit place points away from the
+  // light.
   const int32_t facing = (clamp(at.x_slope_q13, -8192, 8192) * light_x_q14 +
                           clamp(at.y_slope_q13, -8192, 8192) * light_y_q14) >>
                          13;
@@ -115,7 +117,7 @@ int32_t Printer::shade(const GridPoint& at) const noexcept {
   return clamp(tone + change, 0, kBlack);
 }
 
-// Coverage of a line whose width is such a part of the pitch. [of 255]
+// Coverage of a line that is part / 256 of the pitch wide. [of 255]
 int32_t Printer::line(uint32_t phase, int32_t width_q8) const noexcept {
   const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
   const int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
@@ -123,7 +125,7 @@ int32_t Printer::line(uint32_t phase, int32_t width_q8) const noexcept {
   return clamp((half_q10 - px_q10 + 512) >> 2, 0, kBlack);
 }
 
-// Coverage of a dot that grows until it joins the next ones at half tone.
+// Coverage of a dot, which joins its neighbours at half tone.
 int32_t Printer::dot(uint32_t phase,
                      uint32_t other,
                      int32_t dark) const noexcept {
@@ -133,7 +135,7 @@ int32_t Printer::dot(uint32_t phase,
   const int32_t reach = dark <= 127
                             ? half_root_q16(2 * dark)
                             : 65536 - half_root_q16(2 * (kBlack - dark));
-  // Across the dot's side: by the root of 2 slower.
+  // Across the dot's side: by sqrt(2) slower.
   const int32_t px_q10 = ((reach - away) >> 6) * (pitch_q10 >> 4) * 181 >> 14;
   return clamp((px_q10 + 512) >> 2, 0, kBlack);
 }
@@ -149,7 +151,7 @@ uint32_t Printer::ink(const GridPoint& at,
       result = line(to_phase * static_cast<uint32_t>(depth_q10) - start, dark);
       break;
     case PrintStyle::engraving: {
-      // Lines bend as the height does: a parabola up to the flat part.
+      // Lines follow the height: a parabola up to the flat part.
       const int32_t left = slope_q10 - clamp(depth_q10, 0, slope_q10);
       const int32_t height_q10 =
           (slope_q10 - (left * steep_q8(depth_q10) >> 8)) * 3 >> 2;
@@ -174,7 +176,7 @@ uint32_t Printer::ink(const GridPoint& at,
   return static_cast<uint32_t>(result);
 }
 
-// The pixels of a row between two rows of samples that know distances. [px]
+// The pixels of a row that have distances. [px]
 KnownSpan shown_span(const DistanceGrid& grid, int32_t line) noexcept {
   const int32_t scale = grid.scale_log2();
   const int32_t above = (2 * line + 1 - (1 << scale)) >> (scale + 1);

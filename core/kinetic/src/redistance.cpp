@@ -31,7 +31,7 @@ constexpr Roots make_roots() noexcept {
 
 constexpr Roots kRoots = make_roots();
 
-// A value's magnitude: 0 is inside by half a quantum, -1 outside by as much.
+// The magnitude of a value: 0 inside is half a step, -1 outside too.
 int32_t depth(int32_t value) noexcept {
   return value < 0 ? -1 - value : value;
 }
@@ -40,7 +40,7 @@ int8_t with_side(int32_t depth, bool is_inside) noexcept {
   return static_cast<int8_t>(is_inside ? depth : -1 - depth);
 }
 
-// A sample, and beyond the grid the one at its border.
+// A sample; outside of the grid the nearest one.
 int32_t nearest(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
   const int32_t right = grid.width() - 1;
   const int32_t bottom = grid.height() - 1;
@@ -61,8 +61,8 @@ bool is_edge(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
          (nearest(grid, x, y + 1) < 0) != side;
 }
 
-// The slope along one direction: to the neighbour beyond the edge, to the
-// farther one of two; between both neighbours if there is no edge.
+// The slope along an axis: to the neighbour across the edge, to the farther one
+// of two; without an edge between both neighbours.
 int32_t slope(int32_t value, int32_t before, int32_t after) noexcept {
   const bool side = value < 0;
   const int32_t back = value < before ? before - value : value - before;
@@ -78,7 +78,7 @@ int32_t slope(int32_t value, int32_t before, int32_t after) noexcept {
   return (after < before ? before - after : after - before) >> 1;
 }
 
-// What a row and its neighbours know, with `by` more samples on both sides.
+// The known samples of a row and its neighbours, plus `by` on both sides.
 KnownSpan span_around(const DistanceGrid& grid,
                       int32_t y,
                       int32_t by) noexcept {
@@ -90,14 +90,14 @@ KnownSpan span_around(const DistanceGrid& grid,
   return grown(span, by, grid.width());
 }
 
-// Rows from `first` up to `end`.
+// Rows [first, end).
 struct Rows {
   int32_t first;
   int32_t end;
 };
 
-// Next to the edge a value over its slope, which is within 3 %; all others are
-// far for now. Other rows are copied.
+// Sets samples next to the edge to value / slope, within 3 %, and all others to
+// far. Copies other rows.
 void mark(const DistanceGrid& from,
           const Rows& rows,
           DistanceGrid& to) noexcept {
@@ -118,8 +118,8 @@ void mark(const DistanceGrid& from,
         const int32_t along =
             slope(value, nearest(from, x, y - 1), nearest(from, x, y + 1));
         const int32_t length = rough_length(across, along);
-        // There is an edge, so that it is at least 1. A depth is half a quantum
-        // less than the distance.
+        // There is an edge, so it is at least 1. A depth is half a step less
+        // than the distance.
         const int32_t found = (2 * depth(value) + 1) * (kSide / 2) / length;
         distance = found < kDeepest ? found : kDeepest;
       }
@@ -128,8 +128,8 @@ void mark(const DistanceGrid& from,
   }
 }
 
-// A sample that has neighbours on all sides, of which none is beyond the edge:
-// what spreads to it. `stride` leads to the next row.
+// Updates a sample that has neighbours on all sides, none of them across the
+// edge. `stride` leads to the next row.
 void spread_to(int8_t* at, int32_t stride) noexcept {
   const int32_t value = *at;
   const int32_t left = at[-1];
@@ -140,7 +140,7 @@ void spread_to(int8_t* at, int32_t stride) noexcept {
       0) {
     return;  // next to the edge: kept
   }
-  // All on one side: depths, and back, are the same exclusive or.
+  // All are on one side: an exclusive or maps values to depths and back.
   const int32_t side = value >> 31;
   const int32_t across_1 = left ^ side;
   const int32_t across_2 = right ^ side;
@@ -179,7 +179,7 @@ void redistance(const DistanceGrid& from,
     const int32_t bottom = min(rows.end, height - 1);
     for (int32_t i = top; i < bottom; ++i) {
       const int32_t y = (order & 2) != 0 ? top + bottom - 1 - i : i;
-      // Distances are known 4 samples far: no others change.
+      // Distances reach 4 samples: no other samples change.
       const KnownSpan span = span_around(grid, y, 5);
       const int32_t first = max(span.first, 1);
       const int32_t end = min(span.end, width - 1);

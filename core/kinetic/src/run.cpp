@@ -1,4 +1,4 @@
-// Layout of words and lines, and their places on straight lines.
+// Lays out words and lines, and places them on straight lines.
 #include "inkcell/kinetic/run.hpp"
 
 #include "limits.hpp"
@@ -18,7 +18,7 @@ int32_t clamped_size(Q26_6 size) noexcept {
   return clamp(size.raw, 0, kMaxSize.raw);
 }
 
-// Takes the text up to a line feed off `text`, and the line feed.
+// Removes the first line and its line feed from `text` and returns the line.
 Text next_line(Text& text) noexcept {
   size_t size = 0;
   while (size < text.size && text.data[size] != '\n') {
@@ -30,10 +30,10 @@ Text next_line(Text& text) noexcept {
   return line;
 }
 
-// Shifts a line that begins at 0 to its anchor.
+// Shifts a line that starts at 0 to its anchor.
 void align_line(Align align, int32_t width, Span<RunGlyph> line) noexcept {
   const auto gaps = static_cast<int32_t>(line.size) - 1;
-  const int32_t parts = static_cast<int32_t>(align);  // of 2
+  const int32_t parts = static_cast<int32_t>(align);  // in halves
   for (size_t i = 0; i < line.size; ++i) {
     line[i].x -= width * parts / 2;
     const int32_t half_gaps = 2 * static_cast<int32_t>(i) - gaps * parts;
@@ -64,7 +64,7 @@ Status lay_out(const Font& font,
         in_word = false;
         continue;
       }
-      // half_gaps holds twice as many.
+      // half_gaps holds twice the count.
       if (count == out.size || count - first == 0x3fff) {
         return Status::buffer_small;
       }
@@ -108,7 +108,7 @@ Q16_16 pivot_height_px(Q26_6 size, int16_t height) noexcept {
 }
 
 Q16_16 to_px_q16(const Font& font, Q26_6 size, int32_t units) noexcept {
-  // Px to the unit in Q21: a division of 32 bits, and 1/65536 px a unit.
+  // Px to the unit in Q21: a division of 32 bits, exact to 1/65536 px a unit.
   const auto size_q6 = static_cast<uint32_t>(clamped_size(size));
   const uint32_t em = font.units_per_em() == 0 ? 1 : font.units_per_em();
   const uint32_t scale_q21 = ((size_q6 << 15) + em / 2) / em;

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int32_t kLongest = 1 << 30;
 
-// A timing within its ranges, and where it ends. [ms since its begin]
+// A timing, clamped, and its end. [ms since its start]
 struct Period {
   int32_t begin;
   int32_t duration;
-  int64_t length;  // of all repeats; 2^62 if they never end
+  int64_t length;  // of all repeats; 2^62: endless
 
   explicit Period(const Timing& timing) noexcept
       : begin(clamp(timing.delay_ms, -kLongest, kLongest)),
@@ -23,7 +23,7 @@ struct Period {
                                    : int64_t{duration} * timing.repeats) {}
 };
 
-// The segment of keyframes that holds a time: the first if it lies before.
+// The segment of keyframes that holds a time; before the first key, the first.
 size_t segment_of(Span<const Keyframe> keys, int32_t time_ms) noexcept {
   size_t i = 0;
   while (i + 1 < keys.size && time_ms >= keys[i + 1].at_ms) {
@@ -45,7 +45,7 @@ Q16_16 fraction(int32_t from_ms, int32_t to_ms, int32_t time_ms) noexcept {
   }
   auto divisor = static_cast<uint32_t>(whole);
   auto dividend = static_cast<uint32_t>(part);
-  // 16 bits each: a division of 32 bits is enough.
+  // Reduced to 16 bits each: a 32-bit division is enough.
   while (divisor > 0xffff) {
     divisor >>= 1;
     dividend >>= 1;

@@ -1,11 +1,11 @@
-// A grid of distances that flows: level sets.
+// Moves a grid of distances with a flow (level sets).
 //
 //   advect(grid, flow, next);      // the shape moves with the flow
 //   redistance(next, grid);        // every 8th step or so
 //
-// Osher and Sethian 1988; semi-Lagrangian: each sample looks back to where it
-// was a step ago, and takes what is there, by a cubic in each direction. Shapes
-// part and join by themselves.
+// Semi-Lagrangian (Osher and Sethian 1988): each sample looks up, by a bicubic,
+// the value at the place where it was a step ago. Shapes split and merge by
+// themselves.
 #pragma once
 
 #include <stdint.h>
@@ -17,9 +17,9 @@
 namespace inkcell {
 namespace kinetic {
 
-/// A vortex: at the distance r from its centre things turn by
-/// strength / (r^2 + core^2), r and core in samples. Its flow is free of
-/// divergence: areas stay.
+/// A vortex: points at the distance r from its centre turn by strength / (r^2 +
+/// core^2) a step, r and core in samples. The flow is free of divergence: areas
+/// are kept.
 struct Vortex {
   Q16_16 x;  // of the centre, in samples from the grid's upper left corner
   Q16_16 y;
@@ -27,7 +27,7 @@ struct Vortex {
   int32_t core = 1;      // [samples] 1 to 255
 };
 
-/// What moves a grid in a step.
+/// The flow of one step.
 struct Flow {
   Span<const Vortex> vortices;  // at most kMaxVortices are used
   Q16_16 x_drift;               // [samples a step]
@@ -36,12 +36,12 @@ struct Flow {
   static constexpr size_t kMaxVortices = 4;
 };
 
-/// Fills `out`, as large as `grid` and apart from it, with the grid moved by a
-/// step of a flow. A sample moves at most 16 samples, farther flows are cut. Of
-/// samples far from edges it costs about 80 instructions and a division for
-/// each vortex, near them about 150 more.
+/// Fills `out` with `grid`, moved by one step of a flow. Both grids have the
+/// same size and share no memory. A sample moves at most 16 samples; faster
+/// flows are clamped. Cost: about 80 instructions a sample and a division for
+/// each vortex; near edges about 150 more.
 ///
-/// Grids that do not fit each other: `out` is untouched.
+/// If the sizes differ, `out` is untouched.
 void advect(const DistanceGrid& grid,
             const Flow& flow,
             DistanceGrid& out) noexcept;

@@ -4,8 +4,9 @@
 //   for each strip:  for each body:  draw_body(...);  // body_draw.hpp
 //
 // The points of one body are looked up in the distances of the other
-// (Guendelman et al. 2003). A step is divided: two bodies move at most the way
-// between them (conservative advancement), so nothing is passed at any speed.
+// (Guendelman et al. 2003). A step is divided into pieces in which two bodies
+// move at most the distance between them (conservative advancement): no body
+// passes through another, at any speed.
 #pragma once
 
 #include <stdint.h>
@@ -19,25 +20,25 @@
 namespace inkcell {
 namespace kinetic {
 
-/// No point of a body moves faster. [px a step]
+/// The speed limit of all points of a body. [px a step]
 inline constexpr int32_t kMostBodySpeed = 16;
 
-/// A shape that moves. Any numbers are safe: step() clamps them. The place is
+/// A shape that moves. All values are safe: step() clamps them. Positions are
 /// in px on the screen, y down, within +-8191.
 struct Body {
-  const BodyShape* shape = nullptr;  // must outlive it; none: nothing happens
+  const BodyShape* shape = nullptr;  // must outlive it; null: not simulated
   Q16_16 x;                          // of the centre of mass
   Q16_16 y;
   Q16_16 x_speed;           // [px a step]
   Q16_16 y_speed;           // [px a step]
-  uint32_t turn_q32 = 0;    // of a turn, counter-clockwise as one sees it
+  uint32_t turn_q32 = 0;    // [turns, Q32], counter-clockwise on the screen
   int32_t spin_q20 = 0;     // [radians a step], counter-clockwise
-  bool is_fixed = false;    // like a wall: nothing moves it
-  uint8_t still_steps = 0;  // kStepsToSleep: it sleeps until it is hit
+  bool is_fixed = false;    // nothing moves it, as a wall
+  uint8_t still_steps = 0;  // kStepsToSleep: asleep until hit
   /// The deepest overlap with another body or a wall at the last step. [px]
   Q6_10 squeeze;
-  // Of use to step() alone: how far it may go at once [px], how fast its points
-  // are at most [px a step], and its speeds before contacts were solved.
+  // Written by step() only: how far the body may go at once [px], the greatest
+  // speed of its points [px a step], and its speeds before the solver ran.
   int32_t clear_q10 = 0;
   int32_t most_speed_q16 = 0;
   int32_t x_speed_before = 0;
@@ -52,31 +53,32 @@ struct Body {
   bool is_asleep() const noexcept { return still_steps >= kStepsToSleep; }
 };
 
-/// What works on bodies in a step.
+/// Forces and limits of a step.
 struct BodyRules {
-  Rect walls;                  // nothing leaves it
+  Rect walls;                  // bodies stay inside
   Q16_16 gravity;              // down [px a step, gained in a step]
   uint16_t bounce_q8 = 100;    // of the speed across a contact: 256 is elastic
   uint16_t friction_q8 = 100;  // of the force across a contact
-  /// Soft bodies: how far edges may pass each other, 0 to 8 px, and no farther
-  /// than half of their depth; beyond that they are rigid. Up to there a spring
-  /// pushes them apart.
+  /// Soft bodies: how far edges may overlap, 0 to 8 px and at most half of the
+  /// body's depth. A spring pushes overlapping bodies apart; beyond this
+  /// overlap they are rigid.
   Q6_10 overlap;
   uint16_t stiffness_q16 = 1000;  // [px a step, gained in a step, a px]
   uint16_t damping_q16 = 4000;    // of the speed across, lost in a step
-  /// Pieces of a step at most, 1 to kMostPieces: the bound of what it costs.
-  /// What is left of the time then is lost, never a collision.
+  /// The most pieces that a step is divided into, 1 to kMostPieces. Bounds the
+  /// cost of a step: if they are used up, the rest of the step's time is
+  /// dropped. Collisions are never missed.
   uint8_t pieces = 60;
 
   static constexpr int32_t kMostPieces = 60;
 };
 
-/// Where two bodies touch: what step() works with, 64 bytes. The content has no
-/// meaning between calls.
+/// A contact of two bodies, 64 bytes: scratch memory of step(), without meaning
+/// between calls.
 struct BodyContact {
   uint8_t first;
   uint8_t second;    // kWall: the first touches a wall
-  int32_t gap_q10;   // to where both are rigid [px], below 0 if they overlap
+  int32_t gap_q10;   // to the rigid contact [px], below 0: overlap
   int32_t soft_q10;  // the part of the overlap that is soft [px]
   // The normal, towards the first. [Q14]
   int32_t nx;
@@ -86,33 +88,32 @@ struct BodyContact {
   int32_t second_normal;
   int32_t first_tangent;
   int32_t second_tangent;
-  // What a change of speed takes. [px^2, Q8]
+  // Effective masses along the normal and the tangent. [px^2, Q8]
   int32_t normal_mass;
   int32_t tangent_mass;
-  int32_t leaves_q16;  // with this speed [px a step]
+  int32_t leaves_q16;  // the speed after the contact [px a step]
   int64_t pushed;      // [px a step px^2, Q16]
   int64_t rubbed;
 
   static constexpr uint8_t kWall = 255;
 };
 
-/// How many contacts a pair of bodies, or a body and a wall, have at most.
+/// The most contacts of two bodies, or of a body and a wall.
 inline constexpr size_t kContactsOfPair = 4;
 
-/// At most so many bodies take part.
+/// Only the first kMostBodies bodies are simulated.
 inline constexpr size_t kMostBodies = 64;
 
-/// Moves bodies by a step: gravity, contacts, speeds, places, in this order.
-/// Contacts that do not fit are left out: of n letters in a heap 3 n pairs
-/// touch at most.
+/// Moves bodies by one step. Contacts that do not fit `contacts` are ignored; a
+/// heap of n letters has at most 3 n touching pairs.
 void step(Span<Body> bodies,
           const BodyRules& rules,
           Span<BodyContact> contacts) noexcept;
 
-/// Whether all that are not fixed sleep.
+/// Whether all bodies that are not fixed sleep.
 bool are_asleep(Span<const Body> bodies) noexcept;
 
-/// Where a body may have ink. [px on the screen]
+/// The pixels that a body may touch. [px on the screen]
 Rect box_of(const Body& body) noexcept;
 
 }  // namespace kinetic

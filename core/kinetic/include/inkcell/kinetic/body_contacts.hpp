@@ -1,4 +1,4 @@
-// Where bodies touch, and how far they are apart: what step() of bodies uses.
+// Contacts and distances between bodies, for step().
 #pragma once
 
 #include <stddef.h>
@@ -10,28 +10,27 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Bodies that are nearer than this touch. [px, Q10]
+/// Bodies nearer than this touch. [px, Q10]
 inline constexpr int32_t kTouchQ10 = 256;
 
-/// Bodies that touch slide this far before they are looked at again; soft ones
-/// farther. [px, Q10]
+/// Bodies that touch slide this far before their contacts are found again; soft
+/// ones farther. [px, Q10]
 inline int32_t slide_q10(const BodyRules& rules) noexcept {
   return 512 + rules.overlap.raw / 4;
 }
 
-/// Rigid bodies keep this far apart: grids round corners off by as much.
-/// [px, Q10]
+/// The gap between rigid bodies: grids round corners off by as much. [px, Q10]
 inline constexpr int32_t kSkinQ10 = 160;
 
-/// What is farther than any way of a piece. [px, Q10]
+/// Farther than any body moves in a piece of a step. [px, Q10]
 inline constexpr int32_t kFarQ10 = 64 << 10;
 
-/// Products of 32 bits, to the nearest.
+/// Shifts a product right and rounds to nearest; the result fits 32 bits.
 inline int32_t scaled(int64_t value, uint32_t shift) noexcept {
   return static_cast<int32_t>((value + (int64_t{1} << (shift - 1))) >> shift);
 }
 
-/// A rotation counter-clockwise as one sees it. [Q14]
+/// A rotation, counter-clockwise on the screen. [Q14]
 struct Turn {
   int32_t cosine;
   int32_t sine;
@@ -41,16 +40,17 @@ inline Turn turn_of(Angle angle) noexcept {
   return {cosine(angle).raw, sine(angle).raw};
 }
 
-/// No point of a body moves faster. [px a step, Q16]
+/// An upper bound of the speed of a body's points. [px a step, Q16]
 int32_t speed_of(const Body& body) noexcept;
 
-/// No two points of both move faster against each other. [px a step, Q16]
+/// An upper bound of the speed of two bodies' points against each other. [px a
+/// step, Q16]
 int32_t speed_between(const Body& a, const Body& b) noexcept;
 
-/// Finds contacts and wakes who is hit. Sets squeeze, most_speed_q16 and
-/// clear_q10 of each body: how far it may go before it meets what it does not
-/// touch, and walls. Sets all of a contact but what solving needs. Returns
-/// their number.
+/// Finds contacts, wakes sleepers that are hit, and returns the number of
+/// contacts. Sets squeeze, most_speed_q16 and clear_q10 of each body; clear_q10
+/// is the distance to the nearest wall and the nearest body that it does not
+/// touch. Sets the members of contacts but those that the solver sets.
 size_t find_contacts(Span<Body> bodies,
                      const BodyRules& rules,
                      int32_t still_q16,

@@ -1,4 +1,4 @@
-// Draws bodies from their distances, in any turn; soft ones deform each other.
+// Draws bodies at any angle; soft bodies deform each other.
 #pragma once
 
 #include <stddef.h>
@@ -13,14 +13,14 @@ namespace inkcell {
 namespace kinetic {
 
 /// Draws body `index`. With an overlap in `rules` bodies deform each other
-/// (Cani 1998; the paper, figure 13): where two share a place, the one that is
-/// deeper has it, so both end at one line and never overlap. Around it they
-/// bulge, by their squeeze and at most by 2 px. What is beyond the walls is cut
-/// off. At most 6 neighbours are looked at.
+/// (Cani 1998; the paper, figure 13): a pixel in two bodies belongs to the one
+/// in which it is deeper, so both end at a common line. Around the overlap they
+/// bulge by up to 2 px, depending on their squeeze. Bodies are clipped to the
+/// walls. At most 6 neighbours are considered.
 ///
-/// A body costs about 70 instructions for each pixel near its edge, and as many
-/// more for each neighbour; runs inside cost little. The picture does not
-/// depend on the window.
+/// Cost: about 70 instructions for each pixel near the edge, and as many for
+/// each neighbour; runs inside cost little. The picture does not depend on the
+/// window.
 void draw_body(Span<const Body> bodies,
                size_t index,
                const BodyRules& rules,

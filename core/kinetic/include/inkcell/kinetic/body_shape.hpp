@@ -1,4 +1,4 @@
-// What a rigid glyph is: its distances, points on its edge, mass and inertia.
+// The shape of a rigid glyph: distances, points on its edge, mass and inertia.
 //
 //   int8_t samples[40 * 48];
 //   BodyPoint points[64];
@@ -18,27 +18,27 @@
 namespace inkcell {
 namespace kinetic {
 
-/// A point on the edge of a shape, from its centre of mass. [1/32 px, y down]
+/// A point on the edge, relative to the centre of mass. [1/32 px, y down]
 struct BodyPoint {
   int16_t x_q5 = 0;
   int16_t y_q5 = 0;
 };
 
-/// Made once, from what any renderer painted; any number of bodies share it.
-/// Refers to the samples and points, which must outlive it.
+/// Made once from a grid; any number of bodies can share it. Refers to the
+/// samples and points, which must outlive it.
 class BodyShape {
  public:
-  /// The side of a grid in px is at most this: points are within 16 bits.
+  /// The largest side of a grid [px], so that points fit 16 bits.
   static constexpr int32_t kMostSidePx = 512;
 
-  /// Takes the shape of a grid, with points spread over its edges: corners
-  /// first, then as close together as they fit `room`, at least 1.5 sides of a
-  /// sample. A grid of a sample a pixel holds corners to 0.3 px; points 2 px
-  /// apart are good.
+  /// Measures a grid and spreads points over its edges: corners first, then as
+  /// close together as `room` allows, at least 1.5 sample sides apart. A grid
+  /// of one sample a pixel places corners to 0.3 px; points 2 px apart are
+  /// good.
   ///
-  /// bad_argument: nothing is inside, or a side is longer than kMostSidePx.
-  /// buffer_small: `room` holds fewer than 8 points. The shape is then as
-  /// before.
+  /// bad_argument: the grid has no ink, or a side is longer than kMostSidePx.
+  /// buffer_small: `room` holds fewer than 8 points. In both cases the shape is
+  /// unchanged.
   Status make(const DistanceGrid& grid, Span<BodyPoint> room) noexcept;
 
   const DistanceGrid& grid() const noexcept { return grid_; }
@@ -46,17 +46,17 @@ class BodyShape {
   /// The centre of mass. [px from the grid's upper left corner]
   Q16_16 centre_x() const noexcept { return centre_x_; }
   Q16_16 centre_y() const noexcept { return centre_y_; }
-  /// The mass: what is inside, at least 1. [px^2]
+  /// The mass: the area of the ink, at least 1. [px^2]
   int32_t area() const noexcept { return area_; }
   /// The square of the radius of gyration: the moment of inertia over the mass.
   /// [px^2, Q8] At least 1/4.
   int32_t gyration_q8() const noexcept { return gyration_q8_; }
-  /// No point is farther from the centre of mass. [px]
+  /// The greatest distance of a point from the centre of mass. [px]
   int32_t radius() const noexcept { return radius_; }
-  /// How deep the innermost sample is inside. [px, Q10]
+  /// The greatest distance inside the shape. [px, Q10]
   int32_t depth_q10() const noexcept { return depth_q10_; }
-  /// The shape is at least this far from the grid's sides: distances beyond
-  /// the grid begin here. [px, Q10]
+  /// A lower bound of the distance from the grid's border to the shape. Added
+  /// to distances outside of the grid. [px, Q10]
   int32_t margin_q10() const noexcept { return margin_q10_; }
 
  private:

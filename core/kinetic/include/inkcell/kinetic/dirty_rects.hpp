@@ -1,4 +1,4 @@
-// Which rectangles of the screen changed.
+// The rectangles of the screen that changed.
 #pragma once
 
 #include <stddef.h>
@@ -10,22 +10,22 @@
 namespace inkcell {
 namespace kinetic {
 
-/// The smallest rectangle around two; an empty one adds nothing.
+/// The smallest rectangle that holds both; an empty one adds nothing.
 Rect bounding_box(const Rect& a, const Rect& b) noexcept;
 
-/// A few rectangles in the caller's memory that hold every one that was added.
-/// Those that overlap, or together take hardly more than both, become one; so
-/// do two if there is no room.
+/// A short list of rectangles, in the caller's memory, that covers all that
+/// were added. Two are merged if they overlap, if their bounding box is hardly
+/// larger than both, or if there is no room.
 class DirtyRects {
  public:
-  /// `room` must outlive it and hold at least one.
+  /// `room` must outlive the list and hold at least one.
   constexpr explicit DirtyRects(Span<Rect> room) noexcept : room_(room) {}
 
   void clear() noexcept { count_ = 0; }
   /// Adds the part of `rect` that lies in `screen`.
   void add(const Rect& rect, const Rect& screen) noexcept;
 
-  /// Disjoint. None: nothing changed.
+  /// Disjoint rectangles; none if nothing changed.
   Span<const Rect> rects() const noexcept { return {room_.data, count_}; }
 
  private:

@@ -1,12 +1,13 @@
-// Signed distances of anything that was drawn, on a grid in the caller's RAM.
+// Signed distances of anything that can be drawn, on a grid in the caller's
+// RAM.
 //
 //   int8_t samples[40 * 48];
 //   DistanceGrid grid(samples, 40, 48, 1);  // for 80 x 96 px
 //   INKCELL_TRY(grid.paint(font, glyph, size, origin));
 //
-// A filter whose ramp is 8 px wide turns distance into coverage without loss:
-// so the renderer itself fills the grid, from fonts of every coding. Glyphs are
-// painted 2^scale_log2 times smaller than they will be shown.
+// A filter with a ramp of 8 px turns distance into coverage without loss, so
+// the renderer fills the grid, from fonts of every coding. Glyphs are painted
+// 2^scale_log2 times smaller than they will be shown.
 #pragma once
 
 #include <stddef.h>
@@ -24,13 +25,13 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Coverage that is distance: 128 at the edge, 32 for each px inside.
+/// Coverage as distance: 128 at the edge, 32 more for each px inside.
 extern const Filter kFilterDistance;
 
-/// A view of samples in the caller's memory. Each stands for the centre of a
-/// square of 2^scale_log2 px and holds the signed distance there in units of
-/// 1/32 of the square's side, positive inside, clamped to -128..127: 4 sides.
-/// Copies share the samples.
+/// A view of samples in the caller's memory. A sample holds the signed distance
+/// at the centre of a square of 2^scale_log2 px, positive inside, in units of
+/// 1/32 of the square's side, clamped to -128..127 (4 sides). Copies share the
+/// samples.
 class DistanceGrid {
  public:
   static constexpr int8_t kOutside = -128;
@@ -38,14 +39,14 @@ class DistanceGrid {
   static constexpr int32_t kMaxScaleLog2 = 3;
 
   constexpr DistanceGrid() noexcept = default;
-  /// Of width x height samples, which begin anywhere in `samples`. The grid is
-  /// empty where a side is not in 1..kMaxSide, or the samples are too few.
+  /// A grid of width x height samples at `samples`. The grid is empty if a side
+  /// is not in 1..kMaxSide or there are too few samples.
   DistanceGrid(Span<int8_t> samples,
                int32_t width,
                int32_t height,
                int32_t scale_log2) noexcept;
 
-  /// How many samples a width or height needs. [px -> samples]
+  /// The samples that a width or height needs. [px -> samples]
   static constexpr int32_t samples_of(int32_t px, int32_t scale_log2) noexcept {
     return (px + (1 << scale_log2) - 1) >> scale_log2;
   }
@@ -62,33 +63,33 @@ class DistanceGrid {
                ? samples_[y * width_ + x]
                : kOutside;
   }
-  /// The samples of row y, which must be in the grid.
+  /// The samples of row y, 0 <= y < height().
   const int8_t* row(int32_t y) const noexcept { return samples_ + y * width_; }
   int8_t* row(int32_t y) noexcept { return samples_ + y * width_; }
 
-  /// The greatest sample, at least 0: how far the innermost point is from the
-  /// edge. [1/32 of a side]
+  /// The greatest sample, at least 0: the distance of the innermost point from
+  /// the edge. [1/32 of a side]
   int32_t depth() const noexcept;
 
-  /// What is inside, where a sample covers its square by a ramp of one side.
-  /// [1/64 of a square]
+  /// The area of the ink; a sample's coverage is a ramp of one side. [1/64 of a
+  /// square]
   int32_t area() const noexcept;
 
   /// The smallest box around all samples that are not kOutside. [samples] Empty
   /// if there are none.
   Rect known_box() const noexcept;
 
-  /// Nothing is inside.
+  /// Sets all samples to kOutside.
   void clear() noexcept;
 
-  /// A sink for whatever draws with kFilterDistance, with a sample for a pixel.
-  /// What is drawn is united with what is there. The grid must outlive it.
+  /// A sink for anything drawn with kFilterDistance, one pixel a sample: what
+  /// is drawn is united with the grid. The grid must outlive the sink.
   Sink sink() noexcept;
 
-  /// Unites the grid with a glyph of `size` px to the em, whose origin is at
-  /// `origin`, in px from the grid's upper left corner. bad_argument: the size
-  /// over 2^scale_log2 is not one of kMinSize to kMaxSize. beyond_band: it is
-  /// a font of cells that know less than 4 px at that size; outlines know all.
+  /// Unites the grid with a glyph of `size` px to the em. `origin` is in px
+  /// from the grid's upper left corner. bad_argument: size / 2^scale_log2 is
+  /// not in kMinSize..kMaxSize. beyond_band: a font of cells whose distances
+  /// end before 4 px at that size; outlines have no such limit.
   Status paint(const Font& font,
                uint16_t glyph,
                Q26_6 size,
@@ -102,15 +103,15 @@ class DistanceGrid {
   int32_t scale_log2_ = 0;
 };
 
-/// Distance and gradient at one place.
+/// Distance and gradient at a place.
 struct GridPoint {
   int32_t distance_q10 = 0;  // [px]
-  int32_t x_slope_q13 = 0;   // about unit length near an edge; y down
+  int32_t x_slope_q13 = 0;   // about 1 near an edge; y down
   int32_t y_slope_q13 = 0;
 };
 
-/// The field at a place in px from the grid's upper left corner, between four
-/// samples. About 60 instructions. Beyond the grid it is far outside and flat.
+/// The bilinear distance at a place, in px from the grid's upper left corner.
+/// About 60 instructions. Outside of the grid: far outside, gradient 0.
 GridPoint probe(const DistanceGrid& grid, Q16_16 x, Q16_16 y) noexcept;
 
 }  // namespace kinetic

@@ -9,7 +9,7 @@
 namespace inkcell {
 namespace kinetic {
 
-/// A disc with soft edges, of a radius of 1/2 to 8 px.
+/// A disc with a soft edge. Radius: 1/2 to 8 px.
 void draw_dot(Q16_16 x, Q16_16 y, Q26_6 radius, const Sink& sink) noexcept;
 
 /// The pixels that a dot may touch.

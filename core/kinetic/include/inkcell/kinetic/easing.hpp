@@ -1,4 +1,4 @@
-// How a change runs in time: easing curves.
+// Easing curves.
 #pragma once
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 namespace inkcell {
 namespace kinetic {
 
-/// A map of progress. Built by the functions below.
+/// A map of progress to progress. Made by the functions below.
 struct Easing {
   enum class Kind : uint8_t { linear, bezier, bounce, steps };
 
@@ -20,9 +20,9 @@ struct Easing {
   int16_t y2_q14 = 0;
 };
 
-/// cubic-bezier() of CSS, in thousandths: a curve from (0, 0) to (1, 1), where
-/// x is time. x1 and x2 are clamped to 0..1000, y1 and y2 to -1999..1999;
-/// beyond 0..1000 the value leaves 0..1 on the way.
+/// cubic-bezier() of CSS, in thousandths: a curve from (0, 0) to (1, 1), x is
+/// time. x1 and x2 are clamped to 0..1000, y1 and y2 to -1999..1999. With y
+/// outside of 0..1000 the result overshoots 0..1.
 constexpr Easing cubic_bezier(int32_t x1,
                               int32_t y1,
                               int32_t x2,
@@ -36,12 +36,12 @@ constexpr Easing cubic_bezier(int32_t x1,
           q14(x2, 0, 1000),     q14(y2, -1999, 1999)};
 }
 
-/// `count` equal jumps, 1 to 255, each at the end of its time.
+/// `count` equal jumps, 1 to 255, each at the end of its interval.
 constexpr Easing steps(uint8_t count) noexcept {
   return {Easing::Kind::steps, count, 0, 0, 0, 0};
 }
 
-// The named ones of CSS.
+// The named curves of CSS.
 inline constexpr Easing kLinear;
 inline constexpr Easing kEase = cubic_bezier(250, 100, 250, 1000);
 inline constexpr Easing kEaseIn = cubic_bezier(420, 0, 1000, 1000);
@@ -49,13 +49,13 @@ inline constexpr Easing kEaseOut = cubic_bezier(0, 0, 580, 1000);
 inline constexpr Easing kEaseInOut = cubic_bezier(420, 0, 580, 1000);
 /// Keeps the first value until the end.
 inline constexpr Easing kHold = steps(1);
-/// Fast first, slow at the end: for what comes in.
+/// Fast, then slow: for things that enter.
 inline constexpr Easing kArrive = cubic_bezier(160, 1000, 300, 1000);
-/// Slow first, fast at the end: for what leaves.
+/// Slow, then fast: for things that leave.
 inline constexpr Easing kLeave = cubic_bezier(700, 0, 840, 0);
-/// Goes a tenth too far, and back.
+/// Overshoots by a tenth.
 inline constexpr Easing kOvershoot = cubic_bezier(340, 1560, 640, 1000);
-/// Starts the other way.
+/// Moves back before it starts.
 inline constexpr Easing kAnticipate = cubic_bezier(360, 0, 660, -560);
 /// Falls and bounces three times.
 inline constexpr Easing kBounce = {Easing::Kind::bounce, 0, 0, 0, 0, 0};

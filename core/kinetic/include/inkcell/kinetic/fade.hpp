@@ -1,4 +1,4 @@
-// Opacity: a sink that passes a part of the coverage on.
+// Opacity: a sink that scales coverage.
 #pragma once
 
 #include <stdint.h>
@@ -8,14 +8,14 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Coverage times opacity / 255, rounded to the nearest, into another sink.
+/// Multiplies coverage by opacity / 255, rounded to the nearest.
 struct Fade {
   const Sink* target = nullptr;  // must outlive the fading sink
   uint8_t opacity = 255;
 };
 
-/// A sink that draws into fade.target. `fade` must outlive it. Sub-pixels are
-/// drawn in grey.
+/// A sink that draws into fade.target. `fade` must outlive it. LCD sub-pixels
+/// are drawn in grey.
 Sink make_sink(const Fade& fade) noexcept;
 
 }  // namespace kinetic

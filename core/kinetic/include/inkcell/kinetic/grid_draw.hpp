@@ -1,4 +1,4 @@
-// Draws a grid of distances with any filter, from any offset of its edges.
+// Draws a grid of distances with any filter and any offset of the edges.
 #pragma once
 
 #include <stdint.h>
@@ -11,18 +11,18 @@
 namespace inkcell {
 namespace kinetic {
 
-/// What is drawn of a grid.
+/// How a grid is drawn.
 struct GridLook {
-  /// Distances below it are outside: above 0 there is less ink. [samples]
+  /// Distances below it are outside: above 0 shapes get thinner. [samples]
   Fixed<int32_t, 13> cutoff;
-  /// Of fields whose slope is not 1 everywhere: how much distances are divided
-  /// by it, 0 to 256. Edges are then as sharp as others, up to twice the slope.
+  /// How far distances are divided by their slope, 0 (not at all) to 256. Keeps
+  /// edges sharp where the slope is not 1, up to a slope of 2.
   int32_t slope_q8 = 0;
 };
 
 /// Draws a grid with its upper left corner at pixel (x, y), within +-32767.
-/// Distances are interpolated between samples. Far from edges a sample costs
-/// about 20 instructions; near them a pixel about 30.
+/// Distances are interpolated between samples. Cost: about 20 instructions for
+/// a sample far from edges, about 30 for a pixel near them.
 void draw_grid(const DistanceGrid& grid,
                const GridLook& look,
                int32_t x,
@@ -30,8 +30,8 @@ void draw_grid(const DistanceGrid& grid,
                const Filter& filter,
                const Sink& sink) noexcept;
 
-/// An offset surface: a grid with its edges moved outwards, by up to 4 sides of
-/// a sample less what the filter reaches. [px]
+/// Draws an offset curve: edges move outwards by up to 4 sample sides less the
+/// reach of the filter. [px]
 void draw_offset(const DistanceGrid& grid,
                  Q26_6 offset,
                  int32_t x,

@@ -1,12 +1,12 @@
-// One glyph becomes another through their distances.
+// Turns one glyph into another by their distances.
 //
 //   GlyphMorph digit(font, size, kFilterMotion, memory);
 //   INKCELL_TRY(digit.set(four, five));
 //   digit.step(progress, scratch);
 //   for each strip:  digit.draw(x, y, sink);
 //
-// Holes and strokes open and close by themselves. The area goes evenly from one
-// glyph to the other, and both ends are the plain glyphs, bit by bit.
+// Holes and strokes open and close by themselves. The area changes evenly, and
+// at both ends the picture is the plain glyph, bit by bit.
 #pragma once
 
 #include <stddef.h>
@@ -25,28 +25,27 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Where glyphs stand in the box that a morph draws in. [px]
+/// The box in which a morph draws. [px]
 struct MorphBox {
   int32_t width = 0;
   int32_t height = 0;
   int32_t baseline = 0;  // below the upper edge
-  /// A sample for 2^scale_log2 x 2^scale_log2 px. Best is the greatest scale
-  /// at which strokes are 4 samples wide: 0 at 48 px, 1 at 96 px for a face of
-  /// regular weight. Areas and strokes narrower than 3 samples waver, strokes
-  /// wider than 8 come and go at once.
+  /// A sample covers 2^scale_log2 x 2^scale_log2 px. Best is the greatest scale
+  /// at which strokes are 4 samples wide: 0 at 48 px, 1 at 96 px for a regular
+  /// face. Strokes narrower than 3 samples waver; strokes wider than 8 appear
+  /// and vanish at once.
   int32_t scale_log2 = 1;
 };
 
-/// RAM for the three grids of a box: of both glyphs, and of what is between.
-/// [bytes]
+/// RAM for the three grids of a box: both glyphs and the blend. [bytes]
 constexpr size_t morph_bytes(const MorphBox& box) noexcept {
   return 3 * static_cast<size_t>(
                  DistanceGrid::samples_of(box.width, box.scale_log2) *
                  DistanceGrid::samples_of(box.height, box.scale_log2));
 }
 
-/// A glyph on its way to another. 180 bytes and the grids, in the caller's
-/// memory. What it refers to must outlive it.
+/// A glyph that becomes another. 180 bytes and the grids, in the caller's
+/// memory. All that it refers to must outlive it.
 class GlyphMorph {
  public:
   GlyphMorph(const Font& font,
@@ -64,22 +63,21 @@ class GlyphMorph {
   GlyphMorph(const GlyphMorph&) = delete;
   GlyphMorph& operator=(const GlyphMorph&) = delete;
 
-  /// Takes the distances of both glyphs, each in the middle of the box by its
-  /// advance; of one that is known from before it costs nothing. Progress is 0.
+  /// Reads the distances of both glyphs, each centred in the box by its
+  /// advance. Progress becomes 0. A glyph that is already loaded costs nothing.
   ///
   /// buffer_small: fewer grid bytes than morph_bytes() of the box.
-  /// bad_argument: the size does not fit the scale, as DistanceGrid::paint().
+  /// bad_argument: the size does not fit the scale, see DistanceGrid::paint().
   Status set(uint16_t from, uint16_t to) noexcept;
 
-  /// How far it has come, 0 to 1; clamped. Several morphs may share a scratch.
+  /// Sets the progress, clamped to 0..1. Morphs may share `scratch`.
   void step(Q16_16 progress, GridHistogram& scratch) noexcept;
 
-  /// Draws the box with its upper left corner at pixel (x, y): whole pixels.
-  /// What glyphs have beyond the box is cut off. Nothing is drawn where x or y
-  /// is beyond +-32767.
+  /// Draws the box with its upper left corner at pixel (x, y). Glyphs are
+  /// clipped to the box. If x or y is beyond +-32767 nothing is drawn.
   void draw(int32_t x, int32_t y, const Sink& sink) const noexcept;
 
-  /// The same with another filter: a weight, a glow, an outline's edge.
+  /// The same with another filter, for a weight, a glow or an outline.
   void draw(int32_t x,
             int32_t y,
             const Filter& filter,
@@ -93,7 +91,7 @@ class GlyphMorph {
   uint16_t from() const noexcept { return from_; }
   uint16_t to() const noexcept { return to_; }
   Q16_16 progress() const noexcept { return progress_; }
-  /// What keeps the area: a distance. [samples]
+  /// The offset of the edges that keeps the area. [samples]
   Fixed<int32_t, 13> cutoff() const noexcept { return cutoff_; }
 
  private:

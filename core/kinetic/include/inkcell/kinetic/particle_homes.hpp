@@ -1,4 +1,4 @@
-// Where particles come from, and where they belong.
+// Where particles start, and where they belong.
 #pragma once
 
 #include <stdint.h>
@@ -12,32 +12,33 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Where a particle belongs. [1/16 px, y down]
+/// The place that a particle is pulled to. [1/16 px, y down]
 struct ParticleHome {
   int16_t x_q4 = 0;
   int16_t y_q4 = 0;
 };
 
-/// Adds to the speed of each particle `stiffness` of its way home, 0 to 1, up
-/// to `most` px a step. With kept_q16 = 65536 (1 - 2 sqrt(stiffness)) they
-/// arrive fast and do not swing. Particles without a home are left alone.
+/// Adds to each particle's speed `stiffness` (0 to 1) times its offset from
+/// home, at most `most` px a step. With kept_q16 = 65536 (1 - 2
+/// sqrt(stiffness)) particles arrive fast and do not swing. Particles without a
+/// home are unchanged.
 void pull_home(Span<Particle> particles,
                Span<const ParticleHome> homes,
                Q16_16 stiffness,
                Q26_6 most) noexcept;
 
-/// Homes spread evenly over the inside of a grid at (x, y), from left to right,
-/// so that two texts with as many homes pass particles over short ways. Up to
-/// 65536 homes; (x, y) within +-8191 px. False if nothing is inside: the homes
-/// are then untouched. The same for the same seed.
+/// Spreads homes evenly over the ink of a grid at (x, y), from left to right,
+/// so that particles travel short distances between two texts with as many
+/// homes. Up to 65536 homes; (x, y) within +-8191 px. False if the grid has no
+/// ink: the homes are then untouched. The same seed gives the same homes.
 bool spread_homes(const DistanceGrid& grid,
                   int32_t x,
                   int32_t y,
                   uint32_t seed,
                   Span<ParticleHome> homes) noexcept;
 
-/// A place on an edge of the grid at (x, y): from a random one within reach
-/// along the gradient. False if 64 places were in vain.
+/// Finds a place on an edge of the grid at (x, y): starts at a random place and
+/// follows the gradient. False if 64 tries fail.
 bool find_edge(const DistanceGrid& grid,
                int32_t x,
                int32_t y,

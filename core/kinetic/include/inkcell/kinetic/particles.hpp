@@ -1,11 +1,11 @@
-// Particles that feel the distances of glyphs: attraction, orbits, bounces.
+// Particles that react to the distances of glyphs: attraction, orbits, bounces.
 //
 //   pull_home(particles, homes, stiffness, most);
 //   step(particles, rules, grid, 0, 0);
 //   for each strip:  for each particle:  draw_dot(p.x, p.y, radius, sink);
 //
-// Positions and speeds are integers, and a step is a fixed time: the same on
-// every core, whatever the frame rate.
+// Positions and speeds are integers, and a step is a fixed time: the result is
+// the same on every core, at any frame rate.
 #pragma once
 
 #include <stdint.h>
@@ -18,7 +18,7 @@
 namespace inkcell {
 namespace kinetic {
 
-/// 12 bytes. The place is in px on the screen, y down.
+/// 12 bytes. Position in px on the screen, y down.
 struct Particle {
   Q16_16 x;
   Q16_16 y;
@@ -29,36 +29,36 @@ struct Particle {
 /// 16 px a step.
 inline constexpr int32_t kMostSpeedQ10 = 16 << 10;
 
-/// On which side of the glyphs' edges particles stay.
+/// The side of the glyphs' edges on which particles stay.
 enum class ParticleSide : uint8_t { both, outside, inside };
 
-/// What works on particles in a step.
+/// Forces and limits of a step.
 struct ParticleRules {
-  Rect walls;                 // the centres of particles stay in it
+  Rect walls;                 // centres of particles stay inside
   int16_t gravity_q10 = 0;    // down [px a step, gained in a step]
   uint16_t kept_q16 = 65535;  // of the speed, after each step
   uint16_t bounce_q8 = 128;   // of the speed across an edge: 256 is elastic
   ParticleSide side = ParticleSide::both;
-  /// Towards the inside of glyphs, and round them, where the grid knows a
-  /// slope: within 4 samples of an edge. Below 0: the other way.
+  /// Acceleration towards the inside of glyphs, and around them; the opposite
+  /// if below 0. Acts within 4 samples of an edge, where the grid has a slope.
   /// [px a step, gained in a step]
   int16_t attraction_q10 = 0;
   int16_t orbit_q10 = 0;
-  /// How far outside of an edge particles bounce: their radius.
+  /// Particles bounce at this distance from an edge: their radius.
   Q26_6 radius;
 };
 
-/// Moves particles by a step: forces, speed, place, edges, walls. A particle
-/// moves at most as far as it is away from an edge, or 1 px, and looks again:
-/// so none passes a stroke of 2 px or more. (x, y) is the grid's upper left
-/// corner on the screen.
+/// Moves particles by one step. A particle moves at most its distance from the
+/// edge, or 1 px, before the distance is looked up again: it never passes
+/// through a stroke of 2 px or more. (x, y) is the grid's upper left corner on
+/// the screen.
 void step(Span<Particle> particles,
           const ParticleRules& rules,
           const DistanceGrid& grid,
           int32_t x,
           int32_t y) noexcept;
 
-/// Whether none moves.
+/// Whether no particle moves.
 bool are_at_rest(Span<const Particle> particles) noexcept;
 
 }  // namespace kinetic

@@ -1,4 +1,4 @@
-// Paths of lines, arcs and cubics, measured by their length; text along them.
+// Paths of lines, arcs and cubics, parametrised by length, and text along them.
 #pragma once
 
 #include <stdint.h>
@@ -15,43 +15,43 @@
 namespace inkcell {
 namespace kinetic {
 
-/// A place on a path. [px, Q16.16, y down]
+/// A point of a path. [px, Q16.16, y down]
 struct PathPoint {
   Q16_16 x;
   Q16_16 y;
   Q16_16 length;  // of the path up to here
 };
 
-/// A polyline in the caller's memory, with the length up to each of its points.
+/// A polyline in the caller's memory, with the length up to each point.
 ///
 ///   PathPoint points[40];
 ///   Path path(points);
 ///   INKCELL_TRY(path.move_to({x, y}));
 ///   INKCELL_TRY(path.cubic_to(c1, c2, end, 32));
 ///
-/// Coordinates are clamped to +-8191 px, and the length ends at 32767 px.
+/// Coordinates are clamped to +-8191 px, the length to 32767 px.
 class Path {
  public:
   constexpr explicit Path(Span<PathPoint> points) noexcept : points_(points) {}
 
   void clear() noexcept { count_ = 0; }
 
-  /// The first point. bad_argument: there is one already. buffer_small, here
-  /// and below: the points do not fit; the path is as before.
+  /// The first point. bad_argument: there is one already. buffer_small (also
+  /// below): the points do not fit; the path is unchanged.
   Status move_to(Point to) noexcept;
 
-  /// bad_argument, here and below: there is no point to start from.
+  /// bad_argument (also below): there is no first point.
   Status line_to(Point to) noexcept;
 
-  /// A cubic Bezier curve as `pieces` chords, 1 to 256. A chord of the angle a
-  /// and the length l is off by l a / 8: 16 pieces serve a bend of 90 px.
+  /// A cubic Bezier curve as `pieces` chords, 1 to 256. A chord of length l and
+  /// angle a is off by l a / 8: 16 pieces are enough for a bend of 90 px.
   Status cubic_to(Point control1,
                   Point control2,
                   Point to,
                   int32_t pieces) noexcept;
 
-  /// An arc about `centre` from where the path stands, by `turns` of a turn,
-  /// counter-clockwise if positive, -4 to 4.
+  /// An arc about `centre` from the current point by `turns` turns, -4 to 4,
+  /// counter-clockwise if positive.
   Status arc_to(Point centre, Q16_16 turns, int32_t pieces) noexcept;
 
   Q16_16 length() const noexcept {
@@ -61,7 +61,7 @@ class Path {
     return {points_.data, count_};
   }
 
-  /// The point at a length. Beyond the ends: on their tangents.
+  /// The point at a length. Before the start and after the end: on the tangent.
   PathPoint at(Q16_16 length) const noexcept;
 
  private:
@@ -71,14 +71,14 @@ class Path {
   size_t count_ = 0;
 };
 
-/// What becomes of glyphs beyond the ends of a path.
+/// What happens to glyphs outside of a path.
 enum class PathOverflow : uint8_t {
-  hide,    // they are not drawn
-  extend,  // they go on along the end's tangent
-  wrap,    // they come in at the other end: for closed paths
+  hide,    // not drawn
+  extend,  // continue on the tangent
+  wrap,    // enter at the other end: for closed paths
 };
 
-/// How a run lies along a path.
+/// How a run is set along a path.
 struct PathPlace {
   Q16_16 start;    // of the run's origin, along the path [px]
   Q26_6 size;      // [px to the em]
@@ -88,10 +88,10 @@ struct PathPlace {
   int16_t pivot_height = 250;  // as in RunPlace
 };
 
-/// Glyph `index` of a run, which must lie in it, along a path: the middle of
-/// its advance is on the path, and its baseline along the chord under it, so
-/// that glyphs which slide turn without a jerk. Kerning is along the path.
-/// Lines after the first run beside it. A glyph that is hidden has opacity 0.
+/// Places glyph `index` < run.glyphs.size on a path: the middle of its advance
+/// is on the path, its baseline on the chord below it, so that sliding glyphs
+/// turn smoothly. Kerning is measured along the path. Further lines run beside
+/// the first. A hidden glyph has opacity 0.
 PosedGlyph place(const Font& font,
                  const Run& run,
                  size_t index,

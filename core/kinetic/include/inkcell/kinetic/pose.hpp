@@ -1,4 +1,5 @@
-// How a glyph stands: place, angle, scale, slant, weight, opacity; and between.
+// Poses of glyphs: offset, angle, scale, slant, weight, opacity; blends of
+// poses.
 #pragma once
 
 #include <stdint.h>
@@ -15,8 +16,8 @@ namespace kinetic {
 /// A scale: -8 to 8, resolution 1/4096.
 using Scale = Fixed<int16_t, 12>;
 
-/// What is done to a glyph that layout has placed. The default leaves it as it
-/// is. Scale, slant and angle work about the glyph's pivot, in this order.
+/// A change to a glyph that is laid out. The default changes nothing. Scale,
+/// slant and angle are applied about the glyph's pivot, in this order.
 struct Pose {
   Point offset;  // [px, y down]
   Angle angle;
@@ -32,32 +33,32 @@ inline bool operator!=(const Pose& a, const Pose& b) noexcept {
   return !(a == b);
 }
 
-/// a at 0, b at 1. Overshoots; what leaves its range is clamped. Angles go the
-/// shorter way; of two that are half a turn apart counter-clockwise.
+/// a at progress 0, b at 1. Extrapolates; each member is clamped to its range.
+/// Angles turn by the smaller angle, counter-clockwise if both are equal.
 Pose mix(const Pose& a, const Pose& b, Q16_16 progress) noexcept;
 
-/// One on top of the other: offsets, angles, slants and weights are summed,
-/// scales and opacities multiplied.
+/// Both poses: offsets, angles, slants and weights are summed, scales and
+/// opacities multiplied.
 Pose combine(const Pose& a, const Pose& b) noexcept;
 
-/// A pose at a time, and how it goes on to the next.
+/// A pose at a time, and the easing to the next.
 struct PoseKey {
   int32_t at_ms = 0;
   Pose pose;
   Easing easing;
 };
 
-/// The pose of keys at a time: the first before them, the last after them, the
-/// default if there are none. Their times must ascend.
+/// The pose at a time; outside of the keys that of the nearest, without keys
+/// the default. Times must ascend.
 Pose pose_at(Span<const PoseKey> keys, int32_t time_ms) noexcept;
 
-/// The next time, `time_ms` or later, at which the pose changes; kNever after
-/// that (timeline.hpp).
+/// The next time >= `time_ms` at which the pose changes; kNever if there is
+/// none (timeline.hpp).
 int32_t next_due(Span<const PoseKey> keys, int32_t time_ms) noexcept;
 
-/// A glyph ready to be drawn: where its pivot is on the screen, and its pose.
+/// A glyph to draw: the place of its pivot on the screen, and its pose.
 struct PosedGlyph {
-  Point at;        // on the screen, without the pose's offset [px, y down]
+  Point at;        // the pivot on the screen, without pose.offset [px, y down]
   Q16_16 pivot_x;  // in the glyph, from its origin [px at scale 1, y up]
   Q16_16 pivot_y;
   uint16_t glyph = 0;

@@ -1,4 +1,4 @@
-// Draws glyphs in any pose into strips, and tells what changed.
+// Draws glyphs in any pose into strips, and finds what changed.
 //
 //   PoseRenderer renderer(font, Q26_6::from_int(48));
 //   for (size_t i = 0; i < run.glyphs.size; ++i) {
@@ -22,12 +22,12 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Draws glyphs of one font and size. 400 bytes, in the caller's memory; what
-/// it refers to must outlive it. Tasks that draw at once need one each.
+/// Draws glyphs of one font and size. 400 bytes, in the caller's memory; all
+/// that it refers to must outlive it. Not thread-safe: each task needs its own.
 class PoseRenderer {
  public:
-  /// `size` is that of glyphs whose scale is 1, 4 to 1024 px to the em. The
-  /// workspace makes large glyphs faster; the picture is the same.
+  /// `size` is for glyphs of scale 1, 4 to 1024 px to the em. The workspace
+  /// speeds up large glyphs and does not change the picture.
   PoseRenderer(const Font& font,
                Q26_6 size,
                const Filter& filter = kFilterMotion,
@@ -37,24 +37,24 @@ class PoseRenderer {
   PoseRenderer(const PoseRenderer&) = delete;
   PoseRenderer& operator=(const PoseRenderer&) = delete;
 
-  /// Sets the size at scale 1, in px to the em, of all glyphs that are drawn
-  /// after this call. The same range as in the constructor.
+  /// Sets the size at scale 1, in px to the em, for later calls. The same range
+  /// as in the constructor.
   void set_size(Q26_6 size) noexcept { size_ = size; }
 
-  /// Draws glyphs in their order. Positions are to 1/64 px. Cannot fail: a
-  /// glyph of opacity 0, or larger than 1024 px or smaller than 4 px to the em,
-  /// is left out; one that is narrower than 4 px to the em is drawn that wide,
-  /// so that what turns about an axis never blinks.
+  /// Draws glyphs in order, placed to 1/64 px. Cannot fail. Glyphs of opacity
+  /// 0, larger than 1024 or smaller than 4 px to the em are left out. A glyph
+  /// narrower than 4 px to the em is drawn at that width, so that a glyph that
+  /// turns about an axis does not blink.
   ///
-  /// A glyph costs what the core takes for it. Outside the sink's window it
-  /// costs about 400 instructions.
+  /// Costs what the core needs; about 400 instructions for a glyph outside of
+  /// the sink's window.
   void draw(Span<const PosedGlyph> glyphs, const Sink& sink) noexcept;
 
   /// The pixels that a glyph may touch; empty if it is not drawn.
   Rect box(const PosedGlyph& glyph) const noexcept;
 
-  /// Adds where `now` looks different from `before`. Glyphs are compared by
-  /// their index; those that only one has count, too.
+  /// Adds the areas in which `now` differs from `before`. Glyphs are compared
+  /// by index; glyphs that only one of them has are changes, too.
   void add_changes(Span<const PosedGlyph> before,
                    Span<const PosedGlyph> now,
                    const Rect& screen,

@@ -1,15 +1,13 @@
-// Shapes drawn as prints: contour rings, engraving, hatching, halftone, relief
-// (Perry and Frisken, section 6: rendering by distance that is not
-// photorealistic).
+// Draws shapes as prints: contour rings, engraving, hatching, halftone, relief
+// (Perry and Frisken, section 6).
 //
 //   PrintLook look;
 //   look.style = PrintStyle::engraving;
 //   look.light = degrees(135);
 //   draw_print(grid, look, x, y, kFilterMotion, sink);  // for each strip
 //
-// The edge is a slope that light falls on: its height is the distance, its
-// direction the gradient. What lies in the dark takes more ink. Lines and dots
-// stand still on the shape.
+// The edge is lit as a slope: its height is the distance, its direction the
+// gradient. Dark places get more ink. Lines and dots move with the shape.
 #pragma once
 
 #include <stdint.h>
@@ -32,23 +30,23 @@ enum class PrintStyle : uint8_t {
   relief      // the tone itself
 };
 
-/// What a print looks like.
+/// The look of a print.
 struct PrintLook {
   PrintStyle style = PrintStyle::relief;
-  Angle light = degrees(135);        // from where it comes
+  Angle light = degrees(135);        // the direction from which light comes
   Angle screen = degrees(45);        // of lines, or of rows of dots
-  Q26_6 pitch = Q26_6::from_int(4);  // from line to line [px], 2 to 64
-  Q26_6 slope = Q26_6::from_int(4);  // how wide the slope is [px], 1 to 32
-  /// How far lines have moved: along the gradient, or across themselves. [px]
+  Q26_6 pitch = Q26_6::from_int(4);  // distance of lines [px], 2 to 64
+  Q26_6 slope = Q26_6::from_int(4);  // width of the slope [px], 1 to 32
+  /// Offset of the lines: along the gradient, or across the lines. [px]
   Q26_6 shift;
-  /// Of flat places, and how much light changes that. [of 255]
+  /// The tone of flat areas, and the contrast of the lighting. [of 255]
   uint8_t tone = 110;
   uint8_t contrast = 110;
 };
 
-/// Draws a grid with its upper left corner at pixel (x, y), within +-8191.
-/// Nothing outside of the edge is inked. About 120 instructions a pixel inside;
-/// far outside hardly any.
+/// Draws a grid with its upper left corner at pixel (x, y), within +-8191. No
+/// ink outside of the edge. About 120 instructions a pixel inside, hardly any
+/// far outside.
 void draw_print(const DistanceGrid& grid,
                 const PrintLook& look,
                 int32_t x,

@@ -1,4 +1,4 @@
-// A grid that flowed, made a grid of distances again.
+// Turns a grid that flowed into a grid of distances again.
 #pragma once
 
 #include <stdint.h>
@@ -8,15 +8,15 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Fills `out`, as large as `grid` and apart from it, with distances to the
-/// grid's edge: the slope becomes 1, and the edge stays where it is. Fast
-/// sweeping (Zhao 2005): samples next to the edge follow from their value and
-/// its slope, four sweeps fill the others. About 120 instructions a sample.
+/// Fills `out` with distances to the grid's edge: the slope becomes 1 and the
+/// edge stays. Both grids have the same size and share no memory. Fast sweeping
+/// (Zhao 2005): samples next to the edge follow from value and slope, four
+/// sweeps fill the others. About 120 instructions a sample.
 ///
-/// Of rows from `first_row` up to `end_row`; others are copied. So the work can
-/// be spread over frames: 10 rows and more at a time.
+/// Computes the rows [first_row, end_row) and copies the others, so that the
+/// work can be spread over frames, at least 10 rows at a time.
 ///
-/// Grids that do not fit each other: `out` is untouched.
+/// If the sizes differ, `out` is untouched.
 void redistance(const DistanceGrid& grid,
                 DistanceGrid& out,
                 int32_t first_row = 0,

@@ -1,4 +1,4 @@
-// Text as units that move: glyphs that know their word and their line.
+// Text as glyphs that can move, each with its word and line.
 #pragma once
 
 #include <stdint.h>
@@ -12,7 +12,7 @@
 namespace inkcell {
 namespace kinetic {
 
-/// Where each line of a text stands against the run's origin.
+/// Alignment of each line at the run's origin.
 enum class Align : uint8_t { left, centre, right };
 
 /// A glyph with ink. [font units, y up, from the run's origin on the baseline
@@ -24,12 +24,12 @@ struct RunGlyph {
   uint16_t glyph = 0;
   uint16_t word = 0;  // counted from the start of the text
   uint16_t line = 0;
-  /// Twice the number of gaps between the line's anchor and the glyph: what
-  /// tracking is multiplied with.
+  /// Twice the number of gaps between the line's anchor and the glyph: the
+  /// factor of tracking.
   int16_t half_gaps = 0;
 };
 
-/// A laid-out text. `glyphs` lies in the caller's buffer.
+/// A laid-out text. `glyphs` is in the caller's buffer.
 struct Run {
   Span<const RunGlyph> glyphs;
   uint16_t words = 0;
@@ -38,8 +38,8 @@ struct Run {
   int32_t line_height = 0;  // [font units]
 };
 
-/// Lays text out with the font's advances and kerning. A line feed begins a
-/// line; words are divided by glyphs without ink, which are left out.
+/// Lays text out with the font's advances and kerning. A line feed starts a
+/// line. Glyphs without ink separate words and are left out.
 ///
 /// buffer_small: `out` holds fewer glyphs than the text; text.size always
 /// suffice. `run` is then untouched.
@@ -49,24 +49,24 @@ Status lay_out(const Font& font,
                Span<RunGlyph> out,
                Run& run) noexcept;
 
-/// How many units a stagger counts, and which one a glyph belongs to.
+/// The units that a stagger counts, and the unit of a glyph.
 enum class Unit : uint8_t { glyph, word, line };
 uint32_t unit_count(const Run& run, Unit unit) noexcept;
-/// `index` is of run.glyphs, and must lie in it.
+/// `index` < run.glyphs.size.
 uint32_t unit_of(const Run& run, Unit unit, size_t index) noexcept;
 
-/// Where glyphs of a run stand on the screen.
+/// Where a run stands on the screen.
 struct RunPlace {
   Point origin;    // of the run [px]
   Q26_6 size;      // [px to the em]
-  Q26_6 tracking;  // more room between glyphs [px]
-  /// The height above the baseline that glyphs turn about. [1/1000 of the
-  /// size] A quarter of the em is the middle of lower-case letters.
+  Q26_6 tracking;  // additional space between glyphs [px]
+  /// The height of the pivot above the baseline. [1/1000 of the size] A quarter
+  /// of the em is the middle of lower-case letters.
   int16_t pivot_height = 250;
 };
 
-/// Glyph `index` of a run, which must lie in it, on straight lines. It turns
-/// about the middle of its advance.
+/// Places glyph `index` < run.glyphs.size on a straight line. Its pivot is in
+/// the middle of its advance.
 PosedGlyph place(const Font& font,
                  const Run& run,
                  size_t index,

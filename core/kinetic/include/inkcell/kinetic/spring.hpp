@@ -1,4 +1,4 @@
-// A damped spring in closed form: no state, so that time may jump.
+// A damped spring in closed form: no state, any order of times.
 #pragma once
 
 #include <stdint.h>
@@ -8,19 +8,18 @@
 namespace inkcell {
 namespace kinetic {
 
-/// A spring that is let go at 0 and comes to rest at 1:
+/// A spring that is released at 0 and settles at 1:
 ///
 ///     1 - 2^(-t / h) (cos(2 pi t / p) + ln(2) p / (2 pi h) sin(2 pi t / p))
 ///
-/// with the period p and the half-life h of its swing. It starts at rest, too.
+/// with the period p and the half-life h. Its initial speed is 0.
 struct Spring {
-  /// [ms] 0: it does not swing, but creeps to 1 (critical damping):
-  /// 1 - 2^(-t / h) (1 + ln(2) t / h).
+  /// [ms] 0: critical damping, without swing: 1 - 2^(-t / h) (1 + ln(2) t / h).
   int32_t period_ms = 400;
   int32_t half_life_ms = 80;  // at least 1
 };
 
-/// From here on the spring rests: 16 half-lives. [ms]
+/// The time at which the spring rests: 16 half-lives. [ms]
 constexpr int32_t rest_ms(const Spring& spring) noexcept {
   constexpr int32_t kMost = INT32_MAX / 16;
   const int32_t half = spring.half_life_ms < 1       ? 1
@@ -29,8 +28,8 @@ constexpr int32_t rest_ms(const Spring& spring) noexcept {
   return 16 * half;
 }
 
-/// Where the spring is at a time. 0 before 0 ms, exactly 1 from rest_ms() on;
-/// between 0 and 2.
+/// The position at a time, between 0 and 2. 0 before 0 ms, exactly 1 from
+/// rest_ms() on.
 Q16_16 spring_at(const Spring& spring, int32_t time_ms) noexcept;
 
 }  // namespace kinetic
