@@ -10,25 +10,25 @@
 namespace inkcell {
 namespace detail {
 
-// By how much a stem's width may differ from whole pixels.
+// The most that a stem's width may differ from whole pixels.
 constexpr int32_t kStemShoulder = 16;
 
 class AcrossFit {
  public:
   explicit AcrossFit(const Fit& fit) noexcept : fit_(fit) {}
 
-  // The hints of y were read. Returns the advance.
+  // Call after the hints of y were read. Returns the advance.
   int32_t fit(const GlyphMetrics& metrics, GlyphHints& hints) noexcept;
   void write(AxisMap& map) const noexcept;
 
  private:
-  // Or an end of the ink, which is a stem without a width.
+  // A stem, or an end of the ink as a stem without a width.
   struct Stem {
     int32_t gap;  // before the cell
     int16_t left_u;
     int16_t right_u;
     int16_t cell;   // whole pixels
-    int16_t width;  // in the middle of it
+    int16_t width;  // centred in the cell
   };
 
   void add(int32_t left_u,
@@ -44,7 +44,7 @@ class AcrossFit {
   bool has_stems() const noexcept { return end_ > stems_ + 2; }
 
   const Fit& fit_;
-  // With both ends of the ink; none: nothing is fitted.
+  // Includes both ends of the ink; none: nothing is fitted.
   Stem* end_ = stems_;
   Stem stems_[GlyphHints::kMostX + 2];
 };
@@ -84,7 +84,7 @@ inline void AcrossFit::read(GlyphHints& hints) noexcept {
   }
 }
 
-// As designed. Returns where the ink ends.
+// Sets the gaps to the design's. Returns where the ink ends.
 inline int32_t AcrossFit::set_gaps() noexcept {
   int32_t from = 0;
   for (Stem* stem = stems_; stem != end_; ++stem) {
@@ -97,12 +97,12 @@ inline int32_t AcrossFit::set_gaps() noexcept {
   return from;
 }
 
-// Gaps of one kind that differ by little are alike, so that m has two counters
-// of one width, and symmetric letters stay symmetric.
+// Makes gaps of one kind that differ by little equal: both counters of an m
+// have one width, symmetric letters stay symmetric.
 inline void AcrossFit::make_alike() noexcept {
   Stem* const last = end_ - 1;
   for (Stem* one = stems_ + 2; one <= last; ++one) {
-    // At the ends of the ink, or between stems.
+    // Either at the ends of the ink, or between stems.
     Stem* other = one == last ? stems_ + 1 : stems_ + 2;
     do {
       const int32_t difference = abs(one->gap - other->gap);
@@ -119,7 +119,7 @@ inline void AcrossFit::make_alike() noexcept {
 inline int32_t AcrossFit::whole_gaps() noexcept {
   make_alike();
   int32_t total = 0;
-  int32_t least = 0;  // where the ink begins and ends
+  int32_t least = 0;  // 0 at both ends of the ink, else a pixel
   Stem* const last = end_ - 1;
   for (Stem* stem = stems_ + 1; stem <= last; ++stem) {
     stem->gap = max(round_px(stem->gap), stem != last ? least : 0);
@@ -129,8 +129,8 @@ inline int32_t AcrossFit::whole_gaps() noexcept {
   return total;
 }
 
-// Of ink without stems. Symmetric ink has an odd number of pixels if a stem
-// has, so that its apex is as wide.
+// The width of ink without stems. If the glyph is symmetric and stems are odd,
+// it is odd too, so that its apex is as wide.
 inline int32_t AcrossFit::whole_ink(bool is_symmetric) noexcept {
   const int32_t width = stems_[1].gap;
   int32_t total = whole_width(width);
@@ -165,7 +165,7 @@ inline int32_t AcrossFit::fit(const GlyphMetrics& metrics,
   const int32_t total =
       is_stemless ? whole_ink(hints.is_symmetric()) : whole_gaps();
   const int32_t left = stems_[0].gap;
-  // A column is free to the left of all glyphs but those that overhang.
+  // The left column is free in all glyphs but those that overhang.
   const int32_t overhang = -fit_.px_q6(10);
   int32_t first = round_px(left);
   if (left > overhang) {
@@ -184,7 +184,7 @@ inline int32_t AcrossFit::fit(const GlyphMetrics& metrics,
 }
 
 inline void AcrossFit::write(AxisMap& map) const noexcept {
-  // Ends of the ink that are a stem's own need no knots.
+  // Ends of the ink that coincide with a stem's edge need no knots.
   constexpr int32_t kNear_u = 4;
   const Stem* stem = stems_;
   const Stem* end = end_;

@@ -18,23 +18,23 @@ namespace {
 
 // All lengths are [px, Q6] unless their names say otherwise.
 
-// Fractions of an x-height from here on are rounded up: 1/8 px.
+// Fractions of an x-height from 1/8 px on are rounded up.
 constexpr int32_t kRoundUp = kPx - kPx / 8;
 // Shorter x-heights are not scaled.
 constexpr int32_t kLeastHeight = 96;
-// Round edges pass their zone from this much on.
+// Round edges overshoot their zone from this height on.
 constexpr int32_t kLeastOvershoot = 38;
-// Serifs are whole pixels from this size on, and are left out below.
+// From this size on serifs are whole pixels, below it they are dropped.
 constexpr int32_t kSerifsFrom = 12 << 6;
-// Bends whose control points were moved are fuller. [px, Q10]
+// Bends with moved control points are made fuller by this. [px, Q10]
 constexpr int32_t kFuller = 30;
 
 }  // namespace
 
-// Font units, less than 32 em of them.
+// Font units to u, clamped to 32 em.
 inline int32_t Fit::u_of(int32_t units) const noexcept {
   constexpr int32_t kMost_u = (1 << 15) - 1;
-  // In two parts, as the product may pass 2^31.
+  // In two parts, because the product may exceed 2^31.
   const int32_t whole = units * (u_per_unit_q14_ >> 14);
   const int32_t part = units * (u_per_unit_q14_ & ((1 << 14) - 1));
   const int32_t u = whole + ((part + (1 << 13)) >> 14);
@@ -56,7 +56,7 @@ inline void Fit::set_zones() noexcept {
     const int32_t natural = px_q6(hints_.zone(hints_.x_zone()).flat_u);
     if (natural >= kLeastHeight) {
       const int32_t fitted = (natural + kRoundUp) & ~(kPx - 1);
-      // At most 40 px, and half as much more.
+      // At most 40 px, plus a half.
       y_scale_q16_ = static_cast<int32_t>(static_cast<uint32_t>(size_q6_) * 64 *
                                           static_cast<uint32_t>(fitted) /
                                           static_cast<uint32_t>(natural));
@@ -76,7 +76,7 @@ inline void Fit::set_weight() noexcept {
   if (hints_.stem_width_u() == 0) {
     return;
   }
-  // Half of what a stem gains. [px, Q10]
+  // Half of what stems gain in width. [px, Q10]
   const int32_t more = (whole_width(stem_q6_) - stem_q6_) * 8;
   const int32_t weight = hints_.has_contrast()
                              ? min(max(more, 0), 51)
@@ -128,7 +128,7 @@ __attribute__((noinline)) void Fit::to_grid(int64_t& at_q10) const noexcept {
   at_q10 -= part * strength_q8_ >> 8;
 }
 
-// The functions of both fitters.
+// The entry points of grid fitting.
 class GridFit {
  public:
   static void fit(uint16_t glyph,
@@ -174,7 +174,7 @@ class GridFit {
   }
 
  private:
-  // Each apart, so that one has the stack while the other does not run.
+  // Separate frames, so that their stacks do not add up.
   __attribute__((noinline)) static void fit_heights(const Fit& fit,
                                                     GlyphHints& hints,
                                                     FinePoint& origin,
@@ -191,7 +191,7 @@ class GridFit {
     heights.write(warp.y);
   }
 
-  // Without a map for the advance alone, which it returns.
+  // `map` is null if only the advance is needed, which it returns.
   __attribute__((noinline)) static int32_t fit_across(
       const Fit& fit,
       const GlyphMetrics& metrics,

@@ -11,15 +11,15 @@ namespace detail {
 
 constexpr int32_t kPx = 1 << 6;
 
-// Strokes of displays with many levels are no thinner; and the room that is
-// left beside bars.
+// The least width of strokes on displays with many levels, and the least gap
+// beside bars.
 constexpr int32_t kLeastStroke = 48;
 
 inline int32_t round_px(int32_t value) noexcept {
   return (value + kPx / 2) & ~(kPx - 1);
 }
 
-// A stroke about as wide as most are is as wide as they are.
+// Snaps the width of a stroke to the common width if it is close.
 __attribute__((noinline)) inline int32_t common_width(int32_t width,
                                                       int32_t most) noexcept {
   return abs(width - most) < max(16, most * 77 >> 8) ? most : width;

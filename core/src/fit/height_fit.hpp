@@ -10,13 +10,13 @@
 namespace inkcell {
 namespace detail {
 
-// What a bar keeps where three of them have little room.
+// The least height of a bar where three of them have little room.
 constexpr int32_t kLeastSqueezed = 32;
-// Bars from here on begin at a row; thinner ones stand in the middle of one.
+// Thicker bars begin at a row; thinner ones are centred in one.
 constexpr int32_t kWholeBar = 60;
 
-// `inline` for the linker: the compiler can then drop functions that it joins
-// to their only caller.
+// `inline`, so that the compiler can drop functions that it inlines into their
+// only caller.
 class HeightFit {
  public:
   explicit HeightFit(const Fit& fit) noexcept : fit_(fit) {}
@@ -30,7 +30,7 @@ class HeightFit {
 
   struct Edge {
     int16_t at_u;
-    int16_t to;  // at most 40 px times the 4 em that a zone may lie away
+    int16_t to;  // at most 40 px times the 4 em that a zone may be away
   };
   struct Item {
     Edge edges[2];
@@ -46,16 +46,16 @@ class HeightFit {
       edges[1].to = static_cast<int16_t>(to + width);
     }
   };
-  // Between the nearest bars around something. Of a bar that there is not the
-  // place in the glyph is unset.
+  // The limits given by the nearest bars above and below. `at_u` is unset where
+  // there is no bar.
   struct Room {
     Edge floor;
     Edge ceiling;
 
     int32_t height() const noexcept { return ceiling.to - floor.to; }
   };
-  // Where there is no bar: farther away than any is. No two bars are half as
-  // far from each other.
+  // The limit without a bar: farther away than any, and more than twice as far
+  // as two bars can be apart.
   static constexpr int16_t kFar = INT16_MAX;
 
   bool is_crisp() const noexcept { return fit_.levels_ == 2; }
@@ -102,12 +102,12 @@ inline void HeightFit::read(GlyphHints& hints) noexcept {
       }
       item.state = kInZone;
     }
-    // Of a free bar the width alone counts as yet.
+    // So far only the width of a free bar is known.
     item.set(to, width);
   }
 }
 
-// Where a height goes by what lies in zones. [2 u]
+// The height as given by the zones above and below. [2 u]
 inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
   const Edge* below = nullptr;
   const Edge* above = nullptr;
@@ -133,7 +133,7 @@ inline int32_t HeightFit::height_between(int32_t at_u2) const noexcept {
                          : height + near->to - fit_.height_q6(near->at_u);
 }
 
-// Bars that are not fitted yet leave no limits.
+// Bars that are not fitted yet set no limits.
 inline HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
   Room room;
   room.floor.to = -kFar;
@@ -155,8 +155,8 @@ inline HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
   return room;
 }
 
-// A bar that lies in no zone: in the rows that are nearest and leave a free one
-// on both sides, as far as there is room.
+// Puts a bar without a zone into the nearest rows that leave a free row on both
+// sides, as far as there is room.
 inline void HeightFit::fit_bar(Item& item) noexcept {
   const Room room = room_of(item);
   const int32_t gap = is_crisp() ? kPx : kLeastStroke;
@@ -187,8 +187,8 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
   item.state = kFitted;
 }
 
-// A free end keeps a row open to the bar that it points to, but no farther than
-// to its own.
+// Keeps a row open between a free end and the bar that it points to, but moves
+// it no farther than its own bar.
 inline void HeightFit::fit_end(Item& item) noexcept {
   const Room room = room_of(item);
   const int32_t open = room.height();
