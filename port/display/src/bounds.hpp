@@ -10,8 +10,8 @@
 namespace inkcell {
 namespace port {
 
-/// What check_strip() says; and bad_argument if `strip` has no pixels, leaves a
-/// screen of `width` x `height` px, or its edges lie inside a byte of `format`.
+/// check_strip(); and bad_argument if `strip` is empty, not within a screen of
+/// `width` x `height` px, or has edges inside a byte of `format`.
 inline Status check_on_screen(const Strip& strip,
                               PixelFormat format,
                               int32_t width,

@@ -23,8 +23,8 @@ enum Command : uint8_t {
   kSetPixelFormat = 0x3a,  // bits a pixel
 };
 
-// MADCTL: how addresses of the host become addresses of the memory. First
-// kExchange exchanges columns and rows, then the others mirror these.
+// MADCTL maps addresses of the host to addresses of the memory: kExchange swaps
+// columns and rows, then the others mirror them.
 enum AccessBit : uint8_t {
   kMirrorRows = 0x80,
   kMirrorColumns = 0x40,
@@ -32,13 +32,12 @@ enum AccessBit : uint8_t {
   kBlueFirst = 0x08,
 };
 
-// After a reset, and after leaving sleep, the longest that the data sheets ask
-// for before any command. [ms]
+// The longest wait in the data sheets before any command, after a reset and
+// after leaving sleep. [ms]
 constexpr uint32_t kWaitMs = 120;
 
-// MADCTL and where the panel begins in addresses of the host, turned by k
-// quarters: the panel's column is that of the screen, mirrored for k = 1 and 2,
-// its row for k = 2 and 3.
+// MADCTL and the panel's origin in addresses of the host, turned by k quarters:
+// the panel's column is mirrored for k = 1 and 2, its row for k = 2 and 3.
 struct Addressing {
   uint8_t bits;
   int32_t x;  // of the screen's left column [px]
@@ -51,7 +50,7 @@ Addressing addressing_of(const DcsPanel& panel,
   const bool exchange = (quarters & 1) != 0;
   const bool columns = panel.mirror_columns != (quarters == 1 || quarters == 2);
   const bool rows = panel.mirror_rows != (quarters >= 2);
-  // Mirroring counts from the other end of the memory.
+  // Mirrored addresses count from the other end of the memory.
   const int32_t column =
       columns ? controller.columns - panel.first_column - panel.width
               : panel.first_column;

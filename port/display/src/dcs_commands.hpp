@@ -11,7 +11,7 @@ namespace inkcell {
 namespace port {
 namespace detail {
 
-/// In what the controllers differ.
+/// The differences between controllers.
 struct DcsController {
   int32_t columns;       // of its memory [px]
   int32_t rows;          // likewise

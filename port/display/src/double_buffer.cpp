@@ -1,15 +1,15 @@
-// run_strips() with strips that change places.
+// run_strips() with two strips in turn.
 #include "inkcell/port/double_buffer.hpp"
 
 namespace inkcell {
 namespace port {
 namespace {
 
-// The loop under way.
+// The state of a running loop.
 struct Run {
   const DoubleBuffer& loop;
   bool second = false;   // the strip is in the second buffer
-  bool sending = false;  // a transfer may be under way
+  bool sending = false;  // a transfer may be running
 };
 
 Strip in_buffer(const Run& run, const Strip& strip) noexcept {
@@ -54,7 +54,7 @@ Status run_double_buffer(const DoubleBuffer& loop) noexcept {
   strips.context = &run;
   strips.draw = draw;
   strips.flush = flush;
-  // The smaller of both must hold a strip.
+  // The smaller buffer must hold a strip.
   if (loop.second.size < strips.buffer.size) {
     strips.buffer.size = loop.second.size;
   }

@@ -1,11 +1,11 @@
-// Transfers of a control byte and what it announces.
+// Transfers: a control byte and its data.
 #include "inkcell/port/i2c_display.hpp"
 
 namespace inkcell {
 namespace port {
 namespace {
 
-// Co = 0: all bytes to the end of the transfer are of one kind.
+// Co = 0: all bytes up to the stop condition are of one kind.
 enum Control : uint8_t { kCommands = 0x00, kPixels = 0x40 };
 
 void send(void* context,

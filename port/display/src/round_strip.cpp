@@ -5,15 +5,15 @@ namespace inkcell {
 namespace port {
 namespace {
 
-// The distance of the circle's centre, at `diameter` / 2, from the pixels
-// [first, end): from the nearest edge, 0 inside. [1/2 px]
+// The distance of the circle's centre (at diameter / 2) from the nearest edge
+// of the pixels [first, end); 0 inside. [1/2 px]
 int32_t distance(int32_t first, int32_t end, int32_t diameter) noexcept {
   return 2 * first > diameter ? 2 * first - diameter
                               : (2 * end < diameter ? diameter - 2 * end : 0);
 }
 
-// The columns left of the circle, in rows that are `away` [1/2 px] from the
-// centre: the first pixel whose right edge lies within it begins the chord.
+// The columns to the left of the circle, in rows `away` [1/2 px] from the
+// centre: the chord begins at the first pixel whose right edge is inside.
 int32_t hidden_columns(int32_t away, int32_t diameter) noexcept {
   const int64_t square = int64_t{diameter} * diameter - int64_t{away} * away;
   int32_t x = 0;
@@ -40,7 +40,7 @@ Strip round_strip(const Strip& strip,
   const int32_t hidden =
       away < diameter ? hidden_columns(away, diameter) : diameter;
   const int32_t bits = bits_per_pixel(format);
-  // Pixels in a byte along the row, less one: a power of two less one.
+  // Pixels in a byte along the row, less one: a mask.
   const int32_t low =
       format == PixelFormat::mono_pages || bits >= 8 ? 0 : 8 / bits - 1;
   const int32_t first = hidden & ~low;

@@ -9,7 +9,7 @@
 namespace inkcell {
 namespace port {
 
-/// Sends a command's byte, then its parameters, if there are any, as data.
+/// Sends a command byte, then its parameters, if any, as data.
 inline void send_command(const DisplayBus& bus,
                          uint8_t command,
                          Span<const uint8_t> parameters = {}) noexcept {

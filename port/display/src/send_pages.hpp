@@ -1,4 +1,4 @@
-// Strips for controllers that are told each page and its first column.
+// Strips for controllers that need the page and first column of each transfer.
 #pragma once
 
 #include <stdint.h>
@@ -9,8 +9,9 @@
 namespace inkcell {
 namespace port {
 
-/// Sends a strip of PixelFormat::mono_pages page by page. Its column 0 is
-/// `first_column` of the controller's memory, at most 255 with its width.
+/// Sends a strip of PixelFormat::mono_pages page by page. Column 0 of the strip
+/// is `first_column` of the controller's memory; the last column is at most
+/// 255.
 void send_pages(const DisplayBus& bus,
                 int32_t first_column,
                 const Strip& strip) noexcept;

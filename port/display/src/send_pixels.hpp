@@ -12,7 +12,7 @@ namespace inkcell {
 namespace port {
 
 /// Sends all rows, or pages, of a strip that check_on_screen() accepts: in one
-/// transfer where they follow each other without gaps.
+/// transfer if there are no gaps between them.
 inline void send_pixels(const DisplayBus& bus,
                         const Strip& strip,
                         PixelFormat format) noexcept {

@@ -15,7 +15,7 @@ enum Command : uint8_t {
   kSetDataEntry = 0x11,  // direction of both counters
   kReset = 0x12,
   kSetSensor = 0x18,    // of the temperature
-  kActivate = 0x20,     // what kSetSequence says
+  kActivate = 0x20,     // as set by kSetSequence
   kSetPlanes = 0x21,    // how both planes are read; source outputs
   kSetSequence = 0x22,  // of kActivate
   kWriteNext = 0x24,    // pixels
@@ -33,7 +33,7 @@ constexpr uint8_t kInternalSensor = 0x80;
 constexpr uint8_t kShownAsZeros = 0x40;
 constexpr uint8_t kBothPlanes = 0x00;
 constexpr uint8_t kFromOutput8 = 0x80;
-// Clock, supply and temperature on, then display mode 1 or 2, then all off.
+// Clock, supply and temperature on, display mode 1 or 2, then all off.
 constexpr uint8_t kDisplayFull = 0xf7;
 constexpr uint8_t kDisplayPartial = 0xff;
 

@@ -1,4 +1,4 @@
-// What an inkcell_lv_font_t holds beside LVGL's font.
+// The state in an inkcell_lv_font_t beside LVGL's font.
 #pragma once
 
 #include "inkcell/cache/glyph_cache.hpp"
@@ -18,7 +18,7 @@ namespace port {
 
 struct FontState;
 
-/// Room for the target of one sink.
+/// Memory for the target of one sink.
 union LcdTarget {
   Rgb565Target rgb565;
   Rgb888Target rgb888;
@@ -27,7 +27,7 @@ union LcdTarget {
   constexpr LcdTarget() noexcept : rgb565() {}
 };
 
-/// What functions that a program may leave out are called by.
+/// Set by the optional functions, so that the linker can drop unused ones.
 using DrawGlyph = void (*)(const FontState& state,
                            uint16_t glyph,
                            Point origin,
@@ -55,7 +55,7 @@ inline FontState& state_of(inkcell_lv_font_t& font) noexcept {
   return *reinterpret_cast<FontState*>(font.state);
 }
 
-/// The state of LVGL's font; null if that is not one of ours.
+/// The state of one of our fonts; null for other fonts.
 const FontState* state_of(const lv_font_t* font) noexcept;
 
 }  // namespace port

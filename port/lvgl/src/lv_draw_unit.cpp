@@ -1,8 +1,8 @@
 // A draw unit of LVGL that draws glyphs straight into a layer.
 //
-// LVGL lays labels out and calls back glyph by glyph, with a buffer for those
-// that are bitmaps. Ours are of format CUSTOM, which has none: their coverage
-// goes to LVGL's blending in blocks of some rows as it is made.
+// LVGL lays labels out and calls back for each glyph, with a buffer for
+// bitmaps. Our glyphs have the format CUSTOM, which needs no buffer: their
+// coverage is blended by LVGL in blocks of a few rows.
 #include "inkcell/lvgl/inkcell_lvgl.h"
 #include "inkcell/strip.hpp"
 #include "lvgl_private.h"
@@ -13,7 +13,7 @@ namespace inkcell {
 namespace port {
 namespace {
 
-// Beside the numbers that LVGL's own units have, which are below 20.
+// LVGL's own units have numbers below 20.
 constexpr uint8_t kUnitId = 73;
 
 lv_area_t area_of(const Rect& pixels) noexcept {
@@ -24,7 +24,7 @@ Rect rect_of(const lv_area_t& area) noexcept {
   return {area.x1, area.y1, area.x2 + 1, area.y2 + 1};
 }
 
-// Blends coverage in one colour onto the layer of a task.
+// Blends coverage in one colour onto a task's layer.
 struct Brush {
   lv_draw_task_t* task;
   lv_color_t colour;
@@ -65,7 +65,7 @@ struct Brush {
   }
 };
 
-// The part of a glyph that a task draws, and where its origin is.
+// The part of a glyph that a task draws, and the glyph's origin.
 struct Part {
   const FontState& state;
   const lv_draw_glyph_dsc_t& glyph;
@@ -80,7 +80,7 @@ struct Part {
   }
 };
 
-// Not inline: most fonts do not need its part of the stack.
+// Not inline: most fonts do not need its stack.
 __attribute__((noinline)) bool draw_lcd(const lv_layer_t& layer,
                                         const Part& part) {
   LcdTarget target;
@@ -112,7 +112,7 @@ void draw_ours(lv_draw_task_t* task, const lv_draw_glyph_dsc_t& glyph) {
   part.draw(sink);
 }
 
-// A glyph of a fallback that is a bitmap, in LVGL's buffer for it.
+// Draws a glyph of a fallback font from its bitmap, in LVGL's buffer.
 void draw_bitmap(lv_draw_task_t* task, lv_draw_glyph_dsc_t& glyph) {
   glyph.glyph_data = lv_font_get_glyph_bitmap(glyph.g, glyph._draw_buf);
   if (glyph.glyph_data == nullptr) {
@@ -134,7 +134,7 @@ void draw_image(lv_draw_task_t* task, lv_draw_glyph_dsc_t& glyph) {
   lv_draw_sw_image(task, &image, glyph.letter_coords);
 }
 
-// What stands for a letter that no font has, as LVGL draws it.
+// The placeholder for a letter that no font has, as LVGL draws it.
 void draw_placeholder(lv_draw_task_t* task, const lv_draw_glyph_dsc_t& glyph) {
 #if LV_USE_FONT_PLACEHOLDER
   if (glyph.bg_coords != nullptr) {
@@ -182,7 +182,7 @@ void draw_letter(lv_draw_task_t* task,
   }
 }
 
-// The font of a task that draws text; null for others.
+// The font of a text task; null for other tasks.
 const lv_font_t* font_of(const lv_draw_task_t& task) noexcept {
   if (task.type == LV_DRAW_TASK_TYPE_LABEL) {
     return static_cast<const lv_draw_label_dsc_t*>(task.draw_dsc)->font;
@@ -198,7 +198,7 @@ int32_t evaluate(lv_draw_unit_t*, lv_draw_task_t* task) {
        font = font->fallback) {
     const FontState* state = state_of(font);
     if (state != nullptr && state->is_direct) {
-      task->preference_score = 0;  // no other unit knows how
+      task->preference_score = 0;  // no other unit can
       task->preferred_draw_unit_id = kUnitId;
       break;
     }

@@ -1,4 +1,4 @@
-// LVGL's font: its metrics, its glyphs, and these as A8 bitmaps.
+// LVGL's font: its metrics, its glyphs, and their A8 bitmaps.
 #include "inkcell/fixed.hpp"
 #include "inkcell/lvgl/inkcell_lvgl.h"
 #include "inkcell/port/a8.hpp"
@@ -102,7 +102,7 @@ bool get_glyph_dsc(const lv_font_t* lv_font,
   return true;
 }
 
-// The A8 bitmap of a glyph in LVGL's buffer; null if that is too small.
+// Draws the A8 bitmap of a glyph into LVGL's buffer; null if that is too small.
 const void* get_glyph_bitmap(lv_font_glyph_dsc_t* glyph,
                              lv_draw_buf_t* buffer) noexcept {
   const FontState& state = *state_of(glyph->resolved_font);

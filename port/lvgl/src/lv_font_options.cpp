@@ -1,5 +1,5 @@
-// What a font may be given. Each function links what it needs, and a program
-// has those that it calls.
+// The options of a font. The linker drops those that a program does not call,
+// and the code that they need.
 #include "inkcell/filter.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"

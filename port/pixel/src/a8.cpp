@@ -24,7 +24,7 @@ inline void put(uint8_t& pixel, uint32_t coverage) noexcept {
   pixel = static_cast<uint8_t>(coverage);
 }
 
-// Whether two addresses lie alike in a word, and whether one begins none.
+// Whether two addresses have the same offset in a word, which is not 0.
 inline bool lie_alike(const uint8_t* a, const uint8_t* b) noexcept {
   return ((reinterpret_cast<uintptr_t>(a) ^ reinterpret_cast<uintptr_t>(b)) &
           3) == 0;
@@ -59,7 +59,7 @@ void coverage(void* context,
   coverage += run.skipped;
   uint8_t* pixel = detail::row_at(strip, run.y) + run.x;
   uint8_t* const end = pixel + run.count;
-  // Most pixels are drawn where nothing was.
+  // Most pixels are drawn onto empty ones.
   if (detail::kAnyAddress || lie_alike(pixel, coverage)) {
     while (!detail::kAnyAddress && is_within_word(pixel) && pixel != end) {
       put(*pixel++, *coverage++);
@@ -75,7 +75,7 @@ void coverage(void* context,
   }
 }
 
-// A word's bytes from the `first` (0 to 3) on, and those up to the `last`.
+// Masks of a word's bytes from `first` (0 to 3) on, and up to `last`.
 inline uint32_t bytes_from(uint32_t first) noexcept {
   return detail::kLittleEndian ? ~0u << 8 * first : ~0u >> 8 * first;
 }
@@ -84,7 +84,7 @@ inline uint32_t bytes_to(uint32_t last) noexcept {
                                : ~0u << (24 - 8 * last);
 }
 
-// Four pixels over any four.
+// Four pixels onto any four.
 __attribute__((noinline)) void put_four(uint8_t* pixel,
                                         uint32_t word) noexcept {
   uint8_t coverages[4];
@@ -94,8 +94,8 @@ __attribute__((noinline)) void put_four(uint8_t* pixel,
   }
 }
 
-// Whole words of a row, from `pixel` to `last`; of the first and the last one
-// only what the masks let through.
+// The words of a row from `pixel` to `last`. The masks select the bytes of the
+// first and the last word.
 inline void put_words(uint8_t* pixel,
                       const uint8_t* last,
                       const uint8_t* from,

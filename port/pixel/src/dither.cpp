@@ -9,12 +9,12 @@ namespace {
 
 using detail::Run;
 
-// Bayer's order of 4 x 4 pixels: places of consecutive numbers lie far apart.
+// Bayer's 4 x 4 matrix: consecutive numbers are far apart.
 constexpr uint8_t kOrder[4][4] = {
     {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
-// What coverage must reach at a place, the middle of one of 16 intervals. No
-// sum overflows: x and y only count modulo 4.
+// The coverage that rounds up at a pixel: the middle of one of 16 intervals.
+// Only x and y modulo 4 count, so no sum overflows.
 int32_t step_at(int32_t x, int32_t y) noexcept {
   return kOrder[y & 3][x & 3] * 16 + 8;
 }
@@ -49,7 +49,7 @@ void mono(void* context,
   const Strip& strip = target.strip;
   for (int32_t i = 0; i < run.count; ++i) {
     const int32_t c = coverage[i];
-    // The threshold moves the steps, but not those of 0 and 255.
+    // The threshold moves all steps but those of 0 and 255.
     const int32_t needed =
         step_at(strip.x0 + run.x + i, strip.y0 + run.y) + target.threshold;
     if (c == 255 || (c != 0 && c + 128 >= needed)) {
@@ -83,7 +83,7 @@ void grey(void* context,
           detail::packed_shift(column, kBitsLog2, target.order);
       uint8_t& byte = row[column >> (3 - kBitsLog2)];
       const uint32_t old = static_cast<uint32_t>(byte) >> shift & kMask;
-      // blend(), but for the place that decides instead of the nearest.
+      // As blend(), but rounded by the pixel's step.
       const auto step = static_cast<uint32_t>(
           step_at(strip.x0 + run.x + i, strip.y0 + run.y));
       const uint32_t mixed =

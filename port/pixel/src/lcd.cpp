@@ -1,4 +1,4 @@
-// The sinks for sub-pixels.
+// The sinks for LCD sub-pixels.
 #include "inkcell/port/lcd.hpp"
 
 #include "run.hpp"
@@ -37,7 +37,7 @@ void coverage_565(void* context,
   }
 }
 
-// Pixels of kBytes bytes, of which the first three are channels.
+// Pixels of kBytes bytes; the first three are channels.
 template <int kBytes>
 void blend_bytes(const Strip& strip,
                  uint32_t colour,

@@ -11,7 +11,7 @@ namespace {
 
 using detail::Run;
 
-// The byte of a run's first pixel, and the bit of its row in all its bytes.
+// The byte of a run's first pixel, and the bit of its row in each byte.
 uint8_t* first_byte(const Strip& strip, const Run& run) noexcept {
   return detail::row_at(strip, run.y >> 3) + run.x;
 }
@@ -20,7 +20,7 @@ uint32_t row_bit(const Run& run) noexcept {
   return 1u << (run.y & 7);
 }
 
-// What the row's bit becomes where a pixel is drawn.
+// The new value of the row's bit where a pixel is drawn.
 uint32_t drawn_bit(const MonoPagesTarget& target, uint32_t bit) noexcept {
   return target.level != 0 ? bit : 0;
 }

@@ -10,7 +10,7 @@ namespace {
 
 using detail::Run;
 
-// Up to 32 pixels as bits, the left one highest or lowest.
+// Up to 32 pixels as bits; the left one is the highest or the lowest.
 uint32_t drawn(const uint8_t* coverage,
                uint32_t count,
                uint32_t threshold,
@@ -28,7 +28,7 @@ uint32_t drawn(const uint8_t* coverage,
   return bits;
 }
 
-// Sets the pixels of `bits` from pixel `x` of a row, or clears them, byte by
+// Sets or clears the pixels of `bits`, from pixel `x` of a row on, byte by
 // byte.
 void put(uint8_t* row,
          uint32_t x,

@@ -11,7 +11,7 @@ void merge(uint8_t& byte, uint8_t pattern, uint32_t mask) noexcept {
   byte = static_cast<uint8_t>(byte ^ ((byte ^ pattern) & mask));
 }
 
-// The bits of a byte from the pixel at bit `begin` (0..7) on to the right.
+// The bits of a byte from the pixel at bit `begin` (0..7) to the right end.
 uint32_t mask_from(uint32_t begin, BitOrder order) noexcept {
   return order == BitOrder::high_left ? 0xffu >> begin : 0xffu << begin & 0xffu;
 }
@@ -36,7 +36,7 @@ void fill_packed(uint8_t* row,
     mask = 0xff;
   }
   mask &= ~mask_from(end & 7, order);
-  if (mask != 0) {  // else *last may lie behind the strip
+  if (mask != 0) {  // else *last may be outside of the strip
     merge(*last, pattern, mask);
   }
 }

@@ -1,4 +1,4 @@
-// Formats of 1, 2 or 4 bits a pixel: where a pixel lies in its byte.
+// Formats of 1, 2 or 4 bits a pixel: the position of a pixel in its byte.
 #pragma once
 
 #include <stdint.h>
@@ -21,8 +21,8 @@ inline uint32_t packed_shift(uint32_t x,
   return place << bits_log2;
 }
 
-/// Makes `count` pixels (1 or more) from `x` of a row equal to those of
-/// `pattern`, a byte full of one level.
+/// Sets `count` (1 or more) pixels of a row from `x` on to `pattern`, a byte
+/// full of one level.
 void fill_packed(uint8_t* row,
                  uint32_t x,
                  uint32_t count,
@@ -30,8 +30,8 @@ void fill_packed(uint8_t* row,
                  uint8_t pattern,
                  BitOrder order) noexcept;
 
-/// Blends `count` pixels (1 or more) from `x` of a row, each on the levels of
-/// its bits. Inline so that bits_log2 is a constant where it is called.
+/// Blends `count` (1 or more) pixels of a row from `x` on, on the levels that
+/// their bits hold. Inline, so that bits_log2 is a constant.
 inline void blend_packed(uint8_t* row,
                          uint32_t x,
                          const uint8_t* coverage,
@@ -41,14 +41,14 @@ inline void blend_packed(uint8_t* row,
                          BitOrder order) noexcept {
   const uint32_t bits = 1u << bits_log2;
   const uint32_t mask = (1u << bits) - 1;
-  // A level out of range must not reach the pixel beside this one.
+  // A level that is too large must not change the next pixel.
   const uint32_t above = level & mask;
   uint8_t* at = row + (x >> (3 - bits_log2));
   uint32_t shift = packed_shift(x, bits_log2, order);
   const uint32_t step = order == BitOrder::high_left ? 0 - bits : bits;
   uint32_t byte = *at;
   for (const uint8_t* const end = coverage + count;;) {
-    // blend() with one multiplication: all of 0 leaves the pixel as it is.
+    // blend() with one multiplication; coverage 0 leaves the pixel unchanged.
     const uint32_t old = byte >> shift & mask;
     const uint32_t mixed =
         divide_by_255(255 * old + *coverage++ * (above - old));

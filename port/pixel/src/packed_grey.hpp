@@ -1,4 +1,4 @@
-// The sinks for grey of 2 and 4 bits: all but the number of bits is the same.
+// The sinks for grey of 2 and 4 bits, which differ only in the number of bits.
 #pragma once
 
 #include <stdint.h>
@@ -9,7 +9,8 @@ namespace inkcell {
 namespace port {
 namespace detail {
 
-/// `Target` has a strip, a level and an order; a pixel has 1 << kBitsLog2 bits.
+/// `Target` has a strip, a level and a bit order; a pixel has 1 << kBitsLog2
+/// bits.
 template <typename Target, PixelFormat kFormat, uint32_t kBitsLog2>
 struct PackedGrey {
   static constexpr uint32_t kMaxLevel = (1u << (1u << kBitsLog2)) - 1;

@@ -11,8 +11,9 @@ namespace {
 
 using detail::Run;
 
-// A pixel twice, and of each channel one, with room above it for five bits of
-// coverage: all three blend in one word, and none carries into another.
+// A pixel repeated in a word, one copy of each channel kept, with five free
+// bits above each. All three channels blend in one word without carries between
+// them.
 //
 //     31   26    21 20    15    11 10      4      0
 //     |   green   |   0  |  red  |    0   | blue  |
@@ -23,18 +24,17 @@ constexpr uint32_t spread(uint32_t pixel) noexcept {
   return (pixel | pixel << 16) & kChannels;
 }
 
-// Coverage in 32nds, to the nearest; all of it is 32.
+// Coverage in 32nds, rounded to nearest; 255 gives 32.
 constexpr uint32_t share_of(uint32_t coverage) noexcept {
   return (coverage + 4) >> 3;
 }
 
-// The spread colour over a pixel, each channel to the nearest of what its share
-// makes.
+// Blends a spread colour over a pixel; each channel is rounded to nearest.
 constexpr uint32_t blend565(uint32_t share,
                             uint32_t colour,
                             uint32_t background) noexcept {
   const uint32_t old = spread(background);
-  // Differences may borrow from other channels: the sum gives it back.
+  // Differences may borrow from other channels; the sum restores them.
   const uint32_t sum = (colour - old) * share + kHalves + (old << 5);
   const uint32_t result = sum >> 5 & kChannels;
   return (result | result >> 16) & 0xffff;
@@ -59,7 +59,7 @@ inline void blend_four(uint8_t* pixel,
   blend_half(pixel + 6, coverage[3], colour);
 }
 
-// Pixels at even addresses, the low byte first. Eight at a time: on Cortex-M3
+// For pixels at even addresses, low byte first. Eight at a time: on Cortex-M3
 // each takes 13 instructions and an eighth of the loop's five.
 void blend_halves(uint8_t* pixel,
                   const uint8_t* coverage,
@@ -77,7 +77,7 @@ void blend_halves(uint8_t* pixel,
   }
 }
 
-// Pixels anywhere.
+// For pixels at any address.
 void blend_bytes(uint8_t* pixel,
                  const uint8_t* coverage,
                  int32_t count,
@@ -96,7 +96,7 @@ void blend_bytes(uint8_t* pixel,
   }
 }
 
-// Whether pixels are half-words as the core stores them.
+// Whether pixels are half-words in the byte order of the core.
 inline bool are_halves(const Rgb565Target& target,
                        const uint8_t* pixel) noexcept {
   return detail::kLittleEndian && target.order == ByteOrder::low_first &&
@@ -173,8 +173,8 @@ void coverage(void* context,
   }
 }
 
-// Pixels from `pixel` up to `end`, two in a word where addresses permit.
-// `colour` has the byte of the lower address in its low half.
+// Fills [pixel, end), two pixels a word where addresses permit. The low half of
+// `colour` is the byte at the lower address.
 void fill(uint8_t* pixel, uint8_t* end, uint16_t colour) noexcept {
   const uint32_t first = colour & 0xff;
   const uint32_t second = colour >> 8;

@@ -10,7 +10,7 @@ namespace {
 
 using detail::Run;
 
-// The colour's bytes as they lie in memory.
+// The colour's bytes in the order of memory.
 struct Bytes {
   uint8_t byte[3];
 };

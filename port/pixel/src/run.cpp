@@ -5,10 +5,10 @@ namespace inkcell {
 namespace port {
 namespace {
 
-// 65535 rows of it still fit 32 bits.
+// 65535 rows of this stride still fit 32 bits.
 constexpr uint32_t kMaxStride = 65535;  // [bytes]
 
-// Sink::window lies within kMaxSide. Numbers below 0 are large.
+// Sink::window is within kMaxSide. Negative numbers become large.
 bool in_range(int32_t origin, int32_t size) noexcept {
   constexpr auto kMax = static_cast<uint32_t>(kMaxSide);
   const auto length = static_cast<uint32_t>(size);
@@ -33,7 +33,7 @@ Status check_layout(const Strip& strip, Layout layout) noexcept {
   const uint32_t rows =
       (static_cast<uint32_t>(strip.height) + (1u << layout.rows_log2) - 1) >>
       layout.rows_log2;
-  // The last row need not be followed by the stride's padding.
+  // The last row may lack the stride's padding.
   return rows != 0 && (rows - 1) * stride + row_bytes > strip.pixels.size
              ? Status::buffer_small
              : Status::ok;

@@ -1,4 +1,4 @@
-// What all sinks begin with: checking a strip, and clipping a run to it.
+// Shared by all sinks: checks a strip, and clips a run to it.
 #pragma once
 
 #include <stddef.h>
@@ -20,9 +20,9 @@ struct Run {
   int32_t skipped;  // pixels cut off on the left
 };
 
-/// Cuts `run` (screen) to the strip and makes it relative to the strip's first
-/// pixel. Returns whether anything is left. Safe for any values, but what
-/// begins 2^31 px and more away from the strip may show.
+/// Clips `run` (screen) to the strip and makes it relative to the strip's first
+/// pixel. Returns whether anything is left. Safe for any values; a run that
+/// begins 2^31 px or more away from the strip may show.
 inline bool clip(const Strip& strip, Run& run) noexcept {
   // Modulo 2^32.
   const uint32_t x =
@@ -49,7 +49,7 @@ inline bool clip(const Strip& strip, Run& run) noexcept {
   return run.count > 0;
 }
 
-/// Cuts `block` to the strip. Returns whether anything is left.
+/// Clips `block` to the strip. Returns whether anything is left.
 inline bool clip(const Strip& strip, CoverageBlock& block) noexcept {
   const Rect pixels = intersect(block.pixels, strip.rect());
   block.coverage += (pixels.y0 - block.pixels.y0) * block.stride +
@@ -58,10 +58,10 @@ inline bool clip(const Strip& strip, CoverageBlock& block) noexcept {
   return !is_empty(pixels);
 }
 
-/// How a format fills strips.
+/// The memory layout of a format.
 struct Layout {
   uint8_t bits;       // of a pixel along the row
-  uint8_t rows_log2;  // of the rows of pixels that a stride covers
+  uint8_t rows_log2;  // rows of pixels in a stride
 };
 
 constexpr Layout layout_of(PixelFormat format) noexcept {
@@ -73,14 +73,14 @@ constexpr Layout layout_of(PixelFormat format) noexcept {
 /// check_strip().
 Status check_layout(const Strip& strip, Layout layout) noexcept;
 
-/// What makes a sink of a target with a strip.
+/// The functions and the layout of a sink for one format.
 struct SinkKind {
   decltype(Sink::coverage) coverage;
   decltype(Sink::solid) solid;
   Layout layout;
 };
 
-/// Makes the sink of `strip`, if check_strip() agrees.
+/// Makes the sink of `strip`, if check_strip() returns ok.
 Status open_sink(const Strip& strip,
                  const SinkKind& kind,
                  void* context,

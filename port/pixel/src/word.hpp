@@ -7,26 +7,26 @@ namespace inkcell {
 namespace port {
 namespace detail {
 
-/// `bytes` is a multiple of 4: some cores trap otherwise.
+/// `bytes` must be a multiple of 4: some cores trap otherwise.
 inline uint32_t load_word(const uint8_t* bytes) noexcept {
   uint32_t word;
   __builtin_memcpy(&word, __builtin_assume_aligned(bytes, 4), 4);
   return word;
 }
 
-/// `bytes` is a multiple of 4.
+/// `bytes` must be a multiple of 4.
 inline void store_word(uint8_t* bytes, uint32_t word) noexcept {
   __builtin_memcpy(__builtin_assume_aligned(bytes, 4), &word, 4);
 }
 
-/// Whether words at any address are as fast as others.
+/// Whether unaligned words are as fast as aligned ones.
 #if defined(__ARM_FEATURE_UNALIGNED) || defined(__x86_64__)
 inline constexpr bool kAnyAddress = true;
 #else
 inline constexpr bool kAnyAddress = false;
 #endif
 
-/// At any address; slow where the core has no such access.
+/// At any address; slow on cores without unaligned loads.
 inline uint32_t load_any_word(const uint8_t* bytes) noexcept {
   uint32_t word;
   __builtin_memcpy(&word, bytes, 4);
@@ -53,7 +53,7 @@ inline constexpr bool kLittleEndian = false;
 inline constexpr bool kLittleEndian = true;
 #endif
 
-/// The word whose bytes in memory are these, on any machine.
+/// The word with these bytes in memory, in either byte order.
 inline uint32_t word_of(uint32_t byte0,
                         uint32_t byte1,
                         uint32_t byte2,

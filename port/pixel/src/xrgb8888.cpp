@@ -11,15 +11,15 @@ namespace {
 
 using detail::Run;
 
-// The colour as load_word() brings a pixel, whatever the machine's byte order:
-// the blend below treats all four bytes alike.
+// The colour in the byte order of load_word(): the blend below treats all four
+// bytes alike.
 uint32_t colour_word(const Xrgb8888Target& target) noexcept {
   return detail::word_of(target.colour & 0xff, target.colour >> 8 & 0xff,
                          target.colour >> 16 & 0xff, target.colour >> 24);
 }
 
-// blend() of the bytes 0 and 2 of a word, each in its half: 255 * 255 + 128
-// and the rounding stay below 65536, so nothing carries from one to the other.
+// blend() of the bytes 0 and 2 of a word, each in its half: 255 * 255 + 128 and
+// the rounding are below 65536, so there is no carry between them.
 uint32_t blend_pair(uint32_t coverage,
                     uint32_t foreground,
                     uint32_t background) noexcept {

@@ -1,8 +1,8 @@
-// How a display driver talks to its controller: functions of the board.
+// The connection of a display driver to its controller: functions of the board.
 //
-// A driver knows the controller's commands, the board knows the wires. command
-// and data block until the bytes are sent, or copy them: the driver's buffer is
-// gone afterwards.
+// The driver knows the controller's commands, the board the wiring. `command`
+// and `data` block until the bytes are sent, or copy them: the driver's buffer
+// is temporary.
 //
 //   SPI  command: D/C low, then the bytes.   data: D/C high, then the bytes.
 //   I2C  command: one transfer a byte, 0x80 before it.
@@ -18,25 +18,25 @@ namespace inkcell {
 namespace port {
 
 struct DisplayBus {
-  /// Passed back as the first argument of each function.
+  /// The first argument of each function.
   void* context = nullptr;
-  /// Sends commands: a command and its parameters, or the command alone where
-  /// the controller takes parameters as data. Throws nothing, like all
-  /// functions here: plain C functions fit.
+  /// Sends commands: a command and its parameters, or the command alone if the
+  /// controller takes parameters as data. Must not throw, like all functions
+  /// here; plain C functions fit.
   void (*command)(void* context, const uint8_t* bytes, size_t count) = nullptr;
   /// Sends pixels, or parameters.
   void (*data)(void* context, const uint8_t* bytes, size_t count) = nullptr;
   /// Optional: starts to send the pixels of a strip, by DMA, and may return
-  /// before they are sent; `bytes` stay as they are until then. The next call
-  /// of any function here waits for the end. Null: data() sends them.
+  /// before they are sent; `bytes` do not change until then. The next call of
+  /// any function here waits for the end. If null, data() sends them.
   void (*start)(void* context, const uint8_t* bytes, size_t count) = nullptr;
-  /// Optional: pulses the reset line, and returns when the controller takes
-  /// commands. Null: there is no line, or the board has done so.
+  /// Optional: pulses the reset line, and returns when the controller accepts
+  /// commands. Null if there is no line, or the board resets it.
   void (*reset)(void* context) = nullptr;
-  /// Returns after `ms` milliseconds or more. Drivers that need it say so.
+  /// Returns after at least `ms` milliseconds. Drivers that need it say so.
   void (*wait_ms)(void* context, uint32_t ms) = nullptr;
-  /// Returns when the controller's BUSY line says that it is idle; how long to
-  /// wait at most is the board's decision. Drivers that need it say so.
+  /// Returns when the controller's BUSY line is idle; the timeout is the
+  /// board's decision. Drivers that need it say so.
   void (*wait_idle)(void* context) = nullptr;
 };
 

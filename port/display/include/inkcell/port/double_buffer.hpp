@@ -1,4 +1,4 @@
-// Two strips: one is drawn while the other is sent, by DMA.
+// Two strips: one is drawn while the other is sent by DMA.
 #pragma once
 
 #include <stdint.h>
@@ -18,23 +18,21 @@ namespace port {
 ///            flush 0         flush 1         flush 2
 ///            |-- sent -->    |-- sent -->
 struct DoubleBuffer {
-  /// Its buffer serves the first strip, and every other one from there.
+  /// Its buffer is for the strips 0, 2, 4 ...
   StripLoop strips;
-  /// Serves the others; as large as the first, and apart from it.
+  /// For the strips 1, 3, 5 ...; as large as the first, without overlap.
   Span<uint8_t> second;
-  /// Returns when the last transfer has ended; at once if there is none.
-  /// Called with `strips.context`, before each flush but the first, and at the
-  /// end.
+  /// Returns when the last transfer has ended, at once if there is none. Called
+  /// with `strips.context` before each flush but the first, and at the end.
   void (*wait)(void* context) = nullptr;
 };
 
-/// Calls draw, wait and flush for the strips of a screen, from top to bottom.
-/// No buffer is drawn into before its transfer has ended. The picture is that
-/// of run_strips().
+/// Calls draw, wait and flush for the strips of a screen, from top to bottom. A
+/// buffer is never drawn into before its transfer has ended. The picture is
+/// that of run_strips().
 ///
-/// bad_argument: what run_strips() says; or `wait` is missing, or the buffers
-/// overlap. buffer_small: a buffer does not hold `rows` rows. Nothing is called
-/// then.
+/// bad_argument: as run_strips(); or `wait` is missing, or the buffers overlap.
+/// buffer_small: a buffer does not hold `rows` rows. Nothing is called then.
 Status run_double_buffer(const DoubleBuffer& loop) noexcept;
 
 }  // namespace port

@@ -1,4 +1,4 @@
-// A display that shows a piece of memory: strips are copied to their place.
+// A display that shows a part of memory: strips are copied to their place.
 #pragma once
 
 #include <stdint.h>
@@ -11,8 +11,8 @@ namespace inkcell {
 namespace port {
 
 /// The memory that a display controller reads; owned by the board. Strips have
-/// the same format. With RAM for a whole picture one may as well draw there
-/// without copying: a strip can be any part of the framebuffer.
+/// the same format. Instead of copying, a program can also draw directly: any
+/// part of the framebuffer can be a strip.
 struct Framebuffer {
   Span<uint8_t> pixels;
   PixelFormat format = PixelFormat::rgb565;
@@ -23,9 +23,9 @@ struct Framebuffer {
 
 /// Copies a strip to its place on the screen.
 ///
-/// bad_argument: the strip does not lie on the screen, its edges are not edges
-/// of bytes, or a stride is shorter than a row. buffer_small: strip or
-/// framebuffer has fewer pixels than its rows need. Nothing is copied then.
+/// bad_argument: the strip is not on the screen, its edges are inside bytes, or
+/// a stride is shorter than a row. buffer_small: strip or framebuffer has fewer
+/// pixels than its rows need. Nothing is copied then.
 Status write(const Framebuffer& display, const Strip& strip) noexcept;
 
 }  // namespace port

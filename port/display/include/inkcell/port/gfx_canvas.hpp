@@ -1,7 +1,7 @@
 // Canvases of Adafruit_GFX: targets in the memory that getBuffer() returns.
 //
-// A canvas has the size that its constructor got; its setRotation() turns what
-// Adafruit_GFX draws, and not the memory. `buffer` must outlive the target.
+// A canvas has the size given to its constructor; setRotation() only affects
+// drawing by Adafruit_GFX. `buffer` must outlive the target.
 #pragma once
 
 #include <stdint.h>
@@ -33,8 +33,9 @@ constexpr Grey8Target gfx_canvas8(uint8_t* buffer,
   return target;
 }
 
-/// GFXcanvas16, whose pixels are in the machine's byte order: draws white, or
-/// Rgb565Target::colour. After byteSwap() set Rgb565Target::order to the other.
+/// GFXcanvas16, in the machine's byte order: draws white, or
+/// Rgb565Target::colour. After byteSwap() set Rgb565Target::order to the other
+/// order.
 inline Rgb565Target gfx_canvas16(uint16_t* buffer,
                                  int32_t width,
                                  int32_t height) noexcept {

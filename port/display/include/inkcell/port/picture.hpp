@@ -1,4 +1,4 @@
-// A strip that is a whole picture in memory.
+// A whole picture in memory as a strip.
 #pragma once
 
 #include <stdint.h>
@@ -9,9 +9,9 @@
 namespace inkcell {
 namespace port {
 
-/// The memory of a picture of `width` x `height` px (each 0..32767) whose rows,
-/// or pages, follow each other without gaps. Its first pixel is at (0, 0).
-/// `pixels` are strip_bytes() bytes, and must outlive the strip.
+/// A picture of `width` x `height` px (each 0..32767), first pixel at (0, 0),
+/// without gaps between rows or pages. `pixels` has strip_bytes() bytes and
+/// must outlive the strip.
 constexpr Strip whole_picture(uint8_t* pixels,
                               PixelFormat format,
                               int32_t width,

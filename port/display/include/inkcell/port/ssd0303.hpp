@@ -21,18 +21,18 @@ struct Ssd0303 {
 };
 
 /// Sets the addressing that write() relies on, and switches the panel on. The
-/// contents of the display's memory are not changed.
+/// display's memory is unchanged.
 ///
-/// What depends on panel and wiring is the board's to send, through the same
-/// bus: DC-DC converter or charge pump, contrast, clock, multiplex ratio, and
-/// after init() the remap of a panel mounted the other way round.
+/// The board sends what depends on panel and wiring through the same bus: DC-DC
+/// converter or charge pump, contrast, clock, multiplex ratio, and after init()
+/// the remap for a panel mounted upside down.
 void init(const Ssd0303& display) noexcept;
 
 /// Sends a strip to its place on the screen, page by page.
 ///
 /// bad_argument: the display is larger than the controller's memory, the strip
-/// does not lie on the screen, its top or height is not a multiple of 8, or its
-/// stride is shorter than a page. buffer_small: its pixels are fewer than its
+/// is not on the screen, its top or height is not a multiple of 8, or its
+/// stride is shorter than a page. buffer_small: it has fewer pixels than its
 /// pages need. Nothing is sent then.
 Status write(const Ssd0303& display, const Strip& strip) noexcept;
 

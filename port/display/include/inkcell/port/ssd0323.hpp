@@ -10,8 +10,8 @@
 namespace inkcell {
 namespace port {
 
-/// A display of 128 x 64 pixels, or of up to 128 x 80. Its pixels are those of
-/// PixelFormat::grey4 with BitOrder::high_left.
+/// A display of up to 128 x 80 pixels, usually 128 x 64. Its pixels are those
+/// of PixelFormat::grey4 with BitOrder::high_left.
 struct Ssd0323 {
   DisplayBus bus;
   uint8_t width = 128;  // [px], even
@@ -19,18 +19,18 @@ struct Ssd0323 {
 };
 
 /// Sets the addressing that write() relies on, and switches the panel on. The
-/// contents of the display's memory are not changed.
+/// display's memory is unchanged.
 ///
-/// What depends on panel and wiring is the board's to send, through the same
-/// bus: DC-DC converter, contrast, clock, grey table, and after init() the
-/// remap of a panel mounted the other way round.
+/// The board sends what depends on panel and wiring through the same bus: DC-DC
+/// converter, contrast, clock, grey table, and after init() the remap for a
+/// panel mounted upside down.
 void init(const Ssd0323& display) noexcept;
 
 /// Sends a strip to its place on the screen.
 ///
 /// bad_argument: the display is larger than the controller's memory, the strip
 /// does not lie on the screen, its left edge or width is odd, or its stride is
-/// shorter than a row. buffer_small: its pixels are fewer than its rows need.
+/// shorter than a row. buffer_small: it has fewer pixels than its rows need.
 /// Nothing is sent then.
 Status write(const Ssd0323& display, const Strip& strip) noexcept;
 

@@ -8,26 +8,26 @@
 namespace inkcell {
 namespace port {
 
-/// See dcs_panel.hpp. Modules of 128 x 160 differ in where the panel begins: at
-/// (0, 0) of 128 x 160, or at (2, 1) of 132 x 162.
+/// See dcs_panel.hpp. On modules of 128 x 160 the panel begins at (0, 0) of a
+/// memory of 128 x 160, or at (2, 1) of 132 x 162.
 struct St7735 {
   DcsPanel panel;
-  /// Pins GM: 011 makes the memory 128 x 160, 000 makes it 132 x 162.
+  /// Pins GM: 011 selects a memory of 128 x 160, 000 one of 132 x 162.
   bool gm_011 = false;
 };
 
 /// Resets the controller, sends DcsPanel::setup, sets what write() relies on,
 /// and switches the panel on. Takes a quarter of a second.
 ///
-/// bad_argument: the panel is empty or leaves the controller's memory, `setup`
-/// ends within a command, or the bus has no `wait_ms`. Nothing is sent then.
+/// bad_argument: the panel is empty or exceeds the controller's memory, `setup`
+/// is incomplete, or the bus has no `wait_ms`. Nothing is sent then.
 Status init(const St7735& display) noexcept;
 
 /// Sends a strip to its place on the screen, in one window.
 ///
-/// bad_argument: the panel is empty or leaves the controller's memory, the
-/// strip does not lie on the screen, or its stride is shorter than a row.
-/// buffer_small: its pixels are fewer than its rows need. Nothing is sent then.
+/// bad_argument: the panel is empty or exceeds the controller's memory, the
+/// strip is not on the screen, or its stride is shorter than a row.
+/// buffer_small: it has fewer pixels than its rows need. Nothing is sent then.
 Status write(const St7735& display, const Strip& strip) noexcept;
 
 }  // namespace port

@@ -17,15 +17,15 @@ struct St7789 {
 /// Resets the controller, sends DcsPanel::setup, sets what write() relies on,
 /// and switches the panel on. Takes a quarter of a second.
 ///
-/// bad_argument: the panel is empty or leaves the controller's memory, `setup`
-/// ends within a command, or the bus has no `wait_ms`. Nothing is sent then.
+/// bad_argument: the panel is empty or exceeds the controller's memory, `setup`
+/// is incomplete, or the bus has no `wait_ms`. Nothing is sent then.
 Status init(const St7789& display) noexcept;
 
 /// Sends a strip to its place on the screen, in one window.
 ///
-/// bad_argument: the panel is empty or leaves the controller's memory, the
-/// strip does not lie on the screen, or its stride is shorter than a row.
-/// buffer_small: its pixels are fewer than its rows need. Nothing is sent then.
+/// bad_argument: the panel is empty or exceeds the controller's memory, the
+/// strip is not on the screen, or its stride is shorter than a row.
+/// buffer_small: it has fewer pixels than its rows need. Nothing is sent then.
 Status write(const St7789& display, const Strip& strip) noexcept;
 
 }  // namespace port

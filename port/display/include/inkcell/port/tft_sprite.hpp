@@ -1,6 +1,6 @@
 // Sprites of TFT_eSPI: targets in the memory that getPointer() returns.
 //
-// The memory does not know setRotation() and setViewport(). Sprites of 8 bits
+// setRotation() and setViewport() do not affect the memory. Sprites of 8 bits
 // hold 3-3-2 colours: docs/PORTING.md shows a sink for those.
 #pragma once
 
@@ -13,8 +13,8 @@
 namespace inkcell {
 namespace port {
 
-/// A sprite of setColorDepth(16), whose pixels have the high byte first: draws
-/// white, or Rgb565Target::colour. `buffer` must outlive the target.
+/// A sprite of setColorDepth(16), high byte first: draws white, or
+/// Rgb565Target::colour. `buffer` must outlive the target.
 inline Rgb565Target tft_sprite16(void* buffer,
                                  int32_t width,
                                  int32_t height) noexcept {

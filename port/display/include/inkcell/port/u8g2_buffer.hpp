@@ -1,7 +1,7 @@
 // The buffer of U8g2: a target in the memory that getBufferPtr() returns.
 //
-// For U8g2's layout of pages, which SSD1306, SH1106 and most displays have; the
-// few whose bytes lie along the row take MonoRowsTarget.
+// For U8g2's page layout, used by SSD1306, SH1106 and most displays. For
+// displays whose bytes run along the row use MonoRowsTarget.
 #pragma once
 
 #include <stdint.h>

@@ -4,14 +4,14 @@
 //   inkcell_lv_font_init(&clock_font, rom, rom_bytes, 28 * 64);
 //   lv_obj_set_style_text_font(label, &clock_font.lv, 0);
 //
-// The caller owns all memory: fonts, fits, weights and caches must stay where
-// they are, and the ROM must stay mapped, until LVGL no longer draws with the
-// font. The adapter allocates nothing but the draw unit of
-// inkcell_lv_font_set_direct(), once, from LVGL's heap.
+// The caller owns all memory. Fonts, fits, weights, caches and the mapped ROM
+// must stay in place until LVGL no longer draws with the font. The adapter
+// allocates only the draw unit of inkcell_lv_font_set_direct(), once, from
+// LVGL's heap.
 //
-// A font is LVGL's, so LVGL's ways to change it work: lv_font_set_kerning(),
-// `font.lv.fallback`, `font.lv.line_height`, `font.lv.underline_position`.
-// Functions that a program does not call are not linked.
+// A font is a lv_font_t, so LVGL's own settings work: lv_font_set_kerning(),
+// `font.lv.fallback`, `font.lv.line_height`, `font.lv.underline_position`. The
+// linker drops functions that the program does not call.
 #ifndef INKCELL_LVGL_H
 #define INKCELL_LVGL_H
 

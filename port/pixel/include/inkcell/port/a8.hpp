@@ -1,4 +1,4 @@
-// A sink that gathers coverage: 8 bit, 0 empty, 255 full.
+// A sink that collects coverage: 8 bits, 0 empty, 255 full.
 #pragma once
 
 #include <stdint.h>
@@ -10,8 +10,8 @@
 namespace inkcell {
 namespace port {
 
-/// Coverage c over old coverage a leaves c + (255 - c) * a / 255, to the
-/// nearest: what is drawn over a mask can only add to it.
+/// Coverage c over old coverage a gives c + (255 - c) * a / 255, rounded to
+/// nearest: drawing never lowers coverage.
 struct A8Target {
   Strip strip;
 };

@@ -1,8 +1,8 @@
-// Sinks that spread intermediate coverage over neighbouring pixels.
+// Sinks with ordered dither, for formats of 1, 2 and 4 bits.
 //
-// A 4 x 4 matrix, tied to the screen, decides where a shade rounds up and where
-// down: 17 shades from 1 bit, 49 from 2. Shadows and glows gain by it, text
-// does not: draw that through make_sink(). Solid pixels are the same in both.
+// A 4 x 4 matrix, fixed on the screen, decides which pixels round up: 17 shades
+// from 1 bit, 49 from 2. Good for shadows and glows, bad for text: use
+// make_sink() for that. Solid pixels are the same in both.
 #pragma once
 
 #include "inkcell/port/grey2.hpp"
@@ -15,8 +15,8 @@
 namespace inkcell {
 namespace port {
 
-/// `target` must outlive `out`. The 1-bit targets' threshold moves the shades:
-/// 128 keeps them, less makes all darker. Errors: see pixel.hpp.
+/// `target` must outlive `out`. With 1 bit the threshold shifts the shades: 128
+/// is neutral, less is darker. Errors: see pixel.hpp.
 Status make_dithered_sink(MonoRowsTarget& target, Sink& out) noexcept;
 Status make_dithered_sink(MonoPagesTarget& target, Sink& out) noexcept;
 Status make_dithered_sink(Grey2Target& target, Sink& out) noexcept;

@@ -10,10 +10,10 @@
 namespace inkcell {
 namespace port {
 
-/// Blends on the 4 levels that are stored.
+/// Blends in 4 levels.
 struct Grey2Target {
   Strip strip;
-  uint8_t level = 3;  // of the foreground, 0..3: else bad_argument
+  uint8_t level = 3;  // of the foreground, 0..3; else bad_argument
   BitOrder order = BitOrder::high_left;
 };
 

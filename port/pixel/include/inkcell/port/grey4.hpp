@@ -10,10 +10,10 @@
 namespace inkcell {
 namespace port {
 
-/// Blends on the 16 levels that are stored.
+/// Blends in 16 levels.
 struct Grey4Target {
   Strip strip;
-  uint8_t level = 15;  // of the foreground, 0..15: else bad_argument
+  uint8_t level = 15;  // of the foreground, 0..15; else bad_argument
   BitOrder order = BitOrder::high_left;
 };
 

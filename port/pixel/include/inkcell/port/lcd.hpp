@@ -1,7 +1,7 @@
-// Sinks for colour formats that take a coverage for each sub-pixel.
+// Sinks for LCD sub-pixels, in the colour formats.
 //
-// They are those of make_sink() with Sink::coverage_rgb besides: set the
-// effect lcd_effect() (inkcell/lcd.hpp) on a style to draw with it.
+// The sinks of make_sink() with Sink::coverage_rgb in addition. To use them,
+// set the effect lcd_effect() (inkcell/lcd.hpp) on a style.
 #pragma once
 
 #include "inkcell/port/rgb565.hpp"

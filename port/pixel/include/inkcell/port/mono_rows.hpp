@@ -10,10 +10,10 @@
 namespace inkcell {
 namespace port {
 
-/// A pixel is drawn when its coverage reaches the threshold.
+/// A pixel is drawn if its coverage is at least the threshold.
 struct MonoRowsTarget {
   Strip strip;
-  uint8_t threshold = 128;  // 1..255: else bad_argument
+  uint8_t threshold = 128;  // 1..255; else bad_argument
   uint8_t level = 1;        // 1 sets the bits of drawn pixels, 0 clears them
   BitOrder order = BitOrder::high_left;
 };

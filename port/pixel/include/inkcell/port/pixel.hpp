@@ -1,4 +1,4 @@
-// Pixel formats: how many bytes a strip needs, and the blend they all share.
+// Pixel formats: the bytes that a strip needs, and the blend of all formats.
 //
 // Each format has a header of its own with a target and a make_sink():
 //
@@ -12,21 +12,21 @@
 //   rgb888.hpp    Rgb888Target      3 bytes, red or blue first
 //   xrgb8888.hpp  Xrgb8888Target    4 bytes: blue, green, red, x
 //
-// lcd.hpp has sinks for the sub-pixels of the colour formats, dither.hpp such
-// that dither on formats of 1, 2 and 4 bits.
+// lcd.hpp has sinks for LCD sub-pixels in the colour formats, dither.hpp sinks
+// with dither in formats of 1, 2 and 4 bits.
 //
 // A target is a strip and a colour. The caller owns it, and it must outlive the
-// sink; the colour may be changed between two calls that draw. The strip may
-// not: make the sink anew. make_sink() returns, and leaves `out` alone, with
+// sink. The colour may change between two draw calls; for another strip make a
+// new sink. On errors make_sink() leaves `out` unchanged and returns:
 //
-//   bad_argument  a negative size, a size or the distance of a corner from the
-//                 origin over 32767 px, a stride shorter than a row or over
-//                 65535 bytes, or what the target's header says
+//   bad_argument  a negative size; a size or the distance of a corner from the
+//                 origin over 32767 px; a stride shorter than a row or over
+//                 65535 bytes; or as the target's header says
 //   buffer_small  fewer pixels than the rows need
 //   misaligned    only xrgb8888: pixels or stride not a multiple of 4 bytes
 //
-// A sink never touches a pixel outside its strip, whatever it is called with,
-// and never a pixel of coverage 0.
+// A sink never writes outside of its strip, whatever its arguments, and never
+// changes a pixel of coverage 0.
 #pragma once
 
 #include <stddef.h>
@@ -50,10 +50,11 @@ enum class PixelFormat : uint8_t {
   xrgb8888,
 };
 
-/// Which end of a byte is the left pixel, in formats of several pixels a byte.
+/// The end of a byte that holds the left pixel, in formats of several pixels a
+/// byte.
 enum class BitOrder : uint8_t { high_left, low_left };
 
-/// Which byte of a 16-bit pixel lies at the lower address.
+/// The byte of a 16-bit pixel at the lower address.
 enum class ByteOrder : uint8_t { low_first, high_first };
 
 constexpr int32_t bits_per_pixel(PixelFormat format) noexcept {
@@ -76,7 +77,7 @@ constexpr int32_t bits_per_pixel(PixelFormat format) noexcept {
   }
 }
 
-/// The most pixels that a strip has in one direction.
+/// The longest side of a strip. [px]
 inline constexpr int32_t kMaxSide = 32767;
 
 namespace detail {
@@ -88,7 +89,7 @@ constexpr int32_t clamp_side(int32_t px) noexcept {
 }  // namespace detail
 
 /// The smallest Strip::stride [bytes] for `width` px: a row, or in mono_pages a
-/// page of 8 rows. 0..32767 px; beyond, that of the nearest of these.
+/// page of 8 rows. The width is clamped to 0..32767 px.
 constexpr int32_t stride_bytes(PixelFormat format, int32_t width) noexcept {
   const int32_t pixels = detail::clamp_side(width);
   return format == PixelFormat::mono_pages
@@ -96,13 +97,13 @@ constexpr int32_t stride_bytes(PixelFormat format, int32_t width) noexcept {
              : (pixels * bits_per_pixel(format) + 7) / 8;
 }
 
-/// The rows that one stride covers: 8 in mono_pages, else 1.
+/// Rows in a stride: 8 in mono_pages, else 1.
 constexpr int32_t rows_per_stride(PixelFormat format) noexcept {
   return format == PixelFormat::mono_pages ? 8 : 1;
 }
 
-/// The bytes that a strip of `width` x `height` px needs with that stride; the
-/// range is that of stride_bytes().
+/// The bytes of a strip of `width` x `height` px with that stride. Both are
+/// clamped as in stride_bytes().
 constexpr size_t strip_bytes(PixelFormat format,
                              int32_t width,
                              int32_t height) noexcept {
@@ -113,19 +114,19 @@ constexpr size_t strip_bytes(PixelFormat format,
          static_cast<size_t>(strides);
 }
 
-/// What pixel.hpp says of bad_argument and buffer_small, but for the targets:
-/// whether `strip` can hold pixels of `format`.
+/// Whether `strip` can hold pixels of `format`; else bad_argument or
+/// buffer_small as described above.
 Status check_strip(const Strip& strip, PixelFormat format) noexcept;
 
-/// value / 255 to the nearest whole number, exact for 0..65535. There are no
-/// ties: 255 is odd.
+/// value / 255 to the nearest integer, exact for 0..65535. There are no ties:
+/// 255 is odd.
 constexpr uint32_t divide_by_255(uint32_t value) noexcept {
   return (value + 128 + ((value + 128) >> 8)) >> 8;
 }
 
-/// `foreground` over `background`, both 0..255 or on any shallower scale:
-/// (c * foreground + (255 - c) * background) / 255 to the nearest. Every format
-/// but RGB565 blends each channel so, on the levels that it stores.
+/// `foreground` over `background`, both 0..255 or on any shallower scale: (c *
+/// foreground + (255 - c) * background) / 255 to the nearest. All formats but
+/// RGB565 blend each channel so, in the levels that they store.
 constexpr uint32_t blend(uint32_t coverage,
                          uint32_t foreground,
                          uint32_t background) noexcept {

@@ -16,10 +16,9 @@ constexpr uint16_t rgb565(uint8_t red, uint8_t green, uint8_t blue) noexcept {
                                blue >> 3);
 }
 
-/// Blends on the 32, 64 and 32 levels that are stored, with coverage in 32
-/// steps: all three channels in one word, each a level from what blend() says
-/// at the most. Coverage of 255 is the colour itself. Pixels may lie at any
-/// address; low_first at even ones is quickest.
+/// Blends in 32, 64 and 32 levels, with coverage in 32 steps: at most one level
+/// off from blend(). Coverage of 255 gives the colour itself. Any address
+/// works; low_first at even addresses is fastest.
 struct Rgb565Target {
   Strip strip;
   uint16_t colour = 0xffff;  // of the foreground: rgb565()

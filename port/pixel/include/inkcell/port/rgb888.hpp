@@ -10,7 +10,7 @@
 namespace inkcell {
 namespace port {
 
-/// Which channel lies at the lowest address.
+/// The channel at the lowest address.
 enum class ChannelOrder : uint8_t { red_first, blue_first };
 
 struct Rgb888Target {

@@ -10,8 +10,8 @@
 namespace inkcell {
 namespace port {
 
-/// Byte x is blended as a fourth channel: 255 in the colour and in the strip
-/// stays 255, so that the strip also serves as opaque ARGB8888.
+/// Byte x is blended as a fourth channel: if it is 255 in the colour and the
+/// strip, it stays 255, and the strip is also opaque ARGB8888.
 ///
 /// Strip::pixels.data and Strip::stride must be multiples of 4 bytes: a pixel
 /// is read and written as a word.
