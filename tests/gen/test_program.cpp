@@ -137,7 +137,7 @@ TEST_F(Program, NamesTheFaceThatItTakes) {
   EXPECT_EQ(first.code, 0);
   EXPECT_EQ(first.err.find(said), 0u) << first.err;
   EXPECT_NE(first.err.find(
-                "is taken; --face, or face=N behind a file of --merge, takes "
+                "is taken; --face, or face=N after a file of --merge, takes "
                 "another one: 1 "),
             std::string::npos);
   EXPECT_EQ(run(folder_, "--font two.ttc --face 0" + rest).err, "");

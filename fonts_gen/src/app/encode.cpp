@@ -48,8 +48,8 @@ void append_glyphs(std::string& out, const std::vector<ShapedGlyph>& glyphs) {
   }
 }
 
-// Text from outside for a comment: nothing in it may end that, or turn the
-// direction of what follows.
+// Makes foreign text safe in a comment: it must not end the comment or change
+// the direction of what follows.
 std::string for_comment(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -68,7 +68,7 @@ std::string for_comment(const std::string& text) {
   return safe;
 }
 
-// What the font is, for the first lines of a source file.
+// The origin of the font, for the first lines of a source file.
 std::string provenance(const RomFont& font) {
   const FontReport& report = font.report;
   std::string text = report.name + " (" + report.file_name + "), " +
@@ -78,8 +78,8 @@ std::string provenance(const RomFont& font) {
   return for_comment(text);
 }
 
-// The arrays of glyphs apart from the runs: a run that no program names is not
-// linked, and no name of a string is taken.
+// Glyph arrays are separate from the runs, so that the linker can drop unused
+// runs, and cannot clash with names of strings.
 std::string hpp_strings(const RomFont& font, const std::string& name) {
   std::string out = "\nnamespace " + name + "_glyphs {\n\n";
   for (const RomString& string : font.strings) {
@@ -153,8 +153,8 @@ std::string encode_hpp(const RomFont& font,
   return out;
 }
 
-// What begins both files of C: what the font is, and what they include behind
-// the lines `guard`.
+// The head of both C files: the origin of the font, and the includes after the
+// lines `guard`.
 std::string c_head(const RomFont& font, const std::string& guard) {
   std::string out = "/* " + provenance(font) +
                     ".\n * Made by inkcell-fontgen for font format " +

@@ -1,4 +1,4 @@
-// The forms that a font takes in a file.
+// Writes a font in each file format.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace inkcell::gen {
 enum class OutputFormat { bin, hpp, c };
 
 /// The content of a font file in the given form. `name` is the identifier of
-/// the array in hpp and c; the array of hpp is fonts::<name>. It lies in
+/// the array in hpp and c; the array of hpp is fonts::<name>. The array is in
 /// `section` if that is not empty. A string is fonts::<name>_strings::<string>
 /// in hpp, <name>_strings_<string> in c; an icon's UTF-8 is
 /// fonts::<name>_icons::k<Icon> and <name>_icons_<Icon>. bin has neither.
@@ -19,7 +19,7 @@ std::string encode(const RomFont& font,
                    const std::string& name,
                    const std::string& section = {});
 
-/// The header for the form c. It declares the array, its size and the strings.
+/// The header for the form c: declares the array, its size and the strings.
 std::string encode_c_header(const RomFont& font, const std::string& name);
 
 }  // namespace inkcell::gen

@@ -153,7 +153,7 @@ std::string dependencies(const Arguments& arguments) {
   return rule + "\n";
 }
 
-// Writes everything first and moves it to its place then, the font last: if
+// Writes all files first, then moves them to their places, the font last: if
 // the disk is full, no file appears.
 void write_files(const Arguments& arguments,
                  const RomFont& font,
@@ -190,7 +190,7 @@ void write_files(const Arguments& arguments,
   out.commit();
 }
 
-// Refuses forms that cannot say what was asked for.
+// Refuses formats that cannot hold what was asked for.
 void check_form(const Arguments& arguments, OutputFormat format) {
   if (!arguments.header.empty() && format != OutputFormat::c) {
     throw Error("--header is for --format c; --format hpp is a header");
@@ -205,7 +205,7 @@ void check_form(const Arguments& arguments, OutputFormat format) {
   }
 }
 
-// Refuses before work begins what would fail or do harm after it.
+// Refuses, before work begins, what would fail or do harm later.
 void check_files(const Arguments& arguments) {
   const std::vector<std::filesystem::path> targets = {
       arguments.out, arguments.header, arguments.report, arguments.depfile,
@@ -218,7 +218,7 @@ void check_files(const Arguments& arguments) {
   tools::check_apart(targets, inputs_of(arguments.request));
 }
 
-// The bytes that a wide band takes: those that the font has without it.
+// Measures the bytes of a wide band against the font without it.
 void measure_band(const GenerateRequest& request, FontReport& report) {
   if (request.target.band_px != 0) {
     GenerateRequest usual = request;
@@ -229,7 +229,7 @@ void measure_band(const GenerateRequest& request, FontReport& report) {
   }
 }
 
-// The finest font that fits, with a line for each trial, or the font that was
+// Makes the finest font that fits, with a line for each trial, or the font as
 // asked for.
 RomFont make_font(const Arguments& arguments,
                   std::optional<Progress>& progress) {
@@ -249,7 +249,7 @@ RomFont make_font(const Arguments& arguments,
   return font;
 }
 
-// The same, with a bar while it is made.
+// The same with a progress bar.
 RomFont make_font(Arguments& arguments) {
   std::optional<Progress> progress(arguments.quiet);
   arguments.request.progress = [&](size_t done, size_t count) {

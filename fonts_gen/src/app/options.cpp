@@ -31,7 +31,7 @@ double parse_tolerance(const std::string& text) {
 
 namespace {
 
-// An option with some values, the usual one first.
+// An option with a few values, the default first.
 template <typename Value>
 void add_choice(CLI::App& app,
                 const std::string& option,

@@ -1,4 +1,4 @@
-// The command-line options that all programs which generate fonts share.
+// The command-line options of all programs that generate fonts.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,12 +8,12 @@
 
 namespace inkcell::gen {
 
-/// Reads a tolerance, "16/255" or "16". Throws CLI::ValidationError.
+/// Parses a tolerance, "16/255" or "16". Throws CLI::ValidationError.
 double parse_tolerance(const std::string& text);
 
-/// Adds the options that say what to generate, from --face to --effort, which
-/// fill in `request`; it must live until `app` has parsed. The font file, text
-/// files and threads are left to the program.
+/// Adds the options from --face to --effort, which fill in `request`; it must
+/// live until `app` has parsed. The program adds the font file, text files and
+/// threads.
 void add_generator_options(CLI::App& app, GenerateRequest& request);
 
 }  // namespace inkcell::gen

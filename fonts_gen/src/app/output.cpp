@@ -82,7 +82,7 @@ std::string encode_png(const Preview& preview) {
   header.format = PNG_FORMAT_GRAY;
   png_alloc_size_t size = 0;
   std::string png;
-  // The first call says how much room the second one needs.
+  // The first call returns the size that the second one needs.
   for (int pass = 0; pass < 2; ++pass) {
     png.resize(size);
     if (png_image_write_to_memory(&header, pass == 0 ? nullptr : png.data(),

@@ -1,4 +1,4 @@
-// Files that appear whole or not at all, previews in them, and names.
+// Output files that appear whole or not at all, previews, and identifiers.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace inkcell::gen {
 
-/// A file that is written beside its place and moved there by `commit`. Without
-/// commit nothing is left behind, and what was there before stays. Where the
-/// place is a symbolic link, what it points to is replaced, not the link.
+/// A file that is written beside its target and moved there by `commit`.
+/// Without commit nothing changes. If the target is a symbolic link, the file
+/// that it points to is replaced, not the link.
 class OutputFile {
  public:
-  /// Throws what check_writable does.
+  /// Throws what check_writable() throws.
   explicit OutputFile(std::filesystem::path target);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -31,22 +31,21 @@ class OutputFile {
   bool committed_ = false;
 };
 
-/// Throws std::runtime_error unless a file can be made at `target`, or the one
-/// that is there replaced: before work begins. Folders, devices and pipes are
-/// refused, and -, which many take for standard output.
+/// Throws std::runtime_error, before work begins, unless a file can be made or
+/// replaced at `target`. Refuses folders, devices, pipes, and '-', which many
+/// take for standard output.
 void check_writable(const std::filesystem::path& target);
 
 /// A preview as the content of a PNG file. Throws Error.
 std::string encode_png(const Preview& preview);
 
-/// Throws Error unless `name` is an identifier that C and C++ accept: no
-/// keyword of either.
+/// Throws Error unless `name` is an identifier in C and C++ and no keyword.
 void check_identifier(const std::string& name);
 
 /// Throws Error unless `name` can be the section of an array.
 void check_section(const std::string& name);
 
-/// An identifier made of a font file's name: DejaVuSans-Bold.ttf gives
+/// An identifier from a font's file name: DejaVuSans-Bold.ttf gives
 /// DejaVuSans_Bold, new.ttf gives font_new.
 std::string identifier_of(const std::filesystem::path& font);
 

@@ -36,7 +36,7 @@ void Progress::update(size_t done, size_t count) {
   }
 }
 
-// ", 12 s left", as soon as there is something to tell it by.
+// ", 12 s left", once it can be estimated.
 std::string Progress::time_left(size_t done, size_t count) const {
   if (done == 0 || done == count) {
     return "";

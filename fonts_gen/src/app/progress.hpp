@@ -1,4 +1,4 @@
-// How far work is, and the time left, on standard error.
+// Progress and time left, on standard error.
 #pragma once
 
 #include <chrono>
@@ -8,13 +8,13 @@
 
 namespace inkcell::gen {
 
-/// Draws a bar on a terminal. Elsewhere prints a line at once, and one for each
-/// tenth, but none within a second of the last one.
+/// Draws a bar on a terminal. Elsewhere prints a line at the start and for each
+/// tenth, at most one a second.
 class Progress {
  public:
-  /// `what` is made, in the plural.
+  /// `what` is the plural of the things made.
   explicit Progress(bool quiet, const char* what = "glyphs");
-  /// Takes the bar away.
+  /// Removes the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

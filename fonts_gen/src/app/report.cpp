@@ -11,7 +11,7 @@
 namespace inkcell::gen {
 namespace {
 
-// Glyphs in each list of worst ones.
+// Glyphs in each list of the worst ones.
 constexpr size_t kWorst = 5;
 
 __attribute__((format(printf, 1, 2))) std::string format(const char* pattern,
@@ -28,18 +28,18 @@ const char* error_unit(const FontReport& report) {
   return report.options.predicate == Predicate::fixed ? "1/1024 em" : "1/255";
 }
 
-// A glyph by its character, or by its number if that shows nothing.
+// The glyph's character, or its number if that is invisible.
 std::string shown(const GlyphReport& glyph) {
   const bool is_visible = glyph.name.find('\'') != std::string::npos;
   return is_visible ? glyph.key : glyph.name;
 }
 
-// The size of the worst pixel: " at 17 px"; nothing if there is none.
+// The size of the worst pixel, " at 17 px"; nothing if there is none.
 std::string at_size(const GlyphReport& glyph) {
   return glyph.worst_px == 0 ? "" : format(" at %d px", glyph.worst_px);
 }
 
-// One line of the worst glyphs by the measure `of`, which `show` writes.
+// A line of the worst glyphs by the measure `of`, printed by `show`.
 template <typename Measure, typename Show>
 std::string worst_line(const FontReport& report,
                        const char* title,

@@ -9,7 +9,7 @@
 namespace inkcell::gen {
 namespace {
 
-// Chords of a curve. Slopes of curves are judged chord by chord.
+// Chords of a curve. The slope of a curve is judged by its chords.
 constexpr int kChords = 16;
 
 std::vector<Point> chords_of(const Contour& contour) {

@@ -1,4 +1,4 @@
-// The border of a glyph as chords, and the ink along straight lines.
+// The border of a glyph as chords, and its ink along straight lines.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace inkcell::gen {
 
-/// Which coordinate positions are: heights are on the y axis, and their edges
-/// run along x.
+/// The axis of a position: heights are on the y axis, and their edges run along
+/// x.
 enum class Axis { x, y };
 
 inline double position(const Point& point, Axis axis) {
@@ -41,12 +41,12 @@ double total_length(const Intervals& intervals);
 
 class Border {
  public:
-  /// The contours of `outline` do not cross or overlap; the filled side is on
+  /// The contours of `outline` must not cross or overlap; the filled side is on
   /// their left. Curves become chords.
   explicit Border(const Outline& outline);
 
-  /// Closed polylines, without the closing repetition of the first point; no
-  /// point equals the next.
+  /// Closed polylines; the first point is not repeated, and no point equals the
+  /// next.
   const std::vector<std::vector<Point>>& lines() const { return lines_; }
 
   bool empty() const { return lines_.empty(); }
@@ -54,7 +54,7 @@ class Border {
   /// All zero if the border is empty.
   const Box& box() const { return box_; }
 
-  /// The ink on the line where positions on `axis` are `at`, ascending.
+  /// The ink on the line at position `at` of `axis`, ascending.
   Intervals ink_at(Axis axis, double at) const;
 
  private:

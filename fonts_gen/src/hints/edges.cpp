@@ -8,7 +8,7 @@
 namespace inkcell::gen {
 namespace {
 
-// Chords of an edge rise by at most this share of their length along it.
+// The steepest slope of an edge's chords.
 constexpr double kSteepest = 0.2;
 constexpr double kSteepestSpine = 0.7;
 
@@ -17,22 +17,22 @@ constexpr double kLeastDotEdge = 18;  // [u]
 constexpr double kLargestDot = 165;   // [u]
 constexpr double kLeastSpine = 100;   // [u]
 
-// The flattest part of a spine: chords that are steeper by at most so much.
+// The flattest part of a spine: chords that are steeper by at most this.
 constexpr double kSpineBend = 0.05;
 
 // Chords of a spine on both sides of its flattest one.
 constexpr size_t kSpineEnd = 2;
 
-// An edge is straight if one chord, flatter than kFlat, is most of it.
+// An edge is straight if a single chord, flatter than kFlat, is most of it.
 constexpr double kFlat = 0.02;
 constexpr double kFlatShare = 0.6;
 
-// Pieces of one edge differ by less, and by less still if one of them is
-// straight and the other round: feet of stems beside bowls. [u]
+// Parts of one edge differ by less. If one is straight and the other round, as
+// with feet of stems beside bowls, by still less. [u]
 constexpr double kSameEdge = 11;
 constexpr double kSameMixedEdge = 4;
 
-// What a bend rises by at least on both sides of its extreme. [u]
+// A bend rises by at least this on both sides of its extreme. [u]
 constexpr double kBend = 0.5;
 
 // Consecutive points of a polyline whose chords run in one direction.
@@ -85,7 +85,7 @@ std::vector<Run> find_runs(const std::vector<Point>& line,
   return runs;
 }
 
-// Numbers of chords are those of their first points.
+// A chord has the index of its first point.
 double rise_of(const Run& run, size_t chord, Axis axis) {
   return std::abs(position(run.points[chord + 1], axis) -
                   position(run.points[chord], axis));
@@ -136,7 +136,8 @@ bool is_straight(const Run& run, size_t chord, Axis axis) {
          rise_of(run, chord, axis) < kFlat * length_of(run, chord, axis);
 }
 
-// From the end where `along` is smaller to the other one, if the run is a line.
+// The rise from the end with the smaller `along` to the other, if the run is a
+// line.
 double lean_of(const Run& run, size_t chord, Axis axis) {
   if (!is_line(run, chord, axis)) {
     return 0;
@@ -163,7 +164,7 @@ bool is_dot(const std::vector<Point>& line) {
   return right->x - left->x <= kLargestDot && top->y - bottom->y <= kLargestDot;
 }
 
-// Where the run bends back.
+// The position at which the run bends back.
 std::optional<double> extreme_of(const Run& run, Axis axis) {
   const double first = position(run.points.front(), axis);
   const double last = position(run.points.back(), axis);
@@ -196,8 +197,8 @@ double flat_mean(const Run& run, size_t flattest, Axis axis) {
   return sum / lengths;
 }
 
-// The filled side is on the left: above what goes to the right, and at smaller
-// x of what goes up.
+// The filled side is on the left: above if the run goes right, at smaller x if
+// it goes up.
 bool has_ink_beyond(const Run& run, Axis axis) {
   return run.is_forward == (axis == Axis::y);
 }

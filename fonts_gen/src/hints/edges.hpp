@@ -1,4 +1,4 @@
-// Pieces of a glyph's border that run along an axis.
+// Parts of a glyph's border that run along an axis.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace inkcell::gen {
 
-/// An edge that is worth a position on the grid of pixels. [u]
+/// An edge that can be placed on the pixel grid. [u]
 struct StrokeEdge {
   double position = 0;
   bool ink_beyond = false;  // ink lies at larger positions, else at smaller
@@ -19,12 +19,12 @@ struct StrokeEdge {
 };
 
 /// Edges with positions on `axis`, ascending: runs of chords that are nearly
-/// parallel to the edge. Pieces on the same side at nearly the same position
-/// are one edge.
+/// parallel to the edge. Parts on the same side at nearly the same position
+/// form one edge.
 std::vector<StrokeEdge> find_edges(const Border& border, Axis axis);
 
-/// Long slanted runs that are flattest in their middle: the edges of the spine
-/// of an s.
+/// Long slanted runs that are flattest in the middle: the edges of the spine of
+/// an s.
 std::vector<StrokeEdge> find_spine_edges(const Border& border, Axis axis);
 
 }  // namespace inkcell::gen

@@ -22,7 +22,7 @@ constexpr double kMostOvershoot = 32;
 // Zones lie within this of the baseline. [u]
 constexpr double kMostHeight = 4096;
 
-// Heights that glyphs share: at least so many, within so much. [u]
+// A height is shared if at least so many glyphs have it, within so much. [u]
 constexpr size_t kLeastSharing = 4;
 constexpr double kLeastShare = 0.1;  // of all glyphs with ink
 constexpr double kSameHeight = 3;
@@ -117,8 +117,8 @@ class ZoneFinder {
     }
   }
 
-  // The zone at that height, a new one if there is none. None if the format
-  // cannot hold it.
+  // The zone at that height, new if there is none. None if the format cannot
+  // hold it.
   std::optional<size_t> add(double flat, double round, bool is_top) {
     for (size_t i = 0; i < face_.zones.size(); ++i) {
       if (face_.zones[i].is_top == is_top &&
@@ -140,7 +140,7 @@ class ZoneFinder {
     return face_.zones.size() - 1;
   }
 
-  // Adds the height that most glyphs share of those in no zone.
+  // Adds the most common height outside of all zones.
   bool add_shared() {
     std::vector<Extreme> free;
     size_t with_ink = 0;
@@ -229,11 +229,10 @@ void add_widths(const std::vector<Stroke>& strokes,
   }
 }
 
-// The width near the median that most strokes have: straight stems rather than
-// bowls.
+// The most common width near the median: of straight stems rather than bowls.
 int usual_width(const std::vector<double>& widths) {
   const double middle = median(widths);
-  // Strokes of nearly that width, the more the nearer they are to it.
+  // Counts strokes of about that width, weighted by how close they are.
   const auto sharing = [&widths](int width) {
     double sum = 0;
     for (const double other : widths) {
@@ -251,7 +250,8 @@ int usual_width(const std::vector<double>& widths) {
   return best;
 }
 
-// That of `letters`, or of all glyphs if the font has none of them.
+// The standard width of `letters`, or of all glyphs if the font has none of
+// them.
 int standard_width(const std::vector<GlyphFeatures>& glyphs,
                    const std::map<char32_t, uint16_t>& glyph_of,
                    const char32_t* letters,

@@ -1,4 +1,4 @@
-// What the glyphs of a face have in common: zones and standard widths.
+// Common features of a face's glyphs: zones and standard widths.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace inkcell::gen {
 
-/// Widths that differ by no more are one. [u]
+/// Widths that differ by no more count as equal. [u]
 inline constexpr double kSameWidth = 3;
 
-/// A height that edges of many glyphs share. Round edges lie at
-/// flat_u + overshoot_u, beyond the flat ones.
+/// A height shared by edges of many glyphs. Round edges are at flat_u +
+/// overshoot_u, beyond the flat ones.
 struct HintZone {
   int flat_u = 0;
   int overshoot_u = 0;  // at least 0 in a top zone, at most 0 in a bottom one
@@ -31,15 +31,14 @@ struct FaceHints {
   bool has_few_bars = false;  // fits badly
 };
 
-/// An edge's place in a zone.
+/// The zone of an edge, and whether it is round.
 struct ZoneEdge {
   size_t zone = 0;
   bool is_round = false;
 };
 
-/// Zones are taken from letters of Latin, Cyrillic and Greek as far as the font
-/// has them, then from extremes that many glyphs share. Any list of glyphs will
-/// do.
+/// Finds zones from letters of Latin, Cyrillic and Greek, if the font has them,
+/// then from extremes that many glyphs share. Works with any list of glyphs.
 FaceHints find_face(const std::vector<GlyphFeatures>& glyphs,
                     const std::map<char32_t, uint16_t>& glyph_of);
 

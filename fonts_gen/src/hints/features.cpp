@@ -8,12 +8,12 @@
 namespace inkcell::gen {
 namespace {
 
-// Points of the border that belong to a serif lie this near to it. [u]
+// Points of the border this near to a serif belong to it. [u]
 constexpr double kSerifReach = 30;
 constexpr double kFootReach = 10;
 constexpr double kBeside = 0.1;  // off the end of a serif [u]
 
-// Heights at which both sides are compared, and how much of the ink may differ.
+// Heights at which both sides are compared, and the ink that may differ.
 constexpr int kSymmetryRows = 23;
 constexpr double kAsymmetry = 0.1;
 

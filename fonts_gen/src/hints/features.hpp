@@ -1,4 +1,4 @@
-// What grid fitting may want to know of a glyph.
+// Features of a glyph for grid fitting.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct GlyphFeatures {
   bool has_ink = false;
 };
 
-/// `outline` as Border wants it.
+/// `outline` must be valid for Border.
 GlyphFeatures find_features(const Outline& outline);
 
 }  // namespace inkcell::gen

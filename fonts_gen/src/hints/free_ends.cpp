@@ -11,7 +11,7 @@ namespace {
 // Extremes this near to a bar belong to it. [u]
 constexpr double kBarReach = 15;
 
-// Ends at nearly the same height on the same side are one. [u]
+// Ends at nearly the same height on the same side count as one. [u]
 constexpr double kSameEnd = 4;
 
 bool is_between_bars(double y, const std::vector<Stroke>& bars) {
@@ -27,8 +27,8 @@ bool is_between_bars(double y, const std::vector<Stroke>& bars) {
   return below && above;
 }
 
-// Whether the border turns left at [first, last], which have one height: at a
-// corner, or all along a flat piece. The filled side is on the left.
+// Whether the border turns left at [first, last], all at one height: at a
+// corner, or along a flat part. The filled side is on the left.
 bool is_convex(const Point& before,
                const Point& first,
                const Point& last,

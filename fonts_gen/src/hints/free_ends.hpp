@@ -13,7 +13,7 @@ struct FreeEnd {
   bool rises = false;  // from below; else it hangs from above
 };
 
-/// Free ends strictly between two of `bars`, which ascend, and not beside one:
+/// Finds free ends between two of `bars`, which ascend, and not beside one:
 /// convex extremes of the border, ascending.
 std::vector<FreeEnd> find_free_ends(const Border& border,
                                     const std::vector<Stroke>& bars);

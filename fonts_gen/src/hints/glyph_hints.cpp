@@ -14,8 +14,8 @@ namespace grid = format::grid;
 
 using Height = HeightHint::Kind;
 
-// Serifs keep their thickness or vanish together with what is next to them: one
-// that is thinner than the standard bar by no more is as thick. [u]
+// A serif that is thinner than the standard bar by at most this gets the same
+// thickness: both keep it or vanish together. [u]
 constexpr double kThinnerSerif = 14;
 
 // A row of pixels at the smallest size, 8 px. [u]
@@ -23,13 +23,13 @@ constexpr double kRow = 128;
 
 constexpr double kMuchLonger = 2;
 
-// Between stems on one map. [u]
+// The least gap between stems on one map. [u]
 constexpr double kStemGap = 10;
 
-// The left-most and the right-most ink are knots as well.
+// The leftmost and the rightmost ink are knots as well.
 constexpr size_t kMostStems = (grid::kMaxKnots - 2) / 2;
 
-// A hint that may be dropped, the least important one first.
+// A hint that may be dropped; the least important one goes first.
 struct Candidate {
   double low = 0;
   double high = 0;
@@ -74,8 +74,8 @@ HeightHint bar_hint(const Stroke& bar, const FaceHints& face) {
 }
 
 // Whether the end may close an opening of one row: the counter between its bars
-// is low, or the end is close to the opposite bar. Fitted bars take up to a row
-// from the counter.
+// is low, or the end is close to the opposite bar. Fitting bars may cost the
+// counter a row.
 bool may_close(const FreeEnd& end, const std::vector<Stroke>& bars) {
   double below = -HUGE_VAL;
   double above = HUGE_VAL;
@@ -92,7 +92,7 @@ bool may_close(const FreeEnd& end, const std::vector<Stroke>& bars) {
   return opening / counter * (counter / kRow - 1) < 1;
 }
 
-// What matters: bars in zones, edges in zones, bars by their length, free ends.
+// Importance: bars in zones, edges in zones, bars by length, free ends.
 constexpr double kOfZone = 1e6;
 constexpr double kOfLoneEdge = 1e5;
 constexpr double kOfBar = 1e3;
@@ -136,7 +136,7 @@ bool is_bar(const Candidate& candidate) {
          candidate.hint.kind == Height::serif;
 }
 
-// Bars that share rows lie side by side: the most important one stays.
+// If bars share rows, they are side by side: keeps the most important one.
 void resolve_bars(std::vector<Candidate>& candidates) {
   const auto is_worse = [&candidates](const Candidate& bar) {
     return is_bar(bar) &&
@@ -163,7 +163,7 @@ size_t knots_of(const std::vector<Candidate>& candidates) {
   return knots;
 }
 
-// As it is stored.
+// The lower edge as stored.
 int lower_edge(const HeightHint& hint, const FaceHints& face) {
   const bool is_bar = hint.kind == Height::bar || hint.kind == Height::serif;
   return is_bar ? edges_of(hint, face)[0] : height_of(hint.edge, face);
@@ -190,8 +190,8 @@ std::vector<HeightHint> choose_heights(std::vector<Candidate> candidates,
   return heights;
 }
 
-// Stems that share columns lie at different heights. Of two bowls the one
-// farther from the middle stays, else the one that is much longer.
+// If stems share columns, they are at different heights: keeps the bowl that is
+// farther from the middle, else the one that is much longer.
 std::vector<Stroke> resolve_stems(const std::vector<Stroke>& stems,
                                   double middle) {
   std::vector<Stroke> kept;
@@ -221,7 +221,7 @@ std::vector<Stroke> resolve_stems(const std::vector<Stroke>& stems,
   return kept;
 }
 
-// Insets below are not worth their bits. [u]
+// Smaller insets are not worth their bits. [u]
 constexpr double kLeastInset = 8;
 
 int inset(double distance) {

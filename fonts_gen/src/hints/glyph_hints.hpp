@@ -1,4 +1,4 @@
-// The hints of one glyph, as its record in section GRID holds them.
+// The hints of one glyph, as in its record in section GRID.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace inkcell::gen {
 
-/// An edge at a zone's height, or at an even position. [u]
+/// An edge at the height of a zone, or at an even position. [u]
 struct EdgeHint {
   std::optional<ZoneEdge> zone;
   int position_u = 0;
@@ -48,7 +48,7 @@ struct GlyphHints {
   }
 };
 
-/// What section GRID says.
+/// The content of section GRID.
 struct FontHints {
   FaceHints face;
   std::vector<GlyphHints> glyphs;  // none: the font has no such section
@@ -56,9 +56,9 @@ struct FontHints {
   bool empty() const { return glyphs.empty(); }
 };
 
-/// Chooses from what was found. `box` is that of METR, left and right [u].
-/// Positions beyond what the format holds are left out, and the least important
-/// hints where there are too many for the knots of a map.
+/// Chooses hints from features. `box` is the one in METR, left and right [u].
+/// Drops positions beyond the range of the format, and the least important
+/// hints if there are too many for the knots of a map.
 GlyphHints make_glyph_hints(const GlyphFeatures& features,
                             const FaceHints& face,
                             const Interval& box);

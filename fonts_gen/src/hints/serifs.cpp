@@ -16,10 +16,10 @@ constexpr double kStrokeInset = -30;    // a wing of a slanted stroke [u]
 constexpr double kWidestStroke = 210;   // [u]
 constexpr double kThickestShare = 0.9;  // of the width of the stroke
 
-// Heights off the axis that avoid the ends of chords. [u]
+// Offset of heights that avoids the ends of chords. [u]
 constexpr double kOffGrid = 0.18;
 
-// Where the sides of a bar are examined. [u]
+// Distance from a bar at which its sides are examined. [u]
 constexpr double kOutside = 6;
 constexpr double kInside = 20;
 constexpr double kTouch = 15;       // ink beyond the outer side
@@ -64,7 +64,7 @@ bool touches(const Intervals& spans, const Intervals& ink) {
   });
 }
 
-// Seen from `outer`, beyond the bar, to `inner`.
+// Looks from `outer`, beyond the bar, to `inner`.
 bool is_serif_from(double outer,
                    double inner,
                    const Stroke& bar,
@@ -94,7 +94,7 @@ bool is_serif_from(double outer,
   return any;
 }
 
-// The height above a lower edge at which its feet end.
+// The height of the feet at a lower edge.
 std::optional<double> foot_height(const StrokeEdge& edge,
                                   const Border& border) {
   const auto ink_above = [&](double height) {

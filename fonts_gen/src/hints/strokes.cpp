@@ -10,14 +10,14 @@ namespace {
 constexpr double kThinnest = 5;
 constexpr double kThickestStroke = 165;
 
-// Edges face each other along this length [u], or this share of the shorter
-// one: inner edges of serifs are split by their stems, those of bends are
-// short.
+// Facing edges overlap by at least this length [u], or this share of the
+// shorter one: inner edges of serifs are split by their stems, those of bends
+// are short.
 constexpr double kLeastFacing = 15;
 constexpr double kLeastFacingShare = 0.13;
 
-// Edges that face each other longer are preferred, as if they were nearer by
-// this share of the length, which counts up to kMostFacing. [u]
+// Pairs with a longer overlap are preferred, as if nearer by this share of its
+// length, up to kMostFacing. [u]
 constexpr double kFacingMerit = 0.12;
 constexpr double kMostFacing = 200;
 
@@ -27,11 +27,11 @@ constexpr double kSpineGap = 20;
 // Straight stems are this many times longer than wide.
 constexpr double kLeastStemShape = 0.9;
 
-// Strokes that lean more have no place across. [u]
+// Strokes that lean more have no position across. [u]
 constexpr double kMostLean = 11;
 
 // A straight stem shorter than this share of the longest one is the end of an
-// arm, such as those of E.
+// arm, as in E.
 constexpr double kLeastStemShare = 0.4;
 
 struct Pair {
@@ -104,7 +104,7 @@ Strokes pair_edges(const std::vector<StrokeEdge>& edges) {
 
 Strokes find_bars(const Border& border) {
   Strokes bars = pair_edges(find_edges(border, Axis::y));
-  // Without bars above and below there are no counters to keep apart.
+  // Without bars above and below there are no counters to preserve.
   if (bars.strokes.size() < 2) {
     return bars;
   }

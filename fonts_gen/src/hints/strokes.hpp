@@ -15,8 +15,8 @@ struct Stroke {
   double high = 0;
   Kind kind = Kind::plain;
   bool is_round = false;  // both edges are ends of bends
-  double lean = 0;        // of a diagonal, whose edges lean to one side
-  double facing = 0;      // length along which both edges face each other
+  double lean = 0;        // of a diagonal: its edges lean to one side
+  double facing = 0;      // length of the overlap of both edges
   Intervals low_pieces;   // of the edge at `low`, along the other axis
   Intervals high_pieces;
 
@@ -24,20 +24,20 @@ struct Stroke {
   double middle() const { return (low + high) / 2; }
 };
 
-/// What edges become.
+/// Paired and unpaired edges.
 struct Strokes {
   std::vector<Stroke> strokes;   // ascending
   std::vector<StrokeEdge> lone;  // edges without a partner, ascending
 };
 
-/// Pairs `edges`, the nearest first. Each is part of one stroke at most.
+/// Pairs `edges`, the nearest first. An edge belongs to at most one stroke.
 Strokes pair_edges(const std::vector<StrokeEdge>& edges);
 
-/// Horizontal bars, and the spine of an s among them.
+/// Finds horizontal bars, including the spine of an s.
 Strokes find_bars(const Border& border);
 
-/// Vertical stems. Diagonals are none, nor are the straight ends of serifs and
-/// bars, which are short.
+/// Finds vertical stems, without diagonals and the short straight ends of
+/// serifs and bars.
 std::vector<Stroke> find_stems(const Border& border);
 
 }  // namespace inkcell::gen

@@ -12,16 +12,16 @@ namespace {
 
 constexpr size_t kMostControls = 4;
 constexpr size_t kMostStretches = 20;
-// After this many nodes in a row that no chain reaches, none farther is tried.
+// The search ends after this many consecutive nodes that no chain reaches.
 constexpr int kMostFailures = 3;
 
-// A curve takes longer to draw than a line: worth this. From 0 to 8 the bits of
-// a font stay the same and its curves get fewer. [bits]
+// Extra cost of a curve, which takes longer to draw than a line. From 0 to 8
+// the size of a font stays the same and its curves get fewer. [bits]
 constexpr double kCurve_bits = 8;
-// So is a corner where the source is smooth. [bits]
+// Extra cost of a corner where the source is smooth. [bits]
 constexpr double kKink_bits = 3;
 constexpr double kKink_cos = 0.9975641;  // 4 degrees at each side
-// More than any chain.
+// More than any chain costs.
 constexpr double kUnacceptable_bits = 1000;
 
 double kink_bits(const Node& node, const Point& wanted, const Point& leg) {
@@ -40,16 +40,16 @@ double bits_of(const ChainSearch& search, const PathStep& step) {
   bits += point_bits(pen, chain.to);
   const Node& first = search.node(step.first);
   const Node& last = search.node(step.last);
-  const Point& ahead =
+  const Point& first_control =
       chain.controls.empty() ? chain.to : chain.controls.front();
-  const Point& behind =
+  const Point& last_control =
       chain.controls.empty() ? chain.from : chain.controls.back();
-  return bits + kink_bits(first, first.after, ahead - chain.from) +
-         kink_bits(last, last.before, chain.to - behind);
+  return bits + kink_bits(first, first.after, first_control - chain.from) +
+         kink_bits(last, last.before, chain.to - last_control);
 }
 
-// The chain with the fewest controls, but no fewer than `fewest`. False if none
-// is acceptable.
+// Finds the chain with the fewest controls, at least `fewest`. False if none is
+// acceptable.
 bool find_chain(const ChainSearch& search, size_t fewest, PathStep& step) {
   const Care care = search.care(step.first, step.last);
   if (care == Care::exact && step.last > step.first + 1) {
@@ -64,10 +64,11 @@ bool find_chain(const ChainSearch& search, size_t fewest, PathStep& step) {
   return false;
 }
 
-// The cheapest way to each node, as far as it is known.
-class Ways {
+// The cheapest path to each node so far.
+class CheapestPaths {
  public:
-  explicit Ways(size_t nodes) : cost_(nodes + 1, kInfinity), last_(nodes + 1) {
+  explicit CheapestPaths(size_t nodes)
+      : cost_(nodes + 1, kInfinity), last_(nodes + 1) {
     cost_[0] = 0;
   }
 
@@ -98,21 +99,21 @@ class Ways {
 std::vector<PathStep> cheapest_path(const Trace& trace,
                                     const ChainSearch& search) {
   const size_t n = trace.nodes.size();
-  Ways ways(n);
+  CheapestPaths paths(n);
   for (size_t i = 0; i < n; ++i) {
     int failures = 0;
-    // What reaches farther needs as many controls; with one less a curve may
-    // be found that was missed.
+    // Longer chains need at least as many controls; one less is tried too, as
+    // the search may have missed a curve.
     size_t fewest = 0;
     for (size_t j = i + 1; j <= std::min(n, i + kMostStretches); ++j) {
       PathStep step{i, j, {}};
       if (find_chain(search, fewest, step)) {
         failures = 0;
         fewest = std::max<size_t>(step.chain.controls.size(), 1) - 1;
-        ways.offer(step, bits_of(search, step));
+        paths.offer(step, bits_of(search, step));
       } else if (j == i + 1) {
         step.chain = search.nearest(i);
-        ways.offer(step, kUnacceptable_bits + bits_of(search, step));
+        paths.offer(step, kUnacceptable_bits + bits_of(search, step));
       } else if (++failures == kMostFailures) {
         break;
       }
@@ -121,15 +122,15 @@ std::vector<PathStep> cheapest_path(const Trace& trace,
       }
     }
   }
-  return ways.path();
+  return paths.path();
 }
 
 namespace {
 
-// A joint turning by more than this cannot be left out.
+// Joints with larger turns cannot be left out.
 constexpr double kJoinTurn_cos = 0.9396926;
 
-// The two as one chain without their joint.
+// Replaces two chains by one without their joint.
 bool join(const ChainSearch& search,
           const PathStep& a,
           const PathStep& b,
@@ -149,7 +150,7 @@ bool join(const ChainSearch& search,
   const Point left = controls[k - 1];
   const Point right = controls[k];
   const Point shift = 2.0 * (a.chain.to - middle(left, right));
-  // Whoever gives way, half-way between the controls is the joint again.
+  // Moves one control, the other, or both, so that the joint is midway again.
   for (const double share : {0.0, 0.5, 1.0}) {
     const Point s{std::floor(share * shift.x + 0.5),
                   std::floor(share * shift.y + 0.5)};
@@ -164,7 +165,7 @@ bool join(const ChainSearch& search,
   return search.improve(a.first, b.last, joined.chain);
 }
 
-// Moves controls where that takes fewer bits.
+// Moves controls where that saves bits.
 void cheapen(const ChainSearch& search, PathStep& step) {
   for (size_t i = 0; i < step.chain.controls.size(); ++i) {
     double bits = bits_of(search, step);

@@ -1,4 +1,4 @@
-// A contour as chains from node to node.
+// Finds the chains of a contour.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@ struct PathStep {
   Chain chain;
 };
 
-/// The chains around a contour that take the fewest bits, from node 0 to node
-/// 0, found by dynamic programming over the nodes.
+/// The chains around a contour that take the fewest bits, from node 0 back to
+/// node 0, by dynamic programming over the nodes.
 std::vector<PathStep> cheapest_path(const Trace& trace,
                                     const ChainSearch& search);
 
-/// Joins neighbours whose joint can be half-way between their controls, and
-/// moves points a little where that takes fewer bits.
+/// Joins neighbours whose joint can be midway between their control points, and
+/// moves points slightly where that takes fewer bits.
 void drop_joints(const ChainSearch& search, std::vector<PathStep>& path);
 
 }  // namespace gen

@@ -11,9 +11,9 @@ namespace {
 
 // A tangent within 0.6 degrees of an axis is parallel to it.
 constexpr double kParallel = 0.01;
-// A chain this many tolerances off may become acceptable by small moves.
+// A chain off by this many tolerances may become acceptable by small moves.
 constexpr double kWorthMoving = 4;
-// A limit that nothing exceeds. [grid units]
+// Larger than any limit. [grid units]
 constexpr double kAny = 1e6;
 constexpr int kMostMoves = 40;
 
@@ -21,7 +21,7 @@ Point rounded(const Point& p) {
   return {std::floor(p.x + 0.5), std::floor(p.y + 0.5)};
 }
 
-// Two points of a chain in one place are not stored as two.
+// Whether two points of a chain coincide.
 bool has_twins(const Chain& chain) {
   Point before = chain.from;
   for (const Point& control : chain.controls) {
@@ -77,7 +77,7 @@ ChainSearch::ChainSearch(const Trace& trace,
   }
 }
 
-// All that search() looks at.
+// Everything that search() depends on.
 Fingerprint ChainSearch::fingerprint(size_t first,
                                      size_t last,
                                      size_t controls) const {
@@ -128,8 +128,8 @@ bool ChainSearch::own_controls(size_t first, size_t last, Chain& chain) const {
   return true;
 }
 
-// Where the source starts or ends along an axis, so does the chain; where it
-// turns back in between, two controls are level with that place.
+// The chain starts and ends along an axis where the source does. Where the
+// source turns back in between, two controls are level with that place.
 FixedControls ChainSearch::fix(size_t first,
                                size_t last,
                                const Chain& chain) const {
@@ -267,7 +267,7 @@ bool ChainSearch::keeps_extremes(size_t first,
   if (!any) {
     return true;
   }
-  // The extent of the source between its nodes, as it is on the grid.
+  // The extent of the source between its nodes, rounded to the grid.
   for (const auto c : {&Point::x, &Point::y}) {
     double low = std::min(chain.from.*c, chain.to.*c);
     double high = std::max(chain.from.*c, chain.to.*c);

@@ -1,4 +1,4 @@
-// Chains on the grid that keep to a part of a contour.
+// Searches for chains on the grid that fit a part of a contour.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace inkcell {
 namespace gen {
 
-/// Looks for chains between the nodes of a trace, `first` < `last`; node number
+/// Searches for chains between the nodes `first` < `last` of a trace; node
 /// nodes.size() is the first one again.
 class ChainSearch {
  public:
@@ -22,21 +22,21 @@ class ChainSearch {
     return trace_.nodes[i == trace_.nodes.size() ? 0 : i];
   }
 
-  /// The most care that a stretch in between asks for.
+  /// The greatest care of the stretches in between.
   Care care(size_t first, size_t last) const;
 
-  /// A chain of `controls` quadratics, or a line, that is acceptable. What was
-  /// found before for a span that is the same is in the memo.
+  /// Finds an acceptable chain of `controls` quadratics, or a line for 0.
+  /// Results are cached in the memo.
   bool find(size_t first, size_t last, size_t controls, Chain& chain) const;
 
-  /// Moves controls that are nearly good until the chain is acceptable.
+  /// Moves control points by small steps until the chain is acceptable.
   bool improve(size_t first, size_t last, Chain& chain) const;
 
-  /// Whether the chain, which must be on the grid, is within the tolerance and
-  /// turns back where the source does.
+  /// Whether the chain, on the grid, is within the tolerance and turns back
+  /// where the source does.
   bool acceptable(size_t first, size_t last, const Chain& chain) const;
 
-  /// The chain for one stretch that is nearest to it, acceptable or not.
+  /// The nearest chain for one stretch, acceptable or not.
   Chain nearest(size_t stretch) const;
 
  private:

@@ -18,12 +18,12 @@ namespace {
 
 using Polyline = std::vector<Point>;  // closed, [grid units]
 
-// Chords of a curve where components are compared.
+// Chords of a curve for comparing components.
 constexpr int kChords = 8;
-// Borders of components that come nearer are taken to touch. [grid units]
+// Components whose borders come nearer are treated as touching. [grid units]
 constexpr double kLeastGap = 2;
 
-// Effort of the search for a glyph, and components that it may find.
+// Limits of the search for a glyph, and the most components that it finds.
 constexpr int kMostTries = 20000;
 constexpr size_t kMostComponents = 8;
 
@@ -75,7 +75,7 @@ Polyline flatten(const MinimalContour& contour) {
   return line;
 }
 
-// The contours of a component where the reference puts them.
+// The contours of a component, moved as its reference says.
 std::vector<Polyline> placed(const MinimalOutline& outline,
                              const OutlineReference& reference,
                              int grid_shift) {
@@ -167,11 +167,11 @@ bool overlap(const std::vector<Polyline>& a, const std::vector<Polyline>& b) {
       }
     }
   }
-  // Borders keep away from each other: a contour is inside as a whole.
+  // Borders do not meet: each contour is inside as a whole or not at all.
   return any_inside(a, b) || any_inside(b, a);
 }
 
-// `outer` of `inner` of a point.
+// Applies `inner`, then `outer`.
 OutlineReference compose(const OutlineReference& outer,
                          const OutlineReference& inner) {
   constexpr int64_t kHalf = OutlineReference::kOne_q14 / 2;
@@ -190,7 +190,7 @@ OutlineReference compose(const OutlineReference& outer,
   return result;
 }
 
-// A contour without its place: the offsets of its points from the least one,
+// A contour without its position: the offsets of its points from the least one
 // by (y, x), which comes first.
 struct ContourShape {
   std::vector<std::tuple<int, int, PointKind>> points;
@@ -200,7 +200,7 @@ struct ContourShape {
   }
 };
 
-// A contour of a glyph: its shape's number, and where it is. [grid units]
+// A contour of a glyph: the number of its shape, and its position. [grid units]
 struct PlacedContour {
   size_t shape;
   int x;
@@ -221,8 +221,8 @@ class CompositeSearch {
     glyphs_with_.resize(shapes_.size());
   }
 
-  // Glyphs of few contours first: they are components of those of more. Glyphs
-  // that are no composites of the source come before those that are.
+  // Glyphs with few contours first, as they are components of others. Of these,
+  // glyphs that are no composites in the source come first.
   std::vector<OutlineReferences> run() {
     std::vector<size_t> order(glyphs_.size());
     std::iota(order.begin(), order.end(), size_t{0});
@@ -235,7 +235,7 @@ class CompositeSearch {
       }
     }
     for (const size_t g : order) {
-      take_source(g);
+      add_source(g);
     }
     for (const size_t g : order) {
       if (references_[g].empty() && !glyphs_[g].source.empty()) {
@@ -271,9 +271,9 @@ class CompositeSearch {
     return result;
   }
 
-  // The source's components, with those of components that are composites
-  // themselves in their place.
-  void take_source(size_t g) {
+  // Adds the source's components; composites among them are replaced by their
+  // own components.
+  void add_source(size_t g) {
     if (state_[g] != State::open || glyphs_[g].source.empty()) {
       return;
     }
@@ -281,7 +281,7 @@ class CompositeSearch {
     OutlineReferences flat;
     for (const OutlineReference& reference : glyphs_[g].source) {
       const size_t component = reference.glyph;
-      take_source(component);
+      add_source(component);
       if (state_[component] == State::visited) {
         return;  // a cycle
       }
@@ -300,7 +300,7 @@ class CompositeSearch {
     offer(g, flat);
   }
 
-  // Makes `g` a composite of `references` if that is right and pays.
+  // Makes `g` a composite of `references` if that is correct and saves bytes.
   bool offer(size_t g, const OutlineReferences& references) {
     if (references.empty() || is_component_[g] || !fits_record(references) ||
         (composite_bits(references) + 7) / 8 >= glyphs_[g].simple_bytes) {
@@ -321,8 +321,8 @@ class CompositeSearch {
     return true;
   }
 
-  // Looks for simple glyphs that together have the contours of `g`; they have
-  // been searched before. If there are none, `g` may be a component itself.
+  // Searches for simple glyphs that together have the contours of `g`; they
+  // have been searched before. If there are none, `g` may become a component.
   void search(size_t g) {
     if (contours_[g].empty()) {
       return;
@@ -346,7 +346,7 @@ class CompositeSearch {
   }
 
   // Extends `chosen` until all contours of `g` are covered, and keeps the
-  // references of fewest bits.
+  // references with the fewest bits.
   void cover(size_t g, std::vector<bool>& covered, OutlineReferences& chosen) {
     const size_t bits = composite_bits(chosen);
     if (bits >= best_bits_ || ++tries_ > kMostTries) {
@@ -385,7 +385,7 @@ class CompositeSearch {
     const std::optional<int> dy = font_units(y);
     std::vector<bool> with_component = covered;
     if (component == g || !dx || !dy ||
-        !take_contours(g, component, x, y, with_component)) {
+        !mark_contours(g, component, x, y, with_component)) {
       return;
     }
     reference.dx = *dx;
@@ -396,8 +396,8 @@ class CompositeSearch {
   }
 
   // Marks the contours of `component`, moved, among those of `g`; false if one
-  // is not there or is covered.
-  bool take_contours(size_t g,
+  // is missing or already covered.
+  bool mark_contours(size_t g,
                      size_t component,
                      int x,
                      int y,
@@ -418,7 +418,7 @@ class CompositeSearch {
     return true;
   }
 
-  // Empty if the length is no whole number of font units.
+  // Empty if the length is not a whole number of font units.
   std::optional<int> font_units(int grid_units) const {
     if (grid_shift_ >= 0) {
       return grid_units * (1 << grid_shift_);
@@ -434,7 +434,7 @@ class CompositeSearch {
   int grid_shift_;
   std::vector<OutlineReferences> references_;
   std::vector<bool> is_component_;  // must stay simple
-  std::vector<State> state_;        // of take_source()
+  std::vector<State> state_;        // of add_source()
   std::map<ContourShape, size_t> shapes_;
   std::vector<std::vector<PlacedContour>> contours_;
   std::vector<std::vector<size_t>> glyphs_with_;  // by shape; simple ones

@@ -18,15 +18,15 @@ int move_bits(const Pen& from, const GridPoint& to) {
   return width_of(to.x - from.x) + width_of(to.y - from.y);
 }
 
-// A start of a contour and what it costs.
+// A start of a contour and its cost.
 struct Start {
   size_t contour = 0;
   size_t point = 0;
   int bits = std::numeric_limits<int>::max();
 };
 
-// Bits to the start less those of the way from the last point to it, which is
-// left out.
+// Bits of the step to the start, less those of the closing edge, which is not
+// stored.
 int start_bits(const Pen& pen, const MinimalContour& contour, size_t start) {
   const size_t n = contour.points.size();
   const GridPoint& first = contour.points[start];

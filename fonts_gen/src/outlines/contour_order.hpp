@@ -1,4 +1,4 @@
-// Where contours start, and which comes first.
+// Chooses the first point of each contour, and the order of contours.
 #pragma once
 
 #include "outlines/minimal_outline.hpp"
@@ -6,10 +6,10 @@
 namespace inkcell {
 namespace gen {
 
-/// Turns contours and puts them in an order so that moves from one to the next
-/// are short and closing edges, which are left out, are long. On entry and on
-/// return a contour's first point is on the curve and, if any is, a corner.
-/// (x, y) is where the pen starts. [grid units]
+/// Rotates and reorders contours so that steps from one to the next are short
+/// and closing edges, which are not stored, are long. On entry and on return
+/// the first point of a contour is on the curve and, if possible, a corner. (x,
+/// y) is the start of the pen. [grid units]
 void order_contours(int x, int y, MinimalOutline& outline);
 
 }  // namespace gen

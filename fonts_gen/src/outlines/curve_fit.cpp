@@ -13,15 +13,15 @@ namespace gen {
 namespace {
 
 constexpr int kMostChords = 64;
-// Once a point is near enough to an edge, this many edges ahead are farther
-// before the search for a nearer one ends.
+// Ends the search for a nearer edge: so many edges ahead are farther, and the
+// point is already near enough.
 constexpr int kFarther = 3;
 // Samples for least squares, a control.
 constexpr size_t kSamplesPerControl = 10;
 
 // A round of least squares.
 struct Round {
-  double along;     // what distances along the chain count
+  double along;     // the weight of distances along the chain
   double hopeless;  // limits: a sample farther than this ends the search
   bool weigh;       // the next round weighs samples by their distance
 };
@@ -55,9 +55,9 @@ void flatten_chain(const Chain& chain,
   }
 }
 
-// The largest squared distance of `points` from the polygon, or anything above
-// `limit`. The nearest edge may only go forward, so that a point is not
-// compared with another part of a curve that comes back.
+// The largest squared distance of `points` from the polygon, or a value above
+// `limit`. The nearest edge only moves forward, so that a point is not compared
+// with another part of a curve that comes back.
 double stray(const Point* points,
              size_t count,
              const Point* polygon,
@@ -108,7 +108,7 @@ std::vector<Point> spread(const SampleSpan& source, size_t count) {
   return points;
 }
 
-// A place on the chain: number of the quadratic + its parameter.
+// A place on the chain: index of the quadratic + its parameter.
 struct Place {
   double parameter = 0;
   Point normal{0, 1};  // of length 1
@@ -116,8 +116,8 @@ struct Place {
   double weight = 1;
 };
 
-// The nearest places to `points`, in order along the chain, and the largest
-// distance.
+// Finds the nearest places to `points`, in order along the chain. Returns the
+// largest distance.
 double find_places(const std::vector<Point>& points,
                    const Chain& chain,
                    std::vector<Place>& places) {
@@ -178,8 +178,8 @@ void weights_at(double parameter, size_t controls, double* weights) {
   add_joint(i + 1, t * t);
 }
 
-// Lawson's method: weights grow where the distance is large, so that the
-// largest becomes as small as it can be.
+// Lawson's method: weights grow where the distance is large, which minimises
+// the largest distance.
 void weigh(double most, std::vector<Place>& places) {
   for (Place& place : places) {
     place.weight *= 0.2 + place.distance / most;
@@ -188,13 +188,13 @@ void weigh(double most, std::vector<Place>& places) {
 
 constexpr size_t kMostUnknowns = 2 * kMostFitControls;
 
-// Symmetric equations for the free coordinates of the controls.
+// The normal equations for the free coordinates of the controls.
 struct Equations {
   size_t count = 0;
   double a[kMostUnknowns][kMostUnknowns + 1] = {};
 
-  // Adds (row . unknowns - value)^2 to what is least. Below the diagonal, `a`
-  // is filled in by solve().
+  // Adds (row . unknowns - value)^2 to the sum of squares. solve() fills `a`
+  // below the diagonal.
   void add(const double* row, double value, double weight) {
     for (size_t r = 0; r < count; ++r) {
       const double f = weight * row[r];
@@ -205,7 +205,7 @@ struct Equations {
     }
   }
 
-  // Gaussian elimination with pivots; the solution is a[...][count]. False if
+  // Gaussian elimination with pivoting; the solution is a[...][count]. False if
   // there is none.
   bool solve() {
     for (size_t r = 1; r < count; ++r) {
@@ -240,8 +240,8 @@ struct Equations {
   }
 };
 
-// One round: distances across the chain count in full, those along it by
-// `along`, because samples may slide along it.
+// One round. Distances across the chain have weight 1, those along it `along`,
+// because samples may slide along it.
 bool solve_controls(const std::vector<Point>& points,
                     const std::vector<Place>& places,
                     const FixedControls& fixed,

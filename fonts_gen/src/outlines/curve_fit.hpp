@@ -1,4 +1,4 @@
-// One line, or one chain of quadratics, for a stretch of samples.
+// Fits a line, or a chain of quadratics, to a stretch of samples.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace inkcell {
 namespace gen {
 
-/// A line from `from` to `to`, or as many quadratics as there are controls,
-/// with implied points between them.
+/// A line from `from` to `to`, or one quadratic for each control point, with
+/// implied points between them.
 struct Chain {
   Point from;
   std::vector<Point> controls;
@@ -20,15 +20,15 @@ struct Chain {
   Segment quadratic(size_t i) const;
 };
 
-/// Samples that follow each other along the source.
+/// Consecutive samples of the source.
 struct SampleSpan {
   const Point* first;
   size_t count;  // 2 or more
 };
 
-/// The larger of the distances of the samples from the chain and of the chain
-/// from the samples' polygon, both taken in order along the curve. Curves are
-/// chords within `bound`. Stops above `limit`, with anything above it.
+/// The larger of two distances: of the samples from the chain, and of the chain
+/// from the samples' polygon, both in order along the curve. Curves become
+/// chords within `bound`. Stops above `limit` and returns a value above it.
 double deviation(const SampleSpan& source,
                  const Chain& chain,
                  double limit,
@@ -47,9 +47,8 @@ struct FixedControls {
 /// Most controls of a chain that fit_controls() finds.
 inline constexpr size_t kMostFitControls = 6;
 
-/// Sets the controls of `chain` so that the largest distance from `source` is
-/// as small as a few rounds make it. False if it does not look as if it could
-/// become `limit`.
+/// Sets the controls of `chain` to minimise the largest distance from `source`,
+/// in a few rounds. False if `limit` seems out of reach.
 bool fit_controls(const SampleSpan& source,
                   const FixedControls& fixed,
                   double limit,

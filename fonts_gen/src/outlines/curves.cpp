@@ -9,7 +9,7 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-// Parameters closer to an end than this are the end.
+// Parameters closer to an end than this count as the end.
 constexpr double kEnd = 1e-6;
 
 // The polar form of the curve: its control points over [a, b] are the values

@@ -1,4 +1,4 @@
-// From points on the grid back to segments.
+// Converts points on the grid back to segments.
 #pragma once
 
 #include "outlines/minimal_outline.hpp"
@@ -7,7 +7,7 @@
 namespace inkcell {
 namespace gen {
 
-/// The segments that `outline` stands for, in u.
+/// The segments of `outline`, in u.
 Outline expand(const MinimalOutline& outline, int units_per_em, int grid_shift);
 
 }  // namespace gen

@@ -23,15 +23,14 @@ struct GridPoint {
 
 /// A closed curve of lines and quadratics, filled on its left.
 ///
-/// The first point is a corner. Two control points in a row have a smooth point
-/// half-way between them, which is not listed. The contour closes from its last
-/// point to the first: with a line if the last is on the curve, else with a
-/// quadratic.
+/// The first point is a corner. Between two consecutive control points there is
+/// an implied smooth point midway. The contour closes from its last point to
+/// the first: with a line if the last is on the curve, else with a quadratic.
 struct MinimalContour {
   std::vector<GridPoint> points;
 };
 
-/// Contours do not cross or overlap: outer ones run counter-clockwise, holes
+/// Contours neither cross nor overlap; outer ones run counter-clockwise, holes
 /// clockwise.
 struct MinimalOutline {
   std::vector<MinimalContour> contours;

@@ -9,7 +9,7 @@
 namespace inkcell::gen {
 namespace {
 
-// Table sizes that are tried. Smaller ones cannot tell the kinds apart, and
+// Table sizes to try. Smaller ones cannot distinguish the kinds of points, and
 // words have at most 7 bits.
 constexpr int kLeastCodeBits = 4;
 constexpr int kMostCodeBits = 7;
@@ -39,7 +39,7 @@ uint64_t n_log_n_q8(uint64_t n) {
   return n * log_q8;
 }
 
-// A kind and widths of points, and how many of them there are.
+// A kind and widths of points, and their count.
 struct Pair {
   CodeSymbol symbol;
   uint64_t count;
@@ -72,8 +72,8 @@ std::vector<Pair> pairs_of(const StepCounts& counts) {
   return pairs;
 }
 
-// Searches for the symbols of a code. In all lists of symbols `end` is left
-// out; it comes last where lengths are made.
+// Searches for the symbols of a code. Lists of symbols do not contain `end`; it
+// is appended when lengths are computed.
 class CodeSearch {
  public:
   using Symbols = std::vector<CodeSymbol>;
@@ -110,8 +110,8 @@ class CodeSearch {
     return {code_bits, symbols, lengths};
   }
 
-  // Points of each symbol, every pair with the symbol that takes fewest bits.
-  // False if a pair has none.
+  // Counts the points of each symbol. Each pair goes to the symbol with the
+  // fewest bits; false if a pair fits none.
   bool distribute(const Symbols& symbols,
                   const std::vector<int>& lengths,
                   std::vector<uint64_t>& counts,
@@ -140,7 +140,8 @@ class CodeSearch {
   }
 
   // Bits of the streams with a code of `symbols`; kImpossible if there is none.
-  // Lengths and the choice of symbols depend on each other: a few rounds.
+  // Lengths and the choice of symbols depend on each other, so this takes a few
+  // rounds.
   uint64_t cost(const Symbols& symbols,
                 int code_bits,
                 std::vector<int>* best_lengths) const {
@@ -167,9 +168,9 @@ class CodeSearch {
     return best;
   }
 
-  // From a symbol for each pair of widths to one for each kind: the lists on
-  // the way, each with one symbol less. Joins the two that cost the least by
-  // the entropy of the symbols.
+  // Lists from one symbol for each pair of widths down to one for each kind,
+  // each with one symbol less than the one before. Joins the two symbols that
+  // cost the least entropy.
   std::vector<Symbols> join_pairs() const {
     std::vector<Symbols> lists;
     std::vector<Pair> joined = pairs_;
@@ -236,7 +237,7 @@ class CodeSearch {
     return best;
   }
 
-  // Removes, adds and changes symbols one by one as long as that saves bits.
+  // Removes, adds and changes single symbols as long as that saves bits.
   Symbols improve(Symbols symbols, int code_bits) const {
     uint64_t best = cost(symbols, code_bits, nullptr);
     bool is_better = true;
@@ -258,7 +259,7 @@ class CodeSearch {
     return symbols;
   }
 
-  // A symbol to take away, one to add, or both.
+  // A symbol to remove, one to add, or both.
   struct Move {
     std::optional<CodeSymbol> from;
     std::optional<CodeSymbol> to;
@@ -316,7 +317,7 @@ class CodeSearch {
   uint64_t ends_;
 };
 
-// A symbol or a package of two items of the list before.
+// A symbol, or a package of two items of the previous list.
 struct Item {
   uint64_t weight;
   bool is_symbol;
@@ -377,8 +378,8 @@ std::vector<int> limited_lengths(const std::vector<uint64_t>& counts,
   while (lists.size() < static_cast<size_t>(most)) {
     lists.push_back(package(sorted, lists.back()));
   }
-  // The 2n - 2 lightest items of the last list; in each list before, those
-  // that the packages taken consist of. Each symbol taken adds a bit.
+  // Takes the 2n - 2 lightest items of the last list, then in each list before
+  // the parts of the packages taken. Each symbol taken adds a bit.
   size_t taken = 2 * size - 2;
   for (auto list = lists.rbegin(); list != lists.rend(); ++list) {
     size_t symbols = 0;
@@ -408,9 +409,8 @@ OutlineCode::OutlineCode(int code_bits,
                      }
                      return a.length > b.length;
                    });
-  // Entries of the table that are in use. `end` may be shorter than words
-  // after it: as the code is complete, each word still begins at a multiple of
-  // its entries.
+  // Table entries in use. Words after `end` may be longer than it. As the code
+  // is complete, each word still begins at a multiple of its entries.
   int used = 0;
   for (CodeWord& word : words_) {
     word.word = used >> (code_bits - word.length);
@@ -427,7 +427,7 @@ std::vector<uint16_t> OutlineCode::table() const {
                    size_t{1} << static_cast<size_t>(code_bits_ - word.length),
                    static_cast<uint16_t>(entry));
   }
-  // Of a code of one word.
+  // A code of one word.
   entries.resize(size_t{1} << code_bits_, entries.back());
   return entries;
 }

@@ -10,7 +10,7 @@
 
 namespace inkcell::gen {
 
-/// What a code word says: the kind of a point, and the bits of its step.
+/// The content of a code word: the kind of a point, and the bits of its step.
 struct CodeSymbol {
   WordKind kind;
   int x_bits;  // 0..15
@@ -32,9 +32,8 @@ class StepCounts {
  public:
   static constexpr size_t kWidths = kMostStepBits + 1;
 
-  /// Adds the steps of a glyph. The last `end` costs next to nothing, for it is
-  /// all zeros, as what readers see after the end of a record; it is not
-  /// counted.
+  /// Adds the steps of a glyph, without the last `end`: it is all zeros, like
+  /// the bits after a record, so it costs nearly nothing.
   void add(const std::vector<OutlineStep>& steps);
 
   uint64_t ends() const { return ends_; }
@@ -47,10 +46,9 @@ class StepCounts {
   uint64_t ends_ = 0;
 };
 
-/// Lengths of the words of a prefix code that takes the fewest bits among those
-/// with words of at most `most` bits: package-merge. A count of 0 is taken for
-/// 1. One symbol alone gets a word of one bit; two or more make the code
-/// complete.
+/// The lengths of a prefix code with the fewest bits and words of at most
+/// `most` bits (package-merge). A count of 0 counts as 1. A single symbol gets
+/// a word of one bit; two or more make the code complete.
 ///
 /// `counts` has at most 2^most entries.
 std::vector<int> limited_lengths(const std::vector<uint64_t>& counts, int most);
@@ -58,8 +56,8 @@ std::vector<int> limited_lengths(const std::vector<uint64_t>& counts, int most);
 /// A complete prefix code. The word of `end` is all zeros.
 class OutlineCode {
  public:
-  /// Makes the words: `end` first, then from the longest to the shortest.
-  /// `symbols` holds `end`; `lengths` are those of limited_lengths for it.
+  /// Assigns words: `end` first, then from the longest to the shortest.
+  /// `symbols` contains `end`; `lengths` come from limited_lengths().
   OutlineCode(int code_bits,
               const std::vector<CodeSymbol>& symbols,
               const std::vector<int>& lengths);
@@ -71,8 +69,7 @@ class OutlineCode {
   /// The 2^code_bits entries of section CODE.
   std::vector<uint16_t> table() const;
 
-  /// The word with which `step` takes the fewest bits, or null if it does not
-  /// fit any.
+  /// The word with the fewest bits for `step`, or null if none fits.
   const CodeWord* find(const OutlineStep& step) const;
 
  private:
@@ -81,15 +78,15 @@ class OutlineCode {
 };
 
 /// The code with the smallest table and streams for `counts`, as far as the
-/// search finds it: it joins pairs of widths, then improves the symbols one by
-/// one. The same counts give the same code on every machine.
+/// search finds it. Joins pairs of widths, then improves single symbols. The
+/// same counts give the same code on every machine.
 OutlineCode make_outline_code(const StepCounts& counts);
 
-/// A code for any steps at all, made without a search: for trials, whose
-/// picture does not depend on the code.
+/// A code for all possible steps, without a search: for trials, whose picture
+/// does not depend on the code.
 OutlineCode widest_outline_code();
 
-/// Bits of the streams that `counts` stands for, without the table.
+/// Bits of the streams for `counts`, without the table.
 uint64_t stream_bits(const StepCounts& counts, const OutlineCode& code);
 
 }  // namespace inkcell::gen

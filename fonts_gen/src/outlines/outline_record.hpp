@@ -11,7 +11,7 @@
 
 namespace inkcell::gen {
 
-/// The record of a glyph with ink. `code` has a word for every step.
+/// The record of a glyph with ink. `code` must have a word for every step.
 ///
 /// Throws GeometryError::too_large if it has not.
 std::vector<uint8_t> outline_record(const std::vector<OutlineStep>& steps,
@@ -24,7 +24,7 @@ size_t outline_bits(const std::vector<OutlineStep>& steps,
 /// Whether all numbers fit a record, and no matrix mirrors.
 bool fits_record(const OutlineReferences& references);
 
-/// The record of a glyph of one component or more that fits_record().
+/// The record of a glyph of components for which fits_record() is true.
 std::vector<uint8_t> composite_record(const OutlineReferences& references);
 
 /// Bits of that record before trailing zeros are left out.

@@ -8,7 +8,7 @@
 namespace inkcell::gen {
 namespace {
 
-// i16 font units on the finest grid, 1/16 of them.
+// i16 font units on the finest grid, 1/16 of a font unit.
 constexpr int kMostCoordinate = 1 << 19;
 
 constexpr int kMostPoints = 65535;
@@ -25,8 +25,8 @@ GridPoint half_way(const GridPoint& a, const GridPoint& b, PointKind kind) {
   return {(a.x + b.x) >> 1, (a.y + b.y) >> 1, kind};
 }
 
-// Replaces the control point `i` by those of the two halves of its curve. Ends
-// that were implied become points.
+// Splits the curve of control point `i` in halves. Implied end points become
+// explicit.
 std::vector<GridPoint> halve_curve(const std::vector<GridPoint>& points,
                                    size_t i) {
   const GridPoint& control = points[i];
@@ -51,7 +51,8 @@ std::vector<GridPoint> halve_curve(const std::vector<GridPoint>& points,
   return result;
 }
 
-// Halves what the step from point i - 1 to point i is a part of.
+// Splits the line or curve that the step from point i - 1 to point i is part
+// of.
 std::vector<GridPoint> halve(std::vector<GridPoint> points, size_t i) {
   if (is_off(points[i])) {
     return halve_curve(points, i);

@@ -8,7 +8,7 @@
 
 namespace inkcell::gen {
 
-/// What a code word of a record says. The values are those of the code table.
+/// The meaning of a code word. The values are those of the code table.
 enum class WordKind : uint8_t { off_curve, smooth, corner, end };
 
 /// A step from one point to the next, or the end of a contour. [grid units]
@@ -29,22 +29,22 @@ inline constexpr int kMostStepBits = 15;
 /// Bits of `value` in two's complement; 0 has none.
 int step_bits(int value);
 
-/// Where the steps of a record begin: the lower left corner of the glyph's box
-/// in METR [font units], rounded down to the grid of 2^grid_shift font units.
+/// The start of a record's steps: the lower left corner of the glyph's box in
+/// METR [font units], rounded down to the grid of 2^grid_shift font units.
 GridPosition record_start(int x_min, int y_min, int grid_shift);
 
 /// The steps of `outline` from `start`, with an `end` after each contour. Lines
-/// and curves with steps of more than 15 bits are halved until all fit; points
-/// that this adds are rounded to the grid.
+/// and curves with steps of more than 15 bits are halved until all fit; the
+/// added points are rounded to the grid.
 ///
-/// Throws GeometryError::too_complex if a coordinate passes +-2^19, a contour
-/// begins more than 15 bits from the point before it, or the outline has more
-/// points than the format counts: with a coarser grid it may fit.
+/// Throws GeometryError::too_complex if a coordinate exceeds +-2^19, a contour
+/// begins more than 15 bits from the point before it, or the outline has too
+/// many points for the format. With a coarser grid it may fit.
 std::vector<OutlineStep> outline_steps(const MinimalOutline& outline,
                                        GridPosition start);
 
-/// Points as `max_points` of the font's header counts them: those of the steps
-/// and one closing point a contour.
+/// The points as counted by `max_points` of the font's header: one for each
+/// step, and one closing point for each contour.
 int point_count(const std::vector<OutlineStep>& steps);
 
 }  // namespace inkcell::gen

@@ -1,4 +1,4 @@
-// What a point costs in the font.
+// The cost of a point in the font.
 #pragma once
 
 #include "shape/points.hpp"

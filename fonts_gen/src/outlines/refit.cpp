@@ -17,10 +17,9 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-// Chains are compared with their own part of the source. Contours may cross all
-// the same where they are closer than the tolerance: seen from outside they
-// stray by more than this, and those places are refitted with more care.
-// [tolerances]
+// Chains are only compared with their own part of the source, so contours may
+// still cross where they are closer than the tolerance. Seen from outside they
+// then deviate by more than this, and are refitted with more care. [tolerances]
 constexpr double kMostStray = 1.1;
 constexpr int kRefitRounds = 4;
 // Contours that overlap by less fill the same pixels. [u]
@@ -57,7 +56,7 @@ void set_kinds(std::vector<GridPoint>& points) {
   }
 }
 
-// Removes points from which the contour goes straight back.
+// Removes points at which the contour goes straight back.
 void drop_spikes(std::vector<GridPoint>& points) {
   for (size_t i = 0; i < points.size() && points.size() > 2;) {
     const size_t n = points.size();
@@ -104,8 +103,8 @@ std::vector<GridPoint> points_of(const ChainSearch& search,
   return points;
 }
 
-// Twice the area of the polygon of all points: of the right sign if the
-// contour's is.
+// Twice the signed area of the polygon of all points; the contour's area has
+// the same sign.
 double twice_area(const std::vector<GridPoint>& points) {
   double sum = 0;
   for (size_t i = 0; i < points.size(); ++i) {
@@ -133,12 +132,12 @@ MinimalContour refit(const Contour& contour,
   drop_joints(search, path);
   MinimalContour result{points_of(search, path)};
   if (!(twice_area(result.points) * twice_area(contour) > 0)) {
-    result.points.clear();  // nothing is left of it on this grid
+    result.points.clear();  // the contour vanishes on this grid
   }
   return result;
 }
 
-// All that the refit of a contour looks at: its segments, the options, and the
+// Everything that the refit of a contour depends on: segments, options, and
 // places in reach.
 Fingerprint fingerprint(const Contour& contour, const RefitOptions& options) {
   Fingerprint print;
@@ -212,8 +211,8 @@ class Judge {
   Judge(const Shape& source, const RefitOptions& options)
       : options_(options), source_(source) {}
 
-  // How bad `result` is, 0 for the source itself. Adds to `places` where it
-  // strays and where its contours overlap. [u]
+  // The fault of `result`, 0 if it equals the source. Appends the places where
+  // it deviates and where its contours overlap. [u]
   double fault(const MinimalOutline& result, std::vector<Point>& places) const {
     const Outline drawn =
         expand(result, options_.units_per_em, options_.grid_shift);
@@ -224,8 +223,8 @@ class Judge {
   }
 
  private:
-  // Ends and middles of the edges of `a` that are too far from the border of
-  // `b`. The largest distance.
+  // Adds the ends and middles of edges of `a` that are too far from the border
+  // of `b`. Returns the largest distance.
   double find_strays(const Shape& a,
                      const Shape& b,
                      std::vector<Point>& places) const {
@@ -242,8 +241,8 @@ class Judge {
     return most;
   }
 
-  // Points of the contours that are not on the border of what they fill. More
-  // than any stray if there are some.
+  // Adds points of contours that are not on the border of the filled area. If
+  // there are any, the result is larger than any deviation.
   double find_overlaps(const Outline& drawn,
                        const Shape& shape,
                        std::vector<Point>& places) const {
@@ -285,7 +284,7 @@ MinimalOutline minimal_outline(const Outline& united,
     const size_t before = places.size();
     const double fault = judge.fault(result, places);
     if (round + 2 == kRefitRounds) {
-      // Nearer than the grid can show: what touches is united.
+      // Parts nearer than the grid's resolution are united.
       source = unite(expand(result, options.units_per_em, options.grid_shift));
     }
     if (fault < least) {

@@ -10,14 +10,13 @@
 namespace inkcell {
 namespace gen {
 
-/// How minimal_outline() works.
+/// Options of minimal_outline().
 struct RefitOptions {
   int units_per_em = 1024;
   /// A grid unit is 2^grid_shift font units, grid_shift = -4..3.
   int grid_shift = 0;
-  /// Bound on the distance of the result from the source and of the source
-  /// from the result. [u] Where the grid is too coarse for it, the nearest
-  /// points of the grid are taken.
+  /// The largest distance between result and source, in both directions. [u] If
+  /// the grid is too coarse for it, the nearest points of the grid are used.
   double tolerance_u = 0.5;
   /// Within kCareRadius_u of these places a quarter of the tolerance holds and
   /// every joint is an explicit corner.
@@ -31,16 +30,16 @@ struct RefitOptions {
 inline constexpr double kCareRadius_u = 24;
 
 /// Refits the contours of `united`, which neither cross nor overlap (see
-/// unite()): lines and quadratics that take the fewest bits, corners and
-/// extremes where they were. The same result on every machine. Empty for an
+/// unite()), with the lines and quadratics that take the fewest bits. Corners
+/// and extremes stay in place. The same result on every machine. Empty for an
 /// outline that fills nothing.
 ///
 /// The result is compared with `shape`, the area of `united`, in both
-/// directions, and refitted with more care where it strays or where contours
-/// overlap. What is narrower than the grid may stray all the same. 95 glyphs
-/// take 1 to 2 s on one core.
+/// directions. Places that deviate or overlap are refitted with more care.
+/// Details narrower than the grid may still deviate. 95 glyphs take 1 to 2 s on
+/// one core.
 ///
-/// `memo` keeps what several calls share for one glyph; the result does not
+/// `memo` caches what several calls for one glyph share; the result does not
 /// depend on it. Throws GeometryError.
 MinimalOutline minimal_outline(const Outline& united,
                                const Shape& shape,

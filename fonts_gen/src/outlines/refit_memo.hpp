@@ -1,5 +1,5 @@
-// What the refits of a glyph found already. They differ in few places:
-// everywhere else they ask for the same contours and chains again.
+// Caches contours and chains between the refits of a glyph, which differ only
+// in few places.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace inkcell {
 namespace gen {
 
-/// 128 bits that stand for a sequence of words and numbers: that two sequences
-/// have the same ones is less likely than an error of the machine.
+/// A hash of 128 bits of a sequence of words and numbers. Collisions are less
+/// likely than an error of the machine.
 class Fingerprint {
  public:
   void add(uint64_t word);
@@ -33,11 +33,11 @@ class Fingerprint {
   uint64_t b_ = 0;
 };
 
-/// Results by the fingerprint of all that they depend on.
+/// Results by the fingerprint of everything that they depend on.
 template <typename Result>
 class Memo {
  public:
-  /// Null if it is not known.
+  /// Null if it is not in the cache.
   const Result* find(const Fingerprint& question) const {
     const auto found = results_.find(question);
     return found == results_.end() ? nullptr : &found->second;
@@ -55,7 +55,7 @@ class Memo {
 };
 
 struct RefitMemo {
-  Memo<std::optional<Chain>> chains;  // none if no chain is acceptable
+  Memo<std::optional<Chain>> chains;  // nullopt if no chain is acceptable
   Memo<MinimalContour> contours;
 };
 

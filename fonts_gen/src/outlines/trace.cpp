@@ -14,20 +14,19 @@ namespace {
 
 // A joint that turns by less than 20 degrees is part of a curve.
 constexpr double kHardTurn_cos = 0.9396926;
-// A corner is hard if rounding it off, as far as its shorter side reaches,
-// strays by more than this. [tolerances]
+// A corner is hard if rounding it off over its shorter side deviates by more
+// than this. [tolerances]
 constexpr double kHardStray = 3;
 // Lines as short as this that turn by less than 12 degrees are chords of a
 // curve. [u]
 constexpr double kChord_u = 8;
 constexpr double kChordTurn_cos = 0.9781476;
-// Turning points nearer than this to an end of a curve are the end.
-// [grid units]
+// Turning points nearer than this to an end of a curve count as the end. [grid
+// units]
 constexpr double kNearEnd = 1;
-// A curve of another kind is divided until one quadratic fits within this part
-// of the tolerance.
+// Cubics are divided until a quadratic fits within this part of the tolerance.
 constexpr double kDivideAt = 0.5;
-// What is left of the tolerance stands for chords in place of curves.
+// The rest of the tolerance is for curves as chords.
 constexpr double kOfTolerance = 0.98;
 constexpr size_t kFewestSamples = 6;
 constexpr int kChordsOfCubic = 16;
@@ -36,7 +35,7 @@ constexpr double kLevel = 0.01;
 
 struct ContourPart {
   Segment curve;
-  bool goes_on = false;  // from the part before, as a chord of one curve
+  bool goes_on = false;  // continues the part before: chords of one curve
 };
 
 Segment scaled(Segment segment, double scale) {
@@ -73,8 +72,8 @@ double turn_cos(const ContourPart& a, const ContourPart& b) {
   return dot(direction_at_end(a.curve), direction_at_start(b.curve));
 }
 
-// The joint at which the contour turns most comes first. Short chords of one
-// curve are marked.
+// Rotates the list, so that the sharpest turn comes first, and marks short
+// chords of one curve.
 void arrange(std::vector<ContourPart>& parts, double chord) {
   const size_t n = parts.size();
   size_t sharpest = 0;
@@ -164,7 +163,7 @@ class Tracer {
     return care;
   }
 
-  // Appends the samples of a curve behind its first one.
+  // Appends the samples of a curve, without its first point.
   void sample(const Segment& curve, std::vector<Point>& samples) const {
     int chords = 1;
     if (curve.kind != Segment::Kind::line) {
@@ -179,8 +178,8 @@ class Tracer {
     samples.push_back(end_of(curve));
   }
 
-  // What the parts `i` to `next` - 1, chords of one curve or a single part, are
-  // in the trace.
+  // Adds the parts [i, next), chords of one curve or a single part, to the
+  // trace.
   void add_stretch(const std::vector<ContourPart>& parts,
                    size_t i,
                    size_t next) {
@@ -227,7 +226,8 @@ class Tracer {
                           samples.begin() + static_cast<ptrdiff_t>(last) + 1);
   }
 
-  // Samples `first` to `last` of a curve, as stretches that a quadratic fits.
+  // Adds the samples `first` to `last` of a curve as stretches that a quadratic
+  // fits.
   void divide(const std::vector<Point>& samples,
               size_t first,
               size_t last,

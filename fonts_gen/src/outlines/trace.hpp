@@ -1,4 +1,4 @@
-// A contour as the refit sees it: samples, and the places for points.
+// A contour for the refit: samples, and candidates for points.
 #pragma once
 
 #include <cstddef>
@@ -10,25 +10,25 @@
 namespace inkcell {
 namespace gen {
 
-/// How much care a place in RefitOptions asks for.
+/// The care that RefitOptions asks for at a place.
 enum class Care : uint8_t { none, careful, exact };
 
-/// A joint of the source, a turning point of a curve, or a place within a long
-/// curve: where the result may have a point on the curve.
+/// A joint of the source, a turning point of a curve, or a point within a long
+/// curve: a candidate for a point on the curve of the result.
 struct Node {
   size_t at = 0;  // index into Trace::samples
   Point on_grid;  // rounded
   Point before;   // unit tangents of the source
   Point after;
-  /// The source turns by so much that no curve can go round.
+  /// A turn so sharp that the result must have a corner here.
   bool hard = false;
-  /// The contour turns back here in x or in y: that coordinate must not move.
+  /// The contour turns back in x or in y here: that coordinate must not move.
   bool extreme_x = false;
   bool extreme_y = false;
   Care care = Care::none;
 };
 
-/// What lies between a node and the next.
+/// The part between a node and the next.
 struct Stretch {
   enum class Kind : uint8_t { line, quadratic, other };
 
@@ -37,9 +37,9 @@ struct Stretch {
   Care care = Care::none;
 };
 
-/// A closed contour in grid units. stretches[i] leads from nodes[i] to the
-/// next node, the last one to the first, which is where the contour turns most.
-/// Samples are closed as well: the last is the first.
+/// A closed contour in grid units. stretches[i] leads from nodes[i] to the next
+/// node, the last one back to the first. Node 0 is the sharpest turn. The last
+/// sample repeats the first.
 struct Trace {
   std::vector<Point> samples;
   std::vector<Node> nodes;  // at ascending; nodes[0].at = 0
@@ -53,9 +53,9 @@ struct RefitScale {
   double grid_per_u;
   double tolerance;
   double careful_tolerance;
-  /// Curves are chords within this.
+  /// The largest distance of chords from their curve.
   double chord_bound;
-  /// How far an extreme of the result may be from that of the source.
+  /// The largest distance of an extreme of the result from that of the source.
   double extreme_tolerance;
   double reach;  // kCareRadius_u
 };

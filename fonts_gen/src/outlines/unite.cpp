@@ -14,10 +14,10 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-// The border is a polygon: the chords of the source and, where contours cross,
-// parts of chords. An edge of it is part of a source segment if its ends and
-// its middle are as near to the chords of that segment, in order, as this.
-// Where curves run along each other either may be taken. [u]
+// The border is a polygon: chords of the source and, at crossings, parts of
+// chords. An edge of it is part of a source segment if its ends and its middle
+// are this near to the chords of that segment, in order. If curves run along
+// each other, either may be chosen. [u]
 constexpr double kNear_u = kFlatteningBound;
 
 // Points nearer than this are one: crossings are rounded to 1/65536 u. [u]
@@ -25,7 +25,7 @@ constexpr double kSamePoint_u = 1e-4;
 
 struct Source {
   Segment curve;
-  std::vector<Point> chords;  // corners of the polygon that stands for it
+  std::vector<Point> chords;  // corners of its polygon
 };
 
 std::vector<Source> sources_of(const Outline& outline) {
@@ -52,7 +52,7 @@ std::vector<Source> sources_of(const Outline& outline) {
   return sources;
 }
 
-// A place on the chords of a source: number of the chord + part of it.
+// A place on the chords of a source: index of the chord + part of it.
 struct Projection {
   double at = 0;
   double distance = kInfinity;  // of the point that was looked for [u]
@@ -67,8 +67,8 @@ Projection project(const Source& source, size_t chord, const Point& p) {
   return {static_cast<double>(chord) + t, length(p - a - t * d)};
 }
 
-// Moves `at` along the chords, ahead or back, to the nearest place to `p`, by
-// no more than about `reach`. The distance of `p` from there.
+// Moves `at` along the chords, forward or back by about `reach` at most, to the
+// nearest place to `p`. Returns the distance of `p` from there.
 double advance(const Source& source,
                bool ahead,
                const Point& p,
@@ -101,8 +101,8 @@ double advance(const Source& source,
   return best.distance;
 }
 
-// A part of a source segment on the border, or a line of the border that is
-// part of none.
+// A part of a source segment on the border, or a line of the border that
+// belongs to no source.
 struct Piece {
   const Source* source = nullptr;
   bool ahead = true;  // in the direction of the source
@@ -112,8 +112,8 @@ struct Piece {
   Point b;
 };
 
-// Goes on along the source of `piece` to the end of an edge that begins where
-// the piece ends. The largest distance of the edge from the source.
+// Extends `piece` along its source to the end of an edge that begins at the end
+// of the piece. Returns the largest distance of the edge from the source.
 double extend_piece(const Edge& edge, Piece& piece) {
   const double reach = length(edge.b - edge.a) + 2 * kNear_u;
   double at = piece.to;
@@ -126,7 +126,7 @@ double extend_piece(const Edge& edge, Piece& piece) {
   return most;
 }
 
-// The piece that an edge begins: part of the source that is nearest to it.
+// Begins a piece with an edge: the part of the nearest source.
 Piece start_piece(const std::vector<Source>& sources, const Edge& edge) {
   Piece best;
   best.a = edge.a;
@@ -156,7 +156,7 @@ bool continues(const Piece& a, const Piece& b) {
          length(a.b - b.a) <= kNear_u && std::fabs(b.from - a.to) <= 1;
 }
 
-// Joins what continues, also from the last piece to the first.
+// Joins consecutive pieces, also the last with the first.
 void join(std::vector<Piece>& pieces) {
   std::vector<Piece> joined;
   for (const Piece& piece : pieces) {
@@ -175,7 +175,7 @@ void join(std::vector<Piece>& pieces) {
   pieces = std::move(joined);
 }
 
-// Edges that close a contour, as few pieces.
+// The edges of a contour as the fewest pieces.
 std::vector<Piece> pieces_of(const std::vector<Source>& sources,
                              const Edge* edges,
                              size_t count) {
@@ -191,7 +191,7 @@ std::vector<Piece> pieces_of(const std::vector<Source>& sources,
     pieces.push_back(start_piece(sources, edges[i]));
   }
   join(pieces);
-  // What is left of crossings at a narrow angle.
+  // Residues of crossings at a narrow angle.
   const auto is_tiny = [](const Piece& piece) {
     return length(piece.b - piece.a) <= kNear_u &&
            (piece.source == nullptr || std::fabs(piece.to - piece.from) <= 1);
@@ -202,7 +202,7 @@ std::vector<Piece> pieces_of(const std::vector<Source>& sources,
   return pieces;
 }
 
-// The segment of a piece. Its ends are those of the source if they lie there.
+// The segment of a piece. Ends at the source's ends are exact.
 Segment segment_of(const Piece& piece) {
   if (piece.source == nullptr) {
     return line_segment(piece.a, piece.b);
@@ -227,7 +227,7 @@ Segment segment_of(const Piece& piece) {
   return piece.ahead ? part : reversed(part);
 }
 
-// The order of the source, whatever the order of the border.
+// Orders pieces as in the source, independent of the border's order.
 std::tuple<bool, const Source*, double> rank(const Piece& piece) {
   return {piece.source == nullptr, piece.source,
           std::min(piece.from, piece.to)};

@@ -1,4 +1,4 @@
-// Contours that overlap become contours that do not.
+// Removes overlaps of contours.
 #pragma once
 
 #include "shape/outline.hpp"
@@ -7,18 +7,18 @@
 namespace inkcell {
 namespace gen {
 
-/// The border of what `outline` fills under the non-zero rule: closed contours
-/// that neither cross nor overlap, though they may touch in points, filled on
-/// the left. Contours that fill nothing are dropped.
+/// The border of the area that `outline` fills under the non-zero rule: closed
+/// contours, filled on the left, that neither cross nor overlap; they may touch
+/// in points. Contours that fill nothing are dropped.
 ///
-/// They are those of Shape, with the source's own segments, or parts of them,
-/// in place of their chords: curves stay curves, and corners stay where they
-/// are. No point is farther from the border of Shape than 2 kFlatteningBound.
+/// Has the contours of Shape, but with segments of the source, or parts of
+/// them, in place of chords: curves stay curves, and corners do not move. No
+/// point is farther from the border of Shape than 2 kFlatteningBound.
 ///
 /// Throws GeometryError.
 Outline unite(const Outline& outline);
 
-/// The same where `shape`, that of `outline`, is known.
+/// The same, for callers that have the Shape of `outline`.
 Outline unite(const Outline& outline, const Shape& shape);
 
 }  // namespace gen

@@ -11,7 +11,7 @@ DistanceMap::DistanceMap(const Shape& shape, double margin_u) {
   const Box& box = shape.box();
   x0_u_ = std::floor((box.x0 - margin_u) / kBlock_u) * kBlock_u;
   y0_u_ = std::floor((box.y0 - margin_u) / kBlock_u) * kBlock_u;
-  // One more than the quotient: the far ends may be asked for too.
+  // One more than the quotient, for queries at the far ends.
   const auto blocks = [&](double first, double last) {
     return static_cast<size_t>((last + margin_u - first) / kBlock_u) + 1;
   };

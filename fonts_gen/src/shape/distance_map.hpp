@@ -1,4 +1,4 @@
-// Exact distances at very many points of a glyph, most of them for nothing.
+// Exact distances for very many queries, most of which need only bounds.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,19 @@
 namespace inkcell {
 namespace gen {
 
-/// The plane around a shape in square tiles. A distance changes by at most 1 u
-/// per u, so that the one at a tile's centre bounds all others in it: half the
-/// diagonal more or less. Who only asks on which side of a ramp a point lies
-/// has his answer without measuring. For the others a tile holds the list of
-/// edges that matter in it, made when first asked for.
+/// Square tiles around a shape. A distance changes by at most 1 u per u, so the
+/// one at a tile's centre bounds all others in it, to half the diagonal.
+/// Callers that only need the side of a ramp need no more. For the others a
+/// tile holds the list of edges that matter in it, made at the first query.
 ///
-/// Not for several threads at once; refers to the shape, which must not be
-/// empty and must outlive it.
+/// Not thread-safe. Refers to the shape, which must not be empty and must
+/// outlive it.
 class DistanceMap {
  public:
-  /// Points may be asked for in the shape's box and up to `margin_u` around.
+  /// Queries may be in the shape's box and up to `margin_u` around it.
   DistanceMap(const Shape& shape, double margin_u);
 
-  /// No distance in the tile is outside of this. [u]
+  /// Bounds of the distances in a tile. [u]
   struct Bounds {
     double low = 0;
     double high = 0;
@@ -56,7 +55,7 @@ class DistanceMap {
   size_t tiles_y_ = 0;
   std::vector<Bounds> bounds_;         // of the tiles, row by row from below
   std::vector<Neighbourhood> blocks_;  // row by row from below
-  std::vector<Neighbourhood> lists_;   // of those tiles that were asked for
+  std::vector<Neighbourhood> lists_;   // of tiles that were queried
   std::vector<uint32_t> list_of_;      // of each tile in lists_, plus one
 };
 

@@ -9,10 +9,10 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-// Points of a row that are worked on together.
+// Points of a row that are processed together.
 constexpr size_t kChunk = 32;
 
-// What doubles may lose at coordinates up to kCoordinateLimit. [u]
+// The rounding error of doubles at coordinates up to kCoordinateLimit. [u]
 constexpr double kRounding_u = 1e-7;
 
 double squared_to_square(const Square& square, double x, double y) {
@@ -68,10 +68,10 @@ Neighbourhood::Neighbourhood(const Shape& shape, const Square& square) {
   *this = all.part(square);
 }
 
-// With r half the diagonal, c the centre and m the distance from c to the
-// nearest edge, no point of the square is farther than m + r from the border,
-// and none is nearer to an edge at distance e from c than e - r. So an edge
-// with e > m + 2 r is nowhere the nearest.
+// r: half the diagonal, c: the centre, m: the distance from c to the nearest
+// edge. No point of the square is farther than m + r from the border, and none
+// is nearer to an edge at distance e from c than e - r. So an edge with e > m +
+// 2 r is never the nearest.
 Neighbourhood Neighbourhood::part(const Square& part) const {
   const double cx = part.x + part.size / 2;
   const double cy = part.y + part.size / 2;
@@ -106,8 +106,8 @@ double Neighbourhood::distance(double x, double y) const {
   return shape_->inside(x, y) ? size : -size;
 }
 
-// Edges outside, points inside: the inner loop has no branch and no sum, so
-// compilers turn it into vector instructions.
+// The inner loop runs over points and has no branch and no sum, so compilers
+// can vectorise it.
 void Neighbourhood::distances(
     double x, double y, double step, size_t count, double* out) const {
   std::vector<double> crossings;

@@ -15,10 +15,9 @@ struct Square {
   double size = 0;
 };
 
-/// The edges of a shape that can be nearest to some point of a square: what
-/// distances inside it depend on. The list of a part is found from the list of
-/// the whole, so that going down a quadtree costs less with each level. Refers
-/// to the shape, which must outlive it.
+/// The edges of a shape that can be nearest to a point of a square. The list of
+/// a part is found from the list of the whole, so each level of a quadtree
+/// costs less. Refers to the shape, which must outlive it.
 class Neighbourhood {
  public:
   /// `shape` must not be empty.
@@ -34,7 +33,7 @@ class Neighbourhood {
   double distance(double x, double y) const;
 
   /// Distances at the `count` points (x + i * step, y), all in square(), to
-  /// out[0..count). Cheaper than one by one.
+  /// out[0..count). Faster than single calls.
   void distances(
       double x, double y, double step, size_t count, double* out) const;
 

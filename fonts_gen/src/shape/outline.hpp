@@ -1,4 +1,4 @@
-// Outlines of glyphs as a font describes them, before they become fields.
+// Outlines of glyphs as a font describes them, before encoding.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 namespace inkcell {
 namespace gen {
 
-/// An em has so many u, the unit of all outlines.
+/// u per em, the unit of all outlines.
 inline constexpr double kUPerEm = 1024;
 
 /// A position in u (1/1024 em), y up, origin on the baseline.
@@ -17,8 +17,8 @@ struct Point {
   double y = 0;
 };
 
-/// A piece of a contour. `p` holds 2, 3 or 4 points, the first and the last on
-/// the curve.
+/// A piece of a contour. `p` holds 2, 3 or 4 points; the first and the last are
+/// on the curve.
 struct Segment {
   enum class Kind { line, quadratic, cubic };
 
@@ -26,8 +26,8 @@ struct Segment {
   Point p[4];
 };
 
-/// A closed curve. Each segment begins where the one before ended; if the last
-/// does not end where the first began, a line closes the contour.
+/// A closed curve. Each segment begins at the end of the one before. If the
+/// last does not end at the start of the first, a line closes the contour.
 struct Contour {
   std::vector<Segment> segments;
 };
@@ -37,7 +37,7 @@ struct Outline {
   std::vector<Contour> contours;
 };
 
-/// What geometry refuses to work on.
+/// Outlines that geometry cannot process.
 class GeometryError : public std::runtime_error {
  public:
   enum class Kind {

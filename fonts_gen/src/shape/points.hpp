@@ -43,7 +43,7 @@ inline double length(const Point& p) {
   return std::sqrt(dot(p, p));
 }
 
-/// The vector of length 1, or zero for a vector that has no direction.
+/// The vector scaled to length 1; zero for the zero vector.
 inline Point direction(const Point& p) {
   const double size = length(p);
   return size > 1e-9 ? (1 / size) * p : Point{};

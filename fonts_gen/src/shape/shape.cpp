@@ -11,22 +11,21 @@ namespace inkcell {
 namespace gen {
 namespace {
 
-// Clipper works on integers. Below 2^30 it needs no 128-bit products, and a
-// product of two coordinates still has bits to spare in its doubles.
+// Clipper uses integers. Below 2^30 it needs no 128-bit products, and products
+// of two coordinates are exact enough in its doubles.
 constexpr double kClipperUnits_per_u = 65536;
 static_assert(kCoordinateLimit * kClipperUnits_per_u < 0x3fffffff,
               "outlines must stay in Clipper's fast range");
 
 constexpr uint32_t kEdgesPerLeaf = 6;
 
-// Contours of a smaller area and a smaller mean width are left over where
-// contours cross by accident, as those of variable fonts do: the width is less
-// than a font unit of most fonts, the area 1/64 of a pixel at 64 px/em. Their
-// border, taken for an edge, would be a speck of half the intensity.
+// Smaller contours are residues of accidental crossings, as in variable fonts:
+// the width is less than a font unit of most fonts, the area 1/64 of a pixel at
+// 64 px/em. Their border would show as a speck of half the intensity.
 constexpr double kLeastArea = 4;  // [u^2]
 constexpr double kLeastWidth_u = 1.0 / 8;
 
-// Height of the bands that hold the edges for a horizontal line. [u]
+// Height of the bands that index edges by y. [u]
 constexpr double kRowHeight_u = 4;
 
 ClipperLib::Path to_clipper(const std::vector<Point>& polygon) {
@@ -51,7 +50,7 @@ ClipperLib::Paths unite(const Outline& outline) {
   for (const Contour& contour : outline.contours) {
     const ClipperLib::Path path = to_clipper(flatten(contour));
     if (path.size() >= 3) {
-      // False for a path without area, which is then left out: as it should.
+      // False for a path without area, which may be dropped.
       any |= clipper.AddPath(path, ClipperLib::ptSubject, true);
     }
   }
@@ -73,7 +72,7 @@ ClipperLib::Paths unite(const Outline& outline) {
   return united;
 }
 
-// The mean width is that of a rectangle as narrow as to have the same border.
+// The mean width is that of a narrow rectangle with the same border.
 bool is_sliver(const ClipperLib::Path& path) {
   const double area = std::fabs(ClipperLib::Area(path)) /
                       (kClipperUnits_per_u * kClipperUnits_per_u);
@@ -107,8 +106,8 @@ double squared_distance(const Box& box, double x, double y) {
                  std::max({box.y0 - y, y - box.y1, 0.0}));
 }
 
-// Half open, so that a line through a corner meets one of the two edges there
-// or both or none, and the number of crossings stays even.
+// Half open: a line through a corner meets one of the two edges, both or none,
+// so the number of crossings stays even.
 bool crosses(const Edge& edge, double y) {
   return (edge.a.y <= y) != (edge.b.y <= y);
 }
@@ -140,8 +139,8 @@ Shape::Shape(const Outline& outline) {
   build_rows();
 }
 
-// Edges follow each other along the contours, so halves of a range are compact
-// enough for a tree without sorting.
+// Consecutive edges are close to each other, so halving the range gives a good
+// tree without sorting.
 void Shape::build_tree(size_t node, uint32_t first, uint32_t count) {
   if (tree_.size() <= node) {
     tree_.resize(node + 1);

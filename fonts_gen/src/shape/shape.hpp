@@ -24,17 +24,16 @@ struct Edge {
   Point b;
 };
 
-/// The union of everything an outline fills, as a polygon.
+/// The union of all that an outline fills, as a polygon.
 ///
-/// Curves become chords (kFlatteningBound), coordinates are rounded to
-/// 1/65536 u, and contours are united under the non-zero rule, so that every
-/// edge has filled area on one side only: no distance is measured to an edge
-/// inside the shape. Constant after construction; any number of threads may
-/// query it.
+/// Curves become chords (kFlatteningBound), coordinates are rounded to 1/65536
+/// u, and contours are united under the non-zero rule. So every edge has filled
+/// area on one side only, and edges inside the shape do not count. Immutable;
+/// any number of threads may query it.
 class Shape {
  public:
-  /// Degenerate contours fill nothing and are dropped, and so are islands and
-  /// holes of less than 4 u^2 whose mean width is less than 1/8 u.
+  /// Drops contours that fill nothing, and islands and holes of less than 4 u^2
+  /// with a mean width of less than 1/8 u.
   ///
   /// Throws GeometryError::bad_coordinates.
   explicit Shape(const Outline& outline);
@@ -46,16 +45,17 @@ class Shape {
 
   const std::vector<Edge>& edges() const { return edges_; }
 
-  /// Distance from (x, y) to the border, positive inside. [u] Exact for the
+  /// The distance from (x, y) to the border, positive inside. [u] Exact for the
   /// polygon but for rounding of doubles. -infinity for an empty shape.
   double distance(double x, double y) const;
 
   /// Whether (x, y) is filled. On the border: either.
   bool inside(double x, double y) const;
 
-  /// Abscissas at which the height `y` meets the border, ascending, an even
-  /// number: filled between the first and the second, and so on. Replaces what
-  /// `out` holds. An edge counts for a.y <= y < b.y, whichever end is lower.
+  /// Finds the x at which the line at height `y` meets the border, ascending,
+  /// an even number: filled between the first and the second, and so on.
+  /// Replaces the content of `out`. An edge counts for min(a.y, b.y) <= y <
+  /// max(a.y, b.y).
   void crossings(double y, std::vector<double>& out) const;
 
  private:

@@ -43,7 +43,7 @@ bool is_digit(std::string_view text) {
   return text.size() == 1 && text[0] >= '0' && text[0] <= '9';
 }
 
-// One end of a range. One digit is a character, as one letter is: code points
+// An end of a range. A single digit is a character, as a letter is: code points
 // below 10 are control characters, which no font needs.
 std::optional<char32_t> parse_end(std::string_view text) {
   const std::string_view prefix = text.substr(0, 2);
@@ -59,7 +59,7 @@ std::optional<char32_t> parse_end(std::string_view text) {
   if (text.empty()) {
     return std::nullopt;
   }
-  const auto literal = take_utf8(text);
+  const auto literal = read_utf8(text);
   return text.empty() ? literal : std::nullopt;
 }
 
@@ -126,7 +126,7 @@ void add_ranges(std::string_view list, CharSet& out) {
   }
 }
 
-std::optional<char32_t> take_utf8(std::string_view& text) {
+std::optional<char32_t> read_utf8(std::string_view& text) {
   const auto lead = static_cast<uint8_t>(text[0]);
   const size_t length = lead < 0x80             ? 1
                         : (lead & 0xe0) == 0xc0 ? 2
@@ -144,7 +144,7 @@ std::optional<char32_t> take_utf8(std::string_view& text) {
     }
     c = c << 6 | (next & 0x3fu);
   }
-  // The least code point that needs so many bytes.
+  // The least code point that needs this many bytes.
   constexpr char32_t kLeast[5] = {0, 0, 0x80, 0x800, 0x10000};
   if (c < kLeast[length] || c > kLastCodePoint || is_surrogate(c)) {
     return std::nullopt;
@@ -165,7 +165,7 @@ void add_text(std::string_view text, const std::string& source, CharSet& out) {
   const size_t size = text.size();
   while (!text.empty()) {
     const size_t offset = size - text.size();
-    const auto c = take_utf8(text);
+    const auto c = read_utf8(text);
     if (!c) {
       throw Error(source + ": byte " + std::to_string(offset) +
                   " is not UTF-8; save the text as UTF-8");

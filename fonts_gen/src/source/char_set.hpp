@@ -1,4 +1,4 @@
-// Which characters a font shall hold: ranges, text files, strings.
+// Sets of characters, from ranges, text files and strings.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,12 @@ namespace inkcell::gen {
 /// Unicode code points in ascending order.
 using CharSet = std::set<char32_t>;
 
-/// What is taken when nothing else is asked for: printable ASCII.
+/// The default: printable ASCII.
 inline constexpr std::string_view kDefaultChars = "0x20-0x7E";
 
-/// Adds a list such as "0x20-0x7E,U+B0,176,A-Z": items are separated by commas;
+/// Adds a list such as "0x20-0x7E,U+B0,176,A-Z". Items are separated by commas;
 /// an end of a range is hexadecimal (0x or U+), decimal, or one character.
-/// Surrogates within a range are skipped. Throws Error.
+/// Surrogates in a range are skipped. Throws Error.
 void add_ranges(std::string_view list, CharSet& out);
 
 /// Adds every character of UTF-8 text except control characters (line ends,
@@ -27,23 +27,23 @@ void add_text(std::string_view text, const std::string& source, CharSet& out);
 /// add_text of a whole file. Throws Error.
 void add_text_file(const std::filesystem::path& file, CharSet& out);
 
-/// The bytes of a file. Throws Error; `option` names what asked for it.
+/// The bytes of a file. Throws Error that names `option`.
 std::string read_text_file(const std::filesystem::path& file,
                            const std::string& option);
 
-/// Takes one character off the front of `text`, which must not be empty;
+/// Reads one character from the front of `text`, which must not be empty;
 /// nothing if it is not UTF-8.
-std::optional<char32_t> take_utf8(std::string_view& text);
+std::optional<char32_t> read_utf8(std::string_view& text);
 
-/// Whether a character belongs into a font: no control character, no byte order
+/// Whether a character belongs in a font: no control character, no byte order
 /// mark.
 bool is_shown(char32_t code_point);
 
-/// Whether text has a gap or a box where the font lacks a character: the space,
-/// and all that show something.
+/// Whether a missing character leaves a gap or a box: the space, and all
+/// visible ones.
 bool is_missed(char32_t code_point);
 
-/// Whether a code point is for private use, as those of icons are.
+/// Whether a code point is for private use, like those of icons.
 constexpr bool is_private(char32_t c) {
   return (c >= 0xe000 && c <= 0xf8ff) || c >= 0xf0000;
 }
@@ -51,7 +51,7 @@ constexpr bool is_private(char32_t c) {
 /// UTF-8 of one code point.
 std::string to_utf8(char32_t code_point);
 
-/// How messages write a character: U+0041 'A'.
+/// The form of a character in messages: U+0041 'A'.
 std::string describe(char32_t code_point);
 
 }  // namespace inkcell::gen

@@ -1,4 +1,4 @@
-// What a composite glyph is made of.
+// Components of composite glyphs.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@
 namespace inkcell::gen {
 namespace {
 
-// Fonts nest composites two or three deep; this is against cycles.
+// Real fonts nest composites two or three deep; this stops cycles.
 constexpr int kMostDepth = 8;
 
 // Points of components of components are rounded at each level. [font units]
@@ -22,7 +22,7 @@ constexpr int kRounding = 1;
 
 using Points = std::vector<std::array<int, 2>>;
 
-// A component as the file states it: its glyph and its matrix.
+// A component as in the file: its glyph and its matrix.
 struct Component {
   uint32_t glyph;
   std::array<int, 4> matrix_q14;  // xx xy yx yy
@@ -46,7 +46,7 @@ class Composites {
     return locate(components, points_of(glyph));
   }
 
-  // Adds the simple glyphs that `glyph` needs and the font has not.
+  // Adds the simple glyphs that `glyph` needs and the font lacks.
   void add_missing(uint32_t glyph,
                    int depth,
                    std::set<uint32_t>& missing) const {
@@ -102,7 +102,7 @@ class Composites {
     return static_cast<int>((value_q16 + 2) >> 2);
   }
 
-  // Adds what `whole` consists of; false if a part is no glyph of the font.
+  // Adds the components of `whole`; false if one is no glyph of the font.
   bool add_components(const Component& whole,
                       int depth,
                       std::vector<Component>& found) const {
@@ -131,9 +131,9 @@ class Composites {
             sum(m[2], n[0], m[3], n[2]), sum(m[2], n[1], m[3], n[3])};
   }
 
-  // Finds the offsets by the points of the whole, which are those of the
-  // components one after the other. So it does not matter how the file states
-  // them: by points that coincide, scaled, or varied along an axis.
+  // Finds offsets by the points of the whole glyph, which are those of the
+  // components in order. So it works for any kind of offset in the file: by
+  // matching points, scaled, or varied along an axis.
   OutlineReferences locate(const std::vector<Component>& components,
                            const Points& whole) const {
     OutlineReferences references;
@@ -161,7 +161,7 @@ class Composites {
     const FT_Matrix matrix = {m[0] * 4, m[1] * 4, m[2] * 4, m[3] * 4};
     for (auto& p : points) {
       FT_Vector vector = {p[0], p[1]};
-      FT_Vector_Transform(&vector, &matrix);  // the rounding of the whole
+      FT_Vector_Transform(&vector, &matrix);  // rounds as the whole glyph does
       p = {static_cast<int>(vector.x), static_cast<int>(vector.y)};
     }
     return points;

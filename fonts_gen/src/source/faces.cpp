@@ -29,8 +29,8 @@ void add_characters_of(const SourceFont& font, CharSet& out) {
   }
 }
 
-// The classes of `part` after those of `matrix`, whose glyphs stand before its;
-// pairs of one and the other do not kern.
+// Appends the classes of `part` to those of `matrix`; its glyphs follow the
+// glyphs of `matrix`. Pairs across both do not kern.
 void append_kerning(const KerningMatrix& part,
                     const UnitScale& scale,
                     KerningMatrix& matrix) {
@@ -67,8 +67,8 @@ void append_kerning(const KerningMatrix& part,
   matrix.right_classes += part.right_classes;
 }
 
-// References of a glyph of `part`, for a font in which its glyph 1 is number
-// `first`; none if they are to .notdef, which is not taken.
+// Moves references of a glyph of `part` to a font in which its glyph 1 has the
+// index `first`; none if one is to .notdef, which is dropped.
 OutlineReferences moved(const OutlineReferences& references, size_t first) {
   OutlineReferences result;
   for (OutlineReference reference : references) {
@@ -110,7 +110,7 @@ bool is_letter_mark_or_digit(char32_t c) {
   }
 }
 
-// What layout needs beside `asked`, of what the files have.
+// Characters that layout needs beside `asked`, if the files have them.
 CharSet additions_to(const CharSet& asked,
                      Additions additions,
                      const std::vector<FontFile>& files) {
@@ -124,7 +124,7 @@ CharSet additions_to(const CharSet& asked,
       std::none_of(asked.begin(), asked.end(), is_in_files)) {
     return added;
   }
-  // The first of `signs` that a file has, unless one is there already.
+  // Adds the first of `signs` that a file has, unless one is there already.
   const auto add_one_of = [&](std::initializer_list<char32_t> signs) {
     if (std::any_of(signs.begin(), signs.end(), [&](char32_t c) {
           return asked.count(c) != 0 && is_in_files(c);
@@ -161,7 +161,7 @@ bool gives_icons(const FontFile& file, const FontRequest& request) {
          (!has_latin || std::any_of(taken.begin(), taken.end(), is_private));
 }
 
-// The place of a face's em square beside the letters of the font. [u]
+// The position of a face's em square beside the font's letters. [u]
 IconBox box_of(const MergedFace& face, const SourceMetrics& letters) {
   try {
     return icon_box(face.place, letters);
@@ -170,10 +170,10 @@ IconBox box_of(const MergedFace& face, const SourceMetrics& letters) {
   }
 }
 
-// How far a face stands above its own baseline. Its em square lies around the
-// middle of its line: in 12 sets of icons (Material Symbols, Font Awesome, MDI,
-// Bootstrap, Remix, Phosphor, ...) the median drawing's middle is within 0.001
-// em of that, whatever their baselines.
+// The shift of a face above its baseline. Its em square is centred in its line:
+// in 12 sets of icons (Material Symbols, Font Awesome, MDI, Bootstrap, Remix,
+// Phosphor, ...) the middle of the median drawing is within 0.001 em of that,
+// whatever the baseline.
 double shift_em(const MergedFace& face,
                 bool is_icons,
                 const SourceMetrics& own,
@@ -203,7 +203,7 @@ std::vector<ShapedLine> shape_lines(const std::vector<FontFile>& files,
   return shaped;
 }
 
-// What the lines show of each face. A character is that of the first face that
+// The glyphs of the lines by face. A character comes from the first face that
 // has it.
 std::vector<LineShare> share_lines(const std::vector<FontFile>& files,
                                    const std::vector<LineText>& lines,
@@ -241,7 +241,7 @@ void warn_of_unused(const FontFile& file, Warnings& warnings) {
                           "for and that the faces before it lack"});
 }
 
-// "Thin (wght 100 of 100..900)" was nobody's choice.
+// Warns of defaults such as "Thin (wght 100 of 100..900)" that nobody chose.
 void tell_of_default(const FontFile& file,
                      bool is_chosen,
                      const std::string& remedy,
@@ -319,7 +319,8 @@ void merge_font(SourceFont part, SourceFont& font) {
           glyph.outline);
     }
     font.glyphs.push_back(std::move(glyph));
-    // Offsets of components are whole font units: in others they do not fit.
+    // Offsets of components are whole font units, which scaled ones would not
+    // be.
     font.components.push_back(scale.is_one() && !is_moved
                                   ? moved(part.components[i], first)
                                   : OutlineReferences());

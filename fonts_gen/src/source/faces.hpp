@@ -1,4 +1,4 @@
-// Several faces as one font.
+// Merges several faces into one font.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,19 @@
 
 namespace inkcell::gen {
 
-/// Reads `first`, and then the faces of `more` in their order. A character
-/// comes from the first face that is asked for it and has it. Lines, metrics,
-/// the name and .notdef are those of `first`; an em of another face is one of
-/// `first`, or as high as its place says. Icons stand in the middle of
-/// capitals: a face is one of icons if no letter, mark or digit is taken from
-/// it, and either a private use character is or it lacks Latin letters.
-/// Characters of different faces do not kern. `lines` are shaped by all faces,
-/// whatever characters these are asked for. Of an ellipsis, the point is added,
-/// or U+2026 if no face has one; of hyphens '-' or U+2010; both only to letters
-/// and digits. What no face has is not missing. Throws Error.
+/// Reads `first`, then the faces of `more` in order. A character comes from the
+/// first face that has it and is asked for it.
+///
+/// Lines, metrics, the name and .notdef are those of `first`. An em of another
+/// face is scaled to one of `first`, or as its place says. A face is one of
+/// icons if no letter, mark or digit is taken from it, and either a private use
+/// character is or it lacks Latin letters; icons are centred on the capitals.
+/// Characters of different faces do not kern. All faces shape `lines`, whatever
+/// characters they are asked for.
+///
+/// For letters and digits the dot is added as ellipsis, or U+2026 if no face
+/// has it, and '-' as hyphen, or U+2010. If no face has them, they are not
+/// missing. Throws Error.
 SourceFont load_faces(const FontRequest& first,
                       const std::vector<MergedFace>& more,
                       const std::vector<LineText>& lines,
@@ -25,12 +28,11 @@ SourceFont load_faces(const FontRequest& first,
                       Warnings& warnings);
 
 /// Adds the glyphs of `part`, which has one face, to `font`, scaled and shifted
-/// as the face says, but for its .notdef; and puts all in the order that
-/// SourceFont::glyphs has. They have no character in common. Throws Error if
-/// they are too many.
+/// as the face says, without .notdef, and sorts all with sort_glyphs(). Both
+/// must have no character in common. Throws Error if they are too many.
 void merge_font(SourceFont part, SourceFont& font);
 
-/// Puts the glyphs of `font` in the order that SourceFont::glyphs has.
+/// Sorts the glyphs of `font` as SourceFont::glyphs says.
 void sort_glyphs(SourceFont& font);
 
 }  // namespace inkcell::gen

@@ -87,8 +87,8 @@ bool FontFile::is_web_font() const {
   return magic == tag("wOFF") || magic == tag("wOF2");
 }
 
-// Replaces a WOFF or WOFF2 file by the font that it holds, for HarfBuzz and for
-// the same checks as other fonts have: FreeType keeps it in memory.
+// Replaces a WOFF or WOFF2 file by the font in it, which FreeType keeps in
+// memory: for HarfBuzz, and for the checks of all fonts.
 void FontFile::unpack(int face) {
   open_face(face);
   FT_ULong size = 0;
@@ -105,8 +105,8 @@ void FontFile::unpack(int face) {
   bytes_ = std::move(font);
 }
 
-// Where the table directory of the face begins. A face that the collection does
-// not have is left to open_face.
+// The offset of the face's table directory. open_face reports a face that is
+// not in the collection.
 size_t FontFile::find_directory(int face) const {
   if (bytes_.size() < 12) {
     refuse("is not a font: only " + std::to_string(bytes_.size()) + " bytes");
@@ -129,8 +129,8 @@ size_t FontFile::find_directory(int face) const {
   return 0;
 }
 
-// FreeType leaves out tables that the file is too short for; a font without its
-// kerning would then pass for a font that has none.
+// FreeType drops tables that go beyond the end of the file: without this check
+// a font could lose its kerning silently.
 void FontFile::check_tables(int face) const {
   const size_t directory = find_directory(face);
   if (directory > bytes_.size() - 12) {

@@ -15,7 +15,7 @@
 
 namespace inkcell::gen {
 
-/// Font units of one face in those of another, to the nearest.
+/// Converts font units of one face to those of another, rounded to nearest.
 class UnitScale {
  public:
   /// An em of the first face is `scale` em of the second.
@@ -30,15 +30,14 @@ class UnitScale {
   double to_;
 };
 
-/// One face of a TTF, OTF, TTC, OTC, WOFF or WOFF2 file at one instance. All
-/// lengths that FreeType and HarfBuzz give for it are in font units.
+/// One face of a TTF, OTF, TTC, OTC, WOFF or WOFF2 file at one instance.
+/// FreeType and HarfBuzz return all lengths of it in font units.
 class FontFile {
  public:
-  /// Opens face number `face` at the instance of a name, if it is not empty,
-  /// and with the given axes; the axes that neither names keep their defaults.
-  /// Throws Error for everything that cannot give outlines: not a font,
-  /// truncated, bitmaps only, unitsPerEm outside 16..16384, no glyphs, unknown
-  /// face, instance or axis.
+  /// Opens face number `face` at the named instance, if the name is not empty,
+  /// and with the given axes; other axes keep their defaults. Throws Error if
+  /// there are no outlines: not a font, truncated, bitmaps only, unitsPerEm
+  /// outside 16..16384, no glyphs, unknown face, instance or axis.
   FontFile(const std::filesystem::path& file,
            int face,
            const std::vector<AxisSetting>& axes,
@@ -50,13 +49,13 @@ class FontFile {
 
   int units_per_em() const { return face_->units_per_EM; }
 
-  /// The glyph of a code point by the Unicode (or symbol) character map; 0 if
+  /// The glyph of a code point in the Unicode (or symbol) character map; 0 if
   /// there is none.
   uint32_t glyph_of(char32_t code_point) const;
 
-  /// The file's name, without folders, as messages and reports show it.
+  /// The file name without folders, for messages and reports.
   const std::string& file_name() const { return file_name_; }
-  /// The axes, and where they are.
+  /// The axes and their values.
   const Variation& variation() const { return variation_; }
   /// Family and style, such as "DejaVu Sans Book"; instances of variable fonts
   /// are "Roboto Flex, Bold" or "Roboto Flex, wght 650".
@@ -82,7 +81,7 @@ class FontFile {
   void read_bytes(const std::filesystem::path& file);
   bool is_web_font() const;
   void unpack(int face);
-  /// Throws the Error of a file that FreeType does not open.
+  /// Throws the Error for a file that FreeType cannot open.
   [[noreturn]] void refuse_damaged(int error) const;
   size_t find_directory(int face) const;
   void check_tables(int face) const;

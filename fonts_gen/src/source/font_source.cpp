@@ -12,13 +12,13 @@
 namespace inkcell::gen {
 namespace {
 
-// Missing characters that a warning lists.
+// The most missing characters that a warning lists.
 constexpr size_t kListedCharacters = 10;
 
-// Faces of a file, likewise.
+// The most faces of a file that a warning lists.
 constexpr size_t kListedFaces = 20;
 
-// Whether the font has a picture of the glyph that is no plain outline.
+// Whether the font draws the glyph by other means than an outline.
 bool has_picture(const FontFile& font, uint32_t glyph) {
   hb_blob_t* png = hb_ot_color_glyph_reference_png(font.hb(), glyph);
   hb_blob_t* svg = hb_ot_color_glyph_reference_svg(font.hb_face(), glyph);
@@ -30,8 +30,8 @@ bool has_picture(const FontFile& font, uint32_t glyph) {
   return found;
 }
 
-// Whether a contour can enclose anything. Emoji fonts mark the corners of
-// their pictures by contours of a single point.
+// Whether a contour can enclose an area. Emoji fonts mark the corners of their
+// pictures by contours of a single point.
 bool has_area(const Outline& outline) {
   return std::any_of(
       outline.contours.begin(), outline.contours.end(),
@@ -65,7 +65,7 @@ void warn_of_pictures(const FontFile& file,
 void warn_of_embedding(const FontFile& font, Warnings& warnings) {
   const FT_UShort flags = FT_Get_FSType_Flags(font.ft());
   std::string meaning;
-  // Bits 0 to 3: the least restrictive one holds if there are several.
+  // Of several bits in 0 to 3 the least restrictive one holds.
   if ((flags & FT_FSTYPE_EDITABLE_EMBEDDING) != 0) {
     meaning = "editable embedding: may be part of a document that is edited";
   } else if ((flags & FT_FSTYPE_PREVIEW_AND_PRINT_EMBEDDING) != 0) {
@@ -91,7 +91,7 @@ void warn_of_embedding(const FontFile& font, Warnings& warnings) {
   }
 }
 
-// Of a file of several faces the first one was taken, unasked.
+// Warns if the file has several faces and none was chosen.
 void warn_of_faces(const FontFile& file, Warnings& warnings) {
   const std::vector<std::string> names = file.face_names();
   if (names.size() < 2) {
@@ -100,7 +100,7 @@ void warn_of_faces(const FontFile& file, Warnings& warnings) {
   std::string text =
       file.file_name() + ": holds " + std::to_string(names.size()) +
       " faces; number 0, " + names[0] +
-      ", is taken; --face, or face=N behind a file of --merge, takes "
+      ", is taken; --face, or face=N after a file of --merge, takes "
       "another one:";
   for (size_t i = 1; i < std::min(names.size(), kListedFaces); ++i) {
     text += (i == 1 ? " " : ", ") + std::to_string(i) + " " + names[i];
@@ -109,10 +109,10 @@ void warn_of_faces(const FontFile& file, Warnings& warnings) {
   warnings.push_back({Warning::Kind::face_taken, text});
 }
 
-// Places of glyphs in a font, by their ids in the file.
+// Indices of glyphs in the font, by their ids in the file.
 using KnownGlyphs = std::map<uint32_t, size_t>;
 
-// Adds the glyphs of all characters; what is missing goes to font.missing.
+// Adds the glyphs of all characters; missing ones go to font.missing.
 void add_characters(const FontFile& file,
                     const CharSet& characters,
                     KnownGlyphs& known,
@@ -134,8 +134,8 @@ void add_characters(const FontFile& file,
   }
 }
 
-// Adds the glyphs that lines show. One that is what its character looks like
-// alone gets its code point, too: hints are found by them.
+// Adds the glyphs of lines. A glyph that is the plain form of a character also
+// gets its code point, by which hints find it.
 void add_lines(const FontFile& file,
                const LineShare& lines,
                KnownGlyphs& known,
@@ -157,8 +157,8 @@ void add_lines(const FontFile& file,
   }
 }
 
-// Finds all glyphs but components; the number of those that characters asked
-// for, with .notdef.
+// Adds all glyphs but components. Returns how many characters brought, with
+// .notdef.
 size_t choose_glyphs(const FontFile& file,
                      const FontRequest& request,
                      SourceFont& font) {
@@ -178,7 +178,7 @@ size_t choose_glyphs(const FontFile& file,
   return asked;
 }
 
-// The first glyphs of a font for the purpose of kerning.
+// The first glyphs of a font, for kerning.
 std::vector<KerningGlyph> kerning_glyphs(const SourceFont& font, size_t count) {
   hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
   std::vector<KerningGlyph> glyphs;
@@ -213,7 +213,7 @@ std::string SourceGlyph::remedy(const std::string& repair) const {
 
 namespace {
 
-// Adds the parts of other glyphs that have no character of their own.
+// Adds components that have no character of their own.
 void add_components(const FontFile& file, SourceFont& font) {
   std::vector<uint32_t> ids;
   for (const SourceGlyph& glyph : font.glyphs) {

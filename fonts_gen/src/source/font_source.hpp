@@ -1,4 +1,4 @@
-// What the generator takes from a font file: outlines, metrics, kerning.
+// Reads outlines, metrics and kerning of a font file.
 #pragma once
 
 #include <cstdint>
@@ -22,21 +22,21 @@ namespace inkcell::gen {
 /// The glyph count of the format is 16 bits wide.
 inline constexpr size_t kMostGlyphs = 65535;
 
-/// What shaped lines show of one face.
+/// The part of shaped lines that comes from one face.
 struct LineShare {
   std::set<uint32_t> glyphs;  // ids in the file, without .notdef
-  /// Characters whose own glyphs are among them.
+  /// Characters whose plain glyphs are among them.
   CharSet characters;
 };
 
-/// Characters that nobody asks for, but that layout puts into text.
+/// Characters that layout inserts into text without being asked for.
 enum class Additions : uint8_t {
   none,
-  space,  // the space, which costs an advance and no outline
+  space,  // the space: an advance without an outline
   signs,  // also those of an ellipsis and a hyphen, for text
 };
 
-/// Which face of which file, and which of its characters.
+/// The file, the face, and its characters.
 struct FontRequest {
   std::filesystem::path file;
   std::optional<int> face;  // none: the first; a warning names it if need be
@@ -47,12 +47,12 @@ struct FontRequest {
   LineShare lines;
   /// For load_faces().
   Additions additions = Additions::none;
-  /// Also the glyphs that others are made of, such as accents: at the end of
-  /// the list, without code points.
+  /// Also add components of other glyphs, such as accents: at the end of the
+  /// list, without code points.
   bool with_components = false;
 };
 
-/// Measures of the face, in font units, y up.
+/// Metrics of the face, in font units, y up.
 struct SourceMetrics {
   int units_per_em = 0;
   int ascender = 0;
@@ -62,7 +62,7 @@ struct SourceMetrics {
   int cap_height = 0;
 };
 
-/// One glyph of the font to be.
+/// A glyph of the font to be made.
 struct SourceGlyph {
   std::string file_name;              // the font or drawing it comes from
   uint32_t source = 0;                // id in the font file
@@ -74,43 +74,43 @@ struct SourceGlyph {
 
   /// How messages and reports name the glyph.
   std::string name() const;
-  /// What to do if the glyph cannot be used: `repair`, or leave the character
-  /// out, which .notdef cannot be.
+  /// The remedy if the glyph cannot be used: `repair`, or leave the character
+  /// out, which is impossible for .notdef.
   std::string remedy(const std::string& repair) const;
 };
 
-/// A face that gives glyphs.
+/// A face that has glyphs in the font.
 struct SourceFace {
   std::string file_name;
   Variation variation;
   double scale = 1;     // its em, in em of the font
-  double shift_em = 0;  // how far above its own baseline it stands
+  double shift_em = 0;  // of its baseline, upwards
 };
 
-/// Everything about a font that is not yet a field.
+/// A font before its glyphs are encoded.
 struct SourceFont {
   std::string file_name;
   std::string name;  // family and style
   SourceMetrics metrics;
-  /// .notdef, then in the order of their smallest code points; then those of
-  /// lines alone in the same order, the ones without code points last. With
-  /// other faces or icons all code points are in one order. Code points that
-  /// share a glyph in the file share it here.
+  /// .notdef, then glyphs in the order of their smallest code points; then
+  /// those of lines alone in the same order, those without code points last.
+  /// With other faces or icons all code points are in one order. Code points
+  /// that share a glyph in the file share it here.
   std::vector<SourceGlyph> glyphs;
-  /// What each glyph is made of; with components only.
+  /// The components of each glyph; only if asked for.
   std::vector<OutlineReferences> components;
-  /// Between the glyphs of characters: lines are kerned already.
+  /// Between glyphs of characters; lines are already kerned.
   KerningMatrix kerning;
   /// Lines in glyphs of all faces.
   std::vector<ShapedLine> lines;
-  /// Characters that the font does not have, in ascending order.
+  /// Characters that the font lacks, in ascending order.
   std::vector<char32_t> missing;
-  /// What FontRequest::additions brought.
+  /// Characters added by FontRequest::additions.
   CharSet added;
   std::vector<IconFile> icons;
   std::vector<SourceFace> faces;  // in order of priority
 
-  /// Whether a text may show a glyph, which is no mere component then.
+  /// Whether text may show a glyph; false for mere components.
   bool is_shown(size_t glyph) const {
     return glyph == 0 || !glyphs[glyph].code_points.empty() ||
            glyphs[glyph].is_of_line;
@@ -121,20 +121,20 @@ struct SourceFont {
 /// (0: all cores). Throws Error.
 SourceFont load_font(const FontRequest& request, int jobs, Warnings& warnings);
 
-/// The same of a file that is open, which is that of `request`.
+/// The same for a file that is already open.
 SourceFont load_font(const FontFile& file,
                      const FontRequest& request,
                      int jobs,
                      Warnings& warnings);
 
-/// Throws the Error of a file that has none of the characters asked for.
+/// Throws the Error for a file that has none of the characters asked for.
 [[noreturn]] void refuse_all(const FontFile& file, size_t characters);
 
 /// The characters that the font's lines show as .notdef.
 CharSet missing_in_lines(const SourceFont& font);
 
-/// Takes the warnings of missing characters away; adds one that lists those of
-/// `font`, if there are any.
+/// Replaces the warnings of missing characters by one for `font`, if any are
+/// missing.
 void renew_missing_warning(const SourceFont& font, Warnings& warnings);
 
 }  // namespace inkcell::gen

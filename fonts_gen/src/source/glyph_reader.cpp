@@ -8,9 +8,8 @@
 namespace inkcell::gen {
 namespace {
 
-// FreeType finds the implied points of quadratic curves by halving sums of
-// whole numbers; coordinates walk shifted by this much, so that nothing is
-// lost. [bits]
+// FreeType halves integer sums for the implied points of quadratics.
+// Coordinates are shifted by this much, so that nothing is lost. [bits]
 constexpr int kWalkShift = 6;
 
 // Receives the pieces of an outline from FreeType.
@@ -82,7 +81,7 @@ std::string name_of(uint32_t glyph, const std::string& character) {
   return "glyph " + std::to_string(glyph) + " (" + character + ")";
 }
 
-// Loads a glyph into FreeType's slot, in font units; FreeType's error.
+// Loads a glyph into FreeType's slot, in font units; returns FreeType's error.
 FT_Error load_outline(const FontFile& font, uint32_t glyph) {
   const FT_Error error =
       FT_Load_Glyph(font.ft(), glyph,
@@ -92,16 +91,16 @@ FT_Error load_outline(const FontFile& font, uint32_t glyph) {
   return is_outline || error != 0 ? error : FT_Err_Invalid_Glyph_Format;
 }
 
-// Advance of the glyph that is in FreeType's slot. [font units] HarfBuzz knows
-// HVAR, but what is beyond 16 bits with a sign comes out of it negative.
+// The advance of the glyph in FreeType's slot. [font units] HarfBuzz would
+// apply HVAR, but returns advances beyond 15 bits as negative.
 int advance_of(const FontFile& font, uint32_t glyph) {
   const int advance = hb_font_get_glyph_h_advance(font.hb(), glyph);
   return advance >= 0 ? advance
                       : static_cast<int>(font.ft()->glyph->metrics.horiAdvance);
 }
 
-// Highest point of a character in font units; 0 if the font does not have it,
-// or has it damaged.
+// The top of a character in font units; 0 if the font lacks it or it is
+// damaged.
 int top_of(const FontFile& font, char32_t code_point, Warnings& warnings) {
   const uint32_t glyph = font.glyph_of(code_point);
   if (glyph == 0) {
@@ -159,8 +158,8 @@ SourceMetrics read_metrics(const FontFile& font, Warnings& warnings) {
   m.descender = clamp(
       measure(HB_OT_METRICS_TAG_HORIZONTAL_DESCENDER, font.ft()->descender));
   m.line_gap = clamp(measure(HB_OT_METRICS_TAG_HORIZONTAL_LINE_GAP, 0));
-  // HarfBuzz takes the zeros of an empty hhea; FreeType then takes the
-  // typographic heights of OS/2, or else those for Windows.
+  // HarfBuzz uses the zeros of an empty hhea; FreeType then uses the
+  // typographic heights of OS/2, or those for Windows.
   if (m.ascender == 0 && m.descender == 0) {
     m.ascender = clamp(font.ft()->ascender);
     m.descender = clamp(font.ft()->descender);
@@ -180,7 +179,7 @@ SourceMetrics read_metrics(const FontFile& font, Warnings& warnings) {
   }
   m.x_height = clamp(measure(HB_OT_METRICS_TAG_X_HEIGHT, 0));
   m.cap_height = clamp(measure(HB_OT_METRICS_TAG_CAP_HEIGHT, 0));
-  // Old OS/2 tables do not have these two, and some fonts leave them zero.
+  // Old OS/2 tables lack these two, and some fonts leave them zero.
   if (m.x_height <= 0) {
     m.x_height = clamp(top_of(font, U'x', warnings));
   }

@@ -30,7 +30,7 @@ std::optional<char32_t> parse_hex(std::string_view digits) {
                                            : std::nullopt;
 }
 
-// "wifi-off 24" gives WifiOff24; nothing is left of other scripts.
+// "wifi-off 24" gives WifiOff24; characters of other scripts are dropped.
 std::string name_of(std::string_view stem, char32_t code_point) {
   std::string name;
   bool begins = true;
@@ -54,7 +54,7 @@ std::string name_of(std::string_view stem, char32_t code_point) {
   return name;
 }
 
-// A file's name without its code point, if it begins with one.
+// A file name without the code point at its start.
 struct Stem {
   std::optional<char32_t> code_point;
   std::string_view rest;
@@ -187,7 +187,7 @@ std::vector<IconFile> find_icons(
     icons.insert(icons.end(), more.begin(), more.end());
   }
   std::map<char32_t, const IconFile*> by_code;
-  const auto take = [&](const IconFile& icon) {
+  const auto add = [&](const IconFile& icon) {
     check(icon);
     const auto [found, is_new] = by_code.emplace(icon.code_point, &icon);
     if (!is_new) {
@@ -198,7 +198,7 @@ std::vector<IconFile> find_icons(
   };
   for (const IconFile& icon : icons) {
     if (icon.code_point != 0) {
-      take(icon);
+      add(icon);
     }
   }
   char32_t next = kFirstFree;
@@ -209,7 +209,7 @@ std::vector<IconFile> find_icons(
         ++next;
       }
       icon = make_icon(icon.file, next);
-      take(icon);
+      add(icon);
     }
     const auto [found, is_new] = by_name.emplace(icon.name, &icon);
     if (!is_new) {

@@ -1,4 +1,4 @@
-// Where icons lie beside letters: drawings, and the faces of icons.
+// The position of icons beside letters, for drawings and icon faces.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@ namespace inkcell::gen {
 
 struct SourceMetrics;
 
-/// Where the box of an icon lies: the viewBox of a drawing, the em square of a
+/// The position of an icon's box: the viewBox of a drawing, the em square of a
 /// face.
 struct IconPlace {
-  /// Height of the box: that of capitals, or so many em.
+  /// The height of the box: that of capitals, or in em.
   bool is_cap_high = false;
   double height_em = 1;
-  /// The middle of the box is that of capitals, or its lower edge is so many em
-  /// above the baseline.
+  /// The middle of the box is at the middle of capitals, or its lower edge is
+  /// at this height above the baseline, in em.
   bool is_centred = true;
   double bottom_em = 0;
 };
@@ -31,8 +31,8 @@ struct IconBox {
   double height = 0;
 };
 
-/// The box of icons in a font with these metrics. Throws Error if it shall be
-/// as high as capitals and the font does not say how high they are.
+/// The box of icons in a font with these metrics. Throws Error if the height is
+/// that of capitals and the font does not state it.
 IconBox icon_box(const IconPlace& place, const SourceMetrics& metrics);
 
 }  // namespace inkcell::gen

@@ -1,4 +1,4 @@
-// Icons: drawings in SVG as glyphs with chosen code points.
+// Makes glyphs with chosen code points from SVG drawings.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace inkcell::gen {
 
-/// A font without characters, for icons alone: an em is 1024 units, capitals
-/// are 0.7 em high, and a line is 1 em high around their middle.
+/// A font without characters, for icons alone: 1024 units an em, capitals 0.7
+/// em high, and a line 1 em high, centred on them.
 SourceFont font_for_icons();
 
 /// Adds icons as glyphs to `font` and to its lines; an icon is as wide as its
-/// viewBox. Their code points are missing no longer. Throws Error, also for a
-/// code point that the font has already.
+/// viewBox. Their code points are no longer missing. Throws Error, also for a
+/// code point that the font already has.
 void add_icons(const std::vector<IconFile>& icons,
                const IconPlace& place,
                SourceFont& font);

@@ -14,11 +14,11 @@
 namespace inkcell::gen {
 namespace {
 
-// HarfBuzz wants characters, but a pair is one of glyphs: glyph g is written as
-// this plus g, in a private plane without any character properties.
+// HarfBuzz shapes characters, but a pair consists of glyphs: glyph g is passed
+// as this plus g, in a private plane without character properties.
 constexpr hb_codepoint_t kGlyphPlane = 0xf0000;
 
-// Pairs that are shaped in one go.
+// Pairs shaped in one call.
 constexpr size_t kBatch = 64;
 
 constexpr hb_tag_t kKern = HB_TAG('k', 'e', 'r', 'n');
@@ -39,12 +39,12 @@ GlyphSet make_set() {
   return GlyphSet(hb_set_create());
 }
 
-// Which glyphs the font's kerning mentions at all.
+// The glyphs that the font's kerning mentions.
 struct Coverage {
   GlyphSet left = make_set();
   GlyphSet right = make_set();
-  // Everything that a lookup can see, as context too: a glyph outside it and
-  // without a GDEF class parts its neighbours.
+  // All glyphs that a lookup can see, also as context. A glyph that is not in
+  // it and has no GDEF class separates its neighbours.
   GlyphSet seen = make_set();
 };
 
@@ -63,8 +63,8 @@ void cover_gpos(hb_face_t* face, Coverage& coverage) {
   hb_set_union(coverage.seen.get(), coverage.left.get());
 }
 
-// The glyphs of a kern table of version 0 whose subtables are all of format 0,
-// the only kind that OpenType fonts use. False for any other.
+// Adds the glyphs of a kern table of version 0 whose subtables all have format
+// 0, the only kind in OpenType fonts. False for any other.
 bool cover_kern_pairs(hb_blob_t* table, Coverage& coverage) {
   unsigned size = 0;
   const auto* data =
@@ -85,7 +85,8 @@ bool cover_kern_pairs(hb_blob_t* table, Coverage& coverage) {
       hb_set_add(coverage.left.get(), u16(at + 14 + 6 * i));
       hb_set_add(coverage.right.get(), u16(at + 16 + 6 * i));
     }
-    // The 16-bit length overflows in large tables; the pair count does not.
+    // The 16-bit length overflows in large tables; the number of pairs does
+    // not.
     at += std::max<size_t>(u16(at + 2), 14 + 6 * size_t{pairs});
   }
   hb_set_union(coverage.seen.get(), coverage.left.get());
@@ -114,8 +115,8 @@ Coverage kerning_coverage(const FontFile& font) {
   return coverage;
 }
 
-// A glyph that no kerning sees and no lookup flag skips; none if every glyph
-// of the font takes part.
+// A glyph that no kerning sees and no lookup flag skips; none if all glyphs
+// take part.
 std::optional<uint32_t> find_separator(const FontFile& font,
                                        const Coverage& coverage) {
   const auto count = static_cast<uint32_t>(font.ft()->num_glyphs);
@@ -135,7 +136,7 @@ hb_bool_t glyph_from_plane(
   return character >= kGlyphPlane;
 }
 
-// Shapes pairs of glyphs in one script with nothing but the kern feature.
+// Shapes pairs of glyphs of one script with the kern feature alone.
 class PairShaper {
  public:
   PairShaper(const FontFile& font,
@@ -149,7 +150,7 @@ class PairShaper {
                                          nullptr, nullptr);
     hb_font_set_funcs(font_.get(), functions.get(), nullptr, nullptr);
     properties_.direction = HB_DIRECTION_LTR;
-    // As HarfBuzz does for text without a script of its own.
+    // As HarfBuzz does for text without a script.
     properties_.script =
         script == HB_SCRIPT_COMMON ? HB_SCRIPT_INVALID : script;
     for (const char* name :
@@ -163,8 +164,7 @@ class PairShaper {
         static_cast<unsigned>(features_.size()), nullptr));
   }
 
-  /// How much nearer or farther than its advance `left` lets each of `rights`
-  /// begin.
+  /// The kerning of `left` with each of `rights`.
   void kern(uint32_t left,
             const std::vector<uint32_t>& rights,
             std::vector<int>& out) {
@@ -181,7 +181,7 @@ class PairShaper {
     hb_buffer_add(buffer_.get(), kGlyphPlane + glyph, cluster_++);
   }
 
-  // left r0 | left r1 | left r2 ..., | the separator.
+  // left r0 | left r1 | left r2 ..., with the separator as |.
   void kern_batch(uint32_t left,
                   const uint32_t* rights,
                   size_t count,
@@ -206,7 +206,7 @@ class PairShaper {
     const hb_glyph_position_t* positions =
         hb_buffer_get_glyph_positions(buffer, &length);
     if (length != 3 * count - 1) {
-      return;  // the script's shaper does not take the glyphs as they are
+      return;  // the script's shaper replaces the glyphs
     }
     const hb_position_t advance =
         hb_font_get_glyph_h_advance(font_.get(), left);
@@ -229,7 +229,7 @@ class PairShaper {
   unsigned cluster_ = 0;
 };
 
-// Glyphs of one script that may stand on the right, with their position in the
+// Glyphs of one script that can be on the right, and their columns in the
 // matrix.
 struct Column {
   std::vector<uint32_t> sources;
@@ -246,7 +246,7 @@ int16_t clamp_i16(int value) {
                       std::numeric_limits<int16_t>::max()));
 }
 
-// Row of one left glyph: all of its columns.
+// Reads the row of a left glyph, all columns.
 class RowReader {
  public:
   RowReader(const FontFile& font,
@@ -292,7 +292,7 @@ class RowReader {
   std::map<hb_script_t, std::unique_ptr<PairShaper>> shapers_;
 };
 
-// Numbers equal keys in order of appearance from 1; `zero` gets 0.
+// Numbers equal keys in order of appearance, from 1; `zero` gets 0.
 template <typename Key>
 class Classes {
  public:
@@ -383,8 +383,8 @@ KerningMatrix read_kerning(const FontFile& font,
   }
   const std::optional<uint32_t> separator = find_separator(font, coverage);
   std::vector<std::vector<int16_t>> rows(lefts.size());
-  // A shaper is costly to make and belongs to one thread: give each thread a
-  // block of rows, not single ones.
+  // A shaper is costly to make and used by one thread only: each thread gets a
+  // block of rows.
   constexpr size_t kBlock = 32;
   parallel_for((lefts.size() + kBlock - 1) / kBlock, jobs, [&](size_t block) {
     RowReader reader(font, glyphs, columns, separator);

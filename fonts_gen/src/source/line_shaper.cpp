@@ -15,7 +15,7 @@ namespace {
 
 using Faces = std::vector<ShapingFace>;
 
-// Characters of one direction, script and face, which HarfBuzz takes at once.
+// Characters of one direction, script and face: one call of HarfBuzz.
 struct Run {
   size_t begin = 0;
   size_t end = 0;
@@ -24,7 +24,7 @@ struct Run {
   size_t face = 0;
 };
 
-// Levels of UAX #9, and where each place of the line comes from.
+// Levels of UAX #9, and the logical position of each visual one.
 struct Order {
   std::vector<FriBidiLevel> levels;
   std::vector<FriBidiStrIndex> logical;  // of each place from left to right
@@ -45,7 +45,7 @@ Order find_order(const LineText& line) {
   order.levels.resize(text.size());
   order.logical.resize(text.size());
   std::iota(order.logical.begin(), order.logical.end(), 0);
-  // A result of 0 says that there was not enough memory.
+  // The result 0 means out of memory.
   const bool done =
       fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count,
                                           &base, order.levels.data()) != 0 &&
@@ -57,8 +57,9 @@ Order find_order(const LineText& line) {
   return order;
 }
 
-// The script of each character. Those of none, such as spaces and marks, take
-// that of the character before, at the beginning that of the first letter.
+// The script of each character. Characters without a script, such as spaces and
+// marks, get that of the character before; at the start that of the first
+// letter.
 std::vector<hb_script_t> find_scripts(const std::u32string& text) {
   hb_unicode_funcs_t* unicode = hb_unicode_funcs_get_default();
   std::vector<hb_script_t> scripts;
@@ -81,7 +82,7 @@ hb_unicode_general_category_t category_of(char32_t c) {
   return hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
 }
 
-// Joiners and other controls, which show nothing.
+// Joiners and other invisible controls.
 bool is_format(char32_t c) {
   return category_of(c) == HB_UNICODE_GENERAL_CATEGORY_FORMAT;
 }
@@ -99,7 +100,8 @@ bool is_of_cluster(char32_t c) {
   }
 }
 
-// The first face that has all of a letter and its marks, or the letter; or 0.
+// The first face with the letter and all its marks, else with the letter; else
+// 0.
 size_t face_of(const Faces& faces, std::u32string_view cluster) {
   for (size_t i = 0; i < faces.size(); ++i) {
     if (std::all_of(cluster.begin(), cluster.end(), [&](char32_t c) {
@@ -178,7 +180,7 @@ void shape_run(const Faces& faces,
   const FontFile& font = *faces[run.face].file;
   const std::unique_ptr<hb_buffer_t, DestroyBuffer> owner(hb_buffer_create());
   hb_buffer_t* buffer = owner.get();
-  // With what stands before and behind it: letters join there.
+  // With the text before and after it, as letters join there.
   std::vector<uint32_t> text(line.text.begin(), line.text.end());
   hb_buffer_add_utf32(buffer, text.data(), static_cast<int>(text.size()),
                       static_cast<unsigned>(run.begin),

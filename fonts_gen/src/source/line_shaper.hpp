@@ -1,5 +1,5 @@
-// Lines of text as glyphs of one face or several: ordered by FriBidi, shaped
-// by HarfBuzz.
+// Shapes lines of text with one face or several: FriBidi orders them, HarfBuzz
+// shapes them.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace inkcell::gen {
 
-/// The face of icons, whose ids are their code points.
+/// The pseudo-face of icons, whose ids are code points.
 inline constexpr size_t kIconFace = SIZE_MAX;
 
-/// A glyph of a line. Font units of the first face, y up, from the line's
-/// origin.
+/// A glyph of a line. [font units of the first face, y up, from the line's
+/// origin]
 struct LineGlyph {
   size_t face = 0;      // 0 for .notdef
   uint32_t source = 0;  // id in the file of the face
@@ -29,11 +29,11 @@ struct LineGlyph {
 struct ShapedLine {
   std::vector<LineGlyph> glyphs;  // left to right: .notdef, and all with ink
   int advance = 0;                // [font units of the first face]
-  /// Characters that all faces lack, in ascending order: .notdef stands there.
+  /// Characters that all faces lack, in ascending order; shown as .notdef.
   std::vector<char32_t> missing;
 };
 
-/// A face, whose em is so many em of the first one.
+/// A face; its em is `scale` em of the first one.
 struct ShapingFace {
   ShapingFace(const FontFile* from, double em = 1) : file(from), scale(em) {}
 
@@ -42,17 +42,16 @@ struct ShapingFace {
 };
 
 /// Shapes a line with the default features of its faces: ligatures, joined
-/// letters, syllables, marks and kerning. Directions and order are those of
-/// UAX #9. A letter with its marks comes from the first face that has all of
-/// them, or else from the first that has the letter. Characters that show
-/// nothing have no glyph.
+/// letters, syllables, marks and kerning. Directions and order follow UAX #9. A
+/// letter with its marks comes from the first face that has all of them, else
+/// from the first that has the letter. Invisible characters have no glyph.
 ///
 /// There is at least one face. Throws Error if FriBidi fails.
 ShapedLine shape_line(const std::vector<ShapingFace>& faces,
                       const LineText& line);
 
-/// Puts an icon of this advance [font units of the first face] in the places
-/// where `code_point` was missing; what stands to the right of one moves.
+/// Puts an icon with this advance [font units of the first face] where
+/// `code_point` was missing. Glyphs to its right move.
 void place_icon(char32_t code_point, int advance, ShapedLine& line);
 
 }  // namespace inkcell::gen

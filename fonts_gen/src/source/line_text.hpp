@@ -1,12 +1,12 @@
-// A line of text that shall be shaped.
+// A line of text to be shaped.
 #pragma once
 
 #include <string>
 
 namespace inkcell::gen {
 
-/// Which way a line runs: as its first letter that has a direction, or as
-/// stated.
+/// The direction of a line; from_text: that of the first letter with a
+/// direction.
 enum class LineDirection { from_text, left_to_right, right_to_left };
 
 /// A line in logical order, without control characters.

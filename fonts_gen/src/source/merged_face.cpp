@@ -13,8 +13,8 @@ bool is_file(std::string_view name) {
   return std::filesystem::exists(name, error);
 }
 
-// Where the settings of "FILE:NAME=..." begin, at the colon; npos without one.
-// That of "C:\fonts\a.ttf=A" begins none.
+// The colon before the settings of "FILE:NAME=..."; npos if there are none. The
+// colon of "C:\fonts\a.ttf=A" does not count.
 size_t find_settings(std::string_view text) {
   for (size_t at = text.find(':'); at != std::string_view::npos;
        at = text.find(':', at + 1)) {
@@ -48,7 +48,7 @@ int parse_face(std::string_view text) {
   return face;
 }
 
-void take_setting(const std::string& name,
+void read_setting(const std::string& name,
                   const std::string& value,
                   MergedFace& face) {
   if (value.empty()) {
@@ -78,8 +78,8 @@ void take_setting(const std::string& name,
   }
 }
 
-// Reads "NAME=VALUE,NAME=VALUE"; what follows, from "=LIST" on.
-std::string_view take_settings(std::string_view text, MergedFace& face) {
+// Reads "NAME=VALUE,NAME=VALUE". Returns the rest, from "=LIST" on.
+std::string_view read_settings(std::string_view text, MergedFace& face) {
   while (true) {
     const std::string_view name = text.substr(0, text.find_first_of("=,"));
     text.remove_prefix(name.size());
@@ -88,7 +88,7 @@ std::string_view take_settings(std::string_view text, MergedFace& face) {
       value = text.substr(1, text.substr(1).find_first_of("=,"));
       text.remove_prefix(1 + value.size());
     }
-    take_setting(std::string(name), std::string(value), face);
+    read_setting(std::string(name), std::string(value), face);
     if (text.empty() || text.front() == '=') {
       return text;
     }
@@ -105,7 +105,7 @@ MergedFace parse_merged_face(const std::string& text) {
   std::string_view rest = std::string_view(text).substr(end);
   try {
     if (!rest.empty() && rest.front() == ':') {
-      rest = take_settings(rest.substr(1), face);
+      rest = read_settings(rest.substr(1), face);
     }
     if (!rest.empty()) {
       add_ranges(rest.substr(1), face.characters);

@@ -1,4 +1,4 @@
-// The faces that --merge adds, as the command line has them.
+// The faces added by --merge.
 #pragma once
 
 #include <filesystem>
@@ -12,26 +12,26 @@
 
 namespace inkcell::gen {
 
-/// A face that gives characters which the faces before it do not.
+/// A face for characters that the faces before it lack.
 struct MergedFace {
   std::filesystem::path file;
   std::optional<int> face;  // none: the first
   std::string instance;
   std::vector<AxisSetting> axes;
-  /// The characters it is asked for; none: those that are still missing.
+  /// The characters to take from it; none: all that are still missing.
   CharSet characters;
-  /// Where its glyphs stand: on their own baseline, or as `place` says of the
-  /// face's em square. By kind: icons as `place` says, others on their own.
+  /// The baseline of its glyphs: its own, or the em square at `place`. by_kind:
+  /// icons at `place`, others on their own baseline.
   enum class Baseline { by_kind, own, placed };
   Baseline baseline = Baseline::by_kind;
-  /// Its height scales the face, wherever its glyphs stand.
+  /// Its height scales the face, whatever the baseline.
   IconPlace place;
 };
 
-/// Reads "FILE[:SETTING,...][=LIST]" with a list of add_ranges and settings
+/// Parses "FILE[:SETTING,...][=LIST]", with a list of add_ranges and settings
 /// TAG=VALUE, instance=NAME, face=N, height=em|cap|NUMBER and
-/// baseline=own|middle|bottom|NUMBER. Text that is a file's name as a whole, or
-/// up to its last '=', has no settings. Throws Error.
+/// baseline=own|middle|bottom|NUMBER. Text that is the name of a file, as a
+/// whole or up to its last '=', has no settings. Throws Error.
 MergedFace parse_merged_face(const std::string& text);
 
 }  // namespace inkcell::gen

@@ -27,7 +27,7 @@ std::string name_in(hb_face_t* face, hb_ot_name_id_t id) {
   return name;
 }
 
-// What counts of an instance's name.
+// The significant part of an instance's name.
 std::string folded(const std::string& name) {
   std::string out;
   for (const char c : name) {

@@ -20,9 +20,9 @@ AxisSetting parse_axis(const std::string& text);
 struct FontAxis {
   std::string tag;  // four characters
   double least = 0;
-  double usual = 0;  // where the file's own outlines are
+  double usual = 0;  // of the file's own outlines
   double most = 0;
-  double value = 0;  // where the face is
+  double value = 0;  // of the face
 };
 
 struct NamedInstance {
@@ -30,13 +30,13 @@ struct NamedInstance {
   std::vector<double> values;  // of each axis
 };
 
-/// What a variable font can be, and what it is. Without axes: a font that is
-/// not variable.
+/// The axes and instances of a font, and the current values. No axes: not
+/// variable.
 struct Variation {
   std::vector<FontAxis> axes;
   std::vector<NamedInstance> instances;
 
-  /// The name of the instance that the axes are at; "" without one.
+  /// The name of the instance at the current values; "" if there is none.
   std::string instance() const;
   bool is_default() const;
   /// "wght 100..900 (default 400), wdth 62.5..100 (default 100)"
@@ -52,9 +52,9 @@ struct Variation {
 /// The font's axes at their defaults.
 Variation read_variation(hb_face_t* face);
 
-/// Moves the axes to the instance of this name, if it is not empty, and then
-/// those of `settings`. Upper and lower case, blanks and hyphens of the name do
-/// not count. Throws Error, which does not name the file.
+/// Sets the axes to the named instance, if the name is not empty, then to
+/// `settings`. Case, blanks and hyphens of the name are ignored. Throws Error,
+/// which does not name the file.
 void set_variation(const std::string& instance,
                    const std::vector<AxisSetting>& settings,
                    Variation& variation);

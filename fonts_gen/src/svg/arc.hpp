@@ -9,8 +9,8 @@
 namespace inkcell {
 namespace gen {
 
-/// How many cubics an arc of `angle` takes, an eighth of a turn at most each.
-/// [radians, of either sign]
+/// The number of cubics for an arc of `angle` [radians, either sign]: each an
+/// eighth of a turn or less.
 inline int arc_pieces(double angle) {
   constexpr double kMostArc = kPi / 4 + 1e-9;
   return std::max(1, static_cast<int>(std::ceil(std::fabs(angle) / kMostArc)));

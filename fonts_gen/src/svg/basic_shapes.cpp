@@ -49,7 +49,7 @@ std::string ellipse(const pugi::xml_node& node, double rx, double ry) {
          quarter(rx, ry, rx, -ry) + quarter(rx, ry, rx, ry) + "z";
 }
 
-// One radius may stand for both, and is at most half a side.
+// One radius is the default of the other; both are at most half a side.
 std::string rectangle(const pugi::xml_node& node) {
   const double x = number_of(node, "x", 0);
   const double y = number_of(node, "y", 0);

@@ -100,7 +100,7 @@ class PathReader {
       case 'M':
         end(false);
         current_ = start_ = pair();
-        // Further pairs are lines.
+        // Further pairs of coordinates are lines.
         command_ = is_relative() ? 'l' : 'L';
         break;
       case 'L':
@@ -129,7 +129,7 @@ class PathReader {
         break;
       case 'Z':
         if (subpath_.segments.empty()) {
-          line(start_);  // "M1 2Z": a dot, where caps are round
+          line(start_);  // "M1 2Z" is a dot if caps are round
         }
         end(true);
         break;
@@ -174,7 +174,7 @@ class PathReader {
     current_ = to;
   }
 
-  // From ends to a centre: SVG 1.1, appendix F.6.5.
+  // From end points to centre: SVG 1.1, appendix F.6.5.
   void arc() {
     double rx = std::fabs(number());
     double ry = std::fabs(number());
@@ -201,11 +201,11 @@ class PathReader {
     const Point centre = {off * p.y / ry, -off * p.x / rx};
     const Point a = {p.x / rx - centre.x, p.y / ry - centre.y};
     const Point b = {-p.x / rx - centre.x, -p.y / ry - centre.y};
-    double way = turn(a, b);
-    if (is_positive && way < 0) {
-      way += 2 * kPi;
-    } else if (!is_positive && way > 0) {
-      way -= 2 * kPi;
+    double sweep = turn(a, b);
+    if (is_positive && sweep < 0) {
+      sweep += 2 * kPi;
+    } else if (!is_positive && sweep > 0) {
+      sweep -= 2 * kPi;
     }
     const double begin = std::atan2(a.y, a.x);
     const Point middle = 0.5 * (current_ + to);
@@ -214,11 +214,11 @@ class PathReader {
       const double y = ry * (q.y + centre.y);
       return middle + Point{c * x - s * y, s * x + c * y};
     };
-    const int pieces = arc_pieces(way);
-    const double k = arc_handle(way / pieces);
+    const int pieces = arc_pieces(sweep);
+    const double k = arc_handle(sweep / pieces);
     for (int i = 0; i < pieces; ++i) {
-      const double t0 = begin + way * i / pieces;
-      const double t1 = begin + way * (i + 1) / pieces;
+      const double t0 = begin + sweep * i / pieces;
+      const double t1 = begin + sweep * (i + 1) / pieces;
       const Point q0 = {std::cos(t0), std::sin(t0)};
       const Point q1 = {std::cos(t1), std::sin(t1)};
       const Point end = i + 1 == pieces ? to : place(q1);
@@ -228,7 +228,7 @@ class PathReader {
     }
   }
 
-  // Ends the subpath. What comes next without M begins where it began.
+  // Ends the subpath. Without M the next one begins at the same point.
   void end(bool is_closed) {
     if (!subpath_.segments.empty()) {
       subpath_.is_closed = is_closed;

@@ -21,7 +21,7 @@ constexpr double kSameArea = 0.05;
 // Contours with less area are slivers, from rounding. [u^2]
 constexpr double kSliver = 0.01;
 
-// How far beside a contour the winding is looked at. [u]
+// The winding number is examined at this distance from a contour. [u]
 constexpr double kAside_u = 1.0 / 1024;
 
 ClipperLib::Path to_clipper(const Corners& polygon) {
@@ -72,7 +72,7 @@ double area_of(const ClipperLib::Paths& paths) {
   return std::fabs(sum) / (kClipperUnits_per_u * kClipperUnits_per_u);
 }
 
-// Whether some area has a winding number of this kind.
+// Whether an area has a winding number of this kind.
 bool has(ClipperLib::PolyFillType kind, const ClipperLib::Paths& paths) {
   return area_of(unite(paths, kind)) > kSameArea;
 }
@@ -124,8 +124,8 @@ bool is_filled(int winding, FillRule rule) {
   return rule == FillRule::evenodd ? winding % 2 != 0 : winding != 0;
 }
 
-// Turns each contour so that its ink is on the left, and drops those that have
-// ink on both sides or none, by what is beside their longest chords: exact for
+// Orients each contour with its ink on the left, and drops contours with ink on
+// both sides or none. Examines both sides of the longest chords: exact for
 // contours that do not cross.
 Outline directed(const Outline& contours, FillRule rule) {
   std::vector<Corners> polygons;

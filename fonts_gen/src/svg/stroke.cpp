@@ -14,7 +14,7 @@ struct Chord {
   Point a;
   Point b;
   Point along;  // of length 1
-  /// Begins at a joint of the path, not within a curve.
+  /// At a joint of the path, not within a curve.
   bool begins_piece = false;
 };
 
@@ -66,8 +66,8 @@ class Pen {
     }
     for (const Chord& chord : chords) {
       const Point n = half_ * normal(chord.along);
-      // With corners on the path, where joins have theirs: pieces share whole
-      // edges, so that rounding leaves no slit between them.
+      // With corners on the path, as joins have: pieces share whole edges, so
+      // rounding leaves no slit between them.
       pieces_.push_back({chord.a + n, chord.a, chord.a - n, chord.b - n,
                          chord.b, chord.b + n});
     }
@@ -85,8 +85,8 @@ class Pen {
   std::vector<Corners> take() { return std::move(pieces_); }
 
  private:
-  // From `a` to `b` around `centre`, both at the distance of half the pen; the
-  // ends as they are, so that neighbours share corners.
+  // A sector from `a` to `b` around `centre`, with the pen's radius. The ends
+  // are exact, so that neighbours share corners.
   void pie(const Point& centre, const Point& a, const Point& b, double angle) {
     Corners piece = {centre, a};
     const Point from = a - centre;
@@ -103,7 +103,7 @@ class Pen {
     pieces_.push_back(std::move(piece));
   }
 
-  // What a join adds on the outer side of a turn.
+  // The join on the outer side of a turn.
   void join(const Chord& before, const Chord& after) {
     const Point& at = after.a;
     const double turn = std::atan2(cross(before.along, after.along),

@@ -1,4 +1,4 @@
-// What a pen of constant width covers.
+// The area that a pen of constant width covers.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 namespace inkcell::gen {
 
 /// Polygons whose union is the stroke of `subpath` (SVG 1.1, section 11.4), in
-/// its units: a rectangle for each chord, and what joins and caps add. Curves
-/// and round joins are chords within `bound`. So no cusp, no loop and no curve
-/// tighter than the pen is a special case.
+/// its units: a rectangle for each chord, joins and caps. Curves and round
+/// joins are chords within `bound`, so cusps, loops and curves tighter than the
+/// pen need no special case.
 std::vector<Corners> stroke_pieces(const Subpath& subpath,
                                    const PenStyle& pen,
                                    double bound);

@@ -12,15 +12,15 @@
 namespace inkcell::gen {
 namespace {
 
-// Halvings of a curve. A curve without cusps needs far fewer.
+// The most halvings of a curve. Curves without cusps need far fewer.
 constexpr int kMostHalvings = 8;
-// Places at which a cubic is compared with the exact border.
+// Points at which a cubic is compared with the exact border.
 constexpr int kSamples = 8;
-// Distance in t from an end whose handle has no length: the tangent there is
-// that of a point nearby.
+// If a handle has no length, the tangent is taken at this distance from the
+// end. [t]
 constexpr double kNearEnd = 1e-4;
 
-// A line or a cubic of the path. It has an extent.
+// A line or a cubic of the path, never of length 0.
 struct Piece {
   Segment curve;
   Point along_at_start;  // of length 1
@@ -95,7 +95,7 @@ Point right_of(const Point& along) {
   return {along.y, -along.x};
 }
 
-// The border on the right of a cubic:
+// The border to the right of a cubic:
 //
 //   r(t) = p(t) + half right(t),   r'(t) = p'(t) (1 + half curvature(t)).
 //
@@ -177,7 +177,7 @@ class OutlinePen {
   Outline take() { return std::move(outline_); }
 
  private:
-  // Adds a segment to the contour; it begins where the last one ended.
+  // Appends a segment, which begins at the end of the last one.
   void add(Segment segment) {
     if (!contour_.segments.empty()) {
       segment.p[0] = end_of(contour_.segments.back());
@@ -193,7 +193,7 @@ class OutlinePen {
     outline_.contours.push_back(std::exchange(contour_, {}));
   }
 
-  // The border on the right of the path, from its start to its end.
+  // The border to the right of the path, from its start to its end.
   bool side(const std::vector<Piece>& pieces) {
     for (size_t i = 0; i < pieces.size(); ++i) {
       if (i > 0) {
@@ -210,7 +210,7 @@ class OutlinePen {
     return true;
   }
 
-  // Cubic Hermite interpolation, in as many parts as the bound needs.
+  // Cubic Hermite interpolation, with as many pieces as the bound needs.
   bool add_border(const Border& border, double t0, double t1, int halvings) {
     const double third = (t1 - t0) / 3;
     const Point a = border.at(t0);
@@ -233,7 +233,7 @@ class OutlinePen {
            add_border(border, t, t1, halvings - 1);
   }
 
-  // From `centre` + `from` by `angle` around `centre`.
+  // An arc from `centre` + `from` by `angle` around `centre`.
   void arc(const Point& centre, const Point& from, double angle) {
     const int count = arc_pieces(angle);
     const double k = arc_handle(angle / count);

@@ -1,4 +1,4 @@
-// The outline of a stroke, in curves.
+// The outline of a stroke, as curves.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 namespace inkcell::gen {
 
 /// Contours that fill the stroke of `subpath` under the rule nonzero, in its
-/// units: the path moved by half a pen to each side, with joins and caps.
+/// units: the path offset by half a pen to each side, with joins and caps.
 /// Curves are cubics within `bound` of the exact border; round joins and caps
 /// are arcs within 1/200000 of half the pen. Contours overlap themselves at the
 /// inner sides of joins.
 ///
-/// Contours are wrong where the path turns tighter than half the pen: compare
-/// them with stroke_pieces(). Nothing where a curve has a cusp, and for a
+/// The result is wrong where the path turns more tightly than half the pen:
+/// compare it with stroke_pieces(). Empty if a curve has a cusp, and for a
 /// subpath without length unless its caps are round.
 std::optional<Outline> stroke_outline(const Subpath& subpath,
                                       const PenStyle& pen,

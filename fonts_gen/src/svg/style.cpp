@@ -23,8 +23,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-// A number at the front of `text`, which is taken off.
-std::optional<double> take_number(std::string_view& text) {
+// Removes a number from the front of `text`.
+std::optional<double> read_number(std::string_view& text) {
   const size_t sign = !text.empty() && text[0] == '+' ? 1 : 0;
   double value = 0;
   const auto [end, error] =
@@ -36,7 +36,7 @@ std::optional<double> take_number(std::string_view& text) {
   return value;
 }
 
-// The value of a property in the attribute `style`; "" without one.
+// The value of a property in the attribute `style`; "" if it has none.
 std::string declaration_of(const pugi::xml_node& node, std::string_view name) {
   std::string_view style = node.attribute("style").value();
   std::string found;
@@ -56,7 +56,7 @@ std::string quoted(const char* name, const std::string& value) {
   return std::string(name) + "='" + value + "'";
 }
 
-// The value of a property, or `parent` without one.
+// The value of a property, or `parent` if it has none.
 template <typename Value>
 Value choice(const pugi::xml_node& node,
              const char* name,
@@ -110,14 +110,14 @@ std::string paint_of(const pugi::xml_node& node,
   return text;
 }
 
-// Whether an opacity lets the element be seen at all.
+// Whether the element is opaque enough to be seen.
 bool is_opaque(const pugi::xml_node& node, const char* name) {
   std::string text = property_of(node, name);
   if (text == "100%") {
     text = "1";
   }
   std::string_view rest = text;
-  const double opacity = text.empty() ? 1 : take_number(rest).value_or(-1);
+  const double opacity = text.empty() ? 1 : read_number(rest).value_or(-1);
   if (opacity == 1 || opacity == 0) {
     return opacity == 1;
   }
@@ -170,7 +170,7 @@ double number_of(const pugi::xml_node& node,
     return otherwise;
   }
   std::string_view rest = text;
-  const std::optional<double> value = take_number(rest);
+  const std::optional<double> value = read_number(rest);
   if (!value || !(rest.empty() || rest == "px")) {
     throw Error(quoted(name, text) +
                 " is no number of user units; write one without a unit");
@@ -188,7 +188,7 @@ std::vector<double> numbers_of(const pugi::xml_node& node, const char* name) {
     if (rest.empty()) {
       return numbers;
     }
-    const std::optional<double> value = take_number(rest);
+    const std::optional<double> value = read_number(rest);
     if (!value) {
       throw Error(quoted(name, text) + " is no list of numbers");
     }

@@ -1,4 +1,4 @@
-// What attributes and style properties say of how an element is painted.
+// How an element is painted, from its attributes and style properties.
 #pragma once
 
 #include <pugixml.hpp>
@@ -11,7 +11,7 @@ enum class FillRule { nonzero, evenodd };
 enum class LineJoin { miter, round, bevel };
 enum class LineCap { butt, round, square };
 
-/// How a pen draws, in the units of the element.
+/// The pen's settings, in the units of the element.
 struct PenStyle {
   double width = 1;
   LineJoin join = LineJoin::miter;
@@ -30,8 +30,8 @@ struct PaintStyle {
   bool is_shown = true;
 };
 
-/// An attribute, or the property of the same name in `style`, which counts for
-/// more; "" without one. Blanks around it are left out.
+/// The value of an attribute or of the property in `style`, which has priority,
+/// without blanks around it; "" if there is neither.
 std::string property_of(const pugi::xml_node& node, const char* name);
 
 /// The number of an attribute or property in user units: "2", "2px", "1e1";
@@ -40,12 +40,12 @@ double number_of(const pugi::xml_node& node,
                  const char* name,
                  double otherwise);
 
-/// The numbers of a list, such as `points` and `viewBox`. Throws Error.
+/// The numbers of a list such as `points` or `viewBox`. Throws Error.
 std::vector<double> numbers_of(const pugi::xml_node& node, const char* name);
 
-/// What holds for `node` in an element with the style `parent`. Throws Error
-/// for gradients, patterns, part transparency, dashes, clip paths, masks,
-/// filters and markers: it says what to do instead.
+/// The style of `node` in an element with the style `parent`. Throws Error with
+/// a remedy for gradients, patterns, partial transparency, dashes, clip paths,
+/// masks, filters and markers.
 PaintStyle style_of(const pugi::xml_node& node, const PaintStyle& parent);
 
 }  // namespace inkcell::gen

@@ -23,7 +23,7 @@ struct SvgDrawing::Document {
   std::string text;
   pugi::xml_document xml;
 
-  // Where messages find a node.
+  // The position of a node, for messages.
   std::string place_of(const pugi::xml_node& node) const {
     const auto begin = text.begin();
     const auto line = std::count(begin, begin + node.offset_debug(), '\n') + 1;
@@ -33,7 +33,7 @@ struct SvgDrawing::Document {
 
 namespace {
 
-// Groups in groups: plenty.
+// The deepest nesting of groups.
 constexpr int kMostDepth = 64;
 
 bool is_any(std::string_view name,
@@ -43,8 +43,8 @@ bool is_any(std::string_view name,
 
 constexpr std::string_view kPrefix = "svg:";
 
-// Elements that draw nothing where they stand. Those with the prefix of another
-// language are notes of a program.
+// Elements that draw nothing by themselves. Those with a foreign prefix are a
+// program's private data.
 bool draws_nothing(std::string_view name) {
   return (name.find(':') != std::string_view::npos &&
           name.compare(0, kPrefix.size(), kPrefix) != 0) ||
@@ -72,7 +72,7 @@ void append(const Outline& part, Outline& outline) {
                           part.contours.end());
 }
 
-// The stroke of a path, mapped to u: curves where they are right, else chords.
+// The stroke of a path, in u: curves if they are exact enough, else chords.
 Outline stroked_area(const SvgPath& path,
                      const PenStyle& pen,
                      const Affine& to_u) {
@@ -114,7 +114,7 @@ class Reader {
   const pugi::xml_node& current() const { return current_; }
 
  private:
-  // Wherever they stand, they hold for the whole drawing.
+  // A style sheet applies to the whole drawing, wherever it is.
   void refuse_style_sheets() {
     current_ = root_.find_node([](const pugi::xml_node& node) {
       return std::string_view(node.name()) == "style" && !node.text().empty();

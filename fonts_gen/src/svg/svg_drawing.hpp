@@ -1,4 +1,4 @@
-// A drawing of one colour in an SVG file, as an outline.
+// An SVG drawing in one colour, as an outline.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,10 @@ struct ViewBox {
   double height = 0;
 };
 
-/// An SVG file: paths and basic shapes in groups, with transforms, both rules
-/// of filling, and strokes of constant width. Whatever else would be drawn is
+/// An SVG file: paths and basic shapes in groups, with transforms, both fill
+/// rules, and strokes of constant width. Anything else that would be drawn is
 /// an error: text, pictures, <use>, style sheets, gradients, clip paths, masks,
-/// dashes, part transparency, several colours.
+/// dashes, partial transparency, several colours.
 class SvgDrawing {
  public:
   /// Throws Error that names the file.
@@ -30,15 +30,15 @@ class SvgDrawing {
   SvgDrawing(const SvgDrawing&) = delete;
   SvgDrawing& operator=(const SvgDrawing&) = delete;
 
-  /// The attribute viewBox, else width and height; nothing without either.
-  /// Throws Error if it encloses nothing.
+  /// The attribute viewBox, else width and height; nothing if there is neither.
+  /// Throws Error if it is empty.
   std::optional<ViewBox> view_box() const;
 
-  /// What is drawn, mapped from user units, y down, to u, y up, by `to_u`: ink
-  /// on the left, no winding number below 0. Curves stay curves, also along
-  /// strokes, within kStrokeBound_u. Chords replace them in strokes that turn
-  /// tighter than half the pen, and in fills whose contours cross, unless the
-  /// rule is nonzero and all turn the same way.
+  /// The drawing, mapped by `to_u` from user units, y down, to u, y up. Ink is
+  /// on the left, no winding number is below 0. Curves stay curves, also the
+  /// borders of strokes, within kStrokeBound_u. They become chords in strokes
+  /// that turn more tightly than half the pen, and in fills whose contours
+  /// cross, unless the rule is nonzero and all contours have one direction.
   ///
   /// Throws Error that names the file, the line, the element and the remedy.
   Outline outline(const Affine& to_u) const;
@@ -50,8 +50,8 @@ class SvgDrawing {
   std::unique_ptr<Document> document_;
 };
 
-/// How far the border of a stroke may be from the exact one. [u] 1/1024 px at
-/// 64 px/em.
+/// The largest distance of a stroke's border from the exact one. [u] 1/1024 px
+/// at 64 px/em.
 inline constexpr double kStrokeBound_u = 1.0 / 64;
 
 }  // namespace inkcell::gen

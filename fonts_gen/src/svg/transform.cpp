@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kSeparators = " \t\r\n,";
 
-// The numbers between brackets; none if one of them is none.
+// The numbers in brackets; empty if one of them is not a number.
 struct Numbers {
   std::array<double, 6> value = {};
   size_t count = 0;

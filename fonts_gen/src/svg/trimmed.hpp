@@ -1,4 +1,4 @@
-// Text of an attribute without what separates its parts.
+// Trims the text of an attribute.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace inkcell::gen {
 
-/// `text` without the characters of `blanks` at its ends. It is a part of
-/// `text`, which must outlive it.
+/// `text` without the characters of `blanks` at both ends. A view of `text`,
+/// which must outlive it.
 inline std::string_view trimmed(std::string_view text,
                                 std::string_view blanks) {
   const size_t begin = text.find_first_not_of(blanks);

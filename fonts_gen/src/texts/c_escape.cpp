@@ -13,8 +13,8 @@ unsigned digit_of(char c) {
                                 : 99;
 }
 
-// A number of `least` to `most` digits from `begin` on.
-std::optional<char32_t> take_number(std::string_view& text,
+// Reads a number of `least` to `most` digits from `begin` on.
+std::optional<char32_t> read_number(std::string_view& text,
                                     size_t begin,
                                     unsigned base,
                                     size_t least,
@@ -41,22 +41,22 @@ std::optional<Escape> as(std::optional<char32_t> value, bool is_unit) {
 
 }  // namespace
 
-std::optional<Escape> take_escape(std::string_view& text) {
+std::optional<Escape> read_escape(std::string_view& text) {
   if (text.empty()) {
     return std::nullopt;
   }
   switch (text[0]) {
     case 'x':
-      return as(take_number(text, 1, 16, 1, 8), true);
+      return as(read_number(text, 1, 16, 1, 8), true);
     case 'u':
-      return as(take_number(text, 1, 16, 4, 4), false);
+      return as(read_number(text, 1, 16, 4, 4), false);
     case 'U':
-      return as(take_number(text, 1, 16, 8, 8), false);
+      return as(read_number(text, 1, 16, 8, 8), false);
     default:
       break;
   }
   if (digit_of(text[0]) < 8) {
-    return as(take_number(text, 0, 8, 1, 3), true);
+    return as(read_number(text, 0, 8, 1, 3), true);
   }
   constexpr std::string_view kLetters = "abfnrtv\\'\"?";
   constexpr std::string_view kValues = "\a\b\f\n\r\t\v\\'\"?";

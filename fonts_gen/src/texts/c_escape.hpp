@@ -6,16 +6,16 @@
 
 namespace inkcell::gen {
 
-/// What an escape sequence stands for.
+/// The value of an escape sequence.
 struct Escape {
   char32_t value = 0;
-  /// It is a code unit, which octal and hexadecimal numbers are: one byte of
-  /// UTF-8 in most strings. Others are characters.
+  /// True for octal and hexadecimal numbers, which are code units: one byte of
+  /// UTF-8 in most strings. Other escapes are characters.
   bool is_unit = false;
 };
 
-/// Takes the sequence behind a backslash off the front of `text`. Nothing, and
-/// `text` untouched, if there is none that C or C++ has.
-std::optional<Escape> take_escape(std::string_view& text);
+/// Reads the escape sequence after a backslash from the front of `text`.
+/// Nothing, and `text` untouched, if C and C++ do not have it.
+std::optional<Escape> read_escape(std::string_view& text);
 
 }  // namespace inkcell::gen

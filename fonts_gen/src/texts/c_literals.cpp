@@ -14,7 +14,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Of an identifier; bytes of UTF-8 are.
+// Whether `c` can be in an identifier; bytes of UTF-8 can.
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
          c == '$' || static_cast<unsigned char>(c) >= 0x80;
@@ -25,7 +25,7 @@ bool is_space(char c) {
          c == '\v';
 }
 
-// Directives whose line has no strings that a program shows.
+// Directives without strings that a program shows.
 bool is_skipped_directive(std::string_view word) {
   constexpr std::string_view kSkipped[] = {
       "error", "ident",  "import", "include", "include_next",
@@ -33,7 +33,7 @@ bool is_skipped_directive(std::string_view word) {
   return std::binary_search(std::begin(kSkipped), std::end(kSkipped), word);
 }
 
-// Literals that follow each other, as bytes of UTF-8.
+// Adjacent literals, as bytes of UTF-8.
 class Literal {
  public:
   Literal(const std::string& file, std::vector<LocatedCharacter>& out)
@@ -56,13 +56,13 @@ class Literal {
     }
   }
 
-  // The literal ends: something else follows.
+  // Ends the literal at the next token.
   void end() {
     std::vector<LocatedCharacter> found;
     std::string_view rest = bytes_;
     while (!rest.empty()) {
       const int line = lines_[bytes_.size() - rest.size()];
-      const auto c = take_utf8(rest);
+      const auto c = read_utf8(rest);
       if (!c && is_written_) {
         throw Error(file_ + ":" + std::to_string(line) +
                     ": the string is not UTF-8; save the source as UTF-8");
@@ -86,10 +86,10 @@ class Literal {
   std::vector<LocatedCharacter>& out_;
   std::string bytes_;
   std::vector<int> lines_;   // of each byte
-  bool is_written_ = false;  // some bytes above ASCII stand in the file
+  bool is_written_ = false;  // has bytes above ASCII that are not escapes
 };
 
-// Walks a source from token to token.
+// Scans a source token by token.
 class Scanner {
  public:
   Scanner(std::string_view source,
@@ -102,14 +102,14 @@ class Scanner {
   void scan() {
     while (at_ < text_.size()) {
       if (!skip_blank()) {
-        take_token();
+        scan_token();
       }
     }
     literal_.end();
   }
 
  private:
-  // Lines that end with a backslash go on in the next one.
+  // Joins lines that end with a backslash with the next one.
   void join_lines() {
     int line = 1;
     for (size_t i = 0; i < source_.size(); ++i) {
@@ -137,7 +137,7 @@ class Scanner {
     at_ = std::min(text_.find('\n', at_), text_.size());
   }
 
-  // Spaces, comments and directives; false if a token stands here.
+  // Skips spaces, comments and directives; false if a token follows.
   bool skip_blank() {
     if (is_space(text_[at_])) {
       is_line_empty_ = is_line_empty_ || text_[at_] == '\n';
@@ -177,13 +177,13 @@ class Scanner {
     return true;
   }
 
-  void take_token() {
+  void scan_token() {
     is_line_empty_ = false;
     const char c = text_[at_];
     if (c == '"') {
-      take_string(false);
+      scan_string(false);
     } else if (is_letter(c)) {
-      take_word();
+      scan_word();
     } else {
       literal_.end();
       const bool is_number =
@@ -200,7 +200,7 @@ class Scanner {
   }
 
   // An identifier, or the prefix of a literal.
-  void take_word() {
+  void scan_word() {
     const size_t begin = at_;
     while (at_ < text_.size() &&
            (is_letter(text_[at_]) || is_digit(text_[at_]))) {
@@ -215,11 +215,11 @@ class Scanner {
     const bool is_wide = word == "L" || word == "u" || word == "U";
     const bool is_prefix = is_wide || word == "u8";
     if (next == '"' && is_raw && (is_prefix || word.empty())) {
-      take_raw_string();
+      scan_raw_string();
     } else if (next == '"' && is_prefix) {
-      take_string(is_wide);
+      scan_string(is_wide);
     } else {
-      // The quote of a constant with a prefix is found next.
+      // The quote of a constant with a prefix is scanned next.
       literal_.end();
     }
   }
@@ -245,7 +245,7 @@ class Scanner {
     at_ = std::min(at_ + 1, text_.size());
   }
 
-  void take_string(bool is_wide) {
+  void scan_string(bool is_wide) {
     ++at_;
     while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n') {
       const int line = lines_[at_];
@@ -254,7 +254,7 @@ class Scanner {
         continue;
       }
       std::string_view rest = std::string_view(text_).substr(at_ + 1);
-      if (const auto escape = take_escape(rest)) {
+      if (const auto escape = read_escape(rest)) {
         literal_.add_escape(*escape, is_wide, line);
         at_ = text_.size() - rest.size();
       } else {
@@ -264,8 +264,8 @@ class Scanner {
     at_ = std::min(at_ + 1, text_.size());
   }
 
-  // Its lines are not joined: it is read from the source.
-  void take_raw_string() {
+  // Raw strings are read from the source, as their lines are not joined.
+  void scan_raw_string() {
     const size_t quote = origins_[at_];
     const size_t open = std::min(source_.find('(', quote), source_.size());
     const std::string end =
@@ -276,9 +276,9 @@ class Scanner {
       literal_.add_byte(source_[i], line, false);
       line += source_[i] == '\n' ? 1 : 0;
     }
-    const size_t behind = std::min(close + end.size(), source_.size());
+    const size_t end_of_literal = std::min(close + end.size(), source_.size());
     at_ = static_cast<size_t>(
-        std::lower_bound(origins_.begin(), origins_.end(), behind) -
+        std::lower_bound(origins_.begin(), origins_.end(), end_of_literal) -
         origins_.begin());
   }
 

@@ -7,22 +7,22 @@
 
 namespace inkcell::gen {
 
-/// A character, and the line that it stands in, from 1.
+/// A character and its line, from 1.
 struct LocatedCharacter {
   char32_t value = 0;
   int line = 0;
 };
 
-/// The characters of all string literals of a source, in their order: of any
-/// prefix, raw ones as well; literals that follow each other are one. Comments,
-/// character constants, and directives that take a file's name or a message
-/// (#include, #error, #pragma and the like) have none; nothing else is
-/// evaluated, so that both branches of an #if count.
+/// The characters of all string literals of a source, in order: with any
+/// prefix, also raw; adjacent literals are joined. Comments, character
+/// constants, and directives with a file name or a message (#include, #error,
+/// #pragma and the like) are skipped. Nothing else is evaluated: both branches
+/// of an #if count.
 ///
-/// Control characters are left out, as are literals that are not UTF-8 by their
-/// escape sequences: these are data. `file` names the source in errors.
+/// Control characters are left out, and literals whose escape sequences do not
+/// give UTF-8, as these are data. `file` names the source in errors.
 ///
-/// Throws Error for a literal that is not UTF-8 as it stands in the file.
+/// Throws Error for a literal that is not UTF-8 in the file itself.
 std::vector<LocatedCharacter> literal_characters(std::string_view source,
                                                  const std::string& file);
 

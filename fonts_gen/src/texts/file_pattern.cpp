@@ -29,8 +29,8 @@ class Search {
   std::vector<fs::path> found() const { return {found_.begin(), found_.end()}; }
 
  private:
-  // What matches the parts from number `part` on below `folder`, which is empty
-  // for the folder that the program runs in.
+  // Finds matches of the parts from `part` on in `folder`, which is empty for
+  // the working directory.
   void visit(const fs::path& folder, size_t part) {
     if (part == parts_.size()) {
       std::error_code error;

@@ -1,4 +1,4 @@
-// Files by a pattern of their names.
+// Finds files by a pattern.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,13 @@
 
 namespace inkcell::gen {
 
-/// The files that match `pattern`, in the order of their names. In a part of
-/// the path, `*`, `?` and `[...]` stand for what the shell takes them for; the
-/// part `**` stands for any number of folders, none too. Names that begin with
-/// a point match only patterns that do. A pattern without such characters is
-/// the name of a file.
+/// The files that match `pattern`, ordered by name. `*`, `?` and `[...]` work
+/// as in the shell; `**` stands for any number of folders, also none. Names
+/// that begin with a dot only match patterns that begin with a dot. A pattern
+/// without such characters is a file name.
 ///
-/// Throws Error if no file matches, or a folder cannot be read. `option` names
-/// the pattern in it.
+/// Throws Error, which names `option`, if no file matches or a folder cannot be
+/// read.
 std::vector<std::filesystem::path> matching_files(const std::string& pattern,
                                                   const std::string& option);
 

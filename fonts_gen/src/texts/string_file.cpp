@@ -113,7 +113,7 @@ class LineParser {
         text[0] == '"' ? unquoted(text) : std::string(text);
     std::string_view rest = bytes;
     while (!rest.empty()) {
-      const auto c = take_utf8(rest);
+      const auto c = read_utf8(rest);
       if (!c) {
         refuse("the text is not UTF-8; save the file as UTF-8");
       }
@@ -135,7 +135,7 @@ class LineParser {
         out += c;
         continue;
       }
-      const auto escape = take_escape(text);
+      const auto escape = read_escape(text);
       if (!escape) {
         refuse(
             "a backslash is followed by no escape sequence of C; write "

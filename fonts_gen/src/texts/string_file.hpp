@@ -9,7 +9,7 @@
 
 namespace inkcell::gen {
 
-/// A string of a program's interface.
+/// A named string of a program's user interface.
 struct NamedString {
   std::string name;  // an identifier of C and C++
   LineText line;
