@@ -35,10 +35,10 @@ TEST(FitCubic, FindsTheCubicThatThePointsLieOn) {
   for (int i = 0; i <= 100; ++i) {
     points.push_back(cubic_at(truth, i / 100.0));
   }
-  const std::vector<double> ways = ways_along(points);
+  const std::vector<double> lengths = arc_lengths(points);
   Stretch stretch;
   stretch.points = points.data();
-  stretch.ways = ways.data();
+  stretch.lengths = lengths.data();
   stretch.count = points.size();
   EXPECT_LT(fit_cubic(stretch, 0.1).worst, 0.1);
   stretch.begin = unit(truth.p[1] - truth.p[0]);

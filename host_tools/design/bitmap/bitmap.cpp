@@ -12,7 +12,7 @@
 namespace inkcell::design {
 namespace {
 
-// 4 em by 4 em at 4096 px/em, of any shape.
+// The largest side: an area of 4 em by 4 em at 4096 px/em in any shape.
 constexpr int kMostSide = 65536;
 constexpr size_t kMostPixels = size_t{1} << 28;
 
@@ -24,7 +24,7 @@ void check_size(size_t width, size_t height, const std::string& name) {
   }
 }
 
-// PBM and PGM: P1, P2, P4 and P5.
+// Reads PBM and PGM: P1, P2, P4 and P5.
 class NetpbmReader {
  public:
   NetpbmReader(const std::vector<uint8_t>& bytes, std::string name)
@@ -141,7 +141,7 @@ Bitmap parse_png(const std::vector<uint8_t>& bytes, const std::string& name) {
     bitmap.width = static_cast<int>(image.width);
     bitmap.height = static_cast<int>(image.height);
     bitmap.ink.resize(PNG_IMAGE_SIZE(image));
-    // Transparent pixels become white paper.
+    // Transparent pixels become white.
     const png_color white = {255, 255, 255};
     png_image_finish_read(&image, &white, bitmap.ink.data(), 0, nullptr);
   }

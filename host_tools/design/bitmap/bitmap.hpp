@@ -20,21 +20,21 @@ struct Bitmap {
                : ink[static_cast<size_t>(y) * static_cast<size_t>(width) +
                      static_cast<size_t>(x)];
   }
-  /// Whether every pixel is all ink or none.
+  /// Whether all pixels are 0 or 255.
   bool is_bilevel() const;
 };
 
-/// A PNG of these bytes, as read_bitmap() reads it; `name` is for messages.
+/// The PNG in `bytes`, as read_bitmap() reads it; `name` is for messages.
 Bitmap parse_png(const std::vector<uint8_t>& bytes, const std::string& name);
 
-/// Reads PNG, PBM or PGM; dark pixels are ink, transparent ones are none.
-/// Throws Error that names the file.
+/// Reads PNG, PBM or PGM; dark pixels are ink, transparent ones are not. Throws
+/// Error that names the file.
 Bitmap read_bitmap(const std::filesystem::path& file);
 
 /// The threshold that divides the histogram best (Otsu 1979).
 int otsu_threshold(const Bitmap& bitmap);
 
-/// Ink 255 from `threshold` on, 0 below.
+/// Sets pixels >= `threshold` to 255, others to 0.
 void make_bilevel(Bitmap& bitmap, int threshold);
 
 }  // namespace inkcell::design

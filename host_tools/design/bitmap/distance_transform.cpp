@@ -6,13 +6,13 @@
 namespace inkcell::design {
 namespace {
 
-// Columns at a time: rows of them lie in one cache line.
+// Columns processed together: a row of them is one cache line.
 constexpr size_t kColumns = 16;
 
 constexpr float kFar = 1e10f;
 
-// Squares of distances along a row to those of the plane: the lower envelope
-// of parabolas with their feet at the pixels.
+// Converts squared distances along a row to those of the plane: the lower
+// envelope of parabolas at the pixels.
 class Envelope {
  public:
   explicit Envelope(size_t size) : foot_(size), from_(size + 1), in_(size) {}
@@ -69,18 +69,20 @@ std::vector<float> distances_to(const Bitmap& bitmap, bool wanted) {
   const size_t width = static_cast<size_t>(bitmap.width);
   const size_t height = static_cast<size_t>(bitmap.height);
   std::vector<float> result(width * height, kFar);
-  // Down and up the columns: distance to the nearest one in the column.
+  // Passes down and up: the distance to the nearest pixel in the column.
   for (size_t x0 = 0; x0 < width; x0 += kColumns) {
     const size_t count = std::min(kColumns, width - x0);
     for (const bool up : {false, true}) {
-      float way[kColumns];
-      std::fill(way, way + kColumns, 1e5f);
+      float distance[kColumns];
+      std::fill(distance, distance + kColumns, 1e5f);
       for (size_t i = 0; i < height; ++i) {
         const size_t at = (up ? height - 1 - i : i) * width + x0;
         for (size_t k = 0; k < count; ++k) {
-          way[k] = (bitmap.ink[at + k] >= 128) == wanted ? 0 : way[k] + 1;
-          if (way[k] < 1e5f) {
-            result[at + k] = std::min(result[at + k], way[k] * way[k]);
+          distance[k] =
+              (bitmap.ink[at + k] >= 128) == wanted ? 0 : distance[k] + 1;
+          if (distance[k] < 1e5f) {
+            result[at + k] =
+                std::min(result[at + k], distance[k] * distance[k]);
           }
         }
       }

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double kHalf = 127.5;
 
-// Stairs are averaged over so many steps to both sides: more are calmer, but
-// shrink curves of a radius of 20 px by 0.3 px.
+// Stairs are averaged over this many steps to both sides: more give smoother
+// edges, but shrink curves of a radius of 20 px by 0.3 px.
 constexpr int kSteps = 5;
 constexpr int kGreySteps = 1;
 
-// The squares between four pixel centres, corner (x, y) upper left. Corners and
-// sides count around from there: y is down, so that ink is on the left of a way
-// that is counter-clockwise for one who looks at the picture.
+// Walks the squares between four pixel centres; corner (x, y) is the upper
+// left. Corners and sides are numbered counter-clockwise in the picture, y
+// down, so ink is to the left of the edge.
 class EdgeWalker {
  public:
   EdgeWalker(const Bitmap& bitmap, bool is_bilevel)
@@ -34,8 +34,8 @@ class EdgeWalker {
   std::vector<std::vector<Point>> run() {
     for (int y = -1; y < bitmap_.height; ++y) {
       for (int x = -1; x < bitmap_.width; ++x) {
-        // Only sides with ink above and none below begin a walk: every loop
-        // has one.
+        // Every loop has a side with ink above and none below: walks only begin
+        // there.
         if (ink(x, y) && !ink(x, y + 1) && (visited(x, y) & 1) == 0) {
           walk(x, y);
         }
@@ -106,7 +106,7 @@ class EdgeWalker {
                    std::fabs(va - kHalf) < std::fabs(vb - kHalf) ? ay : by);
   }
 
-  // Moves p onto the straight edge that pixel (x, y) shows.
+  // Moves p onto the straight edge in pixel (x, y).
   Point on_edge(const Point& p, int x, int y) const {
     const double ink_here = bitmap_.at(x, y) / 255.0;
     if (ink_here <= 0 || ink_here >= 1) {
@@ -127,9 +127,9 @@ class EdgeWalker {
     return std::fabs(off) < 1 ? p - off * n : p;
   }
 
-  // Distance of a pixel's centre from a straight edge that leaves `ink` of it
-  // covered, positive if the centre is covered; n is the edge's normal. The
-  // area of half a plane in a unit square: a triangle, a trapezium, or a square
+  // The distance of a pixel's centre from a straight edge with normal n that
+  // leaves `ink` of it covered; positive if the centre is covered. Inverts the
+  // area of a half plane in a unit square: a triangle, a trapezium, or a square
   // less a triangle.
   static double offset(double ink, const Point& n) {
     const double a = std::max(std::fabs(n.x), std::fabs(n.y));
@@ -145,7 +145,7 @@ class EdgeWalker {
   const Bitmap& bitmap_;
   bool is_bilevel_;
   int width_;
-  std::vector<uint8_t> visited_;  // sides through which an edge came in
+  std::vector<uint8_t> visited_;  // sides through which an edge entered
   std::vector<std::vector<Point>> loops_;
 };
 
@@ -157,7 +157,7 @@ double area(const std::vector<Point>& loop) {
   return sum;
 }
 
-// Means over 2 steps + 1 points, twice: weights like a tent.
+// Averages 2 steps + 1 points, twice: a triangular window.
 std::vector<Point> smooth(const std::vector<Point>& loop, int steps) {
   const int size = static_cast<int>(loop.size());
   steps = std::min(steps, size / 4);
@@ -207,7 +207,7 @@ std::vector<Loop> walk_edges(const Bitmap& bitmap,
   const size_t stride = is_bilevel ? 4 : 1;
   const double c = std::cos(options.place.slope);
   const double s = std::sin(options.place.slope);
-  // From y down to y up, the baseline level.
+  // From y down to y up, with a level baseline.
   const auto upright = [c, s](const Point& p) {
     return Point{c * p.x + s * p.y, s * p.x - c * p.y};
   };

@@ -12,21 +12,21 @@ namespace {
 constexpr size_t kTerms = 6;
 using Terms = std::array<double, kTerms>;
 
-// Each round tells paper from ink better, since the light is more even.
+// Each round separates paper and ink better, as the light is more even.
 constexpr int kRounds = 4;
 
-// Pixels that are looked at: every one of a small scan. No surface is taken
-// from fewer than kLeastPaper.
+// The most pixels that are sampled: all of a small scan. No surface is fitted
+// to fewer than kLeastPaper.
 constexpr size_t kMostLooks = size_t{1} << 20;
 constexpr size_t kLeastPaper = 100;
 
-// An enlarged scan has this many pixels an em, if that takes no more than
-// kMostFactor and no more pixels than kMostEnlarged.
+// A scan is enlarged to this many pixels an em, by at most kMostFactor and to
+// at most kMostEnlarged pixels.
 constexpr double kEnlarged_px_per_em = 1024;
 constexpr int kMostFactor = 8;
 constexpr size_t kMostEnlarged = size_t{1} << 26;
 
-// Darker than this is no paper, and the surface ends there. [of 255]
+// The surface ends where paper would be darker. [of 255]
 constexpr double kLeastGrey = 16;
 
 Terms terms_at(const Bitmap& scan, size_t i) {
@@ -44,7 +44,8 @@ double value_of(const Terms& surface, const Terms& terms) {
   return value;
 }
 
-// Gauss; the matrix is positive definite if the places determine a surface.
+// Gaussian elimination; the matrix is positive definite if the places determine
+// a surface.
 std::optional<Terms> solve(std::array<std::array<double, kTerms + 1>, kTerms> m,
                            double count) {
   for (size_t k = 0; k < kTerms; ++k) {
@@ -65,8 +66,8 @@ std::optional<Terms> solve(std::array<std::array<double, kTerms + 1>, kTerms> m,
   return result;
 }
 
-// The grey of the paper: least squares over the pixels of `scan` that are
-// lighter than the threshold of `levelled`.
+// Fits the grey of the paper to the pixels of `scan` that are lighter than the
+// threshold of `levelled`, by least squares.
 std::optional<Terms> paper_of(const Bitmap& scan, const Bitmap& levelled) {
   std::array<std::array<double, kTerms + 1>, kTerms> m = {};
   const int threshold = otsu_threshold(levelled);
@@ -101,7 +102,7 @@ int factor_for(const Bitmap& scan, double px_per_em) {
   return factor;
 }
 
-// Greys between the centres of pixels, linear in x and in y.
+// Enlarges by bilinear interpolation.
 Bitmap enlarged(const Bitmap& scan, int factor) {
   Bitmap result;
   result.width = scan.width * factor;

@@ -1,4 +1,5 @@
-// Shapes combined: union, intersection, difference, and smooth blends.
+// Boolean operations on shapes: union, intersection, difference, and smooth
+// blends.
 #pragma once
 
 #include <string>
@@ -12,13 +13,13 @@ namespace inkcell::design {
 
 enum class Combination { unite, intersect, subtract, blend };
 
-/// Combines two shapes. The result is a shape again, so that its distances are
-/// exact: fields that are combined point by point are none (too small in
-/// magnitude on one side). Sharp combinations are exact to 1/65536 u.
+/// Combines two shapes. The result is a shape with exact distances; combining
+/// fields point by point gives none (too small in magnitude on one side). Sharp
+/// combinations are exact to 1/65536 u.
 ///
-/// blend: the union with a fillet, max(a, b) + h^2 / (4 k) with
-/// h = max(k - |a - b|, 0) of both distances; `radius_u` is k, above 0. Its
-/// edge is followed and measured anew, which is true to 1/16 u.
+/// blend: the union with a fillet, max(a, b) + h^2 / (4 k) with h = max(k - |a
+/// - b|, 0) of both distances; `radius_u` is k > 0. Its edge is traced and
+/// measured again, to 1/16 u.
 ///
 /// Throws gen::GeometryError.
 gen::Shape combine(const gen::Shape& a,
@@ -26,14 +27,14 @@ gen::Shape combine(const gen::Shape& a,
                    Combination combination,
                    double radius_u = 0);
 
-/// The shape that a tree stands for. A leaf is a glyph, { "glyph": "o",
-/// "matrix": [...] }; a node combines two or more parts, from the first on:
+/// The shape of a tree. A leaf is a glyph, { "glyph": "o", "matrix": [...] }; a
+/// node combines two or more parts, in order:
 ///
 ///   { "op": "union" | "intersection" | "difference" | "blend", "radius": 20,
 ///     "parts": [...] }
 ///
-/// Radius and matrix in font units. Throws Error that says where the tree is
-/// wrong.
+/// Radius and matrix in font units. Throws Error that names the wrong part of
+/// the tree.
 gen::Shape shape_of_tree(const Project& project,
                          size_t layer,
                          const Value& tree);

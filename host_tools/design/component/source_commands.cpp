@@ -1,5 +1,5 @@
-// Commands on what outlines are made of: strokes and trees of shapes. The
-// source goes to the glyph's lib, and its outline into the contours.
+// Commands on the sources of outlines: strokes and trees of shapes. The source
+// is stored in the glyph's lib, its outline in the contours.
 #include "component/csg.hpp"
 #include "model/command_table.hpp"
 #include "model/contours.hpp"
@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kStrokesKey = "org.inkcell.strokes";
 constexpr const char* kTreeKey = "org.inkcell.tree";
 
-// Of curves from the exact border, and of a stroke's path from its points. [u]
+// The tolerance of curves against the exact border, and of a stroke's path
+// against its points. [u]
 constexpr double kFit_u = 0.12;
 constexpr double kPathFit_u = 0.5;
 

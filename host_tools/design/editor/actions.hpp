@@ -1,4 +1,4 @@
-// What keys, menus and scripts do, by name.
+// The actions of keys, menus and scripts, by name.
 #pragma once
 
 #include <functional>
@@ -10,19 +10,19 @@
 namespace inkcell::design::editor {
 
 struct Action {
-  const char* name;  // as menus show it
-  const char* keys;  // "ctrl+z", several divided by spaces; "" if there is none
+  const char* name;  // in menus
+  const char* keys;  // "ctrl+z", alternatives separated by spaces; may be ""
   std::function<void(Editor&)> run;
 };
 
-/// All actions; tools and nudges among them.
+/// All actions, including tools and nudges.
 const std::vector<Action>& action_list();
 
-/// The action of a menu. It must exist.
+/// An action of a menu, which must exist.
 const Action& action(const std::string& name);
 
-/// Carries out what a key stands for: lower case, with ctrl+, shift+ before it
-/// in this order. False if it stands for nothing, or nothing is open.
+/// Runs the action of a key: lower case, prefixed by ctrl+ and shift+ in this
+/// order. False if the key has no action, or nothing is open.
 bool press_key(Editor& editor, const std::string& key);
 
 }  // namespace inkcell::design::editor

@@ -12,7 +12,7 @@ Value matrix_value(const Matrix& m) {
   return {m.xx, m.xy, m.yx, m.yy, m.dx, m.dy};
 }
 
-// The pieces of a contour between selected neighbours on the curve.
+// The parts of a contour between selected on-curve neighbours.
 class Pieces {
  public:
   Pieces(const PointContour& contour, const std::vector<bool>& selected)
@@ -20,7 +20,7 @@ class Pieces {
 
   std::vector<PointContour> find() {
     const size_t count = contour_.points.size();
-    // From a point that divides two pieces, if one does.
+    // Starts at a point between two parts, if there is one.
     size_t first = 0;
     while (!contour_.open() && first < count && !divides(first)) {
       ++first;
@@ -100,7 +100,7 @@ std::vector<PointContour> selected_contours(const Glyph& glyph,
   throw Error("the clipboard holds no contours");
 }
 
-// Moves what a command adds. Throws if it is none that copy_of() makes.
+// Moves what a command adds. Throws if copy_of() does not make such commands.
 void move_added(const Project& project, Value& command, double dx, double dy) {
   const std::string name = command.value("do", "");
   if (name == "add_contour") {

@@ -8,13 +8,13 @@
 
 namespace inkcell::design::editor {
 
-/// What is selected, as text: a command for `replay` without a glyph. Contours
-/// whose points are selected in part give open ones. All of the glyph if
-/// nothing is selected; empty if there is nothing.
+/// The selection as text: a command for `replay` without a glyph. Contours with
+/// partly selected points become open ones. The whole glyph if nothing is
+/// selected; empty if there is nothing.
 std::string copy_of(const Editor& editor);
 
-/// Carries out a text of copy_of() on the glyph that is shown, moved, and
-/// selects what it added. Throws Error if it is another text.
+/// Runs a text of copy_of() on the shown glyph, moved, and selects what was
+/// added. Throws Error for any other text.
 void paste(Editor& editor, const std::string& text, double dx, double dy);
 
 }  // namespace inkcell::design::editor

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double kLeastScale = 0.02;  // [px per font unit]
 constexpr double kMostScale = 64;
-constexpr double kFitPart = 0.86;  // of the canvas that the em's lines take
+constexpr double kFitPart = 0.86;  // the em's part of the canvas
 
 void write_bytes(const fs::path& path, const std::vector<uint8_t>& bytes) {
   gen::OutputFile file(path);
@@ -35,7 +35,7 @@ bool needs_glyph(const Value& command) {
          name.find("group") == std::string::npos;
 }
 
-// Puts the name of the glyph into a command and those that it holds.
+// Fills the glyph's name into a command and its parts.
 void fill_glyph(const std::string& glyph, Value& command) {
   if (needs_glyph(command)) {
     command["glyph"] = glyph;
@@ -254,7 +254,7 @@ void Editor::take_change() {
   drop_lost_selection();
 }
 
-// Of points and glyphs that a change has taken away.
+// Deselects points and glyphs that a change has removed.
 void Editor::drop_lost_selection() {
   const GlyphPointer now = project().find(glyph_);
   if (now == nullptr) {

@@ -1,5 +1,5 @@
-// What a window of the editor shows, and all that can be done to it. Knows no
-// window: scripts use it in the same way.
+// The state of the editor and all of its operations, independent of the window:
+// scripts use it, too.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,7 @@ inline bool operator<(PointId a, PointId b) {
 }
 using Selection = std::set<PointId>;
 
-/// The part of the plane that the canvas shows.
+/// The part of the plane on the canvas.
 struct View {
   double x = 0;  // the canvas's centre [font units]
   double y = 0;
@@ -41,11 +41,11 @@ struct View {
   Point to_font(Point p) const {
     return {x + (p.x - width / 2) / scale, y - (p.y - height / 2) / scale};
   }
-  /// Keeps the font's point at `at` where it is. [px]
+  /// Zooms with the font's point at `at` [px] fixed.
   void zoom(double factor, Point at);
 };
 
-/// The pen that strokes are drawn with. [font units, degrees]
+/// The pen for strokes. [font units, degrees]
 struct NibSettings {
   bool is_rectangle = false;
   double width = 120;
@@ -58,10 +58,10 @@ struct NibSettings {
 /// A line for the user, below the canvas.
 struct Message {
   std::string text;
-  bool is_problem = false;  // until the next change
+  bool is_problem = false;  // shown until the next change
 };
 
-/// Where copies go: of the program alone unless a window sets it.
+/// The clipboard: of the program alone unless a window sets it.
 struct Clipboard {
   std::function<std::string()> read;
   std::function<void(const std::string&)> write;
@@ -72,9 +72,9 @@ class Editor {
   Editor();
   ~Editor();
 
-  /// Opens a UFO, or makes one of a TTF or OTF: `project`, by default a folder
-  /// of the font's name in the current one. `chars` limits what is taken of a
-  /// font. Throws Error or gen::Error.
+  /// Opens a UFO, or converts a TTF or OTF to `project`, by default a folder
+  /// with the font's name in the working directory. `chars` selects the
+  /// characters of a font. Throws Error or gen::Error.
   void open(const std::filesystem::path& file,
             std::filesystem::path project = {},
             const std::vector<std::string>& chars = {});
@@ -88,25 +88,25 @@ class Editor {
   const Project& project() const { return session_->project(); }
 
   void select_nothing();
-  /// Selects all points of a contour, besides those that are.
+  /// Adds all points of a contour to the selection.
   void select_contour(size_t contour);
 
   /// Shows a glyph by its name or its character. Throws Error.
   void show(const std::string& glyph);
-  /// The next one in the order of the font, or the one before.
+  /// Shows the next or the previous glyph, in the order of the font.
   void step(int by);
   const std::string& glyph_name() const { return glyph_; }
-  /// With the change that is under way; null if none is shown.
+  /// With the proposed change; null if no glyph is shown.
   GlyphPointer glyph() const;
-  /// The project with that change, for previews.
+  /// The project with the proposed change, for previews.
   Project shown_project() const;
 
-  /// Carries out a command; "glyph" is filled in. It ends a press of the
-  /// pointer. Throws Error.
+  /// Runs a command on the shown glyph; "glyph" is filled in. Ends a press of
+  /// the pointer. Throws Error.
   void run(Value command);
-  /// A change that is under way, shown but not carried out; null ends it.
+  /// Shows a change without running it; null removes it.
   void propose(Value command);
-  /// Carries out the proposal, if there is one.
+  /// Runs the proposal, if there is one.
   void commit();
   bool undo();
   bool redo();
@@ -118,7 +118,7 @@ class Editor {
 
   void fit_view();
 
-  /// Picture of what the device would draw; `draw_preview(job)` makes it.
+  /// The job for a preview of the device's picture, for draw_preview().
   PreviewJob preview_job() const;
 
   Selection selection;
@@ -128,15 +128,15 @@ class Editor {
   View view;
   NibSettings nib;
   PreviewSettings preview;
-  bool shows_layers = true;  // those beside the default one, behind it
+  bool shows_layers = true;  // other layers, behind the default one
   Message message;
 
  private:
-  // A change that is shown, of the project as it is.
+  // A change that is shown but not run.
   struct Proposal {
     Value command;
     Change change;
-    GlyphPointer glyph;  // the shown one; null: it does not change
+    GlyphPointer glyph;  // null: unchanged
   };
 
   void begin(const std::filesystem::path& folder);

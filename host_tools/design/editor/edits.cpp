@@ -10,16 +10,16 @@ namespace {
 // A quarter of a circle as a cubic, 4/3 (sqrt(2) - 1).
 constexpr double kKappa = 0.5522847498;
 
-// A point before or behind another one; none beyond the ends of an open
+// The point before or after another one; none beyond the ends of an open
 // contour.
 std::optional<size_t> neighbour(const PointContour& contour,
                                 size_t point,
-                                bool behind) {
+                                bool is_after) {
   const size_t count = contour.points.size();
-  if (contour.open() && point == (behind ? count - 1 : 0)) {
+  if (contour.open() && point == (is_after ? count - 1 : 0)) {
     return std::nullopt;
   }
-  return (point + (behind ? 1 : count - 1)) % count;
+  return (point + (is_after ? 1 : count - 1)) % count;
 }
 
 // Whether an off-curve point belongs to a cubic.
@@ -40,8 +40,8 @@ bool is_cubic_handle(const PointContour& contour, size_t point) {
 // The handles next to a point on the curve.
 std::vector<size_t> handles_of(const PointContour& contour, size_t point) {
   std::vector<size_t> handles;
-  for (const bool behind : {false, true}) {
-    const auto next = neighbour(contour, point, behind);
+  for (const bool is_after : {false, true}) {
+    const auto next = neighbour(contour, point, is_after);
     if (next && is_cubic_handle(contour, *next)) {
       handles.push_back(*next);
     }
@@ -57,8 +57,7 @@ Value set_point(PointId id, double x, double y) {
           {"y", std::round(y)}};
 }
 
-// Puts the handle `id` opposite to a handle at `other`, as far from its point
-// as it is.
+// Turns the handle `id` opposite to a handle at `other`; its length is kept.
 Value turn_handle(const PointContour& contour,
                   PointId id,
                   const GlyphPoint& centre,
@@ -75,19 +74,19 @@ Value turn_handle(const PointContour& contour,
                    centre.y + length * dy / size);
 }
 
-// The handle on the other side of the smooth point that the handle `id` belongs
-// to, turned as the handle moves.
+// If the handle `id` belongs to a smooth point: turns the opposite handle with
+// it.
 Value turn_opposite(const Glyph& glyph, PointId id, double dx, double dy) {
   const PointContour& contour = glyph.contours[id.contour];
   if (!is_cubic_handle(contour, id.point)) {
     return nullptr;
   }
-  for (const bool behind : {false, true}) {
-    const auto centre = neighbour(contour, id.point, behind);
+  for (const bool is_after : {false, true}) {
+    const auto centre = neighbour(contour, id.point, is_after);
     if (!centre || !contour.points[*centre].smooth) {
       continue;
     }
-    const auto other = neighbour(contour, *centre, behind);
+    const auto other = neighbour(contour, *centre, is_after);
     if (other && is_cubic_handle(contour, *other)) {
       const GlyphPoint& moved = contour.points[id.point];
       return turn_handle(contour, {id.contour, *other}, contour.points[*centre],
@@ -103,7 +102,7 @@ size_t on_curve_count(const PointContour& contour) {
                     [](const GlyphPoint& p) { return p.on_curve(); }));
 }
 
-// Off-curve neighbours first: the rest is a contour after each step.
+// Off-curve neighbours first: each step leaves a valid contour.
 void delete_point(size_t contour_index,
                   PointContour& contour,
                   size_t point,
@@ -185,7 +184,7 @@ Value delete_points(const Glyph& glyph, const Selection& selection) {
       commands.push_back({{"do", "delete_contour"}, {"contour", c}});
       continue;
     }
-    // Handles go with their points; those that are selected alone follow.
+    // Handles move with their points, then handles that are selected alone.
     PointContour contour = glyph.contours[c];
     std::stable_sort(points.begin(), points.end(), [&](size_t a, size_t b) {
       return contour.points[a].on_curve() > contour.points[b].on_curve();
@@ -250,7 +249,7 @@ Value curve_line(const Glyph& glyph, PointId id) {
     return {std::round(from.x + part * (to.x - from.x)),
             std::round(from.y + part * (to.y - from.y)), "offcurve"};
   };
-  // Handles of the first point stand at the end.
+  // Handles of the first point are at the end.
   const size_t at = id.point == 0 ? contour.points.size() : id.point;
   return batch({{{"do", "set_point"},
                  {"contour", id.contour},

@@ -44,7 +44,7 @@ std::vector<double> distances(const gen::Shape& shape, double px) {
   return all;
 }
 
-// A point more, or less, of a wave as wide as the advance.
+// Adds or removes a point of a wave as wide as the advance.
 Value stroke_command(const Editor& editor, int points) {
   const double width = editor.glyph()->width;
   Value path = Value::array();
@@ -71,7 +71,7 @@ Latencies measure_latencies(Editor& editor, int runs) {
   if (editor.glyph()->contours.empty()) {
     throw Error("glyph '" + editor.glyph_name() + "' has no points to drag");
   }
-  gen::BuiltGlyphs glyphs;  // as the window's worker has one
+  gen::BuiltGlyphs glyphs;  // as in the window's worker
   const Preview first = device_preview(editor, glyphs);
   const auto drag = [&editor](int step) {
     editor.propose(

@@ -1,4 +1,4 @@
-// How long a person waits.
+// Measures response times.
 #pragma once
 
 #include "editor/editor.hpp"
@@ -17,10 +17,9 @@ struct Latencies {
   Latency stroke;  // the end of a stroke: outline, field, preview
 };
 
-/// Drags the first point of the glyph that is shown, and draws strokes with the
-/// nib, `runs` times each; nothing is carried out. Pictures are those of the
-/// preview's sizes; distances are taken four to a pixel of the largest.
-/// Throws Error.
+/// Drags the first point of the shown glyph, and draws strokes with the nib,
+/// `runs` times each, without changing the project. Pictures have the preview's
+/// sizes; distances are sampled four to a pixel of the largest. Throws Error.
 Latencies measure_latencies(Editor& editor, int runs);
 
 }  // namespace inkcell::design::editor

@@ -1,4 +1,4 @@
-// Tools that take a line from press to release: knife, measure, shapes.
+// Tools that drag a line: knife, measure, shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,7 +11,7 @@
 namespace inkcell::design::editor {
 namespace {
 
-// The end of a line from `a`: at `b`, or along the nearer axis.
+// The end of a line from `a`: `b`, or on the nearer axis.
 Point constrained(Point a, Point b, bool to_axis) {
   if (!to_axis) {
     return b;

@@ -1,4 +1,4 @@
-// Contours drawn point by point.
+// Draws contours point by point.
 #include <cmath>
 
 #include "editor/edits.hpp"
@@ -109,7 +109,7 @@ class PenTool : public Tool {
            glyph.contours[*contour_].open();
   }
 
-  // Whether the pointer takes up the end of an open contour.
+  // Whether the pointer continues an open contour at its end.
   bool continues(const Glyph& glyph, const Pointer& pointer) {
     for (size_t i = 0; i < glyph.contours.size(); ++i) {
       if (glyph.contours[i].open() &&
@@ -133,7 +133,7 @@ class PenTool : public Tool {
     return true;
   }
 
-  // The handle of the point at at_ that the curve arrives by.
+  // The handle before the point at at_.
   std::optional<Point> arriving() const {
     return handle_ ? std::optional<Point>(
                          Point{2 * at_.x - handle_->x, 2 * at_.y - handle_->y})
@@ -178,9 +178,9 @@ class PenTool : public Tool {
     return batch(std::move(commands));
   }
 
-  std::optional<size_t> contour_;  // that is being drawn
-  std::optional<Point> leaving_;   // the handle behind its last point
-  std::optional<Point> handle_;    // behind the point at at_
+  std::optional<size_t> contour_;  // being drawn
+  std::optional<Point> leaving_;   // the handle after its last point
+  std::optional<Point> handle_;    // after the point at at_
   Point at_;
   bool is_pressed_ = false;
   bool is_closing_ = false;

@@ -15,10 +15,10 @@
 namespace inkcell::design::editor {
 namespace {
 
-// Stands for a glyph that no character maps to.
+// The code point of a glyph that has none.
 constexpr char32_t kPrivate = 0xF8FF;
 
-// Adds a glyph and what it is made of.
+// Adds a glyph and its components.
 void take(const Project& from, const std::string& name, Project& to) {
   const GlyphPointer glyph = from.find(name);
   if (glyph == nullptr || !to.front().glyphs.emplace(name, glyph).second) {

@@ -1,5 +1,5 @@
-// What the device will draw: the generator in memory, the device's library, and
-// the sinks of the displays.
+// Previews of the device's pictures: by the generator in memory, the device's
+// library, and the sinks of displays.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace inkcell::design::editor {
 
 using tools::Display;
 
-/// Those that a person may choose.
+/// The displays that can be chosen.
 const std::vector<Display>& preview_displays();
 
 struct PreviewSettings {
@@ -32,7 +32,7 @@ struct PreviewSettings {
 };
 
 struct PreviewJob {
-  Project project;  // the glyphs that are needed, and no others
+  Project project;  // only the glyphs that are needed
   std::string glyph;
   char32_t character = 0;  // of the glyph in `project`
   std::string missing;     // characters of the text that the font lacks
@@ -53,7 +53,7 @@ struct TextPicture {
 };
 
 struct Preview {
-  std::string error;  // why there is nothing else
+  std::string error;  // why the preview is otherwise empty
   std::string glyph_name;
   bool is_exact = false;  // pictures only: exact_preview.hpp
   std::vector<uint8_t> rom;
@@ -74,8 +74,9 @@ PreviewJob make_job(const Project& project,
                     const std::string& glyph,
                     const PreviewSettings& settings);
 
-/// Does the work. What goes wrong is said in `error`. `glyphs`, if given, are
-/// those of the preview before, which are not built again; then of this one.
+/// Makes the preview. `error` says what failed. `glyphs`, if given, holds the
+/// glyphs of the previous preview, which are not built again, and gets those of
+/// this one.
 Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs = nullptr);
 
 /// Draws one glyph of a line that begins at `origin`.
@@ -84,8 +85,8 @@ using GlyphPainter = std::function<void(const PositionedGlyph& glyph,
                                         inkcell::Point origin,
                                         const Sink& sink)>;
 
-/// Draws a line of text as a display shows it: colours as they reach the eye,
-/// 3 channels. `paint`, if given, draws the glyphs. Throws std::runtime_error.
+/// Draws a line of text as a display shows it, in 3 channels. `paint`, if
+/// given, draws the glyphs. Throws std::runtime_error.
 tools::Image draw_on_display(const std::vector<uint8_t>& rom,
                              const std::string& text,
                              double px,

@@ -1,4 +1,4 @@
-// Previews made beside the window's thread.
+// Makes previews on a thread of its own.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +11,7 @@
 
 namespace inkcell::design::editor {
 
-/// Works on the latest job; those that were replaced meanwhile are left out.
+/// Works on the latest job; replaced jobs are dropped.
 class PreviewWorker {
  public:
   PreviewWorker();

@@ -1,4 +1,4 @@
-// What scripts print.
+// The report that scripts print.
 #pragma once
 
 #include "editor/editor.hpp"
@@ -6,7 +6,7 @@
 
 namespace inkcell::design::editor {
 
-/// The glyph that is shown, the view, and figures of its preview.
+/// The shown glyph, the view, and figures of its preview.
 Value report_of(const Editor& editor, const Preview& preview);
 Value report_of(const Latencies& latencies);
 

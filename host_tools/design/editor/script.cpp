@@ -24,8 +24,8 @@ using Words = std::vector<std::string>;
 
 struct Line {
   Editor& editor;
-  Words words;       // behind the command
-  std::string rest;  // the same as one text
+  Words words;       // after the command
+  std::string rest;  // as one text
   const Screenshot& screenshot;
 };
 
@@ -46,7 +46,7 @@ const std::string& word(const Line& line, size_t i) {
   return line.words[i];
 }
 
-// Points are counted through all contours.
+// Points are numbered through all contours.
 PointId point_of(const Line& line, size_t i) {
   const double value = number(line, i);
   auto left = static_cast<size_t>(std::max(value, 0.0));

@@ -1,4 +1,4 @@
-// The editor driven by lines of text, through the same functions as the window.
+// Scripts for the editor: lines of text that call the functions of the window.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace inkcell::design::editor {
 
-/// A command of scripts: its name, arguments and task, for the help.
+/// A command of scripts: its name, arguments and help.
 struct ScriptCommand {
   const char* name;
   const char* arguments;
@@ -22,13 +22,13 @@ const std::vector<ScriptCommand>& script_commands();
 using Screenshot =
     std::function<void(Editor& editor, const std::filesystem::path& file)>;
 
-/// Carries out one line. Empty lines, and lines that begin with #, do nothing.
-/// Throws std::exception.
+/// Runs one line. Empty lines and lines that begin with # do nothing. Throws
+/// std::exception.
 void run_script_line(Editor& editor,
                      const std::string& line,
                      const Screenshot& screenshot);
 
-/// Carries out all lines of a file. Throws Error that names file and line.
+/// Runs a file. Throws Error that names file and line.
 void run_script(Editor& editor,
                 const std::filesystem::path& file,
                 const Screenshot& screenshot);

@@ -8,11 +8,11 @@
 namespace inkcell::design::editor {
 namespace {
 
-// Steps of a curve in which a crossing or the nearest place is looked for.
+// Steps of a curve in the search for a crossing or the nearest place.
 constexpr int kSteps = 48;
 constexpr int kHalvings = 40;
 
-// Of a line that should be level, at most. [1 degree]
+// The greatest slope of a nearly level line. [1 degree]
 constexpr double kNearlyLevel = 0.0175;
 
 size_t last_of(const gen::Segment& segment) {
@@ -76,7 +76,7 @@ struct Arc {
   size_t end = 0;  // the cut
 };
 
-// Arcs by the cut that each begins at. `cuts` are sorted by is_before().
+// Arcs by the cut at which they begin. `cuts` are sorted by is_before().
 std::vector<Arc> arcs_of(const std::vector<PointContour>& contours,
                          const std::vector<OnCurve>& cuts) {
   std::vector<Arc> arcs(cuts.size());
@@ -221,8 +221,8 @@ PointContour with_point(const PointContour& contour, const OnCurve& place) {
 }
 
 // The line joins each cut with the one on the other side of the ink between
-// them: a contour that arrives at a cut goes on along the line, and continues
-// at the other one.
+// them: a contour that reaches a cut follows the line and continues at the
+// other cut.
 std::vector<PointContour> cut_contours(
     const std::vector<PointContour>& contours, Point a, Point b) {
   std::vector<PointContour> closed;

@@ -1,4 +1,4 @@
-// Contours as curves: where a pointer or a line meets them, and cuts.
+// Contours as curves: nearest places, crossings and cuts.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace inkcell::design::editor {
 
 using gen::Point;
 
-/// The curves of a contour, in font units. Those of an open one are not closed.
+/// The curves of a contour, in font units. An open contour is not closed.
 std::vector<gen::Segment> segments_of(const PointContour& contour);
 
 /// Whether a line is almost, but not quite, horizontal or vertical.
@@ -19,7 +19,7 @@ bool is_nearly_level(Point a, Point b);
 
 Point point_at(const gen::Segment& segment, double t);
 
-/// Both parts of `segment`, divided at `t`.
+/// Both parts of `segment`, split at `t`.
 std::pair<gen::Segment, gen::Segment> split(const gen::Segment& segment,
                                             double t);
 
@@ -31,22 +31,22 @@ struct OnCurve {
   Point at;
 };
 
-/// The place of `glyph` next to `at`, if one is within `reach`.
+/// The place on `glyph` nearest to `at`, if one is within `reach`.
 std::optional<OnCurve> nearest_on_curve(const Glyph& glyph,
                                         Point at,
                                         double reach);
 
-/// Where the line from `a` to `b` crosses contours, from `a` on. Neighbours in
-/// the result are the ends of what the line passes through.
+/// The crossings of the line from `a` to `b` with contours, from `a` on. Each
+/// pair of neighbours in the result encloses what the line passes through.
 std::vector<OnCurve> crossings(const std::vector<PointContour>& contours,
                                Point a,
                                Point b);
 
-/// `contour` with a point more, which does not change its shape; rounded.
+/// `contour` with an added point that does not change its shape; rounded.
 PointContour with_point(const PointContour& contour, const OnCurve& place);
 
-/// What the straight cut from `a` to `b` makes of closed contours; rounded.
-/// `contours` if the line passes through nothing.
+/// Closed contours after a straight cut from `a` to `b`; rounded. `contours` if
+/// the line crosses nothing.
 std::vector<PointContour> cut_contours(
     const std::vector<PointContour>& contours, Point a, Point b);
 

@@ -1,4 +1,4 @@
-// Selecting and dragging of points, edges and components.
+// Selects and drags points, edges and components.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,14 +11,14 @@
 namespace inkcell::design::editor {
 namespace {
 
-// Of the pointer's reach within which points snap.
+// The part of the pointer's reach within which points snap.
 constexpr double kSnapPart = 0.6;
 
 double distance(Point a, Point b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-// On-curve points before handles, where both are hit.
+// On-curve points have priority over handles.
 std::optional<PointId> point_near(const Glyph& glyph, const Pointer& pointer) {
   std::optional<PointId> best;
   double nearest = pointer.reach;
@@ -37,7 +37,7 @@ std::optional<PointId> point_near(const Glyph& glyph, const Pointer& pointer) {
   return best;
 }
 
-// The point that a line ends at.
+// The end point of a line.
 std::optional<PointId> end_of_line(const Glyph& glyph, const OnCurve& place) {
   const PointContour& contour = glyph.contours[place.contour];
   const gen::Segment segment = segments_of(contour)[place.segment];
@@ -54,7 +54,7 @@ std::optional<PointId> end_of_line(const Glyph& glyph, const OnCurve& place) {
   return std::nullopt;
 }
 
-// Points of the contour at the ends and handles of a segment.
+// The points at the ends, and the handles, of a segment.
 Selection points_of(const Glyph& glyph, const OnCurve& place) {
   const PointContour& contour = glyph.contours[place.contour];
   const gen::Segment segment = segments_of(contour)[place.segment];
@@ -217,7 +217,7 @@ class SelectTool : public Tool {
     }
   }
 
-  // Alt makes a line a curve; a double click selects the whole contour.
+  // Alt converts a line to a curve; a double click selects the whole contour.
   void press_edge(Editor& editor, const Pointer& pointer, const OnCurve& edge) {
     const GlyphPointer glyph = editor.glyph();
     const auto end = end_of_line(*glyph, edge);
@@ -232,7 +232,7 @@ class SelectTool : public Tool {
     } else {
       editor.selection = points_of(*glyph, edge);
     }
-    // The selected point on the curve next to the pointer is what snaps.
+    // The selected on-curve point next to the pointer snaps.
     double nearest = INFINITY;
     for (const PointId id : editor.selection) {
       const GlyphPoint& p = glyph->contours[id.contour].points[id.point];
@@ -250,7 +250,7 @@ class SelectTool : public Tool {
                    bool is_flat) {
     const GlyphPointer glyph = editor.project().find(editor.glyph_name());
     if (editor.selection.count(grabbed_) == 0) {
-      return;  // it was taken out of the selection
+      return;  // it was deselected
     }
     const GlyphPoint& point =
         glyph->contours[grabbed_.contour].points[grabbed_.point];

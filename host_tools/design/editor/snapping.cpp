@@ -7,7 +7,7 @@
 namespace inkcell::design::editor {
 namespace {
 
-// The nearest of many coordinates, and a point that has it.
+// The nearest of several coordinates, and a point that has it.
 struct Nearest {
   double distance = 0;
   double value = 0;

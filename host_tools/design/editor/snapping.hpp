@@ -1,4 +1,4 @@
-// Where dragged points come to rest: level with zones, guides and neighbours.
+// Snaps dragged points to zones, guides and neighbours.
 #pragma once
 
 #include <utility>
@@ -8,28 +8,28 @@
 
 namespace inkcell::design::editor {
 
-/// A movement, and the lines on which the dragged point then lies.
+/// A movement, and the lines that the dragged point snaps to.
 struct Snap {
   double dx = 0;  // [font units]
   double dy = 0;
   std::vector<std::pair<Point, Point>> lines;
 };
 
-/// Horizontal and vertical lines that a glyph is drawn to. [font units]
+/// A horizontal or vertical line for drawing. [font units]
 struct Zone {
   const char* label;
   double y = 0;
 };
-/// Baseline, x-height, cap height, ascender and descender, where the font says
+/// Baseline, x-height, cap height, ascender and descender, if the font states
 /// them.
 std::vector<Zone> zones_of(const Project& project);
 
-/// A guide as a line of two of its points.
+/// A guide as a line through two of its points.
 gen::Segment line_of(const Guideline& guide);
 
-/// The movement next to (dx, dy) that takes the dragged point, which was at
-/// `from`, level with something within `reach`. Points of `moving` go along and
-/// attract nothing. `keeps_x` and `keeps_y` say which axis stays as it is.
+/// The movement nearest to (dx, dy) that puts the dragged point, which was at
+/// `from`, level with something within `reach`. Points of `moving` move along
+/// and attract nothing. `keeps_x` and `keeps_y` fix an axis.
 Snap snap(const Editor& editor,
           const Selection& moving,
           Point from,

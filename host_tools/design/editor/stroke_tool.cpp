@@ -1,4 +1,4 @@
-// Strokes of a nib, drawn freehand.
+// Freehand strokes of a nib.
 #include <cmath>
 
 #include "editor/edits.hpp"
@@ -47,8 +47,8 @@ class StrokeTool : public Tool {
   }
 
  private:
-  // A glyph that is made of strokes, or has no contours, gets one more. Into
-  // others the outline of the stroke is put, since strokes replace contours.
+  // A glyph of strokes, or without contours, gets another stroke. Other glyphs
+  // get the outline of the stroke, since strokes would replace their contours.
   Value command(const Editor& editor) const {
     const GlyphPointer glyph = editor.project().find(editor.glyph_name());
     Value points = Value::array();

@@ -1,4 +1,4 @@
-// What the pointer does on the canvas.
+// Tools: the effect of the pointer on the canvas.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ enum class ToolKind {
   measure,
 };
 
-/// How a tool is named, and told to the person.
+/// A tool's name and help.
 struct ToolInfo {
   ToolKind kind;
   const char* name;
@@ -34,7 +34,7 @@ struct ToolInfo {
 };
 const std::vector<ToolInfo>& tool_list();
 
-/// How far from the pointer things are hit. [px at scale 1]
+/// The distance within which the pointer hits things. [px at scale 1]
 inline constexpr double kReach = 7;
 
 struct Pointer {
@@ -46,10 +46,10 @@ struct Pointer {
   bool twice = false;  // the second press of a double click
 };
 
-/// What a tool draws over the canvas. [font units]
+/// Marks of a tool over the canvas. [font units]
 struct Marks {
   std::vector<std::pair<Point, Point>> lines;
-  std::vector<std::pair<Point, Point>> levels;  // what a point lies level with
+  std::vector<std::pair<Point, Point>> levels;  // points that are level
   std::optional<std::pair<Point, Point>> box;
   std::vector<Point> dots;
   std::vector<std::pair<Point, std::string>> labels;
@@ -62,17 +62,17 @@ class Tool {
   virtual void press(Editor& editor, const Pointer& pointer) = 0;
   virtual void drag(Editor& editor, const Pointer& pointer) = 0;
   virtual void release(Editor& editor, const Pointer& pointer) = 0;
-  /// Ends what is under way.
+  /// Ends an operation that has begun.
   virtual void cancel(Editor& editor) = 0;
-  /// Ends a press of the pointer, since the glyph changes: nothing that it
-  /// pointed at holds any more.
+  /// Ends a press of the pointer because the glyph changes, so that what it
+  /// pointed at is no longer valid.
   virtual void interrupt(Editor& editor) { cancel(editor); }
   virtual Marks marks(const Editor& editor) const = 0;
 };
 
 std::unique_ptr<Tool> make_tool(ToolKind kind);
 
-// Of the files that implement tools.
+// Makes the tools, which are defined in files of their own.
 std::unique_ptr<Tool> make_select_tool();
 std::unique_ptr<Tool> make_pen_tool();
 std::unique_ptr<Tool> make_knife_tool();

@@ -1,4 +1,4 @@
-// Outlines of TrueType: quadratic curves in whole font units.
+// Outlines of TrueType: quadratic curves in integer font units.
 #pragma once
 
 #include <string>
@@ -25,22 +25,22 @@ struct GlyfBox {
   int y1 = 0;
 };
 
-/// All zero without points.
+/// All zero if there are no points.
 GlyfBox box_of(const std::vector<GlyfContour>& contours);
 
-/// How far quadratic curves may be from the cubics that they stand for.
-/// [font units]
+/// The largest distance of quadratics from the cubics that they replace. [font
+/// units]
 inline constexpr double kQuadraticBound = 0.3;
 
-/// The closed contours with coordinates rounded; open ones are left out. Points
-/// of quadratic curves stay as they are, cubics become as few quadratics as
-/// keep kQuadraticBound.
+/// The closed contours with rounded coordinates; open ones are left out. Points
+/// of quadratics are kept; cubics become as few quadratics as kQuadraticBound
+/// allows.
 ///
 /// Throws Error if a coordinate is beyond +-16383.
 std::vector<GlyfContour> glyf_contours(
     const std::vector<PointContour>& contours);
 
-/// What every record begins with; -1 contours: it holds components.
+/// The head of each record; contours = -1: it holds components.
 BigEndian glyf_header(int contours, const GlyfBox& box);
 
 /// The record of a glyph without components; empty without contours.

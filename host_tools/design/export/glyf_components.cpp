@@ -13,7 +13,7 @@ namespace {
 constexpr int kOne_q14 = 1 << 14;
 constexpr std::array<int, 4> kUnit_q14 = {kOne_q14, 0, 0, kOne_q14};
 
-// How far the rounding of a matrix may move a point. [font units]
+// The largest movement of a point by rounding a matrix. [font units]
 constexpr double kMatrixBound = 1.0 / 8;
 
 // One product of a matrix, as FreeType rounds it.
@@ -35,7 +35,7 @@ std::vector<GlyfContour> placed(std::vector<GlyfContour> contours,
   return contours;
 }
 
-// Empty if a record cannot say it. `box` is that of the base.
+// Empty if a record cannot hold it. `box` is that of the base.
 std::optional<GlyfComponent> component_of(const ComponentUse& use,
                                           const GlyfBox& box) {
   const Matrix& m = use.matrix;
@@ -72,7 +72,7 @@ bool boxes_meet(const GlyfBox& a, const GlyfBox& b) {
   return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
-// Without components if records cannot say it.
+// Without components if records cannot hold it.
 GlyfGlyph composite_of(const Project& project, const Glyph& glyph) {
   GlyfGlyph result;
   std::vector<GlyfBox> boxes;

@@ -1,4 +1,4 @@
-// Kerning as UFO 3 says it, and as the kern table does.
+// Kerning of UFO 3, and the kern table.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,7 @@
 namespace inkcell::design {
 namespace {
 
-// Pairs of a subtable, whose length has 16 bits.
+// The most pairs of a subtable, whose length has 16 bits.
 constexpr size_t kMostPairs = (65535 - 14) / 6;
 
 struct Pair {

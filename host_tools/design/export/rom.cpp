@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that is gone in the end.
+// A file that is deleted at the end.
 class TemporaryFile {
  public:
   TemporaryFile() {

@@ -6,9 +6,9 @@
 
 namespace inkcell::design {
 
-/// The font that the generator makes of the project as TrueType (ttf.hpp), with
-/// the options of `request`, whose font is not used. All characters of the
-/// project, unless the request names some. Throws Error or gen::Error.
+/// The generator's font of the project as TrueType (ttf.hpp), with the options
+/// of `request`, whose font is ignored. All characters of the project, unless
+/// the request names some. Throws Error or gen::Error.
 gen::RomFont make_rom(const Project& project, gen::GenerateRequest request);
 
 }  // namespace inkcell::design

@@ -1,4 +1,4 @@
-// Tables of TrueType fonts that are made of little.
+// Small tables of TrueType fonts.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ BigEndian cmap_table(const std::map<char32_t, unsigned>& map);
 BigEndian kern_table(const FontData& font,
                      const std::vector<std::string>& glyphs);
 
-/// Kerning between two glyphs as UFO 3 says it: pairs of glyphs before pairs of
+/// Kerning between two glyphs as in UFO 3: pairs of glyphs before pairs of
 /// groups (public.kern1.*, public.kern2.*). [font units] Refers to the font.
 class KerningLookup {
  public:

@@ -11,7 +11,7 @@ namespace inkcell::design {
 
 /// The bytes of a TrueType font: head, hhea, maxp, OS/2, hmtx, cmap (4 and 12),
 /// loca, glyf, name, post, and kern if the project has kerning. Contours keep
-/// their points; components stay components where the table can state them
+/// their points; components stay components if the table can hold them
 /// (glyf_components.hpp); cubics become quadratics (glyf.hpp). The first glyph
 /// is .notdef; one is made if the project has none.
 ///

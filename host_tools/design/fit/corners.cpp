@@ -1,4 +1,4 @@
-// Corners of loops: where they are, and points instead of what is rounded.
+// Finds corners of loops, and replaces rounded points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,28 +10,27 @@
 namespace inkcell::design {
 namespace {
 
-// What is looked at on each side of a corner, beyond its reach. [u]
+// The length that is examined on each side of a corner, beyond its reach. [u]
 constexpr double kSide_u = 10;
 
-// Nearly parallel sides must be known better to say where they meet. [u]
+// The same for nearly parallel sides, whose intersection is less certain. [u]
 constexpr double kAcuteSide_u = 20;
 
-// Where the sides of a corner meet farther than this from the edge, it is a
-// blunt tip. [u]
+// A tip is blunt if its sides meet farther than this from the edge. [u]
 constexpr double kBlunt_u = 0.5;
 
-// Between the sides of a tip of less than 45 degrees distances are small far
-// from the tip, too: they do not say where it is.
+// In a tip of less than 45 degrees distances are small far beyond the tip, too:
+// they do not tell where it is.
 constexpr double kAcuteCosine = -0.7;
 
 // Tips narrower than this are sharp. [u]
 constexpr double kSharp_u = 0.6;
 
-// Between places where the end of a tip is looked for. [u]
+// The step of the search for the end of a tip. [u]
 constexpr double kTipStep_u = 0.25;
 
-// The field at the meeting of an arc's tangents is at least this share of what
-// the arc says.
+// For an arc, the distance at the intersection of its tangents is at least this
+// share of the computed one.
 constexpr double kArcShare = 0.6;
 
 // Both halves of an arc turn alike, up to this ratio.
@@ -40,23 +39,23 @@ constexpr double kMostUneven = 3;
 // The error of distances near a tip. [u]
 constexpr double kFieldNoise_u = 0.1;
 
-// Corners whose sides meet under less are smooth to the field. [radians]
+// Corners that turn by less are smooth to the field. [radians]
 constexpr double kLeastTurn = 0.3;
 
-// Cells spread half the turn of a corner over less of the way than this, in
-// reaches. A long arc spreads it over one.
-constexpr double kBendWay = 0.76;
+// Cells spread half the turn of a corner over less of the length than this, in
+// reaches. A long arc spreads it over one reach.
+constexpr double kBendLength = 0.76;
 
-// A corner lies within this many times its reach of the contour's point.
+// A corner is within this many times its reach of the contour's point.
 constexpr double kMostExtension = 2.5;
 
 struct Corner {
-  double way = 0;
+  double s = 0;  // arc length
   Point at;
-  double reach = 0;  // points this near give way to it
+  double reach = 0;  // points this near are removed
 };
 
-// Both sides of a corner, continued; the way is 0 at the corner.
+// Both sides of a corner, extrapolated; the arc length is 0 at the corner.
 struct Sides {
   Parabola before;
   Parabola after;
@@ -66,18 +65,18 @@ class CornerFinder {
  public:
   CornerFinder(const CornerOptions& options, Loop& loop)
       : options_(options), loop_(loop), count_(loop.points.size()) {
-    way_.push_back(0);
+    lengths_.push_back(0);
     angle_.push_back(0);
     for (size_t i = 0; i < count_; ++i) {
       const size_t next = (i + 1) % count_;
-      way_.push_back(way_.back() + length(point(next) - point(i)));
+      lengths_.push_back(lengths_.back() + length(point(next) - point(i)));
       angle_.push_back(angle_.back() +
                        turn(loop_.tangents[i], loop_.tangents[next]));
     }
   }
 
   void run() {
-    if (count_ < 8 || way_.back() < 6 * options_.reach) {
+    if (count_ < 8 || lengths_.back() < 6 * options_.reach) {
       return;
     }
     rate_all();
@@ -92,20 +91,21 @@ class CornerFinder {
  private:
   const Point& point(size_t i) const { return loop_.points[i % count_]; }
 
-  // The contour's direction at `s`, which may lie up to a round beyond its
-  // ends. [radians]
+  // The contour's direction at `s`, which may be up to one round out of range.
+  // [radians]
   double angle_at(double s) const {
-    const double rounds = std::floor(s / way_.back());
-    const double within = s - rounds * way_.back();
-    const auto next = std::upper_bound(way_.begin(), way_.end() - 1, within);
-    const size_t i = static_cast<size_t>(next - way_.begin());
-    const double span = way_[i] - way_[i - 1];
-    const double f = span == 0 ? 0 : (within - way_[i - 1]) / span;
+    const double rounds = std::floor(s / lengths_.back());
+    const double within = s - rounds * lengths_.back();
+    const auto next =
+        std::upper_bound(lengths_.begin(), lengths_.end() - 1, within);
+    const size_t i = static_cast<size_t>(next - lengths_.begin());
+    const double span = lengths_[i] - lengths_[i - 1];
+    const double f = span == 0 ? 0 : (within - lengths_[i - 1]) / span;
     return rounds * angle_.back() + angle_[i - 1] +
            f * (angle_[i] - angle_[i - 1]);
   }
 
-  // What the contour turns by here beyond what its sides do anyway.
+  // The turn at this point beyond that of its sides.
   double corner_turn(double s) const {
     const double w = options_.reach;
     const double a = angle_at(s - w);
@@ -120,17 +120,17 @@ class CornerFinder {
 
   void rate_all() {
     for (size_t i = 0; i < count_; ++i) {
-      ratings_.push_back(std::fabs(corner_turn(way_[i])));
+      ratings_.push_back(std::fabs(corner_turn(lengths_[i])));
     }
   }
 
   double gap(double from, double to) const {
     const double d = std::fabs(to - from);
-    return std::min(d, way_.back() - d);
+    return std::min(d, lengths_.back() - d);
   }
 
-  // The strongest first; another one is at least its reach away. A corner that
-  // the window sees from several points is where most of the turn is in the
+  // Chooses the strongest first; others are at least its reach away. A corner
+  // that is seen from several points is where most of the turn is in the
   // middle.
   void choose() {
     std::vector<size_t> order;
@@ -143,7 +143,7 @@ class CornerFinder {
       return ratings_[a] > ratings_[b] + 1e-3;
     });
     for (const size_t i : order) {
-      const double s = part_of_turn(way_[i], 0.5);
+      const double s = part_of_turn(lengths_[i], 0.5);
       const bool is_free = std::none_of(
           chosen_.begin(), chosen_.end(),
           [&](double other) { return gap(s, other) < 1.5 * options_.reach; });
@@ -154,7 +154,7 @@ class CornerFinder {
     std::sort(chosen_.begin(), chosen_.end());
   }
 
-  // Where this part of the turn within the reach of s is done.
+  // The arc length at which this part of the turn around s is reached.
   double part_of_turn(double s, double part) const {
     double low = s - options_.reach;
     double high = s + options_.reach;
@@ -166,57 +166,59 @@ class CornerFinder {
       ((angle_at(middle) < wanted) == (b > a) ? low : high) = middle;
     }
     const double at = (low + high) / 2;
-    return at - std::floor(at / way_.back()) * way_.back();
+    return at - std::floor(at / lengths_.back()) * lengths_.back();
   }
 
-  // The side of the corner at `s` in `direction`, 1 or -1, up to `room` away;
-  // s = 0 at the corner.
+  // The side of the corner at `s` in `direction`, 1 or -1, up to `room` away; s
+  // = 0 at the corner.
   Parabola side(double s, double direction, double room, double extent) const {
     const double near = std::min(options_.reach, room / 2);
     const double far = std::min(std::max(options_.reach + extent, near), room);
-    std::vector<double> ways;
+    std::vector<double> lengths;
     std::vector<Point> points;
     const int steps = std::max(3, static_cast<int>((far - near) / 0.7));
     for (int i = 0; i <= steps; ++i) {
       const double d = direction * (near + (far - near) * i / steps);
-      ways.push_back(d);
+      lengths.push_back(d);
       points.push_back(at(s + d));
     }
-    return fit_parabola(ways, points);
+    return fit_parabola(lengths, points);
   }
 
   Point at(double s) const {
-    const double within = s - std::floor(s / way_.back()) * way_.back();
-    const auto next = std::upper_bound(way_.begin(), way_.end() - 1, within);
-    const size_t i = static_cast<size_t>(next - way_.begin());
-    const double span = way_[i] - way_[i - 1];
-    const double f = span == 0 ? 0 : (within - way_[i - 1]) / span;
+    const double within = s - std::floor(s / lengths_.back()) * lengths_.back();
+    const auto next =
+        std::upper_bound(lengths_.begin(), lengths_.end() - 1, within);
+    const size_t i = static_cast<size_t>(next - lengths_.begin());
+    const double span = lengths_[i] - lengths_[i - 1];
+    const double f = span == 0 ? 0 : (within - lengths_[i - 1]) / span;
     return point(i - 1) + f * (point(i) - point(i - 1));
   }
 
   Sides sides(size_t k, double extent) const {
     const double s = chosen_[k];
-    double before = way_.back();
-    double after = way_.back();
+    double before = lengths_.back();
+    double after = lengths_.back();
     if (chosen_.size() > 1) {
       const size_t n = chosen_.size();
-      before =
-          std::fmod(s - chosen_[(k + n - 1) % n] + way_.back(), way_.back());
-      after = std::fmod(chosen_[(k + 1) % n] - s + way_.back(), way_.back());
+      before = std::fmod(s - chosen_[(k + n - 1) % n] + lengths_.back(),
+                         lengths_.back());
+      after = std::fmod(chosen_[(k + 1) % n] - s + lengths_.back(),
+                        lengths_.back());
     }
     return {side(s, -1, std::max(before - options_.reach, 0.5), extent),
             side(s, 1, std::max(after - options_.reach, 0.5), extent)};
   }
 
-  // How far from the contour's point a corner may be. Cells and pixels cut more
-  // off a sharp one: as 1 / sin of half its angle.
+  // The largest distance of a corner from the contour's point. Cells and pixels
+  // cut more off a sharp one: as 1 / sin of half its angle.
   double extension(const Point& in, const Point& out) const {
     const double sine = std::cos(turn(in, out) / 2);
     return kMostExtension * options_.reach /
            std::max(sine, options_.distance ? 0.25 : 0.6);
   }
 
-  // Where the sides of the corner at `s` meet.
+  // The intersection of the sides of the corner at `s`.
   Point meeting(double s, const Sides& sides) const {
     const Parabola& a = sides.before;
     const Parabola& b = sides.after;
@@ -241,38 +243,38 @@ class CornerFinder {
     return is_near ? found : traced;
   }
 
-  // The tip of a corner whose sides are nearly parallel: their meeting is off
-  // by many times what they are off, and squares of 1 u do not see the tip.
-  // Beyond it, on the line that halves the angle, the distance is that from the
-  // tip. None if the sides are too far from each other there.
+  // The tip of a corner with nearly parallel sides. Their intersection
+  // amplifies errors many times, and squares of 1 u do not see the tip. Beyond
+  // it, on the bisector, the distance is that from the tip. None if the sides
+  // are too far from each other there.
   std::optional<Point> sharp_tip(double s, const Sides& sides) const {
     const Point in = unit(sides.before.slope(0));
     const Point out = unit(sides.after.slope(0));
-    const Point way = unit(in - out);
+    const Point along = unit(in - out);
     const double sign = cross(in, out) > 0 ? 1 : -1;  // ink in the tip, or none
     const Point from = at(s);
     const double most = extension(in, out);
     double beyond = -1;  // of the tip, from `from`
     for (double k = 0; k < most && beyond < 0; k += kTipStep_u) {
-      const double d = sign * options_.distance(from + k * way);
+      const double d = sign * options_.distance(from + k * along);
       beyond = d < -kTipStep_u ? k + d : beyond;
     }
     if (beyond < 0) {
       return std::nullopt;
     }
     const auto there = [&](const Parabola& side) {
-      const double speed = dot(side.slope(0), way);
+      const double speed = dot(side.slope(0), along);
       return side.at(
-          speed == 0 ? 0 : (beyond - dot(side.c[0] - from, way)) / speed);
+          speed == 0 ? 0 : (beyond - dot(side.c[0] - from, along)) / speed);
     };
     const double width = length(there(sides.before) - there(sides.after));
-    return width < kSharp_u ? std::optional<Point>(from + beyond * way)
+    return width < kSharp_u ? std::optional<Point>(from + beyond * along)
                             : std::nullopt;
   }
 
-  // The two ends of a tip: where its sides meet the line along its end, or
-  // points of the contour if the meetings are too far from the edge. None if an
-  // arc explains the distances there better.
+  // The two ends of a tip: the intersections of its sides with the line along
+  // its end, or points of the contour if those are too far from the edge. None
+  // if an arc explains the distances there better.
   std::vector<Corner> blunt_ends(double s, const Sides& sides) const {
     const double middle = part_of_turn(s, 0.5);
     const double step = options_.reach / 8;
@@ -282,9 +284,9 @@ class CornerFinder {
     std::array<std::optional<Point>, 2> met;
     std::vector<Corner> ends;
     for (size_t i = 0; i < 2; ++i) {
-      const double way = part_of_turn(s, i == 0 ? 0.25 : 0.75);
+      const double place = part_of_turn(s, i == 0 ? 0.25 : 0.75);
       const Parabola& side = i == 0 ? sides.before : sides.after;
-      Corner corner = {way, at(way), options_.reach / 4};
+      Corner corner = {place, at(place), options_.reach / 4};
       const std::optional<double> t = crossing(side, at(middle), along);
       if (t) {
         met[i] = side.at(*t);
@@ -300,7 +302,7 @@ class CornerFinder {
     return ends;
   }
 
-  // Where a side meets the line through `on` along `along`.
+  // The intersection of a side with the line through `on` along `along`.
   static std::optional<double> crossing(const Parabola& side,
                                         const Point& on,
                                         const Point& along) {
@@ -316,8 +318,8 @@ class CornerFinder {
   }
 
   // Whether the edge is an arc that touches both sides and the line between
-  // their meetings `met`: it stays within these by r (1 / cos(turn / 2) - 1),
-  // where a blunt tip has its corners.
+  // their intersections `met`. It stays inside of these by r (1 / cos(turn / 2)
+  // - 1), where a blunt tip has its corners.
   bool is_arc(const std::array<Point, 2>& met,
               const Point& along,
               const std::array<Point, 2>& slopes) const {
@@ -336,21 +338,22 @@ class CornerFinder {
     return fits(met[0], in) && fits(met[1], out);
   }
 
-  // Whether the contour bends smoothly where a corner at `met` was supposed: it
-  // turns along its way, and stays inside of the meeting as an arc does.
+  // Whether the contour bends smoothly where a corner at `met` was assumed: it
+  // turns evenly, and stays inside of the intersection as an arc does.
   bool is_bend(double s, const Point& met, const Sides& sides) const {
-    double way = part_of_turn(s, 0.75) - part_of_turn(s, 0.25);
-    way += way < 0 ? way_.back() : 0;
-    if (way < kBendWay * options_.reach) {
+    double bend = part_of_turn(s, 0.75) - part_of_turn(s, 0.25);
+    bend += bend < 0 ? lengths_.back() : 0;
+    if (bend < kBendLength * options_.reach) {
       return false;
     }
     const double turned = turn(sides.before.slope(0), sides.after.slope(0));
     return std::fabs(turned) < kLeastTurn ||
-           stays_inside(met, 2 * way / turned, turned / 2);
+           stays_inside(met, 2 * bend / turned, turned / 2);
   }
 
-  // Whether the edge stays inside of `met`, where two tangents of an arc meet,
-  // as that arc does. Both numbers are negative where the contour turns right.
+  // Whether the edge stays inside of `met`, the intersection of two tangents of
+  // an arc, as that arc does. Both numbers are negative where the contour turns
+  // right.
   bool stays_inside(const Point& met, double radius, double half_turn) const {
     const double expected = radius * (1 / std::cos(half_turn) - 1);
     return -options_.distance(met) / expected > kArcShare;
@@ -391,15 +394,16 @@ class CornerFinder {
       }
     }
     std::sort(result.begin(), result.end(),
-              [](const Corner& a, const Corner& b) { return a.way < b.way; });
+              [](const Corner& a, const Corner& b) { return a.s < b.s; });
     return result;
   }
 
   void mark() {
     for (const double s : chosen_) {
-      const auto next = std::lower_bound(way_.begin(), way_.end() - 1, s);
-      size_t i = static_cast<size_t>(next - way_.begin());
-      if (i > 0 && s - way_[i - 1] < way_[i] - s) {
+      const auto next =
+          std::lower_bound(lengths_.begin(), lengths_.end() - 1, s);
+      size_t i = static_cast<size_t>(next - lengths_.begin());
+      if (i > 0 && s - lengths_[i - 1] < lengths_[i] - s) {
         --i;
       }
       loop_.corners.push_back(i % count_);
@@ -416,15 +420,15 @@ class CornerFinder {
     const std::vector<Corner> all = corners();
     const auto near_any = [&](double s) {
       return std::any_of(all.begin(), all.end(), [&](const Corner& corner) {
-        return gap(s, corner.way) < corner.reach;
+        return gap(s, corner.s) < corner.reach;
       });
     };
     Loop result;
     size_t i = 0;
     for (size_t k = 0; k <= all.size(); ++k) {
-      const double until = k < all.size() ? all[k].way : way_.back();
-      for (; i < count_ && way_[i] < until; ++i) {
-        if (!near_any(way_[i])) {
+      const double until = k < all.size() ? all[k].s : lengths_.back();
+      for (; i < count_ && lengths_[i] < until; ++i) {
+        if (!near_any(lengths_[i])) {
           result.points.push_back(loop_.points[i]);
           result.tangents.push_back(loop_.tangents[i]);
         }
@@ -441,10 +445,10 @@ class CornerFinder {
   CornerOptions options_;
   Loop& loop_;
   size_t count_;
-  std::vector<double> way_;    // up to each point; the last one is the length
-  std::vector<double> angle_;  // likewise, unwrapped
+  std::vector<double> lengths_;  // up to each point; the last one is the length
+  std::vector<double> angle_;    // likewise, unwrapped
   std::vector<double> ratings_;
-  std::vector<double> chosen_;  // ways, ascending
+  std::vector<double> chosen_;  // arc lengths, ascending
 };
 
 }  // namespace

@@ -7,26 +7,26 @@
 namespace inkcell::design {
 namespace {
 
-// Points that least squares looks at.
+// Points used by least squares.
 constexpr size_t kMostPoints = 32;
 
 constexpr int kRounds = 40;
 constexpr int kIdleRounds = 5;
 
-// Keeps handles where they are if no point tells about them.
+// Keeps handles in place if no point determines them.
 constexpr double kDamping = 1e-6;
 
-// A curve this many times beyond the limit after five rounds stays beyond it.
+// A curve this many times beyond the limit after five rounds is given up.
 constexpr double kHopeless = 10;
 
-// A step that makes handles unusable is halved, but not below this share.
+// A step that makes handles unusable is halved, down to this share.
 constexpr double kLeastStep = 0.05;
 
-// A curve this many times beyond the limit misses it, whatever lies between the
-// points that were looked at.
+// A curve this many times beyond the limit misses it, whatever the skipped
+// points are.
 constexpr double kMissed = 1.5;
 
-// Points whose distances from the curve are measured in the end.
+// Points whose distances from the curve are measured at the end.
 constexpr size_t kMostMeasured = 64;
 
 class CubicFit {
@@ -36,12 +36,12 @@ class CubicFit {
     const size_t step =
         std::max<size_t>(1, (stretch.count + kMostPoints - 1) / kMostPoints);
     const size_t last = stretch.count - 1;
-    length_ = stretch.ways[last] - stretch.ways[0];
+    length_ = stretch.lengths[last] - stretch.lengths[0];
     points_.reserve(kMostPoints);
     t_.reserve(kMostPoints);
     for (size_t i = step; i < last; i += step) {
       points_.push_back(stretch.points[i]);
-      t_.push_back((stretch.ways[i] - stretch.ways[0]) / length_);
+      t_.push_back((stretch.lengths[i] - stretch.lengths[0]) / length_);
     }
     cubic_.kind = gen::Segment::Kind::cubic;
     cubic_.p[0] = stretch.points[0];
@@ -53,7 +53,7 @@ class CubicFit {
     solve();
     double error = project();
     gen::Segment best = cubic_;
-    int idle = 0;  // rounds without much gain
+    int idle = 0;  // rounds with little gain
     for (int round = 0; round < kRounds && idle < kIdleRounds; ++round) {
       if (round == kIdleRounds && error > kHopeless * limit_) {
         break;
@@ -78,7 +78,7 @@ class CubicFit {
   }
 
  private:
-  // P1 = P0 + handle along a direction, or anywhere; P2 likewise. Unknowns are
+  // P1 = P0 + handle, along a direction or free; P2 likewise. The unknowns are
   // the lengths or the coordinates of the handles: up to four.
   void set_basis() {
     const auto put = [this](const Point& direction, bool is_second) {
@@ -102,7 +102,7 @@ class CubicFit {
     return second_[unknown] ? 3 * s * t * t : 3 * s * s * t;
   }
 
-  // Least squares of the points' distances from the curve's points at their
+  // Least squares of the distances between points and the curve at their
   // parameters.
   void solve() {
     const Point& p0 = cubic_.p[0];
@@ -129,8 +129,8 @@ class CubicFit {
     }
   }
 
-  // The same for the distances across the curve only: along it, points are free
-  // to move. A step of Gauss and Newton, which needs few rounds.
+  // A Gauss-Newton step for the distances across the curve only, as points may
+  // slide along it. Needs few rounds.
   void improve() {
     double m[4][5] = {};
     for (size_t i = 0; i < points_.size(); ++i) {
@@ -216,8 +216,8 @@ class CubicFit {
     return true;
   }
 
-  // Handles point forwards and are no longer than the curve: others fit as
-  // well, and overshoot the ends.
+  // Handles must point forwards and be no longer than the curve. Others may fit
+  // as well, but overshoot the ends.
   bool usable(const double (&x)[4]) const {
     int i = 0;
     for (const bool is_second : {false, true}) {
@@ -237,7 +237,7 @@ class CubicFit {
     return true;
   }
 
-  // Where the points go from an end.
+  // The direction of the points at an end.
   Point forwards(bool is_second) const {
     if (points_.empty()) {
       return is_second ? cubic_.p[0] - cubic_.p[3] : cubic_.p[3] - cubic_.p[0];
@@ -257,7 +257,7 @@ class CubicFit {
     set_handles(x);
   }
 
-  // Moves the parameters; the largest distance.
+  // Moves the parameters. Returns the largest distance.
   double project() {
     double worst = 0;
     double least = 0;
@@ -283,7 +283,7 @@ class CubicFit {
                   t * (p[1] - 2.0 * p[2] + p[3]));
   }
 
-  // All points against chords of the curve, both in order.
+  // Compares all points with chords of the curve, both in order.
   void measure(FittedCubic& result) const {
     constexpr int kChords = 64;
     Point chord[kChords + 1];

@@ -1,4 +1,4 @@
-// One cubic through two points, as close as it can be to those between.
+// Fits a cubic through two points to those between them.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace inkcell::design {
 
-/// What a curve is fitted to.
+/// The points that a curve is fitted to.
 struct Stretch {
-  const Point* points = nullptr;  // the curve's ends are the first and the last
-  const double* ways = nullptr;   // to each point, from any before: ways_along
-  size_t count = 0;               // 2 or more
+  const Point* points = nullptr;  // the first and the last are the curve's ends
+  const double* lengths = nullptr;  // arc_lengths(), with any offset
+  size_t count = 0;                 // 2 or more
   /// Direction of the curve at its ends, unit vectors; none: free.
   std::optional<Point> begin;
   std::optional<Point> end;
@@ -24,10 +24,10 @@ struct FittedCubic {
   double worst = 0;  // largest distance of the points from the curve
 };
 
-/// Schneider 1990: least squares for the handles, parameters moved by Newton's
-/// method, again; from the second round on only distances across the curve
-/// count. Where an end is free, so is its handle. Stops early if the curve
-/// cannot come within `limit`.
+/// Schneider 1990: least squares for the handles and Newton steps for the
+/// parameters, in turns; from the second round on only distances across the
+/// curve count. At a free end the handle is free. Stops early if the curve
+/// cannot get within `limit`.
 FittedCubic fit_cubic(const Stretch& stretch, double limit);
 
 Point cubic_at(const gen::Segment& cubic, double t);

@@ -12,24 +12,24 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What a piece costs: a line less than a curve, errors a part of a piece.
+// The cost of a piece: a line costs less than a curve, errors a fraction.
 constexpr double kLineCost = 0.75;
 constexpr double kCurveCost = 1;
 constexpr double kErrorCost = 0.3;
 
-// Pieces that fail in a row before longer ones are not tried. Those that would
-// be of no use do not count.
+// Consecutive failures before longer pieces are not tried. Pieces that would
+// not help do not count.
 constexpr int kMostFailures = 8;
 
-// A line may meet a smooth knot under this angle. [radians]
+// A line may meet a smooth knot at this angle. [radians]
 constexpr double kMostKink = 0.01;
 
-// A curve that misses the tolerance is halved up to this often, down to so many
-// points.
+// A curve that misses the tolerance is halved up to this often, down to this
+// many points.
 constexpr int kMostDivisions = 3;
 constexpr size_t kLeastDivided = 12;
 
-// Places on a curve at which the distance is looked up.
+// Points on a curve at which the distance is looked up.
 constexpr int kLooks = 16;
 
 // One piece between two knots.
@@ -43,7 +43,7 @@ class PieceFitter {
   PieceFitter(SmoothPiece piece, const FitOptions& options)
       : piece_(std::move(piece)),
         options_(options),
-        ways_(ways_along(piece_.points)) {
+        lengths_(arc_lengths(piece_.points)) {
     KnotOptions knot_options;
     knot_options.tolerance = options.tolerance;
     knot_options.extremes = options.extremes;
@@ -71,14 +71,14 @@ class PieceFitter {
   Stretch stretch(size_t i, size_t j) const {
     Stretch s;
     s.points = piece_.points.data() + knots_[i].at;
-    s.ways = ways_.data() + knots_[i].at;
+    s.lengths = lengths_.data() + knots_[i].at;
     s.count = knots_[j].at - knots_[i].at + 1;
     s.begin = tangent(i);
     s.end = tangent(j);
     return s;
   }
 
-  // Up to the first point beyond the tolerance.
+  // Stops at the first point beyond the tolerance.
   double line_error(const Stretch& s) const {
     double worst = 0;
     for (size_t i = 1; i + 1 < s.count && worst <= options_.tolerance; ++i) {
@@ -121,8 +121,8 @@ class PieceFitter {
     return {fitted.segment, cost_of(error, kCurveCost)};
   }
 
-  // The cost of a piece from knot i to knot j if it could make the way to j
-  // cheaper; nothing if even the best piece could not.
+  // The cost of a piece from knot i to knot j if it makes the path to j
+  // cheaper; nothing if even the best piece cannot.
   std::optional<double> useful_cost(size_t i, size_t j) const {
     const double room = best_[j] - best_[i];
     if (kLineCost >= room) {
@@ -137,8 +137,8 @@ class PieceFitter {
                              : std::nullopt;
   }
 
-  // Two knots beside each other are always joined, if need be beyond the
-  // tolerance: by a curve if its handles are sane.
+  // Adjacent knots are always joined, beyond the tolerance if needed: by a
+  // curve if its handles are sane.
   double last_resort(size_t i, size_t j) const {
     return j == i + 1 ? 10 : kInfinity;
   }
@@ -178,8 +178,8 @@ class PieceFitter {
     return chosen;
   }
 
-  // Curves take over the directions of lines beside them, and are divided
-  // where they cannot keep the tolerance then.
+  // Curves adopt the directions of adjacent lines, and are divided if they then
+  // miss the tolerance.
   std::vector<gen::Segment> refit(const std::vector<size_t>& chosen) {
     std::vector<bool> is_line;
     for (size_t k = 0; k + 1 < chosen.size(); ++k) {
@@ -224,7 +224,7 @@ class PieceFitter {
     first.end = unit(s.points[middle + near] - s.points[middle - near]);
     Stretch second = s;
     second.points += middle;
-    second.ways += middle;
+    second.lengths += middle;
     second.count -= middle;
     second.begin = first.end;
     append_curves(first, divisions - 1, segments);
@@ -233,7 +233,7 @@ class PieceFitter {
 
   SmoothPiece piece_;
   const FitOptions& options_;
-  std::vector<double> ways_;  // to each point
+  std::vector<double> lengths_;  // to each point
   std::vector<Knot> knots_;
   std::vector<double> best_;  // cost up to each knot
   std::vector<size_t> from_;
@@ -246,7 +246,7 @@ SmoothPiece cut(const Loop& loop, size_t first, size_t count) {
     piece.points.push_back(loop.points[(first + i) % size]);
     piece.tangents.push_back(loop.tangents[(first + i) % size]);
   }
-  // A corner has two directions: those beside it.
+  // A corner has two directions.
   if (count > 2) {
     for (Point* tangent : {&piece.tangents.front(), &piece.tangents.back()}) {
       if (tangent->x == 0 && tangent->y == 0) {

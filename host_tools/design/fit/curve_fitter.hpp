@@ -1,4 +1,4 @@
-// The fewest lines and cubics for a loop of points.
+// Fits the fewest lines and cubics to a loop of points.
 #pragma once
 
 #include <functional>
@@ -10,23 +10,22 @@
 namespace inkcell::design {
 
 struct FitOptions {
-  /// No point of the loop is farther from the result than this, and none of the
-  /// result farther from the loop's edge, except where the loop itself is
-  /// rougher. [u]
+  /// The largest distance of points of the loop from the result, and of the
+  /// result from the loop's edge, unless the loop itself is rougher. [u]
   double tolerance = 0.5;
   /// Points at all extremes but the flattest, as type designers set them.
   bool extremes = true;
-  /// Distance of a point from the edge, if something knows it better than the
-  /// points do: the error of curves is taken from it. [u]
+  /// The distance of a point from the edge, if known better than by the points;
+  /// then it is the error of curves. [u]
   std::function<double(const Point&)> distance;
 };
 
-/// Lines are tried first, corners are kept, other joints are smooth. Of all
-/// divisions at the places that knots.hpp finds, the one with the fewest pieces
-/// is chosen, and of those the truest (dynamic programming).
+/// Tries lines first, keeps corners, makes other joints smooth. Of all
+/// divisions at the places of knots.hpp chooses the one with the fewest pieces,
+/// then the smallest error (dynamic programming).
 gen::Contour fit_loop(const Loop& loop, const FitOptions& options);
 
-/// All loops.
+/// Fits all loops.
 gen::Outline fit_loops(const std::vector<Loop>& loops,
                        const FitOptions& options);
 
@@ -37,8 +36,8 @@ std::vector<gen::Segment> fit_open(const std::vector<Point>& points,
                                    double tolerance,
                                    std::vector<size_t>& ends);
 
-/// Lines and curves of an outline; a line that closes a contour counts, a piece
-/// without extent does not.
+/// The number of lines and curves of an outline, with closing lines and without
+/// pieces of no extent.
 size_t segment_count(const gen::Outline& outline);
 
 }  // namespace inkcell::design

@@ -7,7 +7,7 @@
 namespace inkcell::design {
 namespace {
 
-// Between knots the contour turns by about this, or goes this far.
+// Between knots the contour turns by about this, or is this long.
 constexpr double kStepTurn = 0.16;  // [radians]
 constexpr double kStepLength_u = 60;
 
@@ -20,21 +20,21 @@ constexpr double kMostBack_u = 22;
 // Straight parts turn by less than this. [radians]
 constexpr double kMostBend = 0.02;
 
-// Tangents are those of a parabola through the points this far around, or less
-// where the contour turns by more than this. [u, radians]
+// Tangents are those of a parabola through the points within this distance, or
+// less where the contour turns by more than this. [u, radians]
 constexpr double kTangentReach_u = 12;
 constexpr double kTangentTurn = 0.4;
 
 // Extremes that stand out by less need no point of their own. [u]
 constexpr double kLeastExtreme_u = 8;
 
-// An extreme lies this near to the points that are level. [u]
+// An extreme is this near to the points that are level. [u]
 constexpr double kExtremeReach_u = 7;
 
 // A level part longer than this has no extreme but its ends. [u]
 constexpr double kMostPlateau_u = 40;
 
-// Part of the points that lie on a line.
+// A range of points on a line.
 struct Straight {
   size_t first = 0;
   size_t last = 0;
@@ -47,7 +47,7 @@ class KnotFinder {
       : piece_(piece),
         options_(options),
         count_(piece.points.size()),
-        way_(ways_along(piece.points)) {}
+        lengths_(arc_lengths(piece.points)) {}
 
   std::vector<Knot> run() {
     add_steps();
@@ -89,7 +89,7 @@ class KnotFinder {
     }
   }
 
-  // Whether the points from i to j lie on a line.
+  // Whether the points from i to j are on a line.
   bool is_line(size_t i, size_t j) const {
     const double limit = options_.tolerance / 2;
     for (size_t k = i + 1; k < j; ++k) {
@@ -100,7 +100,7 @@ class KnotFinder {
     return true;
   }
 
-  // The longest line from i: lengths double until one fails, then halve.
+  // The longest line from i: doubles the length until it fails, then bisects.
   size_t line_from(size_t i) const {
     size_t good = i + 1;
     size_t step = 1;
@@ -116,8 +116,8 @@ class KnotFinder {
     return good;
   }
 
-  // What the contour turns by between i and j, a little off both ends, which
-  // the curves beside a line bend. [radians]
+  // The turn between i and j without a margin at both ends, which are bent by
+  // adjacent curves. [radians]
   double turn_within(size_t i, size_t j) const {
     const size_t off = (j - i) / 8;
     return std::fabs(
@@ -125,22 +125,24 @@ class KnotFinder {
   }
 
   size_t index(double s) const {
-    return static_cast<size_t>(std::lower_bound(way_.begin(), way_.end(), s) -
-                               way_.begin());
+    return static_cast<size_t>(
+        std::lower_bound(lengths_.begin(), lengths_.end(), s) -
+        lengths_.begin());
   }
 
   void add_lines() {
     for (size_t i = 0; i + 1 < count_;) {
       const size_t j = line_from(i);
-      if (way_[j] - way_[i] >= kLeastLine_u && turn_within(i, j) < kMostBend) {
+      if (lengths_[j] - lengths_[i] >= kLeastLine_u &&
+          turn_within(i, j) < kMostBend) {
         const size_t off = (j - i) / 4;
         straights_.push_back({i, j, unit(p(j - off) - p(i + off))});
-        // Curves beside it are level with the line a little within.
+        // Adjacent curves are level with the line slightly inside of its ends.
         for (double back = 0;
-             back < (way_[j] - way_[i]) / 3 && back < kMostBack_u;
+             back < (lengths_[j] - lengths_[i]) / 3 && back < kMostBack_u;
              back = 2 * back + 3) {
-          places_.insert(index(way_[i] + back));
-          places_.insert(index(way_[j] - back));
+          places_.insert(index(lengths_[i] + back));
+          places_.insert(index(lengths_[j] - back));
         }
       }
       i += std::max<size_t>(1, (j - i) / 3);
@@ -149,24 +151,25 @@ class KnotFinder {
 
   // The turn of the contour within `reach` of a point. [radians]
   double turn_around(size_t at, double reach) const {
-    const size_t last = std::min(index(way_[at] + reach), count_ - 1);
-    return std::fabs(
-        turn(piece_.tangents[index(way_[at] - reach)], piece_.tangents[last]));
+    const size_t last = std::min(index(lengths_[at] + reach), count_ - 1);
+    return std::fabs(turn(piece_.tangents[index(lengths_[at] - reach)],
+                          piece_.tangents[last]));
   }
 
-  // Least squares over the way: p = a + b s + c s^2, the tangent is b.
+  // Least squares: p = a + b s + c s^2 of the arc length s; b is the tangent.
   Point tangent_at(size_t at) const {
     double reach = kTangentReach_u;
     if (!piece_.is_closed) {
-      // One-sided tangents are of no use: less reach near the ends.
-      const double room = std::min(way_[at], way_.back() - way_[at]);
+      // One-sided tangents are bad: use less reach near the ends.
+      const double room =
+          std::min(lengths_[at], lengths_.back() - lengths_[at]);
       reach = std::max(std::min(reach, room), 2.0);
     }
     while (reach > 2 && turn_around(at, reach) > kTangentTurn) {
       reach *= 0.7;
     }
-    const size_t first = index(way_[at] - reach);
-    const size_t last = std::min(index(way_[at] + reach), count_ - 1);
+    const size_t first = index(lengths_[at] - reach);
+    const size_t last = std::min(index(lengths_[at] + reach), count_ - 1);
     double n = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0;
     Point q0, q1, q2;
     const auto add = [&](double s, const Point& point) {
@@ -180,16 +183,17 @@ class KnotFinder {
       q2 = q2 + s * s * point;
     };
     for (size_t i = first; i <= last; ++i) {
-      add(way_[i] - way_[at], p(i) - p(at));
+      add(lengths_[i] - lengths_[at], p(i) - p(at));
     }
     if (piece_.is_closed) {
-      for (size_t i = 1; i < count_ && way_[i] + way_.back() - way_[at] < reach;
+      for (size_t i = 1;
+           i < count_ && lengths_[i] + lengths_.back() - lengths_[at] < reach;
            ++i) {
-        add(way_[i] + way_.back() - way_[at], p(i) - p(at));
+        add(lengths_[i] + lengths_.back() - lengths_[at], p(i) - p(at));
       }
       for (size_t i = count_ - 1;
-           i-- > 0 && way_[i] - way_.back() - way_[at] > -reach;) {
-        add(way_[i] - way_.back() - way_[at], p(i) - p(at));
+           i-- > 0 && lengths_[i] - lengths_.back() - lengths_[at] > -reach;) {
+        add(lengths_[i] - lengths_.back() - lengths_[at], p(i) - p(at));
       }
     }
     // Cramer's rule for b.
@@ -242,18 +246,18 @@ class KnotFinder {
     }
   }
 
-  // Where the tangent is level or upright, near the points from `first` to
-  // `last`; their middle if it nowhere is.
+  // The place near the points `first` to `last` where the tangent is horizontal
+  // or vertical; their middle if there is none.
   size_t turning_point(size_t first, size_t last, bool in_x) const {
     const auto slope = [&](size_t i) {
       const Point t = tangent_at(i);
       return in_x ? t.x : t.y;
     };
-    size_t low = std::max<size_t>(index(way_[first] - kExtremeReach_u), 1);
-    size_t high = std::min(index(way_[last] + kExtremeReach_u), count_ - 2);
+    size_t low = std::max<size_t>(index(lengths_[first] - kExtremeReach_u), 1);
+    size_t high = std::min(index(lengths_[last] + kExtremeReach_u), count_ - 2);
     const bool rises = slope(low) < slope(high);
     if (low >= high || slope(low) * slope(high) > 0) {
-      return index((way_[first] + way_[last]) / 2);
+      return index((lengths_[first] + lengths_[last]) / 2);
     }
     while (high - low > 1) {
       const size_t middle = (low + high) / 2;
@@ -274,7 +278,7 @@ class KnotFinder {
            std::fabs(value(last + 1, in_x) - value(at, in_x)) < level) {
       ++last;
     }
-    if (way_[last] - way_[first] > kMostPlateau_u) {
+    if (lengths_[last] - lengths_[first] > kMostPlateau_u) {
       return;
     }
     const size_t turns = turning_point(first, last, in_x);
@@ -289,14 +293,15 @@ class KnotFinder {
     }
   }
 
-  // Other knots beside a forced one only tempt to tiny pieces.
+  // Drops other knots beside a forced one, which would lead to tiny pieces.
   std::vector<Knot> without_crowds(std::vector<Knot> knots) const {
     std::vector<Knot> kept;
     for (size_t i = 0; i < knots.size(); ++i) {
       const bool is_end = knots[i].at == 0 || knots[i].at == count_ - 1;
       bool drop = false;
       for (const Knot& other : knots) {
-        const double gap = std::fabs(way_[other.at] - way_[knots[i].at]);
+        const double gap =
+            std::fabs(lengths_[other.at] - lengths_[knots[i].at]);
         drop = drop ||
                (other.is_forced && !knots[i].is_forced && !is_end && gap < 3);
       }
@@ -313,7 +318,7 @@ class KnotFinder {
   const SmoothPiece& piece_;
   const KnotOptions& options_;
   size_t count_;
-  std::vector<double> way_;
+  std::vector<double> lengths_;
   std::set<size_t> places_;
   std::vector<Straight> straights_;
 };

@@ -1,4 +1,4 @@
-// Where a curve through dense points may be divided.
+// Finds places at which a curve through dense points may be divided.
 #pragma once
 
 #include <vector>
@@ -24,13 +24,13 @@ struct SmoothPiece {
 struct KnotOptions {
   double tolerance = 0.5;  // [u]
   /// Whether extremes in x and y that stand out by some units get a point, with
-  /// a level or upright tangent.
+  /// a horizontal or vertical tangent.
   bool extremes = true;
 };
 
 /// First point, last point, extremes, ends of straight parts, and points
-/// between them where the contour has turned by some degrees; ascending. The
-/// tangents are those of parabolas through the points around.
+/// between them where the contour has turned by some degrees; ascending.
+/// Tangents are those of parabolas through the points around.
 std::vector<Knot> find_knots(const SmoothPiece& piece,
                              const KnotOptions& options);
 

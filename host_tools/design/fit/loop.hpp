@@ -15,34 +15,34 @@ struct Loop {
   std::vector<Point> points;
   /// Unit directions of the contour at the points.
   std::vector<Point> tangents;
-  /// Indices of points that are corners, ascending. The tangent there is of no
-  /// use.
+  /// Indices of points that are corners, ascending. Their tangents are not
+  /// valid.
   std::vector<size_t> corners;
 };
 
-/// The vertices of a closed polygon, and points at most `spacing` apart between
-/// them.
+/// The vertices of a closed polygon, with points between them at most `spacing`
+/// apart.
 Loop sample_polygon(const std::vector<Point>& polygon, double spacing);
 
-/// How corners are found.
+/// Options of find_corners().
 struct CornerOptions {
-  /// A corner is rounded by up to this on both sides. [u]
+  /// A corner is rounded over up to this length on both sides. [u]
   double reach = 2;
   /// Least turn of a corner. [radians]
   double turn = 0.2;
-  /// Whether points are exact: those nearest to the corners become them, and
-  /// none gives way.
+  /// Whether points are exact: then the points nearest to corners are moved
+  /// there, and none is removed.
   bool is_exact = false;
-  /// Distance of a point from the edge, if something knows it: where the two
-  /// sides of a corner meet far from the edge, the contour has two corners, the
-  /// ends of a blunt tip. [u]
+  /// The distance of a point from the edge, if known. If the two sides of a
+  /// corner meet far from the edge, the contour has two corners, the ends of a
+  /// blunt tip. [u]
   std::function<double(const Point&)> distance;
 };
 
-/// Finds corners: where the contour turns by more within `reach` than its
-/// curvature on both sides explains. A corner lies where the curves of both
-/// sides meet if they are continued (Itoh and Ohno 1993); the points within
-/// `reach` give way to it.
+/// Finds corners: places where the contour turns by more within `reach` than
+/// its curvature on both sides explains. A corner is at the intersection of
+/// both sides, extrapolated (Itoh and Ohno 1993); the points within `reach` are
+/// removed.
 void find_corners(const CornerOptions& options, Loop& loop);
 
 }  // namespace inkcell::design

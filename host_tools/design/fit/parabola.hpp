@@ -7,7 +7,7 @@
 
 namespace inkcell::design {
 
-/// x and y as polynomials of second degree of the way along the contour.
+/// x and y as polynomials of second degree of the arc length.
 struct Parabola {
   Point c[3];
 
@@ -15,8 +15,8 @@ struct Parabola {
   Point slope(double s) const { return c[1] + 2 * s * c[2]; }
 };
 
-/// Least squares through `points` at the ways `s`; a line if there are too few
-/// points.
+/// Least squares through `points` at the arc lengths `s`; a line if there are
+/// too few points.
 Parabola fit_parabola(const std::vector<double>& s,
                       const std::vector<Point>& points);
 

@@ -1,4 +1,4 @@
-// More arithmetic of points than shape/points.hpp has.
+// Arithmetic of points in addition to shape/points.hpp.
 #pragma once
 
 #include <cmath>
@@ -28,19 +28,19 @@ inline bool same(const Point& a, const Point& b) {
 inline double turn(const Point& a, const Point& b) {
   return std::atan2(cross(a, b), dot(a, b));
 }
-/// Distance of p from the line piece a b.
+/// Distance of p from the line segment a b.
 inline double distance_to_piece(const Point& p,
                                 const Point& a,
                                 const Point& b) {
   return std::sqrt(gen::squared_distance_to_segment(p, a, b));
 }
-/// The length of the polygon from the first point to each.
-inline std::vector<double> ways_along(const std::vector<Point>& points) {
-  std::vector<double> ways(points.size());
+/// The length of the polyline up to each point.
+inline std::vector<double> arc_lengths(const std::vector<Point>& points) {
+  std::vector<double> lengths(points.size());
   for (size_t i = 1; i < points.size(); ++i) {
-    ways[i] = ways[i - 1] + length(points[i] - points[i - 1]);
+    lengths[i] = lengths[i - 1] + length(points[i] - points[i - 1]);
   }
-  return ways;
+  return lengths;
 }
 
 }  // namespace inkcell::design

@@ -15,8 +15,8 @@ namespace {
 
 constexpr size_t kLongestName = 128;
 
-// One contour of FreeType, point by point. The first point is where it is in
-// the file; types say how the curve arrives.
+// One contour of FreeType, point by point. The first point is that of the file;
+// types describe the curve that ends there.
 PointContour contour_of(const FT_Outline& outline, int first, int last) {
   PointContour contour;
   const auto tag_of = [&outline](int i) {
@@ -49,8 +49,8 @@ PointContour contour_of(const FT_Outline& outline, int first, int last) {
   return contour;
 }
 
-// TrueType does not say which points are smooth: those that a straight line of
-// handles passes through, to within a degree.
+// TrueType does not mark smooth points: marks those whose handles are in line,
+// to within a degree.
 void mark_smooth(PointContour& contour) {
   constexpr double kLeastCosine = 0.99985;
   std::vector<GlyphPoint>& points = contour.points;
@@ -222,8 +222,8 @@ class FontImporter {
         std::make_shared<const Glyph>(std::move(glyph));
   }
 
-  // Whether components have exactly the points of the glyph, and none of them
-  // is reflected close to another one: their contours would cancel.
+  // Whether components give exactly the points of the glyph, and none of them
+  // is reflected close to another one, as their contours would cancel.
   bool is_made_of_components(size_t glyph) const {
     if (source_.components.empty() || source_.components[glyph].empty()) {
       return false;

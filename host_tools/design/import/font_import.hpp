@@ -1,4 +1,4 @@
-// TTF and OTF as projects.
+// Imports TTF and OTF as projects.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@
 
 namespace inkcell::design {
 
-/// What becomes of glyphs that the file makes of others.
+/// The treatment of composite glyphs in the file.
 enum class Composites { keep, decompose };
 
-/// Reads the glyphs of `characters`, all that the font maps if it is empty, and
-/// .notdef. Points stay as they are in the file: quadratics with implied
+/// Imports the glyphs of `characters`, or all that the font maps if it is
+/// empty, and .notdef. Points are those of the file: quadratics with implied
 /// points, or cubics. Kerning becomes pairs of groups. Advances, vertical
-/// measures, names of glyphs and of the font are taken.
+/// metrics, names of glyphs and of the font are imported.
 ///
 /// Composite glyphs keep their components, and the glyphs that they refer to
-/// are added, without code points if `characters` lacks them; those whose
-/// components do not give the exact points of the file get contours, and all
-/// with Composites::decompose.
+/// are added, without code points if `characters` lacks them. Composites whose
+/// components do not give the exact points of the file get contours; with
+/// Composites::decompose all do.
 ///
 /// Throws gen::Error that names the file and the glyph.
 Project import_font(const std::filesystem::path& file,

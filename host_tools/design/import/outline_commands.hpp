@@ -1,4 +1,4 @@
-// Outlines from elsewhere as the contours of a glyph.
+// Imports outlines as the contours of a glyph.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace inkcell::design {
 
-/// The commands that make `outline` [u] all contours of the default layer's
-/// glyph: set_contours, and add_glyph before it if there is no such glyph; its
-/// advance is then the right edge of the outline and as much room as there is
-/// at the left. Coordinates are rounded to 1/64 font unit.
+/// The commands that set the contours of the default layer's glyph to `outline`
+/// [u]: set_contours, after add_glyph if there is no such glyph. The advance of
+/// a new glyph makes both side bearings equal. Coordinates are rounded to 1/64
+/// font unit.
 std::vector<Value> commands_for_outline(const Project& project,
                                         const std::string& glyph,
                                         const gen::Outline& outline);

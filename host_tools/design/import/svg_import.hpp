@@ -1,4 +1,4 @@
-// Drawings of other programs as outlines.
+// Imports SVG drawings as outlines.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,15 @@
 
 namespace inkcell::design {
 
-/// Where a drawing's glyph lies.
+/// The position of a drawing's glyph.
 struct DrawingPlace {
   double px_per_em = 1024;  // user units that an em is wide
   Point origin;             // the glyph's, in user units, y down
 };
 
-/// What an SVG file draws in one colour, in u, y up, by gen::SvgDrawing: filled
-/// by the winding number, ink on the left. Throws Error that names the file.
+/// The drawing of an SVG file in one colour, in u, y up, by gen::SvgDrawing:
+/// filled by the winding number, ink on the left. Throws Error that names the
+/// file.
 gen::Outline read_svg(const std::filesystem::path& file,
                       const DrawingPlace& place);
 

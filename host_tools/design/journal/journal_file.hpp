@@ -1,9 +1,9 @@
-// Records on disk, one a line, each whole or not there.
+// Records on disk, one a line, each complete or ignored.
 //
 //   1c2f00a9 {"do":"set_advance","glyph":"a","width":500}
 //
-// The number is the CRC-32 of what follows the space. A line that a crash has
-// cut is found by it, and everything before that line holds.
+// The number is the CRC-32 of the text after the space. It detects a line that
+// a crash has cut; all lines before it are valid.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace inkcell::design {
 
 struct JournalRecords {
   std::vector<Value> records;
-  /// Bytes of these records; what the file holds beyond them is damaged.
+  /// Bytes of valid records; the rest of the file is damaged.
   size_t good_bytes = 0;
   size_t lost_bytes = 0;
 };
@@ -25,12 +25,12 @@ struct JournalRecords {
 /// file cannot be read.
 JournalRecords read_journal(const std::filesystem::path& file);
 
-/// The commands of a script: a journal, or lines of JSON without checksums;
-/// empty lines and lines that begin with # are skipped. Throws Error that names
-/// file and line.
+/// The commands of a script: a journal, or lines of JSON without checksums.
+/// Skips empty lines and lines that begin with #. Throws Error that names file
+/// and line.
 std::vector<Value> read_script(const std::filesystem::path& file);
 
-/// A journal that grows.
+/// A journal that is appended to.
 class JournalFile {
  public:
   enum class Flush {
@@ -38,7 +38,7 @@ class JournalFile {
     never,   // the system may lose the last records if it crashes
   };
 
-  /// Continues `file` after `good_bytes`, which cuts off the rest; 0 begins it
+  /// Continues `file` after `good_bytes` and cuts off the rest; 0 starts it
   /// anew. Throws Error.
   JournalFile(const std::filesystem::path& file,
               size_t good_bytes,

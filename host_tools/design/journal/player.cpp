@@ -1,4 +1,4 @@
-// Records carried out, and steps taken back.
+// Runs records; undo and redo.
 #include "journal/session.hpp"
 #include "model/base64.hpp"
 #include "model/commands.hpp"

@@ -31,7 +31,7 @@ Session::Session(const fs::path& folder, JournalFile::Flush flush)
   }
 }
 
-// The new journal replaces the old one at once.
+// Replaces the old journal atomically.
 void Session::begin_journal() {
   fs::path fresh = journal_path_;
   fresh += ".new";
@@ -77,7 +77,7 @@ void Session::recover(const std::string& digest) {
   records_ = recovery_.commands;
 }
 
-// Tried first: the journal holds nothing that cannot be done.
+// Tries it first, so that the journal only has commands that work.
 void Session::run(const Value& command) {
   run(command, change_of(player_->project(), command));
 }

@@ -1,4 +1,4 @@
-// A project that is being worked on: commands, undo, redo, and nothing lost.
+// A project being edited: commands, undo, redo, and crash recovery.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 
 namespace inkcell::design {
 
-/// Steps that can be taken back.
+/// Steps that can be undone.
 class History {
  public:
-  /// Forgets what was undone.
+  /// Discards undone steps.
   void add(Change change);
   /// The step to undo or to redo; null if there is none. Valid until add().
   const Change* last() const;
@@ -30,13 +30,13 @@ class History {
   size_t position_ = 0;  // steps done
 };
 
-/// Carries out the records of a journal or a script: commands, undo, redo, and
-/// what a session writes besides.
+/// Runs the records of a journal or a script: commands, undo, redo, and other
+/// records of a session.
 class Player {
  public:
   explicit Player(Project project) : project_(std::move(project)) {}
 
-  /// Throws Error; the project stays as it was.
+  /// Throws Error; the project is then unchanged.
   void play(const Value& record);
 
   const Project& project() const { return project_; }
@@ -45,7 +45,7 @@ class Player {
   /// False if there is nothing to undo or redo.
   bool undo();
   bool redo();
-  /// Applies a change; it can be undone.
+  /// Applies a change that can be undone.
   void take(Change change);
 
  private:
@@ -56,22 +56,22 @@ class Player {
 };
 
 /// The state of all that `change` touches, after it or before it, as a record:
-/// an undo or redo for a journal that does not hold the step.
+/// an undo or redo for a journal that does not contain the step.
 Value restore_record(const Change& change, bool after);
 
-/// What a session found when it opened a project.
+/// The result of opening a project after a crash.
 struct Recovery {
-  size_t commands = 0;    // that were not saved, and are there again
+  size_t commands = 0;    // unsaved, and recovered
   size_t lost_bytes = 0;  // of a record that was cut
 };
 
 class Session {
  public:
-  /// Opens `folder` and recovers what its journal (`folder`.journal) holds
-  /// beyond the saved state.
+  /// Opens `folder` and recovers the unsaved commands in its journal
+  /// (`folder`.journal).
   ///
-  /// Throws Error also if the project was changed by another program since the
-  /// journal was written.
+  /// Throws Error also if another program changed the project since the journal
+  /// was written.
   Session(const std::filesystem::path& folder,
           JournalFile::Flush flush = JournalFile::Flush::always);
 
@@ -79,17 +79,17 @@ class Session {
   const Project& project() const { return player_->project(); }
   const UfoFiles& files() const { return files_; }
 
-  /// Carries out a command; it is in the journal before it is in project().
+  /// Runs a command; it is written to the journal before project() changes.
   void run(const Value& command);
   /// The same if change_of(project(), command) is known.
   void run(const Value& command, Change change);
   bool undo();
   bool redo();
 
-  /// Writes the project and empties the journal. A crash at any moment leaves
-  /// the old or the new project, and nothing to recover that is in it.
+  /// Writes the project and empties the journal. After a crash at any moment
+  /// there is either the old project and its journal, or the new project.
   void save();
-  /// Removes the journal. Commands since the last save are forgotten.
+  /// Removes the journal. Commands since the last save are lost.
   void close();
 
   bool has_changes() const { return records_ != 0; }
@@ -108,7 +108,7 @@ class Session {
   size_t records_ = 0;  // since the journal began
 };
 
-/// The file that Session keeps for a project: P.ufo.journal.
+/// The journal of a project: P.ufo.journal.
 std::filesystem::path journal_of(const std::filesystem::path& folder);
 
 }  // namespace inkcell::design

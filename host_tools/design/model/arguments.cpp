@@ -11,7 +11,7 @@ bool is_finite(const Value& value) {
   return value.is_number() && std::isfinite(value.get<double>());
 }
 
-// [x, y], or a number that stands for both.
+// [x, y], or one number for both.
 bool read_pair(const Value& value, bool may_be_one, double& x, double& y) {
   if (may_be_one && is_finite(value)) {
     x = y = value.get<double>();
@@ -42,7 +42,7 @@ Matrix turned(double degrees) {
   return m;
 }
 
-// False if a part is unknown or wrong.
+// False if a step is unknown or wrong.
 bool read_parts(const Value& parts, Matrix& m) {
   double x = 1;
   double y = 1;

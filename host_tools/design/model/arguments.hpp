@@ -1,4 +1,4 @@
-// The arguments of a command, with errors that say which one is wrong.
+// The arguments of a command, with errors that name the faulty one.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace inkcell::design {
 
 class Arguments {
  public:
-  /// `command` must outlive this. Throws Error unless it is a dictionary whose
-  /// "do" is a string.
+  /// `command` must outlive this. Throws Error unless it is a dictionary with a
+  /// string "do".
   explicit Arguments(const Value& command);
 
   const std::string& name() const { return name_; }
@@ -26,14 +26,14 @@ class Arguments {
   bool flag(const char* key, bool otherwise) const;
   /// Below `count`.
   size_t index(const char* key, size_t count) const;
-  /// A place to insert at: up to `count`, which is the default.
+  /// An index to insert at, 0..`count`; `count` is the default.
   size_t place(const char* key, size_t count) const;
   const Value& array(const char* key) const;
   const Value& value(const char* key) const;
-  /// Six numbers, xx xy yx yy dx dy, or a dictionary of what is done in this
-  /// order: "reflect" ("x": left and right change places, or "y"), "scale" (a
-  /// number, or one for x and one for y), "turn" (degrees, counter-clockwise),
-  /// "move" ([dx, dy]). The identity if it is not there.
+  /// A matrix: six numbers, xx xy yx yy dx dy, or a dictionary of steps,
+  /// applied in this order: "reflect" ("x": swaps left and right, or "y"),
+  /// "scale" (a number, or one for x and one for y), "turn" (degrees,
+  /// counter-clockwise), "move" ([dx, dy]). The identity by default.
   Matrix matrix(const char* key) const;
 
   /// Throws Error "command 'move_points': <text>".

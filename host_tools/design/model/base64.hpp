@@ -7,7 +7,7 @@
 
 namespace inkcell::design {
 
-/// Characters that are no digits of Base64 are skipped.
+/// Skips characters that are no digits of Base64.
 std::vector<uint8_t> decode_base64(const std::string& text);
 std::string encode_base64(const std::vector<uint8_t>& bytes);
 

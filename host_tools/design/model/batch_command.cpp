@@ -5,7 +5,7 @@
 namespace inkcell::design {
 namespace {
 
-// Adds what `next` changes after `sum` was applied.
+// Adds the changes of `next` to `sum`, which comes before it.
 void append(const Change& next, Change& sum) {
   for (const GlyphChange& glyph : next.glyphs) {
     bool is_new = true;

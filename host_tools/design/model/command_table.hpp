@@ -1,4 +1,4 @@
-// Between the files that implement commands.
+// Shared by the files that implement commands.
 #pragma once
 
 #include <map>
@@ -21,14 +21,14 @@ void add_point_commands(CommandTable& table);
 void add_font_commands(CommandTable& table);
 void add_source_commands(CommandTable& table);
 
-/// The layer that "layer" names, the default one if it is left out.
+/// The layer named by "layer", by default the first.
 size_t layer_of(const Project& project, const Arguments& arguments);
 
-/// Takes the pictures away that no glyph names after `change`, which changes
-/// glyphs only.
+/// Removes pictures that no glyph uses after `change`, which only changes
+/// glyphs.
 void drop_unnamed_images(const Project& project, Change& change);
 
-/// The change that `edit` makes of a copy of the glyph that "glyph" names.
+/// The change made by `edit` on a copy of the glyph named by "glyph".
 template <typename Edit>
 Change edited(const Project& project,
               const Arguments& arguments,

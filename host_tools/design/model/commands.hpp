@@ -2,8 +2,9 @@
 //
 //   { "do": "move_points", "glyph": "a", "points": [[0, 3]], "dx": 10 }
 //
-// A command always does the same to the same project, so that a list of them
-// is a journal, a macro and a test script at once. docs/EDITING.md lists them.
+// Commands are deterministic: the same list on the same project gives the same
+// result, so a list is a journal, a macro and a test script. docs/EDITING.md
+// lists them.
 #pragma once
 
 #include <string>
@@ -13,10 +14,10 @@
 
 namespace inkcell::design {
 
-/// What `command` changes. `project` stays as it is.
+/// The change that `command` makes. `project` is not modified.
 ///
-/// Throws Error that names the command, the glyph and the argument, and says
-/// what is allowed.
+/// Throws Error that names the command, the glyph, the argument, and what is
+/// allowed.
 Change change_of(const Project& project, const Value& command);
 
 /// Names of all commands, sorted.

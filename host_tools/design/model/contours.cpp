@@ -10,13 +10,13 @@
 namespace inkcell::design {
 namespace {
 
-// Coordinates of outlines that were computed are rounded to this. [font units]
+// Computed coordinates of outlines are rounded to this. [font units]
 constexpr double kGrid = 1.0 / 64;
 
-// References to references: what fonts have, and plenty more.
+// The deepest nesting of references, more than fonts have.
 constexpr int kMostDepth = 16;
 
-// Below this turn a joint is smooth. [cosine of a degree]
+// A joint is smooth if it turns by less. [cosine of a degree]
 constexpr double kSmoothCosine = 0.99985;
 
 gen::Point scaled(const GlyphPoint& p, double scale) {
@@ -32,7 +32,7 @@ void add_segment(gen::Contour& out, std::initializer_list<gen::Point> points) {
   out.segments.push_back(segment);
 }
 
-// One piece from `from` to `to` with the off-curve points between them.
+// Adds a piece from `from` to `to` with the off-curve points between them.
 void add_piece(gen::Contour& out,
                const gen::Point& from,
                const std::vector<gen::Point>& controls,
@@ -118,7 +118,7 @@ void append_within(const Project& project,
       point.y = to.y;
       point.identifier.clear();
     }
-    // A reflection would turn the filled side over.
+    // A reflection would swap the filled side.
     contours.push_back(use.matrix.determinant() < 0 ? reversed(contour)
                                                     : contour);
   }
@@ -207,8 +207,8 @@ PointContour reversed(const PointContour& contour) {
   if (contour.points.empty()) {
     return contour;
   }
-  // The type of an on-curve point says how the curve arrives there: it moves to
-  // the point on the other side.
+  // The type of an on-curve point describes the curve that ends there;
+  // reversed, it belongs to the point at the other end.
   const size_t count = contour.points.size();
   std::vector<GlyphPoint> points(contour.points.rbegin(),
                                  contour.points.rend());

@@ -1,4 +1,4 @@
-// Contours of points: in commands, as curves of the generator, through
+// Contours of points: parsing, conversion to curves of the generator,
 // components.
 #pragma once
 
@@ -11,30 +11,29 @@
 
 namespace inkcell::design {
 
-/// Points as commands say them: [x, y, type] or [x, y, type, "smooth"]; the
-/// type may be left out of a line. Throws Error.
+/// Parses points of commands: [x, y, type] or [x, y, type, "smooth"]; the
+/// default type is a line. Throws Error.
 PointContour parse_contour(const Value& points);
 Value contour_value(const PointContour& contour);
 
-/// Throws Error unless off-curve points belong to a curve: `move` first only,
-/// no off-curve point before a line or at the end of an open contour, at most
-/// two before a cubic.
+/// Throws Error for stray off-curve points: `move` must be first, no off-curve
+/// point before a line or at the end of an open contour, at most two before a
+/// cubic.
 void check_contour(const PointContour& contour);
 
-/// The same curve in the opposite direction, beginning at the same point.
+/// The same curve in the opposite direction, with the same first point.
 PointContour reversed(const PointContour& contour);
 
-/// The closed contours as segments, `scale` times as large; open contours
-/// enclose nothing and are left out. Implied points between off-curve points of
-/// a `qcurve` are found; a cubic with one off-curve point is a quadratic.
+/// The closed contours as segments, scaled by `scale`; open contours enclose
+/// nothing and are left out. Implied points of a `qcurve` are added; a cubic
+/// with one off-curve point is a quadratic.
 gen::Contour to_segments(const PointContour& contour, double scale);
 
-/// The contour whose segments these are, divided by `scale`, coordinates as
-/// they come out. The on-curve points are smooth where the direction turns by
-/// less than a degree.
+/// The contour of these segments, divided by `scale`, not rounded. On-curve
+/// points are smooth where the direction turns by less than a degree.
 PointContour from_segments(const gen::Contour& contour, double scale);
 
-/// All contours of an outline [u] in font units, rounded to 1/64 of one.
+/// All contours of an outline [u] in font units, rounded to 1/64.
 std::vector<PointContour> contours_of(const Project& project,
                                       const gen::Outline& outline);
 
@@ -44,14 +43,14 @@ bool reaches(const Project& project,
              const std::string& from,
              const std::string& target);
 
-/// Appends the contours that a component stands for. Throws Error that names a
-/// component that does not exist.
+/// Appends the contours of a component. Throws Error that names a component
+/// that does not exist.
 void append_component(const Project& project,
                       size_t layer,
                       const ComponentUse& use,
                       std::vector<PointContour>& contours);
 
-/// All of a glyph in u, components in place. Throws Error.
+/// The outline of a glyph in u, with components resolved. Throws Error.
 gen::Outline outline_of(const Project& project,
                         const Glyph& glyph,
                         size_t layer = 0);

@@ -1,4 +1,4 @@
-// What the design library throws.
+// The exception of the design library.
 #pragma once
 
 #include <stdexcept>
@@ -6,8 +6,7 @@
 namespace inkcell::design {
 
 /// A project, command or file that cannot be used. The text names the file, the
-/// glyph if it is about one, and the remedy; it is meant for the person at the
-/// terminal.
+/// glyph if there is one, and the remedy; it is meant for the user.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

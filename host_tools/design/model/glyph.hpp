@@ -1,5 +1,5 @@
-// A glyph as its designer sees it: contours, components, and what belongs to
-// them. Coordinates are in font units, y up.
+// A glyph in the editor: contours, components, anchors and more. Coordinates
+// are in font units, y up.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace inkcell::design {
 
-/// How a point continues the curve, as in UFO 3. `move` begins an open contour.
+/// How the curve reaches a point, as in UFO 3. `move` begins an open contour.
 /// Off-curve points precede the `curve` (cubic) or `qcurve` (quadratic) point
 /// that they belong to.
 enum class PointType : uint8_t { move, line, curve, qcurve, offcurve };

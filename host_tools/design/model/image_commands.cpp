@@ -1,5 +1,4 @@
-// The picture behind a glyph. A font keeps the pictures that its glyphs name
-// and no others.
+// The picture behind a glyph. A font keeps only pictures that its glyphs use.
 #include <algorithm>
 
 #include "model/base64.hpp"
@@ -31,7 +30,7 @@ ImageBytes parse_data(const Arguments& arguments) {
   return std::make_shared<const std::vector<uint8_t>>(std::move(bytes));
 }
 
-// The pictures of the font and the one that the command brings along.
+// The pictures of the font, and the one in the command.
 Images with_data(const Project& project,
                  const std::string& name,
                  const Arguments& arguments) {
@@ -53,7 +52,7 @@ Images with_data(const Project& project,
   return images;
 }
 
-// Those of `images` that a glyph still names after `change`.
+// Keeps the `images` that a glyph still uses after `change`.
 void keep_named(const Project& project, const Images& images, Change& change) {
   Project after = project;
   after.apply(change);

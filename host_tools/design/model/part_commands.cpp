@@ -105,7 +105,7 @@ Change delete_anchor(const Project& project, const Arguments& arguments) {
   });
 }
 
-// Puts a guideline to "x", "y" and "angle".
+// Moves a guideline to "x", "y" and "angle".
 void place_guideline(const Arguments& arguments, Guideline& line) {
   line.x.reset();
   line.y.reset();

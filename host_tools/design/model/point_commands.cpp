@@ -62,7 +62,7 @@ Change insert_points(const Project& project, const Arguments& arguments) {
   return edited(project, arguments, [&](Glyph& glyph) {
     PointContour& contour = contour_of(glyph, arguments);
     const size_t at = arguments.place("at", contour.points.size());
-    // Their order makes sense in the whole contour only.
+    // The order of points only makes sense in the whole contour.
     Value all = contour_value(contour);
     const Value& added = arguments.array("points");
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(at), added.begin(),
@@ -75,8 +75,8 @@ Change insert_points(const Project& project, const Arguments& arguments) {
   });
 }
 
-// A point on the curve takes the off-curve points before it along, as far as
-// the curve that is left needs none.
+// Deleting an on-curve point also deletes the off-curve points before it that
+// the remaining curve does not need.
 Change delete_point(const Project& project, const Arguments& arguments) {
   return edited(project, arguments, [&](Glyph& glyph) {
     PointContour& contour = contour_of(glyph, arguments);

@@ -1,5 +1,4 @@
-// A font that is being designed: glyphs that never change, and the latest of
-// each.
+// A font in the editor: immutable glyphs, and the current version of each.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +16,13 @@ namespace inkcell::design {
 
 using GlyphPointer = std::shared_ptr<const Glyph>;
 
-/// The pictures behind glyphs by their names, which are files of the folder
-/// images in UFO 3. Bytes are a PNG's and never change.
+/// The pictures behind glyphs by file name in the folder images of UFO 3. Their
+/// PNG bytes are immutable.
 using ImageBytes = std::shared_ptr<const std::vector<uint8_t>>;
 using Images = std::map<std::string, ImageBytes>;
 
-/// All of a font but its glyphs: fontinfo, groups, kerning and lib of UFO 3,
-/// and the pictures that its glyphs name.
+/// A font without its glyphs: fontinfo, groups, kerning and lib of UFO 3, and
+/// the pictures that its glyphs use.
 struct FontData {
   Value info = Value::object();
   Value groups = Value::object();
@@ -44,7 +43,7 @@ struct Layer {
   std::map<std::string, GlyphPointer> glyphs;
 };
 
-/// A glyph of a layer before and after a command; null: it is not there.
+/// A glyph of a layer before and after a command; null: it does not exist.
 struct GlyphChange {
   size_t layer = 0;
   std::string name;
@@ -52,8 +51,8 @@ struct GlyphChange {
   GlyphPointer after;
 };
 
-/// What one command does. `before` and `after` of the font are null if it
-/// stays.
+/// The change of one command. `before` and `after` of the font are null if it
+/// does not change.
 struct Change {
   std::vector<GlyphChange> glyphs;
   FontDataPointer font_before;
@@ -76,18 +75,18 @@ class Project {
   /// Throws Error that names the glyph.
   GlyphPointer glyph(const std::string& name, size_t layer = 0) const;
 
-  /// fontinfo's unitsPerEm, 1000 if it is not said.
+  /// fontinfo's unitsPerEm, by default 1000.
   double units_per_em() const;
 
   void apply(const Change& change);
   void revert(const Change& change);
 };
 
-/// The pictures that glyphs name, in all layers.
+/// The pictures that glyphs use, in all layers.
 std::set<std::string> image_names(const Project& project);
 
-/// Names of the default layer's glyphs in the order of lib's
-/// public.glyphOrder; glyphs that it does not list follow by name.
+/// Names of the default layer's glyphs in the order of lib's public.glyphOrder;
+/// the others follow, sorted by name.
 std::vector<std::string> glyph_order(const Project& project);
 
 }  // namespace inkcell::design

@@ -1,5 +1,5 @@
-// Data whose structure other programs define: libraries, font information,
-// commands.
+// Data with a structure that other programs define: libraries, font
+// information, commands.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 namespace inkcell::design {
 
 /// A tree of dictionaries, arrays, strings and numbers. Dictionaries are sorted
-/// by key, so that equal data is written as equal bytes. The data of a property
-/// list is binary; its dates are binary of the subtype kDateSubtype.
+/// by key, so equal data gives equal bytes. Data elements of a property list
+/// are binary; its dates are binary of the subtype kDateSubtype.
 using Value = nlohmann::json;
 
 inline constexpr uint8_t kDateSubtype = 1;

@@ -6,8 +6,8 @@
 
 namespace inkcell::design {
 
-/// A subcommand is added to `app`; if it is chosen, `work` becomes what main()
-/// does.
+/// Each function adds a subcommand to `app`; if it is chosen, it sets `work` to
+/// the task for main().
 using Work = std::function<void()>;
 
 void add_export(CLI::App& app, Work& work);

@@ -1,4 +1,4 @@
-// inkcell-design export and import: projects as fonts, fonts as projects.
+// inkcell-design export and import: converts projects to fonts and back.
 #include <cstdio>
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-// Where a subcommand that draws puts its outline: a picture or a glyph.
+// The output of a subcommand that draws: a picture or a glyph.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ struct Destination {
 /// Adds --out, --project and --glyph.
 void add_destination(CLI::App& command, Destination& destination);
 
-/// Throws Error unless there is one, and it can be written.
+/// Throws Error unless there is exactly one, and it can be written.
 void check(const Destination& destination);
 
 /// `title` is the picture's. Returns what was written, for messages.

@@ -1,4 +1,4 @@
-// inkcell-design import-svg: paths of another program as a glyph.
+// inkcell-design import-svg: imports paths of another program as a glyph.
 #include <cstdio>
 #include <memory>
 

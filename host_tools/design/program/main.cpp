@@ -1,4 +1,4 @@
-// inkcell-design: type is designed, from the command line.
+// inkcell-design: designs type from the command line.
 #include "program.hpp"
 #include "program/commands.hpp"
 

@@ -1,4 +1,4 @@
-// inkcell-design replay: carries out a journal or a script.
+// inkcell-design replay: runs a journal or a script.
 #include <cstdio>
 #include <memory>
 
@@ -19,7 +19,7 @@ struct ReplayArguments {
   std::string out;
 };
 
-// The project that the journal was written for lies beside it.
+// The project of a journal is beside it.
 fs::path project_of(const ReplayArguments& arguments,
                     const std::vector<Value>& records) {
   if (!arguments.project.empty()) {
@@ -32,7 +32,7 @@ fs::path project_of(const ReplayArguments& arguments,
   return {};
 }
 
-// Those of the file, then those of the command line.
+// The records of the file, then those of the command line.
 std::vector<Value> records_of(const ReplayArguments& arguments) {
   std::vector<Value> records;
   if (!arguments.journal.empty()) {

@@ -1,4 +1,4 @@
-// inkcell-design roundtrip: outline to field to curves, and how true they are.
+// inkcell-design roundtrip: outline to field to curves, and the errors.
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -37,7 +37,7 @@ struct GlyphResult {
   double milliseconds = 0;  // field to curves
 };
 
-constexpr double kStep_u = 1;  // between places where edges are compared
+constexpr double kStep_u = 1;  // between points where edges are compared
 
 GlyphResult round_trip(const gen::SourceGlyph& glyph,
                        const RoundtripArguments& arguments) {

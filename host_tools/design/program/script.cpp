@@ -1,4 +1,4 @@
-// inkcell-design script: glyphs by a program in Lua.
+// inkcell-design script: makes glyphs by a program in Lua.
 #include <cstdio>
 #include <memory>
 

@@ -1,4 +1,4 @@
-// inkcell-design stroke: what a pen draws along a path.
+// inkcell-design stroke: the outline of a pen stroke.
 #include <cstdio>
 #include <memory>
 

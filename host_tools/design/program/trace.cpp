@@ -22,7 +22,7 @@ struct TraceArguments {
   MasterOptions options;
   std::vector<double> origin;
   std::vector<double> em;
-  int threshold = 0;  // 0: found if is_scan, else greys stay
+  int threshold = 0;  // 0: automatic if is_scan, else greys are kept
   bool is_scan = false;
   bool no_extremes = false;
 };

@@ -1,4 +1,4 @@
--- A few letters of a broad pen, with parameters:
+-- A few letters drawn with a broad pen, with parameters:
 --
 --   inkcell-design script pen_face.lua --set weight=120 --out Pen.ufo
 
@@ -24,7 +24,7 @@ local function stem(x, from, to)
   return stroke(nib, lines{{x, from}, {x, to}})
 end
 
--- From the stem at x over to the next one, and down.
+-- From the stem at x to the next one, and down.
 local function arch(x)
   return stroke(nib, join(
     curve{{x, high - 150, dir = 70}, {x + width * 0.6, high, dir = 0},
@@ -50,7 +50,7 @@ draw("m", 0x6D, 2 * side + 2 * width, stem(side, low, high), arch(side),
 draw("o", 0x6F, 2 * side + 300,
      stroke(nib, superellipse(side + 150, x_height / 2, 150,
                               x_height / 2 - low, superness)))
--- u is n, turned.
+-- u is n rotated by 180 degrees.
 add_glyph{glyph = "u", unicodes = {0x75}, width = 2 * side + width}
 add_component{glyph = "u", base = "n",
               matrix = {turn = 180, move = {2 * side + width, x_height}}}

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kStepsBetweenLooks = 1000;
 
-// What a script runs in. Lua keeps its address beside each of its states.
+// The state of a run. Lua stores its address beside each of its states.
 struct Run {
   const ScriptOptions* options = nullptr;
   const std::function<const Project&()>* project = nullptr;
@@ -65,7 +65,7 @@ void count_steps(lua_State* lua, lua_Debug*) {
   }
 }
 
-// Runs `body`; what it throws becomes an error of Lua.
+// Runs `body`; exceptions become errors of Lua.
 template <typename Body>
 int guarded(lua_State* lua, const Body& body) {
   try {
@@ -161,7 +161,7 @@ void open_libraries(lua_State* lua, bool is_trusted) {
     luaL_requiref(lua, library.name, library.func, 1);
     lua_pop(lua, 1);
   }
-  // They read files, or code that Lua does not check.
+  // Removed, as they read files or code that Lua does not check.
   for (const char* name : {"dofile", "loadfile", "load"}) {
     lua_pushnil(lua);
     lua_setglobal(lua, name);
@@ -186,7 +186,7 @@ void add_functions(lua_State* lua) {
   lua_pop(lua, 1);
 }
 
-// An error's text, after the file and the line of the script it came from.
+// Prefixes an error's text with the file and line of the script.
 int add_place(lua_State* lua) {
   const Run& run = run_of(lua);
   const std::string file = run.chunk.substr(1);

@@ -1,4 +1,4 @@
-// Programmable type: scripts in Lua that carry out commands.
+// Lua scripts that run commands.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,22 @@ namespace inkcell::design {
 struct ScriptOptions {
   /// Values of the script's parameters, by name.
   std::map<std::string, double> settings;
-  /// Instructions of Lua's machine before the script is ended.
+  /// The most Lua instructions of a script.
   size_t most_steps = 100'000'000;
-  /// Memory of the script. [bytes]
+  /// The most memory of a script. [bytes]
   size_t most_bytes = size_t{256} << 20;
-  /// Gives the script Lua's io, os and require: the files and programs of this
-  /// machine. Without it a script reaches its project only.
+  /// Gives the script Lua's io, os and require: the files and programs of the
+  /// machine. Otherwise a script can only access its project.
   bool is_trusted = false;
 };
 
-/// Runs a script. Every command of model/commands.hpp is a function of its
-/// name, which takes the arguments as a table; script/pens.lua holds pens and
-/// curves. `play` is called with each command and changes `project`, which
-/// glyph() and glyphs() read. The same script with the same settings does the
-/// same.
+/// Runs a script. Every command of model/commands.hpp is a function that takes
+/// the arguments as a table; script/pens.lua adds pens and curves. `play` is
+/// called with each command and changes `project`, which glyph() and glyphs()
+/// read. Scripts are deterministic.
 ///
-/// Throws Error that names the script and the line, for whatever fails in it,
-/// and for settings that the script does not have.
+/// Throws Error that names the script and the line for any failure in it, and
+/// for settings that the script does not have.
 void run_script(const std::filesystem::path& file,
                 const ScriptOptions& options,
                 const std::function<const Project&()>& project,

@@ -6,10 +6,10 @@
 namespace inkcell::design {
 namespace {
 
-// Tables in tables: what commands need, and plenty more.
+// The deepest nesting of tables, more than commands need.
 constexpr int kMostDepth = 32;
 
-// An array has at most so many holes for each element, and some more.
+// The most holes of an array for each element.
 constexpr lua_Integer kMostHoles = 4;
 
 // Doubles that are whole numbers up to here are exact.
@@ -17,7 +17,7 @@ constexpr double kMostExact = 9007199254740992.0;
 
 Value value_at(lua_State* lua, int index, int depth);
 
-// As JSON has it when it is read: unsigned unless it is negative.
+// The same type as parsed JSON: unsigned unless it is negative.
 Value whole(lua_Integer number) {
   return number < 0 ? Value(number) : Value(static_cast<uint64_t>(number));
 }

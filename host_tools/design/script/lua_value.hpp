@@ -1,4 +1,4 @@
-// Values of Lua as data of commands, and back.
+// Converts values of Lua to data of commands, and back.
 #pragma once
 
 #include <lua.hpp>
@@ -7,13 +7,13 @@
 
 namespace inkcell::design {
 
-/// The value at `index` of the stack. A table of whole numbers from 1 is an
-/// array, whose holes are null; a table of names is a dictionary; an empty one
-/// is an array. Whole numbers become integers. Raises an error of Lua for
-/// functions, numbers that are not finite, and tables that hold themselves.
+/// The value at `index` of the stack. A table of integers from 1 is an array,
+/// its holes are null; a table of names is a dictionary; an empty one is an
+/// array. Integral numbers become integers. Raises a Lua error for functions,
+/// numbers that are not finite, and tables that contain themselves.
 Value value_of(lua_State* lua, int index);
 
-/// Pushes `value`. null is the light userdata that scripts know as `null`.
+/// Pushes `value`. null is the light userdata that scripts call `null`.
 void push_value(lua_State* lua, const Value& value);
 
 }  // namespace inkcell::design

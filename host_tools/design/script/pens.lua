@@ -1,6 +1,6 @@
--- Pens and curves for scripts, as Metafont's users expect them.
+-- Pens and curves for scripts, in the manner of Metafont.
 --
--- A knot is {x, y} with options by name: dir [degrees], tension, tension_in,
+-- A knot is {x, y} with named options: dir [degrees], tension, tension_in,
 -- tension_out, curl, and for penstroke() width and angle. A path is a list of
 -- cubics {x0, y0, x1, y1, x2, y2, x3, y3}.
 
@@ -34,12 +34,12 @@ end
 
 local function atan2(y, x) return (x == 0 and y == 0) and 0 or math.atan(y, x) end
 
--- To (-pi, pi].
+-- Normalises an angle to (-pi, pi].
 local function turn(angle)
   return angle - 2 * math.pi * math.ceil(angle / (2 * math.pi) - 0.5)
 end
 
--- Gauss with pivots; m has a column more than rows.
+-- Gaussian elimination with pivoting; m has a column more than rows.
 local function solve(m)
   local n = #m
   for k = 1, n do
@@ -73,9 +73,9 @@ local function velocity(theta, phi)
     (3 * (1 + (root - 1) / 2 * ct + (3 - root) / 2 * cp))
 end
 
--- Knots from `first` to `last` without a direction between them; `wraps`: the
--- last is the first again. Writes the angle of the path at each knot, from its
--- chord, into theta (leaving) and phi (arriving).
+-- Solves knots from `first` to `last` without a direction between them;
+-- `wraps`: the last is the first again. Writes the angle of the path at each
+-- knot, relative to its chord, into theta (leaving) and phi (arriving).
 local function angles(z, first, last, wraps, theta, phi)
   local n = last - first  -- pieces
   local d, chord = {}, {}
@@ -151,7 +151,7 @@ function curve(knots)
   local z = {}
   for i, knot in ipairs(knots) do z[i] = knot end
   if knots.closed then
-    -- Begins where a direction is given, if one is.
+    -- Begins at a knot with a given direction, if there is one.
     local first = 1
     for i = #knots, 1, -1 do if knots[i].dir then first = i end end
     for i = 1, #knots do z[i] = knots[(first + i - 2) % #knots + 1] end
@@ -183,7 +183,7 @@ function curve(knots)
   return path
 end
 
---- Straight pieces from knot to knot.
+--- Straight lines from knot to knot.
 function lines(knots)
   check_knots("lines", knots, 2)
   local path = {knots = {}}
@@ -197,7 +197,7 @@ function lines(knots)
   return path
 end
 
---- One path after the other, with a straight piece where they do not meet.
+--- Concatenates paths, with a straight line where they do not meet.
 function join(...)
   local path = {knots = {}}
   for _, part in ipairs({...}) do
@@ -217,7 +217,7 @@ function join(...)
   return path
 end
 
---- The same path from its end to its beginning.
+--- The same path in the opposite direction.
 function reverse(path)
   check_path("reverse", path)
   local result = {knots = {}}
@@ -240,14 +240,14 @@ function superellipse(x, y, half_width, half_height, superness)
         "superellipse: give x, y, half_width, half_height, and a superness " ..
         "of 0.5 to 1")
   local s = superness
-  local way = math.deg(math.atan(half_height, half_width))
+  local diagonal = math.deg(math.atan(half_height, half_width))
   local function knot(dx, dy, dir)
     return {x + dx * half_width, y + dy * half_height, dir = dir}
   end
   return curve({closed = true,
-    knot(1, 0, 90), knot(s, s, 180 - way), knot(0, 1, 180),
-    knot(-s, s, 180 + way), knot(-1, 0, 270), knot(-s, -s, -way),
-    knot(0, -1, 0), knot(s, -s, way)})
+    knot(1, 0, 90), knot(s, s, 180 - diagonal), knot(0, 1, 180),
+    knot(-s, s, 180 + diagonal), knot(-1, 0, 270), knot(-s, -s, -diagonal),
+    knot(0, -1, 0), knot(s, -s, diagonal)})
 end
 
 --- A path as the points of a contour, for add_contour and set_contours.
@@ -266,7 +266,7 @@ function contour(path)
   return points
 end
 
---- Pens: the nib of a stroke, wide along the angle [degrees].
+--- Pens: the nib of a stroke; its width is along the angle [degrees].
 pen = {}
 local function nib(kind)
   return function(width, height, angle)
@@ -279,11 +279,11 @@ end
 pen.ellipse = nib("ellipse")
 pen.rectangle = nib("rectangle")
 
--- Places on each piece of a path at which a stroke's points lie.
+-- Points of a stroke for each piece of a path.
 local kPlaces = 16
 
---- A stroke of a pen along a path, for set_strokes. What knots say of width,
---- height and angle changes the nib there, and evenly between them.
+--- A stroke of a pen along a path, for set_strokes. Width, height and angle of
+--- knots change the nib there, and linearly between them.
 function stroke(nib_text, path)
   check(type(nib_text) == "string", "stroke: give a pen first")
   check_path("stroke", path)

@@ -8,8 +8,8 @@
 
 namespace inkcell::design {
 
-/// The paper, section 5: a nib has a profile, a size and an angle, and they may
-/// change along the stroke.
+/// A nib (the paper, section 5): profile, size and angle, which may change
+/// along the stroke.
 struct Nib {
   enum class Kind { ellipse, rectangle };
 
@@ -19,17 +19,16 @@ struct Nib {
   double angle = 0;   // [radians] counter-clockwise from the x axis
 };
 
-/// Nibs are at least this wide and high, so that every stroke has area. [u]
+/// The least width and height of nibs, so that every stroke has area. [u]
 inline constexpr double kLeastNib_u = 1.0 / 16;
 
-/// Reads "ellipse:80,30,45" or "rectangle:80,30,45": width and height [u],
-/// angle [degrees]; the height is the width, the angle 0 if left out. Throws
-/// Error.
+/// Parses "ellipse:80,30,45" or "rectangle:80,30,45": width and height [u],
+/// angle [degrees]. The default height is the width, the default angle 0.
+/// Throws Error.
 Nib parse_nib(const std::string& text);
 
-/// Corners of a nib so that an ellipse's border is within `bound` of the
-/// polygon. [u] A rectangle has four. All nibs of a stroke take the same
-/// number.
+/// The number of corners that puts an ellipse within `bound` of the polygon
+/// [u]; 4 for a rectangle. All nibs of a stroke use the same number.
 int corner_count(const Nib& nib, double bound);
 
 /// A convex polygon around the origin, counter-clockwise.

@@ -12,10 +12,10 @@
 namespace inkcell::design {
 namespace {
 
-// Where a path turns by more, it has a corner.
+// A path has a corner where it turns by more.
 constexpr double kPathCorner = 60 * gen::kDegree;
 
-// Polygons turn by less so near to each other where they stand for a curve.
+// Polygons that stand for a curve turn by less over a short distance.
 constexpr double kPolygonCorner = 0.2;
 constexpr double kPolygonReach_u = 0.8;
 constexpr double kPolygonSpacing_u = 1.5;
@@ -56,14 +56,14 @@ StrokePoint parse_point(const std::vector<std::string>& words,
   return point;
 }
 
-// The nib at every point: evenly between the points that say something.
+// A value of the nib at every point, interpolated between points that set it.
 std::vector<double> spread(const Stroke& stroke,
                            std::optional<double> StrokePoint::*member,
                            double otherwise) {
   const std::vector<StrokePoint>& points = stroke.points;
-  std::vector<double> way(points.size(), 0);
+  std::vector<double> lengths(points.size(), 0);
   for (size_t i = 1; i < points.size(); ++i) {
-    way[i] = way[i - 1] + length(points[i].at - points[i - 1].at);
+    lengths[i] = lengths[i - 1] + length(points[i].at - points[i - 1].at);
   }
   std::vector<double> values(points.size(), otherwise);
   std::optional<size_t> last;
@@ -81,8 +81,8 @@ std::vector<double> spread(const Stroke& stroke,
                 values[i]);
     }
     for (size_t k = from + 1; last && k < i; ++k) {
-      const double span = way[i] - way[from];
-      const double f = span == 0 ? 1 : (way[k] - way[from]) / span;
+      const double span = lengths[i] - lengths[from];
+      const double f = span == 0 ? 1 : (lengths[k] - lengths[from]) / span;
       values[k] = values[from] + f * (values[i] - values[from]);
     }
     last = i;

@@ -1,4 +1,4 @@
-// Strokes as designers draw them: points of a path and a nib.
+// Strokes in the editor: points of a path and a nib.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace inkcell::design {
 
-/// A point of a path, and what the nib changes to there.
+/// A point of a path, and changes of the nib there.
 struct StrokePoint {
   Point at;  // [u]
   std::optional<double> width;
@@ -25,18 +25,17 @@ struct Stroke {
 };
 
 /// Reads strokes: "x y [width [height [angle]]]" on each line, in u and
-/// degrees,
-/// "-" where nothing changes; an empty line ends a stroke, # begins a comment.
+/// degrees, "-" for no change. An empty line ends a stroke, # begins a comment.
 /// Throws Error that names file and line.
 std::vector<Stroke> read_strokes(const std::filesystem::path& file,
                                  const Nib& nib);
 
-/// The path through the points: cubics that join smoothly (Schneider), within
-/// `tolerance` of them [u], and corners where the path turns by more than 60
+/// The path through the points: smoothly joined cubics (Schneider) within
+/// `tolerance` of them [u], with corners where the path turns by more than 60
 /// degrees.
 NibPath fit_path(const Stroke& stroke, double tolerance);
 
-/// What a stroke covers, as polygons within kSweepBound_u.
+/// The area of a stroke, as polygons within kSweepBound_u.
 std::vector<std::vector<Point>> polygons_of(const Stroke& stroke,
                                             double path_tolerance);
 

@@ -16,7 +16,7 @@ using ClipperLib::Paths;
 
 constexpr double kClipperUnits_per_u = 65536;
 
-// Pieces of a path are halved no more often than this.
+// The most halvings of a piece of a path.
 constexpr int kMostHalvings = 12;
 
 IntPoint to_clipper(const Point& p) {
@@ -78,7 +78,7 @@ Paths unite(const Paths& a, const Paths& b) {
   return result;
 }
 
-// Halves are united first: what covers each other is gone early.
+// Unites halves first, so that covered parts disappear early.
 Paths unite_range(const Paths& hulls, size_t first, size_t count) {
   if (count == 1) {
     return {hulls[first]};
@@ -91,7 +91,7 @@ double half(double size) {
   return std::max(size, kLeastNib_u) / 2;
 }
 
-// What lies beside the line `at` in x or y, on the side of `sign`.
+// The part beside the line `at` in x or y, on the side of `sign`.
 std::vector<Point> clip(const std::vector<Point>& polygon,
                         double Point::*axis,
                         double at,
@@ -112,7 +112,7 @@ std::vector<Point> clip(const std::vector<Point>& polygon,
   return result;
 }
 
-// Divides each polygon at the lines; the parts overlap a little, so that
+// Divides each polygon at the lines. The parts overlap a little, so that
 // rounding leaves no gap.
 std::vector<std::vector<Point>> divide(
     const std::vector<std::vector<Point>>& parts,
@@ -145,14 +145,14 @@ struct StillLines {
   std::array<double, 2> y;
 };
 
-// Where the sides of a nib that turns stand still on the way from a to b.
+// The points of a turning nib that stand still between a and b.
 StillLines still_lines(const NibPlace& a, const NibPlace& b) {
   const double turned = b.nib.angle - a.nib.angle;
   const double angle = (a.nib.angle + b.nib.angle) / 2;
   const Point along = {std::cos(angle), std::sin(angle)};
-  const Point way = b.at - a.at;
-  const double forth = dot(way, along);
-  const double aside = cross(along, way);
+  const Point step = b.at - a.at;
+  const double forth = dot(step, along);
+  const double aside = cross(along, step);
   const double wider = half(b.nib.width) - half(a.nib.width);
   const double higher = half(b.nib.height) - half(a.nib.height);
   const double width = (half(a.nib.width) + half(b.nib.width)) / 2;
@@ -163,9 +163,9 @@ StillLines still_lines(const NibPlace& a, const NibPlace& b) {
           {y * (forth + wider), y * (forth - wider)}};
 }
 
-// The hull of a nib that turns covers too much about the point that stands
-// still: there one end of the nib goes forth and the other one back. So a nib
-// is divided where its sides stand still. `profile` is the nib of size 2 x 2.
+// The hull of a turning nib is too large near the point that stands still: one
+// end of the nib moves forwards, the other backwards. So the nib is divided
+// there. `profile` is the nib of size 2 x 2.
 std::vector<std::vector<Point>> parts_of_turn(
     const NibPlace& a, const NibPlace& b, const std::vector<Point>& profile) {
   if (b.nib.angle == a.nib.angle) {
@@ -200,10 +200,10 @@ double mix(double a, double b, double t) {
   return a + t * (b - a);
 }
 
-// How far the lines that stand still go between t0 and t1, on the nib. [u]
-// They cross a nib that turns slowly on its fast way within a small part of a
-// step, maybe near one of its ends. So the lines of both ends count, which are
-// those of very short steps, and the lines of both halves.
+// How far the still lines move on the nib between t0 and t1. [u] On a fast nib
+// that turns slowly they cross it within a small part of a step, perhaps near
+// an end. So this compares the lines of both ends, which are those of very
+// short steps, and the lines of both halves.
 double shift_of_lines(const NibPath& path, size_t piece, double t0, double t1) {
   constexpr double kShort = 1.0 / 1024;
   const NibPlace a = place_on(path, piece, t0);
@@ -233,8 +233,8 @@ double shift_of_lines(const NibPath& path, size_t piece, double t0, double t1) {
   return most;
 }
 
-// The hull of two ellipses holds wider ones than those whose axes lie between:
-// by how much at most, in the middle. [u]
+// The hull of two ellipses contains wider ones than those with axes in between:
+// an upper bound of the difference, in the middle. [u]
 double excess_of_ellipses(const Nib& a, const Nib& b) {
   constexpr int kDirections = 16;
   double most = 0;
@@ -253,7 +253,8 @@ double excess_of_ellipses(const Nib& a, const Nib& b) {
   return most;
 }
 
-// How far the corners of a nib leave their chords if it changes as it turns.
+// The distance of the corners of a nib from their chords if it changes as it
+// turns.
 double bend_of_corners(const Nib& a, const Nib& b) {
   const double radius =
       std::hypot(std::max(a.width, b.width), std::max(a.height, b.height)) / 2;
@@ -264,9 +265,9 @@ double bend_of_corners(const Nib& a, const Nib& b) {
          grown * turned / 4;
 }
 
-// Whether what lies between t0 and t1 is near to the hull of both ends. A curve
-// of two bends crosses its chord in the middle, which is why it is looked at at
-// the quarters, too.
+// Whether the nibs between t0 and t1 are near the hull of both ends. Also
+// checks the quarters, as a curve with two bends crosses its chord in the
+// middle.
 bool is_near(const NibPath& path, size_t piece, double t0, double t1) {
   const NibPlace a = place_on(path, piece, t0);
   const NibPlace b = place_on(path, piece, t1);
@@ -283,8 +284,8 @@ bool is_near(const NibPath& path, size_t piece, double t0, double t1) {
   if (error >= kSweepBound_u / 2) {
     return false;
   }
-  // A side tilts by turned / 2 against its mean, about a line that is moved by
-  // up to the shift: the hull is too large by half of the product.
+  // A side tilts by turned / 2 from its mean, about a line that moves by up to
+  // the shift: the hull is too large by half of the product.
   return turned == 0 ||
          turned / 2 * shift_of_lines(path, piece, t0, t1) < kSweepBound_u / 4;
 }
@@ -346,7 +347,7 @@ std::vector<std::vector<Point>> sweep(const std::vector<NibPlace>& places) {
     add_hulls(places[i], places[std::min(i + 1, places.size() - 1)], profile,
               hulls);
   }
-  // Less is a sliver that rounding has cut off or left open.
+  // Smaller areas are slivers left by rounding.
   const double least_area =
       std::pow(kSweepBound_u * kClipperUnits_per_u / 4, 2);
   for (const Path& path : unite_range(hulls, 0, hulls.size())) {

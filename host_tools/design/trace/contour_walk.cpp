@@ -10,12 +10,12 @@
 namespace inkcell::design {
 namespace {
 
-// Beyond this many sizes from its centre a square has no edge in it: half the
-// diagonal, and what the distances of a cell may be wrong by.
+// A square has no edge if its centre is farther from it than this many sizes:
+// half the diagonal, and the error of a cell's distances.
 constexpr double kReach = 0.9;
 constexpr double kSlack_u = 2;
 
-// Squares of a terrain, 8 em by 8 em: five bytes are kept of each.
+// The most squares, 8 em by 8 em; each takes five bytes.
 constexpr double kMostSquares = 8192.0 * 8192.0;
 
 // Loops of fewer points, about 2 u across, are errors of the field.
@@ -25,7 +25,7 @@ Q16_16 to_q16(double value) {
   return Q16_16::from_raw(static_cast<int32_t>(std::lround(value * 65536)));
 }
 
-// What is walked: a distance and its gradient, and where. [u]
+// A distance and its gradient, and where they are defined. [u]
 struct Terrain {
   std::function<double(double x, double y)> distance;
   std::function<Point(double x, double y)> gradient;
@@ -67,8 +67,8 @@ class Walker {
  private:
   double distance(double x, double y) const { return field_.distance(x, y); }
 
-  // Corners of squares are whole numbers; one row and column of squares lie
-  // around the grid.
+  // Corners of squares are integers; the grid has a margin of one row and
+  // column of squares.
   size_t index(int x, int y) const {
     return static_cast<size_t>(y - field_.y0_u + 1) *
                static_cast<size_t>(width_) +
@@ -97,7 +97,7 @@ class Walker {
   bool inside(int x, int y, int corner) {
     return value(corner_x(x, corner & 3), corner_y(y, corner & 3)) > 0;
   }
-  // Whether the contour enters through a side: ink on its first corner only.
+  // Whether the contour enters through a side: only its first corner has ink.
   bool enters(int x, int y, int side) {
     return inside(x, y, side) && !inside(x, y, side + 1);
   }
@@ -117,7 +117,7 @@ class Walker {
     const int next = (entry + 1) & 3;
     const int before = (entry + 3) & 3;
     if (leaves(x, y, next) && leaves(x, y, before)) {
-      // Two contours: the centre says which corners belong together.
+      // Two contours: the centre decides which corners are connected.
       return distance(x + 0.5, y + 0.5) > 0 ? next : before;
     }
     return leaves(x, y, next)     ? next
@@ -141,7 +141,7 @@ class Walker {
     }
   }
 
-  // Where the distance is 0 on a side, between ink and none.
+  // The point on a side where the distance is 0.
   Point crossing(int x, int y, int side) {
     const int c1 = (side + 1) & 3;
     Point a{static_cast<double>(corner_x(x, side)),
@@ -152,7 +152,7 @@ class Walker {
     double db = value(corner_x(x, c1), corner_y(y, c1));
     Point middle = a;
     for (int round = 0; round < 6; ++round) {
-      // A saturated end says nothing but its side.
+      // A saturated end only tells the side.
       const bool is_far = std::max(std::fabs(da), std::fabs(db)) > 4;
       const double f = is_far ? 0.5 : da / (da - db);
       middle = a + f * (b - a);
@@ -180,7 +180,7 @@ class Walker {
   int width_;
   int height_;
   std::vector<float> values_;
-  std::vector<uint8_t> visited_;  // sides through which a contour came in
+  std::vector<uint8_t> visited_;  // sides through which a contour entered
   std::vector<Loop> loops_;
 };
 

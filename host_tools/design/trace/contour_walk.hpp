@@ -14,15 +14,15 @@ namespace inkcell::design {
 double distance_u(const GlyphField& field, const Point& p);
 
 /// Follows the edge of `field` through the leaves of its quadtree (Perry and
-/// Frisken, section 5): leaves that the edge crosses are found by their
-/// distances, and within them the edge is followed from one square of 1 u to
-/// the next, where it crosses the sides. Every loop is closed. Coordinates in
-/// u, filled on the left; tangents by the field's gradient.
+/// Frisken, section 5). Leaves that the edge crosses are found by their
+/// distances; in them the edge is followed through squares of 1 u, by its
+/// crossings with their sides. Every loop is closed. Coordinates in u, filled
+/// on the left; tangents by the field's gradient.
 std::vector<Loop> walk_contours(const GlyphField& field);
 
 /// The same for any distance, positive inside, that changes by at most 1 u per
-/// u, within a box. [u] The contour must not leave the box. Throws
-/// gen::GeometryError if the box is larger than 8 em by 8 em.
+/// u, within a box that contains the contour. [u] Throws gen::GeometryError if
+/// the box is larger than 8 em by 8 em.
 std::vector<Loop> walk_contours(
     const std::function<double(const Point&)>& distance, const gen::Box& box);
 

@@ -21,14 +21,14 @@ void add_distances(const gen::Shape& from,
                    double step_u,
                    EdgeError& error) {
   for (const gen::Edge& edge : from.edges()) {
-    const Point way = edge.b - edge.a;
-    const int steps = std::max(1, static_cast<int>(length(way) / step_u));
+    const Point chord = edge.b - edge.a;
+    const int steps = std::max(1, static_cast<int>(length(chord) / step_u));
     for (int i = 0; i < steps; ++i) {
-      const Point p = edge.a + static_cast<double>(i) / steps * way;
+      const Point p = edge.a + static_cast<double>(i) / steps * chord;
       const double d = to.distance(p.x, p.y);
       error.worst = std::max(error.worst, std::fabs(d));
-      // Short chords of curves do not count more than long ones.
-      const double share = length(way) / steps;
+      // Weighted by length, so that short chords do not count more.
+      const double share = length(chord) / steps;
       error.sum += d * d * share;
       error.length_u += share;
     }

@@ -1,4 +1,4 @@
-// From a field back to curves, and what that costs in truth.
+// Converts a field back to curves, and measures the error.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ struct FieldOutlineOptions {
   bool extremes = true;
 };
 
-/// The edge of a field as lines and cubics, filled on the left: contours walked
-/// (contour_walk.hpp), corners found (loop.hpp), curves fitted
-/// (curve_fitter.hpp) with the field's own distance as their error.
+/// The edge of a field as lines and cubics, filled on the left. Walks contours
+/// (contour_walk.hpp), finds corners (loop.hpp) and fits curves
+/// (curve_fitter.hpp) by the field's own distance.
 gen::Outline outline_of(const GlyphField& field,
                         const FieldOutlineOptions& options);
 
-/// A field that the generator makes of a shape, with the record it lies in.
+/// A field that the generator makes of a shape, and its record.
 class ShapeField {
  public:
   /// `options` say how true, for which sizes. `shape` must not be empty.
@@ -38,7 +38,7 @@ class ShapeField {
   GlyphField field_;
 };
 
-/// How far two edges are from each other, both ways. [u]
+/// The distance between two edges, in both directions. [u]
 struct EdgeError {
   double worst = 0;
   double sum = 0;       // of squares, by length
@@ -48,7 +48,7 @@ struct EdgeError {
   void add(const EdgeError& other);
 };
 
-/// Places every `step_u` on each edge against the other edge.
+/// Compares points every `step_u` on each edge with the other edge.
 EdgeError edge_error(const gen::Shape& a, const gen::Shape& b, double step_u);
 
 }  // namespace inkcell::design

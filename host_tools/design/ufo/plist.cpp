@@ -18,7 +18,7 @@ Value read_number(const pugi::xml_node& node, const std::string& name) {
     if (std::strcmp(node.name(), "integer") == 0) {
       const int64_t whole = std::stoll(text, &used);
       if (used == text.size()) {
-        // As commands say it, so that both compare equal.
+        // The same type as in commands, so that both compare equal.
         return whole < 0 ? Value(whole) : Value(static_cast<uint64_t>(whole));
       }
     } else {

@@ -15,7 +15,7 @@ Value parse_plist(const std::string& text, const std::string& name);
 /// two spaces.
 std::string write_plist(const Value& value);
 
-/// The same for a value within another document. Throws Error.
+/// The same for a value in another document. Throws Error.
 Value read_plist_node(const pugi::xml_node& node, const std::string& name);
 void write_plist_node(const Value& value, pugi::xml_node& parent);
 

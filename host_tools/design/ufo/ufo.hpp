@@ -9,13 +9,13 @@
 
 namespace inkcell::design {
 
-/// What lay in a folder when it was read: what did not change since is written
-/// as it was, byte for byte, and files that no one here understands survive.
+/// The content of a folder when it was read: unchanged data is written back
+/// byte for byte, and unknown files survive.
 struct UfoFiles {
   std::filesystem::path folder;
   /// The bytes of every file of the format, by its path within the folder.
   std::map<std::string, std::string> texts;
-  /// Everything else: data, pictures that no glyph names, notes of other
+  /// All other files: data, pictures that no glyph uses, files of other
   /// programs.
   std::vector<std::string> foreign;
   /// As read.
@@ -27,10 +27,10 @@ struct UfoFiles {
 /// Reads a project. Throws Error that names the file that is wrong.
 UfoFiles read_ufo(const std::filesystem::path& folder);
 
-/// Writes `project` to `folder`, which appears whole or stays as it was: it is
-/// written beside its place, flushed to the disk, and swapped in. `files` are
-/// those that the project was read from, empty for a new one; afterwards they
-/// are those of `folder`. Throws Error.
+/// Writes `project` to `folder`, completely or not at all: it is written beside
+/// its place, flushed to the disk, and swapped in. `files` are those that the
+/// project was read from, empty for a new one; afterwards they are those of
+/// `folder`. Throws Error.
 void write_ufo(const Project& project,
                const std::filesystem::path& folder,
                UfoFiles& files);
@@ -39,7 +39,7 @@ void write_ufo(const Project& project,
 std::map<std::string, std::string> ufo_texts(const Project& project,
                                              const UfoFiles& files);
 
-/// A number that changes with any file of the format; 16 hexadecimal digits.
+/// A hash of all files of the format; 16 hexadecimal digits.
 std::string digest_of(const std::map<std::string, std::string>& texts);
 
 }  // namespace inkcell::design

@@ -1,4 +1,4 @@
-// UFO 3 folders read.
+// Reads UFO 3 folders.
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -97,7 +97,7 @@ class Reader {
       layers.push_back(
           read_layer(entry[0].get<std::string>(), entry[1].get<std::string>()));
     }
-    // The folder says which layer is the default one.
+    // The folder name tells the default layer.
     const auto front =
         std::find_if(layers.begin(), layers.end(),
                      [](const Layer& l) { return l.folder == "glyphs"; });
@@ -135,7 +135,7 @@ class Reader {
     return layer;
   }
 
-  // A picture that is missing does not matter before it is shown.
+  // A missing picture does not matter until it is shown.
   void read_images(Images& images) {
     for (const std::string& name : image_names(files_.project)) {
       std::string text;

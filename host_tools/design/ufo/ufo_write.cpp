@@ -1,4 +1,4 @@
-// UFO 3 folders written: whole, or not at all.
+// Writes UFO 3 folders, completely or not at all.
 #include <fcntl.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Texts = std::map<std::string, std::string>;
 
-// The old text where the data behind it is the same.
+// Reuses the old text if its data is unchanged.
 class Writer {
  public:
   Writer(const Project& project, const UfoFiles& files)
@@ -145,8 +145,8 @@ class Writer {
               std::strerror(errno));
 }
 
-// `flush` is fsync() of a folder's names, or syncfs() of all that was written
-// to its file system: one wait instead of one for each file.
+// `flush` is fsync() for the names in a folder, or syncfs() for all files of
+// the file system: one wait instead of one for each file.
 void flush_to_disk(const fs::path& path, int (*flush)(int)) {
   const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (handle < 0) {
@@ -180,7 +180,7 @@ void write_file(const fs::path& file, const std::string& text) {
   }
 }
 
-// Puts `fresh` in the place of `folder`, at no moment without one of the two.
+// Replaces `folder` by `fresh`; at every moment one of the two exists.
 void swap_in(const fs::path& fresh, const fs::path& folder) {
   if (!fs::exists(folder)) {
     fs::rename(fresh, folder);
@@ -224,7 +224,7 @@ void write_ufo(const Project& project,
   const Texts texts = ufo_texts(project, files);
   std::vector<std::string> foreign;
   for (const std::string& file : files.foreign) {
-    if (texts.count(file) == 0) {  // else a picture of this name was put there
+    if (texts.count(file) == 0) {  // else a picture replaced it
       foreign.push_back(file);
     }
   }

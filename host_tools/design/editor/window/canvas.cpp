@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kWheelStep = 1.15;
 
-// Beginning at this scale the grid of whole units is shown. [px per unit]
+// From this scale on the grid of whole units is shown. [px per unit]
 constexpr double kGridScale = 8;
 
 void draw_grid(const View& view, ImVec2 origin) {

@@ -1,4 +1,4 @@
-// Dialogs, all of which ask for a file or a name.
+// Dialogs that ask for a file or a name.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -60,7 +60,7 @@ bool has_ending(const fs::path& path, const Dialog& dialog) {
                    path.extension().string()) != dialog.endings.end();
 }
 
-// Folders and files beside what is typed; a click completes it.
+// Folders and files that match the typed path; a click completes it.
 void draw_files(const Dialog& dialog, std::string& path) {
   const fs::path typed(path);
   fs::path folder = typed.has_parent_path() ? typed.parent_path() : ".";

@@ -14,7 +14,7 @@ constexpr float kLabel = 15;
 constexpr float kGap = 3;
 constexpr size_t kLetters = 7;  // ".notdef"
 
-// What stands below a glyph: its character, or the start of its name.
+// The label of a glyph: its character, or the start of its name.
 std::string label_of(const Glyph& glyph) {
   if (!glyph.unicodes.empty() && glyph.unicodes[0] > U' ' &&
       glyph.unicodes[0] < 0x2000) {
@@ -63,7 +63,7 @@ void draw_cell(Panels& panels, const std::string& name) {
   tooltip(name.c_str());
 }
 
-// Scrolls to the shown glyph when another one is shown.
+// Scrolls to the shown glyph when that changes.
 void follow(Panels& panels,
             const std::vector<std::string>& order,
             int columns,

@@ -6,7 +6,7 @@
 namespace inkcell::design::editor {
 namespace {
 
-// Places on a grid of 16 x 16.
+// An icon on a grid of 16 x 16.
 class Icon {
  public:
   Icon(ImVec2 at, float side, ImU32 colour)

@@ -1,4 +1,4 @@
-// Numbers of what is selected, and the nib.
+// The properties of the selection, and the nib.
 #include <cmath>
 
 #include "editor/actions.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kField = 96;
 
-// A number that is changed when the person leaves the field.
+// A number that changes when the input field loses the focus.
 bool number(const char* label, double& value) {
   ImGui::SetNextItemWidth(px(kField));
   ImGui::InputDouble(label, &value, 0, 0, "%.6g");
@@ -110,7 +110,7 @@ void draw_components(Editor& editor) {
   }
 }
 
-// Its lower left corner, and font units per pixel.
+// The picture's lower left corner, and font units per pixel.
 void draw_picture(Editor& editor) {
   const GlyphImage image = *editor.glyph()->image;
   Matrix m = image.matrix;

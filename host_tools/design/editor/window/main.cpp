@@ -1,4 +1,4 @@
-// inkcell-editor: a window in which type is designed.
+// inkcell-editor: a window for designing type.
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <sstream>
@@ -29,7 +29,7 @@ struct Arguments {
   float scale = 0;
 };
 
-// That of all programs.
+// The system's clipboard.
 Clipboard screen_clipboard() {
   return {[] {
             const std::unique_ptr<char, void (*)(void*)> text(
@@ -39,7 +39,7 @@ Clipboard screen_clipboard() {
           [](const std::string& text) { SDL_SetClipboardText(text.c_str()); }};
 }
 
-// What a preview was made of; another one needs another preview.
+// Everything that a preview depends on.
 struct PreviewKey {
   GlyphPointer glyph;
   FontDataPointer font;
@@ -73,7 +73,8 @@ void take_window_key(Panels& panels, const std::string& key) {
   }
 }
 
-// Asks for the device's preview; the exact one, if it can be drawn at once.
+// Requests the device's preview. Returns the exact one if it can be drawn at
+// once.
 std::shared_ptr<const Preview> ask_for_preview(const Editor& editor,
                                                PreviewWorker& worker) {
   const PreviewJob job = editor.preview_job();
@@ -112,7 +113,7 @@ void run_window(const Arguments& arguments) {
   }
 }
 
-// The window as it looks when all that is shown has been drawn.
+// A picture of the window after all pending work.
 void write_screenshot(Editor& editor,
                       float scale,
                       const std::filesystem::path& file) {

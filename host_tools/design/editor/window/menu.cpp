@@ -19,7 +19,7 @@ std::string shown_keys(const char* keys) {
   return text;
 }
 
-// An action, or a line between two of them.
+// A menu item for an action, or a separator.
 void item(Panels& panels, const char* name, bool is_chosen = false) {
   if (*name == '\0') {
     ImGui::Separator();

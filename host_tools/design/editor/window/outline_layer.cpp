@@ -72,17 +72,17 @@ void OutlineLayer::draw_layers() const {
     return;
   }
   for (size_t i = 1; i < project.layers.size(); ++i) {
-    const GlyphPointer behind = project.find(glyph_->name, i);
-    if (behind == nullptr) {
+    const GlyphPointer other = project.find(glyph_->name, i);
+    if (other == nullptr) {
       continue;
     }
-    for (const PointContour& contour : behind->contours) {
+    for (const PointContour& contour : other->contours) {
       outline(contour, colour::kLayer);
     }
   }
 }
 
-// The picture, once decoded; null if there is none or it cannot be shown.
+// The decoded picture; null if there is none or it cannot be shown.
 std::shared_ptr<const tools::Image> OutlineLayer::background() const {
   const std::string& file = glyph_->image->file;
   const Images& images = panels_.editor.project().font->images;
@@ -224,7 +224,7 @@ void OutlineLayer::draw_contours() const {
   }
 }
 
-// Lines from handles to what they belong to.
+// Lines from handles to their points.
 void OutlineLayer::handles(const PointContour& contour) const {
   const std::vector<GlyphPoint>& points = contour.points;
   for (size_t i = 0; i < points.size(); ++i) {

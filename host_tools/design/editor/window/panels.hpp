@@ -29,7 +29,7 @@ struct BackgroundPicture {
   std::shared_ptr<const tools::Image> image;  // null: it cannot be shown
 };
 
-/// What panels share beside the editor.
+/// Shared state of the panels, beside the editor.
 struct Panels {
   Panels(Editor& shown, Textures& kept) : editor(shown), textures(kept) {}
 
@@ -41,13 +41,13 @@ struct Panels {
   std::string dialog;  // the one that is open: its name; "" if none is
   std::string dialog_path;
   std::string followed;  // the glyph that the grid has scrolled to
-  // What the canvas fills: the shape of a glyph without components.
+  // The filled shape on the canvas: the glyph without components.
   GlyphPointer filled;
   std::shared_ptr<const gen::Shape> shape;
   BackgroundPicture background;
 };
 
-/// Runs `work`; what it throws becomes the editor's message.
+/// Runs `work`; an exception becomes the editor's message.
 template <typename Work>
 void attempt(Editor& editor, const Work& work) {
   try {
@@ -57,7 +57,7 @@ void attempt(Editor& editor, const Work& work) {
   }
 }
 
-/// All of the window.
+/// Draws the whole window.
 void draw_window(Panels& panels);
 
 void draw_menu(Panels& panels);

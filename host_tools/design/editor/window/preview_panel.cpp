@@ -1,4 +1,4 @@
-// What the device will draw.
+// The device's picture.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -45,7 +45,7 @@ void picture(Panels& panels,
   }
 }
 
-// The frame of a picture in the colour of the display; its upper left corner.
+// Draws a frame in the colour of the display; returns its upper left corner.
 ImVec2 frame(const PreviewSettings& settings, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
