@@ -68,8 +68,8 @@ echo "Drawing on this machine"
 "$tools/inkcell-render" --font "$out/outline.bin" --px 24 --zoom 6 --stats \
   --text "Hamburgefonts 24 px" --out "$out/enlarged.png" >>"$out/sizes.txt"
 
-# Boards. A face with many contours may not fit the smallest one: it is then left
-# out, the others are shown.
+# A font with many contours may not fit the smallest board, which is then left
+# out.
 missed=
 for board in lm3s6965evb lm3s811evb versatilepb riscv_virt; do
   echo "Running the demo on $board"

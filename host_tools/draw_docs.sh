@@ -45,7 +45,7 @@ END
 "$tools/design/editor/inkcell-editor" --script "$folder/editor.txt"
 "$tools/simulator/inkcell-simulator" --display grey4 --size 128x64 --px 40 \
   --text Rag --hint vertical --overlay on --screenshot docs/img/simulator.png
-# As LVGL draws text, if the build has it (tests/lvgl).
+# Text drawn by LVGL, if the build has it (tests/lvgl).
 shots=$tools/../tests/lvgl/inkcell_lvgl_shots
 if [ -x "$shots" ]; then
   "$shots" "$folder"

@@ -1,4 +1,4 @@
-# What the project needs from Debian, and the function that installs it.
+# The Debian packages that the project needs, and a function that installs them.
 #
 #   . host_tools/setup.sh
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
@@ -8,9 +8,9 @@
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
 #   inkcell_setup packages NAME...
 #
-# Installs what is missing as root or through sudo. Where neither is allowed it
-# prints the line that would, and ends the script that called it. The test
-# build.debian_packages fails where a list lacks a package.
+# Installs missing packages as root or through sudo. If neither is allowed,
+# prints the command and ends the calling script. The test build.debian_packages
+# fails if a list lacks a package.
 
 inkcell_packages_demo="g++ cmake ninja-build python3 pkg-config
   libfreetype-dev libharfbuzz-dev libfribidi-dev libpolyclipping-dev

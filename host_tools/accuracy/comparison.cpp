@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// The mean is taken this far around the ink box, the worst pixel is looked for
-// a little farther. [px]
+// The mean is over the ink box with this margin; the worst pixel may be a
+// little farther. [px]
 constexpr double kMeanMargin = 1.5;
 constexpr int kWindowMargin = 4;
 
-// Farther than any filter reaches. [px]
+// Beyond the reach of any filter. [px]
 constexpr double kReach = 1;
 
 constexpr std::array<Offset, kMaxPhases> kPhases = {{{0, 0},
@@ -30,12 +30,13 @@ constexpr std::array<Offset, kMaxPhases> kPhases = {{{0, 0},
                                                      {24, 56},
                                                      {56, 40}}};
 
-// The generator draws at multiples of 1/8 px. Random offsets are others.
+// The generator draws at multiples of 1/8 px, which must not be judged. Random
+// offsets are others.
 bool may_be_judged(const Offset& offset) {
   return offset.x % 8 == 0 && offset.y % 8 == 0;
 }
 
-// Where a glyph is drawn at a size.
+// The offsets at which a glyph is drawn at a size.
 std::vector<Offset> offsets_of(const ComparisonRequest& request,
                                char32_t code_point,
                                double px) {
@@ -126,7 +127,7 @@ TrueTiles tiles_for(const TrueGlyph& truth, double px) {
   return TrueTiles(truth, kReach * 1024 / px);
 }
 
-// True distances at all pixels. [px]
+// Exact distances at all pixels. [px]
 std::vector<double> true_distances(TrueTiles& truth, const Setting& setting) {
   std::vector<double> distances;
   const double u_per_px = 1024 / setting.px;

@@ -1,4 +1,4 @@
-// Draws glyphs with the device's core and holds them against the truth.
+// Draws glyphs with the device's core and compares them with the truth.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace inkcell::tools {
 
-/// A filter as the documentation states it, in real numbers.
+/// A filter as documented, in real numbers.
 struct ExactFilter {
   const NamedFilter* device = nullptr;
   double outside_px = 0;
@@ -35,14 +35,14 @@ struct ComparisonRequest {
   std::vector<double> sizes;  // [px/em]
   std::vector<ExactFilter> filters;
   int phases = kMaxPhases;  // fixed sub-pixel positions, 1..kMaxPhases
-  // Above 0: instead of those so many random ones, other ones for each glyph
-  // and size, which the seed tells.
+  // Above 0: this many random positions instead, different for each glyph and
+  // size, given by the seed.
   int positions = 0;
   uint32_t seed = 1;
   double angle = 0;  // [degrees], counter-clockwise
 };
 
-/// A glyph, as the device shall know it and as it is.
+/// A glyph, in the ROM font and in the font file.
 struct Subject {
   const Font& font;
   uint16_t glyph;

@@ -1,4 +1,4 @@
-// Errors of pixels, gathered: of a glyph at one size, then of all glyphs.
+// Statistics of pixel errors: of a glyph at one size, and of all glyphs.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,13 @@
 
 namespace inkcell::tools {
 
-/// Where within a pixel a glyph's origin lies. [1/64 px]
+/// The sub-pixel position of a glyph's origin. [1/64 px]
 struct Offset {
   int x = 0;
   int y = 0;
 };
 
-/// Where an error was found.
+/// The place of an error.
 struct ErrorPlace {
   char32_t code_point = 0;
   Offset offset;
@@ -24,11 +24,11 @@ struct ErrorPlace {
   double error() const;
 };
 
-/// Errors of one glyph at one size, all offsets together.
+/// Errors of one glyph at one size, for all offsets.
 class GlyphErrors {
  public:
-  /// A pixel that should be `place.exact` and is `place.drawn`. `in_box`: it
-  /// counts for the mean.
+  /// Adds a pixel that should be `place.exact` and is `place.drawn`. `in_box`:
+  /// it counts for the mean.
   void add(const ErrorPlace& place, bool in_box);
 
   double worst() const { return worst_; }
@@ -50,10 +50,10 @@ class ErrorSummary {
  public:
   void add(const GlyphErrors& errors);
 
-  /// Adds what another summary has gathered.
+  /// Adds the errors of another summary.
   void add(const ErrorSummary& other);
 
-  /// The worst pixel. The first one, if several are equally bad.
+  /// The error of the worst pixel; of equal ones the first.
   double worst() const { return worst_place_.error(); }
   const ErrorPlace& worst_place() const { return worst_place_; }
 
@@ -61,7 +61,7 @@ class ErrorSummary {
   double worst_mean() const { return worst_mean_; }
   char32_t worst_mean_character() const { return worst_mean_character_; }
 
-  /// The mean of the glyphs' means: each glyph with ink counts the same.
+  /// The mean of the glyphs' means: each glyph with ink has the same weight.
   double mean() const;
 
  private:

@@ -1,7 +1,7 @@
-// inkcell-accuracy: how far the device's pixels are from the exact distance.
+// inkcell-accuracy: the error of the device's pixels against exact distances.
 //
-// A ROM font is drawn by the device's core; the truth is a brute-force distance
-// to the outlines of the font file, computed apart from the generator.
+// The device's core draws a ROM font. The truth is a brute-force distance to
+// the outlines of the font file, computed independently of the generator.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -126,7 +126,7 @@ ComparisonRequest make_request(const Arguments& arguments) {
   return request;
 }
 
-// At each size.
+// Positions at each size.
 int positions_of(const Arguments& arguments) {
   return arguments.positions != 0 ? arguments.positions : arguments.phases;
 }
@@ -207,8 +207,8 @@ void write_picture(const Arguments& arguments,
   write_image(arguments.picture, draw_exhibits(font, exhibits));
 }
 
-// Whether the filter `text` keeps the limits at whole sizes in the font's
-// range; says where it does not.
+// Whether the filter `text` keeps the limits at integer sizes in the font's
+// range; prints where it does not.
 bool check(const Font& font, const ErrorTable& table, double mean_limit) {
   const FontRange range = font.range();
   const ComparisonRequest& request = table.request;
@@ -223,7 +223,7 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
         continue;
       }
       const ErrorSummary errors = table.summary(s, f);
-      // The paper's predicate promises no coverage: its tolerance is 0.
+      // The paper's predicate has no limit of coverage: its tolerance is 0.
       if (range.tolerance != 0 && errors.worst() > range.tolerance) {
         std::printf("%g px: beyond the font's tolerance of %d/255\n", px,
                     range.tolerance);
@@ -238,7 +238,7 @@ bool check(const Font& font, const ErrorTable& table, double mean_limit) {
   return within;
 }
 
-// Comparing takes minutes: what would fail after it shall do so before.
+// Comparing takes minutes: checks outputs before.
 void check_outputs(const Arguments& arguments) {
   check_apart({arguments.report, arguments.picture},
               {arguments.font, arguments.truth});

@@ -92,7 +92,7 @@ class Panels {
 
   void draw() {
     const Image& drawn = exhibit_.picture.drawn;
-    // A glyph larger than a panel is shown around its worst pixel.
+    // A glyph larger than a panel is cut to its worst pixel.
     const int across = std::min(drawn.width, kPanel / zoom_);
     const int down = std::min(drawn.height, kPanel / zoom_);
     const int worst_x = exhibit_.worst.x - exhibit_.picture.x0;
@@ -129,7 +129,7 @@ class Panels {
     }
   }
 
-  // Around a pixel.
+  // A frame around a pixel.
   void frame(int panel, int x, int y) {
     const int left = panel_x(panel) + x * zoom_ - 1;
     const int top = y0_ + y * zoom_ - 1;

@@ -1,5 +1,4 @@
-// A picture of the worst glyphs: what is drawn, what should be, and by how much
-// they differ.
+// A picture of the worst glyphs: drawn, exact, and the difference.
 #pragma once
 
 #include <string_view>
@@ -10,7 +9,7 @@
 
 namespace inkcell::tools {
 
-/// A glyph to show, and the pixel to mark in it.
+/// A glyph to show, and its pixel to mark.
 struct Exhibit {
   Picture picture;
   std::string_view filter;
@@ -18,10 +17,9 @@ struct Exhibit {
   ErrorPlace worst;
 };
 
-/// Exhibits below each other: drawn, exact, and their difference eight times as
-/// strong, red where there is too much ink, blue where there is too little. A
-/// frame marks the worst pixel. Captions are written in `font`, if it has the
-/// characters.
+/// Exhibits below each other: drawn, exact, and eight times their difference,
+/// red for too much ink, blue for too little. A frame marks the worst pixel.
+/// Captions are written in `font`, if it has the characters.
 Image draw_exhibits(const Font& font, const std::vector<Exhibit>& exhibits);
 
 }  // namespace inkcell::tools

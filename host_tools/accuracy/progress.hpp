@@ -1,4 +1,4 @@
-// A bar on the terminal while work goes on.
+// A progress bar on the terminal.
 #pragma once
 
 #include <unistd.h>
@@ -10,8 +10,8 @@
 
 namespace inkcell::tools {
 
-/// Draws on standard error if that is a terminal, from the second second on,
-/// and leaves nothing behind.
+/// Draws on standard error if that is a terminal, after the first second, and
+/// erases itself at the end.
 class ProgressBar {
  public:
   ProgressBar() : begin_(std::chrono::steady_clock::now()) {}

@@ -1,4 +1,4 @@
-// Sizes as the command line gives them: numbers and ranges.
+// Parses sizes of the command line: numbers and ranges.
 #pragma once
 
 #include <string>
@@ -6,11 +6,10 @@
 
 namespace inkcell::tools {
 
-/// The sizes of a list such as {"8-64", "12.5"}: ranges of whole numbers, and
-/// numbers, rounded to the 64ths that the device can draw. In the order given.
-/// [px/em]
+/// The sizes of a list such as {"8-64", "12.5"}: ranges of integers, and
+/// numbers, rounded to 1/64 as on the device. In the order given. [px/em]
 ///
-/// Throws std::runtime_error that names what is no size from 4 to 1024.
+/// Throws std::runtime_error that names what is not a size from 4 to 1024.
 std::vector<double> read_sizes(const std::vector<std::string>& list);
 
 }  // namespace inkcell::tools

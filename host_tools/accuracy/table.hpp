@@ -10,14 +10,14 @@
 
 namespace inkcell::tools {
 
-/// What was compared and what came of it.
+/// What was compared, and the errors.
 struct ErrorTable {
   ComparisonRequest request;
   std::vector<Mapping> characters;
-  std::vector<std::vector<GlyphErrors>> errors;  // as compare_glyph gives them
+  std::vector<std::vector<GlyphErrors>> errors;  // from compare_glyph()
 
   ErrorSummary summary(size_t size, size_t filter) const;
-  /// Of all sizes.
+  /// The errors of all sizes together.
   ErrorSummary total(size_t filter) const;
 };
 
@@ -29,7 +29,7 @@ struct WorstOfGlyph {
   ErrorPlace place;
 };
 
-/// The worst pixel of each of the `count` worst glyphs, the worst one first.
+/// The worst pixels of the `count` worst glyphs, the worst one first.
 std::vector<WorstOfGlyph> worst_glyphs(const ErrorTable& table, size_t count);
 
 /// A row for each size and filter, and one for all sizes, to standard output.

@@ -1,4 +1,5 @@
-// Rows are filtered by the rule of PNG's authors, packed by zlib.
+// Filters rows by the heuristic of the PNG specification and packs them by
+// zlib.
 #include "apng.hpp"
 
 #include <zlib.h>
@@ -28,7 +29,7 @@ void put_u32(std::vector<uint8_t>& out, uint32_t value) {
   put_u16(out, value & 0xffff);
 }
 
-// The pixels in which two pictures differ; one pixel if they do not.
+// The box of the pixels that differ; one pixel if none do.
 Rect changes(const Image& a, const Image& b) {
   Rect rect = {b.width, b.height, 0, 0};
   for (int y = 0; y < b.height; ++y) {
@@ -53,7 +54,8 @@ uint8_t paeth(int left, int up, int corner) {
   return static_cast<uint8_t>(best);
 }
 
-// A row with each of the five filters; the one whose bytes are nearest to 0.
+// Applies each of the five filters to a row and keeps the one with the smallest
+// sum of absolute values.
 void filter_row(const uint8_t* row,
                 const uint8_t* above,
                 size_t size,
@@ -126,7 +128,7 @@ ApngWriter::ApngWriter(const std::filesystem::path& file,
   write_chunk("IHDR", header);
   std::vector<uint8_t> control;
   put_u32(control, frame_count);
-  put_u32(control, 0);  // for ever
+  put_u32(control, 0);  // endless
   write_chunk("acTL", control);
 }
 
@@ -141,7 +143,7 @@ void ApngWriter::add(const Image& frame) {
   put_u32(control, static_cast<uint32_t>(part.y0));
   put_u16(control, 1);
   put_u16(control, frames_per_second_);
-  put_u16(control, 0);  // stays, and replaces what was there
+  put_u16(control, 0);  // keep the frame, replace its pixels
   write_chunk("fcTL", control);
   std::vector<uint8_t> data;
   if (frames_ != 0) {

@@ -1,4 +1,4 @@
-// Animated PNG files: pictures that follow each other for ever.
+// Animated PNG files, as endless loops.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace inkcell::tools {
 
-/// Writes frames as they come (PNG third edition, chunks acTL, fcTL, fdAT).
-/// After the first each is the rectangle that changed. The same frames make the
-/// same bytes, given the same zlib.
+/// Writes frames one by one (PNG third edition, chunks acTL, fcTL, fdAT). After
+/// the first each is the rectangle that changed. The same frames give the same
+/// bytes with the same zlib.
 class ApngWriter {
  public:
-  /// Frames are of three channels and this size; each is shown for
-  /// 1 / `frames_per_second` s. Throws std::runtime_error, also below, if the
-  /// file cannot be written.
+  /// Frames have three channels and this size; each is shown for 1 /
+  /// `frames_per_second` s. Throws std::runtime_error, also below, if the file
+  /// cannot be written.
   ApngWriter(const std::filesystem::path& file,
              int width,
              int height,
@@ -26,7 +26,7 @@ class ApngWriter {
 
   void add(const Image& frame);
 
-  /// Throws also if there were not frame_count frames.
+  /// Throws also if the number of frames is not frame_count.
   void finish();
 
  private:

@@ -59,7 +59,7 @@ void GifWriter::add(const Image& frame) {
   }
   ColorMapObject* map =
       GifMakeMapObject(static_cast<int>(colours.size()), colours.data());
-  // From frame to frame whole hundredths of a second, on the mean right.
+  // Whole hundredths of a second from frame to frame; the mean is exact.
   const int begin = frames_ * 100 / frames_per_second_;
   const int end = (frames_ + 1) * 100 / frames_per_second_;
   GraphicsControlBlock control{};

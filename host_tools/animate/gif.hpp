@@ -10,11 +10,11 @@ struct GifFileType;
 
 namespace inkcell::tools {
 
-/// Writes frames as they come, to be shown for ever. A frame of more than 256
-/// colours takes the nearest of 256 that giflib chooses.
+/// Writes frames one by one, as an endless loop. giflib reduces frames of more
+/// than 256 colours.
 class GifWriter {
  public:
-  /// Frames are of three channels and this size; GIF counts time in 1/100 s.
+  /// Frames have three channels and this size; GIF counts time in 1/100 s.
   /// Throws std::runtime_error, also below, if the file cannot be written.
   GifWriter(const std::filesystem::path& file,
             int width,

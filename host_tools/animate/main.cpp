@@ -97,20 +97,20 @@ class Sha256 {
   sha256_ctx context_;
 };
 
-// What is told about the frames that were played.
+// Figures of the frames that were played.
 struct Tally {
   Sha256 all;
   Sha256 states;
   Sha256 pictures;
   uint64_t dirty_pixels = 0;
   uint64_t changed_pixels = 0;
-  uint64_t missed_pixels = 0;              // changed, and in no dirty rectangle
-  uint32_t still_frames = 0;               // without a dirty rectangle
-  uint32_t missed_frames = 0;              // changed before they were due
+  uint64_t missed_pixels = 0;  // changed outside of dirty rectangles
+  uint32_t still_frames = 0;   // without a dirty rectangle
+  uint32_t missed_frames = 0;  // changed before they were due
   std::optional<Penetration> penetration;  // the deepest of all frames
 };
 
-// How a frame differs from the one before, and whether the scene knew.
+// Compares a frame with the one before and with the scene's dirty rectangles.
 void compare(const Image& before,
              const Image& frame,
              Span<const Rect> dirty,
@@ -139,7 +139,7 @@ void compare(const Image& before,
   tally.missed_frames += changed != 0 && !is_due ? 1 : 0;
 }
 
-// Where frames go: a function for each, and one for the end.
+// The output: a function for each frame, and one for the end.
 struct Output {
   std::function<void(const Image& frame, uint32_t number)> add;
   std::function<void()> finish = [] {};

@@ -17,8 +17,8 @@
 namespace inkcell::tools {
 namespace {
 
-// Distances inside of a body, pixel by pixel in its box, as it is drawn: a
-// filter of +-4 px makes coverage of them.
+// Distances inside of a body for each pixel of its box, as drawn: a filter of
+// +-4 px turns them into coverage.
 struct DrawnDistances {
   Rect box;
   std::vector<uint8_t> coverage;
@@ -54,7 +54,7 @@ struct DrawnDistances {
   }
 };
 
-// Where two edges pass each other by d, the middle is d / 2 inside of both.
+// Where two edges overlap by d, the middle is d / 2 inside of both.
 double penetration_of(Span<const kinetic::Body> bodies,
                       const kinetic::BodyRules& rules) {
   std::vector<DrawnDistances> drawn;

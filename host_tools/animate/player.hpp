@@ -1,4 +1,4 @@
-// Scenes of the boards, played on this machine.
+// Plays scenes of the boards on the host.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace inkcell::tools {
 
-/// How deep the edges of two shapes are in each other. [px]
+/// The overlap of two shapes. [px]
 struct Penetration {
   double drawn = 0;  // after deformation
-  double rigid = 0;  // as if nothing deformed
+  double rigid = 0;  // without deformation
 };
 
 /// A scene of any kind. The font and the text must outlive it.
@@ -26,33 +26,32 @@ class Player {
  public:
   virtual ~Player() = default;
 
-  /// Throws std::runtime_error if the font or the text does not suit the scene.
+  /// Throws std::runtime_error if the font or the text does not fit the scene.
   virtual void open() = 0;
   virtual void set_frame(uint32_t frame) = 0;
-  /// Draws what the frame has on a strip.
+  /// Draws the frame on a strip.
   virtual void draw(const scenes::Paper& paper) = 0;
   virtual void add_changes(kinetic::DirtyRects& dirty) const = 0;
   virtual uint32_t next_due() const = 0;
-  /// What the frame depends on: numbers in little-endian order.
+  /// The state that the frame depends on: little-endian numbers.
   virtual std::vector<uint8_t> state() const = 0;
   /// RAM of the scene and its grids, without strips. [bytes]
   virtual size_t state_bytes() const = 0;
-  /// How deep bodies are in each other, pixel by pixel; none if the scene has
-  /// no bodies.
+  /// The overlap of bodies, by pixels; none if the scene has no bodies.
   virtual std::optional<Penetration> penetration() const = 0;
 };
 
 struct SceneKind {
   std::string_view name;
   std::string_view what;
-  std::string_view text;  // unless the person gives another
+  std::string_view text;  // the default
   std::unique_ptr<Player> (*make)(const Font& font,
                                   std::string_view text,
                                   int width,
                                   int height);
 };
 
-/// All there are.
+/// All scenes.
 const std::vector<SceneKind>& scene_kinds();
 
 }  // namespace inkcell::tools

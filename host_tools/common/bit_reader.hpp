@@ -22,13 +22,13 @@ class BitReader {
     }
     return value;
   }
-  uint32_t take(int count) {
+  uint32_t read(int count) {
     const uint32_t value = peek(count);
     bit_ += static_cast<size_t>(count);
     return value;
   }
-  int take_signed(int count) {
-    const auto value = static_cast<int>(take(count));
+  int read_signed(int count) {
+    const auto value = static_cast<int>(read(count));
     return count > 0 && value >> (count - 1) != 0 ? value - (1 << count)
                                                   : value;
   }

@@ -1,4 +1,4 @@
-// Drives the strip loop of the core over a whole picture.
+// Runs the strip loop of the core over a whole picture.
 #include "canvas.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Direction direction_of(double degrees) {
   return direction;
 }
 
-// What the strip loop needs to know.
+// The data of the strip loop.
 struct Scene {
   const Font& font;
   const std::vector<Line>& lines;
@@ -59,12 +59,12 @@ void draw_strip(void* context, const Strip& strip) {
       strip.pixels.data, 0,
       static_cast<size_t>(strip.stride) * static_cast<size_t>(strip.height));
   port::A8Target grey{strip};
-  port::Rgb888Target colour{strip};  // in white: coverage as it is
+  port::Rgb888Target colour{strip};  // white: coverage itself
   Sink sink;
   if ((scene.image.channels == 1
            ? port::make_sink(grey, sink)
            : port::make_lcd_sink(colour, sink)) != Status::ok) {
-    return;  // cannot be: draw_lines checked the size
+    return;  // impossible: draw_lines() checked the size
   }
   if (scene.stats == nullptr) {
     draw_lines(scene.font, scene.lines, scene.origins, scene.style, sink);
@@ -76,7 +76,7 @@ void draw_strip(void* context, const Strip& strip) {
              counting.sink());
 }
 
-// Lays the strip over the picture as sinks lay coverage over coverage.
+// Lays the strip over the picture, as sinks blend coverage.
 void flush_strip(void* context, const Strip& strip) {
   Image& image = static_cast<Scene*>(context)->image;
   for (int32_t y = 0; y < strip.height; ++y) {
@@ -275,7 +275,7 @@ void draw_lines(const Font& font,
 }
 
 Point make_point(double x, double y) {
-  // Written so that no number at all is refused too.
+  // Written so that NaN is refused, too.
   if (!(std::abs(x) <= kMaxPosition && std::abs(y) <= kMaxPosition)) {
     throw std::runtime_error("positions lie within 16777215 px of the origin");
   }

@@ -1,4 +1,4 @@
-// Text into pictures, by the device's own path: layout, strips, sinks.
+// Draws text into pictures by the device's code: layout, strips, sinks.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ TextStyle make_style(double px, double angle, const Filter& filter);
 /// The same with exact coverage, for fonts of outlines.
 TextStyle make_style(double px, double angle, AreaFilter filter);
 
-/// Whether styles of this angle are not upright. Throws as make_style().
+/// Whether styles with this angle are not upright. Throws as make_style().
 bool is_turned(double angle);
 
 /// A line of glyphs. [font units]
@@ -39,14 +39,14 @@ Line lay_out(const Font& font,
              Kerning kerning,
              const TextStyle& style);
 
-/// How wide a text may be, and how its lines are aligned in that.
+/// The width of a text, and the alignment of its lines.
 struct Wrapping {
   std::optional<Q26_6> width;  // none: lines end at line feeds [px]
   Align align = Align::start;
 };
 
-/// Lays out lines below each other: the library breaks, orders and aligns them.
-/// Without kerning all text is read from left to right, and not aligned.
+/// Lays out lines below each other; the library breaks, orders and aligns them.
+/// Without kerning text runs from left to right, left-aligned.
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
@@ -65,12 +65,12 @@ InkBox ink_box(const Font& font,
                const std::vector<Line>& lines,
                const TextStyle& style);
 
-/// Rows of a strip, unless somebody wants to show that it does not matter.
+/// Rows of a strip, by default.
 inline constexpr int32_t kStripRows = 32;
 
-/// Where lines begin, to the nearest 1/64 px, if the first begins at `origin`
-/// and the others where the style's direction leads. Throws std::runtime_error
-/// if one lies too far from the first.
+/// The origins of lines, rounded to 1/64 px: the first at `origin`, the others
+/// along the style's direction. Throws std::runtime_error if one is too far
+/// from the first.
 std::vector<Point> line_origins(const Font& font,
                                 const std::vector<Line>& lines,
                                 const TextStyle& style,
@@ -83,10 +83,10 @@ void draw_lines(const Font& font,
                 const TextStyle& style,
                 const Sink& sink);
 
-/// Draws lines over the picture (255: full ink, of each sub-pixel if it has
-/// three channels) in strips of `rows` rows, from line_origins(). Adds to
-/// `stats` if given. Throws std::runtime_error if a side of the picture is not
-/// within 1..32767 px.
+/// Draws lines over the picture (255: full ink; three channels: for each
+/// sub-pixel) in strips of `rows` rows, from line_origins(). Adds to `stats` if
+/// given. Throws std::runtime_error if a side of the picture is not in 1..32767
+/// px.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const TextStyle& style,
@@ -95,8 +95,8 @@ void draw_lines(const Font& font,
                 DrawStats* stats = nullptr,
                 int32_t rows = kStripRows);
 
-/// A position in px, to the nearest 1/64. Throws std::runtime_error if it is
-/// not within +-16777215 px: the sum of two positions is one of Q26_6.
+/// A position in px, rounded to 1/64. Throws std::runtime_error if it is not
+/// within +-16777215 px, so that the sum of two positions fits Q26_6.
 Point make_point(double x, double y);
 
 }  // namespace inkcell::tools

@@ -16,7 +16,7 @@ struct LeafCell {
   bool is_saturated = false;
 };
 
-/// Each leaf once; none of a glyph without ink.
+/// Each leaf once; empty for a glyph without ink.
 std::vector<LeafCell> leaf_cells(const GlyphField& field);
 
 }  // namespace inkcell::tools

@@ -1,4 +1,4 @@
-// Font files as programs take them: a ROM font, or one converted in memory.
+// Loads a ROM font, or converts a font file in memory.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,32 +10,31 @@
 
 namespace inkcell::tools {
 
-/// How a font file that is no ROM font becomes one.
+/// How to convert a font file.
 struct Conversion {
   gen::GenerateRequest request;
-  /// If a glyph is too complex for it, the largest size may be halved.
+  /// Whether the largest size may be halved if a glyph is too complex.
   bool may_halve = true;
-  /// The first of the options that the person gave, empty if there is none.
+  /// The first option for conversion on the command line; empty if none.
   std::string option;
 };
 
-/// Adds the options of inkcell-fontgen, listed apart in the help.
+/// Adds the options of inkcell-fontgen as a group of the help.
 void add_conversion_options(CLI::App& app, gen::GenerateRequest& request);
 
-/// `request`, after the arguments were parsed. A largest size that the person
-/// gave stays as it is.
+/// `request` after parsing. A largest size on the command line is kept.
 Conversion conversion_of(const CLI::App& app,
                          const gen::GenerateRequest& request);
 
-/// Opens `file`. A ROM font is read as it is, and refused if there is an option
-/// to convert it under; any other font file is converted by the generator, with
-/// the characters of `text` (UTF-8) besides those that the request names. If it
-/// may, it tries again with half the largest size, down to the smallest, and
-/// says so. Warnings go to standard error, and progress, unless the request has
-/// a function for it.
+/// Opens `file`. A ROM font is loaded, and refused if there are options for
+/// conversion. Any other font file is converted by the generator, with the
+/// characters of `text` (UTF-8) in addition to those of the request. If
+/// allowed, retries with half the largest size, down to the smallest, and says
+/// so. Warnings and progress go to standard error, unless the request has a
+/// function for progress.
 ///
-/// Throws std::runtime_error, also for a damaged ROM font that is not to be
-/// shown.
+/// Throws std::runtime_error, also for a damaged ROM font with
+/// Damaged::refused.
 enum class Damaged { refused, shown };
 RomFile load_font_file(const std::filesystem::path& file,
                        const Conversion& conversion,

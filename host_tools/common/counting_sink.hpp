@@ -7,7 +7,7 @@
 
 namespace inkcell::tools {
 
-/// What drawing cost.
+/// The cost of drawing.
 struct DrawStats {
   int64_t strips = 0;
   int64_t coverage_spans = 0;
@@ -17,7 +17,7 @@ struct DrawStats {
   int64_t solid_pixels = 0;  // filled, not computed
 };
 
-/// Stays where it was made; `stats` must outlive it.
+/// Must not move; `stats` must outlive it.
 class CountingSink {
  public:
   CountingSink(const Sink& target, DrawStats& stats)
@@ -25,7 +25,7 @@ class CountingSink {
   CountingSink(const CountingSink&) = delete;
   CountingSink& operator=(const CountingSink&) = delete;
 
-  /// A sink that does as the target does.
+  /// A sink that forwards to the target.
   Sink sink();
 
  private:

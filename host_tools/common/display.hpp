@@ -1,4 +1,4 @@
-// Displays of every kind: ink for a strip, memory, and what the eye sees.
+// Displays of all kinds: ink for a strip, memory, and the visible picture.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ enum class Display {
   lcd
 };
 
-/// How a display is named in scripts, and shown.
+/// A display's name in scripts, and its title.
 struct DisplayInfo {
   Display display;
   const char* name;
@@ -41,19 +41,19 @@ const DisplayInfo& display_info(Display display);
 /// Throws std::runtime_error that lists the names.
 Display display_of(const std::string& name);
 
-/// Sets the levels and the sub-pixels that a display has.
+/// Sets the levels and the sub-pixels of a display.
 void suit_display(Display display, LookOptions& look);
 
-/// A strip in the format of a display, and ink of any colour.
+/// A strip in the format of a display, with ink of any colour.
 class DisplayPaper {
  public:
-  /// Counts what is drawn if `stats` are given. Throws std::runtime_error if
-  /// the strip is none of that display.
+  /// Counts into `stats` if given. Throws std::runtime_error if the strip does
+  /// not fit the display.
   DisplayPaper(Display display, const Strip& strip, DrawStats* stats = nullptr);
   DisplayPaper(const DisplayPaper&) = delete;
   DisplayPaper& operator=(const DisplayPaper&) = delete;
 
-  /// Uses this object.
+  /// Refers to this object.
   scenes::Paper paper();
 
  private:
@@ -75,20 +75,20 @@ class DisplayPaper {
   Sink sink_;
 };
 
-/// The memory that a display shows.
+/// The memory of a display.
 class DisplayMemory {
  public:
   /// All bits 0. Throws std::runtime_error if a side is not within 1..32767 px.
   DisplayMemory(Display display, int width, int height);
 
   /// Draws strips of `rows` rows, or whole pages, and copies each to its place;
-  /// draws in place if the first strip is all. `draw` fills all of a strip.
-  /// Throws std::runtime_error if strips are no whole bytes.
+  /// if the first strip is the whole screen, draws in place. `draw` fills a
+  /// whole strip. Throws std::runtime_error if strips are not whole bytes.
   void show(int rows, const std::function<void(const Strip&)>& draw);
 
   /// Bytes of a strip of so many rows.
   size_t strip_bytes(int rows) const;
-  /// So many rows, or the next whole page.
+  /// The rows, rounded up to whole pages.
   int whole_rows(int rows) const;
 
   Display display() const { return info_.display; }
@@ -96,7 +96,7 @@ class DisplayMemory {
   int height() const { return height_; }
   const std::vector<uint8_t>& bytes() const { return bytes_; }
 
-  /// Colours as they reach the eye: 3 channels.
+  /// The visible picture: 3 channels.
   Image picture() const;
 
  private:

@@ -35,12 +35,12 @@ Image enlarge(const Image& image, int factor);
 /// 255 - value, everywhere.
 void invert(Image& image);
 
-/// Refuses a name that write_image() would, before work begins: one in a folder
-/// that is not there, or with another suffix. Throws std::runtime_error.
+/// Throws std::runtime_error, before work begins, for a name that write_image()
+/// would refuse: in a folder that does not exist, or with another suffix.
 void check_image_file(const std::filesystem::path& file, int channels);
 
-/// The same for a file of any kind; also for -, which many take for standard
-/// output.
+/// The same for any kind of file; also refuses '-', which many take for
+/// standard output.
 void check_folder_of(const std::filesystem::path& file);
 
 /// Writes by the file's suffix: .png, .pgm (grey) or .ppm (colour).

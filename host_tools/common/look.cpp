@@ -1,4 +1,4 @@
-// Sets styles up as people ask for them.
+// Makes styles from options.
 #include "look.hpp"
 
 #include <cmath>
@@ -13,13 +13,13 @@
 namespace inkcell::tools {
 namespace {
 
-// Below this size text reads better of several samples.
+// Smaller text is better with several samples a pixel.
 constexpr Q26_6 kLeastForOne = Q26_6::from_int(10);
 
-// Of splats: a larger glyph is drawn in parts.
+// The most sums of splats: larger glyphs are drawn in parts.
 constexpr size_t kMaxSums = 1 << 16;
 
-// The filter that is exact area, which is no function of distance.
+// The filter for exact area, which is not a function of distance.
 constexpr const char* kArea = "area";
 
 const Filter& filter_for(const std::string& name, Use use) {
@@ -61,7 +61,7 @@ CLI::Validator within(double low, double high) {
              "");
 }
 
-// An option that takes one of some words.
+// An option with a few words as values.
 void add_words(CLI::App& app,
                const std::string& option,
                std::string& target,
@@ -73,8 +73,8 @@ void add_words(CLI::App& app,
       ->default_str(target);
 }
 
-// Text is drawn as a program draws it that asks for nothing; jobs as suits
-// their kind.
+// Defaults for text are those of the library; those of jobs depend on their
+// kind.
 LookOptions fill_in(LookOptions options, Use use) {
   const bool is_text = use == Use::text;
   if (options.hint.empty()) {
@@ -216,12 +216,12 @@ void Look::require_area(const LookOptions& options, const Font& font) {
 }
 
 void Look::set_effect(const LookOptions& options, const Font& font, Use use) {
-  const int ways =
+  const int effects =
       (options.outline != 0 ? 1 : 0) + (options.levels != 256 ? 1 : 0) +
       (options.lcd == "none" ? 0 : 1) + (options.motion.empty() ? 0 : 1) +
       (options.rules == "none" ? 0 : 1) +
       (options.samples == "auto" || options.samples == "one" ? 0 : 1);
-  if (ways > 1) {
+  if (effects > 1) {
     throw std::runtime_error(
         "--outline, --levels, --lcd, --motion, --rules and --samples exclude "
         "each other");

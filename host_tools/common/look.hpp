@@ -1,4 +1,5 @@
-// How text looks: the options of programs that draw, and the style they make.
+// Styles of text: the options of programs that draw, and the style that they
+// give.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,39 +20,39 @@
 
 namespace inkcell::tools {
 
-/// Picks what options leave open: text whose lines may change their length,
-/// still text with advances as designed, or a frame of something that moves.
+/// The defaults of options: text whose lines may change their length, still
+/// text with the designed advances, or a frame of an animation.
 enum class Use { text, still, moving };
 
-/// What a person may ask for; empty: what suits the use.
+/// The options of the command line; empty: the default of the use.
 struct LookOptions {
   std::string filter;
   std::string hint;
   std::string samples;
   std::string rules = "none";
   std::string motion;  // "x,y" [px]
-  double radius = 0;   // of adaptive sampling [px]; 0: what suits it
+  double radius = 0;   // of adaptive sampling [px]; 0: the default
   double weight = 0;   // [px]
   double outline = 0;  // its width [px]; 0: none
   std::string place = "centred";
   int levels = 256;  // 2 and 4: crisp
   std::string lcd = "none";
-  double lcd_colour = 1;  // how much of it is kept
+  double lcd_colour = 1;  // share that is kept
 };
 
 void add_look_options(CLI::App& app, LookOptions& options);
 
-/// Throws std::runtime_error if a radius was asked for, but nothing that was
-/// drawn has one.
+/// Throws std::runtime_error if a radius was given, but nothing that was drawn
+/// uses it.
 void check_radius(const LookOptions& options, bool is_used);
 
-/// Throws std::runtime_error if fitting was asked for, but all that shall be
-/// drawn is turned. `angle` names what turns it.
+/// Throws std::runtime_error if fitting was asked for, but everything to draw
+/// is turned. `angle` names the cause.
 void check_hint(const LookOptions& options,
                 bool is_turned,
                 const std::string& angle);
 
-/// A style and all that it points to: stays where it was made.
+/// A style and all that it refers to. Must not move.
 class Look {
  public:
   /// `px` px/em (rounded to 1/64), `angle` in degrees, counter-clockwise. The
@@ -67,7 +68,7 @@ class Look {
 
   const TextStyle& style() const { return style_; }
 
-  /// Of the picture that the style draws into: 3 with sub-pixels, else 1.
+  /// The channels of the picture: 3 with sub-pixels, else 1.
   int channels() const { return style_.effect().options == &lcd_ ? 3 : 1; }
 
   /// Whether the style takes as many distances of cells as a pixel needs, and
@@ -79,7 +80,7 @@ class Look {
   }
   uint32_t more_samples() const { return more_samples_; }
 
-  /// How far motion blur leads beyond what it blurs. [px]
+  /// How far motion blur extends glyphs. [px]
   int blur_px() const {
     return style_.effect().options == &blur_ ? blur_.reach_px : 0;
   }

@@ -32,7 +32,7 @@ int code_bits(const Font& font) {
   return font.rom().data[format::header::kCodeBits];
 }
 
-// The number of the word that entry `index` belongs to.
+// The index of the word that entry `index` belongs to.
 size_t word_number(Span<const uint8_t> table, int bits, size_t index) {
   size_t number = 0;
   for (size_t i = 0; i < index;) {
@@ -56,19 +56,19 @@ void read_simple(const Font& font, uint16_t glyph, GlyphOutline& out) {
   for (int points = 0; points < max_points(font); ++points) {
     const size_t index = record.peek(bits);
     const Code code = code_at(table, index);
-    record.take(code.length);
+    record.read(code.length);
     const size_t number = word_number(table, bits, index);
     if (number < out.uses.size()) {
       ++out.uses[number];
     }
     if (code.kind != format::outline::kEndOfContour) {
-      x += record.take_signed(code.x_bits);
-      y += record.take_signed(code.y_bits);
+      x += record.read_signed(code.x_bits);
+      y += record.read_signed(code.y_bits);
       out.contours.back().push_back(
           {x * grid, y * grid, static_cast<PointKind>(code.kind)});
       continue;
     }
-    if (record.take(1) == 0) {
+    if (record.read(1) == 0) {
       return;
     }
     out.contours.emplace_back();
@@ -79,19 +79,19 @@ bool is_composite(Span<const uint8_t> record) {
   return record.size > 0 && record.data[0] == format::composite::kType;
 }
 
-OutlineComponent take_component(BitReader& record) {
+OutlineComponent read_component(BitReader& record) {
   constexpr double kQ14 = 16384;
   OutlineComponent component;
-  component.glyph = static_cast<uint16_t>(record.take(16));
-  const bool has_matrix = record.take(1) != 0;
-  const auto width = static_cast<int>(record.take(4));
-  component.dx = record.take_signed(width);
-  component.dy = record.take_signed(width);
+  component.glyph = static_cast<uint16_t>(record.read(16));
+  const bool has_matrix = record.read(1) != 0;
+  const auto width = static_cast<int>(record.read(4));
+  component.dx = record.read_signed(width);
+  component.dy = record.read_signed(width);
   if (has_matrix) {
-    component.xx = record.take_signed(16) / kQ14;
-    component.xy = record.take_signed(16) / kQ14;
-    component.yx = record.take_signed(16) / kQ14;
-    component.yy = record.take_signed(16) / kQ14;
+    component.xx = record.read_signed(16) / kQ14;
+    component.xy = record.read_signed(16) / kQ14;
+    component.yx = record.read_signed(16) / kQ14;
+    component.yy = record.read_signed(16) / kQ14;
   }
   return component;
 }
@@ -181,8 +181,8 @@ GlyphOutline glyph_outline(const Font& font, uint16_t glyph) {
   }
   BitReader bits(record, 8 * format::composite::kTypeBytes);
   do {
-    add_component(font, take_component(bits), outline);
-  } while (bits.take(1) != 0 && !bits.is_at_end());
+    add_component(font, read_component(bits), outline);
+  } while (bits.read(1) != 0 && !bits.is_at_end());
   return outline;
 }
 

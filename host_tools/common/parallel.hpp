@@ -11,15 +11,14 @@
 
 namespace inkcell::tools {
 
-/// Threads for a number given by a person: 0 means all cores.
+/// The number of threads that was asked for; 0: all cores.
 inline unsigned thread_count(unsigned wanted) {
   const unsigned cores = std::thread::hardware_concurrency();
   return wanted != 0 ? wanted : (cores != 0 ? cores : 1);
 }
 
-/// Calls work(i) once for every i below `count`, in any order, on no more
-/// threads than that. The first
-/// exception ends the loop and is thrown on.
+/// Calls work(i) once for every i below `count`, in any order, on at most that
+/// many threads. The first exception ends the loop and is rethrown.
 template <typename Work>
 void parallel_for(size_t count, unsigned threads, const Work& work) {
   std::atomic<size_t> next{0};

@@ -1,4 +1,4 @@
-// Opens ROM fonts with the device's reader, and says why it would not.
+// Opens ROM fonts with the device's reader, and explains errors.
 #include "rom_file.hpp"
 
 #include <cerrno>
@@ -88,7 +88,7 @@ RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
 }
 
 std::vector<uint8_t> read_file(const std::filesystem::path& file) {
-  std::error_code ignored;  // opening says it better
+  std::error_code ignored;  // opening reports it better
   if (std::filesystem::is_directory(file, ignored)) {
     throw std::runtime_error(file.string() +
                              ": is a folder; name a file in it");

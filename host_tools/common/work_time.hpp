@@ -1,4 +1,4 @@
-// Time that a thread has worked, whatever else the machine does.
+// The processor time of a thread, independent of other load.
 #pragma once
 
 #include <time.h>

@@ -1,4 +1,4 @@
-// What is in a font and in a glyph, counted.
+// The content of a font and of a glyph, counted.
 #pragma once
 
 #include <array>
@@ -76,7 +76,7 @@ struct FontCensus {
   GridHints hints;
   std::vector<GlyphCensus> glyphs;
   size_t characters = 0;
-  // Of outlines; without words there are none.
+  // For outlines only; empty for other fonts.
   std::vector<CodeWord> words;
   double grid_units = 1;
   int max_points = 0;
@@ -85,7 +85,7 @@ struct FontCensus {
   int64_t nodes() const;
   std::vector<RecordPart> parts() const;  // of all records
   bool has_outlines() const { return !words.empty(); }
-  // Of records that are no composites.
+  // Without composites.
   int64_t points() const;
   int64_t points_of(PointKind kind) const;
   int composites() const;

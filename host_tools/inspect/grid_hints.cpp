@@ -12,21 +12,21 @@ namespace {
 
 namespace grid = format::grid;
 
-int take_position(BitReader& bits) {
+int read_position(BitReader& bits) {
   return grid::kPositionBase +
-         grid::kPositionStep * static_cast<int>(bits.take(grid::kPositionBits));
+         grid::kPositionStep * static_cast<int>(bits.read(grid::kPositionBits));
 }
 
-int take_width(BitReader& bits, int standard_u) {
-  return bits.take(1) != 0 ? standard_u
+int read_width(BitReader& bits, int standard_u) {
+  return bits.read(1) != 0 ? standard_u
                            : grid::kPositionStep *
-                                 static_cast<int>(bits.take(grid::kWidthBits));
+                                 static_cast<int>(bits.read(grid::kWidthBits));
 }
 
 // The height of an edge in a zone.
-int take_zone(BitReader& bits, const GridHints& font, HeightHint& hint) {
-  const uint32_t zone = bits.take(grid::kZoneBits);
-  const bool is_round = bits.take(1) != 0;
+int read_zone(BitReader& bits, const GridHints& font, HeightHint& hint) {
+  const uint32_t zone = bits.read(grid::kZoneBits);
+  const bool is_round = bits.read(1) != 0;
   if (zone >= font.zones.size()) {
     return 0;
   }
@@ -35,58 +35,58 @@ int take_zone(BitReader& bits, const GridHints& font, HeightHint& hint) {
          (is_round ? font.zones[zone].overshoot_u : 0);
 }
 
-HeightHint take_height(BitReader& bits, const GridHints& font) {
+HeightHint read_height(BitReader& bits, const GridHints& font) {
   HeightHint hint;
-  hint.kind = static_cast<HeightHint::Kind>(bits.take(grid::kHeightKindBits));
+  hint.kind = static_cast<HeightHint::Kind>(bits.read(grid::kHeightKindBits));
   if (hint.kind == HeightHint::Kind::free_end) {
-    hint.rises = bits.take(1) != 0;
-    hint.low_u = take_position(bits);
+    hint.rises = bits.read(1) != 0;
+    hint.low_u = read_position(bits);
     hint.high_u = hint.low_u;
     return hint;
   }
   if (hint.kind == HeightHint::Kind::edge) {
-    hint.low_u = take_zone(bits, font, hint);
+    hint.low_u = read_zone(bits, font, hint);
     hint.high_u = hint.low_u;
     return hint;
   }
-  const bool is_top = bits.take(1) != 0;
+  const bool is_top = bits.read(1) != 0;
   const int edge =
-      bits.take(1) != 0 ? take_zone(bits, font, hint) : take_position(bits);
-  const int width = take_width(bits, font.bar_width_u);
+      bits.read(1) != 0 ? read_zone(bits, font, hint) : read_position(bits);
+  const int width = read_width(bits, font.bar_width_u);
   hint.low_u = is_top ? edge - width : edge;
   hint.high_u = hint.low_u + width;
   return hint;
 }
 
-AcrossHint take_across(BitReader& bits, const GridHints& font) {
+AcrossHint read_across(BitReader& bits, const GridHints& font) {
   AcrossHint hint;
-  hint.is_foot = bits.take(1) == grid::kFoot;
-  hint.left_u = take_position(bits);
+  hint.is_foot = bits.read(1) == grid::kFoot;
+  hint.left_u = read_position(bits);
   hint.right_u =
-      hint.left_u + (hint.is_foot ? 0 : take_width(bits, font.stem_width_u));
+      hint.left_u + (hint.is_foot ? 0 : read_width(bits, font.stem_width_u));
   return hint;
 }
 
 GlyphHints read_glyph(Span<const uint8_t> record, const GridHints& font) {
   BitReader bits(record, 0);
   GlyphHints glyph;
-  glyph.is_symmetric = bits.take(1) != 0;
-  const bool has_insets = bits.take(1) != 0;
-  const uint32_t heights = bits.take(grid::kHeightCountBits);
-  const uint32_t across = bits.take(grid::kAcrossCountBits);
+  glyph.is_symmetric = bits.read(1) != 0;
+  const bool has_insets = bits.read(1) != 0;
+  const uint32_t heights = bits.read(grid::kHeightCountBits);
+  const uint32_t across = bits.read(grid::kAcrossCountBits);
   if (has_insets) {
-    const auto take_inset = [&bits] {
+    const auto read_inset = [&bits] {
       return grid::kPositionStep *
-             static_cast<int>(bits.take(grid::kInsetBits));
+             static_cast<int>(bits.read(grid::kInsetBits));
     };
-    glyph.left_inset_u = take_inset();
-    glyph.right_inset_u = take_inset();
+    glyph.left_inset_u = read_inset();
+    glyph.right_inset_u = read_inset();
   }
   for (uint32_t i = 0; i < heights; ++i) {
-    glyph.heights.push_back(take_height(bits, font));
+    glyph.heights.push_back(read_height(bits, font));
   }
   for (uint32_t i = 0; i < across; ++i) {
-    glyph.across.push_back(take_across(bits, font));
+    glyph.across.push_back(read_across(bits, font));
   }
   return glyph;
 }

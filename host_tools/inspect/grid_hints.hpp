@@ -54,7 +54,7 @@ struct GridHints {
   std::vector<GlyphHints> glyphs;  // of every glyph if the section is there
 };
 
-/// Reads any bytes: what does not lie in the section is left out.
+/// Reads any bytes; ignores what is outside of the section.
 GridHints grid_hints(const Font& font);
 
 const char* kind_name(HeightHint::Kind kind);

@@ -1,4 +1,4 @@
-// inkcell-inspect: what is in a font, in words, numbers and pictures.
+// inkcell-inspect: the content of a font as text, JSON and pictures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <stdexcept>
@@ -85,7 +85,7 @@ const GlyphCensus& find_glyph(const FontCensus& font, const std::string& name) {
   throw std::runtime_error("the font has no glyph for '" + name + "'");
 }
 
-// The glyph of a picture for which none was named: a, or the first with ink.
+// The glyph of a picture if none was named: a, or the first with ink.
 const GlyphCensus& example_glyph(const FontCensus& font) {
   const GlyphCensus* first = nullptr;
   for (const GlyphCensus& glyph : font.glyphs) {

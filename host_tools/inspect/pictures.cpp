@@ -54,7 +54,7 @@ struct View {
   double y_px(double y_u) const { return (box_u.y1 - y_u) * px_per_u; }
   int column(int x_u) const { return static_cast<int>(std::lround(x_px(x_u))); }
   int row(int y_u) const { return static_cast<int>(std::lround(y_px(y_u))); }
-  // Of a pixel's centre.
+  // The centre of a pixel.
   double x_u(int px) const { return box_u.x0 + (px + 0.5) / px_per_u; }
   double y_u(int px) const { return box_u.y1 - (px + 0.5) / px_per_u; }
 };
@@ -305,8 +305,8 @@ void draw_curve(Vector from, Vector control, Vector to, Image& image) {
   }
 }
 
-// Control lines, curves and points. Two off-curve points in a row have an
-// on-curve point half-way, which is a small disc.
+// Control lines, curves and points. Between two consecutive off-curve points
+// there is an on-curve point midway, drawn as a small disc.
 void draw_contour(const View& view,
                   const OutlineContour& contour,
                   double u_per_unit,

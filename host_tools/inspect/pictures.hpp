@@ -17,11 +17,11 @@ namespace inkcell::tools {
 Image draw_cells(const Font& font, const GlyphCensus& glyph, int side);
 
 /// The contours of an outline and its points: red squares are corners, green
-/// discs are smooth, blue rings are off the curve. Small green discs are the
-/// points half-way between those, which are not stored. Dashed: the glyph's
-/// box. Under them the hints: dashed lines are the zones of the face; lines in
-/// red, orange, purple and blue are the edges of bars and serifs, lone edges
-/// and free ends; green ones are the edges of stems.
+/// discs are smooth points, blue rings are off the curve. Small green discs are
+/// the implied points midway between those. Dashed: the glyph's box. Below them
+/// the hints: dashed lines are the zones of the face; lines in red, orange,
+/// purple and blue are the edges of bars and serifs, lone edges and free ends;
+/// green ones are the edges of stems.
 Image draw_points(const FontCensus& census,
                   const Font& font,
                   const GlyphCensus& glyph,

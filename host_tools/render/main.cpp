@@ -15,9 +15,9 @@
 namespace inkcell::tools {
 namespace {
 
-// Pixels around the ink where nobody says how large the picture shall be: the
-// widest filter needs less than one of them, and the other holds a shift by
-// --dx, --dy, so that the same text in all phases makes pictures of one size.
+// The margin around the ink by default. The widest filter needs less than one
+// of these pixels; the other one holds a shift by --dx, --dy, so that all
+// phases of a text give pictures of one size.
 constexpr int kMargin = 2;
 constexpr double kShiftInMargin = 1;  // [px]
 
@@ -98,14 +98,14 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   add_conversion_options(app, arguments.request);
 }
 
-// Where the text is, and on how large a canvas.
+// The position of the text, and the size of its canvas.
 struct Placement {
   int width = 0;
   int height = 0;
   Point origin;
 };
 
-// One direction of a placement: the ink from `low` to `high`, relative to the
+// One axis of a placement: the ink from `low` to `high`, relative to the
 // origin. [px]
 struct Extent {
   double origin = 0;  // with the shift
@@ -173,7 +173,7 @@ size_t glyph_count(const std::vector<Line>& lines) {
   return count;
 }
 
-// Near ink: the rest of a picture costs next to nothing.
+// Only near ink: the rest of a picture costs next to nothing.
 void print_samples(const SampleTotal& total) {
   if (total.pixels != 0) {
     std::printf(
@@ -203,7 +203,7 @@ void print_stats(const DrawStats& stats,
   std::printf("time             %.3f ms on this machine\n", seconds * 1000);
 }
 
-// Outside of it letters are drawn, but nobody has looked at how true they are.
+// Other sizes are drawn, but without a tested accuracy.
 void warn_of_size(const Font& font, double px) {
   const FontRange range = font.range();
   if (px < range.min_px || px > range.max_px) {

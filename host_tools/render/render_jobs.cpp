@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Calls work(); what it throws begins with the place, FILE:LINE.
+// Calls work() and prefixes errors with the place, FILE:LINE.
 template <typename Work>
 auto at_place(const std::string& place, const Work& work) {
   try {
@@ -33,8 +33,8 @@ auto at_place(const std::string& place, const Work& work) {
   }
 }
 
-// A key of a job, what its value must be, and how it is read: false if it is
-// something else.
+// A key of a job, its allowed values, and its parser, which returns false for
+// others.
 struct JobKey {
   const char* name;
   const char* wanted;
@@ -44,7 +44,7 @@ struct JobKey {
 
 template <double RenderJob::*kMember>
 bool read_number(const Json& value, RenderJob& job) {
-  if (!value.is_number()) {  // Json would make 1 of true
+  if (!value.is_number()) {  // Json would convert true to 1
     return false;
   }
   value.get_to(job.*kMember);
@@ -75,7 +75,7 @@ bool read_file_name(const Json& value, RenderJob& job) {
     return false;
   }
   value.get_to(job.*kMember);
-  // The system would end a name at a zero.
+  // The system would end a name at a zero byte.
   return !(job.*kMember).empty() &&
          (job.*kMember).find('\0') == std::string::npos;
 }
@@ -113,7 +113,7 @@ constexpr const char* kOneLine = "write each job as one {...} on one line";
   throw std::runtime_error(std::string("is no JSON object; ") + kOneLine);
 }
 
-// Whether two words differ by one letter, or by two that changed places.
+// Whether two words differ by one letter, or by two swapped letters.
 bool is_slip(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty() && a.front() == b.front()) {
     a.remove_prefix(1);
@@ -129,7 +129,7 @@ bool is_slip(std::string_view a, std::string_view b) {
 }
 
 [[noreturn]] void refuse_key(const std::string& name) {
-  // Short names are near to too many others.
+  // Short names are similar to too many others.
   constexpr size_t kLeastLetters = 3;
   std::string names;
   std::string meant;
@@ -167,7 +167,7 @@ void read_value(const std::string& name, const Json& value, RenderJob& job) {
   }
 }
 
-// What a line held until it turned out to be no JSON, or ended.
+// What was parsed of a line before the error.
 struct Met {
   std::set<std::string> keys;
   std::string key;         // the last one
@@ -186,8 +186,8 @@ bool meet(int depth, Json::parse_event_t event, const Json& parsed, Met& met) {
   return true;
 }
 
-// Where a line is no JSON, and why, without what it held there: that may be no
-// UTF-8.
+// The position and the reason of a syntax error, without the line's text, which
+// may not be UTF-8.
 std::string fault_of(const Json::parse_error& error) {
   const std::string what = error.what();
   const size_t column = what.find("column ");
@@ -233,11 +233,11 @@ RenderJob read_job(const std::string& line) {
   return job;
 }
 
-// Files and what they are for, by what they are: a name may be spelt in several
-// ways, and links are names as well.
+// The files and their uses, by identity: a file can have several names, also by
+// links.
 class Files {
  public:
-  /// Adds a file, unless it is there: returns what it is for then, else "".
+  /// Adds a file. Returns its use if it is there already, else "".
   std::string add(const std::filesystem::path& name, const std::string& use) {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -267,7 +267,7 @@ class Files {
   std::map<std::filesystem::path, std::string> linked_;  // with hard links
 };
 
-// Refuses pictures that would replace each other, or what the jobs read.
+// Refuses pictures that would replace each other, or an input file.
 void check_outputs(const std::filesystem::path& file,
                    const std::vector<RenderJob>& jobs) {
   Files files;
@@ -312,13 +312,13 @@ void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   if (look.style().effect().mixer != nullptr && !look.counts_samples()) {
     return;
   }
-  // Near in a row first, then near such a row: a square is a disc but for its
-  // corners, and these are cut off by the way that is left.
-  std::vector<int> way(static_cast<size_t>(image.width) *
-                       static_cast<size_t>(image.height));
+  // First along rows, then along columns: a disc is a square without its
+  // corners, which the remaining distance cuts off.
+  std::vector<int> distances(static_cast<size_t>(image.width) *
+                             static_cast<size_t>(image.height));
   const auto at = [&](int x, int y) -> int& {
-    return way[static_cast<size_t>(y) * static_cast<size_t>(image.width) +
-               static_cast<size_t>(x)];
+    return distances[static_cast<size_t>(y) * static_cast<size_t>(image.width) +
+                     static_cast<size_t>(x)];
   };
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -390,7 +390,7 @@ SampleTotal render_jobs(const std::vector<RenderJob>& jobs,
     uses.emplace(job.font, FontUse{job.place, {}}).first->second.text +=
         job.text;
   }
-  // An option is not in vain if one of the fonts is converted.
+  // Options of conversion are used if one of the fonts is converted.
   Conversion shared = conversion;
   std::map<std::string, RomFile> fonts;
   for (const auto& entry : uses) {

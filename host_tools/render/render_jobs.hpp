@@ -1,4 +1,4 @@
-// Many pictures in one run: a file with one JSON object a line.
+// Many pictures in one run, from a file with one JSON object a line.
 #pragma once
 
 #include <filesystem>
@@ -32,23 +32,23 @@ struct RenderJob {
   std::string place;  // FILE:LINE, for messages
 };
 
-/// What pictures cost: pixels no farther than 3 px from ink, and the distances
-/// that were taken for them, at least one each. Only of what takes one sample a
-/// pixel, or as many as it needs.
+/// The cost of pictures: pixels within 3 px of ink, and the distances computed
+/// for them, at least one each. Counts only styles with one sample a pixel or
+/// adaptive sampling.
 struct SampleTotal {
   uint64_t pixels = 0;
   uint64_t samples = 0;
-  bool uses_radius = false;  // whether anything did
+  bool uses_radius = false;  // whether anything used it
 };
 
-/// Adds a picture that was drawn with the look.
+/// Adds a picture drawn with the look.
 void add_samples(const Image& image, const Look& look, SampleTotal& total);
 
-/// Reads the file. `kind` "anim" is a frame of something that moves, "static"
-/// or none one of what stands still. Throws std::runtime_error that names file
-/// and line: also for unknown keys, numbers that are not whole or out of range
-/// where they must not be, and pictures that would replace each other or a file
-/// that the jobs read. A file without jobs is refused.
+/// Reads the file. `kind` "anim" is a frame of an animation, "static" (the
+/// default) a still picture. Throws std::runtime_error that names file and
+/// line: also for unknown keys, numbers that are not integers or out of range
+/// where they must be, and pictures that would replace each other or an input
+/// file. A file without jobs is refused.
 std::vector<RenderJob> read_jobs(const std::filesystem::path& file);
 
 /// Draws all pictures, at least one, on all cores. Each font file is opened or

@@ -35,7 +35,7 @@ Rgb grey(uint32_t level) {
   return {value, value, value};
 }
 
-// What the display shows for the pixel at (x, y) of its memory.
+// The colour that the display shows for pixel (x, y) of its memory.
 Rgb shown(int32_t x, int32_t y) {
   const auto byte = [](int32_t row, int32_t index) -> uint32_t {
     return memory.at(static_cast<size_t>(row * kStride + index));
@@ -74,7 +74,7 @@ bool write_ppm(const std::string& name) {
   return static_cast<bool>(file.flush());
 }
 
-// The board that the demo runs on here: its display is a piece of memory.
+// The board of the demo on the host: its display is memory.
 void inkcell::board::display_write(const Strip& strip) noexcept {
   const port::Framebuffer display = {{memory.data(), memory.size()},
                                      demo::kFormat,

@@ -1,4 +1,4 @@
-// The boards' displays and demos: the sources that their firmware compiles.
+// The boards' displays and demos, compiled from the firmware's sources.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,26 @@
 namespace inkcell::tools {
 
 struct BoardDisplay {
-  const char* name;     // of the board, and of its display's format
-  const char* display;  // as display_of() takes it
+  const char* name;     // of the board and its display's format
+  const char* display;  // for display_of()
   int width;            // [px]
   int height;
   int rows;  // of a strip
   size_t state_bytes;
 
-  // The demo; there is one of each, for one thread.
+  // The demo. There is one instance, for one thread.
   Status (*open)() noexcept;
   void (*set_frame)(uint32_t frame) noexcept;
   void (*draw)(const Strip& strip) noexcept;
 };
 
-/// All there are; at least one.
+/// All boards with displays; at least one.
 const std::vector<const BoardDisplay*>& board_displays();
 
 /// Throws std::runtime_error that lists the names.
 const BoardDisplay& find_board(const std::string& name);
 
-/// The font of scenes that move on boards.
+/// The font of animated scenes on boards.
 Span<const uint8_t> board_motion_font();
 
 }  // namespace inkcell::tools

@@ -1,4 +1,4 @@
-// Fonts made beside the window's thread.
+// Makes fonts in a background thread.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,7 @@
 
 namespace inkcell::tools {
 
-/// Which font: its coding, and a text whose characters it has.
+/// The font to make: its coding, and a text with its characters.
 struct FontWish {
   std::string coding;
   std::string text;
@@ -25,20 +25,19 @@ struct FontWish {
 /// Makes one font at a time.
 class FontWorker {
  public:
-  /// Called with glyphs done and their number; throws to end the work.
+  /// Called with the glyphs done and their total number; throws to stop.
   using Progress = std::function<void(size_t done, size_t count)>;
   /// Runs on a thread of its own. May throw.
   using Maker = std::function<RomFile(const FontWish& wish, const Progress&)>;
 
   explicit FontWorker(Maker make) : make_(std::move(make)) {}
-  /// Ends the work under way.
+  /// Stops running work.
   ~FontWorker();
   FontWorker(const FontWorker&) = delete;
   FontWorker& operator=(const FontWorker&) = delete;
 
-  /// The font, once it is made; none before. The first call begins; another
-  /// wish than that of the call before ends its work. Throws what the maker
-  /// threw.
+  /// The font, if it is ready. The first call starts the work; another wish
+  /// stops it and starts anew. Throws what the maker threw.
   std::optional<RomFile> take(const FontWish& wish);
 
   struct Work {
@@ -46,7 +45,7 @@ class FontWorker {
     size_t done = 0;   // glyphs
     size_t count = 0;  // 0: not known yet
   };
-  /// What is under way.
+  /// Progress of running work.
   std::optional<Work> work() const;
 
  private:

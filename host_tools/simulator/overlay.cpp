@@ -61,7 +61,7 @@ std::vector<Place> bend(Place from, Place control, Place to) {
   return places;
 }
 
-// Two off-curve points in a row have an on-curve point half-way.
+// Between two consecutive off-curve points there is an on-curve point midway.
 void add_contour(const OutlineContour& contour,
                  const Map& map,
                  Overlay& overlay) {

@@ -1,4 +1,4 @@
-// What lies under text: cells of its glyphs, or the points of their outlines.
+// Marks over text: cells of its glyphs, or the points of their outlines.
 #pragma once
 
 #include <vector>
@@ -33,7 +33,7 @@ struct Overlay {
   std::vector<Leaf> leaves;
 };
 
-/// Of lines with their origins. Outlines are as the font has them, without grid
+/// The overlay of lines, with their origins. Outlines are shown without grid
 /// fitting.
 Overlay make_overlay(const Font& font,
                      const std::vector<Line>& lines,

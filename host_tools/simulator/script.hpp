@@ -1,4 +1,4 @@
-// The simulator from a text file: for tests, and for pictures of documents.
+// Runs the simulator by scripts: for tests, and for pictures in documents.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace inkcell::tools {
 using Screenshot =
     std::function<void(Simulator& simulator, const std::filesystem::path&)>;
 
-/// What scripts can do beside settings: name, arguments and task.
+/// A command of scripts beside settings: name, arguments and help.
 struct ScriptCommand {
   const char* name;
   const char* arguments;
@@ -21,13 +21,13 @@ struct ScriptCommand {
 };
 const std::vector<ScriptCommand>& script_commands();
 
-/// Carries out a file line by line; lines that begin with # and empty ones do
+/// Runs a file line by line; empty lines and lines that begin with # do
 /// nothing. Throws std::runtime_error that names the line.
 void run_script(Simulator& simulator,
                 const std::filesystem::path& file,
                 const Screenshot& screenshot);
 
-/// Writes the display's picture, or with .bin the bytes of its memory.
+/// Writes the display's picture, or its memory if the suffix is .bin.
 void save_frame(const Frame& frame, const std::filesystem::path& file);
 
 }  // namespace inkcell::tools

@@ -1,4 +1,4 @@
-// What a person may choose: the scene, the display, how text looks, the view.
+// The settings: scene, display, style of text, view.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ inline constexpr const char* kDemoScene = "demo";
 
 struct Settings {
   std::string scene = kTextScene;
-  std::string board;  // whose display it is; "" if it is nobody's
+  std::string board;  // the owner of the display; may be ""
   Display display = Display::grey4;
   int width = 128;  // [px]
   int height = 64;
@@ -32,25 +32,25 @@ struct Settings {
   double shift_y = 0;  // down
   bool is_dark = true;
 
-  int zoom = 0;  // 0: as large as the window holds
+  int zoom = 0;  // 0: as large as fits the window
   bool has_grid = true;
   bool has_overlay = false;
 };
 
-/// Whether both draw the same pixels.
+/// Whether both give the same pixels.
 bool draws_same(const Settings& a, const Settings& b);
 
-/// All there are, in the order of their keys.
+/// All scenes, in the order of their keys.
 std::vector<std::string> scene_names();
 
-/// Chooses a scene, its text, and a board if the scene needs one. Throws
+/// Selects a scene with its text, and a board if the scene needs one. Throws
 /// std::runtime_error.
 void choose_scene(Settings& settings, const std::string& name);
-/// Chooses a board's display, or with "none" nobody's.
+/// Selects a board's display; "none" for a display without a board.
 void choose_board(Settings& settings, const std::string& name);
 void choose_display(Settings& settings, Display display);
 
-/// A setting as options and scripts name it.
+/// A setting, with its name in options and scripts.
 struct SettingInfo {
   const char* name;
   const char* arguments;
@@ -59,7 +59,7 @@ struct SettingInfo {
   void (*set)(Settings& settings, const std::string& value);
 };
 
-/// All there are; those that change others first.
+/// All settings; those that change others come first.
 const std::vector<SettingInfo>& setting_list();
 
 /// Throws std::runtime_error that lists the names.

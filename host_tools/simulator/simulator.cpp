@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kDigits = "0123456789:";
 
-// Whether a font was asked for all characters of a text; a face may lack some.
+// Whether a font was made for all characters of a text; a face may lack some.
 bool was_asked(const Font& font,
                const std::string& asked,
                const std::string& text) {
@@ -22,7 +22,7 @@ bool was_asked(const Font& font,
   });
 }
 
-// Whether the same stage plays both.
+// Whether both use the same stage.
 bool plays_same(Settings a, const Settings& b) {
   a.frame = b.frame;
   a.rows = b.rows;
@@ -31,7 +31,7 @@ bool plays_same(Settings a, const Settings& b) {
 
 }  // namespace
 
-// Null: it is not there yet.
+// Null if it is not ready.
 const Font* Simulator::font_for(const FontWish& wish) {
   const auto known = fonts_.find(wish.coding);
   FontWish wanted = wish;
@@ -51,7 +51,7 @@ const Font* Simulator::font_for(const FontWish& wish) {
               .first->second.rom.font();
 }
 
-// False: its font is not there yet.
+// False if its font is not ready.
 bool Simulator::open_stage() {
   font_ = nullptr;
   if (settings.scene == kDemoScene) {

@@ -16,38 +16,38 @@
 
 namespace inkcell::tools {
 
-/// A frame that was drawn, and what drawing took.
+/// A frame and the cost of drawing it.
 struct Frame {
   explicit Frame(const DisplayMemory& shown)
       : memory(shown), picture(shown.picture()) {}
 
   DisplayMemory memory;
-  Image picture;  // colours as they reach the eye
+  Image picture;  // as the eye sees it
   Overlay overlay;
-  DrawStats stats;          // of text and scenes, none of a board's demo
+  DrawStats stats;          // of text and scenes, not of demos
   double milliseconds = 0;  // on this machine
   size_t strip_bytes = 0;
   size_t state_bytes = 0;
-  size_t font_bytes = 0;        // 0: a board's own
+  size_t font_bytes = 0;        // 0: the board's own font
   std::optional<Point> origin;  // of text
 };
 
 class Simulator {
  public:
-  /// Makes a font; none if it is not there yet and shall be asked for again.
-  /// May throw.
+  /// Makes a font; none if it is not ready, then it will be asked again. May
+  /// throw.
   using FontMaker = std::function<std::optional<RomFile>(const FontWish& wish)>;
 
   explicit Simulator(FontMaker make_font) : make_font_(std::move(make_font)) {}
 
   Settings settings;
 
-  /// Draws what the settings say, unless it was drawn already. While their font
-  /// is being made, and if they cannot be drawn, the last frame stays; the
-  /// latter throws std::runtime_error.
+  /// Draws the settings, unless they are drawn already. The last frame stays
+  /// while their font is being made, or if they cannot be drawn, which throws
+  /// std::runtime_error.
   void update();
 
-  /// The last one; null before the first.
+  /// The last frame; null before the first.
   std::shared_ptr<const Frame> frame() const { return frame_; }
 
  private:
@@ -65,7 +65,7 @@ class Simulator {
   const Font* font_ = nullptr;  // of the stage; null: a board's own
   Settings tried_;
   bool is_tried_ = false;
-  std::string problem_;  // of what was tried
+  std::string problem_;  // of the last attempt
   std::unique_ptr<Stage> stage_;
   std::shared_ptr<const Frame> frame_;
 };

@@ -19,7 +19,7 @@ constexpr int kMargin = 2;  // on the left and the right of wrapped text [px]
 LookOptions look_of(const Settings& settings) {
   LookOptions look;
   suit_display(settings.display, look);
-  // With two levels a filter changes nothing.
+  // A filter has no effect with two levels.
   look.filter = look.levels == 2 ? "" : settings.filter;
   look.hint = settings.hint;
   look.weight = settings.weight;

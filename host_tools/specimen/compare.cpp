@@ -1,4 +1,4 @@
-// Sheets of the same text, drawn in many ways.
+// Sheets of the same text, drawn by different methods.
 #include "compare.hpp"
 
 #include <array>

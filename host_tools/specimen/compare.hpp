@@ -1,4 +1,4 @@
-// Pictures of our text beside that of others, as in the paper's figures 5 to 7.
+// Our text beside that of others, as in figures 5 to 7 of the paper.
 #pragma once
 
 #include "image.hpp"

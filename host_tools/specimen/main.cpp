@@ -1,4 +1,4 @@
-// inkcell-specimen: pictures that show a font at work.
+// inkcell-specimen: specimen pictures of a font.
 #include <CLI/CLI.hpp>
 
 #include "compare.hpp"
@@ -78,7 +78,7 @@ bool has_comparison(const Arguments& arguments) {
   return !arguments.compare_body.empty() || !arguments.compare_display.empty();
 }
 
-// Before a font is converted, which takes seconds.
+// Checks arguments before a font is converted, which takes seconds.
 void check(const Arguments& arguments, const CLI::App& app) {
   const std::vector<const CLI::Option*> given =
       app.get_options([](const CLI::Option* option) {

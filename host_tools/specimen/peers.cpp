@@ -1,4 +1,4 @@
-// Draws outlines by FreeType, and samples of them.
+// Draws outlines by FreeType, and samples them.
 #include "peers.hpp"
 
 #include <ft2build.h>
@@ -40,7 +40,7 @@ std::vector<uint8_t> render(FT_Library library,
   return buffer;
 }
 
-// 1 where a sample lies in the outline.
+// 1 where a sample is in the outline.
 std::vector<uint8_t> sample(FT_Library library,
                             FT_Outline& outline,
                             int width,

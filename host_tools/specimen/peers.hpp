@@ -1,4 +1,4 @@
-// Text as others draw it: supersampled, and by FreeType.
+// Text drawn by others: supersampled, and by FreeType.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ enum class Peer {
   light,     // exact coverage, heights hinted by FreeType's autohinter
 };
 
-/// Weights of samples that lie (x, y) from a pixel's centre [px]: of a pixel as
-/// a box, and 2^(-3 d^2) up to d = 1 px.
+/// Weights of samples at (x, y) from a pixel's centre [px]: a box, and 2^(-3
+/// d^2) up to d = 1 px.
 double box_weight(double x, double y);
 double gaussian_weight(double x, double y);
 
@@ -33,8 +33,8 @@ Image fill_polygons(const std::vector<std::vector<PeerCorner>>& polygons,
                     int width,
                     int height);
 
-/// A font file, read by FreeType. Glyphs stand where unhinted advances say,
-/// with kerning as in the font's kern table, at fractions of a pixel.
+/// A font file, read by FreeType. Glyphs are placed by unhinted advances, with
+/// kerning from the kern table, at fractions of a pixel.
 class PeerFont {
  public:
   /// Throws std::runtime_error.

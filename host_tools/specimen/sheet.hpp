@@ -1,4 +1,4 @@
-// A list of labelled samples, each as it is and enlarged beside that.
+// A list of labelled samples, each in its size and enlarged beside it.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace inkcell::tools {
 
-/// What all samples of a sheet have in common.
+/// The layout of all samples of a sheet.
 struct SheetLayout {
   int width = 0;  // of a sample [px]
   int height = 0;
@@ -25,10 +25,10 @@ struct SheetLayout {
 
 class Sheet {
  public:
-  /// Labels are written with `font`, which must outlive the sheet.
+  /// Labels are written in `font`, which must outlive the sheet.
   Sheet(const Font& font, const SheetLayout& layout);
 
-  /// Adds a sample: `draw` is given a picture of three channels, full of
+  /// Adds a sample: `draw` gets a picture of three channels, filled with
   /// `ground` (0xRRGGBB), `height` px high unless that is 0.
   void add(const std::string& label,
            uint32_t ground,
@@ -47,12 +47,12 @@ class Sheet {
 /// A picture of three channels, full of `colour`.
 Image colour_image(int width, int height, uint32_t colour);
 
-/// Lays `from` over `to`, its upper left pixel at (x, y). Both have three
+/// Copies `from` to `to`, its upper left pixel at (x, y). Both have three
 /// channels.
 void paste(const Image& from, int x, int y, Image& to);
 
-/// A sink that draws in colour, with sub-pixels, over all of a picture of three
-/// channels. Stays where it was made.
+/// A sink that draws in colour, with sub-pixels, on a picture of three
+/// channels. Must not move.
 class ColourSink {
  public:
   ColourSink(Image& image, uint32_t colour);

@@ -15,8 +15,7 @@ constexpr int kMargin = 12;  // [px]
 
 constexpr const char* kPangram = "Sphinx of black quartz, judge my vow";
 
-// Three sentences that use what text uses; lines are broken by hand, because
-// the device does not break lines.
+// Three sentences of typical text, with line breaks made by hand.
 constexpr const char* kParagraph =
     "A font file goes in; at build time each glyph becomes a\n"
     "field of signed distances, sampled finely at corners and\n"
@@ -54,8 +53,8 @@ double width_of(const Font& font, const std::string& text, double px) {
   return size.advance * px / font.units_per_em();
 }
 
-// A word every 15 degrees, its origin `radius` px from (x, y); lines stay apart
-// if that is 4 times their size or more.
+// A word every 15 degrees, its origin `radius` px from (x, y). Lines do not
+// touch if the radius is at least 4 times their size.
 void draw_fan(const Font& font,
               const std::string& word,
               double px,
@@ -64,8 +63,8 @@ void draw_fan(const Font& font,
               double radius,
               Image& image) {
   constexpr double kRadians = 3.14159265358979323846 / 180;
-  // The baseline passes below the ray by a third of the x-height, so that the
-  // word's middle points to the centre.
+  // The baseline is a third of the x-height below the ray, so that the word's
+  // middle points to the centre.
   const double drop = 0.17 * px;
   for (int angle = 0; angle < 360; angle += 15) {
     const double cosine = std::cos(angle * kRadians);
@@ -92,7 +91,7 @@ Image draw_sizes(const Font& font, int width) {
     put(font, text, px, 0, kMargin, y + px * em.ascent, image);
     y += px * em.line;
   }
-  // The fan has the upper right corner, where the lines are short.
+  // The fan is in the upper right corner, where the lines are short.
   constexpr double kFanPx = 17;
   constexpr double kRadius = 62;
   const double reach = kRadius + width_of(font, "inkcell", kFanPx) + kMargin;

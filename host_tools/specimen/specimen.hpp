@@ -1,4 +1,4 @@
-// Pictures that show a font at work: sizes, angles, paragraphs, digits.
+// Specimen pictures of a font: sizes, angles, paragraphs, digits.
 #pragma once
 
 #include "image.hpp"
@@ -6,20 +6,20 @@
 
 namespace inkcell::tools {
 
-/// One line at sizes from 8 to 60 px, and a word in many directions; `width`
-/// of the picture in px. Black on white, as all of these.
+/// One line at sizes from 8 to 60 px, and a word in many directions; the
+/// picture is `width` px wide. Black on white, as all of these.
 Image draw_sizes(const Font& font, int width);
 
 /// Paragraphs at 11, 13 and 16 px.
 Image draw_body(const Font& font);
 
-/// A clock as large as a panel. The font needs digits and a colon only.
+/// A clock that fills a panel. The font only needs digits and a colon.
 Image draw_digits(const Font& font);
 
 /// A word in many directions around a point.
 Image draw_turned(const Font& font);
 
-/// A line that moves to the right by 1/8 px from row to row.
+/// A line that moves right by 1/8 px from row to row.
 Image draw_moved(const Font& font);
 
 }  // namespace inkcell::tools

@@ -1,4 +1,4 @@
-// Draws a pattern that no font has.
+// Draws a test pattern.
 #include "star.hpp"
 
 #include <algorithm>
@@ -79,13 +79,13 @@ Image cover(const std::vector<Wedge>& wedges) {
 
 enum class Jitter { none, whole };
 
-// The exact pattern, `scale` x `scale` samples to a pixel weighed by w(x, y);
-// each in the middle of its square, or anywhere in it.
+// The exact pattern, with `scale` x `scale` samples a pixel weighed by w(x, y),
+// each in the middle of its square or at a random place in it.
 Image supersample(const gen::Shape& shape,
                   int scale,
                   Jitter jitter,
                   double (*weight)(double, double)) {
-  // Of all samples; those around the picture belong to pixels at its border.
+  // All samples; those around the picture belong to pixels at its border.
   const int side = (kSide + 2) * scale;
   std::vector<gen::Point> places;
   std::vector<char> inside;
@@ -202,7 +202,7 @@ Image draw_star(const Font& font) {
       {"Inkcell, up to 13, even", device.draw(circle_samples_effect(even))},
       {"Inkcell, up to 13, paper", device.draw(circle_samples_effect(paper))},
       {"Inkcell, splats", device.draw(splat_effect(splats))}};
-  // Two rows of columns, of which each is a picture and its middle.
+  // Two rows of columns, each a picture and its middle.
   constexpr int kColumns = 4;
   constexpr int kColumn = kSide + kSpace;
   constexpr int kRow = kCaptionHeight + kSide + kZoom * kMiddle + 3 * kSpace;

@@ -66,7 +66,7 @@ struct Sample {
   }
 };
 
-// Large text over its shadow: the one crisp, the other dithered.
+// Large text over its shadow: the text bilevel, the shadow dithered.
 void draw_shadow_in_1_bit(const Font& font, Image& image) {
   constexpr double kPx = 26;
   const int stride = (image.width + 7) / 8;
@@ -268,7 +268,7 @@ Image draw_contrast(const Font& font) {
 Image draw_maps(const Font& font) {
   constexpr double kPx = 24;
   Sheet sheet(font, {112, 50, 5, 0, 112});
-  // Where the axes of the glyphs lead [em], and where the origin is [px].
+  // The axes of the glyphs [em], and the origin [px].
   struct Map {
     const char* label;
     double x_right;
@@ -310,7 +310,7 @@ Image draw_motion(const Font& font) {
     MotionBlur blur;
     if (make_motion_blur(kFilterText, make_point(right, down), blur) !=
         Status::ok) {
-      throw std::runtime_error("a way is out of range");
+      throw std::runtime_error("a motion is out of range");
     }
     sheet.add(label, kWhite, [&](Image& image) {
       TextStyle style = make_style(kPx, 0, kFilterText);

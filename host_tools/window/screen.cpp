@@ -83,7 +83,7 @@ Screen::Screen(const std::string& title, float scale) {
 }
 
 Screen::Screen(int width, int height, float scale) {
-  // The format of windows, for which SDL rounds blends in another way.
+  // The format of windows; with other formats SDL rounds blends differently.
   surface_ = SDL_CreateRGBSurfaceWithFormat(0, width, height, 32,
                                             SDL_PIXELFORMAT_RGB888);
   renderer_ =

@@ -1,4 +1,4 @@
-// ImGui on SDL: a window, or a picture in memory that is the same every time.
+// ImGui on SDL: a window, or a reproducible picture in memory.
 #pragma once
 
 #include <SDL.h>
@@ -16,8 +16,8 @@ namespace inkcell::tools {
 
 class Screen {
  public:
-  /// A window with widgets at `scale`; 0: that of the display, as far as SDL
-  /// knows it. Throws std::runtime_error.
+  /// A window with widgets at `scale`; 0: that of the display, if SDL knows it.
+  /// Throws std::runtime_error.
   explicit Screen(const std::string& title, float scale = 0);
   /// A picture of `width` x `height` px at `scale`, without a display server.
   Screen(int width, int height, float scale);
@@ -27,11 +27,10 @@ class Screen {
 
   Textures& textures() { return *textures_; }
 
-  /// Waits for input up to `wait_ms` and hands it to ImGui; `on_key` gets keys
-  /// named as SDL does, such as ctrl+shift+z, unless a text field has them.
-  /// Takes one press or release of a key or button at a time, so that each
-  /// gets a frame however slow frames are. False if the person closes the
-  /// window.
+  /// Waits for input up to `wait_ms` and passes it to ImGui. `on_key` gets keys
+  /// by their SDL names, such as ctrl+shift+z, unless a text field has the
+  /// focus. Reads one press or release at a time, so that each gets a frame
+  /// even if frames are slow. False if the window was closed.
   bool take_input(int wait_ms,
                   const std::function<void(const std::string&)>& on_key);
 
@@ -51,7 +50,7 @@ class Screen {
   SDL_Renderer* renderer_ = nullptr;
   SDL_Texture* font_ = nullptr;
   std::unique_ptr<Textures> textures_;
-  // The pointer as of the last event that was taken, not as it is now.
+  // The pointer at the last event that was read, not its current position.
   ImVec2 pointer_ = {-FLT_MAX, -FLT_MAX};
   bool is_down_[3] = {};  // as ImGui counts buttons
 };

@@ -1,4 +1,4 @@
-// Pictures on the screen, kept as long as they are shown.
+// Textures, cached as long as they are shown.
 #pragma once
 
 #include <SDL.h>
@@ -15,15 +15,15 @@ class Textures {
  public:
   explicit Textures(SDL_Renderer* renderer) : renderer_(renderer) {}
 
-  /// The texture of a picture with 3 channels, or with 1, which is the alpha of
-  /// ink. `owner` keeps what `key` points to alive, so that no other picture
-  /// gets its address. Null for an empty picture.
+  /// The texture of a picture with 3 channels, or 1: the alpha of ink. `owner`
+  /// keeps the memory at `key` alive, so that no other picture gets its
+  /// address. Null for an empty picture.
   ImTextureID of(const std::shared_ptr<const void>& owner,
                  const void* key,
                  const Image& image);
-  /// The one that of() made for `key`, if any.
+  /// The texture that of() made for `key`, if any.
   ImTextureID find(const void* key) const;
-  /// Drops those that were not asked for since the last call but one.
+  /// Drops textures that were not used in the last two frames.
   void end_frame();
 
  private:
@@ -33,7 +33,7 @@ class Textures {
   struct Entry {
     std::unique_ptr<SDL_Texture, Release> texture;
     std::shared_ptr<const void> owner;
-    mutable int age = 0;  // frames since it was asked for
+    mutable int age = 0;  // frames since the last use
   };
 
   SDL_Renderer* renderer_;

@@ -11,7 +11,7 @@ namespace {
 constexpr float kFontSize = 15;  // [px]
 constexpr float kSmallSize = 11;
 
-// The first of these that is there; ImGui's own font otherwise.
+// The first one that exists, else ImGui's own font.
 constexpr const char* kFonts[] = {
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf",
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",

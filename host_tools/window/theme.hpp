@@ -23,13 +23,13 @@ inline constexpr ImU32 kTool = IM_COL32(30, 110, 214, 255);
 inline constexpr ImU32 kComponent = IM_COL32(214, 224, 240, 255);
 }  // namespace colour
 
-/// Lays calm colours and spacing over ImGui, for a scale of the screen.
+/// Sets ImGui's colours and spacing for a scale of the screen.
 void apply_theme(float scale);
 
-/// Adds the fonts of the window. Before the first frame.
+/// Adds the fonts of the window. Call before the first frame.
 void add_fonts(float scale);
 
-/// For what stands below things; the other font is the one that is current.
+/// For captions below things; the current font is used elsewhere.
 ImFont* small_font();
 
 /// px of the screen for px at scale 1.

@@ -7,13 +7,13 @@
 
 namespace inkcell::tools {
 
-/// A text that appears over the last widget when the pointer rests on it.
+/// A text that appears when the pointer rests on the last widget.
 void tooltip(const char* text, const char* keys = "");
 
-/// A button that stays pressed; true when it is pressed now.
+/// A toggle button; true when it is pressed.
 bool choice(const char* label, bool is_chosen, const char* hint);
 
-/// A part of the window that stays where it is, whose widgets `draw` submits.
+/// A fixed part of the window; `draw` submits its widgets.
 void panel(const char* name,
            ImVec2 at,
            ImVec2 size,

@@ -1,4 +1,4 @@
-// What a person chooses: scene, display, text, view.
+// Controls for scene, display, text and view.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -63,7 +63,7 @@ void heading(const char* text) {
   ImGui::Separator();
 }
 
-// Begins a line of the form; the widget behind it fills the rest.
+// The label of a form's line; the next widget fills the rest of the line.
 void label(const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
@@ -71,7 +71,7 @@ void label(const char* text) {
   ImGui::SetNextItemWidth(-1);
 }
 
-// Goes on in the same line if a button of this label fits there.
+// Continues the line if a button with this label fits.
 void flow(const char* next, bool is_first) {
   if (is_first) {
     return;
@@ -96,7 +96,7 @@ const char* choices(const Named (&list)[kCount], const std::string& chosen) {
   return result;
 }
 
-// A slider that a click with the other button sets back.
+// A slider that the right mouse button resets.
 bool slider(const char* id,
             double& value,
             double low,

@@ -1,4 +1,4 @@
-// The display, enlarged, with what lies over it.
+// The display, enlarged, with its overlay.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -91,7 +91,7 @@ void draw_overlay(const View& view, const Overlay& overlay, ImDrawList& list) {
   }
 }
 
-// Says which pixel the pointer is on, and frames it.
+// Names and frames the pixel below the pointer.
 void point_at(Panels& panels,
               const View& view,
               const Image& image,
@@ -121,7 +121,7 @@ void point_at(Panels& panels,
   }
 }
 
-// Wheel: zoom, with the pixel under the pointer at its place. Drag: pan.
+// Wheel: zooms about the pointer. Drag: pans.
 void take_pointer(Panels& panels, ImVec2 middle) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActive()) {

@@ -1,4 +1,4 @@
-// inkcell-simulator: what the boards show, in a window.
+// inkcell-simulator: the displays of the boards in a window.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -30,7 +30,7 @@ struct Arguments {
   float scale = 1;
 };
 
-// What people type: fonts of the window have it from the start.
+// Characters that the window's fonts have from the start, for typing.
 std::string common_characters() {
   std::string all;
   for (char c = ' '; c <= '~'; ++c) {
@@ -68,7 +68,7 @@ void apply_settings(const Arguments& arguments, Settings& settings) {
   }
 }
 
-// Draws what can be drawn, and says why if it cannot.
+// Draws the current settings, and keeps the error if that fails.
 void attempt(Panels& panels) {
   try {
     panels.simulator.update();
@@ -97,7 +97,7 @@ void run_window(Simulator& simulator,
   }
 }
 
-// The window as it looks when all that is shown has been drawn.
+// A picture of the window after all pending work.
 void write_screenshot(Simulator& simulator,
                       bool has_fixed_coding,
                       float scale,

@@ -15,7 +15,7 @@ namespace inkcell::tools {
 
 constexpr int kMostZoom = 64;
 
-/// What panels share beside the simulator.
+/// Shared state of the panels, beside the simulator.
 struct Panels {
   Panels(Simulator& shown, Textures& kept) : simulator(shown), textures(kept) {}
 
@@ -25,14 +25,14 @@ struct Panels {
   bool has_fixed_coding = false;       // the font was made before
   std::string problem;                 // why the last settings draw nothing
   bool is_playing = false;
-  float frames_due = 0;  // part of a frame that passed since the last one
+  float frames_due = 0;  // fraction of a frame since the last one
   bool wants_quit = false;
   ImVec2 pan = {0, 0};  // of the display from the middle of its panel [px]
   int zoom = 1;         // as it is shown
   std::string pointed;  // the pixel under the pointer
 };
 
-/// All of the window.
+/// Draws the whole window.
 void draw_window(Panels& panels);
 
 void draw_controls(Panels& panels);
@@ -40,12 +40,12 @@ void draw_display_view(Panels& panels);
 void draw_player_bar(Panels& panels);
 void draw_status(Panels& panels);
 
-/// A key by SDL's name.
+/// Handles a key by its SDL name.
 void take_key(Panels& panels, const std::string& key);
 
-/// Whether frames of the scene differ.
+/// Whether the scene is animated.
 bool is_moving(const Settings& settings);
-/// Frames until the scene begins anew.
+/// Frames until the scene repeats.
 int loop_frames(const Settings& settings);
 
 }  // namespace inkcell::tools

@@ -1,4 +1,4 @@
-// Play, step and frame; the line of status; keys; and where the panels are.
+// Play, step and frame; the status line; keys; and the layout of the panels.
 #include <algorithm>
 #include <cmath>
 
@@ -13,13 +13,13 @@ constexpr float kBarHeight = 46;
 constexpr float kStatusHeight = 30;
 constexpr int kDemoFrames = 480;  // a minute of its clock
 
-// Advances by the time that has passed since the last frame of the window.
+// Advances by the time since the last frame of the window.
 void play(Panels& panels) {
   Settings& settings = panels.simulator.settings;
   panels.frames_due += ImGui::GetIO().DeltaTime * scenes::kFramesPerSecond;
   const float whole = std::floor(panels.frames_due);
   panels.frames_due -= whole;
-  // What a pause of the window missed is left out.
+  // Time that a pause of the window missed is skipped.
   settings.frame += static_cast<uint32_t>(std::min(whole, 3.0f));
 }
 
@@ -28,7 +28,7 @@ void step(Settings& settings, int frames) {
   settings.frame = static_cast<uint32_t>(std::max(frame, 0));
 }
 
-// A bar while a font is being made.
+// A progress bar while a font is being made.
 bool draw_work(const Panels& panels) {
   const auto work =
       panels.worker == nullptr ? std::nullopt : panels.worker->work();
