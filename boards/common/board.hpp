@@ -1,4 +1,4 @@
-// What every board offers: a console and an exit code. A counter is in
+// The functions of every board: a console and an exit code. A counter is in
 // counter.hpp, a display in display.hpp, files in semihosting.hpp.
 #pragma once
 
@@ -8,23 +8,22 @@
 namespace inkcell {
 namespace board {
 
-/// Switches clocks, UART and counter on. Start-up calls it before main(); a
-/// program never does.
+/// Switches clocks, UART and counter on. Called by the start-up code only.
 void init() noexcept;
 
-/// Sends `size` characters to the board's UART and waits until it took them.
+/// Sends `size` characters to the board's UART and waits until it accepts them.
 void console_write(const char* text, size_t size) noexcept;
 
 /// Ends the program: in an emulator with `code` as its exit code (0..255), on
-/// hardware without a debugger by standing still.
+/// hardware without a debugger in an endless loop.
 [[noreturn]] void exit(int code) noexcept;
 
-/// The exit code of a program that ran into a fault: an access that the board
-/// refuses, an unaligned one where the core can refuse it, a division by zero,
-/// an undefined instruction, an interrupt that nobody asked for.
+/// The exit code after a fault: a refused access, an unaligned one if the core
+/// can refuse it, a division by zero, an undefined instruction, an unexpected
+/// interrupt.
 inline constexpr int kFaultExitCode = 70;
 
-/// console_write() of a string that ends with a zero, and of a number.
+/// console_write() of a zero-terminated string, and of a number.
 void print(const char* text) noexcept;
 void print_decimal(uint32_t value) noexcept;
 void print_hex(uint32_t value) noexcept;

@@ -1,4 +1,4 @@
-// Printing strings and numbers through console_write().
+// Prints strings and numbers by console_write().
 #include "board.hpp"
 
 namespace inkcell {

@@ -1,6 +1,6 @@
-// The display of a board that has one.
+// The display of a board, if it has one.
 //
-// board.cmake says its size and its formats. The size arrives as the macros
+// board.cmake sets its size and formats. The size is passed as the macros
 // INKCELL_DISPLAY_WIDTH and INKCELL_DISPLAY_HEIGHT [px].
 #pragma once
 
@@ -12,13 +12,12 @@
 namespace inkcell {
 namespace board {
 
-/// Switches the display on. False if it is not there or does not have this
-/// format.
+/// Switches the display on. False if it does not exist or lacks this format.
 bool display_init(port::PixelFormat format) noexcept;
 
 /// Copies a strip in the display's format to its place on the screen, and
-/// returns when it has been sent. The strip lies on the screen; its left edge
-/// and width are whole bytes, its top and height whole pages.
+/// returns when it has been sent. The strip must be on the screen; its left
+/// edge and width must be whole bytes, its top and height whole pages.
 void display_write(const Strip& strip) noexcept;
 
 }  // namespace board

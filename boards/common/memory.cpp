@@ -1,7 +1,7 @@
-// The four memory functions that a compiler may call on its own.
+// The four memory functions that a compiler may call by itself.
 //
-// Compiled with -fno-tree-loop-distribute-patterns, else the loops would become
-// calls of themselves.
+// Compiled with -fno-tree-loop-distribute-patterns, otherwise the loops would
+// become calls of themselves.
 #include <stddef.h>
 #include <stdint.h>
 

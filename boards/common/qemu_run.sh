@@ -3,15 +3,15 @@
 #
 #     qemu_run.sh BOARD FIRMWARE.elf [ARGUMENT...]
 #
-# BOARD is a folder below boards/. Arguments reach main() through semihosting
-# (none of them may hold a blank). The board's UART is standard output.
+# BOARD is a folder in boards/. Arguments, without blanks, reach main() by
+# semihosting. The board's UART is standard output.
 #
 #   INKCELL_QEMU_FLAGS   more options for QEMU, e.g. "-device VGA,romfile="
 #   INKCELL_QEMU_WINDOW  gtk or sdl: show the display in a window, in real time
 #
-# Without a window the virtual time is counted in instructions, so that every
-# run is the same: one lasts 2^8 ns (counter.hpp relies on it), or on RISC-V,
-# whose counter needs no timer, 1 ns.
+# Without a window the virtual time is counted in instructions, so all runs are
+# the same: an instruction takes 2^8 ns (counter.hpp relies on it), or 1 ns on
+# RISC-V, whose counter needs no timer.
 set -eu
 if [ $# -lt 2 ]; then
   sed -n '2,11s/^# \{0,1\}//p' "$0" >&2

@@ -1,14 +1,14 @@
-// The semihosting trap of each architecture, and the calls made with it.
+// The semihosting trap of each architecture, and its calls.
 #include "semihosting.hpp"
 
 extern "C" {
-// The label inkcell_semihosting_trap is the instruction that traps: fault
-// handlers compare with it. `block` points to the operation's parameters.
+// The label inkcell_semihosting_trap marks the trapping instruction, for fault
+// handlers. `block` points to the operation's parameters.
 intptr_t inkcell_semihosting(uint32_t operation, const void* block) noexcept;
 }
 
 #if defined(__riscv)
-// The three instructions must be uncompressed and lie in one page.
+// The three instructions must be uncompressed and in one page.
 asm(R"(
     .section .text.inkcell_semihosting, "ax"
     .globl inkcell_semihosting, inkcell_semihosting_trap
@@ -39,7 +39,7 @@ inkcell_semihosting_trap:
     .previous
 )");
 #else
-// The trap overwrites lr: these cores run everything in supervisor mode.
+// The trap overwrites lr, as these cores run everything in supervisor mode.
 asm(R"(
     .section .text.inkcell_semihosting, "ax"
     .globl inkcell_semihosting, inkcell_semihosting_trap
@@ -58,7 +58,7 @@ namespace inkcell {
 namespace semihosting {
 namespace {
 
-// Numbers of the operations, by the Arm semihosting specification.
+// The operations' numbers in the Arm semihosting specification.
 enum Operation : uint32_t {
   kOpen = 0x01,
   kClose = 0x02,
@@ -82,7 +82,7 @@ intptr_t open(const char* name, Mode mode) noexcept {
   while (name[size] != '\0') {
     ++size;
   }
-  // A terminal for writing is opened as text.
+  // For writing, a terminal is opened as text.
   const bool terminal = name[0] == ':' && mode == Mode::write;
   const uintptr_t block[3] = {
       address(name), terminal ? 4 : static_cast<uintptr_t>(mode), size};

@@ -1,8 +1,8 @@
-// Semihosting: exit code, arguments and files of the machine that runs the
+// Semihosting: exit code, arguments and files of the host that runs the
 // emulator or the debugger.
 //
-// Without one every call returns -1: start-up code catches the trap that
-// nobody took. So a firmware may call these on real hardware, too.
+// Without a host every call returns -1: start-up code catches the unhandled
+// trap. So firmware may call these on real hardware, too.
 #pragma once
 
 #include <stddef.h>
@@ -13,7 +13,7 @@ namespace semihosting {
 
 enum class Mode : uint32_t { read = 1, write = 5 };  // both binary
 
-/// Opens a file; relative names start at the emulator's working directory.
+/// Opens a file; relative names start in the emulator's working directory.
 /// Returns a handle, or -1. ":tt" with Mode::write is standard output.
 intptr_t open(const char* name, Mode mode) noexcept;
 
@@ -26,7 +26,7 @@ intptr_t length(intptr_t file) noexcept;
 
 void close(intptr_t file) noexcept;
 
-/// Writes the command line, joined by single blanks and ended by a zero, to
+/// Writes the command line, joined by single blanks and zero-terminated, to
 /// `line`. False, with an empty line, if it does not fit or there is none.
 bool command_line(char* line, size_t size) noexcept;
 

@@ -1,4 +1,4 @@
-// Painting the stack, and finding how far the paint is scratched.
+// Paints the stack, and finds how much of the paint is overwritten.
 #include "stack.hpp"
 
 namespace inkcell {

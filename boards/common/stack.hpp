@@ -1,4 +1,4 @@
-// Measuring how much stack a piece of code needs.
+// Measures the stack that a piece of code needs.
 #pragma once
 
 #include <stddef.h>
@@ -26,11 +26,11 @@ inline uintptr_t stack_pointer() noexcept {
 /// Fills the free part of the stack with a pattern.
 void paint_stack() noexcept;
 
-/// The lowest address where the pattern is gone.
+/// The lowest address at which the pattern is overwritten.
 uintptr_t lowest_stack_used() noexcept;
 
-/// The most stack that `work()` had in use at any time, with its return address
-/// if it is called. [bytes] A multiple of 4.
+/// The greatest stack use of `work()`, with its return address if it is called.
+/// [bytes] A multiple of 4.
 template <typename Work>
 [[gnu::noinline]] size_t count_stack(const Work& work) noexcept {
   const uintptr_t here = stack_pointer();

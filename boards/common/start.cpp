@@ -1,4 +1,4 @@
-// From reset to main(), and from there to the exit code.
+// From reset to main(), and from its result to the exit code.
 #include "start.hpp"
 
 #include <stddef.h>
@@ -16,7 +16,7 @@ extern uint32_t inkcell_bss_end[];
 extern void (*const inkcell_init_begin[])() noexcept;
 extern void (*const inkcell_init_end[])() noexcept;
 
-// C++ does not let a program call main() by its name.
+// C++ forbids calling main() by its name.
 int inkcell_application(int argc, char** argv) noexcept asm("main");
 }
 
@@ -25,8 +25,8 @@ namespace {
 constexpr size_t kLineBytes = 256;
 constexpr int kMaxArguments = 16;
 
-// Calls main() with the words of the command line. They live on the stack, so
-// that a firmware has no RAM taken for them.
+// Calls main() with the words of the command line. They are on the stack, so
+// that they take no static RAM.
 int call_application() noexcept {
   char line[kLineBytes];
   char* arguments[kMaxArguments + 1];

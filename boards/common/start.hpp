@@ -1,12 +1,12 @@
-// What the start-up code of each architecture has in common with the rest.
+// Shared by the start-up code of all architectures.
 #pragma once
 
 #include <stdint.h>
 
 extern "C" {
 
-/// Fills .data and .bss, runs constructors, initialises the board, calls main()
-/// and exits. The stack pointer is set.
+/// Initialises .data, .bss, constructors and the board, calls main() and exits.
+/// The stack pointer must be set.
 [[noreturn]] void inkcell_start() noexcept;
 
 /// Reports a fault at `address` (0: unknown) and exits. Runs on a fresh stack.

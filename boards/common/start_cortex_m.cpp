@@ -13,7 +13,7 @@ void inkcell_fault_entry() noexcept;
 namespace {
 
 // Configuration and control register: refuse unaligned access and division by
-// zero. Cortex-M0 ignores the write; in hardware it refuses the first anyway.
+// zero. Cortex-M0 ignores the write; its hardware always refuses the first.
 constexpr uintptr_t kConfiguration = 0xe000ed14;
 constexpr uint32_t kDivideByZeroTrap = 1 << 4;
 constexpr uint32_t kUnalignedTrap = 1 << 3;
@@ -42,12 +42,12 @@ extern "C" void inkcell_reset() noexcept {
   inkcell_start();
 }
 
-// The core has pushed eight words, the seventh of them the address of the
-// instruction. If the stack pointer has left the stack they cannot be read, and
-// nothing can be pushed: start again from the top.
+// The core has pushed eight words; the seventh is the address of the
+// instruction. If the stack pointer has left the stack, they cannot be read and
+// nothing can be pushed: restart from the top.
 //
-// If the instruction is the semihosting trap, then there is no debugger to take
-// it: go on behind it with the result -1.
+// If the instruction is the semihosting trap, there is no debugger to handle
+// it: continue after it with the result -1.
 asm(R"(
     .syntax unified
     .section .text.inkcell_fault_entry, "ax"

@@ -10,7 +10,7 @@ namespace board {
 
 inline constexpr uintptr_t kSysTick = 0xe000e010;
 
-/// Takes one reading: the first reload happens at the first tick.
+/// Reads once: the first reload happens at the first tick.
 inline void systick_init() noexcept {
   reg(kSysTick + 4) = 0xffffff;
   reg(kSysTick + 8) = 0;

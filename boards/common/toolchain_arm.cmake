@@ -5,7 +5,7 @@ set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_ASM_COMPILER arm-none-eabi-gcc)
-# Start-up makes the cores that can refuse unaligned access do so; GCC must then
-# not join neighbouring bytes and half-words into such accesses itself.
+# Start-up makes cores refuse unaligned access if they can; GCC must then not
+# merge neighbouring bytes and half-words into such accesses.
 set(INKCELL_CPU "${INKCELL_CPU} -mno-unaligned-access")
 include(${CMAKE_CURRENT_LIST_DIR}/toolchain_gcc.cmake)

@@ -1,8 +1,7 @@
-# What the toolchain files of all boards share: flags, and QEMU as the machine
-# that runs what was built.
+# Shared by the toolchain files of all boards: flags, and QEMU to run programs.
 set(INKCELL_BOARD ${INKCELL_BOARD} CACHE STRING "Folder below boards/")
 
-# There is nothing to link a test program with before a board is chosen.
+# Test programs cannot be linked before a board is chosen.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
 set(_inkcell_flags "${INKCELL_CPU} -ffreestanding -ffunction-sections \
@@ -17,13 +16,13 @@ set(CMAKE_CXX_STANDARD_LIBRARIES "-lgcc")
 set(CMAKE_EXECUTABLE_SUFFIX_C .elf)
 set(CMAKE_EXECUTABLE_SUFFIX_CXX .elf)
 
-# CMake's own choice for Release is -O3, which is not what firmware is built
-# with. MinSizeRel is -Os.
+# CMake's default for Release is -O3, which firmware does not use. MinSizeRel is
+# -Os.
 foreach(_language C CXX)
   set(CMAKE_${_language}_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "")
 endforeach()
 
-# CTest then runs firmware as if it were a program of this machine.
+# CTest then runs firmware like a program of the host.
 set(CMAKE_CROSSCOMPILING_EMULATOR
   "${CMAKE_CURRENT_LIST_DIR}/qemu_run.sh;${INKCELL_BOARD}")
 

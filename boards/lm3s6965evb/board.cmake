@@ -1,4 +1,4 @@
-# What start-up code this board has, its counter (SysTick at 12.5 MHz, 24 bits)
+# The start-up code of this board, its counter (SysTick at 12.5 MHz, 24 bits)
 # and its display.
 set(INKCELL_BOARD_START start_cortex_m.cpp)
 set(INKCELL_COUNTER_PICOSECONDS 80000)
@@ -7,7 +7,7 @@ set(INKCELL_DISPLAY_WIDTH 128)
 set(INKCELL_DISPLAY_HEIGHT 64)
 set(INKCELL_DISPLAY_FORMATS grey4)
 
-# What the demo shows on it: rows of a strip, sizes, and its font's coding.
+# The demo: rows of a strip, sizes, and the coding of its font.
 set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 29)
 set(INKCELL_DEMO_TEXT_PX 11)

@@ -19,7 +19,7 @@ constexpr uintptr_t kSpi = 0x40008000;  // PL022
 constexpr uintptr_t kUart = 0x4000c000;
 constexpr uintptr_t kSystemControl = 0x400fe000;
 
-// Registers of a port; the address of the data selects the pins that change.
+// Registers of a port; the address of the data register selects the pins.
 constexpr uintptr_t kDirection = 0x400;
 constexpr uintptr_t kAlternate = 0x420;
 constexpr uintptr_t kDigital = 0x51c;
@@ -43,8 +43,8 @@ void make_output(uintptr_t gpio, uint32_t pin) noexcept {
   set_bits(gpio + kDigital, pin);
 }
 
-// Sends bytes, and throws away what comes back: when the receive buffer is full
-// the controller stops.
+// Sends bytes and discards received ones: the controller stops when the receive
+// buffer is full.
 void spi_send(const uint8_t* bytes, size_t count) noexcept {
   for (size_t i = 0; i < count; ++i) {
     while ((reg(kSpi + 0x0c) & 2) == 0) {  // transmit buffer full

@@ -1,4 +1,4 @@
-# What start-up code this board has, its counter (SysTick at 12.5 MHz, 24 bits)
+# The start-up code of this board, its counter (SysTick at 12.5 MHz, 24 bits)
 # and its display.
 set(INKCELL_BOARD_START start_cortex_m.cpp)
 set(INKCELL_COUNTER_PICOSECONDS 80000)
@@ -7,9 +7,9 @@ set(INKCELL_DISPLAY_WIDTH 96)
 set(INKCELL_DISPLAY_HEIGHT 16)
 set(INKCELL_DISPLAY_FORMATS mono_pages)
 
-# What the demo shows on it: rows of a strip and sizes.
+# The demo: rows of a strip and sizes.
 set(INKCELL_DEMO_ROWS 8)
 set(INKCELL_DEMO_CLOCK_PX 16)
 set(INKCELL_DEMO_TEXT_PX 13)
-# Text that turns, and particles, take more than its 64 KB of flash.
+# Turned text and particles do not fit its 64 KB of flash.
 set(INKCELL_DEMO_MOTIONS clock)

@@ -1,4 +1,4 @@
-# What start-up code this board has, its counter (of instructions, 32 bits) and
+# The start-up code of this board, its counter (of instructions, 32 bits) and
 # its display.
 set(INKCELL_BOARD_START start_riscv.S)
 set(INKCELL_COUNTER_PICOSECONDS 1000)
@@ -7,7 +7,7 @@ set(INKCELL_DISPLAY_WIDTH 320)
 set(INKCELL_DISPLAY_HEIGHT 240)
 set(INKCELL_DISPLAY_FORMATS xrgb8888 rgb565)
 
-# What the demo shows on it: rows of a strip and sizes.
+# The demo: rows of a strip and sizes.
 set(INKCELL_DEMO_ROWS 16)
 set(INKCELL_DEMO_CLOCK_PX 90)
 set(INKCELL_DEMO_TEXT_PX 18)

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uintptr_t kUart = 0x10000000;
 
-// PCI: configuration space, and where its devices may put their memory.
+// PCI: configuration space, and the address range of its devices.
 constexpr uintptr_t kPci = 0x30000000;
 constexpr uintptr_t kPciDevices = 32;
 constexpr uint32_t kDisplayId = 0x11111234;
@@ -47,11 +47,11 @@ uintptr_t find_display() noexcept {
   return 0;
 }
 
-// What display_init() chose.
+// The choice of display_init().
 port::Framebuffer display;
 
-// Makes the image read-only for good. It also catches a stack that overflows
-// out of RAM into the image. The region is a power of two in size, and aligned.
+// Makes the image read-only permanently. Also catches a stack that overflows
+// from RAM into the image. The region is aligned, and its size a power of two.
 void protect_image() noexcept {
   constexpr uint32_t kBase = 0x80000000;
   constexpr uint32_t kSize = 4 << 20;

@@ -1,11 +1,11 @@
-# What start-up code this board has, and its display. Its timers, 1 MHz, are too
+# The start-up code of this board, and its display. Its timers, 1 MHz, are too
 # slow to count instructions.
 set(INKCELL_BOARD_START start_arm9.S)
 set(INKCELL_DISPLAY_WIDTH 320)
 set(INKCELL_DISPLAY_HEIGHT 240)
 set(INKCELL_DISPLAY_FORMATS rgb565)
 
-# What the demo shows on it: rows of a strip, sizes, and its font's coding.
+# The demo: rows of a strip, sizes, and the coding of its font.
 set(INKCELL_DEMO_ROWS 16)
 set(INKCELL_DEMO_CLOCK_PX 90)
 set(INKCELL_DEMO_TEXT_PX 18)

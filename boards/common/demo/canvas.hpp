@@ -1,7 +1,8 @@
-// What the demo draws on: a strip in the display's format, and four inks.
+// The drawing surface of the demo: a strip in the display's format, and four
+// inks.
 //
-// The build says size and format: INKCELL_DISPLAY_WIDTH, INKCELL_DISPLAY_HEIGHT
-// [px], INKCELL_DEMO_FORMAT (an enumerator of port::PixelFormat); and
+// The build sets size and format: INKCELL_DISPLAY_WIDTH, INKCELL_DISPLAY_HEIGHT
+// [px], INKCELL_DEMO_FORMAT (an enumerator of port::PixelFormat), and
 // INKCELL_DEMO_NAME, the namespace of the demo, so that one program can hold
 // the demos of several displays.
 #pragma once
@@ -26,7 +27,7 @@ inline constexpr port::PixelFormat kFormat =
 
 enum class Ink : uint8_t { background, clock, text, moving };
 
-// The colour of each ink, as a format has it.
+// The colour of each ink in each format.
 namespace detail {
 
 inline constexpr uint32_t kColours[] = {  // 0xRRGGBB
@@ -76,13 +77,13 @@ struct Paint<port::PixelFormat::xrgb8888> {
 
 }  // namespace detail
 
-/// A strip that was filled with the background, and its sinks.
+/// A strip filled with the background, and its sinks.
 class Canvas {
  public:
   explicit Canvas(const Strip& strip) noexcept {
     target_.strip = strip;
-    // Of a strip that the demo made it can only be ok. If it were not, the sink
-    // would have an empty window and nothing would be drawn.
+    // Cannot fail, as the demo made the strip. If it did, the sink would have
+    // an empty window and nothing would be drawn.
     static_cast<void>(port::make_sink(target_, sink_));
     Paint::set(target_, Ink::background);
     const Rect& window = sink_.window;
@@ -94,7 +95,7 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// A sink for this ink, until another is asked for.
+  /// A sink for this ink, valid until the next call.
   const Sink& sink(Ink ink) noexcept {
     Paint::set(target_, ink);
     return sink_;

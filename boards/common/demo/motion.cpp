@@ -21,7 +21,7 @@ constexpr size_t some(size_t count) noexcept {
   return count == 0 ? 1 : count;
 }
 
-// Large glyphs are drawn faster with it; small displays have small RAM.
+// Speeds up large glyphs; small displays have little RAM.
 constexpr size_t kLentBytes = kHeight < 100 ? 0 : 2560;
 
 Font font;

@@ -1,7 +1,7 @@
-// A scene that moves, on the screen of a board or of the host that compares.
+// An animated scene on the screen of a board, or of the host for comparison.
 //
-// The build says which: INKCELL_MOTION_HEADER and INKCELL_MOTION_SCENE, a class
-// of namespace scenes.
+// The build selects it: INKCELL_MOTION_HEADER and INKCELL_MOTION_SCENE, a class
+// in the namespace scenes.
 #pragma once
 
 #include <stdint.h>
@@ -15,7 +15,7 @@ inline namespace INKCELL_DEMO_NAME {
 /// Opens font and scene. Call it once.
 Status open_motion() noexcept;
 
-/// Steps to a frame, and shows all of it.
+/// Steps to a frame and shows all of it.
 void show_motion(uint32_t frame) noexcept;
 
 }  // namespace INKCELL_DEMO_NAME

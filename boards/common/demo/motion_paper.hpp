@@ -1,4 +1,5 @@
-// Paper of scenes: a strip in the display's format, and ink of any colour.
+// The drawing surface of scenes: a strip in the display's format, and ink of
+// any colour.
 #pragma once
 
 #include <stdint.h>
@@ -15,7 +16,7 @@ class MotionPaper {
  public:
   explicit MotionPaper(const Strip& strip) noexcept {
     target_.strip = strip;
-    // Of a strip that the demo made it can only be ok; else nothing is drawn.
+    // Cannot fail, as the demo made the strip; else nothing is drawn.
     static_cast<void>(port::make_sink(target_, sink_));
   }
   MotionPaper(const MotionPaper&) = delete;

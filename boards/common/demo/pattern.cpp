@@ -1,4 +1,4 @@
-// Drawing the test picture pixel by pixel, with the sinks that text uses.
+// Draws the test picture pixel by pixel, with the sinks that text uses.
 #include "pattern.hpp"
 
 #include "canvas.hpp"

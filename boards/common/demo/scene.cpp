@@ -1,4 +1,4 @@
-// Where everything stands on a screen of any size, and how it moves.
+// The layout on a screen of any size, and the animation.
 #include "scene.hpp"
 
 #include INKCELL_DEMO_FONT_HEADER
@@ -46,7 +46,7 @@ int32_t count_missing(const Font& font, Text text) noexcept {
   return missing;
 }
 
-// `sink` for the part of its window that lies to the right of `x` only.
+// `sink` limited to the part of its window to the right of `x`.
 Sink right_of(Sink sink, int32_t x) noexcept {
   sink.window.x0 = sink.window.x0 > x ? sink.window.x0 : x;
   return sink;
@@ -72,8 +72,8 @@ Status Scene::lay_out(const Font& font,
   return Status::ok;
 }
 
-// Fits what stands still to the grid of pixels, and all that is drawn in black
-// and white: there a step of less than a pixel is none.
+// Fits still text to the pixel grid, and all text in black and white, where
+// sub-pixel steps are invisible.
 Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
   constexpr int32_t kAcrossBelowQ6 = 12 * 64;
   INKCELL_TRY(
@@ -105,7 +105,7 @@ Status Scene::open() noexcept {
 }
 
 Status Scene::lay_out_body() noexcept {
-  // Between the clock and the moving line, evenly.
+  // Evenly between the clock and the moving line.
   const int32_t top = kMarginQ6 + kClockQ6 * 3 / 4;
   const int32_t bottom = kHeightQ6 - kMarginQ6;
   const int32_t step = (bottom - top) / (kBodyLines + 1);
@@ -121,15 +121,15 @@ void Scene::set_frame(uint32_t frame) noexcept {
   const uint32_t minute =
       (kFirstMinute + frame / kFramesPerMinute) % kMinutesPerDay;
   char digits[5];
-  // Five glyphs fit a line.
+  // A line holds five glyphs.
   static_cast<void>(
       lay_out(font_, clock_look_.style, time_text(minute, digits), clock_));
-  // Digits are three quarters of an em high.
+  // Digits are 3/4 em high.
   clock_.origin = kOneLine ? point(0, (kHeightQ6 + kClockQ6 * 3 / 4) / 2)
                            : point((kWidthQ6 - clock_.width_q6) / 2,
                                    kMarginQ6 + kClockQ6 * 3 / 4);
 
-  // To the left until nothing is left to be seen, then in again on the right.
+  // Moves left until nothing is visible, then enters on the right.
   const int32_t left = kOneLine ? clock_.width_q6 + kMarginQ6 : 0;
   const int32_t home = left + kMarginQ6;
   const uint32_t period =

@@ -26,24 +26,24 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Opens the font and lays out what does not move.
+  /// Opens the font and lays out the still text.
   Status open() noexcept;
 
   /// Frame 0 is at 10:42; a minute has 480 frames.
   void set_frame(uint32_t frame) noexcept;
 
-  /// Not by two tasks at once: they would share the lent RAM.
+  /// Not for two tasks at once: they would share the scratch RAM.
   void draw(const Strip& strip) noexcept;
 
-  /// How many characters of the scene its font lacks.
+  /// How many characters of the scene the font lacks.
   int32_t missing_characters() const noexcept;
 
  private:
-  // On a display of a few rows clock and moving line stand side by side.
+  // On a display of a few rows the clock and the moving line are side by side.
   static constexpr bool kOneLine = kHeight < 32;
   static constexpr int32_t kBodyLines = kOneLine ? 0 : kHeight < 100 ? 2 : 4;
   static constexpr int32_t kMaxCharacters = 48;  // of a line
-  // Large digits are drawn faster with it; small displays have small RAM.
+  // Speeds up large digits; small displays have little RAM.
   static constexpr size_t kLentBytes = kHeight < 100 ? 0 : 2560;
   static constexpr bool kIsMono = kFormat == port::PixelFormat::mono_pages;
 
@@ -54,7 +54,7 @@ class Scene {
     int32_t width_q6 = 0;  // [px]
   };
 
-  // How glyphs of one size are drawn. The style points into it.
+  // The style of one size. It refers to the other members.
   struct Look {
     TextStyle style;
     Fit fit;

@@ -1,4 +1,4 @@
-// Drawing a whole screen strip by strip, and sending each to the display.
+// Draws a whole screen strip by strip, and sends each to the display.
 #pragma once
 
 #include "inkcell/strip.hpp"

@@ -31,14 +31,14 @@ BodyScene::BodyScene(const SceneSetting& setting) noexcept
       memory_(setting.memory.grid),
       workspace_(setting.workspace) {}
 
-// Takes what the letter's box needs off the memory.
+// Takes the memory for the letter's box from the front of `memory`.
 Status BodyScene::add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept {
   const Q26_6 size = Q26_6::from_int(size_for(height_));
   GlyphMetrics metrics;
   INKCELL_TRY(font_.glyph_metrics(glyph, metrics));
   const int32_t scale = scale_for(height_);
   const int32_t side = 1 << scale;
-  // In samples, towards the lesser number.
+  // To samples, rounded down.
   const auto samples = [&](int32_t units) {
     const int32_t px = units * (size.raw >> 6) / font_.units_per_em();
     return px >> scale;
@@ -95,7 +95,7 @@ void BodyScene::restart() noexcept {
   }
 }
 
-// The floor opens at the end. Letters come from above.
+// The floor opens at the end. Letters fall in from above.
 BodyRules BodyScene::rules() const noexcept {
   const uint32_t phase = frame_ % kLoopFrames;
   BodyRules rules;
@@ -117,7 +117,7 @@ void BodyScene::let_fall(int32_t index) noexcept {
   Body& body = bodies_[index];
   body = Body();
   body.shape = &shapes_[shape_of_[index]];
-  // Over the middle half, one far from the one before.
+  // Over the middle half, far from the letter before.
   const auto along = static_cast<int32_t>(random & 511) + 512 * (index % 2);
   body.x = Q16_16::from_int(width_ / 4 + width_ * along / 2048);
   body.y = Q16_16::from_int(-body.shape->radius());
@@ -154,7 +154,7 @@ void BodyScene::step() noexcept {
   for (int32_t i = 0; i < kStepsPerFrame; ++i) {
     kinetic::step({bodies_, static_cast<size_t>(count_)}, rules(), contacts_);
   }
-  // What has left the screen below is gone.
+  // Removes bodies that have left the screen at the bottom.
   for (Body& body : bodies_) {
     if (box_of(body).y0 > height_) {
       body = Body();
@@ -172,7 +172,7 @@ void BodyScene::set_frame(uint32_t frame) noexcept {
   while (frame_ < frame) {
     step();
   }
-  // What touches a letter that moved is deformed by it.
+  // Letters that touch a moving letter are deformed by it.
   for (int32_t i = 0; i < count_; ++i) {
     has_moved_[i] = false;
     for (int32_t k = 0; k < count_; ++k) {
@@ -193,7 +193,7 @@ bool BodyScene::has_changed(int32_t index) const noexcept {
          now.squeeze.raw != then.squeeze.raw;
 }
 
-// Where a letter is and was.
+// The box of a letter's old and new position.
 Rect BodyScene::swept_box(int32_t index) const noexcept {
   return bounding_box(box_of(before_[index]), box_of(bodies_[index]));
 }
@@ -207,7 +207,7 @@ void BodyScene::draw(const Paper& paper) noexcept {
   }
 }
 
-// What a letter deforms lies in its box.
+// Deformations are inside of a letter's box.
 void BodyScene::add_changes(DirtyRects& dirty) const noexcept {
   const Rect screen = {0, 0, width_, height_};
   for (int32_t i = 0; i < count_; ++i) {

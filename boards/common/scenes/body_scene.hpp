@@ -14,7 +14,7 @@ namespace inkcell {
 namespace scenes {
 
 /// Figure 13 of Perry and Frisken: soft bodies. A simulation: set_frame() steps
-/// as often as it must, from the start if it goes back.
+/// as often as needed, from the start if it goes back.
 class BodyScene {
  public:
   static constexpr const char* kText = "soft type";
@@ -41,8 +41,8 @@ class BodyScene {
   BodyScene(const BodyScene&) = delete;
   BodyScene& operator=(const BodyScene&) = delete;
 
-  /// bad_argument: the text has no ink. buffer_small: the memory. Of a text
-  /// that is longer the first kMostLetters letters fall.
+  /// bad_argument: the text has no ink. buffer_small: the memory is too small.
+  /// Only the first kMostLetters letters of the text fall.
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
@@ -50,17 +50,17 @@ class BodyScene {
   uint32_t next_due() const noexcept;
   void tell_state(const StateSink& sink) const noexcept;
 
-  /// For tests: the letters on the screen, and what works on them.
+  /// For tests: the letters on the screen, and the rules of their motion.
   Span<const kinetic::Body> bodies() const noexcept {
     return {bodies_, static_cast<size_t>(count_)};
   }
   kinetic::BodyRules rules() const noexcept;
 
  private:
-  // Of distances around a letter: as far as a grid knows them.
+  // Margin of distances around a letter: the range of a grid.
   static constexpr int32_t kMarginSamples = 4;
   static constexpr size_t kPoints = 72;
-  // Of letters that touch each other 2 times each, and walls.
+  // Contacts: each letter touches two others, and walls.
   static constexpr size_t kContacts = kinetic::kContactsOfPair * 20;
 
   Status add_shape(uint16_t glyph, Span<int8_t>& memory) noexcept;

@@ -1,4 +1,4 @@
-// Each minute begins with the change: the last digit first, others after it.
+// Each minute begins with the change: the last digit first, then the others.
 #include "clock_scene.hpp"
 
 #include "inkcell/kinetic/easing.hpp"
@@ -111,7 +111,7 @@ void ClockScene::set_frame(uint32_t frame) noexcept {
       static_cast<int32_t>(frame % kFramesPerMinute) * 1000 / kFramesPerSecond;
   const uint32_t now = first_minute_ + passed;
   for (int32_t i = 0; i < kDigits; ++i) {
-    // The first minute has nothing to come from.
+    // The first minute has no predecessor.
     const uint32_t before = passed == 0 ? now : now + kMinutesPerDay - 1;
     const uint16_t from = digit_glyphs_[digit_of(before, i)];
     const uint16_t to = digit_glyphs_[digit_of(now, i)];
@@ -151,7 +151,7 @@ void ClockScene::draw_colon(const Paper& paper) const noexcept {
       int64_t{font_.advance(colon_)} * size.raw / font_.units_per_em());
   const int32_t left_q6 = (layout_.left + 2 * layout_.digit_px) * 64;
   const int32_t x_q6 = left_q6 + (layout_.colon_px * 64 - advance_q6) / 2;
-  // A little above the baseline: in the middle of digits.
+  // A little above the baseline: the middle of the digits.
   const int32_t y = layout_.top + layout_.box.baseline - layout_.size_px / 11;
   draw_glyph(font_, colon_, style, {Q26_6::from_raw(x_q6), Q26_6::from_int(y)},
              paper.with(kColonInk), workspace_);
@@ -162,7 +162,7 @@ void ClockScene::draw(const Paper& paper) noexcept {
   draw_colon(paper);
   for (int32_t i = 0; i < kDigits; ++i) {
     const Rect box = box_of(i);
-    // Hot half-way.
+    // Hot at half the progress.
     const int32_t part = digits_[i].progress().raw;
     const int32_t heat =
         static_cast<int32_t>(int64_t{part} * (65536 - part) >> 22);  // to 256

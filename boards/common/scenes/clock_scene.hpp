@@ -1,4 +1,4 @@
-// Scene `clock`: a minute lasts a second and a half, and digits become others.
+// Scene `clock`: a minute takes a second and a half, and digits morph.
 #pragma once
 
 #include <stdint.h>
@@ -12,12 +12,12 @@
 namespace inkcell {
 namespace scenes {
 
-/// A frame depends on its number only.
+/// A frame depends only on its number.
 class ClockScene {
  public:
   static constexpr const char* kText = "12:58";
 
-  /// Where digits stand on a screen: their size and the box of each.
+  /// The layout of digits: their size and the box of each.
   struct Layout {
     int32_t size_px = 0;
     int32_t digit_px = 0;  // the width of a digit's box
@@ -31,7 +31,7 @@ class ClockScene {
     return {kDigits * kinetic::morph_bytes(layout_of(width, height).box), 0, 0};
   }
 
-  /// For digits of faces up to 0.7 em wide.
+  /// For faces with digits up to 0.7 em wide.
   static constexpr Layout layout_of(int32_t width, int32_t height) noexcept {
     Layout layout;
     // Four digits of 0.7 em, a colon of 0.34, and a margin.
@@ -50,13 +50,13 @@ class ClockScene {
     return layout;
   }
 
-  /// The text is the time to begin with, HH:MM.
+  /// The text is the start time, HH:MM.
   explicit ClockScene(const SceneSetting& setting) noexcept;
   ClockScene(const ClockScene&) = delete;
   ClockScene& operator=(const ClockScene&) = delete;
 
-  /// bad_argument: the text is no time, or the screen too small. Others as
-  /// GlyphMorph::set().
+  /// bad_argument: the text is not a time, or the screen is too small. Others
+  /// as GlyphMorph::set().
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;

@@ -1,4 +1,4 @@
-// The ink that a pixel format has for a colour.
+// The ink of a colour in a pixel format.
 #pragma once
 
 #include <stdint.h>
@@ -15,19 +15,19 @@
 namespace inkcell {
 namespace scenes {
 
-/// 0 to 255, by the weights of red, green and blue in light (ITU-R BT.601).
+/// 0 to 255, by the weights of red, green and blue (ITU-R BT.601).
 constexpr uint8_t lightness(uint32_t rgb) noexcept {
   return static_cast<uint8_t>(
       ((rgb >> 16 & 255) * 77 + (rgb >> 8 & 255) * 150 + (rgb & 255) * 29) >>
       8);
 }
 
-/// Whether a colour is ink where a pixel has one bit.
+/// Whether a colour is ink in formats of one bit.
 constexpr bool is_light(uint32_t rgb) noexcept {
   return lightness(rgb) >= 96;
 }
 
-/// Draws with the colour 0xRRGGBB from now on.
+/// Sets the colour 0xRRGGBB.
 inline void set_ink(port::MonoRowsTarget& target, uint32_t rgb) noexcept {
   target.level = is_light(rgb) ? 1 : 0;
 }

@@ -1,5 +1,5 @@
-// Two breaths of five seconds: surfaces swell and throw particles off, shrink,
-// and particles gather on them.
+// Two breaths of five seconds: offset curves swell and throw particles off,
+// shrink, and particles gather on them.
 #include "offset_scene.hpp"
 
 #include "inkcell/kinetic/dots.hpp"
@@ -19,7 +19,7 @@ constexpr uint32_t kBackground = 0x090a12;
 constexpr uint32_t kBody = 0xfff0d8;
 constexpr uint32_t kSlow = 0x62d8ff;
 constexpr uint32_t kFast = 0xffffff;
-// From the outermost on.
+// From the outermost band on.
 constexpr uint32_t kBands[] = {0x1b1640, 0x3a1c68, 0x78207a, 0xc8385c,
                                0xf58a3c};
 constexpr int32_t kBandCount = sizeof kBands / sizeof *kBands;
@@ -98,7 +98,7 @@ void OffsetScene::restart() noexcept {
   }
 }
 
-// How far the outermost surface is from the letters. [px, Q6]
+// The distance of the outermost offset curve from the letters. [px, Q6]
 int32_t OffsetScene::offset_q6() const noexcept {
   const auto at = static_cast<int32_t>(frame_ % kBreath);
   const int32_t most = 3 * 64 << far_grid_.scale_log2();
@@ -118,13 +118,13 @@ int32_t OffsetScene::offset_q6() const noexcept {
          lerp(0, most - least, Q16_16::from_raw(grown.raw - shrunk.raw));
 }
 
-// The fine grid where it knows so far outside.
+// The fine grid, if its distances reach so far outside.
 const DistanceGrid& OffsetScene::grid_for(int32_t offset_q6) const noexcept {
   return offset_q6 < 3 * 64 << grid_.scale_log2() ? grid_ : far_grid_;
 }
 
-// Where the fine grid knows no slope, the far one does; and farther out the
-// middle of the screen is as good.
+// Where the fine grid has no slope, uses the far one; farther out the direction
+// to the middle of the screen.
 void OffsetScene::pull_from_afar(int32_t strength_q10) noexcept {
   const int32_t known_q10 = -((15 << 8) << grid_.scale_log2());
   for (Particle& p : particles_) {
@@ -148,7 +148,7 @@ void OffsetScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kBreath;
   const bool is_thrown = phase >= kSwells && phase < kSwollen - 4;
-  // What is a pixel on a large screen.
+  // Scales offsets of a large screen, in px.
   const auto px = [this](int32_t q10) { return q10 * (height_ + 60) / 300; };
   ParticleRules rules;
   rules.walls = {1, 1, width_ - 1, height_ - 1};

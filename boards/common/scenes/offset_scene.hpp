@@ -1,5 +1,5 @@
-// Scene `figure14`: offset surfaces of letters push particles away, and draw
-// them near.
+// Scene `figure14`: offset curves of letters push particles away and attract
+// them.
 #pragma once
 
 #include <stdint.h>
@@ -16,14 +16,14 @@ namespace inkcell {
 namespace scenes {
 
 /// Figure 14 of Perry and Frisken: attraction, repulsion and collision by one
-/// field, and offset surfaces that join and part. A simulation: set_frame()
-/// steps as often as it must, from the start if it goes back.
+/// field, and offset curves that merge and split. A simulation: set_frame()
+/// steps as often as needed, from the start if it goes back.
 class OffsetScene {
  public:
   static constexpr const char* kText = "Ink";
 
-  /// Pixels a sample along each side; of a second grid, which knows distances
-  /// twice as far, twice as many.
+  /// Pixels a sample along each side; twice as many in a second grid, whose
+  /// distances reach twice as far.
   static constexpr int32_t scale_for(int32_t width) noexcept {
     return width > 200 ? 2 : width > 100 ? 1 : 0;
   }
@@ -72,7 +72,7 @@ class OffsetScene {
   TextPlace place_;
   Span<kinetic::Particle> particles_;
   uint32_t frame_ = 0;
-  Rect before_;  // what the last two frames drew on
+  Rect before_;  // drawn by the last two frames
   Rect now_;
 };
 

@@ -11,14 +11,14 @@
 namespace inkcell {
 namespace scenes {
 
-/// A text in the middle of a screen of width x height px: its ink is at most
-/// such parts of both. Found by find_place().
+/// A text in the middle of a screen of width x height px. Its ink takes at most
+/// the given parts of both. Made by find_place().
 struct TextPlace {
   Q26_6 size;
   Point origin;
 };
 
-/// [parts of 256] False: the text has no ink.
+/// [parts of 256] False if the text has no ink.
 bool find_place(const Font& font,
                 Text text,
                 int32_t width,
@@ -28,14 +28,14 @@ bool find_place(const Font& font,
                 TextPlace& out) noexcept;
 
 /// Clears the grid, whose upper left corner is the screen's, and paints the
-/// text. False: a glyph cannot be painted.
+/// text. False if a glyph cannot be painted.
 bool paint_text(const Font& font,
                 Text text,
                 const TextPlace& place,
                 Workspace workspace,
                 kinetic::DistanceGrid& grid) noexcept;
 
-/// The part of the screen where the grid knows distances.
+/// The part of the screen where the grid has distances.
 Rect known_pixels(const kinetic::DistanceGrid& grid) noexcept;
 
 }  // namespace scenes

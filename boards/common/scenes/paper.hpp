@@ -1,4 +1,4 @@
-// What scenes draw on: a strip in any pixel format, with any ink.
+// The drawing surface of scenes: a strip in any pixel format, with any ink.
 #pragma once
 
 #include <stddef.h>
@@ -15,13 +15,13 @@
 namespace inkcell {
 namespace scenes {
 
-/// Frames of a second of every scene.
+/// Frames a second of every scene.
 inline constexpr int32_t kFramesPerSecond = 30;
 
-/// Frames of the time that a scene takes until it begins anew.
+/// Frames until a scene repeats.
 inline constexpr uint32_t kLoopFrames = 300;
 
-/// A strip of a display. Formats without colour take the ink's lightness.
+/// A strip of a display. Formats without colour use the ink's lightness.
 struct Paper {
   Rect window;  // on the screen [px]
   void* context = nullptr;
@@ -38,8 +38,8 @@ struct Paper {
   }
 };
 
-/// Takes the numbers that frames depend on, to compare machines of any byte
-/// order.
+/// Collects the numbers that frames depend on, to compare machines of either
+/// byte order.
 struct StateSink {
   void* context = nullptr;
   void (*add)(void* context, int32_t value) = nullptr;
@@ -47,28 +47,28 @@ struct StateSink {
   void tell(int32_t value) const noexcept { add(context, value); }
 };
 
-/// RAM that a scene needs on a screen of some size.
+/// The RAM that a scene needs on a screen.
 struct SceneNeeds {
   size_t grid = 0;  // samples of distances
   size_t particles = 0;
   size_t homes = 0;
 };
 
-/// That RAM. It must outlive the scene.
+/// RAM of a scene. It must outlive the scene.
 struct SceneMemory {
   Span<int8_t> grid;
   Span<kinetic::Particle> particles;
   Span<kinetic::ParticleHome> homes;
 };
 
-/// What a scene is made for. The font and the text must outlive it.
+/// The setting of a scene. The font and the text must outlive it.
 struct SceneSetting {
   const Font* font = nullptr;
   Text text;
   int32_t width = 0;  // of the screen [px]
   int32_t height = 0;
   SceneMemory memory;  // at least needs() of width and height
-  /// Makes large glyphs faster, and the stack smaller by 1.1 KB.
+  /// Speeds up large glyphs, and saves 1.1 KB of stack.
   Workspace workspace = {};
 };
 
@@ -84,7 +84,7 @@ constexpr uint32_t mix_rgb(uint32_t a, uint32_t b, int32_t part_q8) noexcept {
   return result;
 }
 
-/// Time of a frame within a loop. [ms]
+/// The time of a frame in a loop. [ms]
 constexpr int32_t time_of(uint32_t frame) noexcept {
   return static_cast<int32_t>(frame % kLoopFrames) * 1000 / kFramesPerSecond;
 }

@@ -1,4 +1,4 @@
-// Five seconds a word: it stands, bursts, falls; the other one gathers.
+// Five seconds a word: it stands, bursts and falls; the other one gathers.
 #include "particle_scene.hpp"
 
 #include "inkcell/kinetic/dots.hpp"
@@ -21,7 +21,7 @@ constexpr uint32_t kSlow = 0xe8b04a;
 constexpr uint32_t kFast = 0xff4f6d;
 constexpr uint32_t kFly = 0x58d5ff;
 
-// Frames of a word's time.
+// Frames of a word.
 constexpr uint32_t kWordFrames = kLoopFrames / 2;
 constexpr uint32_t kBurst = 45;   // it falls apart
 constexpr uint32_t kGather = 78;  // its pieces look for the other word
@@ -31,10 +31,10 @@ constexpr uint32_t kSeed = 20;
 
 constexpr int32_t kFlyRadiusQ6 = 84;
 
-// No dot is larger.
+// The largest radius of a dot.
 constexpr Q26_6 kMostRadius = Q26_6::from_int(2);
 
-// Whether a dot may reach into rows of a window.
+// Whether a dot may touch rows of a window.
 bool is_near(const Particle& p, const Rect& window) noexcept {
   constexpr int32_t kReach = 3;  // [px]
   const int32_t y = p.y.raw >> 16;
@@ -45,7 +45,7 @@ int32_t magnitude(int32_t value) noexcept {
   return value < 0 ? -value : value;
 }
 
-// How much of the plain word is to be seen. [of 255]
+// The opacity of the plain word. [of 255]
 int32_t word_opacity(uint32_t phase) noexcept {
   const auto at = static_cast<int32_t>(phase);
   if (phase < kGather) {
@@ -87,7 +87,7 @@ Text ParticleScene::word(int32_t index) const noexcept {
   return {text_.data + second, text_.size - second};
 }
 
-// Takes the distances of a word, in the middle of the screen.
+// Paints the distances of a word in the middle of the screen.
 bool ParticleScene::show_word(int32_t index) noexcept {
   const TextMeasure ink = measure(font_, word(index));
   const auto px_q6 = [&](int32_t units) {
@@ -107,7 +107,7 @@ bool ParticleScene::show_word(int32_t index) noexcept {
                                            workspace_) == Status::ok;
   }
   word_ = index;
-  // The word and its rings: as far as the grid knows distances.
+  // The word and its rings: as far as the grid has distances.
   const Rect known = grid_.known_box();
   const int32_t side = 1 << grid_.scale_log2();
   word_box_ = {(known.x0 - 1) * side, (known.y0 - 1) * side,
@@ -119,7 +119,7 @@ Status ParticleScene::open() noexcept {
   if (grid_.width() == 0 || pieces_.size == 0) {
     return Status::buffer_small;
   }
-  // The longer word takes 5/6 of the width, or all 3/5 of the height.
+  // The longer word takes 5/6 of the width, or 3/5 of the height.
   int32_t longest = 1;
   for (int32_t i = 0; i < 2; ++i) {
     const int32_t advance = measure(font_, word(i)).advance;
@@ -141,7 +141,7 @@ Status ParticleScene::open() noexcept {
 void ParticleScene::restart() noexcept {
   frame_ = 0;
   random_ = RandomNumbers(kSeed);
-  // Both words had their turn in open().
+  // open() has tried both words.
   static_cast<void>(show_word(0));
   static_cast<void>(spread_homes(grid_, 0, 0, kSeed, homes_));
   for (size_t i = 0; i < pieces_.size; ++i) {
@@ -157,7 +157,7 @@ void ParticleScene::restart() noexcept {
   }
 }
 
-// Away from the middle of the word and up, each piece a little otherwise.
+// Away from the middle of the word and up, with random variation.
 void ParticleScene::burst() noexcept {
   for (Particle& p : pieces_) {
     const int32_t from_middle = (p.x.raw >> 16) - width_ / 2;
@@ -203,7 +203,7 @@ void ParticleScene::step() noexcept {
     rules.kept_q16 = 65000;
     kinetic::step(late, rules, grid_, 0, 0);
   }
-  // The others go round the letters, and never through them.
+  // The others orbit the letters, and never cross them.
   ParticleRules flight;
   flight.walls = rules.walls;
   flight.attraction_q10 = 70;
@@ -213,7 +213,7 @@ void ParticleScene::step() noexcept {
   flight.side = ParticleSide::outside;
   flight.radius = Q26_6::from_raw(height_ < 120 ? 48 : 2 * kFlyRadiusQ6);
   if (phase >= kGather && phase < kMeet) {
-    // To the new word, each to a place of its own.
+    // To the new word, each to its own place.
     const size_t stride = pieces_.size / (flies_.size + 1) + 1;
     for (size_t i = 0; i < flies_.size; ++i) {
       kinetic::pull_home({flies_.data + i, 1},
@@ -224,7 +224,7 @@ void ParticleScene::step() noexcept {
   kinetic::step(flies_, flight, grid_, 0, 0);
 }
 
-// Around all that is drawn.
+// The box of all that is drawn.
 Rect ParticleScene::drawn_box() const noexcept {
   Rect box = word_box_;
   const Span<const Particle> both[] = {pieces_, flies_};
@@ -247,7 +247,7 @@ void ParticleScene::set_frame(uint32_t frame) noexcept {
   now_ = drawn_box();
 }
 
-// Offset surfaces run outwards when the word has come up, and fade.
+// Offset curves run outwards when the word has appeared, and fade.
 void ParticleScene::draw_rings(const Paper& paper) const noexcept {
   const uint32_t phase = frame_ % kWordFrames;
   const auto since = static_cast<int32_t>(
@@ -274,7 +274,7 @@ void ParticleScene::draw_word(const Paper& paper) const noexcept {
       TextStyle::make(size_, kFilterMotion, style) != Status::ok) {
     return;
   }
-  // It cools down while it comes up.
+  // It cools down while it appears.
   const Sink& ink = paper.with(mix_rgb(kSlow, kInk, opacity));
   const Fade fade = {&ink, static_cast<uint8_t>(opacity)};
   draw_text(font_, word(word_), style, origin_, make_sink(fade), workspace_);

@@ -1,5 +1,5 @@
-// Scene `particles`: a word bursts, its pieces fall, and come together as
-// another; some fly round the letters all the time.
+// Scene `particles`: a word bursts, its pieces fall and gather as another word;
+// some orbit the letters all the time.
 #pragma once
 
 #include <stdint.h>
@@ -17,8 +17,8 @@
 namespace inkcell {
 namespace scenes {
 
-/// A simulation: a frame follows from the one before. set_frame() steps as
-/// often as it must, from the start if it goes back.
+/// A simulation: each frame follows from the one before. set_frame() steps as
+/// often as needed, from the start if it goes back.
 class ParticleScene {
  public:
   /// Two words.
@@ -43,8 +43,8 @@ class ParticleScene {
   ParticleScene(const ParticleScene&) = delete;
   ParticleScene& operator=(const ParticleScene&) = delete;
 
-  /// bad_argument: the text is not two words with ink. buffer_small: the
-  /// memory.
+  /// bad_argument: the text is not two words with ink. buffer_small: the memory
+  /// is too small.
   Status open() noexcept;
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
@@ -77,9 +77,9 @@ class ParticleScene {
   Span<kinetic::Particle> flies_;
   kinetic::RandomNumbers random_;
   uint32_t frame_ = 0;
-  Rect before_;  // what the last two frames drew on
+  Rect before_;  // drawn by the last two frames
   Rect now_;
-  int32_t word_ = -1;  // whose distances are in the grid
+  int32_t word_ = -1;  // of the distances in the grid
 };
 
 }  // namespace scenes

@@ -1,4 +1,4 @@
-// Ten seconds: letters come in, the wave swings, weight runs along the line,
+// Ten seconds: letters fly in, the wave swings, weight runs along the line,
 // letters leave, and the screen rests.
 #include "path_scene.hpp"
 
@@ -30,7 +30,7 @@ int32_t scaled(int32_t value, Q16_16 part) noexcept {
   return lerp(0, value, part);
 }
 
-// A size at which the run takes 7/8 of the width, or 1/4 of the height.
+// The size at which the run takes 7/8 of the width, or 1/4 of the height.
 Q26_6 size_for(const Font& font, Text text, int32_t width, int32_t height) {
   const int32_t units = measure(font, text).advance;
   const int32_t by_width =
@@ -62,8 +62,8 @@ Status PathScene::open() noexcept {
   return Status::ok;
 }
 
-// Two cubics from edge to edge. They are flat at first, and swing up and down
-// in opposite phase.
+// Two cubics from edge to edge. They start flat and swing up and down in
+// opposite phase.
 void PathScene::make_wave(int32_t time_ms) noexcept {
   const int32_t since = time_ms - kSwingsMs;
   const Q16_16 grown =
@@ -88,7 +88,7 @@ void PathScene::make_wave(int32_t time_ms) noexcept {
   const int32_t right = lift(0x3000);
   const int32_t tilt = (right - left) / 2;
   path_.clear();
-  // The buffer is made for both.
+  // The buffer holds both.
   static_cast<void>(path_.move_to(at(0, middle)));
   static_cast<void>(path_.cubic_to(at(w / 6, middle - left),
                                    at(w / 3, middle - left - tilt / 2),
@@ -105,7 +105,7 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
   const int32_t leaves = kLeavesMs + delay_of(kDeparture, i, count);
   Pose pose;
   if (time_ms < leaves) {
-    // In from above, turning, with a spring's swing.
+    // Letters fly in from above, turning, with a spring's swing.
     const Q16_16 there = spring_at(kLanding, time_ms - arrives);
     const Q16_16 away = Q16_16::from_raw((1 << 16) - there.raw);
     pose.offset.y.raw = -scaled(height_ * 64 * 3 / 8, away);
@@ -126,7 +126,7 @@ Pose PathScene::pose_of(size_t index, int32_t time_ms) const noexcept {
     pose.offset.y.raw -= scaled(on_path_.size.raw / 7, Q16_16::from_raw(bold));
     return pose;
   }
-  // Out through the floor: back a little first, then down, leaning.
+  // Letters leave at the bottom: a little back first, then down, slanted.
   const Q16_16 gone =
       ease(kAnticipate, fraction(leaves, leaves + kLeavingMs, time_ms));
   pose.offset.y.raw = scaled(height_ * 64 * 5 / 8, gone);
@@ -147,7 +147,7 @@ void PathScene::set_frame(uint32_t frame) noexcept {
     before_[i] = posed_[i];
     posed_[i] = place(font_, run_, i, path_, on_path_, pose_of(i, time_ms));
     if (posed_[i].pose.opacity == 0) {
-      // All that cannot be seen is alike.
+      // All invisible glyphs are equal.
       posed_[i] = {};
       posed_[i].pose.opacity = 0;
     }
@@ -170,7 +170,7 @@ void PathScene::add_changes(DirtyRects& dirty) const noexcept {
                         {0, 0, width_, height_}, dirty);
 }
 
-// Until when the picture stays. [ms of the loop]
+// The end of the time in which the picture does not change. [ms of the loop]
 int32_t PathScene::quiet_until(int32_t time_ms) const noexcept {
   const auto count = static_cast<uint32_t>(run_.glyphs.size);
   const int32_t end = kLeavesMs + kLeavingMs + longest_delay(kDeparture, count);

@@ -1,4 +1,4 @@
-// Scene `path`: letters fly onto a wave, ride on it, and leave.
+// Scene `path`: letters fly onto a wave, ride it, and leave.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@
 namespace inkcell {
 namespace scenes {
 
-/// A frame depends on its number only.
+/// A frame depends only on its number.
 class PathScene {
  public:
   static constexpr size_t kMaxGlyphs = 24;
@@ -31,9 +31,9 @@ class PathScene {
   void set_frame(uint32_t frame) noexcept;
   void draw(const Paper& paper) noexcept;
 
-  /// Where the frame differs from the one that was set before.
+  /// Adds the areas in which the frame differs from the one before.
   void add_changes(kinetic::DirtyRects& dirty) const noexcept;
-  /// The first frame from now on that looks different.
+  /// The next frame that looks different.
   uint32_t next_due() const noexcept;
   void tell_state(const StateSink& sink) const noexcept;
 

@@ -1,5 +1,5 @@
-// Two seconds a style. Ink is light on dark paper: what is in the light takes
-// more of it.
+// Two seconds a style. The ink is light on dark paper, so lit places get more
+// ink.
 #include "print_scene.hpp"
 
 #include "inkcell/kinetic/easing.hpp"
@@ -63,7 +63,7 @@ PrintLook PrintScene::look_of(uint32_t part) const noexcept {
   const Part& of = kAll[part];
   PrintLook look;
   look.style = of.style;
-  // Once round in a part, from the upper left; the ink lies in the light.
+  // The light goes round once in a part, from the upper left.
   const uint32_t turn = frame_ % kPartFrames * 65536 / kPartFrames;
   look.light =
       Angle::from_raw(static_cast<uint16_t>(degrees(135 + 180).raw - turn));

@@ -1,4 +1,4 @@
-// Scene `print`: light goes round a word that is printed in five ways.
+// Scene `print`: light moves round a word that is printed in five styles.
 #pragma once
 
 #include <stdint.h>
@@ -13,8 +13,8 @@
 namespace inkcell {
 namespace scenes {
 
-/// Relief, engraving, rings, hatching, halftone: each is wiped over the one
-/// before. A function of time: any frame may be asked for.
+/// Relief, engraving, rings, hatching, halftone: each wipes over the one
+/// before. A function of time: frames can be drawn in any order.
 class PrintScene {
  public:
   static constexpr const char* kText = "Ag";

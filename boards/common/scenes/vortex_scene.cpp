@@ -1,4 +1,4 @@
-// The letter rests, is wound, unwound, and heals.
+// The letter rests, is wound up, unwound, and restored.
 #include "vortex_scene.hpp"
 
 #include "inkcell/kinetic/advect.hpp"
@@ -20,18 +20,18 @@ constexpr uint32_t kBody = 0xf2e6cf;
 constexpr uint32_t kLine = 0x8a4b32;
 constexpr uint32_t kCore = 0xd9763f;
 
-// Frames of a loop: the vortex blows one way, then the other.
+// Frames of a loop: the vortex turns in one direction, then in the other.
 constexpr uint32_t kBegins = 20;
 constexpr uint32_t kTurns = 143;
 constexpr uint32_t kEnds = 2 * kTurns - kBegins;
-constexpr uint32_t kSwell = 20;  // until it blows with full strength
-// Each second frame a part of the rows is made distances again.
+constexpr uint32_t kSwell = 20;  // until it has full strength
+// Every second frame a part of the rows becomes true distances again.
 constexpr int32_t kRedistanceParts = 12;
-// Then what winding cost comes back, a part of it in each frame.
+// Then the damage is repaired, a part in each frame.
 constexpr uint32_t kHealed = kEnds + 22;
 constexpr int32_t kHealsQ8 = 48;
 
-// How hard it blows, symmetric in time, so that what is wound unwinds. [Q16]
+// The strength, symmetric in time, so that the letter unwinds. [Q16]
 Q16_16 strength_at(uint32_t phase) noexcept {
   if (phase < kBegins || phase >= kEnds) {
     return {};
@@ -63,7 +63,7 @@ VortexScene::VortexScene(const SceneSetting& setting) noexcept
   next_ = DistanceGrid({first + half, half}, columns, rows, scale);
 }
 
-// 5/8 of the height, in the middle; no wider than 3/4 of the width.
+// 5/8 of the height, in the middle; at most 3/4 of the width.
 bool VortexScene::paint(DistanceGrid& grid) noexcept {
   TextPlace place;
   return find_place(font_, text_, width_, height_, 192, 160, place) &&
@@ -78,8 +78,8 @@ bool VortexScene::restart() noexcept {
   return is_painted;
 }
 
-// Moves the edge to where the shape has the letter's area: by a sample at most,
-// so that every layer stays where the grid knows distances.
+// Moves the edge until the shape has the letter's area: by a sample at most, so
+// that every layer stays where the grid has distances.
 void VortexScene::keep_area() noexcept {
   constexpr int32_t kMost = 1 << 13;
   const int32_t cutoff = cutoff_for(grid_, area_, scratch_).raw;
@@ -87,14 +87,14 @@ void VortexScene::keep_area() noexcept {
   has_changed_ = true;
 }
 
-// Towards the letter, whose distances are painted first.
+// Blends towards the letter, whose distances are painted first.
 void VortexScene::heal(bool is_first) noexcept {
   if (is_first) {
     static_cast<void>(paint(next_));
   }
   GridBlend to_letter;
   to_letter.part_q8 = kHealsQ8;
-  to_letter.depth_a = 255;  // nothing grows thin: edges only move
+  to_letter.depth_a = 255;  // no stroke shrinks: edges only move
   to_letter.depth_b = 255;
   static_cast<void>(blend(grid_, next_, to_letter, grid_, scratch_));
   keep_area();
@@ -115,7 +115,7 @@ void VortexScene::step() noexcept {
   ++frame_;
   const uint32_t phase = frame_ % kLoopFrames;
   if (phase == 0) {
-    // What unwinding lost comes back.
+    // Restores what unwinding lost.
     const uint32_t frame = frame_;
     static_cast<void>(restart());
     frame_ = frame;
@@ -133,14 +133,14 @@ void VortexScene::step() noexcept {
   Vortex vortex;
   vortex.x.raw = grid_.width() << 15;
   vortex.y.raw = grid_.height() << 15;
-  // At the core's edge a turn takes about 5 s, and nothing moves by more than
-  // a sample a step, which is faster.
+  // At the core's edge a turn takes about 5 s, and nothing moves by more than a
+  // sample a step, which is faster to compute.
   vortex.core = grid_.height() / 5;
   vortex.strength = lerp(0, vortex.core * vortex.core * 20, blow);
   Flow flow;
   flow.vortices = {&vortex, 1};
   advect(grid_, flow, next_);
-  // By turns, so that no frame has to do both.
+  // Alternates, so that no frame does both.
   if (phase % 2 == 0) {
     const auto part = static_cast<int32_t>(phase / 2) % kRedistanceParts;
     const int32_t rows = grid_.height();
@@ -170,11 +170,11 @@ void VortexScene::set_frame(uint32_t frame) noexcept {
   }
 }
 
-// A ring outside, the body, a line inside along the edge, the core: all by
-// distance.
+// A ring outside, the body, a line along the inside of the edge, the core: all
+// drawn by distance.
 void VortexScene::draw(const Paper& paper) noexcept {
   struct Layer {
-    int32_t offset_q6;  // [px] of screens of 240 rows
+    int32_t offset_q6;  // [px] on screens of 240 rows
     uint32_t ink;
   };
   constexpr Layer kLayers[] = {

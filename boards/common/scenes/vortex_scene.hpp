@@ -1,4 +1,4 @@
-// Scene `figure15`: a vortex winds a letter up, and unwinds it.
+// Scene `figure15`: a vortex winds a letter up and unwinds it.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@ namespace inkcell {
 namespace scenes {
 
 /// Figure 15 of Perry and Frisken: level sets, and lines drawn by distance. A
-/// simulation: set_frame() steps as often as it must, from the start if it goes
+/// simulation: set_frame() steps as often as needed, from the start if it goes
 /// back.
 class VortexScene {
  public:
@@ -63,7 +63,7 @@ class VortexScene {
   Fixed<int32_t, 13> cutoff_;
   int32_t area_ = 0;
   uint32_t frame_ = 0;
-  Rect before_;  // what the last two frames drew on
+  Rect before_;  // drawn by the last two frames
   Rect now_;
   bool has_changed_ = true;
 };

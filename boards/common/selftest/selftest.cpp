@@ -62,7 +62,7 @@ void test_memory() noexcept {
   check(opaque(int64_t{1} << 40) / opaque(1000) == 1099511627, "64 bits");
 }
 
-// Every start and end within a word, for each function.
+// All starts and ends within a word, for each function.
 void test_memory_functions() noexcept {
   uint8_t bytes[24];
   for (size_t start = 0; start < 4; ++start) {
@@ -133,7 +133,7 @@ void test_counter() noexcept {
     board::print(" and ");
     board::print_decimal(more);
     board::print(" instructions counted\n");
-    // Loading a constant takes one instruction, or two where it is long.
+    // Loading a constant takes one instruction, or two for a long one.
     check(some >= 2001 && some <= 2004, "the count of 1000 loops");
     check(more >= 22001 && more <= 22004, "the count of 11000 loops");
   }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs qemu_run.sh with semihosting off: the firmware must find no arguments,
-# say so, and stay alive (it cannot exit), instead of stopping at a trap.
+# report that, and keep running (it cannot exit) instead of stopping at a trap.
 set -u
 output=$(mktemp)
 INKCELL_QEMU_FLAGS="-semihosting-config enable=off" "$@" </dev/null \
