@@ -60,7 +60,7 @@ def check_roundtrip(design, folder):
     expect(len(data["glyphs"]) == 2, "roundtrip: two glyphs")
     expect(0 < data["second_round_u"] <= 0.5,
            f"roundtrip: a second round moves {data['second_round_u']} u")
-    # The tip of a wedge of 15 degrees, which is narrower than the walk's squares.
+    # The tip of a wedge of 15 degrees is narrower than the walk's squares.
     good(design, "roundtrip", "--font", SERIF, "--symbols", "3", "--report",
          report)
     three = json.loads(report.read_text())
@@ -102,7 +102,7 @@ def check_projects(design, folder):
     foreign.write_bytes(pathlib.Path(FONT).read_bytes())
     bad(design, "is a font file, which would be replaced", "export",
         "--project", project, "--out", foreign)
-    # The generator has read it back with the device's reader.
+    # The generator has read it with the device's reader.
     expect((folder / "f.bin").stat().st_size > 300, "export: f.bin is small")
     expect((folder / "f.ttf").read_bytes()[:4] == b"\0\1\0\0", "export: TTF")
     good(design, "export", "--project", project, "--glyph", "ring", "--out",

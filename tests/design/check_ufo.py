@@ -32,9 +32,9 @@ SAMPLE = (pathlib.Path(__file__).resolve().parents[2] /
           "host_tools/design/samples/pen_face.lua")
 OUTLINE_OVERLAP = 0x40  # FT_OUTLINE_OVERLAP, which the bindings lack
 SIZES_PX = (12, 24, 64)
-# Of fontmake's quadratics from our cubics; ours are 1/3 unit from them. Both
-# round points to whole units, of which the pen's face has 1000 an em: two units
-# together are 33/255 of a pixel at 64 px/em.
+# The error of fontmake's quadratics against our cubics; ours are within 1/3
+# unit. Both round points to whole units; the pen's face has 1000 an em: two
+# units together are 33/255 of a pixel at 64 px/em.
 CONVERSION_ERROR_EM = 0.0003
 MOST_OF_255 = 24
 PROBLEMS = []
@@ -126,7 +126,7 @@ def picture(face, glyph):
     """Greys of a glyph by their place."""
     face.load_glyph(glyph, freetype.FT_LOAD_NO_HINTING)
     slot = face.glyph
-    # FreeType supersamples what a compiler marks as overlapping; ours marks
+    # FreeType supersamples glyphs that are marked as overlapping; ours marks
     # composites that do, ufo2ft none.
     slot.outline._FT_Outline.flags &= ~OUTLINE_OVERLAP
     slot.render(freetype.FT_RENDER_MODE_NORMAL)
@@ -224,7 +224,7 @@ def check_foreign(design, folder):
     expect(len(before) == 13, f"ufoLib2 wrote {len(before)} files")
     expect(contents(project) == before, "saving changes a foreign project")
     expect(contents(copy) == before, "a copy differs from a foreign project")
-    # What is changed keeps what it does not know.
+    # Changes keep data of unknown kinds.
     run(design, "replay", "--project", project, "--do",
         '{"do": "set_advance", "glyph": "A", "width": 601}')
     letter = ufoLib2.Font.open(copy)["A"]

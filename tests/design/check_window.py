@@ -202,7 +202,7 @@ class WindowTest(unittest.TestCase):
                 size = wait(lambda: journal.stat().st_size > size and
                             journal.stat().st_size,
                             "a drag is not in the journal")
-        # A fourth drag is under way.
+        # A fourth drag has begun.
         (x, y), _ = canvas_place(letter, (x, y))
         self.display.send("mousemove", x, y, "mousedown", 1,
                           "mousemove", x + 90, y)

@@ -1,4 +1,4 @@
-// Folders of tests, and the project that they begin with.
+// Temporary folders, and a project to start from.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace inkcell::design::test {
 
-/// A new folder below the system's temporary one, removed in the end.
+/// A new folder in the system's temporary one, removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -21,15 +21,15 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The bytes of every file in a folder, by its path within.
+/// The bytes of all files in a folder, by relative path.
 std::map<std::string, std::string> contents_of(
     const std::filesystem::path& folder);
 
 void write_text(const std::filesystem::path& file, const std::string& text);
 
-/// Makes a UFO as other programs write it: tabs, keys of their own, a second
-/// layer, data and images that nobody here knows, glyphs of lines, cubics,
-/// quadratics with implied points, open contours and components.
+/// Makes a UFO as other programs write it: tabs, foreign keys, a second layer,
+/// foreign data and images, glyphs of lines, cubics, quadratics with implied
+/// points, open contours and components.
 void make_foreign_ufo(const std::filesystem::path& folder);
 
 }  // namespace inkcell::design::test

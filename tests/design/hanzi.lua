@@ -1,11 +1,11 @@
--- Glyphs that are made of strokes as hanzi are, always the same ones:
+-- Glyphs made of strokes like hanzi, always the same ones:
 --
 --   inkcell-design script hanzi.lua --set count=500 --out Hanzi.ufo
 --
--- Centre lines of common parts, which one pen draws in boxes beside, above and
--- within each other. Most results are no characters. They have 4 to 16 strokes,
--- and code points spread evenly over the block of hanzi, so that none is the
--- neighbour of another one.
+-- One pen draws centre lines of common parts in boxes beside, above and inside
+-- each other. Most results are no real characters. They have 4 to 16 strokes,
+-- and code points spread evenly over the block of hanzi, so that no two are
+-- neighbours.
 
 local count = param("count", 500, 1, 500)
 local is_rectangle = param("rectangle", 0, 0, 1)   -- the nib's profile
@@ -29,8 +29,8 @@ local function random(low, high)
 end
 local function one_of(list) return list[random(1, #list)] end
 
--- Kinds of strokes: from numbers in percent of the part's box to a path.
--- at(x, y) maps them to units; a horizontal stroke rises from where it begins.
+-- Kinds of strokes: from numbers in percent of the part's box to a path. at(x,
+-- y) maps them to units; horizontal strokes rise from their start.
 local kinds = {}
 local function level(at, x1, y, x2)
   local from, to = at(x1, y), at(x2, y)
@@ -117,7 +117,7 @@ local function part(text)
   return strokes
 end
 
--- Named as they are read.
+-- Named by their readings.
 local kou = part "shu 8 92 4 heng_zhe 8 92 92 4 heng 8 10 92"
 local ri = part [[shu 14 98 2 heng_zhe 14 98 86 2 heng 14 52 86
   heng 14 8 86]]
@@ -188,7 +188,7 @@ local chong = part [[shu 14 84 48 heng_zhe 14 84 86 48 heng 14 50 86
 local bei = part [[shu 16 96 26 heng_zhe 16 96 84 26 pie 50 80 6 2
   na 56 26 96 2]]
 
--- Where parts stand, and frames with the box for what they hold.
+-- The places of parts, and frames with the box for their content.
 local left = {dan_ren, shui, shou, yan, jin, si, kou, mu, tu, nv, ri, huo, wang,
               shi_stone, he, mi, yue, mu_eye, zi, shan}
 local right = {dao_side, you, cun, li, dao, er_side, qie, mu, ge, bai, zhong,
@@ -270,7 +270,7 @@ set_info{key = "ascender", value = 880}
 set_info{key = "descender", value = -120}
 set_info{key = "familyName", value = "Inkcell Hanzi"}
 
--- The same parts side by side are one character, wherever they are divided.
+-- The same parts side by side are one character, whatever the grouping.
 local function name_of(list)
   local words = {}
   for i, s in ipairs(list) do

@@ -64,7 +64,7 @@ void measure(const gen::SourceGlyph& glyph,
   compare_edges(traced, truth, corners, row.curves, row.with_corners);
   compare_edges(truth, traced, corners, row.curves, row.with_corners);
   const double px = 1024 / px_per_em;
-  // Some of the pixels, spread evenly.
+  // A sample of the pixels, spread evenly.
   for (size_t i = 0; i < distances.size(); i += 97) {
     const double d = static_cast<double>(distances[i]) * px;
     if (std::fabs(d) > kNear_u) {
@@ -80,7 +80,7 @@ void measure(const gen::SourceGlyph& glyph,
   }
 }
 
-// What one tracer makes of all masters.
+// The results of one tracer for all masters.
 struct Tracer {
   bool is_potrace = false;
   double tolerance = 0;  // potrace's -O, or ours in u

@@ -13,7 +13,7 @@ constexpr double kCornerTurn = 0.17;  // [radians]
 constexpr int kGreyRows = 16;
 constexpr double kMargin_u = 16;
 
-// Ink between the crossings of a row, of each pixel. [px]
+// Adds the ink between the crossings of a row to each pixel. [px]
 void add_row(std::vector<double>& row,
              const std::vector<double>& crossings,
              double x0_u,

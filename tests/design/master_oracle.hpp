@@ -1,4 +1,4 @@
-// Bitmap masters drawn from outlines, and outlines compared with each other.
+// Draws bitmap masters from outlines, and compares outlines.
 #pragma once
 
 #include <algorithm>
@@ -26,20 +26,20 @@ struct Errors {
   double rms() const { return count == 0 ? 0 : std::sqrt(sum / count); }
 };
 
-/// The shape with a margin, of greys or of ink and none, and where it lies.
+/// The shape with a margin, in grey or bilevel, and its position.
 Bitmap draw_master(const gen::Shape& shape,
                    double px_per_em,
                    bool is_grey,
                    MasterPlace& place);
 
-/// Where the united contours turn by more than 10 degrees. [u]
+/// Places where the united contours turn by more than 10 degrees. [u]
 std::vector<Point> corners_of(const gen::Outline& source);
 
 /// Whether a corner is nearer than 3 u.
 bool is_near_any(const Point& p, const std::vector<Point>& corners);
 
-/// Notes how far the border of `from` is from that of `to`: everywhere, and
-/// where no corner is near. [u]
+/// Records the distances of the border of `from` from that of `to`: everywhere,
+/// and away from corners. [u]
 void compare_edges(const gen::Shape& from,
                    const gen::Shape& to,
                    const std::vector<Point>& corners,

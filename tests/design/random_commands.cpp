@@ -7,7 +7,7 @@
 
 namespace inkcell::design::test {
 
-// Fonts of this many glyphs neither grow nor vanish.
+// Fonts have at most this many glyphs.
 constexpr size_t kMostGlyphs = 40;
 constexpr size_t kMostContours = 6;
 constexpr size_t kMostPoints = 12;
@@ -28,7 +28,7 @@ Value RandomCommands::next(const Project& project) {
       change_of(project, command);
       return command;
     } catch (const Error&) {
-      // Not for this project: another one.
+      // Not valid for this project: tries another one.
     }
   }
 }

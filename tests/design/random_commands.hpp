@@ -1,4 +1,4 @@
-// Commands by chance, all of which can be carried out.
+// Random valid commands.
 #pragma once
 
 #include <random>

@@ -1,13 +1,12 @@
-// Scans of drawn glyphs, traced and compared with the outlines they were drawn
-// from.
+// Traces scans of drawn glyphs and compares them with the outlines.
 //
 // Usage: inkcell_scan_figures FONT.ttf SYMBOLS PX_PER_EM [WORST_U RMS_U]
 //
-// A scan is the glyph on a sheet that lies askew: blurred, under uneven light,
-// with the grain of paper and sensor, dark specks on the paper and white ones
-// in the ink. It is traced as `inkcell-design trace --scan --em` does it; the
-// two points of the baseline are known. Errors in u, beyond 3 u from corners.
-// Fails beyond the limits, or if a contour is missing or a speck is left.
+// A scan is the glyph on a skewed sheet: blurred, under uneven light, with the
+// grain of paper and sensor, dark specks on the paper and white ones in the
+// ink. It is traced like `inkcell-design trace --scan --em` does; the two
+// points of the baseline are known. Errors in u, beyond 3 u from corners. Fails
+// beyond the limits, or if a contour is missing or a speck is left.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,10 +31,10 @@ constexpr int kBlurReach_px = 3;
 // Greys as a scanner has them, 255 white.
 constexpr double kPaper = 236;
 constexpr double kInk = 38;
-// The light loses so much towards the right and towards the lower edge.
+// The loss of light towards the right and the lower edge.
 constexpr double kFall[] = {0.25, 0.1};
 constexpr double kGrain = 6;  // of 255, one standard deviation
-// On each glyph, of up to 3 x 3 pixels.
+// Specks on each glyph, of up to 3 x 3 pixels.
 constexpr int kSpecks = 60;
 constexpr int kSpeckRoom_px = 3;  // between a speck and an edge
 
@@ -59,7 +58,7 @@ class Noise {
   std::mt19937 engine_;  // the same numbers everywhere
 };
 
-// The outline as it lies on the sheet, turned clockwise about its origin.
+// The outline on the sheet, turned clockwise about its origin.
 gen::Outline askew(gen::Outline outline) {
   const double c = std::cos(kSkew);
   const double s = std::sin(kSkew);
@@ -96,8 +95,8 @@ void blur(std::vector<double>& values, int width, int height, bool in_x) {
   }
 }
 
-// Whether the pixels around the square of 3 x 3 at x, y are all alike: a speck
-// that touches an edge cannot be told from the glyph.
+// Whether all pixels around the square of 3 x 3 at x, y are equal: a speck that
+// touches an edge looks like a part of the glyph.
 bool is_even(const std::vector<double>& ink, int width, int x, int y) {
   const double value = ink[static_cast<size_t>(y * width + x)];
   for (int dy = -kSpeckRoom_px; dy < 3 + kSpeckRoom_px; ++dy) {

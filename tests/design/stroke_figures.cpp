@@ -1,10 +1,10 @@
-// Random strokes against brute force: how true sweep() is, and how fast.
+// Random strokes against brute force: accuracy and speed of sweep().
 //
 // Usage: inkcell_stroke_figures COUNT [FIRST]
 //
-// Tries COUNT strokes from number FIRST on, 0 if left out. Prints the worst
+// Tries COUNT strokes from number FIRST (default 0) on. Prints the worst
 // distance and the strokes with open or missing contours; fails above 0.25 u,
-// or if there is one.
+// or if there is such a stroke.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -140,7 +140,7 @@ Result check(size_t seed) {
   const double begin = tools::work_done_ms();
   const std::vector<std::vector<Point>> polygons = sweep(places_on(path));
   result.milliseconds = tools::work_done_ms() - begin;
-  // What a nib covers hangs together: one outer contour, with holes.
+  // The area of a nib is connected: one outer contour, with holes.
   int outer = 0;
   for (const std::vector<Point>& polygon : polygons) {
     outer += area(polygon) > 0 ? 1 : 0;
@@ -151,7 +151,7 @@ Result check(size_t seed) {
   const auto note = [&](double error) {
     result.worst_u = std::max(result.worst_u, error);
   };
-  // The border of the result lies on the border of the truth.
+  // The border of the result is on the exact border.
   const auto& edges = shape.edges();
   for (int i = 0; i < kPlaces && !edges.empty(); ++i) {
     const gen::Edge& edge = edges[static_cast<size_t>(
@@ -159,7 +159,7 @@ Result check(size_t seed) {
     const Point p = edge.a + random.within(0, 1) * (edge.b - edge.a);
     note(std::fabs(truth_of_path.distance(p)));
   }
-  // All that a nib covers is covered.
+  // Everything that a nib covers is covered.
   for (int i = 0; i < kPlaces; ++i) {
     const size_t piece =
         static_cast<size_t>(random.below(static_cast<int>(path.pieces.size())));
@@ -167,7 +167,7 @@ Result check(size_t seed) {
                               random.within(-kPi, kPi));
     note(-std::min(shape.distance(p.x, p.y), 0.0));
   }
-  // Anywhere: ink where a nib is, none elsewhere.
+  // Random points: ink where a nib is, none elsewhere.
   for (int i = 0; i < kPlaces; ++i) {
     const Point p = {random.within(shape.box().x0, shape.box().x1),
                      random.within(shape.box().y0, shape.box().y1)};

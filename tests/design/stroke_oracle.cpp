@@ -10,7 +10,7 @@ namespace {
 constexpr int kSteps = 512;
 constexpr int kRefinements = 40;
 
-// Tops of the samples this far below the highest are refined as well. [u]
+// Samples this far below the highest are refined as well. [u]
 constexpr double kPromising_u = 8;
 
 double distance_to_rectangle(double a, double b, const Point& p) {
@@ -22,7 +22,7 @@ double distance_to_rectangle(double a, double b, const Point& p) {
 
 // The nearest point of an ellipse, a >= b, to (x, y) in the first quadrant:
 // (a^2 x / (t + a^2), b^2 y / (t + b^2)) for the root t > -b^2 of F(t) = 1,
-// which bisection finds whatever the numbers are.
+// found by bisection.
 double distance_to_ellipse(double a, double b, const Point& p) {
   if (a < b) {
     return distance_to_ellipse(b, a, {p.y, p.x});
@@ -50,7 +50,8 @@ double distance_to_ellipse(double a, double b, const Point& p) {
   return is_inside ? d : -d;
 }
 
-// No less than distance_to_nib(): the distance to the circle around the nib.
+// An upper bound of distance_to_nib(): the distance to the circle around the
+// nib.
 double bound_of_distance(const NibPlace& place, const Point& point) {
   return std::hypot(std::max(place.nib.width, kLeastNib_u),
                     std::max(place.nib.height, kLeastNib_u)) /
@@ -58,7 +59,7 @@ double bound_of_distance(const NibPlace& place, const Point& point) {
          length(point - place.at);
 }
 
-// The greatest value around a sample, by thirds.
+// The maximum near a sample, by ternary search.
 template <typename Value>
 double top_near(const Value& value, int sample) {
   double low = std::max(0.0, (sample - 1.0) / kSteps);
@@ -99,7 +100,7 @@ PathTruth::PathTruth(const NibPath& path) : path_(path) {
   }
 }
 
-// A place whose bound is far below the best is no top, whatever it is exactly.
+// A place whose bound is far below the best cannot be the maximum.
 double PathTruth::distance(const Point& point) const {
   double best = -HUGE_VAL;
   for (size_t piece = 0; piece < places_.size(); ++piece) {

@@ -1,4 +1,4 @@
-// What a nib covers on its way, by trying all of the way.
+// The area that a nib covers along a path, by brute force.
 #pragma once
 
 #include <vector>
@@ -7,19 +7,19 @@
 
 namespace inkcell::design::test {
 
-/// Distance of a point from the border of a nib at its place, positive inside.
-/// [u] Exact.
+/// The exact distance of a point from the border of a nib at its place,
+/// positive inside. [u]
 double distance_to_nib(const NibPlace& place, const Point& point);
 
-/// What a nib covers on the whole path.
+/// The area that a nib covers along the whole path.
 class PathTruth {
  public:
   /// `path` must outlive this.
   explicit PathTruth(const NibPath& path);
 
-  /// The greatest distance_to_nib() of all places: 0 on the border of what the
-  /// nib covers, exact outside, too small in magnitude inside. Found on 1/512
-  /// of each piece, and finer around the best.
+  /// The maximum of distance_to_nib() over all places: 0 on the border of the
+  /// covered area, exact outside, too small in magnitude inside. Samples 1/512
+  /// of each piece, and refines the best.
   double distance(const Point& point) const;
 
  private:

@@ -93,7 +93,7 @@ TEST(Master, SaltDoesNoHarm) {
   EXPECT_EQ(outline.contours.size(), 2u);
 }
 
-// A bar on a baseline that falls by 0.1 is level between two points of it.
+// A bar on a baseline that falls by 0.1 becomes level.
 TEST(Master, ASlantingScanIsTurnedUpright) {
   constexpr double kEm_px = 160;
   const double c = std::cos(0.1);
@@ -175,8 +175,8 @@ Bitmap uneven_scan(int width, int height, double fall) {
 
 TEST(Bitmap, LevelsTheLightOfAScan) {
   Bitmap bitmap = uneven_scan(400, 60, 0.7);
-  // Paper on the right is darker than ink on the left: no threshold divides
-  // them.
+  // Paper on the right is darker than ink on the left: no single threshold
+  // works.
   ASSERT_GT(bitmap.at(389, 30), bitmap.at(35, 30));
   level_light(bitmap);
   for (int x = 0; x < bitmap.width; ++x) {

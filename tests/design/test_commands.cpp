@@ -1,4 +1,4 @@
-// Commands: what they do, and what they refuse.
+// Commands: effects and errors.
 #include <gtest/gtest.h>
 
 #include "model/commands.hpp"
@@ -123,7 +123,7 @@ TEST_F(Commands, DecomposeTurnsReflectedContoursOver) {
   EXPECT_NEAR(area_at("b", 750, 250), 256, 1e-3);
 }
 
-// Lines, cubics, quadratics with implied points: the way back is the same
+// Lines, cubics, quadratics with implied points: reversing twice restores the
 // curve.
 TEST_F(Commands, ReverseTwiceIsNothing) {
   const Value contours = Value::parse(R"([
@@ -153,7 +153,7 @@ TEST_F(Commands, KeepTheCurveWhenItIsReversed) {
   }
 }
 
-// The bytes are those of a PNG's beginning, and one more.
+// The bytes are a PNG's first ones, and one more.
 TEST_F(Commands, PutAPictureBehindAGlyph) {
   run(R"({"do": "set_image", "glyph": "a", "file": "a.png",
           "data": "iVBORw0KGgoB", "matrix": {"scale": 2, "move": [10, -20]}})");
@@ -165,7 +165,7 @@ TEST_F(Commands, PutAPictureBehindAGlyph) {
   const std::vector<uint8_t> bytes = {0x89, 'P',  'N',  'G', 0x0d,
                                       0x0a, 0x1a, 0x0a, 1};
   EXPECT_EQ(*project_.font->images.at("a.png"), bytes);
-  // The bytes are there already.
+  // The bytes are already there.
   run(R"({"do": "set_image", "glyph": "a", "file": "a.png"})");
   EXPECT_EQ(project_.glyph("a")->image->matrix.dy, 0);
   run(R"({"do": "set_image", "glyph": "a"})");

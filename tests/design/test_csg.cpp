@@ -1,4 +1,4 @@
-// Shapes combined, against their distances point by point.
+// Combined shapes against their distances, point by point.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,8 +46,7 @@ TEST_F(Csg, AStrokeOfOnePointIsItsNib) {
   EXPECT_EQ(project_.glyph("disc")->lib.count("org.inkcell.strokes"), 1u);
 }
 
-// Turned, scaled, reflected parts: on which side a point lies is what the
-// distances say.
+// Turned, scaled, reflected parts: the distances tell the side of a point.
 TEST_F(Csg, RandomTreesHaveTheirPointsOnTheRightSide) {
   std::mt19937 random(7);
   const auto within = [&random](double low, double high) {
@@ -152,7 +151,7 @@ TEST_F(Csg, ErrorsSayWhatIsAllowed) {
   EXPECT_NE(refusal(R"({"glyph": "none"})"), "");
 }
 
-// What is kept of the walk grows with its box.
+// The memory of the walk grows with its box.
 TEST_F(Csg, ABlendOfAnyRadiusIsRefusedOrFitsIntoMemory) {
   const Value command = Value::parse(R"({"do": "set_tree", "glyph": "out",
       "tree": {"op": "blend", "radius": 1e9, "parts":

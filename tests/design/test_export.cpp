@@ -1,5 +1,5 @@
-// A face opened and exported: the same outlines, advances and kerning, as
-// FreeType and HarfBuzz read them.
+// Opens and exports a face: outlines, advances and kerning stay the same, as
+// read by FreeType and HarfBuzz.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -38,7 +38,7 @@ std::filesystem::path written(const TemporaryFolder& folder,
   return file;
 }
 
-// Contours of a single point mark places in some fonts; they enclose nothing.
+// Contours of a single point are marks in some fonts; they enclose nothing.
 std::vector<gen::Contour> with_ink(const gen::Outline& outline) {
   std::vector<gen::Contour> contours;
   for (const gen::Contour& contour : outline.contours) {
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "liberation/LiberationSerif-Italic.ttf",
                     "roboto/unhinted/RobotoTTF/Roboto-Regular.ttf"));
 
-// Cubics become quadratics that nobody can tell from them.
+// Cubics become quadratics without a visible difference.
 TEST(Ttf, CubicsKeepTheirShape) {
   Project project;
   Glyph glyph;
@@ -141,7 +141,7 @@ TEST(Ttf, CubicsKeepTheirShape) {
   EXPECT_EQ(font.glyphs[1].advance, 600);
   const gen::Shape after(font.glyphs[1].outline);
   for (const gen::Edge& edge : after.edges()) {
-    // A third of a unit, and the rounding of points to whole ones.
+    // A third of a unit, and the rounding of points to integers.
     EXPECT_LT(std::fabs(before.distance(edge.a.x, edge.a.y)), 1.1);
   }
 }
@@ -161,7 +161,7 @@ TEST(Ttf, NamesTheGlyphThatDoesNotFit) {
   }
 }
 
-// Glyphs that are made of others, as FreeType draws them.
+// Composite glyphs, drawn by FreeType.
 class Components : public testing::Test {
  protected:
   Components() {
@@ -207,8 +207,8 @@ class Components : public testing::Test {
     return -1;
   }
 
-  // Within a font unit and a half, on the border of either: components round
-  // the points of others, and FreeType those of the components.
+  // Within 1.5 font units on the border of either: components round the points
+  // of others, and FreeType those of the components.
   static bool are_near(const gen::Shape& a, const gen::Shape& b) {
     constexpr double kBound_u = 1.6;
     const auto lies_on = [](const gen::Shape& shape, const gen::Shape& other) {
@@ -286,7 +286,7 @@ TEST(Kerning, PairsOfGlyphsComeBeforeGroups) {
   EXPECT_EQ(lookup.value("V", "A"), 0);
 }
 
-// A font with built glyphs of the one before, beside the same font without.
+// A font that reuses built glyphs, beside the same font built anew.
 class Rebuilt : public testing::Test {
  protected:
   Rebuilt() {
@@ -301,7 +301,7 @@ class Rebuilt : public testing::Test {
     project_.apply(change_of(project_, command));
   }
 
-  // Outlines that were not built again.
+  // Outlines that were reused.
   size_t reused() {
     gen::GenerateRequest request = request_;
     const gen::RomFont whole = make_rom(project_, request);
@@ -343,7 +343,7 @@ TEST_F(Rebuilt, OtherConditionsBuildAllAnew) {
   EXPECT_EQ(reused(), 0u);
   request_.target.tolerance = 12;
   EXPECT_EQ(reused(), 0u);
-  // A glyph that needs a coarser grid for all.
+  // A glyph that forces a coarser grid on all.
   change({{"do", "transform"}, {"glyph", "F"}, {"matrix", {{"scale", 7}}}});
   EXPECT_EQ(reused(), 0u);
 }

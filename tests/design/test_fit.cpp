@@ -1,4 +1,4 @@
-// Curves for dense points: few of them, true, corners kept.
+// Curves for dense points: few, accurate, corners kept.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(FitLoop, ACircleIsFourCubicsWithPointsAtItsExtremes) {
     EXPECT_EQ(segment.kind, gen::Segment::Kind::cubic);
     const Point& at = segment.p[0];
     EXPECT_LT(std::min(std::fabs(at.x), std::fabs(at.y)), 0.6);
-    // Level or upright handles.
+    // Horizontal or vertical handles.
     const Point handle = segment.p[1] - at;
     EXPECT_LT(std::min(std::fabs(handle.x), std::fabs(handle.y)), 1e-3);
     for (int i = 0; i <= 20; ++i) {
@@ -80,7 +80,7 @@ TEST(FitLoop, ASquareIsFourLines) {
   }
 }
 
-// The points near the corners are cut off, as cells and pixels do.
+// The points near corners are cut off, as by cells and pixels.
 TEST(FindCorners, RestoreThoseThatWereRounded) {
   const Loop sharp = sample_polygon(kSquare, 1);
   Loop loop;
@@ -113,11 +113,11 @@ TEST(FindCorners, ACircleHasNone) {
   EXPECT_TRUE(loop.corners.empty());
 }
 
-// The corner of two sides at a right angle, replaced by an arc of this radius
-// or cut by a line; its tip is the origin, its sides go left and down.
+// The corner of two sides at a right angle, rounded by an arc of this radius or
+// cut by a line; its tip is the origin, its sides go left and down.
 struct Tip {
   double radius = 0;
-  Point cut;  // what the line takes of both sides
+  Point cut;  // what the line cuts off both sides
 
   double distance(const Point& p) const {
     if (radius > 0 && p.x > -radius && p.y > -radius) {

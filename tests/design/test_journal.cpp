@@ -46,7 +46,7 @@ TEST_F(Journal, HundredThousandCommandsUndoneAndRedone) {
   EXPECT_EQ(ufo_texts(player.project(), files), changed);
 }
 
-// Undo and redo between commands, as a person works.
+// Undo and redo between commands.
 TEST_F(Journal, ReplayGivesWhatTheSessionHad) {
   std::string before;
   {
@@ -75,8 +75,8 @@ TEST_F(Journal, ReplayGivesWhatTheSessionHad) {
   EXPECT_FALSE(std::filesystem::exists(journal_of(path_)));
 }
 
-// What was done before the last save can be undone after it, and a crash
-// thereafter loses nothing.
+// Steps before the last save can be undone after it, and a crash afterwards
+// loses nothing.
 TEST_F(Journal, UndoesAcrossASave) {
   std::string first;
   {
@@ -98,7 +98,7 @@ TEST_F(Journal, UndoesAcrossASave) {
   EXPECT_EQ(session.project().glyph("A")->width, 700);
 }
 
-// A picture that a save took from the disk is there again.
+// Undo restores a picture that a save removed from the disk.
 TEST_F(Journal, UndoBringsAPictureBack) {
   const auto before = contents_of(path_);
   {
@@ -167,8 +167,8 @@ TEST_F(Journal, DamageIsFound) {
   }
 }
 
-// Every moment of a save: the old or the new project, the journal before or
-// after it.
+// A crash at any moment of a save: the old or the new project, the journal
+// before or after it.
 TEST_F(Journal, ACrashWhileSavingLosesNothing) {
   const auto old_files = contents_of(path_);
   const std::filesystem::path file = journal_of(path_);

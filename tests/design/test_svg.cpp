@@ -1,4 +1,4 @@
-// SVG as the design library reads and writes it.
+// SVG as read and written by the design library.
 #include <gtest/gtest.h>
 
 #include "export/svg.hpp"
@@ -39,7 +39,7 @@ TEST(Svg, ErrorsNameTheFileAndTheElement) {
             ": draws nothing; fill or stroke a path of it");
 }
 
-// A glyph, written as SVG and read again, is the same glyph.
+// A glyph that is written as SVG and read again is the same.
 TEST(Svg, WhatIsWrittenIsRead) {
   Project project;
   project.apply(change_of(project, {{"do", "add_glyph"}, {"glyph", "a"}}));

@@ -1,4 +1,4 @@
-// UFO 3: what is read is written again, what others wrote survives.
+// UFO 3: files that are read are written again; foreign data survives.
 #include <gtest/gtest.h>
 
 #include "folders.hpp"
@@ -39,7 +39,7 @@ TEST_F(Ufo, OnlyTheChangedGlyphIsWrittenAnew) {
   const Glyph a = parse_glif(after["glyphs/A_.glif"], "A_.glif");
   after["glyphs/A_.glif"] = before.at("glyphs/A_.glif");
   EXPECT_EQ(after, before);
-  // All that was there is there, but for the advance.
+  // Everything but the advance is unchanged.
   Glyph old = parse_glif(before.at("glyphs/A_.glif"), "A_.glif");
   old.width = 701;
   EXPECT_EQ(a, old);

@@ -4,12 +4,11 @@
 //   inkcell_union_figures ROUNDS
 //
 // Draws ROUNDS unions of bars and ellipses, 60 to 200 u wide, for each count of
-// parts at 8 to 64 px. The error of a pixel is that against the filtered
-// distance to the exact union or that against the union's area, whichever is
-// less: at corners these two differ by more than 100 of 255 themselves. Prints
-// the worst pixel and the share of edge pixels beyond 32 of 255, also by the
-// maximum of the distances. Exits with 1 if the share is above 1/1000, or if
-// the maxima do better.
+// parts at 8 to 64 px. The error of a pixel is the lesser of two: against the
+// filtered distance to the exact union, or against the union's area. At corners
+// these two differ by more than 100 of 255. Prints the worst pixel and the
+// share of edge pixels beyond 32 of 255, also for the maximum of the distances.
+// Exits with 1 if the share is above 1/1000, or if the maximum is better.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -42,7 +41,7 @@ double within(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// A bar or an ellipse, turned, in the em's middle.
+// A bar or an ellipse, turned, in the middle of the em.
 gen::Shape random_part(Random& random) {
   const double long_u = within(random, 250, 800) / 2;
   const double short_u = within(random, 60, 200) / 2;
@@ -141,7 +140,7 @@ void measure_pixel(const Screen& screen,
                    int y,
                    Result& result) {
   const double d = screen.distance_px(whole, x + 0.5, y + 0.5);
-  // Away from the edge too: no distance may be drawn where there is none.
+  // Also far from the edge: no distance may show where there is none.
   const double filtered = 255 * std::clamp(d + 0.5, 0.0, 1.0);
   const bool is_edge = std::fabs(d) < 1;
   const double covered = is_edge ? area(screen, whole, x, y) : filtered;

@@ -13,7 +13,7 @@ namespace hostile {
 namespace {
 
 constexpr greg_t kTrapFlag = 0x100;
-constexpr size_t kWord = 8;  // the bytes that change with a load
+constexpr size_t kWord = 8;  // bytes that change at a load
 
 uint8_t* inner = nullptr;
 size_t inner_bytes = 0;
@@ -32,11 +32,11 @@ void protect(int protection) {
   }
 }
 
-// A load of the copy: lets the one instruction through, on changed bytes.
+// At a load of the copy: lets one instruction run on changed bytes.
 void on_load(int, siginfo_t* info, void* context) {
   auto* const at = static_cast<uint8_t*>(info->si_addr);
   if (at < inner || at >= inner + inner_bytes) {
-    signal(SIGSEGV, SIG_DFL);  // ends the program where it went wrong
+    signal(SIGSEGV, SIG_DFL);  // ends the program at the faulty access
     return;
   }
   ++loads;
@@ -57,7 +57,7 @@ void on_load(int, siginfo_t* info, void* context) {
   static_cast<ucontext_t*>(context)->uc_mcontext.gregs[REG_EFL] |= kTrapFlag;
 }
 
-// Behind that instruction.
+// After that instruction.
 void on_step(int, siginfo_t*, void* context) {
   if (has_kept) {
     memcpy(inner + kept_at, kept, kWord);
@@ -102,7 +102,7 @@ void ChangingBytes::start(uint32_t seed, uint32_t one_in) {
   inner = pages_ + page_;
   inner_bytes = inner_size_;
   one_change_in = one_in;
-  random_bytes = Random(seed * 0x9e3779b9u);  // small ones begin small
+  random_bytes = Random(seed * 0x9e3779b9u);  // small seeds begin small
   handle(SIGSEGV, on_load);
   handle(SIGTRAP, on_step);
   protect(PROT_NONE);

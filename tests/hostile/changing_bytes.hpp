@@ -8,15 +8,15 @@
 
 namespace hostile {
 
-/// A copy of `content` between two pages that nobody may touch. Between start()
-/// and stop() every load of it traps: one in `one_in` finds other bytes there,
-/// for this load only. So no value that was read and checked can be had again
-/// by reading it again, whether the source or the compiler does so.
+/// A copy of `content` between two guard pages. Between start() and stop()
+/// every load of it traps; one load in `one_in` finds other bytes, just this
+/// once. So a value that was checked cannot be read again, whether the source
+/// or the compiler does so.
 ///
 /// x86-64 Linux; one object at a time, one thread.
 class ChangingBytes {
  public:
-  /// The copy ends at the upper page, or begins behind the lower one.
+  /// The copy ends at the upper guard page, or begins after the lower one.
   ChangingBytes(inkcell::Span<const uint8_t> content, bool is_at_end);
   ~ChangingBytes();
   ChangingBytes(const ChangingBytes&) = delete;
@@ -26,7 +26,7 @@ class ChangingBytes {
   void start(uint32_t seed, uint32_t one_in);
   void stop();
 
-  /// Loads that trapped, and those of them that found other bytes.
+  /// The number of loads that trapped, and of those that found other bytes.
   static int64_t load_count();
   static int64_t change_count();
 

@@ -40,13 +40,13 @@ class Canvas {
   }
 
   Sink sink() { return {window_, this, coverage, solid}; }
-  // Glyphs of a run may overlap; within one, no pixel comes twice.
+  // Glyphs of a run may overlap; within a glyph, each pixel comes once.
   void next_glyph() { std::fill(drawn_.begin(), drawn_.end(), uint8_t{0}); }
   void check_guards() const {
     for (size_t i = 0; i < kGuard; ++i) {
       require(bytes_[i] == kGuardByte, "guard before the strip");
       require(bytes_[bytes_.size() - 1 - i] == kGuardByte,
-              "guard behind the strip");
+              "guard after the strip");
     }
   }
   bool row_equals(int32_t y, const Canvas& other) const {
@@ -127,7 +127,7 @@ void use_glyph(const Font& font, uint16_t glyph) {
                 record.data + record.size <= rom.data + rom.size)),
           "record in the font");
   for (const Look& look : kLooks) {
-    // Somewhere in the upper part of a glyph of any size.
+    // A place in the upper part of a glyph of any size.
     const Point origin = {Q26_6::from_raw(-look.size_q6 / 8 + 1000),
                           Q26_6::from_raw(look.size_q6 / 2 + 300)};
     TextStyle style = style_of(look);
@@ -174,9 +174,9 @@ bool is_of_outlines(const Font& font) {
          static_cast<uint8_t>(format::Coding::outline);
 }
 
-// Whether numbers without sense make the same picture in every window: object
-// order, of larger upright text, needs fields within the format's limits, and
-// outlines must lie in their boxes.
+// Whether hostile numbers give the same picture in every window. For larger
+// upright text in object order, fields must be within the format's limits;
+// outlines must be in their boxes.
 bool is_exact(const Font& font, const TextStyle& style) {
   return !bytes_change && !is_of_outlines(font) &&
          (style.size().raw < 40 * 64 || !style.is_upright());
@@ -195,7 +195,7 @@ void expect_changing_bytes() {
   bytes_change = true;
 }
 
-// One picture, then the same in two strips, then row by row in distances.
+// Draws one picture, then the same in two strips, then row by row by distances.
 void draw_checked(const Font& font,
                   uint16_t glyph,
                   const TextStyle& style,
@@ -245,7 +245,7 @@ void use_text(const Font& font,
     draw(font, {&glyph, 1}, style, origin, whole.sink());
   }
   whole.check_guards();
-  // Drawn as a line, calls begin anew with each glyph: one window a row.
+  // As a line of text, calls restart with each glyph: one window a row.
   for (int32_t y = 0; y < kHeight; ++y) {
     for (const PositionedGlyph& glyph : run) {
       parts.next_glyph();

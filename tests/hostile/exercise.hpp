@@ -1,4 +1,4 @@
-// Everything that can be asked of a font, asked of bytes that may be hostile.
+// Calls all functions of a font with hostile bytes.
 #pragma once
 
 #include "inkcell/font.hpp"
@@ -11,21 +11,21 @@ struct Outcome {
   bool verified = false;
 };
 
-/// Opens `rom` and, if that succeeds, uses the font in every way. Ends the
-/// program when a promise is broken: a pixel outside its window, out of order
-/// or in too long a span, a picture that depends on strips, a metric that
-/// cannot be.
+/// Opens `rom` and, if that succeeds, calls every function of the font. Ends
+/// the program if a promise is broken: a pixel outside its window, out of order
+/// or in too long a span, a picture that depends on strips, an impossible
+/// metric.
 Outcome exercise(inkcell::Span<const uint8_t> rom);
 
-/// The same of a font that is open, whatever became of its bytes meanwhile.
+/// The same for an open font, whatever its bytes have become.
 void use(const inkcell::Font& font);
 
-/// From here on bytes of fonts may differ from load to load: pictures need no
-/// longer agree, nor show a pixel only once. All else must hold.
+/// From now on bytes of fonts may differ from load to load: pictures may
+/// differ, and pixels may repeat. All other promises must hold.
 void expect_changing_bytes();
 
-/// Draws a glyph in small windows about (0, 0), whole and in strips, and asks
-/// for distances.
+/// Draws a glyph in small windows about (0, 0), whole and in strips, and looks
+/// up distances.
 void draw_checked(const inkcell::Font& font,
                   uint16_t glyph,
                   const inkcell::TextStyle& style,

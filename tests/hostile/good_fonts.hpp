@@ -1,4 +1,4 @@
-// Small fonts without a fault, to be broken.
+// Small valid fonts, to be damaged.
 #pragma once
 
 #include <stdint.h>

@@ -1,10 +1,10 @@
-// Fonts whose bytes read differently each time, used in every way.
+// Fonts whose bytes read differently each time.
 //
 //   hostile_changing
 //
-// The library promises that it is safe even if flash changes between two reads.
-// A value that is read twice, checked and then used, would break that, whether
-// the source or the compiler reads it again; so the objects are tested. The
+// The library promises to be safe even if flash changes between two reads. A
+// value that is read, checked, read again and used would break that, whether
+// the source or the compiler repeats the read; so object code is tested. The
 // same program links the library with sanitizers and as it is shipped.
 #include <stdio.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using namespace inkcell;
 
-// Lent RAM in a block of exactly its size.
+// Workspace in a heap block of exactly its size.
 constexpr size_t kRam = 600;
 
 struct Ink {
@@ -64,7 +64,8 @@ void run(const char* kind, bool is_at_end, uint32_t one_in, int rounds) {
   const int64_t loads = hostile::ChangingBytes::load_count();
   const int64_t changes = hostile::ChangingBytes::change_count();
   for (int round = 0; round < rounds; ++round) {
-    // A font that opens while bytes change, else one that opened before.
+    // A font that is opened while bytes change, else one that was opened
+    // before.
     Font font;
     memory.start(static_cast<uint32_t>(round + 1), one_in);
     const bool has_opened = open_any_font(memory.bytes(), font) == Status::ok;

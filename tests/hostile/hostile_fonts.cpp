@@ -34,7 +34,7 @@ namespace section = format::section;
 
 using hostile::Bytes;
 
-// How one kind of damage ended.
+// The results of one kind of damage.
 class Tally {
  public:
   explicit Tally(const char* kind) : kind_(kind) {}
@@ -48,7 +48,7 @@ class Tally {
   Tally(const Tally&) = delete;
   Tally& operator=(const Tally&) = delete;
 
-  // In a block of exactly this size.
+  // Uses a heap block of exactly this size.
   void try_font(Span<const uint8_t> font) {
     const auto block = std::make_unique<uint8_t[]>(font.size);
     std::copy(font.begin(), font.end(), block.get());
@@ -61,7 +61,7 @@ class Tally {
   }
   void try_font(const Bytes& font) { try_font({font.data(), font.size()}); }
 
-  // As it is if the checksums notice, and with both made right.
+  // Once as it is, if the checksums notice, and once with corrected checksums.
   void try_repaired(Bytes font) {
     font_builder::repair_checksums({font.data(), font.size()});
     try_font(font);
@@ -133,7 +133,7 @@ void truncate(const Bytes& good) {
   }
 }
 
-// The last section shrinks with the font, so that it can be opened.
+// The last section shrinks with the font, so that the font still opens.
 void truncate_last_section(const Bytes& good) {
   Tally tally("last section cut short, all repaired");
   const uint32_t count = get_u16(good.data() + header::kSectionCount);

@@ -1,7 +1,7 @@
 // Outlines that no generator writes: code tables, boxes, records, composites,
-// sizes and places at their ends, drawn in every style.
+// sizes and places at their limits, drawn in every style.
 //
-// Fonts lie in heap blocks of exactly their size, so that the sanitizers see a
+// Fonts are in heap blocks of exactly their size, so that the sanitizers see a
 // read of a single byte too much.
 //
 //   hostile_outlines numbers   code tables, boxes, units, grids, max_points
@@ -56,8 +56,8 @@ Bytes usual_table() {
                    entry(2, 2, 15, 15)});
 }
 
-// What a font is made of; glyph 0 has no ink, 1 is an outline, 2 another one
-// and 3 a composite.
+// The parts of a font; glyph 0 has no ink, 1 and 2 are outlines, 3 is a
+// composite.
 struct Recipe {
   Bytes table = usual_table();
   Bytes records[3];
@@ -102,7 +102,7 @@ Bytes build(const Recipe& recipe) {
   return font;
 }
 
-// Styles and places at random, but the same every time.
+// Random but reproducible styles and places.
 class Artist {
  public:
   explicit Artist(uint32_t seed) : random_(seed) {}
@@ -128,7 +128,7 @@ class Artist {
     cut.odd = static_cast<uint8_t>(random_.below(4));
     cut.x_cut = random_.between(1, hostile::kPictureWidth);
     cut.y_cut = random_.between(1, hostile::kPictureHeight);
-    // Some part of the glyph lies in the picture.
+    // A part of the glyph is in the picture.
     cut.origin = {Q26_6::from_raw(random_.between(-look.size_q6, 29 * 64)),
                   Q26_6::from_raw(random_.between(0, 22 * 64 + look.size_q6))};
     if (random_.below(8) == 0) {
@@ -167,7 +167,7 @@ class Artist {
   int32_t fonts_ = 0;
 };
 
-// Bytes at random behind what makes them an outline, or a composite.
+// Random bytes after the bits that mark an outline or a composite.
 Bytes any_record(Random& random, uint32_t size, uint8_t first) {
   Bytes record(size);
   for (uint8_t& byte : record) {
@@ -195,7 +195,8 @@ void fill_records(Random& random, Recipe& recipe) {
   recipe.records[2] = any_composite(random, random.below(40));
 }
 
-// Every length, kind and width; tables of one entry again and again, and any.
+// All lengths, kinds and widths; tables with one repeated entry, and random
+// ones.
 void draw_tables(Artist& artist, Random& random) {
   for (uint32_t bits = 1; bits <= word::kMaxCodeBits; ++bits) {
     for (int32_t i = 0; i < 40; ++i) {
@@ -218,7 +219,7 @@ void draw_tables(Artist& artist, Random& random) {
   }
 }
 
-// Numbers of the header and boxes at their ends.
+// Numbers of the header, and boxes, at their limits.
 void draw_numbers(Artist& artist, Random& random) {
   const int16_t sides[] = {INT16_MIN, -16384, -1, 0, 1, 1024, INT16_MAX};
   const uint16_t units[] = {16, 17, 1000, 16384};
@@ -244,7 +245,7 @@ void draw_numbers(Artist& artist, Random& random) {
   }
 }
 
-// Records that end in the middle of a word, or never: zeros are points.
+// Records that end within a word, or never: zeros are points.
 void draw_endless(Artist& artist, Random& random) {
   Recipe recipe;
   recipe.table = table_of({entry(2, 2, 0, 0), entry(2, 0, 15, 15),
@@ -274,8 +275,9 @@ void put_component(BitWriter& bits,
   bits.put(more ? 1 : 0, 1);
 }
 
-// Of themselves, of composites, of glyphs that do not exist; moved and mapped
-// as far as numbers reach; and more of them than there may be points.
+// Composites of themselves, of composites, of glyphs that do not exist; moved
+// and mapped to the limits of numbers; and more of them than there may be
+// points.
 void draw_composites(Artist& artist, Random& random) {
   const uint32_t glyphs[] = {0, 1, 2, 3, 4, 65535};
   const int32_t steps[] = {-16384, -1, 0, 16383};

@@ -23,7 +23,7 @@ using namespace inkcell;
 constexpr auto kColumns = static_cast<size_t>(kPictureWidth);
 constexpr auto kRows = static_cast<size_t>(kPictureHeight);
 
-// What the sink of a fill has, where there are two; else three stripes.
+// The planes of a fill's sink: two; else three sub-pixels.
 constexpr size_t kPlanes = 3;
 
 // Coverage of a picture, cut into windows.
@@ -34,7 +34,7 @@ class Picture {
 
   const Rect& all() const { return all_; }
 
-  // Pixels may not come twice from one window.
+  // Each pixel may come once from a window.
   Sink sink(const Rect& window, bool takes_blocks) {
     window_ = intersect(window, all_);
     return {window_,
@@ -44,7 +44,7 @@ class Picture {
             takes_blocks ? block : nullptr,
             coverage_rgb};
   }
-  // Of a second colour, over the same window.
+  // A sink for the second colour, over the same window.
   Sink fill_sink(const Rect& window) {
     return {intersect(window, all_), this, coverage<1>, solid<1>};
   }
@@ -122,7 +122,7 @@ class Picture {
   bool drawn_[kPlanes][kRows][kColumns] = {};
 };
 
-// RAM of exactly so many bytes at an address that is `odd` modulo 4.
+// RAM of exactly this size at an address that is `odd` modulo 4.
 class Ram {
  public:
   Ram(uint32_t bytes, uint8_t odd)
@@ -162,7 +162,7 @@ Q16_16 part(int32_t size_q6, int32_t eighths) {
   return Q16_16::from_raw(size_q6 * 128 * eighths);
 }
 
-// Leaning, narrow, mirrored, and turned and narrow; within 4 to 1024 px.
+// Slanted, narrow, mirrored, and turned and narrow; within 4 to 1024 px.
 Matrix matrix_of(uint32_t number, int32_t size_q6) {
   const int32_t size = size_q6 < 16 * 64    ? 16 * 64
                        : size_q6 > 700 * 64 ? 700 * 64

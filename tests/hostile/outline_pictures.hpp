@@ -1,5 +1,5 @@
-// Glyphs of outlines drawn in one style: the promises of the renderer, checked
-// with small windows, small workspaces and any bytes.
+// Draws glyphs of outlines in one style and checks the promises of the
+// renderer, with small windows, small workspaces and any bytes.
 #pragma once
 
 #include "inkcell/font.hpp"
@@ -26,7 +26,7 @@ struct OutlineLook {
   bool is_fitted = false;  // upright text only
 };
 
-/// How a picture is cut into windows, and in which RAM it is drawn.
+/// The windows of a picture, and the RAM for drawing it.
 struct OutlineCut {
   inkcell::Point origin;
   int32_t x0 = 0;  // the picture's first pixel
@@ -41,7 +41,7 @@ struct OutlineCut {
 inline constexpr int32_t kPictureWidth = 29;
 inline constexpr int32_t kPictureHeight = 22;
 
-/// Draws the glyph whole, in four windows, into a sink that takes blocks, and
+/// Draws the glyph whole, in four windows, into a sink with blocks, and
 /// prepared. Ends the program if pixels leave the window, come twice in a
 /// window, or a block is not laid out as promised; with `is_exact` also if the
 /// pictures differ.
@@ -51,10 +51,10 @@ void check_outline(const inkcell::Font& font,
                    const OutlineCut& cut,
                    bool is_exact);
 
-/// Generates the field of the glyph in a buffer of 4 cut.part_bytes, 4092 at
-/// most, draws it upright at style.size_q6, and looks at points of it. Ends the
-/// program if the field is not of this buffer, its record is not one that
-/// opens, or pixels leave the window.
+/// Generates the field of the glyph in a buffer of 4 cut.part_bytes, at most
+/// 4092, draws it upright at style.size_q6, and looks up points. Ends the
+/// program if the field is not in this buffer, its record does not open, or
+/// pixels leave the window.
 void check_generated_field(const inkcell::Font& font,
                            uint16_t glyph,
                            const OutlineLook& look,

@@ -24,7 +24,7 @@ const std::map<std::string, uint32_t> kSamples = {
     {"RLE", 0x202b}, {"RLO", 0x202e}, {"PDF", 0x202c}, {"LRI", 0x2066},
     {"RLI", 0x2067}, {"FSI", 0x2068}, {"PDI", 0x2069}};
 
-// What the files say of a line.
+// The expected result of a line.
 struct Expected {
   std::vector<std::string> levels;  // x: any
   std::vector<size_t> order;        // visual, without those
@@ -36,7 +36,7 @@ struct Count {
   size_t failed = 0;
 };
 
-// Characters by their place in the visual order, from runs.
+// Characters by their visual position, from runs.
 std::vector<size_t> order_of(const Bidi& bidi,
                              const std::string& text,
                              const std::vector<size_t>& offsets) {
@@ -102,8 +102,8 @@ std::vector<size_t> numbers(const std::string& text) {
   return found;
 }
 
-// Lines of classes; a bit set says with which directions: from the text, left
-// to right, right to left.
+// Lines of classes. A bit set gives the directions: from the text, left to
+// right, right to left.
 Count check_classes(const std::string& file) {
   constexpr BaseDirection kDirections[] = {BaseDirection::from_text,
                                            BaseDirection::left_to_right,

@@ -10,7 +10,7 @@
 
 namespace {
 
-// Code points that the library takes for letters.
+// Code points that the library treats as letters.
 bool is_left_out(uint32_t code_point) {
   return code_point >= 0x10000 && code_point < 0x1f000;
 }
@@ -27,7 +27,7 @@ struct Totals {
 };
 
 // A line is code points between signs, a division sign where a line may end;
-// the comment names the rule in brackets behind each sign.
+// the comment names the rule in brackets after each sign.
 void check(const std::string& line,
            const std::string& comment,
            Totals& totals) {

@@ -1,9 +1,9 @@
-// Random texts in random boxes: what must hold for every layout.
+// Random texts in random boxes: checks the invariants of layout.
 //
 // Usage: check_random FONT CJK_FONT [COUNT [FIRST]]
 //
-// A text is made from its number alone, so that `COUNT 1, FIRST n` tries text n
-// again. Drawing is compared for one in a hundred.
+// A text depends only on its number, so `COUNT 1, FIRST n` repeats text n.
+// Drawing is compared for one text in a hundred.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -26,11 +26,11 @@ namespace {
 
 using namespace inkcell;
 
-// No part of layout or drawing may allocate.
+// Layout and drawing must not allocate.
 size_t allocations = 0;
 
 struct FontFile {
-  std::vector<uint32_t> words;  // so that it begins at a multiple of 4
+  std::vector<uint32_t> words;  // aligned to 4
   Font font;
 
   explicit FontFile(const char* name) {
@@ -200,7 +200,7 @@ struct Trial {
   Q26_6 room() const { return Q26_6::from_int(width); }
 };
 
-// What went wrong, at the first check of a trial that failed.
+// The first failed check of a trial.
 const char* wrong = nullptr;
 int reports = 0;
 
@@ -211,7 +211,7 @@ bool check(bool condition, const char* what) {
   return condition;
 }
 
-// Places where lines may end, and the beginnings of characters.
+// Places where lines may end, and the starts of characters.
 std::set<size_t> places(Text text) {
   std::set<size_t> found;
   LineBreaker breaker(text);
@@ -233,7 +233,7 @@ std::vector<size_t> offsets(Text text) {
   return found;
 }
 
-// Characters that a line shows, but marks.
+// The visible characters of a line, without marks.
 size_t letters(Text text, const TextLine& line) {
   size_t count = 0;
   Text rest(text.data + line.begin, line.length);
@@ -250,7 +250,7 @@ size_t letters(Text text, const TextLine& line) {
   return count;
 }
 
-// Where the first of them begins.
+// The start of the first of them.
 size_t first_letter(Text text, const TextLine& line) {
   Text rest(text.data + line.begin, line.length);
   size_t at = line.begin;
@@ -297,8 +297,8 @@ void check_cells(const Trial& trial, const TextLine& line) {
   check(cursor.pen().at() == cursor.right(), "the line is not as wide");
 }
 
-// Lines in the order of the text, without a gap; none is too wide; none ends
-// where it may not.
+// Lines are in the order of the text, without gaps; none is too wide; none ends
+// where it must not.
 void check_lines(const Trial& trial) {
   const LayoutOptions& options = trial.box.options;
   const Text text = trial.view();
@@ -311,7 +311,7 @@ void check_lines(const Trial& trial) {
   while (next_line(options, text, trial.room(), line)) {
     check(!is_last, "a line follows the last");
     check(line.begin == next, "lines leave a gap");
-    check(line.end() <= line.next, "a line ends behind itself");
+    check(line.end() <= line.next, "a line ends after the start of the next");
     check(line.next > line.begin || line.is_last, "a line is no further");
     const int32_t width =
         detail::Pen(options, detail::Pen::logical).from_units(line.width);
@@ -346,14 +346,14 @@ void check_carets(const Trial& trial) {
                   caret.x0, caret.y0, caret.y1, place.offset, again.x0,
                   again.y0, again.y1);
     }
-    check(place.offset <= text.size, "a hit behind the text");
+    check(place.offset <= text.size, "a hit after the text");
   }
 }
 
 constexpr int32_t kSide = 160;
 using Picture = std::vector<uint8_t>;
 
-// In strips of some rows, with lines that are found each time or once.
+// Draws strips of some rows, with lines that are laid out each time or once.
 Picture draw(const Trial& trial, int32_t rows, Span<const TextLine> lines) {
   Picture picture(kSide * kSide);
   const size_t before = allocations;
@@ -405,7 +405,7 @@ void check_drawing(const Trial& trial) {
   check(draw(trial, 16, lines) == whole, "kept lines differ");
 }
 
-// A text as it would stand in a program, and how it is set.
+// Prints a text as a literal, and its settings.
 void print(const Trial& trial) {
   for (const char c : trial.text) {
     const auto byte = static_cast<unsigned>(static_cast<uint8_t>(c));
@@ -428,7 +428,7 @@ void print(const Trial& trial) {
   }
 }
 
-// A letter with more marks than a line may hold, which must not stop lines.
+// A letter with more marks than a line may hold must not stop layout.
 bool try_endless_marks(const FontFile& font) {
   std::string text = "a";
   for (size_t i = 0; i != 40000; ++i) {

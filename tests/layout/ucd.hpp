@@ -1,4 +1,4 @@
-// Files of the Unicode Character Database, as the tests of layout read them.
+// Reads files of the Unicode Character Database.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ucd {
 
-/// Calls `take` for each line that holds more than a comment, with the comment.
+/// Calls `take` for each line with data, and its comment.
 inline void for_each_line(
     const std::string& file,
     const std::function<void(const std::string& line,
@@ -59,7 +59,7 @@ inline uint32_t hex(const std::string& digits) {
   return static_cast<uint32_t>(std::stoul(digits, nullptr, 16));
 }
 
-/// Appends a code point as UTF-8; a surrogate as what reads as U+FFFD.
+/// Appends a code point as UTF-8; a surrogate as bytes that read as U+FFFD.
 inline void append(std::string& text, uint32_t code_point) {
   const auto put = [&text](uint32_t byte) { text += static_cast<char>(byte); };
   if (code_point < 0x80) {
