@@ -1,4 +1,4 @@
-// The files that a program reads and writes: which of them are the same.
+// The files of a program, and whether two of them are the same.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@
 
 namespace inkcell::tools {
 
-/// The folder that a file lies in, "." where its path names none.
+/// The folder of a file, "." if its path names none.
 inline std::filesystem::path folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.parent_path();
   return folder.empty() ? std::filesystem::path(".") : folder;
 }
 
-/// What a path is in the end if it is a symbolic link, which need not lead to
-/// anything that exists. Throws std::runtime_error if it has no end.
+/// The target of a symbolic link, which may not exist; other paths unchanged.
+/// Throws std::runtime_error for a cycle.
 inline std::filesystem::path follow_links(std::filesystem::path file) {
-  constexpr int kMostLinks = 40;  // that may follow each other, as on Linux
+  constexpr int kMostLinks = 40;  // in a row, as on Linux
   const std::string name = file.string();
   std::error_code error;
   for (int i = 0; i < kMostLinks; ++i) {
@@ -40,7 +40,7 @@ inline std::filesystem::path follow_links(std::filesystem::path file) {
       name + ": is a symbolic link that leads nowhere; remove it");
 }
 
-/// Whether two paths lead to one file, be it there or not.
+/// Whether two paths lead to one file, which may not exist.
 inline bool is_same_file(const std::filesystem::path& a,
                          const std::filesystem::path& b) {
   std::error_code error;
@@ -55,7 +55,7 @@ inline bool is_same_file(const std::filesystem::path& a,
   return place(a) == place(b);
 }
 
-/// Ends the version in the names of a TTF that inkcell-design exports.
+/// Ends the version in the names of a TTF from inkcell-design.
 inline constexpr std::string_view kExportMark = "; inkcell-design";
 
 /// Whether a font file is an export of inkcell-design, by its mark in UTF-16.
@@ -71,9 +71,9 @@ inline bool is_export(const std::filesystem::path& font) {
   return bytes.find(mark) != std::string::npos;
 }
 
-/// Throws std::runtime_error if `target` lies where the system keeps its fonts,
-/// or would replace a font file that is no export. A name made of the source's,
-/// X.bin of X.ttf, leads there by mistake.
+/// Throws std::runtime_error if `target` is in a folder of system fonts, or
+/// would replace a font file that is not an export. Deriving a name from the
+/// source's, X.bin of X.ttf, leads there by mistake.
 inline void refuse_among_fonts(const std::filesystem::path& target) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -108,7 +108,7 @@ inline void refuse_among_fonts(const std::filesystem::path& target) {
 }
 
 /// Throws std::runtime_error if one of `targets` is the same file as another or
-/// as one of `inputs`, by whatever path. Empty paths are skipped.
+/// as one of `inputs`, by any path. Empty paths are skipped.
 inline void check_apart(const std::vector<std::filesystem::path>& targets,
                         const std::vector<std::filesystem::path>& inputs) {
   for (size_t i = 0; i < targets.size(); ++i) {

@@ -1,4 +1,4 @@
-// What main() of every program does: options, work, and a message if it fails.
+// The frame of every main(): options, work, and a message if it fails.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,22 +21,22 @@ inline std::string version_of(const std::string& program) {
          ", font format " + number(kFormatMajor) + "." + number(kFormatMinor);
 }
 
-/// What is wrong with the arguments. One that is not known comes first: where
-/// it is misspelt, another one seems to be missing.
+/// The first problem of the arguments. Unknown ones come first: a misspelt
+/// option may make another one seem missing.
 inline std::string problem_of(const CLI::App& app,
                               const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining();
   return unknown.empty() ? error.what() : unknown.front() + " is not expected";
 }
 
-/// Makes an option of a list take one value each time it is written, and its
-/// help say so: what follows the value may be an argument of the program.
+/// Makes a list option take one value at a time, also in its help: the next
+/// word may be an argument of the program.
 inline CLI::Option* take_one(CLI::Option* option) {
   return option->expected(1)->take_all()->allow_extra_args(false);
 }
 
-/// Arguments with `--option=` as `--option` and an empty one behind it, which
-/// CLI11 would look for in the next argument.
+/// Splits `--option=` into `--option` and an empty argument; otherwise CLI11
+/// would use the next argument as the value.
 class Words {
  public:
   Words(int argc, char** argv) {
@@ -65,15 +65,14 @@ class Words {
   std::vector<const char*> pointers_;
 };
 
-/// Exit codes of all programs: 0, it is done; 1, it could not be done, and
-/// standard error says why; 2, it is done, and the font that was judged misses
-/// a limit.
+/// Exit codes of all programs: 0: done; 1: failed, with a message on standard
+/// error; 2: done, but the judged font misses a limit.
 inline constexpr int kFailed = 1;
 inline constexpr int kMissed = 2;
 
-/// Adds --version, parses the arguments and calls `work`. Returns what main()
-/// shall: the result of `work`, or kFailed if the arguments are wrong or it
-/// threw, with a message on standard error.
+/// Adds --version, parses the arguments and calls `work`. Returns the result of
+/// main(): that of `work`, or kFailed with a message on standard error if the
+/// arguments are wrong or it threw.
 template <typename Work>
 int run_program(CLI::App& app, int argc, char** argv, const Work& work) {
   app.set_version_flag(

@@ -33,7 +33,7 @@ struct OutlineComponent {
   int dy = 0;
 };
 
-/// A glyph's record. Of a composite the contours are those of its components,
+/// A glyph's record. The contours of a composite are those of its components,
 /// mapped.
 struct GlyphOutline {
   std::vector<OutlineContour> contours;

@@ -27,7 +27,7 @@ std::vector<Outline> load_outlines(const std::string& file,
                                    int face_index,
                                    const std::vector<uint32_t>& code_points);
 
-/// 0x21..0x7E: what has ink in ASCII.
+/// 0x21..0x7E: the ASCII characters with ink.
 std::vector<uint32_t> ascii();
 
 inline Outline outline(std::vector<Contour> contours) {

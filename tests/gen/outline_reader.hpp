@@ -11,7 +11,7 @@ namespace inkcell::gen::test {
 
 inline constexpr PointKind kCorner = PointKind::corner;
 
-/// The outline of a record. Stops after `most_points`, which count one closing
+/// The outline of a record. Stops after `most_points`, including one closing
 /// point a contour.
 MinimalOutline read_outline(const std::vector<uint8_t>& record,
                             const std::vector<uint16_t>& table,

@@ -1,4 +1,4 @@
-// Runs inkcell-fontgen as a person does.
+// Runs inkcell-fontgen from a shell.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs the program in `folder`; its files are out of the way elsewhere.
+/// Runs the program in `folder`; its output files are in another one.
 inline Outcome run(const TestFolder& folder, const std::string& arguments) {
   const TestFolder logs;
   const std::string command = "cd '" + folder.path().string() +

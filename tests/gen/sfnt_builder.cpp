@@ -43,7 +43,7 @@ Bytes head_table(const Sfnt& font) {
   return Table()
       .u32(0x10000)     // version
       .u32(0x10000)     // revision
-      .u32(0)           // checksum, which nobody checks
+      .u32(0)           // checksum, never checked
       .u32(0x5f0f3cf5)  // magic
       .u16(0)
       .u16(font.units_per_em)

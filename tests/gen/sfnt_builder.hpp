@@ -13,7 +13,7 @@ namespace inkcell::gen::test {
 /// Corners of a closed polygon in font units, y up.
 using Polygon = std::vector<std::pair<int, int>>;
 
-/// A rectangle, clockwise as TrueType wants outer contours.
+/// A rectangle, clockwise as outer contours in TrueType.
 Polygon sfnt_rectangle(int x0, int y0, int x1, int y1);
 
 /// A part of a composite glyph.
@@ -21,7 +21,7 @@ struct SfntComponent {
   int glyph = 0;
   int dx = 0;
   int dy = 0;
-  /// If not empty, xx, yx, xy, yy in Q2.14, as TrueType stores them.
+  /// If not empty, xx, yx, xy, yy in Q2.14, as stored in TrueType.
   std::vector<int> matrix_q14 = {};
 };
 
@@ -33,7 +33,7 @@ struct SfntGlyph {
   std::vector<SfntComponent> components = {};
 };
 
-/// A font to be. Glyph 0 is .notdef, whatever its code point.
+/// A font to build. Glyph 0 is .notdef, whatever its code point.
 struct Sfnt {
   int units_per_em = 1000;
   int ascender = 800;
@@ -46,11 +46,11 @@ struct Sfnt {
   /// Pairs of glyph ids and their values: a kern table if there are any.
   std::map<std::pair<int, int>, int> kern_pairs;
   /// If not 0: a variable font with the axis wght 100..900, default 400, that
-  /// moves each point by this in x, and the advance too, at 900.
+  /// at 900 moves each point by this in x, and the advance too.
   int wght_shift = 0;
   /// Its named instances, and their wght.
   std::vector<std::pair<std::string, int>> instances;
-  /// The character map is one of symbols, not of Unicode.
+  /// The character map is a symbol map, not Unicode.
   bool is_symbol = false;
   /// Replaces tables; an empty one is left out.
   std::map<std::string, std::vector<uint8_t>> tables;
@@ -64,7 +64,7 @@ struct Sfnt {
 /// A TTC file of several fonts.
 std::vector<uint8_t> build_collection(const std::vector<Sfnt>& fonts);
 
-/// A folder for one test's files, removed with all that is in it.
+/// A folder for a test's files, removed at the end.
 class TestFolder {
  public:
   TestFolder();
@@ -73,7 +73,7 @@ class TestFolder {
   TestFolder& operator=(const TestFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Writes a file; its path.
+  /// Writes a file; returns its path.
   std::filesystem::path write(const std::string& name,
                               const std::vector<uint8_t>& bytes) const;
   std::filesystem::path write(const std::string& name, const Sfnt& font) const {

@@ -47,7 +47,7 @@ TEST(CLiterals, AreJoined) {
   EXPECT_EQ(text_of("f(\"\\xe2\\x82\" /* half */\n \"\\xac\" \"5\");"),
             "\u20ac5");
   EXPECT_EQ(text_of("f(\"a\\\nb\"); // comment \\\n\"no\"\ng(\"c\");"), "abc");
-  // Something stands between: these two are no character.
+  // Not adjacent: these two are no character.
   EXPECT_EQ(text_of("f(\"\\xe2\\x82\", \"\\xac\");"), "");
 }
 
@@ -76,7 +76,7 @@ TEST(CLiterals, RefuseWhatIsNotUtf8) {
   }
 }
 
-// Whatever a file holds, reading it ends.
+// Reading ends for any file.
 TEST(CLiterals, TakeAnyPrefixOfASource) {
   const std::string source =
       "#define X u8\"a\\x41\" R\"y(b)y\" 'c' /* d */ 1'0 \\\n\"e\" // f";

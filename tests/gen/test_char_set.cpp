@@ -1,4 +1,4 @@
-// Lists of characters as the command line takes them.
+// Lists of characters on the command line.
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"

@@ -79,7 +79,7 @@ class Field {
   GlyphField field_;
 };
 
-// The field of a shape, with room around it.
+// The field of a shape, with a margin.
 Field field_of(const Shape& shape) {
   const auto tile = [](double u) {
     return static_cast<int>(std::floor(u / kTile_u));
@@ -92,7 +92,7 @@ Field field_of(const Shape& shape) {
                [&](double x, double y) { return shape.distance(x, y); });
 }
 
-// The loop without any of its short cuts.
+// The loop without shortcuts.
 struct Plain {
   double worst = 0;
   double mean = 0;
@@ -210,7 +210,7 @@ TEST(ClosedLoop, SaysTheSameWhenAskedAgain) {
 }
 
 TEST(ClosedLoop, MissesLieWhereTheFieldIsWrong) {
-  // A notch in the right side, which the field has not.
+  // A notch in the right side that the field lacks.
   const Shape shape(outline({polygon({{0, 0},
                                       {400, 0},
                                       {400, 180},
@@ -235,7 +235,7 @@ TEST(ClosedLoop, MissesLieWhereTheFieldIsWrong) {
     EXPECT_GE(miss.px, 32);
     EXPECT_LE(miss.px, 34);
     EXPECT_LT(std::hypot(miss.x_u - 390, miss.y_u - 200), 50);
-    // What is drawn there is the rectangle.
+    // The rectangle is drawn there.
     const double scale = miss.px / 1024.0;
     const auto coverage = [&](const Shape& s) {
       return 255 *
@@ -288,7 +288,7 @@ TEST(ClosedLoop, GlyphWithoutInkHasNoErrorButInk) {
 }
 
 // A pixel that is worst, by 20/255, at a position between those that the loop
-// draws, and better the farther the glyph's origin lies from there.
+// draws, and better the farther the glyph's origin is from there.
 TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
   const Shape shape(load_outlines(kDejaVuSans, 0, {'o'}).front());
   LoopOptions options;

@@ -1,4 +1,4 @@
-// Glyphs that are stored as references: by the font file, and by a search.
+// Glyphs stored as references: from the font file, and by a search.
 #include <gtest/gtest.h>
 
 #include "outlines/composites.hpp"
@@ -145,8 +145,8 @@ TEST(Composites, ComponentsThatOverlapOrTouch) {
 }
 
 TEST(Composites, TheSourcesComponentsAreTakenUnlessTheyOverlap) {
-  // The outlines of the composites are not those of the components, as where
-  // they were refitted.
+  // The outlines of the composites differ from those of the components, as
+  // after a refit.
   const auto found = find_composites(
       {glyph({square(0, 0, 400)}), glyph({square(0, 500, 80)}),
        glyph({square(1, 0, 401), square(99, 500, 79)},
@@ -210,7 +210,7 @@ TEST(SourceComposites, AreReadFromTheFile) {
 TEST(SourceComposites, OfGlyphsThatTheFontDoesNotHave) {
   const TestFolder folder;
   const FontFile file(folder.write("accented.ttf", accented_font()), 0, {});
-  // Without 3 its own components stand for it.
+  // Without 3, its own components replace it.
   const auto found = source_composites(file, {4, 2, 1});
   ASSERT_EQ(found[0].size(), 3u);
   EXPECT_EQ(listed({found[0][0], found[0][1]}),

@@ -1,4 +1,4 @@
-// Several faces in one font: which gives a character, and where it stands.
+// Several faces in one font: the source of each character, and its position.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -119,7 +119,7 @@ Box box_of(const SourceFont& font, char32_t c) {
   return {};
 }
 
-// A face whose glyphs fill its em square, around the middle of its line.
+// A face whose glyphs fill its em square, centred in its line.
 Sfnt square_face(int units, int descender, const std::u32string& characters) {
   Sfnt font = face_of(units, {});
   font.ascender = units + descender;
@@ -132,7 +132,7 @@ Sfnt square_face(int units, int descender, const std::u32string& characters) {
 }
 
 // Capitals of text.ttf are 0.7 em high. Material Symbols, Bootstrap Icons and
-// Codicons stand on the baseline, MDI and Font Awesome 1/8 em below.
+// Codicons are on the baseline, MDI and Font Awesome 1/8 em below.
 TEST_F(Faces, IconsStandInTheMiddleOfCapitals) {
   for (const int descender : {0, -64, -128}) {
     folder_.write("icons.ttf", square_face(512, descender, U"\ue000\u2605"));
@@ -202,7 +202,7 @@ TEST_F(Faces, StandAndScaleAsAsked) {
   EXPECT_EQ(text.kerning.value(1, 3), -50);
 }
 
-// Steps of a string are those of the scaled face.
+// Advances in a string are those of the scaled face.
 TEST_F(Faces, StringsAreScaled) {
   GenerateRequest request;
   request.target.max_px = 16;
@@ -256,7 +256,7 @@ TEST_F(Faces, SettingsAreReadAfterTheName) {
   EXPECT_EQ(file_of("x.ttf:wght=400,FILL=1=A,0x3D"), "x.ttf");
   EXPECT_EQ(file_of("C:\\fonts\\x.ttf=A"), "C:\\fonts\\x.ttf");
   EXPECT_EQ(file_of("C:\\x.ttf:wght=400=A"), "C:\\x.ttf");
-  // Files that are there are not taken apart.
+  // Names of existing files are not split.
   for (const char* name : {"x=y.ttf", "x:y=z.ttf"}) {
     const std::string there = write(name).string();
     EXPECT_EQ(file_of(there), there);
@@ -315,7 +315,7 @@ TEST_F(Faces, StringsPreferGlyphsOfTheFirstFace) {
 }
 
 // B, which text.ttf lacks, is 1000 of 2000 units wide, 500 of its 1000. A list
-// says what a face is asked for beside strings.
+// limits the characters of a face, but not those of strings.
 TEST_F(Faces, StringsTakeTheRestFromTheOthers) {
   GenerateRequest request;
   request.target.max_px = 16;
@@ -377,7 +377,7 @@ TEST_F(Faces, StringsTellWhatNoFaceHas) {
             std::string::npos);
 }
 
-// Records of a merged font are those of each face's own font.
+// Records of a merged font equal those of each face's own font.
 TEST_F(Faces, MergedGlyphsAreThoseOfTheirOwnFonts) {
   for (const Coding coding : {Coding::outline, Coding::field}) {
     GenerateRequest request;

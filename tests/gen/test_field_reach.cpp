@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kNear_u = 32;
 
-// What was found of a face.
+// The errors of a face.
 struct Errors {
   double near_u = 0;      // worst within kNear_u of the edge
   double far_part = 0;    // worst beyond, of the distance

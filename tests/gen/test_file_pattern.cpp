@@ -18,7 +18,7 @@ class FilePattern : public testing::Test {
       std::filesystem::create_directories(file.parent_path());
       folder_.write(name, std::vector<uint8_t>());
     }
-    // A way round in circles.
+    // A cycle of links.
     std::filesystem::create_directory_symlink("..", folder_.path() / "x/up");
   }
 

@@ -33,7 +33,7 @@ Segment random_curve(Segment::Kind kind, double size, std::mt19937& random) {
   return segment;
 }
 
-// Largest distance of points on the curve from the chord of their part of it.
+// The largest distance of points on the curve from their chord.
 double deviation(const Segment& segment) {
   const int chords = chord_count(segment);
   double worst = 0;
@@ -62,7 +62,7 @@ TEST(Flatten, CurvesStayWithinTheBound) {
       }
     }
   }
-  // The bound is used, not just held.
+  // The bound is used up, not only kept.
   EXPECT_GT(worst, kFlatteningBound / 2);
 }
 

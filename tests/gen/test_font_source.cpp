@@ -1,4 +1,4 @@
-// Loading: characters, faces, axes, metrics, outlines, and all that is refused.
+// Loading: characters, faces, axes, metrics, outlines, and errors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ SourceFont load(const FontRequest& request) {
   return load_font(request, 1, ignored);
 }
 
-// The message of the Error that loading ends in.
+// The message of the Error thrown by loading.
 std::string refusal(const FontRequest& request) {
   try {
     load(request);
@@ -115,7 +115,7 @@ TEST(FontSource, ReadsMetrics) {
   EXPECT_EQ(m.cap_height, 700);
 }
 
-// Where a table of a small font begins.
+// The offset of a table in a small font.
 size_t table_in(const std::vector<uint8_t>& file, std::string_view name) {
   const auto found =
       std::search(file.begin(), file.end(), name.begin(), name.end());
@@ -150,14 +150,14 @@ TEST(FontSource, TakesLinesFromOs2WhereHheaIsEmpty) {
             .metrics;
     return std::vector<int>{m.ascender, m.descender, m.line_gap};
   };
-  clear("hhea", 4, 4);  // the line gap stays, and counts no longer
+  clear("hhea", 4, 4);  // the line gap stays, but is ignored
   EXPECT_EQ(lines(), (std::vector<int>{750, -150, 0}));
   EXPECT_TRUE(warnings.empty());
   clear("OS/2", 68, 4);
   EXPECT_EQ(lines(), (std::vector<int>{800, -200, 0}));
   EXPECT_TRUE(warnings.empty());
   clear("OS/2", 74, 4);
-  EXPECT_EQ(lines(), (std::vector<int>{2000, -2000, 0}));  // as head says
+  EXPECT_EQ(lines(), (std::vector<int>{2000, -2000, 0}));  // as in head
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, Warning::Kind::measure);
   EXPECT_CONTAINS(warnings[0].text, "a.ttf: states no height of a line");
@@ -394,7 +394,7 @@ TEST(FontSource, RefusesFontsWithoutGlyphs) {
   source.glyphs.clear();
   EXPECT_CONTAINS(refusal(request_of(folder.write("none.ttf", source))),
                   "none.ttf: holds no glyphs");
-  // One glyph: .notdef and nothing to ask for.
+  // One glyph: only .notdef.
   source.glyphs = {Sfnt::plain().glyphs[0]};
   EXPECT_CONTAINS(refusal(request_of(folder.write("one.ttf", source))),
                   "one.ttf: holds none of the 95 characters asked for");
@@ -403,7 +403,7 @@ TEST(FontSource, RefusesFontsWithoutGlyphs) {
 TEST(FontSource, NamesTheGlyphThatIsDamaged) {
   const TestFolder folder;
   Sfnt source = Sfnt::plain();
-  // Point the last outline's contour at points that are not there.
+  // The last contour refers to points that do not exist.
   Sfnt broken = source;
   std::vector<uint8_t> glyf(64, 0xff);
   glyf[0] = 0;

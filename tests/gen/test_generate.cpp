@@ -103,7 +103,7 @@ TEST(Generate, MakesAFontThatTheDeviceReads) {
   ASSERT_EQ(font.glyph_of('H', glyph), Status::ok);
   GlyphMetrics m;
   ASSERT_EQ(font.glyph_metrics(glyph, m), Status::ok);
-  // As the file's own tables state them.
+  // As in the file's own tables.
   EXPECT_EQ(m.advance, 1540);
   EXPECT_EQ(m.x_min, 201);
   EXPECT_EQ(m.y_min, 0);
@@ -122,8 +122,8 @@ TEST(Generate, TakesTheUnionOfAllCharacters) {
   EXPECT_EQ(report.glyphs.size(), 7u + 3u);
 }
 
-// What layout may put into text: a space always, signs for letters and digits,
-// one of each, and only if the face has them.
+// Characters that layout inserts: a space always, signs only with letters and
+// digits, one of each, and only if the face has them.
 TEST(Generate, AddsWhatLayoutPutsIntoText) {
   const auto added = [](const std::string& chars, bool signs) {
     GenerateRequest request = dejavu();
@@ -238,7 +238,7 @@ TEST(Generate, ReportsEveryKeyOfTheDesign) {
   }
 }
 
-// A sampled field as its generator had it.
+// A sampled field in the generator's representation.
 SampleTree tree_of(const GlyphField& field) {
   SampleTree tree;
   tree.tile_log2 = field.tile_log2;
@@ -261,8 +261,8 @@ SampleTree tree_of(const GlyphField& field) {
   return tree;
 }
 
-// Of two brackets the file says that the right one is the left one reflected:
-// their fields are the same, bit by bit.
+// The file states that the right bracket is the left one reflected: their
+// fields are the same, bit by bit.
 TEST(Generate, ReflectedComponentsHaveReflectedFields) {
   constexpr uint32_t kLeft = 0x2E1C;
   constexpr uint32_t kRight = 0x2E1D;
@@ -290,7 +290,7 @@ TEST(Generate, ReflectedComponentsHaveReflectedFields) {
       field_record(permuted(tree_of(fields[0]), {-1, 0, 0, 1}, kStep_u, 0)));
 }
 
-// Images are made side by side: none may wait for another one.
+// Images are made in parallel: none may wait for another one.
 TEST(Generate, ImagesOfImagesAreNoImages) {
   SourceFont font;
   font.metrics.units_per_em = 1024;
@@ -397,8 +397,8 @@ TEST(Generate, NamesTheGlyphThatDoesNotFit) {
   EXPECT_EQ(notdef.find("leave the character out"), std::string::npos);
 }
 
-// The format holds the grid of whatever is within the limit of coordinates,
-// but for the large tiles of the paper's predicate.
+// The format holds the grid of everything within the limit of coordinates,
+// except the large tiles of the paper's predicate.
 TEST(Generate, HoldsOutlinesUpToTheLimit) {
   const TestFolder folder;
   Sfnt source = Sfnt::plain();
@@ -460,7 +460,7 @@ TEST(Generate, NamesGlyphsThatMissTheTolerance) {
   EXPECT_EQ(in_list->at("file"), "plain.ttf");
   EXPECT_EQ(in_list->at("px"), dot->worst_px);
   EXPECT_NEAR(in_list->at("error").get<double>(), dot->worst_error, 0.001);
-  // As a limit it is an error, whose remedy helps.
+  // As a limit it is an error with a useful remedy.
   request.tolerance_is_limit = true;
   const std::string refused = refusal(request);
   const std::string remedy =

@@ -1,4 +1,4 @@
-// What docs/PORTING.md says of the RAM of a cache, with a real face.
+// The claims of docs/PORTING.md on the RAM of a cache, with a real face.
 #include <gtest/gtest.h>
 
 #include "inkcell/cache/glyph_cache.hpp"

@@ -1,4 +1,4 @@
-// What the generator finds in outlines for grid fitting, and its bytes.
+// Features for grid fitting found in outlines, and their bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ GlyphFeatures features(const std::string& font, char32_t letter) {
   return find_features(unite(load_outlines(font, 0, {letter})[0]));
 }
 
-// Letters of a font and the face that they make.
+// Letters of a font and the hints of their face.
 struct Letters {
   Letters(const std::string& font, const std::u32string& letters) {
     for (const char32_t letter : letters) {
@@ -379,7 +379,7 @@ RomContent framed(const GlyphHints& hints) {
 }
 
 TEST(Hints, WhatSpoilsAGlyphIsDropped) {
-  // A serif that is no serif vanishes, and the counter with it.
+  // A false serif vanishes, and the counter with it.
   HeightHint serif;
   serif.kind = Height::serif;
   serif.edge.zone = ZoneEdge{0, false};
@@ -392,7 +392,7 @@ TEST(Hints, WhatSpoilsAGlyphIsDropped) {
   EXPECT_TRUE(content.hints.glyphs[0].heights.empty());
   EXPECT_TRUE(content.hints.glyphs[0].is_symmetric);
 
-  // With bars in their places all is well.
+  // With hints for the bars there is no fault.
   HeightHint bar;
   bar.width_u = 100;
   hints.heights = {bar, bar};

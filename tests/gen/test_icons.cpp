@@ -1,4 +1,4 @@
-// Icons: which files, which code points, where they lie.
+// Icons: files, code points, positions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -141,8 +141,8 @@ TEST_F(Icons, NeedASizeAndAFreeCodePoint) {
   EXPECT_EQ(text("size.svg=0xE000"), "no error");
 }
 
-// Where round ends and joins lie on each other, a union of chords has hundreds
-// of segments.
+// Where round ends and joins coincide, a union of chords has hundreds of
+// segments.
 TEST_F(Icons, StrokesThatMeetStayCurves) {
   const char* drawings[] = {
       // back to the start, in decimals

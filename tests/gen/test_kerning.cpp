@@ -19,8 +19,8 @@ constexpr const char* kFonts[] = {
     "/usr/share/fonts/truetype/liberation/LiberationSerif-Regular.ttf",
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf"};
 
-// Where HarfBuzz puts the second character, less the first one's advance: the
-// ordinary way of its users, but for substitutions, which are off.
+// The position of the second character in HarfBuzz less the first one's
+// advance, with substitutions off.
 int kerning_of_text(hb_font_t* font, char32_t left, char32_t right) {
   const uint32_t text[2] = {left, right};
   hb_buffer_t* buffer = hb_buffer_create();
@@ -56,8 +56,8 @@ SourceFont load(const std::filesystem::path& file,
   return load_font(request, 2, ignored);
 }
 
-// Differences to HarfBuzz over all pairs of characters; `kerned` counts the
-// pairs that kern. Glyphs without a character are components.
+// The number of pairs of characters that differ from HarfBuzz; `kerned` counts
+// the pairs that kern. Glyphs without a character are components.
 int differences(const std::filesystem::path& file,
                 const SourceFont& font,
                 int& kerned) {

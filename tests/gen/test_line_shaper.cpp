@@ -1,4 +1,4 @@
-// Shaped lines against HarfBuzz alone, and what is known of some scripts.
+// Shaped lines against HarfBuzz alone, and known results of some scripts.
 #include "source/line_shaper.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ bool has_ink(const FontFile& font, uint32_t glyph) {
   return box.width != 0;
 }
 
-// The same text by HarfBuzz alone, which is right where all of it has one
-// direction and one script.
+// The same text by HarfBuzz alone: correct if all of it has one direction and
+// one script.
 ShapedLine by_harfbuzz(const FontFile& font, const std::u32string& text) {
   const std::unique_ptr<hb_buffer_t, void (*)(hb_buffer_t*)> buffer(
       hb_buffer_create(), hb_buffer_destroy);
@@ -101,8 +101,8 @@ TEST(LineShaper, JoinsLatinLigatures) {
 
 TEST(LineShaper, JoinsArabicLetters) {
   const FontFile font = open(kSans);
-  // Lam and alef are one glyph. Meem stands alone: an alef joins nothing
-  // behind.
+  // Lam and alef are one glyph. Meem is isolated: alef does not join the next
+  // letter.
   EXPECT_EQ(names_of(font, shape_line({&font}, line(U"لا"))),
             (Names{"uniFEFB"}));
   EXPECT_EQ(names_of(font, shape_line({&font}, line(U"سلام"))),
@@ -112,7 +112,7 @@ TEST(LineShaper, JoinsArabicLetters) {
 TEST(LineShaper, OrdersIndicSyllables) {
   const FontFile font = open(kDevanagari);
   const ShapedLine ki = shape_line({&font}, line(U"कि"));
-  // The vowel sign i stands before the letter that it follows in the text.
+  // The vowel sign i is before the letter that it follows in the text.
   ASSERT_EQ(ki.glyphs.size(), 2u);
   EXPECT_EQ(ki.glyphs[1].source, font.glyph_of(U'क'));
   // Ka, virama and ssa are one glyph.
@@ -123,7 +123,7 @@ TEST(LineShaper, PlacesThaiMarks) {
   const FontFile font = open(kThai);
   const ShapedLine shaped = shape_line({&font}, line(U"ที่"));
   ASSERT_EQ(shaped.glyphs.size(), 3u);
-  // Both marks stand over the letter and take no room of their own.
+  // Both marks are above the letter and take no space.
   EXPECT_LE(shaped.glyphs[1].x, shaped.advance);
   EXPECT_LE(shaped.glyphs[2].x, shaped.advance);
   EXPECT_EQ(shaped.advance,
@@ -148,7 +148,7 @@ TEST(LineShaper, OrdersMixedLines) {
   };
   EXPECT_EQ(ids(line(U"ab \u05d0\u05d1 12 cd")),
             expected(U"ab12\u05d1\u05d0cd"));
-  // By its first letter it begins at the right.
+  // Its first letter makes it run from right to left.
   EXPECT_EQ(ids(line(U"\u05d0\u05d1 (ab) 5")), expected(U"5(ab)\u05d1\u05d0"));
   LineText stated = line(U"ab \u05d0\u05d1");
   stated.direction = LineDirection::right_to_left;
@@ -158,8 +158,7 @@ TEST(LineShaper, OrdersMixedLines) {
   EXPECT_EQ(ids(stated), expected(U"\u05d0a"));
 }
 
-// A letter joins its neighbour across a change of direction's runs or not at
-// all: marks that part words do not part forms.
+// Controls of direction do not separate joined letters.
 TEST(LineShaper, ShowsNothingForControlsOfDirection) {
   const FontFile font = open(kSans);
   const ShapedLine plain = shape_line({&font}, line(U"ab"));
@@ -169,7 +168,7 @@ TEST(LineShaper, ShowsNothingForControlsOfDirection) {
   EXPECT_TRUE(marked.missing.empty());
 }
 
-// Thai stands in Loma alone; digits, blanks and Latin in both.
+// Only Loma has Thai; both have digits, blanks and Latin.
 TEST(LineShaper, TakesRunsFromSeveralFaces) {
   const FontFile sans = open(kSans);
   const FontFile thai = open(kThai);
@@ -181,7 +180,7 @@ TEST(LineShaper, TakesRunsFromSeveralFaces) {
   for (size_t i = 0; i < faces.size(); ++i) {
     EXPECT_EQ(mixed.glyphs[i].face, faces[i]) << i;
   }
-  // Each run is what its face makes of it alone. Both have 2048 units per em.
+  // Each run is as its face shapes it alone. Both have 2048 units per em.
   const ShapedLine head = shape_line({&sans}, line(U"fi "));
   const ShapedLine body = shape_line({&thai}, line(U"\u0e17\u0e35\u0e48"));
   for (size_t i = 0; i < 3; ++i) {
@@ -205,7 +204,7 @@ TEST(LineShaper, KeepsMarksInTheFaceOfTheirLetter) {
     EXPECT_EQ(shaped.glyphs[i].face, faces[i]) << i;
   }
   EXPECT_TRUE(shaped.missing.empty());
-  // The letter stays where its mark is nowhere.
+  // The letter stays in its face if no face has the mark.
   const ShapedLine other = shape_line({&thai, &sans}, line(U"x\U0001e8d0"));
   EXPECT_EQ(other.glyphs.front().face, 0u);
   EXPECT_EQ(other.missing, (std::vector<char32_t>{0x1e8d0}));

@@ -27,7 +27,7 @@ int kraft_sum(const std::vector<int>& lengths, int most) {
       [most](int sum, int length) { return sum + (1 << (most - length)); });
 }
 
-// The least total by trying all lengths.
+// The least total, by trying all lengths.
 uint64_t least_total(const std::vector<uint64_t>& counts, int most) {
   std::vector<int> lengths(counts.size(), 1);
   uint64_t least = std::numeric_limits<uint64_t>::max();

@@ -1,4 +1,4 @@
-// Glyphs refitted in the closed loop: what holds, and in how many trials.
+// Glyphs refitted in the closed loop: tolerances, and the number of trials.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ TEST(RefitGlyph, WhatHoldsAtOnceIsDrawnOnce) {
   EXPECT_LE(glyph.errors.worst, 16);
 }
 
-// A counter that a variable font turned inside out, but for a sliver.
+// A counter that a variable font turned inside out, except for a sliver.
 TEST(RefitGlyph, SliversOfACounterCostNothing) {
   const RefittedGlyph glyph = refit(outline(
       {circle(300, 300, 250), circle(300, 300, -40), circle(300.03, 300, 40)}));
@@ -59,7 +59,7 @@ TEST(RefitGlyph, SliversOfACounterCostNothing) {
   EXPECT_EQ(glyph.trials, 1);
 }
 
-// A ragged border, all of it tight turns: each trial keeps what held.
+// A ragged border of tight turns: each trial keeps what is good.
 TEST(RefitGlyph, TightTurnsTakeFewTrials) {
   constexpr int kTeeth = 24;
   Contour ragged;

@@ -1,4 +1,4 @@
-// Outline and composite records: what is written is what is read.
+// Outline and composite records: reading gives what was written.
 #include <gtest/gtest.h>
 
 #include "outlines/outline_record.hpp"
@@ -34,7 +34,7 @@ bool same(const MinimalOutline& a, const MinimalOutline& b) {
       });
 }
 
-// Any points within +-reach.
+// Random points within +-reach.
 MinimalOutline random_outline(std::mt19937& random, int reach) {
   MinimalOutline outline;
   std::uniform_int_distribution<int> place(-reach, reach);
@@ -130,7 +130,7 @@ TEST(OutlineRecord, LongLinesAreHalved) {
     EXPECT_LE(step_bits(step.dx), 15);
     x += step.dx;
     y += step.dy;
-    // On the line back, within the rounding of two halvings.
+    // On the returning line, within the rounding of two halvings.
     if (y != 0) {
       EXPECT_NEAR(x, 40000 * (101 - y) / 101, 1.5 * 40000 / 101);
     }
@@ -221,7 +221,7 @@ TEST(OutlineRecord, CompositesAreReadAsWritten) {
       reference.dx = offset(random);
       reference.dy = offset(random);
       if (random() % 2 == 0) {
-        // None of them mirrors.
+        // No matrix mirrors.
         do {
           for (int& value : reference.matrix_q14) {
             value = static_cast<int>(random() % 65536) - 32768;

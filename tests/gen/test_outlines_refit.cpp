@@ -1,4 +1,4 @@
-// Refitted outlines: how far they are from their source, and how few points.
+// Refitted outlines: their distance from the source, and their points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ double turn_degrees(const GridPoint& a,
          3.14159265358979;
 }
 
-// What every reader of the outline relies on.
+// Invariants that every reader of the outline relies on.
 void expect_well_formed(const MinimalOutline& outline) {
   for (const MinimalContour& contour : outline.contours) {
     const std::vector<GridPoint>& points = contour.points;
@@ -112,7 +112,7 @@ Outline shape_of(std::vector<Contour> contours) {
 }
 
 TEST(Refit, ARectangleIsItsFourCorners) {
-  // Points on its edges go, the closing edge is left out.
+  // Points on its edges are removed, the closing edge is not stored.
   const MinimalOutline result = refitted(shape_of({polygon({{10, 20},
                                                             {50, 20},
                                                             {110, 20},
@@ -136,7 +136,7 @@ TEST(Refit, NothingBecomesNothing) {
           .contours.empty());
 }
 
-// Its control points are off the curve and the joints half-way between them.
+// Its control points are off the curve, and the joints midway between them.
 TEST(Refit, ACircleOfCubicsBecomesEightQuadratics) {
   const Outline source = shape_of({circle(300, 300, 250)});
   const RefitOptions how = options(2048, 0, 0.5);
@@ -177,7 +177,7 @@ TEST(Refit, HolesKeepTheirDirection) {
   EXPECT_LT(areas[0] * areas[1], 0);
 }
 
-// The chords of Shape's polygon, which stand in for a union that fails.
+// The chords of Shape's polygon, as used if a union fails.
 TEST(Refit, ChordsBecomeCurvesAgain) {
   const Shape polygon_of(shape_of({circle(300, 300, 250)}));
   Contour chords;
@@ -239,7 +239,7 @@ TEST(Refit, TheSameInputGivesTheSamePoints) {
   }
 }
 
-// Rounds of more care with one memo are those without it.
+// More rounds with one memo give the same points as without it.
 TEST(Refit, AMemoChangesNoPoint) {
   for (const Face& face : faces()) {
     const Outline glyph =
@@ -271,7 +271,7 @@ TEST(Fingerprint, TellsWordsAndOrderApart) {
   EXPECT_FALSE(print({0}) == print({}));
 }
 
-// A refit of a refit may save a point more, but strays no farther.
+// A refit of a refit may save a point more, but deviates no farther.
 TEST(Refit, ARefitOfARefitTakesNoMorePoints) {
   const RefitOptions how = options(2048, 0, 0.5);
   for (const Outline& glyph :
@@ -311,7 +311,7 @@ TEST(Refit, CarefulPlacesStrayLessAndHaveCorners) {
     return true;
   };
   EXPECT_TRUE(no_curve_goes_on(careful));
-  // All of the source's own points, and those in the middle of its curves.
+  // All points of the source, and the middles of its curves.
   how.exact_u.swap(how.careful_u);
   const MinimalOutline exact = refitted(glyph, how);
   EXPECT_TRUE(no_curve_goes_on(exact));
@@ -319,7 +319,7 @@ TEST(Refit, CarefulPlacesStrayLessAndHaveCorners) {
   EXPECT_LE(stray(glyph, exact, how), 0.51);
 }
 
-// Chords of a curve, each too short to be taken for a part of it.
+// Chords of a curve, each too short to be recognised as a part of it.
 TEST(Refit, ShortChordsStayWhereTheSourceIsKept) {
   std::vector<Point> corners;
   for (int i = 0; i < 60; ++i) {

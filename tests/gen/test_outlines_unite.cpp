@@ -58,8 +58,8 @@ void expect_closed(const Outline& o) {
   }
 }
 
-// The signed area of the contours is that of the union, so nothing overlaps
-// and everything turns the right way; and all of them lie on its border.
+// The signed area of the contours is that of the union, so nothing overlaps and
+// all directions are right; and all contours are on its border.
 void expect_union(const Outline& source) {
   const Outline united = unite(source);
   const Shape shape(source);
@@ -134,7 +134,7 @@ TEST(Unite, TouchingContoursStayApart) {
   ASSERT_EQ(corners.contours.size(), 2u);
   EXPECT_EQ(corners.contours[0].segments.size(), 4u);
   EXPECT_EQ(corners.contours[1].segments.size(), 4u);
-  // A common edge goes.
+  // A common edge vanishes.
   const Outline edges =
       unite(outline({rectangle(0, 0, 100, 200), rectangle(100, 0, 300, 200)}));
   ASSERT_EQ(edges.contours.size(), 1u);
@@ -195,8 +195,7 @@ TEST(Unite, RefusesCoordinatesThatAreNone) {
   EXPECT_THROW(unite(outline({rectangle(0, 0, 1e12, 10)})), GeometryError);
 }
 
-// The two curves run along each other for a part of their length, where they
-// meet in no countable points.
+// The two curves coincide for a part of their length.
 TEST(Unite, CurvesThatRunAlongEachOtherStayCurves) {
   Contour a = circle(0, 0, 100);
   Contour b = circle(0, 0, 100);
@@ -206,7 +205,7 @@ TEST(Unite, CurvesThatRunAlongEachOtherStayCurves) {
   EXPECT_EQ(segment_count(unite(outline({a, b}))), 4u);
 }
 
-// A curve that comes back along itself, nearer than crossings are exact.
+// A curve that returns along itself, nearer than the precision of crossings.
 TEST(Unite, CurvesBesideAHairlineStayCurves) {
   for (const double width : {1e-2, 1e-3, 1e-4, 1e-5}) {
     SCOPED_TRACE(width);
@@ -225,7 +224,7 @@ TEST(Unite, CurvesBesideAHairlineStayCurves) {
   }
 }
 
-// What is left of a counter that a variable font turned inside out.
+// The residue of a counter that a variable font turned inside out.
 TEST(Unite, SliversAreDropped) {
   const Contour square = rectangle(0, 0, 300, 300);
   const auto count = [&](double width, double height) {
@@ -235,7 +234,7 @@ TEST(Unite, SliversAreDropped) {
   };
   EXPECT_EQ(count(0.06, 12), 1u);
   EXPECT_EQ(count(12, 0.06), 1u);
-  // Long or wide ones are not: thin strokes, and dots.
+  // Long or wide ones are kept: thin strokes, and dots.
   EXPECT_EQ(count(0.06, 120), 2u);
   EXPECT_EQ(count(0.3, 1), 2u);
 }
@@ -261,7 +260,7 @@ TEST(Unite, GlyphsOfFonts) {
                    std::to_string(face.code_points[i]));
       expect_union(glyphs[i]);
       const Outline once = unite(glyphs[i]);
-      // Curves are not cut to pieces, and there is nothing left to unite.
+      // Curves are not split, and there is nothing left to unite.
       EXPECT_LE(segment_count(once), segment_count(glyphs[i]) + 8);
       EXPECT_EQ(segment_count(unite(once)), segment_count(once));
     }

@@ -1,4 +1,4 @@
-// Files that appear whole or not at all, and the source forms of a font.
+// Output files appear whole or not at all; the source forms of a font.
 #include <gtest/gtest.h>
 
 #include "app/encode.hpp"
@@ -63,7 +63,7 @@ TEST(OutputFile, WritesWhereALinkPoints) {
   std::filesystem::create_directory(there);
   std::filesystem::create_symlink("there/font.bin", folder.path() / "link");
   std::filesystem::create_symlink("link", folder.path() / "link2");
-  // First there is nothing, then the old file.
+  // First without an old file, then with one.
   for (const char* content : {"first", "second"}) {
     OutputFile file(folder.path() / "link2");
     file.write(content);
@@ -116,7 +116,7 @@ TEST(Encode, WritesHeaders) {
             std::string::npos);
   EXPECT_NE(text.find("static_assert(inkcell::reads_format("),
             std::string::npos);
-  // Nothing that the font says ends the comment.
+  // No text from the font ends the comment.
   EXPECT_EQ(text.find("\n#error"), std::string::npos);
   EXPECT_EQ(text.substr(0, 3), "// ");
 }

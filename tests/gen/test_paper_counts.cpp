@@ -1,4 +1,4 @@
-// Counts of the paper's quadtrees, where they can be worked out by hand.
+// Counts of the paper's quadtrees that can be computed by hand.
 #include <gtest/gtest.h>
 
 #include "field/paper_counts.hpp"
@@ -64,7 +64,7 @@ TEST(PaperCounts, BilinearNeedsFarMoreForGlyphs) {
     const double coded =
         static_cast<double>(build_sample_tree(shape, fixed()).cells.size());
     EXPECT_NEAR(coded / two, 1, 0.1);
-    // In the whole band the difference is what the paper says.
+    // In the whole band the difference is the paper's.
     const double band_two =
         static_cast<double>(count_cells_biquadratic(shape, Target()).varying);
     const double band_one =

@@ -1,4 +1,4 @@
-// inkcell-fontgen as it is called: options, exit codes, files left behind.
+// inkcell-fontgen: options, exit codes, output files.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -53,7 +53,7 @@ TEST_F(Program, TellsHowFarItIsFromTheBeginning) {
       run(folder_, "--font plain.ttf --symbols .H --budget 64K --out a.bin");
   EXPECT_EQ(budget.err.find("  0 %: 0 of 4 glyphs\ntolerance 64/255: "), 0u)
       << budget.err;
-  // script gives the program a terminal.
+  // script(1) gives the program a terminal.
   const TestFolder logs;
   const std::string log = (logs.path() / "log").string();
   const std::string command =

@@ -1,4 +1,5 @@
-// Sources that inkcell-fontgen writes: they compile, and lie where they shall.
+// Sources written by inkcell-fontgen: they compile, and arrays are in their
+// sections.
 #include <gtest/gtest.h>
 
 #include "program_run.hpp"
@@ -13,8 +14,7 @@ class ProgramSources : public testing::Test {
   TestFolder folder_;
 };
 
-// Two headers and two sources of C in one program, each array where it shall
-// be.
+// Two headers and two C sources in one program, each array in its section.
 TEST_F(ProgramSources, PutsArraysIntoSections) {
   for (const char* options :
        {"--format hpp --name a --section .ext_flash.a --out a.hpp",
@@ -71,7 +71,7 @@ TEST_F(ProgramSources, PutsArraysIntoSections) {
   }
 }
 
-// The compilers of the house take what is generated.
+// All supported compilers accept the generated sources.
 TEST_F(ProgramSources, WritesSourcesThatCompile) {
   ASSERT_EQ(run(folder_,
                 "--font plain.ttf --symbols H --format hpp --name plain "

@@ -1,4 +1,4 @@
-// inkcell-fontgen with strings and sources: what it makes and what it refuses.
+// inkcell-fontgen with strings and sources: results and errors.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -29,13 +29,13 @@ class ProgramTexts : public testing::Test {
   nlohmann::json report() const {
     return nlohmann::json::parse(read_file(folder_.path() / "a.json"));
   }
-  // Refused with this text; nothing is left behind.
+  // Fails with this message and leaves no files.
   void check_refused(const std::string& arguments, const std::string& said) {
     const Names before = folder_.names();
     const Outcome result = run(folder_, arguments);
     EXPECT_EQ(result.code, 1) << arguments;
     EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
-    // Of work that has begun there may be a line before.
+    // Messages of work that has begun may come before.
     EXPECT_NE(("\n" + result.err).find("\nerror: "), std::string::npos)
         << result.err;
     EXPECT_EQ(folder_.names(), before) << arguments;
@@ -57,7 +57,7 @@ TEST_F(ProgramTexts, TakesCharactersOfSources) {
   const std::string folder = folder_.path().string();
   EXPECT_EQ(text_of("a.d"), "a.bin: " + folder + "/plain.ttf " + folder +
                                 "/src/a.c " + folder + "/src/sub/b.cpp\n");
-  // A shell that expands a pattern gives several files.
+  // A shell expands a pattern to several files.
   ASSERT_EQ(
       run(folder_, out + "--strings-from src/a.c src/sub/b.cpp --quiet").code,
       0);

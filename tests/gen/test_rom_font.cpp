@@ -1,4 +1,4 @@
-// The container byte by byte, and the closed loop that guards it.
+// The container byte by byte, and the closed loop that checks it.
 #include <gtest/gtest.h>
 
 #include "judge/rom_check.hpp"
@@ -20,8 +20,8 @@
 namespace inkcell::gen::test {
 namespace {
 
-// The font that docs/FORMAT.md shows: .notdef without ink and a '.' of a single
-// cell, 16 u wide, whose middle is 4 u inside.
+// The font in docs/FORMAT.md: .notdef without ink and a '.' of a single cell,
+// 16 u wide, whose middle is 4 u inside.
 RomContent smallest() {
   RomContent content;
   content.name = "Dot";
@@ -93,7 +93,7 @@ size_t padded(size_t size) {
   return (size + 3) / 4 * 4;
 }
 
-// What the device says about every glyph and pair.
+// The device's values of all glyphs and pairs.
 void expect_tables(const std::vector<uint8_t>& rom, const RomContent& content) {
   Font font;
   ASSERT_EQ(open_any_font({rom.data(), rom.size()}, font), Status::ok);
@@ -116,7 +116,7 @@ void expect_tables(const std::vector<uint8_t>& rom, const RomContent& content) {
   EXPECT_EQ(wrong, 0);
 }
 
-// Lines as hexdump -C prints them, without the last one.
+// Lines as printed by hexdump -C, without the last one.
 std::string hex_dump(const std::vector<uint8_t>& bytes) {
   std::string dump;
   for (size_t line = 0; line < bytes.size(); line += 16) {
@@ -145,7 +145,7 @@ TEST(RomFont, SmallestFontIsTheOneOfTheDocument) {
   ASSERT_NE(at, std::string::npos);
   while (document.compare(at, 4, "    ") == 0) {
     const size_t end = document.find('\n', at);
-    // The bytes only: what follows two blanks is explanation.
+    // Only the bytes: the text after two blanks is explanation.
     const std::string line = document.substr(at + 4, end - at - 4);
     shown += line.substr(0, line.find("  ", 6)) + "\n";
     at = end + 1;
@@ -230,8 +230,7 @@ TEST(RomFont, WideKerningClassesTakeTwoBytes) {
   expect_tables(bytes, content);
 }
 
-// As much in them as numbers of `bits` bits can hold: around 0, or up to the
-// ends of i16.
+// Numbers of `bits` bits, around 0 or up to the ends of i16.
 TEST(RomFont, MetricsOfEveryWidthAreExact) {
   std::mt19937 random(11);
   for (unsigned bits = 0; bits <= 16; ++bits) {
@@ -364,7 +363,7 @@ TEST(RomFont, RecordsAreThoseOfTheCells) {
   EXPECT_FALSE(content.glyphs[0].has_ink());
 }
 
-// Each change of the source must be seen by the check of the unchanged bytes.
+// The check of the unchanged bytes must find each change of the source.
 TEST(RomFont, ClosedLoopSeesEveryDifference) {
   const std::vector<uint8_t> bytes = write(larger());
   int seen = 0;

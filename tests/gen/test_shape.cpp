@@ -16,9 +16,9 @@ namespace gen {
 namespace test {
 namespace {
 
-// The reference knows nothing of Clipper: every edge of the raw contours is cut
-// where others cross it, and a piece counts as border if the winding number is
-// zero on exactly one side.
+// A reference without Clipper: cuts every edge of the raw contours at
+// crossings; a piece is border if the winding number is zero on exactly one
+// side.
 class Reference {
  public:
   explicit Reference(const Outline& outline) {
@@ -105,7 +105,7 @@ class Reference {
     }
     const double nx = -(piece.b.y - piece.a.y) / size * 1e-4;
     const double ny = (piece.b.x - piece.a.x) / size * 1e-4;
-    // Off the middle, so as not to look along a row of corners.
+    // Off the middle, to avoid rows of corners.
     const double x = piece.a.x + (piece.b.x - piece.a.x) * 0.4871;
     const double y = piece.a.y + (piece.b.y - piece.a.y) * 0.4871;
     if ((winding(x + nx, y + ny) != 0) != (winding(x - nx, y - ny) != 0)) {
@@ -182,7 +182,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-// Anywhere around the shape, and within a hair of its corners.
+// Random points around the shape, and very close to its corners.
 std::vector<Point> probes(const Shape& shape, size_t count) {
   std::mt19937 random(7);
   const Box& box = shape.box();
@@ -192,7 +192,7 @@ std::vector<Point> probes(const Shape& shape, size_t count) {
   std::vector<Point> points;
   for (size_t i = 0; i < count; ++i) {
     points.push_back({x(random), y(random)});
-    // Whole u, where fonts have their corners and cells their samples.
+    // Integer u: the corners of fonts and the samples of cells.
     points.push_back({std::round(x(random)), std::round(y(random))});
     const Edge& edge = shape.edges()[random() % shape.edges().size()];
     points.push_back({edge.a.x + near(random), edge.a.y + near(random)});
@@ -284,7 +284,7 @@ TEST(Shape, CrossingsAlternate) {
   EXPECT_TRUE(crossings.empty());
 }
 
-// Random squares, each made from its parent's list like a quadtree's.
+// Random squares, each made from its parent's list as in a quadtree.
 void check_neighbourhood(const Shape& shape, std::mt19937& random) {
   const Box& box = shape.box();
   std::uniform_real_distribution<double> x(box.x0 - 90, box.x1 + 90);
@@ -307,8 +307,8 @@ void check_neighbourhood(const Shape& shape, std::mt19937& random) {
         least = std::min(least, std::fabs(exact));
       }
     }
-    // The clearance is at most what the points show, and no point of the
-    // square is farther than size / 7 from one of them.
+    // The clearance is at most the least distance of the points, and no point
+    // of the square is farther than size / 7 from one of them.
     ASSERT_LE(truth.clearance(), least + 1e-7);
     ASSERT_GE(truth.clearance(), least - square.size / 7);
     square.x += random() % 2 == 0 ? 0 : square.size / 2;

@@ -1,4 +1,4 @@
-// SVG: path data, shapes, transforms, strokes, what is filled, what is refused.
+// SVG: path data, shapes, transforms, strokes, fills, errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace inkcell::gen::test {
 namespace {
 
-// What elements draw, in user units, y up.
+// The outline of elements, in user units, y up.
 Outline outline_of(const std::string& elements) {
   const TestFolder folder;
   const std::string text =
@@ -48,7 +48,7 @@ std::string path_refusal(const char* data) {
   return "";
 }
 
-// The same square in all ways that the letters allow.
+// The same square by all letters.
 TEST(SvgPath, LettersMeanWhatTheStandardSays) {
   for (const char* data :
        {"M0 0L100 0L100 100L0 100Z", "m0,0 100,0 0,100-100,0z",
@@ -65,8 +65,8 @@ TEST(SvgPath, LettersMeanWhatTheStandardSays) {
 }
 
 TEST(SvgPath, ArcsAreRoundToATwoHundredThousandth) {
-  // Half a circle each: small and large, both ways; and an ellipse turned by
-  // 90 degrees whose radii are too small and grow.
+  // Half a circle each: small and large, in both directions; and an ellipse
+  // turned by 90 degrees whose radii are too small and grow.
   const Shape disc(contours_of(
       parse_path_data("M-300 0A300 300 0 0 1 300 0A300 300 0 1 1-300 0")));
   const Shape grown(
@@ -128,7 +128,7 @@ TEST(Svg, HolesStayHolesByBothRules) {
   }
 }
 
-// Areas of elements that are drawn exactly, or by curves.
+// Areas of elements that are drawn exactly, or as curves.
 double area_of(const std::string& elements) {
   double sum = 0;
   const Shape shape = shape_of(elements);
@@ -138,14 +138,13 @@ double area_of(const std::string& elements) {
   return sum;
 }
 
-// Areas of polygons: what rounding to 1/65536 u changes. [u^2]
+// The change of a polygon's area by rounding to 1/65536 u. [u^2]
 constexpr double kRounding = 0.01;
 
-// How much smaller chords make the area inside an ellipse, or a part of it:
-// a chord of a curve b(t), with steps of h, strays by at most |b''| t (h - t) /
-// 2, on average 2/3 of the most, which is the bound. The ellipse is no longer
-// than 2 pi sqrt((rx^2 + ry^2) / 2); its cubics stray by 1/200000 of the
-// radius.
+// The area that chords cut off inside an ellipse, or a part of it. A chord of a
+// curve b(t), with steps of h, is off by at most |b''| t (h - t) / 2, on
+// average 2/3 of the maximum, which is the bound. The ellipse is no longer than
+// 2 pi sqrt((rx^2 + ry^2) / 2); its cubics are off by 1/200000 of the radius.
 double chord_loss(double rx, double ry, double bound = kFlatteningBound) {
   const double around = 2 * M_PI * std::sqrt((rx * rx + ry * ry) / 2);
   return around * (bound * 2 / 3 + std::max(rx, ry) / 200000) + kRounding;
@@ -197,7 +196,7 @@ TEST(Svg, StrokesHaveTheirArea) {
               kRounding);
 }
 
-// The border of a stroke along a curve is a curve: within the bound of the
+// The border of a stroke along a curve is a curve, within the bound of the
 // stroke and that of the shape's own chords.
 TEST(Svg, StrokesOfCurvesHaveBordersAtHalfThePen) {
   const Point p[] = {{0, 0}, {40, 100}, {110, 90}, {120, 0}};
@@ -239,13 +238,13 @@ TEST(Svg, CurvesOfStrokesStayCurves) {
   EXPECT_GE(curves, 6u);
   // Also with a handle of no length.
   EXPECT_GE(counts(stroke("", "M0 0C0 0 110 90 120 0")).second, 2u);
-  // Where the path turns tighter than half the pen, chords are right.
+  // Where the path turns more tightly than half the pen, chords are used.
   EXPECT_EQ(counts(stroke("", "M0 0A3 3 0 0 1 6 0")).second, 0u);
 }
 
 TEST(Svg, SmallHolesAndIslandsAreKept) {
   // Squares of 0.2 u: a hole, and an island in a larger one. Contours cross, so
-  // that all of it becomes chords.
+  // everything becomes chords.
   EXPECT_NEAR(area_of("<path fill-rule='evenodd' d='M0 0H20V20H0Z "
                       "M10 10H30V30H10Z M5 5h.2v.2h-.2z M12 12h.2v.2h-.2z'/>"),
               600 - 0.04 + 0.04, 0.001);
@@ -261,7 +260,7 @@ TEST(Svg, SmallHolesAndIslandsAreKept) {
   };
   EXPECT_EQ(holes(0.2, 0.2), 1u);
   EXPECT_EQ(holes(100, 0.001), 1u);
-  // What rounding leaves: 1/65536 u wide.
+  // Residues of rounding: 1/65536 u wide.
   EXPECT_EQ(holes(100, 1.0 / 65536), 0u);
 }
 
@@ -289,7 +288,7 @@ TEST(Svg, BothRulesHoldWhereContoursCross) {
   const std::string two = "d='M0 0H20V20H0Z M10 10H30V30H10Z'/>";
   EXPECT_NEAR(area_of("<path " + two), 700, 0.01);
   EXPECT_NEAR(area_of("<path fill-rule='evenodd' " + two), 600, 0.01);
-  // Of opposite directions, apart and with a third over both.
+  // Opposite directions, separate and with a third one over both.
   EXPECT_NEAR(area_of("<path d='M0 0H20V20H0Z M40 0V20H60V0Z'/>"
                       "<rect x='10' width='40' height='20'/>"),
               60 * 20, 0.01);

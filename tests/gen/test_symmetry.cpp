@@ -30,8 +30,8 @@ Outline mapped(Outline outline, const Symmetry& s) {
   return outline;
 }
 
-// Of the paper's and of the generator's own trees, of lines, curves and
-// counters.
+// Shapes of lines, curves and counters, for the paper's and for the generator's
+// own trees.
 std::vector<Outline> shapes() {
   std::vector<Outline> result =
       load_outlines(kLiberationSerif, 0, {'a', 'R', '&', '%'});
@@ -83,8 +83,8 @@ std::array<double, 9> nine_of(const CellSquare& square, const Shape& shape) {
   return Lattice(square).nine(Neighbourhood(shape, square.square()));
 }
 
-// Samples of a cell that differ from those of `shape`, other than where the
-// last bit of a double decides between two quanta that are equally near.
+// Counts samples of a cell that differ from those of `shape`, except where the
+// last bit of a double decides between two steps that are equally near.
 int wrong_samples(const SampleCell& cell,
                   const CellSquare& square,
                   const Shape& shape) {
@@ -108,7 +108,7 @@ int wrong_samples(const SampleCell& cell,
 }
 
 // Cells that are sampled anew have the bytes of those that were moved, and
-// saturated ones lie on the same side.
+// saturated ones are on the same side.
 TEST(Symmetry, CellsAreThoseOfTheMappedOutline) {
   size_t cells = 0;
   size_t same = 0;

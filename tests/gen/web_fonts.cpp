@@ -62,7 +62,7 @@ size_t unpacked_size(const std::vector<PackedTable>& tables) {
   return size;
 }
 
-// The bytes by zlib, or as they are where that takes no fewer.
+// The bytes compressed by zlib, or stored if that is not smaller.
 Bytes deflated(const Bytes& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   Bytes out(size);
@@ -104,7 +104,7 @@ Bytes pack_woff(const Bytes& font) {
     put_u32(directory, 44 + 20 * tables.size() + body.size());
     put_u32(directory, packed.size());
     put_u32(directory, table.bytes.size());
-    put_u32(directory, 0);  // checksum, which nobody checks
+    put_u32(directory, 0);  // checksum, never checked
     put_bytes(body, packed);
     pad(body);
   }

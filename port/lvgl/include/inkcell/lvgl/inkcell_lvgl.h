@@ -24,13 +24,13 @@
 extern "C" {
 #endif
 
-/* Room for C++ objects, in pointers, where those have 64 and 32 bits. */
+/* The size of C++ objects in pointers, on 64-bit and 32-bit machines. */
 #define INKCELL_LV_POINTERS(of_64, of_32) \
   (sizeof(void*) == 8 ? (of_64) : (of_32))
 
 /** A font at one size. */
 typedef struct {
-  lv_font_t lv; /**< what LVGL's functions take */
+  lv_font_t lv; /**< for LVGL's functions */
   void* state[INKCELL_LV_POINTERS(44, 64)];
 } inkcell_lv_font_t;
 
@@ -49,7 +49,7 @@ typedef struct {
   void* state[1];
 } inkcell_lv_cache_t;
 
-/** How the sub-pixels of a display lie. */
+/** The order of a display's sub-pixels. */
 typedef enum {
   INKCELL_LV_SUBPIXELS_RGB,
   INKCELL_LV_SUBPIXELS_BGR,
@@ -59,9 +59,9 @@ typedef enum {
 
 /** Makes a font of `size_q6` 1/64 px to the em, 4 to 1024 px: 14.5 px are 928.
  *
- * `rom` is what inkcell_add_font() or inkcell-fontgen makes, at a multiple of
- * 4, in flash or RAM, `rom_bytes` long or longer. Any bytes are safe; wrong
- * ones draw wrong pictures.
+ * `rom` is a font made by inkcell_add_font() or inkcell-fontgen, aligned to 4,
+ * in flash or RAM, `rom_bytes` long or longer. Any bytes are safe; wrong ones
+ * draw wrong pictures.
  *
  * Line height and base line are those of the font file, rounded up to pixels.
  * The font format has no underline: thickness is em / 20, position em / 10
@@ -88,15 +88,14 @@ lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
  * lv_arclabel) of such a font are not drawn; transformed labels are. */
 void inkcell_lv_font_set_direct(inkcell_lv_font_t* font);
 
-/** Draws with a coverage for each sub-pixel, onto opaque colour: layers of
- * RGB565, RGB888 and XRGB8888, at full opacity, by a font that is direct. All
- * else is drawn grey. */
+/** Draws with a coverage for each sub-pixel, if the font is direct, the layer
+ * is RGB565, RGB888 or XRGB8888, and the opacity is full; else in grey. */
 void inkcell_lv_font_set_subpixels(inkcell_lv_font_t* font,
                                    inkcell_lv_subpixels_t order);
 
 /** Fits heights to the grid of pixels: base lines, x-height and horizontal
  * strokes are crisp. Fades from 24 to 40 px. LV_RESULT_INVALID: the font's
- * hints are corrupt; nothing has changed then. */
+ * hints are corrupt; nothing is changed then. */
 lv_result_t inkcell_lv_font_fit_heights(inkcell_lv_font_t* font,
                                         inkcell_lv_fit_t* fit);
 
@@ -111,14 +110,14 @@ void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
                                 inkcell_lv_weight_t* weight,
                                 int32_t weight_q6);
 
-/** Lends RAM at a multiple of 4 for drawing outlines, instead of 1.1 KB of
- * stack: 2560 bytes make large glyphs quicker, too. Fonts that one task draws
- * may share it. */
+/** Gives the font a workspace for outlines, aligned to 4, instead of 1.1 KB of
+ * stack; 2560 bytes also speed up large glyphs. Fonts of a task may
+ * share it. */
 void inkcell_lv_font_set_workspace(inkcell_lv_font_t* font,
                                    void* ram,
                                    size_t bytes);
 
-/** Makes a cache in `ram`, at a multiple of the size of a pointer, of 4 bits a
+/** Makes a cache in `ram`, aligned to the size of a pointer, with 4 bits a
  * pixel (coverage is off by at most 8/255) for up to `fonts` fonts, 1 to 16.
  *
  * LV_RESULT_INVALID: `fonts` is out of range, `ram` is misaligned, or has less
