@@ -134,7 +134,7 @@ Screen::~Screen() {
   }
 }
 
-bool Screen::take_input(int wait_ms,
+bool Screen::read_input(int wait_ms,
                         const std::function<void(const std::string&)>& on_key) {
   SDL_Event event;
   if (SDL_WaitEventTimeout(&event, wait_ms) == 0) {

@@ -31,7 +31,7 @@ class Screen {
   /// by their SDL names, such as ctrl+shift+z, unless a text field has the
   /// focus. Reads one press or release at a time, so that each gets a frame
   /// even if frames are slow. False if the window was closed.
-  bool take_input(int wait_ms,
+  bool read_input(int wait_ms,
                   const std::function<void(const std::string&)>& on_key);
 
   /// Draws one frame, whose widgets `panels` submits.

@@ -29,7 +29,7 @@ class Pieces {
       return {contour_};
     }
     for (size_t i = 0; i < count; ++i) {
-      take((first + i) % count);
+      add((first + i) % count);
     }
     end_piece();
     return std::move(pieces_);
@@ -40,7 +40,7 @@ class Pieces {
     return contour_.points[point].on_curve() && !selected_[point];
   }
 
-  void take(size_t index) {
+  void add(size_t index) {
     const GlyphPoint& point = contour_.points[index];
     if (!point.on_curve()) {
       handles_.push_back(point);

@@ -204,7 +204,7 @@ void Editor::run(Value command) {
   fill_glyph(glyph_, command);
   tool_->interrupt(*this);
   session_->run(command);
-  take_change();
+  follow_change();
 }
 
 void Editor::propose(Value command) {
@@ -229,25 +229,25 @@ void Editor::commit() {
   Proposal proposal = std::move(*proposal_);
   proposal_.reset();
   session_->run(proposal.command, std::move(proposal.change));
-  take_change();
+  follow_change();
 }
 
 bool Editor::undo() {
   tool_->cancel(*this);
   const bool done = session_->undo();
-  take_change();
+  follow_change();
   return done;
 }
 
 bool Editor::redo() {
   tool_->cancel(*this);
   const bool done = session_->redo();
-  take_change();
+  follow_change();
   return done;
 }
 
 // After a command, undo or redo.
-void Editor::take_change() {
+void Editor::follow_change() {
   if (message.is_problem) {
     message = {};
   }

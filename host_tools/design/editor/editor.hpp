@@ -140,7 +140,7 @@ class Editor {
   };
 
   void begin(const std::filesystem::path& folder);
-  void take_change();
+  void follow_change();
   void drop_lost_selection();
 
   std::unique_ptr<Session> session_;

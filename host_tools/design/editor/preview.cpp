@@ -19,13 +19,13 @@ namespace {
 constexpr char32_t kPrivate = 0xF8FF;
 
 // Adds a glyph and its components.
-void take(const Project& from, const std::string& name, Project& to) {
+void add_glyph(const Project& from, const std::string& name, Project& to) {
   const GlyphPointer glyph = from.find(name);
   if (glyph == nullptr || !to.front().glyphs.emplace(name, glyph).second) {
     return;
   }
   for (const ComponentUse& use : glyph->components) {
-    take(from, use.base, to);
+    add_glyph(from, use.base, to);
   }
 }
 
@@ -69,8 +69,8 @@ PreviewJob make_job(const Project& project,
   job.glyph = glyph;
   job.settings = settings;
   job.project.font = project.font;
-  take(project, ".notdef", job.project);
-  take(project, glyph, job.project);
+  add_glyph(project, ".notdef", job.project);
+  add_glyph(project, glyph, job.project);
   std::set<char32_t> wanted;
   std::set<char32_t> found;
   for (const char32_t c : tools::from_utf8(settings.text)) {
@@ -79,7 +79,7 @@ PreviewJob make_job(const Project& project,
   for (const auto& [name, candidate] : project.front().glyphs) {
     for (const char32_t c : candidate->unicodes) {
       if (wanted.count(c) != 0) {
-        take(project, name, job.project);
+        add_glyph(project, name, job.project);
         found.insert(c);
       }
     }

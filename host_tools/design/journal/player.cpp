@@ -83,7 +83,7 @@ bool Player::redo() {
   return step != nullptr;
 }
 
-void Player::take(Change change) {
+void Player::apply(Change change) {
   project_.apply(change);
   history_.add(std::move(change));
 }
@@ -126,7 +126,7 @@ void Player::play(const Value& record) {
       throw Error(std::string("command 'restore': ") + error.what());
     }
   } else {
-    take(change_of(project_, record));
+    apply(change_of(project_, record));
   }
 }
 

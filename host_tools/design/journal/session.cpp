@@ -85,7 +85,7 @@ void Session::run(const Value& command) {
 void Session::run(const Value& command, Change change) {
   const size_t position = player_->history().position();
   journal_->append(command);
-  player_->take(std::move(change));
+  player_->apply(std::move(change));
   ++records_;
   base_ = std::min(base_, position);
 }

@@ -46,7 +46,7 @@ class Player {
   bool undo();
   bool redo();
   /// Applies a change that can be undone.
-  void take(Change change);
+  void apply(Change change);
 
  private:
   void restore(const Value& record);

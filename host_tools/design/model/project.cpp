@@ -14,9 +14,9 @@ auto fields(const FontData& f) {
   return std::tie(f.info, f.groups, f.kerning, f.lib, f.features);
 }
 
-void put(Project& project,
-         const GlyphChange& change,
-         const GlyphPointer& glyph) {
+void set_glyph(Project& project,
+               const GlyphChange& change,
+               const GlyphPointer& glyph) {
   auto& glyphs = project.layers.at(change.layer).glyphs;
   if (glyph == nullptr) {
     glyphs.erase(change.name);
@@ -64,7 +64,7 @@ double Project::units_per_em() const {
 
 void Project::apply(const Change& change) {
   for (const GlyphChange& glyph : change.glyphs) {
-    put(*this, glyph, glyph.after);
+    set_glyph(*this, glyph, glyph.after);
   }
   if (change.font_after != nullptr) {
     font = change.font_after;
@@ -74,7 +74,7 @@ void Project::apply(const Change& change) {
 void Project::revert(const Change& change) {
   for (auto glyph = change.glyphs.rbegin(); glyph != change.glyphs.rend();
        ++glyph) {
-    put(*this, *glyph, glyph->before);
+    set_glyph(*this, *glyph, glyph->before);
   }
   if (change.font_before != nullptr) {
     font = change.font_before;

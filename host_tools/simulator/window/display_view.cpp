@@ -122,7 +122,7 @@ void point_at(Panels& panels,
 }
 
 // Wheel: zooms about the pointer. Drag: pans.
-void take_pointer(Panels& panels, ImVec2 middle) {
+void handle_pointer(Panels& panels, ImVec2 middle) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActive()) {
     panels.pan.x += io.MouseDelta.x;
@@ -159,7 +159,7 @@ void draw_display_view(Panels& panels) {
   ImGui::InvisibleButton(
       "display", room,
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-  take_pointer(panels, middle);
+  handle_pointer(panels, middle);
   if (settings.zoom == 0) {
     panels.pan = {0, 0};
   }

@@ -88,9 +88,9 @@ void run_window(Simulator& simulator,
   panels.has_fixed_coding = has_fixed_coding;
   panels.is_playing = is_moving(simulator.settings);
   while (!panels.wants_quit) {
-    const bool is_open = screen.take_input(
+    const bool is_open = screen.read_input(
         panels.is_playing ? kPlayWait : kIdleWait,
-        [&](const std::string& key) { take_key(panels, key); });
+        [&](const std::string& key) { handle_key(panels, key); });
     panels.wants_quit |= !is_open;
     attempt(panels);
     screen.draw_frame([&] { draw_window(panels); });

@@ -41,7 +41,7 @@ void draw_player_bar(Panels& panels);
 void draw_status(Panels& panels);
 
 /// Handles a key by its SDL name.
-void take_key(Panels& panels, const std::string& key);
+void handle_key(Panels& panels, const std::string& key);
 
 /// Whether the scene is animated.
 bool is_moving(const Settings& settings);

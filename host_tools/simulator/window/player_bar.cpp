@@ -60,7 +60,7 @@ int loop_frames(const Settings& settings) {
                                       : static_cast<int>(scenes::kLoopFrames);
 }
 
-void take_key(Panels& panels, const std::string& key) {
+void handle_key(Panels& panels, const std::string& key) {
   Settings& settings = panels.simulator.settings;
   if (key == "ctrl+q") {
     panels.wants_quit = true;

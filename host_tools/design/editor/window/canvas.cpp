@@ -51,7 +51,7 @@ bool pans() {
          SDL_GetKeyboardState(nullptr)[SDL_SCANCODE_SPACE] != 0;
 }
 
-void take_pointer(Editor& editor, ImVec2 origin) {
+void handle_pointer(Editor& editor, ImVec2 origin) {
   const ImGuiIO& io = ImGui::GetIO();
   View& view = editor.view;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
@@ -109,7 +109,7 @@ void draw_canvas(Panels& panels) {
   ImGui::InvisibleButton(
       "canvas", size,
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-  take_pointer(editor, origin);
+  handle_pointer(editor, origin);
   draw_grid(editor.view, origin);
   const OutlineLayer layer(panels, origin);
   layer.draw_fill();

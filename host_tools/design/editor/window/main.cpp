@@ -59,7 +59,7 @@ PreviewKey key_of(const Editor& editor) {
   return {editor.glyph(), editor.project().font, text.str()};
 }
 
-void take_window_key(Panels& panels, const std::string& key) {
+void handle_window_key(Panels& panels, const std::string& key) {
   if (key == "ctrl+q") {
     panels.wants_quit = true;
   } else if (key == "ctrl+o") {
@@ -95,9 +95,9 @@ void run_window(const Arguments& arguments) {
   std::optional<PreviewKey> asked;
   std::shared_ptr<const Preview> exact;  // until the worker is done
   while (!panels.wants_quit) {
-    const bool is_open = screen.take_input(
+    const bool is_open = screen.read_input(
         panels.preview_is_busy ? kFrameWait : kIdleWait,
-        [&](const std::string& key) { take_window_key(panels, key); });
+        [&](const std::string& key) { handle_window_key(panels, key); });
     panels.wants_quit |= !is_open;
     if (editor.glyph() != nullptr) {
       const PreviewKey key = key_of(editor);
