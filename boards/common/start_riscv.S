@@ -9,7 +9,7 @@ inkcell_reset:
     j inkcell_start
 
     // If the instruction is the semihosting trap, then there is no debugger to
-    // take it: go on behind it with the result -1. It is part of a function
+    // handle it: continue after it with the result -1. It is part of a function
     // call, so t0 and t1 are free.
     .balign 4
 trap:
