@@ -250,6 +250,8 @@ __attribute__((noinline)) void FieldRow::paint_leaning(Bytes& bytes,
                                                        uint8_t* end) noexcept {
   const GlyphStep& right = rows.right();
   const bool is_stretched = rows.style().is_stretched();
+  const int32_t least_gain = rows.style().least_gain_q15();
+  constexpr int32_t kFar = kFullArea << kBandFraction;
   FieldLeaf leaf = {nullptr, 0, false};
   uint32_t leaf_x = ~x_q16;  // no place of the leaf yet
   uint32_t leaf_y = y_q16;
@@ -269,7 +271,10 @@ __attribute__((noinline)) void FieldRow::paint_leaning(Bytes& bytes,
       int32_t value =
           scaled(row.distance_q10(static_cast<int32_t>(x)), scale.of_distance);
       int32_t change = 0;
-      if (is_stretched || Bytes::kHasSteepness) {
+      // Farther than this the least gain changes nothing.
+      const bool is_far = scaled(value, 2 * least_gain) > kFar ||
+                          scaled(value, 2 * least_gain) < -kFar;
+      if (!is_far && (is_stretched || Bytes::kHasSteepness)) {
         const Gradient gradient =
             cell_point(leaf.samples, leaf.size_log2, x, y).gradient;
         const GlyphStep& px = rows.style().right();
