@@ -48,8 +48,6 @@ CPUS = {
     "rv32": (ROOT / "boards/riscv_virt/toolchain.cmake", "riscv_virt"),
 }
 BUILD_TYPES = {"O2": "Release", "Os": "MinSizeRel"}
-# What a build may leave out: docs/PORTING.md.
-PARTS = ("outlines", "sample_cells", "fast_cells")
 # Coding, as the generator names it: firmware, and the ways that stand beside
 # the other engines.
 CODINGS = {
@@ -76,11 +74,8 @@ WHAT = {
     "code": "bytes that programs keep of the library",
     "lvgl": "labels and glyphs in LVGL, on m3",
 }
-# Without these it is smallest, for one coding; what the document says of that.
-SMALLEST = {
-    "outline": ["sample_cells"],
-    "field": ["outlines", "fast_cells"],
-}
+# Codings whose smallest programs the document has.
+SMALLEST = ("outline", "field")
 SMALLEST_WHAT = ["glyphs", "turned", "rgb565", "code"]
 # What programs keep of the library: kept.cpp.
 KEPT = ("glyphs", "area", "text", "matrix", "all_formats")
@@ -126,8 +121,6 @@ def parse_arguments():
         help="LVGL's sources (default: INKCELL_LVGL_DIR)")
     add("--lv-font-conv", metavar="FILE",
         help="LVGL's converter of fonts (default: in the path)")
-    add("--without", default="", metavar="LIST",
-        help=f"leave out of Inkcell: of {', '.join(PARTS)}")
     add("--against", metavar="REV",
         help="measure Inkcell of another commit, too, with the same fonts, and "
         "print what differs instead of the results")
@@ -145,12 +138,6 @@ def parse_arguments():
             if value not in known:
                 parser.error(f"--{option} {value}: there is {', '.join(known)}")
         setattr(arguments, option, values)
-    arguments.without = [part for part in arguments.without.split(",") if part]
-    for part in arguments.without:
-        if part not in PARTS:
-            parser.error(f"--without {part}: there is {', '.join(PARTS)}")
-    if arguments.write_docs and arguments.without:
-        parser.error("--write-docs measures all of Inkcell")
     if arguments.write_docs and set(arguments.engines) != set(LIBRARIES):
         parser.error("--write-docs compares all engines")
     if arguments.limits and not arguments.against:
@@ -289,7 +276,7 @@ class Fonts:
         return (self.folder / name).stat().st_size
 
 
-def build_firmware(cpu, opt, sources, targets, without, build):
+def build_firmware(cpu, opt, sources, targets, build):
     folder = build / f"{cpu}-{opt}"
     say(f"building {cpu} -{opt}")
     if cpu in lvgl.CPUS and "lvgl" in sources:
@@ -299,8 +286,6 @@ def build_firmware(cpu, opt, sources, targets, without, build):
     run("cmake", "-S", HERE / "firmware", "-B", folder, "-G", "Ninja",
         f"-DCMAKE_TOOLCHAIN_FILE={CPUS[cpu][0]}",
         f"-DCMAKE_BUILD_TYPE={BUILD_TYPES[opt]}",
-        *(f"-DINKCELL_{part.upper()}={'OFF' if part in without else 'ON'}"
-          for part in PARTS),
         f"-DINKCELL_BENCH_FREETYPE={sources.get('freetype', '')}",
         f"-DINKCELL_BENCH_STB={sources.get('stb', '')}",
         f"-DINKCELL_BENCH_LVGL={sources['lvgl']}",
@@ -346,10 +331,9 @@ def kept_bytes(linker_map):
 class Firmware:
     """The programs of one core and optimisation."""
 
-    def __init__(self, cpu, opt, sources, targets, fonts, without, build):
+    def __init__(self, cpu, opt, sources, targets, fonts, build):
         self.cpu, self.opt, self.fonts = cpu, opt, fonts
-        self.folder = build_firmware(cpu, opt, sources, targets, without,
-                                     build)
+        self.folder = build_firmware(cpu, opt, sources, targets, build)
 
     def run(self, program, *arguments):
         """Lines of numbers that a program prints, by their first word."""
@@ -621,7 +605,7 @@ def measure_others(firmware, arguments, upright, pictures):
 def options_again(arguments):
     """What the other commit's bench is asked for."""
     options = []
-    for option in ("cpu", "opt", "coding", "what", "px", "without"):
+    for option in ("cpu", "opt", "coding", "what", "px"):
         values = getattr(arguments, option)
         if values:
             options += ["--" + option, ",".join(values)]
@@ -664,7 +648,7 @@ def targets_of(arguments):
 def measure_smallest(arguments, lvgl_sources, fonts, pictures, build):
     """Results and figures of the smallest build of each core, by coding."""
     measured = {}
-    for coding, without in SMALLEST.items():
+    for coding in SMALLEST:
         in_lvgl = coding == "outline"
         some = argparse.Namespace(**{**vars(arguments), "engines": ["inkcell"],
                                      "coding": [coding],
@@ -674,7 +658,7 @@ def measure_smallest(arguments, lvgl_sources, fonts, pictures, build):
         for cpu in SMALL_CODE_CPUS:
             firmware = Firmware(cpu, "Os", lvgl_sources if in_lvgl else {},
                                 targets_of(some),
-                                fonts.of(coding), without,
+                                fonts.of(coding),
                                 build / f"smallest-{coding}")
             glyphs, more = measure(firmware, some, pictures)
             results += glyphs
@@ -705,7 +689,7 @@ def main():
                     cpu not in SMALL_CODE_CPUS):
                 continue
             firmware = Firmware(cpu, opt, sources, targets_of(arguments),
-                                fonts, arguments.without, build)
+                                fonts, build)
             glyphs, more = measure(firmware, arguments, pictures)
             results += glyphs
             others += more

@@ -250,8 +250,7 @@ A label of {len(LABEL[0])} letters on a screen of {LABEL[2]} x {LABEL[3]} px in 
 a space, thousands of instructions. The cache has 4,096 bytes.
 
 {label_table(figures)}\
-What fonts of {" and ".join(LABEL_SIZES)} px take together, bytes, -Os, outlines only (`INKCELL_SAMPLE_CELLS`
-off). Code: what the program has more than one without a font, of LVGL,
+What fonts of {" and ".join(LABEL_SIZES)} px take together, bytes, -Os, of outlines. Code: what the program has more than one without a font, of LVGL,
 Inkcell and libraries. Fonts: lv_font_conv's have no kerning, Inkcell's has, and hints. Heap
 and stack: the most, beside what a space takes.
 

@@ -364,9 +364,8 @@ def sized_table(figures, name, title, cell):
 
 
 SMALLEST_TEXT = {
-    "outline": "Outlines only: `INKCELL_SAMPLE_CELLS` off (PORTING.md), -Os.",
-    "field": "Fields only: `INKCELL_OUTLINES` and `INKCELL_FAST_CELLS` off, "
-    "-Os.",
+    "outline": "Fonts of outlines, -Os.",
+    "field": "Fonts of fields, -Os.",
 }
 
 

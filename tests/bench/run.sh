@@ -5,7 +5,7 @@
 #   sh tests/bench/run.sh [--cpu m0,m3,m4,m7,m33,rv32] [--opt O2,Os]
 #       [--engines inkcell,freetype,stb] [--coding outline,field]
 #       [--px 12,16,24,32,48,96] [--font FILE]... [--what glyphs,...]
-#       [--without sample_cells,...] [--against REV [--limits]]
+#       [--against REV [--limits]]
 #       [--lvgl FOLDER] [--lv-font-conv FILE] [--write-docs] [--help]
 #
 # FILE is a TTF, of which the standard font is made: 95 ASCII glyphs, 8 to 64
