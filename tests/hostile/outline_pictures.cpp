@@ -7,6 +7,7 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
 #include "inkcell/effects.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/field/generate.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
