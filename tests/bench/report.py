@@ -364,8 +364,8 @@ def sized_table(figures, name, title, cell):
 
 
 SMALLEST_TEXT = {
-    "outline": "Fonts of outlines, -Os.",
-    "field": "Fonts of fields, -Os.",
+    "outline": "Outlines only: a program that opens no other fonts, -Os.",
+    "field": "Fields only: a program that opens no other fonts, -Os.",
 }
 
 

@@ -19,7 +19,7 @@ CONSTANTS = [
     ("docs/DESIGN.md", r"spans of at most (\d+) coverages",
      "core/include/inkcell/strip.hpp", r"kMaxSpan = (\d+)"),
     ("docs/DESIGN.md", r"Only one below (\d+) sums is refused",
-     "core/include/inkcell/splat.hpp", r"kMinSplatSums = (\d+)"),
+     "core/field/include/inkcell/field/splat.hpp", r"kMinSplatSums = (\d+)"),
     ("docs/DESIGN.md", r"Sizes (\d+) to 1024 px/em",
      "core/include/inkcell/text_style.hpp", r"kMinSize = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"Sizes 4 to (\d+) px/em",
