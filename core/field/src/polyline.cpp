@@ -5,6 +5,13 @@
 
 namespace inkcell {
 namespace detail {
+
+// From one point to another, or from the origin.
+struct Offset {
+  int32_t x;
+  int32_t y;
+};
+
 namespace {
 
 constexpr int32_t kLastVertex = 1;  // in Vertex::along_y
@@ -17,12 +24,6 @@ constexpr int32_t kHalfQ14 = 1 << 13;
 // is near the truth there; others are convex or concave for sure. The sine of
 // 10 degrees. [Q28]
 constexpr int32_t kStraightQ28 = 46613490;
-
-// From one point to another, or from the origin.
-struct Offset {
-  int32_t x;
-  int32_t y;
-};
 
 int32_t dot_q14(const Offset& v, const Vertex& edge) noexcept {
   return v.x * edge.along_x + v.y * edge.along_y;
