@@ -11,6 +11,7 @@
 #include "glyph_outlines.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/format/rom.hpp"
+#include "judge/canvas.hpp"
 #include "shape/distance_map.hpp"
 
 namespace inkcell {
@@ -97,6 +98,8 @@ struct Plain {
   double worst = 0;
   double mean = 0;
   size_t misses = 0;
+  // How far pixels are from the filter of the field's distance. [1/255]
+  double rounded = 0;
 
   Plain(const GlyphField& field,
         const Shape& shape,
@@ -112,15 +115,19 @@ struct Plain {
     size_t count = 0;
     for (const auto& [dx, dy] : phases) {
       const Point origin = {dx / 64.0, dy / 64.0};
+      const inkcell::Point at = {Q26_6::from_raw(dx), Q26_6::from_raw(dy)};
       for (int y = -200; y < 100; ++y) {
         for (int x = -100; x < 200; ++x) {
           const double x_px = x + 0.5 - origin.x;
           const double y_px = origin.y - y - 0.5;
+          Canvas pixel(Rect{x, y, x + 1, y + 1});
+          draw_field(field, style, at, pixel.sink());
+          const double drawn = pixel.at(x, y);
           Q6_10 distance[1];
-          distance_row(field, style,
-                       inkcell::Point{Q26_6::from_raw(dx), Q26_6::from_raw(dy)},
-                       x, y, distance);
-          const double drawn = kFilterText.coverage(distance[0].raw);
+          distance_row(field, style, at, x, y, distance);
+          rounded = std::max(
+              rounded,
+              std::fabs(drawn - kFilterText.coverage(distance[0].raw)));
           const double exact = shape.distance(x_px / scale, y_px / scale);
           const double error = std::fabs(
               drawn - 255 * std::clamp(0.5 + exact * scale, 0.0, 1.0));
@@ -155,6 +162,8 @@ TEST(ClosedLoop, AgreesWithThePlainWay) {
           ClosedLoop(shape, options).draw_and_compare(field.view());
       const Plain plain(field.view(), shape, options, px, {{0, 0}, {32, 32}});
       EXPECT_GT(plain.worst, 0);
+      // Bands hold 127 steps of the filter's reach.
+      EXPECT_LE(plain.rounded, 1);
       ASSERT_EQ(result.sizes.size(), 1u);
       EXPECT_EQ(result.sizes[0].px, px);
       EXPECT_NEAR(result.worst, plain.worst, 1e-6);
