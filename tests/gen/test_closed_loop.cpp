@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "glyph_outlines.hpp"
 #include "inkcell/field/draw.hpp"
@@ -296,6 +298,14 @@ TEST(ClosedLoop, GlyphWithoutInkHasNoErrorButInk) {
   EXPECT_EQ(loop.draw_and_compare(ink.view()).worst, 255);
 }
 
+// A pixel of a picture, if its window has it.
+void put(const Sink& sink, int x, int y, uint8_t ink) {
+  const Rect& window = sink.window;
+  if (x >= window.x0 && x < window.x1 && y >= window.y0 && y < window.y1) {
+    sink.coverage(sink.context, x, y, &ink, 1);
+  }
+}
+
 // A pixel that is worst, by 20/255, at a position between those that the loop
 // draws, and better the farther the glyph's origin is from there.
 TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
@@ -333,6 +343,36 @@ TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
   EXPECT_NEAR(found.misses[0].y_u, (5 / 64.0 + 4.5) * 64, 1e-9);
   EXPECT_EQ(found.misses[0].px, 16);
   EXPECT_LT(drawn, 8 + 3 * 3 * 9 + 1);
+}
+
+// A pixel far from a square, where no ink belongs: within the tolerance at the
+// position that the loop draws, beyond it at others.
+TEST(ClosedLoop, FollowsPixelsFarFromTheShape) {
+  const Shape shape(outline({rectangle(0, 0, 256, 256)}));
+  LoopOptions options;
+  options.min_px = options.max_px = 16;
+  options.phases = 1;
+  const Rect pixels[] = {
+      {-40, -2, -39, -1}, {44, -2, 45, -1}, {2, -44, 3, -43}, {2, 40, 3, 41}};
+  for (const Rect& wrong : pixels) {
+    const LoopGlyph glyph = {
+        [&](const TextStyle&, inkcell::Point) { return wrong; },
+        [&](const TextStyle&, inkcell::Point origin, const Sink& sink) {
+          if (origin.x.raw == 0 && origin.y.raw == 0) {
+            for (int y = -4; y < 0; ++y) {
+              for (int x = 0; x < 4; ++x) {
+                put(sink, x, y, 255);
+              }
+            }
+          }
+          put(sink, wrong.x0, wrong.y0, origin.x.raw == 0 ? 14 : 18);
+        }};
+    const LoopResult found = ClosedLoop(shape, options).draw_and_compare(glyph);
+    EXPECT_EQ(found.worst, 18);
+    ASSERT_EQ(found.miss_count, 1u);
+    EXPECT_NEAR(found.misses[0].x_u, (wrong.x0 + 0.5) * 64, 4);
+    EXPECT_NEAR(found.misses[0].y_u, (-wrong.y0 - 0.5) * 64, 4);
+  }
 }
 
 TEST(ClosedLoop, SizesAreAllThatMatter) {
@@ -396,8 +436,17 @@ TEST(DistanceMap, HoldsTheDistancesOfTheShape) {
     }
     for (const double x_u : {box.x0 - kMargin, box.x1 + kMargin}) {
       for (const double y_u : {box.y0 - kMargin, box.y1 + kMargin}) {
+        EXPECT_TRUE(map.holds(x_u, y_u));
         look_at(x_u, y_u);
       }
+    }
+    // The map ends at whole tiles and blocks.
+    constexpr double kBeyond = kMargin + 64;
+    for (const auto& [x_u, y_u] : {std::pair(box.x0 - kBeyond, box.y0),
+                                   std::pair(box.x1 + kBeyond, box.y0),
+                                   std::pair(box.x0, box.y0 - kBeyond),
+                                   std::pair(box.x0, box.y1 + kBeyond)}) {
+      EXPECT_FALSE(map.holds(x_u, y_u));
     }
   }
 }

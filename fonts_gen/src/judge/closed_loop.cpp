@@ -270,9 +270,14 @@ WrongPixel worst_around(const LoopGlyph& glyph,
       canvas.sink());
   for (int y = middle.y - 1; y < middle.y + 2; ++y) {
     for (int x = middle.x - 1; x < middle.x + 2; ++x) {
-      const double distance_px =
-          map.distance(setting.x_u(x), setting.y_u(y)) / setting.u_per_px();
-      const double error = std::fabs(canvas.at(x, y) - coverage(distance_px));
+      const double x_u = setting.x_u(x);
+      const double y_u = setting.y_u(y);
+      // No ink belongs beyond the map, which reaches kMargin_px around it.
+      const double truth =
+          map.holds(x_u, y_u)
+              ? coverage(map.distance(x_u, y_u) / setting.u_per_px())
+              : 0;
+      const double error = std::fabs(canvas.at(x, y) - truth);
       if (error > worst.error) {
         worst = {setting, x, y, error};
       }

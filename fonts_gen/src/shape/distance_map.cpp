@@ -43,6 +43,12 @@ DistanceMap::DistanceMap(const Shape& shape, double margin_u) {
   }
 }
 
+bool DistanceMap::holds(double x_u, double y_u) const {
+  return x_u >= x0_u_ && y_u >= y0_u_ &&
+         x_u < x0_u_ + static_cast<double>(tiles_x_) * kTile_u &&
+         y_u < y0_u_ + static_cast<double>(tiles_y_) * kTile_u;
+}
+
 double DistanceMap::distance(double x_u, double y_u) {
   const size_t tile = tile_of(x_u, y_u);
   if (list_of_[tile] == 0) {

@@ -23,6 +23,9 @@ class DistanceMap {
   /// Queries may be in the shape's box and up to `margin_u` around it.
   DistanceMap(const Shape& shape, double margin_u);
 
+  /// Whether queries may be at a point.
+  bool holds(double x_u, double y_u) const;
+
   /// Bounds of the distances in a tile. [u]
   struct Bounds {
     double low = 0;
