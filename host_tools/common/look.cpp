@@ -316,8 +316,7 @@ void Look::set_motion(const LookOptions& options) {
   double y = 0;
   char comma = 0;
   if (!(in >> x >> comma >> y) || comma != ',' || !in.eof() ||
-      make_motion_blur(style_.filter(), make_point(x, y), blur_) !=
-          Status::ok) {
+      make_motion_blur(make_point(x, y), blur_) != Status::ok) {
     throw std::runtime_error("--motion takes X,Y, up to 32 px each");
   }
   style_.set_effect(motion_blur_effect(blur_));

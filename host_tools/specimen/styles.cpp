@@ -308,8 +308,7 @@ Image draw_motion(const Font& font) {
   Sheet sheet(font, {160, 36, 4, 4, 130});
   const auto add = [&](const char* label, double right, double down) {
     MotionBlur blur;
-    if (make_motion_blur(kFilterText, make_point(right, down), blur) !=
-        Status::ok) {
+    if (make_motion_blur(make_point(right, down), blur) != Status::ok) {
       throw std::runtime_error("a motion is out of range");
     }
     sheet.add(label, kWhite, [&](Image& image) {

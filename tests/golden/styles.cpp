@@ -121,7 +121,7 @@ bool draw_perceptual(const Sink& sink) {
 bool draw_blurred(const Sink& sink) {
   MotionBlur blur;
   const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
-  return make_motion_blur(kFilterText, way, blur) == Status::ok &&
+  return make_motion_blur(way, blur) == Status::ok &&
          draw_painted(
              {FontId::dejavu_sans_field, "Agin", 22 * 64, 95 * 64, 50 * 64},
              kFilterText, motion_blur_effect(blur), nullptr, sink);

@@ -239,8 +239,7 @@ void set_effect(uint8_t number, Options& options, TextStyle& style) {
     style.set_effect(supersample_effect(options.supersampling));
   } else if (number == 10) {
     const Point way = {Q26_6::from_raw(300), Q26_6::from_raw(-170)};
-    require(make_motion_blur(style.filter(), way, options.blur) == Status::ok,
-            "motion blur");
+    require(make_motion_blur(way, options.blur) == Status::ok, "motion blur");
     style.set_effect(motion_blur_effect(options.blur));
   } else if (number == 11) {
     options.contrast = {255, 255};

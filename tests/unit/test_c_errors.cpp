@@ -146,8 +146,7 @@ TEST(caches_and_loops_are_checked) {
 
 TEST(motions_and_splats_are_checked) {
   static inkcell_motion_blur_t blur;
-  CHECK_EQ(inkcell_motion_blur_make(&inkcell_filter_text, 33 << 6, 0, &blur),
-           INKCELL_BAD_ARGUMENT);
+  CHECK_EQ(inkcell_motion_blur_make(33 << 6, 0, &blur), INKCELL_BAD_ARGUMENT);
   static uint32_t sums[64];
   inkcell_splats_t splats;
   CHECK_EQ(inkcell_splats_make(sums, 63, 1331, &splats), INKCELL_BUFFER_SMALL);

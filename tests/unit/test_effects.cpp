@@ -102,8 +102,8 @@ TEST(every_effect_draws_fields) {
   const EdgeContrast contrast;
   const Supersampling supersampling = make_supersampling();
   MotionBlur blur;
-  CHECK_OK(make_motion_blur(
-      kFilterText, {Q26_6::from_raw(150), Q26_6::from_raw(-70)}, blur));
+  CHECK_OK(
+      make_motion_blur({Q26_6::from_raw(150), Q26_6::from_raw(-70)}, blur));
   const Effect effects[] = {{},
                             lcd_effect(lcd),
                             lcd_effect(lcd_vertical),

@@ -146,8 +146,8 @@ void make_options() {
   lcd_vertical.order = SubPixels::bgr_vertical;
   crisp_levels.levels = 4;
   supersampling = make_supersampling();
-  CHECK_OK(make_motion_blur(
-      kFilterText, {Q26_6::from_raw(150), Q26_6::from_raw(-75)}, blur));
+  CHECK_OK(
+      make_motion_blur({Q26_6::from_raw(150), Q26_6::from_raw(-75)}, blur));
 }
 
 struct Row {
@@ -372,8 +372,8 @@ TEST(supersampling_is_the_mean_of_five_pictures) {
 // A way of 2.625 px to the right and 1.3125 px up: seven pictures.
 TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
   const Font font = sample_font();
-  CHECK_OK(make_motion_blur(
-      kFilterText, {Q26_6::from_raw(168), Q26_6::from_raw(-84)}, blur));
+  CHECK_OK(
+      make_motion_blur({Q26_6::from_raw(168), Q26_6::from_raw(-84)}, blur));
   for (int32_t kind = 0; kind < kStyles; ++kind) {
     TextStyle style = style_of(kind, 15);
     draw_mean(font, style,
@@ -394,8 +394,7 @@ TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
 // cut off.
 TEST(the_longest_way_keeps_the_ink) {
   const Font font = sample_font();
-  CHECK_OK(make_motion_blur(kFilterText,
-                            {Q26_6::from_int(-32), Q26_6::from_int(32)}, blur));
+  CHECK_OK(make_motion_blur({Q26_6::from_int(-32), Q26_6::from_int(32)}, blur));
   TextStyle style = style_of(kArea, 15);
   struct Ink {
     int32_t sum = 0;
@@ -465,8 +464,7 @@ TEST(supersampled_edges_are_soft) {
 }
 
 TEST(moving_discs_leave_a_trail) {
-  CHECK_OK(make_motion_blur(kFilterText,
-                            {Q26_6::from_int(4), Q26_6::from_int(-2)}, blur));
+  CHECK_OK(make_motion_blur({Q26_6::from_int(4), Q26_6::from_int(-2)}, blur));
   CHECK_PICTURE(drawn(kDisc, 12, motion_blur_effect(blur)),
                 ".................\n"
                 ".................\n"

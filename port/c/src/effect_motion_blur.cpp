@@ -1,5 +1,4 @@
 // Type that moves while the shutter is open: of effects.h.
-#include "filter_parts.hpp"
 #include "inkcell/c/effects.h"
 #include "inkcell/motion_blur.hpp"
 #include "mirror.hpp"
@@ -16,12 +15,10 @@ struct CppOf<inkcell_motion_blur_t> {
 }  // namespace c
 }  // namespace inkcell
 
-inkcell_status_t inkcell_motion_blur_make(const inkcell_filter_t* filter,
-                                          int32_t way_x_q6,
+inkcell_status_t inkcell_motion_blur_make(int32_t way_x_q6,
                                           int32_t way_y_q6,
                                           inkcell_motion_blur_t* out) {
-  return c::code(make_motion_blur(c::table_of(filter),
-                                  c::point_of(way_x_q6, way_y_q6), *cpp(out)));
+  return c::code(make_motion_blur(c::point_of(way_x_q6, way_y_q6), *cpp(out)));
 }
 
 void inkcell_style_set_motion_blur(inkcell_style_t* style,

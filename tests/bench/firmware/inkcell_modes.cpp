@@ -77,7 +77,7 @@ void make_edges() {
 
 bool set_motion_blur(TextStyle& style) {
   const Point way = {Q26_6::from_int(3), {}};
-  const Status status = make_motion_blur(kFilterText, way, blur);
+  const Status status = make_motion_blur(way, blur);
   style.set_effect(motion_blur_effect(blur));
   return status == Status::ok;
 }

@@ -116,16 +116,15 @@ void inkcell_circle_samples_make(const inkcell_filter_t* filter,
 void inkcell_style_set_circle_samples(inkcell_style_t* style,
                                       const inkcell_circle_samples_t* options);
 
-/// Coverage along a vector: inkcell/motion_blur.hpp. Opaque, 796 bytes. Not to
-/// be used after an error.
+/// Coverage along a vector: inkcell/motion_blur.hpp. Opaque. Not to be used
+/// after an error.
 typedef struct INKCELL_SHARED inkcell_motion_blur_t {
-  uint32_t numbers[199];
+  uint32_t numbers[3];
 } inkcell_motion_blur_t;
 
 /// For a glyph that moves by so many px, y down, while it is seen.
 /// BAD_ARGUMENT: more than 32 px along an axis.
-inkcell_status_t inkcell_motion_blur_make(const inkcell_filter_t* filter,
-                                          int32_t way_x_q6,
+inkcell_status_t inkcell_motion_blur_make(int32_t way_x_q6,
                                           int32_t way_y_q6,
                                           inkcell_motion_blur_t* out);
 
