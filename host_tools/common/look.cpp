@@ -280,7 +280,6 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
       style_.filter(), radius, is_paper ? SampleRule::paper : SampleRule::even);
   circle_samples_.more_samples = &more_samples_;
   style_.set_effect(circle_samples_effect(circle_samples_));
-  counts_samples_ = true;
 }
 
 void Look::set_levels(const LookOptions& options) {

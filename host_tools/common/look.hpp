@@ -73,9 +73,11 @@ class Look {
 
   /// Whether the style takes as many distances of cells as a pixel needs, and
   /// how many it has taken beyond one a pixel.
-  bool counts_samples() const { return counts_samples_; }
+  bool counts_samples() const {
+    return style_.effect().options == &circle_samples_;
+  }
   bool uses_radius() const {
-    return style_.effect().options == &supersampling_ ||
+    return counts_samples() || style_.effect().options == &supersampling_ ||
            style_.effect().options == &splats_;
   }
   uint32_t more_samples() const { return more_samples_; }
@@ -108,7 +110,6 @@ class Look {
   MotionBlur blur_;
   LcdOptions lcd_;
   uint32_t more_samples_ = 0;
-  bool counts_samples_ = false;
 };
 
 }  // namespace inkcell::tools
