@@ -68,9 +68,9 @@ int memcmp(const void* a, const void* b, size_t n) {
 # Functions that an example must not have, and one that it must.
 WITHOUT = {
     "label": ["paint_areas", "GlyphStore", "TextBox::", "inkcell_filter_make",
-              "Rgb565", "paint_lcd", "Bidi::", "Fit::make"],
-    "clock": ["TextBox::", "MonoPages", "inkcell_filter_make", "paint_lcd", "Bidi::"],
-    "paragraph": ["paint_areas", "GlyphStore", "Rgb565", "Bidi::", "paint_lcd"],
+              "Rgb565", "mix_lcd", "Bidi::", "Fit::make"],
+    "clock": ["TextBox::", "MonoPages", "inkcell_filter_make", "mix_lcd", "Bidi::"],
+    "paragraph": ["paint_areas", "GlyphStore", "Rgb565", "Bidi::", "mix_lcd"],
     "plot": ["paint_areas", "GlyphStore", "TextBox::", "Rgb565", "Grey8"],
 }
 WITH = {"label": "MonoPages", "clock": "GlyphStore", "paragraph": "TextBox::",

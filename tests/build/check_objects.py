@@ -27,7 +27,8 @@ HOST_STACK_LIMITS = (384, 512)
 # mix_samples() the places of 12 samples, `step` the state of a solver,
 # draw_body() seven views of bodies, band_box() a glyph of which only the box is
 # wanted.
-WIDE = ("fill_rows", "mix_samples", "step", "draw_body", "band_box")
+WIDE = ("fill_rows", "mix_samples", "draw_cells", "step", "draw_body",
+        "band_box")
 
 # These hold a glyph and its bands where the caller lends no RAM.
 WITHOUT_RAM = {"draw_on_stack": 744, "draw_fitted_on_stack": 976}

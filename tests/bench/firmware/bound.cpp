@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "counter.hpp"
 #include "inkcell/field/cell.hpp"
+#include "inkcell/field/draw.hpp"
 #include "inkcell/format/rom.hpp"
 #include "inkcell_strips.hpp"
 #include "stack.hpp"
