@@ -45,7 +45,8 @@ def main():
     if len(paths) < 10:
         problems.append("the paths were not found")
     for path in paths:
-        places = [ROOT, ROOT / "core/include", ROOT / "port/display/include"]
+        places = [ROOT, *ROOT.glob("core/**/include"),
+                  ROOT / "port/display/include"]
         if not any((place / path).exists() for place in places):
             problems.append(f"there is no {path}")
 
