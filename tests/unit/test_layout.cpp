@@ -245,7 +245,7 @@ TEST(boxes_align) {
 
 TEST(boxes_justify) {
   const Setting setting;
-  Picture<40, 22> picture;
+  static Picture<40, 22> picture;  // stacks of boards have 4 KB
   setting.box({0, 0, 37, 22}, Align::justify).draw("C C C C", picture.sink());
   CHECK_PICTURE(picture,
                 "........................................\n"
