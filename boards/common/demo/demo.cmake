@@ -40,6 +40,7 @@ endfunction()
 # rows; by default as the board draws them. What they define is in a namespace of
 # that name: a program may link the demos of several displays.
 function(inkcell_add_demo name board format)
+  set(INKCELL_DEMO_CODING outline)
   include(${INKCELL_DEMO_DIR}/../../${board}/board.cmake)
   set(rows ${INKCELL_DEMO_ROWS})
   if(ARGC GREATER 3)
@@ -65,7 +66,15 @@ function(inkcell_add_demo name board format)
   target_compile_definitions(${name}_scene PUBLIC
     INKCELL_DEMO_CLOCK_PX=${INKCELL_DEMO_CLOCK_PX}
     INKCELL_DEMO_TEXT_PX=${INKCELL_DEMO_TEXT_PX})
+  set(coding kOutlineCoding inkcell/coding.hpp)
+  if(INKCELL_DEMO_CODING STREQUAL field)
+    set(coding kFieldCoding inkcell/field/draw.hpp)
+  endif()
+  list(GET coding 0 coding_name)
+  list(GET coding 1 coding_header)
   target_compile_definitions(${name}_scene PRIVATE
+    INKCELL_DEMO_CODING=${coding_name}
+    INKCELL_DEMO_CODING_HEADER=<${coding_header}>
     INKCELL_DEMO_FONT_NAME=${board}_demo
     INKCELL_DEMO_FONT_HEADER=<fonts/${board}_demo.hpp>)
   target_link_libraries(${name}_scene

@@ -1,6 +1,7 @@
 // The layout on a screen of any size, and the animation.
 #include "scene.hpp"
 
+#include INKCELL_DEMO_CODING_HEADER
 #include INKCELL_DEMO_FONT_HEADER
 
 namespace inkcell {
@@ -94,7 +95,8 @@ Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
 }
 
 Status Scene::open() noexcept {
-  INKCELL_TRY(Font::open(fonts::INKCELL_DEMO_FONT_NAME, font_));
+  INKCELL_TRY(Font::open(fonts::INKCELL_DEMO_FONT_NAME, INKCELL_DEMO_CODING,
+                         font_));
   INKCELL_TRY(make_look(kClockQ6, true, clock_look_));
   INKCELL_TRY(make_look(kTextQ6, true, text_look_));
   INKCELL_TRY(make_look(kTextQ6, false, moving_look_));
