@@ -64,12 +64,6 @@ GENERATOR = {
 
 # Sources of core that are a part of a public header, linked apart.
 OF_OTHER_HEADERS = {
-    "core/src/effects/crisp_mixer.cpp": "inkcell/crisp.hpp",
-    "core/src/effects/edge_contrast_mixer.cpp": "inkcell/edge_contrast.hpp",
-    "core/src/effects/lcd_mixer.cpp": "inkcell/lcd.hpp",
-    "core/src/effects/motion_blur_mixer.cpp": "inkcell/motion_blur.hpp",
-    "core/src/effects/outline_mixers.cpp": "inkcell/effects.hpp",
-    "core/src/effects/supersample_mixer.cpp": "inkcell/supersample.hpp",
     "core/src/verify/verify.cpp": "inkcell/font.hpp",
 }
 

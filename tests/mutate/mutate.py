@@ -47,7 +47,7 @@ TESTS = {
     "core/src/rows/cover_areas.cpp": ("outline_draw", "outline_errors"),
     "core/src/rows/cover_distances.cpp": ("outline_draw", "outline_styles"),
     "core/src/rows/edge_rows.cpp": ("outline_draw", "outline_errors"),
-    "core/src/effects/lcd_mixer.cpp": ("outline_styles", "lcd"),
+    "core/src/effects/lcd.cpp": ("outline_styles", "lcd"),
 }
 # A test may take this many times what it takes for the source, and a second.
 PATIENCE = 10

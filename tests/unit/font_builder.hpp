@@ -99,7 +99,7 @@ struct KerningSpec {
   Span<const int16_t> values;
 };
 
-/// How outlines are read; see outline_record.hpp. No code: glyphs of cells.
+/// How outlines are read; see outline_record.hpp. No code: fields.
 struct OutlineSpec {
   Span<const uint8_t> code;  // CODE as it is
   uint8_t code_bits = 0;

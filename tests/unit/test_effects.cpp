@@ -91,6 +91,15 @@ TEST(filters_may_reach_to_the_end_of_the_band) {
            Status::beyond_band);
 }
 
+// FNV-1a of the picture: another one would not fit the stack of small boards.
+static uint32_t picture_hash() {
+  uint32_t hash = 2166136261;
+  for (const uint8_t pixel : effect::picture) {
+    hash = (hash ^ pixel) * 16777619;
+  }
+  return hash;
+}
+
 // Upright and turned, whatever the window.
 TEST(every_effect_draws_fields) {
   const LcdOptions lcd;
@@ -116,21 +125,17 @@ TEST(every_effect_draws_fields) {
   const GlyphField field = effect::field_of(font_builder::ring);
   for (int32_t turn = 0; turn < 2; ++turn) {
     TextStyle style = effect::style_of(23 * 64 + 5, turn != 0);
-    uint8_t plain[effect::kSide * effect::kSide];
+    uint32_t plain = 0;
     for (const Effect& effect : effects) {
       style.set_effect(effect);
       const FinePoint origin(3 * 1024 + 77, (turn != 0 ? 5 : 28) * 1024 + 300);
       effect::check_windows(field, style, origin);
       CHECK(effect::ink() > 255 * 20);
-      int32_t same = 0;
-      for (int32_t i = 0; i < effect::kSide * effect::kSide; ++i) {
-        if (effect.mixer == nullptr) {
-          plain[i] = effect::picture[i];
-        }
-        same += plain[i] == effect::picture[i] ? 1 : 0;
+      if (effect.mixer == nullptr) {
+        plain = picture_hash();
+      } else {
+        CHECK(picture_hash() != plain);
       }
-      CHECK((same == effect::kSide * effect::kSide) ==
-            (effect.mixer == nullptr));
     }
   }
 }

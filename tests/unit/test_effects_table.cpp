@@ -1,6 +1,7 @@
 // Every effect on outlines: the same picture however a glyph is cut and
 // whatever RAM is lent, never that of plain drawing; and what the newer ones
 // show.
+#include "channel_canvas.hpp"
 #include "check.hpp"
 #include "inkcell/crisp.hpp"
 #include "inkcell/edge_contrast.hpp"
@@ -42,87 +43,7 @@ Font sample_font() {
   return font;
 }
 
-// Keeps what a sink and that of a fill are given.
-struct Canvas {
-  uint8_t pixels[kHeight * kWidth * kChannels];
-  Rect shown;
-
-  Sink sink(const Rect& part, bool takes_blocks) {
-    shown = part;
-    return {part,        this, coverage, solid, takes_blocks ? block : nullptr,
-            coverage_rgb};
-  }
-  Sink fill(const Rect& part) { return {part, this, cover_fill, solid_fill}; }
-
-  void put(int32_t x,
-           int32_t y,
-           int32_t channel,
-           const uint8_t* value,
-           int32_t count,
-           int32_t step) {
-    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
-                      x >= shown.x0 && count <= shown.x1 - x;
-    CHECK(fits && "pixels inside the window");
-    for (int32_t i = 0; fits && i < count; ++i) {
-      uint8_t& pixel = pixels[(y * kWidth + x + i) * kChannels + channel];
-      CHECK(pixel == 0 && "drawn once");
-      pixel = value[i * step];
-    }
-  }
-  static Canvas& of(void* context) { return *static_cast<Canvas*>(context); }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    CHECK(count <= kMaxSpan);
-    for (int32_t channel = 0; channel < kFill; ++channel) {
-      of(context).put(x, y, channel, values, count, 1);
-    }
-  }
-  static void coverage_rgb(void* context,
-                           int32_t x,
-                           int32_t y,
-                           const uint8_t* values,
-                           int32_t count) {
-    CHECK(count <= kMaxSpan);
-    for (int32_t channel = 0; channel < kFill; ++channel) {
-      of(context).put(x, y, channel, values + channel, count, kFill);
-    }
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    constexpr uint8_t kFull = 255;
-    for (int32_t channel = 0; channel < kFill; ++channel) {
-      of(context).put(x, y, channel, &kFull, count, 0);
-    }
-  }
-  static void block(void* context, const CoverageBlock& block) {
-    const Rect& all = block.pixels;
-    for (int32_t y = all.y0; y < all.y1; ++y) {
-      for (int32_t channel = 0; channel < kFill; ++channel) {
-        of(context).put(all.x0, y, channel,
-                        block.coverage + (y - all.y0) * block.stride,
-                        all.x1 - all.x0, 1);
-      }
-    }
-  }
-  static void cover_fill(void* context,
-                         int32_t x,
-                         int32_t y,
-                         const uint8_t* values,
-                         int32_t count) {
-    of(context).put(x, y, kFill, values, count, 1);
-  }
-  static void solid_fill(void* context, int32_t x, int32_t y, int32_t count) {
-    constexpr uint8_t kFull = 255;
-    of(context).put(x, y, kFill, &kFull, count, 0);
-  }
-  void clear() {
-    for (uint8_t& pixel : pixels) {
-      pixel = 0;
-    }
-  }
-};
+using Canvas = ChannelCanvas<kWidth, kHeight, kChannels>;
 
 Canvas whole;
 Canvas canvas;

@@ -1,4 +1,5 @@
 // Styles of outline fonts: weights, glows, outlines, crisp text, sub-pixels.
+#include "channel_canvas.hpp"
 #include "check.hpp"
 #include "inkcell/crisp.hpp"
 #include "inkcell/effects.hpp"
@@ -47,63 +48,7 @@ const outline_truth::Truth& truth_of(uint16_t glyph) {
   return truth;
 }
 
-// Keeps what is drawn, three channels a pixel; grey goes to all of them.
-struct Canvas {
-  uint8_t pixels[kHeight * kWidth * kChannels];
-  Rect shown;
-
-  void clear() {
-    for (uint8_t& channel : pixels) {
-      channel = 0;
-    }
-  }
-  Sink sink(const Rect& part) {
-    shown = part;
-    return {part, this, coverage, solid, nullptr, coverage_rgb};
-  }
-  static constexpr int32_t index(int32_t x, int32_t y) {
-    return (y * kWidth + x) * kChannels;
-  }
-  uint8_t at(int32_t x, int32_t y) const { return pixels[index(x, y) + 1]; }
-
-  void put(int32_t x,
-           int32_t y,
-           const uint8_t* values,
-           int32_t count,
-           int32_t channels) {
-    const bool fits = count >= 1 && y >= shown.y0 && y < shown.y1 &&
-                      x >= shown.x0 && count <= shown.x1 - x;
-    CHECK(fits && "pixels inside the window");
-    for (int32_t i = 0; fits && i < count; ++i) {
-      for (int32_t j = 0; j < kChannels; ++j) {
-        uint8_t& channel = pixels[index(x + i, y) + j];
-        CHECK(channel == 0 && "drawn once");
-        channel = channels == 0
-                      ? uint8_t{255}
-                      : values[channels * i + (channels == 1 ? 0 : j)];
-      }
-    }
-  }
-  static void coverage(void* context,
-                       int32_t x,
-                       int32_t y,
-                       const uint8_t* values,
-                       int32_t count) {
-    CHECK(count <= kMaxSpan);
-    static_cast<Canvas*>(context)->put(x, y, values, count, 1);
-  }
-  static void coverage_rgb(void* context,
-                           int32_t x,
-                           int32_t y,
-                           const uint8_t* values,
-                           int32_t count) {
-    CHECK(count <= kMaxSpan);
-    static_cast<Canvas*>(context)->put(x, y, values, count, 3);
-  }
-  static void solid(void* context, int32_t x, int32_t y, int32_t count) {
-    static_cast<Canvas*>(context)->put(x, y, nullptr, count, 0);
-  }
-};
+using Canvas = ChannelCanvas<kWidth, kHeight, kChannels>;
 
 constexpr Rect kAll = {0, 0, kWidth, kHeight};
 Canvas canvas;

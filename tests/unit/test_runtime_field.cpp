@@ -23,7 +23,7 @@ alignas(4) uint8_t ram[kRamBytes];
 alignas(4) uint8_t spare[kRamBytes];
 Truth truth;
 
-// Glyphs of the font of samples.
+// Glyphs of the font of fields.
 constexpr uint16_t kDiscGlyph = 1;
 constexpr uint16_t kCompositeGlyph = 6;
 constexpr uint16_t kEmptyGlyph = 7;
@@ -47,7 +47,7 @@ void set_truth(uint16_t glyph, double scale, double x, double y) {
             glyph == kLeafGlyph ? kLeafSteps : outline_truth::kSteps);
 }
 
-// Opens the font of samples.
+// Opens the font of fields.
 Font open_font() {
   const size_t size = outline_record::build_sample_font(rom);
   Font font;

@@ -84,7 +84,7 @@ function(inkcell_add_demo name board format)
 endfunction()
 
 # inkcell_motion_font: the font of scenes that move, on every board. Distances
-# reach farther than cells of text know them: it is of outlines.
+# reach farther than fields of text know them: it is of outlines.
 function(inkcell_add_motion_font)
   if(NOT TARGET inkcell_motion_font)
     add_library(inkcell_motion_font INTERFACE)

@@ -184,8 +184,8 @@ FieldPlace FieldRows::place_of(int64_t x_q8, int64_t y_q8) const noexcept {
           (right_q10 * right_.y_q16 + up_q10 * up_.y_q16) >> 10};
 }
 
-// Of neighbours that are both outside, or both inside, a sample between them
-// tells whether a stroke or a gap passes there.
+// A sample between two neighbours that are both outside, or both inside, tells
+// whether a stroke or a gap passes there.
 void FieldRows::fill_crossings(const Band& band,
                                FieldPlace first) const noexcept {
   constexpr int32_t kFar = 1 << 10;  // no edge is within a pixel

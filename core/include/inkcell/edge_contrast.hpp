@@ -7,11 +7,9 @@
 // changes its weight; and strokes so thin that the edges on both sides meet in
 // a pixel become darker (figure 12).
 //
-// Outlines: from the coverage of a pixel and of those up to two pixels away,
+// Both come from the coverage of a pixel and of those up to two pixels away,
 // which the style's filter makes. Costs twice the instructions of plain
 // drawing. Strokes up to 1 px count as thin, those of 1.75 px no longer.
-//
-// Cells: from gradients, five for a pixel on an edge.
 #pragma once
 
 #include <stdint.h>

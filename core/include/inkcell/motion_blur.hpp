@@ -21,16 +21,16 @@ namespace inkcell {
 
 /// Options of motion_blur_effect: built once a vector, shared.
 struct MotionBlur {
-  int32_t right_q10 = 0;  // the way of a step [px]
+  int32_t right_q10 = 0;  // a step of the path [px]
   int32_t up_q10 = 0;
   uint8_t steps = 1;
   uint8_t reach_px = 1;  // beyond plain drawing
 };
 
-/// The blur of a glyph that moves by `way` during the exposure, from half of it
-/// before the glyph's origin to half of it after. bad_argument: `way` exceeds
-/// 32 px along an axis.
-Status make_motion_blur(Point way, MotionBlur& out) noexcept;
+/// The blur of a glyph that moves by `path` during the exposure, from half of
+/// it before the glyph's origin to half of it after. bad_argument: `path`
+/// exceeds 32 px along an axis.
+Status make_motion_blur(Point path, MotionBlur& out) noexcept;
 
 namespace detail {
 extern const Mixer kMotionBlurMixer;

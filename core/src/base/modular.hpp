@@ -13,6 +13,12 @@ inline uint32_t times(int32_t a, uint32_t b) noexcept {
 inline int32_t wrapped(uint32_t value) noexcept {
   return static_cast<int32_t>(value);
 }
+inline int32_t product(int32_t a, int32_t b) noexcept {
+  return wrapped(times(a, static_cast<uint32_t>(b)));
+}
+inline int32_t sum(int32_t a, int32_t b) noexcept {
+  return wrapped(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+}
 
 // -value if `sign` is -1, value if it is 0; may wrap.
 inline int32_t with_sign(int32_t value, int32_t sign) noexcept {

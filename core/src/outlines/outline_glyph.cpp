@@ -1,6 +1,7 @@
 #include "outlines/outline_glyph.hpp"
 
 #include "base/math.hpp"
+#include "base/modular.hpp"
 #include "inkcell/format/rom.hpp"
 #include "outlines/slant.hpp"
 
@@ -11,16 +12,6 @@ namespace {
 namespace composite = format::composite;
 
 constexpr int32_t kPxQ18 = 1 << 18;
-
-// Products and sums modulo 2^32.
-int32_t product(int32_t a, int32_t b) noexcept {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) *
-                              static_cast<uint32_t>(b));
-}
-int32_t sum(int32_t a, int32_t b) noexcept {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) +
-                              static_cast<uint32_t>(b));
-}
 
 // [px per grid unit, Q18]
 int32_t scale_of(const Font& font,

@@ -1,4 +1,4 @@
-// The way of all glyphs to pixels: band by band, from a source into a sink.
+// Draws all glyphs: band by band, from a source into a sink.
 #pragma once
 
 #include "inkcell/strip.hpp"
@@ -10,9 +10,9 @@
 namespace inkcell {
 namespace detail {
 
-// Draws a placed glyph. What it does is the same for
-// any workspace; without one, or with a small one, it takes kLeastRam bytes of
-// the stack, kLeastFittedRam if the style is fitted.
+// Draws a placed glyph. The picture is the same for any workspace; without one,
+// or with a small one, it takes kLeastRam bytes of the stack, or, if the style
+// is fitted, kLeastFittedRam.
 void draw_bands(const GlyphRef& ref,
                 const TextStyle& style,
                 const Placed& placed,

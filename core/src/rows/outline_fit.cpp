@@ -1,5 +1,7 @@
 #include "rows/outline_fit.hpp"
 
+#include "base/modular.hpp"
+
 namespace inkcell {
 namespace detail {
 namespace {
@@ -50,11 +52,6 @@ bool fit_outline(OutlineJob& job,
 }
 
 // Points of hostile fonts lie anywhere: modulo 2^32.
-int32_t product(int32_t a, int32_t b) noexcept {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) *
-                              static_cast<uint32_t>(b));
-}
-
 void move_range(const AxisMap& map,
                 int32_t sign,
                 int32_t& low_q18,

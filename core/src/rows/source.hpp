@@ -62,7 +62,7 @@ struct GlyphRef {
   uint16_t glyph;
 };
 
-// A glyph on its way to pixels. Lies at the beginning of RAM that is lent as
+// A glyph that is drawn. Lies at the beginning of RAM that is lent as
 // bytes, or on the stack; a source's own part follows in the same RAM.
 struct __attribute__((may_alias)) GlyphJob {
   const Source* source;

@@ -1,19 +1,10 @@
 #include "text/advances.hpp"
 
 #include "base/math.hpp"
+#include "base/modular.hpp"
 
 namespace inkcell {
 namespace detail {
-namespace {
-
-// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
-// others wrap.
-int32_t product(int32_t a, int32_t b) noexcept {
-  return static_cast<int32_t>(static_cast<uint32_t>(a) *
-                              static_cast<uint32_t>(b));
-}
-
-}  // namespace
 
 int32_t Advances::advance(uint16_t glyph) const noexcept {
   return is_whole() ? style_->fitter()->advance_px(font_, glyph,
@@ -21,6 +12,8 @@ int32_t Advances::advance(uint16_t glyph) const noexcept {
                     : font_.advance(glyph);
 }
 
+// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
+// others wrap.
 int32_t Advances::to_whole_px(int32_t units) const noexcept {
   return quotient(product(units, style_->size().raw),
                   font_.units_per_em() * 64);

@@ -1,4 +1,4 @@
-// Inkcell with a font of cells or of outlines in every way that glyphs can
+// Inkcell with a font of fields or of outlines in every way that glyphs can
 // look, one a mode; a font of outlines lacks the glyphs of modes that it cannot
 // draw. kWorkspace bytes are lent to outlines.
 // Those of a display with sub-pixels, and "plain_rgb888" to compare them with,

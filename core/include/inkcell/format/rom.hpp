@@ -63,7 +63,7 @@ inline constexpr uint32_t kBytes = 64;
 /// What a font's glyphs are made of.
 enum class Coding : uint8_t {
   field = 0,    // cells of nine samples
-  edges = 1,    // cells of primitives; no generator makes them
+  edges = 1,    // of earlier versions: refused
   outline = 2,  // outlines
 };
 enum class Predicate : uint8_t { size_aware = 0, fixed = 1 };

@@ -88,7 +88,7 @@ class DistanceGrid {
 
   /// Unites the grid with a glyph of `size` px to the em. `origin` is in px
   /// from the grid's upper left corner. bad_argument: size / 2^scale_log2 is
-  /// not in kMinSize..kMaxSize. beyond_band: a font of cells whose distances
+  /// not in kMinSize..kMaxSize. beyond_band: a font of a field whose distances
   /// end before 4 px at that size; outlines have no such limit.
   Status paint(const Font& font,
                uint16_t glyph,

@@ -31,7 +31,7 @@ extern const inkcell_filter_t inkcell_filter_motion;
 extern const inkcell_filter_t inkcell_filter_paper_display;
 /// -0.5 to 0.625 px, exponent 1.1: the paper's choice for body type.
 extern const inkcell_filter_t inkcell_filter_paper_body;
-/// Exact coverage, of outlines; glyphs of cells take filter `text`.
+/// Exact coverage, of outlines; fields take the ramp of a straight edge.
 extern const inkcell_filter_t inkcell_filter_area;
 
 /// How coverage rises from cutoff to cutoff.

@@ -1,7 +1,8 @@
-// Sub-pixels of outlines: exact coverage of each stripe.
+// Sub-pixels: coverage of each stripe.
+#include "inkcell/lcd.hpp"
+
 #include "base/math.hpp"
 #include "base/words.hpp"
-#include "inkcell/lcd.hpp"
 #include "rows/cover_areas.hpp"
 #include "rows/mixer.hpp"
 

@@ -1,8 +1,9 @@
-// Outlines for displays of 1 and 2 bits.
+// Glyphs for displays of 1 and 2 bits.
+#include "inkcell/crisp.hpp"
+
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "effects/mixed_rows.hpp"
-#include "inkcell/crisp.hpp"
 #include "rows/crossings.hpp"
 #include "rows/mixer.hpp"
 

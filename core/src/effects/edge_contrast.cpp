@@ -1,4 +1,4 @@
-// Contrast of outlines, from the coverage of a pixel and those around it:
+// Contrast from the coverage of a pixel and those around it:
 //
 //            n              A side from the four beside it: to the right and up
 //        k   a   m          coverage grows where a left or lower edge is.
@@ -6,9 +6,10 @@
 //        l   e   p          Thin strokes from those two pixels away: both are
 //            q              lighter, and b and d, or a and e, change alike.
 //
+#include "inkcell/edge_contrast.hpp"
+
 #include "base/math.hpp"
 #include "effects/mixed_rows.hpp"
-#include "inkcell/edge_contrast.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -1,12 +1,13 @@
-// Supersampling of outlines: five pictures, one in place and four moved to the
+// Supersampling: five pictures, one in place and four moved to the
 // corners of a square.
 //
 //   o     o     Where they lie and what they count give the mean the variance
 //      c        of 13 samples of the same radius, 0.12 of its square along each
 //   o     o     axis.
+#include "inkcell/supersample.hpp"
+
 #include "base/math.hpp"
 #include "effects/mean.hpp"
-#include "inkcell/supersample.hpp"
 
 namespace inkcell {
 namespace detail {
