@@ -364,7 +364,7 @@ function(inkcell_add_font target)
   endif()
   target_sources(${target} ${scope} ${outputs})
   target_include_directories(${target} ${scope} "${include}")
-  if(arg_CODING MATCHES "^(samples|field)$" AND TARGET inkcell::field)
+  if(arg_CODING STREQUAL "field" AND TARGET inkcell::field)
     # Not target_link_libraries(), which refuses to mix its two signatures.
     set(property LINK_LIBRARIES)
     if(type STREQUAL "INTERFACE_LIBRARY")

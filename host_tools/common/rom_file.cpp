@@ -18,9 +18,6 @@
 namespace inkcell::tools {
 namespace {
 
-// Cells of lines and arcs, which versions before this one made.
-constexpr uint8_t kCodingOfEdges = 1;
-
 std::string remedy(Status status) {
   switch (status) {
     case Status::bad_magic:
@@ -74,7 +71,8 @@ std::string_view coding_name(const Font& font) {
 RomFile::RomFile(std::vector<uint8_t> bytes, const std::string& name)
     : bytes_(std::move(bytes)) {
   if (is_rom_font(bytes_) && bytes_.size() >= format::header::kBytes &&
-      bytes_[format::header::kCoding] == kCodingOfEdges) {
+      bytes_[format::header::kCoding] ==
+          static_cast<uint8_t>(format::Coding::edges)) {
     throw std::runtime_error(
         name +
         ": it is a font of edges, which this version cannot read; make "
