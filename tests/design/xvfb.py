@@ -28,7 +28,7 @@ class Display:
         number, name = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(name), "-fbdir", str(folder),
-             "-screen", "0", f"{width}x{height}x24", "-nocursor",
+             "-screen", "0", f"{width}x{height}x24", "-nocursor", "-noreset",
              "-nolisten", "tcp"],
             pass_fds=(name,), stderr=subprocess.DEVNULL)
         os.close(name)
