@@ -3,7 +3,9 @@
 namespace inkcell::tools {
 
 Sink CountingSink::sink() {
-  Sink result = target_;
+  // Not a copy: functions that are not counted here would get this context.
+  Sink result;
+  result.window = target_.window;
   result.context = this;
   result.coverage = [](void* context, int32_t x, int32_t y,
                        const uint8_t* coverage, int32_t count) noexcept {
