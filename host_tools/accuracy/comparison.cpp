@@ -146,7 +146,7 @@ std::vector<double> true_distances(TrueTiles& truth, const Setting& setting) {
 Image draw(const Font& font,
            uint16_t glyph,
            const Setting& setting,
-           const TextStyle& style) {
+           const Style& style) {
   Image image(setting.width, setting.height);
   Line line;
   line.glyphs.push_back({0, 0, glyph});
@@ -220,7 +220,7 @@ std::vector<GlyphErrors> compare_glyph(const Subject& subject,
       const std::vector<double> distances = true_distances(tiles, setting);
       for (size_t f = 0; f < request.filters.size(); ++f) {
         const ExactFilter& filter = request.filters[f];
-        const TextStyle style =
+        const Style style =
             make_style(setting.px, request.angle, *filter.device->filter);
         compare(draw(subject.font, subject.glyph, setting, style), distances,
                 setting, filter, subject.code_point, !truth.empty(),
@@ -237,7 +237,7 @@ Picture draw_picture(const Subject& subject,
                      double angle,
                      Offset offset) {
   const Setting setting = make_setting(subject.truth, px, angle, offset);
-  const TextStyle style = make_style(px, angle, *filter.device->filter);
+  const Style style = make_style(px, angle, *filter.device->filter);
   Picture picture;
   picture.x0 = setting.x0;
   picture.y0 = setting.y0;

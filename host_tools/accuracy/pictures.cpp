@@ -60,7 +60,7 @@ void write(
     return;
   }
   Image ink(kPanel, kCaption);
-  const TextStyle style = make_style(kCaptionPx, 0, kFilterText);
+  const Style style = make_style(kCaptionPx, 0, kFilterText);
   draw_lines(font, {lay_out(font, text, Kerning::font, style)}, style,
              make_point(0, 0.7 * kCaption), ink);
   for (int row = 0; row < ink.height; ++row) {

@@ -48,7 +48,7 @@ struct Scene {
   const Font& font;
   const std::vector<Line>& lines;
   const std::vector<Point>& origins;  // of the lines
-  const TextStyle& style;
+  const Style& style;
   Image& image;
   DrawStats* stats;
 };
@@ -94,7 +94,7 @@ void flush_strip(void* context, const Strip& strip) {
 namespace {
 
 template <typename AnyFilter>
-TextStyle make_any_style(double px, double angle, const AnyFilter& filter) {
+Style make_any_style(double px, double angle, const AnyFilter& filter) {
   const double raw = std::round(px * 64);
   const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
   if (!in_range) {
@@ -102,10 +102,10 @@ TextStyle make_any_style(double px, double angle, const AnyFilter& filter) {
     text << px << " px: sizes go from 4 to 1024 px";
     throw std::runtime_error(text.str());
   }
-  TextStyle style;
+  Style style;
   if (!std::isfinite(angle) ||
-      TextStyle::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
-                      direction_of(angle), style) != Status::ok) {
+      Style::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
+                  direction_of(angle), style) != Status::ok) {
     throw std::runtime_error("the angle is not a number of degrees");
   }
   return style;
@@ -113,11 +113,11 @@ TextStyle make_any_style(double px, double angle, const AnyFilter& filter) {
 
 }  // namespace
 
-TextStyle make_style(double px, double angle, const Filter& filter) {
+Style make_style(double px, double angle, const Filter& filter) {
   return make_any_style(px, angle, filter);
 }
 
-TextStyle make_style(double px, double angle, AreaFilter filter) {
+Style make_style(double px, double angle, AreaFilter filter) {
   return make_any_style(px, angle, filter);
 }
 
@@ -128,7 +128,7 @@ bool is_turned(double angle) {
 Line lay_out(const Font& font,
              std::string_view text,
              Kerning kerning,
-             const TextStyle& style) {
+             const Style& style) {
   Line line;
   int32_t kerned = 0;
   int32_t unkerned = 0;
@@ -148,7 +148,7 @@ Line lay_out(const Font& font,
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
-                                const TextStyle& style,
+                                const Style& style,
                                 const Wrapping& wrapping) {
   const FontMetrics metrics = font.metrics();
   const int32_t height =
@@ -186,7 +186,7 @@ std::vector<Line> lay_out_lines(const Font& font,
 
 InkBox ink_box(const Font& font,
                const std::vector<Line>& lines,
-               const TextStyle& style) {
+               const Style& style) {
   const double scale = style.size().raw / 64.0 / font.units_per_em();
   const double cosine = scale * from_q30(style.direction().cosine);
   const double sine = scale * from_q30(style.direction().sine);
@@ -219,7 +219,7 @@ InkBox ink_box(const Font& font,
 
 std::vector<Point> line_origins(const Font& font,
                                 const std::vector<Line>& lines,
-                                const TextStyle& style,
+                                const Style& style,
                                 Point origin) {
   const double em = style.size().raw / 64.0;
   const Direction direction = style.direction();
@@ -237,7 +237,7 @@ std::vector<Point> line_origins(const Font& font,
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const std::vector<Point>& origins,
-                const TextStyle& style,
+                const Style& style,
                 const Sink& sink) {
   for (size_t i = 0; i < lines.size(); ++i) {
     const std::vector<PositionedGlyph>& glyphs = lines[i].glyphs;
@@ -247,7 +247,7 @@ void draw_lines(const Font& font,
 
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
-                const TextStyle& style,
+                const Style& style,
                 Point origin,
                 Image& image,
                 DrawStats* stats,

@@ -11,16 +11,16 @@
 #include "image.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/layout/layout.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 
 namespace inkcell::tools {
 
 /// A style for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
 /// clockwise. Throws std::runtime_error if one is out of range.
-TextStyle make_style(double px, double angle, const Filter& filter);
+Style make_style(double px, double angle, const Filter& filter);
 /// The same with exact coverage, for fonts of outlines.
-TextStyle make_style(double px, double angle, AreaFilter filter);
+Style make_style(double px, double angle, AreaFilter filter);
 
 /// Whether styles with this angle are not upright. Throws as make_style().
 bool is_turned(double angle);
@@ -37,7 +37,7 @@ enum class Kerning { none, font };
 Line lay_out(const Font& font,
              std::string_view text,
              Kerning kerning,
-             const TextStyle& style);
+             const Style& style);
 
 /// The width of a text, and the alignment of its lines.
 struct Wrapping {
@@ -50,7 +50,7 @@ struct Wrapping {
 std::vector<Line> lay_out_lines(const Font& font,
                                 std::string_view text,
                                 Kerning kerning,
-                                const TextStyle& style,
+                                const Style& style,
                                 const Wrapping& wrapping = {});
 
 /// The ink of lines relative to the origin of the first, turned by the style.
@@ -63,7 +63,7 @@ struct InkBox {
 };
 InkBox ink_box(const Font& font,
                const std::vector<Line>& lines,
-               const TextStyle& style);
+               const Style& style);
 
 /// Rows of a strip, by default.
 inline constexpr int32_t kStripRows = 32;
@@ -73,14 +73,14 @@ inline constexpr int32_t kStripRows = 32;
 /// from the first.
 std::vector<Point> line_origins(const Font& font,
                                 const std::vector<Line>& lines,
-                                const TextStyle& style,
+                                const Style& style,
                                 Point origin);
 
 /// Draws lines from their origins.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
                 const std::vector<Point>& origins,
-                const TextStyle& style,
+                const Style& style,
                 const Sink& sink);
 
 /// Draws lines over the picture (255: full ink; three channels: for each
@@ -89,7 +89,7 @@ void draw_lines(const Font& font,
 /// px.
 void draw_lines(const Font& font,
                 const std::vector<Line>& lines,
-                const TextStyle& style,
+                const Style& style,
                 Point origin,
                 Image& image,
                 DrawStats* stats = nullptr,

@@ -15,8 +15,8 @@
 #include "inkcell/font.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/supersample.hpp"
-#include "inkcell/text_style.hpp"
 
 namespace inkcell::tools {
 
@@ -66,7 +66,7 @@ class Look {
   Look(const Look&) = delete;
   Look& operator=(const Look&) = delete;
 
-  const TextStyle& style() const { return style_; }
+  const Style& style() const { return style_; }
 
   /// The channels of the picture: 3 with sub-pixels, else 1.
   int channels() const { return style_.effect().options == &lcd_ ? 3 : 1; }
@@ -99,7 +99,7 @@ class Look {
   void set_hint(const LookOptions& options, const Font& font, Use use);
 
   Outline edges_;  // without an outline both are the filter
-  TextStyle style_;
+  Style style_;
   Fit fit_;
   CrispOptions crisp_;
   Supersampling supersampling_;

@@ -394,7 +394,7 @@ Image draw_points(const FontCensus& census,
 }
 
 Image draw_sheet(const Font& font, double px) {
-  const TextStyle style = make_style(px, 0, kFilterText);  // refuses odd sizes
+  const Style style = make_style(px, 0, kFilterText);  // refuses odd sizes
   const FontMetrics metrics = font.metrics();
   const double scale = px / metrics.units_per_em;
   int32_t widest = 0;

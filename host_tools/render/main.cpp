@@ -225,7 +225,7 @@ void render_text(const Arguments& arguments, const Conversion& conversion) {
                   Use::text);
   check_radius(arguments.look, look.uses_radius());
   warn_of_size(font, arguments.px);
-  const TextStyle& style = look.style();
+  const Style& style = look.style();
   const std::vector<Line> lines =
       lay_out_lines(font, arguments.text,
                     arguments.kerning == "off" ? Kerning::none : Kerning::font,

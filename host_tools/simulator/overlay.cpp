@@ -10,7 +10,7 @@ constexpr double kUnitsOfU = 1024;
 // From a glyph's units to px of the display.
 class Map {
  public:
-  Map(const Font& font, const TextStyle& style)
+  Map(const Font& font, const Style& style)
       : px_per_unit_(style.size().raw / 64.0 / font.units_per_em()),
         px_per_u_(style.size().raw / 64.0 / kUnitsOfU),
         cosine_(style.direction().cosine.raw / kOne),
@@ -107,7 +107,7 @@ void add_leaves(const GlyphField& field, const Map& map, Overlay& overlay) {
 Overlay make_overlay(const Font& font,
                      const std::vector<Line>& lines,
                      const std::vector<Point>& origins,
-                     const TextStyle& style) {
+                     const Style& style) {
   Overlay overlay;
   Map map(font, style);
   for (size_t i = 0; i < lines.size(); ++i) {

@@ -38,6 +38,6 @@ struct Overlay {
 Overlay make_overlay(const Font& font,
                      const std::vector<Line>& lines,
                      const std::vector<Point>& origins,
-                     const TextStyle& style);
+                     const Style& style);
 
 }  // namespace inkcell::tools

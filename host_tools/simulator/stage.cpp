@@ -59,7 +59,7 @@ class TextStage : public Stage {
                counted.paper().with(is_dark_ ? kWhite : kBlack));
   }
 
-  size_t state_bytes() const override { return sizeof(TextStyle); }
+  size_t state_bytes() const override { return sizeof(Style); }
   const Point* origin() const override { return &origin_; }
   Overlay overlay() const override {
     return make_overlay(font_, lines_, origins_, look_.style());

@@ -51,10 +51,10 @@ Image compare(const Font& font,
   };
   // `set_up` may change the style for the size.
   const auto add_ours = [&](const char* label, const auto& filter,
-                            const std::function<void(TextStyle&)>& set_up) {
+                            const std::function<void(Style&)>& set_up) {
     sheet.add(label, 0xffffff, [&](Image& image) {
       for (const Entry& e : entries) {
-        TextStyle style = make_style(e.px, 0, filter);
+        Style style = make_style(e.px, 0, filter);
         set_up(style);
         write_text(font, e.text, style, e.x, e.y, 0, image);
       }
@@ -64,12 +64,12 @@ Image compare(const Font& font,
   add_peer("16 samples a pixel, Gaussian filter", Peer::gauss16);
   add_peer("FreeType, not hinted", Peer::freetype);
   add_peer("FreeType, light hinting", Peer::light);
-  const auto plain = [](TextStyle&) {};
+  const auto plain = [](Style&) {};
   add_ours("Inkcell, filter text", kFilterText, plain);
   add_ours("Inkcell, filter paper_body", kFilterPaperBody, plain);
   add_ours("Inkcell, filter paper_display", kFilterPaperDisplay, plain);
   Fit fit;
-  add_ours("Inkcell, fitted to the grid", kFilterText, [&](TextStyle& style) {
+  add_ours("Inkcell, fitted to the grid", kFilterText, [&](Style& style) {
     if (Fit::make(font, style, {}, fit) != Status::ok) {
       throw std::runtime_error("the font's hints are broken");
     }
@@ -80,10 +80,9 @@ Image compare(const Font& font,
     return sheet.finish();
   }
   const Supersampling supersampling = make_supersampling();
-  add_ours("Inkcell, up to 13 samples a pixel", kFilterText,
-           [&](TextStyle& style) {
-             style.set_effect(supersample_effect(supersampling));
-           });
+  add_ours("Inkcell, up to 13 samples a pixel", kFilterText, [&](Style& style) {
+    style.set_effect(supersample_effect(supersampling));
+  });
   return sheet.finish();
 }
 

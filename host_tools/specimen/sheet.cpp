@@ -58,7 +58,7 @@ ColourSink::ColourSink(Image& image, uint32_t colour) {
 
 void write_text(const Font& font,
                 const std::string& text,
-                const TextStyle& style,
+                const Style& style,
                 double x,
                 double y,
                 uint32_t colour,
@@ -97,7 +97,7 @@ Image Sheet::finish() const {
   }
   Image sheet =
       colour_image(kGap + layout_.columns * column, tops.back(), kPaper);
-  const TextStyle style = make_style(kLabelPx, 0, kFilterText);
+  const Style style = make_style(kLabelPx, 0, kFilterText);
   for (size_t i = 0; i < samples_.size(); ++i) {
     const int x = kGap + static_cast<int>(i % columns) * column;
     const int y = tops[i / columns];

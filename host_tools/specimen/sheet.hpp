@@ -9,7 +9,7 @@
 #include "image.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/lcd.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell::tools {
 
@@ -69,7 +69,7 @@ class ColourSink {
 /// Draws text over a picture of three channels, its origin at (x, y). [px]
 void write_text(const Font& font,
                 const std::string& text,
-                const TextStyle& style,
+                const Style& style,
                 double x,
                 double y,
                 uint32_t colour,

@@ -31,7 +31,7 @@ void put(const Font& font,
          double x,
          double y,
          Image& image) {
-  const TextStyle style = make_style(px, angle, kFilterText);
+  const Style style = make_style(px, angle, kFilterText);
   draw_lines(font, lay_out_lines(font, text, Kerning::font, style), style,
              make_point(x, y), image);
 }

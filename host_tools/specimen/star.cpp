@@ -142,7 +142,7 @@ class DeviceStar {
   Image draw(const Effect& effect) const {
     Image image = colour_image(kSide, kSide, 0);
     const ColourSink target(image, 0xffffff);
-    TextStyle style = make_style(kSide, 0, kFilterText);
+    Style style = make_style(kSide, 0, kFilterText);
     style.set_effect(effect);
     draw_field(field_, style, make_point(0, kSide), target.sink());
     return image;
@@ -207,7 +207,7 @@ Image draw_star(const Font& font) {
   constexpr int kColumn = kSide + kSpace;
   constexpr int kRow = kCaptionHeight + kSide + kZoom * kMiddle + 3 * kSpace;
   Image sheet = colour_image(kSpace + kColumns * kColumn, 2 * kRow, 0xffffff);
-  const TextStyle style = make_style(10, 0, kFilterText);
+  const Style style = make_style(10, 0, kFilterText);
   int column = 0;
   int y = kSpace;
   for (const Entry& entry : entries) {

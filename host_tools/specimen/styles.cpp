@@ -53,7 +53,7 @@ struct Sample {
   double x;
   double y;
 
-  void write(const TextStyle& style, uint32_t colour, Image& image) const {
+  void write(const Style& style, uint32_t colour, Image& image) const {
     write_text(font, text, style, x, y, colour, image);
   }
   void write(const Filter& filter,
@@ -87,7 +87,7 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
   draw_text(font, "Sphinx", make_style(kPx, 0, shadow), make_point(7.5, 28.5),
             dithered);
   const CrispOptions crisp;
-  TextStyle style = make_style(kPx, 0, kFilterText);
+  Style style = make_style(kPx, 0, kFilterText);
   style.set_effect(crisp_effect(crisp));
   draw_text(font, "Sphinx", style, make_point(4, 25), plain);
   for (int y = 0; y < image.height; ++y) {
@@ -141,7 +141,7 @@ Image draw_lcd(const Font& font) {
   const auto add = [&](const char* label, const LcdOptions* lcd,
                        uint32_t ground, uint32_t colour) {
     sheet.add(label, ground, [&](Image& image) {
-      TextStyle style = make_style(sample.px, 0, kFilterText);
+      Style style = make_style(sample.px, 0, kFilterText);
       if (lcd != nullptr) {
         style.set_effect(lcd_effect(*lcd));
       }
@@ -174,7 +174,7 @@ Image draw_effects(const Font& font) {
     check(font, kPx, outline.outer);
     check(font, kPx, outline.inner);
     sheet.add(label, kWhite, [&](Image& image) {
-      TextStyle style = make_style(kPx, 0, outline.outer);
+      Style style = make_style(kPx, 0, outline.outer);
       style.set_effect(outline_effect(outline.inner));
       sample.write(style, kBlack, image);
     });
@@ -186,7 +186,7 @@ Image draw_effects(const Font& font) {
   sheet.add("outline and fill in one pass", kNight, [&](Image& image) {
     const ColourSink fill(image, 0xffd070);
     const OutlineAndFill both = {&two.inner, &fill.sink()};
-    TextStyle style = make_style(kPx, 0, two.outer);
+    Style style = make_style(kPx, 0, two.outer);
     style.set_effect(outline_and_fill_effect(both));
     sample.write(style, 0xb02030, image);
   });
@@ -219,7 +219,7 @@ Image draw_fitting(const Font& font) {
   const auto add = [&](const char* label, const FitOptions* options,
                        bool is_bilevel) {
     sheet.add(label, kWhite, [&](Image& image) {
-      TextStyle style = make_style(kPx, 0, kFilterText);
+      Style style = make_style(kPx, 0, kFilterText);
       Fit fit;
       CrispOptions crisp;
       if (options != nullptr) {
@@ -252,7 +252,7 @@ Image draw_contrast(const Font& font) {
   Sheet sheet(font, {128, 18, 6, 3, 92});
   const auto add = [&](const char* label, const EdgeContrast& edge_contrast) {
     sheet.add(label, kWhite, [&](Image& image) {
-      TextStyle style = make_style(kPx, 0, kFilterText);
+      Style style = make_style(kPx, 0, kFilterText);
       style.set_effect(edge_contrast_effect(edge_contrast));
       sample.write(style, kBlack, image);
     });
@@ -289,8 +289,8 @@ Image draw_maps(const Font& font) {
     const auto px = [](double em) {
       return Q16_16::from_raw(static_cast<int32_t>(em * kPx * 65536));
     };
-    TextStyle style;
-    if (TextStyle::make(
+    Style style;
+    if (Style::make(
             {px(map.x_right), px(map.x_up), px(map.y_right), px(map.y_up)},
             kFilterText, style) != Status::ok) {
       throw std::runtime_error("a map is out of range");
@@ -312,7 +312,7 @@ Image draw_motion(const Font& font) {
       throw std::runtime_error("a motion is out of range");
     }
     sheet.add(label, kWhite, [&](Image& image) {
-      TextStyle style = make_style(kPx, 0, kFilterText);
+      Style style = make_style(kPx, 0, kFilterText);
       style.set_effect(motion_blur_effect(blur));
       sample.write(style, kBlack, image);
     });
@@ -331,7 +331,7 @@ Image draw_levels(const Font& font) {
   const auto add = [&](const char* label, const CrispOptions* crisp,
                        uint8_t threshold) {
     sheet.add(label, kWhite, [&](Image& image) {
-      TextStyle style = make_style(sample.px, 0, kFilterText);
+      Style style = make_style(sample.px, 0, kFilterText);
       if (crisp != nullptr) {
         style.set_effect(crisp_effect(*crisp));
       }

@@ -6,5 +6,5 @@
 #include "inkcell/port/grey4.hpp"
 #include "inkcell/port/mono_pages.hpp"
 #include "inkcell/port/rgb565.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"

@@ -21,9 +21,9 @@ CONSTANTS = [
     ("docs/DESIGN.md", r"Only one below (\d+) sums is refused",
      "core/field/include/inkcell/field/splat.hpp", r"kMinSplatSums = (\d+)"),
     ("docs/DESIGN.md", r"Sizes (\d+) to 1024 px/em",
-     "core/include/inkcell/text_style.hpp", r"kMinSize = Q26_6::from_int\((\d+)\)"),
+     "core/include/inkcell/style.hpp", r"kMinSize = Q26_6::from_int\((\d+)\)"),
     ("docs/DESIGN.md", r"Sizes 4 to (\d+) px/em",
-     "core/include/inkcell/text_style.hpp", r"kMaxSize = Q26_6::from_int\((\d+)\)"),
+     "core/include/inkcell/style.hpp", r"kMaxSize = Q26_6::from_int\((\d+)\)"),
     ("README.md", r"text of 8 to (\d+) px that stands still",
      "core/include/inkcell/fit.hpp", r"kEnds = Q26_6::from_int\((\d+)\)"),
 ]

@@ -20,7 +20,7 @@ using font_builder::get_u32;
 
 constexpr size_t kChoiceBytes = 64;
 
-TextStyle style_of(const uint8_t* choice) {
+Style style_of(const uint8_t* choice) {
   static constexpr int32_t kOne = 1 << 30;
   static constexpr int32_t kDirections[8][2] = {{kOne, 0},
                                                 {0, kOne},
@@ -36,9 +36,9 @@ TextStyle style_of(const uint8_t* choice) {
   Direction direction;
   direction.cosine.raw = turn[0];
   direction.sine.raw = turn[1];
-  TextStyle style;
-  hostile::require(TextStyle::make(Q26_6::from_raw(size), kFilterPaperDisplay,
-                                   direction, style) == Status::ok,
+  Style style;
+  hostile::require(Style::make(Q26_6::from_raw(size), kFilterPaperDisplay,
+                               direction, style) == Status::ok,
                    "style");
   return style;
 }
@@ -70,7 +70,7 @@ void run(const uint8_t* data, size_t size) {
   Font font;
   const Status status = open_any_font(rom, font);
   hostile::require(status == Status::ok, "open twice");
-  const TextStyle style = style_of(choice + 1);
+  const Style style = style_of(choice + 1);
   const Point origin = {place(choice + 4), place(choice + 9)};
   const auto glyph =
       static_cast<uint16_t>(get_u16(choice + 14) % (font.glyph_count() + 1u));

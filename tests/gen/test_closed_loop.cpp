@@ -108,9 +108,8 @@ struct Plain {
         const LoopOptions& options,
         int px,
         const std::vector<std::pair<int, int>>& phases) {
-    TextStyle style;
-    EXPECT_EQ(TextStyle::make(Q26_6::from_int(px), kFilterText, style),
-              Status::ok);
+    Style style;
+    EXPECT_EQ(Style::make(Q26_6::from_int(px), kFilterText, style), Status::ok);
     const double scale = px / 1024.0;
     const Box& box = shape.box();
     double sum = 0;
@@ -315,8 +314,8 @@ TEST(ClosedLoop, FollowsPixelsToOtherPositions) {
   options.tolerance = 15.5;
   int drawn = 0;
   const LoopGlyph glyph = {
-      [](const TextStyle&, inkcell::Point) { return Rect{}; },
-      [&](const TextStyle&, inkcell::Point origin, const Sink& sink) {
+      [](const Style&, inkcell::Point) { return Rect{}; },
+      [&](const Style&, inkcell::Point origin, const Sink& sink) {
         ++drawn;
         const int away =
             std::max(std::abs(origin.x.raw - 11), std::abs(origin.y.raw - 5));
@@ -356,8 +355,8 @@ TEST(ClosedLoop, FollowsPixelsFarFromTheShape) {
       {-40, -2, -39, -1}, {44, -2, 45, -1}, {2, -44, 3, -43}, {2, 40, 3, 41}};
   for (const Rect& wrong : pixels) {
     const LoopGlyph glyph = {
-        [&](const TextStyle&, inkcell::Point) { return wrong; },
-        [&](const TextStyle&, inkcell::Point origin, const Sink& sink) {
+        [&](const Style&, inkcell::Point) { return wrong; },
+        [&](const Style&, inkcell::Point origin, const Sink& sink) {
           if (origin.x.raw == 0 && origin.y.raw == 0) {
             for (int y = -4; y < 0; ++y) {
               for (int x = 0; x < 4; ++x) {

@@ -31,7 +31,7 @@ constexpr FitOptions kTwoLevels = {true, 2};
 
 // `options` may be null: not fitted.
 bool draw_line(const Line& line,
-               const TextStyle& style,
+               const Style& style,
                const FitOptions* options,
                const Sink& sink) {
   Font font;
@@ -39,7 +39,7 @@ bool draw_line(const Line& line,
   if (open_any_font(font_bytes(line.font), font) != Status::ok) {
     return false;
   }
-  TextStyle own = style;
+  Style own = style;
   if (options != nullptr) {
     if (Fit::make(font, style, *options, fit) != Status::ok) {
       return false;
@@ -51,8 +51,8 @@ bool draw_line(const Line& line,
   return true;
 }
 
-bool make_style(const Line& line, const Filter& filter, TextStyle& style) {
-  return TextStyle::make(Q26_6::from_raw(line.size_q6), filter, style) ==
+bool make_style(const Line& line, const Filter& filter, Style& style) {
+  return Style::make(Q26_6::from_raw(line.size_q6), filter, style) ==
          Status::ok;
 }
 
@@ -62,7 +62,7 @@ __attribute__((noinline)) bool draw_painted(const Line& line,
                                             const Effect& effect,
                                             const FitOptions* fit,
                                             const Sink& sink) {
-  TextStyle style;
+  Style style;
   if (!make_style(line, filter, style)) {
     return false;
   }
@@ -94,8 +94,8 @@ bool draw_adaptive(const Sink& sink) {
                     sink)) {
     return false;
   }
-  const CircleSamples paper = make_circle_samples(
-      kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
+  const CircleSamples paper =
+      make_circle_samples(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_field, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
       kFilterPaperDisplay, circle_samples_effect(paper), nullptr, sink);
@@ -165,16 +165,16 @@ bool draw_crisp(const Sink& sink) {
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
 bool draw_turned(const Sink& sink) {
-  TextStyle style;
+  Style style;
   const auto px = [](int32_t q10) { return Q16_16::from_raw(q10 * 64); };
-  if (TextStyle::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
-                      style) != Status::ok ||
+  if (Style::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
+                  style) != Status::ok ||
       !draw_line({FontId::dejavu_sans_outline, "Inkcell", 0, 2 * 64, 144 * 64},
                  style, nullptr, sink)) {
     return false;
   }
-  if (TextStyle::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
-                      style) != Status::ok ||
+  if (Style::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
+                  style) != Status::ok ||
       !draw_line({FontId::roboto_outline, "Root", 0, 158 * 64, 140 * 64}, style,
                  nullptr, sink)) {
     return false;
@@ -183,7 +183,7 @@ bool draw_turned(const Sink& sink) {
   direction.cosine.raw = 1065418748;
   direction.sine.raw = -133530580;
   const CircleSamples even = make_circle_samples(kFilterText);
-  if (TextStyle::make(Q26_6::from_int(15), kFilterText, direction, style) !=
+  if (Style::make(Q26_6::from_int(15), kFilterText, direction, style) !=
       Status::ok) {
     return false;
   }
@@ -203,14 +203,14 @@ bool draw_areas(const Sink& sink) {
   Direction direction;
   direction.cosine.raw = 858993459;
   direction.sine.raw = 644245094;
-  TextStyle style;
-  return TextStyle::make(Q26_6::from_raw(upright.size_q6), kFilterArea,
-                         style) == Status::ok &&
+  Style style;
+  return Style::make(Q26_6::from_raw(upright.size_q6), kFilterArea, style) ==
+             Status::ok &&
          draw_line(upright, style, nullptr, sink) &&
-         TextStyle::make(Q26_6::from_raw(turned.size_q6), kFilterArea,
-                         direction, style) == Status::ok &&
+         Style::make(Q26_6::from_raw(turned.size_q6), kFilterArea, direction,
+                     style) == Status::ok &&
          draw_line(turned, style, nullptr, sink) &&
-         TextStyle::make(Q26_6::from_int(15), kFilterText, direction, style) ==
+         Style::make(Q26_6::from_int(15), kFilterText, direction, style) ==
              Status::ok &&
          draw_line({FontId::roboto_outline, "Roboty", 0, 50 * 64, 170 * 64},
                    style, nullptr, sink);

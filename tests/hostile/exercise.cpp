@@ -103,13 +103,13 @@ constexpr Look kLooks[] = {
     {1024 * 64, kOne, 0}, {4 * 64, 759250125, 759250125},
     {20 * 64, 0, -kOne},  {700 * 64, -858993459, 644245094}};
 
-TextStyle style_of(const Look& look) {
+Style style_of(const Look& look) {
   Direction direction;
   direction.cosine.raw = look.cosine_q30;
   direction.sine.raw = look.sine_q30;
-  TextStyle style;
-  require(TextStyle::make(Q26_6::from_raw(look.size_q6), kFilterText, direction,
-                          style) == Status::ok,
+  Style style;
+  require(Style::make(Q26_6::from_raw(look.size_q6), kFilterText, direction,
+                      style) == Status::ok,
           "style");
   return style;
 }
@@ -130,7 +130,7 @@ void use_glyph(const Font& font, uint16_t glyph) {
     // A place in the upper part of a glyph of any size.
     const Point origin = {Q26_6::from_raw(-look.size_q6 / 8 + 1000),
                           Q26_6::from_raw(look.size_q6 / 2 + 300)};
-    TextStyle style = style_of(look);
+    Style style = style_of(look);
     draw_checked(font, glyph, style, origin);
     Fit fit;
     FitOptions options;
@@ -177,7 +177,7 @@ bool is_of_outlines(const Font& font) {
 // Whether hostile numbers give the same picture in every window. For larger
 // upright text in object order, fields must be within the format's limits;
 // outlines must be in their boxes.
-bool is_exact(const Font& font, const TextStyle& style) {
+bool is_exact(const Font& font, const Style& style) {
   return !bytes_change && !is_of_outlines(font) &&
          (style.size().raw < 40 * 64 || !style.is_upright());
 }
@@ -198,7 +198,7 @@ void expect_changing_bytes() {
 // Draws one picture, then the same in two strips, then row by row by distances.
 void draw_checked(const Font& font,
                   uint16_t glyph,
-                  const TextStyle& style,
+                  const Style& style,
                   Point origin) {
   Canvas whole({0, 0, kWidth, kHeight});
   draw_glyph(font, glyph, style, origin, whole.sink());
@@ -225,10 +225,7 @@ void draw_checked(const Font& font,
   }
 }
 
-void use_text(const Font& font,
-              Text text,
-              const TextStyle& style,
-              Point origin) {
+void use_text(const Font& font, Text text, const Style& style, Point origin) {
   const TextMeasure line = measure(font, text);
   require(line.advance >= -(1 << 24) && line.advance <= 1 << 24, "advance");
   std::array<PositionedGlyph, 64> buffer;

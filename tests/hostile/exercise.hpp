@@ -28,13 +28,13 @@ void expect_changing_bytes();
 /// up distances.
 void draw_checked(const inkcell::Font& font,
                   uint16_t glyph,
-                  const inkcell::TextStyle& style,
+                  const inkcell::Style& style,
                   inkcell::Point origin);
 
 /// Lays out, measures and draws a line, whole and row by row. At most 64 bytes.
 void use_text(const inkcell::Font& font,
               inkcell::Text text,
-              const inkcell::TextStyle& style,
+              const inkcell::Style& style,
               inkcell::Point origin);
 
 /// Ends the program unless `condition` holds.

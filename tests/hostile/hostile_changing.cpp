@@ -43,9 +43,9 @@ struct Ink {
 void draw_with_ram(const Font& font, Ink& ink) {
   const auto ram = std::make_unique<uint32_t[]>(kRam / 4);
   const Workspace workspace = {reinterpret_cast<uint8_t*>(ram.get()), kRam};
-  TextStyle style;
+  Style style;
   hostile::require(
-      TextStyle::make(Q26_6::from_int(22), kFilterText, style) == Status::ok,
+      Style::make(Q26_6::from_int(22), kFilterText, style) == Status::ok,
       "style");
   const Sink sink = {ink.window, &ink, Ink::coverage, Ink::solid};
   for (uint16_t glyph = 0; glyph < 7; ++glyph) {

@@ -180,24 +180,24 @@ Matrix matrix_of(uint32_t number, int32_t size_q6) {
   }
 }
 
-Status make_style(const OutlineLook& look, TextStyle& style) {
+Status make_style(const OutlineLook& look, Style& style) {
   const Q26_6 size = Q26_6::from_raw(look.size_q6);
   const bool is_area = look.filter == kFilterCount - 1;
   const Filter& filter = *kFilters[is_area ? 0 : look.filter];
   if (look.map == 0) {
-    return is_area ? TextStyle::make(size, kFilterArea, style)
-                   : TextStyle::make(size, filter, style);
+    return is_area ? Style::make(size, kFilterArea, style)
+                   : Style::make(size, filter, style);
   }
   if (look.map < kDirectionCount) {
     Direction direction;
     direction.cosine.raw = kDirections[look.map][0];
     direction.sine.raw = kDirections[look.map][1];
-    return is_area ? TextStyle::make(size, kFilterArea, direction, style)
-                   : TextStyle::make(size, filter, direction, style);
+    return is_area ? Style::make(size, kFilterArea, direction, style)
+                   : Style::make(size, filter, direction, style);
   }
   const Matrix matrix = matrix_of(look.map - kDirectionCount, look.size_q6);
-  return is_area ? TextStyle::make(matrix, kFilterArea, style)
-                 : TextStyle::make(matrix, filter, style);
+  return is_area ? Style::make(matrix, kFilterArea, style)
+                 : Style::make(matrix, filter, style);
 }
 
 static_assert(kDirectionCount + 4 == kMapCount, "all maps have numbers");
@@ -215,7 +215,7 @@ struct Options {
   Fit fit = {};
 };
 
-void set_effect(uint8_t number, Options& options, TextStyle& style) {
+void set_effect(uint8_t number, Options& options, Style& style) {
   constexpr SubPixels kOrders[] = {SubPixels::rgb, SubPixels::bgr,
                                    SubPixels::rgb_vertical,
                                    SubPixels::bgr_vertical};
@@ -256,7 +256,7 @@ void check_outline(const Font& font,
                    const OutlineLook& look,
                    const OutlineCut& cut,
                    bool is_exact) {
-  TextStyle style;
+  Style style;
   Options options;
   require(make_style(look, style) == Status::ok, "style");
   if (look.is_fitted && style.is_upright() &&
@@ -330,9 +330,9 @@ void check_generated_field(const Font& font,
   require(GlyphField::open({buffer.data, bytes}, again) == Status::ok,
           "the record opens");
   require(again.cells == field.cells, "the record is the field");
-  TextStyle style;
+  Style style;
   const auto size = Q26_6::from_raw(look.size_q6);
-  require(TextStyle::make(size, kFilterText, style) == Status::ok, "style");
+  require(Style::make(size, kFilterText, style) == Status::ok, "style");
   Picture picture(cut.x0, cut.y0);
   draw_field(field, style, cut.origin, picture.sink(picture.all(), false));
   for (int32_t i = 0; i < 16; ++i) {

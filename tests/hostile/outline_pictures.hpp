@@ -5,7 +5,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace hostile {
 

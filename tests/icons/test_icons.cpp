@@ -50,9 +50,9 @@ Font open() {
   return font;
 }
 
-TextStyle style() {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(kSize), kFilterText, style));
+Style style() {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(kSize), kFilterText, style));
   return style;
 }
 
@@ -62,7 +62,7 @@ bool is_near(int32_t pixels, int32_t expected) {
 }
 
 // What docs/PORTING.md shows.
-void draw_wifi(const Font& font, const TextStyle& style, const Sink& sink) {
+void draw_wifi(const Font& font, const Style& style, const Sink& sink) {
   const Point pen = {};
   inkcell::draw_text(font, fonts::ui_icons::kWifi, style, pen, sink);  // UTF-8
 }

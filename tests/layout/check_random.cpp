@@ -118,7 +118,7 @@ constexpr const char* kPieces[] = {"a",
 struct Trial {
   Random random;
   std::string text;
-  TextStyle styles[2];
+  Style styles[2];
   Fit fits[2];
   Face fallback[1];
   uint16_t cells[4096] = {};
@@ -147,8 +147,8 @@ struct Trial {
     const auto size = Q26_6::from_raw(random.between(8 * 64, 30 * 64));
     for (int i = 0; i != 2; ++i) {
       const auto own = has(2) ? size : Q26_6::from_raw(size.raw * 3 / 4 + 64);
-      bool is_ok = TextStyle::make(i == 0 ? size : own, kFilterText,
-                                   styles[i]) == Status::ok;
+      bool is_ok = Style::make(i == 0 ? size : own, kFilterText, styles[i]) ==
+                   Status::ok;
       if (is_fitted) {
         FitOptions options;
         options.across = true;
@@ -434,8 +434,8 @@ bool try_endless_marks(const FontFile& font) {
   for (size_t i = 0; i != 40000; ++i) {
     text += "\xcc\x81";
   }
-  TextStyle style;
-  if (TextStyle::make(Q26_6::from_int(12), kFilterText, style) != Status::ok) {
+  Style style;
+  if (Style::make(Q26_6::from_int(12), kFilterText, style) != Status::ok) {
     return false;
   }
   const LayoutOptions options(font.font, style);

@@ -9,8 +9,8 @@
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/lvgl/inkcell_lvgl.h"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "lvgl.h"
 #include "porting.h"
 #include "screen.hpp"
@@ -98,9 +98,9 @@ TEST(advances_are_kerned_and_rounded) {
   for (const int32_t size_q6 : {14 * 64, 14 * 64 + 32, 61 * 64}) {
     inkcell_lv_font_t font;
     CHECK(make_font(font, size_q6));
-    inkcell::TextStyle style;
-    CHECK_OK(inkcell::TextStyle::make(Q26_6::from_raw(size_q6),
-                                      inkcell::kFilterText, style));
+    inkcell::Style style;
+    CHECK_OK(inkcell::Style::make(Q26_6::from_raw(size_q6),
+                                  inkcell::kFilterText, style));
     const uint16_t a = plain.glyph_or_notdef('A');
     const uint16_t v = plain.glyph_or_notdef('V');
     const int32_t units = plain.advance(a) + plain.kerning(a, v);
@@ -120,9 +120,9 @@ TEST(fitted_advances_are_the_fits) {
   CHECK_EQ(inkcell_lv_font_fit_grid(&font, &fit), LV_RESULT_OK);
   inkcell::Font plain;
   CHECK_OK(inkcell::Font::open({fonts::lv_sans, sizeof fonts::lv_sans}, plain));
-  inkcell::TextStyle style;
-  CHECK_OK(inkcell::TextStyle::make(Q26_6::from_int(10), inkcell::kFilterText,
-                                    style));
+  inkcell::Style style;
+  CHECK_OK(
+      inkcell::Style::make(Q26_6::from_int(10), inkcell::kFilterText, style));
   inkcell::FitOptions options;
   options.across = true;
   inkcell::Fit expected;

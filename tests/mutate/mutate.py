@@ -36,7 +36,7 @@ TESTS = {
     "core/src/text/text.cpp": ("text", "layout"),
     "core/src/font/font.cpp": ("font", "font_limits"),
     "core/src/font/grid_hints.cpp": ("grid_hints", "fit"),
-    "core/src/place/text_style.cpp": ("text_style", "affine", "render"),
+    "core/src/place/style.cpp": ("style", "affine", "render"),
     "core/src/fit/fit.cpp": ("fit", "outline_draw"),
     "core/field/src/cell_values.cpp": ("field", "field_point"),
     "core/field/src/field_rows.cpp": ("render", "affine"),

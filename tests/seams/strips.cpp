@@ -52,31 +52,31 @@ struct Picture {
   }
 };
 
-TextStyle make_style(int look, int32_t px) {
+Style make_style(int look, int32_t px) {
   const Q26_6 size = Q26_6::from_int(px);
   Direction turned;
   turned.cosine.raw = 858993459;
   turned.sine.raw = -644245094;
-  TextStyle style;
+  Style style;
   Status status = Status::bad_argument;
   switch (look) {
     case 0:
-      status = TextStyle::make(size, kFilterText, style);
+      status = Style::make(size, kFilterText, style);
       break;
     case 1:
-      status = TextStyle::make(size, kFilterArea, style);
+      status = Style::make(size, kFilterArea, style);
       break;
     case 2:
-      status = TextStyle::make(size, kWide, style);
+      status = Style::make(size, kWide, style);
       break;
     case 3:
-      status = TextStyle::make(size, kFilterText, turned, style);
+      status = Style::make(size, kFilterText, turned, style);
       break;
     case 4:
-      status = TextStyle::make(size, kFilterArea, turned, style);
+      status = Style::make(size, kFilterArea, turned, style);
       break;
     default:
-      status = TextStyle::make(size, kWide, turned, style);
+      status = Style::make(size, kWide, turned, style);
       break;
   }
   if (status != Status::ok) {
@@ -90,7 +90,7 @@ constexpr int kLooks = 6;
 // How many pixels differ.
 int64_t compare(const Font& font,
                 uint16_t glyph,
-                const TextStyle& style,
+                const Style& style,
                 int32_t px) {
   const int32_t width = 2 * px + 12;
   const int32_t height = 2 * px + 12;

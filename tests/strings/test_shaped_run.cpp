@@ -70,9 +70,9 @@ Font open() {
   return font;
 }
 
-TextStyle style_of(int32_t px) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+Style style_of(int32_t px) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
   return style;
 }
 
@@ -85,7 +85,7 @@ struct FittedStyle {
     style.set_fitter(&kGridFit, &fit);
   }
 
-  TextStyle style;
+  Style style;
   Fit fit;
 };
 
@@ -102,7 +102,7 @@ namespace {
 
 // Centred in `width` px.
 void draw_title(const Font& font,
-                const TextStyle& style,
+                const Style& style,
                 int32_t width,
                 int32_t baseline,
                 const Sink& sink) {
@@ -120,7 +120,7 @@ void draw_title(const Font& font,
 TEST(run_is_its_glyphs_one_by_one) {
   const Font font = open();
   CHECK_EQ(font.units_per_em(), 2048);
-  const TextStyle style = style_of(32);
+  const Style style = style_of(32);
   for (const ShapedRun* run : kRuns) {
     static Page by_run;
     static Page one_by_one;
@@ -143,7 +143,7 @@ TEST(run_is_its_glyphs_one_by_one) {
 TEST(run_is_what_its_layout_draws) {
   const Font font = open();
   for (int32_t px = 9; px <= 40; px += 5) {
-    const TextStyle style = style_of(px);
+    const Style style = style_of(px);
     for (const ShapedRun* run : kRuns) {
       static Page by_run;
       static Page by_layout;
@@ -174,7 +174,7 @@ TEST(layout_needs_room_for_all_glyphs) {
 // The ink lies in the box of measure(), to a pixel for the filter's ramp.
 TEST(measure_has_the_ink) {
   const Font font = open();
-  const TextStyle style = style_of(32);
+  const Style style = style_of(32);
   for (const ShapedRun* run : kRuns) {
     const TextMeasure box = measure(font, *run);
     CHECK_EQ(box.advance, run->advance);
@@ -262,7 +262,7 @@ TEST(fitted_glyphs_stand_on_whole_pixels) {
 
 TEST(styles_that_are_not_fitted_keep_the_design) {
   const Font font = open();
-  const TextStyle style = style_of(11);
+  const Style style = style_of(11);
   for (const ShapedRun* run : kRuns) {
     PositionedGlyph by_style[32];
     PositionedGlyph designed[32];
@@ -348,7 +348,7 @@ TEST(c_draws_the_same) {
   inkcell_font_t font_c;
   CHECK_EQ(open_greeting_font(&font_c), INKCELL_OK);
   const Font font = open();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   static Page by_c;
   static Page by_cpp;
   const Sink to_c = by_c.sink();

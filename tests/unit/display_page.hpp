@@ -26,9 +26,9 @@ void draw_words(Target target) {
     CHECK_OK(Font::open({rom, size}, opened));
     return opened;
   }();
-  TextStyle large, small;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(61), kFilterArea, large));
-  CHECK_OK(TextStyle::make(Q26_6::from_int(13), kFilterArea, small));
+  Style large, small;
+  CHECK_OK(Style::make(Q26_6::from_int(61), kFilterArea, large));
+  CHECK_OK(Style::make(Q26_6::from_int(13), kFilterArea, small));
   Sink sink;
   CHECK_OK(make_sink(target, sink));
   draw_text(font, "DEFACED", large, {Q26_6::from_int(-9), Q26_6::from_int(37)},

@@ -60,7 +60,7 @@ struct Canvas {
 inline constexpr Rect kAll = {-3, -2, -3 + kSide, -2 + kSide};
 
 inline void draw(const GlyphField& field,
-                 const TextStyle& style,
+                 const Style& style,
                  FinePoint origin) {
   Canvas canvas(kAll);
   draw_field(field, style, origin, canvas.sink());
@@ -81,7 +81,7 @@ inline void keep() {
 }
 
 inline void check_windows(const GlyphField& field,
-                          const TextStyle& style,
+                          const Style& style,
                           FinePoint origin) {
   draw(field, style, origin);
   keep();

@@ -4,7 +4,7 @@
 #include "check.hpp"
 #include "font_builder.hpp"
 #include "inkcell/field/glyph_field.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace effect {
 
@@ -25,13 +25,13 @@ inline GlyphField field_of(font_builder::Shape shape) {
 }
 
 /// Upright, or down the triangle of sides 3, 4 and 5.
-inline TextStyle style_of(int32_t size_q6, bool is_turned) {
+inline Style style_of(int32_t size_q6, bool is_turned) {
   Direction direction;
   direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
   direction.sine.raw = is_turned ? -644245094 : 0;
-  TextStyle style;
+  Style style;
   CHECK_OK(
-      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+      Style::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
   return style;
 }
 

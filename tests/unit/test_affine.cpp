@@ -1,6 +1,6 @@
 // Styles of any matrix: which are allowed, and what their steps are.
 #include "check.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
 
@@ -35,8 +35,8 @@ Map map_of(const Matrix& matrix) {
           matrix.x_up.raw / 65536.0, matrix.y_up.raw / 65536.0};
 }
 
-Status make(const Map& map, TextStyle& out) {
-  return TextStyle::make(matrix_of(map), kFilterText, out);
+Status make(const Map& map, Style& out) {
+  return Style::make(matrix_of(map), kFilterText, out);
 }
 
 // A unit vector in any direction.
@@ -75,7 +75,7 @@ Map any_map(Random& random, double most_px, double least_px) {
 }  // namespace
 
 TEST(matrices_have_stretches_within_the_sizes) {
-  TextStyle style;
+  Style style;
   CHECK_EQ(make({0, 0, 0, 0}, style), Status::bad_argument);
   CHECK_EQ(make({24, 24, 24, 24}, style), Status::bad_argument);
   CHECK_EQ(make({3.9, 0, 0, 24}, style), Status::bad_argument);
@@ -87,7 +87,7 @@ TEST(matrices_have_stretches_within_the_sizes) {
     for (const int32_t b : ends) {
       const Matrix far = {Q16_16::from_raw(a), Q16_16::from_raw(b),
                           Q16_16::from_raw(b), Q16_16::from_raw(a)};
-      CHECK_EQ(TextStyle::make(far, kFilterText, style), Status::bad_argument);
+      CHECK_EQ(Style::make(far, kFilterText, style), Status::bad_argument);
     }
   }
   CHECK_EQ(style.size().raw, 16 << 6);  // untouched
@@ -107,17 +107,17 @@ TEST(huge_matrices_do_not_pass_for_small_ones) {
   constexpr int32_t kPx24 = 24 << 16;
   constexpr int32_t kFar[] = {INT32_MIN, INT32_MAX};
   for (const int32_t far : kFar) {
-    TextStyle style;
+    Style style;
     const Matrix matrix = {Q16_16::from_raw(far), Q16_16::from_raw(kPx24),
                            Q16_16::from_raw(-kPx24), Q16_16::from_raw(far)};
-    CHECK_EQ(TextStyle::make(matrix, kFilterText, style), Status::bad_argument);
+    CHECK_EQ(Style::make(matrix, kFilterText, style), Status::bad_argument);
   }
 }
 
 TEST(stretches_are_rounded_to_1_64_px) {
   const auto make_raw = [](int32_t most_q16, int32_t least_q16) {
-    TextStyle style;
-    return TextStyle::make(
+    Style style;
+    return Style::make(
         {Q16_16::from_raw(most_q16), {}, {}, Q16_16::from_raw(least_q16)},
         kFilterText, style);
   };
@@ -129,31 +129,31 @@ TEST(stretches_are_rounded_to_1_64_px) {
 TEST(stretches_within_1_1024_are_alike) {
   constexpr int32_t kMost = 64 << 16;
   constexpr int32_t kPart = kMost / 1024;
-  TextStyle style;
+  Style style;
   Matrix matrix;
   matrix.x_right.raw = kMost;
   matrix.y_up.raw = kMost - kPart;
-  CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+  CHECK_OK(Style::make(matrix, kFilterText, style));
   CHECK(!style.is_upright() && !style.is_stretched());
   matrix.y_up.raw = kMost - kPart - 1;
-  CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+  CHECK_OK(Style::make(matrix, kFilterText, style));
   CHECK(style.is_stretched());
   // Where the size is rounded down the least stretch may be greater.
   matrix.x_right.raw = (4 << 16) + 511;
   matrix.y_up.raw = matrix.x_right.raw - 257;
-  CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+  CHECK_OK(Style::make(matrix, kFilterText, style));
   CHECK_EQ(style.size().raw, 4 << 6);
   CHECK(style.is_stretched());
   CHECK(style.least_gain_q15() < 1 << 15);
 }
 
 TEST(the_upright_matrix_is_upright) {
-  TextStyle style;
-  TextStyle plain;
+  Style style;
+  Style plain;
   for (int32_t px = 4; px <= 1024; ++px) {
     const double size = px;
     CHECK_OK(make({size, 0, 0, size}, style));
-    CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, plain));
+    CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, plain));
     CHECK(style.is_upright());
     CHECK_EQ(style.size().raw, plain.size().raw);
     CHECK_EQ(style.step_along_q16(), plain.step_along_q16());
@@ -170,7 +170,7 @@ TEST(the_upright_matrix_is_upright) {
     const Matrix matrix = {Q16_16::from_raw(near[0]), Q16_16::from_raw(near[1]),
                            Q16_16::from_raw(-near[1]),
                            Q16_16::from_raw(near[0])};
-    CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+    CHECK_OK(Style::make(matrix, kFilterText, style));
     CHECK_EQ(style.size().raw, 24 << 6);
     CHECK(!style.is_upright());
   }
@@ -184,7 +184,7 @@ TEST(steps_undo_the_matrix) {
     const double most = random.between(4 * 64, 1024 * 64) / 64.0;
     const double least = 4 + (most - 4) * random.between(0, 1000) / 1000;
     const Map map = any_map(random, most, least);
-    TextStyle style;
+    Style style;
     const Status status = make(map, style);
     if (least < 4.05 || most > 1023) {
       continue;  // roundings decide

@@ -96,9 +96,9 @@ TEST(runs_have_faces) {
   const size_t size = outline_record::build_sample_font(rom);
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(9), kFilterText, style));
-  const auto draw_with = [](const Font* own, const TextStyle* look) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(9), kFilterText, style));
+  const auto draw_with = [](const Font* own, const Style* look) {
     return [=] {
       PositionedGlyph at;
       at.glyph = 1;
@@ -112,12 +112,12 @@ TEST(runs_have_faces) {
 }
 
 TEST(slants_are_of_slanted_styles) {
-  static TextStyle style;
+  static Style style;
   const auto ask = [] { kept_address = &style.slant(); };
   CHECK(ends(ask));
   Direction down;
   down.cosine.raw = 0;
   down.sine.raw = -(1 << 30);
-  CHECK_OK(TextStyle::make(Q26_6::from_int(9), kFilterText, down, style));
+  CHECK_OK(Style::make(Q26_6::from_int(9), kFilterText, down, style));
   CHECK(!ends(ask));
 }

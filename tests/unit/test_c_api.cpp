@@ -48,8 +48,8 @@ TEST(label_is_that_of_cpp) {
   CHECK_EQ(draw_label(rom().data, rom().size, kText, by_c), INKCELL_OK);
 
   const Font font = open();
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(12), kFilterText, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(12), kFilterText, style));
   port::MonoPagesTarget target;
   target.strip = {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH};
   Sink sink;
@@ -79,8 +79,8 @@ TEST(clock_is_that_of_cpp) {
 
   // All at once, but at the places within a pixel that a cache has.
   const Font font = open();
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(30), kFilterArea, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(30), kFilterArea, style));
   port::Rgb565Target target;
   target.strip = {by_cpp, 0, 0, CLOCK_WIDTH, CLOCK_HEIGHT, CLOCK_WIDTH * 2};
   target.colour = port::rgb565(255, 200, 0);
@@ -102,8 +102,8 @@ TEST(paragraph_is_that_of_cpp) {
   CHECK_EQ(draw_paragraph(rom().data, rom().size, kLongText, by_c), INKCELL_OK);
 
   const Font font = open();
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(14), kFilterText, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(14), kFilterText, style));
   port::Grey8Target target;
   target.strip = {by_cpp,         0, 0, PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT,
                   PARAGRAPH_WIDTH};
@@ -123,11 +123,11 @@ TEST(own_sink_gets_what_cpp_gives) {
   CHECK_EQ(draw_plot(rom().data, rom().size, kText, by_c), INKCELL_OK);
 
   const Font font = open();
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kFilterText,
-                           {Fixed<int32_t, 30>::from_raw(1053110176),
-                            Fixed<int32_t, 30>::from_raw(209476638)},
-                           style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(16), kFilterText,
+                       {Fixed<int32_t, 30>::from_raw(1053110176),
+                        Fixed<int32_t, 30>::from_raw(209476638)},
+                       style));
   Sink sink;
   sink.window = {0, 0, PLOT_WIDTH, PLOT_HEIGHT};
   sink.context = by_cpp;

@@ -42,22 +42,20 @@ GlyphField field_of_samples(font_builder::Shape shape) {
   return open();
 }
 
-TextStyle style_of(int32_t size_q6,
-                   uint32_t turn,
-                   const CircleSamples& options) {
+Style style_of(int32_t size_q6, uint32_t turn, const CircleSamples& options) {
   Direction direction;
   direction.cosine.raw = kDirections[turn][0];
   direction.sine.raw = kDirections[turn][1];
-  TextStyle style;
+  Style style;
   CHECK_OK(
-      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+      Style::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
   style.set_effect(circle_samples_effect(options));
   return style;
 }
 
 // The mean coverage of 13 distances, each asked for alone.
 int32_t mean_of_13(const GlyphField& field,
-                   const TextStyle& style,
+                   const Style& style,
                    FinePoint origin,
                    int32_t x,
                    int32_t y,
@@ -95,7 +93,7 @@ int32_t mean_of_13(const GlyphField& field,
 // Every pixel of a random glyph against the mean of 13. Returns the number of
 // pixels that one sample would have shown differently.
 int check_means(const GlyphField& field,
-                const TextStyle& style,
+                const Style& style,
                 FinePoint origin,
                 double radius,
                 int32_t tolerance) {
@@ -137,7 +135,7 @@ TEST(straight_edges_take_five_samples) {
   const GlyphField field = plane(11);
   for (Rounds rounds(61, INKCELL_BOARD_FIRMWARE ? 3 : 40); rounds.next();) {
     Random& random = rounds.random;
-    const TextStyle style = style_of(40 * 64, random.below(3), options);
+    const Style style = style_of(40 * 64, random.below(3), options);
     const FinePoint origin(16 * 1024 + random.between(0, 1023),
                            16 * 1024 + random.between(0, 1023));
     more = 0;
@@ -155,7 +153,7 @@ TEST(small_shapes_take_thirteen) {
     Random& random = rounds.random;
     const int32_t round = rounds.number;
     const GlyphField field = field_of_samples(shapes[round % 3]);
-    const TextStyle style =
+    const Style style =
         style_of(random.between(4 * 64, 24 * 64), random.below(3), options);
     const FinePoint origin(8 * 1024 + random.between(0, 1023),
                            24 * 1024 + random.between(0, 1023));
@@ -171,8 +169,8 @@ TEST(windows_do_not_change_pictures) {
   for (Rounds rounds(63, INKCELL_BOARD_FIRMWARE ? 4 : 24); rounds.next();) {
     Random& random = rounds.random;
     const int32_t round = rounds.number;
-    const TextStyle style = style_of(random.between(8 * 64, 40 * 64),
-                                     random.below(3), styles[round & 1]);
+    const Style style = style_of(random.between(8 * 64, 40 * 64),
+                                 random.below(3), styles[round & 1]);
     const FinePoint origin(random.between(0, 9999),
                            random.between(9999, 30000));
     check_windows(field_of_samples(font_builder::ring), style, origin);
@@ -190,7 +188,7 @@ TEST(cells_decide_by_the_papers_rule) {
   const GlyphField field = plane(6);
   const uint32_t expected[] = {0, 4, 12};
   for (int i = 0; i < 3; ++i) {
-    const TextStyle style = style_of(sizes[i], 0, options);
+    const Style style = style_of(sizes[i], 0, options);
     more = 0;
     Canvas canvas({0, 0, 1, 1});
     draw_field(field, style, {512, 512}, canvas.sink());

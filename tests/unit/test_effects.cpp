@@ -28,8 +28,8 @@ void draw_into(First& outline_picture, Second& fill_picture) {
   const GlyphField field = effect::field_of(font_builder::disc);
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(24), outline.outer, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(24), outline.outer, style));
   const Sink fill = fill_picture.sink();
   const OutlineAndFill both = {&outline.inner, &fill};
   style.set_effect(outline_and_fill_effect(both));
@@ -124,7 +124,7 @@ TEST(every_effect_draws_fields) {
                             motion_blur_effect(blur)};
   const GlyphField field = effect::field_of(font_builder::ring);
   for (int32_t turn = 0; turn < 2; ++turn) {
-    TextStyle style = effect::style_of(23 * 64 + 5, turn != 0);
+    Style style = effect::style_of(23 * 64 + 5, turn != 0);
     uint32_t plain = 0;
     for (const Effect& effect : effects) {
       style.set_effect(effect);

@@ -78,18 +78,18 @@ struct Row {
 
 enum StyleKind : int32_t { kUpright, kTurned, kArea, kStyles };
 
-TextStyle style_of(int32_t kind, int32_t px) {
+Style style_of(int32_t kind, int32_t px) {
   const Q26_6 size = Q26_6::from_int(px);
-  TextStyle style;
+  Style style;
   if (kind == kTurned) {
     Direction direction;
     direction.cosine.raw = 858993459;
     direction.sine.raw = 644245094;
-    CHECK_OK(TextStyle::make(size, kFilterText, direction, style));
+    CHECK_OK(Style::make(size, kFilterText, direction, style));
   } else if (kind == kArea) {
-    CHECK_OK(TextStyle::make(size, kFilterArea, style));
+    CHECK_OK(Style::make(size, kFilterArea, style));
   } else {
-    CHECK_OK(TextStyle::make(size, kFilterText, style));
+    CHECK_OK(Style::make(size, kFilterText, style));
   }
   return style;
 }
@@ -102,7 +102,7 @@ struct Terms {
 };
 
 void draw_part(const Font& font,
-               const TextStyle& style,
+               const Style& style,
                const Rect& part,
                const Terms& terms) {
   const Sink sink = canvas.sink(part, terms.takes_blocks);
@@ -118,7 +118,7 @@ void draw_part(const Font& font,
 }
 
 void draw_parts(const Font& font,
-                const TextStyle& style,
+                const Style& style,
                 int32_t columns,
                 int32_t rows,
                 const Terms& terms) {
@@ -148,7 +148,7 @@ void check_row(const Font& font, const Row& row, int32_t kind) {
                               {2560, true, false}};
   constexpr int32_t kCuts[][2] = {
       {kWidth, kHeight}, {kWidth, 1}, {kWidth, 5}, {kWidth, 16}, {7, kHeight}};
-  TextStyle style = style_of(kind, 15);
+  Style style = style_of(kind, 15);
   draw_parts(font, style, kWidth, kHeight, kAmple);
   whole = canvas;
   style.set_effect(row.effect);
@@ -176,7 +176,7 @@ struct Shift {
 };
 template <size_t kCount>
 void draw_mean(const Font& font,
-               const TextStyle& style,
+               const Style& style,
                const Shift (&shifts)[kCount]) {
   static uint16_t sums[kWidth * kHeight];
   for (uint16_t& sum : sums) {
@@ -210,7 +210,7 @@ Change change_of(const Font& font,
                  int32_t px,
                  int32_t column,
                  const EdgeContrast& options) {
-  TextStyle style = style_of(kUpright, px);
+  Style style = style_of(kUpright, px);
   Canvas* const canvases[] = {&whole, &canvas};
   for (Canvas* each : canvases) {
     each->clear();
@@ -228,7 +228,7 @@ Change change_of(const Font& font,
 
 Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect& effect) {
   const Font font = sample_font();
-  TextStyle style = style_of(kArea, px);
+  Style style = style_of(kArea, px);
   style.set_effect(effect);
   Picture<17, 15> picture;
   draw_glyph(font, glyph, style,
@@ -260,7 +260,7 @@ TEST(every_effect_draws_the_same_picture_in_parts) {
 
 TEST(only_what_takes_fields_is_refused) {
   const Font font = sample_font();
-  TextStyle style = style_of(kUpright, 15);
+  Style style = style_of(kUpright, 15);
   const CircleSamples samples = make_circle_samples(kFilterText);
   const Effect refused[] = {circle_samples_effect(samples),
                             splat_effect(splats)};
@@ -277,7 +277,7 @@ TEST(supersampling_is_the_mean_of_five_pictures) {
   const Font font = sample_font();
   supersampling = make_supersampling(kPaperRadius);
   for (int32_t kind = 0; kind < kStyles; ++kind) {
-    TextStyle style = style_of(kind, 15);
+    Style style = style_of(kind, 15);
     draw_mean(font, style,
               {{0, 0, 48},
                {-32, -32, 52},
@@ -296,7 +296,7 @@ TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
   CHECK_OK(
       make_motion_blur({Q26_6::from_raw(168), Q26_6::from_raw(-84)}, blur));
   for (int32_t kind = 0; kind < kStyles; ++kind) {
-    TextStyle style = style_of(kind, 15);
+    Style style = style_of(kind, 15);
     draw_mean(font, style,
               {{-72, 36, 36},
                {-48, 24, 37},
@@ -316,7 +316,7 @@ TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
 TEST(the_longest_way_keeps_the_ink) {
   const Font font = sample_font();
   CHECK_OK(make_motion_blur({Q26_6::from_int(-32), Q26_6::from_int(32)}, blur));
-  TextStyle style = style_of(kArea, 15);
+  Style style = style_of(kArea, 15);
   struct Ink {
     int32_t sum = 0;
     static void coverage(

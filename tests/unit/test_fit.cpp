@@ -83,9 +83,9 @@ Font hinted_font() {
   return font;
 }
 
-TextStyle style_of(int32_t px_q6) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_raw(px_q6), kFilterText, style));
+Style style_of(int32_t px_q6) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_raw(px_q6), kFilterText, style));
   return style;
 }
 
@@ -260,7 +260,7 @@ TEST(fonts_without_hints_keep_all_but_baselines) {
 // Positions are whole pixels, however long the line and wherever it begins.
 TEST(text_is_measured_as_it_is_drawn) {
   const Font font = hinted_font();
-  TextStyle style = style_of(10 * 64);
+  Style style = style_of(10 * 64);
   const Fit fit = fit_of(font, 10 * 64, kAcross);
   style.set_fitter(&kGridFit, &fit);
   CHECK(style.has_whole_advances());
@@ -311,9 +311,7 @@ TEST(text_is_measured_as_it_is_drawn) {
 namespace {
 
 // One glyph at a time: boxes of neighbours may overlap.
-void draw_each(const Font& font,
-               const TextStyle& style,
-               Picture<18, 8>& picture) {
+void draw_each(const Font& font, const Style& style, Picture<18, 8>& picture) {
   TextCursor cursor(font, "ABD", style);
   PositionedGlyph at;
   while (cursor.next(at)) {
@@ -327,7 +325,7 @@ void draw_each(const Font& font,
 
 TEST(fitted_glyphs_look_sharp) {
   const Font font = hinted_font();
-  TextStyle style = style_of(11 * 64);
+  Style style = style_of(11 * 64);
   const Fit fit = fit_of(font, 11 * 64, kAcross);
   style.set_fitter(&kGridFit, &fit);
   Picture<18, 8> grey;
@@ -370,7 +368,7 @@ TEST(any_hints_are_safe) {
     bytes[5] = static_cast<uint8_t>(random.below(8));
     const Font font = open({bytes, sizeof bytes});
     const int32_t px_q6 = random.between(4 * 64, 42 * 64);
-    TextStyle style = style_of(px_q6);
+    Style style = style_of(px_q6);
     FitOptions options;
     options.across = random.below(4) != 0;
     options.levels = static_cast<uint8_t>(random.below(3) * 2);

@@ -150,7 +150,7 @@ struct GFXcanvas16 {
 
 Status draw_on_canvas(GFXcanvas16& canvas,
                       const Font& font,
-                      const TextStyle& style) {
+                      const Style& style) {
   port::Rgb565Target target =
       port::gfx_canvas16(canvas.getBuffer(), canvas.width(), canvas.height());
   target.colour = port::rgb565(255, 200, 0);
@@ -165,8 +165,8 @@ TEST(a_canvas_takes_text) {
   uint8_t rom[outline_record::kSampleFontBytes];
   Font font;
   CHECK_OK(Font::open({rom, outline_record::build_sample_font(rom)}, font));
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(24), kFilterArea, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(24), kFilterArea, style));
   GFXcanvas16 canvas;
   CHECK_OK(draw_on_canvas(canvas, font, style));
   int32_t full = 0;

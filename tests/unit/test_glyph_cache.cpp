@@ -43,9 +43,9 @@ Font outline_font() {
   return font;
 }
 
-TextStyle style_of(int32_t px) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+Style style_of(int32_t px) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
   return style;
 }
 
@@ -153,7 +153,7 @@ int32_t ink(const Canvas& canvas) {
 void draw_cached(GlyphCache& cache,
                  const Font& font,
                  uint16_t glyph,
-                 const TextStyle& style,
+                 const Style& style,
                  Point origin) {
   PositionedGlyph at;
   at.glyph = glyph;
@@ -164,7 +164,7 @@ void draw_cached(GlyphCache& cache,
 int32_t compare(GlyphCache& cache,
                 const Font& font,
                 uint16_t glyph,
-                const TextStyle& style,
+                const Style& style,
                 Point origin,
                 int32_t channels = 1) {
   clear(cached, channels);
@@ -180,7 +180,7 @@ Point px(int32_t x, int32_t y) {
 
 // As docs/PORTING.md shows it.
 Status draw_clock(const Font& font,
-                  const TextStyle& style,
+                  const Style& style,
                   Point origin,
                   const Sink& sink) {
   alignas(8) static uint8_t kept[2048];
@@ -226,7 +226,7 @@ TEST(options_out_of_range_are_refused) {
 
 TEST(without_ram_it_draws_all_the_same) {
   const Font font = outline_font();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   GlyphCache cache;
   CHECK_EQ(compare(cache, font, 1, style, px(8, 20)), 0);
   CHECK(ink(cached) > 0);
@@ -235,7 +235,7 @@ TEST(without_ram_it_draws_all_the_same) {
 
 TEST(eight_bits_and_all_phases_are_exact) {
   const Font fonts[] = {sample_font(), outline_font()};
-  const TextStyle style = style_of(21);
+  const Style style = style_of(21);
   GlyphCache cache = cache_of(sizeof ram, exact());
   for (const Font& font : fonts) {
     for (int32_t i = 0; i < 40; ++i) {
@@ -251,7 +251,7 @@ TEST(eight_bits_and_all_phases_are_exact) {
 
 TEST(four_bits_are_near) {
   const Font font = sample_font();
-  const TextStyle style = style_of(21);
+  const Style style = style_of(21);
   GlyphCacheOptions options = exact();
   options.bits = 4;
   GlyphCache cache = cache_of(sizeof ram, options);
@@ -263,7 +263,7 @@ TEST(four_bits_are_near) {
 
 TEST(glyphs_are_drawn_at_the_nearest_phase) {
   const Font font = outline_font();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   GlyphCacheOptions options = exact();
   options.phases = 4;
   GlyphCache cache = cache_of(sizeof ram, options);
@@ -282,7 +282,7 @@ TEST(glyphs_are_drawn_at_the_nearest_phase) {
 
 TEST(strips_and_windows_do_not_matter) {
   const Font font = sample_font();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   const Text text = "ABCA";
   clear(plain, 1);
   GlyphCache whole = cache_of(2048, exact());
@@ -306,7 +306,7 @@ TEST(strips_and_windows_do_not_matter) {
 
 TEST(glyphs_outside_the_window_are_not_recorded) {
   const Font font = sample_font();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   GlyphCache cache = cache_of(2048, exact());
   clear(cached, 1);
   draw_cached(cache, font, 2, style, px(500, 18));
@@ -318,7 +318,7 @@ TEST(glyphs_outside_the_window_are_not_recorded) {
 
 TEST(the_glyph_unused_for_the_longest_time_leaves) {
   const Font font = outline_font();
-  const TextStyle style = style_of(24);
+  const Style style = style_of(24);
   GlyphCache cache = cache_of(1024, exact());
   clear(cached, 1);
   // Phase by phase until one had to leave, with the first always in use.
@@ -351,12 +351,12 @@ TEST(glyphs_that_are_too_large_are_drawn_and_not_kept) {
 TEST(styles_are_told_apart_by_value) {
   const Font font = outline_font();
   GlyphCache cache = cache_of(4096, exact(2));
-  TextStyle style = style_of(20);
+  Style style = style_of(20);
   CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
   // In the same place, as on a stack.
   style = style_of(16);
   CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
-  const TextStyle other = style_of(20);
+  const Style other = style_of(20);
   CHECK_EQ(compare(cache, font, 1, other, px(10, 20)), 0);
   CHECK_EQ(cache.stats().hits, 1u);
   CHECK_EQ(cache.stats().misses, 2u);
@@ -369,7 +369,7 @@ TEST(styles_are_told_apart_by_value) {
 
 TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
   const Font fonts[] = {outline_font(), sample_font()};
-  const TextStyle styles[] = {style_of(20), style_of(14)};
+  const Style styles[] = {style_of(20), style_of(14)};
   const Face face = {&fonts[0], &styles[0]};
   const Face fallback[] = {{&fonts[1], &styles[1]}};
   PositionedGlyph run[2];
@@ -391,7 +391,7 @@ TEST(glyphs_of_other_faces_are_drawn_with_their_styles) {
 
 TEST(faces_without_a_glyph_take_no_slot) {
   const Font fonts[] = {outline_font(), sample_font()};
-  const TextStyle styles[] = {style_of(20), style_of(14)};
+  const Style styles[] = {style_of(20), style_of(14)};
   const Face fallback[] = {{&fonts[1], &styles[1]}};
   PositionedGlyph run[1];
   run[0].glyph = 1;
@@ -408,7 +408,7 @@ TEST(faces_without_a_glyph_take_no_slot) {
 TEST(sub_pixels_are_kept_by_channel) {
   const Font font = outline_font();
   const LcdOptions lcd;
-  TextStyle style = style_of(20);
+  Style style = style_of(20);
   style.set_effect(lcd_effect(lcd));
   GlyphCache cache = cache_of(4096, exact(2));
   for (int32_t round = 0; round < 2; ++round) {
@@ -424,8 +424,8 @@ TEST(sub_pixels_are_kept_by_channel) {
 TEST(effects_fit_their_box) {
   const Font font = outline_font();
   const Filter glow = glow_filter(Q6_10::from_int(3));
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(14), glow, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(14), glow, style));
   GlyphCache cache = cache_of(4096, exact());
   CHECK_EQ(compare(cache, font, 1, style, px(12, 18)), 0);
   CHECK_EQ(cache.stats().misses, 1u);
@@ -435,7 +435,7 @@ TEST(effects_fit_their_box) {
 
 TEST(clear_forgets_everything) {
   const Font font = outline_font();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   GlyphCache cache = cache_of(2048, exact());
   const uint32_t empty = cache.stats().bytes;
   CHECK_EQ(compare(cache, font, 1, style, px(10, 20)), 0);
@@ -459,7 +459,7 @@ TEST(random_calls_draw_as_without_a_cache) {
         random.between(options.styles * int32_t{GlyphCache::kMinBytes}, 4096));
     GlyphCache cache = cache_of(bytes, options);
     for (int32_t call = 0; call < 60 && !check::failed(); ++call) {
-      const TextStyle style = style_of(random.between(8, 30));
+      const Style style = style_of(random.between(8, 30));
       const Font& font = fonts[random.below(2)];
       const Point origin = {Q26_6::from_raw(random.between(-640, 2560)),
                             Q26_6::from_raw(random.between(0, 2048))};

@@ -15,11 +15,9 @@ alignas(4) uint8_t rom[layout_font::kBytes];
 // At 10 px/em: letters 7.5 px, bars 6 px, spaces 5 px wide.
 struct Setting {
   Font font = layout_font::open(rom);
-  TextStyle style;
+  Style style;
 
-  Setting() {
-    CHECK_OK(TextStyle::make(Q26_6::from_int(10), kFilterText, style));
-  }
+  Setting() { CHECK_OK(Style::make(Q26_6::from_int(10), kFilterText, style)); }
   TextBox box(const Rect& rect, Align align = Align::start) const {
     return TextBox(font, style, rect, align);
   }
@@ -68,7 +66,7 @@ struct Screen {
   PositionedGlyph glyphs[64];
 };
 
-Status make_screen(const Font& font, const TextStyle& style, Screen& out) {
+Status make_screen(const Font& font, const Style& style, Screen& out) {
   out.box = TextBox(font, style, {4, 4, 124, 44}, Align::centre);
   return ScrollingLabel::make(out.box.options, "Now playing: a long title",
                               {0, 48, 128, 64}, out.glyphs, out.label);
@@ -341,8 +339,8 @@ TEST(faces_fall_back) {
   Font sample;
   CHECK_OK(open_any_font({sample_rom, size}, sample));
   const Setting setting;
-  TextStyle small;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(5), kFilterText, small));
+  Style small;
+  CHECK_OK(Style::make(Q26_6::from_int(5), kFilterText, small));
   const Face fallback[] = {{&setting.font, &small}};
   LayoutOptions options(sample, setting.style);
   options.fallback = fallback;

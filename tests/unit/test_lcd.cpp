@@ -32,7 +32,7 @@ Middle middle_of_ink() {
 }
 
 // Sub-pixels are wider by 2/3 px on both sides, and all of that must show.
-void check_place(const GlyphField& field, TextStyle style, FinePoint origin) {
+void check_place(const GlyphField& field, Style style, FinePoint origin) {
   style.set_effect({});
   draw(field, style, origin);
   CHECK(ink() > 255 * 20);

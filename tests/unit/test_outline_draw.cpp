@@ -61,14 +61,14 @@ constexpr Point at(int32_t x_q6, int32_t y_q6) {
   return {Q26_6::from_raw(x_q6), Q26_6::from_raw(y_q6)};
 }
 
-TextStyle text_style(int32_t px = 16) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+Style text_style(int32_t px = 16) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
   return style;
 }
-TextStyle area_style(int32_t px = 16) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterArea, style));
+Style area_style(int32_t px = 16) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterArea, style));
   return style;
 }
 constexpr Filter kWide =
@@ -85,7 +85,7 @@ Direction turned() {
 template <int32_t kWidth, int32_t kHeight>
 void draw(Picture<kWidth, kHeight>& picture,
           uint16_t glyph,
-          const TextStyle& style,
+          const Style& style,
           Point origin) {
   draw_glyph(open(), glyph, style, origin, picture.sink());
 }
@@ -164,7 +164,7 @@ void check_same(int32_t apart = 0) {
   }
 }
 
-void draw_whole(const Font& font, uint16_t glyph, const TextStyle& style) {
+void draw_whole(const Font& font, uint16_t glyph, const Style& style) {
   Sheet sheet;
   draw_glyph(font, glyph, style, kMiddle, sheet.sink());
 }
@@ -172,7 +172,7 @@ void draw_whole(const Font& font, uint16_t glyph, const TextStyle& style) {
 // Every style that outlines have.
 struct Styles {
   static constexpr int32_t kCount = 9;
-  TextStyle styles[kCount];
+  Style styles[kCount];
   Filter inner = with_weight(kFilterText, Q6_10::from_raw(-900));
   LcdOptions lcd = {SubPixels::rgb, 200};
   CrispOptions crisp = {2, Q6_10()};
@@ -180,12 +180,12 @@ struct Styles {
   Styles() {
     styles[0] = text_style();
     styles[1] = area_style();
-    CHECK_OK(TextStyle::make(Q26_6::from_int(16), kWide, styles[2]));
+    CHECK_OK(Style::make(Q26_6::from_int(16), kWide, styles[2]));
     CHECK_OK(
-        TextStyle::make(Q26_6::from_int(14), kFilterText, turned(), styles[3]));
+        Style::make(Q26_6::from_int(14), kFilterText, turned(), styles[3]));
     CHECK_OK(
-        TextStyle::make(Q26_6::from_int(14), kFilterArea, turned(), styles[4]));
-    CHECK_OK(TextStyle::make(Q26_6::from_int(14), kWide, turned(), styles[5]));
+        Style::make(Q26_6::from_int(14), kFilterArea, turned(), styles[4]));
+    CHECK_OK(Style::make(Q26_6::from_int(14), kWide, turned(), styles[5]));
     styles[6] = text_style();
     styles[6].set_effect(outline_effect(inner));
     styles[7] = text_style();
@@ -255,8 +255,8 @@ TEST(a_ring_by_distance_and_area) {
 
 TEST(a_wide_filter_reaches_far) {
   Picture<16, 16> soft;
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kWide, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(16), kWide, style));
   draw(soft, square, style, at(4 * 64, 12 * 64));
   CHECK_PICTURE(soft,
                 "................\n"
@@ -276,8 +276,8 @@ TEST(a_wide_filter_reaches_far) {
 
 TEST(a_turned_square_and_a_mirrored_one) {
   Picture<14, 12> leaning;
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kFilterText, turned(), style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(16), kFilterText, turned(), style));
   draw(leaning, square, style, at(64, 64 * 6));
   CHECK_PICTURE(leaning,
                 "......:.......\n"
@@ -292,8 +292,7 @@ TEST(a_turned_square_and_a_mirrored_one) {
                 ".......:......\n");
   const auto px = [](int32_t whole) { return Q16_16::from_raw(whole * 65536); };
   Picture<12, 12> mirrored;
-  CHECK_OK(
-      TextStyle::make({px(-16), px(0), px(0), px(16)}, kFilterArea, style));
+  CHECK_OK(Style::make({px(-16), px(0), px(0), px(16)}, kFilterArea, style));
   draw(mirrored, ring, style, at(11 * 64, 11 * 64 + 32));
   CHECK_PICTURE(mirrored,
                 "..::+++::...\n"
@@ -313,7 +312,7 @@ TEST(a_turned_square_and_a_mirrored_one) {
 TEST(windows_leave_the_picture) {
   const Font font = open();
   Styles styles;
-  for (const TextStyle& style : styles.styles) {
+  for (const Style& style : styles.styles) {
     for (uint16_t glyph = square; glyph <= whole; ++glyph) {
       draw_whole(font, glyph, style);
       CHECK(ink() > 0);
@@ -336,7 +335,7 @@ TEST(windows_leave_the_picture) {
 TEST(workspaces_leave_the_picture) {
   const Font font = open();
   Styles styles;
-  for (const TextStyle& style : styles.styles) {
+  for (const Style& style : styles.styles) {
     draw_whole(font, whole, style);
     keep();
     const size_t sizes[] = {0, 1, 3, 860, 927, 928, 929, 1500, sizeof(ram) - 3};
@@ -359,7 +358,7 @@ TEST(workspaces_leave_the_picture) {
 TEST(composites_equal_their_parts) {
   const Font font = open();
   Styles styles;
-  for (const TextStyle& style : styles.styles) {
+  for (const Style& style : styles.styles) {
     draw_whole(font, whole, style);
     keep();
     draw_whole(font, parts, style);
@@ -370,7 +369,7 @@ TEST(composites_equal_their_parts) {
 TEST(a_prepared_glyph_is_the_same) {
   const Font font = open();
   Styles styles;
-  for (const TextStyle& style : styles.styles) {
+  for (const Style& style : styles.styles) {
     for (uint16_t glyph = square; glyph <= whole; ++glyph) {
       draw_whole(font, glyph, style);
       keep();
@@ -394,7 +393,7 @@ TEST(a_prepared_glyph_is_the_same) {
 
 TEST(a_prepared_glyph_says_what_it_lacks) {
   const Font font = open();
-  const TextStyle style = text_style();
+  const Style style = text_style();
   PreparedGlyph prepared;
   CHECK_EQ(
       PreparedGlyph::make(font, square, style, kMiddle, {ram, 859}, prepared),
@@ -411,7 +410,7 @@ TEST(a_prepared_glyph_says_what_it_lacks) {
 
 TEST(areas_are_the_same_at_every_position) {
   const Font font = open();
-  const TextStyle style = area_style();
+  const Style style = area_style();
   for (int32_t x_q6 = 0; x_q6 < 64; x_q6 += 7) {
     for (int32_t y_q6 = 0; y_q6 < 64; y_q6 += 9) {
       Sheet sheet;

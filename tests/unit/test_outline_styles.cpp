@@ -57,19 +57,16 @@ Canvas fill_canvas;
 
 constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
 
-TextStyle style_of(const Filter& filter, const Effect& effect = {}) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(kSizePx), filter, style));
+Style style_of(const Filter& filter, const Effect& effect = {}) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(kSizePx), filter, style));
   if (effect.mixer != nullptr) {
     style.set_effect(effect);
   }
   return style;
 }
 
-void draw(const Font& font,
-          uint16_t glyph,
-          const TextStyle& style,
-          Canvas& out) {
+void draw(const Font& font, uint16_t glyph, const Style& style, Canvas& out) {
   out.clear();
   draw_glyph(font, glyph, style, kOrigin, out.sink(kAll), {ram, sizeof(ram)});
 }
@@ -116,7 +113,7 @@ void check_truth(const Canvas& drawn,
 
 void check_filter(const Filter& filter, const Bound& bound) {
   const Font font = sample_font();
-  const TextStyle style = style_of(filter);
+  const Style style = style_of(filter);
   for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
     draw(font, glyph, style, canvas);
     check_truth(canvas, glyph, bound,
@@ -137,7 +134,7 @@ void check_same() {
 }
 
 // Whether a picture is the same in strips of any height, with any RAM.
-void check_strips(const Font& font, uint16_t glyph, const TextStyle& style) {
+void check_strips(const Font& font, uint16_t glyph, const Style& style) {
   draw(font, glyph, style, canvas);
   constexpr int32_t kRows[] = {1, 3, 16};
   constexpr size_t kBytes[] = {0, 928, 2560};
@@ -181,7 +178,7 @@ TEST(outlines_are_what_lies_between_two_filters) {
   const Font font = sample_font();
   const Outline* const outlines[] = {&kOutline, &kOuter};
   for (const Outline* outline : outlines) {
-    const TextStyle style =
+    const Style style =
         style_of(outline->outer, outline_effect(outline->inner));
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       draw(font, glyph, style, canvas);
@@ -192,8 +189,7 @@ TEST(outlines_are_what_lies_between_two_filters) {
       });
     }
   }
-  const TextStyle style =
-      style_of(kOutline.outer, outline_effect(kOutline.inner));
+  const Style style = style_of(kOutline.outer, outline_effect(kOutline.inner));
   draw(font, 5, style, canvas);
   Small leaf;
   show(canvas, 0, leaf);
@@ -225,8 +221,7 @@ TEST(fills_lie_within_outlines) {
     fill_canvas.clear();
     const Sink fill = fill_canvas.sink(kAll);
     const OutlineAndFill both = {&kOuter.inner, &fill};
-    const TextStyle style =
-        style_of(kOuter.outer, outline_and_fill_effect(both));
+    const Style style = style_of(kOuter.outer, outline_and_fill_effect(both));
     draw(font, glyph, style, canvas);
     check_truth(fill_canvas, glyph, {20, 1024},
                 [](int32_t d) { return kOuter.inner.coverage(d); });
@@ -246,7 +241,7 @@ TEST(crisp_text_is_what_lies_within_the_threshold) {
   for (const int32_t threshold : kThresholds) {
     const CrispOptions crisp = {
         2, Q6_10::from_raw(static_cast<int16_t>(threshold))};
-    const TextStyle style = style_of(kFilterText, crisp_effect(crisp));
+    const Style style = style_of(kFilterText, crisp_effect(crisp));
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       const outline_truth::Truth& truth = truth_of(glyph);
       draw(font, glyph, style, canvas);
@@ -271,7 +266,7 @@ TEST(thin_strokes_stay_connected) {
   const Font font = sample_font();
   const CrispOptions two;
   const CrispOptions four = {4, {}};
-  const TextStyle style = style_of(kFilterText, crisp_effect(two));
+  const Style style = style_of(kFilterText, crisp_effect(two));
   draw(font, 4, style, canvas);
   Small bilevel;
   show(canvas, 0, bilevel);
@@ -333,14 +328,14 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
     const bool is_red_first =
         order == SubPixels::rgb || order == SubPixels::rgb_vertical;
     const LcdOptions lcd = {order};
-    const TextStyle style = style_of(kFilterText, lcd_effect(lcd));
+    const Style style = style_of(kFilterText, lcd_effect(lcd));
     // Thirds as pixels of a picture that is three times as wide or high.
     const auto em = Q16_16::from_raw(kSizePx << 16);
     const auto thrice = Q16_16::from_raw(3 * kSizePx << 16);
     const Matrix matrix = {
         is_down ? em : thrice, {}, {}, is_down ? thrice : em};
-    TextStyle thirds;
-    CHECK_OK(TextStyle::make(matrix, kFilterArea, thirds));
+    Style thirds;
+    CHECK_OK(Style::make(matrix, kFilterArea, thirds));
     const Point origin = {Q26_6::from_raw(kX * (is_down ? 1 : 3)),
                           Q26_6::from_raw(kY * (is_down ? 3 : 1))};
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
@@ -386,7 +381,7 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
 TEST(sub_pixels_have_their_colours) {
   const Font font = sample_font();
   const LcdOptions lcd;
-  const TextStyle style = style_of(kFilterText, lcd_effect(lcd));
+  const Style style = style_of(kFilterText, lcd_effect(lcd));
   draw(font, 2, style, canvas);
   Small red;
   Small blue;
@@ -461,11 +456,11 @@ TEST(strips_and_ram_change_no_style) {
   for (uint16_t glyph = 1; glyph <= 6; ++glyph) {
     check_strips(font, glyph, style_of(glow));
     check_strips(font, glyph, style_of(bold));
-    TextStyle outlined = style_of(kOuter.outer);
+    Style outlined = style_of(kOuter.outer);
     outlined.set_effect(outline_effect(kOuter.inner));
     check_strips(font, glyph, outlined);
     for (const Effect& effect : effects) {
-      TextStyle style = style_of(kFilterText);
+      Style style = style_of(kFilterText);
       style.set_effect(effect);
       check_strips(font, glyph, style);
     }
@@ -479,8 +474,8 @@ TEST(turned_and_leaning_glyphs_have_styles_too) {
   const Matrix matrix = {Q16_16::from_raw(17 << 16), Q16_16::from_raw(5 << 16),
                          Q16_16::from_raw(-(3 << 16)),
                          Q16_16::from_raw(16 << 16)};
-  TextStyle style;
-  CHECK_OK(TextStyle::make(matrix, kOutline.outer, style));
+  Style style;
+  CHECK_OK(Style::make(matrix, kOutline.outer, style));
   style.set_effect(outline_effect(kOutline.inner));
   check_strips(font, 3, style);
   const Effect effects[] = {lcd_effect(lcd), crisp_effect(crisp)};

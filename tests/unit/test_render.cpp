@@ -137,10 +137,10 @@ constexpr int32_t kDirections[][2] = {{kOne, 0},
                                       {858993459, -644245094},
                                       {kOne, 1}};
 
-TextStyle style_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_raw(size_q6), kFilterText,
-                           direction(turn[0], turn[1]), style));
+Style style_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_raw(size_q6), kFilterText,
+                       direction(turn[0], turn[1]), style));
   return style;
 }
 
@@ -153,13 +153,13 @@ Rect window_in(Random& random, const Rect& box) {
 
 // What bands round, 1/254 px, and the roundings of 16 steps from sample to
 // sample; those are larger above the sizes of fonts.
-int32_t tolerance_of(const TextStyle& style) {
+int32_t tolerance_of(const Style& style) {
   return style.size().raw <= 64 * 64 ? 3 : 8;
 }
 
 // draw_field against distances one by one and the filter.
 void check_plain_chain(const GlyphField& field,
-                       const TextStyle& style,
+                       const Style& style,
                        const FinePoint& origin,
                        const Rect& window) {
   canvas.clear(window);
@@ -186,7 +186,7 @@ TEST(fused_drawing_equals_the_plain_chain) {
                            200 * 64, 40000,       1024 * 64 - 1, 1024 * 64};
   for (const int32_t size : sizes) {
     for (const auto& turn : kDirections) {
-      const TextStyle style = style_of(size, turn);
+      const Style style = style_of(size, turn);
       for (int i = 0; i < 6 && !check::failed(); ++i) {
         const FinePoint origin(random.between(-50000, 50000),
                                random.between(-50000, 50000));
@@ -210,7 +210,7 @@ TEST(windows_do_not_change_any_cells) {
     const bool exact = round % 2 != 0;
     const int32_t size =
         exact ? 256 << random.below(9) : random.between(4 * 64, 600 * 64);
-    const TextStyle style =
+    const Style style =
         style_of(size, kDirections[round % 4 < 2 ? 0 : random.below(8)]);
     const FinePoint origin(exact ? 512 + 1024 * random.between(-9, 9)
                                  : random.between(-9999, 9999),
@@ -242,7 +242,7 @@ void check_strips(int32_t size) {
   const GlyphField field = field_of(font_builder::ring);
   const Rect all = {-3, -2, -3 + kSide, -2 + kSide};
   for (const auto& turn : kDirections) {
-    const TextStyle style = style_of(size, turn);
+    const Style style = style_of(size, turn);
     const FinePoint origin(turn[0] > 0 ? 123 : 30123,
                            turn[1] < 0 ? 4567 : 28765);
     reference.clear(all);
@@ -278,7 +278,7 @@ namespace {
 
 // Of all that is drawn.
 uint32_t sum_in(const GlyphField& field,
-                const TextStyle& style,
+                const Style& style,
                 const Rect& window) {
   uint32_t sum = 0;
   const Sink sink = {window, &sum,
@@ -324,10 +324,10 @@ GlyphField far_column() {
 TEST(rows_may_begin_far_from_the_grid) {
   const GlyphField field = far_column();
   for (int32_t lean = -240; lean <= 240; lean += 24) {
-    TextStyle style;
-    CHECK_OK(TextStyle::make({Q16_16::from_int(30), Q16_16::from_int(0),
-                              Q16_16::from_int(lean), Q16_16::from_int(60)},
-                             kFilterText, style));
+    Style style;
+    CHECK_OK(Style::make({Q16_16::from_int(30), Q16_16::from_int(0),
+                          Q16_16::from_int(lean), Q16_16::from_int(60)},
+                         kFilterText, style));
     const int32_t x = 15232 * 30 / 1024;
     const Rect all = {x - 47000 * 30 / 1024, -20, x + 400, 20};
     const uint32_t whole = sum_in(field, style, all);
@@ -380,8 +380,8 @@ TEST(stretched_edges_are_as_sharp) {
     const int32_t lean = side.lean;
     const Matrix matrix = {
         Q16_16::from_int(96), {}, Q16_16::from_int(lean), Q16_16::from_int(48)};
-    TextStyle style;
-    CHECK_OK(TextStyle::make(matrix, kFilterText, style));
+    Style style;
+    CHECK_OK(Style::make(matrix, kFilterText, style));
     const FinePoint origin(3000, 40000);
     for (int32_t y = 25; y < 35; ++y) {
       Q6_10 distances[40];
@@ -431,7 +431,7 @@ TEST(moving_by_pixels_moves_the_picture) {
   const GlyphField field = field_of(font_builder::ring);
   const int32_t places[] = {-32767, -32700, -1, 1, 12345, 32767 - kSide};
   for (const auto& turn : kDirections) {
-    const TextStyle style = style_of(33 * 64, turn);
+    const Style style = style_of(33 * 64, turn);
     reference.clear({0, 0, kSide, kSide});
     draw_field(field, style, {20200, 20100}, reference.sink());
     CHECK(reference.ink() > 0);
@@ -455,7 +455,7 @@ TEST(origins_anywhere_are_harmless) {
   const int32_t sizes[] = {4 * 64, 1024 * 64};
   for (const int32_t size : sizes) {
     for (const auto& turn : kDirections) {
-      const TextStyle style = style_of(size, turn);
+      const Style style = style_of(size, turn);
       for (int i = 0; i < 60; ++i) {
         const Point origin = {Q26_6::from_raw(ends[random.below(7)]),
                               Q26_6::from_raw(ends[random.below(7)])};
@@ -489,7 +489,7 @@ TEST(the_largest_grids_are_harmless) {
   const int32_t sizes[] = {4 * 64, 5 * 64 + 3, 100 * 64, 1024 * 64};
   for (const int32_t size : sizes) {
     for (const auto& turn : kDirections) {
-      const TextStyle style = style_of(size, turn);
+      const Style style = style_of(size, turn);
       const Rect box = field_box(field, style, {100, 100});
       const auto draw_in = [&field, &style](const Rect& window) {
         canvas.clear(window);
@@ -574,7 +574,7 @@ TEST(draws_a_small_disc_upright_and_turned) {
 // 2^32 / 1024 px and its multiples, which would wrap.
 TEST(far_glyphs_show_nothing) {
   const GlyphField field = field_of(font_builder::disc);
-  const TextStyle style = style_of(20 * 64);
+  const Style style = style_of(20 * 64);
   constexpr int64_t kFar = int64_t{1} << 32;
   const int64_t ways[] = {kFar, -kFar, 3 * kFar};
   for (const int64_t way : ways) {

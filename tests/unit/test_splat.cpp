@@ -36,9 +36,7 @@ Splats splats_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
   return splats;
 }
 
-void check_as_without(const GlyphField& field,
-                      TextStyle style,
-                      FinePoint origin) {
+void check_as_without(const GlyphField& field, Style style, FinePoint origin) {
   draw(field, style, origin);
   effect::keep();
   CHECK(effect::ink() > 0);
@@ -66,7 +64,7 @@ double fall(double t) {
 // What a pixel gathers from all squares around it. [px, y up, from the origin]
 class Gathered {
  public:
-  Gathered(const GlyphField& field, const TextStyle& style, double x, double y)
+  Gathered(const GlyphField& field, const Style& style, double x, double y)
       : field_(field),
         style_(style),
         x_(x),
@@ -133,7 +131,7 @@ class Gathered {
   }
 
   const GlyphField& field_;
-  const TextStyle& style_;
+  const Style& style_;
   double x_;
   double y_;
   double px_;
@@ -149,7 +147,7 @@ TEST(splats_are_what_pixels_would_gather) {
   for (const font_builder::Shape shape : shapes) {
     const GlyphField field = field_of(shape);
     for (const int32_t px : kSizes) {
-      TextStyle style = style_of(px * 64, false);
+      Style style = style_of(px * 64, false);
       const Splats splats = splats_of();
       style.set_effect(splat_effect(splats));
       draw(field, style, origin);
@@ -186,7 +184,7 @@ TEST(windows_and_sums_do_not_change_the_picture) {
   const FinePoint origin(6 * 1024 + 300, 25 * 1024 + 77);
   for (int turned = 0; turned < 2; ++turned) {
     for (const int32_t px : kSizes) {
-      TextStyle style = style_of(px * 64, turned != 0);
+      Style style = style_of(px * 64, turned != 0);
       const Splats large = splats_of();
       style.set_effect(splat_effect(large));
       check_windows(field, style, origin);
@@ -213,7 +211,7 @@ TEST(any_cells_are_drawn_in_the_window) {
     CHECK(record.size() <= sizeof(effect::glyph_bytes));
     record.write(effect::glyph_bytes);
     CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
-    TextStyle style = style_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
+    Style style = style_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
     const Splats splats =
         splats_of(kMinSplatSums + random.below(300),
                   Q6_10::from_raw(static_cast<int16_t>(random.between(
@@ -258,7 +256,7 @@ TEST(glyphs_may_be_wider_than_the_sums) {
   record.write(effect::glyph_bytes);
   GlyphField wide;
   CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, wide));
-  TextStyle style = style_of(20 * 64, false);
+  Style style = style_of(20 * 64, false);
   const Splats splats = splats_of(kMinSplatSums);
   style.set_effect(splat_effect(splats));
   int32_t sum = 0;
@@ -296,7 +294,7 @@ TEST(small_tiles_look_like_larger_ones) {
     record.write(effect::glyph_bytes);
     GlyphField field;
     CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
-    TextStyle style = style_of(4 * 64, false);
+    Style style = style_of(4 * 64, false);
     const Splats splats = splats_of();
     style.set_effect(splat_effect(splats));
     draw(field, style, {10 * 1024 + 300, 20 * 1024 + 77});

@@ -86,9 +86,9 @@ size_t encode(uint32_t code_point, char* out) {
   return size;
 }
 
-TextStyle style_of(int32_t px) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+Style style_of(int32_t px) {
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
   return style;
 }
 
@@ -394,7 +394,7 @@ TEST(lengths_in_px_round_to_the_nearest) {
   Random random(6);
   const int32_t sizes[] = {4, 12, 17, 1024};
   for (const int32_t px : sizes) {
-    const TextStyle style = style_of(px);
+    const Style style = style_of(px);
     for (int i = 0; i < 600; ++i) {
       const int32_t limit = (i & 1) != 0 ? 1 << 19 : 1 << 24;
       const double bound = (i & 1) != 0 ? 0.55 : 1.05;
@@ -437,7 +437,7 @@ TEST(long_lines_end_at_the_limit) {
 
 TEST(a_run_is_its_glyphs) {
   const Font font = sample();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   PositionedGlyph buffer[8];
   Span<const PositionedGlyph> run;
   CHECK_OK(lay_out(font, "AB C", buffer, run));
@@ -466,7 +466,7 @@ TEST(a_run_is_its_glyphs) {
 
 TEST(positions_in_a_run_go_up) {
   const Font font = sample();
-  const TextStyle style = style_of(10);
+  const Style style = style_of(10);
   PositionedGlyph glyph;
   glyph.glyph = 2;
   glyph.x = 1000;
@@ -483,8 +483,8 @@ TEST(turned_runs_follow_their_direction) {
   Direction up;  // to the top of the screen
   up.cosine.raw = 0;
   up.sine.raw = 1 << 30;
-  TextStyle style;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(20), kFilterText, up, style));
+  Style style;
+  CHECK_OK(Style::make(Q26_6::from_int(20), kFilterText, up, style));
   PositionedGlyph glyph;
   glyph.glyph = 2;
   glyph.x = 1000;
@@ -498,7 +498,7 @@ TEST(turned_runs_follow_their_direction) {
 
 TEST(absent_glyphs_are_left_out) {
   const Font font = sample();
-  const TextStyle style = style_of(20);
+  const Style style = style_of(20);
   Ink ink;
   draw_glyph(font, 1, style, at(0, 0), ink.sink());
   draw_glyph(font, 5, style, at(0, 0), ink.sink());
@@ -510,7 +510,7 @@ TEST(absent_glyphs_are_left_out) {
 
 TEST(draws_text_as_expected) {
   const Font font = sample();
-  const TextStyle style = style_of(12);
+  const Style style = style_of(12);
   Picture<24, 10> picture;
   picture.next_glyph();
   draw_text(font, "AB", style, at(1, 9), picture.sink());
@@ -529,7 +529,7 @@ TEST(draws_text_as_expected) {
 // 2^22 px are 2^32 / 1024.
 TEST(positions_do_not_wrap) {
   const Font font = sample();
-  const TextStyle style = style_of(1000);  // a unit is a px
+  const Style style = style_of(1000);  // a unit is a px
   const Point origin = at(-355, 395);
   PositionedGlyph glyph;
   glyph.glyph = 2;
@@ -553,7 +553,7 @@ TEST(far_positions_are_harmless) {
   const int32_t ends[] = {INT32_MIN, INT32_MIN / 2, INT32_MAX / 2, INT32_MAX};
   const int32_t sizes[] = {4, 1024};
   for (const int32_t px : sizes) {
-    const TextStyle style = style_of(px);
+    const Style style = style_of(px);
     for (const int32_t x : ends) {
       for (const int32_t y : ends) {
         Ink ink;

@@ -65,7 +65,7 @@ const char* Scene::body_text(int32_t line) noexcept {
 }
 
 Status Scene::lay_out(const Font& font,
-                      const TextStyle& style,
+                      const Style& style,
                       Text text,
                       Line& line) noexcept {
   INKCELL_TRY(inkcell::lay_out(font, text, style, line.glyphs, line.used));
@@ -77,8 +77,7 @@ Status Scene::lay_out(const Font& font,
 // sub-pixel steps are invisible.
 Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
   constexpr int32_t kAcrossBelowQ6 = 12 * 64;
-  INKCELL_TRY(
-      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, look.style));
+  INKCELL_TRY(Style::make(Q26_6::from_raw(size_q6), kFilterText, look.style));
   if (!is_still && !kIsMono) {
     return Status::ok;
   }
@@ -95,8 +94,8 @@ Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
 }
 
 Status Scene::open() noexcept {
-  INKCELL_TRY(Font::open(fonts::INKCELL_DEMO_FONT_NAME, INKCELL_DEMO_CODING,
-                         font_));
+  INKCELL_TRY(
+      Font::open(fonts::INKCELL_DEMO_FONT_NAME, INKCELL_DEMO_CODING, font_));
   INKCELL_TRY(make_look(kClockQ6, true, clock_look_));
   INKCELL_TRY(make_look(kTextQ6, true, text_look_));
   INKCELL_TRY(make_look(kTextQ6, false, moving_look_));

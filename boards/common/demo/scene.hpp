@@ -56,7 +56,7 @@ class Scene {
 
   // The style of one size. It refers to the other members.
   struct Look {
-    TextStyle style;
+    Style style;
     Fit fit;
     CrispOptions crisp;
   };
@@ -64,7 +64,7 @@ class Scene {
   static const char* body_text(int32_t line) noexcept;
   Status make_look(int32_t size_q6, bool is_still, Look& look) noexcept;
   static Status lay_out(const Font& font,
-                        const TextStyle& style,
+                        const Style& style,
                         Text text,
                         Line& line) noexcept;
   Status lay_out_body() noexcept;

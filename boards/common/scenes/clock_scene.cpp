@@ -142,9 +142,9 @@ Rect ClockScene::box_of(int32_t digit) const noexcept {
 }
 
 void ClockScene::draw_colon(const Paper& paper) const noexcept {
-  TextStyle style;
+  Style style;
   const Q26_6 size = Q26_6::from_int(layout_.size_px);
-  if (TextStyle::make(size, kFilterMotion, style) != Status::ok) {
+  if (Style::make(size, kFilterMotion, style) != Status::ok) {
     return;
   }
   const int32_t advance_q6 = static_cast<int32_t>(

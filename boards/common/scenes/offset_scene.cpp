@@ -7,7 +7,7 @@
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/numbers.hpp"
 #include "inkcell/kinetic/timeline.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace scenes {
@@ -191,8 +191,8 @@ void OffsetScene::draw(const Paper& paper) noexcept {
     draw_offset(grid_for(offset), Q26_6::from_raw(offset), 0, 0, kFilterMotion,
                 paper.with(kBands[i]));
   }
-  TextStyle style;
-  if (TextStyle::make(place_.size, kFilterMotion, style) == Status::ok) {
+  Style style;
+  if (Style::make(place_.size, kFilterMotion, style) == Status::ok) {
     draw_text(font_, text_, style, place_.origin, paper.with(kBody),
               workspace_);
   }

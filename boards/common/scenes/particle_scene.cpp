@@ -6,7 +6,7 @@
 #include "inkcell/kinetic/fade.hpp"
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/timeline.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace scenes {
@@ -269,9 +269,8 @@ void ParticleScene::draw_rings(const Paper& paper) const noexcept {
 
 void ParticleScene::draw_word(const Paper& paper) const noexcept {
   const int32_t opacity = word_opacity(frame_ % kWordFrames);
-  TextStyle style;
-  if (opacity == 0 ||
-      TextStyle::make(size_, kFilterMotion, style) != Status::ok) {
+  Style style;
+  if (opacity == 0 || Style::make(size_, kFilterMotion, style) != Status::ok) {
     return;
   }
   // It cools down while it appears.

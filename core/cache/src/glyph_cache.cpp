@@ -35,7 +35,7 @@ constexpr int32_t kRowsAtOnce = 32;
 struct Call {
   GlyphStore* store;  // null: nothing is kept
   const Font& font;
-  const TextStyle& style;
+  const Style& style;
   const Sink& sink;
   Workspace workspace;
   uint32_t slot = 0;
@@ -296,7 +296,7 @@ Status GlyphCache::make(Span<uint8_t> ram,
 
 void GlyphCache::draw(const Font& font,
                       Span<const PositionedGlyph> glyphs,
-                      const TextStyle& style,
+                      const Style& style,
                       Point origin,
                       const Sink& sink,
                       Workspace workspace) noexcept {
@@ -330,7 +330,7 @@ void GlyphCache::draw(const Face& face,
 
 void GlyphCache::draw_text(const Font& font,
                            Text text,
-                           const TextStyle& style,
+                           const Style& style,
                            Point origin,
                            const Sink& sink,
                            Workspace workspace) noexcept {

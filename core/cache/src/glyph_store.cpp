@@ -115,7 +115,7 @@ bool GlyphStore::evict(uint32_t kept) noexcept {
 }
 
 uint32_t GlyphStore::slot_of(const Font& font,
-                             const TextStyle& style,
+                             const Style& style,
                              uint8_t channels) noexcept {
   ++clock_;
   const uint8_t* const rom = font.rom().data;

@@ -27,7 +27,7 @@ struct __attribute__((may_alias)) CachedGlyph {
 
 // A font and a style.
 struct __attribute__((may_alias)) CachedStyle {
-  TextStyle style;
+  Style style;
   const uint8_t* rom;
   uint32_t used;     // when, or 0: never
   uint8_t channels;  // of a pixel
@@ -45,7 +45,7 @@ class __attribute__((may_alias)) GlyphStore {
 
   // The slot of a font and a style, which may have to take that of others.
   uint32_t slot_of(const Font& font,
-                   const TextStyle& style,
+                   const Style& style,
                    uint8_t channels) noexcept;
 
   // The entry of a key, which is used then; null: there is none. Keys are the

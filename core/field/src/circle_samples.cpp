@@ -123,7 +123,7 @@ class PixelSamples {
   int32_t paper() noexcept;
 
   const CircleSamples& options_;
-  const TextStyle& style_;
+  const Style& style_;
   const Filter& filter_;
   FieldSampler sampler_;
   uint32_t reach_q16_;                  // a pixel along both axes [u]
@@ -225,7 +225,7 @@ __attribute__((noinline)) int32_t PixelSamples::paper() noexcept {
                                                16));
 }
 
-void plan_samples(const TextStyle& style, detail::BandPlan& plan) noexcept {
+void plan_samples(const Style& style, detail::BandPlan& plan) noexcept {
   const auto& options =
       *static_cast<const CircleSamples*>(style.effect().options);
   plan.shown_q8 += options.radius_q10 >> 2;

@@ -115,7 +115,7 @@ GlyphStep part_of(const GlyphStep& step, int32_t number) noexcept {
 }  // namespace
 
 bool FieldRows::open(const GlyphField& field,
-                     const TextStyle& style,
+                     const Style& style,
                      const Placed& placed,
                      int32_t shown_q8,
                      int32_t columns,
@@ -159,7 +159,7 @@ Rect FieldRows::box(const Placed& placed) const noexcept {
   int32_t half_x = columns_ == 1 ? 512 : 170;
   int32_t half_y = rows_ == 1 ? 512 : 170;
   if (!style_->is_upright()) {
-    const TextStyle::Axes& axes = style_->axes();
+    const Style::Axes& axes = style_->axes();
     const Extent x_right = turned(x, axes.x_right);
     const Extent y_right = turned(y, axes.y_right);
     const Extent x_up = turned(x, axes.x_up);

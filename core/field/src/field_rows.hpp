@@ -13,9 +13,9 @@
 #include <stdint.h>
 
 #include "field_sampler.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "place/position.hpp"
-#include "rows/painter.hpp"
+#include "rows/band_painter.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -27,7 +27,7 @@ class FieldRows {
   // `shown_q8`: how far from the ink a sample may show something. [px] False:
   // none does.
   bool open(const GlyphField& field,
-            const TextStyle& style,
+            const Style& style,
             const Placed& placed,
             int32_t shown_q8,
             int32_t columns,
@@ -47,7 +47,7 @@ class FieldRows {
   FieldPlace place_of(int64_t x_q8, int64_t y_q8) const noexcept;
 
   const GlyphField& field() const noexcept { return *field_; }
-  const TextStyle& style() const noexcept { return *style_; }
+  const Style& style() const noexcept { return *style_; }
   // From a sample to the next one.
   const GlyphStep& right() const noexcept { return right_; }
   const GlyphStep& up() const noexcept { return up_; }
@@ -58,7 +58,7 @@ class FieldRows {
   void fill_crossings(const Band& band, FieldPlace first) const noexcept;
 
   const GlyphField* field_;
-  const TextStyle* style_;
+  const Style* style_;
   Rect limits_;
   GlyphStep right_;
   GlyphStep up_;

@@ -69,7 +69,7 @@ Status open_any_font(Span<const uint8_t> rom, Font& out) noexcept {
 }
 
 void draw_field(const GlyphField& field,
-                const TextStyle& style,
+                const Style& style,
                 FinePoint origin,
                 const Sink& sink,
                 Workspace workspace) noexcept {
@@ -81,7 +81,7 @@ void draw_field(const GlyphField& field,
 }
 
 Rect field_box(const GlyphField& field,
-               const TextStyle& style,
+               const Style& style,
                FinePoint origin) noexcept {
   detail::Placed placed;
   return placed.set(origin)
@@ -91,7 +91,7 @@ Rect field_box(const GlyphField& field,
 }
 
 void distance_row(const GlyphField& field,
-                  const TextStyle& style,
+                  const Style& style,
                   FinePoint origin,
                   int32_t x,
                   int32_t y,

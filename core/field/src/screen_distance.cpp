@@ -24,7 +24,7 @@ uint32_t length_of(int64_t x, int64_t y, int32_t& log2) noexcept {
 
 }  // namespace
 
-int32_t gain_q15(const TextStyle& style, const Gradient& gradient) noexcept {
+int32_t gain_q15(const Style& style, const Gradient& gradient) noexcept {
   const auto along = [&gradient](const GlyphStep& step) noexcept {
     return (int64_t{gradient.x.raw} * step.x_q20 +
             int64_t{gradient.y.raw} * step.y_q20) >>
@@ -43,7 +43,7 @@ int32_t gain_q15(const TextStyle& style, const Gradient& gradient) noexcept {
   return max(min(static_cast<int32_t>(gain), 1 << 15), style.least_gain_q15());
 }
 
-int32_t screen_distance_q10(const TextStyle& style,
+int32_t screen_distance_q10(const Style& style,
                             FieldSampler& sampler,
                             const FieldPlace& at) noexcept {
   if (!style.is_stretched()) {

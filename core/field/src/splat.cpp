@@ -67,7 +67,7 @@ class Block {
   void add(const Place& centre, uint32_t log2, uint32_t coverage) noexcept;
 
   detail::FieldTree tree_;
-  const TextStyle& style_;
+  const Style& style_;
   const Splats& splats_;
   const detail::Placed& placed_;
   Rect pixels_;
@@ -77,7 +77,7 @@ class Block {
   uint32_t weight_q8_ = 0;   // of the least, at a pixel's centre
 };
 
-const Splats& splats_of(const TextStyle& style) noexcept {
+const Splats& splats_of(const Style& style) noexcept {
   return *static_cast<const Splats*>(style.effect().options);
 }
 
@@ -115,7 +115,7 @@ Place Block::centre_of(const Square& square) const noexcept {
   if (style_.is_upright()) {
     return {origin_.x_q10 + x_q10, origin_.y_q10 - y_q10};
   }
-  const TextStyle::Axes& axes = style_.axes();
+  const Style::Axes& axes = style_.axes();
   const int64_t right =
       int64_t{x_q10} * axes.x_right.raw + int64_t{y_q10} * axes.y_right.raw;
   const int64_t up =
@@ -293,7 +293,7 @@ void Block::blend(uint8_t* coverage, int32_t stride) const noexcept {
   }
 }
 
-void plan_splats(const TextStyle& style, detail::BandPlan& plan) noexcept {
+void plan_splats(const Style& style, detail::BandPlan& plan) noexcept {
   plan.shown_q8 += splats_of(style).radius_q10 >> 2;
 }
 

@@ -10,7 +10,7 @@
 #include "inkcell/fixed.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 

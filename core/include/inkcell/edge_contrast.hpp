@@ -15,7 +15,7 @@
 #include <stdint.h>
 
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 

@@ -9,7 +9,7 @@
 //   const Outline outline = make_outline(kFilterText, width, place);
 //   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
 //   INKCELL_TRY(check_reach(font.range(), size, outline.inner));
-//   INKCELL_TRY(TextStyle::make(size, outline.outer, style));
+//   INKCELL_TRY(Style::make(size, outline.outer, style));
 //   style.set_effect(outline_effect(outline.inner));
 //
 // Distances of fields end at the font's band (FontRange::band_u; --band-px of
@@ -25,7 +25,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/status.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 
@@ -59,7 +59,7 @@ enum class OutlinePlace : uint8_t { inner, centred, outer };
 
 /// The filters of an outline's two edges, 524 bytes. The caller owns them.
 struct Outline {
-  Filter outer;  // for TextStyle::make
+  Filter outer;  // for Style::make
   Filter inner;  // for what is painted
 };
 

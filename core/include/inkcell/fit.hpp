@@ -22,7 +22,7 @@
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/grid_hints.hpp"
 #include "inkcell/status.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 
@@ -45,7 +45,7 @@ struct FitOptions {
   uint16_t strength_q8 = kAll;
 };
 
-/// For TextStyle::set_fitter; the options are a const Fit*.
+/// For Style::set_fitter; the options are a const Fit*.
 extern const Fitter kGridFit;
 
 /// The same for heights alone, in two thirds of the code: FitOptions::across
@@ -69,7 +69,7 @@ class Fit {
   /// GridHints::open; bad_argument: the levels or the strength. `out` is
   /// untouched unless the result is ok.
   static Status make(const Font& font,
-                     const TextStyle& style,
+                     const Style& style,
                      const FitOptions& options,
                      Fit& out) noexcept;
 

@@ -14,7 +14,7 @@
 
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 

@@ -8,7 +8,7 @@
 namespace inkcell {
 
 /// A unit vector: the direction of the baseline, counter-clockwise from the
-/// right as one sees it. {1, 0} is upright text; TextStyle::make makes a sine
+/// right as one sees it. {1, 0} is upright text; Style::make makes a sine
 /// of 0 with a positive cosine exactly that.
 struct Direction {
   Fixed<int32_t, 30> cosine = Fixed<int32_t, 30>::from_raw(1 << 30);
@@ -30,7 +30,7 @@ struct Matrix {
 };
 
 /// What one px on the screen is in the glyph: along its axes, in u and in px of
-/// TextStyle::size().
+/// Style::size().
 struct GlyphStep {
   int32_t x_q16;  // [u]
   int32_t y_q16;

@@ -13,7 +13,7 @@
 #include "inkcell/font.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -34,7 +34,7 @@ class PreparedGlyph {
   /// not one of outlines. `out` is untouched unless the result is ok.
   static Status make(const Font& font,
                      uint16_t glyph,
-                     const TextStyle& style,
+                     const Style& style,
                      Point origin,
                      Workspace workspace,
                      PreparedGlyph& out) noexcept;

@@ -12,8 +12,8 @@
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -48,7 +48,7 @@ Status lay_out(const ShapedRun& run,
 /// and keeps its place on the letter, to the nearest pixel.
 Status lay_out(const Font& font,
                const ShapedRun& run,
-               const TextStyle& style,
+               const Style& style,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept;
 
@@ -59,13 +59,13 @@ TextMeasure measure(const Font& font, const ShapedRun& run) noexcept;
 /// designed.
 TextMeasure measure(const Font& font,
                     const ShapedRun& run,
-                    const TextStyle& style) noexcept;
+                    const Style& style) noexcept;
 
 /// Draws a run with the left end of its baseline at `origin`, along the style's
 /// direction and with its advances. Takes no buffer; clips, and cannot fail.
 void draw(const Font& font,
           const ShapedRun& run,
-          const TextStyle& style,
+          const Style& style,
           Point origin,
           const Sink& sink,
           Workspace workspace = {}) noexcept;

@@ -18,7 +18,7 @@
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 

@@ -14,7 +14,7 @@
 #include "inkcell/geometry.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -59,7 +59,7 @@ inline constexpr size_t kMaxLineBytes = 65535;
 /// A font and the style that draws it. Both must outlive it.
 struct Face {
   const Font* font = nullptr;
-  const TextStyle* style = nullptr;
+  const Style* style = nullptr;
 };
 
 /// Lays text out glyph by glyph, without a buffer.
@@ -78,7 +78,7 @@ class TextCursor {
   /// With the advances that glyphs have when the style draws them. If those are
   /// whole pixels, so is the kerning, rounded towards 0; positions are whole
   /// pixels in font units, to the nearest.
-  TextCursor(const Font& font, Text text, const TextStyle& style) noexcept;
+  TextCursor(const Font& font, Text text, const Style& style) noexcept;
 
   /// The next glyph, kerned against the one before; false at the end. A code
   /// point that the font lacks gives .notdef, unless it shows nothing: tabs and
@@ -95,9 +95,9 @@ class TextCursor {
   const Font& font_;
   Text text_;
   size_t size_;
-  const TextStyle* style_ = nullptr;  // null: advances are the font's
-  int32_t advance_ = 0;               // [px with a style, or font units]
-  int32_t previous_ = -1;  // glyph id, or -1 at the start of the line
+  const Style* style_ = nullptr;  // null: advances are the font's
+  int32_t advance_ = 0;           // [px with a style, or font units]
+  int32_t previous_ = -1;         // glyph id, or -1 at the start of the line
 };
 
 /// Positions of all glyphs of one line. `out` holds at most text.size glyphs,
@@ -113,7 +113,7 @@ Status lay_out(const Font& font,
 /// The same with the advances of a style.
 Status lay_out(const Font& font,
                Text text,
-               const TextStyle& style,
+               const Style& style,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept;
 
@@ -130,18 +130,16 @@ TextMeasure measure(const Font& font, Text text) noexcept;
 
 /// The same with the advances of a style. The ink is that of glyphs as they are
 /// designed: fitting moves it by a pixel or so.
-TextMeasure measure(const Font& font,
-                    Text text,
-                    const TextStyle& style) noexcept;
+TextMeasure measure(const Font& font, Text text, const Style& style) noexcept;
 
 /// A length in font units at a style's size, rounded to the nearest 1/64 px and
 /// clamped to the range of Q26_6.
-Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept;
+Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept;
 
 /// unsupported: the style's effect does not draw glyphs of this font, and
 /// nothing shows. Outlines take neither splats nor circle samples; fields do,
 /// but not with a style that stretches.
-Status check_effect(const Font& font, const TextStyle& style) noexcept;
+Status check_effect(const Font& font, const Style& style) noexcept;
 
 /// Draws laid-out glyphs with the run's origin (left end of its baseline) at
 /// `origin`, along the style's direction. Glyphs outside the sink's window cost
@@ -149,7 +147,7 @@ Status check_effect(const Font& font, const TextStyle& style) noexcept;
 /// the font lacks are left out. Positions are clamped to +-2^24 font units.
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
-          const TextStyle& style,
+          const Style& style,
           Point origin,
           const Sink& sink,
           Workspace workspace = {}) noexcept;
@@ -168,7 +166,7 @@ void draw(const Face& face,
 /// drawn in many strips, `lay_out` once and `draw` for each is faster.
 void draw_text(const Font& font,
                Text text,
-               const TextStyle& style,
+               const Style& style,
                Point origin,
                const Sink& sink,
                Workspace workspace = {}) noexcept;
@@ -178,13 +176,13 @@ void draw_text(const Font& font,
 /// glyph shows nothing.
 Rect glyph_box(const Font& font,
                uint16_t glyph,
-               const TextStyle& style,
+               const Style& style,
                Point origin) noexcept;
 
 /// Draws one glyph by its id, with its origin at `origin`.
 void draw_glyph(const Font& font,
                 uint16_t glyph,
-                const TextStyle& style,
+                const Style& style,
                 Point origin,
                 const Sink& sink,
                 Workspace workspace = {}) noexcept;

@@ -3,8 +3,8 @@
 
 #include "inkcell/effects.hpp"
 #include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "known_span.hpp"
 
 namespace inkcell {
@@ -106,8 +106,8 @@ Status DistanceGrid::paint(const Font& font,
                            Point origin,
                            Workspace workspace) noexcept {
   const Q26_6 painted = Q26_6::from_raw(size.raw >> scale_log2_);
-  TextStyle style;
-  INKCELL_TRY(TextStyle::make(painted, kFilterDistance, style));
+  Style style;
+  INKCELL_TRY(Style::make(painted, kFilterDistance, style));
   INKCELL_TRY(check_reach(font.range(), painted, kFilterDistance));
   const Point at = {Q26_6::from_raw(origin.x.raw >> scale_log2_),
                     Q26_6::from_raw(origin.y.raw >> scale_log2_)};

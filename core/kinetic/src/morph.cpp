@@ -3,8 +3,8 @@
 
 #include "inkcell/kinetic/grid_draw.hpp"
 #include "inkcell/kinetic/run.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -115,8 +115,8 @@ void GlyphMorph::draw(int32_t x,
     return;
   }
   const uint16_t glyph = blend_.part_q8 == 0 ? from_ : to_;
-  TextStyle style;
-  if (glyph == kNone || TextStyle::make(size_, filter, style) != Status::ok) {
+  Style style;
+  if (glyph == kNone || Style::make(size_, filter, style) != Status::ok) {
     return;
   }
   const Point at = origin_of(glyph);

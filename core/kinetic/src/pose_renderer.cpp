@@ -125,11 +125,11 @@ bool PoseRenderer::make_style(const PosedGlyph& glyph,
     filter = &weighted_;
   }
   if (map.size.raw != 0 && pose.angle.raw == 0) {
-    return TextStyle::make(map.size, *filter, style_) == Status::ok;
+    return Style::make(map.size, *filter, style_) == Status::ok;
   }
   if (map.size.raw != 0) {
-    return TextStyle::make(map.size, *filter, direction_of(pose.angle),
-                           style_) == Status::ok;
+    return Style::make(map.size, *filter, direction_of(pose.angle), style_) ==
+           Status::ok;
   }
   const auto px = [&](int32_t entry_q16) {
     const int64_t px_q16 = int64_t{entry_q16} * size_.raw >> 6;
@@ -138,7 +138,7 @@ bool PoseRenderer::make_style(const PosedGlyph& glyph,
   };
   const Matrix matrix = {px(map.x_right_q16), px(map.x_up_q16),
                          px(map.y_right_q16), px(map.y_up_q16)};
-  return TextStyle::make(matrix, *filter, style_) == Status::ok;
+  return Style::make(matrix, *filter, style_) == Status::ok;
 }
 
 void PoseRenderer::draw(Span<const PosedGlyph> glyphs,

@@ -381,7 +381,7 @@ Q26_6 line_height(const LayoutOptions& options) noexcept {
 Q26_6 baseline(const LayoutOptions& options) noexcept {
   const FontMetrics metrics = options.face.font->metrics();
   const Font& font = *options.face.font;
-  const TextStyle& style = *options.face.style;
+  const Style& style = *options.face.style;
   const int32_t rise = to_px(font, style, metrics.ascender).raw;
   const int32_t depth = -to_px(font, style, metrics.descender).raw;
   const int32_t more = line_height(options).raw - rise - depth;

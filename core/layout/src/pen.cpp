@@ -4,7 +4,7 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const TextStyle* whole_style(const Face& face) noexcept {
+const Style* whole_style(const Face& face) noexcept {
   return face.style->has_whole_advances() ? face.style : nullptr;
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Pixels farther from the ink are never drawn. [px, Q8]
 constexpr int32_t kMostReach = 256;
 
-const CrispOptions& crisp_of(const TextStyle& style) noexcept {
+const CrispOptions& crisp_of(const Style& style) noexcept {
   return *static_cast<const CrispOptions*>(style.effect().options);
 }
 bool has_greys(const CrispOptions& crisp) noexcept {
@@ -26,7 +26,7 @@ int32_t threshold_of(const CrispOptions& crisp) noexcept {
   return min(max(crisp.threshold_px.raw, -512), 512);
 }
 
-void plan_crisp(const TextStyle& style, BandPlan& plan) noexcept {
+void plan_crisp(const Style& style, BandPlan& plan) noexcept {
   const CrispOptions& crisp = crisp_of(style);
   // Thresholds, and the nearer of two pixels that a stroke passes between.
   constexpr int32_t kLeastReach = 128 + 16;
@@ -206,8 +206,8 @@ void mix_crisp(GlyphJob& job) noexcept {
            [&row](const uint8_t* at) noexcept { return row.coverage(at); });
 }
 
-constexpr Painter kPaintCrossings = {paint_crossings, nullptr,
-                                     BandKind::crossings, false, 0};
+constexpr BandPainter kPaintCrossings = {paint_crossings, nullptr,
+                                         BandKind::crossings, false, 0};
 
 }  // namespace
 

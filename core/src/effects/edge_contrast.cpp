@@ -15,11 +15,11 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const EdgeContrast& contrast_of(const TextStyle& style) noexcept {
+const EdgeContrast& contrast_of(const Style& style) noexcept {
   return *static_cast<const EdgeContrast*>(style.effect().options);
 }
 
-void plan_contrast(const TextStyle&, BandPlan& plan) noexcept {
+void plan_contrast(const Style&, BandPlan& plan) noexcept {
   plan.margin_x = 2;
   plan.margin_y = 2;
 }
@@ -68,7 +68,7 @@ uint8_t contrasted(const uint8_t* at,
 
 void mix_contrast(GlyphJob& job) noexcept {
   const Band& band = job.band;
-  const TextStyle& style = *job.style;
+  const Style& style = *job.style;
   const EdgeContrast& contrast = contrast_of(style);
   style.painter()->cover(band, style.filter());
   mix_rows(job, [&](const uint8_t* at) noexcept {

@@ -11,18 +11,18 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const Filter& inner_of(const TextStyle& style) noexcept {
+const Filter& inner_of(const Style& style) noexcept {
   return *static_cast<const Filter*>(style.effect().options);
 }
-const OutlineAndFill& both_of(const TextStyle& style) noexcept {
+const OutlineAndFill& both_of(const Style& style) noexcept {
   return *static_cast<const OutlineAndFill*>(style.effect().options);
 }
 
-void plan_outline(const TextStyle& style, BandPlan& plan) noexcept {
+void plan_outline(const Style& style, BandPlan& plan) noexcept {
   plan.widen(inner_of(style));
 }
 
-void plan_both(const TextStyle& style, BandPlan& plan) noexcept {
+void plan_both(const Style& style, BandPlan& plan) noexcept {
   const Filter& inner = *both_of(style).inner;
   plan.widen(inner);
   // Fills may lie outside of their outlines.

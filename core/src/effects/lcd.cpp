@@ -63,11 +63,11 @@ struct StripeSteps {
   int32_t row;     // to that of the pixel below
 };
 
-const LcdOptions& lcd_of(const TextStyle& style) noexcept {
+const LcdOptions& lcd_of(const Style& style) noexcept {
   return *static_cast<const LcdOptions*>(style.effect().options);
 }
 
-void plan_lcd(const TextStyle& style, BandPlan& plan) noexcept {
+void plan_lcd(const Style& style, BandPlan& plan) noexcept {
   // A channel is the mean of a stripe and the two beside it.
   plan.shown_q8 += 86;
   if (is_vertical(lcd_of(style).order)) {

@@ -20,7 +20,7 @@ Mean::Mean(GlyphJob& job) noexcept : job_(job) {
 
 void Mean::add(uint32_t share) noexcept {
   const Band& band = job_.band;
-  const TextStyle& style = *job_.style;
+  const Style& style = *job_.style;
   style.painter()->cover(band, style.filter());
   const uint8_t* at = band.bytes;
   uint8_t* sum = sums();

@@ -9,11 +9,11 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const MotionBlur& blur_of(const TextStyle& style) noexcept {
+const MotionBlur& blur_of(const Style& style) noexcept {
   return *static_cast<const MotionBlur*>(style.effect().options);
 }
 
-void plan_blur(const TextStyle& style, BandPlan& plan) noexcept {
+void plan_blur(const Style& style, BandPlan& plan) noexcept {
   const MotionBlur& blur = blur_of(style);
   const auto half_q8 = [&blur](int32_t step_q10) noexcept {
     return static_cast<int16_t>((abs(step_q10) * blur.steps >> 3) + 1);

@@ -20,7 +20,7 @@ struct Corners {
 
 // Shares of 38 or so, as long as corners are at most half a pixel away: farther
 // pictures would leave a gap at the centre.
-Corners corners_of(const TextStyle& style) noexcept {
+Corners corners_of(const Style& style) noexcept {
   const auto& options =
       *static_cast<const Supersampling*>(style.effect().options);
   const int32_t radius_q10 = options.radius_q10;
@@ -30,7 +30,7 @@ Corners corners_of(const TextStyle& style) noexcept {
   return {away_q8, static_cast<uint32_t>(min(all_q8 >> 2, 64))};
 }
 
-void plan_supersampling(const TextStyle& style, BandPlan& plan) noexcept {
+void plan_supersampling(const Style& style, BandPlan& plan) noexcept {
   plan.sample_bytes = Mean::kSampleBytes;
   plan.moved_x_q8 = static_cast<int16_t>(corners_of(style).away_q8);
   plan.moved_y_q8 = plan.moved_x_q8;

@@ -85,7 +85,7 @@ inline void Fit::set_weight() noexcept {
 }
 
 Status Fit::make(const Font& font,
-                 const TextStyle& style,
+                 const Style& style,
                  const FitOptions& options,
                  Fit& out) noexcept {
   if (options.strength_q8 > FitOptions::kAll || options.levels > 4 ||

@@ -7,7 +7,7 @@
 #include "inkcell/format/rom.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "outlines/component.hpp"
 #include "outlines/outline_reader.hpp"
 #include "place/position.hpp"
@@ -52,7 +52,7 @@ class __attribute__((may_alias)) OutlineGlyph {
             const GlyphMetrics& metrics,
             Span<const uint8_t> record,
             Q26_6 size,
-            const TextStyle* slanted,
+            const Style* slanted,
             const Placed& placed,
             const OutlineSampling& sampling,
             const GlyphWarp* warp,
@@ -61,7 +61,7 @@ class __attribute__((may_alias)) OutlineGlyph {
   bool open(const Font& font,
             const GlyphMetrics& metrics,
             Span<const uint8_t> record,
-            const TextStyle& style,
+            const Style& style,
             const Placed& placed,
             const OutlineSampling& sampling,
             const GlyphWarp* warp,

@@ -9,9 +9,9 @@ int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
   return static_cast<int32_t>((int64_t{scale} * factor_q30 + (1 << 29)) >> 30);
 }
 
-bool map_slanted(const TextStyle& style, OutlineMap& map) noexcept {
+bool map_slanted(const Style& style, OutlineMap& map) noexcept {
   const int32_t scale = map.x_right;
-  const TextStyle::Axes& axes = style.axes();
+  const Style::Axes& axes = style.axes();
   map = {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
          times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
   return (axes.x_right.raw >> 15) * int64_t{axes.y_up.raw >> 15} <
@@ -31,11 +31,11 @@ __attribute__((noinline)) int64_t turned(int64_t a,
   return (high + (low >> 20)) >> 10;
 }
 
-FinePoint place_slanted(const TextStyle& style,
+FinePoint place_slanted(const Style& style,
                         const FinePoint& origin,
                         int64_t along_q10,
                         int64_t across_q10) noexcept {
-  const TextStyle::Axes& axes = style.axes();
+  const Style::Axes& axes = style.axes();
   return {origin.x_q10 +
               turned(along_q10, axes.x_right.raw, across_q10, axes.y_right.raw),
           origin.y_q10 -

@@ -4,20 +4,20 @@
 #include <stdint.h>
 
 #include "inkcell/geometry.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "outlines/outline_reader.hpp"
 
 namespace inkcell {
 namespace detail {
 
-// What drawing needs of a style that is not upright. TextStyle::make() names
+// What drawing needs of a style that is not upright. Style::make() names
 // it, so that upright text does not link it.
 struct Slant {
   // From the map of an upright style to that of this one. Returns whether it
   // mirrors.
-  bool (*map)(const TextStyle& style, OutlineMap& map) noexcept;
+  bool (*map)(const Style& style, OutlineMap& map) noexcept;
   // From the origin along the baseline and up across it. [px, Q10]
-  FinePoint (*place)(const TextStyle& style,
+  FinePoint (*place)(const Style& style,
                      const FinePoint& origin,
                      int64_t along_q10,
                      int64_t across_q10) noexcept;

@@ -28,7 +28,7 @@ int32_t stride_of(int32_t width) noexcept {
 
 // False: the style was not made, or its effect does not draw the source.
 bool make_plan(const Source& source,
-               const TextStyle& style,
+               const Style& style,
                BandPlan& plan) noexcept {
   // Room for roundings.
   constexpr int32_t kMore = 4;
@@ -62,7 +62,7 @@ bool open(GlyphJob& job,
           uint8_t* ram,
           int32_t ram_bytes,
           const GlyphRef& ref,
-          const TextStyle& style,
+          const Style& style,
           const Placed& placed) noexcept {
   job.source = ref.source;
   job.style = &style;
@@ -75,7 +75,7 @@ bool open(GlyphJob& job,
 // The same of a job at the beginning of its RAM.
 bool open_in(const Workspace& ram,
              const GlyphRef& ref,
-             const TextStyle& style,
+             const Style& style,
              const Placed& placed) noexcept {
   const int32_t job_bytes = ref.source->job_bytes;
   return open(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
@@ -119,7 +119,7 @@ __attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
   band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
   band.is_whole = pixels.y1 - pixels.y0 == job.box.y1 - job.box.y0;
   clear_and_fill(job);
-  const TextStyle& style = *job.style;
+  const Style& style = *job.style;
   if (const Mixer* const mixer = style.effect().mixer) {
     mixer->mix(job);
     return;
@@ -173,7 +173,7 @@ void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
 }
 
 __attribute__((noinline)) void draw_in(const GlyphRef& ref,
-                                       const TextStyle& style,
+                                       const Style& style,
                                        const Placed& placed,
                                        const Sink& sink,
                                        const Workspace& ram) noexcept {
@@ -185,7 +185,7 @@ __attribute__((noinline)) void draw_in(const GlyphRef& ref,
 }
 
 __attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
-                                             const TextStyle& style,
+                                             const Style& style,
                                              const Placed& placed,
                                              const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastRam];
@@ -193,7 +193,7 @@ __attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
 }
 
 __attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
-                                                    const TextStyle& style,
+                                                    const Style& style,
                                                     const Placed& placed,
                                                     const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
@@ -203,7 +203,7 @@ __attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
 // Not inline: most glyphs do not need its part of the stack.
 __attribute__((noinline)) bool open_fitted(GlyphJob& job,
                                            const GlyphRef& ref,
-                                           const TextStyle& style,
+                                           const Style& style,
                                            const Placed& placed) noexcept {
   alignas(GlyphJob) uint8_t maps[kMaps];
   return open(job, maps, sizeof maps, ref, style, placed);
@@ -231,7 +231,7 @@ void repaint(GlyphJob& job, int32_t right_q8, int32_t down_q8) noexcept {
 }
 
 void draw_bands(const GlyphRef& ref,
-                const TextStyle& style,
+                const Style& style,
                 const Placed& placed,
                 const Sink& sink,
                 const Workspace& workspace) noexcept {
@@ -246,7 +246,7 @@ void draw_bands(const GlyphRef& ref,
 }
 
 Rect band_box(const GlyphRef& ref,
-              const TextStyle& style,
+              const Style& style,
               const Placed& placed) noexcept {
   alignas(GlyphJob) uint8_t bytes[kMostJob];
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
@@ -260,7 +260,7 @@ Rect band_box(const GlyphRef& ref,
 
 Status PreparedGlyph::make(const Font& font,
                            uint16_t glyph,
-                           const TextStyle& style,
+                           const Style& style,
                            Point origin,
                            Workspace workspace,
                            PreparedGlyph& out) noexcept {

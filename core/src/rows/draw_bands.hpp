@@ -2,7 +2,7 @@
 #pragma once
 
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 #include "place/position.hpp"
 #include "rows/source.hpp"
@@ -14,14 +14,14 @@ namespace detail {
 // or with a small one, it takes kLeastRam bytes of the stack, or, if the style
 // is fitted, kLeastFittedRam.
 void draw_bands(const GlyphRef& ref,
-                const TextStyle& style,
+                const Style& style,
                 const Placed& placed,
                 const Sink& sink,
                 const Workspace& workspace) noexcept;
 
 // The pixels that draw_bands() may touch.
 Rect band_box(const GlyphRef& ref,
-              const TextStyle& style,
+              const Style& style,
               const Placed& placed) noexcept;
 
 }  // namespace detail

@@ -9,9 +9,10 @@ namespace detail {
 // Makes coverage of painted bands and hands it to sinks. The style's effect
 // names it, so that the linker drops the others.
 struct Mixer {
-  const Painter* painter;  // the kind of band that it takes; null: the style's
+  const BandPainter*
+      painter;  // the kind of band that it takes; null: the style's
   // Changes the plan that the style's filter asks for.
-  void (*plan)(const TextStyle& style, BandPlan& plan) noexcept;
+  void (*plan)(const Style& style, BandPlan& plan) noexcept;
   // Draws job.pixels of the painted job.band into job.sink.
   void (*mix)(GlyphJob& job) noexcept;
   // Asks the field of the job: other sources, and styles that stretch edges
@@ -22,7 +23,7 @@ struct Mixer {
 // Whether a mixer draws glyphs of a source with a style.
 inline bool can_mix(const Mixer& mixer,
                     const Source& source,
-                    const TextStyle& style) noexcept {
+                    const Style& style) noexcept {
   return !mixer.needs_field || (source.has_field && !style.is_stretched());
 }
 

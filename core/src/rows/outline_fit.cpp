@@ -42,7 +42,7 @@ bool fit_outline(OutlineJob& job,
                  const GlyphMetrics& metrics,
                  Placed& placed) noexcept {
   auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
-  const TextStyle& style = *job.style;
+  const Style& style = *job.style;
   FinePoint origin = placed.origin();
   style.fitter()->fit(glyph, metrics, style.fitter_options(), origin, warp);
   if ((warp.x.count | warp.y.count) != 0) {

@@ -33,7 +33,7 @@ bool open_outline(GlyphJob& base,
   if (!is_outline(record) || font.glyph_metrics(glyph, metrics) != Status::ok) {
     return false;
   }
-  const TextStyle& style = *job.style;
+  const Style& style = *job.style;
   Placed placed = given;
   const BandPlan& plan = job.plan;
   OutlineSampling sampling = {plan.painter->kind == BandKind::area ? 0 : 128,
@@ -113,14 +113,14 @@ constexpr Source kOutlineSource = {open_outline, load_points, fill_band,
 
 }  // namespace
 
-const Painter kPaintPixelRamp = {paint_distances, cover_linear,
-                                 BandKind::distance, true, 128};
-const Painter kPaintDistances = {paint_distances, cover_filtered,
-                                 BandKind::distance, false, 128};
-const Painter kPaintWideDistances = {paint_wide_distances, cover_filtered,
-                                     BandKind::distance, false, 0};
-const Painter kPaintAreas = {paint_areas, cover_areas, BandKind::area, false,
-                             128};
+const BandPainter kPaintPixelRamp = {paint_distances, cover_linear,
+                                     BandKind::distance, true, 128};
+const BandPainter kPaintDistances = {paint_distances, cover_filtered,
+                                     BandKind::distance, false, 128};
+const BandPainter kPaintWideDistances = {paint_wide_distances, cover_filtered,
+                                         BandKind::distance, false, 0};
+const BandPainter kPaintAreas = {paint_areas, cover_areas, BandKind::area,
+                                 false, 128};
 
 }  // namespace detail
 

@@ -7,9 +7,9 @@
 #include "inkcell/font.hpp"
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "place/position.hpp"
-#include "rows/painter.hpp"
+#include "rows/band_painter.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -17,7 +17,7 @@ namespace detail {
 // How the bands of a glyph are painted: what the style's filter asks for, as
 // its mixer changes it.
 struct BandPlan {
-  const Painter* painter = nullptr;
+  const BandPainter* painter = nullptr;
   // How far distances are good, outside and inside. [px]
   int32_t outside_q8 = 0;
   int32_t inside_q8 = 0;
@@ -66,7 +66,7 @@ struct GlyphRef {
 // bytes, or on the stack; a source's own part follows in the same RAM.
 struct __attribute__((may_alias)) GlyphJob {
   const Source* source;
-  const TextStyle* style;
+  const Style* style;
   BandPlan plan;
   Rect box;  // the pixels that may show something: set by Source::open()
 

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -27,7 +27,7 @@ inline int32_t clamp_to(int32_t value, int32_t limit) noexcept {
 // A font, and the style if that has advances in whole pixels.
 class Advances {
  public:
-  Advances(const Font& font, const TextStyle* whole) noexcept
+  Advances(const Font& font, const Style* whole) noexcept
       : font_(font), style_(whole) {}
 
   bool is_whole() const noexcept { return style_ != nullptr; }
@@ -48,7 +48,7 @@ class Advances {
   int32_t to_whole_px(int32_t units) const noexcept;
 
   const Font& font_;
-  const TextStyle* style_;
+  const Style* style_;
 };
 
 }  // namespace detail

@@ -16,7 +16,7 @@ class RunCursor {
   // As designed.
   RunCursor() noexcept = default;
   // With the advances of a style.
-  RunCursor(const Font& font, const TextStyle& style) noexcept {
+  RunCursor(const Font& font, const Style& style) noexcept {
     if (style.has_whole_advances()) {
       font_ = &font;
       style_ = &style;
@@ -77,9 +77,9 @@ class RunCursor {
   static constexpr int32_t kWhole_q10 = 1023;
 
   const Font* font_ = nullptr;
-  const TextStyle* style_ = nullptr;  // null: as designed
-  int32_t x_ = 0;                     // of the glyph, as designed
-  int32_t letter_x_ = 0;              // of the last one that is no mark
+  const Style* style_ = nullptr;  // null: as designed
+  int32_t x_ = 0;                 // of the glyph, as designed
+  int32_t letter_x_ = 0;          // of the last one that is no mark
   int32_t letter_px_ = 0;
   uint16_t letter_ = 0;
   bool has_letter_ = false;
@@ -137,7 +137,7 @@ Status lay_out(const ShapedRun& run,
 
 Status lay_out(const Font& font,
                const ShapedRun& run,
-               const TextStyle& style,
+               const Style& style,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept {
   return lay_out(RunCursor(font, style), run, out, glyphs);
@@ -149,13 +149,13 @@ TextMeasure measure(const Font& font, const ShapedRun& run) noexcept {
 
 TextMeasure measure(const Font& font,
                     const ShapedRun& run,
-                    const TextStyle& style) noexcept {
+                    const Style& style) noexcept {
   return measure(font, RunCursor(font, style), run);
 }
 
 void draw(const Font& font,
           const ShapedRun& run,
-          const TextStyle& style,
+          const Style& style,
           Point origin,
           const Sink& sink,
           Workspace workspace) noexcept {

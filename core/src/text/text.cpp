@@ -58,7 +58,7 @@ Lead lead_of(uint32_t byte) noexcept {
 __attribute__((always_inline)) inline void draw_placed(
     const Font& font,
     uint16_t glyph,
-    const TextStyle& style,
+    const Style& style,
     const Placed& placed,
     const Sink& sink,
     const Workspace& workspace) noexcept {
@@ -99,9 +99,7 @@ bool needs_glyph(uint32_t code_point) noexcept {
   return detail::shown_as(code_point) == detail::Shown::glyph;
 }
 
-TextCursor::TextCursor(const Font& font,
-                       Text text,
-                       const TextStyle& style) noexcept
+TextCursor::TextCursor(const Font& font, Text text, const Style& style) noexcept
     : TextCursor(font, text) {
   if (style.has_whole_advances()) {
     style_ = &style;
@@ -194,7 +192,7 @@ Status lay_out(const Font& font,
 
 Status lay_out(const Font& font,
                Text text,
-               const TextStyle& style,
+               const Style& style,
                Span<PositionedGlyph> out,
                Span<const PositionedGlyph>& glyphs) noexcept {
   return lay_out(TextCursor(font, text, style), text.size, out, glyphs);
@@ -204,13 +202,11 @@ TextMeasure measure(const Font& font, Text text) noexcept {
   return measure(font, TextCursor(font, text));
 }
 
-TextMeasure measure(const Font& font,
-                    Text text,
-                    const TextStyle& style) noexcept {
+TextMeasure measure(const Font& font, Text text, const Style& style) noexcept {
   return measure(font, TextCursor(font, text, style));
 }
 
-Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept {
+Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {
   const int64_t fine = UnitScale(font, style).to_px_q10(units);
   const int64_t rounded = (fine + 8) >> 4;
   if (rounded < INT32_MIN) {
@@ -220,7 +216,7 @@ Q26_6 to_px(const Font& font, const TextStyle& style, int32_t units) noexcept {
       static_cast<int32_t>(rounded > INT32_MAX ? INT32_MAX : rounded));
 }
 
-Status check_effect(const Font& font, const TextStyle& style) noexcept {
+Status check_effect(const Font& font, const Style& style) noexcept {
   const detail::Mixer* const mixer = style.effect().mixer;
   return mixer == nullptr || font.source() == nullptr ||
                  detail::can_mix(*mixer, *font.source(), style)
@@ -230,7 +226,7 @@ Status check_effect(const Font& font, const TextStyle& style) noexcept {
 
 void draw(const Font& font,
           Span<const PositionedGlyph> glyphs,
-          const TextStyle& style,
+          const Style& style,
           Point origin,
           const Sink& sink,
           Workspace workspace) noexcept {
@@ -261,7 +257,7 @@ void draw(const Face& face,
 
 void draw_text(const Font& font,
                Text text,
-               const TextStyle& style,
+               const Style& style,
                Point origin,
                const Sink& sink,
                Workspace workspace) noexcept {
@@ -279,7 +275,7 @@ void draw_text(const Font& font,
 
 Rect glyph_box(const Font& font,
                uint16_t glyph,
-               const TextStyle& style,
+               const Style& style,
                Point origin) noexcept {
   Placed placed;
   if (!placed.set(origin)) {
@@ -293,7 +289,7 @@ Rect glyph_box(const Font& font,
 
 void draw_glyph(const Font& font,
                 uint16_t glyph,
-                const TextStyle& style,
+                const Style& style,
                 Point origin,
                 const Sink& sink,
                 Workspace workspace) noexcept {

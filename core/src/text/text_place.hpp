@@ -4,8 +4,8 @@
 #include <stdint.h>
 
 #include "inkcell/font.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "outlines/slant.hpp"
 #include "place/position.hpp"
 #include "text/advances.hpp"
@@ -17,7 +17,7 @@ namespace detail {
 // division. [px per unit, Q10 with 20 more bits]
 class UnitScale {
  public:
-  UnitScale(const Font& font, const TextStyle& style) noexcept {
+  UnitScale(const Font& font, const Style& style) noexcept {
     // 2^24 sizes over the em, to the nearest: 14 bits, then what is left and 10
     // more, so that 32 are enough.
     const uint32_t em = font.units_per_em();
@@ -41,7 +41,7 @@ class UnitScale {
 };
 
 inline FinePoint place(const UnitScale& scale,
-                       const TextStyle& style,
+                       const Style& style,
                        const FinePoint& origin,
                        const PositionedGlyph& at) noexcept {
   const int64_t along = scale.to_px_q10(at.x);
@@ -55,7 +55,7 @@ inline FinePoint place(const UnitScale& scale,
 // False: the glyph is too far away. Not inline: what it takes of the stack is
 // free again when the glyph is drawn.
 __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
-                                                 const TextStyle& style,
+                                                 const Style& style,
                                                  const Point& origin,
                                                  const PositionedGlyph& at,
                                                  Placed& out) noexcept {
@@ -63,7 +63,7 @@ __attribute__((noinline)) inline bool place_near(const UnitScale& scale,
 }
 
 // Where a run begins: whole-pixel advances count from a whole pixel.
-inline Point run_origin(const TextStyle& style, Point origin) noexcept {
+inline Point run_origin(const Style& style, Point origin) noexcept {
   if (style.has_whole_advances()) {
     // Far away it may wrap, but not to where it would be seen.
     const uint32_t x = static_cast<uint32_t>(origin.x.raw) + 32;

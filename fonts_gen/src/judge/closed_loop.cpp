@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "inkcell/field/draw.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "judge/canvas.hpp"
 
 namespace inkcell {
@@ -258,7 +258,7 @@ void compare(const Setting& setting,
 
 // The worst of the nine pixels around one, at another position.
 WrongPixel worst_around(const LoopGlyph& glyph,
-                        const TextStyle& style,
+                        const Style& style,
                         DistanceMap& map,
                         const WrongPixel& middle,
                         const Setting& setting) {
@@ -288,7 +288,7 @@ WrongPixel worst_around(const LoopGlyph& glyph,
 
 // Goes from position to position as long as the pixel gets worse.
 WrongPixel follow(const LoopGlyph& glyph,
-                  const TextStyle& style,
+                  const Style& style,
                   DistanceMap& map,
                   WrongPixel at) {
   for (const int step : kFollowSteps) {
@@ -312,9 +312,9 @@ WrongPixel follow(const LoopGlyph& glyph,
   return at;
 }
 
-TextStyle style_of(int px) {
-  TextStyle style;
-  if (TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
+Style style_of(int px) {
+  Style style;
+  if (Style::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
     throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
   }
   return style;
@@ -340,10 +340,10 @@ ClosedLoop::ClosedLoop(const Shape& shape, const LoopOptions& options)
 
 LoopResult ClosedLoop::draw_and_compare(const GlyphField& field) {
   return draw_sizes(
-      {[&](const TextStyle& style, inkcell::Point origin) {
+      {[&](const Style& style, inkcell::Point origin) {
          return field_box(field, style, origin);
        },
-       [&](const TextStyle& style, inkcell::Point origin, const Sink& sink) {
+       [&](const Style& style, inkcell::Point origin, const Sink& sink) {
          draw_field(field, style, origin, sink);
        }},
       false);
@@ -359,7 +359,7 @@ LoopResult ClosedLoop::draw_sizes(const LoopGlyph& glyph, bool follows) {
     truth_->rewind();
   }
   for (const int px : loop_sizes(options_.min_px, options_.max_px)) {
-    const TextStyle style = style_of(px);
+    const Style style = style_of(px);
     gathering.begin(px);
     for (int i = 0; i < phases_at(px, options_.phases); ++i) {
       const Setting setting{px, kPhases[static_cast<size_t>(i)]};

@@ -9,7 +9,7 @@
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "shape/distance_map.hpp"
 #include "shape/shape.hpp"
 
@@ -63,9 +63,9 @@ struct LoopResult {
 /// A glyph as the device draws it, with its origin at `origin`.
 struct LoopGlyph {
   /// The pixels that it may touch.
-  std::function<Rect(const TextStyle& style, inkcell::Point origin)> box;
+  std::function<Rect(const Style& style, inkcell::Point origin)> box;
   std::function<void(
-      const TextStyle& style, inkcell::Point origin, const Sink& sink)>
+      const Style& style, inkcell::Point origin, const Sink& sink)>
       draw;
 };
 

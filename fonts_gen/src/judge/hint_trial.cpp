@@ -10,8 +10,8 @@
 #include "inkcell/crisp.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "rom/rom_font.hpp"
 #include "shape/shape.hpp"
 
@@ -87,7 +87,7 @@ class TrialFont {
   }
 
   Topology fitted(uint16_t glyph, int px, const FitOptions& look) const {
-    TextStyle style = make_style(px);
+    Style style = make_style(px);
     Fit fit;
     require(Fit::make(font_, style, look, fit));
     style.set_fitter(&kGridFit, &fit);
@@ -106,14 +106,14 @@ class TrialFont {
     }
   }
 
-  static TextStyle make_style(int px) {
-    TextStyle style;
-    require(TextStyle::make(Q26_6::from_int(px), kFilterText, style));
+  static Style make_style(int px) {
+    Style style;
+    require(Style::make(Q26_6::from_int(px), kFilterText, style));
     return style;
   }
 
   // The box of the ink with room for what fitting moves.
-  Topology draw(uint16_t glyph, int px, const TextStyle& style) const {
+  Topology draw(uint16_t glyph, int px, const Style& style) const {
     GlyphMetrics metrics;
     require(font_.glyph_metrics(glyph, metrics));
     const double scale = static_cast<double>(px) / font_.units_per_em();

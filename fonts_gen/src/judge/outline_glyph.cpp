@@ -91,16 +91,16 @@ class OneGlyphFont {
   }
 
   LoopGlyph loop_glyph() {
-    return {[this](const TextStyle& style, inkcell::Point origin) {
-              PreparedGlyph glyph;
-              static_cast<void>(PreparedGlyph::make(font_, 1, style, origin,
-                                                    workspace(), glyph));
-              return glyph.box();
-            },
-            [this](const TextStyle& style, inkcell::Point origin,
-                   const Sink& sink) {
-              draw_glyph(font_, 1, style, origin, sink, workspace());
-            }};
+    return {
+        [this](const Style& style, inkcell::Point origin) {
+          PreparedGlyph glyph;
+          static_cast<void>(
+              PreparedGlyph::make(font_, 1, style, origin, workspace(), glyph));
+          return glyph.box();
+        },
+        [this](const Style& style, inkcell::Point origin, const Sink& sink) {
+          draw_glyph(font_, 1, style, origin, sink, workspace());
+        }};
   }
 
  private:

@@ -7,8 +7,8 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/font.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "judge/canvas.hpp"
 
 namespace inkcell::gen {
@@ -48,7 +48,7 @@ void draw_number(const std::string& text, int left, int top, Preview& out) {
 // The part of a glyph that lies in the cell whose top left corner is named.
 void draw_cell(const Font& font,
                uint16_t glyph,
-               const TextStyle& style,
+               const Style& style,
                int left,
                int top,
                Preview& out) {
@@ -70,11 +70,11 @@ void draw_cell(const Font& font,
 
 Preview draw_preview(const RomFont& rom) {
   Font font;
-  TextStyle style;
+  Style style;
   const int px =
       static_cast<int>(std::min(kLargestPx, rom.report.options.max_px));
   if (open_any_font({rom.bytes.data(), rom.bytes.size()}, font) != Status::ok ||
-      TextStyle::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
+      Style::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
     throw Error("the preview cannot be drawn: the device cannot read the font");
   }
   const auto& glyphs = rom.report.glyphs;

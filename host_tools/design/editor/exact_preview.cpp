@@ -88,7 +88,7 @@ std::shared_ptr<const Preview> draw_exact_preview(const Preview& last,
   const auto picture = [&](const std::string& text, double px) {
     return draw_on_display(
         last.rom, text, px, job.settings.display, job.settings.dark,
-        [&](const PositionedGlyph& glyph, const TextStyle& style,
+        [&](const PositionedGlyph& glyph, const Style& style,
             inkcell::Point origin, const Sink& sink) {
           if (glyph.glyph != changed) {
             draw(font, {&glyph, 1}, style, origin, sink);

@@ -9,8 +9,8 @@
 
 #include "display.hpp"
 #include "image.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "model/project.hpp"
 #include "pipeline/built_glyphs.hpp"
 #include "target/target.hpp"
@@ -81,7 +81,7 @@ Preview draw_preview(const PreviewJob& job, gen::BuiltGlyphs* glyphs = nullptr);
 
 /// Draws one glyph of a line that begins at `origin`.
 using GlyphPainter = std::function<void(const PositionedGlyph& glyph,
-                                        const TextStyle& style,
+                                        const Style& style,
                                         inkcell::Point origin,
                                         const Sink& sink)>;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "inkcell/c/filter.h"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace c {
@@ -10,9 +10,9 @@ namespace c {
 inline const Filter& table_of(const inkcell_filter_t* filter) noexcept {
   return *static_cast<const Filter*>(filter->words[0]);
 }
-inline const detail::Painter& painter_of(
+inline const detail::BandPainter& painter_of(
     const inkcell_filter_t* filter) noexcept {
-  return *static_cast<const detail::Painter*>(filter->words[1]);
+  return *static_cast<const detail::BandPainter*>(filter->words[1]);
 }
 
 }  // namespace c

@@ -49,7 +49,7 @@ struct CppOf<inkcell_filter_table_t> {
 };
 template <>
 struct CppOf<inkcell_style_t> {
-  using Type = TextStyle;
+  using Type = Style;
 };
 template <>
 struct CppOf<inkcell_strip_t> {

@@ -18,7 +18,7 @@ inkcell_status_t finish(Status status,
   if (status == Status::ok) {
     cpp(out)->set_painter(c::painter_of(filter));
   } else {
-    *cpp(out) = TextStyle();
+    *cpp(out) = Style();
   }
   return code(status);
 }
@@ -28,8 +28,8 @@ inkcell_status_t finish(Status status,
 inkcell_status_t inkcell_style_make(int32_t size_q6,
                                     const inkcell_filter_t* filter,
                                     inkcell_style_t* out) {
-  return finish(TextStyle::make_upright(Q26_6::from_raw(size_q6),
-                                        table_of(filter), *cpp(out)),
+  return finish(Style::make_upright(Q26_6::from_raw(size_q6), table_of(filter),
+                                    *cpp(out)),
                 filter, out);
 }
 
@@ -40,8 +40,8 @@ inkcell_status_t inkcell_style_make_turned(int32_t size_q6,
                                            inkcell_style_t* out) {
   const Direction direction = {Fixed<int32_t, 30>::from_raw(cosine_q30),
                                Fixed<int32_t, 30>::from_raw(sine_q30)};
-  return finish(TextStyle::make_turned(Q26_6::from_raw(size_q6),
-                                       table_of(filter), direction, *cpp(out)),
+  return finish(Style::make_turned(Q26_6::from_raw(size_q6), table_of(filter),
+                                   direction, *cpp(out)),
                 filter, out);
 }
 
@@ -52,8 +52,8 @@ inkcell_status_t inkcell_style_make_mapped(const inkcell_matrix_t* matrix,
                        Q16_16::from_raw(matrix->x_up_q16),
                        Q16_16::from_raw(matrix->y_right_q16),
                        Q16_16::from_raw(matrix->y_up_q16)};
-  return finish(TextStyle::make_mapped(same, table_of(filter), *cpp(out)),
-                filter, out);
+  return finish(Style::make_mapped(same, table_of(filter), *cpp(out)), filter,
+                out);
 }
 
 int32_t inkcell_style_size(const inkcell_style_t* style) {

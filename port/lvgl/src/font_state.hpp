@@ -10,7 +10,7 @@
 #include "inkcell/port/rgb888.hpp"
 #include "inkcell/port/xrgb8888.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -39,7 +39,7 @@ using MakeLcdSink = bool (*)(const lv_layer_t& layer,
 
 struct FontState {
   Font font;
-  TextStyle style;
+  Style style;
   Workspace workspace;
   GlyphCache* cache = nullptr;
   DrawGlyph draw = nullptr;

@@ -58,7 +58,7 @@ int32_t advance_px(const FontState& state,
       next_letter != 0 && state.font.glyph_of(next_letter, next) == Status::ok
           ? state.font.kerning(glyph, next)
           : 0;
-  const TextStyle& style = state.style;
+  const Style& style = state.style;
   if (style.has_whole_advances()) {
     return style.fitter()->advance_px(state.font, glyph,
                                       style.fitter_options()) +
@@ -167,7 +167,7 @@ lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
   port::FontState state;
   if (Font::open({static_cast<const uint8_t*>(rom), rom_bytes}, state.font) !=
           Status::ok ||
-      TextStyle::make(Q26_6::from_raw(size_q6), kFilterText, state.style) !=
+      Style::make(Q26_6::from_raw(size_q6), kFilterText, state.style) !=
           Status::ok) {
     return LV_RESULT_INVALID;
   }

@@ -108,9 +108,9 @@ void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
   auto& filter = *reinterpret_cast<Filter*>(weight->state);
   filter = with_weight(kFilterText,
                        Q6_10::from_raw(static_cast<int16_t>(limited * 16)));
-  TextStyle& style = port::state_of(*font).style;
-  TextStyle weighted;
-  if (TextStyle::make(style.size(), filter, weighted) != Status::ok) {
+  Style& style = port::state_of(*font).style;
+  Style weighted;
+  if (Style::make(style.size(), filter, weighted) != Status::ok) {
     return;  // never: the style has had this size
   }
   if (style.is_fitted()) {

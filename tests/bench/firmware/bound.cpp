@@ -69,7 +69,7 @@ bool make_record(uint32_t depth) {
 bool measure(uint32_t depth, int32_t px) {
   const Q26_6 size = Q26_6::from_int(px);
   if (!make_record(depth) ||
-      TextStyle::make(size, kFilterText, bench::style) != Status::ok) {
+      Style::make(size, kFilterText, bench::style) != Status::ok) {
     return false;
   }
   const Rect box = field_box(field, bench::style, {});

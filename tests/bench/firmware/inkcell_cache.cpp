@@ -87,8 +87,8 @@ void clear_pixels() {
 
 bool engine_set_size(uint32_t px, const char* way) {
   is_bitmap = bench::equal(way, "bitmap");
-  return TextStyle::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
-                         bench::style) == Status::ok &&
+  return Style::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
+                     bench::style) == Status::ok &&
          GlyphCache::make(cache_bytes, {}, cache) == Status::ok;
 }
 

@@ -12,18 +12,18 @@ bool engine_set_size(uint32_t px, const char* way) {
     Direction direction;
     direction.cosine.raw = 1037154959;
     direction.sine.raw = 277904834;
-    return TextStyle::make(size, kFilterText, direction, bench::style) ==
+    return Style::make(size, kFilterText, direction, bench::style) ==
            Status::ok;
   }
   if (bench::equal(way, "leaning")) {
     const auto em = Q16_16::from_int(static_cast<int32_t>(px));
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
-    return TextStyle::make(matrix, kFilterText, bench::style) == Status::ok;
+    return Style::make(matrix, kFilterText, bench::style) == Status::ok;
   }
   return false;
 #else
   return bench::equal(way, "upright") &&
-         TextStyle::make(size, kFilterText, bench::style) == Status::ok;
+         Style::make(size, kFilterText, bench::style) == Status::ok;
 #endif
 }
 

@@ -45,21 +45,21 @@ Status make_sink(ColourTarget& target, Sink& out) {
   return port::make_lcd_sink(target, out);
 }
 
-bool set_fit(TextStyle& style, bool across) {
+bool set_fit(Style& style, bool across) {
   FitOptions options;
   options.across = across;
   style.set_fitter(&kGridFit, &fit);
   return Fit::make(bench::font, style, options, fit) == Status::ok;
 }
 
-bool set_lcd(TextStyle& style, SubPixels order) {
+bool set_lcd(Style& style, SubPixels order) {
   is_coloured = true;
   lcd.order = order;
   style.set_effect(lcd_effect(lcd));
   return true;
 }
 
-bool set_adaptive(TextStyle& style, Q6_10 radius, SampleRule rule) {
+bool set_adaptive(Style& style, Q6_10 radius, SampleRule rule) {
   if (bench::font.has_outlines() && rule == SampleRule::even) {
     supersampling = make_supersampling(radius);
     style.set_effect(supersample_effect(supersampling));
@@ -75,94 +75,94 @@ void make_edges() {
   edges = make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::inner);
 }
 
-bool set_motion_blur(TextStyle& style) {
+bool set_motion_blur(Style& style) {
   const Point way = {Q26_6::from_int(3), {}};
   const Status status = make_motion_blur(way, blur);
   style.set_effect(motion_blur_effect(blur));
   return status == Status::ok;
 }
 
-bool set_crisp(TextStyle& style, uint8_t levels) {
+bool set_crisp(Style& style, uint8_t levels) {
   crisp.levels = levels;
   style.set_effect(crisp_effect(crisp));
   return true;
 }
 
-bool set_filter(TextStyle& style, const Filter& made) {
+bool set_filter(Style& style, const Filter& made) {
   filter = made;
-  return TextStyle::make(style.size(), filter, style) == Status::ok;
+  return Style::make(style.size(), filter, style) == Status::ok;
 }
 
 struct Mode {
   const char* name;
-  bool (*set)(TextStyle& style);
+  bool (*set)(Style& style);
 };
 
 constexpr Mode kModes[] = {
-    {"plain", [](TextStyle&) { return true; }},
-    {"fitted", [](TextStyle& style) { return set_fit(style, false); }},
-    {"fitted_stems", [](TextStyle& style) { return set_fit(style, true); }},
+    {"plain", [](Style&) { return true; }},
+    {"fitted", [](Style& style) { return set_fit(style, false); }},
+    {"fitted_stems", [](Style& style) { return set_fit(style, true); }},
     {"outline",
-     [](TextStyle& style) {
+     [](Style& style) {
        make_edges();
        style.set_effect(outline_effect(edges.inner));
        return true;
      }},
     {"outline_and_fill",
-     [](TextStyle& style) {
+     [](Style& style) {
        make_edges();
        outline_and_fill = {&edges.inner, &bench::sink};
        style.set_effect(outline_and_fill_effect(outline_and_fill));
        return true;
      }},
     {"bold",
-     [](TextStyle& style) {
+     [](Style& style) {
        return set_filter(style, with_weight(kFilterText, Q6_10::from_raw(256)));
      }},
     {"shadow_2_px",
-     [](TextStyle& style) {
+     [](Style& style) {
        return set_filter(style, shadow_filter(Q6_10::from_int(2)));
      }},
     {"glow_4_px",
-     [](TextStyle& style) {
+     [](Style& style) {
        return set_filter(style, glow_filter(Q6_10::from_int(4)));
      }},
-    {"crisp_1_bit", [](TextStyle& style) { return set_crisp(style, 2); }},
-    {"crisp_2_bits", [](TextStyle& style) { return set_crisp(style, 4); }},
+    {"crisp_1_bit", [](Style& style) { return set_crisp(style, 2); }},
+    {"crisp_2_bits", [](Style& style) { return set_crisp(style, 4); }},
     {"perceptual",
-     [](TextStyle& style) {
+     [](Style& style) {
        style.set_effect(edge_contrast_effect(edge_contrast));
        return true;
      }},
     {"motion_blur_3_px", set_motion_blur},
     {"adaptive_even",
-     [](TextStyle& style) {
+     [](Style& style) {
        return set_adaptive(style, kSharpRadius, SampleRule::even);
      }},
     {"adaptive_area",
-     [](TextStyle& style) {
-       return TextStyle::make(style.size(), kFilterArea, style) == Status::ok &&
+     [](Style& style) {
+       return Style::make(style.size(), kFilterArea, style) == Status::ok &&
               set_adaptive(style, kSharpRadius, SampleRule::even);
      }},
     {"adaptive_paper",
-     [](TextStyle& style) {
+     [](Style& style) {
        return set_adaptive(style, kPaperRadius, SampleRule::paper);
      }},
     {"plain_rgb888",
-     [](TextStyle&) {
+     [](Style&) {
        is_coloured = true;
        return true;
      }},
-    {"lcd", [](TextStyle& style) { return set_lcd(style, SubPixels::rgb); }},
+    {"lcd", [](Style& style) { return set_lcd(style, SubPixels::rgb); }},
     {"lcd_vertical",
-     [](TextStyle& style) { return set_lcd(style, SubPixels::rgb_vertical); }},
+     [](Style& style) { return set_lcd(style, SubPixels::rgb_vertical); }},
 };
 
 }  // namespace
 
 bool engine_set_size(uint32_t px, const char* way) {
-  if (TextStyle::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
-                      bench::style) != Status::ok) {
+  if (Style::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
+                  bench::style) != Status::ok) {
     return false;
   }
   for (const Mode& mode : kModes) {

@@ -27,24 +27,24 @@ Status make_style(Q26_6 size, const char* name) {
   using bench::equal;
   using bench::style;
   if (equal(name, "turned")) {
-    return TextStyle::make(size, kFilterText, kTurn, style);
+    return Style::make(size, kFilterText, kTurn, style);
   }
   if (equal(name, "leaning")) {
     const auto em = Q16_16::from_raw(size.raw << 10);
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
-    return TextStyle::make(matrix, kFilterText, style);
+    return Style::make(matrix, kFilterText, style);
   }
   if (equal(name, "area")) {
-    return TextStyle::make(size, kFilterArea, style);
+    return Style::make(size, kFilterArea, style);
   }
   if (equal(name, "area_turned")) {
-    return TextStyle::make(size, kFilterArea, kTurn, style);
+    return Style::make(size, kFilterArea, kTurn, style);
   }
   way = equal(name, "strips")  ? Way::strips
         : equal(name, "stack") ? Way::stack
                                : Way::prepared;
   return way != Way::prepared || equal(name, "upright")
-             ? TextStyle::make(size, kFilterText, style)
+             ? Style::make(size, kFilterText, style)
              : Status::bad_argument;
 }
 

@@ -25,26 +25,26 @@ using namespace inkcell;
 namespace {
 
 alignas(4) uint8_t bytes[64];
-TextStyle style;
+Style style;
 
 #if INKCELL_KEEP >= 3
 Direction direction;
 Matrix matrix;
 
 Status make_style() {
-  INKCELL_TRY(TextStyle::make(kMinSize, kFilterText, direction, style));
+  INKCELL_TRY(Style::make(kMinSize, kFilterText, direction, style));
 #  if INKCELL_KEEP >= 4
-  INKCELL_TRY(TextStyle::make(matrix, kFilterArea, style));
+  INKCELL_TRY(Style::make(matrix, kFilterArea, style));
 #  endif
-  return TextStyle::make(matrix, kFilterText, style);
+  return Style::make(matrix, kFilterText, style);
 }
 #elif INKCELL_KEEP == 1
 Status make_style() {
-  return TextStyle::make(kMinSize, kFilterArea, style);
+  return Style::make(kMinSize, kFilterArea, style);
 }
 #else
 Status make_style() {
-  return TextStyle::make(kMinSize, kFilterText, style);
+  return Style::make(kMinSize, kFilterText, style);
 }
 #endif
 

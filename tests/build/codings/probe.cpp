@@ -20,9 +20,9 @@ static bool show(Span<const uint8_t> rom) {
   target.strip.height = kSide;
   target.strip.stride = kSide;
   Sink sink;
-  TextStyle style;
+  Style style;
   if (make_sink(target, sink) != Status::ok ||
-      TextStyle::make(Q26_6::from_int(24), kFilterText, style) != Status::ok) {
+      Style::make(Q26_6::from_int(24), kFilterText, style) != Status::ok) {
     return false;
   }
   Font font;

@@ -12,7 +12,7 @@
 
 inkcell::Status hello(const inkcell::Strip& strip);
 inkcell::Status page(const inkcell::Font& font,
-                     const inkcell::TextStyle& style,
+                     const inkcell::Style& style,
                      inkcell::Q26_6 scroll,
                      const inkcell::Sink& sink);
 
@@ -58,9 +58,9 @@ int lines_of(const Screen& screen) {
 inkcell::Status draw_page(int32_t scroll, Screen& screen) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans, font));
-  inkcell::TextStyle style;
-  INKCELL_TRY(inkcell::TextStyle::make(inkcell::Q26_6::from_int(20),
-                                       inkcell::kFilterText, style));
+  inkcell::Style style;
+  INKCELL_TRY(inkcell::Style::make(inkcell::Q26_6::from_int(20),
+                                   inkcell::kFilterText, style));
   inkcell::port::Rgb565Target target = {screen.strip};
   inkcell::Sink sink;
   INKCELL_TRY(inkcell::port::make_sink(target, sink));

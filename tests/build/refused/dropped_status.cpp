@@ -1,14 +1,14 @@
 // A Status that nobody looks at.
 // refused: nodiscard|unused-result
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
-inkcell::Status make_style(inkcell::TextStyle& style) noexcept {
+inkcell::Status make_style(inkcell::Style& style) noexcept {
 #if REFUSED
-  inkcell::TextStyle::make(inkcell::Q26_6::from_int(16), inkcell::kFilterText,
-                           style);
+  inkcell::Style::make(inkcell::Q26_6::from_int(16), inkcell::kFilterText,
+                       style);
   return inkcell::Status::ok;
 #else
-  return inkcell::TextStyle::make(inkcell::Q26_6::from_int(16),
-                                  inkcell::kFilterText, style);
+  return inkcell::Style::make(inkcell::Q26_6::from_int(16),
+                              inkcell::kFilterText, style);
 #endif
 }

@@ -18,8 +18,8 @@
 #include "inkcell/font.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
-#include "inkcell/text_style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -78,7 +78,7 @@ class GlyphCache {
   /// phase. `workspace` is lent for glyphs that the cache does not hold yet.
   void draw(const Font& font,
             Span<const PositionedGlyph> glyphs,
-            const TextStyle& style,
+            const Style& style,
             Point origin,
             const Sink& sink,
             Workspace workspace = {}) noexcept;
@@ -93,7 +93,7 @@ class GlyphCache {
 
   void draw_text(const Font& font,
                  Text text,
-                 const TextStyle& style,
+                 const Style& style,
                  Point origin,
                  const Sink& sink,
                  Workspace workspace = {}) noexcept;

@@ -12,8 +12,8 @@
 
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/supersample.hpp"
-#include "inkcell/text_style.hpp"
 
 namespace inkcell {
 

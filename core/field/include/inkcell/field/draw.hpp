@@ -17,7 +17,7 @@
 #include "inkcell/fixed.hpp"
 #include "inkcell/geometry.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -33,7 +33,7 @@ Status open_any_font(Span<const uint8_t> rom, Font& out) noexcept;
 /// `sink`. Clipped to the sink's window; cannot fail. The picture does not
 /// depend on how a screen is cut into windows, nor on the workspace.
 void draw_field(const GlyphField& field,
-                const TextStyle& style,
+                const Style& style,
                 FinePoint origin,
                 const Sink& sink,
                 Workspace workspace = {}) noexcept;
@@ -42,7 +42,7 @@ void draw_field(const GlyphField& field,
 /// grid and no farther from its ink than the style reaches (for slanted text,
 /// in the box around that).
 Rect field_box(const GlyphField& field,
-               const TextStyle& style,
+               const Style& style,
                FinePoint origin) noexcept;
 
 /// Signed distances, in px, at the centres of `out.size` pixels of row `y` from
@@ -51,7 +51,7 @@ Rect field_box(const GlyphField& field,
 /// and effects of one's own: draw_field rounds them to 1/127 of the reach of
 /// the style.
 void distance_row(const GlyphField& field,
-                  const TextStyle& style,
+                  const Style& style,
                   FinePoint origin,
                   int32_t x,
                   int32_t y,

@@ -22,7 +22,7 @@
 #include "inkcell/fixed.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/status.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 

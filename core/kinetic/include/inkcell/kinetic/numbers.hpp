@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -23,7 +23,7 @@ constexpr Angle degrees(int32_t value) noexcept {
 Q2_14 sine(Angle angle) noexcept;
 Q2_14 cosine(Angle angle) noexcept;
 
-/// The unit vector of an angle, exactly {1, 0} at 0. For TextStyle::make.
+/// The unit vector of an angle, exactly {1, 0} at 0. For Style::make.
 Direction direction_of(Angle angle) noexcept;
 
 /// The angle of a vector, y up; 0 for the vector 0. Error below 1/20000 of a

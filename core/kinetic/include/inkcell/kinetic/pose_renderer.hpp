@@ -16,7 +16,7 @@
 #include "inkcell/kinetic/pose.hpp"
 #include "inkcell/span.hpp"
 #include "inkcell/strip.hpp"
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 #include "inkcell/workspace.hpp"
 
 namespace inkcell {
@@ -72,7 +72,7 @@ class PoseRenderer {
   const Filter& filter_;
   Workspace workspace_;
   Filter weighted_;
-  TextStyle style_;
+  Style style_;
 };
 
 }  // namespace kinetic

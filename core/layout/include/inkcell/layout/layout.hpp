@@ -68,7 +68,7 @@ struct LayoutOptions {
   Q26_6 tab_width;
 
   constexpr LayoutOptions() noexcept = default;
-  constexpr LayoutOptions(const Font& font, const TextStyle& style) noexcept
+  constexpr LayoutOptions(const Font& font, const Style& style) noexcept
       : face{&font, &style} {}
 
   /// Orders mixed lines. Without it all text is read from left to right.

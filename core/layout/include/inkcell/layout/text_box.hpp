@@ -57,7 +57,7 @@ struct TextBox {
 
   constexpr TextBox() noexcept = default;
   constexpr TextBox(const Font& font,
-                    const TextStyle& style,
+                    const Style& style,
                     const Rect& box,
                     Align align = Align::start) noexcept
       : options(font, style), rect(box) {

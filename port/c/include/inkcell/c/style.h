@@ -1,4 +1,4 @@
-// Styles and grid fitting, as in inkcell/text_style.hpp and inkcell/fit.hpp.
+// Styles and grid fitting, as in inkcell/style.hpp and inkcell/fit.hpp.
 #pragma once
 
 #include "inkcell/c/filter.h"

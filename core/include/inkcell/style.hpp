@@ -11,14 +11,14 @@
 
 namespace inkcell {
 
-class TextStyle;
+class Style;
 class Font;
 struct FinePoint;
 struct GlyphMetrics;
 struct GlyphWarp;
 struct Sink;
 
-/// Grid fitting (fit.hpp has one). `options` is what TextStyle::set_fitter was
+/// Grid fitting (fit.hpp has one). `options` is what Style::set_fitter was
 /// given.
 struct Fitter {
   /// Fills in `warp` for a glyph of outlines and of an upright style whose
@@ -39,18 +39,18 @@ struct Fitter {
 namespace detail {
 struct Mixer;
 struct OutlineFitter;
-struct Painter;
+struct BandPainter;
 struct Slant;
 
-// What filters take; linked with the TextStyle::make that names them.
-extern const Painter kPaintPixelRamp;      // Filter::is_linear_pixel()
-extern const Painter kPaintDistances;      // up to half a pixel
-extern const Painter kPaintWideDistances;  // any filter
-extern const Painter kPaintAreas;
+// What filters take; linked with the Style::make that names them.
+extern const BandPainter kPaintPixelRamp;      // Filter::is_linear_pixel()
+extern const BandPainter kPaintDistances;      // up to half a pixel
+extern const BandPainter kPaintWideDistances;  // any filter
+extern const BandPainter kPaintAreas;
 
 // Inlined with make(), so that a filter that is known when the program is
 // compiled links one of the three.
-__attribute__((always_inline)) inline const Painter& painter_of(
+__attribute__((always_inline)) inline const BandPainter& painter_of(
     const Filter& filter) noexcept {
   if (filter.is_linear_pixel()) {
     return kPaintPixelRamp;
@@ -85,17 +85,17 @@ inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
 /// Size, direction and filter of a style. Built once, constant afterwards, in
 /// the caller's memory; shared by any number of drawing calls. The filter must
 /// outlive it, unchanged.
-class TextStyle {
+class Style {
  public:
   /// 16 px/em, upright. Draws nothing: make() selects the painter, so that a
   /// program links no other.
-  constexpr TextStyle() noexcept = default;
+  constexpr Style() noexcept = default;
 
   /// An upright style of `size` px to the em. bad_argument: the size is outside
   /// kMinSize..kMaxSize; `out` is then untouched.
   __attribute__((always_inline)) static Status make(Q26_6 size,
                                                     const Filter& filter,
-                                                    TextStyle& out) noexcept {
+                                                    Style& out) noexcept {
     INKCELL_TRY(make_upright(size, filter, out));
     out.set_painter(detail::painter_of(filter));
     return Status::ok;
@@ -106,7 +106,7 @@ class TextStyle {
   __attribute__((always_inline)) static Status make(Q26_6 size,
                                                     const Filter& filter,
                                                     Direction direction,
-                                                    TextStyle& out) noexcept {
+                                                    Style& out) noexcept {
     INKCELL_TRY(make_turned(size, filter, direction, out));
     out.set_painter(detail::painter_of(filter));
     return Status::ok;
@@ -122,7 +122,7 @@ class TextStyle {
   /// differ.
   __attribute__((always_inline)) static Status make(const Matrix& matrix,
                                                     const Filter& filter,
-                                                    TextStyle& out) noexcept {
+                                                    Style& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, filter, out));
     out.set_painter(detail::painter_of(filter));
     return Status::ok;
@@ -130,7 +130,7 @@ class TextStyle {
 
   /// Styles with which glyphs of outlines are drawn with exact coverage: how
   /// much of each pixel lies inside. Fields take the ramp of a straight edge.
-  static Status make(Q26_6 size, AreaFilter, TextStyle& out) noexcept {
+  static Status make(Q26_6 size, AreaFilter, Style& out) noexcept {
     INKCELL_TRY(make_upright(size, kFilterText, out));
     out.set_painter(detail::kPaintAreas);
     return Status::ok;
@@ -138,14 +138,12 @@ class TextStyle {
   static Status make(Q26_6 size,
                      AreaFilter,
                      Direction direction,
-                     TextStyle& out) noexcept {
+                     Style& out) noexcept {
     INKCELL_TRY(make_turned(size, kFilterText, direction, out));
     out.set_painter(detail::kPaintAreas);
     return Status::ok;
   }
-  static Status make(const Matrix& matrix,
-                     AreaFilter,
-                     TextStyle& out) noexcept {
+  static Status make(const Matrix& matrix, AreaFilter, Style& out) noexcept {
     INKCELL_TRY(make_mapped(matrix, kFilterText, out));
     out.set_painter(detail::kPaintAreas);
     return Status::ok;
@@ -154,19 +152,19 @@ class TextStyle {
   /// make() without set_painter(), for filters that come with theirs.
   static Status make_upright(Q26_6 size,
                              const Filter& filter,
-                             TextStyle& out) noexcept;
+                             Style& out) noexcept;
   static Status make_turned(Q26_6 size,
                             const Filter& filter,
                             Direction direction,
-                            TextStyle& out) noexcept;
+                            Style& out) noexcept;
   static Status make_mapped(const Matrix& matrix,
                             const Filter& filter,
-                            TextStyle& out) noexcept;
+                            Style& out) noexcept;
 
   /// A filter made in the argument would be gone before the style is used.
-  static Status make(Q26_6, const Filter&&, Direction, TextStyle&) = delete;
-  static Status make(Q26_6, const Filter&&, TextStyle&) = delete;
-  static Status make(const Matrix&, const Filter&&, TextStyle&) = delete;
+  static Status make(Q26_6, const Filter&&, Direction, Style&) = delete;
+  static Status make(Q26_6, const Filter&&, Style&) = delete;
+  static Status make(const Matrix&, const Filter&&, Style&) = delete;
 
   /// Fits glyphs of outlines to the grid of pixels, if the style is upright;
   /// other styles ignore it. Fitter and options must outlive the style. Null,
@@ -202,8 +200,8 @@ class TextStyle {
   bool is_upright() const noexcept { return !is_slanted_; }
 
   /// What the filter takes; null before make().
-  const detail::Painter* painter() const noexcept { return painter_; }
-  void set_painter(const detail::Painter& painter) noexcept {
+  const detail::BandPainter* painter() const noexcept { return painter_; }
+  void set_painter(const detail::BandPainter& painter) noexcept {
     painter_ = &painter;
   }
 
@@ -255,7 +253,7 @@ class TextStyle {
     return (distance_u_q10 * size_q6_) >> 16;
   }
 
-  friend bool is_same(const TextStyle& a, const TextStyle& b) noexcept;
+  friend bool is_same(const Style& a, const Style& b) noexcept;
 
  private:
   struct Stretch;
@@ -273,7 +271,7 @@ class TextStyle {
   GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
   Axes axes_;
   const Filter* filter_ = &kFilterText;
-  const detail::Painter* painter_ = nullptr;
+  const detail::BandPainter* painter_ = nullptr;
   const Fitter* fitter_ = nullptr;
   union {  // only upright text is fitted
     const detail::OutlineFitter* outline_fitter_ = nullptr;
@@ -284,6 +282,6 @@ class TextStyle {
 };
 
 /// Equal sizes and directions; the same filter, fitter and effect, by address.
-bool is_same(const TextStyle& a, const TextStyle& b) noexcept;
+bool is_same(const Style& a, const Style& b) noexcept;
 
 }  // namespace inkcell

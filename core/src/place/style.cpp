@@ -1,5 +1,5 @@
 // Sizes, directions and matrices as the numbers that drawing needs.
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 namespace inkcell {
 namespace {
@@ -43,19 +43,18 @@ GlyphStep step_from(int32_t x_q30,
 }  // namespace
 
 // Greatest and least. [px/em, Q6]
-struct TextStyle::Stretch {
+struct Style::Stretch {
   int32_t most_q6;
   int32_t least_q6;
 };
 
 // Makes it upright, but for what `least_q6` changes. Untouched if it fails.
-Status TextStyle::set_size(const Stretch& stretch,
-                           const Filter& filter) noexcept {
+Status Style::set_size(const Stretch& stretch, const Filter& filter) noexcept {
   if (stretch.least_q6 < kMinSize.raw || stretch.most_q6 > kMaxSize.raw) {
     return Status::bad_argument;
   }
   const auto size_q6 = static_cast<uint32_t>(stretch.most_q6);
-  // Smaller than to assign a TextStyle: nearly all of it is 0 or follows here.
+  // Smaller than to assign a Style: nearly all of it is 0 or follows here.
   __builtin_memset(static_cast<void*>(this), 0, sizeof *this);
   right_.x_q20 = 1 << 20;
   up_.y_q20 = 1 << 20;
@@ -75,16 +74,16 @@ Status TextStyle::set_size(const Stretch& stretch,
   return Status::ok;
 }
 
-Status TextStyle::make_upright(Q26_6 size,
-                               const Filter& filter,
-                               TextStyle& out) noexcept {
+Status Style::make_upright(Q26_6 size,
+                           const Filter& filter,
+                           Style& out) noexcept {
   return out.set_size({size.raw, size.raw}, filter);
 }
 
-Status TextStyle::make_turned(Q26_6 size,
-                              const Filter& filter,
-                              Direction direction,
-                              TextStyle& out) noexcept {
+Status Style::make_turned(Q26_6 size,
+                          const Filter& filter,
+                          Direction direction,
+                          Style& out) noexcept {
   const int64_t cosine = direction.cosine.raw;
   const int64_t sine = direction.sine.raw;
   constexpr int64_t kOneQ30 = int64_t{1} << 30;
@@ -111,9 +110,9 @@ Status TextStyle::make_turned(Q26_6 size,
   return Status::ok;
 }
 
-Status TextStyle::make_mapped(const Matrix& matrix,
-                              const Filter& filter,
-                              TextStyle& out) noexcept {
+Status Style::make_mapped(const Matrix& matrix,
+                          const Filter& filter,
+                          Style& out) noexcept {
   const int64_t x_right = matrix.x_right.raw;
   const int64_t x_up = matrix.x_up.raw;
   const int64_t y_right = matrix.y_right.raw;
@@ -163,7 +162,7 @@ Status TextStyle::make_mapped(const Matrix& matrix,
   return Status::ok;
 }
 
-bool is_same(const TextStyle& a, const TextStyle& b) noexcept {
+bool is_same(const Style& a, const Style& b) noexcept {
   return a.size_q6_ == b.size_q6_ && a.axes_.x_right == b.axes_.x_right &&
          a.axes_.x_up == b.axes_.x_up && a.axes_.y_right == b.axes_.y_right &&
          a.axes_.y_up == b.axes_.y_up && a.filter_ == b.filter_ &&

@@ -23,9 +23,9 @@ enum class BandKind : uint8_t {
   area,
 };
 
-// TextStyle::make() chooses one by the filter; a mixer names its own. Sources
+// Style::make() chooses one by the filter; a mixer names its own. Sources
 // other than outlines look at `kind` and `reach_q8` only.
-struct Painter {
+struct BandPainter {
   // Paints points of outlines into a band.
   void (*paint)(const Band& band,
                 OutlineCursor& cursor,

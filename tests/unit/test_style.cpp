@@ -1,5 +1,5 @@
 // Styles: which sizes and directions are allowed, and their steps.
-#include "inkcell/text_style.hpp"
+#include "inkcell/style.hpp"
 
 #include "check.hpp"
 #include "random.hpp"
@@ -8,8 +8,8 @@ namespace {
 
 using namespace inkcell;
 
-Status make(int32_t size_q6, TextStyle& out) {
-  return TextStyle::make(Q26_6::from_raw(size_q6), kFilterMotion, out);
+Status make(int32_t size_q6, Style& out) {
+  return Style::make(Q26_6::from_raw(size_q6), kFilterMotion, out);
 }
 
 Direction direction(int32_t cosine_q30, int32_t sine_q30) {
@@ -18,9 +18,9 @@ Direction direction(int32_t cosine_q30, int32_t sine_q30) {
 }
 
 Status turn(int32_t cosine_q30, int32_t sine_q30) {
-  TextStyle style;
-  const Status status = TextStyle::make(Q26_6::from_int(20), kFilterText,
-                                        direction(cosine_q30, sine_q30), style);
+  Style style;
+  const Status status = Style::make(Q26_6::from_int(20), kFilterText,
+                                    direction(cosine_q30, sine_q30), style);
   CHECK_EQ(style.size().raw, status == Status::ok ? 20 * 64 : 16 * 64);
   return status;
 }
@@ -30,15 +30,15 @@ constexpr int32_t kOne = 1 << 30;
 }  // namespace
 
 TEST(default_style) {
-  const TextStyle style{};
+  const Style style{};
   CHECK_EQ(style.size().raw, 16 * 64);
   CHECK(style.is_upright());
   CHECK_EQ(style.step_along_q16(), 64 << 16);
   CHECK_EQ(style.step_across_q16(), 0);
   CHECK(&style.filter() == &kFilterText);
   CHECK_EQ(style.to_px_q10(64 << 10), 1 << 10);
-  TextStyle made;
-  CHECK_OK(TextStyle::make(Q26_6::from_int(16), kFilterText, made));
+  Style made;
+  CHECK_OK(Style::make(Q26_6::from_int(16), kFilterText, made));
   CHECK_EQ(made.step_along_q16(), style.step_along_q16());
   const int32_t far = made.to_px_q10(INT32_MAX);
   CHECK_EQ(style.to_px_q10(INT32_MAX), far);
@@ -46,7 +46,7 @@ TEST(default_style) {
 }
 
 TEST(sizes_from_4_to_1024_px) {
-  TextStyle style;
+  Style style;
   CHECK_EQ(make(0, style), Status::bad_argument);
   CHECK_EQ(make(-64, style), Status::bad_argument);
   CHECK_EQ(make(INT32_MIN, style), Status::bad_argument);
@@ -84,15 +84,15 @@ TEST(directions_are_unit_vectors) {
 }
 
 TEST(upright_is_to_the_right) {
-  TextStyle style;
-  CHECK_OK(TextStyle::make(kMinSize, kFilterText, direction(-kOne, 0), style));
+  Style style;
+  CHECK_OK(Style::make(kMinSize, kFilterText, direction(-kOne, 0), style));
   CHECK(!style.is_upright());
   CHECK_EQ(style.step_along_q16(), -(256 << 16));
-  CHECK_OK(TextStyle::make(kMinSize, kFilterText, direction(0, kOne), style));
+  CHECK_OK(Style::make(kMinSize, kFilterText, direction(0, kOne), style));
   CHECK(!style.is_upright());
   CHECK_EQ(style.step_along_q16(), 0);
   CHECK_EQ(style.step_across_q16(), 256 << 16);
-  CHECK_OK(TextStyle::make(kMinSize, kFilterText, direction(kOne, 1), style));
+  CHECK_OK(Style::make(kMinSize, kFilterText, direction(kOne, 1), style));
   CHECK(!style.is_upright());
 }
 
@@ -102,7 +102,7 @@ TEST(distances_scale_and_clamp) {
   const int32_t sizes[] = {4 * 64, 4 * 64 + 1,  16 * 64,
                            1000,   64 * 64 - 1, 1024 * 64};
   for (const int32_t size : sizes) {
-    TextStyle style;
+    Style style;
     CHECK_OK(make(size, style));
     for (int i = 0; i < 200; ++i) {
       const int32_t distance = random.between(-(1024 << 10), 1024 << 10);
