@@ -91,10 +91,7 @@ void flush_strip(void* context, const Strip& strip) {
 
 }  // namespace
 
-namespace {
-
-template <typename AnyFilter>
-Style make_any_style(double px, double angle, const AnyFilter& filter) {
+Style make_style(double px, double angle, const Filter& filter) {
   const double raw = std::round(px * 64);
   const bool in_range = raw >= kMinSize.raw && raw <= kMaxSize.raw;
   if (!in_range) {
@@ -102,23 +99,11 @@ Style make_any_style(double px, double angle, const AnyFilter& filter) {
     text << px << " px: sizes go from 4 to 1024 px";
     throw std::runtime_error(text.str());
   }
-  Style style;
-  if (!std::isfinite(angle) ||
-      Style::make(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
-                  direction_of(angle), style) != Status::ok) {
+  if (!std::isfinite(angle)) {
     throw std::runtime_error("the angle is not a number of degrees");
   }
-  return style;
-}
-
-}  // namespace
-
-Style make_style(double px, double angle, const Filter& filter) {
-  return make_any_style(px, angle, filter);
-}
-
-Style make_style(double px, double angle, AreaFilter filter) {
-  return make_any_style(px, angle, filter);
+  return Style(Q26_6::from_raw(static_cast<int32_t>(raw)), filter,
+               direction_of(angle));
 }
 
 bool is_turned(double angle) {

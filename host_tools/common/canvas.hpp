@@ -19,8 +19,6 @@ namespace inkcell::tools {
 /// A style for `px` px/em (rounded to 1/64) and an angle in degrees, counter-
 /// clockwise. Throws std::runtime_error if one is out of range.
 Style make_style(double px, double angle, const Filter& filter);
-/// The same with exact coverage, for fonts of outlines.
-Style make_style(double px, double angle, AreaFilter filter);
 
 /// Whether styles with this angle are not upright. Throws as make_style().
 bool is_turned(double angle);

@@ -346,7 +346,7 @@ void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
   // Without hints, or with broken ones, glyphs stay as they are.
   if (Fit::make(font, style_, fit, fit_) == Status::ok &&
       !fit_.hints().empty()) {
-    style_.set_fitter(&kGridFit, &fit_);
+    style_.set_fit(fit_);
     if (options.levels == 2 && options.weight == 0) {
       crisp_.threshold_px = fit_.crisp_weight();
     }

@@ -73,7 +73,7 @@ Image compare(const Font& font,
     if (Fit::make(font, style, {}, fit) != Status::ok) {
       throw std::runtime_error("the font's hints are broken");
     }
-    style.set_fitter(&kGridFit, &fit);
+    style.set_fit(fit);
   });
   if (font.has_outlines()) {
     add_ours("Inkcell, filter area", kFilterArea, plain);

@@ -226,7 +226,7 @@ Image draw_fitting(const Font& font) {
         if (Fit::make(font, style, *options, fit) != Status::ok) {
           throw std::runtime_error("the font's hints are broken");
         }
-        style.set_fitter(&kGridFit, &fit);
+        style.set_fit(fit);
         crisp.threshold_px = fit.crisp_weight();
       }
       if (is_bilevel) {
@@ -289,12 +289,9 @@ Image draw_maps(const Font& font) {
     const auto px = [](double em) {
       return Q16_16::from_raw(static_cast<int32_t>(em * kPx * 65536));
     };
-    Style style;
-    if (Style::make(
-            {px(map.x_right), px(map.x_up), px(map.y_right), px(map.y_up)},
-            kFilterText, style) != Status::ok) {
-      throw std::runtime_error("a map is out of range");
-    }
+    const Style style(
+        {px(map.x_right), px(map.x_up), px(map.y_right), px(map.y_up)},
+        kFilterText);
     sheet.add(map.label, kWhite, [&](Image& image) {
       write_text(font, "Sphinx", style, map.x, map.y, kBlack, image);
     });

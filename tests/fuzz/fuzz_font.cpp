@@ -36,11 +36,7 @@ Style style_of(const uint8_t* choice) {
   Direction direction;
   direction.cosine.raw = turn[0];
   direction.sine.raw = turn[1];
-  Style style;
-  hostile::require(Style::make(Q26_6::from_raw(size), kFilterPaperDisplay,
-                               direction, style) == Status::ok,
-                   "style");
-  return style;
+  return Style(Q26_6::from_raw(size), kFilterPaperDisplay, direction);
 }
 
 // Near the window for small exponents, anywhere for large ones.

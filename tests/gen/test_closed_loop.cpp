@@ -108,8 +108,7 @@ struct Plain {
         const LoopOptions& options,
         int px,
         const std::vector<std::pair<int, int>>& phases) {
-    Style style;
-    EXPECT_EQ(Style::make(Q26_6::from_int(px), kFilterText, style), Status::ok);
+    const Style style(Q26_6::from_int(px), kFilterText);
     const double scale = px / 1024.0;
     const Box& box = shape.box();
     double sum = 0;

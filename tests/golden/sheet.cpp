@@ -65,11 +65,7 @@ bool draw_line(const Line& line, const Sink& sink) {
   Direction direction;
   direction.cosine.raw = line.cosine_q30;
   direction.sine.raw = line.sine_q30;
-  Style style;
-  if (Style::make(Q26_6::from_raw(line.size_q6), *line.filter, direction,
-                  style) != Status::ok) {
-    return false;
-  }
+  const Style style(Q26_6::from_raw(line.size_q6), *line.filter, direction);
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
   draw_text(font, line.text, style, origin, sink);
   return true;

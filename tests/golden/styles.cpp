@@ -44,16 +44,15 @@ bool draw_line(const Line& line,
     if (Fit::make(font, style, *options, fit) != Status::ok) {
       return false;
     }
-    own.set_fitter(&kGridFit, &fit);
+    own.set_fit(fit);
   }
   const Point origin = {Q26_6::from_raw(line.x_q6), Q26_6::from_raw(line.y_q6)};
   draw_text(font, line.text, own, origin, sink);
   return true;
 }
 
-bool make_style(const Line& line, const Filter& filter, Style& style) {
-  return Style::make(Q26_6::from_raw(line.size_q6), filter, style) ==
-         Status::ok;
+Style style_of(const Line& line, const Filter& filter) {
+  return Style(Q26_6::from_raw(line.size_q6), filter);
 }
 
 // Not inline, so that there is one style at a time on the stack.
@@ -62,10 +61,7 @@ __attribute__((noinline)) bool draw_painted(const Line& line,
                                             const Effect& effect,
                                             const FitOptions* fit,
                                             const Sink& sink) {
-  Style style;
-  if (!make_style(line, filter, style)) {
-    return false;
-  }
+  Style style = style_of(line, filter);
   style.set_effect(effect);
   return draw_line(line, style, fit, sink);
 }
@@ -165,17 +161,14 @@ bool draw_crisp(const Sink& sink) {
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
 bool draw_turned(const Sink& sink) {
-  Style style;
   const auto px = [](int32_t q10) { return Q16_16::from_raw(q10 * 64); };
-  if (Style::make({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText,
-                  style) != Status::ok ||
-      !draw_line({FontId::dejavu_sans_outline, "Inkcell", 0, 2 * 64, 144 * 64},
+  Style style({px(15000), Q16_16(), px(4300), px(20480)}, kFilterText);
+  if (!draw_line({FontId::dejavu_sans_outline, "Inkcell", 0, 2 * 64, 144 * 64},
                  style, nullptr, sink)) {
     return false;
   }
-  if (Style::make({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText,
-                  style) != Status::ok ||
-      !draw_line({FontId::roboto_outline, "Root", 0, 158 * 64, 140 * 64}, style,
+  style = Style({px(-18000), Q16_16(), Q16_16(), px(18000)}, kFilterText);
+  if (!draw_line({FontId::roboto_outline, "Root", 0, 158 * 64, 140 * 64}, style,
                  nullptr, sink)) {
     return false;
   }
@@ -183,10 +176,7 @@ bool draw_turned(const Sink& sink) {
   direction.cosine.raw = 1065418748;
   direction.sine.raw = -133530580;
   const CircleSamples even = make_circle_samples(kFilterText);
-  if (Style::make(Q26_6::from_int(15), kFilterText, direction, style) !=
-      Status::ok) {
-    return false;
-  }
+  style = Style(Q26_6::from_int(15), kFilterText, direction);
   style.set_effect(circle_samples_effect(even));
   return draw_line(
       {FontId::dejavu_sans_field, "Againgain", 0, 3 * 64, 160 * 64}, style,
@@ -203,17 +193,14 @@ bool draw_areas(const Sink& sink) {
   Direction direction;
   direction.cosine.raw = 858993459;
   direction.sine.raw = 644245094;
-  Style style;
-  return Style::make(Q26_6::from_raw(upright.size_q6), kFilterArea, style) ==
-             Status::ok &&
-         draw_line(upright, style, nullptr, sink) &&
-         Style::make(Q26_6::from_raw(turned.size_q6), kFilterArea, direction,
-                     style) == Status::ok &&
-         draw_line(turned, style, nullptr, sink) &&
-         Style::make(Q26_6::from_int(15), kFilterText, direction, style) ==
-             Status::ok &&
+  const Style area = style_of(upright, kFilterArea);
+  const Style turned_area(Q26_6::from_raw(turned.size_q6), kFilterArea,
+                          direction);
+  const Style distance(Q26_6::from_int(15), kFilterText, direction);
+  return draw_line(upright, area, nullptr, sink) &&
+         draw_line(turned, turned_area, nullptr, sink) &&
          draw_line({FontId::roboto_outline, "Roboty", 0, 50 * 64, 170 * 64},
-                   style, nullptr, sink);
+                   distance, nullptr, sink);
 }
 
 // By distance, as it comes, fitted, and of many contours.

@@ -107,11 +107,7 @@ Style style_of(const Look& look) {
   Direction direction;
   direction.cosine.raw = look.cosine_q30;
   direction.sine.raw = look.sine_q30;
-  Style style;
-  require(Style::make(Q26_6::from_raw(look.size_q6), kFilterText, direction,
-                      style) == Status::ok,
-          "style");
-  return style;
+  return Style(Q26_6::from_raw(look.size_q6), kFilterText, direction);
 }
 
 void use_glyph(const Font& font, uint16_t glyph) {
@@ -139,7 +135,7 @@ void use_glyph(const Font& font, uint16_t glyph) {
     options.strength_q8 = static_cast<uint16_t>(256 - glyph % 100);
     if (style.is_upright() &&
         Fit::make(font, style, options, fit) == Status::ok) {
-      style.set_fitter(&kGridFit, &fit);
+      style.set_fit(fit);
       draw_checked(font, glyph, style, origin);
     }
   }

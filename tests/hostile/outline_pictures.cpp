@@ -143,10 +143,10 @@ constexpr Filter kWide =
 constexpr Filter kBold = with_weight(kFilterText, Q6_10::from_raw(1000));
 constexpr Filter kLight = with_weight(kFilterText, Q6_10::from_raw(-700));
 constexpr Filter kShadow = shadow_filter(Q6_10::from_raw(2100));
-constexpr const Filter* kFilters[kFilterCount - 1] = {
+constexpr const Filter* kFilters[kFilterCount] = {
     &kFilterText,      &kFilterMotion, &kFilterPaperDisplay,
     &kFilterPaperBody, &kWide,         &kBold,
-    &kLight,           &kShadow};
+    &kLight,           &kShadow,       &kFilterArea};
 
 constexpr int32_t kOne = 1 << 30;
 constexpr int32_t kDirections[][2] = {{kOne, 0},
@@ -180,24 +180,19 @@ Matrix matrix_of(uint32_t number, int32_t size_q6) {
   }
 }
 
-Status make_style(const OutlineLook& look, Style& style) {
+Style style_of(const OutlineLook& look) {
   const Q26_6 size = Q26_6::from_raw(look.size_q6);
-  const bool is_area = look.filter == kFilterCount - 1;
-  const Filter& filter = *kFilters[is_area ? 0 : look.filter];
+  const Filter& filter = *kFilters[look.filter];
   if (look.map == 0) {
-    return is_area ? Style::make(size, kFilterArea, style)
-                   : Style::make(size, filter, style);
+    return Style(size, filter);
   }
   if (look.map < kDirectionCount) {
     Direction direction;
     direction.cosine.raw = kDirections[look.map][0];
     direction.sine.raw = kDirections[look.map][1];
-    return is_area ? Style::make(size, kFilterArea, direction, style)
-                   : Style::make(size, filter, direction, style);
+    return Style(size, filter, direction);
   }
-  const Matrix matrix = matrix_of(look.map - kDirectionCount, look.size_q6);
-  return is_area ? Style::make(matrix, kFilterArea, style)
-                 : Style::make(matrix, filter, style);
+  return Style(matrix_of(look.map - kDirectionCount, look.size_q6), filter);
 }
 
 static_assert(kDirectionCount + 4 == kMapCount, "all maps have numbers");
@@ -256,13 +251,12 @@ void check_outline(const Font& font,
                    const OutlineLook& look,
                    const OutlineCut& cut,
                    bool is_exact) {
-  Style style;
+  Style style = style_of(look);
   Options options;
-  require(make_style(look, style) == Status::ok, "style");
   if (look.is_fitted && style.is_upright() &&
       Fit::make(font, style, {true, 0, FitOptions::kAll}, options.fit) ==
           Status::ok) {
-    style.set_fitter(&kGridFit, &options.fit);
+    style.set_fit(options.fit);
   }
   set_effect(look.effect, options, style);
 
@@ -330,9 +324,7 @@ void check_generated_field(const Font& font,
   require(GlyphField::open({buffer.data, bytes}, again) == Status::ok,
           "the record opens");
   require(again.cells == field.cells, "the record is the field");
-  Style style;
-  const auto size = Q26_6::from_raw(look.size_q6);
-  require(Style::make(size, kFilterText, style) == Status::ok, "style");
+  const Style style(Q26_6::from_raw(look.size_q6), kFilterText);
   Picture picture(cut.x0, cut.y0);
   draw_field(field, style, cut.origin, picture.sink(picture.all(), false));
   for (int32_t i = 0; i < 16; ++i) {

@@ -51,8 +51,7 @@ Font open() {
 }
 
 Style style() {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(kSize), kFilterText, style));
+  Style style(Q26_6::from_int(kSize), kFilterText);
   return style;
 }
 

@@ -147,17 +147,14 @@ struct Trial {
     const auto size = Q26_6::from_raw(random.between(8 * 64, 30 * 64));
     for (int i = 0; i != 2; ++i) {
       const auto own = has(2) ? size : Q26_6::from_raw(size.raw * 3 / 4 + 64);
-      bool is_ok = Style::make(i == 0 ? size : own, kFilterText, styles[i]) ==
-                   Status::ok;
+      styles[i] = Style(i == 0 ? size : own, kFilterText);
       if (is_fitted) {
         FitOptions options;
         options.across = true;
-        is_ok &=
-            Fit::make(*fonts[i], styles[i], options, fits[i]) == Status::ok;
-        styles[i].set_fitter(&kGridFit, &fits[i]);
-      }
-      if (!is_ok) {
-        std::exit(2);
+        if (Fit::make(*fonts[i], styles[i], options, fits[i]) != Status::ok) {
+          std::exit(2);
+        }
+        styles[i].set_fit(fits[i]);
       }
     }
     width = random.between(1, 300);
@@ -434,10 +431,7 @@ bool try_endless_marks(const FontFile& font) {
   for (size_t i = 0; i != 40000; ++i) {
     text += "\xcc\x81";
   }
-  Style style;
-  if (Style::make(Q26_6::from_int(12), kFilterText, style) != Status::ok) {
-    return false;
-  }
+  const Style style(Q26_6::from_int(12), kFilterText);
   const LayoutOptions options(font.font, style);
   TextLine line;
   size_t lines = 0;

@@ -98,9 +98,7 @@ TEST(advances_are_kerned_and_rounded) {
   for (const int32_t size_q6 : {14 * 64, 14 * 64 + 32, 61 * 64}) {
     inkcell_lv_font_t font;
     CHECK(make_font(font, size_q6));
-    inkcell::Style style;
-    CHECK_OK(inkcell::Style::make(Q26_6::from_raw(size_q6),
-                                  inkcell::kFilterText, style));
+    inkcell::Style style(Q26_6::from_raw(size_q6), inkcell::kFilterText);
     const uint16_t a = plain.glyph_or_notdef('A');
     const uint16_t v = plain.glyph_or_notdef('V');
     const int32_t units = plain.advance(a) + plain.kerning(a, v);
@@ -120,9 +118,7 @@ TEST(fitted_advances_are_the_fits) {
   CHECK_EQ(inkcell_lv_font_fit_grid(&font, &fit), LV_RESULT_OK);
   inkcell::Font plain;
   CHECK_OK(inkcell::Font::open({fonts::lv_sans, sizeof fonts::lv_sans}, plain));
-  inkcell::Style style;
-  CHECK_OK(
-      inkcell::Style::make(Q26_6::from_int(10), inkcell::kFilterText, style));
+  inkcell::Style style(Q26_6::from_int(10), inkcell::kFilterText);
   inkcell::FitOptions options;
   options.across = true;
   inkcell::Fit expected;

@@ -38,15 +38,14 @@ Bitmap draw(const Font& font,
   Bitmap picture = {side, side,
                     std::vector<uint8_t>(static_cast<size_t>(side * side))};
   const CrispOptions crisp;
-  Style style;
+  Style style(Q26_6::from_int(px), kFilterText);
   port::A8Target target;
   target.strip.pixels = {picture.pixels.data(), picture.pixels.size()};
   target.strip.width = side;
   target.strip.height = side;
   target.strip.stride = side;
   Sink sink;
-  if (Style::make(Q26_6::from_int(px), kFilterText, style) != Status::ok ||
-      port::make_sink(target, sink) != Status::ok) {
+  if (port::make_sink(target, sink) != Status::ok) {
     std::abort();
   }
   if (is_crisp) {

@@ -57,32 +57,9 @@ Style make_style(int look, int32_t px) {
   Direction turned;
   turned.cosine.raw = 858993459;
   turned.sine.raw = -644245094;
-  Style style;
-  Status status = Status::bad_argument;
-  switch (look) {
-    case 0:
-      status = Style::make(size, kFilterText, style);
-      break;
-    case 1:
-      status = Style::make(size, kFilterArea, style);
-      break;
-    case 2:
-      status = Style::make(size, kWide, style);
-      break;
-    case 3:
-      status = Style::make(size, kFilterText, turned, style);
-      break;
-    case 4:
-      status = Style::make(size, kFilterArea, turned, style);
-      break;
-    default:
-      status = Style::make(size, kWide, turned, style);
-      break;
-  }
-  if (status != Status::ok) {
-    std::abort();
-  }
-  return style;
+  const Filter* const filters[] = {&kFilterText, &kFilterArea, &kWide};
+  const Filter& filter = *filters[look % 3];
+  return look < 3 ? Style(size, filter) : Style(size, filter, turned);
 }
 
 constexpr int kLooks = 6;

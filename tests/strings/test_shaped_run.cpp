@@ -71,8 +71,7 @@ Font open() {
 }
 
 Style style_of(int32_t px) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
+  Style style(Q26_6::from_int(px), kFilterText);
   return style;
 }
 
@@ -82,7 +81,7 @@ struct FittedStyle {
     FitOptions options;
     options.across = true;
     CHECK_OK(Fit::make(font, style, options, fit));
-    style.set_fitter(&kGridFit, &fit);
+    style.set_fit(fit);
   }
 
   Style style;

@@ -29,9 +29,7 @@ inline Style style_of(int32_t size_q6, bool is_turned) {
   Direction direction;
   direction.cosine.raw = is_turned ? 858993459 : 1 << 30;
   direction.sine.raw = is_turned ? -644245094 : 0;
-  Style style;
-  CHECK_OK(
-      Style::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+  Style style(Q26_6::from_raw(size_q6), kFilterText, direction);
   return style;
 }
 

@@ -35,8 +35,26 @@ Map map_of(const Matrix& matrix) {
           matrix.x_up.raw / 65536.0, matrix.y_up.raw / 65536.0};
 }
 
-Status make(const Map& map, Style& out) {
-  return Style::make(matrix_of(map), kFilterText, out);
+Style style_of(const Map& map) {
+  return Style(matrix_of(map), kFilterText);
+}
+
+bool is_in_range(const Map& map) {
+  return stretch_of(matrix_of(map)).is_in_range();
+}
+
+bool is_near(double found, double wanted) {
+  return magnitude(found - wanted) < 0.01 * magnitude(wanted) + 0.001;
+}
+
+// Whether a style maps as `map` does, in px.
+bool maps_as(const Style& style, const Map& map) {
+  const double px = style.size().raw / 64.0 / (1 << 30);
+  const Style::Axes& axes = style.axes();
+  return is_near(axes.x_right.raw * px, map.x_right) &&
+         is_near(axes.y_right.raw * px, map.y_right) &&
+         is_near(axes.x_up.raw * px, map.x_up) &&
+         is_near(axes.y_up.raw * px, map.y_up);
 }
 
 // A unit vector in any direction.
@@ -74,32 +92,80 @@ Map any_map(Random& random, double most_px, double least_px) {
 
 }  // namespace
 
-TEST(matrices_have_stretches_within_the_sizes) {
-  Style style;
-  CHECK_EQ(make({0, 0, 0, 0}, style), Status::bad_argument);
-  CHECK_EQ(make({24, 24, 24, 24}, style), Status::bad_argument);
-  CHECK_EQ(make({3.9, 0, 0, 24}, style), Status::bad_argument);
-  CHECK_EQ(make({24, 0, 0, 1025}, style), Status::bad_argument);
-  CHECK_EQ(make({800, 800, -800, 800}, style), Status::bad_argument);
-  CHECK_EQ(make({24, 1000, 0, 24}, style), Status::bad_argument);
+TEST(stretches_of_matrices) {
+  CHECK(!is_in_range({0, 0, 0, 0}));
+  CHECK(!is_in_range({24, 24, 24, 24}));
+  CHECK(!is_in_range({3.9, 0, 0, 24}));
+  CHECK(!is_in_range({24, 0, 0, 1025}));
+  CHECK(!is_in_range({800, 800, -800, 800}));
+  CHECK(!is_in_range({24, 1000, 0, 24}));
+  CHECK(is_in_range({4, 0, 0, 1024}));
+  CHECK(is_in_range({0, -4, 4, 0}));
+  CHECK(is_in_range({-1024, 0, 0, 4}));
   const int32_t ends[] = {INT32_MIN, INT32_MAX};
   for (const int32_t a : ends) {
     for (const int32_t b : ends) {
       const Matrix far = {Q16_16::from_raw(a), Q16_16::from_raw(b),
                           Q16_16::from_raw(b), Q16_16::from_raw(a)};
-      CHECK_EQ(Style::make(far, kFilterText, style), Status::bad_argument);
+      const Stretch stretch = stretch_of(far);
+      CHECK(!stretch.is_in_range());
+      CHECK_EQ((stretch.greatest.raw + (1 << 15)) >> 16, 64);
+      CHECK(stretch.least.raw < 64);
     }
   }
-  CHECK_EQ(style.size().raw, 16 << 6);  // untouched
-  CHECK_OK(make({4, 0, 0, 1024}, style));
-  CHECK_EQ(style.size().raw, 1024 << 6);
-  CHECK_EQ(style.least_gain_q15(), 1 << 7);
-  CHECK_OK(make({0, -4, 4, 0}, style));
-  CHECK(!style.is_stretched());
-  CHECK_OK(make({-1024, 0, 0, 4}, style));
-  CHECK_OK(make({20, 8, 0, 20}, style));
-  CHECK(style.is_stretched());
-  CHECK(!style.is_upright());
+}
+
+TEST(matrices_in_range_are_kept) {
+  const Style tall = style_of({4, 0, 0, 1024});
+  CHECK_EQ(tall.size().raw, 1024 << 6);
+  CHECK_EQ(tall.least_gain_q15(), 1 << 7);
+  CHECK(!style_of({0, -4, 4, 0}).is_stretched());
+  CHECK(maps_as(style_of({-1024, 0, 0, 4}), {-1024, 0, 0, 4}));
+  const Style leaning = style_of({20, 8, 0, 20});
+  CHECK(leaning.is_stretched());
+  CHECK(!leaning.is_upright());
+}
+
+TEST(other_matrices_are_scaled) {
+  // As large as it may be, as small, and to where the lesser is large enough.
+  CHECK(maps_as(style_of({0, -2048, 1024, 0}), {0, -1024, 512, 0}));
+  CHECK(maps_as(style_of({32767, 0, 0, 32767}), {1024, 0, 0, 1024}));
+  CHECK(maps_as(style_of({-0.5, 0, 0, 0.5}), {-4, 0, 0, 4}));
+  CHECK(maps_as(style_of({2, 0, 0, 24}), {4, 0, 0, 48}));
+  CHECK(maps_as(style_of({2, 0, 0, -400}), {4, 0, 0, -800}));
+}
+
+TEST(flat_matrices_are_upright) {
+  const Map flat[] = {
+      {0, 0, 0, 0}, {24, 24, 24, 24}, {0, 0, 0, -24}, {3, 0, 0, 1000}};
+  const int32_t sizes[] = {4, 48, 24, 1000};
+  for (int i = 0; i < 4; ++i) {
+    const Style style = style_of(flat[i]);
+    CHECK(style.is_upright());
+    CHECK_EQ(style.size().raw, sizes[i] << 6);
+  }
+}
+
+// Whatever a matrix is, its style has numbers that drawing can bear.
+TEST(any_matrix_makes_a_style) {
+  for (Rounds rounds(72, 20000); rounds.next();) {
+    Random& random = rounds.random;
+    Q16_16 entries[4];
+    for (Q16_16& entry : entries) {
+      entry.raw = static_cast<int32_t>(random.next()) >> random.below(32);
+    }
+    const Matrix matrix = {entries[0], entries[1], entries[2], entries[3]};
+    const Style style(matrix, kFilterText);
+    CHECK(style.size().raw >= kMinSize.raw);
+    CHECK(style.size().raw <= kMaxSize.raw);
+    const int32_t gain = style.least_gain_q15();
+    CHECK(gain >= 127 && gain <= 1 << 15);
+    const int64_t steps[] = {style.right().x_q20, style.right().y_q20,
+                             style.up().x_q20, style.up().y_q20};
+    for (const int64_t step : steps) {
+      CHECK(step <= 257 << 20 && step >= -(257 << 20));
+    }
+  }
 }
 
 // Entries whose squares would wrap to those of a size of about 24 px.
@@ -107,62 +173,56 @@ TEST(huge_matrices_do_not_pass_for_small_ones) {
   constexpr int32_t kPx24 = 24 << 16;
   constexpr int32_t kFar[] = {INT32_MIN, INT32_MAX};
   for (const int32_t far : kFar) {
-    Style style;
     const Matrix matrix = {Q16_16::from_raw(far), Q16_16::from_raw(kPx24),
                            Q16_16::from_raw(-kPx24), Q16_16::from_raw(far)};
-    CHECK_EQ(Style::make(matrix, kFilterText, style), Status::bad_argument);
+    CHECK(!stretch_of(matrix).is_in_range());
+    CHECK_EQ(Style(matrix, kFilterText).size().raw, kMaxSize.raw);
   }
 }
 
 TEST(stretches_are_rounded_to_1_64_px) {
-  const auto make_raw = [](int32_t most_q16, int32_t least_q16) {
-    Style style;
-    return Style::make(
-        {Q16_16::from_raw(most_q16), {}, {}, Q16_16::from_raw(least_q16)},
-        kFilterText, style);
+  const auto is_raw_in_range = [](int32_t most_q16, int32_t least_q16) {
+    return stretch_of({Q16_16::from_raw(most_q16),
+                       {},
+                       {},
+                       Q16_16::from_raw(least_q16)})
+        .is_in_range();
   };
-  CHECK_OK(make_raw((1024 << 16) + 511, (4 << 16) - 512));
-  CHECK_EQ(make_raw((1024 << 16) + 512, 4 << 16), Status::bad_argument);
-  CHECK_EQ(make_raw(1024 << 16, (4 << 16) - 513), Status::bad_argument);
+  CHECK(is_raw_in_range((1024 << 16) + 511, (4 << 16) - 512));
+  CHECK(!is_raw_in_range((1024 << 16) + 512, 4 << 16));
+  CHECK(!is_raw_in_range(1024 << 16, (4 << 16) - 513));
 }
 
 TEST(stretches_within_1_1024_are_alike) {
   constexpr int32_t kMost = 64 << 16;
   constexpr int32_t kPart = kMost / 1024;
-  Style style;
   Matrix matrix;
   matrix.x_right.raw = kMost;
   matrix.y_up.raw = kMost - kPart;
-  CHECK_OK(Style::make(matrix, kFilterText, style));
+  Style style(matrix, kFilterText);
   CHECK(!style.is_upright() && !style.is_stretched());
   matrix.y_up.raw = kMost - kPart - 1;
-  CHECK_OK(Style::make(matrix, kFilterText, style));
+  style = Style(matrix, kFilterText);
   CHECK(style.is_stretched());
   // Where the size is rounded down the least stretch may be greater.
   matrix.x_right.raw = (4 << 16) + 511;
   matrix.y_up.raw = matrix.x_right.raw - 257;
-  CHECK_OK(Style::make(matrix, kFilterText, style));
+  style = Style(matrix, kFilterText);
   CHECK_EQ(style.size().raw, 4 << 6);
   CHECK(style.is_stretched());
   CHECK(style.least_gain_q15() < 1 << 15);
 }
 
 TEST(the_upright_matrix_is_upright) {
-  Style style;
-  Style plain;
   for (int32_t px = 4; px <= 1024; ++px) {
     const double size = px;
-    CHECK_OK(make({size, 0, 0, size}, style));
-    CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, plain));
-    CHECK(style.is_upright());
-    CHECK_EQ(style.size().raw, plain.size().raw);
-    CHECK_EQ(style.step_along_q16(), plain.step_along_q16());
+    CHECK(is_same(style_of({size, 0, 0, size}),
+                  Style(Q26_6::from_int(px), kFilterText)));
   }
-  CHECK_OK(make({-24, 0, 0, 24}, style));
-  CHECK(!style.is_upright());
-  CHECK(!style.is_stretched());
-  CHECK_OK(make({24, 0, 0, 24.25}, style));
-  CHECK(!style.is_upright());
+  const Style mirrored = style_of({-24, 0, 0, 24});
+  CHECK(!mirrored.is_upright());
+  CHECK(!mirrored.is_stretched());
+  CHECK(!style_of({24, 0, 0, 24.25}).is_upright());
   // Turned by 180 degrees, turned a very little, and a very little larger.
   constexpr int32_t kPx24 = 24 << 16;
   constexpr int32_t kNearly[][2] = {{-kPx24, 0}, {kPx24, 1}, {kPx24 + 1, 0}};
@@ -170,7 +230,7 @@ TEST(the_upright_matrix_is_upright) {
     const Matrix matrix = {Q16_16::from_raw(near[0]), Q16_16::from_raw(near[1]),
                            Q16_16::from_raw(-near[1]),
                            Q16_16::from_raw(near[0])};
-    CHECK_OK(Style::make(matrix, kFilterText, style));
+    const Style style(matrix, kFilterText);
     CHECK_EQ(style.size().raw, 24 << 6);
     CHECK(!style.is_upright());
   }
@@ -184,12 +244,11 @@ TEST(steps_undo_the_matrix) {
     const double most = random.between(4 * 64, 1024 * 64) / 64.0;
     const double least = 4 + (most - 4) * random.between(0, 1000) / 1000;
     const Map map = any_map(random, most, least);
-    Style style;
-    const Status status = make(map, style);
     if (least < 4.05 || most > 1023) {
       continue;  // roundings decide
     }
-    CHECK_OK(status);
+    const Style style = style_of(map);
+    CHECK(is_in_range(map));
     CHECK(magnitude(style.size().raw / 64.0 - most) < 1.0 / 64);
     const double gain = style.least_gain_q15() / 32768.0;
     CHECK(most - least < most / 500 || magnitude(gain - least / most) < 0.004);

@@ -48,8 +48,7 @@ TEST(label_is_that_of_cpp) {
   CHECK_EQ(draw_label(rom().data, rom().size, kText, by_c), INKCELL_OK);
 
   const Font font = open();
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(12), kFilterText, style));
+  Style style(Q26_6::from_int(12), kFilterText);
   port::MonoPagesTarget target;
   target.strip = {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH};
   Sink sink;
@@ -61,6 +60,34 @@ TEST(label_is_that_of_cpp) {
       {Q26_6::from_raw((LABEL_WIDTH * 64 - width) / 2), Q26_6::from_int(12)},
       sink);
   CHECK_EQ(differences(by_c, by_cpp), 0);
+}
+
+TEST(a_style_that_is_refused_draws_nothing) {
+  inkcell_font_t font;
+  CHECK_EQ(inkcell_font_open(rom().data, rom().size, &font), INKCELL_OK);
+  bool has_drawn = false;
+  inkcell_sink_t sink = {};
+  sink.window = {0, 0, 30, 30};
+  sink.context = &has_drawn;
+  sink.coverage = [](void* drawn, int32_t, int32_t, const uint8_t*, int32_t) {
+    *static_cast<bool*>(drawn) = true;
+  };
+  sink.solid = [](void* drawn, int32_t, int32_t, int32_t) {
+    *static_cast<bool*>(drawn) = true;
+  };
+  const auto draw_24 = [&](const inkcell_style_t& style) {
+    has_drawn = false;
+    inkcell_draw_text(&font, "A", 1, &style, 0, 24 << 6, &sink, nullptr);
+    return has_drawn;
+  };
+  inkcell_style_t style;
+  CHECK_EQ(inkcell_style_make(24 << 6, &inkcell_filter_area, &style),
+           INKCELL_OK);
+  CHECK(draw_24(style));
+  CHECK_EQ(inkcell_style_make(3 << 6, &inkcell_filter_area, &style),
+           INKCELL_BAD_ARGUMENT);
+  CHECK(!draw_24(style));
+  CHECK(!draw_24({}));
 }
 
 TEST(clock_is_that_of_cpp) {
@@ -79,8 +106,7 @@ TEST(clock_is_that_of_cpp) {
 
   // All at once, but at the places within a pixel that a cache has.
   const Font font = open();
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(30), kFilterArea, style));
+  Style style(Q26_6::from_int(30), kFilterArea);
   port::Rgb565Target target;
   target.strip = {by_cpp, 0, 0, CLOCK_WIDTH, CLOCK_HEIGHT, CLOCK_WIDTH * 2};
   target.colour = port::rgb565(255, 200, 0);
@@ -102,8 +128,7 @@ TEST(paragraph_is_that_of_cpp) {
   CHECK_EQ(draw_paragraph(rom().data, rom().size, kLongText, by_c), INKCELL_OK);
 
   const Font font = open();
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(14), kFilterText, style));
+  Style style(Q26_6::from_int(14), kFilterText);
   port::Grey8Target target;
   target.strip = {by_cpp,         0, 0, PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT,
                   PARAGRAPH_WIDTH};
@@ -123,11 +148,9 @@ TEST(own_sink_gets_what_cpp_gives) {
   CHECK_EQ(draw_plot(rom().data, rom().size, kText, by_c), INKCELL_OK);
 
   const Font font = open();
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(16), kFilterText,
-                       {Fixed<int32_t, 30>::from_raw(1053110176),
-                        Fixed<int32_t, 30>::from_raw(209476638)},
-                       style));
+  Style style(Q26_6::from_int(16), kFilterText,
+              {Fixed<int32_t, 30>::from_raw(1053110176),
+               Fixed<int32_t, 30>::from_raw(209476638)});
   Sink sink;
   sink.window = {0, 0, PLOT_WIDTH, PLOT_HEIGHT};
   sink.context = by_cpp;

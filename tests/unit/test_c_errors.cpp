@@ -72,9 +72,15 @@ TEST(styles_out_of_range_are_refused) {
   inkcell_style_t style;
   CHECK_EQ(inkcell_style_make(3 << 6, &inkcell_filter_area, &style),
            INKCELL_BAD_ARGUMENT);
-  CHECK_EQ(inkcell_style_size(&style), 16 << 6);
+  CHECK_EQ(inkcell_style_size(&style), 0);
   CHECK_EQ(inkcell_style_make_turned(16 << 6, &inkcell_filter_text, 1 << 30,
                                      1 << 29, &style),
+           INKCELL_BAD_ARGUMENT);
+  CHECK_EQ(inkcell_style_make_turned(1025 << 6, &inkcell_filter_text, 1 << 30,
+                                     0, &style),
+           INKCELL_BAD_ARGUMENT);
+  CHECK_EQ(inkcell_style_make_turned(16 << 6, &inkcell_filter_text, INT32_MIN,
+                                     INT32_MIN, &style),
            INKCELL_BAD_ARGUMENT);
   const inkcell_matrix_t flat = {16 << 16, 0, 0, 0};
   CHECK_EQ(inkcell_style_make_mapped(&flat, &inkcell_filter_motion, &style),

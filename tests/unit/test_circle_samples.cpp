@@ -46,9 +46,7 @@ Style style_of(int32_t size_q6, uint32_t turn, const CircleSamples& options) {
   Direction direction;
   direction.cosine.raw = kDirections[turn][0];
   direction.sine.raw = kDirections[turn][1];
-  Style style;
-  CHECK_OK(
-      Style::make(Q26_6::from_raw(size_q6), kFilterText, direction, style));
+  Style style(Q26_6::from_raw(size_q6), kFilterText, direction);
   style.set_effect(circle_samples_effect(options));
   return style;
 }

@@ -85,11 +85,11 @@ Style style_of(int32_t kind, int32_t px) {
     Direction direction;
     direction.cosine.raw = 858993459;
     direction.sine.raw = 644245094;
-    CHECK_OK(Style::make(size, kFilterText, direction, style));
+    style = Style(size, kFilterText, direction);
   } else if (kind == kArea) {
-    CHECK_OK(Style::make(size, kFilterArea, style));
+    style = Style(size, kFilterArea);
   } else {
-    CHECK_OK(Style::make(size, kFilterText, style));
+    style = Style(size, kFilterText);
   }
   return style;
 }

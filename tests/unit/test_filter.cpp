@@ -73,6 +73,24 @@ double worst_preset_error(const Filter& filter, double exponent) {
 
 }  // namespace
 
+// Filters name what paints outlines with them.
+TEST(painters_of_filters) {
+  using namespace inkcell::detail;
+  CHECK(Filter().painter == nullptr);
+  CHECK(kFilterArea.painter == &kPaintAreas);
+  CHECK(kFilterText.painter == &kPaintPixelRamp);
+  CHECK(kFilterMotion.painter == &kPaintWideDistances);
+  CHECK(make_filter(spec(-512, 512, 300)).painter == &kPaintDistances);
+  CHECK(make_filter(spec(-513, 512, 256)).painter == &kPaintWideDistances);
+  CHECK(make_filter(spec(-512, 513, 256)).painter == &kPaintWideDistances);
+  const Q6_10 weight = Q6_10::from_raw(1);
+  CHECK(with_weight(kFilterText, weight).painter == &kPaintWideDistances);
+  // Weight needs distances.
+  CHECK(with_weight(kFilterArea, weight).painter == &kPaintWideDistances);
+  CHECK(with_weight(kFilterArea, {}).painter == &kPaintPixelRamp);
+  CHECK_EQ(checksum(kFilterArea), checksum(kFilterText));
+}
+
 TEST(presets_are_the_same_everywhere) {
   CHECK_EQ(checksum(kFilterText), 0x5e02bce5u);
   CHECK_EQ(checksum(kFilterMotion), 0x5e02bce5u);

@@ -84,8 +84,7 @@ Font hinted_font() {
 }
 
 Style style_of(int32_t px_q6) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_raw(px_q6), kFilterText, style));
+  Style style(Q26_6::from_raw(px_q6), kFilterText);
   return style;
 }
 
@@ -262,7 +261,7 @@ TEST(text_is_measured_as_it_is_drawn) {
   const Font font = hinted_font();
   Style style = style_of(10 * 64);
   const Fit fit = fit_of(font, 10 * 64, kAcross);
-  style.set_fitter(&kGridFit, &fit);
+  style.set_fit(fit);
   CHECK(style.has_whole_advances());
   static char text[120];
   int32_t width_px = 0;
@@ -327,7 +326,7 @@ TEST(fitted_glyphs_look_sharp) {
   const Font font = hinted_font();
   Style style = style_of(11 * 64);
   const Fit fit = fit_of(font, 11 * 64, kAcross);
-  style.set_fitter(&kGridFit, &fit);
+  style.set_fit(fit);
   Picture<18, 8> grey;
   draw_each(font, style, grey);
   CHECK_PICTURE(grey,
@@ -340,7 +339,7 @@ TEST(fitted_glyphs_look_sharp) {
                 ".*****.*...*.+*+..\n");
   const Fit whole = fit_of(font, 11 * 64, kCrisp);
   const CrispOptions options = {2, whole.crisp_weight()};
-  style.set_fitter(&kGridFit, &whole);
+  style.set_fit(whole);
   style.set_effect(crisp_effect(options));
   Picture<18, 8> crisp;
   draw_each(font, style, crisp);
@@ -376,7 +375,7 @@ TEST(any_hints_are_safe) {
     if (Fit::make(font, style, options, fit) != Status::ok) {
       continue;
     }
-    style.set_fitter(&kGridFit, &fit);
+    style.set_fit(fit);
     for (uint16_t glyph = 0; glyph < 6; ++glyph) {
       const GlyphWarp warp = warp_of(font, fit, glyph);
       const AxisMap* const maps[] = {&warp.x, &warp.y};

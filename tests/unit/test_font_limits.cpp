@@ -332,8 +332,7 @@ TEST(lengths_in_px_are_clamped) {
   put_u16(rom + header::kUnitsPerEm, 16);
   Font font;
   CHECK_OK(reopen(&font));
-  Style style;
-  CHECK_OK(Style::make(kMaxSize, kFilterText, style));
+  Style style(kMaxSize, kFilterText);
   CHECK_EQ(to_px(font, style, 1 << 24).raw, INT32_MAX);
   CHECK_EQ(to_px(font, style, -(1 << 24)).raw, INT32_MIN);
 }

@@ -165,8 +165,7 @@ TEST(a_canvas_takes_text) {
   uint8_t rom[outline_record::kSampleFontBytes];
   Font font;
   CHECK_OK(Font::open({rom, outline_record::build_sample_font(rom)}, font));
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(24), kFilterArea, style));
+  Style style(Q26_6::from_int(24), kFilterArea);
   GFXcanvas16 canvas;
   CHECK_OK(draw_on_canvas(canvas, font, style));
   int32_t full = 0;

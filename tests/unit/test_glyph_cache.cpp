@@ -44,8 +44,7 @@ Font outline_font() {
 }
 
 Style style_of(int32_t px) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
+  Style style(Q26_6::from_int(px), kFilterText);
   return style;
 }
 
@@ -424,8 +423,7 @@ TEST(sub_pixels_are_kept_by_channel) {
 TEST(effects_fit_their_box) {
   const Font font = outline_font();
   const Filter glow = glow_filter(Q6_10::from_int(3));
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(14), glow, style));
+  Style style(Q26_6::from_int(14), glow);
   GlyphCache cache = cache_of(4096, exact());
   CHECK_EQ(compare(cache, font, 1, style, px(12, 18)), 0);
   CHECK_EQ(cache.stats().misses, 1u);

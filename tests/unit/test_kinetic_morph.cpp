@@ -170,8 +170,7 @@ TEST(grids_refuse_what_does_not_fit) {
 TEST(morphs_end_as_plain_glyphs) {
   const Font& font = sample_font();
   GlyphMorph morph(font, kSize, kFilterMotion, kBox, memory);
-  Style style;
-  CHECK_OK(Style::make(kSize, kFilterMotion, style));
+  Style style(kSize, kFilterMotion);
   for (uint16_t from = 1; from < 6; ++from) {
     const auto to = static_cast<uint16_t>(from % 5 + 1);
     CHECK_OK(morph.set(from, to));
@@ -291,8 +290,7 @@ TEST(offsets_move_edges) {
                 canvas.sink());
     const Filter filter = with_weight(
         kFilterText, Q6_10::from_raw(static_cast<int16_t>(offset * 16)));
-    Style style;
-    CHECK_OK(Style::make(kSize, filter, style));
+    Style style(kSize, filter);
     clear(second);
     Canvas plain = {second, kScreen};
     draw_glyph(font, kDiscGlyph, style, origin, plain.sink());

@@ -181,8 +181,7 @@ TEST(a_glyph_in_its_plain_pose_is_a_plain_glyph) {
       draw_whole(renderer, {&plain, 1}, picture);
       clear(second);
       Canvas canvas(second, kScreen);
-      Style style;
-      CHECK_OK(Style::make(Q26_6::from_raw(size_q6), kFilterMotion, style));
+      Style style(Q26_6::from_raw(size_q6), kFilterMotion);
       draw_glyph(font, glyph, style, plain.at, canvas.sink());
       CHECK(ink(second) > 255 * 20);
       for (int32_t i = 0; i < kWidth * kHeight; ++i) {

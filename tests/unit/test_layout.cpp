@@ -17,7 +17,7 @@ struct Setting {
   Font font = layout_font::open(rom);
   Style style;
 
-  Setting() { CHECK_OK(Style::make(Q26_6::from_int(10), kFilterText, style)); }
+  Setting() { style = Style(Q26_6::from_int(10), kFilterText); }
   TextBox box(const Rect& rect, Align align = Align::start) const {
     return TextBox(font, style, rect, align);
   }
@@ -339,8 +339,7 @@ TEST(faces_fall_back) {
   Font sample;
   CHECK_OK(open_any_font({sample_rom, size}, sample));
   const Setting setting;
-  Style small;
-  CHECK_OK(Style::make(Q26_6::from_int(5), kFilterText, small));
+  Style small(Q26_6::from_int(5), kFilterText);
   const Face fallback[] = {{&setting.font, &small}};
   LayoutOptions options(sample, setting.style);
   options.fallback = fallback;

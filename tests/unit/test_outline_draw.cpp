@@ -62,13 +62,11 @@ constexpr Point at(int32_t x_q6, int32_t y_q6) {
 }
 
 Style text_style(int32_t px = 16) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
+  Style style(Q26_6::from_int(px), kFilterText);
   return style;
 }
 Style area_style(int32_t px = 16) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterArea, style));
+  Style style(Q26_6::from_int(px), kFilterArea);
   return style;
 }
 constexpr Filter kWide =
@@ -180,12 +178,10 @@ struct Styles {
   Styles() {
     styles[0] = text_style();
     styles[1] = area_style();
-    CHECK_OK(Style::make(Q26_6::from_int(16), kWide, styles[2]));
-    CHECK_OK(
-        Style::make(Q26_6::from_int(14), kFilterText, turned(), styles[3]));
-    CHECK_OK(
-        Style::make(Q26_6::from_int(14), kFilterArea, turned(), styles[4]));
-    CHECK_OK(Style::make(Q26_6::from_int(14), kWide, turned(), styles[5]));
+    styles[2] = Style(Q26_6::from_int(16), kWide);
+    styles[3] = Style(Q26_6::from_int(14), kFilterText, turned());
+    styles[4] = Style(Q26_6::from_int(14), kFilterArea, turned());
+    styles[5] = Style(Q26_6::from_int(14), kWide, turned());
     styles[6] = text_style();
     styles[6].set_effect(outline_effect(inner));
     styles[7] = text_style();
@@ -255,8 +251,7 @@ TEST(a_ring_by_distance_and_area) {
 
 TEST(a_wide_filter_reaches_far) {
   Picture<16, 16> soft;
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(16), kWide, style));
+  Style style(Q26_6::from_int(16), kWide);
   draw(soft, square, style, at(4 * 64, 12 * 64));
   CHECK_PICTURE(soft,
                 "................\n"
@@ -276,8 +271,7 @@ TEST(a_wide_filter_reaches_far) {
 
 TEST(a_turned_square_and_a_mirrored_one) {
   Picture<14, 12> leaning;
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(16), kFilterText, turned(), style));
+  Style style(Q26_6::from_int(16), kFilterText, turned());
   draw(leaning, square, style, at(64, 64 * 6));
   CHECK_PICTURE(leaning,
                 "......:.......\n"
@@ -292,7 +286,7 @@ TEST(a_turned_square_and_a_mirrored_one) {
                 ".......:......\n");
   const auto px = [](int32_t whole) { return Q16_16::from_raw(whole * 65536); };
   Picture<12, 12> mirrored;
-  CHECK_OK(Style::make({px(-16), px(0), px(0), px(16)}, kFilterArea, style));
+  style = Style({px(-16), px(0), px(0), px(16)}, kFilterArea);
   draw(mirrored, ring, style, at(11 * 64, 11 * 64 + 32));
   CHECK_PICTURE(mirrored,
                 "..::+++::...\n"

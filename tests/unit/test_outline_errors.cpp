@@ -75,8 +75,7 @@ void draw_outline(Span<const OutlinePoint> outline,
                                                          {rom, sizeof(rom)});
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_raw(at.size), filter, style));
+  Style style(Q26_6::from_raw(at.size), filter);
   for (auto& row : picture) {
     for (uint8_t& pixel : row) {
       pixel = 0;

@@ -18,8 +18,7 @@ bool open(Font& font) {
 
 template <int32_t kWidth, int32_t kHeight>
 void draw(Picture<kWidth, kHeight>& picture, const Font& font, uint16_t glyph) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(16), kFilterText, style));
+  Style style(Q26_6::from_int(16), kFilterText);
   draw_glyph(font, glyph, style,
              {Q26_6::from_int(0), Q26_6::from_int(kHeight - 1)},
              picture.sink());

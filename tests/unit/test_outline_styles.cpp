@@ -58,8 +58,7 @@ Canvas fill_canvas;
 constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
 
 Style style_of(const Filter& filter, const Effect& effect = {}) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(kSizePx), filter, style));
+  Style style(Q26_6::from_int(kSizePx), filter);
   if (effect.mixer != nullptr) {
     style.set_effect(effect);
   }
@@ -334,8 +333,7 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
     const auto thrice = Q16_16::from_raw(3 * kSizePx << 16);
     const Matrix matrix = {
         is_down ? em : thrice, {}, {}, is_down ? thrice : em};
-    Style thirds;
-    CHECK_OK(Style::make(matrix, kFilterArea, thirds));
+    Style thirds(matrix, kFilterArea);
     const Point origin = {Q26_6::from_raw(kX * (is_down ? 1 : 3)),
                           Q26_6::from_raw(kY * (is_down ? 3 : 1))};
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
@@ -474,8 +472,7 @@ TEST(turned_and_leaning_glyphs_have_styles_too) {
   const Matrix matrix = {Q16_16::from_raw(17 << 16), Q16_16::from_raw(5 << 16),
                          Q16_16::from_raw(-(3 << 16)),
                          Q16_16::from_raw(16 << 16)};
-  Style style;
-  CHECK_OK(Style::make(matrix, kOutline.outer, style));
+  Style style(matrix, kOutline.outer);
   style.set_effect(outline_effect(kOutline.inner));
   check_strips(font, 3, style);
   const Effect effects[] = {lcd_effect(lcd), crisp_effect(crisp)};

@@ -138,9 +138,8 @@ constexpr int32_t kDirections[][2] = {{kOne, 0},
                                       {kOne, 1}};
 
 Style style_of(int32_t size_q6, const int32_t (&turn)[2] = kDirections[0]) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_raw(size_q6), kFilterText,
-                       direction(turn[0], turn[1]), style));
+  Style style(Q26_6::from_raw(size_q6), kFilterText,
+              direction(turn[0], turn[1]));
   return style;
 }
 
@@ -324,10 +323,9 @@ GlyphField far_column() {
 TEST(rows_may_begin_far_from_the_grid) {
   const GlyphField field = far_column();
   for (int32_t lean = -240; lean <= 240; lean += 24) {
-    Style style;
-    CHECK_OK(Style::make({Q16_16::from_int(30), Q16_16::from_int(0),
-                          Q16_16::from_int(lean), Q16_16::from_int(60)},
-                         kFilterText, style));
+    Style style({Q16_16::from_int(30), Q16_16::from_int(0),
+                 Q16_16::from_int(lean), Q16_16::from_int(60)},
+                kFilterText);
     const int32_t x = 15232 * 30 / 1024;
     const Rect all = {x - 47000 * 30 / 1024, -20, x + 400, 20};
     const uint32_t whole = sum_in(field, style, all);
@@ -380,8 +378,7 @@ TEST(stretched_edges_are_as_sharp) {
     const int32_t lean = side.lean;
     const Matrix matrix = {
         Q16_16::from_int(96), {}, Q16_16::from_int(lean), Q16_16::from_int(48)};
-    Style style;
-    CHECK_OK(Style::make(matrix, kFilterText, style));
+    Style style(matrix, kFilterText);
     const FinePoint origin(3000, 40000);
     for (int32_t y = 25; y < 35; ++y) {
       Q6_10 distances[40];

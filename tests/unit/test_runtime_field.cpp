@@ -187,8 +187,7 @@ TEST(pictures_are_those_of_the_distance) {
   constexpr int32_t kPx = 24;
   constexpr int32_t kTolerance = 8;  // and what is between and beside it
   constexpr int32_t kWorst = 20;
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(kPx), kFilterText, style));
+  Style style(Q26_6::from_int(kPx), kFilterText);
   const FieldLimits limits =
       FieldLimits::for_sizes(kPx, kPx, kTolerance, Q6_10::from_int(1));
   for (uint16_t glyph = 0; glyph < 6; ++glyph) {

@@ -87,8 +87,7 @@ size_t encode(uint32_t code_point, char* out) {
 }
 
 Style style_of(int32_t px) {
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(px), kFilterText, style));
+  Style style(Q26_6::from_int(px), kFilterText);
   return style;
 }
 
@@ -483,8 +482,7 @@ TEST(turned_runs_follow_their_direction) {
   Direction up;  // to the top of the screen
   up.cosine.raw = 0;
   up.sine.raw = 1 << 30;
-  Style style;
-  CHECK_OK(Style::make(Q26_6::from_int(20), kFilterText, up, style));
+  Style style(Q26_6::from_int(20), kFilterText, up);
   PositionedGlyph glyph;
   glyph.glyph = 2;
   glyph.x = 1000;

@@ -77,7 +77,7 @@ Status Scene::lay_out(const Font& font,
 // sub-pixel steps are invisible.
 Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
   constexpr int32_t kAcrossBelowQ6 = 12 * 64;
-  INKCELL_TRY(Style::make(Q26_6::from_raw(size_q6), kFilterText, look.style));
+  look.style = Style(Q26_6::from_raw(size_q6), kFilterText);
   if (!is_still && !kIsMono) {
     return Status::ok;
   }
@@ -85,7 +85,7 @@ Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
   options.across = kIsMono || size_q6 < kAcrossBelowQ6;
   options.levels = kIsMono ? 2 : 0;
   INKCELL_TRY(Fit::make(font_, look.style, options, look.fit));
-  look.style.set_fitter(&kGridFit, &look.fit);
+  look.style.set_fit(look.fit);
   if constexpr (kIsMono) {
     look.crisp.threshold_px = look.fit.crisp_weight();
     look.style.set_effect(crisp_effect(look.crisp));

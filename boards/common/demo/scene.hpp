@@ -56,7 +56,7 @@ class Scene {
 
   // The style of one size. It refers to the other members.
   struct Look {
-    Style style;
+    Style style{kMinSize, kFilterText};
     Fit fit;
     CrispOptions crisp;
   };

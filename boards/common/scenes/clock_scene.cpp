@@ -142,11 +142,8 @@ Rect ClockScene::box_of(int32_t digit) const noexcept {
 }
 
 void ClockScene::draw_colon(const Paper& paper) const noexcept {
-  Style style;
   const Q26_6 size = Q26_6::from_int(layout_.size_px);
-  if (Style::make(size, kFilterMotion, style) != Status::ok) {
-    return;
-  }
+  const Style style(size, kFilterMotion);
   const int32_t advance_q6 = static_cast<int32_t>(
       int64_t{font_.advance(colon_)} * size.raw / font_.units_per_em());
   const int32_t left_q6 = (layout_.left + 2 * layout_.digit_px) * 64;

@@ -191,11 +191,8 @@ void OffsetScene::draw(const Paper& paper) noexcept {
     draw_offset(grid_for(offset), Q26_6::from_raw(offset), 0, 0, kFilterMotion,
                 paper.with(kBands[i]));
   }
-  Style style;
-  if (Style::make(place_.size, kFilterMotion, style) == Status::ok) {
-    draw_text(font_, text_, style, place_.origin, paper.with(kBody),
-              workspace_);
-  }
+  const Style style(place_.size, kFilterMotion);
+  draw_text(font_, text_, style, place_.origin, paper.with(kBody), workspace_);
   const Q26_6 radius = Q26_6::from_raw(height_ < 120 ? 46 : 80);
   for (const Particle& p : particles_) {
     if (is_near(p, paper.window)) {

@@ -269,10 +269,10 @@ void ParticleScene::draw_rings(const Paper& paper) const noexcept {
 
 void ParticleScene::draw_word(const Paper& paper) const noexcept {
   const int32_t opacity = word_opacity(frame_ % kWordFrames);
-  Style style;
-  if (opacity == 0 || Style::make(size_, kFilterMotion, style) != Status::ok) {
+  if (opacity == 0) {
     return;
   }
+  const Style style(size_, kFilterMotion);
   // It cools down while it appears.
   const Sink& ink = paper.with(mix_rgb(kSlow, kInk, opacity));
   const Fade fade = {&ink, static_cast<uint8_t>(opacity)};

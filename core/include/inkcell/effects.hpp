@@ -9,7 +9,7 @@
 //   const Outline outline = make_outline(kFilterText, width, place);
 //   INKCELL_TRY(check_reach(font.range(), size, outline.outer));
 //   INKCELL_TRY(check_reach(font.range(), size, outline.inner));
-//   INKCELL_TRY(Style::make(size, outline.outer, style));
+//   style = Style(size, outline.outer);
 //   style.set_effect(outline_effect(outline.inner));
 //
 // Distances of fields end at the font's band (FontRange::band_u; --band-px of
@@ -57,9 +57,9 @@ constexpr Filter glow_filter(Q6_10 reach_px) noexcept {
 /// On which side of the edge an outline lies.
 enum class OutlinePlace : uint8_t { inner, centred, outer };
 
-/// The filters of an outline's two edges, 524 bytes. The caller owns them.
+/// The filters of an outline's two edges, 536 bytes. The caller owns them.
 struct Outline {
-  Filter outer;  // for Style::make
+  Filter outer;  // for Style
   Filter inner;  // for what is painted
 };
 

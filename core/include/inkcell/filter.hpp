@@ -37,11 +37,24 @@ struct FilterSpec {
   Polarity polarity = Polarity::light_on_dark;
 };
 
-/// A filter ready for use, 264 bytes: built once, constant afterwards, shared
-/// by any number of styles. The caller owns it; the presets below are ROM.
+namespace detail {
+struct BandPainter;
+
+// What paints outlines for a filter. A filter names its painter, so that a
+// program links the painters of the filters that it uses.
+extern const BandPainter kPaintPixelRamp;      // Filter::is_linear_pixel()
+extern const BandPainter kPaintDistances;      // up to half a pixel
+extern const BandPainter kPaintWideDistances;  // any filter
+extern const BandPainter kPaintAreas;          // kFilterArea
+}  // namespace detail
+
+/// A filter ready for use, 268 bytes: built once, constant afterwards, shared
+/// by any number of styles. The caller owns it; the presets below are ROM. An
+/// empty one draws nothing.
 struct Filter {
   static constexpr int32_t kEntries = 256;
 
+  const detail::BandPainter* painter = nullptr;
   int16_t outside_q10 = 0;  // [px]
   int16_t inside_q10 = 0;   // [px]
   uint16_t scale = 0;       // entries per 1/1024 px, UQ2.14
@@ -70,6 +83,26 @@ struct Filter {
   constexpr uint8_t ramp(int32_t distance_q10) const noexcept {
     const uint32_t step = static_cast<uint32_t>(distance_q10 - outside_q10);
     return table[static_cast<uint8_t>((step * scale) >> 14)];
+  }
+
+  /// Moves the cutoffs, and selects the painter anew. [px]
+  constexpr void set_cutoffs(int32_t outside, int32_t inside) noexcept {
+    outside_q10 = static_cast<int16_t>(outside);
+    inside_q10 = static_cast<int16_t>(inside);
+    painter = is_linear_pixel()                  ? &detail::kPaintPixelRamp
+              : outside >= -512 && inside <= 512 ? &detail::kPaintDistances
+                                                 : &detail::kPaintWideDistances;
+  }
+
+  /// Moves the edges of the text outwards: see with_weight().
+  constexpr void add_weight(Q6_10 weight_px) noexcept {
+    constexpr int32_t kLimit = 4 << 10;
+    const int32_t least = inside_q10 - kLimit;
+    const int32_t most = outside_q10 + kLimit;
+    const int32_t weight = weight_px.raw < least  ? least
+                           : weight_px.raw > most ? most
+                                                  : weight_px.raw;
+    set_cutoffs(outside_q10 - weight, inside_q10 - weight);
   }
 };
 
@@ -172,12 +205,11 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
   const int32_t gamma = limited(spec.gamma.raw, kOne, 4 * kOne);
 
   Filter filter;
-  filter.outside_q10 = static_cast<int16_t>(outside);
-  filter.inside_q10 = static_cast<int16_t>(inside);
-  filter.scale =
-      static_cast<uint16_t>((Filter::kEntries << 14) / (inside - outside));
   filter.is_linear = spec.profile == FilterProfile::linear &&
                      exponent == kOne && contrast == kOne && gamma == kOne;
+  filter.set_cutoffs(outside, inside);
+  filter.scale =
+      static_cast<uint16_t>((Filter::kEntries << 14) / (inside - outside));
   for (int32_t i = 0; i < Filter::kEntries; ++i) {
     // An entry stands for the middle of its interval.
     const int32_t ramp = (2 * i + 1) << 7;  // of 65536
@@ -200,18 +232,14 @@ constexpr Filter make_filter(const FilterSpec& spec) noexcept {
 /// The same filter with the edges of the text moved outwards by `weight_px`,
 /// inwards if it is negative: strokes gain twice that. Cutoffs are clamped to
 /// +-4 px, so the full weight may not be reached. Glyphs of fields are as fast
-/// to draw with it.
+/// to draw with it. The weight of kFilterArea is that of kFilterText.
 constexpr Filter with_weight(const Filter& filter, Q6_10 weight_px) noexcept {
-  constexpr int32_t kLimit = 4 << 10;
-  const int32_t weight = detail::limited(
-      weight_px.raw, filter.inside_q10 - kLimit, filter.outside_q10 + kLimit);
   Filter result = filter;
-  result.outside_q10 = static_cast<int16_t>(filter.outside_q10 - weight);
-  result.inside_q10 = static_cast<int16_t>(filter.inside_q10 - weight);
+  result.add_weight(weight_px);
   return result;
 }
 
-/// -0.5 to 0.5 px, exponent 1: right weight at text sizes. The default.
+/// -0.5 to 0.5 px, exponent 1: right weight at text sizes.
 inline constexpr Filter kFilterText =
     make_filter({Q6_10::from_raw(-512), Q6_10::from_raw(512),
                  Fixed<uint16_t, 8>::from_raw(256)});
@@ -231,8 +259,17 @@ inline constexpr Filter kFilterPaperBody =
     make_filter({Q6_10::from_raw(-512), Q6_10::from_raw(640),
                  Fixed<uint16_t, 8>::from_raw(282)});
 
-/// Exact coverage, of outlines: ink and weight are the same at every position.
-struct AreaFilter {};
-inline constexpr AreaFilter kFilterArea;
+namespace detail {
+constexpr Filter make_area_filter() noexcept {
+  Filter filter = kFilterText;
+  filter.painter = &kPaintAreas;
+  return filter;
+}
+}  // namespace detail
+
+/// Exact coverage: how much of each pixel lies inside, so that ink and weight
+/// are the same at every position. The default of styles. For outlines; glyphs
+/// of fields and effects take the ramp of a straight edge, as with kFilterText.
+inline constexpr Filter kFilterArea = detail::make_area_filter();
 
 }  // namespace inkcell

@@ -3,7 +3,7 @@
 //
 //   inkcell::Fit fit;
 //   INKCELL_TRY(inkcell::Fit::make(font, style, {}, fit));
-//   style.set_fitter(&inkcell::kGridFit, &fit);
+//   style.set_fit(fit);
 //
 // Baselines and the heights that glyphs share come to lie between two rows of
 // pixels, the x-height is rounded up to whole rows, horizontal strokes keep
@@ -136,5 +136,9 @@ class Fit {
   int32_t bar_q6_ = 0;
   Zone zones_[kMaxZones] = {};
 };
+
+constexpr Style& Style::set_fit(const Fit& fit) noexcept {
+  return set_fitter(&kGridFit, &fit);
+}
 
 }  // namespace inkcell

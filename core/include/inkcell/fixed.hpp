@@ -59,6 +59,50 @@ using Q16_16 = Fixed<int32_t, 16>;
 /// Components of unit vectors and gradients.
 using Q2_14 = Fixed<int16_t, 14>;
 
+namespace detail {
+
+// The number that the characters of a literal are, rounded to 1/64; -1 if they
+// are no decimal number below 2^25, with up to 9 digits behind the point.
+constexpr int32_t literal_q6(const char* text, int length) noexcept {
+  int64_t value = 0;
+  int64_t scale = 1;
+  bool has_point = false;
+  for (int i = 0; i < length; ++i) {
+    const char c = text[i];
+    if (c == '\'') {
+      continue;
+    }
+    if (c == '.' && !has_point) {
+      has_point = true;
+      continue;
+    }
+    if (c < '0' || c > '9' || scale == 1000000000) {
+      return -1;
+    }
+    value = value * 10 + (c - '0');
+    scale *= has_point ? 10 : 1;
+    if (value / scale >= 1 << 25) {
+      return -1;
+    }
+  }
+  return static_cast<int32_t>((value * 64 + scale / 2) / scale);
+}
+
+}  // namespace detail
+
+inline namespace literals {
+
+/// Lengths in px: 24_px, 12.5_px; rounded to 1/64 px.
+template <char... kCharacters>
+constexpr Q26_6 operator""_px() noexcept {
+  constexpr char text[] = {kCharacters...};
+  constexpr int32_t value_q6 = detail::literal_q6(text, sizeof...(kCharacters));
+  static_assert(value_q6 >= 0, "a decimal number below 33554432");
+  return Q26_6::from_raw(value_q6);
+}
+
+}  // namespace literals
+
 // All arithmetic here relies on it; C++17 leaves it to the implementation.
 static_assert((-3 >> 1) == -2, "right shift of a negative number must floor");
 

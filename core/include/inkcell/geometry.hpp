@@ -26,10 +26,16 @@ constexpr bool is_empty(const Rect& r) noexcept {
   return r.x1 <= r.x0 || r.y1 <= r.y0;
 }
 
-/// A place on the screen in px, y down.
+/// A place on the screen in px, y down: {4, 28} or {4.5_px, 28_px}.
 struct Point {
   Q26_6 x;
   Q26_6 y;
+
+  constexpr Point() noexcept = default;
+  constexpr Point(Q26_6 x_px, Q26_6 y_px) noexcept : x(x_px), y(y_px) {}
+  /// Whole px, as Q26_6::from_int() takes them.
+  constexpr Point(int32_t x_px, int32_t y_px) noexcept
+      : x(Q26_6::from_int(x_px)), y(Q26_6::from_int(y_px)) {}
 };
 
 /// The same, finer and wider: how glyphs of a run are placed. [px, Q10] At most

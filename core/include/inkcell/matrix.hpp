@@ -8,8 +8,8 @@
 namespace inkcell {
 
 /// A unit vector: the direction of the baseline, counter-clockwise from the
-/// right as one sees it. {1, 0} is upright text; Style::make makes a sine
-/// of 0 with a positive cosine exactly that.
+/// right as one sees it. {1, 0} is upright text; to Style a sine of 0 with a
+/// positive cosine is exactly that.
 struct Direction {
   Fixed<int32_t, 30> cosine = Fixed<int32_t, 30>::from_raw(1 << 30);
   Fixed<int32_t, 30> sine;

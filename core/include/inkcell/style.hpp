@@ -11,8 +11,9 @@
 
 namespace inkcell {
 
-class Style;
+class Fit;
 class Font;
+class Style;
 struct FinePoint;
 struct GlyphMetrics;
 struct GlyphWarp;
@@ -39,26 +40,7 @@ struct Fitter {
 namespace detail {
 struct Mixer;
 struct OutlineFitter;
-struct BandPainter;
 struct Slant;
-
-// What filters take; linked with the Style::make that names them.
-extern const BandPainter kPaintPixelRamp;      // Filter::is_linear_pixel()
-extern const BandPainter kPaintDistances;      // up to half a pixel
-extern const BandPainter kPaintWideDistances;  // any filter
-extern const BandPainter kPaintAreas;
-
-// Inlined with make(), so that a filter that is known when the program is
-// compiled links one of the three.
-__attribute__((always_inline)) inline const BandPainter& painter_of(
-    const Filter& filter) noexcept {
-  if (filter.is_linear_pixel()) {
-    return kPaintPixelRamp;
-  }
-  return filter.outside_q10 >= -512 && filter.inside_q10 <= 512
-             ? kPaintDistances
-             : kPaintWideDistances;
-}
 
 // Grid fitting of outlines.
 extern const OutlineFitter kOutlineFitter;
@@ -82,100 +64,86 @@ struct Effect {
 inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
 inline constexpr Q26_6 kMaxSize = Q26_6::from_int(1024);
 
-/// Size, direction and filter of a style. Built once, constant afterwards, in
-/// the caller's memory; shared by any number of drawing calls. The filter must
-/// outlive it, unchanged.
+/// The least and the greatest stretch of a matrix, over all directions. [px to
+/// the em]
+struct Stretch {
+  Q26_6 least;
+  Q26_6 greatest;
+
+  /// Whether a style has the matrix as it is.
+  constexpr bool is_in_range() const noexcept {
+    return least.raw >= kMinSize.raw && greatest.raw <= kMaxSize.raw;
+  }
+};
+Stretch stretch_of(const Matrix& matrix) noexcept;
+
+/// Size, direction and filter of text. Cannot fail, and can be a constant:
+///
+///   constexpr Style kTitle = Style(24_px);
+///
+/// Shared by any number of drawing calls. The filter must outlive it,
+/// unchanged; the linker drops the filters that a program does not name.
 class Style {
  public:
-  /// 16 px/em, upright. Draws nothing: make() selects the painter, so that a
-  /// program links no other.
-  constexpr Style() noexcept = default;
+  /// 16 px/em, upright, exact coverage.
+  constexpr Style() noexcept : Style(Q26_6::from_int(16)) {}
 
-  /// An upright style of `size` px to the em. bad_argument: the size is outside
-  /// kMinSize..kMaxSize; `out` is then untouched.
-  __attribute__((always_inline)) static Status make(Q26_6 size,
-                                                    const Filter& filter,
-                                                    Style& out) noexcept {
-    INKCELL_TRY(make_upright(size, filter, out));
-    out.set_painter(detail::painter_of(filter));
-    return Status::ok;
+  /// An upright style of `size` px to the em. The size is clamped to
+  /// kMinSize..kMaxSize.
+  constexpr explicit Style(Q26_6 size,
+                           const Filter& filter = kFilterArea) noexcept
+      : filter_(&filter) {
+    size_q6_ = size.raw < kMinSize.raw   ? kMinSize.raw
+               : size.raw > kMaxSize.raw ? kMaxSize.raw
+                                         : size.raw;
+    const auto size_q6 = static_cast<uint32_t>(size_q6_);
+    // All else takes 2^32 over the size. [Q32] Of a power of two that is one
+    // more than what 32 bits make of it.
+    uint32_t over_q32 = UINT32_MAX / size_q6;
+    limit_u_q10_ = static_cast<int32_t>(over_q32 >> 1);
+    over_q32 += (size_q6 & (size_q6 - 1)) == 0 ? 1 : 0;
+    // u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
+    right_.x_q16 = static_cast<int32_t>(over_q32);
+    up_.y_q16 = right_.x_q16;
   }
 
-  /// A style that is turned. bad_argument: also if the direction is not a unit
-  /// vector within 1/1000.
-  __attribute__((always_inline)) static Status make(Q26_6 size,
-                                                    const Filter& filter,
-                                                    Direction direction,
-                                                    Style& out) noexcept {
-    INKCELL_TRY(make_turned(size, filter, direction, out));
-    out.set_painter(detail::painter_of(filter));
-    return Status::ok;
-  }
+  /// A style that is turned. The direction is brought to a unit vector, unless
+  /// it is one within 1/1000. {0, 0} is upright.
+  Style(Q26_6 size, const Filter& filter, Direction direction) noexcept;
 
-  /// A style that maps glyphs by `matrix`. bad_argument: the least or the
-  /// greatest stretch of the matrix, over all directions, is outside [kMinSize,
-  /// kMaxSize]. Distances are measured on the screen, so edges are equally
-  /// sharp in all directions. Pictures keep the font's tolerance if both
-  /// stretches lie in its range of sizes.
+  /// A style that maps glyphs by `matrix`. A matrix that is not
+  /// Stretch::is_in_range() is scaled; if its greatest stretch is more than 256
+  /// times the least, the style is upright and has the greatest as its size.
+  /// Distances are measured on the screen, so edges are equally sharp in all
+  /// directions. Pictures keep the font's tolerance if both stretches lie in
+  /// its range of sizes.
   ///
   /// Costs as much as turned text; about twice that where the two stretches
   /// differ.
-  __attribute__((always_inline)) static Status make(const Matrix& matrix,
-                                                    const Filter& filter,
-                                                    Style& out) noexcept {
-    INKCELL_TRY(make_mapped(matrix, filter, out));
-    out.set_painter(detail::painter_of(filter));
-    return Status::ok;
-  }
-
-  /// Styles with which glyphs of outlines are drawn with exact coverage: how
-  /// much of each pixel lies inside. Fields take the ramp of a straight edge.
-  static Status make(Q26_6 size, AreaFilter, Style& out) noexcept {
-    INKCELL_TRY(make_upright(size, kFilterText, out));
-    out.set_painter(detail::kPaintAreas);
-    return Status::ok;
-  }
-  static Status make(Q26_6 size,
-                     AreaFilter,
-                     Direction direction,
-                     Style& out) noexcept {
-    INKCELL_TRY(make_turned(size, kFilterText, direction, out));
-    out.set_painter(detail::kPaintAreas);
-    return Status::ok;
-  }
-  static Status make(const Matrix& matrix, AreaFilter, Style& out) noexcept {
-    INKCELL_TRY(make_mapped(matrix, kFilterText, out));
-    out.set_painter(detail::kPaintAreas);
-    return Status::ok;
-  }
-
-  /// make() without set_painter(), for filters that come with theirs.
-  static Status make_upright(Q26_6 size,
-                             const Filter& filter,
-                             Style& out) noexcept;
-  static Status make_turned(Q26_6 size,
-                            const Filter& filter,
-                            Direction direction,
-                            Style& out) noexcept;
-  static Status make_mapped(const Matrix& matrix,
-                            const Filter& filter,
-                            Style& out) noexcept;
+  explicit Style(const Matrix& matrix,
+                 const Filter& filter = kFilterArea) noexcept;
 
   /// A filter made in the argument would be gone before the style is used.
-  static Status make(Q26_6, const Filter&&, Direction, Style&) = delete;
-  static Status make(Q26_6, const Filter&&, Style&) = delete;
-  static Status make(const Matrix&, const Filter&&, Style&) = delete;
+  Style(Q26_6, const Filter&&) = delete;
+  Style(Q26_6, const Filter&&, Direction) = delete;
+  Style(const Matrix&, const Filter&&) = delete;
 
   /// Fits glyphs of outlines to the grid of pixels, if the style is upright;
   /// other styles ignore it. Fitter and options must outlive the style. Null,
-  /// the default: glyphs stay as designed.
-  void set_fitter(const Fitter* fitter, const void* options) noexcept {
+  /// the default: glyphs stay as designed. fit.hpp has set_fit().
+  constexpr Style& set_fitter(const Fitter* fitter,
+                              const void* options) noexcept {
     if (is_upright()) {
       fitter_ = fitter;
       outline_fitter_ = &detail::kOutlineFitter;
     }
     fitter_options_ = options;
+    return *this;
   }
+  /// The same with kGridFit: defined in fit.hpp.
+  constexpr Style& set_fit(const Fit& fit) noexcept;
+  Style& set_fit(const Fit&&) = delete;
+
   bool is_fitted() const noexcept { return fitter() != nullptr; }
   const Fitter* fitter() const noexcept {
     return is_upright() ? fitter_ : nullptr;
@@ -191,22 +159,24 @@ class Style {
   /// at the centre of each pixel and is the fastest. The effect's options must
   /// outlive the style. The linker drops the effects that a program does not
   /// name. check_effect() refuses pairs of font and effect that draw nothing.
-  void set_effect(const Effect& effect) noexcept { effect_ = effect; }
+  constexpr Style& set_effect(const Effect& effect) noexcept {
+    effect_ = effect;
+    return *this;
+  }
   const Effect& effect() const noexcept { return effect_; }
 
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
   const Filter& filter() const noexcept { return *filter_; }
-  bool is_upright() const noexcept { return !is_slanted_; }
-
-  /// What the filter takes; null before make().
-  const detail::BandPainter* painter() const noexcept { return painter_; }
-  void set_painter(const detail::BandPainter& painter) noexcept {
-    painter_ = &painter;
+  /// What paints outlines. Null, also of a style whose bytes are all 0: nothing
+  /// is drawn.
+  const detail::BandPainter* painter() const noexcept {
+    return filter_ == nullptr ? nullptr : filter_->painter;
   }
+  constexpr bool is_upright() const noexcept { return !is_slanted_; }
 
   /// The functions that fit glyphs of outlines (a fitted style), or slant them
-  /// (a style that is not upright). set_fitter() and make() link them.
+  /// (a style that is not upright). set_fitter() and constructors link them.
   const detail::OutlineFitter& outline_fitter() const noexcept {
     INKCELL_ASSERT(is_fitted());
     return *outline_fitter_;
@@ -256,22 +226,19 @@ class Style {
   friend bool is_same(const Style& a, const Style& b) noexcept;
 
  private:
-  struct Stretch;
-  Status set_size(const Stretch& stretch, const Filter& filter) noexcept;
   void set_slanted() noexcept {
     is_slanted_ = true;
     slant_ = &detail::kSlant;
   }
 
-  int32_t size_q6_ = 16 << 6;      // [px/em]
-  int32_t limit_u_q10_ = 2097151;  // what 32 px are at this size
+  int32_t size_q6_ = 0;      // [px/em]
+  int32_t limit_u_q10_ = 0;  // what 32 px are at this size
   uint16_t least_gain_q15_ = 1 << 15;
   bool is_slanted_ = false;
-  GlyphStep right_ = {64 << 16, 0, 1 << 20, 0};
-  GlyphStep up_ = {0, 64 << 16, 0, 1 << 20};
+  GlyphStep right_ = {0, 0, 1 << 20, 0};
+  GlyphStep up_ = {0, 0, 0, 1 << 20};
   Axes axes_;
-  const Filter* filter_ = &kFilterText;
-  const detail::BandPainter* painter_ = nullptr;
+  const Filter* filter_;
   const Fitter* fitter_ = nullptr;
   union {  // only upright text is fitted
     const detail::OutlineFitter* outline_fitter_ = nullptr;

@@ -6,7 +6,7 @@
 //
 // The mean of five plain pictures, one in place and four moved to the
 // corners of a square. Whatever the style's filter is, it draws the pictures.
-// With AreaFilter ink varies by 0.3 % with the position at 12 px, with filter
+// With kFilterArea ink varies by 0.3 % with the position at 12 px, with filter
 // `text` by 2 % (7 % without supersampling). Costs 4 to 5 times the
 // instructions of plain drawing, and two more bytes of RAM a pixel of a band,
 // so that a glyph takes more bands.

@@ -106,8 +106,7 @@ Status DistanceGrid::paint(const Font& font,
                            Point origin,
                            Workspace workspace) noexcept {
   const Q26_6 painted = Q26_6::from_raw(size.raw >> scale_log2_);
-  Style style;
-  INKCELL_TRY(Style::make(painted, kFilterDistance, style));
+  Style style(painted, kFilterDistance);
   INKCELL_TRY(check_reach(font.range(), painted, kFilterDistance));
   const Point at = {Q26_6::from_raw(origin.x.raw >> scale_log2_),
                     Q26_6::from_raw(origin.y.raw >> scale_log2_)};

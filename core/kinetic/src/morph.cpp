@@ -115,10 +115,10 @@ void GlyphMorph::draw(int32_t x,
     return;
   }
   const uint16_t glyph = blend_.part_q8 == 0 ? from_ : to_;
-  Style style;
-  if (glyph == kNone || Style::make(size_, filter, style) != Status::ok) {
+  if (glyph == kNone) {
     return;
   }
+  const Style style(size_, filter);
   const Point at = origin_of(glyph);
   draw_glyph(
       font_, glyph, style,

@@ -114,31 +114,29 @@ bool PoseRenderer::make_style(const PosedGlyph& glyph,
   const Pose& pose = glyph.pose;
   const Filter* filter = &filter_;
   if (pose.weight.raw != 0) {
-    // As with_weight(), without its 264 bytes of stack.
-    constexpr int32_t kLimit = 4 << 10;
-    const int32_t least = filter_.inside_q10 - kLimit;
-    const int32_t most = filter_.outside_q10 + kLimit;
-    const int32_t weight = clamp(pose.weight.raw, least, most);
+    // As with_weight(), without its 268 bytes of stack.
     weighted_ = filter_;
-    weighted_.outside_q10 = static_cast<int16_t>(filter_.outside_q10 - weight);
-    weighted_.inside_q10 = static_cast<int16_t>(filter_.inside_q10 - weight);
+    weighted_.add_weight(pose.weight);
     filter = &weighted_;
   }
-  if (map.size.raw != 0 && pose.angle.raw == 0) {
-    return Style::make(map.size, *filter, style_) == Status::ok;
-  }
   if (map.size.raw != 0) {
-    return Style::make(map.size, *filter, direction_of(pose.angle), style_) ==
-           Status::ok;
+    style_ = pose.angle.raw == 0
+                 ? Style(map.size, *filter)
+                 : Style(map.size, *filter, direction_of(pose.angle));
+    return true;
   }
   const auto px = [&](int32_t entry_q16) {
     const int64_t px_q16 = int64_t{entry_q16} * size_.raw >> 6;
-    // Values beyond 2^31 exceed the largest size, which is refused.
+    // Values beyond 2^31 exceed the largest size.
     return Q16_16::from_raw(clamp_i64(px_q16, INT32_MIN + 1, INT32_MAX));
   };
   const Matrix matrix = {px(map.x_right_q16), px(map.x_up_q16),
                          px(map.y_right_q16), px(map.y_up_q16)};
-  return Style::make(matrix, *filter, style_) == Status::ok;
+  if (!stretch_of(matrix).is_in_range()) {
+    return false;
+  }
+  style_ = Style(matrix, *filter);
+  return true;
 }
 
 void PoseRenderer::draw(Span<const PosedGlyph> glyphs,

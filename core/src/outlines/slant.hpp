@@ -10,7 +10,7 @@
 namespace inkcell {
 namespace detail {
 
-// What drawing needs of a style that is not upright. Style::make() names
+// What drawing needs of a style that is not upright. Constructors of Style name
 // it, so that upright text does not link it.
 struct Slant {
   // From the map of an upright style to that of this one. Returns whether it

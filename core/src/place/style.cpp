@@ -40,134 +40,190 @@ GlyphStep step_from(int32_t x_q30,
           static_cast<int32_t>(x_q20), static_cast<int32_t>(y_q20)};
 }
 
-}  // namespace
+// A matrix is the sum of a turn and a mirrored turn, each times a number; its
+// greatest and least stretch are sum and difference of the two.
+struct Gains {
+  int64_t turn_q17 = 0;
+  int64_t mirror_q17 = 0;
+  int shift = 0;  // both numbers times 2^shift; 0 within twice the largest size
 
-// Greatest and least. [px/em, Q6]
-struct Style::Stretch {
-  int32_t most_q6;
-  int32_t least_q6;
+  explicit Gains(const Matrix& m) noexcept {
+    int64_t x_right = m.x_right.raw;
+    int64_t x_up = m.x_up.raw;
+    int64_t y_right = m.y_right.raw;
+    int64_t y_up = m.y_up.raw;
+    while (!is_small(x_right) || !is_small(x_up) || !is_small(y_right) ||
+           !is_small(y_up)) {
+      x_right /= 2;
+      x_up /= 2;
+      y_right /= 2;
+      y_up /= 2;
+      ++shift;
+    }
+    turn_q17 = length_of(x_right + y_up, x_up - y_right);
+    mirror_q17 = length_of(x_right - y_up, x_up + y_right);
+  }
+  int64_t least_q17() const noexcept {
+    return turn_q17 < mirror_q17 ? mirror_q17 - turn_q17
+                                 : turn_q17 - mirror_q17;
+  }
+  Stretch stretch() const noexcept {
+    return {to_q6(least_q17()), to_q6(turn_q17 + mirror_q17)};
+  }
+
+ private:
+  static bool is_small(int64_t entry_q16) noexcept {
+    constexpr int64_t kLimit = int64_t{kMaxSize.raw} << 11;
+    return entry_q16 <= kLimit && entry_q16 >= -kLimit;
+  }
+  Q26_6 to_q6(int64_t value_q17) const noexcept {  // at most 2^17 px
+    return Q26_6::from_raw(static_cast<int32_t>((value_q17 + (1 << 10)) >> 11)
+                           << shift);
+  }
 };
 
-// Makes it upright, but for what `least_q6` changes. Untouched if it fails.
-Status Style::set_size(const Stretch& stretch, const Filter& filter) noexcept {
-  if (stretch.least_q6 < kMinSize.raw || stretch.most_q6 > kMaxSize.raw) {
-    return Status::bad_argument;
+// Each entry times `to` over `from`.
+Matrix scaled(const Matrix& m, Q26_6 to, Q26_6 from) noexcept {
+  const auto entry = [&](Q16_16 old) noexcept {
+    return Q16_16::from_raw(
+        static_cast<int32_t>(int64_t{old.raw} * to.raw / from.raw));
+  };
+  return {entry(m.x_right), entry(m.x_up), entry(m.y_right), entry(m.y_up)};
+}
+
+// Scales a matrix so that its stretches are in range, which they are not.
+// False: it is too flat for that.
+bool bring_into_range(Matrix& matrix, const Stretch& given) noexcept {
+  // To the largest size, where roundings are the smallest. The second time for
+  // the roundings of the first.
+  Stretch stretch = given;
+  for (int i = 0; i < 2; ++i) {
+    if (stretch.greatest.raw == 0) {
+      return false;
+    }
+    matrix = scaled(matrix, kMaxSize, stretch.greatest);
+    stretch = stretch_of(matrix);
   }
-  const auto size_q6 = static_cast<uint32_t>(stretch.most_q6);
-  // Smaller than to assign a Style: nearly all of it is 0 or follows here.
-  __builtin_memset(static_cast<void*>(this), 0, sizeof *this);
-  right_.x_q20 = 1 << 20;
-  up_.y_q20 = 1 << 20;
-  axes_.x_right.raw = 1 << 30;
-  axes_.y_up.raw = 1 << 30;
-  least_gain_q15_ = 1 << 15;
-  filter_ = &filter;
-  size_q6_ = stretch.most_q6;
-  // All else takes 2^32 over the size. [Q32] Of a power of two that is one more
-  // than what 32 bits make of it.
-  uint32_t over_q32 = UINT32_MAX / size_q6;
-  limit_u_q10_ = static_cast<int32_t>(over_q32 >> 1);
-  over_q32 += (size_q6 & (size_q6 - 1)) == 0 ? 1 : 0;
-  // u to the px. 1024 u over size/64 px: 2^10 2^6 2^16 / size. [Q16]
-  right_.x_q16 = static_cast<int32_t>(over_q32);
-  up_.y_q16 = right_.x_q16;
-  return Status::ok;
+  if (stretch.least.raw < kMinSize.raw) {
+    return false;
+  }
+  if (given.greatest.raw <= kMaxSize.raw) {
+    matrix = scaled(matrix, kMinSize, stretch.least);
+  }
+  return true;
 }
 
-Status Style::make_upright(Q26_6 size,
-                           const Filter& filter,
-                           Style& out) noexcept {
-  return out.set_size({size.raw, size.raw}, filter);
+// To a unit vector, if it is none within 1/1000. False: it has no direction.
+bool bring_to_unit(Direction& direction) noexcept {
+  constexpr int64_t kOneQ30 = int64_t{1} << 30;
+  int64_t cosine = direction.cosine.raw;
+  int64_t sine = direction.sine.raw;
+  // [Q30] Components below 2^31.
+  const auto squared = [&]() noexcept {
+    return ((cosine >> 1) * (cosine >> 1) + (sine >> 1) * (sine >> 1)) >> 28;
+  };
+  const int64_t excess = squared() - kOneQ30;
+  if (excess <= kOneQ30 / 500 && excess >= -kOneQ30 / 500) {
+    return true;
+  }
+  if (cosine == 0 && sine == 0) {
+    return false;
+  }
+  // The length to [1/2, sqrt 2], from where Newton's steps converge.
+  const auto is_within = [&](int64_t limit) noexcept {
+    return cosine < limit && cosine > -limit && sine < limit && sine > -limit;
+  };
+  while (is_within(kOneQ30 / 2)) {
+    cosine *= 2;
+    sine *= 2;
+  }
+  while (!is_within(kOneQ30 + 1)) {
+    cosine /= 2;
+    sine /= 2;
+  }
+  for (int i = 0; i < 8; ++i) {
+    const int64_t factor_q30 = (3 * kOneQ30 - squared()) >> 1;
+    cosine = (cosine * factor_q30) >> 30;
+    sine = (sine * factor_q30) >> 30;
+  }
+  direction.cosine.raw = static_cast<int32_t>(cosine);
+  direction.sine.raw = static_cast<int32_t>(sine);
+  return true;
 }
 
-Status Style::make_turned(Q26_6 size,
-                          const Filter& filter,
-                          Direction direction,
-                          Style& out) noexcept {
+}  // namespace
+
+Stretch stretch_of(const Matrix& matrix) noexcept {
+  return Gains(matrix).stretch();
+}
+
+Style::Style(Q26_6 size, const Filter& filter, Direction direction) noexcept
+    : Style(size, filter) {
+  if (!bring_to_unit(direction)) {
+    return;
+  }
   const int64_t cosine = direction.cosine.raw;
   const int64_t sine = direction.sine.raw;
-  constexpr int64_t kOneQ30 = int64_t{1} << 30;
-  const int64_t length_squared =
-      ((cosine >> 1) * (cosine >> 1) + (sine >> 1) * (sine >> 1)) >> 28;
-  const int64_t excess = length_squared - kOneQ30;
-  if (excess > kOneQ30 / 500 || excess < -kOneQ30 / 500) {
-    return Status::bad_argument;
+  if (sine == 0 && cosine > 0) {
+    return;  // upright
   }
-  INKCELL_TRY(make_upright(size, filter, out));
-  if (sine != 0 || cosine < 0) {
-    const int64_t step_q16 = out.step_along_q16();
-    const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
-    const auto across = static_cast<int32_t>((step_q16 * sine) >> 30);
-    const int32_t along_px = direction.cosine.raw >> 10;
-    const int32_t across_px = direction.sine.raw >> 10;
-    out.right_ = {along, -across, along_px, -across_px};
-    out.up_ = {across, along, across_px, along_px};
-    out.axes_ = {direction.cosine, direction.sine,
-                 Fixed<int32_t, 30>::from_raw(-direction.sine.raw),
-                 direction.cosine};
-    out.set_slanted();
-  }
-  return Status::ok;
+  const int64_t step_q16 = step_along_q16();
+  const auto along = static_cast<int32_t>((step_q16 * cosine) >> 30);
+  const auto across = static_cast<int32_t>((step_q16 * sine) >> 30);
+  const int32_t along_px = direction.cosine.raw >> 10;
+  const int32_t across_px = direction.sine.raw >> 10;
+  right_ = {along, -across, along_px, -across_px};
+  up_ = {across, along, across_px, along_px};
+  axes_ = {direction.cosine, direction.sine,
+           Fixed<int32_t, 30>::from_raw(-direction.sine.raw), direction.cosine};
+  set_slanted();
 }
 
-Status Style::make_mapped(const Matrix& matrix,
-                          const Filter& filter,
-                          Style& out) noexcept {
-  const int64_t x_right = matrix.x_right.raw;
-  const int64_t x_up = matrix.x_up.raw;
-  const int64_t y_right = matrix.y_right.raw;
-  const int64_t y_up = matrix.y_up.raw;
-  constexpr int64_t kLimit = int64_t{kMaxSize.raw} << 11;
-  const int64_t entries[] = {x_right, x_up, y_right, y_up};
-  for (const int64_t entry : entries) {
-    if (entry > kLimit || entry < -kLimit) {
-      return Status::bad_argument;
-    }
+Style::Style(const Matrix& given, const Filter& filter) noexcept
+    : Style(kMinSize, filter) {
+  Matrix matrix = given;
+  Gains gains(matrix);
+  const Stretch stretch = gains.stretch();
+  bool is_flat = false;
+  if (!stretch.is_in_range()) {
+    is_flat = !bring_into_range(matrix, stretch);
+    gains = Gains(is_flat ? given : matrix);
   }
-  // A matrix is the sum of a turn and a mirrored turn, each times a number; its
-  // greatest and least stretch are sum and difference of the two.
-  const int64_t turn_q17 = length_of(x_right + y_up, x_up - y_right);
-  const int64_t mirror_q17 = length_of(x_right - y_up, x_up + y_right);
-  const int64_t least_q17 =
-      turn_q17 < mirror_q17 ? mirror_q17 - turn_q17 : turn_q17 - mirror_q17;
-  const Stretch stretch = {
-      static_cast<int32_t>((turn_q17 + mirror_q17 + (1 << 10)) >> 11),
-      static_cast<int32_t>((least_q17 + (1 << 10)) >> 11)};
-  const int32_t size_q6 = stretch.most_q6;
-  INKCELL_TRY(out.set_size(stretch, filter));
-  if (mirror_q17 == 0 && x_up == 0 && x_right == int64_t{size_q6} << 10) {
-    return Status::ok;  // upright
+  *this = Style(gains.stretch().greatest, filter);
+  const int32_t size_q6 = size_q6_;
+  const bool is_plain = gains.mirror_q17 == 0 && matrix.x_up.raw == 0 &&
+                        matrix.x_right.raw == int64_t{size_q6} << 10;
+  if (is_flat || is_plain) {
+    return;  // upright
   }
-  Axes& axes = out.axes_;
-  axes = {over_size(matrix.x_right, size_q6), over_size(matrix.x_up, size_q6),
-          over_size(matrix.y_right, size_q6), over_size(matrix.y_up, size_q6)};
-  const int64_t determinant_q60 = int64_t{axes.x_right.raw} * axes.y_up.raw -
-                                  int64_t{axes.x_up.raw} * axes.y_right.raw;
+  axes_ = {over_size(matrix.x_right, size_q6), over_size(matrix.x_up, size_q6),
+           over_size(matrix.y_right, size_q6), over_size(matrix.y_up, size_q6)};
+  const int64_t determinant_q60 = int64_t{axes_.x_right.raw} * axes_.y_up.raw -
+                                  int64_t{axes_.x_up.raw} * axes_.y_right.raw;
   // At least 1/256, in Q42.
   const int64_t determinant_q42 = determinant_q60 / (1 << 18);
-  out.right_ =
-      step_from(axes.y_up.raw, -axes.x_up.raw, determinant_q42, size_q6);
-  out.up_ =
-      step_from(-axes.y_right.raw, axes.x_right.raw, determinant_q42, size_q6);
-  out.set_slanted();
+  right_ = step_from(axes_.y_up.raw, -axes_.x_up.raw, determinant_q42, size_q6);
+  up_ = step_from(-axes_.y_right.raw, axes_.x_right.raw, determinant_q42,
+                  size_q6);
+  set_slanted();
   // What stretches all edges within 1/1000 alike is as good as a turn.
+  const int64_t turn_q17 = gains.turn_q17;
+  const int64_t mirror_q17 = gains.mirror_q17;
   const int64_t lesser = turn_q17 < mirror_q17 ? turn_q17 : mirror_q17;
   constexpr int64_t kOneQ15 = 1 << 15;
   if (lesser * 2048 > turn_q17 + mirror_q17) {
     // Below one, so that the style is known as stretched.
-    const int64_t gain_q15 = (least_q17 << 4) / size_q6;
-    out.least_gain_q15_ =
+    const int64_t gain_q15 = (gains.least_q17() << 4) / size_q6;
+    least_gain_q15_ =
         static_cast<uint16_t>(gain_q15 < kOneQ15 ? gain_q15 : kOneQ15 - 1);
   }
-  return Status::ok;
 }
 
 bool is_same(const Style& a, const Style& b) noexcept {
   return a.size_q6_ == b.size_q6_ && a.axes_.x_right == b.axes_.x_right &&
          a.axes_.x_up == b.axes_.x_up && a.axes_.y_right == b.axes_.y_right &&
          a.axes_.y_up == b.axes_.y_up && a.filter_ == b.filter_ &&
-         a.painter_ == b.painter_ && a.fitter() == b.fitter() &&
-         a.fitter_options_ == b.fitter_options_ &&
+         a.fitter() == b.fitter() && a.fitter_options_ == b.fitter_options_ &&
          a.effect_.mixer == b.effect_.mixer &&
          a.effect_.options == b.effect_.options;
 }

@@ -23,7 +23,7 @@ enum class BandKind : uint8_t {
   area,
 };
 
-// Style::make() chooses one by the filter; a mixer names its own. Sources
+// A filter names one; so does a mixer. Sources
 // other than outlines look at `kind` and `reach_q8` only.
 struct BandPainter {
   // Paints points of outlines into a band.

@@ -313,11 +313,10 @@ WrongPixel follow(const LoopGlyph& glyph,
 }
 
 Style style_of(int px) {
-  Style style;
-  if (Style::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
+  if (px < 4 || px > 1024) {
     throw std::invalid_argument("the closed loop draws 4 to 1024 px/em");
   }
-  return style;
+  return Style(Q26_6::from_int(px), kFilterText);
 }
 
 }  // namespace

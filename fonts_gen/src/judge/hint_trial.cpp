@@ -90,7 +90,7 @@ class TrialFont {
     Style style = make_style(px);
     Fit fit;
     require(Fit::make(font_, style, look, fit));
-    style.set_fitter(&kGridFit, &fit);
+    style.set_fit(fit);
     CrispOptions crisp;
     if (look.levels == 2) {
       crisp.threshold_px = fit.crisp_weight();
@@ -107,9 +107,7 @@ class TrialFont {
   }
 
   static Style make_style(int px) {
-    Style style;
-    require(Style::make(Q26_6::from_int(px), kFilterText, style));
-    return style;
+    return Style(Q26_6::from_int(px), kFilterText);
   }
 
   // The box of the ink with room for what fitting moves.

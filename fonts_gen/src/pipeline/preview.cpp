@@ -70,11 +70,10 @@ void draw_cell(const Font& font,
 
 Preview draw_preview(const RomFont& rom) {
   Font font;
-  Style style;
   const int px =
       static_cast<int>(std::min(kLargestPx, rom.report.options.max_px));
-  if (open_any_font({rom.bytes.data(), rom.bytes.size()}, font) != Status::ok ||
-      Style::make(Q26_6::from_int(px), kFilterText, style) != Status::ok) {
+  const Style style(Q26_6::from_int(px), kFilterText);
+  if (open_any_font({rom.bytes.data(), rom.bytes.size()}, font) != Status::ok) {
     throw Error("the preview cannot be drawn: the device cannot read the font");
   }
   const auto& glyphs = rom.report.glyphs;

@@ -11,9 +11,7 @@ alignas(2) static uint8_t pixels[2 * kWidth * kHeight];
 inkcell::Status draw_clock(const char* text) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::digits, font));
-  inkcell::Style style;
-  INKCELL_TRY(inkcell::Style::make(inkcell::Q26_6::from_int(24),
-                                       inkcell::kFilterText, style));
+  inkcell::Style style(inkcell::Q26_6::from_int(24), inkcell::kFilterText);
   inkcell::Strip strip;
   strip.pixels = pixels;
   strip.width = kWidth;

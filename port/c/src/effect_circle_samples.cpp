@@ -1,5 +1,4 @@
 // Several samples a pixel of a field: of effects.h.
-#include "filter_parts.hpp"
 #include "inkcell/c/effects.h"
 #include "inkcell/field/circle_samples.hpp"
 #include "mirror.hpp"
@@ -21,7 +20,7 @@ void inkcell_circle_samples_make(const inkcell_filter_t* filter,
                                  bool is_paper,
                                  inkcell_circle_samples_t* out) {
   new (c::place(out)) CircleSamples(
-      make_circle_samples(c::table_of(filter), Q6_10::from_raw(radius_q10),
+      make_circle_samples(c::filter_of(filter), Q6_10::from_raw(radius_q10),
                           is_paper ? SampleRule::paper : SampleRule::even));
 }
 

@@ -1,5 +1,4 @@
 // Outlines, alone and with their fill: of effects.h.
-#include "filter_parts.hpp"
 #include "inkcell/c/effects.h"
 #include "inkcell/effects.hpp"
 #include "mirror.hpp"
@@ -34,9 +33,9 @@ void inkcell_outline_make(const inkcell_filter_t* edge,
                           inkcell_outline_t* outline,
                           inkcell_filter_t* outer) {
   new (c::place(outline))
-      Outline(make_outline(c::table_of(edge), Q6_10::from_raw(width_q10),
+      Outline(make_outline(c::filter_of(edge), Q6_10::from_raw(width_q10),
                            static_cast<OutlinePlace>(place)));
-  *outer = {{&outline->outer, &detail::painter_of(cpp(outline)->outer)}};
+  *outer = {&outline->outer};
 }
 
 void inkcell_style_set_outline(inkcell_style_t* style,

@@ -1,13 +1,11 @@
 // Filters that are made at run time.
 #include "inkcell/c/filter.h"
 
-#include "filter_parts.hpp"
 #include "inkcell/effects.hpp"
 #include "mirror.hpp"
 
 using namespace inkcell;
 using c::code;
-using c::cpp;
 
 INKCELL_SAME_VALUE(INKCELL_PROFILE_LINEAR, FilterProfile::linear);
 INKCELL_SAME_VALUE(INKCELL_PROFILE_GAUSSIAN, FilterProfile::gaussian);
@@ -19,11 +17,6 @@ namespace {
 
 Fixed<uint16_t, 8> number_or_one(uint16_t value_q8) noexcept {
   return Fixed<uint16_t, 8>::from_raw(value_q8 == 0 ? 1 << 8 : value_q8);
-}
-
-// The filter of a table that was filled in.
-void set(const inkcell_filter_table_t* table, inkcell_filter_t* out) noexcept {
-  *out = {{table, &detail::painter_of(*cpp(table))}};
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ void inkcell_filter_make(const inkcell_filter_spec_t* spec,
   made.gamma = number_or_one(spec->gamma_q8);
   made.polarity = static_cast<Polarity>(spec->polarity);
   new (c::place(table)) Filter(make_filter(made));
-  set(table, out);
+  *out = {table};
 }
 
 void inkcell_filter_with_weight(const inkcell_filter_t* filter,
@@ -48,27 +41,27 @@ void inkcell_filter_with_weight(const inkcell_filter_t* filter,
                                 inkcell_filter_table_t* table,
                                 inkcell_filter_t* out) {
   new (c::place(table))
-      Filter(with_weight(c::table_of(filter), Q6_10::from_raw(weight_q10)));
-  set(table, out);
+      Filter(with_weight(c::filter_of(filter), Q6_10::from_raw(weight_q10)));
+  *out = {table};
 }
 
 void inkcell_filter_shadow(int16_t reach_q10,
                            inkcell_filter_table_t* table,
                            inkcell_filter_t* out) {
   new (c::place(table)) Filter(shadow_filter(Q6_10::from_raw(reach_q10)));
-  set(table, out);
+  *out = {table};
 }
 
 void inkcell_filter_glow(int16_t reach_q10,
                          inkcell_filter_table_t* table,
                          inkcell_filter_t* out) {
   new (c::place(table)) Filter(glow_filter(Q6_10::from_raw(reach_q10)));
-  set(table, out);
+  *out = {table};
 }
 
 inkcell_status_t inkcell_filter_check_reach(const inkcell_filter_t* filter,
                                             const inkcell_font_range_t* range,
                                             int32_t size_q6) {
   return code(check_reach(*reinterpret_cast<const FontRange*>(range),
-                          Q26_6::from_raw(size_q6), c::table_of(filter)));
+                          Q26_6::from_raw(size_q6), c::filter_of(filter)));
 }

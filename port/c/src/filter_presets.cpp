@@ -1,16 +1,12 @@
-// Filters in ROM. Each names its painter: a program links those that it uses.
-#include "filter_parts.hpp"
+// Filters in ROM: a program links those that it uses.
+#include "inkcell/filter.hpp"
+
 #include "inkcell/c/filter.h"
 
 using namespace inkcell;
 
-const inkcell_filter_t inkcell_filter_text = {
-    {&kFilterText, &detail::kPaintPixelRamp}};
-const inkcell_filter_t inkcell_filter_motion = {
-    {&kFilterMotion, &detail::kPaintWideDistances}};
-const inkcell_filter_t inkcell_filter_paper_display = {
-    {&kFilterPaperDisplay, &detail::kPaintWideDistances}};
-const inkcell_filter_t inkcell_filter_paper_body = {
-    {&kFilterPaperBody, &detail::kPaintWideDistances}};
-const inkcell_filter_t inkcell_filter_area = {
-    {&kFilterText, &detail::kPaintAreas}};
+const inkcell_filter_t inkcell_filter_text = {&kFilterText};
+const inkcell_filter_t inkcell_filter_motion = {&kFilterMotion};
+const inkcell_filter_t inkcell_filter_paper_display = {&kFilterPaperDisplay};
+const inkcell_filter_t inkcell_filter_paper_body = {&kFilterPaperBody};
+const inkcell_filter_t inkcell_filter_area = {&kFilterArea};

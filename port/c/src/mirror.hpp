@@ -97,6 +97,10 @@ Place place(C* object) noexcept {
   return {object};
 }
 
+inline const Filter& filter_of(const inkcell_filter_t* filter) noexcept {
+  return *static_cast<const Filter*>(filter->table);
+}
+
 inline inkcell_status_t code(Status status) noexcept {
   return static_cast<inkcell_status_t>(status);
 }

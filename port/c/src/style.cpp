@@ -1,26 +1,39 @@
 // Styles, but for fitting and effects.
 #include "inkcell/c/style.h"
 
-#include "filter_parts.hpp"
 #include "mirror.hpp"
 
 using namespace inkcell;
 using c::code;
 using c::cpp;
-using c::table_of;
+using c::filter_of;
 
 namespace {
 
-// The second half of a make(); empty where the first one failed.
-inkcell_status_t finish(Status status,
-                        const inkcell_filter_t* filter,
-                        inkcell_style_t* out) noexcept {
-  if (status == Status::ok) {
-    cpp(out)->set_painter(c::painter_of(filter));
-  } else {
-    *cpp(out) = Style();
+// A style if its stretches are in range, else one that draws nothing.
+template <typename... What>
+inkcell_status_t make(inkcell_style_t* out,
+                      bool is_allowed,
+                      const What&... what) noexcept {
+  if (!is_allowed) {
+    *out = {};
+    return INKCELL_BAD_ARGUMENT;
   }
-  return code(status);
+  *cpp(out) = Style(what...);
+  return INKCELL_OK;
+}
+
+bool is_size(int32_t size_q6) noexcept {
+  return size_q6 >= kMinSize.raw && size_q6 <= kMaxSize.raw;
+}
+
+// Whether the length is 1 within 1/1000.
+bool is_unit(int64_t cosine_q30, int64_t sine_q30) noexcept {
+  constexpr int64_t kOne = int64_t{1} << 30;
+  cosine_q30 >>= 1;
+  sine_q30 >>= 1;
+  const int64_t squared = (cosine_q30 * cosine_q30 + sine_q30 * sine_q30) >> 28;
+  return squared >= kOne - kOne / 500 && squared <= kOne + kOne / 500;
 }
 
 }  // namespace
@@ -28,9 +41,8 @@ inkcell_status_t finish(Status status,
 inkcell_status_t inkcell_style_make(int32_t size_q6,
                                     const inkcell_filter_t* filter,
                                     inkcell_style_t* out) {
-  return finish(Style::make_upright(Q26_6::from_raw(size_q6), table_of(filter),
-                                    *cpp(out)),
-                filter, out);
+  return make(out, is_size(size_q6), Q26_6::from_raw(size_q6),
+              filter_of(filter));
 }
 
 inkcell_status_t inkcell_style_make_turned(int32_t size_q6,
@@ -40,9 +52,8 @@ inkcell_status_t inkcell_style_make_turned(int32_t size_q6,
                                            inkcell_style_t* out) {
   const Direction direction = {Fixed<int32_t, 30>::from_raw(cosine_q30),
                                Fixed<int32_t, 30>::from_raw(sine_q30)};
-  return finish(Style::make_turned(Q26_6::from_raw(size_q6), table_of(filter),
-                                   direction, *cpp(out)),
-                filter, out);
+  return make(out, is_size(size_q6) && is_unit(cosine_q30, sine_q30),
+              Q26_6::from_raw(size_q6), filter_of(filter), direction);
 }
 
 inkcell_status_t inkcell_style_make_mapped(const inkcell_matrix_t* matrix,
@@ -52,8 +63,7 @@ inkcell_status_t inkcell_style_make_mapped(const inkcell_matrix_t* matrix,
                        Q16_16::from_raw(matrix->x_up_q16),
                        Q16_16::from_raw(matrix->y_right_q16),
                        Q16_16::from_raw(matrix->y_up_q16)};
-  return finish(Style::make_mapped(same, table_of(filter), *cpp(out)), filter,
-                out);
+  return make(out, stretch_of(same).is_in_range(), same, filter_of(filter));
 }
 
 int32_t inkcell_style_size(const inkcell_style_t* style) {

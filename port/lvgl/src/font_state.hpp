@@ -39,7 +39,7 @@ using MakeLcdSink = bool (*)(const lv_layer_t& layer,
 
 struct FontState {
   Font font;
-  Style style;
+  Style style{kMinSize, kFilterText};
   Workspace workspace;
   GlyphCache* cache = nullptr;
   DrawGlyph draw = nullptr;

@@ -167,10 +167,10 @@ lv_result_t inkcell_lv_font_init(inkcell_lv_font_t* font,
   port::FontState state;
   if (Font::open({static_cast<const uint8_t*>(rom), rom_bytes}, state.font) !=
           Status::ok ||
-      Style::make(Q26_6::from_raw(size_q6), kFilterText, state.style) !=
-          Status::ok) {
+      size_q6 < kMinSize.raw || size_q6 > kMaxSize.raw) {
     return LV_RESULT_INVALID;
   }
+  state.style = Style(Q26_6::from_raw(size_q6), kFilterText);
   state.draw = port::draw_plain;
   lv_font_t lv = {};
   lv.get_glyph_dsc = port::get_glyph_dsc;

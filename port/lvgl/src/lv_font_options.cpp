@@ -109,10 +109,7 @@ void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
   filter = with_weight(kFilterText,
                        Q6_10::from_raw(static_cast<int16_t>(limited * 16)));
   Style& style = port::state_of(*font).style;
-  Style weighted;
-  if (Style::make(style.size(), filter, weighted) != Status::ok) {
-    return;  // never: the style has had this size
-  }
+  Style weighted(style.size(), filter);
   if (style.is_fitted()) {
     weighted.set_fitter(style.fitter(), style.fitter_options());
   }

@@ -67,11 +67,10 @@ bool make_record(uint32_t depth) {
 }
 
 bool measure(uint32_t depth, int32_t px) {
-  const Q26_6 size = Q26_6::from_int(px);
-  if (!make_record(depth) ||
-      Style::make(size, kFilterText, bench::style) != Status::ok) {
+  if (!make_record(depth)) {
     return false;
   }
+  bench::style = Style(Q26_6::from_int(px), kFilterText);
   const Rect box = field_box(field, bench::style, {});
   if (box.x1 - box.x0 > kEngineSide || box.y1 - box.y0 > kEngineSide) {
     return false;

@@ -87,9 +87,8 @@ void clear_pixels() {
 
 bool engine_set_size(uint32_t px, const char* way) {
   is_bitmap = bench::equal(way, "bitmap");
-  return Style::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
-                     bench::style) == Status::ok &&
-         GlyphCache::make(cache_bytes, {}, cache) == Status::ok;
+  bench::style = Style(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText);
+  return GlyphCache::make(cache_bytes, {}, cache) == Status::ok;
 }
 
 engine_answer engine_prepare(uint32_t code_point) {

@@ -12,18 +12,19 @@ bool engine_set_size(uint32_t px, const char* way) {
     Direction direction;
     direction.cosine.raw = 1037154959;
     direction.sine.raw = 277904834;
-    return Style::make(size, kFilterText, direction, bench::style) ==
-           Status::ok;
+    bench::style = Style(size, kFilterText, direction);
+    return true;
   }
   if (bench::equal(way, "leaning")) {
     const auto em = Q16_16::from_int(static_cast<int32_t>(px));
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
-    return Style::make(matrix, kFilterText, bench::style) == Status::ok;
+    bench::style = Style(matrix, kFilterText);
+    return true;
   }
   return false;
 #else
-  return bench::equal(way, "upright") &&
-         Style::make(size, kFilterText, bench::style) == Status::ok;
+  bench::style = Style(size, kFilterText);
+  return bench::equal(way, "upright");
 #endif
 }
 

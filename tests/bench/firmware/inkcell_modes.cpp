@@ -48,7 +48,7 @@ Status make_sink(ColourTarget& target, Sink& out) {
 bool set_fit(Style& style, bool across) {
   FitOptions options;
   options.across = across;
-  style.set_fitter(&kGridFit, &fit);
+  style.set_fit(fit);
   return Fit::make(bench::font, style, options, fit) == Status::ok;
 }
 
@@ -90,7 +90,8 @@ bool set_crisp(Style& style, uint8_t levels) {
 
 bool set_filter(Style& style, const Filter& made) {
   filter = made;
-  return Style::make(style.size(), filter, style) == Status::ok;
+  style = Style(style.size(), filter);
+  return true;
 }
 
 struct Mode {
@@ -141,8 +142,8 @@ constexpr Mode kModes[] = {
      }},
     {"adaptive_area",
      [](Style& style) {
-       return Style::make(style.size(), kFilterArea, style) == Status::ok &&
-              set_adaptive(style, kSharpRadius, SampleRule::even);
+       style = Style(style.size(), kFilterArea);
+       return set_adaptive(style, kSharpRadius, SampleRule::even);
      }},
     {"adaptive_paper",
      [](Style& style) {
@@ -161,10 +162,7 @@ constexpr Mode kModes[] = {
 }  // namespace
 
 bool engine_set_size(uint32_t px, const char* way) {
-  if (Style::make(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText,
-                  bench::style) != Status::ok) {
-    return false;
-  }
+  bench::style = Style(Q26_6::from_int(static_cast<int32_t>(px)), kFilterText);
   for (const Mode& mode : kModes) {
     if (bench::equal(way, mode.name)) {
       is_coloured = false;

@@ -23,37 +23,34 @@ constexpr Direction kTurn = {
     Fixed<int32_t, 30>::from_raw(1037154959),  // 15 degrees
     Fixed<int32_t, 30>::from_raw(277904834)};
 
-Status make_style(Q26_6 size, const char* name) {
+bool make_style(Q26_6 size, const char* name) {
   using bench::equal;
   using bench::style;
   if (equal(name, "turned")) {
-    return Style::make(size, kFilterText, kTurn, style);
-  }
-  if (equal(name, "leaning")) {
+    style = Style(size, kFilterText, kTurn);
+  } else if (equal(name, "leaning")) {
     const auto em = Q16_16::from_raw(size.raw << 10);
     const Matrix matrix = {em, {}, Q16_16::from_raw(em.raw / 5), em};
-    return Style::make(matrix, kFilterText, style);
+    style = Style(matrix, kFilterText);
+  } else if (equal(name, "area")) {
+    style = Style(size, kFilterArea);
+  } else if (equal(name, "area_turned")) {
+    style = Style(size, kFilterArea, kTurn);
+  } else {
+    way = equal(name, "strips")  ? Way::strips
+          : equal(name, "stack") ? Way::stack
+                                 : Way::prepared;
+    style = Style(size, kFilterText);
+    return way != Way::prepared || equal(name, "upright");
   }
-  if (equal(name, "area")) {
-    return Style::make(size, kFilterArea, style);
-  }
-  if (equal(name, "area_turned")) {
-    return Style::make(size, kFilterArea, kTurn, style);
-  }
-  way = equal(name, "strips")  ? Way::strips
-        : equal(name, "stack") ? Way::stack
-                               : Way::prepared;
-  return way != Way::prepared || equal(name, "upright")
-             ? Style::make(size, kFilterText, style)
-             : Status::bad_argument;
+  return true;
 }
 
 }  // namespace
 
 bool engine_set_size(uint32_t px, const char* name) {
   way = Way::prepared;
-  return make_style(Q26_6::from_int(static_cast<int32_t>(px)), name) ==
-         Status::ok;
+  return make_style(Q26_6::from_int(static_cast<int32_t>(px)), name);
 }
 
 engine_answer engine_prepare(uint32_t code_point) {

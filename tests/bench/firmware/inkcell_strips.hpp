@@ -15,7 +15,7 @@ inline constexpr int32_t kMaxPixelBytes = 3;
 
 alignas(4) inline uint8_t pixels[kEngineSide * kEngineSide * kMaxPixelBytes];
 inline inkcell::Font font;
-inline inkcell::Style style;
+inline inkcell::Style style(inkcell::kMinSize, inkcell::kFilterText);
 inline inkcell::port::A8Target target;
 inline inkcell::Sink sink;
 

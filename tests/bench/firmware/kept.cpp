@@ -25,26 +25,26 @@ using namespace inkcell;
 namespace {
 
 alignas(4) uint8_t bytes[64];
-Style style;
+Style style(kMinSize, kFilterText);
 
 #if INKCELL_KEEP >= 3
 Direction direction;
 Matrix matrix;
 
-Status make_style() {
-  INKCELL_TRY(Style::make(kMinSize, kFilterText, direction, style));
+void make_style() {
+  style = Style(kMinSize, kFilterText, direction);
 #  if INKCELL_KEEP >= 4
-  INKCELL_TRY(Style::make(matrix, kFilterArea, style));
+  style = Style(matrix, kFilterArea);
 #  endif
-  return Style::make(matrix, kFilterText, style);
+  style = Style(matrix, kFilterText);
 }
 #elif INKCELL_KEEP == 1
-Status make_style() {
-  return Style::make(kMinSize, kFilterArea, style);
+void make_style() {
+  style = Style(kMinSize, kFilterArea);
 }
 #else
-Status make_style() {
-  return Style::make(kMinSize, kFilterText, style);
+void make_style() {
+  style = Style(kMinSize, kFilterText);
 }
 #endif
 

@@ -43,10 +43,9 @@ bool make_strip(int32_t y, port::Rgb565Target& target, Sink& sink) {
 }
 
 bool measure_run(const Font& font, int32_t px) {
-  Style style;
+  const Style style(Q26_6::from_int(px), kFilterText);
   Span<const PositionedGlyph> run;
-  if (Style::make(Q26_6::from_int(px), kFilterText, style) != Status::ok ||
-      lay_out(font, "Hello, 12:34", glyphs, run) != Status::ok) {
+  if (lay_out(font, "Hello, 12:34", glyphs, run) != Status::ok) {
     return false;
   }
   uint32_t instructions = 0;

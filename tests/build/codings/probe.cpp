@@ -20,9 +20,8 @@ static bool show(Span<const uint8_t> rom) {
   target.strip.height = kSide;
   target.strip.stride = kSide;
   Sink sink;
-  Style style;
-  if (make_sink(target, sink) != Status::ok ||
-      Style::make(Q26_6::from_int(24), kFilterText, style) != Status::ok) {
+  const Style style(Q26_6::from_int(24), kFilterText);
+  if (make_sink(target, sink) != Status::ok) {
     return false;
   }
   Font font;

@@ -58,9 +58,7 @@ int lines_of(const Screen& screen) {
 inkcell::Status draw_page(int32_t scroll, Screen& screen) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans, font));
-  inkcell::Style style;
-  INKCELL_TRY(inkcell::Style::make(inkcell::Q26_6::from_int(20),
-                                   inkcell::kFilterText, style));
+  inkcell::Style style(inkcell::Q26_6::from_int(20), inkcell::kFilterText);
   inkcell::port::Rgb565Target target = {screen.strip};
   inkcell::Sink sink;
   INKCELL_TRY(inkcell::port::make_sink(target, sink));

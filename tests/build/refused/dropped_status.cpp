@@ -1,14 +1,13 @@
 // A Status that nobody looks at.
 // refused: nodiscard|unused-result
-#include "inkcell/style.hpp"
+#include "inkcell/font.hpp"
 
-inkcell::Status make_style(inkcell::Style& style) noexcept {
+inkcell::Status open_font(inkcell::Span<const uint8_t> rom,
+                          inkcell::Font& font) noexcept {
 #if REFUSED
-  inkcell::Style::make(inkcell::Q26_6::from_int(16), inkcell::kFilterText,
-                       style);
+  inkcell::Font::open(rom, font);
   return inkcell::Status::ok;
 #else
-  return inkcell::Style::make(inkcell::Q26_6::from_int(16),
-                              inkcell::kFilterText, style);
+  return inkcell::Font::open(rom, font);
 #endif
 }

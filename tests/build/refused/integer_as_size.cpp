@@ -1,12 +1,11 @@
 // A whole number where 1/64 px are meant.
-// refused: could not convert|no matching function|cannot convert
+// refused: could not convert|no matching (function|constructor)|cannot convert
 #include "inkcell/style.hpp"
 
-inkcell::Status make_style(inkcell::Style& style) noexcept {
+inkcell::Style make_style() noexcept {
 #if REFUSED
-  return inkcell::Style::make(16, inkcell::kFilterText, style);
+  return inkcell::Style(16, inkcell::kFilterText);
 #else
-  return inkcell::Style::make(inkcell::Q26_6::from_int(16),
-                              inkcell::kFilterText, style);
+  return inkcell::Style(inkcell::Q26_6::from_int(16), inkcell::kFilterText);
 #endif
 }

@@ -1,16 +1,15 @@
 // A style whose filter is gone before it is used.
-// refused: deleted function
+// refused: deleted (function|constructor)
 #include "inkcell/style.hpp"
 
-inkcell::Status make_style(const inkcell::FilterSpec& spec,
-                           inkcell::Filter& filter,
-                           inkcell::Style& style) noexcept {
+inkcell::Style make_style(const inkcell::FilterSpec& spec,
+                          inkcell::Filter& filter) noexcept {
 #if REFUSED
   static_cast<void>(filter);
-  return inkcell::Style::make(inkcell::Q26_6::from_int(16),
-                              inkcell::make_filter(spec), style);
+  return inkcell::Style(inkcell::Q26_6::from_int(16),
+                        inkcell::make_filter(spec));
 #else
   filter = inkcell::make_filter(spec);
-  return inkcell::Style::make(inkcell::Q26_6::from_int(16), filter, style);
+  return inkcell::Style(inkcell::Q26_6::from_int(16), filter);
 #endif
 }

@@ -27,7 +27,7 @@ enum class SampleRule : uint8_t {
   paper
 };
 
-/// Options of circle_samples_effect: 276 bytes, built once a style, shared.
+/// Options of circle_samples_effect: 284 bytes, built once a style, shared.
 struct CircleSamples {
   SampleRule rule = SampleRule::even;
   int16_t radius_q10 = 0;  // of the filter [px]

@@ -23,7 +23,7 @@ constexpr Angle degrees(int32_t value) noexcept {
 Q2_14 sine(Angle angle) noexcept;
 Q2_14 cosine(Angle angle) noexcept;
 
-/// The unit vector of an angle, exactly {1, 0} at 0. For Style::make.
+/// The unit vector of an angle, exactly {1, 0} at 0. For Style.
 Direction direction_of(Angle angle) noexcept;
 
 /// The angle of a vector, y up; 0 for the vector 0. Error below 1/20000 of a

@@ -32,7 +32,11 @@ class PoseRenderer {
                Q26_6 size,
                const Filter& filter = kFilterMotion,
                Workspace workspace = {}) noexcept
-      : font_(font), size_(size), filter_(filter), workspace_(workspace) {}
+      : font_(font),
+        size_(size),
+        filter_(filter),
+        workspace_(workspace),
+        style_(size, filter) {}
   PoseRenderer(const Font&, Q26_6, const Filter&&, Workspace = {}) = delete;
   PoseRenderer(const PoseRenderer&) = delete;
   PoseRenderer& operator=(const PoseRenderer&) = delete;

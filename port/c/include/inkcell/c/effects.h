@@ -100,10 +100,10 @@ void inkcell_style_set_supersampling(inkcell_style_t* style,
                                      const inkcell_supersampling_t* options);
 
 /// Up to 13 samples a pixel of a field: inkcell/field/circle_samples.hpp.
-/// Opaque, 288 bytes. inkcell_style_check_effect() refuses outlines.
+/// Opaque, 284 bytes. inkcell_style_check_effect() refuses outlines.
 typedef struct INKCELL_SHARED inkcell_circle_samples_t {
   uint32_t numbers[68];
-  const void* words[2];
+  const void* words[3];
 } inkcell_circle_samples_t;
 
 /// `filter` is that of the style. `radius_q10` is clamped to 0.25..1.5 px.

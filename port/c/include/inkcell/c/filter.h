@@ -11,15 +11,16 @@
 extern "C" {
 #endif
 
-/// A filter by its table and by what paints outlines with it. Opaque. Styles
-/// keep both, and not the filter itself.
+/// A filter by its table. Opaque. Styles keep the table, and not the filter
+/// itself.
 typedef struct INKCELL_SHARED inkcell_filter_t {
-  const void* words[2];
+  const void* table;
 } inkcell_filter_t;
 
-/// The table of a filter that is made at run time, 264 bytes. Opaque. It must
+/// The table of a filter that is made at run time, 268 bytes. Opaque. It must
 /// outlive the filter and its styles, unchanged.
 typedef struct INKCELL_SHARED inkcell_filter_table_t {
+  const void* painter;
   uint16_t numbers[132];
 } inkcell_filter_table_t;
 

@@ -13,7 +13,7 @@ extern "C" {
 /// nothing.
 typedef struct INKCELL_SHARED inkcell_style_t {
   uint32_t numbers[14];
-  const void* words[9];
+  const void* words[8];
 } inkcell_style_t;
 
 /// Where a glyph's axes lead on the screen. [px to the em, Q16]
