@@ -46,9 +46,10 @@ int32_t read(const BitWriter& bits,
              int32_t portion = 96,
              const OutlineMap& map = kMap) {
   OutlineReader reader;
-  reader.begin({record, bits.bytes()}, coding, 0, 0);
+  reader.set_budget(coding.max_points);
+  reader.begin({record, bits.bytes()}, 0, 0);
   ScreenPoint* at = points;
-  while (!reader.is_done() && at < points + 96) {
+  while (!reader.has_ended() && !reader.is_spent() && at < points + 96) {
     const auto room = static_cast<int32_t>(points + 96 - at);
     ScreenPoint* const end =
         reader.read(coding, map, at, room < portion ? room : portion);
@@ -234,10 +235,11 @@ TEST(zeros_follow_the_record) {
     for (size_t i = 0; i < size; ++i) {
       part[i] = record[i];
     }
-    reader.begin({part, size}, coding, 0, 0);
+    reader.set_budget(coding.max_points);
+    reader.begin({part, size}, 0, 0);
     const ScreenPoint* const end = reader.read(coding, kMap, points, 96);
     CHECK_EQ(end - points, 2);
-    CHECK(reader.is_done());
+    CHECK(reader.has_ended() || reader.is_spent());
     if (size >= 3) {
       check_point(0, 12345, -4096, detail::kStart);
     }

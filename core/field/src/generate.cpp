@@ -132,11 +132,8 @@ class Builder {
  public:
   explicit Builder(const FieldLimits& limits) noexcept : limits_(limits) {}
 
-  // Reads the outline of a record that has some, and shares the buffer out.
-  Status open(const Font& font,
-              uint16_t glyph,
-              Span<const uint8_t> record,
-              Span<uint8_t> buffer) noexcept;
+  // Reads the outline of a glyph that has some, and shares the buffer out.
+  Status open(const Font& font, uint16_t glyph, Span<uint8_t> buffer) noexcept;
   // Makes the record at the begin of the buffer. False: it does not fit.
   bool build() noexcept;
   Span<const uint8_t> record() const noexcept {
@@ -183,24 +180,25 @@ class Builder {
 // A px is a u, and the box is up to 1 u wider than the ink.
 __attribute__((noinline)) bool open_outline(const Font& font,
                                             uint16_t glyph,
-                                            Span<const uint8_t> record,
                                             OutlineGlyph& outline,
                                             Rect& box) noexcept {
-  constexpr detail::Placed kOrigin = {0, 0};
-  GlyphMetrics metrics;
-  return font.glyph_metrics(glyph, metrics) == Status::ok &&
-         outline.open(font, metrics, record, Q26_6::from_int(1024), nullptr,
-                      kOrigin, {0, 128}, nullptr, box);
+  detail::InkRange ink;
+  if (!outline.open(font, glyph, Q26_6::from_int(1024), nullptr, ink)) {
+    return false;
+  }
+  detail::Sampling sampling;
+  sampling.shown_q8 = 128;
+  outline.place({0, 0}, sampling, 0, ink, box);
+  return true;
 }
 
 // Not inline: the reader's stack is free again when the tree grows.
 __attribute__((noinline)) Status Builder::open(const Font& font,
                                                uint16_t glyph,
-                                               Span<const uint8_t> record,
                                                Span<uint8_t> buffer) noexcept {
   OutlineGlyph outline;
   Rect box;
-  if (!open_outline(font, glyph, record, outline, box)) {
+  if (!open_outline(font, glyph, outline, box)) {
     return Status::unsupported;
   }
   if (!grid_.set(box, limits_)) {
@@ -472,7 +470,7 @@ Status generate_field(const Font& font,
       return Status::misaligned;
     }
     Builder builder(limits);
-    INKCELL_TRY(builder.open(font, glyph, record, buffer));
+    INKCELL_TRY(builder.open(font, glyph, buffer));
     if (!builder.build()) {
       return Status::buffer_small;
     }

@@ -13,53 +13,56 @@ namespace detail {
 // Another glyph, moved and mapped:
 // x' = xx x + xy y + dx, y' = yx x + yy y + dy.
 struct Component {
-  uint16_t glyph = 0;
-  bool has_matrix = false;
-  int32_t dx = 0;  // [font units]
-  int32_t dy = 0;
-  int32_t matrix_q14[4] = {};  // xx, xy, yx, yy; if there is one
+  uint16_t glyph;
+  bool has_matrix;
+  // dx, dy; xx, xy, yx, yy, if there is a matrix. [font units; Q14]
+  int32_t numbers[6];
+
+  int32_t dx() const noexcept { return numbers[0]; }
+  int32_t dy() const noexcept { return numbers[1]; }
+  const int32_t* matrix_q14() const noexcept { return numbers + 2; }
 };
 
 // Reads components of any bytes, one for each two bytes of the record at most.
 class ComponentReader {
  public:
-  constexpr ComponentReader() noexcept = default;
-  explicit ComponentReader(Span<const uint8_t> record) noexcept
-      : record_(record), has_more_(true) {}
+  // Goes to the first component.
+  void begin() noexcept { bit_ = 8 * format::composite::kTypeBytes; }
 
-  bool next(Component& out) noexcept {
-    if (!has_more_ || bit_ >= 8 * record_.size) {
+  // The next component of `record`, the same at each call. False: it has no
+  // more.
+  bool next(const Span<const uint8_t>& record, Component& out) noexcept {
+    if (bit_ >= 8 * record.size) {
       return false;
     }
-    out.glyph = static_cast<uint16_t>(take(16));
-    out.has_matrix = take(1) != 0;
-    const uint32_t width = take(4);
-    out.dx = take_signed(width);
-    out.dy = take_signed(width);
-    if (out.has_matrix) {
-      for (int32_t& entry : out.matrix_q14) {
-        entry = take_signed(16);
+    out.glyph = static_cast<uint16_t>(take(record, 16));
+    out.has_matrix = take(record, 1) != 0;
+    uint32_t width = take(record, 4);
+    const uint32_t count = out.has_matrix ? 6 : 2;
+    for (uint32_t i = 0; i != count; ++i) {
+      if (i == 2) {
+        width = 16;
       }
+      // Two's complement.
+      const uint32_t sign = 1u << width >> 1;
+      out.numbers[i] =
+          static_cast<int32_t>((width == 0 ? 0 : take(record, width)) ^ sign) -
+          static_cast<int32_t>(sign);
     }
-    has_more_ = take(1) != 0;
+    if (take(record, 1) == 0) {
+      bit_ = UINT32_MAX;
+    }
     return true;
   }
 
  private:
-  uint32_t take(uint32_t count) noexcept {
-    const uint32_t value = bits_at(record_, bit_, count);
-    bit_ += count;
-    return value;
-  }
-  int32_t take_signed(uint32_t count) noexcept {
-    const int32_t value = signed_bits_at(record_, bit_, count);
+  uint32_t take(const Span<const uint8_t>& record, uint32_t count) noexcept {
+    const uint32_t value = bits_at(record, bit_, count);
     bit_ += count;
     return value;
   }
 
-  Span<const uint8_t> record_;
-  uint32_t bit_ = 8 * format::composite::kTypeBytes;
-  bool has_more_ = false;
+  uint32_t bit_;
 };
 
 }  // namespace detail

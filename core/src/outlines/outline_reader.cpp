@@ -3,45 +3,13 @@
 #include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "inkcell/format/rom.hpp"
+#include "outlines/record_bits.hpp"
 
 namespace inkcell {
 namespace detail {
 namespace {
 
 namespace word = format::outline;
-
-inline uint32_t load_four(const uint8_t* at) noexcept {
-  return uint32_t{at[0]} << 24 | uint32_t{at[1]} << 16 | uint32_t{at[2]} << 8 |
-         at[3];
-}
-
-// Where fewer than four bytes are left.
-__attribute__((noinline)) uint32_t last_bits(const uint8_t* bytes,
-                                             uint32_t size,
-                                             uint32_t first) noexcept {
-  if (first >= size) {
-    return 0;
-  }
-  if (size >= 4) {
-    return load_four(bytes + size - 4) << 8 * (first + 4 - size);
-  }
-  uint32_t window = 0;
-  for (uint32_t i = first; i != first + 4; ++i) {
-    window = window << 8 | (i < size ? bytes[i] : 0u);
-  }
-  return window;
-}
-
-// The bits from `bit` on, the next one highest: 25 at least, 0 behind the end.
-inline uint32_t bits_from(const uint8_t* bytes,
-                          uint32_t size,
-                          uint32_t bit) noexcept {
-  const uint32_t first = bit >> 3;
-  const uint32_t window = __builtin_expect(first + 4 <= size, 1)
-                              ? load_four(bytes + first)
-                              : last_bits(bytes, size, first);
-  return window << (bit & 7);
-}
 
 // The first `width` bits, 1 to 16, as two's complement.
 inline uint32_t signed_top(uint32_t window, uint32_t width) noexcept {
@@ -50,17 +18,20 @@ inline uint32_t signed_top(uint32_t window, uint32_t width) noexcept {
 
 }  // namespace
 
-void OutlineReader::begin(Span<const uint8_t> record,
-                          const OutlineCoding& coding,
-                          int32_t pen_x_q18,
-                          int32_t pen_y_q18) noexcept {
-  record_ = record.data;
-  size_ = static_cast<uint32_t>(record.size);
-  bit_ = 1;
-  x_q18_ = static_cast<uint32_t>(pen_x_q18);
-  y_q18_ = static_cast<uint32_t>(pen_y_q18);
-  start_ = ScreenPoint::at(0, 0, kStart);
-  budget_ = coding.max_points;
+uint32_t last_bits_from(const uint8_t* bytes,
+                        uint32_t size,
+                        uint32_t first) noexcept {
+  if (first >= size) {
+    return 0;
+  }
+  if (size >= 4) {
+    return load_big_u32(bytes + size - 4) << 8 * (first + 4 - size);
+  }
+  uint32_t window = 0;
+  for (uint32_t i = first; i != first + 4; ++i) {
+    window = window << 8 | (i < size ? bytes[i] : 0u);
+  }
+  return window;
 }
 
 ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
@@ -92,7 +63,8 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
         *out++ = {start_.x_q8, start_.y_q8_kind | int32_t{kCorner}};
         start_.y_q8_kind = kStart;
         if (window >> 31 == 0) {
-          budget_ = 0;
+          record_ = nullptr;
+          budget_ += static_cast<int32_t>(last - out);
           last = out;
         }
         break;

@@ -1,5 +1,4 @@
-// Bits of a record, from the highest of a byte to its lowest, read one by one:
-// for what is not drawn in a loop.
+// Bits of a record, from the highest of a byte to its lowest.
 #pragma once
 
 #include <stdint.h>
@@ -9,24 +8,33 @@
 namespace inkcell {
 namespace detail {
 
-// `count` bits from `bit` on, at most 16; 0 beyond the end.
-inline uint32_t bits_at(Span<const uint8_t> bytes,
-                        uint32_t bit,
-                        uint32_t count) noexcept {
-  uint32_t window = 0;
-  for (uint32_t i = bit >> 3; i != (bit >> 3) + 3; ++i) {
-    window = window << 8 | (i < bytes.size ? bytes.data[i] : 0u);
-  }
-  return window >> (24 - (bit & 7) - count) & ~(~0u << count);
+inline uint32_t load_big_u32(const uint8_t* at) noexcept {
+  return uint32_t{at[0]} << 24 | uint32_t{at[1]} << 16 | uint32_t{at[2]} << 8 |
+         at[3];
 }
 
-// The same in two's complement.
-inline int32_t signed_bits_at(Span<const uint8_t> bytes,
-                              uint32_t bit,
-                              uint32_t count) noexcept {
-  const uint32_t sign = 1u << count >> 1;
-  return static_cast<int32_t>(bits_at(bytes, bit, count) ^ sign) -
-         static_cast<int32_t>(sign);
+// bits_from() where fewer than four bytes are left.
+uint32_t last_bits_from(const uint8_t* bytes,
+                        uint32_t size,
+                        uint32_t first) noexcept;
+
+// The bits from `bit` on, the next one highest: 25 at least, 0 beyond the end.
+inline uint32_t bits_from(const uint8_t* bytes,
+                          uint32_t size,
+                          uint32_t bit) noexcept {
+  const uint32_t first = bit >> 3;
+  const uint32_t window = __builtin_expect(first + 4 <= size, 1)
+                              ? load_big_u32(bytes + first)
+                              : last_bits_from(bytes, size, first);
+  return window << (bit & 7);
+}
+
+// `count` bits from `bit` on, 1 to 16; 0 beyond the end.
+inline uint32_t bits_at(const Span<const uint8_t>& bytes,
+                        uint32_t bit,
+                        uint32_t count) noexcept {
+  return bits_from(bytes.data, static_cast<uint32_t>(bytes.size), bit) >>
+         (32 - count);
 }
 
 }  // namespace detail

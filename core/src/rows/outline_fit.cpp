@@ -37,30 +37,37 @@ class AxisWarp {
   int32_t knot_ = 0;
 };
 
-bool fit_outline(OutlineJob& job,
-                 uint16_t glyph,
-                 const GlyphMetrics& metrics,
-                 Placed& placed) noexcept {
-  auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
-  const Style& style = *job.style;
-  FinePoint origin = placed.origin();
-  style.fitter()->fit(glyph, metrics, style.fitter_options(), origin, warp);
-  if ((warp.x.count | warp.y.count) != 0) {
-    job.warp = &warp;
-  }
-  return placed.set(origin);
-}
-
-// Points of hostile fonts lie anywhere: modulo 2^32.
+// The same to both ends of an upright glyph. `sign` is -1 where places count
+// down. Points of hostile fonts lie anywhere: modulo 2^32.
 void move_range(const AxisMap& map,
                 int32_t sign,
                 int32_t& low_q18,
                 int32_t& high_q18) noexcept {
+  constexpr int32_t kRoundings = 1 << 11;
   const auto moved = [&](int32_t at) noexcept {
     return product(map.map(product(at >> 10, sign)), sign * (1 << 10));
   };
-  low_q18 = moved(low_q18);
-  high_q18 = moved(high_q18);
+  if (map.count != 0) {
+    low_q18 = sum(moved(low_q18), -kRoundings);
+    high_q18 = sum(moved(high_q18), kRoundings);
+  }
+}
+
+bool fit_outline(OutlineJob& job,
+                 uint16_t glyph,
+                 Placed& placed,
+                 InkRange& ink) noexcept {
+  auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
+  const Style& style = *job.style;
+  FinePoint origin = placed.origin();
+  style.fitter()->fit(glyph, job.outline.metrics(), style.fitter_options(),
+                      origin, warp);
+  if ((warp.x.count | warp.y.count) != 0) {
+    job.warp = &warp;
+    move_range(warp.x, 1, ink.left, ink.right);
+    move_range(warp.y, -1, ink.top, ink.bottom);
+  }
+  return placed.set(origin);
 }
 
 void move_points(const OutlineJob& job,
@@ -77,7 +84,7 @@ void move_points(const OutlineJob& job,
 
 }  // namespace
 
-const OutlineFitter kOutlineFitter = {fit_outline, move_range, move_points};
+const OutlineFitter kOutlineFitter = {fit_outline, move_points};
 
 }  // namespace detail
 }  // namespace inkcell

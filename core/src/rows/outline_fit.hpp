@@ -8,16 +8,11 @@ namespace detail {
 
 // The part of the source of outlines that fitted styles link.
 struct OutlineFitter {
-  // Makes the maps and moves the glyph. False: it is too far away.
+  // Makes the maps, and moves the glyph and its ink. False: it is too far away.
   bool (*fit)(OutlineJob& job,
               uint16_t glyph,
-              const GlyphMetrics& metrics,
-              Placed& placed) noexcept;
-  // OutlineSampling::warp_range.
-  void (*move_range)(const AxisMap& map,
-                     int32_t sign,
-                     int32_t& low_q18,
-                     int32_t& high_q18) noexcept;
+              Placed& placed,
+              InkRange& ink) noexcept;
   // Moves points of the glyph.
   void (*move)(const OutlineJob& job,
                ScreenPoint* points,

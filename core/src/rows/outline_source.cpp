@@ -27,31 +27,23 @@ bool open_outline(GlyphJob& base,
                   const Placed& given) noexcept {
   auto& job = static_cast<OutlineJob&>(base);
   const Font& font = *static_cast<const Font*>(ref.from);
-  const uint16_t glyph = ref.glyph;
-  const Span<const uint8_t> record = font.record(glyph);
-  GlyphMetrics metrics;
-  if (!is_outline(record) || font.glyph_metrics(glyph, metrics) != Status::ok) {
+  const Style& style = *job.style;
+  OutlineGlyph& outline = job.outline;
+  InkRange ink;
+  if (!outline.open(font, ref.glyph, style.size(),
+                    style.is_upright() ? nullptr : &style, ink)) {
     return false;
   }
-  const Style& style = *job.style;
-  Placed placed = given;
-  const BandPlan& plan = job.plan;
-  OutlineSampling sampling = {plan.painter->kind == BandKind::area ? 0 : 128,
-                              plan.shown_q8,
-                              plan.columns,
-                              plan.rows,
-                              plan.moved_x_q8,
-                              plan.moved_y_q8};
   job.warp = nullptr;
-  if (style.is_fitted()) {
-    const OutlineFitter& fitter = style.outline_fitter();
-    if (!fitter.fit(job, glyph, metrics, placed)) {
-      return false;
-    }
-    sampling.warp_range = fitter.move_range;
+  Placed placed = given;
+  if (style.is_fitted() &&
+      !style.outline_fitter().fit(job, ref.glyph, placed, ink)) {
+    return false;
   }
-  return job.outline.open(font, metrics, record, style, placed, sampling,
-                          job.warp, job.box);
+  const BandPlan& plan = job.plan;
+  outline.place(placed, plan, plan.painter->kind == BandKind::area ? 0 : 128,
+                ink, job.box);
+  return true;
 }
 
 // Not inline: most bands have all points, and fewer registers then.

@@ -8,6 +8,7 @@
 #include "inkcell/glyph_warp.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
+#include "outlines/outline_glyph.hpp"
 #include "place/position.hpp"
 #include "rows/band_painter.hpp"
 
@@ -16,25 +17,18 @@ namespace detail {
 
 // How the bands of a glyph are painted: what the style's filter asks for, as
 // its mixer changes it.
-struct BandPlan {
+// Only areas have several samples a pixel. By how much more it shows is what
+// repaint() moves the glyph by at most.
+struct BandPlan : Sampling {
   const BandPainter* painter = nullptr;
   // How far distances are good, outside and inside. [px]
   int32_t outside_q8 = 0;
   int32_t inside_q8 = 0;
-  // How far from the ink a pixel's centre may show something. [px]
-  int32_t shown_q8 = 0;
-  // Samples a pixel, 1 or 3: columns of a band and rows. Only areas have 3.
-  uint8_t columns = 1;
-  uint8_t rows = 1;
   // Samples around the pixels that are drawn.
   uint8_t margin_x = 0;
   uint8_t margin_y = 0;
   // RAM for a sample of a band and what the mixer keeps of it. [bytes]
   uint8_t sample_bytes = 1;
-  // How far repaint() moves the glyph at most, to the sides and up and down.
-  // [px]
-  int16_t moved_x_q8 = 0;
-  int16_t moved_y_q8 = 0;
 
   // For the ramp of a filter.
   void widen(const Filter& filter) noexcept {

@@ -24,7 +24,7 @@ uint32_t width_of(uint32_t code) noexcept {
          (code >> word::kYBitsShift & word::kWidthMask);
 }
 
-bool is_mirrored(const int32_t (&matrix_q14)[4]) noexcept {
+bool is_mirrored(const int32_t* matrix_q14) noexcept {
   return int64_t{matrix_q14[0]} * matrix_q14[3] <=
          int64_t{matrix_q14[1]} * matrix_q14[2];
 }
@@ -82,13 +82,14 @@ bool outline_fits(const Font& font,
   if (record.data[0] != format::composite::kType) {
     return count_points(record, coding) <= coding.max_points;
   }
-  ComponentReader components(record);
+  ComponentReader components;
+  components.begin();
   Component component;
   uint32_t points = 0;
-  while (components.next(component)) {
+  while (components.next(record, component)) {
     const Span<const uint8_t> part = font.record(component.glyph);
     if (!is_outline(part) || part.data[0] == format::composite::kType ||
-        (component.has_matrix && is_mirrored(component.matrix_q14))) {
+        (component.has_matrix && is_mirrored(component.matrix_q14()))) {
       return false;
     }
     points += count_points(part, coding);
