@@ -16,7 +16,7 @@ using outline_record::BitWriter;
 namespace word = format::outline;
 
 // A grid unit is 1/256 px.
-constexpr OutlineMap kMap = {1 << 10, 0, 0, -(1 << 10)};
+constexpr OutlineMap kMap = {{{1 << 10, 0}, {0, -(1 << 10)}}};
 
 uint8_t record[1 << 9];
 alignas(2) uint8_t table[2 << word::kMaxCodeBits];
@@ -47,7 +47,7 @@ int32_t read(const BitWriter& bits,
              const OutlineMap& map = kMap) {
   OutlineReader reader;
   reader.set_budget(coding.max_points);
-  reader.begin({record, bits.bytes()}, 0, 0);
+  reader.begin({record, bits.bytes()}, {0, 0});
   ScreenPoint* at = points;
   while (!reader.has_ended() && !reader.is_spent() && at < points + 96) {
     const auto room = static_cast<int32_t>(points + 96 - at);
@@ -236,7 +236,7 @@ TEST(zeros_follow_the_record) {
       part[i] = record[i];
     }
     reader.set_budget(coding.max_points);
-    reader.begin({part, size}, 0, 0);
+    reader.begin({part, size}, {0, 0});
     const ScreenPoint* const end = reader.read(coding, kMap, points, 96);
     CHECK_EQ(end - points, 2);
     CHECK(reader.has_ended() || reader.is_spent());
@@ -254,7 +254,7 @@ TEST(steps_are_mapped) {
   put_signed(bits, 20, 6);
   put_signed(bits, -7, 6);
   bits.put(0, 2);
-  const OutlineMap map = {3 << 10, -(5 << 10), 2 << 10, 11 << 10};
+  const OutlineMap map = {{{3 << 10, 2 << 10}, {-(5 << 10), 11 << 10}}};
   CHECK_EQ(read(bits, coding_of(1), 96, map), 2);
   check_point(0, 20 * 3 - 7 * 2, 20 * 5 + 7 * 11, detail::kStart);
 }

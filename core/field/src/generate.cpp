@@ -182,7 +182,7 @@ __attribute__((noinline)) bool open_outline(const Font& font,
                                             uint16_t glyph,
                                             OutlineGlyph& outline,
                                             Rect& box) noexcept {
-  detail::InkRange ink;
+  detail::InkEnds ink[2];
   if (!outline.open(font, glyph, Q26_6::from_int(1024), nullptr, ink)) {
     return false;
   }

@@ -24,18 +24,13 @@ int32_t scale_of(const Font& font,
 
 // A row of a map times a column of a component's, which is in Q14 and 16 bits
 // wide: rounded, modulo 2^32, without products of 64 bits.
-int32_t mixed(int32_t a, int32_t x, int32_t b, int32_t y) noexcept {
+__attribute__((noinline)) int32_t mixed(int32_t a,
+                                        int32_t x,
+                                        int32_t b,
+                                        int32_t y) noexcept {
   constexpr int32_t kLow = (1 << 14) - 1;
   return sum(sum(product(a >> 14, x), product(b >> 14, y)),
              ((a & kLow) * x + (b & kLow) * y + (1 << 13)) >> 14);
-}
-
-// A map after that of a component.
-OutlineMap mapped(const OutlineMap& map, const int32_t* part) noexcept {
-  return {mixed(map.x_right, part[0], map.y_right, part[2]),
-          mixed(map.x_down, part[0], map.y_down, part[2]),
-          mixed(map.x_right, part[1], map.y_right, part[3]),
-          mixed(map.x_down, part[1], map.y_down, part[3])};
 }
 
 // From a pixel to a place, modulo 2^32. [px, Q10; px -> Q18]
@@ -68,92 +63,110 @@ int32_t OutlineGlyph::scaled(int32_t units, int32_t per_unit) const noexcept {
              : static_cast<int32_t>(static_cast<uint32_t>(value) << -shift);
 }
 
-int32_t OutlineGlyph::moved(int32_t x,
-                            int32_t per_x,
-                            int32_t y,
-                            int32_t per_y) const noexcept {
-  return sum(scaled(x, per_x), scaled(y, per_y));
-}
-
-// The ends of the glyph's box along the screen's x or y. `per_x`, `per_y`:
-// where grid units lead. [px, Q18]
-void OutlineGlyph::find_ends(int32_t per_x,
-                             int32_t per_y,
-                             int32_t& low,
-                             int32_t& high) const noexcept {
-  const GlyphMetrics& box = record_.metrics;
-  low = high = moved(box.x_min, per_x, box.y_min, per_y);
-  const int32_t sides[] = {scaled(box.x_max - box.x_min, per_x),
-                           scaled(box.y_max - box.y_min, per_y)};
-  for (const int32_t side : sides) {
-    int32_t& end = side < 0 ? low : high;
-    end = sum(end, side);
-  }
+int32_t OutlineGlyph::moved(const OutlineMap::Axis& axis,
+                            int32_t x,
+                            int32_t y) const noexcept {
+  return sum(scaled(x, axis.per_x), scaled(y, axis.per_y));
 }
 
 bool OutlineGlyph::open(const Font& font,
                         uint16_t glyph,
                         Q26_6 size,
                         const Style* slanted,
-                        InkRange& ink) noexcept {
+                        InkEnds (&ink)[2]) noexcept {
   if (!record_.find(font, glyph)) {
     return false;
   }
   font_ = &font;
   const int32_t scale = scale_of(font, size, outline_coding(font));
-  map_ = {scale, 0, 0, -scale};
+  map_ = {{{scale, 0}, {0, -scale}}};
   is_mirrored_ = slanted != nullptr && slanted->slant().map(*slanted, map_);
-  find_ends(map_.x_right, map_.y_right, ink.left, ink.right);
-  find_ends(map_.x_down, map_.y_down, ink.top, ink.bottom);
+  const GlyphMetrics& box = record_.metrics;
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 2
+#endif
+  for (int32_t i = 0; i != 2; ++i) {
+    const OutlineMap::Axis& axis = map_.axes[i];
+    InkEnds& ends = ink[i];
+    ends.low = ends.high = moved(axis, box.x_min, box.y_min);
+    const int32_t sides[] = {scaled(box.x_max - box.x_min, axis.per_x),
+                             scaled(box.y_max - box.y_min, axis.per_y)};
+    for (const int32_t side : sides) {
+      int32_t& end = side < 0 ? ends.low : ends.high;
+      end = sum(end, side);
+    }
+  }
   return true;
 }
 
 void OutlineGlyph::place(const Placed& placed,
                          const Sampling& sampling,
                          int32_t origin_q8,
-                         const InkRange& ink,
+                         const InkEnds (&ink)[2],
                          Rect& box) noexcept {
-  const int32_t x_q10 = placed.x_q10;
-  const int32_t y_q10 = placed.y_q10;
-  const int32_t reach_x = (sampling.shown_q8 + sampling.moved_x_q8) * 1024;
-  const int32_t reach_y = (sampling.shown_q8 + sampling.moved_y_q8) * 1024;
-  box = {px_before(x_q10, sum(ink.left, kPxQ18 - 1 - reach_x)),
-         px_before(y_q10, sum(ink.top, kPxQ18 - 1 - reach_y)),
-         px_before(x_q10, sum(ink.right, reach_x)) + 1,
-         px_before(y_q10, sum(ink.bottom, reach_y)) + 1};
-  // Half of a 256th, so that points are rounded to the nearest.
-  const int32_t origin = 512 - origin_q8 * 1024;
-  const int32_t columns = sampling.columns;
-  const int32_t rows = sampling.rows;
-  x_q18_ = sum(origin, product(place_from(x_q10, first_column(box)), columns));
-  y_q18_ = sum(origin, product(place_from(y_q10, box.y0), rows));
-  map_ = {product(map_.x_right, columns), product(map_.x_down, rows),
-          product(map_.y_right, columns), product(map_.y_down, rows)};
+  const int32_t at_q10[] = {placed.x_q10, placed.y_q10};
+  const int32_t moved_q8[] = {sampling.moved_x_q8, sampling.moved_y_q8};
+  const int32_t samples[] = {sampling.columns, sampling.rows};
+  int32_t low[2];
+  int32_t high[2];
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 2
+#endif
+  for (int32_t i = 0; i != 2; ++i) {
+    const int32_t reach = (sampling.shown_q8 + moved_q8[i]) * 1024;
+    low[i] = px_before(at_q10[i], sum(ink[i].low, kPxQ18 - 1 - reach));
+    high[i] = px_before(at_q10[i], sum(ink[i].high, reach)) + 1;
+  }
+  box = {low[0], low[1], high[0], high[1]};
+  low[0] = first_column(box);
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 2
+#endif
+  for (int32_t i = 0; i != 2; ++i) {
+    // Half of a 256th, so that points are rounded to the nearest.
+    origin_q18_[i] = sum(512 - origin_q8 * 1024,
+                         product(place_from(at_q10[i], low[i]), samples[i]));
+    OutlineMap::Axis& axis = map_.axes[i];
+    axis = {product(axis.per_x, samples[i]), product(axis.per_y, samples[i])};
+  }
 }
 
-// The part's map is in place. Steps begin at the lower left corner of its box.
+// `part`: the component that the record is of a composite, or null. Steps begin
+// at the lower left corner of its box.
 void OutlineGlyph::begin_part(const OutlineRecord& record,
-                              int32_t x_q18,
-                              int32_t y_q18) noexcept {
+                              const Component* part) noexcept {
   const int32_t x = scaled(record.metrics.x_min, 1);
   const int32_t y = scaled(record.metrics.y_min, 1);
-  const OutlineMap& map = part_map_;
-  reader_.begin(
-      record.bytes,
-      sum(x_q18, sum(product(x, map.x_right), product(y, map.y_right))),
-      sum(y_q18, sum(product(x, map.x_down), product(y, map.y_down))));
+  int32_t pen_q18[2];
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 2
+#endif
+  for (int32_t i = 0; i != 2; ++i) {
+    OutlineMap::Axis axis = map_.axes[i];
+    int32_t at = origin_q18_[i];
+    if (part != nullptr) {
+      at = sum(at, moved(axis, part->dx(), part->dy()));
+      if (part->has_matrix) {
+        const int32_t* const matrix = part->matrix_q14();
+        axis = {mixed(axis.per_x, matrix[0], axis.per_y, matrix[2]),
+                mixed(axis.per_x, matrix[1], axis.per_y, matrix[3])};
+      }
+    }
+    part_map_.axes[i] = axis;
+    pen_q18[i] = sum(at, sum(product(x, axis.per_x), product(y, axis.per_y)));
+  }
+  reader_.begin(record.bytes, pen_q18);
 }
 
 void OutlineGlyph::rewind() noexcept {
   reader_.set_budget(outline_coding(*font_).max_points);
-  if (record_.is_composite()) {
-    components_.begin();
-    if (!next_component()) {
-      reader_.set_budget(0);
-    }
-  } else {
-    part_map_ = map_;
-    begin_part(record_, x_q18_, y_q18_);
+  if (!record_.is_composite()) {
+    begin_part(record_, nullptr);
+    return;
+  }
+  components_.begin();
+  if (!next_component()) {
+    reader_.set_budget(0);
   }
 }
 
@@ -162,11 +175,7 @@ bool OutlineGlyph::next_component() noexcept {
   while (components_.next(record_.bytes, part)) {
     OutlineRecord record;
     if (record.find(*font_, part.glyph) && !record.is_composite()) {
-      part_map_ = part.has_matrix ? mapped(map_, part.matrix_q14()) : map_;
-      begin_part(
-          record,
-          sum(x_q18_, moved(part.dx(), map_.x_right, part.dy(), map_.y_right)),
-          sum(y_q18_, moved(part.dx(), map_.x_down, part.dy(), map_.y_down)));
+      begin_part(record, &part);
       return true;
     }
   }

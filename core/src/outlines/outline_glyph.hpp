@@ -26,12 +26,11 @@ struct Sampling {
   uint8_t rows = 1;
 };
 
-// A glyph's ink around its origin. [px, Q18, y down]
-struct InkRange {
-  int32_t left;
-  int32_t right;
-  int32_t top;
-  int32_t bottom;
+// The ends of a glyph's ink along an axis of the screen, from the glyph's
+// origin. [px, Q18]
+struct InkEnds {
+  int32_t low;
+  int32_t high;
 };
 
 // Whether a record, which may be empty, is one of outlines.
@@ -57,26 +56,26 @@ struct OutlineRecord {
 // RAM that is lent as bytes.
 class __attribute__((may_alias)) OutlineGlyph {
  public:
-  // Finds the glyph and its ink; `slanted` is null for upright glyphs. False:
-  // the font has no outline for it. Then place() finds the pixels that may show
-  // something. `origin_q8`: what lies at whole numbers, from a sample's upper
-  // left corner. [samples]
+  // Finds the glyph and its ink, to the right and down; `slanted` is null for
+  // upright glyphs. False: the font has no outline for it. Then place() finds
+  // the pixels that may show something. `origin_q8`: what lies at whole
+  // numbers, from a sample's upper left corner. [samples]
   bool open(const Font& font,
             uint16_t glyph,
             Q26_6 size,
             const Style* slanted,
-            InkRange& ink) noexcept;
+            InkEnds (&ink)[2]) noexcept;
   void place(const Placed& placed,
              const Sampling& sampling,
              int32_t origin_q8,
-             const InkRange& ink,
+             const InkEnds (&ink)[2],
              Rect& box) noexcept;
 
   const GlyphMetrics& metrics() const noexcept { return record_.metrics; }
 
   // Where the glyph's origin is, as points have it. [samples, Q8]
-  int32_t origin_x_q8() const noexcept { return x_q18_ >> 10; }
-  int32_t origin_y_q8() const noexcept { return y_q18_ >> 10; }
+  int32_t origin_x_q8() const noexcept { return origin_q18_[0] >> 10; }
+  int32_t origin_y_q8() const noexcept { return origin_q18_[1] >> 10; }
 
   bool is_mirrored() const noexcept { return is_mirrored_; }
 
@@ -89,25 +88,17 @@ class __attribute__((may_alias)) OutlineGlyph {
 
  private:
   int32_t scaled(int32_t units, int32_t per_unit) const noexcept;
-  int32_t moved(int32_t x,
-                int32_t per_x,
-                int32_t y,
-                int32_t per_y) const noexcept;
-  void find_ends(int32_t per_x,
-                 int32_t per_y,
-                 int32_t& low,
-                 int32_t& high) const noexcept;
-  void begin_part(const OutlineRecord& record,
-                  int32_t x_q18,
-                  int32_t y_q18) noexcept;
+  int32_t moved(const OutlineMap::Axis& axis,
+                int32_t x,
+                int32_t y) const noexcept;
+  void begin_part(const OutlineRecord& record, const Component* part) noexcept;
   bool next_component() noexcept;
 
   const Font* font_;
   OutlineRecord record_;
-  OutlineMap map_;       // of the glyph
-  OutlineMap part_map_;  // of the component at hand
-  int32_t x_q18_;        // the glyph's origin as points have it [samples]
-  int32_t y_q18_;
+  OutlineMap map_;         // of the glyph
+  OutlineMap part_map_;    // of the component at hand
+  int32_t origin_q18_[2];  // the glyph's, as points have it [samples]
   OutlineReader reader_;
   ComponentReader components_;  // of a composite that come yet
   bool is_mirrored_;

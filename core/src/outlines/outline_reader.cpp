@@ -42,6 +42,8 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
   const uint32_t size = size_;
   const uint32_t shift = 32u - coding.code_bits;
   const uint8_t* const table = coding.table;
+  const OutlineMap::Axis& right = map.axes[0];
+  const OutlineMap::Axis& down = map.axes[1];
   uint32_t bit = bit_;
   uint32_t x = x_q18_;
   uint32_t y = y_q18_;
@@ -75,8 +77,8 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
       bit += bits;
       if (x_bits != 0) {
         const uint32_t dx = signed_top(window, x_bits);
-        x += dx * static_cast<uint32_t>(map.x_right);
-        y += dx * static_cast<uint32_t>(map.x_down);
+        x += dx * static_cast<uint32_t>(right.per_x);
+        y += dx * static_cast<uint32_t>(down.per_x);
         window <<= x_bits;
       }
       if (y_bits != 0) {
@@ -84,8 +86,8 @@ ScreenPoint* OutlineReader::read(const OutlineCoding& coding,
           window = bits_from(record, size, bit - y_bits);
         }
         const uint32_t dy = signed_top(window, y_bits);
-        x += dy * static_cast<uint32_t>(map.y_right);
-        y += dy * static_cast<uint32_t>(map.y_down);
+        x += dy * static_cast<uint32_t>(right.per_y);
+        y += dy * static_cast<uint32_t>(down.per_y);
       }
       *out++ = ScreenPoint::at(static_cast<int32_t>(x) >> 10,
                                static_cast<int32_t>(y) >> 10, kind);

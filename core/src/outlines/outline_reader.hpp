@@ -10,13 +10,14 @@
 namespace inkcell {
 namespace detail {
 
-// Where a grid unit to the right and one up lead on the screen. [px, Q18]
-// Computed modulo 2^32, so that pictures do not depend on strips.
+// Where grid units lead on the screen, to the right and down. Computed modulo
+// 2^32, so that pictures do not depend on strips.
 struct OutlineMap {
-  int32_t x_right;
-  int32_t x_down;
-  int32_t y_right;
-  int32_t y_down;
+  struct Axis {
+    int32_t per_x;  // by a unit to the right [px, Q18]
+    int32_t per_y;  // by a unit up
+  };
+  Axis axes[2];
 };
 
 // Reads records of simple outlines. Reads any bytes: beyond the record's end
@@ -29,13 +30,12 @@ class OutlineReader {
   // The record's first bit, which says that it is an outline, is skipped.
   // `pen`: where steps begin. [px, Q18]
   void begin(const Span<const uint8_t>& record,
-             int32_t pen_x_q18,
-             int32_t pen_y_q18) noexcept {
+             const int32_t (&pen_q18)[2]) noexcept {
     record_ = record.data;
     size_ = static_cast<uint32_t>(record.size);
     bit_ = 1;
-    x_q18_ = static_cast<uint32_t>(pen_x_q18);
-    y_q18_ = static_cast<uint32_t>(pen_y_q18);
+    x_q18_ = static_cast<uint32_t>(pen_q18[0]);
+    y_q18_ = static_cast<uint32_t>(pen_q18[1]);
     start_ = ScreenPoint::at(0, 0, kStart);
   }
 

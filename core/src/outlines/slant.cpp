@@ -10,10 +10,11 @@ int32_t times_q30(int32_t scale, int32_t factor_q30) noexcept {
 }
 
 bool map_slanted(const Style& style, OutlineMap& map) noexcept {
-  const int32_t scale = map.x_right;
+  const int32_t scale = map.axes[0].per_x;
   const Style::Axes& axes = style.axes();
-  map = {times_q30(scale, axes.x_right.raw), -times_q30(scale, axes.x_up.raw),
-         times_q30(scale, axes.y_right.raw), -times_q30(scale, axes.y_up.raw)};
+  map = {
+      {{times_q30(scale, axes.x_right.raw), times_q30(scale, axes.y_right.raw)},
+       {-times_q30(scale, axes.x_up.raw), -times_q30(scale, axes.y_up.raw)}}};
   return (axes.x_right.raw >> 15) * int64_t{axes.y_up.raw >> 15} <
          (axes.x_up.raw >> 15) * int64_t{axes.y_right.raw >> 15};
 }

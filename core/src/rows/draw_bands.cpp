@@ -21,10 +21,12 @@ constexpr int32_t kGuardBytes = 4;
 // a pixel takes several rows or a sample several bytes.
 constexpr int32_t kLeastRows = 4;
 
-// Rows of that many samples and the pixel after them. [bytes]
-int32_t stride_of(int32_t width) noexcept {
-  return (width + 4) & ~3;
-}
+// What draw_bands() and band_box() are called with.
+struct GlyphCall {
+  const GlyphRef& ref;
+  const Style& style;
+  const Placed& placed;
+};
 
 // False: the style was not made, or its effect does not draw the source.
 bool make_plan(const Source& source,
@@ -36,7 +38,11 @@ bool make_plan(const Source& source,
   if (mixer != nullptr && !can_mix(*mixer, source, style)) {
     return false;
   }
-  plan = {};
+  // Smaller than to assign a BandPlan.
+  __builtin_memset(static_cast<void*>(&plan), 0, sizeof plan);
+  plan.columns = 1;
+  plan.rows = 1;
+  plan.sample_bytes = 1;
   plan.painter = mixer == nullptr || mixer->painter == nullptr ? style.painter()
                                                                : mixer->painter;
   if (plan.painter == nullptr) {
@@ -61,25 +67,21 @@ bool make_plan(const Source& source,
 bool open(GlyphJob& job,
           uint8_t* ram,
           int32_t ram_bytes,
-          const GlyphRef& ref,
-          const Style& style,
-          const Placed& placed) noexcept {
-  job.source = ref.source;
-  job.style = &style;
+          const GlyphCall& call) noexcept {
+  const Source& source = *call.ref.source;
+  job.source = &source;
+  job.style = &call.style;
   job.ram = ram;
   job.ram_bytes = ram_bytes;
-  return make_plan(*ref.source, style, job.plan) &&
-         job.source->open(job, ref, placed);
+  return make_plan(source, call.style, job.plan) &&
+         source.open(job, call.ref, call.placed);
 }
 
 // The same of a job at the beginning of its RAM.
-bool open_in(const Workspace& ram,
-             const GlyphRef& ref,
-             const Style& style,
-             const Placed& placed) noexcept {
-  const int32_t job_bytes = ref.source->job_bytes;
+bool open_in(const Workspace& ram, const GlyphCall& call) noexcept {
+  const int32_t job_bytes = call.ref.source->job_bytes;
   return open(*reinterpret_cast<GlyphJob*>(ram.data), ram.data + job_bytes,
-              static_cast<int32_t>(ram.size) - job_bytes, ref, style, placed);
+              static_cast<int32_t>(ram.size) - job_bytes, call);
 }
 
 bool load(GlyphJob& job) noexcept {
@@ -101,23 +103,31 @@ __attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
   job.source->fill(job);
 }
 
-// The band of job.pixels.
+// Where the samples of job.pixels lie in the rows of a band.
+void lay_out_rows(GlyphJob& job) noexcept {
+  const BandPlan& plan = job.plan;
+  const int32_t column = plan.columns_before(job.pixels.x0);
+  const int32_t width = plan.width_of(column, job.pixels);
+  job.column = static_cast<uint8_t>(column);
+  job.band.last_column = width - 1;
+  // The pixel after them has room.
+  job.band.stride = (width + 4) & ~3;
+}
+
+// The band of job.pixels, whose rows are laid out.
 __attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
   const BandPlan& plan = job.plan;
   const Rect& pixels = job.pixels;
   Band& band = job.band;
-  const int32_t column = plan.columns_before(pixels.x0);
-  const int32_t width = plan.width_of(column, pixels);
-  job.column = static_cast<uint8_t>(column);
+  const int32_t column = job.column;
+  const int32_t height = pixels.y1 - pixels.y0;
   job.row = plan.margin_y;
-  band.stride = stride_of(width);
-  band.rows = (pixels.y1 - pixels.y0) * plan.rows + 2 * plan.margin_y;
+  band.rows = height * plan.rows + 2 * plan.margin_y;
   band.bytes = job.ram + kGuardBytes + band.stride;
-  band.last_column = width - 1;
   band.x_q8 =
       ((pixels.x0 - first_column(job.box)) * plan.columns - column) * 256;
   band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
-  band.is_whole = pixels.y1 - pixels.y0 == job.box.y1 - job.box.y0;
+  band.is_whole = height == job.box.y1 - job.box.y0;
   clear_and_fill(job);
   const Style& style = *job.style;
   if (const Mixer* const mixer = style.effect().mixer) {
@@ -130,83 +140,74 @@ __attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
     return;
   }
   plan.painter->cover(band, style.filter());
-  emit(*job.sink, pixels, band.bytes + column, band.stride);
+  emit(sink, pixels, band.bytes + column, band.stride);
 }
 
-// Cuts the box into bands.
-void draw_loaded(GlyphJob& job, const Sink& sink) noexcept {
+// Cuts the part of the box that lies in the window into bands. The job is
+// opened, and with `is_loaded` also loaded.
+void draw_opened(GlyphJob& job, const Sink& sink, bool is_loaded) noexcept {
   const Rect all = intersect(job.box, sink.window);
-  if (is_empty(all)) {
+  if (is_empty(all) || (!is_loaded && !load(job))) {
     return;
-  }
-  const BandPlan& plan = job.plan;
-  const int32_t bytes = job.ram_bytes - kGuardBytes;
-  const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
-  const int32_t sample_bytes = plan.sample_bytes;
-  const int32_t stride =
-      stride_of(plan.width_of(plan.columns_before(all.x0), all));
-  int32_t rows = all.y1 - all.y0;
-  int32_t columns = all.x1 - all.x0;
-  if ((rows * plan.rows * sample_bytes + more_rows) * stride > bytes) {
-    // Most glyphs need no division.
-    const int32_t least =
-        min(rows, plan.rows * sample_bytes == 1 ? kLeastRows : kLeastRows / 2);
-    rows = quotient(bytes, stride) - more_rows;
-    rows = sample_bytes == 1 ? rows : quotient(max(rows, 0), sample_bytes);
-    if (rows < least * plan.rows) {
-      rows = least * plan.rows;
-      columns = (quotient(bytes, rows * sample_bytes + more_rows) & ~3) - 8 -
-                2 * plan.margin_x;
-      columns = plan.columns == 1 ? columns : quotient(columns, plan.columns);
-    }
-    rows = plan.rows == 1 ? rows : quotient(rows, plan.rows);
   }
   job.sink = &sink;
   Rect& part = job.pixels;
-  for (part.y0 = all.y0; part.y0 < all.y1; part.y0 = part.y1) {
+  part = all;
+  lay_out_rows(job);
+  const BandPlan& plan = job.plan;
+  const int32_t bytes = job.ram_bytes - kGuardBytes;
+  const int32_t stride = job.band.stride;
+  const int32_t more_rows = kGuardRows + 2 * plan.margin_y;
+  // Rows of bytes that a row of pixels takes.
+  const int32_t row_bytes = plan.rows * plan.sample_bytes;
+  int32_t rows = all.y1 - all.y0;
+  int32_t columns = all.x1 - all.x0;
+  if ((rows * row_bytes + more_rows) * stride > bytes) {
+    const int32_t least =
+        min(rows, row_bytes == 1 ? kLeastRows : kLeastRows / 2);
+    rows = quotient(quotient(bytes, stride) - more_rows, row_bytes);
+    if (rows < least) {
+      rows = least;
+      columns = quotient((quotient(bytes, rows * row_bytes + more_rows) & ~3) -
+                             8 - 2 * plan.margin_x,
+                         plan.columns);
+    }
+  }
+  for (; part.y0 < all.y1; part.y0 = part.y1) {
     part.y1 = min(part.y0 + rows, all.y1);
     for (part.x0 = all.x0; part.x0 < all.x1; part.x0 = part.x1) {
       part.x1 = min(part.x0 + columns, all.x1);
+      lay_out_rows(job);
       draw_band(job);
     }
   }
 }
 
-__attribute__((noinline)) void draw_in(const GlyphRef& ref,
-                                       const Style& style,
-                                       const Placed& placed,
+__attribute__((noinline)) void draw_in(const GlyphCall& call,
                                        const Sink& sink,
                                        const Workspace& ram) noexcept {
-  auto& job = *reinterpret_cast<GlyphJob*>(ram.data);
-  if (open_in(ram, ref, style, placed) &&
-      !is_empty(intersect(job.box, sink.window)) && load(job)) {
-    draw_loaded(job, sink);
+  if (open_in(ram, call)) {
+    draw_opened(*reinterpret_cast<GlyphJob*>(ram.data), sink, false);
   }
 }
 
-__attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
-                                             const Style& style,
-                                             const Placed& placed,
+__attribute__((noinline)) void draw_on_stack(const GlyphCall& call,
                                              const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastRam];
-  draw_in(ref, style, placed, sink, {bytes, sizeof bytes});
+  draw_in(call, sink, {bytes, sizeof bytes});
 }
 
-__attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
-                                                    const Style& style,
-                                                    const Placed& placed,
+__attribute__((noinline)) void draw_fitted_on_stack(const GlyphCall& call,
                                                     const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
-  draw_in(ref, style, placed, sink, {bytes, sizeof bytes});
+  draw_in(call, sink, {bytes, sizeof bytes});
 }
 
 // Not inline: most glyphs do not need its part of the stack.
 __attribute__((noinline)) bool open_fitted(GlyphJob& job,
-                                           const GlyphRef& ref,
-                                           const Style& style,
-                                           const Placed& placed) noexcept {
+                                           const GlyphCall& call) noexcept {
   alignas(GlyphJob) uint8_t maps[kMaps];
-  return open(job, maps, sizeof maps, ref, style, placed);
+  return open(job, maps, sizeof maps, call);
 }
 
 // The part of a workspace that begins where pointers may lie; none if that is
@@ -235,13 +236,14 @@ void draw_bands(const GlyphRef& ref,
                 const Placed& placed,
                 const Sink& sink,
                 const Workspace& workspace) noexcept {
+  const GlyphCall call = {ref, style, placed};
   const Workspace ram = aligned(workspace);
   if (ram.size != 0) {
-    draw_in(ref, style, placed, sink, ram);
+    draw_in(call, sink, ram);
   } else if (style.is_fitted()) {
-    draw_fitted_on_stack(ref, style, placed, sink);
+    draw_fitted_on_stack(call, sink);
   } else {
-    draw_on_stack(ref, style, placed, sink);
+    draw_on_stack(call, sink);
   }
 }
 
@@ -250,9 +252,9 @@ Rect band_box(const GlyphRef& ref,
               const Placed& placed) noexcept {
   alignas(GlyphJob) uint8_t bytes[kMostJob];
   auto& job = *reinterpret_cast<GlyphJob*>(bytes);
-  const bool shows = style.is_fitted()
-                         ? open_fitted(job, ref, style, placed)
-                         : open(job, nullptr, 0, ref, style, placed);
+  const GlyphCall call = {ref, style, placed};
+  const bool shows =
+      style.is_fitted() ? open_fitted(job, call) : open(job, nullptr, 0, call);
   return shows ? job.box : Rect{};
 }
 
@@ -279,7 +281,7 @@ Status PreparedGlyph::make(const Font& font,
   Placed placed;
   auto* const job = reinterpret_cast<GlyphJob*>(ram.data);
   if (placed.set(origin) &&
-      open_in(ram, {font.source(), &font, glyph}, style, placed) &&
+      open_in(ram, {{font.source(), &font, glyph}, style, placed}) &&
       load(*job)) {
     made.job_ = job;
   }
@@ -293,7 +295,7 @@ Rect PreparedGlyph::box() const noexcept {
 
 void PreparedGlyph::draw(const Sink& sink) const noexcept {
   if (job_ != nullptr) {
-    detail::draw_loaded(*static_cast<detail::GlyphJob*>(job_), sink);
+    detail::draw_opened(*static_cast<detail::GlyphJob*>(job_), sink, true);
   }
 }
 

@@ -37,26 +37,23 @@ class AxisWarp {
   int32_t knot_ = 0;
 };
 
-// The same to both ends of an upright glyph. `sign` is -1 where places count
-// down. Points of hostile fonts lie anywhere: modulo 2^32.
-void move_range(const AxisMap& map,
-                int32_t sign,
-                int32_t& low_q18,
-                int32_t& high_q18) noexcept {
+// Moves both ends of an upright glyph as its points. `sign` is -1 where places
+// count down. Points of hostile fonts lie anywhere: modulo 2^32.
+void move_ends(const AxisMap& map, int32_t sign, InkEnds& ends) noexcept {
   constexpr int32_t kRoundings = 1 << 11;
   const auto moved = [&](int32_t at) noexcept {
     return product(map.map(product(at >> 10, sign)), sign * (1 << 10));
   };
   if (map.count != 0) {
-    low_q18 = sum(moved(low_q18), -kRoundings);
-    high_q18 = sum(moved(high_q18), kRoundings);
+    ends = {sum(moved(ends.low), -kRoundings),
+            sum(moved(ends.high), kRoundings)};
   }
 }
 
 bool fit_outline(OutlineJob& job,
                  uint16_t glyph,
                  Placed& placed,
-                 InkRange& ink) noexcept {
+                 InkEnds (&ink)[2]) noexcept {
   auto& warp = *reinterpret_cast<GlyphWarp*>(job.ram);
   const Style& style = *job.style;
   FinePoint origin = placed.origin();
@@ -64,8 +61,8 @@ bool fit_outline(OutlineJob& job,
                       origin, warp);
   if ((warp.x.count | warp.y.count) != 0) {
     job.warp = &warp;
-    move_range(warp.x, 1, ink.left, ink.right);
-    move_range(warp.y, -1, ink.top, ink.bottom);
+    move_ends(warp.x, 1, ink[0]);
+    move_ends(warp.y, -1, ink[1]);
   }
   return placed.set(origin);
 }

@@ -12,7 +12,7 @@ struct OutlineFitter {
   bool (*fit)(OutlineJob& job,
               uint16_t glyph,
               Placed& placed,
-              InkRange& ink) noexcept;
+              InkEnds (&ink)[2]) noexcept;
   // Moves points of the glyph.
   void (*move)(const OutlineJob& job,
                ScreenPoint* points,

@@ -29,7 +29,7 @@ bool open_outline(GlyphJob& base,
   const Font& font = *static_cast<const Font*>(ref.from);
   const Style& style = *job.style;
   OutlineGlyph& outline = job.outline;
-  InkRange ink;
+  InkEnds ink[2];
   if (!outline.open(font, ref.glyph, style.size(),
                     style.is_upright() ? nullptr : &style, ink)) {
     return false;

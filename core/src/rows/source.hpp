@@ -16,9 +16,8 @@ namespace inkcell {
 namespace detail {
 
 // How the bands of a glyph are painted: what the style's filter asks for, as
-// its mixer changes it.
-// Only areas have several samples a pixel. By how much more it shows is what
-// repaint() moves the glyph by at most.
+// its mixer changes it. Only areas have several samples a pixel; moved_x_q8 and
+// moved_y_q8 are what repaint() moves the glyph by at most.
 struct BandPlan : Sampling {
   const BandPainter* painter = nullptr;
   // How far distances are good, outside and inside. [px]
