@@ -87,9 +87,10 @@ TEST(tells_whether_bits_fit) {
 
 // Keys 3, 6, 9 .. in rows of every width, all numbers of rows.
 TEST(finds_rows_by_key) {
+  const Span<const uint8_t> all(bytes);
   for (uint32_t key_bits = 6; key_bits <= 25; ++key_bits) {
     for (uint32_t rows = 0; rows <= 16; ++rows) {
-      const BitTable table = {bytes, rows, key_bits + 4};  // from any bit on
+      const BitTable table = {&all, rows, key_bits + 4};  // from any bit on
       for (uint32_t i = 0; i < rows; ++i) {
         set_bits(rows + i * table.row_bits, key_bits, 3 * (i + 1));
         set_bits(rows + i * table.row_bits + key_bits, 4, i);

@@ -32,7 +32,7 @@ bool bits_fit(const Span<const uint8_t>& section,
 uint32_t BitTable::get(uint32_t row,
                        uint32_t bit,
                        uint32_t width) const noexcept {
-  return read_bits(bytes, first_bit + row * row_bits + bit, width);
+  return read_bits(*bytes, first_bit + row * row_bits + bit, width);
 }
 
 uint32_t BitTable::find(uint32_t begin,

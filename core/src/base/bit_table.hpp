@@ -37,11 +37,12 @@ bool bits_fit(const Span<const uint8_t>& section,
               uint32_t header_bytes,
               uint32_t bits) noexcept;
 
-/// Rows of `row_bits` bits each. Safe on any bytes: what lies outside is 0.
+/// Rows of `row_bits` bits each, in bytes that must outlive the table. Safe on
+/// any bytes: what lies outside is 0.
 struct BitTable {
-  Span<const uint8_t> bytes;
-  uint32_t first_bit = 0;
-  uint32_t row_bits = 0;
+  const Span<const uint8_t>* bytes;
+  uint32_t first_bit;
+  uint32_t row_bits;
 
   /// The number that begins at bit `bit` of row `row`.
   uint32_t get(uint32_t row, uint32_t bit, uint32_t width) const noexcept;

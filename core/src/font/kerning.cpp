@@ -7,7 +7,7 @@
 namespace inkcell {
 namespace detail {
 
-bool Kerning::open(Span<const uint8_t> section) noexcept {
+bool Kerning::open(const Span<const uint8_t>& section) noexcept {
   namespace kerning = format::kerning;
   if (section.size < kerning::kBytes) {
     return false;
@@ -20,13 +20,13 @@ bool Kerning::open(Span<const uint8_t> section) noexcept {
   left_bits = at[kerning::kLeftBits];
   right_bits = at[kerning::kRightBits];
   value_bits = at[kerning::kValueBits];
-  members = {section, 8 * kerning::kBytes,
-             uint32_t{glyph_bits} + left_bits + right_bits};
-  row_starts = {section, members.first_bit + member_count * members.row_bits,
+  members = {&section, 8 * kerning::kBytes,
+             glyph_bits + left_bits + right_bits};
+  row_starts = {&section, members.first_bit + member_count * members.row_bits,
                 at[kerning::kStartBits]};
-  pairs = {section,
+  pairs = {&section,
            row_starts.first_bit + (left_classes + 1u) * row_starts.row_bits,
-           uint32_t{right_bits} + value_bits};
+           right_bits + value_bits};
   // No sum of these passes 32 bits, whatever the widths.
   return pair_count <= kerning::kMaxPairs &&
          bits_fit(section, 0, pairs.first_bit + pair_count * pairs.row_bits);

@@ -14,22 +14,22 @@ struct Kerning {
   BitTable members;
   BitTable row_starts;
   BitTable pairs;
-  uint32_t pair_count = 0;
-  uint16_t member_count = 0;
-  uint16_t left_classes = 0;
-  uint8_t glyph_bits = 0;
-  uint8_t left_bits = 0;
-  uint8_t right_bits = 0;
-  uint8_t value_bits = 0;
+  uint32_t pair_count;
+  uint32_t member_count;
+  uint32_t left_classes;
+  uint32_t glyph_bits;
+  uint32_t left_bits;
+  uint32_t right_bits;
+  uint32_t value_bits;
 
   /// False if the tables do not fit `section`.
-  bool open(Span<const uint8_t> section) noexcept;
+  bool open(const Span<const uint8_t>& section) noexcept;
 
   uint32_t left_class(uint32_t member) const noexcept {
     return members.get(member, glyph_bits, left_bits);
   }
   uint32_t right_class(uint32_t member) const noexcept {
-    return members.get(member, uint32_t{glyph_bits} + left_bits, right_bits);
+    return members.get(member, glyph_bits + left_bits, right_bits);
   }
   /// The first pair of row `row`, counted from 0.
   uint32_t row_start(uint32_t row) const noexcept {

@@ -1,5 +1,6 @@
 #include "rows/outline_fit.hpp"
 
+#include "base/math.hpp"
 #include "base/modular.hpp"
 
 namespace inkcell {
@@ -79,9 +80,26 @@ void move_points(const OutlineJob& job,
   }
 }
 
+// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
+// others wrap.
+int32_t to_px(const Font& font, Q26_6 size, int32_t units) noexcept {
+  return quotient(product(units, size.raw), font.units_per_em() * 64);
+}
+
+int32_t to_units(const Font& font, Q26_6 size, int32_t px) noexcept {
+  const int32_t size_q6 = size.raw;
+  const int32_t em_q6 = font.units_per_em() * 64;
+  // Whole units of a pixel, and what is left.
+  const int32_t whole = quotient(em_q6, size_q6);
+  const int32_t part = product(px, em_q6 - whole * size_q6);
+  const int32_t half = part < 0 ? -(size_q6 >> 1) : size_q6 >> 1;
+  return px * whole + quotient(part + half, size_q6);
+}
+
 }  // namespace
 
-const OutlineFitter kOutlineFitter = {fit_outline, move_points};
+const OutlineFitter kOutlineFitter = {fit_outline, move_points, to_px,
+                                      to_units};
 
 }  // namespace detail
 }  // namespace inkcell

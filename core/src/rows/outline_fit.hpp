@@ -6,7 +6,7 @@
 namespace inkcell {
 namespace detail {
 
-// The part of the source of outlines that fitted styles link.
+// What only fitted styles link.
 struct OutlineFitter {
   // Makes the maps, and moves the glyph and its ink. False: it is too far away.
   bool (*fit)(OutlineJob& job,
@@ -17,6 +17,10 @@ struct OutlineFitter {
   void (*move)(const OutlineJob& job,
                ScreenPoint* points,
                const ScreenPoint* end) noexcept;
+  // Advances in whole pixels: font units, rounded towards 0, and back, to the
+  // nearest.
+  int32_t (*to_px)(const Font& font, Q26_6 size, int32_t units) noexcept;
+  int32_t (*to_units)(const Font& font, Q26_6 size, int32_t px) noexcept;
 };
 
 }  // namespace detail

@@ -8,10 +8,13 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-// The next pixels of a row up to the end of a word: 0 or ~0 if the word is all
-// of that, else any other value.
-inline uint32_t next_pixels(const uint8_t* at, int32_t count) noexcept {
-  return count == 4 ? load_pixels(at) : 1;
+constexpr uint32_t kMixed = 1;
+
+// Of the pixels of a row up to the end of a word: 0 or ~0 if they are all of
+// that and fill the word, else kMixed.
+inline uint32_t kind_of(const uint8_t* at, int32_t count) noexcept {
+  const uint32_t word = count == 4 ? load_pixels(at) : kMixed;
+  return word + 1 > 1 ? kMixed : word;
 }
 
 }  // namespace
@@ -29,23 +32,21 @@ void emit_row(const Sink& sink,
                  count <= sink.window.x1 - x);
   const int32_t end = x + count;
   int32_t next = min((x | 3) + 1, end);
-  uint32_t pixels = next_pixels(coverage, next - x);
+  uint32_t next_kind = kind_of(coverage, next - x);
   while (x != end) {
     const uint8_t* const begin = coverage;
     const int32_t from = x;
-    const bool is_mixed = pixels + 1 > 1;
-    const int32_t most = is_mixed ? kMaxSpan - 4 : count;
-    const uint32_t first = pixels;
+    const uint32_t kind = next_kind;
     do {
       coverage += next - x;
       x = next;
       next = min(x + 4, end);
-      pixels = next_pixels(coverage, next - x);
-    } while (x != end && x - from <= most &&
-             (is_mixed ? pixels + 1 > 1 : pixels == first));
-    if (is_mixed) {
+      next_kind = kind_of(coverage, next - x);
+    } while (x != end && next_kind == kind &&
+             (kind != kMixed || x - from <= kMaxSpan - 4));
+    if (kind == kMixed) {
       sink.coverage(sink.context, from, y, begin, x - from);
-    } else if (first != 0) {
+    } else if (kind != 0) {
       sink.solid(sink.context, from, y, x - from);
     }
   }

@@ -1,7 +1,6 @@
 #include "text/advances.hpp"
 
-#include "base/math.hpp"
-#include "base/modular.hpp"
+#include "rows/outline_fit.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -12,24 +11,15 @@ int32_t Advances::advance(uint16_t glyph) const noexcept {
                     : font_.advance(glyph);
 }
 
-// Sizes that are fitted are below 2^12 [px, Q6], so that products have 31 bits;
-// others wrap.
 int32_t Advances::to_whole_px(int32_t units) const noexcept {
-  return quotient(product(units, style_->size().raw),
-                  font_.units_per_em() * 64);
+  return style_->outline_fitter().to_px(font_, style_->size(), units);
 }
 
 int32_t Advances::to_units(int32_t sum) const noexcept {
-  if (!is_whole()) {
-    return sum;
-  }
-  const int32_t size_q6 = style_->size().raw;
-  const int32_t em_q6 = font_.units_per_em() * 64;
-  // Whole units of a pixel, and what is left.
-  const int32_t whole = quotient(em_q6, size_q6);
-  const int32_t part = product(sum, em_q6 - whole * size_q6);
-  const int32_t half = part < 0 ? -(size_q6 >> 1) : size_q6 >> 1;
-  return clamp_to(sum * whole + quotient(part + half, size_q6), kMaxUnits);
+  return is_whole() ? clamp_to(style_->outline_fitter().to_units(
+                                   font_, style_->size(), sum),
+                               kMaxUnits)
+                    : sum;
 }
 
 }  // namespace detail

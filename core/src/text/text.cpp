@@ -27,31 +27,22 @@ void take(Text& text, size_t count) noexcept {
   text.size -= count;
 }
 
-// What a lead byte says: the number of bytes that follow, the payload of the
-// lead, and what the first of those bytes may be. The narrowed ranges exclude
-// overlong forms, surrogates and what lies above U+10FFFF (Unicode, table 3-7).
-struct Lead {
-  uint8_t following;
-  uint8_t payload;
-  uint8_t low;
-  uint8_t high;
-};
+// How many bytes follow a lead byte; 0: it is none.
+uint32_t following(uint32_t lead) noexcept {
+  if (lead < 0xc2 || lead > 0xf4) {
+    return 0;
+  }
+  return lead < 0xe0 ? 1 : (lead < 0xf0 ? 2 : 3);
+}
 
-Lead lead_of(uint32_t byte) noexcept {
-  if (byte >= 0xc2 && byte <= 0xdf) {
-    return {1, static_cast<uint8_t>(byte & 0x1f), 0x80, 0xbf};
+// Whether the first two bytes of `count` and one begin a code point; `bits`:
+// those that they give. Excludes overlong forms, surrogates and what lies above
+// U+10FFFF (Unicode, table 3-7).
+bool begins_well(uint32_t count, uint32_t bits) noexcept {
+  if (count == 2) {
+    return bits >= 0x800 >> 6 && bits >> 5 != 0xd800 >> 11;
   }
-  if (byte >= 0xe0 && byte <= 0xef) {
-    const uint8_t low = byte == 0xe0 ? 0xa0 : 0x80;
-    const uint8_t high = byte == 0xed ? 0x9f : 0xbf;
-    return {2, static_cast<uint8_t>(byte & 0x0f), low, high};
-  }
-  if (byte >= 0xf0 && byte <= 0xf4) {
-    const uint8_t low = byte == 0xf0 ? 0x90 : 0x80;
-    const uint8_t high = byte == 0xf4 ? 0x8f : 0xbf;
-    return {3, static_cast<uint8_t>(byte & 0x07), low, high};
-  }
-  return {0, 0, 0, 0};
+  return count == 1 || bits - (0x10000 >> 12) < 0x100000 >> 12;
 }
 
 // Inline: a frame of its own would take more of the stack, and of code.
@@ -77,22 +68,19 @@ uint32_t next_code_point(Text& text) noexcept {
     take(text, 1);
     return first;
   }
-  const Lead lead = lead_of(first);
-  uint32_t code_point = lead.payload;
+  const uint32_t count = following(first);
+  uint32_t code_point = first & (0x3f >> count);
   size_t used = 1;
-  while (used <= lead.following && used < text.size) {
+  for (; used <= count && used < text.size; ++used) {
     const uint32_t next = byte_at(text, used);
-    const uint32_t low = used == 1 ? lead.low : 0x80;
-    const uint32_t high = used == 1 ? lead.high : 0xbf;
-    if (next < low || next > high) {
+    const uint32_t bits = code_point << 6 | (next & 0x3f);
+    if (next >> 6 != 2 || (used == 1 && !begins_well(count, bits))) {
       break;
     }
-    code_point = code_point << 6 | (next & 0x3f);
-    ++used;
+    code_point = bits;
   }
   take(text, used);
-  const bool whole = lead.following > 0 && used == lead.following + size_t{1};
-  return whole ? code_point : kReplacement;
+  return count > 0 && used == count + size_t{1} ? code_point : kReplacement;
 }
 
 bool needs_glyph(uint32_t code_point) noexcept {

@@ -29,7 +29,8 @@ class UnitScale {
 
   // At most 2^24 units times 2^36: within int64_t. Both roundings are to the
   // nearest, so that whole pixels are met exactly.
-  int64_t to_px_q10(int32_t units) const noexcept {
+  // Not inline for its size.
+  __attribute__((noinline)) int64_t to_px_q10(int32_t units) const noexcept {
     if (units == 0) {
       return 0;  // most glyphs stand on the baseline
     }

@@ -116,7 +116,7 @@ bool offsets_fit(Span<const uint8_t> section, uint32_t glyph_count) noexcept {
   if (width > format::bit_table::kMaxBits || unit_log2 > glyphs::kMaxUnitLog2) {
     return false;
   }
-  const detail::BitTable offsets = {section, 8 * glyphs::kBytes, width};
+  const detail::BitTable offsets = {&section, 8 * glyphs::kBytes, width};
   size_t least = glyphs::kBytes + (width * (glyph_count + 1) + 7) / 8;
   for (uint32_t i = 0; i <= glyph_count; ++i) {
     const uint32_t offset = offsets.get(i, 0, width) << unit_log2;
