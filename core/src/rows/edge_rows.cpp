@@ -17,6 +17,7 @@
 #include "rows/edge_rows.hpp"
 
 #include "base/math.hpp"
+#include "base/small.hpp"
 #include "rows/reciprocal.hpp"
 
 namespace inkcell {
@@ -224,26 +225,18 @@ inline int32_t nearness_pair(int32_t across,
   return 254 + distance - 2 * static_cast<int32_t>(cosine);
 }
 
-// Rows without tests: from where the edge crosses the first one. [Q16]
+// Rows without tests, all in the band: from where the edge crosses the first
+// one. [Q16]
 inline void paint_rows(const Band& band,
                        int32_t row,
                        int32_t end,
                        int32_t across,
                        int32_t slope,
                        int32_t half_bend) noexcept {
-  if (row < 0) {
-    const int32_t count = min(end, 0) - row;
-    across += count * (slope + count * half_bend);
-    slope += 2 * count * half_bend;
-    row += count;
-  }
-  int32_t count = min(end, band.rows) - row;
-  if (count <= 0) {
-    return;
-  }
   const auto last_column = static_cast<uint32_t>(band.last_column);
   const int32_t stride = band.stride;
   uint8_t* bytes = band.row(row);
+  int32_t count = end - row;
   do {
     const int32_t column = across >> 16;
     if (__builtin_expect(static_cast<uint32_t>(column) <= last_column, 1)) {
@@ -266,6 +259,15 @@ inline void paint_rows(const Band& band,
   } while (--count != 0);
 }
 
+// The row of a flat edge in a column; null if the band has no part of the pair.
+inline uint8_t* pair_at(const Band& band,
+                        int32_t row,
+                        int32_t column) noexcept {
+  return static_cast<uint32_t>(row + 1) <= static_cast<uint32_t>(band.rows)
+             ? band.row(row) + column
+             : nullptr;
+}
+
 // The same of a flat edge. Returns the row above its last crossing.
 inline int32_t paint_columns(const Band& band,
                              int32_t column,
@@ -274,30 +276,13 @@ inline int32_t paint_columns(const Band& band,
                              int32_t slope,
                              int32_t half_bend,
                              int32_t above) noexcept {
-  if (column < 0) {
-    const int32_t count = min(end, 0) - column;
-    if (count > 0) {
-      across += count * (slope + count * half_bend);
-      slope += 2 * count * half_bend;
-      column += count;
-    }
-  }
-  end = min(end, band.last_column + 1);
-  if (column >= end) {
-    return above;
-  }
-  const auto rows = static_cast<uint32_t>(band.rows);
   const int32_t stride = band.stride;
-  // The row above the edge; null if the band has no part of the pair.
-  uint8_t* bytes = static_cast<uint32_t>(above + 1) <= rows
-                       ? band.row(above) + column
-                       : nullptr;
+  uint8_t* bytes = pair_at(band, above, column);
   do {
     const int32_t row = across >> 16;
     if (row != above) {
-      const bool was_in = bytes != nullptr;
-      bytes = static_cast<uint32_t>(row + 1) <= rows ? band.row(row) + column
-                                                     : nullptr;
+      const bool was_in = !kIsSmall && bytes != nullptr;
+      bytes = pair_at(band, row, column);
       if (was_in && bytes != nullptr && abs(row - above) == 1) {
         bytes[row < above ? stride : 0] ^= 1;
       } else {
@@ -433,18 +418,31 @@ bool paint_edge(const Band& band,
   if (has_last) {
     stop = in_last >> 8;
   }
+  const int32_t first_row = row;
   if (row < stop) {
     const int32_t u = row * 256 - from;
     const int32_t bent = half_bend * u >> 8;
-    const int32_t at = across * 256 + ((slope + bent) * u >> 8);
-    const int32_t slope_at = slope + 2 * bent;
+    int32_t at = across * 256 + ((slope + bent) * u >> 8);
+    int32_t slope_at = slope + 2 * bent;
+    if (row < 0) {
+      const int32_t count = min(stop, 0) - row;
+      at += count * (slope_at + count * half_bend);
+      slope_at += 2 * count * half_bend;
+      row += count;
+    }
     if (is_steep) {
-      paint_rows(band, row, stop, at, slope_at, half_bend);
+      const int32_t until = min(stop, band.rows);
+      if (row < until) {
+        paint_rows(band, row, until, at, slope_at, half_bend);
+      }
     } else {
-      above = paint_columns(band, row, stop, at, slope_at, half_bend, above);
+      const int32_t until = min(stop, band.last_column + 1);
+      if (row < until) {
+        above = paint_columns(band, row, until, at, slope_at, half_bend, above);
+      }
     }
   }
-  if (has_last && stop >= row) {
+  if (has_last && stop >= first_row) {
     const Tip tip = {to,   last_across, last_slope, half_bend,
                      from, to,          is_steep};
     above = paint_tip(band, tip, stop, above);

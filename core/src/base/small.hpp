@@ -1,0 +1,14 @@
+// Whether the compiler was asked for small code.
+#pragma once
+
+namespace inkcell {
+namespace detail {
+
+#if defined(__OPTIMIZE_SIZE__)
+inline constexpr bool kIsSmall = true;
+#else
+inline constexpr bool kIsSmall = false;
+#endif
+
+}  // namespace detail
+}  // namespace inkcell
