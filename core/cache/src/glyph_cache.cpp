@@ -112,17 +112,12 @@ struct Recorder {
                            const uint8_t* coverage,
                            int32_t count) {
     const auto& self = *static_cast<const Recorder*>(context);
-    uint8_t* to = self.at(x, y);
-    for (uint8_t* const end = to + count * 3; to != end; ++to) {
-      *to = *coverage++;
-    }
+    __builtin_memcpy(self.at(x, y), coverage, static_cast<size_t>(count) * 3);
   }
   static void solid(void* context, int32_t x, int32_t y, int32_t count) {
     const auto& self = *static_cast<const Recorder*>(context);
-    uint8_t* to = self.at(x, y);
-    for (uint8_t* const end = to + count * self.channels; to != end; ++to) {
-      *to = 255;
-    }
+    __builtin_memset(self.at(x, y), 255,
+                     static_cast<size_t>(count * self.channels));
   }
 };
 
@@ -177,9 +172,7 @@ __attribute__((noinline)) const CachedGlyph* record(const Call& call,
     recorder.window.y0 = y;
     recorder.window.y1 = min(y + drawn, box.y1);
     sink.window = recorder.window;
-    for (int32_t i = 0; i != drawn * stride; ++i) {
-      bytes[i] = 0;
-    }
+    __builtin_memset(bytes, 0, static_cast<size_t>(drawn * stride));
     draw_glyph(call.font, static_cast<uint16_t>(key), call.style, origin, sink,
                call.workspace);
     for (int32_t row = y; row < recorder.window.y1; ++row) {

@@ -7,12 +7,6 @@ namespace {
 // One hint for as many bytes.
 constexpr size_t kBytesPerHint = 64;
 
-void move_bytes(uint8_t* to, const uint8_t* from, size_t count) noexcept {
-  for (; count != 0; --count) {
-    *to++ = *from++;
-  }
-}
-
 }  // namespace
 
 void GlyphStore::open(Span<uint8_t> ram,
@@ -90,7 +84,7 @@ void GlyphStore::remove(uint32_t index) noexcept {
   const size_t begin = entry(index).begin;
   const auto end = static_cast<size_t>(end_of(entry(index)) - data_);
   const size_t size = end - begin;
-  move_bytes(data_ + begin, data_ + end, data_size_ - end);
+  __builtin_memmove(data_ + begin, data_ + end, data_size_ - end);
   data_size_ -= size;
   --count_;
   for (uint32_t i = index; i != count_; ++i) {

@@ -1,5 +1,6 @@
 #include "playback.hpp"
 
+#include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "sink/emit.hpp"
@@ -7,11 +8,6 @@
 namespace inkcell {
 namespace detail {
 namespace {
-
-inline uint32_t load_word(const uint8_t* at) noexcept {
-  return at[0] | uint32_t{at[1]} << 8 | uint32_t{at[2]} << 16 |
-         uint32_t{at[3]} << 24;
-}
 
 // Values of 4 bits, each in both halves of its byte. `packed`: the pairs in
 // bytes 0 and 2.
@@ -76,7 +72,7 @@ inline uint32_t read_four(uint32_t kind,
   }
   if (bits == 8) {
     at += 4;
-    return load_word(at - 4);
+    return load_any_u32(at - 4);
   }
   at += 2;
   return spread(at[-2] | uint32_t{at[-1]} << 16);
@@ -123,7 +119,7 @@ inline const uint8_t* write_row(const uint8_t* at,
     uint32_t first;
     uint32_t second;
     if (code == kAllMixed && bits == 4) {
-      const uint32_t packed = load_word(at);
+      const uint32_t packed = load_any_u32(at);
       first = packed & kLowHalves;
       first |= first << 4;
       second = packed & ~kLowHalves;

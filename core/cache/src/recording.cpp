@@ -1,17 +1,10 @@
 #include "recording.hpp"
 
+#include <stddef.h>
+
 namespace inkcell {
 namespace detail {
 namespace {
-
-bool are_equal(const uint8_t* a, const uint8_t* b, int32_t count) noexcept {
-  while (count != 0 && *a == *b) {
-    ++a;
-    ++b;
-    --count;
-  }
-  return count == 0;
-}
 
 // Four of `count` values, from the `first` on, as they are drawn; what is
 // behind the last one is empty.
@@ -110,7 +103,8 @@ uint8_t* record_row(const uint8_t* coverage,
   const auto bytes = static_cast<int32_t>(out - end);
   if (last != nullptr && rows_of(last) != kMostEqual && end - last == bytes &&
       ((*last ^ *end) & ~kRowsMask) == 0 &&
-      are_equal(last + 1, end + 1, bytes - 1)) {
+      __builtin_memcmp(last + 1, end + 1, static_cast<size_t>(bytes - 1)) ==
+          0) {
     ++*last;
     return end;
   }

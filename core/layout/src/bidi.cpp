@@ -99,12 +99,16 @@ class LineLevels {
     return at;
   }
 
-  // Extends [run.begin, run.end) to both sides over levels from run.level on.
-  void widen(BidiRun& run) const noexcept {
-    while (run.begin > begin_ && level(before(run.begin)) >= run.level) {
+  // Extends [run.begin, run.end) to both sides over levels from run.level on,
+  // up to `most`.
+  void widen(BidiRun& run, uint8_t most = UINT8_MAX) const noexcept {
+    const auto holds = [&](size_t at) noexcept {
+      return level(at) >= run.level && level(at) <= most;
+    };
+    while (run.begin > begin_ && holds(before(run.begin))) {
       run.begin = before(run.begin);
     }
-    while (run.end < end_ && level(run.end) >= run.level) {
+    while (run.end < end_ && holds(run.end)) {
       run.end = after(run.end);
     }
   }
@@ -119,21 +123,11 @@ class LineLevels {
       part.begin = at;
       part.end = after(at);
       if (is_run) {
-        widen_run(part);
+        widen(part, part.level);
         return;
       }
       ++part.level;
       widen(part);
-    }
-  }
-
-  // Over exactly its level.
-  void widen_run(BidiRun& run) const noexcept {
-    while (run.begin > begin_ && level(before(run.begin)) == run.level) {
-      run.begin = before(run.begin);
-    }
-    while (run.end < end_ && level(run.end) == run.level) {
-      run.end = after(run.end);
     }
   }
 

@@ -95,10 +95,9 @@ void ScrollingLabel::draw(Q26_6 scroll,
   // Filters and effects reach a few pixels farther than ink.
   constexpr int32_t kBeyond = 8 * 64;
   const auto units = [this](int32_t px_q6) noexcept {
-    const int64_t found =
-        int64_t{px_q6} * face_.font->units_per_em() / face_.style->size().raw;
-    return static_cast<int32_t>(found > kFar ? kFar
-                                             : (found < -kFar ? -kFar : found));
+    return detail::clamp_to(
+        int64_t{px_q6} * face_.font->units_per_em() / face_.style->size().raw,
+        kFar);
   };
   const size_t first = first_from(units(left_px - kBeyond) - reach_);
   const size_t end = first_from(units(right_px + kBeyond) + reach_);

@@ -146,12 +146,6 @@ __attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
   return Pen(options, Pen::logical).from_px(width);
 }
 
-// Functions that are not inline leave their stack to those that follow.
-__attribute__((noinline)) Pen::Sign ellipsis_of(
-    const LayoutOptions& options) noexcept {
-  return Pen(options, Pen::logical).ellipsis();
-}
-
 // Whether a line's end is that of what Bidi takes for a paragraph: a vertical
 // tab, a form feed or a line separator is none.
 bool ends_bidi_paragraph(Text text, uint32_t next) noexcept {
@@ -169,11 +163,24 @@ struct Cut {
     int32_t width;
     bool has_spacing;  // between it and what follows
   };
-  int32_t room;  // [units of the pen]
+  int32_t room;     // [units of the pen]
+  int32_t spacing;  // of characters
   Front front;
   uint32_t back_begin;
   int32_t back_width = 0;
 };
+
+// The ellipsis, and what is left of a width. Functions that are not inline
+// leave their stack to those that follow.
+__attribute__((noinline)) Pen::Sign begin_cut(const LayoutOptions& options,
+                                              Q26_6 width,
+                                              Cut& cut) noexcept {
+  const Pen pen(options, Pen::logical);
+  const Pen::Sign ellipsis = pen.ellipsis();
+  cut.room = pen.from_px(width) - ellipsis.width;
+  cut.spacing = pen.spacing();
+  return ellipsis;
+}
 
 // How far a line reaches in the room, without spaces at its end. Characters
 // keep their marks.
@@ -237,11 +244,6 @@ __attribute__((noinline)) void cut_back(const LayoutOptions& options,
   cut.back_begin = line.end();
 }
 
-__attribute__((noinline)) int32_t spacing_of(
-    const LayoutOptions& options) noexcept {
-  return Pen(options, Pen::logical).spacing();
-}
-
 // A length of the pen's in font units.
 __attribute__((noinline)) int32_t to_units(const LayoutOptions& options,
                                            int32_t length) noexcept {
@@ -275,9 +277,8 @@ void detail::find_end(const LayoutOptions& options,
                       const Text& text,
                       Q26_6 width,
                       TextLine& line) noexcept {
-  LineFinder(options, text, options.wraps ? room_of(options, width) : INT32_MAX,
-             line)
-      .find();
+  const int32_t room = options.wraps ? room_of(options, width) : INT32_MAX;
+  LineFinder(options, text, room, line).find();
 }
 
 bool detail::is_too_wide(const LayoutOptions& options,
@@ -300,9 +301,8 @@ void detail::shorten_line(const LayoutOptions& options,
                           Q26_6 width,
                           TextLine& line) noexcept {
   Cut cut;
-  const Pen::Sign ellipsis = ellipsis_of(options);
+  const Pen::Sign ellipsis = begin_cut(options, width, cut);
   int32_t sign = ellipsis.width;
-  cut.room = room_of(options, width) - sign;
   const bool is_middle =
       options.ellipsis == Ellipsis::middle && !options.wraps && cut.room > 0;
   cut_front(options, text, line, is_middle ? cut.room / 2 : cut.room,
@@ -319,7 +319,7 @@ void detail::shorten_line(const LayoutOptions& options,
       (ellipsis.count != 0 || cut.back_begin != line.end())) {
     // The front is to the right of the sign, and not spaced from it or, where
     // no face has a sign, from the back.
-    sign -= spacing_of(options);
+    sign -= cut.spacing;
   }
   line.width = to_units(options, cut.front.width + sign + cut.back_width);
 }

@@ -18,9 +18,8 @@ uint32_t previous(const Text& text, uint32_t begin, uint32_t at) noexcept {
   return at - 1;
 }
 
-uint32_t code_point_at(const Text& text, uint32_t at) noexcept {
-  Text rest(text.data + at, text.size - at);
-  return next_code_point(rest);
+bool is_mark_at(const Text& text, uint32_t at) noexcept {
+  return is_mark(read_code_point(text, at));
 }
 
 }  // namespace
@@ -127,9 +126,7 @@ uint32_t LineCursor::take(Cell& cell) noexcept {
     --added_;
     return sign_;
   }
-  Text rest(text_.data + at_, text_.size - at_);
-  const uint32_t code_point = next_code_point(rest);
-  at_ = static_cast<uint32_t>(text_.size - rest.size);
+  const uint32_t code_point = read_code_point(text_, at_);
   cell.end = at_;
   return code_point;
 }
@@ -167,7 +164,7 @@ bool LineCursor::begin_cluster() noexcept {
   cluster_end_ = rest_end_;
   do {
     rest_end_ = previous(text_, begin, rest_end_);
-  } while (rest_end_ != begin && is_mark(code_point_at(text_, rest_end_)));
+  } while (rest_end_ != begin && is_mark_at(text_, rest_end_));
   at_ = rest_end_;
   return true;
 }

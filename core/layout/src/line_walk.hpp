@@ -28,7 +28,12 @@ class LineWalk {
   void skip_byte() noexcept { ++at_; }
 
   // Not at the end: takes the next code point, whose cell put() fills in.
-  uint32_t take(Cell& cell) noexcept;
+  uint32_t take(Cell& cell) noexcept {
+    cell.begin = at_;
+    const uint32_t code_point = read_code_point(text_, at_);
+    cell.end = at_;
+    return code_point;
+  }
   // Inline, as Pen::put().
   __attribute__((always_inline)) void put(uint32_t code_point,
                                           Cell& cell) noexcept {

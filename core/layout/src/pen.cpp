@@ -8,17 +8,14 @@ const Style* whole_style(const Face& face) noexcept {
   return face.style->has_whole_advances() ? face.style : nullptr;
 }
 
+int64_t em_q6_of(const Face& face) noexcept {
+  return face.font->units_per_em() * int64_t{64};
+}
+
 // Rounded to the nearest; the divisor is positive.
 int64_t divide(int64_t dividend, int64_t divisor) noexcept {
   const int64_t half = divisor / 2;
   return (dividend < 0 ? dividend - half : dividend + half) / divisor;
-}
-
-int32_t clamp_i64(int64_t value, int32_t limit) noexcept {
-  if (value > limit) {
-    return limit;
-  }
-  return value < -limit ? -limit : static_cast<int32_t>(value);
 }
 
 // Spaces that are as wide as the em, or half of it, where a font lacks them.
@@ -72,7 +69,7 @@ int32_t Pen::from_px(Q26_6 px) const noexcept {
     return clamp_to(px.raw >> 6, kMaxPx);
   }
   const int64_t units = int64_t{px.raw} * options_.face.font->units_per_em();
-  return clamp_i64(units / options_.face.style->size().raw, kMaxUnits);
+  return clamp_to(units / options_.face.style->size().raw, kMaxUnits);
 }
 
 Q26_6 Pen::to_px(int32_t length) const noexcept {
@@ -85,9 +82,9 @@ int32_t Pen::from_units(int32_t units) const noexcept {
   if (!advances_.is_whole()) {
     return units;
   }
-  return clamp_i64(divide(int64_t{units} * options_.face.style->size().raw,
-                          options_.face.font->units_per_em() * int64_t{64}),
-                   kMaxPx);
+  return clamp_to(divide(int64_t{units} * options_.face.style->size().raw,
+                         em_q6_of(options_.face)),
+                  kMaxPx);
 }
 
 int32_t Pen::em() const noexcept {
@@ -140,19 +137,17 @@ Pen::Glyph Pen::find_shown(uint32_t code_point,
 
 // An advance of another face in units of the first.
 int32_t Pen::own_units(const Face& other, int32_t length) const noexcept {
-  const int64_t em_q6 = options_.face.font->units_per_em() * int64_t{64};
-  const int64_t size_q6 = options_.face.style->size().raw;
-  if (other.style->has_whole_advances()) {
-    return advances_.is_whole()
-               ? length
-               : clamp_i64(divide(length * em_q6, size_q6), kMaxUnits);
+  int64_t dividend = length;
+  int64_t divisor = 1;
+  if (!other.style->has_whole_advances()) {  // to px
+    dividend *= other.style->size().raw;
+    divisor = em_q6_of(other);
   }
-  const int64_t other_em_q6 = other.font->units_per_em() * int64_t{64};
-  const int64_t scaled = int64_t{length} * other.style->size().raw;
-  return advances_.is_whole()
-             ? clamp_i64(divide(scaled, other_em_q6), kMaxPx)
-             : clamp_i64(divide(scaled * em_q6, other_em_q6 * size_q6),
-                         kMaxUnits);
+  if (!advances_.is_whole()) {  // from px
+    dividend *= em_q6_of(options_.face);
+    divisor *= options_.face.style->size().raw;
+  }
+  return clamp_to(divide(dividend, divisor), advances_.limit());
 }
 
 int32_t Pen::advance(const Glyph& glyph) const noexcept {

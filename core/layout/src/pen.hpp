@@ -38,6 +38,14 @@ struct Cell {
   bool is_kerned = false;  // and kerned
 };
 
+// Reads the code point at a byte of a text, and passes it.
+inline uint32_t read_code_point(const Text& text, uint32_t& at) noexcept {
+  Text rest(text.data + at, text.size - at);
+  const uint32_t code_point = next_code_point(rest);
+  at = static_cast<uint32_t>(text.size - rest.size);
+  return code_point;
+}
+
 class Pen {
  public:
   // In the order of the text, or in that of the screen, from left to right.

@@ -17,11 +17,11 @@ inline constexpr int32_t kMaxUnits = 1 << 24;
 // The same of lines of whole pixels.
 inline constexpr int32_t kMaxPx = 1 << 18;
 
-inline int32_t clamp_to(int32_t value, int32_t limit) noexcept {
+inline int32_t clamp_to(int64_t value, int32_t limit) noexcept {
   if (value > limit) {
     return limit;
   }
-  return value < -limit ? -limit : value;
+  return value < -limit ? -limit : static_cast<int32_t>(value);
 }
 
 // A font, and the style if that has advances in whole pixels.
