@@ -3,7 +3,7 @@
 #include "base/math.hpp"
 #include "field_sampler.hpp"
 #include "inkcell/format/rom.hpp"
-#include "root.hpp"
+#include "base/root.hpp"
 
 namespace inkcell {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/modular.hpp"
 #include "cell_values.hpp"
 #include "field_rows.hpp"
-#include "root.hpp"
+#include "base/root.hpp"
 #include "screen_distance.hpp"
 #include "tree.hpp"
 

@@ -1,7 +1,7 @@
 #include "screen_distance.hpp"
 
 #include "base/math.hpp"
-#include "root.hpp"
+#include "base/root.hpp"
 
 namespace inkcell {
 namespace detail {

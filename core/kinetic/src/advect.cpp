@@ -87,45 +87,24 @@ Offset look_back(const Flow& flow, int32_t x, int32_t y) noexcept {
   return {clamp(offset.x, -kFar, kFar), clamp(offset.y, -kFar, kFar)};
 }
 
-// Combines four row sums by the cubic across them. [Q12 -> 1/32 of a sample's
-// side]
-int8_t cubic_across(const int32_t (&rows)[4], int32_t down) noexcept {
-  // Below 2^20: in Q8, so that 32 bits hold the second product.
-  const int32_t sum = Weights(down).sum((rows[0] + 8) >> 4, (rows[1] + 8) >> 4,
-                                        (rows[2] + 8) >> 4, (rows[3] + 8) >> 4);
-  return static_cast<int8_t>(
-      clamp((sum + (1 << 19)) >> 20, INT8_MIN, INT8_MAX));
-}
-
-// The value between sample (x, y) and the next, from the 16 around it.
-int8_t cubic_at(const DistanceGrid& grid,
-                int32_t x,
-                int32_t y,
+// The value between the sample `at` and the next one, from the 16 around it.
+// [1/32 of a sample's side]
+int8_t cubic_at(const int8_t* at,
+                int32_t stride,
                 int32_t right,
                 int32_t down) noexcept {
   const Weights across(right);
-  int32_t rows[4];
-  for (int32_t i = 0; i < 4; ++i) {
-    const int32_t row = y - 1 + i;
-    rows[i] = across.sum(grid.at(x - 1, row), grid.at(x, row),
-                         grid.at(x + 1, row), grid.at(x + 2, row));
-  }
-  return cubic_across(rows, down);
-}
-
-// The same where all 16 samples are in the grid.
-int8_t cubic_inside(const int8_t* at,
-                    int32_t stride,
-                    int32_t right,
-                    int32_t down) noexcept {
-  const Weights across(right);
-  int32_t rows[4];
+  int32_t rows[4];  // [Q12]
   at -= stride + 1;
   for (int32_t& row : rows) {
     row = across.sum(at[0], at[1], at[2], at[3]);
     at += stride;
   }
-  return cubic_across(rows, down);
+  // Below 2^20: in Q8, so that 32 bits hold the second product.
+  const int32_t sum = Weights(down).sum((rows[0] + 8) >> 4, (rows[1] + 8) >> 4,
+                                        (rows[2] + 8) >> 4, (rows[3] + 8) >> 4);
+  return static_cast<int8_t>(
+      clamp((sum + (1 << 19)) >> 20, INT8_MIN, INT8_MAX));
 }
 
 // The side of a sample so far from edges that it need not be exact, or 0.
@@ -172,7 +151,11 @@ int8_t moved(const DistanceGrid& grid,
   const bool is_inside = left >= 1 && top >= 1 && left + 2 < grid.width() &&
                          top + 2 < grid.height();
   if (!is_inside) {
-    return cubic_at(grid, left, top, x_q8 & 255, y_q8 & 255);
+    int8_t around[16];
+    for (int32_t i = 0; i < 16; ++i) {
+      around[i] = grid.at(left - 1 + (i & 3), top - 1 + (i >> 2));
+    }
+    return cubic_at(around + 5, 4, x_q8 & 255, y_q8 & 255);
   }
   const int8_t* at = grid.row(top) + left;
   const int32_t stride = grid.width();
@@ -182,7 +165,7 @@ int8_t moved(const DistanceGrid& grid,
     const int32_t right = (x_q8 & 255) >= 128 ? 1 : 0;
     return at[right + ((y_q8 & 255) >= 128 ? stride : 0)];
   }
-  return cubic_inside(at, stride, x_q8 & 255, y_q8 & 255);
+  return cubic_at(at, stride, x_q8 & 255, y_q8 & 255);
 }
 
 }  // namespace

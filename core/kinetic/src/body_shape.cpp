@@ -2,6 +2,7 @@
 #include "inkcell/kinetic/body_shape.hpp"
 
 #include "inkcell/kinetic/numbers.hpp"
+#include "known_span.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -9,11 +10,6 @@ namespace kinetic {
 namespace {
 
 constexpr size_t kLeastPoints = 8;
-
-// The coverage of a sample's square. [1/64]
-int32_t weight_of(int8_t sample) noexcept {
-  return clamp(2 * sample + 33, 0, 64);
-}
 
 }  // namespace
 
@@ -25,7 +21,7 @@ bool BodyShape::weigh() noexcept {
   for (int32_t y = 0; y < grid_.height(); ++y) {
     const int8_t* row = grid_.row(y);
     for (int32_t x = 0; x < grid_.width(); ++x) {
-      const int32_t weight = weight_of(row[x]);
+      const int32_t weight = coverage_of(row[x]);
       sum += weight;
       x_sum += int64_t{weight} * (2 * x + 1);
       y_sum += int64_t{weight} * (2 * y + 1);
@@ -46,7 +42,7 @@ bool BodyShape::weigh() noexcept {
     const int32_t down = (2 * y + 1) * 16 - y_middle;
     for (int32_t x = 0; x < grid_.width(); ++x) {
       const int32_t right = (2 * x + 1) * 16 - x_middle;
-      squares += weight_of(row[x]) * (int64_t{right} * right + down * down);
+      squares += coverage_of(row[x]) * (int64_t{right} * right + down * down);
     }
   }
   // A square has a sixth of its side squared of its own. [Q10]

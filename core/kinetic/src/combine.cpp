@@ -206,21 +206,6 @@ Rect box_of(const GridPart& part, int32_t around) noexcept {
           y + part.grid->height_px() + around + 1};
 }
 
-__attribute__((noinline)) void draw_row(Span<const GridPart> parts,
-                                        const Filter& filter,
-                                        const Rect& box,
-                                        int32_t y,
-                                        const Sink& sink) noexcept {
-  const Ramp ramp = ramp_of(filter);
-  PixelRun run(sink, y);
-  for (int32_t x = box.x0; x < box.x1; ++x) {
-    const GridPoint at =
-        fold(parts, x * 65536 + 32768, y * 65536 + 32768, ramp);
-    run.add(x, filter.coverage(at.distance_q10));
-  }
-  run.flush();
-}
-
 }  // namespace
 
 GridPoint combined_at(Span<const GridPart> parts,
@@ -253,9 +238,11 @@ void draw_combined(Span<const GridPart> parts,
                    const Filter& filter,
                    const Sink& sink) noexcept {
   const Rect box = intersect(combined_box(parts, filter), sink.window);
-  for (int32_t y = box.y0; y < box.y1 && !is_empty(box); ++y) {
-    draw_row(parts, filter, box, y, sink);
-  }
+  const Ramp ramp = ramp_of(filter);
+  draw_pixels(box, sink, [&](int32_t x, int32_t y) {
+    return filter.coverage(
+        fold(parts, x * 65536 + 32768, y * 65536 + 32768, ramp).distance_q10);
+  });
 }
 
 }  // namespace kinetic

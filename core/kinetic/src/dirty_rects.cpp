@@ -1,6 +1,8 @@
 // A short list of disjoint rectangles.
 #include "inkcell/kinetic/dirty_rects.hpp"
 
+#include "limits.hpp"
+
 namespace inkcell {
 namespace kinetic {
 namespace {
@@ -24,12 +26,7 @@ Rect bounding_box(const Rect& a, const Rect& b) noexcept {
   if (is_empty(b)) {
     return a;
   }
-  return {a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0,
-          a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1};
-}
-
-void DirtyRects::remove(size_t index) noexcept {
-  room_[index] = room_[--count_];
+  return {min(a.x0, b.x0), min(a.y0, b.y0), max(a.x1, b.x1), max(a.y1, b.y1)};
 }
 
 void DirtyRects::add(const Rect& rect, const Rect& screen) noexcept {
@@ -56,7 +53,7 @@ void DirtyRects::add(const Rect& rect, const Rect& screen) noexcept {
       return;
     }
     next = bounding_box(room_[partner], next);
-    remove(partner);
+    room_[partner] = room_[--count_];
   }
 }
 

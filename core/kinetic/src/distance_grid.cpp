@@ -59,7 +59,7 @@ DistanceGrid::DistanceGrid(Span<int8_t> samples,
 int32_t DistanceGrid::depth() const noexcept {
   int32_t most = 0;
   for (int32_t i = 0; i < width_ * height_; ++i) {
-    most = samples_[i] > most ? samples_[i] : most;
+    most = max(most, samples_[i]);
   }
   return most;
 }
@@ -67,9 +67,7 @@ int32_t DistanceGrid::depth() const noexcept {
 int32_t DistanceGrid::area() const noexcept {
   int32_t sum = 0;
   for (int32_t i = 0; i < width_ * height_; ++i) {
-    // A sample stands for the middle of its step.
-    const int32_t covered = 2 * samples_[i] + 33;
-    sum += covered < 0 ? 0 : covered > 64 ? 64 : covered;
+    sum += coverage_of(samples_[i]);
   }
   return sum;
 }

@@ -13,12 +13,6 @@ bool fit(const DistanceGrid& a, const DistanceGrid& b) noexcept {
          a.scale_log2() == b.scale_log2();
 }
 
-void clear(GridHistogram& histogram) noexcept {
-  for (uint16_t& bin : histogram.bins) {
-    bin = 0;
-  }
-}
-
 void count_in(int32_t sample, GridHistogram& histogram) noexcept {
   uint16_t& bin = histogram.bins[(sample + 128) >> 1];
   bin = static_cast<uint16_t>(bin + (bin != UINT16_MAX ? 1 : 0));
@@ -61,7 +55,7 @@ Fixed<int32_t, 13> blend(const DistanceGrid& a,
   if (!fit(a, b) || !fit(a, out)) {
     return {};
   }
-  clear(scratch);
+  scratch = {};
   const int32_t part = clamp(how.part_q8, 0, 256);
   // Rounded to nearest.
   const int32_t off_a = 128 - clamp(how.depth_a, 0, 255) * part;
@@ -94,7 +88,7 @@ Fixed<int32_t, 13> blend(const DistanceGrid& a,
 Fixed<int32_t, 13> cutoff_for(const DistanceGrid& grid,
                               int32_t area,
                               GridHistogram& scratch) noexcept {
-  clear(scratch);
+  scratch = {};
   // Other samples are kOutside, beyond every ramp.
   for (int32_t y = 0; y < grid.height(); ++y) {
     const int8_t* row = grid.row(y);

@@ -32,6 +32,10 @@ int32_t gain_q8(int32_t x_twice, int32_t y_twice) noexcept {
   return gain < kLeastGainQ8 ? kLeastGainQ8 : gain;
 }
 
+// The kind of a column of two samples: a cell is blank or full if both of its
+// columns are.
+enum : uint8_t { kMixed = 0, kBlank = 1, kFull = 2 };
+
 // Parameters for drawing cells.
 struct CellPaint {
   const Filter& filter;
@@ -55,6 +59,12 @@ struct CellPaint {
     };
     blank = level(filter.outside_q10, filter.outside_q10 < 0) >> 8;
     full = (level(filter.inside_q10, filter.inside_q10 > 0) + 255) >> 8;
+  }
+
+  uint32_t kind_of(int32_t a, int32_t b) const noexcept {
+    return a <= blank && b <= blank ? kBlank
+           : a >= full && b >= full ? kFull
+                                    : kMixed;
   }
 };
 
@@ -169,10 +179,6 @@ struct CellRow {
   }
 };
 
-// The kind of a column of two samples: a cell is blank or full if both of its
-// columns are.
-enum : uint8_t { kMixed = 0, kBlank = 1, kFull = 2 };
-
 // Two adjacent rows of samples; null outside of the grid.
 struct RowPair {
   const int8_t* top;
@@ -183,11 +189,7 @@ struct RowPair {
   int32_t bottom_at(int32_t x) const noexcept { return at(bottom, x); }
 
   uint32_t kind_of(int32_t x, const CellPaint& paint) const noexcept {
-    const int32_t a = top_at(x);
-    const int32_t b = bottom_at(x);
-    return a <= paint.blank && b <= paint.blank ? kBlank
-           : a >= paint.full && b >= paint.full ? kFull
-                                                : kMixed;
+    return paint.kind_of(top_at(x), bottom_at(x));
   }
 
   // The first column in [x, end) that is not of this kind, or `end`.
@@ -197,17 +199,8 @@ struct RowPair {
                  const CellPaint& paint) const noexcept {
     if (top != nullptr && bottom != nullptr) {
       const int32_t last = min(end, width);
-      if (kind == kBlank) {
-        while (x < last && top[x] <= paint.blank && bottom[x] <= paint.blank) {
-          ++x;
-        }
-      } else {
-        while (x < last && top[x] >= paint.full && bottom[x] >= paint.full) {
-          ++x;
-        }
-      }
-      if (x < last) {
-        return x;
+      while (x < last && paint.kind_of(top[x], bottom[x]) == kind) {
+        ++x;
       }
     }
     while (x < end && kind_of(x, paint) == kind) {
@@ -240,10 +233,9 @@ __attribute__((noinline)) int32_t paint_block(const RowPair& rows,
     at.bottom_left = at.bottom_right;
     at.top_right = rows.top_at(first + cells);
     at.bottom_right = rows.bottom_at(first + cells);
-    if ((at.top_left <= paint.blank && at.top_right <= paint.blank &&
-         at.bottom_left <= paint.blank && at.bottom_right <= paint.blank) ||
-        (at.top_left >= paint.full && at.top_right >= paint.full &&
-         at.bottom_left >= paint.full && at.bottom_right >= paint.full)) {
+    const uint32_t kind = paint.kind_of(at.top_left, at.bottom_left);
+    if (kind != kMixed &&
+        kind == paint.kind_of(at.top_right, at.bottom_right)) {
       break;
     }
     const int32_t column = cells << paint.scale_log2;
@@ -315,13 +307,7 @@ void draw_grid(const DistanceGrid& grid,
     KnownSpan cells = {first, end};
     if (DistanceGrid::kOutside <= paint.blank) {
       // Cells outside of the known samples of both rows are blank.
-      KnownSpan known = {grid.width(), 0};
-      const int8_t* const both[] = {rows.top, rows.bottom};
-      for (const int8_t* samples : both) {
-        known = samples == nullptr
-                    ? known
-                    : united(known, known_span(samples, grid.width()));
-      }
+      const KnownSpan known = known_span(grid, row - 1, row);
       cells = {max(first, known.first), min(end, known.end + 1)};
     }
     draw_cells(rows, paint, {sink, left, top, side}, cells.first, cells.end);

@@ -1,4 +1,5 @@
-// The part of a row that has distances: samples that are not kOutside.
+// Samples: what one covers, and which of a row have distances, that is, are
+// not kOutside.
 #pragma once
 
 #include <stddef.h>
@@ -10,6 +11,12 @@
 
 namespace inkcell {
 namespace kinetic {
+
+/// The coverage of a sample's square: it stands for the middle of its step.
+/// [1/64]
+inline int32_t coverage_of(int8_t sample) noexcept {
+  return clamp(2 * sample + 33, 0, 64);
+}
 
 /// Samples [first, end). Empty if first >= end.
 struct KnownSpan {
@@ -61,6 +68,18 @@ inline KnownSpan known_span(const int8_t* row, int32_t width) noexcept {
   }
   while (row[span.end - 1] == DistanceGrid::kOutside) {
     --span.end;
+  }
+  return span;
+}
+
+/// That of several rows, as far as they are in the grid.
+inline KnownSpan known_span(const DistanceGrid& grid,
+                            int32_t first_row,
+                            int32_t last_row) noexcept {
+  KnownSpan span = {grid.width(), 0};
+  last_row = min(last_row, grid.height() - 1);
+  for (int32_t row = max(first_row, 0); row <= last_row; ++row) {
+    span = united(span, known_span(grid.row(row), grid.width()));
   }
   return span;
 }

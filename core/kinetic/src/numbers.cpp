@@ -1,6 +1,7 @@
 // Trigonometry, roots and powers by polynomials, without tables.
 #include "inkcell/kinetic/numbers.hpp"
 
+#include "base/root.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -80,16 +81,7 @@ Angle angle_of(int32_t x, int32_t y) noexcept {
 }
 
 uint32_t square_root(uint64_t value) noexcept {
-  uint64_t root = 0;
-  for (uint64_t bit = uint64_t{1} << 62; bit != 0; bit >>= 2) {
-    const uint64_t sum = root + bit;
-    root >>= 1;
-    if (value >= sum) {
-      value -= sum;
-      root += bit;
-    }
-  }
-  return static_cast<uint32_t>(root);
+  return detail::root_of(value);
 }
 
 uint32_t length_of(int32_t x, int32_t y) noexcept {

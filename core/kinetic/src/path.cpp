@@ -103,14 +103,10 @@ Status Path::arc_to(Point centre, Q16_16 turns, int32_t pieces) noexcept {
 PathPoint Path::at(Q16_16 length) const noexcept {
   PathPoint result;
   result.length = length;
-  if (count_ < 2) {
-    if (count_ == 1) {
-      result.x = points_[0].x;
-      result.y = points_[0].y;
-    }
+  if (count_ == 0) {
     return result;
   }
-  // The last point with a length <= `length`, but never the end.
+  // The last point with a length <= `length`, but never the end of a line.
   size_t low = 0;
   size_t high = count_ - 1;
   while (high - low > 1) {

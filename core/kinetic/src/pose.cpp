@@ -1,7 +1,7 @@
 // Blends and combines poses.
 #include "inkcell/kinetic/pose.hpp"
 
-#include "inkcell/kinetic/timeline.hpp"
+#include "keys.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -71,29 +71,12 @@ Pose pose_at(Span<const PoseKey> keys, int32_t time_ms) noexcept {
   if (keys.size == 0) {
     return {};
   }
-  size_t i = 0;
-  while (i + 1 < keys.size && time_ms >= keys[i + 1].at_ms) {
-    ++i;
-  }
-  const PoseKey& from = keys[i];
-  if (i + 1 == keys.size || time_ms <= from.at_ms) {
-    return from.pose;
-  }
-  const PoseKey& to = keys[i + 1];
-  return mix(from.pose, to.pose,
-             ease(from.easing, fraction(from.at_ms, to.at_ms, time_ms)));
+  const Segment<PoseKey> at = segment_at(keys, time_ms);
+  return mix(at.from.pose, at.to.pose, at.progress);
 }
 
 int32_t next_due(Span<const PoseKey> keys, int32_t time_ms) noexcept {
-  for (size_t i = 0; i + 1 < keys.size; ++i) {
-    const PoseKey& from = keys[i];
-    const PoseKey& to = keys[i + 1];
-    if (time_ms > to.at_ms || from.pose == to.pose) {
-      continue;
-    }
-    return time_ms > from.at_ms ? time_ms : from.at_ms + 1;
-  }
-  return kNever;
+  return next_change(keys, &PoseKey::pose, time_ms);
 }
 
 }  // namespace kinetic

@@ -4,6 +4,7 @@
 // line.
 #include "inkcell/kinetic/print_draw.hpp"
 
+#include "base/root.hpp"
 #include "known_span.hpp"
 #include "limits.hpp"
 #include "pixel_run.hpp"
@@ -22,11 +23,7 @@ struct HalfRoots {
 constexpr HalfRoots make_half_roots() noexcept {
   HalfRoots roots = {};
   for (uint32_t n = 0; n < 17; ++n) {
-    uint32_t root = 0;
-    while ((root + 1) * (root + 1) <= n << 26) {
-      ++root;
-    }
-    roots.of[n] = static_cast<uint16_t>(root);
+    roots.of[n] = static_cast<uint16_t>(detail::root_of(n << 26));
   }
   return roots;
 }
@@ -180,13 +177,8 @@ uint32_t Printer::ink(const GridPoint& at,
 KnownSpan shown_span(const DistanceGrid& grid, int32_t line) noexcept {
   const int32_t scale = grid.scale_log2();
   const int32_t above = (2 * line + 1 - (1 << scale)) >> (scale + 1);
-  KnownSpan known = {grid.width(), 0};
-  for (int32_t row = above; row <= above + 1; ++row) {
-    if (row >= 0 && row < grid.height()) {
-      known = united(known, known_span(grid.row(row), grid.width()));
-    }
-  }
-  known = grown(known, 1, grid.width());
+  const KnownSpan known =
+      grown(known_span(grid, above, above + 1), 1, grid.width());
   return {known.first << scale, known.end << scale};
 }
 

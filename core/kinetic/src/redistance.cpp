@@ -1,6 +1,7 @@
 // Fast sweeping: distances spread from the edge in four orders.
 #include "inkcell/kinetic/redistance.hpp"
 
+#include "base/root.hpp"
 #include "known_span.hpp"
 #include "limits.hpp"
 
@@ -18,13 +19,9 @@ struct Roots {
 
 constexpr Roots make_roots() noexcept {
   Roots roots = {};
-  for (int32_t d = 0; d <= kSide; ++d) {
-    const int32_t square = 2 * kSide * kSide - d * d;
-    int32_t root = 0;
-    while ((2 * root + 1) * (2 * root + 1) <= 4 * square) {
-      ++root;
-    }
-    roots.of[d] = static_cast<uint8_t>(root);
+  for (uint32_t d = 0; d <= kSide; ++d) {
+    roots.of[d] = static_cast<uint8_t>(
+        detail::nearest_root_of(2 * kSide * kSide - d * d));
   }
   return roots;
 }
@@ -65,8 +62,8 @@ bool is_edge(const DistanceGrid& grid, int32_t x, int32_t y) noexcept {
 // of two; without an edge between both neighbours.
 int32_t slope(int32_t value, int32_t before, int32_t after) noexcept {
   const bool side = value < 0;
-  const int32_t back = value < before ? before - value : value - before;
-  const int32_t ahead = value < after ? after - value : value - after;
+  const int32_t back = abs(before - value);
+  const int32_t ahead = abs(after - value);
   const bool has_back = (before < 0) != side;
   const bool has_ahead = (after < 0) != side;
   if (has_back && has_ahead) {
@@ -75,19 +72,14 @@ int32_t slope(int32_t value, int32_t before, int32_t after) noexcept {
   if (has_back || has_ahead) {
     return has_back ? back : ahead;
   }
-  return (after < before ? before - after : after - before) >> 1;
+  return abs(after - before) >> 1;
 }
 
 // The known samples of a row and its neighbours, plus `by` on both sides.
 KnownSpan span_around(const DistanceGrid& grid,
                       int32_t y,
                       int32_t by) noexcept {
-  KnownSpan span = {grid.width(), 0};
-  const int32_t last = min(y + 1, grid.height() - 1);
-  for (int32_t row = max(y - 1, 0); row <= last; ++row) {
-    span = united(span, known_span(grid.row(row), grid.width()));
-  }
-  return grown(span, by, grid.width());
+  return grown(known_span(grid, y - 1, y + 1), by, grid.width());
 }
 
 // Rows [first, end).
@@ -121,7 +113,7 @@ void mark(const DistanceGrid& from,
         // There is an edge, so it is at least 1. A depth is half a step less
         // than the distance.
         const int32_t found = (2 * depth(value) + 1) * (kSide / 2) / length;
-        distance = found < kDeepest ? found : kDeepest;
+        distance = min(found, kDeepest);
       }
       to.row(y)[x] = with_side(distance, value >= 0);
     }
@@ -142,16 +134,11 @@ void spread_to(int8_t* at, int32_t stride) noexcept {
   }
   // All are on one side: an exclusive or maps values to depths and back.
   const int32_t side = value >> 31;
-  const int32_t across_1 = left ^ side;
-  const int32_t across_2 = right ^ side;
-  const int32_t along_1 = above ^ side;
-  const int32_t along_2 = below ^ side;
-  const int32_t a = across_1 < across_2 ? across_1 : across_2;
-  const int32_t b = along_1 < along_2 ? along_1 : along_2;
-  const int32_t least = a < b ? a : b;
-  const int32_t difference = a < b ? b - a : a - b;
+  const int32_t a = min(left ^ side, right ^ side);
+  const int32_t b = min(above ^ side, below ^ side);
+  const int32_t difference = abs(a - b);
   const int32_t found = difference >= kSide
-                            ? least + kSide
+                            ? min(a, b) + kSide
                             : (a + b + kRoots.of[difference]) >> 1;
   if (found < (value ^ side)) {
     *at = static_cast<int8_t>(found ^ side);

@@ -2,6 +2,7 @@
 #include "inkcell/kinetic/timeline.hpp"
 
 #include "inkcell/kinetic/numbers.hpp"
+#include "keys.hpp"
 #include "limits.hpp"
 
 namespace inkcell {
@@ -22,15 +23,6 @@ struct Period {
         length(timing.repeats == 0 ? int64_t{1} << 62
                                    : int64_t{duration} * timing.repeats) {}
 };
-
-// The segment of keyframes that holds a time; before the first key, the first.
-size_t segment_of(Span<const Keyframe> keys, int32_t time_ms) noexcept {
-  size_t i = 0;
-  while (i + 1 < keys.size && time_ms >= keys[i + 1].at_ms) {
-    ++i;
-  }
-  return i;
-}
 
 }  // namespace
 
@@ -91,26 +83,12 @@ int32_t value_at(Span<const Keyframe> keys, int32_t time_ms) noexcept {
   if (keys.size == 0) {
     return 0;
   }
-  const size_t i = segment_of(keys, time_ms);
-  const Keyframe& from = keys[i];
-  if (i + 1 == keys.size || time_ms <= from.at_ms) {
-    return from.value;
-  }
-  const Keyframe& to = keys[i + 1];
-  return lerp(from.value, to.value,
-              ease(from.easing, fraction(from.at_ms, to.at_ms, time_ms)));
+  const Segment<Keyframe> at = segment_at(keys, time_ms);
+  return lerp(at.from.value, at.to.value, at.progress);
 }
 
 int32_t next_due(Span<const Keyframe> keys, int32_t time_ms) noexcept {
-  for (size_t i = 0; i + 1 < keys.size; ++i) {
-    const Keyframe& from = keys[i];
-    const Keyframe& to = keys[i + 1];
-    if (time_ms > to.at_ms || from.value == to.value) {
-      continue;
-    }
-    return time_ms > from.at_ms ? time_ms : from.at_ms + 1;
-  }
-  return kNever;
+  return next_change(keys, &Keyframe::value, time_ms);
 }
 
 int32_t delay_of(const Stagger& stagger, size_t unit, size_t units) noexcept {

@@ -29,8 +29,6 @@ class DirtyRects {
   Span<const Rect> rects() const noexcept { return {room_.data, count_}; }
 
  private:
-  void remove(size_t index) noexcept;
-
   Span<Rect> room_;
   size_t count_ = 0;
 };
