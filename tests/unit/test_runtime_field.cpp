@@ -188,8 +188,9 @@ TEST(pictures_are_those_of_the_distance) {
   constexpr int32_t kTolerance = 8;  // and what is between and beside it
   constexpr int32_t kWorst = 20;
   Style style(Q26_6::from_int(kPx), kFilterText);
+  // The filter reaches a pixel: 1024 u over the size.
   const FieldLimits limits =
-      FieldLimits::for_sizes(kPx, kPx, kTolerance, Q6_10::from_int(1));
+      limits_of(kTolerance * (1 << 20) / (255 * kPx), (1024 + kPx - 1) / kPx);
   for (uint16_t glyph = 0; glyph < 6; ++glyph) {
     GlyphField field;
     CHECK_OK(generate_field(font, glyph, limits, ram, field));
@@ -206,17 +207,6 @@ TEST(pictures_are_those_of_the_distance) {
       }
     }
   }
-}
-
-TEST(limits_follow_from_sizes) {
-  constexpr FieldLimits kText =
-      FieldLimits::for_sizes(16, 64, 16, Q6_10::from_raw(768));
-  CHECK_EQ(kText.tolerance.raw, 1028);
-  CHECK_EQ(kText.band_u, 48);
-  constexpr FieldLimits kWide =
-      FieldLimits::for_sizes(4, 1024, 1, Q6_10::from_int(4));
-  CHECK_EQ(kWide.tolerance.raw, FieldLimits::kMinTolerance.raw);
-  CHECK_EQ(kWide.band_u, FieldLimits::kMaxBand);
 }
 
 TEST(wrong_arguments_are_refused) {

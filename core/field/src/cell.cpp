@@ -30,9 +30,9 @@ Q22_10 samples_distance(const uint8_t* samples,
                         uint8_t size_log2,
                         int32_t x_q16,
                         int32_t y_q16) noexcept {
-  SamplesRow row;
-  row.set_up(samples, size_log2, y_q16);
-  return Q22_10::from_raw(row.distance_q10(x_q16));
+  return Q22_10::from_raw(
+      detail::cell_row(samples, size_log2, static_cast<uint32_t>(y_q16))
+          .distance_q10(x_q16));
 }
 
 }  // namespace inkcell

@@ -9,9 +9,7 @@ void FieldSampler::seek(const FieldPlace& at) noexcept {
   const auto y = static_cast<uint64_t>(at.y_q16 - int64_t{field.y0_u} * 65536);
   const auto x_u = static_cast<uint32_t>(x >> 16);
   const auto y_u = static_cast<uint32_t>(y >> 16);
-  const bool is_in_grid = (x | y) >> 32 == 0 &&
-                          x_u < uint32_t{field.tiles_x} << field.tile_log2 &&
-                          y_u < uint32_t{field.tiles_y} << field.tile_log2;
+  const bool is_in_grid = (x | y) >> 32 == 0 && is_in_field(field, x_u, y_u);
   const bool is_kept =
       is_found_ && is_in_grid &&
       ((x_u ^ x_q16_ >> 16) | (y_u ^ y_q16_ >> 16)) >> leaf_.size_log2 == 0;

@@ -6,8 +6,6 @@
 #include "cell_values.hpp"
 #include "inkcell/field/glyph_field.hpp"
 #include "inkcell/matrix.hpp"
-#include "inkcell/span.hpp"
-#include "inkcell/status.hpp"
 #include "tree.hpp"
 
 namespace inkcell {
@@ -23,9 +21,6 @@ struct FieldPlace {
     y_q16 += int64_t{step.y_q16} * count;
   }
 };
-
-// GlyphField::open into a field that is empty.
-Status read_record(Span<const uint8_t> record, GlyphField& field) noexcept;
 
 // Keeps the leaf of the last point.
 class FieldSampler {

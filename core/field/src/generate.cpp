@@ -21,7 +21,6 @@
 #include "base/bytes.hpp"
 #include "base/math.hpp"
 #include "field_sampler.hpp"
-#include "inkcell/field/cell.hpp"
 #include "inkcell/format/rom.hpp"
 #include "polyline.hpp"
 
@@ -140,6 +139,10 @@ class Builder {
     return {record_, static_cast<size_t>(nodes_ - record_) +
                          samples::kBytes * cell_count_};
   }
+  // Farther from the edge squares are saturated.
+  int32_t reach_u() const noexcept {
+    return limits_.fills_em ? FieldLimits::kMaxFar : limits_.band_u;
+  }
 
  private:
   bool share_out(OutlineGlyph& outline,
@@ -161,10 +164,6 @@ class Builder {
     return static_cast<size_t>(cells_ - nodes_) >= bytes;
   }
   int32_t to_steps(int32_t u) const noexcept { return u << grid_.fraction; }
-  // Farther from the edge squares are saturated.
-  int32_t reach_u() const noexcept {
-    return limits_.fills_em ? FieldLimits::kMaxFar : limits_.band_u;
-  }
 
   Grid grid_ = {};
   const FieldLimits& limits_;
@@ -282,8 +281,9 @@ bool Builder::is_good(Level& level,
     return (number << (14 + log2)) - (number == kSide - 1 ? 1 : 0);
   };
   for (int32_t row = 0; row < kSide; ++row) {
-    SamplesRow line;
-    line.set_up(cell, static_cast<uint8_t>(log2), place_q16(row));
+    const SamplesRow line =
+        detail::cell_row(cell, static_cast<uint32_t>(log2),
+                         static_cast<uint32_t>(place_q16(row)));
     const int32_t step = (row & 1) != 0 ? 1 : 2;
     for (int32_t column = step - 1; column < kSide; column += step) {
       const int32_t truth = 16 * distance_q6(level, log2, column, row);
@@ -460,26 +460,25 @@ Status generate_field(const Font& font,
   if (!are_valid(limits)) {
     return Status::bad_argument;
   }
-  GlyphField field;
   const Span<const uint8_t> record = font.record(glyph);
-  if (record.size != 0) {
-    if (!detail::is_outline(record)) {
-      return Status::unsupported;
-    }
-    if (reinterpret_cast<uintptr_t>(buffer.data) % 4 != 0) {
-      return Status::misaligned;
-    }
-    Builder builder(limits);
-    INKCELL_TRY(builder.open(font, glyph, buffer));
-    if (!builder.build()) {
-      return Status::buffer_small;
-    }
-    INKCELL_TRY(detail::read_record(builder.record(), field));
-    field.ink = font.ink_box(glyph);
-    field.band_u = static_cast<uint16_t>(limits.fills_em ? FieldLimits::kMaxFar
-                                                         : limits.band_u);
+  if (record.size == 0) {
+    out = {};
+    return Status::ok;
   }
-  out = field;
+  if (!detail::is_outline(record)) {
+    return Status::unsupported;
+  }
+  if (reinterpret_cast<uintptr_t>(buffer.data) % 4 != 0) {
+    return Status::misaligned;
+  }
+  Builder builder(limits);
+  INKCELL_TRY(builder.open(font, glyph, record, buffer));
+  if (!builder.build()) {
+    return Status::buffer_small;
+  }
+  INKCELL_TRY(GlyphField::open(builder.record(), out));
+  out.ink = font.ink_box(glyph);
+  out.band_u = static_cast<uint16_t>(builder.reach_u());
   return Status::ok;
 }
 
@@ -498,21 +497,9 @@ Status open_field(const Font& font,
   if (limits.fills_em || font.range().band_u < limits.band_u) {
     return Status::beyond_band;
   }
-  GlyphField field;
-  INKCELL_TRY(read_field(font, glyph, field));
-  field.band_u = font.range().band_u;
-  out = field;
+  INKCELL_TRY(read_field(font, glyph, out));
+  out.band_u = font.range().band_u;
   return Status::ok;
-}
-
-size_t record_bytes(const GlyphField& field) noexcept {
-  return field.references == nullptr
-             ? 0
-             : format::glyph::kBytes +
-                   2 * static_cast<size_t>(field.tiles_x) * field.tiles_y +
-                   8 * static_cast<size_t>(field.node_count) +
-                   static_cast<size_t>(format::samples::kBytes) *
-                       field.cell_count;
 }
 
 }  // namespace inkcell

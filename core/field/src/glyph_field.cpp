@@ -1,9 +1,9 @@
 #include "inkcell/field/glyph_field.hpp"
 
 #include "base/math.hpp"
+#include "base/root.hpp"
 #include "field_sampler.hpp"
 #include "inkcell/format/rom.hpp"
-#include "base/root.hpp"
 
 namespace inkcell {
 namespace {
@@ -54,9 +54,7 @@ FieldPoint bound_at(const GlyphField& field,
 
 }  // namespace
 
-// Not inline: what is read goes to its place at once.
-__attribute__((noinline)) Status detail::read_record(
-    Span<const uint8_t> record, GlyphField& field) noexcept {
+Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
   namespace glyph = format::glyph;
   const uint8_t* const at = record.data;
   if (record.size == 0) {
@@ -69,9 +67,10 @@ __attribute__((noinline)) Status detail::read_record(
       reinterpret_cast<uintptr_t>(at) % format::glyphs::kRecordAlignment != 0) {
     return Status::corrupt;
   }
+  GlyphField field;
   field.tile_log2 = at[glyph::kTileLog2];
-  field.x0_u = load_i16(at + glyph::kX0);
-  field.y0_u = load_i16(at + glyph::kY0);
+  field.x0_u = detail::load_i16(at + glyph::kX0);
+  field.y0_u = detail::load_i16(at + glyph::kY0);
   field.tiles_x = at[glyph::kTilesX];
   field.tiles_y = at[glyph::kTilesY];
   constexpr int32_t kLimit = glyph::kGridLimit;
@@ -79,35 +78,37 @@ __attribute__((noinline)) Status detail::read_record(
       field.x1_u() > kLimit || field.y0_u < -kLimit || field.y1_u() > kLimit) {
     return Status::corrupt;
   }
-  field.node_count = load_u16(at + glyph::kNodeCount);
-  field.cell_count = load_u16(at + glyph::kCellCount);
-  const uint32_t cells_at =
-      glyph::kBytes + 2 * FieldTree{field}.tile_count() + 8u * field.node_count;
+  field.node_count = detail::load_u16(at + glyph::kNodeCount);
+  field.cell_count = detail::load_u16(at + glyph::kCellCount);
   field.references = at + glyph::kBytes;
-  field.cells = at + cells_at;
-  return record.size < cells_at + format::samples::kBytes * field.cell_count
-             ? Status::corrupt
-             : Status::ok;
-}
-
-Status GlyphField::open(Span<const uint8_t> record, GlyphField& out) noexcept {
-  GlyphField field;
-  INKCELL_TRY(detail::read_record(record, field));
+  field.cells = field.references + 2 * detail::FieldTree{field}.tile_count() +
+                8u * field.node_count;
+  if (record.size < record_bytes(field)) {
+    return Status::corrupt;
+  }
   out = field;
   return Status::ok;
+}
+
+size_t record_bytes(const GlyphField& field) noexcept {
+  return field.references == nullptr
+             ? 0
+             : static_cast<size_t>(field.cells - field.references) +
+                   format::glyph::kBytes +
+                   size_t{format::samples::kBytes} * field.cell_count;
 }
 
 Status read_field(const Font& font, uint16_t glyph, GlyphField& out) noexcept {
   if (glyph >= font.glyph_count()) {
     return Status::no_glyph;
   }
-  GlyphField field;
   const Span<const uint8_t> record = font.record(glyph);
-  if (record.size != 0) {
-    INKCELL_TRY(detail::read_record(record, field));
-    field.ink = font.ink_box(glyph);
+  if (record.size == 0) {
+    out = {};
+    return Status::ok;
   }
-  out = field;
+  INKCELL_TRY(GlyphField::open(record, out));
+  out.ink = font.ink_box(glyph);
   return Status::ok;
 }
 

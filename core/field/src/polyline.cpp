@@ -44,10 +44,8 @@ uint32_t square(int32_t value) noexcept {
 // To the nearest, of components below 2^17.
 int32_t length(const Offset& v) noexcept {
   const int32_t shift = max(abs(v.x), abs(v.y)) < (1 << 15) ? 0 : 2;
-  uint32_t rest;
-  uint32_t root = root_of(square(v.x >> shift) + square(v.y >> shift), rest);
-  root += rest > root ? 1 : 0;
-  return static_cast<int32_t>(root << shift);
+  return static_cast<int32_t>(
+      nearest_root_of(square(v.x >> shift) + square(v.y >> shift)) << shift);
 }
 
 // Turns `vertex` to `v`, which is not 0. Not the last of a contour.

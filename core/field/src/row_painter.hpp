@@ -5,9 +5,9 @@
 
 #include "base/math.hpp"
 #include "base/modular.hpp"
+#include "base/root.hpp"
 #include "cell_values.hpp"
 #include "field_rows.hpp"
-#include "base/root.hpp"
 #include "screen_distance.hpp"
 #include "tree.hpp"
 

@@ -12,6 +12,7 @@
 #include "base/math.hpp"
 #include "field_source.hpp"
 #include "inkcell/field/cell.hpp"
+#include "outlines/slant.hpp"
 #include "rows/mixer.hpp"
 #include "sink/emit.hpp"
 
@@ -39,12 +40,7 @@ struct Place {
   int32_t y_q10;
 };
 
-// A square of a quadtree, from the grid's corner. [u]
-struct Square {
-  uint32_t x;
-  uint32_t y;
-  uint32_t log2;
-};
+using Square = detail::FieldSquare;
 
 // The pixels that the buffer holds.
 class Block {
@@ -62,7 +58,7 @@ class Block {
   Place centre_of(const Square& square) const noexcept;
   bool is_near(const Place& centre, uint32_t log2) const noexcept;
   bool visit(uint32_t reference, const Square& square) noexcept;
-  void visit_tile(uint32_t reference, Square square) noexcept;
+  void visit_tile(const Square& tile) noexcept;
   void add_centre(const Square& square) noexcept;
   void add(const Place& centre, uint32_t log2, uint32_t coverage) noexcept;
 
@@ -115,13 +111,9 @@ Place Block::centre_of(const Square& square) const noexcept {
   if (style_.is_upright()) {
     return {origin_.x_q10 + x_q10, origin_.y_q10 - y_q10};
   }
-  const Style::Axes& axes = style_.axes();
-  const int64_t right =
-      int64_t{x_q10} * axes.x_right.raw + int64_t{y_q10} * axes.y_right.raw;
-  const int64_t up =
-      int64_t{x_q10} * axes.x_up.raw + int64_t{y_q10} * axes.y_up.raw;
-  return {origin_.x_q10 + static_cast<int32_t>(right >> 30),
-          origin_.y_q10 - static_cast<int32_t>(up >> 30)};
+  const FinePoint at = style_.slant().place(
+      style_, {origin_.x_q10, origin_.y_q10}, x_q10, y_q10);
+  return {static_cast<int32_t>(at.x_q10), static_cast<int32_t>(at.y_q10)};
 }
 
 // Whether anything in a square may be within the radius of a pixel.
@@ -219,37 +211,11 @@ bool Block::visit(uint32_t reference, const Square& square) noexcept {
   return false;
 }
 
-// All squares of a tile, child after child.
-__attribute__((noinline)) void Block::visit_tile(uint32_t reference,
-                                                 Square square) noexcept {
-  const uint32_t tile_log2 = tree_.field.tile_log2;
-  uint16_t path[format::glyph::kMaxTileLog2 + 1];
-  while (true) {
-    if (visit(reference, square)) {
-      path[square.log2] = static_cast<uint16_t>(reference);
-      --square.log2;
-      reference = tree_.child(reference, 0);
-      continue;
-    }
-    // On to the next one: x first, then y, then up.
-    for (; square.log2 < tile_log2; ++square.log2) {
-      const uint32_t size = 1u << square.log2;
-      square.x ^= size;
-      if ((square.x & size) != 0) {
-        break;
-      }
-      square.y ^= size;
-      if ((square.y & size) != 0) {
-        break;
-      }
-    }
-    if (square.log2 >= tile_log2) {
-      return;
-    }
-    reference =
-        tree_.child(path[square.log2 + 1], ((square.y >> square.log2) & 1) * 2 +
-                                               ((square.x >> square.log2) & 1));
-  }
+// Not inline: the walk has a stack of its own.
+__attribute__((noinline)) void Block::visit_tile(const Square& tile) noexcept {
+  walk_tile(tree_, tile, [this](uint32_t reference, const Square& square) {
+    return visit(reference, square);
+  });
 }
 
 void Block::splat(const Rect& pixels) noexcept {
@@ -269,7 +235,7 @@ void Block::splat(const Rect& pixels) noexcept {
     for (uint32_t x = 0; x < width_u; x += 1u << step_log2) {
       const Square square = {x, y, step_log2};
       if (step_log2 == log2) {
-        visit_tile(tree_.tile_at(x, y), square);
+        visit_tile(square);
       } else if (is_near(centre_of(square), step_log2)) {
         add_centre(square);
       }

@@ -67,6 +67,48 @@ struct FieldTree {
   }
 };
 
+// A square of a quadtree, from the grid's corner. [u]
+struct FieldSquare {
+  uint32_t x;
+  uint32_t y;
+  uint32_t log2;
+};
+
+// Visits the squares of a tile, which `at` is, each before its children and
+// these in their order. `visit(reference, square)`: whether its children are to
+// be visited, which only a node of more than 1 u may ask for.
+template <typename Visit>
+void walk_tile(const FieldTree& tree, FieldSquare at, Visit visit) noexcept {
+  const uint32_t tile_log2 = at.log2;
+  uint32_t reference = tree.tile_at(at.x, at.y);
+  uint16_t path[format::glyph::kMaxTileLog2 + 1];
+  while (true) {
+    if (visit(reference, at)) {
+      path[at.log2] = static_cast<uint16_t>(reference);
+      --at.log2;
+      reference = tree.child(reference, 0);
+      continue;
+    }
+    // On to the next one: x first, then y, then up.
+    for (; at.log2 < tile_log2; ++at.log2) {
+      const uint32_t size = 1u << at.log2;
+      at.x ^= size;
+      if ((at.x & size) != 0) {
+        break;
+      }
+      at.y ^= size;
+      if ((at.y & size) != 0) {
+        break;
+      }
+    }
+    if (at.log2 >= tile_log2) {
+      return;
+    }
+    reference = tree.child(path[at.log2 + 1],
+                           (at.y >> at.log2 & 1) * 2 + (at.x >> at.log2 & 1));
+  }
+}
+
 // Whether a place, relative to the grid's corner, lies in the grid.
 inline bool is_in_field(const GlyphField& field,
                         uint32_t x_u,

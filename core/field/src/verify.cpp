@@ -7,55 +7,30 @@
 namespace inkcell {
 namespace {
 
-// The tree of one tile: every leaf exists, nodes lie in the order in which one
-// meets them (so that each has one parent and the tree is finite), and none
-// divides a square of 1 u. `next`: the number of the next node.
-bool tile_fits(const detail::FieldTree& tree,
-               uint32_t tile,
-               uint32_t& next) noexcept {
-  namespace glyph = format::glyph;
-  // References still to visit at each level: where, and how many.
-  uint32_t at[glyph::kMaxTileLog2 + 1];
-  uint8_t left[glyph::kMaxTileLog2 + 1];
-  uint32_t level = 0;
-  at[0] = tile;
-  left[0] = 1;
-  while (true) {
-    if (left[level] == 0) {
-      if (level == 0) {
-        return true;
-      }
-      --level;
-      continue;
-    }
-    const uint32_t reference = tree.reference(at[level]);
-    ++at[level];
-    --left[level];
-    if (tree.is_node(reference)) {
-      if (reference != glyph::kFirstNode + next ||
-          level == tree.field.tile_log2) {
-        return false;
-      }
-      ++level;
-      at[level] = tree.tile_count() + 4 * next;
-      left[level] = 4;
-      ++next;
-    } else if (reference >= glyph::kFirstNode &&
-               tree.samples(reference) == nullptr) {
-      return false;
-    }
-  }
-}
-
+// Every leaf exists, nodes lie in the order in which one meets them (so that
+// each has one parent and trees are finite), and none divides a square of 1 u.
 bool field_fits(const GlyphField& field) noexcept {
+  constexpr uint32_t kFirst = format::glyph::kFirstNode;
   const detail::FieldTree tree = {field};
-  uint32_t next = 0;
-  for (uint32_t tile = 0; tile < tree.tile_count(); ++tile) {
-    if (!tile_fits(tree, tile, next)) {
+  uint32_t next = kFirst;  // node
+  bool fits = true;
+  const auto visit = [&](uint32_t reference,
+                         const detail::FieldSquare& square) noexcept {
+    if (!tree.is_node(reference)) {
+      fits = fits && (reference < kFirst || tree.samples(reference) != nullptr);
       return false;
     }
+    fits = fits && reference == next && square.log2 != 0;
+    ++next;
+    return fits;
+  };
+  const uint32_t log2 = field.tile_log2;
+  for (uint32_t y = 0; y < uint32_t{field.tiles_y} && fits; ++y) {
+    for (uint32_t x = 0; x < uint32_t{field.tiles_x} && fits; ++x) {
+      walk_tile(tree, {x << log2, y << log2, log2}, visit);
+    }
   }
-  return next == field.node_count;
+  return fits && next == kFirst + field.node_count;
 }
 
 }  // namespace

@@ -53,28 +53,8 @@ struct SamplesRow {
     // any bytes: columns are at most 10240, b and c at most 8 columns, X <
     // 2^14.
     const int32_t x_q14 = x_q16 >> (size_log2 + 2);
-    return to_u_q10(a_q6 + ((x_q14 * (b_q6 + ((c_q6 * x_q14) >> 14))) >> 14));
-  }
-
-  /// Bounds of distance_q10 on this row, both ends included. [u, Q10]
-  struct Bounds {
-    int32_t low;
-    int32_t high;
-  };
-
-  Bounds bounds_q10() const noexcept {
-    // Between its ends a and a + b + c the parabola hangs from their chord by
-    // c X (X - 1), at most a quarter of c; two roundings take up to 2/64 more.
-    const int32_t end_q6 = a_q6 + b_q6 + c_q6;
-    const int32_t least = a_q6 < end_q6 ? a_q6 : end_q6;
-    const int32_t most = a_q6 < end_q6 ? end_q6 : a_q6;
-    const int32_t sag = c_q6 >> 2;
-    return {to_u_q10(least - 3 - (sag > 0 ? sag : 0)),
-            to_u_q10(most - (sag < 0 ? sag : 0))};
-  }
-
- private:
-  int32_t to_u_q10(int32_t f_q6) const noexcept {
+    const int32_t f_q6 =
+        a_q6 + ((x_q14 * (b_q6 + ((c_q6 * x_q14) >> 14))) >> 14);
     return centre_q10 + (size_log2 >= 3 ? f_q6 * (1 << (size_log2 - 3))
                                         : f_q6 >> (3 - size_log2));
   }

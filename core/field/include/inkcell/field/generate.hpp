@@ -12,7 +12,6 @@
 // draw outlines themselves: that is faster and takes less RAM.
 #pragma once
 
-#include <stddef.h>
 #include <stdint.h>
 
 #include "inkcell/field/glyph_field.hpp"
@@ -42,24 +41,6 @@ struct FieldLimits {
   /// and 1/64 of the distance, up to kMaxFar u. Farther away point_at() bounds
   /// the distance by the box of the ink. For simulations.
   bool fills_em = false;
-
-  /// For text of `min_px` to `max_px` px/em, 4..1024, whose filter reaches
-  /// `reach` px from the edge at most, 0..4: errors of `tolerance` / 255 of a
-  /// pixel, 1..255, where the filter's ramp is 1 px wide.
-  static constexpr FieldLimits for_sizes(int32_t min_px,
-                                         int32_t max_px,
-                                         int32_t tolerance,
-                                         Q6_10 reach) noexcept {
-    FieldLimits limits;
-    const int32_t tolerance_q10 = tolerance * (1 << 20) / (255 * max_px);
-    const int32_t band = (reach.raw + min_px - 1) / min_px;
-    limits.tolerance.raw = tolerance_q10 < kMinTolerance.raw ? kMinTolerance.raw
-                           : tolerance_q10 > kMaxTolerance.raw
-                               ? kMaxTolerance.raw
-                               : tolerance_q10;
-    limits.band_u = band < 1 ? 1 : band > kMaxBand ? kMaxBand : band;
-    return limits;
-  }
 };
 
 /// Generates the field of a glyph of a font of outlines. `buffer` begins at a
@@ -98,8 +79,5 @@ Status open_field(const Font& font,
                   const FieldLimits& limits,
                   Span<uint8_t> buffer,
                   GlyphField& out) noexcept;
-
-/// The bytes of a generated field: what follows in its buffer is free.
-size_t record_bytes(const GlyphField& field) noexcept;
 
 }  // namespace inkcell

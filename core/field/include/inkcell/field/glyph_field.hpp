@@ -7,6 +7,7 @@
 // on the baseline; distances are positive inside the shape.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "inkcell/fixed.hpp"
@@ -51,6 +52,10 @@ struct GlyphField {
     return y0_u + (tiles_y << tile_log2);
   }
 };
+
+/// The bytes of a field's record; of a generated one, what it takes of its
+/// buffer: what follows is free.
+size_t record_bytes(const GlyphField& field) noexcept;
 
 /// The field of a glyph of a font of fields, a view of the font; empty for a
 /// glyph without ink. no_glyph: there is no glyph of this id. corrupt,
