@@ -127,55 +127,6 @@ struct Grid {
   }
 };
 
-class Builder {
- public:
-  explicit Builder(const FieldLimits& limits) noexcept : limits_(limits) {}
-
-  // Reads the outline of a glyph that has some, and shares the buffer out.
-  Status open(const Font& font, uint16_t glyph, Span<uint8_t> buffer) noexcept;
-  // Makes the record at the begin of the buffer. False: it does not fit.
-  bool build() noexcept;
-  Span<const uint8_t> record() const noexcept {
-    return {record_, static_cast<size_t>(nodes_ - record_) +
-                         samples::kBytes * cell_count_};
-  }
-  // Farther from the edge squares are saturated.
-  int32_t reach_u() const noexcept {
-    return limits_.fills_em ? FieldLimits::kMaxFar : limits_.band_u;
-  }
-
- private:
-  bool share_out(OutlineGlyph& outline,
-                 const Rect& box,
-                 Span<uint8_t> buffer) noexcept;
-  bool grow_tile(uint8_t* slot) noexcept;
-  uint32_t settle(Level& level, int32_t log2) noexcept;
-  int32_t distance_q6(Level& level,
-                      int32_t log2,
-                      int32_t column,
-                      int32_t row) const noexcept;
-  void make_cell(Level& level, int32_t log2, uint8_t* cell) const noexcept;
-  bool is_good(Level& level, int32_t log2, const uint8_t* cell) const noexcept;
-  uint32_t add_cell(const uint8_t* cell) noexcept;
-  uint32_t add_node(Level& level) noexcept;
-  void finish() noexcept;
-
-  bool has_room(size_t bytes) const noexcept {
-    return static_cast<size_t>(cells_ - nodes_) >= bytes;
-  }
-  int32_t to_steps(int32_t u) const noexcept { return u << grid_.fraction; }
-
-  Grid grid_ = {};
-  const FieldLimits& limits_;
-  Polyline outline_;
-  Level* levels_ = nullptr;
-  uint8_t* record_ = nullptr;
-  uint8_t* tree_ = nullptr;   // the first node
-  uint8_t* nodes_ = nullptr;  // behind the last one
-  uint8_t* cells_ = nullptr;  // the last cell, which is the lowest
-  uint32_t cell_count_ = 0;
-};
-
 // A px is a u, and the box is up to 1 u wider than the ink.
 __attribute__((noinline)) bool open_outline(const Font& font,
                                             uint16_t glyph,
@@ -189,165 +140,6 @@ __attribute__((noinline)) bool open_outline(const Font& font,
   sampling.shown_q8 = 128;
   outline.place({0, 0}, sampling, 0, ink, box);
   return true;
-}
-
-// Not inline: the reader's stack is free again when the tree grows.
-__attribute__((noinline)) Status Builder::open(const Font& font,
-                                               uint16_t glyph,
-                                               Span<uint8_t> buffer) noexcept {
-  OutlineGlyph outline;
-  Rect box;
-  if (!open_outline(font, glyph, outline, box)) {
-    return Status::unsupported;
-  }
-  if (!grid_.set(box, limits_)) {
-    return Status::corrupt;
-  }
-  return share_out(outline, box, buffer) ? Status::ok : Status::buffer_small;
-}
-
-bool Builder::share_out(OutlineGlyph& outline,
-                        const Rect& box,
-                        Span<uint8_t> buffer) noexcept {
-  const Polyline::Frame frame = {
-      grid_.x0_u, grid_.y0_u, grid_.fraction,
-      max(limits_.tolerance.raw >> 4, kMinChordError)};
-  buffer.size &= ~size_t{3};
-  if (!outline_.read(outline, box, frame, buffer)) {
-    return false;
-  }
-  const size_t levels = sizeof(Level) * static_cast<size_t>(grid_.tile_log2);
-  const size_t head =
-      glyphs::kBytes + 2u * static_cast<size_t>(grid_.tiles_x * grid_.tiles_y);
-  if (buffer.size < levels + head) {
-    return false;
-  }
-  record_ = buffer.data;
-  tree_ = nodes_ = record_ + head;
-  cells_ = record_ + (buffer.size - levels);
-  levels_ = reinterpret_cast<Level*>(cells_);
-  return true;
-}
-
-// The true distance at a point of the lattice. [u]
-int32_t Builder::distance_q6(Level& level,
-                             int32_t log2,
-                             int32_t column,
-                             int32_t row) const noexcept {
-  int16_t& known = level.distances_q6[kSide * row + column];
-  if (known == kUnknown) {
-    const int32_t shift = log2 + grid_.fraction - 2;
-    const int32_t steps =
-        outline_.distance(to_steps(level.x_u) + (column << shift),
-                          to_steps(level.y_u) + (row << shift), level.edges);
-    const int32_t value = steps * (1 << (kMaxFraction - grid_.fraction));
-    known =
-        static_cast<int16_t>(min(max(value, -INT16_MAX), int32_t{INT16_MAX}));
-  }
-  return known;
-}
-
-void Builder::make_cell(Level& level,
-                        int32_t log2,
-                        uint8_t* cell) const noexcept {
-  const int32_t centre = distance_q6(level, log2, 2, 2);
-  store_u16(cell + samples::kCentre, static_cast<uint32_t>(centre));
-  uint8_t* out = cell + samples::kOffsets;
-  for (int32_t row = 0; row < kSide; row += 2) {
-    for (int32_t column = 0; column < kSide; column += 2) {
-      if (row != 2 || column != 2) {
-        // 1/64 u in 1/128 of the cell, to the nearest.
-        const int32_t offset =
-            2 * (distance_q6(level, log2, column, row) - centre);
-        const int32_t quanta = (offset + (1 << log2 >> 1)) >> log2;
-        *out++ =
-            static_cast<uint8_t>(min(max(quanta, INT8_MIN), int32_t{INT8_MAX}));
-      }
-    }
-  }
-}
-
-// Whether what a reader makes of the cell is near the distances that it is not
-// made of. Beyond the band nothing matters but that it is beyond, which one
-// point tells of its neighbours if the band is wider by the way to them.
-bool Builder::is_good(Level& level,
-                      int32_t log2,
-                      const uint8_t* cell) const noexcept {
-  const int32_t band_q10 = reach_u() * 1024 + (1024 << log2 >> 2);
-  const auto clamped = [band_q10](int32_t distance_q10) noexcept {
-    return min(max(distance_q10, -band_q10), band_q10);
-  };
-  const auto place_q16 = [log2](int32_t number) noexcept {
-    return (number << (14 + log2)) - (number == kSide - 1 ? 1 : 0);
-  };
-  for (int32_t row = 0; row < kSide; ++row) {
-    const SamplesRow line =
-        detail::cell_row(cell, static_cast<uint32_t>(log2),
-                         static_cast<uint32_t>(place_q16(row)));
-    const int32_t step = (row & 1) != 0 ? 1 : 2;
-    for (int32_t column = step - 1; column < kSide; column += step) {
-      const int32_t truth = 16 * distance_q6(level, log2, column, row);
-      const int32_t error =
-          clamped(line.distance_q10(place_q16(column))) - clamped(truth);
-      const int32_t far = abs(truth) >> kFarPartLog2;
-      const bool is_far = abs(truth) > limits_.band_u * 1024;
-      if (abs(error) > limits_.tolerance.raw + (is_far ? far : 0)) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-// The reference to a cell; they are numbered from the last one until finish().
-uint32_t Builder::add_cell(const uint8_t* cell) noexcept {
-  if (!has_room(samples::kBytes) || cell_count_ == glyphs::kMaxCells) {
-    return kFull;
-  }
-  cells_ -= samples::kBytes;
-  __builtin_memcpy(cells_, cell, samples::kBytes);
-  return glyphs::kCellFlag | cell_count_++;
-}
-
-// The reference to a node whose children come next.
-uint32_t Builder::add_node(Level& level) noexcept {
-  const auto number = static_cast<uint32_t>(nodes_ - tree_) / kNodeBytes;
-  if (!has_room(kNodeBytes) || number == glyphs::kMaxNodes) {
-    return kFull;
-  }
-  nodes_ += kNodeBytes;
-  level.node = static_cast<uint16_t>(number);
-  level.child = 0;
-  return glyphs::kFirstNode + number;
-}
-
-// The reference to a square, kDivide or kFull.
-uint32_t Builder::settle(Level& level, int32_t log2) noexcept {
-  const int32_t half = to_steps(1 << log2) >> 1;
-  const int32_t x = to_steps(level.x_u) + half;
-  const int32_t y = to_steps(level.y_u) + half;
-  const int32_t centre =
-      log2 > kMaxCellLog2
-          ? outline_.distance(x, y, level.edges)
-          : distance_q6(level, log2, 2, 2) >> (kMaxFraction - grid_.fraction);
-  const int32_t radius = (half * 182 >> 7) + kRounded;
-  if (abs(centre) - radius > to_steps(reach_u())) {
-    return centre > 0 ? glyphs::kInside : glyphs::kOutside;
-  }
-  // No point of the square is farther from the edge than the centre is, and the
-  // radius; so no edge matters that is farther from the centre by another one.
-  level.edges = static_cast<uint16_t>(
-      outline_.keep(x, y, level.edges, abs(centre) + 2 * radius + kRounded));
-  if (log2 > kMaxCellLog2) {
-    return kDivide;
-  }
-  uint8_t cell[samples::kBytes];
-  make_cell(level, log2, cell);
-  // Samples of a single edge are right anywhere between them.
-  if (log2 > kMinCellLog2 && level.edges > 1 && !is_good(level, log2, cell)) {
-    return kDivide;
-  }
-  return add_cell(cell);
 }
 
 // Down to the next child of `parent`.
@@ -370,76 +162,265 @@ void set_child(Level& parent, int32_t log2, Level& child) noexcept {
   }
 }
 
-// The first level is the tile; the reference to it goes to `slot`. The other
-// levels are divided squares, whose next children are due.
-bool Builder::grow_tile(uint8_t* slot) noexcept {
-  Level* level = levels_;
-  int32_t log2 = grid_.tile_log2;
-  while (true) {
-    uint32_t reference = settle(*level, log2);
-    const bool is_divided = reference == kDivide;
-    if (is_divided) {
-      reference = add_node(*level);
+class Builder {
+ public:
+  explicit Builder(const FieldLimits& limits) noexcept : limits_(limits) {}
+
+  // Reads the outline of a glyph that has some, and shares the buffer out.
+  // Not inline: the reader's stack is free again when the tree grows.
+  __attribute__((noinline)) Status open(const Font& font,
+                                        uint16_t glyph,
+                                        Span<uint8_t> buffer) noexcept {
+    OutlineGlyph outline;
+    Rect box;
+    if (!open_outline(font, glyph, outline, box)) {
+      return Status::unsupported;
     }
-    if (reference == kFull) {
+    if (!grid_.set(box, limits_)) {
+      return Status::corrupt;
+    }
+    return share_out(outline, box, buffer) ? Status::ok : Status::buffer_small;
+  }
+
+  // Makes the record at the begin of the buffer. False: it does not fit.
+  __attribute__((noinline)) bool build() noexcept {
+    uint8_t* slot = record_ + glyphs::kBytes;
+    for (int32_t row = 0; row < grid_.tiles_y; ++row) {
+      for (int32_t column = 0; column < grid_.tiles_x; ++column, slot += 2) {
+        Level& tile = *levels_;
+        tile.x_u = static_cast<uint16_t>(column << grid_.tile_log2);
+        tile.y_u = static_cast<uint16_t>(row << grid_.tile_log2);
+        tile.edges = static_cast<uint16_t>(outline_.count());
+        for (int16_t& distance : tile.distances_q6) {
+          distance = kUnknown;
+        }
+        if (!grow_tile(slot)) {
+          return false;
+        }
+      }
+    }
+    finish();
+    return true;
+  }
+
+  Span<const uint8_t> record() const noexcept {
+    return {record_, static_cast<size_t>(nodes_ - record_) +
+                         samples::kBytes * cell_count_};
+  }
+  // Farther from the edge squares are saturated.
+  int32_t reach_u() const noexcept {
+    return limits_.fills_em ? FieldLimits::kMaxFar : limits_.band_u;
+  }
+
+ private:
+  bool share_out(OutlineGlyph& outline,
+                 const Rect& box,
+                 Span<uint8_t> buffer) noexcept {
+    const Polyline::Frame frame = {
+        grid_.x0_u, grid_.y0_u, grid_.fraction,
+        max(limits_.tolerance.raw >> 4, kMinChordError)};
+    buffer.size &= ~size_t{3};
+    if (!outline_.read(outline, box, frame, buffer)) {
       return false;
     }
-    store_u16(slot, reference);
-    if (!is_divided) {
-      do {
-        if (level == levels_) {
-          return true;
-        }
-        --level;
-        ++log2;
-      } while (level->child == kChildren);
+    const size_t levels = sizeof(Level) * static_cast<size_t>(grid_.tile_log2);
+    const size_t head = glyphs::kBytes +
+                        2u * static_cast<size_t>(grid_.tiles_x * grid_.tiles_y);
+    if (buffer.size < levels + head) {
+      return false;
     }
-    slot = tree_ + kNodeBytes * level->node + 2u * level->child;
-    set_child(*level, log2, level[1]);
-    ++level;
-    --log2;
+    record_ = buffer.data;
+    tree_ = nodes_ = record_ + head;
+    cells_ = record_ + (buffer.size - levels);
+    levels_ = reinterpret_cast<Level*>(cells_);
+    return true;
   }
-}
 
-// Closes the gap between nodes and cells, and numbers cells from the lowest.
-void Builder::finish() noexcept {
-  for (uint8_t* at = record_ + glyphs::kBytes; at != nodes_; at += 2) {
-    const uint32_t reference = detail::load_u16(at);
-    if (reference >= glyphs::kCellFlag) {
-      store_u16(at, 2 * glyphs::kCellFlag + cell_count_ - 1 - reference);
-    }
-  }
-  __builtin_memmove(nodes_, cells_, samples::kBytes * cell_count_);
-  record_[glyphs::kType] = glyphs::kTypeSamples;
-  record_[glyphs::kTileLog2] = static_cast<uint8_t>(grid_.tile_log2);
-  store_u16(record_ + glyphs::kX0, static_cast<uint32_t>(grid_.x0_u));
-  store_u16(record_ + glyphs::kY0, static_cast<uint32_t>(grid_.y0_u));
-  record_[glyphs::kTilesX] = static_cast<uint8_t>(grid_.tiles_x);
-  record_[glyphs::kTilesY] = static_cast<uint8_t>(grid_.tiles_y);
-  store_u16(record_ + glyphs::kNodeCount,
-            static_cast<uint32_t>(nodes_ - tree_) / kNodeBytes);
-  store_u16(record_ + glyphs::kCellCount, cell_count_);
-}
-
-__attribute__((noinline)) bool Builder::build() noexcept {
-  uint8_t* slot = record_ + glyphs::kBytes;
-  for (int32_t row = 0; row < grid_.tiles_y; ++row) {
-    for (int32_t column = 0; column < grid_.tiles_x; ++column, slot += 2) {
-      Level& tile = *levels_;
-      tile.x_u = static_cast<uint16_t>(column << grid_.tile_log2);
-      tile.y_u = static_cast<uint16_t>(row << grid_.tile_log2);
-      tile.edges = static_cast<uint16_t>(outline_.count());
-      for (int16_t& distance : tile.distances_q6) {
-        distance = kUnknown;
+  // The first level is the tile; the reference to it goes to `slot`. The other
+  // levels are divided squares, whose next children are due.
+  bool grow_tile(uint8_t* slot) noexcept {
+    Level* level = levels_;
+    int32_t log2 = grid_.tile_log2;
+    while (true) {
+      uint32_t reference = settle(*level, log2);
+      const bool is_divided = reference == kDivide;
+      if (is_divided) {
+        reference = add_node(*level);
       }
-      if (!grow_tile(slot)) {
+      if (reference == kFull) {
         return false;
       }
+      store_u16(slot, reference);
+      if (!is_divided) {
+        do {
+          if (level == levels_) {
+            return true;
+          }
+          --level;
+          ++log2;
+        } while (level->child == kChildren);
+      }
+      slot = tree_ + kNodeBytes * level->node + 2u * level->child;
+      set_child(*level, log2, level[1]);
+      ++level;
+      --log2;
     }
   }
-  finish();
-  return true;
-}
+
+  // The reference to a square, kDivide or kFull.
+  uint32_t settle(Level& level, int32_t log2) noexcept {
+    const int32_t half = to_steps(1 << log2) >> 1;
+    const int32_t x = to_steps(level.x_u) + half;
+    const int32_t y = to_steps(level.y_u) + half;
+    const int32_t centre =
+        log2 > kMaxCellLog2
+            ? outline_.distance(x, y, level.edges)
+            : distance_q6(level, log2, 2, 2) >> (kMaxFraction - grid_.fraction);
+    const int32_t radius = (half * 182 >> 7) + kRounded;
+    if (abs(centre) - radius > to_steps(reach_u())) {
+      return centre > 0 ? glyphs::kInside : glyphs::kOutside;
+    }
+    // No point of the square is farther from the edge than the centre is, and
+    // the radius; so no edge matters that is farther from the centre by another
+    // one.
+    level.edges = static_cast<uint16_t>(
+        outline_.keep(x, y, level.edges, abs(centre) + 2 * radius + kRounded));
+    if (log2 > kMaxCellLog2) {
+      return kDivide;
+    }
+    uint8_t cell[samples::kBytes];
+    make_cell(level, log2, cell);
+    // Samples of a single edge are right anywhere between them.
+    if (log2 > kMinCellLog2 && level.edges > 1 && !is_good(level, log2, cell)) {
+      return kDivide;
+    }
+    return add_cell(cell);
+  }
+
+  // The true distance at a point of the lattice. [u]
+  int32_t distance_q6(Level& level,
+                      int32_t log2,
+                      int32_t column,
+                      int32_t row) const noexcept {
+    int16_t& known = level.distances_q6[kSide * row + column];
+    if (known == kUnknown) {
+      const int32_t shift = log2 + grid_.fraction - 2;
+      const int32_t steps =
+          outline_.distance(to_steps(level.x_u) + (column << shift),
+                            to_steps(level.y_u) + (row << shift), level.edges);
+      const int32_t value = steps * (1 << (kMaxFraction - grid_.fraction));
+      known =
+          static_cast<int16_t>(min(max(value, -INT16_MAX), int32_t{INT16_MAX}));
+    }
+    return known;
+  }
+
+  void make_cell(Level& level, int32_t log2, uint8_t* cell) const noexcept {
+    const int32_t centre = distance_q6(level, log2, 2, 2);
+    store_u16(cell + samples::kCentre, static_cast<uint32_t>(centre));
+    uint8_t* out = cell + samples::kOffsets;
+    for (int32_t row = 0; row < kSide; row += 2) {
+      for (int32_t column = 0; column < kSide; column += 2) {
+        if (row != 2 || column != 2) {
+          // 1/64 u in 1/128 of the cell, to the nearest.
+          const int32_t offset =
+              2 * (distance_q6(level, log2, column, row) - centre);
+          const int32_t quanta = (offset + (1 << log2 >> 1)) >> log2;
+          *out++ = static_cast<uint8_t>(
+              min(max(quanta, INT8_MIN), int32_t{INT8_MAX}));
+        }
+      }
+    }
+  }
+
+  // Whether what a reader makes of the cell is near the distances that it is
+  // not made of. Beyond the band nothing matters but that it is beyond, which
+  // one point tells of its neighbours if the band is wider by the way to them.
+  bool is_good(Level& level, int32_t log2, const uint8_t* cell) const noexcept {
+    const int32_t band_q10 = reach_u() * 1024 + (1024 << log2 >> 2);
+    const auto clamped = [band_q10](int32_t distance_q10) noexcept {
+      return min(max(distance_q10, -band_q10), band_q10);
+    };
+    const auto place_q16 = [log2](int32_t number) noexcept {
+      return (number << (14 + log2)) - (number == kSide - 1 ? 1 : 0);
+    };
+    for (int32_t row = 0; row < kSide; ++row) {
+      const SamplesRow line =
+          detail::cell_row(cell, static_cast<uint32_t>(log2),
+                           static_cast<uint32_t>(place_q16(row)));
+      const int32_t step = (row & 1) != 0 ? 1 : 2;
+      for (int32_t column = step - 1; column < kSide; column += step) {
+        const int32_t truth = 16 * distance_q6(level, log2, column, row);
+        const int32_t error =
+            clamped(line.distance_q10(place_q16(column))) - clamped(truth);
+        const int32_t far = abs(truth) >> kFarPartLog2;
+        const bool is_far = abs(truth) > limits_.band_u * 1024;
+        if (abs(error) > limits_.tolerance.raw + (is_far ? far : 0)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // The reference to a cell; they are numbered from the last one until
+  // finish().
+  uint32_t add_cell(const uint8_t* cell) noexcept {
+    if (!has_room(samples::kBytes) || cell_count_ == glyphs::kMaxCells) {
+      return kFull;
+    }
+    cells_ -= samples::kBytes;
+    __builtin_memcpy(cells_, cell, samples::kBytes);
+    return glyphs::kCellFlag | cell_count_++;
+  }
+
+  // The reference to a node whose children come next.
+  uint32_t add_node(Level& level) noexcept {
+    const auto number = static_cast<uint32_t>(nodes_ - tree_) / kNodeBytes;
+    if (!has_room(kNodeBytes) || number == glyphs::kMaxNodes) {
+      return kFull;
+    }
+    nodes_ += kNodeBytes;
+    level.node = static_cast<uint16_t>(number);
+    level.child = 0;
+    return glyphs::kFirstNode + number;
+  }
+
+  // Closes the gap between nodes and cells, and numbers cells from the lowest.
+  void finish() noexcept {
+    for (uint8_t* at = record_ + glyphs::kBytes; at != nodes_; at += 2) {
+      const uint32_t reference = detail::load_u16(at);
+      if (reference >= glyphs::kCellFlag) {
+        store_u16(at, 2 * glyphs::kCellFlag + cell_count_ - 1 - reference);
+      }
+    }
+    __builtin_memmove(nodes_, cells_, samples::kBytes * cell_count_);
+    record_[glyphs::kType] = glyphs::kTypeSamples;
+    record_[glyphs::kTileLog2] = static_cast<uint8_t>(grid_.tile_log2);
+    store_u16(record_ + glyphs::kX0, static_cast<uint32_t>(grid_.x0_u));
+    store_u16(record_ + glyphs::kY0, static_cast<uint32_t>(grid_.y0_u));
+    record_[glyphs::kTilesX] = static_cast<uint8_t>(grid_.tiles_x);
+    record_[glyphs::kTilesY] = static_cast<uint8_t>(grid_.tiles_y);
+    store_u16(record_ + glyphs::kNodeCount,
+              static_cast<uint32_t>(nodes_ - tree_) / kNodeBytes);
+    store_u16(record_ + glyphs::kCellCount, cell_count_);
+  }
+
+  bool has_room(size_t bytes) const noexcept {
+    return static_cast<size_t>(cells_ - nodes_) >= bytes;
+  }
+  int32_t to_steps(int32_t u) const noexcept { return u << grid_.fraction; }
+
+  Grid grid_ = {};
+  const FieldLimits& limits_;
+  Polyline outline_;
+  Level* levels_ = nullptr;
+  uint8_t* record_ = nullptr;
+  uint8_t* tree_ = nullptr;   // the first node
+  uint8_t* nodes_ = nullptr;  // behind the last one
+  uint8_t* cells_ = nullptr;  // the last cell, which is the lowest
+  uint32_t cell_count_ = 0;
+};
 
 bool are_valid(const FieldLimits& limits) noexcept {
   return limits.tolerance.raw >= FieldLimits::kMinTolerance.raw &&
@@ -472,7 +453,7 @@ Status generate_field(const Font& font,
     return Status::misaligned;
   }
   Builder builder(limits);
-  INKCELL_TRY(builder.open(font, glyph, record, buffer));
+  INKCELL_TRY(builder.open(font, glyph, buffer));
   if (!builder.build()) {
     return Status::buffer_small;
   }

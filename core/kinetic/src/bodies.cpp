@@ -99,122 +99,108 @@ struct Solver {
                       int32_t nx,
                       int32_t ny,
                       int32_t first_arm,
-                      int32_t second_arm) const noexcept;
+                      int32_t second_arm) const noexcept {
+    const Body& a = bodies[contact.first];
+    int64_t x = a.x_speed.raw;
+    int64_t y = a.y_speed.raw;
+    int64_t spun = int64_t{a.spin_q20} * first_arm;
+    if (const Body* b = second_of(contact)) {
+      x -= b->x_speed.raw;
+      y -= b->y_speed.raw;
+      spun -= int64_t{b->spin_q20} * second_arm;
+    }
+    return scaled(x * nx + y * ny, 14) + scaled(spun, 12);
+  }
+
   void push_both(const BodyContact& contact,
                  int64_t pushed,
-                 bool is_tangent) const noexcept;
+                 bool is_tangent) const noexcept {
+    const int32_t nx = is_tangent ? -contact.ny : contact.nx;
+    const int32_t ny = is_tangent ? contact.nx : contact.ny;
+    Body& a = bodies[contact.first];
+    push(a, inverse_of(a), pushed, nx, ny,
+         is_tangent ? contact.first_tangent : contact.first_normal);
+    if (Body* b = second_of(contact)) {
+      push(*b, inverse_of(*b), -pushed, nx, ny,
+           is_tangent ? contact.second_tangent : contact.second_normal);
+    }
+  }
+
   int32_t normal_speed(const BodyContact& c) const noexcept {
     return speed_along(c, c.nx, c.ny, c.first_normal, c.second_normal);
   }
-  void prepare(BodyContact& contact) const noexcept;
-  void spring(const BodyContact& contact, int32_t part_q16) const noexcept;
-  void solve(BodyContact& contact) const noexcept;
-  void separate(const BodyContact& contact) const noexcept;
+  void prepare(BodyContact& contact) const noexcept {
+    const InverseMass a = inverse_of(bodies[contact.first]);
+    InverseMass b = {0, 0};
+    if (const Body* second = second_of(contact)) {
+      b = inverse_of(*second);
+    }
+    contact.normal_mass =
+        mass_at(a, contact.first_normal, b, contact.second_normal);
+    contact.tangent_mass =
+        mass_at(a, contact.first_tangent, b, contact.second_tangent);
+    contact.pushed = 0;
+    contact.rubbed = 0;
+    const int32_t closing = -normal_speed(contact);
+    const int32_t bounces = kBouncesQ16 + 2 * abs(rules.gravity.raw);
+    contact.leaves_q16 =
+        closing > bounces ? closing * clamp(rules.bounce_q8, 0, 256) / 256 : 0;
+  }
+
+  // A damped spring at a soft contact. Four contacts share a mass.
+  void spring(const BodyContact& contact, int32_t part_q16) const noexcept {
+    if (contact.soft_q10 <= 0) {
+      return;
+    }
+    const int32_t gain =
+        scaled(int64_t{contact.soft_q10} * rules.stiffness_q16, 10) -
+        scaled(int64_t{normal_speed(contact)} * rules.damping_q16, 16);
+    const int32_t part = scaled(int64_t{gain} * part_q16, 17);
+    if (part > 0) {
+      push_both(contact, int64_t{part} * contact.normal_mass >> 8, false);
+    }
+  }
+
+  void solve(BodyContact& contact) const noexcept {
+    if (contact.gap_q10 >= kTouchQ10) {
+      return;  // soft only
+    }
+    const int64_t wanted = contact.leaves_q16 - int64_t{normal_speed(contact)};
+    const int64_t pushed = contact.pushed + (wanted * contact.normal_mass >> 8);
+    const int64_t kept = pushed > 0 ? pushed : 0;
+    push_both(contact, kept - contact.pushed, false);
+    contact.pushed = kept;
+    const int32_t slips =
+        speed_along(contact, -contact.ny, contact.nx, contact.first_tangent,
+                    contact.second_tangent);
+    const int64_t most = (kept * rules.friction_q8) >> 8;
+    const int64_t rubbed =
+        contact.rubbed - (int64_t{slips} * contact.tangent_mass >> 8);
+    const int64_t held = rubbed > most ? most : rubbed < -most ? -most : rubbed;
+    push_both(contact, held - contact.rubbed, true);
+    contact.rubbed = held;
+  }
+
+  // Moves rigid bodies that overlap apart, by half of the overlap.
+  void separate(const BodyContact& contact) const noexcept {
+    if (contact.gap_q10 >= 0) {
+      return;
+    }
+    const int32_t step_q16 = min(-contact.gap_q10, 512) * 64 / 2;
+    const int64_t pushed = int64_t{step_q16} * contact.normal_mass >> 8;
+    const auto move = [&](Body& body, int64_t by) {
+      const InverseMass inverse = inverse_of(body);
+      const int32_t step =
+          clamp_i64((by * inverse.mass + (1 << 29)) >> 30, -step_q16, step_q16);
+      body.x.raw += scaled(int64_t{step} * contact.nx, 14);
+      body.y.raw += scaled(int64_t{step} * contact.ny, 14);
+    };
+    move(bodies[contact.first], pushed);
+    if (Body* b = second_of(contact)) {
+      move(*b, -pushed);
+    }
+  }
 };
-
-int32_t Solver::speed_along(const BodyContact& contact,
-                            int32_t nx,
-                            int32_t ny,
-                            int32_t first_arm,
-                            int32_t second_arm) const noexcept {
-  const Body& a = bodies[contact.first];
-  int64_t x = a.x_speed.raw;
-  int64_t y = a.y_speed.raw;
-  int64_t spun = int64_t{a.spin_q20} * first_arm;
-  if (const Body* b = second_of(contact)) {
-    x -= b->x_speed.raw;
-    y -= b->y_speed.raw;
-    spun -= int64_t{b->spin_q20} * second_arm;
-  }
-  return scaled(x * nx + y * ny, 14) + scaled(spun, 12);
-}
-
-void Solver::push_both(const BodyContact& contact,
-                       int64_t pushed,
-                       bool is_tangent) const noexcept {
-  const int32_t nx = is_tangent ? -contact.ny : contact.nx;
-  const int32_t ny = is_tangent ? contact.nx : contact.ny;
-  Body& a = bodies[contact.first];
-  push(a, inverse_of(a), pushed, nx, ny,
-       is_tangent ? contact.first_tangent : contact.first_normal);
-  if (Body* b = second_of(contact)) {
-    push(*b, inverse_of(*b), -pushed, nx, ny,
-         is_tangent ? contact.second_tangent : contact.second_normal);
-  }
-}
-
-void Solver::prepare(BodyContact& contact) const noexcept {
-  const InverseMass a = inverse_of(bodies[contact.first]);
-  InverseMass b = {0, 0};
-  if (const Body* second = second_of(contact)) {
-    b = inverse_of(*second);
-  }
-  contact.normal_mass =
-      mass_at(a, contact.first_normal, b, contact.second_normal);
-  contact.tangent_mass =
-      mass_at(a, contact.first_tangent, b, contact.second_tangent);
-  contact.pushed = 0;
-  contact.rubbed = 0;
-  const int32_t closing = -normal_speed(contact);
-  const int32_t bounces = kBouncesQ16 + 2 * abs(rules.gravity.raw);
-  contact.leaves_q16 =
-      closing > bounces ? closing * clamp(rules.bounce_q8, 0, 256) / 256 : 0;
-}
-
-// A damped spring at a soft contact. Four contacts share a mass.
-void Solver::spring(const BodyContact& contact,
-                    int32_t part_q16) const noexcept {
-  if (contact.soft_q10 <= 0) {
-    return;
-  }
-  const int32_t gain =
-      scaled(int64_t{contact.soft_q10} * rules.stiffness_q16, 10) -
-      scaled(int64_t{normal_speed(contact)} * rules.damping_q16, 16);
-  const int32_t part = scaled(int64_t{gain} * part_q16, 17);
-  if (part > 0) {
-    push_both(contact, int64_t{part} * contact.normal_mass >> 8, false);
-  }
-}
-
-void Solver::solve(BodyContact& contact) const noexcept {
-  if (contact.gap_q10 >= kTouchQ10) {
-    return;  // soft only
-  }
-  const int64_t wanted = contact.leaves_q16 - int64_t{normal_speed(contact)};
-  const int64_t pushed = contact.pushed + (wanted * contact.normal_mass >> 8);
-  const int64_t kept = pushed > 0 ? pushed : 0;
-  push_both(contact, kept - contact.pushed, false);
-  contact.pushed = kept;
-  const int32_t slips =
-      speed_along(contact, -contact.ny, contact.nx, contact.first_tangent,
-                  contact.second_tangent);
-  const int64_t most = (kept * rules.friction_q8) >> 8;
-  const int64_t rubbed =
-      contact.rubbed - (int64_t{slips} * contact.tangent_mass >> 8);
-  const int64_t held = rubbed > most ? most : rubbed < -most ? -most : rubbed;
-  push_both(contact, held - contact.rubbed, true);
-  contact.rubbed = held;
-}
-
-// Moves rigid bodies that overlap apart, by half of the overlap.
-void Solver::separate(const BodyContact& contact) const noexcept {
-  if (contact.gap_q10 >= 0) {
-    return;
-  }
-  const int32_t step_q16 = min(-contact.gap_q10, 512) * 64 / 2;
-  const int64_t pushed = int64_t{step_q16} * contact.normal_mass >> 8;
-  const auto move = [&](Body& body, int64_t by) {
-    const InverseMass inverse = inverse_of(body);
-    const int32_t step =
-        clamp_i64((by * inverse.mass + (1 << 29)) >> 30, -step_q16, step_q16);
-    body.x.raw += scaled(int64_t{step} * contact.nx, 14);
-    body.y.raw += scaled(int64_t{step} * contact.ny, 14);
-  };
-  move(bodies[contact.first], pushed);
-  if (Body* b = second_of(contact)) {
-    move(*b, -pushed);
-  }
-}
 
 // The kinetic energy, and the part from the change of speeds in this piece.
 // [mass px^2 / step^2, Q24, twice]

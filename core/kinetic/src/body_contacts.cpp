@@ -72,6 +72,91 @@ bool can_move(const Body& body) noexcept {
   return !body.is_fixed && !body.is_asleep();
 }
 
+// Looks up the points of `from` in the distances of `into`.
+struct Look {
+  const Body& from;
+  const Body& into;
+  int32_t x_between;  // from the second's centre to the first's [px, Q8]
+  int32_t y_between;
+  bool is_first;      // `from` is the first body of the pair
+  int32_t touch_q10;  // distances above it touch [px]
+
+  void add(int32_t id,
+           const BodyPoint& point,
+           const GridPoint& here,
+           Touches& touches) const noexcept {
+    const Turn turn = turn_of(from.angle());
+    Touch touch;
+    touch.id = id;
+    touch.distance_q10 = here.distance_q10;
+    touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
+    touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
+    if (!is_first) {
+      touch.x -= x_between;
+      touch.y -= y_between;
+    }
+    const Turn of_field = turn_of(into.angle());
+    const int32_t sign = is_first ? -1 : 1;
+    touch.nx =
+        sign * (turned_x(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
+    touch.ny =
+        sign * (turned_y(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
+    // Across the line between the centres.
+    touch.along =
+        (touch.x >> 4) * (y_between >> 4) - (touch.y >> 4) * (x_between >> 4);
+    const bool faces = (touch.nx >> 2) * (x_between >> 4) +
+                           (touch.ny >> 2) * (y_between >> 4) >=
+                       0;
+    touches.add(touch, faces);
+  }
+
+  // Adds touches, and returns the greatest distance inside of `into`, at least
+  // `least`. [px, Q10]
+  int32_t find(int32_t least, Touches& touches) const noexcept {
+    const BodyShape& shape = *into.shape;
+    const DistanceGrid& grid = shape.grid();
+    const Turn of_into = turn_of(into.angle());
+    const Turn back = {of_into.cosine, -of_into.sine};
+    const Turn both = turn_of(Angle::from_raw(
+        static_cast<uint16_t>(from.angle().raw - into.angle().raw)));
+    // Between centres, below 1100 px. [Q5]
+    const int32_t dx = is_first ? x_between >> 3 : -x_between >> 3;
+    const int32_t dy = is_first ? y_between >> 3 : -y_between >> 3;
+    // In `into`, from its grid's corner. [px, Q16]
+    const int32_t x0 = (turned_x(back, dx, dy) >> 3) + shape.centre_x().raw;
+    const int32_t y0 = (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw;
+    const int32_t x_end = grid.width_px() << 16;
+    const int32_t y_end = grid.height_px() << 16;
+    // A lower bound of the distance to the grid, outside of it. [px, Q10]
+    const auto beyond = [&](int32_t x, int32_t y) {
+      return max(max(-x, x - x_end), max(-y, y - y_end)) >> 6;
+    };
+    const int32_t apart = beyond(x0, y0) - (from.shape->radius() << 10);
+    if (apart >= 0) {
+      return -apart - shape.margin_q10();
+    }
+    int32_t most = least;
+    int32_t id = is_first ? 0 : 1 << 16;
+    for (const BodyPoint& point : from.shape->points()) {
+      ++id;
+      const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
+      const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
+      const int32_t out = beyond(x, y);
+      if (out >= 0) {
+        most = max(most, -out - shape.margin_q10());
+        continue;
+      }
+      const GridPoint here =
+          probe(grid, Q16_16::from_raw(x), Q16_16::from_raw(y));
+      most = max(most, here.distance_q10);
+      if (here.distance_q10 > touch_q10) {
+        add(id, point, here, touches);
+      }
+    }
+    return most;
+  }
+};
+
 // The search for contacts of all bodies.
 struct Finder {
   Span<Body> bodies;
@@ -81,276 +166,173 @@ struct Finder {
   int32_t overlap_q10;  // of the pair at hand
   size_t count;
 
-  bool touches_at(int32_t distance_q10) const noexcept {
-    return distance_q10 > min(overlap_q10 - kTouchQ10, 0);
-  }
+  // Distances above it touch. [px, Q10]
+  int32_t touch_q10() const noexcept { return min(overlap_q10 - kTouchQ10, 0); }
   int32_t overlap_of(const Body& body) const noexcept {
     return min(rules.overlap.raw, body.shape->depth_q10() / 2) - kSkinQ10;
   }
-  void note(Body& body, int32_t distance_q10, int32_t part_q8) const noexcept;
-  void note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept;
-  void squeeze(Body& body, int32_t distance_q10) const noexcept;
-  void wake(Body& body, const Body& by) const noexcept;
+  // Limits clear_q10 of a body to its share of a gap, at least of slide_q10().
+  // The distance is above 0 where it overlaps.
+  void note(Body& body, int32_t distance_q10, int32_t part_q8) const noexcept {
+    const int32_t gap_q10 = min(overlap_q10 - distance_q10, kFarQ10);
+    body.clear_q10 =
+        min(body.clear_q10, max(gap_q10, slide_q10(rules)) * part_q8 >> 8);
+  }
+
+  // A pair shares its distance in proportion to the speeds, at least an eighth
+  // each, as a push may make the slow one fast.
+  void note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept {
+    const int32_t both = a.most_speed_q16 + b.most_speed_q16 + 1;
+    const int32_t part = 32 + a.most_speed_q16 / ((both >> 8) + 1) * 3 / 4;
+    note(a, distance_q10, b.is_fixed ? 256 : part);
+    note(b, distance_q10, a.is_fixed ? 256 : 256 - part);
+  }
+
+  void squeeze(Body& body, int32_t distance_q10) const noexcept {
+    body.squeeze.raw =
+        static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
+  }
+
+  // A sleeper wakes if a fast body touches it.
+  void wake(Body& body, const Body& by) const noexcept {
+    if (body.is_asleep() && by.most_speed_q16 > 2 * still_q16) {
+      body.still_steps = 0;
+    }
+  }
+
+  // (x_between, y_between): from the second's centre to the first's. [px, Q8]
   void emit(size_t first,
             size_t second,
             const Touches& touches,
             int32_t x_between,
-            int32_t y_between) noexcept;
-  // Separate frames, as both hold touches.
+            int32_t y_between) noexcept {
+    for (size_t i = 0; i < kContactsOfPair && count < contacts.size; ++i) {
+      if (!touches.is_own(i)) {
+        continue;
+      }
+      const Touch& touch = touches[i];
+      BodyContact& contact = contacts[count++];
+      contact.first = static_cast<uint8_t>(first);
+      contact.second = static_cast<uint8_t>(second);
+      contact.gap_q10 = overlap_q10 - touch.distance_q10;
+      contact.soft_q10 = clamp(touch.distance_q10, 0, overlap_q10);
+      int32_t nx = touch.nx;
+      int32_t ny = touch.ny;
+      auto length = static_cast<int32_t>(length_of(nx, ny));
+      if (length < (1 << 13) / 8) {
+        // No gradient: use the line between the centres.
+        nx = x_between / 8;
+        ny = y_between / 8;
+        length = static_cast<int32_t>(length_of(nx, ny));
+      }
+      contact.nx = length == 0 ? 0 : nx * kOneQ14 / length;
+      contact.ny = length == 0 ? -kOneQ14 : ny * kOneQ14 / length;
+      // The arm of a force along n is r_y n_x - r_x n_y: turns are
+      // counter-clockwise, y is down.
+      const auto arm = [](int32_t x, int32_t y, int32_t n_x, int32_t n_y) {
+        return scaled(int64_t{y} * n_x - int64_t{x} * n_y, 14);
+      };
+      const int32_t x = touch.x;
+      const int32_t y = touch.y;
+      contact.first_normal = arm(x, y, contact.nx, contact.ny);
+      contact.first_tangent = arm(x, y, -contact.ny, contact.nx);
+      contact.second_normal =
+          arm(x + x_between, y + y_between, contact.nx, contact.ny);
+      contact.second_tangent =
+          arm(x + x_between, y + y_between, -contact.ny, contact.nx);
+    }
+  }
+
+  // A frame of its own, as that of walls: both hold touches.
+  // Broad phase: the greater of |dx| and |dy| is a lower bound of the distance
+  // between the centres.
   __attribute__((noinline)) void find_pair(size_t first,
-                                           size_t second) noexcept;
-  __attribute__((noinline)) void find_wall(size_t index, int32_t wall) noexcept;
+                                           size_t second) noexcept {
+    Body& a = bodies[first];
+    Body& b = bodies[second];
+    if (!can_move(a) && !can_move(b)) {
+      return;
+    }
+    // Positions are within 2^13 px: 32 bits hold the difference.
+    const int32_t x_between = (a.x.raw - b.x.raw) >> 8;
+    const int32_t y_between = (a.y.raw - b.y.raw) >> 8;
+    const int32_t radii = a.shape->radius() + b.shape->radius();
+    const int32_t apart_q10 =
+        (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
+    overlap_q10 = min(overlap_of(a), overlap_of(b));
+    if (apart_q10 >= 4 << 10) {
+      note_pair(a, b, -apart_q10);
+      return;
+    }
+    Touches touches;
+    const Look points_of_a = {a, b, x_between, y_between, true, touch_q10()};
+    const Look points_of_b = {b, a, x_between, y_between, false, touch_q10()};
+    int32_t most = points_of_a.find(-kFarQ10, touches);
+    if (most > -(4 << 10)) {
+      most = points_of_b.find(most, touches);
+    }
+    if (touches[0].id < 0) {
+      note_pair(a, b, most);
+      return;
+    }
+    squeeze(a, most);
+    squeeze(b, most);
+    wake(a, b);
+    wake(b, a);
+    if (contacts.size - count < kContactsOfPair) {
+      note_pair(a, b, most);  // contacts may be missing: do not rely on them
+    }
+    emit(first, second, touches, x_between, y_between);
+  }
+
+  // Walls: left, top, right, bottom.
+  __attribute__((noinline)) void find_wall(size_t index,
+                                           int32_t wall) noexcept {
+    Body& body = bodies[index];
+    const bool is_across = wall % 2 == 0;  // bounds x
+    const int32_t sign = wall < 2 ? -1 : 1;
+    const Rect& walls = rules.walls;
+    const int32_t bounds[] = {walls.x0, walls.y0, walls.x1, walls.y1};
+    // The distance of the centre beyond the wall. [px, Q10]
+    const int32_t centre =
+        sign *
+        (((is_across ? body.x.raw : body.y.raw) >> 6) - bounds[wall] * 1024);
+    const int32_t nearest = centre + (body.shape->radius() << 10);
+    overlap_q10 = overlap_of(body);
+    if (nearest <= -(4 << 10)) {
+      note(body, nearest, 256);
+      return;
+    }
+    const Turn turn = turn_of(body.angle());
+    Touches touches;
+    int32_t most = -kFarQ10;
+    int32_t id = 0;
+    for (const BodyPoint& point : body.shape->points()) {
+      ++id;
+      const int32_t off =
+          (is_across ? turned_x(turn, point.x_q5, point.y_q5)
+                     : turned_y(turn, point.x_q5, point.y_q5)) >>
+          11;
+      const int32_t distance = centre + sign * off * 4;
+      most = max(most, distance);
+      if (distance <= touch_q10()) {
+        continue;
+      }
+      Touch touch;
+      touch.id = id;
+      touch.distance_q10 = distance;
+      touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
+      touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
+      touch.nx = is_across ? -sign * (1 << 13) : 0;
+      touch.ny = is_across ? 0 : -sign * (1 << 13);
+      touch.along = is_across ? touch.y : touch.x;
+      touches.add(touch, true);
+    }
+    note(body, most, 256);
+    squeeze(body, most);
+    emit(index, BodyContact::kWall, touches, 0, 0);
+  }
 };
-
-// Limits clear_q10 of a body to its share of a gap, at least of slide_q10().
-// The distance is above 0 where it overlaps.
-void Finder::note(Body& body,
-                  int32_t distance_q10,
-                  int32_t part_q8) const noexcept {
-  const int32_t gap_q10 = min(overlap_q10 - distance_q10, kFarQ10);
-  body.clear_q10 =
-      min(body.clear_q10, max(gap_q10, slide_q10(rules)) * part_q8 >> 8);
-}
-
-// A pair shares its distance in proportion to the speeds, at least an eighth
-// each, as a push may make the slow one fast.
-void Finder::note_pair(Body& a, Body& b, int32_t distance_q10) const noexcept {
-  const int32_t both = a.most_speed_q16 + b.most_speed_q16 + 1;
-  const int32_t part = 32 + a.most_speed_q16 / ((both >> 8) + 1) * 3 / 4;
-  note(a, distance_q10, b.is_fixed ? 256 : part);
-  note(b, distance_q10, a.is_fixed ? 256 : 256 - part);
-}
-
-void Finder::squeeze(Body& body, int32_t distance_q10) const noexcept {
-  body.squeeze.raw =
-      static_cast<int16_t>(clamp(distance_q10, body.squeeze.raw, 8 << 10));
-}
-
-// A sleeper wakes if a fast body touches it.
-void Finder::wake(Body& body, const Body& by) const noexcept {
-  if (body.is_asleep() && by.most_speed_q16 > 2 * still_q16) {
-    body.still_steps = 0;
-  }
-}
-
-// (x_between, y_between): from the second's centre to the first's. [px, Q8]
-void Finder::emit(size_t first,
-                  size_t second,
-                  const Touches& touches,
-                  int32_t x_between,
-                  int32_t y_between) noexcept {
-  for (size_t i = 0; i < kContactsOfPair && count < contacts.size; ++i) {
-    if (!touches.is_own(i)) {
-      continue;
-    }
-    const Touch& touch = touches[i];
-    BodyContact& contact = contacts[count++];
-    contact.first = static_cast<uint8_t>(first);
-    contact.second = static_cast<uint8_t>(second);
-    contact.gap_q10 = overlap_q10 - touch.distance_q10;
-    contact.soft_q10 = clamp(touch.distance_q10, 0, overlap_q10);
-    int32_t nx = touch.nx;
-    int32_t ny = touch.ny;
-    auto length = static_cast<int32_t>(length_of(nx, ny));
-    if (length < (1 << 13) / 8) {
-      // No gradient: use the line between the centres.
-      nx = x_between / 8;
-      ny = y_between / 8;
-      length = static_cast<int32_t>(length_of(nx, ny));
-    }
-    contact.nx = length == 0 ? 0 : nx * kOneQ14 / length;
-    contact.ny = length == 0 ? -kOneQ14 : ny * kOneQ14 / length;
-    // The arm of a force along n is r_y n_x - r_x n_y: turns are
-    // counter-clockwise, y is down.
-    const auto arm = [](int32_t x, int32_t y, int32_t n_x, int32_t n_y) {
-      return scaled(int64_t{y} * n_x - int64_t{x} * n_y, 14);
-    };
-    const int32_t x = touch.x;
-    const int32_t y = touch.y;
-    contact.first_normal = arm(x, y, contact.nx, contact.ny);
-    contact.first_tangent = arm(x, y, -contact.ny, contact.nx);
-    contact.second_normal =
-        arm(x + x_between, y + y_between, contact.nx, contact.ny);
-    contact.second_tangent =
-        arm(x + x_between, y + y_between, -contact.ny, contact.nx);
-  }
-}
-
-// Looks up the points of `from` in the distances of `into`.
-struct Look {
-  const Finder& finder;
-  const Body& from;
-  const Body& into;
-  int32_t x_between;  // from the second's centre to the first's [px, Q8]
-  int32_t y_between;
-  bool is_first;  // `from` is the first body of the pair
-
-  // Adds touches, and returns the greatest distance inside of `into`, at least
-  // `least`. [px, Q10]
-  int32_t find(int32_t least, Touches& touches) const noexcept;
-  void add(int32_t id,
-           const BodyPoint& point,
-           const GridPoint& here,
-           Touches& touches) const noexcept;
-};
-
-void Look::add(int32_t id,
-               const BodyPoint& point,
-               const GridPoint& here,
-               Touches& touches) const noexcept {
-  const Turn turn = turn_of(from.angle());
-  Touch touch;
-  touch.id = id;
-  touch.distance_q10 = here.distance_q10;
-  touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
-  touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
-  if (!is_first) {
-    touch.x -= x_between;
-    touch.y -= y_between;
-  }
-  const Turn of_field = turn_of(into.angle());
-  const int32_t sign = is_first ? -1 : 1;
-  touch.nx =
-      sign * (turned_x(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
-  touch.ny =
-      sign * (turned_y(of_field, here.x_slope_q13, here.y_slope_q13) >> 14);
-  // Across the line between the centres.
-  touch.along =
-      (touch.x >> 4) * (y_between >> 4) - (touch.y >> 4) * (x_between >> 4);
-  const bool faces =
-      (touch.nx >> 2) * (x_between >> 4) + (touch.ny >> 2) * (y_between >> 4) >=
-      0;
-  touches.add(touch, faces);
-}
-
-int32_t Look::find(int32_t least, Touches& touches) const noexcept {
-  const BodyShape& shape = *into.shape;
-  const DistanceGrid& grid = shape.grid();
-  const Turn of_into = turn_of(into.angle());
-  const Turn back = {of_into.cosine, -of_into.sine};
-  const Turn both = turn_of(Angle::from_raw(
-      static_cast<uint16_t>(from.angle().raw - into.angle().raw)));
-  // Between centres, below 1100 px. [Q5]
-  const int32_t dx = is_first ? x_between >> 3 : -x_between >> 3;
-  const int32_t dy = is_first ? y_between >> 3 : -y_between >> 3;
-  // In `into`, from its grid's corner. [px, Q16]
-  const int32_t x0 = (turned_x(back, dx, dy) >> 3) + shape.centre_x().raw;
-  const int32_t y0 = (turned_y(back, dx, dy) >> 3) + shape.centre_y().raw;
-  const int32_t x_end = grid.width_px() << 16;
-  const int32_t y_end = grid.height_px() << 16;
-  // A lower bound of the distance to the grid, outside of it. [px, Q10]
-  const auto beyond = [&](int32_t x, int32_t y) {
-    return max(max(-x, x - x_end), max(-y, y - y_end)) >> 6;
-  };
-  const int32_t apart = beyond(x0, y0) - (from.shape->radius() << 10);
-  if (apart >= 0) {
-    return -apart - shape.margin_q10();
-  }
-  int32_t most = least;
-  int32_t id = is_first ? 0 : 1 << 16;
-  for (const BodyPoint& point : from.shape->points()) {
-    ++id;
-    const int32_t x = x0 + (turned_x(both, point.x_q5, point.y_q5) >> 3);
-    const int32_t y = y0 + (turned_y(both, point.x_q5, point.y_q5) >> 3);
-    const int32_t out = beyond(x, y);
-    if (out >= 0) {
-      most = max(most, -out - shape.margin_q10());
-      continue;
-    }
-    const GridPoint here =
-        probe(grid, Q16_16::from_raw(x), Q16_16::from_raw(y));
-    most = max(most, here.distance_q10);
-    if (finder.touches_at(here.distance_q10)) {
-      add(id, point, here, touches);
-    }
-  }
-  return most;
-}
-
-// Broad phase: the greater of |dx| and |dy| is a lower bound of the distance
-// between the centres.
-void Finder::find_pair(size_t first, size_t second) noexcept {
-  Body& a = bodies[first];
-  Body& b = bodies[second];
-  if (!can_move(a) && !can_move(b)) {
-    return;
-  }
-  // Positions are within 2^13 px: 32 bits hold the difference.
-  const int32_t x_between = (a.x.raw - b.x.raw) >> 8;
-  const int32_t y_between = (a.y.raw - b.y.raw) >> 8;
-  const int32_t radii = a.shape->radius() + b.shape->radius();
-  const int32_t apart_q10 =
-      (max(abs(x_between), abs(y_between)) - (radii << 8)) * 4;
-  overlap_q10 = min(overlap_of(a), overlap_of(b));
-  if (apart_q10 >= 4 << 10) {
-    note_pair(a, b, -apart_q10);
-    return;
-  }
-  Touches touches;
-  const Look points_of_a = {*this, a, b, x_between, y_between, true};
-  const Look points_of_b = {*this, b, a, x_between, y_between, false};
-  int32_t most = points_of_a.find(-kFarQ10, touches);
-  if (most > -(4 << 10)) {
-    most = points_of_b.find(most, touches);
-  }
-  if (touches[0].id < 0) {
-    note_pair(a, b, most);
-    return;
-  }
-  squeeze(a, most);
-  squeeze(b, most);
-  wake(a, b);
-  wake(b, a);
-  if (contacts.size - count < kContactsOfPair) {
-    note_pair(a, b, most);  // contacts may be missing: do not rely on them
-  }
-  emit(first, second, touches, x_between, y_between);
-}
-
-// Walls: left, top, right, bottom.
-void Finder::find_wall(size_t index, int32_t wall) noexcept {
-  Body& body = bodies[index];
-  const bool is_across = wall % 2 == 0;  // bounds x
-  const int32_t sign = wall < 2 ? -1 : 1;
-  const Rect& walls = rules.walls;
-  const int32_t bounds[] = {walls.x0, walls.y0, walls.x1, walls.y1};
-  // The distance of the centre beyond the wall. [px, Q10]
-  const int32_t centre = sign * (((is_across ? body.x.raw : body.y.raw) >> 6) -
-                                 bounds[wall] * 1024);
-  const int32_t nearest = centre + (body.shape->radius() << 10);
-  overlap_q10 = overlap_of(body);
-  if (nearest <= -(4 << 10)) {
-    note(body, nearest, 256);
-    return;
-  }
-  const Turn turn = turn_of(body.angle());
-  Touches touches;
-  int32_t most = -kFarQ10;
-  int32_t id = 0;
-  for (const BodyPoint& point : body.shape->points()) {
-    ++id;
-    const int32_t off = (is_across ? turned_x(turn, point.x_q5, point.y_q5)
-                                   : turned_y(turn, point.x_q5, point.y_q5)) >>
-                        11;
-    const int32_t distance = centre + sign * off * 4;
-    most = max(most, distance);
-    if (!touches_at(distance)) {
-      continue;
-    }
-    Touch touch;
-    touch.id = id;
-    touch.distance_q10 = distance;
-    touch.x = turned_x(turn, point.x_q5, point.y_q5) >> 11;
-    touch.y = turned_y(turn, point.x_q5, point.y_q5) >> 11;
-    touch.nx = is_across ? -sign * (1 << 13) : 0;
-    touch.ny = is_across ? 0 : -sign * (1 << 13);
-    touch.along = is_across ? touch.y : touch.x;
-    touches.add(touch, true);
-  }
-  note(body, most, 256);
-  squeeze(body, most);
-  emit(index, BodyContact::kWall, touches, 0, 0);
-}
 
 // The speed of the edge by spin. [px a step, Q16]
 int32_t edge_speed(const Body& body) noexcept {

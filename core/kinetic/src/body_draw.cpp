@@ -85,6 +85,10 @@ int32_t hill(int32_t distance_q10, int32_t ring_q10) noexcept {
   return slope * slope >> 10;
 }
 
+bool have_common(const Rect& a, const Rect& b) noexcept {
+  return !is_empty(intersect(a, b));
+}
+
 struct Painter {
   View own;
   View others[kMostNeighbours];
@@ -99,94 +103,79 @@ struct Painter {
                1024 +
            512;
   }
+  // The distance of a pixel from the lines that cut the body. [px, Q10]
+  // (column, line) is in the box. Neighbour i does not matter to the left of
+  // next[i]: a step of one pixel changes a distance by at most 1 px.
   int32_t cut_of(int32_t distance,
                  int32_t column,
                  int32_t line,
                  int32_t (&next)[kMostNeighbours],
-                 int32_t& bulge) const noexcept;
+                 int32_t& bulge) const noexcept {
+    int32_t cut = INT32_MAX;
+    for (size_t i = 0; i < count; ++i) {
+      const View& other = others[i];
+      const int32_t ring = other.ring_q10();
+      int32_t depth = -ring;
+      if (column >= next[i]) {
+        depth = other.distance(column, line);
+        const int32_t far = -depth - ring;
+        next[i] = far < 0 ? column : column + 1 + (far >> 10);
+        const int32_t most = min(own.bulge_q10(), other.bulge_q10());
+        bulge = max(bulge, hill(-depth, ring) * most >> 10);
+      }
+      // The pixel belongs to the body in which it is deeper.
+      cut = min(cut, (distance - max(depth, -ring)) >> 1);
+    }
+    return cut;
+  }
+
   // Not inline, to keep frames small.
+  // Adds a body whose box overlaps that of the body drawn.
   __attribute__((noinline)) void add_neighbour(const Body& body,
                                                const Rect& whole,
-                                               const Rect& box) noexcept;
+                                               const Rect& box) noexcept {
+    if (have_common(whole, box_of(body))) {
+      look_at(body, box.x0, box.y0, others[count++]);
+    }
+  }
+
   __attribute__((noinline)) void draw_row(const Rect& box,
                                           int32_t y,
-                                          const Sink& sink) const noexcept;
-};
-
-bool have_common(const Rect& a, const Rect& b) noexcept {
-  return !is_empty(intersect(a, b));
-}
-
-// Adds a body whose box overlaps that of the body drawn.
-void Painter::add_neighbour(const Body& body,
-                            const Rect& whole,
-                            const Rect& box) noexcept {
-  if (have_common(whole, box_of(body))) {
-    look_at(body, box.x0, box.y0, others[count++]);
-  }
-}
-
-// The distance of a pixel from the lines that cut the body. [px, Q10] (column,
-// line) is in the box. Neighbour i does not matter to the left of next[i]: a
-// step of one pixel changes a distance by at most 1 px.
-int32_t Painter::cut_of(int32_t distance,
-                        int32_t column,
-                        int32_t line,
-                        int32_t (&next)[kMostNeighbours],
-                        int32_t& bulge) const noexcept {
-  int32_t cut = INT32_MAX;
-  for (size_t i = 0; i < count; ++i) {
-    const View& other = others[i];
-    const int32_t ring = other.ring_q10();
-    int32_t depth = -ring;
-    if (column >= next[i]) {
-      depth = other.distance(column, line);
-      const int32_t far = -depth - ring;
-      next[i] = far < 0 ? column : column + 1 + (far >> 10);
-      const int32_t most = min(own.bulge_q10(), other.bulge_q10());
-      bulge = max(bulge, hill(-depth, ring) * most >> 10);
-    }
-    // The pixel belongs to the body in which it is deeper.
-    cut = min(cut, (distance - max(depth, -ring)) >> 1);
-  }
-  return cut;
-}
-
-void Painter::draw_row(const Rect& box,
-                       int32_t y,
-                       const Sink& sink) const noexcept {
-  const int32_t line = y - box.y0;
-  const int32_t width = box.x1 - box.x0;
-  // Distances without coverage, even with a bulge, and with full coverage.
-  const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
-  const int32_t full = max(filter.inside_q10, 0) + 64;
-  int32_t next[kMostNeighbours] = {};
-  PixelRun run(sink, y);
-  for (int32_t column = 0; column < width;) {
-    const int32_t distance = own.distance(column, line);
-    if (distance < blank) {
-      column += 1 + ((blank - distance) >> 10);
-      continue;
-    }
-    const int32_t x = box.x0 + column;
-    const int32_t wall = from_wall(x, y);
-    int32_t bulge = hill(wall, own.ring_q10()) * own.bulge_q10() >> 10;
-    const int32_t cut = min(wall, cut_of(distance, column, line, next, bulge));
-    // A step of one pixel lessens the depth by at most 1 px.
-    const int32_t deep = min(distance, cut) - full;
-    if (deep > 0) {
-      const int32_t end = min(column + 1 + (deep >> 10), width);
-      run.fill(x, box.x0 + end);
-      column = end;
-    } else {
-      if (x >= sink.window.x0 && x < sink.window.x1) {
-        run.add(x, filter.coverage(min(distance + bulge, cut)));
+                                          const Sink& sink) const noexcept {
+    const int32_t line = y - box.y0;
+    const int32_t width = box.x1 - box.x0;
+    // Distances without coverage, even with a bulge, and with full coverage.
+    const int32_t blank = min(filter.outside_q10, 0) - own.bulge_q10() - 64;
+    const int32_t full = max(filter.inside_q10, 0) + 64;
+    int32_t next[kMostNeighbours] = {};
+    PixelRun run(sink, y);
+    for (int32_t column = 0; column < width;) {
+      const int32_t distance = own.distance(column, line);
+      if (distance < blank) {
+        column += 1 + ((blank - distance) >> 10);
+        continue;
       }
-      ++column;
+      const int32_t x = box.x0 + column;
+      const int32_t wall = from_wall(x, y);
+      int32_t bulge = hill(wall, own.ring_q10()) * own.bulge_q10() >> 10;
+      const int32_t cut =
+          min(wall, cut_of(distance, column, line, next, bulge));
+      // A step of one pixel lessens the depth by at most 1 px.
+      const int32_t deep = min(distance, cut) - full;
+      if (deep > 0) {
+        const int32_t end = min(column + 1 + (deep >> 10), width);
+        run.fill(x, box.x0 + end);
+        column = end;
+      } else {
+        if (x >= sink.window.x0 && x < sink.window.x1) {
+          run.add(x, filter.coverage(min(distance + bulge, cut)));
+        }
+        ++column;
+      }
     }
+    run.flush();
   }
-  run.flush();
-}
+};
 
 }  // namespace
 

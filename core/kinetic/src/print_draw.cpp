@@ -46,6 +46,15 @@ struct Wave {
   }
 };
 
+Wave wave_of(Angle angle, uint32_t to_phase) noexcept {
+  // The phase of lines grows at right angles to them.
+  const auto step = [to_phase](int32_t part_q14) {
+    const int64_t px = int64_t{to_phase} * 1024;
+    return static_cast<uint32_t>(px * part_q14 >> 14);
+  };
+  return {step(sine(angle).raw), step(cosine(angle).raw)};
+}
+
 struct Printer {
   PrintStyle style;
   int32_t pitch_q10;  // [px]
@@ -61,7 +70,41 @@ struct Printer {
   uint32_t start;
 
   explicit Printer(const PrintLook& look) noexcept;
-  uint32_t ink(const GridPoint& at, int32_t x, int32_t y) const noexcept;
+  uint32_t ink(const GridPoint& at, int32_t x, int32_t y) const noexcept {
+    const int32_t dark = shade(at);
+    const int32_t depth_q10 = at.distance_q10;
+    int32_t result = dark;
+    switch (style) {
+      case PrintStyle::rings:
+        result =
+            line(to_phase * static_cast<uint32_t>(depth_q10) - start, dark);
+        break;
+      case PrintStyle::engraving: {
+        // Lines follow the height: a parabola up to the flat part.
+        const int32_t left = slope_q10 - clamp(depth_q10, 0, slope_q10);
+        const int32_t height_q10 =
+            (slope_q10 - (left * steep_q8(depth_q10) >> 8)) * 3 >> 2;
+        const uint32_t bent = to_phase * static_cast<uint32_t>(height_q10);
+        result = line(along.at(x, y) + bent - start, dark);
+        break;
+      }
+      case PrintStyle::hatching: {
+        const int32_t first =
+            line(along.at(x, y) - start, min(dark, 127) * 5 >> 3);
+        const int32_t second =
+            dark > 127 ? line(across.at(x, y) + start, (dark - 127) * 7 >> 3)
+                       : 0;
+        result = max(first, second);
+        break;
+      }
+      case PrintStyle::halftone:
+        result = dot(along.at(x, y) - start, across.at(x, y), dark);
+        break;
+      case PrintStyle::relief:
+        break;
+    }
+    return static_cast<uint32_t>(result);
+  }
 
  private:
   // The steepness of the dome: 1 at the edge, 0 at the end of the slope.
@@ -69,18 +112,27 @@ struct Printer {
     return 256 - (clamp(distance_q10, 0, slope_q10) * to_steep >> 16);
   }
   int32_t shade(const GridPoint& at) const noexcept;
-  int32_t line(uint32_t phase, int32_t width_q8) const noexcept;
-  int32_t dot(uint32_t phase, uint32_t other, int32_t dark) const noexcept;
-};
+  // Coverage of a line that is part / 256 of the pitch wide. [of 255]
+  int32_t line(uint32_t phase, int32_t width_q8) const noexcept {
+    const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
+    const int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
+    const int32_t half_q10 = pitch_q10 * width_q8 >> 9;
+    return clamp((half_q10 - px_q10 + 512) >> 2, 0, kBlack);
+  }
 
-Wave wave_of(Angle angle, uint32_t to_phase) noexcept {
-  // The phase of lines grows at right angles to them.
-  const auto step = [to_phase](int32_t part_q14) {
-    const int64_t px = int64_t{to_phase} * 1024;
-    return static_cast<uint32_t>(px * part_q14 >> 14);
-  };
-  return {step(sine(angle).raw), step(cosine(angle).raw)};
-}
+  // Coverage of a dot, which joins its neighbours at half tone.
+  int32_t dot(uint32_t phase, uint32_t other, int32_t dark) const noexcept {
+    // The sum of two distances from the middle, in half pitches. [Q16]
+    const int32_t away = abs(static_cast<int32_t>(phase) >> 16) +
+                         abs(static_cast<int32_t>(other) >> 16);
+    const int32_t reach = dark <= 127
+                              ? half_root_q16(2 * dark)
+                              : 65536 - half_root_q16(2 * (kBlack - dark));
+    // Across the dot's side: by sqrt(2) slower.
+    const int32_t px_q10 = ((reach - away) >> 6) * (pitch_q10 >> 4) * 181 >> 14;
+    return clamp((px_q10 + 512) >> 2, 0, kBlack);
+  }
+};
 
 Printer::Printer(const PrintLook& look) noexcept
     : style(look.style),
@@ -112,65 +164,6 @@ int32_t Printer::shade(const GridPoint& at) const noexcept {
   const int32_t change =
       (facing * contrast >> 14) * steep_q8(at.distance_q10) >> 8;
   return clamp(tone + change, 0, kBlack);
-}
-
-// Coverage of a line that is part / 256 of the pitch wide. [of 255]
-int32_t Printer::line(uint32_t phase, int32_t width_q8) const noexcept {
-  const int32_t from_middle = static_cast<int32_t>(phase) >> 16;  // [Q16]
-  const int32_t px_q10 = abs(from_middle) * (pitch_q10 >> 4) >> 12;
-  const int32_t half_q10 = pitch_q10 * width_q8 >> 9;
-  return clamp((half_q10 - px_q10 + 512) >> 2, 0, kBlack);
-}
-
-// Coverage of a dot, which joins its neighbours at half tone.
-int32_t Printer::dot(uint32_t phase,
-                     uint32_t other,
-                     int32_t dark) const noexcept {
-  // The sum of two distances from the middle, in half pitches. [Q16]
-  const int32_t away = abs(static_cast<int32_t>(phase) >> 16) +
-                       abs(static_cast<int32_t>(other) >> 16);
-  const int32_t reach = dark <= 127
-                            ? half_root_q16(2 * dark)
-                            : 65536 - half_root_q16(2 * (kBlack - dark));
-  // Across the dot's side: by sqrt(2) slower.
-  const int32_t px_q10 = ((reach - away) >> 6) * (pitch_q10 >> 4) * 181 >> 14;
-  return clamp((px_q10 + 512) >> 2, 0, kBlack);
-}
-
-uint32_t Printer::ink(const GridPoint& at,
-                      int32_t x,
-                      int32_t y) const noexcept {
-  const int32_t dark = shade(at);
-  const int32_t depth_q10 = at.distance_q10;
-  int32_t result = dark;
-  switch (style) {
-    case PrintStyle::rings:
-      result = line(to_phase * static_cast<uint32_t>(depth_q10) - start, dark);
-      break;
-    case PrintStyle::engraving: {
-      // Lines follow the height: a parabola up to the flat part.
-      const int32_t left = slope_q10 - clamp(depth_q10, 0, slope_q10);
-      const int32_t height_q10 =
-          (slope_q10 - (left * steep_q8(depth_q10) >> 8)) * 3 >> 2;
-      const uint32_t bent = to_phase * static_cast<uint32_t>(height_q10);
-      result = line(along.at(x, y) + bent - start, dark);
-      break;
-    }
-    case PrintStyle::hatching: {
-      const int32_t first =
-          line(along.at(x, y) - start, min(dark, 127) * 5 >> 3);
-      const int32_t second =
-          dark > 127 ? line(across.at(x, y) + start, (dark - 127) * 7 >> 3) : 0;
-      result = max(first, second);
-      break;
-    }
-    case PrintStyle::halftone:
-      result = dot(along.at(x, y) - start, across.at(x, y), dark);
-      break;
-    case PrintStyle::relief:
-      break;
-  }
-  return static_cast<uint32_t>(result);
 }
 
 // The pixels of a row that have distances. [px]

@@ -35,14 +35,90 @@ class LineFinder {
     line_.next = line.begin;
   }
 
-  void find() noexcept;
+  void find() noexcept {
+    while (take()) {
+    }
+    line_.width = walk_.pen().to_units(line_.width);
+  }
 
  private:
-  bool take() noexcept;
-  bool take_visible(uint32_t code_point, const Cell& cell) noexcept;
-  void keep_place(uint32_t at) noexcept;
-  void end_at(uint32_t next) noexcept;
-  void end_paragraph(uint32_t code_point) noexcept;
+  // One character; false: the line is at its end.
+  bool take() noexcept {
+    if (walk_.at_end()) {
+      end_paragraph(0);
+      line_.is_last = true;
+      return false;
+    }
+    Cell cell;
+    const uint32_t code_point = walk_.take(cell);
+    const LineClass line_class = detail::line_class(code_point);
+    const Break place = state_.step(line_class, walk_.rest());
+    if (detail::ends_line(line_class)) {
+      end_paragraph(code_point);
+      return false;
+    }
+    if (place == Break::allowed && end_ != line_.begin) {
+      keep_place(cell.begin);
+    }
+    is_after_hyphen_ =
+        code_point == 0xad && cell.begin == end_ && walk_.pen().has_begun();
+    walk_.put(code_point, cell);
+    // What has no width goes with spaces before it.
+    const bool is_behind_spaces =
+        !cell.has_ink && cell.x_end == cell.x && cell.begin != end_;
+    if (is_behind_spaces || hangs(code_point, line_class)) {
+      pending_gaps_ = static_cast<uint16_t>(
+          pending_gaps_ + (detail::is_gap(code_point) ? 1 : 0));
+      return true;
+    }
+    return take_visible(code_point, cell);
+  }
+
+  // False: the line is full. It holds a character with its marks, even if there
+  // is no room, but never more than kMaxLineBytes.
+  bool take_visible(uint32_t code_point, const Cell& cell) noexcept {
+    const bool is_long = cell.end - line_.begin > kMaxLineBytes;
+    if (!has_place_ && (!cell.is_mark || cell.begin != end_ ||
+                        (is_long && line_.next == line_.begin))) {
+      end_at(cell.begin);
+    }
+    if (is_long || (line_.next != line_.begin && cell.x_end > room_)) {
+      return false;
+    }
+    gaps_ = static_cast<uint16_t>(gaps_ + pending_gaps_);
+    pending_gaps_ = detail::is_gap(code_point) ? 1 : 0;
+    end_ = cell.end;
+    width_ = cell.x_end;
+    return true;
+  }
+
+  // A line may end before `at`.
+  void keep_place(uint32_t at) noexcept {
+    const int32_t hyphen = is_after_hyphen_ ? walk_.pen().hyphen().width : 0;
+    if (is_after_hyphen_ && width_ + hyphen > room_) {
+      return;
+    }
+    end_at(at);
+    line_.width += hyphen;
+    line_.has_hyphen = is_after_hyphen_;
+    has_place_ = true;
+  }
+
+  void end_at(uint32_t next) noexcept {
+    line_.next = next;
+    line_.length = static_cast<uint16_t>(end_ - line_.begin);
+    line_.gaps = gaps_;
+    line_.width = width_;
+    line_.has_hyphen = false;
+  }
+
+  void end_paragraph(uint32_t code_point) noexcept {
+    if (code_point == '\r' && !walk_.at_end() && walk_.rest().data[0] == '\n') {
+      walk_.skip_byte();
+    }
+    end_at(walk_.offset());
+    line_.ends_paragraph = true;
+  }
 
   LineWalk walk_;
   LineState state_;
@@ -56,90 +132,6 @@ class LineFinder {
   bool is_after_hyphen_ = false;
   bool has_place_ = false;  // where a line may end
 };
-
-void LineFinder::end_at(uint32_t next) noexcept {
-  line_.next = next;
-  line_.length = static_cast<uint16_t>(end_ - line_.begin);
-  line_.gaps = gaps_;
-  line_.width = width_;
-  line_.has_hyphen = false;
-}
-
-// A line may end before `at`.
-void LineFinder::keep_place(uint32_t at) noexcept {
-  const int32_t hyphen = is_after_hyphen_ ? walk_.pen().hyphen().width : 0;
-  if (is_after_hyphen_ && width_ + hyphen > room_) {
-    return;
-  }
-  end_at(at);
-  line_.width += hyphen;
-  line_.has_hyphen = is_after_hyphen_;
-  has_place_ = true;
-}
-
-void LineFinder::end_paragraph(uint32_t code_point) noexcept {
-  if (code_point == '\r' && !walk_.at_end() && walk_.rest().data[0] == '\n') {
-    walk_.skip_byte();
-  }
-  end_at(walk_.offset());
-  line_.ends_paragraph = true;
-}
-
-// False: the line is full. It holds a character with its marks, even if there
-// is no room, but never more than kMaxLineBytes.
-bool LineFinder::take_visible(uint32_t code_point, const Cell& cell) noexcept {
-  const bool is_long = cell.end - line_.begin > kMaxLineBytes;
-  if (!has_place_ && (!cell.is_mark || cell.begin != end_ ||
-                      (is_long && line_.next == line_.begin))) {
-    end_at(cell.begin);
-  }
-  if (is_long || (line_.next != line_.begin && cell.x_end > room_)) {
-    return false;
-  }
-  gaps_ = static_cast<uint16_t>(gaps_ + pending_gaps_);
-  pending_gaps_ = detail::is_gap(code_point) ? 1 : 0;
-  end_ = cell.end;
-  width_ = cell.x_end;
-  return true;
-}
-
-// One character; false: the line is at its end.
-bool LineFinder::take() noexcept {
-  if (walk_.at_end()) {
-    end_paragraph(0);
-    line_.is_last = true;
-    return false;
-  }
-  Cell cell;
-  const uint32_t code_point = walk_.take(cell);
-  const LineClass line_class = detail::line_class(code_point);
-  const Break place = state_.step(line_class, walk_.rest());
-  if (detail::ends_line(line_class)) {
-    end_paragraph(code_point);
-    return false;
-  }
-  if (place == Break::allowed && end_ != line_.begin) {
-    keep_place(cell.begin);
-  }
-  is_after_hyphen_ =
-      code_point == 0xad && cell.begin == end_ && walk_.pen().has_begun();
-  walk_.put(code_point, cell);
-  // What has no width goes with spaces before it.
-  const bool is_behind_spaces =
-      !cell.has_ink && cell.x_end == cell.x && cell.begin != end_;
-  if (is_behind_spaces || hangs(code_point, line_class)) {
-    pending_gaps_ = static_cast<uint16_t>(pending_gaps_ +
-                                          (detail::is_gap(code_point) ? 1 : 0));
-    return true;
-  }
-  return take_visible(code_point, cell);
-}
-
-void LineFinder::find() noexcept {
-  while (take()) {
-  }
-  line_.width = walk_.pen().to_units(line_.width);
-}
 
 __attribute__((noinline)) int32_t room_of(const LayoutOptions& options,
                                           Q26_6 width) noexcept {
