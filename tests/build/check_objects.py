@@ -1,7 +1,7 @@
 """Looks into the object files of core and port, for four machines.
 
-They must hold no writable data and no constructors, refer to nothing but each
-other and a few helpers, use no more than a stated stack in one function, and
+They, and constants.cpp with styles of a program, must hold no writable data
+and no constructors, refer to nothing but each other and a few helpers, use no more than a stated stack in one function, and
 come from sources that include nothing but <stdint.h>, <stddef.h> and inkcell/.
 
 Usage: check_objects.py WORK_FOLDER
@@ -125,7 +125,7 @@ def check_machine(machine, level, work):
     folder.mkdir(parents=True)
     objects, problems, stack = [], [], 0
     limits = HOST_STACK_LIMITS if machine == "host" else STACK_LIMITS
-    for source in device_sources():
+    for source in [*device_sources(), ROOT / "tests/build/constants.cpp"]:
         target, result = compile_source(machine, level, source, folder)
         if result.returncode != 0:
             problems.append(result.stdout)

@@ -20,9 +20,9 @@ LINKER_FLAGS = "-Wl,--gc-sections"
 LINKER = "set_target_properties(app PROPERTIES LINKER_LANGUAGE C)"
 INSTALL = "cmake --install build --prefix"
 # Functions that the program calls; that others would.
-CALLED = ["paint_distances(", "draw_text("]
+CALLED = ["paint_areas(", "draw_text("]
 NOT_CALLED = ["mix_lcd", "mix_outline", "mix_crisp", "mix_contrast", "Mean::",
-              "repaint(", "paint_crossings", "paint_areas(", "paint_wide",
+              "repaint(", "paint_crossings", "paint_distances(", "paint_wide",
               "PreparedGlyph::make", "Fit::make", "kGridFit", "Font::verify"]
 SUBDIRECTORY = re.compile(r"add_subdirectory\(inkcell\).*")
 
@@ -74,13 +74,13 @@ def check_linked(program, library):
 
 
 def check_render(work, build):
-    """Problems of inkcell-render, which draws by default what the program draws:
+    """Problems of inkcell-render, which draws by area what the program draws:
     white on black, 5 bits of red and 6 of green in place of 8 of grey."""
     picture, screen = work / "hello.pgm", work / "screen"
     text = re.search(r'draw_text\(font, "(.*?)"', blocks("cpp")).group(1)
     result = run([build / "host_tools/inkcell-render", "--font", FONT, "--text",
                   text, "--px", 24, "--width", 160, "--height", 40, "--ox", 4,
-                  "--oy", 28, "--out", picture])
+                  "--oy", 28, "--filter", "area", "--out", picture])
     if result.returncode != 0 or run([work / "build/app", screen]).returncode:
         return [f"inkcell-render: {result.stdout}"]
     grey = picture.read_bytes().split(b"\n", 3)[3]

@@ -104,7 +104,10 @@ Status DistanceGrid::paint(const Font& font,
                            Point origin,
                            Workspace workspace) noexcept {
   const Q26_6 painted = Q26_6::from_raw(size.raw >> scale_log2_);
-  Style style(painted, kFilterDistance);
+  if (painted.raw < kMinSize.raw || painted.raw > kMaxSize.raw) {
+    return Status::bad_argument;
+  }
+  const Style style(painted, kFilterDistance);
   INKCELL_TRY(check_reach(font.range(), painted, kFilterDistance));
   const Point at = {Q26_6::from_raw(origin.x.raw >> scale_log2_),
                     Q26_6::from_raw(origin.y.raw >> scale_log2_)};

@@ -8,10 +8,12 @@ constexpr int32_t kWidth = 120;
 constexpr int32_t kHeight = 32;
 alignas(2) static uint8_t pixels[2 * kWidth * kHeight];
 
+using namespace inkcell::literals;
+constexpr inkcell::Style kStyle = inkcell::Style(24_px);
+
 inkcell::Status draw_clock(const char* text) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::digits, font));
-  inkcell::Style style(inkcell::Q26_6::from_int(24), inkcell::kFilterText);
   inkcell::Strip strip;
   strip.pixels = pixels;
   strip.width = kWidth;
@@ -20,10 +22,7 @@ inkcell::Status draw_clock(const char* text) {
   inkcell::port::Rgb565Target target = {strip};
   inkcell::Sink sink;
   INKCELL_TRY(inkcell::port::make_sink(target, sink));
-  inkcell::draw_text(font, text, style,
-                     {inkcell::Q26_6::from_int(4),
-                      inkcell::Q26_6::from_int(25)},
-                     sink);
+  inkcell::draw_text(font, text, kStyle, {4, 25}, sink);
   return inkcell::Status::ok;
 }
 

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <fonts/dejavu_sans.hpp>
-#include <inkcell/filter.hpp>
 #include <inkcell/font.hpp>
 #include <inkcell/port/pixel.hpp>
 #include <inkcell/port/rgb565.hpp>
@@ -58,7 +57,7 @@ int lines_of(const Screen& screen) {
 inkcell::Status draw_page(int32_t scroll, Screen& screen) {
   inkcell::Font font;
   INKCELL_TRY(inkcell::Font::open(fonts::dejavu_sans, font));
-  inkcell::Style style(inkcell::Q26_6::from_int(20), inkcell::kFilterText);
+  const inkcell::Style style(inkcell::Q26_6::from_int(20));
   inkcell::port::Rgb565Target target = {screen.strip};
   inkcell::Sink sink;
   INKCELL_TRY(inkcell::port::make_sink(target, sink));
