@@ -22,7 +22,7 @@ TEST(GlyphCache, TenDigitsOf32PxFitInto2Kb) {
   const std::vector<uint8_t> bytes = generate(request).bytes;
   Font font;
   ASSERT_EQ(Font::open({bytes.data(), bytes.size()}, font), Status::ok);
-  const Style style(Q26_6::from_int(32), kFilterText);
+  const Style style(32_px, kFilterText);
   alignas(8) uint8_t ram[2048];
   GlyphCache cache;
   ASSERT_EQ(GlyphCache::make(ram, {}, cache), Status::ok);

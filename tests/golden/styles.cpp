@@ -176,7 +176,7 @@ bool draw_turned(const Sink& sink) {
   direction.cosine.raw = 1065418748;
   direction.sine.raw = -133530580;
   const CircleSamples even = make_circle_samples(kFilterText);
-  style = Style(Q26_6::from_int(15), kFilterText, direction);
+  style = Style(15_px, kFilterText, direction);
   style.set_effect(circle_samples_effect(even));
   return draw_line(
       {FontId::dejavu_sans_field, "Againgain", 0, 3 * 64, 160 * 64}, style,
@@ -196,7 +196,7 @@ bool draw_areas(const Sink& sink) {
   const Style area = style_of(upright, kFilterArea);
   const Style turned_area(Q26_6::from_raw(turned.size_q6), kFilterArea,
                           direction);
-  const Style distance(Q26_6::from_int(15), kFilterText, direction);
+  const Style distance(15_px, kFilterText, direction);
   return draw_line(upright, area, nullptr, sink) &&
          draw_line(turned, turned_area, nullptr, sink) &&
          draw_line({FontId::roboto_outline, "Roboty", 0, 50 * 64, 170 * 64},

@@ -43,7 +43,7 @@ struct Ink {
 void draw_with_ram(const Font& font, Ink& ink) {
   const auto ram = std::make_unique<uint32_t[]>(kRam / 4);
   const Workspace workspace = {reinterpret_cast<uint8_t*>(ram.get()), kRam};
-  const Style style(Q26_6::from_int(22), kFilterText);
+  const Style style(22_px, kFilterText);
   const Sink sink = {ink.window, &ink, Ink::coverage, Ink::solid};
   for (uint16_t glyph = 0; glyph < 7; ++glyph) {
     draw_glyph(font, glyph, style,

@@ -431,7 +431,7 @@ bool try_endless_marks(const FontFile& font) {
   for (size_t i = 0; i != 40000; ++i) {
     text += "\xcc\x81";
   }
-  const Style style(Q26_6::from_int(12), kFilterText);
+  const Style style(12_px, kFilterText);
   const LayoutOptions options(font.font, style);
   TextLine line;
   size_t lines = 0;

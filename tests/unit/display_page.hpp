@@ -27,8 +27,8 @@ void draw_words(Target target) {
     return opened;
   }();
   Style large, small;
-  large = Style(Q26_6::from_int(61), kFilterArea);
-  small = Style(Q26_6::from_int(13), kFilterArea);
+  large = Style(61_px, kFilterArea);
+  small = Style(13_px, kFilterArea);
   Sink sink;
   CHECK_OK(make_sink(target, sink));
   draw_text(font, "DEFACED", large, {Q26_6::from_int(-9), Q26_6::from_int(37)},

@@ -96,7 +96,7 @@ TEST(runs_have_faces) {
   const size_t size = outline_record::build_sample_font(rom);
   Font font;
   CHECK_OK(Font::open({rom, size}, font));
-  Style style(Q26_6::from_int(9), kFilterText);
+  Style style(9_px, kFilterText);
   const auto draw_with = [](const Font* own, const Style* look) {
     return [=] {
       PositionedGlyph at;
@@ -117,6 +117,6 @@ TEST(slants_are_of_slanted_styles) {
   Direction down;
   down.cosine.raw = 0;
   down.sine.raw = -(1 << 30);
-  style = Style(Q26_6::from_int(9), kFilterText, down);
+  style = Style(9_px, kFilterText, down);
   CHECK(!ends(ask));
 }

@@ -48,7 +48,7 @@ TEST(label_is_that_of_cpp) {
   CHECK_EQ(draw_label(rom().data, rom().size, kText, by_c), INKCELL_OK);
 
   const Font font = open();
-  Style style(Q26_6::from_int(12), kFilterText);
+  Style style(12_px, kFilterText);
   port::MonoPagesTarget target;
   target.strip = {by_cpp, 0, 0, LABEL_WIDTH, LABEL_HEIGHT, LABEL_WIDTH};
   Sink sink;
@@ -106,7 +106,7 @@ TEST(clock_is_that_of_cpp) {
 
   // All at once, but at the places within a pixel that a cache has.
   const Font font = open();
-  Style style(Q26_6::from_int(30), kFilterArea);
+  Style style(30_px, kFilterArea);
   port::Rgb565Target target;
   target.strip = {by_cpp, 0, 0, CLOCK_WIDTH, CLOCK_HEIGHT, CLOCK_WIDTH * 2};
   target.colour = port::rgb565(255, 200, 0);
@@ -128,7 +128,7 @@ TEST(paragraph_is_that_of_cpp) {
   CHECK_EQ(draw_paragraph(rom().data, rom().size, kLongText, by_c), INKCELL_OK);
 
   const Font font = open();
-  Style style(Q26_6::from_int(14), kFilterText);
+  Style style(14_px, kFilterText);
   port::Grey8Target target;
   target.strip = {by_cpp,         0, 0, PARAGRAPH_WIDTH, PARAGRAPH_HEIGHT,
                   PARAGRAPH_WIDTH};
@@ -148,7 +148,7 @@ TEST(own_sink_gets_what_cpp_gives) {
   CHECK_EQ(draw_plot(rom().data, rom().size, kText, by_c), INKCELL_OK);
 
   const Font font = open();
-  Style style(Q26_6::from_int(16), kFilterText,
+  Style style(16_px, kFilterText,
               {Fixed<int32_t, 30>::from_raw(1053110176),
                Fixed<int32_t, 30>::from_raw(209476638)});
   Sink sink;

@@ -28,7 +28,7 @@ void draw_into(First& outline_picture, Second& fill_picture) {
   const GlyphField field = effect::field_of(font_builder::disc);
   const Outline outline =
       make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
-  Style style(Q26_6::from_int(24), outline.outer);
+  Style style(24_px, outline.outer);
   const Sink fill = fill_picture.sink();
   const OutlineAndFill both = {&outline.inner, &fill};
   style.set_effect(outline_and_fill_effect(both));

@@ -156,8 +156,7 @@ Status draw_on_canvas(GFXcanvas16& canvas,
   target.colour = port::rgb565(255, 200, 0);
   Sink sink;
   INKCELL_TRY(port::make_sink(target, sink));
-  draw_text(font, "ABC", style, {Q26_6::from_int(4), Q26_6::from_int(28)},
-            sink);
+  draw_text(font, "ABC", style, {4, 28}, sink);
   return Status::ok;
 }
 
@@ -165,7 +164,7 @@ TEST(a_canvas_takes_text) {
   uint8_t rom[outline_record::kSampleFontBytes];
   Font font;
   CHECK_OK(Font::open({rom, outline_record::build_sample_font(rom)}, font));
-  Style style(Q26_6::from_int(24), kFilterArea);
+  Style style(24_px, kFilterArea);
   GFXcanvas16 canvas;
   CHECK_OK(draw_on_canvas(canvas, font, style));
   int32_t full = 0;

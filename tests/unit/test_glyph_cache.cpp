@@ -423,7 +423,7 @@ TEST(sub_pixels_are_kept_by_channel) {
 TEST(effects_fit_their_box) {
   const Font font = outline_font();
   const Filter glow = glow_filter(Q6_10::from_int(3));
-  Style style(Q26_6::from_int(14), glow);
+  Style style(14_px, glow);
   GlyphCache cache = cache_of(4096, exact());
   CHECK_EQ(compare(cache, font, 1, style, px(12, 18)), 0);
   CHECK_EQ(cache.stats().misses, 1u);

@@ -184,7 +184,7 @@ Status draw_parts_and_print(const Sink& sink) {
   const DistanceGrid& bowl = grid;
   const DistanceGrid& hole = grid;
   const GridPart parts[] = {{&stem, x0, y0},
-                            {&bowl, x1, y1, Combine::blend, Q26_6::from_int(3)},
+                            {&bowl, x1, y1, Combine::blend, 3_px},
                             {&hole, x2, y2, Combine::subtract}};
   draw_combined(parts, kFilterMotion, sink);  // for each strip
   dirty.add(combined_box(parts, kFilterMotion), screen);
@@ -194,8 +194,8 @@ Status draw_parts_and_print(const Sink& sink) {
   PrintLook look;
   look.style = PrintStyle::engraving;  // rings, hatching, halftone, relief
   look.light = degrees(135);
-  look.pitch = Q26_6::from_int(5);
-  look.slope = Q26_6::from_int(8);                    // how wide the edge is
+  look.pitch = 5_px;
+  look.slope = 8_px;                                  // how wide the edge is
   draw_print(grid, look, x, y, kFilterMotion, sink);  // for each strip
   return Status::ok;
 }

@@ -17,7 +17,7 @@ struct Setting {
   Font font = layout_font::open(rom);
   Style style;
 
-  Setting() { style = Style(Q26_6::from_int(10), kFilterText); }
+  Setting() { style = Style(10_px, kFilterText); }
   TextBox box(const Rect& rect, Align align = Align::start) const {
     return TextBox(font, style, rect, align);
   }
@@ -74,8 +74,7 @@ Status make_screen(const Font& font, const Style& style, Screen& out) {
 
 void draw_screen(const Screen& screen, int32_t scroll_px, const Sink& sink) {
   screen.box.draw("A paragraph that wraps, and is centred.", sink);
-  screen.label.draw_endless(Q26_6::from_int(scroll_px), Q26_6::from_int(16),
-                            sink);
+  screen.label.draw_endless(Q26_6::from_int(scroll_px), 16_px, sink);
 }
 
 }  // namespace
@@ -339,7 +338,7 @@ TEST(faces_fall_back) {
   Font sample;
   CHECK_OK(open_any_font({sample_rom, size}, sample));
   const Setting setting;
-  Style small(Q26_6::from_int(5), kFilterText);
+  Style small(5_px, kFilterText);
   const Face fallback[] = {{&setting.font, &small}};
   LayoutOptions options(sample, setting.style);
   options.fallback = fallback;

@@ -178,10 +178,10 @@ struct Styles {
   Styles() {
     styles[0] = text_style();
     styles[1] = area_style();
-    styles[2] = Style(Q26_6::from_int(16), kWide);
-    styles[3] = Style(Q26_6::from_int(14), kFilterText, turned());
-    styles[4] = Style(Q26_6::from_int(14), kFilterArea, turned());
-    styles[5] = Style(Q26_6::from_int(14), kWide, turned());
+    styles[2] = Style(16_px, kWide);
+    styles[3] = Style(14_px, kFilterText, turned());
+    styles[4] = Style(14_px, kFilterArea, turned());
+    styles[5] = Style(14_px, kWide, turned());
     styles[6] = text_style();
     styles[6].set_effect(outline_effect(inner));
     styles[7] = text_style();
@@ -251,7 +251,7 @@ TEST(a_ring_by_distance_and_area) {
 
 TEST(a_wide_filter_reaches_far) {
   Picture<16, 16> soft;
-  Style style(Q26_6::from_int(16), kWide);
+  Style style(16_px, kWide);
   draw(soft, square, style, at(4 * 64, 12 * 64));
   CHECK_PICTURE(soft,
                 "................\n"
@@ -271,7 +271,7 @@ TEST(a_wide_filter_reaches_far) {
 
 TEST(a_turned_square_and_a_mirrored_one) {
   Picture<14, 12> leaning;
-  Style style(Q26_6::from_int(16), kFilterText, turned());
+  Style style(16_px, kFilterText, turned());
   draw(leaning, square, style, at(64, 64 * 6));
   CHECK_PICTURE(leaning,
                 "......:.......\n"

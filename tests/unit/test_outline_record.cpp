@@ -18,7 +18,7 @@ bool open(Font& font) {
 
 template <int32_t kWidth, int32_t kHeight>
 void draw(Picture<kWidth, kHeight>& picture, const Font& font, uint16_t glyph) {
-  Style style(Q26_6::from_int(16), kFilterText);
+  Style style(16_px, kFilterText);
   draw_glyph(font, glyph, style,
              {Q26_6::from_int(0), Q26_6::from_int(kHeight - 1)},
              picture.sink());

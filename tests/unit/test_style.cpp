@@ -18,9 +18,7 @@ Direction direction(int32_t cosine_q30, int32_t sine_q30) {
 }
 
 Direction turned_to(int32_t cosine_q30, int32_t sine_q30) {
-  return Style(Q26_6::from_int(20), kFilterText,
-               direction(cosine_q30, sine_q30))
-      .direction();
+  return Style(20_px, kFilterText, direction(cosine_q30, sine_q30)).direction();
 }
 
 // Whether the direction of a style is what was asked for.
@@ -42,7 +40,7 @@ constexpr int32_t kOne = 1 << 30;
 
 // Styles are constants.
 constexpr Style kPlain;
-constexpr Style kTitle = Style(Q26_6::from_int(24), kFilterText);
+constexpr Style kTitle = Style(24_px, kFilterText);
 static_assert(kTitle.is_upright());
 
 TEST(default_style) {
@@ -55,8 +53,8 @@ TEST(default_style) {
   CHECK_EQ(kPlain.to_px_q10(64 << 10), 1 << 10);
   CHECK_EQ(kTitle.size().raw, 24 * 64);
   CHECK(&kTitle.filter() == &kFilterText);
-  CHECK(is_same(kTitle, Style(Q26_6::from_int(24), kFilterText)));
-  CHECK(!is_same(kTitle, Style(Q26_6::from_int(24))));
+  CHECK(is_same(kTitle, Style(24_px, kFilterText)));
+  CHECK(!is_same(kTitle, Style(24_px)));
 }
 
 TEST(sizes_are_clamped_to_4_to_1024_px) {

@@ -482,7 +482,7 @@ TEST(turned_runs_follow_their_direction) {
   Direction up;  // to the top of the screen
   up.cosine.raw = 0;
   up.sine.raw = 1 << 30;
-  Style style(Q26_6::from_int(20), kFilterText, up);
+  Style style(20_px, kFilterText, up);
   PositionedGlyph glyph;
   glyph.glyph = 2;
   glyph.x = 1000;

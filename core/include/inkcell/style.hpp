@@ -86,7 +86,7 @@ Stretch stretch_of(const Matrix& matrix) noexcept;
 class Style {
  public:
   /// 16 px/em, upright, exact coverage.
-  constexpr Style() noexcept : Style(Q26_6::from_int(16)) {}
+  constexpr Style() noexcept : Style(16_px) {}
 
   /// An upright style of `size` px to the em. The size is clamped to
   /// kMinSize..kMaxSize.

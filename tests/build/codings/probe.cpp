@@ -20,7 +20,7 @@ static bool show(Span<const uint8_t> rom) {
   target.strip.height = kSide;
   target.strip.stride = kSide;
   Sink sink;
-  const Style style(Q26_6::from_int(24), kFilterText);
+  const Style style(24_px, kFilterText);
   if (make_sink(target, sink) != Status::ok) {
     return false;
   }
