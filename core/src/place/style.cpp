@@ -19,6 +19,11 @@ int64_t length_of(int64_t x, int64_t y) noexcept {
   return static_cast<int64_t>(root);
 }
 
+uint32_t magnitude(int32_t value) noexcept {
+  const auto same = static_cast<uint32_t>(value);
+  return value < 0 ? 0 - same : same;
+}
+
 // An entry of a matrix over the size. [px, Q16 -> Q30]
 Fixed<int32_t, 30> over_size(Q16_16 entry_px, int32_t size_q6) noexcept {
   return Fixed<int32_t, 30>::from_raw(
@@ -48,18 +53,15 @@ struct Gains {
   int shift = 0;  // both numbers times 2^shift; 0 within twice the largest size
 
   explicit Gains(const Matrix& m) noexcept {
-    int64_t x_right = m.x_right.raw;
-    int64_t x_up = m.x_up.raw;
-    int64_t y_right = m.y_right.raw;
-    int64_t y_up = m.y_up.raw;
-    while (!is_small(x_right) || !is_small(x_up) || !is_small(y_right) ||
-           !is_small(y_up)) {
-      x_right /= 2;
-      x_up /= 2;
-      y_right /= 2;
-      y_up /= 2;
+    const uint32_t bits = magnitude(m.x_right.raw) | magnitude(m.x_up.raw) |
+                          magnitude(m.y_right.raw) | magnitude(m.y_up.raw);
+    while (bits >> shift > uint32_t{kMaxSize.raw} << 11) {
       ++shift;
     }
+    const int64_t x_right = m.x_right.raw >> shift;
+    const int64_t x_up = m.x_up.raw >> shift;
+    const int64_t y_right = m.y_right.raw >> shift;
+    const int64_t y_up = m.y_up.raw >> shift;
     turn_q17 = length_of(x_right + y_up, x_up - y_right);
     mirror_q17 = length_of(x_right - y_up, x_up + y_right);
   }
@@ -72,10 +74,6 @@ struct Gains {
   }
 
  private:
-  static bool is_small(int64_t entry_q16) noexcept {
-    constexpr int64_t kLimit = int64_t{kMaxSize.raw} << 11;
-    return entry_q16 <= kLimit && entry_q16 >= -kLimit;
-  }
   Q26_6 to_q6(int64_t value_q17) const noexcept {  // at most 2^17 px
     return Q26_6::from_raw(static_cast<int32_t>((value_q17 + (1 << 10)) >> 11)
                            << shift);
@@ -113,41 +111,41 @@ bool bring_into_range(Matrix& matrix, const Stretch& given) noexcept {
   return true;
 }
 
+// The square of a length. [Q30 -> Q28]
+uint32_t squared_q28(Direction direction) noexcept {
+  const int64_t cosine = direction.cosine.raw >> 1;
+  const int64_t sine = direction.sine.raw >> 1;
+  return static_cast<uint32_t>((cosine * cosine + sine * sine) >> 30);
+}
+
 // To a unit vector, if it is none within 1/1000. False: it has no direction.
 bool bring_to_unit(Direction& direction) noexcept {
-  constexpr int64_t kOneQ30 = int64_t{1} << 30;
-  int64_t cosine = direction.cosine.raw;
-  int64_t sine = direction.sine.raw;
-  // [Q30] Components below 2^31.
-  const auto squared = [&]() noexcept {
-    return ((cosine >> 1) * (cosine >> 1) + (sine >> 1) * (sine >> 1)) >> 28;
-  };
-  const int64_t excess = squared() - kOneQ30;
-  if (excess <= kOneQ30 / 500 && excess >= -kOneQ30 / 500) {
+  constexpr uint32_t kOneQ28 = 1 << 28;
+  constexpr uint32_t kTolerance = kOneQ28 / 500;
+  if (squared_q28(direction) - (kOneQ28 - kTolerance) <= 2 * kTolerance) {
     return true;
   }
-  if (cosine == 0 && sine == 0) {
+  int32_t& cosine = direction.cosine.raw;
+  int32_t& sine = direction.sine.raw;
+  uint32_t bits = magnitude(cosine) | magnitude(sine);
+  if (bits == 0) {
     return false;
   }
   // The length to [1/2, sqrt 2], from where Newton's steps converge.
-  const auto is_within = [&](int64_t limit) noexcept {
-    return cosine < limit && cosine > -limit && sine < limit && sine > -limit;
-  };
-  while (is_within(kOneQ30 / 2)) {
-    cosine *= 2;
-    sine *= 2;
-  }
-  while (!is_within(kOneQ30 + 1)) {
+  if (bits >= 1u << 30) {
     cosine /= 2;
     sine /= 2;
   }
-  for (int i = 0; i < 8; ++i) {
-    const int64_t factor_q30 = (3 * kOneQ30 - squared()) >> 1;
-    cosine = (cosine * factor_q30) >> 30;
-    sine = (sine * factor_q30) >> 30;
+  for (; bits < 1u << 29; bits *= 2) {
+    cosine *= 2;
+    sine *= 2;
   }
-  direction.cosine.raw = static_cast<int32_t>(cosine);
-  direction.sine.raw = static_cast<int32_t>(sine);
+  for (int i = 0; i < 8; ++i) {
+    // Half of 3 less the square, at most 1.4. [Q30]
+    const uint32_t factor_q30 = (3 * kOneQ28 - squared_q28(direction)) * 2;
+    cosine = static_cast<int32_t>((int64_t{cosine} * factor_q30) >> 30);
+    sine = static_cast<int32_t>((int64_t{sine} * factor_q30) >> 30);
+  }
   return true;
 }
 
