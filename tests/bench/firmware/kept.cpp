@@ -25,7 +25,11 @@ using namespace inkcell;
 namespace {
 
 alignas(4) uint8_t bytes[64];
+#if INKCELL_KEEP == 1
+Style style(kMinSize, kFilterArea);
+#else
 Style style(kMinSize, kFilterText);
+#endif
 
 #if INKCELL_KEEP >= 3
 Direction direction;
@@ -37,14 +41,6 @@ void make_style() {
   style = Style(matrix, kFilterArea);
 #  endif
   style = Style(matrix, kFilterText);
-}
-#elif INKCELL_KEEP == 1
-void make_style() {
-  style = Style(kMinSize, kFilterArea);
-}
-#else
-void make_style() {
-  style = Style(kMinSize, kFilterText);
 }
 #endif
 
@@ -65,9 +61,11 @@ Status draw_into(const Font& font) {
 }  // namespace
 
 int main(int, char**) {
+#if INKCELL_KEEP >= 3
+  make_style();
+#endif
   Font font;
   if (Font::open({bytes, sizeof bytes}, font) != Status::ok ||
-      make_style() != Status::ok ||
       draw_into<port::A8Target>(font) != Status::ok) {
     return 1;
   }
