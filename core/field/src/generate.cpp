@@ -133,7 +133,9 @@ __attribute__((noinline)) bool open_outline(const Font& font,
                                             OutlineGlyph& outline,
                                             Rect& box) noexcept {
   detail::InkEnds ink[2];
-  if (!outline.open(font, glyph, Q26_6::from_int(1024), nullptr, ink)) {
+  bool is_mirrored;
+  if (!outline.open(font, glyph, Q26_6::from_int(1024), nullptr, ink,
+                    is_mirrored)) {
     return false;
   }
   detail::Sampling sampling;

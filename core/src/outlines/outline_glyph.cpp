@@ -73,14 +73,15 @@ bool OutlineGlyph::open(const Font& font,
                         uint16_t glyph,
                         Q26_6 size,
                         const Style* slanted,
-                        InkEnds (&ink)[2]) noexcept {
+                        InkEnds (&ink)[2],
+                        bool& is_mirrored) noexcept {
   if (!record_.find(font, glyph)) {
     return false;
   }
   font_ = &font;
   const int32_t scale = scale_of(font, size, outline_coding(font));
   map_ = {{{scale, 0}, {0, -scale}}};
-  is_mirrored_ = slanted != nullptr && slanted->slant().map(*slanted, map_);
+  is_mirrored = slanted != nullptr && slanted->slant().map(*slanted, map_);
   const GlyphMetrics& box = record_.metrics;
 #if !defined(__OPTIMIZE_SIZE__)
 #  pragma GCC unroll 2

@@ -64,7 +64,8 @@ class __attribute__((may_alias)) OutlineGlyph {
             uint16_t glyph,
             Q26_6 size,
             const Style* slanted,
-            InkEnds (&ink)[2]) noexcept;
+            InkEnds (&ink)[2],
+            bool& is_mirrored) noexcept;
   void place(const Placed& placed,
              const Sampling& sampling,
              int32_t origin_q8,
@@ -76,8 +77,6 @@ class __attribute__((may_alias)) OutlineGlyph {
   // Where the glyph's origin is, as points have it. [samples, Q8]
   int32_t origin_x_q8() const noexcept { return origin_q18_[0] >> 10; }
   int32_t origin_y_q8() const noexcept { return origin_q18_[1] >> 10; }
-
-  bool is_mirrored() const noexcept { return is_mirrored_; }
 
   // Goes back to the first point.
   void rewind() noexcept;
@@ -101,7 +100,6 @@ class __attribute__((may_alias)) OutlineGlyph {
   int32_t origin_q18_[2];  // the glyph's, as points have it [samples]
   OutlineReader reader_;
   ComponentReader components_;  // of a composite that come yet
-  bool is_mirrored_;
 };
 
 }  // namespace detail

@@ -80,7 +80,7 @@ struct OutlineCursor {
 
   PixelPoint points[kEdge + 3];
   bool is_bent;
-  uint32_t corner_at;  // 1: the edge begins at a corner
+  uint8_t corner_at;  // 1: the edge begins at a corner
 
   // The edge at hand: where it begins, its control point with `is_bent`, and
   // room for its end. Set by a contour's start. Halves of curves lie before it.

@@ -114,33 +114,41 @@ void lay_out_rows(GlyphJob& job) noexcept {
   job.band.stride = (width + 4) & ~3;
 }
 
-// The band of job.pixels, whose rows are laid out.
-__attribute__((noinline)) void draw_band(GlyphJob& job) noexcept {
-  const BandPlan& plan = job.plan;
+// The painted band to the sink. Not inline: painters do not need its part of
+// the stack.
+__attribute__((noinline)) void emit_band(GlyphJob& job) noexcept {
+  const Band& band = job.band;
   const Rect& pixels = job.pixels;
-  Band& band = job.band;
-  const int32_t column = job.column;
-  const int32_t height = pixels.y1 - pixels.y0;
-  job.row = plan.margin_y;
-  band.rows = height * plan.rows + 2 * plan.margin_y;
-  band.bytes = job.ram + kGuardBytes + band.stride;
-  band.x_q8 =
-      ((pixels.x0 - first_column(job.box)) * plan.columns - column) * 256;
-  band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
-  band.is_whole = height == job.box.y1 - job.box.y0;
-  clear_and_fill(job);
+  const BandPainter& painter = *job.plan.painter;
   const Style& style = *job.style;
   if (const Mixer* const mixer = style.effect().mixer) {
     mixer->mix(job);
     return;
   }
   const Sink& sink = *job.sink;
-  if (sink.ramp != nullptr && plan.painter->is_ramp &&
+  if (sink.ramp != nullptr && painter.is_ramp &&
       sink.ramp(sink.context, {pixels, band.bytes, band.stride})) {
     return;
   }
-  plan.painter->cover(band, style.filter());
-  emit(sink, pixels, band.bytes + column, band.stride);
+  painter.cover(band, style.filter());
+  emit(sink, pixels, band.bytes + job.column, band.stride);
+}
+
+// The band of job.pixels, whose rows are laid out.
+inline void draw_band(GlyphJob& job) noexcept {
+  const BandPlan& plan = job.plan;
+  const Rect& pixels = job.pixels;
+  Band& band = job.band;
+  const int32_t height = pixels.y1 - pixels.y0;
+  job.row = plan.margin_y;
+  band.rows = height * plan.rows + 2 * plan.margin_y;
+  band.bytes = job.ram + kGuardBytes + band.stride;
+  band.x_q8 =
+      ((pixels.x0 - first_column(job.box)) * plan.columns - job.column) * 256;
+  band.y_q8 = ((pixels.y0 - job.box.y0) * plan.rows - plan.margin_y) * 256;
+  band.is_whole = height == job.box.y1 - job.box.y0;
+  clear_and_fill(job);
+  emit_band(job);
 }
 
 // Cuts the part of the box that lies in the window into bands. The job is
@@ -191,16 +199,20 @@ __attribute__((noinline)) void draw_in(const GlyphCall& call,
   }
 }
 
-__attribute__((noinline)) void draw_on_stack(const GlyphCall& call,
+__attribute__((noinline)) void draw_on_stack(const GlyphRef& ref,
+                                             const Style& style,
+                                             const Placed& placed,
                                              const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastRam];
-  draw_in(call, sink, {bytes, sizeof bytes});
+  draw_in({ref, style, placed}, sink, {bytes, sizeof bytes});
 }
 
-__attribute__((noinline)) void draw_fitted_on_stack(const GlyphCall& call,
+__attribute__((noinline)) void draw_fitted_on_stack(const GlyphRef& ref,
+                                                    const Style& style,
+                                                    const Placed& placed,
                                                     const Sink& sink) noexcept {
   alignas(GlyphJob) uint8_t bytes[kLeastFittedRam];
-  draw_in(call, sink, {bytes, sizeof bytes});
+  draw_in({ref, style, placed}, sink, {bytes, sizeof bytes});
 }
 
 // Not inline: most glyphs do not need its part of the stack.
@@ -236,14 +248,13 @@ void draw_bands(const GlyphRef& ref,
                 const Placed& placed,
                 const Sink& sink,
                 const Workspace& workspace) noexcept {
-  const GlyphCall call = {ref, style, placed};
   const Workspace ram = aligned(workspace);
   if (ram.size != 0) {
-    draw_in(call, sink, ram);
+    draw_in({ref, style, placed}, sink, ram);
   } else if (style.is_fitted()) {
-    draw_fitted_on_stack(call, sink);
+    draw_fitted_on_stack(ref, style, placed, sink);
   } else {
-    draw_on_stack(call, sink);
+    draw_on_stack(ref, style, placed, sink);
   }
 }
 

@@ -385,6 +385,7 @@ bool paint_edge(const Band& band,
   int32_t slope = times(d_across, over_length);
   int32_t last_slope = slope;
   int32_t half_bend = 0;
+  Tip tip;
   // What is shorter than a 10th of a pixel is straight. Longer curves, which
   // need not be halved, reach slopes of 2 at most: kSlopes ends there.
   if (is_bent && d_along > 24) {
@@ -396,7 +397,7 @@ bool paint_edge(const Band& band,
     if (__builtin_expect(static_cast<uint32_t>(half_bend + kSharp) >
                              static_cast<uint32_t>(2 * kSharp),
                          0)) {
-      Tip tip = {from, across, slope, half_bend, from, to, is_steep};
+      tip = {from, across, slope, half_bend, from, to, is_steep};
       paint_sharp(band, tip, last_across, last_slope);
       return true;
     }
@@ -406,7 +407,7 @@ bool paint_edge(const Band& band,
   if (is_slanted(slope)) {
     const int32_t in_row = from + kWithinEnd;
     if ((in_row & 255) < kWithinEnd + kBeyondEnd) {
-      const Tip tip = {from, across, slope, half_bend, from, to, is_steep};
+      tip = {from, across, slope, half_bend, from, to, is_steep};
       above = paint_tip(band, tip, in_row >> 8, above);
       row = (in_row >> 8) + 1;
     }
@@ -443,8 +444,7 @@ bool paint_edge(const Band& band,
     }
   }
   if (has_last && stop >= first_row) {
-    const Tip tip = {to,   last_across, last_slope, half_bend,
-                     from, to,          is_steep};
+    tip = {to, last_across, last_slope, half_bend, from, to, is_steep};
     above = paint_tip(band, tip, stop, above);
   }
   // Rounding may leave the last crossing beside the end.

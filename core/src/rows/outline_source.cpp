@@ -16,7 +16,7 @@ namespace {
 
 // Points at a time of a glyph that has more than there is room for: few, as
 // each row that a band has less costs more than they do.
-constexpr int32_t kPortion = 16;
+constexpr int32_t kPortion = 12;
 
 static_assert(sizeof(OutlineJob) <= kMostJob);
 static_assert(kPortion * sizeof(ScreenPoint) <= kMostLoaded);
@@ -31,7 +31,8 @@ bool open_outline(GlyphJob& base,
   OutlineGlyph& outline = job.outline;
   InkEnds ink[2];
   if (!outline.open(font, ref.glyph, style.size(),
-                    style.is_upright() ? nullptr : &style, ink)) {
+                    style.is_upright() ? nullptr : &style, ink,
+                    job.band.is_mirrored)) {
     return false;
   }
   job.warp = nullptr;
@@ -69,7 +70,6 @@ bool load_points(GlyphJob& base) noexcept {
       min(size / 2, size - kLeastBand) / int32_t{sizeof(ScreenPoint)};
   auto* const points = reinterpret_cast<ScreenPoint*>(begin);
   job.points = points;
-  job.band.is_mirrored = job.outline.is_mirrored();
   job.outline.rewind();
   ScreenPoint* end = read_points(job, room);
   const bool has_any = end != points;

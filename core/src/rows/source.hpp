@@ -80,11 +80,11 @@ struct __attribute__((may_alias)) GlyphJob {
 
 // Draws the glyphs of one coding of fonts (Coding::source). draw_bands.cpp
 // calls, with a plan in place:
-//   open   finds the box. False: nothing shows. If the style is fitted it takes
-//          the maps from `ram`.
+//   open   finds the box, and sets band.is_mirrored. False: nothing shows. If
+//          the style is fitted it takes the maps from `ram`.
 //   load   comes once, if the box meets the window: takes what it keeps from
-//          `ram` (multiples of 4 bytes; kLeastBand must be left), and sets
-//          band.is_mirrored. False: nothing shows.
+//          `ram` (multiples of 4 bytes; kLeastBand must be left). False:
+//          nothing shows.
 //   fill   paints job.band, whose bytes are all 0, as plan.painter->kind says.
 //          Once or several times for each band, which a mixer may have moved by
 //          parts of a pixel, in any order.
@@ -108,8 +108,8 @@ inline constexpr int32_t kLeastBand = 4 + 10 * 16;
 // The largest job of a source, what load() takes at most where there is little
 // RAM, and the maps. [bytes]
 inline constexpr int32_t kMostJob =
-    276 + 17 * static_cast<int32_t>(sizeof(void*));
-inline constexpr int32_t kMostLoaded = 128;
+    256 + 19 * static_cast<int32_t>(sizeof(void*));
+inline constexpr int32_t kMostLoaded = 96;
 inline constexpr int32_t kMaps = sizeof(GlyphWarp);
 
 // The least RAM that a glyph is drawn in, and that of one that is fitted.

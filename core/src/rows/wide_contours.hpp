@@ -190,7 +190,7 @@ class Contours {
       at.before() = before;
     }
     at.edge()[0] = next;
-    at.corner_at = corner;
+    at.corner_at = static_cast<uint8_t>(corner);
   }
 
   const Band& band_;
