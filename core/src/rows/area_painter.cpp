@@ -20,6 +20,7 @@
 #include "rows/area_painter.hpp"
 
 #include "base/math.hpp"
+#include "base/small.hpp"
 #include "rows/reciprocal.hpp"
 
 namespace inkcell {
@@ -36,10 +37,10 @@ constexpr uint32_t kMostHalvings = 6;
 
 // Curves with longer legs, 4096 px, are drawn as a line: products stay below
 // 2^31.
-constexpr int32_t kLegLimit = 1 << 20;
+constexpr uint32_t kLegLimit = 1 << 20;
 
 // So are curves farther away, 8192 px.
-constexpr int32_t kFarLimit = 1 << 21;
+constexpr uint32_t kFarLimit = 1 << 21;
 
 // A height in units. [px, Q8 -> 1/240]
 int32_t units_of(int32_t y_q8) noexcept {
@@ -136,6 +137,29 @@ inline void add_part(const Band& band,
   }
 }
 
+// Rows that a vertical edge passes as a whole; it lies at `x`, or to the left
+// of the band.
+inline void paint_whole_rows(uint8_t* row,
+                             int32_t stride,
+                             int32_t count,
+                             int32_t x,
+                             int32_t full) noexcept {
+  if (x < 0) {
+    do {
+      add(row, full);
+      row += stride;
+    } while (--count != 0);
+    return;
+  }
+  const int32_t behind = ((x & 255) * full + 128) >> 8;
+  row += x >> 8;
+  do {
+    add(row, full - behind);
+    add(row + 1, behind);
+    row += stride;
+  } while (--count != 0);
+}
+
 __attribute__((noinline)) void paint_vertical(const Band& band,
                                               int32_t x,
                                               int32_t from,
@@ -148,37 +172,19 @@ __attribute__((noinline)) void paint_vertical(const Band& band,
     return;
   }
   const int32_t stride = band.stride;
-  const int32_t twice = (x & 255) * 2;
-  int32_t row = top >> 8;
-  const int32_t end = bottom >> 8;
-  uint8_t* bytes = band.row(row);
-  // What of its first row and of the one after its last whole one it passes.
-  int32_t units =
-      units_of(row == end ? bottom : (row + 1) * 256) - units_of(top);
-  if ((top & 255) != 0 || row == end) {
-    add_narrow(band, bytes, column, twice, full < 0 ? -units : units);
-    if (row == end) {
-      return;
-    }
-    bytes += stride;
-    ++row;
-  }
-  if (column >= 0) {
-    const int32_t behind = ((x & 255) * full + 128) >> 8;
-    for (; row != end; ++row) {
-      add(bytes + column, full - behind);
-      add(bytes + column + 1, behind);
+  uint8_t* bytes = band.row(top >> 8);
+  for (int32_t y = top; y != bottom;) {
+    int32_t next = min((y | 255) + 1, bottom);
+    if (kIsSmall || next - y != 256) {
+      const int32_t units = units_of(next) - units_of(y);
+      add_narrow(band, bytes, column, (x & 255) * 2, full < 0 ? -units : units);
       bytes += stride;
+    } else {
+      next = bottom & ~255;
+      paint_whole_rows(bytes, stride, (next - y) >> 8, x, full);
+      bytes += ((next - y) >> 8) * stride;
     }
-  } else {
-    for (; row != end; ++row) {
-      add(bytes, full);
-      bytes += stride;
-    }
-  }
-  if ((bottom & 255) != 0) {
-    units = units_of(bottom & 255);
-    add_narrow(band, bytes, column, twice, full < 0 ? -units : units);
+    y = next;
   }
 }
 
@@ -298,12 +304,12 @@ __attribute__((noinline)) void paint_line(const Band& band,
   paint_short_line(band, at.x, at.y, to.x, to.y);
 }
 
-// Whether all magnitudes are below a power of 2.
-template <int32_t kLimit>
-inline bool are_below(int32_t a, int32_t b, int32_t c, int32_t d) noexcept {
-  return (static_cast<uint32_t>((a + kLimit) | (b + kLimit) | (c + kLimit) |
-                                (d + kLimit)) &
-          ~uint32_t{2 * kLimit - 1}) == 0;
+// All magnitudes are below a power of 2 if this is.
+inline uint32_t magnitudes(int32_t a,
+                           int32_t b,
+                           int32_t c,
+                           int32_t d) noexcept {
+  return static_cast<uint32_t>(abs(a) | abs(b) | abs(c) | abs(d));
 }
 
 // 2^n chords. Their joints lie outside of the curve by two thirds of how far
@@ -324,8 +330,8 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   const int32_t ay = control.y - at.y;
   const int32_t bx = to.x - control.x;
   const int32_t by = to.y - control.y;
-  if (!are_below<kLegLimit>(ax, ay, bx, by) ||
-      !are_below<kFarLimit>(at.x, at.y, to.x, to.y)) {
+  const uint32_t legs = magnitudes(ax, ay, bx, by);
+  if (legs >= kLegLimit || magnitudes(at.x, at.y, to.x, to.y) >= kFarLimit) {
     paint_line(band, at, to);
     at = to;
     return;
@@ -351,7 +357,7 @@ __attribute__((noinline)) void paint_curve(const Band& band,
   }
   if (is_seen) {
     // Chords are at most twice as long as legs.
-    const bool are_short = are_below<kLengthLimit / 4>(ax, ay, bx, by);
+    const bool are_short = legs < kLengthLimit / 4;
     int32_t dx = (ax * 1024 >> halvings) + d2x;
     int32_t dy = (ay * 1024 >> halvings) + d2y;
     int32_t x = (at.x + out.x) * 512 + 256;
