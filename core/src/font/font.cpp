@@ -294,6 +294,9 @@ Status Font::glyph_metrics(uint16_t glyph, GlyphMetrics& out) const noexcept {
   }
   MetricsRow row(metrics_table(), uint32_t{metrics_row_bits_} * glyph);
   uint16_t columns[format::metrics::kColumns];
+#if !defined(__OPTIMIZE_SIZE__)
+#  pragma GCC unroll 5
+#endif
   for (uint32_t i = 0; i < format::metrics::kColumns; ++i) {
     columns[i] = row.take(i);
   }
