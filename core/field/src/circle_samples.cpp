@@ -10,7 +10,6 @@
 #include "base/math.hpp"
 #include "field_source.hpp"
 #include "rows/mixer.hpp"
-#include "screen_distance.hpp"
 #include "sink/emit.hpp"
 
 namespace inkcell {

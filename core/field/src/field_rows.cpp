@@ -3,7 +3,6 @@
 #include "base/math.hpp"
 #include "row_painter.hpp"
 #include "rows/crossings.hpp"
-#include "screen_distance.hpp"
 
 namespace inkcell {
 namespace detail {

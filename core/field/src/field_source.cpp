@@ -4,7 +4,6 @@
 #include "inkcell/field/draw.hpp"
 #include "inkcell/format/rom.hpp"
 #include "rows/draw_bands.hpp"
-#include "screen_distance.hpp"
 
 namespace inkcell {
 namespace detail {

@@ -85,8 +85,43 @@ struct Polyline::Pen {
     const int32_t step = (from_q8 + (1 << down >> 1)) >> down;
     return static_cast<uint16_t>(min(max(step, 0), UINT16_MAX));
   }
-  void add_point(const Offset& to) noexcept;
-  void add_curve(const Offset& control, const Offset& to) noexcept;
+  void add_point(const Offset& to) noexcept {
+    if (count == room) {
+      is_full = true;
+      return;
+    }
+    Vertex& next = vertex(count);
+    next.x = to_step(to.x - left_q8);
+    next.y = to_step(bottom_q8 - to.y);
+    next.along_y = kLastVertex;
+    if (count != first) {
+      Vertex& last = vertex(count - 1);
+      if (next.x == last.x && next.y == last.y) {
+        return;
+      }
+      set_direction(last, {next.x - last.x, next.y - last.y});
+    }
+    ++count;
+  }
+
+  // A parabola is farther from n chords than bend / (4 n^2) nowhere.
+  void add_curve(const Offset& control, const Offset& to) noexcept {
+    const Offset side = {2 * (control.x - at.x), 2 * (control.y - at.y)};
+    const Offset bend = {to.x - at.x - side.x, to.y - at.y - side.y};
+    const int32_t x = abs(bend.x);
+    const int32_t y = abs(bend.y);
+    const int32_t most = max(x, y) + min(x, y) / 2;
+    int32_t chords = 1;
+    while (chords < kMaxChords && 4 * chords * chords * frame.error_q8 < most) {
+      ++chords;
+    }
+    for (int32_t i = 1; i < chords; ++i) {
+      add_point({at.x + i * (side.x + i * bend.x / chords) / chords,
+                 at.y + i * (side.y + i * bend.y / chords) / chords});
+    }
+    line_to(to);
+  }
+
   void line_to(const Offset& to) noexcept {
     add_point(to);
     at = to;
@@ -95,56 +130,16 @@ struct Polyline::Pen {
     first = count;
     line_to(start);
   }
-  void end_contour() noexcept;
-};
-
-void Polyline::Pen::add_point(const Offset& to) noexcept {
-  if (count == room) {
-    is_full = true;
-    return;
-  }
-  Vertex& next = vertex(count);
-  next.x = to_step(to.x - left_q8);
-  next.y = to_step(bottom_q8 - to.y);
-  next.along_y = kLastVertex;
-  if (count != first) {
-    Vertex& last = vertex(count - 1);
-    if (next.x == last.x && next.y == last.y) {
+  void end_contour() noexcept {
+    if (count - first < 3) {
+      count = first;
       return;
     }
-    set_direction(last, {next.x - last.x, next.y - last.y});
+    Vertex& last = vertex(count - 1);
+    last.along_x = vertex(first).along_x;
+    last.along_y = static_cast<int16_t>(vertex(first).along_y | kLastVertex);
   }
-  ++count;
-}
-
-// A parabola is farther from n chords than bend / (4 n^2) nowhere.
-void Polyline::Pen::add_curve(const Offset& control,
-                              const Offset& to) noexcept {
-  const Offset side = {2 * (control.x - at.x), 2 * (control.y - at.y)};
-  const Offset bend = {to.x - at.x - side.x, to.y - at.y - side.y};
-  const int32_t x = abs(bend.x);
-  const int32_t y = abs(bend.y);
-  const int32_t most = max(x, y) + min(x, y) / 2;
-  int32_t chords = 1;
-  while (chords < kMaxChords && 4 * chords * chords * frame.error_q8 < most) {
-    ++chords;
-  }
-  for (int32_t i = 1; i < chords; ++i) {
-    add_point({at.x + i * (side.x + i * bend.x / chords) / chords,
-               at.y + i * (side.y + i * bend.y / chords) / chords});
-  }
-  line_to(to);
-}
-
-void Polyline::Pen::end_contour() noexcept {
-  if (count - first < 3) {
-    count = first;
-    return;
-  }
-  Vertex& last = vertex(count - 1);
-  last.along_x = vertex(first).along_x;
-  last.along_y = static_cast<int16_t>(vertex(first).along_y | kLastVertex);
-}
+};
 
 bool Polyline::read(OutlineGlyph& glyph,
                     const Rect& box,

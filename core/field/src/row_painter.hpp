@@ -8,7 +8,6 @@
 #include "base/root.hpp"
 #include "cell_values.hpp"
 #include "field_rows.hpp"
-#include "screen_distance.hpp"
 #include "tree.hpp"
 
 namespace inkcell {
@@ -154,9 +153,76 @@ struct FieldRow {
   uint32_t y_q16;
 
   template <typename Bytes>
-  void paint(Bytes& bytes, uint8_t* at, uint8_t* end) noexcept;
+  void paint(Bytes& bytes, uint8_t* at, uint8_t* end) noexcept {
+    const auto step = static_cast<uint32_t>(rows.right().x_q16);
+    do {
+      const FieldLeaf leaf = tree.find(x_q16 >> 16, y_q16 >> 16);
+      const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
+      const int32_t count =
+          samples_within(~x_q16 & mask, step, static_cast<int32_t>(end - at));
+      if (leaf.samples == nullptr) {
+        bytes.saturate(at, leaf.is_inside);
+      } else {
+        paint_leaf(bytes, leaf, x_q16 & mask, count, at);
+      }
+      x_q16 += static_cast<uint32_t>(count) * step;
+      at += count;
+    } while (at != end);
+    bytes.saturate(at, false);
+  }
+
   template <typename Bytes>
-  void paint_leaning(Bytes& bytes, uint8_t* at, uint8_t* end) noexcept;
+  __attribute__((noinline)) void paint_leaning(Bytes& bytes,
+                                               uint8_t* at,
+                                               uint8_t* end) noexcept {
+    const GlyphStep& right = rows.right();
+    const bool is_stretched = rows.style().is_stretched();
+    const int32_t least_gain = rows.style().least_gain_q15();
+    constexpr int32_t kFar = kFullArea << kBandFraction;
+    FieldLeaf leaf = {nullptr, 0, false};
+    uint32_t leaf_x = ~x_q16;  // no place of the leaf yet
+    uint32_t leaf_y = y_q16;
+    do {
+      if (((x_q16 ^ leaf_x) | (y_q16 ^ leaf_y)) >> 16 >> leaf.size_log2 != 0) {
+        leaf = tree.find(x_q16 >> 16, y_q16 >> 16);
+        leaf_x = x_q16;
+        leaf_y = y_q16;
+      }
+      if (leaf.samples == nullptr) {
+        bytes.saturate(at, leaf.is_inside);
+      } else {
+        const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
+        const uint32_t x = x_q16 & mask;
+        const uint32_t y = y_q16 & mask;
+        const SamplesRow row = cell_row(leaf.samples, leaf.size_log2, y);
+        int32_t value = scaled(row.distance_q10(static_cast<int32_t>(x)),
+                               scale.of_distance);
+        int32_t change = 0;
+        // Farther than this the least gain changes nothing.
+        const bool is_far = scaled(value, 2 * least_gain) > kFar ||
+                            scaled(value, 2 * least_gain) < -kFar;
+        if (!is_far && (is_stretched || Bytes::kHasSteepness)) {
+          const Gradient gradient =
+              cell_point(leaf.samples, leaf.size_log2, x, y).gradient;
+          const GlyphStep& px = rows.style().right();
+          const auto slope_q14 =
+              static_cast<int32_t>((int64_t{gradient.x.raw} * px.x_q20 +
+                                    int64_t{gradient.y.raw} * px.y_q20) >>
+                                   20);
+          change = scaled(slope_q14 >> 1, scale.of_slope);
+          if (is_stretched) {
+            const int32_t gain_q16 = 2 * gain_q15(rows.style(), gradient);
+            value = scaled(value, gain_q16);
+            change = scaled(change, gain_q16);
+          }
+        }
+        bytes.put(at, value, change);
+      }
+      x_q16 += static_cast<uint32_t>(right.x_q16);
+      y_q16 += static_cast<uint32_t>(right.y_q16);
+    } while (++at != end);
+    bytes.saturate(at, false);
+  }
 
  private:
   // Samples of a row that a leaf holds.
@@ -167,135 +233,55 @@ struct FieldRow {
                                                  const FieldLeaf& leaf,
                                                  uint32_t x_in_leaf,
                                                  int32_t count,
-                                                 uint8_t* at) const noexcept;
-};
-
-template <typename Bytes>
-__attribute__((always_inline)) inline void FieldRow::paint_leaf(
-    Bytes& bytes,
-    const FieldLeaf& leaf,
-    uint32_t x_in_leaf,
-    int32_t count,
-    uint8_t* at) const noexcept {
-  const uint32_t log2 = leaf.size_log2;
-  const auto step = static_cast<uint32_t>(rows.right().x_q16);
-  const SamplesRow row =
-      cell_row(leaf.samples, log2, y_q16 & ((1u << (log2 + 16)) - 1));
-  if (!Bytes::kHasSteepness && count == 1 && x_in_leaf < step) {
-    bytes.put(at,
-              scaled(row.distance_q10(static_cast<int32_t>(x_in_leaf)),
-                     scale.of_distance),
-              0);
-    return;
-  }
-  // Of a step, in the width of the leaf.
-  const auto step_q14 = static_cast<int32_t>(
-      min(static_cast<int32_t>(step >> (log2 + 2)), 1 << 14));
-  // With six bits more, which 16 steps need.
-  const auto bend_q19 =
-      static_cast<int32_t>((int64_t{row.c_q6} * step) >> (log2 + 9));
-  const auto bend =
-      static_cast<uint32_t>(scaled(bend_q19, scale.of_slope) >> 6);
-  uint32_t skipped = 0;
-  if (x_in_leaf >= step) {
-    skipped =
-        static_cast<uint32_t>(samples_within(x_in_leaf, step, INT32_MAX) - 1) &
-        (kChunk - 1);
-  }
-  do {
-    const auto start = static_cast<int32_t>(x_in_leaf - skipped * step);
-    const int32_t middle_q14 = (start >> (log2 + 2)) + (step_q14 >> 1);
-    const int32_t slope_q13 = row.b_q6 + ((row.c_q6 * middle_q14) >> 13);
-    auto value = static_cast<uint32_t>(
-        scaled(row.distance_q10(start), scale.of_distance));
-    auto change = static_cast<uint32_t>(scaled(slope_q13, scale.of_slope));
-    if (skipped != 0) {
-      value += skipped * change + (skipped * (skipped - 1) >> 1) * bend;
-      change += skipped * bend;
+                                                 uint8_t* at) const noexcept {
+    const uint32_t log2 = leaf.size_log2;
+    const auto step = static_cast<uint32_t>(rows.right().x_q16);
+    const SamplesRow row =
+        cell_row(leaf.samples, log2, y_q16 & ((1u << (log2 + 16)) - 1));
+    if (!Bytes::kHasSteepness && count == 1 && x_in_leaf < step) {
+      bytes.put(at,
+                scaled(row.distance_q10(static_cast<int32_t>(x_in_leaf)),
+                       scale.of_distance),
+                0);
+      return;
     }
-    const int32_t number = min(count, kChunk - static_cast<int32_t>(skipped));
-    x_in_leaf += static_cast<uint32_t>(number) * step;
-    count -= number;
-    skipped = 0;
-    for (uint8_t* const end = at + number; at != end; ++at) {
-      bytes.put(at, wrapped(value), wrapped(change));
-      value += change;
-      change += bend;
+    // Of a step, in the width of the leaf.
+    const auto step_q14 = static_cast<int32_t>(
+        min(static_cast<int32_t>(step >> (log2 + 2)), 1 << 14));
+    // With six bits more, which 16 steps need.
+    const auto bend_q19 =
+        static_cast<int32_t>((int64_t{row.c_q6} * step) >> (log2 + 9));
+    const auto bend =
+        static_cast<uint32_t>(scaled(bend_q19, scale.of_slope) >> 6);
+    uint32_t skipped = 0;
+    if (x_in_leaf >= step) {
+      skipped = static_cast<uint32_t>(
+                    samples_within(x_in_leaf, step, INT32_MAX) - 1) &
+                (kChunk - 1);
     }
-  } while (count != 0);
-}
-
-template <typename Bytes>
-void FieldRow::paint(Bytes& bytes, uint8_t* at, uint8_t* end) noexcept {
-  const auto step = static_cast<uint32_t>(rows.right().x_q16);
-  do {
-    const FieldLeaf leaf = tree.find(x_q16 >> 16, y_q16 >> 16);
-    const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
-    const int32_t count =
-        samples_within(~x_q16 & mask, step, static_cast<int32_t>(end - at));
-    if (leaf.samples == nullptr) {
-      bytes.saturate(at, leaf.is_inside);
-    } else {
-      paint_leaf(bytes, leaf, x_q16 & mask, count, at);
-    }
-    x_q16 += static_cast<uint32_t>(count) * step;
-    at += count;
-  } while (at != end);
-  bytes.saturate(at, false);
-}
-
-template <typename Bytes>
-__attribute__((noinline)) void FieldRow::paint_leaning(Bytes& bytes,
-                                                       uint8_t* at,
-                                                       uint8_t* end) noexcept {
-  const GlyphStep& right = rows.right();
-  const bool is_stretched = rows.style().is_stretched();
-  const int32_t least_gain = rows.style().least_gain_q15();
-  constexpr int32_t kFar = kFullArea << kBandFraction;
-  FieldLeaf leaf = {nullptr, 0, false};
-  uint32_t leaf_x = ~x_q16;  // no place of the leaf yet
-  uint32_t leaf_y = y_q16;
-  do {
-    if (((x_q16 ^ leaf_x) | (y_q16 ^ leaf_y)) >> 16 >> leaf.size_log2 != 0) {
-      leaf = tree.find(x_q16 >> 16, y_q16 >> 16);
-      leaf_x = x_q16;
-      leaf_y = y_q16;
-    }
-    if (leaf.samples == nullptr) {
-      bytes.saturate(at, leaf.is_inside);
-    } else {
-      const uint32_t mask = (1u << (leaf.size_log2 + 16)) - 1;
-      const uint32_t x = x_q16 & mask;
-      const uint32_t y = y_q16 & mask;
-      const SamplesRow row = cell_row(leaf.samples, leaf.size_log2, y);
-      int32_t value =
-          scaled(row.distance_q10(static_cast<int32_t>(x)), scale.of_distance);
-      int32_t change = 0;
-      // Farther than this the least gain changes nothing.
-      const bool is_far = scaled(value, 2 * least_gain) > kFar ||
-                          scaled(value, 2 * least_gain) < -kFar;
-      if (!is_far && (is_stretched || Bytes::kHasSteepness)) {
-        const Gradient gradient =
-            cell_point(leaf.samples, leaf.size_log2, x, y).gradient;
-        const GlyphStep& px = rows.style().right();
-        const auto slope_q14 =
-            static_cast<int32_t>((int64_t{gradient.x.raw} * px.x_q20 +
-                                  int64_t{gradient.y.raw} * px.y_q20) >>
-                                 20);
-        change = scaled(slope_q14 >> 1, scale.of_slope);
-        if (is_stretched) {
-          const int32_t gain_q16 = 2 * gain_q15(rows.style(), gradient);
-          value = scaled(value, gain_q16);
-          change = scaled(change, gain_q16);
-        }
+    do {
+      const auto start = static_cast<int32_t>(x_in_leaf - skipped * step);
+      const int32_t middle_q14 = (start >> (log2 + 2)) + (step_q14 >> 1);
+      const int32_t slope_q13 = row.b_q6 + ((row.c_q6 * middle_q14) >> 13);
+      auto value = static_cast<uint32_t>(
+          scaled(row.distance_q10(start), scale.of_distance));
+      auto change = static_cast<uint32_t>(scaled(slope_q13, scale.of_slope));
+      if (skipped != 0) {
+        value += skipped * change + (skipped * (skipped - 1) >> 1) * bend;
+        change += skipped * bend;
       }
-      bytes.put(at, value, change);
-    }
-    x_q16 += static_cast<uint32_t>(right.x_q16);
-    y_q16 += static_cast<uint32_t>(right.y_q16);
-  } while (++at != end);
-  bytes.saturate(at, false);
-}
+      const int32_t number = min(count, kChunk - static_cast<int32_t>(skipped));
+      x_in_leaf += static_cast<uint32_t>(number) * step;
+      count -= number;
+      skipped = 0;
+      for (uint8_t* const end = at + number; at != end; ++at) {
+        bytes.put(at, wrapped(value), wrapped(change));
+        value += change;
+        change += bend;
+      }
+    } while (count != 0);
+  }
+};
 
 }  // namespace detail
 }  // namespace inkcell

@@ -22,21 +22,9 @@ GridPoint negated(const GridPoint& a) noexcept {
   return {-a.distance_q10, -a.x_slope_q13, -a.y_slope_q13};
 }
 
-// The angle between two gradients, and their lengths.
-struct Gradients {
-  int32_t cosine_q13;   // of the angle between them
-  int32_t lengths_q13;  // their product, up to 1; less between two edges
-};
-
-Gradients compared(const GridPoint& a, const GridPoint& b) noexcept {
-  // Slopes are below 8 in Q13: products of Q22 fit.
-  const int32_t dot = (a.x_slope_q13 >> 2) * (b.x_slope_q13 >> 2) +
-                      (a.y_slope_q13 >> 2) * (b.y_slope_q13 >> 2);
-  const int32_t lengths =
-      (rough_length(abs(a.x_slope_q13), abs(a.y_slope_q13)) >> 2) *
-      (rough_length(abs(b.x_slope_q13), abs(b.y_slope_q13)) >> 2);
-  const int32_t cosine = dot / max(lengths >> 13, 1);
-  return {clamp(cosine, -kOneQ13, kOneQ13), min(lengths >> 9, kOneQ13)};
+// The length of a gradient.
+int32_t length_q13(const GridPoint& a) noexcept {
+  return rough_length(abs(a.x_slope_q13), abs(a.y_slope_q13));
 }
 
 // The coverage of two half-planes, with a and b on the ramp [0, width].
@@ -55,14 +43,20 @@ GridPoint united(const GridPoint& a,
   GridPoint result = a.distance_q10 >= b.distance_q10 ? a : b;
   const int32_t least = min(a.distance_q10, b.distance_q10);
   if (least > ramp.low && result.distance_q10 < ramp.high) {
-    const Gradients gradients = compared(a, b);
+    // The angle between the gradients. Slopes are below 8 in Q13: products of
+    // Q22 fit.
+    const int32_t dot = (a.x_slope_q13 >> 2) * (b.x_slope_q13 >> 2) +
+                        (a.y_slope_q13 >> 2) * (b.y_slope_q13 >> 2);
+    const int32_t lengths = (length_q13(a) >> 2) * (length_q13(b) >> 2);
+    const int32_t cosine =
+        clamp(dot / max(lengths >> 13, 1), -kOneQ13, kOneQ13);
     const int32_t both =
         ramp.low + covered_by_both(a.distance_q10 - ramp.low,
                                    b.distance_q10 - ramp.low,
-                                   ramp.high - ramp.low, gradients.cosine_q13);
+                                   ramp.high - ramp.low, cosine);
     // A thin part has a short gradient: the farther part adds less, down to
     // half.
-    const int32_t trust_q14 = kOneQ13 + gradients.lengths_q13;
+    const int32_t trust_q14 = kOneQ13 + min(lengths >> 9, kOneQ13);
     result.distance_q10 += (both - result.distance_q10) * trust_q14 >> 14;
   }
   return result;
@@ -90,9 +84,7 @@ GridPoint blended(const GridPoint& a,
   result.x_slope_q13 = mixed(a.x_slope_q13, b.x_slope_q13);
   result.y_slope_q13 = mixed(a.y_slope_q13, b.y_slope_q13);
   // Opposite gradients cancel: there is no edge.
-  const int32_t length =
-      clamp(rough_length(abs(result.x_slope_q13), abs(result.y_slope_q13)),
-            kOneQ13 / 2, kOneQ13);
+  const int32_t length = clamp(length_q13(result), kOneQ13 / 2, kOneQ13);
   const int32_t most = 2 * max(ramp.high, -ramp.low);
   if (abs(result.distance_q10) < most) {
     result.distance_q10 = result.distance_q10 * kOneQ13 / length;

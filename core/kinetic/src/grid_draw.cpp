@@ -133,25 +133,6 @@ void paint_cell(const CellPaint& paint,
   }
 }
 
-// Emits the part of a row that has coverage and is in the window.
-void emit_row(const Sink& sink,
-              const uint8_t* coverage,
-              int32_t x,
-              int32_t y,
-              int32_t count) noexcept {
-  int32_t first = sink.window.x0 > x ? sink.window.x0 - x : 0;
-  int32_t end = sink.window.x1 < x + count ? sink.window.x1 - x : count;
-  while (first < end && coverage[first] == 0) {
-    ++first;
-  }
-  while (first < end && coverage[end - 1] == 0) {
-    --end;
-  }
-  if (first < end) {
-    sink.coverage(sink.context, x + first, y, coverage + first, end - first);
-  }
-}
-
 // A row of cells on the screen.
 struct CellRow {
   const Sink& sink;
@@ -159,22 +140,27 @@ struct CellRow {
   int32_t y;
   int32_t side;  // of a cell [px]
 
+  // The pixels of the cells [first, end) that are in the window.
+  Rect shown(int32_t first, int32_t end) const noexcept {
+    return intersect({x + first * side, y, x + end * side, y + side},
+                     sink.window);
+  }
+
   // Emits the first `cells` cells of a block, from cell `first` on.
   void emit(const Block& block, int32_t first, int32_t cells) const noexcept {
-    for (int32_t row = 0; row < side; ++row) {
-      if (y + row >= sink.window.y0 && y + row < sink.window.y1) {
-        emit_row(sink, block.coverage[row], x + first * side, y + row,
-                 cells * side);
-      }
+    const Rect box = shown(first, first + cells);
+    for (int32_t row = box.y0; row < box.y1 && !is_empty(box); ++row) {
+      sink.coverage(sink.context, box.x0, row,
+                    block.coverage[row - y] + (box.x0 - x - first * side),
+                    box.x1 - box.x0);
     }
   }
 
   // Fills the cells [first, end).
   void fill(int32_t first, int32_t end) const noexcept {
-    const Rect shown =
-        intersect({x + first * side, y, x + end * side, y + side}, sink.window);
-    for (int32_t row = shown.y0; row < shown.y1 && !is_empty(shown); ++row) {
-      sink.solid(sink.context, shown.x0, row, shown.x1 - shown.x0);
+    const Rect box = shown(first, end);
+    for (int32_t row = box.y0; row < box.y1 && !is_empty(box); ++row) {
+      sink.solid(sink.context, box.x0, row, box.x1 - box.x0);
     }
   }
 };

@@ -85,11 +85,21 @@ void meet_wall(int32_t low,
   }
 }
 
+// A grid on the screen.
+struct GridPlace {
+  const DistanceGrid& grid;
+  int32_t x_q16;
+  int32_t y_q16;
+
+  GridPoint at(const Particle& p) const noexcept {
+    return probe(grid, Q16_16::from_raw(p.x.raw - x_q16),
+                 Q16_16::from_raw(p.y.raw - y_q16));
+  }
+};
+
 // Moves a particle along its speed, in pieces too short to pass an edge.
 void move(const ParticleRules& rules,
-          const DistanceGrid& grid,
-          Q16_16 grid_x,
-          Q16_16 grid_y,
+          const GridPlace& place,
           Particle& p) noexcept {
   constexpr int32_t kPieceQ10 = 1 << 10;
   const int32_t inwards = rules.side == ParticleSide::outside ? 1 : -1;
@@ -103,24 +113,20 @@ void move(const ParticleRules& rules,
     const int32_t distance = (x_speed + y_speed) * left_q10 >> 10;
     int32_t part_q10 = left_q10;
     if (rules.side != ParticleSide::both && distance > kPieceQ10) {
-      const GridPoint here = probe(grid, Q16_16::from_raw(p.x.raw - grid_x.raw),
-                                   Q16_16::from_raw(p.y.raw - grid_y.raw));
-      const int32_t clear = -here.distance_q10 * inwards - radius_q10;
+      const int32_t clear = -place.at(p).distance_q10 * inwards - radius_q10;
       const int32_t piece = max(clear, kPieceQ10);
       if (distance > piece) {
         part_q10 =
             static_cast<int32_t>(static_cast<uint32_t>(piece << 10) /
                                  static_cast<uint32_t>(x_speed + y_speed));
-        part_q10 = part_q10 < 1 ? 1 : part_q10;
+        part_q10 = max(part_q10, 1);
       }
     }
     left_q10 -= part_q10;
     p.x.raw += p.x_speed_q10 * part_q10 / 16;
     p.y.raw += p.y_speed_q10 * part_q10 / 16;
     if (rules.side != ParticleSide::both) {
-      const GridPoint there =
-          probe(grid, Q16_16::from_raw(p.x.raw - grid_x.raw),
-                Q16_16::from_raw(p.y.raw - grid_y.raw));
+      const GridPoint there = place.at(p);
       const int32_t depth = there.distance_q10 * inwards + radius_q10;
       if (depth > 0) {
         bounce(rules, there, depth, inwards, p);
@@ -136,8 +142,8 @@ void step(Span<Particle> particles,
           const DistanceGrid& grid,
           int32_t x,
           int32_t y) noexcept {
-  const Q16_16 grid_x = Q16_16::from_int(clamp(x, -8192, 8191));
-  const Q16_16 grid_y = Q16_16::from_int(clamp(y, -8192, 8191));
+  const GridPlace place = {grid, clamp(x, -8192, 8191) * (1 << 16),
+                       clamp(y, -8192, 8191) * (1 << 16)};
   const Rect walls = intersect(rules.walls, {-8192, -8192, 8192, 8192});
   const bool has_field = rules.attraction_q10 != 0 || rules.orbit_q10 != 0;
   if (is_empty(walls)) {
@@ -148,10 +154,7 @@ void step(Span<Particle> particles,
     meet_wall(walls.x0, walls.x1, 0, p.x, p.x_speed_q10);
     meet_wall(walls.y0, walls.y1, 0, p.y, p.y_speed_q10);
     if (has_field) {
-      apply_field(rules,
-                  probe(grid, Q16_16::from_raw(p.x.raw - grid_x.raw),
-                        Q16_16::from_raw(p.y.raw - grid_y.raw)),
-                  p);
+      apply_field(rules, place.at(p), p);
     }
     const int32_t kept_q15 = rules.kept_q16 >> 1;
     const bool is_kept = rules.kept_q16 == UINT16_MAX;
@@ -159,7 +162,7 @@ void step(Span<Particle> particles,
     const int32_t y_speed = p.y_speed_q10 + rules.gravity_q10;
     p.x_speed_q10 = speed(is_kept ? x_speed : x_speed * kept_q15 / 32768);
     p.y_speed_q10 = speed(is_kept ? y_speed : y_speed * kept_q15 / 32768);
-    move(rules, grid, grid_x, grid_y, p);
+    move(rules, place, p);
     const int32_t bounce_q8 = clamp(rules.bounce_q8, 0, 256);
     meet_wall(walls.x0, walls.x1, bounce_q8, p.x, p.x_speed_q10);
     meet_wall(walls.y0, walls.y1, bounce_q8, p.y, p.y_speed_q10);
