@@ -1,9 +1,8 @@
 // Rows that a cache keeps come back as they were.
 #include "check.hpp"
-#include "playback.hpp"
 #include "random.hpp"
-#include "recording.hpp"
 #include "rounds.hpp"
+#include "row_codes.hpp"
 
 namespace {
 

@@ -2,8 +2,7 @@
 
 #include "base/math.hpp"
 #include "glyph_store.hpp"
-#include "playback.hpp"
-#include "recording.hpp"
+#include "row_codes.hpp"
 #include "text/text_place.hpp"
 
 namespace inkcell {

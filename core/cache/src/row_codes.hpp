@@ -16,6 +16,8 @@
 
 #include <stdint.h>
 
+#include "inkcell/strip.hpp"
+
 namespace inkcell {
 namespace detail {
 
@@ -28,62 +30,24 @@ struct Packing {
 // The most values of a row.
 inline constexpr int32_t kMostRowValues = 192;
 
-// Of a pair.
-inline constexpr uint32_t kEmpty = 0;
-inline constexpr uint32_t kSolid = 1;
-inline constexpr uint32_t kMixed = 2;
+// The most bytes that a row takes.
+int32_t most_row_bytes(int32_t width, Packing packing) noexcept;
 
-constexpr uint8_t kinds(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
-  return static_cast<uint8_t>(a | b << 2 | c << 4 | d << 6);
-}
+// Adds a row to the groups that end at `end`, of which the last one begins at
+// `last`; null: there is none. Returns their new end; where that is the old one
+// the last group has one row more.
+uint8_t* record_row(const uint8_t* coverage,
+                    int32_t width,
+                    Packing packing,
+                    uint8_t* last,
+                    uint8_t* end) noexcept;
 
-// What the codes say. Two bits are for a four whose pairs are alike, the first
-// one lowest. Codes with 3 are the most frequent other eights of text of 24 to
-// 48 px.
-inline constexpr uint8_t kKinds[16] = {
-    kinds(kEmpty, kEmpty, kEmpty, kEmpty),
-    kinds(kSolid, kSolid, kEmpty, kEmpty),
-    kinds(kMixed, kMixed, kEmpty, kEmpty),
-    kinds(kMixed, kEmpty, kEmpty, kEmpty),  // 3
-    kinds(kEmpty, kEmpty, kSolid, kSolid),
-    kinds(kSolid, kSolid, kSolid, kSolid),
-    kinds(kMixed, kMixed, kSolid, kSolid),
-    kinds(kEmpty, kEmpty, kEmpty, kMixed),  // 7
-    kinds(kEmpty, kEmpty, kMixed, kMixed),
-    kinds(kSolid, kSolid, kMixed, kMixed),
-    kinds(kMixed, kMixed, kMixed, kMixed),  // kAllMixed
-    kinds(kSolid, kMixed, kEmpty, kEmpty),  // 11
-    kinds(kMixed, kSolid, kMixed, kEmpty),  // 12
-    kinds(kEmpty, kMixed, kSolid, kMixed),  // 13
-    kinds(kEmpty, kMixed, kMixed, kEmpty),  // 14
-    kinds(kEmpty, kEmpty, kMixed, kSolid),  // 15
-};
-inline constexpr uint32_t kAllMixed = 10;
-
-// Whether one of the two halves of a code is 3.
-constexpr bool is_by_pairs(uint32_t code) noexcept {
-  return (code & code >> 1 & 5) != 0;
-}
-
-// Whether a row of so many eights has these: they take longer.
-constexpr bool is_wide(int32_t eights) noexcept {
-  return eights > 2;
-}
-
-inline constexpr int32_t kMostEqual = 16;
-
-// The bits of a group's first byte that count its rows.
-inline constexpr uint32_t kRowsMask = kMostEqual - 1;
-
-inline constexpr uint32_t kLowHalves = 0x0f0f0f0f;
-
-inline int32_t rows_of(const uint8_t* group) noexcept {
-  return static_cast<int32_t>(*group & kRowsMask) + 1;
-}
-
-inline int32_t eights_of(int32_t width, Packing packing) noexcept {
-  return (width * packing.channels + 7) >> 3;
-}
+// Draws the groups from `at` on, whose rows fill `box`, within the window. All
+// of the box must lie within 2^30 px.
+void replay(const uint8_t* at,
+            Packing packing,
+            const Rect& box,
+            const Sink& sink) noexcept;
 
 }  // namespace detail
 }  // namespace inkcell

@@ -1,7 +1,5 @@
 #include "bidi_class.hpp"
 
-#include "bidi_tables.hpp"
-
 namespace inkcell {
 namespace detail {
 namespace {
@@ -15,10 +13,6 @@ Mirror image_of(uint32_t image, bool is_first, uint32_t kind) noexcept {
 }
 
 }  // namespace
-
-BidiClass bidi_class(uint32_t code_point) noexcept {
-  return static_cast<BidiClass>(class_of(kBidiClasses, code_point));
-}
 
 Mirror mirror_of(uint32_t code_point) noexcept {
   for (uint32_t i = 0; i != kMirrorBlockCount; ++i) {

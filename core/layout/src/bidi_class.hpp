@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "bidi_tables.hpp"
+
 namespace inkcell {
 namespace detail {
 
@@ -32,7 +34,9 @@ enum class BidiClass : uint8_t {
   pdi,
 };
 
-BidiClass bidi_class(uint32_t code_point) noexcept;
+inline BidiClass bidi_class(uint32_t code_point) noexcept {
+  return static_cast<BidiClass>(class_of(kBidiClasses, code_point));
+}
 
 // The mirror image of a code point.
 struct Mirror {

@@ -1,4 +1,7 @@
-#include "playback.hpp"
+// Over 400 lines: both ends of one code, which share its tables.
+#include "row_codes.hpp"
+
+#include <stddef.h>
 
 #include "base/bytes.hpp"
 #include "base/math.hpp"
@@ -8,6 +11,126 @@
 namespace inkcell {
 namespace detail {
 namespace {
+
+// Of a pair.
+constexpr uint32_t kEmpty = 0;
+constexpr uint32_t kSolid = 1;
+constexpr uint32_t kMixed = 2;
+
+constexpr uint8_t kinds(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+  return static_cast<uint8_t>(a | b << 2 | c << 4 | d << 6);
+}
+
+// What the codes say. Two bits are for a four whose pairs are alike, the first
+// one lowest. Codes with 3 are the most frequent other eights of text of 24 to
+// 48 px.
+constexpr uint8_t kKinds[16] = {
+    kinds(kEmpty, kEmpty, kEmpty, kEmpty),
+    kinds(kSolid, kSolid, kEmpty, kEmpty),
+    kinds(kMixed, kMixed, kEmpty, kEmpty),
+    kinds(kMixed, kEmpty, kEmpty, kEmpty),  // 3
+    kinds(kEmpty, kEmpty, kSolid, kSolid),
+    kinds(kSolid, kSolid, kSolid, kSolid),
+    kinds(kMixed, kMixed, kSolid, kSolid),
+    kinds(kEmpty, kEmpty, kEmpty, kMixed),  // 7
+    kinds(kEmpty, kEmpty, kMixed, kMixed),
+    kinds(kSolid, kSolid, kMixed, kMixed),
+    kinds(kMixed, kMixed, kMixed, kMixed),  // kAllMixed
+    kinds(kSolid, kMixed, kEmpty, kEmpty),  // 11
+    kinds(kMixed, kSolid, kMixed, kEmpty),  // 12
+    kinds(kEmpty, kMixed, kSolid, kMixed),  // 13
+    kinds(kEmpty, kMixed, kMixed, kEmpty),  // 14
+    kinds(kEmpty, kEmpty, kMixed, kSolid),  // 15
+};
+constexpr uint32_t kAllMixed = 10;
+
+// Whether one of the two halves of a code is 3.
+constexpr bool is_by_pairs(uint32_t code) noexcept {
+  return (code & code >> 1 & 5) != 0;
+}
+
+// Whether a row of so many eights has these: they take longer.
+constexpr bool is_wide(int32_t eights) noexcept {
+  return eights > 2;
+}
+
+constexpr int32_t kMostEqual = 16;
+
+// The bits of a group's first byte that count its rows.
+constexpr uint32_t kRowsMask = kMostEqual - 1;
+
+constexpr uint32_t kLowHalves = 0x0f0f0f0f;
+
+inline int32_t rows_of(const uint8_t* group) noexcept {
+  return static_cast<int32_t>(*group & kRowsMask) + 1;
+}
+
+inline int32_t eights_of(int32_t width, Packing packing) noexcept {
+  return (width * packing.channels + 7) >> 3;
+}
+
+// Four of `count` values, from the `first` on, as they are drawn; what is
+// behind the last one is empty.
+uint32_t four_of(const uint8_t* values,
+                 int32_t first,
+                 int32_t count,
+                 uint32_t bits) noexcept {
+  uint32_t four = 0;
+  for (int32_t i = 0; i != 4 && first + i < count; ++i) {
+    const uint32_t value = values[first + i];
+    four |= (bits == 4 ? (value + 8) / 17 * 17 : value) << 8 * i;
+  }
+  return four;
+}
+
+uint32_t kind_of(uint32_t pair) noexcept {
+  return pair == 0 ? kEmpty : pair == 0xffff ? kSolid : kMixed;
+}
+
+// The code of two fours.
+uint32_t code_of(uint32_t first, uint32_t second, bool by_pairs) noexcept {
+  const uint32_t pairs[4] = {kind_of(first & 0xffff), kind_of(first >> 16),
+                             kind_of(second & 0xffff), kind_of(second >> 16)};
+  const uint32_t wanted = kinds(pairs[0], pairs[1], pairs[2], pairs[3]);
+  for (uint32_t code = 0; by_pairs && code != 16; ++code) {
+    if (kKinds[code] == wanted) {
+      return code;
+    }
+  }
+  const auto half = [&pairs](int32_t i) noexcept {
+    return pairs[i] == pairs[i + 1] ? pairs[i] : kMixed;
+  };
+  return half(0) | half(2) << 2;
+}
+
+uint8_t* put_bytes(uint32_t word, uint32_t count, uint8_t* out) noexcept {
+  for (; count != 0; --count) {
+    *out++ = static_cast<uint8_t>(word);
+    word >>= 8;
+  }
+  return out;
+}
+
+// Writes the values of two fours that follow a code.
+uint8_t* put_eight(uint32_t first,
+                   uint32_t second,
+                   uint32_t code,
+                   uint32_t bits,
+                   uint8_t* out) noexcept {
+  if (bits == 4 && code == kAllMixed) {
+    return put_bytes((first & kLowHalves) | (second & ~kLowHalves), 4, out);
+  }
+  const uint32_t pairs[4] = {first & 0xffff, first >> 16, second & 0xffff,
+                             second >> 16};
+  for (uint32_t i = 0; i != 4; ++i) {
+    if ((kKinds[code] >> 2 * i & 3) == kMixed) {
+      const uint32_t pair = pairs[i];
+      out = bits == 8 ? put_bytes(pair, 2, out)
+                      : put_bytes((pair & 15) | (pair >> 8 & 0xf0), 1, out);
+    }
+  }
+  return out;
+}
 
 // Values of 4 bits, each in both halves of its byte. `packed`: the pairs in
 // bytes 0 and 2.
@@ -207,40 +330,77 @@ struct Job {
   Rect shown;     // what is not drawn yet
   int32_t first;  // of the bytes of a row that are shown
 
-  void draw() noexcept;
-  void draw_rows(uint8_t* bytes, int32_t count) noexcept;
+  // As many rows at once as there is room for.
+  __attribute__((noinline)) void draw() noexcept {
+    constexpr int32_t kBytes = kMostRowValues + 4;
+    alignas(4) uint8_t bytes[kBytes + 8];  // two words behind the rows
+    for (int32_t left = shown.y1 - shown.y0; left != 0;) {
+      const int32_t count =
+          left * layout.stride <= kBytes ? left : kBytes / layout.stride;
+      draw_rows(bytes, count);
+      left -= count;
+    }
+  }
+
+  // Not inline, as the one before: so that no frame is large.
+  __attribute__((noinline)) void draw_rows(uint8_t* bytes,
+                                           int32_t count) noexcept {
+    const int32_t end = shown.y1;
+    shown.y1 = shown.y0 + count;
+    const auto write =
+        is_wide(layout.eights) ? write_rows<true> : write_rows<false>;
+    write(rows, layout, bytes, bytes + count * layout.stride);
+    if (layout.channels == 1) {
+      emit(sink, shown, bytes + first, layout.stride);
+    } else {
+      draw_channels(sink, shown, bytes + first, layout.stride);
+    }
+    shown.y0 = shown.y1;
+    shown.y1 = end;
+  }
 };
 
-// Not inline, as the next one: so that no frame is large.
-__attribute__((noinline)) void Job::draw_rows(uint8_t* bytes,
-                                              int32_t count) noexcept {
-  const int32_t end = shown.y1;
-  shown.y1 = shown.y0 + count;
-  const auto write =
-      is_wide(layout.eights) ? write_rows<true> : write_rows<false>;
-  write(rows, layout, bytes, bytes + count * layout.stride);
-  if (layout.channels == 1) {
-    emit(sink, shown, bytes + first, layout.stride);
-  } else {
-    draw_channels(sink, shown, bytes + first, layout.stride);
-  }
-  shown.y0 = shown.y1;
-  shown.y1 = end;
-}
-
-// As many rows at once as there is room for.
-__attribute__((noinline)) void Job::draw() noexcept {
-  constexpr int32_t kBytes = kMostRowValues + 4;
-  alignas(4) uint8_t bytes[kBytes + 8];  // two words behind the rows
-  for (int32_t left = shown.y1 - shown.y0; left != 0;) {
-    const int32_t count =
-        left * layout.stride <= kBytes ? left : kBytes / layout.stride;
-    draw_rows(bytes, count);
-    left -= count;
-  }
-}
-
 }  // namespace
+
+int32_t most_row_bytes(int32_t width, Packing packing) noexcept {
+  const int32_t eights = eights_of(width, packing);
+  return 1 + (eights >> 1) + eights * packing.bits;
+}
+
+uint8_t* record_row(const uint8_t* coverage,
+                    int32_t width,
+                    Packing packing,
+                    uint8_t* last,
+                    uint8_t* end) noexcept {
+  uint8_t* codes = end;
+  uint8_t* out = end + 1;
+  *codes = 0;
+  uint32_t shift = 4;
+  const int32_t values = width * packing.channels;
+  const bool by_pairs = is_wide(eights_of(width, packing));
+  for (int32_t i = 0; i < values; i += 8) {
+    if (shift == 8) {
+      shift = 0;
+      codes = out++;
+      *codes = 0;
+    }
+    const uint32_t first = four_of(coverage, i, values, packing.bits);
+    const uint32_t second = four_of(coverage, i + 4, values, packing.bits);
+    const uint32_t code = code_of(first, second, by_pairs);
+    *codes = static_cast<uint8_t>(*codes | code << shift);
+    out = put_eight(first, second, code, packing.bits, out);
+    shift += 4;
+  }
+  const auto bytes = static_cast<int32_t>(out - end);
+  if (last != nullptr && rows_of(last) != kMostEqual && end - last == bytes &&
+      ((*last ^ *end) & ~kRowsMask) == 0 &&
+      __builtin_memcmp(last + 1, end + 1, static_cast<size_t>(bytes - 1)) ==
+          0) {
+    ++*last;
+    return end;
+  }
+  return out;
+}
 
 void replay(const uint8_t* at,
             Packing packing,
