@@ -231,10 +231,15 @@ void draw_combined(Span<const GridPart> parts,
                    const Sink& sink) noexcept {
   const Rect box = intersect(combined_box(parts, filter), sink.window);
   const Ramp ramp = ramp_of(filter);
-  draw_pixels(box, sink, [&](int32_t x, int32_t y) {
-    return filter.coverage(
-        fold(parts, x * 65536 + 32768, y * 65536 + 32768, ramp).distance_q10);
-  });
+  for (int32_t y = box.y0; y < box.y1; ++y) {
+    PixelRun run(sink, y);
+    for (int32_t x = box.x0; x < box.x1; ++x) {
+      const GridPoint at =
+          fold(parts, x * 65536 + 32768, y * 65536 + 32768, ramp);
+      run.add(x, filter.coverage(at.distance_q10));
+    }
+    run.flush();
+  }
 }
 
 }  // namespace kinetic

@@ -2,7 +2,6 @@
 #include "inkcell/kinetic/dots.hpp"
 
 #include "limits.hpp"
-#include "pixel_run.hpp"
 
 namespace inkcell {
 namespace kinetic {
@@ -40,17 +39,26 @@ void draw_dot(Q16_16 x, Q16_16 y, Q26_6 radius, const Sink& sink) noexcept {
   const int32_t outer_q12 = r_q6 * (r_q6 + 64);
   const int32_t most = asked_q6 < 64 ? 255 * asked_q6 * asked_q6 >> 12 : 255;
   const int32_t scale_q16 = (255 << 9) / r_q6;
-  const auto coverage_at = [&](int32_t x_px, int32_t y_px) {
-    // From the dot's centre to that of the pixel. [px, Q6]
-    const int32_t right_q6 = x_px * 64 + 32 - (x.raw >> 10);
-    const int32_t down_q6 = y_px * 64 + 32 - (y.raw >> 10);
-    const int32_t rest_q12 =
-        max(outer_q12 - right_q6 * right_q6 - down_q6 * down_q6, 0);
-    // Below 2^17 times 2^8, or 2^10 times 2^12.
-    const int32_t value = (rest_q12 >> 2) * scale_q16 >> 14;
-    return static_cast<uint32_t>(value > 255 ? most : value * (most + 1) >> 8);
-  };
-  draw_pixels(intersect(dot_box(x, y, radius), sink.window), sink, coverage_at);
+  const Rect box = intersect(dot_box(x, y, radius), sink.window);
+  // Pixel centres relative to the dot's centre. [px, Q6]
+  const int32_t first_q6 = box.x0 * 64 + 32 - (x.raw >> 10);
+  int32_t down_q6 = box.y0 * 64 + 32 - (y.raw >> 10);
+  for (int32_t row = box.y0; row < box.y1; ++row, down_q6 += 64) {
+    uint8_t coverage[kMaxSpan];
+    int32_t count = 0;
+    int32_t right_q6 = first_q6;
+    for (; count < box.x1 - box.x0; ++count, right_q6 += 64) {
+      const int32_t rest_q12 =
+          max(outer_q12 - down_q6 * down_q6 - right_q6 * right_q6, 0);
+      // Below 2^17 times 2^8, or 2^10 times 2^12.
+      const int32_t value = (rest_q12 >> 2) * scale_q16 >> 14;
+      coverage[count] =
+          static_cast<uint8_t>(value > 255 ? most : value * (most + 1) >> 8);
+    }
+    if (count != 0) {
+      sink.coverage(sink.context, box.x0, row, coverage, count);
+    }
+  }
 }
 
 }  // namespace kinetic

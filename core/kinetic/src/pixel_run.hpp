@@ -1,4 +1,4 @@
-// Pixels with coverage of their own, for a sink.
+// Collects adjacent pixels of a row for a sink.
 #pragma once
 
 #include <stdint.h>
@@ -50,20 +50,6 @@ class PixelRun {
   int32_t count_ = 0;
   uint8_t coverage_[kMost];
 };
-
-// Draws the pixels of a box in the window, each with `coverage_at(x, y)`.
-template <typename CoverageAt>
-void draw_pixels(const Rect& box,
-                 const Sink& sink,
-                 CoverageAt coverage_at) noexcept {
-  for (int32_t y = box.y0; y < box.y1; ++y) {
-    PixelRun run(sink, y);
-    for (int32_t x = box.x0; x < box.x1; ++x) {
-      run.add(x, coverage_at(x, y));
-    }
-    run.flush();
-  }
-}
 
 }  // namespace kinetic
 }  // namespace inkcell
