@@ -1,6 +1,7 @@
 // Makes styles from options.
 #include "look.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -9,6 +10,7 @@
 
 #include "canvas.hpp"
 #include "filters.hpp"
+#include "inkcell/shadow.hpp"
 
 namespace inkcell::tools {
 namespace {
@@ -32,10 +34,10 @@ const Filter& filter_for(const std::string& name, Use use) {
   return filter_of(name);
 }
 
-OutlinePlace place_of(const std::string& name) {
-  return name == "inner"   ? OutlinePlace::inner
-         : name == "outer" ? OutlinePlace::outer
-                           : OutlinePlace::centred;
+StrokePlace place_of(const std::string& name) {
+  return name == "inner"   ? StrokePlace::inner
+         : name == "outer" ? StrokePlace::outer
+                           : StrokePlace::centred;
 }
 
 SubPixels order_of(const std::string& name) {
@@ -165,11 +167,10 @@ Look::Look(const LookOptions& asked,
            double px,
            double angle,
            Use use)
-    : edges_(make_outline(
-          with_weight(filter_for(asked.filter, use), to_q10(asked.weight)),
-          to_q10(asked.outline),
-          place_of(asked.place))),
-      style_(make_style(px, angle, edges_.outer)) {
+    : stroke_(with_weight(filter_for(asked.filter, use), to_q10(asked.weight)),
+              to_q10(asked.outline),
+              place_of(asked.place)),
+      style_(make_style(px, angle, stroke_.outer)) {
   const LookOptions options = fill_in(asked, use);
   require_reach(options, font);
   if (options.filter == kArea) {
@@ -191,7 +192,7 @@ void Look::require_reach(const LookOptions& options, const Font& font) const {
   // distances close to the edge count.
   const bool reaches =
       (options.weight == 0 && options.outline == 0) || options.levels == 2;
-  for (const Filter* edge : {&edges_.outer, &edges_.inner}) {
+  for (const Filter* edge : {&stroke_.outer, &stroke_.inner}) {
     if (!reaches &&
         check_reach(font.range(), style_.size(), *edge) != Status::ok) {
       throw std::runtime_error(
@@ -233,7 +234,7 @@ void Look::set_effect(const LookOptions& options, const Font& font, Use use) {
     throw std::runtime_error("--outline-place is for --outline");
   }
   if (options.outline != 0) {
-    style_.set_effect(outline_effect(edges_.inner));
+    style_.set_effect(stroke_);
   } else if (options.levels != 256) {
     set_levels(options);
   } else if (options.lcd != "none") {
@@ -264,26 +265,26 @@ void Look::set_samples(const LookOptions& options, const Font& font, Use use) {
   }
   if (is_splats) {
     sums_.resize(kMaxSums);
-    if (make_splats({sums_.data(), sums_.size()}, radius, splats_) !=
-        Status::ok) {
+    splat_ = Splat(Span<uint32_t>(sums_.data(), sums_.size()), radius);
+    if (splat_.radius_q10 != radius.raw) {
       throw std::runtime_error("--samples splats: --radius is 0.75 to 1.5 px");
     }
-    style_.set_effect(splat_effect(splats_));
+    style_.set_effect(splat_);
     return;
   }
   if (font.has_outlines() && !is_paper) {
-    supersampling_ = make_supersampling(radius);
-    style_.set_effect(supersample_effect(supersampling_));
+    supersample_ = Supersample(radius);
+    style_.set_effect(supersample_);
     return;
   }
-  circle_samples_ = make_circle_samples(
+  circle_samples_ = CircleSamples(
       style_.filter(), radius, is_paper ? SampleRule::paper : SampleRule::even);
   circle_samples_.more_samples = &more_samples_;
-  style_.set_effect(circle_samples_effect(circle_samples_));
+  style_.set_effect(circle_samples_);
 }
 
 void Look::set_levels(const LookOptions& options) {
-  constexpr double kMostWeight = 0.5;  // of CrispOptions::threshold_px
+  constexpr double kMostWeight = 0.5;  // of Bilevel::threshold_px
   if (std::abs(options.weight) > kMostWeight) {
     throw std::runtime_error("--levels takes a --weight of -0.5 to 0.5 px");
   }
@@ -292,21 +293,21 @@ void Look::set_levels(const LookOptions& options) {
         "--levels 2 draws without greys, where --filter changes nothing; leave "
         "out --filter, or use --levels 4");
   }
-  crisp_.levels = static_cast<uint8_t>(options.levels);
-  crisp_.threshold_px = to_q10(-options.weight);
-  style_.set_effect(crisp_effect(crisp_));
+  bilevel_ =
+      Bilevel(static_cast<uint8_t>(options.levels), to_q10(-options.weight));
+  style_.set_effect(bilevel_);
 }
 
 void Look::set_lcd(const LookOptions& options) {
   lcd_.order = order_of(options.lcd);
   lcd_.colour = static_cast<uint8_t>(std::lround(255 * options.lcd_colour));
-  style_.set_effect(lcd_effect(lcd_));
+  style_.set_effect(lcd_);
 }
 
 void Look::set_rules(const LookOptions& options) {
   edge_contrast_.edge = options.rules == "thin" ? 0 : edge_contrast_.edge;
   edge_contrast_.thin = options.rules == "edges" ? 0 : edge_contrast_.thin;
-  style_.set_effect(edge_contrast_effect(edge_contrast_));
+  style_.set_effect(edge_contrast_);
 }
 
 void Look::set_motion(const LookOptions& options) {
@@ -314,11 +315,14 @@ void Look::set_motion(const LookOptions& options) {
   double x = 0;
   double y = 0;
   char comma = 0;
+  constexpr double kMost = 32;
   if (!(in >> x >> comma >> y) || comma != ',' || !in.eof() ||
-      make_motion_blur(make_point(x, y), blur_) != Status::ok) {
+      !(std::abs(x) <= kMost) || !(std::abs(y) <= kMost)) {
     throw std::runtime_error("--motion takes X,Y, up to 32 px each");
   }
-  style_.set_effect(motion_blur_effect(blur_));
+  blur_ = MotionBlur(make_point(x, y));
+  blur_px_ = static_cast<int>(std::max(std::abs(x), std::abs(y)) / 2) + 1;
+  style_.set_effect(blur_);
 }
 
 void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
@@ -348,7 +352,7 @@ void Look::set_hint(const LookOptions& options, const Font& font, Use use) {
       !fit_.hints().empty()) {
     style_.set_fit(fit_);
     if (options.levels == 2 && options.weight == 0) {
-      crisp_.threshold_px = fit_.crisp_weight();
+      bilevel_.threshold_px = fit_.bilevel_weight();
     }
   }
 }

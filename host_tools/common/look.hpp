@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/field/circle_samples.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/supersample.hpp"
 
@@ -35,7 +35,7 @@ struct LookOptions {
   double weight = 0;   // [px]
   double outline = 0;  // its width [px]; 0: none
   std::string place = "centred";
-  int levels = 256;  // 2 and 4: crisp
+  int levels = 256;  // 2 and 4: bilevel
   std::string lcd = "none";
   double lcd_colour = 1;  // share that is kept
 };
@@ -69,23 +69,19 @@ class Look {
   const Style& style() const { return style_; }
 
   /// The channels of the picture: 3 with sub-pixels, else 1.
-  int channels() const { return style_.effect().options == &lcd_ ? 3 : 1; }
+  int channels() const { return style_.effect() == &lcd_ ? 3 : 1; }
 
   /// Whether the style takes as many distances of cells as a pixel needs, and
   /// how many it has taken beyond one a pixel.
-  bool counts_samples() const {
-    return style_.effect().options == &circle_samples_;
-  }
+  bool counts_samples() const { return style_.effect() == &circle_samples_; }
   bool uses_radius() const {
-    return counts_samples() || style_.effect().options == &supersampling_ ||
-           style_.effect().options == &splats_;
+    return counts_samples() || style_.effect() == &supersample_ ||
+           style_.effect() == &splat_;
   }
   uint32_t more_samples() const { return more_samples_; }
 
   /// How far motion blur extends glyphs. [px]
-  int blur_px() const {
-    return style_.effect().options == &blur_ ? blur_.reach_px : 0;
-  }
+  int blur_px() const { return blur_px_; }
 
  private:
   void require_reach(const LookOptions& options, const Font& font) const;
@@ -98,17 +94,18 @@ class Look {
   void set_lcd(const LookOptions& options);
   void set_hint(const LookOptions& options, const Font& font, Use use);
 
-  Outline edges_;  // without an outline both are the filter
+  Stroke stroke_;  // without an outline both edges are the filter
   Style style_;
   Fit fit_;
-  CrispOptions crisp_;
-  Supersampling supersampling_;
-  CircleSamples circle_samples_;
-  Splats splats_;
+  Bilevel bilevel_;
+  Supersample supersample_;
+  CircleSamples circle_samples_{kFilterText};
   std::vector<uint32_t> sums_;
+  Splat splat_{{}};
   EdgeContrast edge_contrast_;
   MotionBlur blur_;
-  LcdOptions lcd_;
+  int blur_px_ = 0;
+  Lcd lcd_;
   uint32_t more_samples_ = 0;
 };
 

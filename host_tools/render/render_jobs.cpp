@@ -309,7 +309,7 @@ SampleTotal render(const RenderJob& job,
 void add_samples(const Image& image, const Look& look, SampleTotal& total) {
   constexpr int kNear = 3;
   total.uses_radius |= look.uses_radius();
-  if (look.style().effect().mixer != nullptr && !look.counts_samples()) {
+  if (look.style().effect() != nullptr && !look.counts_samples()) {
     return;
   }
   // First along rows, then along columns: a disc is a square without its

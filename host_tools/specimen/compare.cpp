@@ -79,10 +79,9 @@ Image compare(const Font& font,
     add_ours("Inkcell, filter area", kFilterArea, plain);
     return sheet.finish();
   }
-  const Supersampling supersampling = make_supersampling();
-  add_ours("Inkcell, up to 13 samples a pixel", kFilterText, [&](Style& style) {
-    style.set_effect(supersample_effect(supersampling));
-  });
+  const Supersample supersample;
+  add_ours("Inkcell, up to 13 samples a pixel", kFilterText,
+           [&](Style& style) { style.set_effect(supersample); });
   return sheet.finish();
 }
 

@@ -139,11 +139,14 @@ class DeviceStar {
     }
   }
 
-  Image draw(const Effect& effect) const {
+  // `effect` may be null.
+  Image draw(const Effect* effect) const {
     Image image = colour_image(kSide, kSide, 0);
     const ColourSink target(image, 0xffffff);
     Style style = make_style(kSide, 0, kFilterText);
-    style.set_effect(effect);
+    if (effect != nullptr) {
+      style.set_effect(*effect);
+    }
     draw_field(field_, style, make_point(0, kSide), target.sink());
     return image;
   }
@@ -177,15 +180,10 @@ Image draw_star(const Font& font) {
   const std::vector<Wedge> wedges = star();
   const gen::Shape shape = shape_of(wedges);
   const DeviceStar device(shape);
-  const CircleSamples even = make_circle_samples(kFilterText, kCalmRadius);
-  const CircleSamples paper =
-      make_circle_samples(kFilterText, kPaperRadius, SampleRule::paper);
+  const CircleSamples even(kFilterText, kCalmRadius);
+  const CircleSamples paper(kFilterText, kPaperRadius, SampleRule::paper);
   std::vector<uint32_t> sums(kSide * kSide);
-  Splats splats;
-  if (make_splats({sums.data(), sums.size()}, kSplatRadius, splats) !=
-      Status::ok) {
-    throw std::runtime_error("splats are not to be had");
-  }
+  const Splat splat(Span<uint32_t>(sums.data(), sums.size()));
   struct Entry {
     const char* label;
     Image image;
@@ -198,10 +196,10 @@ Image draw_star(const Font& font) {
       {"16, jittered, Gaussian",
        in_colour(supersample(shape, 4, Jitter::whole, gaussian_weight))},
       {"FreeType", in_colour(cover(wedges))},
-      {"Inkcell, one sample", device.draw({})},
-      {"Inkcell, up to 13, even", device.draw(circle_samples_effect(even))},
-      {"Inkcell, up to 13, paper", device.draw(circle_samples_effect(paper))},
-      {"Inkcell, splats", device.draw(splat_effect(splats))}};
+      {"Inkcell, one sample", device.draw(nullptr)},
+      {"Inkcell, up to 13, even", device.draw(&even)},
+      {"Inkcell, up to 13, paper", device.draw(&paper)},
+      {"Inkcell, splats", device.draw(&splat)}};
   // Two rows of columns, each a picture and its middle.
   constexpr int kColumns = 4;
   constexpr int kColumn = kSide + kSpace;

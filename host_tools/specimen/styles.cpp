@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "canvas.hpp"
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/port/dither.hpp"
+#include "inkcell/shadow.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/text.hpp"
 #include "sheet.hpp"
 
@@ -86,9 +87,9 @@ void draw_shadow_in_1_bit(const Font& font, Image& image) {
   const Filter shadow = make_filter(spec_of(-1.25, 3.5));
   draw_text(font, "Sphinx", make_style(kPx, 0, shadow), make_point(7.5, 28.5),
             dithered);
-  const CrispOptions crisp;
+  const Bilevel bilevel;
   Style style = make_style(kPx, 0, kFilterText);
-  style.set_effect(crisp_effect(crisp));
+  style.set_effect(bilevel);
   draw_text(font, "Sphinx", style, make_point(4, 25), plain);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -138,17 +139,17 @@ Image draw_filters(const Font& font) {
 Image draw_lcd(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 13, 4, 14.3};
   Sheet sheet(font, {180, 19, 5, 3, 84});
-  const auto add = [&](const char* label, const LcdOptions* lcd,
-                       uint32_t ground, uint32_t colour) {
+  const auto add = [&](const char* label, const Lcd* lcd, uint32_t ground,
+                       uint32_t colour) {
     sheet.add(label, ground, [&](Image& image) {
       Style style = make_style(sample.px, 0, kFilterText);
       if (lcd != nullptr) {
-        style.set_effect(lcd_effect(*lcd));
+        style.set_effect(*lcd);
       }
       sample.write(style, colour, image);
     });
   };
-  LcdOptions lcd;
+  Lcd lcd;
   add("grey", nullptr, kWhite, kBlack);
   add("rgb", &lcd, kWhite, kBlack);
   lcd.order = SubPixels::bgr;
@@ -168,26 +169,26 @@ Image draw_effects(const Font& font) {
   constexpr double kPx = 32;
   const Sample sample = {font, "Effects", kPx, 8, 34};
   Sheet sheet(font, {136, 46, 3, 4, 74, 2});
-  const auto add_outline = [&](const char* label, OutlinePlace place,
+  const auto add_outline = [&](const char* label, StrokePlace place,
                                double width) {
-    const Outline outline = make_outline(kFilterText, to_q10(width), place);
-    check(font, kPx, outline.outer);
-    check(font, kPx, outline.inner);
+    const Stroke stroke(kFilterText, to_q10(width), place);
+    check(font, kPx, stroke.outer);
+    check(font, kPx, stroke.inner);
     sheet.add(label, kWhite, [&](Image& image) {
-      Style style = make_style(kPx, 0, outline.outer);
-      style.set_effect(outline_effect(outline.inner));
+      Style style = make_style(kPx, 0, kFilterText);
+      style.set_effect(stroke);
       sample.write(style, kBlack, image);
     });
   };
-  add_outline("outline 1 px, inner", OutlinePlace::inner, 1);
-  add_outline("outline 1 px, centred", OutlinePlace::centred, 1);
-  add_outline("outline 1.5 px, outer", OutlinePlace::outer, 1.5);
-  const Outline two = make_outline(kFilterText, to_q10(2), OutlinePlace::outer);
+  add_outline("outline 1 px, inner", StrokePlace::inner, 1);
+  add_outline("outline 1 px, centred", StrokePlace::centred, 1);
+  add_outline("outline 1.5 px, outer", StrokePlace::outer, 1.5);
+  const Stroke two(kFilterText, to_q10(2), StrokePlace::outer);
   sheet.add("outline and fill in one pass", kNight, [&](Image& image) {
     const ColourSink fill(image, 0xffd070);
-    const OutlineAndFill both = {&two.inner, &fill.sink()};
-    Style style = make_style(kPx, 0, two.outer);
-    style.set_effect(outline_and_fill_effect(both));
+    const StrokeAndFill both(two, &fill.sink());
+    Style style = make_style(kPx, 0, kFilterText);
+    style.set_effect(both);
     sample.write(style, 0xb02030, image);
   });
   const Filter shadow = shadow_filter(to_q10(2.5));
@@ -221,16 +222,16 @@ Image draw_fitting(const Font& font) {
     sheet.add(label, kWhite, [&](Image& image) {
       Style style = make_style(kPx, 0, kFilterText);
       Fit fit;
-      CrispOptions crisp;
+      Bilevel bilevel;
       if (options != nullptr) {
         if (Fit::make(font, style, *options, fit) != Status::ok) {
           throw std::runtime_error("the font's hints are broken");
         }
         style.set_fit(fit);
-        crisp.threshold_px = fit.crisp_weight();
+        bilevel.threshold_px = fit.bilevel_weight();
       }
       if (is_bilevel) {
-        style.set_effect(crisp_effect(crisp));
+        style.set_effect(bilevel);
       }
       sample.write(style, kBlack, image);
     });
@@ -253,14 +254,14 @@ Image draw_contrast(const Font& font) {
   const auto add = [&](const char* label, const EdgeContrast& edge_contrast) {
     sheet.add(label, kWhite, [&](Image& image) {
       Style style = make_style(kPx, 0, kFilterText);
-      style.set_effect(edge_contrast_effect(edge_contrast));
+      style.set_effect(edge_contrast);
       sample.write(style, kBlack, image);
     });
   };
   const EdgeContrast all;
-  add("as designed", {0, 0});
-  add("left and lower edges darker", {all.edge, 0});
-  add("thin strokes darker", {0, all.thin});
+  add("as designed", EdgeContrast(0, 0));
+  add("left and lower edges darker", EdgeContrast(all.edge, 0));
+  add("thin strokes darker", EdgeContrast(0, all.thin));
   add("both", all);
   return sheet.finish();
 }
@@ -304,13 +305,10 @@ Image draw_motion(const Font& font) {
   const Sample sample = {font, "Sphinx 1958", kPx, 8, 26};
   Sheet sheet(font, {160, 36, 4, 4, 130});
   const auto add = [&](const char* label, double right, double down) {
-    MotionBlur blur;
-    if (make_motion_blur(make_point(right, down), blur) != Status::ok) {
-      throw std::runtime_error("a motion is out of range");
-    }
+    const MotionBlur blur(make_point(right, down));
     sheet.add(label, kWhite, [&](Image& image) {
       Style style = make_style(kPx, 0, kFilterText);
-      style.set_effect(motion_blur_effect(blur));
+      style.set_effect(blur);
       sample.write(style, kBlack, image);
     });
   };
@@ -325,27 +323,27 @@ Image draw_motion(const Font& font) {
 Image draw_levels(const Font& font) {
   const Sample sample = {font, "Sphinx of quartz, 1958", 11, 4, 12.4};
   Sheet sheet(font, {152, 17, 5, 3, 84});
-  const auto add = [&](const char* label, const CrispOptions* crisp,
+  const auto add = [&](const char* label, const Bilevel* bilevel,
                        uint8_t threshold) {
     sheet.add(label, kWhite, [&](Image& image) {
       Style style = make_style(sample.px, 0, kFilterText);
-      if (crisp != nullptr) {
-        style.set_effect(crisp_effect(*crisp));
+      if (bilevel != nullptr) {
+        style.set_effect(*bilevel);
       }
       sample.write(style, kBlack, image);
       for (uint8_t& level : image.pixels) {
-        level = crisp == nullptr ? (level <= 255 - threshold ? 0 : 255) : level;
+        level =
+            bilevel == nullptr ? (level <= 255 - threshold ? 0 : 255) : level;
       }
     });
   };
-  CrispOptions crisp;
+  Bilevel bilevel;
   add("1 bit, threshold alone", nullptr, 128);
-  add("1 bit, crisp", &crisp, 0);
-  crisp.threshold_px = to_q10(-0.15);
-  add("1 bit, crisp, bolder by 0.15 px", &crisp, 0);
-  crisp.threshold_px = {};
-  crisp.levels = 4;
-  add("2 bits, crisp", &crisp, 0);
+  add("1 bit, crisp", &bilevel, 0);
+  bilevel.threshold_px = to_q10(-0.15);
+  add("1 bit, crisp, bolder by 0.15 px", &bilevel, 0);
+  bilevel = Bilevel(4);
+  add("2 bits, crisp", &bilevel, 0);
   sheet.add(
       "1 bit, over a dithered shadow", kWhite,
       [&](Image& image) { draw_shadow_in_1_bit(font, image); }, 36);

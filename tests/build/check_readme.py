@@ -21,7 +21,7 @@ LINKER = "set_target_properties(app PROPERTIES LINKER_LANGUAGE C)"
 INSTALL = "cmake --install build --prefix"
 # Functions that the program calls; that others would.
 CALLED = ["paint_areas(", "draw_text("]
-NOT_CALLED = ["mix_lcd", "mix_outline", "mix_crisp", "mix_contrast", "Mean::",
+NOT_CALLED = ["mix_lcd", "mix_stroke", "mix_bilevel", "mix_contrast", "Mean::",
               "repaint(", "paint_crossings", "paint_distances(", "paint_wide",
               "PreparedGlyph::make", "Fit::make", "kGridFit", "Font::verify"]
 SUBDIRECTORY = re.compile(r"add_subdirectory\(inkcell\).*")

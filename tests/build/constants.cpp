@@ -1,5 +1,4 @@
 // Styles that a program has as constants: in ROM, and made by no code.
-#include "inkcell/effects.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/style.hpp"
 
@@ -14,4 +13,4 @@ extern const Style kBody;
 extern const Style kFitted;
 const Style kTitle = Style(24_px);
 const Style kBody = Style(12.5_px, kFilterText);
-const Style kFitted = Style(11_px).set_fit(kFit).set_effect({});
+const Style kFitted = Style(11_px).set_fit(kFit).clear_effect();

@@ -1,15 +1,15 @@
 #include "styles.hpp"
 
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/field/circle_samples.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
-#include "inkcell/supersample.hpp"
+#include "inkcell/shadow.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/text.hpp"
 
 namespace golden {
@@ -55,14 +55,17 @@ Style style_of(const Line& line, const Filter& filter) {
   return Style(Q26_6::from_raw(line.size_q6), filter);
 }
 
-// Not inline, so that there is one style at a time on the stack.
+// `effect` may be null. Not inline, so that there is one style at a time on the
+// stack.
 __attribute__((noinline)) bool draw_painted(const Line& line,
                                             const Filter& filter,
-                                            const Effect& effect,
+                                            const Effect* effect,
                                             const FitOptions* fit,
                                             const Sink& sink) {
   Style style = style_of(line, filter);
-  style.set_effect(effect);
+  if (effect != nullptr) {
+    style.set_effect(*effect);
+  }
   return draw_line(line, style, fit, sink);
 }
 
@@ -70,7 +73,7 @@ bool draw_plain(const Line& line,
                 const Filter& filter,
                 const FitOptions* fit,
                 const Sink& sink) {
-  return draw_painted(line, filter, {}, fit, sink);
+  return draw_painted(line, filter, nullptr, fit, sink);
 }
 
 bool draw_fitted(const Sink& sink) {
@@ -83,58 +86,53 @@ bool draw_fitted(const Sink& sink) {
 }
 
 bool draw_adaptive(const Sink& sink) {
-  const CircleSamples even = make_circle_samples(kFilterMotion, kCalmRadius);
+  const CircleSamples even(kFilterMotion, kCalmRadius);
   if (!draw_painted({FontId::dejavu_sans_field, "Againniag", 10 * 64 + 11,
                      2 * 64, 28 * 64 + 17},
-                    kFilterMotion, circle_samples_effect(even), nullptr,
-                    sink)) {
+                    kFilterMotion, &even, nullptr, sink)) {
     return false;
   }
-  const CircleSamples paper =
-      make_circle_samples(kFilterPaperDisplay, kPaperRadius, SampleRule::paper);
+  const CircleSamples paper(kFilterPaperDisplay, kPaperRadius,
+                            SampleRule::paper);
   return draw_painted(
       {FontId::dejavu_sans_field, "Again", 14 * 64, 90 * 64 + 7, 31 * 64},
-      kFilterPaperDisplay, circle_samples_effect(paper), nullptr, sink);
+      kFilterPaperDisplay, &paper, nullptr, sink);
 }
 
 bool draw_splats(const Sink& sink) {
   // Fewer than the pixels of a glyph.
   uint32_t sums[2 * kMinSplatSums];
-  Splats splats;
-  return make_splats(sums, kSplatRadius, splats) == Status::ok &&
-         draw_painted({FontId::dejavu_sans_field, "Again", 13 * 64 + 7,
+  const Splat splat(sums);
+  return draw_painted({FontId::dejavu_sans_field, "Again", 13 * 64 + 7,
                        112 * 64 + 9, 169 * 64 + 30},
-                      kFilterText, splat_effect(splats), nullptr, sink);
+                      kFilterText, &splat, nullptr, sink);
 }
 
 bool draw_perceptual(const Sink& sink) {
   const EdgeContrast edge_contrast;
   return draw_painted(
       {FontId::dejavu_sans_field, "Againgain", 14 * 64, 3 * 64 + 9, 45 * 64},
-      kFilterText, edge_contrast_effect(edge_contrast), nullptr, sink);
+      kFilterText, &edge_contrast, nullptr, sink);
 }
 
 bool draw_blurred(const Sink& sink) {
-  MotionBlur blur;
-  const Point way = {Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)};
-  return make_motion_blur(way, blur) == Status::ok &&
-         draw_painted(
-             {FontId::dejavu_sans_field, "Agin", 22 * 64, 95 * 64, 50 * 64},
-             kFilterText, motion_blur_effect(blur), nullptr, sink);
+  const MotionBlur blur({Q26_6::from_raw(3 * 64 + 20), Q26_6::from_raw(-70)});
+  return draw_painted(
+      {FontId::dejavu_sans_field, "Agin", 22 * 64, 95 * 64, 50 * 64},
+      kFilterText, &blur, nullptr, sink);
 }
 
 bool draw_outlined(const Sink& sink) {
-  const Outline outline =
-      make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
+  const Stroke stroke(kFilterText, Q6_10::from_raw(1300));
   if (!draw_painted(
           {FontId::dejavu_serif_outline, "Qua", 30 * 64, 2 * 64 + 5, 78 * 64},
-          outline.outer, outline_effect(outline.inner), nullptr, sink)) {
+          kFilterText, &stroke, nullptr, sink)) {
     return false;
   }
-  const OutlineAndFill both = {&outline.inner, &sink};
+  const StrokeAndFill both(stroke, &sink);
   return draw_painted(
       {FontId::dejavu_sans_outline, "Inn", 28 * 64, 85 * 64, 80 * 64},
-      outline.outer, outline_and_fill_effect(both), nullptr, sink);
+      kFilterText, &both, nullptr, sink);
 }
 
 bool draw_weighted(const Sink& sink) {
@@ -148,15 +146,15 @@ bool draw_weighted(const Sink& sink) {
              soft, nullptr, sink);
 }
 
-bool draw_crisp(const Sink& sink) {
-  const CrispOptions two = {2, Q6_10::from_raw(-100)};
-  const CrispOptions four = {4, Q6_10()};
+bool draw_bilevel(const Sink& sink) {
+  const Bilevel two(2, Q6_10::from_raw(-100));
+  const Bilevel four(4);
   return draw_painted({FontId::dejavu_serif_outline, "AV Qua", 11 * 64,
                        2 * 64 + 30, 118 * 64},
-                      kFilterText, crisp_effect(two), nullptr, sink) &&
+                      kFilterText, &two, nullptr, sink) &&
          draw_painted({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 80 * 64,
                        118 * 64},
-                      kFilterText, crisp_effect(four), nullptr, sink);
+                      kFilterText, &four, nullptr, sink);
 }
 
 // Leaning and narrow; in a mirror; and adaptive along a turned line.
@@ -175,9 +173,9 @@ bool draw_turned(const Sink& sink) {
   Direction direction;
   direction.cosine.raw = 1065418748;
   direction.sine.raw = -133530580;
-  const CircleSamples even = make_circle_samples(kFilterText);
+  const CircleSamples even(kFilterText);
   style = Style(15_px, kFilterText, direction);
-  style.set_effect(circle_samples_effect(even));
+  style.set_effect(even);
   return draw_line(
       {FontId::dejavu_sans_field, "Againgain", 0, 3 * 64, 160 * 64}, style,
       nullptr, sink);
@@ -225,25 +223,24 @@ bool draw_soft(const Sink& sink) {
 }
 
 bool draw_edges(const Sink& sink) {
-  const Outline outline =
-      make_outline(kFilterText, Q6_10::from_raw(1300), OutlinePlace::centred);
+  const Stroke stroke(kFilterText, Q6_10::from_raw(1300));
   return draw_painted(
-      {FontId::roboto_outline, "Roby", 28 * 64, 2 * 64, 106 * 64},
-      outline.outer, outline_effect(outline.inner), nullptr, sink);
+      {FontId::roboto_outline, "Roby", 28 * 64, 2 * 64, 106 * 64}, kFilterText,
+      &stroke, nullptr, sink);
 }
 
 bool draw_two_levels(const Sink& sink) {
-  const CrispOptions two = {2, Q6_10::from_raw(-100)};
-  const CrispOptions four = {4, {}};
+  const Bilevel two(2, Q6_10::from_raw(-100));
+  const Bilevel four(4);
   return draw_painted(
              {FontId::roboto_outline, "Robot", 11 * 64, 80 * 64, 100 * 64},
-             kFilterText, crisp_effect(two), nullptr, sink) &&
+             kFilterText, &two, nullptr, sink) &&
          draw_painted({FontId::dejavu_serif_outline, "Quav", 11 * 64, 120 * 64,
                        100 * 64},
-                      kFilterText, crisp_effect(two), &kTwoLevels, sink) &&
+                      kFilterText, &two, &kTwoLevels, sink) &&
          draw_painted({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 80 * 64,
                        112 * 64},
-                      kFilterText, crisp_effect(four), &kAcross, sink) &&
+                      kFilterText, &four, &kAcross, sink) &&
          draw_plain({FontId::dejavu_sans_outline, "Inkcell", 9 * 64, 118 * 64,
                      112 * 64},
                     kFilterText, &kAcross, sink);
@@ -270,7 +267,7 @@ bool draw_outlines(const Sink& sink) {
 bool draw_styles(const Sink& sink) {
   return draw_fitted(sink) && draw_adaptive(sink) && draw_splats(sink) &&
          draw_perceptual(sink) && draw_blurred(sink) && draw_outlined(sink) &&
-         draw_weighted(sink) && draw_crisp(sink) && draw_turned(sink);
+         draw_weighted(sink) && draw_bilevel(sink) && draw_turned(sink);
 }
 
 bool draw_sub_pixels(const Sink& sink) {
@@ -279,12 +276,12 @@ bool draw_sub_pixels(const Sink& sink) {
                                    SubPixels::bgr_vertical};
   int32_t y_q6 = 20 * 64 + 11;
   for (const SubPixels order : kOrders) {
-    const LcdOptions lcd = {order, static_cast<uint8_t>(y_q6 >> 5)};
+    const Lcd lcd(order, static_cast<uint8_t>(y_q6 >> 5));
     if (!draw_painted(
             {FontId::dejavu_sans_outline, "Inkcell", 13 * 64 + 9, 2 * 64, y_q6},
-            kFilterText, lcd_effect(lcd), nullptr, sink) ||
+            kFilterText, &lcd, nullptr, sink) ||
         !draw_painted({FontId::roboto_outline, "Roy", 30 * 64, 85 * 64, y_q6},
-                      kFilterText, lcd_effect(lcd), nullptr, sink)) {
+                      kFilterText, &lcd, nullptr, sink)) {
       return false;
     }
     y_q6 += 42 * 64 + 7;

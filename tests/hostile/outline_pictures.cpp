@@ -4,15 +4,16 @@
 #include <memory>
 
 #include "exercise.hpp"
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/field/draw.hpp"
 #include "inkcell/field/generate.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/shadow.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 
@@ -199,13 +200,13 @@ static_assert(kDirectionCount + 4 == kMapCount, "all maps have numbers");
 
 // Everything that an effect refers to.
 struct Options {
-  Outline outline = {};
-  OutlineAndFill both = {};
-  LcdOptions lcd = {};
-  CrispOptions crisp = {};
-  Supersampling supersampling = {};
-  MotionBlur blur = {};
-  EdgeContrast contrast = {};
+  Stroke stroke{kFilterText, Q6_10()};
+  StrokeAndFill both{stroke};
+  Lcd lcd;
+  Bilevel bilevel;
+  Supersample supersample;
+  MotionBlur blur{{Q26_6::from_raw(300), Q26_6::from_raw(-170)}};
+  EdgeContrast contrast{255, 255};
   Sink fill = {};
   Fit fit = {};
 };
@@ -215,30 +216,28 @@ void set_effect(uint8_t number, Options& options, Style& style) {
                                    SubPixels::rgb_vertical,
                                    SubPixels::bgr_vertical};
   if (number == 1) {
-    options.outline.inner = with_weight(style.filter(), Q6_10::from_raw(-1100));
-    style.set_effect(outline_effect(options.outline.inner));
+    options.stroke =
+        Stroke(style.filter(), Q6_10::from_raw(1100), StrokePlace::inner);
+    style.set_effect(options.stroke);
   } else if (number == 2) {
-    options.outline.inner = with_weight(style.filter(), Q6_10::from_raw(-600));
-    options.both = {&options.outline.inner, &options.fill};
-    style.set_effect(outline_and_fill_effect(options.both));
+    options.stroke =
+        Stroke(style.filter(), Q6_10::from_raw(600), StrokePlace::inner);
+    options.both.fill = &options.fill;
+    style.set_effect(options.both);
   } else if (number >= 3 && number < 7) {
-    options.lcd = {kOrders[number - 3],
-                   static_cast<uint8_t>(number == 5 ? 90 : 255)};
-    style.set_effect(lcd_effect(options.lcd));
+    options.lcd =
+        Lcd(kOrders[number - 3], static_cast<uint8_t>(number == 5 ? 90 : 255));
+    style.set_effect(options.lcd);
   } else if (number == 7 || number == 8) {
-    options.crisp = {static_cast<uint8_t>(number == 7 ? 2 : 4),
-                     Q6_10::from_raw(number == 7 ? 120 : -250)};
-    style.set_effect(crisp_effect(options.crisp));
+    options.bilevel = Bilevel(static_cast<uint8_t>(number == 7 ? 2 : 4),
+                              Q6_10::from_raw(number == 7 ? 120 : -250));
+    style.set_effect(options.bilevel);
   } else if (number == 9) {
-    options.supersampling = make_supersampling();
-    style.set_effect(supersample_effect(options.supersampling));
+    style.set_effect(options.supersample);
   } else if (number == 10) {
-    const Point way = {Q26_6::from_raw(300), Q26_6::from_raw(-170)};
-    require(make_motion_blur(way, options.blur) == Status::ok, "motion blur");
-    style.set_effect(motion_blur_effect(options.blur));
+    style.set_effect(options.blur);
   } else if (number == 11) {
-    options.contrast = {255, 255};
-    style.set_effect(edge_contrast_effect(options.contrast));
+    style.set_effect(options.contrast);
   }
 }
 

@@ -2,7 +2,7 @@
 //
 //   crisp <font.bin> <most breaks of 1000 pictures>
 //
-// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with crisp_effect,
+// Draws every glyph at 8 to 14 px in 8 sub-pixel positions with Bilevel,
 // and counts pieces of ink that touch, also at corners. A picture that has more
 // pieces than the glyph at 64 px is broken. What a threshold alone would break,
 // and pictures with fewer pieces, are printed beside it.
@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/port/a8.hpp"
 #include "inkcell/text.hpp"
@@ -37,7 +37,7 @@ Bitmap draw(const Font& font,
   const int side = 3 * px;
   Bitmap picture = {side, side,
                     std::vector<uint8_t>(static_cast<size_t>(side * side))};
-  const CrispOptions crisp;
+  const Bilevel bilevel;
   Style style(Q26_6::from_int(px), kFilterText);
   port::A8Target target;
   target.strip.pixels = {picture.pixels.data(), picture.pixels.size()};
@@ -49,7 +49,7 @@ Bitmap draw(const Font& font,
     std::abort();
   }
   if (is_crisp) {
-    style.set_effect(crisp_effect(crisp));
+    style.set_effect(bilevel);
   }
   draw_glyph(font, glyph, style,
              {Q26_6::from_raw(64 * px / 2 + x_q6),

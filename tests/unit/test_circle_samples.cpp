@@ -47,7 +47,7 @@ Style style_of(int32_t size_q6, uint32_t turn, const CircleSamples& options) {
   direction.cosine.raw = kDirections[turn][0];
   direction.sine.raw = kDirections[turn][1];
   Style style(Q26_6::from_raw(size_q6), kFilterText, direction);
-  style.set_effect(circle_samples_effect(options));
+  style.set_effect(options);
   return style;
 }
 
@@ -128,7 +128,7 @@ GlyphField plane(uint8_t tile_log2) {
 // Where a field is a plane one sample says what 13 do, whatever its direction.
 TEST(straight_edges_take_five_samples) {
   uint32_t more = 0;
-  CircleSamples options = make_circle_samples(kFilterText);
+  CircleSamples options(kFilterText);
   options.more_samples = &more;
   const GlyphField field = plane(11);
   for (Rounds rounds(61, INKCELL_BOARD_FIRMWARE ? 3 : 40); rounds.next();) {
@@ -143,7 +143,7 @@ TEST(straight_edges_take_five_samples) {
 }
 
 TEST(small_shapes_take_thirteen) {
-  const CircleSamples options = make_circle_samples(kFilterText);
+  const CircleSamples options(kFilterText);
   int differ = 0;
   const font_builder::Shape shapes[] = {font_builder::disc, font_builder::ring,
                                         font_builder::bar};
@@ -162,8 +162,8 @@ TEST(small_shapes_take_thirteen) {
 
 TEST(windows_do_not_change_pictures) {
   const CircleSamples styles[] = {
-      make_circle_samples(kFilterText),
-      make_circle_samples(kFilterText, kPaperRadius, SampleRule::paper)};
+      CircleSamples(kFilterText),
+      CircleSamples(kFilterText, kPaperRadius, SampleRule::paper)};
   for (Rounds rounds(63, INKCELL_BOARD_FIRMWARE ? 4 : 24); rounds.next();) {
     Random& random = rounds.random;
     const int32_t round = rounds.number;
@@ -178,8 +178,7 @@ TEST(windows_do_not_change_pictures) {
 // 13 samples on small cells, five and one on larger ones, as the paper says.
 TEST(cells_decide_by_the_papers_rule) {
   uint32_t more = 0;
-  CircleSamples options =
-      make_circle_samples(kFilterText, kPaperRadius, SampleRule::paper);
+  CircleSamples options(kFilterText, kPaperRadius, SampleRule::paper);
   options.more_samples = &more;
   // Cells of 64 u: 4, 1 and 0.5 px.
   const int32_t sizes[] = {64 * 64, 16 * 64, 8 * 64};
@@ -201,8 +200,7 @@ TEST(radii_are_clamped) {
                               {kLeast - 1, kLeast}, {kMost + 1, kMost},
                               {INT16_MIN, kLeast},  {INT16_MAX, kMost}};
   for (const auto& radius : radii) {
-    CHECK_EQ(
-        make_circle_samples(kFilterText, Q6_10::from_raw(radius[0])).radius_q10,
-        radius[1]);
+    CHECK_EQ(CircleSamples(kFilterText, Q6_10::from_raw(radius[0])).radius_q10,
+             radius[1]);
   }
 }

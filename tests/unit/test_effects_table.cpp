@@ -3,17 +3,18 @@
 // show.
 #include "channel_canvas.hpp"
 #include "check.hpp"
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/field/circle_samples.hpp"
 #include "inkcell/field/splat.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/supersample.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
+#include "own_effects.hpp"
 #include "picture.hpp"
 
 namespace {
@@ -48,32 +49,23 @@ using Canvas = ChannelCanvas<kWidth, kHeight, kChannels>;
 Canvas whole;
 Canvas canvas;
 
-// What effects point to.
-Outline edges;
 Sink fill_sink;
-OutlineAndFill both;
-LcdOptions lcd;
-LcdOptions lcd_vertical;
-CrispOptions crisp;
-CrispOptions crisp_levels;
-Supersampling supersampling;
-MotionBlur blur;
-EdgeContrast contrast;
-Splats splats;
 
-void make_options() {
-  edges = make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::inner);
-  both = {&edges.inner, &fill_sink};
-  lcd_vertical.order = SubPixels::bgr_vertical;
-  crisp_levels.levels = 4;
-  supersampling = make_supersampling();
-  CHECK_OK(
-      make_motion_blur({Q26_6::from_raw(150), Q26_6::from_raw(-75)}, blur));
-}
+constexpr Stroke kStroke(kFilterText,
+                         Q6_10::from_raw(1024),
+                         StrokePlace::inner);
+constexpr StrokeAndFill kBoth(kStroke, &fill_sink);
+constexpr Lcd kLcd;
+constexpr Lcd kLcdVertical(SubPixels::bgr_vertical);
+constexpr Bilevel kTwoLevels;
+constexpr Bilevel kFourLevels(4);
+constexpr Supersample kSupersample;
+constexpr MotionBlur kBlur({Q26_6::from_raw(150), Q26_6::from_raw(-75)});
+constexpr EdgeContrast kContrast;
 
 struct Row {
   const char* name;
-  Effect effect;
+  const Effect* effect;
 };
 
 enum StyleKind : int32_t { kUpright, kTurned, kArea, kStyles };
@@ -151,7 +143,7 @@ void check_row(const Font& font, const Row& row, int32_t kind) {
   Style style = style_of(kind, 15);
   draw_parts(font, style, kWidth, kHeight, kAmple);
   whole = canvas;
-  style.set_effect(row.effect);
+  style.set_effect(*row.effect);
   CHECK_OK(check_effect(font, style));
   draw_parts(font, style, kWidth, kHeight, kAmple);
   bool is_right = differing() > 20;
@@ -216,7 +208,7 @@ Change change_of(const Font& font,
     each->clear();
     draw_glyph(font, glyph, style, kOrigin, each->sink(kAll, true),
                {ram, sizeof(ram)});
-    style.set_effect(edge_contrast_effect(options));
+    style.set_effect(options);
   }
   Change change = {0, 0};
   for (int32_t i = 0; i < kWidth * kHeight; ++i) {
@@ -226,10 +218,12 @@ Change change_of(const Font& font,
   return change;
 }
 
-Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect& effect) {
+Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect* effect) {
   const Font font = sample_font();
   Style style = style_of(kArea, px);
-  style.set_effect(effect);
+  if (effect != nullptr) {
+    style.set_effect(*effect);
+  }
   Picture<17, 15> picture;
   draw_glyph(font, glyph, style,
              {Q26_6::from_raw(2 * 64 + 20), Q26_6::from_raw(12 * 64 + 10)},
@@ -240,17 +234,19 @@ Picture<17, 15> drawn(uint16_t glyph, int32_t px, const Effect& effect) {
 }  // namespace
 
 TEST(every_effect_draws_the_same_picture_in_parts) {
-  make_options();
   const Font font = sample_font();
-  const Row rows[] = {{"outline", outline_effect(edges.inner)},
-                      {"outline and fill", outline_and_fill_effect(both)},
-                      {"sub-pixels", lcd_effect(lcd)},
-                      {"sub-pixels on each other", lcd_effect(lcd_vertical)},
-                      {"1 bit", crisp_effect(crisp)},
-                      {"2 bits", crisp_effect(crisp_levels)},
-                      {"supersampling", supersample_effect(supersampling)},
-                      {"motion blur", motion_blur_effect(blur)},
-                      {"edge contrast", edge_contrast_effect(contrast)}};
+  const Row rows[] = {{"stroke", &kStroke},
+                      {"stroke and fill", &kBoth},
+                      {"sub-pixels", &kLcd},
+                      {"sub-pixels on each other", &kLcdVertical},
+                      {"1 bit", &kTwoLevels},
+                      {"2 bits", &kFourLevels},
+                      {"supersampling", &kSupersample},
+                      {"motion blur", &kBlur},
+                      {"edge contrast", &kContrast},
+                      {"own, of coverage", &own_effects::kHatch},
+                      {"own, of distances", &own_effects::kHalo},
+                      {"own, of neighbours", &own_effects::kRelief}};
   for (const Row& row : rows) {
     for (int32_t kind = 0; kind < kStyles; ++kind) {
       check_row(font, row, kind);
@@ -261,21 +257,22 @@ TEST(every_effect_draws_the_same_picture_in_parts) {
 TEST(only_what_takes_fields_is_refused) {
   const Font font = sample_font();
   Style style = style_of(kUpright, 15);
-  const CircleSamples samples = make_circle_samples(kFilterText);
-  const Effect refused[] = {circle_samples_effect(samples),
-                            splat_effect(splats)};
-  for (const Effect& effect : refused) {
-    style.set_effect(effect);
+  static constexpr CircleSamples kSamples(kFilterText);
+  static uint32_t sums[kMinSplatSums];
+  const Splat splat(sums);
+  const Effect* const refused[] = {&kSamples, &splat};
+  for (const Effect* effect : refused) {
+    style.set_effect(*effect);
     CHECK_EQ(check_effect(font, style), Status::unsupported);
     CHECK(is_empty(glyph_box(font, kDisc, style, kOrigin)));
   }
-  style.set_effect({});
+  style.clear_effect();
   CHECK_OK(check_effect(font, style));
 }
 
 TEST(supersampling_is_the_mean_of_five_pictures) {
   const Font font = sample_font();
-  supersampling = make_supersampling(kPaperRadius);
+  constexpr Supersample kSoft(kPaperRadius);
   for (int32_t kind = 0; kind < kStyles; ++kind) {
     Style style = style_of(kind, 15);
     draw_mean(font, style,
@@ -284,17 +281,16 @@ TEST(supersampling_is_the_mean_of_five_pictures) {
                {-32, 32, 52},
                {32, -32, 52},
                {32, 32, 52}});
-    style.set_effect(supersample_effect(supersampling));
+    style.set_effect(kSoft);
     draw_parts(font, style, kWidth, kHeight, {0, true, false});
     CHECK_EQ(differing(), 0);
   }
 }
 
-// A way of 2.625 px to the right and 1.3125 px up: seven pictures.
-TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
+// A path of 2.625 px to the right and 1.3125 px up: seven pictures.
+TEST(motion_blur_is_the_mean_of_pictures_along_the_path) {
   const Font font = sample_font();
-  CHECK_OK(
-      make_motion_blur({Q26_6::from_raw(168), Q26_6::from_raw(-84)}, blur));
+  constexpr MotionBlur kLong({Q26_6::from_raw(168), Q26_6::from_raw(-84)});
   for (int32_t kind = 0; kind < kStyles; ++kind) {
     Style style = style_of(kind, 15);
     draw_mean(font, style,
@@ -305,17 +301,17 @@ TEST(motion_blur_is_the_mean_of_pictures_along_the_way) {
                {24, -12, 36},
                {48, -24, 37},
                {72, -36, 37}});
-    style.set_effect(motion_blur_effect(blur));
+    style.set_effect(kLong);
     draw_parts(font, style, kWidth, kHeight, {0, true, false});
     CHECK_EQ(differing(), 0);
   }
 }
 
-// 32 px to the left and down: blurred pictures keep their ink, and nothing is
-// cut off.
-TEST(the_longest_way_keeps_the_ink) {
+// 32 px to the left, which 40 are clamped to, and down: blurred pictures keep
+// their ink, and nothing is cut off.
+TEST(the_longest_path_keeps_the_ink) {
   const Font font = sample_font();
-  CHECK_OK(make_motion_blur({Q26_6::from_int(-32), Q26_6::from_int(32)}, blur));
+  constexpr MotionBlur kLongest({Q26_6::from_int(-40), Q26_6::from_int(32)});
   Style style = style_of(kArea, 15);
   struct Ink {
     int32_t sum = 0;
@@ -334,7 +330,7 @@ TEST(the_longest_way_keeps_the_ink) {
   constexpr Rect kWide = {-40, -40, 80, 80};
   draw_glyph(font, kDisc, style, kOrigin,
              {kWide, &plain, Ink::coverage, Ink::solid});
-  style.set_effect(motion_blur_effect(blur));
+  style.set_effect(kLongest);
   const Rect box = glyph_box(font, kDisc, style, kOrigin);
   draw_glyph(font, kDisc, style, kOrigin,
              {kWide, &blurred, Ink::coverage, Ink::solid});
@@ -346,7 +342,8 @@ TEST(the_longest_way_keeps_the_ink) {
 
 // A bar from 200 to 440 u: its left edge darker, its right one lighter.
 TEST(left_edges_of_outlines_are_darker_and_right_ones_lighter) {
-  const Change change = change_of(sample_font(), kBar, 20, 13, {90, 0});
+  const Change change =
+      change_of(sample_font(), kBar, 20, 13, EdgeContrast(90, 0));
   CHECK(change.left > 100);
   CHECK(change.right < -100);
   const int32_t sum = change.left + change.right;
@@ -355,18 +352,19 @@ TEST(left_edges_of_outlines_are_darker_and_right_ones_lighter) {
 
 // At 20 px the hairline of the frame is 0.2 px wide, its bars are 2 px.
 TEST(only_thin_strokes_of_outlines_are_darker) {
-  const Change change = change_of(sample_font(), kFrame, 20, 17, {0, 128});
+  const Change change =
+      change_of(sample_font(), kFrame, 20, 17, EdgeContrast(0, 128));
   CHECK_EQ(change.left, 0);
   CHECK(change.right > 100);
   // Nor are the tops of bowls, whose pixels have little ink on both sides.
-  const Change of_disc = change_of(sample_font(), kDisc, 20, 17, {0, 128});
+  const Change of_disc =
+      change_of(sample_font(), kDisc, 20, 17, EdgeContrast(0, 128));
   CHECK_EQ(of_disc.left, 0);
   CHECK_EQ(of_disc.right, 0);
 }
 
 TEST(supersampled_edges_are_soft) {
-  supersampling = make_supersampling();
-  CHECK_PICTURE(drawn(kBar, 14, supersample_effect(supersampling)),
+  CHECK_PICTURE(drawn(kBar, 14, &kSupersample),
                 ".................\n"
                 ".................\n"
                 ".................\n"
@@ -385,8 +383,8 @@ TEST(supersampled_edges_are_soft) {
 }
 
 TEST(moving_discs_leave_a_trail) {
-  CHECK_OK(make_motion_blur({Q26_6::from_int(4), Q26_6::from_int(-2)}, blur));
-  CHECK_PICTURE(drawn(kDisc, 12, motion_blur_effect(blur)),
+  constexpr MotionBlur kFast({Q26_6::from_int(4), Q26_6::from_int(-2)});
+  CHECK_PICTURE(drawn(kDisc, 12, &kFast),
                 ".................\n"
                 ".................\n"
                 ".................\n"
@@ -405,8 +403,8 @@ TEST(moving_discs_leave_a_trail) {
 }
 
 TEST(lower_left_edges_are_darker) {
-  contrast = {255, 255};
-  CHECK_PICTURE(drawn(kFrame, 16, {}),
+  constexpr EdgeContrast kMost(255, 255);
+  CHECK_PICTURE(drawn(kFrame, 16, nullptr),
                 ".................\n"
                 "..............:..\n"
                 "..............:..\n"
@@ -422,7 +420,7 @@ TEST(lower_left_edges_are_darker) {
                 "..........:......\n"
                 ".................\n"
                 ".................\n");
-  CHECK_PICTURE(drawn(kFrame, 16, edge_contrast_effect(contrast)),
+  CHECK_PICTURE(drawn(kFrame, 16, &kMost),
                 ".................\n"
                 "..............:..\n"
                 "..............+..\n"
@@ -437,5 +435,40 @@ TEST(lower_left_edges_are_darker) {
                 "...:+++++:::.....\n"
                 "..........:......\n"
                 ".................\n"
+                ".................\n");
+}
+
+TEST(programs_write_effects_of_their_own) {
+  CHECK_PICTURE(drawn(kFrame, 16, &own_effects::kHatch),
+                ".................\n"
+                "..............:..\n"
+                "..............:..\n"
+                ".............::..\n"
+                "...:::::::...:...\n"
+                "...*:::#::...:...\n"
+                "...:::+:::..::...\n"
+                "...::..::+..:....\n"
+                "...:*..:#:..:....\n"
+                "...*:::+::.::....\n"
+                "...:::#:::.:.....\n"
+                "...:::::::::.....\n"
+                "..........:......\n"
+                ".................\n"
+                ".................\n");
+  CHECK_PICTURE(drawn(kBar, 12, &own_effects::kHalo),
+                ".................\n"
+                ".................\n"
+                ".................\n"
+                "...######........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...#....#........\n"
+                "...######........\n"
                 ".................\n");
 }

@@ -3,7 +3,7 @@
 
 #include "check.hpp"
 #include "grid_record.hpp"
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/text.hpp"
 #include "picture.hpp"
 #include "random.hpp"
@@ -188,9 +188,9 @@ TEST(serifs_of_crisp_text_are_left_out) {
 TEST(diagonals_get_the_weight_of_stems) {
   const Font font = hinted_font();
   // 56 become 64: 4/64 px on each side.
-  CHECK_EQ(fit_of(font, 10 * 64, kCrisp).crisp_weight().raw, -34);
+  CHECK_EQ(fit_of(font, 10 * 64, kCrisp).bilevel_weight().raw, -34);
   // 84 become 64.
-  CHECK_EQ(fit_of(font, 15 * 64, kCrisp).crisp_weight().raw, 190);
+  CHECK_EQ(fit_of(font, 15 * 64, kCrisp).bilevel_weight().raw, 190);
 }
 
 TEST(heights_can_be_fitted_alone) {
@@ -218,7 +218,7 @@ TEST(a_fit_can_be_made_again) {
   Fit fit = fit_of(font, 10 * 64, kCrisp);
   CHECK_OK(Fit::make(font, style_of(40 * 64), kCrisp, fit));
   CHECK(!fit.has_advances());
-  CHECK_EQ(fit.crisp_weight().raw, 0);
+  CHECK_EQ(fit.bilevel_weight().raw, 0);
   CHECK_EQ(warp_of(font, fit, two).y.count, 0);
 }
 
@@ -338,9 +338,9 @@ TEST(fitted_glyphs_look_sharp) {
                 ".*.....*...*..*...\n"
                 ".*****.*...*.+*+..\n");
   const Fit whole = fit_of(font, 11 * 64, kCrisp);
-  const CrispOptions options = {2, whole.crisp_weight()};
+  const Bilevel bilevel(2, whole.bilevel_weight());
   style.set_fit(whole);
-  style.set_effect(crisp_effect(options));
+  style.set_effect(bilevel);
   Picture<18, 8> crisp;
   draw_each(font, style, crisp);
   CHECK_PICTURE(crisp,

@@ -4,8 +4,8 @@
 
 #include "check.hpp"
 #include "font_builder.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/lcd.hpp"
+#include "inkcell/shadow.hpp"
 #include "outline_record.hpp"
 #include "random.hpp"
 #include "rounds.hpp"
@@ -406,9 +406,9 @@ TEST(faces_without_a_glyph_take_no_slot) {
 
 TEST(sub_pixels_are_kept_by_channel) {
   const Font font = outline_font();
-  const LcdOptions lcd;
+  const Lcd lcd;
   Style style = style_of(20);
-  style.set_effect(lcd_effect(lcd));
+  style.set_effect(lcd);
   GlyphCache cache = cache_of(4096, exact(2));
   for (int32_t round = 0; round < 2; ++round) {
     CHECK_EQ(compare(cache, font, 1, style, px(10, 20), 3), 0);

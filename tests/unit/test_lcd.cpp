@@ -33,13 +33,13 @@ Middle middle_of_ink() {
 
 // Sub-pixels are wider by 2/3 px on both sides, and all of that must show.
 void check_place(const GlyphField& field, Style style, FinePoint origin) {
-  style.set_effect({});
+  style.clear_effect();
   draw(field, style, origin);
   CHECK(ink() > 255 * 20);
   const Middle plain = middle_of_ink();
   for (uint32_t order = 0; order < 4; ++order) {
-    const LcdOptions lcd = {static_cast<SubPixels>(order), 255};
-    style.set_effect(lcd_effect(lcd));
+    const Lcd lcd(static_cast<SubPixels>(order));
+    style.set_effect(lcd);
     draw(field, style, origin);
     const Middle middle = middle_of_ink();
     CHECK(effect::magnitude(middle.x_q6 - plain.x_q6) <= 8);

@@ -1,9 +1,9 @@
 // Glyphs of outlines as pictures, and what must not change them.
 #include "check.hpp"
-#include "inkcell/crisp.hpp"
-#include "inkcell/effects.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"
@@ -171,9 +171,9 @@ void draw_whole(const Font& font, uint16_t glyph, const Style& style) {
 struct Styles {
   static constexpr int32_t kCount = 9;
   Style styles[kCount];
-  Filter inner = with_weight(kFilterText, Q6_10::from_raw(-900));
-  LcdOptions lcd = {SubPixels::rgb, 200};
-  CrispOptions crisp = {2, Q6_10()};
+  Stroke stroke{kFilterText, Q6_10::from_raw(900), StrokePlace::inner};
+  Lcd lcd{SubPixels::rgb, 200};
+  Bilevel bilevel;
 
   Styles() {
     styles[0] = text_style();
@@ -183,11 +183,11 @@ struct Styles {
     styles[4] = Style(14_px, kFilterArea, turned());
     styles[5] = Style(14_px, kWide, turned());
     styles[6] = text_style();
-    styles[6].set_effect(outline_effect(inner));
+    styles[6].set_effect(stroke);
     styles[7] = text_style();
-    styles[7].set_effect(lcd_effect(lcd));
+    styles[7].set_effect(lcd);
     styles[8] = text_style();
-    styles[8].set_effect(crisp_effect(crisp));
+    styles[8].set_effect(bilevel);
   }
 };
 

@@ -1,6 +1,6 @@
 // Whether fonts that outline_record.hpp makes are read as they were meant.
 #include "check.hpp"
-#include "inkcell/effects.hpp"
+#include "inkcell/shadow.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "picture.hpp"

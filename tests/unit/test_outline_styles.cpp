@@ -1,10 +1,11 @@
-// Styles of outline fonts: weights, glows, outlines, crisp text, sub-pixels.
+// Styles of outline fonts: weights, glows, strokes, bilevel text, sub-pixels.
 #include "channel_canvas.hpp"
 #include "check.hpp"
-#include "inkcell/crisp.hpp"
-#include "inkcell/effects.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/shadow.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell/text.hpp"
 #include "outline_record.hpp"
 #include "outline_truth.hpp"
@@ -57,11 +58,12 @@ Canvas fill_canvas;
 
 constexpr Point kOrigin = {Q26_6::from_raw(kX), Q26_6::from_raw(kY)};
 
-Style style_of(const Filter& filter, const Effect& effect = {}) {
-  Style style(Q26_6::from_int(kSizePx), filter);
-  if (effect.mixer != nullptr) {
-    style.set_effect(effect);
-  }
+Style style_of(const Filter& filter) {
+  return Style(Q26_6::from_int(kSizePx), filter);
+}
+Style style_of(const Effect& effect) {
+  Style style = style_of(kFilterText);
+  style.set_effect(effect);
   return style;
 }
 
@@ -120,10 +122,8 @@ void check_filter(const Filter& filter, const Bound& bound) {
   }
 }
 
-constexpr Outline kOutline =
-    make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::centred);
-constexpr Outline kOuter =
-    make_outline(kFilterText, Q6_10::from_raw(1500), OutlinePlace::outer);
+constexpr Stroke kStroke(kFilterText, Q6_10::from_raw(1024));
+constexpr Stroke kOuter(kFilterText, Q6_10::from_raw(1500), StrokePlace::outer);
 
 // Whether both canvases hold one picture.
 void check_same() {
@@ -173,22 +173,21 @@ TEST(weights_shadows_and_glows_are_those_of_true_distances) {
   check_filter(glow_filter(Q6_10::from_int(4)), {20, 1024});
 }
 
-TEST(outlines_are_what_lies_between_two_filters) {
+TEST(strokes_are_what_lies_between_two_filters) {
   const Font font = sample_font();
-  const Outline* const outlines[] = {&kOutline, &kOuter};
-  for (const Outline* outline : outlines) {
-    const Style style =
-        style_of(outline->outer, outline_effect(outline->inner));
+  const Stroke* const strokes[] = {&kStroke, &kOuter};
+  for (const Stroke* stroke : strokes) {
+    const Style style = style_of(*stroke);
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       draw(font, glyph, style, canvas);
-      check_truth(canvas, glyph, {24, 2048}, [outline](int32_t d) {
+      check_truth(canvas, glyph, {24, 2048}, [stroke](int32_t d) {
         const int32_t covered =
-            outline->outer.coverage(d) - outline->inner.coverage(d);
+            stroke->outer.coverage(d) - stroke->inner.coverage(d);
         return covered > 0 ? covered : 0;
       });
     }
   }
-  const Style style = style_of(kOutline.outer, outline_effect(kOutline.inner));
+  const Style style = style_of(kStroke);
   draw(font, 5, style, canvas);
   Small leaf;
   show(canvas, 0, leaf);
@@ -214,13 +213,13 @@ TEST(outlines_are_what_lies_between_two_filters) {
                 ".....***++:...............\n");
 }
 
-TEST(fills_lie_within_outlines) {
+TEST(fills_lie_within_strokes) {
   const Font font = sample_font();
   for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
     fill_canvas.clear();
     const Sink fill = fill_canvas.sink(kAll);
-    const OutlineAndFill both = {&kOuter.inner, &fill};
-    const Style style = style_of(kOuter.outer, outline_and_fill_effect(both));
+    const StrokeAndFill both(kOuter, &fill);
+    const Style style = style_of(both);
     draw(font, glyph, style, canvas);
     check_truth(fill_canvas, glyph, {20, 1024},
                 [](int32_t d) { return kOuter.inner.coverage(d); });
@@ -234,13 +233,12 @@ TEST(fills_lie_within_outlines) {
   }
 }
 
-TEST(crisp_text_is_what_lies_within_the_threshold) {
+TEST(bilevel_text_is_what_lies_within_the_threshold) {
   const Font font = sample_font();
   constexpr int32_t kThresholds[] = {0, -300};
   for (const int32_t threshold : kThresholds) {
-    const CrispOptions crisp = {
-        2, Q6_10::from_raw(static_cast<int16_t>(threshold))};
-    const Style style = style_of(kFilterText, crisp_effect(crisp));
+    const Bilevel bilevel(2, Q6_10::from_raw(static_cast<int16_t>(threshold)));
+    const Style style = style_of(bilevel);
     for (uint16_t glyph = 1; glyph <= 5; ++glyph) {
       const outline_truth::Truth& truth = truth_of(glyph);
       draw(font, glyph, style, canvas);
@@ -263,9 +261,9 @@ TEST(crisp_text_is_what_lies_within_the_threshold) {
 
 TEST(thin_strokes_stay_connected) {
   const Font font = sample_font();
-  const CrispOptions two;
-  const CrispOptions four = {4, {}};
-  const Style style = style_of(kFilterText, crisp_effect(two));
+  const Bilevel two;
+  const Bilevel four(4);
+  const Style style = style_of(two);
   draw(font, 4, style, canvas);
   Small bilevel;
   show(canvas, 0, bilevel);
@@ -290,7 +288,7 @@ TEST(thin_strokes_stay_connected) {
                 ".....#######..#...........\n"
                 ".....#######..#...........\n"
                 ".............#............\n");
-  draw(font, 4, style_of(kFilterText, crisp_effect(four)), canvas);
+  draw(font, 4, style_of(four), canvas);
   Small greys;
   show(canvas, 0, greys);
   CHECK_PICTURE(greys,
@@ -326,8 +324,8 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
         order == SubPixels::rgb_vertical || order == SubPixels::bgr_vertical;
     const bool is_red_first =
         order == SubPixels::rgb || order == SubPixels::rgb_vertical;
-    const LcdOptions lcd = {order};
-    const Style style = style_of(kFilterText, lcd_effect(lcd));
+    const Lcd lcd(order);
+    const Style style = style_of(lcd);
     // Thirds as pixels of a picture that is three times as wide or high.
     const auto em = Q16_16::from_raw(kSizePx << 16);
     const auto thrice = Q16_16::from_raw(3 * kSizePx << 16);
@@ -378,8 +376,8 @@ TEST(sub_pixels_are_means_of_exact_thirds) {
 
 TEST(sub_pixels_have_their_colours) {
   const Font font = sample_font();
-  const LcdOptions lcd;
-  const Style style = style_of(kFilterText, lcd_effect(lcd));
+  const Lcd lcd;
+  const Style style = style_of(lcd);
   draw(font, 2, style, canvas);
   Small red;
   Small blue;
@@ -428,8 +426,8 @@ TEST(sub_pixels_have_their_colours) {
                 ".......+###+..............\n"
                 ".......+++++..............\n");
   // No colour: all channels are the mean.
-  const LcdOptions grey = {SubPixels::rgb, 0};
-  draw(font, 2, style_of(kFilterText, lcd_effect(grey)), other);
+  const Lcd grey(SubPixels::rgb, 0);
+  draw(font, 2, style_of(grey), other);
   for (int32_t y = 0; y < kHeight; ++y) {
     for (int32_t x = 0; x < kWidth; ++x) {
       const uint8_t* rgb = &canvas.pixels[Canvas::index(x, y)];
@@ -443,41 +441,33 @@ TEST(sub_pixels_have_their_colours) {
 
 TEST(strips_and_ram_change_no_style) {
   const Font font = sample_font();
-  const CrispOptions two = {2, Q6_10::from_raw(-100)};
-  const CrispOptions four = {4, {}};
-  const LcdOptions across;
-  const LcdOptions down = {SubPixels::bgr_vertical, 200};
-  const Effect effects[] = {crisp_effect(two), crisp_effect(four),
-                            lcd_effect(across), lcd_effect(down)};
+  const Bilevel two(2, Q6_10::from_raw(-100));
+  const Bilevel four(4);
+  const Lcd across;
+  const Lcd down(SubPixels::bgr_vertical, 200);
+  const Effect* const effects[] = {&kOuter, &two, &four, &across, &down};
   const Filter glow = glow_filter(Q6_10::from_int(4));
   const Filter bold = with_weight(kFilterText, Q6_10::from_raw(300));
   for (uint16_t glyph = 1; glyph <= 6; ++glyph) {
     check_strips(font, glyph, style_of(glow));
     check_strips(font, glyph, style_of(bold));
-    Style outlined = style_of(kOuter.outer);
-    outlined.set_effect(outline_effect(kOuter.inner));
-    check_strips(font, glyph, outlined);
-    for (const Effect& effect : effects) {
-      Style style = style_of(kFilterText);
-      style.set_effect(effect);
-      check_strips(font, glyph, style);
+    for (const Effect* effect : effects) {
+      check_strips(font, glyph, style_of(*effect));
     }
   }
 }
 
 TEST(turned_and_leaning_glyphs_have_styles_too) {
   const Font font = sample_font();
-  const LcdOptions lcd;
-  const CrispOptions crisp;
+  const Lcd lcd;
+  const Bilevel bilevel;
   const Matrix matrix = {Q16_16::from_raw(17 << 16), Q16_16::from_raw(5 << 16),
                          Q16_16::from_raw(-(3 << 16)),
                          Q16_16::from_raw(16 << 16)};
-  Style style(matrix, kOutline.outer);
-  style.set_effect(outline_effect(kOutline.inner));
-  check_strips(font, 3, style);
-  const Effect effects[] = {lcd_effect(lcd), crisp_effect(crisp)};
-  for (const Effect& effect : effects) {
-    style.set_effect(effect);
+  Style style(matrix, kFilterText);
+  const Effect* const effects[] = {&kStroke, &lcd, &bilevel};
+  for (const Effect* effect : effects) {
+    style.set_effect(*effect);
     check_strips(font, 3, style);
   }
   Small ell;

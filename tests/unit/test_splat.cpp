@@ -30,18 +30,16 @@ constexpr int32_t kSizes[] = {6, 9, 15, 20};
 // Enough for most glyphs at once, on a small board.
 uint32_t sums[24 * 24];
 
-Splats splats_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
-  Splats splats;
-  CHECK_OK(make_splats({sums, count}, radius, splats));
-  return splats;
+Splat splat_of(size_t count = 24 * 24, Q6_10 radius = kSplatRadius) {
+  return Splat(Span<uint32_t>(sums, count), radius);
 }
 
 void check_as_without(const GlyphField& field, Style style, FinePoint origin) {
   draw(field, style, origin);
   effect::keep();
   CHECK(effect::ink() > 0);
-  const Splats splats = splats_of();
-  style.set_effect(splat_effect(splats));
+  const Splat splat = splat_of();
+  style.set_effect(splat);
   draw(field, style, origin);
   for (int32_t i = 0; i < kSide * kSide; ++i) {
     CHECK_EQ(picture[i], whole[i]);
@@ -148,8 +146,8 @@ TEST(splats_are_what_pixels_would_gather) {
     const GlyphField field = field_of(shape);
     for (const int32_t px : kSizes) {
       Style style = style_of(px * 64, false);
-      const Splats splats = splats_of();
-      style.set_effect(splat_effect(splats));
+      const Splat splat = splat_of();
+      style.set_effect(splat);
       draw(field, style, origin);
       int32_t gathered = 0;
       for (int32_t y = 0; y < kSide; ++y) {
@@ -185,13 +183,13 @@ TEST(windows_and_sums_do_not_change_the_picture) {
   for (int turned = 0; turned < 2; ++turned) {
     for (const int32_t px : kSizes) {
       Style style = style_of(px * 64, turned != 0);
-      const Splats large = splats_of();
-      style.set_effect(splat_effect(large));
+      const Splat large = splat_of();
+      style.set_effect(large);
       check_windows(field, style, origin);
       CHECK(effect::ink() > 0);
       for (size_t count = kMinSplatSums; count < 100; count += 7) {
-        const Splats small = splats_of(count);
-        style.set_effect(splat_effect(small));
+        const Splat small = splat_of(count);
+        style.set_effect(small);
         draw(field, style, origin);
         for (int32_t i = 0; i < kSide * kSide; ++i) {
           CHECK_EQ(picture[i], whole[i]);
@@ -212,31 +210,29 @@ TEST(any_cells_are_drawn_in_the_window) {
     record.write(effect::glyph_bytes);
     CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
     Style style = style_of(random.between(4 * 64, 90 * 64), round % 2 != 0);
-    const Splats splats =
-        splats_of(kMinSplatSums + random.below(300),
-                  Q6_10::from_raw(static_cast<int16_t>(random.between(
-                      kMinSplatRadius.raw, kMaxSplatRadius.raw))));
-    style.set_effect(splat_effect(splats));
+    const Splat splat =
+        splat_of(kMinSplatSums + random.below(300),
+                 Q6_10::from_raw(static_cast<int16_t>(random.between(
+                     kMinSplatRadius.raw, kMaxSplatRadius.raw))));
+    style.set_effect(splat);
     check_windows(field, style,
                   {random.between(-9999, 30000), random.between(-9999, 40000)});
   }
 }
 
-TEST(bad_options_are_refused) {
-  Splats splats;
-  splats.radius_q10 = 77;
-  CHECK(make_splats({sums, kMinSplatSums - 1}, kSplatRadius, splats) ==
-        Status::buffer_small);
-  constexpr int32_t kRadii[] = {-5, 0, kMinSplatRadius.raw - 1,
-                                kMaxSplatRadius.raw + 1};
-  for (const int32_t radius : kRadii) {
-    CHECK(make_splats({sums, kMinSplatSums},
-                      Q6_10::from_raw(static_cast<int16_t>(radius)),
-                      splats) == Status::bad_argument);
-  }
-  CHECK_EQ(splats.radius_q10, 77);
-  CHECK_OK(make_splats({sums, kMinSplatSums}, kMinSplatRadius, splats));
-  CHECK_OK(make_splats({sums, kMinSplatSums}, kMaxSplatRadius, splats));
+TEST(radii_are_clamped_and_few_sums_refused) {
+  CHECK_EQ(splat_of(64, Q6_10::from_raw(-5)).radius_q10, kMinSplatRadius.raw);
+  CHECK_EQ(splat_of(64, Q6_10::from_raw(767)).radius_q10, kMinSplatRadius.raw);
+  CHECK_EQ(splat_of(64, Q6_10::from_raw(1537)).radius_q10, kMaxSplatRadius.raw);
+  const Splat few = splat_of(kMinSplatSums - 1);
+  Style style = style_of(20 * 64, false);
+  style.set_effect(few);
+  const FinePoint origin(6 * 1024, 25 * 1024);
+  const GlyphField field = field_of(font_builder::ring);
+  CHECK(is_empty(field_box(field, style, origin)));
+  const Splat enough = splat_of(kMinSplatSums);
+  style.set_effect(enough);
+  CHECK(!is_empty(field_box(field, style, origin)));
 }
 
 // A buffer that is narrower than a row of the glyph.
@@ -257,8 +253,8 @@ TEST(glyphs_may_be_wider_than_the_sums) {
   GlyphField wide;
   CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, wide));
   Style style = style_of(20 * 64, false);
-  const Splats splats = splats_of(kMinSplatSums);
-  style.set_effect(splat_effect(splats));
+  const Splat splat = splat_of(kMinSplatSums);
+  style.set_effect(splat);
   int32_t sum = 0;
   const Sink sink = {{0, 0, kWidth, 10},
                      &sum,
@@ -295,8 +291,8 @@ TEST(small_tiles_look_like_larger_ones) {
     GlyphField field;
     CHECK_OK(GlyphField::open({effect::glyph_bytes, record.size()}, field));
     Style style = style_of(4 * 64, false);
-    const Splats splats = splats_of();
-    style.set_effect(splat_effect(splats));
+    const Splat splat = splat_of();
+    style.set_effect(splat);
     draw(field, style, {10 * 1024 + 300, 20 * 1024 + 77});
     CHECK(effect::ink() > 0);
     if (log2 == 6) {

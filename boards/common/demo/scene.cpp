@@ -87,8 +87,8 @@ Status Scene::make_look(int32_t size_q6, bool is_still, Look& look) noexcept {
   INKCELL_TRY(Fit::make(font_, look.style, options, look.fit));
   look.style.set_fit(look.fit);
   if constexpr (kIsMono) {
-    look.crisp.threshold_px = look.fit.crisp_weight();
-    look.style.set_effect(crisp_effect(look.crisp));
+    look.bilevel.threshold_px = look.fit.bilevel_weight();
+    look.style.set_effect(look.bilevel);
   }
   return Status::ok;
 }

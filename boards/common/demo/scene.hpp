@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 #include "canvas.hpp"
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/text.hpp"
@@ -58,7 +58,7 @@ class Scene {
   struct Look {
     Style style{kMinSize, kFilterText};
     Fit fit;
-    CrispOptions crisp;
+    Bilevel bilevel;
   };
 
   static const char* body_text(int32_t line) noexcept;

@@ -42,7 +42,7 @@ struct Call {
   Packing packing = {8, 1};
 
   void open() noexcept {
-    if (sink.coverage_rgb != nullptr && style.effect().mixer != nullptr) {
+    if (sink.coverage_rgb != nullptr && style.effect() != nullptr) {
       packing.channels = 3;
     }
     packing.bits = store->options().bits;

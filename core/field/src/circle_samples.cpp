@@ -9,20 +9,18 @@
 
 #include "base/math.hpp"
 #include "field_source.hpp"
-#include "rows/mixer.hpp"
-#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace {
 
 using detail::abs;
+using detail::circle_q10;
+using detail::diagonal_q10;
 using detail::FieldJob;
 using detail::FieldPlace;
 using detail::FieldSampler;
 using detail::max;
 using detail::min;
-
-constexpr int32_t kHalfRootQ15 = 23170;
 
 // Up to the first of these second differences a field counts as a plane, from
 // the second on as none. [px, Q10]
@@ -32,13 +30,6 @@ constexpr int32_t kMeanQ8 = 35;
 
 constexpr uint32_t kCross = 4;      // samples on the axes
 constexpr uint32_t kDiagonals = 8;  // outer and inner ones, in turn
-
-int32_t part_of(int32_t radius_q10, int32_t thirds) noexcept {
-  return radius_q10 * thirds / 3;
-}
-int32_t diagonal(int32_t length_q10) noexcept {
-  return (length_q10 * kHalfRootQ15) >> 15;
-}
 
 // CircleSamples::edge between its entries, which lie farther apart than those
 // of the filter.
@@ -63,15 +54,14 @@ int32_t edge_coverage(const Filter& edge, int32_t distance_q10) noexcept {
 // The samples of a pixel, one after the other.
 class PixelSamples {
  public:
-  explicit PixelSamples(const FieldJob& job) noexcept
-      : options_(
-            *static_cast<const CircleSamples*>(job.style->effect().options)),
+  PixelSamples(const CircleSamples& options, const FieldJob& job) noexcept
+      : options_(options),
         style_(*job.style),
         filter_(style_.filter()),
         sampler_(job.field) {
-    const int32_t outer = part_of(options_.radius_q10, 2);
-    const int32_t inner = diagonal(part_of(options_.radius_q10, 1));
-    const int32_t corner = diagonal(outer);
+    const int32_t outer = circle_q10(options_.radius_q10, 2);
+    const int32_t inner = diagonal_q10(circle_q10(options_.radius_q10, 1));
+    const int32_t corner = diagonal_q10(outer);
     reach_q16_ = static_cast<uint32_t>(abs(style_.right().x_q16) +
                                        abs(style_.right().y_q16));
     set(0, outer, 0);
@@ -150,7 +140,7 @@ __attribute__((noinline)) int32_t PixelSamples::even() noexcept {
   }
   // The other eight lie between these, and distances change by no more than the
   // length of the step.
-  const int32_t margin = part_of(options_.radius_q10, 2) >> 1;
+  const int32_t margin = circle_q10(options_.radius_q10, 2) >> 1;
   if (most <= filter_.outside_q10 - margin ||
       least >= filter_.inside_q10 + margin) {
     return most <= filter_.outside_q10 ? 0 : 255;
@@ -177,9 +167,9 @@ __attribute__((noinline)) int32_t PixelSamples::even() noexcept {
     outer += filter_.coverage(sample_q10(i));
     inner += filter_.coverage(sample_q10(i + 1));
   }
-  const int32_t sum_q16 = filter_.coverage(centre_q10_) * options_.centre_q16 +
-                          inner * options_.inner_q16 +
-                          outer * options_.outer_q16;
+  const int32_t sum_q16 =
+      filter_.coverage(centre_q10_) * CircleSamples::kCentreQ16 +
+      inner * CircleSamples::kInnerQ16 + outer * CircleSamples::kOuterQ16;
   const int32_t mean = (sum_q16 + (1 << 15)) >> 16;
   return bend >= kBroken
              ? mean
@@ -209,31 +199,33 @@ __attribute__((noinline)) int32_t PixelSamples::paper() noexcept {
   }
   const int64_t centre = clamped(centre_q10_);
   if (2 * width_q10 > options_.radius_q10) {
-    const int32_t sum = options_.centre_q16 + 4 * options_.outer_q16;
-    return filter_.coverage(static_cast<int32_t>(
-        (centre * options_.centre_q16 + outer * options_.outer_q16) / sum));
+    const int32_t sum =
+        CircleSamples::kCentreQ16 + 4 * CircleSamples::kOuterQ16;
+    return filter_.coverage(
+        static_cast<int32_t>((centre * CircleSamples::kCentreQ16 +
+                              outer * CircleSamples::kOuterQ16) /
+                             sum));
   }
   int64_t inner = 0;
   for (uint32_t i = kCross; i < kCross + kDiagonals; i += 2) {
     outer += clamped(sample_q10(i));
     inner += clamped(sample_q10(i + 1));
   }
-  return filter_.coverage(static_cast<int32_t>((centre * options_.centre_q16 +
-                                                inner * options_.inner_q16 +
-                                                outer * options_.outer_q16) >>
-                                               16));
+  return filter_.coverage(static_cast<int32_t>(
+      (centre * CircleSamples::kCentreQ16 + inner * CircleSamples::kInnerQ16 +
+       outer * CircleSamples::kOuterQ16) >>
+      16));
 }
 
-void plan_samples(const Style& style, detail::BandPlan& plan) noexcept {
-  const auto& options =
-      *static_cast<const CircleSamples*>(style.effect().options);
-  plan.shown_q8 += options.radius_q10 >> 2;
+void plan_samples(const Effect& effect, const Style&, BandPlan& plan) noexcept {
+  plan.ink_margin_q8 +=
+      static_cast<const CircleSamples&>(effect).radius_q10 >> 2;
 }
 
-void mix_samples(detail::GlyphJob& base) noexcept {
-  const auto& job = static_cast<const FieldJob&>(base);
+void mix_samples(const Effect& effect, GlyphBand& glyph) noexcept {
+  const auto& job = static_cast<const FieldJob&>(glyph);
   const detail::Band& band = job.band;
-  PixelSamples samples(job);
+  PixelSamples samples(static_cast<const CircleSamples&>(effect), job);
   for (int32_t row = 0; row != band.rows; ++row) {
     FieldPlace place =
         job.rows.place_of(job.band_x_q8(), job.band_y_q8() + 256 * row);
@@ -245,56 +237,16 @@ void mix_samples(detail::GlyphJob& base) noexcept {
       place.move(job.rows.right(), 1);
     }
   }
-  detail::emit(*job.sink, job.pixels, band.bytes + job.column, band.stride);
+  glyph.emit();
+}
+
+bool can_sample(const Effect&, const Style& style, bool is_field) noexcept {
+  return is_field && !style.is_stretched();
 }
 
 }  // namespace
 
-CircleSamples make_circle_samples(const Filter& filter,
-                                  Q6_10 radius,
-                                  SampleRule rule) noexcept {
-  // 1, 2^(-1/3) and 2^(-4/3): their shares of 1 + 4 inner + 8 outer.
-  constexpr int32_t kInner = 7077;
-  constexpr int32_t kOuter = 3539;
-  CircleSamples samples;
-  const int32_t radius_q10 = min(max(radius.raw, 256), 1536);
-  samples.rule = rule;
-  samples.radius_q10 = static_cast<int16_t>(radius_q10);
-  samples.inner_q16 = kInner;
-  samples.outer_q16 = kOuter;
-  samples.centre_q16 = (1 << 16) - 4 * kInner - 8 * kOuter;
-
-  // The mean of an edge along the axes and one along the diagonals: what lies
-  // on the axes of one lies on the diagonals of the other.
-  const int32_t outer = part_of(radius_q10, 2);
-  const int32_t inner = part_of(radius_q10, 1);
-  Filter& edge = samples.edge;
-  const int32_t low = filter.outside_q10 - outer;
-  const int32_t high = filter.inside_q10 + outer;
-  edge.outside_q10 = static_cast<int16_t>(low);
-  edge.inside_q10 = static_cast<int16_t>(high);
-  edge.scale = static_cast<uint16_t>((Filter::kEntries << 14) / (high - low));
-  for (int32_t i = 0; i < Filter::kEntries; ++i) {
-    const int32_t middle = low + ((2 * i + 1) * (high - low)) / 512;
-    const auto both = [&filter, middle](int32_t offset) noexcept {
-      return filter.coverage(middle - offset) +
-             filter.coverage(middle + offset);
-    };
-    const int32_t centre = filter.coverage(middle);
-    // Twice what one of the two edges has.
-    const int32_t on_outer = 4 * centre + 2 * both(outer);
-    const int32_t off_outer = 4 * both(diagonal(outer));
-    const int32_t on_inner = 2 * centre + both(inner);
-    const int32_t off_inner = 2 * both(diagonal(inner));
-    const int32_t sum_q17 = 2 * centre * samples.centre_q16 +
-                            (on_inner + off_inner) * kInner +
-                            (on_outer + off_outer) * kOuter;
-    edge.table[i] = static_cast<uint8_t>((sum_q17 + (1 << 16)) >> 17);
-  }
-  return samples;
-}
-
-const detail::Mixer detail::kCircleSamplesMixer = {nullptr, plan_samples,
-                                                   mix_samples, true};
+const Mixer detail::kCircleSamplesMixer = {nullptr, plan_samples, mix_samples,
+                                           can_sample};
 
 }  // namespace inkcell

@@ -15,7 +15,7 @@ bool open_field(FieldJob& job, const Placed& placed) noexcept {
   const BandPlan& plan = job.plan;
   job.placed = placed;
   if (!job.rows.open(job.field, *job.style, placed,
-                     plan.shown_q8 + max(plan.moved_x_q8, plan.moved_y_q8),
+                     plan.ink_margin_q8 + max(plan.moved_x_q8, plan.moved_y_q8),
                      plan.columns, plan.rows)) {
     return false;
   }

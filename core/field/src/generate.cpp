@@ -138,9 +138,9 @@ __attribute__((noinline)) bool open_outline(const Font& font,
                     is_mirrored)) {
     return false;
   }
-  detail::Sampling sampling;
-  sampling.shown_q8 = 128;
-  outline.place({0, 0}, sampling, 0, ink, box);
+  BandPlan plan;
+  plan.ink_margin_q8 = 128;
+  outline.place({0, 0}, plan, 0, ink, box);
   return true;
 }
 

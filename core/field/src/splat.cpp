@@ -13,8 +13,6 @@
 #include "field_source.hpp"
 #include "inkcell/field/cell.hpp"
 #include "outlines/slant.hpp"
-#include "rows/mixer.hpp"
-#include "sink/emit.hpp"
 
 namespace inkcell {
 namespace {
@@ -45,7 +43,7 @@ using Square = detail::FieldSquare;
 // The pixels that the buffer holds.
 class Block {
  public:
-  explicit Block(const FieldJob& job) noexcept;
+  Block(const Splat& splat, const FieldJob& job) noexcept;
 
   // Adds what the small cells say to the sums of these pixels, which were 0.
   void splat(const Rect& pixels) noexcept;
@@ -64,26 +62,23 @@ class Block {
 
   detail::FieldTree tree_;
   const Style& style_;
-  const Splats& splats_;
+  const Splat& options_;
   const detail::Placed& placed_;
   Rect pixels_;
   Place origin_ = {0, 0};
   uint32_t least_log2_ = 0;  // of the least squares
   uint32_t wide_log2_ = 0;   // of the least that are wider than the radius
   uint32_t weight_q8_ = 0;   // of the least, at a pixel's centre
+  uint32_t steps_q16_;       // from squares, in 1/128 px, to kSteps
 };
 
-const Splats& splats_of(const Style& style) noexcept {
-  return *static_cast<const Splats*>(style.effect().options);
-}
-
-Block::Block(const FieldJob& job) noexcept
+Block::Block(const Splat& splat, const FieldJob& job) noexcept
     : tree_{job.field},
       style_(*job.style),
-      splats_(splats_of(*job.style)),
+      options_(splat),
       placed_(job.placed) {
   const auto size_q6 = static_cast<uint32_t>(style_.size().raw);
-  const auto radius_q10 = static_cast<uint32_t>(splats_.radius_q10);
+  const auto radius_q10 = static_cast<uint32_t>(options_.radius_q10);
   // Of 1 u or of at most a quarter of a px.
   while ((size_q6 << (least_log2_ + 1)) <= 256 << 6) {
     ++least_log2_;
@@ -94,6 +89,8 @@ Block::Block(const FieldJob& job) noexcept
   // The filter's integral is 1.322 times the square of its radius.
   const uint32_t side_q10 = (size_q6 << least_log2_) >> 6;
   weight_q8_ = side_q10 * side_q10 * 1549 / ((radius_q10 * radius_q10) >> 8);
+  const uint32_t square_q14 = (radius_q10 >> 3) * (radius_q10 >> 3);
+  steps_q16_ = ((kSteps << 16) + square_q14 - 1) / square_q14;
 }
 
 Place Block::centre_of(const Square& square) const noexcept {
@@ -122,7 +119,7 @@ bool Block::is_near(const Place& centre, uint32_t log2) const noexcept {
   const int32_t side_q10 = static_cast<int32_t>(
       (static_cast<uint32_t>(style_.size().raw) << log2) >> 6);
   const int32_t reach_q10 =
-      splats_.radius_q10 +
+      options_.radius_q10 +
       (style_.is_upright() ? side_q10 >> 1 : ((side_q10 >> 4) * 91 >> 3)) + 16;
   return centre.x_q10 > -reach_q10 && centre.y_q10 > -reach_q10 &&
          centre.x_q10 < (width() - 1) * 1024 + reach_q10 &&
@@ -134,7 +131,7 @@ void Block::add(const Place& centre,
                 uint32_t log2,
                 uint32_t coverage) noexcept {
   const uint32_t weight_q8 = weight_q8_ << 2 * (log2 - least_log2_);
-  const int32_t radius_q10 = splats_.radius_q10;
+  const int32_t radius_q10 = options_.radius_q10;
   const auto first = [radius_q10](int32_t place_q10) noexcept {
     return max((place_q10 - radius_q10 + 1023) >> 10, 0);
   };
@@ -145,16 +142,15 @@ void Block::add(const Place& centre,
   const int32_t right = end(centre.x_q10, width());
   const int32_t bottom = end(centre.y_q10, height());
   const uint32_t sample = (1u << kCoverageBits) + coverage;
-  const uint32_t steps_q16 = splats_.steps_q16;
   for (int32_t y = first(centre.y_q10); y < bottom; ++y) {
     const int32_t down_q7 = (y * 1024 - centre.y_q10) >> 3;
     const int32_t down_square = down_q7 * down_q7;
     int32_t right_q7 = (left * 1024 - centre.x_q10) >> 3;
-    uint32_t* sum = splats_.sums.data + (y * width() + left);
+    uint32_t* sum = options_.sums.data + (y * width() + left);
     for (int32_t x = left; x < right; ++x, ++sum, right_q7 += 128) {
       const auto square =
           static_cast<uint32_t>(right_q7 * right_q7 + down_square);
-      const uint32_t step = (square * steps_q16) >> 16;
+      const uint32_t step = (square * steps_q16_) >> 16;
       if (step < kSteps) {
         const uint32_t weight = (kFall[step] * weight_q8 + (1 << 15)) >> 16;
         if (weight + (*sum >> kCoverageBits) <= kMost) {
@@ -223,7 +219,7 @@ void Block::splat(const Rect& pixels) noexcept {
   origin_ = {placed_.x_q10 - pixels.x0 * 1024 - 512,
              placed_.y_q10 - pixels.y0 * 1024 - 512};
   for (int32_t i = 0; i < width() * height(); ++i) {
-    splats_.sums.data[i] = 0;
+    options_.sums.data[i] = 0;
   }
   const GlyphField& field = tree_.field;
   const uint32_t log2 = field.tile_log2;
@@ -245,7 +241,7 @@ void Block::splat(const Rect& pixels) noexcept {
 
 void Block::blend(uint8_t* coverage, int32_t stride) const noexcept {
   constexpr uint32_t kMask = (1u << kCoverageBits) - 1;
-  const uint32_t* sum = splats_.sums.data;
+  const uint32_t* sum = options_.sums.data;
   for (int32_t y = 0; y < height(); ++y, coverage += stride) {
     for (int32_t x = 0; x < width(); ++x, ++sum) {
       const uint32_t weight = *sum >> kCoverageBits;
@@ -259,50 +255,38 @@ void Block::blend(uint8_t* coverage, int32_t stride) const noexcept {
   }
 }
 
-void plan_splats(const Style& style, detail::BandPlan& plan) noexcept {
-  plan.shown_q8 += splats_of(style).radius_q10 >> 2;
+void plan_splat(const Effect& effect, const Style&, BandPlan& plan) noexcept {
+  plan.ink_margin_q8 += static_cast<const Splat&>(effect).radius_q10 >> 2;
 }
 
 // In as many parts as the buffer of sums asks for.
-void mix_splats(detail::GlyphJob& base) noexcept {
-  const auto& job = static_cast<const FieldJob&>(base);
-  const detail::Band& band = job.band;
-  const Rect& all = job.pixels;
-  job.plan.painter->cover(band, job.style->filter());
-  Block block(job);
+void mix_splat(const Effect& effect, GlyphBand& band) noexcept {
+  const auto& splat = static_cast<const Splat&>(effect);
+  const Rect& all = band.pixels();
+  band.cover();
+  Block block(splat, static_cast<const FieldJob&>(band));
   const auto most = static_cast<int32_t>(
-      min(static_cast<int32_t>(splats_of(*job.style).sums.size), 1 << 20));
+      splat.sums.size < (1 << 20) ? splat.sums.size : 1 << 20);
   const int32_t columns = min(all.x1 - all.x0, most);
   const int32_t rows = most / columns;
-  uint8_t* const coverage = band.bytes + job.column;
   for (int32_t y = all.y0; y < all.y1; y += rows) {
     for (int32_t x = all.x0; x < all.x1; x += columns) {
       block.splat(intersect(all, {x, y, x + columns, y + rows}));
-      block.blend(coverage + (y - all.y0) * band.stride + (x - all.x0),
-                  band.stride);
+      block.blend(band.row(y) + (x - all.x0), band.stride());
     }
   }
-  detail::emit(*job.sink, all, coverage, band.stride);
+  band.emit();
+}
+
+bool can_splat(const Effect& effect,
+               const Style& style,
+               bool is_field) noexcept {
+  return is_field && !style.is_stretched() &&
+         static_cast<const Splat&>(effect).sums.size >= kMinSplatSums;
 }
 
 }  // namespace
 
-Status make_splats(Span<uint32_t> sums, Q6_10 radius, Splats& out) noexcept {
-  if (sums.size < kMinSplatSums) {
-    return Status::buffer_small;
-  }
-  if (radius.raw < kMinSplatRadius.raw || radius.raw > kMaxSplatRadius.raw) {
-    return Status::bad_argument;
-  }
-  const auto radius_q7 = static_cast<uint32_t>(radius.raw) >> 3;
-  const uint32_t square = radius_q7 * radius_q7;
-  out.sums = sums;
-  out.radius_q10 = radius.raw;
-  out.steps_q16 = static_cast<uint16_t>(((kSteps << 16) + square - 1) / square);
-  return Status::ok;
-}
-
-const detail::Mixer detail::kSplatMixer = {nullptr, plan_splats, mix_splats,
-                                           true};
+const Mixer detail::kSplatMixer = {nullptr, plan_splat, mix_splat, can_splat};
 
 }  // namespace inkcell

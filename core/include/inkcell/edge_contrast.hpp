@@ -1,6 +1,7 @@
 // Edges and strokes as eyes prefer them: contrast at small sizes.
 //
-//   style.set_effect(edge_contrast_effect(edge_contrast));
+//   constexpr EdgeContrast kContrast;
+//   style.set_effect(kContrast);
 //
 // Left and lower edges become darker and right and upper ones lighter (Perry
 // and Frisken, figure 11), most at half coverage, so that no stroke moves or
@@ -14,27 +15,24 @@
 
 #include <stdint.h>
 
-#include "inkcell/strip.hpp"
-#include "inkcell/style.hpp"
+#include "inkcell/effect.hpp"
 
 namespace inkcell {
-
-/// Options of edge_contrast_effect. Of coverage I in 0..1 both add this share
-/// of I (1 - I). [1/256]
-struct EdgeContrast {
-  uint8_t edge = 90;
-  uint8_t thin = 96;
-};
 
 namespace detail {
 extern const Mixer kEdgeContrastMixer;
 }  // namespace detail
 
-/// The options must outlive the style.
-constexpr Effect edge_contrast_effect(
-    const EdgeContrast& edge_contrast) noexcept {
-  return {&detail::kEdgeContrastMixer, &edge_contrast, 1};
-}
-Effect edge_contrast_effect(const EdgeContrast&&) = delete;
+/// To coverage I in 0..1 both options add this share of I (1 - I). [1/256]
+struct EdgeContrast : Effect {
+  constexpr explicit EdgeContrast(uint8_t edge_share = 90,
+                                  uint8_t thin_share = 96) noexcept
+      : Effect(detail::kEdgeContrastMixer),
+        edge(edge_share),
+        thin(thin_share) {}
+
+  uint8_t edge;
+  uint8_t thin;
+};
 
 }  // namespace inkcell

@@ -21,7 +21,7 @@ enum class Polarity : uint8_t { light_on_dark, dark_on_light };
 /// `outside_px` and below, 255 at `inside_px` and above, and between them the
 /// profile raised to `exponent`. Both cutoffs within +-4 px, inside above
 /// outside by at least 1/8 px; exponent 1/4 to 4. A font's distances are good
-/// within its band: see check_reach in effects.hpp.
+/// within its band: see check_reach in shadow.hpp.
 ///
 /// Sinks blend the numbers that displays take, which are light to the power of
 /// 1 / gamma. With the display's `gamma`, 1 (off) to 4, white text on black or

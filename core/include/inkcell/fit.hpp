@@ -78,10 +78,10 @@ class Fit {
   /// Whether advances are whole pixels.
   bool has_advances() const noexcept { return is_across_; }
 
-  /// For CrispOptions::threshold_px: diagonals and bowls get the weight that
+  /// For Bilevel::threshold_px: diagonals and bowls get the weight that
   /// stems have as whole pixels.
-  Q6_10 crisp_weight() const noexcept {
-    return Q6_10::from_raw(crisp_weight_q10_);
+  Q6_10 bilevel_weight() const noexcept {
+    return Q6_10::from_raw(bilevel_weight_q10_);
   }
 
   /// Moves the origin of a glyph and fills in `warp`, as kGridFit does.
@@ -127,8 +127,8 @@ class Fit {
   uint8_t levels_ = 0;
   bool is_across_ = false;
   bool drops_serifs_ = false;
-  uint16_t strength_q8_ = 0;      // 0: glyphs stay as they are
-  int16_t crisp_weight_q10_ = 0;  // [px]
+  uint16_t strength_q8_ = 0;        // 0: glyphs stay as they are
+  int16_t bilevel_weight_q10_ = 0;  // [px]
   int32_t size_q6_ = 0;
   int32_t y_scale_q16_ = 0;  // Q6 px per u
   int32_t u_per_unit_q14_ = 0;

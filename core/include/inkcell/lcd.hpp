@@ -1,6 +1,7 @@
 // Sub-pixels: a coverage for each coloured stripe of a pixel.
 //
-//   style.set_effect(lcd_effect(lcd));
+//   constexpr Lcd kLcd(SubPixels::rgb);
+//   style.set_effect(kLcd);
 //   port::make_lcd_sink(target, sink);
 //
 // Each stripe is a third of a pixel wide and has its own coverage: fields take
@@ -12,36 +13,32 @@
 
 #include <stdint.h>
 
-#include "inkcell/geometry.hpp"
-#include "inkcell/strip.hpp"
-#include "inkcell/style.hpp"
+#include "inkcell/effect.hpp"
 
 namespace inkcell {
-
-/// How stripes lie in a pixel: from left to right, or from top to bottom.
-enum class SubPixels : uint8_t { rgb, bgr, rgb_vertical, bgr_vertical };
-
-/// Options of lcd_effect.
-struct LcdOptions {
-  SubPixels order = SubPixels::rgb;
-  /// How much of the difference between the channels is kept: 255 all of it, 0
-  /// none (grey). Lower values take colour off thin strokes, and some
-  /// sharpness.
-  uint8_t colour = 255;
-};
 
 namespace detail {
 extern const Mixer kLcdMixer;
 }  // namespace detail
 
+/// How stripes lie in a pixel: from left to right, or from top to bottom.
+enum class SubPixels : uint8_t { rgb, bgr, rgb_vertical, bgr_vertical };
+
 /// Draws sub-pixels. A sink without coverage_rgb is given the mean of the
-/// three. The options must outlive the style.
+/// three.
 ///
 /// The coverage of each stripe is mapped by the filter's table: gamma, contrast
 /// and exponent count, weights and the width of the ramp do not.
-constexpr Effect lcd_effect(const LcdOptions& lcd) noexcept {
-  return {&detail::kLcdMixer, &lcd, 1};
-}
-Effect lcd_effect(const LcdOptions&&) = delete;
+struct Lcd : Effect {
+  constexpr explicit Lcd(SubPixels sub_pixels = SubPixels::rgb,
+                         uint8_t kept_colour = 255) noexcept
+      : Effect(detail::kLcdMixer), order(sub_pixels), colour(kept_colour) {}
+
+  SubPixels order;
+  /// How much of the difference between the channels is kept: 255 all of it, 0
+  /// none (grey). Lower values take colour off thin strokes, and some
+  /// sharpness.
+  uint8_t colour;
+};
 
 }  // namespace inkcell

@@ -1,8 +1,7 @@
 // Motion blur: coverage averaged along the path of a moving glyph.
 //
-//   MotionBlur blur;
-//   INKCELL_TRY(make_motion_blur({x, y}, blur));
-//   style.set_effect(motion_blur_effect(blur));
+//   const MotionBlur blur({x, y});
+//   style.set_effect(blur);
 //
 // The path is divided into steps of at most one pixel along an axis. Coverage
 // is the mean of 2 `steps` + 1 plain pictures along the path, drawn by the
@@ -13,33 +12,46 @@
 
 #include <stdint.h>
 
+#include "inkcell/effect.hpp"
 #include "inkcell/geometry.hpp"
-#include "inkcell/strip.hpp"
-#include "inkcell/style.hpp"
 
 namespace inkcell {
-
-/// Options of motion_blur_effect: built once a vector, shared.
-struct MotionBlur {
-  int32_t right_q10 = 0;  // a step of the path [px]
-  int32_t up_q10 = 0;
-  uint8_t steps = 1;
-  uint8_t reach_px = 1;  // beyond plain drawing
-};
-
-/// The blur of a glyph that moves by `path` during the exposure, from half of
-/// it before the glyph's origin to half of it after. bad_argument: `path`
-/// exceeds 32 px along an axis.
-Status make_motion_blur(Point path, MotionBlur& out) noexcept;
 
 namespace detail {
 extern const Mixer kMotionBlurMixer;
 }  // namespace detail
 
-/// The options must outlive the style.
-constexpr Effect motion_blur_effect(const MotionBlur& blur) noexcept {
-  return {&detail::kMotionBlurMixer, &blur, blur.reach_px};
-}
-Effect motion_blur_effect(const MotionBlur&&) = delete;
+/// The blur of a glyph that moves by `path` during the exposure, from half of
+/// it before the glyph's origin to half of it after.
+struct MotionBlur : Effect {
+  /// The longest path along an axis. [px]
+  static constexpr Q26_6 kMost = Q26_6::from_int(32);
+
+  /// Each axis of the path is clamped to kMost.
+  constexpr explicit MotionBlur(Point path = {}) noexcept
+      : Effect(detail::kMotionBlurMixer),
+        steps(static_cast<uint8_t>(steps_of(path))),
+        right_q10(limited(path.x) * 16 / steps),
+        up_q10(-limited(path.y) * 16 / steps) {}
+
+  uint8_t steps;
+  int32_t right_q10;  // a step of the path [px]
+  int32_t up_q10;
+
+ private:
+  static constexpr int32_t limited(Q26_6 px) noexcept {
+    return px.raw < -kMost.raw  ? -kMost.raw
+           : px.raw > kMost.raw ? kMost.raw
+                                : px.raw;
+  }
+  static constexpr int32_t steps_of(Point path) noexcept {
+    const int32_t x = limited(path.x);
+    const int32_t y = limited(path.y);
+    const int32_t right = x < 0 ? -x : x;
+    const int32_t down = y < 0 ? -y : y;
+    const int32_t longer = right > down ? right : down;
+    return longer <= 64 ? 1 : (longer + 63) >> 6;
+  }
+};
 
 }  // namespace inkcell

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "inkcell/assert.hpp"
+#include "inkcell/effect.hpp"
 #include "inkcell/filter.hpp"
 #include "inkcell/fixed.hpp"
 #include "inkcell/matrix.hpp"
@@ -38,7 +39,6 @@ struct Fitter {
 };
 
 namespace detail {
-struct Mixer;
 struct OutlineFitter;
 struct Slant;
 
@@ -48,17 +48,6 @@ extern const OutlineFitter kOutlineFitter;
 // What glyphs need that are not upright.
 extern const Slant kSlant;
 }  // namespace detail
-
-/// Draws glyphs in another way than one sample a pixel. Made by functions
-/// beside the options that they take: outline_effect(), lcd_effect() and
-/// others.
-struct Effect {
-  const detail::Mixer* mixer = nullptr;  // null: one sample a pixel
-  const void* options = nullptr;
-  /// How much farther than plain drawing it reaches on each side of a glyph, in
-  /// pixels and in samples.
-  uint8_t reach_px = 0;
-};
 
 /// Smallest and largest size: 4 and 1024 px to the em.
 inline constexpr Q26_6 kMinSize = Q26_6::from_int(4);
@@ -155,15 +144,21 @@ class Style {
     return is_fitted() && fitter_->has_advances(fitter_options_);
   }
 
-  /// Sets the effect that draws the glyphs. `{}`, the default, takes one sample
-  /// at the centre of each pixel and is the fastest. The effect's options must
-  /// outlive the style. The linker drops the effects that a program does not
-  /// name. check_effect() refuses pairs of font and effect that draw nothing.
+  /// Sets the effect that draws the glyphs (effect.hpp), which must outlive the
+  /// style. Without one, the default, a pixel takes one sample at its centre,
+  /// which is the fastest. check_effect() refuses pairs of font and effect that
+  /// draw nothing.
   constexpr Style& set_effect(const Effect& effect) noexcept {
-    effect_ = effect;
+    effect_ = &effect;
     return *this;
   }
-  const Effect& effect() const noexcept { return effect_; }
+  Style& set_effect(const Effect&&) = delete;
+  constexpr Style& clear_effect() noexcept {
+    effect_ = nullptr;
+    return *this;
+  }
+  /// Null: none.
+  constexpr const Effect* effect() const noexcept { return effect_; }
 
   /// Px to the em; of a matrix the greatest stretch.
   Q26_6 size() const noexcept { return Q26_6::from_raw(size_q6_); }
@@ -245,7 +240,7 @@ class Style {
     const detail::Slant* slant_;
   };
   const void* fitter_options_ = nullptr;
-  Effect effect_;
+  const Effect* effect_ = nullptr;
 };
 
 /// Equal sizes and directions; the same filter, fitter and effect, by address.

@@ -1,8 +1,8 @@
 // Supersampling: several samples a pixel, for type that moves, for patterns,
 // and for the smallest text.
 //
-//   const Supersampling supersampling = make_supersampling();
-//   style.set_effect(supersample_effect(supersampling));
+//   constexpr Supersample kSupersample;
+//   style.set_effect(kSupersample);
 //
 // The mean of five plain pictures, one in place and four moved to the
 // corners of a square. Whatever the style's filter is, it draws the pictures.
@@ -17,15 +17,14 @@
 
 #include <stdint.h>
 
+#include "inkcell/effect.hpp"
 #include "inkcell/fixed.hpp"
-#include "inkcell/style.hpp"
 
 namespace inkcell {
 
-/// Options of supersample_effect.
-struct Supersampling {
-  int16_t radius_q10 = 0;  // of the filter [px]
-};
+namespace detail {
+extern const Mixer kSupersampleMixer;
+}  // namespace detail
 
 /// Radii of the filter, 2^(-3 (d / radius)^2): for text with kFilterText; for
 /// type that moves with kFilterMotion; and the paper's, which is softer and
@@ -34,25 +33,19 @@ inline constexpr Q6_10 kSharpRadius = Q6_10::from_raw(870);
 inline constexpr Q6_10 kCalmRadius = Q6_10::from_raw(768);
 inline constexpr Q6_10 kPaperRadius = Q6_10::from_raw(1331);
 
-/// The radius is clamped to 0.25..1.5 px.
-constexpr Supersampling make_supersampling(
-    Q6_10 radius = kSharpRadius) noexcept {
-  constexpr int16_t kLeast = 256;
-  constexpr int16_t kMost = 1536;
-  return {radius.raw < kLeast  ? kLeast
-          : radius.raw > kMost ? kMost
-                               : radius.raw};
-}
+/// The least and the greatest radius.
+inline constexpr Q6_10 kMinRadius = Q6_10::from_raw(256);
+inline constexpr Q6_10 kMaxRadius = Q6_10::from_raw(1536);
 
-namespace detail {
-extern const Mixer kSupersampleMixer;
-}  // namespace detail
+struct Supersample : Effect {
+  /// The radius is clamped to kMinRadius..kMaxRadius.
+  constexpr explicit Supersample(Q6_10 radius = kSharpRadius) noexcept
+      : Effect(detail::kSupersampleMixer),
+        radius_q10(radius.raw < kMinRadius.raw   ? kMinRadius.raw
+                   : radius.raw > kMaxRadius.raw ? kMaxRadius.raw
+                                                 : radius.raw) {}
 
-/// The options must outlive the style.
-constexpr Effect supersample_effect(
-    const Supersampling& supersampling) noexcept {
-  return {&detail::kSupersampleMixer, &supersampling, 1};
-}
-Effect supersample_effect(const Supersampling&&) = delete;
+  int16_t radius_q10;  // [px]
+};
 
 }  // namespace inkcell

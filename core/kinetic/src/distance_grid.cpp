@@ -1,8 +1,8 @@
 // A sink whose coverage is distance.
 #include "inkcell/kinetic/distance_grid.hpp"
 
-#include "inkcell/effects.hpp"
 #include "inkcell/kinetic/dirty_rects.hpp"
+#include "inkcell/shadow.hpp"
 #include "inkcell/style.hpp"
 #include "inkcell/text.hpp"
 #include "known_span.hpp"

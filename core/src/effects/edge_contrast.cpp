@@ -15,11 +15,7 @@ namespace inkcell {
 namespace detail {
 namespace {
 
-const EdgeContrast& contrast_of(const Style& style) noexcept {
-  return *static_cast<const EdgeContrast*>(style.effect().options);
-}
-
-void plan_contrast(const Style&, BandPlan& plan) noexcept {
+void plan_contrast(const Effect&, const Style&, BandPlan& plan) noexcept {
   plan.margin_x = 2;
   plan.margin_y = 2;
 }
@@ -66,13 +62,12 @@ uint8_t contrasted(const uint8_t* at,
   return static_cast<uint8_t>(changed(coverage, thin * contrast.thin));
 }
 
-void mix_contrast(GlyphJob& job) noexcept {
-  const Band& band = job.band;
-  const Style& style = *job.style;
-  const EdgeContrast& contrast = contrast_of(style);
-  style.painter()->cover(band, style.filter());
-  mix_rows(job, [&](const uint8_t* at) noexcept {
-    return *at == 0 || *at == 255 ? *at : contrasted(at, band.stride, contrast);
+void mix_contrast(const Effect& effect, GlyphBand& band) noexcept {
+  const auto& contrast = static_cast<const EdgeContrast&>(effect);
+  const int32_t stride = band.stride();
+  band.cover();
+  mix_rows(band, [&](const uint8_t* at) noexcept {
+    return *at == 0 || *at == 255 ? *at : contrasted(at, stride, contrast);
   });
 }
 

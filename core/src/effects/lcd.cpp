@@ -3,8 +3,7 @@
 
 #include "base/math.hpp"
 #include "base/words.hpp"
-#include "rows/cover_areas.hpp"
-#include "rows/mixer.hpp"
+#include "rows/source.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -26,13 +25,13 @@ bool is_red_first(SubPixels order) noexcept {
   return order == SubPixels::rgb || order == SubPixels::rgb_vertical;
 }
 
-// Hands on pixels of three coverages, which may be changed.
-__attribute__((noinline)) void hand_on(const Sink& sink,
-                                       const LcdOptions& lcd,
-                                       int32_t x,
-                                       int32_t y,
-                                       uint8_t* rgb,
-                                       int32_t count) noexcept {
+// Emits pixels of three coverages, which may be changed.
+__attribute__((noinline)) void emit_channels(const Sink& sink,
+                                             const Lcd& lcd,
+                                             int32_t x,
+                                             int32_t y,
+                                             uint8_t* rgb,
+                                             int32_t count) noexcept {
   const bool is_grey = sink.coverage_rgb == nullptr;
   if (is_grey || lcd.colour != 255) {
     for (int32_t i = 0; i < count; ++i) {
@@ -63,14 +62,10 @@ struct StripeSteps {
   int32_t row;     // to that of the pixel below
 };
 
-const LcdOptions& lcd_of(const Style& style) noexcept {
-  return *static_cast<const LcdOptions*>(style.effect().options);
-}
-
-void plan_lcd(const Style& style, BandPlan& plan) noexcept {
+void plan_lcd(const Effect& effect, const Style&, BandPlan& plan) noexcept {
   // A channel is the mean of a stripe and the two beside it.
-  plan.shown_q8 += 86;
-  if (is_vertical(lcd_of(style).order)) {
+  plan.ink_margin_q8 += 86;
+  if (is_vertical(static_cast<const Lcd&>(effect).order)) {
     plan.rows = 3;
     plan.margin_y = 1;
   } else {
@@ -119,13 +114,13 @@ class StripeRow {
 
 // Up to kMaxSpan pixels, as long as they are of one kind: none, all, or what
 // lies between. Returns how many.
-__attribute__((noinline)) int32_t mix_span(const GlyphJob& job,
+__attribute__((noinline)) int32_t mix_span(const Lcd& lcd,
+                                           const Sink& sink,
                                            StripeRow& row,
                                            int32_t x,
                                            int32_t y,
                                            int32_t count) noexcept {
   constexpr int32_t kFull = 3 * 255;
-  const LcdOptions& lcd = lcd_of(*job.style);
   const bool is_red_first = detail::is_red_first(lcd.order);
   uint8_t rgb[3 * kMaxSpan];
   uint8_t* out = rgb;
@@ -151,43 +146,48 @@ __attribute__((noinline)) int32_t mix_span(const GlyphJob& job,
     }
   }
   if (all_sum == 3 * kFull) {
-    job.sink->solid(job.sink->context, x, y, done);
+    sink.solid(sink.context, x, y, done);
   } else if (all_sum == 1) {
-    hand_on(*job.sink, lcd, x, y, rgb, done);
+    emit_channels(sink, lcd, x, y, rgb, done);
   }
   return done;
 }
 
 // Makes channels of a band of stripes' coverages, each the mean of three, and
-// hands them on.
-void mix_stripes(const GlyphJob& job, const StripeSteps& steps) noexcept {
+// emits them.
+void mix_stripes(const Lcd& lcd,
+                 const GlyphJob& job,
+                 const StripeSteps& steps) noexcept {
   const Rect& pixels = job.pixels;
   const uint8_t* at = job.band.row(job.row) + job.column;
   for (int32_t y = pixels.y0; y != pixels.y1; ++y, at += steps.row) {
     StripeRow stripes(at, steps);
     for (int32_t x = pixels.x0; x != pixels.x1;) {
-      x += mix_span(job, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
+      x +=
+          mix_span(lcd, *job.sink, stripes, x, y, min(kMaxSpan, pixels.x1 - x));
     }
   }
 }
 
-void mix_lcd(GlyphJob& job) noexcept {
+void mix_lcd(const Effect& effect, GlyphBand& band) noexcept {
+  const auto& lcd = static_cast<const Lcd&>(effect);
+  const auto& job = static_cast<const GlyphJob&>(band);
   const Filter& filter = job.style->filter();
-  cover_areas(job.band, filter);
+  band.cover();
   if (!filter.is_linear) {
     map_stripes(job.band, filter);
   }
   const int32_t stride = job.band.stride;
-  if (is_vertical(lcd_of(*job.style).order)) {
-    mix_stripes(job, {-stride, stride, 3 * stride, 1, 3 * stride});
+  if (is_vertical(lcd.order)) {
+    mix_stripes(lcd, job, {-stride, stride, 3 * stride, 1, 3 * stride});
   } else {
-    mix_stripes(job, {-1, 1, 3, 3, stride});
+    mix_stripes(lcd, job, {-1, 1, 3, 3, stride});
   }
 }
 
 }  // namespace
 
-const Mixer kLcdMixer = {&kPaintAreas, plan_lcd, mix_lcd};
+const Mixer kLcdMixer = {kAreas, plan_lcd, mix_lcd};
 
 }  // namespace detail
 }  // namespace inkcell

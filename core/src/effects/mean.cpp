@@ -1,7 +1,7 @@
 #include "effects/mean.hpp"
 
 #include "base/words.hpp"
-#include "sink/emit.hpp"
+#include "rows/source.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -14,16 +14,16 @@ constexpr uint32_t kHalves = 0x00800080;
 
 }  // namespace
 
-Mean::Mean(GlyphJob& job) noexcept : job_(job) {
-  clear_pixels(sums(), 2 * job.band.rows * job.band.stride);
+Mean::Mean(GlyphBand& band) noexcept : band_(band) {
+  const Band& rows = static_cast<const GlyphJob&>(band).band;
+  clear_pixels(band.memory(), 2 * rows.rows * rows.stride);
 }
 
 void Mean::add(uint32_t share) noexcept {
-  const Band& band = job_.band;
-  const Style& style = *job_.style;
-  style.painter()->cover(band, style.filter());
+  const Band& band = static_cast<const GlyphJob&>(band_).band;
+  band_.cover();
   const uint8_t* at = band.bytes;
-  uint8_t* sum = sums();
+  uint8_t* sum = band_.memory();
   for (const uint8_t* const end = at + band.rows * band.stride; at != end;
        at += 4, sum += 8) {
     const uint32_t word = load_pixels(at);
@@ -36,15 +36,15 @@ void Mean::add(uint32_t share) noexcept {
 }
 
 void Mean::emit() const noexcept {
-  const Band& band = job_.band;
-  const uint8_t* sum = sums();
+  const Band& band = static_cast<const GlyphJob&>(band_).band;
+  const uint8_t* sum = band_.memory();
   uint8_t* at = band.bytes;
   for (uint8_t* const end = at + band.rows * band.stride; at != end;
        at += 4, sum += 8) {
     store_pixels(at, ((load_pixels(sum) + kHalves) >> 8 & kEvenBytes) |
                          ((load_pixels(sum + 4) + kHalves) & ~kEvenBytes));
   }
-  detail::emit(*job_.sink, job_.pixels, band.bytes + job_.column, band.stride);
+  band_.emit();
 }
 
 }  // namespace detail

@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "rows/mixer.hpp"
+#include "inkcell/mixer.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -15,13 +15,13 @@ class Mean {
   // BandPlan::sample_bytes: of the band, and two of sums.
   static constexpr uint8_t kSampleBytes = 3;
 
-  explicit Mean(GlyphJob& job) noexcept;
+  explicit Mean(GlyphBand& band) noexcept;
 
   // Adds the picture as it is painted.
   void add(uint32_t share) noexcept;
   // Adds another one, with the glyph so far from there. [px]
   void add(int32_t right_q8, int32_t down_q8, uint32_t share) noexcept {
-    repaint(job_, right_q8 - right_q8_, down_q8 - down_q8_);
+    band_.repaint(right_q8 - right_q8_, down_q8 - down_q8_);
     right_q8_ = right_q8;
     down_q8_ = down_q8;
     add(share);
@@ -30,9 +30,7 @@ class Mean {
   void emit() const noexcept;
 
  private:
-  uint8_t* sums() const noexcept { return job_.band.row(job_.band.rows + 1); }
-
-  GlyphJob& job_;
+  GlyphBand& band_;
   int32_t right_q8_ = 0;  // where the glyph is
   int32_t down_q8_ = 0;
 };

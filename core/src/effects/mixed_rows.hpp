@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "base/math.hpp"
-#include "rows/mixer.hpp"
+#include "rows/source.hpp"
 #include "sink/emit.hpp"
 
 namespace inkcell {
@@ -13,10 +13,10 @@ namespace detail {
 // Hands the coverage of each pixel to the sink; `cover` makes it of the pixel's
 // byte in the band, which stays as it is.
 template <typename Cover>
-void mix_rows(const GlyphJob& job, const Cover& cover) noexcept {
-  const Rect& pixels = job.pixels;
+void mix_rows(const GlyphBand& band, const Cover& cover) noexcept {
+  const Rect& pixels = band.pixels();
   for (int32_t y = pixels.y0; y != pixels.y1; ++y) {
-    const uint8_t* at = job.band.row(y - pixels.y0 + job.row) + job.column;
+    const uint8_t* at = band.row(y);
     for (int32_t x = pixels.x0; x < pixels.x1; x += kMaxSpan) {
       // Words of pixels, as emit_row() takes them.
       alignas(4) uint8_t words[kMaxSpan + 4];
@@ -25,7 +25,7 @@ void mix_rows(const GlyphJob& job, const Cover& cover) noexcept {
       for (int32_t i = 0; i != count; ++i) {
         coverage[i] = cover(at++);
       }
-      emit_row(*job.sink, x, y, coverage, count);
+      emit_row(band.sink(), x, y, coverage, count);
     }
   }
 }

@@ -20,26 +20,26 @@ struct Corners {
 
 // Shares of 38 or so, as long as corners are at most half a pixel away: farther
 // pictures would leave a gap at the centre.
-Corners corners_of(const Style& style) noexcept {
-  const auto& options =
-      *static_cast<const Supersampling*>(style.effect().options);
-  const int32_t radius_q10 = options.radius_q10;
+Corners corners_of(const Effect& effect) noexcept {
+  const int32_t radius_q10 = static_cast<const Supersample&>(effect).radius_q10;
   const int32_t away_q8 = min(radius_q10 * 458 >> 12, 128);
   const int32_t away_q10 = max(4 * away_q8, 1);
   const int32_t all_q8 = 31 * radius_q10 * radius_q10 / (away_q10 * away_q10);
   return {away_q8, static_cast<uint32_t>(min(all_q8 >> 2, 64))};
 }
 
-void plan_supersampling(const Style& style, BandPlan& plan) noexcept {
+void plan_supersampling(const Effect& effect,
+                        const Style&,
+                        BandPlan& plan) noexcept {
   plan.sample_bytes = Mean::kSampleBytes;
-  plan.moved_x_q8 = static_cast<int16_t>(corners_of(style).away_q8);
+  plan.moved_x_q8 = static_cast<int16_t>(corners_of(effect).away_q8);
   plan.moved_y_q8 = plan.moved_x_q8;
 }
 
-void mix_supersampled(GlyphJob& job) noexcept {
-  const Corners corners = corners_of(*job.style);
+void mix_supersampled(const Effect& effect, GlyphBand& band) noexcept {
+  const Corners corners = corners_of(effect);
   const int32_t away = corners.away_q8;
-  Mean mean(job);
+  Mean mean(band);
   mean.add(256 - 4 * corners.share);
   mean.add(away, away, corners.share);
   mean.add(-away, away, corners.share);

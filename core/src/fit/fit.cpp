@@ -81,7 +81,7 @@ inline void Fit::set_weight() noexcept {
   const int32_t weight = hints_.has_contrast()
                              ? min(max(more, 0), 51)
                              : min(max(more - kFuller, -256), 123);
-  crisp_weight_q10_ = static_cast<int16_t>(-weight);
+  bilevel_weight_q10_ = static_cast<int16_t>(-weight);
 }
 
 Status Fit::make(const Font& font,
@@ -95,7 +95,7 @@ Status Fit::make(const Font& font,
   INKCELL_TRY(GridHints::open(font, out.hints_));
   out.is_across_ = false;
   out.strength_q8_ = 0;
-  out.crisp_weight_q10_ = 0;
+  out.bilevel_weight_q10_ = 0;
   const int32_t size_q6 = style.size().raw;
   if (size_q6 >= kEnds.raw) {
     return Status::ok;

@@ -58,7 +58,7 @@ class HeightFit {
   // as two bars can be apart.
   static constexpr int16_t kFar = INT16_MAX;
 
-  bool is_crisp() const noexcept { return fit_.levels_ == 2; }
+  bool is_bilevel() const noexcept { return fit_.levels_ == 2; }
   int32_t width_of(const YHint& hint) const noexcept;
   int32_t height_between(int32_t at_u2) const noexcept;
   Room room_of(const Item& item) const noexcept;
@@ -76,11 +76,11 @@ inline int32_t HeightFit::width_of(const YHint& hint) const noexcept {
   if (is_serif || !hint.is_standard) {
     width = fit_.height_q6(hint.high_u) - fit_.height_q6(hint.low_u);
     if (is_serif) {
-      return !is_crisp() ? width : fit_.drops_serifs_ ? 0 : kPx;
+      return !is_bilevel() ? width : fit_.drops_serifs_ ? 0 : kPx;
     }
     width = common_width(width, fit_.bar_q6_);
   }
-  return is_crisp() ? whole_width(width) : max(width, kLeastStroke);
+  return is_bilevel() ? whole_width(width) : max(width, kLeastStroke);
 }
 
 inline void HeightFit::read(GlyphHints& hints) noexcept {
@@ -159,7 +159,7 @@ inline HeightFit::Room HeightFit::room_of(const Item& item) const noexcept {
 // sides, as far as there is room.
 inline void HeightFit::fit_bar(Item& item) noexcept {
   const Room room = room_of(item);
-  const int32_t gap = is_crisp() ? kPx : kLeastStroke;
+  const int32_t gap = is_bilevel() ? kPx : kLeastStroke;
   const int32_t floor = room.floor.to;
   const int32_t ceiling = room.ceiling.to;
   const int32_t left = room.height() - 2 * gap;
@@ -170,8 +170,8 @@ inline void HeightFit::fit_bar(Item& item) noexcept {
     middle = (floor + ceiling) >> 1;
   }
   int32_t low;
-  if (is_crisp() || width >= kWholeBar) {
-    width = is_crisp() ? whole_width(width) : width;
+  if (is_bilevel() || width >= kWholeBar) {
+    width = is_bilevel() ? whole_width(width) : width;
     low = round_px(middle - (width >> 1));
     if (low < floor + gap && low + kPx + width <= ceiling) {
       low += kPx;

@@ -101,20 +101,20 @@ bool OutlineGlyph::open(const Font& font,
 }
 
 void OutlineGlyph::place(const Placed& placed,
-                         const Sampling& sampling,
+                         const BandPlan& plan,
                          int32_t origin_q8,
                          const InkEnds (&ink)[2],
                          Rect& box) noexcept {
   const int32_t at_q10[] = {placed.x_q10, placed.y_q10};
-  const int32_t moved_q8[] = {sampling.moved_x_q8, sampling.moved_y_q8};
-  const int32_t samples[] = {sampling.columns, sampling.rows};
+  const int32_t moved_q8[] = {plan.moved_x_q8, plan.moved_y_q8};
+  const int32_t samples[] = {plan.columns, plan.rows};
   int32_t low[2];
   int32_t high[2];
 #if !defined(__OPTIMIZE_SIZE__)
 #  pragma GCC unroll 2
 #endif
   for (int32_t i = 0; i != 2; ++i) {
-    const int32_t reach = (sampling.shown_q8 + moved_q8[i]) * 1024;
+    const int32_t reach = (plan.ink_margin_q8 + moved_q8[i]) * 1024;
     low[i] = px_before(at_q10[i], sum(ink[i].low, kPxQ18 - 1 - reach));
     high[i] = px_before(at_q10[i], sum(ink[i].high, reach)) + 1;
   }

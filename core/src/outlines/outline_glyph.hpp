@@ -5,6 +5,7 @@
 
 #include "inkcell/font.hpp"
 #include "inkcell/format/rom.hpp"
+#include "inkcell/mixer.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "outlines/component.hpp"
@@ -13,18 +14,6 @@
 
 namespace inkcell {
 namespace detail {
-
-// Where painters have samples, and how far they show around the ink.
-struct Sampling {
-  // How far from the ink a pixel's centre may show something, and how much
-  // farther to the sides, and up and down. [px]
-  int32_t shown_q8 = 0;
-  int16_t moved_x_q8 = 0;
-  int16_t moved_y_q8 = 0;
-  // Samples a pixel, 1 or 3: to the right and down.
-  uint8_t columns = 1;
-  uint8_t rows = 1;
-};
 
 // The ends of a glyph's ink along an axis of the screen, from the glyph's
 // origin. [px, Q18]
@@ -67,7 +56,7 @@ class __attribute__((may_alias)) OutlineGlyph {
             InkEnds (&ink)[2],
             bool& is_mirrored) noexcept;
   void place(const Placed& placed,
-             const Sampling& sampling,
+             const BandPlan& plan,
              int32_t origin_q8,
              const InkEnds (&ink)[2],
              Rect& box) noexcept;

@@ -222,8 +222,7 @@ bool is_same(const Style& a, const Style& b) noexcept {
          a.axes_.x_up == b.axes_.x_up && a.axes_.y_right == b.axes_.y_right &&
          a.axes_.y_up == b.axes_.y_up && a.filter_ == b.filter_ &&
          a.fitter() == b.fitter() && a.fitter_options_ == b.fitter_options_ &&
-         a.effect_.mixer == b.effect_.mixer &&
-         a.effect_.options == b.effect_.options;
+         a.effect_ == b.effect_;
 }
 
 }  // namespace inkcell

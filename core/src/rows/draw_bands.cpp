@@ -3,7 +3,6 @@
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "inkcell/prepared_glyph.hpp"
-#include "rows/mixer.hpp"
 #include "rows/source.hpp"
 #include "sink/emit.hpp"
 
@@ -28,14 +27,23 @@ struct GlyphCall {
   const Placed& placed;
 };
 
+// Samples before the first pixel of a band, from a multiple of 4 on: one of
+// them at least.
+int32_t columns_before(const BandPlan& plan, int32_t x0) noexcept {
+  return ((x0 * plan.columns - plan.margin_x - 1) & 3) + 1 + plan.margin_x;
+}
+// Samples of a band of pixels, from there on.
+int32_t width_of(const BandPlan& plan,
+                 int32_t column,
+                 const Rect& pixels) noexcept {
+  return column + (pixels.x1 - pixels.x0) * plan.columns + plan.margin_x;
+}
+
 // False: the style was not made, or its effect does not draw the source.
 bool make_plan(const Source& source,
                const Style& style,
                BandPlan& plan) noexcept {
-  // Room for roundings.
-  constexpr int32_t kMore = 4;
-  const Mixer* const mixer = style.effect().mixer;
-  if (mixer != nullptr && !can_mix(*mixer, source, style)) {
+  if (!can_draw(source, style)) {
     return false;
   }
   // Smaller than to assign a BandPlan.
@@ -43,22 +51,25 @@ bool make_plan(const Source& source,
   plan.columns = 1;
   plan.rows = 1;
   plan.sample_bytes = 1;
-  plan.painter = mixer == nullptr || mixer->painter == nullptr ? style.painter()
-                                                               : mixer->painter;
+  plan.painter = style.painter();
+  const Effect* const effect = style.effect();
+  if (effect != nullptr && effect->mixer().painter != nullptr) {
+    plan.painter = effect->mixer().painter;
+  }
   if (plan.painter == nullptr) {
     return false;
   }
   const int32_t reach_q8 = plan.painter->reach_q8;
   if (reach_q8 != 0) {
     plan.outside_q8 = reach_q8;
-    plan.shown_q8 = reach_q8 + kMore;
+    plan.ink_margin_q8 = reach_q8 + 4;  // for roundings
   } else {
-    const Filter& filter = style.filter();
-    plan.widen(filter);
-    plan.shown_q8 = (max(-filter.outside_q10, 0) >> 2) + kMore;
+    plan.widen(style.filter());
+    plan.show(style.filter());
   }
-  if (mixer != nullptr) {
-    mixer->plan(style, plan);
+  if (effect != nullptr) {
+    effect->mixer().plan(*effect, style, plan);
+    INKCELL_ASSERT(plan.margin_x <= 2 && plan.margin_y <= 2);
   }
   return true;
 }
@@ -97,17 +108,11 @@ bool load(GlyphJob& job) noexcept {
   return job.source->load(job);
 }
 
-__attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
-  clear_pixels(job.ram,
-               kGuardBytes + (job.band.rows + kGuardRows) * job.band.stride);
-  job.source->fill(job);
-}
-
 // Where the samples of job.pixels lie in the rows of a band.
 void lay_out_rows(GlyphJob& job) noexcept {
   const BandPlan& plan = job.plan;
-  const int32_t column = plan.columns_before(job.pixels.x0);
-  const int32_t width = plan.width_of(column, job.pixels);
+  const int32_t column = columns_before(plan, job.pixels.x0);
+  const int32_t width = width_of(plan, column, job.pixels);
   job.column = static_cast<uint8_t>(column);
   job.band.last_column = width - 1;
   // The pixel after them has room.
@@ -121,8 +126,8 @@ __attribute__((noinline)) void emit_band(GlyphJob& job) noexcept {
   const Rect& pixels = job.pixels;
   const BandPainter& painter = *job.plan.painter;
   const Style& style = *job.style;
-  if (const Mixer* const mixer = style.effect().mixer) {
-    mixer->mix(job);
+  if (const Effect* const effect = style.effect()) {
+    effect->mixer().mix(*effect, job);
     return;
   }
   const Sink& sink = *job.sink;
@@ -179,6 +184,7 @@ void draw_opened(GlyphJob& job, const Sink& sink, bool is_loaded) noexcept {
       columns = quotient((quotient(bytes, rows * row_bytes + more_rows) & ~3) -
                              8 - 2 * plan.margin_x,
                          plan.columns);
+      INKCELL_ASSERT(columns > 0);  // within what BandPlan allows
     }
   }
   for (; part.y0 < all.y1; part.y0 = part.y1) {
@@ -237,10 +243,10 @@ Workspace aligned(const Workspace& workspace) noexcept {
 
 }  // namespace
 
-void repaint(GlyphJob& job, int32_t right_q8, int32_t down_q8) noexcept {
-  job.band.x_q8 -= right_q8;
-  job.band.y_q8 -= down_q8;
-  clear_and_fill(job);
+__attribute__((noinline)) void clear_and_fill(GlyphJob& job) noexcept {
+  clear_pixels(job.ram,
+               kGuardBytes + (job.band.rows + kGuardRows) * job.band.stride);
+  job.source->fill(job);
 }
 
 void draw_bands(const GlyphRef& ref,

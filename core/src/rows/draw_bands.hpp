@@ -24,5 +24,15 @@ Rect band_box(const GlyphRef& ref,
               const Style& style,
               const Placed& placed) noexcept;
 
+// Whether a style's effect, if it has one, draws glyphs of a source.
+inline bool can_draw(const Source& source, const Style& style) noexcept {
+  const Effect* const effect = style.effect();
+  const auto answer = effect == nullptr ? nullptr : effect->mixer().can_draw;
+  return answer == nullptr || answer(*effect, style, source.is_field);
+}
+
+// Paints the band that the job describes.
+void clear_and_fill(GlyphJob& job) noexcept;
+
 }  // namespace detail
 }  // namespace inkcell

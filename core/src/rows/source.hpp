@@ -3,9 +3,9 @@
 
 #include <stdint.h>
 
-#include "base/math.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/glyph_warp.hpp"
+#include "inkcell/mixer.hpp"
 #include "inkcell/strip.hpp"
 #include "inkcell/style.hpp"
 #include "outlines/outline_glyph.hpp"
@@ -14,37 +14,6 @@
 
 namespace inkcell {
 namespace detail {
-
-// How the bands of a glyph are painted: what the style's filter asks for, as
-// its mixer changes it. Only areas have several samples a pixel; moved_x_q8 and
-// moved_y_q8 are what repaint() moves the glyph by at most.
-struct BandPlan : Sampling {
-  const BandPainter* painter = nullptr;
-  // How far distances are good, outside and inside. [px]
-  int32_t outside_q8 = 0;
-  int32_t inside_q8 = 0;
-  // Samples around the pixels that are drawn.
-  uint8_t margin_x = 0;
-  uint8_t margin_y = 0;
-  // RAM for a sample of a band and what the mixer keeps of it. [bytes]
-  uint8_t sample_bytes = 1;
-
-  // For the ramp of a filter.
-  void widen(const Filter& filter) noexcept {
-    outside_q8 = max(outside_q8, (-filter.outside_q10 >> 2) + 1);
-    inside_q8 = max(inside_q8, (filter.inside_q10 >> 2) + 1);
-  }
-
-  // Samples before the first pixel of a band, from a multiple of 4 on: one of
-  // them at least.
-  int32_t columns_before(int32_t x0) const noexcept {
-    return ((x0 * columns - margin_x - 1) & 3) + 1 + margin_x;
-  }
-  // Samples of a band of pixels, from there on.
-  int32_t width_of(int32_t column, const Rect& pixels) const noexcept {
-    return column + (pixels.x1 - pixels.x0) * columns + margin_x;
-  }
-};
 
 struct Source;
 
@@ -57,7 +26,7 @@ struct GlyphRef {
 
 // A glyph that is drawn. Lies at the beginning of RAM that is lent as
 // bytes, or on the stack; a source's own part follows in the same RAM.
-struct __attribute__((may_alias)) GlyphJob {
+struct __attribute__((may_alias)) GlyphJob : GlyphBand {
   const Source* source;
   const Style* style;
   BandPlan plan;
@@ -98,7 +67,7 @@ struct Source {
   bool (*load)(GlyphJob& job) noexcept;
   void (*fill)(GlyphJob& job) noexcept;
   uint16_t job_bytes;  // size of the struct, kMostJob at most
-  bool has_field;      // jobs are FieldJobs (field_source.hpp)
+  bool is_field;       // jobs are FieldJobs (field_source.hpp)
 };
 
 // What a band of one column takes of RAM: a word before it, and of the widest

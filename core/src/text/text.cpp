@@ -3,7 +3,6 @@
 #include "inkcell/assert.hpp"
 #include "place/position.hpp"
 #include "rows/draw_bands.hpp"
-#include "rows/mixer.hpp"
 #include "text/find_glyph.hpp"
 #include "text/text_place.hpp"
 
@@ -205,9 +204,7 @@ Q26_6 to_px(const Font& font, const Style& style, int32_t units) noexcept {
 }
 
 Status check_effect(const Font& font, const Style& style) noexcept {
-  const detail::Mixer* const mixer = style.effect().mixer;
-  return mixer == nullptr || font.source() == nullptr ||
-                 detail::can_mix(*mixer, *font.source(), style)
+  return font.source() == nullptr || detail::can_draw(*font.source(), style)
              ? Status::ok
              : Status::unsupported;
 }

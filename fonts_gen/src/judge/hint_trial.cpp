@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "base/work_pool.hpp"
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/font.hpp"
 #include "inkcell/style.hpp"
@@ -91,10 +91,9 @@ class TrialFont {
     Fit fit;
     require(Fit::make(font_, style, look, fit));
     style.set_fit(fit);
-    CrispOptions crisp;
+    const Bilevel bilevel(2, fit.bilevel_weight());
     if (look.levels == 2) {
-      crisp.threshold_px = fit.crisp_weight();
-      style.set_effect(crisp_effect(crisp));
+      style.set_effect(bilevel);
     }
     return draw(glyph, px, style);
   }

@@ -19,12 +19,12 @@ void inkcell_circle_samples_make(const inkcell_filter_t* filter,
                                  int16_t radius_q10,
                                  bool is_paper,
                                  inkcell_circle_samples_t* out) {
-  new (c::place(out)) CircleSamples(
-      make_circle_samples(c::filter_of(filter), Q6_10::from_raw(radius_q10),
-                          is_paper ? SampleRule::paper : SampleRule::even));
+  new (c::place(out))
+      CircleSamples(c::filter_of(filter), Q6_10::from_raw(radius_q10),
+                    is_paper ? SampleRule::paper : SampleRule::even);
 }
 
 void inkcell_style_set_circle_samples(inkcell_style_t* style,
                                       const inkcell_circle_samples_t* options) {
-  cpp(style)->set_effect(circle_samples_effect(*cpp(options)));
+  cpp(style)->set_effect(*cpp(options));
 }

@@ -6,19 +6,8 @@
 using namespace inkcell;
 using c::cpp;
 
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_edge_contrast_t> {
-  using Type = EdgeContrast;
-};
-}  // namespace c
-}  // namespace inkcell
-
-INKCELL_SAME_PLACE(inkcell_edge_contrast_t, edge, edge);
-INKCELL_SAME_PLACE(inkcell_edge_contrast_t, thin, thin);
-
 void inkcell_style_set_edge_contrast(inkcell_style_t* style,
-                                     const inkcell_edge_contrast_t* options) {
-  cpp(style)->set_effect(edge_contrast_effect(*cpp(options)));
+                                     inkcell_edge_contrast_t* options) {
+  cpp(style)->set_effect(*new (c::memory<EdgeContrast>(options->effect))
+                             EdgeContrast(options->edge, options->thin));
 }

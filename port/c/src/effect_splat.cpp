@@ -10,7 +10,7 @@ namespace inkcell {
 namespace c {
 template <>
 struct CppOf<inkcell_splats_t> {
-  using Type = Splats;
+  using Type = Splat;
 };
 }  // namespace c
 }  // namespace inkcell
@@ -19,11 +19,18 @@ inkcell_status_t inkcell_splats_make(uint32_t* sums,
                                      size_t count,
                                      int16_t radius_q10,
                                      inkcell_splats_t* out) {
-  return c::code(
-      make_splats({sums, count}, Q6_10::from_raw(radius_q10), *cpp(out)));
+  if (count < kMinSplatSums) {
+    return INKCELL_BUFFER_SMALL;
+  }
+  if (radius_q10 < kMinSplatRadius.raw || radius_q10 > kMaxSplatRadius.raw) {
+    return INKCELL_BAD_ARGUMENT;
+  }
+  new (c::place(out))
+      Splat(Span<uint32_t>(sums, count), Q6_10::from_raw(radius_q10));
+  return INKCELL_OK;
 }
 
 void inkcell_style_set_splats(inkcell_style_t* style,
                               const inkcell_splats_t* options) {
-  cpp(style)->set_effect(splat_effect(*cpp(options)));
+  cpp(style)->set_effect(*cpp(options));
 }

@@ -6,18 +6,8 @@
 using namespace inkcell;
 using c::cpp;
 
-namespace inkcell {
-namespace c {
-template <>
-struct CppOf<inkcell_supersampling_t> {
-  using Type = Supersampling;
-};
-}  // namespace c
-}  // namespace inkcell
-
-INKCELL_SAME_PLACE(inkcell_supersampling_t, radius_q10, radius_q10);
-
 void inkcell_style_set_supersampling(inkcell_style_t* style,
-                                     const inkcell_supersampling_t* options) {
-  cpp(style)->set_effect(supersample_effect(*cpp(options)));
+                                     inkcell_supersampling_t* options) {
+  cpp(style)->set_effect(*new (c::memory<Supersample>(options->effect))
+                             Supersample(Q6_10::from_raw(options->radius_q10)));
 }

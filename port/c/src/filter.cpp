@@ -1,7 +1,7 @@
 // Filters that are made at run time.
 #include "inkcell/c/filter.h"
 
-#include "inkcell/effects.hpp"
+#include "inkcell/shadow.hpp"
 #include "mirror.hpp"
 
 using namespace inkcell;

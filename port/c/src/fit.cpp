@@ -36,7 +36,7 @@ bool inkcell_fit_has_advances(const inkcell_fit_t* fit) {
 }
 
 int16_t inkcell_fit_crisp_weight(const inkcell_fit_t* fit) {
-  return cpp(fit)->crisp_weight().raw;
+  return cpp(fit)->bilevel_weight().raw;
 }
 
 void inkcell_style_set_fit(inkcell_style_t* style, const inkcell_fit_t* fit) {

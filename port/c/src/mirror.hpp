@@ -101,6 +101,15 @@ inline const Filter& filter_of(const inkcell_filter_t* filter) noexcept {
   return *static_cast<const Filter*>(filter->table);
 }
 
+/// Words that an object of C has for one of C++.
+template <typename Cpp, size_t kWords>
+Place memory(const void* (&words)[kWords]) noexcept {
+  static_assert(
+      sizeof(Cpp) <= sizeof(words) && alignof(Cpp) <= alignof(const void*),
+      "too few words");
+  return {words};
+}
+
 inline inkcell_status_t code(Status status) noexcept {
   return static_cast<inkcell_status_t>(status);
 }

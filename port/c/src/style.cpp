@@ -76,5 +76,5 @@ inkcell_status_t inkcell_style_check_effect(const inkcell_style_t* style,
 }
 
 void inkcell_style_clear_effect(inkcell_style_t* style) {
-  cpp(style)->set_effect({});
+  cpp(style)->clear_effect();
 }

@@ -44,7 +44,7 @@ struct FontState {
   GlyphCache* cache = nullptr;
   DrawGlyph draw = nullptr;
   MakeLcdSink make_lcd_sink = nullptr;  // null: grey
-  LcdOptions lcd;
+  Lcd lcd;
   bool is_direct = false;
 };
 

@@ -85,7 +85,7 @@ void inkcell_lv_font_set_subpixels(inkcell_lv_font_t* font,
                     INKCELL_LV_SUBPIXELS_BGR_VERTICAL,
                 "the same order");
   state.lcd.order = static_cast<SubPixels>(order);
-  state.style.set_effect(lcd_effect(state.lcd));
+  state.style.set_effect(state.lcd);
   state.make_lcd_sink = port::make_lcd;
 }
 
@@ -113,7 +113,9 @@ void inkcell_lv_font_set_weight(inkcell_lv_font_t* font,
   if (style.is_fitted()) {
     weighted.set_fitter(style.fitter(), style.fitter_options());
   }
-  weighted.set_effect(style.effect());
+  if (style.effect() != nullptr) {
+    weighted.set_effect(*style.effect());
+  }
   style = weighted;
 }
 

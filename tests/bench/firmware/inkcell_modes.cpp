@@ -3,15 +3,16 @@
 // draw. kWorkspace bytes are lent to outlines.
 // Those of a display with sub-pixels, and "plain_rgb888" to compare them with,
 // draw into 24-bit pixels, all others into 8-bit coverage.
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 #include "inkcell/edge_contrast.hpp"
-#include "inkcell/effects.hpp"
 #include "inkcell/field/circle_samples.hpp"
 #include "inkcell/fit.hpp"
 #include "inkcell/lcd.hpp"
 #include "inkcell/motion_blur.hpp"
 #include "inkcell/port/lcd.hpp"
 #include "inkcell/prepared_glyph.hpp"
+#include "inkcell/shadow.hpp"
+#include "inkcell/stroke.hpp"
 #include "inkcell_strips.hpp"
 
 using namespace inkcell;
@@ -20,14 +21,14 @@ namespace {
 
 // What styles point to: made anew for each size.
 Fit fit;
-LcdOptions lcd;
-Outline edges;
-OutlineAndFill outline_and_fill;
-CircleSamples circle_samples;
-Supersampling supersampling;
-EdgeContrast edge_contrast;
-MotionBlur blur;
-CrispOptions crisp;
+Lcd lcd;
+constexpr Stroke kStroke(kFilterText, Q6_10::from_int(1), StrokePlace::inner);
+StrokeAndFill stroke_and_fill(kStroke);
+CircleSamples circle_samples(kFilterText);
+Supersample supersample;
+constexpr EdgeContrast kContrast;
+constexpr MotionBlur kBlur({Q26_6::from_int(3), {}});
+Bilevel bilevel;
 
 struct ColourTarget : port::Rgb888Target {};
 constexpr int32_t kColourBytes = 3;
@@ -55,36 +56,25 @@ bool set_fit(Style& style, bool across) {
 bool set_lcd(Style& style, SubPixels order) {
   is_coloured = true;
   lcd.order = order;
-  style.set_effect(lcd_effect(lcd));
+  style.set_effect(lcd);
   return true;
 }
 
 bool set_adaptive(Style& style, Q6_10 radius, SampleRule rule) {
   if (bench::font.has_outlines() && rule == SampleRule::even) {
-    supersampling = make_supersampling(radius);
-    style.set_effect(supersample_effect(supersampling));
+    supersample = Supersample(radius);
+    style.set_effect(supersample);
     return true;
   }
-  circle_samples = make_circle_samples(kFilterText, radius, rule);
-  style.set_effect(circle_samples_effect(circle_samples));
+  circle_samples = CircleSamples(kFilterText, radius, rule);
+  style.set_effect(circle_samples);
   return true;
 }
 
 // The inner edge of an outline of 1 px: no font is too narrow for it.
-void make_edges() {
-  edges = make_outline(kFilterText, Q6_10::from_raw(1024), OutlinePlace::inner);
-}
-
-bool set_motion_blur(Style& style) {
-  const Point way = {Q26_6::from_int(3), {}};
-  const Status status = make_motion_blur(way, blur);
-  style.set_effect(motion_blur_effect(blur));
-  return status == Status::ok;
-}
-
-bool set_crisp(Style& style, uint8_t levels) {
-  crisp.levels = levels;
-  style.set_effect(crisp_effect(crisp));
+bool set_bilevel(Style& style, uint8_t levels) {
+  bilevel.levels = levels;
+  style.set_effect(bilevel);
   return true;
 }
 
@@ -105,15 +95,13 @@ constexpr Mode kModes[] = {
     {"fitted_stems", [](Style& style) { return set_fit(style, true); }},
     {"outline",
      [](Style& style) {
-       make_edges();
-       style.set_effect(outline_effect(edges.inner));
+       style.set_effect(kStroke);
        return true;
      }},
     {"outline_and_fill",
      [](Style& style) {
-       make_edges();
-       outline_and_fill = {&edges.inner, &bench::sink};
-       style.set_effect(outline_and_fill_effect(outline_and_fill));
+       stroke_and_fill.fill = &bench::sink;
+       style.set_effect(stroke_and_fill);
        return true;
      }},
     {"bold",
@@ -128,14 +116,18 @@ constexpr Mode kModes[] = {
      [](Style& style) {
        return set_filter(style, glow_filter(Q6_10::from_int(4)));
      }},
-    {"crisp_1_bit", [](Style& style) { return set_crisp(style, 2); }},
-    {"crisp_2_bits", [](Style& style) { return set_crisp(style, 4); }},
+    {"crisp_1_bit", [](Style& style) { return set_bilevel(style, 2); }},
+    {"crisp_2_bits", [](Style& style) { return set_bilevel(style, 4); }},
     {"perceptual",
      [](Style& style) {
-       style.set_effect(edge_contrast_effect(edge_contrast));
+       style.set_effect(kContrast);
        return true;
      }},
-    {"motion_blur_3_px", set_motion_blur},
+    {"motion_blur_3_px",
+     [](Style& style) {
+       style.set_effect(kBlur);
+       return true;
+     }},
     {"adaptive_even",
      [](Style& style) {
        return set_adaptive(style, kSharpRadius, SampleRule::even);

@@ -1,8 +1,10 @@
 // Effects: glyphs drawn in another way than one sample a pixel.
 //
 // As in the C++ headers that are named. A style has one effect; its options,
-// which the caller owns, must outlive the style. The linker drops the effects
-// that a program does not name. Shadows and glows are filters: filter.h.
+// which the caller owns, must outlive the style. Functions that set an effect
+// prepare it in `effect`, so that options are in RAM; call them again after a
+// change. The linker drops the effects that a program does not name. Shadows
+// and glows are filters: filter.h.
 #pragma once
 
 #include "inkcell/c/filter.h"
@@ -14,7 +16,7 @@
 extern "C" {
 #endif
 
-// Outlines: inkcell/effects.hpp.
+// Outlines: inkcell/stroke.hpp.
 
 /// On which side of the edge an outline lies.
 enum {
@@ -23,15 +25,17 @@ enum {
   INKCELL_OUTLINE_OUTER = 2
 };
 
-/// The tables of an outline's two edges, 528 bytes. Opaque.
+/// An outline, by the tables of its two edges, 532 bytes. Opaque.
 typedef struct INKCELL_SHARED inkcell_outline_t {
+  const void* effect;
   inkcell_filter_table_t outer;
   inkcell_filter_table_t inner;
 } inkcell_outline_t;
 
 /// An outline `width_q10` px wide, 0 to 4 px, along the edge that `edge` draws.
-/// Make a style with `outer`, the filter of its outer edge, then set the
-/// effect. `place` is one of the above.
+/// `outer` becomes the filter of its outer edge, for
+/// inkcell_filter_check_reach(); any filter will do for the style. `place` is
+/// one of the above.
 void inkcell_outline_make(const inkcell_filter_t* edge,
                           int16_t width_q10,
                           uint8_t place,
@@ -44,7 +48,7 @@ void inkcell_style_set_outline(inkcell_style_t* style,
 
 /// Options of the effect that draws outline and fill at once.
 typedef struct INKCELL_SHARED inkcell_outline_and_fill_t {
-  const void* inner;  // set with the effect
+  const void* effect[2];
   /// Over the same strip as the sink that the outline goes to, of another
   /// colour. Set it anew for each strip.
   const inkcell_sink_t* fill;
@@ -67,42 +71,46 @@ enum {
 typedef struct INKCELL_SHARED inkcell_lcd_options_t {
   uint8_t order;   // one of the above
   uint8_t colour;  // how much of the differences is kept: 0 none, 255 all
+  const void* effect[2];
 } inkcell_lcd_options_t;
 
 void inkcell_style_set_lcd(inkcell_style_t* style,
-                           const inkcell_lcd_options_t* options);
+                           inkcell_lcd_options_t* options);
 
-// 1 and 2 bits without broken strokes: inkcell/crisp.hpp.
+// 1 and 2 bits without broken strokes: inkcell/bilevel.hpp.
 
 typedef struct INKCELL_SHARED inkcell_crisp_options_t {
   uint8_t levels;         // of the display: 2 or 4
   int16_t threshold_q10;  // distance from which on a pixel is drawn, +-1/2 px
+  const void* effect[2];
 } inkcell_crisp_options_t;
 
 void inkcell_style_set_crisp(inkcell_style_t* style,
-                             const inkcell_crisp_options_t* options);
+                             inkcell_crisp_options_t* options);
 
 /// Contrast at small sizes: inkcell/edge_contrast.hpp. [1/256]
 typedef struct INKCELL_SHARED inkcell_edge_contrast_t {
   uint8_t edge;  // 90 is a good value
   uint8_t thin;  // 96 is
+  const void* effect[2];
 } inkcell_edge_contrast_t;
 
 void inkcell_style_set_edge_contrast(inkcell_style_t* style,
-                                     const inkcell_edge_contrast_t* options);
+                                     inkcell_edge_contrast_t* options);
 
 /// The mean of five pictures: inkcell/supersample.hpp.
 typedef struct INKCELL_SHARED inkcell_supersampling_t {
   int16_t radius_q10;  // 256..1536 [px]; 870 for text that stands, 768 if not
+  const void* effect[2];
 } inkcell_supersampling_t;
 
 void inkcell_style_set_supersampling(inkcell_style_t* style,
-                                     const inkcell_supersampling_t* options);
+                                     inkcell_supersampling_t* options);
 
 /// Up to 13 samples a pixel of a field: inkcell/field/circle_samples.hpp.
-/// Opaque, 284 bytes. inkcell_style_check_effect() refuses outlines.
+/// Opaque, 280 bytes. inkcell_style_check_effect() refuses outlines.
 typedef struct INKCELL_SHARED inkcell_circle_samples_t {
-  uint32_t numbers[68];
+  uint32_t numbers[67];
   const void* words[3];
 } inkcell_circle_samples_t;
 
@@ -119,6 +127,7 @@ void inkcell_style_set_circle_samples(inkcell_style_t* style,
 /// Coverage along a vector: inkcell/motion_blur.hpp. Opaque. Not to be used
 /// after an error.
 typedef struct INKCELL_SHARED inkcell_motion_blur_t {
+  const void* word;
   uint32_t numbers[3];
 } inkcell_motion_blur_t;
 
@@ -134,7 +143,7 @@ void inkcell_style_set_motion_blur(inkcell_style_t* style,
 /// Cells smaller than a pixel, each once: inkcell/field/splat.hpp. Opaque. Not
 /// to be used after an error. inkcell_style_check_effect() refuses outlines.
 typedef struct INKCELL_SHARED inkcell_splats_t {
-  const void* words[3];
+  const void* words[4];
 } inkcell_splats_t;
 
 /// `sums`, at least 64, are in use while a glyph is drawn: one for each pixel

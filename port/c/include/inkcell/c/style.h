@@ -13,7 +13,7 @@ extern "C" {
 /// nothing.
 typedef struct INKCELL_SHARED inkcell_style_t {
   uint32_t numbers[14];
-  const void* words[8];
+  const void* words[6];
 } inkcell_style_t;
 
 /// Where a glyph's axes lead on the screen. [px to the em, Q16]

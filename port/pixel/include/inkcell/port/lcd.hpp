@@ -1,7 +1,7 @@
 // Sinks for LCD sub-pixels, in the colour formats.
 //
 // The sinks of make_sink() with Sink::coverage_rgb in addition. To use them,
-// set the effect lcd_effect() (inkcell/lcd.hpp) on a style.
+// set the effect Lcd (inkcell/lcd.hpp) on a style.
 #pragma once
 
 #include "inkcell/port/rgb565.hpp"

@@ -1,11 +1,10 @@
 // Glyphs for displays of 1 and 2 bits.
-#include "inkcell/crisp.hpp"
+#include "inkcell/bilevel.hpp"
 
 #include "base/math.hpp"
 #include "base/words.hpp"
 #include "effects/mixed_rows.hpp"
 #include "rows/crossings.hpp"
-#include "rows/mixer.hpp"
 
 namespace inkcell {
 namespace detail {
@@ -14,29 +13,28 @@ namespace {
 // Pixels farther from the ink are never drawn. [px, Q8]
 constexpr int32_t kMostReach = 256;
 
-const CrispOptions& crisp_of(const Style& style) noexcept {
-  return *static_cast<const CrispOptions*>(style.effect().options);
+const Bilevel& bilevel_of(const Effect& effect) noexcept {
+  return static_cast<const Bilevel&>(effect);
 }
-bool has_greys(const CrispOptions& crisp) noexcept {
-  return crisp.levels > 2;
+bool has_greys(const Bilevel& bilevel) noexcept {
+  return bilevel.levels > 2;
 }
 
 // [px, Q10]
-int32_t threshold_of(const CrispOptions& crisp) noexcept {
-  return min(max(crisp.threshold_px.raw, -512), 512);
+int32_t threshold_of(const Bilevel& bilevel) noexcept {
+  return min(max(bilevel.threshold_px.raw, -512), 512);
 }
 
-void plan_crisp(const Style& style, BandPlan& plan) noexcept {
-  const CrispOptions& crisp = crisp_of(style);
+void plan_bilevel(const Effect& effect, const Style&, BandPlan& plan) noexcept {
   // Thresholds, and the nearer of two pixels that a stroke passes between.
   constexpr int32_t kLeastReach = 128 + 16;
-  if (!has_greys(crisp)) {
+  if (!has_greys(bilevel_of(effect))) {
     plan.outside_q8 = 0;
     plan.inside_q8 = 0;
   }
   plan.outside_q8 = max(plan.outside_q8, kLeastReach);
   plan.inside_q8 = max(plan.inside_q8, kLeastReach);
-  plan.shown_q8 = max(plan.shown_q8, kMostReach);
+  plan.ink_margin_q8 = max(plan.ink_margin_q8, kMostReach);
   // The pixels that decide about one.
   plan.margin_x = 2;
   plan.margin_y = 2;
@@ -67,15 +65,15 @@ struct Line {
   uint32_t crossed;  // the bit of an edge between a pixel and the one before
 };
 
-class CrispRow {
+class BilevelRow {
  public:
-  CrispRow(const GlyphJob& job) noexcept
+  BilevelRow(const Bilevel& bilevel, const GlyphJob& job) noexcept
       : row_{1, job.band.stride, kCrossedLeft},
         column_{job.band.stride, 1, kCrossedAbove},
         filter_(job.style->filter()),
         step_q8_(static_cast<uint32_t>(job.band.reach_q8) * 1024 / 254),
-        threshold_q10_(threshold_of(crisp_of(*job.style))),
-        has_greys_(has_greys(crisp_of(*job.style))),
+        threshold_q10_(threshold_of(bilevel)),
+        has_greys_(has_greys(bilevel)),
         is_fitted_(job.style->is_fitted()) {}
 
   uint8_t coverage(const uint8_t* at) const noexcept {
@@ -199,10 +197,11 @@ class CrispRow {
   bool is_fitted_;
 };
 
-void mix_crisp(GlyphJob& job) noexcept {
+void mix_bilevel(const Effect& effect, GlyphBand& band) noexcept {
+  const auto& job = static_cast<const GlyphJob&>(band);
   resolve(job.band);
-  const CrispRow row(job);
-  mix_rows(job,
+  const BilevelRow row(bilevel_of(effect), job);
+  mix_rows(band,
            [&row](const uint8_t* at) noexcept { return row.coverage(at); });
 }
 
@@ -211,7 +210,7 @@ constexpr BandPainter kPaintCrossings = {paint_crossings, nullptr,
 
 }  // namespace
 
-const Mixer kCrispMixer = {&kPaintCrossings, plan_crisp, mix_crisp};
+const Mixer kBilevelMixer = {&kPaintCrossings, plan_bilevel, mix_bilevel};
 
 }  // namespace detail
 }  // namespace inkcell
