@@ -1,5 +1,5 @@
 // A style whose effect is gone before it is used.
-// refused: deleted function
+// refused: deleted (member )?function
 #include "inkcell/stroke.hpp"
 #include "inkcell/style.hpp"
 
