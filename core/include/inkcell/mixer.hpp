@@ -55,12 +55,13 @@ inline constexpr const detail::BandPainter* kDistances =
 /// Exact coverage, in 1 or 3 samples a pixel, for cover().
 inline constexpr const detail::BandPainter* kAreas = &detail::kPaintAreas;
 
-/// What a mixer asks for. A picture must not depend on how a glyph is cut into
-/// bands, so that a mixer reads no farther than the margins.
+/// What a mixer asks for; it finds here what the style's filter asks for, with
+/// the painter that fills the bands. A picture must not depend on how a glyph
+/// is cut into bands, so that a mixer reads no farther than the margins.
 struct BandPlan {
   const detail::BandPainter* painter = nullptr;
-  /// How far from the edge distances are told apart, outside and inside, at
-  /// most 4 px and a little. [px, Q8]
+  /// How far from the edge distances are told apart, outside and inside: at
+  /// most 4 px and a little, and one of them above 0. [px, Q8]
   int32_t outside_q8 = 0;
   int32_t inside_q8 = 0;
   /// How far outside of the edge a pixel's centre may show something. [px, Q8]

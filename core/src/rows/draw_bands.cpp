@@ -69,6 +69,7 @@ bool make_plan(const Source& source,
   }
   if (effect != nullptr) {
     effect->mixer().plan(*effect, style, plan);
+    INKCELL_ASSERT(max(plan.outside_q8, plan.inside_q8) > 0);
     INKCELL_ASSERT(plan.margin_x <= 2 && plan.margin_y <= 2);
   }
   return true;

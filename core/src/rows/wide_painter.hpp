@@ -7,7 +7,7 @@ namespace inkcell {
 namespace detail {
 
 // As paint_distances, with band.reach_q8 instead of half a pixel: for filters
-// with wide ramps, weights, outlines and glows.
+// with wide ramps, weights, strokes and glows.
 void paint_wide_distances(const Band& band,
                           OutlineCursor& cursor,
                           const ScreenPoint* points,
