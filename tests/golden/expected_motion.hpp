@@ -4,18 +4,18 @@
 namespace golden {
 
 inline constexpr const char* kPathHash =
-    "68d621669914c93bdcd19f8345ae9d8296a176ffc4d53b51bf30d99e896467ba";
+    "47791fd540e8c51828f7e6ddb3b1fe1db778ce08faede0b30cb6485785101da5";
 inline constexpr const char* kClockHash =
-    "1d7dfd90e786cb57aec6d94dc2f4b9e3a8ac91723f46fb37f6921b223b5b068d";
+    "c87df48638149623a3a48648e53e3bcc2e32297ff1a25ff74cdf174ea5e74470";
 inline constexpr const char* kParticlesHash =
-    "a574f3b0698d64aaf12f672165ccf1599edac14ab7a2ecf1ad2576c4f5fa6d17";
+    "81632e7bcd602c9d2dd111c49727bac91632716a7720ce5ad236f5a75ef67732";
 inline constexpr const char* kFigure13Hash =
-    "43ac71af53c7543ea27d46933853ccc575d939927e517c01bdf6edba57c53aed";
+    "13c3e9f7d969d0f568c38e6197a432d0aed7467b237246c43e84077d96225405";
 inline constexpr const char* kFigure14Hash =
-    "21c5eb55fa5cbfd1cf13bfd25ce8905158269d4aad80873bbe9f0c9ef0eac61f";
+    "26d3c49228ca7964d8ce462c951cc0af0e9a114c320e50f82ac2ee4240300fe9";
 inline constexpr const char* kFigure15Hash =
-    "91f3ef443db1307d60fefbf5bde818bf28f52b1ceae9f0fe93f3781e90b16f4c";
+    "f2dff531685a27d673efc0e61ebf2db49c89ef5a94d68bebcf7a27524846b739";
 inline constexpr const char* kPrintHash =
-    "463b8f81f909adead4a4a390cb996758e6cf339c834bcd58e00faf166b0162c4";
+    "95ded1a7360002f8ce0eff9af268199279e2dc42071e59550a2354192ab26bde";
 
 }  // namespace golden

@@ -15,6 +15,7 @@ using outline_record::OutlinePoint;
 // Of 255.
 constexpr int32_t kWorstArea = 5;
 constexpr int32_t kWorstDistance = 16;
+constexpr int32_t kWorstWide = 8;
 
 constexpr int32_t kSide = 28;
 constexpr int32_t kCorners = 7;
@@ -216,6 +217,30 @@ void round_corners(Random& random) {
   rounded[0].kind = outline_record::start;
 }
 
+// A V in any direction, whose tip is the middle of the em.
+OutlinePoint letter[4];
+void make_letter(Random& random) {
+  const int32_t a = random.between(-90, 90);
+  const int32_t b = random.between(0, 1) == 0 ? 90 : -90;
+  const int32_t opening = random.between(8, 50);
+  const int32_t notch = random.between(60, 200);
+  const auto set = [](int32_t i, int32_t x, int32_t y) {
+    letter[i] = {i == 0 ? outline_record::start : outline_record::corner,
+                 static_cast<int16_t>(512 + x), static_cast<int16_t>(512 + y)};
+  };
+  set(0, 0, 0);
+  set(1, 4 * a + b * opening / 25, 4 * b - a * opening / 25);
+  set(2, a * notch / 100, b * notch / 100);
+  set(3, 4 * a - b * opening / 25, 4 * b + a * opening / 25);
+}
+
+// The middle of the em about that of the picture.
+Setting setting_of(int32_t size, Random& random) {
+  constexpr int32_t kMiddle = kSide * 32;
+  return {size, kMiddle - size / 2 + random.between(0, 64),
+          kMiddle + size / 2 + random.between(0, 64)};
+}
+
 constexpr int32_t kStars = INKCELL_BOARD_FIRMWARE ? 3 : 400;
 
 }  // namespace
@@ -255,6 +280,34 @@ TEST(distances_are_those_of_the_nearest_edge) {
   }
   CHECK(worst <= kWorstDistance);
   check::write("worst distance: ");
+  check::write_number(worst);
+  check::write("/255\n");
+}
+
+// Letters like V in a large size: long edges that meet at acute corners, seen
+// by a ramp that is wider than a pixel.
+TEST(wide_ramps_are_true_at_acute_corners) {
+  int32_t worst = 0;
+  for (Rounds rounds(11, kStars); rounds.next();) {
+    Random& random = rounds.random;
+    make_letter(random);
+    const Setting at = setting_of(random.between(30 * 64, 64 * 64), random);
+    draw_outline(letter, kFilterPaperBody, at);
+    truth.set(letter, at.size / 65536.0, at.x / 64.0, at.y / 64.0);
+    for (int32_t y = 0; y < kSide; ++y) {
+      for (int32_t x = 0; x < kSide; ++x) {
+        const double q10 = 1024 * truth.distance(x + 0.5, y + 0.5);
+        const int32_t error =
+            error_of(x, y,
+                     kFilterPaperBody.coverage(
+                         static_cast<int32_t>(clamped(q10, -4096, 4096))) /
+                         255.0);
+        worst = error > worst ? error : worst;
+      }
+    }
+  }
+  CHECK(worst <= kWorstWide);
+  check::write("worst wide ramp: ");
   check::write_number(worst);
   check::write("/255\n");
 }

@@ -70,6 +70,12 @@ inline Tangent joined(const Band& band, Tangent tangent) noexcept {
   return tangent;
 }
 
+// The length of a vector whose longer component is `a`: tangents of the circle
+// at 0, 18 and 36 degrees.
+inline int32_t length_within_1_percent(int32_t a, int32_t b) noexcept {
+  return max(a, max(245 * a + 80 * b, 208 * a + 151 * b) >> 8);
+}
+
 // Pixels around a corner that lie beyond the normals of both of its edges:
 // `before` leads to the corner, `after` away from it; zeros are no limit.
 template <typename Marks>
@@ -101,11 +107,9 @@ __attribute__((noinline)) void paint_corner(const Band& band,
       if ((beyond_a | beyond_b) >= 0) {
         const int32_t dx = abs(column * 256 - at.x);
         const int32_t dy = abs(y);
-        const int32_t longer = max(dx, dy);
-        // The length within 3 %.
-        const int32_t slanted = (longer * 7 >> 3) + (min(dx, dy) >> 1);
-        approach<Marks>(pixel,
-                        254 - (max(longer, slanted) * band.fall_q14 >> 14));
+        const int32_t length =
+            length_within_1_percent(max(dx, dy), min(dx, dy));
+        approach<Marks>(pixel, 254 - (length * band.fall_q14 >> 14));
       }
       beyond_a += a.x * 256;
       beyond_b += b.x * 256;
@@ -146,19 +150,19 @@ struct End {
 };
 
 // Where a chord crosses the lines of pixels on its way from a to b across.
-// `inverse_q8`: along for one across.
+// `inverse_q16`: along for one across.
 template <typename Marks>
 __attribute__((noinline)) void cross_lines(const Band& band,
                                            bool rows,
                                            int32_t along,
                                            int32_t across,
                                            int32_t end_across,
-                                           int32_t inverse_q8) noexcept {
+                                           int32_t inverse_q16) noexcept {
   int32_t line = max((min(across, end_across) >> 8) + 1, 0);
   const int32_t last = min(max(across, end_across) >> 8,
                            rows ? band.rows - 1 : band.last_column);
   for (; line <= last; ++line) {
-    const int32_t at = along + ((line * 256 - across) * inverse_q8 >> 8);
+    const int32_t at = along + ((line * 256 - across) * inverse_q16 >> 16);
     const int32_t pixel = (at >> 8) + 1;
     if (rows) {
       if (pixel <= band.last_column + 1) {
@@ -175,14 +179,14 @@ template <typename Marks>
 void cross(const Band& band,
            const PixelPoint& from,
            const PixelPoint& to) noexcept {
-  // Products are at most what the chord is long, in Q16.
+  // Products are at most what the chord is long, 2^14, in Q24.
   if ((from.y ^ to.y) >> 8 != 0) {
     cross_lines<Marks>(band, true, from.x, from.y, to.y,
-                       (to.x - from.x) * 256 / (to.y - from.y));
+                       (to.x - from.x) * 65536 / (to.y - from.y));
   }
   if (Marks::kHasColumns && (from.x ^ to.x) >> 8 != 0) {
     cross_lines<Marks>(band, false, from.y, from.x, to.x,
-                       (to.y - from.y) * 256 / (to.x - from.x));
+                       (to.y - from.y) * 65536 / (to.x - from.x));
   }
 }
 
