@@ -14,7 +14,8 @@ constexpr size_t kMostNeighbours = 6;
 constexpr int32_t kRingQ10 = 6 << 10;  // around an overlap [px]
 constexpr int32_t kBulgeQ10 = kRingQ10 / 4;
 
-// The centre of a pixel in a body's grid. [px, Q16]
+// The centre of a pixel in a body's grid, from the centre of the first sample.
+// [px, Q16]
 struct Place {
   int32_t x;
   int32_t y;
@@ -29,20 +30,30 @@ struct View {
   int16_t sine_q14;
   int16_t squeeze_q10;
 
-  // The distance of a pixel; outside of the samples' centres an upper bound.
-  // [px, Q10]
+  // The distance of a pixel; outside of the grid an upper bound. [px, Q10] As
+  // probe(), without slopes, which takes a tenth off a frame.
   int32_t distance(int32_t x, int32_t y) const noexcept {
     const DistanceGrid& grid = shape->grid();
+    const int32_t scale = grid.scale_log2();
+    // From the centre of the first sample to that of the last. [Q16 px]
     const int32_t right = origin.x + (cosine_q14 * x - sine_q14 * y) * 4;
     const int32_t down = origin.y + (sine_q14 * x + cosine_q14 * y) * 4;
-    const int32_t half = 1 << (15 + grid.scale_log2());
-    const int32_t out = max(max(-right, right - (grid.width_px() << 16)),
-                            max(-down, down - (grid.height_px() << 16))) +
-                        half;
-    return out >= 0
-               ? -(out >> 6) - shape->margin_q10()
-               : probe(grid, Q16_16::from_raw(right), Q16_16::from_raw(down))
-                     .distance_q10;
+    const int32_t side = 1 << (16 + scale);
+    const int32_t out = max(max(-right, right - (grid.width() - 1) * side),
+                            max(-down, down - (grid.height() - 1) * side));
+    if (out >= 0) {
+      return -(out >> 6) - shape->margin_q10();
+    }
+    const int8_t* top =
+        grid.row(down >> (16 + scale)) + (right >> (16 + scale));
+    const int8_t* bottom = top + grid.width();
+    const int32_t x_part = (right >> (8 + scale)) & 255;
+    const int32_t y_part = (down >> (8 + scale)) & 255;
+    const int32_t above = top[0] * 256 + (top[1] - top[0]) * x_part;
+    const int32_t below = bottom[0] * 256 + (bottom[1] - bottom[0]) * x_part;
+    // A sample stands for the middle of its quantum. [Q13 of a sample]
+    const int32_t sum = above + ((below - above) * y_part >> 8) + 128;
+    return sum * (1 << scale) >> 3;
   }
   // The width of the bulge around an overlap: the range of the grid. [px, Q10]
   int32_t ring_q10() const noexcept {
@@ -67,10 +78,11 @@ __attribute__((noinline)) void look_at(const Body& body,
   view.shape = &shape;
   view.cosine_q14 = static_cast<int16_t>(turn.cosine);
   view.sine_q14 = static_cast<int16_t>(turn.sine);
-  view.origin.x =
-      shape.centre_x().raw + scaled(dx * turn.cosine - dy * turn.sine, 14);
-  view.origin.y =
-      shape.centre_y().raw + scaled(dy * turn.cosine + dx * turn.sine, 14);
+  const int32_t half = 1 << (15 + shape.grid().scale_log2());
+  view.origin.x = shape.centre_x().raw - half +
+                  scaled(dx * turn.cosine - dy * turn.sine, 14);
+  view.origin.y = shape.centre_y().raw - half +
+                  scaled(dy * turn.cosine + dx * turn.sine, 14);
   view.squeeze_q10 =
       static_cast<int16_t>(min(max(body.squeeze.raw, -kBulgeQ10), kBulgeQ10));
 }

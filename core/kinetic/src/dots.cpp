@@ -44,12 +44,15 @@ void draw_dot(Q16_16 x, Q16_16 y, Q26_6 radius, const Sink& sink) noexcept {
   const int32_t first_q6 = box.x0 * 64 + 32 - (x.raw >> 10);
   int32_t down_q6 = box.y0 * 64 + 32 - (y.raw >> 10);
   for (int32_t row = box.y0; row < box.y1; ++row, down_q6 += 64) {
+    const int32_t left = outer_q12 - down_q6 * down_q6;
+    if (left <= 0) {
+      continue;
+    }
     uint8_t coverage[kMaxSpan];
     int32_t count = 0;
     int32_t right_q6 = first_q6;
     for (; count < box.x1 - box.x0; ++count, right_q6 += 64) {
-      const int32_t rest_q12 =
-          max(outer_q12 - down_q6 * down_q6 - right_q6 * right_q6, 0);
+      const int32_t rest_q12 = max(left - right_q6 * right_q6, 0);
       // Below 2^17 times 2^8, or 2^10 times 2^12.
       const int32_t value = (rest_q12 >> 2) * scale_q16 >> 14;
       coverage[count] =
