@@ -232,8 +232,8 @@ Energy energy_of(Span<const Body> bodies) noexcept {
 
 // Impulses over all contacts. Bounces of several contacts at once may add
 // energy: all impulses are then scaled by the factor that restores it (E + t b
-// + t^2 a with t = -b / a).
-void solve_all(const Solver& solver) noexcept {
+// + t^2 a with t = -b / a). Not inline: the frame of step() is large.
+__attribute__((noinline)) void solve_all(const Solver& solver) noexcept {
   if (solver.contacts.size == 0) {
     return;
   }
