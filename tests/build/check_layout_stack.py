@@ -51,8 +51,8 @@ CALLS_BIDI = {
     "look_up": ["mirrored"],
 }
 # Who asks a fitter for advances.
-CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "Pen",
-                "RunCursor"]
+CALLS_FITTER = ["has_whole_advances", "advance", "own_units", "to_units",
+                "to_whole_px", "Pen", "RunCursor"]
 
 # Where drawing begins.
 DRAWING = re.compile(r"^inkcell::draw\(")
