@@ -26,7 +26,7 @@ inkcell_packages_reading="python3 python3-freetype tesseract-ocr
   tesseract-ocr-eng"
 
 inkcell_packages_tests="$inkcell_packages_windows
-  git clang ccache make meson libgtest-dev
+  git clang lld nodejs ccache make meson libgtest-dev
   libnewlib-arm-none-eabi picolibc-riscv64-unknown-elf
   libclang-rt-dev g++-powerpc-linux-gnu qemu-user fonts-liberation
   fonts-dejavu-extra fonts-noto-cjk fonts-lohit-deva fonts-tlwg-loma-ttf

@@ -1,0 +1,182 @@
+// The device's library in a page or in node: displays in memory, and text that
+// the firmware's code draws into them.
+//
+//   const core = await Core.load(wasm);
+//   core.open(font);
+//   const oled = new Display('mono-pages', 128, 64);
+//   core.draw(oled, {size: 16, filter: 'text', colour: 1}, 'Hello', 2, 20);
+
+export const FORMATS = ['a8', 'grey8', 'grey4', 'grey2', 'mono-rows',
+  'mono-pages', 'rgb565', 'rgb888', 'xrgb8888'];
+export const KINDS = ['plain', 'dithered', 'sub-pixels'];
+export const FILTERS = ['text', 'motion', 'paper-display', 'paper-body', 'area',
+  'shadow', 'glow'];
+export const FITS = ['none', 'heights', 'across'];
+export const EFFECTS = ['none', 'outline', 'crisp', 'edge-contrast',
+  'supersampling'];
+const STATUS = ['ok', 'bad magic', 'bad version', 'corrupt', 'no glyph',
+  'buffer small', 'misaligned', 'unsupported', 'bad argument', 'beyond band'];
+const BITS = [8, 8, 4, 2, 1, 1, 16, 24, 32];
+const TEXT_BYTES = 4096;
+const JOB_BYTES = 96;
+
+/**
+ * @typedef {object} Look
+ * @property {number} size px to the em
+ * @property {number} colour 0xRRGGBB, or a level of the display
+ * @property {string} [filter]
+ * @property {number} [weight] px; the reach of shadow and glow
+ * @property {string} [fit]
+ * @property {number} [levels]
+ * @property {number} [angle] degrees, counter-clockwise
+ * @property {string} [effect]
+ * @property {number} [outline] px
+ */
+
+/** The memory of a display. */
+export class Display {
+  /**
+   * @param {string} format one of FORMATS
+   * @param {number} width
+   * @param {number} height
+   * @param {string} [kind] one of KINDS
+   */
+  constructor(format, width, height, kind = 'plain') {
+    const number = FORMATS.indexOf(format);
+    const pages = format === 'mono-pages';
+    const row = pages ? width : Math.ceil(width * BITS[number] / 8);
+    Object.assign(this, {format: number, kind: KINDS.indexOf(kind), width,
+      height, row, pages});
+    this.pixels = new Uint8Array(row * (pages ? Math.ceil(height / 8) : height));
+  }
+
+  /** A pixel as [red, green, blue], 0 to 255. @returns {number[]} */
+  at(x, y) {
+    const {format, row, pixels} = this;
+    const bits = BITS[format];
+    if (this.pages) {
+      const on = pixels[(y >> 3) * row + x] >> (y & 7) & 1;
+      return [on * 255, on * 255, on * 255];
+    }
+    if (bits <= 8) {
+      const shift = 8 - bits - (x * bits & 7);
+      const most = (1 << bits) - 1;
+      const level = pixels[y * row + (x * bits >> 3)] >> shift & most;
+      const grey = Math.round(level * 255 / most);
+      return [grey, grey, grey];
+    }
+    const i = y * row + x * bits / 8;
+    if (bits === 16) {
+      const word = pixels[i] | pixels[i + 1] << 8;
+      return [(word >> 11) * 255 / 31, (word >> 5 & 63) * 255 / 63,
+        (word & 31) * 255 / 31];
+    }
+    return bits === 24 ? [...pixels.subarray(i, i + 3)]
+                       : [pixels[i + 2], pixels[i + 1], pixels[i]];
+  }
+}
+
+const index = (names, name) => {
+  const found = names.indexOf(name);
+  if (found < 0) throw new Error(`'${name}' is none of ${names.join(', ')}`);
+  return found;
+};
+
+/**
+ * The members of web_job_t (web.h) from `width` on.
+ * @param {Display} display
+ * @param {Look} look
+ */
+export function jobWords(display, look, x, y) {
+  const angle = (look.angle || 0) * Math.PI / 180;
+  const turned = angle !== 0;
+  return Int32Array.from([
+    display.width, display.height, display.format, display.kind, look.colour,
+    look.size * 64, Math.round(x * 64), Math.round(y * 64),
+    turned ? Math.round(Math.cos(angle) * 2 ** 30) : 0,
+    turned ? Math.round(Math.sin(angle) * 2 ** 30) : 0,
+    index(FILTERS, look.filter || 'text'), Math.round((look.weight || 0) * 1024),
+    turned ? 0 : index(FITS, look.fit || 'none'), look.levels || 0,
+    index(EFFECTS, look.effect || 'none'), Math.round((look.outline || 0) * 1024),
+  ]);
+}
+
+export class Core {
+  /** @param {BufferSource} wasm */
+  static async load(wasm) {
+    const {instance} = await WebAssembly.instantiate(wasm, {});
+    return new Core(instance.exports);
+  }
+
+  constructor(code) {
+    this.code = code;
+    this.job = code.__heap_base.value + 15 & ~15;
+    this.text = this.job + JOB_BYTES;
+    this.font = this.text + TEXT_BYTES;
+    this.fontBytes = 0;
+  }
+
+  /** The memory, with room for `bytes`. */
+  memory(bytes) {
+    const more = bytes - this.code.memory.buffer.byteLength;
+    if (more > 0) this.code.memory.grow(Math.ceil(more / 65536));
+    return new Uint8Array(this.code.memory.buffer);
+  }
+
+  /** Takes a font, and checks all of it. @param {Uint8Array} font */
+  open(font) {
+    this.memory(this.font + font.length).set(font, this.font);
+    this.fontBytes = font.length;
+    this.call('verify', new Display('a8', 1, 1), {size: 16, colour: 0}, '', 0, 0);
+  }
+
+  /** Writes a job, and calls the function that takes it. */
+  run(name, display, look, text, x, y, ...more) {
+    const bytes = new TextEncoder().encode(text).subarray(0, TEXT_BYTES);
+    const at = this.font + this.fontBytes + 15 & ~15;
+    const memory = this.memory(at + display.pixels.length);
+    memory.set(bytes, this.text);
+    memory.set(display.pixels, at);
+    new Int32Array(memory.buffer, this.job, 22).set([this.font, this.fontBytes,
+      this.text, bytes.length, at, display.pixels.length,
+      ...jobWords(display, look, x, y)]);
+    const result = this.code[`web_${name}`](this.job, ...more);
+    display.pixels.set(memory.subarray(at, at + display.pixels.length));
+    return result;
+  }
+
+  /** The same of a function that returns a status. */
+  call(name, ...args) {
+    const status = this.run(name, ...args);
+    if (status) throw new Error(`the device's library says: ${STATUS[status]}`);
+  }
+
+  /** Draws text with the left end of its baseline at (x, y). */
+  draw(display, look, text, x, y) {
+    this.call('draw', display, look, text, x, y);
+  }
+
+  /** The advance of a text. [px] */
+  advance(look, text) {
+    const none = new Display('a8', 1, 1);
+    return this.run('advance', none, look, text, 0, 0) / 64;
+  }
+
+  /** What bitmaps of all glyphs take at a size. [bytes] */
+  bitmapBytes(size, bits) {
+    const none = new Display('a8', 1, 1);
+    return this.run('bitmap_bytes', none, {size, colour: 0}, '', 0, 0, bits);
+  }
+
+  get glyphs() {
+    const none = new Display('a8', 1, 1);
+    return this.run('glyph_count', none, {size: 16, colour: 0}, '', 0, 0);
+  }
+
+  /** Draws the glyph between two characters, in {width, height, baseline}. */
+  morph(display, look, box, from, to, progress, x, y) {
+    this.call('morph', display, look, '', x, y, box.width, box.height,
+      box.baseline, from.codePointAt(0), to.codePointAt(0),
+      Math.round(progress * 65536));
+  }
+}

@@ -1,0 +1,10 @@
+# Toolchain for WebAssembly without a C library: Clang and wasm-ld alone.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+foreach(language C CXX)
+  set(CMAKE_${language}_COMPILER_TARGET wasm32)
+  set(CMAKE_${language}_FLAGS_INIT -mbulk-memory)
+endforeach()
+set(CMAKE_C_COMPILER clang)
+set(CMAKE_CXX_COMPILER clang++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)

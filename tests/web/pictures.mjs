@@ -1,0 +1,94 @@
+// Compares pictures of the device's library in WebAssembly with the host's, byte
+// by byte: all pixel formats, filters, fits and effects; and that the module has
+// no imports.
+//
+// Usage: node pictures.mjs CORE.wasm HOST_PROGRAM FONT FOLDER
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync, writeFileSync} from 'node:fs';
+
+import {Core, Display, EFFECTS, FILTERS, FITS, FORMATS, jobWords, KINDS}
+  from '../../port/web/inkcell.mjs';
+
+const TEXT = 'Hamburg 0189 é!';
+const [wasm, program, fontFile, folder] = process.argv.slice(2);
+const code = readFileSync(wasm);
+assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(code)), []);
+const core = await Core.load(code);
+core.open(readFileSync(fontFile));
+
+const pictures = [];
+const add = (format, kind, look, morph) => pictures.push({format, kind, morph,
+  look: {size: 19, colour: format.startsWith('rgb') || format === 'xrgb8888'
+    ? 0xf2a03c : format === 'grey8' ? 255 : format === 'grey4' ? 15
+    : format === 'grey2' ? 3 : 1, filter: 'text', ...look}});
+for (const format of FORMATS) {
+  for (const kind of KINDS) add(format, kind, {});
+  for (const fit of FITS) {
+    for (const levels of [0, 2, 4]) add(format, 'plain', {fit, levels, size: 13});
+  }
+  for (const filter of FILTERS) {
+    const weight = filter === 'shadow' || filter === 'glow' ? 2.5 : 0;
+    add(format, 'plain', {filter, weight});
+    add(format, 'plain', {filter, weight: weight || 0.3, angle: -11});
+  }
+  for (const effect of EFFECTS) {
+    for (const size of [11, 37.5]) {
+      add(format, 'plain', {effect, size, outline: 1.25, fit: 'heights'});
+    }
+  }
+  for (const progress of [0, 0.4, 1]) {
+    add(format, 'plain', {size: 40}, {width: 30, height: 44, baseline: 38,
+      from: '4', to: '5', progress});
+  }
+}
+
+const pattern = (display) => {
+  display.pixels.forEach((_, i) => { display.pixels[i] = i * 37 >> 3; });
+  return display;
+};
+const rows = pictures.flatMap(({format, kind, look, morph}) => {
+  const display = new Display(format, 101, 48, kind);
+  return [...jobWords(display, look, 2.3, 33.7), display.pixels.length,
+    ...(morph ? [morph.width, morph.height, morph.baseline,
+      morph.from.codePointAt(0), morph.to.codePointAt(0),
+      Math.round(morph.progress * 65536)] : [0, 0, 0, 0, 0, 0])];
+});
+writeFileSync(`${folder}/jobs.bin`, Int32Array.from(rows));
+execFileSync(program, [fontFile, `${folder}/jobs.bin`, `${folder}/pictures.bin`]);
+
+const wanted = readFileSync(`${folder}/pictures.bin`);
+let at = 0;
+let drawn = 0;
+for (const {format, kind, look, morph} of pictures) {
+  const display = pattern(new Display(format, 101, 48, kind));
+  const before = display.pixels.slice();
+  let status = 0;
+  try {
+    if (morph) {
+      core.morph(display, look, morph, morph.from, morph.to, morph.progress, 2.3, 33.7);
+    } else {
+      core.draw(display, look, TEXT, 2.3, 33.7);
+    }
+  } catch {
+    status = 1;
+  }
+  const what = JSON.stringify({format, kind, look, morph});
+  assert.equal(status !== 0, wanted[at] !== 0, `status of ${what}`);
+  assert.ok(wanted.subarray(at + 1, at + 1 + before.length).equals(display.pixels),
+    `pixels of ${what}`);
+  drawn += status === 0 && !before.every((byte, i) => byte === display.pixels[i]);
+  at += 1 + before.length;
+}
+assert.equal(at, wanted.length);
+assert.equal(drawn, pictures.length, 'pictures that show nothing');
+
+// What a page asks besides.
+assert.ok(Math.abs(core.advance({size: 32, colour: 0}, 'mm') -
+  2 * core.advance({size: 32, colour: 0}, 'm')) < 0.1);
+assert.ok(core.glyphs > 90);
+const bitmaps = [16, 32].map((size) => core.bitmapBytes(size, 4));
+assert.ok(bitmaps[0] > 0 && bitmaps[1] > 3 * bitmaps[0]);
+assert.throws(() => core.open(new Uint8Array(64)), /bad magic/);
+console.log(`${pictures.length} pictures equal the host's; module of ` +
+  `${code.length} bytes, no imports`);
