@@ -71,6 +71,31 @@ TEST_F(ProgramSources, PutsArraysIntoSections) {
   }
 }
 
+TEST_F(ProgramSources, WritesSeveralFormsAtOnce) {
+  ASSERT_EQ(run(folder_,
+                "--font plain.ttf --symbols H --name plain --out a.hpp --out "
+                "a.c --header a.h --out a.bin --depfile a.d --quiet")
+                .code,
+            0);
+  for (const std::string form : {"hpp", "c", "bin"}) {
+    ASSERT_EQ(run(folder_,
+                  "--font plain.ttf --symbols H --name plain --out "
+                  "alone." +
+                      form + " --quiet")
+                  .code,
+              0);
+    EXPECT_EQ(read_file(folder_.path() / ("a." + form)),
+              read_file(folder_.path() / ("alone." + form)));
+  }
+  const std::vector<uint8_t> rule = read_file(folder_.path() / "a.d");
+  EXPECT_EQ(std::string(rule.begin(), rule.end()).find("a.hpp a.c a.bin: "),
+            0U);
+  const std::string refused =
+      run(folder_, "--font plain.ttf --out b.c --out b.bin --format c --quiet")
+          .err;
+  EXPECT_NE(refused.find("leave --format out"), std::string::npos) << refused;
+}
+
 // All supported compilers accept the generated sources.
 TEST_F(ProgramSources, WritesSourcesThatCompile) {
   ASSERT_EQ(run(folder_,

@@ -1,5 +1,6 @@
 // inkcell-fontgen: makes a ROM font from a font file.
 #include <cstdio>
+#include <list>
 #include <map>
 #include <optional>
 
@@ -22,7 +23,7 @@ struct Arguments {
   std::optional<OutputFormat> format;
   std::string name;
   std::string section;
-  std::string out;
+  std::vector<std::string> out;  // one at least
   std::string header;
   std::string report;
   std::string depfile;
@@ -95,7 +96,9 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
          "fits into so many bytes")
       ->type_name("24K")
       ->excludes("--tolerance");
-  app.add_option("--out", arguments.out, "The file to write")
+  tools::take_one(
+      app.add_option("--out", arguments.out,
+                     "A file to write; repeatable: one font in several forms"))
       ->required()
       ->type_name("FILE");
   app.add_option("--header", arguments.header,
@@ -117,15 +120,14 @@ void add_arguments(CLI::App& app, Arguments& arguments) {
   app.add_flag("--quiet", arguments.quiet, "No report, no progress");
 }
 
-OutputFormat format_of(const Arguments& arguments) {
-  const std::string ending =
-      std::filesystem::path(arguments.out).extension().string();
+OutputFormat format_of(const Arguments& arguments, const std::string& out) {
+  const std::string ending = std::filesystem::path(out).extension().string();
   if (arguments.format.has_value()) {
     return *arguments.format;
   }
   for (const char* source : {".h", ".hh", ".hxx", ".cpp", ".cc", ".cxx"}) {
     if (ending == source) {
-      throw Error(arguments.out + ": add --format hpp, for C++, or --format c");
+      throw Error(out + ": add --format hpp, for C++, or --format c");
     }
   }
   return ending == ".hpp" ? OutputFormat::hpp
@@ -146,7 +148,11 @@ std::string escape(const std::string& path) {
 }
 
 std::string dependencies(const Arguments& arguments) {
-  std::string rule = escape(arguments.out) + ":";
+  std::string rule;
+  for (const std::string& out : arguments.out) {
+    rule += (rule.empty() ? "" : " ") + escape(out);
+  }
+  rule += ":";
   for (const std::filesystem::path& file : inputs_of(arguments.request)) {
     rule += " " + escape(std::filesystem::absolute(file).string());
   }
@@ -155,11 +161,12 @@ std::string dependencies(const Arguments& arguments) {
 
 // Writes all files first, then moves them to their places, the font last: if
 // the disk is full, no file appears.
-void write_files(const Arguments& arguments,
-                 const RomFont& font,
-                 OutputFormat format) {
-  OutputFile out(arguments.out);
-  out.write(encode(font, format, arguments.name, arguments.section));
+void write_files(const Arguments& arguments, const RomFont& font) {
+  std::list<OutputFile> fonts;
+  for (const std::string& out : arguments.out) {
+    fonts.emplace_back(out).write(encode(font, format_of(arguments, out),
+                                         arguments.name, arguments.section));
+  }
   std::optional<OutputFile> header;
   if (!arguments.header.empty()) {
     header.emplace(arguments.header)
@@ -187,18 +194,32 @@ void write_files(const Arguments& arguments,
   if (depfile) {
     depfile->commit();
   }
-  out.commit();
+  for (OutputFile& out : fonts) {
+    out.commit();
+  }
 }
 
 // Refuses formats that cannot hold what was asked for.
-void check_form(const Arguments& arguments, OutputFormat format) {
-  if (!arguments.header.empty() && format != OutputFormat::c) {
+void check_forms(const Arguments& arguments) {
+  bool has_c = false;
+  bool has_bin = false;
+  for (const std::string& out : arguments.out) {
+    const OutputFormat format = format_of(arguments, out);
+    has_c = has_c || format == OutputFormat::c;
+    has_bin = has_bin || format == OutputFormat::bin;
+  }
+  if (arguments.format.has_value() && arguments.out.size() > 1) {
+    throw Error(
+        "--format: with more than one --out the ending of each says its form, "
+        ".hpp, .c or another one, which is bin; leave --format out");
+  }
+  if (!arguments.header.empty() && !has_c) {
     throw Error("--header is for --format c; --format hpp is a header");
   }
-  if (!arguments.section.empty() && format == OutputFormat::bin) {
+  if (!arguments.section.empty() && has_bin) {
     throw Error("--section: --format bin has no array; use hpp or c");
   }
-  if (!arguments.request.string_files.empty() && format == OutputFormat::bin) {
+  if (!arguments.request.string_files.empty() && has_bin) {
     throw Error(
         "--strings: --format bin has no place for runs of glyphs; use hpp or "
         "c");
@@ -207,9 +228,12 @@ void check_form(const Arguments& arguments, OutputFormat format) {
 
 // Refuses, before work begins, what would fail or do harm later.
 void check_files(const Arguments& arguments) {
-  const std::vector<std::filesystem::path> targets = {
-      arguments.out, arguments.header, arguments.report, arguments.depfile,
-      arguments.preview};
+  std::vector<std::filesystem::path> targets(arguments.out.begin(),
+                                             arguments.out.end());
+  for (const std::string& file : {arguments.header, arguments.report,
+                                  arguments.depfile, arguments.preview}) {
+    targets.emplace_back(file);
+  }
   for (const std::filesystem::path& file : targets) {
     if (!file.empty()) {
       check_writable(file);
@@ -264,14 +288,13 @@ void run(Arguments& arguments) {
     arguments.name = identifier_of(font.empty() ? "icons" : font);
   }
   check_identifier(arguments.name);
-  const OutputFormat format = format_of(arguments);
-  check_form(arguments, format);
+  check_forms(arguments);
   check_files(arguments);
   const RomFont font = make_font(arguments);
   for (const Warning& warning : font.warnings) {
     std::fprintf(stderr, "%s\n", warning.message().c_str());
   }
-  write_files(arguments, font, format);
+  write_files(arguments, font);
   if (!arguments.quiet) {
     std::fputs(report_for_people(font.report).c_str(), stdout);
   }

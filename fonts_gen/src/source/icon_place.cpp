@@ -1,9 +1,10 @@
 #include "source/icon_place.hpp"
 
-#include <charconv>
 #include <optional>
+#include <string_view>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "source/font_source.hpp"
 
 namespace inkcell::gen {
@@ -12,11 +13,10 @@ namespace {
 std::optional<double> number(const std::string& text,
                              double least,
                              double most) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && at == end && value >= least && value <= most
-             ? std::optional<double>(value)
+  std::string_view rest = text;
+  const std::optional<double> value = take_number(rest);
+  return value && rest.empty() && *value >= least && *value <= most
+             ? value
              : std::nullopt;
 }
 

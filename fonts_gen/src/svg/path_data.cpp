@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "shape/points.hpp"
 #include "svg/arc.hpp"
 
@@ -64,16 +65,13 @@ class PathReader {
 
   double number() {
     skip();
-    const size_t sign = at_ < data_.size() && data_[at_] == '+' ? 1 : 0;
-    double value = 0;
-    const char* begin = data_.data() + at_ + sign;
-    const auto [end, error] =
-        std::from_chars(begin, data_.data() + data_.size(), value);
-    if (error != std::errc() || !std::isfinite(value)) {
+    std::string_view rest = data_.substr(at_);
+    const std::optional<double> value = take_number(rest);
+    if (!value) {
       refuse("a number");
     }
-    at_ = static_cast<size_t>(end - data_.data());
-    return value;
+    at_ = data_.size() - rest.size();
+    return *value;
   }
 
   bool flag() {

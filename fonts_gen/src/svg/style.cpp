@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "svg/trimmed.hpp"
 
 namespace inkcell::gen {
@@ -21,19 +21,6 @@ std::string lower(std::string text) {
     return static_cast<char>(std::tolower(c));
   });
   return text;
-}
-
-// Removes a number from the front of `text`.
-std::optional<double> read_number(std::string_view& text) {
-  const size_t sign = !text.empty() && text[0] == '+' ? 1 : 0;
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(text.data() + sign, text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  text.remove_prefix(static_cast<size_t>(end - text.data()));
-  return value;
 }
 
 // The value of a property in the attribute `style`; "" if it has none.
@@ -117,7 +104,7 @@ bool is_opaque(const pugi::xml_node& node, const char* name) {
     text = "1";
   }
   std::string_view rest = text;
-  const double opacity = text.empty() ? 1 : read_number(rest).value_or(-1);
+  const double opacity = text.empty() ? 1 : take_number(rest).value_or(-1);
   if (opacity == 1 || opacity == 0) {
     return opacity == 1;
   }
@@ -170,7 +157,7 @@ double number_of(const pugi::xml_node& node,
     return otherwise;
   }
   std::string_view rest = text;
-  const std::optional<double> value = read_number(rest);
+  const std::optional<double> value = take_number(rest);
   if (!value || !(rest.empty() || rest == "px")) {
     throw Error(quoted(name, text) +
                 " is no number of user units; write one without a unit");
@@ -188,7 +175,7 @@ std::vector<double> numbers_of(const pugi::xml_node& node, const char* name) {
     if (rest.empty()) {
       return numbers;
     }
-    const std::optional<double> value = read_number(rest);
+    const std::optional<double> value = take_number(rest);
     if (!value) {
       throw Error(quoted(name, text) + " is no list of numbers");
     }

@@ -1,12 +1,12 @@
 #include "svg/transform.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "shape/points.hpp"
 #include "svg/trimmed.hpp"
 
@@ -29,16 +29,11 @@ std::optional<Numbers> parse_numbers(std::string_view text) {
     if (text.empty()) {
       return numbers;
     }
-    text.remove_prefix(text[0] == '+' ? 1 : 0);
-    double value = 0;
-    const auto [end, error] =
-        std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !std::isfinite(value) ||
-        numbers.count == numbers.value.size()) {
+    const std::optional<double> value = take_number(text);
+    if (!value || numbers.count == numbers.value.size()) {
       return std::nullopt;
     }
-    numbers.value[numbers.count++] = value;
-    text.remove_prefix(static_cast<size_t>(end - text.data()));
+    numbers.value[numbers.count++] = *value;
   }
 }
 
