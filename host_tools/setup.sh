@@ -4,6 +4,7 @@
 #   inkcell_setup demo     # the generator, the tools and the emulated boards
 #   inkcell_setup windows  # these, inkcell-editor and inkcell-simulator
 #   inkcell_setup tests    # these, and what the tests need on top
+#   inkcell_setup web      # what builds the page of host_tools/playground
 #   inkcell_setup reading  # what reads and judges small text
 #   inkcell_setup bare     # what makes the machine of tests/bare.sh
 #   inkcell_setup packages NAME...
@@ -33,6 +34,9 @@ inkcell_packages_tests="$inkcell_packages_windows
   librsvg2-bin unicode-data xvfb xdotool fontmake
   $inkcell_packages_reading"
 
+inkcell_packages_web="cmake ninja-build clang lld emscripten nodejs dpkg-dev
+  libcli11-dev nlohmann-json3-dev fonts-dejavu-core"
+
 inkcell_packages_bare="git debootstrap debian-archive-keyring"
 
 # The packages of "$@" that are not installed.
@@ -48,11 +52,12 @@ inkcell_setup() {
     demo) inkcell_wanted=$inkcell_packages_demo ;;
     windows) inkcell_wanted=$inkcell_packages_windows ;;
     tests) inkcell_wanted=$inkcell_packages_tests ;;
+    web) inkcell_wanted=$inkcell_packages_web ;;
     reading) inkcell_wanted=$inkcell_packages_reading ;;
     bare) inkcell_wanted=$inkcell_packages_bare ;;
     packages) shift; inkcell_wanted=$* ;;
     *)
-      echo "inkcell_setup demo|windows|tests|reading|bare|packages NAME..." >&2
+      echo "inkcell_setup demo|windows|tests|web|reading|bare|packages NAME..." >&2
       exit 2
       ;;
   esac

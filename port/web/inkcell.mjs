@@ -45,34 +45,33 @@ export class Display {
     const number = FORMATS.indexOf(format);
     const pages = format === 'mono-pages';
     const row = pages ? width : Math.ceil(width * BITS[number] / 8);
-    Object.assign(this, {format: number, kind: KINDS.indexOf(kind), width,
+    Object.assign(this, {format: number, bits: BITS[number], kind: KINDS.indexOf(kind), width,
       height, row, pages});
     this.pixels = new Uint8Array(row * (pages ? Math.ceil(height / 8) : height));
   }
 
-  /** A pixel as [red, green, blue], 0 to 255. @returns {number[]} */
-  at(x, y) {
+  /** What the memory holds of a pixel: a level, or a colour of the format. */
+  word(x, y) {
     const {format, row, pixels} = this;
     const bits = BITS[format];
-    if (this.pages) {
-      const on = pixels[(y >> 3) * row + x] >> (y & 7) & 1;
-      return [on * 255, on * 255, on * 255];
-    }
-    if (bits <= 8) {
-      const shift = 8 - bits - (x * bits & 7);
-      const most = (1 << bits) - 1;
-      const level = pixels[y * row + (x * bits >> 3)] >> shift & most;
-      const grey = Math.round(level * 255 / most);
-      return [grey, grey, grey];
-    }
-    const i = y * row + x * bits / 8;
+    if (this.pages) return pixels[(y >> 3) * row + x] >> (y & 7) & 1;
+    const i = y * row + (x * bits >> 3);
+    if (bits <= 8) return pixels[i] >> 8 - bits - (x * bits & 7) & (1 << bits) - 1;
+    return bits === 16 ? pixels[i] | pixels[i + 1] << 8
+      : bits === 24 ? pixels[i] << 16 | pixels[i + 1] << 8 | pixels[i + 2]
+                    : pixels[i + 2] << 16 | pixels[i + 1] << 8 | pixels[i];
+  }
+
+  /** A word as [red, green, blue], 0 to 255. @returns {number[]} */
+  colour(word) {
+    const bits = BITS[this.format];
+    if (bits > 16) return [word >> 16, word >> 8 & 255, word & 255];
     if (bits === 16) {
-      const word = pixels[i] | pixels[i + 1] << 8;
-      return [(word >> 11) * 255 / 31, (word >> 5 & 63) * 255 / 63,
-        (word & 31) * 255 / 31];
+      return [(word >> 11) * 255 / 31, (word >> 5 & 63) * 255 / 63, (word & 31) * 255 / 31]
+        .map(Math.round);
     }
-    return bits === 24 ? [...pixels.subarray(i, i + 3)]
-                       : [pixels[i + 2], pixels[i + 1], pixels[i]];
+    const grey = Math.round(word * 255 / ((1 << bits) - 1));
+    return [grey, grey, grey];
   }
 }
 
@@ -178,5 +177,17 @@ export class Core {
     this.call('morph', display, look, '', x, y, box.width, box.height,
       box.baseline, from.codePointAt(0), to.codePointAt(0),
       Math.round(progress * 65536));
+  }
+
+  /**
+   * The field of a character, which the device's library makes of its outline:
+   * `points` has for each of n x n points, row by row from the top, the distance
+   * [u, Q10], and the corner and the side of its cell [u].
+   */
+  field(char, n) {
+    const memory = {...new Display('a8', n, n), pixels: new Uint8Array(20 + 16 * n * n)};
+    this.call('field', memory, {size: 16, colour: 0}, '', 0, 0, char.codePointAt(0));
+    const [x, y, side, bytes, cells, ...points] = new Int32Array(memory.pixels.buffer);
+    return {x, y, side, bytes, cells, points};
   }
 }

@@ -83,6 +83,15 @@ inkcell_status_t web_morph(const web_job_t* job,
                            uint32_t to,
                            int32_t progress_q16);
 
+/// Generates the field of a character in RAM, and asks it at width x width
+/// points. `pixels` then holds numbers of 32 bits: those of WEB_FIELD_HEAD,
+/// which are the lower left corner of the square, its side [u], the bytes of
+/// the field and its cells; and for each point, row by row from the top, the
+/// distance [u, Q10], the lower left corner of its cell and its side [u], 0
+/// where the cell is all outside or inside. NO_GLYPH: there is no ink.
+inkcell_status_t web_field(const web_job_t* job, uint32_t code_point);
+enum { WEB_FIELD_HEAD = 5 };
+
 /// The sink that a job asks for, used by all that draw.
 typedef union web_target_t {
   inkcell_a8_target_t a8;

@@ -42,12 +42,17 @@ for (const format of FORMATS) {
       from: '4', to: '5', progress});
   }
 }
+for (const char of ['g', '@', ' ']) pictures.push({field: char});
 
 const pattern = (display) => {
   display.pixels.forEach((_, i) => { display.pixels[i] = i * 37 >> 3; });
   return display;
 };
-const rows = pictures.flatMap(({format, kind, look, morph}) => {
+const rows = pictures.flatMap(({format, kind, look, morph, field}) => {
+  if (field) {
+    return [...jobWords(new Display('a8', 40, 40), {size: 16, colour: 0}, 0, 0),
+      20 + 16 * 40 * 40, -1, 0, 0, field.codePointAt(0), 0, 0];
+  }
   const display = new Display(format, 101, 48, kind);
   return [...jobWords(display, look, 2.3, 33.7), display.pixels.length,
     ...(morph ? [morph.width, morph.height, morph.baseline,
@@ -60,7 +65,24 @@ execFileSync(program, [fontFile, `${folder}/jobs.bin`, `${folder}/pictures.bin`]
 const wanted = readFileSync(`${folder}/pictures.bin`);
 let at = 0;
 let drawn = 0;
-for (const {format, kind, look, morph} of pictures) {
+for (const {format, kind, look, morph, field} of pictures) {
+  if (field) {
+    const size = 20 + 16 * 40 * 40;
+    if (wanted[at] === 0) {
+      const {x, y, side, bytes, cells, points} = core.field(field, 40);
+      const got = Int32Array.of(x, y, side, bytes, cells, ...points);
+      assert.ok(wanted.subarray(at + 1, at + 1 + size).equals(new Uint8Array(got.buffer)),
+        `field of ${field}`);
+      assert.ok(Math.max(...points.filter((_, i) => i % 4 === 0)) > 20 << 10);
+      assert.ok(cells > 20 && bytes > 500);
+    } else {
+      assert.throws(() => core.field(field, 40), /no glyph/);
+      assert.equal(field, ' ');
+    }
+    at += 1 + size;
+    drawn += 1;
+    continue;
+  }
   const display = pattern(new Display(format, 101, 48, kind));
   const before = display.pixels.slice();
   let status = 0;

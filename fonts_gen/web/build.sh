@@ -1,0 +1,21 @@
+#!/bin/sh
+# Builds inkcell-fontgen as WebAssembly by Debian's emscripten.
+#
+#   sh fonts_gen/web/build.sh [FOLDER]     # build/web
+#
+# Writes FOLDER/generator/inkcell-fontgen.js and .wasm. Libraries are compiled
+# once, from Debian's sources (sources.sh), which takes 3 minutes.
+set -eu
+cd "$(dirname "$0")/../.."
+. host_tools/setup.sh
+inkcell_setup web
+mkdir -p "${1:-build/web}"
+folder=$(cd "${1:-build/web}" && pwd)
+sh fonts_gen/web/sources.sh "$folder/sources"
+# Where node is not Debian's, emcc does not find Debian's modules.
+export NODE_PATH=/usr/share/nodejs
+cmake -S fonts_gen/web -B "$folder/generator" -G Ninja \
+  -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" \
+  -DCMAKE_C_FLAGS_RELEASE="-Os -DNDEBUG" "-DINKCELL_SOURCES=$folder/sources"
+nice -n 10 cmake --build "$folder/generator" --target inkcell-fontgen
