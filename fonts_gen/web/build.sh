@@ -14,8 +14,7 @@ folder=$(cd "${1:-build/web}" && pwd)
 sh fonts_gen/web/sources.sh "$folder/sources"
 # Where node is not Debian's, emcc does not find Debian's modules.
 export NODE_PATH=/usr/share/nodejs
-cmake -S fonts_gen/web -B "$folder/generator" -G Ninja \
-  -DCMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake \
+emcmake cmake -S fonts_gen/web -B "$folder/generator" -G Ninja \
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" \
   -DCMAKE_C_FLAGS_RELEASE="-Os -DNDEBUG" "-DINKCELL_SOURCES=$folder/sources"
 nice -n 10 cmake --build "$folder/generator" --target inkcell-fontgen

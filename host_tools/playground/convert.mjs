@@ -114,6 +114,7 @@ function stop() {
   worker = null;
   $('go').disabled = Object.keys(files).length === 0;
   $('cancel').hidden = $('progress').hidden = true;
+  $('count').textContent = '';
 }
 
 /** Waits for one run of the program in the worker. */
@@ -122,7 +123,7 @@ const run = (args) => new Promise((resolve, reject) => {
     if (data.count) {
       $('progress').max = data.count;
       $('progress').value = data.done;
-      $('status').textContent = `Glyph ${data.done} of ${data.count}`;
+      $('count').textContent = `${data.done} of ${data.count} glyphs`;
     } else {
       resolve(data);
     }

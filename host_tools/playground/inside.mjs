@@ -53,10 +53,10 @@ export function startInside(core) {
     const where = side || Math.abs(distance) < IN_EM
       ? `${Math.abs(distance).toFixed(1)}/1024 em ${distance > 0 ? 'inside' : 'outside'}: ` +
         `${(Math.abs(distance) * 24 / IN_EM).toFixed(2)} px in text of 24 px.`
-      : `Far ${distance > 0 ? 'inside' : 'outside'}: nobody asks how far.`;
+      : `Far ${distance > 0 ? 'inside' : 'outside'}.`;
     $('probe').textContent = where + (side
       ? ` The cell is ${side}/1024 em wide, and keeps nine distances, at the dots.`
-      : ' No edge is near, so the cell keeps nothing but its side.');
+      : ' No edge is near: the cell keeps only whether it is inside or outside.');
   }
 
   function draw() {

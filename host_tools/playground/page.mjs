@@ -76,7 +76,7 @@ function showSum() {
   for (const bytes of seen.values()) sum += bytes;
   $('size-shown').textContent = `${Math.round(size)} px`;
   $('font-bytes').textContent = bytesOf(fontBytes);
-  $('bitmap-label').textContent = 'The same glyphs as 4-bit bitmaps: ' +
+  $('bitmap-label').textContent = 'The same glyphs as 4-bit bitmaps, uncompressed: ' +
     (seen.size === 1 ? 'one size so far' : `${seen.size} sizes so far`);
   $('bitmap-bytes').textContent = bytesOf(sum);
   $('font-bar').style.width = `${100 * fontBytes / all}%`;

@@ -185,6 +185,13 @@ int32_t web_glyph_count(const web_job_t* job) {
              : 0;
 }
 
+// The pixels that units from `least` to `most` meet.
+static int32_t pixels(const Look* look, int32_t least, int32_t most) {
+  const int32_t first_q6 = inkcell_to_px(&look->font, &look->style, least);
+  const int32_t last_q6 = inkcell_to_px(&look->font, &look->style, most);
+  return ((last_q6 + 63) >> 6) - (first_q6 >> 6);
+}
+
 uint32_t web_bitmap_bytes(const web_job_t* job, int32_t bits) {
   Look look;
   if (open_look(job, &look) != INKCELL_OK) {
@@ -193,9 +200,11 @@ uint32_t web_bitmap_bytes(const web_job_t* job, int32_t bits) {
   uint32_t bytes = 0;
   for (uint16_t glyph = 0; glyph < inkcell_font_glyph_count(&look.font);
        ++glyph) {
-    inkcell_rect_t box;
-    inkcell_glyph_box(&look.font, glyph, &look.style, 0, 0, &box);
-    bytes += (uint32_t)((box.x1 - box.x0) * (box.y1 - box.y0) * bits + 7) / 8;
+    inkcell_glyph_metrics_t ink;
+    inkcell_font_glyph_metrics(&look.font, glyph, &ink);
+    const int32_t width = pixels(&look, ink.x_min, ink.x_max);
+    const int32_t height = pixels(&look, ink.y_min, ink.y_max);
+    bytes += (uint32_t)(width * height * bits + 7) / 8;
   }
   return bytes;
 }

@@ -67,7 +67,8 @@ inkcell_status_t web_draw(const web_job_t* job);
 int32_t web_advance(const web_job_t* job);
 
 /// What bitmaps of all glyphs of the font take at this size: the boxes of their
-/// ink, with `bits` a pixel. [bytes] Tables are not counted. 0 after an error.
+/// ink, uncompressed, with `bits` a pixel. [bytes] Tables are not counted. 0
+/// after an error.
 uint32_t web_bitmap_bytes(const web_job_t* job, int32_t bits);
 
 /// The number of glyphs; 0 after an error.

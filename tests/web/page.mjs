@@ -160,8 +160,11 @@ await page.focus('#cancel');
 await page.keyboard.press('Enter');
 assert.equal(await text(page, 'status'), 'Cancelled.');
 assert.ok(await page.isEnabled('#go'));
-writeFileSync(`${folder}/broken.ttf`, 'no font');
-await page.setInputFiles('#files', `${folder}/broken.ttf`);
+await page.evaluate(() => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File(['no font'], 'broken.ttf'));
+  document.body.dispatchEvent(new DragEvent('drop', {dataTransfer, bubbles: true}));
+});
 await page.waitForSelector('#messages:visible');
 assert.match(await text(page, 'messages'), /^error: broken\.ttf: /);
 writeFileSync(`${folder}/dot.svg`, '<svg xmlns="http://www.w3.org/2000/svg" ' +
@@ -209,6 +212,12 @@ for (const colorScheme of ['light', 'dark']) {
   await phone.screenshot({path: `${folder}/phone-${colorScheme}.png`});
   await phone.close();
 }
+
+// Without a wish for less motion the first thing to see is a sweep.
+const moving = await open({reducedMotion: 'no-preference'});
+await moving.waitForFunction(() =>
+  document.getElementById('bitmap-label').textContent.includes('57 sizes'));
+await moving.close();
 
 // Nothing leaves the page.
 assert.deepEqual(problems, []);
